@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "viewer/volume/cancel.h"
+
+namespace volumen {
+
+/// Exit statuses of the program (DESIGN 4).
+enum ExitStatus { exitDone = 0, exitFailed = 1, exitUsage = 2 };
+
+/// One command: adds its options to `app` and returns what runs it. `app` and what the function captured live
+/// until it has run.
+using MakeCommand = std::function<int()> (*)(CLI::App& app, const CancelToken& cancel);
+
+// One file a command in app/commands.
+std::function<int()> makeInfo(CLI::App& app, const CancelToken& cancel);
+std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel);
+
+/// Writes "volumen: SENTENCE" to stderr, control characters escaped, and returns exitFailed.
+int fail(const std::string& sentence);
+/// The same with exitUsage, for options that do not go together.
+int failUsage(const std::string& sentence);
+/// Text from files and folders, safe for a terminal: C0, C1, DEL and bidirectional controls become \xNN or
+/// \u{NNNN}.
+std::string printable(const std::string& utf8);
+
+}  // namespace volumen

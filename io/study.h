@@ -1,0 +1,80 @@
+#pragma once
+
+#include <functional>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/volume/cancel.h"
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// One volume that was found: plain values that the rest of the program sees, and how to load it. Text is
+/// UTF-8, exactly as in the file; whoever shows it escapes control characters.
+struct Series {
+  std::string id;    ///< SeriesInstanceUID or file name, "#n" behind it where that holds several (DESIGN 10)
+  std::string path;  ///< the file, or the folder that holds the files
+  std::string format;  ///< "DICOM", "NRRD", "NIfTI", "MetaImage", "phantom"
+  std::string patientName, patientId, studyUid, studyDate, studyDescription;
+  std::string seriesUid, seriesNumber, modality, description;
+
+  VoxelGeometry
+      acquired;  ///< the slices as acquired; spacing along k: mean distance along the step between slices
+  std::string valueType;              ///< "uint8", "int16", "uint16", "float32"
+  std::vector<std::string> warnings;  ///< each one sentence, mm and file names
+
+  /// The drawn grid, where it differs from the slices as acquired (uneven or missing slices).
+  struct Regular {
+    VoxelGeometry geometry;
+    int interpolatedSlices = 0;
+  };
+  std::optional<Regular> regular;
+
+  std::vector<std::string> files;  ///< every file it is made of, in slice order (one file for NRRD etc.)
+};
+
+struct Refused {
+  std::string path, reason;
+};
+
+/// Valid, but no volume: SR, RT, DICOMDIR, a text file.
+struct Other {
+  std::string path, kind;
+};
+
+/// All that one PATH holds. Volumes in `info`'s order: patient, study, series number, position.
+struct Study {
+  std::vector<Series> volumes;
+  std::vector<Refused> refused;
+  std::vector<Other> other;
+};
+
+/// Called now and then with what is being done ("reading headers"), how many of how many. From the calling
+/// thread.
+using Progress = std::function<void(const char* what, std::size_t done, std::size_t total)>;
+
+/// What is under `path`: a file, a folder (nested; links followed, each file once) or "phantom:NAME[:SIZE]".
+/// Reads headers only. An Error where there is no such path; what cannot be loaded is in `refused` with its
+/// reason.
+Result<Study> openStudy(const std::string& path, const Progress& progress = {},
+                        const CancelToken& cancel = {});
+
+/// A loaded series. `acquired` holds the slices as acquired (what `info --values` describes); `drawn` the
+/// regular grid (the same pointer where they do not differ). `warnings`: the series' and those of loading.
+struct Loaded {
+  VolumePtr acquired, drawn;
+  std::vector<std::string> warnings;
+};
+
+/// Reads and decodes a series. An Error names the file and why.
+Result<Loaded> loadSeries(const Series& series, const Progress& progress = {},
+                          const CancelToken& cancel = {});
+
+/// The series that `--series` means: an id, a UID or its number (from 1) in the study's order; empty: the one
+/// with most voxels. An Error that lists what there is.
+Result<std::size_t> chooseSeries(const Study& study, const std::string& text);
+
+}  // namespace volumen

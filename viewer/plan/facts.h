@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "viewer/volume/bricks.h"
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// What the planner's rules may ask of a volume: a value, so that tests can invent one.
+struct VolumeFacts {
+  VoxelGeometry geometry;
+  bool integers = true;  ///< stored as 8- or 16-bit integers
+  double slope = 1;
+  ValueRange range;          ///< smallest and largest value
+  double p01 = 0, p999 = 0;  ///< P0.1 and P99.9 of SCENE 5
+  std::optional<Window> fileWindow;
+  std::shared_ptr<const BrickRanges> bricks;  ///< null: unknown, every block counts
+};
+
+/// Reads the facts off a volume (one pass over it each for bricks and percentiles, on all cores).
+VolumeFacts factsOf(const Volume& volume);
+
+/// (P99.9 - P0.1) / 32 / cbrt(|det L|), value per mm (SCENE 5).
+double defaultGradientFloor(const VolumeFacts& facts);
+
+}  // namespace volumen

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <optional>
+
+namespace volumen {
+
+/// Levels of quality, each an error promise against the reference (DESIGN 2).
+enum class Quality { draft, standard, high, exact };
+/// DESIGN 3.
+enum class Method { planes, reference };
+enum class Resampler { cpu, gl };
+enum class Shader { automatic, map, phong };
+
+/// What the caller asks of a picture beside the scene. Choices left open are the planner's.
+struct RenderOptions {
+  glm::ivec2 size{512, 512};
+  Quality quality = Quality::standard;
+  std::optional<double> step;  ///< voxels: the plain midpoint rule of SCENE 9 instead of a level
+  Method method = Method::planes;
+  Resampler resampler = Resampler::cpu;
+  Shader shader = Shader::automatic;
+  std::optional<int> precision;  ///< bits of the stored density and gradient components: 16 or 32
+  std::optional<int> mapSize;    ///< n of the reflectance map's six n x n faces
+  int threads = 0;               ///< 0: all allowed cores
+  bool full = false;             ///< every sound rule off: the same bytes, slower (DESIGN 5)
+  bool operator==(const RenderOptions&) const = default;
+};
+
+}  // namespace volumen

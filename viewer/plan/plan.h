@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viewer/plan/facts.h"
+#include "viewer/plan/options.h"
+#include "viewer/scene/scene.h"
+
+namespace volumen {
+
+/// One line of --explain: an effect or a choice, whether it is on, and why.
+struct Effect {
+  std::string name;  ///< "lighting", "gradients", "specular", "clip", "empty blocks", ...
+  bool on = false;
+  bool sound =
+      false;  ///< a sound rule (off: same bytes); else a choice within the level's promise (DESIGN 5)
+  std::string reason;  ///< one clause a radiologist's physicist would agree with
+  bool operator==(const Effect&) const = default;
+};
+
+/// What is computed for a picture, decided before the first sample: a pure function of its inputs.
+/// The renderer does what it says and decides nothing itself.
+struct Plan {
+  Scene scene;            ///< complete: camera, window and gradientFloor are set
+  RenderOptions options;  ///< as asked
+
+  Method method = Method::planes;
+  Resampler resampler = Resampler::cpu;
+  bool phong = true;  ///< direct shading; else the reflectance map
+  int mapSize = 64;
+  int bits = 16;                 ///< stored precision
+  double stepVoxels = 1;         ///< SCENE 9
+  double stopTransmittance = 0;  ///< a ray ends where its transmittance falls below; 0: never
+
+  bool gradients = false;        ///< Sobel gradients are computed, stored and fetched
+  bool lit = false;              ///< D and S of SCENE 5 are evaluated
+  bool specular = false;         ///< the S part is evaluated
+  bool gradientOpacity = false;  ///< the factor over |g_p| is evaluated
+  bool clip = false;             ///< clip box and planes cut the rays
+  bool skipBlocks = false;       ///< blocks of opacity 0 are never touched
+  double visibleShare = 1;       ///< share of blocks that hold any visible value
+
+  std::vector<Effect> effects;
+  bool operator==(const Plan&) const = default;
+};
+
+/// Decides a picture. The scene must be valid (validateScene). Refused, with a sentence that names the
+/// option: what the methods cannot do (e.g. a reflectance map with localViewer).
+Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const RenderOptions& options);
+
+/// The plan as --explain prints it, one effect a line: "on   gradients: the scene is lit".
+std::string explain(const Plan& plan);
+/// The same as JSON, for --stats.
+std::string explainJson(const Plan& plan);
+
+}  // namespace volumen

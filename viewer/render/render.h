@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "viewer/plan/plan.h"
+#include "viewer/volume/cancel.h"
+#include "viewer/volume/picture.h"
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// What a picture took. Times in ms of wall clock; resample and shade are summed over threads and divided by
+/// their number.
+struct RenderStats {
+  double gradientsMs = 0;  ///< Sobel pass and copies made for this picture; 0 where they were there already
+  double resampleMs = 0, shadeMs = 0, totalMs = 0;
+  std::int64_t resampled = 0, shaded = 0, composited = 0;  ///< samples
+  std::size_t densityBytes = 0, gradientBytes = 0, blockBytes = 0, tableBytes = 0;
+  int threads = 1;
+  std::string kernel;  ///< e.g. "AVX3_ZEN4", "reference", "llvmpipe (LLVM 15.0.6, 256 bits)"
+};
+
+struct Rendered {
+  Picture picture;
+  RenderStats stats;
+};
+
+/// What is expensive and reusable of one volume, made when first needed: facts, stored density, gradients, GL
+/// textures. Each is keyed by exactly what it was computed from. Not for use from two threads at once.
+class RenderCaches {
+ public:
+  explicit RenderCaches(VolumePtr volume);
+  ~RenderCaches();
+  RenderCaches(RenderCaches&&) noexcept;
+  RenderCaches& operator=(RenderCaches&&) noexcept;
+
+  const VolumePtr& volume() const;
+  const VolumeFacts& facts();
+
+  struct Impl;
+  Impl& impl() { return *impl_; }
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Draws the plan. An Error where it was cancelled ("cancelled") or a resource is missing (a sentence).
+Result<Rendered> render(const Plan& plan, RenderCaches& caches, const CancelToken& cancel = {});
+
+}  // namespace volumen

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// 3D Sobel at one voxel (SCENE 3): along the axis [-1 0 1]/2, along the other two [1 2 1]/4, neighbours
+/// clamped. In real value per voxel. The plain double-precision definition that the fast ones are tested
+/// against.
+glm::dvec3 sobelAt(const Volume& volume, int i, int j, int k);
+
+/// Sobel gradients of a whole volume as four 16-bit integers a voxel (x, y, z, 0), i fastest.
+/// G (real value per voxel) = scale * integer. The scale is a power of two times slope / 32, so small ranges
+/// lose nothing.
+struct Gradients16 {
+  std::vector<std::int16_t> xyz0;
+  double scale = 1;
+};
+
+/// Sobel gradients as four floats a voxel (x, y, z, 0), in real value per voxel.
+struct Gradients32 {
+  std::vector<float> xyz0;
+};
+
+/// Computed on all cores, SIMD. `volume` must hold integers.
+Gradients16 sobel16(const Volume& volume);
+Gradients32 sobel32(const Volume& volume);
+
+}  // namespace volumen

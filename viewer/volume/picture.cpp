@@ -1,0 +1,60 @@
+#include "viewer/volume/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace volumen {
+
+namespace {
+std::uint8_t byteOf(float x) {
+  return std::uint8_t(std::floor(255.0 * std::clamp(double(x), 0.0, 1.0) + 0.5));
+}
+}  // namespace
+
+std::vector<std::uint8_t> toBytes(const Picture& picture) {
+  const std::size_t pixels = std::size_t(picture.size.x) * picture.size.y;
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(pixels * (picture.transparent ? 4 : 3));
+  for (std::size_t n = 0; n < pixels; ++n) {
+    const float* p = &picture.rgba[4 * n];
+    for (int c = 0; c < 3; ++c) {
+      const float straight = !picture.transparent ? p[c] : p[3] > 0 ? p[c] / p[3] : 0.0f;
+      bytes.push_back(byteOf(straight));
+    }
+    if (picture.transparent) bytes.push_back(byteOf(p[3]));
+  }
+  return bytes;
+}
+
+PictureError compare(const Picture& a, const Picture& b, const std::vector<std::uint8_t>& use) {
+  std::vector<double> largest;
+  double squares = 0;
+  std::size_t above2 = 0;
+  const std::size_t pixels = std::size_t(a.size.x) * a.size.y;
+  for (std::size_t n = 0; n < pixels; ++n) {
+    if (!use.empty() && !use[n]) continue;
+    double most = 0;
+    for (int c = 0; c < 4; ++c) {
+      const double d = 255.0 * (double(a.rgba[4 * n + c]) - double(b.rgba[4 * n + c]));
+      // A NaN must not pass as "no difference".
+      most = std::isnan(d) ? std::numeric_limits<double>::infinity() : std::max(most, std::abs(d));
+      squares += d * d;
+    }
+    largest.push_back(most);
+    above2 += most > 2;
+  }
+  PictureError e;
+  if (largest.empty()) return e;
+  const std::size_t count = largest.size();
+  const std::size_t rank = (99 * count + 99) / 100;  // ceil(0.99 N), at least 1
+  std::nth_element(largest.begin(), largest.begin() + (rank - 1), largest.end());
+  e.percentile99 = largest[rank - 1];
+  e.maximum = *std::max_element(largest.begin() + (rank - 1), largest.end());
+  e.rmse = std::sqrt(squares / (4.0 * double(count)));
+  e.psnrDb = e.rmse > 0 ? 20 * std::log10(255 / e.rmse) : std::numeric_limits<double>::infinity();
+  e.shareAbove2 = double(above2) / double(count);
+  return e;
+}
+
+}  // namespace volumen

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <vector>
+
+namespace volumen {
+
+/// Float RGBA, first row on top. Opaque background: colour clamped to 0..1, alpha 1.
+/// Transparent background: premultiplied colour clamped to 0..1, alpha A (SCENE 6, DESIGN 10).
+struct Picture {
+  glm::ivec2 size{0};
+  bool transparent = false;
+  std::vector<float> rgba;  ///< 4 * size.x * size.y
+
+  float* row(int y) { return rgba.data() + std::size_t(4) * size.x * y; }
+  const float* row(int y) const { return rgba.data() + std::size_t(4) * size.x * y; }
+  bool operator==(const Picture&) const = default;
+};
+
+/// The 8-bit picture as it is written and shown: floor(255 x + 1/2); 3 bytes a pixel where opaque, else 4
+/// with straight (not premultiplied) colour, 0 where alpha is 0 (SCENE 6).
+std::vector<std::uint8_t> toBytes(const Picture& picture);
+
+/// How two float pictures differ, in units of 1/255, as DESIGN 2 defines it.
+struct PictureError {
+  double maximum = 0;       ///< largest over pixels and RGBA
+  double percentile99 = 0;  ///< rank ceil(0.99 N) of all pixels' largest difference
+  double rmse = 0;          ///< over all components
+  double psnrDb = 0;        ///< 20 log10(255 / rmse); infinity where rmse is 0
+  double shareAbove2 = 0;   ///< share of pixels off by more than 2/255
+};
+
+/// Compares pictures of one size. `use`: pixels to count (empty: all), one entry a pixel, non-zero = counted.
+PictureError compare(const Picture& a, const Picture& b, const std::vector<std::uint8_t>& use = {});
+
+}  // namespace volumen
