@@ -1,0 +1,102 @@
+#include "io/study.h"
+
+#include <algorithm>
+#include <charconv>
+#include <tuple>
+
+#include "io/walk.h"
+#include "viewer/volume/phantoms.h"
+
+namespace volumen {
+namespace {
+
+constexpr std::string_view phantomPrefix = "phantom:";
+
+bool isPhantom(const std::string& path) { return path.starts_with(phantomPrefix); }
+
+Result<VolumePtr> phantomAt(const std::string& path) {
+  return makePhantom(path.substr(phantomPrefix.size()));
+}
+
+Result<Study> openPhantom(const std::string& path) {
+  const Result<VolumePtr> volume = phantomAt(path);
+  if (!volume) return volume.error();
+  Series series;
+  series.id = series.path = path;
+  series.format = "phantom";
+  series.description = (*volume)->attributes().name;
+  series.modality = (*volume)->attributes().modality;
+  series.acquired = (*volume)->geometry();
+  series.valueType = (*volume)->typeName();
+  Study study;
+  study.volumes.push_back(series);
+  return study;
+}
+
+long numberOf(const std::string& text) {
+  long n = 0;
+  std::from_chars(text.data(), text.data() + text.size(), n);
+  return n;
+}
+
+/// `info`'s order: patient, study, series number, position.
+void sortVolumes(std::vector<Series>& volumes) {
+  const auto key = [](const Series& s) {
+    const glm::dvec3 o = s.acquired.origin;
+    return std::make_tuple(std::tie(s.patientName, s.patientId, s.studyDate, s.studyUid),
+                           numberOf(s.seriesNumber), std::tie(s.seriesUid, s.path), o.z, o.y, o.x,
+                           std::tie(s.id));
+  };
+  std::stable_sort(volumes.begin(), volumes.end(),
+                   [&](const Series& a, const Series& b) { return key(a) < key(b); });
+}
+
+}  // namespace
+
+Result<Study> openStudy(const std::string& path, const Progress& progress, const CancelToken& cancel) {
+  if (isPhantom(path)) return openPhantom(path);
+  const Result<FoundFiles> found = findFiles(path, cancel);
+  if (!found) return found.error();
+  Study study;
+  for (const auto& [file, reason] : found->unreadable) study.refused.push_back({file, reason + "."});
+  for (std::size_t n = 0; n < found->files.size(); ++n) {
+    if (cancel.cancelled()) return Error{path + ": cancelled."};
+    if (progress) progress("reading headers", n, found->files.size());
+    study.other.push_back({found->files[n], "not an image"});
+  }
+  sortVolumes(study.volumes);
+  return study;
+}
+
+Result<Loaded> loadSeries(const Series& series, const Progress&, const CancelToken&) {
+  if (series.format == "phantom") {
+    Result<VolumePtr> volume = phantomAt(series.path);
+    if (!volume) return volume.error();
+    return Loaded{*volume, *volume, {}};
+  }
+  return Error{series.path + ": the format " + series.format + " is not known."};
+}
+
+Result<std::size_t> chooseSeries(const Study& study, const std::string& text) {
+  const std::vector<Series>& all = study.volumes;
+  if (all.empty()) return Error{"There is no volume to choose."};
+  if (text.empty()) {
+    const auto most = std::max_element(all.begin(), all.end(), [](const Series& a, const Series& b) {
+      return a.acquired.voxelCount() < b.acquired.voxelCount();
+    });
+    return std::size_t(most - all.begin());
+  }
+  for (std::size_t n = 0; n < all.size(); ++n)
+    if (all[n].id == text) return n;
+  for (std::size_t n = 0; n < all.size(); ++n)
+    if (all[n].seriesUid == text) return n;
+  const bool isNumber = text.find_first_not_of("0123456789") == std::string::npos && text.size() <= 9;
+  if (isNumber && numberOf(text) >= 1 && std::size_t(numberOf(text)) <= all.size())
+    return std::size_t(numberOf(text)) - 1;
+  std::string list;
+  for (std::size_t n = 0; n < all.size(); ++n)
+    list += "\n  " + std::to_string(n + 1) + "  " + all[n].id + "  " + all[n].description;
+  return Error{"There is no series \"" + text + "\"; there are:" + list};
+}
+
+}  // namespace volumen
