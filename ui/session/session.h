@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QObject>
+#include <QUndoStack>
+#include <functional>
+
+#include "ui/session/shown_series.h"
+#include "viewer/scene/scene.h"
+
+namespace volumen {
+
+/// All that the window shows, as a value.
+struct SessionState {
+  ShownSeriesPtr series;  ///< null: nothing opened yet
+  Scene scene;
+  bool operator==(const SessionState&) const = default;
+};
+
+/// The only object that holds state over time. Panels read state() and write edit(); they hear of every
+/// change, their own included, through changed() and compare their part of before and after.
+class Session : public QObject {
+  Q_OBJECT
+ public:
+  explicit Session(QObject* parent = nullptr);
+
+  const SessionState& state() const { return state_; }
+  const Scene& scene() const { return state_.scene; }
+  const ShownSeriesPtr& series() const { return state_.series; }
+  QUndoStack& undoStack() { return undoStack_; }
+
+  /// Puts a series on screen with its first scene. Forgets the steps made on the one before.
+  void show(ShownSeriesPtr series);
+
+  /// Makes `after` the scene, as one undo step called `text`. Edits in a row with one non-empty `mergeKey`
+  /// are one step until endGesture(); a step that changes nothing is dropped.
+  void edit(const QString& text, Scene after, const QString& mergeKey = {});
+  /// The same for a change of the scene as it is now.
+  void edit(const QString& text, const std::function<void(Scene&)>& change, const QString& mergeKey = {});
+
+  /// The mouse was released, the field was left: what follows is a step of its own.
+  void endGesture() { ++gesture_; }
+
+ Q_SIGNALS:
+  void changed(const volumen::SessionState& before, const volumen::SessionState& after);
+
+ private:
+  friend class EditScene;
+  void setScene(const Scene& scene);
+
+  SessionState state_;
+  QUndoStack undoStack_;
+  int gesture_ = 0;
+};
+
+}  // namespace volumen
