@@ -1,0 +1,43 @@
+// Guards SCENE 2 to 8 and DESIGN 2 (the reference): two renderers written apart from each other agree.
+#include "tests/fixtures/brute_force.h"
+#include "tests/unit/render/picture_cases.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+void addCaseRows() {
+  QTest::addColumn<int>("index");
+  for (std::size_t i = 0; i < pictureCases().size(); ++i) QTest::newRow(pictureCases()[i].name) << int(i);
+}
+
+QString inWords(const PictureError& e) {
+  return QStringLiteral("RMSE %1, maximum %2 of 1/255").arg(e.rmse).arg(e.maximum);
+}
+
+}  // namespace
+
+class TestBruteForce : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void halfTheStepChangesLittle_data() { addCaseRows(); }
+  void halfTheStepChangesLittle();
+};
+
+// The error falls with the square of the step, so that of the step used below (1/64 voxel) is a third of what
+// is bounded here: RMSE 0.002/255, maximum 0.04/255, a tenth and a sixth of what is asked of the reference.
+void TestBruteForce::halfTheStepChangesLittle() {
+  QFETCH(int, index);
+  const PictureCase& c = pictureCases()[index];
+  const VolumePtr volume = caseVolume(c.volume);
+  if (!volume) QSKIP("the real test data (../shared/data or $VOLUMEN_DATA) are not here");
+  const Scene scene = completed(c.scene, *volume, {20, 20});
+  const PictureError e = compare(bruteForceLimit(scene, *volume, {20, 20}, 1.0 / 32),
+                                 bruteForceLimit(scene, *volume, {20, 20}, 1.0 / 64));
+  QVERIFY2(e.rmse <= 0.006 && e.maximum <= 0.12, qPrintable(inWords(e)));
+}
+
+VOLUMEN_TEST(TestBruteForce);
+#include "tst_brute_force.moc"
