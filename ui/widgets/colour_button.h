@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QColorDialog>
+#include <QPointer>
+#include <QToolButton>
+#include <glm/vec3.hpp>
+
+namespace volumen {
+
+/// Opens a colour chooser beside `owner` that does not block: `picked` is called while the user tries
+/// colours, `finished` when the chooser is closed.
+void chooseColour(QWidget* owner, const QString& title, glm::dvec3 start,
+                  const std::function<void(glm::dvec3)>& picked, const std::function<void()>& finished);
+
+/// A swatch; a click opens the chooser.
+class ColourButton : public QToolButton {
+  Q_OBJECT
+ public:
+  /// `title` is the chooser's title and the name for screen readers.
+  explicit ColourButton(const QString& title, QWidget* parent = nullptr);
+
+  void setColour(glm::dvec3 colour);
+  glm::dvec3 colour() const { return colour_; }
+
+ Q_SIGNALS:
+  void colourEdited(glm::dvec3 colour);
+  void gestureFinished();
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+
+ private:
+  glm::dvec3 colour_{1};
+};
+
+}  // namespace volumen

@@ -1,0 +1,248 @@
+#include "ui/widgets/curve_editor.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "ui/widgets/curve_edits.h"
+#include "ui/widgets/tissues.h"
+
+namespace volumen {
+
+namespace {
+constexpr double leftMargin = 46, rightMargin = 10, topMargin = 20, bottomMargin = 48;
+constexpr double rampTop = 8, rampHeight = 12;  // below the plot
+constexpr double reach = 8, snapReach = 4;      // pixels
+}  // namespace
+
+CurveEditor::CurveEditor(QWidget* parent) : QWidget(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("Opacity and colour curve"));
+  setAccessibleDescription(
+      tr("Tab walks the points, arrows move the selected one, Delete removes it, double-click adds one."));
+}
+
+void CurveEditor::setCurve(const TransferFunction& curve) {
+  if (curve == curve_) return;
+  curve_ = curve;
+  if (selected_ >= int(curve_.points.size())) select(-1);
+  update();
+}
+
+void CurveEditor::setHistogram(const Histogram& histogram, const QString& unit) {
+  histogram_ = histogram;
+  unit_ = unit;
+  showAllValues();
+}
+
+void CurveEditor::setOpacityScale(OpacityScale scale) {
+  scale_ = scale;
+  update();
+}
+
+void CurveEditor::select(int n) {
+  if (n == selected_) return;
+  selected_ = n;
+  update();
+  Q_EMIT selectionChanged(n);
+}
+
+void CurveEditor::showValues(double low, double high) {
+  if (!(high > low)) high = low + 1;
+  const double smallest = 1e-6 * std::max({1e-3, std::abs(low), std::abs(high)});
+  if (high - low < smallest) return;
+  low_ = low;
+  high_ = high;
+  update();
+}
+
+void CurveEditor::showAllValues() { showValues(histogram_.low, histogram_.high); }
+
+QRectF CurveEditor::plotRect() const {
+  return {leftMargin, topMargin, std::max(1.0, width() - leftMargin - rightMargin),
+          std::max(1.0, height() - topMargin - bottomMargin)};
+}
+
+ValueAxis CurveEditor::valueAxis() const {
+  const QRectF plot = plotRect();
+  return {low_, high_, plot.left(), plot.right()};
+}
+
+OpacityAxis CurveEditor::opacityAxis() const {
+  const QRectF plot = plotRect();
+  return {scale_, curve_.unitDistance, plot.bottom(), plot.top()};
+}
+
+QPointF CurveEditor::positionOf(int n) const {
+  const CurvePoint& p = curve_.points[n];
+  return {valueAxis().pixelOf(p.value), opacityAxis().pixelOf(p.opacity)};
+}
+
+QRectF CurveEditor::swatchOf(int n) const {
+  const double x = valueAxis().pixelOf(curve_.points[n].value);
+  return {x - 5, plotRect().bottom() + rampTop - 1, 10, rampHeight + 2};
+}
+
+int CurveEditor::pointAt(QPointF position) const {
+  int nearest = -1;
+  double distance = reach;
+  for (int n = 0; n < int(curve_.points.size()); ++n) {
+    const QPointF d = positionOf(n) - position;
+    const double length = std::hypot(d.x(), d.y());
+    if (length > distance) continue;
+    distance = length;
+    nearest = n;
+  }
+  return nearest;
+}
+
+int CurveEditor::swatchAt(QPointF position) const {
+  for (int n = int(curve_.points.size()) - 1; n >= 0; --n)
+    if (swatchOf(n).contains(position)) return n;
+  return -1;
+}
+
+void CurveEditor::change(TransferFunction curve, const QString& what) {
+  curve_ = std::move(curve);
+  update();
+  Q_EMIT edited(curve_, what);
+}
+
+void CurveEditor::mousePressEvent(QMouseEvent* event) {
+  const int hit = pointAt(event->position());
+  pressedAt_ = event->position();
+  if (event->button() == Qt::RightButton) {
+    if (hit >= 0) removePoint(hit);
+    return;
+  }
+  if (const int swatch = swatchAt(event->position()); swatch >= 0 && event->button() == Qt::LeftButton) {
+    select(swatch);
+    Q_EMIT colourRequested(swatch);
+    return;
+  }
+  select(hit);
+  drag_ = hit >= 0 && event->button() == Qt::LeftButton ? Drag::point : Drag::pan;
+  axisAtPress_ = valueAxis();
+  if (hit >= 0) pointAtPress_ = positionOf(hit);
+}
+
+void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
+  if (drag_ == Drag::point && selected_ >= 0) dragPointTo(event->position(), event->modifiers());
+  if (drag_ == Drag::pan) {
+    const ValueAxis axis = axisAtPress_.panned(event->position().x() - pressedAt_.x());
+    showValues(axis.low, axis.high);
+  }
+}
+
+void CurveEditor::mouseReleaseEvent(QMouseEvent*) {
+  if (drag_ == Drag::point) Q_EMIT gestureFinished();
+  drag_ = Drag::none;
+}
+
+void CurveEditor::dragPointTo(QPointF position, Qt::KeyboardModifiers modifiers) {
+  QPointF moved = position - pressedAt_;
+  if (modifiers & Qt::ShiftModifier) {
+    if (std::abs(moved.x()) > std::abs(moved.y()))
+      moved.setY(0);
+    else
+      moved.setX(0);
+  }
+  const QPointF to = pointAtPress_ + moved;
+  const CurvePoint& point = curve_.points[selected_];
+  const double value = moved.x() == 0 ? double(point.value) : snapped(valueAxis().valueAt(to.x()));
+  const double opacity = moved.y() == 0 ? point.opacity : opacityAxis().opacityAt(to.y());
+  change(withPointMoved(curve_, selected_, value, opacity), tr("Move curve point"));
+}
+
+double CurveEditor::snapped(double value) const {
+  if (unit_ != QStringLiteral("HU")) return value;
+  for (const Tissue& tissue : tissuesHu)
+    if (std::abs(tissue.value - value) < snapReach * valueAxis().valuesPerPixel()) return tissue.value;
+  return value;
+}
+
+void CurveEditor::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || pointAt(event->position()) >= 0) return;
+  const QRectF plot = plotRect();
+  if (!plot.adjusted(0, -reach, 0, reach).contains(event->position())) return;
+  int added = -1;
+  TransferFunction curve = withPointAdded(curve_, valueAxis().valueAt(event->position().x()),
+                                          opacityAxis().opacityAt(event->position().y()), &added);
+  change(std::move(curve), tr("Add curve point"));
+  select(added);
+  pressedAt_ = event->position();
+  pointAtPress_ = positionOf(added);
+  drag_ = Drag::point;
+}
+
+void CurveEditor::removePoint(int n) {
+  if (curve_.points.size() < 2) return;
+  select(-1);
+  change(withPointRemoved(curve_, n), tr("Remove curve point"));
+  Q_EMIT gestureFinished();
+}
+
+void CurveEditor::wheelEvent(QWheelEvent* event) {
+  const double notches = event->angleDelta().y() / 120.0;
+  const ValueAxis axis = valueAxis().zoomedAt(event->position().x(), std::pow(0.8, notches));
+  showValues(axis.low, axis.high);
+  event->accept();
+}
+
+void CurveEditor::nudge(double pixelsRight, double pixelsUp) {
+  const CurvePoint& point = curve_.points[selected_];
+  const double value = point.value + pixelsRight * valueAxis().valuesPerPixel();
+  double opacity = point.opacity;
+  if (pixelsUp != 0) {
+    // A point in the strip for 0 leaves it, or returns to it, in one step.
+    const OpacityAxis axis = opacityAxis();
+    opacity = axis.opacityAt(axis.pixelOf(opacity) - pixelsUp);
+    if (scale_ == OpacityScale::extinction && pixelsUp > 0 && opacity == 0)
+      opacity = opacityFromExtinction(OpacityAxis::lowestExtinction, curve_.unitDistance);
+  }
+  change(withPointMoved(curve_, selected_, value, opacity), tr("Move curve point"));
+}
+
+void CurveEditor::keyPressEvent(QKeyEvent* event) {
+  const double pixels = event->modifiers() & Qt::ShiftModifier ? 0.2 : 2;
+  const bool any = selected_ >= 0;
+  if (event->key() == Qt::Key_Home)
+    showAllValues();
+  else if (any && event->key() == Qt::Key_Left)
+    nudge(-pixels, 0);
+  else if (any && event->key() == Qt::Key_Right)
+    nudge(pixels, 0);
+  else if (any && event->key() == Qt::Key_Up)
+    nudge(0, pixels);
+  else if (any && event->key() == Qt::Key_Down)
+    nudge(0, -pixels);
+  else if (any && (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace))
+    removePoint(selected_);
+  else if (any && event->key() == Qt::Key_Escape)
+    select(-1);
+  else
+    QWidget::keyPressEvent(event);
+}
+
+void CurveEditor::keyReleaseEvent(QKeyEvent* event) {
+  if (!event->isAutoRepeat()) Q_EMIT gestureFinished();
+  QWidget::keyReleaseEvent(event);
+}
+
+bool CurveEditor::event(QEvent* event) {
+  // Tab walks the points and leaves the curve behind the last one.
+  if (event->type() == QEvent::KeyPress) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const int next = key->key() == Qt::Key_Tab       ? selected_ + 1
+                     : key->key() == Qt::Key_Backtab ? selected_ - 1
+                                                     : -1;
+    if (next >= 0 && next < int(curve_.points.size())) {
+      select(next);
+      return true;
+    }
+  }
+  return QWidget::event(event);
+}
+
+}  // namespace volumen

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/widgets/axes.h"
+#include "viewer/scene/scene.h"
+#include "viewer/volume/histogram.h"
+
+namespace volumen {
+
+/// The opacity and colour curve over the histogram in logarithmic counts. Drag moves a point (Shift: along
+/// one axis), double-click adds one, Delete or right-click removes it, arrows nudge (Shift: fine), Tab walks
+/// the points, the wheel zooms the value axis at the cursor, dragging empty ground pans it, Home shows all of
+/// it.
+class CurveEditor : public QWidget {
+  Q_OBJECT
+ public:
+  explicit CurveEditor(QWidget* parent = nullptr);
+
+  void setCurve(const TransferFunction& curve);
+  const TransferFunction& curve() const { return curve_; }
+  /// The histogram to draw, and the unit of its values ("HU", or empty). Shows the whole range.
+  void setHistogram(const Histogram& histogram, const QString& unit);
+  void setOpacityScale(OpacityScale scale);
+  OpacityScale opacityScale() const { return scale_; }
+
+  /// Index of the selected point, -1 where none.
+  int selected() const { return selected_; }
+  void select(int n);
+
+  /// Where a point is drawn.
+  QPointF positionOf(int n) const;
+  /// Where its colour swatch is drawn.
+  QRectF swatchOf(int n) const;
+  ValueAxis valueAxis() const;
+  OpacityAxis opacityAxis() const;
+  /// Chooses the values in view.
+  void showValues(double low, double high);
+  /// The histogram's whole range.
+  void showAllValues();
+
+  QSize sizeHint() const override { return {340, 250}; }
+  QSize minimumSizeHint() const override { return {220, 150}; }
+
+ Q_SIGNALS:
+  /// The user changed the curve; `what` names the step ("Move curve point").
+  void edited(const volumen::TransferFunction& curve, const QString& what);
+  /// What was changed since the last time is one step.
+  void gestureFinished();
+  void selectionChanged(int n);
+  /// The swatch of this point was clicked.
+  void colourRequested(int n);
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
+  void wheelEvent(QWheelEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  void keyReleaseEvent(QKeyEvent*) override;
+  bool event(QEvent*) override;
+
+ private:
+  enum class Drag { none, point, pan };
+
+  QRectF plotRect() const;
+  int pointAt(QPointF position) const;
+  int swatchAt(QPointF position) const;
+  void dragPointTo(QPointF position, Qt::KeyboardModifiers modifiers);
+  double snapped(double value) const;
+  void removePoint(int n);
+  void nudge(double pixelsRight, double pixelsUp);
+  void change(TransferFunction curve, const QString& what);
+
+  void paintHistogram(QPainter&) const;
+  void paintGrid(QPainter&) const;
+  void paintTissues(QPainter&) const;
+  void paintCurve(QPainter&) const;
+  void paintRamp(QPainter&) const;
+
+  TransferFunction curve_;
+  Histogram histogram_;
+  QString unit_;
+  OpacityScale scale_ = OpacityScale::linear;
+  double low_ = 0, high_ = 1;  // values in view
+  int selected_ = -1;
+
+  Drag drag_ = Drag::none;
+  QPointF pressedAt_, pointAtPress_;
+  ValueAxis axisAtPress_;
+};
+
+}  // namespace volumen

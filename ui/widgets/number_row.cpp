@@ -1,0 +1,70 @@
+#include "ui/widgets/number_row.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <cmath>
+
+namespace volumen {
+
+namespace {
+constexpr int sliderSteps = 1000;
+}
+
+NumberRow::NumberRow(const QString& name, const NumberFormat& format, QWidget* parent)
+    : QWidget(parent), format_(format), slider_(new QSlider(Qt::Horizontal)), field_(new QDoubleSpinBox) {
+  slider_->setRange(0, sliderSteps);
+  slider_->setPageStep(sliderSteps / 10);
+  slider_->setSingleStep(sliderSteps / 100);
+  slider_->setAccessibleName(name);
+  field_->setRange(format.low, format.high);
+  field_->setDecimals(format.decimals);
+  field_->setSuffix(format.suffix);
+  field_->setSingleStep(std::pow(10.0, 1 - format.decimals) / 2);
+  field_->setKeyboardTracking(false);
+  field_->setAccessibleName(name);
+  field_->setObjectName(QString(name).remove(QLatin1Char(' ')));
+  field_->setFixedWidth(84);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  auto* label = new QLabel(name);
+  label->setFixedWidth(72);
+  label->setBuddy(field_);
+  row->addWidget(label);
+  row->addWidget(slider_, 1);
+  row->addWidget(field_);
+  connect(slider_, &QSlider::valueChanged, this, [this](int position) {
+    const QSignalBlocker quiet(field_);
+    field_->setValue(valueOf(position));
+    Q_EMIT valueEdited(field_->value());
+    if (!slider_->isSliderDown()) Q_EMIT gestureFinished();
+  });
+  connect(slider_, &QSlider::sliderReleased, this, &NumberRow::gestureFinished);
+  connect(field_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    const QSignalBlocker quiet(slider_);
+    slider_->setValue(sliderOf(value));
+    Q_EMIT valueEdited(value);
+  });
+  connect(field_, &QDoubleSpinBox::editingFinished, this, &NumberRow::gestureFinished);
+}
+
+void NumberRow::setValue(double value) {
+  const QSignalBlocker quietSlider(slider_), quietField(field_);
+  field_->setValue(value);
+  if (!slider_->isSliderDown()) slider_->setValue(sliderOf(value));
+}
+
+int NumberRow::sliderOf(double value) const {
+  const double along = format_.logarithmic ? std::log(std::max(value, format_.low) / format_.low) /
+                                                 std::log(format_.high / format_.low)
+                                           : (value - format_.low) / (format_.high - format_.low);
+  return int(std::lround(std::clamp(along, 0.0, 1.0) * sliderSteps));
+}
+
+double NumberRow::valueOf(int position) const {
+  const double along = double(position) / sliderSteps;
+  return format_.logarithmic ? format_.low * std::pow(format_.high / format_.low, along)
+                             : format_.low + along * (format_.high - format_.low);
+}
+
+}  // namespace volumen
