@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <tuple>
 
+#include "io/files/image_file.h"
 #include "io/walk.h"
 #include "viewer/volume/phantoms.h"
 
@@ -45,7 +47,7 @@ void sortVolumes(std::vector<Series>& volumes) {
     const glm::dvec3 o = s.acquired.origin;
     return std::make_tuple(std::tie(s.patientName, s.patientId, s.studyDate, s.studyUid),
                            numberOf(s.seriesNumber), std::tie(s.seriesUid, s.path), o.z, o.y, o.x,
-                           std::tie(s.id));
+                           s.id.size(), std::tie(s.id));  // "#2" before "#10"
   };
   std::stable_sort(volumes.begin(), volumes.end(),
                    [&](const Series& a, const Series& b) { return key(a) < key(b); });
@@ -62,18 +64,29 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
   for (std::size_t n = 0; n < found->files.size(); ++n) {
     if (cancel.cancelled()) return Error{path + ": cancelled."};
     if (progress) progress("reading headers", n, found->files.size());
-    study.other.push_back({found->files[n], "not an image"});
+    const std::string& file = found->files[n];
+    if (looksLikeImageFile(file)) {
+      Result<std::vector<Series>> volumes = readImageFileHeaders(file);
+      if (volumes)
+        std::move(volumes->begin(), volumes->end(), std::back_inserter(study.volumes));
+      else
+        study.refused.push_back({file, volumes.message()});
+      continue;
+    }
+    study.other.push_back({file, "not an image"});
   }
   sortVolumes(study.volumes);
   return study;
 }
 
-Result<Loaded> loadSeries(const Series& series, const Progress&, const CancelToken&) {
+Result<Loaded> loadSeries(const Series& series, const Progress& progress, const CancelToken& cancel) {
   if (series.format == "phantom") {
     Result<VolumePtr> volume = phantomAt(series.path);
     if (!volume) return volume.error();
     return Loaded{*volume, *volume, {}};
   }
+  for (const char* format : {"NRRD", "NIfTI", "MetaImage"})
+    if (series.format == format) return loadImageFile(series, progress, cancel);
   return Error{series.path + ": the format " + series.format + " is not known."};
 }
 

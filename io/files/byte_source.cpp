@@ -1,0 +1,186 @@
+#include "io/files/byte_source.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace volumen {
+
+namespace {
+
+constexpr std::size_t bufferBytes = 1 << 18;
+
+class RawSource : public ByteSource {
+ public:
+  RawSource(DataFile file, std::uint64_t offset) : file_(std::move(file)), at_(offset) {}
+  Result<std::size_t> read(void* to, std::size_t count) override {
+    auto got = file_.readAt(at_, to, count);
+    if (got) at_ += *got;
+    return got;
+  }
+  Status skip(std::uint64_t count, const std::string&) override {
+    at_ += count;
+    return {};
+  }
+
+ private:
+  DataFile file_;
+  std::uint64_t at_;
+};
+
+class DeflateSource : public ByteSource {
+ public:
+  DeflateSource(DataFile file, std::uint64_t offset)
+      : path_(file.path()), encoded_(std::move(file), offset), input_(bufferBytes) {
+    constexpr int anyHeader = 15 + 32;  // zlib: largest window, gzip and zlib headers recognised
+    ready_ = inflateInit2(&stream_, anyHeader) == Z_OK;
+  }
+  ~DeflateSource() override { inflateEnd(&stream_); }
+  DeflateSource(const DeflateSource&) = delete;
+  DeflateSource& operator=(const DeflateSource&) = delete;
+
+  Result<std::size_t> read(void* to, std::size_t count) override {
+    if (!ready_) return Error{path_ + " cannot be decompressed: not enough memory."};
+    std::size_t done = 0;
+    while (done < count && !ended_) {
+      constexpr std::size_t most = 1u << 30;  // zlib counts in unsigned int
+      stream_.next_out = static_cast<Bytef*>(to) + done;
+      stream_.avail_out = uInt(std::min(count - done, most));
+      const uInt before = stream_.avail_out;
+      if (Status s = step(); !s) return s.error();
+      done += before - stream_.avail_out;
+    }
+    return done;
+  }
+
+ private:
+  Status fill() {
+    if (stream_.avail_in > 0) return {};
+    auto got = encoded_.read(input_.data(), input_.size());
+    if (!got) return got.error();
+    stream_.next_in = input_.data();
+    stream_.avail_in = uInt(*got);
+    return {};
+  }
+
+  Status step() {
+    if (Status s = fill(); !s) return s;
+    const int code = inflate(&stream_, Z_NO_FLUSH);
+    if (code == Z_STREAM_END) return endOfMember();
+    if (code == Z_BUF_ERROR && stream_.avail_in == 0)
+      return Error{path_ + " is cut off in the middle of its compressed data."};
+    if (code != Z_OK && code != Z_BUF_ERROR)
+      return Error{path_ + " holds damaged compressed data" +
+                   (stream_.msg ? std::string(" (") + stream_.msg + ")." : ".")};
+    return {};
+  }
+
+  // A gzip file may hold several members, one behind the other; anything else behind the first is not ours.
+  Status endOfMember() {
+    if (Status s = fill(); !s) return s;
+    if (stream_.avail_in > 0 && *stream_.next_in == 0x1f)
+      inflateReset(&stream_);
+    else
+      ended_ = true;
+    return {};
+  }
+
+  std::string path_;
+  RawSource encoded_;
+  std::vector<Bytef> input_;
+  z_stream stream_{};
+  bool ready_ = false, ended_ = false;
+};
+
+class HexSource : public ByteSource {
+ public:
+  HexSource(DataFile file, std::uint64_t offset)
+      : path_(file.path()), encoded_(std::move(file), offset), input_(bufferBytes) {}
+
+  Result<std::size_t> read(void* to, std::size_t count) override {
+    for (std::size_t done = 0; done < count; ++done) {
+      int byte = 0;
+      for (int digits = 0; digits < 2; ++digits) {
+        auto digit = nextDigit();
+        if (!digit) return digit.error();
+        if (*digit < 0) return done;
+        byte = byte * 16 + *digit;
+      }
+      static_cast<std::uint8_t*>(to)[done] = std::uint8_t(byte);
+    }
+    return count;
+  }
+
+ private:
+  // The next hexadecimal digit's value; -1 at the end.
+  Result<int> nextDigit() {
+    for (;;) {
+      if (at_ == filled_) {
+        auto got = encoded_.read(input_.data(), input_.size());
+        if (!got) return got.error();
+        if (*got == 0) return -1;
+        at_ = 0;
+        filled_ = *got;
+      }
+      const char c = input_[at_++];
+      if (c >= '0' && c <= '9') return c - '0';
+      if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+      if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+      if (c != ' ' && (c < '\t' || c > '\r'))
+        return Error{path_ + " holds characters other than hexadecimal digits in its data."};
+    }
+  }
+
+  std::string path_;
+  RawSource encoded_;
+  std::vector<char> input_;
+  std::size_t at_ = 0, filled_ = 0;
+};
+
+}  // namespace
+
+Status ByteSource::readAll(void* to, std::size_t count, const std::string& path) {
+  auto got = read(to, count);
+  if (!got) return got.error();
+  if (*got < count) return Error{path + " holds fewer samples than its header promises."};
+  return {};
+}
+
+Status ByteSource::skip(std::uint64_t count, const std::string& path) {
+  std::vector<std::uint8_t> waste(std::min<std::uint64_t>(count, bufferBytes));
+  while (count > 0) {
+    const std::size_t part = std::min<std::uint64_t>(count, waste.size());
+    if (Status s = readAll(waste.data(), part, path); !s) return s;
+    count -= part;
+  }
+  return {};
+}
+
+std::unique_ptr<ByteSource> decode(DataFile file, std::uint64_t offset, Encoding encoding) {
+  switch (encoding) {
+    case Encoding::deflate:
+      return std::make_unique<DeflateSource>(std::move(file), offset);
+    case Encoding::hex:
+      return std::make_unique<HexSource>(std::move(file), offset);
+    case Encoding::raw:
+      break;
+  }
+  return std::make_unique<RawSource>(std::move(file), offset);
+}
+
+std::uint64_t leastEncodedBytes(Encoding encoding, std::uint64_t decodedBytes) {
+  constexpr std::uint64_t deflateRatio = 1032;  // the format cannot do better
+  switch (encoding) {
+    case Encoding::deflate:
+      return decodedBytes / deflateRatio;
+    case Encoding::hex:
+      return decodedBytes * 2;
+    case Encoding::raw:
+      break;
+  }
+  return decodedBytes;
+}
+
+}  // namespace volumen

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/study.h"
+
+namespace volumen {
+
+/// Whether `path` claims to be NRRD, NIfTI or MetaImage: by its first bytes, or by its name.
+bool looksLikeImageFile(const std::string& path);
+
+/// The volumes that a NRRD, NIfTI or MetaImage file holds; headers only. Several where it has more than three
+/// axes: their ids end in "#1", "#2" ... The Error names the file and why there are none: damaged, cut off, a
+/// colour picture, data files outside its folder.
+Result<std::vector<Series>> readImageFileHeaders(const std::string& path);
+
+/// Reads the volume `series`, one of readImageFileHeaders(series.path).
+Result<Loaded> loadImageFile(const Series& series, const Progress& progress = {},
+                             const CancelToken& cancel = {});
+
+}  // namespace volumen
