@@ -1,0 +1,112 @@
+#include "ui/controller/draft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+#include <vector>
+
+namespace volumen {
+
+namespace {
+
+constexpr double factors[] = {1, 1.5, 2, 3, 4, 6, 8};
+constexpr int lastStep = int(std::size(factors)) - 1;
+
+QRgb toRgb(const float* c) {
+  const auto byte = [](float x) { return int(255 * std::clamp(x, 0.0f, 1.0f) + 0.5f); };
+  // Rounding must not leave a colour above its alpha.
+  const int alpha = byte(c[3]);
+  return qRgba(std::min(byte(c[0]), alpha), std::min(byte(c[1]), alpha), std::min(byte(c[2]), alpha), alpha);
+}
+
+QImage emptyImage(const Picture& picture, QSize size) {
+  return QImage(size, picture.transparent ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB32);
+}
+
+// Where the pixels of a stretch of `full` lie among `count` pixels that are `factor` as large, middle on
+// middle.
+struct Sample {
+  int first, second;
+  float weight;  // of the second
+};
+
+std::vector<Sample> samplesAlong(int full, int count, double factor) {
+  std::vector<Sample> samples(full);
+  for (int n = 0; n < full; ++n) {
+    const double at = std::clamp((n + 0.5 - full / 2.0) / factor + count / 2.0 - 0.5, 0.0, count - 1.0);
+    const int first = int(at);
+    samples[n] = {first, std::min(first + 1, count - 1), float(at - first)};
+  }
+  return samples;
+}
+
+}  // namespace
+
+double DraftPace::factor() const { return factors[step_]; }
+
+void DraftPace::measured(double ms) {
+  const double pixels = factors[step_] * factors[step_];
+  const auto predicted = [&](int step) { return ms * pixels / (factors[step] * factors[step]); };
+  if (ms > budgetMs_) {
+    int coarser = std::min(step_ + 1, lastStep);
+    while (coarser < lastStep && predicted(coarser) > budgetMs_) ++coarser;
+    step_ = coarser;
+  } else if (step_ > 0 && predicted(step_ - 1) < 0.75 * budgetMs_) {
+    --step_;
+  }
+}
+
+DraftView draftView(const Camera& camera, QSize full, double factor) {
+  const auto part = [&](int pixels) { return std::max(1, int(std::ceil(pixels / factor - 1e-9))); };
+  DraftView draft{{part(full.width()), part(full.height())}, camera};
+  const double more = draft.size.height() * factor / full.height();
+  draft.camera.height *= more;
+  draft.camera.fov = glm::degrees(2 * std::atan(std::tan(glm::radians(camera.fov) / 2) * more));
+  return draft;
+}
+
+QImage enlarged(const Picture& picture, double factor, QSize full) {
+  QImage image = emptyImage(picture, full);
+  const std::vector<Sample> columns = samplesAlong(full.width(), picture.size.x, factor);
+  const std::vector<Sample> rows = samplesAlong(full.height(), picture.size.y, factor);
+  // Each row of the small picture is stretched once, when the rows between which the result lies reach it.
+  std::vector<float> stretched[2];
+  int held[2] = {-1, -1};
+  const auto stretch = [&](int y) -> const float* {
+    auto& out = stretched[y % 2];
+    if (held[y % 2] == y) return out.data();
+    held[y % 2] = y;
+    out.resize(std::size_t(4) * full.width());
+    const float* in = picture.row(y);
+    for (int x = 0; x < full.width(); ++x)
+      for (int c = 0; c < 4; ++c) {
+        const float a = in[4 * columns[x].first + c], b = in[4 * columns[x].second + c];
+        out[4 * x + c] = a + (b - a) * columns[x].weight;
+      }
+    return out.data();
+  };
+  for (int y = 0; y < full.height(); ++y) {
+    const float* above = stretch(rows[y].first);
+    const float* below = stretch(rows[y].second);
+    auto* out = reinterpret_cast<QRgb*>(image.scanLine(y));
+    for (int x = 0; x < full.width(); ++x) {
+      float c[4];
+      for (int n = 0; n < 4; ++n)
+        c[n] = above[4 * x + n] + (below[4 * x + n] - above[4 * x + n]) * rows[y].weight;
+      out[x] = toRgb(c);
+    }
+  }
+  return image;
+}
+
+QImage toImage(const Picture& picture) {
+  QImage image = emptyImage(picture, {picture.size.x, picture.size.y});
+  for (int y = 0; y < picture.size.y; ++y) {
+    const float* in = picture.row(y);
+    auto* out = reinterpret_cast<QRgb*>(image.scanLine(y));
+    for (int x = 0; x < picture.size.x; ++x) out[x] = toRgb(in + 4 * x);
+  }
+  return image;
+}
+
+}  // namespace volumen

@@ -1,0 +1,188 @@
+#include "ui/controller/render_controller.h"
+
+#include <QElapsedTimer>
+#include <algorithm>
+#include <chrono>
+
+namespace volumen {
+
+namespace {
+
+// How long nothing new must be asked for before the standard picture is begun.
+constexpr std::chrono::milliseconds restTime{60};
+
+double pixelCount(QSize size) { return double(size.width()) * size.height(); }
+
+}  // namespace
+
+RenderController::RenderController(MakeDraw makeDraw, QObject* parent)
+    : QObject(parent), makeDraw_(std::move(makeDraw)), thread_([this] { run(); }) {}
+
+RenderController::~RenderController() {
+  {
+    const std::lock_guard lock(mutex_);
+    closing_ = true;
+    volumeCancel_.cancel();
+    standardCancel_.cancel();
+    pictureCancel_.cancel();
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+void RenderController::setVolume(VolumePtr volume) {
+  {
+    const std::lock_guard lock(mutex_);
+    volume_ = std::move(volume);
+    ++generation_;
+    screen_.reset();
+    volumeCancel_.cancel();
+    standardCancel_.cancel();
+    volumeCancel_ = CancelToken();
+  }
+  wake_.notify_one();
+}
+
+void RenderController::request(const Scene& scene, QSize pixels) {
+  if (pixels.isEmpty()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    screen_ = ScreenRequest{scene, pixels};
+    standardCancel_.cancel();
+  }
+  wake_.notify_one();
+}
+
+void RenderController::requestPicture(const Scene& scene, const RenderOptions& options) {
+  {
+    const std::lock_guard lock(mutex_);
+    pictureCancel_.cancel();
+    pictureCancel_ = CancelToken();
+    picture_ = PictureRequest{scene, options, pictureCancel_};
+    standardCancel_.cancel();
+  }
+  wake_.notify_one();
+}
+
+void RenderController::cancelPicture() {
+  const std::lock_guard lock(mutex_);
+  pictureCancel_.cancel();
+}
+
+// Runs a function on the thread of this object, unless the volume has changed by then.
+template <class Function>
+void RenderController::tell(Function function) {
+  QMetaObject::invokeMethod(
+      this,
+      [this, generation = drawnGeneration_, function] {
+        if (generation == generation_) function();
+      },
+      Qt::QueuedConnection);
+}
+
+bool RenderController::waitForWork(std::unique_lock<std::mutex>& lock) {
+  const auto something = [this] {
+    return closing_ || generation_ != drawnGeneration_ || screen_ || picture_;
+  };
+  if (!something()) {
+    tell([this] { Q_EMIT workingChanged(false); });
+    wake_.wait(lock, something);
+    tell([this] { Q_EMIT workingChanged(true); });
+  }
+  return !closing_;
+}
+
+void RenderController::run() {
+  std::unique_lock lock(mutex_);
+  while (waitForWork(lock)) {
+    if (generation_ != drawnGeneration_) {
+      drawnGeneration_ = generation_;
+      drawnVolume_ = volume_;
+      pace_ = DraftPace();
+      standardMsPerPixel_ = 0;
+      lock.unlock();
+      draw_ = drawnVolume_ ? makeDraw_(drawnVolume_) : Draw();
+      lock.lock();
+    } else if (picture_) {
+      drawPicture(lock);
+    } else {
+      drawScreen(lock);
+    }
+  }
+}
+
+Result<Drawn> RenderController::draw(const Scene& scene, const RenderOptions& options,
+                                     const CancelToken& cancel) {
+  if (!draw_) return Error{"Nothing is open to be drawn."};
+  return draw_(scene, options, cancel);
+}
+
+void RenderController::drawPicture(std::unique_lock<std::mutex>& lock) {
+  const PictureRequest request = *std::exchange(picture_, std::nullopt);
+  lock.unlock();
+  Result<Drawn> drawn = draw(request.scene, request.options, request.cancel);
+  const auto picture = drawn ? std::make_shared<Drawn>(std::move(*drawn)) : nullptr;
+  const QString failure = picture                      ? QString()
+                          : request.cancel.cancelled() ? tr("Cancelled.")
+                                                       : QString::fromStdString(drawn.message());
+  tell([this, picture, failure] { Q_EMIT pictureReady(picture, failure); });
+  lock.lock();
+}
+
+void RenderController::drawScreen(std::unique_lock<std::mutex>& lock) {
+  const ScreenRequest request = *std::exchange(screen_, std::nullopt);
+  const CancelToken volumeCancel = volumeCancel_;
+  if (!draw_) return;
+  lock.unlock();
+  const double standardMs = standardMsPerPixel_ * pixelCount(request.pixels);
+  const bool needsDraft = standardMs == 0 || standardMs > pace_.budgetMs();
+  const bool drawn = !needsDraft || drawFrame(request, Quality::draft, volumeCancel);
+  lock.lock();
+  const auto other = [this] { return closing_ || screen_ || picture_ || generation_ != drawnGeneration_; };
+  if (!drawn || (needsDraft ? wake_.wait_for(lock, restTime, other) : other())) return;
+  standardCancel_ = CancelToken();
+  const CancelToken cancel = standardCancel_;
+  lock.unlock();
+  drawFrame(request, Quality::standard, cancel);
+  lock.lock();
+}
+
+bool RenderController::drawFrame(const ScreenRequest& request, Quality quality, const CancelToken& cancel) {
+  QElapsedTimer clock;
+  clock.start();
+  const bool draft = quality == Quality::draft;
+  const double factor = draft ? pace_.factor() : 1;
+  Frame frame;
+  frame.quality = quality;
+  frame.factor = factor;
+  frame.scene = request.scene;
+  if (!frame.scene.camera)
+    frame.scene.camera = fitCamera(Camera{}, drawnVolume_->geometry(),
+                                   double(request.pixels.width()) / request.pixels.height());
+  const DraftView view = draftView(*frame.scene.camera, request.pixels, factor);
+  Scene scene = frame.scene;
+  scene.camera = view.camera;
+  RenderOptions options;
+  options.size = {view.size.width(), view.size.height()};
+  options.quality = quality;
+  Result<Drawn> drawn = draw(scene, options, cancel);
+  if (!drawn) {
+    if (!cancel.cancelled())
+      tell([this, sentence = QString::fromStdString(drawn.message())] { Q_EMIT failed(sentence); });
+    return false;
+  }
+  frame.image = factor == 1 ? toImage(drawn->picture) : enlarged(drawn->picture, factor, request.pixels);
+  frame.plan = std::make_shared<const Plan>(std::move(drawn->plan));
+  frame.stats = drawn->stats;
+  frame.ms = double(clock.nsecsElapsed()) / 1e6;
+  // What is made once for the volume says nothing about the next frame.
+  const double repeatedMs = std::max(0.0, frame.ms - drawn->stats.gradientsMs);
+  if (draft)
+    pace_.measured(repeatedMs);
+  else
+    standardMsPerPixel_ = repeatedMs / pixelCount(request.pixels);
+  tell([this, frame] { Q_EMIT frameReady(frame); });
+  return true;
+}
+
+}  // namespace volumen

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "ui/controller/draft.h"
+#include "viewer/render/render.h"
+
+namespace volumen {
+
+/// A picture and the plan it was drawn by.
+struct Drawn {
+  Picture picture;
+  Plan plan;
+  RenderStats stats;
+};
+
+/// Draws one picture; on the render thread only.
+using Draw = std::function<Result<Drawn>(const Scene&, const RenderOptions&, const CancelToken&)>;
+/// Makes what draws a volume, with its caches; called on the render thread.
+using MakeDraw = std::function<Draw(VolumePtr)>;
+
+/// makePlan() and render() over one set of caches.
+Draw drawWithCaches(VolumePtr volume);
+
+/// A picture for the screen.
+struct Frame {
+  QImage image;  ///< as many pixels as were asked for
+  Quality quality = Quality::draft;
+  double factor = 1;  ///< a draft's coarseness (DraftPace)
+  double ms = 0;      ///< wall clock, from the request taken up to the image
+  Scene scene;        ///< as drawn: with its camera
+  std::shared_ptr<const Plan> plan;
+  RenderStats stats;
+};
+
+/// Draws on a thread of its own: of what is asked for only the latest, first as a draft within the frame
+/// time, then in `standard` quality once nothing new was asked for a moment. Asking never waits.
+class RenderController : public QObject {
+  Q_OBJECT
+ public:
+  explicit RenderController(MakeDraw makeDraw, QObject* parent = nullptr);
+  /// Gives up what is being drawn and waits for the thread, which checks its token between rows.
+  ~RenderController() override;
+
+  /// What to draw from now on; null: nothing. No frame of the volume before is told any more.
+  void setVolume(VolumePtr volume);
+  /// Asks for a picture of so many device pixels; a scene without a camera is fitted to the picture.
+  void request(const Scene& scene, QSize pixels);
+  /// Asks for one picture to be saved, drawn before anything else: ends in pictureReady().
+  void requestPicture(const Scene& scene, const RenderOptions& options);
+  void cancelPicture();
+
+ Q_SIGNALS:
+  void frameReady(const volumen::Frame& frame);
+  /// A sentence; not for what was cancelled.
+  void failed(const QString& sentence);
+  void pictureReady(const std::shared_ptr<volumen::Drawn>& drawn, const QString& failure);
+  /// Whether the thread has something to do.
+  void workingChanged(bool working);
+
+ private:
+  struct ScreenRequest {
+    Scene scene;
+    QSize pixels;
+  };
+  struct PictureRequest {
+    Scene scene;
+    RenderOptions options;
+    CancelToken cancel;
+  };
+
+  void run();
+  bool waitForWork(std::unique_lock<std::mutex>& lock);
+  void drawPicture(std::unique_lock<std::mutex>& lock);
+  void drawScreen(std::unique_lock<std::mutex>& lock);
+  bool drawFrame(const ScreenRequest& request, Quality quality, const CancelToken& cancel);
+  Result<Drawn> draw(const Scene& scene, const RenderOptions& options, const CancelToken& cancel);
+  template <class Function>
+  void tell(Function function);
+
+  const MakeDraw makeDraw_;
+
+  std::mutex mutex_;  // guards from here ...
+  std::condition_variable wake_;
+  VolumePtr volume_;
+  int generation_ = 0;  // of the volume
+  std::optional<ScreenRequest> screen_;
+  std::optional<PictureRequest> picture_;
+  CancelToken volumeCancel_, standardCancel_, pictureCancel_;
+  bool closing_ = false;  // ... to here
+
+  // Of the render thread alone.
+  VolumePtr drawnVolume_;
+  int drawnGeneration_ = 0;
+  Draw draw_;
+  DraftPace pace_;
+  double standardMsPerPixel_ = 0;  // 0: not yet known
+
+  std::thread thread_;
+};
+
+}  // namespace volumen
