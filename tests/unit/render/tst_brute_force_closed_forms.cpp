@@ -58,6 +58,8 @@ class TestBruteForceClosedForms : public QObject {
   void backgroundIsBehind();
   void defaultsComeFromTheVolume();
   void gradientOpacityIsAFactor();
+  void theGradientIsSobels_data();
+  void theGradientIsSobels();
 };
 
 void TestBruteForceClosedForms::opacityIsPerMillimetre_data() {
@@ -315,6 +317,9 @@ void TestBruteForceClosedForms::defaultsComeFromTheVolume() {
   QCOMPARE(scene.camera->height, 40.0);
   QVERIFY(glm::length(*scene.camera->target) < 1e-12);
   QCOMPARE(completed(Scene{}, *volume, {50, 100}).camera->height, 80.0);
+  // 27 voxels 0 .. 26: ranks ceil(0.027) and ceil(26.973).
+  const VolumePtr small = volumeOf(ivec3(3), unitSteps, [](dvec3 x) { return x.x + 3 * x.y + 9 * x.z; });
+  QCOMPARE(*completed(Scene{}, *small, {9, 9}).shading.gradientFloor, 26.0 / 32);
 }
 
 void TestBruteForceClosedForms::gradientOpacityIsAFactor() {
@@ -325,6 +330,30 @@ void TestBruteForceClosedForms::gradientOpacityIsAFactor() {
   scene.clip = {dvec3(3 / 9.0), dvec3(6 / 9.0), {}};
   scene.transferFunction.gradientOpacity = {{1, 0.2}, {2, 1}};
   QVERIFY(near(onePixel(bruteForceLimit(scene, *volume, {1, 1}))[3], 1 - std::pow(1 - 0.5 * 0.6, 3), 1e-6));
+}
+
+void TestBruteForceClosedForms::theGradientIsSobels_data() {
+  QTest::addColumn<ivec3>("bright");  // the only voxel that is not 0: it has 8
+  QTest::addColumn<ivec3>("voxel");
+  QTest::addColumn<double>("gradient");  // |g_p| at voxel
+  QTest::newRow("beside it") << ivec3(2) << ivec3(1, 2, 2) << 1.0;
+  QTest::newRow("across an edge") << ivec3(2) << ivec3(3, 2, 1) << std::sqrt(2 * 0.25);
+  QTest::newRow("across a corner") << ivec3(2) << ivec3(1, 3, 1) << std::sqrt(3 * 0.0625);
+  QTest::newRow("in the volume's corner: neighbours clamped")
+      << ivec3(0) << ivec3(0) << std::sqrt(3.0) * 8 * 0.5 * 0.75 * 0.75;
+}
+
+void TestBruteForceClosedForms::theGradientIsSobels() {
+  QFETCH(ivec3, bright);
+  QFETCH(ivec3, voxel);
+  QFETCH(double, gradient);
+  const VolumePtr volume = volumeOf(ivec3(5), unitSteps, [&](dvec3 x) { return 8 * (ivec3(x) == bright); });
+  Scene scene = plainScene({1, 1, 1}, 0.5);
+  scene.transferFunction.gradientOpacity = {{0, 0}, {8, 1}};
+  scene.transferFunction.unitDistance = 0.002;  // a box of this size around the voxel's centre
+  scene.camera->target = volume->geometry().patientFromVoxel(voxel);
+  scene.clip = {(dvec3(voxel) + 0.499) / 5.0, (dvec3(voxel) + 0.501) / 5.0, {}};
+  QVERIFY(near(onePixel(bruteForceLimit(scene, *volume, {1, 1}))[3], 0.5 * gradient / 8, 1e-4));
 }
 
 VOLUMEN_TEST(TestBruteForceClosedForms);
