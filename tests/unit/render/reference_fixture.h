@@ -1,0 +1,86 @@
+#pragma once
+
+#include <QTest>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "viewer/render/reference.h"
+
+namespace volumen::tests {
+
+/// 0.01/255: five times tighter than the reference promises. What it leaves is its tolerance (1e-5 of a
+/// pixel) and the float picture's rounding (6e-8).
+constexpr double referenceBound = 0.01 / 255;
+
+/// A grid with the steps `L` (mm), its centre at the origin of patient space.
+inline VoxelGeometry gridAround(glm::ivec3 size, const glm::dmat3& L = glm::dmat3(1)) {
+  VoxelGeometry geometry{.size = size, .patientFromVoxelStep = L};
+  geometry.origin = -geometry.centre();
+  return geometry;
+}
+
+/// A volume of float32 samples valueAt(i, j, k).
+template <class Function>
+VolumePtr volumeOf(const VoxelGeometry& geometry, Function valueAt) {
+  std::vector<float> values;
+  for (int k = 0; k < geometry.size.z; ++k)
+    for (int j = 0; j < geometry.size.y; ++j)
+      for (int i = 0; i < geometry.size.x; ++i) values.push_back(float(valueAt(i, j, k)));
+  VolumeParts parts;
+  parts.geometry = geometry;
+  parts.values = std::move(values);
+  std::vector<std::string> warnings;
+  return *Volume::make(std::move(parts), warnings);
+}
+
+inline VolumePtr homogeneous(const VoxelGeometry& geometry, double value = 1) {
+  return volumeOf(geometry, [=](int, int, int) { return value; });
+}
+
+/// Unlit, transparent background, one colour and opacity everywhere, looking along `direction` through the
+/// origin; 1 mm a picture.
+inline Scene plainScene(double opacity, glm::dvec3 direction = {1, 0, 0}) {
+  Scene scene;
+  scene.transferFunction.points = {{0, {1, 0.5, 0.25}, opacity}};
+  scene.shading.lit = false;
+  scene.background.transparent = true;
+  Camera camera;
+  camera.target = glm::dvec3(0);
+  camera.direction = direction;
+  camera.up =
+      std::abs(direction.z) < 0.9 * glm::length(direction) ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+  camera.height = 1;
+  scene.camera = camera;
+  scene.window = Window{0.5, 1};
+  return scene;
+}
+
+inline Picture drawn(const Scene& scene, const Volume& volume, glm::ivec2 size = {1, 1}, int threads = 1) {
+  return *renderReference(scene, volume, size, threads);
+}
+
+/// The pixel of a picture of one pixel: the ray through the camera's target.
+inline glm::dvec4 onePixel(const Scene& scene, const Volume& volume) {
+  const Picture picture = drawn(scene, volume);
+  return {picture.rgba[0], picture.rgba[1], picture.rgba[2], picture.rgba[3]};
+}
+
+/// Extinction per mm of an opacity per mm.
+inline double extinction(double opacity) { return -std::log1p(-opacity); }
+
+/// Integral of (a + b x) mu exp(-mu x) over 0 .. length.
+inline double attenuatedLine(double a, double b, double mu, double length) {
+  const double e = std::exp(-mu * length);
+  return a * (1 - e) + b * (1 / mu - e * (length + 1 / mu));
+}
+
+}  // namespace volumen::tests
+
+/// Fails where two numbers differ by more than `bound`, and says both.
+#define COMPARE_WITHIN(actual, expected, bound)                                                          \
+  do {                                                                                                   \
+    const double got = (actual), wanted = (expected);                                                    \
+    QVERIFY2(std::abs(got - wanted) <= (bound),                                                          \
+             qPrintable(QStringLiteral("got %1, not %2").arg(got, 0, 'g', 10).arg(wanted, 0, 'g', 10))); \
+  } while (false)

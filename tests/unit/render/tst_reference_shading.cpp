@@ -1,0 +1,331 @@
+// Guards SCENE 3, 4 (gradient opacity) and 5 for the reference renderer, by hand-made numbers and closed
+// forms.
+#include <functional>
+
+#include "tests/unit/render/reference_fixture.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestReferenceShading : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void planeOfKnownNormal_data();
+  void planeOfKnownNormal();
+  void localViewerLooksAlongTheRay();
+  void lightsAddUp();
+  void floorIsCrossedExactly();
+  void normalThatTurnsOverIsDampedByTheFloor();
+  void narrowHighlightIsNotMissed_data();
+  void narrowHighlightIsNotMissed();
+  void gradientOpacityScalesTheOpacity_data();
+  void gradientOpacityScalesTheOpacity();
+  void singleVoxelHasNoGradient();
+};
+
+namespace {
+
+constexpr glm::dvec3 white(1);
+const glm::dmat3 grids[] = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                            {{0.5, 0, 0}, {0, 2, 0}, {0, 0, 1.25}},
+                            {{-1, 0.2, 0}, {0.3, 1, 0}, {0.5, 0.1, 2}}};
+
+Light lightFrom(glm::dvec3 towards, double intensity = 1, glm::dvec3 colour = white) {
+  return {towards, Space::camera, colour, intensity, true};
+}
+
+// Clips what the clamped neighbours at the border touch: the outermost full cell and the half voxel on each
+// side.
+Clip insideOf(glm::ivec3 size) { return {1.5 / glm::dvec3(size), 1.0 - 1.5 / glm::dvec3(size), {}}; }
+
+struct ShadingCase {
+  const char* name;
+  glm::dvec3 normal;  // camera space: x right, y up, z towards the viewer
+  std::vector<Light> lights;
+  int sides;
+  double shininess, gradientOverFloor;
+  double d, s;  // D'' and S'' with ambient 0.2, diffuse 0.7, specular 0.2
+};
+
+const std::vector<ShadingCase>& shadingCases() {
+  const double c60 = 0.5, s60 = std::sqrt(0.75), grazing = std::sqrt(1 - 0.05 * 0.05), half = std::sqrt(0.5);
+  const Light headlight = lightFrom({0, 0, 3});
+  Light off = lightFrom({1, 0, 0});
+  off.on = false;
+  static const std::vector<ShadingCase> cases = {
+      {"headlight, face on", {0, 0, 1}, {headlight}, 2, 20, 9, 0.9, 0.2},
+      {"headlight, 60 degrees", {s60, 0, c60}, {headlight}, 2, 2, 9, 0.2 + 0.7 * 0.5, 0.2 * 0.25},
+      {"light at 60 degrees, normal half way",
+       {c60, 0, s60},
+       {lightFrom({s60, 0, c60})},
+       2,
+       20,
+       9,
+       0.2 + 0.7 * s60,
+       0.2},
+      {"light at 60 degrees, face on", {0, 0, 1}, {lightFrom({0, s60, c60})}, 2, 4, 9, 0.55, 0.2 * 0.5625},
+      {"light from the side in patient space",
+       {half, 0, half},
+       {{{2, 0, 0}, Space::patient, white, 1, true}},
+       2,
+       20,
+       9,
+       0.2 + 0.7 * half,
+       0.2},
+      {"turned away, two sides", {0, 0, -1}, {headlight}, 2, 20, 9, 0.9, 0.2},
+      {"turned away, one side", {0, 0, -1}, {headlight}, 1, 20, 9, 0.2, 0},
+      {"facing, one side", {0, 0, 1}, {headlight}, 1, 20, 9, 0.9, 0.2},
+      {"edge on, two sides are half and half",
+       {1, 0, 0},
+       {lightFrom({1, 0, 1})},
+       2,
+       2,
+       9,
+       0.2 + 0.35 * half,
+       0.1 * (1 - half) / 2},
+      // w = 3/4; n.h squared = (1 + 0.1 sqrt(1 - 0.05^2)) / 2 for a light from the right.
+      {"grazing",
+       {grazing, 0, 0.05},
+       {lightFrom({1, 0, 0})},
+       2,
+       2,
+       9,
+       0.2 + 0.75 * 0.7 * grazing,
+       0.15 * (1 + 0.1 * grazing) / 2},
+      // n.l = 0.05 halves the highlight; n.h squared = 1.05^2 / 2.1.
+      {"highlight at a low light", {0, 0, 1}, {lightFrom({grazing, 0, 0.05})}, 2, 2, 9, 0.235, 0.1 * 0.525},
+      {"light straight against the viewer",
+       {half, 0, -half},
+       {lightFrom({0, 0, -1})},
+       1,
+       1,
+       9,
+       0.2 + 0.7 * half,
+       0},
+      {"half the gradient floor", {0, 0, 1}, {headlight}, 2, 20, 0.5, 0.5 * 0.9 + 0.5 * 0.55, 0.1},
+      {"half the floor, turned away, one side",
+       {0, 0, -1},
+       {headlight},
+       1,
+       20,
+       0.5,
+       0.5 * 0.2 + 0.5 * 0.55,
+       0},
+      {"no floor", {0, 0, 1}, {headlight}, 2, 20, 0, 0.55, 0},
+      {"no lights", {0, 0, 1}, {}, 2, 20, 9, 0.2, 0},
+      {"lights that are off", {0, 0, 1}, {off}, 2, 20, 9, 0.2, 0},
+      {"two lights",
+       {0, 0, 1},
+       {headlight, lightFrom({0, s60, c60}, 0.5)},
+       2,
+       4,
+       9,
+       0.2 + 0.7 + 0.175,
+       0.2 + 0.1 * 0.5625},
+  };
+  return cases;
+}
+
+}  // namespace
+
+void TestReferenceShading::planeOfKnownNormal_data() {
+  QTest::addColumn<int>("row");
+  QTest::addColumn<int>("grid");
+  const char* names[] = {"cubic", "anisotropic", "sheared, left-handed"};
+  for (int grid = 0; grid < 3; ++grid)
+    for (std::size_t n = 0; n < shadingCases().size(); ++n)
+      QTest::addRow("%s, %s grid", shadingCases()[n].name, names[grid]) << int(n) << grid;
+}
+
+void TestReferenceShading::planeOfKnownNormal() {
+  QFETCH(int, row);
+  QFETCH(int, grid);
+  const ShadingCase& c = shadingCases()[row];
+  const VoxelGeometry geometry = gridAround({8, 7, 9}, grids[grid]);
+  // Looking along +y: right is +x, up is +z, towards the viewer is -y.
+  const glm::dvec3 normal(c.normal.x, -c.normal.z, c.normal.y);
+  const double perMm = 10;
+  const auto plane = volumeOf(geometry, [&](int i, int j, int k) {
+    return -perMm * glm::dot(normal, geometry.patientFromVoxel(glm::dvec3(i, j, k)));
+  });
+  Scene scene = plainScene(0.2, {0, 1, 0});
+  scene.clip = insideOf(geometry.size);
+  scene.lights = c.lights;
+  scene.shading = {true, c.sides, false, c.gradientOverFloor > 0 ? perMm / c.gradientOverFloor : 0,
+                   0.2,  0.7,     0.2,   c.shininess};
+  const glm::dvec4 pixel = onePixel(scene, *plane);
+  QVERIFY(pixel.a > 0.3);
+  const glm::dvec3 colour = scene.transferFunction.points[0].colour;
+  // The float32 samples of the plane turn its normal by about 1e-6.
+  for (int n = 0; n < 3; ++n)
+    COMPARE_WITHIN(pixel[n], std::min(1.0, pixel.a * (colour[n] * c.d + c.s)), 1e-5);
+}
+
+void TestReferenceShading::localViewerLooksAlongTheRay() {
+  const VoxelGeometry geometry = gridAround({60, 8, 4});
+  const auto plane = volumeOf(geometry, [](int, int j, int) { return 10 * j; });
+  Scene scene = plainScene(0.2, {0, 1, 0});
+  scene.clip = insideOf(geometry.size);
+  scene.shading = {true, 2, false, 1.0, 0.1, 0.6, 0.2, 20};
+  scene.camera->projection = Projection::perspective;
+  scene.camera->fov = 90;
+  scene.camera->distance = 10;
+  for (bool local : {false, true}) {
+    scene.shading.localViewer = local;
+    const Picture picture = drawn(scene, *plane, {3, 1});
+    // The outer pixels' rays have the slope 2: the height is 20 mm, a pixel too.
+    const double cosine = 1 / std::sqrt(5.0), halfway2 = local ? (1 + cosine) / 2 : 1;
+    const double alpha = picture.rgba[3];
+    COMPARE_WITHIN(alpha, 1 - std::pow(0.8, 5 / cosine), 1e-6);
+    COMPARE_WITHIN(picture.rgba[0], alpha * (0.7 + 0.2 * std::pow(halfway2, 10)), 1e-6);
+  }
+}
+
+void TestReferenceShading::lightsAddUp() {
+  const auto ball = volumeOf(gridAround(glm::ivec3(12)), [](int i, int j, int k) {
+    return 100 *
+           std::exp(-glm::dot(glm::dvec3(i - 6, j - 5, k - 5.5), glm::dvec3(i - 6, j - 5, k - 5.5)) / 12);
+  });
+  Scene scene = plainScene(0, {0.3, 1, -0.2});
+  scene.transferFunction.points = {{20, {1, 0.4, 0.3}, 0}, {60, {0.9, 0.8, 0.6}, 0.3}};
+  scene.camera->height = 12;
+  scene.shading = {true, 2, false, 5.0, 0.1, 0.4, 0.2, 10};
+  const auto lit = [&](std::vector<Light> lights) {
+    scene.lights = std::move(lights);
+    return drawn(scene, *ball, {12, 12});
+  };
+  const Light a = lightFrom({-0.4, 0.5, 1}, 0.8, {1, 0.8, 0.6}),
+              b = lightFrom({1, 0.1, 0.3}, 0.6, {0.3, 0.5, 1});
+  const Picture both = lit({a, b}), onlyA = lit({a}), onlyB = lit({b}), ambient = lit({});
+  double largest = 0;
+  for (std::size_t n = 0; n < both.rgba.size(); ++n) {
+    QVERIFY(both.rgba[n] < 1);
+    const double sum = double(onlyA.rgba[n]) + onlyB.rgba[n] - ambient.rgba[n];
+    largest = std::max(largest, std::abs(both.rgba[n] - sum));
+  }
+  QVERIFY2(largest <= referenceBound, qPrintable(QString::number(largest * 255)));
+}
+
+// Volumes of i^2 / 2: Sobel's central difference of it is exact, so that |g| = |x| along the ray.
+namespace {
+struct Parabola {
+  VolumePtr volume;
+  Scene scene;
+  double mu;
+};
+
+// The ray runs from x = -4 .. 4 (mm, from the vertex of the parabola) against the viewer's eye.
+Parabola parabola(double opacity, int sides, double floorPerMm) {
+  const VoxelGeometry geometry = gridAround({11, 5, 5});
+  Parabola p{volumeOf(geometry, [](int i, int, int) { return (i - 5) * (i - 5) / 2.0; }), plainScene(opacity),
+             0};
+  p.scene.clip = insideOf(geometry.size);
+  p.scene.transferFunction.points[0].colour = white;
+  p.scene.shading = {true, sides, false, floorPerMm, 0.2, 0.7, 0, 20};
+  p.mu = extinction(opacity);
+  return p;
+}
+
+// The integral over pieces (length, D at its start, D at its end), front to back.
+double overPieces(double mu, std::initializer_list<glm::dvec3> pieces) {
+  double sum = 0, before = 0;
+  for (const glm::dvec3& p : pieces) {
+    sum += std::exp(-mu * before) * attenuatedLine(p.y, (p.z - p.y) / p.x, mu, p.x);
+    before += p.x;
+  }
+  return sum;
+}
+}  // namespace
+
+void TestReferenceShading::floorIsCrossedExactly() {
+  for (double opacity : {0.05, 0.7}) {
+    const Parabola p = parabola(opacity, 2, 1.3);
+    // Two sides: D = 0.9 for either normal, 0.55 where there is no gradient.
+    const double expected =
+        overPieces(p.mu, {{2.7, 0.9, 0.9}, {1.3, 0.9, 0.55}, {1.3, 0.55, 0.9}, {2.7, 0.9, 0.9}});
+    COMPARE_WITHIN(onePixel(p.scene, *p.volume).r, expected, referenceBound);
+  }
+}
+
+void TestReferenceShading::normalThatTurnsOverIsDampedByTheFloor() {
+  for (double floorPerMm : {1.3, 1e-4, 1e-12}) {
+    const Parabola p = parabola(0.2, 1, floorPerMm);
+    // One side: D = 0.2 where the value falls along the ray, 0.9 where it rises.
+    const double f = floorPerMm;
+    const double expected = overPieces(p.mu, {{4 - f, 0.2, 0.2}, {2 * f, 0.2, 0.9}, {4 - f, 0.9, 0.9}});
+    COMPARE_WITHIN(onePixel(p.scene, *p.volume).r, expected, referenceBound);
+  }
+}
+
+void TestReferenceShading::narrowHighlightIsNotMissed_data() {
+  QTest::addColumn<double>("shininess");
+  QTest::addColumn<double>("slope");
+  for (double shininess : {1.0, 20.0, 10000.0})
+    for (double slope : {2.0, 0.3, 0.003})
+      QTest::addRow("shininess %g, turns within %g voxels", shininess, slope) << shininess << slope;
+}
+
+void TestReferenceShading::narrowHighlightIsNotMissed() {
+  QFETCH(double, shininess);
+  QFETCH(double, slope);
+  // g = (x, slope, 0): the normal turns from one side to the other, past the half-way vector, within about
+  // `slope` voxels round x = 0.37. The expected integral is a sum over dense steps.
+  const VoxelGeometry geometry = gridAround({11, 5, 5});
+  const auto volume =
+      volumeOf(geometry, [&](int i, int j, int) { return (i - 5.37) * (i - 5.37) / 2.0 + slope * j; });
+  Scene scene = plainScene(0.3);
+  scene.clip = insideOf(geometry.size);
+  scene.shading = {true, 1, false, 1e-5, 0, 0, 1, shininess};
+  scene.lights = {{{-1, -1, 0}, Space::patient, white, 0.9, true}};
+  const double mu = extinction(0.3);
+  const glm::dvec3 l = glm::normalize(glm::dvec3(-1, -1, 0)), h = glm::normalize(l + glm::dvec3(-1, 0, 0));
+  double expected = 0;
+  constexpr int steps = 1000000;
+  for (int n = 0; n < steps; ++n) {
+    const double t = (n + 0.5) * 8 / steps;  // from x = -4 on
+    const glm::dvec3 normal = -glm::normalize(glm::dvec3(t - 4 - 0.37, slope, 0));
+    const double s = 0.9 * glm::clamp(10 * glm::dot(normal, l), 0.0, 1.0) *
+                     std::pow(std::max(0.0, glm::dot(normal, h)), shininess);
+    expected += s * mu * std::exp(-mu * t) * 8 / steps;
+  }
+  COMPARE_WITHIN(onePixel(scene, *volume).r, expected, referenceBound);
+}
+
+void TestReferenceShading::gradientOpacityScalesTheOpacity_data() {
+  QTest::addColumn<QList<double>>("points");  // gradient, factor, ...
+  QTest::addColumn<double>("depthPerMu");     // of 8 mm with |g| = |x|, -4 .. 4, at small opacity
+  QTest::newRow("constant") << QList<double>{0, 0.25} << 2.0;
+  QTest::newRow("linear") << QList<double>{0, 0, 4, 1} << 4.0;
+  QTest::newRow("kink") << QList<double>{1.3, 0, 2.3, 1} << 2 * (0.5 + 1.7);
+  QTest::newRow("step, holds at its place and above")
+      << QList<double>{1.3, 0.1, 1.3, 0.9} << 2 * (0.13 + 0.9 * 2.7);
+}
+
+void TestReferenceShading::gradientOpacityScalesTheOpacity() {
+  QFETCH(QList<double>, points);
+  QFETCH(double, depthPerMu);
+  // So small that -ln(1 - opacity x factor) is opacity x factor to a relative 1e-4 ...
+  Parabola p = parabola(1e-4, 1, 0);
+  for (int n = 0; n < points.size(); n += 2)
+    p.scene.transferFunction.gradientOpacity.push_back({points[n], points[n + 1]});
+  for (bool lit : {false, true}) {
+    p.scene.shading.lit = lit;
+    COMPARE_WITHIN(onePixel(p.scene, *p.volume).a, -std::expm1(-1e-4 * depthPerMu), 1e-7);
+  }
+  // ... and where the factor is constant the closed form holds for any opacity.
+  if (points.size() == 2) {
+    p.scene.transferFunction.points[0].opacity = 0.9;
+    COMPARE_WITHIN(onePixel(p.scene, *p.volume).a, 1 - std::pow(1 - 0.9 * 0.25, 8), 2e-7);
+  }
+}
+
+void TestReferenceShading::singleVoxelHasNoGradient() {
+  Scene scene = plainScene(0.5);
+  scene.shading = {true, 2, false, 1e-6, 0.2, 0.7, 0.2, 20};
+  const glm::dvec4 pixel = onePixel(scene, *homogeneous(gridAround({1, 1, 1}), 1000));
+  COMPARE_WITHIN(pixel.r, 0.5 * 0.55, 1e-6);
+}
+
+VOLUMEN_TEST(TestReferenceShading);
+#include "tst_reference_shading.moc"

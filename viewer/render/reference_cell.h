@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+
+#include "viewer/render/reference_polynomial.h"
+#include "viewer/volume/volume.h"
+
+namespace volumen::reference {
+
+/// What lies at the eight corners of the cell between voxels c and c + (1, 1, 1), at i + 2 j + 4 k; indices
+/// clamped to the volume (SCENE 2), so that cells -1 and n - 1 are the half-voxel border.
+template <class T>
+using Corners = std::array<T, 8>;
+
+Corners<double> cornerValues(const Volume& volume, glm::ivec3 cell);
+/// Sobel gradients (SCENE 3), value per voxel.
+Corners<glm::dvec3> cornerGradients(const Volume& volume, glm::ivec3 cell);
+
+/// Trilinear interpolation at start + s move (place within the cell, voxels), as a polynomial of s.
+/// Interpolated as a + f (b - a): a constant cell gives exactly its constant and no higher coefficient.
+template <class T>
+Polynomial<T, 3> interpolateAlong(const Corners<T>& corners, glm::dvec3 start, glm::dvec3 move) {
+  std::array<Polynomial<T, 3>, 8> p;
+  for (int n = 0; n < 8; ++n) p[n].c[0] = corners[n];
+  for (int axis = 0, count = 4; axis < 3; ++axis, count /= 2) {
+    for (int n = 0; n < count; ++n) {
+      const auto a = p[2 * n], b = p[2 * n + 1];
+      for (int power = 0; power <= 3; ++power) {
+        p[n].c[power] = a.c[power] + start[axis] * (b.c[power] - a.c[power]);
+        if (power > 0) p[n].c[power] += move[axis] * (b.c[power - 1] - a.c[power - 1]);
+      }
+    }
+  }
+  return p[0];
+}
+
+}  // namespace volumen::reference

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "viewer/scene/scene.h"
+
+namespace volumen::reference {
+
+/// A straight line in patient space, t in mm along the unit direction; only t >= nearMm is seen.
+struct Ray {
+  glm::dvec3 origin, direction;
+  double nearMm;
+};
+
+/// The part of a ray that is integrated: t from t0 to t1, mm. Empty where t1 <= t0.
+struct Interval {
+  double t0, t1;
+  bool empty() const { return !(t1 > t0); }
+};
+
+/// SCENE 7: the rays of a picture.
+class RayMaker {
+ public:
+  RayMaker(const Camera& camera, const VoxelGeometry& geometry, glm::ivec2 size);
+  /// The ray through the centre of pixel (px, py), py downwards. Its origin is the point q of SCENE 7, not
+  /// the eye, so that a distant eye costs no precision.
+  Ray through(int px, int py) const;
+  const CameraAxes& axes() const { return axes_; }
+
+ private:
+  CameraAxes axes_;
+  glm::dvec3 target_;
+  glm::ivec2 size_;
+  bool perspective_;
+  double distanceMm_, heightMm_;
+};
+
+/// SCENE 6: the ray inside the volume's box, the clip box and the clip planes, and in front of the eye.
+Interval visibleInterval(const Ray& ray, const VoxelGeometry& geometry, const Clip& clip);
+
+}  // namespace volumen::reference
