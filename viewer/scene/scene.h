@@ -83,8 +83,10 @@ struct Clip {
 
 struct Background {
   bool transparent = false;
-  glm::dvec3 colour{0};
-  bool operator==(const Background&) const = default;
+  glm::dvec3 colour{0};  ///< no meaning where transparent
+  bool operator==(const Background& o) const {
+    return transparent == o.transparent && (transparent || colour == o.colour);
+  }
 };
 
 struct Scene {

@@ -1,0 +1,222 @@
+#include "viewer/scene/json_fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "viewer/scene/number_text.h"
+
+namespace volumen {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t largestText = 4 << 20;
+constexpr std::size_t deepestNesting = 32;
+
+// Follows the parser and notes what a parsed value no longer shows: how deep it was, and fields given twice.
+class Nesting {
+ public:
+  std::string problem;
+
+  bool operator()(int, json::parse_event_t event, json& value) {
+    if (!problem.empty()) return false;
+    if (event == json::parse_event_t::object_start || event == json::parse_event_t::array_start) {
+      if (levels_.size() == deepestNesting) problem = "The JSON is nested too deeply.";
+      levels_.push_back({event == json::parse_event_t::array_start, {}, {}, 0});
+    } else if (event == json::parse_event_t::key) {
+      Level& level = levels_.back();
+      level.key = value.get<std::string>();
+      if (!level.keys.insert(level.key).second) problem = path() + " is given twice.";
+    } else {
+      if (event != json::parse_event_t::value) levels_.pop_back();
+      if (!levels_.empty()) ++levels_.back().index;
+    }
+    return problem.empty();
+  }
+
+ private:
+  struct Level {
+    bool list;
+    std::set<std::string> keys;
+    std::string key;
+    std::size_t index;
+  };
+  std::vector<Level> levels_;
+
+  std::string path() const {
+    std::string text;
+    for (const Level& level : levels_) {
+      if (level.list)
+        text += "[" + std::to_string(level.index) + "]";
+      else
+        text += (text.empty() ? "" : ".") + level.key.substr(0, 60);
+    }
+    return text;
+  }
+};
+
+std::string placeInText(const std::string& text, std::size_t byte) {
+  byte = std::min(byte, text.size());
+  const std::size_t lineStart = byte == 0 ? std::string::npos : text.rfind('\n', byte - 1);
+  const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(byte), '\n');
+  const std::size_t column = lineStart == std::string::npos ? byte : byte - lineStart - 1;
+  return "line " + std::to_string(line) + ", column " + std::to_string(std::max<std::size_t>(column, 1));
+}
+
+// The parser's own reason, without its number and without the text of the file that it repeats.
+std::string reasonOf(const std::string& what) {
+  const std::size_t from = what.rfind(": ", what.find(" - "));
+  std::string reason = from == std::string::npos ? what : what.substr(from + 2);
+  return reason.substr(0, reason.find("; last read"));
+}
+
+const char* kindName(const json& value) {
+  switch (value.type()) {
+    case json::value_t::null:
+      return "null";
+    case json::value_t::boolean:
+      return "true or false";
+    case json::value_t::string:
+      return "a text";
+    case json::value_t::array:
+      return "a list";
+    case json::value_t::object:
+      return "an object";
+    default:
+      return "a number";
+  }
+}
+
+}  // namespace
+
+Result<json> parseJson(const std::string& text) {
+  if (text.size() > largestText) return Error{"The JSON is larger than 4 MiB."};
+  Nesting nesting;
+  try {
+    json parsed = json::parse(text, std::ref(nesting));
+    if (!nesting.problem.empty()) return Error{nesting.problem};
+    return parsed;
+  } catch (const json::parse_error& e) {
+    if (!nesting.problem.empty()) return Error{nesting.problem};
+    return Error{"Not JSON at " + placeInText(text, e.byte) + ": " + reasonOf(e.what()) + "."};
+  } catch (const json::out_of_range& e) {
+    return Error{"A number is too large: " + std::string(e.what()).substr(0, 100) + "."};
+  }
+}
+
+JsonFields::JsonFields(const json& object, std::string path, std::string& problem)
+    : object_(&object), path_(std::move(path)), problem_(problem) {
+  static const json empty = json::object();
+  if (!isKind(object, path_.empty() ? "The JSON" : path_, Kind::object)) object_ = &empty;
+}
+
+bool JsonFields::isKind(const json& value, const std::string& path, Kind kind) {
+  switch (kind) {
+    case Kind::boolean:
+      if (value.is_boolean()) return true;
+      break;
+    case Kind::number:
+      if (value.is_number()) return true;
+      break;
+    case Kind::text:
+      if (value.is_string()) return true;
+      break;
+    case Kind::list:
+      if (value.is_array()) return true;
+      break;
+    case Kind::object:
+      if (value.is_object()) return true;
+      break;
+  }
+  static constexpr const char* names[] = {"true or false", "a number", "a text", "a list", "an object"};
+  refuse(path, std::string("must be ") + names[int(kind)] + ", not " + kindName(value));
+  return false;
+}
+
+const json* JsonFields::raw(const char* name) {
+  known_.push_back(name);
+  const auto found = object_->find(name);
+  return found == object_->end() ? nullptr : &*found;
+}
+
+const json* JsonFields::find(const char* name, Kind kind) {
+  const json* value = raw(name);
+  return value && isKind(*value, pathOf(name), kind) ? value : nullptr;
+}
+
+bool JsonFields::given(const char* name) {
+  const json* value = raw(name);
+  return value && !value->is_null();
+}
+
+std::optional<JsonFields> JsonFields::object(const char* name) {
+  const json* value = raw(name);
+  if (!value) return {};
+  return JsonFields(*value, pathOf(name), problem_);
+}
+
+std::optional<JsonFields> JsonFields::objectOrNull(const char* name) {
+  return given(name) ? object(name) : std::nullopt;
+}
+
+void JsonFields::read(const char* name, bool& value) {
+  if (const json* field = find(name, Kind::boolean)) value = field->get<bool>();
+}
+
+void JsonFields::read(const char* name, double& value) {
+  if (const json* field = find(name, Kind::number)) value = field->get<double>();
+}
+
+void JsonFields::read(const char* name, int& value) {
+  double number = value;
+  read(name, number);
+  if (number != std::floor(number) || std::abs(number) > 1e9)
+    return refuse(pathOf(name), "must be a small whole number, not " + numberText(number));
+  value = int(number);
+}
+
+void JsonFields::read(const char* name, float& value) {
+  double number = double(value);
+  read(name, number);
+  if (std::abs(number) > double(std::numeric_limits<float>::max()))
+    return refuse(pathOf(name), "must be within what float32 holds, not " + numberText(number));
+  value = float(number);
+}
+
+void JsonFields::read(const char* name, std::string& value) {
+  if (const json* field = find(name, Kind::text)) value = field->get<std::string>();
+}
+
+void JsonFields::read(const char* name, glm::dvec3& value) {
+  if (const json* field = raw(name)) readNumbers(*field, pathOf(name), &value[0], 3);
+}
+
+void JsonFields::readNumbers(const json& list, const std::string& path, double* numbers, std::size_t count) {
+  if (!isKind(list, path, Kind::list)) return;
+  if (list.size() != count)
+    return refuse(path, "must be a list of " + std::to_string(count) + " numbers, not of " +
+                            std::to_string(list.size()));
+  for (std::size_t n = 0; n < count; ++n)
+    if (isKind(list[n], path + "[" + std::to_string(n) + "]", Kind::number))
+      numbers[n] = list[n].get<double>();
+}
+
+void JsonFields::refuseOthers() {
+  for (const auto& [key, value] : object_->items()) {
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    std::string all;
+    for (const std::string& name : known_) all += (all.empty() ? "" : ", ") + name;
+    refuse(pathOf(key.substr(0, 60)), "is unknown; the fields here are " + all);
+  }
+}
+
+void JsonFields::refuse(const std::string& path, const std::string& sentence) {
+  if (problem_.empty()) problem_ = path + " " + sentence + ".";
+}
+
+std::string JsonFields::quoted(const std::string& text) { return "\"" + text.substr(0, 60) + "\""; }
+
+}  // namespace volumen
