@@ -71,7 +71,7 @@ std::optional<std::vector<std::uint64_t>> toSizes(std::string_view text) {
 
 std::string exactText(double value) {
   char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+  return std::string(text, std::to_chars(text, text + sizeof text, value + 0.0).ptr);
 }
 
 std::string_view takeLine(std::string_view& text) {

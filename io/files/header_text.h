@@ -27,7 +27,7 @@ std::optional<std::vector<double>> toNumbers(std::string_view text);
 /// The same for sizes: whole numbers >= 1.
 std::optional<std::vector<std::uint64_t>> toSizes(std::string_view text);
 
-/// The shortest text that reads back as exactly `value`.
+/// The shortest text that reads back as exactly `value` (-0 as 0).
 std::string exactText(double value);
 
 /// Takes the first line of `text`, without its line end; `text` then starts behind it.

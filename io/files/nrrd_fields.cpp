@@ -85,6 +85,17 @@ Result<HeaderText> readText(const std::string& path) {
   return HeaderText{*head, head->size(), false};
 }
 
+// In values of keys \\n stands for a line end and \\\\ for a backslash.
+std::string unescaped(std::string_view text) {
+  std::string plain;
+  for (std::size_t n = 0; n < text.size(); ++n) {
+    const bool escape = text[n] == '\\' && n + 1 < text.size() && (text[n + 1] == 'n' || text[n + 1] == '\\');
+    if (escape) ++n;
+    plain += escape && text[n] == 'n' ? '\n' : text[n];
+  }
+  return plain;
+}
+
 Status parseLines(std::string_view text, NrrdHeader& header, std::vector<std::string>& listed,
                   const std::string& path) {
   takeLine(text);  // NRRD000n
@@ -97,7 +108,7 @@ Status parseLines(std::string_view text, NrrdHeader& header, std::vector<std::st
       return Error{path + " has a header line that is neither a field nor a key: '" +
                    std::string(line.substr(0, 80)) + "'."};
     if (next == '=') {
-      header.keyValues.emplace(line.substr(0, colon), line.substr(colon + 2));
+      header.keyValues.emplace(line.substr(0, colon), unescaped(line.substr(colon + 2)));
       continue;
     }
     const std::string name = fieldName(line.substr(0, colon));

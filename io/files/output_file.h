@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "viewer/volume/result.h"
+
+class QIODevice;
+
+namespace volumen {
+
+/// A file that appears whole or not at all: written aside in the same folder, renamed by commit(). Without
+/// commit() (an error, a cancelled command) nothing is left.
+class OutputFile {
+ public:
+  static Result<OutputFile> create(const std::string& path);
+  OutputFile(OutputFile&&) noexcept;
+  ~OutputFile();
+
+  Status write(const void* bytes, std::size_t count);
+  Status write(std::string_view text) { return write(text.data(), text.size()); }
+  /// What is written from here on is compressed, as one gzip member.
+  Status startGzip();
+  /// Ends the file and gives it its name.
+  Status commit();
+
+  /// For writers of Qt's; not while gzip is on.
+  QIODevice& device();
+
+ private:
+  struct State;
+  explicit OutputFile(std::unique_ptr<State> state);
+  Status fail(const std::string& why) const;
+  Status deflateAll(int flush);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace volumen

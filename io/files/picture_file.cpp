@@ -1,0 +1,59 @@
+#include "io/files/picture_file.h"
+
+#include <QImage>
+#include <QImageWriter>
+
+#include "io/files/nrrd.h"
+#include "io/files/output_file.h"
+
+namespace volumen {
+
+Status writePng(const Picture& picture, const std::string& path,
+                const std::vector<std::pair<std::string, std::string>>& text) {
+  const std::vector<std::uint8_t> bytes = toBytes(picture);
+  const int channels = picture.transparent ? 4 : 3;
+  const QImage image(bytes.data(), picture.size.x, picture.size.y, qsizetype(channels) * picture.size.x,
+                     picture.transparent ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+  auto out = OutputFile::create(path);
+  if (!out) return out.error();
+  QImageWriter writer(&out->device(), "png");
+  for (const auto& [key, value] : text)
+    writer.setText(QString::fromStdString(key), QString::fromStdString(value));
+  if (!writer.write(image))
+    return Error{path + " cannot be written: " + writer.errorString().toStdString() + "."};
+  return out->commit();
+}
+
+Status writePictureNrrd(const Picture& picture, const std::string& path) {
+  auto out = OutputFile::create(path);
+  if (!out) return out.error();
+  const std::string header =
+      "NRRD0005\ntype: float\ndimension: 3\nsizes: 4 " + std::to_string(picture.size.x) + ' ' +
+      std::to_string(picture.size.y) +
+      "\nkinds: RGBA-color domain domain\nendian: little\nencoding: raw\nbackground:=" +
+      (picture.transparent ? "transparent" : "opaque") + "\n\n";
+  if (Status s = out->write(header); !s) return s;
+  if (Status s = out->write(picture.rgba.data(), picture.rgba.size() * sizeof(float)); !s) return s;
+  return out->commit();
+}
+
+Result<Picture> readPictureNrrd(const std::string& path) {
+  auto header = readNrrdFields(path);
+  if (!header) return header.error();
+  const auto& sizes = header->sizes;
+  if (sizes.size() != 3 || sizes[0] != 4 || header->data.type != SampleType::float32 || sizes[1] > 1 << 20 ||
+      sizes[2] > 1 << 20)
+    return Error{path + " is not a picture of volumen's: float, sizes 4 W H."};
+  if (Status s = setCounts(header->data, {}, sizes, {}, path); !s) return s.error();
+  std::vector<std::string> warnings;
+  auto samples = readSamples(header->data, 0, 1, 0, {}, {}, warnings);
+  if (!samples) return samples.error();
+  Picture picture;
+  picture.size = {int(sizes[1]), int(sizes[2])};
+  const auto background = header->keyValues.find("background");
+  picture.transparent = background != header->keyValues.end() && background->second == "transparent";
+  picture.rgba = std::get<std::vector<float>>(std::move(samples->values));
+  return picture;
+}
+
+}  // namespace volumen

@@ -1,0 +1,204 @@
+#include "io/files/write_volume.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "io/files/header_text.h"
+#include "io/files/nifti_write.h"
+#include "io/files/nrrd.h"
+#include "io/files/output_file.h"
+#include "io/files/sample_type.h"
+
+static_assert(std::endian::native == std::endian::little, "samples are written in this machine's order");
+
+namespace volumen {
+
+namespace {
+
+// How samples are written: `type` of slope * stored + intercept.
+struct Form {
+  SampleType type = SampleType::float32;
+  double slope = 1, intercept = 0;
+};
+
+SampleType storedType(const Volume& volume) {
+  static constexpr SampleType types[] = {SampleType::uint8, SampleType::int16, SampleType::uint16,
+                                         SampleType::float32};
+  return types[volume.stored().index()];
+}
+
+// For formats without rescale: the real values, as integers where they are whole.
+Form realForm(const Volume& volume) {
+  const Form real{SampleType::float32, volume.slope(), volume.intercept()};
+  if (volume.slope() != 1 || volume.intercept() != std::floor(volume.intercept())) return real;
+  if (volume.intercept() == 0) return {storedType(volume)};
+  return std::visit(
+      [&](const auto& values) {
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        const double least = double(*low) + volume.intercept(), most = double(*high) + volume.intercept();
+        constexpr double exactInFloat = 1 << 24;
+        Form form = real;
+        if (least >= 0 && most <= 65535)
+          form.type = SampleType::uint16;
+        else if (least >= -32768 && most <= 32767)
+          form.type = SampleType::int16;
+        else if (least >= -exactInFloat && most <= exactInFloat)
+          form.type = SampleType::int32;
+        return form;
+      },
+      volume.stored());
+}
+
+// For NIfTI, whose slope and intercept are float32.
+Form niftiForm(const Volume& volume) {
+  const double slope = volume.slope(), intercept = volume.intercept();
+  if (double(float(slope)) == slope && double(float(intercept)) == intercept) return {storedType(volume)};
+  return {SampleType::float32, slope, intercept};
+}
+
+Status writeSamples(const Volume& volume, const Form& form, OutputFile& out, const Progress& progress,
+                    const CancelToken& cancel) {
+  return withSampleType(form.type, [&](auto type) -> Status {
+    using To = decltype(type);
+    return std::visit(
+        [&](const auto& values) -> Status {
+          constexpr std::size_t chunk = 1 << 18;
+          std::vector<To> part;
+          for (std::size_t done = 0; done < values.size(); done += part.size()) {
+            if (cancel.cancelled()) return Error{"Cancelled."};
+            if (progress) progress("writing voxels", done, values.size());
+            part.resize(std::min(chunk, values.size() - done));
+            for (std::size_t n = 0; n < part.size(); ++n)
+              part[n] = To(form.slope * double(values[done + n]) + form.intercept);
+            if (Status s = out.write(part.data(), part.size() * sizeof(To)); !s) return s;
+          }
+          return {};
+        },
+        volume.stored());
+  });
+}
+
+std::string rowText(glm::dvec3 v, const char* between) {
+  return exactText(v.x) + between + exactText(v.y) + between + exactText(v.z);
+}
+
+// NRRD's escapes in values.
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (char c : text) {
+    if (c == '\\')
+      safe += "\\\\";
+    else if (c == '\n')
+      safe += "\\n";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
+const char* nrrdTypeName(SampleType type) {
+  static constexpr const char* names[] = {"int8",   "uint8", "int16",  "uint16", "int32",
+                                          "uint32", "int64", "uint64", "float",  "double"};
+  return names[int(type)];
+}
+
+std::string nrrdHeader(const VoxelGeometry& g, SampleType type, const NrrdKeyValues& keyValues) {
+  const auto vector = [](glm::dvec3 v) { return std::string("(") + rowText(v, ",") + ')'; };
+  const glm::dmat3& L = g.patientFromVoxelStep;
+  std::string text = "NRRD0005\ntype: ";
+  text += nrrdTypeName(type);
+  text += "\ndimension: 3\n";
+  if (g.calibrated) text += "space: left-posterior-superior\n";
+  text += "sizes: " + std::to_string(g.size.x) + ' ' + std::to_string(g.size.y) + ' ' +
+          std::to_string(g.size.z) + '\n';
+  if (g.calibrated)
+    text += "space directions: " + vector(L[0]) + ' ' + vector(L[1]) + ' ' + vector(L[2]) + '\n';
+  text += "kinds: domain domain domain\nendian: little\nencoding: gzip\n";
+  if (g.calibrated) text += "space origin: " + vector(g.origin) + '\n';
+  for (const auto& [key, value] : keyValues) {
+    assert(key.find(":=") == std::string::npos && key.find('\n') == std::string::npos);
+    text += key + ":=" + escaped(value) + '\n';
+  }
+  return text + '\n';
+}
+
+const char* metaTypeName(SampleType type) {
+  static constexpr const char* names[] = {"MET_CHAR",  "MET_UCHAR", "MET_SHORT",     "MET_USHORT",
+                                          "MET_INT",   "MET_UINT",  "MET_LONG_LONG", "MET_ULONG_LONG",
+                                          "MET_FLOAT", "MET_DOUBLE"};
+  return names[int(type)];
+}
+
+std::string metaHeader(const VoxelGeometry& g, SampleType type) {
+  std::string text =
+      "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+      "CompressedData = False\n";
+  if (g.calibrated) {
+    const glm::dvec3 s = g.spacing();
+    const glm::dmat3& L = g.patientFromVoxelStep;
+    text += "TransformMatrix = " + rowText(L[0] / s.x, " ") + ' ' + rowText(L[1] / s.y, " ") + ' ' +
+            rowText(L[2] / s.z, " ") + "\nOffset = " + rowText(g.origin, " ") +
+            "\nCenterOfRotation = 0 0 0\nElementSpacing = " + rowText(s, " ") + '\n';
+  }
+  text += "DimSize = " + std::to_string(g.size.x) + ' ' + std::to_string(g.size.y) + ' ' +
+          std::to_string(g.size.z) + "\nElementType = ";
+  text += metaTypeName(type);
+  return text + "\nElementDataFile = LOCAL\n";
+}
+
+Status writeMeta(const Volume& volume, const std::string& path, const Progress& progress,
+                 const CancelToken& cancel) {
+  const Form form = realForm(volume);
+  auto out = OutputFile::create(path);
+  if (!out) return out.error();
+  if (Status s = out->write(metaHeader(volume.geometry(), form.type)); !s) return s;
+  if (Status s = writeSamples(volume, form, *out, progress, cancel); !s) return s;
+  return out->commit();
+}
+
+Status writeNifti(const Volume& volume, const std::string& path, const Progress& progress,
+                  const CancelToken& cancel) {
+  const Form form = niftiForm(volume);
+  const bool scaled = form.slope == 1 && form.intercept == 0;
+  auto header =
+      niftiHeader(volume.geometry(), form.type, scaled ? volume.slope() : 1, scaled ? volume.intercept() : 0);
+  if (!header) return Error{path + ": " + header.message()};
+  auto out = OutputFile::create(path);
+  if (!out) return out.error();
+  if (Status s = out->startGzip(); !s) return s;
+  if (Status s = out->write(*header); !s) return s;
+  if (Status s = writeSamples(volume, form, *out, progress, cancel); !s) return s;
+  return out->commit();
+}
+
+}  // namespace
+
+Status writeNrrd(const Volume& volume, const std::string& path, const NrrdKeyValues& keyValues,
+                 const Progress& progress, const CancelToken& cancel) {
+  const Form form = realForm(volume);
+  auto out = OutputFile::create(path);
+  if (!out) return out.error();
+  if (Status s = out->write(nrrdHeader(volume.geometry(), form.type, keyValues)); !s) return s;
+  if (Status s = out->startGzip(); !s) return s;
+  if (Status s = writeSamples(volume, form, *out, progress, cancel); !s) return s;
+  return out->commit();
+}
+
+bool isVolumeFileName(const std::string& path) {
+  const std::string name = lowerCase(path);
+  return name.ends_with(".nrrd") || name.ends_with(".nii.gz") || name.ends_with(".mha");
+}
+
+Status writeVolume(const Volume& volume, const std::string& path, const Progress& progress,
+                   const CancelToken& cancel) {
+  const std::string name = lowerCase(path);
+  if (name.ends_with(".nrrd")) return writeNrrd(volume, path, {}, progress, cancel);
+  if (name.ends_with(".nii.gz")) return writeNifti(volume, path, progress, cancel);
+  if (name.ends_with(".mha")) return writeMeta(volume, path, progress, cancel);
+  return Error{path + " cannot be written: volumes are written as .nrrd, .nii.gz or .mha."};
+}
+
+}  // namespace volumen
