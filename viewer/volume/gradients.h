@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <vector>
 
+#include "viewer/volume/buffer.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
@@ -17,17 +17,18 @@ glm::dvec3 sobelAt(const Volume& volume, int i, int j, int k);
 /// G (real value per voxel) = scale * integer. The scale is a power of two times slope / 32, so small ranges
 /// lose nothing.
 struct Gradients16 {
-  std::vector<std::int16_t> xyz0;
+  Buffer<std::int16_t> xyz0;
   double scale = 1;
 };
 
 /// Sobel gradients as four floats a voxel (x, y, z, 0), in real value per voxel.
 struct Gradients32 {
-  std::vector<float> xyz0;
+  Buffer<float> xyz0;
 };
 
-/// Computed on all cores, SIMD. `volume` must hold integers.
+/// Computed on all cores, SIMD; `volume` must hold 8- or 16-bit integers.
 Gradients16 sobel16(const Volume& volume);
+/// The same for any volume.
 Gradients32 sobel32(const Volume& volume);
 
 }  // namespace volumen

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <new>
+
+namespace volumen {
+
+/// Asks the system for huge pages behind large memory; first touch of small pages costs more than the work on
+/// them (FIELD 2).
+void* allocateLarge(std::size_t bytes);
+void freeLarge(void* memory) noexcept;
+
+/// A fixed number of values, not initialised, aligned to 64 bytes, with 64 readable bytes behind the last:
+/// vector loads and gathers of the last value may read past it. For large data that are written once, on all
+/// cores.
+template <class T>
+class Buffer {
+ public:
+  Buffer() = default;
+  explicit Buffer(std::size_t size)
+      : size_(size), data_(static_cast<T*>(allocateLarge(size * sizeof(T) + 64))) {}
+
+  T* data() { return data_.get(); }
+  const T* data() const { return data_.get(); }
+  std::size_t size() const { return size_; }
+  std::size_t bytes() const { return size_ * sizeof(T); }
+  bool empty() const { return size_ == 0; }
+  T& operator[](std::size_t n) { return data_.get()[n]; }
+  const T& operator[](std::size_t n) const { return data_.get()[n]; }
+
+ private:
+  struct Free {
+    void operator()(T* p) const { freeLarge(p); }
+  };
+  std::size_t size_ = 0;
+  std::unique_ptr<T, Free> data_;
+};
+
+}  // namespace volumen

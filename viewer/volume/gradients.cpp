@@ -1,0 +1,219 @@
+#include "viewer/volume/gradients.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "viewer/volume/gradients.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "viewer/volume/histogram.h"
+#include "viewer/volume/parallel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The nine rows around a row of voxels: rows[z][y], 0 before, 1 at, 2 behind; clamped at the faces.
+template <class T>
+using Rows = const T* [3][3];
+
+// Sums over the neighbours across x for one row: smooth = [1 2 1] x [1 2 1] of the values, alongY and alongZ
+// the differences along y and z smoothed along the other. Entry n + 1 belongs to voxel n; the ends repeat
+// (clamp to edge).
+template <class T, class Sum>
+void SumAcross(const Rows<T>& r, std::size_t count, Sum* HWY_RESTRICT smooth, Sum* HWY_RESTRICT alongY,
+               Sum* HWY_RESTRICT alongZ) {
+  for (std::size_t n = 0; n < count; ++n) {
+    const Sum a = Sum(r[0][0][n]), b = Sum(r[0][1][n]), c = Sum(r[0][2][n]);
+    const Sum d = Sum(r[1][0][n]), e = Sum(r[1][1][n]), f = Sum(r[1][2][n]);
+    const Sum g = Sum(r[2][0][n]), h = Sum(r[2][1][n]), i = Sum(r[2][2][n]);
+    const Sum before = (a + c) + 2 * b, at = (d + f) + 2 * e, behind = (g + i) + 2 * h;
+    smooth[n + 1] = (before + behind) + 2 * at;
+    alongY[n + 1] = ((c - a) + (i - g)) + 2 * (f - d);
+    alongZ[n + 1] = behind - before;
+  }
+  for (Sum* s : {smooth, alongY, alongZ}) {
+    s[0] = s[1];
+    s[count + 1] = s[count];
+  }
+}
+
+// Finishes one row along x: gradients in units of 1/32, shifted right with rounding, four 16-bit integers a
+// voxel.
+void FinishRow16(const std::int32_t* smooth, const std::int32_t* alongY, const std::int32_t* alongZ,
+                 std::size_t count, int shift, std::int16_t* HWY_RESTRICT out) {
+  const hn::ScalableTag<std::int32_t> d32;
+  const hn::Rebind<std::int16_t, decltype(d32)> d16;
+  const auto half = hn::Set(d32, shift > 0 ? 1 << (shift - 1) : 0);
+  const auto demote = [&](auto v) { return hn::DemoteTo(d16, hn::ShiftRightSame(hn::Add(v, half), shift)); };
+  const auto smoothed = [&](const std::int32_t* s, std::size_t n) {
+    const auto middle = hn::LoadU(d32, s + n + 1);
+    return hn::Add(hn::Add(hn::LoadU(d32, s + n), hn::LoadU(d32, s + n + 2)), hn::Add(middle, middle));
+  };
+  const auto zero = hn::Zero(d16);
+  const std::size_t lanes = hn::Lanes(d32);
+  // The scratch rows and `part` have room for a whole last vector.
+  HWY_ALIGN std::int16_t part[4 * HWY_MAX_BYTES / sizeof(std::int32_t)];
+  for (std::size_t n = 0; n < count; n += lanes) {
+    const bool whole = n + lanes <= count;
+    const auto x = demote(hn::Sub(hn::LoadU(d32, smooth + n + 2), hn::LoadU(d32, smooth + n)));
+    hn::StoreInterleaved4(x, demote(smoothed(alongY, n)), demote(smoothed(alongZ, n)), zero, d16,
+                          whole ? out + 4 * n : part);
+    if (!whole) std::copy_n(part, 4 * (count - n), out + 4 * n);
+  }
+}
+
+void FinishRow32(const float* smooth, const float* alongY, const float* alongZ, std::size_t count,
+                 float scale, float* HWY_RESTRICT out) {
+  for (std::size_t n = 0; n < count; ++n) {
+    out[4 * n] = (smooth[n + 2] - smooth[n]) * scale;
+    out[4 * n + 1] = ((alongY[n] + alongY[n + 2]) + 2 * alongY[n + 1]) * scale;
+    out[4 * n + 2] = ((alongZ[n] + alongZ[n + 2]) + 2 * alongZ[n + 1]) * scale;
+    out[4 * n + 3] = 0;
+  }
+}
+
+template <class T>
+void Row16(const Rows<T>& rows, std::size_t count, int shift, std::int32_t* scratch, std::size_t stride,
+           std::int16_t* out) {
+  SumAcross<T, std::int32_t>(rows, count, scratch, scratch + stride, scratch + 2 * stride);
+  FinishRow16(scratch, scratch + stride, scratch + 2 * stride, count, shift, out);
+}
+
+template <class T>
+void Row32(const Rows<T>& rows, std::size_t count, float scale, float* scratch, std::size_t stride,
+           float* out) {
+  SumAcross<T, float>(rows, count, scratch, scratch + stride, scratch + 2 * stride);
+  FinishRow32(scratch, scratch + stride, scratch + 2 * stride, count, scale, out);
+}
+
+// One function pointer a stored type; the overload set cannot be exported as it is.
+struct RowKernels {
+  decltype(&Row16<std::uint8_t>) u8;
+  decltype(&Row16<std::int16_t>) i16;
+  decltype(&Row16<std::uint16_t>) u16;
+  decltype(&Row32<std::uint8_t>) u8Float;
+  decltype(&Row32<std::int16_t>) i16Float;
+  decltype(&Row32<std::uint16_t>) u16Float;
+  decltype(&Row32<float>) f32Float;
+};
+
+const void* ChooseRowKernels() {
+  static constexpr RowKernels kernels{Row16<std::uint8_t>, Row16<std::int16_t>, Row16<std::uint16_t>,
+                                      Row32<std::uint8_t>, Row32<std::int16_t>, Row32<std::uint16_t>,
+                                      Row32<float>};
+  return &kernels;
+}
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace volumen {
+
+HWY_EXPORT(ChooseRowKernels);
+
+namespace {
+
+template <class T>
+using Rows = const T* [3][3];
+
+template <class T, class Sum, class Out>
+using RowKernel = void (*)(const Rows<T>&, std::size_t, Out, Sum*, std::size_t,
+                           std::conditional_t<std::is_same_v<Sum, float>, float, std::int16_t>*);
+
+// The same layout as the RowKernels of every target.
+struct RowKernels {
+  RowKernel<std::uint8_t, std::int32_t, int> u8;
+  RowKernel<std::int16_t, std::int32_t, int> i16;
+  RowKernel<std::uint16_t, std::int32_t, int> u16;
+  RowKernel<std::uint8_t, float, float> u8Float;
+  RowKernel<std::int16_t, float, float> i16Float;
+  RowKernel<std::uint16_t, float, float> u16Float;
+  RowKernel<float, float, float> f32Float;
+
+  auto of(std::uint8_t, std::int32_t) const { return u8; }
+  auto of(std::int16_t, std::int32_t) const { return i16; }
+  auto of(std::uint16_t, std::int32_t) const { return u16; }
+  auto of(std::uint8_t, float) const { return u8Float; }
+  auto of(std::int16_t, float) const { return i16Float; }
+  auto of(std::uint16_t, float) const { return u16Float; }
+  auto of(float, float) const { return f32Float; }
+};
+
+// Runs the row kernel over all rows on all cores.
+template <class Sum, class T, class Factor, class Out>
+void overRows(const std::vector<T>& stored, glm::ivec3 size, Factor factor, Out* out) {
+  const auto kernel =
+      static_cast<const RowKernels*>(HWY_DYNAMIC_DISPATCH(ChooseRowKernels)())->of(T{}, Sum{});
+  constexpr std::size_t longestVector = 64;  // of any CPU target; HWY_MAX_BYTES here is only the baseline's
+  const std::size_t stride = std::size_t(size.x) + 2 + longestVector;
+  parallelFor(std::int64_t(size.y) * size.z, 0, [&](std::int64_t begin, std::int64_t end) {
+    std::vector<Sum> scratch(3 * stride);
+    for (std::int64_t row = begin; row < end; ++row) {
+      const int j = int(row % size.y), k = int(row / size.y);
+      Rows<T> rows;
+      for (int dz = 0; dz < 3; ++dz)
+        for (int dy = 0; dy < 3; ++dy) {
+          const std::int64_t y = std::clamp(j + dy - 1, 0, size.y - 1),
+                             z = std::clamp(k + dz - 1, 0, size.z - 1);
+          rows[dz][dy] = stored.data() + (z * size.y + y) * size.x;
+        }
+      kernel(rows, std::size_t(size.x), factor, scratch.data(), stride, out + std::size_t(4) * size.x * row);
+    }
+  });
+}
+
+}  // namespace
+
+glm::dvec3 sobelAt(const Volume& volume, int i, int j, int k) {
+  constexpr double smooth[3] = {0.25, 0.5, 0.25}, derivative[3] = {-0.5, 0, 0.5};
+  const glm::ivec3 size = volume.size();
+  glm::dvec3 g(0);
+  for (int dz = 0; dz < 3; ++dz)
+    for (int dy = 0; dy < 3; ++dy)
+      for (int dx = 0; dx < 3; ++dx) {
+        const double v =
+            volume.value(std::clamp(i + dx - 1, 0, size.x - 1), std::clamp(j + dy - 1, 0, size.y - 1),
+                         std::clamp(k + dz - 1, 0, size.z - 1));
+        g +=
+            v * glm::dvec3(derivative[dx] * smooth[dy] * smooth[dz], smooth[dx] * derivative[dy] * smooth[dz],
+                           smooth[dx] * smooth[dy] * derivative[dz]);
+      }
+  return g;
+}
+
+Gradients16 sobel16(const Volume& volume) {
+  const ValueRange range = valueRange(volume);
+  const double largest =
+      16 * (range.high - range.low) / std::abs(volume.slope());  // in units of 1/32 stored value
+  int shift = 0;
+  while (largest / double(1 << shift) > 32767) ++shift;
+  Gradients16 g{Buffer<std::int16_t>(std::size_t(4) * volume.geometry().voxelCount()),
+                volume.slope() * double(1 << shift) / 32};
+  std::visit(
+      [&]<class T>(const std::vector<T>& stored) {
+        if constexpr (!std::is_same_v<T, float>)
+          overRows<std::int32_t>(stored, volume.size(), shift, g.xyz0.data());
+      },
+      volume.stored());
+  return g;
+}
+
+Gradients32 sobel32(const Volume& volume) {
+  Gradients32 g{Buffer<float>(std::size_t(4) * volume.geometry().voxelCount())};
+  std::visit(
+      [&](const auto& stored) {
+        overRows<float>(stored, volume.size(), float(volume.slope() / 32), g.xyz0.data());
+      },
+      volume.stored());
+  return g;
+}
+
+}  // namespace volumen
+#endif  // HWY_ONCE
