@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <map>
 #include <tuple>
 
+#include "io/dicom/import.h"
 #include "io/files/image_file.h"
 #include "io/walk.h"
 #include "viewer/volume/phantoms.h"
@@ -41,16 +43,32 @@ long numberOf(const std::string& text) {
   return n;
 }
 
+/// Tells volumes of one series (or files of one name) apart by "#1", "#2", ... behind their ids.
+void numberParts(std::vector<Series>& volumes) {
+  std::map<std::string, int> count, next;
+  for (const Series& s : volumes) ++count[s.id];
+  for (Series& s : volumes)
+    if (const std::string id = s.id; count[id] > 1) s.id += "#" + std::to_string(++next[id]);
+}
+
 /// `info`'s order: patient, study, series number, position.
 void sortVolumes(std::vector<Series>& volumes) {
   const auto key = [](const Series& s) {
     const glm::dvec3 o = s.acquired.origin;
     return std::make_tuple(std::tie(s.patientName, s.patientId, s.studyDate, s.studyUid),
-                           numberOf(s.seriesNumber), std::tie(s.seriesUid, s.path), o.z, o.y, o.x,
-                           s.id.size(), std::tie(s.id));  // "#2" before "#10"
+                           numberOf(s.seriesNumber), s.seriesUid.empty() ? s.path : s.seriesUid, o.z, o.y,
+                           o.x, s.id.size(), std::tie(s.id));  // "#2" before "#10"
   };
   std::stable_sort(volumes.begin(), volumes.end(),
                    [&](const Series& a, const Series& b) { return key(a) < key(b); });
+}
+
+void addImageFile(const std::string& file, Study& study) {
+  Result<std::vector<Series>> volumes = readImageFileHeaders(file);
+  if (volumes)
+    std::move(volumes->begin(), volumes->end(), std::back_inserter(study.volumes));
+  else
+    study.refused.push_back({file, volumes.message()});
 }
 
 }  // namespace
@@ -61,25 +79,23 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
   if (!found) return found.error();
   Study study;
   for (const auto& [file, reason] : found->unreadable) study.refused.push_back({file, reason + "."});
-  for (std::size_t n = 0; n < found->files.size(); ++n) {
-    if (cancel.cancelled()) return Error{path + ": cancelled."};
-    if (progress) progress("reading headers", n, found->files.size());
-    const std::string& file = found->files[n];
-    if (looksLikeImageFile(file)) {
-      Result<std::vector<Series>> volumes = readImageFileHeaders(file);
-      if (volumes)
-        std::move(volumes->begin(), volumes->end(), std::back_inserter(study.volumes));
-      else
-        study.refused.push_back({file, volumes.message()});
-      continue;
-    }
-    study.other.push_back({file, "not an image"});
+  std::vector<std::string> others;
+  for (const std::string& file : found->files) {
+    if (cancel.cancelled()) break;
+    if (looksLikeImageFile(file))
+      addImageFile(file, study);
+    else
+      others.push_back(file);
   }
+  dicom::findSeries(others, study, progress, cancel);
+  if (cancel.cancelled()) return Error{path + ": cancelled."};
   sortVolumes(study.volumes);
+  numberParts(study.volumes);
   return study;
 }
 
 Result<Loaded> loadSeries(const Series& series, const Progress& progress, const CancelToken& cancel) {
+  if (series.format == "DICOM") return dicom::loadSeries(series, progress, cancel);
   if (series.format == "phantom") {
     Result<VolumePtr> volume = phantomAt(series.path);
     if (!volume) return volume.error();

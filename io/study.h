@@ -34,6 +34,7 @@ struct Series {
   std::optional<Regular> regular;
 
   std::vector<std::string> files;  ///< every file it is made of, in slice order (one file for NRRD etc.)
+  std::vector<int> frames;         ///< DICOM: the frame (from 0) of each of `files` that is the slice
 };
 
 struct Refused {

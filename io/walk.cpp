@@ -72,18 +72,30 @@ RegularFile::~RegularFile() {
   if (fd_ >= 0) ::close(fd_);
 }
 
-Status RegularFile::readUpTo(std::vector<std::uint8_t>& bytes, std::uint64_t length) const {
-  length = std::min(length, size_);
-  std::size_t at = bytes.size();
-  if (at >= length) return {};
-  bytes.resize(length);
-  while (at < length) {
-    const ssize_t n = ::pread(fd_, bytes.data() + at, length - at, off_t(at));
+Status RegularFile::fill(std::uint64_t offset, std::span<std::uint8_t> out) const {
+  std::size_t done = 0;
+  while (done < out.size()) {
+    const ssize_t n = ::pread(fd_, out.data() + done, out.size() - done, off_t(offset + done));
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return Error{n < 0 ? std::strerror(errno) : "the file became shorter while it was read"};
-    at += std::size_t(n);
+    if (n < 0) return Error{std::strerror(errno)};
+    if (n == 0) return Error{"the file became shorter while it was read"};
+    done += std::size_t(n);
   }
   return {};
+}
+
+Result<std::vector<std::uint8_t>> RegularFile::read(std::uint64_t offset, std::uint64_t length) const {
+  if (offset > size_ || length > size_ - offset) return Error{"the file is cut off"};
+  std::vector<std::uint8_t> bytes(length);
+  if (Status s = fill(offset, bytes); !s) return s.error();
+  return bytes;
+}
+
+Status RegularFile::readUpTo(std::vector<std::uint8_t>& bytes, std::uint64_t length) const {
+  const std::size_t have = bytes.size();
+  if (have >= std::min(length, size_)) return {};
+  bytes.resize(std::min(length, size_));
+  return fill(have, std::span(bytes).subspan(have));
 }
 
 }  // namespace volumen

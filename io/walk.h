@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,10 +33,13 @@ class RegularFile {
   ~RegularFile();
 
   std::uint64_t size() const { return size_; }
+  /// The `length` bytes at `offset`, exactly.
+  Result<std::vector<std::uint8_t>> read(std::uint64_t offset, std::uint64_t length) const;
   /// Extends `bytes`, which hold the beginning of the file, to its first `length` bytes (or all of it).
   Status readUpTo(std::vector<std::uint8_t>& bytes, std::uint64_t length) const;
 
  private:
+  Status fill(std::uint64_t offset, std::span<std::uint8_t> out) const;
   RegularFile(int fd, std::uint64_t size) : fd_(fd), size_(size) {}
   int fd_;
   std::uint64_t size_;

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "io/dicom/data_set.h"
+#include "io/dicom/header.h"
+
+namespace volumen::dicom {
+
+/// Fills in who and what: patient, study, series, UIDs.
+void readIdentity(const DataSet& data, FileHeader& header);
+
+/// The Image Pixel Module of a data set whose pixels stand in `pixels`. An Error says which attribute is
+/// missing, wrong or of a kind that is no volume (colour, one bit a pixel).
+Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels);
+
+/// Fills in where each frame lies and how its values are rescaled. An Error where a frame's place or rescale
+/// cannot be known.
+Status readSlices(const DataSet& data, FileHeader& header);
+
+}  // namespace volumen::dicom

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace volumen::dicom {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// The number of type T at `offset` in the given byte order. The bytes must be there.
+template <class T>
+T numberAt(Bytes bytes, std::uint64_t offset, bool bigEndian) {
+  std::uint8_t raw[sizeof(T)];
+  for (std::size_t n = 0; n < sizeof(T); ++n)
+    raw[n] =
+        bytes[offset + ((bigEndian != (std::endian::native == std::endian::big)) ? sizeof(T) - 1 - n : n)];
+  T value;
+  std::memcpy(&value, raw, sizeof(T));
+  return value;
+}
+
+}  // namespace volumen::dicom

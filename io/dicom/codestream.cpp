@@ -1,0 +1,118 @@
+#include "io/dicom/codestream.h"
+
+#include <algorithm>
+#include <array>
+
+namespace volumen::dicom {
+namespace {
+
+constexpr int scanLimit = 100;
+constexpr std::uint32_t tileLimit = 4096;
+
+bool isFrameHeader(std::uint8_t marker) {
+  return (marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc) ||
+         marker == 0xf7;
+}
+
+bool standsAlone(std::uint8_t marker) { return (marker >= 0xd0 && marker <= 0xd8) || marker == 0x01; }
+
+/// The least bytes that entropy coding can take for so many samples (Huffman codes have at least one bit):
+/// lossless one bit a sample, sequential two a block of 64, progressive one; JPEG-LS has no such floor.
+std::uint64_t leastBytes(std::uint8_t frameMarker, std::uint64_t samples) {
+  if (frameMarker == 0xf7) return 0;
+  const int kind = frameMarker & 3;
+  return samples / (kind == 3 ? 8 : kind == 2 ? 512 : 256);
+}
+
+/// Behind the entropy-coded data that begins at `at`: the next marker that is no stuffing and no restart.
+std::size_t nextMarker(Bytes stream, std::size_t at) {
+  for (; at + 1 < stream.size(); ++at) {
+    const std::uint8_t second = stream[at + 1];
+    // Below 0x80: a stuffed zero, or JPEG-LS's stuffed bit.
+    if (stream[at] == 0xff && second >= 0x80 && second != 0xff && !(second >= 0xd0 && second <= 0xd7))
+      return at;
+  }
+  return stream.size();
+}
+
+StreamInfo frameHeader(Bytes segment) {
+  return {numberAt<std::uint16_t>(segment, 3, true), numberAt<std::uint16_t>(segment, 1, true), segment[5],
+          segment[0], false};
+}
+
+}  // namespace
+
+Result<StreamInfo> jpegInfo(Bytes stream) {
+  if (stream.size() < 4 || stream[0] != 0xff || stream[1] != 0xd8)
+    return Error{"its JPEG stream does not begin as one"};
+  StreamInfo info;
+  std::uint8_t frameMarker = 0;
+  int scans = 0;
+  std::size_t at = 2;
+  while (at + 1 < stream.size()) {
+    if (stream[at] != 0xff)
+      return Error{"its JPEG stream is damaged (no marker at byte " + std::to_string(at) + ")"};
+    const std::uint8_t marker = stream[at + 1];
+    if (marker == 0xff) {
+      ++at;  // fill byte
+      continue;
+    }
+    if (marker == 0xd9) break;
+    if (standsAlone(marker)) return Error{"its JPEG stream holds a marker that no picture needs"};
+    if (at + 4 > stream.size()) return Error{"its JPEG stream is cut off"};
+    const std::size_t length = numberAt<std::uint16_t>(stream, at + 2, true);
+    if (length < 2 || at + 2 + length > stream.size()) return Error{"its JPEG stream is cut off"};
+    if (isFrameHeader(marker)) {
+      if (frameMarker || length < 8) return Error{"its JPEG stream has a damaged frame header"};
+      frameMarker = marker;
+      info = frameHeader(stream.subspan(at + 4, length - 2));
+    }
+    at += 2 + length;
+    if (marker != 0xda) continue;
+    if (++scans > scanLimit) return Error{"its JPEG stream has more than 100 scans"};
+    at = nextMarker(stream, at);
+  }
+  if (!frameMarker || !scans) return Error{"its JPEG stream holds no picture"};
+  if (stream.size() < leastBytes(frameMarker, std::uint64_t(info.columns) * std::uint64_t(info.rows)))
+    return Error{"its JPEG stream is too short for its picture"};
+  return info;
+}
+
+Bytes jpeg2000Stream(Bytes frame) {
+  constexpr std::array<std::uint8_t, 4> start{0xff, 0x4f, 0xff, 0x51};  // SOC, SIZ
+  const auto it = std::search(frame.begin(), frame.end(), start.begin(), start.end());
+  return frame.subspan(std::size_t(it - frame.begin()));
+}
+
+Result<StreamInfo> jpeg2000Info(Bytes stream) {
+  constexpr std::size_t least = 4 + 38 + 3;
+  if (stream.size() < least) return Error{"its JPEG 2000 stream has no SIZ marker"};
+  const auto field = [&](std::size_t offset) { return numberAt<std::uint32_t>(stream, offset, true); };
+  const std::uint32_t right = field(8), bottom = field(12), left = field(16), top = field(20);
+  const std::uint32_t tileWidth = field(24), tileHeight = field(28), tileLeft = field(32),
+                      tileTop = field(36);
+  if (right <= left || bottom <= top || right - left > 65535 || bottom - top > 65535 || !tileWidth ||
+      !tileHeight || tileLeft > left || tileTop > top)
+    return Error{"its JPEG 2000 stream has a damaged SIZ marker"};
+  const std::uint64_t tiles = ((std::uint64_t(right) - tileLeft + tileWidth - 1) / tileWidth) *
+                              ((std::uint64_t(bottom) - tileTop + tileHeight - 1) / tileHeight);
+  if (tiles > tileLimit) return Error{"its JPEG 2000 stream has more than 4096 tiles"};
+  if (stream[43] != 1 || stream[44] != 1) return Error{"its JPEG 2000 stream is subsampled"};
+  return StreamInfo{int(right - left), int(bottom - top), numberAt<std::uint16_t>(stream, 40, true),
+                    (stream[42] & 0x7f) + 1, (stream[42] & 0x80) != 0};
+}
+
+Status checkStream(const StreamInfo& info, const PixelFormat& format) {
+  if (info.columns != format.columns || info.rows != format.rows)
+    return Error{"its compressed picture has " + std::to_string(info.columns) + " x " +
+                 std::to_string(info.rows) + " pixels, but the file says " + std::to_string(format.columns) +
+                 " x " + std::to_string(format.rows)};
+  if (info.components != 1)
+    return Error{"its compressed picture has " + std::to_string(info.components) + " colours"};
+  if (info.precision < 1 || info.precision > format.bitsAllocated)
+    return Error{"its compressed picture has " + std::to_string(info.precision) +
+                 " bits a pixel, but the file says " + std::to_string(format.bitsAllocated)};
+  return {};
+}
+
+}  // namespace volumen::dicom

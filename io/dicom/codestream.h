@@ -1,0 +1,27 @@
+#pragma once
+
+#include "io/dicom/header.h"
+
+namespace volumen::dicom {
+
+/// What the header of a compressed picture says.
+struct StreamInfo {
+  int columns = 0, rows = 0, components = 0, precision = 0;
+  bool isSigned = false;
+};
+
+/// The frame header (SOF, of JPEG and JPEG-LS) of a stream whose markers are walked up to its end. Refused:
+/// no picture, damaged markers, more than 100 scans, fewer bytes than the coding can possibly need.
+Result<StreamInfo> jpegInfo(Bytes stream);
+
+/// The SIZ marker of a JPEG 2000 code stream (ISO 15444-1 A.5.1). Refused: subsampling, more than 4096 tiles.
+Result<StreamInfo> jpeg2000Info(Bytes stream);
+
+/// The part of a JPEG 2000 frame that is the code stream: all of it, or what follows the boxes of a JP2 file.
+Bytes jpeg2000Stream(Bytes frame);
+
+/// Whether a stream is the picture that the data set announces: its size, one component, and a precision
+/// that fits its bits.
+Status checkStream(const StreamInfo& info, const PixelFormat& format);
+
+}  // namespace volumen::dicom

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/dicom/scan.h"
+
+namespace volumen::dicom {
+
+/// The elements of a scanned data set by tag, their values as text and numbers. Absent and malformed values
+/// are told apart from present ones; nothing has a default.
+class DataSet {
+ public:
+  /// A range of elements that belong together: the data set itself, or one item of a sequence.
+  struct Scope {
+    std::uint32_t begin = 0, end = 0;
+  };
+
+  /// `bytes` must outlive it and hold all values of `elements`.
+  DataSet(Bytes bytes, const std::vector<Element>& elements) : bytes_(bytes), elements_(elements) {}
+
+  Scope root() const { return {0, std::uint32_t(elements_.size())}; }
+  const Element* find(std::uint32_t tag, Scope scope) const;
+  /// The items of a sequence; empty where there is none.
+  std::vector<Scope> items(std::uint32_t tag, Scope scope) const;
+
+  /// Raw text without padding; empty where it is absent or longer than 1 MiB.
+  std::string text(std::uint32_t tag, Scope scope) const;
+  /// The values of a text between backslashes, each without padding.
+  std::vector<std::string> values(std::uint32_t tag, Scope scope) const;
+  /// The numbers of a DS or IS; nothing where it is absent or empty, or one of them is no finite number.
+  std::optional<std::vector<double>> numbers(std::uint32_t tag, Scope scope) const;
+  std::optional<double> number(std::uint32_t tag, Scope scope) const;
+  /// The first 16-bit word of a US, SS or OW.
+  std::optional<std::uint16_t> word(std::uint32_t tag, Scope scope) const;
+  /// An element that is there and not empty.
+  bool has(std::uint32_t tag, Scope scope) const;
+
+ private:
+  Bytes bytes_;
+  const std::vector<Element>& elements_;
+};
+
+/// A finite number that takes up all of `text` (PS3.5 6.2, DS and IS), else nothing.
+std::optional<double> parseNumber(std::string text);
+
+/// `text` in UTF-8, by SpecificCharacterSet (0008,0005), code extensions included. What cannot be converted
+/// becomes U+FFFD.
+std::string toUtf8(const std::string& text, const std::string& specificCharacterSet);
+
+}  // namespace volumen::dicom

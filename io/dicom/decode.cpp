@@ -1,0 +1,108 @@
+#include "io/dicom/decode.h"
+
+#include "io/dicom/inflate.h"
+
+namespace volumen::dicom {
+namespace {
+
+/// Integers of `Raw` as they stand in a file, reduced to their stored bits.
+template <class Raw, class Value>
+std::vector<Value> unpackIntegers(const PixelFormat& format, Bytes bytes) {
+  const int shift = format.highBit + 1 - format.bitsStored, bits = format.bitsStored;
+  const std::uint32_t mask = bits == 32 ? ~0u : (1u << bits) - 1, sign = 1u << (bits - 1);
+  std::vector<Value> values(bytes.size() / sizeof(Raw));
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    const std::size_t at = format.bytesInWords && (n ^ 1) < values.size() ? n ^ 1 : n;
+    const std::uint32_t raw = numberAt<Raw>(bytes, at * sizeof(Raw), format.bigEndian);
+    const std::uint32_t stored = raw >> shift & mask;
+    // (x ^ s) - s spreads the sign bit s over all bits above it.
+    values[n] = format.isSigned ? Value(std::int32_t((stored ^ sign) - sign)) : Value(stored);
+  }
+  return values;
+}
+
+template <class Value>
+std::vector<Value> unpackFloats(const PixelFormat& format, Bytes bytes) {
+  std::vector<Value> values(bytes.size() / sizeof(Value));
+  for (std::size_t n = 0; n < values.size(); ++n)
+    values[n] = numberAt<Value>(bytes, n * sizeof(Value), format.bigEndian);
+  return values;
+}
+
+Samples unpack(const PixelFormat& format, Bytes bytes) {
+  if (format.kind == PixelFormat::Kind::float32) return unpackFloats<float>(format, bytes);
+  if (format.kind == PixelFormat::Kind::float64) return unpackFloats<double>(format, bytes);
+  if (format.bitsAllocated == 8 && !format.isSigned)
+    return unpackIntegers<std::uint8_t, std::uint8_t>(format, bytes);
+  if (format.bitsAllocated == 8) return unpackIntegers<std::uint8_t, std::int16_t>(format, bytes);
+  if (format.bitsAllocated == 16 && !format.isSigned)
+    return unpackIntegers<std::uint16_t, std::uint16_t>(format, bytes);
+  if (format.bitsAllocated == 16) return unpackIntegers<std::uint16_t, std::int16_t>(format, bytes);
+  if (!format.isSigned) return unpackIntegers<std::uint32_t, std::uint32_t>(format, bytes);
+  return unpackIntegers<std::uint32_t, std::int32_t>(format, bytes);
+}
+
+/// Samples of a decoder that delivers little endian bytes.
+Result<Frame> unpackDecoded(PixelFormat format, const Result<std::vector<std::uint8_t>>& decoded) {
+  if (!decoded) return decoded.error();
+  if (decoded->size() != format.frameBytes()) return Error{"its decoded picture has the wrong size"};
+  format.bigEndian = format.bytesInWords = false;
+  return Frame{unpack(format, *decoded), {}};
+}
+
+}  // namespace
+
+Result<Frame> decodeFrame(const PixelFormat& format, const TransferSyntax& syntax, Bytes bytes) {
+  switch (syntax.coding) {
+    case Coding::native:
+      if (bytes.size() != format.frameBytes()) return Error{"its pixel data is cut off"};
+      return Frame{unpack(format, bytes), {}};
+    case Coding::rle:
+      return unpackDecoded(format, decodeRle(format, bytes));
+    case Coding::jpeg:
+    case Coding::jpegLs:
+      return unpackDecoded(format, decodeJpeg(format, syntax, bytes));
+    case Coding::jpeg2000:
+      return decodeJpeg2000(format, bytes);
+    case Coding::unsupported:
+      break;
+  }
+  return Error{"its transfer syntax \"" + std::string(syntax.name) + "\" is not supported"};
+}
+
+Result<PixelSource> PixelSource::open(const FileHeader& header) {
+  Result<RegularFile> file = RegularFile::open(header.path);
+  if (!file) return file.error();
+  PixelSource source(header, std::move(*file));
+  if (!header.inflatedFrom) return source;
+  const std::uint64_t size = source.file_.size();
+  const auto deflated = source.file_.read(header.inflatedFrom, size - std::min(size, header.inflatedFrom));
+  if (!deflated) return deflated.error();
+  auto inflated = inflateRaw(*deflated);
+  if (!inflated) return inflated.error();
+  source.inflated_ = std::move(*inflated);
+  return source;
+}
+
+Result<std::vector<std::uint8_t>> PixelSource::bytes(Range range) const {
+  if (!header_.inflatedFrom) return file_.read(range.offset, range.length);
+  if (range.offset > inflated_.size() || range.length > inflated_.size() - range.offset)
+    return Error{"its pixel data is cut off"};
+  const auto begin = inflated_.begin() + std::ptrdiff_t(range.offset);
+  return std::vector<std::uint8_t>(begin, begin + std::ptrdiff_t(range.length));
+}
+
+Result<Frame> PixelSource::frame(int n) const {
+  std::vector<std::uint8_t> joined;
+  for (const Range& range : header_.frames[std::size_t(n)]) {
+    auto part = bytes(range);
+    if (!part) return part.error();
+    if (joined.empty())
+      joined = std::move(*part);
+    else
+      joined.insert(joined.end(), part->begin(), part->end());
+  }
+  return decodeFrame(header_.format, header_.syntax, joined);
+}
+
+}  // namespace volumen::dicom

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <variant>
+
+#include "io/dicom/header.h"
+
+namespace volumen::dicom {
+
+/// Stored values of a frame, i fastest: masked and sign-extended from the bits stored, 8-bit signed ones
+/// widened.
+using Samples = std::variant<std::vector<std::uint8_t>, std::vector<std::int16_t>, std::vector<std::uint16_t>,
+                             std::vector<std::int32_t>, std::vector<std::uint32_t>, std::vector<float>,
+                             std::vector<double>>;
+
+/// A decoded frame, and what was noticed: a sentence without the file's name, or empty.
+struct Frame {
+  Samples samples;
+  std::string note;
+};
+
+/// Decodes one frame from its bytes (all fragments joined). The only place where pixel data meets a decoder:
+/// bytes in, a value or a reason out.
+Result<Frame> decodeFrame(const PixelFormat& format, const TransferSyntax& syntax, Bytes bytes);
+
+/// The pixel data of a file, read frame by frame.
+class PixelSource {
+ public:
+  /// Opens the file, and inflates a deflated one. `header` must outlive it.
+  static Result<PixelSource> open(const FileHeader& header);
+  /// Reads and decodes frame `n` (from 0). May be called from several threads at once.
+  Result<Frame> frame(int n) const;
+
+ private:
+  PixelSource(const FileHeader& header, RegularFile file) : header_(header), file_(std::move(file)) {}
+  Result<std::vector<std::uint8_t>> bytes(Range range) const;
+
+  const FileHeader& header_;
+  RegularFile file_;
+  std::vector<std::uint8_t> inflated_;
+};
+
+/// The decoders behind decodeFrame. The first three give samples as native ones would stand in a little
+/// endian file.
+Result<std::vector<std::uint8_t>> decodeRle(const PixelFormat& format, Bytes bytes);
+Result<std::vector<std::uint8_t>> decodeJpeg(const PixelFormat& format, const TransferSyntax& syntax,
+                                             Bytes bytes);
+Result<Frame> decodeJpeg2000(const PixelFormat& format, Bytes bytes);
+
+}  // namespace volumen::dicom

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/dicom/fragments.h"
+#include "io/dicom/transfer_syntax.h"
+#include "viewer/volume/volume.h"
+
+namespace volumen::dicom {
+
+/// The Image Pixel Module (PS3.3 C.7.6.3): how samples are written.
+struct PixelFormat {
+  enum class Kind { integer, float32, float64 } kind = Kind::integer;
+  int columns = 0, rows = 0, frames = 1;
+  int bitsAllocated = 0, bitsStored = 0, highBit = 0;
+  bool isSigned = false;
+  bool bigEndian = false;     ///< of native samples
+  bool bytesInWords = false;  ///< 8-bit samples in big endian 16-bit words (OW)
+
+  std::uint64_t frameSamples() const { return std::uint64_t(columns) * std::uint64_t(rows); }
+  std::uint64_t frameBytes() const { return frameSamples() * std::uint64_t(bitsAllocated / 8); }
+};
+
+/// Unit vectors along a picture's rows (i) and down its columns (j), LPS.
+struct Orientation {
+  glm::dvec3 row{1, 0, 0}, column{0, 1, 0};
+};
+
+/// One picture of a file: what it shows and where it lies.
+struct Slice {
+  int frame = 0;                       ///< in its file, from 0
+  std::optional<glm::dvec3> position;  ///< ImagePositionPatient, mm: the centre of its first voxel
+  std::optional<Orientation> orientation;
+  std::optional<glm::dvec2> spacing;  ///< mm along i (between columns) and j (between rows)
+  double thickness = 0;               ///< SliceThickness, mm; 0: not given
+  double slope = 1, intercept = 0;
+  std::optional<ValueRange> padding;  ///< stored values that stand for no picture
+  std::vector<Window> windows;
+  long instance = 0;               ///< InstanceNumber; order of slices that nothing else orders
+  std::string echo;                ///< echo number and time: slices of different echoes are different volumes
+  std::vector<std::string> parts;  ///< what may tell apart pictures of one place: time point, image type, ...
+};
+
+/// What a file says about itself and its pictures.
+struct FileHeader {
+  std::string path;
+  std::string sopClassUid, sopInstanceUid, frameOfReferenceUid;
+  std::string patientName, patientId, studyUid, studyDate, studyDescription;
+  std::string seriesUid, seriesNumber, modality, description;
+  TransferSyntax syntax{"", "", Coding::native, {}, false};
+  PixelFormat format;
+  std::vector<FrameRanges> frames;  ///< where each frame's bytes lie (in the inflated data set if deflated)
+  std::uint64_t inflatedFrom = 0;   ///< where the deflated data set begins in the file; 0: it is not deflated
+  std::vector<Slice> slices;
+  std::vector<std::string> warnings;  ///< sentences without the file's name
+};
+
+/// What a file turned out to be.
+struct Inspection {
+  enum class Kind { notDicom, noPicture, refused, picture } kind = Kind::notDicom;
+  std::string text;   ///< noPicture: what it is; refused: why, a sentence
+  FileHeader header;  ///< picture
+};
+
+/// Reads a file up to its pixel data and says what it is. Never trusts it: this is the first of the two
+/// functions that touch the bytes of a DICOM file (the other is PixelSource).
+Inspection inspect(const std::string& path);
+
+}  // namespace volumen::dicom

@@ -1,0 +1,37 @@
+#include "io/dicom/import.h"
+
+#include <iterator>
+
+#include "io/dicom/parallel.h"
+#include "io/dicom/series.h"
+
+namespace volumen::dicom {
+
+void findSeries(const std::vector<std::string>& files, Study& study, const Progress& progress,
+                const CancelToken& cancel) {
+  std::vector<Inspection> inspections(files.size());
+  forEachParallel(files.size(), "reading headers", progress, cancel,
+                  [&](std::size_t n) { inspections[n] = inspect(files[n]); });
+  std::vector<FileHeader> pictures;
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    Inspection& i = inspections[n];
+    switch (i.kind) {
+      case Inspection::Kind::notDicom:
+        study.other.push_back({files[n], "not an image"});
+        break;
+      case Inspection::Kind::noPicture:
+        study.other.push_back({files[n], i.text});
+        break;
+      case Inspection::Kind::refused:
+        study.refused.push_back({files[n], i.text});
+        break;
+      case Inspection::Kind::picture:
+        pictures.push_back(std::move(i.header));
+        break;
+    }
+  }
+  std::vector<Series> volumes = sortIntoSeries(pictures);
+  std::move(volumes.begin(), volumes.end(), std::back_inserter(study.volumes));
+}
+
+}  // namespace volumen::dicom

@@ -1,0 +1,50 @@
+#include "io/dicom/inflate.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+
+namespace volumen::dicom {
+namespace {
+
+constexpr std::size_t mebibyte = std::size_t(1) << 20;
+
+/// A zlib stream that is always ended.
+struct Inflater {
+  z_stream stream{};
+  bool ready = inflateInit2(&stream, -MAX_WBITS) == Z_OK;
+  Inflater() = default;
+  Inflater(const Inflater&) = delete;
+  ~Inflater() {
+    if (ready) inflateEnd(&stream);
+  }
+};
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> inflateRaw(Bytes deflated) {
+  const std::size_t limit = std::min(512 * mebibyte, std::max(16 * mebibyte, 200 * deflated.size()));
+  if (deflated.size() > 512 * mebibyte) return Error{"the deflated data set is larger than 512 MiB"};
+  Inflater inflater;
+  if (!inflater.ready) return Error{"zlib could not be started"};
+  z_stream& z = inflater.stream;
+  z.next_in = const_cast<Bytef*>(deflated.data());
+  z.avail_in = uInt(deflated.size());
+  std::vector<std::uint8_t> out;
+  int state = Z_OK;
+  while (state == Z_OK) {
+    const std::size_t done = out.size();
+    if (done > limit)
+      return Error{"the deflated data set grows beyond " + std::to_string(limit / mebibyte) + " MiB"};
+    out.resize(done + std::clamp(done, mebibyte / 4, 16 * mebibyte));
+    z.next_out = out.data() + done;
+    z.avail_out = uInt(out.size() - done);
+    state = ::inflate(&z, Z_NO_FLUSH);
+    out.resize(out.size() - z.avail_out);
+    if (state == Z_OK && z.avail_in == 0 && z.avail_out != 0) state = Z_BUF_ERROR;
+  }
+  if (state != Z_STREAM_END) return Error{"the deflated data set is damaged or cut off"};
+  return out;
+}
+
+}  // namespace volumen::dicom

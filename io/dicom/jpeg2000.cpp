@@ -1,0 +1,121 @@
+#include <openjpeg.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "io/dicom/codestream.h"
+#include "io/dicom/decode.h"
+
+namespace volumen::dicom {
+namespace {
+
+/// A place in the bytes, for OpenJPEG's callbacks.
+struct Reader {
+  Bytes bytes;
+  std::size_t at = 0;
+};
+
+constexpr OPJ_SIZE_T endOfData = OPJ_SIZE_T(-1);
+
+OPJ_SIZE_T readBytes(void* buffer, OPJ_SIZE_T size, void* user) {
+  Reader& reader = *static_cast<Reader*>(user);
+  const std::size_t count = std::min<std::size_t>(size, reader.bytes.size() - reader.at);
+  if (count == 0) return endOfData;
+  std::memcpy(buffer, reader.bytes.data() + reader.at, count);
+  reader.at += count;
+  return count;
+}
+
+OPJ_OFF_T skipBytes(OPJ_OFF_T size, void* user) {
+  Reader& reader = *static_cast<Reader*>(user);
+  if (size < 0) return -1;
+  const std::size_t count = std::min<std::size_t>(std::size_t(size), reader.bytes.size() - reader.at);
+  reader.at += count;
+  return count == 0 && size != 0 ? -1 : OPJ_OFF_T(count);
+}
+
+OPJ_BOOL seekBytes(OPJ_OFF_T position, void* user) {
+  Reader& reader = *static_cast<Reader*>(user);
+  if (position < 0 || std::size_t(position) > reader.bytes.size()) return OPJ_FALSE;
+  reader.at = std::size_t(position);
+  return OPJ_TRUE;
+}
+
+using Codec = std::unique_ptr<opj_codec_t, decltype(&opj_destroy_codec)>;
+using Stream = std::unique_ptr<opj_stream_t, decltype(&opj_stream_destroy)>;
+using Image = std::unique_ptr<opj_image_t, decltype(&opj_image_destroy)>;
+
+Stream openStream(Reader& reader) {
+  Stream stream(opj_stream_default_create(OPJ_TRUE), &opj_stream_destroy);
+  opj_stream_set_user_data(stream.get(), &reader, nullptr);
+  opj_stream_set_user_data_length(stream.get(), reader.bytes.size());
+  opj_stream_set_read_function(stream.get(), readBytes);
+  opj_stream_set_skip_function(stream.get(), skipBytes);
+  opj_stream_set_seek_function(stream.get(), seekBytes);
+  return stream;
+}
+
+Image decodeImage(Bytes bytes) {
+  Reader reader{bytes};
+  const Stream stream = openStream(reader);
+  const Codec codec(opj_create_decompress(OPJ_CODEC_J2K), &opj_destroy_codec);
+  opj_dparameters_t parameters;
+  opj_set_default_decoder_parameters(&parameters);
+  opj_image_t* raw = nullptr;
+  bool done = opj_setup_decoder(codec.get(), &parameters) &&
+              opj_decoder_set_strict_mode(codec.get(), OPJ_TRUE) &&
+              opj_read_header(stream.get(), codec.get(), &raw);
+  Image image(raw, &opj_image_destroy);
+  done = done && opj_decode(codec.get(), stream.get(), raw) && opj_end_decompress(codec.get(), stream.get());
+  if (!done) image.reset();
+  return image;
+}
+
+template <class Value>
+Samples converted(const OPJ_INT32* data, std::size_t count) {
+  std::vector<Value> values(count);
+  for (std::size_t n = 0; n < count; ++n) values[n] = Value(data[n]);
+  return values;
+}
+
+/// Samples in the type that the file announces; where it says signed and the stream does not, the stream's
+/// bits are taken as signed.
+Samples samplesOf(const PixelFormat& format, const StreamInfo& info, OPJ_INT32* data) {
+  const std::size_t count = format.frameSamples();
+  if (format.isSigned && !info.isSigned) {
+    const std::uint32_t sign = 1u << (info.precision - 1);
+    for (std::size_t n = 0; n < count; ++n) data[n] = OPJ_INT32((std::uint32_t(data[n]) ^ sign) - sign);
+  }
+  const bool isSigned = format.isSigned || info.isSigned;
+  if (format.bitsAllocated == 32)
+    return isSigned ? converted<std::int32_t>(data, count) : converted<std::uint32_t>(data, count);
+  if (isSigned) return converted<std::int16_t>(data, count);
+  return format.bitsAllocated == 8 ? converted<std::uint8_t>(data, count)
+                                   : converted<std::uint16_t>(data, count);
+}
+
+std::string mismatch(const PixelFormat& format, const StreamInfo& info) {
+  if (format.isSigned == info.isSigned) return {};
+  return std::string("its JPEG 2000 stream is ") + (info.isSigned ? "signed" : "unsigned") +
+         ", but the file says " +
+         (format.isSigned ? "signed; its values are taken as signed"
+                          : "unsigned; its values are taken as signed");
+}
+
+}  // namespace
+
+Result<Frame> decodeJpeg2000(const PixelFormat& format, Bytes bytes) {
+  bytes = jpeg2000Stream(bytes);
+  const Result<StreamInfo> info = jpeg2000Info(bytes);
+  if (!info) return info.error();
+  if (Status s = checkStream(*info, format); !s) return s.error();
+  const Image image = decodeImage(bytes);
+  if (!image) return Error{"its JPEG 2000 picture is damaged or cut off"};
+  const opj_image_comp_t& component = image->comps[0];
+  if (image->numcomps != 1 || !component.data || int(component.w) != format.columns ||
+      int(component.h) != format.rows)
+    return Error{"its JPEG 2000 picture decodes to the wrong size"};
+  return Frame{samplesOf(format, *info, component.data), mismatch(format, *info)};
+}
+
+}  // namespace volumen::dicom

@@ -1,0 +1,302 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <new>
+
+#include "io/dicom/decode.h"
+#include "io/dicom/import.h"
+#include "io/dicom/parallel.h"
+#include "io/dicom/resample.h"
+#include "io/dicom/series.h"
+
+namespace volumen::dicom {
+namespace {
+
+/// One slice on its way in.
+struct Incoming {
+  const FileHeader* file = nullptr;
+  PlacedSlice placed;
+  std::string failure;  ///< why it is missing; empty: it is there
+  std::string note;
+  bool inexact = false, doesNotFit = false;
+};
+
+/// The files of a series, each inspected once.
+class Files {
+ public:
+  Files(const Series& series, const Progress& progress, const CancelToken& cancel)
+      : size_(series.acquired.size) {
+    for (const std::string& path : series.files) index_.emplace(path, 0);
+    std::vector<std::string> paths;
+    for (auto& [path, n] : index_) n = paths.size(), paths.push_back(path);
+    inspections_.resize(paths.size());
+    forEachParallel(paths.size(), "reading headers", progress, cancel,
+                    [&](std::size_t n) { inspections_[n] = inspect(paths[n]); });
+  }
+  Incoming slice(const std::string& path, int frame) const {
+    const Inspection& i = inspections_[index_.at(path)];
+    Incoming in;
+    in.placed.path = path;
+    if (i.kind != Inspection::Kind::picture)
+      in.failure = i.text.empty() ? "it is no DICOM picture any more." : i.text;
+    else if (frame >= int(i.header.slices.size()))
+      in.failure = "it has fewer frames than it had.";
+    else if (i.header.format.columns != size_.x || i.header.format.rows != size_.y)
+      in.failure = "its size is not that of the series.";
+    else
+      in.file = &i.header, in.placed.slice = i.header.slices[std::size_t(frame)];
+    return in;
+  }
+
+ private:
+  glm::ivec3 size_;
+  std::map<std::string, std::size_t> index_;
+  std::vector<Inspection> inspections_;
+};
+
+template <class To, class From>
+bool represents(From value) {
+  return double(To(value)) == double(value);
+}
+
+/// Copies samples that are of the wanted type or fit it; false where one does not fit.
+template <class To, class From>
+bool copyExactly(const std::vector<From>& from, To* to) {
+  if constexpr (std::is_same_v<To, From>) {
+    std::copy(from.begin(), from.end(), to);
+    return true;
+  } else {
+    constexpr double low = double(std::numeric_limits<To>::lowest()),
+                     high = double(std::numeric_limits<To>::max());
+    for (std::size_t n = 0; n < from.size(); ++n) {
+      if (!(double(from[n]) >= low && double(from[n]) <= high) || !represents<To>(from[n])) return false;
+      to[n] = To(from[n]);
+    }
+    return true;
+  }
+}
+
+/// Values after rescale; true where a sample is wider than float32 holds exactly.
+template <class From>
+bool rescale(const std::vector<From>& from, const Slice& slice, float* to) {
+  bool inexact = false;
+  for (std::size_t n = 0; n < from.size(); ++n) {
+    inexact =
+        inexact || (sizeof(From) > 2 && double(float(from[n])) != double(from[n]) && from[n] == from[n]);
+    to[n] = float(slice.slope * double(from[n]) + slice.intercept);
+  }
+  return inexact;
+}
+
+void store(const Samples& samples, const ValuePlan& plan, std::size_t offset, VoxelValues& volume,
+           Incoming& in) {
+  std::visit(
+      [&](const auto& from, auto& to) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(to)>, std::vector<float>>) {
+          if (plan.rescaled) {
+            in.inexact = rescale(from, in.placed.slice, to.data() + offset);
+            return;
+          }
+        }
+        in.doesNotFit = !copyExactly(from, to.data() + offset);
+      },
+      samples, volume);
+}
+
+/// All slices of one volume, decoded into one block of memory.
+class Loader {
+ public:
+  Loader(std::vector<Incoming>& slices, const Progress& progress, const CancelToken& cancel)
+      : slices_(slices), progress_(progress), cancel_(cancel) {}
+
+  /// Decodes everything as `plan` says; slices that fail are marked.
+  void run(const ValuePlan& plan) {
+    plan_ = plan;
+    sliceVoxels_ = slices_[0].file->format.frameSamples();
+    values_ = plan.type;
+    std::visit([&](auto& v) { v.resize(sliceVoxels_ * slices_.size()); }, values_);
+    std::map<const FileHeader*, std::vector<std::size_t>> byFile;
+    for (std::size_t n = 0; n < slices_.size(); ++n) byFile[slices_[n].file].push_back(n);
+    const std::vector<std::pair<const FileHeader*, std::vector<std::size_t>>> files(byFile.begin(),
+                                                                                    byFile.end());
+    const bool oneFile = files.size() == 1;
+    forEachParallel(files.size(), "decoding", oneFile ? Progress{} : progress_, cancel_,
+                    [&](std::size_t n) { decodeFile(*files[n].first, files[n].second, oneFile); });
+  }
+
+  /// Leaves out failed slices.
+  void compact() {
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < slices_.size(); ++n) {
+      if (!slices_[n].failure.empty()) continue;
+      if (kept != n) {
+        std::visit(
+            [&](auto& v) {
+              std::copy_n(v.begin() + std::ptrdiff_t(n * sliceVoxels_), sliceVoxels_,
+                          v.begin() + std::ptrdiff_t(kept * sliceVoxels_));
+            },
+            values_);
+      }
+      ++kept;
+    }
+    std::visit([&](auto& v) { v.resize(kept * sliceVoxels_); }, values_);
+    std::erase_if(slices_, [](const Incoming& in) { return !in.failure.empty(); });
+  }
+
+  VoxelValues& values() { return values_; }
+  std::size_t sliceVoxels() const { return sliceVoxels_; }
+
+ private:
+  void decodeFile(const FileHeader& file, const std::vector<std::size_t>& slices, bool showFrames) {
+    const Result<PixelSource> source = PixelSource::open(file);
+    forEachParallel(slices.size(), "decoding", showFrames ? progress_ : Progress{}, cancel_,
+                    [&](std::size_t n) {
+                      Incoming& in = slices_[slices[n]];
+                      if (!source)
+                        in.failure = source.message() + ".";
+                      else
+                        decodeSlice(*source, slices[n], in);
+                    });
+  }
+
+  void decodeSlice(const PixelSource& source, std::size_t at, Incoming& in) {
+    try {
+      const Result<Frame> frame = source.frame(in.placed.slice.frame);
+      if (!frame) {
+        in.failure = frame.message() + ".";
+        return;
+      }
+      in.note = frame->note;
+      store(frame->samples, plan_, at * sliceVoxels_, values_, in);
+    } catch (const std::bad_alloc&) {
+      in.failure = "there is not enough memory to decode it.";
+    }
+  }
+
+  std::vector<Incoming>& slices_;
+  const Progress& progress_;
+  const CancelToken& cancel_;
+  ValuePlan plan_;
+  VoxelValues values_;
+  std::size_t sliceVoxels_ = 0;
+};
+
+/// Names the slices that failed and takes those away that never came to decoding.
+void reportFailures(const std::vector<Incoming>& slices, std::vector<std::string>& warnings) {
+  for (const Incoming& in : slices)
+    if (!in.failure.empty())
+      warnings.push_back("Slice " + fileName(in.placed.path) + " is left out: " + in.failure);
+}
+
+/// One sentence for each kind of note.
+void reportNotes(const std::vector<Incoming>& slices, std::vector<std::string>& warnings) {
+  std::map<std::string, std::string> firstFile;
+  for (const Incoming& in : slices)
+    if (!in.note.empty()) firstFile.emplace(in.note, fileName(in.placed.path));
+  for (const auto& [note, file] : firstFile) warnings.push_back(file + ": " + note + ".");
+  if (std::any_of(slices.begin(), slices.end(), [](const Incoming& in) { return in.inexact; }))
+    warnings.push_back("Its values are wider than float32 and were rounded to it.");
+}
+
+std::vector<const FileHeader*> headersOf(const std::vector<Incoming>& slices) {
+  std::vector<const FileHeader*> headers;
+  for (const Incoming& in : slices) headers.push_back(in.file);
+  return headers;
+}
+
+std::vector<PlacedSlice> placedOf(const std::vector<Incoming>& slices) {
+  std::vector<PlacedSlice> placed;
+  for (const Incoming& in : slices) placed.push_back(in.placed);
+  return placed;
+}
+
+Status checkMemory(const Series& series, std::size_t slices, std::uint64_t sliceVoxels) {
+  const std::uint64_t bytes = 4 * sliceVoxels * slices;
+  const std::uint64_t machine =
+      std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGE_SIZE));
+  if (bytes / 2 < machine) return {};
+  return Error{series.path + ": the volume needs " + std::to_string(bytes >> 30) +
+               " GiB, more than this machine has."};
+}
+
+VolumeAttributes attributesOf(const Series& series, const Slice& first) {
+  VolumeAttributes a;
+  a.name = series.description.empty() ? fileName(series.path) : series.description;
+  a.modality = series.modality;
+  a.windows = first.windows;
+  if (first.padding) {
+    const double low = first.slope * first.padding->low + first.intercept;
+    const double high = first.slope * first.padding->high + first.intercept;
+    a.padding = ValueRange{std::min(low, high), std::max(low, high)};
+  }
+  return a;
+}
+
+Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slices, Loader& loader,
+                        const ValuePlan& plan, std::vector<std::string> warnings) {
+  const PixelFormat& format = slices[0].file->format;
+  const Slice& first = slices[0].placed.slice;
+  const Stack stack = layOut(placedOf(slices), format.columns, format.rows);
+  for (const std::string& sentence : stack.warnings)
+    if (std::find(warnings.begin(), warnings.end(), sentence) == warnings.end()) warnings.push_back(sentence);
+  VolumeParts parts;
+  parts.attributes = attributesOf(series, first);
+  if (!plan.rescaled) parts.slope = first.slope, parts.intercept = first.intercept;
+  VolumeParts drawn = parts;
+  if (stack.regular) drawn.values = resampleSlices(loader.values(), loader.sliceVoxels(), stack.sources);
+  parts.geometry = stack.acquired;
+  parts.values = std::move(loader.values());
+  const auto acquired = Volume::make(std::move(parts), warnings);
+  if (!acquired) return Error{series.path + ": " + acquired.message()};
+  if (!stack.regular) return Loaded{*acquired, *acquired, warnings};
+  drawn.geometry = stack.regular->geometry;
+  std::vector<std::string> repeated;  // what was said of the acquired slices holds for these
+  const auto regular = Volume::make(std::move(drawn), repeated);
+  if (!regular) return Error{series.path + ": " + regular.message()};
+  return Loaded{*acquired, *regular, warnings};
+}
+
+Result<Loaded> load(const Series& series, const Progress& progress, const CancelToken& cancel) {
+  const Files files(series, progress, cancel);
+  std::vector<Incoming> slices;
+  for (std::size_t n = 0; n < series.files.size(); ++n)
+    slices.push_back(files.slice(series.files[n], series.frames[n]));
+  std::vector<std::string> warnings = series.warnings;
+  reportFailures(slices, warnings);
+  const std::string reason = slices[0].failure;
+  std::erase_if(slices, [](const Incoming& in) { return !in.failure.empty(); });
+  if (cancel.cancelled()) return Error{series.path + ": cancelled."};
+  if (slices.empty()) return Error{series.files[0] + ": " + reason};
+  if (Status s = checkMemory(series, slices.size(), slices[0].file->format.frameSamples()); !s)
+    return s.error();
+
+  ValuePlan plan = planValues(headersOf(slices), placedOf(slices));
+  Loader loader(slices, progress, cancel);
+  loader.run(plan);
+  if (std::any_of(slices.begin(), slices.end(), [](const Incoming& in) { return in.doesNotFit; })) {
+    plan = {std::vector<float>{}, true};
+    loader.run(plan);
+  }
+  if (cancel.cancelled()) return Error{series.path + ": cancelled."};
+  reportFailures(slices, warnings);
+  const Incoming firstSlice = slices[0];
+  loader.compact();
+  if (slices.empty()) return Error{firstSlice.placed.path + ": " + firstSlice.failure};
+  reportNotes(slices, warnings);
+  return assemble(series, slices, loader, plan, std::move(warnings));
+}
+
+}  // namespace
+
+Result<Loaded> loadSeries(const Series& series, const Progress& progress, const CancelToken& cancel) {
+  try {
+    return load(series, progress, cancel);
+  } catch (const std::bad_alloc&) {
+    return Error{series.path + ": there is not enough memory to load it."};
+  }
+}
+
+}  // namespace volumen::dicom
