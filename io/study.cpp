@@ -48,7 +48,7 @@ void numberParts(std::vector<Series>& volumes) {
   std::map<std::string, int> count, next;
   for (const Series& s : volumes) ++count[s.id];
   for (Series& s : volumes)
-    if (const std::string id = s.id; count[id] > 1) s.id += "#" + std::to_string(++next[id]);
+    if (const std::string id = s.id; count[id] > 1) s.id.append("#").append(std::to_string(++next[id]));
 }
 
 /// `info`'s order: patient, study, series number, position.

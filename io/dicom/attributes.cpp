@@ -171,7 +171,6 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   const auto text = [&](std::uint32_t tag) { return toUtf8(data.text(tag, root), characters); };
   header.sopClassUid = text(0x00080016);
   header.sopInstanceUid = text(0x00080018);
-  header.frameOfReferenceUid = text(0x00200052);
   header.patientName = text(0x00100010);
   header.patientId = text(0x00100020);
   header.studyUid = text(0x0020000d);

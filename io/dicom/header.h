@@ -48,7 +48,7 @@ struct Slice {
 /// What a file says about itself and its pictures.
 struct FileHeader {
   std::string path;
-  std::string sopClassUid, sopInstanceUid, frameOfReferenceUid;
+  std::string sopClassUid, sopInstanceUid;
   std::string patientName, patientId, studyUid, studyDate, studyDescription;
   std::string seriesUid, seriesNumber, modality, description;
   TransferSyntax syntax{"", "", Coding::native, {}, false};

@@ -26,7 +26,7 @@ bool fit(const Entry& a, const Entry& b) {
   const Slice &s = a.slice(), &t = b.slice();
   if (a.file->format.columns != b.file->format.columns || a.file->format.rows != b.file->format.rows)
     return false;
-  if (a.file->frameOfReferenceUid != b.file->frameOfReferenceUid || s.echo != t.echo) return false;
+  if (s.echo != t.echo) return false;
   if (isPlaced(s) != isPlaced(t)) return false;
   if (!isPlaced(s)) return true;
   // Orientations are given with six digits or so; 1e-3 is 0.25 mm at the edge of a 500 mm picture.
