@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ui/session/shown_series.h"
+
+namespace volumen::tests {
+
+/// A bright ball of value 1000 in air of 0: `n` voxels of 1 mm along each axis, centred on the origin, radius
+/// `radius` mm about `centre`.
+inline ShownSeriesPtr ballSeries(int n = 32, double radius = 10, glm::dvec3 centre = {0, 0, 0}) {
+  VolumeParts parts;
+  parts.geometry.size = {n, n, n};
+  parts.geometry.origin = glm::dvec3(-(n - 1) / 2.0);
+  std::vector<std::int16_t> values;
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const glm::dvec3 p = parts.geometry.patientFromVoxel({i, j, k}) - centre;
+        values.push_back(p.x * p.x + p.y * p.y + p.z * p.z < radius * radius ? 1000 : 0);
+      }
+  parts.values = std::move(values);
+  std::vector<std::string> warnings;
+  auto series = std::make_shared<ShownSeries>();
+  series->volume = *Volume::make(std::move(parts), warnings);
+  series->series.patientName = "Test^Ball";
+  series->series.patientId = "42";
+  series->series.format = "DICOM";
+  series->series.modality = "CT";
+  series->series.description = "Ball";
+  series->histogram = {.low = 0, .high = 1000, .counts = std::vector<std::int64_t>(100, 5)};
+  series->firstScene.transferFunction.points = {{400, {1, 1, 1}, 0.0}, {600, {1, 1, 1}, 1.0}};
+  return series;
+}
+
+}  // namespace volumen::tests

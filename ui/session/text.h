@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QString>
+
+#include "io/study.h"
+
+namespace volumen {
+
+/// Text from a file as a person may read it: control characters become blanks, those that
+/// reorder text are left out, blanks trimmed.
+QString shownText(const std::string& utf8);
+
+/// "Doe, Jane (12345)": DICOM's carets read as a name; "unknown patient" where a DICOM file names none; empty
+/// for what has no patients.
+QString patientText(const Series& series);
+
+/// "CT Head 1.0 mm (3)": modality, description, number.
+QString seriesText(const Series& series);
+
+/// "2026-03-14" of DICOM's 20260314.
+QString dateText(const std::string& dicomDate);
+
+}  // namespace volumen

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include "ui/session/session.h"
+#include "ui/views/overlays.h"
+#include "ui/views/pick.h"
+
+namespace volumen {
+
+class OrientationCube;
+
+/// What a left-drag does.
+enum class ViewTool {
+  orbit,  ///< turns about the point under the cursor; Ctrl rolls
+  curve   ///< shifts (up: to lower values) and widens (right) the curve; Ctrl: overall opacity
+};
+
+/// The picture of the session's scene at device pixels, with the hands on it: left-drag as the tool says,
+/// middle or Shift+left pans, right-drag or wheel zooms at the cursor, arrows turn, double-click asks to be
+/// alone.
+class VolumeView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit VolumeView(Session& session, QWidget* parent = nullptr);
+
+  /// The picture drawn last, and its name for the corner ("draft 1/4 - 12 ms").
+  void setPicture(const QImage& image, const QString& caption);
+  const QImage& picture() const { return picture_; }
+  void setTool(ViewTool tool);
+  ViewTool tool() const { return tool_; }
+
+  /// How many device pixels the picture should have.
+  QSize pixels() const;
+  /// The camera in use: the scene's, or the one fitted to this view.
+  Camera camera() const;
+  /// What is under a position; none without a series or where nothing is seen.
+  std::optional<Pick> pickAt(QPointF position) const;
+  /// A standard view, whole; the projection stays.
+  void showView(const QString& name);
+  void resetView();
+  const QWidget* canvas() const { return canvas_; }
+
+ Q_SIGNALS:
+  void pixelsChanged();
+  void maximiseRequested();
+  /// What is under the cursor, empty where nothing is.
+  void hovered(const QString& text);
+
+ protected:
+  void resizeEvent(QResizeEvent*) override;
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
+  void wheelEvent(QWheelEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  void leaveEvent(QEvent*) override;
+
+ private:
+  enum class Hand { none, orbit, roll, pan, zoom, curve, opacity };
+
+  Hand handFor(const QMouseEvent& event) const;
+  Camera movedCamera(QPointF to) const;
+  TransferFunction movedCurve(QPointF to) const;
+  void editCamera(const QString& what, const Camera& camera);
+  glm::dvec2 size() const { return {double(width()), double(height())}; }
+  Overlays overlays() const;
+  QString hoverText(QPointF position) const;
+  void paint(QPainter& painter) const;
+  void replaceCanvas();
+  void placeChildren();
+  void showState();
+
+  Session& session_;
+  QWidget* canvas_;
+  OrientationCube* cube_;
+  QImage picture_;
+  QString caption_;
+  ViewTool tool_ = ViewTool::orbit;
+  QTimer wheelEnd_;
+
+  // Of the gesture under way.
+  Hand hand_ = Hand::none;
+  QPointF pressedAt_;
+  Camera cameraAtPress_;
+  TransferFunction curveAtPress_;
+  glm::dvec3 pivot_{0};
+};
+
+}  // namespace volumen

@@ -1,0 +1,72 @@
+#include <QPainter>
+#include <cmath>
+
+#include "ui/session/text.h"
+#include "ui/views/volume_view.h"
+
+namespace volumen {
+
+QString VolumeView::hoverText(QPointF position) const {
+  const std::optional<Pick> hit = pickAt(position);
+  if (!hit) return {};
+  const ShownSeries& series = *session_.series();
+  QString text = tr("value %1").arg(hit->value, 0, 'f', 0);
+  if (series.volume->attributes().modality == "CT") text += QStringLiteral(" HU");
+  if (!series.volume->geometry().calibrated) return text;
+  const glm::dvec3 p = hit->pPatient;
+  const auto side = [](double mm, const char* plus, const char* minus) {
+    return QStringLiteral("%1 %2").arg(QLatin1String(mm < 0 ? minus : plus)).arg(std::abs(mm), 0, 'f', 1);
+  };
+  return text + tr(" at %1, %2, %3 mm").arg(side(p.x, "L", "R"), side(p.y, "P", "A"), side(p.z, "S", "I"));
+}
+
+Overlays VolumeView::overlays() const {
+  Overlays o;
+  const ShownSeries& series = *session_.series();
+  const VoxelGeometry& geometry = series.volume->geometry();
+  const Camera seen = camera();
+  const CameraAxes axes = cameraAxes(seen);
+  o.topLeft << patientText(series.series) << seriesText(series.series);
+  o.bottomRight = caption_;
+  const Camera fitted = fitCamera(seen, geometry, double(width()) / height());
+  const double zoom =
+      seen.projection == Projection::parallel ? fitted.height / seen.height : fitted.distance / seen.distance;
+  const QString zoomText = tr("zoom %1 %").arg(std::lround(100 * zoom));
+  if (!geometry.calibrated) {
+    o.topRight << zoomText;
+    o.warning = tr("not calibrated: no lengths or directions known");
+    return o;
+  }
+  const std::string name = viewName(seen);
+  o.topRight << (name.empty() ? tr("from %1").arg(QString::fromStdString(sideLetters(-axes.direction)))
+                              : QString::fromStdString(name))
+             << zoomText;
+  if (seen.projection == Projection::perspective) o.topRight << tr("perspective");
+  const auto letters = [](glm::dvec3 d) { return QString::fromStdString(sideLetters(d)); };
+  o.right = letters(axes.right);
+  o.left = letters(-axes.right);
+  o.top = letters(axes.up);
+  o.bottom = letters(-axes.up);
+  if (seen.projection == Projection::parallel) o.mmPerPixel = seen.height / height();
+  return o;
+}
+
+void VolumeView::paint(QPainter& painter) const {
+  painter.fillRect(rect(), QColor(0x10, 0x12, 0x14));
+  if (!session_.series()) return;
+  if (!picture_.isNull()) {
+    const QSizeF shown = picture_.deviceIndependentSize();
+    if (picture_.size() == pixels()) {
+      painter.drawImage(QPointF(0, 0), picture_);
+    } else {
+      // While the window is being resized: the last picture, until the next one is there.
+      const double scale = height() / shown.height();
+      const QSizeF fitted = shown * scale;
+      painter.setRenderHint(QPainter::SmoothPixmapTransform);
+      painter.drawImage(QRectF(QPointF((width() - fitted.width()) / 2, 0), fitted), picture_);
+    }
+  }
+  paintOverlays(painter, overlays(), rect());
+}
+
+}  // namespace volumen
