@@ -1,7 +1,10 @@
 // Guards SCENE 2 to 8 and DESIGN 2 (the reference): two renderers written apart from each other agree.
+#include <algorithm>
+
 #include "tests/fixtures/brute_force.h"
 #include "tests/unit/render/picture_cases.h"
 #include "tests/unit/suite.h"
+#include "viewer/render/reference.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -24,6 +27,8 @@ class TestBruteForce : public QObject {
  private Q_SLOTS:
   void halfTheStepChangesLittle_data() { addCaseRows(); }
   void halfTheStepChangesLittle();
+  void referenceAgrees_data() { addCaseRows(); }
+  void referenceAgrees();
 };
 
 // The error falls with the square of the step, so that of the step used below (1/64 voxel) is a third of what
@@ -37,6 +42,23 @@ void TestBruteForce::halfTheStepChangesLittle() {
   const PictureError e = compare(bruteForceLimit(scene, *volume, {20, 20}, 1.0 / 32),
                                  bruteForceLimit(scene, *volume, {20, 20}, 1.0 / 64));
   QVERIFY2(e.rmse <= 0.006 && e.maximum <= 0.12, qPrintable(inWords(e)));
+}
+
+void TestBruteForce::referenceAgrees() {
+  QFETCH(int, index);
+  const PictureCase& c = pictureCases()[index];
+  const VolumePtr volume = caseVolume(c.volume);
+  if (!volume) QSKIP("the real test data (../shared/data or $VOLUMEN_DATA) are not here");
+  const glm::ivec2 size(28, 24);
+  const Scene scene = completed(c.scene, *volume, size);
+  const Result<Picture> reference = renderReference(scene, *volume, size);
+  QVERIFY2(reference.ok(), reference.ok() ? "" : reference.message().c_str());
+  const Result<std::vector<std::uint8_t>> use = wellConditioned(scene, *volume, size);
+  QVERIFY(use.ok());
+  // A mask that leaves out much would prove nothing.
+  QVERIFY(std::count(use->begin(), use->end(), 1) >= 0.97 * size.x * size.y);
+  const PictureError e = compare(*reference, bruteForceLimit(scene, *volume, size), *use);
+  QVERIFY2(e.rmse <= 0.02 && e.maximum <= 0.25, qPrintable(inWords(e)));
 }
 
 VOLUMEN_TEST(TestBruteForce);
