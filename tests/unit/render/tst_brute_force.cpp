@@ -3,6 +3,7 @@
 
 #include "tests/fixtures/brute_force.h"
 #include "tests/unit/render/picture_cases.h"
+#include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"
 #include "viewer/render/reference.h"
 
@@ -29,10 +30,11 @@ class TestBruteForce : public QObject {
   void halfTheStepChangesLittle();
   void referenceAgrees_data() { addCaseRows(); }
   void referenceAgrees();
+  void referenceAgreesOnScenesOfChance();
 };
 
 // The error falls with the square of the step, so that of the step used below (1/64 voxel) is a third of what
-// is bounded here: RMSE 0.002/255, maximum 0.04/255, a tenth and a sixth of what is asked of the reference.
+// is bounded here: RMSE 0.002/255, maximum 0.04/255.
 void TestBruteForce::halfTheStepChangesLittle() {
   QFETCH(int, index);
   const PictureCase& c = pictureCases()[index];
@@ -44,6 +46,7 @@ void TestBruteForce::halfTheStepChangesLittle() {
   QVERIFY2(e.rmse <= 0.006 && e.maximum <= 0.12, qPrintable(inWords(e)));
 }
 
+// The reference is promised within 0.05/255 (DESIGN 2), the brute force within 0.04/255 (above).
 void TestBruteForce::referenceAgrees() {
   QFETCH(int, index);
   const PictureCase& c = pictureCases()[index];
@@ -58,7 +61,23 @@ void TestBruteForce::referenceAgrees() {
   // A mask that leaves out much would prove nothing.
   QVERIFY(std::count(use->begin(), use->end(), 1) >= 0.97 * size.x * size.y);
   const PictureError e = compare(*reference, bruteForceLimit(scene, *volume, size), *use);
-  QVERIFY2(e.rmse <= 0.02 && e.maximum <= 0.25, qPrintable(inWords(e)));
+  QVERIFY2(e.rmse <= 0.005 && e.maximum <= 0.09, qPrintable(inWords(e)));
+}
+
+// In tiny pictures of wild scenes the brute force's own error counts for more: fine steps, and finer ones
+// where the first show a difference.
+void TestBruteForce::referenceAgreesOnScenesOfChance() {
+  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    const RandomScene c = randomScene(seed);
+    const Scene scene = completed(c.scene, *c.volume, c.size);
+    const Result<Picture> reference = renderReference(scene, *c.volume, c.size, 1);
+    const Result<std::vector<std::uint8_t>> use = wellConditioned(scene, *c.volume, c.size, 1);
+    QVERIFY(reference.ok() && use.ok());
+    PictureError e;
+    for (int steps = 64; steps == 64 || (e.maximum > 0.09 && steps <= 16384); steps *= 16)
+      e = compare(*reference, bruteForceLimit(scene, *c.volume, c.size, 1.0 / steps), *use);
+    QVERIFY2(e.maximum <= 0.09, qPrintable(QStringLiteral("seed %1: ").arg(seed) + inWords(e)));
+  }
 }
 
 VOLUMEN_TEST(TestBruteForce);
