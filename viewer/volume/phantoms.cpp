@@ -10,6 +10,8 @@
 #include <optional>
 #include <string_view>
 
+#include "viewer/volume/phantom_head.h"
+
 namespace volumen {
 namespace {
 
@@ -85,6 +87,7 @@ struct Entry {
 };
 
 constexpr Entry phantoms[] = {
+    {"ct-head", 512, headPhantom},
     {"sphere", 64, sphere},
     {"opaque-sphere", 64, sphere},
     {"solid", 64, solid},
