@@ -42,9 +42,11 @@ VolumePtr real(const std::string& name) {
   const std::string path = dataPath(name);
   if (path.empty()) return nullptr;
   const Result<Study> study = openStudy(path);
-  if (!study || study->volumes.empty()) return nullptr;
+  if (!study) throw std::runtime_error(study.message());
+  if (study->volumes.empty()) throw std::runtime_error("no volume in " + path);
   const Result<Loaded> loaded = loadSeries(study->volumes.front());
-  return loaded ? loaded->drawn : nullptr;
+  if (!loaded) throw std::runtime_error(loaded.message());
+  return loaded->drawn;
 }
 
 double percentile(const Volume& volume, double share) {

@@ -20,7 +20,7 @@ struct PictureCase {
 const std::vector<PictureCase>& pictureCases();
 
 /// The volume of a case: one made here ("bumpy", "bumpy oblique" ...) or a path inside the real test data,
-/// loaded once. Null where the real data are absent.
+/// loaded once. Null where the real data are absent; throws where they cannot be loaded.
 VolumePtr caseVolume(const std::string& name);
 
 }  // namespace volumen::tests

