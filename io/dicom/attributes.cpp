@@ -107,6 +107,8 @@ Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice) {
   };
   if (Status s = field(0x00281053, "RescaleSlope", slice.slope); !s) return s;
   if (Status s = field(0x00281052, "RescaleIntercept", slice.intercept); !s) return s;
+  // Doses are scaled by an attribute of their own (PS3.3 C.8.8.3).
+  if (Status s = field(0x3004000e, "DoseGridScaling", slice.slope); !s) return s;
   if (slice.slope == 0) return Error{"RescaleSlope is 0"};
   return {};
 }

@@ -1,0 +1,77 @@
+#include "tests/unit/io/dicom_writer.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcrleerg.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmjpeg/djencode.h>
+#include <dcmtk/dcmjpls/djencode.h>
+
+#include <QString>
+#include <fstream>
+#include <iterator>
+#include <mutex>
+
+namespace volumen::tests {
+namespace {
+
+void registerEncoders() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+    DcmRLEEncoderRegistration::registerCodecs();
+    DJEncoderRegistration::registerCodecs();
+    DJLSEncoderRegistration::registerCodecs();
+  });
+}
+
+void put(DcmDataset& data, const DcmTagKey& tag, const std::string& value) {
+  if (!value.empty()) data.putAndInsertOFStringArray(tag, value.c_str());
+}
+
+}  // namespace
+
+void writeDicom(const std::string& path, const DicomPicture& p, const char* transferSyntaxUid) {
+  registerEncoders();
+  DcmFileFormat file;
+  DcmDataset& data = *file.getDataset();
+  char uid[100];
+  put(data, DCM_SOPClassUID, UID_CTImageStorage);
+  put(data, DCM_SOPInstanceUID, dcmGenerateUniqueIdentifier(uid));
+  put(data, DCM_StudyInstanceUID, "1.2.3.4");
+  put(data, DCM_SeriesInstanceUID, p.seriesUid);
+  put(data, DCM_Modality, "CT");
+  put(data, DCM_PatientName, "Test^Patient");
+  put(data, DCM_InstanceNumber, std::to_string(p.instance));
+  const auto number = [](double x) { return QString::number(x, 'g', 12).toStdString(); };
+  put(data, DCM_ImagePositionPatient,
+      number(p.position.x) + "\\" + number(p.position.y) + "\\" + number(p.position.z));
+  put(data, DCM_ImageOrientationPatient, p.orientation);
+  put(data, DCM_PixelSpacing, p.spacing);
+  put(data, DCM_PhotometricInterpretation, "MONOCHROME2");
+  data.putAndInsertUint16(DCM_SamplesPerPixel, 1);
+  data.putAndInsertUint16(DCM_Rows, Uint16(p.rows));
+  data.putAndInsertUint16(DCM_Columns, Uint16(p.columns));
+  data.putAndInsertUint16(DCM_BitsAllocated, 16);
+  data.putAndInsertUint16(DCM_BitsStored, Uint16(p.bitsStored));
+  data.putAndInsertUint16(DCM_HighBit, Uint16(p.bitsStored - 1));
+  data.putAndInsertUint16(DCM_PixelRepresentation, p.isSigned ? 1 : 0);
+  std::vector<std::uint16_t> pixels = p.pixels;
+  if (pixels.size() < 2) pixels.assign(std::size_t(p.rows * p.columns), pixels.empty() ? 0 : pixels[0]);
+  data.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
+  if (p.edit) p.edit(data);
+  const E_TransferSyntax syntax = DcmXfer(transferSyntaxUid).getXfer();
+  if (data.chooseRepresentation(syntax, nullptr).bad() || file.saveFile(path.c_str(), syntax).bad())
+    qFatal("cannot write %s", path.c_str());
+}
+
+std::vector<std::uint8_t> readAll(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+void writeAll(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+}
+
+}  // namespace volumen::tests

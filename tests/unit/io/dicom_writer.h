@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+class DcmDataset;
+
+namespace volumen::tests {
+
+/// A small grey DICOM picture to be written with DCMTK: what tests vary has a field, the rest `edit`.
+struct DicomPicture {
+  std::string seriesUid = "1.2.3.4.5";
+  int instance = 1;
+  int columns = 4, rows = 3;
+  glm::dvec3 position{0};
+  std::string orientation = "1\\0\\0\\0\\1\\0";
+  std::string spacing = "0.5\\0.7";        ///< PixelSpacing as written: between rows, between columns
+  std::vector<std::uint16_t> pixels = {};  ///< rows x columns; one value is repeated
+  int bitsStored = 16;
+  bool isSigned = false;
+  std::function<void(DcmDataset&)> edit = {};
+};
+
+/// Writes `picture` as `path`. `transferSyntaxUid`: native ones, RLE, JPEG lossless or JPEG-LS, encoded by
+/// DCMTK.
+void writeDicom(const std::string& path, const DicomPicture& picture,
+                const char* transferSyntaxUid = "1.2.840.10008.1.2.1");
+
+/// A file's bytes, and back.
+std::vector<std::uint8_t> readAll(const std::string& path);
+void writeAll(const std::string& path, const std::vector<std::uint8_t>& bytes);
+
+}  // namespace volumen::tests

@@ -1,0 +1,395 @@
+// Guards DESIGN 7 and 10 (series by geometry, uneven slices, shear, single slice, what is not calibrated).
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <QTemporaryDir>
+#include <algorithm>
+#include <filesystem>
+#include <glm/geometric.hpp>
+
+#include "io/study.h"
+#include "tests/unit/io/dicom_writer.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+/// A folder of synthetic DICOM files, and what is found in it.
+class Folder {
+ public:
+  std::string path(const std::string& name = {}) const {
+    return dir_.filePath(QString::fromStdString(name)).toStdString();
+  }
+  void add(const std::string& name, const DicomPicture& picture,
+           const char* syntax = "1.2.840.10008.1.2.1") const {
+    writeDicom(path(name), picture, syntax);
+  }
+  Study open() const {
+    Result<Study> study = openStudy(path());
+    return study.ok() ? *study : Study{};
+  }
+
+ private:
+  QTemporaryDir dir_;
+};
+
+std::string numbered(const char* prefix, int n) {
+  return QString::fromLatin1("%1%2").arg(QLatin1String(prefix)).arg(n).toStdString();
+}
+
+/// A slice at `z` mm that holds `value` everywhere.
+DicomPicture sliceAt(double z, int value) {
+  DicomPicture p;
+  p.position = {10, 20, z};
+  p.instance = 1000 - value;
+  p.pixels = {std::uint16_t(value)};
+  return p;
+}
+
+/// Slices at these places, named against their order, of value 100 z.
+void addStack(const Folder& folder, const std::vector<double>& z) {
+  for (std::size_t n = 0; n < z.size(); ++n)
+    folder.add(numbered("s", int(100 + (n * 11) % z.size())), sliceAt(z[n], int(100 * z[n])));
+}
+
+bool warns(const std::vector<std::string>& warnings, const std::string& word) {
+  return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& w) {
+    return w.find(word) != std::string::npos && w.ends_with(".");
+  });
+}
+
+std::vector<float> firstOfEachSlice(const Volume& volume) {
+  std::vector<float> values;
+  for (int k = 0; k < volume.size().z; ++k) values.push_back(volume.value(0, 0, k));
+  return values;
+}
+
+}  // namespace
+
+class TestDicomSeries : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void slicesAreOrderedByPlaceNotByName();
+  void regularGridOfUnevenSlices_data();
+  void regularGridOfUnevenSlices();
+  void largeGapsSplit_data();
+  void largeGapsSplit();
+  void shearIsKept();
+  void copiesAreLeftOut();
+  void picturesOfOnePlaceAreSplit_data();
+  void picturesOfOnePlaceAreSplit();
+  void orientationsAreSplit();
+  void withoutPlaceItIsNotCalibrated_data();
+  void withoutPlaceItIsNotCalibrated();
+  void singleSliceHasItsThickness_data();
+  void singleSliceHasItsThickness();
+  void differentRescaleBecomesFloat();
+  void paddingAndWindowsAreKept();
+  void badSliceCostsOnlyItself_data();
+  void badSliceCostsOnlyItself();
+};
+
+void TestDicomSeries::slicesAreOrderedByPlaceNotByName() {
+  const Folder folder;
+  addStack(folder, {0, 2, 4, 6, 8});
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  const Series& s = study.volumes[0];
+  QCOMPARE(s.id, std::string("1.2.3.4.5"));
+  QCOMPARE(s.acquired.size, glm::ivec3(4, 3, 5));
+  QCOMPARE(s.acquired.spacing(), glm::dvec3(0.7, 0.5, 2));  // PixelSpacing names rows first
+  QCOMPARE(s.acquired.origin, glm::dvec3(10, 20, 0));
+  QVERIFY(!s.regular && s.warnings.empty());
+  const auto loaded = loadSeries(s);
+  QVERIFY(loaded.ok());
+  QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 200, 400, 600, 800}));
+  QVERIFY(loaded->drawn == loaded->acquired);
+}
+
+void TestDicomSeries::regularGridOfUnevenSlices_data() {
+  QTest::addColumn<QList<double>>("z");
+  QTest::addColumn<int>("slices");
+  QTest::addColumn<int>("interpolated");
+  QTest::addColumn<double>("step");
+  QTest::addColumn<QString>("says");
+  const auto row = [](const char* name, QList<double> z, int slices, int interpolated, double step,
+                      const char* says) {
+    QTest::newRow(name) << z << slices << interpolated << step << QString::fromLatin1(says);
+  };
+  row("one slice missing", {0, 1, 2, 4, 5}, 6, 1, 1.0, "1 slice is missing");
+  row("two slices missing at two places", {0, 2, 6, 8, 12, 14, 16}, 9, 2, 2.0, "2 slices are missing");
+  row("two distances", {0, 1, 2, 3, 4.5, 6}, 7, 2, 1.0, "uneven");
+  row("a slice within 1 % is a copy", {0, 1, 2, 3.009, 4, 6}, 7, 1, 1.0, "between them is 0.991 to 2 mm");
+  row("the end lies beyond the grid", {0, 1, 2, 3, 4.5}, 5, 1, 1.0, "the last 0.5 mm");
+}
+
+void TestDicomSeries::regularGridOfUnevenSlices() {
+  QFETCH(QList<double>, z);
+  QFETCH(int, slices);
+  QFETCH(int, interpolated);
+  QFETCH(double, step);
+  QFETCH(QString, says);
+  const Folder folder;
+  addStack(folder, std::vector<double>(z.begin(), z.end()));
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  const Series& s = study.volumes[0];
+  QVERIFY(s.regular);
+  QCOMPARE(s.regular->geometry.size.z, slices);
+  QCOMPARE(s.regular->interpolatedSlices, interpolated);
+  QVERIFY(std::abs(s.regular->geometry.spacing().z - step) < 1e-9);
+  QVERIFY(std::abs(s.acquired.spacing().z - (z.back() - z.front()) / double(z.size() - 1)) < 1e-9);
+  QVERIFY2(warns(s.warnings, says.toStdString()), s.warnings[0].c_str());
+  QVERIFY(warns(s.warnings, "s10"));  // file names
+  const auto loaded = loadSeries(s);
+  QVERIFY(loaded.ok());
+  QCOMPARE(loaded->acquired->size().z, int(z.size()));
+  QCOMPARE(loaded->drawn->geometry(), s.regular->geometry);
+  const std::vector<float> values = firstOfEachSlice(*loaded->drawn);
+  // The value is 100 z, which linear interpolation keeps; a copied slice is up to 1 % of a step away.
+  for (int k = 0; k < slices; ++k) QVERIFY(std::abs(values[std::size_t(k)] - 100 * step * k) <= 1.0);
+  // Acquired slices on the grid are there exactly.
+  for (double place : z)
+    if (std::abs(place / step - std::round(place / step)) < 0.01 && place <= step * (slices - 1))
+      QCOMPARE(values[std::size_t(std::lround(place / step))], float(int(100 * place)));
+}
+
+void TestDicomSeries::largeGapsSplit_data() {
+  QTest::addColumn<QList<double>>("z");
+  QTest::addColumn<int>("volumes");
+  QTest::newRow("more than 4 usual distances") << QList<double>{0, 1, 2, 3, 7.5, 8.5, 9.5} << 2;
+  QTest::newRow("not more than 4") << QList<double>{0, 1, 2, 3, 7, 8, 9} << 1;
+  QTest::newRow("20 mm beyond the usual one") << QList<double>{0, 8, 16, 24, 53, 61} << 2;
+  QTest::newRow("even slices 25 mm apart") << QList<double>{0, 25, 50, 75} << 1;
+}
+
+void TestDicomSeries::largeGapsSplit() {
+  QFETCH(QList<double>, z);
+  QFETCH(int, volumes);
+  const Folder folder;
+  addStack(folder, std::vector<double>(z.begin(), z.end()));
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(volumes));
+  if (volumes == 1) return;
+  QCOMPARE(study.volumes[0].id, std::string("1.2.3.4.5#1"));
+  QCOMPARE(study.volumes[1].id, std::string("1.2.3.4.5#2"));
+  for (const Series& s : study.volumes) QVERIFY(warns(s.warnings, "gap"));
+}
+
+void TestDicomSeries::shearIsKept() {
+  const Folder folder;
+  for (int n = 0; n < 4; ++n) {
+    DicomPicture p = sliceAt(2.0 * n, n);
+    p.position.y += 0.5 * n;
+    folder.add(numbered("s", n), p);
+  }
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  const Series& s = study.volumes[0];
+  QVERIFY(glm::length(s.acquired.patientFromVoxelStep[2] - glm::dvec3(0, 0.5, 2)) < 1e-12);
+  QVERIFY(warns(s.warnings, "14.04 degrees"));  // atan(0.5 / 2)
+  QVERIFY(!s.regular);
+}
+
+void TestDicomSeries::copiesAreLeftOut() {
+  const Folder folder;
+  addStack(folder, {0, 1, 2});
+  std::filesystem::create_directory(folder.path("deeper"));
+  std::filesystem::copy_file(folder.path("s100"), folder.path("deeper/copy"));
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  QCOMPARE(study.volumes[0].acquired.size.z, 3);
+  QVERIFY(warns(study.volumes[0].warnings, "copy"));
+}
+
+void TestDicomSeries::picturesOfOnePlaceAreSplit_data() {
+  QTest::addColumn<QString>("by");
+  for (const char* by : {"instance", "time point", "echo", "image type"})
+    QTest::newRow(by) << QString::fromLatin1(by);
+}
+
+void TestDicomSeries::picturesOfOnePlaceAreSplit() {
+  QFETCH(QString, by);
+  const Folder folder;
+  for (int z = 0; z < 3; ++z) {
+    for (int t = 0; t < 2; ++t) {
+      DicomPicture p = sliceAt(z, 10 * t + z);
+      // By instance: all of the first volume, then the second. Else the attribute must win over the numbers.
+      p.instance = by == QLatin1String("instance") ? 10 * t + z : 10 * z + (z == 1 ? 1 - t : t);
+      p.edit = [by, t](DcmDataset& data) {
+        if (by == QLatin1String("time point"))
+          data.putAndInsertString(DCM_TemporalPositionIdentifier, t ? "2" : "1");
+        if (by == QLatin1String("echo")) data.putAndInsertString(DCM_EchoTime, t ? "40" : "20");
+        if (by == QLatin1String("image type"))
+          data.putAndInsertString(DCM_ImageType, t ? "ORIGINAL\\PRIMARY\\P" : "ORIGINAL\\PRIMARY\\M");
+      };
+      folder.add(numbered("s", 10 * z + t), p);
+    }
+  }
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(2));
+  for (std::size_t t = 0; t < 2; ++t) {
+    QCOMPARE(study.volumes[t].id, numbered("1.2.3.4.5#", int(t) + 1));
+    const auto loaded = loadSeries(study.volumes[t]);
+    QVERIFY(loaded.ok());
+    const float first = 10 * float(t);
+    QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{first, first + 1, first + 2}));
+  }
+}
+
+void TestDicomSeries::orientationsAreSplit() {
+  const Folder folder;
+  for (int n = 0; n < 3; ++n) {
+    folder.add(numbered("a", n), sliceAt(n, n));
+    DicomPicture sagittal = sliceAt(0, n);
+    sagittal.position = {double(n), 0, 0};
+    sagittal.orientation = "0\\1\\0\\0\\0\\-1";
+    folder.add(numbered("b", n), sagittal);
+  }
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(2));
+  for (const Series& s : study.volumes) {
+    QCOMPARE(s.acquired.size.z, 3);
+    QVERIFY(s.acquired.voxelVolume() > 0 && glm::determinant(s.acquired.patientFromVoxelStep) > 0);
+  }
+}
+
+void TestDicomSeries::withoutPlaceItIsNotCalibrated_data() {
+  QTest::addColumn<QString>("orientation");
+  QTest::addColumn<QString>("spacing");
+  QTest::addColumn<QString>("says");
+  const auto row = [](const char* name, const char* orientation, const char* spacing, const char* says) {
+    QTest::newRow(name) << QString::fromLatin1(orientation) << QString::fromLatin1(spacing)
+                        << QString::fromLatin1(says);
+  };
+  row("no spacing", "1\\0\\0\\0\\1\\0", "", "PixelSpacing");
+  row("negative spacing", "1\\0\\0\\0\\1\\0", "1\\-1", "PixelSpacing");
+  row("no orientation", "", "1\\1", "ImageOrientationPatient");
+  row("orientation at no right angle", "1\\0\\0\\0.6\\0.8\\0", "1\\1", "ImageOrientationPatient");
+  row("orientation NaN", "1\\0\\0\\0\\nan\\0", "1\\1", "ImageOrientationPatient");
+}
+
+void TestDicomSeries::withoutPlaceItIsNotCalibrated() {
+  QFETCH(QString, orientation);
+  QFETCH(QString, spacing);
+  QFETCH(QString, says);
+  const Folder folder;
+  for (int n = 0; n < 3; ++n) {
+    DicomPicture p = sliceAt(n, 500 - n);
+    p.instance = n;
+    p.orientation = orientation.toStdString();
+    p.spacing = spacing.toStdString();
+    folder.add(numbered("s", 2 - n), p);
+  }
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  const Series& s = study.volumes[0];
+  QVERIFY(!s.acquired.calibrated);
+  QCOMPARE(s.acquired.patientFromVoxelStep, glm::dmat3(1));
+  QVERIFY2(warns(s.warnings, "Not calibrated: " + says.toStdString()), s.warnings[0].c_str());
+  const auto loaded = loadSeries(s);
+  QVERIFY(loaded.ok());
+  QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{500, 499, 498}));  // by InstanceNumber
+}
+
+void TestDicomSeries::singleSliceHasItsThickness_data() {
+  QTest::addColumn<QString>("thickness");
+  QTest::addColumn<double>("mm");
+  QTest::newRow("given") << QStringLiteral("3.5") << 3.5;
+  QTest::newRow("missing") << QString() << 1.0;
+  QTest::newRow("zero") << QStringLiteral("0") << 1.0;
+}
+
+void TestDicomSeries::singleSliceHasItsThickness() {
+  QFETCH(QString, thickness);
+  QFETCH(double, mm);
+  const Folder folder;
+  DicomPicture p = sliceAt(5, 7);
+  p.edit = [&](DcmDataset& data) {
+    data.putAndInsertString(DCM_SliceThickness, thickness.toLatin1().constData());
+  };
+  folder.add("only", p);
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  QCOMPARE(study.volumes[0].acquired.spacing().z, mm);
+  QCOMPARE(warns(study.volumes[0].warnings, "1 mm thick"), mm == 1.0);
+}
+
+void TestDicomSeries::differentRescaleBecomesFloat() {
+  const Folder folder;
+  const char* slopes[] = {"0.5", "0.25", "0.5"};
+  for (int n = 0; n < 3; ++n) {
+    DicomPicture p = sliceAt(n, 10 + n);
+    p.edit = [&](DcmDataset& data) {
+      data.putAndInsertString(DCM_RescaleSlope, slopes[n]);
+      data.putAndInsertString(DCM_RescaleIntercept, "-3");
+    };
+    folder.add(numbered("s", n), p);
+  }
+  const Study study = folder.open();
+  QCOMPARE(study.volumes[0].valueType, std::string("float32"));
+  const auto loaded = loadSeries(study.volumes[0]);
+  QVERIFY(loaded.ok());
+  QCOMPARE(std::string(loaded->acquired->typeName()), std::string("float32"));
+  QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{2, -0.25, 3}));
+}
+
+void TestDicomSeries::paddingAndWindowsAreKept() {
+  const Folder folder;
+  DicomPicture p = sliceAt(0, 10);
+  p.isSigned = true;
+  p.edit = [](DcmDataset& data) {
+    data.putAndInsertSint16(DCM_PixelPaddingValue, -2000);
+    data.putAndInsertString(DCM_RescaleSlope, "1");
+    data.putAndInsertString(DCM_RescaleIntercept, "-1024");
+    data.putAndInsertString(DCM_WindowCenter, "40\\300");
+    data.putAndInsertString(DCM_WindowWidth, "400\\1500");
+  };
+  folder.add("only", p);
+  const Study study = folder.open();
+  const auto loaded = loadSeries(study.volumes.at(0));
+  QVERIFY(loaded.ok());
+  const VolumeAttributes& a = loaded->acquired->attributes();
+  QVERIFY(a.padding == (ValueRange{-3024, -3024}));
+  QVERIFY(a.windows == (std::vector<Window>{{40, 400}, {300, 1500}}));
+  QCOMPARE(a.modality, std::string("CT"));
+  QCOMPARE(loaded->acquired->value(0, 0, 0), -1014.f);
+}
+
+void TestDicomSeries::badSliceCostsOnlyItself_data() {
+  QTest::addColumn<QString>("damage");
+  QTest::addColumn<bool>("seenAtOpening");
+  QTest::newRow("native data cut off") << QStringLiteral("native") << true;
+  QTest::newRow("fragment cut off") << QStringLiteral("fragment") << true;
+  QTest::newRow("code stream damaged") << QStringLiteral("stream") << false;
+}
+
+void TestDicomSeries::badSliceCostsOnlyItself() {
+  QFETCH(QString, damage);
+  QFETCH(bool, seenAtOpening);
+  const char* syntax = damage == QLatin1String("native") ? "1.2.840.10008.1.2.1" : "1.2.840.10008.1.2.4.70";
+  const Folder folder;
+  for (int n = 0; n < 5; ++n) folder.add(numbered("s", n), sliceAt(n, 100 * n), syntax);
+  std::vector<std::uint8_t> bytes = readAll(folder.path("s2"));
+  if (damage == QLatin1String("stream")) {
+    const std::vector<std::uint8_t> soi{0xff, 0xd8, 0xff};
+    *(std::search(bytes.begin(), bytes.end(), soi.begin(), soi.end()) + 1) = 0;
+  } else {
+    bytes.resize(bytes.size() - 12);
+  }
+  writeAll(folder.path("s2"), bytes);
+  const Study study = folder.open();
+  QCOMPARE(study.refused.size(), std::size_t(seenAtOpening ? 1 : 0));
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  const auto loaded = loadSeries(study.volumes[0]);
+  QVERIFY(loaded.ok());
+  QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 100, 300, 400}));
+  QCOMPARE(firstOfEachSlice(*loaded->drawn), (std::vector<float>{0, 100, 200, 300, 400}));
+  QVERIFY(warns(loaded->warnings, "1 slice is missing"));
+  if (!seenAtOpening) QVERIFY(warns(loaded->warnings, "Slice s2 is left out"));
+}
+
+VOLUMEN_TEST(TestDicomSeries);
+#include "tst_dicom_series.moc"
