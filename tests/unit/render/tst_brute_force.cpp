@@ -1,7 +1,10 @@
 // Guards SCENE 2 to 8 and DESIGN 2 (the reference): two renderers written apart from each other agree.
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "tests/fixtures/brute_force.h"
+#include "tests/fixtures/brute_matter.h"
 #include "tests/unit/render/picture_cases.h"
 #include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"
@@ -31,6 +34,8 @@ class TestBruteForce : public QObject {
   void referenceAgrees_data() { addCaseRows(); }
   void referenceAgrees();
   void referenceAgreesOnScenesOfChance();
+  void wellConditionedIsWhatMovesLittle_data();
+  void wellConditionedIsWhatMovesLittle();
 };
 
 // The error falls with the square of the step, so that of the step used below (1/64 voxel) is a third of what
@@ -78,6 +83,37 @@ void TestBruteForce::referenceAgreesOnScenesOfChance() {
       e = compare(*reference, bruteForceLimit(scene, *c.volume, c.size, 1.0 / steps), *use);
     QVERIFY2(e.maximum <= 0.12, qPrintable(QStringLiteral("seed %1: ").arg(seed) + inWords(e)));
   }
+}
+
+void TestBruteForce::wellConditionedIsWhatMovesLittle_data() {
+  QTest::addColumn<int>("index");
+  for (std::size_t i = 0; i < pictureCases().size(); ++i)
+    for (const char* name : {"isotropic grid, eye inside", "left-handed grid, eye inside"})
+      if (pictureCases()[i].name == std::string(name)) QTest::newRow(name) << int(i);
+}
+
+// Moving the camera's target moves every ray: by 1e-4 voxel in the picture's four directions.
+void TestBruteForce::wellConditionedIsWhatMovesLittle() {
+  QFETCH(int, index);
+  const PictureCase& c = pictureCases()[index];
+  const VolumePtr volume = caseVolume(c.volume);
+  const glm::ivec2 size(60, 60);
+  const Scene scene = completed(c.scene, *volume, size);
+  const Picture still = *renderReference(scene, *volume, size);
+  const std::vector<std::uint8_t> use = *wellConditioned(scene, *volume, size);
+  std::vector<double> change(use.size());
+  for (int side = 0; side < 4; ++side) {
+    const glm::dvec3 axis = axesOf(*scene.camera)[side / 2];
+    Scene moved = scene;
+    *moved.camera->target +=
+        (side % 2 ? 1e-4 : -1e-4) * axis / glm::length(volume->geometry().voxelFromPatientStep() * axis);
+    const Picture picture = *renderReference(moved, *volume, size);
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+      change[i / 4] = std::max(change[i / 4], 255.0 * std::abs(picture.rgba[i] - still.rgba[i]));
+  }
+  QVERIFY(*std::max_element(change.begin(), change.end()) > 0.1);
+  for (std::size_t i = 0; i < use.size(); ++i)
+    if (std::abs(change[i] - 0.1) > 1e-3) QCOMPARE(bool(use[i]), change[i] <= 0.1);
 }
 
 VOLUMEN_TEST(TestBruteForce);
