@@ -50,9 +50,9 @@ class Nesting {
     std::string text;
     for (const Level& level : levels_) {
       if (level.list)
-        text += "[" + std::to_string(level.index) + "]";
+        text.append("[").append(std::to_string(level.index)).append("]");
       else
-        text += (text.empty() ? "" : ".") + level.key.substr(0, 60);
+        text.append(text.empty() ? "" : ".").append(level.key, 0, 60);
     }
     return text;
   }
