@@ -1,0 +1,78 @@
+#include "viewer/scene/automatic.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/scene/presets.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int fineBins = 1 << 16;
+
+// How many values lie in [low, high), by whole bins.
+std::int64_t countBetween(const Histogram& h, double low, double high) {
+  std::int64_t sum = 0;
+  for (std::size_t n = 0; n < h.counts.size(); ++n) {
+    const double centre = h.low + (double(n) + 0.5) * h.binWidth();
+    if (centre >= low && centre < high) sum += h.counts[n];
+  }
+  return sum;
+}
+
+// The part that the values of `low` .. `high` have in those above `least`; 0 where there are none.
+double share(const Histogram& h, double low, double high, double least) {
+  const std::int64_t all = countBetween(h, least, 1e30);
+  return all == 0 ? 0 : double(countBetween(h, low, high)) / double(all);
+}
+
+double valueOfRank(const Histogram& h, double part) {
+  std::int64_t all = 0, sum = 0;
+  for (std::int64_t count : h.counts) all += count;
+  for (std::size_t n = 0; n < h.counts.size(); ++n) {
+    sum += h.counts[n];
+    if (double(sum) >= part * double(all)) return h.low + (double(n) + 0.5) * h.binWidth();
+  }
+  return h.high;
+}
+
+}  // namespace
+
+ValueRange usualRange(const Volume& volume) {
+  const Histogram h = histogram(volume, fineBins);
+  return {valueOfRank(h, 0.01), valueOfRank(h, 0.995)};
+}
+
+bool looksLikeHounsfield(const Histogram& h) {
+  return h.low >= -4096 && h.high <= 40000 && share(h, -1100, -900, -1100) > 0.02 &&
+         countBetween(h, 0, 1e30) > 0;
+}
+
+bool hasContrast(const Histogram& h) {
+  constexpr double binHu = 20, firstHu = 130, lastHu = 450;
+  double lowest = double(countBetween(h, firstHu, firstHu + binHu));
+  for (double hu = firstHu + binHu; hu < lastHu; hu += binHu) {
+    const double count = double(countBetween(h, hu, hu + binHu));
+    // A tenth more, and more than chance makes of so few voxels.
+    if (count > 1.1 * lowest + 5 * std::sqrt(count)) return true;
+    lowest = std::min(lowest, count);
+  }
+  return false;
+}
+
+bool isChest(const Histogram& h) { return share(h, -900, -600, -900) > 0.1; }
+
+bool isBony(const Histogram& h) { return share(h, 300, 1e30, -200) > 0.09; }
+
+std::string automaticPreset(const Volume& volume) {
+  const std::string& modality = volume.attributes().modality;
+  if (modality == "US") return "US-Fetal";
+  const Histogram h = histogram(volume, fineBins);
+  if (modality != "CT" && !(modality.empty() && looksLikeHounsfield(h))) return "MR-Default";
+  if (isBony(h)) return "CT-Bone";
+  if (isChest(h)) return hasContrast(h) ? "CT-Chest-Contrast-Enhanced" : "CT-Bones";
+  return hasContrast(h) ? "CT-AAA" : "CT-Muscle";
+}
+
+}  // namespace volumen
