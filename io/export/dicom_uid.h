@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// UIDs of what is made from a volume: 2.25 and a name-based UUID (PS3.5 B.2, RFC 4122 version 5), so that
+/// the same contents and the same `salt` give the same UIDs, on every machine.
+class DicomUids {
+ public:
+  DicomUids(const Volume& volume, const std::string& salt);
+  /// The UID of `what` ("study", or the number of a slice).
+  std::string of(const std::string& what) const;
+
+ private:
+  std::array<std::uint8_t, 16> contents_;
+};
+
+}  // namespace volumen
