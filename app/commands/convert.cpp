@@ -1,9 +1,11 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <vector>
 
 #include "app/command.h"
 #include "app/progress.h"
+#include "io/export/dicom_series.h"
 #include "io/files/write_volume.h"
 #include "io/study.h"
 
@@ -16,6 +18,18 @@ struct ConvertOptions {
 };
 
 using Notes = std::vector<std::string>;
+
+// A folder stands for a DICOM series: one that is there, or a name that ends in "/".
+bool isFolder(const std::string& output) {
+  std::error_code ignored;
+  return output.ends_with('/') || std::filesystem::is_directory(output, ignored);
+}
+
+Status write(const Volume& volume, const Series& series, const std::string& output, const Progress& progress,
+             const CancelToken& cancel) {
+  if (isFolder(output)) return writeDicomSeries(volume, dicomTags(series), output, progress, cancel);
+  return writeVolume(volume, output, progress, cancel);
+}
 
 // What the user is to be told of what was written.
 void addNotes(Notes& notes, const Study& study, const ConvertOptions& options, const Series& series,
@@ -46,15 +60,17 @@ Result<Notes> convert(const ConvertOptions& options, const CancelToken& cancel) 
   const Series& series = study->volumes[*chosen];
   const Result<Loaded> loaded = loadSeries(series, progress, cancel);
   if (!loaded) return loaded.error();
-  if (const Status s = writeVolume(*loaded->drawn, options.output, progress, cancel); !s) return s.error();
+  if (const Status s = write(*loaded->drawn, series, options.output, progress, cancel); !s) return s.error();
   Notes notes;
   addNotes(notes, *study, options, series, *loaded);
   return notes;
 }
 
 int run(const ConvertOptions& options, const CancelToken& cancel) {
-  if (!isVolumeFileName(options.output))
-    return failUsage(options.output + ": volumes are written as .nrrd, .nii.gz or .mha.");
+  if (!isFolder(options.output) && !isVolumeFileName(options.output))
+    return failUsage(options.output +
+                     ": volumes are written as .nrrd, .nii.gz or .mha, or as a DICOM series "
+                     "into a folder, whose name ends in \"/\".");
   const Result<Notes> notes = convert(options, cancel);
   endTerminalProgress();
   if (!notes) return fail(notes.message());
@@ -68,7 +84,9 @@ int run(const ConvertOptions& options, const CancelToken& cancel) {
 std::function<int()> makeConvert(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<ConvertOptions>();
   app.add_option("PATH", options->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
-  app.add_option("-o,--output", options->output, "The file to write: .nrrd, .nii.gz or .mha")->required();
+  app.add_option("-o,--output", options->output,
+                 "The file to write: .nrrd, .nii.gz or .mha; or FOLDER/ for a DICOM series")
+      ->required();
   app.add_option("--series", options->series,
                  "Which series: its id, its UID or its number in `volumen info`");
   return [options, &cancel] { return run(*options, cancel); };

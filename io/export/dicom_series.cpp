@@ -4,10 +4,9 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <span>
@@ -32,21 +31,17 @@ struct Attribute {
   std::string value;
 };
 
-// The shortest decimal string (VR DS, at most 16 characters) nearest to a number.
+// The decimal string (VR DS, at most 16 characters) nearest to a number, as short as says the same.
+// + 0.0 takes the sign off a zero.
 std::string decimal(double value) {
-  char text[40];
-  for (int digits = 17; digits > 0; --digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, value == 0 ? 0.0 : value);
-    if (std::strlen(text) > 16) continue;
-    // Fewer digits where they say the same.
-    for (int fewer = 1; fewer < digits; ++fewer) {
-      char shorter[40];
-      std::snprintf(shorter, sizeof shorter, "%.*g", fewer, value);
-      if (std::strtod(shorter, nullptr) == std::strtod(text, nullptr)) return shorter;
-    }
-    return text;
-  }
-  return "0";
+  constexpr std::ptrdiff_t longest = 16;
+  char text[32];
+  const auto print = [&](auto... precision) {
+    return std::to_chars(text, std::end(text), value + 0.0, precision...).ptr - text;
+  };
+  std::ptrdiff_t length = print();
+  for (int digits = 16; length > longest; --digits) length = print(std::chars_format::general, digits);
+  return std::string(text, std::size_t(length));
 }
 
 // One more value of a DICOM string of several.
