@@ -18,20 +18,18 @@ constexpr std::string_view phantomPrefix = "phantom:";
 
 bool isPhantom(const std::string& path) { return path.starts_with(phantomPrefix); }
 
-Result<VolumePtr> phantomAt(const std::string& path) {
-  return makePhantom(path.substr(phantomPrefix.size()));
-}
+std::string phantomName(const std::string& path) { return path.substr(phantomPrefix.size()); }
 
 Result<Study> openPhantom(const std::string& path) {
-  const Result<VolumePtr> volume = phantomAt(path);
-  if (!volume) return volume.error();
+  const Result<PhantomHeader> phantom = phantomHeader(phantomName(path));
+  if (!phantom) return phantom.error();
   Series series;
   series.id = series.path = path;
   series.format = "phantom";
-  series.description = (*volume)->attributes().name;
-  series.modality = (*volume)->attributes().modality;
-  series.acquired = (*volume)->geometry();
-  series.valueType = (*volume)->typeName();
+  series.description = phantomName(path);
+  series.modality = phantom->modality;
+  series.acquired = phantom->geometry;
+  series.valueType = phantom->valueType;
   Study study;
   study.volumes.push_back(series);
   return study;
@@ -97,7 +95,7 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
 Result<Loaded> loadSeries(const Series& series, const Progress& progress, const CancelToken& cancel) {
   if (series.format == "DICOM") return dicom::loadSeries(series, progress, cancel);
   if (series.format == "phantom") {
-    Result<VolumePtr> volume = phantomAt(series.path);
+    Result<VolumePtr> volume = makePhantom(phantomName(series.path));
     if (!volume) return volume.error();
     return Loaded{*volume, *volume, {}};
   }

@@ -15,16 +15,6 @@ using head::Vec;
 constexpr double widthMm = 240, heightMm = 260, thickestSliceMm = 1.25;
 constexpr float airHu = -1000, veinHu = 170, arteryHu = 290, noiseHu = 9;
 
-VoxelGeometry geometryOf(int sizeInPlane) {
-  const double pixelMm = widthMm / sizeInPlane;
-  const double sliceMm = std::max(pixelMm, std::min(thickestSliceMm, pixelMm * 8 / 3));
-  const int slices = int(std::ceil(heightMm / sliceMm));
-  VoxelGeometry g{.size = {sizeInPlane, sizeInPlane, slices}};
-  for (int a = 0; a < 3; ++a) g.patientFromVoxelStep[a][a] = a < 2 ? pixelMm : sliceMm;
-  g.origin = -0.5 * (glm::dvec3(g.size) - 1.0) * glm::dvec3(pixelMm, pixelMm, sliceMm);
-  return g;
-}
-
 // The distances that tissue depends on, and where they matter: `inner` mm inside to `outer` mm outside.
 enum Field {
   cavity,
@@ -223,9 +213,19 @@ void fillBlock(const VoxelGeometry& g, glm::ivec3 first, std::vector<std::int16_
 
 }  // namespace
 
+VoxelGeometry headGeometry(int sizeInPlane) {
+  const double pixelMm = widthMm / sizeInPlane;
+  const double sliceMm = std::max(pixelMm, std::min(thickestSliceMm, pixelMm * 8 / 3));
+  const int slices = int(std::ceil(heightMm / sliceMm));
+  VoxelGeometry g{.size = {sizeInPlane, sizeInPlane, slices}};
+  for (int a = 0; a < 3; ++a) g.patientFromVoxelStep[a][a] = a < 2 ? pixelMm : sliceMm;
+  g.origin = -0.5 * (glm::dvec3(g.size) - 1.0) * glm::dvec3(pixelMm, pixelMm, sliceMm);
+  return g;
+}
+
 VolumeParts headPhantom(int sizeInPlane) {
   VolumeParts parts;
-  parts.geometry = geometryOf(sizeInPlane);
+  parts.geometry = headGeometry(sizeInPlane);
   const VoxelGeometry& g = parts.geometry;
   std::vector<std::int16_t> values(std::size_t(g.voxelCount()));
   const glm::ivec3 blocks = (g.size + blockSize - 1) / blockSize;

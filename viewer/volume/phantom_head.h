@@ -9,4 +9,7 @@ namespace volumen {
 /// number of threads. Structures: viewer/volume/head.
 VolumeParts headPhantom(int sizeInPlane);
 
+/// Its voxels alone.
+VoxelGeometry headGeometry(int sizeInPlane);
+
 }  // namespace volumen

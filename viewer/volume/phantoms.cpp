@@ -84,17 +84,19 @@ struct Entry {
   const char* name;
   int defaultSize;
   VolumeParts (*make)(int size);
+  VoxelGeometry (*geometry)(int size);
+  const char *valueType, *modality;
 };
 
 constexpr Entry phantoms[] = {
-    {"ct-head", 512, headPhantom},
-    {"sphere", 64, sphere},
-    {"opaque-sphere", 64, sphere},
-    {"solid", 64, solid},
-    {"soft-sphere", 64, softSphere},
-    {"ramp", 64, ramp},
-    {"cube", 64, cube},
-    {"marschner-lobb", 41, marschnerLobb},
+    {"ct-head", 512, headPhantom, headGeometry, "int16", "CT"},
+    {"sphere", 64, sphere, cubeOf, "uint8", ""},
+    {"opaque-sphere", 64, sphere, cubeOf, "uint8", ""},
+    {"solid", 64, solid, cubeOf, "uint8", ""},
+    {"soft-sphere", 64, softSphere, cubeOf, "float32", ""},
+    {"ramp", 64, ramp, cubeOf, "int16", ""},
+    {"cube", 64, cube, cubeOf, "uint8", ""},
+    {"marschner-lobb", 41, marschnerLobb, cubeOf, "float32", ""},
 };
 
 std::optional<int> sizeFrom(std::string_view text) {
@@ -105,27 +107,44 @@ std::optional<int> sizeFrom(std::string_view text) {
   return size;
 }
 
-}  // namespace
+struct Chosen {
+  const Entry* phantom;
+  int size;
+};
 
-Result<VolumePtr> makePhantom(const std::string& text) {
+Result<Chosen> choose(const std::string& text) {
   const auto colon = text.find(':');
   const std::string name = text.substr(0, colon);
   for (const Entry& entry : phantoms) {
     if (entry.name != name) continue;
     std::optional<int> size = entry.defaultSize;
     if (colon != std::string::npos) size = sizeFrom(std::string_view(text).substr(colon + 1));
-    if (!size)
-      return Error{"The size of phantom \"" + text + "\" is not a whole number from " +
-                   std::to_string(smallestSize) + " to " + std::to_string(largestSize) + "; write " + name +
-                   " or, for example, " + name + ":64."};
-    VolumeParts parts = entry.make(*size);
-    parts.attributes.name = text;
-    std::vector<std::string> warnings;
-    return Volume::make(std::move(parts), warnings);
+    if (size) return Chosen{&entry, *size};
+    return Error{"The size of phantom \"" + text + "\" is not a whole number from " +
+                 std::to_string(smallestSize) + " to " + std::to_string(largestSize) + "; write " + name +
+                 " or, for example, " + name + ":64."};
   }
   std::string list;
   for (const Entry& entry : phantoms) list += (list.empty() ? "" : ", ") + std::string(entry.name);
   return Error{"There is no phantom \"" + name + "\"; there are " + list + "."};
+}
+
+}  // namespace
+
+Result<VolumePtr> makePhantom(const std::string& text) {
+  const Result<Chosen> chosen = choose(text);
+  if (!chosen) return chosen.error();
+  VolumeParts parts = chosen->phantom->make(chosen->size);
+  parts.attributes.name = text;
+  std::vector<std::string> warnings;
+  return Volume::make(std::move(parts), warnings);
+}
+
+Result<PhantomHeader> phantomHeader(const std::string& text) {
+  const Result<Chosen> chosen = choose(text);
+  if (!chosen) return chosen.error();
+  const Entry& phantom = *chosen->phantom;
+  return PhantomHeader{phantom.geometry(chosen->size), phantom.valueType, phantom.modality};
 }
 
 std::vector<std::string> phantomNames() {

@@ -12,6 +12,16 @@ namespace volumen {
 /// outside 2..1024.
 Result<VolumePtr> makePhantom(const std::string& text);
 
+/// What a phantom will be, without its values: quick where makePhantom takes seconds.
+struct PhantomHeader {
+  VoxelGeometry geometry;
+  std::string valueType;  ///< "uint8", "int16", "float32"
+  std::string modality;   ///< "CT" or empty
+};
+
+/// The header of the phantom `text`. Refused as by makePhantom.
+Result<PhantomHeader> phantomHeader(const std::string& text);
+
 /// Names of all phantoms, for help texts.
 std::vector<std::string> phantomNames();
 

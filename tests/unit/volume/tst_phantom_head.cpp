@@ -22,23 +22,21 @@ class TestPhantomHead : public QObject {
 
 namespace {
 
-VolumePtr head(int size) {
-  std::string text = "ct-head:";
-  text += std::to_string(size);
-  return *makePhantom(text);
-}
+std::string text(int size) { return std::string("ct-head:").append(std::to_string(size)); }
+
+VolumePtr head(int size) { return *makePhantom(text(size)); }
 
 }  // namespace
 
 void TestPhantomHead::geometryKeepsTheHeadsSize_data() {
   QTest::addColumn<int>("size");
-  for (int size : {2, 5, 64, 100, 256}) QTest::addRow("%d", size) << size;
+  for (int size : {2, 5, 64, 100, 256, 512, 1024}) QTest::addRow("%d", size) << size;
 }
 
 void TestPhantomHead::geometryKeepsTheHeadsSize() {
   QFETCH(int, size);
-  const VolumePtr volume = head(size);
-  const VoxelGeometry& g = volume->geometry();
+  const auto header = phantomHeader(text(size));
+  const VoxelGeometry& g = header->geometry;
   QCOMPARE(g.size.x, size);
   QCOMPARE(g.size.y, size);
   QVERIFY(g.size.z >= std::ceil(size * 5 / 16.0));
@@ -48,8 +46,8 @@ void TestPhantomHead::geometryKeepsTheHeadsSize() {
   // The whole 260 mm, at most one slice more.
   QVERIFY(g.spacing().z * g.size.z >= 260 && g.spacing().z * (g.size.z - 1) < 260);
   QVERIFY(g.spacing().z <= std::max(1.25, g.spacing().x) + 1e-9);
-  QCOMPARE(QString::fromLatin1(volume->typeName()), QStringLiteral("int16"));
-  QCOMPARE(volume->attributes().modality, std::string("CT"));
+  QCOMPARE(header->valueType, std::string("int16"));
+  QCOMPARE(header->modality, std::string("CT"));
 }
 
 void TestPhantomHead::tissuesHaveTheirValues_data() {
@@ -88,7 +86,7 @@ void TestPhantomHead::noiseHasTheStatedSize() {
 void TestPhantomHead::sameValuesForAnyNumberOfThreads() {
   const auto values = [](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return std::get<std::vector<std::int16_t>>(head(96)->stored());
+    return std::get<std::vector<std::int16_t>>(head(64)->stored());
   };
   const auto one = values(1);
   QVERIFY(one == values(2));

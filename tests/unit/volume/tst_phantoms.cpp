@@ -13,6 +13,8 @@ class TestPhantoms : public QObject {
  private Q_SLOTS:
   void theyAreCentredCubesOfOneMm_data();
   void theyAreCentredCubesOfOneMm();
+  void headersSayWhatIsMade_data();
+  void headersSayWhatIsMade();
   void valuesAreTheClosedForm_data();
   void valuesAreTheClosedForm();
   void wrongTextIsRefusedInASentence_data();
@@ -52,6 +54,22 @@ void TestPhantoms::theyAreCentredCubesOfOneMm() {
   QVERIFY(volume.geometry().centre() == glm::dvec3(0));
   QCOMPARE(QString::fromLatin1(volume.typeName()), type);
   QCOMPARE(volume.attributes().name, text.toStdString());
+}
+
+void TestPhantoms::headersSayWhatIsMade_data() {
+  QTest::addColumn<QString>("text");
+  for (const std::string& name : phantomNames())
+    QTest::newRow(name.c_str()) << QString::fromStdString(name) + QStringLiteral(":6");
+}
+
+void TestPhantoms::headersSayWhatIsMade() {
+  QFETCH(QString, text);
+  const auto header = phantomHeader(text.toStdString());
+  const auto volume = makePhantom(text.toStdString());
+  QVERIFY(header.ok() && volume.ok());
+  QVERIFY(header->geometry == (*volume)->geometry());
+  QCOMPARE(header->valueType, std::string((*volume)->typeName()));
+  QCOMPARE(header->modality, (*volume)->attributes().modality);
 }
 
 namespace {
@@ -126,6 +144,7 @@ void TestPhantoms::wrongTextIsRefusedInASentence() {
   QVERIFY(!made.ok());
   QVERIFY2(made.message().find(mustName.toStdString()) != std::string::npos, made.message().c_str());
   QVERIFY(made.message().ends_with("."));
+  QCOMPARE(phantomHeader(text.toStdString()).message(), made.message());
 }
 
 VOLUMEN_TEST(TestPhantoms);
