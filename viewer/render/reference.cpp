@@ -3,8 +3,9 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cassert>
-#include <cmath>
+#include <limits>
 
 #include "viewer/render/reference_integral.h"
 

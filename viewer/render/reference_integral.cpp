@@ -1,15 +1,16 @@
 #include "viewer/render/reference_integral.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace volumen::reference {
 
 namespace {
 
-// A piece is split until the two estimates of what it adds to the pixel differ by at most this share of it
-// ...
+// A piece is split until the two estimates of what it adds to the pixel differ by at most this share of it,
 constexpr double relativeTolerance = 1e-5;
-// ... or by this much.
+// or by this much.
 constexpr double absoluteTolerance = 2e-8;
 // Below this weight (transmittance x opacity x brightness) the normals of a piece may do what they like.
 constexpr double unseenTurn = 1e-6;
@@ -128,13 +129,18 @@ bool RayIntegral::agree(double a, double b, const Slab& whole, const Slab& halve
 // By the hull of the cubic's control points, so that no turn between two samples is missed.
 bool RayIntegral::normalsKeepTogether(double a, double b) const {
   if (!lighting_.directional() && classifier_.gradientFactor.empty()) return true;
-  const auto control = controlPoints(gradient_, a, b);
-  glm::dvec3 axis(0);
-  for (const glm::dvec3& g : control)
-    if (g != glm::dvec3(0)) axis += glm::normalize(g);
-  const double cosine = lighting_.smoothCosine() * glm::length(axis);
-  return std::all_of(control.begin(), control.end(),
-                     [&](const glm::dvec3& g) { return glm::dot(g, axis) >= cosine * glm::length(g); });
+  glm::dvec3 axis(0), unit[4];
+  int count = 0;
+  for (const glm::dvec3& g : controlPoints(gradient_, a, b)) {
+    const double length = glm::length(g);
+    if (length == 0) continue;
+    unit[count] = g / length;
+    axis += unit[count++];
+  }
+  const double axisLength = glm::length(axis), cosine = lighting_.smoothCosine();
+  return axisLength >= count * cosine && std::all_of(unit, unit + count, [&](const glm::dvec3& u) {
+           return glm::dot(u, axis) >= cosine * axisLength;
+         });
 }
 
 // Three Gauss points; the optical depth up to each by the collocation method on the same points.

@@ -56,7 +56,7 @@ class RayIntegral {
   bool visible(const Values& values) const;
   void cutAtFormulaChanges();
   bool opaque() const;
-  void integrate(double a, double b, const Slab& whole, int depthLeft);
+  void integrate(double a, double b, const Slab& whole, int splitsLeft);
   bool agree(double a, double b, const Slab& whole, const Slab& halves) const;
   bool normalsKeepTogether(double a, double b) const;
   Slab gauss(double a, double b) const;

@@ -1,5 +1,6 @@
 #include "viewer/render/reference_ray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -11,11 +12,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Keeps the part where start + t slope <= limit. What is within 1e-9 (voxel or mm) of the boundary along the
-// whole length in question is taken as parallel to it and on it: rounding must not decide.
-void cut(Interval& interval, double start, double slope, double limit, double length) {
-  constexpr double rounding = 1e-9;
-  if (std::abs(slope) * length > rounding) {
+// Keeps the part where start + t slope <= limit. A ray that drifts by less than `rounding` over the volume's
+// length is parallel to the boundary, and the boundary is inside to within that: rounding must not decide.
+void cut(Interval& interval, double start, double slope, double limit, double lengthMm, double rounding) {
+  if (std::abs(slope) * lengthMm > rounding) {
     const double t = (limit - start) / slope;
     slope > 0 ? interval.t1 = std::min(interval.t1, t) : interval.t0 = std::max(interval.t0, t);
   } else if (start > limit + rounding) {
@@ -47,14 +47,18 @@ Interval visibleInterval(const Ray& ray, const VoxelGeometry& geometry, const Cl
   Interval interval{ray.nearMm, infinity};
   const glm::dvec3 start = geometry.voxelFromPatient(ray.origin);
   const glm::dvec3 slope = geometry.voxelFromPatientStep() * ray.direction;
-  const double lengthMm = glm::dot(geometry.spacing(), glm::dvec3(geometry.size));
+  constexpr double roundingVoxels = 1e-9;
+  const glm::dvec3 spacing = geometry.spacing();
+  const double roundingMm = roundingVoxels * std::min({spacing.x, spacing.y, spacing.z});
+  const double lengthMm = glm::dot(spacing, glm::dvec3(geometry.size));
   for (int a = 0; a < 3; ++a) {
-    cut(interval, start[a], slope[a], clip.boxHigh[a] * geometry.size[a] - 0.5, lengthMm);
-    cut(interval, -start[a], -slope[a], 0.5 - clip.boxLow[a] * geometry.size[a], lengthMm);
+    cut(interval, start[a], slope[a], clip.boxHigh[a] * geometry.size[a] - 0.5, lengthMm, roundingVoxels);
+    cut(interval, -start[a], -slope[a], 0.5 - clip.boxLow[a] * geometry.size[a], lengthMm, roundingVoxels);
   }
   for (const ClipPlane& plane : clip.planes) {
     const glm::dvec3 normal = glm::normalize(plane.normal);
-    cut(interval, glm::dot(normal, ray.origin), glm::dot(normal, ray.direction), plane.offset, lengthMm);
+    cut(interval, glm::dot(normal, ray.origin), glm::dot(normal, ray.direction), plane.offset, lengthMm,
+        roundingMm);
   }
   return interval;
 }

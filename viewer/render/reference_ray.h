@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "viewer/scene/scene.h"
 
 namespace volumen::reference {
@@ -10,10 +12,11 @@ struct Ray {
   double nearMm;
 };
 
-/// The part of a ray that is integrated: t from t0 to t1, mm. Empty where t1 <= t0.
+/// The part of a ray that is integrated: t from t0 to t1, mm. Empty where t1 <= t0, or where numbers so large
+/// went in that it is not known.
 struct Interval {
   double t0, t1;
-  bool empty() const { return !(t1 > t0); }
+  bool empty() const { return !(t1 > t0 && std::isfinite(t1 - t0)); }
 };
 
 /// SCENE 7: the rays of a picture.

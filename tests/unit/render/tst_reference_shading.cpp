@@ -21,6 +21,9 @@ class TestReferenceShading : public QObject {
   void narrowHighlightIsNotMissed();
   void gradientOpacityScalesTheOpacity_data();
   void gradientOpacityScalesTheOpacity();
+  void sobelSmoothsAcrossItsAxis_data();
+  void sobelSmoothsAcrossItsAxis();
+  void sobelClampsAtTheBorder();
   void singleVoxelHasNoGradient();
 };
 
@@ -318,6 +321,36 @@ void TestReferenceShading::gradientOpacityScalesTheOpacity() {
     p.scene.transferFunction.points[0].opacity = 0.9;
     COMPARE_WITHIN(onePixel(p.scene, *p.volume).a, 1 - std::pow(1 - 0.9 * 0.25, 8), 2e-7);
   }
+}
+
+void TestReferenceShading::sobelSmoothsAcrossItsAxis_data() {
+  QTest::addColumn<int>("axis");
+  for (int axis = 0; axis < 3; ++axis) QTest::addRow("along %c", 'i' + axis) << axis;
+}
+
+void TestReferenceShading::sobelSmoothsAcrossItsAxis() {
+  QFETCH(int, axis);
+  // A ramp along one axis in every second voxel of a chequerboard across it: half the ramp after smoothing.
+  const VoxelGeometry geometry = gridAround({7, 7, 7});
+  const auto chequered = volumeOf(geometry, [&](int i, int j, int k) {
+    const int place[3] = {i, j, k};
+    return ((i + j + k - place[axis]) & 1) * place[axis];
+  });
+  Scene scene = plainScene(0.8, {1, 0.3, -0.2});
+  scene.clip = insideOf(geometry.size);
+  scene.transferFunction.gradientOpacity = {{0, 0}, {1, 1}};
+  const double lengthMm = 4 * glm::length(scene.camera->direction);
+  COMPARE_WITHIN(onePixel(scene, *chequered).a, 1 - std::pow(1 - 0.8 * 0.5, lengthMm), 2e-7);
+}
+
+void TestReferenceShading::sobelClampsAtTheBorder() {
+  // The end voxels of a ramp see half of its slope, and the half-voxel border takes that of the end voxels.
+  const auto ramp = volumeOf(gridAround({9, 3, 3}), [](int i, int, int) { return i; });
+  Scene scene = plainScene(1e-4);
+  scene.transferFunction.gradientOpacity = {{0, 0}, {0.8, 0.8}, {0.8, 1}};
+  // Borders 0.5; then from 0.5 to 1 over a voxel (0.6 of it up to 0.8, mean 0.65; the rest 1); 6 voxels of 1.
+  const double depthPerMu = 2 * (0.5 * 0.5 + 0.6 * 0.65 + 0.4) + 6;
+  COMPARE_WITHIN(onePixel(scene, *ramp).a, -std::expm1(-1e-4 * depthPerMu), 1e-7);
 }
 
 void TestReferenceShading::singleVoxelHasNoGradient() {
