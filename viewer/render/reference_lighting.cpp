@@ -21,7 +21,7 @@ Lighting::Lighting(const Scene& scene, const CameraAxes& axes)
       diffuse_(limited(scene.shading.diffuse)),
       specular_(limited(scene.shading.specular)),
       shininess_(scene.shading.shininess),
-      smoothCosine_(std::cos(specular_ > 0 ? std::min(0.6, 2 / std::sqrt(shininess_)) : 0.6)),
+      smoothCosine_(std::cos(specular_ > 0 ? std::min(0.3, 1 / std::sqrt(shininess_)) : 0.3)),
       ambient_(limited(scene.shading.ambient)),
       flat_(ambient_) {
   glm::dvec3 sum(0);

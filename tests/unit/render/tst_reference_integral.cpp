@@ -13,6 +13,7 @@ class TestReferenceIntegral : public QObject {
   void homogeneousCubeHasClosedForm();
   void linearOpacityOverARamp_data();
   void linearOpacityOverARamp();
+  void linearColourOverARamp_data();
   void linearColourOverARamp();
   void stepLiesExactlyAtItsValue_data();
   void stepLiesExactlyAtItsValue();
@@ -71,14 +72,23 @@ void TestReferenceIntegral::linearOpacityOverARamp() {
   COMPARE_WITHIN(onePixel(scene, *ramp).a, -std::expm1(-depth), referenceBound / 10);
 }
 
+void TestReferenceIntegral::linearColourOverARamp_data() {
+  QTest::addColumn<double>("unitMm");
+  for (double unitMm : {100.0, 1.0, 0.01, 1e-5}) QTest::addRow("0.2 per %g mm", unitMm) << unitMm;
+}
+
 void TestReferenceIntegral::linearColourOverARamp() {
+  QFETCH(double, unitMm);
   const auto ramp = volumeOf(gridAround({9, 3, 3}), [](int i, int, int) { return i; });
   Scene scene = plainScene(0);
-  const double opacity = 0.2, mu = extinction(opacity);
+  const double opacity = 0.2, mu = extinction(opacity) / unitMm;
+  scene.transferFunction.unitDistance = unitMm;
+  scene.clip.boxLow.x = 0.5 / 9;  // from the first voxel on
   scene.transferFunction.points = {{0, {0, 1, 1}, opacity}, {8, {1, 1, 0}, opacity}};
-  const double border = std::exp(-mu / 2);
-  const double red = border * attenuatedLine(0, 1.0 / 8, mu, 8) + border * std::exp(-8 * mu) * (1 - border);
-  COMPARE_WITHIN(onePixel(scene, *ramp).r, red, referenceBound);
+  const double red = attenuatedLine(0, 1.0 / 8, mu, 8) + std::exp(-8 * mu) * -std::expm1(-mu / 2);
+  const glm::dvec4 pixel = onePixel(scene, *ramp);
+  COMPARE_WITHIN(pixel.r, red, referenceBound);
+  COMPARE_WITHIN(pixel.r + pixel.b, pixel.a, referenceBound);
 }
 
 void TestReferenceIntegral::stepLiesExactlyAtItsValue_data() {
@@ -114,15 +124,18 @@ void TestReferenceIntegral::stepOnTheValueOfAConstantRegion_data() {
 void TestReferenceIntegral::stepOnTheValueOfAConstantRegion() {
   QFETCH(float, value);
   QFETCH(glm::dvec3, direction);
-  const auto cube = homogeneous(gridAround(glm::ivec3(5)), value);
+  const auto cube = homogeneous(gridAround(glm::ivec3(9)), value);
   Scene scene = plainScene(0, direction);
   const glm::dvec3 below(1, 0, 0), between(0, 1, 0), above(0, 0, 1);
   scene.transferFunction.points = {{value, below, 0.9}, {value, between, 0.8}, {value, above, 0.5}};
-  const double alpha = 1 - std::pow(0.5, 5 * glm::length(direction));
-  const glm::dvec4 pixel = onePixel(scene, *cube);
-  COMPARE_WITHIN(pixel.a, alpha, 2e-7);
-  QCOMPARE(pixel.r, 0.0);
-  QCOMPARE(pixel.g, 0.0);
+  scene.camera->height = 3;
+  const double alpha = 1 - std::pow(0.5, 9 * glm::length(direction));
+  const Picture picture = drawn(scene, *cube, {9, 9});
+  for (std::size_t n = 0; n < picture.rgba.size(); n += 4) {
+    QCOMPARE(picture.rgba[n], 0.0f);
+    QCOMPARE(picture.rgba[n + 1], 0.0f);
+    COMPARE_WITHIN(picture.rgba[n + 3], alpha, 2e-6);
+  }
 }
 
 void TestReferenceIntegral::densePeakThinnerThanAThousandthOfAVoxel() {
