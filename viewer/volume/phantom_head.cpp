@@ -42,7 +42,7 @@ float alone(Vec p, float) {
 }
 constexpr std::array<FieldEntry, fieldCount> fields = {{
     {alone<head::cranialCavity>, 24, 34},
-    {head::skin, 14, 1},
+    {head::skin, 14, 2},
     {head::skull, 4, 1},
     {alone<head::jaw>, 3, 1},
     {alone<head::spine>, 3, 1},
@@ -102,6 +102,10 @@ class Block {
         }
   }
 
+  // The skin bounds nothing thin: its edge may be as soft as a slice is thick, which keeps it smooth to look
+  // at.
+  float skinEdge() const { return std::max(1.35f, w_); }
+
   static bool thin(int f) { return f == tooth || f == suture; }
 
   float at(Field f, glm::ivec3 x) const {
@@ -116,10 +120,10 @@ class Block {
 
   float outsideTheBrain(Vec p, glm::ivec3 x, float dCavity) const {
     const float dSkin = at(skin, x);
-    if (dSkin > w_) return airHu;
+    if (dSkin > skinEdge()) return airHu;
     const float dSkull = at(skull, x);
     float hu = airHu;
-    if (dSkull > -w_) hu = glm::mix(airHu, softTissue(p, x, -dSkin), head::cover(dSkin, w_));
+    if (dSkull > -w_) hu = glm::mix(airHu, softTissue(p, x, -dSkin), head::cover(dSkin, skinEdge()));
     paint(hu, dSkull, [&](float d) { return vaultValue(p, std::max(d, -dCavity), at(suture, x)); });
     paint(hu, at(jaw, x), [&](float d) { return boneValue(p, d); });
     paint(hu, at(spine, x), [&](float d) { return boneValue(p, d); });
@@ -198,7 +202,7 @@ class Noise {
 void fillBlock(const VoxelGeometry& g, glm::ivec3 first, std::vector<std::int16_t>& values) {
   const glm::ivec3 last = glm::min(first + blockSize, g.size);
   const Vec spacing(g.spacing());
-  const Block block(Vec(g.patientFromVoxel(first)), spacing, std::max(0.85f, 0.6f * spacing.x));
+  const Block block(Vec(g.patientFromVoxel(first)), spacing, std::max(1.f, 0.6f * spacing.x));
   const bool onlyAir = block.onlyAir();
   for (int k = first.z; k < last.z; ++k) {
     const Noise noise(k);

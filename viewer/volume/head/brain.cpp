@@ -53,8 +53,8 @@ float brainValue(Vec p, float depth, float w) {
                               ? q.x - 0.6f + 6 * rise(62, 50, p.z) * rise(60, 40, std::abs(p.y - 10))
                               : 10.f);
   if (!hindBrain) {
-    const float sylvian =
-        std::max(std::abs(p.z - 14 - 0.30f * (p.y + 30)) - 1.2f, std::max(30 - q.x, std::abs(p.y) - 36));
+    const float sylvian = std::max(std::abs(p.z - 14 - 0.30f * (p.y + 30) - 4 * noise(p / 14.f)) - 0.6f,
+                                   std::max(30 - q.x, std::abs(p.y) - 36));
     fluid = std::min(fluid, sylvian);
   }
   fluid = std::min(fluid, std::abs(tent) + (p.y > 14 ? 0.f : 20.f));

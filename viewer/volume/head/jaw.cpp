@@ -9,7 +9,7 @@ float jaw(Vec p) {
   // The body: a band that stands on edge along a parabola, its upper edge nearer to the tongue.
   const float curve = 27 - 4 * rise(-92, -76, p.z), x = std::min(p.x, 42.f);
   const float slope = 2 * x / curve, across = (p.y + 85 - x * x / curve) / std::sqrt(1 + slope * slope);
-  const float middle = -91 + 15 * rise(8, 48, p.x), halfHeight = 17 - 3 * rise(20, 46, p.x);
+  const float middle = -90 + 14 * rise(8, 48, p.x), halfHeight = 18.5f - 4.5f * rise(20, 46, p.x);
   const float beyond = std::max({p.x - 42, p.y + 10, 0.f});
   const float body = box(Vec(across, beyond, p.z - middle), Vec(0), {5.5f, 2, halfHeight}, 4.5f);
   const float chin = ellipsoid(p, {0, -85, -103}, {14, 7.5f, 7});

@@ -39,7 +39,7 @@ float spine(Vec p) {
   const float axisZ = -70;
   d = std::min(d, join(vertebra(p, axisZ, true), tube(p, {0, 20, axisZ}, {0, 20, -44}, 5.5f, 4.5f), 3));
   for (int n = 1; n <= 4; ++n) d = std::min(d, vertebra(p, axisZ - pitch * float(n), false));
-  const float hyoid = tube(p, {0, -47, -109}, {20, -24, -105}, 3.5f, 2);
+  const float hyoid = tube(p, {0, -24, -112}, {19, -6, -107}, 3.5f, 2);
   return std::min(d, hyoid);
 }
 

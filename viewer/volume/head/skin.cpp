@@ -5,16 +5,16 @@ namespace volumen::head {
 namespace {
 
 float faceMass(Vec p) {
-  float d = ellipsoid(p, {0, -34, -14}, {62, 48, 56});            // upper face
-  d = join(d, ellipsoid(p, {26, -50, -34}, {33, 35, 32}), 14);    // cheeks
-  d = join(d, ellipsoid(p, {0, -60, -60}, {34, 30, 30}), 14);     // around the mouth
-  d = join(d, ellipsoid(p, {30, -34, -74}, {24, 38, 24}), 12);    // along the jaw
-  d = join(d, ellipsoid(p, {0, -28, -64}, {46, 54, 40}), 8);      // the floor of the mouth and all between
-  d = join(d, ellipsoid(p, {46, -36, 10}, {20, 36, 36}), 12);     // temples
-  d = join(d, ellipsoid(p, {44, -24, -46}, {22, 34, 36}), 12);    // over the muscles of the jaw
-  d = join(d, ellipsoid(p, {0, -46, -94}, {26, 34, 14}), 10);     // under the chin
-  d = join(d, tube(p, {54, 25, -14}, {52, 22, -40}, 14, 9), 14);  // behind the ears
-  if (p.z > -50) d = join(d, facialRelief(p) - 3.5f, 10);
+  float d = ellipsoid(p, {0, -34, -14}, {62, 48, 56});             // upper face
+  d = join(d, ellipsoid(p, {26, -50, -34}, {33, 35, 32}), 14);     // cheeks
+  d = join(d, ellipsoid(p, {0, -60, -60}, {34, 30, 30}), 14);      // around the mouth
+  d = join(d, ellipsoid(p, {30, -34, -74}, {24, 38, 24}), 12);     // along the jaw
+  d = join(d, ellipsoid(p, {0, -28, -64}, {46, 54, 40}), 8);       // the floor of the mouth and all between
+  d = join(d, ellipsoid(p, {46, -36, 10}, {20, 36, 36}), 12);      // temples
+  d = join(d, ellipsoid(p, {44, -25, -44}, {23.5f, 36, 38}), 12);  // over the muscles of the jaw
+  d = join(d, ellipsoid(p, {0, -46, -94}, {26, 34, 14}), 10);      // under the chin
+  d = join(d, tube(p, {54, 25, -14}, {52, 22, -40}, 14, 9), 14);   // behind the ears
+  if (p.z > -50) d = join(d, facialRelief(p) - 2.8f, 15);
   if (p.z < 5 && p.y < 35) d = join(d, jaw(p) - 6, 12);
   return d;
 }
@@ -33,7 +33,7 @@ float nose(Vec p) {
   d = join(d, tube(p, {0, -86, 16}, {0, -103, -32}, 5, 7), 8);  // bridge
   d = join(d, ellipsoid(p, {0, -104, -35}, {9, 8, 8}), 6);      // tip
   d = join(d, ellipsoid(p, {11, -95, -39}, {7, 10, 7}), 5);     // wings
-  d = join(d, tube(p, {0, -103, -43}, {0, -92, -47}, 3.2f, 4), 3);
+  d = join(d, tube(p, {0, -102, -42}, {0, -92, -46}, 2.6f, 4), 3);
   return without(d, tube(p, {7, -103, -50}, {6.5f, -90, -37}, 3.4f), 2);
 }
 
@@ -55,7 +55,7 @@ float mouth(Vec p, float face) {
   const Vec lip(p.x, p.y - 1.3f * curve, p.z);  // lips bend around the teeth
   float d = join(face, ellipsoid(lip, {5, -89.2f, -59.5f - 0.6f * curve}, {17, 7, 4.8f}), 6);
   d = join(d, ellipsoid(lip, {0, -88.2f, -69.5f + curve}, {18, 7.5f, 5.5f}), 6);
-  d = without(d, ellipsoid(lip + Vec(0, 0, -0.25f * curve), {0, -98.5f, -64.3f}, {24, 9.5f, 1}), 2.5f);
+  d = without(d, ellipsoid(lip + Vec(0, 0, -0.25f * curve), {0, -98.5f, -64.3f}, {22, 9.5f, 1}), 2.5f);
   d = without(d, tube(p, {17, -95, -42}, {31, -87, -66}, 3), 8);   // from the nose to the corner of the mouth
   d = without(d, tube(p, {0, -99, -47}, {0, -98.5f, -56}, 3), 4);  // philtrum
   return without(d, ellipsoid(p, {0, -99, -80}, {17, 6, 5}), 8);   // under the lower lip
@@ -84,7 +84,7 @@ float ear(Vec p) {
   d = join(join(d, lobule, 4), root, 6);
   const float concha = ellipsoid(q, {9, -4, -6}, {8, 8.5f, 11});
   d = without(d, concha, 3);
-  const float tragus = ellipsoid(q, {4.5f, -14, -9}, {4, 3, 6});
+  const float tragus = ellipsoid(q, {4, -18, -9}, {5, 3, 6});
   return join(d, tragus, 3);
 }
 
