@@ -118,7 +118,8 @@ Result<std::vector<std::string>> expandPattern(const std::vector<std::string>& p
 }
 
 std::string fieldText(std::string_view field) {
-  std::string text(trimmed(field.substr(0, field.find('\0'))));
+  constexpr std::size_t most = 200;
+  std::string text(trimmed(field.substr(0, field.find('\0'))).substr(0, most));
   const auto ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
   if (!std::all_of(text.begin(), text.end(), ascii))
     std::replace_if(text.begin(), text.end(), std::not_fn(ascii), '?');

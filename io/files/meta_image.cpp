@@ -34,8 +34,7 @@ Result<MetaHeader> parse(const std::string& head, const std::string& path) {
     const std::size_t equals = line.find('=');
     if (trimmed(line).empty()) continue;
     if (equals == std::string_view::npos)
-      return Error{path + " has a header line that is not 'Name = value': '" + fieldText(line.substr(0, 80)) +
-                   "'."};
+      return Error{path + " has a header line that is not 'Name = value': '" + fieldText(line) + "'."};
     const std::string name(trimmed(line.substr(0, equals)));
     if (!header.fields.emplace(name, trimmed(line.substr(equals + 1))).second)
       return Error{path + " gives the field '" + fieldText(name) + "' twice."};
@@ -68,8 +67,8 @@ Result<std::optional<std::vector<double>>> numbers(const MetaHeader& header,
   if (text.empty()) return std::optional<std::vector<double>>();
   auto all = toNumbers(text);
   if (!all || all->size() < count)
-    return Error{path + " has the " + *names.begin() + " '" + fieldText(text.substr(0, 80)) +
-                 "', which is not " + std::to_string(count) + " numbers."};
+    return Error{path + " has the " + *names.begin() + " '" + fieldText(text) + "', which is not " +
+                 std::to_string(count) + " numbers."};
   return all;
 }
 
@@ -188,8 +187,8 @@ Result<ImageHeader> readMetaImageHeader(const std::string& path) {
     return Error{path + " has the NDims '" + fieldText(header->field({"NDims"})) + "'; 1 to 10 is meant."};
   const auto sizes = toSizes(header->field({"DimSize"}));
   if (!sizes || std::int64_t(sizes->size()) != *axes)
-    return Error{path + " has the DimSize '" + fieldText(header->field({"DimSize"})).substr(0, 80) +
-                 "', which is not " + std::to_string(*axes) + " whole numbers from 1 on."};
+    return Error{path + " has the DimSize '" + fieldText(header->field({"DimSize"})) + "', which is not " +
+                 std::to_string(*axes) + " whole numbers from 1 on."};
 
   ImageHeader image;
   image.format = "MetaImage";

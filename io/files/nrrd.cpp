@@ -35,7 +35,7 @@ Result<Space> parseSpace(const NrrdHeader& header, const std::string& path) {
   if (name.empty()) {
     const auto n = toInteger(dimension);
     if (!n || *n < 1 || *n > 4)
-      return Error{path + " has the space dimension '" + dimension + "'; volumen reads 1 to 4."};
+      return Error{path + " has the space dimension '" + fieldText(dimension) + "'; volumen reads 1 to 4."};
     return Space{std::size_t(*n)};
   }
   constexpr std::string_view timeEnd = "-time";
@@ -43,7 +43,8 @@ Result<Space> parseSpace(const NrrdHeader& header, const std::string& path) {
   const bool shortTime = name == "rast" || name == "last" || name == "lpst";
   if (time || shortTime) name.resize(name.size() - (time ? timeEnd.size() : 1));
   const auto found = spaces.find(name);
-  if (found == spaces.end()) return Error{path + " has the unknown space '" + header.field("space") + "'."};
+  if (found == spaces.end())
+    return Error{path + " has the unknown space '" + fieldText(header.field("space")) + "'."};
   Space space = found->second;
   space.dimension += time || shortTime;
   return space;
@@ -203,7 +204,7 @@ Status setNrrdGeometry(const NrrdHeader& header, const Space& space,
   if (const std::string text = header.field("spaceorigin"); !text.empty()) {
     const auto vectors = parseVectors(text, space.dimension);
     if (!vectors || vectors->size() != 1 || !(*vectors)[0])
-      return Error{path + " has the space origin '" + text.substr(0, 80) + "', which is not one vector."};
+      return Error{path + " has the space origin '" + fieldText(text) + "', which is not one vector."};
     origin = inLps(*(*vectors)[0], space) * mm;
   } else {
     image.warnings.push_back("The header gives no position: voxel (0, 0, 0) is taken as the origin.");

@@ -105,8 +105,7 @@ Status parseLines(std::string_view text, NrrdHeader& header, std::vector<std::st
     const std::size_t colon = line.find(':');
     const char next = colon + 1 < line.size() ? line[colon + 1] : ' ';
     if (colon == std::string_view::npos || (next != '=' && next != ' ' && next != '\t'))
-      return Error{path + " has a header line that is neither a field nor a key: '" +
-                   std::string(line.substr(0, 80)) + "'."};
+      return Error{path + " has a header line that is neither a field nor a key: '" + fieldText(line) + "'."};
     if (next == '=') {
       header.keyValues.emplace(line.substr(0, colon), unescaped(line.substr(colon + 2)));
       continue;
@@ -114,7 +113,7 @@ Status parseLines(std::string_view text, NrrdHeader& header, std::vector<std::st
     const std::string name = fieldName(line.substr(0, colon));
     const std::string value(trimmed(line.substr(colon + 1)));
     if (!header.fields.emplace(name, value).second)
-      return Error{path + " gives the field '" + name + "' twice."};
+      return Error{path + " gives the field '" + fieldText(name) + "' twice."};
     if (name == "datafile" && (value == "LIST" || value.starts_with("LIST "))) {
       // All that follows are names.
       while (!text.empty())
@@ -165,7 +164,7 @@ Status parseEncoding(NrrdHeader& header, const std::string& path) {
   else if (name == "bzip2" || name == "bz2")
     return Error{path + " is compressed with bzip2, which volumen does not read; save it with gzip."};
   else if (name != "raw")
-    return Error{path + " has the unknown encoding '" + name + "'."};
+    return Error{path + " has the unknown encoding '" + fieldText(name) + "'."};
 
   const std::string endian = lowerCase(header.field("endian"));
   data.bigEndian = endian == "big";
@@ -176,10 +175,10 @@ Status parseEncoding(NrrdHeader& header, const std::string& path) {
   const std::string lines = header.field("lineskip"), bytes = header.field("byteskip");
   const auto lineSkip = lines.empty() ? 0 : toInteger(lines), byteSkip = bytes.empty() ? 0 : toInteger(bytes);
   if (!lineSkip || *lineSkip < 0 || *lineSkip > (1 << 20))
-    return Error{path + " has the line skip '" + lines + "'; a number from 0 on is meant."};
+    return Error{path + " has the line skip '" + fieldText(lines) + "'; a number from 0 on is meant."};
   const bool fromEnd = byteSkip == -1 && !data.text && data.encoding != Encoding::hex;
   if (!byteSkip || (*byteSkip < 0 && !fromEnd) || *byteSkip > largest)
-    return Error{path + " has the byte skip '" + bytes +
+    return Error{path + " has the byte skip '" + fieldText(bytes) +
                  "'; a number from 0 on is meant, or -1 for data at the end."};
   data.lineSkip = int(*lineSkip);
   data.byteSkip = *byteSkip;
@@ -204,15 +203,16 @@ Result<NrrdHeader> readNrrdFields(const std::string& path) {
   const auto dimension = toInteger(header.field("dimension"));
   const auto sizes = toSizes(header.field("sizes"));
   if (!dimension || *dimension < 1 || *dimension > mostAxes)
-    return Error{path + " has the dimension '" + header.field("dimension") + "'; 1 to 16 is meant."};
+    return Error{path + " has the dimension '" + fieldText(header.field("dimension")) +
+                 "'; 1 to 16 is meant."};
   if (!sizes || std::int64_t(sizes->size()) != *dimension)
-    return Error{path + " has the sizes '" + header.field("sizes").substr(0, 80) + "', which are not " +
+    return Error{path + " has the sizes '" + fieldText(header.field("sizes")) + "', which are not " +
                  std::to_string(*dimension) + " whole numbers from 1 on."};
   header.sizes = *sizes;
 
   const auto type = sampleType(lowerCase(header.field("type")));
   if (!type)
-    return Error{path + " has samples of type '" + header.field("type").substr(0, 80) +
+    return Error{path + " has samples of type '" + fieldText(header.field("type")) +
                  "', which volumen does not read."};
   header.data.type = *type;
   if (Status s = parseEncoding(header, path); !s) return s.error();

@@ -183,7 +183,7 @@ Result<Samples> readType(const SampleData& data, std::uint64_t volume, Samples i
       if constexpr (toReal)
         values[done + n] = toFloat(sample);
       else
-        values[done + n] = Kept(sample);
+        values[done + n] = Kept(+sample);  // +: int8 is a number here, no character
     }
     done += count;
   }

@@ -6,11 +6,30 @@
 #include <limits>
 #include <type_traits>
 
+#include "io/files/header_text.h"
+
 namespace volumen {
 
 namespace {
 
 bool isSeparator(char c) { return c == ' ' || c == ',' || (c >= '\t' && c <= '\r'); }
+
+// Whether the whole of `word` is a number that T holds.
+template <class T>
+bool parse(const std::string& word, T& sample) {
+  double value = 0;
+  const char* const begin = word.data() + (word[0] == '+');
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc{} || stop != end) return false;
+  if constexpr (std::is_integral_v<T>) {
+    const double limit = std::ldexp(1.0, std::numeric_limits<T>::digits);  // first value beyond T
+    if (value != std::floor(value) || value < double(std::numeric_limits<T>::min()) || value >= limit)
+      return false;
+  }
+  sample = T(value);
+  return true;
+}
 
 class TextSource : public ByteSource {
  public:
@@ -24,7 +43,8 @@ class TextSource : public ByteSource {
         if (!word) return word.error();
         if (word->empty()) return done;
         if (!parse(*word, sample))
-          return Error{path_ + " holds '" + *word + "' among its samples, which is no number of their type."};
+          return Error{path_ + " holds '" + fieldText(*word) +
+                       "' among its samples, which is no number of their type."};
         std::memcpy(static_cast<char*>(to) + done, &sample, sizeof sample);
       }
       return count;
@@ -32,22 +52,6 @@ class TextSource : public ByteSource {
   }
 
  private:
-  template <class T>
-  static bool parse(const std::string& word, T& sample) {
-    double value = 0;
-    const char* const begin = word.data() + (word[0] == '+');
-    const char* const end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(begin, end, value);
-    if (error != std::errc{} || stop != end) return false;
-    if constexpr (std::is_integral_v<T>) {
-      constexpr double limit = std::numeric_limits<T>::max() / 2 + 1;  // half of it: exact as a double
-      if (value != std::floor(value) || value < double(std::numeric_limits<T>::min()) || value >= limit * 2)
-        return false;
-    }
-    sample = T(value);
-    return true;
-  }
-
   // The next word; empty at the end. No number needs more than `longest` characters.
   Result<std::string> nextWord() {
     constexpr std::size_t longest = 400;

@@ -23,11 +23,6 @@ QByteArray counted(int from, int count) {
 
 QByteArray zlibbed(const QByteArray& plain) { return qCompress(plain).mid(4); }
 
-struct Case {
-  QString name;
-  QByteArray header, data;
-};
-
 glm::dvec3 vectorOf(const QList<double>& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
