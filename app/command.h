@@ -18,6 +18,7 @@ using MakeCommand = std::function<int()> (*)(CLI::App& app, const CancelToken& c
 // One file a command in app/commands.
 std::function<int()> makeConvert(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeInfo(CLI::App& app, const CancelToken& cancel);
+std::function<int()> makeOpen(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel);
 
 /// Writes "volumen: SENTENCE" to stderr, control characters escaped, and returns exitFailed.

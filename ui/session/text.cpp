@@ -53,6 +53,10 @@ QString seriesText(const Series& series) {
   return parts.join(QLatin1Char(' '));
 }
 
+QString valueUnit(const Volume& volume) {
+  return volume.attributes().modality == "CT" ? QStringLiteral("HU") : QString();
+}
+
 QString dateText(const std::string& dicomDate) {
   if (dicomDate.size() != 8) return shownText(dicomDate);
   const QString d = QString::fromStdString(dicomDate);

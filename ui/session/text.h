@@ -17,6 +17,9 @@ QString patientText(const Series& series);
 /// "CT Head 1.0 mm (3)": modality, description, number.
 QString seriesText(const Series& series);
 
+/// The unit of a volume's values: "HU" for CT, else empty.
+QString valueUnit(const Volume& volume);
+
 /// "2026-03-14" of DICOM's 20260314.
 QString dateText(const std::string& dicomDate);
 

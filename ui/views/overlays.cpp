@@ -60,10 +60,12 @@ void paintOverlays(QPainter& painter, const Overlays& o, QRectF area) {
               Qt::AlignLeft | Qt::AlignTop, o.warning, warningColour);
   paintText(painter, inside, Qt::AlignRight | Qt::AlignBottom, o.bottomRight, textColour);
   if (o.mmPerPixel > 0) paintScaleBar(painter, o.mmPerPixel, inside);
+  // Letters with serifs: an I must not look like a stroke.
+  painter.setFont(QFont(QStringLiteral("monospace"), painter.font().pointSize() + 2, QFont::Bold));
   paintText(painter, inside, Qt::AlignLeft | Qt::AlignVCenter, o.left, textColour);
   paintText(painter, inside, Qt::AlignRight | Qt::AlignVCenter, o.right, textColour);
   paintText(painter, inside, Qt::AlignHCenter | Qt::AlignTop, o.top, textColour);
-  paintText(painter, inside.adjusted(0, 0, 0, -30), Qt::AlignHCenter | Qt::AlignBottom, o.bottom, textColour);
+  paintText(painter, inside.adjusted(0, 0, 0, -32), Qt::AlignHCenter | Qt::AlignBottom, o.bottom, textColour);
 }
 
 }  // namespace volumen

@@ -27,6 +27,7 @@ Overlays VolumeView::overlays() const {
   const Camera seen = camera();
   const CameraAxes axes = cameraAxes(seen);
   o.topLeft << patientText(series.series) << seriesText(series.series);
+  o.topLeft.removeAll(QString());
   o.bottomRight = caption_;
   const Camera fitted = fitCamera(seen, geometry, double(width()) / height());
   const double zoom =

@@ -11,26 +11,29 @@ constexpr int sliderSteps = 1000;
 }
 
 NumberRow::NumberRow(const QString& name, const NumberFormat& format, QWidget* parent)
-    : QWidget(parent), format_(format), slider_(new QSlider(Qt::Horizontal)), field_(new QDoubleSpinBox) {
+
+    : QWidget(parent),
+      format_(format),
+      label_(new QLabel),
+      slider_(new QSlider(Qt::Horizontal)),
+      field_(new QDoubleSpinBox) {
   slider_->setRange(0, sliderSteps);
   slider_->setPageStep(sliderSteps / 10);
   slider_->setSingleStep(sliderSteps / 100);
-  slider_->setAccessibleName(name);
   field_->setRange(format.low, format.high);
   field_->setDecimals(format.decimals);
   field_->setSuffix(format.suffix);
   field_->setSingleStep(std::pow(10.0, 1 - format.decimals) / 2);
   field_->setKeyboardTracking(false);
-  field_->setAccessibleName(name);
   field_->setObjectName(QString(name).remove(QLatin1Char(' ')));
   field_->setFixedWidth(84);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
-  auto* label = new QLabel(name);
-  label->setFixedWidth(72);
-  label->setBuddy(field_);
-  row->addWidget(label);
+  label_->setFixedWidth(72);
+  label_->setBuddy(field_);
+  setName(name);
+  row->addWidget(label_);
   row->addWidget(slider_, 1);
   row->addWidget(field_);
   connect(slider_, &QSlider::valueChanged, this, [this](int position) {
@@ -46,6 +49,12 @@ NumberRow::NumberRow(const QString& name, const NumberFormat& format, QWidget* p
     Q_EMIT valueEdited(value);
   });
   connect(field_, &QDoubleSpinBox::editingFinished, this, &NumberRow::gestureFinished);
+}
+
+void NumberRow::setName(const QString& name) {
+  label_->setText(name);
+  slider_->setAccessibleName(name);
+  field_->setAccessibleName(name);
 }
 
 void NumberRow::setValue(double value) {

@@ -21,6 +21,7 @@ class NumberRow : public QWidget {
   /// `name` labels the row and, without blanks, gives the field its object name.
   NumberRow(const QString& name, const NumberFormat& format, QWidget* parent = nullptr);
 
+  void setName(const QString& name);
   /// Shows a value, telling nobody.
   void setValue(double value);
   double value() const { return field_->value(); }
@@ -36,6 +37,7 @@ class NumberRow : public QWidget {
   double valueOf(int position) const;
 
   NumberFormat format_;
+  QLabel* label_;
   QSlider* slider_;
   QDoubleSpinBox* field_;
 };

@@ -1,0 +1,101 @@
+#include "ui/controller/loader.h"
+
+#include <QElapsedTimer>
+
+namespace volumen {
+
+namespace {
+constexpr int tellEveryMs = 50;
+}
+
+Loader::Loader(MakeScene makeScene, QObject* parent) : QObject(parent), makeScene_(std::move(makeScene)) {
+  pool_.setMaxThreadCount(1);
+}
+
+Loader::~Loader() {
+  cancel_.cancel();
+  pool_.waitForDone();
+}
+
+void Loader::cancel() {
+  cancel_.cancel();
+  cancel_ = CancelToken();
+}
+
+// Runs a function on the thread of this object, unless the job was cancelled by then.
+template <class Function>
+void Loader::tell(const CancelToken& cancel, Function function) {
+  QMetaObject::invokeMethod(
+      this,
+      [cancel, function] {
+        if (!cancel.cancelled()) function();
+      },
+      Qt::QueuedConnection);
+}
+
+Progress Loader::progressTeller(const CancelToken& cancel) {
+  auto clock = std::make_shared<QElapsedTimer>();
+  return [this, cancel, clock](const char* what, std::size_t done, std::size_t total) {
+    if (clock->isValid() && clock->elapsed() < tellEveryMs) return;
+    clock->start();
+    tell(cancel, [this, text = QString::fromUtf8(what), done, total] {
+      Q_EMIT progressed(text, qint64(done), qint64(total));
+    });
+  };
+}
+
+void Loader::start(Job job) {
+  if (underWay_++ == 0) Q_EMIT busyChanged(true);
+  const CancelToken cancel = cancel_;
+  pool_.start([this, cancel, job = std::move(job)] {
+    if (!cancel.cancelled()) job(cancel, progressTeller(cancel));
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+          if (--underWay_ == 0) Q_EMIT busyChanged(false);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void Loader::open(const QString& path) {
+  start([this, path](const CancelToken& cancel, const Progress& progress) {
+    Result<Study> study = openStudy(path.toStdString(), progress, cancel);
+    if (!study)
+      return tell(cancel, [this, text = QString::fromStdString(study.message())] { Q_EMIT failed(text); });
+    const auto shared = std::make_shared<const Study>(std::move(*study));
+    tell(cancel, [this, path, shared] { Q_EMIT studyOpened(path, shared); });
+  });
+}
+
+void Loader::load(const Series& series) {
+  cancel();
+  start([this, series](const CancelToken& cancel, const Progress& progress) {
+    const auto fail = [&](const std::string& sentence) {
+      tell(cancel, [this, text = QString::fromStdString(sentence)] { Q_EMIT failed(text); });
+    };
+    Result<Loaded> loaded = loadSeries(series, progress, cancel);
+    if (!loaded) return fail(loaded.message());
+    progress("preparing the display", 0, 0);
+    auto shown = std::make_shared<ShownSeries>();
+    shown->series = series;
+    shown->volume = loaded->drawn;
+    shown->warnings = loaded->warnings;
+    shown->histogram = histogram(*loaded->drawn);
+    Result<Scene> scene = makeScene_("auto", *loaded->drawn);
+    if (!scene) return fail(scene.message());
+    shown->firstScene = std::move(*scene);
+    tell(cancel, [this, shown] { Q_EMIT seriesLoaded(shown); });
+  });
+}
+
+void Loader::makePreset(const QString& name, VolumePtr volume) {
+  start([this, name, volume](const CancelToken& cancel, const Progress&) {
+    Result<Scene> scene = makeScene_(name.toStdString(), *volume);
+    if (!scene)
+      return tell(cancel, [this, text = QString::fromStdString(scene.message())] { Q_EMIT failed(text); });
+    tell(cancel, [this, name, volume, made = *scene] { Q_EMIT presetReady(name, made, volume); });
+  });
+}
+
+}  // namespace volumen

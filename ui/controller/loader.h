@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "io/study.h"
+#include "ui/session/shown_series.h"
+#include "viewer/volume/cancel.h"
+
+namespace volumen {
+
+/// The scene of a named preset for a volume ("auto" chooses).
+using MakeScene = std::function<Result<Scene>(const std::string& preset, const Volume& volume)>;
+
+/// Opens paths, loads series and makes presets on a worker thread, one after the other, and tells the results
+/// on its own thread.
+class Loader : public QObject {
+  Q_OBJECT
+ public:
+  explicit Loader(MakeScene makeScene, QObject* parent = nullptr);
+  /// Gives up what is under way.
+  ~Loader() override;
+
+  void open(const QString& path);
+  /// Gives up a load that is under way.
+  void load(const Series& series);
+  void makePreset(const QString& name, VolumePtr volume);
+  void cancel();
+
+ Q_SIGNALS:
+  void studyOpened(const QString& path, const std::shared_ptr<const volumen::Study>& study);
+  void seriesLoaded(const volumen::ShownSeriesPtr& series);
+  void presetReady(const QString& name, const volumen::Scene& scene, const volumen::VolumePtr& volume);
+  /// A sentence; not for what was cancelled.
+  void failed(const QString& sentence);
+  /// total 0: not known.
+  void progressed(const QString& what, qint64 done, qint64 total);
+  /// Whether anything is under way.
+  void busyChanged(bool busy);
+
+ private:
+  using Job = std::function<void(const CancelToken& cancel, const Progress& progress)>;
+
+  void start(Job job);
+  Progress progressTeller(const CancelToken& cancel);
+  template <class Function>
+  void tell(const CancelToken& cancel, Function function);
+
+  const MakeScene makeScene_;
+  QThreadPool pool_;
+  CancelToken cancel_;
+  int underWay_ = 0;
+};
+
+}  // namespace volumen

@@ -1,0 +1,56 @@
+#include "ui/controller/snapshot.h"
+
+#include "io/files/picture_file.h"
+#include "viewer/scene/scene_json.h"
+
+namespace volumen {
+
+namespace {
+
+const char* levelName(Quality quality) {
+  constexpr const char* names[] = {"draft", "standard", "high", "exact"};
+  return names[int(quality)];
+}
+
+}  // namespace
+
+Snapshot::Snapshot(RenderController& controller, QObject* parent) : QObject(parent), controller_(controller) {
+  pool_.setMaxThreadCount(1);
+  connect(&controller_, &RenderController::pictureReady, this,
+          [this](const std::shared_ptr<Drawn>& drawn, const QString& failure) {
+            if (drawn)
+              write(drawn);
+            else
+              Q_EMIT failed(failure);
+          });
+}
+
+Snapshot::~Snapshot() { pool_.waitForDone(); }
+
+void Snapshot::save(const Scene& scene, const RenderOptions& options, const QString& path) {
+  path_ = path;
+  Q_EMIT begun();
+  controller_.requestPicture(scene, options);
+}
+
+void Snapshot::write(const std::shared_ptr<Drawn>& drawn) {
+  pool_.start([this, drawn, path = path_] {
+    const Status status = writePng(drawn->picture, path.toStdString(),
+                                   {{"Software", "volumen"},
+                                    {"level", levelName(drawn->plan.options.quality)},
+                                    {"step", QString::number(drawn->plan.stepVoxels).toStdString()},
+                                    {"scene", sceneToJson(drawn->plan.scene)}});
+    const QString sentence = status ? QString() : QString::fromStdString(status.message());
+    QMetaObject::invokeMethod(
+        this,
+        [this, path, sentence] {
+          if (sentence.isEmpty())
+            Q_EMIT saved(path);
+          else
+            Q_EMIT failed(sentence);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+}  // namespace volumen

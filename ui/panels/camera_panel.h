@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QComboBox>
+
+#include "ui/session/session.h"
+#include "ui/widgets/number_row.h"
+
+namespace volumen {
+
+/// The projection and the standard views. Asks the view for the camera in use, which may be a fitted one.
+class CameraPanel : public QWidget {
+  Q_OBJECT
+ public:
+  CameraPanel(Session& session, std::function<Camera()> cameraInUse, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void viewRequested(const QString& view);
+  void resetRequested();
+
+ private:
+  void showCamera();
+  void edit(const QString& what, const std::function<void(Camera&)>& change);
+
+  Session& session_;
+  std::function<Camera()> cameraInUse_;
+  QComboBox* projection_;
+  NumberRow* fov_;
+};
+
+}  // namespace volumen

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "ui/session/session.h"
+#include "ui/widgets/number_row.h"
+
+namespace volumen {
+
+/// The clip box: how much of the volume is cut away from each of its six sides.
+class ClipPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ClipPanel(Session& session, QWidget* parent = nullptr);
+
+ private:
+  NumberRow* makeRow(const QString& name);
+  void connectRow(int axis, bool high);
+  void showClip();
+  void nameSides();
+
+  Session& session_;
+  NumberRow *low_[3], *high_[3];
+};
+
+}  // namespace volumen

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QLabel>
+
+#include "viewer/plan/plan.h"
+#include "viewer/render/render.h"
+
+namespace volumen {
+
+/// What the plan of the picture on screen switches on and off, why, and what the picture took.
+class EffectsPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit EffectsPanel(QWidget* parent = nullptr);
+  void showPlan(const Plan& plan, const RenderStats& stats);
+
+ private:
+  QLabel *lines_, *times_;
+};
+
+}  // namespace volumen

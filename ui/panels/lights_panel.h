@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QListWidget>
+#include <QToolButton>
+
+#include "ui/session/session.h"
+#include "ui/widgets/colour_button.h"
+#include "ui/widgets/light_ball.h"
+#include "ui/widgets/number_row.h"
+
+class QComboBox;
+
+namespace volumen {
+
+/// The lights: their directions on a ball, a list to switch them, and the selected one's colour, intensity,
+/// space.
+class LightsPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LightsPanel(Session& session, QWidget* parent = nullptr);
+  LightBall* ball() const { return ball_; }
+
+ private:
+  QWidget* makeList();
+  QWidget* makeFields();
+  void connectBall();
+  void showLights();
+  void showSelected();
+  void changeSelected(const QString& what, const std::function<void(Light&)>& change);
+  void addLight();
+  void removeLight();
+  CameraAxes axes() const;
+
+  Session& session_;
+  LightBall* ball_;
+  QListWidget* list_;
+  QToolButton *add_, *remove_;
+  ColourButton* colour_;
+  NumberRow* intensity_;
+  QComboBox* space_;
+  QWidget* fields_;
+};
+
+}  // namespace volumen

@@ -1,0 +1,101 @@
+#include "ui/theme.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QPainter>
+#include <QPalette>
+#include <QStyleFactory>
+#include <QSvgRenderer>
+
+namespace volumen {
+
+namespace {
+
+struct Colours {
+  QRgb window, base, button, text, muted, line, accent, onAccent;
+};
+
+constexpr Colours dark{0xff1b1e22, 0xff101214, 0xff2a2f36, 0xffd7dce2,
+                       0xff8a929c, 0xff3c434c, 0xff4aa3ff, 0xff0b0d0f};
+constexpr Colours light{0xffeef0f2, 0xffffffff, 0xffe2e5e9, 0xff1b1e22,
+                        0xff666d76, 0xffb4bac2, 0xff0b62c4, 0xffffffff};
+
+QPalette paletteOf(const Colours& c) {
+  QPalette p;
+  p.setColor(QPalette::Window, c.window);
+  p.setColor(QPalette::WindowText, c.text);
+  p.setColor(QPalette::Base, c.base);
+  p.setColor(QPalette::AlternateBase, c.window);
+  p.setColor(QPalette::Text, c.text);
+  p.setColor(QPalette::PlaceholderText, c.muted);
+  p.setColor(QPalette::Button, c.button);
+  p.setColor(QPalette::ButtonText, c.text);
+  p.setColor(QPalette::BrightText, c.text);
+  p.setColor(QPalette::Highlight, c.accent);
+  p.setColor(QPalette::HighlightedText, c.onAccent);
+  p.setColor(QPalette::Link, c.accent);
+  p.setColor(QPalette::ToolTipBase, c.button);
+  p.setColor(QPalette::ToolTipText, c.text);
+  p.setColor(QPalette::Mid, c.line);
+  p.setColor(QPalette::Light, c.line);
+  p.setColor(QPalette::Midlight, c.button);
+  p.setColor(QPalette::Dark, QColor(c.base));
+  p.setColor(QPalette::Shadow, QColor(0, 0, 0));
+  for (QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    p.setColor(QPalette::Disabled, role, c.muted);
+  p.setColor(QPalette::Disabled, QPalette::Highlight, c.line);
+  return p;
+}
+
+QString sheetOf(const Colours& c) {
+  const auto name = [](QRgb rgb) { return QColor(rgb).name(); };
+  return QStringLiteral(
+             "QToolTip { color: %1; background: %2; border: 1px solid %3; padding: 4px; }"
+             "QMainWindow::separator { background: %4; width: 4px; height: 4px; }"
+             "QMainWindow::separator:hover { background: %5; }"
+             "QDockWidget { font-weight: bold; }"
+             "QDockWidget::title { background: %2; padding: 5px 8px; }"
+             "QToolButton[popupMode=\"2\"] { padding-right: 14px; }"
+             "QToolBar { border: 0; border-bottom: 1px solid %3; padding: 3px 6px; spacing: 4px; }"
+             "QToolButton[onPicture=\"true\"] { color: #d7dce2; background: rgba(27,30,34,200);"
+             " border: 1px solid #3c434c; border-radius: 3px; font-weight: bold; }"
+             "QToolButton[onPicture=\"true\"]:hover { background: #2b6cb0; color: white; }"
+             "QToolButton[onPicture=\"true\"]:focus { border-color: %5; }"
+             "QTreeView, QListView { border: 1px solid %3; }"
+             "QTreeView::item, QListView::item { padding: 3px 2px; }"
+             "QStatusBar::item { border: 0; }")
+      .arg(name(c.text), name(c.button), name(c.line), name(c.window), name(c.accent));
+}
+
+}  // namespace
+
+void applyTheme(QApplication& app, Theme theme) {
+  const Colours& colours = theme == Theme::dark ? dark : light;
+  app.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  app.setPalette(paletteOf(colours));
+  app.setStyleSheet(sheetOf(colours));
+}
+
+QIcon icon(const QString& name) {
+  QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  const QPalette palette = QApplication::palette();
+  const QByteArray svg = file.readAll();
+  QIcon made;
+  for (auto [mode, group] :
+       {std::pair(QIcon::Normal, QPalette::Active), std::pair(QIcon::Disabled, QPalette::Disabled)}) {
+    QByteArray coloured = svg;
+    coloured.replace("currentColor", palette.color(group, QPalette::ButtonText).name().toLatin1());
+    QSvgRenderer renderer(coloured);
+    for (int size : {22, 44}) {
+      QPixmap pixmap(size, size);
+      pixmap.fill(Qt::transparent);
+      QPainter painter(&pixmap);
+      renderer.render(&painter);
+      made.addPixmap(pixmap, mode);
+    }
+  }
+  return made;
+}
+
+}  // namespace volumen

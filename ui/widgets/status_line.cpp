@@ -1,0 +1,98 @@
+#include "ui/widgets/status_line.h"
+
+#include <QHBoxLayout>
+
+namespace volumen {
+
+namespace {
+constexpr int appearAfterMs = 300, fadeAfterMs = 8000;
+}
+
+StatusLine::StatusLine(QWidget* parent)
+    : QWidget(parent),
+      hover_(new QLabel),
+      task_(new QLabel),
+      warning_(new QLabel),
+      bar_(new QProgressBar),
+      cancel_(new QToolButton) {
+  hover_->setObjectName(QStringLiteral("hoverText"));
+  task_->setObjectName(QStringLiteral("taskText"));
+  warning_->setObjectName(QStringLiteral("warningText"));
+  cancel_->setObjectName(QStringLiteral("cancelTask"));
+  cancel_->setText(tr("Cancel"));
+  for (QLabel* label : {hover_, task_, warning_}) label->setTextFormat(Qt::PlainText);
+  hover_->setMinimumWidth(300);
+  warning_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  warning_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  bar_->setFixedSize(140, 12);
+  bar_->setTextVisible(false);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 2, 8, 2);
+  row->setSpacing(8);
+  row->addWidget(hover_);
+  row->addWidget(task_);
+  row->addWidget(bar_);
+  row->addWidget(cancel_);
+  row->addWidget(warning_, 1);
+  for (QTimer* timer : {&appear_, &fade_}) timer->setSingleShot(true);
+  connect(&appear_, &QTimer::timeout, this, [this] {
+    for (QWidget* part :
+         {static_cast<QWidget*>(task_), static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)})
+      part->show();
+  });
+  connect(&fade_, &QTimer::timeout, task_, [this] { task_->clear(); });
+  connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancelRequested);
+  end();
+}
+
+void StatusLine::tell(const QString& sentence) {
+  task_->setText(sentence);
+  task_->show();
+  fade_.start(fadeAfterMs);
+}
+
+void StatusLine::begin(const QString& what) {
+  fade_.stop();
+  task_->setText(what);
+  task_->hide();
+  bar_->setRange(0, 0);
+  appear_.start(appearAfterMs);
+}
+
+void StatusLine::progress(const QString& what, qint64 done, qint64 total) {
+  task_->setText(total > 0 ? tr("%1: %2 of %3").arg(what).arg(done).arg(total) : what);
+  bar_->setRange(0, total > 0 ? 1000 : 0);
+  if (total > 0) bar_->setValue(int(1000 * done / total));
+}
+
+void StatusLine::end() {
+  appear_.stop();
+  task_->clear();
+  bar_->hide();
+  cancel_->hide();
+}
+
+void StatusLine::showWarnings(const QStringList& sentences) {
+  warnings_ = sentences;
+  QStringList lines;
+  for (const QString& sentence : sentences) lines << QStringLiteral("! ") + sentence.toHtmlEscaped();
+  warning_->setToolTip(lines.isEmpty() ? QString()
+                                       : QStringLiteral("<p>%1</p>").arg(lines.join(QStringLiteral("<br>"))));
+  elideWarning();
+}
+
+void StatusLine::elideWarning() {
+  if (warnings_.isEmpty()) return warning_->clear();
+  QString more;
+  if (warnings_.size() > 1) more = tr("  (+%1 more)").arg(warnings_.size() - 1);
+  const int room = warning_->width() - fontMetrics().horizontalAdvance(more) - 4;
+  warning_->setText(fontMetrics().elidedText(QStringLiteral("! ") + warnings_[0], Qt::ElideRight, room) +
+                    more);
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  elideWarning();
+}
+
+}  // namespace volumen
