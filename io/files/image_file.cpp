@@ -51,11 +51,24 @@ Result<ImageHeader> readHeader(const std::string& path) {
   return Error{path + " is not a NRRD, NIfTI or MetaImage file."};
 }
 
-// The number behind the last '#' of an id, from 0.
-std::uint64_t volumeNumber(const Series& series, const ImageHeader& header) {
-  if (header.data.volumes() == 1) return 0;
-  const auto number = toInteger(series.id.substr(series.id.rfind('#') + 1)).value_or(1);
-  return std::uint64_t(std::clamp<std::int64_t>(number, 1, std::int64_t(header.data.volumes()))) - 1;
+std::string fileName(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+// Which volume of its file a series is, from 0: the number behind "NAME#" in its id. More may stand behind
+// it, which tells files of one name apart.
+Result<std::uint64_t> volumeNumber(const Series& series, const ImageHeader& header) {
+  const std::uint64_t count = header.data.volumes();
+  if (count == 1) return std::uint64_t(0);
+  const std::string start = fileName(series.path) + '#';
+  std::uint64_t number = 0;
+  if (series.id.starts_with(start)) {
+    const std::string digits = series.id.substr(start.size());
+    number =
+        std::uint64_t(std::max<std::int64_t>(0, toInteger(digits.substr(0, digits.find('#'))).value_or(0)));
+  }
+  if (number < 1 || number > count)
+    return Error{series.path + " holds " + std::to_string(count) + " volumes, and '" + fieldText(series.id) +
+                 "' is none of them."};
+  return number - 1;
 }
 
 }  // namespace
@@ -66,7 +79,7 @@ Result<std::vector<Series>> readImageFileHeaders(const std::string& path) {
   auto header = readHeader(path);
   if (!header) return header.error();
   Series series;
-  series.id = std::filesystem::path(path).filename().string();
+  series.id = fileName(path);
   series.path = path;
   series.format = header->format;
   series.modality = header->modality;
@@ -90,9 +103,11 @@ Result<std::vector<Series>> readImageFileHeaders(const std::string& path) {
 Result<Loaded> loadImageFile(const Series& series, const Progress& progress, const CancelToken& cancel) {
   auto header = readHeader(series.path);
   if (!header) return header.error();
+  auto number = volumeNumber(series, *header);
+  if (!number) return number.error();
   Loaded loaded{{}, {}, series.warnings};
-  auto samples = readSamples(header->data, volumeNumber(series, *header), header->slope, header->intercept,
-                             progress, cancel, loaded.warnings);
+  auto samples =
+      readSamples(header->data, *number, header->slope, header->intercept, progress, cancel, loaded.warnings);
   if (!samples) return samples.error();
   VolumeParts parts;
   parts.geometry = header->geometry;

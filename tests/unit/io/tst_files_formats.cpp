@@ -2,11 +2,13 @@
 // byte order, space, unit and way to name data files.
 #include <zlib.h>
 
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtEndian>
 #include <cmath>
 #include <cstring>
+#include <set>
 
 #include "io/files/image_file.h"
 #include "tests/unit/suite.h"
@@ -38,6 +40,7 @@ class TestFilesFormats : public QObject {
   void geometryIsTurnedToLps();
   void axesOfTimeAreVolumes_data();
   void axesOfTimeAreVolumes();
+  void filesOfOneNameKeepTheirVolumes();
   void rescaleOfMetaImage();
   void wideValuesAreRoundedAloud();
 
@@ -316,6 +319,26 @@ void TestFilesFormats::axesOfTimeAreVolumes() {
     const int first = step == 1 ? 8 * v : v;
     for (int n = 0; n < 8; ++n) QCOMPARE(loaded->acquired->valueAt(std::size_t(n)), float(first + step * n));
   }
+}
+
+// Two folders hold a file of one name: the study numbers its volumes once more, and each stays what it was.
+void TestFilesFormats::filesOfOneNameKeepTheirVolumes() {
+  const QByteArray header = "NRRD0005\ntype: uchar\ndimension: 4\nsizes: 1 1 1 3\nencoding: raw\n\n";
+  QDir(folder_.path()).mkpath(QStringLiteral("twins/a"));
+  QDir(folder_.path()).mkpath(QStringLiteral("twins/b"));
+  write(QStringLiteral("twins/a/t.nrrd"), header + counted(10, 3));
+  write(QStringLiteral("twins/b/t.nrrd"), header + counted(20, 3));
+  const Result<Study> study = openStudy(folder_.filePath(QStringLiteral("twins")).toStdString());
+  QVERIFY(study.ok());
+  QCOMPARE(study->volumes.size(), std::size_t(6));
+  std::set<std::string> ids;
+  for (std::size_t n = 0; n < 6; ++n) {
+    ids.insert(study->volumes[n].id);
+    const auto loaded = loadSeries(study->volumes[n]);
+    QVERIFY2(loaded.ok(), loaded.ok() ? "" : loaded.message().c_str());
+    QCOMPARE(loaded->acquired->valueAt(0), float(n < 3 ? 10 + n : 17 + n));
+  }
+  QCOMPARE(ids.size(), std::size_t(6));
 }
 
 void TestFilesFormats::rescaleOfMetaImage() {
