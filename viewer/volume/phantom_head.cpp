@@ -66,10 +66,13 @@ class Block {
   Block(Vec low, Vec spacing, float edgeMm) : low_(low), spacing_(spacing), w_(edgeMm) {
     stride_ = spacing.x < 0.3f ? 4 : spacing.x < 0.6f ? 2 : 1;
     const Vec half = 0.5f * Vec(blockSize) * spacing;
+    // In blocks wider than that, what is far from the centre may yet matter at a corner.
+    const bool wide = glm::length(half) > 6.5f;
     const float reach = 1.5f * glm::length(half) + edgeMm;
     for (int f = 0; f < fieldCount; ++f) {
-      atCentre_[f] = fields[f].distance(low + half, f == cavity ? 0 : atCentre_[cavity]);
-      near_[f] = atCentre_[f] > -fields[f].inner - reach && atCentre_[f] < fields[f].outer + reach;
+      const float d = fields[f].distance(low + half, f == cavity ? 0 : atCentre_[cavity]);
+      near_[f] = wide || (d > -fields[f].inner - reach && d < fields[f].outer + reach);
+      atCentre_[f] = d;
     }
     if (!onlyAir()) fillLattice();
   }
@@ -83,8 +86,8 @@ class Block {
     float hu = airHu;
     if (dCavity > -w_) hu = outsideTheBrain(p, x, dCavity);
     paint(hu, dCavity, [&](float d) { return head::brainValue(p, std::max(-d, 0.f), w_); });
-    paint(hu, at(vein, x), [&](float) { return veinHu; });
-    paint(hu, at(artery, x), [&](float) { return arteryHu; });
+    paint(hu, at(vein, x), veinHu);
+    paint(hu, at(artery, x), arteryHu);
     return hu;
   }
 
@@ -102,8 +105,7 @@ class Block {
         }
   }
 
-  // The skin bounds nothing thin: its edge may be as soft as a slice is thick, which keeps it smooth to look
-  // at.
+  // The skin bounds nothing thin: its edge is as soft as a slice is thick, which makes it smooth to look at.
   float skinEdge() const { return std::max(1.35f, w_); }
 
   static bool thin(int f) { return f == tooth || f == suture; }
@@ -129,16 +131,18 @@ class Block {
     paint(hu, at(spine, x), [&](float d) { return boneValue(p, d); });
     paint(hu, at(tooth, x), [&](float) { return toothValue(p); });
     paint(hu, at(canal, x), [&](float d) { return canalValue(p, d); });
-    paint(hu, at(airway, x), [&](float) { return airHu; });
-    paint(hu, std::max(at(sinus, x), dSkull + 2.2f), [&](float) { return airHu; });
+    paint(hu, at(airway, x), airHu);
+    paint(hu, std::max(at(sinus, x), dSkull + 2.2f), airHu);
     return hu;
   }
 
+  // value(d) over hu, as far as the voxel lies inside the surface at distance d.
   template <class Value>
   void paint(float& hu, float d, Value value) const {
     const float share = head::cover(d, w_);
     if (share > 0) hu = glm::mix(hu, float(value(d)), share);
   }
+  void paint(float& hu, float d, float value) const { hu = glm::mix(hu, value, head::cover(d, w_)); }
 
   float softTissue(Vec p, glm::ivec3 x, float depth) const {
     float hu = head::softTissueValue(p, std::max(depth, 0.f), w_);

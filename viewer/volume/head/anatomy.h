@@ -26,11 +26,11 @@ float sutureGap(Vec p);   ///< sheets in which the vault's bones meet
 float airways(Vec p);     ///< nasal cavity without turbinates and septum, pharynx, trachea, ear canals
 float ventricles(Vec p);  ///< the brain's inner spaces
 
-/// Teeth: distance to the nearest one, and how far its crown's pulp and root are from here.
+/// Distances to the nearest tooth.
 struct Tooth {
-  float distance;
-  float crown;  ///< distance to the region of crowns, negative inside
-  float pulp;
+  float distance;  ///< to the tooth
+  float crown;     ///< to its crown
+  float pulp;      ///< to its pulp
 };
 Tooth teeth(Vec p);
 

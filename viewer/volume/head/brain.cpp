@@ -25,6 +25,47 @@ float deepGrey(Vec q) {
   return std::min(d, tube(q, {14, -26, 38}, {17, 10, 50}, 5, 2.5f));  // caudate
 }
 
+// Above the tent of the cerebellum (> 0) lies the cerebrum.
+float aboveTent(Vec p) { return p.z - 6 - 0.35f * (62 - p.y) + 0.25f * std::abs(p.x); }
+
+float brainStem(Vec p) {
+  const float upper = tube(p, {0, 12, 24}, {0, 27, -12}, 12, 13);
+  return std::min(upper, tube(p, {0, 27, -12}, {0, 35, -44}, 11, 6.5f));
+}
+
+// Distance to the fluid that parts the lobes: between the hemispheres, in the Sylvian fissure, at the tent.
+float fissures(Vec p) {
+  const Vec q = mirrored(p);
+  const float tent = aboveTent(p);
+  float d = std::abs(tent) + (p.y > 14 ? 0.f : 20.f);
+  if (tent < 0 && p.y > 14) return d;
+  if (q.x < 8 && p.z > 30)
+    d = std::min(d, q.x - 0.6f + 6 * rise(62, 50, p.z) * rise(60, 40, std::abs(p.y - 10)));
+  const float course = std::abs(p.z - 14 - 0.30f * (p.y + 30) - 4 * noise(p / 14.f)) - 0.6f;
+  return std::min(d, std::max({course, 30 - q.x, std::abs(p.y) - 36}));
+}
+
+// How far p lies inside brain tissue from the nearest fluid, negative in the fluid, up to where it no longer
+// matters.
+float cortex(Vec p, float depth) {
+  const float surface = depth - 2.6f - 0.8f * noise(p / 19.f);
+  if (brainStem(p) < 0) return std::min(8.9f, surface);
+  float fluid = fissures(p);
+  if (surface < 14) {
+    const bool hindBrain = aboveTent(p) < 0 && p.y > 14;
+    fluid = std::min(fluid, hindBrain ? leaves(p, depth) : folds(p, depth));
+  }
+  const float cistern = ellipsoid(p, {0, -6, 6}, {15, 16, 8});
+  return std::min({fluid - 1.1f, surface, cistern, 8.9f});
+}
+
+// The hard membranes: around all, between the hemispheres, over the cerebellum.
+float dura(Vec p, float depth) {
+  const float falx = std::max(std::abs(p.x) - 0.6f, 46 - p.z + 0.2f * p.y);
+  const float tent = std::max({std::abs(aboveTent(p)) - 0.7f, 16 - p.y, 14 - std::abs(p.x)});
+  return std::min({falx, tent, depth - 0.8f});
+}
+
 }  // namespace
 
 float ventricles(Vec p) {
@@ -42,33 +83,11 @@ float ventricles(Vec p) {
 
 float brainValue(Vec p, float depth, float w) {
   const Vec q = mirrored(p);
-  const float brain = 2.6f + 0.8f * noise(p / 19.f);              // depth at which the brain begins
-  const float tent = p.z - 6 - 0.35f * (62 - p.y) + 0.25f * q.x;  // above it cerebrum, below it cerebellum
-  const bool hindBrain = tent < 0 && p.y > 14;
-  const float stem = tube(p, {0, 12, 24}, {0, 27, -12}, 12, 13);
-  const float medulla = tube(p, {0, 27, -12}, {0, 35, -44}, 11, 6.5f);
-  const float core = std::min(stem, medulla);
-  float fluid = depth - brain < 14 ? (hindBrain ? leaves(p, depth) : folds(p, depth)) : 10;
-  fluid = std::min(fluid, q.x < 8 && p.z > 30 && !hindBrain
-                              ? q.x - 0.6f + 6 * rise(62, 50, p.z) * rise(60, 40, std::abs(p.y - 10))
-                              : 10.f);
-  if (!hindBrain) {
-    const float sylvian = std::max(std::abs(p.z - 14 - 0.30f * (p.y + 30) - 4 * noise(p / 14.f)) - 0.6f,
-                                   std::max(30 - q.x, std::abs(p.y) - 36));
-    fluid = std::min(fluid, sylvian);
-  }
-  fluid = std::min(fluid, std::abs(tent) + (p.y > 14 ? 0.f : 20.f));
-  if (core < 0) fluid = 10;
-  const float cistern = ellipsoid(p, {0, -6, 6}, {15, 16, 8});
-  const float cortex = std::min({fluid - 1.1f, depth - brain, core < 0 ? 10.f : cistern});
-  const float grey = std::min(cover(cortex - 3.4f, 1) + cover(deepGrey(q), 1), 1.f);
-  float hu = glm::mix(whiteHu, greyHu, grey) + 1.5f * noise(p / 2.5f);
-  if (core < 0) hu = 34;
-  hu = glm::mix(hu, csfHu, cover(cortex, w));
-  hu = glm::mix(hu, csfHu, cover(ventricles(p), w));
-  const float falx = std::max(q.x - 0.6f, 46 - p.z + 0.2f * p.y);
-  const float tentorium = std::max({std::abs(tent) - 0.7f, 16 - p.y, 14 - q.x});
-  hu = glm::mix(hu, duraHu, cover(std::min({falx, tentorium, depth - 0.8f}), w));
+  const float underSurface = cortex(p, depth);
+  const float grey = std::min(cover(underSurface - 3.4f, 1) + cover(deepGrey(q), 1), 1.f);
+  float hu = brainStem(p) < 0 ? 34 : glm::mix(whiteHu, greyHu, grey) + 1.5f * noise(p / 2.5f);
+  hu = glm::mix(hu, csfHu, cover(std::min(underSurface, ventricles(p)), w));
+  hu = glm::mix(hu, duraHu, cover(dura(p, depth), w));
   hu = glm::mix(hu, 160.f, cover(ellipsoid(p, {0, 22, 31}, {2, 3, 2}), w));        // pineal gland
   return glm::mix(hu, 130.f, cover(ellipsoid(q, {22, 38, 37}, {2, 4, 2.5f}), w));  // choroid plexus
 }
