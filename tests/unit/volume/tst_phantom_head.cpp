@@ -2,6 +2,7 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <map>
 
 #include "tests/fixtures/head_facts.h"
 #include "tests/unit/suite.h"
@@ -24,7 +25,13 @@ namespace {
 
 std::string text(int size) { return std::string("ct-head:").append(std::to_string(size)); }
 
-VolumePtr head(int size) { return *makePhantom(text(size)); }
+// Made once a size: it takes a while.
+VolumePtr head(int size) {
+  static std::map<int, VolumePtr> made;
+  VolumePtr& volume = made[size];
+  if (!volume) volume = *makePhantom(text(size));
+  return volume;
+}
 
 }  // namespace
 
@@ -86,7 +93,7 @@ void TestPhantomHead::noiseHasTheStatedSize() {
 void TestPhantomHead::sameValuesForAnyNumberOfThreads() {
   const auto values = [](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return std::get<std::vector<std::int16_t>>(head(64)->stored());
+    return std::get<std::vector<std::int16_t>>((*makePhantom(text(64)))->stored());
   };
   const auto one = values(1);
   QVERIFY(one == values(2));
