@@ -1,0 +1,158 @@
+// Guards DESIGN 8 (segmentation by value range) and SCENE 1 (voxel volume).
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "tests/unit/suite.h"
+#include "viewer/segment/range.h"
+
+using namespace volumen;
+
+class TestRange : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void labelsExactlyTheClosedRange_data();
+  void labelsExactlyTheClosedRange();
+  void statisticsAreThoseOfTheLabel();
+  void millilitresFollowTheGrid_data();
+  void millilitresFollowTheGrid();
+  void emptyLabelHasNoNumbers();
+  void boxIsTheSmallest_data();
+  void boxIsTheSmallest();
+};
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <class T>
+VolumePtr volumeOf(glm::ivec3 size, std::vector<T> values, double slope = 1, double intercept = 0) {
+  VolumeParts parts;
+  parts.geometry.size = size;
+  parts.values = std::move(values);
+  parts.slope = slope;
+  parts.intercept = intercept;
+  std::vector<std::string> warnings;
+  return *Volume::make(std::move(parts), warnings);
+}
+
+VolumePtr randomVolume(const QString& type) {
+  std::mt19937 bits(7);
+  const glm::ivec3 size(37, 29, 11);
+  const auto fill = [&](auto value) {
+    std::vector<decltype(value)> values(std::size_t(size.x * size.y * size.z));
+    for (auto& v : values) v = decltype(value)(int(bits() % 200));
+    return values;
+  };
+  if (type == QLatin1String("uint8")) return volumeOf(size, fill(std::uint8_t()));
+  if (type == QLatin1String("int16")) return volumeOf(size, fill(std::int16_t()), 2, -150);
+  if (type == QLatin1String("uint16")) return volumeOf(size, fill(std::uint16_t()), -0.1, 7);
+  return volumeOf(size, fill(float()), 0.25, -10);
+}
+
+}  // namespace
+
+void TestRange::labelsExactlyTheClosedRange_data() {
+  QTest::addColumn<QString>("type");
+  QTest::addColumn<double>("low");
+  QTest::addColumn<double>("high");
+  for (const char* type : {"uint8", "int16", "uint16", "float32"}) {
+    const QString t = QLatin1String(type);
+    QTest::addRow("%s, inner", type) << t << -10.0 << 20.0;
+    QTest::addRow("%s, one value", type) << t << 4.0 << 4.0;
+    QTest::addRow("%s, all", type) << t << -infinity << infinity;
+    QTest::addRow("%s, from below", type) << t << -infinity << 3.5;
+    QTest::addRow("%s, upside down", type) << t << 5.0 << 1.0;
+  }
+}
+
+void TestRange::labelsExactlyTheClosedRange() {
+  QFETCH(QString, type);
+  QFETCH(double, low);
+  QFETCH(double, high);
+  const VolumePtr volume = randomVolume(type);
+  const LabelMap map = labelRange(*volume, {low, high});
+  QVERIFY(map.geometry == volume->geometry());
+  QCOMPARE(std::int64_t(map.labels.size()), volume->geometry().voxelCount());
+  for (std::size_t n = 0; n < map.labels.size(); ++n) {
+    const double value = double(volume->valueAt(n));
+    QCOMPARE(int(map.labels[n]), int(value >= low && value <= high));
+  }
+}
+
+void TestRange::statisticsAreThoseOfTheLabel() {
+  const VolumePtr volume = randomVolume(QStringLiteral("int16"));
+  const LabelMap map = labelRange(*volume, {-100, 100});
+  const LabelStatistics s = labelStatistics(map, *volume);
+  std::int64_t voxels = 0;
+  double sum = 0, min = infinity, max = -infinity;
+  for (std::size_t n = 0; n < map.labels.size(); ++n) {
+    if (!map.labels[n]) continue;
+    const double value = double(volume->valueAt(n));
+    ++voxels;
+    sum += value;
+    min = std::min(min, value);
+    max = std::max(max, value);
+  }
+  QVERIFY(voxels > 1000);
+  QCOMPARE(s.voxels, voxels);
+  QCOMPARE(s.mean, sum / double(voxels));  // whole values: every sum is exact
+  QCOMPARE(s.min, min);
+  QCOMPARE(s.max, max);
+}
+
+void TestRange::millilitresFollowTheGrid_data() {
+  QTest::addColumn<double>("shear");
+  QTest::addColumn<bool>("calibrated");
+  QTest::newRow("box") << 0. << true;
+  QTest::newRow("sheared: the same volume") << 0.8 << true;
+  QTest::newRow("not calibrated: no volume") << 0. << false;
+}
+
+void TestRange::millilitresFollowTheGrid() {
+  QFETCH(double, shear);
+  QFETCH(bool, calibrated);
+  VolumeParts parts;
+  parts.geometry.size = {10, 10, 10};
+  parts.geometry.patientFromVoxelStep = glm::dmat3{{0.5, 0, 0}, {0, -0.5, 0}, {0, shear, 4}};
+  parts.geometry.calibrated = calibrated;
+  parts.values = std::vector<std::uint8_t>(1000, 1);
+  std::vector<std::string> warnings;
+  const VolumePtr volume = *Volume::make(parts, warnings);
+  const auto millilitres = labelStatistics(labelRange(*volume, {1, 1}), *volume).millilitres;
+  QCOMPARE(millilitres.has_value(), calibrated);
+  if (calibrated) QVERIFY(std::abs(*millilitres - 1) < 1e-12);  // 1000 voxels of 1 mm^3
+}
+
+void TestRange::emptyLabelHasNoNumbers() {
+  const VolumePtr volume = volumeOf({2, 2, 2}, std::vector<std::int16_t>(8, 5));
+  const LabelMap map = labelRange(*volume, {6, 7});
+  const LabelStatistics s = labelStatistics(map, *volume);
+  QCOMPARE(s.voxels, std::int64_t(0));
+  QCOMPARE(*s.millilitres, 0.0);
+  QCOMPARE(s.mean, 0.0);
+  QVERIFY(!labelBox(map));
+}
+
+void TestRange::boxIsTheSmallest_data() {
+  QTest::addColumn<std::vector<int>>("voxels");  // i + 10 j + 100 k
+  QTest::addColumn<std::vector<int>>("box");
+  QTest::newRow("one voxel") << std::vector{342} << std::vector{2, 4, 3, 2, 4, 3};
+  QTest::newRow("corners") << std::vector{0, 999} << std::vector{0, 0, 0, 9, 9, 9};
+  QTest::newRow("two in a row") << std::vector{341, 348} << std::vector{1, 4, 3, 8, 4, 3};
+  QTest::newRow("crossed") << std::vector{219, 530} << std::vector{0, 1, 2, 9, 3, 5};
+}
+
+void TestRange::boxIsTheSmallest() {
+  QFETCH(std::vector<int>, voxels);
+  QFETCH(std::vector<int>, box);
+  LabelMap map{{.size = {10, 10, 10}}, std::vector<std::uint8_t>(1000)};
+  for (int n : voxels) map.labels[std::size_t(n)] = 1;
+  map.labels[555] = 2;
+  const auto found = labelBox(map);
+  QVERIFY(found.has_value());
+  QVERIFY((*found == VoxelBox{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}}));
+}
+
+VOLUMEN_TEST(TestRange);
+#include "tst_range.moc"

@@ -1,0 +1,22 @@
+#include "viewer/segment/range.h"
+
+#include "viewer/volume/parallel.h"
+
+namespace volumen {
+
+LabelMap labelRange(const Volume& volume, ValueRange range) {
+  LabelMap map{volume.geometry(), std::vector<std::uint8_t>(std::size_t(volume.geometry().voxelCount()))};
+  std::visit(
+      [&](const auto& stored) {
+        parallelFor(std::int64_t(stored.size()), 0, [&](std::int64_t begin, std::int64_t end) {
+          for (auto n = std::size_t(begin); n < std::size_t(end); ++n) {
+            const double value = double(volume.realValue(double(stored[n])));
+            map.labels[n] = range.low <= value && value <= range.high;
+          }
+        });
+      },
+      volume.stored());
+  return map;
+}
+
+}  // namespace volumen

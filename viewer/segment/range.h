@@ -1,0 +1,10 @@
+#pragma once
+
+#include "viewer/segment/label_map.h"
+
+namespace volumen {
+
+/// Label 1 where range.low <= value <= range.high, real units; ends may be infinite. On all cores.
+LabelMap labelRange(const Volume& volume, ValueRange range);
+
+}  // namespace volumen
