@@ -12,7 +12,7 @@ std::string extentText(const std::optional<VoxelBox>& box) {
   if (!box) return "0 -1 0 -1 0 -1";
   std::string text;
   for (int a = 0; a < 3; ++a)
-    text += (a ? " " : "") + std::to_string(box->low[a]) + " " + std::to_string(box->high[a]);
+    text.append(a ? " " : "").append(std::to_string(box->low[a]) + " " + std::to_string(box->high[a]));
   return text;
 }
 
@@ -20,8 +20,11 @@ std::string extentText(const std::optional<VoxelBox>& box) {
 
 Status writeSegNrrd(const LabelMap& map, const std::string& name, const glm::dvec3& colour,
                     const std::string& path, const CancelToken& cancel) {
+  VolumeParts parts;
+  parts.geometry = map.geometry;
+  parts.values = map.labels;
   std::vector<std::string> warnings;
-  const auto volume = Volume::make({.geometry = map.geometry, .values = map.labels}, warnings);
+  const auto volume = Volume::make(std::move(parts), warnings);
   if (!volume) return volume.error();
   // Slicer, Docs/developer_guide/modules/segmentations.md; versions before 5.1 call the source "master".
   const NrrdKeyValues fields{
