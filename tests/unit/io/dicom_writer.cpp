@@ -20,7 +20,8 @@ void registerEncoders() {
     OFLog::configure(OFLogger::OFF_LOG_LEVEL);
     DcmRLEEncoderRegistration::registerCodecs();
     DJEncoderRegistration::registerCodecs();
-    DJLSEncoderRegistration::registerCodecs();
+    DJLSEncoderRegistration::registerCodecs(0, 0, 0, 0,
+                                            OFFalse);  // raw: the other way asserts on signed values
   });
 }
 
