@@ -35,8 +35,8 @@ namespace {
 // A cone from the rim to the optic canal, squarish in front.
 float orbitalCone(Vec p) {
   const Vec q(p.x, p.y, 3 + (p.z - 3) * 1.12f);
-  const float cone = tube(q, {35, -84, 3}, {15, -30, 5}, 20.5f, 3);
-  const float front = box(p, {35, -72, 3}, {20, 22, 17.5f}, 9);
+  const float cone = tube(q, {33.5f, -84, 3}, {15, -30, 5}, 20, 3);
+  const float front = box(p, {33.5f, -72, 3}, {19, 22, 17.5f}, 9);
   return join(cone, both(front, cone - 2.5f, 3), 2);
 }
 
@@ -48,9 +48,9 @@ namespace {
 
 float orbitalRim(Vec p) {
   float d = tube(p, {10, -77, 20}, {28, -77, 25}, 5.5f, 5.5f);
-  d = join(d, tube(p, {28, -77, 25}, {49, -67, 18}, 5.5f, 5), 4);
-  d = join(d, tube(p, {50, -66, 19}, {54, -60, -6}, 5, 4.5f), 5);
-  d = join(d, tube(p, {54, -60, -6}, {47, -66, -18}, 5, 5), 5);
+  d = join(d, tube(p, {28, -77, 25}, {47, -67.5f, 18}, 5.5f, 5), 4);
+  d = join(d, tube(p, {48, -66.5f, 19}, {51.5f, -61, -6}, 5, 4.5f), 5);
+  d = join(d, tube(p, {51.5f, -61, -6}, {46, -66, -18}, 5, 5), 5);
   d = join(d, tube(p, {47, -66, -18}, {22, -77, -16}, 5, 4), 5);
   return join(d, tube(p, {16, -78, -18}, {11, -79, 14}, 4.5f, 4), 5);
 }
@@ -64,13 +64,13 @@ float cheekBone(Vec p) {
 
 float upperJaw(Vec p) {
   // The alveolar arch that holds the teeth, and the walls of the maxillary sinus above it.
-  const float arch = -82 + p.x * p.x / 23;
-  const float along = std::max(std::abs(p.y - arch) / (1 + std::abs(p.x) / 14) - 5.5f, p.y + 34);
+  const float arch = -81 + p.x * p.x / 23;
+  const float along = std::max(std::abs(p.y - arch) / (1 + std::abs(p.x) / 14) - 5, p.y + 34);
   const float alveolar = both(both(along, std::abs(p.z + 47) - 7, 8), p.x - 33, 3);
   const float body =
-      join(ellipsoid(p, {25, -60, -28}, {20, 19, 18}), ellipsoid(p, {6, -66, -40}, {20, 18, 11}), 6);
+      join(ellipsoid(p, {25, -60, -28}, {20, 19, 18}), ellipsoid(p, {6, -63, -40}, {20, 18, 11}), 6);
   const float palate = box(p, {0, -55, -41}, {22, 20, 3}, 2);
-  const float spineOfNose = tube(p, {0, -80, -41}, {0, -88, -41}, 2.5f, 1);
+  const float spineOfNose = tube(p, {0, -78, -41}, {0, -85, -41}, 2.5f, 1);
   return join(join(join(alveolar, body, 10), palate, 3), spineOfNose, 3);
 }
 
@@ -124,19 +124,19 @@ float skull(Vec p, float cavity) {
     d = without(d, ellipsoid(p, {50, -30, -36}, {10, 18, 13}), 3);
   }
   d = without(d, tube(p, {0, 35, -24}, {0, 37, -70}, 15, 14), 2);       // foramen magnum
-  d = without(d, tube(p, {90, 14, -12}, {52, 14, -12}, 3.6f), 1);       // ear canal
+  d = without(d, tube(p, {90, 14, -12}, {50, 15, -11}, 4.6f), 1);       // ear canal
   return without(d, tube(p, {27, -86, -26}, {26, -74, -22}, 1.8f), 1);  // infraorbital foramen
 }
 
 float sutureGap(Vec p) {
-  const auto zigzag = [](float along) { return 1.6f * wave(along / 9) + 1.1f * wave(along / 4.3f + 0.2f); };
+  const auto zigzag = [](float along) { return 1.8f * wave(along / 11) + wave(along / 5.3f + 0.2f); };
   const float ax = std::abs(p.x);
-  const float coronal = std::max(std::abs(p.y + 14 - 0.12f * ax + zigzag(ax + p.z)) - 0.8f, 20 - p.z);
-  const float sagittal = std::max({std::abs(p.x + zigzag(p.y)) - 0.8f, -13 - p.y, 76 - p.z});
+  const float coronal = std::max(std::abs(p.y + 14 - 0.12f * ax + zigzag(ax - p.z)) - 0.9f, 37 - p.z);
+  const float sagittal = std::max({std::abs(p.x + zigzag(p.y)) - 0.9f, -13 - p.y, 76 - p.z});
   const float lambdoid = std::max(
-      {std::abs(p.z - 76 + 1.15f * ax + 1.4f * zigzag(1.3f * ax)) * 0.66f - 0.8f, 35 - p.y, 2 - p.z});
+      {std::abs(p.z - 76 + 1.15f * ax + 1.4f * zigzag(1.3f * ax)) * 0.66f - 0.9f, 35 - p.y, 2 - p.z});
   const float arc = glm::length(Vec(0, p.y - 14, p.z + 10)) - 48 + zigzag(0.9f * p.y);
-  const float squamous = std::max({std::abs(arc) - 0.75f, 45 - ax, 8 - p.z, p.y - 55});
+  const float squamous = std::max({std::abs(arc) - 0.9f, 45 - ax, 8 - p.z, p.y - 55});
   return std::min(std::min(coronal, sagittal), std::min(lambdoid, squamous));
 }
 

@@ -4,7 +4,7 @@ namespace volumen::head {
 
 namespace {
 
-constexpr float skinHu = 30, fatHu = -95, muscleHu = 58;
+constexpr float skinHu = 25, fatHu = -95, muscleHu = 58;
 
 // Muscles that are seen through the fat around them.
 float muscles(Vec p) {
@@ -32,16 +32,17 @@ float looseTissue(Vec p) {
 
 float softTissueValue(Vec p, float depth, float w) {
   const float onScalp = rise(20, 45, p.z + 0.25f * p.y);
-  const float fatDepth = glm::mix(9.f, 4.5f, onScalp) + 1.5f * noise(p / 22.f);
+  const float inFace = rise(-45, -65, p.y);  // muscles move the skin there
+  const float fatDepth = glm::mix(9.f, 4.5f, std::max(onScalp, inFace)) + 1.5f * noise(p / 22.f);
   const float belowFat = cover(fatDepth - depth, 2 * w);
   float hu = fatHu + 10 * noise(p / 5.f);
   if (belowFat > 0) {
     const float muscle = muscleHu + 5 * noise(p / 2.f);
-    const float inMuscle = std::max(cover(muscles(mirrored(p)), w), onScalp);
+    const float inMuscle = std::max({cover(muscles(mirrored(p)), w), onScalp, inFace});
     const float below = inMuscle < 1 ? glm::mix(looseTissue(p), muscle, inMuscle) : muscle;
     hu = glm::mix(hu, below, belowFat);
   }
-  return glm::mix(skinHu, hu, cover(1.6f - depth, w));
+  return glm::mix(skinHu, hu, cover(1.9f - depth, w));
 }
 
 float orbitValue(Vec p, float w) {
