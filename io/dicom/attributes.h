@@ -5,6 +5,9 @@
 
 namespace volumen::dicom {
 
+/// The most frames that a file may claim.
+inline constexpr int frameLimit = 1'000'000;
+
 /// Fills in who and what: patient, study, series, UIDs.
 void readIdentity(const DataSet& data, FileHeader& header);
 

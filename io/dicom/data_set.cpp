@@ -33,11 +33,13 @@ std::vector<DataSet::Scope> DataSet::items(std::uint32_t tag, Scope scope) const
   return found;
 }
 
-std::string DataSet::text(std::uint32_t tag, Scope scope) const {
+std::string DataSet::raw(std::uint32_t tag, Scope scope) const {
   const Element* e = find(tag, scope);
   if (!e || e->length > textLimit) return {};
-  return trimmed(std::string(reinterpret_cast<const char*>(bytes_.data()) + e->offset, e->length));
+  return std::string(reinterpret_cast<const char*>(bytes_.data()) + e->offset, e->length);
 }
+
+std::string DataSet::text(std::uint32_t tag, Scope scope) const { return trimmed(raw(tag, scope)); }
 
 std::vector<std::string> DataSet::values(std::uint32_t tag, Scope scope) const {
   const std::string all = text(tag, scope);

@@ -27,6 +27,8 @@ class DataSet {
 
   /// Raw text without padding; empty where it is absent or longer than 1 MiB.
   std::string text(std::uint32_t tag, Scope scope) const;
+  /// The bytes of a value as they are, of whatever kind; empty where it is absent or longer than 1 MiB.
+  std::string raw(std::uint32_t tag, Scope scope) const;
   /// The values of a text between backslashes, each without padding.
   std::vector<std::string> values(std::uint32_t tag, Scope scope) const;
   /// The numbers of a DS or IS; nothing where it is absent or empty, or one of them is no finite number.

@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "io/dicom/attributes.h"
+
+namespace volumen::dicom {
+namespace {
+
+/// Where the attributes of one frame stand: all in the data set itself, or, in enhanced pictures, each in a
+/// functional group of the frame or of all frames (PS3.3 C.7.6.16).
+class FrameScopes {
+ public:
+  explicit FrameScopes(DataSet::Scope root) : root_(root), isEnhanced_(false) {}
+  FrameScopes(const DataSet& data, DataSet::Scope ofFrame, DataSet::Scope ofAll)
+      : data_(&data), root_(ofFrame), ofAll_(ofAll), isEnhanced_(true) {}
+
+  /// The scope that holds the attributes of this functional group; an empty one where there is none.
+  DataSet::Scope of(std::uint32_t group) const {
+    if (!isEnhanced_) return root_;
+    for (DataSet::Scope scope : {root_, ofAll_})
+      if (const auto items = data_->items(group, scope); !items.empty()) return items[0];
+    return {};
+  }
+
+ private:
+  const DataSet* data_ = nullptr;
+  DataSet::Scope root_, ofAll_;
+  bool isEnhanced_;
+};
+
+constexpr std::uint32_t planePosition = 0x00209113, planeOrientation = 0x00209116, pixelMeasures = 0x00289110,
+                        valueTransformation = 0x00289145, windowing = 0x00289132, frameContent = 0x00209111,
+                        mrEcho = 0x00189114, mrDiffusion = 0x00189117, mrFrameType = 0x00189226,
+                        ctFrameType = 0x00189329, cardiac = 0x00189118;
+
+/// What tells apart pictures of one place, the first that does so deciding: time point, kind of picture,
+/// acquisition, diffusion weight, trigger time.
+constexpr struct {
+  std::uint32_t group, tag;
+} partAttributes[] = {
+    {0, 0x00200100},
+    {frameContent, 0x00209128},
+    {0, 0x00080008},
+    {mrFrameType, 0x00089007},
+    {ctFrameType, 0x00089007},
+    {0, 0x00200012},
+    {frameContent, 0x00209156},
+    {mrDiffusion, 0x00189087},
+    {0, 0x00181060},
+    {cardiac, 0x00209153},
+};
+
+std::optional<glm::dvec3> vectorAt(const std::vector<double>& v, std::size_t at) {
+  if (v.size() < at + 3) return {};
+  return glm::dvec3(v[at], v[at + 1], v[at + 2]);
+}
+
+std::optional<glm::dvec3> readPosition(const DataSet& data, DataSet::Scope scope) {
+  const auto v = data.numbers(0x00200032, scope);
+  return v ? vectorAt(*v, 0) : std::nullopt;
+}
+
+/// Unit vectors at right angles; nothing where the file's are neither (by more than 1 %).
+std::optional<Orientation> readOrientation(const DataSet& data, DataSet::Scope scope,
+                                           std::vector<std::string>& warnings) {
+  const auto v = data.numbers(0x00200037, scope);
+  if (!v || v->size() < 6) return {};
+  const glm::dvec3 row = *vectorAt(*v, 0), column = *vectorAt(*v, 3);
+  const double off = std::max(
+      {std::abs(glm::length(row) - 1), std::abs(glm::length(column) - 1), std::abs(glm::dot(row, column))});
+  if (!(off <= 0.01)) {
+    warnings.push_back(
+        "its ImageOrientationPatient is no pair of unit vectors at right angles and is not used");
+    return {};
+  }
+  if (off > 1e-3) warnings.push_back("its ImageOrientationPatient was made exactly orthonormal");
+  Orientation o{glm::normalize(row), {}};
+  o.column = glm::normalize(column - glm::dot(column, o.row) * o.row);
+  return o;
+}
+
+std::optional<glm::dvec2> readSpacing(const DataSet& data, DataSet::Scope scope) {
+  const auto v = data.numbers(0x00280030, scope);
+  if (!v || v->size() < 2 || !((*v)[0] > 0) || !((*v)[1] > 0)) return {};
+  return glm::dvec2((*v)[1], (*v)[0]);  // PS3.3 10.7.1.3: first between rows, then between columns
+}
+
+Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice) {
+  const auto field = [&](std::uint32_t tag, const char* name, double& value) -> Status {
+    if (!data.has(tag, scope)) return {};
+    const auto number = data.number(tag, scope);
+    if (!number) return Error{std::string(name) + " \"" + data.text(tag, scope) + "\" is no number"};
+    value = *number;
+    return {};
+  };
+  if (Status s = field(0x00281053, "RescaleSlope", slice.slope); !s) return s;
+  if (Status s = field(0x00281052, "RescaleIntercept", slice.intercept); !s) return s;
+  // Doses are scaled by an attribute of their own (PS3.3 C.8.8.3).
+  if (Status s = field(0x3004000e, "DoseGridScaling", slice.slope); !s) return s;
+  if (slice.slope == 0) return Error{"RescaleSlope is 0"};
+  return {};
+}
+
+/// PixelPaddingValue and PixelPaddingRangeLimit, in stored values.
+std::optional<ValueRange> readPadding(const DataSet& data, const PixelFormat& format) {
+  const auto stored = [&](std::uint16_t word) {
+    return format.isSigned ? double(std::int16_t(word)) : double(word);
+  };
+  const auto value = data.word(0x00280120, data.root());
+  if (!value || format.kind != PixelFormat::Kind::integer) return {};
+  const double first = stored(*value);
+  const double second = stored(data.word(0x00280121, data.root()).value_or(*value));
+  return ValueRange{std::min(first, second), std::max(first, second)};
+}
+
+std::vector<Window> readWindows(const DataSet& data, DataSet::Scope scope) {
+  std::vector<Window> windows;
+  const auto centres = data.numbers(0x00281050, scope), widths = data.numbers(0x00281051, scope);
+  if (!centres || !widths) return windows;
+  for (std::size_t n = 0; n < std::min(centres->size(), widths->size()); ++n)
+    if ((*widths)[n] > 0) windows.push_back({(*centres)[n], (*widths)[n]});
+  return windows;
+}
+
+Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, std::vector<std::string>& warnings) {
+  Slice slice;
+  slice.position = readPosition(data, at.of(planePosition));
+  slice.orientation = readOrientation(data, at.of(planeOrientation), warnings);
+  slice.spacing = readSpacing(data, at.of(pixelMeasures));
+  slice.thickness = data.number(0x00180050, at.of(pixelMeasures)).value_or(0);
+  slice.windows = readWindows(data, at.of(windowing));
+  slice.echo = data.text(0x00180086, at.of(mrEcho)) + "/" + data.text(0x00180081, at.of(mrEcho)) + "/" +
+               data.raw(0x00189082, at.of(mrEcho));
+  for (const auto& [group, tag] : partAttributes) slice.parts.push_back(data.raw(tag, at.of(group)));
+  if (Status s = readRescale(data, at.of(valueTransformation), slice); !s) return s.error();
+  return slice;
+}
+
+bool isPlaced(const Slice& slice) { return slice.position && slice.orientation && slice.spacing; }
+
+/// The frames of a dose grid: along the normal by GridFrameOffsetVector (PS3.3 C.8.8.3.2).
+Status placeDoseFrames(const DataSet& data, FileHeader& header) {
+  const auto offsets = data.numbers(0x3004000c, data.root());
+  const Slice first = header.slices.front();
+  // Offsets that do not begin with 0 are positions of some other kind.
+  if (!offsets || offsets->size() != std::size_t(header.format.frames) || (*offsets)[0] != 0 ||
+      !isPlaced(first))
+    return Error{"it has several frames, and where each of them lies is not said"};
+  const glm::dvec3 normal = glm::cross(first.orientation->row, first.orientation->column);
+  header.slices.assign(offsets->size(), first);
+  for (std::size_t n = 0; n < offsets->size(); ++n) {
+    header.slices[n].frame = int(n);
+    header.slices[n].position = *first.position + (*offsets)[n] * normal;
+  }
+  return {};
+}
+
+/// The frames of an enhanced picture, each with the functional groups that hold for it.
+Status readEnhancedFrames(const DataSet& data, FileHeader& header) {
+  const auto ofAll = data.items(0x52009229, data.root()), ofFrames = data.items(0x52009230, data.root());
+  const std::size_t frames = std::size_t(header.format.frames);
+  if (!ofFrames.empty() && ofFrames.size() != frames)
+    return Error{"it has " + std::to_string(frames) + " frames, but functional groups for " +
+                 std::to_string(ofFrames.size())};
+  header.slices.clear();
+  for (std::size_t n = 0; n < frames; ++n) {
+    const FrameScopes at(data, ofFrames.empty() ? DataSet::Scope{} : ofFrames[n],
+                         ofAll.empty() ? DataSet::Scope{} : ofAll[0]);
+    const auto slice = readSlice(data, at, header.warnings);
+    if (!slice) return slice.error();
+    if (frames > 1 && !isPlaced(*slice))
+      return Error{"it has several frames, and where each of them lies is not said"};
+    header.slices.push_back(*slice);
+    header.slices.back().frame = int(n);
+  }
+  return {};
+}
+
+/// InstanceNumber, and within a file the number of the frame.
+void numberSlices(const DataSet& data, FileHeader& header) {
+  constexpr double limit = 1e9;
+  const long instance = long(std::clamp(data.number(0x00200013, data.root()).value_or(0), -limit, limit));
+  for (Slice& slice : header.slices) slice.instance = instance * (frameLimit + 1) + slice.frame;
+}
+
+}  // namespace
+
+Status readSlices(const DataSet& data, FileHeader& header) {
+  const auto imageType = data.values(0x00080008, data.root());
+  if (std::find(imageType.begin(), imageType.end(), "MOSAIC") != imageType.end())
+    return Error{"it is a Siemens mosaic (many slices as tiles of one picture), which is not read"};
+  if (header.sopClassUid == "1.2.840.10008.5.1.4.1.1.66.4")
+    return Error{"it is a segmentation, which is no volume"};
+  if (data.has(0x00283000, data.root()))
+    header.warnings.push_back("its Modality LUT Sequence is not applied: values are those before it");
+  const bool enhanced = data.find(0x52009229, data.root()) || data.find(0x52009230, data.root());
+  if (enhanced) {
+    if (Status s = readEnhancedFrames(data, header); !s) return s;
+  } else {
+    const auto slice = readSlice(data, FrameScopes(data.root()), header.warnings);
+    if (!slice) return slice.error();
+    header.slices = {*slice};
+    if (header.format.frames > 1)
+      if (Status s = placeDoseFrames(data, header); !s) return s;
+  }
+  const auto padding = readPadding(data, header.format);
+  for (Slice& slice : header.slices) slice.padding = padding;
+  numberSlices(data, header);
+  return {};
+}
+
+}  // namespace volumen::dicom
