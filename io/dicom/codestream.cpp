@@ -102,7 +102,7 @@ Result<StreamInfo> jpeg2000Info(Bytes stream) {
                     (stream[42] & 0x7f) + 1, (stream[42] & 0x80) != 0};
 }
 
-Status checkStream(const StreamInfo& info, const PixelFormat& format) {
+Status checkStream(const StreamInfo& info, const PixelFormat& format, std::size_t streamBytes) {
   if (info.columns != format.columns || info.rows != format.rows)
     return Error{"its compressed picture has " + std::to_string(info.columns) + " x " +
                  std::to_string(info.rows) + " pixels, but the file says " + std::to_string(format.columns) +
@@ -112,6 +112,9 @@ Status checkStream(const StreamInfo& info, const PixelFormat& format) {
   if (info.precision < 1 || info.precision > format.bitsAllocated)
     return Error{"its compressed picture has " + std::to_string(info.precision) +
                  " bits a pixel, but the file says " + std::to_string(format.bitsAllocated)};
+  constexpr std::uint64_t largePicture = 256 << 20, largestRatio = 4096;
+  if (format.frameBytes() > largePicture && streamBytes < format.frameBytes() / largestRatio)
+    return Error{"its compressed picture is too short for its size"};
   return {};
 }
 

@@ -20,8 +20,9 @@ Result<StreamInfo> jpeg2000Info(Bytes stream);
 /// The part of a JPEG 2000 frame that is the code stream: all of it, or what follows the boxes of a JP2 file.
 Bytes jpeg2000Stream(Bytes frame);
 
-/// Whether a stream is the picture that the data set announces: its size, one component, and a precision
-/// that fits its bits.
-Status checkStream(const StreamInfo& info, const PixelFormat& format);
+/// Whether a stream of so many bytes is the picture that the data set announces: its size, one component, and
+/// a precision that fits its bits. Refused as well: pictures above 256 MiB that come from less than 1/4096 of
+/// that, which no acquired picture does.
+Status checkStream(const StreamInfo& info, const PixelFormat& format, std::size_t streamBytes);
 
 }  // namespace volumen::dicom

@@ -10,6 +10,7 @@ namespace volumen::dicom {
 namespace {
 
 constexpr std::uint64_t firstRead = 64 << 10;
+constexpr std::uint64_t headerLimit = 512 << 20;
 constexpr std::uint64_t sizeLimit = std::uint64_t(16) << 30;
 
 Inspection refused(const std::string& reason) {
@@ -57,6 +58,7 @@ Status scanPlain(const RegularFile& file, Scanned& s) {
     if (!scan) return scan.error();
     s.dataSet = std::move(*scan);
     if (!s.dataSet.needsUpTo) return {};
+    if (s.dataSet.needsUpTo > headerLimit) return Error{"it has more than 512 MiB in front of its pixels"};
     if (Status read = file.readUpTo(s.head, std::max<std::uint64_t>(s.dataSet.needsUpTo, 4 * s.head.size()));
         !read)
       return read;
@@ -108,6 +110,13 @@ Status readPicture(const RegularFile& file, const Scanned& s, const DataSet& dat
   return {};
 }
 
+/// Whether a file without preamble begins as DICOM does: with group 0002, 0004 or 0008 in either byte order.
+bool beginsAsDicom(Bytes head) {
+  if (head.size() < 8) return false;
+  const std::uint16_t group = numberAt<std::uint16_t>(head, 0, false);
+  return group == 0x0002 || group == 0x0004 || group == 0x0008 || group == 0x0800;
+}
+
 }  // namespace
 
 Inspection inspect(const std::string& path) {
@@ -116,8 +125,8 @@ Inspection inspect(const std::string& path) {
   Scanned s;
   if (Status read = file->readUpTo(s.head, firstRead); !read) return refused(read.message());
   const Result<MetaHeader> meta = scanMeta(s.head, file->size());
-  const bool magic = s.head.size() >= 132 &&
-                     std::string_view(reinterpret_cast<const char*>(s.head.data()) + 128, 4) == "DICM";
+  const bool magic = hasMagic(s.head);
+  if (!magic && !beginsAsDicom(s.head)) return {};
   if (!meta) return magic ? refused(meta.message()) : Inspection{};
   s.meta = *meta;
   const Result<TransferSyntax> syntax = syntaxOf(s.meta, s.head);

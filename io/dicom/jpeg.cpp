@@ -4,6 +4,8 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/dcmjpls/djdecode.h>
+#include <dcmtk/oflog/appender.h>
+#include <dcmtk/oflog/spi/logevent.h>
 
 #include <mutex>
 
@@ -13,10 +15,32 @@
 namespace volumen::dicom {
 namespace {
 
+/// What the JPEG library last warned of on this thread: where data is missing it warns, makes pixels up, and
+/// reports success.
+thread_local std::string lastWarning;
+
+class WarningCollector : public dcmtk::log4cplus::Appender {
+ public:
+  ~WarningCollector() override { destructorImpl(); }
+  void close() override { closed = true; }
+
+ protected:
+  void append(const dcmtk::log4cplus::spi::InternalLoggingEvent& event) override {
+    const std::string text = event.getMessage().c_str();
+    const bool lost = text.find("Corrupt JPEG data") != std::string::npos ||
+                      text.find("Premature end") != std::string::npos;
+    if (lost && text.find("extraneous bytes") == std::string::npos) lastWarning = text;
+  }
+};
+
 void registerDecoders() {
   static std::once_flag once;
   std::call_once(once, [] {
     OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+    OFLogger logger = OFLog::getLogger("dcmtk.dcmjpeg");
+    logger.setLogLevel(OFLogger::WARN_LOG_LEVEL);
+    logger.setAdditivity(false);
+    logger.addAppender(dcmtk::log4cplus::SharedAppenderPtr(new WarningCollector));
     DJDecoderRegistration::registerCodecs();
     DJLSDecoderRegistration::registerCodecs();
   });
@@ -69,14 +93,17 @@ Result<std::vector<std::uint8_t>> decodeJpeg(const PixelFormat& format, const Tr
                                              Bytes bytes) {
   const Result<StreamInfo> info = jpegInfo(bytes);
   if (!info) return info.error();
-  if (Status s = checkStream(*info, format); !s) return s.error();
+  if (Status s = checkStream(*info, format, bytes.size()); !s) return s.error();
   if (bytes.size() >= undefinedLength) return Error{"its compressed picture is larger than 4 GiB"};
   registerDecoders();
+  lastWarning.clear();
   DcmDataset data;
   fill(data, format, DcmXfer(syntax.uid).getXfer(), bytes);
   const OFCondition done = data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr);
   if (done.bad())
     return Error{std::string("its ") + syntax.name + " picture cannot be decoded (" + done.text() + ")"};
+  if (!lastWarning.empty())
+    return Error{std::string("its ") + syntax.name + " picture is damaged (" + lastWarning + ")"};
   std::vector<std::uint8_t> decoded = decodedBytes(data, format);
   if (decoded.empty()) return Error{std::string("its ") + syntax.name + " picture decodes to the wrong size"};
   return decoded;

@@ -108,7 +108,7 @@ Result<Frame> decodeJpeg2000(const PixelFormat& format, Bytes bytes) {
   bytes = jpeg2000Stream(bytes);
   const Result<StreamInfo> info = jpeg2000Info(bytes);
   if (!info) return info.error();
-  if (Status s = checkStream(*info, format); !s) return s.error();
+  if (Status s = checkStream(*info, format, bytes.size()); !s) return s.error();
   const Image image = decodeImage(bytes);
   if (!image) return Error{"its JPEG 2000 picture is damaged or cut off"};
   const opj_image_comp_t& component = image->comps[0];

@@ -197,9 +197,9 @@ class Pass {
   DataSetScan scan_;
 };
 
-bool hasMagic(Bytes head) { return head.size() >= 132 && std::memcmp(head.data() + 128, "DICM", 4) == 0; }
-
 }  // namespace
+
+bool hasMagic(Bytes head) { return head.size() >= 132 && std::memcmp(head.data() + 128, "DICM", 4) == 0; }
 
 std::string tagText(std::uint32_t tag) {
   char text[16];

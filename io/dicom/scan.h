@@ -43,6 +43,9 @@ struct DataSetScan {
   std::uint64_t needsUpTo = 0;    ///< not 0: the given bytes end too early; the pass needs at least these
 };
 
+/// "DICM" at 128.
+bool hasMagic(Bytes head);
+
 /// Reads the file meta information from the beginning of a file; `fileSize` bytes in all. Files without
 /// preamble give magic = false and the place where their data set may begin. Limit: 1 MiB of meta header.
 Result<MetaHeader> scanMeta(Bytes head, std::uint64_t fileSize);

@@ -167,6 +167,8 @@ class TestDicomHostile : public QObject {
   void folderOfTrapsIsWalked();
   void cutAnywhereItNeverInvents_data();
   void cutAnywhereItNeverInvents();
+  void cutScanThatEndsProperlyIsRefused_data();
+  void cutScanThatEndsProperlyIsRefused();
   void flippedBytesDoNoHarm_data();
   void flippedBytesDoNoHarm();
 };
@@ -333,6 +335,34 @@ void TestDicomHostile::cutAnywhereItNeverInvents() {
     const Result<Loaded> loaded = loadSeries(study->volumes[0]);
     QVERIFY2(!loaded.ok() || isThePicture(*loaded->acquired, p), std::to_string(length).c_str());
   }
+}
+
+void TestDicomHostile::cutScanThatEndsProperlyIsRefused_data() {
+  QTest::addColumn<QByteArray>("syntax");
+  QTest::newRow("JPEG lossless") << QByteArray("1.2.840.10008.1.2.4.70");
+  QTest::newRow("JPEG-LS") << QByteArray("1.2.840.10008.1.2.4.80");
+}
+
+// The decoders' own libraries fill what is missing with grey and report success.
+void TestDicomHostile::cutScanThatEndsProperlyIsRefused() {
+  QFETCH(QByteArray, syntax);
+  QTemporaryDir folder;
+  const std::string path = folder.filePath(QStringLiteral("a")).toStdString();
+  const DicomPicture p = textured();
+  writeDicom(path, p, syntax.constData());
+  Buffer bytes = readAll(path);
+  const Buffer end{0xff, 0xd9};
+  const auto eoi = std::find_end(bytes.begin(), bytes.end(), end.begin(), end.end());
+  QVERIFY(eoi != bytes.end());
+  // The second half of the scan becomes fill bytes behind an early end.
+  const auto half = eoi - 300;
+  std::copy(end.begin(), end.end(), half);
+  std::fill(half + 2, eoi + 2, 0);
+  writeAll(path, bytes);
+  const Result<Study> study = openStudy(path);
+  QVERIFY(study.ok() && study->volumes.size() == 1);
+  const Result<Loaded> loaded = loadSeries(study->volumes[0]);
+  QVERIFY(!loaded.ok());
 }
 
 void TestDicomHostile::flippedBytesDoNoHarm_data() { codings(); }
