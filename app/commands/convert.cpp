@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/open_volume.h"
 #include "app/progress.h"
 #include "io/export/dicom_series.h"
 #include "io/files/write_volume.h"
-#include "io/study.h"
 
 namespace volumen {
 
@@ -16,8 +16,6 @@ namespace {
 struct ConvertOptions {
   std::string path, output, series;
 };
-
-using Notes = std::vector<std::string>;
 
 // A folder stands for a DICOM series: one that is there, or a name that ends in "/".
 bool isFolder(const std::string& output) {
@@ -31,50 +29,32 @@ Status write(const Volume& volume, const Series& series, const std::string& outp
   return writeVolume(volume, output, progress, cancel);
 }
 
-// What the user is to be told of what was written.
-void addNotes(Notes& notes, const Study& study, const ConvertOptions& options, const Series& series,
-              const Loaded& loaded) {
-  if (options.series.empty() && study.volumes.size() > 1)
-    notes.push_back(options.path + " holds " + std::to_string(study.volumes.size()) + " volumes; " +
-                    series.id + ", the one with most voxels, was written (--series chooses).");
-  notes.insert(notes.end(), loaded.warnings.begin(), loaded.warnings.end());
+// What the user is to be told of the grid that was written.
+void addNotes(std::vector<std::string>& notes, const Opened& opened, const std::string& output) {
+  const Loaded& loaded = opened.loaded;
   if (loaded.drawn != loaded.acquired) {
-    const int made = series.regular ? series.regular->interpolatedSlices : 0;
-    notes.push_back("The slices of " + series.id + " are not evenly spaced: a regular grid of " +
+    const int made = opened.series.regular ? opened.series.regular->interpolatedSlices : 0;
+    notes.push_back("The slices of " + opened.series.id + " are not evenly spaced: a regular grid of " +
                     std::to_string(loaded.drawn->size().z) + " slices was written, " + std::to_string(made) +
                     " of them interpolated.");
   }
   if (!loaded.drawn->geometry().calibrated)
-    notes.push_back(series.id + " is not calibrated: " + options.output +
+    notes.push_back(opened.series.id + " is not calibrated: " + output +
                     " gives no size of its voxels, or 1 mm.");
-}
-
-Result<Notes> convert(const ConvertOptions& options, const CancelToken& cancel) {
-  const Progress progress = terminalProgress();
-  const Result<Study> study = openStudy(options.path, progress, cancel);
-  if (!study) return study.error();
-  if (study->volumes.empty() && !study->refused.empty()) return Error{study->refused[0].reason};
-  if (study->volumes.empty()) return Error{options.path + " holds no volume."};
-  const Result<std::size_t> chosen = chooseSeries(*study, options.series);
-  if (!chosen) return chosen.error();
-  const Series& series = study->volumes[*chosen];
-  const Result<Loaded> loaded = loadSeries(series, progress, cancel);
-  if (!loaded) return loaded.error();
-  if (const Status s = write(*loaded->drawn, series, options.output, progress, cancel); !s) return s.error();
-  Notes notes;
-  addNotes(notes, *study, options, series, *loaded);
-  return notes;
 }
 
 int run(const ConvertOptions& options, const CancelToken& cancel) {
   if (!isFolder(options.output) && !isVolumeFileName(options.output))
     return failUsage(options.output +
-                     ": volumes are written as .nrrd, .nii.gz or .mha, or as a DICOM series "
-                     "into a folder, whose name ends in \"/\".");
-  const Result<Notes> notes = convert(options, cancel);
+                     ": volumes are written as .nrrd, .nii.gz or .mha, or as DICOM to FOLDER/.");
+  Result<Opened> opened = openVolume(options.path, options.series, cancel);
+  if (!opened) return fail(opened.message());
+  const Status written =
+      write(*opened->loaded.drawn, opened->series, options.output, terminalProgress(), cancel);
   endTerminalProgress();
-  if (!notes) return fail(notes.message());
-  for (const std::string& note : *notes) std::cerr << "volumen: " << printable(note) << '\n';
+  if (!written) return fail(written.message());
+  addNotes(opened->notes, *opened, options.output);
+  printNotes(opened->notes);
   std::cout << printable(options.output) << '\n';
   return exitDone;
 }

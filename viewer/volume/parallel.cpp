@@ -2,6 +2,7 @@
 
 #include <sched.h>
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -37,7 +38,11 @@ int allowedThreads() {
 
 void parallelFor(std::int64_t count, int threads,
                  const std::function<void(std::int64_t, std::int64_t)>& work) {
-  tbb::task_arena arena(threads > 0 ? threads : allowedThreads());
+  const int wanted = threads > 0 ? threads : allowedThreads();
+  // More threads than cores only where asked for; without this oneTBB would quietly use fewer.
+  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism,
+                                  std::size_t(std::max(wanted, allowedThreads())));
+  tbb::task_arena arena(wanted);
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count),
                       [&](const tbb::blocked_range<std::int64_t>& part) { work(part.begin(), part.end()); });

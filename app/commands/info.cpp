@@ -1,0 +1,200 @@
+#include <zlib.h>
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "app/progress.h"
+#include "io/study.h"
+
+namespace volumen {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoOptions {
+  std::string path;
+  bool json = false, values = false;
+};
+
+Json toJson(glm::dvec3 v) { return Json::array({v.x, v.y, v.z}); }
+Json toJson(glm::ivec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+// The geometry keys of DESIGN 7; null where nothing is calibrated.
+void addGeometry(Json& out, const VoxelGeometry& g) {
+  const bool known = g.calibrated;
+  const glm::dvec3 spacing = g.spacing();
+  Json directions = Json::array();
+  for (int a = 0; a < 3; ++a) directions.push_back(toJson(g.patientFromVoxelStep[a] / spacing[a]));
+  out["dims"] = toJson(g.size);
+  out["calibrated"] = known;
+  out["spacing"] = known ? toJson(spacing) : Json();
+  out["origin"] = known ? toJson(g.origin) : Json();
+  out["directions"] = known ? directions : Json();
+  out["farCorner"] = known ? toJson(g.patientFromVoxel(glm::dvec3(g.size - 1))) : Json();
+}
+
+struct Values {
+  double low = HUGE_VAL, high = -HUGE_VAL, mean = 0;
+  Json crc;  // eight hexadecimal digits, or null where the rescale is not whole
+};
+
+// CRC-32 of the real values as 32-bit integers where all are whole, else as floats (little endian).
+std::string crcOf(const Volume& volume, std::size_t count, bool whole) {
+  uLong crc = crc32(0, nullptr, 0);
+  std::vector<std::int32_t> block;
+  constexpr std::size_t blockSize = 1 << 16;
+  for (std::size_t n = 0; n < count; n += blockSize) {
+    block.clear();
+    for (std::size_t m = n; m < std::min(count, n + blockSize); ++m) {
+      const float v = volume.valueAt(m);
+      block.push_back(whole ? std::int32_t(v) : std::bit_cast<std::int32_t>(v));
+    }
+    crc = crc32(crc, reinterpret_cast<const Bytef*>(block.data()), uInt(block.size() * 4));
+  }
+  char text[16];
+  std::snprintf(text, sizeof text, "%08lx", crc);
+  return text;
+}
+
+Values valuesOf(const Volume& volume) {
+  Values out;
+  const std::size_t count = std::size_t(volume.geometry().voxelCount());
+  bool whole = true;
+  for (std::size_t n = 0; n < count; ++n) {
+    const double v = volume.valueAt(n);
+    out.low = std::min(out.low, v);
+    out.high = std::max(out.high, v);
+    out.mean += v;
+    whole = whole && v == std::round(v) && std::abs(v) < 2147483648.0;
+  }
+  out.mean /= double(count);
+  const bool wholeRescale =
+      volume.slope() == std::round(volume.slope()) && volume.intercept() == std::round(volume.intercept());
+  if (wholeRescale) out.crc = crcOf(volume, count, whole);
+  return out;
+}
+
+Json seriesJson(const Series& s) {
+  Json out{{"id", s.id}, {"path", s.path}, {"format", s.format}};
+  out["patient"] = {{"name", s.patientName}, {"id", s.patientId}};
+  out["study"] = {{"uid", s.studyUid}, {"date", s.studyDate}, {"description", s.studyDescription}};
+  out["series"] = {{"number", s.seriesNumber}, {"description", s.description}, {"files", s.files.size()}};
+  out["seriesUid"] = s.seriesUid;
+  out["modality"] = s.modality;
+  out["description"] = s.description;
+  addGeometry(out, s.acquired);
+  out["valueType"] = s.valueType;
+  if (s.regular)
+    out["regular"] = {{"dims", toJson(s.regular->geometry.size)},
+                      {"spacing", toJson(s.regular->geometry.spacing())},
+                      {"interpolatedSlices", s.regular->interpolatedSlices}};
+  out["warnings"] = s.warnings;
+  return out;
+}
+
+// Loads the series and adds min .. crc32Values; a volume whose values cannot be read is refused with its
+// reason.
+Status addValues(Json& out, const Series& series, const CancelToken& cancel) {
+  auto loaded = loadSeries(series, terminalProgress(), cancel);
+  if (!loaded) return loaded.error();
+  const Values v = valuesOf(*loaded->acquired);
+  out["dims"] = toJson(loaded->acquired->size());
+  out["valueType"] = loaded->acquired->typeName();
+  out["warnings"] = loaded->warnings;
+  out["min"] = v.low;
+  out["max"] = v.high;
+  out["mean"] = v.mean;
+  out["crc32Values"] = v.crc;
+  return {};
+}
+
+Json studyJson(Study& study, bool values, const CancelToken& cancel) {
+  Json out{{"volumes", Json::array()}, {"refused", Json::array()}, {"other", Json::array()}};
+  for (const Series& s : study.volumes) {
+    Json entry = seriesJson(s);
+    if (values) {
+      if (Status added = addValues(entry, s, cancel); !added) {
+        study.refused.push_back({s.path, added.message()});
+        continue;
+      }
+    }
+    out["volumes"].push_back(std::move(entry));
+  }
+  for (const Refused& r : study.refused) out["refused"].push_back({{"path", r.path}, {"reason", r.reason}});
+  for (const Other& o : study.other) out["other"].push_back({{"path", o.path}, {"kind", o.kind}});
+  return out;
+}
+
+std::string line(const Json& v, const char* key) {
+  return v.contains(key) && v[key].is_string() ? v[key].get<std::string>() : "";
+}
+
+void printText(const Json& all) {
+  std::string patient, study;
+  int number = 0;
+  for (const Json& v : all["volumes"]) {
+    const std::string who = line(v["patient"], "name") +
+                            (line(v["patient"], "id").empty() ? "" : " (" + line(v["patient"], "id") + ")");
+    const std::string what = line(v["study"], "date") + " " + line(v["study"], "description");
+    if (who != patient || number == 0)
+      std::cout << "Patient " << (who.empty() ? "without a name" : printable(who)) << '\n';
+    if (who != patient || what != study || number == 0) std::cout << "  Study " << printable(what) << '\n';
+    patient = who, study = what;
+    std::cout << "    " << ++number << "  " << line(v, "format") << ' ' << printable(line(v, "modality"))
+              << "  " << printable(line(v, "description").empty() ? line(v, "id") : line(v, "description"))
+              << '\n';
+    std::cout << "       " << v["dims"][0] << " x " << v["dims"][1] << " x " << v["dims"][2] << " voxels, "
+              << line(v, "valueType");
+    if (v["calibrated"])
+      std::printf(", %.4g x %.4g x %.4g mm", double(v["spacing"][0]), double(v["spacing"][1]),
+                  double(v["spacing"][2])),
+          std::fflush(stdout);
+    else
+      std::cout << ", not calibrated";
+    if (v.contains("regular"))
+      std::cout << "; drawn on " << v["regular"]["dims"][2] << " even slices, "
+                << v["regular"]["interpolatedSlices"] << " interpolated";
+    std::cout << '\n';
+    if (v.contains("min"))
+      std::cout << "       values " << v["min"] << " .. " << v["max"] << ", mean " << v["mean"] << '\n';
+    for (const Json& w : v["warnings"]) std::cout << "       ! " << printable(w.get<std::string>()) << '\n';
+  }
+  for (const Json& r : all["refused"])
+    std::cout << "Refused " << printable(r["path"]) << ": " << printable(r["reason"]) << '\n';
+  for (const Json& o : all["other"])
+    std::cout << "Other   " << printable(o["path"]) << ": " << printable(o["kind"]) << '\n';
+}
+
+int run(const InfoOptions& options, const CancelToken& cancel) {
+  auto study = openStudy(options.path, terminalProgress(), cancel);
+  endTerminalProgress();
+  if (!study) return fail(study.message());
+  const Json all = studyJson(*study, options.values, cancel);
+  endTerminalProgress();
+  if (cancel.cancelled()) return fail("Stopped.");
+  std::cout << std::flush;
+  if (options.json)
+    std::cout << all.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  else
+    printText(all);
+  if (!all["volumes"].empty()) return exitDone;
+  if (!options.json) fail(options.path + " holds no volume.");
+  return exitFailed;
+}
+
+}  // namespace
+
+std::function<int()> makeInfo(CLI::App& app, const CancelToken& cancel) {
+  auto options = std::make_shared<InfoOptions>();
+  app.add_option("PATH", options->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
+  app.add_flag("--json", options->json, "One JSON object on stdout");
+  app.add_flag("--values", options->values,
+               "Read the pixels too: minimum, maximum, mean and checksum of the values");
+  return [options, &cancel] { return run(*options, cancel); };
+}
+
+}  // namespace volumen

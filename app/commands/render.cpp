@@ -1,0 +1,187 @@
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "app/open_volume.h"
+#include "app/picture_text.h"
+#include "app/render_options.h"
+#include "io/files/output_file.h"
+#include "io/files/picture_file.h"
+#include "viewer/render/render.h"
+#include "viewer/scene/scene_json.h"
+
+namespace volumen {
+
+namespace {
+
+struct Options {
+  std::string path, series, output, statsFile;
+  SceneOptions scene;
+  MethodOptions method;
+  int frames = 1, turntable = 0;
+  bool explain = false, printScene = false;
+};
+
+double nowMs() {
+  using namespace std::chrono;
+  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
+}
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() > end.size() && text.ends_with(end);
+}
+
+// Times that only the command knows.
+struct Times {
+  double loadMs = 0, planMs = 0, gradientsMs = 0, totalMs = 0;
+  std::vector<double> framesMs;
+};
+
+nlohmann::ordered_json statsJson(const Plan& plan, const RenderStats& s, const Times& t,
+                                 const Volume& volume) {
+  return {{"stagesMs",
+           {{"load", t.loadMs},
+            {"gradients", t.gradientsMs},
+            {"plan", t.planMs},
+            {"resample", s.resampleMs},
+            {"shade", s.shadeMs},
+            {"total", t.totalMs}}},
+          {"framesMs", t.framesMs},
+          {"samples", {{"resampled", s.resampled}, {"shaded", s.shaded}, {"composited", s.composited}}},
+          {"bytes",
+           {{"volume", volume.bytes()},
+            {"density", s.densityBytes},
+            {"gradients", s.gradientBytes},
+            {"blocks", s.blockBytes},
+            {"tables", s.tableBytes}}},
+          {"threads", s.threads},
+          {"kernel", s.kernel},
+          {"step", plan.stepVoxels},
+          {"precision", plan.bits},
+          {"plan", nlohmann::ordered_json::parse(explainJson(plan))}};
+}
+
+Status writePicture(const Picture& picture, const Plan& plan, const std::string& path) {
+  return endsWith(path, ".nrrd") ? writePictureNrrd(picture, path)
+                                 : writePng(picture, path, pictureText(plan));
+}
+
+Status writeText(const std::string& path, const std::string& text) {
+  auto file = OutputFile::create(path);
+  if (!file) return file.error();
+  if (Status s = file->write(text); !s) return s;
+  return file->commit();
+}
+
+// "head.png" and 7 -> "head-007.png".
+std::string numbered(const std::string& path, int n) {
+  const std::size_t dot = path.rfind('.');
+  char number[16];
+  std::snprintf(number, sizeof number, "-%03d", n);
+  return path.substr(0, dot) + number + path.substr(dot);
+}
+
+class Run {
+ public:
+  Run(const Options& options, const CancelToken& cancel) : options_(options), cancel_(cancel) {}
+
+  int operator()() {
+    const double begin = nowMs();
+    if (const int wrong = checkUsage()) return wrong;
+    const auto asked = renderOptions(options_.scene, options_.method);
+    if (!asked) return failUsage(asked.message());
+    auto opened = openVolume(options_.path, options_.series, cancel_);
+    if (!opened) return fail(opened.message());
+    printNotes(opened->notes);
+    volume_ = opened->loaded.drawn;
+    times_.loadMs = nowMs() - begin;
+    auto scene = makeScene(options_.scene, *volume_);
+    if (!scene) return fail(scene.message());
+    RenderCaches caches(volume_);
+    const int status = draw(*scene, *asked, caches);
+    times_.totalMs = nowMs() - begin;
+    return status == exitDone ? finish() : status;
+  }
+
+ private:
+  int checkUsage() const {
+    const bool quiet = options_.explain || options_.printScene || !options_.statsFile.empty();
+    if (options_.output.empty() && !quiet)
+      return failUsage("Say where the picture goes: -o PICTURE (.png or .nrrd).");
+    if (!options_.output.empty() && !endsWith(options_.output, ".png") && !endsWith(options_.output, ".nrrd"))
+      return failUsage(options_.output + ": pictures are written as .png (8 bits) or .nrrd (floats).");
+    return 0;
+  }
+
+  int draw(const Scene& scene, const RenderOptions& asked, RenderCaches& caches) {
+    const int pictures = std::max(1, options_.turntable);
+    for (int n = 0; n < pictures; ++n) {
+      const double begin = nowMs();
+      auto plan = makePlan(scene, caches.facts(), asked);
+      if (!plan) return failUsage(plan.message());
+      if (options_.turntable) *plan->scene.camera = turned(*plan->scene.camera, 360.0 * n / pictures);
+      times_.planMs += nowMs() - begin;
+      plan_ = *plan;
+      if (options_.output.empty() && options_.statsFile.empty()) return exitDone;
+      if (const int failed = drawFrames(caches)) return failed;
+      if (options_.output.empty()) continue;
+      const std::string path = options_.turntable ? numbered(options_.output, n) : options_.output;
+      if (Status written = writePicture(done_.picture, plan_, path); !written) return fail(written.message());
+      std::cout << printable(path) << '\n';
+    }
+    return exitDone;
+  }
+
+  // The same view as often as --frames asks, for timing.
+  int drawFrames(RenderCaches& caches) {
+    for (int n = 0; n < options_.frames; ++n) {
+      const double begin = nowMs();
+      auto done = render(plan_, caches, cancel_);
+      if (!done) return fail(cancel_.cancelled() ? "Stopped; no picture was written." : done.message());
+      times_.framesMs.push_back(nowMs() - begin);
+      times_.gradientsMs += done->stats.gradientsMs;
+      done_ = std::move(*done);
+    }
+    return 0;
+  }
+
+  int finish() {
+    if (options_.explain) std::cout << explain(plan_);
+    if (options_.printScene) std::cout << sceneToJson(plan_.scene);
+    if (options_.statsFile.empty()) return exitDone;
+    const std::string text = statsJson(plan_, done_.stats, times_, *volume_).dump(2) + "\n";
+    const Status written = writeText(options_.statsFile, text);
+    return written.ok() ? exitDone : fail(written.message());
+  }
+
+  const Options& options_;
+  const CancelToken& cancel_;
+  VolumePtr volume_;
+  Times times_;
+  Plan plan_;
+  Rendered done_;
+};
+
+}  // namespace
+
+std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel) {
+  auto o = std::make_shared<Options>();
+  app.add_option("PATH", o->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
+  app.add_option("-o,--output", o->output, "The picture: .png (8 bits) or .nrrd (floats, for comparison)");
+  app.add_option("--series", o->series, "Which series: its id, its UID or its number in `volumen info`");
+  addSceneOptions(app, o->scene);
+  addMethodOptions(app, o->method);
+  app.add_option("--frames", o->frames, "Draw the same view so many times, for timing")
+      ->check(CLI::Range(1, 100000));
+  app.add_option("--turntable", o->turntable,
+                 "So many pictures, turned about the camera's up axis by 360/N degrees each")
+      ->check(CLI::Range(1, 9999));
+  app.add_option("--stats", o->statsFile, "Write times, samples, memory and the plan to this JSON file");
+  app.add_flag("--explain", o->explain, "Say what is computed for this picture and why");
+  app.add_flag("--print-scene", o->printScene, "Write the complete scene in use to stdout");
+  return [o, &cancel] { return Run(*o, cancel)(); };
+}
+
+}  // namespace volumen

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/study.h"
+
+namespace volumen {
+
+/// A volume that a command works on, with what the user is to be told about how it was found and read.
+struct Opened {
+  Series series;
+  Loaded loaded;
+  std::vector<std::string> notes;  ///< sentences for stderr
+};
+
+/// Opens PATH, chooses the series that `--series` means (empty: the one with most voxels, which is noted) and
+/// loads it, with progress on a terminal. The Error is a sentence for the user.
+Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel);
+
+/// Writes the notes to stderr, one line each.
+void printNotes(const std::vector<std::string>& notes);
+
+}  // namespace volumen

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viewer/plan/plan.h"
+
+namespace volumen {
+
+/// What a PNG says of itself (DESIGN 10): program, level or step, promised error, scene; key and value.
+std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan);
+
+/// "draft", "standard", "high", "exact".
+const char* qualityName(Quality quality);
+
+}  // namespace volumen

@@ -1,0 +1,142 @@
+#include "app/render_options.h"
+
+#include <cmath>
+#include <fstream>
+#include <glm/trigonometric.hpp>
+#include <map>
+#include <sstream>
+
+#include "viewer/scene/presets.h"
+#include "viewer/scene/scene_json.h"
+
+namespace volumen {
+
+namespace {
+
+const std::map<std::string, Quality> qualities{{"draft", Quality::draft},
+                                               {"standard", Quality::standard},
+                                               {"high", Quality::high},
+                                               {"exact", Quality::exact}};
+const std::map<std::string, Mode> modes{
+    {"composite", Mode::composite}, {"mip", Mode::mip}, {"minip", Mode::minip}, {"average", Mode::average}};
+const std::map<std::string, Shader> shaders{
+    {"auto", Shader::automatic}, {"map", Shader::map}, {"phong", Shader::phong}};
+
+template <class Map>
+std::vector<std::string> keys(const Map& map) {
+  std::vector<std::string> out;
+  for (const auto& entry : map) out.push_back(entry.first);
+  return out;
+}
+
+Result<glm::ivec2> sizeOf(const std::string& text) {
+  glm::ivec2 size;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%6dx%6d%c", &size.x, &size.y, &rest) != 2 || size.x < 1 || size.y < 1)
+    return Error{"--size must be WxH, like 512x512, not \"" + text + "\"."};
+  return size;
+}
+
+Result<Scene> readScene(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Error{path + ": the scene file cannot be read."};
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file.eof() && file.fail()) return Error{path + ": the scene file cannot be read."};
+  auto scene = sceneFromJson(text.str());
+  if (!scene) return Error{path + ": " + scene.message()};
+  return scene;
+}
+
+// The camera after --view and --projection; none where the scene's default holds.
+void overrideCamera(Scene& scene, const SceneOptions& options, const Volume& volume, double aspect) {
+  if (options.view.empty() && options.projection.empty()) return;
+  const bool given = scene.camera.has_value();
+  Camera camera = scene.camera.value_or(Camera{});
+  const Projection projection = options.projection.empty()         ? camera.projection
+                                : options.projection == "parallel" ? Projection::parallel
+                                                                   : Projection::perspective;
+  if (!options.view.empty()) camera = *standardView(options.view);
+  const bool changed = projection != camera.projection;
+  camera.projection = projection;
+  if (!given || !options.view.empty())
+    camera = fitCamera(camera, volume.geometry(), aspect);
+  else if (changed && projection == Projection::perspective)  // what lies at the target keeps its size
+    camera.distance = camera.height / 2 / std::tan(glm::radians(camera.fov) / 2);
+  else if (changed)
+    camera.height = 2 * camera.distance * std::tan(glm::radians(camera.fov) / 2);
+  scene.camera = camera;
+}
+
+}  // namespace
+
+void addSceneOptions(CLI::App& app, SceneOptions& o) {
+  app.add_option("--scene", o.sceneFile, "A scene file (JSON)");
+  app.add_option("--preset", o.preset, "A preset by name, or auto (the default)")->excludes("--scene");
+  app.add_option("--view", o.view, "Look from this side")->check(CLI::IsMember(standardViewNames()));
+  app.add_option("--projection", o.projection, "Of the camera")
+      ->check(CLI::IsMember({"parallel", "perspective"}));
+  app.add_option("--size", o.size, "Of the picture, in pixels")->capture_default_str();
+  app.add_option("--mode", o.mode, "What is drawn along each ray")->check(CLI::IsMember(keys(modes)));
+}
+
+Result<Scene> makeScene(const SceneOptions& options, const Volume& volume) {
+  auto scene = options.sceneFile.empty()
+                   ? presetScene(options.preset.empty() ? "auto" : options.preset, volume)
+                   : readScene(options.sceneFile);
+  if (!scene) return scene;
+  const auto size = sizeOf(options.size);
+  if (!size) return size.error();
+  if (!options.mode.empty()) scene->mode = modes.at(options.mode);
+  overrideCamera(*scene, options, volume, double(size->x) / size->y);
+  return scene;
+}
+
+void addMethodOptions(CLI::App& app, MethodOptions& o) {
+  auto* quality =
+      app.add_option("--quality", o.quality, "Level, each with its error promise (default: standard)")
+          ->check(CLI::IsMember(keys(qualities)));
+  auto* step =
+      app.add_option("--step", o.step, "Plain midpoint rule with this step in voxels, instead of a level")
+          ->excludes(quality);
+  app.add_flag("--reference", o.reference, "The true picture, in double precision (slow)")
+      ->excludes(quality)
+      ->excludes(step);
+  app.add_option("--method", o.method, "How it is drawn")
+      ->check(CLI::IsMember({"planes", "reference"}))
+      ->capture_default_str();
+  app.add_option("--resampler", o.resampler, "What resamples the planes")
+      ->check(CLI::IsMember({"cpu", "gl"}))
+      ->capture_default_str();
+  app.add_option("--precision", o.precision, "Bits of stored density and gradients")
+      ->check(CLI::IsMember({16, 32}));
+  app.add_option("--shader", o.shader, "How samples are lit")
+      ->check(CLI::IsMember(keys(shaders)))
+      ->capture_default_str();
+  app.add_option("--map-size", o.mapSize, "n of the reflectance map's n x n faces")
+      ->check(CLI::Range(2, 1024));
+  app.add_option("--threads", o.threads, "How many (default: all allowed cores)")->check(CLI::Range(1, 1024));
+  app.add_flag("--full", o.full,
+               "Leave nothing out: every sound rule of the planner off, the same picture, slower");
+}
+
+Result<RenderOptions> renderOptions(const SceneOptions& scene, const MethodOptions& method) {
+  RenderOptions out;
+  const auto size = sizeOf(scene.size);
+  if (!size) return size.error();
+  out.size = *size;
+  if (!method.quality.empty()) out.quality = qualities.at(method.quality);
+  out.step = method.step;
+  out.method = method.reference || method.method == "reference" ? Method::reference : Method::planes;
+  if (out.method == Method::reference && (method.step || !method.quality.empty()))
+    return Error{"--method reference has no steps or levels; leave --step and --quality out."};
+  out.resampler = method.resampler == "gl" ? Resampler::gl : Resampler::cpu;
+  out.shader = shaders.at(method.shader);
+  out.precision = method.precision;
+  out.mapSize = method.mapSize;
+  out.threads = method.threads.value_or(0);
+  out.full = method.full;
+  return out;
+}
+
+}  // namespace volumen
