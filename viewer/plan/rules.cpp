@@ -1,0 +1,181 @@
+#include "viewer/plan/rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "viewer/plan/visibility.h"
+
+namespace volumen {
+
+namespace {
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+
+Effect on(std::string reason) {
+  return {.name = {}, .on = true, .sound = false, .reason = std::move(reason)};
+}
+Effect off(std::string reason) {
+  return {.name = {}, .on = false, .sound = false, .reason = std::move(reason)};
+}
+
+bool composite(const RuleInput& in) { return in.scene.mode == Mode::composite; }
+
+int lightsThatShine(const Scene& scene) {
+  return int(std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& l) {
+    return l.on && l.intensity > 0 && (l.colour.r > 0 || l.colour.g > 0 || l.colour.b > 0);
+  }));
+}
+
+Effect lighting(const RuleInput& in, Plan& plan) {
+  plan.lit = composite(in) && (in.scene.shading.lit || in.options.full);
+  if (!composite(in)) return off("a projection of values has no lighting");
+  if (!in.scene.shading.lit)
+    return plan.lit ? on("asked for in full, with the light of an unlit scene") : off("the scene is unlit");
+  return on("the scene is lit by " + std::to_string(lightsThatShine(in.scene)) + " of " +
+            std::to_string(in.scene.lights.size()) + " lights");
+}
+
+Effect specular(const RuleInput& in, Plan& plan) {
+  const bool shines = in.scene.shading.lit && in.scene.shading.specular > 0 && lightsThatShine(in.scene) > 0;
+  plan.specular = plan.lit && (shines || in.options.full);
+  if (!plan.lit) return off("nothing is lit");
+  if (!shines)
+    return plan.specular
+               ? on("asked for in full")
+               : off(in.scene.shading.specular > 0 ? "no light shines" : "the material's specular is 0");
+  return on("the material's specular is " + number(in.scene.shading.specular));
+}
+
+Effect gradientOpacity(const RuleInput& in, Plan& plan) {
+  const auto& points = in.scene.transferFunction.gradientOpacity;
+  const bool matters = std::any_of(points.begin(), points.end(), [](const auto& p) { return p.factor != 1; });
+  plan.gradientOpacity = composite(in) && (matters || in.options.full);
+  if (!composite(in)) return off("a projection of values has no opacity");
+  if (!matters)
+    return plan.gradientOpacity ? on("asked for in full") : off("its factor is 1 at every gradient");
+  return on("the opacity depends on the gradient");
+}
+
+Effect gradients(const RuleInput&, Plan& plan) {
+  plan.gradients = plan.lit || plan.gradientOpacity;
+  if (!plan.gradients) return off("neither light nor opacity asks for them: no Sobel pass, no memory");
+  return on(plan.lit ? "lighting needs the surface's direction, fetched where opacity counts"
+                     : "the gradient opacity needs them");
+}
+
+Effect clip(const RuleInput& in, Plan& plan) {
+  const Clip& c = in.scene.clip;
+  const bool box = c.boxLow != glm::dvec3(0) || c.boxHigh != glm::dvec3(1);
+  plan.clip = box || !c.planes.empty() || in.options.full;
+  if (!box && c.planes.empty())
+    return plan.clip ? on("asked for in full")
+                     : off("the clip box is the whole volume and there are no planes");
+  return on(std::string(box ? "a clip box" : "no clip box") + " and " + std::to_string(c.planes.size()) +
+            " planes cut the rays");
+}
+
+Effect emptyBlocks(const RuleInput& in, Plan& plan) {
+  plan.visibleShare = 1;
+  plan.skipBlocks = false;
+  if (!composite(in)) return off("a projection looks at every value");
+  if (!in.facts.bricks) return off("nothing is known of the blocks");
+  const auto visible = visibleBlocks(in.scene.transferFunction, *in.facts.bricks);
+  plan.visibleShare =
+      double(std::accumulate(visible.begin(), visible.end(), std::int64_t(0))) / double(visible.size());
+  const std::string share = number(100 * (1 - plan.visibleShare)) + " % of the blocks hold no visible value";
+  if (in.options.full) return off("asked for in full; " + share);
+  plan.skipBlocks = plan.visibleShare < 1;
+  return plan.skipBlocks ? on(share) : off("every block holds a visible value");
+}
+
+// FIELD 4: plain steps of these lengths keep the levels' error promises (DESIGN 2) on the scenes measured.
+double stepOf(Quality quality) {
+  switch (quality) {
+    case Quality::draft:
+      return 1;
+    case Quality::standard:
+      return 1.0 / 4;
+    case Quality::high:
+      return 1.0 / 8;
+    case Quality::exact:
+      return 1.0 / 32;
+  }
+  return 1;
+}
+
+Effect integration(const RuleInput& in, Plan& plan) {
+  plan.stepVoxels = in.options.step ? *in.options.step : stepOf(in.options.quality);
+  if (plan.method == Method::reference) return on("adaptive, cell by cell, in double precision");
+  const std::string steps = "plain steps of " + number(plan.stepVoxels) + " voxel";
+  return on(in.options.step ? steps + ", as asked" : steps + " keep the level's error promise");
+}
+
+// What the light behind could still add is at most this share of its brightness.
+Effect earlyStop(const RuleInput& in, Plan& plan) {
+  plan.stopTransmittance = 0;
+  if (!composite(in)) return off("a projection looks at the whole ray");
+  plan.stopTransmittance =
+      in.options.quality == Quality::exact && !in.options.step ? 1.0 / 16384 : 1.0 / 4096;
+  return on("a ray ends where less than 1/" + number(1 / plan.stopTransmittance) +
+            " of the light behind comes through");
+}
+
+Effect precision(const RuleInput& in, Plan& plan) {
+  // Integers are kept exactly in 16 bits; a negative slope would turn the order of values round.
+  const bool fits = in.facts.integers && in.facts.slope > 0;
+  plan.bits = fits ? in.options.precision.value_or(16) : 32;
+  if (!fits) return on("32 bits: the values are not 16-bit integers with a positive slope");
+  return on(std::to_string(plan.bits) +
+            (in.options.precision ? " bits, as asked" : " bits hold the stored integers exactly"));
+}
+
+Effect shader(const RuleInput& in, Plan& plan) {
+  plan.phong = true;
+  plan.mapSize = in.options.mapSize.value_or(128);
+  if (!plan.lit) return off("nothing is lit");
+  const Shading& s = in.scene.shading;
+  const int lights = lightsThatShine(in.scene);
+  if (in.options.shader == Shader::map) {
+    plan.phong = false;
+    return on("reflectance map of " + std::to_string(plan.mapSize) + " x " + std::to_string(plan.mapSize) +
+              " a face, as asked");
+  }
+  if (in.options.shader == Shader::phong) return on("direct, as asked");
+  if (s.localViewer) return on("direct: the viewer's direction changes from ray to ray");
+  if (s.shininess > 200)
+    return on("direct: a shininess of " + number(s.shininess) + " is too sharp for a map");
+  if (in.options.step || in.options.quality == Quality::exact)
+    return on("direct: the exact light is asked for");
+  // FIELD 2: in-register Phong is as fast as the map for one light, slower from about three on.
+  if (lights < 3)
+    return on("direct: as fast as a map for " + std::to_string(lights) +
+              (lights == 1 ? " light" : " lights"));
+  plan.phong = false;
+  return on("reflectance map: " + std::to_string(lights) + " lights at the cost of one");
+}
+
+}  // namespace
+
+const std::vector<Rule>& rules() {
+  static const std::vector<Rule> table = {
+      {"lighting", true, lighting},
+      {"specular", true, specular},
+      {"gradient opacity", true, gradientOpacity},
+      {"gradients", true, gradients},
+      {"clip", true, clip},
+      {"empty blocks", true, emptyBlocks},
+      {"integration", false, integration},
+      {"early stop", false, earlyStop},
+      {"precision", false, precision},
+      {"shader", false, shader},
+  };
+  return table;
+}
+
+}  // namespace volumen

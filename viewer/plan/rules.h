@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "viewer/plan/plan.h"
+
+namespace volumen {
+
+/// What a rule sees: the completed scene and what was asked, with the facts of the volume.
+struct RuleInput {
+  const Scene& scene;
+  const VolumeFacts& facts;
+  const RenderOptions& options;
+};
+
+/// A rule decides one effect: sets its fields of the plan and returns the line that says so. Rules run in the
+/// order of the table; a later one may read what an earlier one decided. A sound rule leaves out only what
+/// contributes exactly nothing, and switches itself off (everything on) where `options.full` is set.
+struct Rule {
+  const char* name;
+  bool sound;
+  Effect (*decide)(const RuleInput&, Plan&);
+};
+
+const std::vector<Rule>& rules();
+
+}  // namespace volumen

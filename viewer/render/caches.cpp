@@ -1,0 +1,105 @@
+#include "viewer/render/caches.h"
+
+#include <algorithm>
+
+#include "viewer/plan/visibility.h"
+#include "viewer/volume/parallel.h"
+
+namespace volumen {
+
+RenderCaches::RenderCaches(VolumePtr volume) : impl_(std::make_unique<Impl>()) {
+  impl_->volume = std::move(volume);
+}
+RenderCaches::~RenderCaches() = default;
+RenderCaches::RenderCaches(RenderCaches&&) noexcept = default;
+RenderCaches& RenderCaches::operator=(RenderCaches&&) noexcept = default;
+
+const VolumePtr& RenderCaches::volume() const { return impl_->volume; }
+const VolumeFacts& RenderCaches::facts() { return impl_->factsOfVolume(); }
+
+namespace {
+
+// A copy of the samples, each turned into a T by `convert`, on all cores.
+template <class T, class From, class Convert>
+Buffer<T> converted(const std::vector<From>& stored, Convert convert) {
+  Buffer<T> out(stored.size());
+  constexpr std::int64_t chunk = 1 << 18;
+  const std::int64_t count = std::int64_t(stored.size());
+  parallelFor((count + chunk - 1) / chunk, 0, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t n = begin * chunk; n < std::min(count, end * chunk); ++n) out[n] = convert(stored[n]);
+  });
+  return out;
+}
+
+}  // namespace
+
+const VolumeFacts& RenderCaches::Impl::factsOfVolume() {
+  if (!facts) facts = factsOf(*volume);
+  return *facts;
+}
+
+const Density16& RenderCaches::Impl::densities16() {
+  if (density16) return *density16;
+  const double slope = volume->slope();
+  Density16 d;
+  d.scale = {slope, volume->intercept(), 0, 0};
+  // A gather reads a voxel with its neighbour along i; with one voxel along i it would read past the end of
+  // the samples.
+  const bool ownSamples = volume->size().x > 1;
+  std::visit(
+      [&]<class T>(const std::vector<T>& stored) {
+        if constexpr (std::is_same_v<T, float>) {
+          return;
+        } else if (sizeof(T) == 2 && ownSamples) {
+          d.data = reinterpret_cast<const std::int16_t*>(stored.data());
+          if (std::is_same_v<T, std::uint16_t>) d.flip = 0x80008000u;
+        } else {
+          const int shift = std::is_same_v<T, std::uint16_t> ? 32768 : 0;
+          d.copy = converted<std::int16_t>(stored, [&](T v) { return std::int16_t(int(v) - shift); });
+          d.data = d.copy.data();
+        }
+        if (std::is_same_v<T, std::uint16_t>) d.scale.intercept += 32768 * slope;
+      },
+      volume->stored());
+  const ValueRange range = factsOfVolume().range;
+  d.scale.low = (range.low - d.scale.intercept) / slope;
+  d.scale.high = (range.high - d.scale.intercept) / slope;
+  return density16.emplace(std::move(d));
+}
+
+const Density32& RenderCaches::Impl::densities32() {
+  if (density32) return *density32;
+  Density32 d;
+  std::visit(
+      [&]<class T>(const std::vector<T>& stored) {
+        if constexpr (std::is_same_v<T, float>) {
+          d.data = stored.data();
+        } else {
+          d.copy = converted<float>(stored, [&](T v) { return volume->realValue(v); });
+          d.data = d.copy.data();
+        }
+      },
+      volume->stored());
+  const ValueRange range = factsOfVolume().range;
+  d.scale = {1, 0, range.low, range.high};
+  return density32.emplace(std::move(d));
+}
+
+const Gradients16& RenderCaches::Impl::gradientsIn16() {
+  if (!gradients16) gradients16 = sobel16(*volume);
+  return *gradients16;
+}
+
+const Gradients32& RenderCaches::Impl::gradientsIn32() {
+  if (!gradients32) gradients32 = sobel32(*volume);
+  return *gradients32;
+}
+
+const SkipMap& RenderCaches::Impl::skipMap(const TransferFunction& curve) {
+  const BrickRanges& bricks = *factsOfVolume().bricks;
+  if (!skip || skip->points != curve.points)
+    skip = Skip{curve.points, makeSkipMap(bricks.count, visibleBlocks(curve, bricks))};
+  return skip->map;
+}
+
+}  // namespace volumen

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+
+#include "viewer/render/curve_table.h"
+#include "viewer/render/render.h"
+#include "viewer/render/skip_map.h"
+#include "viewer/volume/buffer.h"
+#include "viewer/volume/gradients.h"
+
+namespace volumen {
+
+/// Densities in 16 bits as the kernels read them: the volume's own samples where they serve, else a copy.
+struct Density16 {
+  const std::int16_t* data = nullptr;
+  std::uint32_t flip = 0;  ///< TraceFrame::flip16
+  DensityScale scale;
+  Buffer<std::int16_t> copy;
+};
+
+/// Densities as floats: real values.
+struct Density32 {
+  const float* data = nullptr;
+  DensityScale scale;
+  Buffer<float> copy;
+};
+
+struct RenderCaches::Impl {
+  VolumePtr volume;
+  std::optional<VolumeFacts> facts;
+  std::optional<Density16> density16;
+  std::optional<Density32> density32;
+  std::optional<Gradients16> gradients16;
+  std::optional<Gradients32> gradients32;
+
+  struct Skip {
+    std::vector<CurvePoint> points;  ///< what the map was made for
+    SkipMap map;
+  };
+  std::optional<Skip> skip;
+
+  const VolumeFacts& factsOfVolume();
+  const Density16& densities16();  ///< only for integers with a positive slope
+  const Density32& densities32();
+  const Gradients16& gradientsIn16();
+  const Gradients32& gradientsIn32();
+  const SkipMap& skipMap(const TransferFunction& curve);
+};
+
+}  // namespace volumen

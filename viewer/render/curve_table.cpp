@@ -1,0 +1,63 @@
+#include "viewer/render/curve_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace volumen {
+
+namespace {
+
+// The density at which the real value reaches `value`. Where a whole density means exactly this value, it is
+// that one, so that a step on a stored value is a step on that density.
+float densityOf(float value, const DensityScale& scale) {
+  const double density = (double(value) - scale.intercept) / scale.slope;
+  const double whole = std::round(density);
+  if (float(scale.slope * whole + scale.intercept) == value && std::abs(whole) < 1e7) return float(whole);
+  return float(std::clamp(density, -1e30, 1e30));
+}
+
+}  // namespace
+
+std::size_t CurveTable::bytes() const { return (first.size() + 10 * node.size()) * 4; }
+
+CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& scale) {
+  CurveTable t;
+  const auto& points = curve.points;
+  std::vector<float> nodes;
+  for (const CurvePoint& p : points) nodes.push_back(densityOf(p.value, scale));
+  const auto addSegment = [&](std::size_t from, std::size_t to, float end) {
+    const CurvePoint &a = points[from], &b = points[to];
+    const double width = double(nodes[to]) - nodes[from];
+    const auto rise = [&](double p, double q) { return float(width > 0 ? (q - p) / width : 0); };
+    t.node.push_back(end);
+    t.start.push_back(nodes[from]);
+    t.opacity.push_back(float(a.opacity)), t.opacityRise.push_back(rise(a.opacity, b.opacity));
+    t.red.push_back(float(a.colour.r)), t.redRise.push_back(rise(a.colour.r, b.colour.r));
+    t.green.push_back(float(a.colour.g)), t.greenRise.push_back(rise(a.colour.g, b.colour.g));
+    t.blue.push_back(float(a.colour.b)), t.blueRise.push_back(rise(a.colour.b, b.colour.b));
+  };
+  addSegment(0, 0, nodes.front());
+  for (std::size_t n = 0; n + 1 < points.size(); ++n) addSegment(n, n + 1, nodes[n + 1]);
+  addSegment(points.size() - 1, points.size() - 1, std::numeric_limits<float>::infinity());
+
+  t.low = float(scale.low);
+  const double width = scale.high - scale.low;
+  t.perBucket = width > 0 ? float(CurveTable::buckets / width) : 0.0f;
+  // The same float arithmetic as in the kernels, so that a density and a node never change places.
+  const auto bucketOf = [&](float density) {
+    const float b = (density - t.low) * t.perBucket;
+    return int(std::clamp(b, 0.0f, float(CurveTable::buckets - 1)));
+  };
+  std::vector<int> inBucket(CurveTable::buckets, 0);
+  for (float node : nodes) ++inBucket[bucketOf(node)];
+  t.first.resize(CurveTable::buckets);
+  for (int b = 0, before = 0; b < CurveTable::buckets; ++b) {
+    t.first[b] = before;
+    before += inBucket[b];
+    t.hops = std::max(t.hops, inBucket[b]);
+  }
+  return t;
+}
+
+}  // namespace volumen

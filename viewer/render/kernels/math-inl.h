@@ -1,0 +1,96 @@
+// Vector functions of the kernels, compiled once a CPU target. No operation fuses a multiply and an add, so
+// that every target gives the same bytes.
+#if defined(VOLUMEN_RENDER_KERNELS_MATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_RENDER_KERNELS_MATH_INL_H_
+#undef VOLUMEN_RENDER_KERNELS_MATH_INL_H_
+#else
+#define VOLUMEN_RENDER_KERNELS_MATH_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using DF = hn::ScalableTag<float>;
+using DI = hn::RebindToSigned<DF>;
+using VF = hn::Vec<DF>;
+using VI = hn::Vec<DI>;
+using MF = hn::Mask<DF>;
+
+HWY_INLINE VF Set(float x) { return hn::Set(DF(), x); }
+HWY_INLINE VI SetI(int x) { return hn::Set(DI(), x); }
+
+struct V3 {
+  VF x, y, z;
+};
+HWY_INLINE VF Dot(const V3& a, const V3& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+HWY_INLINE V3 Scale(const V3& a, VF s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
+HWY_INLINE V3 Add(const V3& a, const V3& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+HWY_INLINE V3 Broadcast(const glm::vec3& v) { return {Set(v.x), Set(v.y), Set(v.z)}; }
+/// a + f (b - a): exactly a where a = b (SCENE 2).
+HWY_INLINE VF Lerp(VF a, VF b, VF f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); }
+HWY_INLINE VF Clamp01(VF x) { return hn::Min(hn::Max(x, hn::Zero(DF())), Set(1)); }
+
+/// Natural logarithm of x in (0, 2); relative error about 1e-7. Polynomial: Cephes logf.
+HWY_INLINE VF Log(VF x) {
+  const DF df;
+  const DI di;
+  const VI bits = hn::BitCast(di, x);
+  // m in [sqrt(1/2), sqrt(2)), x = m 2^e.
+  const VI shifted = hn::Sub(bits, SetI(0x3f3504f3));
+  const VI e = hn::ShiftRight<23>(shifted);
+  const VF m = hn::BitCast(df, hn::Add(hn::And(shifted, SetI(0x007fffff)), SetI(0x3f3504f3)));
+  const VF f = hn::Sub(m, Set(1)), f2 = hn::Mul(f, f);
+  VF p = Set(7.0376836292e-2f);
+  for (float c : {-1.1514610310e-1f, 1.1676998740e-1f, -1.2420140846e-1f, 1.4249322787e-1f, -1.6668057665e-1f,
+                  2.0000714765e-1f, -2.4999993993e-1f, 3.3333331174e-1f})
+    p = hn::Add(hn::Mul(p, f), Set(c));
+  const VF ef = hn::ConvertTo(df, e);
+  VF y = hn::Mul(hn::Mul(p, f2), f);
+  y = hn::Add(y, hn::Mul(ef, Set(-2.12194440e-4f)));
+  y = hn::Sub(y, hn::Mul(f2, Set(0.5f)));
+  return hn::Add(hn::Add(f, y), hn::Mul(ef, Set(0.693359375f)));
+}
+
+/// exp(x) - 1 for x in [-87, 0], relative error about 1e-7 also for small |x|. Polynomial: Cephes expf.
+HWY_INLINE VF ExpMinus1(VF x) {
+  const DF df;
+  const DI di;
+  const VF n = hn::Round(hn::Mul(x, Set(1.44269504088896341f)));
+  const VF r = hn::Sub(hn::Sub(x, hn::Mul(n, Set(0.693359375f))), hn::Mul(n, Set(-2.12194440e-4f)));
+  VF p = Set(1.9875691500e-4f);
+  for (float c : {1.3981999507e-3f, 8.3334519073e-3f, 4.1665795894e-2f, 1.6666665459e-1f, 5.0000001201e-1f})
+    p = hn::Add(hn::Mul(p, r), Set(c));
+  const VF small = hn::Add(hn::Mul(hn::Mul(r, r), p), r);
+  const VF power = hn::BitCast(df, hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(di, n), SetI(127))));
+  return hn::Add(hn::Mul(power, small), hn::Sub(power, Set(1)));
+}
+
+/// The opacity of an interval `units` unit distances long whose opacity a unit is `opacity` (SCENE 4, 9):
+/// 1 - (1 - opacity)^units, with no loss where it is small.
+HWY_INLINE VF IntervalOpacity(VF opacity, VF units) {
+  const VF one = Set(1);
+  const VF o = hn::Min(opacity, Set(1.0f - 9.5367431640625e-7f));  // 1 - 2^-20
+  const VF left = hn::Sub(one, o);
+  // What the subtraction rounded off, so that log1p(-o) keeps its relative accuracy.
+  const VF lost = hn::Sub(hn::Sub(one, left), o);
+  const VF log1p = hn::Add(Log(left), hn::Div(lost, left));
+  const VF power = hn::Max(hn::Mul(log1p, units), Set(-80));
+  return hn::Neg(ExpMinus1(power));
+}
+
+/// x^power for x in [0, 1], power >= 1.
+HWY_INLINE VF Power(VF x, VF power) {
+  const VF exponent = hn::Max(hn::Mul(Log(hn::Max(x, Set(1e-30f))), power), Set(-80));
+  return hn::Max(hn::Add(ExpMinus1(exponent), Set(1)), hn::Zero(DF()));
+}
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // per-target include guard

@@ -1,0 +1,175 @@
+// Classification and lighting of samples, compiled once a CPU target.
+#if defined(VOLUMEN_RENDER_KERNELS_SHADE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_RENDER_KERNELS_SHADE_INL_H_
+#undef VOLUMEN_RENDER_KERNELS_SHADE_INL_H_
+#else
+#define VOLUMEN_RENDER_KERNELS_SHADE_INL_H_
+#endif
+
+#include "viewer/render/kernels/math-inl.h"
+#include "viewer/render/kernels/trace.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+/// The segment of the curve that each density lies in (CurveTable).
+HWY_INLINE VI SegmentOf(const CurveTable& t, VF density) {
+  const DF df;
+  const DI di;
+  const VF bucket = hn::Mul(hn::Sub(density, Set(t.low)), Set(t.perBucket));
+  const VI b = hn::ConvertTo(di, hn::Min(hn::Max(bucket, hn::Zero(df)), Set(float(CurveTable::buckets - 1))));
+  VI segment = hn::GatherIndex(di, t.first.data(), b);
+  for (int hop = 0; hop < t.hops; ++hop) {
+    const MF beyond = hn::Ge(density, hn::GatherIndex(df, t.node.data(), segment));
+    // A mask is -1 in every lane it holds in.
+    segment = hn::Sub(segment, hn::BitCast(di, hn::VecFromMask(df, beyond)));
+  }
+  return segment;
+}
+
+HWY_INLINE VF OnSegment(const std::vector<float>& at, const std::vector<float>& rise, VI segment, VF along) {
+  const DF df;
+  return hn::Add(hn::GatherIndex(df, at.data(), segment),
+                 hn::Mul(along, hn::GatherIndex(df, rise.data(), segment)));
+}
+
+HWY_INLINE VF Along(const CurveTable& t, VI segment, VF density) {
+  return hn::Sub(density, hn::GatherIndex(DF(), t.start.data(), segment));
+}
+
+HWY_INLINE VF OpacityOf(const CurveTable& t, VI segment, VF density) {
+  return Clamp01(OnSegment(t.opacity, t.opacityRise, segment, Along(t, segment, density)));
+}
+
+HWY_INLINE V3 ColourOf(const CurveTable& t, VI segment, VF density) {
+  const VF along = Along(t, segment, density);
+  return {Clamp01(OnSegment(t.red, t.redRise, segment, along)),
+          Clamp01(OnSegment(t.green, t.greenRise, segment, along)),
+          Clamp01(OnSegment(t.blue, t.blueRise, segment, along))};
+}
+
+/// The factor of SCENE 4's gradientOpacity at |g_p|; few points, so a walk over them.
+HWY_INLINE VF GradientFactor(const TransferFunction& curve, VF length) {
+  const auto& points = curve.gradientOpacity;
+  if (points.empty()) return Set(1);
+  VF factor = Set(float(points.front().factor));
+  for (std::size_t n = 0; n + 1 < points.size(); ++n) {
+    const float low = float(points[n].gradient), width = float(points[n + 1].gradient - points[n].gradient);
+    const VF place = width > 0 ? Clamp01(hn::Mul(hn::Sub(length, Set(low)), Set(1 / width))) : Set(1);
+    const VF here = Lerp(Set(float(points[n].factor)), Set(float(points[n + 1].factor)), place);
+    factor = hn::IfThenElse(hn::Ge(length, Set(low)), here, factor);
+  }
+  return hn::IfThenElse(hn::Ge(length, Set(float(points.back().gradient))), Set(float(points.back().factor)),
+                        factor);
+}
+
+/// |g_p| and the normal -g_p / |g_p| of a stored gradient (SCENE 3, 5).
+struct Normal {
+  V3 n;
+  VF length;
+};
+HWY_INLINE Normal NormalOf(const TraceFrame& f, const V3& stored) {
+  const float* m = f.gradientMatrix;
+  const V3 g{Dot({Set(m[0]), Set(m[1]), Set(m[2])}, stored), Dot({Set(m[3]), Set(m[4]), Set(m[5])}, stored),
+             Dot({Set(m[6]), Set(m[7]), Set(m[8])}, stored)};
+  // Scaled by the largest component first, so that neither large nor small gradients leave the range of
+  // floats.
+  const VF largest = hn::Max(hn::Max(hn::Abs(g.x), hn::Abs(g.y)), hn::Max(hn::Abs(g.z), Set(1e-30f)));
+  const V3 unit = Scale(g, hn::Div(Set(1), largest));
+  const VF size = hn::Sqrt(hn::Max(Dot(unit, unit), Set(1e-30f)));
+  return {Scale(unit, hn::Div(Set(-1), size)), hn::Mul(largest, size)};
+}
+
+struct DS {
+  V3 d, s;
+};
+
+/// D(n) and S(n) of SCENE 5 for one side. `h` of light i: the light's own, or with kLocal that of the
+/// sample's viewer.
+template <bool kLocal>
+HWY_INLINE DS OneSide(const Lighting& lighting, const V3& n, const V3& viewer) {
+  const VF zero = hn::Zero(DF()), ambient = Set(lighting.ambient), shininess = Set(lighting.shininess);
+  DS out{{ambient, ambient, ambient}, {zero, zero, zero}};
+  for (const ShadingLight& light : lighting.lights) {
+    const V3 l = Broadcast(light.l);
+    const VF nl = Dot(n, l);
+    out.d = Add(out.d, Scale(Broadcast(light.diffuse), hn::Max(nl, zero)));
+    if (!lighting.specular) continue;
+    V3 h = Broadcast(light.h);
+    if constexpr (kLocal) {
+      const V3 both = Add(l, viewer);
+      const VF length = hn::Sqrt(Dot(both, both));
+      h = Scale(both,
+                hn::IfThenElseZero(hn::Ge(length, Set(1e-3f)), hn::Div(Set(1), hn::Max(length, Set(1e-3f)))));
+    }
+    const VF nh = hn::Min(Dot(n, h), Set(1));
+    const VF facing = Clamp01(hn::Mul(nl, Set(10)));
+    const VF glint = hn::IfThenElseZero(hn::Gt(nh, zero), hn::Mul(facing, Power(nh, shininess)));
+    out.s = Add(out.s, Scale(Broadcast(light.specular), glint));
+  }
+  return out;
+}
+
+/// D'(n) and S'(n): two sides, the change-over continuous (SCENE 5).
+template <bool kLocal>
+HWY_INLINE DS ShadePhong(const Lighting& lighting, const V3& n, const V3& viewer) {
+  if (!lighting.twoSided) return OneSide<kLocal>(lighting, n, viewer);
+  const VF ne = Dot(n, viewer);
+  const VF toViewer = hn::CopySign(Set(1), ne);
+  const V3 near = Scale(n, toViewer);
+  DS out = OneSide<kLocal>(lighting, near, viewer);
+  const VF behind = hn::Sub(Set(1), Clamp01(hn::Add(Set(0.5f), hn::Mul(hn::Abs(ne), Set(5)))));
+  if (!hn::AllTrue(DF(), hn::Eq(behind, hn::Zero(DF())))) {
+    const DS far = OneSide<kLocal>(lighting, Scale(near, Set(-1)), viewer);
+    const auto mix = [&](const V3& a, const V3& b) {
+      return V3{Lerp(a.x, b.x, behind), Lerp(a.y, b.y, behind), Lerp(a.z, b.z, behind)};
+    };
+    out = {mix(out.d, far.d), mix(out.s, far.s)};
+  }
+  return out;
+}
+
+/// D' and S' from the reflectance map, bilinear on the face of the normal's largest component (paper 2.2).
+HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
+  const DF df;
+  const DI di;
+  const VF ax = hn::Abs(n.x), ay = hn::Abs(n.y), az = hn::Abs(n.z);
+  const MF isX = hn::And(hn::Ge(ax, ay), hn::Ge(ax, az)), isY = hn::AndNot(isX, hn::Ge(ay, az));
+  const auto choose = [&](VF x, VF y, VF z) { return hn::IfThenElse(isX, x, hn::IfThenElse(isY, y, z)); };
+  const VF major = choose(n.x, n.y, n.z);
+  const VF inverse = hn::Div(Set(1), hn::IfThenElse(hn::Eq(major, hn::Zero(df)), Set(1), major));
+  const VF half = Set(0.5f * float(map.n - 1));
+  const auto toNodes = [&](VF c) { return hn::Mul(hn::Add(hn::Mul(c, inverse), Set(1)), half); };
+  const VF limit = Set(float(map.n - 1));
+  const VF u = hn::Min(hn::Max(toNodes(choose(n.y, n.z, n.x)), hn::Zero(df)), limit);
+  const VF v = hn::Min(hn::Max(toNodes(choose(n.z, n.x, n.y)), hn::Zero(df)), limit);
+  const VI iu = hn::Min(hn::ConvertTo(di, u), SetI(map.n - 2)),
+           iv = hn::Min(hn::ConvertTo(di, v), SetI(map.n - 2));
+  const VF fu = hn::Sub(u, hn::ConvertTo(df, iu)), fv = hn::Sub(v, hn::ConvertTo(df, iv));
+  const VI axisFace = hn::ConvertTo(di, choose(hn::Zero(df), Set(2), Set(4)));
+  const VI face =
+      hn::Add(axisFace, hn::ConvertTo(di, hn::IfThenElseZero(hn::Lt(major, hn::Zero(df)), Set(1))));
+  const VI node = hn::Add(hn::Mul(hn::Add(hn::Mul(face, SetI(map.n)), iv), SetI(map.n)), iu);
+  const VI at = hn::ShiftLeft<3>(node);
+  static_assert(ReflectanceMap::stride == 8);
+  const int row = map.n * ReflectanceMap::stride;
+  const auto read = [&](int c) {
+    const float* base = map.nodes.data() + c;
+    const VF a = Lerp(hn::GatherIndex(df, base, at), hn::GatherIndex(df, base + 8, at), fu);
+    const VF b = Lerp(hn::GatherIndex(df, base + row, at), hn::GatherIndex(df, base + row + 8, at), fu);
+    return Lerp(a, b, fv);
+  };
+  return {{read(0), read(1), read(2)}, {read(3), read(4), read(5)}};
+}
+
+/// D'' and S'' (SCENE 5): a gradient too small to have a direction is lit flatly.
+HWY_INLINE DS WithFloor(const TraceFrame& f, const DS& shade, VF length) {
+  const VF q = hn::Min(Set(1), hn::Mul(length, Set(f.inverseFloor)));
+  const glm::vec3& flat = f.lighting->flat;
+  return {{Lerp(Set(flat.r), shade.d.x, q), Lerp(Set(flat.g), shade.d.y, q), Lerp(Set(flat.b), shade.d.z, q)},
+          Scale(shade.s, q)};
+}
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // per-target include guard

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "viewer/render/curve_table.h"
+#include "viewer/render/rays.h"
+#include "viewer/render/shading/lighting.h"
+#include "viewer/render/shading/reflectance_map.h"
+#include "viewer/render/skip_map.h"
+#include "viewer/scene/scene.h"
+
+namespace volumen {
+
+/// How density (and gradients) are stored: 16-bit integers with 4 x 16-bit gradients, floats with 4 x float
+/// gradients, or a plane of rays that another resampler (GL) has filled: floats, one row a step.
+enum class Store { int16, float32, plane };
+
+/// How a visible sample is lit. `map`: reflectance map; `phong`: directly; `local`: directly, each ray with
+/// its own viewer.
+enum class ShadeBy { nothing, map, phong, local };
+
+/// What a kernel is compiled for; chosen once a frame.
+struct TraceKey {
+  Store store = Store::int16;
+  ShadeBy shade = ShadeBy::nothing;
+  bool gradientOpacity = false;
+};
+
+/// What all rays of a frame share. Pointers live as long as the frame.
+struct TraceFrame {
+  glm::ivec3 size{1};  ///< voxels
+  const std::int16_t* density16 = nullptr;
+  std::uint32_t flip16 = 0;  ///< xor for a pair of 16-bit values: 0x80008000 where they are unsigned
+  const float* density32 = nullptr;
+  const std::int16_t* gradients16 = nullptr;
+  const float* gradients32 = nullptr;
+  float gradientMatrix[9] = {};  ///< row-major: stored gradient -> real value per mm in patient space
+  float inverseFloor = 0;        ///< 1 / gradientFloor; 0: q = 0 everywhere
+  const CurveTable* curve = nullptr;
+  float inverseUnitMm = 1;        ///< 1 / unitDistance
+  const SkipMap* skip = nullptr;  ///< null: every sample is looked at
+  const Lighting* lighting = nullptr;
+  const ReflectanceMap* map = nullptr;
+  const TransferFunction* transfer = nullptr;  ///< for its gradientOpacity
+  float stopTransmittance = 0;
+};
+
+/// A plane of rays resampled by another resampler: density[step * stride + ray]; gradients four floats a
+/// sample, in the units of gradientMatrix. Null pointers where the frame has none.
+struct PlaneBuffer {
+  const float* density = nullptr;
+  const float* gradients = nullptr;
+  int stride = 0;
+};
+
+/// What one row of rays came to: premultiplied colour and alpha, one entry a ray (padded as the rays are).
+struct TraceRow {
+  float *red, *green, *blue, *alpha;
+};
+
+/// Counted over a row.
+struct TraceCounts {
+  std::int64_t resampled = 0, composited = 0;
+  std::int64_t shadeTicks = 0, allTicks = 0;  ///< of the time stamp counter
+};
+
+/// Resamples, classifies, shades and composites one row of rays front to back (paper 3.1, SCENE 9 and 4 ..
+/// 6).
+using TraceKernel = void (*)(const TraceFrame&, const RayRow&, const PlaneBuffer&, const TraceRow&,
+                             TraceCounts&);
+TraceKernel chooseTraceKernel(TraceKey key);
+
+/// Extremes or the mean of the density along each ray of a row (SCENE 9), in density units; NaN never.
+using ProjectKernel = void (*)(const TraceFrame&, const RayRow&, const PlaneBuffer&, float* result);
+ProjectKernel chooseProjectKernel(Store store, Mode mode);
+
+/// The CPU target that the kernels run on, e.g. "AVX3".
+const char* kernelTarget();
+
+}  // namespace volumen

@@ -1,0 +1,117 @@
+#include "viewer/render/methods/planes_frame.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "viewer/render/caches.h"
+
+namespace volumen {
+
+namespace {
+
+double msSince(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+ShadeBy shadeOf(const Plan& plan) {
+  if (!plan.lit) return ShadeBy::nothing;
+  if (!plan.phong) return ShadeBy::map;
+  return plan.scene.shading.localViewer ? ShadeBy::local : ShadeBy::phong;
+}
+
+}  // namespace
+
+PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, bool cpuStore, RenderStats& stats)
+    : lighting_(makeLighting(plan.scene, plan.specular)), transfer_(plan.scene.transferFunction) {
+  auto& cache = caches.impl();
+  const auto begin = std::chrono::steady_clock::now();
+  frame_.size = cache.volume->size();
+  if (cpuStore) readStored(plan, caches, stats);
+  stats.gradientsMs += msSince(begin);
+  key_.shade = shadeOf(plan);
+  key_.gradientOpacity = plan.gradientOpacity;
+  if (!cpuStore) {
+    // Another resampler hands out real values and gradients a voxel.
+    key_.store = Store::plane;
+    const ValueRange range = cache.factsOfVolume().range;
+    scale_ = {1, 0, range.low, range.high};
+    setGradientScale(plan, cache.volume->geometry(), 1);
+  }
+  curve_ = makeCurveTable(transfer_, scale_);
+  frame_.curve = &curve_;
+  frame_.transfer = &transfer_;
+  frame_.inverseUnitMm = float(1 / transfer_.unitDistance);
+  frame_.lighting = &lighting_;
+  if (key_.shade == ShadeBy::map) {
+    map_ = makeReflectanceMap(lighting_, plan.mapSize);
+    frame_.map = &map_;
+  }
+  frame_.stopTransmittance = float(plan.stopTransmittance);
+  if (cpuStore && plan.skipBlocks) frame_.skip = &cache.skipMap(transfer_);
+  stats.tableBytes = curve_.bytes() + map_.nodes.size() * sizeof(float);
+  stats.blockBytes = cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float) +
+                     (frame_.skip ? frame_.skip->distance.size() : 0);
+}
+
+void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
+  auto& cache = caches.impl();
+  const VoxelGeometry& geometry = cache.volume->geometry();
+  if (plan.bits == 16) {
+    const Density16& d = cache.densities16();
+    key_.store = Store::int16;
+    scale_ = d.scale;
+    frame_.density16 = d.data;
+    frame_.flip16 = d.flip;
+    stats.densityBytes = std::size_t(geometry.voxelCount()) * 2;
+    if (!plan.gradients) return;
+    const Gradients16& g = cache.gradientsIn16();
+    frame_.gradients16 = g.xyz0.data();
+    stats.gradientBytes = g.xyz0.bytes();
+    setGradientScale(plan, geometry, g.scale);
+    return;
+  }
+  const Density32& d = cache.densities32();
+  key_.store = Store::float32;
+  scale_ = d.scale;
+  frame_.density32 = d.data;
+  stats.densityBytes = std::size_t(geometry.voxelCount()) * 4;
+  if (!plan.gradients) return;
+  const Gradients32& g = cache.gradientsIn32();
+  frame_.gradients32 = g.xyz0.data();
+  stats.gradientBytes = g.xyz0.bytes();
+  setGradientScale(plan, geometry, 1);
+}
+
+void PlanesFrame::setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale) {
+  const glm::dmat3 m = geometry.patientFromVoxelGradient() * scale;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) frame_.gradientMatrix[3 * r + c] = float(m[c][r]);
+  const double floor = *plan.scene.shading.gradientFloor;
+  frame_.inverseFloor = floor > 0 ? float(std::min(1 / floor, 1e30)) : 0.0f;
+}
+
+void writeRow(const Background& background, const TraceRow& row, int count, float* rgba) {
+  const glm::vec3 behind = background.colour;
+  for (int x = 0; x < count; ++x, rgba += 4) {
+    const float a = std::min(row.alpha[x], 1.0f), through = 1 - a;
+    const glm::vec3 c(row.red[x], row.green[x], row.blue[x]);
+    for (int n = 0; n < 3; ++n)
+      rgba[n] = std::clamp(background.transparent ? c[n] : c[n] + through * behind[n], 0.0f, 1.0f);
+    rgba[3] = background.transparent ? a : 1.0f;
+  }
+}
+
+void writeProjectedRow(const Scene& scene, const DensityScale& scale, const RayRow& rays,
+                       const float* density, float* rgba) {
+  const Window& w = *scene.window;
+  for (int x = 0; x < rays.count; ++x, rgba += 4) {
+    const bool hit = rays.steps[x] > 0;
+    const double value = scale.slope * density[x] + scale.intercept;
+    const float grey = float(std::clamp((value - (w.centre - w.width / 2)) / w.width, 0.0, 1.0));
+    const bool clear = !hit && scene.background.transparent;
+    for (int n = 0; n < 3; ++n) rgba[n] = hit ? grey : clear ? 0.0f : float(scene.background.colour[n]);
+    rgba[3] = clear ? 0.0f : 1.0f;
+  }
+}
+
+}  // namespace volumen

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "viewer/render/kernels/trace.h"
+#include "viewer/render/render.h"
+
+namespace volumen {
+
+/// Everything the kernels read for one frame, made from the plan; keeps what it points to alive.
+class PlanesFrame {
+ public:
+  PlanesFrame(const Plan& plan, RenderCaches& caches, bool cpuStore, RenderStats& stats);
+  PlanesFrame(const PlanesFrame&) = delete;
+  PlanesFrame& operator=(const PlanesFrame&) = delete;
+
+  const TraceFrame& trace() const { return frame_; }
+  const DensityScale& scale() const { return scale_; }
+  TraceKey key() const { return key_; }
+
+ private:
+  void readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats);
+  void setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale);
+
+  TraceFrame frame_;
+  TraceKey key_;
+  DensityScale scale_;
+  CurveTable curve_;
+  Lighting lighting_;
+  ReflectanceMap map_;
+  TransferFunction transfer_;
+};
+
+/// Writes one row of the picture: colour over the background, clamped (SCENE 6). `alpha` etc. hold one entry
+/// a pixel.
+void writeRow(const Background& background, const TraceRow& row, int count, float* rgba);
+/// The same for projections: densities mapped to grey by the window; rays of no steps show the background.
+void writeProjectedRow(const Scene& scene, const DensityScale& scale, const RayRow& rays,
+                       const float* density, float* rgba);
+
+}  // namespace volumen

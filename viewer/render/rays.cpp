@@ -1,0 +1,98 @@
+#include "viewer/render/rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+
+namespace volumen {
+
+RaySetup::RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, double stepVoxels,
+                   bool clip)
+    : size_(size),
+      stepVoxels_(stepVoxels),
+      perspective_(scene.camera->projection == Projection::perspective),
+      localViewer_(scene.shading.localViewer),
+      axes_(cameraAxes(*scene.camera)),
+      target_(*scene.camera->target),
+      height_(scene.camera->height),
+      geometry_(geometry),
+      voxelFromMm_(geometry.voxelFromPatientStep()),
+      low_(-0.5),
+      high_(glm::dvec3(geometry.size) - 0.5) {
+  if (perspective_) {
+    eye_ = target_ - scene.camera->distance * axes_.direction;
+    height_ = 2 * scene.camera->distance * std::tan(glm::radians(scene.camera->fov) / 2);
+  }
+  if (!clip) return;
+  low_ = scene.clip.boxLow * glm::dvec3(geometry.size) - 0.5;
+  high_ = scene.clip.boxHigh * glm::dvec3(geometry.size) - 0.5;
+  for (const ClipPlane& p : scene.clip.planes) {
+    const glm::dvec3 normal = glm::normalize(p.normal);
+    planes_.push_back({glm::transpose(geometry.patientFromVoxelStep) * normal,
+                       p.offset - glm::dot(normal, geometry.origin)});
+  }
+}
+
+RaySetup::Interval RaySetup::interval(glm::dvec3 o, glm::dvec3 d) const {
+  const double infinity = std::numeric_limits<double>::infinity();
+  Interval in{perspective_ ? 0 : -infinity, infinity};
+  // Keeps the part of the ray where offset + slope t <= 0; a parallel ray's boundary is inside (SCENE 6).
+  const auto keep = [&](double slope, double offset) {
+    if (slope > 0)
+      in.t1 = std::min(in.t1, -offset / slope);
+    else if (slope < 0)
+      in.t0 = std::max(in.t0, -offset / slope);
+    else if (offset > 0)
+      in.t1 = -infinity;
+  };
+  for (int a = 0; a < 3; ++a) {
+    keep(d[a], o[a] - high_[a]);
+    keep(-d[a], low_[a] - o[a]);
+  }
+  for (const Plane& p : planes_) keep(glm::dot(p.normal, d), glm::dot(p.normal, o) - p.offset);
+  return in;
+}
+
+void RaySetup::setRay(RayRow& row, int n, glm::dvec3 o, glm::dvec3 d, glm::dvec3 direction) const {
+  const Interval in = interval(o, d);
+  const double stepMm = stepVoxels_ / glm::length(d);
+  const double length = in.t1 - in.t0;
+  // A rest of less than a millionth of a step is rounding, not an interval of its own.
+  const double steps = length > 0 ? std::max(1.0, std::ceil(length / stepMm - 1e-6)) : 0;
+  const double last = length - (steps - 1) * stepMm;
+  const glm::dvec3 start = steps > 0 ? o + d * in.t0 : glm::dvec3(0), move = d * stepMm;
+  const auto inverse = [](double x) { return float(std::clamp(1 / x, -1e30, 1e30)); };
+  row.steps[n] = int(steps);
+  row.lastMiddle[n] = float(steps - 1 + 0.5 * last / stepMm);
+  row.startX[n] = float(start.x), row.startY[n] = float(start.y), row.startZ[n] = float(start.z);
+  row.moveX[n] = float(move.x), row.moveY[n] = float(move.y), row.moveZ[n] = float(move.z);
+  row.inverseX[n] = inverse(move.x), row.inverseY[n] = inverse(move.y), row.inverseZ[n] = inverse(move.z);
+  row.stepMm[n] = float(stepMm);
+  row.lastStepMm[n] = float(std::max(last, 0.0));
+  const glm::dvec3 viewer = localViewer_ ? -direction : -axes_.direction;
+  row.viewerX[n] = float(viewer.x), row.viewerY[n] = float(viewer.y), row.viewerZ[n] = float(viewer.z);
+}
+
+void RaySetup::makeRow(int y, RayRow& row) const {
+  const std::size_t padded = (std::size_t(size_.x) + padding - 1) / padding * padding;
+  row.count = size_.x;
+  for (auto* values : {&row.startX, &row.startY, &row.startZ, &row.moveX, &row.moveY, &row.moveZ,
+                       &row.inverseX, &row.inverseY, &row.inverseZ, &row.viewerX, &row.viewerY, &row.viewerZ,
+                       &row.lastMiddle, &row.stepMm, &row.lastStepMm})
+    values->assign(padded, 0.0f);
+  row.steps.assign(padded, 0);
+  const double pixelMm = height_ / size_.y;
+  const double b = (0.5 - (y + 0.5) / size_.y) * height_;
+  for (int x = 0; x < size_.x; ++x) {
+    const double a = ((x + 0.5) - 0.5 * size_.x) * pixelMm;
+    const glm::dvec3 q = target_ + a * axes_.right + b * axes_.up;
+    const glm::dvec3 origin = perspective_ ? eye_ : q;
+    const glm::dvec3 direction = perspective_ ? glm::normalize(q - eye_) : axes_.direction;
+    setRay(row, x, geometry_.voxelFromPatient(origin), voxelFromMm_ * direction, direction);
+  }
+}
+
+}  // namespace volumen

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "viewer/scene/scene.h"
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// The rays of one picture row as the kernels read them: arrays of one entry a ray, padded to whole vectors
+/// with rays of no steps. Positions in voxel space; a ray's sample n (SCENE 9) lies at start + (n + 1/2)
+/// move, its last one at start + lastMiddle move.
+struct RayRow {
+  int count = 0;  ///< rays, without padding
+  std::vector<float> startX, startY, startZ;
+  std::vector<float> moveX, moveY, moveZ;           ///< one step, voxels
+  std::vector<float> inverseX, inverseY, inverseZ;  ///< 1 / move, large and finite where move is 0
+  std::vector<float> viewerX, viewerY,
+      viewerZ;  ///< unit vector towards the viewer, patient space (SCENE 5: e)
+  std::vector<int> steps;
+  std::vector<float> lastMiddle;
+  std::vector<float> stepMm, lastStepMm;
+};
+
+/// Makes the rays of a picture: camera, box, clip box and planes (SCENE 6, 7) in double precision, sampled in
+/// steps (SCENE 9).
+class RaySetup {
+ public:
+  static constexpr int padding = 16;  ///< rays a row is padded to a multiple of
+
+  /// `scene` must be complete. `clip` false: the clip box and planes are not looked at.
+  RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, double stepVoxels, bool clip);
+
+  /// Fills `row` with the rays of picture row y.
+  void makeRow(int y, RayRow& row) const;
+
+ private:
+  struct Plane {
+    glm::dvec3 normal;  ///< in voxel space: inside where dot(normal, x) <= offset
+    double offset;
+  };
+  struct Interval {
+    double t0, t1;  ///< mm along the ray
+  };
+  Interval interval(glm::dvec3 originVoxel, glm::dvec3 directionVoxel) const;
+  void setRay(RayRow& row, int n, glm::dvec3 originVoxel, glm::dvec3 directionVoxel,
+              glm::dvec3 direction) const;
+
+  glm::ivec2 size_;
+  double stepVoxels_;
+  bool perspective_, localViewer_;
+  CameraAxes axes_;
+  glm::dvec3 eye_, target_;
+  double height_;
+  VoxelGeometry geometry_;
+  glm::dmat3 voxelFromMm_;
+  glm::dvec3 low_, high_;  ///< the clipped box, voxel space
+  std::vector<Plane> planes_;
+};
+
+}  // namespace volumen

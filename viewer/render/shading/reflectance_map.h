@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "viewer/render/shading/lighting.h"
+
+namespace volumen {
+
+/// The shades of all directions on the six faces of a cube (paper 2.2): face 2a + (component a < 0), where a
+/// is the normal's largest component; u, v are the next two components (cyclic) divided by it, -1 .. 1 over n
+/// x n nodes, read bilinearly.
+struct ReflectanceMap {
+  static constexpr int stride = 8;  ///< floats a node: D red green blue, S red green blue, 0, 0
+  int n = 0;
+  std::vector<float> nodes;  ///< ((face * n + v) * n + u) * stride
+};
+
+/// D' and S' of SCENE 5 at every node.
+ReflectanceMap makeReflectanceMap(const Lighting& lighting, int n);
+
+}  // namespace volumen
