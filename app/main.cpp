@@ -20,7 +20,7 @@ struct Entry {
 };
 
 constexpr Entry commands[] = {
-    {"convert", "Write a series as one file (.nrrd, .nii.gz, .mha)", volumen::makeConvert},
+    {"convert", "Write a series as one file (.nrrd, .nii.gz, .mha) or as DICOM", volumen::makeConvert},
     {"info", "What is in a file or folder: patients, studies, series, geometry, warnings", volumen::makeInfo},
     {"open", "The desktop program", volumen::makeOpen},
     {"render", "Draw a picture without a window", volumen::makeRender},
