@@ -8,9 +8,6 @@
 
 namespace volumen {
 
-/// The largest opacity that any value in low..high has under the curve (SCENE 4), 0..1.
-double largestOpacity(const TransferFunction& curve, double low, double high);
-
 /// One entry a block: 1 where a value between the block's smallest and largest has opacity, widened by a few
 /// units in the last place, so that rounding in an interpolation cannot escape it.
 std::vector<std::uint8_t> visibleBlocks(const TransferFunction& curve, const BrickRanges& bricks);

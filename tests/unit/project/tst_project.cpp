@@ -1,0 +1,156 @@
+// Guards DESIGN 1: the rooms include only what the table allows. Prints the longest files and functions, for
+// a reader to judge.
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <algorithm>
+
+#include "tests/unit/suite.h"
+
+namespace {
+
+const QString root = QStringLiteral(VOLUMEN_SOURCE_DIR);
+
+QStringList sources() {
+  QStringList out;
+  for (const char* top : {"app", "viewer", "io", "ui", "tests"}) {
+    QDirIterator files(root + QLatin1Char('/') + QLatin1String(top),
+                       {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                       QDirIterator::Subdirectories);
+    while (files.hasNext()) out << files.next().mid(root.size() + 1);
+  }
+  return out;
+}
+
+QString textOf(const QString& path) {
+  QFile file(root + QLatin1Char('/') + path);
+  return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+struct Room {
+  QString name;
+  QStringList allowed;
+};
+
+QVector<Room> rooms() {
+  QVector<Room> out;
+  for (const QString& line : textOf(QStringLiteral("tests/rooms.txt")).split(QLatin1Char('\n'))) {
+    if (line.isEmpty() || line.startsWith(QLatin1Char('#'))) continue;
+    QStringList words = line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const QString name = words.takeFirst();
+    out.push_back({name, words});
+  }
+  return out;
+}
+
+bool inside(const QString& path, const QString& folder) { return path.startsWith(folder + QLatin1Char('/')); }
+
+// The room a file belongs to: the longest name that its path starts with.
+Room roomOf(const QString& path) {
+  Room best;
+  for (const Room& r : rooms())
+    if (inside(path, r.name) && r.name.size() > best.name.size()) best = r;
+  return best;
+}
+
+bool mayInclude(const Room& room, const QString& included) {
+  return inside(included, room.name) ||
+         std::any_of(room.allowed.begin(), room.allowed.end(), [&](const QString& allowed) {
+           return allowed == QLatin1String("*") || inside(included, allowed);
+         });
+}
+
+struct Length {
+  qsizetype lines;
+  QString what;
+};
+
+void printLongest(const char* kind, QVector<Length> all) {
+  std::sort(all.begin(), all.end(), [](const Length& a, const Length& b) { return a.lines > b.lines; });
+  for (int n = 0; n < std::min<qsizetype>(10, all.size()); ++n)
+    qInfo("longest %s: %4lld lines  %s", kind, static_cast<long long>(all[n].lines), qPrintable(all[n].what));
+}
+
+}  // namespace
+
+class TestProject : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theTableForbidsWhatItShould_data();
+  void theTableForbidsWhatItShould();
+  void roomsIncludeOnlyWhatTheTableAllows_data();
+  void roomsIncludeOnlyWhatTheTableAllows();
+  void longestFilesAndFunctions();
+};
+
+void TestProject::theTableForbidsWhatItShould_data() {
+  QTest::addColumn<QString>("from");
+  QTest::addColumn<QString>("to");
+  QTest::addColumn<bool>("allowed");
+  const auto row = [](const char* name, const char* from, const char* to, bool allowed) {
+    QTest::newRow(name) << QString::fromLatin1(from) << QString::fromLatin1(to) << allowed;
+  };
+  row("volume knows no scene", "viewer/volume/volume.h", "viewer/scene/scene.h", false);
+  row("a plan knows no pixels", "viewer/plan/plan.cpp", "viewer/render/render.h", false);
+  row("io knows no rendering", "io/study.cpp", "viewer/render/render.h", false);
+  row("nobody includes app", "ui/main_window.cpp", "app/command.h", false);
+  row("widgets know no session", "ui/widgets/light_ball.cpp", "ui/session/session.h", false);
+  row("render reads plans", "viewer/render/render.cpp", "viewer/plan/plan.h", true);
+  row("a room includes itself", "io/dicom/scan.cpp", "io/study.h", true);
+}
+
+void TestProject::theTableForbidsWhatItShould() {
+  QFETCH(QString, from);
+  QFETCH(QString, to);
+  QFETCH(bool, allowed);
+  // A room inside a room (ui/widgets in ui) may include what the table says of it alone.
+  QCOMPARE(mayInclude(roomOf(from), to), allowed);
+}
+
+void TestProject::roomsIncludeOnlyWhatTheTableAllows_data() {
+  QTest::addColumn<QString>("path");
+  for (const QString& path : sources()) QTest::newRow(qPrintable(path)) << path;
+}
+
+void TestProject::roomsIncludeOnlyWhatTheTableAllows() {
+  QFETCH(QString, path);
+  const Room room = roomOf(path);
+  QVERIFY2(!room.name.isEmpty(), "the file lies in no room of tests/rooms.txt");
+  static const QRegularExpression include(QStringLiteral("^#include \"([^\"]+)\""),
+                                          QRegularExpression::MultilineOption);
+  for (auto found = include.globalMatch(textOf(path)); found.hasNext();) {
+    const QString included = found.next().captured(1);
+    if (included.endsWith(QLatin1String(".moc"))) continue;
+    QVERIFY2(included.contains(QLatin1Char('/')),
+             qPrintable(included + QStringLiteral(": includes name their full path from the root")));
+    QVERIFY2(mayInclude(room, included),
+             qPrintable(room.name + QStringLiteral(" may not include ") + included));
+  }
+}
+
+void TestProject::longestFilesAndFunctions() {
+  QVector<Length> files, functions;
+  // With our layout a function's body starts after a line that ends in "{" at the margin (or inside a class)
+  // and ends in "}" there.
+  static const QRegularExpression head(QStringLiteral(
+      "^( *)(?!namespace|class|struct|enum|if|for|while|switch|else|case|using|//)\\S.*\\).*\\{$"));
+  for (const QString& path : sources()) {
+    const QStringList lines = textOf(path).split(QLatin1Char('\n'));
+    files.push_back({lines.size(), path});
+    for (int n = 0; n < lines.size(); ++n) {
+      const auto match = head.match(lines[n]);
+      if (!match.hasMatch() || match.captured(1).size() > 2) continue;
+      const QString end = match.captured(1) + QLatin1Char('}');
+      int last = n + 1;
+      while (last < lines.size() && lines[last] != end) ++last;
+      functions.push_back({last - n + 1, path + QLatin1Char(':') + QString::number(n + 1)});
+      n = last;
+    }
+  }
+  QVERIFY(!files.isEmpty() && !functions.isEmpty());
+  printLongest("file", files);
+  printLongest("function", functions);
+}
+
+VOLUMEN_TEST(TestProject);
+#include "tst_project.moc"
