@@ -46,8 +46,9 @@ std::vector<Entries> groups(const std::vector<FileHeader>& files) {
     std::vector<Entries>& known = bySeries[seriesKey(file)];
     for (const Slice& slice : file.slices) {
       Entry entry{&file, {slice, file.path, 0}};
-      const auto it =
-          std::find_if(known.begin(), known.end(), [&](const Entries& g) { return fit(g[0], entry); });
+      // Only the last groups are tried, so that a file of a hundred thousand directions takes no minutes.
+      const auto first = known.end() - std::min<std::ptrdiff_t>(256, known.end() - known.begin());
+      const auto it = std::find_if(first, known.end(), [&](const Entries& g) { return fit(g[0], entry); });
       if (it == known.end())
         known.push_back({entry});
       else
@@ -124,16 +125,14 @@ std::vector<std::string> dropCopies(Entries& entries) {
 
 /// Splits by one attribute, in order of first occurrence.
 std::vector<Entries> byPart(const Entries& entries, std::size_t part) {
-  std::vector<std::pair<std::string, Entries>> parts;
+  std::map<std::string, std::size_t> index;
+  std::vector<Entries> parts;
   for (const Entry& e : entries) {
-    const std::string value = part < e.slice().parts.size() ? e.slice().parts[part] : std::string();
-    auto it = std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.first == value; });
-    if (it == parts.end()) it = parts.insert(parts.end(), {value, {}});
-    it->second.push_back(e);
+    const auto [it, isNew] = index.emplace(e.slice().parts[part], parts.size());
+    if (isNew) parts.emplace_back();
+    parts[it->second].push_back(e);
   }
-  std::vector<Entries> found;
-  for (auto& [value, list] : parts) found.push_back(std::move(list));
-  return found;
+  return parts;
 }
 
 /// Pictures of one place by their order there: the first of each place, the second of each place, ...

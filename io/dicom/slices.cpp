@@ -160,7 +160,7 @@ Status placeDoseFrames(const DataSet& data, FileHeader& header) {
 Status readEnhancedFrames(const DataSet& data, FileHeader& header) {
   const auto ofAll = data.items(0x52009229, data.root()), ofFrames = data.items(0x52009230, data.root());
   const std::size_t frames = std::size_t(header.format.frames);
-  if (!ofFrames.empty() && ofFrames.size() != frames)
+  if (frames > 1 && ofFrames.size() != frames)
     return Error{"it has " + std::to_string(frames) + " frames, but functional groups for " +
                  std::to_string(ofFrames.size())};
   header.slices.clear();

@@ -87,6 +87,9 @@ class TestDicomSeries : public QObject {
   void singleSliceHasItsThickness();
   void differentRescaleBecomesFloat();
   void paddingAndWindowsAreKept();
+  void framesOfAnEnhancedPictureAreSlices();
+  void framesOfADoseAreSlices();
+  void framesWithoutPlaceAreRefused();
   void badSliceCostsOnlyItself_data();
   void badSliceCostsOnlyItself();
 };
@@ -356,6 +359,91 @@ void TestDicomSeries::paddingAndWindowsAreKept() {
   QVERIFY(a.windows == (std::vector<Window>{{40, 400}, {300, 1500}}));
   QCOMPARE(a.modality, std::string("CT"));
   QCOMPARE(loaded->acquired->value(0, 0, 0), -1014.f);
+}
+
+namespace {
+
+/// Makes `data` a picture of `frames` frames, frame n of value n everywhere.
+void makeFrames(DcmDataset& data, int frames) {
+  std::vector<Uint16> pixels;
+  for (int n = 0; n < frames; ++n) pixels.insert(pixels.end(), 12, Uint16(n));
+  data.putAndInsertString(DCM_NumberOfFrames, QByteArray::number(frames).constData());
+  data.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
+}
+
+/// The item of a functional group: of all frames (frame -1) or of one.
+DcmItem& group(DcmDataset& data, int frame, const DcmTagKey& sequence) {
+  const DcmTagKey& holder =
+      frame < 0 ? DCM_SharedFunctionalGroupsSequence : DCM_PerFrameFunctionalGroupsSequence;
+  DcmItem *item = nullptr, *found = nullptr;
+  data.findOrCreateSequenceItem(holder, item, std::max(0, frame));
+  item->findOrCreateSequenceItem(sequence, found);
+  return *found;
+}
+
+}  // namespace
+
+void TestDicomSeries::framesOfAnEnhancedPictureAreSlices() {
+  const Folder folder;
+  DicomPicture p;
+  p.orientation = p.spacing = "";
+  p.edit = [](DcmDataset& data) {
+    makeFrames(data, 6);
+    data.findAndDeleteElement(DCM_ImagePositionPatient);
+    group(data, -1, DCM_PlaneOrientationSequence)
+        .putAndInsertString(DCM_ImageOrientationPatient, "1\\0\\0\\0\\1\\0");
+    group(data, -1, DCM_PixelMeasuresSequence).putAndInsertString(DCM_PixelSpacing, "0.5\\0.7");
+    // Three places from above to below, at each the two time points.
+    for (int n = 0; n < 6; ++n) {
+      const QByteArray place = QByteArray("0\\0\\") + QByteArray::number(4 - 2 * (n / 2));
+      group(data, n, DCM_PlanePositionSequence)
+          .putAndInsertString(DCM_ImagePositionPatient, place.constData());
+      group(data, n, DCM_FrameContentSequence)
+          .putAndInsertUint32(DCM_TemporalPositionIndex, Uint32(1 + n % 2));
+      DcmItem& rescale = group(data, n, DCM_PixelValueTransformationSequence);
+      rescale.putAndInsertString(DCM_RescaleSlope, n % 2 ? "10" : "1");
+      rescale.putAndInsertString(DCM_RescaleIntercept, "0");
+    }
+  };
+  folder.add("enhanced", p);
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(2));
+  const std::vector<float> expected[] = {{4, 2, 0}, {50, 30, 10}};
+  for (std::size_t t = 0; t < 2; ++t) {
+    QCOMPARE(study.volumes[t].acquired.spacing(), glm::dvec3(0.7, 0.5, 2));
+    QCOMPARE(study.volumes[t].acquired.origin, glm::dvec3(0));
+    const auto loaded = loadSeries(study.volumes[t]);
+    QVERIFY(loaded.ok());
+    QCOMPARE(firstOfEachSlice(*loaded->acquired), expected[t]);
+  }
+}
+
+void TestDicomSeries::framesOfADoseAreSlices() {
+  const Folder folder;
+  DicomPicture p = sliceAt(5, 0);
+  p.edit = [](DcmDataset& data) {
+    makeFrames(data, 3);
+    data.putAndInsertString(DCM_GridFrameOffsetVector, "0\\3\\6");
+    data.putAndInsertString(DCM_DoseGridScaling, "0.25");
+  };
+  folder.add("dose", p);
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  QCOMPARE(study.volumes[0].acquired.origin, glm::dvec3(10, 20, 5));
+  QCOMPARE(study.volumes[0].acquired.spacing().z, 3.0);
+  const auto loaded = loadSeries(study.volumes[0]);
+  QVERIFY(loaded.ok());
+  QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 0.25, 0.5}));
+}
+
+void TestDicomSeries::framesWithoutPlaceAreRefused() {
+  const Folder folder;
+  DicomPicture p = sliceAt(5, 0);
+  p.edit = [](DcmDataset& data) { makeFrames(data, 3); };
+  folder.add("cine", p);
+  const Study study = folder.open();
+  QVERIFY(study.volumes.empty());
+  QVERIFY(study.refused.at(0).reason.find("where each of them lies") != std::string::npos);
 }
 
 void TestDicomSeries::badSliceCostsOnlyItself_data() {
