@@ -2,71 +2,15 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
-#include <QTemporaryDir>
 #include <algorithm>
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "io/study.h"
-#include "tests/unit/io/dicom_writer.h"
+#include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
 using namespace volumen::tests;
-
-namespace {
-
-/// A folder of synthetic DICOM files, and what is found in it.
-class Folder {
- public:
-  std::string path(const std::string& name = {}) const {
-    return dir_.filePath(QString::fromStdString(name)).toStdString();
-  }
-  void add(const std::string& name, const DicomPicture& picture,
-           const char* syntax = "1.2.840.10008.1.2.1") const {
-    writeDicom(path(name), picture, syntax);
-  }
-  Study open() const {
-    Result<Study> study = openStudy(path());
-    return study.ok() ? *study : Study{};
-  }
-
- private:
-  QTemporaryDir dir_;
-};
-
-std::string numbered(const char* prefix, int n) {
-  return QString::fromLatin1("%1%2").arg(QLatin1String(prefix)).arg(n).toStdString();
-}
-
-/// A slice at `z` mm that holds `value` everywhere.
-DicomPicture sliceAt(double z, int value) {
-  DicomPicture p;
-  p.position = {10, 20, z};
-  p.instance = 1000 - value;
-  p.pixels = {std::uint16_t(value)};
-  return p;
-}
-
-/// Slices at these places, named against their order, of value 100 z.
-void addStack(const Folder& folder, const std::vector<double>& z) {
-  for (std::size_t n = 0; n < z.size(); ++n)
-    folder.add(numbered("s", int(100 + (n * 11) % z.size())), sliceAt(z[n], int(100 * z[n])));
-}
-
-bool warns(const std::vector<std::string>& warnings, const std::string& word) {
-  return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& w) {
-    return w.find(word) != std::string::npos && w.ends_with(".");
-  });
-}
-
-std::vector<float> firstOfEachSlice(const Volume& volume) {
-  std::vector<float> values;
-  for (int k = 0; k < volume.size().z; ++k) values.push_back(volume.value(0, 0, k));
-  return values;
-}
-
-}  // namespace
 
 class TestDicomSeries : public QObject {
   Q_OBJECT
@@ -85,18 +29,11 @@ class TestDicomSeries : public QObject {
   void withoutPlaceItIsNotCalibrated();
   void singleSliceHasItsThickness_data();
   void singleSliceHasItsThickness();
-  void differentRescaleBecomesFloat();
-  void paddingAndWindowsAreKept();
-  void framesOfAnEnhancedPictureAreSlices();
-  void framesOfADoseAreSlices();
-  void framesWithoutPlaceAreRefused();
-  void badSliceCostsOnlyItself_data();
-  void badSliceCostsOnlyItself();
 };
 
 void TestDicomSeries::slicesAreOrderedByPlaceNotByName() {
-  const Folder folder;
-  addStack(folder, {0, 2, 4, 6, 8});
+  const DicomFolder folder;
+  folder.addStack({0, 2, 4, 6, 8});
   const Study study = folder.open();
   QCOMPARE(study.volumes.size(), std::size_t(1));
   const Series& s = study.volumes[0];
@@ -134,8 +71,8 @@ void TestDicomSeries::regularGridOfUnevenSlices() {
   QFETCH(int, interpolated);
   QFETCH(double, step);
   QFETCH(QString, says);
-  const Folder folder;
-  addStack(folder, std::vector<double>(z.begin(), z.end()));
+  const DicomFolder folder;
+  folder.addStack(std::vector<double>(z.begin(), z.end()));
   const Study study = folder.open();
   QCOMPARE(study.volumes.size(), std::size_t(1));
   const Series& s = study.volumes[0];
@@ -171,8 +108,8 @@ void TestDicomSeries::largeGapsSplit_data() {
 void TestDicomSeries::largeGapsSplit() {
   QFETCH(QList<double>, z);
   QFETCH(int, volumes);
-  const Folder folder;
-  addStack(folder, std::vector<double>(z.begin(), z.end()));
+  const DicomFolder folder;
+  folder.addStack(std::vector<double>(z.begin(), z.end()));
   const Study study = folder.open();
   QCOMPARE(study.volumes.size(), std::size_t(volumes));
   if (volumes == 1) return;
@@ -182,7 +119,7 @@ void TestDicomSeries::largeGapsSplit() {
 }
 
 void TestDicomSeries::shearIsKept() {
-  const Folder folder;
+  const DicomFolder folder;
   for (int n = 0; n < 4; ++n) {
     DicomPicture p = sliceAt(2.0 * n, n);
     p.position.y += 0.5 * n;
@@ -197,8 +134,8 @@ void TestDicomSeries::shearIsKept() {
 }
 
 void TestDicomSeries::copiesAreLeftOut() {
-  const Folder folder;
-  addStack(folder, {0, 1, 2});
+  const DicomFolder folder;
+  folder.addStack({0, 1, 2});
   std::filesystem::create_directory(folder.path("deeper"));
   std::filesystem::copy_file(folder.path("s100"), folder.path("deeper/copy"));
   const Study study = folder.open();
@@ -215,7 +152,7 @@ void TestDicomSeries::picturesOfOnePlaceAreSplit_data() {
 
 void TestDicomSeries::picturesOfOnePlaceAreSplit() {
   QFETCH(QString, by);
-  const Folder folder;
+  const DicomFolder folder;
   for (int z = 0; z < 3; ++z) {
     for (int t = 0; t < 2; ++t) {
       DicomPicture p = sliceAt(z, 10 * t + z);
@@ -243,7 +180,7 @@ void TestDicomSeries::picturesOfOnePlaceAreSplit() {
 }
 
 void TestDicomSeries::orientationsAreSplit() {
-  const Folder folder;
+  const DicomFolder folder;
   for (int n = 0; n < 3; ++n) {
     folder.add(numbered("a", n), sliceAt(n, n));
     DicomPicture sagittal = sliceAt(0, n);
@@ -278,7 +215,7 @@ void TestDicomSeries::withoutPlaceItIsNotCalibrated() {
   QFETCH(QString, orientation);
   QFETCH(QString, spacing);
   QFETCH(QString, says);
-  const Folder folder;
+  const DicomFolder folder;
   for (int n = 0; n < 3; ++n) {
     DicomPicture p = sliceAt(n, 500 - n);
     p.instance = n;
@@ -308,7 +245,7 @@ void TestDicomSeries::singleSliceHasItsThickness_data() {
 void TestDicomSeries::singleSliceHasItsThickness() {
   QFETCH(QString, thickness);
   QFETCH(double, mm);
-  const Folder folder;
+  const DicomFolder folder;
   DicomPicture p = sliceAt(5, 7);
   p.edit = [&](DcmDataset& data) {
     data.putAndInsertString(DCM_SliceThickness, thickness.toLatin1().constData());
@@ -318,165 +255,6 @@ void TestDicomSeries::singleSliceHasItsThickness() {
   QCOMPARE(study.volumes.size(), std::size_t(1));
   QCOMPARE(study.volumes[0].acquired.spacing().z, mm);
   QCOMPARE(warns(study.volumes[0].warnings, "1 mm thick"), mm == 1.0);
-}
-
-void TestDicomSeries::differentRescaleBecomesFloat() {
-  const Folder folder;
-  const char* slopes[] = {"0.5", "0.25", "0.5"};
-  for (int n = 0; n < 3; ++n) {
-    DicomPicture p = sliceAt(n, 10 + n);
-    p.edit = [&](DcmDataset& data) {
-      data.putAndInsertString(DCM_RescaleSlope, slopes[n]);
-      data.putAndInsertString(DCM_RescaleIntercept, "-3");
-    };
-    folder.add(numbered("s", n), p);
-  }
-  const Study study = folder.open();
-  QCOMPARE(study.volumes[0].valueType, std::string("float32"));
-  const auto loaded = loadSeries(study.volumes[0]);
-  QVERIFY(loaded.ok());
-  QCOMPARE(std::string(loaded->acquired->typeName()), std::string("float32"));
-  QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{2, -0.25, 3}));
-}
-
-void TestDicomSeries::paddingAndWindowsAreKept() {
-  const Folder folder;
-  DicomPicture p = sliceAt(0, 10);
-  p.isSigned = true;
-  p.edit = [](DcmDataset& data) {
-    data.putAndInsertSint16(DCM_PixelPaddingValue, -2000);
-    data.putAndInsertString(DCM_RescaleSlope, "1");
-    data.putAndInsertString(DCM_RescaleIntercept, "-1024");
-    data.putAndInsertString(DCM_WindowCenter, "40\\300");
-    data.putAndInsertString(DCM_WindowWidth, "400\\1500");
-  };
-  folder.add("only", p);
-  const Study study = folder.open();
-  const auto loaded = loadSeries(study.volumes.at(0));
-  QVERIFY(loaded.ok());
-  const VolumeAttributes& a = loaded->acquired->attributes();
-  QVERIFY(a.padding == (ValueRange{-3024, -3024}));
-  QVERIFY(a.windows == (std::vector<Window>{{40, 400}, {300, 1500}}));
-  QCOMPARE(a.modality, std::string("CT"));
-  QCOMPARE(loaded->acquired->value(0, 0, 0), -1014.f);
-}
-
-namespace {
-
-/// Makes `data` a picture of `frames` frames, frame n of value n everywhere.
-void makeFrames(DcmDataset& data, int frames) {
-  std::vector<Uint16> pixels;
-  for (int n = 0; n < frames; ++n) pixels.insert(pixels.end(), 12, Uint16(n));
-  data.putAndInsertString(DCM_NumberOfFrames, QByteArray::number(frames).constData());
-  data.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
-}
-
-/// The item of a functional group: of all frames (frame -1) or of one.
-DcmItem& group(DcmDataset& data, int frame, const DcmTagKey& sequence) {
-  const DcmTagKey& holder =
-      frame < 0 ? DCM_SharedFunctionalGroupsSequence : DCM_PerFrameFunctionalGroupsSequence;
-  DcmItem *item = nullptr, *found = nullptr;
-  data.findOrCreateSequenceItem(holder, item, std::max(0, frame));
-  item->findOrCreateSequenceItem(sequence, found);
-  return *found;
-}
-
-}  // namespace
-
-void TestDicomSeries::framesOfAnEnhancedPictureAreSlices() {
-  const Folder folder;
-  DicomPicture p;
-  p.orientation = p.spacing = "";
-  p.edit = [](DcmDataset& data) {
-    makeFrames(data, 6);
-    data.findAndDeleteElement(DCM_ImagePositionPatient);
-    group(data, -1, DCM_PlaneOrientationSequence)
-        .putAndInsertString(DCM_ImageOrientationPatient, "1\\0\\0\\0\\1\\0");
-    group(data, -1, DCM_PixelMeasuresSequence).putAndInsertString(DCM_PixelSpacing, "0.5\\0.7");
-    // Three places from above to below, at each the two time points.
-    for (int n = 0; n < 6; ++n) {
-      const QByteArray place = QByteArray("0\\0\\") + QByteArray::number(4 - 2 * (n / 2));
-      group(data, n, DCM_PlanePositionSequence)
-          .putAndInsertString(DCM_ImagePositionPatient, place.constData());
-      group(data, n, DCM_FrameContentSequence)
-          .putAndInsertUint32(DCM_TemporalPositionIndex, Uint32(1 + n % 2));
-      DcmItem& rescale = group(data, n, DCM_PixelValueTransformationSequence);
-      rescale.putAndInsertString(DCM_RescaleSlope, n % 2 ? "10" : "1");
-      rescale.putAndInsertString(DCM_RescaleIntercept, "0");
-    }
-  };
-  folder.add("enhanced", p);
-  const Study study = folder.open();
-  QCOMPARE(study.volumes.size(), std::size_t(2));
-  const std::vector<float> expected[] = {{4, 2, 0}, {50, 30, 10}};
-  for (std::size_t t = 0; t < 2; ++t) {
-    QCOMPARE(study.volumes[t].acquired.spacing(), glm::dvec3(0.7, 0.5, 2));
-    QCOMPARE(study.volumes[t].acquired.origin, glm::dvec3(0));
-    const auto loaded = loadSeries(study.volumes[t]);
-    QVERIFY(loaded.ok());
-    QCOMPARE(firstOfEachSlice(*loaded->acquired), expected[t]);
-  }
-}
-
-void TestDicomSeries::framesOfADoseAreSlices() {
-  const Folder folder;
-  DicomPicture p = sliceAt(5, 0);
-  p.edit = [](DcmDataset& data) {
-    makeFrames(data, 3);
-    data.putAndInsertString(DCM_GridFrameOffsetVector, "0\\3\\6");
-    data.putAndInsertString(DCM_DoseGridScaling, "0.25");
-  };
-  folder.add("dose", p);
-  const Study study = folder.open();
-  QCOMPARE(study.volumes.size(), std::size_t(1));
-  QCOMPARE(study.volumes[0].acquired.origin, glm::dvec3(10, 20, 5));
-  QCOMPARE(study.volumes[0].acquired.spacing().z, 3.0);
-  const auto loaded = loadSeries(study.volumes[0]);
-  QVERIFY(loaded.ok());
-  QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 0.25, 0.5}));
-}
-
-void TestDicomSeries::framesWithoutPlaceAreRefused() {
-  const Folder folder;
-  DicomPicture p = sliceAt(5, 0);
-  p.edit = [](DcmDataset& data) { makeFrames(data, 3); };
-  folder.add("cine", p);
-  const Study study = folder.open();
-  QVERIFY(study.volumes.empty());
-  QVERIFY(study.refused.at(0).reason.find("where each of them lies") != std::string::npos);
-}
-
-void TestDicomSeries::badSliceCostsOnlyItself_data() {
-  QTest::addColumn<QString>("damage");
-  QTest::addColumn<bool>("seenAtOpening");
-  QTest::newRow("native data cut off") << QStringLiteral("native") << true;
-  QTest::newRow("fragment cut off") << QStringLiteral("fragment") << true;
-  QTest::newRow("code stream damaged") << QStringLiteral("stream") << false;
-}
-
-void TestDicomSeries::badSliceCostsOnlyItself() {
-  QFETCH(QString, damage);
-  QFETCH(bool, seenAtOpening);
-  const char* syntax = damage == QLatin1String("native") ? "1.2.840.10008.1.2.1" : "1.2.840.10008.1.2.4.70";
-  const Folder folder;
-  for (int n = 0; n < 5; ++n) folder.add(numbered("s", n), sliceAt(n, 100 * n), syntax);
-  std::vector<std::uint8_t> bytes = readAll(folder.path("s2"));
-  if (damage == QLatin1String("stream")) {
-    const std::vector<std::uint8_t> soi{0xff, 0xd8, 0xff};
-    *(std::search(bytes.begin(), bytes.end(), soi.begin(), soi.end()) + 1) = 0;
-  } else {
-    bytes.resize(bytes.size() - 12);
-  }
-  writeAll(folder.path("s2"), bytes);
-  const Study study = folder.open();
-  QCOMPARE(study.refused.size(), std::size_t(seenAtOpening ? 1 : 0));
-  QCOMPARE(study.volumes.size(), std::size_t(1));
-  const auto loaded = loadSeries(study.volumes[0]);
-  QVERIFY(loaded.ok());
-  QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 100, 300, 400}));
-  QCOMPARE(firstOfEachSlice(*loaded->drawn), (std::vector<float>{0, 100, 200, 300, 400}));
-  QVERIFY(warns(loaded->warnings, "1 slice is missing"));
-  if (!seenAtOpening) QVERIFY(warns(loaded->warnings, "Slice s2 is left out"));
 }
 
 VOLUMEN_TEST(TestDicomSeries);

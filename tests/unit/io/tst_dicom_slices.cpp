@@ -1,0 +1,184 @@
+// Guards DESIGN 7 and 10 (rescale, padding, frames of one file, slices that cannot be read).
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <algorithm>
+
+#include "tests/unit/io/dicom_folder.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestDicomSlices : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void differentRescaleBecomesFloat();
+  void paddingAndWindowsAreKept();
+  void framesOfAnEnhancedPictureAreSlices();
+  void framesOfADoseAreSlices();
+  void framesWithoutPlaceAreRefused();
+  void badSliceCostsOnlyItself_data();
+  void badSliceCostsOnlyItself();
+};
+void TestDicomSlices::differentRescaleBecomesFloat() {
+  const DicomFolder folder;
+  const char* slopes[] = {"0.5", "0.25", "0.5"};
+  for (int n = 0; n < 3; ++n) {
+    DicomPicture p = sliceAt(n, 10 + n);
+    p.edit = [&](DcmDataset& data) {
+      data.putAndInsertString(DCM_RescaleSlope, slopes[n]);
+      data.putAndInsertString(DCM_RescaleIntercept, "-3");
+    };
+    folder.add(numbered("s", n), p);
+  }
+  const Study study = folder.open();
+  QCOMPARE(study.volumes[0].valueType, std::string("float32"));
+  const auto loaded = loadSeries(study.volumes[0]);
+  QVERIFY(loaded.ok());
+  QCOMPARE(std::string(loaded->acquired->typeName()), std::string("float32"));
+  QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{2, -0.25, 3}));
+}
+
+void TestDicomSlices::paddingAndWindowsAreKept() {
+  const DicomFolder folder;
+  DicomPicture p = sliceAt(0, 10);
+  p.isSigned = true;
+  p.edit = [](DcmDataset& data) {
+    data.putAndInsertSint16(DCM_PixelPaddingValue, -2000);
+    data.putAndInsertString(DCM_RescaleSlope, "1");
+    data.putAndInsertString(DCM_RescaleIntercept, "-1024");
+    data.putAndInsertString(DCM_WindowCenter, "40\\300");
+    data.putAndInsertString(DCM_WindowWidth, "400\\1500");
+  };
+  folder.add("only", p);
+  const Study study = folder.open();
+  const auto loaded = loadSeries(study.volumes.at(0));
+  QVERIFY(loaded.ok());
+  const VolumeAttributes& a = loaded->acquired->attributes();
+  QVERIFY(a.padding == (ValueRange{-3024, -3024}));
+  QVERIFY(a.windows == (std::vector<Window>{{40, 400}, {300, 1500}}));
+  QCOMPARE(a.modality, std::string("CT"));
+  QCOMPARE(loaded->acquired->value(0, 0, 0), -1014.f);
+}
+
+namespace {
+
+/// Makes `data` a picture of `frames` frames, frame n of value n everywhere.
+void makeFrames(DcmDataset& data, int frames) {
+  std::vector<Uint16> pixels;
+  for (int n = 0; n < frames; ++n) pixels.insert(pixels.end(), 12, Uint16(n));
+  data.putAndInsertString(DCM_NumberOfFrames, QByteArray::number(frames).constData());
+  data.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
+}
+
+/// The item of a functional group: of all frames (frame -1) or of one.
+DcmItem& group(DcmDataset& data, int frame, const DcmTagKey& sequence) {
+  const DcmTagKey& holder =
+      frame < 0 ? DCM_SharedFunctionalGroupsSequence : DCM_PerFrameFunctionalGroupsSequence;
+  DcmItem *item = nullptr, *found = nullptr;
+  data.findOrCreateSequenceItem(holder, item, std::max(0, frame));
+  item->findOrCreateSequenceItem(sequence, found);
+  return *found;
+}
+
+}  // namespace
+
+void TestDicomSlices::framesOfAnEnhancedPictureAreSlices() {
+  const DicomFolder folder;
+  DicomPicture p;
+  p.orientation = p.spacing = "";
+  p.edit = [](DcmDataset& data) {
+    makeFrames(data, 6);
+    data.findAndDeleteElement(DCM_ImagePositionPatient);
+    group(data, -1, DCM_PlaneOrientationSequence)
+        .putAndInsertString(DCM_ImageOrientationPatient, "1\\0\\0\\0\\1\\0");
+    group(data, -1, DCM_PixelMeasuresSequence).putAndInsertString(DCM_PixelSpacing, "0.5\\0.7");
+    // Three places from above to below, at each the two time points.
+    for (int n = 0; n < 6; ++n) {
+      const QByteArray place = QByteArray("0\\0\\") + QByteArray::number(4 - 2 * (n / 2));
+      group(data, n, DCM_PlanePositionSequence)
+          .putAndInsertString(DCM_ImagePositionPatient, place.constData());
+      group(data, n, DCM_FrameContentSequence)
+          .putAndInsertUint32(DCM_TemporalPositionIndex, Uint32(1 + n % 2));
+      DcmItem& rescale = group(data, n, DCM_PixelValueTransformationSequence);
+      rescale.putAndInsertString(DCM_RescaleSlope, n % 2 ? "10" : "1");
+      rescale.putAndInsertString(DCM_RescaleIntercept, "0");
+    }
+  };
+  folder.add("enhanced", p);
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(2));
+  const std::vector<float> expected[] = {{4, 2, 0}, {50, 30, 10}};
+  for (std::size_t t = 0; t < 2; ++t) {
+    QCOMPARE(study.volumes[t].acquired.spacing(), glm::dvec3(0.7, 0.5, 2));
+    QCOMPARE(study.volumes[t].acquired.origin, glm::dvec3(0));
+    const auto loaded = loadSeries(study.volumes[t]);
+    QVERIFY(loaded.ok());
+    QCOMPARE(firstOfEachSlice(*loaded->acquired), expected[t]);
+  }
+}
+
+void TestDicomSlices::framesOfADoseAreSlices() {
+  const DicomFolder folder;
+  DicomPicture p = sliceAt(5, 0);
+  p.edit = [](DcmDataset& data) {
+    makeFrames(data, 3);
+    data.putAndInsertString(DCM_GridFrameOffsetVector, "0\\3\\6");
+    data.putAndInsertString(DCM_DoseGridScaling, "0.25");
+  };
+  folder.add("dose", p);
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  QCOMPARE(study.volumes[0].acquired.origin, glm::dvec3(10, 20, 5));
+  QCOMPARE(study.volumes[0].acquired.spacing().z, 3.0);
+  const auto loaded = loadSeries(study.volumes[0]);
+  QVERIFY(loaded.ok());
+  QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 0.25, 0.5}));
+}
+
+void TestDicomSlices::framesWithoutPlaceAreRefused() {
+  const DicomFolder folder;
+  DicomPicture p = sliceAt(5, 0);
+  p.edit = [](DcmDataset& data) { makeFrames(data, 3); };
+  folder.add("cine", p);
+  const Study study = folder.open();
+  QVERIFY(study.volumes.empty());
+  QVERIFY(study.refused.at(0).reason.find("where each of them lies") != std::string::npos);
+}
+
+void TestDicomSlices::badSliceCostsOnlyItself_data() {
+  QTest::addColumn<QString>("damage");
+  QTest::addColumn<bool>("seenAtOpening");
+  QTest::newRow("native data cut off") << QStringLiteral("native") << true;
+  QTest::newRow("fragment cut off") << QStringLiteral("fragment") << true;
+  QTest::newRow("code stream damaged") << QStringLiteral("stream") << false;
+}
+
+void TestDicomSlices::badSliceCostsOnlyItself() {
+  QFETCH(QString, damage);
+  QFETCH(bool, seenAtOpening);
+  const char* syntax = damage == QLatin1String("native") ? "1.2.840.10008.1.2.1" : "1.2.840.10008.1.2.4.70";
+  const DicomFolder folder;
+  for (int n = 0; n < 5; ++n) folder.add(numbered("s", n), sliceAt(n, 100 * n), syntax);
+  std::vector<std::uint8_t> bytes = readAll(folder.path("s2"));
+  if (damage == QLatin1String("stream")) {
+    const std::vector<std::uint8_t> soi{0xff, 0xd8, 0xff};
+    *(std::search(bytes.begin(), bytes.end(), soi.begin(), soi.end()) + 1) = 0;
+  } else {
+    bytes.resize(bytes.size() - 12);
+  }
+  writeAll(folder.path("s2"), bytes);
+  const Study study = folder.open();
+  QCOMPARE(study.refused.size(), std::size_t(seenAtOpening ? 1 : 0));
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  const auto loaded = loadSeries(study.volumes[0]);
+  QVERIFY(loaded.ok());
+  QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 100, 300, 400}));
+  QCOMPARE(firstOfEachSlice(*loaded->drawn), (std::vector<float>{0, 100, 200, 300, 400}));
+  QVERIFY(warns(loaded->warnings, "1 slice is missing"));
+  if (!seenAtOpening) QVERIFY(warns(loaded->warnings, "Slice s2 is left out"));
+}
+
+VOLUMEN_TEST(TestDicomSlices);
+#include "tst_dicom_slices.moc"
