@@ -46,6 +46,10 @@ Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const Render
   plan.options = options;
   plan.method = options.method;
   plan.resampler = options.resampler;
+  if (plan.method == Method::reference) {
+    plan.effects.push_back({"reference", true, false, "everything, adaptively, cell by cell, in double precision"});
+    return plan;
+  }
   const RuleInput input{plan.scene, facts, options};
   for (const Rule& rule : rules()) {
     Effect effect = rule.decide(input, plan);

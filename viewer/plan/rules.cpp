@@ -111,7 +111,6 @@ double stepOf(Quality quality) {
 
 Effect integration(const RuleInput& in, Plan& plan) {
   plan.stepVoxels = in.options.step ? *in.options.step : stepOf(in.options.quality);
-  if (plan.method == Method::reference) return on("adaptive, cell by cell, in double precision");
   const std::string steps = "plain steps of " + number(plan.stepVoxels) + " voxel";
   return on(in.options.step ? steps + ", as asked" : steps + " keep the level's error promise");
 }

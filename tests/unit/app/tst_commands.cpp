@@ -1,0 +1,230 @@
+// Guards DESIGN 4 and 7: the command line as a user or a script meets it: exit statuses, sentences, files.
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include "tests/fixtures/fixtures.h"
+#include "tests/unit/suite.h"
+
+namespace {
+
+struct Answer {
+  int status;
+  QByteArray out, err;
+};
+
+Answer run(const QString& commandLine) {
+  QProcess process;
+  process.start(QStringLiteral(VOLUMEN_PROGRAM), QProcess::splitCommand(commandLine));
+  if (!process.waitForFinished(240000)) return {-1, {}, "timeout"};
+  if (process.exitStatus() != QProcess::NormalExit) return {-2, {}, "crashed"};
+  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+QByteArray contents(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class TestCommands : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void wrongUsageIsASentenceAndStatus2_data();
+  void wrongUsageIsASentenceAndStatus2();
+  void whatFailsIsASentenceAndStatus1_data();
+  void whatFailsIsASentenceAndStatus1();
+  void everyCommandHasHelp_data();
+  void everyCommandHasHelp();
+  void renderWritesAPictureThatSaysHowItWasMade();
+  void statsHoldTheStages();
+  void theSceneInUseDrawsTheSamePicture();
+  void sameBytes_data();
+  void sameBytes();
+  void turntableWritesOnePictureAView();
+  void infoIsOneJsonObject();
+  void convertKeepsValuesAndGeometry();
+  void controlCharactersDoNotReachTheTerminal();
+
+ private:
+  QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
+  QTemporaryDir folder_;
+};
+
+void TestCommands::wrongUsageIsASentenceAndStatus2_data() {
+  QTest::addColumn<QString>("line");
+  for (const char* line :
+       {"", "draw", "render", "render phantom:sphere", "render phantom:sphere -o a.jpg",
+        "render phantom:sphere -o a.png --size 12", "render phantom:sphere -o a.png --size 0x5",
+        "render phantom:sphere -o a.png --step 1 --quality high",
+        "render phantom:sphere -o a.png --reference --step 1",
+        "render phantom:sphere -o a.png --method reference --quality high",
+        "render phantom:sphere -o a.png --precision 12", "render phantom:sphere -o a.png --step 0",
+        "render phantom:sphere -o a.png --no-such-option", "render phantom:sphere -o a.png --view above",
+        "render phantom:sphere -o a.png --preset a --scene b", "info", "convert phantom:sphere -o a.xyz"})
+    QTest::newRow(line) << QString::fromLatin1(line);
+}
+
+void TestCommands::wrongUsageIsASentenceAndStatus2() {
+  QFETCH(QString, line);
+  const Answer a = run(line);
+  QCOMPARE(a.status, 2);
+  QVERIFY(!a.err.isEmpty());
+  QVERIFY(a.out.isEmpty());
+}
+
+void TestCommands::whatFailsIsASentenceAndStatus1_data() {
+  QTest::addColumn<QString>("line");
+  QTest::addColumn<QString>("named");
+  const auto row = [](const char* line, const char* named) {
+    QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(named);
+  };
+  row("render /no/such/folder -o a.png", "/no/such/folder");
+  row("render phantom:unicorn -o a.png", "unicorn");
+  row("render phantom:sphere:16 --preset CT-Bonez -o a.png", "CT-Bone");
+  row("render phantom:sphere:16 --scene /no/scene.json -o a.png", "/no/scene.json");
+  row("render phantom:sphere:16 -o /no/such/folder/a.png", "/no/such/folder");
+  row("render phantom:sphere:16 --series 7 -o a.png", "7");
+  row("info /etc/os-release", "os-release");
+}
+
+void TestCommands::whatFailsIsASentenceAndStatus1() {
+  QFETCH(QString, line);
+  QFETCH(QString, named);
+  const Answer a = run(line);
+  QCOMPARE(a.status, 1);
+  QVERIFY2(a.err.startsWith("volumen: ") || a.out.contains(named.toUtf8()), a.err);
+  QVERIFY2((a.err + a.out).contains(named.toUtf8()), a.err);
+}
+
+void TestCommands::everyCommandHasHelp_data() {
+  QTest::addColumn<QString>("line");
+  for (const char* line :
+       {"--help", "render --help", "info --help", "convert --help", "open --help", "segment --help"})
+    QTest::newRow(line) << QString::fromLatin1(line);
+}
+
+void TestCommands::everyCommandHasHelp() {
+  QFETCH(QString, line);
+  const Answer a = run(line);
+  QCOMPARE(a.status, 0);
+  QVERIFY(a.out.contains("Usage"));
+}
+
+void TestCommands::renderWritesAPictureThatSaysHowItWasMade() {
+  const QString png = at("a.png");
+  const Answer a = run(QStringLiteral("render phantom:ct-head:48 --size 64x48 -o %1").arg(png));
+  QCOMPARE(a.status, 0);
+  QCOMPARE(a.out.trimmed(), png.toUtf8());
+  const QImage image(png);
+  QCOMPARE(image.size(), QSize(64, 48));
+  QCOMPARE(image.text(QStringLiteral("volumen:level")), QStringLiteral("standard"));
+  QVERIFY(image.text(QStringLiteral("volumen:scene")).contains(QStringLiteral("transferFunction")));
+  // The head stands in the middle, black around it.
+  QVERIFY(qGray(image.pixel(32, 24)) > 20);
+  QCOMPARE(qGray(image.pixel(0, 0)), 0);
+}
+
+void TestCommands::statsHoldTheStages() {
+  const QString stats = at("stats.json");
+  QCOMPARE(
+      run(QStringLiteral("render phantom:ct-head:48 --size 64x64 --frames 3 --stats %1").arg(stats)).status,
+      0);
+  const QJsonObject all = QJsonDocument::fromJson(contents(stats)).object();
+  const QJsonObject stages = all[QStringLiteral("stagesMs")].toObject();
+  for (const char* stage : {"load", "gradients", "plan", "resample", "shade", "total"})
+    QVERIFY2(stages.contains(QLatin1String(stage)), stage);
+  QCOMPARE(all[QStringLiteral("framesMs")].toArray().size(), 3);
+  QVERIFY(all[QStringLiteral("samples")].toObject()[QStringLiteral("composited")].toInt() > 0);
+  QVERIFY(all[QStringLiteral("plan")].toArray().size() > 5);
+}
+
+void TestCommands::theSceneInUseDrawsTheSamePicture() {
+  const Answer printed =
+      run(QStringLiteral("render phantom:ct-head:48 --size 40x40 --view left --print-scene -o %1")
+              .arg(at("b.nrrd")));
+  QCOMPARE(printed.status, 0);
+  QFile scene(at("scene.json"));
+  QVERIFY(scene.open(QIODevice::WriteOnly));
+  scene.write(printed.out.mid(printed.out.indexOf('{')));
+  scene.close();
+  QCOMPARE(run(QStringLiteral("render phantom:ct-head:48 --size 40x40 --scene %1 -o %2")
+                   .arg(at("scene.json"), at("c.nrrd")))
+               .status,
+           0);
+  QVERIFY(!contents(at("b.nrrd")).isEmpty());
+  QCOMPARE(contents(at("c.nrrd")), contents(at("b.nrrd")));
+}
+
+void TestCommands::sameBytes_data() {
+  QTest::addColumn<QString>("options");
+  for (const char* o : {"--threads 1", "--threads 2", "--threads 7", "--threads 16", "--full"})
+    QTest::newRow(o) << QString::fromLatin1(o);
+}
+
+void TestCommands::sameBytes() {
+  QFETCH(QString, options);
+  const QString common =
+      QStringLiteral("render phantom:ct-head:64 --preset CT-AAA --size 90x70 --projection perspective -o ");
+  QCOMPARE(run(common + at("d.nrrd")).status, 0);
+  QCOMPARE(run(common + at("e.nrrd") + QLatin1Char(' ') + options).status, 0);
+  QCOMPARE(contents(at("e.nrrd")), contents(at("d.nrrd")));
+}
+
+void TestCommands::turntableWritesOnePictureAView() {
+  QCOMPARE(run(QStringLiteral("render phantom:ct-head:32 --size 32x32 --turntable 4 -o %1").arg(at("t.png")))
+               .status,
+           0);
+  QSet<QByteArray> different;
+  for (int n = 0; n < 4; ++n)
+    different.insert(contents(folder_.filePath(QStringLiteral("t-%1.png").arg(n, 3, 10, QLatin1Char('0')))));
+  QCOMPARE(different.size(), 4);
+  QVERIFY(!different.contains(QByteArray()));
+}
+
+void TestCommands::infoIsOneJsonObject() {
+  const Answer a = run(QStringLiteral("info phantom:ramp:16 --json --values"));
+  QCOMPARE(a.status, 0);
+  const QJsonObject v =
+      QJsonDocument::fromJson(a.out).object()[QStringLiteral("volumes")].toArray()[0].toObject();
+  QCOMPARE(v[QStringLiteral("dims")].toArray(), (QJsonArray{16, 16, 16}));
+  QCOMPARE(v[QStringLiteral("min")].toDouble(), 0.0);
+  QCOMPARE(v[QStringLiteral("max")].toDouble(), 15.0);
+  QCOMPARE(v[QStringLiteral("mean")].toDouble(), 7.5);
+  QCOMPARE(v[QStringLiteral("origin")].toArray(), (QJsonArray{-7.5, -7.5, -7.5}));
+  QCOMPARE(v[QStringLiteral("crc32Values")].toString().size(), 8);
+}
+
+void TestCommands::convertKeepsValuesAndGeometry() {
+  const auto facts = [](const QString& path) {
+    const Answer a = run(QStringLiteral("info %1 --json --values").arg(path));
+    const QJsonObject v =
+        QJsonDocument::fromJson(a.out).object()[QStringLiteral("volumes")].toArray()[0].toObject();
+    QJsonArray out;
+    for (const char* key : {"dims", "spacing", "origin", "farCorner", "min", "max", "crc32Values"})
+      out << v[QLatin1String(key)];
+    return out;
+  };
+  const QJsonArray first = facts(QStringLiteral("phantom:ct-head:32"));
+  for (const char* name : {"h.nrrd", "h.mha", "h.nii.gz", "dicom/"}) {
+    QCOMPARE(run(QStringLiteral("convert phantom:ct-head:32 -o %1").arg(at(name))).status, 0);
+    QCOMPARE(facts(at(name)), first);
+  }
+}
+
+void TestCommands::controlCharactersDoNotReachTheTerminal() {
+  QFile bad(folder_.filePath(QStringLiteral("evil\033[31m.nrrd")));
+  QVERIFY(bad.open(QIODevice::WriteOnly));
+  bad.write("NRRD0004\nnonsense\n\n");
+  bad.close();
+  const Answer a = run(QStringLiteral("info \"%1\"").arg(folder_.path()));
+  QVERIFY(!a.out.contains('\033') && !a.err.contains('\033'));
+}
+
+VOLUMEN_TEST(TestCommands);
+#include "tst_commands.moc"

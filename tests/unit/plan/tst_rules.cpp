@@ -1,0 +1,195 @@
+// Guards DESIGN 5: each rule of the planner alone, the negative case beside the positive.
+#include <algorithm>
+
+#include "tests/unit/suite.h"
+#include "viewer/plan/plan.h"
+#include "viewer/plan/rules.h"
+#include "viewer/plan/visibility.h"
+
+using namespace volumen;
+
+namespace {
+
+// A volume of two blocks, air and bone, that needs no voxels.
+VolumeFacts inventedFacts() {
+  VolumeFacts f;
+  f.geometry.size = {16, 8, 8};
+  f.range = {-1000, 1000};
+  f.p01 = -1000;
+  f.p999 = 900;
+  f.bricks = std::make_shared<const BrickRanges>(BrickRanges{{2, 1, 1}, {-1000, 0}, {-900, 1000}});
+  return f;
+}
+
+struct Asked {
+  Scene scene;
+  VolumeFacts facts = inventedFacts();
+  RenderOptions options;
+};
+
+using Change = void (*)(Asked&);
+
+QString lineOf(const Asked& asked, const QString& effect) {
+  const auto plan = makePlan(asked.scene, asked.facts, asked.options);
+  if (!plan) return QString::fromStdString("refused: " + plan.message());
+  for (const QString& line : QString::fromStdString(explain(*plan)).split(QLatin1Char('\n')))
+    if (line.mid(5).startsWith(effect + QLatin1Char(':'))) return line;
+  return {};
+}
+
+}  // namespace
+
+Q_DECLARE_METATYPE(Change)
+
+class TestRules : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aRuleSaysWhatAndWhy_data();
+  void aRuleSaysWhatAndWhy();
+  void optionsThatCannotBeAreRefused_data();
+  void optionsThatCannotBeAreRefused();
+  void fullSwitchesEverySoundRuleOffAndKeepsTheChoices();
+  void aPlanIsAPureFunction();
+  void theSceneIsCompleted();
+};
+
+void TestRules::aRuleSaysWhatAndWhy_data() {
+  QTest::addColumn<Change>("change");
+  QTest::addColumn<QString>("effect");
+  QTest::addColumn<QString>("expected");
+  const auto row = [](const char* name, const char* effect, const char* expected, Change change) {
+    QTest::newRow(name) << change << QString::fromLatin1(effect) << QString::fromLatin1(expected);
+  };
+  row("lit", "lighting", "on   lighting: the scene is lit by 1 of 1 lights", [](Asked&) {});
+  row("unlit: no light", "lighting", "off  lighting: the scene is unlit",
+      [](Asked& a) { a.scene.shading.lit = false; });
+  row("a light that is off does not shine", "lighting", "on   lighting: the scene is lit by 0 of 1 lights",
+      [](Asked& a) { a.scene.lights[0].on = false; });
+  row("mip: no light", "lighting", "off  lighting: a projection of values has no lighting",
+      [](Asked& a) { a.scene.mode = Mode::mip; });
+  row("specular", "specular", "on   specular: the material's specular is 0.2", [](Asked&) {});
+  row("no specular", "specular", "off  specular: the material's specular is 0",
+      [](Asked& a) { a.scene.shading.specular = 0; });
+  row("no light: no specular", "specular", "off  specular: no light shines",
+      [](Asked& a) { a.scene.lights.clear(); });
+  row("unlit: no gradients", "gradients",
+      "off  gradients: neither light nor opacity asks for them: no Sobel pass, no memory",
+      [](Asked& a) { a.scene.shading.lit = false; });
+  row("lit: gradients", "gradients",
+      "on   gradients: lighting needs the surface's direction, fetched where opacity counts", [](Asked&) {});
+  row("unlit with gradient opacity: gradients", "gradients",
+      "on   gradients: the gradient opacity needs them", [](Asked& a) {
+        a.scene.shading.lit = false;
+        a.scene.transferFunction.gradientOpacity = {{0, 0}, {10, 1}};
+      });
+  row("a factor of 1 is no gradient opacity", "gradient opacity",
+      "off  gradient opacity: its factor is 1 at every gradient", [](Asked& a) {
+        a.scene.transferFunction.gradientOpacity = {{5, 1}};
+      });
+  row("no clip", "clip", "off  clip: the clip box is the whole volume and there are no planes",
+      [](Asked&) {});
+  row("clip box", "clip", "on   clip: a clip box and 0 planes cut the rays",
+      [](Asked& a) { a.scene.clip.boxHigh.x = 0.5; });
+  row("clip plane", "clip", "on   clip: no clip box and 1 planes cut the rays",
+      [](Asked& a) { a.scene.clip.planes.push_back({}); });
+  row("air is skipped", "empty blocks", "on   empty blocks: 50 % of the blocks hold no visible value",
+      [](Asked&) {});
+  row("visible air is not", "empty blocks", "off  empty blocks: every block holds a visible value",
+      [](Asked& a) { a.scene.transferFunction.points[0].opacity = 0.1; });
+  row("unknown blocks are not", "empty blocks", "off  empty blocks: nothing is known of the blocks",
+      [](Asked& a) { a.facts.bricks = nullptr; });
+  row("integers in 16 bits", "precision", "on   precision: 16 bits hold the stored integers exactly",
+      [](Asked&) {});
+  row("floats in 32 bits", "precision",
+      "on   precision: 32 bits: the values are not 16-bit integers with a positive slope",
+      [](Asked& a) { a.facts.integers = false; });
+  row("a negative slope in 32 bits", "precision",
+      "on   precision: 32 bits: the values are not 16-bit integers with a positive slope",
+      [](Asked& a) { a.facts.slope = -1; });
+  row("one light: direct", "shader", "on   shader: direct: as fast as a map for 1 light", [](Asked&) {});
+  row("three lights: map", "shader", "on   shader: reflectance map: 3 lights at the cost of one",
+      [](Asked& a) { a.scene.lights.resize(3); });
+  row("local viewer: direct", "shader", "on   shader: direct: the viewer's direction changes from ray to ray",
+      [](Asked& a) {
+        a.scene.lights.resize(3);
+        a.scene.shading.localViewer = true;
+      });
+  row("sharp highlight: direct", "shader", "on   shader: direct: a shininess of 500 is too sharp for a map",
+      [](Asked& a) {
+        a.scene.lights.resize(3);
+        a.scene.shading.shininess = 500;
+      });
+  row("the reference decides nothing", "reference",
+      "on   reference: everything, adaptively, cell by cell, in double precision",
+      [](Asked& a) { a.options.method = Method::reference; });
+}
+
+void TestRules::aRuleSaysWhatAndWhy() {
+  QFETCH(Change, change);
+  QFETCH(QString, effect);
+  QFETCH(QString, expected);
+  Asked asked;
+  change(asked);
+  QCOMPARE(lineOf(asked, effect), expected);
+}
+
+void TestRules::optionsThatCannotBeAreRefused_data() {
+  QTest::addColumn<Change>("change");
+  QTest::addColumn<QString>("named");
+  const auto row = [](const char* name, const char* named, Change change) {
+    QTest::newRow(name) << change << QString::fromLatin1(named);
+  };
+  row("a map for a local viewer", "--shader map", [](Asked& a) {
+    a.options.shader = Shader::map;
+    a.scene.shading.localViewer = true;
+  });
+  row("no pixels", "--size", [](Asked& a) { a.options.size = {0, 5}; });
+  row("no step", "--step", [](Asked& a) { a.options.step = 0; });
+  row("a NaN step", "--step", [](Asked& a) { a.options.step = std::numeric_limits<double>::quiet_NaN(); });
+  row("12 bits", "--precision", [](Asked& a) { a.options.precision = 12; });
+  row("a map of one node", "--map-size", [](Asked& a) { a.options.mapSize = 1; });
+}
+
+void TestRules::optionsThatCannotBeAreRefused() {
+  QFETCH(Change, change);
+  QFETCH(QString, named);
+  Asked asked;
+  change(asked);
+  const auto plan = makePlan(asked.scene, asked.facts, asked.options);
+  QVERIFY(!plan.ok());
+  QVERIFY(QString::fromStdString(plan.message()).startsWith(named));
+}
+
+void TestRules::fullSwitchesEverySoundRuleOffAndKeepsTheChoices() {
+  Asked asked;
+  asked.scene.shading.lit = false;
+  const Plan lean = *makePlan(asked.scene, asked.facts, asked.options);
+  asked.options.full = true;
+  const Plan full = *makePlan(asked.scene, asked.facts, asked.options);
+  QVERIFY(full.lit && full.gradients && full.specular && full.clip && full.gradientOpacity &&
+          !full.skipBlocks);
+  QVERIFY(!lean.lit && !lean.gradients && !lean.specular && !lean.clip && !lean.gradientOpacity &&
+          lean.skipBlocks);
+  QCOMPARE(full.stepVoxels, lean.stepVoxels);
+  QCOMPARE(full.stopTransmittance, lean.stopTransmittance);
+  QCOMPARE(full.bits, lean.bits);
+}
+
+void TestRules::aPlanIsAPureFunction() {
+  const Asked asked;
+  QVERIFY(*makePlan(asked.scene, asked.facts, asked.options) ==
+          *makePlan(asked.scene, asked.facts, asked.options));
+}
+
+void TestRules::theSceneIsCompleted() {
+  Asked asked;
+  const Plan plan = *makePlan(asked.scene, asked.facts, asked.options);
+  QVERIFY(plan.scene.camera && plan.scene.camera->target && plan.scene.window &&
+          plan.scene.shading.gradientFloor);
+  // SCENE 5: (P99.9 - P0.1) / 32 / cbrt(|det L|), and the default window P0.1 .. P99.9.
+  QCOMPARE(*plan.scene.shading.gradientFloor, 1900.0 / 32);
+  QCOMPARE(*plan.scene.window, (Window{-50, 1900}));
+}
+
+VOLUMEN_TEST(TestRules);
+#include "tst_rules.moc"
