@@ -34,11 +34,11 @@ std::string errorText(const Plan& plan) {
 std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan) {
   std::vector<std::pair<std::string, std::string>> text{{"Software", "volumen " VOLUMEN_VERSION},
                                                         {"Comment", "Not for clinical use"},
-                                                        {"volumen:level", levelText(plan)},
-                                                        {"volumen:error", errorText(plan)}};
+                                                        {"volumen-level", levelText(plan)},
+                                                        {"volumen-error", errorText(plan)}};
   if (plan.method != Method::reference)
-    text.push_back({"volumen:step", std::to_string(plan.stepVoxels) + " voxel"});
-  text.push_back({"volumen:scene", sceneToJson(plan.scene)});
+    text.push_back({"volumen-step", std::to_string(plan.stepVoxels) + " voxel"});
+  text.push_back({"volumen-scene", sceneToJson(plan.scene)});
   return text;
 }
 

@@ -123,8 +123,8 @@ void TestCommands::renderWritesAPictureThatSaysHowItWasMade() {
   QCOMPARE(a.out.trimmed(), png.toUtf8());
   const QImage image(png);
   QCOMPARE(image.size(), QSize(64, 48));
-  QCOMPARE(image.text(QStringLiteral("volumen:level")), QStringLiteral("standard"));
-  QVERIFY(image.text(QStringLiteral("volumen:scene")).contains(QStringLiteral("transferFunction")));
+  QCOMPARE(image.text(QStringLiteral("volumen-level")), QStringLiteral("standard"));
+  QVERIFY(image.text(QStringLiteral("volumen-scene")).contains(QStringLiteral("transferFunction")));
   // The head stands in the middle, black around it.
   QVERIFY(qGray(image.pixel(32, 24)) > 20);
   QCOMPARE(qGray(image.pixel(0, 0)), 0);
