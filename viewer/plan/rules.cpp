@@ -94,25 +94,38 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   return plan.skipBlocks ? on(share) : off("every block holds a visible value");
 }
 
-// FIELD 4: plain steps of these lengths keep the levels' error promises (DESIGN 2) on the scenes measured.
+// Plain steps of these lengths keep the levels' error promises (DESIGN 2) where values and curve are smooth (FIELD 4).
 double stepOf(Quality quality) {
   switch (quality) {
-    case Quality::draft:
-      return 1;
-    case Quality::standard:
-      return 1.0 / 4;
-    case Quality::high:
-      return 1.0 / 8;
-    case Quality::exact:
-      return 1.0 / 32;
+    case Quality::draft: return 1;
+    case Quality::standard: return 1.0 / 4;
+    case Quality::high: return 1.0 / 8;
+    case Quality::exact: return 1.0 / 32;
   }
   return 1;
 }
 
+// Whether the opacity jumps, or all but jumps, somewhere: what lies between two samples then counts.
+bool isSharp(const TransferFunction& curve, const VolumeFacts& facts) {
+  const double narrow = (facts.p999 - facts.p01) / 200;
+  for (std::size_t n = 0; n + 1 < curve.points.size(); ++n) {
+    const CurvePoint &a = curve.points[n], &b = curve.points[n + 1];
+    if (std::abs(b.opacity - a.opacity) > 0.05 && double(b.value) - a.value <= narrow) return true;
+  }
+  return false;
+}
+
 Effect integration(const RuleInput& in, Plan& plan) {
-  plan.stepVoxels = in.options.step ? *in.options.step : stepOf(in.options.quality);
-  const std::string steps = "plain steps of " + number(plan.stepVoxels) + " voxel";
-  return on(in.options.step ? steps + ", as asked" : steps + " keep the level's error promise");
+  const auto steps = [&](const std::string& why) { return on("plain steps of " + number(plan.stepVoxels) + " voxel" + why); };
+  if (in.options.step) {
+    plan.stepVoxels = *in.options.step;
+    return steps(", as asked");
+  }
+  plan.stepVoxels = stepOf(in.options.quality);
+  if (in.options.quality == Quality::draft) return steps(" for a draft");
+  if (composite(in) && !isSharp(in.scene.transferFunction, in.facts)) return steps(": the curve is smooth");
+  plan.stepVoxels /= 2;
+  return steps(composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples");
 }
 
 // What the light behind could still add is at most this share of its brightness.

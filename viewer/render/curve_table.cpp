@@ -17,6 +17,19 @@ float densityOf(float value, const DensityScale& scale) {
   return float(std::clamp(density, -1e30, 1e30));
 }
 
+// From the last node before any opacity to the first one behind it.
+void setVisible(CurveTable& t, const std::vector<CurvePoint>& points, const std::vector<float>& nodes) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const auto visible = [](const CurvePoint& p) { return p.opacity > 0; };
+  const auto first = std::find_if(points.begin(), points.end(), visible);
+  const auto last = std::find_if(points.rbegin(), points.rend(), visible);
+  t.visibleLow = infinity;
+  t.visibleHigh = -infinity;
+  if (first == points.end()) return;
+  t.visibleLow = first == points.begin() ? -infinity : nodes[first - points.begin() - 1];
+  t.visibleHigh = last == points.rbegin() ? infinity : nodes[points.rend() - last];
+}
+
 }  // namespace
 
 std::size_t CurveTable::bytes() const { return (first.size() + 10 * node.size()) * 4; }
@@ -40,6 +53,14 @@ CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& sca
   addSegment(0, 0, nodes.front());
   for (std::size_t n = 0; n + 1 < points.size(); ++n) addSegment(n, n + 1, nodes[n + 1]);
   addSegment(points.size() - 1, points.size() - 1, std::numeric_limits<float>::infinity());
+
+  t.segments = int(t.node.size());
+  for (auto* values : {&t.start, &t.opacity, &t.opacityRise, &t.red, &t.redRise, &t.green, &t.greenRise,
+                       &t.blue, &t.blueRise})
+    values->resize(std::max<std::size_t>(values->size(), CurveTable::padding), 0.0f);
+  t.node.resize(std::max<std::size_t>(t.node.size(), CurveTable::padding),
+                std::numeric_limits<float>::infinity());
+  setVisible(t, points, nodes);
 
   t.low = float(scale.low);
   const double width = scale.high - scale.low;

@@ -12,40 +12,53 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// The segment of the curve that each density lies in (CurveTable).
+/// Entries of one of a curve's arrays: a permutation where all segments fit into one vector, else a gather.
+HWY_INLINE VF OfSegment(const CurveTable& t, const std::vector<float>& values, VI segment) {
+  const DF df;
+  static_assert(CurveTable::padding * sizeof(float) >= HWY_MAX_BYTES);
+  if (t.segments <= int(hn::Lanes(df)))
+    return hn::TableLookupLanes(hn::LoadU(df, values.data()), hn::IndicesFromVec(df, segment));
+  return hn::GatherIndex(df, values.data(), segment);
+}
+
+/// The segment of the curve that each density lies in (CurveTable): the number of nodes at or below it.
 HWY_INLINE VI SegmentOf(const CurveTable& t, VF density) {
   const DF df;
   const DI di;
+  // A mask is -1 in every lane it holds in.
+  const auto plusOneWhere = [&](MF m, VI v) { return hn::Sub(v, hn::BitCast(di, hn::VecFromMask(df, m))); };
+  constexpr int few = 8;
+  if (t.segments <= few) {
+    VI segment = hn::Zero(di);
+    for (int n = 0; n + 1 < t.segments; ++n) segment = plusOneWhere(hn::Ge(density, Set(t.node[n])), segment);
+    return segment;
+  }
   const VF bucket = hn::Mul(hn::Sub(density, Set(t.low)), Set(t.perBucket));
   const VI b = hn::ConvertTo(di, hn::Min(hn::Max(bucket, hn::Zero(df)), Set(float(CurveTable::buckets - 1))));
   VI segment = hn::GatherIndex(di, t.first.data(), b);
-  for (int hop = 0; hop < t.hops; ++hop) {
-    const MF beyond = hn::Ge(density, hn::GatherIndex(df, t.node.data(), segment));
-    // A mask is -1 in every lane it holds in.
-    segment = hn::Sub(segment, hn::BitCast(di, hn::VecFromMask(df, beyond)));
-  }
+  for (int hop = 0; hop < t.hops; ++hop)
+    segment = plusOneWhere(hn::Ge(density, OfSegment(t, t.node, segment)), segment);
   return segment;
 }
 
-HWY_INLINE VF OnSegment(const std::vector<float>& at, const std::vector<float>& rise, VI segment, VF along) {
-  const DF df;
-  return hn::Add(hn::GatherIndex(df, at.data(), segment),
-                 hn::Mul(along, hn::GatherIndex(df, rise.data(), segment)));
+HWY_INLINE VF OnSegment(const CurveTable& t, const std::vector<float>& at, const std::vector<float>& rise,
+                        VI segment, VF along) {
+  return hn::Add(OfSegment(t, at, segment), hn::Mul(along, OfSegment(t, rise, segment)));
 }
 
 HWY_INLINE VF Along(const CurveTable& t, VI segment, VF density) {
-  return hn::Sub(density, hn::GatherIndex(DF(), t.start.data(), segment));
+  return hn::Sub(density, OfSegment(t, t.start, segment));
 }
 
 HWY_INLINE VF OpacityOf(const CurveTable& t, VI segment, VF density) {
-  return Clamp01(OnSegment(t.opacity, t.opacityRise, segment, Along(t, segment, density)));
+  return Clamp01(OnSegment(t, t.opacity, t.opacityRise, segment, Along(t, segment, density)));
 }
 
 HWY_INLINE V3 ColourOf(const CurveTable& t, VI segment, VF density) {
   const VF along = Along(t, segment, density);
-  return {Clamp01(OnSegment(t.red, t.redRise, segment, along)),
-          Clamp01(OnSegment(t.green, t.greenRise, segment, along)),
-          Clamp01(OnSegment(t.blue, t.blueRise, segment, along))};
+  return {Clamp01(OnSegment(t, t.red, t.redRise, segment, along)),
+          Clamp01(OnSegment(t, t.green, t.greenRise, segment, along)),
+          Clamp01(OnSegment(t, t.blue, t.blueRise, segment, along))};
 }
 
 /// The factor of SCENE 4's gradientOpacity at |g_p|; few points, so a walk over them.

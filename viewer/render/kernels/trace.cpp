@@ -170,6 +170,9 @@ class Tracer {
     const DF df;
     counts_.resampled += std::int64_t(hn::CountTrue(df, looked));
     const VF density = DensityAt(clamped, step);
+    looked = hn::And(looked, hn::And(hn::Ge(density, Set(f_.curve->visibleLow)),
+                                     hn::Le(density, Set(f_.curve->visibleHigh))));
+    if (hn::AllFalse(df, looked)) return alpha;
     const VI segment = SegmentOf(*f_.curve, density);
     VF opacity = hn::IfThenElseZero(looked, OpacityOf(*f_.curve, segment, density));
     if (hn::AllTrue(df, hn::Eq(opacity, hn::Zero(df)))) return alpha;
