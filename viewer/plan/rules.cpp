@@ -94,13 +94,18 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   return plan.skipBlocks ? on(share) : off("every block holds a visible value");
 }
 
-// Plain steps of these lengths keep the levels' error promises (DESIGN 2) where values and curve are smooth (FIELD 4).
+// Plain steps of these lengths keep the levels' error promises (DESIGN 2) where values and curve are smooth
+// (FIELD 4).
 double stepOf(Quality quality) {
   switch (quality) {
-    case Quality::draft: return 1;
-    case Quality::standard: return 1.0 / 4;
-    case Quality::high: return 1.0 / 8;
-    case Quality::exact: return 1.0 / 32;
+    case Quality::draft:
+      return 1;
+    case Quality::standard:
+      return 1.0 / 4;
+    case Quality::high:
+      return 1.0 / 8;
+    case Quality::exact:
+      return 1.0 / 32;
   }
   return 1;
 }
@@ -116,7 +121,9 @@ bool isSharp(const TransferFunction& curve, const VolumeFacts& facts) {
 }
 
 Effect integration(const RuleInput& in, Plan& plan) {
-  const auto steps = [&](const std::string& why) { return on("plain steps of " + number(plan.stepVoxels) + " voxel" + why); };
+  const auto steps = [&](const std::string& why) {
+    return on("plain steps of " + number(plan.stepVoxels) + " voxel" + why);
+  };
   if (in.options.step) {
     plan.stepVoxels = *in.options.step;
     return steps(", as asked");

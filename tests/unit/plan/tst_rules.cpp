@@ -106,11 +106,20 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   row("a negative slope in 32 bits", "precision",
       "on   precision: 32 bits: the values are not 16-bit integers with a positive slope",
       [](Asked& a) { a.facts.slope = -1; });
-  row("a smooth curve: plain steps", "integration", "on   integration: plain steps of 0.25 voxel: the curve is smooth", [](Asked&) {});
-  row("a step in the curve: finer ones", "integration", "on   integration: plain steps of 0.125 voxel: the curve has a step", [](Asked& a) { a.scene.transferFunction.points[1].value = 151; });
-  row("a narrow but faint rise is no step", "integration", "on   integration: plain steps of 0.25 voxel: the curve is smooth", [](Asked& a) { a.scene.transferFunction.points = {{150, {}, 0}, {151, {}, 0.01}}; });
-  row("mip: finer ones", "integration", "on   integration: plain steps of 0.125 voxel: extremes and means lie between coarser samples", [](Asked& a) { a.scene.mode = Mode::mip; });
-  row("a step as asked", "integration", "on   integration: plain steps of 2 voxel, as asked", [](Asked& a) { a.options.step = 2; });
+  row("a smooth curve: plain steps", "integration",
+      "on   integration: plain steps of 0.25 voxel: the curve is smooth", [](Asked&) {});
+  row("a step in the curve: finer ones", "integration",
+      "on   integration: plain steps of 0.125 voxel: the curve has a step",
+      [](Asked& a) { a.scene.transferFunction.points[1].value = 151; });
+  row("a narrow but faint rise is no step", "integration",
+      "on   integration: plain steps of 0.25 voxel: the curve is smooth", [](Asked& a) {
+        a.scene.transferFunction.points = {{150, {}, 0}, {151, {}, 0.01}};
+      });
+  row("mip: finer ones", "integration",
+      "on   integration: plain steps of 0.125 voxel: extremes and means lie between coarser samples",
+      [](Asked& a) { a.scene.mode = Mode::mip; });
+  row("a step as asked", "integration", "on   integration: plain steps of 2 voxel, as asked",
+      [](Asked& a) { a.options.step = 2; });
   row("one light: direct", "shader", "on   shader: direct: as fast as a map for 1 light", [](Asked&) {});
   row("three lights: map", "shader", "on   shader: reflectance map: 3 lights at the cost of one",
       [](Asked& a) { a.scene.lights.resize(3); });
