@@ -24,6 +24,7 @@ constexpr Entry commands[] = {
     {"info", "What is in a file or folder: patients, studies, series, geometry, warnings", volumen::makeInfo},
     {"open", "The desktop program", volumen::makeOpen},
     {"render", "Draw a picture without a window", volumen::makeRender},
+    {"segment", "Label the voxels of a value range; writes .seg.nrrd", volumen::makeSegment},
 };
 
 }  // namespace

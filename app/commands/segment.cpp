@@ -1,0 +1,117 @@
+#include <charconv>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/command.h"
+#include "app/open_volume.h"
+#include "io/export/seg_nrrd.h"
+#include "viewer/segment/range.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr glm::dvec3 boneIvory{0.94, 0.86, 0.64};
+
+struct SegmentOptions {
+  std::string path, range, output, series;
+  bool json = false;
+};
+
+// An end of the range: a number, or nothing for no end.
+std::optional<double> readEnd(const std::string& text, double open) {
+  if (text.empty()) return open;
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
+  return value;
+}
+
+// "A:B", "A:" or ":B", A <= B.
+std::optional<ValueRange> readRange(const std::string& text) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos || text == ":") return {};
+  const auto low = readEnd(text.substr(0, colon), -infinity),
+             high = readEnd(text.substr(colon + 1), infinity);
+  if (!low || !high || *low > *high) return {};
+  return ValueRange{*low, *high};
+}
+
+void printText(const LabelStatistics& s, const std::string& output) {
+  std::cout << std::setprecision(10) << "voxels: " << s.voxels << '\n';
+  if (s.millilitres) std::cout << "millilitres: " << *s.millilitres << '\n';
+  if (s.voxels) std::cout << "mean: " << s.mean << "\nmin: " << s.min << "\nmax: " << s.max << '\n';
+  std::cout << "file: " << printable(output) << '\n';
+}
+
+void printJson(const LabelStatistics& s, const std::string& series, const ValueRange& range,
+               const std::string& output) {
+  const auto known = [](bool is, double value) { return is ? nlohmann::ordered_json(value) : nullptr; };
+  const nlohmann::ordered_json all{
+      {"series", series},
+      {"range", {known(std::isfinite(range.low), range.low), known(std::isfinite(range.high), range.high)}},
+      {"voxels", s.voxels},
+      {"millilitres", known(s.millilitres.has_value(), s.millilitres.value_or(0))},
+      {"mean", known(s.voxels, s.mean)},
+      {"min", known(s.voxels, s.min)},
+      {"max", known(s.voxels, s.max)},
+      {"file", output}};
+  std::cout << all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+void addNotes(std::vector<std::string>& notes, const Opened& opened, const LabelStatistics& s,
+              const std::string& range) {
+  if (opened.loaded.drawn != opened.loaded.acquired)
+    notes.push_back("The slices of " + opened.series.id +
+                    " are not evenly spaced: voxels are those of the regular grid of " +
+                    std::to_string(opened.loaded.drawn->size().z) + " slices.");
+  if (!s.millilitres) notes.push_back(opened.series.id + " is not calibrated: no millilitres.");
+  if (!s.voxels) notes.push_back("No voxel has a value in " + range + "; the segment is empty.");
+}
+
+int run(const SegmentOptions& options, const CancelToken& cancel) {
+  const auto range = readRange(options.range);
+  if (!range)
+    return failUsage("--range must be LOW:HIGH with LOW <= HIGH (either may be left out), not " +
+                     options.range + ".");
+  if (!options.output.ends_with(".seg.nrrd"))
+    return failUsage(options.output + ": segmentations are written as .seg.nrrd.");
+  Result<Opened> opened = openVolume(options.path, options.series, cancel);
+  if (!opened) return fail(opened.message());
+  const Volume& volume = *opened->loaded.drawn;
+  const LabelMap map = labelRange(volume, *range);
+  const LabelStatistics statistics = labelStatistics(map, volume);
+  if (const Status s = writeSegNrrd(map, "Range " + options.range, boneIvory, options.output, cancel); !s)
+    return fail(s.message());
+  addNotes(opened->notes, *opened, statistics, options.range);
+  printNotes(opened->notes);
+  if (options.json)
+    printJson(statistics, opened->series.id, *range, options.output);
+  else
+    printText(statistics, options.output);
+  return exitDone;
+}
+
+}  // namespace
+
+std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
+  auto options = std::make_shared<SegmentOptions>();
+  app.add_option("PATH", options->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
+  app.add_option("--range", options->range,
+                 "Values to label, both ends included: LOW:HIGH, LOW: or :HIGH (HU for CT)")
+      ->required();
+  app.add_option("-o,--output", options->output, "The file to write: .seg.nrrd, as 3D Slicer reads it")
+      ->required();
+  app.add_option("--series", options->series,
+                 "Which series: its id, its UID or its number in `volumen info`");
+  app.add_flag("--json", options->json, "One JSON object on stdout");
+  return [options, &cancel] { return run(*options, cancel); };
+}
+
+}  // namespace volumen

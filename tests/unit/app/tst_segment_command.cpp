@@ -1,0 +1,158 @@
+// Guards DESIGN 4 (command line: results on stdout, the rest on stderr, exit status) and 8 (segment).
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include "io/study.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+
+class TestSegmentCommand : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void labelsAndMeasuresARange_data();
+  void labelsAndMeasuresARange();
+  void writtenFileHoldsTheLabels();
+  void textForPeople();
+  void emptyRangeIsDoneAndSaid();
+  void wrongUsageIsRefused_data();
+  void wrongUsageIsRefused();
+  void failureLeavesNoFile();
+};
+
+namespace {
+
+struct Outcome {
+  int status = -1;
+  QByteArray out, err;
+};
+
+Outcome runSegment(const QStringList& arguments) {
+  QProcess process;
+  process.start(QStringLiteral(VOLUMEN_PROGRAM), QStringList{QStringLiteral("segment")} + arguments);
+  process.waitForFinished(60000);
+  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+QStringList words(const char* text) { return QString::fromLatin1(text).split(QLatin1Char(' ')); }
+
+}  // namespace
+
+void TestSegmentCommand::labelsAndMeasuresARange_data() {
+  // The phantom `ramp` has the value i, 1 mm voxels: a plane of N x N voxels for each value.
+  QTest::addColumn<QString>("range");
+  QTest::addColumn<int>("first");
+  QTest::addColumn<int>("last");
+  QTest::newRow("closed at both ends") << "3:5" << 3 << 5;
+  QTest::newRow("one value") << "7:7" << 7 << 7;
+  QTest::newRow("fractions") << "2.5:5.5" << 3 << 5;
+  QTest::newRow("from below") << ":2" << 0 << 2;
+  QTest::newRow("to the top") << "14:" << 14 << 15;
+  QTest::newRow("negative end") << "-10:1" << 0 << 1;
+  QTest::newRow("exponent") << "1e0:2e0" << 1 << 2;
+}
+
+void TestSegmentCommand::labelsAndMeasuresARange() {
+  QFETCH(QString, range);
+  QFETCH(int, first);
+  QFETCH(int, last);
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("a.seg.nrrd"));
+  const Outcome done =
+      runSegment(words("phantom:ramp:16 --json --range") << range << QStringLiteral("-o") << file);
+  QCOMPARE(done.status, 0);
+  const QJsonObject all = QJsonDocument::fromJson(done.out).object();
+  const int voxels = (last - first + 1) * 16 * 16;
+  QCOMPARE(all[QStringLiteral("voxels")].toInt(), voxels);
+  QCOMPARE(all[QStringLiteral("millilitres")].toDouble(), voxels / 1000.0);
+  QCOMPARE(all[QStringLiteral("min")].toDouble(), double(first));
+  QCOMPARE(all[QStringLiteral("max")].toDouble(), double(last));
+  QCOMPARE(all[QStringLiteral("mean")].toDouble(), (first + last) / 2.0);
+  QCOMPARE(all[QStringLiteral("file")].toString(), file);
+  const QJsonArray ends = all[QStringLiteral("range")].toArray();
+  QCOMPARE(ends[0].isNull(), range.startsWith(QLatin1Char(':')));
+  QCOMPARE(ends[1].isNull(), range.endsWith(QLatin1Char(':')));
+}
+
+void TestSegmentCommand::writtenFileHoldsTheLabels() {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("a.seg.nrrd"));
+  QCOMPARE(runSegment(words("phantom:ramp:8 --range 2:3 -o") << file).status, 0);
+  const auto study = openStudy(file.toStdString());
+  QVERIFY(study.ok() && study->volumes.size() == 1);
+  const VolumePtr labels = loadSeries(study->volumes[0])->drawn;
+  const auto phantom = openStudy("phantom:ramp:8");
+  QVERIFY(labels->geometry() == loadSeries(phantom->volumes[0])->drawn->geometry());
+  for (int i = 0; i < 8; ++i) QCOMPARE(labels->value(i, 5, 6), i == 2 || i == 3 ? 1.f : 0.f);
+}
+
+void TestSegmentCommand::textForPeople() {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("a.seg.nrrd"));
+  const Outcome done = runSegment(words("phantom:ramp:8 --range 2:3 -o") << file);
+  QCOMPARE(
+      QString::fromUtf8(done.out),
+      QStringLiteral("voxels: 128\nmillilitres: 0.128\nmean: 2.5\nmin: 2\nmax: 3\nfile: %1\n").arg(file));
+  QCOMPARE(done.err, QByteArray());
+}
+
+void TestSegmentCommand::emptyRangeIsDoneAndSaid() {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("a.seg.nrrd"));
+  const Outcome done = runSegment(words("phantom:ramp:8 --json --range 100:200 -o") << file);
+  QCOMPARE(done.status, 0);
+  const QJsonObject all = QJsonDocument::fromJson(done.out).object();
+  QCOMPARE(all[QStringLiteral("voxels")].toInt(-1), 0);
+  QVERIFY(all[QStringLiteral("mean")].isNull());
+  QVERIFY(done.err.contains("No voxel has a value in 100:200"));
+  QVERIFY(QFile::exists(file));
+}
+
+void TestSegmentCommand::wrongUsageIsRefused_data() {
+  QTest::addColumn<QStringList>("arguments");
+  QTest::addColumn<QString>("sentence");
+  const auto row = [](const char* name, const char* arguments, const char* sentence) {
+    QTest::newRow(name) << words(arguments) << QString::fromLatin1(sentence);
+  };
+  row("no range", "phantom:ramp:8 -o a.seg.nrrd", "--range");
+  row("no output", "phantom:ramp:8 --range 1:2", "--output");
+  row("no path", "--range 1:2 -o a.seg.nrrd", "PATH");
+  row("one number", "phantom:ramp:8 --range 12 -o a.seg.nrrd", "--range must be LOW:HIGH");
+  row("only a colon", "phantom:ramp:8 --range : -o a.seg.nrrd", "--range must be LOW:HIGH");
+  row("upside down", "phantom:ramp:8 --range 5:1 -o a.seg.nrrd", "not 5:1");
+  row("words", "phantom:ramp:8 --range bone:skin -o a.seg.nrrd", "--range must be LOW:HIGH");
+  row("nan", "phantom:ramp:8 --range nan:1 -o a.seg.nrrd", "--range must be LOW:HIGH");
+  row("unit behind it", "phantom:ramp:8 --range 1:2HU -o a.seg.nrrd", "--range must be LOW:HIGH");
+  row("another format", "phantom:ramp:8 --range 1:2 -o a.nii.gz", "written as .seg.nrrd");
+}
+
+void TestSegmentCommand::wrongUsageIsRefused() {
+  QFETCH(QStringList, arguments);
+  QFETCH(QString, sentence);
+  const Outcome done = runSegment(arguments);
+  QCOMPARE(done.status, 2);
+  QVERIFY2(done.err.contains(sentence.toUtf8()), done.err.constData());
+  QVERIFY(done.out.isEmpty());
+}
+
+void TestSegmentCommand::failureLeavesNoFile() {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("a.seg.nrrd"));
+  const Outcome missing = runSegment(words("no-such-file.dcm --range 1:2 -o") << file);
+  QCOMPARE(missing.status, 1);
+  QVERIFY(missing.err.contains("no-such-file.dcm"));
+  QVERIFY(!QFile::exists(file));
+  const Outcome noSeries = runSegment(words("phantom:ramp:8 --series 9 --range 1:2 -o") << file);
+  QCOMPARE(noSeries.status, 1);
+  const Outcome noFolder = runSegment(words("phantom:ramp:8 --range 1:2 -o")
+                                      << folder.filePath(QStringLiteral("none/a.seg.nrrd")));
+  QCOMPARE(noFolder.status, 1);
+  QVERIFY(noFolder.err.contains("none/a.seg.nrrd") && noFolder.out.isEmpty());
+}
+
+VOLUMEN_TEST(TestSegmentCommand);
+#include "tst_segment_command.moc"
