@@ -54,8 +54,8 @@ bool hasContrast(const Histogram& h) {
   double lowest = double(countBetween(h, firstHu, firstHu + binHu));
   for (double hu = firstHu + binHu; hu < lastHu; hu += binHu) {
     const double count = double(countBetween(h, hu, hu + binHu));
-    // A tenth more, and more than chance makes of so few voxels.
-    if (count > 1.1 * lowest + 5 * std::sqrt(count)) return true;
+    // Half as much again: a table top makes a hump of a tenth. And more than chance makes of so few voxels.
+    if (count > 1.5 * lowest + 5 * std::sqrt(count)) return true;
     lowest = std::min(lowest, count);
   }
   return false;

@@ -334,7 +334,8 @@ VolumePtr patient(const std::vector<Tissue>& tissues, const char* modality) {
 }
 
 constexpr Tissue air{-1000, 10, 60000}, lung{-850, 60, 20000}, fat{-100, 25, 20000}, muscle{50, 25, 50000};
-constexpr Tissue spongyBone{100, 150, 5000}, denseBone{900, 400, 15000}, blood{300, 25, 2500};
+constexpr Tissue spongyBone{100, 150, 5000}, denseBone{900, 400, 15000}, blood{300, 25, 2500},
+    table{280, 30, 400};
 
 }  // namespace
 
@@ -347,6 +348,8 @@ void TestPresets::autoChoosesByModalityAndHistogram_data() {
   bodyWithContrast.push_back(blood);
   QTest::newRow("chest") << patient(chest, "CT") << "CT-Bones";
   QTest::newRow("chest with contrast") << patient(chestWithContrast, "CT") << "CT-Chest-Contrast-Enhanced";
+  QTest::newRow("chest on a dense table")
+      << patient({air, lung, fat, muscle, spongyBone, table}, "CT") << "CT-Bones";
   QTest::newRow("abdomen") << patient(body, "CT") << "CT-Muscle";
   QTest::newRow("abdomen with contrast") << patient(bodyWithContrast, "CT") << "CT-AAA";
   QTest::newRow("head") << patient({air, fat, muscle, denseBone}, "CT") << "CT-Bone";
