@@ -112,6 +112,10 @@ void MainWindow::connectDrawing() {
     status_->tell(tr("Saved %1").arg(path));
     requestFrame();
   });
+  connect(&segmenter_, &Segmenter::saved, this,
+          [this](const QString& path) { status_->tell(tr("Saved %1").arg(path)); });
+  connect(&segmenter_, &Segmenter::failed, banner_,
+          [this](const QString& sentence) { banner_->tell(sentence); });
   connect(&snapshot_, &Snapshot::failed, this, [this](const QString& sentence) {
     status_->end();
     banner_->tell(sentence);

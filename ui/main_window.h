@@ -5,6 +5,7 @@
 
 #include "ui/controller/loader.h"
 #include "ui/controller/render_controller.h"
+#include "ui/controller/segmenter.h"
 #include "ui/controller/snapshot.h"
 #include "ui/session/session.h"
 #include "ui/theme.h"
@@ -82,6 +83,7 @@ class MainWindow : public QMainWindow {
   RenderController controller_;
   Loader loader_;
   Snapshot snapshot_;
+  Segmenter segmenter_;
 
   VolumeView* view_;
   QStackedWidget* pages_;

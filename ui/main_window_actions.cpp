@@ -15,6 +15,7 @@
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/material_panel.h"
+#include "ui/panels/segment_panel.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/transfer_panel.h"
@@ -61,10 +62,11 @@ void MainWindow::makeDocks() {
   addDock(QStringLiteral("clip"), tr("Clip"), new ClipPanel(session_), right);
   addDock(QStringLiteral("camera"), tr("Camera"), camera, right);
   addDock(QStringLiteral("effects"), tr("Effects"), effects_, right);
+  addDock(QStringLiteral("segment"), tr("Segment"), new SegmentPanel(session_, segmenter_), right);
   addDock(QStringLiteral("snapshot"), tr("Snapshot"), snapshotPanel_, right);
   const auto dock = [this](const char* name) { return docks_.at(QLatin1String(name)); };
   for (const char* name : {"material", "clip", "camera"}) tabifyDockWidget(dock("lights"), dock(name));
-  tabifyDockWidget(dock("effects"), dock("snapshot"));
+  for (const char* name : {"segment", "snapshot"}) tabifyDockWidget(dock("effects"), dock(name));
   dock("lights")->raise();
   dock("effects")->raise();
   resizeDocks({dock("studies"), dock("transfer")}, {240, 360}, Qt::Horizontal);

@@ -82,8 +82,10 @@ TransferPanel::TransferPanel(Session& session, QWidget* parent)
   });
   connect(colour_, &ColourButton::gestureFinished, this, [this] { session_.endGesture(); });
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series && after.series)
+    if (before.series != after.series && after.series) {
       editor_->setHistogram(after.series->histogram, valueUnit(*after.series->volume));
+      value_->setDecimals(valueDecimals(after.series->histogram));
+    }
     if (before.scene.transferFunction == after.scene.transferFunction) return;
     editor_->setCurve(after.scene.transferFunction);
     showPoint();

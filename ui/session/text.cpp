@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QStringList>
+#include <algorithm>
+#include <cmath>
 
 namespace volumen {
 
@@ -55,6 +57,11 @@ QString seriesText(const Series& series) {
 
 QString valueUnit(const Volume& volume) {
   return volume.attributes().modality == "CT" ? QStringLiteral("HU") : QString();
+}
+
+int valueDecimals(const Histogram& histogram) {
+  const double range = std::max(1e-9, histogram.high - histogram.low);
+  return std::clamp(int(std::ceil(4 - std::log10(range))), 1, 6);
 }
 
 QString dateText(const std::string& dicomDate) {

@@ -3,6 +3,7 @@
 #include <QString>
 
 #include "io/study.h"
+#include "viewer/volume/histogram.h"
 
 namespace volumen {
 
@@ -19,6 +20,9 @@ QString seriesText(const Series& series);
 
 /// The unit of a volume's values: "HU" for CT, else empty.
 QString valueUnit(const Volume& volume);
+
+/// How many decimals tell values of this range apart: 1 for CT, more for what lies between 0 and 1.
+int valueDecimals(const Histogram& histogram);
 
 /// "2026-03-14" of DICOM's 20260314.
 QString dateText(const std::string& dicomDate);

@@ -10,7 +10,7 @@ QString VolumeView::hoverText(QPointF position) const {
   const std::optional<Pick> hit = pickAt(position);
   if (!hit) return {};
   const ShownSeries& series = *session_.series();
-  QString text = tr("value %1").arg(hit->value, 0, 'f', 0);
+  QString text = tr("value %1").arg(hit->value, 0, 'f', valueDecimals(series.histogram) - 1);
   if (series.volume->attributes().modality == "CT") text += QStringLiteral(" HU");
   if (!series.volume->geometry().calibrated) return text;
   const glm::dvec3 p = hit->pPatient;

@@ -1,0 +1,294 @@
+// Guards DESIGN 8: whole journeys through the window, by real events.
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTreeWidget>
+
+#include "tests/ui/gestures.h"
+#include "tests/unit/suite.h"
+#include "ui/main_window.h"
+#include "ui/views/volume_view.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/curve_editor.h"
+#include "ui/widgets/light_ball.h"
+
+using namespace volumen;
+
+namespace {
+
+constexpr int longest = 60000;  // ms, for a loaded machine
+
+double meanBrightness(const QImage& image) {
+  double sum = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) sum += qGray(image.pixel(x, y));
+  return sum / (double(image.width()) * image.height());
+}
+
+// A window; pictures are waited for, and kept where $VOLUMEN_SHOTS names a folder.
+struct Window {
+  MainWindow window{realServices()};
+  QSignalSpy settled{&window, &MainWindow::settled};
+
+  explicit Window(const QStringList& paths = {}) {
+    window.resize(1280, 860);
+    window.show();
+    if (!paths.isEmpty()) window.open(paths);
+  }
+
+  template <class Child>
+  Child* child(const char* name) {
+    return window.findChild<Child*>(QLatin1String(name));
+  }
+
+  bool settle() {
+    return QTest::qWaitFor([this] { return settled.count() > 0; }, longest);
+  }
+
+  // The picture at rest after something was done.
+  QImage after(const std::function<void()>& act) {
+    settled.clear();
+    act();
+    return settle() ? window.view()->picture() : QImage();
+  }
+
+  QImage after(const char* action) {
+    return after([&] { child<QAction>(action)->trigger(); });
+  }
+
+  void shot(const char* name) {
+    const QString folder = qEnvironmentVariable("VOLUMEN_SHOTS");
+    if (!folder.isEmpty())
+      window.grab().save(QDir(folder).filePath(QLatin1String(name)) + QStringLiteral(".png"));
+  }
+};
+
+const QStringList sample{QStringLiteral("phantom:ct-head:96")};
+
+}  // namespace
+
+class TestJourneys : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theSampleStudyIsShown();
+  void curvePointAndLightAreDraggedAndUndone();
+  void snapshotIsSavedAndReadBack();
+  void snapshotOfAnySizeWithTransparentBackground();
+  void presetsAndPanelsChangeThePicture();
+  void aClickOnASeriesShowsIt();
+  void droppedFilesAreOpened();
+  void whatCannotBeOpenedIsSaidInASentence_data();
+  void whatCannotBeOpenedIsSaidInASentence();
+  void closingWhileRenderingIsClean_data();
+  void closingWhileRenderingIsClean();
+  void viewAloneAndBack();
+};
+
+void TestJourneys::theSampleStudyIsShown() {
+  Window w;
+  w.shot("start");
+  QVERIFY(w.child<QWidget>("startPage")->isVisible());
+  w.window.open(sample);
+  QVERIFY(w.settle());
+  QVERIFY(w.window.windowTitle().contains(QStringLiteral("ct-head")));
+  QVERIFY(w.window.windowTitle().endsWith(QStringLiteral(" - volumen")));
+  QVERIFY(w.window.view()->isVisible());
+  QCOMPARE(w.window.view()->picture().size(), w.window.view()->pixels());
+  QVERIFY2(meanBrightness(w.window.view()->picture()) > 10, "something is seen");
+  QVERIFY(!w.child<QLabel>("effectLines")->text().isEmpty());
+  w.shot("head");
+}
+
+void TestJourneys::curvePointAndLightAreDraggedAndUndone() {
+  Window w(sample);
+  QVERIFY(w.settle());
+  const QImage first = w.window.view()->picture();
+  const Scene start = w.window.session().scene();
+  auto* editor = w.child<CurveEditor>("curveEditor");
+  auto* ball = w.child<LightBall>("lightBall");
+
+  // The curve's highest point down to nothing: less is seen.
+  int highest = 0;
+  for (int n = 0; n < int(start.transferFunction.points.size()); ++n)
+    if (start.transferFunction.points[n].opacity > start.transferFunction.points[highest].opacity)
+      highest = n;
+  const QPointF from = editor->positionOf(highest), ground(from.x(), editor->opacityAxis().pixelZero);
+  const QImage thinner = w.after([&] { tests::drag(editor, from, ground); });
+  QVERIFY2(thinner != first, "the picture follows the curve");
+  QVERIFY2(meanBrightness(thinner) < meanBrightness(first), "less opacity on black: darker");
+
+  // The first light to the far side: darker again.
+  const glm::dvec3 direction = ball->lights()[0].direction;
+  const QPointF at = ball->positionOf(direction);
+  const QImage unlit = w.after([&] { QTest::mouseDClick(ball, Qt::LeftButton, {}, at.toPoint()); });
+  QVERIFY2(meanBrightness(unlit) < meanBrightness(thinner), "a light behind leaves the front dark");
+  const QImage side = w.after([&] { tests::drag(ball, at, ball->positionOf({-0.6, 0.5, -0.62})); });
+  QVERIFY(side != unlit);
+
+  QCOMPARE(w.window.session().undoStack().count(), 3);
+  w.after("undo");
+  const QImage lightBack = w.after("undo");
+  QVERIFY2(lightBack == thinner, "the light undone: the picture before it, to the byte");
+  const QImage curveBack = w.after("undo");
+  QVERIFY2(curveBack == first, "the curve undone: the first picture, to the byte");
+  QVERIFY(w.window.session().scene() == start);
+  QVERIFY(w.after("redo") == thinner);
+}
+
+void TestJourneys::snapshotIsSavedAndReadBack() {
+  Window w(sample);
+  QVERIFY(w.settle());
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("head.png"));
+  w.child<QComboBox>("snapshotQuality")->setCurrentIndex(0);
+  w.child<QAction>("snapshot")->trigger();
+  auto* dialog = w.child<QFileDialog>("snapshotDialog");
+  QVERIFY(dialog);
+  auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+  QVERIFY(name);
+  name->setText(path);
+  QTest::keyClick(name, Qt::Key_Return);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longest);
+  // The standard picture of the view's size is the picture in the view.
+  const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB32);
+  QVERIFY(saved == w.window.view()->picture());
+  QVERIFY(QImage(path).text(QStringLiteral("scene")).contains(QStringLiteral("volumenScene")));
+}
+
+void TestJourneys::snapshotOfAnySizeWithTransparentBackground() {
+  Window w(sample);
+  QVERIFY(w.settle());
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("small.png"));
+  w.child<QSpinBox>("snapshotWidth")->setValue(123);
+  w.child<QSpinBox>("snapshotHeight")->setValue(77);
+  w.child<QCheckBox>("snapshotTransparent")->setChecked(true);
+  w.child<QAction>("snapshot")->trigger();
+  auto* name = w.child<QFileDialog>("snapshotDialog")->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+  name->setText(path);
+  QTest::keyClick(name, Qt::Key_Return);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longest);
+  const QImage saved(path);
+  QCOMPARE(saved.size(), QSize(123, 77));
+  QCOMPARE(qAlpha(saved.pixel(0, 0)), 0);
+  QVERIFY(qAlpha(saved.pixel(61, 38)) > 0);
+}
+
+void TestJourneys::presetsAndPanelsChangeThePicture() {
+  Window w(sample);
+  QVERIFY(w.settle());
+  const QImage first = w.window.view()->picture();
+  auto* presets = w.child<QComboBox>("presets");
+  QVERIFY(presets->count() > 5);
+  const int bone = presets->findText(QStringLiteral("Bone"), Qt::MatchContains);
+  QVERIFY(bone > 0);
+  const QImage other = w.after([&] {
+    presets->setCurrentIndex(bone);
+    Q_EMIT presets->activated(bone);
+  });
+  QVERIFY(other != first);
+  QVERIFY(w.after("undo") == first);
+  // Unlit, then a clip box that leaves nothing.
+  QVERIFY(w.after([&] { w.child<QCheckBox>("lit")->click(); }) != first);
+  auto* clip = w.child<QWidget>("clipHigh2")->findChild<QDoubleSpinBox*>();
+  const QImage clipped = w.after([&] { clip->setValue(0); });
+  QCOMPARE(meanBrightness(clipped), 0.0);
+  w.after("undo");
+  QVERIFY(w.after("undo") == first);
+  // The other projection keeps the size, and draws without a scale bar.
+  auto* projection = w.child<QComboBox>("projection");
+  QVERIFY(w.after([&] { Q_EMIT projection->activated(1); }) != first);
+  w.shot("perspective");
+}
+
+void TestJourneys::aClickOnASeriesShowsIt() {
+  Window w(sample);
+  QVERIFY(w.settle());
+  w.window.open({QStringLiteral("phantom:sphere")});
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.windowTitle().contains(QStringLiteral("sphere")), longest);
+  auto* tree = w.child<QTreeWidget>("studyTree");
+  QTreeWidgetItem* head =
+      tree->findItems(QStringLiteral("ct-head"), Qt::MatchContains | Qt::MatchRecursive).value(0);
+  QVERIFY(head);
+  QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualItemRect(head).center());
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.windowTitle().contains(QStringLiteral("ct-head")), longest);
+  QVERIFY(!w.window.session().undoStack().canUndo());
+}
+
+void TestJourneys::droppedFilesAreOpened() {
+  const QTemporaryDir folder;
+  Window w;
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(folder.path())});
+  QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&w.window, &drop);
+  auto* banner = w.child<Banner>("banner");
+  QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
+  QVERIFY(banner->sentence().contains(folder.path()));
+}
+
+void TestJourneys::whatCannotBeOpenedIsSaidInASentence_data() {
+  QTest::addColumn<QString>("what");
+  QTest::newRow("missing path") << QStringLiteral("missing");
+  QTest::newRow("folder without images") << QStringLiteral("folder");
+  QTest::newRow("text file") << QStringLiteral("file");
+  QTest::newRow("unknown phantom") << QStringLiteral("phantom:nonsense");
+}
+
+void TestJourneys::whatCannotBeOpenedIsSaidInASentence() {
+  QFETCH(QString, what);
+  const QTemporaryDir folder;
+  QFile text(folder.filePath(QStringLiteral("notes.txt")));
+  QVERIFY(text.open(QIODevice::WriteOnly));
+  text.write("no image\n");
+  text.close();
+  QString path = what;
+  if (what == QStringLiteral("missing")) path = folder.filePath(QStringLiteral("nowhere"));
+  if (what == QStringLiteral("folder")) path = folder.path();
+  if (what == QStringLiteral("file")) path = text.fileName();
+  Window w({path});
+  auto* banner = w.child<Banner>("banner");
+  QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
+  const QString name = what.startsWith(QStringLiteral("phantom")) ? QStringLiteral("nonsense") : path;
+  QVERIFY2(banner->sentence().contains(name), qPrintable(banner->sentence()));
+  QVERIFY2(banner->sentence().endsWith(QLatin1Char('.')), qPrintable(banner->sentence()));
+  QVERIFY(w.child<QWidget>("startPage")->isVisible());
+  w.shot("missing");
+}
+
+void TestJourneys::closingWhileRenderingIsClean_data() {
+  QTest::addColumn<int>("afterMs");
+  for (int ms : {0, 5, 50, 150, 400}) QTest::addRow("after %d ms", ms) << ms;
+}
+
+void TestJourneys::closingWhileRenderingIsClean() {
+  QFETCH(int, afterMs);
+  Window w(sample);
+  QTest::qWait(afterMs);
+  if (w.window.session().series())
+    w.window.session().edit(QStringLiteral("turn"), [](Scene& s) { s.shading.ambient = 0.5; });
+  QVERIFY(w.window.close());
+}
+
+void TestJourneys::viewAloneAndBack() {
+  Window w(sample);
+  QVERIFY(w.settle());
+  const int width = w.window.view()->width();
+  w.after([&] { QTest::mouseDClick(w.window.view(), Qt::LeftButton, {}, QPoint(300, 300)); });
+  QVERIFY(w.window.view()->width() > width + 200);
+  w.shot("alone");
+  w.after([&] { QTest::mouseDClick(w.window.view(), Qt::LeftButton, {}, QPoint(300, 300)); });
+  QCOMPARE(w.window.view()->width(), width);
+}
+
+VOLUMEN_TEST(TestJourneys);
+#include "tst_journeys.moc"

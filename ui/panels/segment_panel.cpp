@@ -1,0 +1,167 @@
+#include "ui/panels/segment_panel.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "ui/session/text.h"
+#include "ui/widgets/curve_edits.h"
+#include "viewer/scene/visible_range.h"
+
+namespace volumen {
+
+namespace {
+
+QDoubleSpinBox* valueField(const char* name, const QString& label) {
+  auto* field = new QDoubleSpinBox;
+  field->setObjectName(QLatin1String(name));
+  field->setAccessibleName(label);
+  field->setRange(-1e9, 1e9);
+  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  return field;
+}
+
+QString endText(double value) {
+  if (std::isinf(value)) return value < 0 ? QStringLiteral("min") : QStringLiteral("max");
+  return QString::number(value, 'g', 6);
+}
+
+}  // namespace
+
+SegmentPanel::SegmentPanel(Session& session, Segmenter& segmenter, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      spans_(new QComboBox),
+      low_(valueField("segmentLow", tr("Lowest value"))),
+      high_(valueField("segmentHigh", tr("Highest value"))),
+      segment_(new QPushButton(tr("Segment"))),
+      save_(new QPushButton(tr("Save .seg.nrrd..."))),
+      result_(new QLabel),
+      only_(new QCheckBox(tr("Show only this"))) {
+  spans_->setObjectName(QStringLiteral("segmentSpans"));
+  spans_->setAccessibleName(tr("Visible span of the curve"));
+  segment_->setObjectName(QStringLiteral("segment"));
+  save_->setObjectName(QStringLiteral("segmentSave"));
+  only_->setObjectName(QStringLiteral("segmentOnly"));
+  result_->setObjectName(QStringLiteral("segmentResult"));
+  result_->setWordWrap(true);
+  result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* fields = new QHBoxLayout;
+  fields->addWidget(new QLabel(tr("from")));
+  fields->addWidget(low_, 1);
+  fields->addWidget(new QLabel(tr("to")));
+  fields->addWidget(high_, 1);
+  fields->addWidget(segment_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(only_, 1);
+  buttons->addWidget(save_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(4);
+  column->addWidget(spans_);
+  column->addLayout(fields);
+  column->addWidget(result_);
+  column->addLayout(buttons);
+  column->addStretch();
+
+  connect(spans_, &QComboBox::activated, this, &SegmentPanel::takeSpan);
+  connect(only_, &QCheckBox::clicked, this, &SegmentPanel::showOnly);
+  connectSegmenter(segmenter);
+  connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
+    if (before.series != after.series) showSegmentation(nullptr);
+    if (before.series == after.series && before.scene.transferFunction == after.scene.transferFunction)
+      return;
+    showSpans();
+    only_->setChecked(only_->isChecked() && after.scene.transferFunction == alone_);
+  });
+  showSpans();
+  showSegmentation(nullptr);
+}
+
+void SegmentPanel::connectSegmenter(Segmenter& segmenter) {
+  connect(segment_, &QPushButton::clicked, this, [this, &segmenter] {
+    result_->setText(tr("counting"));
+    segmenter.segment(session_.series()->volume, range());
+  });
+  connect(save_, &QPushButton::clicked, this, [this, &segmenter] { askWhere(segmenter); });
+  connect(&segmenter, &Segmenter::segmented, this, &SegmentPanel::showSegmentation);
+}
+
+ValueRange SegmentPanel::range() const {
+  return {std::min(low_->value(), high_->value()), std::max(low_->value(), high_->value())};
+}
+
+void SegmentPanel::showSpans() {
+  spans_->clear();
+  const ShownSeriesPtr& series = session_.series();
+  setEnabled(series != nullptr);
+  if (!series) return;
+  const QString unit = valueUnit(*series->volume);
+  for (QDoubleSpinBox* field : {low_, high_}) {
+    field->setSuffix(QLatin1Char(' ') + unit);
+    field->setDecimals(valueDecimals(series->histogram));
+  }
+  for (const ValueRange& span : visibleSpans(session_.scene().transferFunction))
+    spans_->addItem(tr("visible: %1 to %2 %3").arg(endText(span.low), endText(span.high), unit));
+  if (spans_->count() == 0) spans_->addItem(tr("nothing is visible"));
+  // Typed numbers stay; where there are none yet, the first span is offered.
+  if (!segmentation_ && !low_->hasFocus() && !high_->hasFocus()) takeSpan(0);
+}
+
+void SegmentPanel::takeSpan(int n) {
+  const std::vector<ValueRange> spans = visibleSpans(session_.scene().transferFunction);
+  if (n < 0 || n >= int(spans.size())) return;
+  const Histogram& histogram = session_.series()->histogram;
+  // Rounded inwards to what the fields show: the curve's foot itself is not visible, what is next to it is.
+  const double steps = std::pow(10.0, low_->decimals());
+  low_->setValue(std::ceil(steps * std::max(spans[n].low, histogram.low)) / steps);
+  high_->setValue(std::floor(steps * std::min(spans[n].high, histogram.high)) / steps);
+}
+
+void SegmentPanel::showSegmentation(const std::shared_ptr<const Segmentation>& segmentation) {
+  if (segmentation && (!session_.series() || segmentation->volume != session_.series()->volume)) return;
+  segmentation_ = segmentation;
+  save_->setEnabled(segmentation != nullptr);
+  only_->setEnabled(segmentation != nullptr);
+  only_->setChecked(false);
+  if (!segmentation) return result_->clear();
+  const LabelStatistics& s = segmentation->statistics;
+  const QString unit = valueUnit(*segmentation->volume), voxels = QLocale().toString(qlonglong(s.voxels));
+  QString text = tr("%1 voxels").arg(voxels);
+  text += s.millilitres ? tr(", %1 ml").arg(*s.millilitres, 0, 'f', *s.millilitres < 100 ? 2 : 0)
+                        : tr(", not calibrated: no volume known");
+  if (s.voxels > 0) text += tr(", mean %1 %2").arg(s.mean, 0, 'f', 1).arg(unit);
+  result_->setText(text);
+}
+
+void SegmentPanel::showOnly(bool on) {
+  if (on) {
+    before_ = session_.scene().transferFunction;
+    alone_ = restrictedTo(before_, segmentation_->range);
+  }
+  const TransferFunction& curve = on ? alone_ : before_;
+  session_.edit(on ? tr("Show only a value range") : tr("Show all values"),
+                [&](Scene& s) { s.transferFunction = curve; });
+  only_->setChecked(on);
+}
+
+void SegmentPanel::askWhere(Segmenter& segmenter) {
+  auto* dialog = new QFileDialog(this, tr("Save a segmentation"), {}, tr("Segmentations (*.seg.nrrd)"));
+  dialog->setObjectName(QStringLiteral("segmentDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("seg.nrrd"));
+  dialog->selectFile(QStringLiteral("segmentation.seg.nrrd"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this, &segmenter](const QString& path) {
+    const ValueRange r = segmentation_->range;
+    const glm::dvec3 colour = curveAt(session_.scene().transferFunction, (r.low + r.high) / 2).colour;
+    segmenter.save(segmentation_,
+                   tr("%1 to %2 %3").arg(r.low).arg(r.high).arg(valueUnit(*segmentation_->volume)), colour,
+                   path);
+  });
+  dialog->open();
+}
+
+}  // namespace volumen

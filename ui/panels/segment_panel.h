@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+
+#include "ui/controller/segmenter.h"
+#include "ui/session/session.h"
+
+namespace volumen {
+
+/// Segment what is visible: the value range of a span of the curve, or a typed one, becomes a label map whose
+/// voxels and millilitres are shown, that can be looked at alone, and saved.
+class SegmentPanel : public QWidget {
+  Q_OBJECT
+ public:
+  SegmentPanel(Session& session, Segmenter& segmenter, QWidget* parent = nullptr);
+
+ private:
+  void connectSegmenter(Segmenter& segmenter);
+  void showSpans();
+  void takeSpan(int n);
+  ValueRange range() const;
+  void showSegmentation(const std::shared_ptr<const Segmentation>& segmentation);
+  void showOnly(bool on);
+  void askWhere(Segmenter& segmenter);
+
+  Session& session_;
+  QComboBox* spans_;
+  QDoubleSpinBox *low_, *high_;
+  QPushButton *segment_, *save_;
+  QLabel* result_;
+  QCheckBox* only_;
+  std::shared_ptr<const Segmentation> segmentation_;
+  TransferFunction before_, alone_;  // the curve without and with "show only"
+};
+
+}  // namespace volumen
