@@ -153,6 +153,7 @@ void MainWindow::showSeries() {
   parts.removeAll(QString());
   setWindowTitle(parts.join(QStringLiteral(" - ")));
   studies_->markShown(series->series);
+  presets_->setCurrentIndex(0);
   QStringList warnings;
   for (const std::string& warning : series->warnings) warnings << shownText(warning);
   status_->showWarnings(warnings);
@@ -169,10 +170,9 @@ void MainWindow::requestFrame() {
 
 void MainWindow::showFrame(const Frame& frame) {
   const QString ms = QString::number(frame.ms, 'f', frame.ms < 10 ? 1 : 0);
-  const bool draft = frame.quality == Quality::draft;
-  view_->setPicture(frame.image, draft ? tr("draft 1/%1 - %2 ms").arg(frame.factor).arg(ms)
-                                       : tr("standard - %1 ms").arg(ms));
-  if (draft) return;
+  view_->setPicture(frame.image, frame.draft() ? tr("draft 1/%1 - %2 ms").arg(frame.factor).arg(ms)
+                                               : tr("standard - %1 ms").arg(ms));
+  if (frame.draft()) return;
   effects_->showPlan(*frame.plan, frame.stats);
   Scene now = session_.scene();
   if (!now.camera) now.camera = frame.scene.camera;

@@ -1,6 +1,7 @@
 // Guards DESIGN 8: whole journeys through the window, by real events.
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QDropEvent>
@@ -11,6 +12,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QTextBrowser>
 #include <QTreeWidget>
 
 #include "tests/ui/gestures.h"
@@ -35,12 +37,12 @@ double meanBrightness(const QImage& image) {
 }
 
 // A window; pictures are waited for, and kept where $VOLUMEN_SHOTS names a folder.
-struct Window {
+struct Journey {
   MainWindow window{realServices()};
   QSignalSpy settled{&window, &MainWindow::settled};
 
-  explicit Window(const QStringList& paths = {}) {
-    window.resize(1280, 860);
+  explicit Journey(const QStringList& paths = {}) {
+    window.resize(1040, 680);
     window.show();
     if (!paths.isEmpty()) window.open(paths);
   }
@@ -72,7 +74,7 @@ struct Window {
   }
 };
 
-const QStringList sample{QStringLiteral("phantom:ct-head:96")};
+const QStringList sample{QStringLiteral("phantom:ct-head:64")};
 
 }  // namespace
 
@@ -84,6 +86,7 @@ class TestJourneys : public QObject {
   void snapshotIsSavedAndReadBack();
   void snapshotOfAnySizeWithTransparentBackground();
   void presetsAndPanelsChangeThePicture();
+  void whatIsVisibleIsSegmentedShownAloneAndSaved();
   void aClickOnASeriesShowsIt();
   void droppedFilesAreOpened();
   void whatCannotBeOpenedIsSaidInASentence_data();
@@ -94,7 +97,7 @@ class TestJourneys : public QObject {
 };
 
 void TestJourneys::theSampleStudyIsShown() {
-  Window w;
+  Journey w;
   w.shot("start");
   QVERIFY(w.child<QWidget>("startPage")->isVisible());
   w.window.open(sample);
@@ -104,12 +107,12 @@ void TestJourneys::theSampleStudyIsShown() {
   QVERIFY(w.window.view()->isVisible());
   QCOMPARE(w.window.view()->picture().size(), w.window.view()->pixels());
   QVERIFY2(meanBrightness(w.window.view()->picture()) > 10, "something is seen");
-  QVERIFY(!w.child<QLabel>("effectLines")->text().isEmpty());
+  QVERIFY(w.child<QTextBrowser>("effectsPanel")->toPlainText().contains(QStringLiteral("gradients")));
   w.shot("head");
 }
 
 void TestJourneys::curvePointAndLightAreDraggedAndUndone() {
-  Window w(sample);
+  Journey w(sample);
   QVERIFY(w.settle());
   const QImage first = w.window.view()->picture();
   const Scene start = w.window.session().scene();
@@ -145,7 +148,7 @@ void TestJourneys::curvePointAndLightAreDraggedAndUndone() {
 }
 
 void TestJourneys::snapshotIsSavedAndReadBack() {
-  Window w(sample);
+  Journey w(sample);
   QVERIFY(w.settle());
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("head.png"));
@@ -160,12 +163,14 @@ void TestJourneys::snapshotIsSavedAndReadBack() {
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longest);
   // The standard picture of the view's size is the picture in the view.
   const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB32);
-  QVERIFY(saved == w.window.view()->picture());
+  const QImage seen = w.window.view()->picture();
+  QCOMPARE(saved.size(), seen.size());
+  QVERIFY(saved == seen);
   QVERIFY(QImage(path).text(QStringLiteral("scene")).contains(QStringLiteral("volumenScene")));
 }
 
 void TestJourneys::snapshotOfAnySizeWithTransparentBackground() {
-  Window w(sample);
+  Journey w(sample);
   QVERIFY(w.settle());
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("small.png"));
@@ -184,7 +189,7 @@ void TestJourneys::snapshotOfAnySizeWithTransparentBackground() {
 }
 
 void TestJourneys::presetsAndPanelsChangeThePicture() {
-  Window w(sample);
+  Journey w(sample);
   QVERIFY(w.settle());
   const QImage first = w.window.view()->picture();
   auto* presets = w.child<QComboBox>("presets");
@@ -210,8 +215,41 @@ void TestJourneys::presetsAndPanelsChangeThePicture() {
   w.shot("perspective");
 }
 
+void TestJourneys::whatIsVisibleIsSegmentedShownAloneAndSaved() {
+  Journey w({QStringLiteral("phantom:sphere")});
+  QVERIFY(w.settle());
+  const QImage first = w.window.view()->picture();
+  // The ball of value 1: as many voxels as there are centres inside radius 32.
+  w.child<QDoubleSpinBox>("segmentLow")->setValue(0.5);
+  w.child<QDoubleSpinBox>("segmentHigh")->setValue(1);
+  QTest::mouseClick(w.child<QWidget>("segment"), Qt::LeftButton);
+  auto* only = w.child<QCheckBox>("segmentOnly");
+  QTRY_VERIFY_WITH_TIMEOUT(only->isEnabled(), longest);
+  const Volume& volume = *w.window.session().series()->volume;
+  std::int64_t voxels = 0;
+  for (std::int64_t n = 0; n < volume.geometry().voxelCount(); ++n) voxels += volume.valueAt(n) == 1;
+  const QString text = w.child<QLabel>("segmentResult")->text();
+  QVERIFY2(text.startsWith(QLocale().toString(qlonglong(voxels)) + QStringLiteral(" voxels")),
+           qPrintable(text));
+  QVERIFY2(text.contains(QStringLiteral("%1 ml").arg(double(voxels) / 1000, 0, 'f', 0)), qPrintable(text));
+
+  const QImage alone = w.after([&] { only->click(); });
+  QVERIFY(alone != first);
+  QVERIFY(only->isChecked());
+  QVERIFY(w.after("undo") == first);
+  QVERIFY2(!only->isChecked(), "the toggle follows undo");
+
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("ball.seg.nrrd"));
+  w.child<QAbstractButton>("segmentSave")->click();
+  auto* name = w.child<QFileDialog>("segmentDialog")->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+  name->setText(path);
+  QTest::keyClick(name, Qt::Key_Return);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longest);
+}
+
 void TestJourneys::aClickOnASeriesShowsIt() {
-  Window w(sample);
+  Journey w(sample);
   QVERIFY(w.settle());
   w.window.open({QStringLiteral("phantom:sphere")});
   QTRY_VERIFY_WITH_TIMEOUT(w.window.windowTitle().contains(QStringLiteral("sphere")), longest);
@@ -226,9 +264,12 @@ void TestJourneys::aClickOnASeriesShowsIt() {
 
 void TestJourneys::droppedFilesAreOpened() {
   const QTemporaryDir folder;
-  Window w;
+  Journey w;
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(folder.path())});
+  QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&w.window, &enter);
+  QVERIFY(enter.isAccepted());
   QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(&w.window, &drop);
   auto* banner = w.child<Banner>("banner");
@@ -255,7 +296,7 @@ void TestJourneys::whatCannotBeOpenedIsSaidInASentence() {
   if (what == QStringLiteral("missing")) path = folder.filePath(QStringLiteral("nowhere"));
   if (what == QStringLiteral("folder")) path = folder.path();
   if (what == QStringLiteral("file")) path = text.fileName();
-  Window w({path});
+  Journey w({path});
   auto* banner = w.child<Banner>("banner");
   QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
   const QString name = what.startsWith(QStringLiteral("phantom")) ? QStringLiteral("nonsense") : path;
@@ -272,7 +313,7 @@ void TestJourneys::closingWhileRenderingIsClean_data() {
 
 void TestJourneys::closingWhileRenderingIsClean() {
   QFETCH(int, afterMs);
-  Window w(sample);
+  Journey w(sample);
   QTest::qWait(afterMs);
   if (w.window.session().series())
     w.window.session().edit(QStringLiteral("turn"), [](Scene& s) { s.shading.ambient = 0.5; });
@@ -280,13 +321,13 @@ void TestJourneys::closingWhileRenderingIsClean() {
 }
 
 void TestJourneys::viewAloneAndBack() {
-  Window w(sample);
+  Journey w(sample);
   QVERIFY(w.settle());
   const int width = w.window.view()->width();
-  w.after([&] { QTest::mouseDClick(w.window.view(), Qt::LeftButton, {}, QPoint(300, 300)); });
+  w.after([&] { QTest::mouseDClick(w.window.view(), Qt::LeftButton, {}, QPoint(100, 200)); });
   QVERIFY(w.window.view()->width() > width + 200);
   w.shot("alone");
-  w.after([&] { QTest::mouseDClick(w.window.view(), Qt::LeftButton, {}, QPoint(300, 300)); });
+  w.after([&] { QTest::mouseDClick(w.window.view(), Qt::LeftButton, {}, QPoint(100, 200)); });
   QCOMPARE(w.window.view()->width(), width);
 }
 

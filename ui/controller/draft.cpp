@@ -19,8 +19,8 @@ QRgb toRgb(const float* c) {
   return qRgba(std::min(byte(c[0]), alpha), std::min(byte(c[1]), alpha), std::min(byte(c[2]), alpha), alpha);
 }
 
-QImage emptyImage(const Picture& picture, QSize size) {
-  return QImage(size, picture.transparent ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB32);
+QImage::Format formatOf(const Picture& picture) {
+  return picture.transparent ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB32;
 }
 
 // Where the pixels of a stretch of `full` lie among `count` pixels that are `factor` as large, middle on
@@ -66,7 +66,7 @@ DraftView draftView(const Camera& camera, QSize full, double factor) {
 }
 
 QImage enlarged(const Picture& picture, double factor, QSize full) {
-  QImage image = emptyImage(picture, full);
+  QImage image(full, formatOf(picture));
   const std::vector<Sample> columns = samplesAlong(full.width(), picture.size.x, factor);
   const std::vector<Sample> rows = samplesAlong(full.height(), picture.size.y, factor);
   // Each row of the small picture is stretched once, when the rows between which the result lies reach it.
@@ -100,13 +100,11 @@ QImage enlarged(const Picture& picture, double factor, QSize full) {
 }
 
 QImage toImage(const Picture& picture) {
-  QImage image = emptyImage(picture, {picture.size.x, picture.size.y});
-  for (int y = 0; y < picture.size.y; ++y) {
-    const float* in = picture.row(y);
-    auto* out = reinterpret_cast<QRgb*>(image.scanLine(y));
-    for (int x = 0; x < picture.size.x; ++x) out[x] = toRgb(in + 4 * x);
-  }
-  return image;
+  const std::vector<std::uint8_t> bytes = toBytes(picture);
+  const int channels = picture.transparent ? 4 : 3;
+  const QImage view(bytes.data(), picture.size.x, picture.size.y, qsizetype(channels) * picture.size.x,
+                    picture.transparent ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+  return view.convertToFormat(formatOf(picture));
 }
 
 }  // namespace volumen

@@ -11,8 +11,6 @@ namespace {
 // How long nothing new must be asked for before the standard picture is begun.
 constexpr std::chrono::milliseconds restTime{60};
 
-double pixelCount(QSize size) { return double(size.width()) * size.height(); }
-
 }  // namespace
 
 RenderController::RenderController(MakeDraw makeDraw, QObject* parent)
@@ -99,7 +97,6 @@ void RenderController::run() {
       drawnGeneration_ = generation_;
       drawnVolume_ = volume_;
       pace_ = DraftPace();
-      standardMsPerPixel_ = 0;
       lock.unlock();
       draw_ = drawnVolume_ ? makeDraw_(drawnVolume_) : Draw();
       lock.lock();
@@ -134,26 +131,22 @@ void RenderController::drawScreen(std::unique_lock<std::mutex>& lock) {
   const CancelToken volumeCancel = volumeCancel_;
   if (!draw_) return;
   lock.unlock();
-  const double standardMs = standardMsPerPixel_ * pixelCount(request.pixels);
-  const bool needsDraft = standardMs == 0 || standardMs > pace_.budgetMs();
-  const bool drawn = !needsDraft || drawFrame(request, Quality::draft, volumeCancel);
+  const double factor = pace_.factor();
+  const bool drawn = drawFrame(request, factor, volumeCancel);
   lock.lock();
   const auto other = [this] { return closing_ || screen_ || picture_ || generation_ != drawnGeneration_; };
-  if (!drawn || (needsDraft ? wake_.wait_for(lock, restTime, other) : other())) return;
+  if (!drawn || factor == 1 || wake_.wait_for(lock, restTime, other)) return;
   standardCancel_ = CancelToken();
   const CancelToken cancel = standardCancel_;
   lock.unlock();
-  drawFrame(request, Quality::standard, cancel);
+  drawFrame(request, 1, cancel);
   lock.lock();
 }
 
-bool RenderController::drawFrame(const ScreenRequest& request, Quality quality, const CancelToken& cancel) {
+bool RenderController::drawFrame(const ScreenRequest& request, double factor, const CancelToken& cancel) {
   QElapsedTimer clock;
   clock.start();
-  const bool draft = quality == Quality::draft;
-  const double factor = draft ? pace_.factor() : 1;
   Frame frame;
-  frame.quality = quality;
   frame.factor = factor;
   frame.scene = request.scene;
   if (!frame.scene.camera)
@@ -164,7 +157,6 @@ bool RenderController::drawFrame(const ScreenRequest& request, Quality quality, 
   scene.camera = view.camera;
   RenderOptions options;
   options.size = {view.size.width(), view.size.height()};
-  options.quality = quality;
   Result<Drawn> drawn = draw(scene, options, cancel);
   if (!drawn) {
     if (!cancel.cancelled())
@@ -175,12 +167,9 @@ bool RenderController::drawFrame(const ScreenRequest& request, Quality quality, 
   frame.plan = std::make_shared<const Plan>(std::move(drawn->plan));
   frame.stats = drawn->stats;
   frame.ms = double(clock.nsecsElapsed()) / 1e6;
-  // What is made once for the volume says nothing about the next frame.
-  const double repeatedMs = std::max(0.0, frame.ms - drawn->stats.gradientsMs);
-  if (draft)
-    pace_.measured(repeatedMs);
-  else
-    standardMsPerPixel_ = repeatedMs / pixelCount(request.pixels);
+  // What is made once for the volume says nothing about the next frame, and a full picture at rest nothing
+  // about drafts.
+  if (factor == pace_.factor()) pace_.measured(std::max(0.0, frame.ms - drawn->stats.gradientsMs));
   tell([this, frame] { Q_EMIT frameReady(frame); });
   return true;
 }

@@ -31,17 +31,19 @@ Draw drawWithCaches(VolumePtr volume);
 
 /// A picture for the screen.
 struct Frame {
-  QImage image;  ///< as many pixels as were asked for
-  Quality quality = Quality::draft;
-  double factor = 1;  ///< a draft's coarseness (DraftPace)
+  QImage image;       ///< as many pixels as were asked for
+  double factor = 1;  ///< above 1: a draft, one ray for factor x factor pixels (DraftPace)
   double ms = 0;      ///< wall clock, from the request taken up to the image
   Scene scene;        ///< as drawn: with its camera
   std::shared_ptr<const Plan> plan;
   RenderStats stats;
+
+  bool draft() const { return factor > 1; }
 };
 
-/// Draws on a thread of its own: of what is asked for only the latest, first as a draft within the frame
-/// time, then in `standard` quality once nothing new was asked for a moment. Asking never waits.
+/// Draws on a thread of its own: of what is asked for only the latest, first as a draft within the frame time
+/// (the rays of `standard`, but fewer: so a draft differs from it by its sharpness alone), then in full once
+/// nothing new was asked for a moment. Asking never waits.
 class RenderController : public QObject {
   Q_OBJECT
  public:
@@ -80,7 +82,7 @@ class RenderController : public QObject {
   bool waitForWork(std::unique_lock<std::mutex>& lock);
   void drawPicture(std::unique_lock<std::mutex>& lock);
   void drawScreen(std::unique_lock<std::mutex>& lock);
-  bool drawFrame(const ScreenRequest& request, Quality quality, const CancelToken& cancel);
+  bool drawFrame(const ScreenRequest& request, double factor, const CancelToken& cancel);
   Result<Drawn> draw(const Scene& scene, const RenderOptions& options, const CancelToken& cancel);
   template <class Function>
   void tell(Function function);
@@ -101,7 +103,6 @@ class RenderController : public QObject {
   int drawnGeneration_ = 0;
   Draw draw_;
   DraftPace pace_;
-  double standardMsPerPixel_ = 0;  // 0: not yet known
 
   std::thread thread_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QLabel>
+#include <QTextBrowser>
 
 #include "viewer/plan/plan.h"
 #include "viewer/render/render.h"
@@ -8,14 +8,11 @@
 namespace volumen {
 
 /// What the plan of the picture on screen switches on and off, why, and what the picture took.
-class EffectsPanel : public QWidget {
+class EffectsPanel : public QTextBrowser {
   Q_OBJECT
  public:
   explicit EffectsPanel(QWidget* parent = nullptr);
   void showPlan(const Plan& plan, const RenderStats& stats);
-
- private:
-  QLabel *lines_, *times_;
 };
 
 }  // namespace volumen

@@ -11,7 +11,7 @@
 namespace volumen {
 
 namespace {
-constexpr double leftMargin = 46, rightMargin = 10, topMargin = 20, bottomMargin = 48;
+constexpr double leftMargin = 46, rightMargin = 10, topMargin = 20, bottomMargin = 42;
 constexpr double rampTop = 8, rampHeight = 12;  // below the plot
 constexpr double reach = 8, snapReach = 4;      // pixels
 }  // namespace

@@ -23,7 +23,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   const auto button = [&](const QString& name, const QString& text, void (StartPage::*signal)()) {
     auto* made = new QPushButton(text);
     made->setObjectName(name);
-    made->setMinimumSize(280, 40);
+    made->setMinimumSize(340, 40);
     connect(made, &QPushButton::clicked, this, signal);
     column->addWidget(made, 0, Qt::AlignHCenter);
   };

@@ -34,6 +34,8 @@ StatusLine::StatusLine(QWidget* parent)
   row->addWidget(bar_);
   row->addWidget(cancel_);
   row->addWidget(warning_, 1);
+  // Or the picture above would be resized, and drawn again, whenever something runs.
+  setFixedHeight(std::max(cancel_->sizeHint().height(), hover_->sizeHint().height()) + 4);
   for (QTimer* timer : {&appear_, &fade_}) timer->setSingleShot(true);
   connect(&appear_, &QTimer::timeout, this, [this] {
     for (QWidget* part :
