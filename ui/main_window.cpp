@@ -110,7 +110,6 @@ void MainWindow::connectDrawing() {
   connect(&snapshot_, &Snapshot::saved, this, [this](const QString& path) {
     status_->end();
     status_->tell(tr("Saved %1").arg(path));
-    requestFrame();
   });
   connect(&segmenter_, &Segmenter::saved, this,
           [this](const QString& path) { status_->tell(tr("Saved %1").arg(path)); });

@@ -57,7 +57,6 @@ void RenderController::requestPicture(const Scene& scene, const RenderOptions& o
     pictureCancel_.cancel();
     pictureCancel_ = CancelToken();
     picture_ = PictureRequest{scene, options, pictureCancel_};
-    standardCancel_.cancel();
   }
   wake_.notify_one();
 }
@@ -134,7 +133,7 @@ void RenderController::drawScreen(std::unique_lock<std::mutex>& lock) {
   const double factor = pace_.factor();
   const bool drawn = drawFrame(request, factor, volumeCancel);
   lock.lock();
-  const auto other = [this] { return closing_ || screen_ || picture_ || generation_ != drawnGeneration_; };
+  const auto other = [this] { return closing_ || screen_ || generation_ != drawnGeneration_; };
   if (!drawn || factor == 1 || wake_.wait_for(lock, restTime, other)) return;
   standardCancel_ = CancelToken();
   const CancelToken cancel = standardCancel_;

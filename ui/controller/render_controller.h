@@ -55,7 +55,7 @@ class RenderController : public QObject {
   void setVolume(VolumePtr volume);
   /// Asks for a picture of so many device pixels; a scene without a camera is fitted to the picture.
   void request(const Scene& scene, QSize pixels);
-  /// Asks for one picture to be saved, drawn before anything else: ends in pictureReady().
+  /// Asks for one picture to be saved, drawn next: ends in pictureReady(). A second gives up the first.
   void requestPicture(const Scene& scene, const RenderOptions& options);
   void cancelPicture();
 
