@@ -30,6 +30,9 @@ Status checkOptions(const Scene& scene, const RenderOptions& o) {
   if (o.precision && *o.precision != 16 && *o.precision != 32) return Error{"--precision must be 16 or 32."};
   if (o.mapSize && (*o.mapSize < 2 || *o.mapSize > 1024)) return Error{"--map-size must be 2 .. 1024."};
   if (o.threads < 0 || o.threads > 1024) return Error{"--threads must be 1 .. 1024."};
+  if (o.resampler == Resampler::gl && o.method == Method::reference)
+    return Error{
+        "--resampler gl does not go with --method reference, which interpolates in double precision."};
   if (o.shader == Shader::map && scene.shading.localViewer)
     return Error{
         "--shader map cannot draw shading.localViewer: the viewer's direction changes from ray to ray; use "
@@ -45,7 +48,6 @@ Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const Render
   plan.scene = completed(scene, facts, options.size);
   plan.options = options;
   plan.method = options.method;
-  plan.resampler = options.resampler;
   if (plan.method == Method::reference) {
     plan.effects.push_back({"reference", true, false, "everything, adaptively, cell by cell, in double precision"});
     return plan;

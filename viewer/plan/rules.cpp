@@ -148,10 +148,24 @@ Effect earlyStop(const RuleInput& in, Plan& plan) {
 Effect precision(const RuleInput& in, Plan& plan) {
   // Integers are kept exactly in 16 bits; a negative slope would turn the order of values round.
   const bool fits = in.facts.integers && in.facts.slope > 0;
-  plan.bits = fits ? in.options.precision.value_or(16) : 32;
+  // Texture hardware that filters 16 bits may keep 8 bits of the place between two voxels: measured on
+  // scenes with thin bright shells, 0.7/255 RMSE at standard's steps.
+  const bool coarse =
+      in.options.resampler == Resampler::gl && !in.options.precision &&
+      (in.options.step || in.options.quality == Quality::high || in.options.quality == Quality::exact);
+  plan.bits = fits && !coarse ? in.options.precision.value_or(16) : 32;
   if (!fits) return on("32 bits: the values are not 16-bit integers with a positive slope");
+  if (coarse) return on("32 bits, interpolated in floats: filters of texture hardware are too coarse here");
   return on(std::to_string(plan.bits) +
             (in.options.precision ? " bits, as asked" : " bits hold the stored integers exactly"));
+}
+
+Effect resampler(const RuleInput& in, Plan& plan) {
+  plan.resampler = in.options.resampler;
+  if (plan.resampler == Resampler::cpu)
+    return on("cpu: passes over empty blocks, stops where a ray is opaque, and needs no OpenGL");
+  return on(plan.bits == 16 ? "gl, as asked: filtered by the texture hardware, while the CPU shades"
+                            : "gl, as asked: interpolated in floats as on the CPU, while that shades");
 }
 
 Effect shader(const RuleInput& in, Plan& plan) {
@@ -192,6 +206,7 @@ const std::vector<Rule>& rules() {
       {"integration", false, integration},
       {"early stop", false, earlyStop},
       {"precision", false, precision},
+      {"resampler", false, resampler},
       {"shader", false, shader},
   };
   return table;

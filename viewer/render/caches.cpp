@@ -17,6 +17,11 @@ RenderCaches& RenderCaches::operator=(RenderCaches&&) noexcept = default;
 const VolumePtr& RenderCaches::volume() const { return impl_->volume; }
 const VolumeFacts& RenderCaches::facts() { return impl_->factsOfVolume(); }
 
+void RenderCaches::setGlContextFactory(GlContextFactory factory) {
+  impl_->gl.reset();
+  impl_->glFactory = std::move(factory);
+}
+
 namespace {
 
 // A copy of the samples, each turned into a T by `convert`, on all cores.
@@ -100,6 +105,15 @@ const SkipMap& RenderCaches::Impl::skipMap(const TransferFunction& curve) {
   if (!skip || skip->points != curve.points)
     skip = Skip{curve.points, makeSkipMap(bricks.count, visibleBlocks(curve, bricks))};
   return skip->map;
+}
+
+Result<GlState*> RenderCaches::Impl::glState() {
+  if (!gl) {
+    auto made = makeGlState(glFactory);
+    if (!made) return made.error();
+    gl = std::move(*made);
+  }
+  return gl.get();
 }
 
 }  // namespace volumen

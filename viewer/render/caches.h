@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "viewer/render/curve_table.h"
+#include "viewer/render/gl/gl_state.h"
 #include "viewer/render/render.h"
 #include "viewer/render/skip_map.h"
 #include "viewer/volume/buffer.h"
@@ -39,12 +40,16 @@ struct RenderCaches::Impl {
   };
   std::optional<Skip> skip;
 
+  GlContextFactory glFactory = makeEglContext;
+  std::unique_ptr<GlState> gl;
+
   const VolumeFacts& factsOfVolume();
   const Density16& densities16();  ///< only for integers with a positive slope
   const Density32& densities32();
   const Gradients16& gradientsIn16();
   const Gradients32& gradientsIn32();
   const SkipMap& skipMap(const TransferFunction& curve);
+  Result<GlState*> glState();  ///< made when first asked for; its context is not current
 };
 
 }  // namespace volumen

@@ -76,9 +76,9 @@ void RaySetup::setRay(RayRow& row, int n, glm::dvec3 o, glm::dvec3 d, glm::dvec3
   row.viewerX[n] = float(viewer.x), row.viewerY[n] = float(viewer.y), row.viewerZ[n] = float(viewer.z);
 }
 
-void RaySetup::makeRow(int y, RayRow& row) const {
-  const std::size_t padded = (std::size_t(size_.x) + padding - 1) / padding * padding;
-  row.count = size_.x;
+void RaySetup::makeRays(int first, int y, int count, RayRow& row) const {
+  const std::size_t padded = (std::size_t(count) + padding - 1) / padding * padding;
+  row.count = count;
   for (auto* values : {&row.startX, &row.startY, &row.startZ, &row.moveX, &row.moveY, &row.moveZ,
                        &row.inverseX, &row.inverseY, &row.inverseZ, &row.viewerX, &row.viewerY, &row.viewerZ,
                        &row.lastMiddle, &row.stepMm, &row.lastStepMm})
@@ -86,12 +86,12 @@ void RaySetup::makeRow(int y, RayRow& row) const {
   row.steps.assign(padded, 0);
   const double pixelMm = height_ / size_.y;
   const double b = (0.5 - (y + 0.5) / size_.y) * height_;
-  for (int x = 0; x < size_.x; ++x) {
-    const double a = ((x + 0.5) - 0.5 * size_.x) * pixelMm;
+  for (int n = 0; n < count; ++n) {
+    const double a = ((first + n + 0.5) - 0.5 * size_.x) * pixelMm;
     const glm::dvec3 q = target_ + a * axes_.right + b * axes_.up;
     const glm::dvec3 origin = perspective_ ? eye_ : q;
     const glm::dvec3 direction = perspective_ ? glm::normalize(q - eye_) : axes_.direction;
-    setRay(row, x, geometry_.voxelFromPatient(origin), voxelFromMm_ * direction, direction);
+    setRay(row, n, geometry_.voxelFromPatient(origin), voxelFromMm_ * direction, direction);
   }
 }
 

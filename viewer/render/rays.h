@@ -33,7 +33,9 @@ class RaySetup {
   RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, double stepVoxels, bool clip);
 
   /// Fills `row` with the rays of picture row y.
-  void makeRow(int y, RayRow& row) const;
+  void makeRow(int y, RayRow& row) const { makeRays(0, y, size_.x, row); }
+  /// Fills `row` with the rays of `count` pixels of picture row y, from pixel x on.
+  void makeRays(int x, int y, int count, RayRow& row) const;
 
  private:
   struct Plane {

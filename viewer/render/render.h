@@ -5,6 +5,7 @@
 #include <string>
 
 #include "viewer/plan/plan.h"
+#include "viewer/render/gl/gl_context.h"
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/picture.h"
 #include "viewer/volume/volume.h"
@@ -12,7 +13,8 @@
 namespace volumen {
 
 /// What a picture took. Times in ms of wall clock; resample and shade are summed over threads and divided by
-/// their number.
+/// their number. With OpenGL, which resamples while the CPU shades: resample is what the CPU had to wait or
+/// work for OpenGL, shade the rest.
 struct RenderStats {
   double gradientsMs = 0;  ///< Sobel pass and copies made for this picture; 0 where they were there already
   double resampleMs = 0, shadeMs = 0, totalMs = 0;
@@ -38,6 +40,11 @@ class RenderCaches {
 
   const VolumePtr& volume() const;
   const VolumeFacts& facts();
+
+  /// Where the OpenGL context comes from when a plan first asks for one: on the thread that renders, on which
+  /// these caches must then also be destroyed. The default is EGL's, without a display. Drops a context that
+  /// is there.
+  void setGlContextFactory(GlContextFactory factory);
 
   struct Impl;
   Impl& impl() { return *impl_; }

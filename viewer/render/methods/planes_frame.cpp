@@ -21,22 +21,17 @@ ShadeBy shadeOf(const Plan& plan) {
 
 }  // namespace
 
-PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, bool cpuStore, RenderStats& stats)
+PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats)
     : lighting_(makeLighting(plan.scene, plan.specular)), transfer_(plan.scene.transferFunction) {
   auto& cache = caches.impl();
   const auto begin = std::chrono::steady_clock::now();
   frame_.size = cache.volume->size();
-  if (cpuStore) readStored(plan, caches, stats);
+  readStored(plan, caches, stats);
   stats.gradientsMs += msSince(begin);
   key_.shade = shadeOf(plan);
   key_.gradientOpacity = plan.gradientOpacity;
-  if (!cpuStore) {
-    // Another resampler hands out real values and gradients a voxel.
-    key_.store = Store::plane;
-    const ValueRange range = cache.factsOfVolume().range;
-    scale_ = {1, 0, range.low, range.high};
-    setGradientScale(plan, cache.volume->geometry(), 1);
-  }
+  const bool plane = plan.resampler != Resampler::cpu;
+  if (plane) key_.store = Store::plane;
   curve_ = makeCurveTable(transfer_, scale_);
   frame_.curve = &curve_;
   frame_.transfer = &transfer_;
@@ -47,7 +42,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, bool cpuStore, 
     frame_.map = &map_;
   }
   frame_.stopTransmittance = float(plan.stopTransmittance);
-  if (cpuStore && plan.skipBlocks) frame_.skip = &cache.skipMap(transfer_);
+  if (!plane && plan.skipBlocks) frame_.skip = &cache.skipMap(transfer_);
   stats.tableBytes = curve_.bytes() + map_.nodes.size() * sizeof(float);
   stats.blockBytes = cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float) +
                      (frame_.skip ? frame_.skip->distance.size() : 0);

@@ -8,7 +8,9 @@ namespace volumen {
 /// Everything the kernels read for one frame, made from the plan; keeps what it points to alive.
 class PlanesFrame {
  public:
-  PlanesFrame(const Plan& plan, RenderCaches& caches, bool cpuStore, RenderStats& stats);
+  /// Where the plan's resampler is not the CPU, the kernels read planes (Store::plane) in the units of the
+  /// plan's store.
+  PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats);
   PlanesFrame(const PlanesFrame&) = delete;
   PlanesFrame& operator=(const PlanesFrame&) = delete;
 

@@ -1,0 +1,129 @@
+#include "viewer/render/gl/volume_textures.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/render/caches.h"
+
+namespace volumen {
+
+namespace {
+
+struct Format {
+  GLenum stored, layout, component;
+  int voxelBytes;
+};
+constexpr Format density16{GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2};
+constexpr Format density32{GL_R32F, GL_RED, GL_FLOAT, 4};
+constexpr Format gradients16{GL_RGBA16_SNORM, GL_RGBA, GL_SHORT, 8};
+constexpr Format gradients32{GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+
+std::string inWords(glm::ivec3 n) {
+  return std::to_string(n.x) + " x " + std::to_string(n.y) + " x " + std::to_string(n.z) + " voxels";
+}
+
+// A 3D texture without content, bound; 0 where there is no room for it.
+GLuint makeTexture(const Format& format, glm::ivec3 n) {
+  GLuint name = 0;
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_3D, name);
+  glTexImage3D(GL_TEXTURE_3D, 0, GLint(format.stored), n.x, n.y, n.z, 0, format.layout, format.component,
+               nullptr);
+  if (glGetError() != GL_NO_ERROR) {
+    glDeleteTextures(1, &name);
+    return 0;
+  }
+  const bool linear = format.component != GL_FLOAT;
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, linear ? GL_LINEAR : GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, linear ? GL_LINEAR : GL_NEAREST);
+  for (GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    glTexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
+  return name;
+}
+
+// Fills the bound texture in slabs of whole slices, so that the driver's copies stay small. slab(first
+// voxel, voxels): the data of these voxels.
+template <class Slab>
+Status upload(const Format& format, glm::ivec3 n, const CancelToken& cancel, const Slab& slab) {
+  const std::size_t slice = std::size_t(n.x) * n.y;
+  const int thickness = int(std::clamp<std::size_t>((16u << 20) / (slice * format.voxelBytes), 1, n.z));
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (int k = 0; k < n.z; k += thickness) {
+    if (cancel.cancelled()) return Error{"cancelled"};
+    const int slices = std::min(thickness, n.z - k);
+    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, k, n.x, n.y, slices, format.layout, format.component,
+                    slab(k * slice, slices * slice));
+  }
+  if (glGetError() != GL_NO_ERROR) return Error{"OpenGL has no room for the volume; use --resampler cpu."};
+  return {};
+}
+
+}  // namespace
+
+Status VolumeTextures::load(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
+  const glm::ivec3 n = caches.volume()->size();
+  if (std::max({n.x, n.y, n.z}) > largest)
+    return Error{"The volume has " + inWords(n) + ", and OpenGL here takes at most " +
+                 std::to_string(largest) + " along an edge; use --resampler cpu."};
+  if (Status s = loadDensity(plan.bits, caches, cancel); !s) return s;
+  return plan.gradients ? loadGradients(plan.bits, caches, cancel) : Status();
+}
+
+Status VolumeTextures::loadDensity(int bits, RenderCaches& caches, const CancelToken& cancel) {
+  if (density_.bits == bits) return {};
+  glDeleteTextures(1, &density_.name);
+  const Format& format = bits == 16 ? density16 : density32;
+  const glm::ivec3 n = caches.volume()->size();
+  density_ = {makeTexture(format, n), 0, 0};
+  if (!density_.name) return Error{"OpenGL has no room for " + inWords(n) + "; use --resampler cpu."};
+  Status done;
+  if (bits == 16) {
+    const Density16& stored = caches.impl().densities16();
+    smallest_ = int(std::lround(stored.scale.low));
+    span_ = int(std::lround(stored.scale.high)) - smallest_;
+    // Unsigned samples are read as signed densities that are 32768 less.
+    const int flip = int(stored.flip & 0xffff);
+    std::vector<std::uint16_t> counted;
+    done = upload(format, n, cancel, [&](std::size_t first, std::size_t count) {
+      counted.resize(count);
+      std::transform(stored.data + first, stored.data + first + count, counted.begin(),
+                     [&](std::int16_t d) { return std::uint16_t(std::int16_t(d ^ flip) - smallest_); });
+      return counted.data();
+    });
+  } else {
+    const float* stored = caches.impl().densities32().data;
+    done = upload(format, n, cancel, [&](std::size_t first, std::size_t) { return stored + first; });
+  }
+  if (!done) return done;
+  density_.bits = bits;
+  density_.bytes = std::size_t(n.x) * n.y * n.z * format.voxelBytes;
+  return {};
+}
+
+Status VolumeTextures::loadGradients(int bits, RenderCaches& caches, const CancelToken& cancel) {
+  if (gradients_.bits == bits) return {};
+  glDeleteTextures(1, &gradients_.name);
+  const Format& format = bits == 16 ? gradients16 : gradients32;
+  const glm::ivec3 n = caches.volume()->size();
+  gradients_ = {makeTexture(format, n), 0, 0};
+  if (!gradients_.name)
+    return Error{"OpenGL has no room for gradients of " + inWords(n) + "; use --resampler cpu."};
+  const void* stored = bits == 16 ? static_cast<const void*>(caches.impl().gradientsIn16().xyz0.data())
+                                  : caches.impl().gradientsIn32().xyz0.data();
+  const Status done = upload(format, n, cancel, [&](std::size_t first, std::size_t) {
+    return static_cast<const char*>(stored) + first * format.voxelBytes;
+  });
+  if (!done) return done;
+  gradients_.bits = bits;
+  gradients_.bytes = std::size_t(n.x) * n.y * n.z * format.voxelBytes;
+  return {};
+}
+
+}  // namespace volumen

@@ -1,0 +1,119 @@
+#include "viewer/render/methods/planes_gl.h"
+
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "viewer/render/caches.h"
+#include "viewer/render/methods/row_painter.h"
+#include "viewer/volume/parallel.h"
+
+namespace volumen {
+
+namespace {
+
+double nowMs() {
+  using namespace std::chrono;
+  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
+}
+
+// No ray is longer than the volume's diagonal.
+std::int64_t mostSteps(glm::ivec3 size, double stepVoxels) {
+  return std::int64_t(std::ceil(glm::length(glm::dvec3(size)) / stepVoxels)) + 1;
+}
+
+// Shades a batch that has been brought back, on all cores.
+class BatchShader {
+ public:
+  BatchShader(const RowPainter& painter, int threads) : painter_(painter), threads_(threads) {}
+
+  void shade(const Batch& batch, const PlaneResampler::Samples& samples) {
+    const double begin = nowMs();
+    parallelFor(std::int64_t(batch.strips.size()), threads_, [&](std::int64_t first, std::int64_t last) {
+      RowPainter::Task task;
+      for (std::int64_t n = first; n < last; ++n) {
+        const Strip& s = batch.strips[n];
+        const std::size_t at = std::size_t(s.firstLine) * Batch::line;
+        painter_.paint(
+            s.rays,
+            {samples.density + at, samples.gradients ? samples.gradients + 4 * at : nullptr, s.stride()}, s.x,
+            s.y, task);
+      }
+      totals_.add(task.counts);
+    });
+    for (const Strip& s : batch.strips)
+      resampled_ += std::accumulate(s.rays.steps.begin(), s.rays.steps.end(), std::int64_t(0));
+    ms_ += nowMs() - begin;
+  }
+
+  void report(const Plan& plan, RenderStats& stats) const {
+    stats.shadeMs = ms_;
+    stats.resampled = resampled_;
+    stats.composited = totals_.composited;
+    stats.shaded = plan.lit ? stats.composited : 0;
+  }
+
+ private:
+  const RowPainter& painter_;
+  int threads_;
+  TraceTotals totals_;
+  std::int64_t resampled_ = 0;
+  double ms_ = 0;
+};
+
+// Round n starts to bring batch n - 1 back, to draw batch n, and shades batch n - 2.
+Status drawBatches(BatchMaker& maker, PlaneResampler& resampler, BatchShader& shader,
+                   const CancelToken& cancel) {
+  Batch ring[3];
+  for (int n = 0;; ++n) {
+    Batch &next = ring[n % 3], &drawn = ring[(n + 2) % 3], &back = ring[(n + 1) % 3];
+    const int slot = n % 2, other = 1 - slot;
+    if (!drawn.empty()) resampler.startReading(drawn, other);
+    maker.fill(next);
+    if (!next.empty()) resampler.draw(next, slot);
+    if (!back.empty()) {
+      const PlaneResampler::Samples samples = resampler.map(back, slot);
+      if (!samples.density) return Error{"OpenGL failed while it drew; use --resampler cpu."};
+      shader.shade(back, samples);
+      resampler.unmap(slot);
+    }
+    if (next.empty() && drawn.empty()) return {};
+    if (cancel.cancelled()) return Error{"cancelled"};
+  }
+}
+
+}  // namespace
+
+Result<Rendered> renderPlanesGl(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
+  const auto gl = caches.impl().glState();
+  if (!gl) return gl.error();
+  GlState& state = **gl;
+  const CurrentContext current(*state.context);
+  if (!current) return Error{"The OpenGL context cannot be used on this thread; use --resampler cpu."};
+
+  Rendered done;
+  RenderStats& stats = done.stats;
+  const glm::ivec3 size = caches.volume()->size();
+  const PlanesFrame frame(plan, caches, stats);
+  const double begin = nowMs();
+  if (Status s = state.textures.load(plan, caches, cancel); !s) return s.error();
+  const double loaded = nowMs();
+  const RaySetup setup(plan.scene, caches.volume()->geometry(), plan.options.size, plan.stepVoxels,
+                       plan.clip);
+  BatchMaker maker(setup, plan.options.size, mostSteps(size, plan.stepVoxels));
+  if (Status s = state.resampler.prepare(plan, state.textures, size, maker.lines()); !s) return s.error();
+  const RowPainter painter(plan, frame, done.picture);
+  BatchShader shader(painter, plan.options.threads);
+  if (Status s = drawBatches(maker, state.resampler, shader, cancel); !s) return s.error();
+
+  shader.report(plan, stats);
+  stats.gradientsMs += loaded - begin;
+  stats.resampleMs = nowMs() - loaded - stats.shadeMs;
+  stats.densityBytes += state.textures.densityBytes();
+  if (plan.gradients) stats.gradientBytes += state.textures.gradientBytes();
+  stats.kernel = state.renderer;
+  return done;
+}
+
+}  // namespace volumen

@@ -1,0 +1,32 @@
+#include "viewer/render/methods/row_painter.h"
+
+namespace volumen {
+
+RowPainter::RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& picture)
+    : plan_(plan), frame_(frame), picture_(picture) {
+  if (plan.scene.mode == Mode::composite)
+    trace_ = chooseTraceKernel(frame.key());
+  else
+    project_ = chooseProjectKernel(frame.key().store, plan.scene.mode);
+  picture.size = plan.options.size;
+  picture.transparent = plan.scene.background.transparent;
+  picture.rgba.resize(std::size_t(4) * picture.size.x * picture.size.y);
+}
+
+void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, int x, int y, Task& task) const {
+  const std::size_t n = rays.steps.size();
+  task.values.assign(4 * n, 0.0f);
+  float* values = task.values.data();
+  float* pixels = picture_.row(y) + std::size_t(4) * x;
+  if (project_) {
+    project_(frame_.trace(), rays, plane, values);
+    writeProjectedRow(plan_.scene, frame_.scale(), rays, values, pixels);
+    for (int steps : rays.steps) task.counts.resampled += steps;
+    return;
+  }
+  const TraceRow out{values, values + n, values + 2 * n, values + 3 * n};
+  trace_(frame_.trace(), rays, plane, out, task.counts);
+  writeRow(plan_.scene.background, out, rays.count, pixels);
+}
+
+}  // namespace volumen

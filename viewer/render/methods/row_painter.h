@@ -1,0 +1,43 @@
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "viewer/render/methods/planes_frame.h"
+
+namespace volumen {
+
+/// Turns rays of one picture row into pixels: shaded and composited, or projected, over the background.
+class RowPainter {
+ public:
+  /// What it is given must outlive it; the picture is made here, in the plan's size.
+  RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& picture);
+
+  /// Memory of one task, and what it counted.
+  struct Task {
+    std::vector<float> values;  ///< red, green, blue, alpha
+    TraceCounts counts;
+  };
+  /// Paints the pixels of row y from x on. `plane`: their samples, where the frame's store is Store::plane.
+  void paint(const RayRow& rays, const PlaneBuffer& plane, int x, int y, Task& task) const;
+
+ private:
+  const Plan& plan_;
+  const PlanesFrame& frame_;
+  Picture& picture_;
+  TraceKernel trace_ = nullptr;      ///< of composite
+  ProjectKernel project_ = nullptr;  ///< of the other modes
+};
+
+/// Sums over all tasks; integers, so that their order does not matter.
+struct TraceTotals {
+  std::atomic<std::int64_t> resampled{0}, composited{0}, shadeTicks{0}, allTicks{0};
+  void add(const TraceCounts& c) {
+    resampled += c.resampled;
+    composited += c.composited;
+    shadeTicks += c.shadeTicks;
+    allTicks += c.allTicks;
+  }
+};
+
+}  // namespace volumen
