@@ -1,0 +1,91 @@
+// What accuracy costs: usage bench_levels PATH SCENE.json [EDGE]. For plain steps and levels, the error
+// against the reference (DESIGN 2, /255, well-conditioned pixels of an EDGE x EDGE picture, default 192) and
+// the time of a 512 x 512 frame: medians of 7 interleaved runs. A Markdown table on stdout.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "io/study.h"
+#include "viewer/render/reference.h"
+#include "viewer/render/render.h"
+#include "viewer/scene/scene_json.h"
+
+namespace {
+
+using namespace volumen;
+
+struct Row {
+  const char* name;
+  std::optional<double> step;
+  Quality quality;
+};
+
+constexpr Row rows[] = {{"step 1", 1, {}},
+                        {"step 0.5", 0.5, {}},
+                        {"draft", {}, Quality::draft},
+                        {"standard", {}, Quality::standard},
+                        {"high", {}, Quality::high},
+                        {"exact", {}, Quality::exact}};
+
+RenderOptions optionsOf(const Row& row, int edge) {
+  RenderOptions o;
+  o.size = {edge, edge};
+  o.step = row.step;
+  o.quality = row.quality;
+  return o;
+}
+
+double frameMs(const Plan& plan, RenderCaches& caches) {
+  const auto begin = std::chrono::steady_clock::now();
+  if (!render(plan, caches)) return 0;
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+int fail(const std::string& sentence) {
+  std::fprintf(stderr, "%s\n", sentence.c_str());
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) return fail("usage: bench_levels PATH SCENE.json [EDGE]");
+  const int edge = argc > 3 ? std::atoi(argv[3]) : 192;
+  const auto study = openStudy(argv[1]);
+  if (!study || study->volumes.empty()) return fail("no volume");
+  const auto loaded = loadSeries(study->volumes[*chooseSeries(*study, {})]);
+  if (!loaded) return fail(loaded.message());
+  std::stringstream text;
+  text << std::ifstream(argv[2]).rdbuf();
+  const auto scene = sceneFromJson(text.str());
+  if (!scene) return fail(scene.message());
+
+  RenderCaches caches(loaded->drawn);
+  const Scene complete = makePlan(*scene, caches.facts(), optionsOf(rows[0], edge))->scene;
+  const auto truth = renderReference(complete, *loaded->drawn, {edge, edge});
+  const auto use = wellConditioned(complete, *loaded->drawn, {edge, edge});
+  std::vector<Plan> plans;
+  for (const Row& row : rows) plans.push_back(*makePlan(*scene, caches.facts(), optionsOf(row, 512)));
+  std::vector<std::vector<double>> times(plans.size());
+  for (int run = 0; run < 8; ++run)
+    for (std::size_t n = 0; n < plans.size(); ++n) {
+      const double ms = frameMs(plans[n], caches);
+      if (run > 0) times[n].push_back(ms);  // the first run makes gradients and warms up
+    }
+  std::printf(
+      "| | maximum | 99th percentile | PSNR dB | ms a frame | against step 1 |\n|---|---|---|---|---|---|\n");
+  double plain = 0;
+  for (std::size_t n = 0; n < plans.size(); ++n) {
+    const auto picture = render(*makePlan(*scene, caches.facts(), optionsOf(rows[n], edge)), caches);
+    const PictureError e = compare(picture->picture, *truth, *use);
+    std::sort(times[n].begin(), times[n].end());
+    const double ms = times[n][times[n].size() / 2];
+    if (n == 0) plain = ms;
+    std::printf("| %s | %.2f | %.2f | %.1f | %.0f | %.2f x |\n", rows[n].name, e.maximum, e.percentile99,
+                e.psnrDb, ms, ms / plain);
+    std::fflush(stdout);
+  }
+  return 0;
+}

@@ -1,0 +1,47 @@
+// How many voxels a second the passes over a volume take: Sobel gradients, block ranges, percentiles.
+#include <benchmark/benchmark.h>
+
+#include <random>
+
+#include "viewer/volume/bricks.h"
+#include "viewer/volume/gradients.h"
+#include "viewer/volume/histogram.h"
+
+namespace {
+
+using namespace volumen;
+
+// 16-bit noise in the range of a CT.
+VolumePtr noise(int edge) {
+  std::minstd_rand random(1);
+  VolumeParts parts;
+  parts.geometry.size = glm::ivec3(edge);
+  std::vector<std::int16_t> values(parts.geometry.voxelCount());
+  for (auto& v : values) v = std::int16_t(int(random() % 4096) - 1024);
+  parts.values = std::move(values);
+  std::vector<std::string> warnings;
+  return *Volume::make(std::move(parts), warnings);
+}
+
+template <class Pass>
+void run(benchmark::State& state, Pass pass) {
+  const VolumePtr volume = noise(int(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(pass(*volume));
+  state.SetItemsProcessed(state.iterations() * volume->geometry().voxelCount());
+}
+
+void sobel16Bits(benchmark::State& state) { run(state, sobel16); }
+void sobel32Bits(benchmark::State& state) { run(state, sobel32); }
+void blocks(benchmark::State& state) { run(state, brickRanges); }
+void percentilesOfAll(benchmark::State& state) {
+  run(state, [](const Volume& v) { return percentiles(v, {1, 999}); });
+}
+
+BENCHMARK(sobel16Bits)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(sobel32Bits)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(blocks)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(percentilesOfAll)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
