@@ -2,9 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace volumen {
+
+namespace {
+
+// Strengths are limited to this, so that no product of them leaves the range of floats; the picture has long
+// been white.
+double limited(double strength) { return std::min(strength, 1e12); }
+
+}  // namespace
 
 Lighting makeLighting(const Scene& scene, bool specular) {
   Lighting out;
@@ -15,22 +24,24 @@ Lighting makeLighting(const Scene& scene, bool specular) {
   const Shading& s = scene.shading;
   out.twoSided = s.sides == 2;
   if (!s.lit) return out;
-  out.ambient = float(s.ambient);
+  const double diffuse = limited(s.diffuse), specularity = limited(s.specular);
+  out.ambient = float(limited(s.ambient));
   out.shininess = float(s.shininess);
   glm::dvec3 sum(0);
   for (const Light& light : scene.lights) {
     if (!light.on) continue;
-    const glm::dvec3 c = light.intensity * light.colour;
-    const glm::dvec3 p = light.direction;
+    const glm::dvec3 c = limited(light.intensity) * light.colour;
+    const glm::dvec3 size = glm::abs(light.direction);
+    const glm::dvec3 p = light.direction / std::max({size.x, size.y, size.z});
     const glm::dvec3 l =
         glm::normalize(light.space == Space::patient ? p : p.x * axes.right + p.y * axes.up + p.z * viewer);
     const glm::dvec3 both = l + viewer;
     // SCENE 5: a light exactly behind has no half-way vector.
     const glm::dvec3 h = glm::length(both) < 1e-3 ? glm::dvec3(0) : glm::normalize(both);
-    out.lights.push_back({l, h, s.diffuse * c, s.specular * c});
+    out.lights.push_back({l, h, diffuse * c, specularity * c});
     sum += c;
   }
-  out.flat = glm::dvec3(s.ambient) + s.diffuse / 2 * sum;
+  out.flat = glm::dvec3(limited(s.ambient)) + diffuse / 2 * sum;
   return out;
 }
 
