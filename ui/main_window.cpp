@@ -44,7 +44,11 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   restoreLayout();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // Panels and view refer to the session: they go first.
+  for (const auto& [name, dock] : docks_) delete dock;
+  delete takeCentralWidget();
+}
 
 void MainWindow::makeCentre() {
   view_ = new VolumeView(session_);
@@ -138,7 +142,9 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
     return banner_->tell(tr("%1 holds no image that can be shown.").arg(shownText(path.toStdString())),
                          details);
   if (!study->refused.empty())
-    banner_->tell(tr("%n file(s) could not be read.", nullptr, int(study->refused.size())), details);
+    banner_->tell(study->refused.size() == 1 ? tr("1 file could not be read.")
+                                             : tr("%1 files could not be read.").arg(study->refused.size()),
+                  details);
   if (!std::exchange(showFirst_, false)) return;
   if (const Result<std::size_t> largest = chooseSeries(*study, {})) loader_.load(study->volumes[*largest]);
 }

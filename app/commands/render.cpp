@@ -5,10 +5,10 @@
 
 #include "app/command.h"
 #include "app/open_volume.h"
-#include "app/picture_text.h"
 #include "app/render_options.h"
 #include "io/files/output_file.h"
 #include "io/files/picture_file.h"
+#include "viewer/plan/picture_text.h"
 #include "viewer/render/render.h"
 #include "viewer/scene/scene_json.h"
 

@@ -88,6 +88,7 @@ class TestJourneys : public QObject {
   void presetsAndPanelsChangeThePicture();
   void whatIsVisibleIsSegmentedShownAloneAndSaved();
   void aClickOnASeriesShowsIt();
+  void severalPathsAreOpenedAtOnce();
   void droppedFilesAreOpened();
   void whatCannotBeOpenedIsSaidInASentence_data();
   void whatCannotBeOpenedIsSaidInASentence();
@@ -166,7 +167,7 @@ void TestJourneys::snapshotIsSavedAndReadBack() {
   const QImage seen = w.window.view()->picture();
   QCOMPARE(saved.size(), seen.size());
   QVERIFY(saved == seen);
-  QVERIFY(QImage(path).text(QStringLiteral("scene")).contains(QStringLiteral("volumenScene")));
+  QVERIFY(QImage(path).text(QStringLiteral("volumen-scene")).contains(QStringLiteral("volumenScene")));
 }
 
 void TestJourneys::snapshotOfAnySizeWithTransparentBackground() {
@@ -260,6 +261,17 @@ void TestJourneys::aClickOnASeriesShowsIt() {
   QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualItemRect(head).center());
   QTRY_VERIFY_WITH_TIMEOUT(w.window.windowTitle().contains(QStringLiteral("ct-head")), longest);
   QVERIFY(!w.window.session().undoStack().canUndo());
+}
+
+void TestJourneys::severalPathsAreOpenedAtOnce() {
+  Journey w({QStringLiteral("phantom:sphere:32"), QStringLiteral("phantom:cube:16")});
+  QVERIFY(w.settle());
+  QVERIFY(w.window.windowTitle().contains(QStringLiteral("sphere")));
+  auto* tree = w.child<QTreeWidget>("studyTree");
+  const auto inTree = [&](const QString& name) {
+    return !tree->findItems(name, Qt::MatchContains | Qt::MatchRecursive).isEmpty();
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(inTree(QStringLiteral("sphere")) && inTree(QStringLiteral("cube")), longest);
 }
 
 void TestJourneys::droppedFilesAreOpened() {

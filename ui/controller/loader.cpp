@@ -9,17 +9,19 @@ constexpr int tellEveryMs = 50;
 }
 
 Loader::Loader(MakeScene makeScene, QObject* parent) : QObject(parent), makeScene_(std::move(makeScene)) {
-  pool_.setMaxThreadCount(1);
+  for (QThreadPool* pool : {&openPool_, &loadPool_}) pool->setMaxThreadCount(1);
 }
 
 Loader::~Loader() {
-  cancel_.cancel();
-  pool_.waitForDone();
+  cancel();
+  for (QThreadPool* pool : {&openPool_, &loadPool_}) pool->waitForDone();
 }
 
 void Loader::cancel() {
-  cancel_.cancel();
-  cancel_ = CancelToken();
+  for (CancelToken* token : {&cancel_, &loadCancel_}) {
+    token->cancel();
+    *token = CancelToken();
+  }
 }
 
 // Runs a function on the thread of this object, unless the job was cancelled by then.
@@ -44,10 +46,9 @@ Progress Loader::progressTeller(const CancelToken& cancel) {
   };
 }
 
-void Loader::start(Job job) {
+void Loader::start(QThreadPool& pool, const CancelToken& cancel, Job job) {
   if (underWay_++ == 0) Q_EMIT busyChanged(true);
-  const CancelToken cancel = cancel_;
-  pool_.start([this, cancel, job = std::move(job)] {
+  pool.start([this, cancel, job = std::move(job)] {
     if (!cancel.cancelled()) job(cancel, progressTeller(cancel));
     QMetaObject::invokeMethod(
         this,
@@ -59,7 +60,7 @@ void Loader::start(Job job) {
 }
 
 void Loader::open(const QString& path) {
-  start([this, path](const CancelToken& cancel, const Progress& progress) {
+  start(openPool_, cancel_, [this, path](const CancelToken& cancel, const Progress& progress) {
     Result<Study> study = openStudy(path.toStdString(), progress, cancel);
     if (!study)
       return tell(cancel, [this, text = QString::fromStdString(study.message())] { Q_EMIT failed(text); });
@@ -69,8 +70,9 @@ void Loader::open(const QString& path) {
 }
 
 void Loader::load(const Series& series) {
-  cancel();
-  start([this, series](const CancelToken& cancel, const Progress& progress) {
+  loadCancel_.cancel();
+  loadCancel_ = CancelToken();
+  start(loadPool_, loadCancel_, [this, series](const CancelToken& cancel, const Progress& progress) {
     const auto fail = [&](const std::string& sentence) {
       tell(cancel, [this, text = QString::fromStdString(sentence)] { Q_EMIT failed(text); });
     };
@@ -90,7 +92,7 @@ void Loader::load(const Series& series) {
 }
 
 void Loader::makePreset(const QString& name, VolumePtr volume) {
-  start([this, name, volume](const CancelToken& cancel, const Progress&) {
+  start(loadPool_, cancel_, [this, name, volume](const CancelToken& cancel, const Progress&) {
     Result<Scene> scene = makeScene_(name.toStdString(), *volume);
     if (!scene)
       return tell(cancel, [this, text = QString::fromStdString(scene.message())] { Q_EMIT failed(text); });

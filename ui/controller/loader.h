@@ -44,14 +44,14 @@ class Loader : public QObject {
  private:
   using Job = std::function<void(const CancelToken& cancel, const Progress& progress)>;
 
-  void start(Job job);
+  void start(QThreadPool& pool, const CancelToken& cancel, Job job);
   Progress progressTeller(const CancelToken& cancel);
   template <class Function>
   void tell(const CancelToken& cancel, Function function);
 
   const MakeScene makeScene_;
-  QThreadPool pool_;
-  CancelToken cancel_;
+  QThreadPool openPool_, loadPool_;  // one thread each: paths in order, beside what is made of the volumes
+  CancelToken cancel_, loadCancel_;  // of everything else, and of the series being loaded
   int underWay_ = 0;
 };
 

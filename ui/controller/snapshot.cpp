@@ -1,18 +1,9 @@
 #include "ui/controller/snapshot.h"
 
 #include "io/files/picture_file.h"
-#include "viewer/scene/scene_json.h"
+#include "viewer/plan/picture_text.h"
 
 namespace volumen {
-
-namespace {
-
-const char* levelName(Quality quality) {
-  constexpr const char* names[] = {"draft", "standard", "high", "exact"};
-  return names[int(quality)];
-}
-
-}  // namespace
 
 Snapshot::Snapshot(RenderController& controller, QObject* parent) : QObject(parent), controller_(controller) {
   pool_.setMaxThreadCount(1);
@@ -35,11 +26,7 @@ void Snapshot::save(const Scene& scene, const RenderOptions& options, const QStr
 
 void Snapshot::write(const std::shared_ptr<Drawn>& drawn) {
   pool_.start([this, drawn, path = path_] {
-    const Status status = writePng(drawn->picture, path.toStdString(),
-                                   {{"Software", "volumen"},
-                                    {"level", levelName(drawn->plan.options.quality)},
-                                    {"step", QString::number(drawn->plan.stepVoxels).toStdString()},
-                                    {"scene", sceneToJson(drawn->plan.scene)}});
+    const Status status = writePng(drawn->picture, path.toStdString(), pictureText(drawn->plan));
     const QString sentence = status ? QString() : QString::fromStdString(status.message());
     QMetaObject::invokeMethod(
         this,

@@ -14,7 +14,8 @@ CameraPanel::CameraPanel(Session& session, std::function<Camera()> cameraInUse, 
   projection_->setObjectName(QStringLiteral("projection"));
   projection_->setAccessibleName(tr("Projection"));
   projection_->addItems({tr("parallel"), tr("perspective")});
-  fov_ = new NumberRow(tr("Field of view"), {.low = 5, .high = 120, .decimals = 0, .suffix = tr(" deg")});
+  fov_ = new NumberRow(tr("Field of view"),
+                       {.low = 5, .high = 120, .decimals = 0, .suffix = QStringLiteral("\u00b0")});
   auto* views = new QGridLayout;
   views->setSpacing(4);
   for (int n = 0; n < int(standardViewNames().size()); ++n) {

@@ -14,6 +14,7 @@ EffectsPanel::EffectsPanel(QWidget* parent) : QTextBrowser(parent) {
   setAccessibleName(tr("Effects of the picture and why they are on or off"));
   setFrameShape(QFrame::NoFrame);
   viewport()->setAutoFillBackground(false);
+  document()->setDocumentMargin(8);
 }
 
 void EffectsPanel::showPlan(const Plan& plan, const RenderStats& stats) {

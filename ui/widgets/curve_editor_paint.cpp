@@ -32,8 +32,9 @@ QLinearGradient rampOf(const TransferFunction& curve, const ValueAxis& axis, dou
 
 QString opacityText(double opacity, const OpacityAxis& axis) {
   if (axis.scale == OpacityScale::linear) return QString::number(opacity, 'g', 2);
-  return opacity == 0 ? QStringLiteral("0")
-                      : QString::number(extinctionPerMm(opacity, axis.unitDistance), 'g', 1);
+  if (opacity == 0) return QStringLiteral("0");
+  const double extinction = extinctionPerMm(opacity, axis.unitDistance);  // a power of ten
+  return QString::number(extinction, 'f', std::max(0, int(-std::floor(std::log10(extinction) + 0.5))));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ NumberRow::NumberRow(const QString& name, const NumberFormat& format, QWidget* p
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
-  label_->setFixedWidth(72);
+  label_->setFixedWidth(86);
   label_->setBuddy(field_);
   setName(name);
   row->addWidget(label_);

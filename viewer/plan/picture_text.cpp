@@ -1,4 +1,4 @@
-#include "app/picture_text.h"
+#include "viewer/plan/picture_text.h"
 
 #include "viewer/scene/scene_json.h"
 
