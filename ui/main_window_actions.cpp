@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QScrollArea>
 #include <QSettings>
 #include <QToolBar>
 
@@ -36,6 +37,17 @@ struct ActionEntry {
   std::function<void(bool)> run;
 };
 
+// A panel that may be given less height than it has, so that the window fits a small screen.
+QWidget* scrolling(QWidget* panel) {
+  auto* scroll = new QScrollArea;
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(panel->minimumSizeHint().width());
+  scroll->setWidget(panel);
+  return scroll;
+}
+
 }  // namespace
 
 void MainWindow::addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area) {
@@ -57,19 +69,19 @@ void MainWindow::makeDocks() {
   const auto left = Qt::LeftDockWidgetArea, right = Qt::RightDockWidgetArea;
   addDock(QStringLiteral("studies"), tr("Studies"), studies_, left);
   addDock(QStringLiteral("transfer"), tr("Opacity and colour"), new TransferPanel(session_), right);
-  addDock(QStringLiteral("lights"), tr("Lights"), new LightsPanel(session_), right);
-  addDock(QStringLiteral("material"), tr("Material"), new MaterialPanel(session_), right);
-  addDock(QStringLiteral("clip"), tr("Clip"), new ClipPanel(session_), right);
-  addDock(QStringLiteral("camera"), tr("Camera"), camera, right);
+  addDock(QStringLiteral("lights"), tr("Lights"), scrolling(new LightsPanel(session_)), right);
+  addDock(QStringLiteral("material"), tr("Material"), scrolling(new MaterialPanel(session_)), right);
+  addDock(QStringLiteral("clip"), tr("Clip"), scrolling(new ClipPanel(session_)), right);
+  addDock(QStringLiteral("camera"), tr("Camera"), scrolling(camera), right);
   addDock(QStringLiteral("effects"), tr("Effects"), effects_, right);
-  addDock(QStringLiteral("segment"), tr("Segment"), new SegmentPanel(session_, segmenter_), right);
-  addDock(QStringLiteral("snapshot"), tr("Snapshot"), snapshotPanel_, right);
+  addDock(QStringLiteral("segment"), tr("Segment"), scrolling(new SegmentPanel(session_, segmenter_)), right);
+  addDock(QStringLiteral("snapshot"), tr("Snapshot"), scrolling(snapshotPanel_), right);
   const auto dock = [this](const char* name) { return docks_.at(QLatin1String(name)); };
   for (const char* name : {"material", "clip", "camera"}) tabifyDockWidget(dock("lights"), dock(name));
   for (const char* name : {"segment", "snapshot"}) tabifyDockWidget(dock("effects"), dock(name));
   dock("lights")->raise();
   dock("effects")->raise();
-  resizeDocks({dock("studies"), dock("transfer")}, {240, 360}, Qt::Horizontal);
+  resizeDocks({dock("studies"), dock("transfer")}, {230, 340}, Qt::Horizontal);
   resizeDocks({dock("transfer"), dock("lights"), dock("effects")}, {340, 280, 200}, Qt::Vertical);
 }
 
@@ -281,7 +293,7 @@ void MainWindow::showShortcuts() {
       tr("Ctrl+O, Ctrl+S"),
       tr("open a folder, save a picture"),
   };
-  QString html = QStringLiteral("<table cellpadding='3'>");
+  QString html = QStringLiteral("<table cellpadding='3' width='560'>");
   for (int n = 0; n + 1 < rows.size(); n += 2)
     html += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(rows[n], rows[n + 1]);
   auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Mouse and keys"), html + QStringLiteral("</table>"),

@@ -47,7 +47,7 @@ QPalette paletteOf(const Colours& c) {
   return p;
 }
 
-QString sheetOf(const Colours& c) {
+QString sheetOf(const Colours& c, const QString& check) {
   const auto name = [](QRgb rgb) { return QColor(rgb).name(); };
   return QStringLiteral(
              "QToolTip { color: %1; background: %2; border: 1px solid %3; padding: 4px; }"
@@ -63,8 +63,15 @@ QString sheetOf(const Colours& c) {
              "QToolButton[onPicture=\"true\"]:focus { border-color: %5; }"
              "QTreeView, QListView { border: 1px solid %3; }"
              "QTreeView::item, QListView::item { padding: 3px 2px; }"
-             "QStatusBar::item { border: 0; }")
-      .arg(name(c.text), name(c.button), name(c.line), name(c.window), name(c.accent));
+             "QStatusBar::item { border: 0; }"
+             "QCheckBox::indicator, QListView::indicator { width: 14px; height: 14px; border: 1px solid %6;"
+             " border-radius: 3px; background: %7; }"
+             "QCheckBox::indicator:checked, QListView::indicator:checked { border-color: %5; background: %5;"
+             " image: url(:/icons/%8.svg); }"
+             "QCheckBox::indicator:focus { border-color: %5; }"
+             "QCheckBox::indicator:disabled { border-color: %3; background: %3; }")
+      .arg(name(c.text), name(c.button), name(c.line), name(c.window), name(c.accent), name(c.muted),
+           name(c.base), check);
 }
 
 }  // namespace
@@ -73,7 +80,8 @@ void applyTheme(QApplication& app, Theme theme) {
   const Colours& colours = theme == Theme::dark ? dark : light;
   app.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   app.setPalette(paletteOf(colours));
-  app.setStyleSheet(sheetOf(colours));
+  app.setStyleSheet(
+      sheetOf(colours, theme == Theme::dark ? QStringLiteral("check-dark") : QStringLiteral("check-light")));
 }
 
 QIcon icon(const QString& name) {

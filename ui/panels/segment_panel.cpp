@@ -20,6 +20,7 @@ QDoubleSpinBox* valueField(const char* name, const QString& label) {
   field->setAccessibleName(label);
   field->setRange(-1e9, 1e9);
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field->setMinimumWidth(80);  // its own would leave room for numbers that nobody types
   return field;
 }
 
@@ -53,7 +54,6 @@ SegmentPanel::SegmentPanel(Session& session, Segmenter& segmenter, QWidget* pare
   fields->addWidget(low_, 1);
   fields->addWidget(new QLabel(tr("to")));
   fields->addWidget(high_, 1);
-  fields->addWidget(segment_);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(only_, 1);
   buttons->addWidget(save_);
@@ -62,6 +62,7 @@ SegmentPanel::SegmentPanel(Session& session, Segmenter& segmenter, QWidget* pare
   column->setSpacing(4);
   column->addWidget(spans_);
   column->addLayout(fields);
+  column->addWidget(segment_);
   column->addWidget(result_);
   column->addLayout(buttons);
   column->addStretch();
