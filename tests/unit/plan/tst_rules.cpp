@@ -100,6 +100,18 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.facts.bricks = nullptr; });
   row("integers in 16 bits", "precision", "on   precision: 16 bits hold the stored integers exactly",
       [](Asked&) {});
+  row("plain filters are too coarse for high", "precision",
+      "on   precision: 32 bits, interpolated in floats: filters of texture hardware are too coarse here",
+      [](Asked& a) {
+        a.options.resampler = Resampler::gl;
+        a.options.quality = Quality::high;
+      });
+  row("the CPU resamples", "resampler",
+      "on   resampler: cpu: passes over empty blocks, stops where a ray is opaque, and needs no OpenGL",
+      [](Asked&) {});
+  row("OpenGL resamples", "resampler",
+      "on   resampler: gl, as asked: filtered by the texture hardware, while the CPU shades",
+      [](Asked& a) { a.options.resampler = Resampler::gl; });
   row("floats in 32 bits", "precision",
       "on   precision: 32 bits: the values are not 16-bit integers with a positive slope",
       [](Asked& a) { a.facts.integers = false; });

@@ -30,8 +30,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   stats.gradientsMs += msSince(begin);
   key_.shade = shadeOf(plan);
   key_.gradientOpacity = plan.gradientOpacity;
-  const bool plane = plan.resampler != Resampler::cpu;
-  if (plane) key_.store = Store::plane;
+  if (plan.resampler != Resampler::cpu) key_.store = Store::plane;
   curve_ = makeCurveTable(transfer_, scale_);
   frame_.curve = &curve_;
   frame_.transfer = &transfer_;
@@ -42,7 +41,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
     frame_.map = &map_;
   }
   frame_.stopTransmittance = float(plan.stopTransmittance);
-  if (!plane && plan.skipBlocks) frame_.skip = &cache.skipMap(transfer_);
+  if (plan.skipBlocks) frame_.skip = &cache.skipMap(transfer_);
   stats.tableBytes = curve_.bytes() + map_.nodes.size() * sizeof(float);
   stats.blockBytes = cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float) +
                      (frame_.skip ? frame_.skip->distance.size() : 0);
