@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/effects_panel.h"
+#include "ui/panels/segment_panel.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/session/text.h"
@@ -41,6 +42,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectSession();
   connectLoader();
   connectDrawing();
+  connectSegmenter();
   restoreLayout();
 }
 
@@ -115,14 +117,20 @@ void MainWindow::connectDrawing() {
     status_->end();
     status_->tell(tr("Saved %1").arg(path));
   });
-  connect(&segmenter_, &Segmenter::saved, this,
-          [this](const QString& path) { status_->tell(tr("Saved %1").arg(path)); });
-  connect(&segmenter_, &Segmenter::failed, banner_,
-          [this](const QString& sentence) { banner_->tell(sentence); });
   connect(&snapshot_, &Snapshot::failed, this, [this](const QString& sentence) {
     status_->end();
     banner_->tell(sentence);
   });
+}
+
+void MainWindow::connectSegmenter() {
+  connect(segment_, &SegmentPanel::segmentRequested, &segmenter_, &Segmenter::segment);
+  connect(segment_, &SegmentPanel::saveRequested, &segmenter_, &Segmenter::save);
+  connect(&segmenter_, &Segmenter::segmented, segment_, &SegmentPanel::showSegmentation);
+  connect(&segmenter_, &Segmenter::saved, this,
+          [this](const QString& path) { status_->tell(tr("Saved %1").arg(path)); });
+  connect(&segmenter_, &Segmenter::failed, this,
+          [this](const QString& sentence) { banner_->tell(sentence); });
 }
 
 void MainWindow::open(const QStringList& paths) {

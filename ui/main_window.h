@@ -17,6 +17,7 @@ namespace volumen {
 
 class Banner;
 class EffectsPanel;
+class SegmentPanel;
 class SnapshotPanel;
 class StatusLine;
 class StudiesPanel;
@@ -63,6 +64,7 @@ class MainWindow : public QMainWindow {
   void connectSession();
   void connectLoader();
   void connectDrawing();
+  void connectSegmenter();
   void restoreLayout();
 
   void requestFrame();
@@ -91,6 +93,7 @@ class MainWindow : public QMainWindow {
   StatusLine* status_;
   StudiesPanel* studies_;
   EffectsPanel* effects_;
+  SegmentPanel* segment_;
   SnapshotPanel* snapshotPanel_;
   QComboBox* presets_;
   std::map<QString, QAction*> actions_;

@@ -63,6 +63,7 @@ void MainWindow::makeDocks() {
   studies_ = new StudiesPanel;
   effects_ = new EffectsPanel;
   snapshotPanel_ = new SnapshotPanel;
+  segment_ = new SegmentPanel(session_);
   auto* camera = new CameraPanel(session_, [this] { return view_->camera(); });
   connect(camera, &CameraPanel::viewRequested, view_, &VolumeView::showView);
   connect(camera, &CameraPanel::resetRequested, view_, &VolumeView::resetView);
@@ -74,7 +75,7 @@ void MainWindow::makeDocks() {
   addDock(QStringLiteral("clip"), tr("Clip"), scrolling(new ClipPanel(session_)), right);
   addDock(QStringLiteral("camera"), tr("Camera"), scrolling(camera), right);
   addDock(QStringLiteral("effects"), tr("Effects"), effects_, right);
-  addDock(QStringLiteral("segment"), tr("Segment"), scrolling(new SegmentPanel(session_, segmenter_)), right);
+  addDock(QStringLiteral("segment"), tr("Segment"), scrolling(segment_), right);
   addDock(QStringLiteral("snapshot"), tr("Snapshot"), scrolling(snapshotPanel_), right);
   const auto dock = [this](const char* name) { return docks_.at(QLatin1String(name)); };
   for (const char* name : {"material", "clip", "camera"}) tabifyDockWidget(dock("lights"), dock(name));

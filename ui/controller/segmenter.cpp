@@ -28,14 +28,14 @@ void Segmenter::segment(VolumePtr volume, ValueRange range) {
   });
 }
 
-void Segmenter::save(std::shared_ptr<const Segmentation> segmentation, const QString& name, glm::dvec3 colour,
-                     const QString& path) {
-  pool_.start([this, segmentation, name, colour, path] {
-    const Status status = writeSegNrrd(segmentation->map, name.toStdString(), colour, path.toStdString());
+void Segmenter::save(std::shared_ptr<const Segmentation> segmentation, const SegmentationFile& file) {
+  pool_.start([this, segmentation, file] {
+    const Status status =
+        writeSegNrrd(segmentation->map, file.name.toStdString(), file.colour, file.path.toStdString());
     const QString sentence = status ? QString() : QString::fromStdString(status.message());
     QMetaObject::invokeMethod(
         this,
-        [this, sentence, path] {
+        [this, sentence, path = file.path] {
           if (sentence.isEmpty())
             Q_EMIT saved(path);
           else

@@ -4,17 +4,9 @@
 #include <QThreadPool>
 #include <memory>
 
-#include "viewer/segment/label_map.h"
+#include "ui/session/segmentation.h"
 
 namespace volumen {
-
-/// The voxels of a value range and what they amount to.
-struct Segmentation {
-  VolumePtr volume;
-  ValueRange range;
-  LabelMap map;
-  LabelStatistics statistics;
-};
 
 /// Segments and saves on a worker thread.
 class Segmenter : public QObject {
@@ -25,9 +17,7 @@ class Segmenter : public QObject {
 
   /// Only the result of the latest request is told.
   void segment(VolumePtr volume, ValueRange range);
-  /// Writes a .seg.nrrd file; `colour` RGB 0..1.
-  void save(std::shared_ptr<const Segmentation> segmentation, const QString& name, glm::dvec3 colour,
-            const QString& path);
+  void save(std::shared_ptr<const Segmentation> segmentation, const SegmentationFile& file);
 
  Q_SIGNALS:
   void segmented(const std::shared_ptr<const volumen::Segmentation>& segmentation);

@@ -3,7 +3,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/views/camera_moves.h"
+#include "ui/session/camera_moves.h"
 
 namespace volumen {
 

@@ -31,7 +31,7 @@ QString endText(double value) {
 
 }  // namespace
 
-SegmentPanel::SegmentPanel(Session& session, Segmenter& segmenter, QWidget* parent)
+SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
       spans_(new QComboBox),
@@ -69,7 +69,11 @@ SegmentPanel::SegmentPanel(Session& session, Segmenter& segmenter, QWidget* pare
 
   connect(spans_, &QComboBox::activated, this, &SegmentPanel::takeSpan);
   connect(only_, &QCheckBox::clicked, this, &SegmentPanel::showOnly);
-  connectSegmenter(segmenter);
+  connect(segment_, &QPushButton::clicked, this, [this] {
+    result_->setText(tr("counting"));
+    Q_EMIT segmentRequested(session_.series()->volume, range());
+  });
+  connect(save_, &QPushButton::clicked, this, &SegmentPanel::askWhere);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series) showSegmentation(nullptr);
     if (before.series == after.series && before.scene.transferFunction == after.scene.transferFunction)
@@ -79,15 +83,6 @@ SegmentPanel::SegmentPanel(Session& session, Segmenter& segmenter, QWidget* pare
   });
   showSpans();
   showSegmentation(nullptr);
-}
-
-void SegmentPanel::connectSegmenter(Segmenter& segmenter) {
-  connect(segment_, &QPushButton::clicked, this, [this, &segmenter] {
-    result_->setText(tr("counting"));
-    segmenter.segment(session_.series()->volume, range());
-  });
-  connect(save_, &QPushButton::clicked, this, [this, &segmenter] { askWhere(segmenter); });
-  connect(&segmenter, &Segmenter::segmented, this, &SegmentPanel::showSegmentation);
 }
 
 ValueRange SegmentPanel::range() const {
@@ -148,19 +143,18 @@ void SegmentPanel::showOnly(bool on) {
   only_->setChecked(on);
 }
 
-void SegmentPanel::askWhere(Segmenter& segmenter) {
+void SegmentPanel::askWhere() {
   auto* dialog = new QFileDialog(this, tr("Save a segmentation"), {}, tr("Segmentations (*.seg.nrrd)"));
   dialog->setObjectName(QStringLiteral("segmentDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("seg.nrrd"));
   dialog->selectFile(QStringLiteral("segmentation.seg.nrrd"));
-  connect(dialog, &QFileDialog::fileSelected, this, [this, &segmenter](const QString& path) {
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     const ValueRange r = segmentation_->range;
+    const QString name = tr("%1 to %2 %3").arg(r.low).arg(r.high).arg(valueUnit(*segmentation_->volume));
     const glm::dvec3 colour = curveAt(session_.scene().transferFunction, (r.low + r.high) / 2).colour;
-    segmenter.save(segmentation_,
-                   tr("%1 to %2 %3").arg(r.low).arg(r.high).arg(valueUnit(*segmentation_->volume)), colour,
-                   path);
+    Q_EMIT saveRequested(segmentation_, {path, name.trimmed(), colour});
   });
   dialog->open();
 }

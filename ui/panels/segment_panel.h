@@ -6,7 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/controller/segmenter.h"
+#include "ui/session/segmentation.h"
 #include "ui/session/session.h"
 
 namespace volumen {
@@ -16,16 +16,22 @@ namespace volumen {
 class SegmentPanel : public QWidget {
   Q_OBJECT
  public:
-  SegmentPanel(Session& session, Segmenter& segmenter, QWidget* parent = nullptr);
+  explicit SegmentPanel(Session& session, QWidget* parent = nullptr);
+
+  /// Shows what a request came to; null: nothing yet.
+  void showSegmentation(const std::shared_ptr<const Segmentation>& segmentation);
+
+ Q_SIGNALS:
+  void segmentRequested(const volumen::VolumePtr& volume, const volumen::ValueRange& range);
+  void saveRequested(const std::shared_ptr<const volumen::Segmentation>& segmentation,
+                     const volumen::SegmentationFile& file);
 
  private:
-  void connectSegmenter(Segmenter& segmenter);
   void showSpans();
   void takeSpan(int n);
   ValueRange range() const;
-  void showSegmentation(const std::shared_ptr<const Segmentation>& segmentation);
   void showOnly(bool on);
-  void askWhere(Segmenter& segmenter);
+  void askWhere();
 
   Session& session_;
   QComboBox* spans_;

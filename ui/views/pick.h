@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ui/views/camera_moves.h"
+#include "ui/session/camera_moves.h"
 #include "viewer/scene/scene.h"
 #include "viewer/volume/volume.h"
 

@@ -1,4 +1,4 @@
-#include "ui/views/camera_moves.h"
+#include "ui/session/camera_moves.h"
 
 #include <algorithm>
 #include <array>
