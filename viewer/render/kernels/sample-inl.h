@@ -71,7 +71,8 @@ HWY_INLINE VF AcrossRows(VF a, VF b, VF c, VF d, const Cell& cell) {
   return Lerp(Lerp(a, b, cell.fy), Lerp(c, d, cell.fy), cell.fz);
 }
 
-/// 16-bit densities: one 32-bit gather brings a voxel and its neighbour along x.
+/// 16-bit densities: one 32-bit gather brings a voxel and its neighbour along x. Gradients (SCENE 3):
+/// trilinear interpolation of the stored ones, in stored units.
 struct Int16Store {
   static HWY_INLINE VF Row(const Grid& grid, VI index, VF fx) {
     const DF df;
@@ -90,17 +91,54 @@ struct Int16Store {
                       Row(grid, grid.Corner(c, 0, 1), c.fx), Row(grid, grid.Corner(c, 1, 1), c.fx), c);
   }
 
-  // Four 16-bit components a voxel: x and y in the first 32 bits, z in the second.
-  static HWY_INLINE V3 Voxel(const Grid& grid, VI index) {
-    const DF df;
-    const DI di;
-    const auto* base = reinterpret_cast<const std::int32_t*>(grid.frame().gradients16);
-    const VI at = hn::ShiftLeft<1>(index);
-    const VI xy = hn::GatherIndex(di, base, at), z = hn::GatherIndex(di, base + 1, at);
-    return {hn::ConvertTo(df, hn::ShiftRight<16>(hn::ShiftLeft<16>(xy))),
-            hn::ConvertTo(df, hn::ShiftRight<16>(xy)),
-            hn::ConvertTo(df, hn::ShiftRight<16>(hn::ShiftLeft<16>(z)))};
+#if HWY_TARGET == HWY_SCALAR
+  static HWY_INLINE V3 Gradient(const Grid& grid, const Cell& c) {
+    const std::int16_t* base = grid.frame().gradients16;
+    const auto component = [&](int n) {
+      const auto row = [&](int dy, int dz) {
+        const std::int16_t* voxel = base + std::size_t(4) * std::size_t(grid.Corner(c, dy, dz).raw) + n;
+        return Lerp(Set(voxel[0]), Set(voxel[4]), c.fx);
+      };
+      return AcrossRows(row(0, 0), row(1, 0), row(0, 1), row(1, 1), c);
+    };
+    return {component(0), component(1), component(2)};
   }
+#else
+  /// Four loads a lane, each of a voxel and its neighbour along x (with one voxel along x the second counts
+  /// nothing: fx is 0); much faster than gathers. Four components at a time on every CPU target.
+  static HWY_INLINE V3 Gradient(const Grid& grid, const Cell& c) {
+    const DF df;
+    const hn::Full128<std::int16_t> d16;
+    const hn::Half<decltype(d16)> half16;
+    const hn::Full128<std::int32_t> d32;
+    const hn::Full128<float> d4;
+    constexpr int most = HWY_MAX_BYTES / 4;
+    HWY_ALIGN std::int32_t index[4][most];
+    HWY_ALIGN float fx[most], fy[most], fz[most], out[4 * most];
+    for (int row = 0; row < 4; ++row) hn::Store(grid.Corner(c, row & 1, row >> 1), DI(), index[row]);
+    hn::Store(c.fx, df, fx);
+    hn::Store(c.fy, df, fy);
+    hn::Store(c.fz, df, fz);
+    const std::int16_t* base = grid.frame().gradients16;
+    const auto lerp = [](auto a, auto b, auto f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); };
+    for (int lane = 0; lane < int(hn::Lanes(df)); ++lane) {
+      const auto alongX = hn::Set(d4, fx[lane]);
+      const auto row = [&](int r) {
+        const auto both = hn::LoadU(d16, base + std::size_t(4) * std::size_t(index[r][lane]));
+        const auto a = hn::ConvertTo(d4, hn::PromoteTo(d32, hn::LowerHalf(half16, both)));
+        const auto b = hn::ConvertTo(d4, hn::PromoteTo(d32, hn::UpperHalf(half16, both)));
+        return lerp(a, b, alongX);
+      };
+      const auto alongY = hn::Set(d4, fy[lane]), alongZ = hn::Set(d4, fz[lane]);
+      const auto before = lerp(row(0), row(1), alongY), behind = lerp(row(2), row(3), alongY);
+      hn::Store(lerp(before, behind, alongZ), d4, out + 4 * lane);
+    }
+    V3 g;
+    VF none;
+    hn::LoadInterleaved4(df, out, g.x, g.y, g.z, none);
+    return g;
+  }
+#endif
 };
 
 struct Float32Store {
@@ -115,28 +153,25 @@ struct Float32Store {
                       Row(grid, grid.Corner(c, 0, 1), c.fx), Row(grid, grid.Corner(c, 1, 1), c.fx), c);
   }
 
-  static HWY_INLINE V3 Voxel(const Grid& grid, VI index) {
-    const DF df;
-    const float* base = grid.frame().gradients32;
-    const VI at = hn::ShiftLeft<2>(index);
-    return {hn::GatherIndex(df, base, at), hn::GatherIndex(df, base + 1, at),
-            hn::GatherIndex(df, base + 2, at)};
+  static HWY_INLINE V3 Gradient(const Grid& grid, const Cell& c) {
+    const auto voxel = [&](VI index) {
+      const DF df;
+      const float* base = grid.frame().gradients32;
+      const VI at = hn::ShiftLeft<2>(index);
+      return V3{hn::GatherIndex(df, base, at), hn::GatherIndex(df, base + 1, at),
+                hn::GatherIndex(df, base + 2, at)};
+    };
+    const VI next = SetI(grid.nextColumn());
+    const auto row = [&](int dy, int dz) {
+      const VI index = grid.Corner(c, dy, dz);
+      const V3 a = voxel(index), b = voxel(hn::Add(index, next));
+      return V3{Lerp(a.x, b.x, c.fx), Lerp(a.y, b.y, c.fx), Lerp(a.z, b.z, c.fx)};
+    };
+    const V3 a = row(0, 0), b = row(1, 0), d = row(0, 1), e = row(1, 1);
+    return {AcrossRows(a.x, b.x, d.x, e.x, c), AcrossRows(a.y, b.y, d.y, e.y, c),
+            AcrossRows(a.z, b.z, d.z, e.z, c)};
   }
 };
-
-/// Trilinear interpolation of the stored gradients, in stored units (SCENE 3).
-template <class Store>
-HWY_INLINE V3 GradientAt(const Grid& grid, const Cell& c) {
-  const VI next = SetI(grid.nextColumn());
-  const auto row = [&](int dy, int dz) {
-    const VI index = grid.Corner(c, dy, dz);
-    const V3 a = Store::Voxel(grid, index), b = Store::Voxel(grid, hn::Add(index, next));
-    return V3{Lerp(a.x, b.x, c.fx), Lerp(a.y, b.y, c.fx), Lerp(a.z, b.z, c.fx)};
-  };
-  const V3 a = row(0, 0), b = row(1, 0), d = row(0, 1), e = row(1, 1);
-  return {AcrossRows(a.x, b.x, d.x, e.x, c), AcrossRows(a.y, b.y, d.y, e.y, c),
-          AcrossRows(a.z, b.z, d.z, e.z, c)};
-}
 
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

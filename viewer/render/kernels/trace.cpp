@@ -160,7 +160,7 @@ class Tracer {
       const float* g = plane_.gradients;
       return {hn::GatherIndex(df, g, at), hn::GatherIndex(df, g + 1, at), hn::GatherIndex(df, g + 2, at)};
     } else {
-      return GradientAt<Store>(grid_, grid_.CellAt(clamped));
+      return Store::Gradient(grid_, grid_.CellAt(clamped));
     }
   }
 
@@ -193,16 +193,21 @@ class Tracer {
     Queue& q = queue_;
     const auto whichInt = hn::RebindMask(di, which);
     const int n = q.size;
+    // Compressed in a register and stored whole: compressing into memory is microcoded on some CPUs, many
+    // times slower.
+    const auto pushFloat = [&](VF v, float* to) { hn::StoreU(hn::Compress(v, which), df, to + n); };
+    const auto pushInt = [&](VI v, std::int32_t* to) { hn::StoreU(hn::Compress(v, whichInt), di, to + n); };
     if constexpr (!kPlane && kGradients) {
-      hn::CompressStore(p.x, which, df, q.x + n);
-      hn::CompressStore(p.y, which, df, q.y + n);
-      hn::CompressStore(p.z, which, df, q.z + n);
+      pushFloat(p.x, q.x);
+      pushFloat(p.y, q.y);
+      pushFloat(p.z, q.z);
     }
-    hn::CompressStore(density, which, df, q.density + n);
-    hn::CompressStore(weight, which, df, q.weight + n);
-    hn::CompressStore(segment, whichInt, di, q.segment + n);
+    pushFloat(density, q.density);
+    pushFloat(weight, q.weight);
+    pushInt(segment, q.segment);
+    pushInt(hn::Iota(di, 0), q.lane);
     if constexpr (kPlane) hn::StoreU(SetI(step), di, q.step + n);
-    q.size += int(hn::CompressStore(hn::Iota(di, 0), whichInt, di, q.lane + n));
+    q.size += int(hn::CountTrue(df, which));
     // A packet adds at most one vector; a vector more must still fit behind the last.
     if (q.size > Queue::capacity - 2 * int(hn::Lanes(df))) Flush();
   }
