@@ -47,7 +47,8 @@ QPalette paletteOf(const Colours& c) {
   return p;
 }
 
-QString sheetOf(const Colours& c, const QString& check) {
+QString sheetOf(const Colours& c, Theme theme) {
+  const bool isDark = theme == Theme::dark;
   const auto name = [](QRgb rgb) { return QColor(rgb).name(); };
   return QStringLiteral(
              "QToolTip { color: %1; background: %2; border: 1px solid %3; padding: 4px; }"
@@ -66,12 +67,15 @@ QString sheetOf(const Colours& c, const QString& check) {
              "QStatusBar::item { border: 0; }"
              "QCheckBox::indicator, QListView::indicator { width: 14px; height: 14px; border: 1px solid %6;"
              " border-radius: 3px; background: %7; }"
-             "QCheckBox::indicator:checked, QListView::indicator:checked { border-color: %5; background: %5;"
-             " image: url(:/icons/%8.svg); }"
+             "QCheckBox::indicator:checked { border-color: %5; background: %5; image: "
+             "url(:/icons/check-%8.svg); }"
+             // On a selected row the accent would not be seen.
+             "QListView::indicator:checked { image: url(:/icons/check-%9.svg); }"
              "QCheckBox::indicator:focus { border-color: %5; }"
              "QCheckBox::indicator:disabled { border-color: %3; background: %3; }")
       .arg(name(c.text), name(c.button), name(c.line), name(c.window), name(c.accent), name(c.muted),
-           name(c.base), check);
+           name(c.base), isDark ? QStringLiteral("dark") : QStringLiteral("light"),
+           isDark ? QStringLiteral("light") : QStringLiteral("dark"));
 }
 
 }  // namespace
@@ -80,8 +84,7 @@ void applyTheme(QApplication& app, Theme theme) {
   const Colours& colours = theme == Theme::dark ? dark : light;
   app.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   app.setPalette(paletteOf(colours));
-  app.setStyleSheet(
-      sheetOf(colours, theme == Theme::dark ? QStringLiteral("check-dark") : QStringLiteral("check-light")));
+  app.setStyleSheet(sheetOf(colours, theme));
 }
 
 QIcon icon(const QString& name) {
