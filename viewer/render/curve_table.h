@@ -19,7 +19,7 @@ struct DensityScale {
 /// value and above).
 struct CurveTable {
   static constexpr int buckets = 2048;
-  static constexpr int padding = 16;    ///< the segments' arrays are padded to at least this many entries
+  static constexpr int padding = 16;      ///< the segments' arrays are padded to at least this many entries
   float visibleLow = 0, visibleHigh = 0;  ///< densities outside these have opacity 0
   float low = 0, perBucket = 0;  ///< bucket = clamp(int((density - low) * perBucket), 0, buckets - 1)
   int hops = 0;

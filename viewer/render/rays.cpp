@@ -76,7 +76,7 @@ void RaySetup::setRay(RayRow& row, int n, glm::dvec3 o, glm::dvec3 d, glm::dvec3
   row.viewerX[n] = float(viewer.x), row.viewerY[n] = float(viewer.y), row.viewerZ[n] = float(viewer.z);
 }
 
-void RaySetup::makeRays(int first, int y, int count, RayRow& row) const {
+void RaySetup::resize(RayRow& row, int count) {
   const std::size_t padded = (std::size_t(count) + padding - 1) / padding * padding;
   row.count = count;
   for (auto* values : {&row.startX, &row.startY, &row.startZ, &row.moveX, &row.moveY, &row.moveZ,
@@ -84,14 +84,31 @@ void RaySetup::makeRays(int first, int y, int count, RayRow& row) const {
                        &row.lastMiddle, &row.stepMm, &row.lastStepMm})
     values->assign(padded, 0.0f);
   row.steps.assign(padded, 0);
+  row.pixel.assign(padded, -1);
+}
+
+void RaySetup::setPixel(RayRow& row, int n, int x, int y) const {
   const double pixelMm = height_ / size_.y;
-  const double b = (0.5 - (y + 0.5) / size_.y) * height_;
-  for (int n = 0; n < count; ++n) {
-    const double a = ((first + n + 0.5) - 0.5 * size_.x) * pixelMm;
-    const glm::dvec3 q = target_ + a * axes_.right + b * axes_.up;
-    const glm::dvec3 origin = perspective_ ? eye_ : q;
-    const glm::dvec3 direction = perspective_ ? glm::normalize(q - eye_) : axes_.direction;
-    setRay(row, n, geometry_.voxelFromPatient(origin), voxelFromMm_ * direction, direction);
+  const double a = ((x + 0.5) - 0.5 * size_.x) * pixelMm, b = (0.5 - (y + 0.5) / size_.y) * height_;
+  const glm::dvec3 q = target_ + a * axes_.right + b * axes_.up;
+  const glm::dvec3 origin = perspective_ ? eye_ : q;
+  const glm::dvec3 direction = perspective_ ? glm::normalize(q - eye_) : axes_.direction;
+  row.pixel[n] = y * size_.x + x;
+  setRay(row, n, geometry_.voxelFromPatient(origin), voxelFromMm_ * direction, direction);
+}
+
+void RaySetup::makeRays(int x, int y, int count, RayRow& row) const {
+  resize(row, count);
+  for (int n = 0; n < count; ++n) setPixel(row, n, x + n, y);
+}
+
+void RaySetup::makeTiles(int y, RayRow& row) const {
+  const int tiles = (size_.x + tile - 1) / tile;
+  resize(row, tiles * tile * tile);
+  for (int n = 0; n < row.count; ++n) {
+    const int inTile = n % (tile * tile);
+    const int px = n / (tile * tile) * tile + inTile % tile, py = y + inTile / tile;
+    if (px < size_.x && py < size_.y) setPixel(row, n, px, py);
   }
 }
 

@@ -8,11 +8,12 @@
 
 namespace volumen {
 
-/// The rays of one picture row as the kernels read them: arrays of one entry a ray, padded to whole vectors
-/// with rays of no steps. Positions in voxel space; a ray's sample n (SCENE 9) lies at start + (n + 1/2)
-/// move, its last one at start + lastMiddle move.
+/// Neighbouring rays of a picture as the kernels read them: arrays of one entry a ray, padded to whole
+/// vectors with rays of no steps. Positions in voxel space; a ray's sample n (SCENE 9) lies at start + (n +
+/// 1/2) move, its last one at start + lastMiddle move.
 struct RayRow {
-  int count = 0;  ///< rays, without padding
+  int count = 0;           ///< rays, without the padding at the end
+  std::vector<int> pixel;  ///< each ray's place in the picture, y * width + x; -1: padding
   std::vector<float> startX, startY, startZ;
   std::vector<float> moveX, moveY, moveZ;           ///< one step, voxels
   std::vector<float> inverseX, inverseY, inverseZ;  ///< 1 / move, large and finite where move is 0
@@ -32,8 +33,10 @@ class RaySetup {
   /// `scene` must be complete. `clip` false: the clip box and planes are not looked at.
   RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, double stepVoxels, bool clip);
 
-  /// Fills `row` with the rays of picture row y.
-  void makeRow(int y, RayRow& row) const { makeRays(0, y, size_.x, row); }
+  static constexpr int tile = 4;  ///< rows and columns of a tile; a tile's rays fill the widest vector
+  /// Fills `row` with the rays of picture rows y .. y + 3, tile by tile: rays that a kernel takes together
+  /// then lie close in both directions, and meet the same blocks and memory.
+  void makeTiles(int y, RayRow& row) const;
   /// Fills `row` with the rays of `count` pixels of picture row y, from pixel x on.
   void makeRays(int x, int y, int count, RayRow& row) const;
 
@@ -46,6 +49,8 @@ class RaySetup {
     double t0, t1;  ///< mm along the ray
   };
   Interval interval(glm::dvec3 originVoxel, glm::dvec3 directionVoxel) const;
+  static void resize(RayRow& row, int count);
+  void setPixel(RayRow& row, int n, int x, int y) const;
   void setRay(RayRow& row, int n, glm::dvec3 originVoxel, glm::dvec3 directionVoxel,
               glm::dvec3 direction) const;
 

@@ -19,10 +19,8 @@ BatchMaker::BatchMaker(const RaySetup& setup, glm::ivec2 size, std::int64_t most
 Strip BatchMaker::nextStrip() {
   const int count = std::min(widest_, size_.x - next_.x);
   Strip strip;
-  strip.x = next_.x;
-  strip.y = next_.y;
   for (strip.strideLog2 = 4; strip.stride() < count;) ++strip.strideLog2;
-  setup_.makeRays(strip.x, strip.y, count, strip.rays);
+  setup_.makeRays(next_.x, next_.y, count, strip.rays);
   const std::int64_t longest = *std::max_element(strip.rays.steps.begin(), strip.rays.steps.end());
   strip.lines = int(linesOf(longest << strip.strideLog2));
   next_.x += count;

@@ -10,7 +10,6 @@ namespace volumen {
 /// Neighbouring rays of a picture row, resampled together. Sample n of ray r lies at n * stride + r of the
 /// strip's samples; these begin at a whole line of the target.
 struct Strip {
-  int x = 0, y = 0;    ///< pixel of the first ray
   int strideLog2 = 0;  ///< log2 of the samples a step: the rays padded to a power of two
   int firstLine = 0, lines = 0;
   RayRow rays;

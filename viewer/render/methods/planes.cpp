@@ -28,12 +28,13 @@ Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const C
 
   TraceTotals totals;
   const auto begin = std::chrono::steady_clock::now();
-  parallelFor(plan.options.size.y, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
+  const int bands = (plan.options.size.y + RaySetup::tile - 1) / RaySetup::tile;
+  parallelFor(bands, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
     RayRow rays;
     RowPainter::Task task;
-    for (int y = int(first); y < last && !cancel.cancelled(); ++y) {
-      setup.makeRow(y, rays);
-      painter.paint(rays, {}, 0, y, task);
+    for (int band = int(first); band < last && !cancel.cancelled(); ++band) {
+      setup.makeTiles(band * RaySetup::tile, rays);
+      painter.paint(rays, {}, task);
     }
     totals.add(task.counts);
   });

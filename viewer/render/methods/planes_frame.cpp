@@ -84,23 +84,27 @@ void PlanesFrame::setGradientScale(const Plan& plan, const VoxelGeometry& geomet
   frame_.inverseFloor = floor > 0 ? float(std::min(1 / floor, 1e30)) : 0.0f;
 }
 
-void writeRow(const Background& background, const TraceRow& row, int count, float* rgba) {
+void writePixels(const Background& background, const RayRow& rays, const TraceRow& row, Picture& picture) {
   const glm::vec3 behind = background.colour;
-  for (int x = 0; x < count; ++x, rgba += 4) {
-    const float a = std::min(row.alpha[x], 1.0f), through = 1 - a;
-    const glm::vec3 c(row.red[x], row.green[x], row.blue[x]);
+  for (std::size_t ray = 0; ray < rays.pixel.size(); ++ray) {
+    if (rays.pixel[ray] < 0) continue;
+    float* rgba = &picture.rgba[std::size_t(4) * rays.pixel[ray]];
+    const float a = std::min(row.alpha[ray], 1.0f), through = 1 - a;
+    const glm::vec3 c(row.red[ray], row.green[ray], row.blue[ray]);
     for (int n = 0; n < 3; ++n)
       rgba[n] = std::clamp(background.transparent ? c[n] : c[n] + through * behind[n], 0.0f, 1.0f);
     rgba[3] = background.transparent ? a : 1.0f;
   }
 }
 
-void writeProjectedRow(const Scene& scene, const DensityScale& scale, const RayRow& rays,
-                       const float* density, float* rgba) {
+void writeProjectedPixels(const Scene& scene, const DensityScale& scale, const RayRow& rays,
+                          const float* density, Picture& picture) {
   const Window& w = *scene.window;
-  for (int x = 0; x < rays.count; ++x, rgba += 4) {
-    const bool hit = rays.steps[x] > 0;
-    const double value = scale.slope * density[x] + scale.intercept;
+  for (std::size_t ray = 0; ray < rays.pixel.size(); ++ray) {
+    if (rays.pixel[ray] < 0) continue;
+    float* rgba = &picture.rgba[std::size_t(4) * rays.pixel[ray]];
+    const bool hit = rays.steps[ray] > 0;
+    const double value = scale.slope * density[ray] + scale.intercept;
     const float grey = float(std::clamp((value - (w.centre - w.width / 2)) / w.width, 0.0, 1.0));
     const bool clear = !hit && scene.background.transparent;
     for (int n = 0; n < 3; ++n) rgba[n] = hit ? grey : clear ? 0.0f : float(scene.background.colour[n]);

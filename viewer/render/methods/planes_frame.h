@@ -31,11 +31,10 @@ class PlanesFrame {
   TransferFunction transfer_;
 };
 
-/// Writes one row of the picture: colour over the background, clamped (SCENE 6). `alpha` etc. hold one entry
-/// a pixel.
-void writeRow(const Background& background, const TraceRow& row, int count, float* rgba);
+/// Writes the rays' pixels: colour over the background, clamped (SCENE 6).
+void writePixels(const Background& background, const RayRow& rays, const TraceRow& row, Picture& picture);
 /// The same for projections: densities mapped to grey by the window; rays of no steps show the background.
-void writeProjectedRow(const Scene& scene, const DensityScale& scale, const RayRow& rays,
-                       const float* density, float* rgba);
+void writeProjectedPixels(const Scene& scene, const DensityScale& scale, const RayRow& rays,
+                          const float* density, Picture& picture);
 
 }  // namespace volumen

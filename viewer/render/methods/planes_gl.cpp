@@ -37,8 +37,8 @@ class BatchShader {
         const std::size_t at = std::size_t(s.firstLine) * Batch::line;
         painter_.paint(
             s.rays,
-            {samples.density + at, samples.gradients ? samples.gradients + 4 * at : nullptr, s.stride()}, s.x,
-            s.y, task);
+            {samples.density + at, samples.gradients ? samples.gradients + 4 * at : nullptr, s.stride()},
+            task);
       }
       totals_.add(task.counts);
     });

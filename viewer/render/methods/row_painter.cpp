@@ -13,20 +13,19 @@ RowPainter::RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& pict
   picture.rgba.resize(std::size_t(4) * picture.size.x * picture.size.y);
 }
 
-void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, int x, int y, Task& task) const {
+void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const {
   const std::size_t n = rays.steps.size();
   task.values.assign(4 * n, 0.0f);
   float* values = task.values.data();
-  float* pixels = picture_.row(y) + std::size_t(4) * x;
   if (project_) {
     project_(frame_.trace(), rays, plane, values);
-    writeProjectedRow(plan_.scene, frame_.scale(), rays, values, pixels);
+    writeProjectedPixels(plan_.scene, frame_.scale(), rays, values, picture_);
     for (int steps : rays.steps) task.counts.resampled += steps;
     return;
   }
   const TraceRow out{values, values + n, values + 2 * n, values + 3 * n};
   trace_(frame_.trace(), rays, plane, out, task.counts);
-  writeRow(plan_.scene.background, out, rays.count, pixels);
+  writePixels(plan_.scene.background, rays, out, picture_);
 }
 
 }  // namespace volumen

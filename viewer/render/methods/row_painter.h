@@ -7,7 +7,7 @@
 
 namespace volumen {
 
-/// Turns rays of one picture row into pixels: shaded and composited, or projected, over the background.
+/// Turns rays into pixels: shaded and composited, or projected, over the background.
 class RowPainter {
  public:
   /// What it is given must outlive it; the picture is made here, in the plan's size.
@@ -18,8 +18,8 @@ class RowPainter {
     std::vector<float> values;  ///< red, green, blue, alpha
     TraceCounts counts;
   };
-  /// Paints the pixels of row y from x on. `plane`: their samples, where the frame's store is Store::plane.
-  void paint(const RayRow& rays, const PlaneBuffer& plane, int x, int y, Task& task) const;
+  /// Paints the pixels of the rays. `plane`: their samples, where the frame's store is Store::plane.
+  void paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const;
 
  private:
   const Plan& plan_;
