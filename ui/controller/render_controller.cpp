@@ -156,6 +156,7 @@ bool RenderController::drawFrame(const ScreenRequest& request, double factor, co
   scene.camera = view.camera;
   RenderOptions options;
   options.size = {view.size.width(), view.size.height()};
+  options.quality = frame.draft() ? Quality::draft : Quality::standard;
   Result<Drawn> drawn = draw(scene, options, cancel);
   if (!drawn) {
     if (!cancel.cancelled())

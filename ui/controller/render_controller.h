@@ -41,9 +41,9 @@ struct Frame {
   bool draft() const { return factor > 1; }
 };
 
-/// Draws on a thread of its own: of what is asked for only the latest, first as a draft within the frame time
-/// (the rays of `standard`, but fewer: so a draft differs from it by its sharpness alone), then in full once
-/// nothing new was asked for a moment. Asking never waits.
+/// Draws on a thread of its own: of what is asked for only the latest, first as a draft of fewer pixels
+/// within the frame time, then in `standard` quality once nothing new was asked for a moment. Asking never
+/// waits.
 class RenderController : public QObject {
   Q_OBJECT
  public:

@@ -99,7 +99,7 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
 double stepOf(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return 1;
+      return 1.0 / 2;
     case Quality::standard:
       return 1.0 / 4;
     case Quality::high:
