@@ -9,6 +9,8 @@
 
 #include <hwy/highway.h>
 
+#include <glm/vec3.hpp>
+
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 

@@ -70,6 +70,10 @@ struct TraceCounts {
 using TraceKernel = void (*)(const TraceFrame&, const RayRow&, const PlaneBuffer&, const TraceRow&,
                              TraceCounts&);
 TraceKernel chooseTraceKernel(TraceKey key);
+// The same for one store; a file each, as each holds many kernels. `key.store` is not looked at.
+TraceKernel chooseTraceInt16(TraceKey key);
+TraceKernel chooseTraceFloat32(TraceKey key);
+TraceKernel chooseTracePlane(TraceKey key);
 
 /// Extremes or the mean of the density along each ray of a row (SCENE 9), in density units; NaN never.
 using ProjectKernel = void (*)(const TraceFrame&, const RayRow&, const PlaneBuffer&, float* result);

@@ -1,14 +1,14 @@
-#include "viewer/render/kernels/trace.h"
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "viewer/render/kernels/trace.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+// The composite kernels of one store, compiled once a CPU target.
+#if defined(VOLUMEN_RENDER_KERNELS_TRACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_RENDER_KERNELS_TRACE_INL_H_
+#undef VOLUMEN_RENDER_KERNELS_TRACE_INL_H_
+#else
+#define VOLUMEN_RENDER_KERNELS_TRACE_INL_H_
+#endif
 
 #include <algorithm>
-#include <limits>
 
-#include "viewer/render/kernels/math-inl.h"
+#include "viewer/render/kernels/packet-inl.h"
 #include "viewer/render/kernels/sample-inl.h"
 #include "viewer/render/kernels/shade-inl.h"
 #include "viewer/volume/bricks.h"
@@ -21,40 +21,6 @@ HWY_INLINE std::int64_t Ticks() { return std::int64_t(__builtin_ia32_rdtsc()); }
 #else
 HWY_INLINE std::int64_t Ticks() { return 0; }
 #endif
-
-/// The rays of one vector: where they start and how they move.
-struct Packet {
-  V3 start, move, inverse;
-  VI steps;
-  VF lastMiddle, units, lastUnits;  ///< units: length of a step in unit distances
-  int longest = 0;                  ///< steps of the longest ray
-};
-
-HWY_INLINE Packet LoadPacket(const TraceFrame& f, const RayRow& r, int first) {
-  const DF df;
-  const auto load = [&](const std::vector<float>& v) { return hn::LoadU(df, v.data() + first); };
-  Packet p;
-  p.start = {load(r.startX), load(r.startY), load(r.startZ)};
-  p.move = {load(r.moveX), load(r.moveY), load(r.moveZ)};
-  p.inverse = {load(r.inverseX), load(r.inverseY), load(r.inverseZ)};
-  p.steps = hn::LoadU(DI(), r.steps.data() + first);
-  p.lastMiddle = load(r.lastMiddle);
-  p.units = hn::Mul(load(r.stepMm), Set(f.inverseUnitMm));
-  p.lastUnits = hn::Mul(load(r.lastStepMm), Set(f.inverseUnitMm));
-  p.longest = *std::max_element(r.steps.data() + first, r.steps.data() + first + hn::Lanes(df));
-  return p;
-}
-
-HWY_INLINE MF IsLast(const Packet& p, int step) {
-  return hn::RebindMask(DF(), hn::Eq(p.steps, SetI(step + 1)));
-}
-HWY_INLINE MF HasStep(const Packet& p, int step) { return hn::RebindMask(DF(), hn::Gt(p.steps, SetI(step))); }
-
-/// SCENE 9: start + (step + 1/2) move, the last interval being shorter.
-HWY_INLINE V3 Position(const Packet& p, int step, MF last) {
-  const VF middle = hn::IfThenElse(last, p.lastMiddle, Set(float(step) + 0.5f));
-  return Add(p.start, Scale(p.move, middle));
-}
 
 /// Visible samples wait here until there are enough to light whole vectors of them. In the order of the rays'
 /// depth.
@@ -307,84 +273,6 @@ TraceKernel ChooseShade(TraceKey key) {
                              : TraceRays<Store, ShadeBy::nothing, false>;
 }
 
-TraceKernel ChooseTrace(TraceKey key) {
-  switch (key.store) {
-    case Store::int16:
-      return ChooseShade<Int16Store>(key);
-    case Store::float32:
-      return ChooseShade<Float32Store>(key);
-    case Store::plane:
-      break;
-  }
-  return ChooseShade<void>(key);
-}
-
-/// mip, minip and average: no table, no shading.
-template <class Store, Mode kMode>
-void ProjectRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, float* result) {
-  const DF df;
-  const Grid grid(f);
-  for (int first = 0; first < rays.count; first += int(hn::Lanes(df))) {
-    const Packet p = LoadPacket(f, rays, first);
-    const float none = kMode == Mode::mip     ? -std::numeric_limits<float>::max()
-                       : kMode == Mode::minip ? std::numeric_limits<float>::max()
-                                              : 0;
-    VF value = Set(none);
-    for (int step = 0; step < p.longest; ++step) {
-      const MF last = IsLast(p, step);
-      VF density;
-      if constexpr (std::is_void_v<Store>)
-        density = hn::LoadU(df, plane.density + std::size_t(step) * plane.stride + first);
-      else
-        density = Store::Density(grid, grid.CellAt(grid.Clamped(Position(p, step, last))));
-      VF next;
-      if constexpr (kMode == Mode::mip)
-        next = hn::Max(value, density);
-      else if constexpr (kMode == Mode::minip)
-        next = hn::Min(value, density);
-      else
-        next = hn::Add(value, hn::Mul(density, hn::IfThenElse(last, p.lastUnits, p.units)));
-      value = hn::IfThenElse(HasStep(p, step), next, value);
-    }
-    if constexpr (kMode == Mode::average) {
-      const VF steps = hn::ConvertTo(df, p.steps);
-      const VF length = hn::Add(hn::Mul(hn::Sub(steps, Set(1)), p.units), p.lastUnits);
-      value = hn::Div(value, hn::Max(length, Set(1e-30f)));
-    }
-    hn::StoreU(value, df, result + first);
-  }
-}
-
-template <class Store>
-ProjectKernel ChooseMode(Mode mode) {
-  return mode == Mode::mip     ? ProjectRays<Store, Mode::mip>
-         : mode == Mode::minip ? ProjectRays<Store, Mode::minip>
-                               : ProjectRays<Store, Mode::average>;
-}
-
-ProjectKernel ChooseProject(Store store, Mode mode) {
-  return store == Store::int16     ? ChooseMode<Int16Store>(mode)
-         : store == Store::float32 ? ChooseMode<Float32Store>(mode)
-                                   : ChooseMode<void>(mode);
-}
-
-const char* TargetName() { return hwy::TargetName(HWY_TARGET); }
-
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-namespace volumen {
-
-HWY_EXPORT(ChooseTrace);
-HWY_EXPORT(ChooseProject);
-HWY_EXPORT(TargetName);
-
-TraceKernel chooseTraceKernel(TraceKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTrace)(key); }
-ProjectKernel chooseProjectKernel(Store store, Mode mode) {
-  return HWY_DYNAMIC_DISPATCH(ChooseProject)(store, mode);
-}
-const char* kernelTarget() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
-
-}  // namespace volumen
-#endif  // HWY_ONCE
+#endif  // per-target include guard

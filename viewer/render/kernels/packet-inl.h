@@ -1,0 +1,53 @@
+// The rays that one vector holds, compiled once a CPU target.
+#if defined(VOLUMEN_RENDER_KERNELS_PACKET_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_RENDER_KERNELS_PACKET_INL_H_
+#undef VOLUMEN_RENDER_KERNELS_PACKET_INL_H_
+#else
+#define VOLUMEN_RENDER_KERNELS_PACKET_INL_H_
+#endif
+
+#include <algorithm>
+
+#include "viewer/render/kernels/math-inl.h"
+#include "viewer/render/kernels/trace.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+/// The rays of one vector: where they start and how they move.
+struct Packet {
+  V3 start, move, inverse;
+  VI steps;
+  VF lastMiddle, units, lastUnits;  ///< units: length of a step in unit distances
+  int longest = 0;                  ///< steps of the longest ray
+};
+
+HWY_INLINE Packet LoadPacket(const TraceFrame& f, const RayRow& r, int first) {
+  const DF df;
+  const auto load = [&](const std::vector<float>& v) { return hn::LoadU(df, v.data() + first); };
+  Packet p;
+  p.start = {load(r.startX), load(r.startY), load(r.startZ)};
+  p.move = {load(r.moveX), load(r.moveY), load(r.moveZ)};
+  p.inverse = {load(r.inverseX), load(r.inverseY), load(r.inverseZ)};
+  p.steps = hn::LoadU(DI(), r.steps.data() + first);
+  p.lastMiddle = load(r.lastMiddle);
+  p.units = hn::Mul(load(r.stepMm), Set(f.inverseUnitMm));
+  p.lastUnits = hn::Mul(load(r.lastStepMm), Set(f.inverseUnitMm));
+  p.longest = *std::max_element(r.steps.data() + first, r.steps.data() + first + hn::Lanes(df));
+  return p;
+}
+
+HWY_INLINE MF IsLast(const Packet& p, int step) {
+  return hn::RebindMask(DF(), hn::Eq(p.steps, SetI(step + 1)));
+}
+HWY_INLINE MF HasStep(const Packet& p, int step) { return hn::RebindMask(DF(), hn::Gt(p.steps, SetI(step))); }
+
+/// SCENE 9: start + (step + 1/2) move, the last interval being shorter.
+HWY_INLINE V3 Position(const Packet& p, int step, MF last) {
+  const VF middle = hn::IfThenElse(last, p.lastMiddle, Set(float(step) + 0.5f));
+  return Add(p.start, Scale(p.move, middle));
+}
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // per-target include guard

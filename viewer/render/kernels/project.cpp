@@ -1,0 +1,87 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "viewer/render/kernels/project.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <limits>
+
+#include "viewer/render/kernels/packet-inl.h"
+#include "viewer/render/kernels/sample-inl.h"
+#include "viewer/render/kernels/trace.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+/// mip, minip and average: no table, no shading.
+template <class Store, Mode kMode>
+void ProjectRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, float* result) {
+  const DF df;
+  const Grid grid(f);
+  for (int first = 0; first < rays.count; first += int(hn::Lanes(df))) {
+    const Packet p = LoadPacket(f, rays, first);
+    const float none = kMode == Mode::mip     ? -std::numeric_limits<float>::max()
+                       : kMode == Mode::minip ? std::numeric_limits<float>::max()
+                                              : 0;
+    VF value = Set(none);
+    for (int step = 0; step < p.longest; ++step) {
+      const MF last = IsLast(p, step);
+      VF density;
+      if constexpr (std::is_void_v<Store>)
+        density = hn::LoadU(df, plane.density + std::size_t(step) * plane.stride + first);
+      else
+        density = Store::Density(grid, grid.CellAt(grid.Clamped(Position(p, step, last))));
+      VF next;
+      if constexpr (kMode == Mode::mip)
+        next = hn::Max(value, density);
+      else if constexpr (kMode == Mode::minip)
+        next = hn::Min(value, density);
+      else
+        next = hn::Add(value, hn::Mul(density, hn::IfThenElse(last, p.lastUnits, p.units)));
+      value = hn::IfThenElse(HasStep(p, step), next, value);
+    }
+    if constexpr (kMode == Mode::average) {
+      const VF steps = hn::ConvertTo(df, p.steps);
+      const VF length = hn::Add(hn::Mul(hn::Sub(steps, Set(1)), p.units), p.lastUnits);
+      value = hn::Div(value, hn::Max(length, Set(1e-30f)));
+    }
+    hn::StoreU(value, df, result + first);
+  }
+}
+
+template <class Store>
+ProjectKernel ChooseMode(Mode mode) {
+  return mode == Mode::mip     ? ProjectRays<Store, Mode::mip>
+         : mode == Mode::minip ? ProjectRays<Store, Mode::minip>
+                               : ProjectRays<Store, Mode::average>;
+}
+
+ProjectKernel ChooseProject(Store store, Mode mode) {
+  return store == Store::int16     ? ChooseMode<Int16Store>(mode)
+         : store == Store::float32 ? ChooseMode<Float32Store>(mode)
+                                   : ChooseMode<void>(mode);
+}
+
+const char* TargetName() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace volumen {
+
+HWY_EXPORT(ChooseProject);
+HWY_EXPORT(TargetName);
+
+ProjectKernel chooseProjectKernel(Store store, Mode mode) {
+  return HWY_DYNAMIC_DISPATCH(ChooseProject)(store, mode);
+}
+const char* kernelTarget() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
+
+TraceKernel chooseTraceKernel(TraceKey key) {
+  return key.store == Store::int16     ? chooseTraceInt16(key)
+         : key.store == Store::float32 ? chooseTraceFloat32(key)
+                                       : chooseTracePlane(key);
+}
+
+}  // namespace volumen
+#endif  // HWY_ONCE

@@ -1,0 +1,21 @@
+// The composite kernels over floats.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "viewer/render/kernels/trace_float32.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "viewer/render/kernels/trace-inl.h"
+#include "viewer/render/kernels/trace.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+TraceKernel ChooseTraceFloat32(TraceKey key) { return ChooseShade<Float32Store>(key); }
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace volumen {
+HWY_EXPORT(ChooseTraceFloat32);
+TraceKernel chooseTraceFloat32(TraceKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTraceFloat32)(key); }
+}  // namespace volumen
+#endif  // HWY_ONCE

@@ -1,0 +1,21 @@
+// The composite kernels over planes that another resampler has filled.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "viewer/render/kernels/trace_plane.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "viewer/render/kernels/trace-inl.h"
+#include "viewer/render/kernels/trace.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+TraceKernel ChooseTracePlane(TraceKey key) { return ChooseShade<void>(key); }
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace volumen {
+HWY_EXPORT(ChooseTracePlane);
+TraceKernel chooseTracePlane(TraceKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTracePlane)(key); }
+}  // namespace volumen
+#endif  // HWY_ONCE
