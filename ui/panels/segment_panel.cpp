@@ -49,6 +49,26 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
   result_->setObjectName(QStringLiteral("segmentResult"));
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  makeLayout();
+  connect(spans_, &QComboBox::activated, this, &SegmentPanel::takeSpan);
+  connect(only_, &QCheckBox::clicked, this, &SegmentPanel::showOnly);
+  connect(segment_, &QPushButton::clicked, this, [this] {
+    result_->setText(tr("counting"));
+    Q_EMIT segmentRequested(session_.series()->volume, range());
+  });
+  connect(save_, &QPushButton::clicked, this, &SegmentPanel::askWhere);
+  connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
+    if (before.series != after.series) showSegmentation(nullptr);
+    if (before.series == after.series && before.scene.transferFunction == after.scene.transferFunction)
+      return;
+    showSpans();
+    only_->setChecked(only_->isChecked() && after.scene.transferFunction == alone_);
+  });
+  showSpans();
+  showSegmentation(nullptr);
+}
+
+void SegmentPanel::makeLayout() {
   auto* fields = new QHBoxLayout;
   fields->addWidget(new QLabel(tr("from")));
   fields->addWidget(low_, 1);
@@ -66,23 +86,6 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
   column->addWidget(result_);
   column->addLayout(buttons);
   column->addStretch();
-
-  connect(spans_, &QComboBox::activated, this, &SegmentPanel::takeSpan);
-  connect(only_, &QCheckBox::clicked, this, &SegmentPanel::showOnly);
-  connect(segment_, &QPushButton::clicked, this, [this] {
-    result_->setText(tr("counting"));
-    Q_EMIT segmentRequested(session_.series()->volume, range());
-  });
-  connect(save_, &QPushButton::clicked, this, &SegmentPanel::askWhere);
-  connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series) showSegmentation(nullptr);
-    if (before.series == after.series && before.scene.transferFunction == after.scene.transferFunction)
-      return;
-    showSpans();
-    only_->setChecked(only_->isChecked() && after.scene.transferFunction == alone_);
-  });
-  showSpans();
-  showSegmentation(nullptr);
 }
 
 ValueRange SegmentPanel::range() const {

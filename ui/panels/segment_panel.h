@@ -27,6 +27,7 @@ class SegmentPanel : public QWidget {
                      const volumen::SegmentationFile& file);
 
  private:
+  void makeLayout();
   void showSpans();
   void takeSpan(int n);
   ValueRange range() const;

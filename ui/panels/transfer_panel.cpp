@@ -19,68 +19,14 @@ constexpr double longestHalving = 1e5, shortestHalving = 0.05;  // mm, of the fi
 TransferPanel::TransferPanel(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), editor_(new CurveEditor), fields_(new QWidget) {
   editor_->setObjectName(QStringLiteral("curveEditor"));
-  auto* scale = new QComboBox;
-  scale->setObjectName(QStringLiteral("opacityScale"));
-  scale->setAccessibleName(tr("Opacity axis"));
-  scale->addItems({tr("linear opacity"), tr("logarithmic extinction")});
-  scale->setToolTip(tr("The logarithmic axis reaches 0.0001 per mm with the mouse."));
-  connect(scale, &QComboBox::activated, this, [this](int n) {
-    editor_->setOpacityScale(n == 0 ? OpacityScale::linear : OpacityScale::extinction);
-  });
-
-  auto* grid = new QGridLayout(fields_);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(4);
-  value_ = addField(QStringLiteral("pointValue"), tr("Value"), 1, -1e9, 1e9);
-  opacity_ = addField(QStringLiteral("pointOpacity"), tr("Opacity per mm"), 5, 0, 1);
-  halving_ =
-      addField(QStringLiteral("pointHalving"), tr("Halves light in"), 2, shortestHalving, longestHalving);
-  halving_->setSuffix(tr(" mm"));
-  halving_->setSpecialValueText(tr("0 mm"));
-  colour_ = new ColourButton(tr("Colour of the point"));
-  colour_->setObjectName(QStringLiteral("pointColour"));
-  grid->addWidget(new QLabel(tr("Colour")), 0, 3);
-  grid->addWidget(colour_, 1, 3);
-  grid->setColumnStretch(0, 1);
-  grid->setColumnStretch(1, 1);
-  grid->setColumnStretch(2, 1);
-
+  makeFields();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->addWidget(editor_, 1);
   column->addWidget(fields_);
-  column->addWidget(scale);
-
-  connect(editor_, &CurveEditor::edited, this, [this](const TransferFunction& curve, const QString& what) {
-    session_.edit(
-        what, [&](Scene& s) { s.transferFunction = curve; }, what);
-  });
-  connect(editor_, &CurveEditor::gestureFinished, this, [this] { session_.endGesture(); });
-  connect(editor_, &CurveEditor::selectionChanged, this, &TransferPanel::showPoint);
-  connect(editor_, &CurveEditor::colourRequested, colour_, &ColourButton::click);
-  connect(value_, &QDoubleSpinBox::valueChanged, this, [this](double v) {
-    changePoint([v](CurvePoint& p) { p.value = float(v); }, tr("Set value of a curve point"));
-  });
-  connect(opacity_, &QDoubleSpinBox::valueChanged, this, [this](double perMm) {
-    changePoint(
-        [&](CurvePoint& p) {
-          const double unit = session_.scene().transferFunction.unitDistance;
-          p.opacity = opacityFromExtinction(extinctionPerMm(perMm, 1), unit);
-        },
-        tr("Set opacity of a curve point"));
-  });
-  connect(halving_, &QDoubleSpinBox::valueChanged, this, [this](double mm) {
-    changePoint(
-        [&](CurvePoint& p) {
-          p.opacity = opacityFromExtinction(ln2 / mm, session_.scene().transferFunction.unitDistance);
-        },
-        tr("Set opacity of a curve point"));
-  });
-  connect(colour_, &ColourButton::colourEdited, this, [this](glm::dvec3 c) {
-    changePoint([&](CurvePoint& p) { p.colour = c; }, tr("Colour of a curve point"));
-  });
-  connect(colour_, &ColourButton::gestureFinished, this, [this] { session_.endGesture(); });
+  column->addWidget(makeScaleBox());
+  connectEditor();
+  connectFields();
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series && after.series) {
       editor_->setHistogram(after.series->histogram, valueUnit(*after.series->volume));
@@ -92,6 +38,64 @@ TransferPanel::TransferPanel(Session& session, QWidget* parent)
   });
   editor_->setCurve(session_.scene().transferFunction);
   showPoint();
+}
+
+QWidget* TransferPanel::makeScaleBox() {
+  auto* scale = new QComboBox;
+  scale->setObjectName(QStringLiteral("opacityScale"));
+  scale->setAccessibleName(tr("Opacity axis"));
+  scale->addItems({tr("linear opacity"), tr("logarithmic extinction")});
+  scale->setToolTip(tr("The logarithmic axis reaches 0.0001 per mm with the mouse."));
+  connect(scale, &QComboBox::activated, this, [this](int n) {
+    editor_->setOpacityScale(n == 0 ? OpacityScale::linear : OpacityScale::extinction);
+  });
+  return scale;
+}
+
+void TransferPanel::makeFields() {
+  auto* grid = new QGridLayout(fields_);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(4);
+  value_ = addField(QStringLiteral("pointValue"), tr("Value"), 1, -1e9, 1e9);
+  opacity_ = addField(QStringLiteral("pointOpacity"), tr("Opacity per mm"), 5, 0, 1);
+  halving_ =
+      addField(QStringLiteral("pointHalving"), tr("Halves light in"), 2, shortestHalving, longestHalving);
+  halving_->setSuffix(tr(" mm"));
+  colour_ = new ColourButton(tr("Colour of the point"));
+  colour_->setObjectName(QStringLiteral("pointColour"));
+  grid->addWidget(new QLabel(tr("Colour")), 0, 3);
+  grid->addWidget(colour_, 1, 3);
+  for (int column = 0; column < 3; ++column) grid->setColumnStretch(column, 1);
+}
+
+void TransferPanel::connectEditor() {
+  connect(editor_, &CurveEditor::edited, this, [this](const TransferFunction& curve, const QString& what) {
+    session_.edit(
+        what, [&](Scene& s) { s.transferFunction = curve; }, what);
+  });
+  connect(editor_, &CurveEditor::gestureFinished, this, [this] { session_.endGesture(); });
+  connect(editor_, &CurveEditor::selectionChanged, this, &TransferPanel::showPoint);
+  connect(editor_, &CurveEditor::colourRequested, colour_, &ColourButton::click);
+}
+
+void TransferPanel::connectFields() {
+  const auto unitDistance = [this] { return session_.scene().transferFunction.unitDistance; };
+  connect(value_, &QDoubleSpinBox::valueChanged, this, [this](double v) {
+    changePoint([v](CurvePoint& p) { p.value = float(v); }, tr("Set value of a curve point"));
+  });
+  connect(opacity_, &QDoubleSpinBox::valueChanged, this, [this, unitDistance](double perMm) {
+    const double opacity = opacityFromExtinction(extinctionPerMm(perMm, 1), unitDistance());
+    changePoint([opacity](CurvePoint& p) { p.opacity = opacity; }, tr("Set opacity of a curve point"));
+  });
+  connect(halving_, &QDoubleSpinBox::valueChanged, this, [this, unitDistance](double mm) {
+    const double opacity = opacityFromExtinction(ln2 / mm, unitDistance());
+    changePoint([opacity](CurvePoint& p) { p.opacity = opacity; }, tr("Set opacity of a curve point"));
+  });
+  connect(colour_, &ColourButton::colourEdited, this, [this](glm::dvec3 c) {
+    changePoint([c](CurvePoint& p) { p.colour = c; }, tr("Colour of a curve point"));
+  });
+  connect(colour_, &ColourButton::gestureFinished, this, [this] { session_.endGesture(); });
 }
 
 QDoubleSpinBox* TransferPanel::addField(const QString& name, const QString& label, int decimals, double low,
@@ -126,8 +130,10 @@ void TransferPanel::showPoint() {
   value_->setSuffix(session_.series() ? QLatin1Char(' ') + valueUnit(*session_.series()->volume) : QString());
   value_->setValue(point.value);
   opacity_->setValue(opacityFromExtinction(extinction, 1));
-  halving_->setSpecialValueText(point.opacity >= 1 ? tr("0 mm") : QString());
-  halving_->setValue(extinction > 0 ? ln2 / extinction : longestHalving);
+  // At both ends there is no number: the field stands at its smallest value, under another name.
+  const bool none = extinction == 0, all = point.opacity >= 1;
+  halving_->setSpecialValueText(none ? tr("never") : all ? tr("0 mm") : QString());
+  halving_->setValue(none || all ? shortestHalving : ln2 / extinction);
   colour_->setColour(point.colour);
 }
 

@@ -16,6 +16,10 @@ class TransferPanel : public QWidget {
   CurveEditor* editor() const { return editor_; }
 
  private:
+  QWidget* makeScaleBox();
+  void makeFields();
+  void connectEditor();
+  void connectFields();
   QDoubleSpinBox* addField(const QString& name, const QString& label, int decimals, double low, double high);
   void showPoint();
   void changePoint(const std::function<void(CurvePoint&)>& change, const QString& what);
