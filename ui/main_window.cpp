@@ -11,6 +11,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "ui/controller/qt_gl_context.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/segment_panel.h"
 #include "ui/panels/snapshot_panel.h"
@@ -179,6 +180,13 @@ void MainWindow::requestFrame() {
   if (!session_.series() || pages_->currentWidget() != view_) return;
   snapshotPanel_->setViewSize(view_->pixels());
   controller_.request(session_.scene(), view_->pixels());
+}
+
+void MainWindow::setResampler(Resampler resampler) {
+  // Where Qt has no OpenGL without a window, EGL is tried when the picture is drawn.
+  if (resampler == Resampler::gl) makeOffscreenGlSurface();
+  controller_.setResampler(resampler);
+  requestFrame();
 }
 
 void MainWindow::showFrame(const Frame& frame) {

@@ -76,6 +76,7 @@ class MainWindow : public QMainWindow {
   void askForFolder();
   void askForFile();
   void setMaximised(bool alone);
+  void setResampler(Resampler resampler);
   void setTheme(Theme theme);
   void showAbout();
   void showShortcuts();

@@ -143,6 +143,12 @@ void MainWindow::makeActions() {
        [this](bool on) {
          setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
        }},
+      {"openGlResampler",
+       tr("Resample with OpenGL"),
+       {},
+       "",
+       true,
+       [this](bool on) { setResampler(on ? Resampler::gl : Resampler::cpu); }},
       {"lightTheme",
        tr("Light theme"),
        {},
@@ -189,7 +195,7 @@ void MainWindow::makeMenus() {
   fill(view,
        "orbitTool curveTool resetView | viewAnterior viewPosterior viewLeft viewRight viewSuperior "
        "viewInferior | "
-       "maximise fullScreen lightTheme");
+       "openGlResampler | maximise fullScreen lightTheme");
   auto* docks = view->addMenu(tr("Panels"));
   for (const auto& [name, dock] : docks_) docks->addAction(dock->toggleViewAction());
   fill(menuBar()->addMenu(tr("&Help")), "shortcuts about");

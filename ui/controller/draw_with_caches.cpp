@@ -1,9 +1,14 @@
+#include "ui/controller/qt_gl_context.h"
 #include "ui/controller/render_controller.h"
 
 namespace volumen {
 
 Draw drawWithCaches(VolumePtr volume) {
   auto caches = std::make_shared<RenderCaches>(std::move(volume));
+  caches->setGlContextFactory([] {
+    auto context = makeQtGlContext();
+    return context ? std::move(context) : makeEglContext();
+  });
   caches->facts();  // here, so that it does not count as time of the first frame
   return
       [caches](const Scene& scene, const RenderOptions& options, const CancelToken& cancel) -> Result<Drawn> {

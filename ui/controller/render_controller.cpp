@@ -45,10 +45,15 @@ void RenderController::request(const Scene& scene, QSize pixels) {
   if (pixels.isEmpty()) return;
   {
     const std::lock_guard lock(mutex_);
-    screen_ = ScreenRequest{scene, pixels};
+    screen_ = ScreenRequest{scene, pixels, resampler_};
     standardCancel_.cancel();
   }
   wake_.notify_one();
+}
+
+void RenderController::setResampler(Resampler resampler) {
+  const std::lock_guard lock(mutex_);
+  resampler_ = resampler;
 }
 
 void RenderController::requestPicture(const Scene& scene, const RenderOptions& options) {
@@ -105,6 +110,7 @@ void RenderController::run() {
       drawScreen(lock);
     }
   }
+  draw_ = Draw();  // on this thread, which its OpenGL context belongs to
 }
 
 Result<Drawn> RenderController::draw(const Scene& scene, const RenderOptions& options,
@@ -157,12 +163,16 @@ bool RenderController::drawFrame(const ScreenRequest& request, double factor, co
   RenderOptions options;
   options.size = {view.size.width(), view.size.height()};
   options.quality = frame.draft() ? Quality::draft : Quality::standard;
+  if (!frame.draft()) options.resampler = request.resampler;
   Result<Drawn> drawn = draw(scene, options, cancel);
-  if (!drawn) {
-    if (!cancel.cancelled())
-      tell([this, sentence = QString::fromStdString(drawn.message())] { Q_EMIT failed(sentence); });
-    return false;
+  if (!drawn && !cancel.cancelled()) {
+    tell([this, sentence = QString::fromStdString(drawn.message())] { Q_EMIT failed(sentence); });
+    if (options.resampler == Resampler::gl) {
+      setResampler(options.resampler = Resampler::cpu);
+      drawn = draw(scene, options, cancel);
+    }
   }
+  if (!drawn) return false;
   frame.image = factor == 1 ? toImage(drawn->picture) : enlarged(drawn->picture, factor, request.pixels);
   frame.plan = std::make_shared<const Plan>(std::move(drawn->plan));
   frame.stats = drawn->stats;

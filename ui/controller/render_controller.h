@@ -26,7 +26,7 @@ using Draw = std::function<Result<Drawn>(const Scene&, const RenderOptions&, con
 /// Makes what draws a volume, with its caches; called on the render thread.
 using MakeDraw = std::function<Draw(VolumePtr)>;
 
-/// makePlan() and render() over one set of caches.
+/// makePlan() and render() over one set of caches; OpenGL by a context of Qt's, else of EGL's.
 Draw drawWithCaches(VolumePtr volume);
 
 /// A picture for the screen.
@@ -55,6 +55,9 @@ class RenderController : public QObject {
   void setVolume(VolumePtr volume);
   /// Asks for a picture of so many device pixels; a scene without a camera is fitted to the picture.
   void request(const Scene& scene, QSize pixels);
+  /// What resamples the full pictures asked for from now on (drafts are the CPU's). Where OpenGL fails,
+  /// failed() says why and the CPU does it.
+  void setResampler(Resampler resampler);
   /// Asks for one picture to be saved, drawn next: ends in pictureReady(). A second gives up the first.
   void requestPicture(const Scene& scene, const RenderOptions& options);
   void cancelPicture();
@@ -71,6 +74,7 @@ class RenderController : public QObject {
   struct ScreenRequest {
     Scene scene;
     QSize pixels;
+    Resampler resampler;
   };
   struct PictureRequest {
     Scene scene;
@@ -96,6 +100,7 @@ class RenderController : public QObject {
   std::optional<ScreenRequest> screen_;
   std::optional<PictureRequest> picture_;
   CancelToken volumeCancel_, standardCancel_, pictureCancel_;
+  Resampler resampler_ = Resampler::cpu;
   bool closing_ = false;  // ... to here
 
   // Of the render thread alone.

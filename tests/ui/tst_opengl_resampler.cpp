@@ -1,0 +1,66 @@
+// Guards DESIGN 3 in the window: OpenGL resamples on the render thread, and where it cannot, the CPU does.
+#include <QSignalSpy>
+
+#include "tests/unit/suite.h"
+#include "ui/controller/qt_gl_context.h"
+#include "ui/controller/render_controller.h"
+#include "viewer/volume/phantoms.h"
+
+using namespace volumen;
+
+class TestOpenGlResampler : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theSamePictureComesFromOpenGl();
+};
+
+namespace {
+
+// The next full picture.
+Frame fullFrame(RenderController& controller, const Scene& scene) {
+  Frame full;
+  const auto connection =
+      QObject::connect(&controller, &RenderController::frameReady, &controller, [&](const Frame& frame) {
+        if (!frame.draft()) full = frame;
+      });
+  controller.request(scene, {80, 60});
+  [&] { QTRY_VERIFY_WITH_TIMEOUT(!full.image.isNull(), 60000); }();
+  QObject::disconnect(connection);
+  return full;
+}
+
+int largestDifference(const QImage& a, const QImage& b) {
+  int most = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+      most = std::max({most, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
+                       std::abs(qBlue(p) - qBlue(q))});
+    }
+  return most;
+}
+
+}  // namespace
+
+void TestOpenGlResampler::theSamePictureComesFromOpenGl() {
+  makeOffscreenGlSurface();
+  RenderController controller(drawWithCaches);
+  QSignalSpy failures(&controller, &RenderController::failed);
+  controller.setVolume(*makePhantom("ct-head:48"));
+  const Scene scene;
+  const Frame cpu = fullFrame(controller, scene);
+  controller.setResampler(Resampler::gl);
+  const Frame gl = fullFrame(controller, scene);
+  QCOMPARE(cpu.plan->resampler, Resampler::cpu);
+  // Filters of software rasterisers work in floats: less than the rounding to 8 bits can show, one level at
+  // most.
+  QVERIFY(largestDifference(cpu.image, gl.image) <= 1);
+  if (!failures.isEmpty()) {
+    QCOMPARE(gl.plan->resampler, Resampler::cpu);
+    QSKIP(qPrintable(failures[0][0].toString()));
+  }
+  QCOMPARE(gl.plan->resampler, Resampler::gl);
+}
+
+VOLUMEN_TEST(TestOpenGlResampler);
+#include "tst_opengl_resampler.moc"
