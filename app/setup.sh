@@ -23,7 +23,7 @@ install_packages() {
   "${run[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-build_packages=(g++ cmake ninja-build pkg-config qt6-base-dev libqt6opengl6-dev libqt6svg6-dev libglm-dev libtbb-dev
+build_packages=(g++ cmake ninja-build pkg-config qt6-base-dev libqt6opengl6-dev qt6-svg-dev libglm-dev libtbb-dev
   libhwy-dev libdcmtk-dev libopenjp2-7-dev zlib1g-dev libepoxy-dev libegl-dev libgl-dev libcli11-dev nlohmann-json3-dev)
 run_packages=(qt6-qpa-plugins libqt6svg6 libgl1-mesa-dri libegl-mesa0 libegl1 libgl1)
 
