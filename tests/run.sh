@@ -23,6 +23,7 @@ if [ $status -ne 0 ]; then
 fi
 passed=$(grep -cE '^[0-9]+: PASS' "$log" || true)
 skipped=$(grep -cE '^[0-9]+: SKIP' "$log" || true)
+sed -n 's|.*longestFilesAndFunctions() ||p' "$top/build/$preset/tests.out" >&2 || true
 say "$passed test rows passed, $skipped skipped; everything is in $log"
 [ "$skipped" -eq 0 ] || grep -E '^[0-9]+: SKIP' "$log" | sed 's/^[0-9]*: //' | sort | uniq -c | sort -rn | head -20 >&2
 exit $status

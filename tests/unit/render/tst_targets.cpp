@@ -1,0 +1,90 @@
+// Guards DESIGN 2 (determinism): the same bytes on every CPU target that the kernels are compiled for and
+// this machine has.
+#include <hwy/targets.h>
+
+#include <set>
+
+#include "tests/unit/suite.h"
+#include "viewer/render/kernels/trace.h"
+#include "viewer/render/render.h"
+#include "viewer/volume/phantoms.h"
+
+using namespace volumen;
+
+class TestTargets : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void everyCpuTargetGivesTheSameBytes_data();
+  void everyCpuTargetGivesTheSameBytes();
+  void cleanup() { useTargets(0); }
+
+ private:
+  // The CPU targets that kernels are chosen from; 0: all that the machine has.
+  static void useTargets(std::int64_t targets) {
+    hwy::SetSupportedTargetsForTest(targets);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+namespace {
+struct Case {
+  Scene scene;
+  RenderOptions options;
+};
+using Change = void (*)(Case&);
+}  // namespace
+Q_DECLARE_METATYPE(Change)
+
+void TestTargets::everyCpuTargetGivesTheSameBytes_data() {
+  QTest::addColumn<Change>("change");
+  const auto row = [](const char* name, Change change) { QTest::newRow(name) << change; };
+  row("one light, direct", [](Case&) {});
+  row("32 bits", [](Case& c) { c.options.precision = 32; });
+  row("unlit", [](Case& c) { c.scene.shading.lit = false; });
+  row("three lights, map", [](Case& c) {
+    c.scene.lights = {Light{}, Light{.direction = {1, 0, 0}, .colour = {1, 0, 0}},
+                      Light{.direction = {0, -1, 1}}};
+    c.options.shader = Shader::map;
+  });
+  row("local viewer in perspective", [](Case& c) {
+    c.scene.shading.localViewer = true;
+    c.scene.camera = Camera{.target = glm::dvec3(0),
+                            .direction = {1, 2, -0.5},
+                            .projection = Projection::perspective,
+                            .distance = 150};
+  });
+  row("gradient opacity", [](Case& c) { c.scene.transferFunction.gradientOpacity = {{0, 0.1}, {50, 1}}; });
+  row("a curve of many points", [](Case& c) {
+    c.scene.transferFunction.points.clear();
+    for (int n = 0; n < 40; ++n)
+      c.scene.transferFunction.points.push_back(
+          {float(-900 + 60 * n), {n % 2 * 1.0, n % 3 / 2.0, 1}, n % 4 / 30.0});
+  });
+  row("mip", [](Case& c) { c.scene.mode = Mode::mip; });
+  row("average", [](Case& c) { c.scene.mode = Mode::average; });
+  row("nothing left out", [](Case& c) { c.options.full = true; });
+}
+
+void TestTargets::everyCpuTargetGivesTheSameBytes() {
+  QFETCH(Change, change);
+  Case c;
+  c.options.size = {61, 47};
+  c.options.step = 0.7;
+  change(c);
+  const VolumePtr head = *makePhantom("ct-head:40");
+  std::set<std::string> seen;
+  std::optional<Picture> first;
+  const std::int64_t machine = hwy::SupportedTargets();
+  for (std::int64_t left = machine; left != 0; left &= left - 1) {
+    useTargets(left & -left);
+    if (!seen.insert(kernelTarget()).second) continue;
+    RenderCaches caches(head);  // the Sobel pass has kernels of its own
+    const Picture picture = render(*makePlan(c.scene, caches.facts(), c.options), caches)->picture;
+    if (!first) first = picture;
+    QVERIFY2(picture == *first, kernelTarget());
+  }
+  QVERIFY2(seen.size() >= 2, "this machine has one CPU target only, so nothing was compared");
+}
+
+VOLUMEN_TEST(TestTargets);
+#include "tst_targets.moc"
