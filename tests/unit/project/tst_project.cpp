@@ -139,7 +139,10 @@ void TestProject::longestFilesAndFunctions() {
     files.push_back({lines.size(), path});
     for (int n = 0; n < lines.size(); ++n) {
       const auto match = head.match(lines[n]);
-      if (!match.hasMatch() || match.captured(1).size() > 2) continue;
+      // A lambda's head looks like a function's, but ends otherwise.
+      if (!match.hasMatch() || match.captured(1).size() > 2 || lines[n].contains(QLatin1String("](")) ||
+          lines[n].contains(QLatin1String("[&]")))
+        continue;
       const QString end = match.captured(1) + QLatin1Char('}');
       int last = n + 1;
       while (last < lines.size() && lines[last] != end) ++last;
