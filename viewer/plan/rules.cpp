@@ -139,9 +139,8 @@ Effect integration(const RuleInput& in, Plan& plan) {
 Effect earlyStop(const RuleInput& in, Plan& plan) {
   plan.stopTransmittance = 0;
   if (!composite(in)) return off("a projection looks at the whole ray");
-  plan.stopTransmittance =
-      in.options.quality == Quality::exact && !in.options.step ? 1.0 / 16384 : 1.0 / 4096;
-  return on("a ray ends where less than 1/" + number(1 / plan.stopTransmittance) +
+  plan.stopTransmittance = in.options.quality == Quality::exact || in.options.step ? 1.0 / 16384 : 1.0 / 4096;
+  return on("a ray ends where less than 1/" + std::to_string(std::lround(1 / plan.stopTransmittance)) +
             " of the light behind comes through");
 }
 
