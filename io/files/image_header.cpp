@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "io/files/data_file.h"
+
 namespace volumen {
 
 namespace {
@@ -31,6 +33,18 @@ Status setSize(VoxelGeometry& g, const std::vector<std::uint64_t>& sizes, const 
 bool isLength(double mm) { return mm > 1e-9 && mm < 1e9; }
 
 }  // namespace
+
+Status setDataFiles(SampleData& data, const std::vector<std::string>& names, const std::string& path) {
+  if (names.empty() || names.size() > mostDataFiles)
+    return Error{path + " lists " + std::to_string(names.size()) + " data files; 1 to " +
+                 std::to_string(mostDataFiles) + " can be read."};
+  for (const std::string& name : names) {
+    auto file = resolveBeside(path, name);
+    if (!file) return file.error();
+    data.files.push_back(*file);
+  }
+  return {};
+}
 
 Status setGeometry(ImageHeader& header, const std::vector<std::uint64_t>& sizes,
                    std::vector<glm::dvec3> steps, glm::dvec3 origin, const std::string& path) {

@@ -24,6 +24,10 @@ struct ImageHeader {
 constexpr std::size_t mostHeaderBytes = 1 << 20;
 constexpr std::size_t mostDataFiles = 10000;
 
+/// Names the data files that a header at `path` lists, each resolved below its folder. Refused: none, more
+/// than mostDataFiles, and what resolveBeside() refuses.
+Status setDataFiles(SampleData& data, const std::vector<std::string>& names, const std::string& path);
+
 /// Sets the geometry from the steps (mm, LPS) of the one to three axes of the grid; `sizes` has as many
 /// entries. A missing third axis gets 1 mm along the normal, with a warning. Refused: what is not finite,
 /// zero, or does not span space.

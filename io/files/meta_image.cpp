@@ -149,15 +149,7 @@ Status findFiles(MetaHeader& header, SampleData& data, const std::string& path) 
     if (!all) return all.error();
     names = *all;
   }
-  if (names.empty() || names.size() > mostDataFiles)
-    return Error{path + " lists " + std::to_string(names.size()) + " data files; 1 to " +
-                 std::to_string(mostDataFiles) + " can be read."};
-  for (const std::string& name : names) {
-    auto file = resolveBeside(path, name);
-    if (!file) return file.error();
-    data.files.push_back(*file);
-  }
-  return {};
+  return setDataFiles(data, names, path);
 }
 
 Status parseRescale(const MetaHeader& header, ImageHeader& image, const std::string& path) {

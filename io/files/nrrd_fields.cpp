@@ -141,15 +141,7 @@ Status findFiles(NrrdHeader& header, const HeaderText& text, std::vector<std::st
       names = *all;
     }
   }
-  if (names.empty() || names.size() > mostDataFiles)
-    return Error{path + " lists " + std::to_string(names.size()) + " data files; 1 to " +
-                 std::to_string(mostDataFiles) + " can be read."};
-  for (const std::string& name : names) {
-    auto file = resolveBeside(path, name);
-    if (!file) return file.error();
-    header.data.files.push_back(*file);
-  }
-  return {};
+  return setDataFiles(header.data, names, path);
 }
 
 Status parseEncoding(NrrdHeader& header, const std::string& path) {
