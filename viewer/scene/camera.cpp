@@ -75,4 +75,12 @@ Camera turned(Camera camera, double degrees) {
   return camera;
 }
 
+Camera elevated(Camera camera, double degrees) {
+  const CameraAxes axes = cameraAxes(camera);
+  const glm::dvec3 up = glm::normalize(camera.up);
+  const glm::dvec3 level = glm::cross(up, axes.right);  // unit: right lies in the plane
+  camera.direction = std::cos(glm::radians(degrees)) * level - std::sin(glm::radians(degrees)) * up;
+  return camera;
+}
+
 }  // namespace volumen

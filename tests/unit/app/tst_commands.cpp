@@ -104,8 +104,8 @@ void TestCommands::whatFailsIsASentenceAndStatus1() {
 
 void TestCommands::everyCommandHasHelp_data() {
   QTest::addColumn<QString>("line");
-  for (const char* line :
-       {"--help", "render --help", "info --help", "convert --help", "open --help", "segment --help"})
+  for (const char* line : {"--help", "render --help", "info --help", "convert --help", "open --help",
+                           "segment --help", "bench --help"})
     QTest::newRow(line) << QString::fromLatin1(line);
 }
 

@@ -21,6 +21,8 @@ class TestCamera : public QObject {
   void givenTargetIsKept();
   void turningIsAnticlockwiseFromTheTipOfUp_data();
   void turningIsAnticlockwiseFromTheTipOfUp();
+  void elevationIsTheAngleAboveThePlaneOfTheTurn_data();
+  void elevationIsTheAngleAboveThePlaneOfTheTurn();
 };
 
 void TestCamera::viewsLookFromTheNamedSide_data() {
@@ -161,6 +163,23 @@ void TestCamera::turningIsAnticlockwiseFromTheTipOfUp() {
   const Camera after = turned(camera, degrees);
   QVERIFY(glm::length(after.direction - glm::dvec3(x, y, 0)) < 1e-12);
   QVERIFY(after.target == camera.target && after.up == camera.up);
+}
+
+void TestCamera::elevationIsTheAngleAboveThePlaneOfTheTurn_data() {
+  QTest::addColumn<double>("degrees");
+  for (const double degrees : {-80., 0., 15., 60.}) QTest::addRow("%g", degrees) << degrees;
+}
+
+// Whatever the camera's elevation was: the eye stands where it is asked to, on the side where it was.
+void TestCamera::elevationIsTheAngleAboveThePlaneOfTheTurn() {
+  QFETCH(double, degrees);
+  Camera camera;
+  camera.up = {0.3, 0.1, 2};
+  camera.direction = {-0.951251243, -0.167731259, -0.258819045};
+  const Camera raised = elevated(camera, degrees);
+  const glm::dvec3 toEye = -glm::normalize(raised.direction);
+  QVERIFY(std::abs(glm::dot(toEye, glm::normalize(camera.up)) - std::sin(glm::radians(degrees))) < 1e-12);
+  QVERIFY(glm::length(cameraAxes(raised).right - cameraAxes(camera).right) < 1e-12);
 }
 
 VOLUMEN_TEST(TestCamera);

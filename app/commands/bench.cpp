@@ -1,0 +1,74 @@
+#include <iostream>
+#include <memory>
+
+#include "app/command.h"
+#include "app/open_volume.h"
+#include "app/progress.h"
+#include "app/render_options.h"
+#include "viewer/study/orbit.h"
+
+namespace volumen {
+
+namespace {
+
+struct BenchOptions {
+  std::string path, series;
+  SceneOptions scene;
+  MethodOptions method;
+  OrbitOptions orbit;
+  std::optional<double> elevation;
+  bool json = false;
+};
+
+// --elevation stands the camera above the plane that it turns in; a camera that the scene does not give is
+// fitted there.
+void raiseCamera(Scene& scene, const Volume& volume, glm::ivec2 size, double degrees) {
+  const bool given = scene.camera.has_value();
+  scene.camera = elevated(scene.camera.value_or(Camera{}), degrees);
+  if (!given) scene.camera = fitCamera(*scene.camera, volume.geometry(), double(size.x) / size.y);
+}
+
+int run(const BenchOptions& options, const CancelToken& cancel) {
+  const auto asked = renderOptions(options.scene, options.method);
+  if (!asked) return failUsage(asked.message());
+  auto opened = openVolume(options.path, options.series, cancel);
+  if (!opened) return fail(opened.message());
+  printNotes(opened->notes);
+  const VolumePtr volume = opened->loaded.drawn;
+  auto scene = makeScene(options.scene, *volume);
+  if (!scene) return fail(scene.message());
+  if (options.elevation) raiseCamera(*scene, *volume, asked->size, *options.elevation);
+  RenderCaches caches(volume);
+  VolumeFacts noFacts;  // what is refused does not depend on them, and the first frame shall look for them
+  noFacts.geometry = volume->geometry();
+  if (const auto plan = makePlan(*scene, noFacts, *asked); !plan) return failUsage(plan.message());
+  const auto orbit = measureOrbit(*scene, *asked, options.orbit, caches, terminalProgress(), cancel);
+  endTerminalProgress();
+  if (!orbit) return fail(cancel.cancelled() ? "Stopped; nothing was measured." : orbit.message());
+  std::cout << (options.json ? orbitJson(*orbit) : orbitText(*orbit));
+  return exitDone;
+}
+
+}  // namespace
+
+std::function<int()> makeBench(CLI::App& app, const CancelToken& cancel) {
+  auto o = std::make_shared<BenchOptions>();
+  app.add_option("PATH", o->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
+  app.add_option("--series", o->series, "Which series: its id, its UID or its number in `volumen info`");
+  addSceneOptions(app, o->scene);
+  addMethodOptions(app, o->method);
+  app.add_option("--views", o->orbit.views,
+                 "So many views, the camera turned about its up axis by 360/N each")
+      ->check(CLI::Range(1, 3600))
+      ->capture_default_str();
+  app.add_option("--rounds", o->orbit.rounds, "Frames a view; every round draws each view once")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  app.add_option("--elevation", o->elevation,
+                 "Stand the camera so many degrees above the plane that it turns in, on the side of up")
+      ->check(CLI::Range(-89.0, 89.0));
+  app.add_flag("--json", o->json, "One JSON object on stdout");
+  return [o, &cancel] { return run(*o, cancel); };
+}
+
+}  // namespace volumen

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace volumen {
+
+/// Called now and then with what is being done, how many of how many. From the calling thread.
+using StudyProgress = std::function<void(const char* what, std::size_t done, std::size_t total)>;
+
+}  // namespace volumen
