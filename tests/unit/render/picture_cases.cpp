@@ -6,8 +6,7 @@
 #include <glm/matrix.hpp>
 #include <map>
 
-#include "io/study.h"
-#include "tests/fixtures/fixtures.h"
+#include "tests/fixtures/real_volume.h"
 #include "tests/fixtures/small_volumes.h"
 
 namespace volumen::tests {
@@ -36,17 +35,6 @@ VolumePtr made(const std::string& name) {
   if (name == "plateaus")  // large constant parts, exactly at curve points
     return volumeOf(size, dmat3(1), [](dvec3 x) { return 100 * std::floor(bumpy(x / 2.0) / 100); });
   return nullptr;
-}
-
-VolumePtr real(const std::string& name) {
-  const std::string path = dataPath(name);
-  if (path.empty()) return nullptr;
-  const Result<Study> study = openStudy(path);
-  if (!study) throw std::runtime_error(study.message());
-  if (study->volumes.empty()) throw std::runtime_error("no volume in " + path);
-  const Result<Loaded> loaded = loadSeries(study->volumes.front());
-  if (!loaded) throw std::runtime_error(loaded.message());
-  return loaded->drawn;
 }
 
 double percentile(const Volume& volume, double share) {
@@ -286,7 +274,7 @@ void addReal(std::vector<PictureCase>& cases) {
 VolumePtr caseVolume(const std::string& name) {
   static std::map<std::string, VolumePtr> volumes;
   const auto [entry, isNew] = volumes.try_emplace(name);
-  if (isNew && !(entry->second = made(name))) entry->second = real(name);
+  if (isNew && !(entry->second = made(name))) entry->second = realVolume(name);
   return entry->second;
 }
 

@@ -23,6 +23,7 @@ void ProjectRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& pla
                        : kMode == Mode::minip ? std::numeric_limits<float>::max()
                                               : 0;
     VF value = Set(none);
+    VF lost = Set(0);  // of the sum, in rounding: Kahan's compensation, as samples are many
     for (int step = 0; step < p.longest; ++step) {
       const MF last = IsLast(p, step);
       VF density;
@@ -35,8 +36,11 @@ void ProjectRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& pla
         next = hn::Max(value, density);
       else if constexpr (kMode == Mode::minip)
         next = hn::Min(value, density);
-      else
-        next = hn::Add(value, hn::Mul(density, hn::IfThenElse(last, p.lastUnits, p.units)));
+      else {
+        const VF term = hn::Sub(hn::Mul(density, hn::IfThenElse(last, p.lastUnits, p.units)), lost);
+        next = hn::Add(value, term);
+        lost = hn::Sub(hn::Sub(next, value), term);
+      }
       value = hn::IfThenElse(HasStep(p, step), next, value);
     }
     if constexpr (kMode == Mode::average) {

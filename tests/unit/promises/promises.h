@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QString>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "viewer/render/render.h"
+
+namespace volumen::tests {
+
+/// What a level promises on well-conditioned pixels (DESIGN 2), in 1/255.
+struct Promise {
+  const char* name;
+  Quality quality;
+  double leastPsnrDb, most99, mostMaximum;
+
+  bool keptBy(const PictureError& e) const {
+    return e.psnrDb >= leastPsnrDb && e.percentile99 <= most99 && e.maximum <= mostMaximum;
+  }
+};
+inline constexpr Promise promises[] = {{"standard", Quality::standard, 42, 8, 255},
+                                       {"high", Quality::high, 52, 2.5, 255},
+                                       {"exact", Quality::exact, 0, 255, 1}};
+
+inline RenderOptions atLevel(Quality quality) {
+  RenderOptions options;
+  options.quality = quality;
+  return options;
+}
+inline RenderOptions atStep(double stepVoxels) {
+  RenderOptions options;
+  options.step = stepVoxels;
+  return options;
+}
+
+/// "maximum 0.3, 99th percentile ...".
+QString inWords(const PictureError& e);
+
+/// A way to draw that is promised to keep the levels' errors.
+struct DrawWay {
+  const char* name;
+  RenderOptions options;
+};
+/// All of them; those that need OpenGL only where it can be had.
+std::vector<DrawWay> drawWays();
+
+/// A scene and the truth about it, each part found when it is first asked for.
+class Truth {
+ public:
+  /// `caches` must outlive it.
+  Truth(RenderCaches& caches, Scene scene, glm::ivec2 size);
+
+  /// Draws it; throws where the plan or the renderer refuses.
+  Picture drawn(RenderOptions options);
+  /// The error on every pixel where that keeps `promise` (it then needs no knowing which are the few
+  /// ill-conditioned ones), else on the well-conditioned ones.
+  PictureError errorOf(const Picture& picture, const Promise& promise);
+  PictureError errorOf(const Picture& picture);  ///< on the well-conditioned pixels
+  double illConditionedShare();
+  const Picture& reference();
+
+ private:
+  const std::vector<std::uint8_t>& use();
+
+  RenderCaches& caches_;
+  Scene scene_;
+  glm::ivec2 size_;
+  std::optional<Scene> complete_;
+  std::optional<Picture> reference_;
+  std::optional<std::vector<std::uint8_t>> use_;
+};
+
+}  // namespace volumen::tests
