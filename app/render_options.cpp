@@ -20,7 +20,9 @@ const std::map<std::string, Quality> qualities{{"draft", Quality::draft},
 const std::map<std::string, Mode> modes{
     {"composite", Mode::composite}, {"mip", Mode::mip}, {"minip", Mode::minip}, {"average", Mode::average}};
 const std::map<std::string, Shader> shaders{
-    {"auto", Shader::automatic}, {"map", Shader::map}, {"phong", Shader::phong}};
+    {"auto", Shader::automatic}, {"map", Shader::map}, {"table", Shader::table}, {"phong", Shader::phong}};
+const std::map<std::string, MapLookup> mapLookups{{"nearest", MapLookup::nearest},
+                                                  {"bilinear", MapLookup::bilinear}};
 
 template <class Map>
 std::vector<std::string> keys(const Map& map) {
@@ -110,11 +112,14 @@ void addMethodOptions(CLI::App& app, MethodOptions& o) {
       ->capture_default_str();
   app.add_option("--precision", o.precision, "Bits of stored density and gradients")
       ->check(CLI::IsMember({16, 32}));
-  app.add_option("--shader", o.shader, "How samples are lit")
+  app.add_option("--shader", o.shader,
+                 "How samples are lit: reflectance map, 5-bit table (for comparison) or directly")
       ->check(CLI::IsMember(keys(shaders)))
       ->capture_default_str();
   app.add_option("--map-size", o.mapSize, "n of the reflectance map's n x n faces")
       ->check(CLI::Range(2, 1024));
+  app.add_option("--map-lookup", o.mapLookup, "How the reflectance map is read (default: bilinear)")
+      ->check(CLI::IsMember(keys(mapLookups)));
   app.add_option("--threads", o.threads, "How many (default: all allowed cores)")->check(CLI::Range(1, 1024));
   app.add_flag("--full", o.full,
                "Leave nothing out: every sound rule of the planner off, the same picture, slower");
@@ -134,6 +139,7 @@ Result<RenderOptions> renderOptions(const SceneOptions& scene, const MethodOptio
   out.shader = shaders.at(method.shader);
   out.precision = method.precision;
   out.mapSize = method.mapSize;
+  if (!method.mapLookup.empty()) out.mapLookup = mapLookups.at(method.mapLookup);
   out.threads = method.threads.value_or(0);
   out.full = method.full;
   return out;

@@ -22,14 +22,14 @@ Result<Scene> makeScene(const SceneOptions& options, const Volume& volume);
 
 /// The options that choose accuracy and method, as typed.
 struct MethodOptions {
-  std::string quality, method = "planes", resampler = "cpu", shader = "auto";
+  std::string quality, method = "planes", resampler = "cpu", shader = "auto", mapLookup;
   std::optional<double> step;
   std::optional<int> precision, mapSize, threads;
   bool reference = false, full = false;
 };
 
-/// Adds --quality, --step, --reference, --method, --resampler, --precision, --shader, --map-size, --threads
-/// and --full.
+/// Adds --quality, --step, --reference, --method, --resampler, --precision, --shader, --map-size,
+/// --map-lookup, --threads and --full.
 void addMethodOptions(CLI::App& app, MethodOptions& options);
 
 /// Both together as the planner reads them. The Error (wrong usage) names the options that do not go

@@ -10,7 +10,10 @@ enum class Quality { draft, standard, high, exact };
 /// DESIGN 3.
 enum class Method { planes, reference };
 enum class Resampler { cpu, gl };
-enum class Shader { automatic, map, phong };
+/// Reflectance map, the 4-index 5-bit table that the paper rejects (figure 3b), or directly (paper 2.2).
+enum class Shader { automatic, map, table, phong };
+/// How a reflectance map is read; the paper's way is nearest.
+enum class MapLookup { nearest, bilinear };
 
 /// What the caller asks of a picture beside the scene. Choices left open are the planner's.
 struct RenderOptions {
@@ -22,8 +25,9 @@ struct RenderOptions {
   Shader shader = Shader::automatic;
   std::optional<int> precision;  ///< bits of the stored density and gradient components: 16 or 32
   std::optional<int> mapSize;    ///< n of the reflectance map's six n x n faces
-  int threads = 0;               ///< 0: all allowed cores
-  bool full = false;             ///< every sound rule off: the same bytes, slower (DESIGN 5)
+  std::optional<MapLookup> mapLookup;
+  int threads = 0;    ///< 0: all allowed cores
+  bool full = false;  ///< every sound rule off: the same bytes, slower (DESIGN 5)
   bool operator==(const RenderOptions&) const = default;
 };
 

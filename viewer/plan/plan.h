@@ -27,8 +27,9 @@ struct Plan {
 
   Method method = Method::planes;
   Resampler resampler = Resampler::cpu;
-  bool phong = true;  ///< direct shading; else the reflectance map
+  Shader shader = Shader::phong;  ///< never automatic
   int mapSize = 64;
+  MapLookup mapLookup = MapLookup::bilinear;
   int bits = 16;                 ///< stored precision
   double stepVoxels = 1;         ///< SCENE 9
   double stopTransmittance = 0;  ///< a ray ends where its transmittance falls below; 0: never

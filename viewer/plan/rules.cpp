@@ -1,8 +1,7 @@
-#include "viewer/plan/rules.h"
+#include "viewer/plan/rule_lines.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "viewer/plan/visibility.h"
@@ -11,26 +10,7 @@ namespace volumen {
 
 namespace {
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
-}
-
-Effect on(std::string reason) {
-  return {.name = {}, .on = true, .sound = false, .reason = std::move(reason)};
-}
-Effect off(std::string reason) {
-  return {.name = {}, .on = false, .sound = false, .reason = std::move(reason)};
-}
-
 bool composite(const RuleInput& in) { return in.scene.mode == Mode::composite; }
-
-int lightsThatShine(const Scene& scene) {
-  return int(std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& l) {
-    return l.on && l.intensity > 0 && (l.colour.r > 0 || l.colour.g > 0 || l.colour.b > 0);
-  }));
-}
 
 Effect lighting(const RuleInput& in, Plan& plan) {
   plan.lit = composite(in) && (in.scene.shading.lit || in.options.full);
@@ -49,7 +29,7 @@ Effect specular(const RuleInput& in, Plan& plan) {
     return plan.specular
                ? on("asked for in full")
                : off(in.scene.shading.specular > 0 ? "no light shines" : "the material's specular is 0");
-  return on("the material's specular is " + number(in.scene.shading.specular));
+  return on("the material's specular is " + inDigits(in.scene.shading.specular));
 }
 
 Effect gradientOpacity(const RuleInput& in, Plan& plan) {
@@ -88,7 +68,8 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   const auto visible = visibleBlocks(in.scene.transferFunction, *in.facts.bricks);
   plan.visibleShare =
       double(std::accumulate(visible.begin(), visible.end(), std::int64_t(0))) / double(visible.size());
-  const std::string share = number(100 * (1 - plan.visibleShare)) + " % of the blocks hold no visible value";
+  const std::string share =
+      inDigits(100 * (1 - plan.visibleShare)) + " % of the blocks hold no visible value";
   if (in.options.full) return off("asked for in full; " + share);
   plan.skipBlocks = plan.visibleShare < 1;
   return plan.skipBlocks ? on(share) : off("every block holds a visible value");
@@ -122,7 +103,7 @@ bool isSharp(const TransferFunction& curve, const VolumeFacts& facts) {
 
 Effect integration(const RuleInput& in, Plan& plan) {
   const auto steps = [&](const std::string& why) {
-    return on("plain steps of " + number(plan.stepVoxels) + " voxel" + why);
+    return on("plain steps of " + inDigits(plan.stepVoxels) + " voxel" + why);
   };
   if (in.options.step) {
     plan.stepVoxels = *in.options.step;
@@ -167,31 +148,6 @@ Effect resampler(const RuleInput& in, Plan& plan) {
                             : "gl, as asked: interpolated in floats as on the CPU, while that shades");
 }
 
-Effect shader(const RuleInput& in, Plan& plan) {
-  plan.phong = true;
-  plan.mapSize = in.options.mapSize.value_or(128);
-  if (!plan.lit) return off("nothing is lit");
-  const Shading& s = in.scene.shading;
-  const int lights = lightsThatShine(in.scene);
-  if (in.options.shader == Shader::map) {
-    plan.phong = false;
-    return on("reflectance map of " + std::to_string(plan.mapSize) + " x " + std::to_string(plan.mapSize) +
-              " a face, as asked");
-  }
-  if (in.options.shader == Shader::phong) return on("direct, as asked");
-  if (s.localViewer) return on("direct: the viewer's direction changes from ray to ray");
-  if (s.shininess > 200)
-    return on("direct: a shininess of " + number(s.shininess) + " is too sharp for a map");
-  if (in.options.step || in.options.quality == Quality::exact)
-    return on("direct: the exact light is asked for");
-  // FIELD 2: in-register Phong is as fast as the map for one light, slower from about three on.
-  if (lights < 3)
-    return on("direct: as fast as a map for " + std::to_string(lights) +
-              (lights == 1 ? " light" : " lights"));
-  plan.phong = false;
-  return on("reflectance map: " + std::to_string(lights) + " lights at the cost of one");
-}
-
 }  // namespace
 
 const std::vector<Rule>& rules() {
@@ -206,7 +162,7 @@ const std::vector<Rule>& rules() {
       {"early stop", false, earlyStop},
       {"precision", false, precision},
       {"resampler", false, resampler},
-      {"shader", false, shader},
+      {"shader", false, decideShader},
   };
   return table;
 }

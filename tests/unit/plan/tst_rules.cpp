@@ -145,6 +145,20 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.scene.lights.resize(3);
         a.scene.shading.shininess = 500;
       });
+  row("a table is only taken where asked for", "shader",
+      "on   shader: table of 32 densities and 31 steps of each gradient component in 8 bits, as asked: bands",
+      [](Asked& a) { a.options.shader = Shader::table; });
+  row("a map's size asks for a map", "shader",
+      "on   shader: reflectance map of 16 x 16 a face, bilinear, as asked",
+      [](Asked& a) { a.options.mapSize = 16; });
+  row("the paper's map", "shader",
+      "on   shader: reflectance map of 128 x 128 a face, nearest, as asked: directions off by up to 0.6328 "
+      "degrees",
+      [](Asked& a) { a.options.mapLookup = MapLookup::nearest; });
+  row("unlit: no table", "shader", "off  shader: nothing is lit", [](Asked& a) {
+    a.options.shader = Shader::table;
+    a.scene.shading.lit = false;
+  });
   row("the reference decides nothing", "reference",
       "on   reference: everything, adaptively, cell by cell, in double precision",
       [](Asked& a) { a.options.method = Method::reference; });
@@ -168,6 +182,18 @@ void TestRules::optionsThatCannotBeAreRefused_data() {
   row("a map for a local viewer", "--shader map", [](Asked& a) {
     a.options.shader = Shader::map;
     a.scene.shading.localViewer = true;
+  });
+  row("a table for a local viewer", "--shader table", [](Asked& a) {
+    a.options.shader = Shader::table;
+    a.scene.shading.localViewer = true;
+  });
+  row("a map's size without a map", "--map-size", [](Asked& a) {
+    a.options.shader = Shader::phong;
+    a.options.mapSize = 64;
+  });
+  row("a map's lookup without a map", "--map-lookup", [](Asked& a) {
+    a.options.shader = Shader::table;
+    a.options.mapLookup = MapLookup::nearest;
   });
   row("no pixels", "--size", [](Asked& a) { a.options.size = {0, 5}; });
   row("no step", "--step", [](Asked& a) { a.options.step = 0; });

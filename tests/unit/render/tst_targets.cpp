@@ -46,6 +46,8 @@ void TestTargets::everyCpuTargetGivesTheSameBytes_data() {
                       Light{.direction = {0, -1, 1}}};
     c.options.shader = Shader::map;
   });
+  row("map, nearest", [](Case& c) { c.options.mapLookup = MapLookup::nearest; });
+  row("table", [](Case& c) { c.options.shader = Shader::table; });
   row("local viewer in perspective", [](Case& c) {
     c.scene.shading.localViewer = true;
     c.scene.camera = Camera{.target = glm::dvec3(0),

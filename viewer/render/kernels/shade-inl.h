@@ -142,8 +142,12 @@ HWY_INLINE DS ShadePhong(const Lighting& lighting, const V3& n, const V3& viewer
   return out;
 }
 
-/// D' and S' from the reflectance map, bilinear on the face of the normal's largest component (paper 2.2).
-HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
+/// Where directions meet the cube of a reflectance map: face, and u, v in -1 .. 1.
+struct CubePlace {
+  VI face;
+  VF u, v;
+};
+HWY_INLINE CubePlace OnCube(const V3& n) {
   const DF df;
   const DI di;
   const VF ax = hn::Abs(n.x), ay = hn::Abs(n.y), az = hn::Abs(n.z);
@@ -151,18 +155,26 @@ HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
   const auto choose = [&](VF x, VF y, VF z) { return hn::IfThenElse(isX, x, hn::IfThenElse(isY, y, z)); };
   const VF major = choose(n.x, n.y, n.z);
   const VF inverse = hn::Div(Set(1), hn::IfThenElse(hn::Eq(major, hn::Zero(df)), Set(1), major));
-  const VF half = Set(0.5f * float(map.n - 1));
-  const auto toNodes = [&](VF c) { return hn::Mul(hn::Add(hn::Mul(c, inverse), Set(1)), half); };
-  const VF limit = Set(float(map.n - 1));
-  const VF u = hn::Min(hn::Max(toNodes(choose(n.y, n.z, n.x)), hn::Zero(df)), limit);
-  const VF v = hn::Min(hn::Max(toNodes(choose(n.z, n.x, n.y)), hn::Zero(df)), limit);
-  const VI iu = hn::Min(hn::ConvertTo(di, u), SetI(map.n - 2)),
-           iv = hn::Min(hn::ConvertTo(di, v), SetI(map.n - 2));
-  const VF fu = hn::Sub(u, hn::ConvertTo(df, iu)), fv = hn::Sub(v, hn::ConvertTo(df, iv));
   const VI axisFace = hn::ConvertTo(di, choose(hn::Zero(df), Set(2), Set(4)));
   const VI face =
       hn::Add(axisFace, hn::ConvertTo(di, hn::IfThenElseZero(hn::Lt(major, hn::Zero(df)), Set(1))));
-  const VI node = hn::Add(hn::Mul(hn::Add(hn::Mul(face, SetI(map.n)), iv), SetI(map.n)), iu);
+  return {face, hn::Mul(choose(n.y, n.z, n.x), inverse), hn::Mul(choose(n.z, n.x, n.y), inverse)};
+}
+
+/// D' and S' from the reflectance map, bilinear on the face of the normal's largest component (paper 2.2).
+HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
+  const DF df;
+  const DI di;
+  const CubePlace place = OnCube(n);
+  const VF half = Set(0.5f * float(map.n - 1)), limit = Set(float(map.n - 1));
+  const auto toNodes = [&](VF c) {
+    return hn::Min(hn::Max(hn::Mul(hn::Add(c, Set(1)), half), hn::Zero(df)), limit);
+  };
+  const VF u = toNodes(place.u), v = toNodes(place.v);
+  const VI iu = hn::Min(hn::ConvertTo(di, u), SetI(map.n - 2)),
+           iv = hn::Min(hn::ConvertTo(di, v), SetI(map.n - 2));
+  const VF fu = hn::Sub(u, hn::ConvertTo(df, iu)), fv = hn::Sub(v, hn::ConvertTo(df, iv));
+  const VI node = hn::Add(hn::Mul(hn::Add(hn::Mul(place.face, SetI(map.n)), iv), SetI(map.n)), iu);
   const VI at = hn::ShiftLeft<3>(node);
   static_assert(ReflectanceMap::stride == 8);
   const int row = map.n * ReflectanceMap::stride;

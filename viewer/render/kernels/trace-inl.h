@@ -11,6 +11,7 @@
 #include "viewer/render/kernels/packet-inl.h"
 #include "viewer/render/kernels/sample-inl.h"
 #include "viewer/render/kernels/shade-inl.h"
+#include "viewer/render/kernels/table-inl.h"
 #include "viewer/volume/bricks.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -196,7 +197,10 @@ class Tracer {
       const V3 position{hn::Load(df, q.x + n), hn::Load(df, q.y + n), hn::Load(df, q.z + n)};
       const VI lane = hn::Load(di, q.lane + n);
       V3 colour = ColourOf(*f_.curve, hn::Load(di, q.segment + n), hn::Load(df, q.density + n));
-      if constexpr (kShade != ShadeBy::nothing)
+      if constexpr (kShade == ShadeBy::table)
+        colour = ShadeByTable(*f_.table, StoredGradient(position, hn::Load(di, q.step + n), lane),
+                              hn::Load(df, q.density + n));
+      else if constexpr (kShade != ShadeBy::nothing)
         colour = Lit(colour, StoredGradient(position, hn::Load(di, q.step + n), lane), lane);
       const V3 added = Scale(colour, hn::Load(df, q.weight + n));
       hn::Store(added.x, df, red);
@@ -220,6 +224,8 @@ class Tracer {
     DS shade;
     if constexpr (kShade == ShadeBy::map) {
       shade = ShadeMap(*f_.map, normal.n);
+    } else if constexpr (kShade == ShadeBy::mapNearest) {
+      shade = ShadeMapNearest(*f_.map, normal.n);
     } else if constexpr (kShade == ShadeBy::phong) {
       shade = ShadePhong<false>(*f_.lighting, normal.n, Broadcast(f_.lighting->viewer));
     } else {
@@ -260,6 +266,12 @@ TraceKernel ChooseShade(TraceKey key) {
     case ShadeBy::map:
       return key.gradientOpacity ? TraceRays<Store, ShadeBy::map, true>
                                  : TraceRays<Store, ShadeBy::map, false>;
+    case ShadeBy::mapNearest:
+      return key.gradientOpacity ? TraceRays<Store, ShadeBy::mapNearest, true>
+                                 : TraceRays<Store, ShadeBy::mapNearest, false>;
+    case ShadeBy::table:
+      return key.gradientOpacity ? TraceRays<Store, ShadeBy::table, true>
+                                 : TraceRays<Store, ShadeBy::table, false>;
     case ShadeBy::phong:
       return key.gradientOpacity ? TraceRays<Store, ShadeBy::phong, true>
                                  : TraceRays<Store, ShadeBy::phong, false>;

@@ -7,6 +7,7 @@
 #include "viewer/render/rays.h"
 #include "viewer/render/shading/lighting.h"
 #include "viewer/render/shading/reflectance_map.h"
+#include "viewer/render/shading/shade_table.h"
 #include "viewer/render/skip_map.h"
 #include "viewer/scene/scene.h"
 
@@ -16,9 +17,9 @@ namespace volumen {
 /// gradients, or a plane of rays that another resampler (GL) has filled: floats, one row a step.
 enum class Store { int16, float32, plane };
 
-/// How a visible sample is lit. `map`: reflectance map; `phong`: directly; `local`: directly, each ray with
-/// its own viewer.
-enum class ShadeBy { nothing, map, phong, local };
+/// How a visible sample is lit. `map`, `mapNearest`: reflectance map; `table`: colour and light from the
+/// 4-index table; `phong`: directly; `local`: directly, each ray with its own viewer.
+enum class ShadeBy { nothing, map, mapNearest, table, phong, local };
 
 /// What a kernel is compiled for; chosen once a frame.
 struct TraceKey {
@@ -42,6 +43,7 @@ struct TraceFrame {
   const SkipMap* skip = nullptr;  ///< null: every sample is looked at
   const Lighting* lighting = nullptr;
   const ReflectanceMap* map = nullptr;
+  const ShadeTable* table = nullptr;
   const TransferFunction* transfer = nullptr;  ///< for its gradientOpacity
   float stopTransmittance = 0;
 };

@@ -15,7 +15,9 @@ double msSince(std::chrono::steady_clock::time_point begin) {
 
 ShadeBy shadeOf(const Plan& plan) {
   if (!plan.lit) return ShadeBy::nothing;
-  if (!plan.phong) return ShadeBy::map;
+  if (plan.shader == Shader::table) return ShadeBy::table;
+  if (plan.shader == Shader::map)
+    return plan.mapLookup == MapLookup::nearest ? ShadeBy::mapNearest : ShadeBy::map;
   return plan.scene.shading.localViewer ? ShadeBy::local : ShadeBy::phong;
 }
 
@@ -36,13 +38,10 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   frame_.transfer = &transfer_;
   frame_.inverseUnitMm = float(1 / transfer_.unitDistance);
   frame_.lighting = &lighting_;
-  if (key_.shade == ShadeBy::map) {
-    map_ = makeReflectanceMap(lighting_, plan.mapSize);
-    frame_.map = &map_;
-  }
+  makeShades(plan, cache.factsOfVolume().range);
   frame_.stopTransmittance = float(plan.stopTransmittance);
   if (plan.skipBlocks) frame_.skip = &cache.skipMap(transfer_);
-  stats.tableBytes = curve_.bytes() + map_.nodes.size() * sizeof(float);
+  stats.tableBytes = curve_.bytes() + map_.nodes.size() * sizeof(float) + table_.bytes();
   stats.blockBytes = cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float) +
                      (frame_.skip ? frame_.skip->distance.size() : 0);
 }
@@ -76,7 +75,22 @@ void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats
   setGradientScale(plan, geometry, 1);
 }
 
+void PlanesFrame::makeShades(const Plan& plan, ValueRange values) {
+  if (plan.shader == Shader::map) {
+    map_ = makeReflectanceMap(lighting_, plan.mapSize, plan.mapLookup);
+    frame_.map = &map_;
+  }
+  if (plan.shader != Shader::table) return;
+  ShadeTableInput in{{}, frame_.inverseFloor, 1, scale_};
+  std::copy_n(frame_.gradientMatrix, 9, in.gradientMatrix.begin());
+  // A Sobel component is half the difference of two means of values (SCENE 3).
+  in.gradientLimit = (values.high - values.low) / 2 / gradientScale_;
+  table_ = makeShadeTable(lighting_, curve_, in);
+  frame_.table = &table_;
+}
+
 void PlanesFrame::setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale) {
+  gradientScale_ = scale;
   const glm::dmat3 m = geometry.patientFromVoxelGradient() * scale;
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) frame_.gradientMatrix[3 * r + c] = float(m[c][r]);

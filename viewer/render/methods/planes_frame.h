@@ -20,6 +20,7 @@ class PlanesFrame {
 
  private:
   void readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats);
+  void makeShades(const Plan& plan, ValueRange values);
   void setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale);
 
   TraceFrame frame_;
@@ -28,6 +29,8 @@ class PlanesFrame {
   CurveTable curve_;
   Lighting lighting_;
   ReflectanceMap map_;
+  ShadeTable table_;
+  double gradientScale_ = 1;  ///< value per voxel of a unit of the stored gradients
   TransferFunction transfer_;
 };
 

@@ -2,13 +2,14 @@
 
 #include <vector>
 
+#include "viewer/plan/options.h"
 #include "viewer/render/shading/lighting.h"
 
 namespace volumen {
 
 /// The shades of all directions on the six faces of a cube (paper 2.2): face 2a + (component a < 0), where a
-/// is the normal's largest component; u, v are the next two components (cyclic) divided by it, -1 .. 1 over n
-/// x n nodes, read bilinearly.
+/// is the normal's largest component; u, v are the next two components (cyclic) divided by it, -1 .. 1.
+/// Bilinear: n x n nodes from edge to edge. Nearest: the middles of n x n equal patches, as in the paper.
 struct ReflectanceMap {
   static constexpr int stride = 8;  ///< floats a node: D red green blue, S red green blue, 0, 0
   int n = 0;
@@ -16,6 +17,6 @@ struct ReflectanceMap {
 };
 
 /// D' and S' of SCENE 5 at every node.
-ReflectanceMap makeReflectanceMap(const Lighting& lighting, int n);
+ReflectanceMap makeReflectanceMap(const Lighting& lighting, int n, MapLookup lookup);
 
 }  // namespace volumen

@@ -1,0 +1,38 @@
+#include "viewer/plan/check_options.h"
+
+#include <string>
+
+namespace volumen {
+
+namespace {
+
+Status checkShader(const Scene& scene, const RenderOptions& o) {
+  const bool ofMap = o.mapSize || o.mapLookup;
+  const std::string option = o.mapSize ? "--map-size" : "--map-lookup";
+  if (ofMap && (o.shader == Shader::phong || o.shader == Shader::table))
+    return Error{option + " goes with --shader map alone."};
+  const bool fixedViewer = o.shader == Shader::table || o.shader == Shader::map || ofMap;
+  if (!fixedViewer || !scene.shading.localViewer) return {};
+  const std::string shader = o.shader == Shader::table ? "--shader table" : ofMap ? option : "--shader map";
+  return Error{shader +
+               " cannot draw shading.localViewer: the viewer's direction changes from ray to ray; use "
+               "--shader phong."};
+}
+
+}  // namespace
+
+Status checkOptions(const Scene& scene, const RenderOptions& o) {
+  if (o.size.x < 1 || o.size.y < 1 || o.size.x > 32768 || o.size.y > 32768)
+    return Error{"--size must be 1x1 .. 32768x32768."};
+  if (o.step && !(*o.step >= 1.0 / 1024 && *o.step <= 64))
+    return Error{"--step must be 1/1024 .. 64 voxels."};
+  if (o.precision && *o.precision != 16 && *o.precision != 32) return Error{"--precision must be 16 or 32."};
+  if (o.mapSize && (*o.mapSize < 2 || *o.mapSize > 1024)) return Error{"--map-size must be 2 .. 1024."};
+  if (o.threads < 0 || o.threads > 1024) return Error{"--threads must be 1 .. 1024."};
+  if (o.resampler == Resampler::gl && o.method == Method::reference)
+    return Error{
+        "--resampler gl does not go with --method reference, which interpolates in double precision."};
+  return checkShader(scene, o);
+}
+
+}  // namespace volumen

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "viewer/plan/rules.h"
+
+namespace volumen {
+
+/// The line of an effect that is on or off; name and soundness are the table's.
+inline Effect on(std::string reason) {
+  return {.name = {}, .on = true, .sound = false, .reason = std::move(reason)};
+}
+inline Effect off(std::string reason) {
+  return {.name = {}, .on = false, .sound = false, .reason = std::move(reason)};
+}
+
+/// A number in four digits.
+std::string inDigits(double x);
+
+/// Lights that are on and not black.
+int lightsThatShine(const Scene& scene);
+
+// Rules of the table (rules.h) that choose how light is computed, in a file of their own.
+Effect decideShader(const RuleInput& in, Plan& plan);
+
+}  // namespace volumen

@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "viewer/plan/rule_lines.h"
+
+namespace volumen {
+
+std::string inDigits(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+
+int lightsThatShine(const Scene& scene) {
+  return int(std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& l) {
+    return l.on && l.intensity > 0 && (l.colour.r > 0 || l.colour.g > 0 || l.colour.b > 0);
+  }));
+}
+
+namespace {
+
+std::string mapText(const Plan& plan) {
+  const std::string n = std::to_string(plan.mapSize);
+  // A patch's corner is sqrt(2) / n from its middle, seen from the middle of the cube.
+  return "reflectance map of " + n + " x " + n + " a face, " +
+         (plan.mapLookup == MapLookup::nearest
+              ? "nearest, as asked: directions off by up to " + inDigits(81.0 / plan.mapSize) + " degrees"
+              : "bilinear, as asked");
+}
+
+}  // namespace
+
+Effect decideShader(const RuleInput& in, Plan& plan) {
+  plan.shader = Shader::phong;
+  plan.mapSize = in.options.mapSize.value_or(128);
+  plan.mapLookup = in.options.mapLookup.value_or(MapLookup::bilinear);
+  if (!plan.lit) return off("nothing is lit");
+  if (!in.scene.shading.lit) return on("direct: asked for in full, with the light of an unlit scene");
+  const Shading& s = in.scene.shading;
+  const int lights = lightsThatShine(in.scene);
+  if (in.options.shader == Shader::table) {
+    plan.shader = Shader::table;
+    return on("table of 32 densities and 31 steps of each gradient component in 8 bits, as asked: bands");
+  }
+  if (in.options.shader == Shader::map || in.options.mapSize || in.options.mapLookup) {
+    plan.shader = Shader::map;
+    return on(mapText(plan));
+  }
+  if (in.options.shader == Shader::phong) return on("direct, as asked");
+  if (s.localViewer) return on("direct: the viewer's direction changes from ray to ray");
+  if (s.shininess > 200)
+    return on("direct: a shininess of " + inDigits(s.shininess) + " is too sharp for a map");
+  if (in.options.step || in.options.quality == Quality::exact)
+    return on("direct: the exact light is asked for");
+  // FIELD 2: in-register Phong is as fast as the map for one light, slower from about three on.
+  if (lights < 3)
+    return on("direct: as fast as a map for " + std::to_string(lights) +
+              (lights == 1 ? " light" : " lights"));
+  plan.shader = Shader::map;
+  return on("reflectance map: " + std::to_string(lights) + " lights at the cost of one");
+}
+
+}  // namespace volumen
