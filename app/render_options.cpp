@@ -23,6 +23,10 @@ const std::map<std::string, Shader> shaders{
     {"auto", Shader::automatic}, {"map", Shader::map}, {"table", Shader::table}, {"phong", Shader::phong}};
 const std::map<std::string, MapLookup> mapLookups{{"nearest", MapLookup::nearest},
                                                   {"bilinear", MapLookup::bilinear}};
+const std::map<std::string, GradientOperator> gradientOperators{
+    {"sobel", GradientOperator::sobel},
+    {"central", GradientOperator::central},
+    {"zucker-hummel", GradientOperator::zuckerHummel}};
 
 template <class Map>
 std::vector<std::string> keys(const Map& map) {
@@ -120,6 +124,18 @@ void addMethodOptions(CLI::App& app, MethodOptions& o) {
       ->check(CLI::Range(2, 1024));
   app.add_option("--map-lookup", o.mapLookup, "How the reflectance map is read (default: bilinear)")
       ->check(CLI::IsMember(keys(mapLookups)));
+  app.add_option("--stop-at", o.stopAt,
+                 "End a ray where less than this share of the light behind comes through")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--opacity-threshold", o.opacityThreshold,
+                 "Pass over samples whose opacity, over one step, is below this")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--curve-table", o.curveTable,
+                 "Look colour and opacity up in a table of so many entries, instead of the exact curve")
+      ->check(CLI::Range(2, 65536));
+  app.add_option("--gradient", o.gradient, "How gradients are estimated")
+      ->check(CLI::IsMember(keys(gradientOperators)))
+      ->capture_default_str();
   app.add_option("--threads", o.threads, "How many (default: all allowed cores)")->check(CLI::Range(1, 1024));
   app.add_flag("--full", o.full,
                "Leave nothing out: every sound rule of the planner off, the same picture, slower");
@@ -140,6 +156,10 @@ Result<RenderOptions> renderOptions(const SceneOptions& scene, const MethodOptio
   out.precision = method.precision;
   out.mapSize = method.mapSize;
   if (!method.mapLookup.empty()) out.mapLookup = mapLookups.at(method.mapLookup);
+  out.stopAt = method.stopAt;
+  out.opacityThreshold = method.opacityThreshold;
+  out.curveTable = method.curveTable;
+  out.gradient = gradientOperators.at(method.gradient);
   out.threads = method.threads.value_or(0);
   out.full = method.full;
   return out;

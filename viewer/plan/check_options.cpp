@@ -19,6 +19,20 @@ Status checkShader(const Scene& scene, const RenderOptions& o) {
                "--shader phong."};
 }
 
+// What the reference, which draws the picture's definition, has not.
+Status checkKnobs(const RenderOptions& o) {
+  if (o.stopAt && !(*o.stopAt >= 0 && *o.stopAt < 1)) return Error{"--stop-at must be 0 .. 1, below 1."};
+  if (o.opacityThreshold && !(*o.opacityThreshold >= 0 && *o.opacityThreshold < 1))
+    return Error{"--opacity-threshold must be 0 .. 1, below 1."};
+  if (o.curveTable && (*o.curveTable < 2 || *o.curveTable > 65536))
+    return Error{"--curve-table must be 2 .. 65536."};
+  const bool used = o.stopAt || o.opacityThreshold || o.curveTable || o.gradient != GradientOperator::sobel;
+  if (!used || o.method != Method::reference) return {};
+  return Error{
+      "--stop-at, --opacity-threshold, --curve-table and --gradient do not go with --method reference, which "
+      "draws the picture's definition."};
+}
+
 }  // namespace
 
 Status checkOptions(const Scene& scene, const RenderOptions& o) {
@@ -32,6 +46,7 @@ Status checkOptions(const Scene& scene, const RenderOptions& o) {
   if (o.resampler == Resampler::gl && o.method == Method::reference)
     return Error{
         "--resampler gl does not go with --method reference, which interpolates in double precision."};
+  if (Status s = checkKnobs(o); !s) return s;
   return checkShader(scene, o);
 }
 

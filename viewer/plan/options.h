@@ -3,6 +3,8 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
+#include "viewer/volume/gradients.h"
+
 namespace volumen {
 
 /// Levels of quality, each an error promise against the reference (DESIGN 2).
@@ -26,6 +28,10 @@ struct RenderOptions {
   std::optional<int> precision;  ///< bits of the stored density and gradient components: 16 or 32
   std::optional<int> mapSize;    ///< n of the reflectance map's six n x n faces
   std::optional<MapLookup> mapLookup;
+  std::optional<double> stopAt;            ///< a ray ends below this transmittance, 0 (never) .. 1
+  std::optional<double> opacityThreshold;  ///< samples of a smaller interval opacity are passed over, 0 .. 1
+  std::optional<int> curveTable;           ///< entries of a classification table; none: the exact curve
+  GradientOperator gradient = GradientOperator::sobel;
   int threads = 0;    ///< 0: all allowed cores
   bool full = false;  ///< every sound rule off: the same bytes, slower (DESIGN 5)
   bool operator==(const RenderOptions&) const = default;

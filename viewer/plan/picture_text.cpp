@@ -24,8 +24,15 @@ std::string levelText(const Plan& plan) {
   return plan.options.step ? "plain steps" : qualityName(plan.options.quality);
 }
 
+// What a level promises holds for what it chooses itself.
+bool keepsThePromise(const RenderOptions& o) {
+  return !o.stopAt && !o.opacityThreshold && !o.curveTable && o.gradient == GradientOperator::sobel;
+}
+
 std::string errorText(const Plan& plan) {
   if (plan.method == Method::reference) return "within 0.05/255 of the limit";
+  if (!keepsThePromise(plan.options))
+    return "not promised: thresholds, curve table or gradient operator were chosen by hand";
   return plan.options.step ? "that of the midpoint rule at this step" : promise(plan.options.quality);
 }
 

@@ -29,6 +29,7 @@ Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const Render
   if (Status s = checkOptions(scene, options); !s) return s.error();
   Plan plan;
   plan.scene = completed(scene, facts, options.size);
+  plan.curve = plan.scene.transferFunction;
   plan.options = options;
   plan.method = options.method;
   if (plan.method == Method::reference) {

@@ -25,6 +25,7 @@ struct Plan {
   Scene scene;            ///< complete: camera, window and gradientFloor are set
   RenderOptions options;  ///< as asked
 
+  TransferFunction curve;  ///< that is drawn: the scene's, but where a choice of the options changes it
   Method method = Method::planes;
   Resampler resampler = Resampler::cpu;
   Shader shader = Shader::phong;  ///< never automatic
@@ -34,7 +35,8 @@ struct Plan {
   double stepVoxels = 1;         ///< SCENE 9
   double stopTransmittance = 0;  ///< a ray ends where its transmittance falls below; 0: never
 
-  bool gradients = false;        ///< Sobel gradients are computed, stored and fetched
+  bool gradients = false;  ///< Sobel gradients are computed, stored and fetched
+  GradientOperator gradientOperator = GradientOperator::sobel;
   bool lit = false;              ///< D and S of SCENE 5 are evaluated
   bool specular = false;         ///< the S part is evaluated
   bool gradientOpacity = false;  ///< the factor over |g_p| is evaluated

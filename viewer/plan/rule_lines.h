@@ -20,7 +20,9 @@ std::string inDigits(double x);
 /// Lights that are on and not black.
 int lightsThatShine(const Scene& scene);
 
-// Rules of the table (rules.h) that choose how light is computed, in a file of their own.
+// Rules of the table (rules.h) in files of their own: how light is computed; what changes the curve.
 Effect decideShader(const RuleInput& in, Plan& plan);
+Effect decideCurveTable(const RuleInput& in, Plan& plan);
+Effect decideFaintSamples(const RuleInput& in, Plan& plan);
 
 }  // namespace volumen

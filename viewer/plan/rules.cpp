@@ -49,6 +49,20 @@ Effect gradients(const RuleInput&, Plan& plan) {
                      : "the gradient opacity needs them");
 }
 
+Effect gradientOperator(const RuleInput& in, Plan& plan) {
+  plan.gradientOperator = in.options.gradient;
+  if (!plan.gradients) return off("there are no gradients");
+  switch (plan.gradientOperator) {
+    case GradientOperator::central:
+      return on("central differences, as asked");
+    case GradientOperator::zuckerHummel:
+      return on("Zucker and Hummel, as asked");
+    case GradientOperator::sobel:
+      break;
+  }
+  return on("Sobel, over all 26 neighbours: smooth, and turns with the object");
+}
+
 Effect clip(const RuleInput& in, Plan& plan) {
   const Clip& c = in.scene.clip;
   const bool box = c.boxLow != glm::dvec3(0) || c.boxHigh != glm::dvec3(1);
@@ -65,7 +79,7 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   plan.skipBlocks = false;
   if (!composite(in)) return off("a projection looks at every value");
   if (!in.facts.bricks) return off("nothing is known of the blocks");
-  const auto visible = visibleBlocks(in.scene.transferFunction, *in.facts.bricks);
+  const auto visible = visibleBlocks(plan.curve, *in.facts.bricks);
   plan.visibleShare =
       double(std::accumulate(visible.begin(), visible.end(), std::int64_t(0))) / double(visible.size());
   const std::string share =
@@ -120,6 +134,12 @@ Effect integration(const RuleInput& in, Plan& plan) {
 Effect earlyStop(const RuleInput& in, Plan& plan) {
   plan.stopTransmittance = 0;
   if (!composite(in)) return off("a projection looks at the whole ray");
+  if (in.options.stopAt) {
+    plan.stopTransmittance = *in.options.stopAt;
+    if (*in.options.stopAt == 0) return off("every ray is followed to its end, as asked");
+    return on("a ray ends where less than " + inDigits(*in.options.stopAt) +
+              " of the light behind comes through, as asked");
+  }
   plan.stopTransmittance = in.options.quality == Quality::exact || in.options.step ? 1.0 / 16384 : 1.0 / 4096;
   return on("a ray ends where less than 1/" + std::to_string(std::lround(1 / plan.stopTransmittance)) +
             " of the light behind comes through");
@@ -156,10 +176,13 @@ const std::vector<Rule>& rules() {
       {"specular", true, specular},
       {"gradient opacity", true, gradientOpacity},
       {"gradients", true, gradients},
+      {"gradient operator", false, gradientOperator},
       {"clip", true, clip},
-      {"empty blocks", true, emptyBlocks},
       {"integration", false, integration},
       {"early stop", false, earlyStop},
+      {"curve table", false, decideCurveTable},
+      {"faint samples", false, decideFaintSamples},
+      {"empty blocks", true, emptyBlocks},
       {"precision", false, precision},
       {"resampler", false, resampler},
       {"shader", false, decideShader},

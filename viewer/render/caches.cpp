@@ -90,14 +90,20 @@ const Density32& RenderCaches::Impl::densities32() {
   return density32.emplace(std::move(d));
 }
 
-const Gradients16& RenderCaches::Impl::gradientsIn16() {
-  if (!gradients16) gradients16 = sobel16(*volume);
-  return *gradients16;
+const Gradients16& RenderCaches::Impl::gradientsIn16(GradientOperator by) {
+  if (!gradients16 || gradients16->by != by) {
+    gradients16.reset();  // not two at a time
+    gradients16 = {by, gradients16By(*volume, by)};
+  }
+  return gradients16->gradients;
 }
 
-const Gradients32& RenderCaches::Impl::gradientsIn32() {
-  if (!gradients32) gradients32 = sobel32(*volume);
-  return *gradients32;
+const Gradients32& RenderCaches::Impl::gradientsIn32(GradientOperator by) {
+  if (!gradients32 || gradients32->by != by) {
+    gradients32.reset();
+    gradients32 = {by, gradients32By(*volume, by)};
+  }
+  return gradients32->gradients;
 }
 
 const SkipMap& RenderCaches::Impl::skipMap(const TransferFunction& curve) {

@@ -31,8 +31,13 @@ struct RenderCaches::Impl {
   std::optional<VolumeFacts> facts;
   std::optional<Density16> density16;
   std::optional<Density32> density32;
-  std::optional<Gradients16> gradients16;
-  std::optional<Gradients32> gradients32;
+  template <class Gradients>
+  struct ByOperator {
+    GradientOperator by;
+    Gradients gradients;
+  };
+  std::optional<ByOperator<Gradients16>> gradients16;
+  std::optional<ByOperator<Gradients32>> gradients32;
 
   struct Skip {
     std::vector<CurvePoint> points;  ///< what the map was made for
@@ -46,8 +51,8 @@ struct RenderCaches::Impl {
   const VolumeFacts& factsOfVolume();
   const Density16& densities16();  ///< only for integers with a positive slope
   const Density32& densities32();
-  const Gradients16& gradientsIn16();
-  const Gradients32& gradientsIn32();
+  const Gradients16& gradientsIn16(GradientOperator by);
+  const Gradients32& gradientsIn32(GradientOperator by);
   const SkipMap& skipMap(const TransferFunction& curve);
   Result<GlState*> glState();  ///< made when first asked for; its context is not current
 };

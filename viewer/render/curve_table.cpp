@@ -51,7 +51,9 @@ CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& sca
     t.blue.push_back(float(a.colour.b)), t.blueRise.push_back(rise(a.colour.b, b.colour.b));
   };
   addSegment(0, 0, nodes.front());
-  for (std::size_t n = 0; n + 1 < points.size(); ++n) addSegment(n, n + 1, nodes[n + 1]);
+  // No density lies between two nodes at one place.
+  for (std::size_t n = 0; n + 1 < points.size(); ++n)
+    if (nodes[n] < nodes[n + 1]) addSegment(n, n + 1, nodes[n + 1]);
   addSegment(points.size() - 1, points.size() - 1, std::numeric_limits<float>::infinity());
 
   t.segments = int(t.node.size());
@@ -71,7 +73,7 @@ CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& sca
     return int(std::clamp(b, 0.0f, float(CurveTable::buckets - 1)));
   };
   std::vector<int> inBucket(CurveTable::buckets, 0);
-  for (float node : nodes) ++inBucket[bucketOf(node)];
+  for (int s = 0; s + 1 < t.segments; ++s) ++inBucket[bucketOf(t.node[s])];
   t.first.resize(CurveTable::buckets);
   for (int b = 0, before = 0; b < CurveTable::buckets; ++b) {
     t.first[b] = before;

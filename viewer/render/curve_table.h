@@ -15,7 +15,7 @@ struct DensityScale {
 
 /// The transfer function over density as the kernels read it: exact, piecewise linear. A density falls into a
 /// bucket, the bucket names the first segment it can lie in, and at most `hops` comparisons with the nodes
-/// find the right one: segment = number of nodes <= density (SCENE 4: the last point of a step holds at the
+/// find the right one: segment = number of (different) nodes <= density (SCENE 4: the last point of a step holds at the
 /// value and above).
 struct CurveTable {
   static constexpr int buckets = 2048;

@@ -26,7 +26,7 @@ Samples meanSamples(const Orbit& orbit) {
 
 std::string line(const char* name, const std::vector<double>& frames, const std::vector<double>& processors,
                  const Samples& s) {
-  char text[160];
+  char text[480];
   std::snprintf(text, sizeof text, "%-8s %9.2f %9.2f %12.2f %11.3f %9.3f %11.3f\n", name, median(frames),
                 minimum(frames), median(processors), s.resampled / 1e6, s.shaded / 1e6, s.composited / 1e6);
   return text;

@@ -26,9 +26,18 @@ struct Gradients32 {
   Buffer<float> xyz0;
 };
 
+/// How a gradient is estimated from the 3 x 3 x 3 neighbours, clamped: Sobel's is the picture's definition
+/// (SCENE 3); central differences of the two neighbours along each axis; Zucker and Hummel (1981): all
+/// neighbours, weighted inversely as their distance.
+enum class GradientOperator { sobel, central, zuckerHummel };
+
 /// Computed on all cores, SIMD; `volume` must hold 8- or 16-bit integers.
 Gradients16 sobel16(const Volume& volume);
 /// The same for any volume.
 Gradients32 sobel32(const Volume& volume);
+
+/// By any operator; on all cores. The same conditions and units.
+Gradients16 gradients16By(const Volume& volume, GradientOperator by);
+Gradients32 gradients32By(const Volume& volume, GradientOperator by);
 
 }  // namespace volumen

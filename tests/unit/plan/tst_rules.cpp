@@ -159,6 +159,36 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
     a.options.shader = Shader::table;
     a.scene.shading.lit = false;
   });
+  row("Sobel", "gradient operator",
+      "on   gradient operator: Sobel, over all 26 neighbours: smooth, and turns with the object",
+      [](Asked&) {});
+  row("central differences", "gradient operator", "on   gradient operator: central differences, as asked",
+      [](Asked& a) { a.options.gradient = GradientOperator::central; });
+  row("no gradients, no operator", "gradient operator", "off  gradient operator: there are no gradients",
+      [](Asked& a) { a.scene.shading.lit = false; });
+  row("a ray ends as asked", "early stop",
+      "on   early stop: a ray ends where less than 0.02 of the light behind comes through, as asked",
+      [](Asked& a) { a.options.stopAt = 0.02; });
+  row("no ray ends", "early stop", "off  early stop: every ray is followed to its end, as asked",
+      [](Asked& a) { a.options.stopAt = 0; });
+  row("the exact curve", "curve table", "off  curve table: the curve is followed exactly, point by point",
+      [](Asked&) {});
+  row("a table", "curve table",
+      "on   curve table: the nearest of 256 entries over the volume's values, as asked",
+      [](Asked& a) { a.options.curveTable = 256; });
+  row("every sample counts", "faint samples", "off  faint samples: every sample that has any opacity counts",
+      [](Asked&) {});
+  row("faint samples, over half a unit distance", "faint samples",
+      "on   faint samples: samples of opacity below 0.1 are passed over, as asked (0.19 per unit distance)",
+      [](Asked& a) {
+        a.options.step = 0.5;
+        a.options.opacityThreshold = 0.1;
+      });
+  row("blocks of faint values alone are empty", "empty blocks",
+      "on   empty blocks: 100 % of the blocks hold no visible value", [](Asked& a) {
+        a.options.step = 1;
+        a.options.opacityThreshold = 0.9;
+      });
   row("the reference decides nothing", "reference",
       "on   reference: everything, adaptively, cell by cell, in double precision",
       [](Asked& a) { a.options.method = Method::reference; });
@@ -199,6 +229,15 @@ void TestRules::optionsThatCannotBeAreRefused_data() {
   row("no step", "--step", [](Asked& a) { a.options.step = 0; });
   row("a NaN step", "--step", [](Asked& a) { a.options.step = std::numeric_limits<double>::quiet_NaN(); });
   row("12 bits", "--precision", [](Asked& a) { a.options.precision = 12; });
+  row("never transparent enough", "--stop-at", [](Asked& a) { a.options.stopAt = 1; });
+  row("nothing opaque enough", "--opacity-threshold", [](Asked& a) { a.options.opacityThreshold = 1; });
+  row("a NaN threshold", "--opacity-threshold",
+      [](Asked& a) { a.options.opacityThreshold = std::numeric_limits<double>::quiet_NaN(); });
+  row("a table of one entry", "--curve-table", [](Asked& a) { a.options.curveTable = 1; });
+  row("a reference by another gradient", "--stop-at, --opacity-threshold", [](Asked& a) {
+    a.options.method = Method::reference;
+    a.options.gradient = GradientOperator::central;
+  });
   row("a map of one node", "--map-size", [](Asked& a) { a.options.mapSize = 1; });
 }
 

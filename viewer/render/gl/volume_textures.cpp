@@ -73,7 +73,7 @@ Status VolumeTextures::load(const Plan& plan, RenderCaches& caches, const Cancel
     return Error{"The volume has " + inWords(n) + ", and OpenGL here takes at most " +
                  std::to_string(largest) + " along an edge; use --resampler cpu."};
   if (Status s = loadDensity(plan.bits, caches, cancel); !s) return s;
-  return plan.gradients ? loadGradients(plan.bits, caches, cancel) : Status();
+  return plan.gradients ? loadGradients(plan, caches, cancel) : Status();
 }
 
 Status VolumeTextures::loadDensity(int bits, RenderCaches& caches, const CancelToken& cancel) {
@@ -107,21 +107,24 @@ Status VolumeTextures::loadDensity(int bits, RenderCaches& caches, const CancelT
   return {};
 }
 
-Status VolumeTextures::loadGradients(int bits, RenderCaches& caches, const CancelToken& cancel) {
-  if (gradients_.bits == bits) return {};
+Status VolumeTextures::loadGradients(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
+  const int bits = plan.bits;
+  const GradientOperator by = plan.gradientOperator;
+  if (gradients_.bits == bits && gradientsBy_ == by) return {};
   glDeleteTextures(1, &gradients_.name);
   const Format& format = bits == 16 ? gradients16 : gradients32;
   const glm::ivec3 n = caches.volume()->size();
   gradients_ = {makeTexture(format, n), 0, 0};
   if (!gradients_.name)
     return Error{"OpenGL has no room for gradients of " + inWords(n) + "; use --resampler cpu."};
-  const void* stored = bits == 16 ? static_cast<const void*>(caches.impl().gradientsIn16().xyz0.data())
-                                  : caches.impl().gradientsIn32().xyz0.data();
+  const void* stored = bits == 16 ? static_cast<const void*>(caches.impl().gradientsIn16(by).xyz0.data())
+                                  : caches.impl().gradientsIn32(by).xyz0.data();
   const Status done = upload(format, n, cancel, [&](std::size_t first, std::size_t) {
     return static_cast<const char*>(stored) + first * format.voxelBytes;
   });
   if (!done) return done;
   gradients_.bits = bits;
+  gradientsBy_ = by;
   gradients_.bytes = std::size_t(n.x) * n.y * n.z * format.voxelBytes;
   return {};
 }

@@ -32,9 +32,10 @@ class VolumeTextures {
     std::size_t bytes = 0;
   };
   Status loadDensity(int bits, RenderCaches& caches, const CancelToken& cancel);
-  Status loadGradients(int bits, RenderCaches& caches, const CancelToken& cancel);
+  Status loadGradients(const Plan& plan, RenderCaches& caches, const CancelToken& cancel);
 
   Texture density_, gradients_;
+  GradientOperator gradientsBy_ = GradientOperator::sobel;
   int smallest_ = 0, span_ = 0;
 };
 

@@ -24,7 +24,7 @@ ShadeBy shadeOf(const Plan& plan) {
 }  // namespace
 
 PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats)
-    : lighting_(makeLighting(plan.scene, plan.specular)), transfer_(plan.scene.transferFunction) {
+    : lighting_(makeLighting(plan.scene, plan.specular)), transfer_(plan.curve) {
   auto& cache = caches.impl();
   const auto begin = std::chrono::steady_clock::now();
   frame_.size = cache.volume->size();
@@ -57,7 +57,7 @@ void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats
     frame_.flip16 = d.flip;
     stats.densityBytes = std::size_t(geometry.voxelCount()) * 2;
     if (!plan.gradients) return;
-    const Gradients16& g = cache.gradientsIn16();
+    const Gradients16& g = cache.gradientsIn16(plan.gradientOperator);
     frame_.gradients16 = g.xyz0.data();
     stats.gradientBytes = g.xyz0.bytes();
     setGradientScale(plan, geometry, g.scale);
@@ -69,7 +69,7 @@ void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats
   frame_.density32 = d.data;
   stats.densityBytes = std::size_t(geometry.voxelCount()) * 4;
   if (!plan.gradients) return;
-  const Gradients32& g = cache.gradientsIn32();
+  const Gradients32& g = cache.gradientsIn32(plan.gradientOperator);
   frame_.gradients32 = g.xyz0.data();
   stats.gradientBytes = g.xyz0.bytes();
   setGradientScale(plan, geometry, 1);
