@@ -36,6 +36,17 @@ class Caster {
                                           : composed(glm::dvec3(projectedGrey(ray, interval)), 1);
   }
 
+  /// DESIGN 2, of the pixel whose reference is `here`.
+  bool isWellConditioned(int px, int py, glm::vec4 here) const {
+    const glm::dvec2 move = sidewaysMm();
+    const glm::dvec2 moves[] = {{move.x, 0}, {-move.x, 0}, {0, move.y}, {0, -move.y}};
+    return std::all_of(std::begin(moves), std::end(moves), [&](glm::dvec2 by) {
+      const glm::vec4 change = glm::abs(pixel(px, py, by) - here);
+      return std::max({change.r, change.g, change.b, change.a}) <= 0.1f / 255;
+    });
+  }
+
+ private:
   /// The length in mm of 1e-4 voxel along the picture's right and up.
   glm::dvec2 sidewaysMm() const {
     const glm::dmat3 voxelFromMm = volume_.geometry().voxelFromPatientStep();
@@ -43,7 +54,6 @@ class Caster {
                              glm::length(voxelFromMm * rays_.axes().up));
   }
 
- private:
   glm::vec4 composite(const Ray& ray, Interval interval) const {
     Lighting lighting = lighting_;
     if (scene_.shading.localViewer) lighting.setViewer(-ray.direction);
@@ -127,20 +137,29 @@ Result<std::vector<std::uint8_t>> wellConditioned(const Scene& scene, const Volu
                                                   int threads, const CancelToken& cancel) {
   assertComplete(scene);
   const Caster caster(scene, volume, size);
-  const glm::dvec2 move = caster.sidewaysMm();
-  const glm::dvec2 moves[] = {{move.x, 0}, {-move.x, 0}, {0, move.y}, {0, -move.y}};
   std::vector<std::uint8_t> well(std::size_t(size.x) * size.y);
   const Status done = forEachRow(size.y, threads, cancel, [&](int y) {
-    for (int x = 0; x < size.x; ++x) {
-      const glm::vec4 here = caster.pixel(x, y);
-      well[std::size_t(y) * size.x + x] = std::all_of(std::begin(moves), std::end(moves), [&](glm::dvec2 by) {
-        const glm::vec4 change = glm::abs(caster.pixel(x, y, by) - here);
-        return std::max({change.r, change.g, change.b, change.a}) <= 0.1f / 255;
-      });
-    }
+    for (int x = 0; x < size.x; ++x)
+      well[std::size_t(y) * size.x + x] = caster.isWellConditioned(x, y, caster.pixel(x, y));
   });
   if (!done) return done.error();
   return well;
+}
+
+Result<ReferencePixels> referencePixels(const Scene& scene, const Volume& volume, glm::ivec2 size,
+                                        const std::vector<glm::ivec2>& pixels, int threads,
+                                        const CancelToken& cancel) {
+  assertComplete(scene);
+  const Caster caster(scene, volume, size);
+  ReferencePixels out;
+  out.rgba.resize(pixels.size());
+  out.well.resize(pixels.size());
+  const Status done = forEachRow(int(pixels.size()), threads, cancel, [&](int n) {
+    out.rgba[n] = caster.pixel(pixels[n].x, pixels[n].y);
+    out.well[n] = caster.isWellConditioned(pixels[n].x, pixels[n].y, out.rgba[n]);
+  });
+  if (!done) return done.error();
+  return out;
 }
 
 }  // namespace volumen

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "viewer/plan/plan.h"
@@ -21,5 +22,14 @@ Result<Picture> renderReference(const Scene& scene, const Volume& volume, glm::i
 /// directions. One entry a pixel.
 Result<std::vector<std::uint8_t>> wellConditioned(const Scene& scene, const Volume& volume, glm::ivec2 size,
                                                   int threads = 0, const CancelToken& cancel = {});
+
+/// The reference at some pixels alone: what renderReference and wellConditioned say of them.
+struct ReferencePixels {
+  std::vector<glm::vec4> rgba;
+  std::vector<std::uint8_t> well;
+};
+Result<ReferencePixels> referencePixels(const Scene& scene, const Volume& volume, glm::ivec2 size,
+                                        const std::vector<glm::ivec2>& pixels, int threads = 0,
+                                        const CancelToken& cancel = {});
 
 }  // namespace volumen
