@@ -22,13 +22,14 @@ Result<Scene> makeScene(const SceneOptions& options, const Volume& volume);
 
 /// The options that choose accuracy and method, as typed.
 struct MethodOptions {
-  std::string quality, method = "planes", resampler = "cpu", shader = "auto", mapLookup, gradient = "sobel";
+  std::string quality, method = "planes", resampler = "cpu", shader = "auto", mapLookup, gradient = "sobel",
+                       blending;
   std::optional<double> step, stopAt, opacityThreshold;
   std::optional<int> precision, mapSize, curveTable, threads;
   bool reference = false, full = false;
 };
 
-/// Adds --quality, --step, --reference, --method, --resampler, --precision, --shader, --map-size,
+/// Adds --quality, --step, --reference, --method, --resampler, --blending, --precision, --shader, --map-size,
 /// --map-lookup, --stop-at, --opacity-threshold, --curve-table, --gradient, --threads and --full.
 void addMethodOptions(CLI::App& app, MethodOptions& options);
 

@@ -22,6 +22,8 @@ Status checkShader(const Scene& scene, const RenderOptions& o) {
 // What the reference, which draws the picture's definition, has not.
 Status checkKnobs(const RenderOptions& o) {
   if (o.stopAt && !(*o.stopAt >= 0 && *o.stopAt < 1)) return Error{"--stop-at must be 0 .. 1, below 1."};
+  if (o.stopAt && o.method == Method::blend)
+    return Error{"--stop-at does not go with --method blend, which draws from the back to the front."};
   if (o.opacityThreshold && !(*o.opacityThreshold >= 0 && *o.opacityThreshold < 1))
     return Error{"--opacity-threshold must be 0 .. 1, below 1."};
   if (o.curveTable && (*o.curveTable < 2 || *o.curveTable > 65536))
@@ -31,6 +33,14 @@ Status checkKnobs(const RenderOptions& o) {
   return Error{
       "--stop-at, --opacity-threshold, --curve-table and --gradient do not go with --method reference, which "
       "draws the picture's definition."};
+}
+
+Status checkMethod(const Scene& scene, const RenderOptions& o) {
+  if (o.blending && o.method != Method::blend)
+    return Error{"--blending goes with --method blend alone: the other methods composite in floats."};
+  if (o.blending && *o.blending != Blending::floats && scene.mode == Mode::average)
+    return Error{"--blending 8 and 16 do not go with --mode average: its sum needs floats."};
+  return {};
 }
 
 }  // namespace
@@ -47,6 +57,7 @@ Status checkOptions(const Scene& scene, const RenderOptions& o) {
     return Error{
         "--resampler gl does not go with --method reference, which interpolates in double precision."};
   if (Status s = checkKnobs(o); !s) return s;
+  if (Status s = checkMethod(scene, o); !s) return s;
   return checkShader(scene, o);
 }
 

@@ -10,12 +10,15 @@ namespace volumen {
 /// Levels of quality, each an error promise against the reference (DESIGN 2).
 enum class Quality { draft, standard, high, exact };
 /// DESIGN 3.
-enum class Method { planes, reference };
+enum class Method { planes, blend, reference };
 enum class Resampler { cpu, gl };
 /// Reflectance map, the 4-index 5-bit table that the paper rejects (figure 3b), or directly (paper 2.2).
 enum class Shader { automatic, map, table, phong };
 /// How a reflectance map is read; the paper's way is nearest.
 enum class MapLookup { nearest, bilinear };
+
+/// What the frame buffer of --method blend keeps of a component.
+enum class Blending { floats, bits16, bits8 };
 
 /// What the caller asks of a picture beside the scene. Choices left open are the planner's.
 struct RenderOptions {
@@ -32,6 +35,7 @@ struct RenderOptions {
   std::optional<double> opacityThreshold;  ///< samples of a smaller interval opacity are passed over, 0 .. 1
   std::optional<int> curveTable;           ///< entries of a classification table; none: the exact curve
   GradientOperator gradient = GradientOperator::sobel;
+  std::optional<Blending> blending;
   int threads = 0;    ///< 0: all allowed cores
   bool full = false;  ///< every sound rule off: the same bytes, slower (DESIGN 5)
   bool operator==(const RenderOptions&) const = default;

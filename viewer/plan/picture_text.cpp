@@ -9,6 +9,11 @@ const char* qualityName(Quality quality) {
   return names[int(quality)];
 }
 
+const char* methodName(Method method) {
+  static constexpr const char* names[] = {"planes", "blend", "reference"};
+  return names[int(method)];
+}
+
 namespace {
 
 // DESIGN 2's promises, against the reference, in /255 of well-conditioned pixels.
@@ -24,15 +29,28 @@ std::string levelText(const Plan& plan) {
   return plan.options.step ? "plain steps" : qualityName(plan.options.quality);
 }
 
-// What a level promises holds for what it chooses itself.
-bool keepsThePromise(const RenderOptions& o) {
-  return !o.stopAt && !o.opacityThreshold && !o.curveTable && o.gradient == GradientOperator::sobel;
+// What was asked for that no level promises anything of.
+std::string besides(const Plan& plan) {
+  const RenderOptions& o = plan.options;
+  std::string text;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+  if (plan.shader == Shader::table) add("light from a table of 5-bit indices, in 8 bits");
+  if (plan.shader == Shader::map && (o.mapSize || o.mapLookup))
+    add("light from a map of " + std::to_string(plan.mapSize) + " directions an edge, " +
+        (plan.mapLookup == MapLookup::nearest ? "nearest" : "bilinear"));
+  if (plan.blending == Blending::bits8)
+    add("1/2 of 1/255 rounded off after each slice, colours above 1 cut off");
+  if (plan.blending == Blending::bits16)
+    add("1/2 of 1/65535 rounded off after each slice, colours above 1 cut off");
+  if (o.stopAt || o.opacityThreshold || o.curveTable || o.gradient != GradientOperator::sobel)
+    add("thresholds, curve table or gradient operator");
+  return text;
 }
 
 std::string errorText(const Plan& plan) {
   if (plan.method == Method::reference) return "within 0.05/255 of the limit";
-  if (!keepsThePromise(plan.options))
-    return "not promised: thresholds, curve table or gradient operator were chosen by hand";
+  const std::string chosen = besides(plan);
+  if (!chosen.empty()) return "not promised, chosen by hand: " + chosen;
   return plan.options.step ? "that of the midpoint rule at this step" : promise(plan.options.quality);
 }
 
@@ -41,6 +59,7 @@ std::string errorText(const Plan& plan) {
 std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan) {
   std::vector<std::pair<std::string, std::string>> text{{"Software", "volumen " VOLUMEN_VERSION},
                                                         {"Comment", "Not for clinical use"},
+                                                        {"volumen-method", methodName(plan.method)},
                                                         {"volumen-level", levelText(plan)},
                                                         {"volumen-error", errorText(plan)}};
   if (plan.method != Method::reference)

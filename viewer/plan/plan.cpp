@@ -31,8 +31,8 @@ Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const Render
   plan.scene = completed(scene, facts, options.size);
   plan.curve = plan.scene.transferFunction;
   plan.options = options;
-  plan.method = options.method;
-  if (plan.method == Method::reference) {
+  if (options.method == Method::reference) {
+    plan.method = Method::reference;
     plan.effects.push_back(
         {"reference", true, false, "everything, adaptively, cell by cell, in double precision"});
     return plan;

@@ -29,6 +29,7 @@ struct Plan {
   Method method = Method::planes;
   Resampler resampler = Resampler::cpu;
   Shader shader = Shader::phong;  ///< never automatic
+  Blending blending = Blending::floats;
   int mapSize = 64;
   MapLookup mapLookup = MapLookup::bilinear;
   int bits = 16;                 ///< stored precision

@@ -20,7 +20,10 @@ std::string inDigits(double x);
 /// Lights that are on and not black.
 int lightsThatShine(const Scene& scene);
 
-// Rules of the table (rules.h) in files of their own: how light is computed; what changes the curve.
+// Rules of the table (rules.h) in files of their own: what draws, how light is computed, what changes the
+// curve.
+Effect decideMethod(const RuleInput& in, Plan& plan);
+Effect decideBlending(const RuleInput& in, Plan& plan);
 Effect decideShader(const RuleInput& in, Plan& plan);
 Effect decideCurveTable(const RuleInput& in, Plan& plan);
 Effect decideFaintSamples(const RuleInput& in, Plan& plan);

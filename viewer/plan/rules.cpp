@@ -78,6 +78,7 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   plan.visibleShare = 1;
   plan.skipBlocks = false;
   if (!composite(in)) return off("a projection looks at every value");
+  if (plan.method == Method::blend) return off("every slice is resampled whole");
   if (!in.facts.bricks) return off("nothing is known of the blocks");
   const auto visible = visibleBlocks(plan.curve, *in.facts.bricks);
   plan.visibleShare =
@@ -134,6 +135,7 @@ Effect integration(const RuleInput& in, Plan& plan) {
 Effect earlyStop(const RuleInput& in, Plan& plan) {
   plan.stopTransmittance = 0;
   if (!composite(in)) return off("a projection looks at the whole ray");
+  if (plan.method == Method::blend) return off("what comes from the back cannot know what will hide it");
   if (in.options.stopAt) {
     plan.stopTransmittance = *in.options.stopAt;
     if (*in.options.stopAt == 0) return off("every ray is followed to its end, as asked");
@@ -162,6 +164,7 @@ Effect precision(const RuleInput& in, Plan& plan) {
 
 Effect resampler(const RuleInput& in, Plan& plan) {
   plan.resampler = in.options.resampler;
+  if (plan.resampler == Resampler::cpu && plan.method != Method::planes) return on("cpu: needs no OpenGL");
   if (plan.resampler == Resampler::cpu)
     return on("cpu: passes over empty blocks, stops where a ray is opaque, and needs no OpenGL");
   return on(plan.bits == 16 ? "gl, as asked: filtered by the texture hardware, while the CPU shades"
@@ -172,6 +175,7 @@ Effect resampler(const RuleInput& in, Plan& plan) {
 
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> table = {
+      {"method", false, decideMethod},
       {"lighting", true, lighting},
       {"specular", true, specular},
       {"gradient opacity", true, gradientOpacity},
@@ -186,6 +190,7 @@ const std::vector<Rule>& rules() {
       {"precision", false, precision},
       {"resampler", false, resampler},
       {"shader", false, decideShader},
+      {"blending", false, decideBlending},
   };
   return table;
 }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "viewer/render/methods/blend.h"
 #include "viewer/render/methods/planes.h"
 #include "viewer/render/reference.h"
 #include "viewer/volume/parallel.h"
@@ -20,12 +21,32 @@ Result<Rendered> renderTruth(const Plan& plan, RenderCaches& caches, const Cance
   return done;
 }
 
+Status checkSize(const Plan& plan, const Volume& volume) {
+  // The kernels count samples in 32 bits.
+  const std::int64_t most = std::int64_t(1) << (plan.bits == 16 ? 30 : 29);
+  if (volume.geometry().voxelCount() < most) return {};
+  return Error{"The volume has " + std::to_string(volume.geometry().voxelCount()) +
+               " voxels, more than the fast methods can draw; use --method reference."};
+}
+
+Result<Rendered> renderBy(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
+  if (plan.method == Method::reference) return renderTruth(plan, caches, cancel);
+  if (Status s = checkSize(plan, *caches.volume()); !s) return s.error();
+  switch (plan.method) {
+    case Method::blend:
+      return renderBlend(plan, caches, cancel);
+    case Method::reference:
+    case Method::planes:
+      break;
+  }
+  return renderPlanes(plan, caches, cancel);
+}
+
 }  // namespace
 
 Result<Rendered> render(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
   const auto begin = std::chrono::steady_clock::now();
-  auto done = plan.method == Method::reference ? renderTruth(plan, caches, cancel)
-                                               : renderPlanes(plan, caches, cancel);
+  auto done = renderBy(plan, caches, cancel);
   if (!done) return done;
   done->stats.totalMs =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();

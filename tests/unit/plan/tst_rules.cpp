@@ -155,6 +155,25 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       "on   shader: reflectance map of 128 x 128 a face, nearest, as asked: directions off by up to 0.6328 "
       "degrees",
       [](Asked& a) { a.options.mapLookup = MapLookup::nearest; });
+  row("planes by itself", "method",
+      "on   method: planes: rays from front to back, so that what is hidden is never shaded", [](Asked&) {});
+  row("blend as asked", "method",
+      "on   method: blend, as asked: slices from the back to the front, each shaded, then blended",
+      [](Asked& a) { a.options.method = Method::blend; });
+  row("planes blend nothing", "blending", "off  blending: rays are composited one by one, in floats",
+      [](Asked&) {});
+  row("a frame buffer of 8 bits", "blending",
+      "on   blending: 8 bits, as asked: up to half of 1/255 is rounded off after each slice, and what is "
+      "above 1 cut off",
+      [](Asked& a) {
+        a.options.method = Method::blend;
+        a.options.blending = Blending::bits8;
+      });
+  row("slices skip no blocks", "empty blocks", "off  empty blocks: every slice is resampled whole",
+      [](Asked& a) { a.options.method = Method::blend; });
+  row("slices never stop", "early stop",
+      "off  early stop: what comes from the back cannot know what will hide it",
+      [](Asked& a) { a.options.method = Method::blend; });
   row("unlit: no table", "shader", "off  shader: nothing is lit", [](Asked& a) {
     a.options.shader = Shader::table;
     a.scene.shading.lit = false;
@@ -224,6 +243,12 @@ void TestRules::optionsThatCannotBeAreRefused_data() {
   row("a map's lookup without a map", "--map-lookup", [](Asked& a) {
     a.options.shader = Shader::table;
     a.options.mapLookup = MapLookup::nearest;
+  });
+  row("a frame buffer without blend", "--blending", [](Asked& a) { a.options.blending = Blending::bits16; });
+  row("a mean in 8 bits", "--blending 8", [](Asked& a) {
+    a.options.method = Method::blend;
+    a.options.blending = Blending::bits8;
+    a.scene.mode = Mode::average;
   });
   row("no pixels", "--size", [](Asked& a) { a.options.size = {0, 5}; });
   row("no step", "--step", [](Asked& a) { a.options.step = 0; });

@@ -48,6 +48,18 @@ void TestTargets::everyCpuTargetGivesTheSameBytes_data() {
   });
   row("map, nearest", [](Case& c) { c.options.mapLookup = MapLookup::nearest; });
   row("table", [](Case& c) { c.options.shader = Shader::table; });
+  row("blend", [](Case& c) { c.options.method = Method::blend; });
+  row("blend, 32 bits into 8 bits, table", [](Case& c) {
+    c.options.method = Method::blend;
+    c.options.blending = Blending::bits8;
+    c.options.precision = 32;
+    c.options.shader = Shader::table;
+  });
+  row("blend, local viewer, gradient opacity", [](Case& c) {
+    c.options.method = Method::blend;
+    c.scene.shading.localViewer = true;
+    c.scene.transferFunction.gradientOpacity = {{0, 0.1}, {50, 1}};
+  });
   row("local viewer in perspective", [](Case& c) {
     c.scene.shading.localViewer = true;
     c.scene.camera = Camera{.target = glm::dvec3(0),

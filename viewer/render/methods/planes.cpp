@@ -10,14 +10,6 @@ namespace volumen {
 
 namespace {
 
-Status checkSize(const Plan& plan, const Volume& volume) {
-  // The kernels count samples in 32 bits.
-  const std::int64_t most = std::int64_t(1) << (plan.bits == 16 ? 30 : 29);
-  if (volume.geometry().voxelCount() < most) return {};
-  return Error{"The volume has " + std::to_string(volume.geometry().voxelCount()) +
-               " voxels, more than the fast method can draw; use --method reference."};
-}
-
 Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
   Rendered done;
   RenderStats& stats = done.stats;
@@ -42,20 +34,13 @@ Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const C
 
   const double passMs =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  const double shadeShare = totals.allTicks ? double(totals.shadeTicks) / double(totals.allTicks) : 0;
-  stats.resampleMs = passMs * (1 - shadeShare);
-  stats.shadeMs = passMs * shadeShare;
-  stats.resampled = totals.resampled;
-  stats.composited = totals.composited;
-  stats.shaded = plan.lit ? stats.composited : 0;
-  stats.kernel = kernelTarget();
+  totals.report(plan, passMs, stats);
   return done;
 }
 
 }  // namespace
 
 Result<Rendered> renderPlanes(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
-  if (Status s = checkSize(plan, *caches.volume()); !s) return s.error();
   return plan.resampler == Resampler::gl ? renderPlanesGl(plan, caches, cancel)
                                          : renderPlanesCpu(plan, caches, cancel);
 }

@@ -28,4 +28,14 @@ void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task)
   writePixels(plan_.scene.background, rays, out, picture_);
 }
 
+void TraceTotals::report(const Plan& plan, double passMs, RenderStats& stats) const {
+  const double shadeShare = allTicks ? double(shadeTicks) / double(allTicks) : 0;
+  stats.resampleMs = passMs * (1 - shadeShare);
+  stats.shadeMs = passMs * shadeShare;
+  stats.resampled = resampled;
+  stats.composited = composited;
+  stats.shaded = plan.lit ? stats.composited : 0;
+  stats.kernel = kernelTarget();
+}
+
 }  // namespace volumen

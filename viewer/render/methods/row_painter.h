@@ -38,6 +38,8 @@ struct TraceTotals {
     shadeTicks += c.shadeTicks;
     allTicks += c.allTicks;
   }
+  /// Writes samples, the kernel's name, and the pass's time, shared out between resampling and shading.
+  void report(const Plan& plan, double passMs, RenderStats& stats) const;
 };
 
 }  // namespace volumen
