@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "viewer/plan/visibility.h"
+#include "viewer/volume/gradients.h"
 
 namespace volumen {
 
@@ -147,6 +148,22 @@ Effect earlyStop(const RuleInput& in, Plan& plan) {
             " of the light behind comes through");
 }
 
+// Whether 16-bit gradients would blur what the scene asks of small ones: a normal at the gradient floor would
+// be off by 1/256, or the ramp of gradient opacity as much. A few extreme values make the packing that
+// coarse.
+bool packingIsCoarse(const RuleInput& in) {
+  double smallestPerMm = std::numeric_limits<double>::infinity();
+  if (in.scene.shading.lit && *in.scene.shading.gradientFloor > 0)
+    smallestPerMm = *in.scene.shading.gradientFloor;
+  const auto& points = in.scene.transferFunction.gradientOpacity;
+  if (!points.empty() && points.back().gradient > 0)
+    smallestPerMm = std::min(smallestPerMm, points.back().gradient);
+  const glm::dvec3 spacing = in.facts.geometry.spacing();
+  const double step =
+      gradients16Scale(in.facts.range, in.facts.slope) / std::min({spacing.x, spacing.y, spacing.z});
+  return composite(in) && step / 2 > smallestPerMm / 256;
+}
+
 Effect precision(const RuleInput& in, Plan& plan) {
   // Integers are kept exactly in 16 bits; a negative slope would turn the order of values round.
   const bool fits = in.facts.integers && in.facts.slope > 0;
@@ -155,8 +172,11 @@ Effect precision(const RuleInput& in, Plan& plan) {
   const bool coarse =
       in.options.resampler == Resampler::gl && !in.options.precision &&
       (in.options.step || in.options.quality == Quality::high || in.options.quality == Quality::exact);
-  plan.bits = fits && !coarse ? in.options.precision.value_or(16) : 32;
+  const bool packed = fits && !in.options.precision && packingIsCoarse(in);
+  plan.bits = fits && !coarse && !packed ? in.options.precision.value_or(16) : 32;
   if (!fits) return on("32 bits: the values are not 16-bit integers with a positive slope");
+  if (packed)
+    return on("32 bits: gradients packed into 16 bits would be too coarse beside a few extreme values");
   if (coarse) return on("32 bits, interpolated in floats: filters of texture hardware are too coarse here");
   return on(std::to_string(plan.bits) +
             (in.options.precision ? " bits, as asked" : " bits hold the stored integers exactly"));

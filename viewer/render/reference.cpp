@@ -66,12 +66,14 @@ class Caster {
     double largest = -std::numeric_limits<double>::infinity(), smallest = -largest, integral = 0;
     std::vector<double> places;
     marchCells(volume_.geometry(), ray, interval, [&](const CellPiece& p) {
-      const Cubic v = interpolateAlong(cornerValues(volume_, p.cell), p.start, p.move);
+      const Corners<double> corners = cornerValues(volume_, p.cell);
+      const Cubic v = interpolateAlong(corners, p.start, p.move);
       places.assign({0, 1});
       appendExtremes(v, places);
       for (double s : places) {
-        largest = std::max(largest, v(s));
-        smallest = std::min(smallest, v(s));
+        const double value = interpolateAt(corners, p.start + s * p.move);
+        largest = std::max(largest, value);
+        smallest = std::min(smallest, value);
       }
       integral += p.lengthMm * (v.c[0] + v.c[1] / 2 + v.c[2] / 3 + v.c[3] / 4);
       return true;

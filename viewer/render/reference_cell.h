@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <glm/common.hpp>
 
 #include "viewer/render/reference_polynomial.h"
 #include "viewer/volume/volume.h"
@@ -32,6 +33,14 @@ Polynomial<T, 3> interpolateAlong(const Corners<T>& corners, glm::dvec3 start, g
     }
   }
   return p[0];
+}
+
+/// Trilinear interpolation at a place in the cell (clamped to it), as a sum of parts of one sign each: a
+/// corner of 1e30 makes no rounding where it has no weight.
+inline double interpolateAt(const Corners<double>& c, glm::dvec3 place) {
+  const glm::dvec3 f = glm::clamp(place, 0.0, 1.0), e = 1.0 - f;
+  return e.z * (e.y * (e.x * c[0] + f.x * c[1]) + f.y * (e.x * c[2] + f.x * c[3])) +
+         f.z * (e.y * (e.x * c[4] + f.x * c[5]) + f.y * (e.x * c[6] + f.x * c[7]));
 }
 
 }  // namespace volumen::reference

@@ -188,14 +188,27 @@ glm::dvec3 sobelAt(const Volume& volume, int i, int j, int k) {
   return g;
 }
 
-Gradients16 sobel16(const Volume& volume) {
-  const ValueRange range = valueRange(volume);
-  const double largest =
-      16 * (range.high - range.low) / std::abs(volume.slope());  // in units of 1/32 stored value
+namespace {
+
+// How far gradients in units of 1/32 stored value are shifted right to fit 16 bits.
+int shiftOf(ValueRange range, double slope) {
+  const double largest = 16 * (range.high - range.low) / std::abs(slope);
   int shift = 0;
   while (largest / double(1 << shift) > 32767) ++shift;
+  return shift;
+}
+
+}  // namespace
+
+double gradients16Scale(ValueRange range, double slope) {
+  return slope * double(1 << shiftOf(range, slope)) / 32;
+}
+
+Gradients16 sobel16(const Volume& volume) {
+  const ValueRange range = valueRange(volume);
+  const int shift = shiftOf(range, volume.slope());
   Gradients16 g{Buffer<std::int16_t>(std::size_t(4) * volume.geometry().voxelCount()),
-                volume.slope() * double(1 << shift) / 32};
+                gradients16Scale(range, volume.slope())};
   std::visit(
       [&]<class T>(const std::vector<T>& stored) {
         if constexpr (!std::is_same_v<T, float>)

@@ -31,6 +31,9 @@ struct Gradients32 {
 /// neighbours, weighted inversely as their distance.
 enum class GradientOperator { sobel, central, zuckerHummel };
 
+/// Gradients16::scale of a volume of these values (real units) and slope.
+double gradients16Scale(ValueRange range, double slope);
+
 /// Computed on all cores, SIMD; `volume` must hold 8- or 16-bit integers.
 Gradients16 sobel16(const Volume& volume);
 /// The same for any volume.

@@ -100,6 +100,19 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.facts.bricks = nullptr; });
   row("integers in 16 bits", "precision", "on   precision: 16 bits hold the stored integers exactly",
       [](Asked&) {});
+  row("gradients of integers beside extreme values", "precision",
+      "on   precision: 32 bits: gradients packed into 16 bits would be too coarse beside a few extreme "
+      "values",
+      [](Asked& a) {
+        a.facts.range = {-32768, 32767};
+        a.scene.shading.gradientFloor = 10;
+      });
+  row("the same, unlit", "precision", "on   precision: 16 bits hold the stored integers exactly",
+      [](Asked& a) {
+        a.facts.range = {-32768, 32767};
+        a.scene.shading.gradientFloor = 10;
+        a.scene.shading.lit = false;
+      });
   row("plain filters are too coarse for high", "precision",
       "on   precision: 32 bits, interpolated in floats: filters of texture hardware are too coarse here",
       [](Asked& a) {

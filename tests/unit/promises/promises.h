@@ -37,6 +37,9 @@ inline RenderOptions atStep(double stepVoxels) {
 /// "maximum 0.3, 99th percentile ...".
 QString inWords(const PictureError& e);
 
+/// Whether to print what each row measured.
+inline bool figuresWanted() { return qEnvironmentVariableIsSet("VOLUMEN_FIGURES"); }
+
 /// A way to draw that is promised to keep the levels' errors.
 struct DrawWay {
   const char* name;

@@ -1,0 +1,181 @@
+// Guards DESIGN 2 (finite, levels, determinism) and SCENE 2 to 9 where numbers are hard: every method on
+// every case. With VOLUMEN_ALL_TARGETS set, every case is compared on every CPU target.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "tests/fixtures/brute_force.h"
+#include "tests/fixtures/cpu_targets.h"
+#include "tests/unit/hard/hard_cases.h"
+#include "tests/unit/promises/not_yet.h"
+#include "tests/unit/promises/promises.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestHardCases : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void levelsKeepTheirPromises_data() {
+    addRows([](const HardCase&) { return true; });
+  }
+  void levelsKeepTheirPromises();
+  void stepsKeepToTheClosedForm_data() {
+    addRows([](const HardCase& c) { return c.uniform; });
+  }
+  void stepsKeepToTheClosedForm();
+  void referenceIsTheLimit_data() {
+    addRows([](const HardCase&) { return true; });
+  }
+  void referenceIsTheLimit();
+  void everyCpuTargetGivesTheSameBytes_data() {
+    addRows([](const HardCase& c) { return c.delicate || qEnvironmentVariableIsSet("VOLUMEN_ALL_TARGETS"); });
+  }
+  void everyCpuTargetGivesTheSameBytes();
+  void openGlIsHere();
+
+ private:
+  static void addRows(bool (*take)(const HardCase&));
+  RenderCaches& cachesOf(const VolumePtr& volume);
+  std::map<const Volume*, RenderCaches> caches_;
+};
+
+namespace {
+
+QString isFinite(const Picture& picture) {
+  for (std::size_t n = 0; n < picture.rgba.size(); ++n)
+    if (!(picture.rgba[n] >= 0 && picture.rgba[n] <= 1))
+      return QStringLiteral("component %1 of pixel %2 is %3").arg(n % 4).arg(n / 4).arg(picture.rgba[n]);
+  return {};
+}
+
+/// Whether OpenGL may refuse the volume (textures have a largest edge, on no machine below 2048).
+bool mayRefuse(const DrawWay& way, const HardCase& c) {
+  const glm::ivec3 size = c.volume->size();
+  return way.options.resampler == Resampler::gl && std::max({size.x, size.y, size.z}) > 2048;
+}
+
+/// The largest of |picture - closed form| / allowed: at most 1 where it is kept to. Allowed is `bound255` /
+/// 255, and where little is there to be seen 1 % of it.
+double overTheBound(const HardCase& c, const Picture& picture, double bound255) {
+  double worst = 0;
+  for (int y = 0; y < c.size.y; ++y)
+    for (int x = 0; x < c.size.x; ++x) {
+      const double mm = lengthOfRay(c.scene, c.volume->geometry(), c.size, x, y);
+      const glm::dvec4 expected = mm > 0 ? c.closedForm(mm) : glm::dvec4(0);
+      const double allowed = std::min(bound255 / 255, 0.01 * expected.a + 1e-6);
+      for (int n = 0; n < 4; ++n)
+        worst = std::max(worst, std::abs(picture.row(y)[4 * x + n] - expected[n]) / allowed);
+    }
+  return worst;
+}
+
+}  // namespace
+
+void TestHardCases::addRows(bool (*take)(const HardCase&)) {
+  QTest::addColumn<int>("index");
+  for (std::size_t n = 0; n < hardCases().size(); ++n)
+    if (take(hardCases()[n])) QTest::newRow(hardCases()[n].name.c_str()) << int(n);
+}
+
+RenderCaches& TestHardCases::cachesOf(const VolumePtr& volume) {
+  return caches_.try_emplace(volume.get(), volume).first->second;
+}
+
+#define FETCH_CASE()  \
+  QFETCH(int, index); \
+  const HardCase& c = hardCases()[std::size_t(index)]
+
+void TestHardCases::levelsKeepTheirPromises() {
+  FETCH_CASE();
+  Truth truth(cachesOf(c.volume), c.scene, c.size);
+  QStringList broken;
+  for (const DrawWay& way : drawWays()) {
+    if (mayRefuse(way, c)) continue;
+    RenderOptions options = way.options;
+    options.quality = Quality::draft;
+    const QString draft = isFinite(truth.drawn(options));
+    QVERIFY2(draft.isEmpty(), qPrintable(draft));
+    for (const Promise& promise : promises) {
+      options.quality = promise.quality;
+      const Picture picture = truth.drawn(options);
+      const QString spoilt = isFinite(picture);
+      QVERIFY2(spoilt.isEmpty(), qPrintable(spoilt));
+      if (c.finiteOnly) continue;
+      const PictureError e = truth.errorOf(picture, promise);
+      if (figuresWanted())
+        std::fprintf(stderr, "%s | %s, %s: %s\n", c.name.c_str(), way.name, promise.name,
+                     qPrintable(inWords(e)));
+      if (!promise.keptBy(e))
+        broken << QStringLiteral("%1, %2: %3")
+                      .arg(QString::fromLatin1(way.name), QString::fromLatin1(promise.name), inWords(e));
+    }
+  }
+  if (const char* figures = notYet()) QEXPECT_FAIL(QTest::currentDataTag(), figures, Continue);
+  QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QStringLiteral("; "))));
+}
+
+// Where matter is the same everywhere, no length of step makes an error: 0.5/255 is for rounding.
+void TestHardCases::stepsKeepToTheClosedForm() {
+  FETCH_CASE();
+  Truth truth(cachesOf(c.volume), c.scene, c.size);
+  for (const DrawWay& way : drawWays())
+    for (double step : {2.0, 1.0, 1.0 / 2, 1.0 / 4, 1.0 / 8, 1.0 / 16, 1.0 / 32, 1.0 / 64}) {
+      if (mayRefuse(way, c)) continue;
+      RenderOptions options = way.options;
+      options.step = step;
+      const double over = overTheBound(c, truth.drawn(options), 0.5);
+      QVERIFY2(over <= 1, qPrintable(QStringLiteral("%1, step %2: %3 times what is allowed")
+                                         .arg(QString::fromLatin1(way.name))
+                                         .arg(step)
+                                         .arg(over)));
+    }
+}
+
+// Against the closed form 0.05/255 as promised; else against the brute force, which has an error of its own
+// (0.07/255, tst_brute_force) that finer steps decide about.
+void TestHardCases::referenceIsTheLimit() {
+  FETCH_CASE();
+  Truth truth(cachesOf(c.volume), c.scene, c.size);
+  const QString spoilt = isFinite(truth.reference());
+  QVERIFY2(spoilt.isEmpty(), qPrintable(spoilt));
+  if (c.closedForm) {
+    const double over = overTheBound(c, truth.reference(), 0.05);
+    QVERIFY2(over <= 1, qPrintable(QStringLiteral("%1 times what is allowed").arg(over)));
+    return;
+  }
+  const glm::ivec2 few = glm::min(c.size, glm::ivec2(8));
+  Truth small(cachesOf(c.volume), c.scene, few);
+  PictureError e;
+  for (int steps = 64; steps == 64 || (e.maximum > 0.12 && steps <= 4096); steps *= 8)
+    e = small.errorOf(bruteForceLimit(c.scene, *c.volume, few, 1.0 / steps));
+  QVERIFY2(e.maximum <= 0.12, qPrintable(inWords(e)));
+}
+
+void TestHardCases::everyCpuTargetGivesTheSameBytes() {
+  FETCH_CASE();
+  for (int bits : {16, 32}) {
+    std::optional<Picture> first;
+    RenderOptions options = atLevel(Quality::high);
+    options.precision = bits;
+    QStringList others;
+    const auto targets = onEveryCpuTarget([&] {
+      RenderCaches caches(c.volume);  // the Sobel pass has kernels of its own
+      const Picture picture = Truth(caches, c.scene, c.size).drawn(options);
+      if (!first) first = picture;
+      if (picture != *first) others << QString::fromLatin1(kernelTarget());
+    });
+    QVERIFY2(others.isEmpty(), qPrintable(others.join(QStringLiteral(", "))));
+    QVERIFY2(targets.size() >= 2, "this machine has one CPU target only, so nothing was compared");
+  }
+}
+
+void TestHardCases::openGlIsHere() {
+  if (const auto context = makeEglContext(); !context)
+    QSKIP(qPrintable(QString::fromStdString("no case was drawn with OpenGL: " + context.message())));
+}
+
+VOLUMEN_TEST(TestHardCases);
+#include "tst_hard_cases.moc"
