@@ -29,6 +29,7 @@ std::vector<DrawWay> drawWays() {
   const auto add = [&](const char* name, auto ask) { ask(ways.emplace_back(DrawWay{name, {}}).options); };
   add("planes", [](RenderOptions&) {});
   add("planes, 32 bits", [](RenderOptions& o) { o.precision = 32; });
+  add("blend", [](RenderOptions& o) { o.method = Method::blend; });
   if (gl) add("planes, OpenGL", [](RenderOptions& o) { o.resampler = Resampler::gl; });
   return ways;
 }
