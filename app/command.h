@@ -16,6 +16,7 @@ enum ExitStatus { exitDone = 0, exitFailed = 1, exitUsage = 2 };
 using MakeCommand = std::function<int()> (*)(CLI::App& app, const CancelToken& cancel);
 
 // One file a command in app/commands.
+std::function<int()> makeAccuracy(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeBench(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeConvert(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeInfo(CLI::App& app, const CancelToken& cancel);

@@ -20,6 +20,8 @@ struct Entry {
 };
 
 constexpr Entry commands[] = {
+    {"accuracy", "What accuracy costs in time: every knob of the renderer measured on one scene",
+     volumen::makeAccuracy},
     {"bench", "How fast a scene is drawn from all around", volumen::makeBench},
     {"convert", "Write a series as one file (.nrrd, .nii.gz, .mha) or as DICOM", volumen::makeConvert},
     {"info", "What is in a file or folder: patients, studies, series, geometry, warnings", volumen::makeInfo},

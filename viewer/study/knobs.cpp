@@ -107,7 +107,7 @@ RenderOptions studyBase(glm::ivec2 size, int threads) {
 
 std::vector<Setting> oneKnobAtATime(const RenderOptions& base) {
   std::vector<Setting> all{{"base", "", base, 1}};
-  all.front().value = base.step ? "step " + text(*base.step) : qualityName(base.quality);
+  all.front().value = base.step ? "step " + text(*base.step) + " voxel" : qualityName(base.quality);
   for (const Knob& knob : knobs())
     for (const Value& value : knob.values) {
       Setting setting{knob.name, value.text, base, 1};
@@ -128,7 +128,8 @@ std::vector<Setting> gridOfKnobs(const RenderOptions& base) {
           s.options.stopAt = stop;
           s.options.shader = map ? Shader::map : Shader::phong;
           if (map) s.options.mapSize = 32;
-          s.value += ", " + text(resolution) + (map ? ", map 32" : ", direct") + ", stop at " + text(stop);
+          s.value += (map ? ", map 32" : ", direct") + (", stop at " + text(stop));
+          if (resolution < 1) s.value += ", " + text(resolution) + " resolution";
           all.push_back(std::move(s));
         }
   return all;

@@ -31,7 +31,7 @@ class Measurement {
               const CancelToken& cancel)
       : options_(options), caches_(caches), progress_(progress), cancel_(cancel) {}
 
-  Status planAll(const Scene& scene, const std::vector<Setting>& settings, Study& study) {
+  Status planAll(const Scene& scene, const std::vector<Setting>& settings, AccuracyStudy& study) {
     auto first = makePlan(scene, caches_.facts(), settings.front().options);
     if (!first) return first.error();
     study.plan = std::move(*first);
@@ -52,7 +52,7 @@ class Measurement {
   }
 
   // The first picture of every variant: its errors, its samples; those that cannot be drawn are left out.
-  Status drawOnce(Study& study) {
+  Status drawOnce(AccuracyStudy& study) {
     for (std::size_t n = 0; n < variants_.size() && !cancel_.cancelled();) {
       if (progress_) progress_("drawing", n, variants_.size());
       Variant& v = variants_[n];
@@ -108,7 +108,7 @@ class Measurement {
     return done;
   }
 
-  void describe(Variant& v, const Rendered& done, Study& study) {
+  void describe(Variant& v, const Rendered& done, AccuracyStudy& study) {
     StudyRow& row = v.row;
     const RenderStats& s = done.stats;
     row.method = methodName(row.setting.options);
@@ -132,9 +132,10 @@ class Measurement {
 
 }  // namespace
 
-Result<Study> measure(const Scene& scene, const std::vector<Setting>& settings, const StudyOptions& options,
-                      RenderCaches& caches, const StudyProgress& progress, const CancelToken& cancel) {
-  Study study;
+Result<AccuracyStudy> measure(const Scene& scene, const std::vector<Setting>& settings,
+                              const StudyOptions& options, RenderCaches& caches,
+                              const StudyProgress& progress, const CancelToken& cancel) {
+  AccuracyStudy study;
   Measurement measurement(options, caches, progress, cancel);
   if (Status s = measurement.planAll(scene, settings, study); !s) return s.error();
   const RenderOptions& first = settings.front().options;

@@ -22,7 +22,7 @@ struct StudyRow {
   Picture pixels;      ///< the truth's pixels as this setting draws them
 };
 
-struct Study {
+struct AccuracyStudy {
   Truth truth;
   Plan plan;  ///< of the first row: scene and effects
   std::string kernel;
@@ -39,9 +39,9 @@ struct StudyOptions {
 
 /// Measures every setting on one scene. The scene's picture is that of the first setting's size. An Error:
 /// "cancelled", or that nothing could be drawn.
-Result<Study> measure(const Scene& scene, const std::vector<Setting>& settings, const StudyOptions& options,
-                      RenderCaches& caches, const StudyProgress& progress = {},
-                      const CancelToken& cancel = {});
+Result<AccuracyStudy> measure(const Scene& scene, const std::vector<Setting>& settings,
+                              const StudyOptions& options, RenderCaches& caches,
+                              const StudyProgress& progress = {}, const CancelToken& cancel = {});
 
 /// Which points (cost, error) no other point beats: none is smaller in one and not larger in the other.
 std::vector<bool> paretoFront(const std::vector<glm::dvec2>& points);
@@ -55,9 +55,9 @@ struct StudyTitle {
 std::string machineName();
 
 /// One line a row, quoted where needed, a head line first.
-std::string studyCsv(const Study& study);
+std::string studyCsv(const AccuracyStudy& study);
 /// Title, reference and rows as one JSON object.
-std::string studyJson(const Study& study, const StudyTitle& title);
+std::string studyJson(const AccuracyStudy& study, const StudyTitle& title);
 /// "16384 of 262144 pixels, one of each cell of a 128 x 128 grid; 3 ill-conditioned ones left out".
 std::string referenceText(const Truth& truth);
 

@@ -60,7 +60,7 @@ std::string machineName() {
   return name + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
 }
 
-std::string studyCsv(const Study& study) {
+std::string studyCsv(const AccuracyStudy& study) {
   std::string out;
   for (const StudyRow& row : study.rows) {
     const Json fields = fieldsOf(row);
@@ -75,7 +75,7 @@ std::string studyCsv(const Study& study) {
   return out;
 }
 
-std::string studyJson(const Study& study, const StudyTitle& title) {
+std::string studyJson(const AccuracyStudy& study, const StudyTitle& title) {
   Json rows = Json::array();
   for (const StudyRow& row : study.rows) rows.push_back(fieldsOf(row));
   const Json out{

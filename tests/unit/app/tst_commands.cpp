@@ -58,15 +58,27 @@ class TestCommands : public QObject {
 
 void TestCommands::wrongUsageIsASentenceAndStatus2_data() {
   QTest::addColumn<QString>("line");
-  for (const char* line :
-       {"", "draw", "render", "render phantom:sphere", "render phantom:sphere -o a.jpg",
-        "render phantom:sphere -o a.png --size 12", "render phantom:sphere -o a.png --size 0x5",
-        "render phantom:sphere -o a.png --step 1 --quality high",
-        "render phantom:sphere -o a.png --reference --step 1",
-        "render phantom:sphere -o a.png --method reference --quality high",
-        "render phantom:sphere -o a.png --precision 12", "render phantom:sphere -o a.png --step 0",
-        "render phantom:sphere -o a.png --no-such-option", "render phantom:sphere -o a.png --view above",
-        "render phantom:sphere -o a.png --preset a --scene b", "info", "convert phantom:sphere -o a.xyz"})
+  for (const char* line : {"",
+                           "draw",
+                           "render",
+                           "render phantom:sphere",
+                           "render phantom:sphere -o a.jpg",
+                           "render phantom:sphere -o a.png --size 12",
+                           "render phantom:sphere -o a.png --size 0x5",
+                           "render phantom:sphere -o a.png --step 1 --quality high",
+                           "render phantom:sphere -o a.png --reference --step 1",
+                           "render phantom:sphere -o a.png --method reference --quality high",
+                           "render phantom:sphere -o a.png --precision 12",
+                           "render phantom:sphere -o a.png --step 0",
+                           "render phantom:sphere -o a.png --stop-at 2",
+                           "render phantom:sphere -o a.png --gradient roberts",
+                           "render phantom:sphere -o a.png --curve-table 1",
+                           "render phantom:sphere -o a.png --reference --stop-at 0",
+                           "render phantom:sphere -o a.png --no-such-option",
+                           "render phantom:sphere -o a.png --view above",
+                           "render phantom:sphere -o a.png --preset a --scene b",
+                           "info",
+                           "convert phantom:sphere -o a.xyz"})
     QTest::newRow(line) << QString::fromLatin1(line);
 }
 
@@ -105,7 +117,7 @@ void TestCommands::whatFailsIsASentenceAndStatus1() {
 void TestCommands::everyCommandHasHelp_data() {
   QTest::addColumn<QString>("line");
   for (const char* line : {"--help", "render --help", "info --help", "convert --help", "open --help",
-                           "segment --help", "bench --help"})
+                           "segment --help", "bench --help", "accuracy --help"})
     QTest::newRow(line) << QString::fromLatin1(line);
 }
 

@@ -48,7 +48,7 @@ Setting stepOf(double step) {
   return s;
 }
 
-Study studyOf(const std::vector<Setting>& settings) {
+AccuracyStudy studyOf(const std::vector<Setting>& settings) {
   RenderCaches caches(*makePhantom("soft-sphere:24"));
   Scene scene;
   scene.transferFunction.points = {{100, {1, 0.5, 0.2}, 0}, {900, {0.5, 0.8, 1}, 0.6}};
@@ -208,7 +208,7 @@ void TestStudy::settingsTurnOneKnobEach() {
 }
 
 void TestStudy::smallerStepsAreNearerTheTruth() {
-  const Study study = studyOf({stepOf(2), stepOf(0.5), stepOf(0.0625)});
+  const AccuracyStudy study = studyOf({stepOf(2), stepOf(0.5), stepOf(0.0625)});
   QCOMPARE(study.rows.size(), std::size_t(3));
   QVERIFY(study.rows[0].error.rmse > 4 * study.rows[1].error.rmse);
   QVERIFY(study.rows[1].error.rmse > 4 * study.rows[2].error.rmse);
@@ -225,7 +225,7 @@ void TestStudy::whatCannotBeDrawnIsNamed() {
   Setting impossible = stepOf(1);
   impossible.knob = "map size";
   impossible.options.mapSize = 1;
-  const Study study = studyOf({stepOf(1), impossible});
+  const AccuracyStudy study = studyOf({stepOf(1), impossible});
   QCOMPARE(study.rows.size(), std::size_t(1));
   QCOMPARE(study.leftOut.size(), std::size_t(1));
   QVERIFY(QString::fromStdString(study.leftOut[0]).startsWith(QStringLiteral("map size, ")));
@@ -234,7 +234,7 @@ void TestStudy::whatCannotBeDrawnIsNamed() {
 void TestStudy::csvAndJsonSayTheSame() {
   Setting named = stepOf(1);
   named.value = "1, \"one\"";
-  const Study study = studyOf({named, stepOf(0.5)});
+  const AccuracyStudy study = studyOf({named, stepOf(0.5)});
   const QStringList lines =
       QString::fromStdString(studyCsv(study)).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
   QCOMPARE(lines.size(), 3);

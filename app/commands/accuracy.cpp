@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "app/command.h"
+#include "app/open_volume.h"
+#include "app/progress.h"
+#include "app/render_options.h"
+#include "app/report_files.h"
+#include "ui/plots/study_charts.h"
+#include "viewer/study/study.h"
+
+namespace volumen {
+
+namespace {
+
+struct AccuracyOptions {
+  std::string path, series, folder;
+  SceneOptions scene;
+  std::vector<std::string> knobs;
+  std::optional<int> threads;
+  StudyOptions study;
+};
+
+Result<std::vector<Setting>> settingsOf(const AccuracyOptions& options, const RenderOptions& base) {
+  std::vector<Setting> all = oneKnobAtATime(base);
+  for (Setting& s : gridOfKnobs(base)) all.push_back(std::move(s));
+  if (options.knobs.empty()) return all;
+  std::string names;
+  for (const Setting& s : all)
+    if (names.find(s.knob) == std::string::npos) names += (names.empty() ? "" : "; ") + s.knob;
+  std::vector<Setting> chosen{all.front()};
+  for (const std::string& knob : options.knobs) {
+    const std::size_t before = chosen.size();
+    std::copy_if(all.begin() + 1, all.end(), std::back_inserter(chosen),
+                 [&](const Setting& s) { return s.knob == knob; });
+    if (chosen.size() == before)
+      return Error{"--knob " + knob + ": there is no such knob; there are: " + names + "."};
+  }
+  return chosen;
+}
+
+std::string sceneName(const SceneOptions& scene) {
+  if (!scene.sceneFile.empty()) return std::filesystem::path(scene.sceneFile).stem().string();
+  return "preset " + (scene.preset.empty() ? std::string("auto") : scene.preset);
+}
+
+Status writeAll(const AccuracyStudy& study, const StudyTitle& title, const std::string& folder) {
+  prepareFonts();
+  if (Status s = writeReport(folder, "study.csv", studyCsv(study)); !s) return s;
+  if (Status s = writeReport(folder, "study.json", studyJson(study, title)); !s) return s;
+  const QImage plot = chartImage(errorAgainstTime(study, title), {1500, 960});
+  if (Status s = writeReport(folder, "error-time.png", plot); !s) return s;
+  if (Status s = writeReport(folder, "knobs.png", knobPanels(study, title)); !s) return s;
+  return writeReport(folder, "differences.png", contactSheet(study, title));
+}
+
+int run(const AccuracyOptions& options, const CancelToken& cancel) {
+  MethodOptions method;
+  method.threads = options.threads;
+  const auto asked = renderOptions(options.scene, method);
+  if (!asked) return failUsage(asked.message());
+  const auto settings = settingsOf(options, studyBase(asked->size, asked->threads));
+  if (!settings) return failUsage(settings.message());
+  if (Status s = makeFolder(options.folder); !s) return fail(s.message());
+  auto opened = openVolume(options.path, options.series, cancel);
+  if (!opened) return fail(opened.message());
+  printNotes(opened->notes);
+  const VolumePtr volume = opened->loaded.drawn;
+  const auto scene = makeScene(options.scene, *volume);
+  if (!scene) return fail(scene.message());
+  RenderCaches caches(volume);
+  const auto study = measure(*scene, *settings, options.study, caches, terminalProgress(), cancel);
+  endTerminalProgress();
+  if (!study) return fail(cancel.cancelled() ? "Stopped; nothing was written." : study.message());
+  printNotes(study->leftOut);
+  const std::string name = volume->attributes().name.empty() ? opened->series.id : volume->attributes().name;
+  const Status written = writeAll(*study, titleOf(name, sceneName(options.scene)), options.folder);
+  return written.ok() ? exitDone : fail(written.message());
+}
+
+}  // namespace
+
+std::function<int()> makeAccuracy(CLI::App& app, const CancelToken& cancel) {
+  auto o = std::make_shared<AccuracyOptions>();
+  app.add_option("PATH", o->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
+  app.add_option("-o,--output", o->folder,
+                 "The folder to write: study.csv, study.json, error-time.png, knobs.png, differences.png")
+      ->required();
+  app.add_option("--series", o->series, "Which series: its id, its UID or its number in `volumen info`");
+  addSceneOptions(app, o->scene);
+  app.add_option("--knob", o->knobs,
+                 "Only this knob beside the base (again for more); default: all, and the grid");
+  app.add_option("--frames", o->study.frames, "Frames a row; slow rows get fewer")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option(
+         "--pixels", o->study.mostPixels,
+         "Most pixels of the reference; of a larger picture it is computed at one in each cell of a grid")
+      ->check(CLI::Range(1, 1 << 26))
+      ->capture_default_str();
+  app.add_option("--threads", o->threads, "How many (default: all allowed cores)")
+      ->check(CLI::Range(1, 1024));
+  return [o, &cancel] { return run(*o, cancel); };
+}
+
+}  // namespace volumen

@@ -1,0 +1,119 @@
+// Guards DESIGN 4 and 6 (accuracy: CSV, JSON and pictures of the study, without a display).
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include "tests/unit/suite.h"
+
+class TestAccuracyCommand : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void writesTheStudy();
+  void wrongUsageIsRefused_data();
+  void wrongUsageIsRefused();
+  void failureIsASentence_data();
+  void failureIsASentence();
+};
+
+namespace {
+
+struct Outcome {
+  int status = -1;
+  QByteArray out, err;
+};
+
+Outcome runAccuracy(const QString& line) {
+  QProcess process;
+  QProcessEnvironment noDisplay = QProcessEnvironment::systemEnvironment();
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "XDG_RUNTIME_DIR"})
+    noDisplay.remove(QString::fromLatin1(name));
+  process.setProcessEnvironment(noDisplay);
+  process.start(QStringLiteral(VOLUMEN_PROGRAM), QProcess::splitCommand(QStringLiteral("accuracy ") + line));
+  process.waitForFinished(60000);
+  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+QByteArray contents(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+void TestAccuracyCommand::writesTheStudy() {
+  const QTemporaryDir parent;
+  const QString folder = parent.filePath(QStringLiteral("new/study"));
+  const Outcome done =
+      runAccuracy(QStringLiteral("phantom:ct-head:32 --size 40x30 --frames 1 --pixels 300 --knob "
+                                 "level --knob \"map, nearest\" -o %1")
+                      .arg(folder));
+  QCOMPARE(done.status, 0);
+  QVERIFY2(done.err.isEmpty(), done.err);
+  const QDir written(folder);
+  QCOMPARE(done.out.count('\n'), 5);
+  QCOMPARE(written.entryList(QDir::Files).size(), 5);
+  const QJsonObject all =
+      QJsonDocument::fromJson(contents(written.filePath(QStringLiteral("study.json")))).object();
+  const QJsonArray rows = all[QStringLiteral("rows")].toArray();
+  QCOMPARE(rows.size(), 1 + 4 + 3);  // the base, the levels, three sizes of the map
+  QCOMPARE(contents(written.filePath(QStringLiteral("study.csv"))).count('\n'), rows.size() + 1);
+  QVERIFY(all[QStringLiteral("reference")].toObject()[QStringLiteral("text")].toString().startsWith(
+      QStringLiteral("300 of 1200 pixels, one of each cell of a 20 x 15 grid")));
+  // exact is nearer the truth than draft.
+  QCOMPARE(rows[1].toObject()[QStringLiteral("value")].toString(), QStringLiteral("draft"));
+  QVERIFY(rows[4].toObject()[QStringLiteral("rmse")].toDouble() <
+          rows[1].toObject()[QStringLiteral("rmse")].toDouble());
+  for (const char* name : {"error-time.png", "knobs.png", "differences.png"}) {
+    const QImage picture(written.filePath(QString::fromLatin1(name)));
+    QVERIFY2(picture.width() > 600 && picture.height() > 200, name);
+    // Something is drawn on the white.
+    int coloured = 0;
+    for (int y = 0; y < picture.height(); y += 2)
+      for (int x = 0; x < picture.width(); x += 2) coloured += qGray(picture.pixel(x, y)) < 200;
+    QVERIFY2(coloured > 500, name);
+  }
+}
+
+void TestAccuracyCommand::wrongUsageIsRefused_data() {
+  QTest::addColumn<QString>("line");
+  for (const char* line : {"phantom:sphere:16", "-o /tmp/x", "phantom:sphere:16 -o /tmp/x --knob zoom",
+                           "phantom:sphere:16 -o /tmp/x --frames 0", "phantom:sphere:16 -o /tmp/x --pixels 0",
+                           "phantom:sphere:16 -o /tmp/x --step 1", "phantom:sphere:16 -o /tmp/x --size 0x3"})
+    QTest::newRow(line) << QString::fromLatin1(line);
+}
+
+void TestAccuracyCommand::wrongUsageIsRefused() {
+  QFETCH(QString, line);
+  const Outcome done = runAccuracy(line);
+  QCOMPARE(done.status, 2);
+  QVERIFY(!done.err.isEmpty() && done.out.isEmpty());
+}
+
+void TestAccuracyCommand::failureIsASentence_data() {
+  QTest::addColumn<QString>("line");
+  QTest::addColumn<QString>("named");
+  QTest::newRow("no such volume") << "/no/such/volume.nrrd -o %1"
+                                  << "/no/such/volume.nrrd";
+  QTest::newRow("no such folder can be made") << "phantom:sphere:16 -o /proc/nowhere"
+                                              << "/proc/nowhere";
+  QTest::newRow("no such scene") << "phantom:sphere:16 --scene /no/scene.json -o %1"
+                                 << "/no/scene.json";
+}
+
+void TestAccuracyCommand::failureIsASentence() {
+  QFETCH(QString, line);
+  QFETCH(QString, named);
+  const QTemporaryDir folder;
+  const Outcome done = runAccuracy(line.contains(QLatin1String("%1")) ? line.arg(folder.path()) : line);
+  QCOMPARE(done.status, 1);
+  QVERIFY2(done.err.contains(named.toUtf8()), done.err);
+  QVERIFY(QDir(folder.path()).entryList(QDir::Files).isEmpty());
+}
+
+VOLUMEN_TEST(TestAccuracyCommand);
+#include "tst_accuracy_command.moc"

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QString>
+#include <vector>
+
+namespace volumen {
+
+/// One axis of a chart: values to pixels.
+struct Axis {
+  double low = 0, high = 1;  ///< values; positive where logarithmic
+  double atLow = 0, atHigh = 1;
+  bool logarithmic = false;
+
+  double pixelOf(double value) const;
+};
+
+struct Tick {
+  double value = 0;
+  bool labelled = true;
+};
+
+/// Round values along an axis: 1, 2, 5 of each decade, of which only as many are labelled as are easily read.
+std::vector<Tick> ticksOf(const Axis& axis);
+
+/// "0.01", "500", "20000".
+QString tickText(double value);
+
+}  // namespace volumen

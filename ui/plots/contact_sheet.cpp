@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plots/study_charts.h"
+
+namespace volumen {
+
+namespace {
+
+// Differences are shown so many times as large: 8/255 is full brightness.
+constexpr int magnification = 32;
+constexpr int edge = 168, caption = 44, gap = 10, columns = 10, head = 76;
+
+QImage imageOf(const Picture& picture) {
+  const std::vector<std::uint8_t> bytes = toBytes(picture);
+  const int channels = picture.transparent ? 4 : 3;
+  QImage image(picture.size.x, picture.size.y, QImage::Format_RGB32);
+  for (int y = 0; y < picture.size.y; ++y)
+    for (int x = 0; x < picture.size.x; ++x) {
+      const std::uint8_t* p = &bytes[std::size_t(channels) * (std::size_t(y) * picture.size.x + x)];
+      image.setPixelColor(x, y, QColor(p[0], p[1], p[2]));
+    }
+  return image;
+}
+
+// |difference| of the colours, magnified; ill-conditioned pixels, which do not count, dark blue.
+QImage differenceOf(const Picture& picture, const Truth& truth) {
+  QImage image(truth.grid.x, truth.grid.y, QImage::Format_RGB32);
+  for (int y = 0; y < truth.grid.y; ++y)
+    for (int x = 0; x < truth.grid.x; ++x) {
+      const std::size_t n = std::size_t(y) * truth.grid.x + x;
+      int c[3];
+      for (int k = 0; k < 3; ++k) {
+        const float by = std::abs(picture.rgba[4 * n + k] - truth.picture.rgba[4 * n + k]);
+        c[k] = int(std::min(255.0f, 255 * magnification * by));
+      }
+      image.setPixelColor(x, y, truth.well[n] ? QColor(c[0], c[1], c[2]) : QColor(0, 0, 110));
+    }
+  return image;
+}
+
+class Sheet {
+ public:
+  explicit Sheet(std::size_t tiles)
+      : rows_(int(tiles + columns - 1) / columns),
+        image_(columns * (edge + gap) + gap, head + rows_ * (edge + caption + gap), QImage::Format_RGB32),
+        painter_(&image_) {
+    image_.fill(Qt::white);
+  }
+
+  void title(const QString& large, const QString& small) {
+    write({gap, 8, image_.width() - 2. * gap, 34}, large, 22, true);
+    write({gap, 42, image_.width() - 2. * gap, 24}, small, 14, false);
+  }
+
+  void add(const QImage& picture, const QString& name, const QString& errors, bool front) {
+    const int x = gap + next_ % columns * (edge + gap), y = head + next_ / columns * (edge + caption + gap);
+    ++next_;
+    const QImage fitted = picture.scaled(edge, edge, Qt::KeepAspectRatio, Qt::FastTransformation);
+    painter_.fillRect(x, y, edge, edge, QColor(240, 242, 245));
+    painter_.drawImage(x + (edge - fitted.width()) / 2, y + (edge - fitted.height()) / 2, fitted);
+    if (front) {
+      painter_.setPen(QPen(QColor(230, 159, 0), 3));
+      painter_.drawRect(x, y, edge - 1, edge - 1);
+    }
+    write({double(x), double(y + edge + 2), edge, 20}, name, 12, true);
+    write({double(x), double(y + edge + 21), edge, 19}, errors, 11, false);
+  }
+
+  QImage image() {
+    painter_.end();
+    return image_;
+  }
+
+ private:
+  void write(const QRectF& where, const QString& what, int px, bool bold) {
+    QFont font;
+    font.setPixelSize(px);
+    font.setBold(bold);
+    painter_.setFont(font);
+    painter_.setPen(Qt::black);
+    const QString fitting = QFontMetricsF(font).elidedText(what, Qt::ElideRight, where.width());
+    painter_.drawText(where, Qt::AlignLeft | Qt::AlignVCenter, fitting);
+  }
+
+  int rows_, next_ = 0;
+  QImage image_;
+  QPainter painter_;
+};
+
+}  // namespace
+
+QImage contactSheet(const AccuracyStudy& study, const StudyTitle& title) {
+  std::vector<const StudyRow*> shown;
+  for (const StudyRow& row : study.rows)
+    if (row.setting.knob != "grid") shown.push_back(&row);
+  Sheet sheet(shown.size() + 1);
+  sheet.title(
+      QStringLiteral("Differences from the reference, %1 x as large (white: 8/255 and more); framed: on the "
+                     "front")
+          .arg(magnification),
+      QStringLiteral("%1  |  %2  |  %3  |  %4")
+          .arg(QString::fromStdString(title.volume), QString::fromStdString(title.scene),
+               QString::fromStdString(referenceText(study.truth)), QString::fromStdString(title.date)));
+  sheet.add(imageOf(study.truth.picture), QStringLiteral("the reference"),
+            QStringLiteral("%1 s").arg(study.truth.ms / 1000, 0, 'f', 1), false);
+  for (const StudyRow* row : shown)
+    sheet.add(differenceOf(row->pixels, study.truth),
+              QString::fromStdString(row->setting.knob + " " + row->setting.value),
+              QStringLiteral("max %1, P99 %2, %3 ms")
+                  .arg(row->error.maximum, 0, 'f', 1)
+                  .arg(row->error.percentile99, 0, 'f', 2)
+                  .arg(row->medianMs, 0, 'f', 0),
+              row->front);
+  return sheet.image();
+}
+
+}  // namespace volumen
