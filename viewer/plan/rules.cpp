@@ -132,7 +132,18 @@ Effect integration(const RuleInput& in, Plan& plan) {
   return steps(composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples");
 }
 
-// What the light behind could still add is at most this share of its brightness.
+// No sample's colour is brighter than this (SCENE 5: c D'' + S'').
+double brightest(const Scene& scene) {
+  if (!scene.shading.lit) return 1;
+  glm::dvec3 light(0);
+  for (const Light& l : scene.lights)
+    if (l.on) light += l.intensity * l.colour;
+  const Shading& s = scene.shading;
+  return s.ambient + (s.diffuse + s.specular) * std::max({light.r, light.g, light.b});
+}
+
+// What the light behind could still add is at most this share of its brightness: 0.2/255 at most, which
+// leaves a fifth of 0.25/255 to the rounding of what came before.
 Effect earlyStop(const RuleInput& in, Plan& plan) {
   plan.stopTransmittance = 0;
   if (!composite(in)) return off("a projection looks at the whole ray");
@@ -144,6 +155,7 @@ Effect earlyStop(const RuleInput& in, Plan& plan) {
               " of the light behind comes through, as asked");
   }
   plan.stopTransmittance = in.options.quality == Quality::exact || in.options.step ? 1.0 / 16384 : 1.0 / 4096;
+  plan.stopTransmittance = std::min(plan.stopTransmittance, 0.2 / 255 / brightest(in.scene));
   return on("a ray ends where less than 1/" + std::to_string(std::lround(1 / plan.stopTransmittance)) +
             " of the light behind comes through");
 }

@@ -98,6 +98,9 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.scene.transferFunction.points[0].opacity = 0.1; });
   row("unknown blocks are not", "empty blocks", "off  empty blocks: nothing is known of the blocks",
       [](Asked& a) { a.facts.bricks = nullptr; });
+  row("bright light: rays end later", "early stop",
+      "on   early stop: a ray ends where less than 1/11730 of the light behind comes through",
+      [](Asked& a) { a.scene.lights[0].intensity = 10; });
   row("integers in 16 bits", "precision", "on   precision: 16 bits hold the stored integers exactly",
       [](Asked&) {});
   row("gradients of integers beside extreme values", "precision",
