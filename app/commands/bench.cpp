@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/commands/bench_paper.h"
 #include "app/open_volume.h"
 #include "app/progress.h"
 #include "app/render_options.h"
@@ -12,12 +13,12 @@ namespace volumen {
 namespace {
 
 struct BenchOptions {
-  std::string path, series;
+  std::string path, series, folder;
   SceneOptions scene;
   MethodOptions method;
   OrbitOptions orbit;
   std::optional<double> elevation;
-  bool json = false;
+  bool json = false, paper = false;
 };
 
 // --elevation stands the camera above the plane that it turns in; a camera that the scene does not give is
@@ -29,6 +30,15 @@ void raiseCamera(Scene& scene, const Volume& volume, glm::ivec2 size, double deg
 }
 
 int run(const BenchOptions& options, const CancelToken& cancel) {
+  if (options.paper && options.folder.empty())
+    return failUsage("--paper writes several files: say into which folder with -o FOLDER.");
+  if (options.paper)
+    return benchPaper(options.folder, options.path,
+                      {.rounds = options.orbit.rounds, .threads = options.method.threads.value_or(0)},
+                      cancel);
+  if (!options.folder.empty()) return failUsage("-o FOLDER goes with --paper; an orbit is told on stdout.");
+  if (options.path.empty())
+    return failUsage("Say what is drawn: PATH, a file, a folder or phantom:NAME[:SIZE].");
   const auto asked = renderOptions(options.scene, options.method);
   if (!asked) return failUsage(asked.message());
   auto opened = openVolume(options.path, options.series, cancel);
@@ -53,7 +63,14 @@ int run(const BenchOptions& options, const CancelToken& cancel) {
 
 std::function<int()> makeBench(CLI::App& app, const CancelToken& cancel) {
   auto o = std::make_shared<BenchOptions>();
-  app.add_option("PATH", o->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
+  app.add_option(
+      "PATH", o->path,
+      "A file, a folder or phantom:NAME[:SIZE]; with --paper a folder of test data, for stand-ins of the "
+      "paper's scans");
+  app.add_flag(
+      "--paper", o->paper,
+      "Measure the paper's Tables 1 and 2, Figure 9 and section 4 on this machine (into the folder of -o)");
+  app.add_option("-o,--output", o->folder, "The folder that --paper writes");
   app.add_option("--series", o->series, "Which series: its id, its UID or its number in `volumen info`");
   addSceneOptions(app, o->scene);
   addMethodOptions(app, o->method);

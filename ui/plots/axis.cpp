@@ -13,7 +13,7 @@ double Axis::pixelOf(double value) const {
 namespace {
 
 std::vector<Tick> logarithmicTicks(const Axis& axis) {
-  const bool few = std::log10(axis.high / axis.low) < 2.2;
+  const bool few = std::log10(axis.high / axis.low) < 3.3;
   std::vector<Tick> ticks;
   for (int decade = int(std::floor(std::log10(axis.low))); std::pow(10, decade) <= axis.high; ++decade)
     for (const int n : {1, 2, 5}) {
@@ -30,10 +30,11 @@ std::vector<Tick> logarithmicTicks(const Axis& axis) {
 std::vector<Tick> ticksOf(const Axis& axis) {
   if (axis.logarithmic) return logarithmicTicks(axis);
   const double rough = (axis.high - axis.low) / 6, decade = std::pow(10, std::floor(std::log10(rough)));
-  const double step = decade * (rough / decade > 5   ? 10
+  const double fine = decade * (rough / decade > 5   ? 10
                                 : rough / decade > 2 ? 5
                                 : rough / decade > 1 ? 2
                                                      : 1);
+  const double step = axis.wholeNumbers ? std::max(1.0, fine) : fine;
   std::vector<Tick> ticks;
   for (double value = std::ceil(axis.low / step) * step; value <= axis.high + 1e-6 * step; value += step)
     ticks.push_back({value, true});

@@ -9,7 +9,7 @@ namespace volumen {
 struct Axis {
   double low = 0, high = 1;  ///< values; positive where logarithmic
   double atLow = 0, atHigh = 1;
-  bool logarithmic = false;
+  bool logarithmic = false, wholeNumbers = false;
 
   double pixelOf(double value) const;
 };

@@ -22,10 +22,11 @@ class ChartPainter {
  public:
   ChartPainter(QPainter& painter, const QRectF& area, const Chart& chart, const QRectF& span, int fontPx)
       : p_(painter), chart_(chart), px_(fontPx), area_(area) {
-    const double head = (chart.title.isEmpty() ? 0.6 : 2.1) * px_ + (chart.note.isEmpty() ? 0 : 1.7 * px_);
+    const double head = (chart.title.isEmpty() ? 0.6 : 2.1) * px_ +
+                        (chart.note.isEmpty() ? 0 : 1.7 * px_ * (chart.note.count(QLatin1Char('\n')) + 1));
     frame_ = area.adjusted(4.6 * px_, head, -1.2 * px_, -3.6 * px_);
-    x_ = {span.left(), span.right(), frame_.left(), frame_.right(), chart.logarithmic};
-    y_ = {span.top(), span.bottom(), frame_.bottom(), frame_.top(), chart.logarithmic};
+    x_ = {span.left(), span.right(), frame_.left(), frame_.right(), chart.logarithmic, chart.wholeX};
+    y_ = {span.top(), span.bottom(), frame_.bottom(), frame_.top(), chart.logarithmic, false};
   }
 
   void draw() {
@@ -53,8 +54,8 @@ class ChartPainter {
     const QRectF head(area_.left() + 0.6 * px_, area_.top() + 0.4 * px_, area_.width() - 1.2 * px_,
                       1.7 * px_);
     text(head, Qt::AlignLeft | Qt::AlignVCenter, chart_.title, fontOf(int(1.25 * px_), true));
-    text(head.translated(0, 1.7 * px_), Qt::AlignLeft | Qt::AlignVCenter, chart_.note, fontOf(px_),
-         QColor(100, 106, 116));
+    text(head.translated(0, 1.7 * px_).adjusted(0, 0, 0, 1.7 * px_), Qt::AlignLeft | Qt::AlignTop,
+         chart_.note, fontOf(px_), QColor(100, 106, 116));
     text({frame_.left(), frame_.bottom() + 1.8 * px_, frame_.width(), 1.6 * px_}, Qt::AlignCenter,
          chart_.xTitle, fontOf(px_));
     p_.save();

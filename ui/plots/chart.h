@@ -26,8 +26,8 @@ struct ChartSeries {
 
 /// A chart of points over two axes, both logarithmic or both linear from 0.
 struct Chart {
-  QString title, note, xTitle, yTitle;
-  bool logarithmic = true;
+  QString title, note, xTitle, yTitle;  ///< the note may have two lines
+  bool logarithmic = true, wholeX = false;
   std::vector<ChartSeries> series;
   std::vector<QPointF> front;  ///< a staircase drawn beneath the points, x ascending; empty: none
   QString frontName;           ///< for the legend

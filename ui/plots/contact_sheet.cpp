@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plots/picture_image.h"
 #include "ui/plots/study_charts.h"
 
 namespace volumen {
@@ -10,18 +11,6 @@ namespace {
 // Differences are shown so many times as large: 8/255 is full brightness.
 constexpr int magnification = 32;
 constexpr int edge = 168, caption = 44, gap = 10, columns = 10, head = 76;
-
-QImage imageOf(const Picture& picture) {
-  const std::vector<std::uint8_t> bytes = toBytes(picture);
-  const int channels = picture.transparent ? 4 : 3;
-  QImage image(picture.size.x, picture.size.y, QImage::Format_RGB32);
-  for (int y = 0; y < picture.size.y; ++y)
-    for (int x = 0; x < picture.size.x; ++x) {
-      const std::uint8_t* p = &bytes[std::size_t(channels) * (std::size_t(y) * picture.size.x + x)];
-      image.setPixelColor(x, y, QColor(p[0], p[1], p[2]));
-    }
-  return image;
-}
 
 // |difference| of the colours, magnified; ill-conditioned pixels, which do not count, dark blue.
 QImage differenceOf(const Picture& picture, const Truth& truth) {

@@ -13,7 +13,7 @@ QString q(const std::string& s) { return QString::fromStdString(s); }
 double shown(double error) { return std::max(error, 1e-3); }
 
 QString whoAndWhen(const AccuracyStudy& study, const StudyTitle& title) {
-  return QStringLiteral("%1  |  %2  |  %3 x %4 pixels, reference at %5  |  %6, %7  |  %8")
+  return QStringLiteral("%1  |  scene: %2  |  %6, %7  |  %8\n%3 x %4 pixels, reference at %5")
       .arg(q(title.volume), q(title.scene))
       .arg(study.truth.size.x)
       .arg(study.truth.size.y)
@@ -109,7 +109,7 @@ Chart errorAgainstTime(const AccuracyStudy& study, const StudyTitle& title) {
 
 QImage knobPanels(const AccuracyStudy& study, const StudyTitle& title) {
   const auto knobs = knobsOf(study);
-  constexpr int columns = 3, width = 620, height = 430, head = 76;
+  constexpr int columns = 3, width = 620, height = 430, head = 92;
   const int rows = std::max(1, int(knobs.size() + columns - 1) / columns);
   QImage image(columns * width, head + rows * height, QImage::Format_RGB32);
   image.fill(Qt::white);
@@ -123,7 +123,7 @@ QImage knobPanels(const AccuracyStudy& study, const StudyTitle& title) {
   font.setPixelSize(14);
   font.setBold(false);
   painter.setFont(font);
-  painter.drawText(QRectF(16, 42, image.width() - 32, 24), Qt::AlignVCenter, whoAndWhen(study, title));
+  painter.drawText(QRectF(16, 42, image.width() - 32, 44), Qt::AlignTop, whoAndWhen(study, title));
   const QRectF span = spanOf(errorAgainstTime(study, title));
   for (std::size_t n = 0; n < knobs.size(); ++n)
     drawChart(painter, QRectF(int(n) % columns * width, head + int(n) / columns * height, width, height),

@@ -50,6 +50,13 @@ Value level(Quality quality) {
           }};
 }
 
+Value blending(const char* name, Blending blending) {
+  return {name, [=](Setting& s) {
+            s.options.method = Method::blend;
+            s.options.blending = blending;
+          }};
+}
+
 std::vector<Knob> knobs() {
   return {
       {"step", numbers(
@@ -57,6 +64,10 @@ std::vector<Knob> knobs() {
                    +[](Setting& s, double x) { s.options.step = x; })},
       {"level",
        {level(Quality::draft), level(Quality::standard), level(Quality::high), level(Quality::exact)}},
+      {"method", {{"blend", options([](auto& o) { o.method = Method::blend; })}}},
+      {"blending",
+       {blending("floats", Blending::floats), blending("16 bits", Blending::bits16),
+        blending("8 bits", Blending::bits8)}},
       {"resampler", {{"OpenGL", options([](auto& o) { o.resampler = Resampler::gl; })}}},
       {"precision", numbers(
                         {16, 32}, " bits", +[](Setting& s, int bits) { s.options.precision = bits; })},
@@ -136,8 +147,7 @@ std::vector<Setting> gridOfKnobs(const RenderOptions& base) {
 }
 
 std::string methodName(const RenderOptions& options) {
-  const char* method = options.method == Method::reference ? "reference" : "planes";
-  return std::string(method) + (options.resampler == Resampler::gl ? ", OpenGL" : "");
+  return std::string(methodName(options.method)) + (options.resampler == Resampler::gl ? ", OpenGL" : "");
 }
 
 }  // namespace volumen

@@ -71,9 +71,10 @@ void TestBenchCommand::elevationRaisesTheCamera() {
 
 void TestBenchCommand::wrongUsageIsRefused_data() {
   QTest::addColumn<QString>("line");
-  for (const char* line : {"", "phantom:sphere:16 --views 0", "phantom:sphere:16 --rounds 0",
-                           "phantom:sphere:16 --elevation 90", "phantom:sphere:16 --step 0",
-                           "phantom:sphere:16 --step 1 --quality high", "phantom:sphere:16 --size 3"})
+  for (const char* line :
+       {"", "phantom:sphere:16 --views 0", "phantom:sphere:16 --rounds 0", "phantom:sphere:16 --elevation 90",
+        "phantom:sphere:16 --step 0", "phantom:sphere:16 -o /tmp/x", "--paper",
+        "phantom:sphere:16 --step 1 --quality high", "phantom:sphere:16 --size 3"})
     QTest::newRow(line) << QString::fromLatin1(line);
 }
 
