@@ -14,19 +14,19 @@ using glm::dmat3;
 using glm::dvec3;
 using glm::ivec3;
 
-/// Stored values low .. high (waves over 0.05 .. 0.95 of that range) in a type and with a rescale of one's
+/// Stored values low .. high (waves over most of that range) in a type and with a rescale of one's
 /// own.
 template <class T>
-VolumePtr stored(double low, double high, double slope, double intercept) {
+VolumePtr stored(double low, double high, double slope, double intercept, ivec3 size = {17, 15, 14}) {
   VolumeParts parts;
-  parts.geometry.size = {17, 15, 14};
-  parts.geometry.origin = {-8, -7, -6.5};
+  parts.geometry.size = size;
+  parts.geometry.origin = -parts.geometry.centre();
   parts.slope = slope;
   parts.intercept = intercept;
   std::vector<T> values;
-  for (int k = 0; k < 14; ++k)
-    for (int j = 0; j < 15; ++j)
-      for (int i = 0; i < 17; ++i) values.push_back(T(low + (high - low) * waves(dvec3(i, j, k))));
+  for (int k = 0; k < size.z; ++k)
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i) values.push_back(T(low + (high - low) * waves(dvec3(i, j, k))));
   parts.values = std::move(values);
   std::vector<std::string> warnings;
   return *Volume::make(std::move(parts), warnings);
@@ -92,6 +92,10 @@ std::vector<Named> volumes() {
        volumeOf({12, 13, 11}, dmat3(1), [](dvec3 x) { return 1e-20 * tests::waves(x); }),
        {0, 1e-20}},
       {"one voxel", floats(ivec3(1)), waves, true},
+      {"one voxel of 16 bits", stored<std::int16_t>(0, 1000, 1, 0, ivec3(1)), waves, true},
+      {"one slice of 16 bits", stored<std::uint16_t>(0, 1000, 1, 0, {17, 16, 1}), waves, true},
+      {"one column of 16 bits, 1 x 1 x 41", stored<std::int16_t>(0, 1000, 1, 0, {1, 1, 41}), waves, true},
+      {"one row of 8 bits, 45 x 1 x 1", stored<std::uint8_t>(0, 250, 4, 0, {45, 1, 1}), waves, true},
       {"one slice", floats({18, 16, 1}), waves, true},
       {"two slices", floats({18, 16, 2}), waves, true},
       {"one column, 1 x 1 x 40", floats({1, 1, 40}), waves, true},

@@ -1,5 +1,5 @@
 // Guards DESIGN 2 (finite, levels, determinism) and SCENE 2 to 9 where numbers are hard: every method on
-// every case. With VOLUMEN_ALL_TARGETS set, every case is compared on every CPU target.
+// every case. With VOLUMEN_ALL_TARGETS set, every case and OpenGL too are compared on every CPU target.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +14,12 @@
 
 using namespace volumen;
 using namespace volumen::tests;
+
+namespace {
+
+bool allTargetsWanted() { return qEnvironmentVariableIsSet("VOLUMEN_ALL_TARGETS"); }
+
+}  // namespace
 
 class TestHardCases : public QObject {
   Q_OBJECT
@@ -31,7 +37,7 @@ class TestHardCases : public QObject {
   }
   void referenceIsTheLimit();
   void everyCpuTargetGivesTheSameBytes_data() {
-    addRows([](const HardCase& c) { return c.delicate || qEnvironmentVariableIsSet("VOLUMEN_ALL_TARGETS"); });
+    addRows([](const HardCase& c) { return c.delicate || allTargetsWanted(); });
   }
   void everyCpuTargetGivesTheSameBytes();
   void openGlIsHere();
@@ -156,16 +162,19 @@ void TestHardCases::referenceIsTheLimit() {
 
 void TestHardCases::everyCpuTargetGivesTheSameBytes() {
   FETCH_CASE();
-  for (int bits : {16, 32}) {
+  for (const DrawWay& way : drawWays()) {
+    if (way.options.resampler == Resampler::gl && (!allTargetsWanted() || mayRefuse(way, c))) continue;
+    RenderOptions options = way.options;
+    options.quality = Quality::high;
     std::optional<Picture> first;
-    RenderOptions options = atLevel(Quality::high);
-    options.precision = bits;
     QStringList others;
     const auto targets = onEveryCpuTarget([&] {
       RenderCaches caches(c.volume);  // the Sobel pass has kernels of its own
       const Picture picture = Truth(caches, c.scene, c.size).drawn(options);
       if (!first) first = picture;
-      if (picture != *first) others << QString::fromLatin1(kernelTarget());
+      if (picture != *first)
+        others << QStringLiteral("%1 on %2")
+                      .arg(QString::fromLatin1(way.name), QString::fromLatin1(kernelTarget()));
     });
     QVERIFY2(others.isEmpty(), qPrintable(others.join(QStringLiteral(", "))));
     QVERIFY2(targets.size() >= 2, "this machine has one CPU target only, so nothing was compared");
