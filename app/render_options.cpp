@@ -21,8 +21,11 @@ const std::map<std::string, Mode> modes{
     {"composite", Mode::composite}, {"mip", Mode::mip}, {"minip", Mode::minip}, {"average", Mode::average}};
 const std::map<std::string, Shader> shaders{
     {"auto", Shader::automatic}, {"map", Shader::map}, {"table", Shader::table}, {"phong", Shader::phong}};
-const std::map<std::string, Method> methods{
-    {"planes", Method::planes}, {"blend", Method::blend}, {"reference", Method::reference}};
+const std::map<std::string, Method> methods{{"planes", Method::planes},
+                                            {"blend", Method::blend},
+                                            {"preshaded", Method::preshaded},
+                                            {"gpu", Method::gpu},
+                                            {"reference", Method::reference}};
 const std::map<std::string, Blending> blendings{
     {"float", Blending::floats}, {"16", Blending::bits16}, {"8", Blending::bits8}};
 const std::map<std::string, MapLookup> mapLookups{{"nearest", MapLookup::nearest},
@@ -115,9 +118,8 @@ void addMethodOptions(CLI::App& app, MethodOptions& o) {
   app.add_option("--method", o.method, "How it is drawn")
       ->check(CLI::IsMember(keys(methods)))
       ->capture_default_str();
-  app.add_option("--resampler", o.resampler, "What resamples the planes")
-      ->check(CLI::IsMember({"cpu", "gl"}))
-      ->capture_default_str();
+  app.add_option("--resampler", o.resampler, "What resamples (default: gl with --method gpu, else cpu)")
+      ->check(CLI::IsMember({"cpu", "gl"}));
   app.add_option("--blending", o.blending, "Bits of the frame buffer of --method blend (default: float)")
       ->check(CLI::IsMember(keys(blendings)));
   app.add_option("--precision", o.precision, "Bits of stored density and gradients")
@@ -157,7 +159,7 @@ Result<RenderOptions> renderOptions(const SceneOptions& scene, const MethodOptio
   out.method = method.reference ? Method::reference : methods.at(method.method);
   if (out.method == Method::reference && (method.step || !method.quality.empty()))
     return Error{"--method reference has no steps or levels; leave --step and --quality out."};
-  out.resampler = method.resampler == "gl" ? Resampler::gl : Resampler::cpu;
+  if (!method.resampler.empty()) out.resampler = method.resampler == "gl" ? Resampler::gl : Resampler::cpu;
   if (!method.blending.empty()) out.blending = blendings.at(method.blending);
   out.shader = shaders.at(method.shader);
   out.precision = method.precision;

@@ -22,8 +22,7 @@ Result<Scene> makeScene(const SceneOptions& options, const Volume& volume);
 
 /// The options that choose accuracy and method, as typed.
 struct MethodOptions {
-  std::string quality, method = "planes", resampler = "cpu", shader = "auto", mapLookup, gradient = "sobel",
-                       blending;
+  std::string quality, method = "planes", resampler, shader = "auto", mapLookup, gradient = "sobel", blending;
   std::optional<double> step, stopAt, opacityThreshold;
   std::optional<int> precision, mapSize, curveTable, threads;
   bool reference = false, full = false;

@@ -47,6 +47,7 @@ nlohmann::ordered_json statsJson(const Plan& plan, const RenderStats& s, const T
             {"plan", t.planMs},
             {"resample", s.resampleMs},
             {"shade", s.shadeMs},
+            {"gl", s.glMs},
             {"total", t.totalMs}}},
           {"framesMs", t.framesMs},
           {"samples", {{"resampled", s.resampled}, {"shaded", s.shaded}, {"composited", s.composited}}},

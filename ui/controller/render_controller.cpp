@@ -168,7 +168,8 @@ bool RenderController::drawFrame(const ScreenRequest& request, double factor, co
   if (!drawn && !cancel.cancelled()) {
     tell([this, sentence = QString::fromStdString(drawn.message())] { Q_EMIT failed(sentence); });
     if (options.resampler == Resampler::gl) {
-      setResampler(options.resampler = Resampler::cpu);
+      options.resampler = Resampler::cpu;
+      setResampler(Resampler::cpu);
       drawn = draw(scene, options, cancel);
     }
   }

@@ -2,16 +2,39 @@
 
 namespace volumen {
 
+Resampler resamplerOf(const RenderOptions& o) {
+  return o.resampler.value_or(o.method == Method::gpu ? Resampler::gl : Resampler::cpu);
+}
+
 Effect decideMethod(const RuleInput& in, Plan& plan) {
   plan.method = in.options.method;
   switch (plan.method) {
     case Method::blend:
       return on("blend, as asked: slices from the back to the front, each shaded, then blended");
+    case Method::preshaded:
+      return on(
+          "preshaded, as asked: colours of voxels are interpolated, not values, which is wrong where the "
+          "curve is not straight");
+    case Method::gpu:
+      return on("gpu, as asked: everything in one shader of OpenGL");
     case Method::reference:
     case Method::planes:
       break;
   }
   return on("planes: rays from front to back, so that what is hidden is never shaded");
+}
+
+Effect decideResampler(const RuleInput& in, Plan& plan) {
+  plan.resampler = resamplerOf(in.options);
+  if (plan.resampler == Resampler::cpu)
+    return on(plan.method == Method::planes
+                  ? "cpu: passes over empty blocks, stops where a ray is opaque, and needs no OpenGL"
+                  : "cpu: needs no OpenGL");
+  if (plan.method == Method::preshaded) return on("gl, as asked: colours are interpolated in floats");
+  const std::string by =
+      plan.bits == 16 ? "filtered by the texture hardware" : "interpolated in floats as on the CPU";
+  if (plan.method == Method::gpu) return on("gl: " + by);
+  return on("gl, as asked: " + by + (plan.bits == 16 ? ", while the CPU shades" : ", while that shades"));
 }
 
 Effect decideBlending(const RuleInput& in, Plan& plan) {

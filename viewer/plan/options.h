@@ -10,7 +10,7 @@ namespace volumen {
 /// Levels of quality, each an error promise against the reference (DESIGN 2).
 enum class Quality { draft, standard, high, exact };
 /// DESIGN 3.
-enum class Method { planes, blend, reference };
+enum class Method { planes, blend, preshaded, gpu, reference };
 enum class Resampler { cpu, gl };
 /// Reflectance map, the 4-index 5-bit table that the paper rejects (figure 3b), or directly (paper 2.2).
 enum class Shader { automatic, map, table, phong };
@@ -26,7 +26,7 @@ struct RenderOptions {
   Quality quality = Quality::standard;
   std::optional<double> step;  ///< voxels: the plain midpoint rule of SCENE 9 instead of a level
   Method method = Method::planes;
-  Resampler resampler = Resampler::cpu;
+  std::optional<Resampler> resampler;  ///< none: gl with Method::gpu, else cpu
   Shader shader = Shader::automatic;
   std::optional<int> precision;  ///< bits of the stored density and gradient components: 16 or 32
   std::optional<int> mapSize;    ///< n of the reflectance map's six n x n faces

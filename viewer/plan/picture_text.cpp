@@ -10,7 +10,7 @@ const char* qualityName(Quality quality) {
 }
 
 const char* methodName(Method method) {
-  static constexpr const char* names[] = {"planes", "blend", "reference"};
+  static constexpr const char* names[] = {"planes", "blend", "preshaded", "gpu", "reference"};
   return names[int(method)];
 }
 
@@ -34,6 +34,7 @@ std::string besides(const Plan& plan) {
   const RenderOptions& o = plan.options;
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+  if (plan.method == Method::preshaded) add("colours of voxels interpolated, not values");
   if (plan.shader == Shader::table) add("light from a table of 5-bit indices, in 8 bits");
   if (plan.shader == Shader::map && (o.mapSize || o.mapLookup))
     add("light from a map of " + std::to_string(plan.mapSize) + " directions an edge, " +

@@ -14,7 +14,7 @@ std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan);
 
 /// "draft", "standard", "high", "exact".
 const char* qualityName(Quality quality);
-/// "planes", "blend", "reference".
+/// "planes", "blend", "preshaded", "gpu", "reference".
 const char* methodName(Method method);
 
 }  // namespace volumen

@@ -17,12 +17,16 @@ inline Effect off(std::string reason) {
 /// A number in four digits.
 std::string inDigits(double x);
 
+/// What resamples: as asked, else OpenGL for the method that is OpenGL's alone, and the CPU.
+Resampler resamplerOf(const RenderOptions& options);
+
 /// Lights that are on and not black.
 int lightsThatShine(const Scene& scene);
 
 // Rules of the table (rules.h) in files of their own: what draws, how light is computed, what changes the
 // curve.
 Effect decideMethod(const RuleInput& in, Plan& plan);
+Effect decideResampler(const RuleInput& in, Plan& plan);
 Effect decideBlending(const RuleInput& in, Plan& plan);
 Effect decideShader(const RuleInput& in, Plan& plan);
 Effect decideCurveTable(const RuleInput& in, Plan& plan);

@@ -79,7 +79,7 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   plan.visibleShare = 1;
   plan.skipBlocks = false;
   if (!composite(in)) return off("a projection looks at every value");
-  if (plan.method == Method::blend) return off("every slice is resampled whole");
+  if (plan.method != Method::planes) return off("this method looks at every sample");
   if (!in.facts.bricks) return off("nothing is known of the blocks");
   const auto visible = visibleBlocks(plan.curve, *in.facts.bricks);
   plan.visibleShare =
@@ -182,7 +182,7 @@ Effect precision(const RuleInput& in, Plan& plan) {
   // Texture hardware that filters 16 bits may keep 8 bits of the place between two voxels: measured on
   // scenes with thin bright shells, 0.7/255 RMSE at standard's steps.
   const bool coarse =
-      in.options.resampler == Resampler::gl && !in.options.precision &&
+      resamplerOf(in.options) == Resampler::gl && plan.method != Method::preshaded && !in.options.precision &&
       (in.options.step || in.options.quality == Quality::high || in.options.quality == Quality::exact);
   const bool packed = fits && !in.options.precision && packingIsCoarse(in);
   plan.bits = fits && !coarse && !packed ? in.options.precision.value_or(16) : 32;
@@ -192,15 +192,6 @@ Effect precision(const RuleInput& in, Plan& plan) {
   if (coarse) return on("32 bits, interpolated in floats: filters of texture hardware are too coarse here");
   return on(std::to_string(plan.bits) +
             (in.options.precision ? " bits, as asked" : " bits hold the stored integers exactly"));
-}
-
-Effect resampler(const RuleInput& in, Plan& plan) {
-  plan.resampler = in.options.resampler;
-  if (plan.resampler == Resampler::cpu && plan.method != Method::planes) return on("cpu: needs no OpenGL");
-  if (plan.resampler == Resampler::cpu)
-    return on("cpu: passes over empty blocks, stops where a ray is opaque, and needs no OpenGL");
-  return on(plan.bits == 16 ? "gl, as asked: filtered by the texture hardware, while the CPU shades"
-                            : "gl, as asked: interpolated in floats as on the CPU, while that shades");
 }
 
 }  // namespace
@@ -220,7 +211,7 @@ const std::vector<Rule>& rules() {
       {"faint samples", false, decideFaintSamples},
       {"empty blocks", true, emptyBlocks},
       {"precision", false, precision},
-      {"resampler", false, resampler},
+      {"resampler", false, decideResampler},
       {"shader", false, decideShader},
       {"blending", false, decideBlending},
   };

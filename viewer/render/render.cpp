@@ -3,7 +3,10 @@
 #include <chrono>
 
 #include "viewer/render/methods/blend.h"
+#include "viewer/render/methods/blend_gl.h"
+#include "viewer/render/methods/cast_gl.h"
 #include "viewer/render/methods/planes.h"
+#include "viewer/render/methods/preshaded.h"
 #include "viewer/render/reference.h"
 #include "viewer/volume/parallel.h"
 
@@ -32,9 +35,14 @@ Status checkSize(const Plan& plan, const Volume& volume) {
 Result<Rendered> renderBy(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
   if (plan.method == Method::reference) return renderTruth(plan, caches, cancel);
   if (Status s = checkSize(plan, *caches.volume()); !s) return s.error();
+  const bool gl = plan.resampler == Resampler::gl;
   switch (plan.method) {
     case Method::blend:
-      return renderBlend(plan, caches, cancel);
+      return gl ? renderBlendGl(plan, caches, cancel) : renderBlend(plan, caches, cancel);
+    case Method::preshaded:
+      return gl ? renderCastGl(plan, caches, cancel) : renderPreshaded(plan, caches, cancel);
+    case Method::gpu:
+      return renderCastGl(plan, caches, cancel);
     case Method::reference:
     case Method::planes:
       break;

@@ -18,6 +18,7 @@ namespace volumen {
 struct RenderStats {
   double gradientsMs = 0;  ///< Sobel pass and copies made for this picture; 0 where they were there already
   double resampleMs = 0, shadeMs = 0, totalMs = 0;
+  double glMs = 0;  ///< what OpenGL itself took; it overlaps with shadeMs where glMs + shadeMs > totalMs
   std::int64_t resampled = 0, shaded = 0, composited = 0;  ///< samples
   std::size_t densityBytes = 0, gradientBytes = 0, blockBytes = 0, tableBytes = 0;
   int threads = 1;

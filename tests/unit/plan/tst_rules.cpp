@@ -176,6 +176,18 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   row("blend as asked", "method",
       "on   method: blend, as asked: slices from the back to the front, each shaded, then blended",
       [](Asked& a) { a.options.method = Method::blend; });
+  row("preshaded as asked", "method",
+      "on   method: preshaded, as asked: colours of voxels are interpolated, not values, which is wrong "
+      "where "
+      "the curve is not straight",
+      [](Asked& a) { a.options.method = Method::preshaded; });
+  row("the GPU draws by OpenGL", "resampler", "on   resampler: gl: filtered by the texture hardware",
+      [](Asked& a) { a.options.method = Method::gpu; });
+  row("preshaded colours are interpolated in floats", "resampler",
+      "on   resampler: gl, as asked: colours are interpolated in floats", [](Asked& a) {
+        a.options.method = Method::preshaded;
+        a.options.resampler = Resampler::gl;
+      });
   row("planes blend nothing", "blending", "off  blending: rays are composited one by one, in floats",
       [](Asked&) {});
   row("a frame buffer of 8 bits", "blending",
@@ -185,7 +197,7 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.options.method = Method::blend;
         a.options.blending = Blending::bits8;
       });
-  row("slices skip no blocks", "empty blocks", "off  empty blocks: every slice is resampled whole",
+  row("slices skip no blocks", "empty blocks", "off  empty blocks: this method looks at every sample",
       [](Asked& a) { a.options.method = Method::blend; });
   row("slices never stop", "early stop",
       "off  early stop: what comes from the back cannot know what will hide it",
@@ -261,6 +273,18 @@ void TestRules::optionsThatCannotBeAreRefused_data() {
     a.options.mapLookup = MapLookup::nearest;
   });
   row("a frame buffer without blend", "--blending", [](Asked& a) { a.options.blending = Blending::bits16; });
+  row("a GPU without OpenGL", "--resampler cpu", [](Asked& a) {
+    a.options.method = Method::gpu;
+    a.options.resampler = Resampler::cpu;
+  });
+  row("colours projected", "--method preshaded", [](Asked& a) {
+    a.options.method = Method::preshaded;
+    a.scene.mode = Mode::mip;
+  });
+  row("a blend that stops", "--stop-at", [](Asked& a) {
+    a.options.method = Method::blend;
+    a.options.stopAt = 0.1;
+  });
   row("a mean in 8 bits", "--blending 8", [](Asked& a) {
     a.options.method = Method::blend;
     a.options.blending = Blending::bits8;

@@ -87,6 +87,14 @@ const std::vector<MethodCase>& methodCases() {
     add("blend", Method::blend, Resampler::cpu);
     add("blend, 16 bits", Method::blend, Resampler::cpu).blending = Blending::bits16;
     add("blend, 8 bits", Method::blend, Resampler::cpu).blending = Blending::bits8;
+    add("blend, OpenGL", Method::blend, Resampler::gl);
+    add("blend, OpenGL, 16 bits", Method::blend, Resampler::gl).blending = Blending::bits16;
+    add("blend, OpenGL, 8 bits", Method::blend, Resampler::gl).blending = Blending::bits8;
+    add("blend, OpenGL that filters", Method::blend, Resampler::gl).precision = 16;
+    add("gpu", Method::gpu, Resampler::gl);
+    add("gpu that filters", Method::gpu, Resampler::gl).precision = 16;
+    add("preshaded", Method::preshaded, Resampler::cpu);
+    add("preshaded, OpenGL", Method::preshaded, Resampler::gl);
     return all;
   }();
   return cases;

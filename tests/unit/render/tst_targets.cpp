@@ -51,6 +51,12 @@ void TestTargets::everyCpuTargetGivesTheSameBytes_data() {
     c.scene.shading.localViewer = true;
     c.scene.transferFunction.gradientOpacity = {{0, 0.1}, {50, 1}};
   });
+  row("preshaded", [](Case& c) { c.options.method = Method::preshaded; });
+  row("preshaded, 32 bits, map", [](Case& c) {
+    c.options.method = Method::preshaded;
+    c.options.precision = 32;
+    c.options.shader = Shader::map;
+  });
   row("local viewer in perspective", [](Case& c) {
     c.scene.shading.localViewer = true;
     c.scene.camera = Camera{.target = glm::dvec3(0),

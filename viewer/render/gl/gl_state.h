@@ -2,8 +2,10 @@
 
 #include <string>
 
+#include "viewer/render/gl/caster.h"
 #include "viewer/render/gl/gl_context.h"
 #include "viewer/render/gl/plane_resampler.h"
+#include "viewer/render/gl/slice_blender.h"
 #include "viewer/render/gl/volume_textures.h"
 
 namespace volumen {
@@ -14,6 +16,8 @@ struct GlState {
   std::string renderer;  ///< GL_RENDERER
   VolumeTextures textures;
   PlaneResampler resampler;
+  Caster caster;
+  SliceBlender blender;
 };
 
 /// Makes the context with the factory and looks at what it can do. An Error is a sentence with a way out.

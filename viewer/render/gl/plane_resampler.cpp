@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "viewer/render/gl/program.h"
 #include "viewer/render/gl/shader_texts.h"
 
 namespace volumen {
@@ -12,45 +13,6 @@ namespace volumen {
 namespace {
 
 enum Unit { densityUnit, gradientUnit, rayUnit };
-
-Result<GLuint> compile(GLenum kind, const std::string& defines, const char* text) {
-  // `precise` (where the driver has it) keeps the compiler from fusing a multiply and an add, which the CPU's
-  // kernels do not do either.
-  const std::string head =
-      "#version 330 core\n"
-      "#extension GL_ARB_gpu_shader5 : enable\n"
-      "#ifdef GL_ARB_gpu_shader5\n#define EXACT precise\n#else\n#define EXACT\n#endif\n" +
-      defines;
-  const char* texts[] = {head.c_str(), text};
-  const GLuint shader = glCreateShader(kind);
-  glShaderSource(shader, 2, texts, nullptr);
-  glCompileShader(shader);
-  GLint compiled = GL_FALSE;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-  if (compiled) return shader;
-  char log[512] = {};
-  glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-  glDeleteShader(shader);
-  return Error{std::string("OpenGL refused the resampler's shader: ") + log + "; use --resampler cpu."};
-}
-
-Result<GLuint> link(const std::string& defines) {
-  const auto vertex = compile(GL_VERTEX_SHADER, defines, planesVertexShader);
-  if (!vertex) return vertex;
-  const auto fragment = compile(GL_FRAGMENT_SHADER, defines, planesFragmentShader);
-  if (!fragment) return fragment;
-  const GLuint program = glCreateProgram();
-  for (GLuint shader : {*vertex, *fragment}) {
-    glAttachShader(program, shader);
-    glDeleteShader(shader);
-  }
-  glLinkProgram(program);
-  GLint linked = GL_FALSE;
-  glGetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (linked) return program;
-  glDeleteProgram(program);
-  return Error{"OpenGL could not link the resampler's shaders; use --resampler cpu."};
-}
 
 GLuint makeTarget(GLenum format, GLenum attachment, int lines) {
   GLuint name = 0;
@@ -106,18 +68,17 @@ Status PlaneResampler::prepare(const Plan& plan, const VolumeTextures& textures,
   glUniform3i(uniform("size"), size.x, size.y, size.z);
   glUniform1i(uniform("lineShift"), Batch::lineLog2);
   glUniform1f(uniform("lines"), float(lines_));
-  // A texel's way to 0..1 and back, and its interpolation, round by less than four times 2^-24 of the
-  // largest.
   glUniform1f(uniform("smallest"), float(textures.smallest()));
-  glUniform1f(uniform("rounding"), float(std::max(textures.span(), 1)) * 0x1p-21f);
+  glUniform1f(uniform("rounding"), textures.rounding());
   return {};
 }
 
 Status PlaneResampler::chooseProgram(bool shaderFilter) {
   GLuint& program = programs_[2 * int(shaderFilter) + int(gradients_)];
   if (!program) {
-    const auto made = link(std::string(shaderFilter ? "#define SHADER_FILTER\n" : "") +
-                           (gradients_ ? "#define GRADIENTS\n" : ""));
+    const auto made = makeProgram(std::string(shaderFilter ? "#define SHADER_FILTER\n" : "") +
+                                      (gradients_ ? "#define GRADIENTS\n" : ""),
+                                  shaders::planes_vert, {shaders::sample_glsl, shaders::planes_frag});
     if (!made) return made.error();
     program = *made;
   }
@@ -176,7 +137,9 @@ void PlaneResampler::draw(const Batch& batch, int slot) {
   glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, rayBuffer_);
   glBindFramebuffer(GL_FRAMEBUFFER, slots_[slot].framebuffer);
   glViewport(0, 0, Batch::line, lines_);
+  timer_.begin(slot);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(batch.strips.size()));
+  timer_.end();
   glFlush();
 }
 
@@ -202,6 +165,7 @@ PlaneResampler::Samples PlaneResampler::map(const Batch& batch, int slot) {
       static_cast<const char*>(glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, all, GL_MAP_READ_BIT));
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   if (!data || glGetError() != GL_NO_ERROR) return {};
+  glMs_ += timer_.ms(slot);
   return {reinterpret_cast<const float*>(data),
           gradients_ ? reinterpret_cast<const float*>(data + density) : nullptr};
 }

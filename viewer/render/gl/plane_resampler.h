@@ -2,8 +2,10 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <utility>
 
 #include "viewer/render/gl/batch.h"
+#include "viewer/render/gl/timer.h"
 #include "viewer/render/gl/volume_textures.h"
 
 namespace volumen {
@@ -33,6 +35,8 @@ class PlaneResampler {
   };
   Samples map(const Batch& batch, int slot);
   void unmap(int slot);
+  /// What OpenGL took to resample since this was last asked, ms.
+  double takeGlMs() { return std::exchange(glMs_, 0.0); }
 
  private:
   struct Slot {
@@ -51,6 +55,8 @@ class PlaneResampler {
   std::array<Slot, slots> slots_;
   int lines_ = 0;           ///< of the targets
   bool gradients_ = false;  ///< the targets have them
+  GlTimer timer_;
+  double glMs_ = 0;
 };
 
 }  // namespace volumen

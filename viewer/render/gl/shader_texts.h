@@ -1,9 +1,16 @@
 #pragma once
 
-namespace volumen {
-
 /// The files of resources/shaders, compiled in; without their #version line.
-extern const char* const planesVertexShader;
-extern const char* const planesFragmentShader;
+namespace volumen::shaders {
 
-}  // namespace volumen
+extern const char* const planes_vert;
+extern const char* const planes_frag;
+extern const char* const picture_vert;
+extern const char* const sample_glsl;
+extern const char* const ray_glsl;
+extern const char* const shade_glsl;
+extern const char* const slice_frag;
+extern const char* const blend_frag;
+extern const char* const cast_frag;
+
+}  // namespace volumen::shaders

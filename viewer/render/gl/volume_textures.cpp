@@ -76,6 +76,17 @@ Status VolumeTextures::load(const Plan& plan, RenderCaches& caches, const Cancel
   return plan.gradients ? loadGradients(plan, caches, cancel) : Status();
 }
 
+// Less than four times 2^-24 of the largest.
+float VolumeTextures::rounding() const { return float(std::max(span_, 1)) * 0x1p-21f; }
+
+Status VolumeTextures::loadShaded(glm::ivec3 n, const float* rgba, const CancelToken& cancel) {
+  glDeleteTextures(1, &shaded_.name);
+  shaded_ = {makeTexture(gradients32, n), 32, std::size_t(n.x) * n.y * n.z * gradients32.voxelBytes};
+  if (!shaded_.name)
+    return Error{"OpenGL has no room for " + inWords(n) + " in colour; use --resampler cpu."};
+  return upload(gradients32, n, cancel, [&](std::size_t first, std::size_t) { return rgba + 4 * first; });
+}
+
 Status VolumeTextures::loadDensity(int bits, RenderCaches& caches, const CancelToken& cancel) {
   if (density_.bits == bits) return {};
   glDeleteTextures(1, &density_.name);

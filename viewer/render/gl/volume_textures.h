@@ -17,11 +17,16 @@ class VolumeTextures {
   /// "cancelled".
   Status load(const Plan& plan, RenderCaches& caches, const CancelToken& cancel);
 
+  /// Preshaded voxels, four floats each, filtered in the shader. Not kept for another picture.
+  Status loadShaded(glm::ivec3 size, const float* rgba, const CancelToken& cancel);
+
   unsigned density() const { return density_.name; }
   unsigned gradients() const { return gradients_.name; }
-  /// Of densities in 16 bits: what a texel of 0 stands for, and the largest texel.
+  /// What a texel of 0 stands for, of densities in 16 bits.
   int smallest() const { return smallest_; }
-  int span() const { return span_; }
+  unsigned shaded() const { return shaded_.name; }
+  /// A texel's way to 0..1 and back, and its interpolation, round densities in 16 bits by less than this.
+  float rounding() const;
   std::size_t densityBytes() const { return density_.bytes; }
   std::size_t gradientBytes() const { return gradients_.bytes; }
 
@@ -34,7 +39,7 @@ class VolumeTextures {
   Status loadDensity(int bits, RenderCaches& caches, const CancelToken& cancel);
   Status loadGradients(const Plan& plan, RenderCaches& caches, const CancelToken& cancel);
 
-  Texture density_, gradients_;
+  Texture density_, gradients_, shaded_;
   GradientOperator gradientsBy_ = GradientOperator::sobel;
   int smallest_ = 0, span_ = 0;
 };

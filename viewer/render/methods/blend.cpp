@@ -1,7 +1,5 @@
 #include "viewer/render/methods/blend.h"
 
-#include <chrono>
-
 #include "viewer/render/caches.h"
 #include "viewer/render/methods/frame_row.h"
 #include "viewer/render/methods/row_painter.h"
@@ -29,9 +27,7 @@ class BlendPainter {
         picture_(picture),
         resample_(chooseResampleKernel(frame.key().store)),
         shade_(chooseShadeKernel(frame.key())) {
-    picture.size = plan.options.size;
-    picture.transparent = plan.scene.background.transparent;
-    picture.rgba.resize(std::size_t(4) * picture.size.x * picture.size.y);
+    preparePicture(plan, picture);
   }
 
   void paintRow(int y, BlendTask& task) const {
@@ -82,13 +78,7 @@ class BlendPainter {
     }
     countSamples(task);
     writeProjectedPixels(plan_.scene, frame_.scale(), task.rays, values.result(), picture_);
-    const int levels = levelsOf(plan_.blending);
-    if (levels == 0) return;
-    for (int pixel : task.rays.pixel)
-      for (int c = 0; pixel >= 0 && c < 4; ++c) {
-        float& x = picture_.rgba[std::size_t(4) * pixel + c];
-        x = rounded(x, float(levels));
-      }
+    roundPixels(plan_.blending, task.rays, picture_);
   }
 
   static void countSamples(BlendTask& task) {
@@ -113,16 +103,14 @@ Result<Rendered> renderBlend(const Plan& plan, RenderCaches& caches, const Cance
                        plan.clip);
   const BlendPainter painter(plan, frame, setup, done.picture);
   TraceTotals totals;
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = nowMs();
   parallelFor(plan.options.size.y, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
     BlendTask task;
     for (int y = int(first); y < last && !cancel.cancelled(); ++y) painter.paintRow(y, task);
     totals.add(task.counts);
   });
   if (cancel.cancelled()) return Error{"cancelled"};
-  const double passMs =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  totals.report(plan, passMs, stats);
+  totals.report(plan, nowMs() - begin, stats);
   return done;
 }
 

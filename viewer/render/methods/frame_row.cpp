@@ -8,6 +8,16 @@ int levelsOf(Blending blending) {
   return blending == Blending::floats ? 0 : blending == Blending::bits16 ? 65535 : 255;
 }
 
+void roundPixels(Blending blending, const RayRow& rays, Picture& picture) {
+  const int levels = levelsOf(blending);
+  if (levels == 0) return;
+  for (int pixel : rays.pixel)
+    for (int c = 0; pixel >= 0 && c < 4; ++c) {
+      float& x = picture.rgba[std::size_t(4) * pixel + c];
+      x = rounded(x, float(levels));
+    }
+}
+
 namespace {
 
 void blendFloats(const float* source, const float* alpha, float* target, std::size_t count) {

@@ -4,6 +4,7 @@
 
 #include "viewer/plan/options.h"
 #include "viewer/render/kernels/samples.h"
+#include "viewer/volume/picture.h"
 
 namespace volumen {
 
@@ -30,6 +31,9 @@ class FrameRow {
 
 /// The largest value of a component of 8 or 16 bits; 0 for floats.
 int levelsOf(Blending blending);
+
+/// Rounds the rays' pixels as such a frame buffer keeps them.
+void roundPixels(Blending blending, const RayRow& rays, Picture& picture);
 
 /// x in 0..1 as a frame buffer of so many levels keeps it.
 inline float rounded(float x, float levels) { return float(int(x * levels + 0.5f)) / levels; }

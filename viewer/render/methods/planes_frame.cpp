@@ -98,6 +98,12 @@ void PlanesFrame::setGradientScale(const Plan& plan, const VoxelGeometry& geomet
   frame_.inverseFloor = floor > 0 ? float(std::min(1 / floor, 1e30)) : 0.0f;
 }
 
+void preparePicture(const Plan& plan, Picture& picture) {
+  picture.size = plan.options.size;
+  picture.transparent = plan.scene.background.transparent;
+  picture.rgba.resize(std::size_t(4) * picture.size.x * picture.size.y);
+}
+
 void writePixels(const Background& background, const RayRow& rays, const TraceRow& row, Picture& picture) {
   const glm::vec3 behind = background.colour;
   for (std::size_t ray = 0; ray < rays.pixel.size(); ++ray) {

@@ -34,6 +34,8 @@ class PlanesFrame {
   TransferFunction transfer_;
 };
 
+/// An empty picture of the plan's size.
+void preparePicture(const Plan& plan, Picture& picture);
 /// Writes the rays' pixels: colour over the background, clamped (SCENE 6).
 void writePixels(const Background& background, const RayRow& rays, const TraceRow& row, Picture& picture);
 /// The same for projections: densities mapped to grey by the window; rays of no steps show the background.

@@ -1,22 +1,17 @@
 #include "viewer/render/methods/planes_gl.h"
 
-#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
 
 #include "viewer/render/caches.h"
 #include "viewer/render/methods/row_painter.h"
+#include "viewer/render/methods/ticks.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
 
 namespace {
-
-double nowMs() {
-  using namespace std::chrono;
-  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
 
 // No ray is longer than the volume's diagonal.
 std::int64_t mostSteps(glm::ivec3 size, double stepVoxels) {
@@ -108,6 +103,7 @@ Result<Rendered> renderPlanesGl(const Plan& plan, RenderCaches& caches, const Ca
   if (Status s = drawBatches(maker, state.resampler, shader, cancel); !s) return s.error();
 
   shader.report(plan, stats);
+  stats.glMs = state.resampler.takeGlMs();
   stats.gradientsMs += loaded - begin;
   stats.resampleMs = nowMs() - loaded - stats.shadeMs;
   stats.densityBytes += state.textures.densityBytes();

@@ -8,9 +8,7 @@ RowPainter::RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& pict
     trace_ = chooseTraceKernel(frame.key());
   else
     project_ = chooseProjectKernel(frame.key().store, plan.scene.mode);
-  picture.size = plan.options.size;
-  picture.transparent = plan.scene.background.transparent;
-  picture.rgba.resize(std::size_t(4) * picture.size.x * picture.size.y);
+  preparePicture(plan, picture);
 }
 
 void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 
 namespace volumen {
@@ -11,6 +12,12 @@ inline std::int64_t ticks() {
 #else
   return 0;
 #endif
+}
+
+/// A clock for what takes longer, ms.
+inline double nowMs() {
+  using namespace std::chrono;
+  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace volumen

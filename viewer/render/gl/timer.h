@@ -1,0 +1,29 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <array>
+
+namespace volumen {
+
+/// Measures what OpenGL itself takes for what it is told between begin() and end(), a query for each of two
+/// slots. Names go with the context.
+class GlTimer {
+ public:
+  void begin(int slot) {
+    if (!queries_[0]) glGenQueries(2, queries_.data());
+    glBeginQuery(GL_TIME_ELAPSED, queries_[slot]);
+  }
+  void end() { glEndQuery(GL_TIME_ELAPSED); }
+  /// Waits for the slot's work and returns its time, ms.
+  double ms(int slot) const {
+    GLuint64 ns = 0;
+    glGetQueryObjectui64v(queries_[slot], GL_QUERY_RESULT, &ns);
+    return double(ns) * 1e-6;
+  }
+
+ private:
+  std::array<GLuint, 2> queries_{};
+};
+
+}  // namespace volumen

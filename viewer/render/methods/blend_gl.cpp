@@ -1,0 +1,165 @@
+#include "viewer/render/methods/blend_gl.h"
+
+#include <atomic>
+#include <limits>
+
+#include "viewer/render/caches.h"
+#include "viewer/render/methods/frame_row.h"
+#include "viewer/render/methods/row_painter.h"
+#include "viewer/render/methods/slice_row.h"
+#include "viewer/render/methods/ticks.h"
+#include "viewer/volume/parallel.h"
+
+namespace volumen {
+
+namespace {
+
+Error glFailed() { return Error{"OpenGL failed while it drew; use --resampler cpu."}; }
+
+// Turns a slice's samples into what the frame buffer blends, four floats a pixel, on all cores.
+class SliceShader {
+ public:
+  SliceShader(const Plan& plan, const PlanesFrame& frame)
+      : plan_(plan), frame_(frame), shade_(chooseShadeKernel(frame.key())) {}
+
+  const float* shade(const RayBand& band, int n, const SliceBlender::Samples& samples) {
+    const double begin = nowMs();
+    const std::size_t stride = band.stride;
+    rgba_.resize(4 * stride * band.rows.size());
+    parallelFor(
+        std::int64_t(band.rows.size()), plan_.options.threads, [&](std::int64_t first, std::int64_t last) {
+          std::vector<float> units, values(4 * stride);
+          for (std::int64_t row = first; row < last; ++row) {
+            unitsOfSlice(band.rows[row], n, frame_.trace().inverseUnitMm, units);
+            const float* density = samples.density + row * stride;
+            const float* gradients = samples.gradients ? samples.gradients + 4 * row * stride : nullptr;
+            float* out = &rgba_[4 * row * stride];
+            if (plan_.scene.mode == Mode::composite)
+              shadeRow(band.rows[row], density, gradients, units, values, out);
+            else
+              projectRow(density, units, out);
+          }
+        });
+    ms_ += nowMs() - begin;
+    return rgba_.data();
+  }
+
+  void report(RenderStats& stats) const {
+    stats.shadeMs = ms_;
+    stats.composited = visible_;
+    stats.shaded = plan_.lit ? stats.composited : 0;
+  }
+
+ private:
+  void shadeRow(const RayRow& rays, const float* density, const float* gradients,
+                const std::vector<float>& units, std::vector<float>& values, float* rgba) {
+    const TraceRow out = FrameRow::rowOf(values);
+    visible_ += shade_(frame_.trace(),
+                       {int(units.size()), density, gradients, units.data(), rays.viewerX.data(),
+                        rays.viewerY.data(), rays.viewerZ.data()},
+                       out);
+    for (std::size_t n = 0; n < units.size(); ++n, rgba += 4)
+      rgba[0] = out.red[n], rgba[1] = out.green[n], rgba[2] = out.blue[n], rgba[3] = out.alpha[n];
+  }
+
+  // Densities for MAX and MIN; density times length, and length, for sums.
+  void projectRow(const float* density, const std::vector<float>& units, float* rgba) const {
+    constexpr float most = std::numeric_limits<float>::max();
+    const Mode mode = plan_.scene.mode;
+    for (std::size_t n = 0; n < units.size(); ++n, rgba += 4) {
+      const bool has = units[n] > 0;
+      const float none = mode == Mode::mip ? -most : mode == Mode::minip ? most : 0;
+      rgba[0] = !has ? none : mode == Mode::average ? density[n] * units[n] : density[n];
+      rgba[1] = mode == Mode::average ? units[n] : 0;
+      rgba[2] = rgba[3] = 0;
+    }
+  }
+
+  const Plan& plan_;
+  const PlanesFrame& frame_;
+  ShadeKernel shade_;
+  std::vector<float> rgba_;
+  std::atomic<std::int64_t> visible_{0};
+  double ms_ = 0;
+};
+
+// All slices of a band, from the back; while the CPU shades one, OpenGL draws the next.
+Status drawSlices(const RayBand& band, SliceBlender& blender, SliceShader& shader,
+                  const CancelToken& cancel) {
+  for (int n = band.longest - 1; n >= -1; --n) {
+    if (n >= 0) blender.drawSlice(n, n % 2);
+    const int behind = n + 1;
+    if (behind == band.longest) continue;
+    const SliceBlender::Samples samples = blender.map(behind % 2);
+    if (!samples.density) return glFailed();
+    const float* rgba = shader.shade(band, behind, samples);
+    blender.unmap(behind % 2);
+    blender.blend(rgba);
+    if (cancel.cancelled()) return Error{"cancelled"};
+  }
+  return {};
+}
+
+// Red, green, blue and alpha one behind the other; of a mean, the mean in red.
+void writeBand(const Plan& plan, const PlanesFrame& frame, const RayBand& band,
+               const std::vector<float>& rgba, Picture& picture) {
+  std::vector<float> values(std::size_t(4) * band.stride);
+  const TraceRow row = FrameRow::rowOf(values);
+  const float* pixel = rgba.data();
+  for (const RayRow& rays : band.rows) {
+    for (int n = 0; n < band.stride; ++n, pixel += 4) {
+      const bool mean = plan.scene.mode == Mode::average && pixel[1] > 0;
+      row.red[n] = mean ? pixel[0] / pixel[1] : pixel[0];
+      row.green[n] = pixel[1], row.blue[n] = pixel[2], row.alpha[n] = pixel[3];
+    }
+    if (plan.scene.mode == Mode::composite)
+      writePixels(plan.scene.background, rays, row, picture);
+    else
+      writeProjectedPixels(plan.scene, frame.scale(), rays, row.red, picture);
+    if (plan.scene.mode != Mode::composite) roundPixels(plan.blending, rays, picture);
+  }
+}
+
+}  // namespace
+
+Result<Rendered> renderBlendGl(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
+  const auto made = caches.impl().glState();
+  if (!made) return made.error();
+  GlState& gl = **made;
+  const CurrentContext current(*gl.context);
+  if (!current) return Error{"The OpenGL context cannot be used on this thread; use --resampler cpu."};
+
+  Rendered done;
+  RenderStats& stats = done.stats;
+  const glm::ivec3 size = caches.volume()->size();
+  const PlanesFrame frame(plan, caches, stats);
+  const double begin = nowMs();
+  if (Status s = gl.textures.load(plan, caches, cancel); !s) return s.error();
+  const double loaded = nowMs();
+  const RaySetup setup(plan.scene, caches.volume()->geometry(), plan.options.size, plan.stepVoxels,
+                       plan.clip);
+  if (Status s = gl.blender.prepare(plan, size, gl.textures); !s) return s.error();
+  preparePicture(plan, done.picture);
+  SliceShader shader(plan, frame);
+  RayBands bands(setup, plan.options.size);
+  RayBand band;
+  for (bands.fill(band, plan.options.threads); !band.empty(); bands.fill(band, plan.options.threads)) {
+    if (Status s = gl.blender.begin(band, frame.trace().inverseUnitMm); !s) return s.error();
+    if (Status s = drawSlices(band, gl.blender, shader, cancel); !s) return s.error();
+    const std::vector<float>& pixels = gl.blender.pixels();
+    if (pixels.empty()) return glFailed();
+    writeBand(plan, frame, band, pixels, done.picture);
+    for (const RayRow& rays : band.rows)
+      for (int steps : rays.steps) stats.resampled += steps;
+  }
+  shader.report(stats);
+  stats.glMs = gl.blender.takeGlMs();
+  stats.gradientsMs += loaded - begin;
+  stats.resampleMs = nowMs() - loaded - stats.shadeMs;
+  stats.densityBytes += gl.textures.densityBytes();
+  if (plan.gradients) stats.gradientBytes += gl.textures.gradientBytes();
+  stats.kernel = gl.renderer;
+  return done;
+}
+
+}  // namespace volumen

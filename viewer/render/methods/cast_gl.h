@@ -1,0 +1,11 @@
+#pragma once
+
+#include "viewer/render/render.h"
+
+namespace volumen {
+
+/// GPU (figure 1c of the paper): everything in one shader of OpenGL. Preshaded with OpenGL (figure 1b):
+/// voxels shaded on the CPU, resampled and composited by OpenGL.
+Result<Rendered> renderCastGl(const Plan& plan, RenderCaches& caches, const CancelToken& cancel);
+
+}  // namespace volumen
