@@ -119,7 +119,7 @@ class Measurement {
     row.pixels = atPixelsOf(study.truth, done.picture);
     row.error = compare(row.pixels, study.truth.picture, study.truth.well);
     study.threads = s.threads;
-    if (row.setting.options.resampler == Resampler::cpu) study.kernel = s.kernel;
+    if (row.setting.options.resampler != Resampler::gl) study.kernel = s.kernel;
   }
 
   const StudyOptions& options_;
