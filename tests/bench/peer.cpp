@@ -1,0 +1,174 @@
+#include "tests/bench/peer.h"
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <sstream>
+
+#include "io/files/picture_file.h"
+#include "io/study.h"
+#include "viewer/scene/scene_json.h"
+#include "viewer/study/statistics.h"
+
+namespace volumen::bench {
+
+namespace {
+
+constexpr int views = 8;
+
+struct Arguments {
+  std::string path;
+  std::vector<std::string> scenes;
+  std::string pictures;
+  int rounds = 3, threads = 0;
+};
+
+Result<Arguments> read(int argc, char** argv) {
+  Arguments a;
+  for (int n = 1; n < argc; ++n) {
+    const bool valueFollows = n + 1 < argc;
+    if (!std::strcmp(argv[n], "--rounds") && valueFollows)
+      a.rounds = std::max(1, std::atoi(argv[++n]));
+    else if (!std::strcmp(argv[n], "--threads") && valueFollows)
+      a.threads = std::atoi(argv[++n]);
+    else if (!std::strcmp(argv[n], "--pictures") && valueFollows)
+      a.pictures = argv[++n];
+    else if (a.path.empty())
+      a.path = argv[n];
+    else
+      a.scenes.push_back(argv[n]);
+  }
+  if (a.scenes.empty())
+    return Error{"usage: PATH SCENE.json... [--rounds N] [--threads N] [--pictures FOLDER]"};
+  return a;
+}
+
+Result<Scene> readScene(const std::string& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return sceneFromJson(text.str());
+}
+
+// The plain step of one unit distance along the view, as the peers take it.
+RenderOptions oursFor(const Scene& scene, const Volume& volume, int threads) {
+  RenderOptions o;
+  o.threads = threads;
+  const glm::dvec3 axis = cameraAxes(*scene.camera).direction;
+  o.step = scene.transferFunction.unitDistance * glm::length(volume.geometry().voxelFromPatientStep() * axis);
+  return o;
+}
+
+std::string inMs(const std::vector<double>& ms) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.1f (%.1f)", median(ms), minimum(ms));
+  return text;
+}
+
+class Comparison {
+ public:
+  Comparison(const Volume& volume, const Scene& scene, RenderCaches& caches, MakePeers makePeers)
+      : scene_(scene),
+        caches_(caches),
+        peers_(makePeers(volume, scene)),
+        peersMs_(peers_.size()),
+        firstMs_(peers_.size()) {}
+
+  Status run(const Arguments& a) {
+    for (int round = -1; round < a.rounds; ++round)  // the first warms up
+      for (int view = 0; view < views; ++view) {
+        Scene turnedScene = scene_;
+        turnedScene.camera = turned(*scene_.camera, 360.0 * view / views);
+        const auto plan =
+            makePlan(turnedScene, caches_.facts(), oursFor(turnedScene, *caches_.volume(), a.threads));
+        if (!plan) return plan.error();
+        const double begin = wallMs();
+        if (const auto done = render(*plan, caches_); !done) return done.error();
+        if (round >= 0) oursMs_.push_back(wallMs() - begin);
+        for (std::size_t n = 0; n < peers_.size(); ++n) {
+          const double peerBegin = wallMs();
+          peers_[n]->draw(*turnedScene.camera);
+          const double ms = wallMs() - peerBegin;
+          if (round >= 0)
+            peersMs_[n].push_back(ms);
+          else if (view == 0)
+            firstMs_[n] = ms;
+        }
+      }
+    return {};
+  }
+
+  // The first view again, by everyone.
+  Status writePictures(const std::string& folder, const std::string& scene) {
+    const auto plan = makePlan(scene_, caches_.facts(), oursFor(scene_, *caches_.volume(), 0));
+    const auto ours = plan ? render(*plan, caches_) : Result<Rendered>(plan.error());
+    if (!ours) return ours.error();
+    if (Status s = writePng(ours->picture, folder + "/" + scene + "-volumen.png", {}); !s) return s;
+    for (std::size_t n = 0; n < peers_.size(); ++n) {
+      peers_[n]->draw(*scene_.camera);
+      Picture picture{{512, 512}, false, {}};
+      for (std::size_t k = 0; const std::uint8_t byte : peers_[n]->rgb()) {
+        picture.rgba.push_back(float(byte) / 255);
+        if (++k % 3 == 0) picture.rgba.push_back(1);
+      }
+      if (Status s = writePng(picture, folder + "/" + scene + "-peer" + std::to_string(n) + ".png", {}); !s)
+        return s;
+    }
+    return {};
+  }
+
+  void print(const std::string& name) const {
+    std::printf("| %s | volumen | %s | | |\n", name.c_str(), inMs(oursMs_).c_str());
+    for (std::size_t n = 0; n < peers_.size(); ++n)
+      std::printf("| %s | %s | %s | %.1f x | %.0f |\n", name.c_str(), peers_[n]->name().c_str(),
+                  inMs(peersMs_[n]).c_str(), median(peersMs_[n]) / median(oursMs_), firstMs_[n]);
+    std::fflush(stdout);
+  }
+
+ private:
+  const Scene& scene_;
+  RenderCaches& caches_;
+  std::vector<std::unique_ptr<Peer>> peers_;
+  std::vector<double> oursMs_;
+  std::vector<std::vector<double>> peersMs_;
+  std::vector<double> firstMs_;
+};
+
+Status compareAll(const Arguments& a, MakePeers makePeers) {
+  const auto study = openStudy(a.path);
+  if (!study) return study.error();
+  const auto chosen = chooseSeries(*study, {});
+  if (!chosen) return chosen.error();
+  const auto loaded = loadSeries(study->volumes[*chosen]);
+  if (!loaded) return loaded.error();
+  RenderCaches caches(loaded->drawn);
+  std::printf(
+      "| scene | renderer | ms a frame: median (minimum) | times as long as volumen | first frame ms |\n"
+      "|---|---|---|---|---|\n");
+  for (const std::string& path : a.scenes) {
+    const auto read = readScene(path);
+    if (!read) return Error{path + ": " + read.message()};
+    const auto plan = makePlan(*read, caches.facts(), {});
+    if (!plan) return plan.error();
+    const Scene scene = plan->scene;
+    Comparison comparison(*loaded->drawn, scene, caches, makePeers);
+    if (Status s = comparison.run(a); !s) return s;
+    const std::string name = std::filesystem::path(path).stem().string();
+    comparison.print(name);
+    if (a.pictures.empty()) continue;
+    if (Status s = comparison.writePictures(a.pictures, name); !s) return s;
+  }
+  return {};
+}
+
+}  // namespace
+
+int comparePeers(int argc, char** argv, MakePeers makePeers) {
+  const auto arguments = read(argc, argv);
+  const Status done = arguments ? compareAll(*arguments, makePeers) : Status(arguments.error());
+  if (!done) std::fprintf(stderr, "%s\n", done.message().c_str());
+  return done ? 0 : 1;
+}
+
+}  // namespace volumen::bench
