@@ -44,19 +44,24 @@ Chart knobPanel(const AccuracyStudy& study, const std::string& knob) {
   chart.xTitle = QLatin1String(timeAxis);
   chart.yTitle = QStringLiteral("RMSE, /255");
   ChartSeries others{{}, QColor(205, 209, 216), false, true, {}},
-      base{{}, QColor(20, 20, 20), false, false, {}}, own{{}, methodColour("planes"), true, false, {}};
+      base{{}, QColor(20, 20, 20), false, false, {}};
+  std::map<std::string, ChartSeries> own;  // by method
   for (const StudyRow& row : study.rows) {
     const ChartPoint point{row.medianMs, shown(row.error.rmse), q(row.setting.value), row.front};
-    if (row.setting.knob == knob) {
-      own.points.push_back(point);
-      own.colour = methodColour(row.method);
-    } else if (row.setting.knob == "base") {
+    if (row.setting.knob == knob)
+      own[row.method].points.push_back(point);
+    else if (row.setting.knob == "base")
       base.points.push_back({point.x, point.y, QStringLiteral("base: ") + point.label, row.front});
-    } else {
+    else
       others.points.push_back({point.x, point.y, {}, false});
-    }
   }
-  chart.series = {others, own, base};
+  chart.series = {others};
+  for (auto& [method, series] : own) {
+    series.colour = methodColour(method);
+    series.line = own.size() == 1;
+    chart.series.push_back(std::move(series));
+  }
+  chart.series.push_back(base);
   return chart;
 }
 
@@ -64,10 +69,10 @@ Chart knobPanel(const AccuracyStudy& study, const std::string& knob) {
 
 QColor methodColour(const std::string& method) {
   static const std::map<std::string, QColor> colours{
-      {"planes", QColor(0, 114, 178)},       {"planes, OpenGL", QColor(86, 180, 233)},
-      {"blend", QColor(0, 158, 115)},        {"blend, OpenGL", QColor(120, 200, 90)},
-      {"preshaded", QColor(213, 94, 0)},     {"preshaded, OpenGL", QColor(230, 159, 0)},
-      {"gpu, OpenGL", QColor(204, 121, 167)}};
+      {"planes", QColor(0, 114, 178)},   {"planes, OpenGL", QColor(86, 180, 233)},
+      {"blend", QColor(0, 158, 115)},    {"blend, OpenGL", QColor(120, 200, 90)},
+      {"preshaded", QColor(213, 94, 0)}, {"preshaded, OpenGL", QColor(230, 159, 0)},
+      {"gpu", QColor(204, 121, 167)}};
   const auto found = colours.find(method);
   return found == colours.end() ? QColor(90, 90, 90) : found->second;
 }

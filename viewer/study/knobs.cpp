@@ -50,6 +50,17 @@ Value level(Quality quality) {
           }};
 }
 
+Value method(const char* name, Method method) {
+  return {name, [=](Setting& s) { s.options.method = method; }};
+}
+
+Value byOpenGl(const char* name, Method method) {
+  return {std::string(name) + ", OpenGL", [=](Setting& s) {
+            s.options.method = method;
+            s.options.resampler = Resampler::gl;
+          }};
+}
+
 Value blending(const char* name, Blending blending) {
   return {name, [=](Setting& s) {
             s.options.method = Method::blend;
@@ -64,11 +75,14 @@ std::vector<Knob> knobs() {
                    +[](Setting& s, double x) { s.options.step = x; })},
       {"level",
        {level(Quality::draft), level(Quality::standard), level(Quality::high), level(Quality::exact)}},
-      {"method", {{"blend", options([](auto& o) { o.method = Method::blend; })}}},
+      {"method",
+       {method("blend", Method::blend), method("preshaded", Method::preshaded), method("GPU", Method::gpu)}},
       {"blending",
        {blending("floats", Blending::floats), blending("16 bits", Blending::bits16),
         blending("8 bits", Blending::bits8)}},
-      {"resampler", {{"OpenGL", options([](auto& o) { o.resampler = Resampler::gl; })}}},
+      {"resampler",
+       {byOpenGl("planes", Method::planes), byOpenGl("blend", Method::blend),
+        byOpenGl("preshaded", Method::preshaded)}},
       {"precision", numbers(
                         {16, 32}, " bits", +[](Setting& s, int bits) { s.options.precision = bits; })},
       {"shader",
@@ -143,11 +157,19 @@ std::vector<Setting> gridOfKnobs(const RenderOptions& base) {
           if (resolution < 1) s.value += ", " + text(resolution) + " resolution";
           all.push_back(std::move(s));
         }
+  for (const Value& other : {method("blend", Method::blend), method("preshaded", Method::preshaded)})
+    for (const double step : {1.0, 1.0 / 2, 1.0 / 4, 1.0 / 8}) {
+      Setting s{"grid", other.text + ", step " + text(step), base, 1};
+      other.turn(s);
+      s.options.step = step;
+      all.push_back(std::move(s));
+    }
   return all;
 }
 
 std::string methodName(const RenderOptions& options) {
-  return std::string(methodName(options.method)) + (options.resampler == Resampler::gl ? ", OpenGL" : "");
+  return std::string(methodName(options.method)) +
+         (options.resampler == Resampler::gl && options.method != Method::gpu ? ", OpenGL" : "");
 }
 
 }  // namespace volumen

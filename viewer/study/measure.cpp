@@ -102,8 +102,12 @@ class Measurement {
     const double ms = wallMs() - begin;
     v.spentMs += ms;
     const bool sameCaches = last_ && !needsOtherCaches(*last_, v.plan);
-    // Facts, gradients, copies and textures that a frame makes take no less than this.
-    if (done && timed && sameCaches && done->stats.gradientsMs < 1) v.framesMs.push_back(ms);
+    // Facts, gradients, copies and textures that a frame makes take no less than this. A row that is slow
+    // anyway is not drawn again for them.
+    constexpr double madeSomething = 1;
+    const bool counts =
+        (sameCaches && done && done->stats.gradientsMs < madeSomething) || ms > options_.mostMs;
+    if (done && timed && counts) v.framesMs.push_back(ms - done->stats.gradientsMs);
     last_ = v.plan;
     return done;
   }
@@ -119,7 +123,7 @@ class Measurement {
     row.pixels = atPixelsOf(study.truth, done.picture);
     row.error = compare(row.pixels, study.truth.picture, study.truth.well);
     study.threads = s.threads;
-    if (row.setting.options.resampler != Resampler::gl) study.kernel = s.kernel;
+    if (v.plan.resampler == Resampler::cpu) study.kernel = s.kernel;
   }
 
   const StudyOptions& options_;

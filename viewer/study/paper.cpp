@@ -125,6 +125,8 @@ const std::vector<Rival>& rivals() {
          o.method = Method::blend;
          o.blending = Blending::bits8;
        }},
+      {"Preshaded", "Van Gelder and Kim 1996: voxels classified and shaded first, colours interpolated",
+       [](Scene&) {}, [](RenderOptions& o) { o.method = Method::preshaded; }},
       {"unlit Blend", "Cabral et al. 1994: slices blended, no light", [](Scene& s) { s.shading.lit = false; },
        [](RenderOptions& o) {
          o.method = Method::blend;

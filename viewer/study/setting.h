@@ -19,7 +19,8 @@ struct Setting {
 /// One knob at a time, from the base: every value of every knob, the base itself first.
 std::vector<Setting> oneKnobAtATime(const RenderOptions& base);
 
-/// The grid of the knobs that matter for time: step, resolution, shader, and the levels beside it.
+/// The grid of the knobs that matter for time: step, resolution, shader and where rays end; step by the other
+/// methods.
 std::vector<Setting> gridOfKnobs(const RenderOptions& base);
 
 /// What the knobs are turned from: everything as the planner chooses it for a plain step small enough that
