@@ -4,6 +4,7 @@
 
 #include "tests/fixtures/brute_force.h"
 #include "tests/unit/render/method_cases.h"
+#include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"
 #include "viewer/render/reference.h"
 #include "viewer/render/render.h"
@@ -82,6 +83,7 @@ class TestMethods : public QObject {
   void aFrameBufferOf8BitsHoldsBytes();
   void gpuShadesAsTheCpuDoes_data();
   void gpuShadesAsTheCpuDoes();
+  void scenesOfChanceAreFiniteAndTheSameEveryWay();
 
  private:
   static void addRows(bool preshaded);
@@ -224,6 +226,28 @@ void TestMethods::gpuShadesAsTheCpuDoes() {
   options.method = Method::planes;
   const PictureError e = compare(gpu->picture, draw(scene, options)->picture);
   QVERIFY2(e.rmse <= 0.02 && e.percentile99 <= 0.1, qPrintable(inWords(e)));
+}
+
+void TestMethods::scenesOfChanceAreFiniteAndTheSameEveryWay() {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const RandomScene chance = randomScene(seed);
+    RenderCaches caches(chance.volume);
+    for (const MethodCase& c : methodCases()) {
+      // A context and its programs for each volume take long.
+      if (c.needsGl && (!whyNone_.isEmpty() || seed % 20 != 0)) continue;
+      RenderOptions options = c.options;
+      options.size = chance.size;
+      const auto plan = makePlan(chance.scene, caches.facts(), options);
+      if (!plan.ok()) continue;  // what does not go together: projectsAsPlanesDo
+      const Picture picture = render(*plan, caches)->picture;
+      const QString where = QStringLiteral("seed %1, %2").arg(seed).arg(QString::fromStdString(c.name));
+      for (float component : picture.rgba) QVERIFY2(component >= 0 && component <= 1, qPrintable(where));
+      options.threads = 3;
+      options.full = true;
+      QVERIFY2(render(*makePlan(chance.scene, caches.facts(), options), caches)->picture == picture,
+               qPrintable(where));
+    }
+  }
 }
 
 VOLUMEN_TEST(TestMethods);

@@ -7,10 +7,15 @@ namespace volumen {
 
 void unitsOfSlice(const RayRow& rays, int n, float inverseUnitMm, std::vector<float>& units) {
   units.resize(rays.steps.size());
-  for (std::size_t ray = 0; ray < units.size(); ++ray) {
-    const int left = rays.steps[ray] - n;
-    const float mm = left > 1 ? rays.stepMm[ray] : left == 1 ? rays.lastStepMm[ray] : 0;
-    units[ray] = mm * inverseUnitMm;
+  // Without a branch, so that the compiler takes several rays at a time.
+  const int* steps = rays.steps.data();
+  const float *full = rays.stepMm.data(), *last = rays.lastStepMm.data();
+  float* out = units.data();
+  for (std::size_t ray = 0, count = units.size(); ray < count; ++ray) {
+    const float whole = full[ray], rest = last[ray];
+    const int left = steps[ray] - n;
+    const float some = left > 1 ? whole : rest;
+    out[ray] = (left > 0 ? some : 0.0f) * inverseUnitMm;
   }
 }
 
