@@ -36,7 +36,7 @@ std::string besides(const Plan& plan) {
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (plan.method == Method::preshaded) add("colours of voxels interpolated, not values");
   if (plan.shader == Shader::table) add("light from a table of 5-bit indices, in 8 bits");
-  if (plan.shader == Shader::map && (o.mapSize || o.mapLookup))
+  if (plan.shader == Shader::map && (o.shader == Shader::map || o.mapSize || o.mapLookup))
     add("light from a map of " + std::to_string(plan.mapSize) + " directions an edge, " +
         (plan.mapLookup == MapLookup::nearest ? "nearest" : "bilinear"));
   if (plan.blending == Blending::bits8)

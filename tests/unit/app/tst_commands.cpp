@@ -69,6 +69,11 @@ void TestCommands::wrongUsageIsASentenceAndStatus2_data() {
                            "render phantom:sphere -o a.png --reference --step 1",
                            "render phantom:sphere -o a.png --method reference --quality high",
                            "render phantom:sphere -o a.png --precision 12",
+                           "render phantom:sphere -o a.png --method gpu --resampler cpu",
+                           "render phantom:sphere -o a.png --method preshaded --mode mip",
+                           "render phantom:sphere -o a.png --blending 8",
+                           "render phantom:sphere -o a.png --method blend --blending 8 --mode average",
+                           "render phantom:sphere -o a.png --shader phong --map-lookup nearest",
                            "render phantom:sphere -o a.png --step 0",
                            "render phantom:sphere -o a.png --stop-at 2",
                            "render phantom:sphere -o a.png --gradient roberts",
@@ -149,7 +154,7 @@ void TestCommands::statsHoldTheStages() {
       0);
   const QJsonObject all = QJsonDocument::fromJson(contents(stats)).object();
   const QJsonObject stages = all[QStringLiteral("stagesMs")].toObject();
-  for (const char* stage : {"load", "gradients", "plan", "resample", "shade", "total"})
+  for (const char* stage : {"load", "gradients", "plan", "resample", "shade", "gl", "total"})
     QVERIFY2(stages.contains(QLatin1String(stage)), stage);
   QCOMPARE(all[QStringLiteral("framesMs")].toArray().size(), 3);
   QVERIFY(all[QStringLiteral("samples")].toObject()[QStringLiteral("composited")].toInt() > 0);

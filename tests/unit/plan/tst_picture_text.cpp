@@ -1,0 +1,82 @@
+// Guards DESIGN 3 and 10: a picture says how it was made, and what error is promised or why none is.
+#include "tests/unit/suite.h"
+#include "viewer/plan/picture_text.h"
+
+using namespace volumen;
+
+namespace {
+
+using Change = void (*)(RenderOptions&);
+
+VolumeFacts someFacts() {
+  VolumeFacts f;
+  f.geometry.size = {16, 8, 8};
+  f.range = {-1000, 1000};
+  f.p01 = -1000;
+  f.p999 = 900;
+  return f;
+}
+
+QString textOf(const RenderOptions& options, const std::string& key) {
+  const Scene scene;
+  const auto plan = makePlan(scene, someFacts(), options);
+  if (!plan) return QString::fromStdString("refused: " + plan.message());
+  for (const auto& [k, value] : pictureText(*plan))
+    if (k == key) return QString::fromStdString(value);
+  return {};
+}
+
+}  // namespace
+
+Q_DECLARE_METATYPE(Change)
+
+class TestPictureText : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void saysItsMethodAndError_data();
+  void saysItsMethodAndError();
+};
+
+void TestPictureText::saysItsMethodAndError_data() {
+  QTest::addColumn<Change>("change");
+  QTest::addColumn<QString>("method");
+  QTest::addColumn<QString>("error");
+  const auto row = [](const char* name, const char* method, const char* error, Change change) {
+    QTest::newRow(name) << change << QString::fromLatin1(method) << QString::fromLatin1(error);
+  };
+  const char* standard = "PSNR >= 42 dB, 99th percentile <= 8/255";
+  row("by itself", "planes", standard, [](RenderOptions&) {});
+  row("blend keeps the promise", "blend", standard, [](RenderOptions& o) { o.method = Method::blend; });
+  row("gpu keeps the promise", "gpu", standard, [](RenderOptions& o) { o.method = Method::gpu; });
+  row("a step", "planes", "that of the midpoint rule at this step", [](RenderOptions& o) { o.step = 1; });
+  row("the reference", "reference", "within 0.05/255 of the limit",
+      [](RenderOptions& o) { o.method = Method::reference; });
+  row("preshaded", "preshaded", "not promised, chosen by hand: colours of voxels interpolated, not values",
+      [](RenderOptions& o) { o.method = Method::preshaded; });
+  row("a frame buffer of bytes", "blend",
+      "not promised, chosen by hand: 1/2 of 1/255 rounded off after each slice, colours above 1 cut off",
+      [](RenderOptions& o) {
+        o.method = Method::blend;
+        o.blending = Blending::bits8;
+      });
+  row("a table", "planes", "not promised, chosen by hand: light from a table of 5-bit indices, in 8 bits",
+      [](RenderOptions& o) { o.shader = Shader::table; });
+  row("a map", "planes", "not promised, chosen by hand: light from a map of 32 directions an edge, nearest",
+      [](RenderOptions& o) {
+        o.mapSize = 32;
+        o.mapLookup = MapLookup::nearest;
+      });
+}
+
+void TestPictureText::saysItsMethodAndError() {
+  QFETCH(Change, change);
+  QFETCH(QString, method);
+  QFETCH(QString, error);
+  RenderOptions options;
+  change(options);
+  QCOMPARE(textOf(options, "volumen-method"), method);
+  QCOMPARE(textOf(options, "volumen-error"), error);
+}
+
+VOLUMEN_TEST(TestPictureText);
+#include "tst_picture_text.moc"
