@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "viewer/plan/plan.h"
 #include "viewer/scene/presets.h"
 #include "viewer/scene/scene_json.h"
 
@@ -172,6 +173,13 @@ Result<RenderOptions> renderOptions(const SceneOptions& scene, const MethodOptio
   out.threads = method.threads.value_or(0);
   out.full = method.full;
   return out;
+}
+
+Status checkPlan(const Scene& scene, const Volume& volume, const RenderOptions& options) {
+  VolumeFacts facts;
+  facts.geometry = volume.geometry();
+  const auto plan = makePlan(scene, facts, options);
+  return plan ? Status() : Status(plan.error());
 }
 
 }  // namespace volumen

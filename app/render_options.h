@@ -36,4 +36,8 @@ void addMethodOptions(CLI::App& app, MethodOptions& options);
 /// together.
 Result<RenderOptions> renderOptions(const SceneOptions& scene, const MethodOptions& method);
 
+/// What the planner would refuse, before anything is measured: options that the scene does not go with. It
+/// looks at nothing of the volume but its geometry.
+Status checkPlan(const Scene& scene, const Volume& volume, const RenderOptions& options);
+
 }  // namespace volumen

@@ -70,6 +70,7 @@ int run(const AccuracyOptions& options, const CancelToken& cancel) {
   const VolumePtr volume = opened->loaded.drawn;
   const auto scene = makeScene(options.scene, *volume);
   if (!scene) return fail(scene.message());
+  if (Status s = checkPlan(*scene, *volume, settings->front().options); !s) return failUsage(s.message());
   RenderCaches caches(volume);
   const auto study = measure(*scene, *settings, options.study, caches, terminalProgress(), cancel);
   endTerminalProgress();

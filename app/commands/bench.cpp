@@ -1,5 +1,6 @@
 #include <iostream>
 #include <memory>
+#include <set>
 
 #include "app/command.h"
 #include "app/commands/bench_paper.h"
@@ -49,9 +50,7 @@ int run(const BenchOptions& options, const CancelToken& cancel) {
   if (!scene) return fail(scene.message());
   if (options.elevation) raiseCamera(*scene, *volume, asked->size, *options.elevation);
   RenderCaches caches(volume);
-  VolumeFacts noFacts;  // what is refused does not depend on them, and the first frame shall look for them
-  noFacts.geometry = volume->geometry();
-  if (const auto plan = makePlan(*scene, noFacts, *asked); !plan) return failUsage(plan.message());
+  if (Status s = checkPlan(*scene, *volume, *asked); !s) return failUsage(s.message());
   const auto orbit = measureOrbit(*scene, *asked, options.orbit, caches, terminalProgress(), cancel);
   endTerminalProgress();
   if (!orbit) return fail(cancel.cancelled() ? "Stopped; nothing was measured." : orbit.message());
@@ -67,7 +66,7 @@ std::function<int()> makeBench(CLI::App& app, const CancelToken& cancel) {
       "PATH", o->path,
       "A file, a folder or phantom:NAME[:SIZE]; with --paper a folder of test data, for stand-ins of the "
       "paper's scans");
-  app.add_flag(
+  auto* paper = app.add_flag(
       "--paper", o->paper,
       "Measure the paper's Tables 1 and 2, Figure 9 and section 4 on this machine (into the folder of -o)");
   app.add_option("-o,--output", o->folder, "The folder that --paper writes");
@@ -85,6 +84,11 @@ std::function<int()> makeBench(CLI::App& app, const CancelToken& cancel) {
                  "Stand the camera so many degrees above the plane that it turns in, on the side of up")
       ->check(CLI::Range(-89.0, 89.0));
   app.add_flag("--json", o->json, "One JSON object on stdout");
+  // The paper says what is drawn, and how.
+  const std::set<std::string> goWithPaper{"PATH", "help", "output", "paper", "rounds", "threads"};
+  for (CLI::Option* other : app.get_options())
+    if (!goWithPaper.count(other->get_lnames().empty() ? other->get_name() : other->get_lnames().front()))
+      paper->excludes(other);
   return [o, &cancel] { return run(*o, cancel); };
 }
 

@@ -81,9 +81,11 @@ void TestAccuracyCommand::writesTheStudy() {
 
 void TestAccuracyCommand::wrongUsageIsRefused_data() {
   QTest::addColumn<QString>("line");
-  for (const char* line : {"phantom:sphere:16", "-o /tmp/x", "phantom:sphere:16 -o /tmp/x --knob zoom",
-                           "phantom:sphere:16 -o /tmp/x --frames 0", "phantom:sphere:16 -o /tmp/x --pixels 0",
-                           "phantom:sphere:16 -o /tmp/x --step 1", "phantom:sphere:16 -o /tmp/x --size 0x3"})
+  for (const char* line :
+       {"phantom:sphere:16", "-o /tmp/x", "phantom:sphere:16 -o /tmp/x --knob zoom",
+        "phantom:sphere:16 -o /tmp/x --frames 0", "phantom:sphere:16 -o /tmp/x --pixels 0",
+        "phantom:sphere:16 -o /tmp/x --step 1", "phantom:sphere:16 -o /tmp/x --size 40000x2",
+        "phantom:sphere:16 -o /tmp/x --size 0x3"})
     QTest::newRow(line) << QString::fromLatin1(line);
 }
 

@@ -74,6 +74,7 @@ void TestBenchCommand::wrongUsageIsRefused_data() {
   for (const char* line :
        {"", "phantom:sphere:16 --views 0", "phantom:sphere:16 --rounds 0", "phantom:sphere:16 --elevation 90",
         "phantom:sphere:16 --step 0", "phantom:sphere:16 -o /tmp/x", "--paper",
+        "--paper -o /tmp/x --scene a.json", "--paper -o /tmp/x --step 1", "--paper -o /tmp/x --json",
         "phantom:sphere:16 --step 1 --quality high", "phantom:sphere:16 --size 3"})
     QTest::newRow(line) << QString::fromLatin1(line);
 }
