@@ -56,6 +56,13 @@ Status writeAll(const AccuracyStudy& study, const StudyTitle& title, const std::
   return writeReport(folder, "differences.png", contactSheet(study, title));
 }
 
+std::vector<std::string> leftOutNote(const std::vector<std::string>& leftOut) {
+  if (leftOut.size() < 2) return leftOut;
+  return {std::to_string(leftOut.size()) +
+          " settings cannot be drawn here and are left out (study.json names each); the first: " +
+          leftOut.front()};
+}
+
 int run(const AccuracyOptions& options, const CancelToken& cancel) {
   MethodOptions method;
   method.threads = options.threads;
@@ -75,7 +82,7 @@ int run(const AccuracyOptions& options, const CancelToken& cancel) {
   const auto study = measure(*scene, *settings, options.study, caches, terminalProgress(), cancel);
   endTerminalProgress();
   if (!study) return fail(cancel.cancelled() ? "Stopped; nothing was written." : study.message());
-  printNotes(study->leftOut);
+  printNotes(leftOutNote(study->leftOut));
   const std::string name = volume->attributes().name.empty() ? opened->series.id : volume->attributes().name;
   const Status written = writeAll(*study, titleOf(name, sceneName(options.scene)), options.folder);
   return written.ok() ? exitDone : fail(written.message());
