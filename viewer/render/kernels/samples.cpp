@@ -110,6 +110,29 @@ std::int64_t ShadeSamples(const TraceFrame& f, const SampleRow& s, const TraceRo
   return visible;
 }
 
+template <bool kRounded>
+void BlendRow(const TraceRow& slice, const TraceRow& frame, int count, float levels) {
+  const DF df;
+  const float* const sources[] = {slice.red, slice.green, slice.blue, slice.alpha};
+  float* const targets[] = {frame.red, frame.green, frame.blue, frame.alpha};
+  const VF one = Set(1);
+  for (int first = 0; first < count; first += int(hn::Lanes(df))) {
+    const VF through = hn::Sub(one, hn::LoadU(df, slice.alpha + first));
+    for (int c = 0; c < 4; ++c) {
+      const VF source = hn::LoadU(df, sources[c] + first);
+      const VF behind = hn::Mul(through, hn::LoadU(df, targets[c] + first));
+      VF sum = hn::Add(kRounded ? hn::Min(source, one) : source, behind);
+      if constexpr (kRounded) {
+        const VF whole = hn::Add(hn::Mul(hn::Min(sum, one), Set(levels)), Set(0.5f));
+        sum = hn::Div(hn::ConvertTo(df, hn::ConvertTo(DI(), whole)), Set(levels));
+      }
+      hn::StoreU(sum, df, targets[c] + first);
+    }
+  }
+}
+
+BlendKernel ChooseBlend(bool rounded) { return rounded ? BlendRow<true> : BlendRow<false>; }
+
 ResampleKernel ChooseResample(Store store) {
   return store == Store::int16 ? ResampleRow<true> : ResampleRow<false>;
 }
@@ -145,8 +168,10 @@ namespace volumen {
 
 HWY_EXPORT(ChooseResample);
 HWY_EXPORT(ChooseShadeSamples);
+HWY_EXPORT(ChooseBlend);
 
 ResampleKernel chooseResampleKernel(Store store) { return HWY_DYNAMIC_DISPATCH(ChooseResample)(store); }
+BlendKernel chooseBlendKernel(bool rounded) { return HWY_DYNAMIC_DISPATCH(ChooseBlend)(rounded); }
 ShadeKernel chooseShadeKernel(TraceKey key) { return HWY_DYNAMIC_DISPATCH(ChooseShadeSamples)(key); }
 
 }  // namespace volumen

@@ -25,4 +25,9 @@ ResampleKernel chooseResampleKernel(Store store);
 using ShadeKernel = std::int64_t (*)(const TraceFrame&, const SampleRow&, const TraceRow& out);
 ShadeKernel chooseShadeKernel(TraceKey key);
 
+/// slice + (1 - its alpha) * frame, of `count` premultiplied pixels (padded). `levels` 0: in floats; else the
+/// largest value of a component of the frame buffer, to whose values it is rounded; nothing is above 1 then.
+using BlendKernel = void (*)(const TraceRow& slice, const TraceRow& frame, int count, float levels);
+BlendKernel chooseBlendKernel(bool rounded);
+
 }  // namespace volumen

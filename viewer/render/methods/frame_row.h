@@ -12,7 +12,7 @@ namespace volumen {
 /// rounded after each slice, and holds nothing above 1.
 class FrameRow {
  public:
-  FrameRow(Blending blending, std::size_t count) : blending_(blending), values_(4 * count, 0.0f) {}
+  FrameRow(Blending blending, std::size_t count);
 
   /// slice + (1 - its alpha) * what was there; one entry a pixel.
   void blend(const TraceRow& slice);
@@ -25,7 +25,8 @@ class FrameRow {
   }
 
  private:
-  Blending blending_;
+  int levels_;
+  BlendKernel blend_;
   std::vector<float> values_;
 };
 
