@@ -89,6 +89,7 @@ class TestMethods : public QObject {
   void aFrameBufferOf8BitsHoldsBytes();
   void gpuShadesAsTheCpuDoes_data();
   void gpuShadesAsTheCpuDoes();
+  void largePicturesComeInBands();
   void scenesOfChanceAreFiniteAndTheSameEveryWay();
 
  private:
@@ -250,6 +251,24 @@ void TestMethods::gpuShadesAsTheCpuDoes() {
   options.method = Method::planes;
   const PictureError e = compare(gpu->picture, draw(scene, options)->picture);
   QVERIFY2(e.rmse <= 0.02 && e.percentile99 <= 0.1, qPrintable(inWords(e)));
+}
+
+// More pixels than are drawn in one go.
+void TestMethods::largePicturesComeInBands() {
+  if (!whyNone_.isEmpty()) QSKIP(qPrintable(whyNone_));
+  RenderCaches caches(wavyVolume());
+  RenderOptions options;
+  options.size = {1100, 500};
+  options.step = 8;
+  const Scene& scene = methodScenes().front().scene;
+  const Picture planes = render(*makePlan(scene, caches.facts(), options), caches)->picture;
+  options.resampler = Resampler::gl;
+  for (Method method : {Method::gpu, Method::blend}) {
+    options.method = method;
+    const PictureError e =
+        compare(render(*makePlan(scene, caches.facts(), options), caches)->picture, planes);
+    QVERIFY2(e.rmse <= 0.02 && e.percentile99 <= 0.1, qPrintable(inWords(e)));
+  }
 }
 
 void TestMethods::scenesOfChanceAreFiniteAndTheSameEveryWay() {

@@ -1,6 +1,8 @@
 #include "viewer/render/gl/batch.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 namespace volumen {
 
@@ -9,6 +11,10 @@ namespace {
 std::int64_t linesOf(std::int64_t samples) { return (samples + Batch::line - 1) / Batch::line; }
 
 }  // namespace
+
+std::int64_t mostSteps(glm::ivec3 size, double stepVoxels) {
+  return std::int64_t(std::ceil(glm::length(glm::dvec3(size)) / stepVoxels)) + 1;
+}
 
 BatchMaker::BatchMaker(const RaySetup& setup, glm::ivec2 size, std::int64_t mostSteps)
     : setup_(setup), size_(size) {

@@ -25,6 +25,9 @@ struct Batch {
   bool empty() const { return strips.empty(); }
 };
 
+/// The most samples that a ray can have: none is longer than the volume's diagonal.
+std::int64_t mostSteps(glm::ivec3 size, double stepVoxels);
+
 /// Cuts a picture into strips, row by row, and packs them into batches.
 class BatchMaker {
  public:

@@ -17,8 +17,9 @@ constexpr int texelsARay = 4;
 int RayBands::rows() const {
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  const int pixels = std::min(1 << 19, most / texelsARay);
-  return std::clamp(pixels / (size_.x + RaySetup::padding), 1, size_.y);
+  constexpr std::int64_t samples = 1 << 27;
+  const std::int64_t pixels = std::min<std::int64_t>({1 << 19, most / texelsARay, samples / drawnSteps_});
+  return int(std::clamp<std::int64_t>(pixels / (size_.x + RaySetup::padding), 1, size_.y));
 }
 
 void RayBands::fill(RayBand& band, int threads) {

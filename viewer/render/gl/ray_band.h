@@ -18,7 +18,10 @@ struct RayBand {
 /// Cuts a picture into bands from the top.
 class RayBands {
  public:
-  RayBands(const RaySetup& setup, glm::ivec2 size) : setup_(setup), size_(size) {}
+  /// `drawnSteps`: the most samples of a ray that are drawn in one go, which must not take a GPU so long that
+  /// its driver gives up.
+  RayBands(const RaySetup& setup, glm::ivec2 size, std::int64_t drawnSteps)
+      : setup_(setup), size_(size), drawnSteps_(drawnSteps) {}
 
   /// Rows of the largest band. Needs a current context, whose limits it keeps.
   int rows() const;
@@ -28,6 +31,7 @@ class RayBands {
  private:
   const RaySetup& setup_;
   glm::ivec2 size_;
+  std::int64_t drawnSteps_;
   int next_ = 0;
 };
 

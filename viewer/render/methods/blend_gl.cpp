@@ -141,7 +141,7 @@ Result<Rendered> renderBlendGl(const Plan& plan, RenderCaches& caches, const Can
   if (Status s = gl.blender.prepare(plan, size, gl.textures); !s) return s.error();
   preparePicture(plan, done.picture);
   SliceShader shader(plan, frame);
-  RayBands bands(setup, plan.options.size);
+  RayBands bands(setup, plan.options.size, 1);
   RayBand band;
   for (bands.fill(band, plan.options.threads); !band.empty(); bands.fill(band, plan.options.threads)) {
     if (Status s = gl.blender.begin(band, frame.trace().inverseUnitMm); !s) return s.error();

@@ -66,7 +66,7 @@ Result<Rendered> renderCastGl(const Plan& plan, RenderCaches& caches, const Canc
                        plan.clip);
   if (Status s = gl.caster.prepare(plan, frame.trace(), gl.textures); !s) return s.error();
   preparePicture(plan, done.picture);
-  RayBands bands(setup, plan.options.size);
+  RayBands bands(setup, plan.options.size, mostSteps(caches.volume()->size(), plan.stepVoxels));
   RayBand band;
   for (bands.fill(band, plan.options.threads); !band.empty(); bands.fill(band, plan.options.threads)) {
     const std::vector<float>& pixels = gl.caster.draw(band, frame.trace().inverseUnitMm);

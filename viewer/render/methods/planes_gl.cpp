@@ -1,7 +1,5 @@
 #include "viewer/render/methods/planes_gl.h"
 
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "viewer/render/caches.h"
@@ -12,11 +10,6 @@
 namespace volumen {
 
 namespace {
-
-// No ray is longer than the volume's diagonal.
-std::int64_t mostSteps(glm::ivec3 size, double stepVoxels) {
-  return std::int64_t(std::ceil(glm::length(glm::dvec3(size)) / stepVoxels)) + 1;
-}
 
 // Shades a batch that has been brought back, on all cores.
 class BatchShader {
