@@ -52,7 +52,7 @@ class Sheet {
       painter_.setPen(QPen(QColor(230, 159, 0), 3));
       painter_.drawRect(x, y, edge - 1, edge - 1);
     }
-    write({double(x), double(y + edge + 2), edge, 20}, name, 12, true);
+    write({double(x), double(y + edge + 2), edge, 20}, name, 11, true);
     write({double(x), double(y + edge + 21), edge, 19}, errors, 11, false);
   }
 
@@ -94,11 +94,10 @@ QImage contactSheet(const AccuracyStudy& study, const StudyTitle& title) {
   sheet.add(imageOf(study.truth.picture), QStringLiteral("the reference"),
             QStringLiteral("%1 s").arg(study.truth.ms / 1000, 0, 'f', 1), false);
   for (const StudyRow* row : shown)
-    sheet.add(differenceOf(row->pixels, study.truth),
-              QString::fromStdString(row->setting.knob + " " + row->setting.value),
+    sheet.add(differenceOf(row->pixels, study.truth), QString::fromStdString(settingName(row->setting)),
               QStringLiteral("max %1, P99 %2, %3 ms")
-                  .arg(row->error.maximum, 0, 'f', 1)
-                  .arg(row->error.percentile99, 0, 'f', 2)
+                  .arg(row->error.maximum, 0, 'g', 3)
+                  .arg(row->error.percentile99, 0, 'g', 2)
                   .arg(row->medianMs, 0, 'f', 0),
               row->front);
   return sheet.image();

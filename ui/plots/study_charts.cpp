@@ -20,12 +20,6 @@ QString whoAndWhen(const AccuracyStudy& study, const StudyTitle& title) {
       .arg(q(referenceText(study.truth)), q(title.machine), q(study.kernel), q(title.date));
 }
 
-QString nameOf(const StudyRow& row) {
-  const QString value = q(row.setting.value);
-  if (row.setting.knob == "base" || row.setting.knob == "grid" || row.setting.knob == "level") return value;
-  return q(row.setting.knob) + QLatin1Char(' ') + value;
-}
-
 constexpr const char* timeAxis = "median ms a frame";
 constexpr const char* errorAxis = "RMSE against the reference, /255";
 
@@ -106,7 +100,7 @@ Chart errorAgainstTime(const AccuracyStudy& study, const StudyTitle& title) {
     const auto point = std::find_if(s.points.begin(), s.points.end(), [&](const ChartPoint& c) {
       return c.x == row->medianMs && c.y == error;
     });
-    point->label = nameOf(*row);
+    point->label = q(settingName(row->setting));
   }
   for (auto& [name, s] : series) chart.series.push_back(std::move(s));
   return chart;

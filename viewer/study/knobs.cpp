@@ -167,6 +167,12 @@ std::vector<Setting> gridOfKnobs(const RenderOptions& base) {
   return all;
 }
 
+std::string settingName(const Setting& setting) {
+  for (const char* knob : {"base", "grid", "level", "method", "resampler"})
+    if (setting.knob == knob) return setting.value;
+  return setting.knob + " " + setting.value;
+}
+
 std::string methodName(const RenderOptions& options) {
   return std::string(methodName(options.method)) +
          (options.resampler == Resampler::gl && options.method != Method::gpu ? ", OpenGL" : "");

@@ -27,7 +27,11 @@ std::vector<Setting> gridOfKnobs(const RenderOptions& base);
 /// the other knobs' errors show.
 RenderOptions studyBase(glm::ivec2 size, int threads);
 
-/// "planes, gl": by which the plots colour their points.
+/// A setting in a few words: "stop at 1/256", "planes, OpenGL"; where the value says it all, without the
+/// knob.
+std::string settingName(const Setting& setting);
+
+/// "planes, OpenGL": by which the plots colour their points.
 std::string methodName(const RenderOptions& options);
 
 }  // namespace volumen
