@@ -7,6 +7,8 @@
 #define VOLUMEN_RENDER_KERNELS_FETCH_INL_H_
 #endif
 
+#include <algorithm>
+
 #include "viewer/render/kernels/math-inl.h"
 #include "viewer/render/rays.h"
 
@@ -49,6 +51,35 @@ HWY_INLINE VF Interpolate(const Strides& s, const CellVector& c, const RowAt& ro
   return Lerp(Lerp(row(0), row(s.row), c.fy), Lerp(row(s.slice), row(s.slice + s.row), c.fy), c.fz);
 }
 
+#if HWY_TARGET == HWY_SCALAR
+/// Four values of a voxel as floats.
+struct Four {
+  float v[4];
+};
+template <class T>
+HWY_INLINE Four LoadFour(const T* voxel) {
+  return {{float(voxel[0]), float(voxel[1]), float(voxel[2]), float(voxel[3])}};
+}
+HWY_INLINE Four LerpFour(const Four& a, const Four& b, float f) {
+  Four x;
+  for (int n = 0; n < 4; ++n) x.v[n] = a.v[n] + f * (b.v[n] - a.v[n]);
+  return x;
+}
+HWY_INLINE void StoreFour(const Four& x, float* out) { std::copy_n(x.v, 4, out); }
+#else
+using D4 = hn::Full128<float>;
+using Four = hn::Vec<D4>;
+HWY_INLINE Four LoadFour(const float* voxel) { return hn::LoadU(D4(), voxel); }
+HWY_INLINE Four LoadFour(const std::int16_t* voxel) {
+  const hn::Half<hn::Full128<std::int16_t>> d16;
+  return hn::ConvertTo(D4(), hn::PromoteTo(hn::Full128<std::int32_t>(), hn::LoadU(d16, voxel)));
+}
+HWY_INLINE Four LerpFour(Four a, Four b, float f) {
+  return hn::Add(a, hn::Mul(hn::Set(D4(), f), hn::Sub(b, a)));
+}
+HWY_INLINE void StoreFour(Four x, float* out) { hn::StoreU(x, D4(), out); }
+#endif
+
 /// The same for four values a voxel, lane by lane into out[4 * lane]: much faster than gathers.
 template <class T>
 HWY_INLINE void InterpolateFour(const Strides& s, const CellVector& c, const T* voxels, float* out) {
@@ -61,20 +92,13 @@ HWY_INLINE void InterpolateFour(const Strides& s, const CellVector& c, const T* 
   hn::Store(c.fz, DF(), fz);
   for (int lane = 0; lane < int(hn::Lanes(DF())); ++lane) {
     const T* cell = voxels + std::size_t(4) * std::size_t(index[lane]);
-    const auto row = [&](int offset, float* result) {
-      const T *a = cell + std::size_t(4) * std::size_t(offset), *b = a + 4 * s.next;
-      for (int n = 0; n < 4; ++n) result[n] = float(a[n]) + fx[lane] * (float(b[n]) - float(a[n]));
+    const auto row = [&](int offset) {
+      const T* a = cell + std::size_t(4) * std::size_t(offset);
+      return LerpFour(LoadFour(a), LoadFour(a + 4 * s.next), fx[lane]);
     };
-    float near[4], nearNext[4], far[4], farNext[4];
-    row(0, near);
-    row(s.row, nearNext);
-    row(s.slice, far);
-    row(s.slice + s.row, farNext);
-    for (int n = 0; n < 4; ++n) {
-      const float front = near[n] + fy[lane] * (nearNext[n] - near[n]);
-      const float behind = far[n] + fy[lane] * (farNext[n] - far[n]);
-      out[4 * lane + n] = front + fz[lane] * (behind - front);
-    }
+    const Four near = LerpFour(row(0), row(s.row), fy[lane]);
+    const Four far = LerpFour(row(s.slice), row(s.slice + s.row), fy[lane]);
+    StoreFour(LerpFour(near, far, fz[lane]), out + 4 * lane);
   }
 }
 
