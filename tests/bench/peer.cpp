@@ -66,36 +66,34 @@ std::string inMs(const std::vector<double>& ms) {
   return text;
 }
 
+// What one renderer took, a frame each: wall clock, and of all processors together, which noise from others
+// on the machine does not touch.
+struct Took {
+  std::vector<double> wall, processors;
+
+  template <class Draw>
+  double time(bool counts, Draw draw) {
+    const double begin = wallMs(), processor = processorMs();
+    draw();
+    const double ms = wallMs() - begin;
+    if (counts) wall.push_back(ms), processors.push_back(processorMs() - processor);
+    return ms;
+  }
+};
+
 class Comparison {
  public:
   Comparison(const Volume& volume, const Scene& scene, RenderCaches& caches, MakePeers makePeers)
       : scene_(scene),
         caches_(caches),
         peers_(makePeers(volume, scene)),
-        peersMs_(peers_.size()),
+        peersTook_(peers_.size()),
         firstMs_(peers_.size()) {}
 
   Status run(const Arguments& a) {
     for (int round = -1; round < a.rounds; ++round)  // the first warms up
-      for (int view = 0; view < views; ++view) {
-        Scene turnedScene = scene_;
-        turnedScene.camera = turned(*scene_.camera, 360.0 * view / views);
-        const auto plan =
-            makePlan(turnedScene, caches_.facts(), oursFor(turnedScene, *caches_.volume(), a.threads));
-        if (!plan) return plan.error();
-        const double begin = wallMs();
-        if (const auto done = render(*plan, caches_); !done) return done.error();
-        if (round >= 0) oursMs_.push_back(wallMs() - begin);
-        for (std::size_t n = 0; n < peers_.size(); ++n) {
-          const double peerBegin = wallMs();
-          peers_[n]->draw(*turnedScene.camera);
-          const double ms = wallMs() - peerBegin;
-          if (round >= 0)
-            peersMs_[n].push_back(ms);
-          else if (view == 0)
-            firstMs_[n] = ms;
-        }
-      }
+      for (int view = 0; view < views; ++view)
+        if (Status s = drawView(360.0 * view / views, round >= 0, a.threads); !s) return s;
     return {};
   }
 
@@ -119,19 +117,40 @@ class Comparison {
   }
 
   void print(const std::string& name) const {
-    std::printf("| %s | volumen | %s | | |\n", name.c_str(), inMs(oursMs_).c_str());
-    for (std::size_t n = 0; n < peers_.size(); ++n)
-      std::printf("| %s | %s | %s | %.1f x | %.0f |\n", name.c_str(), peers_[n]->name().c_str(),
-                  inMs(peersMs_[n]).c_str(), median(peersMs_[n]) / median(oursMs_), firstMs_[n]);
+    std::printf("| %s | volumen | %s | %s | | | |\n", name.c_str(), inMs(oursTook_.wall).c_str(),
+                inMs(oursTook_.processors).c_str());
+    for (std::size_t n = 0; n < peers_.size(); ++n) {
+      const Took& peer = peersTook_[n];
+      std::printf("| %s | %s | %s | %s | %.1f x | %.1f x | %.0f |\n", name.c_str(), peers_[n]->name().c_str(),
+                  inMs(peer.wall).c_str(), inMs(peer.processors).c_str(),
+                  median(peer.wall) / median(oursTook_.wall),
+                  median(peer.processors) / median(oursTook_.processors), firstMs_[n]);
+    }
     std::fflush(stdout);
   }
 
  private:
+  Status drawView(double degrees, bool counts, int threads) {
+    Scene scene = scene_;
+    scene.camera = turned(*scene_.camera, degrees);
+    const auto plan = makePlan(scene, caches_.facts(), oursFor(scene, *caches_.volume(), threads));
+    if (!plan) return plan.error();
+    Status done;
+    oursTook_.time(counts, [&] {
+      if (const auto ours = render(*plan, caches_); !ours) done = ours.error();
+    });
+    for (std::size_t n = 0; n < peers_.size(); ++n) {
+      const double ms = peersTook_[n].time(counts, [&] { peers_[n]->draw(*scene.camera); });
+      if (firstMs_[n] == 0) firstMs_[n] = ms;
+    }
+    return done;
+  }
+
   const Scene& scene_;
   RenderCaches& caches_;
   std::vector<std::unique_ptr<Peer>> peers_;
-  std::vector<double> oursMs_;
-  std::vector<std::vector<double>> peersMs_;
+  Took oursTook_;
+  std::vector<Took> peersTook_;
   std::vector<double> firstMs_;
 };
 
@@ -144,8 +163,8 @@ Status compareAll(const Arguments& a, MakePeers makePeers) {
   if (!loaded) return loaded.error();
   RenderCaches caches(loaded->drawn);
   std::printf(
-      "| scene | renderer | ms a frame: median (minimum) | times as long as volumen | first frame ms |\n"
-      "|---|---|---|---|---|\n");
+      "| scene | renderer | ms a frame: median (minimum) | of all processors | times as long as volumen | "
+      "processors | first frame ms |\n|---|---|---|---|---|---|---|\n");
   for (const std::string& path : a.scenes) {
     const auto read = readScene(path);
     if (!read) return Error{path + ": " + read.message()};
