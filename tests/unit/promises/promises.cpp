@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "viewer/plan/rule_lines.h"
 #include "viewer/render/reference.h"
 
 namespace volumen::tests {
@@ -23,15 +24,40 @@ QString inWords(const PictureError& e) {
       .arg(e.psnrDb, 0, 'f', 1);
 }
 
+std::vector<DrawWay> promisedWays() {
+  std::vector<DrawWay> ways = drawWays();
+  std::erase_if(ways, [](const DrawWay& way) { return !way.promised || way.slow; });
+  return ways;
+}
+
 std::vector<DrawWay> drawWays() {
   static const bool gl = makeEglContext().ok();
   std::vector<DrawWay> ways;
-  const auto add = [&](const char* name, auto ask) { ask(ways.emplace_back(DrawWay{name, {}}).options); };
-  add("planes", [](RenderOptions&) {});
-  add("planes, 32 bits", [](RenderOptions& o) { o.precision = 32; });
-  add("blend", [](RenderOptions& o) { o.method = Method::blend; });
-  if (gl) add("planes, OpenGL", [](RenderOptions& o) { o.resampler = Resampler::gl; });
+  const auto add = [&](const char* name, bool promised, auto ask) -> DrawWay& {
+    DrawWay& way = ways.emplace_back(DrawWay{name, {}, promised});
+    ask(way.options);
+    return way;
+  };
+  add("planes", true, [](RenderOptions&) {});
+  add("planes, 32 bits", true, [](RenderOptions& o) { o.precision = 32; });
+  add("blend", true, [](RenderOptions& o) { o.method = Method::blend; });
+  add("preshaded", false, [](RenderOptions& o) { o.method = Method::preshaded; });
+  if (!gl) return ways;
+  add("planes, OpenGL", true, [](RenderOptions& o) { o.resampler = Resampler::gl; });
+  add("blend, OpenGL", true, [](RenderOptions& o) {
+    o.method = Method::blend;
+    o.resampler = Resampler::gl;
+  }).slow = true;
+  add("gpu", true, [](RenderOptions& o) { o.method = Method::gpu; }).slow = true;
   return ways;
+}
+
+bool DrawWay::usesOpenGl() const { return resamplerOf(options) == Resampler::gl; }
+
+bool DrawWay::mayRefuse(const Scene& scene, const Volume& volume) const {
+  const glm::ivec3 size = volume.size();
+  return (usesOpenGl() && std::max({size.x, size.y, size.z}) > 2048) ||
+         (options.method == Method::preshaded && scene.mode != Mode::composite);
 }
 
 Truth::Truth(RenderCaches& caches, Scene scene, glm::ivec2 size)

@@ -40,13 +40,23 @@ QString inWords(const PictureError& e);
 /// Whether to print what each row measured.
 inline bool figuresWanted() { return qEnvironmentVariableIsSet("VOLUMEN_FIGURES"); }
 
-/// A way to draw that is promised to keep the levels' errors.
+/// A way to draw. Not every one keeps the levels' promises: what voxels are shaded before they are
+/// interpolated (preshaded) is another picture, which only agrees where matter is the same everywhere.
 struct DrawWay {
   const char* name;
   RenderOptions options;
+  bool promised;
+  bool slow = false;  ///< where OpenGL is a processor: by seconds a picture
+
+  bool usesOpenGl() const;
+  /// Whether it may refuse what others draw: OpenGL's textures have a largest edge (on no machine below
+  /// 2048), shaded voxels no value left to project.
+  bool mayRefuse(const Scene& scene, const Volume& volume) const;
 };
 /// All of them; those that need OpenGL only where it can be had.
 std::vector<DrawWay> drawWays();
+/// Those that keep the promises and are quick.
+std::vector<DrawWay> promisedWays();
 
 /// A scene and the truth about it, each part found when it is first asked for.
 class Truth {

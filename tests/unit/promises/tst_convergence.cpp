@@ -68,9 +68,9 @@ void TestConvergence::addFields(bool everyWay) {
   QTest::addColumn<int>("way");
   for (std::size_t f = 0; f < closedFormFields().size(); ++f)
     for (bool lit : {false, true})
-      for (std::size_t way = 0; way < (everyWay ? drawWays().size() : 1); ++way)
+      for (std::size_t way = 0; way < (everyWay ? promisedWays().size() : 1); ++way)
         QTest::addRow("%s, %s%s%s", closedFormFields()[f].name, lit ? "lit" : "unlit", everyWay ? ", " : "",
-                      everyWay ? drawWays()[way].name : "")
+                      everyWay ? promisedWays()[way].name : "")
             << int(f) << lit << int(way);
 }
 
@@ -83,7 +83,7 @@ void TestConvergence::addFields(bool everyWay) {
 // The midpoint rule.
 void TestConvergence::stepsAreOfSecondOrder() {
   FETCH_FIELD();
-  const auto errors = errorOverStep(f, lit, drawWays()[std::size_t(way)].options);
+  const auto errors = errorOverStep(f, lit, promisedWays()[std::size_t(way)].options);
   print(inWords(errors));
   QVERIFY2(slopeOf(errors) >= 1.9, qPrintable(inWords(errors)));
 }

@@ -74,7 +74,7 @@ Picture drawn(const VolumePtr& volume, const Scene& scene, const RenderOptions& 
 }
 
 RenderOptions asked(int way, int level) {
-  RenderOptions options = drawWays()[std::size_t(way)].options;
+  RenderOptions options = promisedWays()[std::size_t(way)].options;
   options.quality = promises[level].quality;
   return options;
 }
@@ -91,9 +91,9 @@ void keepWithin(const PictureError& e, double most) {
 void TestInvariance::addRows(bool everyLevel) {
   QTest::addColumn<int>("way");
   QTest::addColumn<int>("level");
-  for (std::size_t way = 0; way < drawWays().size(); ++way)
+  for (std::size_t way = 0; way < promisedWays().size(); ++way)
     for (int level = 0; level < (everyLevel ? int(std::size(promises)) : 1); ++level)
-      QTest::addRow("%s, %s", drawWays()[way].name, promises[level].name) << int(way) << level;
+      QTest::addRow("%s, %s", promisedWays()[way].name, promises[level].name) << int(way) << level;
 }
 
 #define FETCH_ASKED() \
@@ -137,11 +137,11 @@ void TestInvariance::earlyTerminationCostsLittle_data() {
   QTest::addColumn<int>("way");
   QTest::addColumn<int>("level");
   QTest::addColumn<double>("intensity");
-  for (std::size_t way = 0; way < drawWays().size(); ++way)
+  for (std::size_t way = 0; way < promisedWays().size(); ++way)
     for (int level = 0; level < int(std::size(promises)); ++level)
       for (double intensity : {1.0, 4.0, 30.0})
-        if (drawWays()[way].options.method != Method::blend)  // it has no rays to end
-          QTest::addRow("%s, %s, light of %g", drawWays()[way].name, promises[level].name, intensity)
+        if (promisedWays()[way].options.method != Method::blend)  // it has no rays to end
+          QTest::addRow("%s, %s, light of %g", promisedWays()[way].name, promises[level].name, intensity)
               << int(way) << level << intensity;
 }
 
@@ -201,12 +201,12 @@ void TestInvariance::theOrderOfVoxelsChangesNothing() {
 void TestInvariance::aTiltedAcquisitionOfASphereIsASphere_data() {
   QTest::addColumn<int>("way");
   QTest::addColumn<dvec3>("direction");
-  for (std::size_t way = 0; way < drawWays().size(); ++way)
+  for (std::size_t way = 0; way < promisedWays().size(); ++way)
     for (const auto& [name, direction] : {std::pair{"from the front", dvec3(0, 1, 0)},
                                           {"from the side", dvec3(1, 0, 0)},
                                           {"from above", dvec3(0, 0, -1)},
                                           {"askew", dvec3(0.5, 0.7, -0.4)}})
-      QTest::addRow("%s, %s", drawWays()[way].name, name) << int(way) << direction;
+      QTest::addRow("%s, %s", promisedWays()[way].name, name) << int(way) << direction;
 }
 
 // Slices tilted by 25 degrees, 1.5 mm apart along the patient: the sphere's silhouette is a disc. Its axes
