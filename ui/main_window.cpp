@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "ui/controller/qt_gl_context.h"
+#include "ui/panels/accuracy_panel.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/segment_panel.h"
 #include "ui/panels/snapshot_panel.h"
@@ -29,6 +30,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
       services_(services),
       controller_(services.makeDraw),
       loader_(services.makeScene),
+      meter_(controller_),
       snapshot_(controller_) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("volumen"));
@@ -44,6 +46,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectLoader();
   connectDrawing();
   connectSegmenter();
+  connectAccuracy();
   restoreLayout();
 }
 
@@ -78,7 +81,10 @@ void MainWindow::makeCentre() {
 void MainWindow::connectSession() {
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series) showSeries();
-    if (before != after) requestFrame();
+    if (before.wish != after.wish) applyLevel();
+    if (before.series == after.series && before.scene == after.scene) return;
+    meter_.forget();
+    requestFrame();
   });
   connect(view_, &VolumeView::pixelsChanged, this, &MainWindow::requestFrame);
   connect(view_, &VolumeView::hovered, status_, &StatusLine::showHover);
@@ -134,6 +140,29 @@ void MainWindow::connectSegmenter() {
           [this](const QString& sentence) { banner_->tell(sentence); });
 }
 
+void MainWindow::connectAccuracy() {
+  connect(&meter_, &AccuracyMeter::changed, this, [this] {
+    accuracy_->showMeasured(meter_.measured());
+    applyLevel();
+  });
+  connect(&meter_, &AccuracyMeter::progressed, accuracy_, &AccuracyPanel::showProgress);
+  connect(accuracy_, &AccuracyPanel::shownChanged, this, &MainWindow::measureWhereWanted);
+  snapshot_.setMeasured([this](const Plan& plan) { return measuredError(meter_.measured(), plan); });
+}
+
+void MainWindow::measureWhereWanted() {
+  meter_.setWanted(accuracy_->isVisible() || session_.wish().aim != Aim::level);
+}
+
+void MainWindow::applyLevel() {
+  measureWhereWanted();
+  const auto level = levelFor(session_.wish(), meter_.measured().levels);
+  if (!level || *level == controller_.level()) return;
+  controller_.setLevel(*level);
+  accuracy_->showLevel(*level);
+  requestFrame();
+}
+
 void MainWindow::open(const QStringList& paths) {
   banner_->hide();
   showFirst_ = true;
@@ -186,18 +215,27 @@ void MainWindow::setResampler(Resampler resampler) {
   // Where Qt has no OpenGL without a window, EGL is tried when the picture is drawn.
   if (resampler == Resampler::gl) makeOffscreenGlSurface();
   controller_.setResampler(resampler);
+  meter_.forget();
   requestFrame();
 }
 
 void MainWindow::showFrame(const Frame& frame) {
   const QString ms = QString::number(frame.ms, 'f', frame.ms < 10 ? 1 : 0);
-  view_->setPicture(frame.image, frame.draft() ? tr("draft 1/%1 - %2 ms").arg(frame.factor).arg(ms)
-                                               : tr("standard - %1 ms").arg(ms));
+  QString level = QLatin1String(qualityName(frame.quality));
+  if (frame.factor > 1) level += QStringLiteral(" 1/%1").arg(frame.factor);
+  view_->setPicture(frame.image, tr("%1 - %2 ms").arg(level, ms));
   if (frame.draft()) return;
   effects_->showPlan(*frame.plan, frame.stats);
   Scene now = session_.scene();
   if (!now.camera) now.camera = frame.scene.camera;
-  if (now == frame.scene) Q_EMIT settled();
+  if (now != frame.scene) return;
+  // The plan's camera sees a little more where a ray stands for several pixels.
+  Scene complete = frame.plan->scene;
+  const auto target = complete.camera->target;
+  complete.camera = frame.scene.camera;
+  if (!complete.camera->target) complete.camera->target = target;
+  meter_.show(session_.series()->volume, complete, frame.image.size());
+  Q_EMIT settled();
 }
 
 void MainWindow::applyPreset(const QString& name, const Scene& scene) {

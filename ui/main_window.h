@@ -3,6 +3,7 @@
 #include <QMainWindow>
 #include <map>
 
+#include "ui/controller/accuracy_meter.h"
 #include "ui/controller/loader.h"
 #include "ui/controller/render_controller.h"
 #include "ui/controller/segmenter.h"
@@ -15,6 +16,7 @@ class QStackedWidget;
 
 namespace volumen {
 
+class AccuracyPanel;
 class Banner;
 class EffectsPanel;
 class SegmentPanel;
@@ -44,6 +46,8 @@ class MainWindow : public QMainWindow {
   void open(const QStringList& paths);
   Session& session() { return session_; }
   VolumeView* view() const { return view_; }
+  const RenderController& controller() const { return controller_; }
+  const AccuracyMeter& meter() const { return meter_; }
 
  Q_SIGNALS:
   /// The picture at rest of the session's scene is on screen.
@@ -65,9 +69,12 @@ class MainWindow : public QMainWindow {
   void connectLoader();
   void connectDrawing();
   void connectSegmenter();
+  void connectAccuracy();
   void restoreLayout();
 
   void requestFrame();
+  void applyLevel();
+  void measureWhereWanted();
   void showFrame(const Frame& frame);
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study);
   void showSeries();
@@ -85,6 +92,7 @@ class MainWindow : public QMainWindow {
   Session session_;
   RenderController controller_;
   Loader loader_;
+  AccuracyMeter meter_;
   Snapshot snapshot_;
   Segmenter segmenter_;
 
@@ -94,6 +102,7 @@ class MainWindow : public QMainWindow {
   StatusLine* status_;
   StudiesPanel* studies_;
   EffectsPanel* effects_;
+  AccuracyPanel* accuracy_;
   SegmentPanel* segment_;
   SnapshotPanel* snapshotPanel_;
   QComboBox* presets_;

@@ -11,6 +11,7 @@
 #include <QToolBar>
 
 #include "ui/main_window.h"
+#include "ui/panels/accuracy_panel.h"
 #include "ui/panels/camera_panel.h"
 #include "ui/panels/clip_panel.h"
 #include "ui/panels/effects_panel.h"
@@ -62,6 +63,7 @@ void MainWindow::addDock(const QString& name, const QString& title, QWidget* pan
 void MainWindow::makeDocks() {
   studies_ = new StudiesPanel;
   effects_ = new EffectsPanel;
+  accuracy_ = new AccuracyPanel(session_);
   snapshotPanel_ = new SnapshotPanel;
   segment_ = new SegmentPanel(session_);
   auto* camera = new CameraPanel(session_, [this] { return view_->camera(); });
@@ -75,11 +77,12 @@ void MainWindow::makeDocks() {
   addDock(QStringLiteral("clip"), tr("Clip"), scrolling(new ClipPanel(session_)), right);
   addDock(QStringLiteral("camera"), tr("Camera"), scrolling(camera), right);
   addDock(QStringLiteral("effects"), tr("Effects"), effects_, right);
+  addDock(QStringLiteral("accuracy"), tr("Accuracy and time"), scrolling(accuracy_), right);
   addDock(QStringLiteral("segment"), tr("Segment"), scrolling(segment_), right);
   addDock(QStringLiteral("snapshot"), tr("Snapshot"), scrolling(snapshotPanel_), right);
   const auto dock = [this](const char* name) { return docks_.at(QLatin1String(name)); };
   for (const char* name : {"material", "clip", "camera"}) tabifyDockWidget(dock("lights"), dock(name));
-  for (const char* name : {"segment", "snapshot"}) tabifyDockWidget(dock("effects"), dock(name));
+  for (const char* name : {"accuracy", "segment", "snapshot"}) tabifyDockWidget(dock("effects"), dock(name));
   dock("lights")->raise();
   dock("effects")->raise();
   resizeDocks({dock("studies"), dock("transfer")}, {230, 340}, Qt::Horizontal);

@@ -9,6 +9,7 @@
 #include "io/files/output_file.h"
 #include "io/files/picture_file.h"
 #include "viewer/plan/picture_text.h"
+#include "viewer/render/effect_costs.h"
 #include "viewer/render/render.h"
 #include "viewer/scene/scene_json.h"
 
@@ -39,6 +40,13 @@ struct Times {
   std::vector<double> framesMs;
 };
 
+// What the picture's PNG says of itself.
+nlohmann::ordered_json pictureJson(const Plan& plan) {
+  nlohmann::ordered_json out;
+  for (const auto& [key, value] : pictureText(plan)) out[key] = value;
+  return out;
+}
+
 nlohmann::ordered_json statsJson(const Plan& plan, const RenderStats& s, const Times& t,
                                  const Volume& volume) {
   return {{"stagesMs",
@@ -61,7 +69,8 @@ nlohmann::ordered_json statsJson(const Plan& plan, const RenderStats& s, const T
           {"kernel", s.kernel},
           {"step", plan.stepVoxels},
           {"precision", plan.bits},
-          {"plan", nlohmann::ordered_json::parse(explainJson(plan))}};
+          {"plan", nlohmann::ordered_json::parse(explainJson(plan, effectCosts(plan, s)))},
+          {"picture", pictureJson(plan)}};
 }
 
 Status writePicture(const Picture& picture, const Plan& plan, const std::string& path) {
@@ -149,7 +158,9 @@ class Run {
   }
 
   int finish() {
-    if (options_.explain) std::cout << explain(plan_);
+    if (options_.explain)
+      std::cout << (times_.framesMs.empty() ? explain(plan_)
+                                            : explain(plan_, effectCosts(plan_, done_.stats)));
     if (options_.printScene) std::cout << sceneToJson(plan_.scene);
     if (options_.statsFile.empty()) return exitDone;
     const std::string text = statsJson(plan_, done_.stats, times_, *volume_).dump(2) + "\n";

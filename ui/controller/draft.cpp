@@ -32,13 +32,15 @@ struct Sample {
   float weight;  // of the second
 };
 
+Sample sampleAt(int n, int full, int count, double factor) {
+  const double at = std::clamp((n + 0.5 - full / 2.0) / factor + count / 2.0 - 0.5, 0.0, count - 1.0);
+  const int first = int(at);
+  return {first, std::min(first + 1, count - 1), float(at - first)};
+}
+
 std::vector<Sample> samplesAlong(int full, int count, double factor) {
   std::vector<Sample> samples(full);
-  for (int n = 0; n < full; ++n) {
-    const double at = std::clamp((n + 0.5 - full / 2.0) / factor + count / 2.0 - 0.5, 0.0, count - 1.0);
-    const int first = int(at);
-    samples[n] = {first, std::min(first + 1, count - 1), float(at - first)};
-  }
+  for (int n = 0; n < full; ++n) samples[n] = sampleAt(n, full, count, factor);
   return samples;
 }
 
@@ -59,6 +61,7 @@ void DraftPace::measured(double ms) {
 }
 
 DraftView draftView(const Camera& camera, QSize full, double factor) {
+  if (factor == 1) return {full, camera};
   const auto part = [&](int pixels) { return std::max(1, int(std::ceil(pixels / factor - 1e-9))); };
   DraftView draft{{part(full.width()), part(full.height())}, camera};
   const double more = draft.size.height() * factor / full.height();
@@ -99,6 +102,18 @@ QImage enlarged(const Picture& picture, double factor, QSize full) {
     }
   }
   return image;
+}
+
+glm::vec4 enlargedPixel(const Picture& picture, double factor, QSize full, glm::ivec2 pixel) {
+  const Sample x = sampleAt(pixel.x, full.width(), picture.size.x, factor);
+  const Sample y = sampleAt(pixel.y, full.height(), picture.size.y, factor);
+  const auto along = [&](int row) {
+    const float *a = picture.row(row) + 4 * x.first, *b = picture.row(row) + 4 * x.second;
+    const glm::vec4 first(a[0], a[1], a[2], a[3]), second(b[0], b[1], b[2], b[3]);
+    return first + (second - first) * x.weight;
+  };
+  const glm::vec4 above = along(y.first);
+  return above + (along(y.second) - above) * y.weight;
 }
 
 QImage toImage(const Picture& picture) {

@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QSize>
+#include <glm/vec4.hpp>
 
 #include "viewer/scene/scene.h"
 #include "viewer/volume/picture.h"
@@ -35,6 +36,9 @@ DraftView draftView(const Camera& camera, QSize full, double factor);
 /// The middle part of a picture, enlarged smoothly (bilinear, on premultiplied colour) by the factor to
 /// `full` pixels.
 QImage enlarged(const Picture& picture, double factor, QSize full);
+
+/// One pixel of the enlarged picture, before it is rounded: RGBA.
+glm::vec4 enlargedPixel(const Picture& picture, double factor, QSize full, glm::ivec2 pixel);
 
 /// The picture for the screen: RGB32, or ARGB32_Premultiplied where the background is transparent.
 QImage toImage(const Picture& picture);

@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// How long nothing new must be asked for before the standard picture is begun.
+// How long nothing new must be asked for before the full picture is begun.
 constexpr std::chrono::milliseconds restTime{60};
 
 }  // namespace
@@ -21,8 +21,9 @@ RenderController::~RenderController() {
     const std::lock_guard lock(mutex_);
     closing_ = true;
     volumeCancel_.cancel();
-    standardCancel_.cancel();
+    restCancel_.cancel();
     pictureCancel_.cancel();
+    trialCancel_.cancel();
   }
   wake_.notify_one();
   thread_.join();
@@ -34,8 +35,10 @@ void RenderController::setVolume(VolumePtr volume) {
     volume_ = std::move(volume);
     ++generation_;
     screen_.reset();
+    trial_.reset();
     volumeCancel_.cancel();
-    standardCancel_.cancel();
+    restCancel_.cancel();
+    trialCancel_.cancel();
     volumeCancel_ = CancelToken();
   }
   wake_.notify_one();
@@ -45,8 +48,9 @@ void RenderController::request(const Scene& scene, QSize pixels) {
   if (pixels.isEmpty()) return;
   {
     const std::lock_guard lock(mutex_);
-    screen_ = ScreenRequest{scene, pixels, resampler_};
-    standardCancel_.cancel();
+    screen_ = ScreenRequest{scene, pixels, resampler_, level_};
+    restCancel_.cancel();
+    trialCancel_.cancel();
   }
   wake_.notify_one();
 }
@@ -56,10 +60,33 @@ void RenderController::setResampler(Resampler resampler) {
   resampler_ = resampler;
 }
 
+void RenderController::setLevel(PictureLevel level) {
+  const std::lock_guard lock(mutex_);
+  level_ = level;
+}
+
+int RenderController::requestTrial(const Scene& scene, QSize pixels, PictureLevel level) {
+  {
+    const std::lock_guard lock(mutex_);
+    trialCancel_.cancel();
+    trial_ = ScreenRequest{scene, pixels, resampler_, level};
+    ++trialNumber_;
+  }
+  wake_.notify_one();
+  return trialNumber_;
+}
+
+void RenderController::dropTrial() {
+  const std::lock_guard lock(mutex_);
+  trial_.reset();
+  trialCancel_.cancel();
+}
+
 void RenderController::requestPicture(const Scene& scene, const RenderOptions& options) {
   {
     const std::lock_guard lock(mutex_);
     pictureCancel_.cancel();
+    trialCancel_.cancel();
     pictureCancel_ = CancelToken();
     picture_ = PictureRequest{scene, options, pictureCancel_};
   }
@@ -84,7 +111,7 @@ void RenderController::tell(Function function) {
 
 bool RenderController::waitForWork(std::unique_lock<std::mutex>& lock) {
   const auto something = [this] {
-    return closing_ || generation_ != drawnGeneration_ || screen_ || picture_;
+    return closing_ || generation_ != drawnGeneration_ || screen_ || picture_ || trial_;
   };
   if (!something()) {
     tell([this] { Q_EMIT workingChanged(false); });
@@ -101,13 +128,16 @@ void RenderController::run() {
       drawnGeneration_ = generation_;
       drawnVolume_ = volume_;
       pace_ = DraftPace();
+      seen_.reset();
       lock.unlock();
       draw_ = drawnVolume_ ? makeDraw_(drawnVolume_) : Draw();
       lock.lock();
     } else if (picture_) {
       drawPicture(lock);
-    } else {
+    } else if (screen_) {
       drawScreen(lock);
+    } else {
+      drawTrial(lock);
     }
   }
   draw_ = Draw();  // on this thread, which its OpenGL context belongs to
@@ -131,56 +161,100 @@ void RenderController::drawPicture(std::unique_lock<std::mutex>& lock) {
   lock.lock();
 }
 
+// A draft, but never finer than the picture at rest.
+RenderController::Pass RenderController::firstPass(PictureLevel rest) const {
+  const double factor = pace_.factor();
+  if (rest.quality == Quality::draft && rest.edge >= factor) return {Quality::draft, double(rest.edge)};
+  return {factor > 1 ? Quality::draft : Quality::standard, factor};
+}
+
 void RenderController::drawScreen(std::unique_lock<std::mutex>& lock) {
   const ScreenRequest request = *std::exchange(screen_, std::nullopt);
   const CancelToken volumeCancel = volumeCancel_;
   if (!draw_) return;
   lock.unlock();
-  const double factor = pace_.factor();
-  const bool drawn = drawFrame(request, factor, volumeCancel);
+  const Pass first = firstPass(request.level);
+  const Pass rest{request.level.quality, double(request.level.edge)};
+  // Another level of what is on screen needs no draft.
+  const bool seen = seen_ && seen_->scene == request.scene && seen_->pixels == request.pixels;
+  const bool drawn = (seen && first != rest) || drawFrame(request, first, first == rest, volumeCancel);
+  if (drawn) seen_ = request;
   lock.lock();
   const auto other = [this] { return closing_ || screen_ || generation_ != drawnGeneration_; };
-  if (!drawn || factor == 1 || wake_.wait_for(lock, restTime, other)) return;
-  standardCancel_ = CancelToken();
-  const CancelToken cancel = standardCancel_;
+  if (!drawn || first == rest || wake_.wait_for(lock, restTime, other)) return;
+  restCancel_ = CancelToken();
+  const CancelToken cancel = restCancel_;
   lock.unlock();
-  drawFrame(request, 1, cancel);
+  drawFrame(request, rest, true, cancel);
   lock.lock();
 }
 
-bool RenderController::drawFrame(const ScreenRequest& request, double factor, const CancelToken& cancel) {
+// Stays asked for where something else interrupts it.
+void RenderController::drawTrial(std::unique_lock<std::mutex>& lock) {
+  const ScreenRequest request = *trial_;
+  if (!draw_) return trial_.reset();
+  trialCancel_ = CancelToken();
+  const CancelToken cancel = trialCancel_;
+  lock.unlock();
+  Frame frame;
+  Result<Drawn> drawn = drawPass(request, {request.level.quality, double(request.level.edge)}, frame, cancel);
+  lock.lock();
+  if (cancel.cancelled()) return;
+  trial_.reset();
+  Trial trial{trialNumber_, request.level, request.pixels, frame.ms - frame.stats.gradientsMs, nullptr, {}};
+  if (drawn)
+    trial.drawn = std::make_shared<const Drawn>(std::move(*drawn));
+  else
+    trial.failure = QString::fromStdString(drawn.message());
+  tell([this, trial] { Q_EMIT trialReady(trial); });
+}
+
+Result<Drawn> RenderController::drawPass(const ScreenRequest& request, Pass pass, Frame& frame,
+                                         const CancelToken& cancel) {
   QElapsedTimer clock;
   clock.start();
-  Frame frame;
-  frame.factor = factor;
+  frame.quality = pass.quality;
+  frame.factor = pass.factor;
   frame.scene = request.scene;
   if (!frame.scene.camera)
     frame.scene.camera = fitCamera(Camera{}, drawnVolume_->geometry(),
                                    double(request.pixels.width()) / request.pixels.height());
-  const DraftView view = draftView(*frame.scene.camera, request.pixels, factor);
+  const DraftView view = draftView(*frame.scene.camera, request.pixels, pass.factor);
   Scene scene = frame.scene;
   scene.camera = view.camera;
   RenderOptions options;
   options.size = {view.size.width(), view.size.height()};
-  options.quality = frame.draft() ? Quality::draft : Quality::standard;
-  if (!frame.draft()) options.resampler = request.resampler;
+  options.quality = pass.quality;
+  if (pass.quality != Quality::draft && request.resampler == Resampler::gl) options.resampler = Resampler::gl;
   Result<Drawn> drawn = draw(scene, options, cancel);
+  if (!drawn) return drawn;
+  frame.image =
+      pass.factor == 1 ? toImage(drawn->picture) : enlarged(drawn->picture, pass.factor, request.pixels);
+  frame.plan = std::make_shared<const Plan>(drawn->plan);
+  frame.stats = drawn->stats;
+  frame.ms = double(clock.nsecsElapsed()) / 1e6;
+  return drawn;
+}
+
+bool RenderController::drawFrame(const ScreenRequest& request, Pass pass, bool atRest,
+                                 const CancelToken& cancel) {
+  Frame frame;
+  frame.atRest = atRest;
+  Result<Drawn> drawn = drawPass(request, pass, frame, cancel);
   if (!drawn && !cancel.cancelled()) {
     tell([this, sentence = QString::fromStdString(drawn.message())] { Q_EMIT failed(sentence); });
-    if (options.resampler == Resampler::gl) {
-      options.resampler = Resampler::cpu;
+    if (request.resampler == Resampler::gl && pass.quality != Quality::draft) {
       setResampler(Resampler::cpu);
-      drawn = draw(scene, options, cancel);
+      ScreenRequest again = request;
+      again.resampler = Resampler::cpu;
+      drawn = drawPass(again, pass, frame, cancel);
     }
   }
   if (!drawn) return false;
-  frame.image = factor == 1 ? toImage(drawn->picture) : enlarged(drawn->picture, factor, request.pixels);
-  frame.plan = std::make_shared<const Plan>(std::move(drawn->plan));
-  frame.stats = drawn->stats;
-  frame.ms = double(clock.nsecsElapsed()) / 1e6;
   // What is made once for the volume says nothing about the next frame, and a full picture at rest nothing
   // about drafts.
-  if (factor == pace_.factor()) pace_.measured(std::max(0.0, frame.ms - drawn->stats.gradientsMs));
+  if (pass == firstPass(request.level) && pass.factor == pace_.factor())
+    pace_.measured(std::max(0.0, frame.ms - frame.stats.gradientsMs));
   tell([this, frame] { Q_EMIT frameReady(frame); });
   return true;
 }

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "ui/controller/draft.h"
+#include "ui/session/picture_wish.h"
 #include "viewer/render/render.h"
 
 namespace volumen {
@@ -31,19 +32,31 @@ Draw drawWithCaches(VolumePtr volume);
 
 /// A picture for the screen.
 struct Frame {
-  QImage image;       ///< as many pixels as were asked for
-  double factor = 1;  ///< above 1: a draft, one ray for factor x factor pixels (DraftPace)
-  double ms = 0;      ///< wall clock, from the request taken up to the image
-  Scene scene;        ///< as drawn: with its camera
+  QImage image;  ///< as many pixels as were asked for
+  Quality quality = Quality::standard;
+  double factor = 1;    ///< one ray for factor x factor pixels (DraftPace, PictureLevel)
+  bool atRest = false;  ///< no finer picture follows
+  double ms = 0;        ///< wall clock, from the request taken up to the image
+  Scene scene;          ///< as drawn: with its camera
   std::shared_ptr<const Plan> plan;
   RenderStats stats;
 
-  bool draft() const { return factor > 1; }
+  bool draft() const { return !atRest; }
+};
+
+/// A picture that was drawn to see what it takes.
+struct Trial {
+  int number = 0;  ///< that requestTrial() gave it
+  PictureLevel level;
+  QSize pixels;                        ///< of the full picture; `drawn` has fewer where level.edge > 1
+  double ms = 0;                       ///< wall clock, up to the image, without what was made once
+  std::shared_ptr<const Drawn> drawn;  ///< null: it failed
+  QString failure;
 };
 
 /// Draws on a thread of its own: of what is asked for only the latest, first as a draft of fewer pixels
-/// within the frame time, then in `standard` quality once nothing new was asked for a moment. Asking never
-/// waits.
+/// within the frame time, then at the level of pictures at rest once nothing new was asked for a moment.
+/// Asking never waits.
 class RenderController : public QObject {
   Q_OBJECT
  public:
@@ -58,6 +71,13 @@ class RenderController : public QObject {
   /// What resamples the full pictures asked for from now on (drafts are the CPU's). Where OpenGL fails,
   /// failed() says why and the CPU does it.
   void setResampler(Resampler resampler);
+  /// The level of the full pictures asked for from now on.
+  void setLevel(PictureLevel level);
+  PictureLevel level() const { return level_; }
+  /// Asks for a picture to be drawn and timed, as soon as there is nothing else to do; what comes meanwhile
+  /// is drawn first. Ends in trialReady(). A second takes the place of the first.
+  int requestTrial(const Scene& scene, QSize pixels, PictureLevel level);
+  void dropTrial();
   /// Asks for one picture to be saved, drawn next: ends in pictureReady(). A second gives up the first.
   void requestPicture(const Scene& scene, const RenderOptions& options);
   void cancelPicture();
@@ -66,6 +86,7 @@ class RenderController : public QObject {
   void frameReady(const volumen::Frame& frame);
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
+  void trialReady(const volumen::Trial& trial);
   void pictureReady(const std::shared_ptr<volumen::Drawn>& drawn, const QString& failure);
   /// Whether the thread has something to do.
   void workingChanged(bool working);
@@ -75,6 +96,13 @@ class RenderController : public QObject {
     Scene scene;
     QSize pixels;
     Resampler resampler;
+    PictureLevel level;
+  };
+  // One drawing of what a screen request shows.
+  struct Pass {
+    Quality quality;
+    double factor;
+    bool operator==(const Pass&) const = default;
   };
   struct PictureRequest {
     Scene scene;
@@ -86,7 +114,10 @@ class RenderController : public QObject {
   bool waitForWork(std::unique_lock<std::mutex>& lock);
   void drawPicture(std::unique_lock<std::mutex>& lock);
   void drawScreen(std::unique_lock<std::mutex>& lock);
-  bool drawFrame(const ScreenRequest& request, double factor, const CancelToken& cancel);
+  void drawTrial(std::unique_lock<std::mutex>& lock);
+  Pass firstPass(PictureLevel rest) const;
+  bool drawFrame(const ScreenRequest& request, Pass pass, bool atRest, const CancelToken& cancel);
+  Result<Drawn> drawPass(const ScreenRequest& request, Pass pass, Frame& frame, const CancelToken& cancel);
   Result<Drawn> draw(const Scene& scene, const RenderOptions& options, const CancelToken& cancel);
   template <class Function>
   void tell(Function function);
@@ -99,8 +130,11 @@ class RenderController : public QObject {
   int generation_ = 0;  // of the volume
   std::optional<ScreenRequest> screen_;
   std::optional<PictureRequest> picture_;
-  CancelToken volumeCancel_, standardCancel_, pictureCancel_;
+  std::optional<ScreenRequest> trial_;
+  int trialNumber_ = 0;
+  CancelToken volumeCancel_, restCancel_, pictureCancel_, trialCancel_;
   Resampler resampler_ = Resampler::cpu;
+  PictureLevel level_;
   bool closing_ = false;  // ... to here
 
   // Of the render thread alone.
@@ -108,6 +142,7 @@ class RenderController : public QObject {
   int drawnGeneration_ = 0;
   Draw draw_;
   DraftPace pace_;
+  std::optional<ScreenRequest> seen_;  // what is on screen, if only as a draft
 
   std::thread thread_;
 };

@@ -1,7 +1,6 @@
 #include "ui/controller/snapshot.h"
 
 #include "io/files/picture_file.h"
-#include "viewer/plan/picture_text.h"
 
 namespace volumen {
 
@@ -25,8 +24,9 @@ void Snapshot::save(const Scene& scene, const RenderOptions& options, const QStr
 }
 
 void Snapshot::write(const std::shared_ptr<Drawn>& drawn) {
-  pool_.start([this, drawn, path = path_] {
-    const Status status = writePng(drawn->picture, path.toStdString(), pictureText(drawn->plan));
+  const auto text = pictureText(drawn->plan, measured_ ? measured_(drawn->plan) : std::nullopt);
+  pool_.start([this, drawn, text, path = path_] {
+    const Status status = writePng(drawn->picture, path.toStdString(), text);
     const QString sentence = status ? QString() : QString::fromStdString(status.message());
     QMetaObject::invokeMethod(
         this,

@@ -3,6 +3,7 @@
 #include <QThreadPool>
 
 #include "ui/controller/render_controller.h"
+#include "viewer/plan/picture_text.h"
 
 namespace volumen {
 
@@ -13,6 +14,10 @@ class Snapshot : public QObject {
   explicit Snapshot(RenderController& controller, QObject* parent = nullptr);
   ~Snapshot() override;
 
+  /// Where to ask what was measured of exactly the picture that a plan draws: written with it.
+  void setMeasured(std::function<std::optional<MeasuredError>(const Plan&)> measured) {
+    measured_ = std::move(measured);
+  }
   /// One at a time: a second gives up the first.
   void save(const Scene& scene, const RenderOptions& options, const QString& path);
   void cancel() { controller_.cancelPicture(); }
@@ -28,6 +33,7 @@ class Snapshot : public QObject {
   RenderController& controller_;
   QThreadPool pool_;
   QString path_;
+  std::function<std::optional<MeasuredError>(const Plan&)> measured_;
 };
 
 }  // namespace volumen

@@ -1,5 +1,9 @@
 #include "ui/panels/effects_panel.h"
 
+#include <QScrollBar>
+
+#include "viewer/render/effect_costs.h"
+
 namespace volumen {
 
 namespace {
@@ -25,13 +29,19 @@ void EffectsPanel::showPlan(const Plan& plan, const RenderStats& stats) {
   times << (stats.threads == 1 ? tr("1 thread") : tr("%1 threads").arg(stats.threads));
   QString html = QStringLiteral("<p>%1</p><table cellspacing='0' cellpadding='2'>")
                      .arg(times.join(QStringLiteral(", ")));
-  for (const Effect& effect : plan.effects) {
+  const EffectCosts costs = effectCosts(plan, stats);
+  for (std::size_t n = 0; n < costs.size(); ++n) {
+    const Effect& effect = plan.effects[n];
     const QString name = escaped(effect.name);
-    html += QStringLiteral("<tr><td><b>%1</b>&nbsp;</td><td>%2: %3</td></tr>")
+    html += QStringLiteral("<tr><td><b>%1</b>&nbsp;</td><td>%2: %3%4</td></tr>")
                 .arg(effect.on ? tr("on") : tr("off"),
-                     effect.on ? QStringLiteral("<b>%1</b>").arg(name) : name, escaped(effect.reason));
+                     effect.on ? QStringLiteral("<b>%1</b>").arg(name) : name, escaped(effect.reason),
+                     effect.on && costs[n] ? QStringLiteral(" <b>(%1)</b>").arg(escaped(costText(*costs[n])))
+                                           : QString());
   }
+  const int scrolled = verticalScrollBar()->value();
   setHtml(html + QStringLiteral("</table>"));
+  verticalScrollBar()->setValue(scrolled);
 }
 
 }  // namespace volumen

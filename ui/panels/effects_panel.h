@@ -7,7 +7,7 @@
 
 namespace volumen {
 
-/// What the plan of the picture on screen switches on and off, why, and what the picture took.
+/// What the plan of the picture on screen switches on and off, why, and what each cost.
 class EffectsPanel : public QTextBrowser {
   Q_OBJECT
  public:

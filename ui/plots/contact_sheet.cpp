@@ -12,22 +12,6 @@ namespace {
 constexpr int magnification = 32;
 constexpr int edge = 168, caption = 44, gap = 10, columns = 10, head = 76;
 
-// |difference| of the colours, magnified; ill-conditioned pixels, which do not count, dark blue.
-QImage differenceOf(const Picture& picture, const Truth& truth) {
-  QImage image(truth.grid.x, truth.grid.y, QImage::Format_RGB32);
-  for (int y = 0; y < truth.grid.y; ++y)
-    for (int x = 0; x < truth.grid.x; ++x) {
-      const std::size_t n = std::size_t(y) * truth.grid.x + x;
-      int c[3];
-      for (int k = 0; k < 3; ++k) {
-        const float by = std::abs(picture.rgba[4 * n + k] - truth.picture.rgba[4 * n + k]);
-        c[k] = int(std::min(255.0f, 255 * magnification * by));
-      }
-      image.setPixelColor(x, y, truth.well[n] ? QColor(c[0], c[1], c[2]) : QColor(0, 0, 110));
-    }
-  return image;
-}
-
 class Sheet {
  public:
   explicit Sheet(std::size_t tiles)
@@ -94,7 +78,8 @@ QImage contactSheet(const AccuracyStudy& study, const StudyTitle& title) {
   sheet.add(imageOf(study.truth.picture), QStringLiteral("the reference"),
             QStringLiteral("%1 s").arg(study.truth.ms / 1000, 0, 'f', 1), false);
   for (const StudyRow* row : shown)
-    sheet.add(differenceOf(row->pixels, study.truth), QString::fromStdString(settingName(row->setting)),
+    sheet.add(differenceImage(row->pixels, study.truth, magnification),
+              QString::fromStdString(settingName(row->setting)),
               QStringLiteral("max %1, P99 %2, %3 ms")
                   .arg(row->error.maximum, 0, 'g', 3)
                   .arg(row->error.percentile99, 0, 'g', 2)

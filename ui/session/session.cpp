@@ -1,6 +1,6 @@
 #include "ui/session/session.h"
 
-#include "ui/session/edit_scene.h"
+#include "ui/session/edit_state.h"
 
 namespace volumen {
 
@@ -15,9 +15,13 @@ void Session::show(ShownSeriesPtr series) {
   Q_EMIT changed(before, state_);
 }
 
+void Session::push(const QString& text, SessionState after, const QString& mergeKey) {
+  if (after == state_) return;
+  undoStack_.push(new EditState(*this, text, std::move(after), mergeKey, gesture_));
+}
+
 void Session::edit(const QString& text, Scene after, const QString& mergeKey) {
-  if (after == state_.scene) return;
-  undoStack_.push(new EditScene(*this, text, std::move(after), mergeKey, gesture_));
+  push(text, {state_.series, std::move(after), state_.wish}, mergeKey);
 }
 
 void Session::edit(const QString& text, const std::function<void(Scene&)>& change, const QString& mergeKey) {
@@ -26,9 +30,13 @@ void Session::edit(const QString& text, const std::function<void(Scene&)>& chang
   edit(text, std::move(after), mergeKey);
 }
 
-void Session::setScene(const Scene& scene) {
+void Session::wishFor(const QString& text, const PictureWish& after, const QString& mergeKey) {
+  push(text, {state_.series, state_.scene, after}, mergeKey);
+}
+
+void Session::setState(const SessionState& state) {
   const SessionState before = state_;
-  state_.scene = scene;
+  state_ = state;
   Q_EMIT changed(before, state_);
 }
 

@@ -4,6 +4,7 @@
 #include <QUndoStack>
 #include <functional>
 
+#include "ui/session/picture_wish.h"
 #include "ui/session/shown_series.h"
 #include "viewer/scene/scene.h"
 
@@ -13,6 +14,7 @@ namespace volumen {
 struct SessionState {
   ShownSeriesPtr series;  ///< null: nothing opened yet
   Scene scene;
+  PictureWish wish;
   bool operator==(const SessionState&) const = default;
 };
 
@@ -26,9 +28,11 @@ class Session : public QObject {
   const SessionState& state() const { return state_; }
   const Scene& scene() const { return state_.scene; }
   const ShownSeriesPtr& series() const { return state_.series; }
+  const PictureWish& wish() const { return state_.wish; }
   QUndoStack& undoStack() { return undoStack_; }
 
-  /// Puts a series on screen with its first scene. Forgets the steps made on the one before.
+  /// Puts a series on screen with its first scene; what is asked of the picture stays. Forgets the steps made
+  /// on the one before.
   void show(ShownSeriesPtr series);
 
   /// Makes `after` the scene, as one undo step called `text`. Edits in a row with one non-empty `mergeKey`
@@ -37,6 +41,9 @@ class Session : public QObject {
   /// The same for a change of the scene as it is now.
   void edit(const QString& text, const std::function<void(Scene&)>& change, const QString& mergeKey = {});
 
+  /// The same for what is asked of the picture beside the scene.
+  void wishFor(const QString& text, const PictureWish& after, const QString& mergeKey = {});
+
   /// The mouse was released, the field was left: what follows is a step of its own.
   void endGesture() { ++gesture_; }
 
@@ -44,8 +51,9 @@ class Session : public QObject {
   void changed(const volumen::SessionState& before, const volumen::SessionState& after);
 
  private:
-  friend class EditScene;
-  void setScene(const Scene& scene);
+  friend class EditState;
+  void push(const QString& text, SessionState after, const QString& mergeKey);
+  void setState(const SessionState& state);
 
   SessionState state_;
   QUndoStack undoStack_;

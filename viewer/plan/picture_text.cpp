@@ -1,5 +1,7 @@
 #include "viewer/plan/picture_text.h"
 
+#include <cstdio>
+
 #include "viewer/scene/scene_json.h"
 
 namespace volumen {
@@ -57,12 +59,23 @@ std::string errorText(const Plan& plan) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan) {
+std::string errorText(const MeasuredError& m) {
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "99 %% of pixels within %.3g/255, largest %.3g/255, RMSE %.3g/255, measured at %zu of %zu pixels",
+      m.error.percentile99, m.error.maximum, m.error.rmse, m.pixels, m.ofPixels);
+  return text;
+}
+
+std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan,
+                                                             const std::optional<MeasuredError>& measured) {
   std::vector<std::pair<std::string, std::string>> text{{"Software", "volumen " VOLUMEN_VERSION},
                                                         {"Comment", "Not for clinical use"},
                                                         {"volumen-method", methodName(plan.method)},
                                                         {"volumen-level", levelText(plan)},
                                                         {"volumen-error", errorText(plan)}};
+  if (measured) text.push_back({"volumen-error-measured", errorText(*measured)});
   if (plan.method != Method::reference)
     text.push_back({"volumen-step", std::to_string(plan.stepVoxels) + " voxel"});
   text.push_back({"volumen-scene", sceneToJson(plan.scene)});

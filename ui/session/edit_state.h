@@ -2,18 +2,16 @@
 
 #include <QUndoCommand>
 
-#include "viewer/scene/scene.h"
+#include "ui/session/session.h"
 
 namespace volumen {
 
-class Session;
-
-/// The one undo command: the scene before and after. A scene is a small value, so no property needs a class
-/// of its own.
-class EditScene : public QUndoCommand {
+/// The one undo command: the state before and after. It is a small value, so no property needs a class of its
+/// own.
+class EditState : public QUndoCommand {
  public:
   /// `mergeKey`: commands of one non-empty key in one gesture merge.
-  EditScene(Session& session, const QString& text, Scene after, const QString& mergeKey, int gesture);
+  EditState(Session& session, const QString& text, SessionState after, const QString& mergeKey, int gesture);
 
   void undo() override;
   void redo() override;
@@ -22,7 +20,7 @@ class EditScene : public QUndoCommand {
 
  private:
   Session& session_;
-  Scene before_, after_;
+  SessionState before_, after_;
   QString mergeKey_;
   int gesture_;
 };

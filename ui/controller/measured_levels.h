@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/session/picture_wish.h"
+#include "viewer/plan/picture_text.h"
+#include "viewer/study/truth.h"
+
+namespace volumen {
+
+/// What a picture at a level takes, and how far it is from the reference.
+struct MeasuredLevel {
+  PictureLevel level;
+  std::optional<double> ms;  ///< median of the frames drawn; none: not measured yet
+  PictureError error;        ///< at the reference's well-conditioned pixels; where ms is there
+  bool front = false;        ///< no other level is both faster and nearer to the reference
+  Picture pixels;            ///< the reference's pixels as this level draws them
+  std::shared_ptr<const Plan> plan;
+  std::string failure;  ///< a sentence where it could not be drawn
+
+  bool done() const { return ms || !failure.empty(); }
+};
+
+/// The levels of a scene on screen, as far as they are measured.
+struct MeasuredLevels {
+  std::shared_ptr<const Truth> truth;  ///< null: not computed yet
+  std::vector<MeasuredLevel> levels;   ///< from the coarsest on
+};
+
+/// The levels to choose from, from the coarsest on.
+const std::vector<PictureLevel>& pictureLevels();
+
+/// "standard", "draft 1/4".
+std::string levelName(PictureLevel level);
+
+/// The level that a wish means; none as long as too little is measured to tell. Where no level is fast (or
+/// accurate) enough, the fastest (most accurate).
+std::optional<PictureLevel> levelFor(const PictureWish& wish, const std::vector<MeasuredLevel>& levels);
+
+/// Marks those that no other one beats in time and error.
+void markFront(std::vector<MeasuredLevel>& levels);
+
+/// What was measured of exactly the picture that this plan draws.
+std::optional<MeasuredError> measuredError(const MeasuredLevels& measured, const Plan& plan);
+
+}  // namespace volumen

@@ -1,0 +1,263 @@
+#include "ui/panels/accuracy_panel.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plots/picture_image.h"
+
+namespace volumen {
+
+namespace {
+
+enum Column { levelColumn, timeColumn, mostColumn, largestColumn, columns };
+
+constexpr int tallestDifference = 220;  // pixels
+
+int rowOf(PictureLevel level) {
+  const auto& all = pictureLevels();
+  return int(std::find(all.begin(), all.end(), level) - all.begin());
+}
+
+QString nameOf(PictureLevel level) { return QString::fromStdString(levelName(level)); }
+
+QString inDigits(double x) { return QString::number(x, 'f', x < 0.995 ? 2 : x < 9.95 ? 1 : 0); }
+
+QString msText(double ms) {
+  return ms < 9950 ? AccuracyPanel::tr("%1 ms").arg(ms, 0, 'f', ms < 9.95 ? 1 : 0)
+                   : AccuracyPanel::tr("%1 s").arg(ms / 1000, 0, 'f', 1);
+}
+
+QString errorText(double of255) { return AccuracyPanel::tr("%1/255").arg(inDigits(of255)); }
+
+// A power of two that makes 99 % of the differences visible without cutting them off.
+double magnificationOf(const PictureError& error) {
+  const double most = 255 / std::max(error.percentile99, 1e-3);
+  return std::clamp(std::exp2(std::floor(std::log2(most))), 1.0, 4096.0);
+}
+
+}  // namespace
+
+AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      slider_(new QSlider(Qt::Horizontal)),
+      table_(new QTreeWidget),
+      meetTime_(new QCheckBox(tr("Meet this frame time"))),
+      meetError_(new QCheckBox(tr("Meet this error"))),
+      frameMs_(new QDoubleSpinBox),
+      error_(new QDoubleSpinBox),
+      difference_(new QLabel),
+      caption_(new QLabel),
+      state_(new QLabel) {
+  makeTable();
+  frameMs_->setRange(1, 100000);
+  frameMs_->setDecimals(0);
+  frameMs_->setSingleStep(10);
+  frameMs_->setSuffix(tr(" ms"));
+  error_->setRange(0.01, 255);
+  error_->setDecimals(2);
+  error_->setSingleStep(0.1);
+  error_->setSuffix(tr("/255"));
+  error_->setToolTip(tr("99 % of the pixels at most so far from the reference"));
+  difference_->setObjectName(QStringLiteral("difference"));
+  difference_->setAccessibleName(tr("Difference from the reference"));
+  difference_->setAlignment(Qt::AlignCenter);
+  caption_->setObjectName(QStringLiteral("differenceCaption"));
+  caption_->setWordWrap(true);
+  state_->setObjectName(QStringLiteral("measuringState"));
+  state_->setWordWrap(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(4);
+  column->addLayout(sliderRow());
+  column->addWidget(table_);
+  column->addWidget(state_);
+  column->addLayout(aimRow(meetTime_, frameMs_, Aim::time, QStringLiteral("Time")));
+  column->addLayout(aimRow(meetError_, error_, Aim::error, QStringLiteral("Error")));
+  column->addWidget(difference_);
+  column->addWidget(caption_);
+  column->addStretch();
+  connect(&session_, &Session::changed, this,
+          [this](const SessionState&, const SessionState& after) { showWish(after.wish); });
+  showWish(session_.wish());
+  showLevel(session_.wish().level);
+  showMeasured({});
+}
+
+void AccuracyPanel::makeTable() {
+  table_->setObjectName(QStringLiteral("levelTable"));
+  table_->setAccessibleName(tr("Levels with their times and errors"));
+  table_->setHeaderLabels({tr("Level"), tr("Time"), tr("99 % within"), tr("Largest")});
+  table_->headerItem()->setToolTip(timeColumn, tr("Median of the full pictures drawn, in this window"));
+  table_->headerItem()->setToolTip(mostColumn, tr("99 % of the pixels are so near to the reference"));
+  table_->headerItem()->setToolTip(largestColumn, tr("The largest difference from the reference"));
+  table_->setRootIsDecorated(false);
+  table_->setUniformRowHeights(true);
+  table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  for (const PictureLevel level : pictureLevels()) {
+    auto* item = new QTreeWidgetItem(table_, {nameOf(level)});
+    for (int c = timeColumn; c < columns; ++c) {
+      item->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+      table_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+    }
+  }
+  table_->header()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->header()->setSectionsMovable(false);
+  table_->header()->setMinimumSectionSize(40);
+  connect(table_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+    if (item) choose(table_->indexOfTopLevelItem(item));
+  });
+}
+
+QLayout* AccuracyPanel::sliderRow() {
+  slider_->setObjectName(QStringLiteral("levelSlider"));
+  slider_->setAccessibleName(tr("Level of the picture at rest"));
+  slider_->setRange(0, int(pictureLevels().size()) - 1);
+  slider_->setPageStep(1);
+  slider_->setTickPosition(QSlider::TicksBelow);
+  connect(slider_, &QSlider::valueChanged, this, [this](int row) {
+    choose(row);
+    if (!slider_->isSliderDown()) session_.endGesture();
+  });
+  connect(slider_, &QSlider::sliderReleased, this, [this] { session_.endGesture(); });
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(new QLabel(tr("faster")));
+  row->addWidget(slider_, 1);
+  row->addWidget(new QLabel(tr("more accurate")));
+  return row;
+}
+
+QLayout* AccuracyPanel::aimRow(QCheckBox* box, QDoubleSpinBox* field, Aim aim, const QString& name) {
+  box->setObjectName(QStringLiteral("meet") + name);
+  field->setObjectName(QStringLiteral("aim") + name);
+  field->setAccessibleName(box->text());
+  field->setKeyboardTracking(false);
+  field->setFixedWidth(104);
+  connect(box, &QCheckBox::clicked, this, [this, box, aim](bool on) {
+    wish(box->text(), [&](PictureWish& w) {
+      w.aim = on ? aim : Aim::level;
+      w.level = level_;
+    });
+    session_.endGesture();
+  });
+  connect(field, &QDoubleSpinBox::valueChanged, this, [this, box, aim](double value) {
+    wish(box->text(), [&](PictureWish& w) {
+      w.aim = aim;
+      w.level = level_;
+      (aim == Aim::time ? w.frameMs : w.errorOf255) = value;
+    });
+  });
+  connect(field, &QDoubleSpinBox::editingFinished, this, [this] { session_.endGesture(); });
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(box, 1);
+  row->addWidget(field);
+  return row;
+}
+
+void AccuracyPanel::choose(int row) {
+  wish(tr("Accuracy"), [&](PictureWish& w) {
+    w.aim = Aim::level;
+    w.level = pictureLevels()[std::size_t(row)];
+  });
+}
+
+void AccuracyPanel::wish(const QString& text, const std::function<void(PictureWish&)>& change) {
+  PictureWish after = session_.wish();
+  change(after);
+  session_.wishFor(text, after, text);
+}
+
+void AccuracyPanel::showWish(const PictureWish& wish) {
+  const QSignalBlocker quietTime(frameMs_), quietError(error_);
+  meetTime_->setChecked(wish.aim == Aim::time);
+  meetError_->setChecked(wish.aim == Aim::error);
+  frameMs_->setValue(wish.frameMs);
+  error_->setValue(wish.errorOf255);
+}
+
+void AccuracyPanel::showLevel(PictureLevel level) {
+  level_ = level;
+  const QSignalBlocker quietSlider(slider_), quietTable(table_);
+  const int row = rowOf(level);
+  if (!slider_->isSliderDown()) slider_->setValue(row);
+  slider_->setToolTip(nameOf(level));
+  table_->setCurrentItem(table_->topLevelItem(row));
+  showDifference();
+}
+
+void AccuracyPanel::showMeasured(const MeasuredLevels& measured) {
+  measured_ = measured;
+  for (int row = 0; row < table_->topLevelItemCount(); ++row) showRow(row);
+  const bool all = !measured.levels.empty() && measured.levels.back().done();
+  if (all)
+    state_->setText(tr("Measured against the reference at %1 of %2 pixels.")
+                        .arg(measured.truth->pixels.size())
+                        .arg(qint64(measured.truth->size.x) * measured.truth->size.y));
+  else if (measured.levels.empty())
+    state_->setText(tr("Measured once the picture is at rest."));
+  showDifference();
+}
+
+void AccuracyPanel::showRow(int row) {
+  QTreeWidgetItem* item = table_->topLevelItem(row);
+  const bool known = row < int(measured_.levels.size());
+  const MeasuredLevel level = known ? measured_.levels[std::size_t(row)] : MeasuredLevel{};
+  item->setText(timeColumn, level.ms ? msText(*level.ms) : QStringLiteral("-"));
+  item->setText(mostColumn, level.ms ? errorText(level.error.percentile99) : QStringLiteral("-"));
+  item->setText(largestColumn, level.ms ? errorText(level.error.maximum) : QStringLiteral("-"));
+  const bool beaten = level.ms && !level.front;
+  QString tip = QString::fromStdString(level.failure);
+  if (beaten) tip = tr("Another level is both faster and more accurate here.");
+  QFont font = table_->font();
+  font.setItalic(beaten);
+  for (int c = 0; c < columns; ++c) {
+    item->setFont(c, font);
+    item->setToolTip(c, tip);
+  }
+}
+
+void AccuracyPanel::showProgress(const QString& what, double share) {
+  state_->setText(tr("Measuring: %1, %2 %").arg(what).arg(std::lround(100 * share)));
+}
+
+void AccuracyPanel::showDifference() {
+  const int row = rowOf(level_);
+  const MeasuredLevel* level =
+      row < int(measured_.levels.size()) ? &measured_.levels[std::size_t(row)] : nullptr;
+  const bool known = level && level->ms && measured_.truth;
+  difference_->setVisible(known);
+  caption_->setVisible(known);
+  if (!known) return;
+  const double times = magnificationOf(level->error);
+  const QImage image = differenceImage(level->pixels, *measured_.truth, times);
+  const QSize room(std::max(16, width() - 16), tallestDifference);
+  QPixmap shown = QPixmap::fromImage(image.scaled(room * devicePixelRatioF(), Qt::KeepAspectRatio));
+  shown.setDevicePixelRatio(devicePixelRatioF());
+  difference_->setPixmap(shown);
+  caption_->setText(
+      tr("Difference of %1 from the reference, %2 times as bright").arg(nameOf(level_)).arg(times));
+}
+
+void AccuracyPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  Q_EMIT shownChanged(true);
+}
+
+void AccuracyPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  Q_EMIT shownChanged(false);
+}
+
+void AccuracyPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  showDifference();
+}
+
+}  // namespace volumen

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSlider>
+#include <QTreeWidget>
+
+#include "ui/controller/measured_levels.h"
+#include "ui/session/session.h"
+
+namespace volumen {
+
+/// What accuracy costs in time, for the scene on screen: the levels with their measured times and errors, one
+/// of them chosen, or a time or an error asked for that chooses it.
+class AccuracyPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit AccuracyPanel(Session& session, QWidget* parent = nullptr);
+
+  void showMeasured(const MeasuredLevels& measured);
+  /// The level that pictures at rest are drawn at.
+  void showLevel(PictureLevel level);
+  /// What is being measured, share 0..1.
+  void showProgress(const QString& what, double share);
+
+ Q_SIGNALS:
+  /// Whether the panel can be seen: it is measured for only then.
+  void shownChanged(bool shown);
+
+ protected:
+  void showEvent(QShowEvent*) override;
+  void hideEvent(QHideEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+
+ private:
+  void makeTable();
+  QLayout* sliderRow();
+  QLayout* aimRow(QCheckBox* box, QDoubleSpinBox* field, Aim aim, const QString& name);
+  void choose(int row);
+  void wish(const QString& text, const std::function<void(PictureWish&)>& change);
+  void showWish(const PictureWish& wish);
+  void showRow(int row);
+  void showDifference();
+
+  Session& session_;
+  QSlider* slider_;
+  QTreeWidget* table_;
+  QCheckBox *meetTime_, *meetError_;
+  QDoubleSpinBox *frameMs_, *error_;
+  QLabel *difference_, *caption_, *state_;
+  MeasuredLevels measured_;
+  PictureLevel level_;
+};
+
+}  // namespace volumen

@@ -1,0 +1,95 @@
+#include "viewer/render/effect_costs.h"
+
+#include <algorithm>
+
+namespace volumen {
+
+namespace {
+
+// What a sample that is shaded takes, in units of its colour looked up and composited: operations counted in
+// the kernels.
+struct SampleWork {
+  double colour = 1, gradient = 0, light = 0, shine = 0;
+  double all() const { return colour + gradient + light + shine; }
+};
+
+constexpr double gradientWork = 3;  // three components at eight corners, beside the density's one
+
+SampleWork workOf(const Plan& plan) {
+  SampleWork work;
+  if (!plan.lit) return work;
+  const auto lights = double(
+      std::count_if(plan.scene.lights.begin(), plan.scene.lights.end(), [](const Light& l) { return l.on; }));
+  work.gradient = gradientWork;
+  switch (plan.shader) {
+    case Shader::map:  // one look-up whatever the lights
+      work.light = 2;
+      break;
+    case Shader::table:
+      work.light = 1;
+      break;
+    case Shader::automatic:
+    case Shader::phong:
+      work.light = 1 + lights;
+      work.shine = plan.specular ? lights : 0;
+      break;
+  }
+  return work;
+}
+
+class Costs {
+ public:
+  Costs(const Plan& plan, const RenderStats& stats) : plan_(plan), stats_(stats), work_(workOf(plan)) {}
+
+  std::optional<EffectCost> operator()(const Effect& effect) const {
+    if (!effect.on) return EffectCost{};
+    if (effect.name == "method" || effect.name == "reference")
+      return EffectCost{.ms = std::max(0.0, stats_.totalMs - stats_.gradientsMs)};
+    if (plan_.resampler == Resampler::gl)
+      return effect.name == "resampler" ? std::optional(EffectCost{.ms = stats_.glMs}) : std::nullopt;
+    if (effect.name == "integration") return EffectCost{.ms = stats_.resampleMs};
+    if (plan_.method == Method::preshaded) return ofVoxels(effect);
+    return ofSamples(effect);
+  }
+
+ private:
+  // Every voxel is lit before the first sample is taken.
+  std::optional<EffectCost> ofVoxels(const Effect& effect) const {
+    if (effect.name == "lighting") return EffectCost{.ms = stats_.shadeMs};
+    if (effect.name == "gradients") return EffectCost{.onceMs = stats_.gradientsMs};
+    return std::nullopt;
+  }
+
+  std::optional<EffectCost> ofSamples(const Effect& effect) const {
+    if (effect.name == "gradients")
+      return EffectCost{.ms = share(work_.gradient), .estimated = true, .onceMs = stats_.gradientsMs};
+    if (effect.name == "lighting") return EffectCost{.ms = share(work_.light), .estimated = true};
+    if (effect.name == "specular") return EffectCost{.ms = share(work_.shine), .estimated = true};
+    if (effect.name == "gradient opacity") {
+      // Fetched while opacity is still asked for: part of resampling.
+      const double fetched = gradientWork * double(stats_.composited), plain = double(stats_.resampled);
+      return EffectCost{.ms = plain > 0 ? stats_.resampleMs * fetched / (plain + fetched) : 0,
+                        .estimated = true};
+    }
+    if (effect.name == "empty blocks" && plan_.visibleShare > 0)
+      return EffectCost{.ms = -stats_.resampleMs * (1 / plan_.visibleShare - 1), .estimated = true};
+    return std::nullopt;
+  }
+
+  double share(double work) const { return stats_.shadeMs * work / work_.all(); }
+
+  const Plan& plan_;
+  const RenderStats& stats_;
+  const SampleWork work_;
+};
+
+}  // namespace
+
+EffectCosts effectCosts(const Plan& plan, const RenderStats& stats) {
+  const Costs costOf(plan, stats);
+  EffectCosts costs;
+  for (const Effect& effect : plan.effects) costs.push_back(costOf(effect));
+  return costs;
+}
+
+}  // namespace volumen
