@@ -146,16 +146,13 @@ void MainWindow::connectAccuracy() {
     applyLevel();
   });
   connect(&meter_, &AccuracyMeter::progressed, accuracy_, &AccuracyPanel::showProgress);
-  connect(accuracy_, &AccuracyPanel::shownChanged, this, &MainWindow::measureWhereWanted);
+  connect(docks_.at(QStringLiteral("accuracy")), &QDockWidget::visibilityChanged, &meter_,
+          &AccuracyMeter::setWatched);
   snapshot_.setMeasured([this](const Plan& plan) { return measuredError(meter_.measured(), plan); });
 }
 
-void MainWindow::measureWhereWanted() {
-  meter_.setWanted(accuracy_->isVisible() || session_.wish().aim != Aim::level);
-}
-
 void MainWindow::applyLevel() {
-  measureWhereWanted();
+  meter_.setNeeded(session_.wish().aim != Aim::level);
   const auto level = levelFor(session_.wish(), meter_.measured().levels);
   if (!level || *level == controller_.level()) return;
   controller_.setLevel(*level);

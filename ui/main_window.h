@@ -74,7 +74,6 @@ class MainWindow : public QMainWindow {
 
   void requestFrame();
   void applyLevel();
-  void measureWhereWanted();
   void showFrame(const Frame& frame);
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study);
   void showSeries();

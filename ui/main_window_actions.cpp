@@ -81,12 +81,12 @@ void MainWindow::makeDocks() {
   addDock(QStringLiteral("segment"), tr("Segment"), scrolling(segment_), right);
   addDock(QStringLiteral("snapshot"), tr("Snapshot"), scrolling(snapshotPanel_), right);
   const auto dock = [this](const char* name) { return docks_.at(QLatin1String(name)); };
-  for (const char* name : {"material", "clip", "camera"}) tabifyDockWidget(dock("lights"), dock(name));
-  for (const char* name : {"accuracy", "segment", "snapshot"}) tabifyDockWidget(dock("effects"), dock(name));
+  for (const char* name : {"material", "clip", "camera", "segment"}) tabifyDockWidget(dock("lights"), dock(name));
+  for (const char* name : {"accuracy", "snapshot"}) tabifyDockWidget(dock("effects"), dock(name));
   dock("lights")->raise();
   dock("effects")->raise();
   resizeDocks({dock("studies"), dock("transfer")}, {230, 340}, Qt::Horizontal);
-  resizeDocks({dock("transfer"), dock("lights"), dock("effects")}, {340, 280, 200}, Qt::Vertical);
+  resizeDocks({dock("transfer"), dock("lights"), dock("effects")}, {300, 180, 300}, Qt::Vertical);
 }
 
 void MainWindow::makeActions() {

@@ -1,33 +1,29 @@
 // Guards DESIGN 8: whole journeys through the window, by real events.
-#include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
-#include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTextBrowser>
 #include <QTreeWidget>
 
 #include "tests/ui/gestures.h"
+#include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
-#include "ui/main_window.h"
-#include "ui/views/volume_view.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/curve_editor.h"
 #include "ui/widgets/light_ball.h"
 
 using namespace volumen;
+using volumen::tests::Journey;
+using volumen::tests::longest;
 
 namespace {
-
-constexpr int longest = 60000;  // ms, for a loaded machine
 
 double meanBrightness(const QImage& image) {
   double sum = 0;
@@ -35,44 +31,6 @@ double meanBrightness(const QImage& image) {
     for (int x = 0; x < image.width(); ++x) sum += qGray(image.pixel(x, y));
   return sum / (double(image.width()) * image.height());
 }
-
-// A window; pictures are waited for, and kept where $VOLUMEN_SHOTS names a folder.
-struct Journey {
-  MainWindow window{realServices()};
-  QSignalSpy settled{&window, &MainWindow::settled};
-
-  explicit Journey(const QStringList& paths = {}) {
-    window.resize(1040, 680);
-    window.show();
-    if (!paths.isEmpty()) window.open(paths);
-  }
-
-  template <class Child>
-  Child* child(const char* name) {
-    return window.findChild<Child*>(QLatin1String(name));
-  }
-
-  bool settle() {
-    return QTest::qWaitFor([this] { return settled.count() > 0; }, longest);
-  }
-
-  // The picture at rest after something was done.
-  QImage after(const std::function<void()>& act) {
-    settled.clear();
-    act();
-    return settle() ? window.view()->picture() : QImage();
-  }
-
-  QImage after(const char* action) {
-    return after([&] { child<QAction>(action)->trigger(); });
-  }
-
-  void shot(const char* name) {
-    const QString folder = qEnvironmentVariable("VOLUMEN_SHOTS");
-    if (!folder.isEmpty())
-      window.grab().save(QDir(folder).filePath(QLatin1String(name)) + QStringLiteral(".png"));
-  }
-};
 
 const QStringList sample{QStringLiteral("phantom:ct-head:64")};
 

@@ -88,6 +88,11 @@ class TestRenderController : public QObject {
   void theLatestRequestWins();
   void aNewRequestCancelsTheStandardPicture();
   void draftsFollowWhileRequestsStream();
+  void theLevelAtRestIsDrawn_data();
+  void theLevelAtRestIsDrawn();
+  void anotherLevelOfTheSamePictureNeedsNoDraft();
+  void aTrialWaitsForWhatIsAskedFor();
+  void aTrialThatIsDroppedTellsNothing();
   void closingWhileRenderingIsCleanAndQuick();
   void anotherVolumeSilencesTheOneBefore();
   void failuresAreTold();
@@ -148,6 +153,80 @@ void TestRenderController::draftsFollowWhileRequestsStream() {
     QTest::qWait(10);
   }
   QVERIFY2(w.frames.size() >= 5, "a drag is followed, although each request outdates the one before");
+}
+
+void TestRenderController::theLevelAtRestIsDrawn_data() {
+  QTest::addColumn<int>("quality");
+  QTest::addColumn<int>("edge");
+  QTest::addColumn<int>("frames");
+  QTest::newRow("standard") << int(Quality::standard) << 1 << 2;
+  QTest::newRow("exact") << int(Quality::exact) << 1 << 2;
+  QTest::newRow("draft, every pixel") << int(Quality::draft) << 1 << 2;
+  QTest::newRow("no finer than the first draft: drawn once") << int(Quality::draft) << 4 << 1;
+}
+
+void TestRenderController::theLevelAtRestIsDrawn() {
+  QFETCH(int, quality);
+  QFETCH(int, edge);
+  QFETCH(int, frames);
+  SlowRenderer renderer;
+  Watched w(renderer.make());
+  w.controller.setLevel({Quality(quality), edge});
+  w.controller.request(greyScene(0.5), {64, 64});
+  QTRY_VERIFY(w.atRest());
+  QCOMPARE(int(w.frames.size()), frames);
+  QCOMPARE(int(w.frames.back().quality), quality);
+  QCOMPARE(w.frames.back().factor, double(edge));
+  QCOMPARE(w.frames.back().image.size(), QSize(64, 64));
+}
+
+void TestRenderController::anotherLevelOfTheSamePictureNeedsNoDraft() {
+  SlowRenderer renderer;
+  Watched w(renderer.make());
+  w.controller.request(greyScene(0.5), {64, 64});
+  QTRY_VERIFY(w.atRest());
+  w.frames.clear();
+  w.controller.setLevel({Quality::exact, 1});
+  w.controller.request(greyScene(0.5), {64, 64});
+  QTRY_VERIFY(w.atRest());
+  QCOMPARE(w.frames.size(), std::size_t(1));
+  w.frames.clear();
+  w.controller.request(greyScene(0.6), {64, 64});
+  QTRY_VERIFY(w.atRest());
+  QVERIFY2(w.frames.front().draft(), "another picture comes as a draft first");
+}
+
+void TestRenderController::aTrialWaitsForWhatIsAskedFor() {
+  SlowRenderer renderer;
+  renderer.msPerRow = 2;
+  Watched w(renderer.make());
+  QSignalSpy trials(&w.controller, &RenderController::trialReady);
+  const int number = w.controller.requestTrial(greyScene(0.2), {64, 200}, {Quality::high, 1});
+  QTRY_COMPARE(renderer.begun.load(), 1);
+  w.controller.request(greyScene(0.8), {64, 20});
+  QTRY_VERIFY(w.atRest());
+  QCOMPARE(renderer.cancelled.load(), 1);
+  QVERIFY2(trials.isEmpty(), "what is looked at comes first");
+  // It was not forgotten.
+  QTRY_COMPARE(trials.count(), 1);
+  const auto trial = trials[0][0].value<Trial>();
+  QCOMPARE(trial.number, number);
+  QVERIFY(trial.drawn && trial.drawn->picture.size == glm::ivec2(64, 200));
+  QVERIFY(trial.ms >= 200 * 2);
+}
+
+void TestRenderController::aTrialThatIsDroppedTellsNothing() {
+  SlowRenderer renderer;
+  renderer.msPerRow = 2;
+  Watched w(renderer.make());
+  QSignalSpy trials(&w.controller, &RenderController::trialReady);
+  w.controller.requestTrial(greyScene(0.2), {64, 2000}, {Quality::high, 1});
+  QTRY_COMPARE(renderer.begun.load(), 1);
+  w.controller.dropTrial();
+  QTRY_COMPARE(renderer.cancelled.load(), 1);
+  w.controller.request(greyScene(0.8), {64, 20});
+  QTRY_VERIFY(w.atRest());
+  QVERIFY(trials.isEmpty());
 }
 
 void TestRenderController::closingWhileRenderingIsCleanAndQuick() {

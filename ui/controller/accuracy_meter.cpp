@@ -30,7 +30,7 @@ void AccuracyMeter::show(VolumePtr volume, const Scene& complete, QSize pixels) 
   if (shown_ == shown) return;
   forget();
   shown_ = std::move(shown);
-  if (wanted_) start();
+  if (wanted()) start();
 }
 
 void AccuracyMeter::forget() {
@@ -41,10 +41,18 @@ void AccuracyMeter::forget() {
   Q_EMIT changed();
 }
 
-void AccuracyMeter::setWanted(bool wanted) {
-  if (wanted == wanted_) return;
-  wanted_ = wanted;
-  if (!wanted)
+void AccuracyMeter::setWatched(bool watched) {
+  watched_ = watched;
+  startOrStop();
+}
+
+void AccuracyMeter::setNeeded(bool needed) {
+  needed_ = needed;
+  startOrStop();
+}
+
+void AccuracyMeter::startOrStop() {
+  if (!wanted())
     stop();
   else if (shown_)
     start();

@@ -23,7 +23,9 @@ class AccuracyMeter : public QObject {
   /// The picture changes: gives up, and forgets what was measured.
   void forget();
   /// Whether anybody looks at the figures.
-  void setWanted(bool wanted);
+  void setWatched(bool watched);
+  /// Whether a level is to be picked by them.
+  void setNeeded(bool needed);
 
   const MeasuredLevels& measured() const { return measured_; }
   bool running() const { return running_; }
@@ -46,6 +48,8 @@ class AccuracyMeter : public QObject {
     bool operator==(const Shown&) const = default;
   };
 
+  bool wanted() const { return watched_ || needed_; }
+  void startOrStop();
   void start();
   void stop();
   void computeTruth();
@@ -59,7 +63,7 @@ class AccuracyMeter : public QObject {
   std::optional<Shown> shown_;
   MeasuredLevels measured_;
   CancelToken cancel_;
-  bool wanted_ = false, running_ = false;
+  bool watched_ = false, needed_ = false, running_ = false;
   std::size_t next_ = 0;          // level
   std::vector<double> framesMs_;  // of it
   int awaited_ = 0;               // number of the trial

@@ -106,7 +106,9 @@ void AccuracyPanel::makeTable() {
       table_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
     }
   }
-  table_->header()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->header()->setStretchLastSection(false);
+  table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->header()->setSectionResizeMode(levelColumn, QHeaderView::Stretch);
   table_->header()->setSectionsMovable(false);
   table_->header()->setMinimumSectionSize(40);
   connect(table_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
@@ -119,7 +121,7 @@ QLayout* AccuracyPanel::sliderRow() {
   slider_->setAccessibleName(tr("Level of the picture at rest"));
   slider_->setRange(0, int(pictureLevels().size()) - 1);
   slider_->setPageStep(1);
-  slider_->setTickPosition(QSlider::TicksBelow);
+  slider_->setTickPosition(QSlider::TicksBothSides);
   connect(slider_, &QSlider::valueChanged, this, [this](int row) {
     choose(row);
     if (!slider_->isSliderDown()) session_.endGesture();
@@ -245,18 +247,11 @@ void AccuracyPanel::showDifference() {
       tr("Difference of %1 from the reference, %2 times as bright").arg(nameOf(level_)).arg(times));
 }
 
-void AccuracyPanel::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  Q_EMIT shownChanged(true);
-}
-
-void AccuracyPanel::hideEvent(QHideEvent* event) {
-  QWidget::hideEvent(event);
-  Q_EMIT shownChanged(false);
-}
-
 void AccuracyPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  // All rows, without a scroll bar.
+  const int rows = table_->sizeHintForRow(0) * table_->topLevelItemCount();
+  table_->setFixedHeight(rows + table_->header()->sizeHint().height() + 2 * table_->frameWidth());
   showDifference();
 }
 

@@ -24,13 +24,7 @@ class AccuracyPanel : public QWidget {
   /// What is being measured, share 0..1.
   void showProgress(const QString& what, double share);
 
- Q_SIGNALS:
-  /// Whether the panel can be seen: it is measured for only then.
-  void shownChanged(bool shown);
-
  protected:
-  void showEvent(QShowEvent*) override;
-  void hideEvent(QHideEvent*) override;
   void resizeEvent(QResizeEvent*) override;
 
  private:

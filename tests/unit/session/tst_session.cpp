@@ -31,6 +31,7 @@ class TestSession : public QObject {
   void editsBecomeUndoSteps();
   void undoAndRedoRestoreTheScene();
   void everyChangeIsToldOnceWithBeforeAndAfter();
+  void wishesAreStepsBesideTheScene();
   void anotherSeriesForgetsTheSteps();
 };
 
@@ -93,6 +94,25 @@ void TestSession::everyChangeIsToldOnceWithBeforeAndAfter() {
   session.undoStack().undo();
   const std::vector<std::pair<double, double>> expected{{1, 2}, {2, 3}, {3, 1}};
   QVERIFY(told == expected);
+}
+
+void TestSession::wishesAreStepsBesideTheScene() {
+  Session session;
+  apply(session, {2, ""});
+  PictureWish wish;
+  wish.aim = Aim::time;
+  session.wishFor(QStringLiteral("Time"), wish, QStringLiteral("t"));
+  wish.frameMs = 80;
+  session.wishFor(QStringLiteral("Time"), wish, QStringLiteral("t"));
+  session.wishFor(QStringLiteral("Time"), wish);
+  QCOMPARE(session.undoStack().count(), 2);
+  QCOMPARE(session.scene().lights[0].intensity, 2.0);
+  session.undoStack().undo();
+  QVERIFY(session.wish() == PictureWish{});
+  QCOMPARE(session.scene().lights[0].intensity, 2.0);
+  session.undoStack().redo();
+  session.show(std::make_shared<ShownSeries>());
+  QVERIFY2(session.wish() == wish, "asked for of every series");
 }
 
 void TestSession::anotherSeriesForgetsTheSteps() {

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QAction>
+#include <QDir>
+#include <QSignalSpy>
+#include <QTest>
+#include <functional>
+
+#include "ui/main_window.h"
+#include "ui/views/volume_view.h"
+
+namespace volumen::tests {
+
+inline constexpr int longest = 60000;  // ms, for a loaded machine
+
+/// A window; pictures are waited for, and kept where $VOLUMEN_SHOTS names a folder.
+struct Journey {
+  MainWindow window{realServices()};
+  QSignalSpy settled{&window, &MainWindow::settled};
+
+  explicit Journey(const QStringList& paths = {}) {
+    window.resize(1040, 680);
+    window.show();
+    if (!paths.isEmpty()) window.open(paths);
+  }
+
+  template <class Child>
+  Child* child(const char* name) {
+    return window.findChild<Child*>(QLatin1String(name));
+  }
+
+  bool settle() {
+    return QTest::qWaitFor([this] { return settled.count() > 0; }, longest);
+  }
+
+  // The picture at rest after something was done.
+  QImage after(const std::function<void()>& act) {
+    settled.clear();
+    act();
+    return settle() ? window.view()->picture() : QImage();
+  }
+
+  QImage after(const char* action) {
+    return after([&] { child<QAction>(action)->trigger(); });
+  }
+
+  void shot(const char* name) {
+    const QString folder = qEnvironmentVariable("VOLUMEN_SHOTS");
+    if (!folder.isEmpty())
+      window.grab().save(QDir(folder).filePath(QLatin1String(name)) + QStringLiteral(".png"));
+  }
+};
+
+}  // namespace volumen::tests

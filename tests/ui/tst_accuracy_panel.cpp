@@ -1,0 +1,274 @@
+// Guards DESIGN 6 (a slider along the levels with measured milliseconds and measured error for the scene on
+// screen; targets that pick a level), DESIGN 8 (nothing waits, undo for everything) and DESIGN 10 (what a PNG
+// says of itself).
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTextBrowser>
+#include <QTreeWidget>
+
+#include "tests/ui/journey.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using volumen::tests::Journey;
+using volumen::tests::longest;
+
+namespace {
+
+const PictureLevel coarse{Quality::draft, 4}, draft{Quality::draft, 1}, standard{Quality::standard, 1},
+    high{Quality::high, 1};
+
+MeasuredLevel measured(PictureLevel level, std::optional<double> ms, double error, const char* failure = "") {
+  MeasuredLevel out;
+  out.level = level;
+  out.ms = ms;
+  out.error.percentile99 = out.error.rmse = error;
+  out.failure = failure;
+  return out;
+}
+
+// Saves the picture by the dialog, as a person does, and reads it back.
+QImage savedPicture(Journey& w, const QString& path) {
+  w.child<QAction>("snapshot")->trigger();
+  auto* name = w.child<QFileDialog>("snapshotDialog")->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+  name->setText(path);
+  QTest::keyClick(name, Qt::Key_Return);
+  return QTest::qWaitFor([&] { return QFile::exists(path); }, longest) ? QImage(path) : QImage();
+}
+
+// The sample study with the panel before it, all levels measured.
+struct Measured : Journey {
+  QSignalSpy finished{&window.meter(), &AccuracyMeter::finished};
+  QSignalSpy cancelled{&window.meter(), &AccuracyMeter::cancelled};
+
+  explicit Measured(const QString& what = QStringLiteral("phantom:ct-head:48")) : Journey({what}) {}
+
+  bool openPanel() {
+    if (!settle()) return false;
+    const QString title = child<QDockWidget>("accuracyDock")->windowTitle();
+    for (QTabBar* bar : window.findChildren<QTabBar*>())
+      for (int n = 0; n < bar->count(); ++n)
+        if (bar->tabText(n) == title) QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(n).center());
+    return child<QWidget>("accuracyPanel")->isVisible();
+  }
+  bool measure() {
+    return QTest::qWaitFor([this] { return finished.count() > 0; }, longest);
+  }
+  const std::vector<MeasuredLevel>& levels() const { return window.meter().measured().levels; }
+  QString cell(int row, int column) {
+    return child<QTreeWidget>("levelTable")->topLevelItem(row)->text(column);
+  }
+};
+
+}  // namespace
+
+Q_DECLARE_METATYPE(std::vector<volumen::MeasuredLevel>)
+Q_DECLARE_METATYPE(volumen::PictureWish)
+
+class TestAccuracyPanel : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void wishesPickALevel_data();
+  void wishesPickALevel();
+  void levelsAreMeasuredAndChosen();
+  void targetsPickTheLevel();
+  void aChangeOfTheSceneGivesTheMeasurementUp();
+  void nothingIsMeasuredWhereNobodyLooks();
+  void aPictureSaysWhatWasMeasuredOfIt();
+  void effectsShowTheirCosts();
+};
+
+void TestAccuracyPanel::wishesPickALevel_data() {
+  QTest::addColumn<PictureWish>("wish");
+  QTest::addColumn<std::vector<MeasuredLevel>>("levels");
+  QTest::addColumn<int>("quality");  // -1: not told yet
+  using Levels = std::vector<MeasuredLevel>;
+  const Levels all{measured(coarse, 5, 20), measured(draft, 40, 8), measured(standard, 90, 3),
+                   measured(high, 200, 0.6)};
+  const Levels half{measured(coarse, 5, 20), measured(draft, 40, 8), measured(standard, {}, 0),
+                    measured(high, {}, 0)};
+  const Levels broken{measured(coarse, 5, 20), measured(draft, {}, 0, "no memory"), measured(standard, 90, 3),
+                      measured(high, {}, 0, "no memory")};
+  const auto row = [](const char* name, Aim aim, double target, const Levels& levels, int quality) {
+    PictureWish wish{.aim = aim, .level = high};
+    wish.frameMs = wish.errorOf255 = target;
+    QTest::newRow(name) << wish << levels << quality;
+  };
+  row("the level itself, nothing measured", Aim::level, 0, {}, int(Quality::high));
+  row("time: the most accurate within it", Aim::time, 100, all, int(Quality::standard));
+  row("time: exactly met counts", Aim::time, 200, all, int(Quality::high));
+  row("time: too short for any, so the fastest", Aim::time, 1, all, int(Quality::draft));
+  row("time: not told before the next level is timed", Aim::time, 100, half, -1);
+  row("time: told early where a level is too slow", Aim::time, 30, half, int(Quality::draft));
+  row("error: the fastest within it", Aim::error, 3, all, int(Quality::standard));
+  row("error: too small for any, so the most accurate", Aim::error, 0.1, all, int(Quality::high));
+  row("error: not told before a level is good enough", Aim::error, 3, half, -1);
+  row("error: told early where a level is good enough", Aim::error, 9, half, int(Quality::draft));
+  row("levels that cannot be drawn are passed over", Aim::error, 0.1, broken, int(Quality::standard));
+  row("nothing measured", Aim::time, 100, {}, -1);
+}
+
+void TestAccuracyPanel::wishesPickALevel() {
+  QFETCH(PictureWish, wish);
+  QFETCH(std::vector<MeasuredLevel>, levels);
+  QFETCH(int, quality);
+  const auto level = levelFor(wish, levels);
+  QCOMPARE(level ? int(level->quality) : -1, quality);
+}
+
+void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
+  Measured w;
+  QVERIFY(w.openPanel());
+  QVERIFY(w.measure());
+  w.shot("accuracy");
+  const auto& levels = w.levels();
+  QCOMPARE(levels.size(), pictureLevels().size());
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    QVERIFY2(levels[n].ms && *levels[n].ms > 0, levels[n].failure.c_str());
+    QVERIFY(w.cell(int(n), 1).endsWith(QStringLiteral("ms")) ||
+            w.cell(int(n), 1).endsWith(QStringLiteral(" s")));
+    QVERIFY(w.cell(int(n), 2).endsWith(QStringLiteral("/255")));
+  }
+  // DESIGN 2's promises of standard, high and exact, at the pixels that were measured.
+  QVERIFY(levels[3].error.percentile99 <= 8);
+  QVERIFY(levels[4].error.percentile99 <= 2.5);
+  QVERIFY(levels[5].error.maximum <= 1);
+  QVERIFY2(levels[0].error.rmse > levels[5].error.rmse, "fewer rays show");
+  QVERIFY(levels[0].plan->options.size.x < levels[5].plan->options.size.x);
+
+  // The slider chooses the level of the picture at rest, as a step to undo.
+  auto* slider = w.child<QSlider>("levelSlider");
+  auto* caption = w.child<QLabel>("differenceCaption");
+  QVERIFY(caption->text().contains(QStringLiteral("standard")));
+  const QImage first = w.window.view()->picture();
+  slider->setFocus();
+  const QImage finer = w.after([&] { QTest::keyClick(slider, Qt::Key_Right); });
+  QVERIFY(w.window.controller().level() == high);
+  QVERIFY2(finer != first, "smaller steps");
+  QVERIFY(caption->text().contains(QStringLiteral("high")));
+  QVERIFY(!w.child<QLabel>("difference")->pixmap().isNull());
+  QVERIFY2(w.finished.count() == 1 && w.cancelled.count() == 0, "a level is no other scene");
+  QVERIFY(w.after("undo") == first);
+  QVERIFY(w.window.controller().level() == standard);
+  QCOMPARE(slider->value(), 3);
+  // So does a click on a row.
+  auto* table = w.child<QTreeWidget>("levelTable");
+  const QImage blurred = w.after([&] {
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                      table->visualItemRect(table->topLevelItem(0)).center());
+  });
+  QVERIFY(w.window.controller().level() == coarse);
+  QCOMPARE(slider->value(), 0);
+  QVERIFY(blurred != first && blurred.size() == first.size());
+}
+
+void TestAccuracyPanel::targetsPickTheLevel() {
+  Measured w;
+  QVERIFY(w.openPanel());
+  QVERIFY(w.measure());
+  auto* error = w.child<QDoubleSpinBox>("aimError");
+  auto* time = w.child<QDoubleSpinBox>("aimTime");
+  const auto type = [](QDoubleSpinBox* field, const char* text) {
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(field, QLatin1String(text));
+    QTest::keyClick(field, Qt::Key_Return);
+  };
+  // An error that the finest level alone can be sure to meet.
+  w.after([&] { type(error, "0.01"); });
+  QVERIFY(w.child<QCheckBox>("meetError")->isChecked());
+  QVERIFY(w.window.controller().level() == pictureLevels().back());
+  QCOMPARE(w.child<QSlider>("levelSlider")->value(), int(pictureLevels().size()) - 1);
+  // A time that every level meets: the finest; an error of 255/255: the coarsest.
+  type(time, "100000");
+  QVERIFY(w.child<QCheckBox>("meetTime")->isChecked());
+  QVERIFY(!w.child<QCheckBox>("meetError")->isChecked());
+  QVERIFY(w.window.controller().level() == pictureLevels().back());
+  w.after([&] { type(error, "255"); });
+  QVERIFY(w.window.controller().level() == coarse);
+  // The target holds for the next scene too, after its own measurement.
+  w.finished.clear();
+  w.after([&] { w.window.session().edit(QStringLiteral("unlit"), [](Scene& s) { s.shading.lit = false; }); });
+  QVERIFY(w.measure());
+  QVERIFY(w.window.controller().level() == coarse);
+  // Switched off, the level stays; undone, the target is back.
+  QTest::mouseClick(w.child<QCheckBox>("meetError"), Qt::LeftButton, {}, QPoint(8, 8));
+  QVERIFY(w.window.session().wish().aim == Aim::level);
+  QVERIFY(w.window.controller().level() == coarse);
+  w.child<QAction>("undo")->trigger();
+  QVERIFY(w.window.session().wish().aim == Aim::error);
+}
+
+void TestAccuracyPanel::aChangeOfTheSceneGivesTheMeasurementUp() {
+  Measured w;
+  QVERIFY(w.openPanel());
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.meter().running(), longest);
+  w.settled.clear();
+  w.window.view()->setFocus();
+  QTest::keyClick(w.window.view(), Qt::Key_Left);
+  QCOMPARE(w.cancelled.count(), 1);
+  QVERIFY(!w.window.meter().running());
+  QVERIFY(w.levels().empty());
+  QCOMPARE(w.cell(0, 1), QStringLiteral("-"));
+  // The new scene is drawn, then measured; of the first nothing more is told.
+  QVERIFY(w.settle());
+  QVERIFY(w.measure());
+  QCOMPARE(w.finished.count(), 1);
+  QVERIFY(w.levels().back().plan->scene.camera->direction == w.window.session().scene().camera->direction);
+}
+
+void TestAccuracyPanel::nothingIsMeasuredWhereNobodyLooks() {
+  Measured w;
+  QVERIFY(w.settle());
+  QVERIFY(!w.window.meter().running());
+  QVERIFY(w.levels().empty());
+  QVERIFY(w.openPanel());
+  QVERIFY(w.window.meter().running());
+  w.child<QDockWidget>("effectsDock")->raise();
+  QTRY_VERIFY(!w.window.meter().running());
+}
+
+void TestAccuracyPanel::aPictureSaysWhatWasMeasuredOfIt() {
+  Measured w;
+  QVERIFY(w.openPanel());
+  QVERIFY(w.measure());
+  const QTemporaryDir folder;
+  w.child<QComboBox>("snapshotQuality")->setCurrentIndex(1);
+  const QImage same = savedPicture(w, folder.filePath(QStringLiteral("same.png")));
+  const auto says = [&](const char* key) { return same.text(QLatin1String(key)); };
+  QCOMPARE(says("volumen-level"), QStringLiteral("high"));
+  QVERIFY(says("volumen-error").contains(QStringLiteral("PSNR >= 52 dB")));
+  QVERIFY(says("volumen-step").endsWith(QStringLiteral("voxel")));
+  QVERIFY(says("volumen-scene").contains(QStringLiteral("volumenScene")));
+  const auto known = measuredError(w.window.meter().measured(), *w.levels()[4].plan);
+  QVERIFY(known);
+  QCOMPARE(says("volumen-error-measured"), QString::fromStdString(errorText(*known)));
+  // Another size is another picture: nothing was measured of it.
+  w.child<QSpinBox>("snapshotWidth")->setValue(60);
+  const QImage other = savedPicture(w, folder.filePath(QStringLiteral("other.png")));
+  QCOMPARE(other.text(QStringLiteral("volumen-level")), QStringLiteral("high"));
+  QCOMPARE(other.text(QStringLiteral("volumen-error-measured")), QString());
+}
+
+void TestAccuracyPanel::effectsShowTheirCosts() {
+  Measured w;
+  QVERIFY(w.settle());
+  const QString text = w.child<QTextBrowser>("effectsPanel")->toPlainText();
+  for (const char* effect : {"method", "integration", "lighting", "gradients"}) {
+    const QRegularExpression line(QStringLiteral("%1: [^\n]* \\((about )?[0-9.]+ ms(, once [0-9.]+ ms)?\\)")
+                                      .arg(QLatin1String(effect)));
+    QVERIFY2(line.match(text).hasMatch(), qPrintable(QLatin1String(effect) + QLatin1Char('\n') + text));
+  }
+}
+
+VOLUMEN_TEST(TestAccuracyPanel);
+#include "tst_accuracy_panel.moc"

@@ -1,0 +1,58 @@
+// Measures and prints, for DESIGN 2's time goals in the window: the interaction frame and the full picture of
+// a chest CT in a window of 1440 x 900. Times are no test: what is held is that a drag is followed by drafts
+// and ends in a full picture.
+#include <algorithm>
+
+#include "tests/fixtures/fixtures.h"
+#include "tests/ui/journey.h"
+#include "tests/unit/suite.h"
+#include "viewer/study/statistics.h"
+
+using namespace volumen;
+using volumen::tests::Journey;
+
+class TestChestTimes : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aDragAcrossTheChest();
+};
+
+void TestChestTimes::aDragAcrossTheChest() {
+  const std::string path = tests::dataPath("ct-chest-lidc0314-138");
+  NEED_DATA(path);
+  Journey w;
+  w.window.resize(1440, 900);
+  std::vector<double> draftsMs, fullMs, factors;
+  QObject::connect(&w.window.controller(), &RenderController::frameReady, &w.window, [&](const Frame& frame) {
+    const double ms = frame.ms - frame.stats.gradientsMs;
+    (frame.draft() ? draftsMs : fullMs).push_back(ms);
+    if (frame.draft()) factors.push_back(frame.factor);
+  });
+  w.window.open({QString::fromStdString(path)});
+  QVERIFY(w.settle());
+  // The pace of drafts is found while dragging: that of the second drag is the one people see.
+  VolumeView* view = w.window.view();
+  for (int drag = 0; drag < 2; ++drag) {
+    draftsMs.clear(), fullMs.clear(), factors.clear();
+    const QPoint from(view->width() / 3, view->height() / 2);
+    w.after([&] {
+      QTest::mousePress(view, Qt::LeftButton, {}, from);
+      for (int n = 1; n <= 12; ++n) {
+        QTest::mouseMove(view, from + QPoint(12 * n, 2 * n));
+        QTest::qWait(30);
+      }
+      QTest::mouseRelease(view, Qt::LeftButton, {}, from + QPoint(144, 24));
+    });
+  }
+  QVERIFY(!draftsMs.empty());
+  QVERIFY(!fullMs.empty());
+  const QSize size = view->pixels();
+  qInfo(
+      "chest CT, %d x %d pixels, %d drafts: median %.0f ms, largest %.0f ms, one ray for %g x %g pixels; "
+      "full picture %.0f ms",
+      size.width(), size.height(), int(draftsMs.size()), median(draftsMs),
+      *std::max_element(draftsMs.begin(), draftsMs.end()), factors.back(), factors.back(), fullMs.back());
+}
+
+VOLUMEN_TEST(TestChestTimes);
+#include "tst_chest_times.moc"
