@@ -81,7 +81,8 @@ void MainWindow::makeDocks() {
   addDock(QStringLiteral("segment"), tr("Segment"), scrolling(segment_), right);
   addDock(QStringLiteral("snapshot"), tr("Snapshot"), scrolling(snapshotPanel_), right);
   const auto dock = [this](const char* name) { return docks_.at(QLatin1String(name)); };
-  for (const char* name : {"material", "clip", "camera", "segment"}) tabifyDockWidget(dock("lights"), dock(name));
+  for (const char* name : {"material", "clip", "camera", "segment"})
+    tabifyDockWidget(dock("lights"), dock(name));
   for (const char* name : {"accuracy", "snapshot"}) tabifyDockWidget(dock("effects"), dock(name));
   dock("lights")->raise();
   dock("effects")->raise();

@@ -75,9 +75,9 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
   column->setSpacing(4);
   column->addLayout(sliderRow());
   column->addWidget(table_);
-  column->addWidget(state_);
   column->addLayout(aimRow(meetTime_, frameMs_, Aim::time, QStringLiteral("Time")));
   column->addLayout(aimRow(meetError_, error_, Aim::error, QStringLiteral("Error")));
+  column->addWidget(state_);
   column->addWidget(difference_);
   column->addWidget(caption_);
   column->addStretch();
@@ -121,7 +121,6 @@ QLayout* AccuracyPanel::sliderRow() {
   slider_->setAccessibleName(tr("Level of the picture at rest"));
   slider_->setRange(0, int(pictureLevels().size()) - 1);
   slider_->setPageStep(1);
-  slider_->setTickPosition(QSlider::TicksBothSides);
   connect(slider_, &QSlider::valueChanged, this, [this](int row) {
     choose(row);
     if (!slider_->isSliderDown()) session_.endGesture();
@@ -199,7 +198,7 @@ void AccuracyPanel::showMeasured(const MeasuredLevels& measured) {
   for (int row = 0; row < table_->topLevelItemCount(); ++row) showRow(row);
   const bool all = !measured.levels.empty() && measured.levels.back().done();
   if (all)
-    state_->setText(tr("Measured against the reference at %1 of %2 pixels.")
+    state_->setText(tr("Measured against the reference at %L1 of %L2 pixels.")
                         .arg(measured.truth->pixels.size())
                         .arg(qint64(measured.truth->size.x) * measured.truth->size.y));
   else if (measured.levels.empty())
@@ -243,8 +242,7 @@ void AccuracyPanel::showDifference() {
   QPixmap shown = QPixmap::fromImage(image.scaled(room * devicePixelRatioF(), Qt::KeepAspectRatio));
   shown.setDevicePixelRatio(devicePixelRatioF());
   difference_->setPixmap(shown);
-  caption_->setText(
-      tr("Difference of %1 from the reference, %2 times as bright").arg(nameOf(level_)).arg(times));
+  caption_->setText(tr("%1 less the reference, %2 times as bright").arg(nameOf(level_)).arg(times));
 }
 
 void AccuracyPanel::resizeEvent(QResizeEvent* event) {
