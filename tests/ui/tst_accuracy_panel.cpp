@@ -50,7 +50,7 @@ struct Measured : Journey {
   QSignalSpy finished{&window.meter(), &AccuracyMeter::finished};
   QSignalSpy cancelled{&window.meter(), &AccuracyMeter::cancelled};
 
-  explicit Measured(const QString& what = QStringLiteral("phantom:ct-head:48")) : Journey({what}) {}
+  Measured() : Journey({QStringLiteral("phantom:ct-head:32")}) { window.resize(800, 560); }
 
   bool openPanel() {
     if (!settle()) return false;
@@ -79,6 +79,7 @@ class TestAccuracyPanel : public QObject {
  private Q_SLOTS:
   void wishesPickALevel_data();
   void wishesPickALevel();
+  void beatenLevelsAreNotOnTheFront();
   void levelsAreMeasuredAndChosen();
   void targetsPickTheLevel();
   void aChangeOfTheSceneGivesTheMeasurementUp();
@@ -123,6 +124,15 @@ void TestAccuracyPanel::wishesPickALevel() {
   QFETCH(int, quality);
   const auto level = levelFor(wish, levels);
   QCOMPARE(level ? int(level->quality) : -1, quality);
+}
+
+void TestAccuracyPanel::beatenLevelsAreNotOnTheFront() {
+  std::vector<MeasuredLevel> levels{measured(coarse, 50, 20), measured(draft, 40, 8),
+                                    measured(standard, {}, 0), measured(high, 200, 0.6)};
+  markFront(levels);
+  QVERIFY2(!levels[0].front, "the draft is faster and nearer");
+  QVERIFY(levels[1].front && levels[3].front);
+  QVERIFY2(!levels[2].front, "not measured yet");
 }
 
 void TestAccuracyPanel::levelsAreMeasuredAndChosen() {

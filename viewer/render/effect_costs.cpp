@@ -20,7 +20,8 @@ SampleWork workOf(const Plan& plan) {
   if (!plan.lit) return work;
   const auto lights = double(
       std::count_if(plan.scene.lights.begin(), plan.scene.lights.end(), [](const Light& l) { return l.on; }));
-  work.gradient = gradientWork;
+  // OpenGL resamples gradients beside the densities.
+  if (plan.resampler == Resampler::cpu) work.gradient = gradientWork;
   switch (plan.shader) {
     case Shader::map:  // one look-up whatever the lights
       work.light = 2;
@@ -45,11 +46,11 @@ class Costs {
     if (!effect.on) return EffectCost{};
     if (effect.name == "method" || effect.name == "reference")
       return EffectCost{.ms = std::max(0.0, stats_.totalMs - stats_.gradientsMs)};
-    if (plan_.resampler == Resampler::gl)
-      return effect.name == "resampler" ? std::optional(EffectCost{.ms = stats_.glMs}) : std::nullopt;
-    if (effect.name == "integration") return EffectCost{.ms = stats_.resampleMs};
-    if (plan_.method == Method::preshaded) return ofVoxels(effect);
-    return ofSamples(effect);
+    const bool gl = plan_.resampler == Resampler::gl;
+    if (effect.name == "resampler") return gl ? std::optional(EffectCost{.ms = stats_.glMs}) : std::nullopt;
+    if (effect.name == "integration" && !gl) return EffectCost{.ms = stats_.resampleMs};
+    if (plan_.method == Method::gpu) return std::nullopt;
+    return plan_.method == Method::preshaded ? ofVoxels(effect) : ofSamples(effect);
   }
 
  private:
@@ -61,7 +62,7 @@ class Costs {
   }
 
   std::optional<EffectCost> ofSamples(const Effect& effect) const {
-    if (effect.name == "gradients")
+    if (effect.name == "gradients" && work_.gradient > 0)
       return EffectCost{.ms = share(work_.gradient), .estimated = true, .onceMs = stats_.gradientsMs};
     if (effect.name == "lighting") return EffectCost{.ms = share(work_.light), .estimated = true};
     if (effect.name == "specular") return EffectCost{.ms = share(work_.shine), .estimated = true};

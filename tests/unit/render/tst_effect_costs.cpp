@@ -82,6 +82,10 @@ void TestEffectCosts::anEffectHasACost_data() {
       [](Scene&, RenderOptions& o) { o.method = Method::preshaded; });
   row("OpenGL's own time", "resampler", "90 ms",
       [](Scene&, RenderOptions& o) { o.resampler = Resampler::gl; });
+  // Of 1 (colour) + 2 (diffuse and ambient) + 1 (specular) parts: OpenGL fetches the gradients.
+  row("light by the CPU after OpenGL", "lighting", "about 30 ms",
+      [](Scene&, RenderOptions& o) { o.resampler = Resampler::gl; });
+  row("all in one shader", "lighting", "", [](Scene&, RenderOptions& o) { o.method = Method::gpu; });
   row("the reference is all in one", "reference", "162 ms",
       [](Scene&, RenderOptions& o) { o.method = Method::reference; });
 }
