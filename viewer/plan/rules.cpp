@@ -88,6 +88,7 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
       inDigits(100 * (1 - plan.visibleShare)) + " % of the blocks hold no visible value";
   if (in.options.full) return off("asked for in full; " + share);
   plan.skipBlocks = plan.visibleShare < 1;
+  plan.dense = plan.visibleShare > 0.6;
   return plan.skipBlocks ? on(share) : off("every block holds a visible value");
 }
 

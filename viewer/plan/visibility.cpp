@@ -4,19 +4,29 @@
 #include <cmath>
 
 #include "viewer/scene/visible_range.h"
+#include "viewer/volume/parallel.h"
 
 namespace volumen {
+
+namespace {
+constexpr std::size_t chunk = 1 << 15;  // blocks a task
+}
 
 std::vector<std::uint8_t> visibleBlocks(const TransferFunction& curve, const BrickRanges& bricks) {
   const std::vector<ValueRange> spans = visibleSpans(curve);
   std::vector<std::uint8_t> visible(bricks.low.size());
-  for (std::size_t n = 0; n < visible.size(); ++n) {
-    const double low = bricks.low[n], high = bricks.high[n];
-    const double rounding = 4e-7 * std::max({std::abs(low), std::abs(high), 1e-30});
-    visible[n] = std::any_of(spans.begin(), spans.end(), [&](const ValueRange& s) {
-      return high + rounding >= s.low && low - rounding <= s.high;
-    });
-  }
+  parallelFor(std::int64_t(visible.size() / chunk + 1), 0, [&](std::int64_t begin, std::int64_t end) {
+    const std::size_t first = std::size_t(begin) * chunk,
+                      last = std::min(visible.size(), std::size_t(end) * chunk);
+    for (const ValueRange& s : spans) {
+      const float from = float(s.low), to = float(s.high);
+      for (std::size_t n = first; n < last; ++n) {
+        const float low = bricks.low[n], high = bricks.high[n];
+        const float rounding = 4e-7f * std::max(std::abs(low), std::abs(high)) + 1e-36f;
+        visible[n] |= std::uint8_t(high + rounding >= from) & std::uint8_t(low - rounding <= to);
+      }
+    }
+  });
   return visible;
 }
 

@@ -106,10 +106,12 @@ const Gradients32& RenderCaches::Impl::gradientsIn32(GradientOperator by) {
   return gradients32->gradients;
 }
 
-const SkipMap& RenderCaches::Impl::skipMap(const TransferFunction& curve) {
+const SkipMap& RenderCaches::Impl::skipMap(const TransferFunction& curve, int reachBlocks) {
+  static_assert(SkipMap::edge == BrickRanges::edge);
   const BrickRanges& bricks = *factsOfVolume().bricks;
-  if (!skip || skip->points != curve.points)
-    skip = Skip{curve.points, makeSkipMap(bricks.count, visibleBlocks(curve, bricks))};
+  if (!skip || skip->points != curve.points || skip->reachBlocks != reachBlocks)
+    skip =
+        Skip{curve.points, reachBlocks, makeSkipMap(bricks.count, visibleBlocks(curve, bricks), reachBlocks)};
   return skip->map;
 }
 

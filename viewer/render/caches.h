@@ -41,6 +41,7 @@ struct RenderCaches::Impl {
 
   struct Skip {
     std::vector<CurvePoint> points;  ///< what the map was made for
+    int reachBlocks = 0;
     SkipMap map;
   };
   std::optional<Skip> skip;
@@ -53,7 +54,7 @@ struct RenderCaches::Impl {
   const Density32& densities32();
   const Gradients16& gradientsIn16(GradientOperator by);
   const Gradients32& gradientsIn32(GradientOperator by);
-  const SkipMap& skipMap(const TransferFunction& curve);
+  const SkipMap& skipMap(const TransferFunction& curve, int reachBlocks);
   Result<GlState*> glState();  ///< made when first asked for; its context is not current
 };
 

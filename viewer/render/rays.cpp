@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -102,12 +103,26 @@ void RaySetup::makeRays(int x, int y, int count, RayRow& row) const {
   for (int n = 0; n < count; ++n) setPixel(row, n, x + n, y);
 }
 
-void RaySetup::makeTiles(int y, RayRow& row) const {
-  const int tiles = (size_.x + tile - 1) / tile;
-  resize(row, tiles * tile * tile);
+double RaySetup::tileSpread() const {
+  double pixelMm = height_ / size_.y;
+  if (perspective_) {
+    double farMm = 0;
+    for (const glm::dvec3& corner : geometry_.boxCorners())
+      farMm = std::max(farMm, glm::dot(corner - eye_, axes_.direction));
+    pixelMm *= farMm / glm::dot(target_ - eye_, axes_.direction);
+  }
+  const glm::dvec3 across = glm::abs(voxelFromMm_ * axes_.right), down = glm::abs(voxelFromMm_ * axes_.up);
+  const glm::dvec3 half = (across + down) * (pixelMm * (tile - 1) / 2.0);
+  return std::max({half.x, half.y, half.z});
+}
+
+void RaySetup::makeBlock(int x, int y, RayRow& row) const {
+  const glm::ivec2 tiles = (glm::min(size_ - glm::ivec2(x, y), glm::ivec2(block)) + (tile - 1)) / tile;
+  resize(row, tiles.x * tiles.y * tile * tile);
   for (int n = 0; n < row.count; ++n) {
-    const int inTile = n % (tile * tile);
-    const int px = n / (tile * tile) * tile + inTile % tile, py = y + inTile / tile;
+    const int whole = n / (tile * tile), inTile = n % (tile * tile);
+    const int px = x + whole % tiles.x * tile + inTile % tile,
+              py = y + whole / tiles.x * tile + inTile / tile;
     if (px < size_.x && py < size_.y) setPixel(row, n, px, py);
   }
 }

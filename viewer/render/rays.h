@@ -33,10 +33,14 @@ class RaySetup {
   /// `scene` must be complete. `clip` false: the clip box and planes are not looked at.
   RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, double stepVoxels, bool clip);
 
-  static constexpr int tile = 4;  ///< rows and columns of a tile; a tile's rays fill the widest vector
-  /// Fills `row` with the rays of picture rows y .. y + 3, tile by tile: rays that a kernel takes together
-  /// then lie close in both directions, and meet the same blocks and memory.
-  void makeTiles(int y, RayRow& row) const;
+  static constexpr int tile = 4;    ///< rows and columns of a tile; a tile's rays fill the widest vector
+  static constexpr int block = 32;  ///< rows and columns of a block of tiles
+  /// How far the rays of a tile lie from their middle, in voxels along any axis, at the far end of the
+  /// volume.
+  double tileSpread() const;
+  /// Fills `row` with the rays of the block of pixels from (x, y) on, tile by tile: rays that a kernel takes
+  /// together then lie close in both directions, and meet the same blocks and memory.
+  void makeBlock(int x, int y, RayRow& row) const;
   /// Fills `row` with the rays of `count` pixels of picture row y, from pixel x on.
   void makeRays(int x, int y, int count, RayRow& row) const;
 

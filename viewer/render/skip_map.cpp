@@ -1,41 +1,44 @@
 #include "viewer/render/skip_map.h"
 
-#include <algorithm>
+#include "viewer/volume/parallel.h"
 
 namespace volumen {
 
 namespace {
 
-// One pass of the chessboard distance along an axis: a block is at most one farther than its neighbour before
-// or behind. Chessboard distance separates into axes only when each pass takes the minimum over max(own
-// offset, distance), so the pass looks at every block of the line within reach.
-void spread(std::vector<std::uint8_t>& distance, std::size_t start, std::size_t stride, int length) {
-  std::vector<std::uint8_t> line(length);
-  for (int n = 0; n < length; ++n) line[n] = distance[start + n * stride];
-  for (int n = 0; n < length; ++n) {
-    int best = line[n];
-    for (int away = 1; away < best; ++away) {
-      if (n - away >= 0) best = std::min(best, std::max(away, int(line[n - away])));
-      if (n + away < length) best = std::min(best, std::max(away, int(line[n + away])));
-    }
-    distance[start + n * stride] = std::uint8_t(best);
+// Every entry takes in its next neighbour along an axis.
+void takeInNext(std::vector<std::uint8_t>& values, glm::ivec3 count, int axis) {
+  const std::size_t row = count.x, slice = row * count.y;
+  if (axis == 2) {
+    for (std::size_t n = 0; n + slice < values.size(); ++n) values[n] |= values[n + slice];
+    return;
   }
+  parallelFor(count.z, 0, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t k = begin; k < end; ++k) {
+      std::uint8_t* v = values.data() + k * slice;
+      if (axis == 1)
+        for (std::size_t n = 0; n + row < slice; ++n) v[n] |= v[n + row];
+      else
+        for (std::size_t start = 0; start < slice; start += row)
+          for (std::size_t n = start; n + 1 < start + row; ++n) v[n] |= v[n + 1];
+    }
+  });
 }
 
 }  // namespace
 
-SkipMap makeSkipMap(glm::ivec3 count, const std::vector<std::uint8_t>& visible) {
-  SkipMap map{count, std::vector<std::uint8_t>(visible.size() + 4, 255)};
-  for (std::size_t n = 0; n < visible.size(); ++n)
-    if (visible[n]) map.distance[n] = 0;
-  const std::size_t strides[3] = {1, std::size_t(count.x), std::size_t(count.x) * count.y};
-  for (int axis = 0; axis < 3; ++axis) {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (int b = 0; b < count[v]; ++b)
-      for (int a = 0; a < count[u]; ++a)
-        spread(map.distance, a * strides[u] + b * strides[v], strides[axis], count[axis]);
-  }
-  return map;
+SkipMap makeSkipMap(glm::ivec3 count, std::vector<std::uint8_t> visible, int reach) {
+  const auto takeIn = [&](std::vector<std::uint8_t>& values) {
+    for (int axis = 0; axis < 3; ++axis) takeInNext(values, count, axis);
+  };
+  std::vector<std::uint8_t> tight = visible;
+  for (int n = 0; n < reach - 1; ++n) takeIn(tight);
+  std::vector<std::uint8_t> wide = tight;
+  takeIn(wide);
+  tight.insert(tight.end(), wide.begin(), wide.end());
+  tight.resize(tight.size() + 4);
+  visible.resize(visible.size() + 4);
+  return {count, std::move(visible), std::move(tight), reach};
 }
 
 }  // namespace volumen

@@ -6,14 +6,21 @@
 
 namespace volumen {
 
-/// How far each block is from the nearest one that holds a visible value: 0 there, else the chessboard
-/// distance in blocks, at most 255. A ray in a block at distance d may leap to the end of the (2d - 1)^3
-/// blocks around it.
+/// Where rays must look: blocks of 4 x 4 x 4 voxels, i fastest.
 struct SkipMap {
+  static constexpr int edge = 4;
   glm::ivec3 count{0};
-  std::vector<std::uint8_t> distance;  ///< i fastest, with 4 readable bytes behind the last
+  /// For single rays: not 0 where the block holds a visible value; with 4 readable bytes behind the last.
+  std::vector<std::uint8_t> visible;
+  /// For packets: not 0 where the block or any other up to so many blocks farther along each axis is visible;
+  /// all that a box of rays whose lower corner lies in the block can meet. First for reach - 1 blocks, then
+  /// for reach.
+  std::vector<std::uint8_t> near;
+  int reach = 1;  ///< blocks
+  std::size_t bytes() const { return visible.size() + near.size(); }
 };
 
-SkipMap makeSkipMap(glm::ivec3 count, const std::vector<std::uint8_t>& visible);
+/// `visible`: one entry a block, not 0 where it holds a visible value. `reach` is at least 1.
+SkipMap makeSkipMap(glm::ivec3 count, std::vector<std::uint8_t> visible, int reach);
 
 }  // namespace volumen

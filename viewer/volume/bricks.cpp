@@ -1,6 +1,7 @@
 #include "viewer/volume/bricks.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "viewer/volume/parallel.h"
 
@@ -8,20 +9,22 @@ namespace volumen {
 
 namespace {
 
-// Smallest and largest stored value of the voxels of block (a, b, c), its upper faces included.
+// Smallest and largest value of one line of blocks (b, c), their upper faces included: first across the rows
+// of the line, voxel by voxel, then along x.
 template <class T>
-void blockRange(const std::vector<T>& stored, glm::ivec3 size, glm::ivec3 block, T& low, T& high) {
+void lineRange(const std::vector<T>& stored, glm::ivec3 size, int b, int c, std::vector<T>& lowest,
+               std::vector<T>& highest) {
   constexpr int edge = BrickRanges::edge;
-  const glm::ivec3 first = block * edge;
-  const glm::ivec3 last =
-      glm::ivec3(std::min(first.x + edge, size.x - 1), std::min(first.y + edge, size.y - 1),
-                 std::min(first.z + edge, size.z - 1));
-  const T* start = stored.data() + (std::size_t(first.z) * size.y + first.y) * std::size_t(size.x) + first.x;
-  low = high = *start;
-  for (int k = first.z; k <= last.z; ++k)
-    for (int j = first.y; j <= last.y; ++j) {
+  lowest.assign(size.x, std::numeric_limits<T>::max());
+  highest.assign(size.x, std::numeric_limits<T>::lowest());
+  T *low = lowest.data(), *high = highest.data();
+  for (int k = c * edge; k <= std::min(c * edge + edge, size.z - 1); ++k)
+    for (int j = b * edge; j <= std::min(b * edge + edge, size.y - 1); ++j) {
       const T* row = stored.data() + (std::size_t(k) * size.y + j) * std::size_t(size.x);
-      for (int i = first.x; i <= last.x; ++i) low = std::min(low, row[i]), high = std::max(high, row[i]);
+      for (int i = 0; i < size.x; ++i) {
+        low[i] = std::min(low[i], row[i]);
+        high[i] = std::max(high[i], row[i]);
+      }
     }
 }
 
@@ -36,19 +39,22 @@ BrickRanges brickRanges(const Volume& volume) {
   bricks.high.resize(total);
   std::visit(
       [&]<class T>(const std::vector<T>& stored) {
-        parallelFor(std::int64_t(bricks.count.y) * bricks.count.z, 0,
-                    [&](std::int64_t begin, std::int64_t end) {
-                      for (std::int64_t row = begin; row < end; ++row)
-                        for (int a = 0; a < bricks.count.x; ++a) {
-                          T low, high;
-                          blockRange(stored, size, {a, int(row % bricks.count.y), int(row / bricks.count.y)},
-                                     low, high);
-                          const float p = volume.realValue(low), q = volume.realValue(high);
-                          const std::size_t n = std::size_t(row) * bricks.count.x + a;
-                          bricks.low[n] = std::min(p, q);
-                          bricks.high[n] = std::max(p, q);
-                        }
-                    });
+        parallelFor(
+            std::int64_t(bricks.count.y) * bricks.count.z, 0, [&](std::int64_t begin, std::int64_t end) {
+              std::vector<T> low, high;
+              for (std::int64_t line = begin; line < end; ++line) {
+                lineRange(stored, size, int(line % bricks.count.y), int(line / bricks.count.y), low, high);
+                for (int a = 0; a < bricks.count.x; ++a) {
+                  const int first = a * BrickRanges::edge;
+                  const int last = std::min(first + BrickRanges::edge, size.x - 1);
+                  const float p = volume.realValue(*std::min_element(&low[first], &low[last] + 1));
+                  const float q = volume.realValue(*std::max_element(&high[first], &high[last] + 1));
+                  const std::size_t n = std::size_t(line) * bricks.count.x + a;
+                  bricks.low[n] = std::min(p, q);
+                  bricks.high[n] = std::max(p, q);
+                }
+              }
+            });
       },
       volume.stored());
   return bricks;

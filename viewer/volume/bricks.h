@@ -7,11 +7,11 @@
 
 namespace volumen {
 
-/// Smallest and largest value of each block of 8 x 8 x 8 cells. Block (a, b, c) bounds every trilinear value
-/// v(x) with 8a <= x < 8a + 8 (likewise y, z), so it spans the voxels 8a .. 8a + 8; what lies outside the
+/// Smallest and largest value of each block of 4 x 4 x 4 cells. Block (a, b, c) bounds every trilinear value
+/// v(x) with 4a <= x < 4a + 4 (likewise y, z), so it spans the voxels 4a .. 4a + 4; what lies outside the
 /// grid is clamped to it.
 struct BrickRanges {
-  static constexpr int edge = 8;
+  static constexpr int edge = 4;
   glm::ivec3 count{0};
   std::vector<float> low, high;  ///< real values, i fastest
 };

@@ -83,11 +83,13 @@ Gradients16 gradients16By(const Volume& volume, GradientOperator by) {
   Gradients16 g{Buffer<std::int16_t>(std::size_t(4) * volume.geometry().voxelCount()), volume.slope() * unit};
   const float perUnit = float(1 / unit);
   std::visit(
-      [&](const auto& stored) {
+      [&]<class T>(const std::vector<T>& stored) {
+        const int shift = std::is_same_v<T, std::uint16_t> ? 32768 : 0;
         overVoxels(stored, volume.size(), by, [&](std::size_t n, float x, float y, float z) {
           const auto packed = [&](float v) { return std::int16_t(std::lrint(v * perUnit)); };
-          std::int16_t* to = g.xyz0.data() + 4 * n;
-          to[0] = packed(x), to[1] = packed(y), to[2] = packed(z), to[3] = 0;
+          std::int16_t* to = g.xyzd.data() + 4 * n;
+          to[0] = packed(x), to[1] = packed(y), to[2] = packed(z),
+          to[3] = std::int16_t(int(stored[n]) - shift);
         });
       },
       volume.stored());

@@ -43,9 +43,9 @@ void SumAcross(const Rows<T>& r, std::size_t count, Sum* HWY_RESTRICT smooth, Su
   }
 }
 
-// Finishes one row along x: gradients in units of 1/32, shifted right with rounding, four 16-bit integers a
-// voxel.
-void FinishRow16(const std::int32_t* smooth, const std::int32_t* alongY, const std::int32_t* alongZ,
+// Finishes one row along x: gradients in units of 1/32, shifted right with rounding, and the density, four
+// 16-bit integers a voxel.
+void FinishRow16(const std::int16_t* density, const std::int32_t* smooth, const std::int32_t* alongY, const std::int32_t* alongZ,
                  std::size_t count, int shift, std::int16_t* HWY_RESTRICT out) {
   const hn::ScalableTag<std::int32_t> d32;
   const hn::Rebind<std::int16_t, decltype(d32)> d16;
@@ -55,14 +55,14 @@ void FinishRow16(const std::int32_t* smooth, const std::int32_t* alongY, const s
     const auto middle = hn::LoadU(d32, s + n + 1);
     return hn::Add(hn::Add(hn::LoadU(d32, s + n), hn::LoadU(d32, s + n + 2)), hn::Add(middle, middle));
   };
-  const auto zero = hn::Zero(d16);
   const std::size_t lanes = hn::Lanes(d32);
   // The scratch rows and `part` have room for a whole last vector.
   HWY_ALIGN std::int16_t part[4 * HWY_MAX_BYTES / sizeof(std::int32_t)];
   for (std::size_t n = 0; n < count; n += lanes) {
     const bool whole = n + lanes <= count;
     const auto x = demote(hn::Sub(hn::LoadU(d32, smooth + n + 2), hn::LoadU(d32, smooth + n)));
-    hn::StoreInterleaved4(x, demote(smoothed(alongY, n)), demote(smoothed(alongZ, n)), zero, d16,
+    hn::StoreInterleaved4(x, demote(smoothed(alongY, n)), demote(smoothed(alongZ, n)),
+                          hn::LoadU(d16, density + n), d16,
                           whole ? out + 4 * n : part);
     if (!whole) std::copy_n(part, 4 * (count - n), out + 4 * n);
   }
@@ -82,7 +82,10 @@ template <class T>
 void Row16(const Rows<T>& rows, std::size_t count, int shift, std::int32_t* scratch, std::size_t stride,
            std::int16_t* out) {
   SumAcross<T, std::int32_t>(rows, count, scratch, scratch + stride, scratch + 2 * stride);
-  FinishRow16(scratch, scratch + stride, scratch + 2 * stride, count, shift, out);
+  auto* density = reinterpret_cast<std::int16_t*>(scratch + 3 * stride);
+  constexpr int shifted = std::is_same_v<T, std::uint16_t> ? 32768 : 0;
+  for (std::size_t n = 0; n < count; ++n) density[n] = std::int16_t(int(rows[1][1][n]) - shifted);
+  FinishRow16(density, scratch, scratch + stride, scratch + 2 * stride, count, shift, out);
 }
 
 template <class T>
@@ -154,7 +157,7 @@ void overRows(const std::vector<T>& stored, glm::ivec3 size, Factor factor, Out*
   constexpr std::size_t longestVector = 64;  // of any CPU target; HWY_MAX_BYTES here is only the baseline's
   const std::size_t stride = std::size_t(size.x) + 2 + longestVector;
   parallelFor(std::int64_t(size.y) * size.z, 0, [&](std::int64_t begin, std::int64_t end) {
-    std::vector<Sum> scratch(3 * stride);
+    std::vector<Sum> scratch(4 * stride);
     for (std::int64_t row = begin; row < end; ++row) {
       const int j = int(row % size.y), k = int(row / size.y);
       Rows<T> rows;
@@ -212,7 +215,7 @@ Gradients16 sobel16(const Volume& volume) {
   std::visit(
       [&]<class T>(const std::vector<T>& stored) {
         if constexpr (!std::is_same_v<T, float>)
-          overRows<std::int32_t>(stored, volume.size(), shift, g.xyz0.data());
+          overRows<std::int32_t>(stored, volume.size(), shift, g.xyzd.data());
       },
       volume.stored());
   return g;

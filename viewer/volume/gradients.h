@@ -13,11 +13,12 @@ namespace volumen {
 /// against.
 glm::dvec3 sobelAt(const Volume& volume, int i, int j, int k);
 
-/// Sobel gradients of a whole volume as four 16-bit integers a voxel (x, y, z, 0), i fastest.
-/// G (real value per voxel) = scale * integer. The scale is a power of two times slope / 32, so small ranges
-/// lose nothing.
+/// Sobel gradients of a whole volume with its densities as four 16-bit integers a voxel (x, y, z, density), i
+/// fastest: the paper's voxel (2.3) at 16 bits. G (real value per voxel) = scale * integer. The scale is a
+/// power of two times slope / 32, so small ranges lose nothing. The density is the stored sample, 32768 less
+/// where samples are unsigned 16-bit.
 struct Gradients16 {
-  Buffer<std::int16_t> xyz0;
+  Buffer<std::int16_t> xyzd;
   double scale = 1;
 };
 

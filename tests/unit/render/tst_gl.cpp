@@ -212,8 +212,9 @@ Result<Rendered> TestGl::draw(RenderCaches& caches, const Scene& scene, RenderOp
 // In 32 bits the shader does what the CPU does, operation for operation; a compiler without `precise` may
 // fuse a multiply and an add, which moves positions and densities by a few units in the last place.
 // In 16 bits the hardware filters. llvmpipe does so in floats, from coordinates scaled to 0..1 and back, so
-// from places a few 1e-5 voxel off; seen: 0.007 at most (chest CT, bone). GPUs may keep 8 bits of the place
-// between two voxels, which is up to 1/512 of the neighbours' difference on each axis. Drawn with such
+// from places a few 1e-5 voxel off, and the CPU's weights are whole 1/32768: where the curve has a step, a
+// sample within that of it may fall on either side, in one pixel of thousands. GPUs may keep 8 bits of the
+// place between two voxels, which is up to 1/512 of the neighbours' difference on each axis. Drawn with such
 // places: ct-head and chest CT, presets of bone, muscle and skin, RMSE 0.02 .. 0.07 and 1.4 at most; thin
 // bright shells (preset CT-Lung) RMSE 1.3.
 void TestGl::compareResamplers(RenderCaches& caches, const Scene& scene, const RenderOptions& options) {
@@ -226,7 +227,7 @@ void TestGl::compareResamplers(RenderCaches& caches, const Scene& scene, const R
   if (*options.precision == 32)
     QVERIFY2(llvmpipe ? gl->picture == cpu->picture : e.rmse <= 0.05, qPrintable(inWords(e)));
   else
-    QVERIFY2(llvmpipe ? e.maximum <= 0.05 : e.rmse <= 1.5, qPrintable(inWords(e)));
+    QVERIFY2(llvmpipe ? e.percentile99 <= 0.05 && e.rmse <= 0.1 : e.rmse <= 1.5, qPrintable(inWords(e)));
   QVERIFY(gl->stats.resampled >= cpu->stats.composited);
 }
 

@@ -84,7 +84,7 @@ void TestGradientOperators::equalTheirDefinition() {
         for (int a = 0; a < 3; ++a) {
           // Float sums of 27 values of the range's size.
           QVERIFY(std::abs(g32.xyz0[n + a] - g[a]) <= 1e-5 * (range.high - range.low));
-          if (!floats) QVERIFY(std::abs(g16.scale * g16.xyz0[n + a] - g[a]) <= 0.51 * g16.scale);
+          if (!floats) QVERIFY(std::abs(g16.scale * g16.xyzd[n + a] - g[a]) <= 0.51 * g16.scale);
         }
       }
 }

@@ -123,7 +123,9 @@ void Caster::setUniforms(const Plan& plan, const TraceFrame& f, const VolumeText
   glUniform1i(uniform("bucketCount"), int(f.curve->first.size()));
   glUniform1i(uniform("hops"), f.curve->hops);
   glUniform1i(uniform("factorCount"), std::max(1, int(f.transfer->gradientOpacity.size())));
-  glUniformMatrix3fv(uniform("gradientMatrix"), 1, GL_TRUE, f.gradientMatrix);
+  float realGradient[9];
+  for (int n = 0; n < 9; ++n) realGradient[n] = f.gradientMatrix[n] * f.gradientUnit;
+  glUniformMatrix3fv(uniform("gradientMatrix"), 1, GL_TRUE, realGradient);
   glUniform1f(uniform("inverseFloor"), f.inverseFloor);
   const Lighting& l = *f.lighting;
   glUniform3f(uniform("flatLight"), l.flat.r, l.flat.g, l.flat.b);

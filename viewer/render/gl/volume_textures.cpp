@@ -128,7 +128,7 @@ Status VolumeTextures::loadGradients(const Plan& plan, RenderCaches& caches, con
   gradients_ = {makeTexture(format, n), 0, 0};
   if (!gradients_.name)
     return Error{"OpenGL has no room for gradients of " + inWords(n) + "; use --resampler cpu."};
-  const void* stored = bits == 16 ? static_cast<const void*>(caches.impl().gradientsIn16(by).xyz0.data())
+  const void* stored = bits == 16 ? static_cast<const void*>(caches.impl().gradientsIn16(by).xyzd.data())
                                   : caches.impl().gradientsIn32(by).xyz0.data();
   const Status done = upload(format, n, cancel, [&](std::size_t first, std::size_t) {
     return static_cast<const char*>(stored) + first * format.voxelBytes;

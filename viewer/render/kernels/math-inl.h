@@ -27,6 +27,7 @@ HWY_INLINE VI SetI(int x) { return hn::Set(DI(), x); }
 struct V3 {
   VF x, y, z;
 };
+HWY_INLINE V3 Zero3() { return {hn::Zero(DF()), hn::Zero(DF()), hn::Zero(DF())}; }
 HWY_INLINE VF Dot(const V3& a, const V3& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
@@ -37,6 +38,12 @@ HWY_INLINE V3 Add(const V3& a, const V3& b) {
 HWY_INLINE V3 Broadcast(const glm::vec3& v) { return {Set(v.x), Set(v.y), Set(v.z)}; }
 /// a + f (b - a): exactly a where a = b (SCENE 2).
 HWY_INLINE VF Lerp(VF a, VF b, VF f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); }
+/// The nearest integer, ties to even, of |x| <= 2^22: hn::NearestInt guards against far larger ones.
+HWY_INLINE VI NearestSmall(VF x) {
+  const DI di;
+  const VF magic = Set(12582912.0f);  // 1.5 * 2^23
+  return hn::Sub(hn::BitCast(di, hn::Add(x, magic)), hn::BitCast(di, magic));
+}
 HWY_INLINE VF Clamp01(VF x) { return hn::Min(hn::Max(x, hn::Zero(DF())), Set(1)); }
 
 /// Natural logarithm of x in (0, 2); relative error about 1e-7. Polynomial: Cephes logf.
@@ -49,10 +56,15 @@ HWY_INLINE VF Log(VF x) {
   const VI e = hn::ShiftRight<23>(shifted);
   const VF m = hn::BitCast(df, hn::Add(hn::And(shifted, SetI(0x007fffff)), SetI(0x3f3504f3)));
   const VF f = hn::Sub(m, Set(1)), f2 = hn::Mul(f, f);
-  VF p = Set(7.0376836292e-2f);
-  for (float c : {-1.1514610310e-1f, 1.1676998740e-1f, -1.2420140846e-1f, 1.4249322787e-1f, -1.6668057665e-1f,
-                  2.0000714765e-1f, -2.4999993993e-1f, 3.3333331174e-1f})
-    p = hn::Add(hn::Mul(p, f), Set(c));
+  // Pairs of terms side by side: a chain of nineteen operations would take longer than all the rest of a
+  // sample.
+  const auto pair = [&](float c0, float c1) { return hn::Add(Set(c0), hn::Mul(f, Set(c1))); };
+  const VF f4 = hn::Mul(f2, f2);
+  const VF low = hn::Add(pair(3.3333331174e-1f, -2.4999993993e-1f),
+                         hn::Mul(f2, pair(2.0000714765e-1f, -1.6668057665e-1f)));
+  const VF high = hn::Add(pair(1.4249322787e-1f, -1.2420140846e-1f),
+                          hn::Mul(f2, pair(1.1676998740e-1f, -1.1514610310e-1f)));
+  const VF p = hn::Add(hn::Add(low, hn::Mul(f4, high)), hn::Mul(hn::Mul(f4, f4), Set(7.0376836292e-2f)));
   const VF ef = hn::ConvertTo(df, e);
   VF y = hn::Mul(hn::Mul(p, f2), f);
   y = hn::Add(y, hn::Mul(ef, Set(-2.12194440e-4f)));
@@ -66,10 +78,12 @@ HWY_INLINE VF ExpMinus1(VF x) {
   const DI di;
   const VF n = hn::Round(hn::Mul(x, Set(1.44269504088896341f)));
   const VF r = hn::Sub(hn::Sub(x, hn::Mul(n, Set(0.693359375f))), hn::Mul(n, Set(-2.12194440e-4f)));
-  VF p = Set(1.9875691500e-4f);
-  for (float c : {1.3981999507e-3f, 8.3334519073e-3f, 4.1665795894e-2f, 1.6666665459e-1f, 5.0000001201e-1f})
-    p = hn::Add(hn::Mul(p, r), Set(c));
-  const VF small = hn::Add(hn::Mul(hn::Mul(r, r), p), r);
+  const VF r2 = hn::Mul(r, r);
+  const auto pair = [&](float c0, float c1) { return hn::Add(Set(c0), hn::Mul(r, Set(c1))); };
+  const VF low = hn::Add(pair(5.0000001201e-1f, 1.6666665459e-1f),
+                         hn::Mul(r2, pair(4.1665795894e-2f, 8.3334519073e-3f)));
+  const VF p = hn::Add(low, hn::Mul(hn::Mul(r2, r2), pair(1.3981999507e-3f, 1.9875691500e-4f)));
+  const VF small = hn::Add(hn::Mul(r2, p), r);
   const VF power = hn::BitCast(df, hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(di, n), SetI(127))));
   return hn::Add(hn::Mul(power, small), hn::Sub(power, Set(1)));
 }
@@ -85,6 +99,16 @@ HWY_INLINE VF IntervalOpacity(VF opacity, VF units) {
   const VF log1p = hn::Add(Log(left), hn::Div(lost, left));
   const VF power = hn::Max(hn::Mul(log1p, units), Set(-80));
   return hn::Neg(ExpMinus1(power));
+}
+
+/// x^power for whole powers >= 1: a few multiplications.
+HWY_INLINE VF WholePower(VF x, int power) {
+  VF out = power & 1 ? x : Set(1);
+  for (int left = power >> 1; left; left >>= 1) {
+    x = hn::Mul(x, x);
+    if (left & 1) out = hn::Mul(out, x);
+  }
+  return out;
 }
 
 /// x^power for x in [0, 1], power >= 1.

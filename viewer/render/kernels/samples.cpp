@@ -49,7 +49,7 @@ void ResampleRow(const TraceFrame& f, const RayRow& rays, int n, float* density,
     hn::StoreU(d, df, density + first);
     if (!gradients || hn::AllTrue(df, hn::Eq(CurveOpacity(*f.curve, d), none))) continue;
     if constexpr (k16)
-      InterpolateFour(strides, cells, f.gradients16, gradients + 4 * first);
+      InterpolateFour(strides, cells, f.voxels16, gradients + 4 * first);
     else
       InterpolateFour(strides, cells, f.gradients32, gradients + 4 * first);
   }

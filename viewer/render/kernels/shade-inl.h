@@ -85,12 +85,17 @@ HWY_INLINE Normal NormalOf(const TraceFrame& f, const V3& stored) {
   const float* m = f.gradientMatrix;
   const V3 g{Dot({Set(m[0]), Set(m[1]), Set(m[2])}, stored), Dot({Set(m[3]), Set(m[4]), Set(m[5])}, stored),
              Dot({Set(m[6]), Set(m[7]), Set(m[8])}, stored)};
+  if (f.boundedGradients) {
+    const VF square = hn::Max(Dot(g, g), Set(1e-30f));
+    const VF inverse = hn::Div(Set(1), hn::Sqrt(square));
+    return {Scale(g, hn::Neg(inverse)), hn::Mul(hn::Mul(square, inverse), Set(f.gradientUnit))};
+  }
   // Scaled by the largest component first, so that neither large nor small gradients leave the range of
   // floats.
   const VF largest = hn::Max(hn::Max(hn::Abs(g.x), hn::Abs(g.y)), hn::Max(hn::Abs(g.z), Set(1e-30f)));
   const V3 unit = Scale(g, hn::Div(Set(1), largest));
   const VF size = hn::Sqrt(hn::Max(Dot(unit, unit), Set(1e-30f)));
-  return {Scale(unit, hn::Div(Set(-1), size)), hn::Mul(largest, size)};
+  return {Scale(unit, hn::Div(Set(-1), size)), hn::Mul(hn::Mul(largest, size), Set(f.gradientUnit))};
 }
 
 struct DS {
@@ -117,7 +122,9 @@ HWY_INLINE DS OneSide(const Lighting& lighting, const V3& n, const V3& viewer) {
     }
     const VF nh = hn::Min(Dot(n, h), Set(1));
     const VF facing = Clamp01(hn::Mul(nl, Set(10)));
-    const VF glint = hn::IfThenElseZero(hn::Gt(nh, zero), hn::Mul(facing, Power(nh, shininess)));
+    const VF glint = hn::IfThenElseZero(
+        hn::Gt(nh, zero), hn::Mul(facing, lighting.wholeShininess ? WholePower(nh, lighting.wholeShininess)
+                                                                  : Power(nh, shininess)));
     out.s = Add(out.s, Scale(Broadcast(light.specular), glint));
   }
   return out;

@@ -26,6 +26,7 @@ struct TraceKey {
   Store store = Store::int16;
   ShadeBy shade = ShadeBy::nothing;
   bool gradientOpacity = false;
+  bool dense = true;  ///< made for frames in which most samples are visible; the same bytes either way
 };
 
 /// What all rays of a frame share. Pointers live as long as the frame.
@@ -34,10 +35,12 @@ struct TraceFrame {
   const std::int16_t* density16 = nullptr;
   std::uint32_t flip16 = 0;  ///< xor for a pair of 16-bit values: 0x80008000 where they are unsigned
   const float* density32 = nullptr;
-  const std::int16_t* gradients16 = nullptr;
+  const std::int16_t* voxels16 = nullptr;  ///< Gradients16::xyzd
   const float* gradients32 = nullptr;
-  float gradientMatrix[9] = {};  ///< row-major: stored gradient -> real value per mm in patient space
-  float inverseFloor = 0;        ///< 1 / gradientFloor; 0: q = 0 everywhere
+  float gradientMatrix[9] = {};   ///< row-major: stored gradient -> gradientUnit per mm in patient space
+  float gradientUnit = 1;         ///< real value
+  bool boundedGradients = false;  ///< squares of such gradients neither overflow nor vanish
+  float inverseFloor = 0;         ///< 1 / gradientFloor; 0: q = 0 everywhere
   const CurveTable* curve = nullptr;
   float inverseUnitMm = 1;        ///< 1 / unitDistance
   const SkipMap* skip = nullptr;  ///< null: every sample is looked at

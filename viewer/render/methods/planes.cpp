@@ -20,16 +20,17 @@ Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const C
 
   TraceTotals totals;
   const auto begin = std::chrono::steady_clock::now();
-  const int bands = (plan.options.size.y + RaySetup::tile - 1) / RaySetup::tile;
-  parallelFor(bands, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
-    RayRow rays;
-    RowPainter::Task task;
-    for (int band = int(first); band < last && !cancel.cancelled(); ++band) {
-      setup.makeTiles(band * RaySetup::tile, rays);
-      painter.paint(rays, {}, task);
-    }
-    totals.add(task.counts);
-  });
+  const glm::ivec2 blocks = (plan.options.size + (RaySetup::block - 1)) / RaySetup::block;
+  parallelFor(
+      std::int64_t(blocks.x) * blocks.y, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
+        RayRow rays;
+        RowPainter::Task task;
+        for (std::int64_t n = first; n < last && !cancel.cancelled(); ++n) {
+          setup.makeBlock(int(n % blocks.x) * RaySetup::block, int(n / blocks.x) * RaySetup::block, rays);
+          painter.paint(rays, {}, task);
+        }
+        totals.add(task.counts);
+      });
   if (cancel.cancelled()) return Error{"cancelled"};
 
   const double passMs =

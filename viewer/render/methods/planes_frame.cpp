@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
 
 #include "viewer/render/caches.h"
 
@@ -21,6 +24,14 @@ ShadeBy shadeOf(const Plan& plan) {
   return plan.scene.shading.localViewer ? ShadeBy::local : ShadeBy::phong;
 }
 
+// How far the box around a packet of rays may reach. Rays of a tile that enter the volume through different
+// faces are a little farther apart than their pixels.
+int reachBlocks(const Plan& plan, const VoxelGeometry& geometry) {
+  const RaySetup setup(plan.scene, geometry, plan.options.size, plan.stepVoxels, plan.clip);
+  const double across = 2 * setup.tileSpread() + 0.5 * plan.stepVoxels + 0.1;
+  return int(std::clamp(std::ceil(across / SkipMap::edge), 1.0, 8.0));
+}
+
 }  // namespace
 
 PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats)
@@ -32,6 +43,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   stats.gradientsMs += msSince(begin);
   key_.shade = shadeOf(plan);
   key_.gradientOpacity = plan.gradientOpacity;
+  key_.dense = plan.dense;
   if (plan.resampler != Resampler::cpu) key_.store = Store::plane;
   curve_ = makeCurveTable(transfer_, scale_);
   frame_.curve = &curve_;
@@ -40,10 +52,10 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   frame_.lighting = &lighting_;
   makeShades(plan, cache.factsOfVolume().range);
   frame_.stopTransmittance = float(plan.stopTransmittance);
-  if (plan.skipBlocks) frame_.skip = &cache.skipMap(transfer_);
+  if (plan.skipBlocks) frame_.skip = &cache.skipMap(transfer_, reachBlocks(plan, cache.volume->geometry()));
   stats.tableBytes = curve_.bytes() + map_.nodes.size() * sizeof(float) + table_.bytes();
-  stats.blockBytes = cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float) +
-                     (frame_.skip ? frame_.skip->distance.size() : 0);
+  stats.blockBytes =
+      cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float) + (frame_.skip ? frame_.skip->bytes() : 0);
 }
 
 void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
@@ -58,8 +70,8 @@ void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats
     stats.densityBytes = std::size_t(geometry.voxelCount()) * 2;
     if (!plan.gradients) return;
     const Gradients16& g = cache.gradientsIn16(plan.gradientOperator);
-    frame_.gradients16 = g.xyz0.data();
-    stats.gradientBytes = g.xyz0.bytes();
+    frame_.voxels16 = g.xyzd.data();
+    stats.gradientBytes = g.xyzd.bytes();
     setGradientScale(plan, geometry, g.scale);
     return;
   }
@@ -82,7 +94,7 @@ void PlanesFrame::makeShades(const Plan& plan, ValueRange values) {
   }
   if (plan.shader != Shader::table) return;
   ShadeTableInput in{{}, frame_.inverseFloor, 1, scale_};
-  std::copy_n(frame_.gradientMatrix, 9, in.gradientMatrix.begin());
+  for (int n = 0; n < 9; ++n) in.gradientMatrix[n] = frame_.gradientMatrix[n] * frame_.gradientUnit;
   // A Sobel component is half the difference of two means of values (SCENE 3).
   in.gradientLimit = (values.high - values.low) / 2 / gradientScale_;
   table_ = makeShadeTable(lighting_, curve_, in);
@@ -92,8 +104,18 @@ void PlanesFrame::makeShades(const Plan& plan, ValueRange values) {
 void PlanesFrame::setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale) {
   gradientScale_ = scale;
   const glm::dmat3 m = geometry.patientFromVoxelGradient() * scale;
+  double largest = 0, smallest = std::numeric_limits<double>::max();
+  for (int c = 0; c < 3; ++c) {
+    const double length = glm::length(m[c]);
+    largest = std::max(largest, length);
+    smallest = std::min(smallest, length);
+  }
+  // A power of two, so that the unit rounds nothing.
+  const double unit = std::exp2(std::clamp(std::ceil(std::log2(largest)), -100.0, 100.0));
+  frame_.gradientUnit = float(unit);
+  frame_.boundedGradients = plan.bits == 16 && smallest > 1e-8 * largest && largest <= unit;
   for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) frame_.gradientMatrix[3 * r + c] = float(m[c][r]);
+    for (int c = 0; c < 3; ++c) frame_.gradientMatrix[3 * r + c] = float(m[c][r] / unit);
   const double floor = *plan.scene.shading.gradientFloor;
   frame_.inverseFloor = floor > 0 ? float(std::min(1 / floor, 1e30)) : 0.0f;
 }

@@ -27,6 +27,7 @@ Lighting makeLighting(const Scene& scene, bool specular) {
   const double diffuse = limited(s.diffuse), specularity = limited(s.specular);
   out.ambient = float(limited(s.ambient));
   out.shininess = float(s.shininess);
+  if (s.shininess <= 256 && s.shininess == std::floor(s.shininess)) out.wholeShininess = int(s.shininess);
   glm::dvec3 sum(0);
   for (const Light& light : scene.lights) {
     if (!light.on) continue;

@@ -22,6 +22,7 @@ struct Lighting {
   glm::vec3 viewer{0};  ///< e, unit (the camera's; with a local viewer each ray has its own)
   float ambient = 1;
   float shininess = 1;
+  int wholeShininess = 0;  ///< shininess where it is a whole number up to 256, else 0
   glm::vec3 flat{
       1};  ///< D of a sample whose gradient has no direction: ambient + diffuse/2 * sum(intensity * colour)
   bool twoSided = true;

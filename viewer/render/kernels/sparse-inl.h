@@ -1,0 +1,230 @@
+// The composite kernel where few samples are visible, compiled once a CPU target.
+#if defined(VOLUMEN_RENDER_KERNELS_SPARSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_RENDER_KERNELS_SPARSE_INL_H_
+#undef VOLUMEN_RENDER_KERNELS_SPARSE_INL_H_
+#else
+#define VOLUMEN_RENDER_KERNELS_SPARSE_INL_H_
+#endif
+
+#include "viewer/render/kernels/dense-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+constexpr int kLanes = int(hn::MaxLanes(DF()));
+
+/// Appends the chosen lanes to an array that has room for a whole vector behind `at`. Compressed in a
+/// register and stored whole: compressing into memory is microcoded on some CPUs, many times slower.
+HWY_INLINE void Append(VF v, MF which, float* at) { hn::StoreU(hn::Compress(v, which), DF(), at); }
+HWY_INLINE void Append(VI v, MF which, std::int32_t* at) {
+  hn::StoreU(hn::Compress(v, hn::RebindMask(DI(), which)), DI(), at);
+}
+
+/// Samples on their way, in the order of each ray's steps.
+template <int kCapacity>
+struct Samples {
+  HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity], density[kCapacity];
+  HWY_ALIGN float units[kCapacity];   ///< length of the interval in unit distances
+  HWY_ALIGN float weight[kCapacity];  ///< first its opacity, then what it adds to its ray
+  HWY_ALIGN std::int32_t ray[kCapacity], segment[kCapacity];
+  int size = 0;
+
+  /// Makes what stands in the last vector behind the last sample harmless: places inside the volume.
+  HWY_INLINE void Pad() {
+    const DF df;
+    for (float* values : {x, y, z, density, units, weight}) hn::StoreU(hn::Zero(df), df, values + size);
+    for (std::int32_t* values : {ray, segment}) hn::StoreU(hn::Zero(DI()), DI(), values + size);
+  }
+};
+
+/// In passes over many packets, so that no step waits for another and few branches are guessed wrong: where
+/// to look; densities of what lies in visible blocks; opacities of what can be seen; weights, ray by ray;
+/// gradient and light of what counts. Each pass works on whole vectors. Every sample is computed as
+/// DenseTracer does, and added to its ray in the same order, so both give the same bytes.
+template <class Store, ShadeBy kShade, bool kGradientOpacity>
+class SparseTracer {
+  using Material = Matter<kShade, kGradientOpacity>;
+
+ public:
+  /// Adds to `out`, which must be 0.
+  SparseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
+               TraceCounts& counts)
+      : f_(f), grid_(f), matter_{f, rays}, out_(out), counts_(counts), colour_(4 * rays.steps.size() + 4) {}
+
+  /// Takes the packet at ray `first` through the steps [step, end) that `bits` names, step + n by bit n.
+  HWY_INLINE void Advance(int first, int step, std::uint64_t bits) {
+    if (!bits) return;
+    const VF open = hn::LoadU(DF(), out_.alpha + first);
+    const MF alive = hn::Le(open, Set(1 - f_.stopTransmittance));
+    if (!AnyLeft(matter_.rays, first, step, alive)) return;
+    const Packet p = LoadPacket(f_, matter_.rays, first);
+    for (; bits; bits &= bits - 1) {
+      const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+      Look(p, first, at, hn::And(alive, HasStep(p, at)));
+    }
+    if (looked_.size > kLooked / 2) EndSlab();
+  }
+
+  /// Draws all that was noted.
+  void EndSlab() {
+    if (looked_.size == 0) return;
+    Resample();
+    Classify();
+    Composite();
+    KeepWhatCounts();
+    looked_.size = 0;
+  }
+
+  void Finish() {
+    Shade();
+    for (std::size_t n = 0; 4 * n + 4 < colour_.size(); ++n) {
+      out_.red[n] = colour_[4 * n];
+      out_.green[n] = colour_[4 * n + 1];
+      out_.blue[n] = colour_[4 * n + 2];
+    }
+  }
+
+ private:
+  static constexpr int kLooked = 4096 + kLanes, kWaiting = 512;
+
+  HWY_INLINE void Look(const Packet& p, int first, int step, MF alive) {
+    const MF last = IsLast(p, step);
+    const V3 place = grid_.Clamped(Position(p, step, last));
+    if (f_.skip) alive = InVisibleBlock(*f_.skip, alive, place);
+    const int n = looked_.size;
+    Append(place.x, alive, looked_.x + n);
+    Append(place.y, alive, looked_.y + n);
+    Append(place.z, alive, looked_.z + n);
+    Append(hn::IfThenElse(last, p.lastUnits, p.units), alive, looked_.units + n);
+    Append(hn::Iota(DI(), first), alive, looked_.ray + n);
+    looked_.size += int(hn::CountTrue(DF(), alive));
+  }
+
+  /// Densities; keeps the samples that can be seen.
+  HWY_INLINE void Resample() {
+    const DF df;
+    auto& s = looked_;
+    s.Pad();
+    counts_.resampled += s.size;
+    int kept = 0;
+    for (int n = 0; n < s.size; n += kLanes) {
+      const V3 place{hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
+      const VF units = hn::Load(df, s.units + n);
+      const VI ray = hn::Load(DI(), s.ray + n);
+      const VF density = Store::Density(grid_, grid_.CellAt(place));
+      const MF seen = hn::And(matter_.CanBeSeen(density), hn::FirstN(df, std::size_t(s.size - n)));
+      Append(place.x, seen, s.x + kept);
+      Append(place.y, seen, s.y + kept);
+      Append(place.z, seen, s.z + kept);
+      Append(units, seen, s.units + kept);
+      Append(ray, seen, s.ray + kept);
+      Append(density, seen, s.density + kept);
+      kept += int(hn::CountTrue(df, seen));
+    }
+    s.size = kept;
+    s.Pad();
+  }
+
+  HWY_INLINE void Classify() {
+    const DF df;
+    auto& s = looked_;
+    for (int n = 0; n < s.size; n += kLanes) {
+      const VF density = hn::Load(df, s.density + n);
+      const VI segment = SegmentOf(*f_.curve, density);
+      V3 stored = Zero3();
+      if constexpr (kGradientOpacity) stored = GradientAt(s, n);
+      hn::Store(segment, DI(), s.segment + n);
+      const VF opacity = matter_.OpacityAt(segment, density, stored);
+      hn::Store(IntervalOpacity(opacity, hn::Load(df, s.units + n)), df, s.weight + n);
+    }
+  }
+
+  HWY_INLINE void Composite() {
+    auto& s = looked_;
+    const float opaque = 1 - f_.stopTransmittance;
+    for (int n = 0; n < s.size; ++n) {
+      float& alpha = out_.alpha[s.ray[n]];
+      const float weight = alpha <= opaque ? (1 - alpha) * s.weight[n] : 0.0f;
+      s.weight[n] = weight;
+      alpha += weight;
+    }
+  }
+
+  /// Moves the samples of any weight to those that wait for light.
+  HWY_INLINE void KeepWhatCounts() {
+    const DF df;
+    const DI di;
+    const auto& s = looked_;
+    auto& w = waiting_;
+    for (int n = 0; n < s.size; n += kLanes) {
+      const VF weight = hn::Load(df, s.weight + n);
+      const MF counts = hn::And(hn::Gt(weight, hn::Zero(df)), hn::FirstN(df, std::size_t(s.size - n)));
+      if constexpr (kShade != ShadeBy::nothing) {
+        Store::Prefetch(grid_,
+                        grid_.CellAt({hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)}),
+                        std::min(kLanes, s.size - n));
+        Append(hn::Load(df, s.x + n), counts, w.x + w.size);
+        Append(hn::Load(df, s.y + n), counts, w.y + w.size);
+        Append(hn::Load(df, s.z + n), counts, w.z + w.size);
+      }
+      Append(hn::Load(df, s.density + n), counts, w.density + w.size);
+      Append(weight, counts, w.weight + w.size);
+      Append(hn::Load(di, s.segment + n), counts, w.segment + w.size);
+      Append(hn::Load(di, s.ray + n), counts, w.ray + w.size);
+      w.size += int(hn::CountTrue(df, counts));
+      if (w.size > kWaiting - 2 * kLanes) Shade();
+    }
+  }
+
+  template <int kCapacity>
+  HWY_INLINE V3 GradientAt(const Samples<kCapacity>& s, int n) const {
+    const DF df;
+    return Store::Gradient(
+        grid_, grid_.CellAt({hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)}));
+  }
+
+  /// Lights what waits and adds it to its rays, in order.
+  HWY_NOINLINE void Shade() {
+    auto& s = waiting_;
+    if (s.size == 0) return;
+    const std::int64_t begin = Ticks();
+    s.Pad();
+    const DF df;
+    const DI di;
+    HWY_ALIGN float added[4 * kLanes];
+    for (int n = 0; n < s.size; n += kLanes) {
+      V3 stored = Zero3();
+      if constexpr (kShade != ShadeBy::nothing) stored = GradientAt(s, n);
+      const V3 colour = matter_.ColourAt(hn::Load(di, s.segment + n), hn::Load(df, s.density + n), stored,
+                                         hn::Load(di, s.ray + n));
+      const V3 part = Scale(colour, hn::Load(df, s.weight + n));
+      hn::StoreInterleaved4(part.x, part.y, part.z, hn::Zero(df), df, added);
+      AddToRays(added, s.ray + n, std::min(kLanes, s.size - n));
+    }
+    counts_.composited += s.size;
+    s.size = 0;
+    counts_.shadeTicks += Ticks() - begin;
+  }
+
+  HWY_INLINE void AddToRays(const float* added, const std::int32_t* ray, int count) {
+    const hn::CappedTag<float, 4> d4;
+    for (int n = 0; n < count; ++n)
+      for (int c = 0; c < 4; c += int(hn::MaxLanes(d4))) {
+        float* sum = colour_.data() + 4 * ray[n] + c;
+        hn::StoreU(hn::Add(hn::LoadU(d4, sum), hn::Load(d4, added + 4 * n + c)), d4, sum);
+      }
+  }
+
+  const TraceFrame& f_;
+  const Grid grid_;
+  Material matter_;
+  const TraceRow& out_;
+  TraceCounts& counts_;
+  std::vector<float> colour_;  ///< of each ray: red, green, blue, 0
+  Samples<kLooked> looked_;
+  Samples<kWaiting> waiting_;
+};
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // per-target include guard
