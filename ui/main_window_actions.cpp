@@ -87,7 +87,7 @@ void MainWindow::makeDocks() {
   dock("lights")->raise();
   dock("effects")->raise();
   resizeDocks({dock("studies"), dock("transfer")}, {230, 340}, Qt::Horizontal);
-  resizeDocks({dock("transfer"), dock("lights"), dock("effects")}, {300, 180, 300}, Qt::Vertical);
+  resizeDocks({dock("transfer"), dock("lights"), dock("effects")}, {280, 160, 340}, Qt::Vertical);
 }
 
 void MainWindow::makeActions() {

@@ -46,8 +46,8 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
       session_(session),
       slider_(new QSlider(Qt::Horizontal)),
       table_(new QTreeWidget),
-      meetTime_(new QCheckBox(tr("Meet this frame time"))),
-      meetError_(new QCheckBox(tr("Meet this error"))),
+      meetTime_(new QCheckBox(QStringLiteral("\u2264"))),
+      meetError_(new QCheckBox(QStringLiteral("\u2264"))),
       frameMs_(new QDoubleSpinBox),
       error_(new QDoubleSpinBox),
       difference_(new QLabel),
@@ -62,22 +62,26 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
   error_->setDecimals(2);
   error_->setSingleStep(0.1);
   error_->setSuffix(tr("/255"));
-  error_->setToolTip(tr("99 % of the pixels at most so far from the reference"));
+  meetTime_->setToolTip(tr("Meet this frame time: the most accurate level that is so fast"));
+  meetError_->setToolTip(
+      tr("Meet this error: the fastest level with 99 % of the pixels so near to the reference"));
   difference_->setObjectName(QStringLiteral("difference"));
   difference_->setAccessibleName(tr("Difference from the reference"));
   difference_->setAlignment(Qt::AlignCenter);
   caption_->setObjectName(QStringLiteral("differenceCaption"));
   caption_->setWordWrap(true);
   state_->setObjectName(QStringLiteral("measuringState"));
-  state_->setWordWrap(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(4);
   column->addLayout(sliderRow());
   column->addWidget(table_);
-  column->addLayout(aimRow(meetTime_, frameMs_, Aim::time, QStringLiteral("Time")));
-  column->addLayout(aimRow(meetError_, error_, Aim::error, QStringLiteral("Error")));
   column->addWidget(state_);
+  auto* aims = new QHBoxLayout;
+  aims->setSpacing(4);
+  addAim(aims, meetTime_, frameMs_, Aim::time, tr("Meet this frame time"));
+  addAim(aims, meetError_, error_, Aim::error, tr("Meet this error"));
+  column->addLayout(aims);
   column->addWidget(difference_);
   column->addWidget(caption_);
   column->addStretch();
@@ -134,32 +138,32 @@ QLayout* AccuracyPanel::sliderRow() {
   return row;
 }
 
-QLayout* AccuracyPanel::aimRow(QCheckBox* box, QDoubleSpinBox* field, Aim aim, const QString& name) {
-  box->setObjectName(QStringLiteral("meet") + name);
-  field->setObjectName(QStringLiteral("aim") + name);
-  field->setAccessibleName(box->text());
+void AccuracyPanel::addAim(QBoxLayout* row, QCheckBox* box, QDoubleSpinBox* field, Aim aim,
+                           const QString& name) {
+  const QString suffix = aim == Aim::time ? QStringLiteral("Time") : QStringLiteral("Error");
+  box->setObjectName(QStringLiteral("meet") + suffix);
+  field->setObjectName(QStringLiteral("aim") + suffix);
+  box->setAccessibleName(name);
+  field->setAccessibleName(name);
+  field->setToolTip(box->toolTip());
   field->setKeyboardTracking(false);
-  field->setFixedWidth(104);
-  connect(box, &QCheckBox::clicked, this, [this, box, aim](bool on) {
-    wish(box->text(), [&](PictureWish& w) {
+  connect(box, &QCheckBox::clicked, this, [this, name, aim](bool on) {
+    wish(name, [&](PictureWish& w) {
       w.aim = on ? aim : Aim::level;
       w.level = level_;
     });
     session_.endGesture();
   });
-  connect(field, &QDoubleSpinBox::valueChanged, this, [this, box, aim](double value) {
-    wish(box->text(), [&](PictureWish& w) {
+  connect(field, &QDoubleSpinBox::valueChanged, this, [this, name, aim](double value) {
+    wish(name, [&](PictureWish& w) {
       w.aim = aim;
       w.level = level_;
       (aim == Aim::time ? w.frameMs : w.errorOf255) = value;
     });
   });
   connect(field, &QDoubleSpinBox::editingFinished, this, [this] { session_.endGesture(); });
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
-  row->addWidget(box, 1);
-  row->addWidget(field);
-  return row;
+  row->addWidget(box);
+  row->addWidget(field, 1);
 }
 
 void AccuracyPanel::choose(int row) {
@@ -198,11 +202,11 @@ void AccuracyPanel::showMeasured(const MeasuredLevels& measured) {
   for (int row = 0; row < table_->topLevelItemCount(); ++row) showRow(row);
   const bool all = !measured.levels.empty() && measured.levels.back().done();
   if (all)
-    state_->setText(tr("Measured against the reference at %L1 of %L2 pixels.")
+    state_->setText(tr("Measured at %L1 of %L2 pixels")
                         .arg(measured.truth->pixels.size())
                         .arg(qint64(measured.truth->size.x) * measured.truth->size.y));
   else if (measured.levels.empty())
-    state_->setText(tr("Measured once the picture is at rest."));
+    state_->setText(tr("Measured once the picture is at rest"));
   showDifference();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QBoxLayout>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -30,7 +31,7 @@ class AccuracyPanel : public QWidget {
  private:
   void makeTable();
   QLayout* sliderRow();
-  QLayout* aimRow(QCheckBox* box, QDoubleSpinBox* field, Aim aim, const QString& name);
+  void addAim(QBoxLayout* row, QCheckBox* box, QDoubleSpinBox* field, Aim aim, const QString& name);
   void choose(int row);
   void wish(const QString& text, const std::function<void(PictureWish&)>& change);
   void showWish(const PictureWish& wish);

@@ -10,6 +10,12 @@ namespace {
 
 QString escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
+// Not broken between number and unit.
+QString bracketed(const std::string& cost) {
+  return QStringLiteral(" <b>(%1)</b>")
+      .arg(escaped(cost).replace(QLatin1Char(' '), QStringLiteral("&nbsp;")));
+}
+
 QString msText(double ms) { return QString::number(ms, 'f', ms < 10 ? 1 : 0); }
 
 }  // namespace
@@ -33,11 +39,10 @@ void EffectsPanel::showPlan(const Plan& plan, const RenderStats& stats) {
   for (std::size_t n = 0; n < costs.size(); ++n) {
     const Effect& effect = plan.effects[n];
     const QString name = escaped(effect.name);
-    html += QStringLiteral("<tr><td><b>%1</b>&nbsp;</td><td>%2: %3%4</td></tr>")
-                .arg(effect.on ? tr("on") : tr("off"),
-                     effect.on ? QStringLiteral("<b>%1</b>").arg(name) : name, escaped(effect.reason),
-                     effect.on && costs[n] ? QStringLiteral(" <b>(%1)</b>").arg(escaped(costText(*costs[n])))
-                                           : QString());
+    html +=
+        QStringLiteral("<tr><td><b>%1</b>&nbsp;</td><td>%2: %3%4</td></tr>")
+            .arg(effect.on ? tr("on") : tr("off"), effect.on ? QStringLiteral("<b>%1</b>").arg(name) : name,
+                 escaped(effect.reason), effect.on && costs[n] ? bracketed(costText(*costs[n])) : QString());
   }
   const int scrolled = verticalScrollBar()->value();
   setHtml(html + QStringLiteral("</table>"));

@@ -38,6 +38,9 @@ SampleWork workOf(const Plan& plan) {
   return work;
 }
 
+// Looking that all is there already is no cost of gradients.
+double onceMs(const RenderStats& stats) { return stats.gradientsMs < 1 ? 0 : stats.gradientsMs; }
+
 class Costs {
  public:
   Costs(const Plan& plan, const RenderStats& stats) : plan_(plan), stats_(stats), work_(workOf(plan)) {}
@@ -57,13 +60,13 @@ class Costs {
   // Every voxel is lit before the first sample is taken.
   std::optional<EffectCost> ofVoxels(const Effect& effect) const {
     if (effect.name == "lighting") return EffectCost{.ms = stats_.shadeMs};
-    if (effect.name == "gradients") return EffectCost{.onceMs = stats_.gradientsMs};
+    if (effect.name == "gradients") return EffectCost{.onceMs = onceMs(stats_)};
     return std::nullopt;
   }
 
   std::optional<EffectCost> ofSamples(const Effect& effect) const {
     if (effect.name == "gradients" && work_.gradient > 0)
-      return EffectCost{.ms = share(work_.gradient), .estimated = true, .onceMs = stats_.gradientsMs};
+      return EffectCost{.ms = share(work_.gradient), .estimated = true, .onceMs = onceMs(stats_)};
     if (effect.name == "lighting") return EffectCost{.ms = share(work_.light), .estimated = true};
     if (effect.name == "specular") return EffectCost{.ms = share(work_.shine), .estimated = true};
     if (effect.name == "gradient opacity") {

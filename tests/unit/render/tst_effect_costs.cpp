@@ -50,6 +50,7 @@ class TestEffectCosts : public QObject {
   void anEffectHasACost();
   void sharesAddUpToTheStages_data();
   void sharesAddUpToTheStages();
+  void gradientsThatAreThereCostNothingMore();
   void explainSaysThem();
 };
 
@@ -121,6 +122,13 @@ void TestEffectCosts::sharesAddUpToTheStages() {
   }
   QVERIFY2(shading < stats.shadeMs, "colours and compositing take a part, too");
   QVERIFY2(shading > stats.shadeMs / 2, "light takes most");
+}
+
+void TestEffectCosts::gradientsThatAreThereCostNothingMore() {
+  RenderStats later = stats;
+  later.gradientsMs = 0.02;  // looked for, and found
+  const Plan plan = planOf([](Scene&, RenderOptions&) {});
+  for (const auto& cost : effectCosts(plan, later)) QVERIFY(!cost || cost->onceMs == 0);
 }
 
 void TestEffectCosts::explainSaysThem() {
