@@ -1,4 +1,6 @@
 // Guards DESIGN 3 and 10: a picture says how it was made, and what error is promised or why none is.
+#include <algorithm>
+
 #include "tests/unit/suite.h"
 #include "viewer/plan/picture_text.h"
 
@@ -35,6 +37,7 @@ class TestPictureText : public QObject {
  private Q_SLOTS:
   void saysItsMethodAndError_data();
   void saysItsMethodAndError();
+  void saysWhatWasMeasured();
 };
 
 void TestPictureText::saysItsMethodAndError_data() {
@@ -76,6 +79,20 @@ void TestPictureText::saysItsMethodAndError() {
   change(options);
   QCOMPARE(textOf(options, "volumen-method"), method);
   QCOMPARE(textOf(options, "volumen-error"), error);
+}
+
+void TestPictureText::saysWhatWasMeasured() {
+  const MeasuredError measured{
+      {.maximum = 4.876, .percentile99 = 2.957, .rmse = 0.69642, .psnrDb = 51.27, .shareAbove2 = 0.036},
+      972,
+      750000};
+  const Scene scene;
+  const auto text = pictureText(*makePlan(scene, someFacts(), {}), measured);
+  const std::pair<std::string, std::string> expected{
+      "volumen-error-measured",
+      "99 % of pixels within 2.96/255, largest 4.88/255, RMSE 0.696/255, measured at 972 of 750000 pixels"};
+  QVERIFY(std::count(text.begin(), text.end(), expected) == 1);
+  QCOMPARE(textOf({}, "volumen-error-measured"), QString());
 }
 
 VOLUMEN_TEST(TestPictureText);
