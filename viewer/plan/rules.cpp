@@ -108,9 +108,27 @@ double stepOf(Quality quality) {
   return 1;
 }
 
-// Whether the opacity jumps, or all but jumps, somewhere: what lies between two samples then counts.
-bool isSharp(const TransferFunction& curve, const VolumeFacts& facts) {
-  const double narrow = (facts.p999 - facts.p01) / 200;
+// Intervals and how uneven their parts may be, as measured on smooth and on sharp curves.
+struct Cut {
+  double stepVoxels, tolerance;
+};
+Cut cutOf(Quality quality, bool sharp) {
+  if (quality == Quality::standard) return sharp ? Cut{1.0 / 2, 2e-3} : Cut{1, 0.02};
+  if (quality == Quality::high) return sharp ? Cut{1.0 / 4, 3e-4} : Cut{1.0 / 2, 3e-3};
+  // Around a step on a constant value no neighbour warns of what comes: exact pictures then take every small
+  // step.
+  return sharp ? Cut{1.0 / 64, 3e-5} : Cut{1.0 / 4, 2e-4};
+}
+
+// Only the CPU's planes know the values around an interval before they draw it.
+bool canCut(const RuleInput& in, const Plan& plan) {
+  return composite(in) && plan.method == Method::planes && in.options.resampler != Resampler::gl &&
+         in.options.shader != Shader::table && in.options.mapLookup != MapLookup::nearest;
+}
+
+// Whether the opacity jumps, or rises within `narrow` values, somewhere: what lies between two samples then
+// counts.
+bool isSharp(const TransferFunction& curve, double narrow) {
   for (std::size_t n = 0; n + 1 < curve.points.size(); ++n) {
     const CurvePoint &a = curve.points[n], &b = curve.points[n + 1];
     if (std::abs(b.opacity - a.opacity) > 0.05 && double(b.value) - a.value <= narrow) return true;
@@ -128,7 +146,20 @@ Effect integration(const RuleInput& in, Plan& plan) {
   }
   plan.stepVoxels = stepOf(in.options.quality);
   if (in.options.quality == Quality::draft) return steps(" for a draft");
-  if (composite(in) && !isSharp(in.scene.transferFunction, in.facts)) return steps(": the curve is smooth");
+  const double range = in.facts.p999 - in.facts.p01;
+  const bool sharp = composite(in) && isSharp(in.scene.transferFunction, range / 50);
+  if (canCut(in, plan)) {
+    const Cut cut = cutOf(in.options.quality, sharp);
+    plan.stepVoxels = cut.stepVoxels;
+    plan.mostParts = 64;
+    plan.partTolerance = cut.tolerance;
+    plan.partWiden = sharp ? 3 : 1;
+    return on("intervals of " + inDigits(cut.stepVoxels) +
+              " voxel, cut into up to 64 where the curve is uneven between the values around" +
+              (sharp ? "; finely, as it rises steeply" : ""));
+  }
+  if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
+    return steps(": the curve is smooth");
   plan.stepVoxels /= 2;
   return steps(composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples");
 }

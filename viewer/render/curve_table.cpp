@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 
 namespace volumen {
@@ -32,7 +33,7 @@ void setVisible(CurveTable& t, const std::vector<CurvePoint>& points, const std:
 
 }  // namespace
 
-std::size_t CurveTable::bytes() const { return (first.size() + 10 * node.size()) * 4; }
+std::size_t CurveTable::bytes() const { return (first.size() + 12 * node.size()) * 4; }
 
 CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& scale) {
   CurveTable t;
@@ -50,15 +51,36 @@ CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& sca
     t.green.push_back(float(a.colour.g)), t.greenRise.push_back(rise(a.colour.g, b.colour.g));
     t.blue.push_back(float(a.colour.b)), t.blueRise.push_back(rise(a.colour.b, b.colour.b));
   };
+  const auto extinction = [](double opacity) { return -std::log1p(-std::min(opacity, 1 - 0x1p-20)); };
+  const auto change = [&](const CurvePoint& a, const CurvePoint& b) {
+    const glm::dvec3 c = glm::abs(b.colour - a.colour);
+    const double before = extinction(a.opacity), behind = extinction(b.opacity);
+    return std::abs(behind - before) + std::max({c.r, c.g, c.b}) * std::max(before, behind);
+  };
+  double varied = 0;
+  std::size_t at = 0;
+  // Steps between the last segment's end and this one's start count whole.
+  const auto addVariation = [&](std::size_t from, std::size_t to) {
+    for (; at < from; ++at) varied += change(points[at], points[at + 1]);
+    t.variation.push_back(float(varied));
+    t.variationRise.push_back(
+        from == to ? 0.0f : float(change(points[from], points[to]) / (double(nodes[to]) - nodes[from])));
+    for (; at < to; ++at) varied += change(points[at], points[at + 1]);
+  };
   addSegment(0, 0, nodes.front());
+  addVariation(0, 0);
   // No density lies between two nodes at one place.
   for (std::size_t n = 0; n + 1 < points.size(); ++n)
-    if (nodes[n] < nodes[n + 1]) addSegment(n, n + 1, nodes[n + 1]);
+    if (nodes[n] < nodes[n + 1]) {
+      addSegment(n, n + 1, nodes[n + 1]);
+      addVariation(n, n + 1);
+    }
   addSegment(points.size() - 1, points.size() - 1, std::numeric_limits<float>::infinity());
+  addVariation(points.size() - 1, points.size() - 1);
 
   t.segments = int(t.node.size());
-  for (auto* values : {&t.start, &t.opacity, &t.opacityRise, &t.red, &t.redRise, &t.green, &t.greenRise,
-                       &t.blue, &t.blueRise})
+  for (auto* values : {&t.start, &t.variation, &t.variationRise, &t.opacity, &t.opacityRise, &t.red,
+                       &t.redRise, &t.green, &t.greenRise, &t.blue, &t.blueRise})
     values->resize(std::max<std::size_t>(values->size(), CurveTable::padding), 0.0f);
   t.node.resize(std::max<std::size_t>(t.node.size(), CurveTable::padding),
                 std::numeric_limits<float>::infinity());

@@ -15,8 +15,8 @@ struct DensityScale {
 
 /// The transfer function over density as the kernels read it: exact, piecewise linear. A density falls into a
 /// bucket, the bucket names the first segment it can lie in, and at most `hops` comparisons with the nodes
-/// find the right one: segment = number of (different) nodes <= density (SCENE 4: the last point of a step holds at the
-/// value and above).
+/// find the right one: segment = number of (different) nodes <= density (SCENE 4: the last point of a step
+/// holds at the value and above).
 struct CurveTable {
   static constexpr int buckets = 2048;
   static constexpr int padding = 16;      ///< the segments' arrays are padded to at least this many entries
@@ -28,6 +28,10 @@ struct CurveTable {
   std::vector<float> node;                  ///< node[s]: end of segment s; infinity behind the last
   std::vector<float> start;                 ///< density from which segment s is counted
   std::vector<float> opacity, opacityRise;  ///< at `start`, and a unit of density
+  /// How much the extinction a unit distance, and the colour weighted by it, has changed up to `start`, and a
+  /// unit of density: the difference between two densities says how uneven the curve is there, peaks and
+  /// steps included.
+  std::vector<float> variation, variationRise;
   std::vector<float> red, redRise, green, greenRise, blue, blueRise;
   std::size_t bytes() const;
 };

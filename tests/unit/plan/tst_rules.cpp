@@ -134,14 +134,26 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   row("a negative slope in 32 bits", "precision",
       "on   precision: 32 bits: the values are not 16-bit integers with a positive slope",
       [](Asked& a) { a.facts.slope = -1; });
-  row("a smooth curve: plain steps", "integration",
-      "on   integration: plain steps of 0.25 voxel: the curve is smooth", [](Asked&) {});
-  row("a step in the curve: finer ones", "integration",
-      "on   integration: plain steps of 0.125 voxel: the curve has a step",
+  const char* smooth =
+      "on   integration: intervals of 1 voxel, cut into up to 64 where the curve is uneven between the "
+      "values "
+      "around";
+  row("a smooth curve: cut where uneven", "integration", smooth, [](Asked&) {});
+  row("a step in the curve: finely", "integration",
+      "on   integration: intervals of 0.5 voxel, cut into up to 64 where the curve is uneven between the "
+      "values "
+      "around; finely, as it rises steeply",
       [](Asked& a) { a.scene.transferFunction.points[1].value = 151; });
-  row("a narrow but faint rise is no step", "integration",
-      "on   integration: plain steps of 0.25 voxel: the curve is smooth", [](Asked& a) {
-        a.scene.transferFunction.points = {{150, {}, 0}, {151, {}, 0.01}};
+  row("a narrow but faint rise is no step", "integration", smooth, [](Asked& a) {
+    a.scene.transferFunction.points = {{150, {}, 0}, {151, {}, 0.01}};
+  });
+  row("slices of blend: plain steps", "integration",
+      "on   integration: plain steps of 0.25 voxel: the curve is smooth",
+      [](Asked& a) { a.options.method = Method::blend; });
+  row("planes by OpenGL, a step in the curve: finer plain steps", "integration",
+      "on   integration: plain steps of 0.125 voxel: the curve has a step", [](Asked& a) {
+        a.options.resampler = Resampler::gl;
+        a.scene.transferFunction.points[1].value = 151;
       });
   row("mip: finer ones", "integration",
       "on   integration: plain steps of 0.125 voxel: extremes and means lie between coarser samples",

@@ -5,7 +5,8 @@
 
 namespace volumen::tests {
 
-/// Rows that plain small steps do not bring within the promise, and how far off they are.
+/// Rows that the levels do not bring within the promise with some method, and how far off planes in plain
+/// small steps are (OpenGL's and blend's; the CPU's planes cut their intervals and are nearer).
 struct NotYet {
   const char *function, *row, *figures;
 };
@@ -25,6 +26,8 @@ inline constexpr NotYet notYetRows[] = {
      "RMSE of blocks 1.48821, mean colour off by 1.39091"},
     {"aDraftIsStandardSeenFromAfar", "phantom:ct-head:96, inside, sharp steps",
      "RMSE of blocks 2.82534, mean colour off by 2.69614"},
+    {"aDraftIsStandardSeenFromAfar", "phantom:ct-head:96, preset CT-Cardiac with gradient opacity",
+     "RMSE of blocks 1.34281, mean colour off by 1.33243"},
     {"aDraftIsStandardSeenFromAfar", "phantom:ct-head:96, opaque surface",
      "RMSE of blocks 1.38543, mean colour off by 1.05749"},
     {"aDraftIsStandardSeenFromAfar", "phantom:ct-head:96, preset CT-Soft-Tissue: opacity 1, unlit",
@@ -35,35 +38,6 @@ inline constexpr NotYet notYetRows[] = {
      "RMSE of blocks 1.14809, mean colour off by 1.28951"},
     {"aDraftIsStandardSeenFromAfar", "phantom:marschner-lobb, narrow peaks",
      "RMSE of blocks 1.36045, mean colour off by 1.10627"},
-    {"errorsKeepThePromise", "ct-chest-lidc0314-138, inside, sharp steps",
-     "exact: maximum 1.11, P99 0.46, PSNR 70.4 dB"},
-    {"errorsKeepThePromise", "ct-chest-lidc0314-138, narrow peaks",
-     "standard: maximum 25.17, P99 21.09, PSNR 35.1 dB; high: maximum 14.75, P99 10.61, PSNR 40.9 dB"},
-    {"errorsKeepThePromise", "ct-chest-lidc0314-138, preset CT-Soft-Tissue: opacity 1, unlit",
-     "standard: maximum 22.39, P99 19.57, PSNR 33.5 dB; high: maximum 10.22, P99 8.98, PSNR 40.3 dB; exact: "
-     "maximum 2.46, P99 1.82, PSNR 54.4 dB"},
-    {"errorsKeepThePromise", "mr-head-siemens-gap-175, narrow peaks",
-     "standard: maximum 16.30, P99 13.58, PSNR 39.3 dB; high: maximum 7.82, P99 7.16, PSNR 45.7 dB; exact: "
-     "maximum 1.02, P99 0.78, PSNR 67.3 dB"},
-    {"errorsKeepThePromise", "mr-head-siemens-gap-175, opaque surface",
-     "exact: maximum 1.98, P99 0.59, PSNR 67.3 dB"},
-    {"errorsKeepThePromise", "mr-head-siemens-gap-175, sharp steps, perspective",
-     "exact: maximum 1.00, P99 0.42, PSNR 71.3 dB"},
-    {"errorsKeepThePromise", "phantom:ct-head:96, inside, local viewer, preset CT-Lung",
-     "standard: maximum 10.52, P99 9.32, PSNR 38.8 dB; high: maximum 6.85, P99 4.82, PSNR 44.9 dB; exact: "
-     "maximum 1.73, P99 1.17, PSNR 57.8 dB"},
-    {"errorsKeepThePromise", "phantom:ct-head:96, narrow peaks",
-     "standard: maximum 33.07, P99 26.23, PSNR 35.8 dB; high: maximum 18.36, P99 11.86, PSNR 42.3 dB; exact: "
-     "maximum 1.34, P99 1.00, PSNR 63.4 dB"},
-    {"errorsKeepThePromise", "phantom:ct-head:96, preset CT-Cardiac with gradient opacity",
-     "standard: maximum 11.66, P99 8.90, PSNR 44.5 dB"},
-    {"errorsKeepThePromise", "phantom:ct-head:96, preset CT-Soft-Tissue: opacity 1, unlit",
-     "standard: maximum 43.72, P99 26.73, PSNR 33.4 dB; high: maximum 15.08, P99 11.95, PSNR 41.2 dB; exact: "
-     "maximum 2.63, P99 2.09, PSNR 55.6 dB"},
-    {"errorsKeepThePromise", "phantom:marschner-lobb, narrow peaks",
-     "standard: maximum 20.92, P99 16.99, PSNR 36.9 dB; high: maximum 7.57, P99 5.79, PSNR 46.5 dB"},
-    {"errorsKeepThePromise", "phantom:marschner-lobb, opaque surface",
-     "exact: maximum 1.04, P99 0.44, PSNR 72.6 dB"},
     {"levelsKeepTheirPromises", "256 points in a zigzag, over a ramp",
      "standard: maximum 4.35, P99 4.35, PSNR 39.5 dB; high: maximum 2.82, P99 2.82, PSNR 44.7 dB"},
     {"levelsKeepTheirPromises", "256 points in a zigzag, over a ramp, perspective",

@@ -183,7 +183,7 @@ class TestGl : public QObject {
   RenderCaches& cachesOf(const std::string& name);
   Result<Rendered> draw(RenderCaches& caches, const Scene& scene, RenderOptions options, Resampler resampler,
                         const CancelToken& cancel = {});
-  void compareResamplers(RenderCaches& caches, const Scene& scene, const RenderOptions& options);
+  void compareResamplers(RenderCaches& caches, const Scene& scene, RenderOptions options);
 
   QString whyNone_;  ///< no OpenGL could be had
   std::map<std::string, RenderCaches> caches_;
@@ -217,7 +217,8 @@ Result<Rendered> TestGl::draw(RenderCaches& caches, const Scene& scene, RenderOp
 // place between two voxels, which is up to 1/512 of the neighbours' difference on each axis. Drawn with such
 // places: ct-head and chest CT, presets of bone, muscle and skin, RMSE 0.02 .. 0.07 and 1.4 at most; thin
 // bright shells (preset CT-Lung) RMSE 1.3.
-void TestGl::compareResamplers(RenderCaches& caches, const Scene& scene, const RenderOptions& options) {
+void TestGl::compareResamplers(RenderCaches& caches, const Scene& scene, RenderOptions options) {
+  options.step = 0.25;  // a level would be cut by the CPU where the curve is uneven
   const auto cpu = draw(caches, scene, options, Resampler::cpu);
   const auto gl = draw(caches, scene, options, Resampler::gl);
   QVERIFY2(cpu.ok(), cpu.ok() ? "" : cpu.message().c_str());

@@ -56,6 +56,7 @@ class DenseTracer {
     hn::StoreU(sum.colour.z, df, out_.blue + first);
     hn::StoreU(sum.alpha, df, out_.alpha + first);
   }
+  void BeginSlab() {}
   void EndSlab() {}
   void Finish() {}
 

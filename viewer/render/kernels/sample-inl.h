@@ -83,6 +83,11 @@ struct Sample {
   V3 gradient;
 };
 
+/// A density and the range of its cell's eight voxels.
+struct Bounded {
+  VF density, low, high;
+};
+
 /// Trilinear weights of a cell's eight voxels in units of -1/32768 (so that a weight of one fits into 16
 /// bits): one 32-bit lane a row of two voxels along x, the first in its lower half. Each split rounds one
 /// part and leaves the rest to the other, so the eight always add up to one: constant regions stay exactly
@@ -123,6 +128,25 @@ struct Int16Store {
       sum = AddPairs(sum, hn::Xor(hn::GatherOffset(di, base, at), flip), w.row[r]);
     }
     return hn::Mul(hn::ConvertTo(DF(), sum), Set(kWeightUnit));
+  }
+
+  static HWY_INLINE Bounded DensityWithBounds(const Grid& grid, const Cell& c) {
+    const DF df;
+    const DI di;
+    const Weights w = WeightsOf(c);
+    const VI flip = SetI(int(grid.frame().flip16));
+    const auto* base = reinterpret_cast<const std::int32_t*>(grid.frame().density16);
+    VI sum = hn::Zero(di), low = SetI(32767), high = SetI(-32768);
+    for (int r = 0; r < 4; ++r) {
+      const VI at = hn::ShiftLeft<1>(grid.Corner(c, r & 1, r >> 1));
+      const VI both = hn::Xor(hn::GatherOffset(di, base, at), flip);
+      sum = AddPairs(sum, both, w.row[r]);
+      const VI first = hn::ShiftRight<16>(hn::ShiftLeft<16>(both)), second = hn::ShiftRight<16>(both);
+      low = hn::Min(low, hn::Min(first, second));
+      high = hn::Max(high, hn::Max(first, second));
+    }
+    return {hn::Mul(hn::ConvertTo(df, sum), Set(kWeightUnit)), hn::ConvertTo(df, low),
+            hn::ConvertTo(df, high)};
   }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -237,6 +261,19 @@ struct Float32Store {
   static HWY_INLINE VF Density(const Grid& grid, const Cell& c) {
     return AcrossRows(Row(grid, grid.Corner(c, 0, 0), c.fx), Row(grid, grid.Corner(c, 1, 0), c.fx),
                       Row(grid, grid.Corner(c, 0, 1), c.fx), Row(grid, grid.Corner(c, 1, 1), c.fx), c);
+  }
+
+  static HWY_INLINE Bounded DensityWithBounds(const Grid& grid, const Cell& c) {
+    const DF df;
+    const float* base = grid.frame().density32;
+    VF low = Set(3e38f), high = Set(-3e38f);
+    for (int r = 0; r < 4; ++r)
+      for (int next : {0, grid.nextColumn()}) {
+        const VF v = hn::GatherIndex(df, base + next, grid.Corner(c, r & 1, r >> 1));
+        low = hn::Min(low, v);
+        high = hn::Max(high, v);
+      }
+    return {Density(grid, c), low, high};
   }
 
   static HWY_INLINE Sample DensityAndGradient(const Grid& grid, const Cell& c) {

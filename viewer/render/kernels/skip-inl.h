@@ -47,13 +47,13 @@ class Skipper {
       const float half = 0.5f * std::max(begin.high - begin.low, end.high - end.low);
       const float middle = 0.5f * (begin.low + begin.high);
       move_[a] = (0.5f * (end.low + end.high) - middle) / float(p.longest);
-      // The last sample of a ray stands up to half a step before its place in the row. A hundredth of a voxel
-      // is far more than positions are rounded by.
+      // Intervals reach half a step to either side, and the last sample of a ray stands up to half a step
+      // before its place in the row. A hundredth of a voxel is far more than positions are rounded by.
       const float back = 0.5f * std::abs(move_[a]) + 0.01f;
-      size_[a] = 2 * half + back + 0.02f;
+      size_[a] = 2 * half + 2 * back;
       if (size_[a] > float(map_->reach * SkipMap::edge)) map_ = nullptr;
       if (!map_) return;
-      start_[a] = middle - half - (move_[a] > 0 ? back : 0.01f);
+      start_[a] = middle - half - back;
       last_[a] = float(f.size[a] - 1);
     }
   }

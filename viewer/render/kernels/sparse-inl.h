@@ -24,6 +24,7 @@ HWY_INLINE void Append(VI v, MF which, std::int32_t* at) {
 template <int kCapacity>
 struct Samples {
   HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity], density[kCapacity];
+  HWY_ALIGN float steps[kCapacity];   ///< length of the interval in steps
   HWY_ALIGN float units[kCapacity];   ///< length of the interval in unit distances
   HWY_ALIGN float weight[kCapacity];  ///< first its opacity, then what it adds to its ray
   HWY_ALIGN std::int32_t ray[kCapacity], segment[kCapacity];
@@ -32,7 +33,8 @@ struct Samples {
   /// Makes what stands in the last vector behind the last sample harmless: places inside the volume.
   HWY_INLINE void Pad() {
     const DF df;
-    for (float* values : {x, y, z, density, units, weight}) hn::StoreU(hn::Zero(df), df, values + size);
+    for (float* values : {x, y, z, density, steps, units, weight})
+      hn::StoreU(hn::Zero(df), df, values + size);
     for (std::int32_t* values : {ray, segment}) hn::StoreU(hn::Zero(DI()), DI(), values + size);
   }
 };
@@ -41,7 +43,7 @@ struct Samples {
 /// to look; densities of what lies in visible blocks; opacities of what can be seen; weights, ray by ray;
 /// gradient and light of what counts. Each pass works on whole vectors. Every sample is computed as
 /// DenseTracer does, and added to its ray in the same order, so both give the same bytes.
-template <class Store, ShadeBy kShade, bool kGradientOpacity>
+template <class Store, ShadeBy kShade, bool kGradientOpacity, bool kRefined>
 class SparseTracer {
   using Material = Matter<kShade, kGradientOpacity>;
 
@@ -65,13 +67,18 @@ class SparseTracer {
     if (looked_.size > kLooked / 2) EndSlab();
   }
 
+  void BeginSlab() {
+    // What the slab's intervals are parted by must not depend on how far others of the slab have come.
+    if constexpr (kRefined) alphaBefore_.assign(out_.alpha, out_.alpha + matter_.rays.steps.size());
+  }
+
   /// Draws all that was noted.
   void EndSlab() {
     if (looked_.size == 0) return;
-    Resample();
-    Classify();
-    Composite();
-    KeepWhatCounts();
+    if constexpr (kRefined)
+      Refine();
+    else
+      Draw(looked_);
     looked_.size = 0;
   }
 
@@ -86,12 +93,27 @@ class SparseTracer {
 
  private:
   static constexpr int kLooked = 4096 + kLanes, kWaiting = 512;
+  using Looked = Samples<kLooked>;
 
   HWY_INLINE void Look(const Packet& p, int first, int step, MF alive) {
     const MF last = IsLast(p, step);
-    const V3 place = grid_.Clamped(Position(p, step, last));
-    if (f_.skip) alive = InVisibleBlock(*f_.skip, alive, place);
     const int n = looked_.size;
+    V3 place = Position(p, step, last);
+    if constexpr (kRefined) {
+      const VF before = Set(float(step)),
+               middle = hn::IfThenElse(last, p.lastMiddle, Set(float(step) + 0.5f));
+      const VF length = hn::Add(hn::Sub(middle, before), hn::Sub(middle, before));
+      if (f_.parting.blocks) {
+        const auto seen = [&](VF at) {
+          return InVisibleBlock(*f_.parting.blocks, alive, grid_.Clamped(Add(p.start, Scale(p.move, at))));
+        };
+        alive = hn::Or(seen(before), seen(hn::Add(before, length)));
+      }
+      Append(length, alive, looked_.steps + n);
+    } else {
+      place = grid_.Clamped(place);
+      if (f_.skip) alive = InVisibleBlock(*f_.skip, alive, place);
+    }
     Append(place.x, alive, looked_.x + n);
     Append(place.y, alive, looked_.y + n);
     Append(place.z, alive, looked_.z + n);
@@ -100,15 +122,90 @@ class SparseTracer {
     looked_.size += int(hn::CountTrue(DF(), alive));
   }
 
-  /// Densities; keeps the samples that can be seen.
-  HWY_INLINE void Resample() {
+  HWY_INLINE void Draw(Looked& s) {
+    Resample(s);
+    Classify(s);
+    Composite(s);
+    KeepWhatCounts(s);
+    s.size = 0;
+  }
+
+  static HWY_INLINE V3 PlaceOf(const Looked& s, int n) {
     const DF df;
-    auto& s = looked_;
+    return {hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
+  }
+
+  /// Into how many parts each interval is cut; 0: nothing of it can be seen.
+  HWY_INLINE VI PartsOf(const Looked& s, int n) const {
+    const DF df;
+    const DI di;
+    const Parting& parting = f_.parting;
+    const Bounded b = Store::DensityWithBounds(grid_, grid_.CellAt(grid_.Clamped(PlaceOf(s, n))));
+    const VF wider = hn::Mul(hn::Sub(b.high, b.low), Set(parting.widen));
+    const VF low = hn::Sub(b.low, wider), high = hn::Add(b.high, wider);
+    const CurveTable& t = *f_.curve;
+    const VI first = SegmentOf(t, low), last = SegmentOf(t, high);
+    const auto variation = [&](VI segment, VF density) {
+      return OnSegment(t, t.variation, t.variationRise, segment, Along(t, segment, density));
+    };
+    const VF change = hn::Sub(variation(last, high), variation(first, low));
+    const VF through = hn::Sub(Set(1), hn::GatherIndex(df, alphaBefore_.data(), hn::Load(di, s.ray + n)));
+    const VF uneven = hn::Mul(hn::Mul(change, through), hn::Load(df, s.units + n));
+    VI parts = SetI(1);
+    for (int more = 1; more < parting.most; more *= 2) {
+      const VF enough = Set(parting.tolerance * float(more) * float(more));
+      parts = hn::IfThenElse(hn::RebindMask(di, hn::Gt(uneven, enough)), SetI(2 * more), parts);
+    }
+    const MF hidden = hn::And(hn::Eq(change, hn::Zero(df)), hn::Eq(OpacityOf(t, first, low), hn::Zero(df)));
+    return hn::IfThenZeroElse(hn::RebindMask(di, hidden), parts);
+  }
+
+  /// Cuts the intervals that were noted and draws the parts.
+  HWY_INLINE void Refine() {
+    looked_.Pad();
+    counts_.resampled += looked_.size;
+    HWY_ALIGN std::int32_t parts[kLanes];
+    for (int n = 0; n < looked_.size; n += kLanes) {
+      hn::Store(PartsOf(looked_, n), DI(), parts);
+      const int end = std::min(kLanes, looked_.size - n);
+      for (int m = 0; m < end; ++m) Cut(n + m, parts[m]);
+      if (parts_.size > kLooked - kLanes - (TraceFrame::mostParts + 1) * kLanes) Draw(parts_);
+    }
+    Draw(parts_);
+  }
+
+  /// Appends the parts of interval n, front to back.
+  HWY_INLINE void Cut(int n, int count) {
+    const DF df;
+    const DI di;
+    const RayRow& r = matter_.rays;
+    const int ray = looked_.ray[n];
+    const float share = 1 / float(count | !count), length = looked_.steps[n] * share;
+    const VF units = Set(looked_.units[n] * share);
+    for (int part = 0; part < count; part += kLanes) {
+      const VF along = hn::Mul(
+          hn::Add(hn::ConvertTo(df, hn::Iota(di, part)), Set(0.5f - 0.5f * float(count))), Set(length));
+      const V3 place = grid_.Clamped({hn::Add(Set(looked_.x[n]), hn::Mul(along, Set(r.moveX[ray]))),
+                                      hn::Add(Set(looked_.y[n]), hn::Mul(along, Set(r.moveY[ray]))),
+                                      hn::Add(Set(looked_.z[n]), hn::Mul(along, Set(r.moveZ[ray])))});
+      const int at = parts_.size + part;
+      hn::StoreU(place.x, df, parts_.x + at);
+      hn::StoreU(place.y, df, parts_.y + at);
+      hn::StoreU(place.z, df, parts_.z + at);
+      hn::StoreU(units, df, parts_.units + at);
+      hn::StoreU(SetI(ray), di, parts_.ray + at);
+    }
+    parts_.size += count;
+  }
+
+  /// Densities; keeps the samples that can be seen.
+  HWY_INLINE void Resample(Looked& s) {
+    const DF df;
     s.Pad();
     counts_.resampled += s.size;
     int kept = 0;
     for (int n = 0; n < s.size; n += kLanes) {
-      const V3 place{hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
+      const V3 place = PlaceOf(s, n);
       const VF units = hn::Load(df, s.units + n);
       const VI ray = hn::Load(DI(), s.ray + n);
       const VF density = Store::Density(grid_, grid_.CellAt(place));
@@ -125,9 +222,8 @@ class SparseTracer {
     s.Pad();
   }
 
-  HWY_INLINE void Classify() {
+  HWY_INLINE void Classify(Looked& s) {
     const DF df;
-    auto& s = looked_;
     for (int n = 0; n < s.size; n += kLanes) {
       const VF density = hn::Load(df, s.density + n);
       const VI segment = SegmentOf(*f_.curve, density);
@@ -139,8 +235,7 @@ class SparseTracer {
     }
   }
 
-  HWY_INLINE void Composite() {
-    auto& s = looked_;
+  HWY_INLINE void Composite(Looked& s) {
     const float opaque = 1 - f_.stopTransmittance;
     for (int n = 0; n < s.size; ++n) {
       float& alpha = out_.alpha[s.ray[n]];
@@ -151,10 +246,9 @@ class SparseTracer {
   }
 
   /// Moves the samples of any weight to those that wait for light.
-  HWY_INLINE void KeepWhatCounts() {
+  HWY_INLINE void KeepWhatCounts(const Looked& s) {
     const DF df;
     const DI di;
-    const auto& s = looked_;
     auto& w = waiting_;
     for (int n = 0; n < s.size; n += kLanes) {
       const VF weight = hn::Load(df, s.weight + n);
@@ -221,7 +315,8 @@ class SparseTracer {
   const TraceRow& out_;
   TraceCounts& counts_;
   std::vector<float> colour_;  ///< of each ray: red, green, blue, 0
-  Samples<kLooked> looked_;
+  Looked looked_, parts_;
+  std::vector<float> alphaBefore_;  ///< of each ray, where the slab begins
   Samples<kWaiting> waiting_;
 };
 

@@ -27,6 +27,7 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   constexpr int slab = 8;
   std::vector<std::uint64_t> looks(packets);
   for (int step = 0; step < longest; step += slab) {
+    tracer.BeginSlab();
     for (int n = 0; n < packets; ++n) {
       // The skipper looks at as many steps at a time as a vector has lanes: those of several slabs, or of a
       // part.
@@ -46,8 +47,10 @@ template <class Store, ShadeBy kShade, bool kGradientOpacity>
 TraceKernel ChooseDensity(TraceKey key) {
   // What only studies ask for is not worth a kernel of its own.
   constexpr bool rare = kShade == ShadeBy::table || kShade == ShadeBy::mapNearest;
-  if constexpr (!std::is_void_v<Store> && !rare)
-    if (!key.dense) return TraceRays<SparseTracer<Store, kShade, kGradientOpacity>>;
+  if constexpr (!std::is_void_v<Store> && !rare) {
+    if (key.refined) return TraceRays<SparseTracer<Store, kShade, kGradientOpacity, true>>;
+    if (!key.dense) return TraceRays<SparseTracer<Store, kShade, kGradientOpacity, false>>;
+  }
   return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
 }
 

@@ -26,12 +26,27 @@ struct TraceKey {
   Store store = Store::int16;
   ShadeBy shade = ShadeBy::nothing;
   bool gradientOpacity = false;
+  bool refined =
+      false;          ///< intervals are parted where the curve is uneven (TraceFrame::parting); never dense
   bool dense = true;  ///< made for frames in which most samples are visible; the same bytes either way
+};
+
+/// Where the curve is uneven between the densities that an interval may meet, the interval is drawn as
+/// several: the smallest power of two n with unevenness / n^2 <= tolerance, where the unevenness is the
+/// change of opacity (CurveTable::variation) times the interval's length in unit distances times the light
+/// that comes through.
+struct Parting {
+  float tolerance = 1;
+  int most = 1;     ///< a power of two, at most TraceFrame::mostParts
+  float widen = 1;  ///< how far, in shares of its range, a cell's neighbours may differ from it
+  const SkipMap* blocks =
+      nullptr;  ///< intervals with both ends in invisible blocks are passed over; null: none
 };
 
 /// What all rays of a frame share. Pointers live as long as the frame.
 struct TraceFrame {
-  glm::ivec3 size{1};  ///< voxels
+  static constexpr int mostParts = 64;  ///< into which an interval can be cut
+  glm::ivec3 size{1};                   ///< voxels
   const std::int16_t* density16 = nullptr;
   std::uint32_t flip16 = 0;  ///< xor for a pair of 16-bit values: 0x80008000 where they are unsigned
   const float* density32 = nullptr;
@@ -49,6 +64,7 @@ struct TraceFrame {
   const ShadeTable* table = nullptr;
   const TransferFunction* transfer = nullptr;  ///< for its gradientOpacity
   float stopTransmittance = 0;
+  Parting parting;
 };
 
 /// A plane of rays resampled by another resampler: density[step * stride + ray]; gradients four floats a

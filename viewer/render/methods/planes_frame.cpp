@@ -28,7 +28,7 @@ ShadeBy shadeOf(const Plan& plan) {
 // faces are a little farther apart than their pixels.
 int reachBlocks(const Plan& plan, const VoxelGeometry& geometry) {
   const RaySetup setup(plan.scene, geometry, plan.options.size, plan.stepVoxels, plan.clip);
-  const double across = 2 * setup.tileSpread() + 0.5 * plan.stepVoxels + 0.1;
+  const double across = 2 * setup.tileSpread() + plan.stepVoxels + 0.1;
   return int(std::clamp(std::ceil(across / SkipMap::edge), 1.0, 8.0));
 }
 
@@ -43,6 +43,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   stats.gradientsMs += msSince(begin);
   key_.shade = shadeOf(plan);
   key_.gradientOpacity = plan.gradientOpacity;
+  key_.refined = plan.mostParts > 1;
   key_.dense = plan.dense;
   if (plan.resampler != Resampler::cpu) key_.store = Store::plane;
   curve_ = makeCurveTable(transfer_, scale_);
@@ -52,7 +53,13 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   frame_.lighting = &lighting_;
   makeShades(plan, cache.factsOfVolume().range);
   frame_.stopTransmittance = float(plan.stopTransmittance);
-  if (plan.skipBlocks) frame_.skip = &cache.skipMap(transfer_, reachBlocks(plan, cache.volume->geometry()));
+  if (plan.skipBlocks || key_.refined) {
+    const SkipMap& blocks = cache.skipMap(transfer_, reachBlocks(plan, cache.volume->geometry()));
+    if (plan.skipBlocks) frame_.skip = &blocks;
+    // Which intervals are parted is a choice, not a sound rule: it looks at blocks even where none is
+    // skipped.
+    frame_.parting = {float(plan.partTolerance), plan.mostParts, float(plan.partWiden), &blocks};
+  }
   stats.tableBytes = curve_.bytes() + map_.nodes.size() * sizeof(float) + table_.bytes();
   stats.blockBytes =
       cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float) + (frame_.skip ? frame_.skip->bytes() : 0);
