@@ -114,10 +114,10 @@ struct Cut {
 };
 Cut cutOf(Quality quality, bool sharp) {
   if (quality == Quality::standard) return sharp ? Cut{1.0 / 2, 2e-3} : Cut{1, 0.02};
-  if (quality == Quality::high) return sharp ? Cut{1.0 / 4, 3e-4} : Cut{1.0 / 2, 3e-3};
+  if (quality == Quality::high) return sharp ? Cut{1.0 / 4, 3e-4} : Cut{1.0 / 2, 4e-3};
   // Around a step on a constant value no neighbour warns of what comes: exact pictures then take every small
   // step.
-  return sharp ? Cut{1.0 / 64, 3e-5} : Cut{1.0 / 4, 2e-4};
+  return sharp ? Cut{1.0 / 64, 3e-5} : Cut{1.0 / 4, 1e-3};
 }
 
 // Only the CPU's planes know the values around an interval before they draw it.
