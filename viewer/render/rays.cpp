@@ -65,12 +65,10 @@ void RaySetup::setRay(RayRow& row, int n, glm::dvec3 o, glm::dvec3 d, glm::dvec3
   const double steps = length > 0 ? std::max(1.0, std::ceil(length / stepMm - 1e-6)) : 0;
   const double last = length - (steps - 1) * stepMm;
   const glm::dvec3 start = steps > 0 ? o + d * in.t0 : glm::dvec3(0), move = d * stepMm;
-  const auto inverse = [](double x) { return float(std::clamp(1 / x, -1e30, 1e30)); };
   row.steps[n] = int(steps);
   row.lastMiddle[n] = float(steps - 1 + 0.5 * last / stepMm);
   row.startX[n] = float(start.x), row.startY[n] = float(start.y), row.startZ[n] = float(start.z);
   row.moveX[n] = float(move.x), row.moveY[n] = float(move.y), row.moveZ[n] = float(move.z);
-  row.inverseX[n] = inverse(move.x), row.inverseY[n] = inverse(move.y), row.inverseZ[n] = inverse(move.z);
   row.stepMm[n] = float(stepMm);
   row.lastStepMm[n] = float(std::max(last, 0.0));
   const glm::dvec3 viewer = localViewer_ ? -direction : -axes_.direction;
@@ -80,9 +78,9 @@ void RaySetup::setRay(RayRow& row, int n, glm::dvec3 o, glm::dvec3 d, glm::dvec3
 void RaySetup::resize(RayRow& row, int count) {
   const std::size_t padded = (std::size_t(count) + padding - 1) / padding * padding;
   row.count = count;
-  for (auto* values : {&row.startX, &row.startY, &row.startZ, &row.moveX, &row.moveY, &row.moveZ,
-                       &row.inverseX, &row.inverseY, &row.inverseZ, &row.viewerX, &row.viewerY, &row.viewerZ,
-                       &row.lastMiddle, &row.stepMm, &row.lastStepMm})
+  for (auto* values :
+       {&row.startX, &row.startY, &row.startZ, &row.moveX, &row.moveY, &row.moveZ, &row.viewerX, &row.viewerY,
+        &row.viewerZ, &row.lastMiddle, &row.stepMm, &row.lastStepMm})
     values->assign(padded, 0.0f);
   row.steps.assign(padded, 0);
   row.pixel.assign(padded, -1);

@@ -15,8 +15,7 @@ struct RayRow {
   int count = 0;           ///< rays, without the padding at the end
   std::vector<int> pixel;  ///< each ray's place in the picture, y * width + x; -1: padding
   std::vector<float> startX, startY, startZ;
-  std::vector<float> moveX, moveY, moveZ;           ///< one step, voxels
-  std::vector<float> inverseX, inverseY, inverseZ;  ///< 1 / move, large and finite where move is 0
+  std::vector<float> moveX, moveY, moveZ;  ///< one step, voxels
   std::vector<float> viewerX, viewerY,
       viewerZ;  ///< unit vector towards the viewer, patient space (SCENE 5: e)
   std::vector<int> steps;

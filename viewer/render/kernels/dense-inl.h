@@ -32,7 +32,13 @@ class DenseTracer {
   /// Adds to `out`, which must be 0.
   DenseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
               TraceCounts& counts)
-      : f_(f), grid_(f), matter_{f, rays}, plane_(plane), out_(out), counts_(counts) {}
+      : f_(f),
+        grid_(f),
+        rays_(rays),
+        matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
+        plane_(plane),
+        out_(out),
+        counts_(counts) {}
 
   /// Takes the packet at ray `first` through the steps [step, end) that `bits` names, step + n by bit n.
   HWY_INLINE void Advance(int first, int step, std::uint64_t bits) {
@@ -41,10 +47,10 @@ class DenseTracer {
     const auto load = [&](const float* values) { return hn::LoadU(df, values + first); };
     const VF opaque = Set(1 - f_.stopTransmittance);
     Sum sum{Zero3(), load(out_.alpha)};
-    if (!AnyLeft(matter_.rays, first, step, hn::Le(sum.alpha, opaque))) return;
+    if (!AnyLeft(rays_, first, step, hn::Le(sum.alpha, opaque))) return;
     matter_.first = first;
     sum.colour = {load(out_.red), load(out_.green), load(out_.blue)};
-    const Packet p = LoadPacket(f_, matter_.rays, first);
+    const Packet p = LoadPacket(f_, rays_, first);
     for (; bits; bits &= bits - 1) {
       const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
       const MF alive = hn::And(HasStep(p, at), hn::Le(sum.alpha, opaque));
@@ -100,6 +106,7 @@ class DenseTracer {
 
   const TraceFrame& f_;
   const Grid grid_;
+  const RayRow& rays_;
   Material matter_;
   const PlaneBuffer& plane_;
   const TraceRow& out_;

@@ -25,8 +25,9 @@ template <ShadeBy kShade, bool kGradientOpacity>
 struct Matter {
   static constexpr bool kGradients = kShade != ShadeBy::nothing || kGradientOpacity;
   const TraceFrame& f;
-  const RayRow& rays;
-  int first = 0;
+  /// Of each ray, towards the viewer, patient space; looked at with a local viewer only.
+  const float *viewerX, *viewerY, *viewerZ;
+  int first = 0;  ///< the ray that the others are counted from
 
   /// Samples whose density can have opacity.
   HWY_INLINE MF CanBeSeen(VF density) const {
@@ -66,11 +67,8 @@ struct Matter {
     } else if constexpr (kShade == ShadeBy::phong) {
       return ShadePhong<false>(*f.lighting, n, Broadcast(f.lighting->viewer));
     } else {
-      const auto ofRay = [&](const std::vector<float>& v) {
-        return hn::GatherIndex(DF(), v.data() + first, ray);
-      };
-      return ShadePhong<true>(*f.lighting, n,
-                              {ofRay(rays.viewerX), ofRay(rays.viewerY), ofRay(rays.viewerZ)});
+      const auto ofRay = [&](const float* v) { return hn::GatherIndex(DF(), v + first, ray); };
+      return ShadePhong<true>(*f.lighting, n, {ofRay(viewerX), ofRay(viewerY), ofRay(viewerZ)});
     }
   }
 };

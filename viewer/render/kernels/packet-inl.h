@@ -16,7 +16,7 @@ namespace volumen::HWY_NAMESPACE {
 
 /// The rays of one vector: where they start and how they move.
 struct Packet {
-  V3 start, move, inverse;
+  V3 start, move;
   VI steps;
   VF lastMiddle, units, lastUnits;  ///< units: length of a step in unit distances
   int longest = 0;                  ///< steps of the longest ray
@@ -28,7 +28,6 @@ HWY_INLINE Packet LoadPacket(const TraceFrame& f, const RayRow& r, int first) {
   Packet p;
   p.start = {load(r.startX), load(r.startY), load(r.startZ)};
   p.move = {load(r.moveX), load(r.moveY), load(r.moveZ)};
-  p.inverse = {load(r.inverseX), load(r.inverseY), load(r.inverseZ)};
   p.steps = hn::LoadU(DI(), r.steps.data() + first);
   p.lastMiddle = load(r.lastMiddle);
   p.units = hn::Mul(load(r.stepMm), Set(f.inverseUnitMm));

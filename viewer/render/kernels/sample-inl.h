@@ -8,74 +8,10 @@
 
 #include <hwy/cache_control.h>
 
-#include "viewer/render/kernels/math-inl.h"
-#include "viewer/render/kernels/trace.h"
+#include "viewer/render/kernels/grid-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
-
-/// The cell around a position that is clamped to the grid (SCENE 2): index of its first voxel and the place
-/// inside it, 0..1.
-struct Cell {
-  VI index;
-  VF fx, fy, fz;
-};
-
-/// What every lookup of a frame needs, broadcast once a row.
-class Grid {
- public:
-  explicit Grid(const TraceFrame& f)
-      : frame_(f),
-        last_{Set(float(f.size.x - 1)), Set(float(f.size.y - 1)), Set(float(f.size.z - 1))},
-        lastCellX_(SetI(f.size.x > 1 ? f.size.x - 2 : 0)),
-        lastCellY_(SetI(f.size.y > 1 ? f.size.y - 2 : 0)),
-        lastCellZ_(SetI(f.size.z > 1 ? f.size.z - 2 : 0)),
-        rowStride_(f.size.x),
-        sliceStride_(f.size.x * f.size.y),
-        // Along an axis of one voxel the neighbour is the voxel itself.
-        nextRow_(f.size.y > 1 ? rowStride_ : 0),
-        nextSlice_(f.size.z > 1 ? sliceStride_ : 0),
-        nextColumn_(f.size.x > 1 ? 1 : 0) {}
-
-  HWY_INLINE V3 Clamped(const V3& p) const {
-    const VF zero = hn::Zero(DF());
-    return {hn::Min(hn::Max(p.x, zero), last_.x), hn::Min(hn::Max(p.y, zero), last_.y),
-            hn::Min(hn::Max(p.z, zero), last_.z)};
-  }
-
-  HWY_INLINE Cell CellAt(const V3& clamped) const {
-    const DF df;
-    const DI di;
-    const VI x = hn::Min(hn::ConvertTo(di, clamped.x), lastCellX_);
-    const VI y = hn::Min(hn::ConvertTo(di, clamped.y), lastCellY_);
-    const VI z = hn::Min(hn::ConvertTo(di, clamped.z), lastCellZ_);
-    const VI index = hn::Add(hn::Add(x, hn::Mul(y, SetI(rowStride_))), hn::Mul(z, SetI(sliceStride_)));
-    return {index, hn::Sub(clamped.x, hn::ConvertTo(df, x)), hn::Sub(clamped.y, hn::ConvertTo(df, y)),
-            hn::Sub(clamped.z, hn::ConvertTo(df, z))};
-  }
-
-  /// Index of the cell's corner row: 0, next row, next slice, both.
-  HWY_INLINE VI Corner(const Cell& c, int dy, int dz) const {
-    return hn::Add(c.index, SetI((dy ? nextRow_ : 0) + (dz ? nextSlice_ : 0)));
-  }
-  /// The stored voxels, moved to the cell's corner row r: 0, next row, next slice, both.
-  HWY_INLINE const std::int16_t* RowOfVoxels(int r) const {
-    return frame_.voxels16 + std::ptrdiff_t(4) * ((r & 1 ? nextRow_ : 0) + (r >> 1 ? nextSlice_ : 0));
-  }
-  int nextColumn() const { return nextColumn_; }
-  const TraceFrame& frame() const { return frame_; }
-
- private:
-  const TraceFrame& frame_;
-  V3 last_;
-  VI lastCellX_, lastCellY_, lastCellZ_;
-  int rowStride_, sliceStride_, nextRow_, nextSlice_, nextColumn_;
-};
-
-/// Interpolates between four rows, each already interpolated along x: (y0 z0), (y1 z0), (y0 z1), (y1 z1).
-HWY_INLINE VF AcrossRows(VF a, VF b, VF c, VF d, const Cell& cell) {
-  return Lerp(Lerp(a, b, cell.fy), Lerp(c, d, cell.fy), cell.fz);
-}
 
 /// Density and gradient at one place, in stored units.
 struct Sample {
@@ -124,7 +60,7 @@ struct Int16Store {
     const auto* base = reinterpret_cast<const std::int32_t*>(grid.frame().density16);
     VI sum = hn::Zero(di);
     for (int r = 0; r < 4; ++r) {
-      const VI at = hn::ShiftLeft<1>(grid.Corner(c, r & 1, r >> 1));
+      const VI at = hn::ShiftLeft<1>(grid.Row(c, r));
       sum = AddPairs(sum, hn::Xor(hn::GatherOffset(di, base, at), flip), w.row[r]);
     }
     return hn::Mul(hn::ConvertTo(DF(), sum), Set(kWeightUnit));
@@ -138,7 +74,7 @@ struct Int16Store {
     const auto* base = reinterpret_cast<const std::int32_t*>(grid.frame().density16);
     VI sum = hn::Zero(di), low = SetI(32767), high = SetI(-32768);
     for (int r = 0; r < 4; ++r) {
-      const VI at = hn::ShiftLeft<1>(grid.Corner(c, r & 1, r >> 1));
+      const VI at = hn::ShiftLeft<1>(grid.Row(c, r));
       const VI both = hn::Xor(hn::GatherOffset(di, base, at), flip);
       sum = AddPairs(sum, both, w.row[r]);
       const VI first = hn::ShiftRight<16>(hn::ShiftLeft<16>(both)), second = hn::ShiftRight<16>(both);
@@ -161,8 +97,7 @@ struct Int16Store {
     const auto component = [&](int n) {
       int sum = 0;
       for (int r = 0; r < 4; ++r) {
-        const std::int16_t* v =
-            grid.frame().voxels16 + std::size_t(4) * std::size_t(grid.Corner(c, r & 1, r >> 1).raw) + n;
+        const std::int16_t* v = grid.frame().voxels16 + std::size_t(4) * std::size_t(grid.Row(c, r).raw) + n;
         const int weights = w.row[r].raw;
         sum += v[0] * int(std::int16_t(weights & 0xffff)) + v[4] * int(std::int16_t(weights >> 16));
       }
@@ -218,7 +153,7 @@ struct Int16Store {
     const auto order = hn::LoadDup128(d8, pairs);
     VI sum = hn::Zero(di);
     for (int r = 0; r < 4; ++r) {
-      const VI rows = Rows(di, grid.RowOfVoxels(r), index + k);
+      const VI rows = Rows(di, grid.frame().voxels16 + std::ptrdiff_t(4) * grid.Offset(r), index + k);
       const VI both = hn::BitCast(di, hn::TableLookupBytes(hn::BitCast(d8, rows), order));
       sum = AddPairs(sum, both, hn::Broadcast<k>(w.row[r]));
     }
@@ -247,7 +182,8 @@ struct Int16Store {
     HWY_ALIGN std::int32_t index[hn::MaxLanes(DI())];
     hn::Store(c.index, DI(), index);
     for (int n = 0; n < count; ++n)
-      for (int r = 0; r < 4; ++r) hwy::Prefetch(grid.RowOfVoxels(r) + std::int64_t(4) * index[n]);
+      for (int r = 0; r < 4; ++r)
+        hwy::Prefetch(grid.frame().voxels16 + std::int64_t(4) * (index[n] + grid.Offset(r)));
   }
 };
 
@@ -259,8 +195,8 @@ struct Float32Store {
   }
 
   static HWY_INLINE VF Density(const Grid& grid, const Cell& c) {
-    return AcrossRows(Row(grid, grid.Corner(c, 0, 0), c.fx), Row(grid, grid.Corner(c, 1, 0), c.fx),
-                      Row(grid, grid.Corner(c, 0, 1), c.fx), Row(grid, grid.Corner(c, 1, 1), c.fx), c);
+    const auto row = [&](int r) { return Row(grid, grid.Row(c, r), c.fx); };
+    return AcrossRows(row(0), row(1), row(2), row(3), c);
   }
 
   static HWY_INLINE Bounded DensityWithBounds(const Grid& grid, const Cell& c) {
@@ -269,7 +205,7 @@ struct Float32Store {
     VF low = Set(3e38f), high = Set(-3e38f);
     for (int r = 0; r < 4; ++r)
       for (int next : {0, grid.nextColumn()}) {
-        const VF v = hn::GatherIndex(df, base + next, grid.Corner(c, r & 1, r >> 1));
+        const VF v = hn::GatherIndex(df, base + next, grid.Row(c, r));
         low = hn::Min(low, v);
         high = hn::Max(high, v);
       }
@@ -282,22 +218,7 @@ struct Float32Store {
   static HWY_INLINE void Prefetch(const Grid&, const Cell&, int) {}
 
   static HWY_INLINE V3 Gradient(const Grid& grid, const Cell& c) {
-    const auto voxel = [&](VI index) {
-      const DF df;
-      const float* base = grid.frame().gradients32;
-      const VI at = hn::ShiftLeft<2>(index);
-      return V3{hn::GatherIndex(df, base, at), hn::GatherIndex(df, base + 1, at),
-                hn::GatherIndex(df, base + 2, at)};
-    };
-    const VI next = SetI(grid.nextColumn());
-    const auto row = [&](int dy, int dz) {
-      const VI index = grid.Corner(c, dy, dz);
-      const V3 a = voxel(index), b = voxel(hn::Add(index, next));
-      return V3{Lerp(a.x, b.x, c.fx), Lerp(a.y, b.y, c.fx), Lerp(a.z, b.z, c.fx)};
-    };
-    const V3 a = row(0, 0), b = row(1, 0), d = row(0, 1), e = row(1, 1);
-    return {AcrossRows(a.x, b.x, d.x, e.x, c), AcrossRows(a.y, b.y, d.y, e.y, c),
-            AcrossRows(a.z, b.z, d.z, e.z, c)};
+    return InterpolateFour(grid, c, grid.frame().gradients32).xyz;
   }
 };
 

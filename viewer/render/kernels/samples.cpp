@@ -4,104 +4,52 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "viewer/render/kernels/fetch-inl.h"
+#include "viewer/render/kernels/matter-inl.h"
 #include "viewer/render/kernels/samples.h"
-#include "viewer/render/kernels/shade-inl.h"
-#include "viewer/render/kernels/table-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-HWY_INLINE VF CurveOpacity(const CurveTable& curve, VF density) {
-  return OpacityOf(curve, SegmentOf(curve, density), density);
-}
-
-template <bool k16>
-HWY_INLINE VF DensityOf(const TraceFrame& f, const Strides& s, const CellVector& c) {
-  const DF df;
-  const DI di;
-  if constexpr (k16) {
-    // One 32-bit gather brings a voxel and its neighbour along i.
-    const auto* base = reinterpret_cast<const std::int32_t*>(f.density16);
-    return Interpolate(s, c, [&](VI index, VF fx) {
-      const VI both = hn::Xor(hn::GatherOffset(di, base, hn::ShiftLeft<1>(index)), SetI(int(f.flip16)));
-      const VF a = hn::ConvertTo(df, hn::ShiftRight<16>(hn::ShiftLeft<16>(both)));
-      return Lerp(a, hn::ConvertTo(df, hn::ShiftRight<16>(both)), fx);
-    });
-  } else {
-    return Interpolate(s, c, [&](VI index, VF fx) {
-      return Lerp(hn::GatherIndex(df, f.density32, index), hn::GatherIndex(df, f.density32 + s.next, index),
-                  fx);
-    });
-  }
-}
-
-template <bool k16>
+template <class Store>
 void ResampleRow(const TraceFrame& f, const RayRow& rays, int n, float* density, float* gradients) {
   const DF df;
-  const Strides strides(f.size);
+  const Grid grid(f);
   const VF none = hn::Zero(df);
   for (int first = 0; first < rays.count; first += int(hn::Lanes(df))) {
-    const VI steps = hn::LoadU(DI(), rays.steps.data() + first);
-    if (hn::AllFalse(DI(), hn::Gt(steps, SetI(n)))) continue;
-    const CellVector cells = strides.CellsAt(SamplePosition(rays, first, n));
-    const VF d = DensityOf<k16>(f, strides, cells);
+    const Packet p = LoadPacket(f, rays, first);
+    if (n >= p.longest) continue;
+    const Cell cell = grid.CellAt(grid.Clamped(Position(p, n, IsLast(p, n))));
+    const VF d = Store::Density(grid, cell);
     hn::StoreU(d, df, density + first);
-    if (!gradients || hn::AllTrue(df, hn::Eq(CurveOpacity(*f.curve, d), none))) continue;
-    if constexpr (k16)
-      InterpolateFour(strides, cells, f.voxels16, gradients + 4 * first);
-    else
-      InterpolateFour(strides, cells, f.gradients32, gradients + 4 * first);
+    if (!gradients || hn::AllTrue(df, hn::Eq(OpacityOf(*f.curve, SegmentOf(*f.curve, d), d), none))) continue;
+    const V3 g = Store::Gradient(grid, cell);
+    hn::StoreInterleaved4(g.x, g.y, g.z, none, df, gradients + 4 * first);
   }
-}
-
-template <ShadeBy kShade>
-HWY_INLINE V3 LitColour(const TraceFrame& f, const SampleRow& s, int first, VI segment, VF density,
-                        const V3& gradient) {
-  if constexpr (kShade == ShadeBy::table) return ShadeByTable(*f.table, gradient, density);
-  const V3 colour = ColourOf(*f.curve, segment, density);
-  if constexpr (kShade == ShadeBy::nothing) return colour;
-  const Normal normal = NormalOf(f, gradient);
-  DS shade;
-  if constexpr (kShade == ShadeBy::map) {
-    shade = ShadeMap(*f.map, normal.n);
-  } else if constexpr (kShade == ShadeBy::mapNearest) {
-    shade = ShadeMapNearest(*f.map, normal.n);
-  } else if constexpr (kShade == ShadeBy::phong) {
-    shade = ShadePhong<false>(*f.lighting, normal.n, Broadcast(f.lighting->viewer));
-  } else {
-    const DF df;
-    shade = ShadePhong<true>(*f.lighting, normal.n,
-                             {hn::LoadU(df, s.viewerX + first), hn::LoadU(df, s.viewerY + first),
-                              hn::LoadU(df, s.viewerZ + first)});
-  }
-  const DS lit = WithFloor(f, shade, normal.length);
-  return Add({hn::Mul(colour.x, lit.d.x), hn::Mul(colour.y, lit.d.y), hn::Mul(colour.z, lit.d.z)}, lit.s);
 }
 
 template <ShadeBy kShade, bool kGradientOpacity>
 std::int64_t ShadeSamples(const TraceFrame& f, const SampleRow& s, const TraceRow& out) {
   const DF df;
   const VF zero = hn::Zero(df);
+  Matter<kShade, kGradientOpacity> matter{f, s.viewerX, s.viewerY, s.viewerZ};
   std::int64_t visible = 0;
   for (int first = 0; first < s.count; first += int(hn::Lanes(df))) {
     const VF density = hn::LoadU(df, s.density + first), units = hn::LoadU(df, s.units + first);
     const VI segment = SegmentOf(*f.curve, density);
-    VF opacity = hn::IfThenElseZero(hn::Gt(units, zero), OpacityOf(*f.curve, segment, density));
-    if (hn::AllTrue(df, hn::Eq(opacity, zero))) {
-      hn::StoreU(zero, df, out.alpha + first);
-      for (float* c : {out.red, out.green, out.blue}) hn::StoreU(zero, df, c + first);
+    const MF taken = hn::And(hn::Gt(units, zero), matter.CanBeSeen(density));
+    if (hn::AllFalse(df, taken)) {
+      for (float* c : {out.red, out.green, out.blue, out.alpha}) hn::StoreU(zero, df, c + first);
       continue;
     }
-    V3 gradient{zero, zero, zero};
+    V3 gradient = Zero3();
     VF unused;
-    if constexpr (kShade != ShadeBy::nothing || kGradientOpacity)
+    if constexpr (matter.kGradients)
       hn::LoadInterleaved4(df, s.gradients + 4 * first, gradient.x, gradient.y, gradient.z, unused);
-    if constexpr (kGradientOpacity)
-      opacity = hn::Mul(opacity, GradientFactor(*f.transfer, NormalOf(f, gradient).length));
-    const VF alpha = hn::IfThenElseZero(hn::Gt(opacity, zero), IntervalOpacity(opacity, units));
+    const VF opacity = hn::IfThenElseZero(taken, matter.OpacityAt(segment, density, gradient));
+    const VF alpha = IntervalOpacity(opacity, units);
     visible += std::int64_t(hn::CountTrue(df, hn::Gt(alpha, zero)));
-    const V3 colour = Scale(LitColour<kShade>(f, s, first, segment, density, gradient), alpha);
+    matter.first = first;
+    const V3 colour = Scale(matter.ColourAt(segment, density, gradient, hn::Iota(DI(), 0)), alpha);
     hn::StoreU(alpha, df, out.alpha + first);
     hn::StoreU(colour.x, df, out.red + first);
     hn::StoreU(colour.y, df, out.green + first);
@@ -134,7 +82,7 @@ void BlendRow(const TraceRow& slice, const TraceRow& frame, int count, float lev
 BlendKernel ChooseBlend(bool rounded) { return rounded ? BlendRow<true> : BlendRow<false>; }
 
 ResampleKernel ChooseResample(Store store) {
-  return store == Store::int16 ? ResampleRow<true> : ResampleRow<false>;
+  return store == Store::int16 ? ResampleRow<Int16Store> : ResampleRow<Float32Store>;
 }
 
 template <ShadeBy kShade>

@@ -51,15 +51,21 @@ class SparseTracer {
   /// Adds to `out`, which must be 0.
   SparseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
                TraceCounts& counts)
-      : f_(f), grid_(f), matter_{f, rays}, out_(out), counts_(counts), colour_(4 * rays.steps.size() + 4) {}
+      : f_(f),
+        grid_(f),
+        rays_(rays),
+        matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
+        out_(out),
+        counts_(counts),
+        colour_(4 * rays.steps.size() + 4) {}
 
   /// Takes the packet at ray `first` through the steps [step, end) that `bits` names, step + n by bit n.
   HWY_INLINE void Advance(int first, int step, std::uint64_t bits) {
     if (!bits) return;
     const VF open = hn::LoadU(DF(), out_.alpha + first);
     const MF alive = hn::Le(open, Set(1 - f_.stopTransmittance));
-    if (!AnyLeft(matter_.rays, first, step, alive)) return;
-    const Packet p = LoadPacket(f_, matter_.rays, first);
+    if (!AnyLeft(rays_, first, step, alive)) return;
+    const Packet p = LoadPacket(f_, rays_, first);
     for (; bits; bits &= bits - 1) {
       const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
       Look(p, first, at, hn::And(alive, HasStep(p, at)));
@@ -69,7 +75,7 @@ class SparseTracer {
 
   void BeginSlab() {
     // What the slab's intervals are parted by must not depend on how far others of the slab have come.
-    if constexpr (kRefined) alphaBefore_.assign(out_.alpha, out_.alpha + matter_.rays.steps.size());
+    if constexpr (kRefined) alphaBefore_.assign(out_.alpha, out_.alpha + rays_.steps.size());
   }
 
   /// Draws all that was noted.
@@ -178,7 +184,7 @@ class SparseTracer {
   HWY_INLINE void Cut(int n, int count) {
     const DF df;
     const DI di;
-    const RayRow& r = matter_.rays;
+    const RayRow& r = rays_;
     const int ray = looked_.ray[n];
     const float share = 1 / float(count | !count), length = looked_.steps[n] * share;
     const VF units = Set(looked_.units[n] * share);
@@ -311,6 +317,7 @@ class SparseTracer {
 
   const TraceFrame& f_;
   const Grid grid_;
+  const RayRow& rays_;
   Material matter_;
   const TraceRow& out_;
   TraceCounts& counts_;

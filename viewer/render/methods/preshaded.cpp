@@ -106,7 +106,6 @@ Result<Rendered> renderPreshaded(const Plan& plan, RenderCaches& caches, const C
   if (cancel.cancelled()) return Error{"cancelled"};
   const double shadedAt = nowMs();
   const RaySetup setup(plan.scene, geometry, plan.options.size, plan.stepVoxels, plan.clip);
-  const PreshadedVoxels voxels{geometry.size, shaded.data()};
   const PreshadedKernel trace = choosePreshadedKernel();
   TraceTotals totals;
   preparePicture(plan, done.picture);
@@ -118,7 +117,7 @@ Result<Rendered> renderPreshaded(const Plan& plan, RenderCaches& caches, const C
       setup.makeRays(0, y, plan.options.size.x, rays);
       values.assign(4 * rays.steps.size(), 0.0f);
       const TraceRow out = FrameRow::rowOf(values);
-      trace(voxels, frame.trace(), rays, out, counts);
+      trace(shaded.data(), frame.trace(), rays, out, counts);
       writePixels(plan.scene.background, rays, out, done.picture);
     }
     totals.add(counts);
