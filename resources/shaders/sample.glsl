@@ -16,36 +16,23 @@ void moveTo(vec3 p) {
   place = pVoxel - vec3(cell);
 }
 
-float densityRow(int j, int k) {
-  float a = texelFetch(density, ivec3(cell.x, j, k), 0).r, b = texelFetch(density, ivec3(next.x, j, k), 0).r;
-  EXACT float x = a + place.x * (b - a);
-  return x;
-}
-
-float densityHere() {
-  float a = densityRow(cell.y, cell.z), b = densityRow(next.y, cell.z);
-  float c = densityRow(cell.y, next.z), d = densityRow(next.y, next.z);
-  EXACT float near = a + place.y * (b - a);
-  EXACT float far = c + place.y * (d - c);
-  EXACT float x = near + place.z * (far - near);
-  return x;
-}
-
-vec4 fourRow(int j, int k) {
-  vec4 a = texelFetch(gradient, ivec3(cell.x, j, k), 0), b = texelFetch(gradient, ivec3(next.x, j, k), 0);
+vec4 rowOf(sampler3D texels, int j, int k) {
+  vec4 a = texelFetch(texels, ivec3(cell.x, j, k), 0), b = texelFetch(texels, ivec3(next.x, j, k), 0);
   EXACT vec4 x = a + place.x * (b - a);
   return x;
 }
 
-vec4 fourHere() {
-  vec4 a = fourRow(cell.y, cell.z), b = fourRow(next.y, cell.z);
-  vec4 c = fourRow(cell.y, next.z), d = fourRow(next.y, next.z);
+vec4 valueHere(sampler3D texels) {
+  vec4 a = rowOf(texels, cell.y, cell.z), b = rowOf(texels, next.y, cell.z);
+  vec4 c = rowOf(texels, cell.y, next.z), d = rowOf(texels, next.y, next.z);
   EXACT vec4 near = a + place.y * (b - a);
   EXACT vec4 far = c + place.y * (d - c);
   EXACT vec4 x = near + place.z * (far - near);
   return x;
 }
 
+float densityHere() { return valueHere(density).r; }
+vec4 fourHere() { return valueHere(gradient); }
 vec3 gradientHere() { return fourHere().xyz; }
 #else
 uniform float smallest;  // density

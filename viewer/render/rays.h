@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "viewer/plan/plan.h"
 #include "viewer/scene/scene.h"
 #include "viewer/volume/volume.h"
 
@@ -31,6 +32,9 @@ class RaySetup {
 
   /// `scene` must be complete. `clip` false: the clip box and planes are not looked at.
   RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, double stepVoxels, bool clip);
+  /// The rays of a plan's picture.
+  RaySetup(const Plan& plan, const VoxelGeometry& geometry)
+      : RaySetup(plan.scene, geometry, plan.options.size, plan.stepVoxels, plan.clip) {}
 
   static constexpr int tile = 4;    ///< rows and columns of a tile; a tile's rays fill the widest vector
   static constexpr int block = 32;  ///< rows and columns of a block of tiles

@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-enum Unit { densityUnit, gradientUnit, rayUnit, curveUnit, bucketUnit, factorUnit, lightUnit, shadeUnit };
+enum Unit { rayUnit = VolumeTextures::freeUnit, curveUnit, bucketUnit, factorUnit, lightUnit, shadeUnit };
 
 const char* shadeDefine(const Plan& plan) {
   if (!plan.lit || plan.method == Method::preshaded) return "";
@@ -21,21 +21,12 @@ const char* shadeDefine(const Plan& plan) {
 }
 
 std::string definesOf(const Plan& plan) {
-  const bool composite = plan.scene.mode == Mode::composite, preshaded = plan.method == Method::preshaded;
   static constexpr const char* modes[] = {"#define COMPOSITE\n", "#define MIP\n", "#define MINIP\n",
                                           "#define AVERAGE\n"};
-  std::string text = modes[int(plan.scene.mode)];
-  if (preshaded || plan.bits == 32) text += "#define SHADER_FILTER\n";
-  if (preshaded) return text + "#define PRESHADED\n";
-  if (composite && plan.gradients) text += "#define GRADIENTS\n";
-  if (composite && plan.gradientOpacity) text += "#define GRADIENT_OPACITY\n";
+  std::string text = modes[int(plan.scene.mode)] + VolumeTextures::defines(plan);
+  if (plan.method == Method::preshaded) return text + "#define PRESHADED\n";
+  if (plan.scene.mode == Mode::composite && plan.gradientOpacity) text += "#define GRADIENT_OPACITY\n";
   return text + shadeDefine(plan);
-}
-
-template <class T>
-Status uploadAll(BufferTexture& to, GLenum format, int texelBytes, const std::vector<T>& values) {
-  const std::size_t bytes = values.size() * sizeof(T);
-  return to.upload(format, bytes / texelBytes, values.data(), bytes);
 }
 
 std::vector<float> curveTexels(const CurveTable& c) {
@@ -68,10 +59,7 @@ std::vector<float> factorTexels(const TransferFunction& curve) {
 int Caster::uniform(const char* name) const { return glGetUniformLocation(program_, name); }
 
 Status Caster::prepare(const Plan& plan, const TraceFrame& frame, const VolumeTextures& textures) {
-  if (!vertices_) {
-    glGenVertexArrays(1, &vertices_);
-    glGenFramebuffers(1, &framebuffer_);
-  }
+  if (!vertices_) glGenVertexArrays(1, &vertices_);
   if (Status s = chooseProgram(plan); !s) return s;
   if (Status s = uploadTables(plan, frame); !s) return s;
   setUniforms(plan, frame, textures);
@@ -79,44 +67,31 @@ Status Caster::prepare(const Plan& plan, const TraceFrame& frame, const VolumeTe
 }
 
 Status Caster::chooseProgram(const Plan& plan) {
-  const std::string defines = definesOf(plan);
-  unsigned& program = programs_[defines];
-  if (!program) {
-    const auto made =
-        makeProgram(defines, shaders::picture_vert,
-                    {shaders::sample_glsl, shaders::ray_glsl, shaders::shade_glsl, shaders::cast_frag});
-    if (!made) return made.error();
-    program = *made;
-  }
-  program_ = program;
+  const auto program =
+      programs_.of(definesOf(plan), shaders::picture_vert,
+                   {shaders::sample_glsl, shaders::ray_glsl, shaders::shade_glsl, shaders::cast_frag});
+  if (!program) return program.error();
+  program_ = *program;
   return {};
 }
 
 Status Caster::uploadTables(const Plan& plan, const TraceFrame& frame) {
-  if (Status s = uploadAll(curve_, GL_RGBA32F, 16, curveTexels(*frame.curve)); !s) return s;
+  if (Status s = curve_.upload(GL_RGBA32F, 16, curveTexels(*frame.curve)); !s) return s;
   const std::vector<float> first(frame.curve->first.begin(), frame.curve->first.end());
-  if (Status s = uploadAll(buckets_, GL_R32F, 4, first); !s) return s;
-  if (Status s = uploadAll(factors_, GL_RG32F, 8, factorTexels(*frame.transfer)); !s) return s;
-  if (Status s = uploadAll(lights_, GL_RGBA32F, 16, lightTexels(*frame.lighting)); !s) return s;
-  if (plan.shader == Shader::map) return uploadAll(shades_, GL_RGBA32F, 16, frame.map->nodes);
-  if (plan.shader == Shader::table) return uploadAll(shades_, GL_R32I, 4, frame.table->bgr);
+  if (Status s = buckets_.upload(GL_R32F, 4, first); !s) return s;
+  if (Status s = factors_.upload(GL_RG32F, 8, factorTexels(*frame.transfer)); !s) return s;
+  if (Status s = lights_.upload(GL_RGBA32F, 16, lightTexels(*frame.lighting)); !s) return s;
+  if (plan.shader == Shader::map) return shades_.upload(GL_RGBA32F, 16, frame.map->nodes);
+  if (plan.shader == Shader::table) return shades_.upload(GL_R32I, 4, frame.table->bgr);
   return {};
 }
 
 void Caster::setUniforms(const Plan& plan, const TraceFrame& f, const VolumeTextures& textures) {
-  const bool preshaded = plan.method == Method::preshaded;
-  glUseProgram(program_);
-  glActiveTexture(GL_TEXTURE0 + densityUnit);
-  glBindTexture(GL_TEXTURE_3D, preshaded ? 0 : textures.density());
-  glActiveTexture(GL_TEXTURE0 + gradientUnit);
-  glBindTexture(GL_TEXTURE_3D, preshaded ? textures.shaded() : plan.gradients ? textures.gradients() : 0);
-  const std::pair<const char*, Unit> units[] = {
-      {"density", densityUnit}, {"gradient", gradientUnit}, {"rays", rayUnit},     {"curve", curveUnit},
-      {"buckets", bucketUnit},  {"factors", factorUnit},    {"lights", lightUnit}, {"shades", shadeUnit}};
+  textures.use(program_, plan);
+  const std::pair<const char*, Unit> units[] = {{"rays", rayUnit},       {"curve", curveUnit},
+                                                {"buckets", bucketUnit}, {"factors", factorUnit},
+                                                {"lights", lightUnit},   {"shades", shadeUnit}};
   for (const auto& [name, unit] : units) glUniform1i(uniform(name), unit);
-  glUniform3i(uniform("size"), f.size.x, f.size.y, f.size.z);
-  glUniform1f(uniform("smallest"), float(textures.smallest()));
-  glUniform1f(uniform("rounding"), textures.rounding());
   glUniform1f(uniform("stopTransmittance"), f.stopTransmittance);
   glUniform1f(uniform("curveLow"), f.curve->low);
   glUniform1f(uniform("perBucket"), f.curve->perBucket);
@@ -142,28 +117,11 @@ void Caster::setUniforms(const Plan& plan, const TraceFrame& f, const VolumeText
   glUniform1f(uniform("perDensity"), f.table->perDensity);
 }
 
-bool Caster::makeTarget(int width, int height) {
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  if (width_ == width && height_ == height) return true;
-  while (glGetError() != GL_NO_ERROR) {
-  }
-  glDeleteTextures(1, &target_);
-  glGenTextures(1, &target_);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, target_);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target_, 0);
-  width_ = width;
-  height_ = height;
-  return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR;
-}
-
-const std::vector<float>& Caster::draw(const RayBand& band, float inverseUnitMm) {
-  pixels_.clear();
-  const int rows = int(band.rows.size());
-  if (!makeTarget(band.stride, rows) || !uploadRays(band, inverseUnitMm, rays_)) return pixels_;
+Status Caster::draw(const RayBand& band, float inverseUnitMm) {
+  const glm::ivec2 size(band.stride, int(band.rows.size()));
+  if (target_.size() != size && !target_.make(GL_RGBA32F, size))
+    return Error{"OpenGL has no room for the picture; use --resampler cpu."};
+  if (Status s = uploadRays(band, inverseUnitMm, rays_); !s) return s;
   const std::pair<const BufferTexture*, Unit> buffers[] = {{&rays_, rayUnit},       {&curve_, curveUnit},
                                                            {&buckets_, bucketUnit}, {&factors_, factorUnit},
                                                            {&lights_, lightUnit},   {&shades_, shadeUnit}};
@@ -171,14 +129,9 @@ const std::vector<float>& Caster::draw(const RayBand& band, float inverseUnitMm)
   glUseProgram(program_);
   glBindVertexArray(vertices_);
   glUniform1i(uniform("width"), band.stride);
-  glDisable(GL_BLEND);
-  glViewport(0, 0, band.stride, rows);
+  target_.use();
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  pixels_.resize(std::size_t(4) * band.stride * rows);
-  glReadBuffer(GL_COLOR_ATTACHMENT0);
-  glReadPixels(0, 0, band.stride, rows, GL_RGBA, GL_FLOAT, pixels_.data());
-  if (glGetError() != GL_NO_ERROR) pixels_.clear();
-  return pixels_;
+  return {};
 }
 
 }  // namespace volumen

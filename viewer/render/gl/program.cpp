@@ -28,10 +28,8 @@ Result<GLuint> compile(GLenum kind, const std::string& defines, const std::vecto
   return Error{std::string("OpenGL refused a shader: ") + log + "; use --resampler cpu."};
 }
 
-}  // namespace
-
-Result<unsigned> makeProgram(const std::string& defines, const char* vertexText,
-                             const std::vector<const char*>& fragmentTexts) {
+Result<GLuint> link(const std::string& defines, const char* vertexText,
+                    const std::vector<const char*>& fragmentTexts) {
   const auto vertex = compile(GL_VERTEX_SHADER, defines, {vertexText});
   if (!vertex) return vertex;
   const auto fragment = compile(GL_FRAGMENT_SHADER, defines, fragmentTexts);
@@ -49,7 +47,23 @@ Result<unsigned> makeProgram(const std::string& defines, const char* vertexText,
   return Error{"OpenGL could not link its shaders; use --resampler cpu."};
 }
 
-Status BufferTexture::upload(unsigned format, std::size_t texels, const void* data, std::size_t bytes) {
+}  // namespace
+
+Result<unsigned> Programs::of(const std::string& defines, const char* vertexText,
+                              const std::vector<const char*>& fragmentTexts) {
+  const auto known = made_.find(defines);
+  if (known != made_.end()) return known->second;
+  const auto program = link(defines, vertexText, fragmentTexts);
+  if (program) made_[defines] = *program;
+  return program;
+}
+
+void bindTexture(int unit, unsigned kind, unsigned texture) {
+  glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+  glBindTexture(kind, texture);
+}
+
+Status BufferTexture::uploadBytes(unsigned format, std::size_t texels, const void* data, std::size_t bytes) {
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
   if (texels > std::size_t(most))
@@ -67,9 +81,6 @@ Status BufferTexture::upload(unsigned format, std::size_t texels, const void* da
   return {};
 }
 
-void BufferTexture::bind(int unit) const {
-  glActiveTexture(GLenum(GL_TEXTURE0 + unit));
-  glBindTexture(GL_TEXTURE_BUFFER, texture_);
-}
+void BufferTexture::bind(int unit) const { bindTexture(unit, GL_TEXTURE_BUFFER, texture_); }
 
 }  // namespace volumen

@@ -44,7 +44,7 @@ Status uploadRays(const RayBand& band, float inverseUnitMm, BufferTexture& to) {
                     {r.startX[n], r.startY[n], r.startZ[n], r.lastMiddle[n], r.moveX[n], r.moveY[n],
                      r.moveZ[n], float(r.steps[n]), r.viewerX[n], r.viewerY[n], r.viewerZ[n], 0.0f,
                      r.stepMm[n] * inverseUnitMm, r.lastStepMm[n] * inverseUnitMm, 0.0f, 0.0f});
-  return to.upload(GL_RGBA32F, texels.size() / 4, texels.data(), texels.size() * sizeof(float));
+  return to.upload(GL_RGBA32F, 16, texels);
 }
 
 }  // namespace volumen

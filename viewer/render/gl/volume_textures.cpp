@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "viewer/render/caches.h"
+#include "viewer/render/gl/program.h"
+#include "viewer/render/gl/target.h"
 
 namespace volumen {
 
@@ -27,8 +29,7 @@ std::string inWords(glm::ivec3 n) {
 // A 3D texture without content, bound; 0 where there is no room for it.
 GLuint makeTexture(const Format& format, glm::ivec3 n) {
   GLuint name = 0;
-  while (glGetError() != GL_NO_ERROR) {
-  }
+  clearGlErrors();
   glGenTextures(1, &name);
   glBindTexture(GL_TEXTURE_3D, name);
   glTexImage3D(GL_TEXTURE_3D, 0, GLint(format.stored), n.x, n.y, n.z, 0, format.layout, format.component,
@@ -72,14 +73,36 @@ Status VolumeTextures::load(const Plan& plan, RenderCaches& caches, const Cancel
   if (std::max({n.x, n.y, n.z}) > largest)
     return Error{"The volume has " + inWords(n) + ", and OpenGL here takes at most " +
                  std::to_string(largest) + " along an edge; use --resampler cpu."};
+  size_ = n;
   if (Status s = loadDensity(plan.bits, caches, cancel); !s) return s;
   return plan.gradients ? loadGradients(plan, caches, cancel) : Status();
 }
 
-// Less than four times 2^-24 of the largest.
+std::string VolumeTextures::defines(const Plan& plan) {
+  const bool preshaded = plan.method == Method::preshaded;
+  return std::string(preshaded || plan.bits == 32 ? "#define SHADER_FILTER\n" : "") +
+         (!preshaded && plan.gradients ? "#define GRADIENTS\n" : "");
+}
+
+void VolumeTextures::use(unsigned program, const Plan& plan) const {
+  const bool preshaded = plan.method == Method::preshaded;
+  bindTexture(densityUnit, GL_TEXTURE_3D, preshaded ? 0 : density_.name);
+  bindTexture(gradientUnit, GL_TEXTURE_3D, preshaded ? shaded_.name : plan.gradients ? gradients_.name : 0);
+  glUseProgram(program);
+  const auto uniform = [&](const char* name) { return glGetUniformLocation(program, name); };
+  glUniform1i(uniform("density"), densityUnit);
+  glUniform1i(uniform("gradient"), gradientUnit);
+  glUniform3i(uniform("size"), size_.x, size_.y, size_.z);
+  glUniform1f(uniform("smallest"), float(smallest_));
+  glUniform1f(uniform("rounding"), rounding());
+}
+
+// A texel's way to 0..1 and back, and its interpolation, round densities in 16 bits by less than this: less
+// than four times 2^-24 of the largest.
 float VolumeTextures::rounding() const { return float(std::max(span_, 1)) * 0x1p-21f; }
 
 Status VolumeTextures::loadShaded(glm::ivec3 n, const float* rgba, const CancelToken& cancel) {
+  size_ = n;
   glDeleteTextures(1, &shaded_.name);
   shaded_ = {makeTexture(gradients32, n), 32, std::size_t(n.x) * n.y * n.z * gradients32.voxelBytes};
   if (!shaded_.name)

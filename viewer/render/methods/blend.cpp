@@ -99,8 +99,7 @@ Result<Rendered> renderBlend(const Plan& plan, RenderCaches& caches, const Cance
   Rendered done;
   RenderStats& stats = done.stats;
   const PlanesFrame frame(plan, caches, stats);
-  const RaySetup setup(plan.scene, caches.volume()->geometry(), plan.options.size, plan.stepVoxels,
-                       plan.clip);
+  const RaySetup setup(plan, caches.volume()->geometry());
   const BlendPainter painter(plan, frame, setup, done.picture);
   TraceTotals totals;
   const double begin = nowMs();

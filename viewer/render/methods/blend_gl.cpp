@@ -3,8 +3,8 @@
 #include <atomic>
 #include <limits>
 
-#include "viewer/render/caches.h"
 #include "viewer/render/methods/frame_row.h"
+#include "viewer/render/methods/gl_frame.h"
 #include "viewer/render/methods/row_painter.h"
 #include "viewer/render/methods/slice_row.h"
 #include "viewer/render/methods/ticks.h"
@@ -14,15 +14,13 @@ namespace volumen {
 
 namespace {
 
-Error glFailed() { return Error{"OpenGL failed while it drew; use --resampler cpu."}; }
-
 // Turns a slice's samples into what the frame buffer blends, four floats a pixel, on all cores.
 class SliceShader {
  public:
   SliceShader(const Plan& plan, const PlanesFrame& frame)
       : plan_(plan), frame_(frame), shade_(chooseShadeKernel(frame.key())) {}
 
-  const float* shade(const RayBand& band, int n, const SliceBlender::Samples& samples) {
+  const float* shade(const RayBand& band, int n, const SampleTarget::Samples& samples) {
     const double begin = nowMs();
     const std::size_t stride = band.stride;
     rgba_.resize(4 * stride * band.rows.size());
@@ -90,7 +88,7 @@ Status drawSlices(const RayBand& band, SliceBlender& blender, SliceShader& shade
     if (n >= 0) blender.drawSlice(n, n % 2);
     const int behind = n + 1;
     if (behind == band.longest) continue;
-    const SliceBlender::Samples samples = blender.map(behind % 2);
+    const SampleTarget::Samples samples = blender.map(behind % 2);
     if (!samples.density) return glFailed();
     const float* rgba = shader.shade(band, behind, samples);
     blender.unmap(behind % 2);
@@ -100,66 +98,35 @@ Status drawSlices(const RayBand& band, SliceBlender& blender, SliceShader& shade
   return {};
 }
 
-// Red, green, blue and alpha one behind the other; of a mean, the mean in red.
-void writeBand(const Plan& plan, const PlanesFrame& frame, const RayBand& band,
-               const std::vector<float>& rgba, Picture& picture) {
-  std::vector<float> values(std::size_t(4) * band.stride);
-  const TraceRow row = FrameRow::rowOf(values);
-  const float* pixel = rgba.data();
-  for (const RayRow& rays : band.rows) {
-    for (int n = 0; n < band.stride; ++n, pixel += 4) {
-      const bool mean = plan.scene.mode == Mode::average && pixel[1] > 0;
-      row.red[n] = mean ? pixel[0] / pixel[1] : pixel[0];
-      row.green[n] = pixel[1], row.blue[n] = pixel[2], row.alpha[n] = pixel[3];
-    }
-    if (plan.scene.mode == Mode::composite)
-      writePixels(plan.scene.background, rays, row, picture);
-    else
-      writeProjectedPixels(plan.scene, frame.scale(), rays, row.red, picture);
-    if (plan.scene.mode != Mode::composite) roundPixels(plan.blending, rays, picture);
-  }
-}
-
-}  // namespace
-
-Result<Rendered> renderBlendGl(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
-  const auto made = caches.impl().glState();
-  if (!made) return made.error();
-  GlState& gl = **made;
-  const CurrentContext current(*gl.context);
-  if (!current) return Error{"The OpenGL context cannot be used on this thread; use --resampler cpu."};
-
-  Rendered done;
+Status drawBlend(const Plan& plan, RenderCaches& caches, const CancelToken& cancel, GlState& gl,
+                 Rendered& done) {
   RenderStats& stats = done.stats;
-  const glm::ivec3 size = caches.volume()->size();
   const PlanesFrame frame(plan, caches, stats);
-  const double begin = nowMs();
-  if (Status s = gl.textures.load(plan, caches, cancel); !s) return s.error();
+  if (Status s = loadTextures(plan, caches, gl, cancel, stats); !s) return s;
   const double loaded = nowMs();
-  const RaySetup setup(plan.scene, caches.volume()->geometry(), plan.options.size, plan.stepVoxels,
-                       plan.clip);
-  if (Status s = gl.blender.prepare(plan, size, gl.textures); !s) return s.error();
+  const RaySetup setup(plan, caches.volume()->geometry());
+  if (Status s = gl.blender.prepare(plan, gl.textures); !s) return s;
   preparePicture(plan, done.picture);
   SliceShader shader(plan, frame);
   RayBands bands(setup, plan.options.size, 1);
   RayBand band;
   for (bands.fill(band, plan.options.threads); !band.empty(); bands.fill(band, plan.options.threads)) {
-    if (Status s = gl.blender.begin(band, frame.trace().inverseUnitMm); !s) return s.error();
-    if (Status s = drawSlices(band, gl.blender, shader, cancel); !s) return s.error();
-    const std::vector<float>& pixels = gl.blender.pixels();
-    if (pixels.empty()) return glFailed();
-    writeBand(plan, frame, band, pixels, done.picture);
+    if (Status s = gl.blender.begin(band, frame.trace().inverseUnitMm); !s) return s;
+    if (Status s = drawSlices(band, gl.blender, shader, cancel); !s) return s;
+    if (Status s = writeBand(plan, frame, band, gl.blender.pixels(), done.picture); !s) return s;
     for (const RayRow& rays : band.rows)
       for (int steps : rays.steps) stats.resampled += steps;
   }
   shader.report(stats);
   stats.glMs = gl.blender.takeGlMs();
-  stats.gradientsMs += loaded - begin;
   stats.resampleMs = nowMs() - loaded - stats.shadeMs;
-  stats.densityBytes += gl.textures.densityBytes();
-  if (plan.gradients) stats.gradientBytes += gl.textures.gradientBytes();
-  stats.kernel = gl.renderer;
-  return done;
+  return {};
+}
+
+}  // namespace
+
+Result<Rendered> renderBlendGl(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
+  return onGl(caches, [&](GlState& gl, Rendered& done) { return drawBlend(plan, caches, cancel, gl, done); });
 }
 
 }  // namespace volumen

@@ -14,8 +14,7 @@ Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const C
   Rendered done;
   RenderStats& stats = done.stats;
   const PlanesFrame frame(plan, caches, stats);
-  const RaySetup setup(plan.scene, caches.volume()->geometry(), plan.options.size, plan.stepVoxels,
-                       plan.clip);
+  const RaySetup setup(plan, caches.volume()->geometry());
   const RowPainter painter(plan, frame, done.picture);
 
   TraceTotals totals;

@@ -27,7 +27,7 @@ ShadeBy shadeOf(const Plan& plan) {
 // How far the box around a packet of rays may reach. Rays of a tile that enter the volume through different
 // faces are a little farther apart than their pixels.
 int reachBlocks(const Plan& plan, const VoxelGeometry& geometry) {
-  const RaySetup setup(plan.scene, geometry, plan.options.size, plan.stepVoxels, plan.clip);
+  const RaySetup setup(plan, geometry);
   const double across = 2 * setup.tileSpread() + plan.stepVoxels + 0.1;
   return int(std::clamp(std::ceil(across / SkipMap::edge), 1.0, 8.0));
 }

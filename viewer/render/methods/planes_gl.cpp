@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "viewer/render/caches.h"
+#include "viewer/render/methods/gl_frame.h"
 #include "viewer/render/methods/row_painter.h"
 #include "viewer/render/methods/ticks.h"
 #include "viewer/volume/parallel.h"
@@ -16,7 +16,7 @@ class BatchShader {
  public:
   BatchShader(const RowPainter& painter, int threads) : painter_(painter), threads_(threads) {}
 
-  void shade(const Batch& batch, const PlaneResampler::Samples& samples) {
+  void shade(const Batch& batch, const SampleTarget::Samples& samples) {
     const double begin = nowMs();
     parallelFor(std::int64_t(batch.strips.size()), threads_, [&](std::int64_t first, std::int64_t last) {
       RowPainter::Task task;
@@ -59,10 +59,11 @@ Status drawBatches(BatchMaker& maker, PlaneResampler& resampler, BatchShader& sh
     const int slot = n % 2, other = 1 - slot;
     if (!drawn.empty()) resampler.startReading(drawn, other);
     maker.fill(next);
-    if (!next.empty()) resampler.draw(next, slot);
+    if (!next.empty())
+      if (Status s = resampler.draw(next, slot); !s) return s;
     if (!back.empty()) {
-      const PlaneResampler::Samples samples = resampler.map(back, slot);
-      if (!samples.density) return Error{"OpenGL failed while it drew; use --resampler cpu."};
+      const SampleTarget::Samples samples = resampler.map(slot);
+      if (!samples.density) return glFailed();
       shader.shade(back, samples);
       resampler.unmap(slot);
     }
@@ -71,38 +72,29 @@ Status drawBatches(BatchMaker& maker, PlaneResampler& resampler, BatchShader& sh
   }
 }
 
+Status drawPlanes(const Plan& plan, RenderCaches& caches, const CancelToken& cancel, GlState& gl,
+                  Rendered& done) {
+  RenderStats& stats = done.stats;
+  const PlanesFrame frame(plan, caches, stats);
+  if (Status s = loadTextures(plan, caches, gl, cancel, stats); !s) return s;
+  const double loaded = nowMs();
+  const RaySetup setup(plan, caches.volume()->geometry());
+  BatchMaker maker(setup, plan.options.size, mostSteps(caches.volume()->size(), plan.stepVoxels));
+  if (Status s = gl.resampler.prepare(plan, gl.textures, maker.lines()); !s) return s;
+  const RowPainter painter(plan, frame, done.picture);
+  BatchShader shader(painter, plan.options.threads);
+  if (Status s = drawBatches(maker, gl.resampler, shader, cancel); !s) return s;
+  shader.report(plan, stats);
+  stats.glMs = gl.resampler.takeGlMs();
+  stats.resampleMs = nowMs() - loaded - stats.shadeMs;
+  return {};
+}
+
 }  // namespace
 
 Result<Rendered> renderPlanesGl(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
-  const auto gl = caches.impl().glState();
-  if (!gl) return gl.error();
-  GlState& state = **gl;
-  const CurrentContext current(*state.context);
-  if (!current) return Error{"The OpenGL context cannot be used on this thread; use --resampler cpu."};
-
-  Rendered done;
-  RenderStats& stats = done.stats;
-  const glm::ivec3 size = caches.volume()->size();
-  const PlanesFrame frame(plan, caches, stats);
-  const double begin = nowMs();
-  if (Status s = state.textures.load(plan, caches, cancel); !s) return s.error();
-  const double loaded = nowMs();
-  const RaySetup setup(plan.scene, caches.volume()->geometry(), plan.options.size, plan.stepVoxels,
-                       plan.clip);
-  BatchMaker maker(setup, plan.options.size, mostSteps(size, plan.stepVoxels));
-  if (Status s = state.resampler.prepare(plan, state.textures, size, maker.lines()); !s) return s.error();
-  const RowPainter painter(plan, frame, done.picture);
-  BatchShader shader(painter, plan.options.threads);
-  if (Status s = drawBatches(maker, state.resampler, shader, cancel); !s) return s.error();
-
-  shader.report(plan, stats);
-  stats.glMs = state.resampler.takeGlMs();
-  stats.gradientsMs += loaded - begin;
-  stats.resampleMs = nowMs() - loaded - stats.shadeMs;
-  stats.densityBytes += state.textures.densityBytes();
-  if (plan.gradients) stats.gradientBytes += state.textures.gradientBytes();
-  stats.kernel = state.renderer;
-  return done;
+  return onGl(caches,
+              [&](GlState& gl, Rendered& done) { return drawPlanes(plan, caches, cancel, gl, done); });
 }
 
 }  // namespace volumen

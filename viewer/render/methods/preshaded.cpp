@@ -105,7 +105,7 @@ Result<Rendered> renderPreshaded(const Plan& plan, RenderCaches& caches, const C
   const Buffer<float> shaded = shadeVoxels(plan, frame, geometry, cancel);
   if (cancel.cancelled()) return Error{"cancelled"};
   const double shadedAt = nowMs();
-  const RaySetup setup(plan.scene, geometry, plan.options.size, plan.stepVoxels, plan.clip);
+  const RaySetup setup(plan, geometry);
   const PreshadedKernel trace = choosePreshadedKernel();
   TraceTotals totals;
   preparePicture(plan, done.picture);
