@@ -1,17 +1,14 @@
-// Guards DESIGN 8 (the UI thread never renders or waits; the latest request wins) and DESIGN 2 (draft: same
-// colours, no jump).
+// Guards DESIGN 8 (the UI thread never renders or waits; the latest request wins).
 #include <QElapsedTimer>
 #include <QSignalSpy>
 #include <atomic>
-#include <cmath>
-#include <glm/trigonometric.hpp>
 
+#include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/render_controller.h"
-#include "viewer/scene/presets.h"
-#include "viewer/volume/phantoms.h"
 
 using namespace volumen;
+using namespace volumen::tests;
 
 namespace {
 
@@ -19,8 +16,7 @@ VolumePtr smallVolume() {
   VolumeParts parts;
   parts.geometry.size = {4, 4, 4};
   parts.values = std::vector<std::int16_t>(64, 1);
-  std::vector<std::string> warnings;
-  return *Volume::make(std::move(parts), warnings);
+  return volumeFrom(std::move(parts));
 }
 
 // Draws a plain picture whose grey is the camera's height / 1000, as slowly as told, row by row.
@@ -98,13 +94,6 @@ class TestRenderController : public QObject {
   void failuresAreTold();
   void aSceneWithoutCameraIsFitted();
   void picturesToSaveAreDrawnAndCancelled();
-  void paceKeepsTheFrameTime_data();
-  void paceKeepsTheFrameTime();
-  void draftSeesWhatTheFullPictureSees_data();
-  void draftSeesWhatTheFullPictureSees();
-  void enlargingKeepsColours();
-  void draftLooksLikeStandard_data();
-  void draftLooksLikeStandard();
 };
 
 void TestRenderController::draftComesFirstThenStandard() {
@@ -294,112 +283,6 @@ void TestRenderController::picturesToSaveAreDrawnAndCancelled() {
   QTRY_COMPARE(ready.count(), 2);
   QVERIFY(!ready[1][0].value<std::shared_ptr<Drawn>>());
   QCOMPARE(ready[1][1].toString(), QStringLiteral("Cancelled."));
-}
-
-void TestRenderController::paceKeepsTheFrameTime_data() {
-  QTest::addColumn<double>("fullMs");
-  QTest::addColumn<double>("factor");
-  QTest::newRow("fast machine, full size") << 10.0 << 1.0;
-  QTest::newRow("100 ms a picture") << 100.0 << 2.0;
-  QTest::newRow("1000 ms a picture") << 1000.0 << 5.0;
-  QTest::newRow("slower than any draft") << 100000.0 << 7.0;
-}
-
-void TestRenderController::paceKeepsTheFrameTime() {
-  QFETCH(double, fullMs);
-  QFETCH(double, factor);
-  DraftPace pace(40);
-  for (int n = 0; n < 20; ++n) pace.measured(fullMs / (pace.factor() * pace.factor()));
-  QCOMPARE(pace.factor(), factor);
-  pace.measured(fullMs / (pace.factor() * pace.factor()));
-  QCOMPARE(pace.factor(), factor);  // and stays
-}
-
-void TestRenderController::draftSeesWhatTheFullPictureSees_data() {
-  QTest::addColumn<QSize>("full");
-  QTest::addColumn<double>("factor");
-  QTest::newRow("divides") << QSize(512, 512) << 4.0;
-  QTest::newRow("odd size") << QSize(1013, 677) << 8.0;
-  QTest::newRow("fraction") << QSize(511, 333) << 1.5;
-}
-
-void TestRenderController::draftSeesWhatTheFullPictureSees() {
-  QFETCH(QSize, full);
-  QFETCH(double, factor);
-  Camera camera;
-  const DraftView view = draftView(camera, full, factor);
-  // Millimetres a draft pixel covers = factor times those of a full pixel, in both directions (pixels are
-  // square).
-  const double fullMm = camera.height / full.height(), draftMm = view.camera.height / view.size.height();
-  QVERIFY(std::abs(draftMm / fullMm - factor) < 1e-9);
-  QVERIFY(view.size.width() * factor >= full.width() && view.size.height() * factor >= full.height());
-  const auto tangent = [](double fov) { return std::tan(glm::radians(fov) / 2); };
-  QVERIFY(std::abs(tangent(view.camera.fov) / view.size.height() -
-                   factor * tangent(camera.fov) / full.height()) < 1e-12);
-}
-
-void TestRenderController::enlargingKeepsColours() {
-  // A horizontal ramp, linear: bilinear enlargement gives the ramp at the finer pixels.
-  Picture picture{.size = {20, 10}, .transparent = false, .rgba = std::vector<float>(800, 1.0f)};
-  for (int y = 0; y < 10; ++y)
-    for (int x = 0; x < 20; ++x)
-      for (int c = 0; c < 3; ++c) picture.row(y)[4 * x + c] = float((x + 0.5) / 20);
-  const QImage image = enlarged(picture, 4, {78, 39});
-  QCOMPARE(image.size(), QSize(78, 39));
-  for (int x = 4; x < 74; ++x) {
-    const double expected = ((x + 0.5 - 39) / 4 + 10) / 20;
-    QVERIFY(std::abs(qRed(image.pixel(x, 20)) - 255 * expected) <= 0.51);  // the rounding to bytes
-  }
-}
-
-void TestRenderController::draftLooksLikeStandard_data() {
-  QTest::addColumn<double>("factor");
-  for (double factor : {1.5, 3.0, 5.0, 7.0})
-    QTest::addRow("one ray for %g x %g pixels", factor, factor) << factor;
-}
-
-void TestRenderController::draftLooksLikeStandard() {
-  QFETCH(double, factor);
-  static const VolumePtr head = *makePhantom("ct-head:96");
-  static const Draw draw = drawWithCaches(head);
-  static Scene scene = *presetScene("auto", *head);
-  const QSize full(400, 336);
-  scene.camera = fitCamera(Camera{}, head->geometry(), double(full.width()) / full.height());
-  RenderOptions options = ofSize(full.width(), full.height());
-  static const Result<Drawn> standard = draw(scene, options, {});
-  QVERIFY(standard.ok());
-  const DraftView view = draftView(*scene.camera, full, factor);
-  Scene draftScene = scene;
-  draftScene.camera = view.camera;
-  options.size = {view.size.width(), view.size.height()};
-  options.quality = Quality::draft;
-  const Result<Drawn> drawn = draw(draftScene, options, {});
-  QVERIFY(drawn.ok());
-  const QImage draft = enlarged(drawn->picture, factor, full), rest = toImage(standard->picture);
-  // DESIGN 2: means over blocks of 16 x 16 within 3/255 RMSE, mean colour within 1/255.
-  constexpr int edge = 16;
-  double squares = 0, sum[3] = {};
-  int blocks = 0;
-  for (int by = 0; by + edge <= full.height(); by += edge)
-    for (int bx = 0; bx + edge <= full.width(); bx += edge, ++blocks) {
-      double difference[3] = {};
-      for (int y = by; y < by + edge; ++y)
-        for (int x = bx; x < bx + edge; ++x) {
-          const QRgb a = draft.pixel(x, y), b = rest.pixel(x, y);
-          difference[0] += qRed(a) - qRed(b);
-          difference[1] += qGreen(a) - qGreen(b);
-          difference[2] += qBlue(a) - qBlue(b);
-        }
-      for (int c = 0; c < 3; ++c) {
-        const double mean = difference[c] / (edge * edge);
-        squares += mean * mean;
-        sum[c] += mean;
-      }
-    }
-  const double rmse = std::sqrt(squares / (3 * blocks));
-  QVERIFY2(rmse <= 3, qPrintable(QString::number(rmse)));
-  for (double total : sum)
-    QVERIFY2(std::abs(total / blocks) <= 1, qPrintable(QString::number(total / blocks)));
 }
 
 VOLUMEN_TEST(TestRenderController);

@@ -1,14 +1,15 @@
 // Guards DESIGN 4 and 6 (accuracy: CSV, JSON and pictures of the study, without a display).
 #include <QDir>
-#include <QFile>
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 
+#include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"
+
+using namespace volumen::tests;
 
 class TestAccuracyCommand : public QObject {
   Q_OBJECT
@@ -22,26 +23,7 @@ class TestAccuracyCommand : public QObject {
 
 namespace {
 
-struct Outcome {
-  int status = -1;
-  QByteArray out, err;
-};
-
-Outcome runAccuracy(const QString& line) {
-  QProcess process;
-  QProcessEnvironment noDisplay = QProcessEnvironment::systemEnvironment();
-  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "XDG_RUNTIME_DIR"})
-    noDisplay.remove(QString::fromLatin1(name));
-  process.setProcessEnvironment(noDisplay);
-  process.start(QStringLiteral(VOLUMEN_PROGRAM), QProcess::splitCommand(QStringLiteral("accuracy ") + line));
-  process.waitForFinished(60000);
-  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
-QByteArray contents(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
+Outcome runAccuracy(const QString& line) { return runProgram(QStringLiteral("accuracy ") + line); }
 
 }  // namespace
 
@@ -58,10 +40,10 @@ void TestAccuracyCommand::writesTheStudy() {
   QCOMPARE(done.out.count('\n'), 5);
   QCOMPARE(written.entryList(QDir::Files).size(), 5);
   const QJsonObject all =
-      QJsonDocument::fromJson(contents(written.filePath(QStringLiteral("study.json")))).object();
+      QJsonDocument::fromJson(contentsOf(written.filePath(QStringLiteral("study.json")))).object();
   const QJsonArray rows = all[QStringLiteral("rows")].toArray();
   QCOMPARE(rows.size(), 1 + 4 + 3);  // the base, the levels, three sizes of the map
-  QCOMPARE(contents(written.filePath(QStringLiteral("study.csv"))).count('\n'), rows.size() + 1);
+  QCOMPARE(contentsOf(written.filePath(QStringLiteral("study.csv"))).count('\n'), rows.size() + 1);
   QVERIFY(all[QStringLiteral("reference")].toObject()[QStringLiteral("text")].toString().startsWith(
       QStringLiteral("300 of 1200 pixels, one of each cell of a 20 x 15 grid")));
   // exact is nearer the truth than draft.

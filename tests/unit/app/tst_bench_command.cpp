@@ -2,9 +2,11 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 
+#include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"
+
+using namespace volumen::tests;
 
 class TestBenchCommand : public QObject {
   Q_OBJECT
@@ -18,17 +20,8 @@ class TestBenchCommand : public QObject {
 
 namespace {
 
-struct Outcome {
-  int status = -1;
-  QByteArray out, err;
-};
-
 Outcome runBench(const char* line) {
-  QProcess process;
-  process.start(QStringLiteral(VOLUMEN_PROGRAM),
-                QProcess::splitCommand(QStringLiteral("bench ") + QString::fromLatin1(line)));
-  process.waitForFinished(60000);
-  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+  return runProgram(QStringLiteral("bench ") + QString::fromLatin1(line));
 }
 
 QJsonArray viewsOf(const char* line) {

@@ -4,33 +4,13 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 
 #include "tests/fixtures/fixtures.h"
+#include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"
 
-namespace {
-
-struct Answer {
-  int status;
-  QByteArray out, err;
-};
-
-Answer run(const QString& commandLine) {
-  QProcess process;
-  process.start(QStringLiteral(VOLUMEN_PROGRAM), QProcess::splitCommand(commandLine));
-  if (!process.waitForFinished(240000)) return {-1, {}, "timeout"};
-  if (process.exitStatus() != QProcess::NormalExit) return {-2, {}, "crashed"};
-  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
-QByteArray contents(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-}  // namespace
+using namespace volumen::tests;
 
 class TestCommands : public QObject {
   Q_OBJECT
@@ -89,7 +69,7 @@ void TestCommands::wrongUsageIsASentenceAndStatus2_data() {
 
 void TestCommands::wrongUsageIsASentenceAndStatus2() {
   QFETCH(QString, line);
-  const Answer a = run(line);
+  const Outcome a = runProgram(line);
   QCOMPARE(a.status, 2);
   QVERIFY(!a.err.isEmpty());
   QVERIFY(a.out.isEmpty());
@@ -113,7 +93,7 @@ void TestCommands::whatFailsIsASentenceAndStatus1_data() {
 void TestCommands::whatFailsIsASentenceAndStatus1() {
   QFETCH(QString, line);
   QFETCH(QString, named);
-  const Answer a = run(line);
+  const Outcome a = runProgram(line);
   QCOMPARE(a.status, 1);
   QVERIFY2(a.err.startsWith("volumen: ") || a.out.contains(named.toUtf8()), a.err);
   QVERIFY2((a.err + a.out).contains(named.toUtf8()), a.err);
@@ -128,14 +108,14 @@ void TestCommands::everyCommandHasHelp_data() {
 
 void TestCommands::everyCommandHasHelp() {
   QFETCH(QString, line);
-  const Answer a = run(line);
+  const Outcome a = runProgram(line);
   QCOMPARE(a.status, 0);
   QVERIFY(a.out.contains("Usage"));
 }
 
 void TestCommands::renderWritesAPictureThatSaysHowItWasMade() {
   const QString png = at("a.png");
-  const Answer a = run(QStringLiteral("render phantom:ct-head:48 --size 64x48 -o %1").arg(png));
+  const Outcome a = runProgram(QStringLiteral("render phantom:ct-head:48 --size 64x48 -o %1").arg(png));
   QCOMPARE(a.status, 0);
   QCOMPARE(a.out.trimmed(), png.toUtf8());
   const QImage image(png);
@@ -150,9 +130,10 @@ void TestCommands::renderWritesAPictureThatSaysHowItWasMade() {
 void TestCommands::statsHoldTheStages() {
   const QString stats = at("stats.json");
   QCOMPARE(
-      run(QStringLiteral("render phantom:ct-head:48 --size 64x64 --frames 3 --stats %1").arg(stats)).status,
+      runProgram(QStringLiteral("render phantom:ct-head:48 --size 64x64 --frames 3 --stats %1").arg(stats))
+          .status,
       0);
-  const QJsonObject all = QJsonDocument::fromJson(contents(stats)).object();
+  const QJsonObject all = QJsonDocument::fromJson(contentsOf(stats)).object();
   const QJsonObject stages = all[QStringLiteral("stagesMs")].toObject();
   for (const char* stage : {"load", "gradients", "plan", "resample", "shade", "gl", "total"})
     QVERIFY2(stages.contains(QLatin1String(stage)), stage);
@@ -162,20 +143,20 @@ void TestCommands::statsHoldTheStages() {
 }
 
 void TestCommands::theSceneInUseDrawsTheSamePicture() {
-  const Answer printed =
-      run(QStringLiteral("render phantom:ct-head:48 --size 40x40 --view left --print-scene -o %1")
-              .arg(at("b.nrrd")));
+  const Outcome printed =
+      runProgram(QStringLiteral("render phantom:ct-head:48 --size 40x40 --view left --print-scene -o %1")
+                     .arg(at("b.nrrd")));
   QCOMPARE(printed.status, 0);
   QFile scene(at("scene.json"));
   QVERIFY(scene.open(QIODevice::WriteOnly));
   scene.write(printed.out.mid(printed.out.indexOf('{')));
   scene.close();
-  QCOMPARE(run(QStringLiteral("render phantom:ct-head:48 --size 40x40 --scene %1 -o %2")
-                   .arg(at("scene.json"), at("c.nrrd")))
+  QCOMPARE(runProgram(QStringLiteral("render phantom:ct-head:48 --size 40x40 --scene %1 -o %2")
+                          .arg(at("scene.json"), at("c.nrrd")))
                .status,
            0);
-  QVERIFY(!contents(at("b.nrrd")).isEmpty());
-  QCOMPARE(contents(at("c.nrrd")), contents(at("b.nrrd")));
+  QVERIFY(!contentsOf(at("b.nrrd")).isEmpty());
+  QCOMPARE(contentsOf(at("c.nrrd")), contentsOf(at("b.nrrd")));
 }
 
 void TestCommands::sameBytes_data() {
@@ -188,24 +169,26 @@ void TestCommands::sameBytes() {
   QFETCH(QString, options);
   const QString common =
       QStringLiteral("render phantom:ct-head:64 --preset CT-AAA --size 90x70 --projection perspective -o ");
-  QCOMPARE(run(common + at("d.nrrd")).status, 0);
-  QCOMPARE(run(common + at("e.nrrd") + QLatin1Char(' ') + options).status, 0);
-  QCOMPARE(contents(at("e.nrrd")), contents(at("d.nrrd")));
+  QCOMPARE(runProgram(common + at("d.nrrd")).status, 0);
+  QCOMPARE(runProgram(common + at("e.nrrd") + QLatin1Char(' ') + options).status, 0);
+  QCOMPARE(contentsOf(at("e.nrrd")), contentsOf(at("d.nrrd")));
 }
 
 void TestCommands::turntableWritesOnePictureAView() {
-  QCOMPARE(run(QStringLiteral("render phantom:ct-head:32 --size 32x32 --turntable 4 -o %1").arg(at("t.png")))
+  QCOMPARE(runProgram(
+               QStringLiteral("render phantom:ct-head:32 --size 32x32 --turntable 4 -o %1").arg(at("t.png")))
                .status,
            0);
   QSet<QByteArray> different;
   for (int n = 0; n < 4; ++n)
-    different.insert(contents(folder_.filePath(QStringLiteral("t-%1.png").arg(n, 3, 10, QLatin1Char('0')))));
+    different.insert(
+        contentsOf(folder_.filePath(QStringLiteral("t-%1.png").arg(n, 3, 10, QLatin1Char('0')))));
   QCOMPARE(different.size(), 4);
   QVERIFY(!different.contains(QByteArray()));
 }
 
 void TestCommands::infoIsOneJsonObject() {
-  const Answer a = run(QStringLiteral("info phantom:ramp:16 --json --values"));
+  const Outcome a = runProgram(QStringLiteral("info phantom:ramp:16 --json --values"));
   QCOMPARE(a.status, 0);
   const QJsonObject v =
       QJsonDocument::fromJson(a.out).object()[QStringLiteral("volumes")].toArray()[0].toObject();
@@ -219,7 +202,7 @@ void TestCommands::infoIsOneJsonObject() {
 
 void TestCommands::convertKeepsValuesAndGeometry() {
   const auto facts = [](const QString& path) {
-    const Answer a = run(QStringLiteral("info %1 --json --values").arg(path));
+    const Outcome a = runProgram(QStringLiteral("info %1 --json --values").arg(path));
     const QJsonObject v =
         QJsonDocument::fromJson(a.out).object()[QStringLiteral("volumes")].toArray()[0].toObject();
     QJsonArray out;
@@ -229,7 +212,7 @@ void TestCommands::convertKeepsValuesAndGeometry() {
   };
   const QJsonArray first = facts(QStringLiteral("phantom:ct-head:32"));
   for (const char* name : {"h.nrrd", "h.mha", "h.nii.gz", "dicom/"}) {
-    QCOMPARE(run(QStringLiteral("convert phantom:ct-head:32 -o %1").arg(at(name))).status, 0);
+    QCOMPARE(runProgram(QStringLiteral("convert phantom:ct-head:32 -o %1").arg(at(name))).status, 0);
     QCOMPARE(facts(at(name)), first);
   }
 }
@@ -239,7 +222,7 @@ void TestCommands::controlCharactersDoNotReachTheTerminal() {
   QVERIFY(bad.open(QIODevice::WriteOnly));
   bad.write("NRRD0004\nnonsense\n\n");
   bad.close();
-  const Answer a = run(QStringLiteral("info \"%1\"").arg(folder_.path()));
+  const Outcome a = runProgram(QStringLiteral("info \"%1\"").arg(folder_.path()));
   QVERIFY(!a.out.contains('\033') && !a.err.contains('\033'));
 }
 

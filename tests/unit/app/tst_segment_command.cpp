@@ -3,13 +3,14 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 
 #include "io/study.h"
+#include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
+using namespace volumen::tests;
 
 class TestSegmentCommand : public QObject {
   Q_OBJECT
@@ -26,16 +27,8 @@ class TestSegmentCommand : public QObject {
 
 namespace {
 
-struct Outcome {
-  int status = -1;
-  QByteArray out, err;
-};
-
 Outcome runSegment(const QStringList& arguments) {
-  QProcess process;
-  process.start(QStringLiteral(VOLUMEN_PROGRAM), QStringList{QStringLiteral("segment")} + arguments);
-  process.waitForFinished(60000);
-  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+  return runProgram(QStringList{QStringLiteral("segment")} + arguments);
 }
 
 QStringList words(const char* text) { return QString::fromLatin1(text).split(QLatin1Char(' ')); }

@@ -8,6 +8,7 @@
 
 #include "tests/fixtures/brute_force.h"
 #include "tests/fixtures/cpu_targets.h"
+#include "tests/fixtures/need_gl.h"
 #include "tests/unit/hard/hard_cases.h"
 #include "tests/unit/promises/not_yet.h"
 #include "tests/unit/promises/promises.h"
@@ -208,10 +209,8 @@ void TestHardCases::everyCpuTargetGivesTheSameBytes() {
   }
 }
 
-void TestHardCases::openGlIsHere() {
-  if (const auto context = makeEglContext(); !context)
-    QSKIP(qPrintable(QString::fromStdString("no case was drawn with OpenGL: " + context.message())));
-}
+// Skipped where no case was drawn with OpenGL.
+void TestHardCases::openGlIsHere() { NEED_GL(); }
 
 VOLUMEN_TEST(TestHardCases);
 #include "tst_hard_cases.moc"

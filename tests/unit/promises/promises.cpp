@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tests/fixtures/need_gl.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/render/reference.h"
 
@@ -17,13 +18,6 @@ T orThrow(Result<T> result) {
 
 }  // namespace
 
-QString inWords(const PictureError& e) {
-  return QStringLiteral("maximum %1, 99th percentile %2, PSNR %3 dB")
-      .arg(e.maximum, 0, 'f', 2)
-      .arg(e.percentile99, 0, 'f', 2)
-      .arg(e.psnrDb, 0, 'f', 1);
-}
-
 std::vector<DrawWay> promisedWays() {
   std::vector<DrawWay> ways = drawWays();
   std::erase_if(ways, [](const DrawWay& way) { return !way.promised || way.slow; });
@@ -31,7 +25,6 @@ std::vector<DrawWay> promisedWays() {
 }
 
 std::vector<DrawWay> drawWays() {
-  static const bool gl = makeEglContext().ok();
   std::vector<DrawWay> ways;
   const auto add = [&](const char* name, bool promised, auto ask) -> DrawWay& {
     DrawWay& way = ways.emplace_back(DrawWay{name, {}, promised});
@@ -42,7 +35,7 @@ std::vector<DrawWay> drawWays() {
   add("planes, 32 bits", true, [](RenderOptions& o) { o.precision = 32; });
   add("blend", true, [](RenderOptions& o) { o.method = Method::blend; });
   add("preshaded", false, [](RenderOptions& o) { o.method = Method::preshaded; });
-  if (!gl) return ways;
+  if (!whyNoGl().isEmpty()) return ways;
   add("planes, OpenGL", true, [](RenderOptions& o) { o.resampler = Resampler::gl; });
   add("blend, OpenGL", true, [](RenderOptions& o) {
     o.method = Method::blend;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "tests/fixtures/picture_words.h"
 #include "viewer/render/render.h"
 
 namespace volumen::tests {
@@ -33,9 +34,6 @@ inline RenderOptions atStep(double stepVoxels) {
   options.step = stepVoxels;
   return options;
 }
-
-/// "maximum 0.3, 99th percentile ...".
-QString inWords(const PictureError& e);
 
 /// Whether to print what each row measured.
 inline bool figuresWanted() { return qEnvironmentVariableIsSet("VOLUMEN_FIGURES"); }

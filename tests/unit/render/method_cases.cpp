@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "tests/fixtures/small_volumes.h"
+
 namespace volumen::tests {
 
 VolumePtr wavyVolume() {
@@ -17,13 +19,10 @@ VolumePtr wavyVolume() {
           values.push_back(
               std::int16_t(500 + 350 * (std::sin(0.41 * i + 0.3) + std::sin(0.37 * j) * std::cos(0.33 * k))));
     parts.values = std::move(values);
-    std::vector<std::string> warnings;
-    return *Volume::make(std::move(parts), warnings);
+    return volumeFrom(std::move(parts));
   }();
   return volume;
 }
-
-namespace {
 
 Scene softScene(Projection projection) {
   Scene scene;
@@ -36,6 +35,8 @@ Scene softScene(Projection projection) {
   scene.camera->projection = projection;
   return scene;
 }
+
+namespace {
 
 void change(Scene& s, const std::string& what) {
   auto& points = s.transferFunction.points;
@@ -70,6 +71,13 @@ const std::vector<MethodScene>& methodScenes() {
     return all;
   }();
   return scenes;
+}
+
+Result<Rendered> planAndDraw(RenderCaches& caches, const Scene& scene, const RenderOptions& options,
+                             const CancelToken& cancel) {
+  const auto plan = makePlan(scene, caches.facts(), options);
+  if (!plan) return plan.error();
+  return render(*plan, caches, cancel);
 }
 
 const std::vector<MethodCase>& methodCases() {

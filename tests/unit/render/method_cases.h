@@ -3,9 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/plan/options.h"
-#include "viewer/scene/scene.h"
-#include "viewer/volume/volume.h"
+#include "viewer/render/render.h"
 
 namespace volumen::tests {
 
@@ -18,9 +16,16 @@ struct MethodScene {
 /// Integers that wave between -200 and 1200 on an oblique, sheared, anisotropic grid of 26 x 22 x 18.
 VolumePtr wavyVolume();
 
+/// Lit soft matter in wavyVolume(), seen obliquely.
+Scene softScene(Projection projection = Projection::parallel);
+
 /// {parallel, perspective} x {opaque, translucent, lit, unlit, clipped, sharp curve, many lights}, for
 /// wavyVolume().
 const std::vector<MethodScene>& methodScenes();
+
+/// Plans a picture of the caches' volume and draws it.
+Result<Rendered> planAndDraw(RenderCaches& caches, const Scene& scene, const RenderOptions& options,
+                             const CancelToken& cancel = {});
 
 /// A method as it is asked for.
 struct MethodCase {

@@ -5,6 +5,7 @@
 
 #include "tests/fixtures/brute_force.h"
 #include "tests/fixtures/brute_matter.h"
+#include "tests/fixtures/picture_words.h"
 #include "tests/unit/render/picture_cases.h"
 #include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"
@@ -18,10 +19,6 @@ namespace {
 void addCaseRows() {
   QTest::addColumn<int>("index");
   for (std::size_t i = 0; i < pictureCases().size(); ++i) QTest::newRow(pictureCases()[i].name) << int(i);
-}
-
-QString inWords(const PictureError& e) {
-  return QStringLiteral("RMSE %1, maximum %2 of 1/255").arg(e.rmse).arg(e.maximum);
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
-// Guards DESIGN 3 (the GL resampler), SCENE 2, 3 and 9 as OpenGL interpolates, DESIGN 2 (determinism).
+// Guards DESIGN 3 (the GL resampler) and SCENE 2, 3 and 9 as OpenGL interpolates.
 #include <cmath>
 #include <functional>
 #include <map>
 
 #include "tests/fixtures/fixtures.h"
+#include "tests/fixtures/need_gl.h"
+#include "tests/fixtures/picture_words.h"
+#include "tests/fixtures/small_volumes.h"
+#include "tests/unit/render/method_cases.h"
 #include "tests/unit/render/picture_cases.h"
 #include "tests/unit/suite.h"
 #include "viewer/render/render.h"
@@ -31,8 +35,7 @@ VolumePtr integers(glm::ivec3 size, double slope, double intercept) {
         values.push_back(T((real - intercept) / slope));
       }
   parts.values = std::move(values);
-  std::vector<std::string> warnings;
-  return *Volume::make(std::move(parts), warnings);
+  return volumeFrom(std::move(parts));
 }
 
 VolumePtr volumeNamed(const std::string& name) {
@@ -45,16 +48,6 @@ VolumePtr volumeNamed(const std::string& name) {
   return *makePhantom(name);
 }
 
-Scene softScene() {
-  Scene scene;
-  scene.transferFunction = {
-      1, {{150, {0.9, 0.5, 0.3}, 0}, {500, {0.9, 0.7, 0.4}, 0.1}, {1100, {1, 1, 0.9}, 0.8}}, {}};
-  scene.camera = Camera{};
-  scene.camera->direction = {-0.62, 0.7, -0.31};
-  scene.camera->height = 36;
-  return scene;
-}
-
 struct Case {
   const char* name;
   const char* volume;
@@ -62,10 +55,7 @@ struct Case {
   std::function<void(Scene&, RenderOptions&)> change;
 };
 
-void perspective(Scene& s) {
-  s.camera->projection = Projection::perspective;
-  s.camera->distance = 60;
-}
+void perspective(Scene& s) { s.camera->projection = Projection::perspective; }
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
@@ -152,61 +142,25 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-QString inWords(const PictureError& e) {
-  return QStringLiteral("RMSE %1, 99th percentile %2, maximum %3 of 1/255")
-      .arg(e.rmse)
-      .arg(e.percentile99)
-      .arg(e.maximum);
-}
-
 }  // namespace
 
 class TestGl : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase();
   void agreesWithCpu_data();
   void agreesWithCpu();
   void chestAgreesWithCpu_data();
   void chestAgreesWithCpu();
-  void secondPictureIsTheSame();
-  void picturesMayAlternate();
-  void fullIsTheSame();
-  void levelsChooseWhereItIsFiltered_data();
-  void levelsChooseWhereItIsFiltered();
-  void noOpenGlIsASentence();
-  void contextThatCannotBeCurrentIsASentence();
-  void cancelledIsSaid();
-  void referenceHasItsOwn();
 
  private:
   RenderCaches& cachesOf(const std::string& name);
-  Result<Rendered> draw(RenderCaches& caches, const Scene& scene, RenderOptions options, Resampler resampler,
-                        const CancelToken& cancel = {});
   void compareResamplers(RenderCaches& caches, const Scene& scene, RenderOptions options);
 
-  QString whyNone_;  ///< no OpenGL could be had
   std::map<std::string, RenderCaches> caches_;
 };
 
-void TestGl::initTestCase() {
-  const auto context = makeEglContext();
-  if (!context) whyNone_ = QString::fromStdString("no OpenGL without a display here: " + context.message());
-}
-
-#define NEED_GL() \
-  if (!whyNone_.isEmpty()) QSKIP(qPrintable(whyNone_))
-
 RenderCaches& TestGl::cachesOf(const std::string& name) {
   return caches_.try_emplace(name, caches_.count(name) ? nullptr : volumeNamed(name)).first->second;
-}
-
-Result<Rendered> TestGl::draw(RenderCaches& caches, const Scene& scene, RenderOptions options,
-                              Resampler resampler, const CancelToken& cancel) {
-  options.resampler = resampler;
-  const auto plan = makePlan(scene, caches.facts(), options);
-  if (!plan) return plan.error();
-  return render(*plan, caches, cancel);
 }
 
 // In 32 bits the shader does what the CPU does, operation for operation; a compiler without `precise` may
@@ -219,8 +173,10 @@ Result<Rendered> TestGl::draw(RenderCaches& caches, const Scene& scene, RenderOp
 // bright shells (preset CT-Lung) RMSE 1.3.
 void TestGl::compareResamplers(RenderCaches& caches, const Scene& scene, RenderOptions options) {
   options.step = 0.25;  // a level would be cut by the CPU where the curve is uneven
-  const auto cpu = draw(caches, scene, options, Resampler::cpu);
-  const auto gl = draw(caches, scene, options, Resampler::gl);
+  options.resampler = Resampler::cpu;
+  const auto cpu = planAndDraw(caches, scene, options);
+  options.resampler = Resampler::gl;
+  const auto gl = planAndDraw(caches, scene, options);
   QVERIFY2(cpu.ok(), cpu.ok() ? "" : cpu.message().c_str());
   QVERIFY2(gl.ok(), gl.ok() ? "" : gl.message().c_str());
   const PictureError e = compare(gl->picture, cpu->picture);
@@ -272,132 +228,6 @@ void TestGl::chestAgreesWithCpu() {
     return compareResamplers(caches, c.scene, options);
   }
   QFAIL("there is no such case");
-}
-
-void TestGl::secondPictureIsTheSame() {
-  NEED_GL();
-  RenderOptions options;
-  options.size = {40, 30};
-  const auto first = draw(cachesOf("int16"), softScene(), options, Resampler::gl);
-  options.threads = 1;
-  const auto second = draw(cachesOf("int16"), softScene(), options, Resampler::gl);
-  RenderCaches others(volumeNamed("int16"));
-  const auto third = draw(others, softScene(), options, Resampler::gl);
-  QVERIFY(first.ok() && second.ok() && third.ok());
-  QVERIFY(first->picture == second->picture);
-  QVERIFY(first->picture == third->picture);
-  QCOMPARE(second->stats.threads, 1);
-  QVERIFY(first->stats.densityBytes > 0 && first->stats.gradientBytes > 0);
-}
-
-// Textures, programs and targets are kept between pictures: none may be left from the picture before.
-void TestGl::picturesMayAlternate() {
-  NEED_GL();
-  RenderCaches& caches = cachesOf("int16");
-  Scene unlit = softScene();
-  unlit.shading.lit = false;
-  RenderOptions small, fine;
-  small.size = {20, 20};
-  fine.size = {30, 10};
-  fine.precision = 32;
-  fine.step = 1.0 / 512;
-  const auto a = draw(caches, softScene(), small, Resampler::gl);
-  QVERIFY(draw(caches, unlit, fine, Resampler::gl).ok());
-  QVERIFY(draw(caches, softScene(), fine, Resampler::gl).ok());
-  QVERIFY(draw(caches, unlit, small, Resampler::gl).ok());
-  const auto b = draw(caches, softScene(), small, Resampler::gl);
-  QVERIFY(a.ok() && b.ok());
-  QVERIFY(a->picture == b->picture);
-}
-
-// The kernels pass over empty blocks, in planes too.
-void TestGl::fullIsTheSame() {
-  NEED_GL();
-  RenderOptions options;
-  options.size = {64, 64};
-  Scene scene = softScene();
-  scene.camera->height = 300;
-  const auto lean = draw(cachesOf("ct-head:64"), scene, options, Resampler::gl);
-  options.full = true;
-  const auto full = draw(cachesOf("ct-head:64"), scene, options, Resampler::gl);
-  QVERIFY(lean.ok() && full.ok());
-  QVERIFY(lean->picture == full->picture);
-}
-
-// Filters of 8 bits were seen to cost 0.7/255 RMSE at standard's steps: standard has room for that, high and
-// exact have not.
-void TestGl::levelsChooseWhereItIsFiltered_data() {
-  QTest::addColumn<int>("quality");
-  QTest::addColumn<bool>("steps");
-  QTest::addColumn<int>("bits");
-  QTest::newRow("draft: by the hardware") << int(Quality::draft) << false << 16;
-  QTest::newRow("standard: by the hardware") << int(Quality::standard) << false << 16;
-  QTest::newRow("high: in the shader") << int(Quality::high) << false << 32;
-  QTest::newRow("exact: in the shader") << int(Quality::exact) << false << 32;
-  QTest::newRow("plain steps: in the shader") << int(Quality::standard) << true << 32;
-}
-
-void TestGl::levelsChooseWhereItIsFiltered() {
-  QFETCH(int, quality);
-  QFETCH(bool, steps);
-  QFETCH(int, bits);
-  RenderOptions options;
-  options.resampler = Resampler::gl;
-  options.quality = Quality(quality);
-  if (steps) options.step = 1;
-  const auto plan = makePlan(softScene(), cachesOf("int16").facts(), options);
-  QVERIFY(plan.ok());
-  QVERIFY(plan->resampler == Resampler::gl);
-  QCOMPARE(plan->bits, bits);
-  options.precision = 48 - bits;
-  const auto asked = makePlan(softScene(), cachesOf("int16").facts(), options);
-  QVERIFY(asked.ok());
-  QCOMPARE(asked->bits, 48 - bits);
-}
-
-void TestGl::noOpenGlIsASentence() {
-  RenderCaches caches(volumeNamed("int16"));
-  caches.setGlContextFactory([]() -> Result<std::unique_ptr<GlContext>> { return Error{"none is here"}; });
-  RenderOptions options;
-  options.size = {8, 8};
-  const auto done = draw(caches, softScene(), options, Resampler::gl);
-  QVERIFY(!done.ok());
-  QCOMPARE(done.message(), std::string("No OpenGL could be had: none is here; use --resampler cpu."));
-  QVERIFY(draw(caches, softScene(), options, Resampler::cpu).ok());
-}
-
-void TestGl::contextThatCannotBeCurrentIsASentence() {
-  class Dead : public GlContext {
-    bool makeCurrent() override { return false; }
-    void doneCurrent() override { qFatal("it never was current"); }
-  };
-  RenderCaches caches(volumeNamed("int16"));
-  caches.setGlContextFactory([]() -> Result<std::unique_ptr<GlContext>> {
-    return std::unique_ptr<GlContext>(std::make_unique<Dead>());
-  });
-  const auto done = draw(caches, softScene(), {}, Resampler::gl);
-  QVERIFY(!done.ok());
-  QVERIFY2(done.message().find("use --resampler cpu") != std::string::npos, done.message().c_str());
-}
-
-void TestGl::cancelledIsSaid() {
-  NEED_GL();
-  CancelToken cancel;
-  cancel.cancel();
-  RenderOptions options;
-  options.size = {8, 8};
-  const auto done = draw(cachesOf("int16"), softScene(), options, Resampler::gl, cancel);
-  QVERIFY(!done.ok());
-  QCOMPARE(done.message(), std::string("cancelled"));
-  QVERIFY(draw(cachesOf("int16"), softScene(), options, Resampler::gl).ok());
-}
-
-void TestGl::referenceHasItsOwn() {
-  RenderOptions options;
-  options.method = Method::reference;
-  const auto done = draw(cachesOf("int16"), softScene(), options, Resampler::gl);
-  QVERIFY(!done.ok());
-  QVERIFY2(done.message().find("--resampler gl") != std::string::npos, done.message().c_str());
 }
 
 VOLUMEN_TEST(TestGl);

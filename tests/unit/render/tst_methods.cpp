@@ -3,6 +3,8 @@
 #include <map>
 
 #include "tests/fixtures/brute_force.h"
+#include "tests/fixtures/need_gl.h"
+#include "tests/fixtures/picture_words.h"
 #include "tests/unit/render/method_cases.h"
 #include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"
@@ -38,9 +40,7 @@ const Truth& truthOf(int scene) {
 Result<Rendered> drawAsAsked(const Scene& scene, RenderOptions options) {
   static RenderCaches caches(wavyVolume());
   options.size = size;
-  const auto plan = makePlan(scene, caches.facts(), options);
-  if (!plan) return plan.error();
-  return render(*plan, caches);
+  return planAndDraw(caches, scene, options);
 }
 
 Result<Rendered> draw(const Scene& scene, RenderOptions options) {
@@ -62,13 +62,6 @@ double ownErrorOf(const RenderOptions& o, const std::string& kernel) {
   return 0;
 }
 
-QString inWords(const PictureError& e) {
-  return QStringLiteral("RMSE %1, 99th percentile %2, maximum %3 of 1/255")
-      .arg(e.rmse)
-      .arg(e.percentile99)
-      .arg(e.maximum);
-}
-
 }  // namespace
 
 using Change = void (*)(Scene&, RenderOptions&);
@@ -77,7 +70,6 @@ Q_DECLARE_METATYPE(Change)
 class TestMethods : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase();
   void keepsItsError_data() { addRows(false); }
   void keepsItsError();
   void keepsThePromiseOfItsLevel_data() { addRows(false); }
@@ -94,13 +86,7 @@ class TestMethods : public QObject {
 
  private:
   static void addRows(bool preshaded);
-  QString whyNone_;  ///< no OpenGL could be had
 };
-
-void TestMethods::initTestCase() {
-  const auto context = makeEglContext();
-  if (!context) whyNone_ = QString::fromStdString("no OpenGL without a display here: " + context.message());
-}
 
 // Preshaded pictures are another thing than the reference: tst_preshaded.cpp.
 void TestMethods::addRows(bool preshaded) {
@@ -117,7 +103,7 @@ void TestMethods::addRows(bool preshaded) {
 #define NEED_METHOD(c)                         \
   QFETCH(int, method);                         \
   const MethodCase& c = methodCases()[method]; \
-  if (c.needsGl && !whyNone_.isEmpty()) QSKIP(qPrintable(whyNone_))
+  if (c.needsGl) NEED_GL()
 
 // DESIGN 2: errors at most those of the midpoint rule in double precision, plus what the stored precision
 // explains: 5 % (the same samples, rounded), and what lies behind the transmittance at which rays end; and
@@ -240,7 +226,7 @@ void TestMethods::gpuShadesAsTheCpuDoes_data() {
 // In floats: the same operations but for the drivers' own exp, log and pow, and samples at the edges of
 // patches that fall into the next one.
 void TestMethods::gpuShadesAsTheCpuDoes() {
-  if (!whyNone_.isEmpty()) QSKIP(qPrintable(whyNone_));
+  NEED_GL();
   QFETCH(Change, change);
   Scene scene = methodScenes().back().scene;
   RenderOptions options;
@@ -255,7 +241,7 @@ void TestMethods::gpuShadesAsTheCpuDoes() {
 
 // More pixels than are drawn in one go.
 void TestMethods::largePicturesComeInBands() {
-  if (!whyNone_.isEmpty()) QSKIP(qPrintable(whyNone_));
+  NEED_GL();
   RenderCaches caches(wavyVolume());
   RenderOptions options;
   options.size = {1100, 500};
@@ -277,7 +263,7 @@ void TestMethods::scenesOfChanceAreFiniteAndTheSameEveryWay() {
     RenderCaches caches(chance.volume);
     for (const MethodCase& c : methodCases()) {
       // A context and its programs for each volume take long.
-      if (c.needsGl && (!whyNone_.isEmpty() || seed % 20 != 0)) continue;
+      if (c.needsGl && (!whyNoGl().isEmpty() || seed % 20 != 0)) continue;
       RenderOptions options = c.options;
       options.size = chance.size;
       const auto plan = makePlan(chance.scene, caches.facts(), options);

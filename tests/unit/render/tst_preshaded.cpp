@@ -4,6 +4,7 @@
 
 #include "tests/fixtures/brute_force.h"
 #include "tests/fixtures/brute_matter.h"
+#include "tests/fixtures/picture_words.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/render/method_cases.h"
 #include "tests/unit/suite.h"
@@ -113,10 +114,6 @@ Picture drawn(const Scene& scene, VolumePtr volume, Method method, int bits = 16
   options.method = method;
   options.precision = bits;
   return render(*makePlan(scene, caches.facts(), options), caches)->picture;
-}
-
-QString inWords(const PictureError& e) {
-  return QStringLiteral("RMSE %1, maximum %2").arg(e.rmse).arg(e.maximum);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "tests/fixtures/brute_force.h"
 #include "tests/fixtures/brute_matter.h"
+#include "tests/fixtures/picture_words.h"
 #include "tests/unit/suite.h"
 #include "viewer/render/render.h"
 #include "viewer/volume/phantoms.h"
@@ -102,7 +103,7 @@ double largestJump(const Picture& picture) {
 }
 
 QString inWords(const PictureError& e, double bound) {
-  return QStringLiteral("RMSE %1, maximum %2, bound %3").arg(e.rmse).arg(e.maximum).arg(bound);
+  return tests::inWords(e) + QStringLiteral(", bound %1").arg(bound);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "tests/fixtures/brute_force.h"
+#include "tests/fixtures/picture_words.h"
 #include "tests/unit/render/picture_cases.h"
 #include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"
@@ -40,14 +41,6 @@ Picture drawn(const PictureCase& c, RenderOptions options) {
   const Result<Rendered> rendered = render(*plan, cache);
   if (!rendered) throw std::runtime_error(rendered.message());
   return rendered->picture;
-}
-
-QString inWords(const PictureError& e) {
-  return QStringLiteral("RMSE %1, 99th percentile %2, maximum %3 of 1/255, PSNR %4 dB")
-      .arg(e.rmse)
-      .arg(e.percentile99)
-      .arg(e.maximum)
-      .arg(e.psnrDb);
 }
 
 }  // namespace

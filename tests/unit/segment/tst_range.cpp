@@ -3,10 +3,12 @@
 #include <limits>
 #include <random>
 
+#include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
 #include "viewer/segment/range.h"
 
 using namespace volumen;
+using namespace volumen::tests;
 
 class TestRange : public QObject {
   Q_OBJECT
@@ -32,8 +34,7 @@ VolumePtr volumeOf(glm::ivec3 size, std::vector<T> values, double slope = 1, dou
   parts.values = std::move(values);
   parts.slope = slope;
   parts.intercept = intercept;
-  std::vector<std::string> warnings;
-  return *Volume::make(std::move(parts), warnings);
+  return volumeFrom(std::move(parts));
 }
 
 VolumePtr randomVolume(const QString& type) {

@@ -1,13 +1,14 @@
 // Guards the knob "gradient operator" of DESIGN 6: central differences, Sobel, Zucker-Hummel.
 #include <algorithm>
 #include <cmath>
-#include <random>
 
+#include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
 #include "viewer/volume/gradients.h"
 #include "viewer/volume/histogram.h"
 
 using namespace volumen;
+using namespace volumen::tests;
 
 class TestGradientOperators : public QObject {
   Q_OBJECT
@@ -17,20 +18,6 @@ class TestGradientOperators : public QObject {
 };
 
 namespace {
-
-template <class T>
-VolumePtr randomVolume(glm::ivec3 size, double low, double high, double slope) {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> value(low, high);
-  VolumeParts parts;
-  parts.geometry.size = size;
-  std::vector<T> values(parts.geometry.voxelCount());
-  for (T& v : values) v = T(value(random));
-  parts.values = std::move(values);
-  parts.slope = slope;
-  std::vector<std::string> warnings;
-  return *Volume::make(std::move(parts), warnings);
-}
 
 // The sum over the 26 neighbours of value * direction / distance^power, over that of a ramp of slope 1.
 glm::dvec3 defined(const Volume& v, GradientOperator by, glm::ivec3 at) {
@@ -72,7 +59,7 @@ void TestGradientOperators::equalTheirDefinition() {
   const auto op = GradientOperator(by);
   const glm::ivec3 size(nx, 5, 4);
   const VolumePtr v =
-      floats ? randomVolume<float>(size, -1, 1, 1) : randomVolume<std::uint16_t>(size, 0, 65535, 0.5);
+      floats ? randomVolume<float>(size, -1, 1) : randomVolume<std::uint16_t>(size, 0, 65535, 0.5);
   const Gradients32 g32 = gradients32By(*v, op);
   const Gradients16 g16 = floats ? Gradients16{} : gradients16By(*v, op);
   const ValueRange range = valueRange(*v);

@@ -1,14 +1,15 @@
 // Guards SCENE 3 (Sobel, clamped), SCENE 5 (percentile ranks) and the soundness of blocks.
 #include <glm/geometric.hpp>
 #include <numeric>
-#include <random>
 
+#include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
 #include "viewer/volume/bricks.h"
 #include "viewer/volume/gradients.h"
 #include "viewer/volume/histogram.h"
 
 using namespace volumen;
+using namespace volumen::tests;
 
 class TestGradients : public QObject {
   Q_OBJECT
@@ -24,26 +25,12 @@ class TestGradients : public QObject {
 
 namespace {
 
-template <class T>
-VolumePtr randomVolume(glm::ivec3 size, double low, double high, double slope = 1) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> value(low, high);
-  VolumeParts parts;
-  parts.geometry.size = size;
-  std::vector<T> values(parts.geometry.voxelCount());
-  for (T& v : values) v = T(value(random));
-  parts.values = std::move(values);
-  parts.slope = slope;
-  parts.intercept = slope == 1 ? 0 : -100;
-  std::vector<std::string> warnings;
-  return *Volume::make(std::move(parts), warnings);
-}
-
 VolumePtr volumeOf(const QString& type, glm::ivec3 size) {
   if (type == QLatin1String("uint8")) return randomVolume<std::uint8_t>(size, 0, 255);
   if (type == QLatin1String("int16")) return randomVolume<std::int16_t>(size, -1000, 1000);
   if (type == QLatin1String("int16 full range")) return randomVolume<std::int16_t>(size, -32768, 32767);
-  if (type == QLatin1String("uint16 slope -2.5")) return randomVolume<std::uint16_t>(size, 0, 65535, -2.5);
+  if (type == QLatin1String("uint16 slope -2.5"))
+    return randomVolume<std::uint16_t>(size, 0, 65535, -2.5, -100);
   return randomVolume<float>(size, -1, 1);
 }
 
