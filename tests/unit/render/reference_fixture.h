@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "tests/fixtures/small_volumes.h"
 #include "viewer/render/reference.h"
 
 namespace volumen::tests {
@@ -30,8 +31,7 @@ VolumePtr volumeOf(const VoxelGeometry& geometry, Function valueAt) {
   VolumeParts parts;
   parts.geometry = geometry;
   parts.values = std::move(values);
-  std::vector<std::string> warnings;
-  return *Volume::make(std::move(parts), warnings);
+  return volumeFrom(std::move(parts));
 }
 
 inline VolumePtr homogeneous(const VoxelGeometry& geometry, double value = 1) {

@@ -1,12 +1,12 @@
-// Guards DESIGN 10 (presets, defaults of render, padding) and the published opacities that the presets
+// Guards DESIGN 10 (presets, padding) and the published opacities that the presets
 // repeat.
-#include <random>
-
+#include "tests/unit/scene/preset_volumes.h"
 #include "tests/unit/suite.h"
 #include "viewer/scene/presets.h"
 #include "viewer/scene/scene_json.h"
 
 using namespace volumen;
+using namespace volumen::tests;
 
 class TestPresets : public QObject {
   Q_OBJECT
@@ -22,9 +22,6 @@ class TestPresets : public QObject {
   void paddingDoesNotMoveTheAnchor();
   void techniqueOfMaximumPresets();
   void unknownNameIsRefusedWithTheNames();
-  void autoChoosesByModalityAndHistogram_data();
-  void autoChoosesByModalityAndHistogram();
-  void autoLightsOverTheShoulder();
 };
 
 namespace {
@@ -150,23 +147,6 @@ const std::vector<Published>& published() {
   return table;
 }
 
-template <class T>
-VolumePtr volumeOf(std::vector<T> values, const char* modality) {
-  VolumeParts parts;
-  parts.geometry.size = {int(values.size()), 1, 1};
-  parts.values = std::move(values);
-  parts.attributes.modality = modality;
-  std::vector<std::string> warnings;
-  return *Volume::make(std::move(parts), warnings);
-}
-
-// 0 .. 999, one voxel each: P1 is 9 and P99.5 is 994 (ranks 10 and 995).
-VolumePtr countingVolume(const char* modality = "MR") {
-  std::vector<std::int16_t> values(1000);
-  for (int n = 0; n < 1000; ++n) values[std::size_t(n)] = std::int16_t(n);
-  return volumeOf(values, modality);
-}
-
 // Linear between the table's points, constant outside.
 double tableAt(const std::vector<Point>& points, double value) {
   if (value <= points.front().value) return points.front().opacity;
@@ -233,7 +213,7 @@ void TestPresets::everyPresetIsValidOnEveryVolume_data() {
 
 void TestPresets::everyPresetIsValidOnEveryVolume() {
   QFETCH(std::vector<float>, values);
-  const VolumePtr volume = volumeOf(values, "MR");
+  const VolumePtr volume = rowOf(values, "MR");
   std::vector<std::string> names = presetNames();
   names.push_back("auto");
   for (const std::string& name : names) {
@@ -312,74 +292,6 @@ void TestPresets::unknownNameIsRefusedWithTheNames() {
   QVERIFY(!scene.ok());
   QVERIFY(scene.message().starts_with("There is no preset \"CT-Bonez\"; there are auto, CT-AAA, "));
   QVERIFY(scene.message().ends_with("US-Fetal."));
-}
-
-namespace {
-
-struct Tissue {
-  double mean, deviation;
-  int voxels;
-};
-
-// A volume with the histogram of these tissues.
-VolumePtr patient(const std::vector<Tissue>& tissues, const char* modality) {
-  std::mt19937 bits(1);
-  std::vector<std::int16_t> values;
-  for (const Tissue& t : tissues)
-    for (int n = 0; n < t.voxels; ++n) {
-      const double v = std::normal_distribution<double>(t.mean, t.deviation)(bits);
-      values.push_back(std::int16_t(std::clamp(v, -1024.0, 3071.0)));
-    }
-  return volumeOf(values, modality);
-}
-
-constexpr Tissue air{-1000, 10, 60000}, lung{-850, 60, 20000}, fat{-100, 25, 20000}, muscle{50, 25, 50000};
-constexpr Tissue spongyBone{100, 150, 5000}, denseBone{900, 400, 15000}, blood{300, 25, 2500},
-    table{280, 30, 400};
-
-}  // namespace
-
-void TestPresets::autoChoosesByModalityAndHistogram_data() {
-  QTest::addColumn<VolumePtr>("volume");
-  QTest::addColumn<QString>("preset");
-  const std::vector<Tissue> chest{air, lung, fat, muscle, spongyBone}, body{air, fat, muscle, spongyBone};
-  std::vector<Tissue> chestWithContrast = chest, bodyWithContrast = body;
-  chestWithContrast.push_back(blood);
-  bodyWithContrast.push_back(blood);
-  QTest::newRow("chest") << patient(chest, "CT") << "CT-Bones";
-  QTest::newRow("chest with contrast") << patient(chestWithContrast, "CT") << "CT-Chest-Contrast-Enhanced";
-  QTest::newRow("chest on a dense table")
-      << patient({air, lung, fat, muscle, spongyBone, table}, "CT") << "CT-Bones";
-  QTest::newRow("abdomen") << patient(body, "CT") << "CT-Muscle";
-  QTest::newRow("abdomen with contrast") << patient(bodyWithContrast, "CT") << "CT-AAA";
-  QTest::newRow("head") << patient({air, fat, muscle, denseBone}, "CT") << "CT-Bone";
-  QTest::newRow("chest, modality unknown") << patient(chest, "") << "CT-Bones";
-  QTest::newRow("head, modality unknown") << patient({air, fat, muscle, denseBone}, "") << "CT-Bone";
-  QTest::newRow("MR") << countingVolume("MR") << "MR-Default";
-  QTest::newRow("no HU, modality unknown") << countingVolume("") << "MR-Default";
-  QTest::newRow("HU-like but MR") << patient(chest, "MR") << "MR-Default";
-  QTest::newRow("ultrasound") << countingVolume("US") << "US-Fetal";
-  QTest::newRow("CT of one value") << volumeOf(std::vector<std::int16_t>(10, 0), "CT") << "CT-Muscle";
-}
-
-void TestPresets::autoChoosesByModalityAndHistogram() {
-  QFETCH(VolumePtr, volume);
-  QFETCH(QString, preset);
-  QCOMPARE(QString::fromStdString(automaticPreset(*volume)), preset);
-  Scene chosen = *presetScene(automaticPreset(*volume), *volume);
-  Scene automatic = *presetScene("auto", *volume);
-  automatic.lights = chosen.lights;
-  QVERIFY(automatic == chosen);
-}
-
-void TestPresets::autoLightsOverTheShoulder() {
-  const Scene scene = *presetScene("auto", *countingVolume());
-  QVERIFY(!scene.lights.empty());
-  const Light& main = scene.lights[0];
-  QVERIFY(main.space == Space::camera && main.on);
-  QVERIFY(main.direction.x < 0 && main.direction.y > 0 && main.direction.z > 0);  // left, above, from behind
-  for (std::size_t n = 1; n < scene.lights.size(); ++n)
-    QVERIFY(scene.lights[n].intensity < main.intensity / 2);
 }
 
 VOLUMEN_TEST(TestPresets);
