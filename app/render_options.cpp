@@ -124,7 +124,7 @@ void addMethodOptions(CLI::App& app, MethodOptions& o) {
   app.add_option("--blending", o.blending, "Bits of the frame buffer of --method blend (default: float)")
       ->check(CLI::IsMember(keys(blendings)));
   app.add_option("--precision", o.precision, "Bits of stored density and gradients")
-      ->check(CLI::IsMember({16, 32}));
+      ->check(CLI::IsMember({8, 16, 32}));
   app.add_option("--shader", o.shader,
                  "How samples are lit: reflectance map, 5-bit table (for comparison) or directly")
       ->check(CLI::IsMember(keys(shaders)))

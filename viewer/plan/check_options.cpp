@@ -35,6 +35,14 @@ Status checkKnobs(const RenderOptions& o) {
       "draws the picture's definition."};
 }
 
+Status checkPrecision(const RenderOptions& o) {
+  if (o.precision && *o.precision != 8 && *o.precision != 16 && *o.precision != 32)
+    return Error{"--precision must be 8, 16 or 32."};
+  const bool byCpu = o.resampler.value_or(Resampler::cpu) == Resampler::cpu;
+  if (o.precision != 8 || (byCpu && (o.method == Method::planes || o.method == Method::blend))) return {};
+  return Error{"--precision 8 goes with --method planes and blend alone, resampled by the CPU."};
+}
+
 Status checkMethod(const Scene& scene, const RenderOptions& o) {
   static constexpr const char* modes[] = {"composite", "mip", "minip", "average"};
   if (o.method == Method::preshaded && scene.mode != Mode::composite)
@@ -56,7 +64,7 @@ Status checkOptions(const Scene& scene, const RenderOptions& o) {
     return Error{"--size must be 1x1 .. 32768x32768."};
   if (o.step && !(*o.step >= 1.0 / 1024 && *o.step <= 64))
     return Error{"--step must be 1/1024 .. 64 voxels."};
-  if (o.precision && *o.precision != 16 && *o.precision != 32) return Error{"--precision must be 16 or 32."};
+  if (Status s = checkPrecision(o); !s) return s;
   if (o.mapSize && (*o.mapSize < 2 || *o.mapSize > 1024)) return Error{"--map-size must be 2 .. 1024."};
   if (o.threads < 0 || o.threads > 1024) return Error{"--threads must be 1 .. 1024."};
   if (o.resampler == Resampler::gl && o.method == Method::reference)

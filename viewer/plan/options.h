@@ -28,7 +28,7 @@ struct RenderOptions {
   Method method = Method::planes;
   std::optional<Resampler> resampler;  ///< none: gl with Method::gpu, else cpu
   Shader shader = Shader::automatic;
-  std::optional<int> precision;  ///< bits of the stored density and gradient components: 16 or 32
+  std::optional<int> precision;  ///< bits of the stored density and gradient components: 8, 16 or 32
   std::optional<int> mapSize;    ///< n of the reflectance map's six n x n faces
   std::optional<MapLookup> mapLookup;
   std::optional<double> stopAt;            ///< a ray ends below this transmittance, 0 (never) .. 1

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "viewer/plan/visibility.h"
+#include "viewer/volume/bytes.h"
 #include "viewer/volume/gradients.h"
 
 namespace volumen {
@@ -208,7 +209,16 @@ bool packingIsCoarse(const RuleInput& in) {
   return composite(in) && step / 2 > smallestPerMm / 256;
 }
 
+Effect inBytes(const RuleInput& in, Plan& plan) {
+  plan.bits = 8;
+  const bool exact = in.facts.integers && bytesHoldExactly(in.facts.range, in.facts.slope);
+  return on(std::string("8 bits, as asked: values ") +
+            (exact ? "kept exactly" : "rounded to 1/255 of their range") +
+            (plan.gradients ? ", gradients to 1/127 of the largest" : ""));
+}
+
 Effect precision(const RuleInput& in, Plan& plan) {
+  if (in.options.precision == 8) return inBytes(in, plan);
   // Integers are kept exactly in 16 bits; a negative slope would turn the order of values round.
   const bool fits = in.facts.integers && in.facts.slope > 0;
   // Texture hardware that filters 16 bits may keep 8 bits of the place between two voxels: measured on

@@ -90,6 +90,11 @@ const Density32& RenderCaches::Impl::densities32() {
   return density32.emplace(std::move(d));
 }
 
+const Density8& RenderCaches::Impl::densitiesIn8() {
+  if (!density8) density8 = densities8(*volume, byteScale(*volume, factsOfVolume().range));
+  return *density8;
+}
+
 const Gradients16& RenderCaches::Impl::gradientsIn16(GradientOperator by) {
   if (!gradients16 || gradients16->by != by) {
     gradients16.reset();  // not two at a time
@@ -106,12 +111,20 @@ const Gradients32& RenderCaches::Impl::gradientsIn32(GradientOperator by) {
   return gradients32->gradients;
 }
 
-const SkipMap& RenderCaches::Impl::skipMap(const TransferFunction& curve, int reachBlocks) {
+const Voxels8& RenderCaches::Impl::voxelsIn8(GradientOperator by) {
+  if (!voxels8 || voxels8->by != by) {
+    voxels8.reset();
+    voxels8 = {by, voxels8By(*volume, by, byteScale(*volume, factsOfVolume().range))};
+  }
+  return voxels8->gradients;
+}
+
+const SkipMap& RenderCaches::Impl::skipMap(const TransferFunction& curve, int reachBlocks, double rounding) {
   static_assert(SkipMap::edge == BrickRanges::edge);
   const BrickRanges& bricks = *factsOfVolume().bricks;
-  if (!skip || skip->points != curve.points || skip->reachBlocks != reachBlocks)
-    skip =
-        Skip{curve.points, reachBlocks, makeSkipMap(bricks.count, visibleBlocks(curve, bricks), reachBlocks)};
+  if (!skip || skip->points != curve.points || skip->reachBlocks != reachBlocks || skip->rounding != rounding)
+    skip = Skip{curve.points, reachBlocks, rounding,
+                makeSkipMap(bricks.count, visibleBlocks(curve, bricks, rounding), reachBlocks)};
   return skip->map;
 }
 

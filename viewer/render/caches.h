@@ -7,6 +7,7 @@
 #include "viewer/render/render.h"
 #include "viewer/render/skip_map.h"
 #include "viewer/volume/buffer.h"
+#include "viewer/volume/bytes.h"
 #include "viewer/volume/gradients.h"
 
 namespace volumen {
@@ -31,6 +32,7 @@ struct RenderCaches::Impl {
   std::optional<VolumeFacts> facts;
   std::optional<Density16> density16;
   std::optional<Density32> density32;
+  std::optional<Density8> density8;
   template <class Gradients>
   struct ByOperator {
     GradientOperator by;
@@ -38,10 +40,12 @@ struct RenderCaches::Impl {
   };
   std::optional<ByOperator<Gradients16>> gradients16;
   std::optional<ByOperator<Gradients32>> gradients32;
+  std::optional<ByOperator<Voxels8>> voxels8;
 
   struct Skip {
     std::vector<CurvePoint> points;  ///< what the map was made for
     int reachBlocks = 0;
+    double rounding = 0;
     SkipMap map;
   };
   std::optional<Skip> skip;
@@ -52,9 +56,12 @@ struct RenderCaches::Impl {
   const VolumeFacts& factsOfVolume();
   const Density16& densities16();  ///< only for integers with a positive slope
   const Density32& densities32();
+  const Density8& densitiesIn8();
   const Gradients16& gradientsIn16(GradientOperator by);
   const Gradients32& gradientsIn32(GradientOperator by);
-  const SkipMap& skipMap(const TransferFunction& curve, int reachBlocks);
+  const Voxels8& voxelsIn8(GradientOperator by);
+  /// `rounding`: how far stored values may be off the volume's, real units.
+  const SkipMap& skipMap(const TransferFunction& curve, int reachBlocks, double rounding);
   Result<GlState*> glState();  ///< made when first asked for; its context is not current
 };
 

@@ -26,7 +26,7 @@ Result<Rendered> renderTruth(const Plan& plan, RenderCaches& caches, const Cance
 
 Status checkSize(const Plan& plan, const Volume& volume) {
   // The kernels count samples in 32 bits.
-  const std::int64_t most = std::int64_t(1) << (plan.bits == 16 ? 30 : 29);
+  const std::int64_t most = std::int64_t(1) << (plan.bits == 32 ? 29 : 30);
   if (volume.geometry().voxelCount() < most) return {};
   return Error{"The volume has " + std::to_string(volume.geometry().voxelCount()) +
                " voxels, more than the fast methods can draw; use --method reference."};

@@ -84,7 +84,7 @@ std::vector<Knob> knobs() {
        {byOpenGl("planes", Method::planes), byOpenGl("blend", Method::blend),
         byOpenGl("preshaded", Method::preshaded)}},
       {"precision", numbers(
-                        {16, 32}, " bits", +[](Setting& s, int bits) { s.options.precision = bits; })},
+                        {8, 16, 32}, " bits", +[](Setting& s, int bits) { s.options.precision = bits; })},
       {"shader",
        {{"direct", options([](auto& o) { o.shader = Shader::phong; })},
         {"5-bit table", options([](auto& o) { o.shader = Shader::table; })}}},

@@ -48,9 +48,9 @@ void sumAcross(const T* const (&r)[3][3], std::size_t count, Weights w, Sums& s)
   s.clampEnds();
 }
 
-// Calls store(voxel, x, y, z) for every voxel, gradients in stored values per voxel.
-template <class T, class Store>
-void overVoxels(const std::vector<T>& stored, glm::ivec3 size, GradientOperator by, Store store) {
+// Calls use(first voxel, sums) for every row.
+template <class T, class Use>
+void overRows(const std::vector<T>& stored, glm::ivec3 size, GradientOperator by, const Use& use) {
   const Weights weights = weightsOf(by);
   parallelFor(std::int64_t(size.y) * size.z, 0, [&](std::int64_t begin, std::int64_t end) {
     const std::size_t count = std::size_t(size.x);
@@ -64,10 +64,24 @@ void overVoxels(const std::vector<T>& stored, glm::ivec3 size, GradientOperator 
           rows[dz][dy] = stored.data() + (z * size.y + y) * size.x;
         }
       sumAcross(rows, count, weights, s);
-      for (std::size_t n = 0; n < count; ++n)
-        store(std::size_t(row) * count + n, s.across[n + 2] - s.across[n],
-              s.y[n + 1] + (s.ySide[n] + s.ySide[n + 2]), s.z[n + 1] + (s.zSide[n] + s.zSide[n + 2]));
+      use(std::size_t(row) * count, s);
     }
+  });
+}
+
+// Calls store(voxel, x, y, z) for every voxel of a row, gradients in stored values per voxel.
+template <class Store>
+void overVoxels(const Sums& s, std::size_t count, const Store& store) {
+  for (std::size_t n = 0; n < count; ++n)
+    store(n, s.across[n + 2] - s.across[n], s.y[n + 1] + (s.ySide[n] + s.ySide[n + 2]),
+          s.z[n + 1] + (s.zSide[n] + s.zSide[n + 2]));
+}
+
+// Writes a row as x, y, z, 0, in real value per voxel.
+void writeRow32(const Sums& s, std::size_t count, float slope, float* out) {
+  overVoxels(s, count, [=](std::size_t n, float x, float y, float z) {
+    float* to = out + 4 * n;
+    to[0] = slope * x, to[1] = slope * y, to[2] = slope * z, to[3] = 0;
   });
 }
 
@@ -85,11 +99,14 @@ Gradients16 gradients16By(const Volume& volume, GradientOperator by) {
   std::visit(
       [&]<class T>(const std::vector<T>& stored) {
         const int shift = std::is_same_v<T, std::uint16_t> ? 32768 : 0;
-        overVoxels(stored, volume.size(), by, [&](std::size_t n, float x, float y, float z) {
-          const auto packed = [&](float v) { return std::int16_t(std::lrint(v * perUnit)); };
-          std::int16_t* to = g.xyzd.data() + 4 * n;
-          to[0] = packed(x), to[1] = packed(y), to[2] = packed(z),
-          to[3] = std::int16_t(int(stored[n]) - shift);
+        const auto packed = [&](float v) { return std::int16_t(std::lrint(v * perUnit)); };
+        const std::size_t count = std::size_t(volume.size().x);
+        overRows(stored, volume.size(), by, [&](std::size_t first, const Sums& s) {
+          overVoxels(s, count, [&](std::size_t n, float x, float y, float z) {
+            std::int16_t* to = g.xyzd.data() + 4 * (first + n);
+            to[0] = packed(x), to[1] = packed(y), to[2] = packed(z),
+            to[3] = std::int16_t(int(stored[first + n]) - shift);
+          });
         });
       },
       volume.stored());
@@ -99,16 +116,28 @@ Gradients16 gradients16By(const Volume& volume, GradientOperator by) {
 Gradients32 gradients32By(const Volume& volume, GradientOperator by) {
   if (by == GradientOperator::sobel) return sobel32(volume);
   Gradients32 g{Buffer<float>(std::size_t(4) * volume.geometry().voxelCount())};
-  const float slope = float(volume.slope());
   std::visit(
       [&](const auto& stored) {
-        overVoxels(stored, volume.size(), by, [&](std::size_t n, float x, float y, float z) {
-          float* to = g.xyz0.data() + 4 * n;
-          to[0] = slope * x, to[1] = slope * y, to[2] = slope * z, to[3] = 0;
+        overRows(stored, volume.size(), by, [&](std::size_t first, const Sums& s) {
+          writeRow32(s, std::size_t(volume.size().x), float(volume.slope()), g.xyz0.data() + 4 * first);
         });
       },
       volume.stored());
   return g;
+}
+
+void gradientRowsBy(const Volume& volume, GradientOperator by, const UseGradientRow& use) {
+  if (by == GradientOperator::sobel) return sobelRows(volume, use);
+  const std::size_t count = std::size_t(volume.size().x);
+  std::visit(
+      [&](const auto& stored) {
+        overRows(stored, volume.size(), by, [&](std::size_t first, const Sums& s) {
+          std::vector<float> xyz0(4 * count);
+          writeRow32(s, count, float(volume.slope()), xyz0.data());
+          use(first, xyz0.data());
+        });
+      },
+      volume.stored());
 }
 
 }  // namespace volumen

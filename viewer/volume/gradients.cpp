@@ -45,8 +45,8 @@ void SumAcross(const Rows<T>& r, std::size_t count, Sum* HWY_RESTRICT smooth, Su
 
 // Finishes one row along x: gradients in units of 1/32, shifted right with rounding, and the density, four
 // 16-bit integers a voxel.
-void FinishRow16(const std::int16_t* density, const std::int32_t* smooth, const std::int32_t* alongY, const std::int32_t* alongZ,
-                 std::size_t count, int shift, std::int16_t* HWY_RESTRICT out) {
+void FinishRow16(const std::int16_t* density, const std::int32_t* smooth, const std::int32_t* alongY,
+                 const std::int32_t* alongZ, std::size_t count, int shift, std::int16_t* HWY_RESTRICT out) {
   const hn::ScalableTag<std::int32_t> d32;
   const hn::Rebind<std::int16_t, decltype(d32)> d16;
   const auto half = hn::Set(d32, shift > 0 ? 1 << (shift - 1) : 0);
@@ -62,8 +62,7 @@ void FinishRow16(const std::int16_t* density, const std::int32_t* smooth, const 
     const bool whole = n + lanes <= count;
     const auto x = demote(hn::Sub(hn::LoadU(d32, smooth + n + 2), hn::LoadU(d32, smooth + n)));
     hn::StoreInterleaved4(x, demote(smoothed(alongY, n)), demote(smoothed(alongZ, n)),
-                          hn::LoadU(d16, density + n), d16,
-                          whole ? out + 4 * n : part);
+                          hn::LoadU(d16, density + n), d16, whole ? out + 4 * n : part);
     if (!whole) std::copy_n(part, 4 * (count - n), out + 4 * n);
   }
 }
@@ -149,9 +148,9 @@ struct RowKernels {
   auto of(float, float) const { return f32Float; }
 };
 
-// Runs the row kernel over all rows on all cores.
-template <class Sum, class T, class Factor, class Out>
-void overRows(const std::vector<T>& stored, glm::ivec3 size, Factor factor, Out* out) {
+// Runs the row kernel over all rows on all cores: use(row, draw) has draw(out) fill a row.
+template <class Sum, class T, class Factor, class Use>
+void overRows(const std::vector<T>& stored, glm::ivec3 size, Factor factor, const Use& use) {
   const auto kernel =
       static_cast<const RowKernels*>(HWY_DYNAMIC_DISPATCH(ChooseRowKernels)())->of(T{}, Sum{});
   constexpr std::size_t longestVector = 64;  // of any CPU target; HWY_MAX_BYTES here is only the baseline's
@@ -167,7 +166,7 @@ void overRows(const std::vector<T>& stored, glm::ivec3 size, Factor factor, Out*
                              z = std::clamp(k + dz - 1, 0, size.z - 1);
           rows[dz][dy] = stored.data() + (z * size.y + y) * size.x;
         }
-      kernel(rows, std::size_t(size.x), factor, scratch.data(), stride, out + std::size_t(4) * size.x * row);
+      use(row, [&](auto* out) { kernel(rows, std::size_t(size.x), factor, scratch.data(), stride, out); });
     }
   });
 }
@@ -215,20 +214,40 @@ Gradients16 sobel16(const Volume& volume) {
   std::visit(
       [&]<class T>(const std::vector<T>& stored) {
         if constexpr (!std::is_same_v<T, float>)
-          overRows<std::int32_t>(stored, volume.size(), shift, g.xyzd.data());
+          overRows<std::int32_t>(stored, volume.size(), shift, [&](std::int64_t row, const auto& draw) {
+            draw(g.xyzd.data() + std::size_t(4) * volume.size().x * row);
+          });
       },
       volume.stored());
   return g;
 }
 
+namespace {
+
+template <class Use>
+void overSobelRows32(const Volume& volume, const Use& use) {
+  std::visit(
+      [&](const auto& stored) { overRows<float>(stored, volume.size(), float(volume.slope() / 32), use); },
+      volume.stored());
+}
+
+}  // namespace
+
 Gradients32 sobel32(const Volume& volume) {
   Gradients32 g{Buffer<float>(std::size_t(4) * volume.geometry().voxelCount())};
-  std::visit(
-      [&](const auto& stored) {
-        overRows<float>(stored, volume.size(), float(volume.slope() / 32), g.xyz0.data());
-      },
-      volume.stored());
+  overSobelRows32(volume, [&](std::int64_t row, const auto& draw) {
+    draw(g.xyz0.data() + std::size_t(4) * volume.size().x * row);
+  });
   return g;
+}
+
+void sobelRows(const Volume& volume, const UseGradientRow& use) {
+  const std::size_t count = std::size_t(volume.size().x);
+  overSobelRows32(volume, [&](std::int64_t row, const auto& draw) {
+    std::vector<float> xyz0(4 * count);
+    draw(xyz0.data());
+    use(std::size_t(row) * count, xyz0.data());
+  });
 }
 
 }  // namespace volumen

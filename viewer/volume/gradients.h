@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 
 #include "viewer/volume/buffer.h"
@@ -40,8 +41,15 @@ Gradients16 sobel16(const Volume& volume);
 /// The same for any volume.
 Gradients32 sobel32(const Volume& volume);
 
+/// What is done with a row of voxels along i: `first` is the index of its first voxel, `xyz0` its gradients
+/// as in Gradients32, which last for the call only.
+using UseGradientRow = std::function<void(std::size_t first, const float* xyz0)>;
+/// The numbers of sobel32 row by row, on all cores, in no fixed order: nothing is kept.
+void sobelRows(const Volume& volume, const UseGradientRow& use);
+
 /// By any operator; on all cores. The same conditions and units.
 Gradients16 gradients16By(const Volume& volume, GradientOperator by);
 Gradients32 gradients32By(const Volume& volume, GradientOperator by);
+void gradientRowsBy(const Volume& volume, GradientOperator by, const UseGradientRow& use);
 
 }  // namespace volumen

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "viewer/render/kernels/bytes-inl.h"
 #include "viewer/render/kernels/packet-inl.h"
 #include "viewer/render/kernels/sample-inl.h"
 #include "viewer/render/kernels/trace.h"
@@ -62,6 +63,7 @@ ProjectKernel ChooseMode(Mode mode) {
 ProjectKernel ChooseProject(Store store, Mode mode) {
   return store == Store::int16     ? ChooseMode<Int16Store>(mode)
          : store == Store::float32 ? ChooseMode<Float32Store>(mode)
+         : store == Store::byte1   ? ChooseMode<Byte1Store>(mode)
                                    : ChooseMode<void>(mode);
 }
 
@@ -82,9 +84,18 @@ ProjectKernel chooseProjectKernel(Store store, Mode mode) {
 const char* kernelTarget() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
 
 TraceKernel chooseTraceKernel(TraceKey key) {
-  return key.store == Store::int16     ? chooseTraceInt16(key)
-         : key.store == Store::float32 ? chooseTraceFloat32(key)
-                                       : chooseTracePlane(key);
+  switch (key.store) {
+    case Store::int16:
+      return chooseTraceInt16(key);
+    case Store::float32:
+      return chooseTraceFloat32(key);
+    case Store::byte1:
+    case Store::byte4:
+      return chooseTraceBytes(key);
+    case Store::plane:
+      break;
+  }
+  return chooseTracePlane(key);
 }
 
 }  // namespace volumen

@@ -14,8 +14,9 @@
 namespace volumen {
 
 /// How density (and gradients) are stored: 16-bit integers with 4 x 16-bit gradients, floats with 4 x float
-/// gradients, or a plane of rays that another resampler (GL) has filled: floats, one row a step.
-enum class Store { int16, float32, plane };
+/// gradients, a byte a voxel without gradients, four bytes a voxel with them, or a plane of rays that another
+/// resampler (GL) has filled: floats, one row a step.
+enum class Store { int16, float32, byte1, byte4, plane };
 
 /// How a visible sample is lit. `map`, `mapNearest`: reflectance map; `table`: colour and light from the
 /// 4-index table; `phong`: directly; `local`: directly, each ray with its own viewer.
@@ -52,6 +53,8 @@ struct TraceFrame {
   const float* density32 = nullptr;
   const std::int16_t* voxels16 = nullptr;  ///< Gradients16::xyzd
   const float* gradients32 = nullptr;
+  const std::uint8_t* density8 = nullptr;  ///< Density8::bytes
+  const std::uint32_t* voxels8 = nullptr;  ///< Voxels8::words
   float gradientMatrix[9] = {};   ///< row-major: stored gradient -> gradientUnit per mm in patient space
   float gradientUnit = 1;         ///< real value
   bool boundedGradients = false;  ///< squares of such gradients neither overflow nor vanish
@@ -94,6 +97,7 @@ TraceKernel chooseTraceKernel(TraceKey key);
 // The same for one store; a file each, as each holds many kernels. `key.store` is not looked at.
 TraceKernel chooseTraceInt16(TraceKey key);
 TraceKernel chooseTraceFloat32(TraceKey key);
+TraceKernel chooseTraceBytes(TraceKey key);
 TraceKernel chooseTracePlane(TraceKey key);
 
 /// Extremes or the mean of the density along each ray of a row (SCENE 9), in density units; NaN never.

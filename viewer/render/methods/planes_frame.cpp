@@ -54,7 +54,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   makeShades(plan, cache.factsOfVolume().range);
   frame_.stopTransmittance = float(plan.stopTransmittance);
   if (plan.skipBlocks || key_.refined) {
-    const SkipMap& blocks = cache.skipMap(transfer_, reachBlocks(plan, cache.volume->geometry()));
+    const SkipMap& blocks = cache.skipMap(transfer_, reachBlocks(plan, cache.volume->geometry()), rounding_);
     if (plan.skipBlocks) frame_.skip = &blocks;
     // Which intervals are parted is a choice, not a sound rule: it looks at blocks even where none is
     // skipped.
@@ -66,6 +66,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
 }
 
 void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
+  if (plan.bits == 8) return readBytes(plan, caches, stats);
   auto& cache = caches.impl();
   const VoxelGeometry& geometry = cache.volume->geometry();
   if (plan.bits == 16) {
@@ -94,6 +95,29 @@ void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats
   setGradientScale(plan, geometry, 1);
 }
 
+void PlanesFrame::readBytes(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
+  auto& cache = caches.impl();
+  const std::size_t voxels = std::size_t(cache.volume->geometry().voxelCount());
+  stats.densityBytes = voxels;
+  const auto useScale = [&](const ByteScale& s) {
+    scale_ = {s.unit, s.low, 0, (cache.factsOfVolume().range.high - s.low) / s.unit};
+    // A little more than half a unit, as values are rounded to floats before and behind.
+    rounding_ = s.exact ? 0 : 0.501 * s.unit;
+  };
+  if (!plan.gradients) {
+    const Density8& d = cache.densitiesIn8();
+    key_.store = Store::byte1;
+    frame_.density8 = d.bytes.data();
+    return useScale(d.scale);
+  }
+  const Voxels8& v = cache.voxelsIn8(plan.gradientOperator);
+  key_.store = Store::byte4;
+  frame_.voxels8 = v.words.data();
+  stats.gradientBytes = 3 * voxels;
+  useScale(v.scale);
+  setGradientScale(plan, cache.volume->geometry(), v.gradientUnit);
+}
+
 void PlanesFrame::makeShades(const Plan& plan, ValueRange values) {
   if (plan.shader == Shader::map) {
     map_ = makeReflectanceMap(lighting_, plan.mapSize, plan.mapLookup);
@@ -120,7 +144,7 @@ void PlanesFrame::setGradientScale(const Plan& plan, const VoxelGeometry& geomet
   // A power of two, so that the unit rounds nothing.
   const double unit = std::exp2(std::clamp(std::ceil(std::log2(largest)), -100.0, 100.0));
   frame_.gradientUnit = float(unit);
-  frame_.boundedGradients = plan.bits == 16 && smallest > 1e-8 * largest && largest <= unit;
+  frame_.boundedGradients = plan.bits != 32 && smallest > 1e-8 * largest && largest <= unit;
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) frame_.gradientMatrix[3 * r + c] = float(m[c][r] / unit);
   const double floor = *plan.scene.shading.gradientFloor;

@@ -20,6 +20,7 @@ class PlanesFrame {
 
  private:
   void readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats);
+  void readBytes(const Plan& plan, RenderCaches& caches, RenderStats& stats);
   void makeShades(const Plan& plan, ValueRange values);
   void setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale);
 
@@ -30,6 +31,7 @@ class PlanesFrame {
   Lighting lighting_;
   ReflectanceMap map_;
   ShadeTable table_;
+  double rounding_ = 0;       ///< how far stored values may be off the volume's, real units
   double gradientScale_ = 1;  ///< value per voxel of a unit of the stored gradients
   TransferFunction transfer_;
 };

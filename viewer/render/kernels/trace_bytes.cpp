@@ -1,0 +1,25 @@
+// The composite kernels over bytes.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "viewer/render/kernels/trace_bytes.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "viewer/render/kernels/bytes-inl.h"
+#include "viewer/render/kernels/trace-inl.h"
+#include "viewer/render/kernels/trace.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+TraceKernel ChooseTraceBytes(TraceKey key) {
+  return key.store == Store::byte1 ? ChooseDensity<Byte1Store, ShadeBy::nothing, false>(key)
+                                   : ChooseShade<Byte4Store>(key);
+}
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace volumen {
+HWY_EXPORT(ChooseTraceBytes);
+TraceKernel chooseTraceBytes(TraceKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTraceBytes)(key); }
+}  // namespace volumen
+#endif  // HWY_ONCE
