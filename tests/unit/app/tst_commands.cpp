@@ -49,6 +49,8 @@ void TestCommands::wrongUsageIsASentenceAndStatus2_data() {
                            "render phantom:sphere -o a.png --reference --step 1",
                            "render phantom:sphere -o a.png --method reference --quality high",
                            "render phantom:sphere -o a.png --precision 12",
+                           "render phantom:sphere -o a.png --precision 8 --resampler gl",
+                           "render phantom:sphere -o a.png --precision 8 --reference",
                            "render phantom:sphere -o a.png --method gpu --resampler cpu",
                            "render phantom:sphere -o a.png --method preshaded --mode mip",
                            "render phantom:sphere -o a.png --blending 8",

@@ -62,6 +62,8 @@ void TestPictureText::saysItsMethodAndError_data() {
         o.method = Method::blend;
         o.blending = Blending::bits8;
       });
+  row("voxels of bytes", "planes", "not promised, chosen by hand: values and gradients of 8 bits",
+      [](RenderOptions& o) { o.precision = 8; });
   row("a table", "planes", "not promised, chosen by hand: light from a table of 5-bit indices, in 8 bits",
       [](RenderOptions& o) { o.shader = Shader::table; });
   row("a map", "planes", "not promised, chosen by hand: light from a map of 32 directions an edge, nearest",

@@ -116,6 +116,24 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.scene.shading.gradientFloor = 10;
         a.scene.shading.lit = false;
       });
+  row("bytes of many values", "precision",
+      "on   precision: 8 bits, as asked: values rounded to 1/255 of their range, gradients to 1/127 of the "
+      "largest",
+      [](Asked& a) { a.options.precision = 8; });
+  row("bytes of 256 values", "precision",
+      "on   precision: 8 bits, as asked: values kept exactly, gradients to 1/127 of the largest",
+      [](Asked& a) {
+        a.options.precision = 8;
+        a.facts.range = {-27.5, 100};
+        a.facts.slope = -0.5;
+      });
+  row("bytes of floats, unlit", "precision",
+      "on   precision: 8 bits, as asked: values rounded to 1/255 of their range", [](Asked& a) {
+        a.options.precision = 8;
+        a.facts.integers = false;
+        a.facts.range = {0, 1};
+        a.scene.shading.lit = false;
+      });
   row("plain filters are too coarse for high", "precision",
       "on   precision: 32 bits, interpolated in floats: filters of texture hardware are too coarse here",
       [](Asked& a) {
@@ -306,6 +324,22 @@ void TestRules::optionsThatCannotBeAreRefused_data() {
   row("no step", "--step", [](Asked& a) { a.options.step = 0; });
   row("a NaN step", "--step", [](Asked& a) { a.options.step = std::numeric_limits<double>::quiet_NaN(); });
   row("12 bits", "--precision", [](Asked& a) { a.options.precision = 12; });
+  row("bytes by OpenGL", "--precision 8", [](Asked& a) {
+    a.options.precision = 8;
+    a.options.resampler = Resampler::gl;
+  });
+  row("bytes on the GPU", "--precision 8", [](Asked& a) {
+    a.options.precision = 8;
+    a.options.method = Method::gpu;
+  });
+  row("bytes, preshaded", "--precision 8", [](Asked& a) {
+    a.options.precision = 8;
+    a.options.method = Method::preshaded;
+  });
+  row("the reference in bytes", "--precision 8", [](Asked& a) {
+    a.options.precision = 8;
+    a.options.method = Method::reference;
+  });
   row("never transparent enough", "--stop-at", [](Asked& a) { a.options.stopAt = 1; });
   row("nothing opaque enough", "--opacity-threshold", [](Asked& a) { a.options.opacityThreshold = 1; });
   row("a NaN threshold", "--opacity-threshold",

@@ -31,6 +31,33 @@ void TestTargets::everyCpuTargetGivesTheSameBytes_data() {
   const auto row = [](const char* name, Change change) { QTest::newRow(name) << change; };
   row("one light, direct", [](Case&) {});
   row("32 bits", [](Case& c) { c.options.precision = 32; });
+  row("8 bits", [](Case& c) { c.options.precision = 8; });
+  row("8 bits, unlit", [](Case& c) {
+    c.options.precision = 8;
+    c.scene.shading.lit = false;
+  });
+  row("8 bits, a level", [](Case& c) {
+    c.options.precision = 8;
+    c.options.step.reset();
+  });
+  row("8 bits, map, gradient opacity", [](Case& c) {
+    c.options.precision = 8;
+    c.options.shader = Shader::map;
+    c.scene.transferFunction.gradientOpacity = {{0, 0.1}, {50, 1}};
+  });
+  row("8 bits, table, Zucker and Hummel", [](Case& c) {
+    c.options.precision = 8;
+    c.options.shader = Shader::table;
+    c.options.gradient = GradientOperator::zuckerHummel;
+  });
+  row("8 bits, mip", [](Case& c) {
+    c.options.precision = 8;
+    c.scene.mode = Mode::mip;
+  });
+  row("8 bits, blend", [](Case& c) {
+    c.options.precision = 8;
+    c.options.method = Method::blend;
+  });
   row("unlit", [](Case& c) { c.scene.shading.lit = false; });
   row("three lights, map", [](Case& c) {
     c.scene.lights = {Light{}, Light{.direction = {1, 0, 0}, .colour = {1, 0, 0}},

@@ -20,7 +20,7 @@ struct ByteDensity {
     const Weights w = WeightsOf(c);
     VI sum = hn::Zero(DI());
     for (int r = 0; r < 4; ++r)
-      sum = Int16Store::AddPairs(sum, Voxels::Densities(grid, grid.Corner(c, r & 1, r >> 1)), w.row[r]);
+      sum = Int16Store::AddPairs(sum, Voxels::Densities(grid, grid.Row(c, r)), w.row[r]);
     return Real(sum);
   }
 
@@ -29,7 +29,7 @@ struct ByteDensity {
     const Weights w = WeightsOf(c);
     VI sum = hn::Zero(DI()), low = SetI(255), high = hn::Zero(DI());
     for (int r = 0; r < 4; ++r) {
-      const VI both = Voxels::Densities(grid, grid.Corner(c, r & 1, r >> 1));
+      const VI both = Voxels::Densities(grid, grid.Row(c, r));
       sum = Int16Store::AddPairs(sum, both, w.row[r]);
       const VI first = hn::And(both, SetI(255)), second = hn::ShiftRight<16>(both);
       low = hn::Min(low, hn::Min(first, second));
@@ -63,7 +63,7 @@ struct Byte4Store : ByteDensity<Byte4Store> {
     const Weights w = WeightsOf(c);
     VI x = hn::Zero(DI()), y = x, z = x;
     for (int r = 0; r < 4; ++r) {
-      const Pair p = PairAt(grid, grid.Corner(c, r & 1, r >> 1));
+      const Pair p = PairAt(grid, grid.Row(c, r));
       x = Int16Store::AddPairs(x, Components<0>(p), w.row[r]);
       y = Int16Store::AddPairs(y, Components<1>(p), w.row[r]);
       z = Int16Store::AddPairs(z, Components<2>(p), w.row[r]);

@@ -4,6 +4,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "viewer/render/kernels/bytes-inl.h"
 #include "viewer/render/kernels/matter-inl.h"
 #include "viewer/render/kernels/samples.h"
 
@@ -22,8 +23,10 @@ void ResampleRow(const TraceFrame& f, const RayRow& rays, int n, float* density,
     const VF d = Store::Density(grid, cell);
     hn::StoreU(d, df, density + first);
     if (!gradients || hn::AllTrue(df, hn::Eq(OpacityOf(*f.curve, SegmentOf(*f.curve, d), d), none))) continue;
-    const V3 g = Store::Gradient(grid, cell);
-    hn::StoreInterleaved4(g.x, g.y, g.z, none, df, gradients + 4 * first);
+    if constexpr (!std::is_same_v<Store, Byte1Store>) {
+      const V3 g = Store::Gradient(grid, cell);
+      hn::StoreInterleaved4(g.x, g.y, g.z, none, df, gradients + 4 * first);
+    }
   }
 }
 
@@ -82,7 +85,10 @@ void BlendRow(const TraceRow& slice, const TraceRow& frame, int count, float lev
 BlendKernel ChooseBlend(bool rounded) { return rounded ? BlendRow<true> : BlendRow<false>; }
 
 ResampleKernel ChooseResample(Store store) {
-  return store == Store::int16 ? ResampleRow<Int16Store> : ResampleRow<Float32Store>;
+  return store == Store::int16   ? ResampleRow<Int16Store>
+         : store == Store::byte1 ? ResampleRow<Byte1Store>
+         : store == Store::byte4 ? ResampleRow<Byte4Store>
+                                 : ResampleRow<Float32Store>;
 }
 
 template <ShadeBy kShade>

@@ -43,15 +43,22 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   counts.allTicks += Ticks() - begin;
 }
 
+/// Whether a store has kernels of its own for frames in which most samples are visible.
+template <class Store>
+inline constexpr bool kDenseToo = true;
+
 template <class Store, ShadeBy kShade, bool kGradientOpacity>
 TraceKernel ChooseDensity(TraceKey key) {
   // What only studies ask for is not worth a kernel of its own.
   constexpr bool rare = kShade == ShadeBy::table || kShade == ShadeBy::mapNearest;
-  if constexpr (!std::is_void_v<Store> && !rare) {
+  if constexpr (std::is_void_v<Store> || rare) {
+    return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
+  } else {
     if (key.refined) return TraceRays<SparseTracer<Store, kShade, kGradientOpacity, true>>;
-    if (!key.dense) return TraceRays<SparseTracer<Store, kShade, kGradientOpacity, false>>;
+    if constexpr (kDenseToo<Store>)
+      if (key.dense) return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
+    return TraceRays<SparseTracer<Store, kShade, kGradientOpacity, false>>;
   }
-  return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
 }
 
 template <class Store, ShadeBy kShade>
