@@ -123,7 +123,8 @@ void addMethodOptions(CLI::App& app, MethodOptions& o) {
       ->check(CLI::IsMember({"cpu", "gl"}));
   app.add_option("--blending", o.blending, "Bits of the frame buffer of --method blend (default: float)")
       ->check(CLI::IsMember(keys(blendings)));
-  app.add_option("--precision", o.precision, "Bits of stored density and gradients")
+  app.add_option("--precision", o.precision,
+                 "Bits of stored density and gradients (8: planes and blend on the CPU alone)")
       ->check(CLI::IsMember({8, 16, 32}));
   app.add_option("--shader", o.shader,
                  "How samples are lit: reflectance map, 5-bit table (for comparison) or directly")
