@@ -1,15 +1,10 @@
 #include "tests/bench/peer.h"
 
 #include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
-#include <sstream>
 
 #include "io/files/picture_file.h"
-#include "io/study.h"
-#include "viewer/scene/scene_json.h"
+#include "tests/bench/inputs.h"
 #include "viewer/study/statistics.h"
 
 namespace volumen::bench {
@@ -17,39 +12,6 @@ namespace volumen::bench {
 namespace {
 
 constexpr int views = 8;
-
-struct Arguments {
-  std::string path;
-  std::vector<std::string> scenes;
-  std::string pictures;
-  int rounds = 3, threads = 0;
-};
-
-Result<Arguments> read(int argc, char** argv) {
-  Arguments a;
-  for (int n = 1; n < argc; ++n) {
-    const bool valueFollows = n + 1 < argc;
-    if (!std::strcmp(argv[n], "--rounds") && valueFollows)
-      a.rounds = std::max(1, std::atoi(argv[++n]));
-    else if (!std::strcmp(argv[n], "--threads") && valueFollows)
-      a.threads = std::atoi(argv[++n]);
-    else if (!std::strcmp(argv[n], "--pictures") && valueFollows)
-      a.pictures = argv[++n];
-    else if (a.path.empty())
-      a.path = argv[n];
-    else
-      a.scenes.push_back(argv[n]);
-  }
-  if (a.scenes.empty())
-    return Error{"usage: PATH SCENE.json... [--rounds N] [--threads N] [--pictures FOLDER]"};
-  return a;
-}
-
-Result<Scene> readScene(const std::string& path) {
-  std::stringstream text;
-  text << std::ifstream(path).rdbuf();
-  return sceneFromJson(text.str());
-}
 
 // The plain step of one unit distance along the view, as the peers take it.
 RenderOptions oursFor(const Scene& scene, const Volume& volume, int threads) {
@@ -155,28 +117,23 @@ class Comparison {
 };
 
 Status compareAll(const Arguments& a, MakePeers makePeers) {
-  const auto study = openStudy(a.path);
-  if (!study) return study.error();
-  const auto chosen = chooseSeries(*study, {});
-  if (!chosen) return chosen.error();
-  const auto loaded = loadSeries(study->volumes[*chosen]);
-  if (!loaded) return loaded.error();
-  RenderCaches caches(loaded->drawn);
+  const auto volume = readVolume(a.path);
+  if (!volume) return volume.error();
+  RenderCaches caches(*volume);
   std::printf(
       "| scene | renderer | ms a frame: median (minimum) | of all processors | times as long as volumen | "
       "processors | first frame ms |\n|---|---|---|---|---|---|---|\n");
   for (const std::string& path : a.scenes) {
     const auto read = readScene(path);
-    if (!read) return Error{path + ": " + read.message()};
-    const auto plan = makePlan(*read, caches.facts(), {});
+    if (!read) return read.error();
+    const auto plan = makePlan(read->scene, caches.facts(), {});
     if (!plan) return plan.error();
     const Scene scene = plan->scene;
-    Comparison comparison(*loaded->drawn, scene, caches, makePeers);
+    Comparison comparison(**volume, scene, caches, makePeers);
     if (Status s = comparison.run(a); !s) return s;
-    const std::string name = std::filesystem::path(path).stem().string();
-    comparison.print(name);
+    comparison.print(read->name);
     if (a.pictures.empty()) continue;
-    if (Status s = comparison.writePictures(a.pictures, name); !s) return s;
+    if (Status s = comparison.writePictures(a.pictures, read->name); !s) return s;
   }
   return {};
 }
@@ -184,7 +141,7 @@ Status compareAll(const Arguments& a, MakePeers makePeers) {
 }  // namespace
 
 int comparePeers(int argc, char** argv, MakePeers makePeers) {
-  const auto arguments = read(argc, argv);
+  const auto arguments = readArguments(argc, argv, true);
   const Status done = arguments ? compareAll(*arguments, makePeers) : Status(arguments.error());
   if (!done) std::fprintf(stderr, "%s\n", done.message().c_str());
   return done ? 0 : 1;
