@@ -128,6 +128,13 @@ const SkipMap& RenderCaches::Impl::skipMap(const TransferFunction& curve, int re
   return skip->map;
 }
 
+const ReflectanceMap& RenderCaches::Impl::reflectanceMap(const Lighting& lighting, int n, MapLookup lookup) {
+  Lighting inputs = mapInputs(lighting);
+  if (!map || map->inputs != inputs || map->map.n != n || map->lookup != lookup)
+    map = Map{std::move(inputs), lookup, makeReflectanceMap(lighting, n, lookup)};
+  return map->map;
+}
+
 Result<GlState*> RenderCaches::Impl::glState() {
   if (!gl) {
     auto made = makeGlState(glFactory);

@@ -5,6 +5,7 @@
 #include "viewer/render/curve_table.h"
 #include "viewer/render/gl/gl_state.h"
 #include "viewer/render/render.h"
+#include "viewer/render/shading/reflectance_map.h"
 #include "viewer/render/skip_map.h"
 #include "viewer/volume/buffer.h"
 #include "viewer/volume/bytes.h"
@@ -50,6 +51,13 @@ struct RenderCaches::Impl {
   };
   std::optional<Skip> skip;
 
+  struct Map {
+    Lighting inputs;  ///< mapInputs of what the map was made for
+    MapLookup lookup = MapLookup::bilinear;
+    ReflectanceMap map;
+  };
+  std::optional<Map> map;
+
   GlContextFactory glFactory = makeEglContext;
   std::unique_ptr<GlState> gl;
 
@@ -62,6 +70,8 @@ struct RenderCaches::Impl {
   const Voxels8& voxelsIn8(GradientOperator by);
   /// `rounding`: how far stored values may be off the volume's, real units.
   const SkipMap& skipMap(const TransferFunction& curve, int reachBlocks, double rounding);
+  /// The last one made is kept. `n`: nodes along an edge of a face.
+  const ReflectanceMap& reflectanceMap(const Lighting& lighting, int n, MapLookup lookup);
   Result<GlState*> glState();  ///< made when first asked for; its context is not current
 };
 

@@ -51,7 +51,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   frame_.transfer = &transfer_;
   frame_.inverseUnitMm = float(1 / transfer_.unitDistance);
   frame_.lighting = &lighting_;
-  makeShades(plan, cache.factsOfVolume().range);
+  makeShades(plan, caches);
   frame_.stopTransmittance = float(plan.stopTransmittance);
   if (plan.skipBlocks || key_.refined) {
     const SkipMap& blocks = cache.skipMap(transfer_, reachBlocks(plan, cache.volume->geometry()), rounding_);
@@ -60,7 +60,8 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
     // skipped.
     frame_.parting = {float(plan.partTolerance), plan.mostParts, float(plan.partWiden), &blocks};
   }
-  stats.tableBytes = curve_.bytes() + map_.nodes.size() * sizeof(float) + table_.bytes();
+  stats.tableBytes =
+      curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
   stats.blockBytes =
       cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float) + (frame_.skip ? frame_.skip->bytes() : 0);
 }
@@ -118,14 +119,13 @@ void PlanesFrame::readBytes(const Plan& plan, RenderCaches& caches, RenderStats&
   setGradientScale(plan, cache.volume->geometry(), v.gradientUnit);
 }
 
-void PlanesFrame::makeShades(const Plan& plan, ValueRange values) {
-  if (plan.shader == Shader::map) {
-    map_ = makeReflectanceMap(lighting_, plan.mapSize, plan.mapLookup);
-    frame_.map = &map_;
-  }
+void PlanesFrame::makeShades(const Plan& plan, RenderCaches& caches) {
+  if (plan.shader == Shader::map)
+    frame_.map = &caches.impl().reflectanceMap(lighting_, plan.mapSize, plan.mapLookup);
   if (plan.shader != Shader::table) return;
   ShadeTableInput in{{}, frame_.inverseFloor, 1, scale_};
   for (int n = 0; n < 9; ++n) in.gradientMatrix[n] = frame_.gradientMatrix[n] * frame_.gradientUnit;
+  const ValueRange values = caches.impl().factsOfVolume().range;
   // A Sobel component is half the difference of two means of values (SCENE 3).
   in.gradientLimit = (values.high - values.low) / 2 / gradientScale_;
   table_ = makeShadeTable(lighting_, curve_, in);

@@ -21,7 +21,7 @@ class PlanesFrame {
  private:
   void readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats);
   void readBytes(const Plan& plan, RenderCaches& caches, RenderStats& stats);
-  void makeShades(const Plan& plan, ValueRange values);
+  void makeShades(const Plan& plan, RenderCaches& caches);
   void setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale);
 
   TraceFrame frame_;
@@ -29,7 +29,6 @@ class PlanesFrame {
   DensityScale scale_;
   CurveTable curve_;
   Lighting lighting_;
-  ReflectanceMap map_;
   ShadeTable table_;
   double rounding_ = 0;       ///< how far stored values may be off the volume's, real units
   double gradientScale_ = 1;  ///< value per voxel of a unit of the stored gradients

@@ -14,6 +14,7 @@ struct ShadingLight {
   glm::vec3 h;         ///< unit, half way between light and viewer; 0 where the light adds nothing to S
   glm::vec3 diffuse;   ///< diffuse * intensity * colour
   glm::vec3 specular;  ///< specular * intensity * colour
+  bool operator==(const ShadingLight&) const = default;
 };
 
 /// SCENE 5 for one picture: lights, material and the viewer's direction in patient space.
@@ -27,6 +28,7 @@ struct Lighting {
       1};  ///< D of a sample whose gradient has no direction: ambient + diffuse/2 * sum(intensity * colour)
   bool twoSided = true;
   bool specular = true;  ///< S is evaluated
+  bool operator==(const Lighting&) const = default;
 };
 
 /// The lighting of a complete scene; that of an unlit one gives D = 1, S = 0 for every normal. Lights that

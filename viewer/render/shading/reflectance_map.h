@@ -16,7 +16,11 @@ struct ReflectanceMap {
   std::vector<float> nodes;  ///< ((face * n + v) * n + u) * stride
 };
 
-/// D' and S' of SCENE 5 at every node.
+/// What of a lighting the nodes of its maps depend on, the rest set to 0: the viewer's direction counts for
+/// two sides and for highlights alone.
+Lighting mapInputs(Lighting lighting);
+
+/// D' and S' of SCENE 5 at every node, in single precision: 2 x 2 nodes at least.
 ReflectanceMap makeReflectanceMap(const Lighting& lighting, int n, MapLookup lookup);
 
 }  // namespace volumen
