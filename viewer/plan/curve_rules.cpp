@@ -11,13 +11,11 @@ namespace {
 
 constexpr const char* noCurve = "a projection of values has no curve";
 
-// SCENE 9: the length of a step on a ray along the camera's axis, mm.
-double stepMm(const RuleInput& in, double stepVoxels) {
-  const glm::dvec3 axis = glm::normalize(in.scene.camera->direction);
-  return stepVoxels / glm::length(in.facts.geometry.voxelFromPatientStep() * axis);
-}
-
 }  // namespace
+
+double stepMm(const Camera& camera, const VoxelGeometry& geometry, double stepVoxels) {
+  return stepVoxels / glm::length(geometry.voxelFromPatientStep() * glm::normalize(camera.direction));
+}
 
 Effect decideCurveTable(const RuleInput& in, Plan& plan) {
   if (in.scene.mode != Mode::composite) return off(noCurve);
@@ -32,8 +30,8 @@ Effect decideFaintSamples(const RuleInput& in, Plan& plan) {
   if (!in.options.opacityThreshold) return off("every sample that has any opacity counts");
   // 1 - (1 - a)^(step / unit) = threshold, solved for a.
   const double threshold = *in.options.opacityThreshold;
-  const double a =
-      -std::expm1(std::log1p(-threshold) * plan.curve.unitDistance / stepMm(in, plan.stepVoxels));
+  const double a = -std::expm1(std::log1p(-threshold) * plan.curve.unitDistance /
+                               stepMm(*in.scene.camera, in.facts.geometry, plan.stepVoxels));
   plan.curve = withoutFaint(plan.curve, a);
   return on("samples of opacity below " + inDigits(threshold) + " are passed over, as asked (" + inDigits(a) +
             " per unit distance)");

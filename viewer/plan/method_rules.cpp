@@ -1,3 +1,4 @@
+#include "viewer/plan/cost_model.h"
 #include "viewer/plan/rule_lines.h"
 
 namespace volumen {
@@ -24,12 +25,26 @@ Effect decideMethod(const RuleInput& in, Plan& plan) {
   return on("planes: rays from front to back, so that what is hidden is never shaded");
 }
 
+// Blend draws the same picture; what else there is draws another one.
+std::string methodCost(const RuleInput& in, const Plan& plan) {
+  if (plan.method != Method::planes || plan.resampler != Resampler::cpu) return {};
+  RenderOptions options = in.options;
+  options.method = Method::blend;
+  options.stopAt.reset();
+  auto blend = makePlan(in.scene, in.facts, options);
+  if (!blend) return {};
+  blend->visibleShare = plan.visibleShare;
+  const double share = predictedCost(plan, in.facts).ns() / predictedCost(*blend, in.facts).ns();
+  return share < 1 ? "; predicted " + inTwoDigits(share) + " of the time of blend" : "";
+}
+
 Effect decideResampler(const RuleInput& in, Plan& plan) {
   plan.resampler = resamplerOf(in.options);
   if (plan.resampler == Resampler::cpu)
     return on(plan.method == Method::planes
-                  ? "cpu: passes over empty blocks, stops where a ray is opaque, and needs no OpenGL"
-                  : "cpu: needs no OpenGL");
+                  ? "cpu: passes over empty blocks, stops where a ray is opaque, and draws the same on every "
+                    "machine"
+                  : "cpu: draws the same on every machine");
   if (plan.method == Method::preshaded) return on("gl, as asked: colours are interpolated in floats");
   const std::string by =
       plan.bits == 16 ? "filtered by the texture hardware" : "interpolated in floats as on the CPU";

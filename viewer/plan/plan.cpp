@@ -44,6 +44,8 @@ Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const Render
     effect.sound = rule.sound;
     plan.effects.push_back(std::move(effect));
   }
+  for (std::size_t n = 0; n < plan.effects.size(); ++n)
+    if (rules()[n].cost) plan.effects[n].reason += rules()[n].cost(input, plan);
   return plan;
 }
 

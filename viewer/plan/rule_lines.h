@@ -16,6 +16,8 @@ inline Effect off(std::string reason) {
 
 /// A number in four digits.
 std::string inDigits(double x);
+/// "0.64": a predicted ratio, in as many digits as it deserves.
+std::string inTwoDigits(double ratio);
 
 /// What resamples: as asked, else OpenGL for the method that is OpenGL's alone, and the CPU.
 Resampler resamplerOf(const RenderOptions& options);
@@ -23,9 +25,13 @@ Resampler resamplerOf(const RenderOptions& options);
 /// Lights that are on and not black.
 int lightsThatShine(const Scene& scene);
 
+/// SCENE 9: the length of a step on a ray along the camera's axis, mm.
+double stepMm(const Camera& camera, const VoxelGeometry& geometry, double stepVoxels);
+
 // Rules of the table (rules.h) in files of their own: what draws, how light is computed, what changes the
 // curve.
 Effect decideMethod(const RuleInput& in, Plan& plan);
+std::string methodCost(const RuleInput& in, const Plan& plan);
 Effect decideResampler(const RuleInput& in, Plan& plan);
 Effect decideBlending(const RuleInput& in, Plan& plan);
 Effect decideShader(const RuleInput& in, Plan& plan);

@@ -240,7 +240,7 @@ Effect precision(const RuleInput& in, Plan& plan) {
 
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> table = {
-      {"method", false, decideMethod},
+      {"method", false, decideMethod, methodCost},
       {"lighting", true, lighting},
       {"specular", true, specular},
       {"gradient opacity", true, gradientOpacity},

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "viewer/plan/cost_model.h"
 #include "viewer/plan/rule_lines.h"
 
 namespace volumen {
@@ -8,6 +9,12 @@ namespace volumen {
 std::string inDigits(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+
+std::string inTwoDigits(double ratio) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", ratio);
   return text;
 }
 
@@ -52,12 +59,16 @@ Effect decideShader(const RuleInput& in, Plan& plan) {
     return on("direct: a shininess of " + inDigits(s.shininess) + " is too sharp for a map");
   if (in.options.step || in.options.quality == Quality::exact)
     return on("direct: the exact light is asked for");
-  // FIELD 2: in-register Phong is as fast as the map for one light, slower from about three on.
-  if (lights < 3)
-    return on("direct: as fast as a map for " + std::to_string(lights) +
-              (lights == 1 ? " light" : " lights"));
+  if (lights == 0) return on("direct: no light shines");
+  const double direct = predictedCost(plan, in.facts, Shader::phong).lightNs;
+  const double map = predictedCost(plan, in.facts, Shader::map).lightNs;
+  const std::string count = std::to_string(lights) + (lights == 1 ? " light" : " lights");
+  if (direct <= map)
+    return on("direct: light from " + count + " at a predicted " + inTwoDigits(direct / map) +
+              " of what a reflectance map takes");
   plan.shader = Shader::map;
-  return on("reflectance map: " + std::to_string(lights) + " lights at the cost of one");
+  return on("reflectance map: light from " + count + " at a predicted " + inTwoDigits(map / direct) +
+            " of what direct light takes");
 }
 
 }  // namespace volumen

@@ -28,6 +28,8 @@ CurvePoint curveAt(const std::vector<CurvePoint>& points, float value) {
 
 }  // namespace
 
+double opacityAt(const TransferFunction& curve, float value) { return curveAt(curve.points, value).opacity; }
+
 TransferFunction tabulated(const TransferFunction& curve, int entries, ValueRange range) {
   TransferFunction out = curve;
   const double width = (range.high - range.low) / (entries - 1);

@@ -1,45 +1,13 @@
 // Guards DESIGN 5: each rule of the planner alone, the negative case beside the positive.
 #include <algorithm>
 
+#include "tests/unit/plan/asked.h"
 #include "tests/unit/suite.h"
-#include "viewer/plan/plan.h"
 #include "viewer/plan/rules.h"
 #include "viewer/plan/visibility.h"
 
 using namespace volumen;
-
-namespace {
-
-// A volume of two blocks, air and bone, that needs no voxels.
-VolumeFacts inventedFacts() {
-  VolumeFacts f;
-  f.geometry.size = {16, 8, 8};
-  f.range = {-1000, 1000};
-  f.p01 = -1000;
-  f.p999 = 900;
-  f.bricks = std::make_shared<const BrickRanges>(BrickRanges{{2, 1, 1}, {-1000, 0}, {-900, 1000}});
-  return f;
-}
-
-struct Asked {
-  Scene scene;
-  VolumeFacts facts = inventedFacts();
-  RenderOptions options;
-};
-
-using Change = void (*)(Asked&);
-
-QString lineOf(const Asked& asked, const QString& effect) {
-  const auto plan = makePlan(asked.scene, asked.facts, asked.options);
-  if (!plan) return QString::fromStdString("refused: " + plan.message());
-  for (const QString& line : QString::fromStdString(explain(*plan)).split(QLatin1Char('\n')))
-    if (line.mid(5).startsWith(effect + QLatin1Char(':'))) return line;
-  return {};
-}
-
-}  // namespace
-
-Q_DECLARE_METATYPE(Change)
+using namespace volumen::tests;
 
 class TestRules : public QObject {
   Q_OBJECT
@@ -140,12 +108,6 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.options.resampler = Resampler::gl;
         a.options.quality = Quality::high;
       });
-  row("the CPU resamples", "resampler",
-      "on   resampler: cpu: passes over empty blocks, stops where a ray is opaque, and needs no OpenGL",
-      [](Asked&) {});
-  row("OpenGL resamples", "resampler",
-      "on   resampler: gl, as asked: filtered by the texture hardware, while the CPU shades",
-      [](Asked& a) { a.options.resampler = Resampler::gl; });
   row("floats in 32 bits", "precision",
       "on   precision: 32 bits: the values are not 16-bit integers with a positive slope",
       [](Asked& a) { a.facts.integers = false; });
@@ -178,64 +140,11 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.scene.mode = Mode::mip; });
   row("a step as asked", "integration", "on   integration: plain steps of 2 voxel, as asked",
       [](Asked& a) { a.options.step = 2; });
-  row("one light: direct", "shader", "on   shader: direct: as fast as a map for 1 light", [](Asked&) {});
-  row("three lights: map", "shader", "on   shader: reflectance map: 3 lights at the cost of one",
-      [](Asked& a) { a.scene.lights.resize(3); });
-  row("local viewer: direct", "shader", "on   shader: direct: the viewer's direction changes from ray to ray",
-      [](Asked& a) {
-        a.scene.lights.resize(3);
-        a.scene.shading.localViewer = true;
-      });
-  row("sharp highlight: direct", "shader", "on   shader: direct: a shininess of 500 is too sharp for a map",
-      [](Asked& a) {
-        a.scene.lights.resize(3);
-        a.scene.shading.shininess = 500;
-      });
-  row("a table is only taken where asked for", "shader",
-      "on   shader: table of 32 densities and 31 steps of each gradient component in 8 bits, as asked: bands",
-      [](Asked& a) { a.options.shader = Shader::table; });
-  row("a map's size asks for a map", "shader",
-      "on   shader: reflectance map of 16 x 16 a face, bilinear, as asked",
-      [](Asked& a) { a.options.mapSize = 16; });
-  row("the paper's map", "shader",
-      "on   shader: reflectance map of 128 x 128 a face, nearest, as asked: directions off by up to 0.6328 "
-      "degrees",
-      [](Asked& a) { a.options.mapLookup = MapLookup::nearest; });
-  row("planes by itself", "method",
-      "on   method: planes: rays from front to back, so that what is hidden is never shaded", [](Asked&) {});
-  row("blend as asked", "method",
-      "on   method: blend, as asked: slices from the back to the front, each shaded, then blended",
-      [](Asked& a) { a.options.method = Method::blend; });
-  row("preshaded as asked", "method",
-      "on   method: preshaded, as asked: colours of voxels are interpolated, not values, which is wrong "
-      "where "
-      "the curve is not straight",
-      [](Asked& a) { a.options.method = Method::preshaded; });
-  row("the GPU draws by OpenGL", "resampler", "on   resampler: gl: filtered by the texture hardware",
-      [](Asked& a) { a.options.method = Method::gpu; });
-  row("preshaded colours are interpolated in floats", "resampler",
-      "on   resampler: gl, as asked: colours are interpolated in floats", [](Asked& a) {
-        a.options.method = Method::preshaded;
-        a.options.resampler = Resampler::gl;
-      });
-  row("planes blend nothing", "blending", "off  blending: rays are composited one by one, in floats",
-      [](Asked&) {});
-  row("a frame buffer of 8 bits", "blending",
-      "on   blending: 8 bits, as asked: up to half of 1/255 is rounded off after each slice, and what is "
-      "above 1 cut off",
-      [](Asked& a) {
-        a.options.method = Method::blend;
-        a.options.blending = Blending::bits8;
-      });
   row("slices skip no blocks", "empty blocks", "off  empty blocks: this method looks at every sample",
       [](Asked& a) { a.options.method = Method::blend; });
   row("slices never stop", "early stop",
       "off  early stop: what comes from the back cannot know what will hide it",
       [](Asked& a) { a.options.method = Method::blend; });
-  row("unlit: no table", "shader", "off  shader: nothing is lit", [](Asked& a) {
-    a.options.shader = Shader::table;
-    a.scene.shading.lit = false;
-  });
   row("Sobel", "gradient operator",
       "on   gradient operator: Sobel, over all 26 neighbours: smooth, and turns with the object",
       [](Asked&) {});

@@ -1,0 +1,131 @@
+#include "viewer/plan/cost_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "viewer/plan/rule_lines.h"
+#include "viewer/plan/visibility.h"
+#include "viewer/scene/curve_changes.h"
+
+namespace volumen {
+
+namespace {
+
+// Nanoseconds on one core of an AMD EPYC (2.6 GHz, AVX-512), November 2026: stagesMs over samples of
+// `volumen render phantom:ct-head:128 --threads 1 --frames 7 --stats`, with 1, 4, 8 and 16 lights, unlit,
+// and each shader, method and resampler in turn. `bench_choices` holds them against whole frames.
+constexpr double sampleNs = 3;         // a density interpolated at a plain step
+constexpr double cutSampleNs = 10;     // a sample of planes that cut intervals where the curve is uneven
+constexpr double glSampleNs = 6;       // OpenGL without a GPU, with the way back to the CPU
+constexpr double glGradientNs = 6;     // three components more
+constexpr double colourNs = 1;         // a visible sample's colour and opacity, composited
+constexpr double gradientNs = 3;       // its gradient and normal
+constexpr double diffuseNs = 0.12;     // a light's D, directly
+constexpr double wholePowerNs = 0.33;  // a light's S with a whole shininess: a few multiplications
+constexpr double powerNs = 1;          // with any other: logarithm and exponential
+constexpr double lookupNs = 7.5;       // a bilinear look-up in a map, mostly waiting for the cache
+constexpr double nodeNs = 3.5;         // a node of a map, beside its lights
+
+double pixelMm(const Camera& camera, glm::ivec2 size) {
+  const double height = camera.projection == Projection::parallel
+                            ? camera.height
+                            : 2 * camera.distance * std::tan(glm::radians(camera.fov) / 2);
+  return height / size.y;
+}
+
+// The share of what is visible that is seen before rays are opaque: how far rays go into matter of the mean
+// extinction of some visible blocks, each at its least, middle and largest value, over how much is on a ray.
+double seenShare(const Plan& plan, const VolumeFacts& facts, double visibleMmARay) {
+  if (plan.stopTransmittance <= 0 || !facts.bricks || visibleMmARay <= 0) return 1;
+  const BrickRanges& bricks = *facts.bricks;
+  constexpr std::size_t most = 4096;
+  const std::size_t stride = std::max<std::size_t>(1, bricks.low.size() / most);
+  double sum = 0;
+  int visible = 0;
+  for (std::size_t n = 0; n < bricks.low.size(); n += stride) {
+    double perMm = 0;
+    for (float value : {bricks.low[n], (bricks.low[n] + bricks.high[n]) / 2, bricks.high[n]})
+      perMm -= std::log1p(-std::min(opacityAt(plan.curve, value), 0.9999)) / plan.curve.unitDistance / 3;
+    sum += perMm;
+    visible += perMm > 0;
+  }
+  if (visible == 0) return 1;
+  return std::min(1.0, -std::log(plan.stopTransmittance) / (sum / visible) / visibleMmARay);
+}
+
+// The box that is drawn: its three edges, patient mm.
+struct Box {
+  glm::dvec3 edge[3];
+  double volume() const { return std::abs(glm::dot(glm::cross(edge[0], edge[1]), edge[2])); }
+  double shadow(glm::dvec3 along) const {
+    double area = 0;
+    for (int n = 0; n < 3; ++n) area += std::abs(glm::dot(glm::cross(edge[n], edge[(n + 1) % 3]), along));
+    return area;
+  }
+};
+
+Box boxOf(const Clip& clip, const VoxelGeometry& geometry) {
+  Box box;
+  for (int n = 0; n < 3; ++n)
+    box.edge[n] = geometry.patientFromVoxelStep[n] * double(geometry.size[n]) *
+                  std::max(0.0, clip.boxHigh[n] - clip.boxLow[n]);
+  return box;
+}
+
+// All rays together: how many meet the box, and how long they are inside, mm.
+struct Rays {
+  double count = 0, mm = 0;
+};
+
+Rays raysOf(const Plan& plan, const VoxelGeometry& geometry) {
+  const Camera& camera = *plan.scene.camera;
+  const Box box = boxOf(plan.scene.clip, geometry);
+  const double shadow = box.shadow(glm::normalize(camera.direction));
+  if (!(shadow > 0)) return {};
+  const double pixel = pixelMm(camera, plan.options.size);
+  const double count = std::min(shadow / (pixel * pixel), double(plan.options.size.x) * plan.options.size.y);
+  return {count, count * box.volume() / shadow};
+}
+
+double lightNs(const Plan& plan, Shader shader, double samples) {
+  if (!plan.lit) return 0;
+  const Shading& s = plan.scene.shading;
+  const bool whole = s.shininess <= 256 && s.shininess == std::floor(s.shininess);
+  const double direct =
+      lightsThatShine(plan.scene) * (diffuseNs + (s.specular > 0 ? (whole ? wholePowerNs : powerNs) : 0));
+  if (shader == Shader::phong) return samples * direct;
+  return samples * lookupNs + 6.0 * plan.mapSize * plan.mapSize * (nodeNs + direct);
+}
+
+}  // namespace
+
+double samplesInBox(const Plan& plan, const VoxelGeometry& geometry) {
+  return raysOf(plan, geometry).mm / stepMm(*plan.scene.camera, geometry, plan.stepVoxels);
+}
+
+PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts, Shader shader) {
+  const Rays rays = raysOf(plan, facts.geometry);
+  const double samples = samplesInBox(plan, facts.geometry);
+  if (!(samples > 0)) return {};
+  const double visible =
+      samples * plan.visibleShare * seenShare(plan, facts, plan.visibleShare * rays.mm / rays.count);
+  PredictedCost cost;
+  if (plan.resampler == Resampler::gl)
+    cost.samplingNs = samples * (glSampleNs + (plan.gradients ? glGradientNs : 0));
+  else if (plan.method == Method::planes)
+    // Rays look in packets, whose box meets more blocks than one ray does.
+    cost.samplingNs = std::sqrt(samples * visible) * (plan.mostParts > 1 ? cutSampleNs : sampleNs);
+  else
+    cost.samplingNs = samples * sampleNs;
+  cost.samplingNs += visible * (colourNs + (plan.gradients ? gradientNs : 0));
+  cost.lightNs = lightNs(plan, shader, visible);
+  return cost;
+}
+
+PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts) {
+  return predictedCost(plan, facts, plan.shader);
+}
+
+}  // namespace volumen
