@@ -40,7 +40,7 @@ double pixelMm(const Camera& camera, glm::ivec2 size) {
 double seenShare(const Plan& plan, const VolumeFacts& facts, double visibleMmARay) {
   if (plan.stopTransmittance <= 0 || !facts.bricks || visibleMmARay <= 0) return 1;
   const BrickRanges& bricks = *facts.bricks;
-  constexpr std::size_t most = 4096;
+  constexpr std::size_t most = 1024;
   const std::size_t stride = std::max<std::size_t>(1, bricks.low.size() / most);
   double sum = 0;
   int visible = 0;
