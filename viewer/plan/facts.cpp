@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "viewer/plan/visibility.h"
 #include "viewer/volume/histogram.h"
 
 namespace volumen {
@@ -17,6 +18,7 @@ VolumeFacts factsOf(const Volume& volume) {
   facts.p999 = p[1];
   if (!volume.attributes().windows.empty()) facts.fileWindow = volume.attributes().windows.front();
   facts.bricks = std::make_shared<const BrickRanges>(brickRanges(volume));
+  facts.visible = std::make_shared<VisibleBlocksMemo>();
   return facts;
 }
 

@@ -7,6 +7,8 @@
 
 namespace volumen {
 
+class VisibleBlocksMemo;
+
 /// What the planner's rules may ask of a volume: a value, so that tests can invent one.
 struct VolumeFacts {
   VoxelGeometry geometry;
@@ -15,7 +17,8 @@ struct VolumeFacts {
   ValueRange range;          ///< smallest and largest value
   double p01 = 0, p999 = 0;  ///< P0.1 and P99.9 of SCENE 5
   std::optional<Window> fileWindow;
-  std::shared_ptr<const BrickRanges> bricks;  ///< null: unknown, every block counts
+  std::shared_ptr<const BrickRanges> bricks;   ///< null: unknown, every block counts
+  std::shared_ptr<VisibleBlocksMemo> visible;  ///< of these bricks; null: looked at anew for every plan
 };
 
 /// Reads the facts off a volume (one pass over it each for bricks and percentiles, on all cores).

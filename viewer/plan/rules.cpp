@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "viewer/plan/visibility.h"
 #include "viewer/volume/bytes.h"
@@ -82,9 +81,8 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   if (!composite(in)) return off("a projection looks at every value");
   if (plan.method != Method::planes) return off("this method looks at every sample");
   if (!in.facts.bricks) return off("nothing is known of the blocks");
-  const auto visible = visibleBlocks(plan.curve, *in.facts.bricks);
-  plan.visibleShare =
-      double(std::accumulate(visible.begin(), visible.end(), std::int64_t(0))) / double(visible.size());
+  const auto visible = visibleBlocksOf(plan.curve, in.facts);
+  plan.visibleShare = double(visible->count) / double(visible->flags.size());
   const std::string share =
       inDigits(100 * (1 - plan.visibleShare)) + " % of the blocks hold no visible value";
   if (in.options.full) return off("asked for in full; " + share);

@@ -121,10 +121,18 @@ const Voxels8& RenderCaches::Impl::voxelsIn8(GradientOperator by) {
 
 const SkipMap& RenderCaches::Impl::skipMap(const TransferFunction& curve, int reachBlocks, double rounding) {
   static_assert(SkipMap::edge == BrickRanges::edge);
-  const BrickRanges& bricks = *factsOfVolume().bricks;
-  if (!skip || skip->points != curve.points || skip->reachBlocks != reachBlocks || skip->rounding != rounding)
+  if (skip && skip->points == curve.points && skip->reachBlocks == reachBlocks && skip->rounding == rounding)
+    return skip->map;
+  const VolumeFacts& known = factsOfVolume();
+  SkipMap memory = skip ? std::move(skip->map) : SkipMap{};
+  const auto make = [&](const std::vector<std::uint8_t>& visible) {
     skip = Skip{curve.points, reachBlocks, rounding,
-                makeSkipMap(bricks.count, visibleBlocks(curve, bricks, rounding), reachBlocks)};
+                makeSkipMap(known.bricks->count, visible, reachBlocks, std::move(memory))};
+  };
+  if (rounding == 0)
+    make(visibleBlocksOf(curve, known)->flags);
+  else
+    make(visibleBlocks(curve, *known.bricks, rounding));
   return skip->map;
 }
 

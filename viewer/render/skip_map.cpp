@@ -1,44 +1,54 @@
 #include "viewer/render/skip_map.h"
 
+#include <algorithm>
+
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
 
 namespace {
 
-// Every entry takes in its next neighbour along an axis.
-void takeInNext(std::vector<std::uint8_t>& values, glm::ivec3 count, int axis) {
-  const std::size_t row = count.x, slice = row * count.y;
-  if (axis == 2) {
-    for (std::size_t n = 0; n + slice < values.size(); ++n) values[n] |= values[n + slice];
-    return;
-  }
-  parallelFor(count.z, 0, [&](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t k = begin; k < end; ++k) {
-      std::uint8_t* v = values.data() + k * slice;
-      if (axis == 1)
-        for (std::size_t n = 0; n + row < slice; ++n) v[n] |= v[n + row];
-      else
-        for (std::size_t start = 0; start < slice; start += row)
-          for (std::size_t n = start; n + 1 < start + row; ++n) v[n] |= v[n + 1];
-    }
-  });
+// to[n] |= from[n] for all n; the two do not overlap.
+void takeIn(const std::uint8_t* from, std::size_t count, std::uint8_t* to) {
+  for (std::size_t n = 0; n < count; ++n) to[n] |= from[n];
+}
+
+// Every entry of a slice takes in those of the next `reach` rows and columns.
+void takeInAlongSlice(std::uint8_t* slice, glm::ivec3 count, int reach) {
+  const std::size_t row = count.x;
+  std::uint8_t* last = slice + row * (std::size_t(count.y) - 1);
+  for (int n = 0; n < reach; ++n)
+    for (std::uint8_t* r = slice; r != last; r += row) takeIn(r + row, row, r);
+  for (int n = 0; n < reach; ++n)
+    for (std::uint8_t* r = slice; r <= last; r += row)
+      for (std::size_t i = 0; i + 1 < row; ++i) r[i] |= r[i + 1];
 }
 
 }  // namespace
 
-SkipMap makeSkipMap(glm::ivec3 count, std::vector<std::uint8_t> visible, int reach) {
-  const auto takeIn = [&](std::vector<std::uint8_t>& values) {
-    for (int axis = 0; axis < 3; ++axis) takeInNext(values, count, axis);
-  };
-  std::vector<std::uint8_t> tight = visible;
-  for (int n = 0; n < reach - 1; ++n) takeIn(tight);
-  std::vector<std::uint8_t> wide = tight;
-  takeIn(wide);
-  tight.insert(tight.end(), wide.begin(), wide.end());
-  tight.resize(tight.size() + 4);
-  visible.resize(visible.size() + 4);
-  return {count, std::move(visible), std::move(tight), reach};
+SkipMap makeSkipMap(glm::ivec3 count, const std::vector<std::uint8_t>& visible, int reach, SkipMap memory) {
+  SkipMap map = std::move(memory);
+  map.count = count;
+  map.reach = reach;
+  const std::size_t total = visible.size(), slice = std::size_t(count.x) * count.y;
+  map.visible.resize(total + 4);
+  map.near.resize(2 * total + 4);
+  parallelFor(count.z, 0, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t k = begin; k < end; ++k) {
+      const std::uint8_t* from = visible.data() + k * slice;
+      std::uint8_t *tight = map.near.data() + k * slice, *wide = tight + total;
+      std::copy_n(from, slice, map.visible.data() + k * slice);
+      std::copy_n(from, slice, tight);
+      const std::int64_t next = std::min<std::int64_t>(reach, count.z - 1 - k);
+      for (std::int64_t n = 1; n < std::min<std::int64_t>(reach, next + 1); ++n)
+        takeIn(from + n * slice, slice, tight);
+      std::copy_n(tight, slice, wide);
+      if (next == reach) takeIn(from + next * slice, slice, wide);
+      takeInAlongSlice(tight, count, reach - 1);
+      takeInAlongSlice(wide, count, reach);
+    }
+  });
+  return map;
 }
 
 }  // namespace volumen

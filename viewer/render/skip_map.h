@@ -20,7 +20,9 @@ struct SkipMap {
   std::size_t bytes() const { return visible.size() + near.size(); }
 };
 
-/// `visible`: one entry a block, not 0 where it holds a visible value. `reach` is at least 1.
-SkipMap makeSkipMap(glm::ivec3 count, std::vector<std::uint8_t> visible, int reach);
+/// `visible`: one entry a block, not 0 where it holds a visible value. `reach` is at least 1. `memory`: a map
+/// that is no longer needed, whose memory is used again.
+SkipMap makeSkipMap(glm::ivec3 count, const std::vector<std::uint8_t>& visible, int reach,
+                    SkipMap memory = {});
 
 }  // namespace volumen
