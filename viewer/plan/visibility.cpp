@@ -19,7 +19,9 @@ void markVisible(const std::vector<ValueRange>& spans, const float* low, const f
   float lowest[chunk], highest[chunk];
   std::int32_t visible[chunk];
   for (std::size_t n = 0; n < count; ++n) {
-    const float off = rounding + 4e-7f * std::max(std::abs(low[n]), std::abs(high[n])) + 1e-36f;
+    // A constant 0, the background of many volumes, is interpolated exactly.
+    const float least = low[n] < high[n] ? 1e-36f : 0.0f;
+    const float off = rounding + 4e-7f * std::max(std::abs(low[n]), std::abs(high[n])) + least;
     lowest[n] = low[n] - off;
     highest[n] = high[n] + off;
     visible[n] = 0;

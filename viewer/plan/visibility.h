@@ -11,8 +11,8 @@
 namespace volumen {
 
 /// One entry a block: 1 where a value between the block's smallest and largest has opacity, widened by a few
-/// units in the last place, so that rounding in an interpolation cannot escape it, and by `rounding`: how far
-/// the values that are drawn may be off those of the blocks, real units.
+/// units in the last place, so that rounding in an interpolation cannot escape it (a constant 0 is exact),
+/// and by `rounding`: how far the values that are drawn may be off those of the blocks, real units.
 std::vector<std::uint8_t> visibleBlocks(const TransferFunction& curve, const BrickRanges& bricks,
                                         double rounding = 0);
 

@@ -1,6 +1,7 @@
 #include "viewer/render/rays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -9,6 +10,13 @@
 #include <limits>
 
 namespace volumen {
+
+namespace {
+std::array<std::vector<float>*, 12> floatsOf(RayRow& row) {
+  return {&row.startX,  &row.startY,  &row.startZ,  &row.moveX,      &row.moveY,  &row.moveZ,
+          &row.viewerX, &row.viewerY, &row.viewerZ, &row.lastMiddle, &row.stepMm, &row.lastStepMm};
+}
+}  // namespace
 
 RaySetup::RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, double stepVoxels,
                    bool clip)
@@ -37,68 +45,143 @@ RaySetup::RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2
   }
 }
 
-RaySetup::Interval RaySetup::interval(glm::dvec3 o, glm::dvec3 d) const {
-  const double infinity = std::numeric_limits<double>::infinity();
-  Interval in{perspective_ ? 0 : -infinity, infinity};
-  // Keeps the part of the ray where offset + slope t <= 0; a parallel ray's boundary is inside (SCENE 6).
-  const auto keep = [&](double slope, double offset) {
-    if (slope > 0)
-      in.t1 = std::min(in.t1, -offset / slope);
-    else if (slope < 0)
-      in.t0 = std::max(in.t0, -offset / slope);
-    else if (offset > 0)
-      in.t1 = -infinity;
-  };
-  for (int a = 0; a < 3; ++a) {
-    keep(d[a], o[a] - high_[a]);
-    keep(-d[a], low_[a] - o[a]);
-  }
-  for (const Plane& p : planes_) keep(glm::dot(p.normal, d), glm::dot(p.normal, o) - p.offset);
-  return in;
+// So many rays at a time: loops over each of their numbers become vector code. All in voxel space but for the
+// direction towards the viewer.
+struct RaySetup::Batch {
+  static constexpr int size = 64;
+  int count = 0;
+  int pixel[size];                         // 0 for padding
+  double rightMm[size], upMm[size];        // of the pixel, from the target
+  double origin[3][size], along[3][size];  // along: a mm of the ray
+  double towardsViewer[3][size];
+  double stepMm[size];
+  double t0[size], t1[size];  // mm along the ray
+};
+
+namespace {
+
+// std::ceil of what fits an int; without SSE4 that is a call.
+double ceilOf(double x) {
+  const double whole = double(int(x));
+  return whole + (whole < x ? 1.0 : 0.0);
 }
 
-void RaySetup::setRay(RayRow& row, int n, glm::dvec3 o, glm::dvec3 d, glm::dvec3 direction) const {
-  const Interval in = interval(o, d);
-  const double stepMm = stepVoxels_ / glm::length(d);
-  const double length = in.t1 - in.t0;
-  // A rest of less than a millionth of a step is rounding, not an interval of its own.
-  const double steps = length > 0 ? std::max(1.0, std::ceil(length / stepMm - 1e-6)) : 0;
-  const double last = length - (steps - 1) * stepMm;
-  const glm::dvec3 start = steps > 0 ? o + d * in.t0 : glm::dvec3(0), move = d * stepMm;
-  row.steps[n] = int(steps);
-  row.lastMiddle[n] = float(steps - 1 + 0.5 * last / stepMm);
-  row.startX[n] = float(start.x), row.startY[n] = float(start.y), row.startZ[n] = float(start.z);
-  row.moveX[n] = float(move.x), row.moveY[n] = float(move.y), row.moveZ[n] = float(move.z);
-  row.stepMm[n] = float(stepMm);
-  row.lastStepMm[n] = float(std::max(last, 0.0));
-  const glm::dvec3 viewer = localViewer_ ? -direction : -axes_.direction;
-  row.viewerX[n] = float(viewer.x), row.viewerY[n] = float(viewer.y), row.viewerZ[n] = float(viewer.z);
+}  // namespace
+
+void RaySetup::setOrigins(Batch& batch) const {
+  const double pixelMm = height_ / size_.y;
+  for (int n = 0; n < batch.count; ++n) {
+    const int y = batch.pixel[n] / size_.x, x = batch.pixel[n] - y * size_.x;
+    batch.rightMm[n] = ((x + 0.5) - 0.5 * size_.x) * pixelMm;
+    batch.upMm[n] = (0.5 - (y + 0.5) / size_.y) * height_;
+  }
+  const auto set = [&](int n, glm::dvec3 origin, glm::dvec3 along, glm::dvec3 viewer) {
+    origin = voxelFromMm_ * (origin - geometry_.origin);
+    for (int i = 0; i < 3; ++i) {
+      batch.origin[i][n] = origin[i];
+      batch.along[i][n] = along[i];
+      batch.towardsViewer[i][n] = viewer[i];
+    }
+  };
+  const auto pixelOf = [&](int n) {
+    return target_ + batch.rightMm[n] * axes_.right + batch.upMm[n] * axes_.up;
+  };
+  if (!perspective_) {
+    const glm::dvec3 along = voxelFromMm_ * axes_.direction;
+    std::fill_n(batch.stepMm, batch.count, stepVoxels_ / glm::length(along));
+    for (int n = 0; n < batch.count; ++n) set(n, pixelOf(n), along, -axes_.direction);
+    return;
+  }
+  for (int n = 0; n < batch.count; ++n) {
+    const glm::dvec3 direction = glm::normalize(pixelOf(n) - eye_), along = voxelFromMm_ * direction;
+    batch.stepMm[n] = stepVoxels_ / glm::length(along);
+    set(n, eye_, along, localViewer_ ? -direction : -axes_.direction);
+  }
+}
+
+void RaySetup::cutIntervals(Batch& batch) const {
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::fill_n(batch.t0, batch.count, perspective_ ? 0 : -infinity);
+  std::fill_n(batch.t1, batch.count, infinity);
+  // Keeps the part of the rays where offset + slope t <= 0; a parallel ray's boundary is inside (SCENE 6).
+  const auto keep = [&](auto slopeOf, auto offsetOf) {
+    for (int n = 0; n < batch.count; ++n) {
+      const double slope = slopeOf(n), offset = offsetOf(n), t = -offset / slope;
+      const double sooner = std::min(batch.t1[n], t), later = std::max(batch.t0[n], t);
+      const double missed = offset > 0 ? -infinity : batch.t1[n];
+      batch.t1[n] = slope > 0 ? sooner : slope < 0 ? batch.t1[n] : missed;
+      batch.t0[n] = slope < 0 ? later : batch.t0[n];
+    }
+  };
+  for (int a = 0; a < 3; ++a) {
+    const double *o = batch.origin[a], *d = batch.along[a], low = low_[a], high = high_[a];
+    keep([&](int n) { return d[n]; }, [&](int n) { return o[n] - high; });
+    keep([&](int n) { return -d[n]; }, [&](int n) { return low - o[n]; });
+  }
+  const auto dot = [](const glm::dvec3& normal, const double(&v)[3][Batch::size], int n) {
+    return glm::dot(normal, glm::dvec3(v[0][n], v[1][n], v[2][n]));
+  };
+  for (const Plane& p : planes_)
+    keep([&](int n) { return dot(p.normal, batch.along, n); },
+         [&](int n) { return dot(p.normal, batch.origin, n) - p.offset; });
+}
+
+void RaySetup::writeRays(const Batch& batch, RayRow& row, int first) const {
+  float* start[3] = {&row.startX[first], &row.startY[first], &row.startZ[first]};
+  float* move[3] = {&row.moveX[first], &row.moveY[first], &row.moveZ[first]};
+  float* viewer[3] = {&row.viewerX[first], &row.viewerY[first], &row.viewerZ[first]};
+  int* steps = &row.steps[first];
+  float *lastMiddle = &row.lastMiddle[first], *stepMm = &row.stepMm[first],
+        *lastStepMm = &row.lastStepMm[first];
+  for (int n = 0; n < batch.count; ++n) {
+    const double length = batch.t1[n] - batch.t0[n], step = batch.stepMm[n];
+    const double inside = length > 0 ? length : 0;
+    // A rest of less than a millionth of a step is rounding, not an interval of its own.
+    const double atLeastOne = std::max(1.0, ceilOf(inside / step - 1e-6));
+    const double count = length > 0 ? atLeastOne : 0, last = length - (count - 1) * step;
+    steps[n] = int(count);
+    lastMiddle[n] = float(count - 1 + 0.5 * last / step);
+    stepMm[n] = float(step);
+    lastStepMm[n] = float(std::max(last, 0.0));
+  }
+  for (int a = 0; a < 3; ++a)
+    for (int n = 0; n < batch.count; ++n) {
+      const double entered = batch.origin[a][n] + batch.along[a][n] * batch.t0[n];
+      start[a][n] = float(steps[n] > 0 ? entered : 0);
+      move[a][n] = float(batch.along[a][n] * batch.stepMm[n]);
+      viewer[a][n] = float(batch.towardsViewer[a][n]);
+    }
+}
+
+void RaySetup::setRays(RayRow& row) const {
+  Batch batch;
+  for (int first = 0; first < row.count; first += Batch::size) {
+    batch.count = std::min(Batch::size, row.count - first);
+    for (int n = 0; n < batch.count; ++n) batch.pixel[n] = std::max(0, row.pixel[first + n]);
+    setOrigins(batch);
+    cutIntervals(batch);
+    writeRays(batch, row, first);
+  }
+  const auto values = floatsOf(row);
+  for (int n = 0; n < row.count; ++n) {
+    if (row.pixel[n] >= 0) continue;
+    row.steps[n] = 0;
+    for (auto* v : values) (*v)[n] = 0;
+  }
 }
 
 void RaySetup::resize(RayRow& row, int count) {
   const std::size_t padded = (std::size_t(count) + padding - 1) / padding * padding;
   row.count = count;
-  for (auto* values :
-       {&row.startX, &row.startY, &row.startZ, &row.moveX, &row.moveY, &row.moveZ, &row.viewerX, &row.viewerY,
-        &row.viewerZ, &row.lastMiddle, &row.stepMm, &row.lastStepMm})
-    values->assign(padded, 0.0f);
+  for (auto* values : floatsOf(row)) values->assign(padded, 0.0f);
   row.steps.assign(padded, 0);
   row.pixel.assign(padded, -1);
 }
 
-void RaySetup::setPixel(RayRow& row, int n, int x, int y) const {
-  const double pixelMm = height_ / size_.y;
-  const double a = ((x + 0.5) - 0.5 * size_.x) * pixelMm, b = (0.5 - (y + 0.5) / size_.y) * height_;
-  const glm::dvec3 q = target_ + a * axes_.right + b * axes_.up;
-  const glm::dvec3 origin = perspective_ ? eye_ : q;
-  const glm::dvec3 direction = perspective_ ? glm::normalize(q - eye_) : axes_.direction;
-  row.pixel[n] = y * size_.x + x;
-  setRay(row, n, geometry_.voxelFromPatient(origin), voxelFromMm_ * direction, direction);
-}
-
 void RaySetup::makeRays(int x, int y, int count, RayRow& row) const {
   resize(row, count);
-  for (int n = 0; n < count; ++n) setPixel(row, n, x + n, y);
+  for (int n = 0; n < count; ++n) row.pixel[n] = y * size_.x + x + n;
+  setRays(row);
 }
 
 double RaySetup::tileSpread() const {
@@ -121,8 +204,9 @@ void RaySetup::makeBlock(int x, int y, RayRow& row) const {
     const int whole = n / (tile * tile), inTile = n % (tile * tile);
     const int px = x + whole % tiles.x * tile + inTile % tile,
               py = y + whole / tiles.x * tile + inTile / tile;
-    if (px < size_.x && py < size_.y) setPixel(row, n, px, py);
+    if (px < size_.x && py < size_.y) row.pixel[n] = py * size_.x + px;
   }
+  setRays(row);
 }
 
 }  // namespace volumen

@@ -52,14 +52,13 @@ class RaySetup {
     glm::dvec3 normal;  ///< in voxel space: inside where dot(normal, x) <= offset
     double offset;
   };
-  struct Interval {
-    double t0, t1;  ///< mm along the ray
-  };
-  Interval interval(glm::dvec3 originVoxel, glm::dvec3 directionVoxel) const;
+  struct Batch;
   static void resize(RayRow& row, int count);
-  void setPixel(RayRow& row, int n, int x, int y) const;
-  void setRay(RayRow& row, int n, glm::dvec3 originVoxel, glm::dvec3 directionVoxel,
-              glm::dvec3 direction) const;
+  /// Fills in the rays of row.pixel; padding stays 0.
+  void setRays(RayRow& row) const;
+  void setOrigins(Batch& batch) const;
+  void cutIntervals(Batch& batch) const;
+  void writeRays(const Batch& batch, RayRow& row, int first) const;
 
   glm::ivec2 size_;
   double stepVoxels_;

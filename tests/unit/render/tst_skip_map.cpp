@@ -1,0 +1,80 @@
+// Guards DESIGN 5, empty blocks: a packet of rays is passed over only where nothing in its reach is visible.
+#include <random>
+
+#include "tests/unit/suite.h"
+#include "viewer/render/skip_map.h"
+
+namespace {
+
+using namespace volumen;
+
+std::vector<std::uint8_t> someVisible(glm::ivec3 count, int oneOf) {
+  std::minstd_rand random(7);
+  std::vector<std::uint8_t> visible(std::size_t(count.x) * count.y * count.z);
+  for (auto& v : visible) v = random() % unsigned(oneOf) == 0;
+  return visible;
+}
+
+// Whether any block up to `reach` farther along each axis is visible, one by one.
+std::vector<std::uint8_t> near(glm::ivec3 count, const std::vector<std::uint8_t>& visible, int reach) {
+  std::vector<std::uint8_t> out;
+  for (int k = 0; k < count.z; ++k)
+    for (int j = 0; j < count.y; ++j)
+      for (int i = 0; i < count.x; ++i) {
+        std::uint8_t any = 0;
+        for (int c = k; c <= std::min(k + reach, count.z - 1); ++c)
+          for (int b = j; b <= std::min(j + reach, count.y - 1); ++b)
+            for (int a = i; a <= std::min(i + reach, count.x - 1); ++a)
+              any |= visible[(std::size_t(c) * count.y + b) * count.x + a];
+        out.push_back(any);
+      }
+  return out;
+}
+
+}  // namespace
+
+class TestSkipMap : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void nearBlocksAreThoseInReach_data();
+  void nearBlocksAreThoseInReach();
+};
+
+void TestSkipMap::nearBlocksAreThoseInReach_data() {
+  QTest::addColumn<int>("x");
+  QTest::addColumn<int>("y");
+  QTest::addColumn<int>("z");
+  QTest::addColumn<int>("reach");
+  for (const int reach : {1, 2, 3, 8}) {
+    const QByteArray suffix = ", reach " + QByteArray::number(reach);
+    QTest::newRow(("a box of blocks" + suffix).constData()) << 19 << 7 << 9 << reach;
+    QTest::newRow(("one block" + suffix).constData()) << 1 << 1 << 1 << reach;
+    QTest::newRow(("one column" + suffix).constData()) << 1 << 12 << 3 << reach;
+    QTest::newRow(("one slice" + suffix).constData()) << 40 << 30 << 1 << reach;
+  }
+}
+
+void TestSkipMap::nearBlocksAreThoseInReach() {
+  QFETCH(int, x);
+  QFETCH(int, y);
+  QFETCH(int, z);
+  QFETCH(int, reach);
+  const glm::ivec3 count(x, y, z);
+  const auto visible = someVisible(count, 40), before = someVisible(count, 2);
+  // Made in the memory of another map.
+  const SkipMap map = makeSkipMap(count, visible, reach, makeSkipMap(count, before, 1));
+  const std::size_t total = visible.size();
+  QCOMPARE(map.reach, reach);
+  QCOMPARE(map.visible.size(), total + 4);
+  QCOMPARE(map.near.size(), 2 * total + 4);
+  const auto part = [&](const std::vector<std::uint8_t>& all, std::size_t from) {
+    return std::vector<std::uint8_t>(all.begin() + std::ptrdiff_t(from),
+                                     all.begin() + std::ptrdiff_t(from + total));
+  };
+  QCOMPARE(part(map.visible, 0), visible);
+  QCOMPARE(part(map.near, 0), near(count, visible, reach - 1));
+  QCOMPARE(part(map.near, total), near(count, visible, reach));
+}
+
+VOLUMEN_TEST(TestSkipMap);
+#include "tst_skip_map.moc"
