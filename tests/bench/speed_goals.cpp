@@ -16,9 +16,10 @@ Status drawRounds(std::vector<Case>& cases, int rounds) {
   return {};
 }
 
-// The paper's own scene, the sphere as ever more voxels, a hundred samples across the volume.
+// The paper's own scene, the sphere as ever more voxels of 1 mm, a hundred samples across the volume. Opacity
+// is measured by the volume's width, so that a sample is as opaque in each.
 Result<Goal> opaqueSpheres(const SpeedInputs& in) {
-  const Scene scene = paperPhantoms().back().scene;
+  const Scene paper = paperPhantoms().back().scene;
   std::vector<std::unique_ptr<RenderCaches>> caches;
   std::vector<Case> cases;
   for (const int edge : {32, 64, 128, 256}) {
@@ -27,6 +28,8 @@ Result<Goal> opaqueSpheres(const SpeedInputs& in) {
     caches.push_back(std::make_unique<RenderCaches>(*volume));
     RenderOptions options = plainSteps(in.threads);
     options.step = edge / 100.0;
+    Scene scene = paper;
+    scene.transferFunction.unitDistance *= edge / 64.0;
     cases.push_back({std::to_string(edge), scene, options, caches.back().get()});
   }
   if (Status s = drawRounds(cases, 2 * in.rounds); !s) return s.error();
