@@ -17,7 +17,7 @@ namespace {
 // `volumen render phantom:ct-head:128 --threads 1 --frames 7 --stats`, with 1, 4, 8 and 16 lights, unlit,
 // and each shader, method and resampler in turn. `bench_choices` holds them against whole frames.
 constexpr double sampleNs = 3;         // a density interpolated at a plain step
-constexpr double cutSampleNs = 10;     // a sample of planes that cut intervals where the curve is uneven
+constexpr double intervalNs = 20;      // an interval of planes that integrate: its samples, the curve, cuts
 constexpr double glSampleNs = 6;       // OpenGL without a GPU, with the way back to the CPU
 constexpr double glGradientNs = 6;     // three components more
 constexpr double colourNs = 1;         // a visible sample's colour and opacity, composited
@@ -25,7 +25,7 @@ constexpr double gradientNs = 3;       // its gradient and normal
 constexpr double diffuseNs = 0.12;     // a light's D, directly
 constexpr double wholePowerNs = 0.33;  // a light's S with a whole shininess: a few multiplications
 constexpr double powerNs = 1;          // with any other: logarithm and exponential
-constexpr double lookupNs = 7.5;       // a bilinear look-up in a map, mostly waiting for the cache
+constexpr double lookupNs = 4.3;       // a bilinear look-up in a map, four nodes of eight floats
 constexpr double nodeNs = 3.5;         // a node of a map, beside its lights
 
 double pixelMm(const Camera& camera, glm::ivec2 size) {
@@ -116,7 +116,7 @@ PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts, Shader s
     cost.samplingNs = samples * (glSampleNs + (plan.gradients ? glGradientNs : 0));
   else if (plan.method == Method::planes)
     // Rays look in packets, whose box meets more blocks than one ray does.
-    cost.samplingNs = std::sqrt(samples * visible) * (plan.mostParts > 1 ? cutSampleNs : sampleNs);
+    cost.samplingNs = std::sqrt(samples * visible) * (plan.mostParts > 1 ? intervalNs : sampleNs);
   else
     cost.samplingNs = samples * sampleNs;
   cost.samplingNs += visible * (colourNs + (plan.gradients ? gradientNs : 0));

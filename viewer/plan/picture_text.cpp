@@ -78,8 +78,9 @@ std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan,
                                                         {"volumen-error", errorText(plan)}};
   if (measured) text.push_back({"volumen-error-measured", errorText(*measured)});
   if (plan.method != Method::reference)
-    text.push_back({"volumen-step", std::to_string(plan.stepVoxels) + " voxel" +
-                                        (plan.mostParts > 1 ? ", cut where the curve is uneven" : "")});
+    text.push_back(
+        {"volumen-step", std::to_string(plan.stepVoxels) + " voxel" +
+                             (plan.mostParts > 1 ? ", integrated and cut where it is uneven" : "")});
   text.push_back({"volumen-scene", sceneToJson(plan.scene)});
   return text;
 }

@@ -107,16 +107,23 @@ double stepOf(Quality quality) {
   return 1;
 }
 
-// Intervals and how uneven their parts may be, as measured on smooth and on sharp curves.
+// Intervals and how uneven their parts may be: the longest that keep the levels' promises on smooth and on
+// sharp curves, as measured on the scenes of the tests.
 struct Cut {
   double stepVoxels, tolerance;
 };
 Cut cutOf(Quality quality, bool sharp) {
-  if (quality == Quality::standard) return sharp ? Cut{1.0 / 2, 2e-3} : Cut{1, 0.02};
-  if (quality == Quality::high) return sharp ? Cut{1.0 / 4, 3e-4} : Cut{1.0 / 2, 4e-3};
-  // Around a step on a constant value no neighbour warns of what comes: exact pictures then take every small
-  // step.
-  return sharp ? Cut{1.0 / 64, 3e-5} : Cut{1.0 / 4, 1e-3};
+  switch (quality) {
+    case Quality::draft:
+      return sharp ? Cut{1, 0.03} : Cut{2, 0.06};
+    case Quality::standard:
+      return sharp ? Cut{1, 0.005} : Cut{2, 0.03};
+    case Quality::high:
+      return sharp ? Cut{1.0 / 2, 2.5e-3} : Cut{1, 3e-3};
+    case Quality::exact:
+      break;
+  }
+  return sharp ? Cut{1.0 / 4, 1.5e-4} : Cut{1, 1e-3};
 }
 
 // Only the CPU's planes know the values around an interval before they draw it.
@@ -144,7 +151,6 @@ Effect integration(const RuleInput& in, Plan& plan) {
     return steps(", as asked");
   }
   plan.stepVoxels = stepOf(in.options.quality);
-  if (in.options.quality == Quality::draft) return steps(" for a draft");
   const double range = in.facts.p999 - in.facts.p01;
   const bool sharp = composite(in) && isSharp(in.scene.transferFunction, range / 50);
   if (canCut(in, plan)) {
@@ -153,9 +159,10 @@ Effect integration(const RuleInput& in, Plan& plan) {
     plan.mostParts = 64;
     plan.partTolerance = cut.tolerance;
     plan.partWiden = sharp ? 3 : 1;
-    return on("intervals of " + inDigits(cut.stepVoxels) +
-              " voxel, cut into up to 64 where the curve is uneven between the values around" +
-              (sharp ? "; finely, as it rises steeply" : ""));
+    return on(
+        "intervals of " + inDigits(cut.stepVoxels) +
+        " voxel, integrated through the curve and cut into up to 64 where values bend or light changes" +
+        (sharp ? "; short, as the curve rises steeply" : ""));
   }
   if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
     return steps(": the curve is smooth");

@@ -9,6 +9,8 @@ namespace volumen {
 
 namespace {
 
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
 // The density at which the real value reaches `value`. Where a whole density means exactly this value, it is
 // that one, so that a step on a stored value is a step on that density.
 float densityOf(float value, const DensityScale& scale) {
@@ -18,9 +20,85 @@ float densityOf(float value, const DensityScale& scale) {
   return float(std::clamp(density, -1e30, 1e30));
 }
 
+double extinctionOf(double opacity) { return -std::log1p(-std::min(opacity, 1 - 0x1p-20)); }
+
+double colourChange(const CurvePoint& a, const CurvePoint& b) {
+  const glm::dvec3 c = glm::abs(b.colour - a.colour);
+  return std::max({c.r, c.g, c.b});
+}
+
+// The mean extinction where the opacity rises straight between two points: that of -ln(u) over u.
+double meanExtinction(double e1, double e2) {
+  const double u1 = std::exp(-e1), u2 = std::exp(-e2);
+  return std::abs(u2 - u1) < 1e-4 ? (e1 + e2) / 2 : 1 + (u2 * e2 - u1 * e1) / (u2 - u1);
+}
+
+// Appends segments in the order of their densities, and what changes or is summed up from one to the next.
+class SegmentWriter {
+ public:
+  SegmentWriter(CurveTable& t, const std::vector<CurvePoint>& points, const std::vector<float>& nodes)
+      : t_(t), points_(points), nodes_(nodes) {}
+
+  // Between the points `from` and `to`, or constant where they are one.
+  void add(std::size_t from, std::size_t to, float end) {
+    t_.node.push_back(end);
+    t_.start.push_back(nodes_[from]);
+    addValues(from, to);
+    addChanges(from, to);
+    addIntegral(from, to);
+  }
+
+ private:
+  double width(std::size_t from, std::size_t to) const { return double(nodes_[to]) - nodes_[from]; }
+
+  void addValues(std::size_t from, std::size_t to) {
+    const CurvePoint &a = points_[from], &b = points_[to];
+    const auto add = [&](std::vector<float>& at, std::vector<float>& rise, double p, double q) {
+      at.push_back(float(p));
+      rise.push_back(float(from == to ? 0 : (q - p) / width(from, to)));
+    };
+    add(t_.opacity, t_.opacityRise, a.opacity, b.opacity);
+    add(t_.red, t_.redRise, a.colour.r, b.colour.r);
+    add(t_.green, t_.greenRise, a.colour.g, b.colour.g);
+    add(t_.blue, t_.blueRise, a.colour.b, b.colour.b);
+  }
+
+  // Steps between the last segment's end and this one's start count whole.
+  void addChanges(std::size_t from, std::size_t to) {
+    for (; at_ < from; ++at_) change(at_, at_ + 1);
+    const double before = varied_, colourBefore = colourVaried_;
+    t_.variation.push_back(float(before)), t_.colourVariation.push_back(float(colourBefore));
+    for (; at_ < to; ++at_) change(at_, at_ + 1);
+    const double inverse = from == to ? 0 : 1 / width(from, to);
+    t_.variationRise.push_back(float((varied_ - before) * inverse));
+    t_.colourVariationRise.push_back(float((colourVaried_ - colourBefore) * inverse));
+  }
+
+  void change(std::size_t from, std::size_t to) {
+    const CurvePoint &a = points_[from], &b = points_[to];
+    const double before = extinctionOf(a.opacity), behind = extinctionOf(b.opacity);
+    varied_ += std::abs(behind - before) + colourChange(a, b) * std::max(before, behind);
+    if (a.opacity > 0 || b.opacity > 0) colourVaried_ += colourChange(a, b);
+  }
+
+  void addIntegral(std::size_t from, std::size_t to) {
+    const double e1 = extinctionOf(points_[from].opacity), e2 = extinctionOf(points_[to].opacity);
+    t_.integral.push_back(float(integrated_));
+    t_.integralRest.push_back(float(integrated_ - double(float(integrated_))));
+    integrated_ += width(from, to) * meanExtinction(e1, e2);
+    t_.startTransparency.push_back(float(std::exp(-e1))), t_.startExtinction.push_back(float(e1));
+    t_.endTransparency.push_back(float(std::exp(-e2))), t_.endExtinction.push_back(float(e2));
+  }
+
+  CurveTable& t_;
+  const std::vector<CurvePoint>& points_;
+  const std::vector<float>& nodes_;
+  std::size_t at_ = 0;
+  double varied_ = 0, colourVaried_ = 0, integrated_ = 0;
+};
+
 // From the last node before any opacity to the first one behind it.
 void setVisible(CurveTable& t, const std::vector<CurvePoint>& points, const std::vector<float>& nodes) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   const auto visible = [](const CurvePoint& p) { return p.opacity > 0; };
   const auto first = std::find_if(points.begin(), points.end(), visible);
   const auto last = std::find_if(points.rbegin(), points.rend(), visible);
@@ -31,61 +109,8 @@ void setVisible(CurveTable& t, const std::vector<CurvePoint>& points, const std:
   t.visibleHigh = last == points.rbegin() ? infinity : nodes[points.rend() - last];
 }
 
-}  // namespace
-
-std::size_t CurveTable::bytes() const { return (first.size() + 12 * node.size()) * 4; }
-
-CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& scale) {
-  CurveTable t;
-  const auto& points = curve.points;
-  std::vector<float> nodes;
-  for (const CurvePoint& p : points) nodes.push_back(densityOf(p.value, scale));
-  const auto addSegment = [&](std::size_t from, std::size_t to, float end) {
-    const CurvePoint &a = points[from], &b = points[to];
-    const double width = double(nodes[to]) - nodes[from];
-    const auto rise = [&](double p, double q) { return float(width > 0 ? (q - p) / width : 0); };
-    t.node.push_back(end);
-    t.start.push_back(nodes[from]);
-    t.opacity.push_back(float(a.opacity)), t.opacityRise.push_back(rise(a.opacity, b.opacity));
-    t.red.push_back(float(a.colour.r)), t.redRise.push_back(rise(a.colour.r, b.colour.r));
-    t.green.push_back(float(a.colour.g)), t.greenRise.push_back(rise(a.colour.g, b.colour.g));
-    t.blue.push_back(float(a.colour.b)), t.blueRise.push_back(rise(a.colour.b, b.colour.b));
-  };
-  const auto extinction = [](double opacity) { return -std::log1p(-std::min(opacity, 1 - 0x1p-20)); };
-  const auto change = [&](const CurvePoint& a, const CurvePoint& b) {
-    const glm::dvec3 c = glm::abs(b.colour - a.colour);
-    const double before = extinction(a.opacity), behind = extinction(b.opacity);
-    return std::abs(behind - before) + std::max({c.r, c.g, c.b}) * std::max(before, behind);
-  };
-  double varied = 0;
-  std::size_t at = 0;
-  // Steps between the last segment's end and this one's start count whole.
-  const auto addVariation = [&](std::size_t from, std::size_t to) {
-    for (; at < from; ++at) varied += change(points[at], points[at + 1]);
-    t.variation.push_back(float(varied));
-    t.variationRise.push_back(
-        from == to ? 0.0f : float(change(points[from], points[to]) / (double(nodes[to]) - nodes[from])));
-    for (; at < to; ++at) varied += change(points[at], points[at + 1]);
-  };
-  addSegment(0, 0, nodes.front());
-  addVariation(0, 0);
-  // No density lies between two nodes at one place.
-  for (std::size_t n = 0; n + 1 < points.size(); ++n)
-    if (nodes[n] < nodes[n + 1]) {
-      addSegment(n, n + 1, nodes[n + 1]);
-      addVariation(n, n + 1);
-    }
-  addSegment(points.size() - 1, points.size() - 1, std::numeric_limits<float>::infinity());
-  addVariation(points.size() - 1, points.size() - 1);
-
-  t.segments = int(t.node.size());
-  for (auto* values : {&t.start, &t.variation, &t.variationRise, &t.opacity, &t.opacityRise, &t.red,
-                       &t.redRise, &t.green, &t.greenRise, &t.blue, &t.blueRise})
-    values->resize(std::max<std::size_t>(values->size(), CurveTable::padding), 0.0f);
-  t.node.resize(std::max<std::size_t>(t.node.size(), CurveTable::padding),
-                std::numeric_limits<float>::infinity());
-  setVisible(t, points, nodes);
-
+// The first segment of every bucket, and how many nodes a bucket holds at most.
+void setBuckets(CurveTable& t, const DensityScale& scale) {
   t.low = float(scale.low);
   const double width = scale.high - scale.low;
   t.perBucket = width > 0 ? float(CurveTable::buckets / width) : 0.0f;
@@ -102,6 +127,34 @@ CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& sca
     before += inBucket[b];
     t.hops = std::max(t.hops, inBucket[b]);
   }
+}
+
+}  // namespace
+
+std::size_t CurveTable::bytes() const { return (first.size() + 20 * node.size()) * 4; }
+
+CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& scale) {
+  CurveTable t;
+  const auto& points = curve.points;
+  std::vector<float> nodes;
+  for (const CurvePoint& p : points) nodes.push_back(densityOf(p.value, scale));
+  SegmentWriter writer(t, points, nodes);
+  writer.add(0, 0, nodes.front());
+  // No density lies between two nodes at one place.
+  for (std::size_t n = 0; n + 1 < points.size(); ++n)
+    if (nodes[n] < nodes[n + 1]) writer.add(n, n + 1, nodes[n + 1]);
+  writer.add(points.size() - 1, points.size() - 1, infinity);
+
+  t.segments = int(t.node.size());
+  const std::size_t padded = std::max<std::size_t>(t.node.size(), CurveTable::padding);
+  for (auto* values : {&t.start, &t.opacity, &t.opacityRise, &t.variation, &t.variationRise,
+                       &t.colourVariation, &t.colourVariationRise, &t.integral, &t.integralRest,
+                       &t.startTransparency, &t.startExtinction, &t.endTransparency, &t.endExtinction, &t.red,
+                       &t.redRise, &t.green, &t.greenRise, &t.blue, &t.blueRise})
+    values->resize(padded, 0.0f);
+  t.node.resize(padded, infinity);
+  setVisible(t, points, nodes);
+  setBuckets(t, scale);
   return t;
 }
 

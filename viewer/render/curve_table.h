@@ -32,6 +32,12 @@ struct CurveTable {
   /// unit of density: the difference between two densities says how uneven the curve is there, peaks and
   /// steps included.
   std::vector<float> variation, variationRise;
+  /// The extinction's integral over density from the first node to `start`, in two floats; transparency and
+  /// extinction a unit distance at both ends of the segment.
+  std::vector<float> integral, integralRest;
+  std::vector<float> startTransparency, startExtinction, endTransparency, endExtinction;
+  /// As variation, of the colour alone: the largest change of a component.
+  std::vector<float> colourVariation, colourVariationRise;
   std::vector<float> red, redRise, green, greenRise, blue, blueRise;
   std::size_t bytes() const;
 };

@@ -115,14 +115,12 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       "on   precision: 32 bits: the values are not 16-bit integers with a positive slope",
       [](Asked& a) { a.facts.slope = -1; });
   const char* smooth =
-      "on   integration: intervals of 1 voxel, cut into up to 64 where the curve is uneven between the "
-      "values "
-      "around";
-  row("a smooth curve: cut where uneven", "integration", smooth, [](Asked&) {});
-  row("a step in the curve: finely", "integration",
-      "on   integration: intervals of 0.5 voxel, cut into up to 64 where the curve is uneven between the "
-      "values "
-      "around; finely, as it rises steeply",
+      "on   integration: intervals of 2 voxel, integrated through the curve and cut into up to 64 where "
+      "values bend or light changes";
+  row("a smooth curve: long intervals", "integration", smooth, [](Asked&) {});
+  row("a step in the curve: short ones", "integration",
+      "on   integration: intervals of 1 voxel, integrated through the curve and cut into up to 64 where "
+      "values bend or light changes; short, as the curve rises steeply",
       [](Asked& a) { a.scene.transferFunction.points[1].value = 151; });
   row("a narrow but faint rise is no step", "integration", smooth, [](Asked& a) {
     a.scene.transferFunction.points = {{150, {}, 0}, {151, {}, 0.01}};

@@ -172,7 +172,7 @@ RenderCaches& TestGl::cachesOf(const std::string& name) {
 // places: ct-head and chest CT, presets of bone, muscle and skin, RMSE 0.02 .. 0.07 and 1.4 at most; thin
 // bright shells (preset CT-Lung) RMSE 1.3.
 void TestGl::compareResamplers(RenderCaches& caches, const Scene& scene, RenderOptions options) {
-  options.step = 0.25;  // a level would be cut by the CPU where the curve is uneven
+  options.step = 0.25;  // a level would be integrated by the CPU
   options.resampler = Resampler::cpu;
   const auto cpu = planAndDraw(caches, scene, options);
   options.resampler = Resampler::gl;

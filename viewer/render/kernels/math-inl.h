@@ -88,17 +88,27 @@ HWY_INLINE VF ExpMinus1(VF x) {
   return hn::Add(hn::Mul(power, small), hn::Sub(power, Set(1)));
 }
 
-/// The opacity of an interval `units` unit distances long whose opacity a unit is `opacity` (SCENE 4, 9):
-/// 1 - (1 - opacity)^units, with no loss where it is small.
-HWY_INLINE VF IntervalOpacity(VF opacity, VF units) {
+/// What an opacity lets through, and its logarithm with no loss where the opacity is small. Opacities above
+/// 1 - 2^-20 count as that.
+struct Transparency {
+  VF left, log;
+};
+HWY_INLINE Transparency TransparencyOf(VF opacity) {
   const VF one = Set(1);
   const VF o = hn::Min(opacity, Set(1.0f - 9.5367431640625e-7f));  // 1 - 2^-20
   const VF left = hn::Sub(one, o);
   // What the subtraction rounded off, so that log1p(-o) keeps its relative accuracy.
   const VF lost = hn::Sub(hn::Sub(one, left), o);
-  const VF log1p = hn::Add(Log(left), hn::Div(lost, left));
-  const VF power = hn::Max(hn::Mul(log1p, units), Set(-80));
-  return hn::Neg(ExpMinus1(power));
+  return {left, hn::Add(Log(left), hn::Div(lost, left))};
+}
+
+/// 1 - exp(-depth): the opacity of an optical depth >= 0.
+HWY_INLINE VF OpacityOfDepth(VF depth) { return hn::Neg(ExpMinus1(hn::Max(hn::Neg(depth), Set(-80)))); }
+
+/// The opacity of an interval `units` unit distances long whose opacity a unit is `opacity` (SCENE 4, 9):
+/// 1 - (1 - opacity)^units, with no loss where it is small.
+HWY_INLINE VF IntervalOpacity(VF opacity, VF units) {
+  return hn::Neg(ExpMinus1(hn::Max(hn::Mul(TransparencyOf(opacity).log, units), Set(-80))));
 }
 
 /// x^power for whole powers >= 1: a few multiplications.

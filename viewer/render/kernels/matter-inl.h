@@ -38,9 +38,14 @@ struct Matter {
   HWY_INLINE VF OpacityAt(VI segment, VF density, const V3& stored) const {
     const VF opacity = OpacityOf(*f.curve, segment, density);
     if constexpr (kGradientOpacity)
-      return hn::Mul(opacity, GradientFactor(*f.transfer, NormalOf(f, stored).length));
+      return hn::Mul(opacity, FactorAt(stored));
     else
       return opacity;
+  }
+
+  /// SCENE 4's gradientOpacity.
+  HWY_INLINE VF FactorAt(const V3& stored) const {
+    return GradientFactor(*f.transfer, NormalOf(f, stored).length);
   }
 
   /// The colour of a sample, lit (SCENE 5); `ray`: its ray, counted from `first`.

@@ -168,6 +168,38 @@ HWY_INLINE CubePlace OnCube(const V3& n) {
   return {face, hn::Mul(choose(n.y, n.z, n.x), inverse), hn::Mul(choose(n.z, n.x, n.y), inverse)};
 }
 
+/// The shades between four nodes of a map, the first at float `at`, bilinear. Sample by sample, four
+/// components at a time: faster than a gather for each component of each node, with the same bytes.
+HWY_INLINE DS BetweenNodes(const ReflectanceMap& map, VI at, VF fu, VF fv) {
+  const DF df;
+  const hn::CappedTag<float, 4> four;
+  constexpr int most = HWY_MAX_BYTES / sizeof(float);
+  HWY_ALIGN int from[most];
+  HWY_ALIGN float alongU[most], alongV[most], low[4 * most], high[4 * most];
+  hn::Store(at, DI(), from);
+  hn::Store(fu, df, alongU);
+  hn::Store(fv, df, alongV);
+  const std::ptrdiff_t row = std::ptrdiff_t(map.n) * ReflectanceMap::stride;
+  for (std::size_t n = 0; n < hn::Lanes(df); ++n) {
+    const float* node = map.nodes.data() + from[n];
+    const auto u = hn::Set(four, alongU[n]), v = hn::Set(four, alongV[n]);
+    const auto between = [](auto a, auto b, auto f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); };
+    const auto read = [&](const float* p) {
+      const auto a = between(hn::LoadU(four, p), hn::LoadU(four, p + 8), u);
+      return between(a, between(hn::LoadU(four, p + row), hn::LoadU(four, p + row + 8), u), v);
+    };
+    for (std::size_t c = 0; c < 4; c += hn::Lanes(four)) {
+      hn::Store(read(node + c), four, low + 4 * n + c);
+      hn::Store(read(node + 4 + c), four, high + 4 * n + c);
+    }
+  }
+  DS out;
+  VF none;
+  hn::LoadInterleaved4(df, low, out.d.x, out.d.y, out.d.z, out.s.x);
+  hn::LoadInterleaved4(df, high, out.s.y, out.s.z, none, none);
+  return out;
+}
+
 /// D' and S' from the reflectance map, bilinear on the face of the normal's largest component (paper 2.2).
 HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
   const DF df;
@@ -182,16 +214,8 @@ HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
            iv = hn::Min(hn::ConvertTo(di, v), SetI(map.n - 2));
   const VF fu = hn::Sub(u, hn::ConvertTo(df, iu)), fv = hn::Sub(v, hn::ConvertTo(df, iv));
   const VI node = hn::Add(hn::Mul(hn::Add(hn::Mul(place.face, SetI(map.n)), iv), SetI(map.n)), iu);
-  const VI at = hn::ShiftLeft<3>(node);
   static_assert(ReflectanceMap::stride == 8);
-  const int row = map.n * ReflectanceMap::stride;
-  const auto read = [&](int c) {
-    const float* base = map.nodes.data() + c;
-    const VF a = Lerp(hn::GatherIndex(df, base, at), hn::GatherIndex(df, base + 8, at), fu);
-    const VF b = Lerp(hn::GatherIndex(df, base + row, at), hn::GatherIndex(df, base + row + 8, at), fu);
-    return Lerp(a, b, fv);
-  };
-  return {{read(0), read(1), read(2)}, {read(3), read(4), read(5)}};
+  return BetweenNodes(map, hn::ShiftLeft<3>(node), fu, fv);
 }
 
 /// D'' and S'' (SCENE 5): a gradient too small to have a direction is lit flatly.

@@ -7,24 +7,15 @@
 #endif
 
 #include "viewer/render/kernels/dense-inl.h"
+#include "viewer/render/kernels/refine-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
-
-constexpr int kLanes = int(hn::MaxLanes(DF()));
-
-/// Appends the chosen lanes to an array that has room for a whole vector behind `at`. Compressed in a
-/// register and stored whole: compressing into memory is microcoded on some CPUs, many times slower.
-HWY_INLINE void Append(VF v, MF which, float* at) { hn::StoreU(hn::Compress(v, which), DF(), at); }
-HWY_INLINE void Append(VI v, MF which, std::int32_t* at) {
-  hn::StoreU(hn::Compress(v, hn::RebindMask(DI(), which)), DI(), at);
-}
 
 /// Samples on their way, in the order of each ray's steps.
 template <int kCapacity>
 struct Samples {
   HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity], density[kCapacity];
-  HWY_ALIGN float steps[kCapacity];   ///< length of the interval in steps
   HWY_ALIGN float units[kCapacity];   ///< length of the interval in unit distances
   HWY_ALIGN float weight[kCapacity];  ///< first its opacity, then what it adds to its ray
   HWY_ALIGN std::int32_t ray[kCapacity], segment[kCapacity];
@@ -33,8 +24,7 @@ struct Samples {
   /// Makes what stands in the last vector behind the last sample harmless: places inside the volume.
   HWY_INLINE void Pad() {
     const DF df;
-    for (float* values : {x, y, z, density, steps, units, weight})
-      hn::StoreU(hn::Zero(df), df, values + size);
+    for (float* values : {x, y, z, density, units, weight}) hn::StoreU(hn::Zero(df), df, values + size);
     for (std::int32_t* values : {ray, segment}) hn::StoreU(hn::Zero(DI()), DI(), values + size);
   }
 };
@@ -57,7 +47,8 @@ class SparseTracer {
         matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
         out_(out),
         counts_(counts),
-        colour_(4 * rays.steps.size() + 4) {}
+        colour_(4 * rays.steps.size() + 4),
+        refiner_(f, grid_, rays, counts) {}
 
   /// Takes the packet at ray `first` through the steps [step, end) that `bits` names, step + n by bit n.
   HWY_INLINE void Advance(int first, int step, std::uint64_t bits) {
@@ -68,9 +59,13 @@ class SparseTracer {
     const Packet p = LoadPacket(f_, rays_, first);
     for (; bits; bits &= bits - 1) {
       const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
-      Look(p, first, at, hn::And(alive, HasStep(p, at)));
+      const MF has = hn::And(alive, HasStep(p, at));
+      if constexpr (kRefined)
+        refiner_.Look(p, first, at, has);
+      else
+        Look(p, first, at, has);
     }
-    if (looked_.size > kLooked / 2) EndSlab();
+    if (Noted() > kLooked / 2) EndSlab();
   }
 
   void BeginSlab() {
@@ -80,12 +75,11 @@ class SparseTracer {
 
   /// Draws all that was noted.
   void EndSlab() {
-    if (looked_.size == 0) return;
+    if (Noted() == 0) return;
     if constexpr (kRefined)
       Refine();
     else
       Draw(looked_);
-    looked_.size = 0;
   }
 
   void Finish() {
@@ -98,34 +92,30 @@ class SparseTracer {
   }
 
  private:
-  static constexpr int kLooked = 4096 + kLanes, kWaiting = 512;
+  static constexpr int kLooked = Refiner<Store>::kNoted, kWaiting = 512;
   using Looked = Samples<kLooked>;
+  struct NotRefined {
+    NotRefined(const TraceFrame&, const Grid&, const RayRow&, TraceCounts&) {}
+  };
+
+  int Noted() const {
+    if constexpr (kRefined)
+      return refiner_.noted.size;
+    else
+      return looked_.size;
+  }
 
   HWY_INLINE void Look(const Packet& p, int first, int step, MF alive) {
     const MF last = IsLast(p, step);
-    const int n = looked_.size;
-    V3 place = Position(p, step, last);
-    if constexpr (kRefined) {
-      const VF before = Set(float(step)),
-               middle = hn::IfThenElse(last, p.lastMiddle, Set(float(step) + 0.5f));
-      const VF length = hn::Add(hn::Sub(middle, before), hn::Sub(middle, before));
-      if (f_.parting.blocks) {
-        const auto seen = [&](VF at) {
-          return InVisibleBlock(*f_.parting.blocks, alive, grid_.Clamped(Add(p.start, Scale(p.move, at))));
-        };
-        alive = hn::Or(seen(before), seen(hn::Add(before, length)));
-      }
-      Append(length, alive, looked_.steps + n);
-    } else {
-      place = grid_.Clamped(place);
-      if (f_.skip) alive = InVisibleBlock(*f_.skip, alive, place);
-    }
-    Append(place.x, alive, looked_.x + n);
-    Append(place.y, alive, looked_.y + n);
-    Append(place.z, alive, looked_.z + n);
-    Append(hn::IfThenElse(last, p.lastUnits, p.units), alive, looked_.units + n);
-    Append(hn::Iota(DI(), first), alive, looked_.ray + n);
-    looked_.size += int(hn::CountTrue(DF(), alive));
+    const V3 place = grid_.Clamped(Position(p, step, last));
+    if (f_.skip) alive = InVisibleBlock(*f_.skip, alive, place);
+    auto& s = looked_;
+    Append(place.x, alive, s.x + s.size);
+    Append(place.y, alive, s.y + s.size);
+    Append(place.z, alive, s.z + s.size);
+    Append(hn::IfThenElse(last, p.lastUnits, p.units), alive, s.units + s.size);
+    Append(hn::Iota(DI(), first), alive, s.ray + s.size);
+    s.size += int(hn::CountTrue(DF(), alive));
   }
 
   HWY_INLINE void Draw(Looked& s) {
@@ -141,67 +131,41 @@ class SparseTracer {
     return {hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
   }
 
-  /// Into how many parts each interval is cut; 0: nothing of it can be seen.
-  HWY_INLINE VI PartsOf(const Looked& s, int n) const {
-    const DF df;
-    const DI di;
-    const Parting& parting = f_.parting;
-    const Bounded b = Store::DensityWithBounds(grid_, grid_.CellAt(grid_.Clamped(PlaceOf(s, n))));
-    const VF wider = hn::Mul(hn::Sub(b.high, b.low), Set(parting.widen));
-    const VF low = hn::Sub(b.low, wider), high = hn::Add(b.high, wider);
-    const CurveTable& t = *f_.curve;
-    const VI first = SegmentOf(t, low), last = SegmentOf(t, high);
-    const auto variation = [&](VI segment, VF density) {
-      return OnSegment(t, t.variation, t.variationRise, segment, Along(t, segment, density));
-    };
-    const VF change = hn::Sub(variation(last, high), variation(first, low));
-    const VF through = hn::Sub(Set(1), hn::GatherIndex(df, alphaBefore_.data(), hn::Load(di, s.ray + n)));
-    const VF uneven = hn::Mul(hn::Mul(change, through), hn::Load(df, s.units + n));
-    VI parts = SetI(1);
-    for (int more = 1; more < parting.most; more *= 2) {
-      const VF enough = Set(parting.tolerance * float(more) * float(more));
-      parts = hn::IfThenElse(hn::RebindMask(di, hn::Gt(uneven, enough)), SetI(2 * more), parts);
-    }
-    const MF hidden = hn::And(hn::Eq(change, hn::Zero(df)), hn::Eq(OpacityOf(t, first, low), hn::Zero(df)));
-    return hn::IfThenZeroElse(hn::RebindMask(di, hidden), parts);
-  }
-
-  /// Cuts the intervals that were noted and draws the parts.
+  /// Integrates the intervals that were noted and draws them.
   HWY_INLINE void Refine() {
-    looked_.Pad();
-    counts_.resampled += looked_.size;
-    HWY_ALIGN std::int32_t parts[kLanes];
-    for (int n = 0; n < looked_.size; n += kLanes) {
-      hn::Store(PartsOf(looked_, n), DI(), parts);
-      const int end = std::min(kLanes, looked_.size - n);
-      for (int m = 0; m < end; ++m) Cut(n + m, parts[m]);
-      if (parts_.size > kLooked - kLanes - (TraceFrame::mostParts + 1) * kLanes) Draw(parts_);
-    }
-    Draw(parts_);
+    refiner_.Draw(alphaBefore_.data(), [&](const Integrated& part, int count) {
+      const MF counts = hn::And(hn::Gt(part.opacity, hn::Zero(DF())), hn::FirstN(DF(), std::size_t(count)));
+      auto& s = looked_;
+      Append(part.place.x, counts, s.x + s.size);
+      Append(part.place.y, counts, s.y + s.size);
+      Append(part.place.z, counts, s.z + s.size);
+      Append(part.units, counts, s.units + s.size);
+      Append(part.density, counts, s.density + s.size);
+      Append(part.opacity, counts, s.weight + s.size);
+      Append(part.ray, counts, s.ray + s.size);
+      s.size += int(hn::CountTrue(DF(), counts));
+      if (s.size > kLooked - 2 * kLanes) DrawIntegrated(s);
+    });
+    DrawIntegrated(looked_);
   }
 
-  /// Appends the parts of interval n, front to back.
-  HWY_INLINE void Cut(int n, int count) {
+  HWY_INLINE void DrawIntegrated(Looked& s) {
     const DF df;
-    const DI di;
-    const RayRow& r = rays_;
-    const int ray = looked_.ray[n];
-    const float share = 1 / float(count | !count), length = looked_.steps[n] * share;
-    const VF units = Set(looked_.units[n] * share);
-    for (int part = 0; part < count; part += kLanes) {
-      const VF along = hn::Mul(
-          hn::Add(hn::ConvertTo(df, hn::Iota(di, part)), Set(0.5f - 0.5f * float(count))), Set(length));
-      const V3 place = grid_.Clamped({hn::Add(Set(looked_.x[n]), hn::Mul(along, Set(r.moveX[ray]))),
-                                      hn::Add(Set(looked_.y[n]), hn::Mul(along, Set(r.moveY[ray]))),
-                                      hn::Add(Set(looked_.z[n]), hn::Mul(along, Set(r.moveZ[ray])))});
-      const int at = parts_.size + part;
-      hn::StoreU(place.x, df, parts_.x + at);
-      hn::StoreU(place.y, df, parts_.y + at);
-      hn::StoreU(place.z, df, parts_.z + at);
-      hn::StoreU(units, df, parts_.units + at);
-      hn::StoreU(SetI(ray), di, parts_.ray + at);
+    s.Pad();
+    for (int n = 0; n < s.size; n += kLanes) {
+      hn::Store(SegmentOf(*f_.curve, hn::Load(df, s.density + n)), DI(), s.segment + n);
+      if constexpr (kGradientOpacity) {
+        // The mean opacity a unit, times the factor where most of the light comes from.
+        const VF units = hn::Load(df, s.units + n), opacity = hn::Load(df, s.weight + n);
+        const VF mean = IntervalOpacity(opacity, hn::Div(Set(1), hn::Max(units, Set(1e-30f))));
+        const VF factor = matter_.FactorAt(GradientAt(s, n));
+        const VF scaled = IntervalOpacity(hn::Mul(mean, factor), units);
+        hn::Store(hn::IfThenElse(hn::Eq(factor, Set(1)), opacity, scaled), df, s.weight + n);
+      }
     }
-    parts_.size += count;
+    Composite(s);
+    KeepWhatCounts(s);
+    s.size = 0;
   }
 
   /// Densities; keeps the samples that can be seen.
@@ -322,7 +286,8 @@ class SparseTracer {
   const TraceRow& out_;
   TraceCounts& counts_;
   std::vector<float> colour_;  ///< of each ray: red, green, blue, 0
-  Looked looked_, parts_;
+  Looked looked_;
+  std::conditional_t<kRefined, Refiner<Store>, NotRefined> refiner_;
   std::vector<float> alphaBefore_;  ///< of each ray, where the slab begins
   Samples<kWaiting> waiting_;
 };

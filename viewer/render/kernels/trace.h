@@ -28,20 +28,22 @@ struct TraceKey {
   ShadeBy shade = ShadeBy::nothing;
   bool gradientOpacity = false;
   bool refined =
-      false;          ///< intervals are parted where the curve is uneven (TraceFrame::parting); never dense
+      false;          ///< intervals are integrated and cut (TraceFrame::parting); never dense
   bool dense = true;  ///< made for frames in which most samples are visible; the same bytes either way
 };
 
-/// Where the curve is uneven between the densities that an interval may meet, the interval is drawn as
-/// several: the smallest power of two n with unevenness / n^2 <= tolerance, where the unevenness is the
-/// change of opacity (CurveTable::variation) times the interval's length in unit distances times the light
-/// that comes through.
+/// An interval is integrated as if its density went straight between samples at its ends and in its middle.
+/// Where that is not good enough it is cut into the smallest power of two n of parts with unevenness / n^2 <=
+/// tolerance. The unevenness is the light that comes through to it, times the sum of: how far the optical
+/// depths of whole and halves differ; and shares of what else may be missed.
 struct Parting {
   float tolerance = 1;
   int most = 1;     ///< a power of two, at most TraceFrame::mostParts
-  float widen = 1;  ///< how far, in shares of its range, a cell's neighbours may differ from it
-  const SkipMap* blocks =
-      nullptr;  ///< intervals with both ends in invisible blocks are passed over; null: none
+  float widen = 1;  ///< how far densities may leave those of the cells at both ends, in shares of their range
+  float around = 0.01f;  ///< share of the change of extinction (CurveTable::variation) among those densities
+  float colour = 1;      ///< share of the change of colour between its samples, times its opacity
+  float light = 0.6f;    ///< share of its opacity: the light changes along it
+  const SkipMap* blocks = nullptr;  ///< intervals with both ends in invisible blocks are passed over
 };
 
 /// What all rays of a frame share. Pointers live as long as the frame.

@@ -56,9 +56,13 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   if (plan.skipBlocks || key_.refined) {
     const SkipMap& blocks = cache.skipMap(transfer_, reachBlocks(plan, cache.volume->geometry()), rounding_);
     if (plan.skipBlocks) frame_.skip = &blocks;
-    // Which intervals are parted is a choice, not a sound rule: it looks at blocks even where none is
+    // Which intervals are passed over is a choice, not a sound rule: it looks at blocks even where none is
     // skipped.
-    frame_.parting = {float(plan.partTolerance), plan.mostParts, float(plan.partWiden), &blocks};
+    frame_.parting.tolerance = float(plan.partTolerance);
+    frame_.parting.most = plan.mostParts;
+    frame_.parting.widen = float(plan.partWiden);
+    if (!plan.scene.shading.lit) frame_.parting.light = 0;
+    frame_.parting.blocks = &blocks;
   }
   stats.tableBytes =
       curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();

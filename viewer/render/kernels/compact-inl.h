@@ -1,0 +1,52 @@
+// Keeping some lanes of vectors, compiled once a CPU target.
+#if defined(VOLUMEN_RENDER_KERNELS_COMPACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_RENDER_KERNELS_COMPACT_INL_H_
+#undef VOLUMEN_RENDER_KERNELS_COMPACT_INL_H_
+#else
+#define VOLUMEN_RENDER_KERNELS_COMPACT_INL_H_
+#endif
+
+#include <cstdint>
+
+#include "viewer/render/kernels/math-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+constexpr int kLanes = int(hn::MaxLanes(DF()));
+
+#if HWY_TARGET == HWY_AVX2
+/// The chosen lanes of each mask first, a byte each. GCC 12 copies Highway's table to the stack at every use.
+struct LaneOrder {
+  std::uint8_t lanes[256][8];
+
+  constexpr LaneOrder() : lanes() {
+    for (int mask = 0; mask < 256; ++mask) {
+      int at = 0;
+      for (int wanted = 1; wanted >= 0; --wanted)
+        for (int lane = 0; lane < 8; ++lane)
+          if ((mask >> lane & 1) == wanted) lanes[mask][at++] = std::uint8_t(lane);
+    }
+  }
+};
+alignas(64) inline constexpr LaneOrder kLaneOrder;
+
+HWY_INLINE VF Compressed(VF v, MF which) {
+  const std::uint8_t* order = kLaneOrder.lanes[hn::detail::BitsFromMask(which)];
+  const VI lanes = hn::PromoteTo(DI(), hn::LoadU(hn::Rebind<std::uint8_t, DI>(), order));
+  return hn::TableLookupLanes(v, hn::IndicesFromVec(DF(), lanes));
+}
+#else
+HWY_INLINE VF Compressed(VF v, MF which) { return hn::Compress(v, which); }
+#endif
+
+/// Appends the chosen lanes to an array that has room for a whole vector behind `at`. Compressed in a
+/// register and stored whole: compressing into memory is microcoded on some CPUs, many times slower.
+HWY_INLINE void Append(VF v, MF which, float* at) { hn::StoreU(Compressed(v, which), DF(), at); }
+HWY_INLINE void Append(VI v, MF which, std::int32_t* at) {
+  hn::StoreU(hn::BitCast(DI(), Compressed(hn::BitCast(DF(), v), which)), DI(), at);
+}
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // per-target include guard

@@ -1,0 +1,375 @@
+// Cutting intervals where the density bends, and integrating the curve along the parts, compiled once a CPU
+// target.
+#if defined(VOLUMEN_RENDER_KERNELS_REFINE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_RENDER_KERNELS_REFINE_INL_H_
+#undef VOLUMEN_RENDER_KERNELS_REFINE_INL_H_
+#else
+#define VOLUMEN_RENDER_KERNELS_REFINE_INL_H_
+#endif
+
+#include <cstring>
+#include <vector>
+
+#include "viewer/render/kernels/compact-inl.h"
+#include "viewer/render/kernels/extinction-inl.h"
+#include "viewer/render/kernels/sample-inl.h"
+#include "viewer/render/kernels/skip-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+/// Intervals of rays on their way, in the order of each ray's steps.
+template <int kCapacity>
+struct Intervals {
+  HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity];              ///< middle, not clamped to the grid
+  HWY_ALIGN float steps[kCapacity];                                      ///< length in steps
+  HWY_ALIGN float units[kCapacity];                                      ///< length in unit distances
+  HWY_ALIGN float front[kCapacity], middle[kCapacity], back[kCapacity];  ///< densities
+  HWY_ALIGN float around[kCapacity];  ///< CurveTable::variation over the densities of the cells at both ends
+  HWY_ALIGN std::int32_t ray[kCapacity];
+  int size = 0;
+
+  /// Makes what stands in the last vector behind the last interval harmless: places inside the volume.
+  HWY_INLINE void Pad() {
+    const DF df;
+    for (float* values : {x, y, z, steps, units, front, middle, back, around})
+      hn::StoreU(hn::Zero(df), df, values + size);
+    hn::StoreU(hn::Zero(DI()), DI(), ray + size);
+  }
+};
+
+/// What a part of an interval comes to: one sample where most of its light comes from.
+struct Integrated {
+  V3 place;  ///< clamped to the grid
+  VF density, opacity, units;
+  VI ray;
+};
+
+/// Intervals are integrated in two halves along each of which the density goes straight from sample to
+/// sample: exact for any curve where it does (pre-integration; Engel, Kraus and Ertl 2001). Where it bends
+/// too much for that they are cut (Parting).
+template <class Store>
+class Refiner {
+ public:
+  Refiner(const TraceFrame& f, const Grid& grid, const RayRow& rays, TraceCounts& counts)
+      : f_(f), grid_(grid), rays_(rays), counts_(counts), ends_(rays.steps.size() / kLanes) {}
+
+  static constexpr int kNoted = 4096 + kLanes;
+  Intervals<kNoted> noted;
+
+  /// Notes the interval of each ray of the packet at ray `first` that is alive and of which anything can be
+  /// seen.
+  HWY_INLINE void Look(const Packet& p, int first, int step, MF alive) {
+    const DF df;
+    End& end = ends_[std::size_t(first) / kLanes];
+    const MF last = IsLast(p, step);
+    const VF before = Set(float(step)), middle = hn::IfThenElse(last, p.lastMiddle, Set(float(step) + 0.5f));
+    const VF half = hn::Sub(middle, before), length = hn::Add(half, half);
+    const V3 atFront = grid_.Clamped(Add(p.start, Scale(p.move, before))),
+             atBack = grid_.Clamped(Add(p.start, Scale(p.move, hn::Add(before, length))));
+    if (end.step != step) end.Set(step, false, BlocksAt(atFront));
+    const std::uint64_t blocks = BlocksAt(atBack);
+    alive = hn::And(alive, MaskOf(end.blocks | blocks));
+    if (hn::AllFalse(df, alive)) {
+      end.Set(step + 1, false, blocks);
+      return;
+    }
+    const Bounded front = end.sampled ? end.Kept() : EndAt(atFront, alive), back = EndAt(atBack, alive);
+    end.Set(step + 1, true, blocks);
+    end.Keep(back);
+    const VF low = hn::Min(front.low, back.low), high = hn::Max(front.high, back.high);
+    const VF wider = hn::Mul(hn::Sub(high, low), Set(f_.parting.widen));
+    const VF lowest = hn::Sub(low, wider), highest = hn::Add(high, wider);
+    const VI segment = SegmentOf(*f_.curve, lowest);
+    const VF around =
+        hn::Sub(VariationAt(SegmentOf(*f_.curve, highest), highest), VariationAt(segment, lowest));
+    const VF zero = hn::Zero(df);
+    const MF hidden = hn::And(hn::Eq(around, zero), hn::Eq(OpacityOf(*f_.curve, segment, lowest), zero));
+    const MF seen = hn::AndNot(hidden, alive);
+    if (hn::AllFalse(df, seen)) return;
+    auto& s = noted;
+    const V3 place = Add(p.start, Scale(p.move, middle));
+    Append(place.x, seen, s.x + s.size);
+    Append(place.y, seen, s.y + s.size);
+    Append(place.z, seen, s.z + s.size);
+    Append(length, seen, s.steps + s.size);
+    Append(hn::IfThenElse(last, p.lastUnits, p.units), seen, s.units + s.size);
+    Append(front.density, seen, s.front + s.size);
+    Append(back.density, seen, s.back + s.size);
+    Append(around, seen, s.around + s.size);
+    Append(hn::Iota(DI(), first), seen, s.ray + s.size);
+    s.size += int(hn::CountTrue(df, seen));
+  }
+
+  /// Integrates what is noted and forgets it; emit(const Integrated&, int count): front to back on each ray.
+  /// `alphaBefore`: of each ray, where the noted intervals begin; it must not depend on how far others have
+  /// come.
+  template <class Emit>
+  HWY_INLINE void Draw(const float* alphaBefore, const Emit& emit) {
+    noted.Pad();
+    counts_.resampled += noted.size;
+    for (int n = 0; n < noted.size; n += kLanes) {
+      hn::Store(DensityAt(PlaceOf(noted, n)), DF(), noted.middle + n);
+      const Halves halves = HalvesOf(noted, n);
+      const VI parts = PartsOf(n, halves, alphaBefore);
+      if (ready_.size == 0 && hn::AllTrue(DI(), hn::Eq(parts, SetI(1)))) {
+        emit(Integrate(noted, n, halves), std::min(kLanes, noted.size - n));
+        continue;
+      }
+      Queue(n, parts);
+      if (ready_.size > kEnough) Flush(emit);
+    }
+    Flush(emit);
+    noted.size = 0;
+  }
+
+ private:
+  static constexpr int kEnough = 512, kReady = kEnough + kLanes * TraceFrame::mostParts + 2 * kLanes;
+
+  /// Both halves of intervals: places on the curve at the front, in the middle and at the back; optical
+  /// depths.
+  struct Halves {
+    CurvePlace a, m, b;
+    VF units, depth1, depth2;
+  };
+  template <class Array>
+  HWY_INLINE Halves HalvesOf(const Array& s, int n) const {
+    const DF df;
+    const CurveTable& t = *f_.curve;
+    const CurvePlace a = PlaceOnCurve(t, hn::Load(df, s.front + n)),
+                     m = PlaceOnCurve(t, hn::Load(df, s.middle + n)),
+                     b = PlaceOnCurve(t, hn::Load(df, s.back + n));
+    const VF units = hn::Load(df, s.units + n), half = hn::Mul(units, Set(0.5f));
+    return {a, m, b, units, hn::Mul(half, MeanExtinction(t, a, m)), hn::Mul(half, MeanExtinction(t, m, b))};
+  }
+
+  template <class Array>
+  static HWY_INLINE V3 PlaceOf(const Array& s, int n) {
+    const DF df;
+    return {hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
+  }
+  HWY_INLINE V3 MoveOf(VI ray) const {
+    const DF df;
+    return {hn::GatherIndex(df, rays_.moveX.data(), ray), hn::GatherIndex(df, rays_.moveY.data(), ray),
+            hn::GatherIndex(df, rays_.moveZ.data(), ray)};
+  }
+  HWY_INLINE Bounded EndAt(const V3& clamped, MF alive) {
+    counts_.resampled += std::int64_t(hn::CountTrue(DF(), alive));
+    return Store::DensityWithBounds(grid_, grid_.CellAt(clamped));
+  }
+  /// One bit a lane whose place lies in a visible block.
+  HWY_INLINE std::uint64_t BlocksAt(const V3& clamped) const {
+    const DF df;
+    alignas(8) std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(df, InVisibleBlock(*f_.parting.blocks, hn::FirstN(df, kLanes), clamped), bits);
+    std::uint64_t mask;
+    std::memcpy(&mask, bits, 8);
+    return mask;
+  }
+  static HWY_INLINE MF MaskOf(std::uint64_t lanes) {
+    alignas(8) std::uint8_t bits[8];
+    std::memcpy(bits, &lanes, 8);
+    return hn::LoadMaskBits(DF(), bits);
+  }
+  HWY_INLINE VF DensityAt(const V3& place) const {
+    return Store::Density(grid_, grid_.CellAt(grid_.Clamped(place)));
+  }
+  HWY_INLINE VF VariationAt(VI segment, VF density) const {
+    const CurveTable& t = *f_.curve;
+    return OnSegment(t, t.variation, t.variationRise, segment, Along(t, segment, density));
+  }
+  HWY_INLINE VF ColourVariationAt(const CurvePlace& p) const {
+    const CurveTable& t = *f_.curve;
+    return OnSegment(t, t.colourVariation, t.colourVariationRise, p.segment, Along(t, p.segment, p.density));
+  }
+
+  /// Into how many parts each interval is cut.
+  HWY_INLINE VI PartsOf(int n, const Halves& h, const float* alphaBefore) const {
+    const DF df;
+    const DI di;
+    const auto& s = noted;
+    const Parting& parting = f_.parting;
+    const VF depth = hn::Add(h.depth1, h.depth2);
+    const VF bent = hn::Abs(hn::Sub(depth, hn::Mul(h.units, MeanExtinction(*f_.curve, h.a, h.b))));
+    const VF around = hn::Mul(hn::Mul(h.units, Set(parting.around)), hn::Load(df, s.around + n));
+    const VF va = ColourVariationAt(h.a), vm = ColourVariationAt(h.m), vb = ColourVariationAt(h.b);
+    const VF coloured = hn::Sub(hn::Max(va, hn::Max(vm, vb)), hn::Min(va, hn::Min(vm, vb)));
+    const VF unlike = hn::Add(
+        hn::Add(bent, around),
+        hn::Mul(hn::Add(Set(parting.light), hn::Mul(Set(parting.colour), coloured)), hn::Min(depth, Set(1))));
+    const VF through = hn::Sub(Set(1), hn::GatherIndex(df, alphaBefore, hn::Load(di, s.ray + n)));
+    const VF uneven = hn::Mul(unlike, through);
+    VI parts = SetI(1);
+    for (int more = 1; more < parting.most; more *= 2) {
+      const VF enough = Set(parting.tolerance * float(more) * float(more));
+      parts = hn::IfThenElse(hn::RebindMask(di, hn::Gt(uneven, enough)), SetI(2 * more), parts);
+    }
+    return parts;
+  }
+
+  HWY_INLINE void Queue(int n, VI parts) {
+    const DF df;
+    const DI di;
+    const auto& s = noted;
+    const int end = std::min(kLanes, s.size - n);
+    auto& r = ready_;
+    if (hn::AllTrue(di, hn::Eq(parts, SetI(1)))) {
+      const auto copy = [&](const float* from, float* to) {
+        hn::StoreU(hn::Load(df, from + n), df, to + r.size);
+      };
+      copy(s.x, r.x), copy(s.y, r.y), copy(s.z, r.z);
+      copy(s.steps, r.steps), copy(s.units, r.units);
+      copy(s.front, r.front), copy(s.middle, r.middle), copy(s.back, r.back);
+      hn::StoreU(hn::Load(di, s.ray + n), di, r.ray + r.size);
+      r.size += end;
+      return;
+    }
+    HWY_ALIGN std::int32_t count[kLanes];
+    hn::Store(parts, di, count);
+    for (int m = 0; m < end; ++m) Cut(n + m, count[m]);
+  }
+
+  /// Appends the parts of interval n, front to back; densities between those that are known follow.
+  HWY_INLINE void Cut(int n, int count) {
+    const auto& s = noted;
+    auto& r = ready_;
+    if (count > 1) cuts_.push_back({n, count, r.size, int(nodes_.size())});
+    const float share = 1 / float(count);
+    for (int part = 0; part < count; ++part) {
+      const float along = (float(part) + 0.5f - 0.5f * float(count)) * share * s.steps[n];
+      const int ray = s.ray[n], at = r.size + part;
+      r.x[at] = s.x[n] + along * rays_.moveX[ray];
+      r.y[at] = s.y[n] + along * rays_.moveY[ray];
+      r.z[at] = s.z[n] + along * rays_.moveZ[ray];
+      r.steps[at] = share * s.steps[n];
+      r.units[at] = share * s.units[n];
+      r.front[at] = s.front[n], r.middle[at] = s.middle[n], r.back[at] = s.back[n];
+      r.ray[at] = ray;
+    }
+    r.size += count;
+    if (count == 1) return;
+    const float half = 0.5f * share * s.steps[n];
+    for (int k = 1; k < 2 * count; ++k)
+      if (k != count) nodes_.push_back({n, float(k - count) * half});
+  }
+
+  /// Samples between the parts, then integrates them all.
+  template <class Emit>
+  HWY_INLINE void Flush(const Emit& emit) {
+    SampleNodes();
+    for (const CutInterval& c : cuts_) {
+      const auto density = [&](int k) {
+        return k == c.count ? noted.middle[c.interval] : nodeDensity_[c.firstNode + k - 1 - (k > c.count)];
+      };
+      for (int part = 0; part < c.count; ++part) {
+        const int at = c.first + part;
+        if (part > 0) ready_.front[at] = ready_.back[at - 1];
+        ready_.middle[at] = density(2 * part + 1);
+        if (part + 1 < c.count) ready_.back[at] = density(2 * part + 2);
+      }
+    }
+    cuts_.clear();
+    nodes_.clear();
+    ready_.Pad();
+    for (int n = 0; n < ready_.size; n += kLanes)
+      emit(Integrate(ready_, n, HalvesOf(ready_, n)), std::min(kLanes, ready_.size - n));
+    ready_.size = 0;
+  }
+
+  HWY_INLINE void SampleNodes() {
+    const DF df;
+    const int size = int(nodes_.size());
+    counts_.resampled += size;
+    nodeDensity_.resize(std::size_t(size) + kLanes);
+    HWY_ALIGN float x[kLanes] = {}, y[kLanes] = {}, z[kLanes] = {};
+    for (int n = 0; n < size; n += kLanes) {
+      for (int m = 0; m < std::min(kLanes, size - n); ++m) {
+        const Node& node = nodes_[n + m];
+        const int ray = noted.ray[node.interval];
+        x[m] = noted.x[node.interval] + node.along * rays_.moveX[ray];
+        y[m] = noted.y[node.interval] + node.along * rays_.moveY[ray];
+        z[m] = noted.z[node.interval] + node.along * rays_.moveZ[ray];
+      }
+      hn::StoreU(DensityAt({hn::Load(df, x), hn::Load(df, y), hn::Load(df, z)}), df, nodeDensity_.data() + n);
+    }
+  }
+
+  /// Where the light that a half shows comes from, 0..1 of its length, if the extinction rises straight: at
+  /// which share of its depth light comes from in the mean, and where that is reached.
+  static HWY_INLINE VF Centroid(const CurvePlace& a, const CurvePlace& b, VF depth, VF opacity) {
+    const VF one = Set(1), half = Set(0.5f);
+    const MF thin = hn::Lt(depth, Set(0.05f));
+    const VF share =
+        hn::IfThenElse(thin, hn::Sub(half, hn::Mul(depth, Set(1.0f / 12))),
+                       hn::Sub(hn::Div(one, hn::IfThenElse(thin, one, depth)),
+                               hn::Div(hn::Sub(one, opacity), hn::IfThenElse(thin, one, opacity))));
+    const VF e1 = a.extinction, twice = hn::Mul(share, hn::Add(e1, b.extinction));
+    const VF root = hn::Sqrt(hn::Add(hn::Mul(e1, e1), hn::Mul(hn::Sub(b.extinction, e1), twice)));
+    const VF below = hn::Add(e1, root);
+    const MF none = hn::Le(below, hn::Zero(DF()));
+    return hn::IfThenElse(none, half, hn::Min(one, hn::Div(twice, hn::IfThenElse(none, one, below))));
+  }
+
+  template <class Array>
+  HWY_INLINE Integrated Integrate(const Array& s, int n, const Halves& h) const {
+    const DF df;
+    const VF zero = hn::Zero(df);
+    const VF alpha1 = OpacityOfDepth(h.depth1), alpha2 = OpacityOfDepth(h.depth2);
+    const VF seen2 = hn::Mul(hn::Sub(Set(1), alpha1), alpha2), opacity = hn::Add(alpha1, seen2);
+    const VF sum =
+        hn::Add(hn::Mul(alpha1, hn::Sub(hn::Mul(Set(0.5f), Centroid(h.a, h.m, h.depth1, alpha1)), Set(0.5f))),
+                hn::Mul(seen2, hn::Mul(Set(0.5f), Centroid(h.m, h.b, h.depth2, alpha2))));
+    const VF at = hn::Div(sum, hn::IfThenElse(hn::Gt(opacity, zero), opacity, Set(1)));
+    const VF further = hn::Sub(hn::IfThenElse(hn::Lt(at, zero), h.m.density, h.b.density),
+                               hn::IfThenElse(hn::Lt(at, zero), h.a.density, h.m.density));
+    const VF density = hn::Add(h.m.density, hn::Mul(hn::Add(at, at), further));
+    const VI ray = hn::Load(DI(), s.ray + n);
+    const V3 place = Add(PlaceOf(s, n), Scale(MoveOf(ray), hn::Mul(at, hn::Load(df, s.steps + n))));
+    return {grid_.Clamped(place), density, opacity, h.units, ray};
+  }
+
+  /// What is known of a packet where a step begins.
+  struct End {
+    int step = -1;
+    bool sampled = false;
+    std::uint64_t blocks = 0;  ///< lanes in visible blocks
+    float density[kLanes], low[kLanes], high[kLanes];
+
+    HWY_INLINE Bounded Kept() const {
+      const DF df;
+      return {hn::LoadU(df, density), hn::LoadU(df, low), hn::LoadU(df, high)};
+    }
+    HWY_INLINE void Keep(const Bounded& b) {
+      const DF df;
+      hn::StoreU(b.density, df, density);
+      hn::StoreU(b.low, df, low);
+      hn::StoreU(b.high, df, high);
+    }
+    HWY_INLINE void Set(int atStep, bool isSampled, std::uint64_t visible) {
+      step = atStep;
+      sampled = isSampled;
+      blocks = visible;
+    }
+  };
+  struct CutInterval {
+    int interval, count, first, firstNode;
+  };
+  struct Node {
+    int interval;
+    float along;  ///< steps behind the interval's middle
+  };
+
+  const TraceFrame& f_;
+  const Grid& grid_;
+  const RayRow& rays_;
+  TraceCounts& counts_;
+  Intervals<kReady> ready_;
+  std::vector<End> ends_;  ///< of each packet
+  std::vector<CutInterval> cuts_;
+  std::vector<Node> nodes_;
+  std::vector<float> nodeDensity_;
+};
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // per-target include guard
