@@ -100,9 +100,10 @@ class ChartPainter {
     for (const auto& [name, colour] : entries) width = std::max(width, metrics.horizontalAdvance(name));
     const double line = 1.6 * px_;
     const QSizeF size(width + 3.2 * px_, line * double(entries.size()) + 0.6 * px_);
-    const QRectF box(
-        chart_.logarithmic ? frame_.right() - size.width() - 0.8 * px_ : frame_.left() + 0.8 * px_,
-        frame_.top() + 0.8 * px_, size.width(), size.height());
+    // A front falls from the upper left to the lower right: below it nothing stands.
+    const double top =
+        chart_.logarithmic ? frame_.bottom() - size.height() - 0.8 * px_ : frame_.top() + 0.8 * px_;
+    const QRectF box(frame_.left() + 0.8 * px_, top, size.width(), size.height());
     p_.setPen(grid);
     p_.setBrush(QColor(255, 255, 255, 230));
     p_.drawRoundedRect(box, 4, 4);

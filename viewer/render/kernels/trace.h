@@ -27,9 +27,8 @@ struct TraceKey {
   Store store = Store::int16;
   ShadeBy shade = ShadeBy::nothing;
   bool gradientOpacity = false;
-  bool refined =
-      false;          ///< intervals are integrated and cut (TraceFrame::parting); never dense
-  bool dense = true;  ///< made for frames in which most samples are visible; the same bytes either way
+  bool refined = false;  ///< intervals are integrated and cut (TraceFrame::parting); never dense
+  bool dense = true;     ///< made for frames in which most samples are visible; the same bytes either way
 };
 
 /// An interval is integrated as if its density went straight between samples at its ends and in its middle.
