@@ -3,6 +3,7 @@
 #include <QMetaType>
 #include <QString>
 #include <QStringList>
+#include <QTest>
 
 #include "viewer/plan/plan.h"
 
@@ -40,3 +41,17 @@ inline QString lineOf(const Asked& asked, const QString& effect) {
 }  // namespace volumen::tests
 
 Q_DECLARE_METATYPE(volumen::tests::Change)
+
+namespace volumen::tests {
+
+/// A row of "change", "effect" and "expected": the effect's line once the change is made.
+inline void compareLine() {
+  QFETCH(Change, change);
+  QFETCH(QString, effect);
+  QFETCH(QString, expected);
+  Asked asked;
+  change(asked);
+  QCOMPARE(lineOf(asked, effect), expected);
+}
+
+}  // namespace volumen::tests

@@ -178,14 +178,7 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.options.method = Method::reference; });
 }
 
-void TestRules::aRuleSaysWhatAndWhy() {
-  QFETCH(Change, change);
-  QFETCH(QString, effect);
-  QFETCH(QString, expected);
-  Asked asked;
-  change(asked);
-  QCOMPARE(lineOf(asked, effect), expected);
-}
+void TestRules::aRuleSaysWhatAndWhy() { compareLine(); }
 
 void TestRules::optionsThatCannotBeAreRefused_data() {
   QTest::addColumn<Change>("change");
