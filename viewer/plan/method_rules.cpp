@@ -35,7 +35,7 @@ std::string methodCost(const RuleInput& in, const Plan& plan) {
   if (!blend) return {};
   blend->visibleShare = plan.visibleShare;
   const double share = predictedCost(plan, in.facts).ns() / predictedCost(*blend, in.facts).ns();
-  return share < 1 ? "; predicted " + inTwoDigits(share) + " of the time of blend" : "";
+  return share < 1 ? "; predicted " + inDigits(share, 2) + " of the time of blend" : "";
 }
 
 Effect decideResampler(const RuleInput& in, Plan& plan) {

@@ -14,10 +14,8 @@ inline Effect off(std::string reason) {
   return {.name = {}, .on = false, .sound = false, .reason = std::move(reason)};
 }
 
-/// A number in four digits.
-std::string inDigits(double x);
-/// "0.64": a predicted ratio, in as many digits as it deserves.
-std::string inTwoDigits(double ratio);
+/// A number in so many digits.
+std::string inDigits(double x, int digits = 4);
 
 /// What resamples: as asked, else OpenGL for the method that is OpenGL's alone, and the CPU.
 Resampler resamplerOf(const RenderOptions& options);

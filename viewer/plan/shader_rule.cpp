@@ -6,15 +6,9 @@
 
 namespace volumen {
 
-std::string inDigits(double x) {
+std::string inDigits(double x, int digits) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
-}
-
-std::string inTwoDigits(double ratio) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", ratio);
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
   return text;
 }
 
@@ -64,10 +58,10 @@ Effect decideShader(const RuleInput& in, Plan& plan) {
   const double map = predictedCost(plan, in.facts, Shader::map).lightNs;
   const std::string count = std::to_string(lights) + (lights == 1 ? " light" : " lights");
   if (direct <= map)
-    return on("direct: light from " + count + " at a predicted " + inTwoDigits(direct / map) +
+    return on("direct: light from " + count + " at a predicted " + inDigits(direct / map, 2) +
               " of what a reflectance map takes");
   plan.shader = Shader::map;
-  return on("reflectance map: light from " + count + " at a predicted " + inTwoDigits(map / direct) +
+  return on("reflectance map: light from " + count + " at a predicted " + inDigits(map / direct, 2) +
             " of what direct light takes");
 }
 

@@ -44,6 +44,16 @@ Q_DECLARE_METATYPE(volumen::tests::Change)
 
 namespace volumen::tests {
 
+/// The columns of such rows, and one of them.
+inline void addRuleColumns() {
+  QTest::addColumn<Change>("change");
+  QTest::addColumn<QString>("effect");
+  QTest::addColumn<QString>("expected");
+}
+inline void addRuleRow(const char* name, const char* effect, const char* expected, Change change) {
+  QTest::newRow(name) << change << QString::fromLatin1(effect) << QString::fromLatin1(expected);
+}
+
 /// A row of "change", "effect" and "expected": the effect's line once the change is made.
 inline void compareLine() {
   QFETCH(Change, change);

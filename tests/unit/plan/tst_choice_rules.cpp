@@ -15,12 +15,8 @@ class TestChoiceRules : public QObject {
 };
 
 void TestChoiceRules::aChoiceSaysWhatAndWhy_data() {
-  QTest::addColumn<Change>("change");
-  QTest::addColumn<QString>("effect");
-  QTest::addColumn<QString>("expected");
-  const auto row = [](const char* name, const char* effect, const char* expected, Change change) {
-    QTest::newRow(name) << change << QString::fromLatin1(effect) << QString::fromLatin1(expected);
-  };
+  addRuleColumns();
+  const auto row = addRuleRow;
   row("the CPU resamples", "resampler",
       "on   resampler: cpu: passes over empty blocks, stops where a ray is opaque, and draws the same on "
       "every machine",

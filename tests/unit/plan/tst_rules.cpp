@@ -22,12 +22,8 @@ class TestRules : public QObject {
 };
 
 void TestRules::aRuleSaysWhatAndWhy_data() {
-  QTest::addColumn<Change>("change");
-  QTest::addColumn<QString>("effect");
-  QTest::addColumn<QString>("expected");
-  const auto row = [](const char* name, const char* effect, const char* expected, Change change) {
-    QTest::newRow(name) << change << QString::fromLatin1(effect) << QString::fromLatin1(expected);
-  };
+  addRuleColumns();
+  const auto row = addRuleRow;
   row("lit", "lighting", "on   lighting: the scene is lit by 1 of 1 lights", [](Asked&) {});
   row("unlit: no light", "lighting", "off  lighting: the scene is unlit",
       [](Asked& a) { a.scene.shading.lit = false; });

@@ -5,6 +5,7 @@
 
 #include "tests/fixtures/brute_force.h"
 #include "tests/fixtures/brute_matter.h"
+#include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/picture_words.h"
 #include "tests/unit/render/picture_cases.h"
 #include "tests/unit/render/random_scenes.h"
@@ -41,7 +42,7 @@ void TestBruteForce::halfTheStepChangesLittle() {
   QFETCH(int, index);
   const PictureCase& c = pictureCases()[index];
   const VolumePtr volume = caseVolume(c.volume);
-  if (!volume) QSKIP("the real test data (../shared/data or $VOLUMEN_DATA) are not here");
+  NEED_VOLUME(volume);
   const Scene scene = completed(c.scene, *volume, {20, 20});
   const PictureError e = compare(bruteForceLimit(scene, *volume, {20, 20}, 1.0 / 32),
                                  bruteForceLimit(scene, *volume, {20, 20}, 1.0 / 64));
@@ -53,7 +54,7 @@ void TestBruteForce::referenceAgrees() {
   QFETCH(int, index);
   const PictureCase& c = pictureCases()[index];
   const VolumePtr volume = caseVolume(c.volume);
-  if (!volume) QSKIP("the real test data (../shared/data or $VOLUMEN_DATA) are not here");
+  NEED_VOLUME(volume);
   const glm::ivec2 size(24, 20);
   const Scene scene = completed(c.scene, *volume, size);
   const Result<Picture> reference = renderReference(scene, *volume, size);

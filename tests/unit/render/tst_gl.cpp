@@ -219,7 +219,7 @@ void TestGl::chestAgreesWithCpu() {
   for (const PictureCase& c : pictureCases()) {
     if (c.name != std::string("chest CT, bench scene bone")) continue;
     const VolumePtr volume = caseVolume(c.volume);
-    if (!volume) QSKIP("the real test data (../shared/data or $VOLUMEN_DATA) are not here");
+    NEED_VOLUME(volume);
     RenderOptions options;
     options.size = {48, 40};
     options.step = 1;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "tests/fixtures/brute_force.h"
+#include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/picture_words.h"
 #include "tests/unit/render/picture_cases.h"
 #include "tests/unit/render/random_scenes.h"
@@ -70,7 +71,7 @@ class TestSteps : public QObject {
 #define NEED_CASE(c)                            \
   QFETCH(int, index);                           \
   const PictureCase& c = pictureCases()[index]; \
-  if (!caseVolume(c.volume)) QSKIP("the real test data (../shared/data or $VOLUMEN_DATA) are not here")
+  NEED_VOLUME(caseVolume(c.volume))
 
 void TestSteps::plansCompleteTheScene() {
   NEED_CASE(c);

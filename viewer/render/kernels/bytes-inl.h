@@ -11,39 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Densities of bytes, interpolated with integer weights as those of 16 bits; the sums are below 2^24, so
-/// their floats are exact. Voxels::Densities(grid, index): the densities of voxels and their neighbours along
-/// x in the lower and upper halves of the lanes.
-template <class Voxels>
-struct ByteDensity {
-  static HWY_INLINE VF Density(const Grid& grid, const Cell& c) {
-    const Weights w = WeightsOf(c);
-    VI sum = hn::Zero(DI());
-    for (int r = 0; r < 4; ++r)
-      sum = Int16Store::AddPairs(sum, Voxels::Densities(grid, grid.Row(c, r)), w.row[r]);
-    return Real(sum);
-  }
-
-  static HWY_INLINE Bounded DensityWithBounds(const Grid& grid, const Cell& c) {
-    const DF df;
-    const Weights w = WeightsOf(c);
-    VI sum = hn::Zero(DI()), low = SetI(255), high = hn::Zero(DI());
-    for (int r = 0; r < 4; ++r) {
-      const VI both = Voxels::Densities(grid, grid.Row(c, r));
-      sum = Int16Store::AddPairs(sum, both, w.row[r]);
-      const VI first = hn::And(both, SetI(255)), second = hn::ShiftRight<16>(both);
-      low = hn::Min(low, hn::Min(first, second));
-      high = hn::Max(high, hn::Max(first, second));
-    }
-    return {Real(sum), hn::ConvertTo(df, low), hn::ConvertTo(df, high)};
-  }
-
- protected:
-  static HWY_INLINE VF Real(VI sum) { return hn::Mul(hn::ConvertTo(DF(), sum), Set(kWeightUnit)); }
-};
-
 /// A byte a voxel: no gradients.
-struct Byte1Store : ByteDensity<Byte1Store> {
+struct Byte1Store : PairDensity<Byte1Store> {
   static HWY_INLINE VI Densities(const Grid& grid, VI index) {
     const auto* base = reinterpret_cast<const std::int32_t*>(grid.frame().density8);
     const VI bytes = hn::GatherOffset(DI(), base, index);
@@ -52,7 +21,7 @@ struct Byte1Store : ByteDensity<Byte1Store> {
 };
 
 /// Four bytes a voxel (Voxels8).
-struct Byte4Store : ByteDensity<Byte4Store> {
+struct Byte4Store : PairDensity<Byte4Store> {
   static HWY_INLINE VI Densities(const Grid& grid, VI index) {
     const Pair p = PairAt(grid, index);
     return hn::Or(hn::And(hn::ShiftRight<24>(p.voxel), SetI(0xff)),
@@ -64,9 +33,9 @@ struct Byte4Store : ByteDensity<Byte4Store> {
     VI x = hn::Zero(DI()), y = x, z = x;
     for (int r = 0; r < 4; ++r) {
       const Pair p = PairAt(grid, grid.Row(c, r));
-      x = Int16Store::AddPairs(x, Components<0>(p), w.row[r]);
-      y = Int16Store::AddPairs(y, Components<1>(p), w.row[r]);
-      z = Int16Store::AddPairs(z, Components<2>(p), w.row[r]);
+      x = AddPairs(x, Components<0>(p), w.row[r]);
+      y = AddPairs(y, Components<1>(p), w.row[r]);
+      z = AddPairs(z, Components<2>(p), w.row[r]);
     }
     return {Real(x), Real(y), Real(z)};
   }

@@ -50,48 +50,57 @@ HWY_INLINE Weights WeightsOf(const Cell& c) {
 
 constexpr float kWeightUnit = -1.0f / 32768;
 
-/// 16-bit integers, interpolated with integer weights. One 32-bit gather brings a voxel's density and its
-/// neighbour's along x.
-struct Int16Store {
-  static HWY_INLINE VF Density(const Grid& grid, const Cell& c) {
-    const Weights w = WeightsOf(c);
-    const DI di;
-    const VI flip = SetI(int(grid.frame().flip16));
-    const auto* base = reinterpret_cast<const std::int32_t*>(grid.frame().density16);
-    VI sum = hn::Zero(di);
-    for (int r = 0; r < 4; ++r) {
-      const VI at = hn::ShiftLeft<1>(grid.Row(c, r));
-      sum = AddPairs(sum, hn::Xor(hn::GatherOffset(di, base, at), flip), w.row[r]);
-    }
-    return hn::Mul(hn::ConvertTo(DF(), sum), Set(kWeightUnit));
-  }
-
-  static HWY_INLINE Bounded DensityWithBounds(const Grid& grid, const Cell& c) {
-    const DF df;
-    const DI di;
-    const Weights w = WeightsOf(c);
-    const VI flip = SetI(int(grid.frame().flip16));
-    const auto* base = reinterpret_cast<const std::int32_t*>(grid.frame().density16);
-    VI sum = hn::Zero(di), low = SetI(32767), high = SetI(-32768);
-    for (int r = 0; r < 4; ++r) {
-      const VI at = hn::ShiftLeft<1>(grid.Row(c, r));
-      const VI both = hn::Xor(hn::GatherOffset(di, base, at), flip);
-      sum = AddPairs(sum, both, w.row[r]);
-      const VI first = hn::ShiftRight<16>(hn::ShiftLeft<16>(both)), second = hn::ShiftRight<16>(both);
-      low = hn::Min(low, hn::Min(first, second));
-      high = hn::Max(high, hn::Max(first, second));
-    }
-    return {hn::Mul(hn::ConvertTo(df, sum), Set(kWeightUnit)), hn::ConvertTo(df, low),
-            hn::ConvertTo(df, high)};
-  }
-
+/// Densities of integers of at most 16 bits, interpolated with integer weights. Voxels::Densities(grid,
+/// index): those of voxels and of their neighbours along x, in the lower and upper halves of the lanes.
+template <class Voxels>
+struct PairDensity {
 #if HWY_TARGET == HWY_SCALAR
   static HWY_INLINE VI AddPairs(VI sum, VI a, VI b) {
     const auto low = [](VI v) { return int(std::int16_t(v.raw & 0xffff)); };
     const auto high = [](VI v) { return int(std::int16_t(v.raw >> 16)); };
     return VI(sum.raw + low(a) * low(b) + high(a) * high(b));
   }
+#else
+  static HWY_INLINE VI AddPairs(VI sum, VI a, VI b) {
+    const hn::Repartition<std::int16_t, DI> d16;
+    VI unused = hn::Zero(DI());
+    return hn::ReorderWidenMulAccumulate(DI(), hn::BitCast(d16, a), hn::BitCast(d16, b), sum, unused);
+  }
+#endif
 
+  static HWY_INLINE VF Real(VI sum) { return hn::Mul(hn::ConvertTo(DF(), sum), Set(kWeightUnit)); }
+
+  static HWY_INLINE VF Density(const Grid& grid, const Cell& c) {
+    const Weights w = WeightsOf(c);
+    VI sum = hn::Zero(DI());
+    for (int r = 0; r < 4; ++r) sum = AddPairs(sum, Voxels::Densities(grid, grid.Row(c, r)), w.row[r]);
+    return Real(sum);
+  }
+
+  static HWY_INLINE Bounded DensityWithBounds(const Grid& grid, const Cell& c) {
+    const DF df;
+    const Weights w = WeightsOf(c);
+    VI sum = hn::Zero(DI()), low = SetI(32767), high = SetI(-32768);
+    for (int r = 0; r < 4; ++r) {
+      const VI both = Voxels::Densities(grid, grid.Row(c, r));
+      sum = AddPairs(sum, both, w.row[r]);
+      const VI first = hn::ShiftRight<16>(hn::ShiftLeft<16>(both)), second = hn::ShiftRight<16>(both);
+      low = hn::Min(low, hn::Min(first, second));
+      high = hn::Max(high, hn::Max(first, second));
+    }
+    return {Real(sum), hn::ConvertTo(df, low), hn::ConvertTo(df, high)};
+  }
+};
+
+/// 16-bit integers. One 32-bit gather brings a voxel's density and its neighbour's along x.
+struct Int16Store : PairDensity<Int16Store> {
+  static HWY_INLINE VI Densities(const Grid& grid, VI index) {
+    const auto* base = reinterpret_cast<const std::int32_t*>(grid.frame().density16);
+    const VI both = hn::GatherOffset(DI(), base, hn::ShiftLeft<1>(index));
+    return hn::Xor(both, SetI(int(grid.frame().flip16)));
+  }
+
+#if HWY_TARGET == HWY_SCALAR
   static HWY_INLINE Sample DensityAndGradient(const Grid& grid, const Cell& c) {
     const Weights w = WeightsOf(c);
     const auto component = [&](int n) {
@@ -103,15 +112,9 @@ struct Int16Store {
       }
       return VF(float(sum) * kWeightUnit);
     };
-    return {component(3), {component(0), component(1), component(2)}};
+    return {component(3), { component(0), component(1), component(2) }};
   }
 #else
-  static HWY_INLINE VI AddPairs(VI sum, VI a, VI b) {
-    const hn::Repartition<std::int16_t, DI> d16;
-    VI unused = hn::Zero(DI());
-    return hn::ReorderWidenMulAccumulate(DI(), hn::BitCast(d16, a), hn::BitCast(d16, b), sum, unused);
-  }
-
   /// Four plain loads a sample, each of a voxel and its neighbour along x (with one voxel along x the second
   /// counts nothing: its weight is 0); much faster than gathers (FIELD 2). Block b of sum k holds the four
   /// components of sample 4 b + k.
@@ -137,9 +140,8 @@ struct Int16Store {
              xy23 = hn::InterleaveLower(di, sums[2], sums[3]);
     const VI zd01 = hn::InterleaveUpper(di, sums[0], sums[1]),
              zd23 = hn::InterleaveUpper(di, sums[2], sums[3]);
-    const auto real = [&](VI v) { return hn::Mul(hn::ConvertTo(df, v), Set(kWeightUnit)); };
-    return {real(high64(zd01, zd23)),
-            {real(low64(xy01, xy23)), real(high64(xy01, xy23)), real(low64(zd01, zd23))}};
+    return {Real(high64(zd01, zd23)),
+            {Real(low64(xy01, xy23)), Real(high64(xy01, xy23)), Real(low64(zd01, zd23))}};
   }
 
  private:
