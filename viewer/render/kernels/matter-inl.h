@@ -48,6 +48,12 @@ struct Matter {
     return GradientFactor(*f.transfer, NormalOf(f, stored).length);
   }
 
+  /// Samples whose gradient is so small that it may sink below the floor of SCENE 5 nearby.
+  HWY_INLINE MF MayVanishNear(const V3& stored) const {
+    const VF share = hn::Mul(NormalOf(f, stored).length, Set(f.inverseFloor));
+    return hn::And(hn::Gt(Set(f.inverseFloor), hn::Zero(DF())), hn::Lt(share, Set(4)));
+  }
+
   /// The colour of a sample, lit (SCENE 5); `ray`: its ray, counted from `first`.
   HWY_INLINE V3 ColourAt(VI segment, VF density, const V3& stored, VI ray) const {
     if constexpr (kShade == ShadeBy::nothing) {
@@ -63,7 +69,53 @@ struct Matter {
     }
   }
 
+  /// Where gradients rise about straight from a's to c's over b's.
+  static HWY_INLINE MF IsStraight(const V3& a, const V3& b, const V3& c) {
+    const V3 bent = Add(Add(a, c), Scale(b, Set(-2))), change = Add(c, Scale(a, Set(-1)));
+    return hn::Le(Dot(bent, bent), hn::Mul(Set(0.1f), Dot(change, change)));
+  }
+
+  /// The mean colour along an interval with these gradients in the middles of its halves, straight between
+  /// them and beyond.
+  HWY_INLINE V3 ColourBetween(VI segment, VF density, const V3& stored1, const V3& stored2, VI ray) const {
+    const DF df;
+    const VF one = Set(1), two = Set(2);
+    const V3 g1 = InFloors(stored1), g2 = InFloors(stored2);
+    const V3 middle = Scale(Add(g1, g2), Set(0.5f)), half = Scale(Add(g2, Scale(g1, Set(-1))), Set(0.5f));
+    const VF square = Dot(middle, middle), cross = hn::Mul(two, Dot(middle, half)), change = Dot(half, half);
+    VF mean = hn::Zero(df);
+    constexpr int looks = 8;
+    for (int n = 0; n < looks; ++n) {
+      const VF t = Set((float(n) + 0.5f) * (4.0f / looks) - 2);
+      const VF length2 = hn::Add(square, hn::Mul(t, hn::Add(cross, hn::Mul(t, change))));
+      mean = hn::Add(mean, hn::Min(one, hn::Sqrt(hn::Max(length2, hn::Zero(df)))));
+    }
+    mean = hn::Mul(mean, Set(1.0f / looks));
+    const VF q1 = hn::Min(one, hn::Sqrt(Dot(g1, g1))), q2 = hn::Min(one, hn::Sqrt(Dot(g2, g2)));
+    const VF sum = hn::Add(q1, q2);
+    const V3 flat = ColourAt(segment, density, Zero3(), ray);
+    const V3 both = Add(ColourAt(segment, density, stored1, ray), ColourAt(segment, density, stored2, ray));
+    const MF none = hn::Le(sum, hn::Zero(df));
+    const VF share = hn::IfThenElseZero(hn::Not(none), hn::Div(mean, hn::IfThenElse(none, one, sum)));
+    const auto mix = [&](VF lit, VF unlit) {
+      return hn::Add(hn::Mul(unlit, hn::Sub(one, mean)),
+                     hn::Mul(share, hn::Sub(lit, hn::Mul(unlit, hn::Sub(two, sum)))));
+    };
+    return {mix(both.x, flat.x), mix(both.y, flat.y), mix(both.z, flat.z)};
+  }
+
  private:
+  /// A stored gradient in patient space as a share of the floor; far above it clamped.
+  HWY_INLINE V3 InFloors(const V3& stored) const {
+    const float* m = f.gradientMatrix;
+    const VF scale = Set(f.gradientUnit * f.inverseFloor), most = Set(1e6f);
+    const auto row = [&](int n) {
+      const VF g = hn::Mul(scale, Dot({Set(m[n]), Set(m[n + 1]), Set(m[n + 2])}, stored));
+      return hn::Max(hn::Neg(most), hn::Min(g, most));
+    };
+    return {row(0), row(3), row(6)};
+  }
+
   HWY_INLINE DS ShadeOf(const V3& n, VI ray) const {
     if constexpr (kShade == ShadeBy::map) {
       return ShadeMap(*f.map, n);

@@ -42,8 +42,16 @@ struct Intervals {
 struct Integrated {
   V3 place;  ///< clamped to the grid
   VF density, opacity, units;
+  VF reach;  ///< steps from there to the middle between it and the nearer end
   VI ray;
 };
+
+/// What a step adds to places on rays, in voxels.
+HWY_INLINE V3 MoveOf(const RayRow& rays, VI ray) {
+  const DF df;
+  return {hn::GatherIndex(df, rays.moveX.data(), ray), hn::GatherIndex(df, rays.moveY.data(), ray),
+          hn::GatherIndex(df, rays.moveZ.data(), ray)};
+}
 
 /// Intervals are integrated in two halves along each of which the density goes straight from sample to
 /// sample: exact for any curve where it does (pre-integration; Engel, Kraus and Ertl 2001). Where it bends
@@ -148,11 +156,6 @@ class Refiner {
     const DF df;
     return {hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
   }
-  HWY_INLINE V3 MoveOf(VI ray) const {
-    const DF df;
-    return {hn::GatherIndex(df, rays_.moveX.data(), ray), hn::GatherIndex(df, rays_.moveY.data(), ray),
-            hn::GatherIndex(df, rays_.moveZ.data(), ray)};
-  }
   HWY_INLINE Bounded EndAt(const V3& clamped, MF alive) {
     counts_.resampled += std::int64_t(hn::CountTrue(DF(), alive));
     return Store::DensityWithBounds(grid_, grid_.CellAt(clamped));
@@ -183,6 +186,14 @@ class Refiner {
     return OnSegment(t, t.colourVariation, t.colourVariationRise, p.segment, Along(t, p.segment, p.density));
   }
 
+  /// How often colours may turn from rising to falling along an interval, at least 1: the parts' errors then
+  /// add up.
+  static HWY_INLINE VF Turns(const Halves& h) {
+    const VI low = hn::Min(h.a.segment, hn::Min(h.m.segment, h.b.segment)),
+             high = hn::Max(h.a.segment, hn::Max(h.m.segment, h.b.segment));
+    return hn::ConvertTo(DF(), hn::Max(hn::Sub(hn::Sub(high, low), SetI(1)), SetI(1)));
+  }
+
   /// Into how many parts each interval is cut.
   HWY_INLINE VI PartsOf(int n, const Halves& h, const float* alphaBefore) const {
     const DF df;
@@ -193,7 +204,8 @@ class Refiner {
     const VF bent = hn::Abs(hn::Sub(depth, hn::Mul(h.units, MeanExtinction(*f_.curve, h.a, h.b))));
     const VF around = hn::Mul(hn::Mul(h.units, Set(parting.around)), hn::Load(df, s.around + n));
     const VF va = ColourVariationAt(h.a), vm = ColourVariationAt(h.m), vb = ColourVariationAt(h.b);
-    const VF coloured = hn::Sub(hn::Max(va, hn::Max(vm, vb)), hn::Min(va, hn::Min(vm, vb)));
+    const VF coloured =
+        hn::Mul(hn::Sub(hn::Max(va, hn::Max(vm, vb)), hn::Min(va, hn::Min(vm, vb))), Turns(h));
     const VF unlike = hn::Add(
         hn::Add(bent, around),
         hn::Mul(hn::Add(Set(parting.light), hn::Mul(Set(parting.colour), coloured)), hn::Min(depth, Set(1))));
@@ -324,8 +336,10 @@ class Refiner {
                                hn::IfThenElse(hn::Lt(at, zero), h.a.density, h.m.density));
     const VF density = hn::Add(h.m.density, hn::Mul(hn::Add(at, at), further));
     const VI ray = hn::Load(DI(), s.ray + n);
-    const V3 place = Add(PlaceOf(s, n), Scale(MoveOf(ray), hn::Mul(at, hn::Load(df, s.steps + n))));
-    return {grid_.Clamped(place), density, opacity, h.units, ray};
+    const VF steps = hn::Load(df, s.steps + n);
+    const V3 place = Add(PlaceOf(s, n), Scale(MoveOf(rays_, ray), hn::Mul(at, steps)));
+    const VF reach = hn::Mul(hn::Sub(Set(0.25f), hn::Mul(Set(0.5f), hn::Abs(at))), steps);
+    return {grid_.Clamped(place), density, opacity, h.units, reach, ray};
   }
 
   /// What is known of a packet where a step begins.

@@ -17,6 +17,7 @@ template <int kCapacity>
 struct Samples {
   HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity], density[kCapacity];
   HWY_ALIGN float units[kCapacity];   ///< length of the interval in unit distances
+  HWY_ALIGN float reach[kCapacity];   ///< Integrated::reach, of refined ones alone
   HWY_ALIGN float weight[kCapacity];  ///< first its opacity, then what it adds to its ray
   HWY_ALIGN std::int32_t ray[kCapacity], segment[kCapacity];
   int size = 0;
@@ -24,7 +25,8 @@ struct Samples {
   /// Makes what stands in the last vector behind the last sample harmless: places inside the volume.
   HWY_INLINE void Pad() {
     const DF df;
-    for (float* values : {x, y, z, density, units, weight}) hn::StoreU(hn::Zero(df), df, values + size);
+    for (float* values : {x, y, z, density, units, reach, weight})
+      hn::StoreU(hn::Zero(df), df, values + size);
     for (std::int32_t* values : {ray, segment}) hn::StoreU(hn::Zero(DI()), DI(), values + size);
   }
 };
@@ -36,6 +38,7 @@ struct Samples {
 template <class Store, ShadeBy kShade, bool kGradientOpacity, bool kRefined>
 class SparseTracer {
   using Material = Matter<kShade, kGradientOpacity>;
+  static constexpr bool kLitAlong = kRefined && kShade != ShadeBy::nothing;
 
  public:
   /// Adds to `out`, which must be 0.
@@ -140,6 +143,7 @@ class SparseTracer {
       Append(part.place.y, counts, s.y + s.size);
       Append(part.place.z, counts, s.z + s.size);
       Append(part.units, counts, s.units + s.size);
+      Append(part.reach, counts, s.reach + s.size);
       Append(part.density, counts, s.density + s.size);
       Append(part.opacity, counts, s.weight + s.size);
       Append(part.ray, counts, s.ray + s.size);
@@ -231,6 +235,7 @@ class SparseTracer {
         Append(hn::Load(df, s.y + n), counts, w.y + w.size);
         Append(hn::Load(df, s.z + n), counts, w.z + w.size);
       }
+      if constexpr (kLitAlong) Append(hn::Load(df, s.reach + n), counts, w.reach + w.size);
       Append(hn::Load(df, s.density + n), counts, w.density + w.size);
       Append(weight, counts, w.weight + w.size);
       Append(hn::Load(di, s.segment + n), counts, w.segment + w.size);
@@ -259,8 +264,9 @@ class SparseTracer {
     for (int n = 0; n < s.size; n += kLanes) {
       V3 stored = Zero3();
       if constexpr (kShade != ShadeBy::nothing) stored = GradientAt(s, n);
-      const V3 colour = matter_.ColourAt(hn::Load(di, s.segment + n), hn::Load(df, s.density + n), stored,
-                                         hn::Load(di, s.ray + n));
+      V3 colour = matter_.ColourAt(hn::Load(di, s.segment + n), hn::Load(df, s.density + n), stored,
+                                   hn::Load(di, s.ray + n));
+      if constexpr (kLitAlong) colour = LitAlong(n, stored, colour);
       const V3 part = Scale(colour, hn::Load(df, s.weight + n));
       hn::StoreInterleaved4(part.x, part.y, part.z, hn::Zero(df), df, added);
       AddToRays(added, s.ray + n, std::min(kLanes, s.size - n));
@@ -268,6 +274,32 @@ class SparseTracer {
     counts_.composited += s.size;
     s.size = 0;
     counts_.shadeTicks += Ticks() - begin;
+  }
+
+  /// The colour of the samples that wait from n on. Where the gradient is small it may vanish within the
+  /// interval (in a plate's middle, where it turns over), and with it the light.
+  HWY_INLINE V3 LitAlong(int n, const V3& stored, const V3& colour) const {
+    const MF counts = hn::Gt(hn::Load(DF(), waiting_.weight + n), Set(f_.parting.tolerance));
+    const MF small = hn::And(matter_.MayVanishNear(stored), counts);
+    return hn::AllFalse(DF(), small) ? colour : LitOnBothSides(n, small, stored, colour);
+  }
+
+  /// The mean colour along the intervals where `small`, if the gradient goes straight there.
+  HWY_NOINLINE V3 LitOnBothSides(int n, MF small, const V3& stored, const V3& colour) const {
+    const DF df;
+    const auto& s = waiting_;
+    const V3 place{hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
+    const VI ray = hn::Load(DI(), s.ray + n);
+    const V3 reach = Scale(MoveOf(rays_, ray), hn::Load(df, s.reach + n));
+    const auto gradientAt = [&](const V3& p) {
+      return Store::Gradient(grid_, grid_.CellAt(grid_.Clamped(p)));
+    };
+    const V3 before = gradientAt(Add(place, Scale(reach, Set(-1)))), behind = gradientAt(Add(place, reach));
+    const MF along = hn::And(small, matter_.IsStraight(before, stored, behind));
+    const V3 mean = matter_.ColourBetween(hn::Load(DI(), s.segment + n), hn::Load(df, s.density + n), before,
+                                          behind, ray);
+    return {hn::IfThenElse(along, mean.x, colour.x), hn::IfThenElse(along, mean.y, colour.y),
+            hn::IfThenElse(along, mean.z, colour.z)};
   }
 
   HWY_INLINE void AddToRays(const float* added, const std::int32_t* ray, int count) {
