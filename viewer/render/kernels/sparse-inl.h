@@ -279,6 +279,7 @@ class SparseTracer {
   /// The colour of the samples that wait from n on. Where the gradient is small it may vanish within the
   /// interval (in a plate's middle, where it turns over), and with it the light.
   HWY_INLINE V3 LitAlong(int n, const V3& stored, const V3& colour) const {
+    if (f_.parting.light == 0) return colour;
     const MF counts = hn::Gt(hn::Load(DF(), waiting_.weight + n), Set(f_.parting.tolerance));
     const MF small = hn::And(matter_.MayVanishNear(stored), counts);
     return hn::AllFalse(DF(), small) ? colour : LitOnBothSides(n, small, stored, colour);
