@@ -115,15 +115,15 @@ struct Cut {
 Cut cutOf(Quality quality, bool sharp) {
   switch (quality) {
     case Quality::draft:
-      return sharp ? Cut{1, 0.03} : Cut{2, 0.06};
+      return sharp ? Cut{1, 0.03} : Cut{2, 0.05};
     case Quality::standard:
-      return sharp ? Cut{1, 0.005} : Cut{2, 0.03};
+      return sharp ? Cut{1, 0.005} : Cut{2, 0.04};
     case Quality::high:
-      return sharp ? Cut{1.0 / 2, 2.5e-3} : Cut{1, 3e-3};
+      return sharp ? Cut{1.0 / 2, 2.5e-3} : Cut{2, 3e-3};
     case Quality::exact:
       break;
   }
-  return sharp ? Cut{1.0 / 4, 1.5e-4} : Cut{1, 1e-3};
+  return sharp ? Cut{1.0 / 2, 1.5e-4} : Cut{2, 1e-3};
 }
 
 // Only the CPU's planes know the values around an interval before they draw it.

@@ -39,7 +39,7 @@ void TestCostModel::moreOfItCostsMore_data() {
   row("lights", true, [](Asked& a) { a.scene.lights.resize(2); });
   row("a shininess that is no whole number", true, [](Asked& a) { a.scene.shading.shininess = 20.5; });
   row("pixels", true, [](Asked& a) { a.options.size = {600, 600}; });
-  row("shorter steps", true, [](Asked& a) { a.options.quality = Quality::high; });
+  row("more parts of a step", true, [](Asked& a) { a.options.quality = Quality::high; });
   row("a longer box", true, [](Asked& a) { a.facts.geometry.size.y = 9; });
   row("visible blocks", true, [](Asked& a) { a.scene.transferFunction.points[0].value = -950; });
   row("a nearer camera", false, [](Asked& a) {

@@ -12,31 +12,12 @@
 
 #include "viewer/render/kernels/compact-inl.h"
 #include "viewer/render/kernels/extinction-inl.h"
+#include "viewer/render/kernels/parts-inl.h"
 #include "viewer/render/kernels/sample-inl.h"
 #include "viewer/render/kernels/skip-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
-
-/// Intervals of rays on their way, in the order of each ray's steps.
-template <int kCapacity>
-struct Intervals {
-  HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity];              ///< middle, not clamped to the grid
-  HWY_ALIGN float steps[kCapacity];                                      ///< length in steps
-  HWY_ALIGN float units[kCapacity];                                      ///< length in unit distances
-  HWY_ALIGN float front[kCapacity], middle[kCapacity], back[kCapacity];  ///< densities
-  HWY_ALIGN float around[kCapacity];  ///< CurveTable::variation over the densities of the cells at both ends
-  HWY_ALIGN std::int32_t ray[kCapacity];
-  int size = 0;
-
-  /// Makes what stands in the last vector behind the last interval harmless: places inside the volume.
-  HWY_INLINE void Pad() {
-    const DF df;
-    for (float* values : {x, y, z, steps, units, front, middle, back, around})
-      hn::StoreU(hn::Zero(df), df, values + size);
-    hn::StoreU(hn::Zero(DI()), DI(), ray + size);
-  }
-};
 
 /// What a part of an interval comes to: one sample where most of its light comes from.
 struct Integrated {
@@ -60,7 +41,7 @@ template <class Store>
 class Refiner {
  public:
   Refiner(const TraceFrame& f, const Grid& grid, const RayRow& rays, TraceCounts& counts)
-      : f_(f), grid_(grid), rays_(rays), counts_(counts), ends_(rays.steps.size() / kLanes) {}
+      : f_(f), grid_(grid), rays_(rays), counts_(counts), parts_(rays), ends_(rays.steps.size() / kLanes) {}
 
   static constexpr int kNoted = 4096 + kLanes;
   Intervals<kNoted> noted;
@@ -105,7 +86,7 @@ class Refiner {
     Append(front.density, seen, s.front + s.size);
     Append(back.density, seen, s.back + s.size);
     Append(around, seen, s.around + s.size);
-    Append(hn::Iota(DI(), first), seen, s.ray + s.size);
+    Append(hn::Add(hn::Iota(DI(), 0), SetI(first)), seen, s.ray + s.size);
     s.size += int(hn::CountTrue(df, seen));
   }
 
@@ -119,21 +100,19 @@ class Refiner {
     for (int n = 0; n < noted.size; n += kLanes) {
       hn::Store(DensityAt(PlaceOf(noted, n)), DF(), noted.middle + n);
       const Halves halves = HalvesOf(noted, n);
-      const VI parts = PartsOf(n, halves, alphaBefore);
-      if (ready_.size == 0 && hn::AllTrue(DI(), hn::Eq(parts, SetI(1)))) {
+      const Parts parts = PartsOf(n, halves, alphaBefore);
+      if (parts_.ready.size == 0 && parts.AreNone()) {
         emit(Integrate(noted, n, halves), std::min(kLanes, noted.size - n));
         continue;
       }
       Queue(n, parts);
-      if (ready_.size > kEnough) Flush(emit);
+      if (parts_.IsFull()) Flush(emit);
     }
     Flush(emit);
     noted.size = 0;
   }
 
  private:
-  static constexpr int kEnough = 512, kReady = kEnough + kLanes * TraceFrame::mostParts + 2 * kLanes;
-
   /// Both halves of intervals: places on the curve at the front, in the middle and at the back; optical
   /// depths.
   struct Halves {
@@ -151,11 +130,6 @@ class Refiner {
     return {a, m, b, units, hn::Mul(half, MeanExtinction(t, a, m)), hn::Mul(half, MeanExtinction(t, m, b))};
   }
 
-  template <class Array>
-  static HWY_INLINE V3 PlaceOf(const Array& s, int n) {
-    const DF df;
-    return {hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
-  }
   HWY_INLINE Bounded EndAt(const V3& clamped, MF alive) {
     counts_.resampled += std::int64_t(hn::CountTrue(DF(), alive));
     return Store::DensityWithBounds(grid_, grid_.CellAt(clamped));
@@ -194,116 +168,62 @@ class Refiner {
     return hn::ConvertTo(DF(), hn::Max(hn::Sub(hn::Sub(high, low), SetI(1)), SetI(1)));
   }
 
-  /// Into how many parts each interval is cut.
-  HWY_INLINE VI PartsOf(int n, const Halves& h, const float* alphaBefore) const {
+  /// Into how many parts each half of an interval is cut; 0: it is left as it is.
+  struct Parts {
+    VI first, second;
+
+    HWY_INLINE bool AreNone() const { return hn::AllTrue(DI(), hn::Eq(hn::Or(first, second), SetI(0))); }
+  };
+  HWY_INLINE Parts PartsOf(int n, const Halves& h, const float* alphaBefore) const {
     const DF df;
     const DI di;
     const auto& s = noted;
     const Parting& parting = f_.parting;
+    const VF one = Set(1), two = Set(2), half = Set(0.5f);
     const VF depth = hn::Add(h.depth1, h.depth2);
     const VF bent = hn::Abs(hn::Sub(depth, hn::Mul(h.units, MeanExtinction(*f_.curve, h.a, h.b))));
+    const VF bentShare = hn::Div(hn::Mul(two, bent), hn::Max(depth, Set(1e-30f)));
     const VF around = hn::Mul(hn::Mul(h.units, Set(parting.around)), hn::Load(df, s.around + n));
     const VF va = ColourVariationAt(h.a), vm = ColourVariationAt(h.m), vb = ColourVariationAt(h.b);
     const VF coloured =
         hn::Mul(hn::Sub(hn::Max(va, hn::Max(vm, vb)), hn::Min(va, hn::Min(vm, vb))), Turns(h));
-    const VF unlike = hn::Add(
-        hn::Add(bent, around),
-        hn::Mul(hn::Add(Set(parting.light), hn::Mul(Set(parting.colour), coloured)), hn::Min(depth, Set(1))));
-    const VF through = hn::Sub(Set(1), hn::GatherIndex(df, alphaBefore, hn::Load(di, s.ray + n)));
-    const VF uneven = hn::Mul(unlike, through);
-    VI parts = SetI(1);
-    for (int more = 1; more < parting.most; more *= 2) {
-      const VF enough = Set(parting.tolerance * float(more) * float(more));
-      parts = hn::IfThenElse(hn::RebindMask(di, hn::Gt(uneven, enough)), SetI(2 * more), parts);
-    }
-    return parts;
+    const VF change = hn::Mul(two, hn::Add(Set(parting.light), hn::Mul(Set(parting.colour), coloured)));
+    const auto partsOf = [&](VF halfDepth, VF through) {
+      const VF bends = hn::Add(hn::Mul(bentShare, halfDepth), hn::Mul(Set(0.1f), bent));
+      const VF unlike = hn::Add(hn::Add(bends, around), hn::Mul(change, hn::Min(halfDepth, half)));
+      const VF uneven = hn::Mul(unlike, through);
+      VI parts = SetI(0);
+      for (int more = 1; more < parting.most; more *= 2) {
+        const VF enough = Set(parting.tolerance * float(more) * float(more));
+        parts = hn::IfThenElse(hn::RebindMask(di, hn::Gt(uneven, enough)), SetI(more), parts);
+      }
+      return parts;
+    };
+    const VF through = hn::Sub(one, hn::GatherIndex(df, alphaBefore, hn::Load(di, s.ray + n)));
+    // e^-d is at most 1 / (1 + d).
+    return {partsOf(h.depth1, through), partsOf(h.depth2, hn::Div(through, hn::Add(one, h.depth1)))};
   }
 
-  HWY_INLINE void Queue(int n, VI parts) {
-    const DF df;
-    const DI di;
-    const auto& s = noted;
-    const int end = std::min(kLanes, s.size - n);
-    auto& r = ready_;
-    if (hn::AllTrue(di, hn::Eq(parts, SetI(1)))) {
-      const auto copy = [&](const float* from, float* to) {
-        hn::StoreU(hn::Load(df, from + n), df, to + r.size);
-      };
-      copy(s.x, r.x), copy(s.y, r.y), copy(s.z, r.z);
-      copy(s.steps, r.steps), copy(s.units, r.units);
-      copy(s.front, r.front), copy(s.middle, r.middle), copy(s.back, r.back);
-      hn::StoreU(hn::Load(di, s.ray + n), di, r.ray + r.size);
-      r.size += end;
+  HWY_INLINE void Queue(int n, const Parts& parts) {
+    const int count = std::min(kLanes, noted.size - n);
+    if (parts.AreNone()) {
+      parts_.AddWhole(noted, n, count);
       return;
     }
-    HWY_ALIGN std::int32_t count[kLanes];
-    hn::Store(parts, di, count);
-    for (int m = 0; m < end; ++m) Cut(n + m, count[m]);
+    HWY_ALIGN std::int32_t first[kLanes], second[kLanes];
+    hn::Store(parts.first, DI(), first);
+    hn::Store(parts.second, DI(), second);
+    for (int m = 0; m < count; ++m) parts_.Add(noted, n + m, first[m], second[m]);
   }
 
-  /// Appends the parts of interval n, front to back; densities between those that are known follow.
-  HWY_INLINE void Cut(int n, int count) {
-    const auto& s = noted;
-    auto& r = ready_;
-    if (count > 1) cuts_.push_back({n, count, r.size, int(nodes_.size())});
-    const float share = 1 / float(count);
-    for (int part = 0; part < count; ++part) {
-      const float along = (float(part) + 0.5f - 0.5f * float(count)) * share * s.steps[n];
-      const int ray = s.ray[n], at = r.size + part;
-      r.x[at] = s.x[n] + along * rays_.moveX[ray];
-      r.y[at] = s.y[n] + along * rays_.moveY[ray];
-      r.z[at] = s.z[n] + along * rays_.moveZ[ray];
-      r.steps[at] = share * s.steps[n];
-      r.units[at] = share * s.units[n];
-      r.front[at] = s.front[n], r.middle[at] = s.middle[n], r.back[at] = s.back[n];
-      r.ray[at] = ray;
-    }
-    r.size += count;
-    if (count == 1) return;
-    const float half = 0.5f * share * s.steps[n];
-    for (int k = 1; k < 2 * count; ++k)
-      if (k != count) nodes_.push_back({n, float(k - count) * half});
-  }
-
-  /// Samples between the parts, then integrates them all.
+  /// Integrates all parts.
   template <class Emit>
   HWY_INLINE void Flush(const Emit& emit) {
-    SampleNodes();
-    for (const CutInterval& c : cuts_) {
-      const auto density = [&](int k) {
-        return k == c.count ? noted.middle[c.interval] : nodeDensity_[c.firstNode + k - 1 - (k > c.count)];
-      };
-      for (int part = 0; part < c.count; ++part) {
-        const int at = c.first + part;
-        if (part > 0) ready_.front[at] = ready_.back[at - 1];
-        ready_.middle[at] = density(2 * part + 1);
-        if (part + 1 < c.count) ready_.back[at] = density(2 * part + 2);
-      }
-    }
-    cuts_.clear();
-    nodes_.clear();
-    ready_.Pad();
-    for (int n = 0; n < ready_.size; n += kLanes)
-      emit(Integrate(ready_, n, HalvesOf(ready_, n)), std::min(kLanes, ready_.size - n));
-    ready_.size = 0;
-  }
-
-  HWY_INLINE void SampleNodes() {
-    const DF df;
-    const int size = int(nodes_.size());
-    counts_.resampled += size;
-    nodeDensity_.resize(std::size_t(size) + kLanes);
-    HWY_ALIGN float x[kLanes] = {}, y[kLanes] = {}, z[kLanes] = {};
-    for (int n = 0; n < size; n += kLanes) {
-      for (int m = 0; m < std::min(kLanes, size - n); ++m) {
-        const Node& node = nodes_[n + m];
-        const int ray = noted.ray[node.interval];
-        x[m] = noted.x[node.interval] + node.along * rays_.moveX[ray];
-        y[m] = noted.y[node.interval] + node.along * rays_.moveY[ray];
-        z[m] = noted.z[node.interval] + node.along * rays_.moveZ[ray];
-      }
-      hn::StoreU(DensityAt({hn::Load(df, x), hn::Load(df, y), hn::Load(df, z)}), df, nodeDensity_.data() + n);
-    }
+    counts_.resampled += parts_.template Sample<Store>(grid_);
+    const auto& ready = parts_.ready;
+    for (int n = 0; n < ready.size; n += kLanes)
+      emit(Integrate(ready, n, HalvesOf(ready, n)), std::min(kLanes, ready.size - n));
+    parts_.Clear();
   }
 
   /// Where the light that a half shows comes from, 0..1 of its length, if the extinction rises straight: at
@@ -365,23 +285,12 @@ class Refiner {
       blocks = visible;
     }
   };
-  struct CutInterval {
-    int interval, count, first, firstNode;
-  };
-  struct Node {
-    int interval;
-    float along;  ///< steps behind the interval's middle
-  };
-
   const TraceFrame& f_;
   const Grid& grid_;
   const RayRow& rays_;
   TraceCounts& counts_;
-  Intervals<kReady> ready_;
+  PartQueue parts_;
   std::vector<End> ends_;  ///< of each packet
-  std::vector<CutInterval> cuts_;
-  std::vector<Node> nodes_;
-  std::vector<float> nodeDensity_;
 };
 
 }  // namespace volumen::HWY_NAMESPACE

@@ -64,7 +64,7 @@ class Skipper {
     const DI di;
     if (!map_) return (std::uint64_t(1) << hn::Lanes(df)) - 1;
     static_assert(SkipMap::edge == 4);
-    const VF middle = hn::Add(hn::ConvertTo(df, hn::Iota(di, step)), Set(0.5f));
+    const VF middle = hn::Add(hn::Add(hn::Iota(df, 0), Set(float(step))), Set(0.5f));
     const auto block = [&](int a, VF x) {
       return hn::ShiftRight<2>(hn::ConvertTo(di, hn::Min(hn::Max(x, hn::Zero(df)), Set(last_[a]))));
     };

@@ -117,7 +117,7 @@ class SparseTracer {
     Append(place.y, alive, s.y + s.size);
     Append(place.z, alive, s.z + s.size);
     Append(hn::IfThenElse(last, p.lastUnits, p.units), alive, s.units + s.size);
-    Append(hn::Iota(DI(), first), alive, s.ray + s.size);
+    Append(hn::Add(hn::Iota(DI(), 0), SetI(first)), alive, s.ray + s.size);
     s.size += int(hn::CountTrue(DF(), alive));
   }
 
@@ -127,11 +127,6 @@ class SparseTracer {
     Composite(s);
     KeepWhatCounts(s);
     s.size = 0;
-  }
-
-  static HWY_INLINE V3 PlaceOf(const Looked& s, int n) {
-    const DF df;
-    return {hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
   }
 
   /// Integrates the intervals that were noted and draws them.
@@ -228,9 +223,7 @@ class SparseTracer {
       const VF weight = hn::Load(df, s.weight + n);
       const MF counts = hn::And(hn::Gt(weight, hn::Zero(df)), hn::FirstN(df, std::size_t(s.size - n)));
       if constexpr (kShade != ShadeBy::nothing) {
-        Store::Prefetch(grid_,
-                        grid_.CellAt({hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)}),
-                        std::min(kLanes, s.size - n));
+        Store::Prefetch(grid_, grid_.CellAt(PlaceOf(s, n)), std::min(kLanes, s.size - n));
         Append(hn::Load(df, s.x + n), counts, w.x + w.size);
         Append(hn::Load(df, s.y + n), counts, w.y + w.size);
         Append(hn::Load(df, s.z + n), counts, w.z + w.size);
@@ -247,9 +240,7 @@ class SparseTracer {
 
   template <int kCapacity>
   HWY_INLINE V3 GradientAt(const Samples<kCapacity>& s, int n) const {
-    const DF df;
-    return Store::Gradient(
-        grid_, grid_.CellAt({hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)}));
+    return Store::Gradient(grid_, grid_.CellAt(PlaceOf(s, n)));
   }
 
   /// Lights what waits and adds it to its rays, in order.
@@ -289,7 +280,7 @@ class SparseTracer {
   HWY_NOINLINE V3 LitOnBothSides(int n, MF small, const V3& stored, const V3& colour) const {
     const DF df;
     const auto& s = waiting_;
-    const V3 place{hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
+    const V3 place = PlaceOf(s, n);
     const VI ray = hn::Load(DI(), s.ray + n);
     const V3 reach = Scale(MoveOf(rays_, ray), hn::Load(df, s.reach + n));
     const auto gradientAt = [&](const V3& p) {
