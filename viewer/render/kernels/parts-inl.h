@@ -56,24 +56,20 @@ class PartQueue {
   template <class Array>
   HWY_INLINE void AddWhole(const Array& s, int n, int count) {
     const auto copy = [&](const float* from, float* to) {
-      hn::StoreU(hn::Load(DF(), from + n), DF(), to + ready.size);
+      hn::StoreU(hn::LoadU(DF(), from + n), DF(), to + ready.size);
     };
     copy(s.x, ready.x), copy(s.y, ready.y), copy(s.z, ready.z);
     copy(s.steps, ready.steps), copy(s.units, ready.units);
     copy(s.front, ready.front), copy(s.middle, ready.middle), copy(s.back, ready.back);
-    hn::StoreU(hn::Load(DI(), s.ray + n), DI(), ready.ray + ready.size);
+    hn::StoreU(hn::LoadU(DI(), s.ray + n), DI(), ready.ray + ready.size);
     ready.size += count;
   }
 
-  /// Appends interval n, its halves in so many parts; 0: as they are.
+  /// Appends interval n, its halves in so many parts, not both 0; 0: as it is.
   template <class Array>
   HWY_INLINE void Add(const Array& s, int n, int first, int second) {
-    if (first + second == 0) {
-      Cut(s, n, 0, 1, 1, s.front[n], s.middle[n], s.back[n]);
-    } else {
-      CutHalf(s, n, -0.25f, first, s.front[n], s.middle[n]);
-      CutHalf(s, n, 0.25f, second, s.middle[n], s.back[n]);
-    }
+    CutHalf(s, n, -0.25f, first, s.front[n], s.middle[n]);
+    CutHalf(s, n, 0.25f, second, s.middle[n], s.back[n]);
   }
 
   /// Sets the densities in and between parts; how many it sampled.
@@ -106,33 +102,31 @@ class PartQueue {
     int size = 0;
   };
 
-  /// Appends the parts of a half of interval n, around `along` shares of the interval behind its middle,
-  /// between the densities front and back.
+  /// Most halves come to few parts: long vectors would store mostly what nobody asked for.
+  using Few = hn::CappedTag<float, 4>;
+  static constexpr int kFew = int(hn::MaxLanes(Few()));
+
+  /// Appends `count` parts, or one, of the half of interval n around `along` shares of the interval behind
+  /// its middle, front to back, all between the half's densities.
   template <class Array>
   HWY_INLINE void CutHalf(const Array& s, int n, float along, int count, float front, float back) {
     if (count > 0) NoteNodes(s, n, along, count);
-    Cut(s, n, along, 0.5f, std::max(count, 1), front, 0.5f * (front + back), back);
-  }
-
-  /// Appends `count` parts of a share of interval n around `along` shares behind its middle, front to back,
-  /// all with these densities.
-  template <class Array>
-  HWY_INLINE void Cut(const Array& s, int n, float along, float share, int count, float front, float middle,
-                      float back) {
-    const DF df;
+    const Few few;
     auto& r = ready;
-    const float part = share / float(count);
-    for (int k = 0; k < count; k += kLanes) {
+    const int parts = std::max(count, 1);
+    const float part = 0.5f / float(parts), middle = 0.5f * (front + back);
+    for (int k = 0; k < parts; k += kFew) {
       const int at = r.size + k;
-      StorePlaces(s, n, Shares(k, 0.5f - 0.5f * float(count), part, along), r, at);
-      hn::StoreU(Set(part * s.steps[n]), df, r.steps + at);
-      hn::StoreU(Set(part * s.units[n]), df, r.units + at);
-      hn::StoreU(Set(front), df, r.front + at);
-      hn::StoreU(Set(middle), df, r.middle + at);
-      hn::StoreU(Set(back), df, r.back + at);
-      hn::StoreU(SetI(s.ray[n]), DI(), r.ray + at);
+      StorePlaces(s, n, float(k) + 0.5f - 0.5f * float(parts), part, along, r, at);
+      hn::StoreU(hn::Set(few, part * s.steps[n]), few, r.steps + at);
+      hn::StoreU(hn::Set(few, part * s.units[n]), few, r.units + at);
+      hn::StoreU(hn::Set(few, front), few, r.front + at);
+      hn::StoreU(hn::Set(few, middle), few, r.middle + at);
+      hn::StoreU(hn::Set(few, back), few, r.back + at);
+      const hn::RebindToSigned<Few> fewInts;
+      hn::StoreU(hn::Set(fewInts, s.ray[n]), fewInts, r.ray + at);
     }
-    r.size += count;
+    r.size += parts;
   }
 
   /// Notes where densities are wanted for `count` parts of a half: in their middles and between them.
@@ -140,25 +134,27 @@ class PartQueue {
   HWY_INLINE void NoteNodes(const Array& s, int n, float along, int count) {
     cuts_.push_back({ready.size, count, nodes_.size});
     const int wanted = 2 * count - 1;
-    for (int k = 0; k < wanted; k += kLanes)
-      StorePlaces(s, n, Shares(k, float(1 - count), 0.25f / float(count), along), nodes_, nodes_.size + k);
+    for (int k = 0; k < wanted; k += kFew)
+      StorePlaces(s, n, float(k + 1 - count), 0.25f / float(count), along, nodes_, nodes_.size + k);
     nodes_.size += wanted;
   }
 
-  /// along + apart (k + first), along + apart (k + 1 + first), ...
-  static HWY_INLINE VF Shares(int k, float first, float apart, float along) {
-    const VF index = hn::Add(hn::Iota(DF(), 0), Set(float(k) + first));
-    return hn::Add(Set(along), hn::Mul(index, Set(apart)));
-  }
-  /// Stores the places so many shares of interval n behind its middle.
+  /// Stores the places along + apart first, along + apart (first + 1), ... shares of interval n behind its
+  /// middle.
   template <class Array, class Places>
-  HWY_INLINE void StorePlaces(const Array& s, int n, VF shares, Places& to, int at) const {
-    const DF df;
-    const VF behind = hn::Mul(shares, Set(s.steps[n]));
+  HWY_INLINE void StorePlaces(const Array& s, int n, float first, float apart, float along, Places& to,
+                              int at) const {
+    const Few few;
+    const auto index = hn::Add(hn::Iota(few, 0), hn::Set(few, first));
+    const auto shares = hn::Add(hn::Set(few, along), hn::Mul(index, hn::Set(few, apart)));
+    const auto behind = hn::Mul(shares, hn::Set(few, s.steps[n]));
     const int ray = s.ray[n];
-    hn::StoreU(hn::Add(Set(s.x[n]), hn::Mul(behind, Set(rays_.moveX[ray]))), df, to.x + at);
-    hn::StoreU(hn::Add(Set(s.y[n]), hn::Mul(behind, Set(rays_.moveY[ray]))), df, to.y + at);
-    hn::StoreU(hn::Add(Set(s.z[n]), hn::Mul(behind, Set(rays_.moveZ[ray]))), df, to.z + at);
+    const auto store = [&](float middle, float move, float* p) {
+      hn::StoreU(hn::Add(hn::Set(few, middle), hn::Mul(behind, hn::Set(few, move))), few, p + at);
+    };
+    store(s.x[n], rays_.moveX[ray], to.x);
+    store(s.y[n], rays_.moveY[ray], to.y);
+    store(s.z[n], rays_.moveZ[ray], to.z);
   }
 
   /// Each part's densities from those of the nodes: in its middle and, but for the first and the last, at its

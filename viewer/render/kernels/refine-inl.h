@@ -213,7 +213,15 @@ class Refiner {
     HWY_ALIGN std::int32_t first[kLanes], second[kLanes];
     hn::Store(parts.first, DI(), first);
     hn::Store(parts.second, DI(), second);
-    for (int m = 0; m < count; ++m) parts_.Add(noted, n + m, first[m], second[m]);
+    for (int m = 0; m < count;) {
+      int whole = 0;
+      while (m + whole < count && first[m + whole] + second[m + whole] == 0) ++whole;
+      if (whole > 0) parts_.AddWhole(noted, n + m, whole);
+      m += whole;
+      if (m == count) break;
+      parts_.Add(noted, n + m, first[m], second[m]);
+      ++m;
+    }
   }
 
   /// Integrates all parts.
