@@ -22,7 +22,8 @@ Effect decideMethod(const RuleInput& in, Plan& plan) {
     case Method::planes:
       break;
   }
-  return on("planes: rays from front to back, so that what is hidden is never shaded");
+  return on(composite(in) ? "planes: rays from front to back, so that what is hidden is never shaded"
+                          : "planes: rays from front to back, each looked at from end to end");
 }
 
 // Blend draws the same picture; what else there is draws another one.
@@ -41,10 +42,11 @@ std::string methodCost(const RuleInput& in, const Plan& plan) {
 Effect decideResampler(const RuleInput& in, Plan& plan) {
   plan.resampler = resamplerOf(in.options);
   if (plan.resampler == Resampler::cpu)
-    return on(plan.method == Method::planes
-                  ? "cpu: passes over empty blocks, stops where a ray is opaque, and draws the same on every "
-                    "machine"
-                  : "cpu: draws the same on every machine");
+    return on(
+        plan.method == Method::planes && composite(in)
+            ? "cpu: can pass over empty blocks, stops where a ray is opaque, and draws the same on every "
+              "machine"
+            : "cpu: draws the same on every machine");
   if (plan.method == Method::preshaded) return on("gl, as asked: colours are interpolated in floats");
   const std::string by =
       plan.bits == 16 ? "filtered by the texture hardware" : "interpolated in floats as on the CPU";

@@ -17,6 +17,12 @@ inline Effect off(std::string reason) {
 /// A number in so many digits.
 std::string inDigits(double x, int digits = 4);
 
+/// "2 voxels", "0.25 voxel".
+inline std::string inVoxels(double x) { return inDigits(x) + (x > 1 ? " voxels" : " voxel"); }
+
+/// Whether the scene shows light, not a projection of values.
+inline bool composite(const RuleInput& in) { return in.scene.mode == Mode::composite; }
+
 /// What resamples: as asked, else OpenGL for the method that is OpenGL's alone, and the CPU.
 Resampler resamplerOf(const RenderOptions& options);
 

@@ -11,8 +11,6 @@ namespace volumen {
 
 namespace {
 
-bool composite(const RuleInput& in) { return in.scene.mode == Mode::composite; }
-
 Effect lighting(const RuleInput& in, Plan& plan) {
   plan.lit = composite(in) && (in.scene.shading.lit || in.options.full);
   if (!composite(in)) return off("a projection of values has no lighting");
@@ -144,7 +142,7 @@ bool isSharp(const TransferFunction& curve, double narrow) {
 
 Effect integration(const RuleInput& in, Plan& plan) {
   const auto steps = [&](const std::string& why) {
-    return on("plain steps of " + inDigits(plan.stepVoxels) + " voxel" + why);
+    return on("plain steps of " + inVoxels(plan.stepVoxels) + why);
   };
   if (in.options.step) {
     plan.stepVoxels = *in.options.step;
@@ -159,10 +157,9 @@ Effect integration(const RuleInput& in, Plan& plan) {
     plan.mostParts = 64;
     plan.partTolerance = cut.tolerance;
     plan.partWiden = sharp ? 3 : 1;
-    return on(
-        "intervals of " + inDigits(cut.stepVoxels) +
-        " voxel, integrated through the curve and cut into up to 64 where values bend or light changes" +
-        (sharp ? "; short, as the curve rises steeply" : ""));
+    return on("intervals of " + inVoxels(cut.stepVoxels) +
+              ", integrated through the curve and cut into up to 64 where values bend or light changes" +
+              (sharp ? "; short, as the curve rises steeply" : ""));
   }
   if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
     return steps(": the curve is smooth");

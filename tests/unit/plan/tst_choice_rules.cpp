@@ -18,9 +18,11 @@ void TestChoiceRules::aChoiceSaysWhatAndWhy_data() {
   addRuleColumns();
   const auto row = addRuleRow;
   row("the CPU resamples", "resampler",
-      "on   resampler: cpu: passes over empty blocks, stops where a ray is opaque, and draws the same on "
+      "on   resampler: cpu: can pass over empty blocks, stops where a ray is opaque, and draws the same on "
       "every machine",
       [](Asked&) {});
+  row("the CPU resamples a projection", "resampler", "on   resampler: cpu: draws the same on every machine",
+      [](Asked& a) { a.scene.mode = Mode::mip; });
   row("OpenGL resamples", "resampler",
       "on   resampler: gl, as asked: filtered by the texture hardware, while the CPU shades",
       [](Asked& a) { a.options.resampler = Resampler::gl; });
@@ -97,6 +99,9 @@ void TestChoiceRules::aChoiceSaysWhatAndWhy_data() {
       [](Asked& a) {
         a.scene.transferFunction.points = {{-1000, {}, 0.01}};
       });
+  row("planes of a projection", "method",
+      "on   method: planes: rays from front to back, each looked at from end to end",
+      [](Asked& a) { a.scene.mode = Mode::mip; });
   row("planes by OpenGL", "method",
       "on   method: planes: rays from front to back, so that what is hidden is never shaded",
       [](Asked& a) { a.options.resampler = Resampler::gl; });

@@ -111,7 +111,7 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       "on   precision: 32 bits: the values are not 16-bit integers with a positive slope",
       [](Asked& a) { a.facts.slope = -1; });
   const char* smooth =
-      "on   integration: intervals of 2 voxel, integrated through the curve and cut into up to 64 where "
+      "on   integration: intervals of 2 voxels, integrated through the curve and cut into up to 64 where "
       "values bend or light changes";
   row("a smooth curve: long intervals", "integration", smooth, [](Asked&) {});
   row("a step in the curve: short ones", "integration",
@@ -132,7 +132,7 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   row("mip: finer ones", "integration",
       "on   integration: plain steps of 0.125 voxel: extremes and means lie between coarser samples",
       [](Asked& a) { a.scene.mode = Mode::mip; });
-  row("a step as asked", "integration", "on   integration: plain steps of 2 voxel, as asked",
+  row("a step as asked", "integration", "on   integration: plain steps of 2 voxels, as asked",
       [](Asked& a) { a.options.step = 2; });
   row("slices skip no blocks", "empty blocks", "off  empty blocks: this method looks at every sample",
       [](Asked& a) { a.options.method = Method::blend; });
