@@ -134,6 +134,10 @@ void addMethodOptions(CLI::App& app, MethodOptions& o) {
       ->check(CLI::Range(2, 1024));
   app.add_option("--map-lookup", o.mapLookup, "How the reflectance map is read (default: bilinear)")
       ->check(CLI::IsMember(keys(mapLookups)));
+  app.add_option(
+         "--tolerance", o.tolerance,
+         "Cut a level's intervals until no more than about this share of the light may be amiss in one")
+      ->check(CLI::Range(1e-6, 1.0));
   app.add_option("--stop-at", o.stopAt,
                  "End a ray where less than this share of the light behind comes through")
       ->check(CLI::Range(0.0, 1.0));
@@ -167,6 +171,7 @@ Result<RenderOptions> renderOptions(const SceneOptions& scene, const MethodOptio
   out.precision = method.precision;
   out.mapSize = method.mapSize;
   if (!method.mapLookup.empty()) out.mapLookup = mapLookups.at(method.mapLookup);
+  out.tolerance = method.tolerance;
   out.stopAt = method.stopAt;
   out.opacityThreshold = method.opacityThreshold;
   out.curveTable = method.curveTable;

@@ -23,13 +23,14 @@ Result<Scene> makeScene(const SceneOptions& options, const Volume& volume);
 /// The options that choose accuracy and method, as typed.
 struct MethodOptions {
   std::string quality, method = "planes", resampler, shader = "auto", mapLookup, gradient = "sobel", blending;
-  std::optional<double> step, stopAt, opacityThreshold;
+  std::optional<double> step, tolerance, stopAt, opacityThreshold;
   std::optional<int> precision, mapSize, curveTable, threads;
   bool reference = false, full = false;
 };
 
 /// Adds --quality, --step, --reference, --method, --resampler, --blending, --precision, --shader, --map-size,
-/// --map-lookup, --stop-at, --opacity-threshold, --curve-table, --gradient, --threads and --full.
+/// --map-lookup, --tolerance, --stop-at, --opacity-threshold, --curve-table, --gradient, --threads and
+/// --full.
 void addMethodOptions(CLI::App& app, MethodOptions& options);
 
 /// Both together as the planner reads them. The Error (wrong usage) names the options that do not go

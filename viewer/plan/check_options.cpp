@@ -19,6 +19,19 @@ Status checkShader(const Scene& scene, const RenderOptions& o) {
                "--shader phong."};
 }
 
+// Levels that integrate: the CPU's planes of light.
+Status checkTolerance(const Scene& scene, const RenderOptions& o) {
+  if (!o.tolerance) return {};
+  if (!(*o.tolerance >= 1e-6 && *o.tolerance <= 1)) return Error{"--tolerance must be 0.000001 .. 1."};
+  const bool byCpu = o.resampler.value_or(Resampler::cpu) == Resampler::cpu;
+  const bool bySmoothLight = o.shader != Shader::table && o.mapLookup != MapLookup::nearest;
+  if (!o.step && byCpu && bySmoothLight && o.method == Method::planes && scene.mode == Mode::composite)
+    return {};
+  return Error{
+      "--tolerance goes with the levels of --method planes on the CPU alone: not with --step, projections, "
+      "--shader table or --map-lookup nearest."};
+}
+
 // What the reference, which draws the picture's definition, has not.
 Status checkKnobs(const RenderOptions& o) {
   if (o.stopAt && !(*o.stopAt >= 0 && *o.stopAt < 1)) return Error{"--stop-at must be 0 .. 1, below 1."};
@@ -70,6 +83,7 @@ Status checkOptions(const Scene& scene, const RenderOptions& o) {
   if (o.resampler == Resampler::gl && o.method == Method::reference)
     return Error{
         "--resampler gl does not go with --method reference, which interpolates in double precision."};
+  if (Status s = checkTolerance(scene, o); !s) return s;
   if (Status s = checkKnobs(o); !s) return s;
   if (Status s = checkMethod(scene, o); !s) return s;
   return checkShader(scene, o);

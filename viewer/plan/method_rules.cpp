@@ -32,6 +32,7 @@ std::string methodCost(const RuleInput& in, const Plan& plan) {
   RenderOptions options = in.options;
   options.method = Method::blend;
   options.stopAt.reset();
+  options.tolerance.reset();
   auto blend = makePlan(in.scene, in.facts, options);
   if (!blend) return {};
   blend->visibleShare = plan.visibleShare;

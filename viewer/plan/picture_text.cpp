@@ -46,6 +46,7 @@ std::string besides(const Plan& plan) {
   if (plan.blending == Blending::bits16)
     add("1/2 of 1/65535 rounded off after each slice, colours above 1 cut off");
   if (plan.bits == 8) add("values and gradients of 8 bits");
+  if (o.tolerance) add("a tolerance instead of a level's");
   if (o.stopAt || o.opacityThreshold || o.curveTable || o.gradient != GradientOperator::sobel)
     add("thresholds, curve table or gradient operator");
   return text;

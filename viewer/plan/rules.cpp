@@ -155,11 +155,13 @@ Effect integration(const RuleInput& in, Plan& plan) {
     const Cut cut = cutOf(in.options.quality, sharp);
     plan.stepVoxels = cut.stepVoxels;
     plan.mostParts = 64;
-    plan.partTolerance = cut.tolerance;
+    plan.partTolerance = in.options.tolerance.value_or(cut.tolerance);
     plan.partWiden = sharp ? 3 : 1;
-    return on("intervals of " + inVoxels(cut.stepVoxels) +
-              ", integrated through the curve and cut into up to 64 where values bend or light changes" +
-              (sharp ? "; short, as the curve rises steeply" : ""));
+    return on(
+        "intervals of " + inVoxels(cut.stepVoxels) +
+        ", integrated through the curve and cut into up to 64 where values bend or light changes" +
+        (sharp ? "; short, as the curve rises steeply" : "") +
+        (in.options.tolerance ? "; to a tolerance of " + inDigits(plan.partTolerance) + ", as asked" : ""));
   }
   if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
     return steps(": the curve is smooth");

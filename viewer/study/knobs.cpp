@@ -102,6 +102,12 @@ std::vector<Knob> knobs() {
                              s.options.mapSize = n;
                              s.options.mapLookup = MapLookup::nearest;
                            })},
+      {"tolerance", numbers(
+                        {1.0, 0.1, 0.01, 0.001, 0.0001}, "",
+                        +[](Setting& s, double tolerance) {
+                          s.options.step.reset();
+                          s.options.tolerance = tolerance;
+                        })},
       {"stop at", numbers(
                       {1.0 / 64, 1.0 / 256, 1.0 / 1024, 1.0 / 4096, 0.0}, "",
                       +[](Setting& s, double t) { s.options.stopAt = t; })},

@@ -58,6 +58,8 @@ void TestCommands::wrongUsageIsASentenceAndStatus2_data() {
                            "render phantom:sphere -o a.png --shader phong --map-lookup nearest",
                            "render phantom:sphere -o a.png --step 0",
                            "render phantom:sphere -o a.png --stop-at 2",
+                           "render phantom:sphere -o a.png --tolerance 0",
+                           "render phantom:sphere -o a.png --tolerance 0.1 --step 1",
                            "render phantom:sphere -o a.png --gradient roberts",
                            "render phantom:sphere -o a.png --curve-table 1",
                            "render phantom:sphere -o a.png --reference --stop-at 0",

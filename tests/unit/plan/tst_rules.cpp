@@ -121,6 +121,10 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   row("a narrow but faint rise is no step", "integration", smooth, [](Asked& a) {
     a.scene.transferFunction.points = {{150, {}, 0}, {151, {}, 0.01}};
   });
+  row("a tolerance as asked", "integration",
+      "on   integration: intervals of 2 voxels, integrated through the curve and cut into up to 64 where "
+      "values bend or light changes; to a tolerance of 0.5, as asked",
+      [](Asked& a) { a.options.tolerance = 0.5; });
   row("slices of blend: plain steps", "integration",
       "on   integration: plain steps of 0.25 voxel: the curve is smooth",
       [](Asked& a) { a.options.method = Method::blend; });
@@ -235,6 +239,29 @@ void TestRules::optionsThatCannotBeAreRefused_data() {
   row("the reference in bytes", "--precision 8", [](Asked& a) {
     a.options.precision = 8;
     a.options.method = Method::reference;
+  });
+  row("no tolerance", "--tolerance must", [](Asked& a) { a.options.tolerance = 0; });
+  row("a NaN tolerance", "--tolerance must",
+      [](Asked& a) { a.options.tolerance = std::numeric_limits<double>::quiet_NaN(); });
+  row("a tolerance of plain steps", "--tolerance goes", [](Asked& a) {
+    a.options.tolerance = 0.1;
+    a.options.step = 1;
+  });
+  row("a tolerance of slices", "--tolerance goes", [](Asked& a) {
+    a.options.tolerance = 0.1;
+    a.options.method = Method::blend;
+  });
+  row("a tolerance of a projection", "--tolerance goes", [](Asked& a) {
+    a.options.tolerance = 0.1;
+    a.scene.mode = Mode::mip;
+  });
+  row("a tolerance by OpenGL", "--tolerance goes", [](Asked& a) {
+    a.options.tolerance = 0.1;
+    a.options.resampler = Resampler::gl;
+  });
+  row("a tolerance of 5-bit light", "--tolerance goes", [](Asked& a) {
+    a.options.tolerance = 0.1;
+    a.options.shader = Shader::table;
   });
   row("never transparent enough", "--stop-at", [](Asked& a) { a.options.stopAt = 1; });
   row("nothing opaque enough", "--opacity-threshold", [](Asked& a) { a.options.opacityThreshold = 1; });

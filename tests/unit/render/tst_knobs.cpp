@@ -1,4 +1,6 @@
 // Guards the knobs of DESIGN 6 as the methods obey them: thresholds, curve table, gradient operator.
+#include <limits>
+
 #include "tests/fixtures/brute_force.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/render/picture_cases.h"
@@ -14,6 +16,7 @@ class TestKnobs : public QObject {
   void aChangedCurveIsDrawnAsTheScenesOwn_data();
   void aChangedCurveIsDrawnAsTheScenesOwn();
   void faintSamplesAreNotTaken();
+  void aSmallerToleranceTakesMoreSamplesAndErrsLess();
   void aRayEndsWhereAsked();
   void gradientOperatorsAgreeOnARamp();
 };
@@ -24,7 +27,7 @@ constexpr glm::ivec2 size(40, 40);
 
 Rendered drawn(const Scene& scene, RenderCaches& caches, RenderOptions options) {
   options.size = size;
-  if (!options.step) options.step = 1;
+  if (!options.tolerance && options.method != Method::reference) options.step = options.step.value_or(1);
   return *render(*makePlan(scene, caches.facts(), options), caches);
 }
 
@@ -81,6 +84,26 @@ void TestKnobs::faintSamplesAreNotTaken() {
   QVERIFY(fewer.composited > 0 && fewer.composited < all.composited);
   options.opacityThreshold = 0;
   QCOMPARE(drawn(c.scene, caches, options).stats.composited, all.composited);
+}
+
+void TestKnobs::aSmallerToleranceTakesMoreSamplesAndErrsLess() {
+  const PictureCase& c = translucent();
+  RenderCaches caches(caseVolume(c.volume));
+  RenderOptions options;
+  options.method = Method::reference;
+  const Picture truth = drawn(c.scene, caches, options).picture;
+  options.method = Method::planes;
+  std::int64_t before = 0;
+  double errorBefore = std::numeric_limits<double>::infinity();
+  for (const double tolerance : {1.0, 0.01, 0.0001}) {
+    options.tolerance = tolerance;
+    const Rendered r = drawn(c.scene, caches, options);
+    const double error = compare(r.picture, truth).rmse;
+    QVERIFY(r.stats.resampled > before);
+    QVERIFY2(error < errorBefore, qPrintable(QStringLiteral("%1: %2").arg(tolerance).arg(error)));
+    before = r.stats.resampled;
+    errorBefore = error;
+  }
 }
 
 void TestKnobs::aRayEndsWhereAsked() {
