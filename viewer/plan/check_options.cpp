@@ -19,14 +19,10 @@ Status checkShader(const Scene& scene, const RenderOptions& o) {
                "--shader phong."};
 }
 
-// Levels that integrate: the CPU's planes of light.
 Status checkTolerance(const Scene& scene, const RenderOptions& o) {
   if (!o.tolerance) return {};
   if (!(*o.tolerance >= 1e-6 && *o.tolerance <= 1)) return Error{"--tolerance must be 0.000001 .. 1."};
-  const bool byCpu = o.resampler.value_or(Resampler::cpu) == Resampler::cpu;
-  const bool bySmoothLight = o.shader != Shader::table && o.mapLookup != MapLookup::nearest;
-  if (!o.step && byCpu && bySmoothLight && o.method == Method::planes && scene.mode == Mode::composite)
-    return {};
+  if (!o.step && canIntegrate(scene, o)) return {};
   return Error{
       "--tolerance goes with the levels of --method planes on the CPU alone: not with --step, projections, "
       "--shader table or --map-lookup nearest."};
@@ -71,6 +67,11 @@ Status checkMethod(const Scene& scene, const RenderOptions& o) {
 }
 
 }  // namespace
+
+bool canIntegrate(const Scene& scene, const RenderOptions& o) {
+  return scene.mode == Mode::composite && o.method == Method::planes && o.resampler != Resampler::gl &&
+         o.shader != Shader::table && o.mapLookup != MapLookup::nearest;
+}
 
 Status checkOptions(const Scene& scene, const RenderOptions& o) {
   if (o.size.x < 1 || o.size.y < 1 || o.size.x > 32768 || o.size.y > 32768)

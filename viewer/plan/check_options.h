@@ -6,6 +6,10 @@
 
 namespace volumen {
 
+/// Whether a level integrates along intervals, where no step is asked for. Only the CPU's planes know the
+/// values around an interval before they draw it.
+bool canIntegrate(const Scene& scene, const RenderOptions& options);
+
 /// Refuses options out of range and those that do not go together or with the scene: a sentence that names
 /// them.
 Status checkOptions(const Scene& scene, const RenderOptions& options);

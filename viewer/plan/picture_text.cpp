@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "viewer/plan/rule_lines.h"
 #include "viewer/scene/scene_json.h"
 
 namespace volumen {
@@ -80,8 +81,8 @@ std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan,
   if (measured) text.push_back({"volumen-error-measured", errorText(*measured)});
   if (plan.method != Method::reference)
     text.push_back(
-        {"volumen-step", std::to_string(plan.stepVoxels) + " voxel" +
-                             (plan.mostParts > 1 ? ", integrated and cut where it is uneven" : "")});
+        {"volumen-step",
+         inVoxels(plan.stepVoxels) + (plan.mostParts > 1 ? ", integrated and cut where it is uneven" : "")});
   text.push_back({"volumen-scene", sceneToJson(plan.scene)});
   return text;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/plan/check_options.h"
 #include "viewer/plan/visibility.h"
 #include "viewer/volume/bytes.h"
 #include "viewer/volume/gradients.h"
@@ -124,12 +125,6 @@ Cut cutOf(Quality quality, bool sharp) {
   return sharp ? Cut{1.0 / 2, 1.5e-4} : Cut{2, 1e-3};
 }
 
-// Only the CPU's planes know the values around an interval before they draw it.
-bool canCut(const RuleInput& in, const Plan& plan) {
-  return composite(in) && plan.method == Method::planes && in.options.resampler != Resampler::gl &&
-         in.options.shader != Shader::table && in.options.mapLookup != MapLookup::nearest;
-}
-
 // Whether the opacity jumps, or rises within `narrow` values, somewhere: what lies between two samples then
 // counts.
 bool isSharp(const TransferFunction& curve, double narrow) {
@@ -151,7 +146,7 @@ Effect integration(const RuleInput& in, Plan& plan) {
   plan.stepVoxels = stepOf(in.options.quality);
   const double range = in.facts.p999 - in.facts.p01;
   const bool sharp = composite(in) && isSharp(in.scene.transferFunction, range / 50);
-  if (canCut(in, plan)) {
+  if (canIntegrate(in.scene, in.options)) {
     const Cut cut = cutOf(in.options.quality, sharp);
     plan.stepVoxels = cut.stepVoxels;
     plan.mostParts = 64;

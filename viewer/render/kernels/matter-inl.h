@@ -107,13 +107,10 @@ struct Matter {
  private:
   /// A stored gradient in patient space as a share of the floor; far above it clamped.
   HWY_INLINE V3 InFloors(const V3& stored) const {
-    const float* m = f.gradientMatrix;
-    const VF scale = Set(f.gradientUnit * f.inverseFloor), most = Set(1e6f);
-    const auto row = [&](int n) {
-      const VF g = hn::Mul(scale, Dot({Set(m[n]), Set(m[n + 1]), Set(m[n + 2])}, stored));
-      return hn::Max(hn::Neg(most), hn::Min(g, most));
-    };
-    return {row(0), row(3), row(6)};
+    const V3 g = Scale(InPatient(f, stored), Set(f.gradientUnit * f.inverseFloor));
+    const VF most = Set(1e6f);
+    const auto clamped = [&](VF v) { return hn::Max(hn::Neg(most), hn::Min(v, most)); };
+    return {clamped(g.x), clamped(g.y), clamped(g.z)};
   }
 
   HWY_INLINE DS ShadeOf(const V3& n, VI ray) const {

@@ -293,6 +293,7 @@ class Refiner {
       blocks = visible;
     }
   };
+
   const TraceFrame& f_;
   const Grid& grid_;
   const RayRow& rays_;

@@ -76,15 +76,20 @@ HWY_INLINE VF GradientFactor(const TransferFunction& curve, VF length) {
                         factor);
 }
 
+/// A stored gradient in patient space, in gradientUnits per mm.
+HWY_INLINE V3 InPatient(const TraceFrame& f, const V3& stored) {
+  const float* m = f.gradientMatrix;
+  return {Dot({Set(m[0]), Set(m[1]), Set(m[2])}, stored), Dot({Set(m[3]), Set(m[4]), Set(m[5])}, stored),
+          Dot({Set(m[6]), Set(m[7]), Set(m[8])}, stored)};
+}
+
 /// |g_p| and the normal -g_p / |g_p| of a stored gradient (SCENE 3, 5).
 struct Normal {
   V3 n;
   VF length;
 };
 HWY_INLINE Normal NormalOf(const TraceFrame& f, const V3& stored) {
-  const float* m = f.gradientMatrix;
-  const V3 g{Dot({Set(m[0]), Set(m[1]), Set(m[2])}, stored), Dot({Set(m[3]), Set(m[4]), Set(m[5])}, stored),
-             Dot({Set(m[6]), Set(m[7]), Set(m[8])}, stored)};
+  const V3 g = InPatient(f, stored);
   if (f.boundedGradients) {
     const VF square = hn::Max(Dot(g, g), Set(1e-30f));
     const VF inverse = hn::Div(Set(1), hn::Sqrt(square));

@@ -32,9 +32,10 @@ struct TraceKey {
 };
 
 /// An interval is integrated as if its density went straight between samples at its ends and in its middle.
-/// Where that is not good enough it is cut into the smallest power of two n of parts with unevenness / n^2 <=
-/// tolerance. The unevenness is the light that comes through to it, times the sum of: how far the optical
-/// depths of whole and halves differ; and shares of what else may be missed.
+/// A half where that is not good enough, of more unevenness than the tolerance, is cut into the smallest
+/// power of two n of parts with unevenness / (2 n)^2 <= tolerance. The unevenness is that of an interval of
+/// two such halves: the light that comes through to it, times the sum of: how far the optical depths of whole
+/// and halves differ; and shares of what else may be missed.
 struct Parting {
   float tolerance = 1;
   int most = 1;     ///< a power of two, at most TraceFrame::mostParts
