@@ -13,26 +13,26 @@ namespace volumen::HWY_NAMESPACE {
 
 /// A byte a voxel: no gradients.
 struct Byte1Store : PairDensity<Byte1Store> {
-  static HWY_INLINE VI Densities(const Grid& grid, VI index) {
-    const auto* base = reinterpret_cast<const std::int32_t*>(grid.frame().density8);
-    const VI bytes = hn::GatherOffset(DI(), base, index);
+  static HWY_INLINE VI Densities(const Grid& grid, const std::int32_t* index, int offset) {
+    const VI bytes = LoadEach(DI(), grid.frame().density8 + offset, index);
     return hn::Or(hn::And(bytes, SetI(0xff)), hn::And(hn::ShiftLeft<8>(bytes), SetI(0xff0000)));
   }
 };
 
 /// Four bytes a voxel (Voxels8).
 struct Byte4Store : PairDensity<Byte4Store> {
-  static HWY_INLINE VI Densities(const Grid& grid, VI index) {
-    const Pair p = PairAt(grid, index);
+  static HWY_INLINE VI Densities(const Grid& grid, const std::int32_t* index, int offset) {
+    const Pair p = PairAt(grid, index, offset);
     return hn::Or(hn::And(hn::ShiftRight<24>(p.voxel), SetI(0xff)),
                   hn::And(hn::ShiftRight<8>(p.next), SetI(0xff0000)));
   }
 
   static HWY_INLINE V3 Gradient(const Grid& grid, const Cell& c) {
     const Weights w = WeightsOf(c);
+    const CellIndices at(c);
     VI x = hn::Zero(DI()), y = x, z = x;
     for (int r = 0; r < 4; ++r) {
-      const Pair p = PairAt(grid, grid.Row(c, r));
+      const Pair p = PairAt(grid, at.lane, grid.Offset(r));
       x = AddPairs(x, Components<0>(p), w.row[r]);
       y = AddPairs(y, Components<1>(p), w.row[r]);
       z = AddPairs(z, Components<2>(p), w.row[r]);
@@ -51,9 +51,9 @@ struct Byte4Store : PairDensity<Byte4Store> {
   struct Pair {
     VI voxel, next;
   };
-  static HWY_INLINE Pair PairAt(const Grid& grid, VI index) {
-    const auto* base = reinterpret_cast<const std::int32_t*>(grid.frame().voxels8);
-    return {hn::GatherIndex(DI(), base, index), hn::GatherIndex(DI(), base + grid.nextColumn(), index)};
+  static HWY_INLINE Pair PairAt(const Grid& grid, const std::int32_t* index, int offset) {
+    const std::uint32_t* base = grid.frame().voxels8 + offset;
+    return {LoadEach(DI(), base, index), LoadEach(DI(), base + grid.nextColumn(), index)};
   }
 
   template <int n>

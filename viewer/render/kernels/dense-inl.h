@@ -29,6 +29,8 @@ class DenseTracer {
   };
 
  public:
+  static constexpr int kSlab = 8;  ///< steps that all packets take before any goes on
+
   /// Adds to `out`, which must be 0.
   DenseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
               TraceCounts& counts)

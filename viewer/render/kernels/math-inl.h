@@ -35,6 +35,12 @@ HWY_INLINE V3 Scale(const V3& a, VF s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s
 HWY_INLINE V3 Add(const V3& a, const V3& b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
+/// The places from the n-th on of arrays that are aligned for vectors.
+template <class Array>
+HWY_INLINE V3 PlaceOf(const Array& s, int n) {
+  const DF df;
+  return {hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
+}
 HWY_INLINE V3 Broadcast(const glm::vec3& v) { return {Set(v.x), Set(v.y), Set(v.z)}; }
 /// a + f (b - a): exactly a where a = b (SCENE 2).
 HWY_INLINE VF Lerp(VF a, VF b, VF f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); }

@@ -36,12 +36,6 @@ struct Intervals {
   }
 };
 
-template <class Array>
-HWY_INLINE V3 PlaceOf(const Array& s, int n) {
-  const DF df;
-  return {hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
-}
-
 /// Intervals and parts of intervals that are ready to be integrated but for densities in and between them.
 class PartQueue {
  public:

@@ -12,6 +12,7 @@
 
 #include "viewer/render/kernels/compact-inl.h"
 #include "viewer/render/kernels/extinction-inl.h"
+#include "viewer/render/kernels/light-inl.h"
 #include "viewer/render/kernels/parts-inl.h"
 #include "viewer/render/kernels/sample-inl.h"
 #include "viewer/render/kernels/skip-inl.h"
@@ -26,13 +27,6 @@ struct Integrated {
   VF reach;  ///< steps from there to the middle between it and the nearer end
   VI ray;
 };
-
-/// What a step adds to places on rays, in voxels.
-HWY_INLINE V3 MoveOf(const RayRow& rays, VI ray) {
-  const DF df;
-  return {hn::GatherIndex(df, rays.moveX.data(), ray), hn::GatherIndex(df, rays.moveY.data(), ray),
-          hn::GatherIndex(df, rays.moveZ.data(), ray)};
-}
 
 /// Intervals are integrated in two halves along each of which the density goes straight from sample to
 /// sample: exact for any curve where it does (pre-integration; Engel, Kraus and Ertl 2001). Where it bends
@@ -68,13 +62,8 @@ class Refiner {
     end.Keep(back);
     const VF low = hn::Min(front.low, back.low), high = hn::Max(front.high, back.high);
     const VF wider = hn::Mul(hn::Sub(high, low), Set(f_.parting.widen));
-    const VF lowest = hn::Sub(low, wider), highest = hn::Add(high, wider);
-    const VI segment = SegmentOf(*f_.curve, lowest);
-    const VF around =
-        hn::Sub(VariationAt(SegmentOf(*f_.curve, highest), highest), VariationAt(segment, lowest));
-    const VF zero = hn::Zero(df);
-    const MF hidden = hn::And(hn::Eq(around, zero), hn::Eq(OpacityOf(*f_.curve, segment, lowest), zero));
-    const MF seen = hn::AndNot(hidden, alive);
+    const Variation around = VariationBetween(hn::Sub(low, wider), hn::Add(high, wider));
+    const MF seen = hn::AndNot(around.hidden, alive);
     if (hn::AllFalse(df, seen)) return;
     auto& s = noted;
     const V3 place = Add(p.start, Scale(p.move, middle));
@@ -85,22 +74,20 @@ class Refiner {
     Append(hn::IfThenElse(last, p.lastUnits, p.units), seen, s.units + s.size);
     Append(front.density, seen, s.front + s.size);
     Append(back.density, seen, s.back + s.size);
-    Append(around, seen, s.around + s.size);
+    Append(around.change, seen, s.around + s.size);
     Append(hn::Add(hn::Iota(DI(), 0), SetI(first)), seen, s.ray + s.size);
     s.size += int(hn::CountTrue(df, seen));
   }
 
   /// Integrates what is noted and forgets it; emit(const Integrated&, int count): front to back on each ray.
-  /// `alphaBefore`: of each ray, where the noted intervals begin; it must not depend on how far others have
-  /// come.
+  /// `through`: of each ray, the share of light that comes through to its first noted interval, then to what
+  /// lies behind its last; it must not depend on how far others have come.
   template <class Emit>
-  HWY_INLINE void Draw(const float* alphaBefore, const Emit& emit) {
-    noted.Pad();
-    counts_.resampled += noted.size;
+  HWY_INLINE void Draw(float* through, const Emit& emit) {
+    SampleMiddles();
     for (int n = 0; n < noted.size; n += kLanes) {
-      hn::Store(DensityAt(PlaceOf(noted, n)), DF(), noted.middle + n);
       const Halves halves = HalvesOf(noted, n);
-      const Parts parts = PartsOf(n, halves, alphaBefore);
+      const Parts parts = PartsOf(n, halves, ThroughTo(n, halves, through));
       if (parts_.ready.size == 0 && parts.AreNone()) {
         emit(Integrate(noted, n, halves), std::min(kLanes, noted.size - n));
         continue;
@@ -113,6 +100,40 @@ class Refiner {
   }
 
  private:
+  /// Sets the densities in the middles of what is noted, and keeps what can be seen or may have to be cut.
+  HWY_INLINE void SampleMiddles() {
+    const DF df;
+    auto& s = noted;
+    s.Pad();
+    counts_.resampled += s.size;
+    int kept = 0;
+    for (int n = 0; n < s.size; n += kLanes) {
+      const V3 place = PlaceOf(s, n);
+      const VF middle = DensityAt(place), front = hn::Load(df, s.front + n), back = hn::Load(df, s.back + n);
+      const MF hidden =
+          VariationBetween(hn::Min(middle, hn::Min(front, back)), hn::Max(middle, hn::Max(front, back)))
+              .hidden;
+      const MF whole = hn::Le(MissedAround(n), Set(f_.parting.tolerance));
+      const MF keep = hn::AndNot(hn::And(hidden, whole), hn::FirstN(df, std::size_t(s.size - n)));
+      const auto move = [&](const float* from, float* to) {
+        Append(hn::Load(df, from + n), keep, to + kept);
+      };
+      for (float* values : {s.x, s.y, s.z, s.steps, s.units, s.front, s.back, s.around}) move(values, values);
+      Append(middle, keep, s.middle + kept);
+      Append(hn::Load(DI(), s.ray + n), keep, s.ray + kept);
+      kept += int(hn::CountTrue(df, keep));
+    }
+    s.size = kept;
+    s.Pad();
+  }
+
+  /// The share of light that may be missed in the intervals from n on because their samples pass it by.
+  HWY_INLINE VF MissedAround(int n) const {
+    const DF df;
+    const VF share = Set(f_.parting.around);
+    return hn::Mul(hn::Mul(hn::Load(df, noted.units + n), share), hn::Load(df, noted.around + n));
+  }
+
   /// Both halves of intervals: places on the curve at the front, in the middle and at the back; optical
   /// depths.
   struct Halves {
@@ -155,6 +176,17 @@ class Refiner {
     const CurveTable& t = *f_.curve;
     return OnSegment(t, t.variation, t.variationRise, segment, Along(t, segment, density));
   }
+  /// How much the extinction changes between two densities, and whether there is none at all.
+  struct Variation {
+    VF change;
+    MF hidden;
+  };
+  HWY_INLINE Variation VariationBetween(VF low, VF high) const {
+    const VF zero = hn::Zero(DF());
+    const VI segment = SegmentOf(*f_.curve, low);
+    const VF change = hn::Sub(VariationAt(SegmentOf(*f_.curve, high), high), VariationAt(segment, low));
+    return {change, hn::And(hn::Eq(change, zero), hn::Eq(OpacityOf(*f_.curve, segment, low), zero))};
+  }
   HWY_INLINE VF ColourVariationAt(const CurvePlace& p) const {
     const CurveTable& t = *f_.curve;
     return OnSegment(t, t.colourVariation, t.colourVariationRise, p.segment, Along(t, p.segment, p.density));
@@ -174,24 +206,22 @@ class Refiner {
 
     HWY_INLINE bool AreNone() const { return hn::AllTrue(DI(), hn::Eq(hn::Or(first, second), SetI(0))); }
   };
-  HWY_INLINE Parts PartsOf(int n, const Halves& h, const float* alphaBefore) const {
-    const DF df;
+  HWY_INLINE Parts PartsOf(int n, const Halves& h, VF through) const {
     const DI di;
-    const auto& s = noted;
     const Parting& parting = f_.parting;
-    const VF one = Set(1), two = Set(2), half = Set(0.5f);
+    const VF two = Set(2), half = Set(0.5f);
     const VF depth = hn::Add(h.depth1, h.depth2);
     const VF bent = hn::Abs(hn::Sub(depth, hn::Mul(h.units, MeanExtinction(*f_.curve, h.a, h.b))));
     const VF bentShare = hn::Div(hn::Mul(two, bent), hn::Max(depth, Set(1e-30f)));
-    const VF around = hn::Mul(hn::Mul(h.units, Set(parting.around)), hn::Load(df, s.around + n));
+    const VF around = MissedAround(n);
     const VF va = ColourVariationAt(h.a), vm = ColourVariationAt(h.m), vb = ColourVariationAt(h.b);
     const VF coloured =
         hn::Mul(hn::Sub(hn::Max(va, hn::Max(vm, vb)), hn::Min(va, hn::Min(vm, vb))), Turns(h));
     const VF change = hn::Mul(two, hn::Add(Set(parting.light), hn::Mul(Set(parting.colour), coloured)));
-    const auto partsOf = [&](VF halfDepth, VF through) {
+    const auto partsOf = [&](VF halfDepth, VF reaching) {
       const VF bends = hn::Add(hn::Mul(bentShare, halfDepth), hn::Mul(Set(0.1f), bent));
       const VF unlike = hn::Add(hn::Add(bends, around), hn::Mul(change, hn::Min(halfDepth, half)));
-      const VF uneven = hn::Mul(unlike, through);
+      const VF uneven = hn::Mul(unlike, reaching);
       VI parts = SetI(0);
       for (int more = 1; more < parting.most; more *= 2) {
         const VF enough = Set(parting.tolerance * float(more) * float(more));
@@ -199,9 +229,25 @@ class Refiner {
       }
       return parts;
     };
-    const VF through = hn::Sub(one, hn::GatherIndex(df, alphaBefore, hn::Load(di, s.ray + n)));
-    // e^-d is at most 1 / (1 + d).
-    return {partsOf(h.depth1, through), partsOf(h.depth2, hn::Div(through, hn::Add(one, h.depth1)))};
+    return {partsOf(h.depth1, through), partsOf(h.depth2, hn::Mul(through, Through(h.depth1)))};
+  }
+
+  /// How much comes through a depth that is only estimated.
+  HWY_INLINE VF Through(VF depth) const {
+    return hn::Sub(Set(1), OpacityOfDepth(hn::Mul(depth, Set(f_.parting.trusted))));
+  }
+
+  /// The light that comes through to the intervals from n on; takes them from `through`.
+  HWY_INLINE VF ThroughTo(int n, const Halves& h, float* through) const {
+    HWY_ALIGN float left[kLanes], reached[kLanes];
+    hn::Store(Through(hn::Add(h.depth1, h.depth2)), DF(), left);
+    hn::Store(hn::Zero(DF()), DF(), reached);
+    for (int m = 0; m < std::min(kLanes, noted.size - n); ++m) {
+      float& t = through[noted.ray[n + m]];
+      reached[m] = t;
+      t *= left[m];
+    }
+    return hn::Load(DF(), reached);
   }
 
   HWY_INLINE void Queue(int n, const Parts& parts) {

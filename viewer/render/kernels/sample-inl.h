@@ -51,7 +51,8 @@ HWY_INLINE Weights WeightsOf(const Cell& c) {
 constexpr float kWeightUnit = -1.0f / 32768;
 
 /// Densities of integers of at most 16 bits, interpolated with integer weights. Voxels::Densities(grid,
-/// index): those of voxels and of their neighbours along x, in the lower and upper halves of the lanes.
+/// index, offset): those of the voxels index + offset and of their neighbours along x, in the lower and upper
+/// halves of the lanes.
 template <class Voxels>
 struct PairDensity {
 #if HWY_TARGET == HWY_SCALAR
@@ -72,17 +73,20 @@ struct PairDensity {
 
   static HWY_INLINE VF Density(const Grid& grid, const Cell& c) {
     const Weights w = WeightsOf(c);
+    const CellIndices at(c);
     VI sum = hn::Zero(DI());
-    for (int r = 0; r < 4; ++r) sum = AddPairs(sum, Voxels::Densities(grid, grid.Row(c, r)), w.row[r]);
+    for (int r = 0; r < 4; ++r)
+      sum = AddPairs(sum, Voxels::Densities(grid, at.lane, grid.Offset(r)), w.row[r]);
     return Real(sum);
   }
 
   static HWY_INLINE Bounded DensityWithBounds(const Grid& grid, const Cell& c) {
     const DF df;
     const Weights w = WeightsOf(c);
+    const CellIndices at(c);
     VI sum = hn::Zero(DI()), low = SetI(32767), high = SetI(-32768);
     for (int r = 0; r < 4; ++r) {
-      const VI both = Voxels::Densities(grid, grid.Row(c, r));
+      const VI both = Voxels::Densities(grid, at.lane, grid.Offset(r));
       sum = AddPairs(sum, both, w.row[r]);
       const VI first = hn::ShiftRight<16>(hn::ShiftLeft<16>(both)), second = hn::ShiftRight<16>(both);
       low = hn::Min(low, hn::Min(first, second));
@@ -92,11 +96,10 @@ struct PairDensity {
   }
 };
 
-/// 16-bit integers. One 32-bit gather brings a voxel's density and its neighbour's along x.
+/// 16-bit integers. A load of 32 bits brings a voxel's density and its neighbour's along x.
 struct Int16Store : PairDensity<Int16Store> {
-  static HWY_INLINE VI Densities(const Grid& grid, VI index) {
-    const auto* base = reinterpret_cast<const std::int32_t*>(grid.frame().density16);
-    const VI both = hn::GatherOffset(DI(), base, hn::ShiftLeft<1>(index));
+  static HWY_INLINE VI Densities(const Grid& grid, const std::int32_t* index, int offset) {
+    const VI both = LoadEach(DI(), grid.frame().density16 + offset, index);
     return hn::Xor(both, SetI(int(grid.frame().flip16)));
   }
 

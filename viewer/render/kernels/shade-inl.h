@@ -25,8 +25,14 @@ HWY_INLINE VF OfSegment(const CurveTable& t, const std::vector<float>& values, V
 HWY_INLINE VI SegmentOf(const CurveTable& t, VF density) {
   const DF df;
   const DI di;
-  // A mask is -1 in every lane it holds in.
-  const auto plusOneWhere = [&](MF m, VI v) { return hn::Sub(v, hn::BitCast(di, hn::VecFromMask(df, m))); };
+  const auto plusOneWhere = [&](MF m, VI v) {
+#if HWY_TARGET <= HWY_AVX3
+    return hn::IfThenElse(hn::RebindMask(di, m), hn::Add(v, SetI(1)), v);
+#else
+    // A mask is -1 in every lane it holds in.
+    return hn::Sub(v, hn::BitCast(di, hn::VecFromMask(df, m)));
+#endif
+  };
   constexpr int few = 8;
   if (t.segments <= few) {
     VI segment = hn::Zero(di);

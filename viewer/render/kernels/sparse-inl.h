@@ -7,29 +7,11 @@
 #endif
 
 #include "viewer/render/kernels/dense-inl.h"
+#include "viewer/render/kernels/light-inl.h"
 #include "viewer/render/kernels/refine-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
-
-/// Samples on their way, in the order of each ray's steps.
-template <int kCapacity>
-struct Samples {
-  HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity], density[kCapacity];
-  HWY_ALIGN float units[kCapacity];   ///< length of the interval in unit distances
-  HWY_ALIGN float reach[kCapacity];   ///< Integrated::reach, of refined ones alone
-  HWY_ALIGN float weight[kCapacity];  ///< first its opacity, then what it adds to its ray
-  HWY_ALIGN std::int32_t ray[kCapacity], segment[kCapacity];
-  int size = 0;
-
-  /// Makes what stands in the last vector behind the last sample harmless: places inside the volume.
-  HWY_INLINE void Pad() {
-    const DF df;
-    for (float* values : {x, y, z, density, units, reach, weight})
-      hn::StoreU(hn::Zero(df), df, values + size);
-    for (std::int32_t* values : {ray, segment}) hn::StoreU(hn::Zero(DI()), DI(), values + size);
-  }
-};
 
 /// In passes over many packets, so that no step waits for another and few branches are guessed wrong: where
 /// to look; densities of what lies in visible blocks; opacities of what can be seen; weights, ray by ray;
@@ -41,6 +23,8 @@ class SparseTracer {
   static constexpr bool kLitAlong = kRefined && kShade != ShadeBy::nothing;
 
  public:
+  static constexpr int kSlab = 4;  ///< steps; in longer slabs more is looked at that the same slab hides
+
   /// Adds to `out`, which must be 0.
   SparseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
                TraceCounts& counts)
@@ -49,8 +33,8 @@ class SparseTracer {
         rays_(rays),
         matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
         out_(out),
+        light_(f, grid_, rays, matter_, counts),
         counts_(counts),
-        colour_(4 * rays.steps.size() + 4),
         refiner_(f, grid_, rays, counts) {}
 
   /// Takes the packet at ray `first` through the steps [step, end) that `bits` names, step + n by bit n.
@@ -73,7 +57,10 @@ class SparseTracer {
 
   void BeginSlab() {
     // What the slab's intervals are parted by must not depend on how far others of the slab have come.
-    if constexpr (kRefined) alphaBefore_.assign(out_.alpha, out_.alpha + rays_.steps.size());
+    if constexpr (kRefined) {
+      through_.resize(rays_.steps.size());
+      for (std::size_t n = 0; n < through_.size(); ++n) through_[n] = 1 - out_.alpha[n];
+    }
   }
 
   /// Draws all that was noted.
@@ -85,17 +72,10 @@ class SparseTracer {
       Draw(looked_);
   }
 
-  void Finish() {
-    Shade();
-    for (std::size_t n = 0; 4 * n + 4 < colour_.size(); ++n) {
-      out_.red[n] = colour_[4 * n];
-      out_.green[n] = colour_[4 * n + 1];
-      out_.blue[n] = colour_[4 * n + 2];
-    }
-  }
+  void Finish() { light_.Finish(out_); }
 
  private:
-  static constexpr int kLooked = Refiner<Store>::kNoted, kWaiting = 512;
+  static constexpr int kLooked = Refiner<Store>::kNoted;
   using Looked = Samples<kLooked>;
   struct NotRefined {
     NotRefined(const TraceFrame&, const Grid&, const RayRow&, TraceCounts&) {}
@@ -125,13 +105,13 @@ class SparseTracer {
     Resample(s);
     Classify(s);
     Composite(s);
-    KeepWhatCounts(s);
+    for (int n = 0; n < s.size; n += kLanes) light_.Take(s, n);
     s.size = 0;
   }
 
   /// Integrates the intervals that were noted and draws them.
   HWY_INLINE void Refine() {
-    refiner_.Draw(alphaBefore_.data(), [&](const Integrated& part, int count) {
+    refiner_.Draw(through_.data(), [&](const Integrated& part, int count) {
       const MF counts = hn::And(hn::Gt(part.opacity, hn::Zero(DF())), hn::FirstN(DF(), std::size_t(count)));
       auto& s = looked_;
       Append(part.place.x, counts, s.x + s.size);
@@ -163,7 +143,7 @@ class SparseTracer {
       }
     }
     Composite(s);
-    KeepWhatCounts(s);
+    for (int n = 0; n < s.size; n += kLanes) light_.Take(s, n);
     s.size = 0;
   }
 
@@ -214,93 +194,9 @@ class SparseTracer {
     }
   }
 
-  /// Moves the samples of any weight to those that wait for light.
-  HWY_INLINE void KeepWhatCounts(const Looked& s) {
-    const DF df;
-    const DI di;
-    auto& w = waiting_;
-    for (int n = 0; n < s.size; n += kLanes) {
-      const VF weight = hn::Load(df, s.weight + n);
-      const MF counts = hn::And(hn::Gt(weight, hn::Zero(df)), hn::FirstN(df, std::size_t(s.size - n)));
-      if constexpr (kShade != ShadeBy::nothing) {
-        Store::Prefetch(grid_, grid_.CellAt(PlaceOf(s, n)), std::min(kLanes, s.size - n));
-        Append(hn::Load(df, s.x + n), counts, w.x + w.size);
-        Append(hn::Load(df, s.y + n), counts, w.y + w.size);
-        Append(hn::Load(df, s.z + n), counts, w.z + w.size);
-      }
-      if constexpr (kLitAlong) Append(hn::Load(df, s.reach + n), counts, w.reach + w.size);
-      Append(hn::Load(df, s.density + n), counts, w.density + w.size);
-      Append(weight, counts, w.weight + w.size);
-      Append(hn::Load(di, s.segment + n), counts, w.segment + w.size);
-      Append(hn::Load(di, s.ray + n), counts, w.ray + w.size);
-      w.size += int(hn::CountTrue(df, counts));
-      if (w.size > kWaiting - 2 * kLanes) Shade();
-    }
-  }
-
   template <int kCapacity>
   HWY_INLINE V3 GradientAt(const Samples<kCapacity>& s, int n) const {
     return Store::Gradient(grid_, grid_.CellAt(PlaceOf(s, n)));
-  }
-
-  /// Lights what waits and adds it to its rays, in order.
-  HWY_NOINLINE void Shade() {
-    auto& s = waiting_;
-    if (s.size == 0) return;
-    const std::int64_t begin = Ticks();
-    s.Pad();
-    const DF df;
-    const DI di;
-    HWY_ALIGN float added[4 * kLanes];
-    for (int n = 0; n < s.size; n += kLanes) {
-      V3 stored = Zero3();
-      if constexpr (kShade != ShadeBy::nothing) stored = GradientAt(s, n);
-      V3 colour = matter_.ColourAt(hn::Load(di, s.segment + n), hn::Load(df, s.density + n), stored,
-                                   hn::Load(di, s.ray + n));
-      if constexpr (kLitAlong) colour = LitAlong(n, stored, colour);
-      const V3 part = Scale(colour, hn::Load(df, s.weight + n));
-      hn::StoreInterleaved4(part.x, part.y, part.z, hn::Zero(df), df, added);
-      AddToRays(added, s.ray + n, std::min(kLanes, s.size - n));
-    }
-    counts_.composited += s.size;
-    s.size = 0;
-    counts_.shadeTicks += Ticks() - begin;
-  }
-
-  /// The colour of the samples that wait from n on. Where the gradient is small it may vanish within the
-  /// interval (in a plate's middle, where it turns over), and with it the light.
-  HWY_INLINE V3 LitAlong(int n, const V3& stored, const V3& colour) const {
-    if (f_.parting.light == 0) return colour;
-    const MF counts = hn::Gt(hn::Load(DF(), waiting_.weight + n), Set(f_.parting.tolerance));
-    const MF small = hn::And(matter_.MayVanishNear(stored), counts);
-    return hn::AllFalse(DF(), small) ? colour : LitOnBothSides(n, small, stored, colour);
-  }
-
-  /// The mean colour along the intervals where `small`, if the gradient goes straight there.
-  HWY_NOINLINE V3 LitOnBothSides(int n, MF small, const V3& stored, const V3& colour) const {
-    const DF df;
-    const auto& s = waiting_;
-    const V3 place = PlaceOf(s, n);
-    const VI ray = hn::Load(DI(), s.ray + n);
-    const V3 reach = Scale(MoveOf(rays_, ray), hn::Load(df, s.reach + n));
-    const auto gradientAt = [&](const V3& p) {
-      return Store::Gradient(grid_, grid_.CellAt(grid_.Clamped(p)));
-    };
-    const V3 before = gradientAt(Add(place, Scale(reach, Set(-1)))), behind = gradientAt(Add(place, reach));
-    const MF along = hn::And(small, matter_.IsStraight(before, stored, behind));
-    const V3 mean = matter_.ColourBetween(hn::Load(DI(), s.segment + n), hn::Load(df, s.density + n), before,
-                                          behind, ray);
-    return {hn::IfThenElse(along, mean.x, colour.x), hn::IfThenElse(along, mean.y, colour.y),
-            hn::IfThenElse(along, mean.z, colour.z)};
-  }
-
-  HWY_INLINE void AddToRays(const float* added, const std::int32_t* ray, int count) {
-    const hn::CappedTag<float, 4> d4;
-    for (int n = 0; n < count; ++n)
-      for (int c = 0; c < 4; c += int(hn::MaxLanes(d4))) {
-        float* sum = colour_.data() + 4 * ray[n] + c;
-        hn::StoreU(hn::Add(hn::LoadU(d4, sum), hn::Load(d4, added + 4 * n + c)), d4, sum);
-      }
   }
 
   const TraceFrame& f_;
@@ -308,12 +204,11 @@ class SparseTracer {
   const RayRow& rays_;
   Material matter_;
   const TraceRow& out_;
+  LightQueue<Store, kShade, kGradientOpacity, kLitAlong> light_;
   TraceCounts& counts_;
-  std::vector<float> colour_;  ///< of each ray: red, green, blue, 0
   Looked looked_;
   std::conditional_t<kRefined, Refiner<Store>, NotRefined> refiner_;
-  std::vector<float> alphaBefore_;  ///< of each ray, where the slab begins
-  Samples<kWaiting> waiting_;
+  std::vector<float> through_;  ///< of each ray, the light that comes through to what is not noted yet
 };
 
 }  // namespace volumen::HWY_NAMESPACE

@@ -24,7 +24,7 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   skippers.reserve(packets);
   for (int n = 0; n < packets; ++n) skippers.emplace_back(f, LoadPacket(f, rays, n * lanes));
   const int longest = *std::max_element(rays.steps.begin(), rays.steps.end());
-  constexpr int slab = 8;
+  constexpr int slab = Tracer::kSlab;
   std::vector<std::uint64_t> looks(packets);
   for (int step = 0; step < longest; step += slab) {
     tracer.BeginSlab();

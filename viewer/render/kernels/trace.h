@@ -41,8 +41,10 @@ struct Parting {
   int most = 1;     ///< a power of two, at most TraceFrame::mostParts
   float widen = 1;  ///< how far densities may leave those of the cells at both ends, in shares of their range
   float around = 0.01f;  ///< share of the change of extinction (CurveTable::variation) among those densities
-  float colour = 1;      ///< share of the change of colour between its samples, times its opacity
-  float light = 0.6f;    ///< share of its opacity: the light changes along it; 0 where nothing is lit
+  float colour = 3;      ///< share of the change of colour between its samples, times its opacity
+  float trusted =
+      0.5f;            ///< share of the optical depth of whole halves that is taken to hide what lies behind
+  float light = 0.6f;  ///< share of its opacity: the light changes along it; 0 where nothing is lit
   const SkipMap* blocks = nullptr;  ///< intervals with both ends in invisible blocks are passed over
 };
 

@@ -61,6 +61,8 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
     frame_.parting.tolerance = float(plan.partTolerance);
     frame_.parting.most = plan.mostParts;
     frame_.parting.widen = float(plan.partWiden);
+    // What gradients take of the opacity is known of samples alone.
+    if (!plan.scene.transferFunction.gradientOpacity.empty()) frame_.parting.trusted = 0;
     if (!plan.scene.shading.lit) frame_.parting.light = 0;
     frame_.parting.blocks = &blocks;
   }
