@@ -34,13 +34,6 @@ struct Samples {
   }
 };
 
-/// What a step adds to places on rays, in voxels.
-HWY_INLINE V3 MoveOf(const RayRow& rays, VI ray) {
-  const DF df;
-  return {hn::GatherIndex(df, rays.moveX.data(), ray), hn::GatherIndex(df, rays.moveY.data(), ray),
-          hn::GatherIndex(df, rays.moveZ.data(), ray)};
-}
-
 /// Samples that wait for light. Each is computed by itself and added to its ray in the order they came.
 /// `kAlong`: lit along their intervals (TraceFrame::parting).
 template <class Store, ShadeBy kShade, bool kGradientOpacity, bool kAlong>

@@ -111,10 +111,26 @@ HWY_INLINE Transparency TransparencyOf(VF opacity) {
 /// 1 - exp(-depth): the opacity of an optical depth >= 0.
 HWY_INLINE VF OpacityOfDepth(VF depth) { return hn::Neg(ExpMinus1(hn::Max(hn::Neg(depth), Set(-80)))); }
 
+/// 1 - (1 - x)^n for 0 <= x < 1/16, x n < 1/8: the binomial series, whose seventh term is below 1e-8 of the
+/// first.
+HWY_INLINE VF FaintOpacity(VF x, VF n) {
+  const VF one = Set(1);
+  VF rest = one;
+  for (int k = 5; k >= 1; --k) {
+    const VF ratio = hn::Mul(hn::Sub(n, Set(float(k))), Set(1 / float(k + 1)));
+    rest = hn::Sub(one, hn::Mul(hn::Mul(ratio, x), rest));
+  }
+  return hn::Mul(hn::Mul(n, x), rest);
+}
+
 /// The opacity of an interval `units` unit distances long whose opacity a unit is `opacity` (SCENE 4, 9):
 /// 1 - (1 - opacity)^units, with no loss where it is small.
 HWY_INLINE VF IntervalOpacity(VF opacity, VF units) {
-  return hn::Neg(ExpMinus1(hn::Max(hn::Mul(TransparencyOf(opacity).log, units), Set(-80))));
+  const MF faint = hn::And(hn::Lt(opacity, Set(1.0f / 16)), hn::Lt(hn::Mul(opacity, units), Set(1.0f / 8)));
+  const VF series = FaintOpacity(opacity, units);
+  if (hn::AllTrue(DF(), faint)) return series;
+  const VF whole = hn::Neg(ExpMinus1(hn::Max(hn::Mul(TransparencyOf(opacity).log, units), Set(-80))));
+  return hn::IfThenElse(faint, series, whole);
 }
 
 /// x^power for whole powers >= 1: a few multiplications.

@@ -47,6 +47,13 @@ HWY_INLINE V3 Position(const Packet& p, int step, MF last) {
   return Add(p.start, Scale(p.move, middle));
 }
 
+/// What a step adds to places on rays, in voxels.
+HWY_INLINE V3 MoveOf(const RayRow& rays, VI ray) {
+  const DF df;
+  return {hn::GatherIndex(df, rays.moveX.data(), ray), hn::GatherIndex(df, rays.moveY.data(), ray),
+          hn::GatherIndex(df, rays.moveZ.data(), ray)};
+}
+
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif  // per-target include guard

@@ -12,7 +12,6 @@
 
 #include "viewer/render/kernels/compact-inl.h"
 #include "viewer/render/kernels/extinction-inl.h"
-#include "viewer/render/kernels/light-inl.h"
 #include "viewer/render/kernels/parts-inl.h"
 #include "viewer/render/kernels/sample-inl.h"
 #include "viewer/render/kernels/skip-inl.h"
