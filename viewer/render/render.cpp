@@ -1,6 +1,7 @@
 #include "viewer/render/render.h"
 
 #include <chrono>
+#include <new>
 
 #include "viewer/render/methods/blend.h"
 #include "viewer/render/methods/blend_gl.h"
@@ -50,11 +51,22 @@ Result<Rendered> renderBy(const Plan& plan, RenderCaches& caches, const CancelTo
   return renderPlanes(plan, caches, cancel);
 }
 
+Error notEnoughMemory(const Plan& plan, const Volume& volume) {
+  return {"There is not enough memory to draw " + std::to_string(volume.geometry().voxelCount()) +
+          " voxels this way at " + std::to_string(plan.bits) +
+          " bits; close other programs, or use --method planes, fewer bits (--precision) or an unlit scene."};
+}
+
 }  // namespace
 
 Result<Rendered> render(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
   const auto begin = std::chrono::steady_clock::now();
-  auto done = renderBy(plan, caches, cancel);
+  Result<Rendered> done = Error{};
+  try {
+    done = renderBy(plan, caches, cancel);
+  } catch (const std::bad_alloc&) {
+    return notEnoughMemory(plan, *caches.volume());
+  }
   if (!done) return done;
   done->stats.totalMs =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();

@@ -4,6 +4,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QProcess>
 #include <QTemporaryDir>
 
 #include "tests/fixtures/fixtures.h"
@@ -19,6 +20,7 @@ class TestCommands : public QObject {
   void wrongUsageIsASentenceAndStatus2();
   void whatFailsIsASentenceAndStatus1_data();
   void whatFailsIsASentenceAndStatus1();
+  void tooLittleMemoryIsASentence();
   void everyCommandHasHelp_data();
   void everyCommandHasHelp();
   void renderWritesAPictureThatSaysHowItWasMade();
@@ -101,6 +103,20 @@ void TestCommands::whatFailsIsASentenceAndStatus1() {
   QCOMPARE(a.status, 1);
   QVERIFY2(a.err.startsWith("volumen: ") || a.out.contains(named.toUtf8()), a.err);
   QVERIFY2((a.err + a.out).contains(named.toUtf8()), a.err);
+}
+
+// Preshaded holds 16 bytes for each of 46 million voxels, more than the program may have.
+void TestCommands::tooLittleMemoryIsASentence() {
+#ifdef __SANITIZE_ADDRESS__
+  QSKIP("the address sanitizer reserves more than any limit");
+#endif
+  const QString png = at("none.png");
+  const auto line =
+      QStringLiteral("render phantom:ct-head:384 --method preshaded --size 16x16 --threads 2 -o %1");
+  const Outcome a = runProgram(QProcess::splitCommand(line.arg(png)), 650'000'000);
+  QCOMPARE(a.status, 1);
+  QVERIFY2(a.err.contains("not enough memory") && a.err.contains("--method planes"), a.err);
+  QVERIFY(!QFile::exists(png));
 }
 
 void TestCommands::everyCommandHasHelp_data() {
