@@ -1,4 +1,4 @@
-// Mean extinction between two densities, in closed form, compiled once a CPU target.
+// Extinction between two densities, in closed form, compiled once a CPU target.
 #if defined(VOLUMEN_RENDER_KERNELS_EXTINCTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_RENDER_KERNELS_EXTINCTION_INL_H_
 #undef VOLUMEN_RENDER_KERNELS_EXTINCTION_INL_H_
@@ -66,6 +66,21 @@ HWY_INLINE VF MeanExtinction(const CurveTable& t, const CurvePlace& a, const Cur
   const VF mean =
       hn::Div(hn::Add(hn::Add(begun, whole), ended), hn::IfThenElse(crosses, hn::Sub(d2, d1), Set(1)));
   return hn::IfThenElse(crosses, hn::Max(mean, hn::Zero(df)), within);
+}
+
+/// How much the extinction changes between two densities, and where there is none at all.
+struct Variation {
+  VF change;
+  MF hidden;
+};
+HWY_INLINE Variation VariationBetween(const CurveTable& t, VF low, VF high) {
+  const auto upTo = [&](VI segment, VF density) {
+    return OnSegment(t, t.variation, t.variationRise, segment, Along(t, segment, density));
+  };
+  const VF zero = hn::Zero(DF());
+  const VI segment = SegmentOf(t, low);
+  const VF change = hn::Sub(upTo(SegmentOf(t, high), high), upTo(segment, low));
+  return {change, hn::And(hn::Eq(change, zero), hn::Eq(OpacityOf(t, segment, low), zero))};
 }
 
 }  // namespace volumen::HWY_NAMESPACE

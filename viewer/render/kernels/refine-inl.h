@@ -61,7 +61,7 @@ class Refiner {
     end.Keep(back);
     const VF low = hn::Min(front.low, back.low), high = hn::Max(front.high, back.high);
     const VF wider = hn::Mul(hn::Sub(high, low), Set(f_.parting.widen));
-    const Variation around = VariationBetween(hn::Sub(low, wider), hn::Add(high, wider));
+    const Variation around = VariationBetween(*f_.curve, hn::Sub(low, wider), hn::Add(high, wider));
     const MF seen = hn::AndNot(around.hidden, alive);
     if (hn::AllFalse(df, seen)) return;
     auto& s = noted;
@@ -109,9 +109,9 @@ class Refiner {
     for (int n = 0; n < s.size; n += kLanes) {
       const V3 place = PlaceOf(s, n);
       const VF middle = DensityAt(place), front = hn::Load(df, s.front + n), back = hn::Load(df, s.back + n);
-      const MF hidden =
-          VariationBetween(hn::Min(middle, hn::Min(front, back)), hn::Max(middle, hn::Max(front, back)))
-              .hidden;
+      const MF hidden = VariationBetween(*f_.curve, hn::Min(middle, hn::Min(front, back)),
+                                         hn::Max(middle, hn::Max(front, back)))
+                            .hidden;
       const MF whole = hn::Le(MissedAround(n), Set(f_.parting.tolerance));
       const MF keep = hn::AndNot(hn::And(hidden, whole), hn::FirstN(df, std::size_t(s.size - n)));
       const auto move = [&](const float* from, float* to) {
@@ -170,21 +170,6 @@ class Refiner {
   }
   HWY_INLINE VF DensityAt(const V3& place) const {
     return Store::Density(grid_, grid_.CellAt(grid_.Clamped(place)));
-  }
-  HWY_INLINE VF VariationAt(VI segment, VF density) const {
-    const CurveTable& t = *f_.curve;
-    return OnSegment(t, t.variation, t.variationRise, segment, Along(t, segment, density));
-  }
-  /// How much the extinction changes between two densities, and whether there is none at all.
-  struct Variation {
-    VF change;
-    MF hidden;
-  };
-  HWY_INLINE Variation VariationBetween(VF low, VF high) const {
-    const VF zero = hn::Zero(DF());
-    const VI segment = SegmentOf(*f_.curve, low);
-    const VF change = hn::Sub(VariationAt(SegmentOf(*f_.curve, high), high), VariationAt(segment, low));
-    return {change, hn::And(hn::Eq(change, zero), hn::Eq(OpacityOf(*f_.curve, segment, low), zero))};
   }
   HWY_INLINE VF ColourVariationAt(const CurvePlace& p) const {
     const CurveTable& t = *f_.curve;
