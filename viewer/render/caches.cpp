@@ -48,8 +48,8 @@ const Density16& RenderCaches::Impl::densities16() {
   const double slope = volume->slope();
   Density16 d;
   d.scale = {slope, volume->intercept(), 0, 0};
-  // A gather reads a voxel with its neighbour along i; with one voxel along i it would read past the end of
-  // the samples.
+  // A kernel reads a voxel and its neighbour along i in one load; with one voxel along i that would read past
+  // the end of the samples.
   const bool ownSamples = volume->size().x > 1;
   std::visit(
       [&]<class T>(const std::vector<T>& stored) {

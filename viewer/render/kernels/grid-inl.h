@@ -124,15 +124,14 @@ struct Interpolated {
 HWY_INLINE Interpolated InterpolateFour(const Grid& grid, const Cell& c, const float* voxels) {
   const DF df;
   constexpr int most = hn::MaxLanes(df);
-  HWY_ALIGN std::int32_t index[most];
   HWY_ALIGN float fx[most], fy[most], fz[most], out[4 * most];
-  hn::Store(c.index, DI(), index);
+  const CellIndices at(c);
   hn::Store(c.fx, df, fx);
   hn::Store(c.fy, df, fy);
   hn::Store(c.fz, df, fz);
   for (int lane = 0; lane < most; ++lane) {
     const auto row = [&](int r) {
-      const float* a = voxels + std::int64_t(4) * (index[lane] + grid.Offset(r));
+      const float* a = voxels + std::int64_t(4) * (at.lane[lane] + grid.Offset(r));
       return LerpFour(LoadFour(a), LoadFour(a + 4 * grid.nextColumn()), fx[lane]);
     };
     const Four near = LerpFour(row(0), row(1), fy[lane]), far = LerpFour(row(2), row(3), fy[lane]);

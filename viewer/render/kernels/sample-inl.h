@@ -125,13 +125,12 @@ struct Int16Store : PairDensity<Int16Store> {
     const DI di;
     const DF df;
     const Weights w = WeightsOf(c);
-    HWY_ALIGN std::int32_t index[hn::MaxLanes(di)];
-    hn::Store(c.index, di, index);
+    const CellIndices at(c);
     VI sums[4];
-    SumBlocks<0>(grid, index, w, sums);
-    SumBlocks<1>(grid, index, w, sums);
-    SumBlocks<2>(grid, index, w, sums);
-    SumBlocks<3>(grid, index, w, sums);
+    SumBlocks<0>(grid, at.lane, w, sums);
+    SumBlocks<1>(grid, at.lane, w, sums);
+    SumBlocks<2>(grid, at.lane, w, sums);
+    SumBlocks<3>(grid, at.lane, w, sums);
     const hn::Repartition<std::int64_t, DI> d64;
     const auto low64 = [&](VI a, VI b) {
       return hn::BitCast(di, hn::InterleaveLower(d64, hn::BitCast(d64, a), hn::BitCast(d64, b)));
@@ -184,11 +183,10 @@ struct Int16Store : PairDensity<Int16Store> {
 
   /// Asks for the voxels of the first `count` cells ahead of time: they lie far apart in memory.
   static HWY_INLINE void Prefetch(const Grid& grid, const Cell& c, int count) {
-    HWY_ALIGN std::int32_t index[hn::MaxLanes(DI())];
-    hn::Store(c.index, DI(), index);
+    const CellIndices at(c);
     for (int n = 0; n < count; ++n)
       for (int r = 0; r < 4; ++r)
-        hwy::Prefetch(grid.frame().voxels16 + std::int64_t(4) * (index[n] + grid.Offset(r)));
+        hwy::Prefetch(grid.frame().voxels16 + std::int64_t(4) * (at.lane[n] + grid.Offset(r)));
   }
 };
 

@@ -194,8 +194,7 @@ class SparseTracer {
     }
   }
 
-  template <int kCapacity>
-  HWY_INLINE V3 GradientAt(const Samples<kCapacity>& s, int n) const {
+  HWY_INLINE V3 GradientAt(const Looked& s, int n) const {
     return Store::Gradient(grid_, grid_.CellAt(PlaceOf(s, n)));
   }
 
