@@ -139,7 +139,7 @@ class Run {
       if (options_.output.empty()) continue;
       const std::string path = options_.turntable ? numbered(options_.output, n) : options_.output;
       if (Status written = writePicture(done_.picture, plan_, path); !written) return fail(written.message());
-      std::cout << printable(path) << '\n';
+      told() << printable(path) << '\n';
     }
     return exitDone;
   }
@@ -159,14 +159,16 @@ class Run {
 
   int finish() {
     if (options_.explain)
-      std::cout << (times_.framesMs.empty() ? explain(plan_)
-                                            : explain(plan_, effectCosts(plan_, done_.stats)));
+      told() << (times_.framesMs.empty() ? explain(plan_) : explain(plan_, effectCosts(plan_, done_.stats)));
     if (options_.printScene) std::cout << sceneToJson(plan_.scene);
     if (options_.statsFile.empty()) return exitDone;
     const std::string text = statsJson(plan_, done_.stats, times_, *volume_).dump(2) + "\n";
     const Status written = writeText(options_.statsFile, text);
     return written.ok() ? exitDone : fail(written.message());
   }
+
+  // Beside a scene nothing else is written to stdout, so that a file of it can be read again.
+  std::ostream& told() const { return options_.printScene ? std::cerr : std::cout; }
 
   const Options& options_;
   const CancelToken& cancel_;
