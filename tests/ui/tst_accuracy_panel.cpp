@@ -257,7 +257,7 @@ void TestAccuracyPanel::aPictureSaysWhatWasMeasuredOfIt() {
   const auto says = [&](const char* key) { return same.text(QLatin1String(key)); };
   QCOMPARE(says("volumen-level"), QStringLiteral("high"));
   QVERIFY(says("volumen-error").contains(QStringLiteral("PSNR >= 52 dB")));
-  QVERIFY(says("volumen-step").contains(QStringLiteral("voxel")));
+  QVERIFY(says("volumen-step").contains(QStringLiteral("cell by cell")));
   QVERIFY(says("volumen-scene").contains(QStringLiteral("volumenScene")));
   const auto known = measuredError(w.window.meter().measured(), *w.levels()[4].plan);
   QVERIFY(known);

@@ -80,9 +80,8 @@ std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan,
                                                         {"volumen-error", errorText(plan)}};
   if (measured) text.push_back({"volumen-error-measured", errorText(*measured)});
   if (plan.method != Method::reference)
-    text.push_back(
-        {"volumen-step",
-         inVoxels(plan.stepVoxels) + (plan.mostParts > 1 ? ", integrated and cut where it is uneven" : "")});
+    text.push_back({"volumen-step", plan.mostParts > 1 ? "cell by cell, integrated and cut where it is uneven"
+                                                       : inVoxels(plan.stepVoxels)});
   text.push_back({"volumen-scene", sceneToJson(plan.scene)});
   return text;
 }

@@ -32,11 +32,11 @@ struct Plan {
   Blending blending = Blending::floats;
   int mapSize = 64;
   MapLookup mapLookup = MapLookup::bilinear;
-  int bits = 16;                 ///< stored precision
-  double stepVoxels = 1;         ///< SCENE 9
-  int mostParts = 1;             ///< into how many an interval is cut where it is uneven; 1: plain midpoints
+  int bits = 16;          ///< stored precision
+  double stepVoxels = 1;  ///< SCENE 9
+  /// Into how many parts a ray's passage through a cell is cut where it is uneven; 1: plain midpoints.
+  int mostParts = 1;
   double partTolerance = 1;      ///< how uneven a part may be (Parting)
-  double partWiden = 1;          ///< how far values may leave those of the cells around (Parting)
   double stopTransmittance = 0;  ///< a ray ends where its transmittance falls below; 0: never
 
   bool gradients = false;  ///< Sobel gradients are computed, stored and fetched

@@ -119,21 +119,24 @@ const Voxels8& RenderCaches::Impl::voxelsIn8(GradientOperator by) {
   return voxels8->gradients;
 }
 
-const SkipMap& RenderCaches::Impl::skipMap(const TransferFunction& curve, int reachBlocks, double rounding) {
-  static_assert(SkipMap::edge == BrickRanges::edge);
-  if (skip && skip->points == curve.points && skip->reachBlocks == reachBlocks && skip->rounding == rounding)
-    return skip->map;
+const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunction& curve,
+                                                           const CurveTable& table, const SkipWish& wish) {
+  static_assert(SkipMap::edge == BrickRanges::edge && VisibleCells::edge == BrickRanges::edge);
+  if (skip && skip->made == wish) return *skip;
   const VolumeFacts& known = factsOfVolume();
-  SkipMap memory = skip ? std::move(skip->map) : SkipMap{};
+  if (!skip) skip.emplace();
+  Densities16 densities;
+  if (wish.in16) densities = {densities16().data, std::uint16_t(densities16().flip)};
   const auto make = [&](const std::vector<std::uint8_t>& visible) {
-    skip = Skip{curve.points, reachBlocks, rounding,
-                makeSkipMap(known.bricks->count, visible, reachBlocks, std::move(memory))};
+    skip->made = wish;
+    skip->map = makeSkipMap(known.bricks->count, visible, wish.reachBlocks, std::move(skip->map));
+    skip->cells.begin(volume->size(), densities, table, visible);
   };
-  if (rounding == 0)
+  if (wish.rounding == 0)
     make(visibleBlocksOf(curve, known)->flags);
   else
-    make(visibleBlocks(curve, *known.bricks, rounding));
-  return skip->map;
+    make(visibleBlocks(curve, *known.bricks, wish.rounding));
+  return *skip;
 }
 
 const ReflectanceMap& RenderCaches::Impl::reflectanceMap(const Lighting& lighting, int n, MapLookup lookup) {

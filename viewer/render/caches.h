@@ -7,6 +7,7 @@
 #include "viewer/render/render.h"
 #include "viewer/render/shading/reflectance_map.h"
 #include "viewer/render/skip_map.h"
+#include "viewer/render/visible_cells.h"
 #include "viewer/volume/buffer.h"
 #include "viewer/volume/bytes.h"
 #include "viewer/volume/gradients.h"
@@ -43,11 +44,18 @@ struct RenderCaches::Impl {
   std::optional<ByOperator<Gradients32>> gradients32;
   std::optional<ByOperator<Voxels8>> voxels8;
 
+  /// What is asked of blocks and cells.
+  struct SkipWish {
+    std::vector<CurvePoint> points;
+    int reachBlocks = 1;  ///< SkipMap::reach
+    double rounding = 0;  ///< how far stored values may be off the volume's, real units
+    bool in16 = true;     ///< cells are told apart by densities16()
+    bool operator==(const SkipWish&) const = default;
+  };
   struct Skip {
-    std::vector<CurvePoint> points;  ///< what the map was made for
-    int reachBlocks = 0;
-    double rounding = 0;
+    SkipWish made;
     SkipMap map;
+    VisibleCells cells;
   };
   std::optional<Skip> skip;
 
@@ -68,8 +76,8 @@ struct RenderCaches::Impl {
   const Gradients16& gradientsIn16(GradientOperator by);
   const Gradients32& gradientsIn32(GradientOperator by);
   const Voxels8& voxelsIn8(GradientOperator by);
-  /// `rounding`: how far stored values may be off the volume's, real units.
-  const SkipMap& skipMap(const TransferFunction& curve, int reachBlocks, double rounding);
+  /// The last one made is kept. `table`: the curve over the densities that are looked at.
+  const Skip& skipOf(const TransferFunction& curve, const CurveTable& table, const SkipWish& wish);
   /// The last one made is kept. `n`: nodes along an edge of a face.
   const ReflectanceMap& reflectanceMap(const Lighting& lighting, int n, MapLookup lookup);
   Result<GlState*> glState();  ///< made when first asked for; its context is not current

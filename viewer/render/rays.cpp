@@ -163,8 +163,15 @@ void RaySetup::setRays(RayRow& row) const {
     writeRays(batch, row, first);
   }
   const auto values = floatsOf(row);
+  row.parallel = !perspective_;
   for (int n = 0; n < row.count; ++n) {
-    if (row.pixel[n] >= 0) continue;
+    if (row.pixel[n] >= 0) {
+      if (row.steps[n] > 0) {
+        row.sharedMove = {row.moveX[n], row.moveY[n], row.moveZ[n]};
+        row.sharedStepMm = row.stepMm[n];
+      }
+      continue;
+    }
     row.steps[n] = 0;
     for (auto* v : values) (*v)[n] = 0;
   }

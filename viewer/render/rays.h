@@ -22,6 +22,9 @@ struct RayRow {
   std::vector<int> steps;
   std::vector<float> lastMiddle;
   std::vector<float> stepMm, lastStepMm;
+  bool parallel = false;  ///< all rays that have steps share what follows
+  glm::vec3 sharedMove{0};
+  float sharedStepMm = 0;
 };
 
 /// Makes the rays of a picture: camera, box, clip box and planes (SCENE 6, 7) in double precision, sampled in

@@ -31,13 +31,11 @@ SkipMap makeSkipMap(glm::ivec3 count, const std::vector<std::uint8_t>& visible, 
   map.count = count;
   map.reach = reach;
   const std::size_t total = visible.size(), slice = std::size_t(count.x) * count.y;
-  map.visible.resize(total + 4);
   map.near.resize(2 * total + 4);
   parallelFor(count.z, 0, [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t k = begin; k < end; ++k) {
       const std::uint8_t* from = visible.data() + k * slice;
       std::uint8_t *tight = map.near.data() + k * slice, *wide = tight + total;
-      std::copy_n(from, slice, map.visible.data() + k * slice);
       std::copy_n(from, slice, tight);
       const std::int64_t next = std::min<std::int64_t>(reach, count.z - 1 - k);
       for (std::int64_t n = 1; n < std::min<std::int64_t>(reach, next + 1); ++n)

@@ -111,19 +111,19 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       "on   precision: 32 bits: the values are not 16-bit integers with a positive slope",
       [](Asked& a) { a.facts.slope = -1; });
   const char* smooth =
-      "on   integration: intervals of 2 voxels, integrated through the curve and cut into up to 64 where "
-      "values bend or light changes";
-  row("a smooth curve: long intervals", "integration", smooth, [](Asked&) {});
-  row("a step in the curve: short ones", "integration",
-      "on   integration: intervals of 1 voxel, integrated through the curve and cut into up to 64 where "
-      "values bend or light changes; short, as the curve rises steeply",
+      "on   integration: cell by cell, integrated through the curve; passages are cut into up to 128 parts "
+      "where values bend or light changes";
+  row("a smooth curve", "integration", smooth, [](Asked&) {});
+  row("a step in the curve: finer parts", "integration",
+      "on   integration: cell by cell, integrated through the curve; passages are cut into up to 128 parts "
+      "where values bend or light changes; finely, as the curve rises steeply",
       [](Asked& a) { a.scene.transferFunction.points[1].value = 151; });
   row("a narrow but faint rise is no step", "integration", smooth, [](Asked& a) {
     a.scene.transferFunction.points = {{150, {}, 0}, {151, {}, 0.01}};
   });
   row("a tolerance as asked", "integration",
-      "on   integration: intervals of 2 voxels, integrated through the curve and cut into up to 64 where "
-      "values bend or light changes; to a tolerance of 0.5, as asked",
+      "on   integration: cell by cell, integrated through the curve; passages are cut into up to 128 parts "
+      "where values bend or light changes; to a tolerance of 0.5, as asked",
       [](Asked& a) { a.options.tolerance = 0.5; });
   row("slices of blend: plain steps", "integration",
       "on   integration: plain steps of 0.25 voxel: the curve is smooth",

@@ -186,6 +186,14 @@ const std::vector<LevelScene>& levelScenes() {
          return seen(preset("CT-Soft-Tissue", v), v, {0.2, 0.9, -0.4}, 0.8);
        }},
       {"preset CT-Cardiac with gradient opacity", gradientEdges},
+      {"the window's first picture of bones: thin noise before and behind",
+       [](const Volume& v) {
+         return seen(preset("CT-Bones", v), v, {0, 1, 0}, 1);
+       }},
+      {"preset CT-Chest-Contrast-Enhanced from the front",
+       [](const Volume& v) {
+         return seen(preset("CT-Chest-Contrast-Enhanced", v), v, {0, 1, 0}, 1);
+       }},
       {"inside, local viewer, preset CT-Lung",
        [](const Volume& v) {
          Scene scene = fromInside(preset("CT-Lung", v), v, {0.7, 0.6, -0.2});

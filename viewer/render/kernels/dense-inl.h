@@ -12,10 +12,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Whether any of the packet's rays has this step and is among `open`.
-HWY_INLINE bool AnyLeft(const RayRow& rays, int first, int step, MF open) {
-  const VI steps = hn::LoadU(DI(), rays.steps.data() + first);
-  return !hn::AllFalse(DF(), hn::And(hn::RebindMask(DF(), hn::Gt(steps, SetI(step))), open));
+/// Whether any ray of the packet at ray `first` has this step and lets light through.
+HWY_INLINE bool IsPacketOpen(const TraceFrame& f, const RayRow& rays, const TraceRow& out, int first,
+                             int step) {
+  const MF has = hn::RebindMask(DF(), hn::Gt(hn::LoadU(DI(), rays.steps.data() + first), SetI(step)));
+  const MF open = hn::Le(hn::LoadU(DF(), out.alpha + first), Set(1 - f.stopTransmittance));
+  return !hn::AllFalse(DF(), hn::And(has, open));
 }
 
 /// Density and gradient together, one step of the whole packet at a time, everything in registers.
@@ -29,7 +31,8 @@ class DenseTracer {
   };
 
  public:
-  static constexpr int kSlab = 8;  ///< steps that all packets take before any goes on
+  static constexpr int kSlab = 8;        ///< steps that all packets take before any goes on
+  static constexpr bool kCells = false;  ///< whether single rays ask VisibleCells
 
   /// Adds to `out`, which must be 0.
   DenseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
@@ -42,14 +45,16 @@ class DenseTracer {
         out_(out),
         counts_(counts) {}
 
-  /// Takes the packet at ray `first` through the steps [step, end) that `bits` names, step + n by bit n.
+  HWY_INLINE bool IsOpen(int first, int step) const { return IsPacketOpen(f_, rays_, out_, first, step); }
+
+  /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
+  /// n by bit n.
   HWY_INLINE void Advance(int first, int step, std::uint64_t bits) {
     if (!bits) return;
     const DF df;
     const auto load = [&](const float* values) { return hn::LoadU(df, values + first); };
     const VF opaque = Set(1 - f_.stopTransmittance);
     Sum sum{Zero3(), load(out_.alpha)};
-    if (!AnyLeft(rays_, first, step, hn::Le(sum.alpha, opaque))) return;
     matter_.first = first;
     sum.colour = {load(out_.red), load(out_.green), load(out_.blue)};
     const Packet p = LoadPacket(f_, rays_, first);

@@ -50,6 +50,7 @@ HWY_INLINE V3 Position(const Packet& p, int step, MF last) {
 /// What a step adds to places on rays, in voxels.
 HWY_INLINE V3 MoveOf(const RayRow& rays, VI ray) {
   const DF df;
+  if (rays.parallel) return Broadcast(rays.sharedMove);
   return {hn::GatherIndex(df, rays.moveX.data(), ray), hn::GatherIndex(df, rays.moveY.data(), ray),
           hn::GatherIndex(df, rays.moveZ.data(), ray)};
 }

@@ -23,7 +23,7 @@ struct Intervals {
   HWY_ALIGN float steps[kCapacity];                                      ///< length in steps
   HWY_ALIGN float units[kCapacity];                                      ///< length in unit distances
   HWY_ALIGN float front[kCapacity], middle[kCapacity], back[kCapacity];  ///< densities
-  HWY_ALIGN float around[kCapacity];  ///< CurveTable::variation over the densities of the cells at both ends
+  HWY_ALIGN float around[kCapacity];  ///< the change of extinction that Parting::around is a share of
   HWY_ALIGN std::int32_t ray[kCapacity];
   int size = 0;
 

@@ -7,14 +7,13 @@
 #define VOLUMEN_RENDER_KERNELS_REFINE_INL_H_
 #endif
 
-#include <cstring>
 #include <vector>
 
 #include "viewer/render/kernels/compact-inl.h"
 #include "viewer/render/kernels/extinction-inl.h"
 #include "viewer/render/kernels/parts-inl.h"
-#include "viewer/render/kernels/sample-inl.h"
-#include "viewer/render/kernels/skip-inl.h"
+#include "viewer/render/kernels/passage-inl.h"
+#include "viewer/render/kernels/walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
@@ -27,55 +26,32 @@ struct Integrated {
   VI ray;
 };
 
-/// Intervals are integrated in two halves along each of which the density goes straight from sample to
-/// sample: exact for any curve where it does (pre-integration; Engel, Kraus and Ertl 2001). Where it bends
-/// too much for that they are cut (Parting).
+/// Rays go cell by cell. Inside a cell the density is a cubic (DensityAlong), so nothing that lies between
+/// samples is missed; each passage is integrated in two halves along each of which the density goes straight:
+/// exact for any curve where it does (pre-integration; Engel, Kraus and Ertl 2001). Where it bends too much
+/// for that they are cut (Parting).
 template <class Store>
 class Refiner {
  public:
   Refiner(const TraceFrame& f, const Grid& grid, const RayRow& rays, TraceCounts& counts)
-      : f_(f), grid_(grid), rays_(rays), counts_(counts), parts_(rays), ends_(rays.steps.size() / kLanes) {}
+      : f_(f), grid_(grid), rays_(rays), counts_(counts), parts_(rays) {}
 
   static constexpr int kNoted = 4096 + kLanes;
   Intervals<kNoted> noted;
 
-  /// Notes the interval of each ray of the packet at ray `first` that is alive and of which anything can be
-  /// seen.
-  HWY_INLINE void Look(const Packet& p, int first, int step, MF alive) {
-    const DF df;
-    End& end = ends_[std::size_t(first) / kLanes];
-    const MF last = IsLast(p, step);
-    const VF before = Set(float(step)), middle = hn::IfThenElse(last, p.lastMiddle, Set(float(step) + 0.5f));
-    const VF half = hn::Sub(middle, before), length = hn::Add(half, half);
-    const V3 atFront = grid_.Clamped(Add(p.start, Scale(p.move, before))),
-             atBack = grid_.Clamped(Add(p.start, Scale(p.move, hn::Add(before, length))));
-    if (end.step != step) end.Set(step, false, BlocksAt(atFront));
-    const std::uint64_t blocks = BlocksAt(atBack);
-    alive = hn::And(alive, MaskOf(end.blocks | blocks));
-    if (hn::AllFalse(df, alive)) {
-      end.Set(step + 1, false, blocks);
-      return;
-    }
-    const Bounded front = end.sampled ? end.Kept() : EndAt(atFront, alive), back = EndAt(atBack, alive);
-    end.Set(step + 1, true, blocks);
-    end.Keep(back);
-    const VF low = hn::Min(front.low, back.low), high = hn::Max(front.high, back.high);
-    const VF wider = hn::Mul(hn::Sub(high, low), Set(f_.parting.widen));
-    const Variation around = VariationBetween(*f_.curve, hn::Sub(low, wider), hn::Add(high, wider));
-    const MF seen = hn::AndNot(around.hidden, alive);
-    if (hn::AllFalse(df, seen)) return;
+  /// Notes the passages through visible cells of those rays of the packet at ray `first` that are `open`, on
+  /// the steps [from, to).
+  HWY_INLINE void Walk(const Packet& p, int first, int from, int to, MF open) {
+    const VI ray = hn::Add(hn::Iota(DI(), 0), SetI(first));
     auto& s = noted;
-    const V3 place = Add(p.start, Scale(p.move, middle));
-    Append(place.x, seen, s.x + s.size);
-    Append(place.y, seen, s.y + s.size);
-    Append(place.z, seen, s.z + s.size);
-    Append(length, seen, s.steps + s.size);
-    Append(hn::IfThenElse(last, p.lastUnits, p.units), seen, s.units + s.size);
-    Append(front.density, seen, s.front + s.size);
-    Append(back.density, seen, s.back + s.size);
-    Append(around.change, seen, s.around + s.size);
-    Append(hn::Add(hn::Iota(DI(), 0), SetI(first)), seen, s.ray + s.size);
-    s.size += int(hn::CountTrue(df, seen));
+    WalkCells(f_, p, from, to, open, [&](MF seen, const V3& middle, VF length) {
+      Append(middle.x, seen, s.x + s.size);
+      Append(middle.y, seen, s.y + s.size);
+      Append(middle.z, seen, s.z + s.size);
+      Append(length, seen, s.steps + s.size);
+      Append(ray, seen, s.ray + s.size);
+      s.size += int(hn::CountTrue(DF(), seen));
+    });
   }
 
   /// Integrates what is noted and forgets it; emit(const Integrated&, int count): front to back on each ray.
@@ -83,7 +59,7 @@ class Refiner {
   /// lies behind its last; it must not depend on how far others have come.
   template <class Emit>
   HWY_INLINE void Draw(float* through, const Emit& emit) {
-    SampleMiddles();
+    SamplePassages();
     for (int n = 0; n < noted.size; n += kLanes) {
       const Halves halves = HalvesOf(noted, n);
       const Parts parts = PartsOf(n, halves, ThroughTo(n, halves, through));
@@ -99,8 +75,8 @@ class Refiner {
   }
 
  private:
-  /// Sets the densities in the middles of what is noted, and keeps what can be seen or may have to be cut.
-  HWY_INLINE void SampleMiddles() {
+  /// Sets the densities of what is noted, and keeps what can be seen.
+  HWY_INLINE void SamplePassages() {
     const DF df;
     auto& s = noted;
     s.Pad();
@@ -108,33 +84,48 @@ class Refiner {
     int kept = 0;
     for (int n = 0; n < s.size; n += kLanes) {
       const V3 place = PlaceOf(s, n);
-      const VF middle = DensityAt(place), front = hn::Load(df, s.front + n), back = hn::Load(df, s.back + n);
-      const MF hidden = VariationBetween(*f_.curve, hn::Min(middle, hn::Min(front, back)),
-                                         hn::Max(middle, hn::Max(front, back)))
-                            .hidden;
-      const MF whole = hn::Le(MissedAround(n), Set(f_.parting.tolerance));
-      const MF keep = hn::AndNot(hn::And(hidden, whole), hn::FirstN(df, std::size_t(s.size - n)));
-      const auto move = [&](const float* from, float* to) {
-        Append(hn::Load(df, from + n), keep, to + kept);
-      };
-      for (float* values : {s.x, s.y, s.z, s.steps, s.units, s.front, s.back, s.around}) move(values, values);
+      const VI ray = hn::Load(DI(), s.ray + n);
+      const VF steps = hn::Load(df, s.steps + n);
+      const V3 half = Scale(MoveOf(rays_, ray), hn::Mul(steps, Set(0.5f)));
+      const Cubic density = DensityAlong<Store>(grid_, place, half);
+      const VF front = density.At(Set(-1)), back = density.At(Set(1)), middle = density.c0;
+      // The farthest that s^2 and s^3 leave the straight lines between these.
+      const VF off =
+          hn::Add(hn::Mul(Set(0.25f), hn::Abs(density.c2)), hn::Mul(Set(0.385f), hn::Abs(density.c3)));
+      const VF low = hn::Min(middle, hn::Min(front, back)), high = hn::Max(middle, hn::Max(front, back));
+      const Variation around = VariationBetween(*f_.curve, hn::Sub(low, off), hn::Add(high, off));
+      const MF keep = hn::AndNot(around.hidden, hn::FirstN(df, std::size_t(s.size - n)));
+      if (hn::AllFalse(df, keep)) continue;
+      const VF units = hn::Mul(
+          hn::Mul(rays_.parallel ? Set(rays_.sharedStepMm) : hn::GatherIndex(df, rays_.stepMm.data(), ray),
+                  Set(f_.inverseUnitMm)),
+          steps);
+      Append(place.x, keep, s.x + kept);
+      Append(place.y, keep, s.y + kept);
+      Append(place.z, keep, s.z + kept);
+      Append(steps, keep, s.steps + kept);
+      Append(units, keep, s.units + kept);
+      Append(front, keep, s.front + kept);
       Append(middle, keep, s.middle + kept);
-      Append(hn::Load(DI(), s.ray + n), keep, s.ray + kept);
+      Append(back, keep, s.back + kept);
+      const VF within = VariationBetween(*f_.curve, low, high).change;
+      Append(hn::Sub(around.change, hn::Mul(within, Set(0.9f))), keep, s.around + kept);
+      Append(ray, keep, s.ray + kept);
       kept += int(hn::CountTrue(df, keep));
     }
     s.size = kept;
     s.Pad();
   }
 
-  /// The share of light that may be missed in the intervals from n on because their samples pass it by.
+  /// The share of light that may be missed in the passages from n on because straight lines pass it by.
   HWY_INLINE VF MissedAround(int n) const {
     const DF df;
     const VF share = Set(f_.parting.around);
     return hn::Mul(hn::Mul(hn::Load(df, noted.units + n), share), hn::Load(df, noted.around + n));
   }
 
-  /// Both halves of intervals: places on the curve at the front, in the middle and at the back; optical
-  /// depths.
+  /// Both halves of passages, or of their parts: places on the curve at the front, in the middle and at the
+  /// back; optical depths.
   struct Halves {
     CurvePlace a, m, b;
     VF units, depth1, depth2;
@@ -150,27 +141,6 @@ class Refiner {
     return {a, m, b, units, hn::Mul(half, MeanExtinction(t, a, m)), hn::Mul(half, MeanExtinction(t, m, b))};
   }
 
-  HWY_INLINE Bounded EndAt(const V3& clamped, MF alive) {
-    counts_.resampled += std::int64_t(hn::CountTrue(DF(), alive));
-    return Store::DensityWithBounds(grid_, grid_.CellAt(clamped));
-  }
-  /// One bit a lane whose place lies in a visible block.
-  HWY_INLINE std::uint64_t BlocksAt(const V3& clamped) const {
-    const DF df;
-    alignas(8) std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(df, InVisibleBlock(*f_.parting.blocks, hn::FirstN(df, kLanes), clamped), bits);
-    std::uint64_t mask;
-    std::memcpy(&mask, bits, 8);
-    return mask;
-  }
-  static HWY_INLINE MF MaskOf(std::uint64_t lanes) {
-    alignas(8) std::uint8_t bits[8];
-    std::memcpy(bits, &lanes, 8);
-    return hn::LoadMaskBits(DF(), bits);
-  }
-  HWY_INLINE VF DensityAt(const V3& place) const {
-    return Store::Density(grid_, grid_.CellAt(grid_.Clamped(place)));
-  }
   HWY_INLINE VF ColourVariationAt(const CurvePlace& p) const {
     const CurveTable& t = *f_.curve;
     return OnSegment(t, t.colourVariation, t.colourVariationRise, p.segment, Along(t, p.segment, p.density));
@@ -193,7 +163,7 @@ class Refiner {
   HWY_INLINE Parts PartsOf(int n, const Halves& h, VF through) const {
     const DI di;
     const Parting& parting = f_.parting;
-    const VF two = Set(2), half = Set(0.5f);
+    const VF two = Set(2);
     const VF depth = hn::Add(h.depth1, h.depth2);
     const VF bent = hn::Abs(hn::Sub(depth, hn::Mul(h.units, MeanExtinction(*f_.curve, h.a, h.b))));
     const VF bentShare = hn::Div(hn::Mul(two, bent), hn::Max(depth, Set(1e-30f)));
@@ -204,11 +174,11 @@ class Refiner {
     const VF change = hn::Mul(two, hn::Add(Set(parting.light), hn::Mul(Set(parting.colour), coloured)));
     const auto partsOf = [&](VF halfDepth, VF reaching) {
       const VF bends = hn::Add(hn::Mul(bentShare, halfDepth), hn::Mul(Set(0.1f), bent));
-      const VF unlike = hn::Add(hn::Add(bends, around), hn::Mul(change, hn::Min(halfDepth, half)));
+      const VF unlike = hn::Add(hn::Add(bends, around), hn::Mul(change, hn::Min(halfDepth, Set(0.5f))));
       const VF uneven = hn::Mul(unlike, reaching);
       VI parts = SetI(0);
       for (int more = 1; more < parting.most; more *= 2) {
-        const VF enough = Set(parting.tolerance * float(more) * float(more));
+        const VF enough = Set(8 * parting.tolerance * float(more) * float(more));
         parts = hn::IfThenElse(hn::RebindMask(di, hn::Gt(uneven, enough)), SetI(more), parts);
       }
       return parts;
@@ -300,36 +270,11 @@ class Refiner {
     return {grid_.Clamped(place), density, opacity, h.units, reach, ray};
   }
 
-  /// What is known of a packet where a step begins.
-  struct End {
-    int step = -1;
-    bool sampled = false;
-    std::uint64_t blocks = 0;  ///< lanes in visible blocks
-    float density[kLanes], low[kLanes], high[kLanes];
-
-    HWY_INLINE Bounded Kept() const {
-      const DF df;
-      return {hn::LoadU(df, density), hn::LoadU(df, low), hn::LoadU(df, high)};
-    }
-    HWY_INLINE void Keep(const Bounded& b) {
-      const DF df;
-      hn::StoreU(b.density, df, density);
-      hn::StoreU(b.low, df, low);
-      hn::StoreU(b.high, df, high);
-    }
-    HWY_INLINE void Set(int atStep, bool isSampled, std::uint64_t visible) {
-      step = atStep;
-      sampled = isSampled;
-      blocks = visible;
-    }
-  };
-
   const TraceFrame& f_;
   const Grid& grid_;
   const RayRow& rays_;
   TraceCounts& counts_;
   PartQueue parts_;
-  std::vector<End> ends_;  ///< of each packet
 };
 
 }  // namespace volumen::HWY_NAMESPACE

@@ -19,9 +19,9 @@ struct Sample {
   V3 gradient;
 };
 
-/// A density and the range of its cell's eight voxels.
-struct Bounded {
-  VF density, low, high;
+/// The densities of a cell's eight voxels: rows as Grid::Offset has them, each from first to second along x.
+struct Corners {
+  VF first[4], second[4];
 };
 
 /// Trilinear weights of a cell's eight voxels in units of -1/32768 (so that a weight of one fits into 16
@@ -80,19 +80,16 @@ struct PairDensity {
     return Real(sum);
   }
 
-  static HWY_INLINE Bounded DensityWithBounds(const Grid& grid, const Cell& c) {
+  static HWY_INLINE Corners CornersOf(const Grid& grid, const Cell& c) {
     const DF df;
-    const Weights w = WeightsOf(c);
     const CellIndices at(c);
-    VI sum = hn::Zero(DI()), low = SetI(32767), high = SetI(-32768);
+    Corners v;
     for (int r = 0; r < 4; ++r) {
       const VI both = Voxels::Densities(grid, at.lane, grid.Offset(r));
-      sum = AddPairs(sum, both, w.row[r]);
-      const VI first = hn::ShiftRight<16>(hn::ShiftLeft<16>(both)), second = hn::ShiftRight<16>(both);
-      low = hn::Min(low, hn::Min(first, second));
-      high = hn::Max(high, hn::Max(first, second));
+      v.first[r] = hn::ConvertTo(df, hn::ShiftRight<16>(hn::ShiftLeft<16>(both)));
+      v.second[r] = hn::ConvertTo(df, hn::ShiftRight<16>(both));
     }
-    return {Real(sum), hn::ConvertTo(df, low), hn::ConvertTo(df, high)};
+    return v;
   }
 };
 
@@ -202,17 +199,15 @@ struct Float32Store {
     return AcrossRows(row(0), row(1), row(2), row(3), c);
   }
 
-  static HWY_INLINE Bounded DensityWithBounds(const Grid& grid, const Cell& c) {
+  static HWY_INLINE Corners CornersOf(const Grid& grid, const Cell& c) {
     const DF df;
     const float* base = grid.frame().density32;
-    VF low = Set(3e38f), high = Set(-3e38f);
-    for (int r = 0; r < 4; ++r)
-      for (int next : {0, grid.nextColumn()}) {
-        const VF v = hn::GatherIndex(df, base + next, grid.Row(c, r));
-        low = hn::Min(low, v);
-        high = hn::Max(high, v);
-      }
-    return {Density(grid, c), low, high};
+    Corners v;
+    for (int r = 0; r < 4; ++r) {
+      v.first[r] = hn::GatherIndex(df, base, grid.Row(c, r));
+      v.second[r] = hn::GatherIndex(df, base + grid.nextColumn(), grid.Row(c, r));
+    }
+    return v;
   }
 
   static HWY_INLINE Sample DensityAndGradient(const Grid& grid, const Cell& c) {

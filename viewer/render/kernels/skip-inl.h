@@ -11,22 +11,29 @@
 #include <cstring>
 
 #include "viewer/render/kernels/packet-inl.h"
-#include "viewer/render/skip_map.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// The rays of `alive` whose place, clamped to the grid, lies in a visible block.
-HWY_INLINE MF InVisibleBlock(const SkipMap& skip, MF alive, const V3& clamped) {
+/// The rays of `alive` whose cell, by its indices inside the grid, is visible.
+HWY_INLINE MF IsVisibleCell(const VisibleCells& cells, MF alive, VI x, VI y, VI z) {
   const DF df;
   const DI di;
-  static_assert(SkipMap::edge == 4);
-  const auto block = [&](VF x) { return hn::ShiftRight<2>(hn::ConvertTo(di, x)); };
-  const VI row = hn::Add(hn::Mul(block(clamped.z), SetI(skip.count.y)), block(clamped.y));
-  const VI index = hn::Add(hn::Mul(row, SetI(skip.count.x)), block(clamped.x));
-  const auto* base = reinterpret_cast<const std::int32_t*>(skip.visible.data());
-  const VI seen = hn::And(hn::GatherOffset(di, base, index), SetI(255));
+  static_assert(VisibleCells::edge == 4);
+  const VI row = hn::Add(hn::Mul(hn::ShiftRight<2>(z), SetI(cells.count().y)), hn::ShiftRight<2>(y));
+  const VI block = hn::Add(hn::Mul(row, SetI(cells.count().x)), hn::ShiftRight<2>(x));
+  const VI word = hn::Add(hn::Add(block, block), hn::And(hn::ShiftRight<1>(z), SetI(1)));
+  const VI bit = hn::Add(hn::Add(hn::And(x, SetI(3)), hn::ShiftLeft<2>(hn::And(y, SetI(3)))),
+                         hn::ShiftLeft<4>(hn::And(z, SetI(1))));
+  const VI seen = hn::And(hn::GatherIndex(di, cells.words(), word), hn::Shl(SetI(1), bit));
   return hn::AndNot(hn::RebindMask(df, hn::Eq(seen, hn::Zero(di))), alive);
+}
+
+/// The rays of `alive` whose place, clamped to the grid, lies in a visible cell.
+HWY_INLINE MF InVisibleCell(const VisibleCells& cells, MF alive, const V3& clamped) {
+  const DI di;
+  return IsVisibleCell(cells, alive, hn::ConvertTo(di, clamped.x), hn::ConvertTo(di, clamped.y),
+                       hn::ConvertTo(di, clamped.z));
 }
 
 /// Says at which steps a packet must be looked at: one look into the map for all of its rays, at the lower
@@ -35,10 +42,12 @@ HWY_INLINE MF InVisibleBlock(const SkipMap& skip, MF alive, const V3& clamped) {
 class Skipper {
  public:
   Skipper(const TraceFrame& f, const Packet& p) : map_(f.skip) {
-    if (!map_) return;
     const DF df;
     const MF real = HasStep(p, 0);
-    if (hn::AllFalse(df, real)) return;
+    if (hn::AllFalse(df, real)) {
+      map_ = nullptr;
+      return;
+    }
     const VF start[3] = {p.start.x, p.start.y, p.start.z}, move[3] = {p.move.x, p.move.y, p.move.z};
     for (int a = 0; a < 3; ++a) {
       // Between the ends of the packet its rays are nowhere farther apart than at one of them.
@@ -51,10 +60,20 @@ class Skipper {
       // before its place in the row. A hundredth of a voxel is far more than positions are rounded by.
       const float back = 0.5f * std::abs(move_[a]) + 0.01f;
       size_[a] = 2 * half + 2 * back;
-      if (size_[a] > float(map_->reach * SkipMap::edge)) map_ = nullptr;
-      if (!map_) return;
       start_[a] = middle - half - back;
       last_[a] = float(f.size[a] - 1);
+      if (map_ && size_[a] > float(map_->reach * SkipMap::edge)) map_ = nullptr;
+    }
+  }
+
+  /// Widens the box from `low` to `high` (voxels) so that it holds the packet at the steps [step, step +
+  /// count), clamped to the grid.
+  HWY_INLINE void TakeIn(int step, int count, glm::vec3& low, glm::vec3& high) const {
+    for (int a = 0; a < 3; ++a) {
+      const float first = start_[a] + (float(step) + 0.5f) * move_[a],
+                  last = first + float(count - 1) * move_[a];
+      low[a] = std::min(low[a], std::clamp(std::min(first, last), 0.0f, last_[a]));
+      high[a] = std::max(high[a], std::clamp(std::max(first, last) + size_[a], 0.0f, last_[a]));
     }
   }
 

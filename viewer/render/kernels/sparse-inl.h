@@ -24,6 +24,7 @@ class SparseTracer {
 
  public:
   static constexpr int kSlab = 4;  ///< steps; in longer slabs more is looked at that the same slab hides
+  static constexpr bool kCells = true;
 
   /// Adds to `out`, which must be 0.
   SparseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
@@ -37,20 +38,22 @@ class SparseTracer {
         counts_(counts),
         refiner_(f, grid_, rays, counts) {}
 
-  /// Takes the packet at ray `first` through the steps [step, end) that `bits` names, step + n by bit n.
+  HWY_INLINE bool IsOpen(int first, int step) const { return IsPacketOpen(f_, rays_, out_, first, step); }
+
+  /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
+  /// n by bit n.
   HWY_INLINE void Advance(int first, int step, std::uint64_t bits) {
     if (!bits) return;
     const VF open = hn::LoadU(DF(), out_.alpha + first);
     const MF alive = hn::Le(open, Set(1 - f_.stopTransmittance));
-    if (!AnyLeft(rays_, first, step, alive)) return;
     const Packet p = LoadPacket(f_, rays_, first);
-    for (; bits; bits &= bits - 1) {
-      const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
-      const MF has = hn::And(alive, HasStep(p, at));
-      if constexpr (kRefined)
-        refiner_.Look(p, first, at, has);
-      else
-        Look(p, first, at, has);
+    if constexpr (kRefined) {
+      OverRuns(step, bits, [&](int from, int to) { refiner_.Walk(p, first, from, to, alive); });
+    } else {
+      for (; bits; bits &= bits - 1) {
+        const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+        Look(p, first, at, hn::And(alive, HasStep(p, at)));
+      }
     }
     if (Noted() > kLooked / 2) EndSlab();
   }
@@ -91,7 +94,7 @@ class SparseTracer {
   HWY_INLINE void Look(const Packet& p, int first, int step, MF alive) {
     const MF last = IsLast(p, step);
     const V3 place = grid_.Clamped(Position(p, step, last));
-    if (f_.skip) alive = InVisibleBlock(*f_.skip, alive, place);
+    if (f_.cells) alive = InVisibleCell(*f_.cells, alive, place);
     auto& s = looked_;
     Append(place.x, alive, s.x + s.size);
     Append(place.y, alive, s.y + s.size);

@@ -6,6 +6,8 @@
 #define VOLUMEN_RENDER_KERNELS_TRACE_INL_H_
 #endif
 
+#include <limits>
+
 #include "viewer/render/kernels/sparse-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,7 +29,7 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   constexpr int slab = Tracer::kSlab;
   std::vector<std::uint64_t> looks(packets);
   for (int step = 0; step < longest; step += slab) {
-    tracer.BeginSlab();
+    glm::vec3 low(std::numeric_limits<float>::max()), high(0);
     for (int n = 0; n < packets; ++n) {
       // The skipper looks at as many steps at a time as a vector has lanes: those of several slabs, or of a
       // part.
@@ -35,8 +37,12 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
       if (step % std::max(lanes, slab) == 0)
         for (int more = 0; more < std::max(lanes, slab); more += lanes)
           looks[n] |= skippers[n].LookFrom(step + more) << more;
-      tracer.Advance(n * lanes, step, looks[n] & ((1 << slab) - 1));
+      if (!tracer.IsOpen(n * lanes, step)) looks[n] = 0;
+      if (Tracer::kCells && (looks[n] & ((1 << slab) - 1))) skippers[n].TakeIn(step, slab, low, high);
     }
+    if (Tracer::kCells && f.cells && low.x <= high.x) f.cells->lookInto(low, high);
+    tracer.BeginSlab();
+    for (int n = 0; n < packets; ++n) tracer.Advance(n * lanes, step, looks[n] & ((1 << slab) - 1));
     tracer.EndSlab();
   }
   tracer.Finish();

@@ -9,6 +9,7 @@
 #include "viewer/render/shading/reflectance_map.h"
 #include "viewer/render/shading/shade_table.h"
 #include "viewer/render/skip_map.h"
+#include "viewer/render/visible_cells.h"
 #include "viewer/scene/scene.h"
 
 namespace volumen {
@@ -31,27 +32,26 @@ struct TraceKey {
   bool dense = true;     ///< made for frames in which most samples are visible; the same bytes either way
 };
 
-/// An interval is integrated as if its density went straight between samples at its ends and in its middle.
-/// A half where that is not good enough, of more unevenness than the tolerance, is cut into the smallest
-/// power of two n of parts with unevenness / (2 n)^2 <= tolerance. The unevenness is that of an interval of
-/// two such halves: the light that comes through to it, times the sum of: how far the optical depths of whole
-/// and halves differ; and shares of what else may be missed.
+/// A passage through a cell is integrated as if its density went straight from its front to its middle and
+/// from there to its back. A half where that is not good enough is cut into the smallest power of two n of
+/// parts with unevenness / (2 n)^2 <= 8 tolerance. The unevenness is that of a passage of two such halves:
+/// the light that comes through to it, times the sum of: how far the optical depths of whole and halves
+/// differ; and shares of what else may be missed.
 struct Parting {
   float tolerance = 1;
-  int most = 1;     ///< a power of two, at most TraceFrame::mostParts
-  float widen = 1;  ///< how far densities may leave those of the cells at both ends, in shares of their range
-  float around = 0.01f;  ///< share of the change of extinction (CurveTable::variation) among those densities
-  float colour = 3;      ///< share of the change of colour between its samples, times its opacity
+  int most = 1;         ///< a power of two, at most TraceFrame::mostParts
+  float around = 0.5f;  ///< share of the extinction's change (CurveTable::variation) among those densities
+                        ///< that the straight lines may miss, and of a tenth of the change along them
+  float colour = 3;     ///< share of the change of colour between its samples, times its opacity
   float trusted =
       0.5f;            ///< share of the optical depth of whole halves that is taken to hide what lies behind
-  float light = 0.6f;  ///< share of its opacity: the light changes along it; 0 where nothing is lit
-  const SkipMap* blocks = nullptr;  ///< intervals with both ends in invisible blocks are passed over
+  float light = 1.2f;  ///< share of its opacity: the light changes along it; 0 where nothing is lit
 };
 
 /// What all rays of a frame share. Pointers live as long as the frame.
 struct TraceFrame {
-  static constexpr int mostParts = 64;  ///< into which an interval can be cut
-  glm::ivec3 size{1};                   ///< voxels
+  static constexpr int mostParts = 128;  ///< into which an interval can be cut
+  glm::ivec3 size{1};                    ///< voxels
   const std::int16_t* density16 = nullptr;
   std::uint32_t flip16 = 0;  ///< xor for a pair of 16-bit values: 0x80008000 where they are unsigned
   const float* density32 = nullptr;
@@ -65,7 +65,9 @@ struct TraceFrame {
   float inverseFloor = 0;         ///< 1 / gradientFloor; 0: q = 0 everywhere
   const CurveTable* curve = nullptr;
   float inverseUnitMm = 1;        ///< 1 / unitDistance
-  const SkipMap* skip = nullptr;  ///< null: every sample is looked at
+  const SkipMap* skip = nullptr;  ///< null: every packet is looked at
+  const VisibleCells* cells =
+      nullptr;  ///< null: every sample is looked at; never where intervals are refined
   const Lighting* lighting = nullptr;
   const ReflectanceMap* map = nullptr;
   const ShadeTable* table = nullptr;

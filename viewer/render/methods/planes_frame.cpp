@@ -54,22 +54,24 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   makeShades(plan, caches);
   frame_.stopTransmittance = float(plan.stopTransmittance);
   if (plan.skipBlocks || key_.refined) {
-    const SkipMap& blocks = cache.skipMap(transfer_, reachBlocks(plan, cache.volume->geometry()), rounding_);
-    if (plan.skipBlocks) frame_.skip = &blocks;
-    // Which intervals are passed over is a choice, not a sound rule: it looks at blocks even where none is
+    const auto& skip = cache.skipOf(transfer_, curve_,
+                                    {transfer_.points, reachBlocks(plan, cache.volume->geometry()), rounding_,
+                                     key_.store == Store::int16});
+    if (plan.skipBlocks) frame_.skip = &skip.map;
+    // Which intervals are passed over is a choice, not a sound rule: it looks at cells even where no block is
     // skipped.
+    frame_.cells = &skip.cells;
     frame_.parting.tolerance = float(plan.partTolerance);
     frame_.parting.most = plan.mostParts;
-    frame_.parting.widen = float(plan.partWiden);
     // What gradients take of the opacity is known of samples alone.
     if (!plan.scene.transferFunction.gradientOpacity.empty()) frame_.parting.trusted = 0;
     if (!plan.scene.shading.lit) frame_.parting.light = 0;
-    frame_.parting.blocks = &blocks;
   }
   stats.tableBytes =
       curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
-  stats.blockBytes =
-      cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float) + (frame_.skip ? frame_.skip->bytes() : 0);
+  stats.blockBytes = cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float);
+  if (frame_.skip) stats.blockBytes += frame_.skip->bytes();
+  if (frame_.cells) stats.blockBytes += frame_.cells->bytes();
 }
 
 void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats) {

@@ -1,0 +1,145 @@
+#include "viewer/render/visible_cells.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <glm/common.hpp>
+
+#include "viewer/volume/parallel.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int edge = VisibleCells::edge;
+
+// Bit n is byte n of `flags`, each 0 or 1.
+std::uint64_t bitsOf(const std::array<std::uint8_t, 8>& flags) {
+  std::uint64_t bytes;
+  std::memcpy(&bytes, flags.data(), 8);
+  return bytes * 0x0102040810204080u >> 56;
+}
+
+}  // namespace
+
+struct VisibleCells::RowRange {
+  Row low, high;
+};
+
+void VisibleCells::takeIn(const RowRange& from, RowRange& to) {
+  for (std::size_t n = 0; n < from.low.size(); ++n) {
+    to.low[n] = std::min(to.low[n], from.low[n]);
+    to.high[n] = std::max(to.high[n], from.high[n]);
+  }
+}
+
+std::vector<VisibleCells::Span> VisibleCells::spansOf(const CurveTable& curve) {
+  std::vector<Span> spans;
+  const auto limited = [](double d) { return std::int16_t(std::clamp(d, -32768.0, 32767.0)); };
+  for (int s = 0; s < curve.segments; ++s) {
+    const bool atStart = curve.opacity[s] > 0;
+    if (!atStart && curve.opacityRise[s] <= 0) continue;
+    const double start = s == 0 ? -32768 : curve.start[s];
+    const double low = atStart ? std::ceil(start) : std::floor(start) + 1;
+    const double high = std::ceil(double(curve.node[s])) - 1;
+    if (low > 32767 || high < -32768) continue;
+    if (!spans.empty() && low <= double(spans.back().high) + 1)
+      spans.back().high = std::max(spans.back().high, limited(high));
+    else
+      spans.push_back({limited(low), limited(high)});
+  }
+  // A curve of many teeth: the narrowest gaps count as visible.
+  constexpr std::size_t most = 6;
+  while (spans.size() > most) {
+    std::size_t narrowest = 1;
+    for (std::size_t n = 2; n < spans.size(); ++n)
+      if (spans[n].low - spans[n - 1].high < spans[narrowest].low - spans[narrowest - 1].high) narrowest = n;
+    spans[narrowest - 1].high = spans[narrowest].high;
+    spans.erase(spans.begin() + std::ptrdiff_t(narrowest));
+  }
+  return spans;
+}
+
+void VisibleCells::begin(glm::ivec3 size, Densities16 densities, const CurveTable& curve,
+                         const std::vector<std::uint8_t>& visible) {
+  size_ = size;
+  count_ = (size + (edge - 1)) / edge;
+  densities_ = densities;
+  spans_ = spansOf(curve);
+  words_.resize(visible.size());
+  wanted_.resize(visible.size());
+  const std::int64_t slice = std::int64_t(count_.x) * count_.y;
+  parallelFor(count_.z, 0, [&](std::int64_t first, std::int64_t last) {
+    const auto begin = std::size_t(first * slice), end = std::size_t(last * slice);
+    for (std::size_t n = begin; n < end; ++n) {
+      wanted_[n] = densities.data && visible[n];
+      words_[n] = !densities.data && visible[n] ? ~std::uint64_t(0) : 0;
+    }
+  });
+}
+
+void VisibleCells::lookInto(glm::vec3 low, glm::vec3 high) const {
+  const glm::ivec3 first = glm::ivec3(low) / edge, last = glm::min(glm::ivec3(high) / edge, count_ - 1);
+  for (int c = first.z; c <= last.z; ++c)
+    for (int b = first.y; b <= last.y; ++b) {
+      const std::size_t row = (std::size_t(c) * count_.y + b) * count_.x;
+      for (int a = first.x; a <= last.x; ++a)
+        if (std::atomic_ref(wanted_[row + a]).load(std::memory_order_acquire)) lookInto({a, b, c}, row + a);
+    }
+}
+
+void VisibleCells::lookInto(glm::ivec3 block, std::size_t index) const {
+  const std::atomic_ref state(wanted_[index]);
+  std::uint8_t wanted = 1;
+  if (state.compare_exchange_strong(wanted, 2, std::memory_order_acquire)) {
+    words_[index] = cellsOf(block);
+    state.store(0, std::memory_order_release);
+  } else {
+    while (state.load(std::memory_order_acquire)) {
+    }
+  }
+}
+
+std::uint64_t VisibleCells::cellsOf(glm::ivec3 block) const {
+  constexpr int voxels = edge + 1;  // along an edge, for the block's cells to lie between
+  const glm::ivec3 first = block * edge;
+  RowRange alongK[edge][voxels];  // of the cells k, over the voxels' rows j
+  for (int j = 0; j < voxels; ++j) {
+    RowRange rows[voxels];
+    for (int k = 0; k < voxels; ++k) rows[k].low = rows[k].high = rowOf(first + glm::ivec3(0, j, k));
+    for (int k = 0; k < edge; ++k) {
+      alongK[k][j] = rows[k];
+      takeIn(rows[k + 1], alongK[k][j]);
+    }
+  }
+  std::uint64_t cells = 0;
+  for (int k = 0; k < edge; ++k)
+    for (int j = 0; j < edge; ++j) {
+      RowRange range = alongK[k][j];
+      takeIn(alongK[k][j + 1], range);
+      std::array<std::uint8_t, 8> seen{};
+      for (int i = 0; i < edge; ++i) {
+        const std::int16_t low = std::min(range.low[i], range.low[i + 1]),
+                           high = std::max(range.high[i], range.high[i + 1]);
+        for (const Span& s : spans_) seen[i] |= std::uint8_t(high >= s.low && low <= s.high);
+      }
+      cells |= bitsOf(seen) << (4 * j + 16 * k);
+    }
+  return cells;
+}
+
+VisibleCells::Row VisibleCells::rowOf(glm::ivec3 voxel) const {
+  const glm::ivec3 inside = glm::min(voxel, size_ - 1);
+  const std::int16_t* from =
+      densities_.data + (std::size_t(inside.z) * size_.y + inside.y) * std::size_t(size_.x);
+  Row row;
+  if (voxel.x + int(row.size()) <= size_.x)
+    std::memcpy(row.data(), from + voxel.x, sizeof(row));
+  else
+    for (int i = 0; i < int(row.size()); ++i) row[i] = from[std::min(voxel.x + i, size_.x - 1)];
+  for (auto& v : row) v = std::int16_t(v ^ densities_.flip);
+  return row;
+}
+
+}  // namespace volumen
