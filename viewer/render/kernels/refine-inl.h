@@ -7,6 +7,7 @@
 #define VOLUMEN_RENDER_KERNELS_REFINE_INL_H_
 #endif
 
+#include <algorithm>
 #include <vector>
 
 #include "viewer/render/kernels/compact-inl.h"
@@ -44,14 +45,15 @@ class Refiner {
   HWY_INLINE void Walk(const Packet& p, int first, int from, int to, MF open) {
     const VI ray = hn::Add(hn::Iota(DI(), 0), SetI(first));
     auto& s = noted;
-    WalkCells(f_, p, from, to, open, [&](MF seen, const V3& middle, VF length) {
-      Append(middle.x, seen, s.x + s.size);
-      Append(middle.y, seen, s.y + s.size);
-      Append(middle.z, seen, s.z + s.size);
-      Append(length, seen, s.steps + s.size);
-      Append(ray, seen, s.ray + s.size);
-      s.size += int(hn::CountTrue(DF(), seen));
-    });
+    WalkCells(f_, p, from, to, open, std::max(1e-4f, f_.parting.tolerance),
+              [&](MF seen, const V3& middle, VF length) {
+                Append(middle.x, seen, s.x + s.size);
+                Append(middle.y, seen, s.y + s.size);
+                Append(middle.z, seen, s.z + s.size);
+                Append(length, seen, s.steps + s.size);
+                Append(ray, seen, s.ray + s.size);
+                s.size += int(hn::CountTrue(DF(), seen));
+              });
   }
 
   /// Integrates what is noted and forgets it; emit(const Integrated&, int count): front to back on each ray.
@@ -177,6 +179,7 @@ class Refiner {
       const VF unlike = hn::Add(hn::Add(bends, around), hn::Mul(change, hn::Min(halfDepth, Set(0.5f))));
       const VF uneven = hn::Mul(unlike, reaching);
       VI parts = SetI(0);
+      if (hn::AllFalse(DF(), hn::Gt(uneven, Set(8 * parting.tolerance)))) return parts;
       for (int more = 1; more < parting.most; more *= 2) {
         const VF enough = Set(8 * parting.tolerance * float(more) * float(more));
         parts = hn::IfThenElse(hn::RebindMask(di, hn::Gt(uneven, enough)), SetI(more), parts);

@@ -49,9 +49,11 @@ struct WalkAxis {
 
 /// Takes those rays of a packet that are `open` through the steps [from, to), cell by cell: emit(MF, middle,
 /// length) is called with passages through visible cells (length in steps, middle in voxels), front to back
-/// on each ray. Passages shorter than a ten-thousandth of a step belong to the next.
+/// on each ray. Passages shorter than `shortest` steps belong to the next
+/// cell's.
 template <class Emit>
-HWY_INLINE void WalkCells(const TraceFrame& f, const Packet& p, int from, int to, MF open, const Emit& emit) {
+HWY_INLINE void WalkCells(const TraceFrame& f, const Packet& p, int from, int to, MF open, float shortest,
+                          const Emit& emit) {
   const DF df;
   VF at = Set(float(from));
   // The last interval of a ray is shorter.
@@ -62,12 +64,13 @@ HWY_INLINE void WalkCells(const TraceFrame& f, const Packet& p, int from, int to
   while (!hn::AllFalse(df, hn::Lt(at, end))) {
     const VF upTo = hn::Min(hn::Min(x.face, y.face), hn::Min(z.face, end));
     const VF length = hn::Sub(upTo, at);
-    const MF passes = hn::Gt(length, Set(1e-4f));
+    const MF ends = hn::Ge(upTo, end);
+    const MF passes = hn::Gt(length, hn::IfThenElse(ends, Set(1e-4f), Set(shortest)));
     const MF seen =
         IsVisibleCell(*f.cells, passes, x.Inside(f.size.x), y.Inside(f.size.y), z.Inside(f.size.z));
     if (!hn::AllFalse(df, seen))
       emit(seen, Add(p.start, Scale(p.move, hn::Add(at, hn::Mul(length, Set(0.5f))))), length);
-    at = hn::IfThenElse(hn::Or(passes, hn::Ge(upTo, end)), upTo, at);
+    at = hn::IfThenElse(hn::Or(passes, ends), upTo, at);
     x.PassTo(upTo);
     y.PassTo(upTo);
     z.PassTo(upTo);
