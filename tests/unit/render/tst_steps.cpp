@@ -11,6 +11,7 @@
 #include "tests/unit/suite.h"
 #include "viewer/render/reference.h"
 #include "viewer/render/render.h"
+#include "viewer/scene/presets.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -59,6 +60,7 @@ class TestSteps : public QObject {
   void threadsChangeNoByte();
   void fullIsTheSamePicture_data() { addCaseRows(); }
   void fullIsTheSamePicture();
+  void fullIsTheSamePictureOfThinNoise();
   void scenesOfChanceAreFiniteAndTheSameEveryWay();
 
  private:
@@ -145,6 +147,22 @@ void TestSteps::fullIsTheSamePicture() {
   RenderOptions plain;
   plain.step = 1;
   QVERIFY(drawn(c, options) == drawn(c, plain));
+}
+
+// Rays askew through noise at the edge of the curve: where they begin to walk must change no passage.
+void TestSteps::fullIsTheSamePictureOfThinNoise() {
+  const VolumePtr chest = caseVolume("ct-chest-lidc0314-138");
+  NEED_VOLUME(chest);
+  Scene scene = *presetScene("CT-Bones", *chest);
+  scene.camera = Camera{};
+  scene.camera->direction = {0.5, 0.8, -0.33};
+  RenderCaches caches(chest);
+  RenderOptions options;
+  options.size = {431, 405};
+  const auto draw = [&] { return render(*makePlan(scene, caches.facts(), options), caches)->picture; };
+  const Picture skipped = draw();
+  options.full = true;
+  QVERIFY(draw() == skipped);
 }
 
 void TestSteps::scenesOfChanceAreFiniteAndTheSameEveryWay() {

@@ -49,8 +49,7 @@ struct WalkAxis {
 
 /// Takes those rays of a packet that are `open` through the steps [from, to), cell by cell: emit(MF, middle,
 /// length) is called with passages through visible cells (length in steps, middle in voxels), front to back
-/// on each ray. Passages shorter than `shortest` steps belong to the next
-/// cell's.
+/// on each ray. Visible passages shorter than `shortest` steps belong to the next cell's.
 template <class Emit>
 HWY_INLINE void WalkCells(const TraceFrame& f, const Packet& p, int from, int to, MF open, float shortest,
                           const Emit& emit) {
@@ -66,11 +65,14 @@ HWY_INLINE void WalkCells(const TraceFrame& f, const Packet& p, int from, int to
     const VF length = hn::Sub(upTo, at);
     const MF ends = hn::Ge(upTo, end);
     const MF passes = hn::Gt(length, hn::IfThenElse(ends, Set(1e-4f), Set(shortest)));
-    const MF seen =
-        IsVisibleCell(*f.cells, passes, x.Inside(f.size.x), y.Inside(f.size.y), z.Inside(f.size.z));
+    const MF visible =
+        IsVisibleCell(*f.cells, hn::Lt(at, end), x.Inside(f.size.x), y.Inside(f.size.y), z.Inside(f.size.z));
+    const MF seen = hn::And(visible, passes);
     if (!hn::AllFalse(df, seen))
       emit(seen, Add(p.start, Scale(p.move, hn::Add(at, hn::Mul(length, Set(0.5f))))), length);
-    at = hn::IfThenElse(hn::Or(passes, ends), upTo, at);
+    // Only visible cells hand a short passage on: how many others are walked depends on the packet and on
+    // what is skipped.
+    at = hn::IfThenElse(hn::AndNot(hn::Or(passes, ends), visible), at, hn::Max(at, upTo));
     x.PassTo(upTo);
     y.PassTo(upTo);
     z.PassTo(upTo);
