@@ -17,9 +17,9 @@ namespace {
 // `volumen render phantom:ct-head:128 --threads 1 --frames 7 --stats`, with 1, 4, 8 and 16 lights, unlit,
 // and each shader, method and resampler in turn. `bench_choices` holds them against whole frames.
 constexpr double sampleNs = 3;         // a density interpolated at a plain step
-constexpr double intervalNs = 10.5;    // an interval of planes that integrate: its samples, the curve
+constexpr double intervalNs = 10.5;    // 2 voxels of planes that go cell by cell: densities, the curve
 constexpr double cutNs = 1.9;          // what cuts add at a tolerance of 1, growing with its inverse root
-constexpr double litParts = 0.2;       // parts that are lit of an interval, likewise
+constexpr double litParts = 0.2;       // parts that are lit of them, likewise
 constexpr double glSampleNs = 6;       // OpenGL without a GPU, with the way back to the CPU
 constexpr double glGradientNs = 6;     // three components more
 constexpr double colourNs = 1;         // a visible sample's colour and opacity, composited
@@ -101,7 +101,7 @@ double lightNs(const Plan& plan, Shader shader, double samples) {
   return samples * lookupNs + 6.0 * plan.mapSize * plan.mapSize * (nodeNs + direct);
 }
 
-// Of a sample, or of an interval with its parts.
+// Of a sample, or of two voxels with their parts.
 double planesNs(const Plan& plan) {
   return plan.mostParts > 1 ? intervalNs + cutNs / std::sqrt(plan.partTolerance) : sampleNs;
 }

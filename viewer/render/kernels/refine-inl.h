@@ -1,5 +1,5 @@
-// Cutting intervals where the density bends, and integrating the curve along the parts, compiled once a CPU
-// target.
+// Cutting passages through cells where the density bends, and integrating the curve along the parts, compiled
+// once a CPU target.
 #if defined(VOLUMEN_RENDER_KERNELS_REFINE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_RENDER_KERNELS_REFINE_INL_H_
 #undef VOLUMEN_RENDER_KERNELS_REFINE_INL_H_
@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// What a part of an interval comes to: one sample where most of its light comes from.
+/// What a passage or a part of one comes to: one sample where most of its light comes from.
 struct Integrated {
   V3 place;  ///< clamped to the grid
   VF density, opacity, units;

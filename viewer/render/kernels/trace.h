@@ -28,7 +28,7 @@ struct TraceKey {
   Store store = Store::int16;
   ShadeBy shade = ShadeBy::nothing;
   bool gradientOpacity = false;
-  bool refined = false;  ///< intervals are integrated and cut (TraceFrame::parting); never dense
+  bool refined = false;  ///< cell by cell, integrated and cut (TraceFrame::parting); never dense
   bool dense = true;     ///< made for frames in which most samples are visible; the same bytes either way
 };
 
@@ -50,7 +50,7 @@ struct Parting {
 
 /// What all rays of a frame share. Pointers live as long as the frame.
 struct TraceFrame {
-  static constexpr int mostParts = 128;  ///< into which an interval can be cut
+  static constexpr int mostParts = 128;  ///< into which a passage can be cut
   glm::ivec3 size{1};                    ///< voxels
   const std::int16_t* density16 = nullptr;
   std::uint32_t flip16 = 0;  ///< xor for a pair of 16-bit values: 0x80008000 where they are unsigned
@@ -67,7 +67,7 @@ struct TraceFrame {
   float inverseUnitMm = 1;        ///< 1 / unitDistance
   const SkipMap* skip = nullptr;  ///< null: every packet is looked at
   const VisibleCells* cells =
-      nullptr;  ///< null: every sample is looked at; never where intervals are refined
+      nullptr;  ///< null: every sample is looked at; never null where rays go cell by cell
   const Lighting* lighting = nullptr;
   const ReflectanceMap* map = nullptr;
   const ShadeTable* table = nullptr;
