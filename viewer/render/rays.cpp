@@ -12,9 +12,9 @@
 namespace volumen {
 
 namespace {
-std::array<std::vector<float>*, 12> floatsOf(RayRow& row) {
-  return {&row.startX,  &row.startY,  &row.startZ,  &row.moveX,      &row.moveY,  &row.moveZ,
-          &row.viewerX, &row.viewerY, &row.viewerZ, &row.lastMiddle, &row.stepMm, &row.lastStepMm};
+std::array<std::vector<float>*, 13> floatsOf(RayRow& row) {
+  return {&row.startX,  &row.startY,  &row.startZ, &row.moveX,      &row.moveY,  &row.moveZ,     &row.viewerX,
+          &row.viewerY, &row.viewerZ, &row.ahead,  &row.lastMiddle, &row.stepMm, &row.lastStepMm};
 }
 }  // namespace
 
@@ -35,6 +35,11 @@ RaySetup::RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2
     eye_ = target_ - scene.camera->distance * axes_.direction;
     height_ = 2 * scene.camera->distance * std::tan(glm::radians(scene.camera->fov) / 2);
   }
+  const glm::dvec3 from = perspective_ ? eye_ : target_;
+  nearestMm_ = std::numeric_limits<double>::infinity();
+  for (const glm::dvec3& corner : geometry_.boxCorners())
+    nearestMm_ = std::min(nearestMm_, glm::dot(corner - from, axes_.direction));
+  if (perspective_) nearestMm_ = std::max(nearestMm_, 0.0);
   if (!clip) return;
   low_ = scene.clip.boxLow * glm::dvec3(geometry.size) - 0.5;
   high_ = scene.clip.boxHigh * glm::dvec3(geometry.size) - 0.5;
@@ -131,7 +136,7 @@ void RaySetup::writeRays(const Batch& batch, RayRow& row, int first) const {
   float* move[3] = {&row.moveX[first], &row.moveY[first], &row.moveZ[first]};
   float* viewer[3] = {&row.viewerX[first], &row.viewerY[first], &row.viewerZ[first]};
   int* steps = &row.steps[first];
-  float *lastMiddle = &row.lastMiddle[first], *stepMm = &row.stepMm[first],
+  float *ahead = &row.ahead[first], *lastMiddle = &row.lastMiddle[first], *stepMm = &row.stepMm[first],
         *lastStepMm = &row.lastStepMm[first];
   for (int n = 0; n < batch.count; ++n) {
     const double length = batch.t1[n] - batch.t0[n], step = batch.stepMm[n];
@@ -140,6 +145,8 @@ void RaySetup::writeRays(const Batch& batch, RayRow& row, int first) const {
     const double atLeastOne = std::max(1.0, ceilOf(inside / step - 1e-6));
     const double count = length > 0 ? atLeastOne : 0, last = length - (count - 1) * step;
     steps[n] = int(count);
+    const double before = std::max(0.0, (batch.t0[n] - nearestMm_) / step);
+    ahead[n] = float(count > 0 ? (wholeAhead_ ? double(int(before + 0.5)) : before) : 0);
     lastMiddle[n] = float(count - 1 + 0.5 * last / step);
     stepMm[n] = float(step);
     lastStepMm[n] = float(std::max(last, 0.0));
@@ -189,6 +196,7 @@ void RaySetup::makeRays(int x, int y, int count, RayRow& row) const {
   resize(row, count);
   for (int n = 0; n < count; ++n) row.pixel[n] = y * size_.x + x + n;
   setRays(row);
+  std::fill(row.ahead.begin(), row.ahead.end(), 0.0f);
 }
 
 double RaySetup::tileSpread() const {

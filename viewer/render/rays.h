@@ -20,6 +20,9 @@ struct RayRow {
   std::vector<float> viewerX, viewerY,
       viewerZ;  ///< unit vector towards the viewer, patient space (SCENE 5: e)
   std::vector<int> steps;
+  /// How many steps each ray begins behind the nearest corner of the volume: with so many ahead of them all
+  /// rays of a block come by a plane across the view at the same step. Whole where samples are: 0 in rows.
+  std::vector<float> ahead;
   std::vector<float> lastMiddle;
   std::vector<float> stepMm, lastStepMm;
   bool parallel = false;  ///< all rays that have steps share what follows
@@ -37,7 +40,9 @@ class RaySetup {
   RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, double stepVoxels, bool clip);
   /// The rays of a plan's picture.
   RaySetup(const Plan& plan, const VoxelGeometry& geometry)
-      : RaySetup(plan.scene, geometry, plan.options.size, plan.stepVoxels, plan.clip) {}
+      : RaySetup(plan.scene, geometry, plan.options.size, plan.stepVoxels, plan.clip) {
+    wholeAhead_ = plan.mostParts <= 1;
+  }
 
   static constexpr int tile = 4;    ///< rows and columns of a tile; a tile's rays fill the widest vector
   static constexpr int block = 32;  ///< rows and columns of a block of tiles
@@ -65,12 +70,14 @@ class RaySetup {
 
   glm::ivec2 size_;
   double stepVoxels_;
+  bool wholeAhead_ = true;  ///< samples stand at steps, none between
   bool perspective_, localViewer_;
   CameraAxes axes_;
   glm::dvec3 eye_, target_;
   double height_;
   VoxelGeometry geometry_;
   glm::dmat3 voxelFromMm_;
+  double nearestMm_ = 0;   ///< of the volume's corners, along the view
   glm::dvec3 low_, high_;  ///< the clipped box, voxel space
   std::vector<Plane> planes_;
 };

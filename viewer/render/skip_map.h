@@ -6,15 +6,17 @@
 
 namespace volumen {
 
-/// Where packets of rays must look: blocks of 4 x 4 x 4 voxels, i fastest.
+/// Where packets of rays must look, and where each of their rays: of a box whose lower corner lies in a block
+/// of 4 x 4 x 4 voxels and that reaches some blocks farther, whether it meets a visible one.
 struct SkipMap {
   static constexpr int edge = 4;
   glm::ivec3 count{0};
-  /// Not 0 where the block or any other up to so many blocks farther along each axis is visible; all that a
-  /// box of rays whose lower corner lies in the block can meet. First for reach - 1 blocks, then for reach;
-  /// with 4 readable bytes behind the last.
+  int reach = 1;  ///< blocks that the largest boxes reach farther along each axis
+  /// Layers of a byte a block, i fastest, with 4 readable bytes behind the last. The first is of boxes that
+  /// reach a = 0 or 1 block farther along each axis: bit a_x + 2 a_y + 4 a_z. The others are of boxes that
+  /// reach up to reach - 1 (from a reach of 3 on) and up to `reach` blocks (from 2 on): all bits or none.
   std::vector<std::uint8_t> near;
-  int reach = 1;  ///< blocks
+  int layers() const { return reach < 3 ? reach : 3; }
   std::size_t bytes() const { return near.size(); }
 };
 

@@ -15,18 +15,19 @@ std::vector<std::uint8_t> someVisible(glm::ivec3 count, int oneOf) {
   return visible;
 }
 
-// Whether any block up to `reach` farther along each axis is visible, one by one.
-std::vector<std::uint8_t> near(glm::ivec3 count, const std::vector<std::uint8_t>& visible, int reach) {
+// Whether any block up to so many farther along each axis is visible, one by one: of each block `bit` or 0.
+std::vector<std::uint8_t> near(glm::ivec3 count, const std::vector<std::uint8_t>& visible, glm::ivec3 farther,
+                               std::uint8_t bit) {
   std::vector<std::uint8_t> out;
   for (int k = 0; k < count.z; ++k)
     for (int j = 0; j < count.y; ++j)
       for (int i = 0; i < count.x; ++i) {
-        std::uint8_t any = 0;
-        for (int c = k; c <= std::min(k + reach, count.z - 1); ++c)
-          for (int b = j; b <= std::min(j + reach, count.y - 1); ++b)
-            for (int a = i; a <= std::min(i + reach, count.x - 1); ++a)
-              any |= visible[(std::size_t(c) * count.y + b) * count.x + a];
-        out.push_back(any);
+        bool any = false;
+        for (int c = k; c <= std::min(k + farther.z, count.z - 1); ++c)
+          for (int b = j; b <= std::min(j + farther.y, count.y - 1); ++b)
+            for (int a = i; a <= std::min(i + farther.x, count.x - 1); ++a)
+              any = any || visible[(std::size_t(c) * count.y + b) * count.x + a];
+        out.push_back(any ? bit : 0);
       }
   return out;
 }
@@ -65,13 +66,19 @@ void TestSkipMap::nearBlocksAreThoseInReach() {
   const SkipMap map = makeSkipMap(count, visible, reach, makeSkipMap(count, before, 1));
   const std::size_t total = visible.size();
   QCOMPARE(map.reach, reach);
-  QCOMPARE(map.near.size(), 2 * total + 4);
-  const auto part = [&](const std::vector<std::uint8_t>& all, std::size_t from) {
-    return std::vector<std::uint8_t>(all.begin() + std::ptrdiff_t(from),
-                                     all.begin() + std::ptrdiff_t(from + total));
+  const int layers = std::min(reach, 3);
+  QCOMPARE(map.near.size(), layers * total + 4);
+  const auto layer = [&](int n, std::uint8_t bits) {
+    std::vector<std::uint8_t> part;
+    for (std::size_t at = 0; at < total; ++at) part.push_back(map.near[n * total + at] & bits);
+    return part;
   };
-  QCOMPARE(part(map.near, 0), near(count, visible, reach - 1));
-  QCOMPARE(part(map.near, total), near(count, visible, reach));
+  for (int farther = 0; farther < 8; ++farther) {
+    const auto bit = std::uint8_t(1 << farther);
+    QCOMPARE(layer(0, bit), near(count, visible, {farther & 1, farther >> 1 & 1, farther >> 2}, bit));
+  }
+  if (layers > 1) QCOMPARE(layer(layers - 1, 255), near(count, visible, glm::ivec3(reach), 255));
+  if (layers > 2) QCOMPARE(layer(1, 255), near(count, visible, glm::ivec3(reach - 1), 255));
 }
 
 VOLUMEN_TEST(TestSkipMap);

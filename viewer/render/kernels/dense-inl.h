@@ -12,12 +12,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Whether any ray of the packet at ray `first` has this step and lets light through.
+/// Whether any ray of the packet at ray `first` lets light through and is on its way at the steps [step,
+/// end).
 HWY_INLINE bool IsPacketOpen(const TraceFrame& f, const RayRow& rays, const TraceRow& out, int first,
-                             int step) {
-  const MF has = hn::RebindMask(DF(), hn::Gt(hn::LoadU(DI(), rays.steps.data() + first), SetI(step)));
-  const MF open = hn::Le(hn::LoadU(DF(), out.alpha + first), Set(1 - f.stopTransmittance));
-  return !hn::AllFalse(DF(), hn::And(has, open));
+                             int step, int end) {
+  const DF df;
+  const VF ahead = hn::LoadU(df, rays.ahead.data() + first),
+           steps = hn::ConvertTo(df, hn::LoadU(DI(), rays.steps.data() + first));
+  const MF has = hn::And(hn::Gt(hn::Add(ahead, steps), Set(float(step))), hn::Lt(ahead, Set(float(end))));
+  const MF open = hn::Le(hn::LoadU(df, out.alpha + first), Set(1 - f.stopTransmittance));
+  return !hn::AllFalse(df, hn::And(has, open));
 }
 
 /// Density and gradient together, one step of the whole packet at a time, everything in registers.
@@ -45,7 +49,9 @@ class DenseTracer {
         out_(out),
         counts_(counts) {}
 
-  HWY_INLINE bool IsOpen(int first, int step) const { return IsPacketOpen(f_, rays_, out_, first, step); }
+  HWY_INLINE bool IsOpen(int first, int step, int end) const {
+    return IsPacketOpen(f_, rays_, out_, first, step, end);
+  }
 
   /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
   /// n by bit n.
@@ -60,8 +66,8 @@ class DenseTracer {
     const Packet p = LoadPacket(f_, rays_, first);
     for (; bits; bits &= bits - 1) {
       const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
-      const MF alive = hn::And(HasStep(p, at), hn::Le(sum.alpha, opaque));
-      if (hn::AllFalse(df, alive)) break;
+      const MF alive = hn::And(HasSample(p, SampleAt(p, at)), hn::Le(sum.alpha, opaque));
+      if (hn::AllFalse(df, alive)) continue;
       Composite(p, at, alive, sum);
     }
     hn::StoreU(sum.colour.x, df, out_.red + first);
@@ -74,7 +80,7 @@ class DenseTracer {
   void Finish() {}
 
  private:
-  HWY_INLINE Sample SampleAt(const V3& clamped, int step) const {
+  HWY_INLINE Sample ValuesAt(const V3& clamped, int step) const {
     if constexpr (kPlane) {
       const DF df;
       const std::size_t at = std::size_t(step) * plane_.stride + matter_.first;
@@ -92,10 +98,11 @@ class DenseTracer {
 
   HWY_INLINE void Composite(const Packet& p, int step, MF alive, Sum& sum) {
     const DF df;
-    const MF last = IsLast(p, step);
-    const V3 clamped = grid_.Clamped(Position(p, step, last));
+    const VF n = SampleAt(p, step);
+    const MF last = IsLast(p, n);
+    const V3 clamped = grid_.Clamped(Position(p, n, last));
     counts_.resampled += std::int64_t(hn::CountTrue(df, alive));
-    const Sample s = SampleAt(clamped, step);
+    const Sample s = ValuesAt(clamped, step);
     const MF seen = hn::And(alive, matter_.CanBeSeen(s.density));
     if (hn::AllFalse(df, seen)) return;
     // One step in 32 is timed; its two parts stand for all.

@@ -17,7 +17,7 @@ namespace volumen::HWY_NAMESPACE {
 /// The rays of one vector: where they start and how they move.
 struct Packet {
   V3 start, move;
-  VI steps;
+  VF steps, ahead;
   VF lastMiddle, units, lastUnits;  ///< units: length of a step in unit distances
   int longest = 0;                  ///< steps of the longest ray
 };
@@ -28,7 +28,8 @@ HWY_INLINE Packet LoadPacket(const TraceFrame& f, const RayRow& r, int first) {
   Packet p;
   p.start = {load(r.startX), load(r.startY), load(r.startZ)};
   p.move = {load(r.moveX), load(r.moveY), load(r.moveZ)};
-  p.steps = hn::LoadU(DI(), r.steps.data() + first);
+  p.steps = hn::ConvertTo(df, hn::LoadU(DI(), r.steps.data() + first));
+  p.ahead = load(r.ahead);
   p.lastMiddle = load(r.lastMiddle);
   p.units = hn::Mul(load(r.stepMm), Set(f.inverseUnitMm));
   p.lastUnits = hn::Mul(load(r.lastStepMm), Set(f.inverseUnitMm));
@@ -36,14 +37,17 @@ HWY_INLINE Packet LoadPacket(const TraceFrame& f, const RayRow& r, int first) {
   return p;
 }
 
-HWY_INLINE MF IsLast(const Packet& p, int step) {
-  return hn::RebindMask(DF(), hn::Eq(p.steps, SetI(step + 1)));
+/// Which of its samples each ray has at a step of the block; of rays that begin later or have ended none
+/// (HasSample).
+HWY_INLINE VF SampleAt(const Packet& p, int step) { return hn::Sub(Set(float(step)), p.ahead); }
+HWY_INLINE MF HasSample(const Packet& p, VF n) {
+  return hn::And(hn::Ge(n, hn::Zero(DF())), hn::Lt(n, p.steps));
 }
-HWY_INLINE MF HasStep(const Packet& p, int step) { return hn::RebindMask(DF(), hn::Gt(p.steps, SetI(step))); }
+HWY_INLINE MF IsLast(const Packet& p, VF n) { return hn::Eq(p.steps, hn::Add(n, Set(1))); }
 
-/// SCENE 9: start + (step + 1/2) move, the last interval being shorter.
-HWY_INLINE V3 Position(const Packet& p, int step, MF last) {
-  const VF middle = hn::IfThenElse(last, p.lastMiddle, Set(float(step) + 0.5f));
+/// SCENE 9: start + (n + 1/2) move, the last interval being shorter.
+HWY_INLINE V3 Position(const Packet& p, VF n, MF last) {
+  const VF middle = hn::IfThenElse(last, p.lastMiddle, hn::Add(n, Set(0.5f)));
   return Add(p.start, Scale(p.move, middle));
 }
 

@@ -26,12 +26,13 @@ void ProjectRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& pla
     VF value = Set(none);
     VF lost = Set(0);  // of the sum, in rounding: Kahan's compensation, as samples are many
     for (int step = 0; step < p.longest; ++step) {
-      const MF last = IsLast(p, step);
+      const VF n = Set(float(step));
+      const MF last = IsLast(p, n);
       VF density;
       if constexpr (std::is_void_v<Store>)
         density = hn::LoadU(df, plane.density + std::size_t(step) * plane.stride + first);
       else
-        density = Store::Density(grid, grid.CellAt(grid.Clamped(Position(p, step, last))));
+        density = Store::Density(grid, grid.CellAt(grid.Clamped(Position(p, n, last))));
       VF next;
       if constexpr (kMode == Mode::mip)
         next = hn::Max(value, density);
@@ -42,11 +43,10 @@ void ProjectRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& pla
         next = hn::Add(value, term);
         lost = hn::Sub(hn::Sub(next, value), term);
       }
-      value = hn::IfThenElse(HasStep(p, step), next, value);
+      value = hn::IfThenElse(HasSample(p, n), next, value);
     }
     if constexpr (kMode == Mode::average) {
-      const VF steps = hn::ConvertTo(df, p.steps);
-      const VF length = hn::Add(hn::Mul(hn::Sub(steps, Set(1)), p.units), p.lastUnits);
+      const VF length = hn::Add(hn::Mul(hn::Sub(p.steps, Set(1)), p.units), p.lastUnits);
       value = hn::Div(value, hn::Max(length, Set(1e-30f)));
     }
     hn::StoreU(value, df, result + first);

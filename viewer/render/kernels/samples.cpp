@@ -19,7 +19,7 @@ void ResampleRow(const TraceFrame& f, const RayRow& rays, int n, float* density,
   for (int first = 0; first < rays.count; first += int(hn::Lanes(df))) {
     const Packet p = LoadPacket(f, rays, first);
     if (n >= p.longest) continue;
-    const Cell cell = grid.CellAt(grid.Clamped(Position(p, n, IsLast(p, n))));
+    const Cell cell = grid.CellAt(grid.Clamped(Position(p, Set(float(n)), IsLast(p, Set(float(n))))));
     const VF d = Store::Density(grid, cell);
     hn::StoreU(d, df, density + first);
     if (!gradients || hn::AllTrue(df, hn::Eq(OpacityOf(*f.curve, SegmentOf(*f.curve, d), d), none))) continue;

@@ -36,6 +36,18 @@ HWY_INLINE MF InVisibleCell(const VisibleCells& cells, MF alive, const V3& clamp
                        hn::ConvertTo(di, clamped.z));
 }
 
+/// What the map says of boxes of blocks from `index` on that reach `across` farther, in the layer that begins
+/// at `layer`: not 0 where such a box meets a visible block.
+HWY_INLINE VI NearBlocks(const SkipMap& map, const VI (&index)[3], const VI (&across)[3], VI layer) {
+  const DI di;
+  const VI row = hn::Add(hn::Mul(index[2], SetI(map.count.y)), index[1]);
+  const VI inLayer = hn::Add(hn::Mul(row, SetI(map.count.x)), index[0]);
+  const auto farther = [&](int a) { return hn::ShiftLeftSame(hn::Min(across[a], SetI(1)), a); };
+  const VI bit = hn::Shl(SetI(1), hn::Or(farther(0), hn::Or(farther(1), farther(2))));
+  const auto* base = reinterpret_cast<const std::int32_t*>(map.near.data());
+  return hn::And(hn::GatherOffset(di, base, hn::Add(inLayer, layer)), bit);
+}
+
 /// Says at which steps a packet must be looked at: one look into the map for all of its rays, at the lower
 /// corner of the box around them (SkipMap). Packets that spread wider than the map reaches are looked at
 /// everywhere.
@@ -43,24 +55,27 @@ class Skipper {
  public:
   Skipper(const TraceFrame& f, const Packet& p) : map_(f.skip) {
     const DF df;
-    const MF real = HasStep(p, 0);
+    const MF real = hn::Gt(p.steps, hn::Zero(df));
     if (hn::AllFalse(df, real)) {
       map_ = nullptr;
       return;
     }
+    const float from = RangeOf(p.ahead, real).low, to = RangeOf(hn::Add(p.ahead, p.steps), real).high;
     const VF start[3] = {p.start.x, p.start.y, p.start.z}, move[3] = {p.move.x, p.move.y, p.move.z};
     for (int a = 0; a < 3; ++a) {
+      const auto rangeAt = [&](float step) {
+        return RangeOf(hn::Add(start[a], hn::Mul(move[a], hn::Sub(Set(step), p.ahead))), real);
+      };
       // Between the ends of the packet its rays are nowhere farther apart than at one of them.
-      const VF last = hn::Add(start[a], hn::Mul(move[a], Set(float(p.longest))));
-      const Range begin = RangeOf(start[a], real), end = RangeOf(last, real);
+      const Range begin = rangeAt(from), end = rangeAt(to);
       const float half = 0.5f * std::max(begin.high - begin.low, end.high - end.low);
       const float middle = 0.5f * (begin.low + begin.high);
-      move_[a] = (0.5f * (end.low + end.high) - middle) / float(p.longest);
+      move_[a] = (0.5f * (end.low + end.high) - middle) / (to - from);
       // Intervals reach half a step to either side, and the last sample of a ray stands up to half a step
       // before its place in the row. A hundredth of a voxel is far more than positions are rounded by.
       const float back = 0.5f * std::abs(move_[a]) + 0.01f;
       size_[a] = 2 * half + 2 * back;
-      start_[a] = middle - half - back;
+      start_[a] = middle - half - back - from * move_[a];
       last_[a] = float(f.size[a] - 1);
       if (map_ && size_[a] > float(map_->reach * SkipMap::edge)) map_ = nullptr;
     }
@@ -87,20 +102,19 @@ class Skipper {
     const auto block = [&](int a, VF x) {
       return hn::ShiftRight<2>(hn::ConvertTo(di, hn::Min(hn::Max(x, hn::Zero(df)), Set(last_[a]))));
     };
-    MF wide = hn::FirstN(df, 0);
-    VI index[3];
+    VI index[3], across[3];
     for (int a = 0; a < 3; ++a) {
       const VF x = hn::Add(Set(start_[a]), hn::Mul(middle, Set(move_[a])));
       index[a] = block(a, x);
-      const VI across = hn::Sub(block(a, hn::Add(x, Set(size_[a]))), index[a]);
-      wide = hn::Or(wide, hn::RebindMask(df, hn::Gt(across, SetI(map_->reach - 1))));
+      across[a] = hn::Sub(block(a, hn::Add(x, Set(size_[a]))), index[a]);
     }
-    const VI row = hn::Add(hn::Mul(index[2], SetI(map_->count.y)), index[1]);
-    const VI inMap = hn::Add(hn::Mul(row, SetI(map_->count.x)), index[0]);
-    const VI mapOf =
-        hn::IfThenElseZero(hn::RebindMask(di, wide), SetI(map_->count.x * map_->count.y * map_->count.z));
-    const auto* base = reinterpret_cast<const std::int32_t*>(map_->near.data());
-    const VI seen = hn::And(hn::GatherOffset(di, base, hn::Add(inMap, mapOf)), SetI(255));
+    const VI farthest = hn::Max(across[0], hn::Max(across[1], across[2]));
+    const int blocks = map_->count.x * map_->count.y * map_->count.z;
+    const auto layerWhere = [&](int more, int layer) {
+      return hn::IfThenElseZero(hn::Gt(farthest, SetI(more)), SetI(layer * blocks));
+    };
+    const VI layer = hn::Max(layerWhere(1, 1), layerWhere(map_->reach - 1, map_->layers() - 1));
+    const VI seen = NearBlocks(*map_, index, across, layer);
     alignas(8) std::uint8_t bits[8] = {};
     hn::StoreMaskBits(di, hn::Ne(seen, hn::Zero(di)), bits);
     std::uint64_t mask;

@@ -38,7 +38,9 @@ class SparseTracer {
         counts_(counts),
         refiner_(f, grid_, rays, counts) {}
 
-  HWY_INLINE bool IsOpen(int first, int step) const { return IsPacketOpen(f_, rays_, out_, first, step); }
+  HWY_INLINE bool IsOpen(int first, int step, int end) const {
+    return IsPacketOpen(f_, rays_, out_, first, step, end);
+  }
 
   /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
   /// n by bit n.
@@ -52,7 +54,7 @@ class SparseTracer {
     } else {
       for (; bits; bits &= bits - 1) {
         const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
-        Look(p, first, at, hn::And(alive, HasStep(p, at)));
+        Look(p, first, SampleAt(p, at), alive);
       }
     }
     if (Noted() > kLooked / 2) EndSlab();
@@ -91,9 +93,11 @@ class SparseTracer {
       return looked_.size;
   }
 
-  HWY_INLINE void Look(const Packet& p, int first, int step, MF alive) {
-    const MF last = IsLast(p, step);
-    const V3 place = grid_.Clamped(Position(p, step, last));
+  /// Notes the samples `n` of those rays that are `alive` and have them.
+  HWY_INLINE void Look(const Packet& p, int first, VF n, MF alive) {
+    alive = hn::And(alive, HasSample(p, n));
+    const MF last = IsLast(p, n);
+    const V3 place = grid_.Clamped(Position(p, n, last));
     if (f_.cells) alive = InVisibleCell(*f_.cells, alive, place);
     auto& s = looked_;
     Append(place.x, alive, s.x + s.size);

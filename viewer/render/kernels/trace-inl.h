@@ -13,6 +13,20 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
+/// The steps [begin, end) that any ray of a row takes.
+struct StepRange {
+  int begin, end;
+};
+inline StepRange StepsOf(const RayRow& rays) {
+  float begin = std::numeric_limits<float>::max(), end = 0;
+  for (std::size_t n = 0; n < rays.steps.size(); ++n)
+    if (rays.steps[n] > 0) {
+      begin = std::min(begin, rays.ahead[n]);
+      end = std::max(end, rays.ahead[n] + float(rays.steps[n]));
+    }
+  return end > 0 ? StepRange{int(begin), int(std::ceil(end))} : StepRange{0, 0};
+}
+
 /// One kernel. All packets of the row advance together, a slab of steps at a time: what one brings into the
 /// cache the others find there. (A packet alone, marching across rows of 512 voxels, throws its own lines out
 /// again: they are a power of two apart.)
@@ -25,24 +39,25 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   std::vector<Skipper> skippers;
   skippers.reserve(packets);
   for (int n = 0; n < packets; ++n) skippers.emplace_back(f, LoadPacket(f, rays, n * lanes));
-  const int longest = *std::max_element(rays.steps.begin(), rays.steps.end());
   constexpr int slab = Tracer::kSlab;
-  std::vector<std::uint64_t> looks(packets);
-  for (int step = 0; step < longest; step += slab) {
+  // The skipper looks at as many steps at a time as a vector has lanes: those of several slabs, or of a part.
+  const int looked = std::max(lanes, slab);
+  std::vector<std::uint64_t> looks(packets), bits(packets);
+  const StepRange steps = StepsOf(rays);
+  for (int step = steps.begin / looked * looked; step < steps.end; step += slab) {
     glm::vec3 low(std::numeric_limits<float>::max()), high(0);
     for (int n = 0; n < packets; ++n) {
-      // The skipper looks at as many steps at a time as a vector has lanes: those of several slabs, or of a
-      // part.
-      looks[n] = step % std::max(lanes, slab) ? looks[n] >> slab : 0;
-      if (step % std::max(lanes, slab) == 0)
-        for (int more = 0; more < std::max(lanes, slab); more += lanes)
+      looks[n] = step % looked ? looks[n] >> slab : 0;
+      if (step % looked == 0 && tracer.IsOpen(n * lanes, step, step + looked))
+        for (int more = 0; more < looked; more += lanes)
           looks[n] |= skippers[n].LookFrom(step + more) << more;
-      if (!tracer.IsOpen(n * lanes, step)) looks[n] = 0;
-      if (Tracer::kCells && (looks[n] & ((1 << slab) - 1))) skippers[n].TakeIn(step, slab, low, high);
+      bits[n] = looks[n] & ((1 << slab) - 1);
+      if (bits[n] && !tracer.IsOpen(n * lanes, step, step + slab)) bits[n] = 0;
+      if (Tracer::kCells && bits[n]) skippers[n].TakeIn(step, slab, low, high);
     }
     if (Tracer::kCells && f.cells && low.x <= high.x) f.cells->lookInto(low, high);
     tracer.BeginSlab();
-    for (int n = 0; n < packets; ++n) tracer.Advance(n * lanes, step, looks[n] & ((1 << slab) - 1));
+    for (int n = 0; n < packets; ++n) tracer.Advance(n * lanes, step, bits[n]);
     tracer.EndSlab();
   }
   tracer.Finish();

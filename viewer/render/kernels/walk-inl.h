@@ -16,33 +16,33 @@ namespace volumen::HWY_NAMESPACE {
 struct WalkAxis {
   VF start, inverse;  ///< of the ray, voxels; of what a step adds to it
   VF index, face;     ///< the next face's index, and how far it is from the start, in steps
-  VI cell;            ///< -1 before the first voxel
   VF turn;            ///< what the next face but one adds to the index: 1 or -1
-  MF still;
+  VI cell, turnCell;  ///< -1 before the first voxel; as `turn`
 
   HWY_INLINE WalkAxis(VF rayStart, VF move, VF from) : start(rayStart) {
     const DF df;
     const DI di;
-    still = hn::Lt(hn::Abs(move), Set(1e-6f));
-    const MF isBack = hn::Lt(move, hn::Zero(df));
-    inverse = hn::Div(Set(1), hn::IfThenElse(still, Set(1), move));
+    const MF still = hn::Lt(hn::Abs(move), Set(1e-6f)), isBack = hn::Lt(move, hn::Zero(df));
     turn = hn::IfThenElse(isBack, Set(-1), Set(1));
+    turnCell = hn::ConvertTo(di, turn);
     // Rays begin up to half a voxel before the first; conversion cuts towards 0.
     cell = hn::Sub(hn::ConvertTo(di, hn::Add(hn::Add(start, hn::Mul(from, move)), Set(1))), SetI(1));
-    index = hn::Add(hn::ConvertTo(df, cell), hn::IfThenElseZero(hn::Not(isBack), Set(1)));
+    const VF next = hn::Add(hn::ConvertTo(df, cell), hn::IfThenElseZero(hn::Not(isBack), Set(1)));
+    // The next face of a ray that stands still is never reached.
+    index = hn::IfThenElse(still, hn::Add(start, Set(1)), next);
+    inverse = hn::IfThenElse(still, Set(1e30f), hn::Div(Set(1), hn::IfThenElse(still, Set(1), move)));
     SetFace();
   }
 
-  HWY_INLINE void SetFace() {
-    face = hn::IfThenElse(still, Set(1e30f), hn::Mul(hn::Sub(index, start), inverse));
-  }
+  HWY_INLINE void SetFace() { face = hn::Mul(hn::Sub(index, start), inverse); }
 
-  HWY_INLINE VI Inside(int size) const { return hn::Min(hn::Max(cell, SetI(0)), SetI(size - 1)); }
+  /// Indices inside the grid; those of rays at their end may lie one behind it (VisibleCells::words).
+  HWY_INLINE VI Inside() const { return hn::Max(cell, hn::Zero(DI())); }
 
   HWY_INLINE void PassTo(VF place) {
-    const VF step = hn::IfThenElseZero(hn::Le(face, place), turn);
-    index = hn::Add(index, step);
-    cell = hn::Add(cell, hn::ConvertTo(DI(), step));
+    const MF passed = hn::Le(face, place);
+    index = hn::IfThenElse(passed, hn::Add(index, turn), index);
+    cell = hn::IfThenElse(hn::RebindMask(DI(), passed), hn::Add(cell, turnCell), cell);
     SetFace();
   }
 };
@@ -54,19 +54,17 @@ template <class Emit>
 HWY_INLINE void WalkCells(const TraceFrame& f, const Packet& p, int from, int to, MF open, float shortest,
                           const Emit& emit) {
   const DF df;
-  VF at = Set(float(from));
+  VF at = hn::Max(SampleAt(p, from), hn::Zero(df));
   // The last interval of a ray is shorter.
-  const VF behind =
-      hn::Sub(hn::Add(p.lastMiddle, p.lastMiddle), hn::ConvertTo(df, hn::Sub(p.steps, SetI(1))));
-  const VF end = hn::IfThenElseZero(open, hn::Min(behind, Set(float(to))));
+  const VF behind = hn::Sub(hn::Add(p.lastMiddle, p.lastMiddle), hn::Sub(p.steps, Set(1)));
+  const VF end = hn::IfThenElseZero(open, hn::Min(behind, SampleAt(p, to)));
   WalkAxis x(p.start.x, p.move.x, at), y(p.start.y, p.move.y, at), z(p.start.z, p.move.z, at);
   while (!hn::AllFalse(df, hn::Lt(at, end))) {
     const VF upTo = hn::Min(hn::Min(x.face, y.face), hn::Min(z.face, end));
     const VF length = hn::Sub(upTo, at);
     const MF ends = hn::Ge(upTo, end);
     const MF passes = hn::Gt(length, hn::IfThenElse(ends, Set(1e-4f), Set(shortest)));
-    const MF visible =
-        IsVisibleCell(*f.cells, hn::Lt(at, end), x.Inside(f.size.x), y.Inside(f.size.y), z.Inside(f.size.z));
+    const MF visible = IsVisibleCell(*f.cells, hn::Lt(at, end), x.Inside(), y.Inside(), z.Inside());
     const MF seen = hn::And(visible, passes);
     if (!hn::AllFalse(df, seen))
       emit(seen, Add(p.start, Scale(p.move, hn::Add(at, hn::Mul(length, Set(0.5f))))), length);
