@@ -9,7 +9,7 @@ namespace volumen {
 namespace {
 
 // How long nothing new must be asked for before the full picture is begun.
-constexpr std::chrono::milliseconds restTime{60};
+constexpr std::chrono::milliseconds restTime{25};
 
 }  // namespace
 

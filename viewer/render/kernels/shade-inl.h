@@ -39,6 +39,16 @@ HWY_INLINE VI SegmentOf(const CurveTable& t, VF density) {
     for (int n = 0; n + 1 < t.segments; ++n) segment = plusOneWhere(hn::Ge(density, Set(t.node[n])), segment);
     return segment;
   }
+  if (t.segments <= int(hn::Lanes(df))) {
+    // A binary search: permutations take less time than one gather.
+    VI segment = hn::Zero(di);
+    for (int step = int(hn::Lanes(df)) / 2; step > 0; step /= 2) {
+      const VF node = OfSegment(t, t.node, hn::Add(segment, SetI(step - 1)));
+      const VI farther = hn::Add(segment, SetI(step));
+      segment = hn::IfThenElse(hn::RebindMask(di, hn::Ge(density, node)), farther, segment);
+    }
+    return segment;
+  }
   const VF bucket = hn::Mul(hn::Sub(density, Set(t.low)), Set(t.perBucket));
   const VI b = hn::ConvertTo(di, hn::Min(hn::Max(bucket, hn::Zero(df)), Set(float(CurveTable::buckets - 1))));
   VI segment = hn::GatherIndex(di, t.first.data(), b);
