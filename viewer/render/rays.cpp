@@ -35,11 +35,6 @@ RaySetup::RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2
     eye_ = target_ - scene.camera->distance * axes_.direction;
     height_ = 2 * scene.camera->distance * std::tan(glm::radians(scene.camera->fov) / 2);
   }
-  const glm::dvec3 from = perspective_ ? eye_ : target_;
-  nearestMm_ = std::numeric_limits<double>::infinity();
-  for (const glm::dvec3& corner : geometry_.boxCorners())
-    nearestMm_ = std::min(nearestMm_, glm::dot(corner - from, axes_.direction));
-  if (perspective_) nearestMm_ = std::max(nearestMm_, 0.0);
   if (!clip) return;
   low_ = scene.clip.boxLow * glm::dvec3(geometry.size) - 0.5;
   high_ = scene.clip.boxHigh * glm::dvec3(geometry.size) - 0.5;
@@ -145,8 +140,7 @@ void RaySetup::writeRays(const Batch& batch, RayRow& row, int first) const {
     const double atLeastOne = std::max(1.0, ceilOf(inside / step - 1e-6));
     const double count = length > 0 ? atLeastOne : 0, last = length - (count - 1) * step;
     steps[n] = int(count);
-    const double before = std::max(0.0, (batch.t0[n] - nearestMm_) / step);
-    ahead[n] = float(count > 0 ? (wholeAhead_ ? double(int(before + 0.5)) : before) : 0);
+    ahead[n] = float(count > 0 ? std::clamp(batch.t0[n] / step, -1e30, 1e30) : 0);
     lastMiddle[n] = float(count - 1 + 0.5 * last / step);
     stepMm[n] = float(step);
     lastStepMm[n] = float(std::max(last, 0.0));
@@ -199,6 +193,18 @@ void RaySetup::makeRays(int x, int y, int count, RayRow& row) const {
   std::fill(row.ahead.begin(), row.ahead.end(), 0.0f);
 }
 
+// Any number would do, and does where floats end: rays then only lie farther apart.
+void RaySetup::countAheadFromFirst(RayRow& row) const {
+  constexpr float most = 1 << 20;
+  float first = std::numeric_limits<float>::max();
+  for (std::size_t n = 0; n < row.steps.size(); ++n)
+    if (row.steps[n] > 0) first = std::min(first, row.ahead[n]);
+  for (std::size_t n = 0; n < row.steps.size(); ++n) {
+    const float behind = row.steps[n] > 0 ? std::min(row.ahead[n] - first, most) : 0.0f;
+    row.ahead[n] = wholeAhead_ ? float(int(behind + 0.5f)) : behind;
+  }
+}
+
 double RaySetup::tileSpread() const {
   double pixelMm = height_ / size_.y;
   if (perspective_) {
@@ -222,6 +228,7 @@ void RaySetup::makeBlock(int x, int y, RayRow& row) const {
     if (px < size_.x && py < size_.y) row.pixel[n] = py * size_.x + px;
   }
   setRays(row);
+  countAheadFromFirst(row);
 }
 
 }  // namespace volumen

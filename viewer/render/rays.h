@@ -20,8 +20,8 @@ struct RayRow {
   std::vector<float> viewerX, viewerY,
       viewerZ;  ///< unit vector towards the viewer, patient space (SCENE 5: e)
   std::vector<int> steps;
-  /// How many steps each ray begins behind the nearest corner of the volume: with so many ahead of them all
-  /// rays of a block come by a plane across the view at the same step. Whole where samples are: 0 in rows.
+  /// How many steps each ray of a block begins behind the first: with so many ahead of them all come by a
+  /// plane across the view at the same step. Whole where samples stand at steps; 0 in rows.
   std::vector<float> ahead;
   std::vector<float> lastMiddle;
   std::vector<float> stepMm, lastStepMm;
@@ -62,8 +62,9 @@ class RaySetup {
   };
   struct Batch;
   static void resize(RayRow& row, int count);
-  /// Fills in the rays of row.pixel; padding stays 0.
+  /// Fills in the rays of row.pixel; padding stays 0. `ahead` is counted from where the camera counts.
   void setRays(RayRow& row) const;
+  void countAheadFromFirst(RayRow& row) const;
   void setOrigins(Batch& batch) const;
   void cutIntervals(Batch& batch) const;
   void writeRays(const Batch& batch, RayRow& row, int first) const;
@@ -77,7 +78,6 @@ class RaySetup {
   double height_;
   VoxelGeometry geometry_;
   glm::dmat3 voxelFromMm_;
-  double nearestMm_ = 0;   ///< of the volume's corners, along the view
   glm::dvec3 low_, high_;  ///< the clipped box, voxel space
   std::vector<Plane> planes_;
 };
