@@ -67,9 +67,7 @@ void VisibleCells::begin(glm::ivec3 size, Densities16 densities, const CurveTabl
   count_ = (size + (edge - 1)) / edge;
   densities_ = densities;
   spans_ = spansOf(curve);
-  // Rays at their end ask for the cell behind the last, along each axis.
-  const std::size_t behind = std::size_t(count_.x) * (count_.y + 1) + 1;
-  words_.resize(visible.size() + behind);
+  words_.resize(visible.size());
   wanted_.resize(visible.size());
   const std::int64_t slice = std::int64_t(count_.x) * count_.y;
   parallelFor(count_.z, 0, [&](std::int64_t first, std::int64_t last) {

@@ -32,8 +32,7 @@ class VisibleCells {
   void lookInto(glm::vec3 low, glm::vec3 high) const;
 
   /// Two words a block: cell (i, j, k) of block b is bit i % 4 + 4 (j % 4) + 16 (k % 2) of word
-  /// 2 b + k % 4 / 2. Only of blocks that were looked into. A cell behind the last along any axis may be
-  /// asked for: it means nothing, but can be read.
+  /// 2 b + k % 4 / 2. Only of blocks that were looked into.
   const std::int32_t* words() const { return reinterpret_cast<const std::int32_t*>(words_.data()); }
   glm::ivec3 count() const { return count_; }
   std::size_t bytes() const { return words_.size() * sizeof(words_[0]) + wanted_.size(); }

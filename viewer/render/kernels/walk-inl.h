@@ -36,8 +36,8 @@ struct WalkAxis {
 
   HWY_INLINE void SetFace() { face = hn::Mul(hn::Sub(index, start), inverse); }
 
-  /// Indices inside the grid; those of rays at their end may lie one behind it (VisibleCells::words).
-  HWY_INLINE VI Inside() const { return hn::Max(cell, hn::Zero(DI())); }
+  /// Inside the grid also for rays that have long ended, whose places are far outside.
+  HWY_INLINE VI Inside(int size) const { return hn::Min(hn::Max(cell, hn::Zero(DI())), SetI(size - 1)); }
 
   HWY_INLINE void PassTo(VF place) {
     const MF passed = hn::Le(face, place);
@@ -64,7 +64,8 @@ HWY_INLINE void WalkCells(const TraceFrame& f, const Packet& p, int from, int to
     const VF length = hn::Sub(upTo, at);
     const MF ends = hn::Ge(upTo, end);
     const MF passes = hn::Gt(length, hn::IfThenElse(ends, Set(1e-4f), Set(shortest)));
-    const MF visible = IsVisibleCell(*f.cells, hn::Lt(at, end), x.Inside(), y.Inside(), z.Inside());
+    const MF visible =
+        IsVisibleCell(*f.cells, hn::Lt(at, end), x.Inside(f.size.x), y.Inside(f.size.y), z.Inside(f.size.z));
     const MF seen = hn::And(visible, passes);
     if (!hn::AllFalse(df, seen))
       emit(seen, Add(p.start, Scale(p.move, hn::Add(at, hn::Mul(length, Set(0.5f))))), length);
