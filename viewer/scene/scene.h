@@ -122,8 +122,8 @@ CameraAxes cameraAxes(const Camera& camera);
 /// (DESIGN 10).
 Camera turned(Camera camera, double degrees);
 
-/// `camera` with its eye `degrees` above the plane through the target at right angles to `up` (towards the tip
-/// of up; -90 < degrees < 90), on the side where it was.
+/// `camera` with its eye `degrees` above the plane through the target at right angles to `up` (towards the
+/// tip of up; -90 < degrees < 90), on the side where it was.
 Camera elevated(Camera camera, double degrees);
 
 }  // namespace volumen
