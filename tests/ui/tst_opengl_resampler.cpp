@@ -54,8 +54,8 @@ void TestOpenGlResampler::theSamePictureComesFromOpenGl() {
   controller.setResampler(Resampler::gl);
   const Frame gl = fullFrame(controller, scene);
   QCOMPARE(cpu.plan->resampler, Resampler::cpu);
-  // The CPU cuts intervals where OpenGL takes plain steps, and both keep the promise of `standard`: 42 dB, an
-  // RMSE of 2.03/255 each.
+  // The CPU goes from cell to cell where OpenGL takes plain steps, and both keep the promise of `standard`:
+  // 42 dB, an RMSE of 2.03/255 each.
   QVERIFY(rmsDifference(cpu.image, gl.image) <= 4.06);
   if (!failures.isEmpty()) {
     QCOMPARE(gl.plan->resampler, Resampler::cpu);

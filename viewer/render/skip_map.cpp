@@ -9,6 +9,11 @@ namespace volumen {
 
 namespace {
 
+// Sets these bits of to[n] wherever visible[n] is not 0.
+void setWhere(const std::uint8_t* visible, std::size_t count, std::uint8_t bits, std::uint8_t* to) {
+  for (std::size_t n = 0; n < count; ++n) to[n] |= visible[n] ? bits : std::uint8_t(0);
+}
+
 // to[n] |= from[n] & bits for all n; the two do not overlap.
 void takeIn(const std::uint8_t* from, std::size_t count, std::uint8_t bits, std::uint8_t* to) {
   for (std::size_t n = 0; n < count; ++n) to[n] |= std::uint8_t(from[n] & bits);
@@ -36,12 +41,11 @@ SkipMap makeSkipMap(glm::ivec3 count, const std::vector<std::uint8_t>& visible, 
   const std::size_t total = visible.size(), slice = std::size_t(count.x) * count.y;
   map.near.resize(map.layers() * total + 4);
   const auto makeSlice = [&](std::int64_t k, int layer, int farther, auto bitsAlong) {
-    const std::uint8_t* from = visible.data() + k * slice;
     std::uint8_t* to = map.near.data() + layer * total + k * slice;
-    for (std::size_t n = 0; n < slice; ++n) to[n] = from[n] ? all : 0;
+    std::fill_n(to, slice, std::uint8_t(0));
+    setWhere(visible.data() + k * slice, slice, all, to);
     for (std::int64_t next = k + 1; next <= std::min<std::int64_t>(k + farther, count.z - 1); ++next)
-      for (std::size_t n = 0; n < slice; ++n)
-        to[n] |= visible[next * slice + n] ? bitsAlong[2] : std::uint8_t(0);
+      setWhere(visible.data() + next * slice, slice, bitsAlong[2], to);
     takeInAlongSlice(to, count, farther, bitsAlong[1], bitsAlong[0]);
   };
   parallelFor(count.z, 0, [&](std::int64_t begin, std::int64_t end) {

@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// Where packets of rays must look, and where each of their rays: of a box whose lower corner lies in a block
-/// of 4 x 4 x 4 voxels and that reaches some blocks farther, whether it meets a visible one.
+/// Where packets of rays must look: of the box around one, whose lower corner lies in a block of 4 x 4 x 4
+/// voxels and that reaches some blocks farther, whether it meets a visible block.
 struct SkipMap {
   static constexpr int edge = 4;
   glm::ivec3 count{0};

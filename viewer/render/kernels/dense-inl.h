@@ -12,18 +12,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Whether any ray of the packet at ray `first` lets light through and is on its way at the steps [step,
-/// end).
-HWY_INLINE bool IsPacketOpen(const TraceFrame& f, const RayRow& rays, const TraceRow& out, int first,
-                             int step, int end) {
-  const DF df;
-  const VF ahead = hn::LoadU(df, rays.ahead.data() + first),
-           steps = hn::ConvertTo(df, hn::LoadU(DI(), rays.steps.data() + first));
-  const MF has = hn::And(hn::Gt(hn::Add(ahead, steps), Set(float(step))), hn::Lt(ahead, Set(float(end))));
-  const MF open = hn::Le(hn::LoadU(df, out.alpha + first), Set(1 - f.stopTransmittance));
-  return !hn::AllFalse(df, hn::And(has, open));
-}
-
 /// Density and gradient together, one step of the whole packet at a time, everything in registers.
 template <class Store, ShadeBy kShade, bool kGradientOpacity>
 class DenseTracer {
@@ -48,10 +36,6 @@ class DenseTracer {
         plane_(plane),
         out_(out),
         counts_(counts) {}
-
-  HWY_INLINE bool IsOpen(int first, int step, int end) const {
-    return IsPacketOpen(f_, rays_, out_, first, step, end);
-  }
 
   /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
   /// n by bit n.

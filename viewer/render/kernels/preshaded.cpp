@@ -22,13 +22,13 @@ HWY_INLINE PreshadedSum TracePacket(const float* rgba, const Grid& grid, const P
   const DF df;
   const VF zero = hn::Zero(df), one = Set(1), opaque = Set(1 - grid.frame().stopTransmittance);
   PreshadedSum sum{Zero3(), zero};
-  for (int n = 0; n < p.longest; ++n) {
-    const MF alive = hn::And(HasSample(p, Set(float(n))), hn::Le(sum.alpha, opaque));
+  for (int step = 0; step < p.longest; ++step) {
+    const VF n = Set(float(step));
+    const MF alive = hn::And(HasSample(p, n), hn::Le(sum.alpha, opaque));
     if (hn::AllFalse(df, alive)) break;
     counts.resampled += std::int64_t(hn::CountTrue(df, alive));
-    const MF last = IsLast(p, Set(float(n)));
-    const Interpolated voxel =
-        InterpolateFour(grid, grid.CellAt(grid.Clamped(Position(p, Set(float(n)), last))), rgba);
+    const MF last = IsLast(p, n);
+    const Interpolated voxel = InterpolateFour(grid, grid.CellAt(grid.Clamped(Position(p, n, last))), rgba);
     const MF visible = hn::And(alive, hn::Gt(voxel.w, zero));
     if (hn::AllFalse(df, visible)) continue;
     const VF interval =

@@ -38,10 +38,6 @@ class SparseTracer {
         counts_(counts),
         refiner_(f, grid_, rays, counts) {}
 
-  HWY_INLINE bool IsOpen(int first, int step, int end) const {
-    return IsPacketOpen(f_, rays_, out_, first, step, end);
-  }
-
   /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
   /// n by bit n.
   HWY_INLINE void Advance(int first, int step, std::uint64_t bits) {

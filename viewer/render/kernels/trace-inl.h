@@ -27,6 +27,18 @@ inline StepRange StepsOf(const RayRow& rays) {
   return end > 0 ? StepRange{int(begin), int(std::ceil(end))} : StepRange{0, 0};
 }
 
+/// Whether any ray of the packet at ray `first` lets light through and is on its way at the steps [step,
+/// end).
+HWY_INLINE bool IsPacketOpen(const TraceFrame& f, const RayRow& rays, const TraceRow& out, int first,
+                             int step, int end) {
+  const DF df;
+  const VF ahead = hn::LoadU(df, rays.ahead.data() + first),
+           steps = hn::ConvertTo(df, hn::LoadU(DI(), rays.steps.data() + first));
+  const MF has = hn::And(hn::Gt(hn::Add(ahead, steps), Set(float(step))), hn::Lt(ahead, Set(float(end))));
+  const MF open = hn::Le(hn::LoadU(df, out.alpha + first), Set(1 - f.stopTransmittance));
+  return !hn::AllFalse(df, hn::And(has, open));
+}
+
 /// One kernel. All packets of the row advance together, a slab of steps at a time: what one brings into the
 /// cache the others find there. (A packet alone, marching across rows of 512 voxels, throws its own lines out
 /// again: they are a power of two apart.)
@@ -43,16 +55,19 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   // The skipper looks at as many steps at a time as a vector has lanes: those of several slabs, or of a part.
   const int looked = std::max(lanes, slab);
   std::vector<std::uint64_t> looks(packets), bits(packets);
+  const auto isOpen = [&](int n, int from, int to) {
+    return IsPacketOpen(f, rays, out, n * lanes, from, to);
+  };
   const StepRange steps = StepsOf(rays);
   for (int step = steps.begin / looked * looked; step < steps.end; step += slab) {
     glm::vec3 low(std::numeric_limits<float>::max()), high(0);
     for (int n = 0; n < packets; ++n) {
       looks[n] = step % looked ? looks[n] >> slab : 0;
-      if (step % looked == 0 && tracer.IsOpen(n * lanes, step, step + looked))
+      if (step % looked == 0 && isOpen(n, step, step + looked))
         for (int more = 0; more < looked; more += lanes)
           looks[n] |= skippers[n].LookFrom(step + more) << more;
       bits[n] = looks[n] & ((1 << slab) - 1);
-      if (bits[n] && !tracer.IsOpen(n * lanes, step, step + slab)) bits[n] = 0;
+      if (bits[n] && !isOpen(n, step, step + slab)) bits[n] = 0;
       if (Tracer::kCells && bits[n]) skippers[n].TakeIn(step, slab, low, high);
     }
     if (Tracer::kCells && f.cells && low.x <= high.x) f.cells->lookInto(low, high);

@@ -24,11 +24,12 @@ ShadeBy shadeOf(const Plan& plan) {
   return plan.scene.shading.localViewer ? ShadeBy::local : ShadeBy::phong;
 }
 
-// How far the box around a packet of rays may reach. Rays of a tile that enter the volume through different
-// faces are a little farther apart than their pixels.
+// How far the box around a packet of rays may reach: its interval, and where samples stand at steps half a
+// step more to either side (RayRow::ahead).
 int reachBlocks(const Plan& plan, const VoxelGeometry& geometry) {
   const RaySetup setup(plan, geometry);
-  const double across = 2 * setup.tileSpread() + plan.stepVoxels + 0.1;
+  const double along = plan.mostParts > 1 ? plan.stepVoxels : 2 * plan.stepVoxels;
+  const double across = 2 * setup.tileSpread() + along + 0.1;
   return int(std::clamp(std::ceil(across / SkipMap::edge), 1.0, 8.0));
 }
 
