@@ -59,14 +59,19 @@ vec4 normalOf(vec3 stored) {
 #endif
 
 #if defined(MAP) || defined(MAP_NEAREST)
-uniform samplerBuffer shades;  // the map's nodes, two texels each: D and S
+uniform samplerBuffer shades;  // the map's nodes: two texels each, D and S of red, green, blue; or one
 uniform int mapSize;
 
 struct DS { vec3 d, s; };
 DS nodeOf(int face, int u, int v) {
-  int at = 2 * ((face * mapSize + v) * mapSize + u);
-  vec4 a = texelFetch(shades, at), b = texelFetch(shades, at + 1);
-  return DS(a.xyz, vec3(a.w, b.xy));
+  int at = (face * mapSize + v) * mapSize + u;
+#ifdef GREY
+  vec2 light = texelFetch(shades, at).xy;
+  return DS(light.xxx, light.yyy);
+#else
+  vec4 a = texelFetch(shades, 2 * at), b = texelFetch(shades, 2 * at + 1);
+  return DS(vec3(a.xz, b.x), vec3(a.yw, b.y));
+#endif
 }
 
 DS lightOf(vec3 n) {

@@ -61,14 +61,15 @@ Result<std::vector<Goal>> oneAndTwoThreads(const SpeedInputs& in, RenderCaches& 
 }
 
 // The table of a map of the default size, made anew.
-Goal lightEdit(const Scene& scene, int mapSize, int lights) {
-  Scene lit = scene;
+Goal lightEdit(const Plan& whole, int lights) {
+  Scene lit = whole.scene;
   lit.lights = ringOfLights(lights);
   std::vector<double> ms;
   for (int n = 0; n < 31; ++n) {
     lit.lights[0].direction.x += 0.01;
     const double begin = wallMs();
-    const ReflectanceMap map = makeReflectanceMap(makeLighting(lit, true), mapSize, MapLookup::bilinear);
+    const ReflectanceMap map =
+        makeReflectanceMap(makeLighting(lit, true, whole.colouredLight), whole.mapSize, MapLookup::bilinear);
     ms.push_back(wallMs() - begin);
   }
   return {text("light edit, %d light%s: the shading table", lights, lights > 1 ? "s" : ""),
@@ -80,8 +81,7 @@ Result<std::vector<Goal>> lights(const SpeedInputs& in, RenderCaches& caches) {
   byMap.shader = Shader::map;
   const auto whole = makePlan(in.scenes.front().scene, caches.facts(), byMap);
   if (!whole) return whole.error();
-  std::vector<Goal> goals{lightEdit(whole->scene, whole->mapSize, 1),
-                          lightEdit(whole->scene, whole->mapSize, 16)};
+  std::vector<Goal> goals{lightEdit(*whole, 1), lightEdit(*whole, 16)};
   std::vector<Case> cases;
   for (const int count : {1, 16}) {
     Case c{in.scenes.front().name, whole->scene, {}, &caches};

@@ -43,6 +43,7 @@ struct Plan {
   GradientOperator gradientOperator = GradientOperator::sobel;
   bool lit = false;              ///< D and S of SCENE 5 are evaluated
   bool specular = false;         ///< the S part is evaluated
+  bool colouredLight = false;    ///< D and S for red, green and blue; else once for all three
   bool gradientOpacity = false;  ///< the factor over |g_p| is evaluated
   bool clip = false;             ///< clip box and planes cut the rays
   bool skipBlocks = false;       ///< blocks of opacity 0 are never touched

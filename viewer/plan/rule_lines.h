@@ -28,6 +28,8 @@ Resampler resamplerOf(const RenderOptions& options);
 
 /// Lights that are on and not black.
 int lightsThatShine(const Scene& scene);
+/// Whether a light that is on is neither white nor grey.
+bool lightIsColoured(const Scene& scene);
 
 /// SCENE 9: the length of a step on a ray along the camera's axis, mm.
 double stepMm(const Camera& camera, const VoxelGeometry& geometry, double stepVoxels);

@@ -32,6 +32,15 @@ Effect specular(const RuleInput& in, Plan& plan) {
   return on("the material's specular is " + inDigits(in.scene.shading.specular));
 }
 
+Effect lightColour(const RuleInput& in, Plan& plan) {
+  const bool coloured = in.scene.shading.lit && lightIsColoured(in.scene);
+  plan.colouredLight = plan.lit && (coloured || in.options.full);
+  if (!plan.lit) return off("nothing is lit");
+  if (coloured) return on("a light has a colour: computed for red, green and blue");
+  return plan.colouredLight ? on("asked for in full")
+                            : off("no light has a colour: computed once for red, green and blue");
+}
+
 Effect gradientOpacity(const RuleInput& in, Plan& plan) {
   const auto& points = in.scene.transferFunction.gradientOpacity;
   const bool matters = std::any_of(points.begin(), points.end(), [](const auto& p) { return p.factor != 1; });
@@ -237,6 +246,7 @@ const std::vector<Rule>& rules() {
       {"method", false, decideMethod, methodCost},
       {"lighting", true, lighting},
       {"specular", true, specular},
+      {"light colour", true, lightColour},
       {"gradient opacity", true, gradientOpacity},
       {"gradients", true, gradients},
       {"gradient operator", false, gradientOperator},

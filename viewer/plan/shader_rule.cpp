@@ -18,6 +18,12 @@ int lightsThatShine(const Scene& scene) {
   }));
 }
 
+bool lightIsColoured(const Scene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& l) {
+    return l.on && l.intensity > 0 && l.colour != glm::dvec3(l.colour.r);
+  });
+}
+
 namespace {
 
 std::string mapText(const Plan& plan) {

@@ -38,6 +38,7 @@ void TestCostModel::moreOfItCostsMore_data() {
   };
   row("lights", true, [](Asked& a) { a.scene.lights.resize(2); });
   row("a shininess that is no whole number", true, [](Asked& a) { a.scene.shading.shininess = 20.5; });
+  row("a light with a colour", true, [](Asked& a) { a.scene.lights[0].colour = {1, 0.5, 0.5}; });
   row("pixels", true, [](Asked& a) { a.options.size = {600, 600}; });
   row("more parts of a step", true, [](Asked& a) { a.options.quality = Quality::high; });
   row("a longer box", true, [](Asked& a) { a.facts.geometry.size.y = 9; });
@@ -92,9 +93,10 @@ void TestCostModel::samplesAreTheBoxOverPixelAndStep() {
   QVERIFY2(std::abs(predicted - samples) <= 1e-9 * samples, qPrintable(QString::number(predicted)));
 }
 
-// Its nodes alone look at every light.
+// Its nodes alone look at every light; a large picture has more samples than a map has nodes.
 void TestCostModel::aMapCostsAlmostTheSameForAnyLights() {
   Asked asked;
+  asked.options.size = {1024, 1024};
   const double one = costOf(asked, Shader::map).lightNs;
   asked.scene.lights.resize(16);
   const double many = costOf(asked, Shader::map).lightNs;

@@ -36,6 +36,22 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.scene.shading.specular = 0; });
   row("no light: no specular", "specular", "off  specular: no light shines",
       [](Asked& a) { a.scene.lights.clear(); });
+  row("white light", "light colour",
+      "off  light colour: no light has a colour: computed once for red, green and blue", [](Asked&) {});
+  row("a red light", "light colour",
+      "on   light colour: a light has a colour: computed for red, green and blue", [](Asked& a) {
+        a.scene.lights[0].colour = {1, 0.5, 0.5};
+      });
+  row("a red light that is off", "light colour",
+      "off  light colour: no light has a colour: computed once for red, green and blue", [](Asked& a) {
+        a.scene.lights.push_back(a.scene.lights[0]);
+        a.scene.lights[1].colour = {1, 0, 0};
+        a.scene.lights[1].on = false;
+      });
+  row("unlit: no light has a colour", "light colour", "off  light colour: nothing is lit", [](Asked& a) {
+    a.scene.lights[0].colour = {1, 0, 0};
+    a.scene.shading.lit = false;
+  });
   row("unlit: no gradients", "gradients",
       "off  gradients: neither light nor opacity asks for them: no Sobel pass, no memory",
       [](Asked& a) { a.scene.shading.lit = false; });
@@ -291,10 +307,10 @@ void TestRules::fullSwitchesEverySoundRuleOffAndKeepsTheChoices() {
   const Plan lean = *makePlan(asked.scene, asked.facts, asked.options);
   asked.options.full = true;
   const Plan full = *makePlan(asked.scene, asked.facts, asked.options);
-  QVERIFY(full.lit && full.gradients && full.specular && full.clip && full.gradientOpacity &&
-          !full.skipBlocks);
-  QVERIFY(!lean.lit && !lean.gradients && !lean.specular && !lean.clip && !lean.gradientOpacity &&
-          lean.skipBlocks);
+  QVERIFY(full.lit && full.gradients && full.specular && full.colouredLight && full.clip &&
+          full.gradientOpacity && !full.skipBlocks);
+  QVERIFY(!lean.lit && !lean.gradients && !lean.specular && !lean.colouredLight && !lean.clip &&
+          !lean.gradientOpacity && lean.skipBlocks);
   QCOMPARE(full.stepVoxels, lean.stepVoxels);
   QCOMPARE(full.stopTransmittance, lean.stopTransmittance);
   QCOMPARE(full.bits, lean.bits);

@@ -5,6 +5,7 @@
 
 #include "tests/fixtures/brute_force.h"
 #include "tests/fixtures/brute_matter.h"
+#include "tests/fixtures/cpu_targets.h"
 #include "tests/fixtures/picture_words.h"
 #include "tests/unit/suite.h"
 #include "viewer/render/render.h"
@@ -36,13 +37,17 @@ Scene sphereScene() {
   return scene;
 }
 
-Picture drawn(const RenderOptions& asked) {
-  static RenderCaches caches(sphere());
+Plan planned(const Scene& scene, const RenderOptions& asked, RenderCaches& caches) {
   RenderOptions options = asked;
   options.size = size;
   options.step = 0.25;
   options.precision = 32;
-  return render(*makePlan(sphereScene(), caches.facts(), options), caches)->picture;
+  return *makePlan(scene, caches.facts(), options);
+}
+
+Picture drawn(const RenderOptions& asked) {
+  static RenderCaches caches(sphere());
+  return render(planned(sphereScene(), asked, caches), caches)->picture;
 }
 
 Picture drawn(Shader shader) {
@@ -106,7 +111,11 @@ QString inWords(const PictureError& e, double bound) {
   return tests::inWords(e) + QStringLiteral(", bound %1").arg(bound);
 }
 
+using Change = void (*)(Scene&, RenderOptions&);
+
 }  // namespace
+
+Q_DECLARE_METATYPE(Change)
 
 class TestShaders : public QObject {
   Q_OBJECT
@@ -116,6 +125,8 @@ class TestShaders : public QObject {
   void theNearestMapIsOffByItsPatches_data();
   void theNearestMapIsOffByItsPatches();
   void theBilinearMapIsCloser();
+  void whiteLightComputedOnceIsTheSame_data();
+  void whiteLightComputedOnceIsTheSame();
 };
 
 // A component of the gradient is rounded to limit / 15, the limit being half the range of values (1000) a
@@ -166,6 +177,46 @@ void TestShaders::theBilinearMapIsCloser() {
     QVERIFY2(e.maximum <= bound, qPrintable(inWords(e, bound)));
     QVERIFY(e.rmse < compare(drawnByMap(n, MapLookup::nearest), phong()).rmse / 4);
   }
+}
+
+void TestShaders::whiteLightComputedOnceIsTheSame_data() {
+  QTest::addColumn<Change>("change");
+  const auto row = [](const char* name, Change change) { QTest::newRow(name) << change; };
+  row("directly", [](Scene&, RenderOptions& o) { o.shader = Shader::phong; });
+  row("directly, no specular", [](Scene& s, RenderOptions& o) {
+    o.shader = Shader::phong;
+    s.shading.specular = 0;
+  });
+  row("a viewer a ray", [](Scene& s, RenderOptions&) { s.shading.localViewer = true; });
+  row("bilinear map", [](Scene&, RenderOptions& o) { o.mapSize = 33; });
+  row("bilinear map of two nodes an edge", [](Scene&, RenderOptions& o) { o.mapSize = 2; });
+  row("nearest map", [](Scene&, RenderOptions& o) {
+    o.mapSize = 16;
+    o.mapLookup = MapLookup::nearest;
+  });
+  row("blend", [](Scene&, RenderOptions& o) {
+    o.method = Method::blend;
+    o.mapSize = 33;
+  });
+  row("preshaded", [](Scene&, RenderOptions& o) { o.method = Method::preshaded; });
+}
+
+// DESIGN 5: white lights -> fewer components. With every sound rule off they are all computed.
+void TestShaders::whiteLightComputedOnceIsTheSame() {
+  QFETCH(Change, change);
+  Scene scene = sphereScene();
+  scene.shading.sides = 2;
+  scene.lights = {{.direction = {0.3, 0.4, 1}, .intensity = 0.7},
+                  {.direction = {-2, 1, -0.5}, .colour = {0.4, 0.4, 0.4}}};
+  RenderOptions options;
+  change(scene, options);
+  static RenderCaches caches(sphere());
+  const Plan once = planned(scene, options, caches);
+  options.full = true;
+  const Plan full = planned(scene, options, caches);
+  QVERIFY(!once.colouredLight && full.colouredLight);
+  onEveryCpuTarget(
+      [&] { QVERIFY2(render(once, caches)->picture == render(full, caches)->picture, kernelTarget()); });
 }
 
 VOLUMEN_TEST(TestShaders);

@@ -26,6 +26,7 @@ std::string definesOf(const Plan& plan) {
   std::string text = modes[int(plan.scene.mode)] + VolumeTextures::defines(plan);
   if (plan.method == Method::preshaded) return text + "#define PRESHADED\n";
   if (plan.scene.mode == Mode::composite && plan.gradientOpacity) text += "#define GRADIENT_OPACITY\n";
+  if (!plan.colouredLight) text += "#define GREY\n";
   return text + shadeDefine(plan);
 }
 
@@ -81,7 +82,9 @@ Status Caster::uploadTables(const Plan& plan, const TraceFrame& frame) {
   if (Status s = buckets_.upload(GL_R32F, 4, first); !s) return s;
   if (Status s = factors_.upload(GL_RG32F, 8, factorTexels(*frame.transfer)); !s) return s;
   if (Status s = lights_.upload(GL_RGBA32F, 16, lightTexels(*frame.lighting)); !s) return s;
-  if (plan.shader == Shader::map) return shades_.upload(GL_RGBA32F, 16, frame.map->nodes);
+  if (plan.shader == Shader::map)
+    return frame.map->coloured ? shades_.upload(GL_RGBA32F, 16, frame.map->nodes)
+                               : shades_.upload(GL_RG32F, 8, frame.map->nodes);
   if (plan.shader == Shader::table) return shades_.upload(GL_R32I, 4, frame.table->bgr);
   return {};
 }

@@ -14,6 +14,7 @@ void ShadeMapRow(const Lighting& lighting, const MapRow& row, float* nodes) {
   const DF df;
   const int lanes = int(hn::Lanes(df));
   const V3 viewer = Broadcast(lighting.viewer);
+  const int floats = ReflectanceMap::floatsANode(lighting.coloured), kept = lighting.coloured ? 6 : 2;
   HWY_ALIGN float parts[6 * HWY_MAX_BYTES / sizeof(float)];
   for (int first = 0; first < row.n; first += lanes) {
     const VF doubled = hn::Mul(hn::Iota(df, float(first)), Set(2));
@@ -25,10 +26,10 @@ void ShadeMapRow(const Lighting& lighting, const MapRow& row, float* nodes) {
     const V3 direction{component[0], component[1], component[2]};
     const DS shade = ShadePhong<false>(
         lighting, Scale(direction, hn::Div(Set(1), hn::Sqrt(Dot(direction, direction)))), viewer);
-    const VF made[6] = {shade.d.x, shade.d.y, shade.d.z, shade.s.x, shade.s.y, shade.s.z};
+    const VF made[6] = {shade.d.x, shade.s.x, shade.d.y, shade.s.y, shade.d.z, shade.s.z};
     for (int c = 0; c < 6; ++c) hn::StoreU(made[c], df, parts + c * lanes);
     for (int n = 0; n < lanes && first + n < row.n; ++n)
-      for (int c = 0; c < 6; ++c) nodes[(first + n) * ReflectanceMap::stride + c] = parts[c * lanes + n];
+      for (int c = 0; c < kept; ++c) nodes[(first + n) * floats + c] = parts[c * lanes + n];
   }
 }
 

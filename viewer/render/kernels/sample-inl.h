@@ -144,6 +144,8 @@ struct Int16Store : PairDensity<Int16Store> {
   }
 
  private:
+  using Voxel = std::int16_t[4];
+
   template <int k>
   static HWY_INLINE void SumBlocks(const Grid& grid, const std::int32_t* index, const Weights& w, VI* sums) {
     const DI di;
@@ -154,22 +156,12 @@ struct Int16Store : PairDensity<Int16Store> {
     const auto order = hn::LoadDup128(d8, pairs);
     VI sum = hn::Zero(di);
     for (int r = 0; r < 4; ++r) {
-      const VI rows = Rows(di, grid.frame().voxels16 + std::ptrdiff_t(4) * grid.Offset(r), index + k);
+      const auto* row = reinterpret_cast<const Voxel*>(grid.frame().voxels16) + grid.Offset(r);
+      const VI rows = LoadBlocks(di, row, index + k);
       const VI both = hn::BitCast(di, hn::TableLookupBytes(hn::BitCast(d8, rows), order));
       sum = AddPairs(sum, both, hn::Broadcast<k>(w.row[r]));
     }
     sums[k] = sum;
-  }
-
-  /// Sixteen bytes a block, from the voxels index[0], index[4], ... on.
-  template <class D>
-  static HWY_INLINE hn::Vec<D> Rows(D d, const std::int16_t* row, const std::int32_t* index) {
-    if constexpr (hn::MaxLanes(d) == 4) {
-      return hn::LoadU(d, reinterpret_cast<const std::int32_t*>(row + std::int64_t(4) * index[0]));
-    } else {
-      const hn::Half<D> half;
-      return hn::Combine(d, Rows(half, row, index + hn::MaxLanes(d) / 2), Rows(half, row, index));
-    }
   }
 
  public:

@@ -44,10 +44,10 @@ HWY_INLINE DS ShadeMapNearest(const ReflectanceMap& map, const V3& n) {
   };
   const VI node = hn::Add(hn::Mul(hn::Add(hn::Mul(place.face, SetI(map.n)), patch(place.v)), SetI(map.n)),
                           patch(place.u));
-  const VI at = hn::ShiftLeft<3>(node);
-  static_assert(ReflectanceMap::stride == 8);
+  const VI at = FirstFloat(map, node);
   const auto read = [&](int c) { return hn::GatherIndex(df, map.nodes.data() + c, at); };
-  return {{read(0), read(1), read(2)}, {read(3), read(4), read(5)}};
+  if (!map.coloured) return InGrey(read(0), read(1));
+  return {{read(0), read(2), read(4)}, {read(1), read(3), read(5)}};
 }
 
 }  // namespace volumen::HWY_NAMESPACE

@@ -36,7 +36,7 @@ int reachBlocks(const Plan& plan, const VoxelGeometry& geometry) {
 }  // namespace
 
 PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats)
-    : lighting_(makeLighting(plan.scene, plan.specular)), transfer_(plan.curve) {
+    : lighting_(makeLighting(plan.scene, plan.specular, plan.colouredLight)), transfer_(plan.curve) {
   auto& cache = caches.impl();
   const auto begin = std::chrono::steady_clock::now();
   frame_.size = cache.volume->size();

@@ -15,9 +15,10 @@ double limited(double strength) { return std::min(strength, 1e12); }
 
 }  // namespace
 
-Lighting makeLighting(const Scene& scene, bool specular) {
+Lighting makeLighting(const Scene& scene, bool specular, bool coloured) {
   Lighting out;
   out.specular = specular;
+  out.coloured = coloured;
   const CameraAxes axes = cameraAxes(*scene.camera);
   const glm::dvec3 viewer = -axes.direction;
   out.viewer = viewer;

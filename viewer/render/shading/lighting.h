@@ -28,12 +28,13 @@ struct Lighting {
       1};  ///< D of a sample whose gradient has no direction: ambient + diffuse/2 * sum(intensity * colour)
   bool twoSided = true;
   bool specular = true;  ///< S is evaluated
+  bool coloured = true;  ///< else red, green and blue are the same in all of the above
   bool operator==(const Lighting&) const = default;
 };
 
 /// The lighting of a complete scene; that of an unlit one gives D = 1, S = 0 for every normal. Lights that
-/// are off are left out.
-Lighting makeLighting(const Scene& scene, bool specular);
+/// are off are left out. `coloured`: what may be said of the lights (Plan::colouredLight).
+Lighting makeLighting(const Scene& scene, bool specular, bool coloured);
 
 /// D'(n) and S'(n) of SCENE 5 for a unit normal, two sides included, in double precision.
 struct Shade {

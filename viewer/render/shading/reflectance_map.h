@@ -11,9 +11,10 @@ namespace volumen {
 /// is the normal's largest component; u, v are the next two components (cyclic) divided by it, -1 .. 1.
 /// Bilinear: n x n nodes from edge to edge. Nearest: the middles of n x n equal patches, as in the paper.
 struct ReflectanceMap {
-  static constexpr int stride = 8;  ///< floats a node: D red green blue, S red green blue, 0, 0
   int n = 0;
-  std::vector<float> nodes;  ///< ((face * n + v) * n + u) * stride
+  bool coloured = true;      ///< a node is D and S of red, of green, of blue, and 0, 0; else one D and S
+  std::vector<float> nodes;  ///< ((face * n + v) * n + u) * floatsANode(coloured)
+  static constexpr int floatsANode(bool coloured) { return coloured ? 8 : 2; }
 };
 
 /// What of a lighting the nodes of its maps depend on, the rest set to 0: the viewer's direction counts for
