@@ -204,6 +204,15 @@ void TestMethods::gpuShadesAsTheCpuDoes_data() {
     o.mapSize = 16;
     o.mapLookup = MapLookup::nearest;
   });
+  row("bilinear map of coloured light", [](Scene& s, RenderOptions& o) {
+    o.mapSize = 16;
+    s.lights = {{.direction = {1, 0.2, 1}, .colour = {1, 0.4, 0.1}}, {.direction = {-1, 1, 0.5}}};
+  });
+  row("nearest map of coloured light", [](Scene& s, RenderOptions& o) {
+    o.mapSize = 16;
+    o.mapLookup = MapLookup::nearest;
+    s.lights = {{.direction = {1, 0.2, 1}, .colour = {1, 0.4, 0.1}}, {.direction = {-1, 1, 0.5}}};
+  });
   row("table", [](Scene&, RenderOptions& o) { o.shader = Shader::table; });
   row("local viewer", [](Scene& s, RenderOptions&) { s.shading.localViewer = true; });
   row("no specular, lights of all kinds", [](Scene& s, RenderOptions&) {
