@@ -199,7 +199,8 @@ Effect earlyStop(const RuleInput& in, Plan& plan) {
 // Whether 16-bit gradients would blur what the scene asks of small ones: a normal at the gradient floor would
 // be off by 1/256, or the ramp of gradient opacity as much. A few extreme values make the packing that
 // coarse.
-bool packingIsCoarse(const RuleInput& in) {
+bool packingIsCoarse(const RuleInput& in, GradientOperator by) {
+  if (by == GradientOperator::sobel && !gradients16AreRounded(in.facts.range, in.facts.slope)) return false;
   double smallestPerMm = std::numeric_limits<double>::infinity();
   if (in.scene.shading.lit && *in.scene.shading.gradientFloor > 0)
     smallestPerMm = *in.scene.shading.gradientFloor;
@@ -229,7 +230,7 @@ Effect precision(const RuleInput& in, Plan& plan) {
   const bool coarse =
       resamplerOf(in.options) == Resampler::gl && plan.method != Method::preshaded && !in.options.precision &&
       (in.options.step || in.options.quality == Quality::high || in.options.quality == Quality::exact);
-  const bool packed = fits && !in.options.precision && packingIsCoarse(in);
+  const bool packed = fits && !in.options.precision && packingIsCoarse(in, plan.gradientOperator);
   plan.bits = fits && !coarse && !packed ? in.options.precision.value_or(16) : 32;
   if (!fits) return on("32 bits: the values are not 16-bit integers with a positive slope");
   if (packed)

@@ -206,6 +206,8 @@ double gradients16Scale(ValueRange range, double slope) {
   return slope * double(1 << shiftOf(range, slope)) / 32;
 }
 
+bool gradients16AreRounded(ValueRange range, double slope) { return shiftOf(range, slope) > 0; }
+
 Gradients16 sobel16(const Volume& volume) {
   const ValueRange range = valueRange(volume);
   const int shift = shiftOf(range, volume.slope());

@@ -35,6 +35,8 @@ enum class GradientOperator { sobel, central, zuckerHummel };
 
 /// Gradients16::scale of a volume of these values (real units) and slope.
 double gradients16Scale(ValueRange range, double slope);
+/// Whether Sobel gradients of such a volume are rounded in Gradients16; those of few values are kept exactly.
+bool gradients16AreRounded(ValueRange range, double slope);
 
 /// Computed on all cores, SIMD; `volume` must hold 8- or 16-bit integers.
 Gradients16 sobel16(const Volume& volume);

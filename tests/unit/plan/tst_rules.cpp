@@ -96,6 +96,21 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.scene.shading.gradientFloor = 10;
         a.scene.shading.lit = false;
       });
+  row("gradients of zeros and ones are exact", "precision",
+      "on   precision: 16 bits hold the stored integers exactly", [](Asked& a) {
+        a.facts.range = {0, 1};
+        a.facts.p01 = 0;
+        a.facts.p999 = 1;
+      });
+  row("but not by Zucker and Hummel, whose weights are roots", "precision",
+      "on   precision: 32 bits: gradients packed into 16 bits would be too coarse beside a few extreme "
+      "values",
+      [](Asked& a) {
+        a.facts.range = {0, 1};
+        a.facts.p01 = 0;
+        a.facts.p999 = 1;
+        a.options.gradient = GradientOperator::zuckerHummel;
+      });
   row("bytes of many values", "precision",
       "on   precision: 8 bits, as asked: values rounded to 1/255 of their range, gradients to 1/127 of the "
       "largest",
