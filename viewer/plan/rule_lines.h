@@ -28,7 +28,7 @@ Resampler resamplerOf(const RenderOptions& options);
 
 /// Lights that are on and not black.
 int lightsThatShine(const Scene& scene);
-/// Whether a light that is on is neither white nor grey.
+/// Whether any of them is neither white nor grey.
 bool lightIsColoured(const Scene& scene);
 
 /// SCENE 9: the length of a step on a ray along the camera's axis, mm.

@@ -12,16 +12,21 @@ std::string inDigits(double x, int digits) {
   return text;
 }
 
+namespace {
+
+bool shines(const Light& l) {
+  return l.on && l.intensity > 0 && (l.colour.r > 0 || l.colour.g > 0 || l.colour.b > 0);
+}
+
+}  // namespace
+
 int lightsThatShine(const Scene& scene) {
-  return int(std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& l) {
-    return l.on && l.intensity > 0 && (l.colour.r > 0 || l.colour.g > 0 || l.colour.b > 0);
-  }));
+  return int(std::count_if(scene.lights.begin(), scene.lights.end(), shines));
 }
 
 bool lightIsColoured(const Scene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& l) {
-    return l.on && l.intensity > 0 && l.colour != glm::dvec3(l.colour.r);
-  });
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const Light& l) { return shines(l) && l.colour != glm::dvec3(l.colour.r); });
 }
 
 namespace {

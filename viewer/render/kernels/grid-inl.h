@@ -66,19 +66,6 @@ class Grid {
   int rowStride_, sliceStride_, nextRow_, nextSlice_, nextColumn_;
 };
 
-/// What lies at base[index[lane]], as many bytes of it as a lane has. By plain loads: where memory is waited
-/// for a gather takes twice as long, in cache about as long.
-template <class D, class T>
-HWY_INLINE hn::Vec<D> LoadEach(D d, const T* base, const std::int32_t* index) {
-#if HWY_TARGET != HWY_SCALAR
-  if constexpr (hn::MaxLanes(d) > 1) {
-    const hn::Half<D> half;
-    return hn::Combine(d, LoadEach(half, base, index + hn::MaxLanes(d) / 2), LoadEach(half, base, index));
-  }
-#endif
-  return hn::LoadU(d, reinterpret_cast<const hn::TFromD<D>*>(base + index[0]));
-}
-
 /// The index of each lane's cell.
 struct CellIndices {
   HWY_ALIGN std::int32_t lane[hn::MaxLanes(DI())];

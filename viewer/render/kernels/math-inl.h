@@ -44,36 +44,39 @@ HWY_INLINE V3 PlaceOf(const Array& s, int n) {
 HWY_INLINE V3 Broadcast(const glm::vec3& v) { return {Set(v.x), Set(v.y), Set(v.z)}; }
 /// a + f (b - a): exactly a where a = b (SCENE 2).
 HWY_INLINE VF Lerp(VF a, VF b, VF f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); }
+/// What lies at base[index[lane]], as many bytes of it as a lane has; with kLanes as many as those have, at
+/// every so many-th index. By plain loads: where memory is waited for a gather takes twice as long, in cache
+/// about as long.
+template <int kLanes = 1, class D, class T>
+HWY_INLINE hn::Vec<D> LoadEach(D d, const T* base, const std::int32_t* index) {
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (hn::MaxLanes(d) > kLanes) {
+    const hn::Half<D> half;
+    return hn::Combine(d, LoadEach<kLanes>(half, base, index + hn::MaxLanes(d) / 2),
+                       LoadEach<kLanes>(half, base, index));
+  }
+#endif
+  return hn::LoadU(d, reinterpret_cast<const hn::TFromD<D>*>(base + index[0]));
+}
+
 /// The four floats from base[index[lane]] on, of each lane.
 struct FourEach {
   VF a, b, c, d;
 };
-#if HWY_TARGET == HWY_SCALAR
 HWY_INLINE FourEach LoadFourEach(const float* base, const std::int32_t* index) {
+#if HWY_TARGET == HWY_SCALAR
   const float* p = base + index[0];
   return {VF(p[0]), VF(p[1]), VF(p[2]), VF(p[3])};
-}
 #else
-/// Sixteen bytes a block of the vector, from base + index[0], base + index[4], ... on.
-template <class D, class T>
-HWY_INLINE hn::Vec<D> LoadBlocks(D d, const T* base, const std::int32_t* index) {
-  if constexpr (hn::MaxLanes(d) * sizeof(hn::TFromD<D>) == 16) {
-    return hn::LoadU(d, reinterpret_cast<const hn::TFromD<D>*>(base + index[0]));
-  } else {
-    const hn::Half<D> half;
-    return hn::Combine(d, LoadBlocks(half, base, index + hn::MaxLanes(d) / 2), LoadBlocks(half, base, index));
-  }
-}
-HWY_INLINE FourEach LoadFourEach(const float* base, const std::int32_t* index) {
   const DF df;
-  const VF of0 = LoadBlocks(df, base, index), of1 = LoadBlocks(df, base, index + 1),
-           of2 = LoadBlocks(df, base, index + 2), of3 = LoadBlocks(df, base, index + 3);
+  const VF of0 = LoadEach<4>(df, base, index), of1 = LoadEach<4>(df, base, index + 1),
+           of2 = LoadEach<4>(df, base, index + 2), of3 = LoadEach<4>(df, base, index + 3);
   const VF ab02 = hn::InterleaveLower(df, of0, of2), ab13 = hn::InterleaveLower(df, of1, of3),
            cd02 = hn::InterleaveUpper(df, of0, of2), cd13 = hn::InterleaveUpper(df, of1, of3);
   return {hn::InterleaveLower(df, ab02, ab13), hn::InterleaveUpper(df, ab02, ab13),
           hn::InterleaveLower(df, cd02, cd13), hn::InterleaveUpper(df, cd02, cd13)};
-}
 #endif
+}
 /// The nearest integer, ties to even, of |x| <= 2^22: hn::NearestInt guards against far larger ones.
 HWY_INLINE VI NearestSmall(VF x) {
   const DI di;

@@ -157,7 +157,7 @@ struct Int16Store : PairDensity<Int16Store> {
     VI sum = hn::Zero(di);
     for (int r = 0; r < 4; ++r) {
       const auto* row = reinterpret_cast<const Voxel*>(grid.frame().voxels16) + grid.Offset(r);
-      const VI rows = LoadBlocks(di, row, index + k);
+      const VI rows = LoadEach<4>(di, row, index + k);
       const VI both = hn::BitCast(di, hn::TableLookupBytes(hn::BitCast(d8, rows), order));
       sum = AddPairs(sum, both, hn::Broadcast<k>(w.row[r]));
     }
