@@ -16,21 +16,21 @@ namespace {
 // Nanoseconds on one core of an AMD EPYC (2.6 GHz, AVX-512), November 2026: stagesMs over samples of
 // `volumen render phantom:ct-head:128 --threads 1 --frames 7 --stats`, with 1, 4, 8 and 16 lights, unlit,
 // and each shader, method and resampler in turn. `bench_choices` holds them against whole frames.
-constexpr double sampleNs = 3;          // a density interpolated at a plain step
-constexpr double intervalNs = 10.5;     // 2 voxels of planes that go cell by cell: densities, the curve
-constexpr double cutNs = 1.9;           // what cuts add at a tolerance of 1, growing with its inverse root
-constexpr double litParts = 0.2;        // parts that are lit of them, likewise
-constexpr double glSampleNs = 6;        // OpenGL without a GPU, with the way back to the CPU
-constexpr double glGradientNs = 6;      // three components more
-constexpr double colourNs = 1;          // a visible sample's colour and opacity, composited
-constexpr double gradientNs = 3;        // its gradient and normal
-constexpr double diffuseNs = 0.15;      // a light's D, directly
-constexpr double wholePowerNs = 0.41;   // a light's S with a whole shininess: a few multiplications
-constexpr double powerNs = 1.6;         // with any other: logarithm and exponential
-constexpr double colouredNs = 0.09;     // a light with green and blue of their own
-constexpr double lookupNs = 2.8;        // a bilinear look-up in a map, four nodes of two floats
-constexpr double colouredLookupNs = 7;  // of eight floats
-constexpr double nodeNs = 3.5;          // a node of a map, beside its lights
+constexpr double sampleNs = 3;           // a density interpolated at a plain step
+constexpr double intervalNs = 10.5;      // 2 voxels of planes that go cell by cell: densities, the curve
+constexpr double cutNs = 1.9;            // what cuts add at a tolerance of 1, growing with its inverse root
+constexpr double litParts = 0.2;         // parts that are lit of them, likewise
+constexpr double glSampleNs = 6;         // OpenGL without a GPU, with the way back to the CPU
+constexpr double glGradientNs = 6;       // three components more
+constexpr double colourNs = 1;           // a visible sample's colour and opacity, composited
+constexpr double gradientNs = 3;         // its gradient and normal
+constexpr double diffuseNs = 0.15;       // a light's D, directly
+constexpr double wholePowerNs = 0.32;    // a light's S with a whole shininess: a few multiplications
+constexpr double powerNs = 1.3;          // with any other: logarithm and exponential
+constexpr double colouredNs = 0.07;      // a light with green and blue of their own
+constexpr double lookupNs = 4.8;         // a bilinear look-up in a map, four nodes of two floats
+constexpr double colouredLookupNs = 11;  // of eight floats
+constexpr double nodeNs = 3.5;           // a node of a map, beside its lights
 
 double pixelMm(const Camera& camera, glm::ivec2 size) {
   const double height = camera.projection == Projection::parallel

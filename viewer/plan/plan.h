@@ -48,8 +48,8 @@ struct Plan {
   bool clip = false;             ///< clip box and planes cut the rays
   bool skipBlocks = false;       ///< blocks of opacity 0 are never touched
   double visibleShare = 1;       ///< share of blocks that hold any visible value
-  bool dense = true;             ///< density and gradient fetched together at every sample; else gradients
-                                 ///< only of those that count. The same bytes either way
+  bool dense = true;             ///< plain steps: density and gradient fetched together at every sample;
+                                 ///< else gradients only of those that count. The same bytes either way
 
   std::vector<Effect> effects;
   bool operator==(const Plan&) const = default;

@@ -55,8 +55,7 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   row("unlit: no gradients", "gradients",
       "off  gradients: neither light nor opacity asks for them: no Sobel pass, no memory",
       [](Asked& a) { a.scene.shading.lit = false; });
-  row("lit: gradients", "gradients",
-      "on   gradients: lighting needs the surface's direction, fetched where opacity counts", [](Asked&) {});
+  row("lit: gradients", "gradients", "on   gradients: lighting needs the surface's direction", [](Asked&) {});
   row("unlit with gradient opacity: gradients", "gradients",
       "on   gradients: the gradient opacity needs them", [](Asked& a) {
         a.scene.shading.lit = false;
@@ -204,6 +203,25 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.options.step = 1;
         a.options.opacityThreshold = 0.9;
       });
+  row("a level fetches gradients once for each part", "gradient fetch",
+      "on   gradient fetch: where opacity counts, once for each part of a ray", [](Asked&) {});
+  row("plain steps of 16 bits fetch all at once", "gradient fetch",
+      "on   gradient fetch: with every density: one load brings both", [](Asked& a) { a.options.step = 1; });
+  row("few visible samples of 32 bits", "gradient fetch",
+      "on   gradient fetch: where opacity counts: few samples have any", [](Asked& a) {
+        a.options.step = 1;
+        a.options.precision = 32;
+        a.options.opacityThreshold = 0.9;
+      });
+  row("many visible samples of 32 bits", "gradient fetch",
+      "on   gradient fetch: with every density: most samples have opacity", [](Asked& a) {
+        a.options.step = 1;
+        a.options.precision = 32;
+      });
+  row("slices fetch all", "gradient fetch", "on   gradient fetch: at every sample: all of them are looked at",
+      [](Asked& a) { a.options.method = Method::blend; });
+  row("unlit: nothing to fetch", "gradient fetch", "off  gradient fetch: there are no gradients",
+      [](Asked& a) { a.scene.shading.lit = false; });
   row("the reference decides nothing", "reference",
       "on   reference: everything, adaptively, cell by cell, in double precision",
       [](Asked& a) { a.options.method = Method::reference; });

@@ -13,18 +13,29 @@ namespace volumen::HWY_NAMESPACE {
 
 /// A byte a voxel: no gradients.
 struct Byte1Store : PairDensity<Byte1Store> {
-  static HWY_INLINE VI Densities(const Grid& grid, const std::int32_t* index, int offset) {
-    const VI bytes = LoadEach(DI(), grid.frame().density8 + offset, index);
-    return hn::Or(hn::And(bytes, SetI(0xff)), hn::And(hn::ShiftLeft<8>(bytes), SetI(0xff0000)));
+  static constexpr bool kAlwaysDense = true;
+
+  static HWY_INLINE void Densities(const Grid& grid, const std::int32_t* index, VI (&rows)[4]) {
+    LoadEachOfFour(DI(), grid.Rows(grid.frame().density8), index, rows);
+    for (VI& row : rows)
+      row = hn::Or(hn::And(row, SetI(0xff)), hn::And(hn::ShiftLeft<8>(row), SetI(0xff0000)));
+  }
+  template <bool>
+  static HWY_INLINE void PrefetchBox(const Grid& grid, glm::vec3 low, glm::vec3 high) {
+    grid.Prefetch(grid.frame().density8, 1, low, high);
   }
 };
 
 /// Four bytes a voxel (Voxels8).
 struct Byte4Store : PairDensity<Byte4Store> {
-  static HWY_INLINE VI Densities(const Grid& grid, const std::int32_t* index, int offset) {
-    const Pair p = PairAt(grid, index, offset);
-    return hn::Or(hn::And(hn::ShiftRight<24>(p.voxel), SetI(0xff)),
-                  hn::And(hn::ShiftRight<8>(p.next), SetI(0xff0000)));
+  static constexpr bool kAlwaysDense = false;
+
+  static HWY_INLINE void Densities(const Grid& grid, const std::int32_t* index, VI (&rows)[4]) {
+    for (int r = 0; r < 4; ++r) {
+      const Pair p = PairAt(grid, index, grid.Offset(r));
+      rows[r] = hn::Or(hn::And(hn::ShiftRight<24>(p.voxel), SetI(0xff)),
+                       hn::And(hn::ShiftRight<8>(p.next), SetI(0xff0000)));
+    }
   }
 
   static HWY_INLINE V3 Gradient(const Grid& grid, const Cell& c) {
@@ -46,6 +57,10 @@ struct Byte4Store : PairDensity<Byte4Store> {
 
   /// The density has brought the same bytes.
   static HWY_INLINE void Prefetch(const Grid&, const Cell&, int) {}
+  template <bool>
+  static HWY_INLINE void PrefetchBox(const Grid& grid, glm::vec3 low, glm::vec3 high) {
+    grid.Prefetch(grid.frame().voxels8, 1, low, high);
+  }
 
  private:
   struct Pair {

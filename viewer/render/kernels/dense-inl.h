@@ -6,25 +6,24 @@
 #define VOLUMEN_RENDER_KERNELS_DENSE_INL_H_
 #endif
 
+#include "viewer/render/kernels/compact-inl.h"
 #include "viewer/render/kernels/matter-inl.h"
 #include "viewer/render/kernels/skip-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Density and gradient together, one step of the whole packet at a time, everything in registers.
+/// Density and gradient together, of whole packets, a slab at a time: where its samples are; what they are;
+/// opacities; light. Each pass is short, so that many samples are on their way through it at once.
 template <class Store, ShadeBy kShade, bool kGradientOpacity>
 class DenseTracer {
   static constexpr bool kPlane = std::is_void_v<Store>;
   using Material = Matter<kShade, kGradientOpacity>;
-  struct Sum {
-    V3 colour;
-    VF alpha;
-  };
 
  public:
   static constexpr int kSlab = 8;        ///< steps that all packets take before any goes on
   static constexpr bool kCells = false;  ///< whether single rays ask VisibleCells
+  static constexpr bool kPrefetches = !kPlane;
 
   /// Adds to `out`, which must be 0.
   DenseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
@@ -37,70 +36,137 @@ class DenseTracer {
         out_(out),
         counts_(counts) {}
 
+  /// Asks for what samples between `low` and `high` (voxels, inside the grid) need.
+  HWY_INLINE void Prefetch(glm::vec3 low, glm::vec3 high) const {
+    Store::template PrefetchBox<Material::kGradients>(grid_, low, high);
+  }
+
   /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
   /// n by bit n.
   HWY_INLINE void Advance(int first, int step, std::uint64_t bits) {
     if (!bits) return;
-    const DF df;
-    const auto load = [&](const float* values) { return hn::LoadU(df, values + first); };
-    const VF opaque = Set(1 - f_.stopTransmittance);
-    Sum sum{Zero3(), load(out_.alpha)};
     matter_.first = first;
-    sum.colour = {load(out_.red), load(out_.green), load(out_.blue)};
-    const Packet p = LoadPacket(f_, rays_, first);
-    for (; bits; bits &= bits - 1) {
-      const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
-      const MF alive = hn::And(HasSample(p, SampleAt(p, at)), hn::Le(sum.alpha, opaque));
-      if (hn::AllFalse(df, alive)) continue;
-      Composite(p, at, alive, sum);
-    }
-    hn::StoreU(sum.colour.x, df, out_.red + first);
-    hn::StoreU(sum.colour.y, df, out_.green + first);
-    hn::StoreU(sum.colour.z, df, out_.blue + first);
-    hn::StoreU(sum.alpha, df, out_.alpha + first);
+    Place(LoadPacket(f_, rays_, first), step, bits);
+    Resample();
+    Classify();
+    Composite();
   }
   void BeginSlab() {}
   void EndSlab() {}
   void Finish() {}
 
  private:
-  HWY_INLINE Sample ValuesAt(const V3& clamped, int step) const {
-    if constexpr (kPlane) {
-      const DF df;
-      const std::size_t at = std::size_t(step) * plane_.stride + matter_.first;
-      Sample s{hn::LoadU(df, plane_.density + at), Zero3()};
-      VF none;
-      if constexpr (Material::kGradients)
-        hn::LoadInterleaved4(df, plane_.gradients + 4 * at, s.gradient.x, s.gradient.y, s.gradient.z, none);
-      return s;
-    } else if constexpr (Material::kGradients) {
-      return Store::DensityAndGradient(grid_, grid_.CellAt(clamped));
-    } else {
-      return {Store::Density(grid_, grid_.CellAt(clamped)), Zero3()};
+  /// Where the samples are that the packet has at these steps.
+  HWY_INLINE void Place(const Packet& p, int step, std::uint64_t bits) {
+    const DF df;
+    auto& s = samples_;
+    s.size = 0;
+    for (; bits; bits &= bits - 1) {
+      const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+      const VF n = SampleAt(p, at);
+      const MF has = HasSample(p, n), last = IsLast(p, n);
+      counts_.resampled += std::int64_t(hn::CountTrue(df, has));
+      hn::Store(hn::IfThenElseZero(has, hn::IfThenElse(last, p.lastUnits, p.units)), df, s.units + s.size);
+      if constexpr (kPlane) {
+        s.step[s.size / kLanes] = at;
+      } else {
+        const Cell c = grid_.CellAt(grid_.Clamped(Position(p, n, last)));
+        hn::Store(c.index, DI(), s.index + s.size);
+        hn::Store(c.fx, df, s.x + s.size);
+        hn::Store(c.fy, df, s.y + s.size);
+        hn::Store(c.fz, df, s.z + s.size);
+      }
+      s.size += kLanes;
     }
   }
 
-  HWY_INLINE void Composite(const Packet& p, int step, MF alive, Sum& sum) {
+  HWY_INLINE Sample ValuesAt(int n) const {
     const DF df;
-    const VF n = SampleAt(p, step);
-    const MF last = IsLast(p, n);
-    const V3 clamped = grid_.Clamped(Position(p, n, last));
-    counts_.resampled += std::int64_t(hn::CountTrue(df, alive));
-    const Sample s = ValuesAt(clamped, step);
-    const MF seen = hn::And(alive, matter_.CanBeSeen(s.density));
-    if (hn::AllFalse(df, seen)) return;
-    // One step in 32 is timed; its two parts stand for all.
-    const std::int64_t begin = step % 32 == 0 ? Ticks() : 0;
-    const VI segment = SegmentOf(*f_.curve, s.density);
-    const VF opacity = hn::IfThenElseZero(seen, matter_.OpacityAt(segment, s.density, s.gradient));
-    const VF interval = IntervalOpacity(opacity, hn::IfThenElse(last, p.lastUnits, p.units));
-    const VF weight = hn::Mul(hn::Sub(Set(1), sum.alpha), interval);
-    const V3 colour = matter_.ColourAt(segment, s.density, s.gradient, hn::Iota(DI(), 0));
-    sum.colour = Add(sum.colour, Scale(colour, weight));
-    sum.alpha = hn::Add(sum.alpha, weight);
-    counts_.composited += std::int64_t(hn::CountTrue(df, hn::Gt(weight, hn::Zero(df))));
+    const auto& s = samples_;
+    if constexpr (kPlane) {
+      const std::size_t at = std::size_t(s.step[n / kLanes]) * plane_.stride + matter_.first;
+      Sample x{hn::LoadU(df, plane_.density + at), Zero3()};
+      VF none;
+      if constexpr (Material::kGradients)
+        hn::LoadInterleaved4(df, plane_.gradients + 4 * at, x.gradient.x, x.gradient.y, x.gradient.z, none);
+      return x;
+    } else {
+      const V3 place = PlaceOf(s, n);
+      const Cell c{hn::Load(DI(), s.index + n), place.x, place.y, place.z};
+      if constexpr (Material::kGradients)
+        return Store::DensityAndGradient(grid_, c);
+      else
+        return {Store::Density(grid_, c), Zero3()};
+    }
+  }
+
+  /// Densities and gradients; keeps the steps at which any sample can be seen.
+  HWY_INLINE void Resample() {
+    const DF df;
+    auto& s = samples_;
+    int kept = 0;
+    for (int n = 0; n < s.size; n += kLanes) {
+      const VF units = hn::Load(df, s.units + n);
+      const Sample x = ValuesAt(n);
+      const MF seen = hn::And(hn::Gt(units, hn::Zero(df)), matter_.CanBeSeen(x.density));
+      if (hn::AllFalse(df, seen)) continue;
+      hn::Store(x.density, df, s.density + kept);
+      // In place of places that were looked at.
+      hn::Store(x.gradient.x, df, s.x + kept);
+      hn::Store(x.gradient.y, df, s.y + kept);
+      hn::Store(x.gradient.z, df, s.z + kept);
+      hn::Store(hn::IfThenElseZero(seen, units), df, s.units + kept);
+      kept += kLanes;
+    }
+    s.size = kept;
+  }
+
+  HWY_INLINE void Classify() {
+    const DF df;
+    auto& s = samples_;
+    for (int n = 0; n < s.size; n += kLanes) {
+      const VF density = hn::Load(df, s.density + n), units = hn::Load(df, s.units + n);
+      const VI segment = SegmentOf(*f_.curve, density);
+      const VF opacity = IntervalOpacity(matter_.OpacityAt(segment, density, PlaceOf(s, n)), units);
+      hn::Store(hn::IfThenElseZero(hn::Gt(units, hn::Zero(df)), opacity), df, s.units + n);
+      hn::Store(segment, DI(), s.index + n);
+    }
+  }
+
+  HWY_INLINE void Composite() {
+    const auto& s = samples_;
+    if (s.size == 0) return;
+    const DF df;
+    // One slab in 32 is timed; they stand for all.
+    const std::int64_t begin = timed_++ % 32 == 0 ? Ticks() : 0;
+    const auto load = [&](const float* values) { return hn::LoadU(df, values + matter_.first); };
+    const VF opaque = Set(1 - f_.stopTransmittance);
+    V3 sum{load(out_.red), load(out_.green), load(out_.blue)};
+    VF alpha = load(out_.alpha);
+    for (int n = 0; n < s.size; n += kLanes) {
+      const VF opacity = hn::IfThenElseZero(hn::Le(alpha, opaque), hn::Load(df, s.units + n));
+      const VF weight = hn::Mul(hn::Sub(Set(1), alpha), opacity);
+      const V3 colour = matter_.ColourAt(hn::Load(DI(), s.index + n), hn::Load(df, s.density + n),
+                                         PlaceOf(s, n), hn::Iota(DI(), 0));
+      sum = Add(sum, Scale(colour, weight));
+      alpha = hn::Add(alpha, weight);
+      counts_.composited += std::int64_t(hn::CountTrue(df, hn::Gt(weight, hn::Zero(df))));
+    }
+    const auto store = [&](VF v, float* values) { hn::StoreU(v, df, values + matter_.first); };
+    store(sum.x, out_.red), store(sum.y, out_.green), store(sum.z, out_.blue), store(alpha, out_.alpha);
     if (begin) counts_.shadeTicks += 32 * (Ticks() - begin);
   }
+
+  /// A slab's samples of a packet, a vector a step.
+  struct Slab {
+    static constexpr int kMost = kSlab * kLanes;
+    HWY_ALIGN float x[kMost], y[kMost], z[kMost];  ///< places in their cells, then gradients
+    HWY_ALIGN float density[kMost];
+    HWY_ALIGN float units[kMost];         ///< length in unit distances, 0 where there is none; then opacity
+    HWY_ALIGN std::int32_t index[kMost];  ///< of the cell, then segment of the curve
+    int step[kSlab];
+    int size = 0;
+  };
 
   const TraceFrame& f_;
   const Grid grid_;
@@ -109,6 +175,8 @@ class DenseTracer {
   const PlaneBuffer& plane_;
   const TraceRow& out_;
   TraceCounts& counts_;
+  Slab samples_;
+  unsigned timed_ = 0;
 };
 
 }  // namespace volumen::HWY_NAMESPACE

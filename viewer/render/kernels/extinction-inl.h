@@ -28,14 +28,14 @@ HWY_INLINE CurvePlace PlaceOnCurve(const CurveTable& t, VF density) {
 /// The mean of -ln(u) between two transparencies (u1, e1 = -ln u1), (u2, e2), over which the opacity rises
 /// straight: 1 + (u2 e2 - u1 e1) / (u2 - u1), or where they are too near for that difference its series.
 HWY_INLINE VF MeanOnSegment(VF u1, VF e1, VF u2, VF e2) {
-  const VF one = Set(1), change = hn::Sub(u2, u1);
-  const VF x = hn::Div(change, u1);
+  const VF change = hn::Sub(u2, u1);
+  const MF near = hn::Lt(hn::Abs(change), hn::Mul(u1, Set(0.03f)));
+  // One division serves both.
+  const VF x = hn::Div(hn::IfThenElse(near, change, hn::Sub(hn::Mul(u2, e2), hn::Mul(u1, e1))),
+                       hn::IfThenElse(near, u1, change));
   const VF series = hn::Sub(
       e1, hn::Mul(x, hn::Sub(Set(0.5f), hn::Mul(x, hn::Sub(Set(1.0f / 6), hn::Mul(x, Set(1.0f / 12)))))));
-  const MF near = hn::Lt(hn::Abs(x), Set(0.03f));
-  const VF closed =
-      hn::Add(one, hn::Div(hn::Sub(hn::Mul(u2, e2), hn::Mul(u1, e1)), hn::IfThenElse(near, one, change)));
-  return hn::IfThenElse(near, series, closed);
+  return hn::IfThenElse(near, series, hn::Add(Set(1), x));
 }
 
 /// The mean extinction a unit distance where the density goes straight from a to b: the curve's exact

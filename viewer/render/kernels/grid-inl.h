@@ -6,6 +6,10 @@
 #define VOLUMEN_RENDER_KERNELS_GRID_INL_H_
 #endif
 
+#include <array>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
 #include "viewer/render/kernels/math-inl.h"
 #include "viewer/render/kernels/trace.h"
 
@@ -43,10 +47,9 @@ class Grid {
 
   HWY_INLINE Cell CellAt(const V3& clamped) const {
     const DF df;
-    const DI di;
-    const VI x = hn::Min(hn::ConvertTo(di, clamped.x), lastCellX_);
-    const VI y = hn::Min(hn::ConvertTo(di, clamped.y), lastCellY_);
-    const VI z = hn::Min(hn::ConvertTo(di, clamped.z), lastCellZ_);
+    const VI x = hn::Min(Truncated(clamped.x), lastCellX_);
+    const VI y = hn::Min(Truncated(clamped.y), lastCellY_);
+    const VI z = hn::Min(Truncated(clamped.z), lastCellZ_);
     const VI index = hn::Add(hn::Add(x, hn::Mul(y, SetI(rowStride_))), hn::Mul(z, SetI(sliceStride_)));
     return {index, hn::Sub(clamped.x, hn::ConvertTo(df, x)), hn::Sub(clamped.y, hn::ConvertTo(df, y)),
             hn::Sub(clamped.z, hn::ConvertTo(df, z))};
@@ -54,9 +57,28 @@ class Grid {
 
   /// How many voxels the cell's row r lies behind its first: 0, next row, next slice, both.
   HWY_INLINE int Offset(int r) const { return (r & 1 ? nextRow_ : 0) + (r >> 1 ? nextSlice_ : 0); }
+  /// Where the rows of the cell at the first voxel of `voxels` begin.
+  template <class T>
+  HWY_INLINE std::array<const T*, 4> Rows(const T* voxels) const {
+    return {voxels, voxels + Offset(1), voxels + Offset(2), voxels + Offset(3)};
+  }
   /// Index of the first voxel of the cell's row r.
   HWY_INLINE VI Row(const Cell& c, int r) const { return hn::Add(c.index, SetI(Offset(r))); }
   int nextColumn() const { return nextColumn_; }
+
+  /// Asks for what a box of places from `low` to `high` (inside the grid) needs of `voxels`, each so many
+  /// elements, ahead of time.
+  template <class T>
+  HWY_INLINE void Prefetch(const T* voxels, int elements, glm::vec3 low, glm::vec3 high) const {
+    const glm::ivec3 from(low), to = glm::min(glm::ivec3(high) + 1, frame_.size - 1);
+    const int line = 64 / int(sizeof(T)) / elements;
+    for (int z = from.z; z <= to.z; ++z)
+      for (int y = from.y; y <= to.y; ++y) {
+        const std::int64_t row = std::int64_t(z) * sliceStride_ + std::int64_t(y) * rowStride_;
+        for (int x = from.x / line * line; x <= to.x; x += line)
+          __builtin_prefetch(voxels + elements * (row + x), 0, 2);
+      }
+  }
   const TraceFrame& frame() const { return frame_; }
 
  private:

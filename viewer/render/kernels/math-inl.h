@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include <array>
 #include <glm/vec3.hpp>
 
 HWY_BEFORE_NAMESPACE();
@@ -58,6 +59,23 @@ HWY_INLINE hn::Vec<D> LoadEach(D d, const T* base, const std::int32_t* index) {
 #endif
   return hn::LoadU(d, reinterpret_cast<const hn::TFromD<D>*>(base + index[0]));
 }
+/// LoadEach from four bases, a few lanes of all of them at a time: compilers run out of registers for the
+/// indices of a whole vector.
+template <class D, class T>
+HWY_INLINE void LoadEachOfFour(D d, const std::array<const T*, 4>& base, const std::int32_t* index,
+                               hn::Vec<D> (&out)[4]) {
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (hn::MaxLanes(d) > 4) {
+    const hn::Half<D> half;
+    hn::Vec<hn::Half<D>> low[4], high[4];
+    LoadEachOfFour(half, base, index, low);
+    LoadEachOfFour(half, base, index + hn::MaxLanes(half), high);
+    for (int n = 0; n < 4; ++n) out[n] = hn::Combine(d, high[n], low[n]);
+    return;
+  }
+#endif
+  for (int n = 0; n < 4; ++n) out[n] = LoadEach(d, base[n], index);
+}
 
 /// The four floats from base[index[lane]] on, of each lane.
 struct FourEach {
@@ -77,11 +95,19 @@ HWY_INLINE FourEach LoadFourEach(const float* base, const std::int32_t* index) {
           hn::InterleaveLower(df, cd02, cd13), hn::InterleaveUpper(df, cd02, cd13)};
 #endif
 }
-/// The nearest integer, ties to even, of |x| <= 2^22: hn::NearestInt guards against far larger ones.
-HWY_INLINE VI NearestSmall(VF x) {
-  const DI di;
-  const VF magic = Set(12582912.0f);  // 1.5 * 2^23
-  return hn::Sub(hn::BitCast(di, hn::Add(x, magic)), hn::BitCast(di, magic));
+/// Added to |x| <= 2^22 it leaves the nearest integer, ties to even, in the lowest bits: 1.5 * 2^23.
+constexpr float kRounding = 12582912.0f;
+/// Towards 0, of |x| < 2^31: hn::ConvertTo guards against larger ones, for four times the work.
+HWY_INLINE VI Truncated(VF x) {
+#if HWY_TARGET == HWY_SCALAR || !HWY_ARCH_X86
+  return hn::ConvertTo(DI(), x);
+#elif HWY_MAX_BYTES == 64
+  return VI{_mm512_cvttps_epi32(x.raw)};
+#elif HWY_MAX_BYTES == 32
+  return VI{_mm256_cvttps_epi32(x.raw)};
+#else
+  return VI{_mm_cvttps_epi32(x.raw)};
+#endif
 }
 HWY_INLINE VF Clamp01(VF x) { return hn::Min(hn::Max(x, hn::Zero(DF())), Set(1)); }
 
@@ -115,7 +141,8 @@ HWY_INLINE VF Log(VF x) {
 HWY_INLINE VF ExpMinus1(VF x) {
   const DF df;
   const DI di;
-  const VF n = hn::Round(hn::Mul(x, Set(1.44269504088896341f)));
+  const VF rounded = hn::Add(hn::Mul(x, Set(1.44269504088896341f)), Set(kRounding));
+  const VF n = hn::Sub(rounded, Set(kRounding));
   const VF r = hn::Sub(hn::Sub(x, hn::Mul(n, Set(0.693359375f))), hn::Mul(n, Set(-2.12194440e-4f)));
   const VF r2 = hn::Mul(r, r);
   const auto pair = [&](float c0, float c1) { return hn::Add(Set(c0), hn::Mul(r, Set(c1))); };
@@ -123,7 +150,8 @@ HWY_INLINE VF ExpMinus1(VF x) {
                          hn::Mul(r2, pair(4.1665795894e-2f, 8.3334519073e-3f)));
   const VF p = hn::Add(low, hn::Mul(hn::Mul(r2, r2), pair(1.3981999507e-3f, 1.9875691500e-4f)));
   const VF small = hn::Add(hn::Mul(r2, p), r);
-  const VF power = hn::BitCast(df, hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(di, n), SetI(127))));
+  // The lowest bits of kRounding are 0, and all above them are shifted out.
+  const VF power = hn::BitCast(df, hn::ShiftLeft<23>(hn::Add(hn::BitCast(di, rounded), SetI(127))));
   return hn::Add(hn::Mul(power, small), hn::Sub(power, Set(1)));
 }
 
@@ -136,9 +164,10 @@ HWY_INLINE Transparency TransparencyOf(VF opacity) {
   const VF one = Set(1);
   const VF o = hn::Min(opacity, Set(1.0f - 9.5367431640625e-7f));  // 1 - 2^-20
   const VF left = hn::Sub(one, o);
-  // What the subtraction rounded off, so that log1p(-o) keeps its relative accuracy.
+  // What the subtraction rounded off, so that log1p(-o) keeps its relative accuracy. It is lost / left in
+  // full, but where left is far from 1 nothing is lost or log far larger.
   const VF lost = hn::Sub(hn::Sub(one, left), o);
-  return {left, hn::Add(Log(left), hn::Div(lost, left))};
+  return {left, hn::Add(Log(left), lost)};
 }
 
 /// 1 - exp(-depth): the opacity of an optical depth >= 0.

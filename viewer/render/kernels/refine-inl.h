@@ -243,10 +243,10 @@ class Refiner {
   static HWY_INLINE VF Centroid(const CurvePlace& a, const CurvePlace& b, VF depth, VF opacity) {
     const VF one = Set(1), half = Set(0.5f);
     const MF thin = hn::Lt(depth, Set(0.05f));
-    const VF share =
-        hn::IfThenElse(thin, hn::Sub(half, hn::Mul(depth, Set(1.0f / 12))),
-                       hn::Sub(hn::Div(one, hn::IfThenElse(thin, one, depth)),
-                               hn::Div(hn::Sub(one, opacity), hn::IfThenElse(thin, one, opacity))));
+    // 1 / depth - (1 - opacity) / opacity.
+    const VF closed = hn::Div(hn::Sub(opacity, hn::Mul(hn::Sub(one, opacity), depth)),
+                              hn::IfThenElse(thin, one, hn::Mul(depth, opacity)));
+    const VF share = hn::IfThenElse(thin, hn::Sub(half, hn::Mul(depth, Set(1.0f / 12))), closed);
     const VF e1 = a.extinction, twice = hn::Mul(share, hn::Add(e1, b.extinction));
     const VF root = hn::Sqrt(hn::Add(hn::Mul(e1, e1), hn::Mul(hn::Sub(b.extinction, e1), twice)));
     const VF below = hn::Add(e1, root);

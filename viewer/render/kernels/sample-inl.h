@@ -32,27 +32,35 @@ struct Weights {
   VI row[4];  ///< (y0 z0), (y1 z0), (y0 z1), (y1 z1)
 };
 
+/// Whole numbers |x| <= 2^15, each as a float and in the lower 16 bits of an integer.
+struct Whole {
+  VF real;
+  VI bits;
+};
+HWY_INLINE Whole Less(const Whole& a, const Whole& b) {
+  return {hn::Sub(a.real, b.real), hn::Sub(a.bits, b.bits)};
+}
+
 HWY_INLINE Weights WeightsOf(const Cell& c) {
-  const DF df;
-  const DI di;
-  const auto part = [&](VI whole, VF share) {
-    return NearestSmall(hn::Mul(hn::ConvertTo(df, whole), share));
+  const auto part = [](const Whole& whole, VF share) {
+    const VF rounded = hn::Add(hn::Mul(whole.real, share), Set(kRounding));
+    return Whole{hn::Sub(rounded, Set(kRounding)), hn::BitCast(DI(), rounded)};
   };
-  const auto pair = [&](VI whole) {
-    const VI second = part(whole, c.fx), first = hn::Sub(whole, second);
-    return hn::Or(hn::ShiftLeft<16>(second), hn::And(first, SetI(0xffff)));
+  const auto pair = [&](const Whole& whole) {
+    const Whole second = part(whole, c.fx);
+    return hn::Or(hn::ShiftLeft<16>(second.bits), hn::And(Less(whole, second).bits, SetI(0xffff)));
   };
-  const VI one = hn::Set(di, -32768);
-  const VI behind = part(one, c.fz), before = hn::Sub(one, behind);
-  const VI behind1 = part(behind, c.fy), before1 = part(before, c.fy);
-  return {{pair(hn::Sub(before, before1)), pair(before1), pair(hn::Sub(behind, behind1)), pair(behind1)}};
+  const Whole one{Set(-32768), SetI(-32768)};
+  const Whole behind = part(one, c.fz), before = Less(one, behind);
+  const Whole behind1 = part(behind, c.fy), before1 = part(before, c.fy);
+  return {{pair(Less(before, before1)), pair(before1), pair(Less(behind, behind1)), pair(behind1)}};
 }
 
 constexpr float kWeightUnit = -1.0f / 32768;
 
 /// Densities of integers of at most 16 bits, interpolated with integer weights. Voxels::Densities(grid,
-/// index, offset): those of the voxels index + offset and of their neighbours along x, in the lower and upper
-/// halves of the lanes.
+/// index, rows): those of the rows of the cells at `index`, the first voxel's and its neighbour's along x in
+/// the lower and upper halves of the lanes.
 template <class Voxels>
 struct PairDensity {
 #if HWY_TARGET == HWY_SCALAR
@@ -74,9 +82,9 @@ struct PairDensity {
   static HWY_INLINE VF Density(const Grid& grid, const Cell& c) {
     const Weights w = WeightsOf(c);
     const CellIndices at(c);
-    VI sum = hn::Zero(DI());
-    for (int r = 0; r < 4; ++r)
-      sum = AddPairs(sum, Voxels::Densities(grid, at.lane, grid.Offset(r)), w.row[r]);
+    VI sum = hn::Zero(DI()), rows[4];
+    Voxels::Densities(grid, at.lane, rows);
+    for (int r = 0; r < 4; ++r) sum = AddPairs(sum, rows[r], w.row[r]);
     return Real(sum);
   }
 
@@ -84,10 +92,11 @@ struct PairDensity {
     const DF df;
     const CellIndices at(c);
     Corners v;
+    VI rows[4];
+    Voxels::Densities(grid, at.lane, rows);
     for (int r = 0; r < 4; ++r) {
-      const VI both = Voxels::Densities(grid, at.lane, grid.Offset(r));
-      v.first[r] = hn::ConvertTo(df, hn::ShiftRight<16>(hn::ShiftLeft<16>(both)));
-      v.second[r] = hn::ConvertTo(df, hn::ShiftRight<16>(both));
+      v.first[r] = hn::ConvertTo(df, hn::ShiftRight<16>(hn::ShiftLeft<16>(rows[r])));
+      v.second[r] = hn::ConvertTo(df, hn::ShiftRight<16>(rows[r]));
     }
     return v;
   }
@@ -95,9 +104,12 @@ struct PairDensity {
 
 /// 16-bit integers. A load of 32 bits brings a voxel's density and its neighbour's along x.
 struct Int16Store : PairDensity<Int16Store> {
-  static HWY_INLINE VI Densities(const Grid& grid, const std::int32_t* index, int offset) {
-    const VI both = LoadEach(DI(), grid.frame().density16 + offset, index);
-    return hn::Xor(both, SetI(int(grid.frame().flip16)));
+  /// DenseTracer is the faster one however few samples can be seen.
+  static constexpr bool kAlwaysDense = true;
+
+  static HWY_INLINE void Densities(const Grid& grid, const std::int32_t* index, VI (&rows)[4]) {
+    LoadEachOfFour(DI(), grid.Rows(grid.frame().density16), index, rows);
+    for (VI& row : rows) row = hn::Xor(row, SetI(int(grid.frame().flip16)));
   }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -177,9 +189,18 @@ struct Int16Store : PairDensity<Int16Store> {
       for (int r = 0; r < 4; ++r)
         hwy::Prefetch(grid.frame().voxels16 + std::int64_t(4) * (at.lane[n] + grid.Offset(r)));
   }
+  template <bool kGradients>
+  static HWY_INLINE void PrefetchBox(const Grid& grid, glm::vec3 low, glm::vec3 high) {
+    if constexpr (kGradients)
+      grid.Prefetch(grid.frame().voxels16, 4, low, high);
+    else
+      grid.Prefetch(grid.frame().density16, 1, low, high);
+  }
 };
 
 struct Float32Store {
+  static constexpr bool kAlwaysDense = false;
+
   static HWY_INLINE VF Row(const Grid& grid, VI index, VF fx) {
     const DF df;
     const float* base = grid.frame().density32;
@@ -206,6 +227,11 @@ struct Float32Store {
     return {Density(grid, c), Gradient(grid, c)};
   }
   static HWY_INLINE void Prefetch(const Grid&, const Cell&, int) {}
+  template <bool kGradients>
+  static HWY_INLINE void PrefetchBox(const Grid& grid, glm::vec3 low, glm::vec3 high) {
+    grid.Prefetch(grid.frame().density32, 1, low, high);
+    if constexpr (kGradients) grid.Prefetch(grid.frame().gradients32, 4, low, high);
+  }
 
   static HWY_INLINE V3 Gradient(const Grid& grid, const Cell& c) {
     return InterpolateFour(grid, c, grid.frame().gradients32).xyz;

@@ -50,7 +50,7 @@ HWY_INLINE VI SegmentOf(const CurveTable& t, VF density) {
     return segment;
   }
   const VF bucket = hn::Mul(hn::Sub(density, Set(t.low)), Set(t.perBucket));
-  const VI b = hn::ConvertTo(di, hn::Min(hn::Max(bucket, hn::Zero(df)), Set(float(CurveTable::buckets - 1))));
+  const VI b = Truncated(hn::Min(hn::Max(bucket, hn::Zero(df)), Set(float(CurveTable::buckets - 1))));
   VI segment = hn::GatherIndex(di, t.first.data(), b);
   for (int hop = 0; hop < t.hops; ++hop)
     segment = plusOneWhere(hn::Ge(density, OfSegment(t, t.node, segment)), segment);
@@ -124,12 +124,15 @@ struct DS {
 };
 HWY_INLINE DS InGrey(VF d, VF s) { return {{d, d, d}, {s, s, s}}; }
 
-/// D(n) and S(n) of SCENE 5 for one side. `h` of light i: the light's own, or with kLocal that of the
-/// sample's viewer.
+/// D'(n) and S'(n) of SCENE 5. A light shines on one side of a surface alone, so that each is looked at once
+/// and counts for as much of the picture as the viewer sees of that side. `h` of light i: the light's own, or
+/// with kLocal that of the sample's viewer.
 template <bool kLocal>
-HWY_INLINE DS OneSide(const Lighting& lighting, const V3& n, const V3& viewer) {
-  const VF zero = hn::Zero(DF()), ambient = Set(lighting.ambient), shininess = Set(lighting.shininess);
-  DS out = InGrey(ambient, zero);
+HWY_INLINE DS ShadePhong(const Lighting& lighting, const V3& n, const V3& viewer) {
+  const VF zero = hn::Zero(DF()), one = Set(1), shininess = Set(lighting.shininess);
+  const VF front = lighting.twoSided ? Clamp01(hn::Add(Set(0.5f), hn::Mul(Dot(n, viewer), Set(5)))) : one;
+  const VF back = hn::Sub(one, front);
+  DS out = InGrey(Set(lighting.ambient), zero);
   const auto add = [&](V3& sum, const glm::vec3& strength, VF share) {
     sum.x = hn::Add(sum.x, hn::Mul(Set(strength.r), share));
     if (!lighting.coloured) return;
@@ -138,43 +141,26 @@ HWY_INLINE DS OneSide(const Lighting& lighting, const V3& n, const V3& viewer) {
   };
   for (const ShadingLight& light : lighting.lights) {
     const V3 l = Broadcast(light.l);
-    const VF nl = Dot(n, l);
-    add(out.d, light.diffuse, hn::Max(nl, zero));
+    const VF nl = Dot(n, l), toLight = hn::Abs(nl);
+    const MF isFront = hn::Ge(nl, zero);
+    const VF side = hn::IfThenElse(isFront, front, back);
+    add(out.d, light.diffuse, hn::Mul(toLight, side));
     if (!lighting.specular) continue;
     V3 h = Broadcast(light.h);
     if constexpr (kLocal) {
       const V3 both = Add(l, viewer);
       const VF length = hn::Sqrt(Dot(both, both));
       h = Scale(both,
-                hn::IfThenElseZero(hn::Ge(length, Set(1e-3f)), hn::Div(Set(1), hn::Max(length, Set(1e-3f)))));
+                hn::IfThenElseZero(hn::Ge(length, Set(1e-3f)), hn::Div(one, hn::Max(length, Set(1e-3f)))));
     }
-    const VF nh = hn::Min(Dot(n, h), Set(1));
-    const VF facing = Clamp01(hn::Mul(nl, Set(10)));
-    const VF glint = hn::IfThenElseZero(
-        hn::Gt(nh, zero), hn::Mul(facing, lighting.wholeShininess ? WholePower(nh, lighting.wholeShininess)
-                                                                  : Power(nh, shininess)));
-    add(out.s, light.specular, glint);
+    const VF alongN = Dot(n, h), along = hn::Min(hn::IfThenElse(isFront, alongN, hn::Neg(alongN)), one);
+    const VF power =
+        lighting.wholeShininess ? WholePower(along, lighting.wholeShininess) : Power(along, shininess);
+    const VF facing = hn::Min(hn::Mul(toLight, Set(10)), one);
+    add(out.s, light.specular,
+        hn::IfThenElseZero(hn::Gt(along, zero), hn::Mul(hn::Mul(facing, side), power)));
   }
   return lighting.coloured ? out : InGrey(out.d.x, out.s.x);
-}
-
-/// D'(n) and S'(n): two sides, the change-over continuous (SCENE 5).
-template <bool kLocal>
-HWY_INLINE DS ShadePhong(const Lighting& lighting, const V3& n, const V3& viewer) {
-  if (!lighting.twoSided) return OneSide<kLocal>(lighting, n, viewer);
-  const VF ne = Dot(n, viewer);
-  const VF toViewer = hn::CopySign(Set(1), ne);
-  const V3 near = Scale(n, toViewer);
-  DS out = OneSide<kLocal>(lighting, near, viewer);
-  const VF behind = hn::Sub(Set(1), Clamp01(hn::Add(Set(0.5f), hn::Mul(hn::Abs(ne), Set(5)))));
-  if (!hn::AllTrue(DF(), hn::Eq(behind, hn::Zero(DF())))) {
-    const DS far = OneSide<kLocal>(lighting, Scale(near, Set(-1)), viewer);
-    const auto mix = [&](const V3& a, const V3& b) {
-      return V3{Lerp(a.x, b.x, behind), Lerp(a.y, b.y, behind), Lerp(a.z, b.z, behind)};
-    };
-    out = {mix(out.d, far.d), mix(out.s, far.s)};
-  }
-  return out;
 }
 
 /// Where directions meet the cube of a reflectance map: face, and u, v in -1 .. 1.
@@ -184,15 +170,13 @@ struct CubePlace {
 };
 HWY_INLINE CubePlace OnCube(const V3& n) {
   const DF df;
-  const DI di;
   const VF ax = hn::Abs(n.x), ay = hn::Abs(n.y), az = hn::Abs(n.z);
   const MF isX = hn::And(hn::Ge(ax, ay), hn::Ge(ax, az)), isY = hn::AndNot(isX, hn::Ge(ay, az));
   const auto choose = [&](VF x, VF y, VF z) { return hn::IfThenElse(isX, x, hn::IfThenElse(isY, y, z)); };
   const VF major = choose(n.x, n.y, n.z);
   const VF inverse = hn::Div(Set(1), hn::IfThenElse(hn::Eq(major, hn::Zero(df)), Set(1), major));
-  const VI axisFace = hn::ConvertTo(di, choose(hn::Zero(df), Set(2), Set(4)));
-  const VI face =
-      hn::Add(axisFace, hn::ConvertTo(di, hn::IfThenElseZero(hn::Lt(major, hn::Zero(df)), Set(1))));
+  const VI axisFace = Truncated(choose(hn::Zero(df), Set(2), Set(4)));
+  const VI face = hn::Add(axisFace, Truncated(hn::IfThenElseZero(hn::Lt(major, hn::Zero(df)), Set(1))));
   return {face, hn::Mul(choose(n.y, n.z, n.x), inverse), hn::Mul(choose(n.z, n.x, n.y), inverse)};
 }
 
@@ -230,15 +214,13 @@ HWY_INLINE DS BetweenNodes(const ReflectanceMap& map, VI at, VF fu, VF fv) {
 /// D' and S' from the reflectance map, bilinear on the face of the normal's largest component (paper 2.2).
 HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
   const DF df;
-  const DI di;
   const CubePlace place = OnCube(n);
   const VF half = Set(0.5f * float(map.n - 1)), limit = Set(float(map.n - 1));
   const auto toNodes = [&](VF c) {
     return hn::Min(hn::Max(hn::Mul(hn::Add(c, Set(1)), half), hn::Zero(df)), limit);
   };
   const VF u = toNodes(place.u), v = toNodes(place.v);
-  const VI iu = hn::Min(hn::ConvertTo(di, u), SetI(map.n - 2)),
-           iv = hn::Min(hn::ConvertTo(di, v), SetI(map.n - 2));
+  const VI iu = hn::Min(Truncated(u), SetI(map.n - 2)), iv = hn::Min(Truncated(v), SetI(map.n - 2));
   const VF fu = hn::Sub(u, hn::ConvertTo(df, iu)), fv = hn::Sub(v, hn::ConvertTo(df, iv));
   const VI node = hn::Add(hn::Mul(hn::Add(hn::Mul(place.face, SetI(map.n)), iv), SetI(map.n)), iu);
   return BetweenNodes(map, FirstFloat(map, node), fu, fv);
@@ -248,6 +230,7 @@ HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
 HWY_INLINE DS WithFloor(const TraceFrame& f, const DS& shade, VF length) {
   const VF q = hn::Min(Set(1), hn::Mul(length, Set(f.inverseFloor)));
   const glm::vec3& flat = f.lighting->flat;
+  if (!f.lighting->coloured) return InGrey(Lerp(Set(flat.r), shade.d.x, q), hn::Mul(shade.s.x, q));
   return {{Lerp(Set(flat.r), shade.d.x, q), Lerp(Set(flat.g), shade.d.y, q), Lerp(Set(flat.b), shade.d.z, q)},
           Scale(shade.s, q)};
 }

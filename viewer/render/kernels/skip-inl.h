@@ -31,9 +31,7 @@ HWY_INLINE MF IsVisibleCell(const VisibleCells& cells, MF alive, VI x, VI y, VI 
 
 /// The rays of `alive` whose place, clamped to the grid, lies in a visible cell.
 HWY_INLINE MF InVisibleCell(const VisibleCells& cells, MF alive, const V3& clamped) {
-  const DI di;
-  return IsVisibleCell(cells, alive, hn::ConvertTo(di, clamped.x), hn::ConvertTo(di, clamped.y),
-                       hn::ConvertTo(di, clamped.z));
+  return IsVisibleCell(cells, alive, Truncated(clamped.x), Truncated(clamped.y), Truncated(clamped.z));
 }
 
 /// What the map says of boxes of blocks from `index` on that reach `across` farther, in the layer that begins
@@ -100,7 +98,7 @@ class Skipper {
     static_assert(SkipMap::edge == 4);
     const VF middle = hn::Add(hn::Add(hn::Iota(df, 0), Set(float(step))), Set(0.5f));
     const auto block = [&](int a, VF x) {
-      return hn::ShiftRight<2>(hn::ConvertTo(di, hn::Min(hn::Max(x, hn::Zero(df)), Set(last_[a]))));
+      return hn::ShiftRight<2>(Truncated(hn::Min(hn::Max(x, hn::Zero(df)), Set(last_[a]))));
     };
     VI index[3], across[3];
     for (int a = 0; a < 3; ++a) {

@@ -18,10 +18,10 @@ HWY_INLINE V3 ShadeByTable(const ShadeTable& t, const V3& stored, VF density) {
   const VF half = Set(0.5f), zero = Set(float(ShadeTable::zero)), none = hn::Zero(df);
   const auto component = [&](VF g) {
     const VF place = hn::Add(hn::Mul(g, Set(t.perGradient)), hn::Add(zero, half));
-    return hn::ConvertTo(di, hn::Min(hn::Max(place, none), hn::Add(zero, zero)));
+    return Truncated(hn::Min(hn::Max(place, none), hn::Add(zero, zero)));
   };
   const VF place = hn::Add(hn::Mul(hn::Sub(density, Set(t.densityLow)), Set(t.perDensity)), half);
-  const VI d = hn::ConvertTo(di, hn::Min(hn::Max(place, none), Set(float(ShadeTable::side - 1))));
+  const VI d = Truncated(hn::Min(hn::Max(place, none), Set(float(ShadeTable::side - 1))));
   constexpr int bits = ShadeTable::indexBits;
   VI at = hn::Add(hn::ShiftLeft<bits>(component(stored.z)), component(stored.y));
   at = hn::Add(hn::ShiftLeft<bits>(at), component(stored.x));
@@ -39,7 +39,7 @@ HWY_INLINE DS ShadeMapNearest(const ReflectanceMap& map, const V3& n) {
   const CubePlace place = OnCube(n);
   const VF half = Set(0.5f * float(map.n));
   const auto patch = [&](VF c) {
-    const VI p = hn::ConvertTo(DI(), hn::Max(hn::Mul(hn::Add(c, Set(1)), half), hn::Zero(df)));
+    const VI p = Truncated(hn::Max(hn::Mul(hn::Add(c, Set(1)), half), hn::Zero(df)));
     return hn::Min(p, SetI(map.n - 1));
   };
   const VI node = hn::Add(hn::Mul(hn::Add(hn::Mul(place.face, SetI(map.n)), patch(place.v)), SetI(map.n)),

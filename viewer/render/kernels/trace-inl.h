@@ -72,16 +72,20 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
     }
     if (Tracer::kCells && f.cells && low.x <= high.x) f.cells->lookInto(low, high);
     tracer.BeginSlab();
-    for (int n = 0; n < packets; ++n) tracer.Advance(n * lanes, step, bits[n]);
+    for (int n = 0; n < packets; ++n) {
+      if constexpr (Tracer::kPrefetches)
+        if (bits[n]) {
+          glm::vec3 from(std::numeric_limits<float>::max()), to(0);
+          skippers[n].TakeIn(step + slab, slab, from, to);
+          tracer.Prefetch(from, to);
+        }
+      tracer.Advance(n * lanes, step, bits[n]);
+    }
     tracer.EndSlab();
   }
   tracer.Finish();
   counts.allTicks += Ticks() - begin;
 }
-
-/// Whether a store has kernels of its own for frames in which most samples are visible.
-template <class Store>
-inline constexpr bool kDenseToo = true;
 
 template <class Store, ShadeBy kShade, bool kGradientOpacity>
 TraceKernel ChooseDensity(TraceKey key) {
@@ -91,9 +95,12 @@ TraceKernel ChooseDensity(TraceKey key) {
     return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
   } else {
     if (key.refined) return TraceRays<SparseTracer<Store, kShade, kGradientOpacity, true>>;
-    if constexpr (kDenseToo<Store>)
+    if constexpr (Store::kAlwaysDense) {
+      return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
+    } else {
       if (key.dense) return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
-    return TraceRays<SparseTracer<Store, kShade, kGradientOpacity, false>>;
+      return TraceRays<SparseTracer<Store, kShade, kGradientOpacity, false>>;
+    }
   }
 }
 

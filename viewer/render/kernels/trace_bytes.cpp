@@ -10,9 +10,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
-template <>
-inline constexpr bool kDenseToo<Byte4Store> = false;
-
 TraceKernel ChooseTraceBytes(TraceKey key) {
   return key.store == Store::byte1 ? ChooseDensity<Byte1Store, ShadeBy::nothing, false>(key)
                                    : ChooseShade<Byte4Store>(key);

@@ -21,12 +21,11 @@ struct WalkAxis {
 
   HWY_INLINE WalkAxis(VF rayStart, VF move, VF from) : start(rayStart) {
     const DF df;
-    const DI di;
     const MF still = hn::Lt(hn::Abs(move), Set(1e-6f)), isBack = hn::Lt(move, hn::Zero(df));
     turn = hn::IfThenElse(isBack, Set(-1), Set(1));
-    turnCell = hn::ConvertTo(di, turn);
+    turnCell = Truncated(turn);
     // Rays begin up to half a voxel before the first; conversion cuts towards 0.
-    cell = hn::Sub(hn::ConvertTo(di, hn::Add(hn::Add(start, hn::Mul(from, move)), Set(1))), SetI(1));
+    cell = hn::Sub(Truncated(hn::Add(hn::Add(start, hn::Mul(from, move)), Set(1))), SetI(1));
     const VF next = hn::Add(hn::ConvertTo(df, cell), hn::IfThenElseZero(hn::Not(isBack), Set(1)));
     // The next face of a ray that stands still is never reached.
     index = hn::IfThenElse(still, hn::Add(start, Set(1)), next);
