@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "viewer/render/kernels/compact-inl.h"
-#include "viewer/render/kernels/extinction-inl.h"
+#include "viewer/render/kernels/halves-inl.h"
 #include "viewer/render/kernels/parts-inl.h"
 #include "viewer/render/kernels/passage-inl.h"
 #include "viewer/render/kernels/walk-inl.h"
@@ -35,10 +35,17 @@ template <class Store>
 class Refiner {
  public:
   Refiner(const TraceFrame& f, const Grid& grid, const RayRow& rays, TraceCounts& counts)
-      : f_(f), grid_(grid), rays_(rays), counts_(counts), parts_(rays) {}
+      : f_(f),
+        grid_(grid),
+        rays_(rays),
+        counts_(counts),
+        parts_(rays),
+        halves_(*f.curve, noted),
+        readyHalves_(*f.curve, parts_.ready) {}
 
   static constexpr int kNoted = 4096 + kLanes;
   Intervals<kNoted> noted;
+  using Noted = HalvesOf<Intervals<kNoted>>;
 
   /// Notes the passages through visible cells of those rays of the packet at ray `first` that are `open`, on
   /// the steps [from, to).
@@ -63,15 +70,17 @@ class Refiner {
   template <class Emit>
   HWY_INLINE void Draw(float* through, const Emit& emit) {
     SamplePassages();
-    for (int n = 0; n < noted.size; n += kLanes) {
-      const Halves halves = HalvesOf(noted, n);
-      const Parts parts = PartsOf(n, halves, ThroughTo(n, halves, through));
-      if (parts_.ready.size == 0 && parts.AreNone()) {
-        emit(Integrate(noted, n, halves), std::min(kLanes, noted.size - n));
-        continue;
-      }
-      Queue(n, parts);
-      if (parts_.IsFull()) Flush(emit);
+    for (int n = 0; n < noted.size; n += Noted::kMost) {
+      halves_.Take(n, std::min(Noted::kMost, noted.size - n));
+      halves_.ForEach([&](int k) { SetThrough(n + k, k, through); });
+      halves_.ForEach([&](int k) { SetParts(n + k, k); });
+      halves_.ForEach([&](int k) {
+        const Parts parts{hn::Load(DI(), first_ + k), hn::Load(DI(), second_ + k)};
+        if (parts_.ready.size == 0 && parts.AreNone())
+          return emit(Integrate(noted, n + k, halves_.At(k)), halves_.Count(k));
+        Queue(n + k, parts);
+        if (parts_.IsFull()) Flush(emit);
+      });
     }
     Flush(emit);
     noted.size = 0;
@@ -80,44 +89,66 @@ class Refiner {
  private:
   /// Sets the densities of what is noted, and keeps what can be seen.
   HWY_INLINE void SamplePassages() {
-    const DF df;
     auto& s = noted;
     s.Pad();
     counts_.resampled += s.size;
     int kept = 0;
-    for (int n = 0; n < s.size; n += kLanes) {
-      const V3 place = PlaceOf(s, n);
-      const VI ray = hn::Load(DI(), s.ray + n);
-      const VF steps = hn::Load(df, s.steps + n);
-      const V3 half = Scale(MoveOf(rays_, ray), hn::Mul(steps, Set(0.5f)));
-      const Cubic density = DensityAlong<Store>(grid_, place, half);
-      const VF front = density.At(Set(-1)), back = density.At(Set(1)), middle = density.c0;
-      // The farthest that s^2 and s^3 leave the straight lines between these.
-      const VF off =
-          hn::Add(hn::Mul(Set(0.25f), hn::Abs(density.c2)), hn::Mul(Set(0.385f), hn::Abs(density.c3)));
-      const VF low = hn::Min(middle, hn::Min(front, back)), high = hn::Max(middle, hn::Max(front, back));
-      const Variation around = VariationBetween(*f_.curve, hn::Sub(low, off), hn::Add(high, off));
-      const MF keep = hn::AndNot(around.hidden, hn::FirstN(df, std::size_t(s.size - n)));
-      if (hn::AllFalse(df, keep)) continue;
-      const VF units = hn::Mul(
-          hn::Mul(rays_.parallel ? Set(rays_.sharedStepMm) : hn::GatherIndex(df, rays_.stepMm.data(), ray),
-                  Set(f_.inverseUnitMm)),
-          steps);
-      Append(place.x, keep, s.x + kept);
-      Append(place.y, keep, s.y + kept);
-      Append(place.z, keep, s.z + kept);
-      Append(steps, keep, s.steps + kept);
-      Append(units, keep, s.units + kept);
-      Append(front, keep, s.front + kept);
-      Append(middle, keep, s.middle + kept);
-      Append(back, keep, s.back + kept);
-      const VF within = VariationBetween(*f_.curve, low, high).change;
-      Append(hn::Sub(around.change, hn::Mul(within, Set(0.9f))), keep, s.around + kept);
-      Append(ray, keep, s.ray + kept);
-      kept += int(hn::CountTrue(df, keep));
+    // In short passes (HalvesOf).
+    constexpr int few = 8 * kLanes;
+    for (int begin = 0; begin < s.size; begin += few) {
+      const int end = std::min(begin + few, s.size);
+      for (int n = begin; n < end; n += kLanes) SampleDensities(n);
+      for (int n = begin; n < end; n += kLanes) kept += KeepVisible(n, kept);
     }
     s.size = kept;
     s.Pad();
+  }
+
+  /// Sets the densities of the passages from n on, and for now as `around` how far the cubic may leave the
+  /// straight lines between them.
+  HWY_INLINE void SampleDensities(int n) {
+    const DF df;
+    auto& s = noted;
+    const V3 half =
+        Scale(MoveOf(rays_, hn::Load(DI(), s.ray + n)), hn::Mul(hn::Load(df, s.steps + n), Set(0.5f)));
+    const Cubic density = DensityAlong<Store>(grid_, PlaceOf(s, n), half);
+    hn::Store(density.At(Set(-1)), df, s.front + n);
+    hn::Store(density.c0, df, s.middle + n);
+    hn::Store(density.At(Set(1)), df, s.back + n);
+    // The farthest that s^2 and s^3 leave them.
+    hn::Store(hn::Add(hn::Mul(Set(0.25f), hn::Abs(density.c2)), hn::Mul(Set(0.385f), hn::Abs(density.c3))),
+              df, s.around + n);
+  }
+
+  /// Moves what can be seen of the passages from n on to `kept`; how many.
+  HWY_INLINE int KeepVisible(int n, int kept) {
+    const DF df;
+    auto& s = noted;
+    const VF front = hn::Load(df, s.front + n), middle = hn::Load(df, s.middle + n),
+             back = hn::Load(df, s.back + n), off = hn::Load(df, s.around + n);
+    const VF low = hn::Min(middle, hn::Min(front, back)), high = hn::Max(middle, hn::Max(front, back));
+    const Variation around = VariationBetween(*f_.curve, hn::Sub(low, off), hn::Add(high, off));
+    const MF keep = hn::AndNot(around.hidden, hn::FirstN(df, std::size_t(noted.size - n)));
+    if (hn::AllFalse(df, keep)) return 0;
+    const VI ray = hn::Load(DI(), s.ray + n);
+    const VF steps = hn::Load(df, s.steps + n);
+    const V3 place = PlaceOf(s, n);
+    const VF units = hn::Mul(
+        hn::Mul(rays_.parallel ? Set(rays_.sharedStepMm) : hn::GatherIndex(df, rays_.stepMm.data(), ray),
+                Set(f_.inverseUnitMm)),
+        steps);
+    Append(place.x, keep, s.x + kept);
+    Append(place.y, keep, s.y + kept);
+    Append(place.z, keep, s.z + kept);
+    Append(steps, keep, s.steps + kept);
+    Append(units, keep, s.units + kept);
+    Append(front, keep, s.front + kept);
+    Append(middle, keep, s.middle + kept);
+    Append(back, keep, s.back + kept);
+    const VF within = VariationBetween(*f_.curve, low, high).change;
+    Append(hn::Sub(around.change, hn::Mul(within, Set(0.9f))), keep, s.around + kept);
+    Append(ray, keep, s.ray + kept);
+    return int(hn::CountTrue(df, keep));
   }
 
   /// The share of light that may be missed in the passages from n on because straight lines pass it by.
@@ -125,23 +156,6 @@ class Refiner {
     const DF df;
     const VF share = Set(f_.parting.around);
     return hn::Mul(hn::Mul(hn::Load(df, noted.units + n), share), hn::Load(df, noted.around + n));
-  }
-
-  /// Both halves of passages, or of their parts: places on the curve at the front, in the middle and at the
-  /// back; optical depths.
-  struct Halves {
-    CurvePlace a, m, b;
-    VF units, depth1, depth2;
-  };
-  template <class Array>
-  HWY_INLINE Halves HalvesOf(const Array& s, int n) const {
-    const DF df;
-    const CurveTable& t = *f_.curve;
-    const CurvePlace a = PlaceOnCurve(t, hn::Load(df, s.front + n)),
-                     m = PlaceOnCurve(t, hn::Load(df, s.middle + n)),
-                     b = PlaceOnCurve(t, hn::Load(df, s.back + n));
-    const VF units = hn::Load(df, s.units + n), half = hn::Mul(units, Set(0.5f));
-    return {a, m, b, units, hn::Mul(half, MeanExtinction(t, a, m)), hn::Mul(half, MeanExtinction(t, m, b))};
   }
 
   HWY_INLINE VF ColourVariationAt(const CurvePlace& p) const {
@@ -195,17 +209,24 @@ class Refiner {
     return hn::Sub(Set(1), OpacityOfDepth(hn::Mul(depth, Set(f_.parting.trusted))));
   }
 
-  /// The light that comes through to the intervals from n on; takes them from `through`.
-  HWY_INLINE VF ThroughTo(int n, const Halves& h, float* through) const {
-    HWY_ALIGN float left[kLanes], reached[kLanes];
+  /// Sets the light that comes through to the intervals from n on, the k-th of those taken; takes them from
+  /// `through`.
+  HWY_INLINE void SetThrough(int n, int k, float* through) {
+    HWY_ALIGN float left[kLanes];
+    const Halves h = halves_.At(k);
     hn::Store(Through(hn::Add(h.depth1, h.depth2)), DF(), left);
-    hn::Store(hn::Zero(DF()), DF(), reached);
-    for (int m = 0; m < std::min(kLanes, noted.size - n); ++m) {
+    hn::Store(hn::Zero(DF()), DF(), through_ + k);
+    for (int m = 0; m < halves_.Count(k); ++m) {
       float& t = through[noted.ray[n + m]];
-      reached[m] = t;
+      through_[k + m] = t;
       t *= left[m];
     }
-    return hn::Load(DF(), reached);
+  }
+
+  HWY_INLINE void SetParts(int n, int k) {
+    const Parts parts = PartsOf(n, halves_.At(k), hn::Load(DF(), through_ + k));
+    hn::Store(parts.first, DI(), first_ + k);
+    hn::Store(parts.second, DI(), second_ + k);
   }
 
   HWY_INLINE void Queue(int n, const Parts& parts) {
@@ -233,8 +254,11 @@ class Refiner {
   HWY_INLINE void Flush(const Emit& emit) {
     counts_.resampled += parts_.template Sample<Store>(grid_);
     const auto& ready = parts_.ready;
-    for (int n = 0; n < ready.size; n += kLanes)
-      emit(Integrate(ready, n, HalvesOf(ready, n)), std::min(kLanes, ready.size - n));
+    for (int n = 0; n < ready.size; n += Ready::kMost) {
+      readyHalves_.Take(n, std::min(Ready::kMost, ready.size - n));
+      readyHalves_.ForEach(
+          [&](int k) { emit(Integrate(ready, n + k, readyHalves_.At(k)), readyHalves_.Count(k)); });
+    }
     parts_.Clear();
   }
 
@@ -279,6 +303,12 @@ class Refiner {
   const RayRow& rays_;
   TraceCounts& counts_;
   PartQueue parts_;
+  using Ready = HalvesOf<Intervals<PartQueue::kReady>>;
+  Noted halves_;
+  Ready readyHalves_;
+  // Of those taken: the light that comes through to each; into how many parts its halves are cut.
+  HWY_ALIGN float through_[Noted::kMost];
+  HWY_ALIGN std::int32_t first_[Noted::kMost], second_[Noted::kMost];
 };
 
 }  // namespace volumen::HWY_NAMESPACE
