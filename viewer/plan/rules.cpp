@@ -238,15 +238,18 @@ Effect precision(const RuleInput& in, Plan& plan) {
             (in.options.precision ? " bits, as asked" : " bits hold the stored integers exactly"));
 }
 
-Effect gradientFetch(const RuleInput&, Plan& plan) {
+Effect gradientFetch(const RuleInput& in, Plan& plan) {
   // Where gradients lie apart from densities, measured: from so many blocks on it is faster to fetch all.
   constexpr double many = 0.3;
-  plan.dense = !plan.gradients || plan.bits == 16 || plan.visibleShare > many;
+  const bool few = plan.gradients && plan.bits != 16 && plan.visibleShare <= many;
+  plan.dense = !few || in.options.full;
   if (!plan.gradients) return off("there are no gradients");
   if (plan.method != Method::planes || plan.resampler != Resampler::cpu)
     return on("at every sample: all of them are looked at");
   if (plan.mostParts > 1) return on("where opacity counts, once for each part of a ray");
-  if (!plan.dense) return on("where opacity counts: few samples have any");
+  if (few)
+    return on(plan.dense ? "with every density: asked for in full"
+                         : "where opacity counts: few samples have any");
   return on(plan.bits == 16 ? "with every density: one load brings both"
                             : "with every density: most samples have opacity");
 }

@@ -213,6 +213,13 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.options.precision = 32;
         a.options.opacityThreshold = 0.9;
       });
+  row("few visible samples of 32 bits in full", "gradient fetch",
+      "on   gradient fetch: with every density: asked for in full", [](Asked& a) {
+        a.options.step = 1;
+        a.options.precision = 32;
+        a.options.opacityThreshold = 0.9;
+        a.options.full = true;
+      });
   row("many visible samples of 32 bits", "gradient fetch",
       "on   gradient fetch: with every density: most samples have opacity", [](Asked& a) {
         a.options.step = 1;
