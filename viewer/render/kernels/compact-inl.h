@@ -46,6 +46,13 @@ HWY_INLINE void Append(VF v, MF which, float* at) { hn::StoreU(Compressed(v, whi
 HWY_INLINE void Append(VI v, MF which, std::int32_t* at) {
   hn::StoreU(hn::BitCast(DI(), Compressed(hn::BitCast(DF(), v), which)), DI(), at);
 }
+/// Appends the chosen places to arrays (PlaceOf) from the at-th on.
+template <class Array>
+HWY_INLINE void AppendPlaces(const V3& v, MF which, Array& s, int at) {
+  Append(v.x, which, s.x + at);
+  Append(v.y, which, s.y + at);
+  Append(v.z, which, s.z + at);
+}
 
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

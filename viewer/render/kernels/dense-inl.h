@@ -1,4 +1,4 @@
-// The composite kernel where most samples are visible, compiled once a CPU target.
+// The composite kernel of plain steps that fetches density and gradient together, compiled once a CPU target.
 #if defined(VOLUMEN_RENDER_KERNELS_DENSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_RENDER_KERNELS_DENSE_INL_H_
 #undef VOLUMEN_RENDER_KERNELS_DENSE_INL_H_

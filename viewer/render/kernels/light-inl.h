@@ -62,10 +62,9 @@ class LightQueue {
     const MF counts = hn::And(hn::Gt(weight, hn::Zero(df)), hn::FirstN(df, std::size_t(s.size - n)));
     auto& w = waiting_;
     if constexpr (kLit) {
-      Store::Prefetch(grid_, grid_.CellAt(PlaceOf(s, n)), std::min(kLanes, s.size - n));
-      Append(hn::Load(df, s.x + n), counts, w.x + w.size);
-      Append(hn::Load(df, s.y + n), counts, w.y + w.size);
-      Append(hn::Load(df, s.z + n), counts, w.z + w.size);
+      const V3 place = PlaceOf(s, n);
+      Store::Prefetch(grid_, grid_.CellAt(place), std::min(kLanes, s.size - n));
+      AppendPlaces(place, counts, w, w.size);
     }
     if constexpr (kAlong) Append(hn::Load(df, s.reach + n), counts, w.reach + w.size);
     Append(hn::Load(df, s.density + n), counts, w.density + w.size);

@@ -55,9 +55,7 @@ class Refiner {
     // What is shorter than three tolerances costs more time than it saves of the error.
     const float shortest = std::max(1e-4f, 3 * f_.parting.tolerance);
     WalkCells(f_, p, from, to, open, shortest, [&](MF seen, const V3& middle, VF length) {
-      Append(middle.x, seen, s.x + s.size);
-      Append(middle.y, seen, s.y + s.size);
-      Append(middle.z, seen, s.z + s.size);
+      AppendPlaces(middle, seen, s, s.size);
       Append(length, seen, s.steps + s.size);
       Append(ray, seen, s.ray + s.size);
       s.size += int(hn::CountTrue(DF(), seen));
@@ -93,10 +91,9 @@ class Refiner {
     s.Pad();
     counts_.resampled += s.size;
     int kept = 0;
-    // In short passes (HalvesOf).
-    constexpr int few = 8 * kLanes;
-    for (int begin = 0; begin < s.size; begin += few) {
-      const int end = std::min(begin + few, s.size);
+    // In short passes, as HalvesOf takes them.
+    for (int begin = 0; begin < s.size; begin += Noted::kMost) {
+      const int end = std::min(begin + Noted::kMost, s.size);
       for (int n = begin; n < end; n += kLanes) SampleDensities(n);
       for (int n = begin; n < end; n += kLanes) kept += KeepVisible(n, kept);
     }
@@ -137,9 +134,7 @@ class Refiner {
         hn::Mul(rays_.parallel ? Set(rays_.sharedStepMm) : hn::GatherIndex(df, rays_.stepMm.data(), ray),
                 Set(f_.inverseUnitMm)),
         steps);
-    Append(place.x, keep, s.x + kept);
-    Append(place.y, keep, s.y + kept);
-    Append(place.z, keep, s.z + kept);
+    AppendPlaces(place, keep, s, kept);
     Append(steps, keep, s.steps + kept);
     Append(units, keep, s.units + kept);
     Append(front, keep, s.front + kept);
@@ -209,8 +204,9 @@ class Refiner {
     return hn::Sub(Set(1), OpacityOfDepth(hn::Mul(depth, Set(f_.parting.trusted))));
   }
 
-  /// Sets the light that comes through to the intervals from n on, the k-th of those taken; takes them from
-  /// `through`.
+  // Of the intervals from n on, the k-th of those that halves_ took:
+
+  /// Sets the light that comes through to them, and takes from `through` what they hide.
   HWY_INLINE void SetThrough(int n, int k, float* through) {
     HWY_ALIGN float left[kLanes];
     const Halves h = halves_.At(k);
@@ -223,6 +219,7 @@ class Refiner {
     }
   }
 
+  /// Sets into how many parts their halves are cut.
   HWY_INLINE void SetParts(int n, int k) {
     const Parts parts = PartsOf(n, halves_.At(k), hn::Load(DF(), through_ + k));
     hn::Store(parts.first, DI(), first_ + k);

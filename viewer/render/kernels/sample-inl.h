@@ -199,6 +199,7 @@ struct Int16Store : PairDensity<Int16Store> {
 };
 
 struct Float32Store {
+  /// DenseTracer is the faster one where many samples can be seen.
   static constexpr bool kAlwaysDense = false;
 
   static HWY_INLINE VF Row(const Grid& grid, VI index, VF fx) {

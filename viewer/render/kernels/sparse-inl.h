@@ -1,4 +1,5 @@
-// The composite kernel where few samples are visible, compiled once a CPU target.
+// The composite kernel that fetches gradients where opacity counts, of levels and where few samples of plain
+// steps are visible, compiled once a CPU target.
 #if defined(VOLUMEN_RENDER_KERNELS_SPARSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_RENDER_KERNELS_SPARSE_INL_H_
 #undef VOLUMEN_RENDER_KERNELS_SPARSE_INL_H_
@@ -97,9 +98,7 @@ class SparseTracer {
     const V3 place = grid_.Clamped(Position(p, n, last));
     if (f_.cells) alive = InVisibleCell(*f_.cells, alive, place);
     auto& s = looked_;
-    Append(place.x, alive, s.x + s.size);
-    Append(place.y, alive, s.y + s.size);
-    Append(place.z, alive, s.z + s.size);
+    AppendPlaces(place, alive, s, s.size);
     Append(hn::IfThenElse(last, p.lastUnits, p.units), alive, s.units + s.size);
     Append(hn::Add(hn::Iota(DI(), 0), SetI(first)), alive, s.ray + s.size);
     s.size += int(hn::CountTrue(DF(), alive));
@@ -118,9 +117,7 @@ class SparseTracer {
     refiner_.Draw(through_.data(), [&](const Integrated& part, int count) {
       const MF counts = hn::And(hn::Gt(part.opacity, hn::Zero(DF())), hn::FirstN(DF(), std::size_t(count)));
       auto& s = looked_;
-      Append(part.place.x, counts, s.x + s.size);
-      Append(part.place.y, counts, s.y + s.size);
-      Append(part.place.z, counts, s.z + s.size);
+      AppendPlaces(part.place, counts, s, s.size);
       Append(part.units, counts, s.units + s.size);
       Append(part.reach, counts, s.reach + s.size);
       Append(part.density, counts, s.density + s.size);
@@ -163,9 +160,7 @@ class SparseTracer {
       const VI ray = hn::Load(DI(), s.ray + n);
       const VF density = Store::Density(grid_, grid_.CellAt(place));
       const MF seen = hn::And(matter_.CanBeSeen(density), hn::FirstN(df, std::size_t(s.size - n)));
-      Append(place.x, seen, s.x + kept);
-      Append(place.y, seen, s.y + kept);
-      Append(place.z, seen, s.z + kept);
+      AppendPlaces(place, seen, s, kept);
       Append(units, seen, s.units + kept);
       Append(ray, seen, s.ray + kept);
       Append(density, seen, s.density + kept);

@@ -29,7 +29,8 @@ struct TraceKey {
   ShadeBy shade = ShadeBy::nothing;
   bool gradientOpacity = false;
   bool refined = false;  ///< cell by cell, integrated and cut (TraceFrame::parting); never dense
-  bool dense = true;     ///< made for frames in which most samples are visible; the same bytes either way
+  bool dense = true;  ///< density and gradient together at every sample, for plain steps of a store that has
+                      ///< both kernels (kAlwaysDense); the same bytes either way
 };
 
 /// A passage through a cell is integrated as if its density went straight from its front to its middle and
