@@ -91,8 +91,6 @@ struct Answer {
 Answer answer(const NamedQuestion& q, RenderCaches& caches, int rounds) {
   const Plan plans[] = {*makePlan(q.scene, caches.facts(), q.chosen),
                         *makePlan(q.scene, caches.facts(), q.other)};
-  Plan other = plans[1];
-  other.visibleShare = plans[0].visibleShare;  // blend does not ask
   std::vector<double> ms[2];
   for (int round = 0; round <= rounds; ++round)
     for (int n = 0; n < 2; ++n) {
@@ -100,7 +98,7 @@ Answer answer(const NamedQuestion& q, RenderCaches& caches, int rounds) {
       const double once = frameMs(plans[n], caches);
       if (round > 0) ms[n].push_back(once);
     }
-  return {predictedCost(plans[0], caches.facts()).ns() / predictedCost(other, caches.facts()).ns(),
+  return {predictedCost(plans[0], caches.facts()).ns() / predictedCost(plans[1], caches.facts()).ns(),
           median(ms[0]) / median(ms[1])};
 }
 

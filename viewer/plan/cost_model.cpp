@@ -127,11 +127,9 @@ PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts, Shader s
   PredictedCost cost;
   if (plan.resampler == Resampler::gl)
     cost.samplingNs = samples * (glSampleNs + (plan.gradients ? glGradientNs : 0));
-  else if (plan.method == Method::planes)
+  else
     // Rays look in packets, whose box meets more blocks than one ray does.
     cost.samplingNs = std::sqrt(samples * visible) * planesNs(plan);
-  else
-    cost.samplingNs = samples * sampleNs;
   cost.samplingNs += visible * (colourNs + (plan.gradients ? gradientNs : 0));
   const double lit = plan.mostParts > 1 ? visible * litParts / std::sqrt(plan.partTolerance) : visible;
   cost.lightNs = lightNs(plan, shader, lit);

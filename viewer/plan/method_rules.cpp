@@ -33,9 +33,8 @@ std::string methodCost(const RuleInput& in, const Plan& plan) {
   options.method = Method::blend;
   options.stopAt.reset();
   options.tolerance.reset();
-  auto blend = makePlan(in.scene, in.facts, options);
+  const auto blend = makePlan(in.scene, in.facts, options);
   if (!blend) return {};
-  blend->visibleShare = plan.visibleShare;
   const double share = predictedCost(plan, in.facts).ns() / predictedCost(*blend, in.facts).ns();
   return share < 1 ? "; predicted " + inDigits(share, 2) + " of the time of blend" : "";
 }

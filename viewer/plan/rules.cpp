@@ -82,11 +82,16 @@ Effect clip(const RuleInput& in, Plan& plan) {
             " planes cut the rays");
 }
 
+// It shares planes' kernels.
+bool isBlendByCpu(const RuleInput& in) {
+  return in.options.method == Method::blend && resamplerOf(in.options) == Resampler::cpu;
+}
+
 Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   plan.visibleShare = 1;
   plan.skipBlocks = false;
   if (!composite(in)) return off("a projection looks at every value");
-  if (plan.method != Method::planes) return off("this method looks at every sample");
+  if (plan.method != Method::planes && !isBlendByCpu(in)) return off("this method looks at every sample");
   if (!in.facts.bricks) return off("nothing is known of the blocks");
   const auto visible = visibleBlocksOf(plan.curve, in.facts);
   plan.visibleShare = double(visible->count) / double(visible->flags.size());
@@ -241,17 +246,19 @@ Effect precision(const RuleInput& in, Plan& plan) {
 Effect gradientFetch(const RuleInput& in, Plan& plan) {
   // Where gradients lie apart from densities, measured: from so many blocks on it is faster to fetch all.
   constexpr double many = 0.3;
-  const bool few = plan.gradients && plan.bits != 16 && plan.visibleShare <= many;
+  const bool few =
+      plan.gradients && plan.bits != 16 && plan.visibleShare <= many && plan.method == Method::planes;
   plan.dense = !few || in.options.full;
   if (!plan.gradients) return off("there are no gradients");
-  if (plan.method != Method::planes || plan.resampler != Resampler::cpu)
+  if (plan.resampler != Resampler::cpu || (plan.method != Method::planes && plan.method != Method::blend))
     return on("at every sample: all of them are looked at");
   if (plan.mostParts > 1) return on("where opacity counts, once for each part of a ray");
   if (few)
     return on(plan.dense ? "with every density: asked for in full"
                          : "where opacity counts: few samples have any");
-  return on(plan.bits == 16 ? "with every density: one load brings both"
-                            : "with every density: most samples have opacity");
+  if (plan.bits == 16) return on("with every density: one load brings both");
+  return on(plan.method == Method::blend ? "with every density: slices are resampled whole"
+                                         : "with every density: most samples have opacity");
 }
 
 }  // namespace

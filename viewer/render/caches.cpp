@@ -126,11 +126,11 @@ const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunctio
   const VolumeFacts& known = factsOfVolume();
   if (!skip) skip.emplace();
   Densities16 densities;
-  if (wish.in16) densities = {densities16().data, std::uint16_t(densities16().flip)};
+  if (wish.cells && wish.in16) densities = {densities16().data, std::uint16_t(densities16().flip)};
   // Another view may ask for another reach, but not for other cells.
   SkipWish sameCells = wish;
   sameCells.reachBlocks = skip->made.reachBlocks;
-  const bool newCells = skip->map.near.empty() || skip->made != sameCells;
+  const bool newCells = wish.cells && (skip->map.near.empty() || skip->made != sameCells);
   const auto make = [&](const std::vector<std::uint8_t>& visible) {
     skip->made = wish;
     skip->map = makeSkipMap(known.bricks->count, visible, wish.reachBlocks, std::move(skip->map));

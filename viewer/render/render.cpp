@@ -1,11 +1,10 @@
 #include "viewer/render/render.h"
 
-#include <chrono>
 #include <new>
 
-#include "viewer/render/methods/blend.h"
 #include "viewer/render/methods/blend_gl.h"
 #include "viewer/render/methods/cast_gl.h"
+#include "viewer/render/methods/clock.h"
 #include "viewer/render/methods/planes.h"
 #include "viewer/render/methods/preshaded.h"
 #include "viewer/render/reference.h"
@@ -39,7 +38,7 @@ Result<Rendered> renderBy(const Plan& plan, RenderCaches& caches, const CancelTo
   const bool gl = plan.resampler == Resampler::gl;
   switch (plan.method) {
     case Method::blend:
-      return gl ? renderBlendGl(plan, caches, cancel) : renderBlend(plan, caches, cancel);
+      return gl ? renderBlendGl(plan, caches, cancel) : renderPlanes(plan, caches, cancel);
     case Method::preshaded:
       return gl ? renderCastGl(plan, caches, cancel) : renderPreshaded(plan, caches, cancel);
     case Method::gpu:
@@ -60,7 +59,7 @@ Error notEnoughMemory(const Plan& plan, const Volume& volume) {
 }  // namespace
 
 Result<Rendered> render(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = nowMs();
   Result<Rendered> done = Error{};
   try {
     done = renderBy(plan, caches, cancel);
@@ -68,8 +67,7 @@ Result<Rendered> render(const Plan& plan, RenderCaches& caches, const CancelToke
     return notEnoughMemory(plan, *caches.volume());
   }
   if (!done) return done;
-  done->stats.totalMs =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  done->stats.totalMs = nowMs() - begin;
   done->stats.threads = plan.options.threads > 0 ? plan.options.threads : allowedThreads();
   return done;
 }

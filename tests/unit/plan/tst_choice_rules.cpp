@@ -96,7 +96,7 @@ void TestChoiceRules::aChoiceSaysWhatAndWhy_data() {
       "degrees",
       [](Asked& a) { a.options.mapLookup = MapLookup::nearest; });
   row("planes by itself", "method",
-      "on   method: planes: rays from front to back, so that what is hidden is never shaded; predicted 0.39 "
+      "on   method: planes: rays from front to back, so that what is hidden is never shaded; predicted 0.47 "
       "of the time of blend",
       [](Asked&) {});
   row("planes by itself, everything visible", "method",

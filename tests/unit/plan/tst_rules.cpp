@@ -168,8 +168,16 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.scene.mode = Mode::mip; });
   row("a step as asked", "integration", "on   integration: plain steps of 2 voxels, as asked",
       [](Asked& a) { a.options.step = 2; });
-  row("slices skip no blocks", "empty blocks", "off  empty blocks: this method looks at every sample",
+  row("slices pass over air too", "empty blocks",
+      "on   empty blocks: 50 % of the blocks hold no visible value",
       [](Asked& a) { a.options.method = Method::blend; });
+  row("slices by OpenGL skip no blocks", "empty blocks",
+      "off  empty blocks: this method looks at every sample", [](Asked& a) {
+        a.options.method = Method::blend;
+        a.options.resampler = Resampler::gl;
+      });
+  row("preshaded skips no blocks", "empty blocks", "off  empty blocks: this method looks at every sample",
+      [](Asked& a) { a.options.method = Method::preshaded; });
   row("slices never stop", "early stop",
       "off  early stop: what comes from the back cannot know what will hide it",
       [](Asked& a) { a.options.method = Method::blend; });
@@ -225,8 +233,20 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.options.step = 1;
         a.options.precision = 32;
       });
-  row("slices fetch all", "gradient fetch", "on   gradient fetch: at every sample: all of them are looked at",
+  row("slices of 16 bits fetch all", "gradient fetch",
+      "on   gradient fetch: with every density: one load brings both",
       [](Asked& a) { a.options.method = Method::blend; });
+  row("slices of 32 bits fetch all, few as are visible", "gradient fetch",
+      "on   gradient fetch: with every density: slices are resampled whole", [](Asked& a) {
+        a.options.method = Method::blend;
+        a.options.precision = 32;
+        a.options.opacityThreshold = 0.9;
+      });
+  row("slices by OpenGL fetch all", "gradient fetch",
+      "on   gradient fetch: at every sample: all of them are looked at", [](Asked& a) {
+        a.options.method = Method::blend;
+        a.options.resampler = Resampler::gl;
+      });
   row("unlit: nothing to fetch", "gradient fetch", "off  gradient fetch: there are no gradients",
       [](Asked& a) { a.scene.shading.lit = false; });
   row("the reference decides nothing", "reference",

@@ -14,7 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
 /// Density and gradient together, of whole packets, a slab at a time: where its samples are; what they are;
-/// opacities; light. Each pass is short, so that many samples are on their way through it at once.
+/// opacities; light; over one another. Each pass is short, so that many samples are on their way through it
+/// at once.
 template <class Store, ShadeBy kShade, bool kGradientOpacity>
 class DenseTracer {
   static constexpr bool kPlane = std::is_void_v<Store>;
@@ -25,7 +26,7 @@ class DenseTracer {
   static constexpr bool kCells = false;  ///< whether single rays ask VisibleCells
   static constexpr bool kPrefetches = !kPlane;
 
-  /// Adds to `out`, which must be 0.
+  /// Adds to `out`, which must be 0; slabs come in the order of the frame's slices.
   DenseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
               TraceCounts& counts)
       : f_(f),
@@ -49,7 +50,15 @@ class DenseTracer {
     Place(LoadPacket(f_, rays_, first), step, bits);
     Resample();
     Classify();
-    Composite();
+    if (samples_.size == 0) return;
+    // One slab in 32 is timed; they stand for all.
+    const std::int64_t begin = timed_++ % 32 == 0 ? Ticks() : 0;
+    Light();
+    if (f_.slices.fromBack)
+      Blend();
+    else
+      Composite();
+    if (begin) counts_.shadeTicks += 32 * (Ticks() - begin);
   }
   void BeginSlab() {}
   void EndSlab() {}
@@ -133,34 +142,79 @@ class DenseTracer {
     }
   }
 
-  HWY_INLINE void Composite() {
-    const auto& s = samples_;
-    if (s.size == 0) return;
+  HWY_INLINE void Light() {
     const DF df;
-    // One slab in 32 is timed; they stand for all.
-    const std::int64_t begin = timed_++ % 32 == 0 ? Ticks() : 0;
-    const auto load = [&](const float* values) { return hn::LoadU(df, values + matter_.first); };
-    const VF opaque = Set(1 - f_.stopTransmittance);
-    V3 sum{load(out_.red), load(out_.green), load(out_.blue)};
-    VF alpha = load(out_.alpha);
+    auto& s = samples_;
     for (int n = 0; n < s.size; n += kLanes) {
-      const VF opacity = hn::IfThenElseZero(hn::Le(alpha, opaque), hn::Load(df, s.units + n));
-      const VF weight = hn::Mul(hn::Sub(Set(1), alpha), opacity);
       const V3 colour = matter_.ColourAt(hn::Load(DI(), s.index + n), hn::Load(df, s.density + n),
                                          PlaceOf(s, n), hn::Iota(DI(), 0));
-      sum = Add(sum, Scale(colour, weight));
-      alpha = hn::Add(alpha, weight);
+      hn::Store(colour.x, df, s.x + n);
+      hn::Store(colour.y, df, s.y + n);
+      hn::Store(colour.z, df, s.z + n);
+    }
+  }
+
+  /// What the packet's rays have come to.
+  struct Pixels {
+    V3 colour;
+    VF alpha;
+  };
+  HWY_INLINE Pixels PixelsSoFar() const {
+    const auto load = [&](const float* values) { return hn::LoadU(DF(), values + matter_.first); };
+    return {{load(out_.red), load(out_.green), load(out_.blue)}, load(out_.alpha)};
+  }
+  HWY_INLINE void Keep(const Pixels& p) const {
+    const auto store = [&](VF v, float* values) { hn::StoreU(v, DF(), values + matter_.first); };
+    store(p.colour.x, out_.red), store(p.colour.y, out_.green), store(p.colour.z, out_.blue);
+    store(p.alpha, out_.alpha);
+  }
+
+  /// Front to back (paper 3.1).
+  HWY_INLINE void Composite() {
+    const auto& s = samples_;
+    const DF df;
+    const VF opaque = Set(1 - f_.stopTransmittance);
+    Pixels p = PixelsSoFar();
+    for (int n = 0; n < s.size; n += kLanes) {
+      const VF opacity = hn::IfThenElseZero(hn::Le(p.alpha, opaque), hn::Load(df, s.units + n));
+      const VF weight = hn::Mul(hn::Sub(Set(1), p.alpha), opacity);
+      p.colour = Add(p.colour, Scale(PlaceOf(s, n), weight));
+      p.alpha = hn::Add(p.alpha, weight);
       counts_.composited += std::int64_t(hn::CountTrue(df, hn::Gt(weight, hn::Zero(df))));
     }
-    const auto store = [&](VF v, float* values) { hn::StoreU(v, df, values + matter_.first); };
-    store(sum.x, out_.red), store(sum.y, out_.green), store(sum.z, out_.blue), store(alpha, out_.alpha);
-    if (begin) counts_.shadeTicks += 32 * (Ticks() - begin);
+    Keep(p);
+  }
+
+  /// Slices over what lies behind them, the hindmost first (paper 3.2).
+  HWY_INLINE void Blend() {
+    const auto& s = samples_;
+    const DF df;
+    Pixels p = PixelsSoFar();
+    for (int n = s.size - kLanes; n >= 0; n -= kLanes) {
+      const VF alpha = hn::Load(df, s.units + n), through = hn::Sub(Set(1), alpha);
+      const V3 colour = Scale(PlaceOf(s, n), alpha);
+      p.colour = {InBuffer(colour.x, hn::Mul(through, p.colour.x)),
+                  InBuffer(colour.y, hn::Mul(through, p.colour.y)),
+                  InBuffer(colour.z, hn::Mul(through, p.colour.z))};
+      p.alpha = InBuffer(alpha, hn::Mul(through, p.alpha));
+      counts_.composited += std::int64_t(hn::CountTrue(df, hn::Gt(alpha, hn::Zero(df))));
+    }
+    Keep(p);
+  }
+
+  /// A component of the frame buffer: `front` and what comes through from behind.
+  HWY_INLINE VF InBuffer(VF front, VF behind) const {
+    if (f_.slices.levels == 0) return hn::Add(front, behind);
+    const VF one = Set(1), sum = hn::Min(hn::Add(hn::Min(front, one), behind), one);
+    const VF levels = Set(f_.slices.levels);
+    const VI whole = Truncated(hn::Add(hn::Mul(sum, levels), Set(0.5f)));
+    return hn::Div(hn::ConvertTo(DF(), whole), levels);
   }
 
   /// A slab's samples of a packet, a vector a step.
   struct Slab {
     static constexpr int kMost = kSlab * kLanes;
-    HWY_ALIGN float x[kMost], y[kMost], z[kMost];  ///< places in their cells, then gradients
+    HWY_ALIGN float x[kMost], y[kMost], z[kMost];  ///< places in their cells, then gradients, then colours
     HWY_ALIGN float density[kMost];
     HWY_ALIGN float units[kMost];         ///< length in unit distances, 0 where there is none; then opacity
     HWY_ALIGN std::int32_t index[kMost];  ///< of the cell, then segment of the curve

@@ -155,14 +155,17 @@ HWY_INLINE VF ExpMinus1(VF x) {
   return hn::Add(hn::Mul(power, small), hn::Sub(power, Set(1)));
 }
 
-/// What an opacity lets through, and its logarithm with no loss where the opacity is small. Opacities above
-/// 1 - 2^-20 count as that.
+/// Opacities above this count as this: 1 - 2^-20.
+constexpr float kMostOpacity = 1.0f - 9.5367431640625e-7f;
+constexpr float kLogOfOpaque = -13.862943611f;  ///< TransparencyOf(kMostOpacity).log
+
+/// What an opacity lets through, and its logarithm with no loss where the opacity is small.
 struct Transparency {
   VF left, log;
 };
 HWY_INLINE Transparency TransparencyOf(VF opacity) {
   const VF one = Set(1);
-  const VF o = hn::Min(opacity, Set(1.0f - 9.5367431640625e-7f));  // 1 - 2^-20
+  const VF o = hn::Min(opacity, Set(kMostOpacity));
   const VF left = hn::Sub(one, o);
   // What the subtraction rounded off, so that log1p(-o) keeps its relative accuracy. It is lost / left in
   // full, but where left is far from 1 nothing is lost or log far larger.
@@ -191,7 +194,10 @@ HWY_INLINE VF IntervalOpacity(VF opacity, VF units) {
   const MF faint = hn::And(hn::Lt(opacity, Set(1.0f / 16)), hn::Lt(hn::Mul(opacity, units), Set(1.0f / 8)));
   const VF series = FaintOpacity(opacity, units);
   if (hn::AllTrue(DF(), faint)) return series;
-  const VF whole = hn::Neg(ExpMinus1(hn::Max(hn::Mul(TransparencyOf(opacity).log, units), Set(-80))));
+  // Curves that jump leave nothing between faint and opaque, whose logarithm is known.
+  const MF known = hn::Or(faint, hn::Ge(opacity, Set(kMostOpacity)));
+  const VF log = hn::AllTrue(DF(), known) ? Set(kLogOfOpaque) : TransparencyOf(opacity).log;
+  const VF whole = hn::Neg(ExpMinus1(hn::Max(hn::Mul(log, units), Set(-80))));
   return hn::IfThenElse(faint, series, whole);
 }
 

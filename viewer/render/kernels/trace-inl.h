@@ -39,7 +39,8 @@ HWY_INLINE bool IsPacketOpen(const TraceFrame& f, const RayRow& rays, const Trac
   return !hn::AllFalse(df, hn::And(has, open));
 }
 
-/// One kernel. All packets of the row advance together, a slab of steps at a time: what one brings into the
+/// One kernel. All packets of the row advance together, a slab of steps at a time, from the front or from the
+/// back (TraceFrame::slices): what one brings into the
 /// cache the others find there. (A packet alone, marching across rows of 512 voxels, throws its own lines out
 /// again: they are a power of two apart.)
 template <class Tracer>
@@ -58,15 +59,22 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   const auto isOpen = [&](int n, int from, int to) {
     return IsPacketOpen(f, rays, out, n * lanes, from, to);
   };
+  const auto lookFrom = [&](int n, int step) {
+    std::uint64_t seen = 0;
+    if (isOpen(n, step, step + looked))
+      for (int more = 0; more < looked; more += lanes) seen |= skippers[n].LookFrom(step + more) << more;
+    return seen;
+  };
   const StepRange steps = StepsOf(rays);
-  for (int step = steps.begin / looked * looked; step < steps.end; step += slab) {
+  const int start = steps.begin / looked * looked, slabs = (steps.end - start + slab - 1) / slab;
+  const int ahead = f.slices.fromBack ? -slab : slab;
+  for (int k = 0; k < slabs; ++k) {
+    const int step = start + slab * (f.slices.fromBack ? slabs - 1 - k : k), within = step % looked;
+    const bool isNew = k == 0 || within == (f.slices.fromBack ? looked - slab : 0);
     glm::vec3 low(std::numeric_limits<float>::max()), high(0);
     for (int n = 0; n < packets; ++n) {
-      looks[n] = step % looked ? looks[n] >> slab : 0;
-      if (step % looked == 0 && isOpen(n, step, step + looked))
-        for (int more = 0; more < looked; more += lanes)
-          looks[n] |= skippers[n].LookFrom(step + more) << more;
-      bits[n] = looks[n] & ((1 << slab) - 1);
+      if (isNew) looks[n] = lookFrom(n, step - within);
+      bits[n] = looks[n] >> within & ((1 << slab) - 1);
       if (bits[n] && !isOpen(n, step, step + slab)) bits[n] = 0;
       if (Tracer::kCells && bits[n]) skippers[n].TakeIn(step, slab, low, high);
     }
@@ -76,7 +84,7 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
       if constexpr (Tracer::kPrefetches)
         if (bits[n]) {
           glm::vec3 from(std::numeric_limits<float>::max()), to(0);
-          skippers[n].TakeIn(step + slab, slab, from, to);
+          skippers[n].TakeIn(step + ahead, slab, from, to);
           tracer.Prefetch(from, to);
         }
       tracer.Advance(n * lanes, step, bits[n]);

@@ -49,6 +49,14 @@ struct Parting {
   float light = 1.2f;  ///< share of its opacity: the light changes along it; 0 where nothing is lit
 };
 
+/// Slices from the back to the front in place of rays from the front to the back (paper 3.2); for kernels
+/// that fetch density and gradient together.
+struct Slices {
+  bool fromBack = false;
+  float levels = 0;  ///< the largest value of a component of the frame buffer, to whose values what a slice
+                     ///< leaves is rounded, none above 1; 0: floats
+};
+
 /// What all rays of a frame share. Pointers live as long as the frame.
 struct TraceFrame {
   static constexpr int mostParts = 128;  ///< into which a passage can be cut
@@ -74,6 +82,7 @@ struct TraceFrame {
   const ShadeTable* table = nullptr;
   const TransferFunction* transfer = nullptr;  ///< for its gradientOpacity
   float stopTransmittance = 0;
+  Slices slices;
   Parting parting;
 };
 
@@ -96,8 +105,8 @@ struct TraceCounts {
   std::int64_t shadeTicks = 0, allTicks = 0;  ///< of the time stamp counter
 };
 
-/// Resamples, classifies, shades and composites one row of rays front to back (paper 3.1, SCENE 9 and 4 ..
-/// 6).
+/// Resamples, classifies, shades and composites one row of rays front to back, or slices of them back to
+/// front (paper 3.1, 3.2, SCENE 9 and 4 .. 6).
 using TraceKernel = void (*)(const TraceFrame&, const RayRow&, const PlaneBuffer&, const TraceRow&,
                              TraceCounts&);
 TraceKernel chooseTraceKernel(TraceKey key);

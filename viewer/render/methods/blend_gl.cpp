@@ -3,16 +3,30 @@
 #include <atomic>
 #include <limits>
 
-#include "viewer/render/methods/frame_row.h"
+#include "viewer/render/kernels/shade_samples.h"
+#include "viewer/render/methods/clock.h"
 #include "viewer/render/methods/gl_frame.h"
 #include "viewer/render/methods/row_painter.h"
-#include "viewer/render/methods/slice_row.h"
-#include "viewer/render/methods/ticks.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
 
 namespace {
+
+// Lengths of the n-th intervals of a row's rays in unit distances (SCENE 9); 0 where a ray has no n-th.
+void unitsOfSlice(const RayRow& rays, int n, float inverseUnitMm, std::vector<float>& units) {
+  units.resize(rays.steps.size());
+  // Without a branch, so that the compiler takes several rays at a time.
+  const int* steps = rays.steps.data();
+  const float *full = rays.stepMm.data(), *last = rays.lastStepMm.data();
+  float* out = units.data();
+  for (std::size_t ray = 0, count = units.size(); ray < count; ++ray) {
+    const float whole = full[ray], rest = last[ray];
+    const int left = steps[ray] - n;
+    const float some = left > 1 ? whole : rest;
+    out[ray] = (left > 0 ? some : 0.0f) * inverseUnitMm;
+  }
+}
 
 // Turns a slice's samples into what the frame buffer blends, four floats a pixel, on all cores.
 class SliceShader {
@@ -51,7 +65,7 @@ class SliceShader {
  private:
   void shadeRow(const RayRow& rays, const float* density, const float* gradients,
                 const std::vector<float>& units, std::vector<float>& values, float* rgba) {
-    const TraceRow out = FrameRow::rowOf(values);
+    const TraceRow out = traceRowOf(values);
     visible_ += shade_(frame_.trace(),
                        {int(units.size()), density, gradients, units.data(), rays.viewerX.data(),
                         rays.viewerY.data(), rays.viewerZ.data()},

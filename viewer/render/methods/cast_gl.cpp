@@ -1,8 +1,8 @@
 #include "viewer/render/methods/cast_gl.h"
 
+#include "viewer/render/methods/clock.h"
 #include "viewer/render/methods/gl_frame.h"
 #include "viewer/render/methods/preshaded.h"
-#include "viewer/render/methods/ticks.h"
 
 namespace volumen {
 

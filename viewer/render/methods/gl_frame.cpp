@@ -1,8 +1,7 @@
 #include "viewer/render/methods/gl_frame.h"
 
 #include "viewer/render/caches.h"
-#include "viewer/render/methods/frame_row.h"
-#include "viewer/render/methods/ticks.h"
+#include "viewer/render/methods/clock.h"
 
 namespace volumen {
 
@@ -35,7 +34,7 @@ Status writeBand(const Plan& plan, const PlanesFrame& frame, const RayBand& band
   if (rgba.empty()) return glFailed();
   const Mode mode = plan.scene.mode;
   std::vector<float> values(std::size_t(4) * band.stride);
-  const TraceRow row = FrameRow::rowOf(values);
+  const TraceRow row = traceRowOf(values);
   const float* pixel = rgba.data();
   for (const RayRow& rays : band.rows) {
     for (int n = 0; n < band.stride; ++n, pixel += 4) {

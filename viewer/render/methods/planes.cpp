@@ -1,7 +1,6 @@
 #include "viewer/render/methods/planes.h"
 
-#include <chrono>
-
+#include "viewer/render/methods/clock.h"
 #include "viewer/render/methods/planes_gl.h"
 #include "viewer/render/methods/row_painter.h"
 #include "viewer/volume/parallel.h"
@@ -18,7 +17,7 @@ Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const C
   const RowPainter painter(plan, frame, done.picture);
 
   TraceTotals totals;
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = nowMs();
   const glm::ivec2 blocks = (plan.options.size + (RaySetup::block - 1)) / RaySetup::block;
   parallelFor(
       std::int64_t(blocks.x) * blocks.y, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
@@ -32,9 +31,7 @@ Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const C
       });
   if (cancel.cancelled()) return Error{"cancelled"};
 
-  const double passMs =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  totals.report(plan, passMs, stats);
+  totals.report(plan, nowMs() - begin, stats);
   return done;
 }
 

@@ -1,20 +1,16 @@
 #include "viewer/render/methods/planes_frame.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "viewer/render/caches.h"
+#include "viewer/render/methods/clock.h"
 
 namespace volumen {
 
 namespace {
-
-double msSince(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-}
 
 ShadeBy shadeOf(const Plan& plan) {
   if (!plan.lit) return ShadeBy::nothing;
@@ -22,6 +18,11 @@ ShadeBy shadeOf(const Plan& plan) {
   if (plan.shader == Shader::map)
     return plan.mapLookup == MapLookup::nearest ? ShadeBy::mapNearest : ShadeBy::map;
   return plan.scene.shading.localViewer ? ShadeBy::local : ShadeBy::phong;
+}
+
+// The largest value of a component of a frame buffer of 8 or 16 bits; 0 for floats.
+int levelsOf(Blending blending) {
+  return blending == Blending::floats ? 0 : blending == Blending::bits16 ? 65535 : 255;
 }
 
 // How far the box around a packet of rays may reach: its interval, and where samples stand at steps half a
@@ -38,10 +39,10 @@ int reachBlocks(const Plan& plan, const VoxelGeometry& geometry) {
 PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats)
     : lighting_(makeLighting(plan.scene, plan.specular, plan.colouredLight)), transfer_(plan.curve) {
   auto& cache = caches.impl();
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = nowMs();
   frame_.size = cache.volume->size();
   readStored(plan, caches, stats);
-  stats.gradientsMs += msSince(begin);
+  stats.gradientsMs += nowMs() - begin;
   key_.shade = shadeOf(plan);
   key_.gradientOpacity = plan.gradientOpacity;
   key_.refined = plan.mostParts > 1;
@@ -54,14 +55,16 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   frame_.lighting = &lighting_;
   makeShades(plan, caches);
   frame_.stopTransmittance = float(plan.stopTransmittance);
+  frame_.slices = {plan.method == Method::blend, float(levelsOf(plan.blending))};
+  // Which intervals are passed over is a choice, not a sound rule: it looks at cells even where no block is
+  // skipped. Kernels that fetch all do not ask.
+  const bool asksCells = key_.refined || !key_.dense;
   if (plan.skipBlocks || key_.refined) {
     const auto& skip = cache.skipOf(transfer_, curve_,
                                     {transfer_.points, reachBlocks(plan, cache.volume->geometry()), rounding_,
-                                     key_.store == Store::int16});
+                                     key_.store == Store::int16, asksCells});
     if (plan.skipBlocks) frame_.skip = &skip.map;
-    // Which intervals are passed over is a choice, not a sound rule: it looks at cells even where no block is
-    // skipped.
-    frame_.cells = &skip.cells;
+    if (asksCells) frame_.cells = &skip.cells;
     frame_.parting.tolerance = float(plan.partTolerance);
     frame_.parting.most = plan.mostParts;
     // What gradients take of the opacity is known of samples alone.
@@ -177,6 +180,16 @@ void writePixels(const Background& background, const RayRow& rays, const TraceRo
       rgba[n] = std::clamp(background.transparent ? c[n] : c[n] + through * behind[n], 0.0f, 1.0f);
     rgba[3] = background.transparent ? a : 1.0f;
   }
+}
+
+void roundPixels(Blending blending, const RayRow& rays, Picture& picture) {
+  const int levels = levelsOf(blending);
+  if (levels == 0) return;
+  for (int pixel : rays.pixel)
+    for (int c = 0; pixel >= 0 && c < 4; ++c) {
+      float& x = picture.rgba[std::size_t(4) * pixel + c];
+      x = float(int(x * float(levels) + 0.5f)) / float(levels);
+    }
 }
 
 void writeProjectedPixels(const Scene& scene, const DensityScale& scale, const RayRow& rays,

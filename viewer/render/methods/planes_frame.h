@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "viewer/render/kernels/trace.h"
 #include "viewer/render/render.h"
 
@@ -35,6 +37,12 @@ class PlanesFrame {
   TransferFunction transfer_;
 };
 
+/// The quarters of `values` as a row: red, green, blue, alpha.
+inline TraceRow traceRowOf(std::vector<float>& values) {
+  const std::size_t n = values.size() / 4;
+  return {values.data(), values.data() + n, values.data() + 2 * n, values.data() + 3 * n};
+}
+
 /// An empty picture of the plan's size.
 void preparePicture(const Plan& plan, Picture& picture);
 /// Writes the rays' pixels: colour over the background, clamped (SCENE 6).
@@ -42,5 +50,7 @@ void writePixels(const Background& background, const RayRow& rays, const TraceRo
 /// The same for projections: densities mapped to grey by the window; rays of no steps show the background.
 void writeProjectedPixels(const Scene& scene, const DensityScale& scale, const RayRow& rays,
                           const float* density, Picture& picture);
+/// Rounds the rays' pixels as the frame buffer that slices are blended in keeps them.
+void roundPixels(Blending blending, const RayRow& rays, Picture& picture);
 
 }  // namespace volumen

@@ -2,9 +2,9 @@
 
 #include <numeric>
 
+#include "viewer/render/methods/clock.h"
 #include "viewer/render/methods/gl_frame.h"
 #include "viewer/render/methods/row_painter.h"
-#include "viewer/render/methods/ticks.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {

@@ -5,10 +5,9 @@
 
 #include "viewer/render/caches.h"
 #include "viewer/render/kernels/preshaded.h"
-#include "viewer/render/kernels/samples.h"
-#include "viewer/render/methods/frame_row.h"
+#include "viewer/render/kernels/shade_samples.h"
+#include "viewer/render/methods/clock.h"
 #include "viewer/render/methods/row_painter.h"
-#include "viewer/render/methods/ticks.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -49,7 +48,7 @@ class VoxelShader {
       const glm::vec3 e = eyes_ && p != eye_ ? glm::vec3(glm::normalize(eye_ - p)) : towardsViewer_;
       row.viewerX[i] = e.x, row.viewerY[i] = e.y, row.viewerZ[i] = e.z;
     }
-    const TraceRow out = FrameRow::rowOf(row.shaded);
+    const TraceRow out = traceRowOf(row.shaded);
     shade_(frame_,
            {int(row.density.size()), row.density.data(), row.gradients.data(), row.units.data(),
             row.viewerX.data(), row.viewerY.data(), row.viewerZ.data()},
@@ -116,7 +115,7 @@ Result<Rendered> renderPreshaded(const Plan& plan, RenderCaches& caches, const C
     for (int y = int(first); y < last && !cancel.cancelled(); ++y) {
       setup.makeRays(0, y, plan.options.size.x, rays);
       values.assign(4 * rays.steps.size(), 0.0f);
-      const TraceRow out = FrameRow::rowOf(values);
+      const TraceRow out = traceRowOf(values);
       trace(shaded.data(), frame.trace(), rays, out, counts);
       writePixels(plan.scene.background, rays, out, done.picture);
     }

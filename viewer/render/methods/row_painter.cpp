@@ -12,16 +12,15 @@ RowPainter::RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& pict
 }
 
 void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const {
-  const std::size_t n = rays.steps.size();
-  task.values.assign(4 * n, 0.0f);
-  float* values = task.values.data();
+  task.values.assign(4 * rays.steps.size(), 0.0f);
+  const TraceRow out = traceRowOf(task.values);
   if (project_) {
-    project_(frame_.trace(), rays, plane, values);
-    writeProjectedPixels(plan_.scene, frame_.scale(), rays, values, picture_);
+    project_(frame_.trace(), rays, plane, out.red);
+    writeProjectedPixels(plan_.scene, frame_.scale(), rays, out.red, picture_);
+    roundPixels(plan_.blending, rays, picture_);
     for (int steps : rays.steps) task.counts.resampled += steps;
     return;
   }
-  const TraceRow out{values, values + n, values + 2 * n, values + 3 * n};
   trace_(frame_.trace(), rays, plane, out, task.counts);
   writePixels(plan_.scene.background, rays, out, picture_);
 }
