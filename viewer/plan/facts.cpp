@@ -4,6 +4,7 @@
 
 #include "viewer/plan/visibility.h"
 #include "viewer/volume/histogram.h"
+#include "viewer/volume/slopes.h"
 
 namespace volumen {
 
@@ -18,6 +19,7 @@ VolumeFacts factsOf(const Volume& volume) {
   facts.p999 = p[1];
   if (!volume.attributes().windows.empty()) facts.fileWindow = volume.attributes().windows.front();
   facts.bricks = std::make_shared<const BrickRanges>(brickRanges(volume));
+  facts.slopes = slopesOf(volume, *facts.bricks, facts.range);
   facts.visible = std::make_shared<VisibleBlocksMemo>();
   return facts;
 }

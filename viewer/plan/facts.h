@@ -18,6 +18,7 @@ struct VolumeFacts {
   double p01 = 0, p999 = 0;  ///< P0.1 and P99.9 of SCENE 5
   std::optional<Window> fileWindow;
   std::shared_ptr<const BrickRanges> bricks;   ///< null: unknown, every block counts
+  std::vector<float> slopes;                   ///< slopesOf the volume; empty: unknown
   std::shared_ptr<VisibleBlocksMemo> visible;  ///< of these bricks; null: looked at anew for every plan
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewer/plan/check_options.h"
 #include "viewer/plan/visibility.h"
 #include "viewer/volume/bytes.h"
 #include "viewer/volume/gradients.h"
@@ -102,85 +101,6 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   return plan.skipBlocks ? on(share) : off("every block holds a visible value");
 }
 
-// Plain steps of these lengths keep the levels' error promises (DESIGN 2) where values and curve are smooth
-// (FIELD 4).
-double stepOf(Quality quality) {
-  switch (quality) {
-    case Quality::draft:
-      return 1.0 / 2;
-    case Quality::standard:
-      return 1.0 / 4;
-    case Quality::high:
-      return 1.0 / 8;
-    case Quality::exact:
-      return 1.0 / 32;
-  }
-  return 1;
-}
-
-// How uneven parts may be: as much as keeps the levels' promises on smooth and on sharp curves, as measured
-// on the scenes of the tests.
-double toleranceOf(Quality quality, bool sharp) {
-  switch (quality) {
-    case Quality::draft:
-      return sharp ? 0.03 : 0.05;
-    case Quality::standard:
-      return sharp ? 0.005 : 0.04;
-    case Quality::high:
-      return sharp ? 1e-3 : 3e-3;
-    case Quality::exact:
-      break;
-  }
-  return sharp ? 6e-5 : 4e-4;
-}
-
-// Whether the opacity jumps, or rises within `narrow` values, somewhere: what lies between two samples then
-// counts.
-bool isSharp(const TransferFunction& curve, double narrow) {
-  for (std::size_t n = 0; n + 1 < curve.points.size(); ++n) {
-    const CurvePoint &a = curve.points[n], &b = curve.points[n + 1];
-    if (std::abs(b.opacity - a.opacity) > 0.05 && double(b.value) - a.value <= narrow) return true;
-  }
-  return false;
-}
-
-Effect integration(const RuleInput& in, Plan& plan) {
-  const auto steps = [&](const std::string& why) {
-    return on("plain steps of " + inVoxels(plan.stepVoxels) + why);
-  };
-  if (in.options.step) {
-    plan.stepVoxels = *in.options.step;
-    return steps(", as asked");
-  }
-  plan.stepVoxels = stepOf(in.options.quality);
-  const double range = in.facts.p999 - in.facts.p01;
-  const bool sharp = composite(in) && isSharp(in.scene.transferFunction, range / 50);
-  if (canIntegrate(in.scene, in.options)) {
-    plan.stepVoxels = 2;  // rays stop and look around them at these
-    plan.mostParts = 128;
-    plan.partTolerance = in.options.tolerance.value_or(toleranceOf(in.options.quality, sharp));
-    return on(
-        "cell by cell, integrated through the curve; passages are cut into up to 128 parts where "
-        "values bend or light changes" +
-        std::string(sharp ? "; finely, as the curve rises steeply" : "") +
-        (in.options.tolerance ? "; to a tolerance of " + inDigits(plan.partTolerance) + ", as asked" : ""));
-  }
-  if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
-    return steps(": the curve is smooth");
-  plan.stepVoxels /= 2;
-  return steps(composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples");
-}
-
-// No sample's colour is brighter than this (SCENE 5: c D'' + S'').
-double brightest(const Scene& scene) {
-  if (!scene.shading.lit) return 1;
-  glm::dvec3 light(0);
-  for (const Light& l : scene.lights)
-    if (l.on) light += l.intensity * l.colour;
-  const Shading& s = scene.shading;
-  return s.ambient + (s.diffuse + s.specular) * std::max({light.r, light.g, light.b});
-}
-
 // What the light behind could still add is at most this share of its brightness: 0.2/255 at most, which
 // leaves a fifth of 0.25/255 to the rounding of what came before.
 Effect earlyStop(const RuleInput& in, Plan& plan) {
@@ -273,7 +193,7 @@ const std::vector<Rule>& rules() {
       {"gradients", true, gradients},
       {"gradient operator", false, gradientOperator},
       {"clip", true, clip},
-      {"integration", false, integration},
+      {"integration", false, decideIntegration},
       {"early stop", false, earlyStop},
       {"curve table", false, decideCurveTable},
       {"faint samples", false, decideFaintSamples},

@@ -140,34 +140,6 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   row("a negative slope in 32 bits", "precision",
       "on   precision: 32 bits: the values are not 16-bit integers with a positive slope",
       [](Asked& a) { a.facts.slope = -1; });
-  const char* smooth =
-      "on   integration: cell by cell, integrated through the curve; passages are cut into up to 128 parts "
-      "where values bend or light changes";
-  row("a smooth curve", "integration", smooth, [](Asked&) {});
-  row("a step in the curve: finer parts", "integration",
-      "on   integration: cell by cell, integrated through the curve; passages are cut into up to 128 parts "
-      "where values bend or light changes; finely, as the curve rises steeply",
-      [](Asked& a) { a.scene.transferFunction.points[1].value = 151; });
-  row("a narrow but faint rise is no step", "integration", smooth, [](Asked& a) {
-    a.scene.transferFunction.points = {{150, {}, 0}, {151, {}, 0.01}};
-  });
-  row("a tolerance as asked", "integration",
-      "on   integration: cell by cell, integrated through the curve; passages are cut into up to 128 parts "
-      "where values bend or light changes; to a tolerance of 0.5, as asked",
-      [](Asked& a) { a.options.tolerance = 0.5; });
-  row("slices of blend: plain steps", "integration",
-      "on   integration: plain steps of 0.25 voxel: the curve is smooth",
-      [](Asked& a) { a.options.method = Method::blend; });
-  row("planes by OpenGL, a step in the curve: finer plain steps", "integration",
-      "on   integration: plain steps of 0.125 voxel: the curve has a step", [](Asked& a) {
-        a.options.resampler = Resampler::gl;
-        a.scene.transferFunction.points[1].value = 151;
-      });
-  row("mip: finer ones", "integration",
-      "on   integration: plain steps of 0.125 voxel: extremes and means lie between coarser samples",
-      [](Asked& a) { a.scene.mode = Mode::mip; });
-  row("a step as asked", "integration", "on   integration: plain steps of 2 voxels, as asked",
-      [](Asked& a) { a.options.step = 2; });
   row("slices pass over air too", "empty blocks",
       "on   empty blocks: 50 % of the blocks hold no visible value",
       [](Asked& a) { a.options.method = Method::blend; });

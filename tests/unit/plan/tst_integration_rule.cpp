@@ -1,0 +1,122 @@
+// Guards DESIGN 5, how rays are integrated: plain steps where matter changes little, else cell by cell.
+#include "tests/unit/plan/asked.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+// A faint rise of the opacity over all values, which rise by 900 a voxel: its extinction by 0.05,
+// and light on 0.105 of it, at most 1.1 as bright as white.
+void evenMatter(Asked& a) {
+  a.scene.transferFunction.points = {{-1000, {}, 0}, {1000, {}, 0.1}};
+  a.facts.slopes.assign(256, 900);
+}
+
+}  // namespace
+
+class TestIntegrationRule : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theRuleSaysWhatAndWhy_data();
+  void theRuleSaysWhatAndWhy();
+};
+
+void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
+  addRuleColumns();
+  const auto row = addRuleRow;
+  const char* smooth =
+      "on   integration: cell by cell, integrated through the curve; passages are cut into up to 128 parts "
+      "where values bend or light changes";
+  row("a smooth curve", "integration", smooth, [](Asked&) {});
+  row("a step in the curve: finer parts", "integration",
+      "on   integration: cell by cell, integrated through the curve; passages are cut into up to 128 parts "
+      "where values bend or light changes; finely, as the curve rises steeply",
+      [](Asked& a) { a.scene.transferFunction.points[1].value = 151; });
+  row("a narrow but faint rise is no step", "integration", smooth, [](Asked& a) {
+    a.scene.transferFunction.points = {{150, {}, 0}, {151, {}, 0.01}};
+  });
+  row("a tolerance as asked", "integration",
+      "on   integration: cell by cell, integrated through the curve; passages are cut into up to 128 parts "
+      "where values bend or light changes; to a tolerance of 0.5, as asked",
+      [](Asked& a) { a.options.tolerance = 0.5; });
+  row("slices of blend: plain steps", "integration",
+      "on   integration: plain steps of 0.25 voxel: the curve is smooth",
+      [](Asked& a) { a.options.method = Method::blend; });
+  row("planes by OpenGL, a step in the curve: finer plain steps", "integration",
+      "on   integration: plain steps of 0.125 voxel: the curve has a step", [](Asked& a) {
+        a.options.resampler = Resampler::gl;
+        a.scene.transferFunction.points[1].value = 151;
+      });
+  row("mip: finer ones", "integration",
+      "on   integration: plain steps of 0.125 voxel: extremes and means lie between coarser samples",
+      [](Asked& a) { a.scene.mode = Mode::mip; });
+  row("a step as asked", "integration", "on   integration: plain steps of 2 voxels, as asked",
+      [](Asked& a) { a.options.step = 2; });
+  row("little changes from voxel to voxel", "integration",
+      "on   integration: plain steps of 1 voxel: what a voxel adds to a ray changes by at most 0.17 to the "
+      "next one",
+      evenMatter);
+  row("little changes: finer steps for more", "integration",
+      "on   integration: plain steps of 0.5 voxel: what a voxel adds to a ray changes by at most 0.17 to the "
+      "next one",
+      [](Asked& a) {
+        evenMatter(a);
+        a.options.quality = Quality::high;
+      });
+  row("more changes", "integration",
+      "on   integration: plain steps of 0.5 voxel: what a voxel adds to a ray changes by at most 0.3 to the "
+      "next one",
+      [](Asked& a) {
+        evenMatter(a);
+        a.facts.slopes.assign(256, 3000);
+      });
+  row("light turns over within a voxel", "integration", smooth, [](Asked& a) {
+    evenMatter(a);
+    for (CurvePoint& p : a.scene.transferFunction.points) p.opacity = 0.6;
+  });
+  row("unlit it does not", "integration",
+      "on   integration: plain steps of 1 voxel: what a voxel adds to a ray changes by at most 0 to the next "
+      "one",
+      [](Asked& a) {
+        evenMatter(a);
+        for (CurvePoint& p : a.scene.transferFunction.points) p.opacity = 0.6;
+        a.scene.shading.lit = false;
+      });
+  row("too much changes", "integration", smooth, [](Asked& a) {
+    evenMatter(a);
+    a.facts.slopes.assign(256, 30000);
+  });
+  row("rays of a perspective take longer steps", "integration", smooth, [](Asked& a) {
+    evenMatter(a);
+    a.facts.geometry.patientFromVoxelStep[1][1] = 4;
+    a.scene.camera = Camera{};
+    a.scene.camera->projection = Projection::perspective;
+  });
+  row("parallel ones do not", "integration",
+      "on   integration: plain steps of 0.5 voxel: what a voxel adds to a ray changes by at most 0.68 to the "
+      "next one",
+      [](Asked& a) {
+        evenMatter(a);
+        a.facts.geometry.patientFromVoxelStep[1][1] = 4;
+        a.scene.camera = Camera{};
+      });
+  row("what gradients make of the opacity is unknown", "integration", smooth, [](Asked& a) {
+    evenMatter(a);
+    a.scene.transferFunction.gradientOpacity = {{0, 0}, {100, 1}};
+  });
+  row("a table of the curve jumps", "integration", smooth, [](Asked& a) {
+    evenMatter(a);
+    a.options.curveTable = 256;
+  });
+  row("nothing is known of the values", "integration", smooth, [](Asked& a) {
+    evenMatter(a);
+    a.facts.slopes.clear();
+  });
+}
+
+void TestIntegrationRule::theRuleSaysWhatAndWhy() { compareLine(); }
+
+VOLUMEN_TEST(TestIntegrationRule);
+#include "tst_integration_rule.moc"

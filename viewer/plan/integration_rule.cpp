@@ -1,0 +1,148 @@
+// How rays are integrated: cell by cell, or by plain steps.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "viewer/plan/check_options.h"
+#include "viewer/plan/rule_lines.h"
+#include "viewer/plan/smoothness.h"
+
+namespace volumen {
+
+namespace {
+
+// Plain steps of these lengths keep the levels' error promises (DESIGN 2) where values and curve are smooth
+// (FIELD 4).
+double stepOf(Quality quality) {
+  switch (quality) {
+    case Quality::draft:
+      return 1.0 / 2;
+    case Quality::standard:
+      return 1.0 / 4;
+    case Quality::high:
+      return 1.0 / 8;
+    case Quality::exact:
+      return 1.0 / 32;
+  }
+  return 1;
+}
+
+// How uneven parts may be: as much as keeps the levels' promises on smooth and on sharp curves, as measured
+// on the scenes of the tests.
+double toleranceOf(Quality quality, bool sharp) {
+  switch (quality) {
+    case Quality::draft:
+      return sharp ? 0.03 : 0.05;
+    case Quality::standard:
+      return sharp ? 0.005 : 0.04;
+    case Quality::high:
+      return sharp ? 1e-3 : 3e-3;
+    case Quality::exact:
+      break;
+  }
+  return sharp ? 6e-5 : 4e-4;
+}
+
+// Whether the opacity jumps, or rises within `narrow` values, somewhere: what lies between two samples then
+// counts.
+bool isSharp(const TransferFunction& curve, double narrow) {
+  for (std::size_t n = 0; n + 1 < curve.points.size(); ++n) {
+    const CurvePoint &a = curve.points[n], &b = curve.points[n + 1];
+    if (std::abs(b.opacity - a.opacity) > 0.05 && double(b.value) - a.value <= narrow) return true;
+  }
+  return false;
+}
+
+// Plain steps of a level where matter changes little from voxel to voxel: the longest and the shortest
+// (shorter ones take longer than going cell by cell), and how far one step's share of a change, that is the
+// change a voxel times the square of the step, may go.
+struct EvenSteps {
+  double longest, shortest, limit;
+};
+EvenSteps evenStepsOf(Quality quality) {
+  switch (quality) {
+    case Quality::draft:
+      return {2, 1.0 / 2, 0.25};
+    case Quality::standard:
+      return {1, 1.0 / 2, 0.19};
+    case Quality::high:
+      return {1, 1.0 / 4, 0.05};
+    case Quality::exact:
+      break;
+  }
+  return {1.0 / 2, 1.0 / 8, 0.016};
+}
+
+// Voxels of a step of one voxel on the ray that takes the longest ones.
+double longestStep(const Camera& camera, const VoxelGeometry& geometry) {
+  if (camera.projection == Projection::parallel) return 1;
+  const glm::dvec3 spacing = geometry.spacing();
+  return stepMm(camera, geometry, 1) / std::min({spacing.x, spacing.y, spacing.z});
+}
+
+// The longest plain step that keeps the level's promise whatever lies between two samples, if there is any,
+// and how much what a voxel adds to a ray can change from one to the next.
+struct EvenStep {
+  double voxels, change;
+};
+std::optional<EvenStep> evenStep(const RuleInput& in) {
+  const RenderOptions& o = in.options;
+  if (in.facts.slopes.empty() || o.tolerance || o.curveTable || o.opacityThreshold) return {};
+  if (!in.scene.transferFunction.gradientOpacity.empty()) return {};
+  const Steepness s = steepnessOf(in.scene.transferFunction, in.facts);
+  const double voxelMm = stepMm(*in.scene.camera, in.facts.geometry, 1);
+  // Light can turn over within a voxel.
+  const double change =
+      (s.change + (in.scene.shading.lit ? s.perMm : 0)) * voxelMm * std::max(1.0, brightest(in.scene));
+  const EvenSteps even = evenStepsOf(o.quality);
+  const double longest = longestStep(*in.scene.camera, in.facts.geometry);
+  for (double step = even.longest; step >= even.shortest; step /= 2)
+    if (change * std::pow(step * longest, 2) <= even.limit) return EvenStep{step, change};
+  return {};
+}
+
+}  // namespace
+
+double brightest(const Scene& scene) {
+  if (!scene.shading.lit) return 1;
+  glm::dvec3 light(0);
+  for (const Light& l : scene.lights)
+    if (l.on) light += l.intensity * l.colour;
+  const Shading& s = scene.shading;
+  return s.ambient + (s.diffuse + s.specular) * std::max({light.r, light.g, light.b});
+}
+
+Effect decideIntegration(const RuleInput& in, Plan& plan) {
+  const auto steps = [&](const std::string& why) {
+    return on("plain steps of " + inVoxels(plan.stepVoxels) + why);
+  };
+  if (in.options.step) {
+    plan.stepVoxels = *in.options.step;
+    return steps(", as asked");
+  }
+  plan.stepVoxels = stepOf(in.options.quality);
+  const double range = in.facts.p999 - in.facts.p01;
+  const bool sharp = composite(in) && isSharp(in.scene.transferFunction, range / 50);
+  if (canIntegrate(in.scene, in.options)) {
+    if (const auto even = evenStep(in)) {
+      plan.stepVoxels = even->voxels;
+      return steps(": what a voxel adds to a ray changes by at most " + inDigits(even->change, 2) +
+                   " to the next one");
+    }
+    plan.stepVoxels = 2;  // rays stop and look around them at these
+    plan.mostParts = 128;
+    plan.partTolerance = in.options.tolerance.value_or(toleranceOf(in.options.quality, sharp));
+    return on(
+        "cell by cell, integrated through the curve; passages are cut into up to 128 parts where "
+        "values bend or light changes" +
+        std::string(sharp ? "; finely, as the curve rises steeply" : "") +
+        (in.options.tolerance ? "; to a tolerance of " + inDigits(plan.partTolerance) + ", as asked" : ""));
+  }
+  if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
+    return steps(": the curve is smooth");
+  plan.stepVoxels /= 2;
+  return steps(composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples");
+}
+
+}  // namespace volumen

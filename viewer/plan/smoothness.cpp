@@ -1,0 +1,67 @@
+#include "viewer/plan/smoothness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+#include "viewer/plan/facts.h"
+#include "viewer/volume/slopes.h"
+
+namespace volumen {
+
+namespace {
+
+// Of the cells that hold any value between the two, value per voxel.
+double largestSlope(const VolumeFacts& facts, double low, double high) {
+  const auto entry = [&](double value) {
+    return facts.slopes.begin() + std::ptrdiff_t(slopeEntry(value, facts.range));
+  };
+  return *std::max_element(entry(low), entry(high) + 1);
+}
+
+double extinctionAt(const CurvePoint& p, double unitMm) {
+  return p.opacity < 1 ? -std::log1p(-p.opacity) / unitMm : std::numeric_limits<double>::infinity();
+}
+
+// The same between two points of the curve; in front of the first and behind the last nothing changes.
+Steepness between(const CurvePoint& a, const CurvePoint& b, double unitMm, const VolumeFacts& facts) {
+  const double most = std::max(a.opacity, b.opacity);
+  Steepness s;
+  if (most <= 0 || b.value < facts.range.low || a.value > facts.range.high) return s;
+  s.perMm = std::max(extinctionAt(a, unitMm), extinctionAt(b, unitMm));
+  if (a.opacity == b.opacity && a.colour == b.colour) return s;
+  const double width = double(b.value) - a.value;
+  if (!(width > 0) || most >= 1) {
+    s.change = std::numeric_limits<double>::infinity();
+    return s;
+  }
+  const glm::dvec3 colours = glm::abs(b.colour - a.colour);
+  // The slope of -ln(1 - opacity) is largest where the opacity is.
+  const double rise = std::abs(b.opacity - a.opacity) / (1 - most) / unitMm +
+                      s.perMm * std::max({colours.r, colours.g, colours.b});
+  s.change = rise / width *
+             largestSlope(facts, std::max<double>(a.value, facts.range.low),
+                          std::min<double>(b.value, facts.range.high));
+  return s;
+}
+
+}  // namespace
+
+Steepness steepnessOf(const TransferFunction& curve, const VolumeFacts& facts) {
+  Steepness all;
+  const auto& points = curve.points;
+  if (points.empty()) return all;
+  const auto takeIn = [&](const Steepness& s) {
+    all.perMm = std::max(all.perMm, s.perMm);
+    all.change = std::max(all.change, s.change);
+  };
+  if (facts.range.low <= points.front().value) all.perMm = extinctionAt(points.front(), curve.unitDistance);
+  if (facts.range.high >= points.back().value)
+    all.perMm = std::max(all.perMm, extinctionAt(points.back(), curve.unitDistance));
+  for (std::size_t n = 0; n + 1 < points.size(); ++n)
+    takeIn(between(points[n], points[n + 1], curve.unitDistance, facts));
+  return all;
+}
+
+}  // namespace volumen
