@@ -7,11 +7,18 @@ using namespace volumen::tests;
 
 namespace {
 
-// A faint rise of the opacity over all values, which rise by 900 a voxel: its extinction by 0.05,
-// and light on 0.105 of it, at most 1.1 as bright as white.
+// A faint rise of the opacity over all values, which rise by 900 a voxel: its extinction by 0.0045. Light is
+// at most 1.1 as bright as white.
 void evenMatter(Asked& a) {
-  a.scene.transferFunction.points = {{-1000, {}, 0}, {1000, {}, 0.1}};
+  a.scene.transferFunction.points = {{-1000, {}, 0}, {1000, {}, 0.01}};
   a.facts.slopes.assign(256, 900);
+}
+
+// The same with voxels that are 16 times as long along the view.
+void longVoxels(Asked& a) {
+  evenMatter(a);
+  a.facts.geometry.patientFromVoxelStep[1][1] = 16;
+  a.scene.camera = Camera{};
 }
 
 }  // namespace
@@ -55,53 +62,68 @@ void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
   row("a step as asked", "integration", "on   integration: plain steps of 2 voxels, as asked",
       [](Asked& a) { a.options.step = 2; });
   row("little changes from voxel to voxel", "integration",
-      "on   integration: plain steps of 1 voxel: what a voxel adds to a ray changes by at most 0.17 to the "
-      "next one",
+      "on   integration: plain steps of 0.375 voxel: a voxel adds at most 0.011 to a ray, from one to the "
+      "next "
+      "it "
+      "changes by at most 0.005",
       evenMatter);
-  row("little changes: finer steps for more", "integration",
-      "on   integration: plain steps of 0.5 voxel: what a voxel adds to a ray changes by at most 0.17 to the "
-      "next one",
+  row("unlit: high too, finer", "integration",
+      "on   integration: plain steps of 0.25 voxel: a voxel adds at most 0.01 to a ray, from one to the next "
+      "it "
+      "changes by at most 0.0045",
       [](Asked& a) {
         evenMatter(a);
         a.options.quality = Quality::high;
-      });
-  row("more changes", "integration",
-      "on   integration: plain steps of 0.5 voxel: what a voxel adds to a ray changes by at most 0.3 to the "
-      "next one",
-      [](Asked& a) {
-        evenMatter(a);
-        a.facts.slopes.assign(256, 3000);
-      });
-  row("light turns over within a voxel", "integration", smooth, [](Asked& a) {
-    evenMatter(a);
-    for (CurvePoint& p : a.scene.transferFunction.points) p.opacity = 0.6;
-  });
-  row("unlit it does not", "integration",
-      "on   integration: plain steps of 1 voxel: what a voxel adds to a ray changes by at most 0 to the next "
-      "one",
-      [](Asked& a) {
-        evenMatter(a);
-        for (CurvePoint& p : a.scene.transferFunction.points) p.opacity = 0.6;
         a.scene.shading.lit = false;
+      });
+  row("lit: high goes cell by cell", "integration", smooth, [](Asked& a) {
+    evenMatter(a);
+    a.options.quality = Quality::high;
+  });
+  row("ten times as much changes", "integration",
+      "on   integration: plain steps of 0.375 voxel: a voxel adds at most 0.011 to a ray, from one to the "
+      "next "
+      "it "
+      "changes by at most 0.05",
+      [](Asked& a) {
+        evenMatter(a);
+        a.facts.slopes.assign(256, 9000);
+      });
+  row("four hundred times as much changes", "integration",
+      "on   integration: plain steps of 0.1875 voxel: a voxel adds at most 0.011 to a ray, from one to the "
+      "next "
+      "it changes by at most 2",
+      [](Asked& a) {
+        evenMatter(a);
+        a.facts.slopes.assign(256, 360000);
       });
   row("too much changes", "integration", smooth, [](Asked& a) {
     evenMatter(a);
-    a.facts.slopes.assign(256, 30000);
+    a.facts.slopes.assign(256, 900000);
   });
-  row("rays of a perspective take longer steps", "integration", smooth, [](Asked& a) {
+  row("light turns over within a voxel", "integration", smooth, [](Asked& a) {
     evenMatter(a);
-    a.facts.geometry.patientFromVoxelStep[1][1] = 4;
-    a.scene.camera = Camera{};
+    a.scene.transferFunction.points = {{-1000, {}, 0.3}};
+  });
+  row("unlit it does not", "integration",
+      "on   integration: plain steps of 0.375 voxel: a voxel adds at most 0.3 to a ray, from one to the next "
+      "it "
+      "changes by at most 0",
+      [](Asked& a) {
+        evenMatter(a);
+        a.scene.transferFunction.points = {{-1000, {}, 0.3}};
+        a.scene.shading.lit = false;
+      });
+  row("rays of a perspective take longer steps", "integration", smooth, [](Asked& a) {
+    longVoxels(a);
     a.scene.camera->projection = Projection::perspective;
   });
   row("parallel ones do not", "integration",
-      "on   integration: plain steps of 0.5 voxel: what a voxel adds to a ray changes by at most 0.68 to the "
-      "next one",
-      [](Asked& a) {
-        evenMatter(a);
-        a.facts.geometry.patientFromVoxelStep[1][1] = 4;
-        a.scene.camera = Camera{};
-      });
+      "on   integration: plain steps of 0.1875 voxel: a voxel adds at most 0.16 to a ray, from one to the "
+      "next "
+      "it "
+      "changes by at most 0.08",
+      longVoxels);
   row("what gradients make of the opacity is unknown", "integration", smooth, [](Asked& a) {
     evenMatter(a);
     a.scene.transferFunction.gradientOpacity = {{0, 0}, {100, 1}};
