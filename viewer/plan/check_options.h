@@ -6,7 +6,7 @@
 
 namespace volumen {
 
-/// Whether a level integrates along intervals, where no step is asked for. Only the CPU's planes know the
+/// Whether a level can integrate along intervals, where no step is asked for. Only the CPU's planes know the
 /// values around an interval before they draw it.
 bool canIntegrate(const Scene& scene, const RenderOptions& options);
 

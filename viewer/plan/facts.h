@@ -22,7 +22,7 @@ struct VolumeFacts {
   std::shared_ptr<VisibleBlocksMemo> visible;  ///< of these bricks; null: looked at anew for every plan
 };
 
-/// Reads the facts off a volume (one pass over it each for bricks and percentiles, on all cores).
+/// Reads the facts off a volume (one pass over it each for bricks, slopes and percentiles, on all cores).
 VolumeFacts factsOf(const Volume& volume);
 
 /// (P99.9 - P0.1) / 32 / cbrt(|det L|), value per mm (SCENE 5).

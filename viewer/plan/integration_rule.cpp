@@ -76,11 +76,15 @@ EvenSteps evenStepsOf(Quality quality) {
   return {1.0 / 4, 1.0 / 8, 0.008, 0};
 }
 
-// Voxels of a step of one voxel on the ray that takes the longest ones.
-double longestStep(const Camera& camera, const VoxelGeometry& geometry) {
-  if (camera.projection == Projection::parallel) return 1;
-  const glm::dvec3 spacing = geometry.spacing();
-  return stepMm(camera, geometry, 1) / std::min({spacing.x, spacing.y, spacing.z});
+// The length of a step of one voxel, mm, on the ray that takes the longest ones: in perspective a bound, the
+// largest spacing where the grid is not sheared.
+double longestVoxelMm(const Camera& camera, const VoxelGeometry& geometry) {
+  if (camera.projection == Projection::parallel) return stepMm(camera, geometry, 1);
+  const glm::dmat3 squares = glm::transpose(geometry.patientFromVoxelStep) * geometry.patientFromVoxelStep;
+  double most = 0;
+  for (int n = 0; n < 3; ++n)
+    most = std::max(most, std::abs(squares[n].x) + std::abs(squares[n].y) + std::abs(squares[n].z));
+  return std::sqrt(most);
 }
 
 // How little plain steps may meet: what a voxel adds to a ray, and its change to the next one.
@@ -88,22 +92,20 @@ struct EvenStep {
   double voxels, most, change;
 };
 
-// The longest plain step that keeps the level's promise whatever lies between two samples, if there is any.
+// The longest plain step that keeps the level's promise, if there is any.
 std::optional<EvenStep> evenStep(const RuleInput& in) {
   const RenderOptions& o = in.options;
   if (in.facts.slopes.empty() || o.tolerance || o.curveTable || o.opacityThreshold) return {};
   if (!in.scene.transferFunction.gradientOpacity.empty()) return {};
   const Steepness s = steepnessOf(in.scene.transferFunction, in.facts);
   const double bright = std::max(1.0, brightest(in.scene));
-  const double voxelMm = stepMm(*in.scene.camera, in.facts.geometry, 1);
-  const double longest = longestStep(*in.scene.camera, in.facts.geometry);
+  const double voxelMm = longestVoxelMm(*in.scene.camera, in.facts.geometry);
   const double change = s.change * voxelMm * bright, most = s.perMm * voxelMm * bright;
   const EvenSteps even = evenStepsOf(o.quality);
   for (double step = even.longest; step >= even.shortest; step /= 2) {
-    const double taken = step * longest;
     // Light may turn over anywhere within a voxel; the extinction changes along all of it.
-    if (in.scene.shading.lit && most * taken > even.light) continue;
-    if (change * taken * taken <= even.extinction)
+    if (in.scene.shading.lit && most * step > even.light) continue;
+    if (change * step * step <= even.extinction)
       return EvenStep{step, -std::expm1(-s.perMm * voxelMm) * bright, change};
   }
   return {};

@@ -81,16 +81,17 @@ Effect clip(const RuleInput& in, Plan& plan) {
             " planes cut the rays");
 }
 
-// It shares planes' kernels.
-bool isBlendByCpu(const RuleInput& in) {
-  return in.options.method == Method::blend && resamplerOf(in.options) == Resampler::cpu;
+// The CPU's slices are blended by the kernels of planes.
+bool isDrawnByPlanes(const RuleInput& in) {
+  return in.options.method == Method::planes ||
+         (in.options.method == Method::blend && resamplerOf(in.options) == Resampler::cpu);
 }
 
 Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   plan.visibleShare = 1;
   plan.skipBlocks = false;
   if (!composite(in)) return off("a projection looks at every value");
-  if (plan.method != Method::planes && !isBlendByCpu(in)) return off("this method looks at every sample");
+  if (!isDrawnByPlanes(in)) return off("this method looks at every sample");
   if (!in.facts.bricks) return off("nothing is known of the blocks");
   const auto visible = visibleBlocksOf(plan.curve, in.facts);
   plan.visibleShare = double(visible->count) / double(visible->flags.size());
@@ -170,14 +171,14 @@ Effect gradientFetch(const RuleInput& in, Plan& plan) {
       plan.gradients && plan.bits != 16 && plan.visibleShare <= many && plan.method == Method::planes;
   plan.dense = !few || in.options.full;
   if (!plan.gradients) return off("there are no gradients");
-  if (plan.resampler != Resampler::cpu || (plan.method != Method::planes && plan.method != Method::blend))
+  if (plan.resampler != Resampler::cpu || !isDrawnByPlanes(in))
     return on("at every sample: all of them are looked at");
   if (plan.mostParts > 1) return on("where opacity counts, once for each part of a ray");
   if (few)
     return on(plan.dense ? "with every density: asked for in full"
                          : "where opacity counts: few samples have any");
   if (plan.bits == 16) return on("with every density: one load brings both");
-  return on(plan.method == Method::blend ? "with every density: slices are resampled whole"
+  return on(plan.method == Method::blend ? "with every density: slices have no kernel that fetches them apart"
                                          : "with every density: most samples have opacity");
 }
 

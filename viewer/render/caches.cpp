@@ -122,19 +122,23 @@ const Voxels8& RenderCaches::Impl::voxelsIn8(GradientOperator by) {
 const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunction& curve,
                                                            const CurveTable& table, const SkipWish& wish) {
   static_assert(SkipMap::edge == BrickRanges::edge && VisibleCells::edge == BrickRanges::edge);
-  if (skip && skip->made == wish) return *skip;
+  // Cells that were looked into stay, also where a kernel in between does not ask.
+  SkipWish asked = wish;
+  if (skip) asked.cells |= skip->made.cells;
+  if (skip && skip->made == asked) return *skip;
   const VolumeFacts& known = factsOfVolume();
   if (!skip) skip.emplace();
   Densities16 densities;
   if (wish.cells && wish.in16) densities = {densities16().data, std::uint16_t(densities16().flip)};
   // Another view may ask for another reach, but not for other cells.
-  SkipWish sameCells = wish;
+  SkipWish sameCells = asked;
   sameCells.reachBlocks = skip->made.reachBlocks;
-  const bool newCells = wish.cells && (skip->map.near.empty() || skip->made != sameCells);
+  const bool keepsCells = skip->made.cells && skip->made == sameCells;
   const auto make = [&](const std::vector<std::uint8_t>& visible) {
     skip->made = wish;
+    skip->made.cells = wish.cells || keepsCells;
     skip->map = makeSkipMap(known.bricks->count, visible, wish.reachBlocks, std::move(skip->map));
-    if (newCells) skip->cells.begin(volume->size(), densities, table, visible);
+    if (wish.cells && !keepsCells) skip->cells.begin(volume->size(), densities, table, visible);
   };
   if (wish.rounding == 0)
     make(visibleBlocksOf(curve, known)->flags);

@@ -50,7 +50,7 @@ struct RenderCaches::Impl {
     int reachBlocks = 1;  ///< SkipMap::reach
     double rounding = 0;  ///< how far stored values may be off the volume's, real units
     bool in16 = true;     ///< cells are told apart by densities16()
-    bool cells = true;    ///< Skip::cells is looked at
+    bool cells = false;   ///< Skip::cells is looked at
     bool operator==(const SkipWish&) const = default;
   };
   struct Skip {

@@ -209,7 +209,7 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       "on   gradient fetch: with every density: one load brings both",
       [](Asked& a) { a.options.method = Method::blend; });
   row("slices of 32 bits fetch all, few as are visible", "gradient fetch",
-      "on   gradient fetch: with every density: slices are resampled whole", [](Asked& a) {
+      "on   gradient fetch: with every density: slices have no kernel that fetches them apart", [](Asked& a) {
         a.options.method = Method::blend;
         a.options.precision = 32;
         a.options.opacityThreshold = 0.9;

@@ -27,7 +27,7 @@ VolumePtr binaryNoise() {
   return volumeOf({edge, edge, edge}, glm::dmat3(1), [&](glm::dvec3) { return random() % 2 * 1000.0; });
 }
 
-enum class Lit { not_, softly, strongly };
+enum class Lit { not_, softly, strongly, byMap };
 
 // Opacity rises over all values; `phase`: where the first sample stands, in eighths of a voxel.
 Scene sceneOf(double opacity, Lit lit, glm::dvec3 direction, int phase, int depth) {
@@ -63,7 +63,13 @@ class TestEvenSteps : public QObject {
 void TestEvenSteps::theyKeepTheLevelsPromises_data() {
   QTest::addColumn<VolumePtr>("volume");
   QTest::addColumn<Lit>("lit");
+  const auto noiseOf = [](const glm::dmat3& patientFromVoxelStep) {
+    std::mt19937 random(5);
+    return volumeOf({edge, edge, edge}, patientFromVoxelStep, [&](glm::dvec3) { return random() % 1001; });
+  };
   const std::pair<const char*, VolumePtr> volumes[] = {
+      {"noise of long voxels", noiseOf({1, 0, 0, 0, 1, 0, 0, 0, 3})},
+      {"noise of sheared voxels", noiseOf({1, 0, 0, 0.2, 1, 0, 0, 0.5, 1})},
       {"noise", randomVolume<std::int16_t>({edge, edge, edge}, 0, 1001)},
       {"noise of two values", binaryNoise()},
       {"plate of one voxel", layers([](int k) { return k == edge / 2; })},
@@ -74,6 +80,7 @@ void TestEvenSteps::theyKeepTheLevelsPromises_data() {
     QTest::addRow("%s, unlit", name) << volume << Lit::not_;
     QTest::addRow("%s, lit", name) << volume << Lit::softly;
     QTest::addRow("%s, strong highlight", name) << volume << Lit::strongly;
+    QTest::addRow("%s, by a reflectance map", name) << volume << Lit::byMap;
   }
 }
 
@@ -83,14 +90,20 @@ void TestEvenSteps::theyKeepTheLevelsPromises() {
   RenderCaches caches(volume);
   QStringList broken;
   int even = 0;
-  for (double opacity : {0.005, 0.01, 0.02, 0.04, 0.08, 0.12, 0.25})
+  for (double opacity : {0.005, 0.02, 0.04, 0.12})
     for (const glm::dvec3& direction :
          {glm::dvec3(0, 0, 1), glm::dvec3(0.3, 0.5, 0.8), glm::dvec3(0.6, 0, 0.8)})
       for (int phase : {0, 1, 2, 4}) {
-        const Scene scene = sceneOf(opacity, lit, direction, phase, volume->size().z);
+        Scene scene = sceneOf(opacity, lit, direction, phase, volume->size().z);
+        if (phase == 2) {
+          scene.camera->projection = Projection::perspective;
+          scene.camera->fov = 60;
+          scene.camera->distance = 60;
+        }
         Truth truth(caches, scene, {16, 16});
         for (const Promise& promise : promises) {
           RenderOptions options = atLevel(promise.quality);
+          if (lit == Lit::byMap) options.shader = Shader::map;
           options.size = {16, 16};
           if (makePlan(scene, caches.facts(), options)->mostParts > 1) continue;
           ++even;

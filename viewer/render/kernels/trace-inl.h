@@ -40,9 +40,8 @@ HWY_INLINE bool IsPacketOpen(const TraceFrame& f, const RayRow& rays, const Trac
 }
 
 /// One kernel. All packets of the row advance together, a slab of steps at a time, from the front or from the
-/// back (TraceFrame::slices): what one brings into the
-/// cache the others find there. (A packet alone, marching across rows of 512 voxels, throws its own lines out
-/// again: they are a power of two apart.)
+/// back (TraceFrame::slices): what one brings into the cache the others find there. (A packet alone, marching
+/// across rows of 512 voxels, throws its own lines out again: they are a power of two apart.)
 template <class Tracer>
 void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
                TraceCounts& counts) {
@@ -97,9 +96,7 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
 
 template <class Store, ShadeBy kShade, bool kGradientOpacity>
 TraceKernel ChooseDensity(TraceKey key) {
-  // What only studies ask for is not worth a kernel of its own.
-  constexpr bool rare = kShade == ShadeBy::table || kShade == ShadeBy::mapNearest;
-  if constexpr (std::is_void_v<Store> || rare) {
+  if constexpr (std::is_void_v<Store> || isRare(kShade)) {
     return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
   } else {
     if (key.refined) return TraceRays<SparseTracer<Store, kShade, kGradientOpacity, true>>;

@@ -23,6 +23,9 @@ enum class Store { int16, float32, byte1, byte4, plane };
 /// 4-index table; `phong`: directly; `local`: directly, each ray with its own viewer.
 enum class ShadeBy { nothing, map, mapNearest, table, phong, local };
 
+/// What only studies ask for: not worth more than one kernel.
+constexpr bool isRare(ShadeBy shade) { return shade == ShadeBy::table || shade == ShadeBy::mapNearest; }
+
 /// What a kernel is compiled for; chosen once a frame.
 struct TraceKey {
   Store store = Store::int16;

@@ -58,7 +58,8 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   frame_.slices = {plan.method == Method::blend, float(levelsOf(plan.blending))};
   // Which intervals are passed over is a choice, not a sound rule: it looks at cells even where no block is
   // skipped. Kernels that fetch all do not ask.
-  const bool asksCells = key_.refined || !key_.dense;
+  const bool apart = !key_.dense && key_.store != Store::plane && !isRare(key_.shade);
+  const bool asksCells = key_.refined || apart;
   if (plan.skipBlocks || key_.refined) {
     const auto& skip = cache.skipOf(transfer_, curve_,
                                     {transfer_.points, reachBlocks(plan, cache.volume->geometry()), rounding_,
