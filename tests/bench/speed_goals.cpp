@@ -4,6 +4,7 @@
 #include "viewer/render/shading/reflectance_map.h"
 #include "viewer/study/paper.h"
 #include "viewer/study/statistics.h"
+#include "viewer/volume/clock.h"
 #include "viewer/volume/phantoms.h"
 
 namespace volumen::bench {

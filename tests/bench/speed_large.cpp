@@ -2,6 +2,7 @@
 
 #include "tests/bench/speed.h"
 #include "viewer/study/statistics.h"
+#include "viewer/volume/clock.h"
 #include "viewer/volume/histogram.h"
 #include "viewer/volume/phantom_head.h"
 #include "viewer/volume/slopes.h"

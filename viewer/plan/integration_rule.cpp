@@ -55,11 +55,10 @@ bool isSharp(const TransferFunction& curve, double narrow) {
 }
 
 // Plain steps of a level where matter changes little from voxel to voxel: the longest (so short that no
-// pattern of the volume can fall in step with them: a triangle wave of two voxels is off by the fifth and the
-// ninth of its harmonics at most) and the shortest (shorter ones take longer than going cell by cell); how
-// far the change of extinction a voxel, times the square of the step, may go; and how far the light that a
-// voxel gives, times the step. Noise, plates and stripes of one voxel keep the level's promise at these
-// limits.
+// pattern of the volume can fall in step with them: of a triangle wave of two voxels they meet no harmonic
+// below the seventh) and the shortest (shorter ones take longer than going cell by cell); how far the change
+// of extinction a voxel, times the square of the step, may go; and how far the light that a voxel gives,
+// times the step. Noise, plates and stripes of one voxel keep the level's promise at these limits.
 struct EvenSteps {
   double longest, shortest, extinction, light;
 };
@@ -87,7 +86,7 @@ double longestVoxelMm(const Camera& camera, const VoxelGeometry& geometry) {
   return std::sqrt(most);
 }
 
-// How little plain steps may meet: what a voxel adds to a ray, and its change to the next one.
+// What plain steps meet at most: what a voxel adds to a ray, and how that can change along it.
 struct EvenStep {
   double voxels, most, change;
 };
@@ -113,15 +112,6 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
 
 }  // namespace
 
-double brightest(const Scene& scene) {
-  if (!scene.shading.lit) return 1;
-  glm::dvec3 light(0);
-  for (const Light& l : scene.lights)
-    if (l.on) light += l.intensity * l.colour;
-  const Shading& s = scene.shading;
-  return s.ambient + (s.diffuse + s.specular) * std::max({light.r, light.g, light.b});
-}
-
 Effect decideIntegration(const RuleInput& in, Plan& plan) {
   const auto steps = [&](const std::string& why) {
     return on("plain steps of " + inVoxels(plan.stepVoxels) + why);
@@ -137,7 +127,8 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
     if (const auto even = evenStep(in)) {
       plan.stepVoxels = even->voxels;
       return steps(": a voxel adds at most " + inDigits(even->most, 2) +
-                   " to a ray, from one to the next it changes by at most " + inDigits(even->change, 2));
+                   " to a ray, and the curve's slope times that of the values is at most " +
+                   inDigits(even->change, 2) + " a voxel");
     }
     plan.stepVoxels = 2;  // rays stop and look around them at these
     plan.mostParts = 128;

@@ -30,12 +30,11 @@ Resampler resamplerOf(const RenderOptions& options);
 int lightsThatShine(const Scene& scene);
 /// Whether any of them is neither white nor grey.
 bool lightIsColoured(const Scene& scene);
+/// No sample's colour is brighter than this (SCENE 5: c D'' + S'').
+double brightest(const Scene& scene);
 
 /// SCENE 9: the length of a step on a ray along the camera's axis, mm.
 double stepMm(const Camera& camera, const VoxelGeometry& geometry, double stepVoxels);
-
-/// No sample's colour is brighter than this (SCENE 5: c D'' + S'').
-double brightest(const Scene& scene);
 
 // Rules of the table (rules.h) in files of their own: what draws, how rays are integrated, how light is
 // computed, what changes the curve.

@@ -29,6 +29,15 @@ bool lightIsColoured(const Scene& scene) {
                      [](const Light& l) { return shines(l) && l.colour != glm::dvec3(l.colour.r); });
 }
 
+double brightest(const Scene& scene) {
+  if (!scene.shading.lit) return 1;
+  glm::dvec3 light(0);
+  for (const Light& l : scene.lights)
+    if (l.on) light += l.intensity * l.colour;
+  const Shading& s = scene.shading;
+  return s.ambient + (s.diffuse + s.specular) * std::max({light.r, light.g, light.b});
+}
+
 namespace {
 
 std::string mapText(const Plan& plan) {

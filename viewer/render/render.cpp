@@ -4,10 +4,10 @@
 
 #include "viewer/render/methods/blend_gl.h"
 #include "viewer/render/methods/cast_gl.h"
-#include "viewer/render/methods/clock.h"
 #include "viewer/render/methods/planes.h"
 #include "viewer/render/methods/preshaded.h"
 #include "viewer/render/reference.h"
+#include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -59,7 +59,7 @@ Error notEnoughMemory(const Plan& plan, const Volume& volume) {
 }  // namespace
 
 Result<Rendered> render(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
-  const double begin = nowMs();
+  const double begin = wallMs();
   Result<Rendered> done = Error{};
   try {
     done = renderBy(plan, caches, cancel);
@@ -67,7 +67,7 @@ Result<Rendered> render(const Plan& plan, RenderCaches& caches, const CancelToke
     return notEnoughMemory(plan, *caches.volume());
   }
   if (!done) return done;
-  done->stats.totalMs = nowMs() - begin;
+  done->stats.totalMs = wallMs() - begin;
   done->stats.threads = plan.options.threads > 0 ? plan.options.threads : allowedThreads();
   return done;
 }

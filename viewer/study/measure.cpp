@@ -3,6 +3,7 @@
 
 #include "viewer/study/statistics.h"
 #include "viewer/study/study.h"
+#include "viewer/volume/clock.h"
 
 namespace volumen {
 

@@ -1,6 +1,7 @@
 #include "viewer/study/orbit.h"
 
 #include "viewer/study/statistics.h"
+#include "viewer/volume/clock.h"
 
 namespace volumen {
 

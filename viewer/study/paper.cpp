@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "viewer/study/statistics.h"
+#include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
 #include "viewer/volume/phantoms.h"
 

@@ -1,7 +1,6 @@
 #include "viewer/study/statistics.h"
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 
 namespace volumen {
@@ -15,11 +14,6 @@ double median(std::vector<double> values) {
 
 double minimum(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::min_element(values.begin(), values.end());
-}
-
-double wallMs() {
-  using namespace std::chrono;
-  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
 }
 
 double processorMs() {

@@ -9,8 +9,6 @@ double median(std::vector<double> values);
 /// The smallest value; 0 of none.
 double minimum(const std::vector<double>& values);
 
-/// Wall clock since some fixed time, ms.
-double wallMs();
 /// What this process has used of all processors, ms: on a machine that others use too it tells more than the
 /// wall clock.
 double processorMs();

@@ -5,6 +5,7 @@
 
 #include "viewer/render/reference.h"
 #include "viewer/study/statistics.h"
+#include "viewer/volume/clock.h"
 
 namespace volumen {
 

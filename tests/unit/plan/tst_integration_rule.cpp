@@ -55,15 +55,12 @@ void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
   row("a step as asked", "integration", "on   integration: plain steps of 2 voxels, as asked",
       [](Asked& a) { a.options.step = 2; });
   row("little changes from voxel to voxel", "integration",
-      "on   integration: plain steps of 0.375 voxel: a voxel adds at most 0.011 to a ray, from one to the "
-      "next "
-      "it "
-      "changes by at most 0.005",
+      "on   integration: plain steps of 0.375 voxel: a voxel adds at most 0.011 to a ray, and the curve's "
+      "slope times that of the values is at most 0.005 a voxel",
       evenMatter);
   row("unlit: high too, finer", "integration",
-      "on   integration: plain steps of 0.25 voxel: a voxel adds at most 0.01 to a ray, from one to the next "
-      "it "
-      "changes by at most 0.0045",
+      "on   integration: plain steps of 0.25 voxel: a voxel adds at most 0.01 to a ray, and the curve's "
+      "slope times that of the values is at most 0.0045 a voxel",
       [](Asked& a) {
         evenMatter(a);
         a.options.quality = Quality::high;
@@ -74,18 +71,15 @@ void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
     a.options.quality = Quality::high;
   });
   row("ten times as much changes", "integration",
-      "on   integration: plain steps of 0.375 voxel: a voxel adds at most 0.011 to a ray, from one to the "
-      "next "
-      "it "
-      "changes by at most 0.05",
+      "on   integration: plain steps of 0.375 voxel: a voxel adds at most 0.011 to a ray, and the curve's "
+      "slope times that of the values is at most 0.05 a voxel",
       [](Asked& a) {
         evenMatter(a);
         a.facts.slopes.assign(256, 9000);
       });
   row("four hundred times as much changes", "integration",
-      "on   integration: plain steps of 0.1875 voxel: a voxel adds at most 0.011 to a ray, from one to the "
-      "next "
-      "it changes by at most 2",
+      "on   integration: plain steps of 0.1875 voxel: a voxel adds at most 0.011 to a ray, and the curve's "
+      "slope times that of the values is at most 2 a voxel",
       [](Asked& a) {
         evenMatter(a);
         a.facts.slopes.assign(256, 360000);
@@ -99,34 +93,30 @@ void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
     a.scene.transferFunction.points = {{-1000, {}, 0.3}};
   });
   row("unlit it does not", "integration",
-      "on   integration: plain steps of 0.375 voxel: a voxel adds at most 0.3 to a ray, from one to the next "
-      "it "
-      "changes by at most 0",
+      "on   integration: plain steps of 0.375 voxel: a voxel adds at most 0.3 to a ray, and the curve's "
+      "slope times that of the values is at most 0 a voxel",
       [](Asked& a) {
         evenMatter(a);
         a.scene.transferFunction.points = {{-1000, {}, 0.3}};
         a.scene.shading.lit = false;
       });
   row("longer voxels add more", "integration",
-      "on   integration: plain steps of 0.1875 voxel: a voxel adds at most 0.16 to a ray, from one to the "
-      "next "
-      "it changes by at most 0.08",
+      "on   integration: plain steps of 0.1875 voxel: a voxel adds at most 0.16 to a ray, and the curve's "
+      "slope times that of the values is at most 0.08 a voxel",
       [](Asked& a) {
         evenMatter(a);
         a.facts.geometry.patientFromVoxelStep[1][1] = 16;
       });
   row("voxels that are long across the view do not", "integration",
-      "on   integration: plain steps of 0.375 voxel: a voxel adds at most 0.011 to a ray, from one to the "
-      "next "
-      "it changes by at most 0.005",
+      "on   integration: plain steps of 0.375 voxel: a voxel adds at most 0.011 to a ray, and the curve's "
+      "slope times that of the values is at most 0.005 a voxel",
       [](Asked& a) {
         evenMatter(a);
         a.facts.geometry.patientFromVoxelStep[2][2] = 16;
       });
   row("but in perspective, where rays go along them too", "integration",
-      "on   integration: plain steps of 0.1875 voxel: a voxel adds at most 0.16 to a ray, from one to the "
-      "next "
-      "it changes by at most 0.08",
+      "on   integration: plain steps of 0.1875 voxel: a voxel adds at most 0.16 to a ray, and the curve's "
+      "slope times that of the values is at most 0.08 a voxel",
       [](Asked& a) {
         evenMatter(a);
         a.facts.geometry.patientFromVoxelStep[2][2] = 16;

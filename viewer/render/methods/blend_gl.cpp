@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "viewer/render/kernels/shade_samples.h"
-#include "viewer/render/methods/clock.h"
 #include "viewer/render/methods/gl_frame.h"
 #include "viewer/render/methods/row_painter.h"
+#include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -35,7 +35,7 @@ class SliceShader {
       : plan_(plan), frame_(frame), shade_(chooseShadeKernel(frame.key())) {}
 
   const float* shade(const RayBand& band, int n, const SampleTarget::Samples& samples) {
-    const double begin = nowMs();
+    const double begin = wallMs();
     const std::size_t stride = band.stride;
     rgba_.resize(4 * stride * band.rows.size());
     parallelFor(
@@ -52,7 +52,7 @@ class SliceShader {
               projectRow(density, units, out);
           }
         });
-    ms_ += nowMs() - begin;
+    ms_ += wallMs() - begin;
     return rgba_.data();
   }
 
@@ -117,7 +117,7 @@ Status drawBlend(const Plan& plan, RenderCaches& caches, const CancelToken& canc
   RenderStats& stats = done.stats;
   const PlanesFrame frame(plan, caches, stats);
   if (Status s = loadTextures(plan, caches, gl, cancel, stats); !s) return s;
-  const double loaded = nowMs();
+  const double loaded = wallMs();
   const RaySetup setup(plan, caches.volume()->geometry());
   if (Status s = gl.blender.prepare(plan, gl.textures); !s) return s;
   preparePicture(plan, done.picture);
@@ -133,7 +133,7 @@ Status drawBlend(const Plan& plan, RenderCaches& caches, const CancelToken& canc
   }
   shader.report(stats);
   stats.glMs = gl.blender.takeGlMs();
-  stats.resampleMs = nowMs() - loaded - stats.shadeMs;
+  stats.resampleMs = wallMs() - loaded - stats.shadeMs;
   return {};
 }
 

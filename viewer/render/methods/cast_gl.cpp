@@ -1,8 +1,8 @@
 #include "viewer/render/methods/cast_gl.h"
 
-#include "viewer/render/methods/clock.h"
 #include "viewer/render/methods/gl_frame.h"
 #include "viewer/render/methods/preshaded.h"
+#include "viewer/volume/clock.h"
 
 namespace volumen {
 
@@ -11,11 +11,11 @@ namespace {
 // Shades the voxels and hands them over.
 Status loadShaded(const Plan& plan, const PlanesFrame& frame, const VoxelGeometry& geometry, GlState& gl,
                   const CancelToken& cancel, RenderStats& stats) {
-  const double begin = nowMs();
+  const double begin = wallMs();
   const Buffer<float> shaded = shadeVoxels(plan, frame, geometry, cancel);
   if (cancel.cancelled()) return Error{"cancelled"};
   const Status loaded = gl.textures.loadShaded(geometry.size, shaded.data(), cancel);
-  stats.shadeMs = nowMs() - begin;
+  stats.shadeMs = wallMs() - begin;
   stats.shaded = plan.lit ? geometry.voxelCount() : 0;
   return loaded;
 }
@@ -29,7 +29,7 @@ Status drawCast(const Plan& plan, RenderCaches& caches, const CancelToken& cance
                             ? loadShaded(plan, frame, geometry, gl, cancel, stats)
                             : loadTextures(plan, caches, gl, cancel, stats);
   if (!loaded) return loaded;
-  const double begin = nowMs();
+  const double begin = wallMs();
   const RaySetup setup(plan, geometry);
   if (Status s = gl.caster.prepare(plan, frame.trace(), gl.textures); !s) return s;
   preparePicture(plan, done.picture);
@@ -40,7 +40,7 @@ Status drawCast(const Plan& plan, RenderCaches& caches, const CancelToken& cance
     if (Status s = writeBand(plan, frame, band, gl.caster.pixels(), done.picture); !s) return s;
     if (cancel.cancelled()) return Error{"cancelled"};
   }
-  stats.resampleMs = stats.glMs = nowMs() - begin;
+  stats.resampleMs = stats.glMs = wallMs() - begin;
   return {};
 }
 

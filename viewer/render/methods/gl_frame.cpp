@@ -1,7 +1,7 @@
 #include "viewer/render/methods/gl_frame.h"
 
 #include "viewer/render/caches.h"
-#include "viewer/render/methods/clock.h"
+#include "viewer/volume/clock.h"
 
 namespace volumen {
 
@@ -21,9 +21,9 @@ Error glFailed() { return Error{"OpenGL failed while it drew; use --resampler cp
 
 Status loadTextures(const Plan& plan, RenderCaches& caches, GlState& gl, const CancelToken& cancel,
                     RenderStats& stats) {
-  const double begin = nowMs();
+  const double begin = wallMs();
   if (Status s = gl.textures.load(plan, caches, cancel); !s) return s;
-  stats.gradientsMs += nowMs() - begin;
+  stats.gradientsMs += wallMs() - begin;
   stats.densityBytes += gl.textures.densityBytes();
   if (plan.gradients) stats.gradientBytes += gl.textures.gradientBytes();
   return {};

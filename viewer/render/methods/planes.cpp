@@ -1,8 +1,8 @@
 #include "viewer/render/methods/planes.h"
 
-#include "viewer/render/methods/clock.h"
 #include "viewer/render/methods/planes_gl.h"
 #include "viewer/render/methods/row_painter.h"
+#include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -17,7 +17,7 @@ Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const C
   const RowPainter painter(plan, frame, done.picture);
 
   TraceTotals totals;
-  const double begin = nowMs();
+  const double begin = wallMs();
   const glm::ivec2 blocks = (plan.options.size + (RaySetup::block - 1)) / RaySetup::block;
   parallelFor(
       std::int64_t(blocks.x) * blocks.y, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
@@ -31,7 +31,7 @@ Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const C
       });
   if (cancel.cancelled()) return Error{"cancelled"};
 
-  totals.report(plan, nowMs() - begin, stats);
+  totals.report(plan, wallMs() - begin, stats);
   return done;
 }
 

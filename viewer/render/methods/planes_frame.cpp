@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "viewer/render/caches.h"
-#include "viewer/render/methods/clock.h"
+#include "viewer/volume/clock.h"
 
 namespace volumen {
 
@@ -39,10 +39,10 @@ int reachBlocks(const Plan& plan, const VoxelGeometry& geometry) {
 PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats)
     : lighting_(makeLighting(plan.scene, plan.specular, plan.colouredLight)), transfer_(plan.curve) {
   auto& cache = caches.impl();
-  const double begin = nowMs();
+  const double begin = wallMs();
   frame_.size = cache.volume->size();
   readStored(plan, caches, stats);
-  stats.gradientsMs += nowMs() - begin;
+  stats.gradientsMs += wallMs() - begin;
   key_.shade = shadeOf(plan);
   key_.gradientOpacity = plan.gradientOpacity;
   key_.refined = plan.mostParts > 1;

@@ -2,9 +2,9 @@
 
 #include <numeric>
 
-#include "viewer/render/methods/clock.h"
 #include "viewer/render/methods/gl_frame.h"
 #include "viewer/render/methods/row_painter.h"
+#include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -17,7 +17,7 @@ class BatchShader {
   BatchShader(const RowPainter& painter, int threads) : painter_(painter), threads_(threads) {}
 
   void shade(const Batch& batch, const SampleTarget::Samples& samples) {
-    const double begin = nowMs();
+    const double begin = wallMs();
     parallelFor(std::int64_t(batch.strips.size()), threads_, [&](std::int64_t first, std::int64_t last) {
       RowPainter::Task task;
       for (std::int64_t n = first; n < last; ++n) {
@@ -32,7 +32,7 @@ class BatchShader {
     });
     for (const Strip& s : batch.strips)
       resampled_ += std::accumulate(s.rays.steps.begin(), s.rays.steps.end(), std::int64_t(0));
-    ms_ += nowMs() - begin;
+    ms_ += wallMs() - begin;
   }
 
   void report(const Plan& plan, RenderStats& stats) const {
@@ -77,7 +77,7 @@ Status drawPlanes(const Plan& plan, RenderCaches& caches, const CancelToken& can
   RenderStats& stats = done.stats;
   const PlanesFrame frame(plan, caches, stats);
   if (Status s = loadTextures(plan, caches, gl, cancel, stats); !s) return s;
-  const double loaded = nowMs();
+  const double loaded = wallMs();
   const RaySetup setup(plan, caches.volume()->geometry());
   BatchMaker maker(setup, plan.options.size, mostSteps(caches.volume()->size(), plan.stepVoxels));
   if (Status s = gl.resampler.prepare(plan, gl.textures, maker.lines()); !s) return s;
@@ -86,7 +86,7 @@ Status drawPlanes(const Plan& plan, RenderCaches& caches, const CancelToken& can
   if (Status s = drawBatches(maker, gl.resampler, shader, cancel); !s) return s;
   shader.report(plan, stats);
   stats.glMs = gl.resampler.takeGlMs();
-  stats.resampleMs = nowMs() - loaded - stats.shadeMs;
+  stats.resampleMs = wallMs() - loaded - stats.shadeMs;
   return {};
 }
 

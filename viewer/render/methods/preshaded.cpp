@@ -6,8 +6,8 @@
 #include "viewer/render/caches.h"
 #include "viewer/render/kernels/preshaded.h"
 #include "viewer/render/kernels/shade_samples.h"
-#include "viewer/render/methods/clock.h"
 #include "viewer/render/methods/row_painter.h"
+#include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -100,10 +100,10 @@ Result<Rendered> renderPreshaded(const Plan& plan, RenderCaches& caches, const C
   RenderStats& stats = done.stats;
   const VoxelGeometry& geometry = caches.volume()->geometry();
   const PlanesFrame frame(plan, caches, stats);
-  const double begin = nowMs();
+  const double begin = wallMs();
   const Buffer<float> shaded = shadeVoxels(plan, frame, geometry, cancel);
   if (cancel.cancelled()) return Error{"cancelled"};
-  const double shadedAt = nowMs();
+  const double shadedAt = wallMs();
   const RaySetup setup(plan, geometry);
   const PreshadedKernel trace = choosePreshadedKernel();
   TraceTotals totals;
@@ -123,7 +123,7 @@ Result<Rendered> renderPreshaded(const Plan& plan, RenderCaches& caches, const C
   });
   if (cancel.cancelled()) return Error{"cancelled"};
   totals.report(plan, 0, stats);
-  stats.resampleMs = nowMs() - shadedAt;
+  stats.resampleMs = wallMs() - shadedAt;
   stats.shadeMs = shadedAt - begin;
   stats.shaded = plan.lit ? geometry.voxelCount() : 0;
   stats.densityBytes += shaded.bytes();

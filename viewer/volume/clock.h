@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// A clock for what takes longer than a few microseconds, ms.
-inline double nowMs() {
+/// Wall clock since some fixed time, ms.
+inline double wallMs() {
   using namespace std::chrono;
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
 }
