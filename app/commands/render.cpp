@@ -53,6 +53,7 @@ nlohmann::ordered_json statsJson(const Plan& plan, const RenderStats& s, const T
            {{"load", t.loadMs},
             {"gradients", t.gradientsMs},
             {"plan", t.planMs},
+            {"pilot", s.pilotMs},
             {"resample", s.resampleMs},
             {"shade", s.shadeMs},
             {"gl", s.glMs},
@@ -133,22 +134,33 @@ class Run {
       if (!plan) return failUsage(plan.message());
       if (options_.turntable) *plan->scene.camera = turned(*plan->scene.camera, 360.0 * n / pictures);
       times_.planMs += nowMs() - begin;
-      plan_ = *plan;
-      if (options_.output.empty() && options_.statsFile.empty()) return exitDone;
-      if (const int failed = drawFrames(caches)) return failed;
+      if (options_.output.empty() && options_.statsFile.empty()) return settle(*plan, caches);
+      if (const int failed = drawFrames(*plan, caches)) return failed;
       if (options_.output.empty()) continue;
       const std::string path = options_.turntable ? numbered(options_.output, n) : options_.output;
-      if (Status written = writePicture(done_.picture, plan_, path); !written) return fail(written.message());
+      if (Status written = writePicture(done_.picture, done_.plan, path); !written)
+        return fail(written.message());
       told() << printable(path) << '\n';
     }
     return exitDone;
   }
 
+  // What would be drawn.
+  int settle(const Plan& plan, RenderCaches& caches) {
+    done_.plan = plan;
+    if (!options_.explain) return exitDone;
+    RenderStats stats;
+    auto done = settled(plan, caches, stats, cancel_);
+    if (!done) return fail(done.message());
+    done_.plan = std::move(*done);
+    return exitDone;
+  }
+
   // The same view as often as --frames asks, for timing.
-  int drawFrames(RenderCaches& caches) {
+  int drawFrames(const Plan& plan, RenderCaches& caches) {
     for (int n = 0; n < options_.frames; ++n) {
       const double begin = nowMs();
-      auto done = render(plan_, caches, cancel_);
+      auto done = render(plan, caches, cancel_);
       if (!done) return fail(cancel_.cancelled() ? "Stopped; no picture was written." : done.message());
       times_.framesMs.push_back(nowMs() - begin);
       times_.gradientsMs += done->stats.gradientsMs;
@@ -159,10 +171,11 @@ class Run {
 
   int finish() {
     if (options_.explain)
-      told() << (times_.framesMs.empty() ? explain(plan_) : explain(plan_, effectCosts(plan_, done_.stats)));
-    if (options_.printScene) std::cout << sceneToJson(plan_.scene);
+      told() << (times_.framesMs.empty() ? explain(done_.plan)
+                                         : explain(done_.plan, effectCosts(done_.plan, done_.stats)));
+    if (options_.printScene) std::cout << sceneToJson(done_.plan.scene);
     if (options_.statsFile.empty()) return exitDone;
-    const std::string text = statsJson(plan_, done_.stats, times_, *volume_).dump(2) + "\n";
+    const std::string text = statsJson(done_.plan, done_.stats, times_, *volume_).dump(2) + "\n";
     const Status written = writeText(options_.statsFile, text);
     return written.ok() ? exitDone : fail(written.message());
   }
@@ -174,7 +187,6 @@ class Run {
   const CancelToken& cancel_;
   VolumePtr volume_;
   Times times_;
-  Plan plan_;
   Rendered done_;
 };
 

@@ -1,6 +1,6 @@
-// What accuracy costs: usage bench_levels PATH SCENE.json [EDGE]. For plain steps and levels, the error
-// against the reference (DESIGN 2, /255, well-conditioned pixels of an EDGE x EDGE picture, default 192) and
-// the time of a 512 x 512 frame: medians of 7 interleaved runs. A Markdown table on stdout.
+// What accuracy costs: usage bench_levels PATH SCENE.json [EDGE]. For plain steps and levels of a 512 x 512
+// picture, the error against the reference (DESIGN 2, /255, the well-conditioned of EDGE x EDGE of its
+// pixels, default 192) and the time of a frame: medians of 7 interleaved runs. A Markdown table on stdout.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "io/study.h"
-#include "viewer/render/reference.h"
 #include "viewer/render/render.h"
 #include "viewer/scene/scene_json.h"
+#include "viewer/study/truth.h"
 
 namespace {
 
@@ -29,9 +29,8 @@ constexpr Row rows[] = {{"step 1", 1, {}},
                         {"high", {}, Quality::high},
                         {"exact", {}, Quality::exact}};
 
-RenderOptions optionsOf(const Row& row, int edge) {
+RenderOptions optionsOf(const Row& row) {
   RenderOptions o;
-  o.size = {edge, edge};
   o.step = row.step;
   o.quality = row.quality;
   return o;
@@ -63,11 +62,9 @@ int main(int argc, char** argv) {
   if (!scene) return fail(scene.message());
 
   RenderCaches caches(loaded->drawn);
-  const Scene complete = makePlan(*scene, caches.facts(), optionsOf(rows[0], edge))->scene;
-  const auto truth = renderReference(complete, *loaded->drawn, {edge, edge});
-  const auto use = wellConditioned(complete, *loaded->drawn, {edge, edge});
   std::vector<Plan> plans;
-  for (const Row& row : rows) plans.push_back(*makePlan(*scene, caches.facts(), optionsOf(row, 512)));
+  for (const Row& row : rows) plans.push_back(*makePlan(*scene, caches.facts(), optionsOf(row)));
+  const auto truth = makeTruth(plans[0].scene, *loaded->drawn, plans[0].options.size, edge * edge, 0);
   std::vector<std::vector<double>> times(plans.size());
   for (int run = 0; run < 8; ++run)
     for (std::size_t n = 0; n < plans.size(); ++n) {
@@ -78,8 +75,8 @@ int main(int argc, char** argv) {
       "| | maximum | 99th percentile | PSNR dB | ms a frame | against step 1 |\n|---|---|---|---|---|---|\n");
   double plain = 0;
   for (std::size_t n = 0; n < plans.size(); ++n) {
-    const auto picture = render(*makePlan(*scene, caches.facts(), optionsOf(rows[n], edge)), caches);
-    const PictureError e = compare(picture->picture, *truth, *use);
+    const Picture seen = atPixelsOf(*truth, render(plans[n], caches)->picture);
+    const PictureError e = compare(seen, truth->picture, truth->well);
     std::sort(times[n].begin(), times[n].end());
     const double ms = times[n][times[n].size() / 2];
     if (n == 0) plain = ms;

@@ -16,7 +16,7 @@ Draw drawWithCaches(VolumePtr volume) {
         if (!plan) return plan.error();
         Result<Rendered> rendered = render(*plan, *caches, cancel);
         if (!rendered) return rendered.error();
-        return Drawn{std::move(rendered->picture), *plan, rendered->stats};
+        return Drawn{std::move(rendered->picture), std::move(rendered->plan), rendered->stats};
       };
 }
 

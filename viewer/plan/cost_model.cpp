@@ -16,21 +16,24 @@ namespace {
 // Nanoseconds on one core of an AMD EPYC (2.6 GHz, AVX-512), November 2026: stagesMs over samples of
 // `volumen render phantom:ct-head:128 --threads 1 --frames 7 --stats`, with 1, 4, 8 and 16 lights, unlit,
 // and each shader, method and resampler in turn. `bench_choices` holds them against whole frames.
-constexpr double sampleNs = 3;           // a density interpolated at a plain step
-constexpr double intervalNs = 10.5;      // 2 voxels of planes that go cell by cell: densities, the curve
-constexpr double cutNs = 1.9;            // what cuts add at a tolerance of 1, growing with its inverse root
-constexpr double litParts = 0.2;         // parts that are lit of them, likewise
-constexpr double glSampleNs = 6;         // OpenGL without a GPU, with the way back to the CPU
-constexpr double glGradientNs = 6;       // three components more
-constexpr double colourNs = 1;           // a visible sample's colour and opacity, composited
-constexpr double gradientNs = 3;         // its gradient and normal
-constexpr double diffuseNs = 0.15;       // a light's D, directly
-constexpr double wholePowerNs = 0.32;    // a light's S with a whole shininess: a few multiplications
-constexpr double powerNs = 1.3;          // with any other: logarithm and exponential
-constexpr double colouredNs = 0.07;      // a light with green and blue of their own
-constexpr double lookupNs = 4.8;         // a bilinear look-up in a map, four nodes of two floats
-constexpr double colouredLookupNs = 11;  // of eight floats
-constexpr double nodeNs = 3.5;           // a node of a map, beside its lights
+constexpr double sampleNs = 2.6;          // a density interpolated at a plain step
+constexpr double sampleGradientNs = 1.8;  // its gradient beside it
+constexpr double intervalNs = 9;          // 2 voxels of planes that go cell by cell: the walk, densities
+constexpr double seenNs = 31;             // those of them that can be seen: the curve, integrated
+constexpr double cutNs = 0.3;             // what cuts add at a tolerance of 1, growing with its inverse root
+constexpr double litCutNs = 0.75;         // likewise, where they follow the light too
+constexpr double litSeenNs = 1.5;         // and with its gradients, where it is seen
+constexpr double litParts = 0.2;          // parts that are lit of them, likewise
+constexpr double glSampleNs = 6;          // OpenGL without a GPU, with the way back to the CPU
+constexpr double glGradientNs = 6;        // three components more
+constexpr double colourNs = 0.3;          // a visible sample's colour and opacity, composited
+constexpr double diffuseNs = 0.15;        // a light's D, directly
+constexpr double wholePowerNs = 0.32;     // a light's S with a whole shininess: a few multiplications
+constexpr double powerNs = 1.3;           // with any other: logarithm and exponential
+constexpr double colouredNs = 0.07;       // a light with green and blue of their own
+constexpr double lookupNs = 4.8;          // a bilinear look-up in a map, four nodes of two floats
+constexpr double colouredLookupNs = 11;   // of eight floats
+constexpr double nodeNs = 3.5;            // a node of a map, beside its lights
 
 double pixelMm(const Camera& camera, glm::ivec2 size) {
   const double height = camera.projection == Projection::parallel
@@ -107,9 +110,15 @@ double lightNs(const Plan& plan, Shader shader, double samples) {
          6.0 * plan.mapSize * plan.mapSize * (nodeNs + direct);
 }
 
-// Of a sample, or of two voxels with their parts.
-double planesNs(const Plan& plan) {
-  return plan.mostParts > 1 ? intervalNs + cutNs / std::sqrt(plan.partTolerance) : sampleNs;
+// Planes on the CPU: of a sample, or of two voxels with their parts, looked at and seen.
+struct SampleNs {
+  double looked, seen;
+};
+SampleNs planesNs(const Plan& plan) {
+  if (plan.mostParts <= 1) return {sampleNs + (plan.gradients ? sampleGradientNs : 0), colourNs};
+  const double fineness = 1 / std::sqrt(plan.partTolerance);
+  return {intervalNs + (cutNs + (plan.gradients ? litCutNs : 0)) * fineness,
+          seenNs + (plan.gradients ? litSeenNs : 0) * fineness};
 }
 
 }  // namespace
@@ -125,12 +134,13 @@ PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts, Shader s
   const double visible =
       samples * plan.visibleShare * seenShare(plan, facts, plan.visibleShare * rays.mm / rays.count);
   PredictedCost cost;
-  if (plan.resampler == Resampler::gl)
-    cost.samplingNs = samples * (glSampleNs + (plan.gradients ? glGradientNs : 0));
-  else
+  if (plan.resampler == Resampler::gl) {
+    cost.samplingNs = samples * (glSampleNs + (plan.gradients ? glGradientNs : 0)) + visible * colourNs;
+  } else {
     // Rays look in packets, whose box meets more blocks than one ray does.
-    cost.samplingNs = std::sqrt(samples * visible) * planesNs(plan);
-  cost.samplingNs += visible * (colourNs + (plan.gradients ? gradientNs : 0));
+    const SampleNs ns = planesNs(plan);
+    cost.samplingNs = std::sqrt(samples * visible) * ns.looked + visible * ns.seen;
+  }
   const double lit = plan.mostParts > 1 ? visible * litParts / std::sqrt(plan.partTolerance) : visible;
   cost.lightNs = lightNs(plan, shader, lit);
   return cost;

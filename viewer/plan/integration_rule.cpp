@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "viewer/plan/check_options.h"
+#include "viewer/plan/cost_model.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/plan/smoothness.h"
 
@@ -110,7 +111,55 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
   return {};
 }
 
+// Plain steps that a level may come down to, shortest first: where the first does not keep its promise, the
+// next will not.
+std::vector<double> stepsToTry(Quality quality) {
+  switch (quality) {
+    case Quality::standard:
+      return {1.0 / 2, 1};
+    case Quality::high:
+      return {1.0 / 4, 1.0 / 2};
+    case Quality::draft:  // as `standard` does without a pilot, which would take longer than a draft
+    case Quality::exact:  // no sample of rays can promise a maximum
+      break;
+  }
+  return {};
+}
+
 }  // namespace
+
+std::string toldBy(const PilotFinding& pilot) {
+  if (pilot.rays == 0) return "no ray that was tried shows anything";
+  return std::to_string(pilot.rays) + " rays of this picture, also followed more finely, tell of a PSNR of " +
+         inDigits(pilot.psnrDb, 3) + " dB and a 99th percentile of " + inDigits(pilot.percentile99, 2) +
+         "/255";
+}
+
+std::vector<double> openSteps(const RuleInput& in, const Plan& plan) {
+  const RenderOptions& o = in.options;
+  if (o.full) {  // a sound rule changes no choice
+    RenderOptions lean = o;
+    lean.full = false;
+    return makePlan(in.scene, in.facts, lean)->pilotSteps;
+  }
+  if (plan.method != Method::planes || plan.resampler != Resampler::cpu) return {};
+  if (!canIntegrate(in.scene, o) || o.step || o.tolerance || o.curveTable || o.opacityThreshold) return {};
+  // A share of one in 64 rays, which still is enough of them to know a 99th percentile by.
+  if (double(o.size.x) * o.size.y < 384.0 * 384) return {};
+  // What few rays meet may be missed; on a curve that is not sharp it is not far off either.
+  if (isSharp(in.scene.transferFunction, (in.facts.p999 - in.facts.p01) / 50)) return {};
+  std::vector<double> steps;
+  const double ownNs = predictedCost(plan, in.facts).ns();
+  for (double step : stepsToTry(o.quality)) {
+    Plan plain = plan;
+    plain.stepVoxels = step;
+    plain.mostParts = 1;
+    // A pilot takes about a tenth of a frame.
+    if (predictedCost(plain, in.facts).ns() > 0.77 * ownNs) break;
+    steps.push_back(step);
+  }
+  return steps;
+}
 
 Effect decideIntegration(const RuleInput& in, Plan& plan) {
   const auto steps = [&](const std::string& why) {
@@ -124,11 +173,18 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
   const double range = in.facts.p999 - in.facts.p01;
   const bool sharp = composite(in) && isSharp(in.scene.transferFunction, range / 50);
   if (canIntegrate(in.scene, in.options)) {
+    if (in.pilot && in.pilot->kept) {
+      plan.stepVoxels = in.pilot->stepVoxels;
+      return steps(": " + toldBy(*in.pilot));
+    }
+    const std::string tried =
+        in.pilot ? "; not plain steps of " + inVoxels(in.pilot->stepVoxels) + ", as " + toldBy(*in.pilot)
+                 : "";
     if (const auto even = evenStep(in)) {
       plan.stepVoxels = even->voxels;
       return steps(": a voxel adds at most " + inDigits(even->most, 2) +
                    " to a ray, and the curve's slope times that of the values is at most " +
-                   inDigits(even->change, 2) + " a voxel");
+                   inDigits(even->change, 2) + " a voxel" + tried);
     }
     plan.stepVoxels = 2;  // rays stop and look around them at these
     plan.mostParts = 128;
@@ -136,7 +192,7 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
     return on(
         "cell by cell, integrated through the curve; passages are cut into up to 128 parts where "
         "values bend or light changes" +
-        std::string(sharp ? "; finely, as the curve rises steeply" : "") +
+        std::string(sharp ? "; finely, as the curve rises steeply" : "") + tried +
         (in.options.tolerance ? "; to a tolerance of " + inDigits(plan.partTolerance) + ", as asked" : ""));
   }
   if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))

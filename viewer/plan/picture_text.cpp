@@ -78,6 +78,7 @@ std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan,
                                                         {"volumen-method", methodName(plan.method)},
                                                         {"volumen-level", levelText(plan)},
                                                         {"volumen-error", errorText(plan)}};
+  if (plan.pilot && plan.pilot->kept) text.push_back({"volumen-error-pilot", toldBy(*plan.pilot)});
   if (measured) text.push_back({"volumen-error-measured", errorText(*measured)});
   if (plan.method != Method::reference)
     text.push_back({"volumen-step", plan.mostParts > 1 ? "cell by cell, integrated and cut where it is uneven"

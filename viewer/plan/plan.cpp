@@ -1,7 +1,7 @@
 #include "viewer/plan/plan.h"
 
 #include "viewer/plan/check_options.h"
-#include "viewer/plan/rules.h"
+#include "viewer/plan/rule_lines.h"
 
 namespace volumen {
 
@@ -25,7 +25,8 @@ Scene completed(Scene scene, const VolumeFacts& facts, glm::ivec2 size) {
 
 }  // namespace
 
-Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const RenderOptions& options) {
+Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const RenderOptions& options,
+                      const std::optional<PilotFinding>& pilot) {
   if (Status s = checkOptions(scene, options); !s) return s.error();
   Plan plan;
   plan.scene = completed(scene, facts, options.size);
@@ -37,7 +38,7 @@ Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const Render
         {"reference", true, false, "everything, adaptively, cell by cell, in double precision"});
     return plan;
   }
-  const RuleInput input{plan.scene, facts, options};
+  const RuleInput input{plan.scene, facts, options, pilot};
   for (const Rule& rule : rules()) {
     Effect effect = rule.decide(input, plan);
     effect.name = rule.name;
@@ -46,6 +47,8 @@ Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const Render
   }
   for (std::size_t n = 0; n < plan.effects.size(); ++n)
     if (rules()[n].cost) plan.effects[n].reason += rules()[n].cost(input, plan);
+  plan.pilot = pilot;
+  if (!pilot) plan.pilotSteps = openSteps(input, plan);
   return plan;
 }
 

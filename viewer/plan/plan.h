@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,20 @@ struct Effect {
   bool operator==(const Effect&) const = default;
 };
 
+/// What some thousand rays of a picture, followed by plain steps and by the next finer level, tell of those
+/// steps (settled).
+struct PilotFinding {
+  double stepVoxels = 1;
+  bool kept = false;  ///< they keep the level's promise, and are taken
+  int rays = 0;       ///< that show anything
+  double psnrDb = 0;  ///< of those, as PictureError
+  double percentile99 = 0;
+  bool operator==(const PilotFinding&) const = default;
+};
+
 /// What is computed for a picture, decided before the first sample: a pure function of its inputs.
-/// The renderer does what it says and decides nothing itself.
+/// The renderer does what it says and decides nothing itself but, where the plan leaves it open, what a pilot
+/// finds.
 struct Plan {
   Scene scene;            ///< complete: camera, window and gradientFloor are set
   RenderOptions options;  ///< as asked
@@ -36,8 +49,12 @@ struct Plan {
   double stepVoxels = 1;  ///< SCENE 9
   /// Into how many parts a ray's passage through a cell is cut where it is uneven; 1: plain midpoints.
   int mostParts = 1;
-  double partTolerance = 1;      ///< how uneven a part may be (Parting)
-  double stopTransmittance = 0;  ///< a ray ends where its transmittance falls below; 0: never
+  double partTolerance = 1;  ///< how uneven a part may be (Parting)
+  /// Plain steps, shortest first, that would take the place of the integration if they kept the level's
+  /// promise: what is left open for a pilot to find (settled).
+  std::vector<double> pilotSteps;
+  std::optional<PilotFinding> pilot;  ///< what it found
+  double stopTransmittance = 0;       ///< a ray ends where its transmittance falls below; 0: never
 
   bool gradients = false;  ///< Sobel gradients are computed, stored and fetched
   GradientOperator gradientOperator = GradientOperator::sobel;
@@ -55,9 +72,11 @@ struct Plan {
   bool operator==(const Plan&) const = default;
 };
 
-/// Decides a picture. The scene must be valid (validateScene). Refused, with a sentence that names the
-/// option: what the methods cannot do (e.g. a reflectance map with localViewer).
-Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const RenderOptions& options);
+/// Decides a picture; with what a pilot found, for good. The scene must be valid (validateScene). Refused,
+/// with a sentence that names the option: what the methods cannot do (e.g. a reflectance map with
+/// localViewer).
+Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const RenderOptions& options,
+                      const std::optional<PilotFinding>& pilot = {});
 
 /// The plan as --explain prints it, one effect a line: "on   gradients: the scene is lit".
 std::string explain(const Plan& plan);

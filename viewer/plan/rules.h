@@ -6,11 +6,13 @@
 
 namespace volumen {
 
-/// What a rule sees: the completed scene and what was asked, with the facts of the volume.
+/// What a rule sees: the completed scene and what was asked, with the facts of the volume and what a pilot
+/// found.
 struct RuleInput {
   const Scene& scene;
   const VolumeFacts& facts;
   const RenderOptions& options;
+  const std::optional<PilotFinding>& pilot;
 };
 
 /// A rule decides one effect: sets its fields of the plan and returns the line that says so. Rules run in the

@@ -122,23 +122,28 @@ const Voxels8& RenderCaches::Impl::voxelsIn8(GradientOperator by) {
 const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunction& curve,
                                                            const CurveTable& table, const SkipWish& wish) {
   static_assert(SkipMap::edge == BrickRanges::edge && VisibleCells::edge == BrickRanges::edge);
-  // Cells that were looked into stay, also where a kernel in between does not ask.
-  SkipWish asked = wish;
-  if (skip) asked.cells |= skip->made.cells;
-  if (skip && skip->made == asked) return *skip;
-  const VolumeFacts& known = factsOfVolume();
   if (!skip) skip.emplace();
+  // Another view may ask for another reach, but not for other blocks or cells.
+  SkipWish others = skip->made;
+  others.reachBlocks = wish.reachBlocks;
+  others.cells = wish.cells;
+  const bool sameBlocks = others == wish;
+  // Cells that were looked into stay, also where a kernel in between does not ask.
+  const bool hasCells = sameBlocks && skip->made.cells;
+  auto& maps = skip->maps;
+  if (!sameBlocks) maps[0].near.clear(), maps[1].near.clear();
+  const auto has = [&](const SkipMap& m) { return m.reach == wish.reachBlocks && !m.near.empty(); };
+  if (!has(maps[0])) std::swap(maps[0], maps[1]);
+  skip->made = wish;
+  skip->made.cells = wish.cells || hasCells;
+  if (has(maps[0]) && (hasCells || !wish.cells)) return *skip;
+  const VolumeFacts& known = factsOfVolume();
   Densities16 densities;
   if (wish.cells && wish.in16) densities = {densities16().data, std::uint16_t(densities16().flip)};
-  // Another view may ask for another reach, but not for other cells.
-  SkipWish sameCells = asked;
-  sameCells.reachBlocks = skip->made.reachBlocks;
-  const bool keepsCells = skip->made.cells && skip->made == sameCells;
   const auto make = [&](const std::vector<std::uint8_t>& visible) {
-    skip->made = wish;
-    skip->made.cells = wish.cells || keepsCells;
-    skip->map = makeSkipMap(known.bricks->count, visible, wish.reachBlocks, std::move(skip->map));
-    if (wish.cells && !keepsCells) skip->cells.begin(volume->size(), densities, table, visible);
+    if (!has(maps[0]))
+      maps[0] = makeSkipMap(known.bricks->count, visible, wish.reachBlocks, std::move(maps[0]));
+    if (wish.cells && !hasCells) skip->cells.begin(volume->size(), densities, table, visible);
   };
   if (wish.rounding == 0)
     make(visibleBlocksOf(curve, known)->flags);

@@ -54,9 +54,12 @@ struct RenderCaches::Impl {
     bool operator==(const SkipWish&) const = default;
   };
   struct Skip {
-    SkipWish made;
-    SkipMap map;
+    SkipWish made;    ///< for the last reach
+    SkipMap maps[2];  ///< for the last two reaches, the last first: a picture's and its pilot's
     VisibleCells cells;
+
+    const SkipMap& map() const { return maps[0]; }
+    std::size_t bytes() const { return maps[0].bytes() + maps[1].bytes() + cells.bytes(); }
   };
   std::optional<Skip> skip;
 

@@ -51,7 +51,7 @@ class Costs {
       return EffectCost{.ms = std::max(0.0, stats_.totalMs - stats_.gradientsMs)};
     const bool gl = plan_.resampler == Resampler::gl;
     if (effect.name == "resampler") return gl ? std::optional(EffectCost{.ms = stats_.glMs}) : std::nullopt;
-    if (effect.name == "integration" && !gl) return EffectCost{.ms = stats_.resampleMs};
+    if (effect.name == "integration" && !gl) return EffectCost{.ms = stats_.pilotMs + stats_.resampleMs};
     if (plan_.method == Method::gpu) return std::nullopt;
     return plan_.method == Method::preshaded ? ofVoxels(effect) : ofSamples(effect);
   }

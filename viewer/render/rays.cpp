@@ -219,13 +219,18 @@ double RaySetup::tileSpread() const {
 }
 
 void RaySetup::makeBlock(int x, int y, RayRow& row) const {
-  const glm::ivec2 tiles = (glm::min(size_ - glm::ivec2(x, y), glm::ivec2(block)) + (tile - 1)) / tile;
-  resize(row, tiles.x * tiles.y * tile * tile);
+  std::vector<glm::ivec2> corners;
+  for (int ty = y; ty < std::min(y + block, size_.y); ty += tile)
+    for (int tx = x; tx < std::min(x + block, size_.x); tx += tile) corners.emplace_back(tx, ty);
+  makeTiles(corners, row);
+}
+
+void RaySetup::makeTiles(const std::vector<glm::ivec2>& corners, RayRow& row) const {
+  resize(row, int(corners.size()) * tile * tile);
   for (int n = 0; n < row.count; ++n) {
-    const int whole = n / (tile * tile), inTile = n % (tile * tile);
-    const int px = x + whole % tiles.x * tile + inTile % tile,
-              py = y + whole / tiles.x * tile + inTile / tile;
-    if (px < size_.x && py < size_.y) row.pixel[n] = py * size_.x + px;
+    const int inTile = n % (tile * tile);
+    const glm::ivec2 at = corners[n / (tile * tile)] + glm::ivec2(inTile % tile, inTile / tile);
+    if (at.x < size_.x && at.y < size_.y) row.pixel[n] = at.y * size_.x + at.x;
   }
   setRays(row);
   countAheadFromFirst(row);

@@ -52,6 +52,8 @@ class RaySetup {
   /// Fills `row` with the rays of the block of pixels from (x, y) on, tile by tile: rays that a kernel takes
   /// together then lie close in both directions, and meet the same blocks and memory.
   void makeBlock(int x, int y, RayRow& row) const;
+  /// The same of single tiles: `corners`, their first pixels.
+  void makeTiles(const std::vector<glm::ivec2>& corners, RayRow& row) const;
   /// Fills `row` with the rays of `count` pixels of picture row y, from pixel x on.
   void makeRays(int x, int y, int count, RayRow& row) const;
 

@@ -6,6 +6,7 @@
 #include "viewer/render/methods/cast_gl.h"
 #include "viewer/render/methods/planes.h"
 #include "viewer/render/methods/preshaded.h"
+#include "viewer/render/pilot.h"
 #include "viewer/render/reference.h"
 #include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
@@ -58,17 +59,36 @@ Error notEnoughMemory(const Plan& plan, const Volume& volume) {
 
 }  // namespace
 
-Result<Rendered> render(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
-  const double begin = wallMs();
-  Result<Rendered> done = Error{};
+Result<Plan> settled(const Plan& plan, RenderCaches& caches, RenderStats& stats, const CancelToken& cancel) {
+  if (plan.pilotSteps.empty()) return plan;
+  const double begin = wallMs(), gradientsBefore = stats.gradientsMs;
+  Result<Plan> done = Error{};
   try {
-    done = renderBy(plan, caches, cancel);
+    done = sendPilot(plan, caches, stats, cancel);
   } catch (const std::bad_alloc&) {
     return notEnoughMemory(plan, *caches.volume());
   }
+  stats.pilotMs += wallMs() - begin - (stats.gradientsMs - gradientsBefore);
+  return done;
+}
+
+Result<Rendered> render(const Plan& asked, RenderCaches& caches, const CancelToken& cancel) {
+  const double begin = wallMs();
+  RenderStats pilot;
+  auto plan = settled(asked, caches, pilot, cancel);
+  if (!plan) return plan.error();
+  Result<Rendered> done = Error{};
+  try {
+    done = renderBy(*plan, caches, cancel);
+  } catch (const std::bad_alloc&) {
+    return notEnoughMemory(*plan, *caches.volume());
+  }
   if (!done) return done;
+  done->stats.gradientsMs += pilot.gradientsMs;
+  done->stats.pilotMs = pilot.pilotMs;
   done->stats.totalMs = wallMs() - begin;
-  done->stats.threads = plan.options.threads > 0 ? plan.options.threads : allowedThreads();
+  done->stats.threads = plan->options.threads > 0 ? plan->options.threads : allowedThreads();
+  done->plan = std::move(*plan);
   return done;
 }
 

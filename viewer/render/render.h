@@ -18,7 +18,8 @@ namespace volumen {
 struct RenderStats {
   double gradientsMs = 0;  ///< Sobel pass and copies made for this picture; 0 where they were there already
   double resampleMs = 0, shadeMs = 0, totalMs = 0;
-  double glMs = 0;  ///< what OpenGL itself took; it overlaps with shadeMs where glMs + shadeMs > totalMs
+  double pilotMs = 0;  ///< finding what the plan left open
+  double glMs = 0;     ///< what OpenGL itself took; it overlaps with shadeMs where glMs + shadeMs > totalMs
   std::int64_t resampled = 0, shaded = 0, composited = 0;  ///< samples
   std::size_t densityBytes = 0, gradientBytes = 0, blockBytes = 0, tableBytes = 0;
   int threads = 1;
@@ -28,6 +29,7 @@ struct RenderStats {
 struct Rendered {
   Picture picture;
   RenderStats stats;
+  Plan plan;  ///< as drawn: nothing is left open
 };
 
 /// What is expensive and reusable of one volume, made when first needed: facts, stored density, gradients, GL
@@ -54,7 +56,15 @@ class RenderCaches {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Draws the plan. An Error where it was cancelled ("cancelled") or a resource is missing (a sentence).
+/// The plan with nothing left open. Where it names plain steps (Plan::pilotSteps), up to 4096 rays spread
+/// over its picture are followed by them and by the next finer level; the longest that keep the level's
+/// promise there are taken. What comes of it depends on the picture alone, not on the machine. Adds to the
+/// times of `stats`. Errors as render().
+Result<Plan> settled(const Plan& plan, RenderCaches& caches, RenderStats& stats,
+                     const CancelToken& cancel = {});
+
+/// Draws the plan, settled. An Error where it was cancelled ("cancelled") or a resource is missing (a
+/// sentence).
 Result<Rendered> render(const Plan& plan, RenderCaches& caches, const CancelToken& cancel = {});
 
 }  // namespace volumen

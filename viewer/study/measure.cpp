@@ -117,7 +117,7 @@ class Measurement {
     StudyRow& row = v.row;
     const RenderStats& s = done.stats;
     row.method = methodName(row.setting.options);
-    row.stepVoxels = v.plan.stepVoxels;
+    row.stepVoxels = done.plan.stepVoxels;
     row.bits = v.plan.bits;
     row.bytes = s.densityBytes + s.gradientBytes + s.blockBytes + s.tableBytes;
     row.resampled = s.resampled, row.shaded = s.shaded, row.composited = s.composited;

@@ -27,6 +27,7 @@ Status drawFirst(const Scene& scene, const RenderOptions& options, RenderCaches&
   auto done = render(out.plan, caches, cancel);
   if (!done) return done.error();
   out.firstFrameMs = wallMs() - begin;
+  out.plan = done->plan;
   out.gradientsMs = done->stats.gradientsMs;
   return {};
 }

@@ -25,6 +25,7 @@ class TestCommands : public QObject {
   void everyCommandHasHelp();
   void renderWritesAPictureThatSaysHowItWasMade();
   void statsHoldTheStages();
+  void aLargePictureSaysWhatAPilotFound();
   void theSceneInUseDrawsTheSamePicture();
   void sameBytes_data();
   void sameBytes();
@@ -160,6 +161,28 @@ void TestCommands::statsHoldTheStages() {
   QCOMPARE(all[QStringLiteral("framesMs")].toArray().size(), 3);
   QVERIFY(all[QStringLiteral("samples")].toObject()[QStringLiteral("composited")].toInt() > 0);
   QVERIFY(all[QStringLiteral("plan")].toArray().size() > 5);
+}
+
+void TestCommands::aLargePictureSaysWhatAPilotFound() {
+  const QString common = QStringLiteral("render phantom:ct-head:48 --preset CT-X-ray --size ");
+  const Outcome explained = runProgram(common + QStringLiteral("400x400 --explain"));
+  QVERIFY2(explained.out.contains("plain steps of 1 voxel: "), explained.out);
+  QVERIFY2(explained.out.contains("rays of this picture, also followed more finely, tell of a PSNR of "),
+           explained.out);
+  const auto drawn = [&](const char* size) {
+    const QString line = common + QStringLiteral("%1 --stats %2 -o %3");
+    return runProgram(line.arg(QLatin1String(size), at("pilot.json"), at("pilot.png"))).status == 0
+               ? QJsonDocument::fromJson(contentsOf(at("pilot.json"))).object()
+               : QJsonObject();
+  };
+  const auto pilotMs = [](const QJsonObject& stats) {
+    return stats[QStringLiteral("stagesMs")].toObject()[QStringLiteral("pilot")].toDouble(-1);
+  };
+  QVERIFY(pilotMs(drawn("400x400")) > 0);
+  const QString key = QStringLiteral("volumen-error-pilot");
+  QVERIFY(QImage(at("pilot.png")).text(key).contains(QStringLiteral("rays of this picture")));
+  QCOMPARE(pilotMs(drawn("300x300")), 0.0);
+  QVERIFY(QImage(at("pilot.png")).text(key).isEmpty());
 }
 
 void TestCommands::theSceneInUseDrawsTheSamePicture() {

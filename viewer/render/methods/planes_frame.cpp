@@ -29,7 +29,8 @@ int levelsOf(Blending blending) {
 // step more to either side (RayRow::ahead).
 int reachBlocks(const Plan& plan, const VoxelGeometry& geometry) {
   const RaySetup setup(plan, geometry);
-  const double along = plan.mostParts > 1 ? plan.stepVoxels : 2 * plan.stepVoxels;
+  // Of a length for all steps up to one voxel and cells, so that they share a map.
+  const double along = plan.mostParts > 1 ? plan.stepVoxels : std::max(2.0, 2 * plan.stepVoxels);
   const double across = 2 * setup.tileSpread() + along + 0.1;
   return int(std::clamp(std::ceil(across / SkipMap::edge), 1.0, 8.0));
 }
@@ -64,7 +65,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
     const auto& skip = cache.skipOf(transfer_, curve_,
                                     {transfer_.points, reachBlocks(plan, cache.volume->geometry()), rounding_,
                                      key_.store == Store::int16, asksCells});
-    if (plan.skipBlocks) frame_.skip = &skip.map;
+    if (plan.skipBlocks) frame_.skip = &skip.map();
     if (asksCells) frame_.cells = &skip.cells;
     frame_.parting.tolerance = float(plan.partTolerance);
     frame_.parting.most = plan.mostParts;
@@ -75,8 +76,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   stats.tableBytes =
       curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
   stats.blockBytes = cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float);
-  if (frame_.skip) stats.blockBytes += frame_.skip->bytes();
-  if (frame_.cells) stats.blockBytes += frame_.cells->bytes();
+  if (cache.skip) stats.blockBytes += cache.skip->bytes();
 }
 
 void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats) {

@@ -1,0 +1,244 @@
+// Guards DESIGN 2 and 5: plain steps that a pilot finds good enough keep the level's promise on the whole
+// picture, and what it finds depends on the picture alone.
+#include <random>
+
+#include "tests/fixtures/small_volumes.h"
+#include "tests/unit/promises/promises.h"
+#include "tests/unit/suite.h"
+#include "viewer/render/reference.h"
+
+namespace {
+
+using namespace volumen;
+using namespace volumen::tests;
+
+constexpr glm::ivec2 size(400, 384);
+constexpr int edge = 64;
+
+// What stands in a ball whose values fall from its middle to its surface.
+enum class Within { nothing, rods, stripes, noise };
+
+// `count` pieces of 6 voxels, at places of chance.
+VolumePtr ball(Within within, int count) {
+  std::mt19937 random(11);
+  std::vector<glm::ivec3> pieces;
+  for (int n = 0; n < count; ++n)
+    pieces.push_back({12 + int(random() % 36), 12 + int(random() % 36), 12 + int(random() % 36)});
+  const auto valueAt = [&](glm::dvec3 p) {
+    for (const glm::ivec3& piece : pieces) {
+      const glm::ivec3 at = glm::ivec3(p) - piece;
+      if (std::min({at.x, at.y, at.z}) < 0 || std::max({at.x, at.y, at.z}) >= 6) continue;
+      if (within == Within::noise) return double(random() % 1001);
+      if (within == Within::rods ? at.y + at.z == 0 : at.z % 2 == 0) return 1000.0;
+    }
+    return std::max(0.0, 400 * (1 - glm::distance(p, glm::dvec3((edge - 1) / 2.0)) / 28));
+  };
+  VolumeParts parts;
+  parts.geometry.size = {edge, edge, edge};
+  std::vector<std::int16_t> values;
+  for (int n = 0; n < edge * edge * edge; ++n)
+    values.push_back(std::int16_t(valueAt({n % edge, n / edge % edge, n / edge / edge})));
+  parts.values = std::move(values);
+  return volumeFrom(std::move(parts));
+}
+
+// In floats.
+VolumePtr everywhere(bool noise) {
+  std::mt19937 random(5);
+  return volumeOf({edge, edge, edge}, glm::dmat3(1),
+                  [&](glm::dvec3 p) { return noise ? double(random() % 1001) : 1000.0 * (int(p.z) % 2); });
+}
+
+// Opacity rises over all values; few blocks are empty, so that plain steps are worth a try.
+Scene sceneOf(double opacity) {
+  Scene scene;
+  scene.transferFunction.points = {{40, {1, 0.8, 0.6}, 0}, {1000, {1, 1, 1}, opacity}};
+  scene.transferFunction.unitDistance = 1;
+  Camera camera;
+  camera.direction = {0.3, 0.5, 0.8};
+  camera.up = {0.1, 1, 0.2};
+  camera.height = 80;
+  scene.camera = camera;
+  return scene;
+}
+
+RenderOptions optionsOf(Quality quality) {
+  RenderOptions options = atLevel(quality);
+  options.size = size;
+  return options;
+}
+
+// At one pixel of each 12 x 12, by the reference; ill-conditioned ones are not counted.
+PictureError trueError(const Picture& picture, const Scene& complete, const Volume& volume) {
+  std::vector<glm::ivec2> pixels;
+  for (int y = 3; y < size.y; y += 12)
+    for (int x = 5; x < size.x; x += 12) pixels.emplace_back(x, y);
+  const auto truth = referencePixels(complete, volume, size, pixels, 0);
+  Picture seen{{int(pixels.size()), 1}, false, {}}, right = seen;
+  for (std::size_t n = 0; n < pixels.size(); ++n) {
+    const float* p = picture.row(pixels[n].y) + 4 * pixels[n].x;
+    seen.rgba.insert(seen.rgba.end(), p, p + 4);
+    right.rgba.insert(right.rgba.end(), &truth->rgba[n][0], &truth->rgba[n][0] + 4);
+  }
+  return compare(seen, right, truth->well);
+}
+
+using Change = void (*)(Scene&);
+
+}  // namespace
+
+Q_DECLARE_METATYPE(Change)
+
+class TestPilot : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void thePictureKeepsThePromise_data();
+  void thePictureKeepsThePromise();
+  void itFindsTheErrorOfThePicture();
+  void itDependsOnThePictureAlone_data();
+  void itDependsOnThePictureAlone();
+  void whatIsNotKeptChangesNothing();
+  void itCanBeCancelled();
+};
+
+void TestPilot::thePictureKeepsThePromise_data() {
+  QTest::addColumn<VolumePtr>("volume");
+  QTest::addColumn<Change>("change");
+  QTest::addColumn<QString>("taken");  // faint: by standard, high; dense: likewise. 0: none, -: not tried
+  const auto row = [](const char* name, const VolumePtr& volume, const char* taken, Change change) {
+    QTest::newRow(name) << volume << change << QString::fromLatin1(taken);
+  };
+  const VolumePtr soft = ball(Within::nothing, 0);
+  row("a soft ball", soft, "1 0.5 1 0.5", [](Scene&) {});
+  row("unlit", soft, "1 - 1 -", [](Scene& s) { s.shading.lit = false; });
+  row("with a strong highlight", soft, "1 0.5 1 0.5", [](Scene& s) {
+    s.shading.specular = 1;
+    s.shading.shininess = 50;
+    s.shading.gradientFloor = 1;
+  });
+  row("in perspective", soft, "1 0.5 1 0.5", [](Scene& s) {
+    s.camera->projection = Projection::perspective;
+    s.camera->distance = 150;
+  });
+  row("over nothing", soft, "1 0.5 1 0.5", [](Scene& s) { s.background.transparent = true; });
+  row("clipped", soft, "1 0.5 1 0.5", [](Scene& s) { s.clip.boxHigh = {0.7, 0.6, 1}; });
+  row("with gradient opacity", soft, "1 0.5 1 0.5", [](Scene& s) {
+    s.transferFunction.gradientOpacity = {{0, 0.2}, {20, 1}};
+  });
+  row("a few rods in it", ball(Within::rods, 3), "1 0.5 1 0.5", [](Scene&) {});
+  row("many rods in it", ball(Within::rods, 40), "1 0.5 0.5 0", [](Scene&) {});
+  row("a few stripes in it", ball(Within::stripes, 3), "1 0.5 1 0.25", [](Scene&) {});
+  row("many stripes in it", ball(Within::stripes, 40), "1 0.5 0.5 0", [](Scene&) {});
+  row("a little noise in it", ball(Within::noise, 3), "1 0.5 1 0.5", [](Scene&) {});
+  row("much noise in it", ball(Within::noise, 40), "1 0.5 0.5 0.25", [](Scene&) {});
+  row("noise", everywhere(true), "1 0.5 0.5 0.25", [](Scene&) {});
+  row("stripes of one voxel", everywhere(false), "1 0.25 0 0", [](Scene&) {});
+  row("stripes of one voxel, along them", everywhere(false), "1 0.5 1 0.5", [](Scene& s) {
+    s.camera->direction = {1, 0, 0};
+  });
+  row("stripes of one voxel, across them", everywhere(false), "0.5 0.25 0.5 0", [](Scene& s) {
+    s.camera->direction = {0, 0, 1};
+  });
+}
+
+void TestPilot::thePictureKeepsThePromise() {
+  QFETCH(VolumePtr, volume);
+  QFETCH(Change, change);
+  QFETCH(QString, taken);
+  RenderCaches caches(volume);
+  QStringList steps, broken;
+  for (double opacity : {0.05, 0.4})
+    for (const Promise& promise : {promises[0], promises[1]}) {
+      Scene scene = sceneOf(opacity);
+      change(scene);
+      const Plan plan = *makePlan(scene, caches.facts(), optionsOf(promise.quality));
+      if (plan.pilotSteps.empty()) {
+        steps << QStringLiteral("-");
+        continue;
+      }
+      const Rendered done = *render(plan, caches);
+      QVERIFY(done.plan.pilotSteps.empty() && done.plan.pilot);
+      steps << QString::number(done.plan.pilot->kept ? done.plan.pilot->stepVoxels : 0);
+      if (!done.plan.pilot->kept) continue;
+      const PictureError e = trueError(done.picture, done.plan.scene, *volume);
+      if (!promise.keptBy(e)) broken << QString::fromLatin1(promise.name) + QStringLiteral(": ") + inWords(e);
+    }
+  QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QStringLiteral("; "))));
+  QCOMPARE(steps.join(QLatin1Char(' ')), taken);
+}
+
+// Some thousand rays tell the PSNR of all of them to 1.5 dB and their 99th percentile to a quarter.
+void TestPilot::itFindsTheErrorOfThePicture() {
+  RenderCaches caches(ball(Within::rods, 40));
+  for (double opacity : {0.02, 0.1, 0.4}) {
+    const Scene scene = sceneOf(opacity);
+    const Plan plan = *makePlan(scene, caches.facts(), optionsOf(Quality::standard));
+    RenderStats stats;
+    const Plan done = *settled(plan, caches, stats);
+    QVERIFY(done.pilot && stats.pilotMs > 0);
+    RenderOptions plain = optionsOf(Quality::standard);
+    plain.step = done.pilot->stepVoxels;
+    const Picture picture = render(*makePlan(scene, caches.facts(), plain), caches)->picture;
+    const Picture exact =
+        render(*makePlan(scene, caches.facts(), optionsOf(Quality::exact)), caches)->picture;
+    std::vector<std::uint8_t> shown;
+    for (std::size_t n = 0; n < exact.rgba.size(); n += 4)
+      shown.push_back(std::max({exact.rgba[n], exact.rgba[n + 1], exact.rgba[n + 2]}) > 0.5f / 255);
+    const PictureError e = compare(picture, exact, shown);
+    QVERIFY2(std::abs(e.psnrDb - done.pilot->psnrDb) < 1.5 &&
+                 std::abs(e.percentile99 / done.pilot->percentile99 - 1) < 0.25,
+             qPrintable(QStringLiteral("%1 dB, %2/255 of %3")
+                            .arg(done.pilot->psnrDb)
+                            .arg(done.pilot->percentile99)
+                            .arg(inWords(e))));
+  }
+}
+
+void TestPilot::itDependsOnThePictureAlone_data() {
+  QTest::addColumn<int>("threads");
+  QTest::addColumn<bool>("full");
+  QTest::newRow("one thread") << 1 << false;
+  QTest::newRow("two threads") << 2 << false;
+  QTest::newRow("seven threads") << 7 << false;
+  QTest::newRow("nothing left out") << 2 << true;
+}
+
+void TestPilot::itDependsOnThePictureAlone() {
+  QFETCH(int, threads);
+  QFETCH(bool, full);
+  RenderCaches caches(ball(Within::rods, 40));
+  for (double opacity : {0.02, 0.1, 0.4})
+    for (Quality quality : {Quality::standard, Quality::high}) {
+      RenderOptions options = optionsOf(quality);
+      const auto done = [&] { return *render(*makePlan(sceneOf(opacity), caches.facts(), options), caches); };
+      const Rendered asked = done();
+      options.threads = threads;
+      options.full = full;
+      const Rendered other = done();
+      QVERIFY(other.plan.pilot == asked.plan.pilot);
+      QVERIFY(other.picture == asked.picture);
+    }
+}
+
+void TestPilot::whatIsNotKeptChangesNothing() {
+  RenderCaches caches(ball(Within::rods, 40));
+  Plan plan = *makePlan(sceneOf(0.4), caches.facts(), optionsOf(Quality::high));
+  const Rendered done = *render(plan, caches);
+  QVERIFY(done.plan.pilot && !done.plan.pilot->kept);
+  plan.pilotSteps.clear();
+  QVERIFY(render(plan, caches)->picture == done.picture);
+}
+
+void TestPilot::itCanBeCancelled() {
+  RenderCaches caches(ball(Within::nothing, 0));
+  const Plan plan = *makePlan(sceneOf(0.1), caches.facts(), optionsOf(Quality::standard));
+  CancelToken cancel;
+  cancel.cancel();
+  RenderStats stats;
+  const auto done = settled(plan, caches, stats, cancel);
+  QVERIFY(!done);
+  QCOMPARE(done.message(), std::string("cancelled"));
+}
+
+VOLUMEN_TEST(TestPilot);
+#include "tst_pilot.moc"

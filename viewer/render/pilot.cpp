@@ -1,0 +1,162 @@
+#include "viewer/render/pilot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/render/methods/row_painter.h"
+#include "viewer/volume/parallel.h"
+
+namespace volumen {
+
+namespace {
+
+// The rays of a pilot stand in tiles, that many pixels apart: near enough to meet the same blocks and memory,
+// far enough to differ. More of them would tell little more.
+constexpr int pixelsApart = 4, mostTiles = 256, tilesATask = 16;
+
+// First pixels of tiles of a picture, evenly spread; first a quarter of them, so that they too are.
+std::vector<glm::ivec2> tilesOf(glm::ivec2 size) {
+  constexpr int tile = RaySetup::tile;
+  const glm::ivec2 tiles = (size + (tile - 1)) / tile;
+  const double shrink = std::min(1.0, std::sqrt(mostTiles / (double(tiles.x) * tiles.y)));
+  const glm::ivec2 grid = glm::max(glm::ivec2(1), glm::ivec2(glm::dvec2(tiles) * shrink));
+  std::vector<glm::ivec2> corners;
+  for (bool early : {true, false})
+    for (int y = 0; y < grid.y; ++y)
+      for (int x = 0; x < grid.x; ++x)
+        if (((x + y) % 4 == 0) == early) corners.push_back(tile * (glm::ivec2(x, y) * tiles / grid));
+  return corners;
+}
+
+// What a level promises (DESIGN 2), /255.
+struct Promised {
+  double rmse, percentile99;
+};
+Promised promisedBy(Quality quality) {
+  const auto rmseOf = [](double psnrDb) { return 255 / std::pow(10, psnrDb / 20); };
+  return quality == Quality::high ? Promised{rmseOf(52), 2.5} : Promised{rmseOf(42), 8};
+}
+
+class Pilot {
+ public:
+  Pilot(const Plan& plan, RenderCaches& caches, RenderStats& stats, const CancelToken& cancel)
+      : plan_(plan),
+        caches_(caches),
+        stats_(stats),
+        cancel_(cancel),
+        size_((plan.options.size + (pixelsApart - 1)) / pixelsApart),
+        tiles_(tilesOf(size_)) {}
+
+  Result<Plan> operator()() {
+    const auto fine = planOf(plan_.options.quality == Quality::high ? Quality::exact : Quality::high, {});
+    if (!fine) return fine.error();
+    std::optional<PilotFinding> best;
+    for (double step : plan_.pilotSteps) {
+      const auto plain = planOf(plan_.options.quality, PilotFinding{step, true});
+      if (!plain) return plain.error();
+      const PilotFinding found = tried(*plain, *fine);
+      if (cancel_.cancelled()) return Error{"cancelled"};
+      if (!best || found.kept) best = found;
+      if (!found.kept) break;
+    }
+    return makePlan(plan_.scene, caches_.facts(), plan_.options, best);
+  }
+
+ private:
+  // The plan of the whole picture, but for the size of the one that the rays belong to.
+  Result<Plan> planOf(Quality quality, const std::optional<PilotFinding>& finding) const {
+    RenderOptions options = plan_.options;
+    options.quality = quality;
+    auto plan = makePlan(plan_.scene, caches_.facts(), options, finding);
+    if (plan) plan->options.size = size_;
+    return plan;
+  }
+
+  // What the rays tell of plain steps; a quarter of them where that tells already that they are of no use.
+  PilotFinding tried(const Plan& plain, const Plan& fine) {
+    Picture picture;
+    PilotFinding found;
+    for (std::size_t count : {tiles_.size() / 4, tiles_.size()}) {
+      follow(fine, truthTiles_, count, truth_);
+      truthTiles_ = std::max(truthTiles_, count);
+      follow(plain, count < tiles_.size() ? 0 : tiles_.size() / 4, count, picture);
+      found = finding(plain.stepVoxels, count, picture);
+      if (found.percentile99 > 1.4 * promisedBy(plan_.options.quality).percentile99) break;
+    }
+    return found;
+  }
+
+  // Draws the picture of a plan at the tiles [from, to), and nothing elsewhere.
+  void follow(const Plan& plan, std::size_t from, std::size_t to, Picture& picture) const {
+    if (from >= to) return;
+    RenderStats stats;
+    const PlanesFrame frame(plan, caches_, stats);
+    stats_.gradientsMs += stats.gradientsMs;
+    const RaySetup setup(plan, caches_.volume()->geometry());
+    const RowPainter painter(plan, frame, picture);
+    const auto count = std::int64_t(to - from), tasks = (count + tilesATask - 1) / tilesATask;
+    parallelFor(tasks, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
+      RayRow rays;
+      RowPainter::Task task;
+      for (std::int64_t n = first; n < last && !cancel_.cancelled(); ++n) {
+        const auto begin = tiles_.begin() + std::ptrdiff_t(from);
+        setup.makeTiles({begin + n * tilesATask, begin + std::min(count, (n + 1) * tilesATask)}, rays);
+        painter.paint(rays, {}, task);
+      }
+    });
+  }
+
+  // Whether a pixel of any tile differs from the background by what could be seen.
+  bool shows(const Picture& picture, std::size_t pixel) const {
+    const Background& b = plan_.scene.background;
+    const glm::vec4 empty = b.transparent ? glm::vec4(0) : glm::vec4(b.colour, 1);
+    for (int c = 0; c < 4; ++c)
+      if (std::abs(picture.rgba[4 * pixel + c] - empty[c]) > 0.5f / 255) return true;
+    return false;
+  }
+
+  // Of the first `count` tiles.
+  PilotFinding finding(double step, std::size_t count, const Picture& plain) const {
+    std::vector<std::uint8_t> followed(plain.rgba.size() / 4), shown = followed;
+    for (std::size_t n = 0; n < count; ++n) {
+      const glm::ivec2 corner = tiles_[n];
+      const glm::ivec2 end = glm::min(corner + RaySetup::tile, size_);
+      for (int y = corner.y; y < end.y; ++y)
+        for (int x = corner.x; x < end.x; ++x) {
+          const auto pixel = std::size_t(y) * size_.x + x;
+          followed[pixel] = 1;
+          shown[pixel] = shows(plain, pixel) || shows(truth_, pixel);
+        }
+    }
+    const int rays = int(std::count(shown.begin(), shown.end(), 1));
+    if (rays == 0) return {step};
+    // What is promised of all pixels is kept by those alone that show anything.
+    const PictureError e = compare(plain, truth_, shown);
+    const Promised promised = promisedBy(plan_.options.quality);
+    // As if three rays more were twice as wrong as the worst: so much may have been missed.
+    const double missed = 3 * std::pow(2 * e.maximum, 2) / rays;
+    // A percentile of some thousand rays is known to a tenth.
+    const double all99 = compare(plain, truth_, followed).percentile99;
+    const bool kept = e.rmse * e.rmse + missed <= promised.rmse * promised.rmse &&
+                      e.percentile99 <= promised.percentile99 && all99 <= 0.9 * promised.percentile99;
+    return {step, kept, rays, e.psnrDb, e.percentile99};
+  }
+
+  const Plan& plan_;
+  RenderCaches& caches_;
+  RenderStats& stats_;
+  const CancelToken& cancel_;
+  glm::ivec2 size_;  ///< of the picture that the tiles are of
+  std::vector<glm::ivec2> tiles_;
+  Picture truth_;               ///< as drawn more finely
+  std::size_t truthTiles_ = 0;  ///< the first of them that it holds
+};
+
+}  // namespace
+
+Result<Plan> sendPilot(const Plan& plan, RenderCaches& caches, RenderStats& stats,
+                       const CancelToken& cancel) {
+  return Pilot(plan, caches, stats, cancel)();
+}
+
+}  // namespace volumen
