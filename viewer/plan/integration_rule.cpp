@@ -92,6 +92,12 @@ struct EvenStep {
   double voxels, most, change;
 };
 
+// What a voxel adds to a ray at most, as a share of white.
+double mostOfVoxel(const RuleInput& in, const Steepness& s) {
+  const double voxelMm = longestVoxelMm(*in.scene.camera, in.facts.geometry);
+  return -std::expm1(-s.perMm * voxelMm) * std::max(1.0, brightest(in.scene));
+}
+
 // The longest plain step that keeps the level's promise, if there is any.
 std::optional<EvenStep> evenStep(const RuleInput& in) {
   const RenderOptions& o = in.options;
@@ -105,23 +111,7 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
   for (double step = even.longest; step >= even.shortest; step /= 2) {
     // Light may turn over anywhere within a voxel; the extinction changes along all of it.
     if (in.scene.shading.lit && most * step > even.light) continue;
-    if (change * step * step <= even.extinction)
-      return EvenStep{step, -std::expm1(-s.perMm * voxelMm) * bright, change};
-  }
-  return {};
-}
-
-// Plain steps that a level may come down to, shortest first: where the first does not keep its promise, the
-// next will not.
-std::vector<double> stepsToTry(Quality quality) {
-  switch (quality) {
-    case Quality::standard:
-      return {1.0 / 2, 1};
-    case Quality::high:
-      return {1.0 / 4, 1.0 / 2};
-    case Quality::draft:  // as `standard` does without a pilot, which would take longer than a draft
-    case Quality::exact:  // no sample of rays can promise a maximum
-      break;
+    if (change * step * step <= even.extinction) return EvenStep{step, mostOfVoxel(in, s), change};
   }
   return {};
 }
@@ -135,29 +125,34 @@ std::string toldBy(const PilotFinding& pilot) {
          "/255";
 }
 
-std::vector<double> openSteps(const RuleInput& in, const Plan& plan) {
+std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
   const RenderOptions& o = in.options;
   if (o.full) {  // a sound rule changes no choice
     RenderOptions lean = o;
     lean.full = false;
     return makePlan(in.scene, in.facts, lean)->pilotSteps;
   }
+  // A draft takes less time than a pilot, and no sample of rays can promise a maximum.
+  if (o.quality != Quality::standard && o.quality != Quality::high) return {};
   if (plan.method != Method::planes || plan.resampler != Resampler::cpu) return {};
   if (!canIntegrate(in.scene, o) || o.step || o.tolerance || o.curveTable || o.opacityThreshold) return {};
   // A share of one in 64 rays, which still is enough of them to know a 99th percentile by.
   if (double(o.size.x) * o.size.y < 384.0 * 384) return {};
-  // What few rays meet may be missed; on a curve that is not sharp it is not far off either.
+  // What few rays meet the pilot may miss: it must not be far off, as a thin plate is that hides what lies
+  // behind it. `high` promises a third of the error.
+  const double thin = o.quality == Quality::standard ? 0.25 : 0.08;
   if (isSharp(in.scene.transferFunction, (in.facts.p999 - in.facts.p01) / 50)) return {};
-  std::vector<double> steps;
-  const double ownNs = predictedCost(plan, in.facts).ns();
-  for (double step : stepsToTry(o.quality)) {
-    Plan plain = plan;
-    plain.stepVoxels = step;
-    plain.mostParts = 1;
-    // A pilot takes about a tenth of a frame.
-    if (predictedCost(plain, in.facts).ns() > 0.77 * ownNs) break;
-    steps.push_back(step);
-  }
+  if (in.facts.slopes.empty()) return {};
+  if (mostOfVoxel(in, steepnessOf(in.scene.transferFunction, in.facts)) > thin) return {};
+  PilotSteps steps{0, o.quality == Quality::standard ? 0.5 : 0.25, 1};
+  Plan plain = plan;
+  plain.stepVoxels = steps.first;
+  plain.mostParts = 1;
+  // A pilot takes about a tenth of a frame.
+  constexpr double worthwhile = 0.77;
+  const double share = predictedCost(plain, in.facts).ns() / predictedCost(plan, in.facts).ns();
+  if (!(share <= worthwhile)) return {};
+  steps.shortest = steps.first * share / worthwhile;
   return steps;
 }
 

@@ -20,6 +20,14 @@ struct Effect {
   bool operator==(const Effect&) const = default;
 };
 
+/// Plain steps that a pilot may find, voxels.
+struct PilotSteps {
+  double shortest = 0;  ///< shorter ones take longer than what is planned without them
+  double first = 0;     ///< that it tries first
+  double longest = 0;
+  bool operator==(const PilotSteps&) const = default;
+};
+
 /// What some thousand rays of a picture, followed by plain steps and by the next finer level, tell of those
 /// steps (settled).
 struct PilotFinding {
@@ -50,9 +58,9 @@ struct Plan {
   /// Into how many parts a ray's passage through a cell is cut where it is uneven; 1: plain midpoints.
   int mostParts = 1;
   double partTolerance = 1;  ///< how uneven a part may be (Parting)
-  /// Plain steps, shortest first, that would take the place of the integration if they kept the level's
-  /// promise: what is left open for a pilot to find (settled).
-  std::vector<double> pilotSteps;
+  /// What is left open for a pilot to find (settled): the longest plain steps that keep the level's promise
+  /// take the place of the integration.
+  std::optional<PilotSteps> pilotSteps;
   std::optional<PilotFinding> pilot;  ///< what it found
   double stopTransmittance = 0;       ///< a ray ends where its transmittance falls below; 0: never
 

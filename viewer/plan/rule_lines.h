@@ -46,7 +46,7 @@ Effect decideIntegration(const RuleInput& in, Plan& plan);
 /// "2354 rays of this picture, also followed more finely, tell of a PSNR of 45.3 dB and ...".
 std::string toldBy(const PilotFinding& pilot);
 /// Plan::pilotSteps of a plan that is complete else.
-std::vector<double> openSteps(const RuleInput& in, const Plan& plan);
+std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan);
 Effect decideShader(const RuleInput& in, Plan& plan);
 Effect decideCurveTable(const RuleInput& in, Plan& plan);
 Effect decideFaintSamples(const RuleInput& in, Plan& plan);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "viewer/render/methods/row_painter.h"
 #include "viewer/volume/parallel.h"
@@ -14,17 +15,24 @@ namespace {
 // far enough to differ. More of them would tell little more.
 constexpr int pixelsApart = 4, mostTiles = 256, tilesATask = 16;
 
-// First pixels of tiles of a picture, evenly spread; first a quarter of them, so that they too are.
+// First pixels of tiles of a picture, one in each cell of a grid, at a place that only the cell decides:
+// tiles in rows and columns could all pass by what is straight and upright. First a quarter of them.
 std::vector<glm::ivec2> tilesOf(glm::ivec2 size) {
   constexpr int tile = RaySetup::tile;
-  const glm::ivec2 tiles = (size + (tile - 1)) / tile;
-  const double shrink = std::min(1.0, std::sqrt(mostTiles / (double(tiles.x) * tiles.y)));
-  const glm::ivec2 grid = glm::max(glm::ivec2(1), glm::ivec2(glm::dvec2(tiles) * shrink));
+  const glm::ivec2 room = glm::max(glm::ivec2(1), size - (tile - 1));
+  const double shrink = std::min(1.0, std::sqrt(double(mostTiles) * tile * tile / (double(size.x) * size.y)));
+  const glm::ivec2 grid = glm::max(glm::ivec2(1), glm::ivec2(glm::dvec2(size) / double(tile) * shrink));
   std::vector<glm::ivec2> corners;
   for (bool early : {true, false})
     for (int y = 0; y < grid.y; ++y)
-      for (int x = 0; x < grid.x; ++x)
-        if (((x + y) % 4 == 0) == early) corners.push_back(tile * (glm::ivec2(x, y) * tiles / grid));
+      for (int x = 0; x < grid.x; ++x) {
+        if (((x + y) % 4 == 0) != early) continue;
+        // The additive recurrence of the plastic number, which fills a square evenly.
+        const double n = x + double(y) * grid.x;
+        const glm::dvec2 chance = glm::fract(n * glm::dvec2(0.7548776662466927, 0.5698402909980532));
+        const glm::ivec2 begin = glm::ivec2(x, y) * room / grid, end = glm::ivec2(x + 1, y + 1) * room / grid;
+        corners.push_back(begin + glm::ivec2(chance * glm::dvec2(glm::max(end - begin - tile, 1))));
+      }
   return corners;
 }
 
@@ -48,21 +56,36 @@ class Pilot {
         tiles_(tilesOf(size_)) {}
 
   Result<Plan> operator()() {
-    const auto fine = planOf(plan_.options.quality == Quality::high ? Quality::exact : Quality::high, {});
+    auto fine = planOf(plan_.options.quality == Quality::high ? Quality::exact : Quality::high, {});
     if (!fine) return fine.error();
-    std::optional<PilotFinding> best;
-    for (double step : plan_.pilotSteps) {
-      const auto plain = planOf(plan_.options.quality, PilotFinding{step, true});
-      if (!plain) return plain.error();
-      const PilotFinding found = tried(*plain, *fine);
-      if (cancel_.cancelled()) return Error{"cancelled"};
-      if (!best || found.kept) best = found;
-      if (!found.kept) break;
+    fine_ = std::move(*fine);
+    auto found = tried(plan_.pilotSteps->first);
+    if (!found) return found.error();
+    if (const auto step = betterStep(*found)) {
+      const auto second = tried(*step);
+      if (!second) return second.error();
+      if (second->told.kept || !found->told.kept) found = second;
     }
-    return makePlan(plan_.scene, caches_.facts(), plan_.options, best);
+    return makePlan(plan_.scene, caches_.facts(), plan_.options, found->told);
   }
 
  private:
+  // `off`: the largest of its errors as a share of what is promised, or of what has to be kept for that.
+  struct Found {
+    PilotFinding told;
+    double off = 0;
+  };
+
+  // What to try after that, if anything: errors grow with the square of the step.
+  std::optional<double> betterStep(const Found& found) const {
+    const PilotSteps& steps = *plan_.pilotSteps;
+    constexpr double unit = 1.0 / 32;
+    const double wanted = found.told.stepVoxels * std::sqrt(0.85 / std::max(found.off, 1e-3));
+    const double step = std::floor(std::min(wanted, steps.longest) / unit) * unit;
+    const bool better = found.told.kept ? step > 1.15 * found.told.stepVoxels : step >= steps.shortest;
+    return better && found.told.rays > 0 ? std::optional(step) : std::nullopt;
+  }
+
   // The plan of the whole picture, but for the size of the one that the rays belong to.
   Result<Plan> planOf(Quality quality, const std::optional<PilotFinding>& finding) const {
     RenderOptions options = plan_.options;
@@ -73,15 +96,20 @@ class Pilot {
   }
 
   // What the rays tell of plain steps; a quarter of them where that tells already that they are of no use.
-  PilotFinding tried(const Plan& plain, const Plan& fine) {
+  Result<Found> tried(double step) {
+    const auto plain = planOf(plan_.options.quality, PilotFinding{step, true});
+    if (!plain) return plain.error();
+    const double shorter = plan_.pilotSteps->shortest / step;
+    const std::size_t all = tiles_.size(), early = all / 4;
     Picture picture;
-    PilotFinding found;
-    for (std::size_t count : {tiles_.size() / 4, tiles_.size()}) {
-      follow(fine, truthTiles_, count, truth_);
+    Found found;
+    for (std::size_t count : {early, all}) {
+      follow(fine_, truthTiles_, count, truth_);
       truthTiles_ = std::max(truthTiles_, count);
-      follow(plain, count < tiles_.size() ? 0 : tiles_.size() / 4, count, picture);
-      found = finding(plain.stepVoxels, count, picture);
-      if (found.percentile99 > 1.4 * promisedBy(plan_.options.quality).percentile99) break;
+      follow(*plain, count == all ? early : 0, count, picture);
+      if (cancel_.cancelled()) return Error{"cancelled"};
+      found = finding(step, count, picture);
+      if (found.off * shorter * shorter > 1.4) break;
     }
     return found;
   }
@@ -116,7 +144,7 @@ class Pilot {
   }
 
   // Of the first `count` tiles.
-  PilotFinding finding(double step, std::size_t count, const Picture& plain) const {
+  Found finding(double step, std::size_t count, const Picture& plain) const {
     std::vector<std::uint8_t> followed(plain.rgba.size() / 4), shown = followed;
     for (std::size_t n = 0; n < count; ++n) {
       const glm::ivec2 corner = tiles_[n];
@@ -129,17 +157,17 @@ class Pilot {
         }
     }
     const int rays = int(std::count(shown.begin(), shown.end(), 1));
-    if (rays == 0) return {step};
+    if (rays == 0) return {{step}, 0};
     // What is promised of all pixels is kept by those alone that show anything.
     const PictureError e = compare(plain, truth_, shown);
     const Promised promised = promisedBy(plan_.options.quality);
     // As if three rays more were twice as wrong as the worst: so much may have been missed.
     const double missed = 3 * std::pow(2 * e.maximum, 2) / rays;
     // A percentile of some thousand rays is known to a tenth.
-    const double all99 = compare(plain, truth_, followed).percentile99;
-    const bool kept = e.rmse * e.rmse + missed <= promised.rmse * promised.rmse &&
-                      e.percentile99 <= promised.percentile99 && all99 <= 0.9 * promised.percentile99;
-    return {step, kept, rays, e.psnrDb, e.percentile99};
+    const double all99 = compare(plain, truth_, followed).percentile99 / 0.9;
+    const double off = std::max(std::sqrt(e.rmse * e.rmse + missed) / promised.rmse,
+                                std::max(e.percentile99, all99) / promised.percentile99);
+    return {{step, off <= 1, rays, e.psnrDb, e.percentile99}, off};
   }
 
   const Plan& plan_;
@@ -148,7 +176,8 @@ class Pilot {
   const CancelToken& cancel_;
   glm::ivec2 size_;  ///< of the picture that the tiles are of
   std::vector<glm::ivec2> tiles_;
-  Picture truth_;               ///< as drawn more finely
+  Plan fine_;                   ///< of the next finer level
+  Picture truth_;               ///< by that
   std::size_t truthTiles_ = 0;  ///< the first of them that it holds
 };
 

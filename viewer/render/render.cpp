@@ -60,7 +60,7 @@ Error notEnoughMemory(const Plan& plan, const Volume& volume) {
 }  // namespace
 
 Result<Plan> settled(const Plan& plan, RenderCaches& caches, RenderStats& stats, const CancelToken& cancel) {
-  if (plan.pilotSteps.empty()) return plan;
+  if (!plan.pilotSteps) return plan;
   const double begin = wallMs(), gradientsBefore = stats.gradientsMs;
   Result<Plan> done = Error{};
   try {
