@@ -131,8 +131,12 @@ class Run {
     for (int n = 0; n < pictures; ++n) {
       const double begin = nowMs();
       auto plan = makePlan(scene, caches.facts(), asked);
+      if (plan && n > 0) {
+        Scene next = plan->scene;
+        *next.camera = turned(*next.camera, 360.0 * n / pictures);
+        plan = makePlan(next, caches.facts(), asked);
+      }
       if (!plan) return failUsage(plan.message());
-      if (options_.turntable) *plan->scene.camera = turned(*plan->scene.camera, 360.0 * n / pictures);
       times_.planMs += nowMs() - begin;
       if (options_.output.empty() && options_.statsFile.empty()) return settle(*plan, caches);
       if (const int failed = drawFrames(*plan, caches)) return failed;
@@ -151,7 +155,7 @@ class Run {
     if (!options_.explain) return exitDone;
     RenderStats stats;
     auto done = settled(plan, caches, stats, cancel_);
-    if (!done) return fail(done.message());
+    if (!done) return stopped(done.message());
     done_.plan = std::move(*done);
     return exitDone;
   }
@@ -161,12 +165,16 @@ class Run {
     for (int n = 0; n < options_.frames; ++n) {
       const double begin = nowMs();
       auto done = render(plan, caches, cancel_);
-      if (!done) return fail(cancel_.cancelled() ? "Stopped; no picture was written." : done.message());
+      if (!done) return stopped(done.message());
       times_.framesMs.push_back(nowMs() - begin);
       times_.gradientsMs += done->stats.gradientsMs;
       done_ = std::move(*done);
     }
     return 0;
+  }
+
+  int stopped(const std::string& why) const {
+    return fail(cancel_.cancelled() ? "Stopped; no picture was written." : why);
   }
 
   int finish() {

@@ -89,8 +89,11 @@ struct Answer {
 };
 
 Answer answer(const NamedQuestion& q, RenderCaches& caches, int rounds) {
-  const Plan plans[] = {*makePlan(q.scene, caches.facts(), q.chosen),
-                        *makePlan(q.scene, caches.facts(), q.other)};
+  RenderStats stats;
+  const auto planOf = [&](const RenderOptions& options) {
+    return *settled(*makePlan(q.scene, caches.facts(), options), caches, stats);
+  };
+  const Plan plans[] = {planOf(q.chosen), planOf(q.other)};
   std::vector<double> ms[2];
   for (int round = 0; round <= rounds; ++round)
     for (int n = 0; n < 2; ++n) {

@@ -136,8 +136,9 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
   if (o.quality != Quality::standard && o.quality != Quality::high) return {};
   if (plan.method != Method::planes || plan.resampler != Resampler::cpu) return {};
   if (!canIntegrate(in.scene, o) || o.step || o.tolerance || o.curveTable || o.opacityThreshold) return {};
-  // A share of one in 64 rays, which still is enough of them to know a 99th percentile by.
-  if (double(o.size.x) * o.size.y < 384.0 * 384) return {};
+  // As many rays as a 99th percentile is known by would be too large a share of a smaller picture; of a strip
+  // they would leave out the ends.
+  if (double(o.size.x) * o.size.y < 384.0 * 384 || std::min(o.size.x, o.size.y) < 128) return {};
   // What few rays meet the pilot may miss: it must not be far off, as a thin plate is that hides what lies
   // behind it. `high` promises a third of the error.
   const double thin = o.quality == Quality::standard ? 0.25 : 0.08;

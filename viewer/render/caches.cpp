@@ -135,7 +135,7 @@ const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunctio
   const auto has = [&](const SkipMap& m) { return m.reach == wish.reachBlocks && !m.near.empty(); };
   if (!has(maps[0])) std::swap(maps[0], maps[1]);
   skip->made = wish;
-  skip->made.cells = wish.cells || hasCells;
+  skip->made.cells = hasCells;
   if (has(maps[0]) && (hasCells || !wish.cells)) return *skip;
   const VolumeFacts& known = factsOfVolume();
   Densities16 densities;
@@ -149,6 +149,7 @@ const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunctio
     make(visibleBlocksOf(curve, known)->flags);
   else
     make(visibleBlocks(curve, *known.bricks, wish.rounding));
+  skip->made.cells |= wish.cells;
   return *skip;
 }
 

@@ -61,6 +61,7 @@ Error notEnoughMemory(const Plan& plan, const Volume& volume) {
 
 Result<Plan> settled(const Plan& plan, RenderCaches& caches, RenderStats& stats, const CancelToken& cancel) {
   if (!plan.pilotSteps) return plan;
+  if (Status s = checkSize(plan, *caches.volume()); !s) return s.error();
   const double begin = wallMs(), gradientsBefore = stats.gradientsMs;
   Result<Plan> done = Error{};
   try {

@@ -163,6 +163,7 @@ void TestIntegrationRule::stepsAreLeftOpenWhereTheyMayPay_data() {
   row("exact promises a maximum", "", [](Asked& a) { a.options.quality = Quality::exact; });
   row("a small picture has too few rays", "", [](Asked& a) { a.options.size = {383, 384}; });
   row("the smallest that has enough", "0.31 0.5", [](Asked& a) { a.options.size = {384, 384}; });
+  row("a strip", "", [](Asked& a) { a.options.size = {16384, 127}; });
   row("a step as asked", "", [](Asked& a) { a.options.step = 1; });
   row("a tolerance as asked", "", [](Asked& a) { a.options.tolerance = 0.1; });
   row("a table of the curve", "", [](Asked& a) { a.options.curveTable = 256; });

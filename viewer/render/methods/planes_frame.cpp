@@ -65,6 +65,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
     const auto& skip = cache.skipOf(transfer_, curve_,
                                     {transfer_.points, reachBlocks(plan, cache.volume->geometry()), rounding_,
                                      key_.store == Store::int16, asksCells});
+    stats.blockBytes = skip.bytes();
     if (plan.skipBlocks) frame_.skip = &skip.map();
     if (asksCells) frame_.cells = &skip.cells;
     frame_.parting.tolerance = float(plan.partTolerance);
@@ -75,8 +76,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   }
   stats.tableBytes =
       curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
-  stats.blockBytes = cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float);
-  if (cache.skip) stats.blockBytes += cache.skip->bytes();
+  stats.blockBytes += cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float);
 }
 
 void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
