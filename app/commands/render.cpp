@@ -1,4 +1,3 @@
-#include <chrono>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 #include "viewer/render/effect_costs.h"
 #include "viewer/render/render.h"
 #include "viewer/scene/scene_json.h"
+#include "viewer/volume/clock.h"
 
 namespace volumen {
 
@@ -24,11 +24,6 @@ struct Options {
   int frames = 1, turntable = 0;
   bool explain = false, printScene = false;
 };
-
-double nowMs() {
-  using namespace std::chrono;
-  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
 
 bool endsWith(const std::string& text, const std::string& end) {
   return text.size() > end.size() && text.ends_with(end);
@@ -99,7 +94,7 @@ class Run {
   Run(const Options& options, const CancelToken& cancel) : options_(options), cancel_(cancel) {}
 
   int operator()() {
-    const double begin = nowMs();
+    const double begin = wallMs();
     if (const int wrong = checkUsage()) return wrong;
     const auto asked = renderOptions(options_.scene, options_.method);
     if (!asked) return failUsage(asked.message());
@@ -107,12 +102,12 @@ class Run {
     if (!opened) return fail(opened.message());
     printNotes(opened->notes);
     volume_ = opened->loaded.drawn;
-    times_.loadMs = nowMs() - begin;
+    times_.loadMs = wallMs() - begin;
     auto scene = makeScene(options_.scene, *volume_);
     if (!scene) return fail(scene.message());
     RenderCaches caches(volume_);
     const int status = draw(*scene, *asked, caches);
-    times_.totalMs = nowMs() - begin;
+    times_.totalMs = wallMs() - begin;
     return status == exitDone ? finish() : status;
   }
 
@@ -129,7 +124,7 @@ class Run {
   int draw(const Scene& scene, const RenderOptions& asked, RenderCaches& caches) {
     const int pictures = std::max(1, options_.turntable);
     for (int n = 0; n < pictures; ++n) {
-      const double begin = nowMs();
+      const double begin = wallMs();
       auto plan = makePlan(scene, caches.facts(), asked);
       if (plan && n > 0) {
         Scene next = plan->scene;
@@ -137,7 +132,7 @@ class Run {
         plan = makePlan(next, caches.facts(), asked);
       }
       if (!plan) return failUsage(plan.message());
-      times_.planMs += nowMs() - begin;
+      times_.planMs += wallMs() - begin;
       if (options_.output.empty() && options_.statsFile.empty()) return settle(*plan, caches);
       if (const int failed = drawFrames(*plan, caches)) return failed;
       if (options_.output.empty()) continue;
@@ -163,10 +158,10 @@ class Run {
   // The same view as often as --frames asks, for timing.
   int drawFrames(const Plan& plan, RenderCaches& caches) {
     for (int n = 0; n < options_.frames; ++n) {
-      const double begin = nowMs();
+      const double begin = wallMs();
       auto done = render(plan, caches, cancel_);
       if (!done) return stopped(done.message());
-      times_.framesMs.push_back(nowMs() - begin);
+      times_.framesMs.push_back(wallMs() - begin);
       times_.gradientsMs += done->stats.gradientsMs;
       done_ = std::move(*done);
     }

@@ -3,7 +3,6 @@
 // interleaved, ROUNDS times (default 5) and once before, and holds the predicted ratios of frames against the
 // medians. A Markdown table on stdout, and how many choices were the faster one or within 10 % of it.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 #include "tests/bench/cases.h"
@@ -11,6 +10,7 @@
 #include "viewer/plan/cost_model.h"
 #include "viewer/render/caches.h"
 #include "viewer/study/statistics.h"
+#include "viewer/volume/clock.h"
 
 namespace {
 
@@ -79,9 +79,9 @@ std::vector<NamedQuestion> matrix(const VolumeFacts& facts) {
 }
 
 double frameMs(const Plan& plan, RenderCaches& caches) {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = wallMs();
   if (!render(plan, caches)) return 0;
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return wallMs() - begin;
 }
 
 struct Answer {

@@ -2,7 +2,6 @@
 // picture, the error against the reference (DESIGN 2, /255, the well-conditioned of EDGE x EDGE of its
 // pixels, default 192) and the time of a frame: medians of 7 interleaved runs. A Markdown table on stdout.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "viewer/render/render.h"
 #include "viewer/scene/scene_json.h"
 #include "viewer/study/truth.h"
+#include "viewer/volume/clock.h"
 
 namespace {
 
@@ -37,9 +37,9 @@ RenderOptions optionsOf(const Row& row) {
 }
 
 double frameMs(const Plan& plan, RenderCaches& caches) {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = wallMs();
   if (!render(plan, caches)) return 0;
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return wallMs() - begin;
 }
 
 int fail(const std::string& sentence) {

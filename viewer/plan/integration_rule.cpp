@@ -98,10 +98,15 @@ double mostOfVoxel(const RuleInput& in, const Steepness& s) {
   return -std::expm1(-s.perMm * voxelMm) * std::max(1.0, brightest(in.scene));
 }
 
+// Whether the level does as it is meant to, with nothing of it chosen by hand.
+bool isWholeLevel(const RenderOptions& o) {
+  return !o.step && !o.tolerance && !o.curveTable && !o.opacityThreshold;
+}
+
 // The longest plain step that keeps the level's promise, if there is any.
 std::optional<EvenStep> evenStep(const RuleInput& in) {
   const RenderOptions& o = in.options;
-  if (in.facts.slopes.empty() || o.tolerance || o.curveTable || o.opacityThreshold) return {};
+  if (in.facts.slopes.empty() || !isWholeLevel(o)) return {};
   if (!in.scene.transferFunction.gradientOpacity.empty()) return {};
   const Steepness s = steepnessOf(in.scene.transferFunction, in.facts);
   const double bright = std::max(1.0, brightest(in.scene));
@@ -132,10 +137,10 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
     lean.full = false;
     return makePlan(in.scene, in.facts, lean)->pilotSteps;
   }
-  // A draft takes less time than a pilot, and no sample of rays can promise a maximum.
+  // A pilot would take half of the time that a draft has in the window, and no sample of rays can promise a
+  // maximum.
   if (o.quality != Quality::standard && o.quality != Quality::high) return {};
-  if (plan.method != Method::planes || plan.resampler != Resampler::cpu) return {};
-  if (!canIntegrate(in.scene, o) || o.step || o.tolerance || o.curveTable || o.opacityThreshold) return {};
+  if (!canIntegrate(in.scene, o) || !isWholeLevel(o)) return {};
   // As many rays as a 99th percentile is known by would be too large a share of a smaller picture; of a strip
   // they would leave out the ends.
   if (double(o.size.x) * o.size.y < 384.0 * 384 || std::min(o.size.x, o.size.y) < 128) return {};
@@ -145,7 +150,7 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
   if (isSharp(in.scene.transferFunction, (in.facts.p999 - in.facts.p01) / 50)) return {};
   if (in.facts.slopes.empty()) return {};
   if (mostOfVoxel(in, steepnessOf(in.scene.transferFunction, in.facts)) > thin) return {};
-  PilotSteps steps{0, o.quality == Quality::standard ? 0.5 : 0.25, 1};
+  PilotSteps steps{0, o.quality == Quality::standard ? 0.5 : 0.25};
   Plan plain = plan;
   plain.stepVoxels = steps.first;
   plain.mostParts = 1;

@@ -9,6 +9,12 @@ namespace volumen {
 
 /// Levels of quality, each an error promise against the reference (DESIGN 2).
 enum class Quality { draft, standard, high, exact };
+/// What `standard` and `high` promise (DESIGN 2): against the reference, of well-conditioned pixels.
+struct LevelPromise {
+  double leastPsnrDb, most99;  ///< the 99th percentile in /255
+};
+inline constexpr LevelPromise standardPromise{42, 8}, highPromise{52, 2.5};
+
 /// DESIGN 3.
 enum class Method { planes, blend, preshaded, gpu, reference };
 enum class Resampler { cpu, gl };

@@ -20,11 +20,11 @@ const char* methodName(Method method) {
 namespace {
 
 // DESIGN 2's promises, against the reference, in /255 of well-conditioned pixels.
-const char* promise(Quality quality) {
-  static constexpr const char* promises[] = {"means over 16 x 16 pixels within 3/255 RMSE of standard",
-                                             "PSNR >= 42 dB, 99th percentile <= 8/255",
-                                             "PSNR >= 52 dB, 99th percentile <= 2.5/255", "maximum <= 1/255"};
-  return promises[int(quality)];
+std::string promise(Quality quality) {
+  if (quality == Quality::draft) return "means over 16 x 16 pixels within 3/255 RMSE of standard";
+  if (quality == Quality::exact) return "maximum <= 1/255";
+  const LevelPromise& p = quality == Quality::high ? highPromise : standardPromise;
+  return "PSNR >= " + inDigits(p.leastPsnrDb) + " dB, 99th percentile <= " + inDigits(p.most99) + "/255";
 }
 
 std::string levelText(const Plan& plan) {

@@ -35,15 +35,6 @@ std::vector<glm::ivec2> tilesOf(glm::ivec2 size) {
   return corners;
 }
 
-// What a level promises (DESIGN 2), /255.
-struct Promised {
-  double rmse, percentile99;
-};
-Promised promisedBy(Quality quality) {
-  const auto rmseOf = [](double psnrDb) { return 255 / std::pow(10, psnrDb / 20); };
-  return quality == Quality::high ? Promised{rmseOf(52), 2.5} : Promised{rmseOf(42), 8};
-}
-
 class Pilot {
  public:
   Pilot(const Plan& plan, RenderCaches& caches, RenderStats& stats, const CancelToken& cancel)
@@ -78,9 +69,9 @@ class Pilot {
   // What to try after that, if anything: errors grow with the square of the step.
   std::optional<double> betterStep(const Found& found) const {
     const PilotSteps& steps = *plan_.pilotSteps;
-    constexpr double unit = 1.0 / 32;
+    constexpr double unit = 1.0 / 32, longest = 1;
     const double wanted = found.told.stepVoxels * std::sqrt(0.85 / std::max(found.off, 1e-3));
-    const double step = std::floor(std::min(wanted, steps.longest) / unit) * unit;
+    const double step = std::floor(std::min(wanted, longest) / unit) * unit;
     const bool better = found.told.kept ? step > 1.15 * found.told.stepVoxels : step >= steps.shortest;
     return better && found.told.rays > 0 ? std::optional(step) : std::nullopt;
   }
@@ -96,6 +87,7 @@ class Pilot {
 
   // What the rays tell of plain steps; a quarter of them where that tells already that they are of no use.
   Result<Found> tried(double step) {
+    // As they would be drawn if they were found good enough.
     const auto plain = planOf(plan_.options.quality, PilotFinding{step, true});
     if (!plain) return plain.error();
     const double shorter = plan_.pilotSteps->shortest / step;
@@ -159,15 +151,16 @@ class Pilot {
     if (rays == 0) return {{step}, 0};
     // What is promised of all pixels is kept by those alone that show anything.
     const PictureError e = compare(plain, truth_, shown);
-    const Promised promised = promisedBy(plan_.options.quality);
+    const LevelPromise& promised = plan_.options.quality == Quality::high ? highPromise : standardPromise;
+    const double mostRmse = 255 / std::pow(10, promised.leastPsnrDb / 20);
     // As if three rays more were twice as wrong as the worst: so much may have been missed.
     const double missed = 3 * std::pow(2 * e.maximum, 2) / rays;
     // A percentile of some thousand rays is known to a tenth.
     const double all99 = compare(plain, truth_, followed).percentile99 / 0.9;
     // Finer plain steps are off too, by the square of their length: the difference hides that share.
     const double finer = fine_.mostParts > 1 ? 0 : fine_.stepVoxels / step;
-    const double off = std::max(std::sqrt(e.rmse * e.rmse + missed) / promised.rmse,
-                                std::max(e.percentile99, all99) / promised.percentile99) /
+    const double off = std::max(std::sqrt(e.rmse * e.rmse + missed) / mostRmse,
+                                std::max(e.percentile99, all99) / promised.most99) /
                        (1 - finer * finer);
     return {{step, off <= 1, rays, e.psnrDb, e.percentile99}, off};
   }
