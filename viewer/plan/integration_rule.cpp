@@ -155,7 +155,7 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
   plain.stepVoxels = steps.first;
   plain.mostParts = 1;
   // A pilot takes about a tenth of a frame.
-  constexpr double worthwhile = 0.77;
+  constexpr double worthwhile = 0.81;
   const double share = predictedCost(plain, in.facts).ns() / predictedCost(plan, in.facts).ns();
   if (!(share <= worthwhile)) return {};
   steps.shortest = steps.first * share / worthwhile;

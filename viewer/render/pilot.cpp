@@ -66,14 +66,18 @@ class Pilot {
     double off = 0;
   };
 
-  // What to try after that, if anything: errors grow with the square of the step.
+  // What to try after that, if anything: errors grow with the square of the step, or faster where samples
+  // that stand a simple share of a voxel apart meet every cell in the same places.
   std::optional<double> betterStep(const Found& found) const {
-    const PilotSteps& steps = *plan_.pilotSteps;
     constexpr double unit = 1.0 / 32, longest = 1;
-    const double wanted = found.told.stepVoxels * std::sqrt(0.85 / std::max(found.off, 1e-3));
-    const double step = std::floor(std::min(wanted, longest) / unit) * unit;
-    const bool better = found.told.kept ? step > 1.15 * found.told.stepVoxels : step >= steps.shortest;
-    return better && found.told.rays > 0 ? std::optional(step) : std::nullopt;
+    if (found.told.rays == 0) return {};
+    const double tried = found.told.stepVoxels;
+    const double wanted = std::min(longest, tried * std::sqrt(0.85 / std::max(found.off, 1e-3)));
+    const double step = std::floor(wanted / unit) * unit;
+    if (found.told.kept) return step > 1.15 * tried ? std::optional(step) : std::nullopt;
+    const double least = std::ceil(plan_.pilotSteps->shortest / unit) * unit;
+    const bool canKeep = wanted >= 0.9 * least && least < tried;
+    return canKeep ? std::optional(std::max(step, least)) : std::nullopt;
   }
 
   // The plan of the whole picture, but for the size of the one that the rays belong to.

@@ -71,6 +71,12 @@ void steep(Scene& scene) {
   scene.transferFunction.points[1].value = 500;
 }
 
+void shiny(Scene& scene) {
+  scene.shading.specular = 1;
+  scene.shading.shininess = 50;
+  scene.shading.gradientFloor = 1;
+}
+
 RenderOptions optionsOf(Quality quality) {
   RenderOptions options = atLevel(quality);
   options.size = size;
@@ -120,11 +126,7 @@ void TestPilot::thePictureKeepsThePromise_data() {
   const VolumePtr soft = ball(Within::nothing, 0);
   row("a soft ball", soft, "1 1 1 -", [](Scene&) {});
   row("unlit", soft, "1 - 1 -", [](Scene& s) { s.shading.lit = false; });
-  row("with a strong highlight", soft, "1 - - -", [](Scene& s) {
-    s.shading.specular = 1;
-    s.shading.shininess = 50;
-    s.shading.gradientFloor = 1;
-  });
+  row("with a strong highlight", soft, "1 - - -", shiny);
   row("in perspective", soft, "1 1 1 -", [](Scene& s) {
     s.camera->projection = Projection::perspective;
     s.camera->distance = 150;
@@ -143,6 +145,11 @@ void TestPilot::thePictureKeepsThePromise_data() {
   row("noise", noise(), "0.84375 0.46875 0.59375 -", [](Scene&) {});
   row("noise, a steep curve", noise(), "0.5 0.25 0.40625 -", steep);
   row("plates eight voxels apart, a steep curve", plates(8), "0.4375 0.25 0.3125 -", steep);
+  // Of dense ones the law of squares asks for 9/32, too short to save time; 10/32 keeps the promise too.
+  row("the same, across them", plates(8), "0.8125 0.25 0.3125 -", [](Scene& s) {
+    steep(s);
+    s.camera->direction = {0, 0, 1};
+  });
   row("stripes of one voxel", plates(2), "0.8125 0.25 0.5 -", [](Scene&) {});
   row("stripes of one voxel, along them", plates(2), "1 1 1 -", [](Scene& s) {
     s.camera->direction = {1, 0, 0};
@@ -232,11 +239,12 @@ void TestPilot::itDependsOnThePictureAlone() {
 }
 
 void TestPilot::whatIsNotKeptChangesNothing() {
-  RenderCaches caches(plates(8));
+  RenderCaches caches(noise());
   Scene scene = sceneOf(0.05);
   steep(scene);
   scene.transferFunction.points[0].value = 499;
-  Plan plan = *makePlan(scene, caches.facts(), optionsOf(Quality::high));
+  shiny(scene);
+  Plan plan = *makePlan(scene, caches.facts(), optionsOf(Quality::standard));
   const Rendered done = *render(plan, caches);
   QVERIFY(done.plan.pilot && !done.plan.pilot->kept);
   plan.pilotSteps.reset();
