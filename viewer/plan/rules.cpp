@@ -87,10 +87,22 @@ bool isDrawnByPlanes(const RuleInput& in) {
          (in.options.method == Method::blend && resamplerOf(in.options) == Resampler::cpu);
 }
 
+// Where no block can hold more than what was met, or less.
+Effect outdoneBlocks(const RuleInput& in, Plan& plan) {
+  if (in.scene.mode == Mode::average) return off("a mean looks at every value");
+  if (!isDrawnByPlanes(in) || resamplerOf(in.options) != Resampler::cpu)
+    return off("this method looks at every sample");
+  if (!in.facts.bricks) return off("nothing is known of the blocks");
+  if (in.options.full) return off("asked for in full");
+  plan.skipBlocks = true;
+  return on(in.scene.mode == Mode::mip ? "what holds nothing larger than a ray has met is passed over"
+                                       : "what holds nothing smaller than a ray has met is passed over");
+}
+
 Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   plan.visibleShare = 1;
   plan.skipBlocks = false;
-  if (!composite(in)) return off("a projection looks at every value");
+  if (!composite(in)) return outdoneBlocks(in, plan);
   if (!isDrawnByPlanes(in)) return off("this method looks at every sample");
   if (!in.facts.bricks) return off("nothing is known of the blocks");
   const auto visible = visibleBlocksOf(plan.curve, in.facts);

@@ -148,6 +148,28 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.options.method = Method::blend;
         a.options.resampler = Resampler::gl;
       });
+  row("a maximum passes over smaller values", "empty blocks",
+      "on   empty blocks: what holds nothing larger than a ray has met is passed over",
+      [](Asked& a) { a.scene.mode = Mode::mip; });
+  row("a minimum passes over larger values", "empty blocks",
+      "on   empty blocks: what holds nothing smaller than a ray has met is passed over",
+      [](Asked& a) { a.scene.mode = Mode::minip; });
+  row("a mean passes over nothing", "empty blocks", "off  empty blocks: a mean looks at every value",
+      [](Asked& a) { a.scene.mode = Mode::average; });
+  row("a maximum by OpenGL passes over nothing", "empty blocks",
+      "off  empty blocks: this method looks at every sample", [](Asked& a) {
+        a.scene.mode = Mode::mip;
+        a.options.resampler = Resampler::gl;
+      });
+  row("a maximum of unknown blocks", "empty blocks", "off  empty blocks: nothing is known of the blocks",
+      [](Asked& a) {
+        a.scene.mode = Mode::mip;
+        a.facts.bricks.reset();
+      });
+  row("a maximum in full", "empty blocks", "off  empty blocks: asked for in full", [](Asked& a) {
+    a.scene.mode = Mode::mip;
+    a.options.full = true;
+  });
   row("preshaded skips no blocks", "empty blocks", "off  empty blocks: this method looks at every sample",
       [](Asked& a) { a.options.method = Method::preshaded; });
   row("slices never stop", "early stop",

@@ -7,49 +7,192 @@
 
 #include "viewer/render/kernels/bytes-inl.h"
 #include "viewer/render/kernels/packet-inl.h"
+#include "viewer/render/kernels/project.h"
 #include "viewer/render/kernels/sample-inl.h"
-#include "viewer/render/kernels/trace.h"
+#include "viewer/render/kernels/skip-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// mip, minip and average: no table, no shading.
+/// mip, minip and average along the rays of one packet: no table, no shading.
 template <class Store, Mode kMode>
-void ProjectRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, float* result) {
+class Projection {
+ public:
+  Projection(const TraceFrame& f, const Grid& grid, const RayRow& rays, const PlaneBuffer& plane, int first)
+      : grid_(grid), plane_(plane), packet_(LoadPacket(f, rays, first)), first_(first) {
+    value_ = Set(kMode == Mode::mip     ? -std::numeric_limits<float>::max()
+                 : kMode == Mode::minip ? std::numeric_limits<float>::max()
+                                        : 0);
+  }
+
+  /// Takes the samples at one step; how many they are.
+  HWY_INLINE std::int64_t Take(int step) {
+    const VF n = SampleAt(packet_, step);
+    const MF has = HasSample(packet_, n), last = IsLast(packet_, n);
+    VF density;
+    if constexpr (std::is_void_v<Store>)
+      density = hn::LoadU(DF(), plane_.density + std::size_t(step) * plane_.stride + first_);
+    else
+      density = Store::Density(grid_, grid_.CellAt(grid_.Clamped(Position(packet_, n, last))));
+    VF next;
+    if constexpr (kMode == Mode::mip) {
+      next = hn::Max(value_, density);
+    } else if constexpr (kMode == Mode::minip) {
+      next = hn::Min(value_, density);
+    } else {
+      const VF term =
+          hn::Sub(hn::Mul(density, hn::IfThenElse(last, packet_.lastUnits, packet_.units)), lost_);
+      next = hn::Add(value_, term);
+      lost_ = hn::IfThenElse(has, hn::Sub(hn::Sub(next, value_), term), lost_);
+    }
+    value_ = hn::IfThenElse(has, next, value_);
+    return std::int64_t(hn::CountTrue(DF(), has));
+  }
+
+  /// The extreme that all rays of the packet have reached: the least of their maxima or the largest of their
+  /// minima.
+  HWY_INLINE float ReachedByAll() const {
+    const DF df;
+    const MF real = hn::Gt(packet_.steps, hn::Zero(df));
+    constexpr float most = std::numeric_limits<float>::max();
+    return kMode == Mode::mip ? hn::GetLane(hn::MinOfLanes(df, hn::IfThenElse(real, value_, Set(most))))
+                              : hn::GetLane(hn::MaxOfLanes(df, hn::IfThenElse(real, value_, Set(-most))));
+  }
+
+  HWY_INLINE VF Result() const {
+    if constexpr (kMode != Mode::average) return value_;
+    const Packet& p = packet_;
+    const VF length = hn::Add(hn::Mul(hn::Sub(p.steps, Set(1)), p.units), p.lastUnits);
+    return hn::Div(value_, hn::Max(length, Set(1e-30f)));
+  }
+
+  const Packet& Rays() const { return packet_; }
+
+ private:
+  const Grid& grid_;
+  const PlaneBuffer& plane_;
+  const Packet packet_;
+  const int first_;
+  VF value_;
+  VF lost_ = Set(0);  ///< of the sum, in rounding: Kahan's compensation, as samples are many
+};
+
+/// A box of positions, voxels, inside the grid.
+struct Box {
+  glm::vec3 low{std::numeric_limits<float>::max()}, high{0};
+};
+
+/// What follows looks for the largest: minima are negated.
+template <Mode kMode>
+constexpr double kSign = kMode == Mode::mip ? 1 : -1;
+
+/// What no sample in the blocks around a box exceeds.
+template <Mode kMode>
+double MostInBlocks(const BlockValues& blocks, const Box& box) {
+  const BrickRanges& b = *blocks.bricks;
+  const std::vector<float>& values = kMode == Mode::mip ? b.high : b.low;
+  const glm::ivec3 first = glm::ivec3(box.low) / BrickRanges::edge,
+                   last = glm::min(glm::ivec3(box.high) / BrickRanges::edge, b.count - 1);
+  float most = -std::numeric_limits<float>::max();
+  for (int z = first.z; z <= last.z; ++z)
+    for (int y = first.y; y <= last.y; ++y)
+      for (int x = first.x; x <= last.x; ++x)
+        most = std::max(most, float(kSign<kMode>) * values[(std::size_t(z) * b.count.y + y) * b.count.x + x]);
+  const double density = kSign<kMode> * (kSign<kMode> * most - blocks.intercept) / blocks.slope;
+  return blocks.whole ? std::floor(density + 0.5 + blocks.off) : density + blocks.off;
+}
+
+template <class Store>
+float VoxelOf(const TraceFrame& f, std::size_t n) {
+  if constexpr (std::is_same_v<Store, Int16Store>)
+    return std::int16_t(f.density16[n] ^ std::int16_t(f.flip16));
+  else if constexpr (std::is_same_v<Store, Byte1Store>)
+    return f.density8[n];
+  else
+    return f.density32[n];
+}
+
+/// What no sample in a box exceeds.
+template <class Store, Mode kMode>
+double MostInBox(const TraceFrame& f, const BlockValues& blocks, const Box& box) {
+  const glm::ivec3 first(box.low), last = glm::min(glm::ivec3(box.high) + 1, f.size - 1);
+  float most = -std::numeric_limits<float>::max();
+  for (int z = first.z; z <= last.z; ++z)
+    for (int y = first.y; y <= last.y; ++y) {
+      const std::size_t row = (std::size_t(z) * f.size.y + y) * f.size.x;
+      for (int x = first.x; x <= last.x; ++x)
+        most = std::max(most, float(kSign<kMode>) * VoxelOf<Store>(f, row + x));
+    }
+  // Whole numbers are interpolated to what lies between them.
+  return blocks.whole ? double(most) : most + blocks.off;
+}
+
+/// Some steps of a packet, and what none of its samples exceeds.
+struct Stretch {
+  double most;
+  int begin, end;
+  int middle() const { return (begin + end) / 2; }
+  bool operator<(const Stretch& other) const { return most < other.most; }
+};
+
+/// Takes samples where they may change the extremes: after one in each few voxels those of the stretches that
+/// may hold the most, two voxels at a time, until none may hold more than all rays have met. In whatever
+/// order, an extreme is the same.
+template <class Store, Mode kMode>
+std::int64_t TakeExtremes(const TraceFrame& f, const BlockValues& blocks, StepRange steps,
+                          Projection<Store, kMode>& rays, std::vector<Stretch>& stretches) {
+  const Packet& p = rays.Rays();
   const DF df;
+  const VF fastest = hn::Max(hn::Abs(p.move.x), hn::Max(hn::Abs(p.move.y), hn::Abs(p.move.z)));
+  const float aStep = hn::GetLane(hn::MaxOfLanes(df, fastest));
+  const auto stepsIn = [&](float voxels) { return int(std::clamp(voxels / aStep, 1.0f, 64.0f)); };
+  // Longer ones hold too much, shorter ones take as long to look at as their samples.
+  const int length = stepsIn(8), part = stepsIn(2);
+  const Skipper around(f, p);
+  const auto boxOf = [&](int begin, int end) {
+    Box box;
+    around.TakeIn(begin, end - begin, box.low, box.high);
+    return box;
+  };
+  const auto reached = [&] { return kSign<kMode> * double(rays.ReachedByAll()); };
+  std::int64_t taken = 0;
+  stretches.clear();
+  for (int begin = steps.begin; begin < steps.end; begin += length) {
+    const int end = std::min(begin + length, steps.end);
+    stretches.push_back({MostInBlocks<kMode>(blocks, boxOf(begin, end)), begin, end});
+    taken += rays.Take(stretches.back().middle());
+  }
+  std::make_heap(stretches.begin(), stretches.end());
+  for (; !stretches.empty() && stretches.front().most > reached(); stretches.pop_back()) {
+    const Stretch most = stretches.front();
+    for (int begin = most.begin; begin < most.end; begin += part) {
+      const int end = std::min(begin + part, most.end);
+      if (MostInBox<Store, kMode>(f, blocks, boxOf(begin, end)) <= reached()) continue;
+      for (int step = begin; step < end; ++step)
+        if (step != most.middle()) taken += rays.Take(step);
+    }
+    std::pop_heap(stretches.begin(), stretches.end());
+  }
+  return taken;
+}
+
+template <class Store, Mode kMode>
+void ProjectRays(const TraceFrame& f, const BlockValues& blocks, const RayRow& rays, const PlaneBuffer& plane,
+                 float* result, TraceCounts& counts) {
   const Grid grid(f);
-  for (int first = 0; first < rays.count; first += int(hn::Lanes(df))) {
-    const Packet p = LoadPacket(f, rays, first);
-    const float none = kMode == Mode::mip     ? -std::numeric_limits<float>::max()
-                       : kMode == Mode::minip ? std::numeric_limits<float>::max()
-                                              : 0;
-    VF value = Set(none);
-    VF lost = Set(0);  // of the sum, in rounding: Kahan's compensation, as samples are many
-    for (int step = 0; step < p.longest; ++step) {
-      const VF n = Set(float(step));
-      const MF last = IsLast(p, n);
-      VF density;
-      if constexpr (std::is_void_v<Store>)
-        density = hn::LoadU(df, plane.density + std::size_t(step) * plane.stride + first);
-      else
-        density = Store::Density(grid, grid.CellAt(grid.Clamped(Position(p, n, last))));
-      VF next;
-      if constexpr (kMode == Mode::mip)
-        next = hn::Max(value, density);
-      else if constexpr (kMode == Mode::minip)
-        next = hn::Min(value, density);
-      else {
-        const VF term = hn::Sub(hn::Mul(density, hn::IfThenElse(last, p.lastUnits, p.units)), lost);
-        next = hn::Add(value, term);
-        lost = hn::Sub(hn::Sub(next, value), term);
+  const auto lanes = hn::Lanes(DF());
+  std::vector<Stretch> stretches;
+  for (std::size_t first = 0; first < rays.steps.size(); first += lanes) {
+    Projection<Store, kMode> packet(f, grid, rays, plane, int(first));
+    const StepRange steps = StepsOf(rays, first, lanes);
+    if constexpr (!std::is_void_v<Store> && kMode != Mode::average)
+      if (blocks.bricks) {
+        counts.resampled += TakeExtremes(f, blocks, steps, packet, stretches);
+        hn::StoreU(packet.Result(), DF(), result + first);
+        continue;
       }
-      value = hn::IfThenElse(HasSample(p, n), next, value);
-    }
-    if constexpr (kMode == Mode::average) {
-      const VF length = hn::Add(hn::Mul(hn::Sub(p.steps, Set(1)), p.units), p.lastUnits);
-      value = hn::Div(value, hn::Max(length, Set(1e-30f)));
-    }
-    hn::StoreU(value, df, result + first);
+    for (int step = steps.begin; step < steps.end; ++step) counts.resampled += packet.Take(step);
+    hn::StoreU(packet.Result(), DF(), result + first);
   }
 }
 

@@ -119,10 +119,6 @@ TraceKernel chooseTraceFloat32(TraceKey key);
 TraceKernel chooseTraceBytes(TraceKey key);
 TraceKernel chooseTracePlane(TraceKey key);
 
-/// Extremes or the mean of the density along each ray of a row (SCENE 9), in density units; NaN never.
-using ProjectKernel = void (*)(const TraceFrame&, const RayRow&, const PlaneBuffer&, float* result);
-ProjectKernel chooseProjectKernel(Store store, Mode mode);
-
 /// The CPU target that the kernels run on, e.g. "AVX3".
 const char* kernelTarget();
 

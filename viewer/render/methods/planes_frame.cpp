@@ -57,6 +57,20 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   makeShades(plan, caches);
   frame_.stopTransmittance = float(plan.stopTransmittance);
   frame_.slices = {plan.method == Method::blend, float(levelsOf(plan.blending))};
+  const VolumeFacts& facts = cache.factsOfVolume();
+  if (plan.skipBlocks && plan.scene.mode != Mode::composite)
+    blocks_ = {facts.bricks.get(), scale_.slope, scale_.intercept,
+               1e-6 * std::max(std::abs(facts.range.low), std::abs(facts.range.high)) / scale_.slope,
+               plan.bits != 32};
+  else
+    readBlocks(plan, caches, stats);
+  stats.tableBytes =
+      curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
+  stats.blockBytes += facts.bricks->low.size() * 2 * sizeof(float);
+}
+
+void PlanesFrame::readBlocks(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
+  auto& cache = caches.impl();
   // Which intervals are passed over is a choice, not a sound rule: it looks at cells even where no block is
   // skipped. Kernels that fetch all do not ask.
   const bool apart = !key_.dense && key_.store != Store::plane && !isRare(key_.shade);
@@ -74,9 +88,6 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
     if (!plan.scene.transferFunction.gradientOpacity.empty()) frame_.parting.trusted = 0;
     if (!plan.scene.shading.lit) frame_.parting.light = 0;
   }
-  stats.tableBytes =
-      curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
-  stats.blockBytes += cache.factsOfVolume().bricks->low.size() * 2 * sizeof(float);
 }
 
 void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats) {

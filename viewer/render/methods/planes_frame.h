@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "viewer/render/kernels/trace.h"
+#include "viewer/render/kernels/project.h"
 #include "viewer/render/render.h"
 
 namespace volumen {
@@ -17,16 +17,19 @@ class PlanesFrame {
   PlanesFrame& operator=(const PlanesFrame&) = delete;
 
   const TraceFrame& trace() const { return frame_; }
+  const BlockValues& blocks() const { return blocks_; }  ///< of projections
   const DensityScale& scale() const { return scale_; }
   TraceKey key() const { return key_; }
 
  private:
   void readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats);
   void readBytes(const Plan& plan, RenderCaches& caches, RenderStats& stats);
+  void readBlocks(const Plan& plan, RenderCaches& caches, RenderStats& stats);
   void makeShades(const Plan& plan, RenderCaches& caches);
   void setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale);
 
   TraceFrame frame_;
+  BlockValues blocks_;
   TraceKey key_;
   DensityScale scale_;
   CurveTable curve_;

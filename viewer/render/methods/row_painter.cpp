@@ -15,10 +15,9 @@ void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task)
   task.values.assign(4 * rays.steps.size(), 0.0f);
   const TraceRow out = traceRowOf(task.values);
   if (project_) {
-    project_(frame_.trace(), rays, plane, out.red);
+    project_(frame_.trace(), frame_.blocks(), rays, plane, out.red, task.counts);
     writeProjectedPixels(plan_.scene, frame_.scale(), rays, out.red, picture_);
     roundPixels(plan_.blending, rays, picture_);
-    for (int steps : rays.steps) task.counts.resampled += steps;
     return;
   }
   trace_(frame_.trace(), rays, plane, out, task.counts);

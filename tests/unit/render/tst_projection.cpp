@@ -1,0 +1,151 @@
+// Guards DESIGN 5, empty blocks, of projections: what is passed over because it cannot change a maximum or a
+// minimum changes no byte.
+#include "tests/fixtures/small_volumes.h"
+#include "tests/unit/suite.h"
+#include "viewer/render/caches.h"
+#include "viewer/render/render.h"
+
+namespace {
+
+using namespace volumen;
+using namespace volumen::tests;
+
+constexpr glm::ivec3 size(43, 37, 29);
+
+using ValueAt = std::function<double(glm::dvec3 pVoxel)>;
+
+// `valueAt` gives what is stored.
+template <class T>
+VolumePtr stored(ValueAt valueAt, double slope = 1, double intercept = 0) {
+  VolumeParts parts;
+  parts.geometry.size = size;
+  parts.geometry.patientFromVoxelStep = {{1, 0, 0}, {0.1, 1, 0}, {0, 0.2, 2}};
+  parts.slope = slope;
+  parts.intercept = intercept;
+  std::vector<T> values;
+  for (int k = 0; k < size.z; ++k)
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i) values.push_back(T(valueAt({i, j, k})));
+  parts.values = std::move(values);
+  return volumeFrom(std::move(parts));
+}
+
+double ball(glm::dvec3 p) { return std::max(0.0, 500 - 30 * glm::distance(p, glm::dvec3(20, 18, 14))); }
+
+// So much of it, with up to a fifth of its largest value added by chance.
+ValueAt noisyBall(double share) {
+  return [share, random = std::mt19937(5)](glm::dvec3 p) mutable {
+    return share * (ball(p) + double(random() % 4096) / 40.96);
+  };
+}
+
+// One voxel in eight is as low as any.
+ValueAt ofManyLowest() {
+  return [value = noisyBall(1), random = std::mt19937(3)](glm::dvec3 p) mutable {
+    return random() % 8 == 0 ? 0 : value(p);
+  };
+}
+
+struct View {
+  const char* name;
+  void (*set)(Scene&);
+};
+constexpr View views[] = {
+    {"askew",
+     [](Scene& s) {
+       s.camera->direction = {0.3, 0.5, 0.8};
+     }},
+    {"along an axis",
+     [](Scene& s) {
+       s.camera->direction = {0, 0, 1};
+     }},
+    {"in perspective, from inside",
+     [](Scene& s) {
+       s.camera->projection = Projection::perspective;
+       s.camera->distance = 10;
+     }},
+    {"clipped",
+     [](Scene& s) {
+       s.camera->direction = {0.9, 0.1, 0.3};
+       s.clip.boxLow = {0.21, 0, 0.33};
+       s.clip.planes = {{{1, 1, 0}, 3}};
+     }},
+};
+
+// `part` of the values, about the extreme that is looked for, is told apart.
+Scene sceneOf(Mode mode, const ValueRange& range, double part) {
+  Scene scene;
+  scene.mode = mode;
+  const double width = std::max(range.high - range.low, 1e-3);
+  scene.window = Window{mode == Mode::minip ? range.low : range.high, 2 * part * width};
+  Camera camera;
+  camera.up = {0.1, 1, 0.2};
+  camera.height = 60;
+  scene.camera = camera;
+  return scene;
+}
+
+}  // namespace
+
+class TestProjection : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void sameBytesAsOfAllSamples_data();
+  void sameBytesAsOfAllSamples();
+};
+
+void TestProjection::sameBytesAsOfAllSamples_data() {
+  QTest::addColumn<VolumePtr>("volume");
+  QTest::addColumn<int>("bits");     // 0: as planned
+  QTest::addColumn<double>("most");  // share of samples taken of a maximum seen askew
+  QTest::addColumn<double>("part");  // of the values that the window shows
+  const auto row = [](const char* name, const VolumePtr& volume, int bits, double most, double part = 1) {
+    QTest::newRow(name) << volume << bits << most << part;
+  };
+  row("a ball", stored<std::int16_t>(ball), 0, 0.65);
+  row("a ball in floats", stored<float>(ball), 0, 0.85);
+  row("a ball in 8 bits", stored<std::int16_t>(ball), 8, 0.65);
+  row("noise", stored<std::int16_t>(noisyBall(1)), 0, 0.87);
+  row("noise in floats", stored<float>(noisyBall(1)), 0, 0.87);
+  row("noise in 8 bits", stored<std::int16_t>(noisyBall(1)), 8, 0.87);
+  row("unsigned noise", stored<std::uint16_t>(noisyBall(100)), 0, 0.87);
+  row("many voxels of the smallest value", stored<std::int16_t>(ofManyLowest()), 0, 0.87);
+  row("all alike", stored<std::int16_t>([](glm::dvec3) { return 7.0; }), 0, 0.1);
+  row("far from 0: blocks in floats are coarse", stored<std::int16_t>(noisyBall(50), 1e-3, 1e5), 0, 0.87);
+  row("one voxel of floats far below all others", stored<float>([n = noisyBall(1)](glm::dvec3 p) mutable {
+        return p == glm::dvec3(9, 9, 9) ? -1e7 : n(p);
+      }),
+      0, 0.88);
+  row("floats that interpolation leaves by its rounding",
+      stored<float>([random = std::mt19937(2)](glm::dvec3) mutable { return random() % 16 ? 1.7 : -1e7; }), 0,
+      1.01, 1e-6);
+}
+
+void TestProjection::sameBytesAsOfAllSamples() {
+  QFETCH(VolumePtr, volume);
+  QFETCH(int, bits);
+  QFETCH(double, most);
+  QFETCH(double, part);
+  RenderCaches caches(volume);
+  for (Mode mode : {Mode::mip, Mode::minip, Mode::average})
+    for (const View& view : views) {
+      Scene scene = sceneOf(mode, caches.facts().range, part);
+      view.set(scene);
+      RenderOptions options;
+      options.size = {61, 50};
+      if (bits > 0) options.precision = bits;
+      const Rendered lean = *render(*makePlan(scene, caches.facts(), options), caches);
+      options.full = true;
+      const Rendered full = *render(*makePlan(scene, caches.facts(), options), caches);
+      const QString name = QStringLiteral("%1, mode %2").arg(QLatin1String(view.name)).arg(int(mode));
+      QVERIFY2(lean.picture == full.picture, qPrintable(name));
+      const std::int64_t taken = lean.stats.resampled, all = full.stats.resampled;
+      QVERIFY2(mode == Mode::average ? taken == all : taken <= all, qPrintable(name));
+      if (mode == Mode::mip && &view == views)
+        QVERIFY2(double(taken) < most * double(all),
+                 qPrintable(QString::number(double(taken) / double(all))));
+    }
+}
+
+VOLUMEN_TEST(TestProjection);
+#include "tst_projection.moc"
