@@ -75,7 +75,9 @@ class Costs {
       return EffectCost{.ms = plain > 0 ? stats_.resampleMs * fetched / (plain + fetched) : 0,
                         .estimated = true};
     }
-    if (effect.name == "empty blocks" && plan_.visibleShare > 0)
+    // What a projection passes over depends on what its rays meet.
+    const bool composite = plan_.scene.mode == Mode::composite;
+    if (effect.name == "empty blocks" && composite && plan_.visibleShare > 0)
       return EffectCost{.ms = -stats_.resampleMs * (1 / plan_.visibleShare - 1), .estimated = true};
     return std::nullopt;
   }

@@ -78,6 +78,8 @@ void TestEffectCosts::anEffectHasACost_data() {
       [](Scene& s, RenderOptions&) {
         s.transferFunction.gradientOpacity = {{0, 0}, {1, 1}};
       });
+  row("what a maximum saves is not known", "empty blocks", "",
+      [](Scene& s, RenderOptions&) { s.mode = Mode::mip; });
   row("counted elsewhere", "precision", "", lit);
   row("voxels are lit beforehand", "lighting", "60 ms",
       [](Scene&, RenderOptions& o) { o.method = Method::preshaded; });
