@@ -10,13 +10,11 @@ namespace {
 using namespace volumen;
 using namespace volumen::tests;
 
-constexpr glm::ivec3 size(43, 37, 29);
-
 using ValueAt = std::function<double(glm::dvec3 pVoxel)>;
 
 // `valueAt` gives what is stored.
 template <class T>
-VolumePtr stored(ValueAt valueAt, double slope = 1, double intercept = 0) {
+VolumePtr stored(ValueAt valueAt, double slope = 1, double intercept = 0, glm::ivec3 size = {43, 37, 29}) {
   VolumeParts parts;
   parts.geometry.size = size;
   parts.geometry.patientFromVoxelStep = {{1, 0, 0}, {0.1, 1, 0}, {0, 0.2, 2}};
@@ -49,6 +47,7 @@ ValueAt ofManyLowest() {
 struct View {
   const char* name;
   void (*set)(Scene&);
+  glm::ivec2 size{61, 50};
 };
 constexpr View views[] = {
     {"askew",
@@ -63,6 +62,16 @@ constexpr View views[] = {
      [](Scene& s) {
        s.camera->projection = Projection::perspective;
        s.camera->distance = 10;
+     }},
+    {"with pixels far apart",
+     [](Scene& s) {
+       s.camera->direction = {1, 1, 1};
+     },
+     {9, 8}},
+    {"with a target far away",
+     [](Scene& s) {
+       s.camera->direction = glm::normalize(glm::dvec3(0.3, 0.5, 0.8));
+       s.camera->target = -4026532241.71875 * s.camera->direction;
      }},
     {"clipped",
      [](Scene& s) {
@@ -116,6 +125,10 @@ void TestProjection::sameBytesAsOfAllSamples_data() {
         return p == glm::dvec3(9, 9, 9) ? -1e7 : n(p);
       }),
       0, 0.88);
+  row("a slope below 0", stored<std::int16_t>(noisyBall(1), -2, 100), 0, 1);
+  row("one voxel along i", stored<std::uint8_t>(noisyBall(0.4), 1, 0, {1, 37, 29}), 0, 1.01);
+  row("one voxel along j", stored<std::int16_t>(noisyBall(1), 1, 0, {43, 1, 29}), 0, 1.01);
+  row("one voxel along k", stored<float>(noisyBall(1), 1, 0, {43, 37, 1}), 0, 1.01);
   row("floats that interpolation leaves by its rounding",
       stored<float>([random = std::mt19937(2)](glm::dvec3) mutable { return random() % 16 ? 1.7 : -1e7; }), 0,
       1.01, 1e-6);
@@ -132,7 +145,7 @@ void TestProjection::sameBytesAsOfAllSamples() {
       Scene scene = sceneOf(mode, caches.facts().range, part);
       view.set(scene);
       RenderOptions options;
-      options.size = {61, 50};
+      options.size = view.size;
       if (bits > 0) options.precision = bits;
       const Rendered lean = *render(*makePlan(scene, caches.facts(), options), caches);
       options.full = true;

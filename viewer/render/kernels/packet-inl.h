@@ -7,8 +7,6 @@
 #endif
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "viewer/render/kernels/math-inl.h"
 #include "viewer/render/kernels/trace.h"
@@ -46,20 +44,6 @@ HWY_INLINE MF HasSample(const Packet& p, VF n) {
   return hn::And(hn::Ge(n, hn::Zero(DF())), hn::Lt(n, p.steps));
 }
 HWY_INLINE MF IsLast(const Packet& p, VF n) { return hn::Eq(p.steps, hn::Add(n, Set(1))); }
-
-/// The steps [begin, end) that any of `count` rays takes, from ray `first` on.
-struct StepRange {
-  int begin, end;
-};
-inline StepRange StepsOf(const RayRow& rays, std::size_t first, std::size_t count) {
-  float begin = std::numeric_limits<float>::max(), end = 0;
-  for (std::size_t n = first; n < first + count; ++n)
-    if (rays.steps[n] > 0) {
-      begin = std::min(begin, rays.ahead[n]);
-      end = std::max(end, rays.ahead[n] + float(rays.steps[n]));
-    }
-  return end > 0 ? StepRange{int(begin), int(std::ceil(end))} : StepRange{0, 0};
-}
 
 /// SCENE 9: start + (n + 1/2) move, the last interval being shorter.
 HWY_INLINE V3 Position(const Packet& p, VF n, MF last) {

@@ -20,6 +20,7 @@ class Projection {
  public:
   Projection(const TraceFrame& f, const Grid& grid, const RayRow& rays, const PlaneBuffer& plane, int first)
       : grid_(grid), plane_(plane), packet_(LoadPacket(f, rays, first)), first_(first) {
+    packet_.ahead = Set(0);  // each ray from where it begins: no sample waits for another's
     value_ = Set(kMode == Mode::mip     ? -std::numeric_limits<float>::max()
                  : kMode == Mode::minip ? std::numeric_limits<float>::max()
                                         : 0);
@@ -71,7 +72,7 @@ class Projection {
  private:
   const Grid& grid_;
   const PlaneBuffer& plane_;
-  const Packet packet_;
+  Packet packet_;
   const int first_;
   VF value_;
   VF lost_ = Set(0);  ///< of the sum, in rounding: Kahan's compensation, as samples are many
@@ -86,13 +87,20 @@ struct Box {
 template <Mode kMode>
 constexpr double kSign = kMode == Mode::mip ? 1 : -1;
 
-/// What no sample in the blocks around a box exceeds.
+/// How many entries of a grid lie between two; in floats, as there may be many.
+inline float CountBetween(glm::ivec3 first, glm::ivec3 last) {
+  const glm::vec3 count(last - first + 1);
+  return count.x * count.y * count.z;
+}
+
+/// What no sample in the blocks around a box exceeds, if they are no more than `mostBlocks`.
 template <Mode kMode>
-double MostInBlocks(const BlockValues& blocks, const Box& box) {
+double MostInBlocks(const BlockValues& blocks, const Box& box, int mostBlocks) {
   const BrickRanges& b = *blocks.bricks;
   const std::vector<float>& values = kMode == Mode::mip ? b.high : b.low;
   const glm::ivec3 first = glm::ivec3(box.low) / BrickRanges::edge,
-                   last = glm::min(glm::ivec3(box.high) / BrickRanges::edge, b.count - 1);
+                   last = glm::ivec3(box.high) / BrickRanges::edge;
+  if (CountBetween(first, last) > float(mostBlocks)) return std::numeric_limits<double>::infinity();
   float most = -std::numeric_limits<float>::max();
   for (int z = first.z; z <= last.z; ++z)
     for (int y = first.y; y <= last.y; ++y)
@@ -112,10 +120,11 @@ float VoxelOf(const TraceFrame& f, std::size_t n) {
     return f.density32[n];
 }
 
-/// What no sample in a box exceeds.
+/// What no sample in a box exceeds, if it holds no more than `mostVoxels`.
 template <class Store, Mode kMode>
-double MostInBox(const TraceFrame& f, const BlockValues& blocks, const Box& box) {
+double MostInBox(const TraceFrame& f, const BlockValues& blocks, const Box& box, int mostVoxels) {
   const glm::ivec3 first(box.low), last = glm::min(glm::ivec3(box.high) + 1, f.size - 1);
+  if (CountBetween(first, last) > float(mostVoxels)) return std::numeric_limits<double>::infinity();
   float most = -std::numeric_limits<float>::max();
   for (int z = first.z; z <= last.z; ++z)
     for (int y = first.y; y <= last.y; ++y) {
@@ -135,19 +144,20 @@ struct Stretch {
   bool operator<(const Stretch& other) const { return most < other.most; }
 };
 
-/// Takes samples where they may change the extremes: after one in each few voxels those of the stretches that
-/// may hold the most, two voxels at a time, until none may hold more than all rays have met. In whatever
-/// order, an extreme is the same.
+/// Takes samples where they may change the extremes. First one of each stretch; then, from the stretch that
+/// may hold the most on, what may exceed what all rays have met; until no stretch does. In whatever order, an
+/// extreme is the same.
 template <class Store, Mode kMode>
-std::int64_t TakeExtremes(const TraceFrame& f, const BlockValues& blocks, StepRange steps,
-                          Projection<Store, kMode>& rays, std::vector<Stretch>& stretches) {
+std::int64_t TakeExtremes(const TraceFrame& f, const BlockValues& blocks, Projection<Store, kMode>& rays,
+                          std::vector<Stretch>& stretches) {
   const Packet& p = rays.Rays();
   const DF df;
   const VF fastest = hn::Max(hn::Abs(p.move.x), hn::Max(hn::Abs(p.move.y), hn::Abs(p.move.z)));
   const float aStep = hn::GetLane(hn::MaxOfLanes(df, fastest));
   const auto stepsIn = [&](float voxels) { return int(std::clamp(voxels / aStep, 1.0f, 64.0f)); };
-  // Longer ones hold too much, shorter ones take as long to look at as their samples.
-  const int length = stepsIn(8), part = stepsIn(2);
+  // Longer ones hold too much, shorter ones take as long to look at as their samples; so do more blocks or
+  // voxels a step, where pixels lie far apart.
+  const int length = stepsIn(8), part = stepsIn(2), blocksAStep = 2, voxelsAStep = 16;
   const Skipper around(f, p);
   const auto boxOf = [&](int begin, int end) {
     Box box;
@@ -157,9 +167,10 @@ std::int64_t TakeExtremes(const TraceFrame& f, const BlockValues& blocks, StepRa
   const auto reached = [&] { return kSign<kMode> * double(rays.ReachedByAll()); };
   std::int64_t taken = 0;
   stretches.clear();
-  for (int begin = steps.begin; begin < steps.end; begin += length) {
-    const int end = std::min(begin + length, steps.end);
-    stretches.push_back({MostInBlocks<kMode>(blocks, boxOf(begin, end)), begin, end});
+  for (int begin = 0; begin < p.longest; begin += length) {
+    const int end = std::min(begin + length, p.longest);
+    stretches.push_back(
+        {MostInBlocks<kMode>(blocks, boxOf(begin, end), blocksAStep * (end - begin)), begin, end});
     taken += rays.Take(stretches.back().middle());
   }
   std::make_heap(stretches.begin(), stretches.end());
@@ -167,7 +178,8 @@ std::int64_t TakeExtremes(const TraceFrame& f, const BlockValues& blocks, StepRa
     const Stretch most = stretches.front();
     for (int begin = most.begin; begin < most.end; begin += part) {
       const int end = std::min(begin + part, most.end);
-      if (MostInBox<Store, kMode>(f, blocks, boxOf(begin, end)) <= reached()) continue;
+      if (MostInBox<Store, kMode>(f, blocks, boxOf(begin, end), voxelsAStep * (end - begin)) <= reached())
+        continue;
       for (int step = begin; step < end; ++step)
         if (step != most.middle()) taken += rays.Take(step);
     }
@@ -184,14 +196,13 @@ void ProjectRays(const TraceFrame& f, const BlockValues& blocks, const RayRow& r
   std::vector<Stretch> stretches;
   for (std::size_t first = 0; first < rays.steps.size(); first += lanes) {
     Projection<Store, kMode> packet(f, grid, rays, plane, int(first));
-    const StepRange steps = StepsOf(rays, first, lanes);
     if constexpr (!std::is_void_v<Store> && kMode != Mode::average)
       if (blocks.bricks) {
-        counts.resampled += TakeExtremes(f, blocks, steps, packet, stretches);
+        counts.resampled += TakeExtremes(f, blocks, packet, stretches);
         hn::StoreU(packet.Result(), DF(), result + first);
         continue;
       }
-    for (int step = steps.begin; step < steps.end; ++step) counts.resampled += packet.Take(step);
+    for (int step = 0; step < packet.Rays().longest; ++step) counts.resampled += packet.Take(step);
     hn::StoreU(packet.Result(), DF(), result + first);
   }
 }

@@ -13,6 +13,20 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
+/// The steps [begin, end) that any ray of a row takes.
+struct StepRange {
+  int begin, end;
+};
+inline StepRange StepsOf(const RayRow& rays) {
+  float begin = std::numeric_limits<float>::max(), end = 0;
+  for (std::size_t n = 0; n < rays.steps.size(); ++n)
+    if (rays.steps[n] > 0) {
+      begin = std::min(begin, rays.ahead[n]);
+      end = std::max(end, rays.ahead[n] + float(rays.steps[n]));
+    }
+  return end > 0 ? StepRange{int(begin), int(std::ceil(end))} : StepRange{0, 0};
+}
+
 /// Whether any ray of the packet at ray `first` lets light through and is on its way at the steps [step,
 /// end).
 HWY_INLINE bool IsPacketOpen(const TraceFrame& f, const RayRow& rays, const TraceRow& out, int first,
@@ -50,7 +64,7 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
       for (int more = 0; more < looked; more += lanes) seen |= skippers[n].LookFrom(step + more) << more;
     return seen;
   };
-  const StepRange steps = StepsOf(rays, 0, rays.steps.size());
+  const StepRange steps = StepsOf(rays);
   const int start = steps.begin / looked * looked, slabs = (steps.end - start + slab - 1) / slab;
   const int ahead = f.slices.fromBack ? -slab : slab;
   for (int k = 0; k < slabs; ++k) {
