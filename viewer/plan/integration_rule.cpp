@@ -154,7 +154,7 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
   Plan plain = plan;
   plain.stepVoxels = steps.first;
   plain.mostParts = 1;
-  // A pilot takes about a tenth of a frame.
+  // A pilot takes about a tenth of a frame, and something should be left to win.
   constexpr double worthwhile = 0.81;
   const double share = predictedCost(plain, in.facts).ns() / predictedCost(plan, in.facts).ns();
   if (!(share <= worthwhile)) return {};

@@ -13,7 +13,9 @@ enum class Quality { draft, standard, high, exact };
 struct LevelPromise {
   double leastPsnrDb, most99;  ///< the 99th percentile in /255
 };
-inline constexpr LevelPromise standardPromise{42, 8}, highPromise{52, 2.5};
+constexpr LevelPromise promiseOf(Quality standardOrHigh) {
+  return standardOrHigh == Quality::high ? LevelPromise{52, 2.5} : LevelPromise{42, 8};
+}
 
 /// DESIGN 3.
 enum class Method { planes, blend, preshaded, gpu, reference };

@@ -23,7 +23,7 @@ namespace {
 std::string promise(Quality quality) {
   if (quality == Quality::draft) return "means over 16 x 16 pixels within 3/255 RMSE of standard";
   if (quality == Quality::exact) return "maximum <= 1/255";
-  const LevelPromise& p = quality == Quality::high ? highPromise : standardPromise;
+  const LevelPromise p = promiseOf(quality);
   return "PSNR >= " + inDigits(p.leastPsnrDb) + " dB, 99th percentile <= " + inDigits(p.most99) + "/255";
 }
 

@@ -90,8 +90,8 @@ bool isDrawnByPlanes(const RuleInput& in) {
 // Where no block can hold more than what was met, or less.
 Effect outdoneBlocks(const RuleInput& in, Plan& plan) {
   if (in.scene.mode == Mode::average) return off("a mean looks at every value");
-  if (!isDrawnByPlanes(in) || resamplerOf(in.options) != Resampler::cpu)
-    return off("this method looks at every sample");
+  if (!isDrawnByPlanes(in)) return off("this method looks at every sample");
+  if (resamplerOf(in.options) == Resampler::gl) return off("OpenGL resamples every value of a projection");
   if (!in.facts.bricks) return off("nothing is known of the blocks");
   if (in.options.full) return off("asked for in full");
   plan.skipBlocks = true;

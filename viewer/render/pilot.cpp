@@ -155,7 +155,7 @@ class Pilot {
     if (rays == 0) return {{step}, 0};
     // What is promised of all pixels is kept by those alone that show anything.
     const PictureError e = compare(plain, truth_, shown);
-    const LevelPromise& promised = plan_.options.quality == Quality::high ? highPromise : standardPromise;
+    const LevelPromise promised = promiseOf(plan_.options.quality);
     const double mostRmse = 255 / std::pow(10, promised.leastPsnrDb / 20);
     // As if three rays more were twice as wrong as the worst: so much may have been missed.
     const double missed = 3 * std::pow(2 * e.maximum, 2) / rays;

@@ -58,9 +58,9 @@ class RenderCaches {
 
 /// The plan with nothing left open. Where it names plain steps (Plan::pilotSteps), up to 4096 rays spread
 /// over its view are followed by them and by the next finer level: by the first steps, then by those that
-/// their errors tell to be as long as may be. The longer of the two that keep the level's promise there are
-/// taken. What comes of it depends on the picture alone, not on the machine. Adds to the times of `stats`.
-/// Errors as render().
+/// their errors tell to be as long as may be, or the shortest that save time. The longer of the two that keep
+/// the level's promise there are taken. What comes of it depends on the picture alone, not on the machine.
+/// Adds to the times of `stats`. Errors as render().
 Result<Plan> settled(const Plan& plan, RenderCaches& caches, RenderStats& stats,
                      const CancelToken& cancel = {});
 

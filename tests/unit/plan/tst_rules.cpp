@@ -157,7 +157,7 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   row("a mean passes over nothing", "empty blocks", "off  empty blocks: a mean looks at every value",
       [](Asked& a) { a.scene.mode = Mode::average; });
   row("a maximum by OpenGL passes over nothing", "empty blocks",
-      "off  empty blocks: this method looks at every sample", [](Asked& a) {
+      "off  empty blocks: OpenGL resamples every value of a projection", [](Asked& a) {
         a.scene.mode = Mode::mip;
         a.options.resampler = Resampler::gl;
       });

@@ -33,13 +33,7 @@ VolumePtr ball(Within within, int count) {
     }
     return std::max(0.0, 400 * (1 - glm::distance(p, glm::dvec3((edge - 1) / 2.0)) / 28));
   };
-  VolumeParts parts;
-  parts.geometry.size = {edge, edge, edge};
-  std::vector<std::int16_t> values;
-  for (int n = 0; n < edge * edge * edge; ++n)
-    values.push_back(std::int16_t(valueAt({n % edge, n / edge % edge, n / edge / edge})));
-  parts.values = std::move(values);
-  return volumeFrom(std::move(parts));
+  return volumeOf<std::int16_t>({edge, edge, edge}, glm::dmat3(1), valueAt);
 }
 
 // In floats.

@@ -78,11 +78,6 @@ class Projection {
   VF lost_ = Set(0);  ///< of the sum, in rounding: Kahan's compensation, as samples are many
 };
 
-/// A box of positions, voxels, inside the grid.
-struct Box {
-  glm::vec3 low{std::numeric_limits<float>::max()}, high{0};
-};
-
 /// What follows looks for the largest: minima are negated.
 template <Mode kMode>
 constexpr double kSign = kMode == Mode::mip ? 1 : -1;
@@ -161,7 +156,7 @@ std::int64_t TakeExtremes(const TraceFrame& f, const BlockValues& blocks, Projec
   const Skipper around(f, p);
   const auto boxOf = [&](int begin, int end) {
     Box box;
-    around.TakeIn(begin, end - begin, box.low, box.high);
+    around.TakeIn(begin, end - begin, box);
     return box;
   };
   const auto reached = [&] { return kSign<kMode> * double(rays.ReachedByAll()); };
@@ -221,8 +216,6 @@ ProjectKernel ChooseProject(Store store, Mode mode) {
                                    : ChooseMode<void>(mode);
 }
 
-const char* TargetName() { return hwy::TargetName(HWY_TARGET); }
-
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -230,26 +223,9 @@ HWY_AFTER_NAMESPACE();
 namespace volumen {
 
 HWY_EXPORT(ChooseProject);
-HWY_EXPORT(TargetName);
 
 ProjectKernel chooseProjectKernel(Store store, Mode mode) {
   return HWY_DYNAMIC_DISPATCH(ChooseProject)(store, mode);
-}
-const char* kernelTarget() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
-
-TraceKernel chooseTraceKernel(TraceKey key) {
-  switch (key.store) {
-    case Store::int16:
-      return chooseTraceInt16(key);
-    case Store::float32:
-      return chooseTraceFloat32(key);
-    case Store::byte1:
-    case Store::byte4:
-      return chooseTraceBytes(key);
-    case Store::plane:
-      break;
-  }
-  return chooseTracePlane(key);
 }
 
 }  // namespace volumen

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "viewer/render/kernels/packet-inl.h"
 
@@ -46,6 +47,11 @@ HWY_INLINE VI NearBlocks(const SkipMap& map, const VI (&index)[3], const VI (&ac
   return hn::And(hn::GatherOffset(di, base, hn::Add(inLayer, layer)), bit);
 }
 
+/// A box of positions, voxels; at first of none.
+struct Box {
+  glm::vec3 low{std::numeric_limits<float>::max()}, high{0};
+};
+
 /// Says at which steps a packet must be looked at: one look into the map for all of its rays, at the lower
 /// corner of the box around them (SkipMap). Packets that spread wider than the map reaches are looked at
 /// everywhere.
@@ -79,14 +85,13 @@ class Skipper {
     }
   }
 
-  /// Widens the box from `low` to `high` (voxels) so that it holds the packet at the steps [step, step +
-  /// count), clamped to the grid.
-  HWY_INLINE void TakeIn(int step, int count, glm::vec3& low, glm::vec3& high) const {
+  /// Widens the box so that it holds the packet at the steps [step, step + count), clamped to the grid.
+  HWY_INLINE void TakeIn(int step, int count, Box& box) const {
     for (int a = 0; a < 3; ++a) {
       const float first = start_[a] + (float(step) + 0.5f) * move_[a],
                   last = first + float(count - 1) * move_[a];
-      low[a] = std::min(low[a], std::clamp(std::min(first, last), 0.0f, last_[a]));
-      high[a] = std::max(high[a], std::clamp(std::max(first, last) + size_[a], 0.0f, last_[a]));
+      box.low[a] = std::min(box.low[a], std::clamp(std::min(first, last), 0.0f, last_[a]));
+      box.high[a] = std::max(box.high[a], std::clamp(std::max(first, last) + size_[a], 0.0f, last_[a]));
     }
   }
 

@@ -70,21 +70,21 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   for (int k = 0; k < slabs; ++k) {
     const int step = start + slab * (f.slices.fromBack ? slabs - 1 - k : k), within = step % looked;
     const bool isNew = k == 0 || within == (f.slices.fromBack ? looked - slab : 0);
-    glm::vec3 low(std::numeric_limits<float>::max()), high(0);
+    Box box;
     for (int n = 0; n < packets; ++n) {
       if (isNew) looks[n] = lookFrom(n, step - within);
       bits[n] = looks[n] >> within & ((1 << slab) - 1);
       if (bits[n] && !isOpen(n, step, step + slab)) bits[n] = 0;
-      if (Tracer::kCells && bits[n]) skippers[n].TakeIn(step, slab, low, high);
+      if (Tracer::kCells && bits[n]) skippers[n].TakeIn(step, slab, box);
     }
-    if (Tracer::kCells && f.cells && low.x <= high.x) f.cells->lookInto(low, high);
+    if (Tracer::kCells && f.cells && box.low.x <= box.high.x) f.cells->lookInto(box.low, box.high);
     tracer.BeginSlab();
     for (int n = 0; n < packets; ++n) {
       if constexpr (Tracer::kPrefetches)
         if (bits[n]) {
-          glm::vec3 from(std::numeric_limits<float>::max()), to(0);
-          skippers[n].TakeIn(step + ahead, slab, from, to);
-          tracer.Prefetch(from, to);
+          Box next;
+          skippers[n].TakeIn(step + ahead, slab, next);
+          tracer.Prefetch(next.low, next.high);
         }
       tracer.Advance(n * lanes, step, bits[n]);
     }
