@@ -121,6 +121,30 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
   return {};
 }
 
+// How far off the pixels may be that a pilot misses, as a share of white: of a few rays in thousands it knows
+// nothing. `high` promises a third of the error.
+double mostMissed(Quality quality) { return quality == Quality::standard ? 0.25 : 0.08; }
+
+double firstStep(Quality quality) { return quality == Quality::standard ? 0.5 : 0.25; }
+
+// What a pilot tries, but for the shortest, where what it misses cannot be far off: of means, whose error is
+// bounded for any values.
+std::optional<PilotSteps> stepsOfMean(const RuleInput& in, const Plan& plan) {
+  if (in.options.method != Method::planes || resamplerOf(in.options) != Resampler::cpu) return {};
+  const double ranges = (in.facts.range.high - in.facts.range.low) / plan.scene.window->width;
+  const double longest = std::min(1.0, std::sqrt(mostMissed(in.options.quality) / (worstOfMean * ranges)));
+  return PilotSteps{0, std::min(longest, firstStep(in.options.quality)), longest};
+}
+
+// Likewise of matter: thin plates hide what lies behind them.
+std::optional<PilotSteps> stepsOfMatter(const RuleInput& in) {
+  if (!canIntegrate(in.scene, in.options) || in.facts.slopes.empty()) return {};
+  const TransferFunction& curve = in.scene.transferFunction;
+  if (isSharp(curve, (in.facts.p999 - in.facts.p01) / 50)) return {};
+  if (mostOfVoxel(in, steepnessOf(curve, in.facts)) > mostMissed(in.options.quality)) return {};
+  return PilotSteps{0, firstStep(in.options.quality), 1};
+}
+
 }  // namespace
 
 std::string toldBy(const PilotFinding& pilot) {
@@ -140,25 +164,20 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
   // A pilot would take half of the time that a draft has in the window, and no sample of rays can promise a
   // maximum.
   if (o.quality != Quality::standard && o.quality != Quality::high) return {};
-  if (!canIntegrate(in.scene, o) || !isWholeLevel(o)) return {};
+  if (!isWholeLevel(o)) return {};
   // As many rays as a 99th percentile is known by would be too large a share of a smaller picture; of a strip
   // they would leave out the ends.
   if (double(o.size.x) * o.size.y < 384.0 * 384 || std::min(o.size.x, o.size.y) < 128) return {};
-  // What few rays meet the pilot may miss: it must not be far off, as a thin plate is that hides what lies
-  // behind it. `high` promises a third of the error.
-  const double thin = o.quality == Quality::standard ? 0.25 : 0.08;
-  if (isSharp(in.scene.transferFunction, (in.facts.p999 - in.facts.p01) / 50)) return {};
-  if (in.facts.slopes.empty()) return {};
-  if (mostOfVoxel(in, steepnessOf(in.scene.transferFunction, in.facts)) > thin) return {};
-  PilotSteps steps{0, o.quality == Quality::standard ? 0.5 : 0.25};
+  auto steps = in.scene.mode == Mode::average ? stepsOfMean(in, plan) : stepsOfMatter(in);
+  if (!steps) return {};
   Plan plain = plan;
-  plain.stepVoxels = steps.first;
+  plain.stepVoxels = steps->first;
   plain.mostParts = 1;
   // A pilot takes about a tenth of a frame, and something should be left to win.
   constexpr double worthwhile = 0.81;
   const double share = predictedCost(plain, in.facts).ns() / predictedCost(plan, in.facts).ns();
   if (!(share <= worthwhile)) return {};
-  steps.shortest = steps.first * share / worthwhile;
+  steps->shortest = steps->first * share / worthwhile;
   return steps;
 }
 
@@ -173,14 +192,13 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
   plan.stepVoxels = stepOf(in.options.quality);
   const double range = in.facts.p999 - in.facts.p01;
   const bool sharp = composite(in) && isSharp(in.scene.transferFunction, range / 50);
+  if (in.pilot && in.pilot->kept) {
+    plan.stepVoxels = in.pilot->stepVoxels;
+    return steps(": " + toldBy(*in.pilot));
+  }
+  const std::string tried =
+      in.pilot ? "; not plain steps of " + inVoxels(in.pilot->stepVoxels) + ", as " + toldBy(*in.pilot) : "";
   if (canIntegrate(in.scene, in.options)) {
-    if (in.pilot && in.pilot->kept) {
-      plan.stepVoxels = in.pilot->stepVoxels;
-      return steps(": " + toldBy(*in.pilot));
-    }
-    const std::string tried =
-        in.pilot ? "; not plain steps of " + inVoxels(in.pilot->stepVoxels) + ", as " + toldBy(*in.pilot)
-                 : "";
     if (const auto even = evenStep(in)) {
       plan.stepVoxels = even->voxels;
       return steps(": a voxel adds at most " + inDigits(even->most, 2) +
@@ -199,7 +217,9 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
   if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
     return steps(": the curve is smooth");
   plan.stepVoxels /= 2;
-  return steps(composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples");
+  return steps(
+      (composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples") +
+      tried);
 }
 
 }  // namespace volumen

@@ -24,6 +24,7 @@ struct Effect {
 struct PilotSteps {
   double shortest = 0;  ///< shorter ones take longer than what is planned without them
   double first = 0;     ///< that it tries first
+  double longest = 1;   ///< longer ones could be far off where no ray of the pilot is
   bool operator==(const PilotSteps&) const = default;
 };
 

@@ -1,7 +1,10 @@
 // Guards DESIGN 5, empty blocks, of projections: what is passed over because it cannot change a maximum or a
-// minimum changes no byte.
+// minimum changes no byte; and what plain steps may change about a mean.
+#include <map>
+
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
+#include "viewer/plan/rule_lines.h"
 #include "viewer/render/caches.h"
 #include "viewer/render/render.h"
 
@@ -91,6 +94,7 @@ class TestProjection : public QObject {
  private Q_SLOTS:
   void sameBytesAsOfAllSamples_data();
   void sameBytesAsOfAllSamples();
+  void plainStepsChangeAMeanByNoMoreThanPlanned();
 };
 
 void TestProjection::sameBytesAsOfAllSamples_data() {
@@ -147,6 +151,45 @@ void TestProjection::sameBytesAsOfAllSamples() {
       QVERIFY2(mode == Mode::average ? taken == all : double(taken) <= allowed * double(all),
                qPrintable(name + QStringLiteral(", samples %1 of %2").arg(taken).arg(all)));
     }
+}
+
+// A mean is a sum of weighted values. What plain steps change about the weights, found voxel by voxel, tells
+// the worst that any values could make of it.
+void TestProjection::plainStepsChangeAMeanByNoMoreThanPlanned() {
+  const glm::ivec3 grid(7, 6, 5);
+  constexpr double fine = 1.0 / 128, steps[] = {fine, 1, 0.75, 0.5, 0.375, 0.25};
+  Scene scene = sceneOf(Mode::average, {0, 1}, 0.5);
+  scene.window = Window{0.5, 1};
+  scene.camera->height = 2;
+  scene.camera->direction = glm::normalize(glm::dvec3(0.3, 0.5, 0.8));
+  RenderOptions options;
+  options.size = {4, 4};
+  std::map<double, std::vector<Picture>> weights;  // of each voxel
+  for (int voxel = 0; voxel < grid.x * grid.y * grid.z; ++voxel) {
+    RenderCaches caches(volumeOf(grid, glm::dmat3(1), [&](glm::dvec3 p) {
+      return double(int(p.x) + grid.x * (int(p.y) + grid.y * int(p.z)) == voxel);
+    }));
+    for (double step : steps) {
+      options.step = step;
+      weights[step].push_back(render(*makePlan(scene, caches.facts(), options), caches)->picture);
+    }
+  }
+  for (double step : steps) {
+    if (step == fine) continue;
+    double most = 0;
+    for (std::size_t pixel = 0; pixel < 16; ++pixel) {
+      double more = 0, less = 0;
+      for (std::size_t voxel = 0; voxel < weights[step].size(); ++voxel) {
+        const double change =
+            double(weights[step][voxel].rgba[4 * pixel]) - weights[fine][voxel].rgba[4 * pixel];
+        (change > 0 ? more : less) += std::abs(change);
+      }
+      most = std::max({most, more, less});
+    }
+    const double planned = worstOfMean * step * step;
+    QVERIFY2(most <= planned && most > planned / 4,
+             qPrintable(QStringLiteral("%1 at a step of %2").arg(most / (step * step)).arg(step)));
+  }
 }
 
 VOLUMEN_TEST(TestProjection);
