@@ -44,26 +44,6 @@ double pixelMm(const Camera& camera, glm::ivec2 size) {
   return height / size.y;
 }
 
-// The share of what is visible that is seen before rays are opaque: how far rays go into matter of the mean
-// extinction of some visible blocks, each at its least, middle and largest value, over how much is on a ray.
-double seenShare(const Plan& plan, const VolumeFacts& facts, double visibleMmARay) {
-  if (plan.stopTransmittance <= 0 || !facts.bricks || visibleMmARay <= 0) return 1;
-  const BrickRanges& bricks = *facts.bricks;
-  constexpr std::size_t most = 1024;
-  const std::size_t stride = std::max<std::size_t>(1, bricks.low.size() / most);
-  double sum = 0;
-  int visible = 0;
-  for (std::size_t n = 0; n < bricks.low.size(); n += stride) {
-    double perMm = 0;
-    for (float value : {bricks.low[n], (bricks.low[n] + bricks.high[n]) / 2, bricks.high[n]})
-      perMm -= std::log1p(-std::min(opacityAt(plan.curve, value), 0.9999)) / plan.curve.unitDistance / 3;
-    sum += perMm;
-    visible += perMm > 0;
-  }
-  if (visible == 0) return 1;
-  return std::min(1.0, -std::log(plan.stopTransmittance) / (sum / visible) / visibleMmARay);
-}
-
 // The box that is drawn: its three edges, patient mm.
 struct Box {
   glm::dvec3 edge[3];
@@ -98,6 +78,27 @@ Rays raysOf(const Plan& plan, const VoxelGeometry& geometry) {
   return {count, count * box.volume() / shadow};
 }
 
+// The share of what is visible that is seen before rays are opaque: how far rays go into matter of the mean
+// extinction of some visible blocks, each at its least, middle and largest value, over how much is on a ray.
+double seenShare(const Plan& plan, const VolumeFacts& facts, const Rays& rays) {
+  const double visibleMmARay = rays.count > 0 ? plan.visibleShare * rays.mm / rays.count : 0;
+  if (plan.stopTransmittance <= 0 || !facts.bricks || visibleMmARay <= 0) return 1;
+  const BrickRanges& bricks = *facts.bricks;
+  constexpr std::size_t most = 1024;
+  const std::size_t stride = std::max<std::size_t>(1, bricks.low.size() / most);
+  double sum = 0;
+  int visible = 0;
+  for (std::size_t n = 0; n < bricks.low.size(); n += stride) {
+    double perMm = 0;
+    for (float value : {bricks.low[n], (bricks.low[n] + bricks.high[n]) / 2, bricks.high[n]})
+      perMm -= std::log1p(-std::min(opacityAt(plan.curve, value), 0.9999)) / plan.curve.unitDistance / 3;
+    sum += perMm;
+    visible += perMm > 0;
+  }
+  if (visible == 0) return 1;
+  return std::min(1.0, -std::log(plan.stopTransmittance) / (sum / visible) / visibleMmARay);
+}
+
 double lightNs(const Plan& plan, Shader shader, double samples) {
   if (!plan.lit) return 0;
   const Shading& s = plan.scene.shading;
@@ -125,6 +126,10 @@ SampleNs planesNs(const Plan& plan) {
 
 }  // namespace
 
+double seenShare(const Plan& plan, const VolumeFacts& facts) {
+  return seenShare(plan, facts, raysOf(plan, facts.geometry));
+}
+
 double samplesInBox(const Plan& plan, const VoxelGeometry& geometry) {
   return raysOf(plan, geometry).mm / stepMm(*plan.scene.camera, geometry, plan.stepVoxels);
 }
@@ -133,15 +138,17 @@ PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts, Shader s
   const Rays rays = raysOf(plan, facts.geometry);
   const double samples = samplesInBox(plan, facts.geometry);
   if (!(samples > 0)) return {};
-  const double visible =
-      samples * plan.visibleShare * seenShare(plan, facts, plan.visibleShare * rays.mm / rays.count);
+  const double visible = samples * plan.visibleShare * seenShare(plan, facts, rays);
   PredictedCost cost;
   if (plan.resampler == Resampler::gl) {
     cost.samplingNs = samples * (glSampleNs + (plan.gradients ? glGradientNs : 0)) + visible * colourNs;
   } else {
     // Rays look in packets, whose box meets more blocks than one ray does.
     const SampleNs ns = planesNs(plan);
-    cost.samplingNs = std::sqrt(samples * visible) * ns.looked + visible * ns.seen;
+    const double looked = std::sqrt(samples * visible);
+    cost.samplingNs = looked * ns.looked + visible * ns.seen;
+    if (plan.method == Method::blend && plan.stopTransmittance > 0)  // what finds out what is hidden
+      cost.samplingNs += looked * sampleNs + visible * colourNs;
   }
   const double lit = plan.mostParts > 1 ? visible * litParts / std::sqrt(plan.partTolerance) : visible;
   cost.lightNs = lightNs(plan, shader, lit);

@@ -19,6 +19,10 @@ PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts);
 /// The same with another shader (map or phong), with the map's size as planned.
 PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts, Shader shader);
 
+/// The share of what is visible that is seen before rays are opaque, predicted from plan.visibleShare and
+/// plan.stopTransmittance; 1 where that is 0 or nothing is known of the blocks.
+double seenShare(const Plan& plan, const VolumeFacts& facts);
+
 /// Samples of all rays inside the clip box, visible or not: the box's volume over a pixel's area and the step
 /// (SCENE 9), or what of it the picture shows.
 double samplesInBox(const Plan& plan, const VoxelGeometry& geometry);

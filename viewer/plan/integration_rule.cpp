@@ -216,7 +216,8 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
   }
   if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
     return steps(": the curve is smooth");
-  plan.stepVoxels /= 2;
+  // A draft's means over pixels take the errors of many rays out.
+  if (in.scene.mode != Mode::average || in.options.quality != Quality::draft) plan.stepVoxels /= 2;
   return steps(
       (composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples") +
       tried);

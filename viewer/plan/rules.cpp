@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/plan/cost_model.h"
 #include "viewer/plan/visibility.h"
 #include "viewer/volume/bytes.h"
 #include "viewer/volume/gradients.h"
@@ -116,20 +117,42 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
 
 // What the light behind could still add is at most this share of its brightness: 0.2/255 at most, which
 // leaves a fifth of 0.25/255 to the rounding of what came before.
+double stopTransmittance(const RuleInput& in) {
+  const bool fine = in.options.quality == Quality::exact || in.options.step;
+  return std::min(fine ? 1.0 / 16384 : 1.0 / 4096, 0.2 / 255 / brightest(in.scene));
+}
+
+std::string behind(const Plan& plan) {
+  return "less than 1/" + std::to_string(std::lround(1 / plan.stopTransmittance)) +
+         " of the light behind comes through";
+}
+
+// Slices come from the back: where they can leave out what is hidden is found from the front first, without
+// light.
+Effect earlyStopOfSlices(const RuleInput& in, Plan& plan) {
+  if (resamplerOf(in.options) == Resampler::gl)
+    return off("what comes from the back cannot know what will hide it");
+  plan.stopTransmittance = stopTransmittance(in);
+  // So much of what is visible may be seen, as measured: else all of it is blended sooner.
+  constexpr double little = 0.6;
+  if (seenShare(plan, in.facts) <= little)
+    return on("what lies where " + behind(plan) + " is not blended: found from the front first");
+  plan.stopTransmittance = 0;
+  return off("too little is hidden for finding it from the front first");
+}
+
 Effect earlyStop(const RuleInput& in, Plan& plan) {
   plan.stopTransmittance = 0;
   if (!composite(in)) return off("a projection looks at the whole ray");
-  if (plan.method == Method::blend) return off("what comes from the back cannot know what will hide it");
+  if (plan.method == Method::blend) return earlyStopOfSlices(in, plan);
   if (in.options.stopAt) {
     plan.stopTransmittance = *in.options.stopAt;
     if (*in.options.stopAt == 0) return off("every ray is followed to its end, as asked");
     return on("a ray ends where less than " + inDigits(*in.options.stopAt) +
               " of the light behind comes through, as asked");
   }
-  plan.stopTransmittance = in.options.quality == Quality::exact || in.options.step ? 1.0 / 16384 : 1.0 / 4096;
-  plan.stopTransmittance = std::min(plan.stopTransmittance, 0.2 / 255 / brightest(in.scene));
-  return on("a ray ends where less than 1/" + std::to_string(std::lround(1 / plan.stopTransmittance)) +
-            " of the light behind comes through");
+  plan.stopTransmittance = stopTransmittance(in);
+  return on("a ray ends where " + behind(plan));
 }
 
 // Whether 16-bit gradients would blur what the scene asks of small ones: a normal at the gradient floor would
@@ -207,10 +230,10 @@ const std::vector<Rule>& rules() {
       {"gradient operator", false, gradientOperator},
       {"clip", true, clip},
       {"integration", false, decideIntegration},
-      {"early stop", false, earlyStop},
       {"curve table", false, decideCurveTable},
       {"faint samples", false, decideFaintSamples},
       {"empty blocks", true, emptyBlocks},
+      {"early stop", false, earlyStop},
       {"precision", false, precision},
       {"resampler", false, decideResampler},
       {"gradient fetch", false, gradientFetch},

@@ -172,9 +172,24 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   });
   row("preshaded skips no blocks", "empty blocks", "off  empty blocks: this method looks at every sample",
       [](Asked& a) { a.options.method = Method::preshaded; });
-  row("slices never stop", "early stop",
-      "off  early stop: what comes from the back cannot know what will hide it",
+  row("slices of what hides little", "early stop",
+      "off  early stop: too little is hidden for finding it from the front first",
       [](Asked& a) { a.options.method = Method::blend; });
+  row("slices of what hides much", "early stop",
+      "on   early stop: what lies where less than 1/4096 of the light behind comes through is not blended: "
+      "found from the front first",
+      [](Asked& a) {
+        a.options.method = Method::blend;
+        a.scene.transferFunction.points[1].opacity = 1;
+        a.facts.geometry.size.y = 64;
+      });
+  row("slices by OpenGL never stop", "early stop",
+      "off  early stop: what comes from the back cannot know what will hide it", [](Asked& a) {
+        a.options.method = Method::blend;
+        a.options.resampler = Resampler::gl;
+        a.scene.transferFunction.points[1].opacity = 1;
+        a.facts.geometry.size.y = 64;
+      });
   row("Sobel", "gradient operator",
       "on   gradient operator: Sobel, over all 26 neighbours: smooth, and turns with the object",
       [](Asked&) {});

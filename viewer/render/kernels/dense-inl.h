@@ -25,6 +25,9 @@ class DenseTracer {
   static constexpr int kSlab = 8;        ///< steps that all packets take before any goes on
   static constexpr bool kCells = false;  ///< whether single rays ask VisibleCells
   static constexpr bool kPrefetches = !kPlane;
+  static constexpr bool kBlends = true;  ///< slices from the back, too
+  /// The same without light, which has the same opacities.
+  using Unlit = DenseTracer<Store, ShadeBy::nothing, kGradientOpacity>;
 
   /// Adds to `out`, which must be 0; slabs come in the order of the frame's slices.
   DenseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
@@ -70,15 +73,16 @@ class DenseTracer {
     const DF df;
     auto& s = samples_;
     s.size = 0;
+    const bool cut = f_.slices.fromBack && out_.last;
+    const VF shows = cut ? hn::LoadU(df, out_.last + matter_.first) : Set(std::numeric_limits<float>::max());
     for (; bits; bits &= bits - 1) {
       const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
       const VF n = SampleAt(p, at);
-      const MF has = HasSample(p, n), last = IsLast(p, n);
+      const MF last = IsLast(p, n), has = hn::And(HasSample(p, n), hn::Le(Set(float(at)), shows));
       counts_.resampled += std::int64_t(hn::CountTrue(df, has));
       hn::Store(hn::IfThenElseZero(has, hn::IfThenElse(last, p.lastUnits, p.units)), df, s.units + s.size);
-      if constexpr (kPlane) {
-        s.step[s.size / kLanes] = at;
-      } else {
+      s.step[s.size / kLanes] = at;
+      if constexpr (!kPlane) {
         const Cell c = grid_.CellAt(grid_.Clamped(Position(p, n, last)));
         hn::Store(c.index, DI(), s.index + s.size);
         hn::Store(c.fx, df, s.x + s.size);
@@ -125,6 +129,7 @@ class DenseTracer {
       hn::Store(x.gradient.y, df, s.y + kept);
       hn::Store(x.gradient.z, df, s.z + kept);
       hn::Store(hn::IfThenElseZero(seen, units), df, s.units + kept);
+      s.step[kept / kLanes] = s.step[n / kLanes];
       kept += kLanes;
     }
     s.size = kept;
@@ -180,7 +185,13 @@ class DenseTracer {
       const VF weight = hn::Mul(hn::Sub(Set(1), p.alpha), opacity);
       p.colour = Add(p.colour, Scale(PlaceOf(s, n), weight));
       p.alpha = hn::Add(p.alpha, weight);
-      counts_.composited += std::int64_t(hn::CountTrue(df, hn::Gt(weight, hn::Zero(df))));
+      const MF counts = hn::Gt(weight, hn::Zero(df));
+      counts_.composited += std::int64_t(hn::CountTrue(df, counts));
+      if constexpr (kShade == ShadeBy::nothing)
+        if (out_.last) {
+          float* last = out_.last + matter_.first;
+          hn::StoreU(hn::IfThenElse(counts, Set(float(s.step[n / kLanes])), hn::LoadU(df, last)), df, last);
+        }
     }
     Keep(p);
   }

@@ -26,6 +26,7 @@ class SparseTracer {
  public:
   static constexpr int kSlab = 4;  ///< steps; in longer slabs more is looked at that the same slab hides
   static constexpr bool kCells = true;
+  static constexpr bool kBlends = false;
   static constexpr bool kPrefetches = false;  ///< LightQueue asks for gradients alone
 
   /// Adds to `out`, which must be 0.

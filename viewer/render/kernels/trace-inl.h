@@ -6,6 +6,7 @@
 #define VOLUMEN_RENDER_KERNELS_TRACE_INL_H_
 #endif
 
+#include <algorithm>
 #include <limits>
 
 #include "viewer/render/kernels/sparse-inl.h"
@@ -27,36 +28,33 @@ inline StepRange StepsOf(const RayRow& rays) {
   return end > 0 ? StepRange{int(begin), int(std::ceil(end))} : StepRange{0, 0};
 }
 
-/// Whether any ray of the packet at ray `first` lets light through and is on its way at the steps [step,
-/// end).
+/// Whether any ray of the packet at ray `first` lets light through, as rays from the front do up to a point,
+/// and is on its way at the steps [step, end).
 HWY_INLINE bool IsPacketOpen(const TraceFrame& f, const RayRow& rays, const TraceRow& out, int first,
                              int step, int end) {
   const DF df;
   const VF ahead = hn::LoadU(df, rays.ahead.data() + first),
            steps = hn::ConvertTo(df, hn::LoadU(DI(), rays.steps.data() + first));
   const MF has = hn::And(hn::Gt(hn::Add(ahead, steps), Set(float(step))), hn::Lt(ahead, Set(float(end))));
+  if (f.slices.fromBack) return !hn::AllFalse(df, has);
   const MF open = hn::Le(hn::LoadU(df, out.alpha + first), Set(1 - f.stopTransmittance));
   return !hn::AllFalse(df, hn::And(has, open));
 }
 
-/// One kernel. All packets of the row advance together, a slab of steps at a time, from the front or from the
-/// back (TraceFrame::slices): what one brings into the cache the others find there. (A packet alone, marching
-/// across rows of 512 voxels, throws its own lines out again: they are a power of two apart.)
+/// Takes all packets of the row through slabs of steps, from the front or from the back (TraceFrame::slices):
+/// what one brings into the cache the others find there. (A packet alone, marching across rows of 512 voxels,
+/// throws its own lines out again: they are a power of two apart.) `ends`: of each packet, the step from
+/// which on nothing of it is looked at.
 template <class Tracer>
-void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
-               TraceCounts& counts) {
-  const std::int64_t begin = Ticks();
-  const int lanes = int(hn::Lanes(DF())), packets = int(rays.steps.size()) / lanes;
-  Tracer tracer(f, rays, plane, out, counts);
-  std::vector<Skipper> skippers;
-  skippers.reserve(packets);
-  for (int n = 0; n < packets; ++n) skippers.emplace_back(f, LoadPacket(f, rays, n * lanes));
+void TakeSlabs(Tracer& tracer, const TraceFrame& f, const RayRow& rays, const TraceRow& out,
+               const std::vector<Skipper>& skippers, StepRange steps, const std::vector<int>& ends) {
+  const int lanes = int(hn::Lanes(DF())), packets = int(skippers.size());
   constexpr int slab = Tracer::kSlab;
   // The skipper looks at as many steps at a time as a vector has lanes: those of several slabs, or of a part.
   const int looked = std::max(lanes, slab);
   std::vector<std::uint64_t> looks(packets), bits(packets);
   const auto isOpen = [&](int n, int from, int to) {
-    return IsPacketOpen(f, rays, out, n * lanes, from, to);
+    return from < ends[n] && IsPacketOpen(f, rays, out, n * lanes, from, to);
   };
   const auto lookFrom = [&](int n, int step) {
     std::uint64_t seen = 0;
@@ -64,7 +62,6 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
       for (int more = 0; more < looked; more += lanes) seen |= skippers[n].LookFrom(step + more) << more;
     return seen;
   };
-  const StepRange steps = StepsOf(rays);
   const int start = steps.begin / looked * looked, slabs = (steps.end - start + slab - 1) / slab;
   const int ahead = f.slices.fromBack ? -slab : slab;
   for (int k = 0; k < slabs; ++k) {
@@ -73,7 +70,7 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
     Box box;
     for (int n = 0; n < packets; ++n) {
       if (isNew) looks[n] = lookFrom(n, step - within);
-      bits[n] = looks[n] >> within & ((1 << slab) - 1);
+      bits[n] = looks[n] >> within & ((1 << std::clamp(ends[n] - step, 0, slab)) - 1);
       if (bits[n] && !isOpen(n, step, step + slab)) bits[n] = 0;
       if (Tracer::kCells && bits[n]) skippers[n].TakeIn(step, slab, box);
     }
@@ -91,6 +88,47 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
     tracer.EndSlab();
   }
   tracer.Finish();
+}
+
+/// The last step that shows on each ray, -1 where none does: all rays are followed from the front, without
+/// light, as far as they can be seen.
+template <class Tracer>
+std::vector<float> LastSteps(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane,
+                             const std::vector<Skipper>& skippers, StepRange steps, TraceCounts& counts) {
+  TraceFrame front = f;
+  front.slices = {};
+  const std::size_t count = rays.steps.size();
+  std::vector<float> last(count, -1), pixels(4 * count);
+  float* p = pixels.data();
+  const TraceRow row{p, p + count, p + 2 * count, p + 3 * count, last.data()};
+  TraceCounts looked;
+  typename Tracer::Unlit unlit(front, rays, plane, row, looked);
+  TakeSlabs(unlit, front, rays, row, skippers, steps, std::vector<int>(skippers.size(), steps.end));
+  counts.resampled += looked.resampled;
+  return last;
+}
+
+/// One kernel.
+template <class Tracer>
+void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
+               TraceCounts& counts) {
+  const std::int64_t begin = Ticks();
+  const int lanes = int(hn::Lanes(DF())), packets = int(rays.steps.size()) / lanes;
+  std::vector<Skipper> skippers;
+  skippers.reserve(packets);
+  for (int n = 0; n < packets; ++n) skippers.emplace_back(f, LoadPacket(f, rays, n * lanes));
+  const StepRange steps = StepsOf(rays);
+  std::vector<int> ends(packets, steps.end);
+  std::vector<float> last;
+  if constexpr (Tracer::kBlends)
+    if (f.slices.fromBack && f.stopTransmittance > 0) {
+      last = LastSteps<Tracer>(f, rays, plane, skippers, steps, counts);
+      for (int n = 0; n < packets; ++n)
+        ends[n] = 1 + int(*std::max_element(&last[n * lanes], &last[n * lanes] + lanes));
+    }
+  const TraceRow row{out.red, out.green, out.blue, out.alpha, last.empty() ? nullptr : last.data()};
+  Tracer tracer(f, rays, plane, row, counts);
+  TakeSlabs(tracer, f, rays, row, skippers, steps, ends);
   counts.allTicks += Ticks() - begin;
 }
 

@@ -53,7 +53,8 @@ struct Parting {
 };
 
 /// Slices from the back to the front in place of rays from the front to the back (paper 3.2); for kernels
-/// that fetch density and gradient together.
+/// that fetch density and gradient together. What lies behind TraceFrame::stopTransmittance is left out:
+/// rays are first followed from the front, as far as that.
 struct Slices {
   bool fromBack = false;
   float levels = 0;  ///< the largest value of a component of the frame buffer, to whose values what a slice
@@ -84,7 +85,7 @@ struct TraceFrame {
   const ReflectanceMap* map = nullptr;
   const ShadeTable* table = nullptr;
   const TransferFunction* transfer = nullptr;  ///< for its gradientOpacity
-  float stopTransmittance = 0;
+  float stopTransmittance = 0;                 ///< 0: no ray ends before its last sample
   Slices slices;
   Parting parting;
 };
@@ -100,6 +101,8 @@ struct PlaneBuffer {
 /// What one row of rays came to: premultiplied colour and alpha, one entry a ray (padded as the rays are).
 struct TraceRow {
   float *red, *green, *blue, *alpha;
+  float* last = nullptr;  ///< the last step that shows on each ray: noted from the front, and from the back
+                          ///< the first that is taken; null: not asked
 };
 
 /// Counted over a row.
