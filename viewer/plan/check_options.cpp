@@ -31,8 +31,9 @@ Status checkTolerance(const Scene& scene, const RenderOptions& o) {
 // What the reference, which draws the picture's definition, has not.
 Status checkKnobs(const RenderOptions& o) {
   if (o.stopAt && !(*o.stopAt >= 0 && *o.stopAt < 1)) return Error{"--stop-at must be 0 .. 1, below 1."};
-  if (o.stopAt && o.method == Method::blend)
-    return Error{"--stop-at does not go with --method blend, which draws from the back to the front."};
+  if (o.stopAt && o.method == Method::blend &&
+      (o.resampler == Resampler::gl || o.blending.value_or(Blending::floats) != Blending::floats))
+    return Error{"--stop-at goes with --method blend on the CPU and in floats alone."};
   if (o.opacityThreshold && !(*o.opacityThreshold >= 0 && *o.opacityThreshold < 1))
     return Error{"--opacity-threshold must be 0 .. 1, below 1."};
   if (o.curveTable && (*o.curveTable < 2 || *o.curveTable > 65536))

@@ -31,7 +31,6 @@ std::string methodCost(const RuleInput& in, const Plan& plan) {
   if (plan.method != Method::planes || plan.resampler != Resampler::cpu) return {};
   RenderOptions options = in.options;
   options.method = Method::blend;
-  options.stopAt.reset();
   options.tolerance.reset();
   const auto blend = makePlan(in.scene, in.facts, options);
   if (!blend) return {};

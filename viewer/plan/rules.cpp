@@ -122,21 +122,29 @@ double stopTransmittance(const RuleInput& in) {
   return std::min(fine ? 1.0 / 16384 : 1.0 / 4096, 0.2 / 255 / brightest(in.scene));
 }
 
-std::string behind(const Plan& plan) {
-  return "less than 1/" + std::to_string(std::lround(1 / plan.stopTransmittance)) +
-         " of the light behind comes through";
+std::string behind(const RuleInput& in, const Plan& plan) {
+  const std::string share = in.options.stopAt
+                                ? inDigits(*in.options.stopAt)
+                                : "1/" + std::to_string(std::lround(1 / plan.stopTransmittance));
+  return "less than " + share + " of the light behind comes through";
 }
+
+std::string asAsked(const RuleInput& in) { return in.options.stopAt ? ", as asked" : ""; }
 
 // Slices come from the back: where they can leave out what is hidden is found from the front first, without
 // light.
 Effect earlyStopOfSlices(const RuleInput& in, Plan& plan) {
   if (resamplerOf(in.options) == Resampler::gl)
     return off("what comes from the back cannot know what will hide it");
-  plan.stopTransmittance = stopTransmittance(in);
-  // So much of what is visible may be seen, as measured: else all of it is blended sooner.
-  constexpr double little = 0.6;
-  if (seenShare(plan, in.facts) <= little)
-    return on("what lies where " + behind(plan) + " is not blended: found from the front first");
+  if (in.options.blending.value_or(Blending::floats) != Blending::floats)
+    return off("slices that are rounded hide nothing for good");
+  plan.stopTransmittance = in.options.stopAt.value_or(stopTransmittance(in));
+  if (plan.stopTransmittance == 0) return off("every slice is blended, as asked");
+  // Where more than that is seen of what is visible, blending all of it is faster, as measured.
+  constexpr double mostSeen = 0.5;
+  if (in.options.stopAt || seenShare(plan, in.facts) <= mostSeen)
+    return on("what lies where " + behind(in, plan) + " is not blended: found from the front first" +
+              asAsked(in));
   plan.stopTransmittance = 0;
   return off("too little is hidden for finding it from the front first");
 }
@@ -145,14 +153,9 @@ Effect earlyStop(const RuleInput& in, Plan& plan) {
   plan.stopTransmittance = 0;
   if (!composite(in)) return off("a projection looks at the whole ray");
   if (plan.method == Method::blend) return earlyStopOfSlices(in, plan);
-  if (in.options.stopAt) {
-    plan.stopTransmittance = *in.options.stopAt;
-    if (*in.options.stopAt == 0) return off("every ray is followed to its end, as asked");
-    return on("a ray ends where less than " + inDigits(*in.options.stopAt) +
-              " of the light behind comes through, as asked");
-  }
-  plan.stopTransmittance = stopTransmittance(in);
-  return on("a ray ends where " + behind(plan));
+  plan.stopTransmittance = in.options.stopAt.value_or(stopTransmittance(in));
+  if (plan.stopTransmittance == 0) return off("every ray is followed to its end, as asked");
+  return on("a ray ends where " + behind(in, plan) + asAsked(in));
 }
 
 // Whether 16-bit gradients would blur what the scene asks of small ones: a normal at the gradient floor would

@@ -84,7 +84,7 @@ std::string paperText(const PaperBench& bench, const std::string& machine, const
       "other volumes stand in for its scans at their own size, so their ratios compare different "
       "volumes.\n";
   out += table(bench, Method::planes, "Table 1: Planes");
-  out += table(bench, Method::blend, "Table 2: Blend");
+  out += table(bench, Method::blend, "Table 2: Blend (what is hidden is left out)");
   out += threadsTable(bench);
   out +=
       "\n## Independence of the volume's size (opaque sphere, 100^2 pixels, 100 samples; the paper: 130 ms "

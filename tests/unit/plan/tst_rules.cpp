@@ -183,6 +183,26 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.scene.transferFunction.points[1].opacity = 1;
         a.facts.geometry.size.y = 64;
       });
+  row("slices that stop as asked", "early stop",
+      "on   early stop: what lies where less than 0.02 of the light behind comes through is not blended: "
+      "found "
+      "from the front first, as asked",
+      [](Asked& a) {
+        a.options.method = Method::blend;
+        a.options.stopAt = 0.02;
+      });
+  row("every slice as asked", "early stop", "off  early stop: every slice is blended, as asked",
+      [](Asked& a) {
+        a.options.method = Method::blend;
+        a.options.stopAt = 0;
+      });
+  row("slices that are rounded fade into values of their own", "early stop",
+      "off  early stop: slices that are rounded hide nothing for good", [](Asked& a) {
+        a.options.method = Method::blend;
+        a.options.blending = Blending::bits8;
+        a.scene.transferFunction.points[1].opacity = 1;
+        a.facts.geometry.size.y = 64;
+      });
   row("slices by OpenGL never stop", "early stop",
       "off  early stop: what comes from the back cannot know what will hide it", [](Asked& a) {
         a.options.method = Method::blend;
@@ -296,8 +316,14 @@ void TestRules::optionsThatCannotBeAreRefused_data() {
     a.options.method = Method::preshaded;
     a.scene.mode = Mode::mip;
   });
-  row("a blend that stops", "--stop-at", [](Asked& a) {
+  row("a blend by OpenGL that stops", "--stop-at", [](Asked& a) {
     a.options.method = Method::blend;
+    a.options.resampler = Resampler::gl;
+    a.options.stopAt = 0.1;
+  });
+  row("a blend in 16 bits that stops", "--stop-at", [](Asked& a) {
+    a.options.method = Method::blend;
+    a.options.blending = Blending::bits16;
     a.options.stopAt = 0.1;
   });
   row("a mean in 8 bits", "--blending 8", [](Asked& a) {

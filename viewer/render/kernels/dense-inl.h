@@ -73,12 +73,12 @@ class DenseTracer {
     const DF df;
     auto& s = samples_;
     s.size = 0;
-    const bool cut = f_.slices.fromBack && out_.last;
-    const VF shows = cut ? hn::LoadU(df, out_.last + matter_.first) : Set(std::numeric_limits<float>::max());
+    const bool cut = f_.slices.fromBack && out_.shown;
+    const VF shown = cut ? hn::LoadU(df, out_.shown + matter_.first) : Set(std::numeric_limits<float>::max());
     for (; bits; bits &= bits - 1) {
       const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
       const VF n = SampleAt(p, at);
-      const MF last = IsLast(p, n), has = hn::And(HasSample(p, n), hn::Le(Set(float(at)), shows));
+      const MF last = IsLast(p, n), has = hn::And(HasSample(p, n), hn::Le(Set(float(at)), shown));
       counts_.resampled += std::int64_t(hn::CountTrue(df, has));
       hn::Store(hn::IfThenElseZero(has, hn::IfThenElse(last, p.lastUnits, p.units)), df, s.units + s.size);
       s.step[s.size / kLanes] = at;
@@ -188,9 +188,9 @@ class DenseTracer {
       const MF counts = hn::Gt(weight, hn::Zero(df));
       counts_.composited += std::int64_t(hn::CountTrue(df, counts));
       if constexpr (kShade == ShadeBy::nothing)
-        if (out_.last) {
-          float* last = out_.last + matter_.first;
-          hn::StoreU(hn::IfThenElse(counts, Set(float(s.step[n / kLanes])), hn::LoadU(df, last)), df, last);
+        if (out_.shown) {
+          float* shown = out_.shown + matter_.first;
+          hn::StoreU(hn::IfThenElse(counts, Set(float(s.step[n / kLanes])), hn::LoadU(df, shown)), df, shown);
         }
     }
     Keep(p);

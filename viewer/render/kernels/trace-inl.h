@@ -93,19 +93,19 @@ void TakeSlabs(Tracer& tracer, const TraceFrame& f, const RayRow& rays, const Tr
 /// The last step that shows on each ray, -1 where none does: all rays are followed from the front, without
 /// light, as far as they can be seen.
 template <class Tracer>
-std::vector<float> LastSteps(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane,
-                             const std::vector<Skipper>& skippers, StepRange steps, TraceCounts& counts) {
+std::vector<float> ShownSteps(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane,
+                              const std::vector<Skipper>& skippers, StepRange steps, TraceCounts& counts) {
   TraceFrame front = f;
   front.slices = {};
   const std::size_t count = rays.steps.size();
-  std::vector<float> last(count, -1), pixels(4 * count);
+  std::vector<float> shown(count, -1), pixels(4 * count);
   float* p = pixels.data();
-  const TraceRow row{p, p + count, p + 2 * count, p + 3 * count, last.data()};
+  const TraceRow row{p, p + count, p + 2 * count, p + 3 * count, shown.data()};
   TraceCounts looked;
   typename Tracer::Unlit unlit(front, rays, plane, row, looked);
   TakeSlabs(unlit, front, rays, row, skippers, steps, std::vector<int>(skippers.size(), steps.end));
   counts.resampled += looked.resampled;
-  return last;
+  return shown;
 }
 
 /// One kernel.
@@ -119,14 +119,14 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   for (int n = 0; n < packets; ++n) skippers.emplace_back(f, LoadPacket(f, rays, n * lanes));
   const StepRange steps = StepsOf(rays);
   std::vector<int> ends(packets, steps.end);
-  std::vector<float> last;
+  std::vector<float> shown;
   if constexpr (Tracer::kBlends)
     if (f.slices.fromBack && f.stopTransmittance > 0) {
-      last = LastSteps<Tracer>(f, rays, plane, skippers, steps, counts);
+      shown = ShownSteps<Tracer>(f, rays, plane, skippers, steps, counts);
       for (int n = 0; n < packets; ++n)
-        ends[n] = 1 + int(*std::max_element(&last[n * lanes], &last[n * lanes] + lanes));
+        ends[n] = 1 + int(*std::max_element(&shown[n * lanes], &shown[n * lanes] + lanes));
     }
-  const TraceRow row{out.red, out.green, out.blue, out.alpha, last.empty() ? nullptr : last.data()};
+  const TraceRow row{out.red, out.green, out.blue, out.alpha, shown.empty() ? nullptr : shown.data()};
   Tracer tracer(f, rays, plane, row, counts);
   TakeSlabs(tracer, f, rays, row, skippers, steps, ends);
   counts.allTicks += Ticks() - begin;

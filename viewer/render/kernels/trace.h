@@ -101,8 +101,8 @@ struct PlaneBuffer {
 /// What one row of rays came to: premultiplied colour and alpha, one entry a ray (padded as the rays are).
 struct TraceRow {
   float *red, *green, *blue, *alpha;
-  float* last = nullptr;  ///< the last step that shows on each ray: noted from the front, and from the back
-                          ///< the first that is taken; null: not asked
+  float* shown = nullptr;  ///< the last step that shows on each ray: rays from the front note it, slices from
+                           ///< the back begin with it; null: not asked
 };
 
 /// Counted over a row.
