@@ -1,13 +1,11 @@
 #include "viewer/render/reference.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cassert>
 #include <limits>
 
 #include "viewer/render/reference_integral.h"
+#include "viewer/volume/parallel.h"
 
 namespace volumen {
 
@@ -104,11 +102,8 @@ class Caster {
 // Calls row(y) for all rows. Nothing a row computes depends on the thread it runs on.
 template <class Row>
 Status forEachRow(int rows, int threads, const CancelToken& cancel, Row row) {
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(0, rows, [&](int y) {
-      if (!cancel.cancelled()) row(y);
-    });
+  parallelFor(rows, threads, [&](std::int64_t first, std::int64_t last) {
+    for (auto y = int(first); y < int(last) && !cancel.cancelled(); ++y) row(y);
   });
   if (cancel.cancelled()) return Error{"cancelled"};
   return {};

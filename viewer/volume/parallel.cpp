@@ -9,7 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <string>
+#include <vector>
 
 namespace volumen {
 
@@ -23,6 +27,42 @@ int cgroupThreads() {
   if (!(file >> quota >> period) || quota == "max" || period <= 0) return 1 << 20;
   return std::max(1, int(std::ceil(std::atof(quota.c_str()) / period)));
 }
+
+// Arenas that nobody is in, by their number of threads. They are kept: oneTBB 2021.8 never frees one that
+// workers have entered, and searches all that there ever were (its issue 967).
+struct IdleArenas {
+  std::mutex mutex;
+  std::map<int, std::vector<std::unique_ptr<tbb::task_arena>>> arenas;
+};
+IdleArenas& idle() {
+  static IdleArenas all;
+  return all;
+}
+
+// An arena for one call alone: in a shared one a thread that waits may take up another call's work, which may
+// ask for a lock that the thread holds.
+class BorrowedArena {
+ public:
+  explicit BorrowedArena(int threads) : threads_(threads) {
+    const std::lock_guard lock(idle().mutex);
+    auto& arenas = idle().arenas[threads];
+    if (arenas.empty()) arenas.push_back(std::make_unique<tbb::task_arena>(threads));
+    arena_ = std::move(arenas.back());
+    arenas.pop_back();
+  }
+  ~BorrowedArena() {
+    const std::lock_guard lock(idle().mutex);
+    idle().arenas[threads_].push_back(std::move(arena_));
+  }
+  BorrowedArena(const BorrowedArena&) = delete;
+  BorrowedArena& operator=(const BorrowedArena&) = delete;
+
+  tbb::task_arena* operator->() const { return arena_.get(); }
+
+ private:
+  int threads_;
+  std::unique_ptr<tbb::task_arena> arena_;
+};
 
 }  // namespace
 
@@ -42,8 +82,8 @@ void parallelFor(std::int64_t count, int threads,
   // More threads than cores only where asked for; without this oneTBB would quietly use fewer.
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism,
                                   std::size_t(std::max(wanted, allowedThreads())));
-  tbb::task_arena arena(wanted);
-  arena.execute([&] {
+  const BorrowedArena arena(wanted);
+  arena->execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count),
                       [&](const tbb::blocked_range<std::int64_t>& part) { work(part.begin(), part.end()); });
   });
