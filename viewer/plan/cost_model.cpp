@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -78,29 +79,28 @@ Rays raysOf(const Plan& plan, const VoxelGeometry& geometry) {
   return {count, count * box.volume() / shadow};
 }
 
-// The share of what is visible that is seen before rays are opaque: rays that go through matter as
-// dense as some visible blocks, each at its least, middle and largest value, and how far they come.
+// The share of what is visible that is seen before rays are opaque: how far rays go into matter of the mean
+// extinction of some visible blocks, each at its least, middle and largest value, over how much is on a ray.
 double seenShare(const Plan& plan, const VolumeFacts& facts, const Rays& rays) {
   const double visibleMmARay = rays.count > 0 ? plan.visibleShare * rays.mm / rays.count : 0;
   if (plan.stopTransmittance <= 0 || !facts.bricks || visibleMmARay <= 0) return 1;
   const BrickRanges& bricks = *facts.bricks;
-  const double depth = -std::log(plan.stopTransmittance);
   constexpr std::size_t most = 1024;
   const std::size_t all = bricks.low.size(), looks = std::min(all, most);
   double sum = 0;
   int visible = 0;
   for (std::size_t look = 0; look < looks; ++look) {
-    // A stride would meet the same columns of blocks again; shares of the golden ratio spread evenly.
-    const std::size_t n =
-        looks < all ? std::size_t(glm::fract(double(look) * 0.6180339887498949) * double(all)) : look;
+    // Multiples of the golden ratio spread evenly; a stride would meet the same columns of blocks again.
+    const double place = glm::fract(double(look) * 0.6180339887498949);
+    const std::size_t n = looks < all ? std::size_t(place * double(all)) : look;
     double perMm = 0;
     for (float value : {bricks.low[n], (bricks.low[n] + bricks.high[n]) / 2, bricks.high[n]})
       perMm -= std::log1p(-std::min(opacityAt(plan.curve, value), 0.9999)) / plan.curve.unitDistance / 3;
-    if (perMm <= 0) continue;
-    sum += std::min(1.0, depth / perMm / visibleMmARay);
-    ++visible;
+    sum += perMm;
+    visible += perMm > 0;
   }
-  return visible > 0 ? sum / visible : 1;
+  if (visible == 0) return 1;
+  return std::min(1.0, -std::log(plan.stopTransmittance) / (sum / visible) / visibleMmARay);
 }
 
 double lightNs(const Plan& plan, Shader shader, double samples) {
