@@ -141,7 +141,7 @@ Effect earlyStopOfSlices(const RuleInput& in, Plan& plan) {
   plan.stopTransmittance = in.options.stopAt.value_or(stopTransmittance(in));
   if (plan.stopTransmittance == 0) return off("every slice is blended, as asked");
   // Where more than that is seen of what is visible, blending all of it is faster, as measured.
-  constexpr double mostSeen = 0.5;
+  constexpr double mostSeen = 0.4;
   if (in.options.stopAt || seenShare(plan, in.facts) <= mostSeen)
     return on("what lies where " + behind(in, plan) + " is not blended: found from the front first" +
               asAsked(in));

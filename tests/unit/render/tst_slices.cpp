@@ -75,7 +75,10 @@ void TestSlices::whatIsHiddenIsLeftOut_data() {
     a.scene.transferFunction.points[1].value = 501;
   });
   row("clipped", [](Asked& a) { a.scene.clip.planes = {{{1, 1, 1}, 10}}; });
-  row("bright light", [](Asked& a) { a.scene.lights[0].intensity = 30; });
+  row("bright light", [](Asked& a) {
+    a.scene.lights[0].intensity = 30;
+    a.scene.transferFunction.points[1].opacity = 0.98;
+  });
 }
 
 void TestSlices::whatIsHiddenIsLeftOut() {
