@@ -59,7 +59,7 @@ struct Plan {
   int mostParts = 1;
   double partTolerance = 1;  ///< how uneven a part may be (Parting)
   /// What is left open for a pilot to find (settled): whether plain steps, and how long ones, keep the
-  /// level's promise and take the place of the integration.
+  /// level's promise and take the place of the integration, or of a mean's shorter steps.
   std::optional<PilotSteps> pilotSteps;
   std::optional<PilotFinding> pilot;  ///< what it found
   double stopTransmittance = 0;       ///< a ray ends where its transmittance falls below; 0: never

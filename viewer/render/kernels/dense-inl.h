@@ -73,15 +73,17 @@ class DenseTracer {
     const DF df;
     auto& s = samples_;
     s.size = 0;
-    const bool cut = f_.slices.fromBack && out_.shown;
+    const bool cut = f_.slices.fromBack && out_.shown, notesSteps = kPlane || out_.shown;
     const VF shown = cut ? hn::LoadU(df, out_.shown + matter_.first) : Set(std::numeric_limits<float>::max());
     for (; bits; bits &= bits - 1) {
       const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
       const VF n = SampleAt(p, at);
-      const MF last = IsLast(p, n), has = hn::And(HasSample(p, n), hn::Le(Set(float(at)), shown));
+      const MF last = IsLast(p, n);
+      MF has = HasSample(p, n);
+      if (cut) has = hn::And(has, hn::Le(Set(float(at)), shown));
       counts_.resampled += std::int64_t(hn::CountTrue(df, has));
       hn::Store(hn::IfThenElseZero(has, hn::IfThenElse(last, p.lastUnits, p.units)), df, s.units + s.size);
-      s.step[s.size / kLanes] = at;
+      if (notesSteps) s.step[s.size / kLanes] = at;
       if constexpr (!kPlane) {
         const Cell c = grid_.CellAt(grid_.Clamped(Position(p, n, last)));
         hn::Store(c.index, DI(), s.index + s.size);
@@ -117,6 +119,7 @@ class DenseTracer {
   HWY_INLINE void Resample() {
     const DF df;
     auto& s = samples_;
+    const bool notesSteps = out_.shown;
     int kept = 0;
     for (int n = 0; n < s.size; n += kLanes) {
       const VF units = hn::Load(df, s.units + n);
@@ -129,7 +132,7 @@ class DenseTracer {
       hn::Store(x.gradient.y, df, s.y + kept);
       hn::Store(x.gradient.z, df, s.z + kept);
       hn::Store(hn::IfThenElseZero(seen, units), df, s.units + kept);
-      s.step[kept / kLanes] = s.step[n / kLanes];
+      if (notesSteps) s.step[kept / kLanes] = s.step[n / kLanes];
       kept += kLanes;
     }
     s.size = kept;

@@ -46,21 +46,24 @@ HWY_INLINE bool IsPacketOpen(const TraceFrame& f, const RayRow& rays, const Trac
 /// throws its own lines out again: they are a power of two apart.) `ends`: of each packet, the step from
 /// which on nothing of it is looked at.
 template <class Tracer>
-void TakeSlabs(Tracer& tracer, const TraceFrame& f, const RayRow& rays, const TraceRow& out,
-               const std::vector<Skipper>& skippers, StepRange steps, const std::vector<int>& ends) {
+void TakeSlabs(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
+               TraceCounts& counts, const std::vector<Skipper>& skippers, StepRange steps,
+               const std::vector<int>& ends) {
+  Tracer tracer(f, rays, plane, out, counts);
   const int lanes = int(hn::Lanes(DF())), packets = int(skippers.size());
   constexpr int slab = Tracer::kSlab;
   // The skipper looks at as many steps at a time as a vector has lanes: those of several slabs, or of a part.
   const int looked = std::max(lanes, slab);
   std::vector<std::uint64_t> looks(packets), bits(packets);
   const auto isOpen = [&](int n, int from, int to) {
-    return from < ends[n] && IsPacketOpen(f, rays, out, n * lanes, from, to);
+    return IsPacketOpen(f, rays, out, n * lanes, from, to);
   };
   const auto lookFrom = [&](int n, int step) {
+    const int wanted = std::clamp(ends[n] - step, 0, looked);
     std::uint64_t seen = 0;
-    if (isOpen(n, step, step + looked))
+    if (wanted && isOpen(n, step, step + looked))
       for (int more = 0; more < looked; more += lanes) seen |= skippers[n].LookFrom(step + more) << more;
-    return seen;
+    return seen & ((1ull << wanted) - 1);
   };
   const int start = steps.begin / looked * looked, slabs = (steps.end - start + slab - 1) / slab;
   const int ahead = f.slices.fromBack ? -slab : slab;
@@ -70,7 +73,7 @@ void TakeSlabs(Tracer& tracer, const TraceFrame& f, const RayRow& rays, const Tr
     Box box;
     for (int n = 0; n < packets; ++n) {
       if (isNew) looks[n] = lookFrom(n, step - within);
-      bits[n] = looks[n] >> within & ((1 << std::clamp(ends[n] - step, 0, slab)) - 1);
+      bits[n] = looks[n] >> within & ((1 << slab) - 1);
       if (bits[n] && !isOpen(n, step, step + slab)) bits[n] = 0;
       if (Tracer::kCells && bits[n]) skippers[n].TakeIn(step, slab, box);
     }
@@ -102,8 +105,8 @@ std::vector<float> ShownSteps(const TraceFrame& f, const RayRow& rays, const Pla
   float* p = pixels.data();
   const TraceRow row{p, p + count, p + 2 * count, p + 3 * count, shown.data()};
   TraceCounts looked;
-  typename Tracer::Unlit unlit(front, rays, plane, row, looked);
-  TakeSlabs(unlit, front, rays, row, skippers, steps, std::vector<int>(skippers.size(), steps.end));
+  const std::vector<int> ends(skippers.size(), steps.end);
+  TakeSlabs<typename Tracer::Unlit>(front, rays, plane, row, looked, skippers, steps, ends);
   counts.resampled += looked.resampled;
   return shown;
 }
@@ -127,8 +130,7 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
         ends[n] = 1 + int(*std::max_element(&shown[n * lanes], &shown[n * lanes] + lanes));
     }
   const TraceRow row{out.red, out.green, out.blue, out.alpha, shown.empty() ? nullptr : shown.data()};
-  Tracer tracer(f, rays, plane, row, counts);
-  TakeSlabs(tracer, f, rays, row, skippers, steps, ends);
+  TakeSlabs<Tracer>(f, rays, plane, row, counts, skippers, steps, ends);
   counts.allTicks += Ticks() - begin;
 }
 
