@@ -17,6 +17,7 @@ class TestDrafts : public QObject {
   void draftSeesWhatTheFullPictureSees_data();
   void draftSeesWhatTheFullPictureSees();
   void enlargingKeepsColours();
+  void theScreenShowsWhatIsWritten();
   void draftLooksLikeStandard_data();
   void draftLooksLikeStandard();
 };
@@ -75,6 +76,16 @@ void TestDrafts::enlargingKeepsColours() {
     const double expected = ((x + 0.5 - 39) / 4 + 10) / 20;
     QVERIFY(std::abs(qRed(image.pixel(x, 20)) - 255 * expected) <= 0.51);  // the rounding to bytes
   }
+}
+
+void TestDrafts::theScreenShowsWhatIsWritten() {
+  Picture picture{.size = {37, 200}, .transparent = false, .rgba = std::vector<float>(4 * 37 * 200, 1.0f)};
+  for (std::size_t n = 0; n < picture.rgba.size(); ++n)
+    if (n % 4 != 3) picture.rgba[n] = float(n % 1021) / 1020;
+  const std::vector<std::uint8_t> bytes = toBytes(picture);
+  const QImage image = toImage(picture);
+  for (int n = 0; n < 37 * 200; ++n)
+    QCOMPARE(image.pixel(n % 37, n / 37), qRgb(bytes[3 * n], bytes[3 * n + 1], bytes[3 * n + 2]));
 }
 
 void TestDrafts::draftLooksLikeStandard_data() {

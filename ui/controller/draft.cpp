@@ -5,6 +5,8 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
+#include "viewer/volume/parallel.h"
+
 namespace volumen {
 
 namespace {
@@ -14,15 +16,22 @@ namespace {
 constexpr double factors[] = {1, 1.5, 2, 3, 4, 5, 6, 7};
 constexpr int lastStep = int(std::size(factors)) - 1;
 
-QRgb toRgb(const float* c) {
-  const auto byte = [](float x) { return int(255 * std::clamp(x, 0.0f, 1.0f) + 0.5f); };
-  // Rounding must not leave a colour above its alpha.
-  const int alpha = byte(c[3]);
-  return qRgba(std::min(byte(c[0]), alpha), std::min(byte(c[1]), alpha), std::min(byte(c[2]), alpha), alpha);
-}
-
 QImage::Format formatOf(const Picture& picture) {
   return picture.transparent ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB32;
+}
+
+// An image of which fill(begin, end, row) fills the rows [begin, end), on all cores; row(y): where one
+// begins.
+template <class Fill>
+QImage imageOfRows(QSize size, QImage::Format format, const Fill& fill) {
+  QImage image(size, format);
+  uchar* first = image.bits();
+  const auto row = [first, bytes = image.bytesPerLine()](int y) {
+    return reinterpret_cast<QRgb*>(first + y * bytes);
+  };
+  parallelFor(size.height(), 0,
+              [&](std::int64_t begin, std::int64_t end) { fill(int(begin), int(end), row); });
+  return image;
 }
 
 // Where the pixels of a stretch of `full` lie among `count` pixels that are `factor` as large, middle on
@@ -71,37 +80,33 @@ DraftView draftView(const Camera& camera, QSize full, double factor) {
 }
 
 QImage enlarged(const Picture& picture, double factor, QSize full) {
-  QImage image(full, formatOf(picture));
   const std::vector<Sample> columns = samplesAlong(full.width(), picture.size.x, factor);
   const std::vector<Sample> rows = samplesAlong(full.height(), picture.size.y, factor);
-  // Each row of the small picture is stretched once, when the rows between which the result lies reach it.
-  std::vector<float> stretched[2];
-  int held[2] = {-1, -1};
-  const auto stretch = [&](int y) -> const float* {
-    auto& out = stretched[y % 2];
-    if (held[y % 2] == y) return out.data();
-    held[y % 2] = y;
-    out.resize(std::size_t(4) * full.width());
-    const float* in = picture.row(y);
-    for (int x = 0; x < full.width(); ++x)
-      for (int c = 0; c < 4; ++c) {
-        const float a = in[4 * columns[x].first + c], b = in[4 * columns[x].second + c];
-        out[4 * x + c] = a + (b - a) * columns[x].weight;
-      }
-    return out.data();
-  };
-  for (int y = 0; y < full.height(); ++y) {
-    const float* above = stretch(rows[y].first);
-    const float* below = stretch(rows[y].second);
-    auto* out = reinterpret_cast<QRgb*>(image.scanLine(y));
-    for (int x = 0; x < full.width(); ++x) {
-      float c[4];
-      for (int n = 0; n < 4; ++n)
-        c[n] = above[4 * x + n] + (below[4 * x + n] - above[4 * x + n]) * rows[y].weight;
-      out[x] = toRgb(c);
+  return imageOfRows(full, formatOf(picture), [&](int begin, int end, const auto& rowOf) {
+    // Each row of the small picture is stretched once, when the rows between which the result lies reach it.
+    std::vector<float> stretched[2], blended(std::size_t(4) * full.width());
+    int held[2] = {-1, -1};
+    const auto stretch = [&](int y) -> const float* {
+      auto& out = stretched[y % 2];
+      if (held[y % 2] == y) return out.data();
+      held[y % 2] = y;
+      out.resize(std::size_t(4) * full.width());
+      const float* in = picture.row(y);
+      for (int x = 0; x < full.width(); ++x)
+        for (int c = 0; c < 4; ++c) {
+          const float a = in[4 * columns[x].first + c], b = in[4 * columns[x].second + c];
+          out[4 * x + c] = a + (b - a) * columns[x].weight;
+        }
+      return out.data();
+    };
+    for (int y = begin; y < end; ++y) {
+      const float* above = stretch(rows[y].first);
+      const float* below = stretch(rows[y].second);
+      const float weight = rows[y].weight;
+      for (std::size_t n = 0; n < blended.size(); ++n) blended[n] = above[n] + (below[n] - above[n]) * weight;
+      toArgb(blended.data(), full.width(), rowOf(y));
     }
-  }
-  return image;
+  });
 }
 
 glm::vec4 enlargedPixel(const Picture& picture, double factor, QSize full, glm::ivec2 pixel) {
@@ -117,11 +122,10 @@ glm::vec4 enlargedPixel(const Picture& picture, double factor, QSize full, glm::
 }
 
 QImage toImage(const Picture& picture) {
-  const std::vector<std::uint8_t> bytes = toBytes(picture);
-  const int channels = picture.transparent ? 4 : 3;
-  const QImage view(bytes.data(), picture.size.x, picture.size.y, qsizetype(channels) * picture.size.x,
-                    picture.transparent ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
-  return view.convertToFormat(formatOf(picture));
+  const QSize size(picture.size.x, picture.size.y);
+  return imageOfRows(size, formatOf(picture), [&](int begin, int end, const auto& rowOf) {
+    for (int y = begin; y < end; ++y) toArgb(picture.row(y), size.width(), rowOf(y));
+  });
 }
 
 }  // namespace volumen

@@ -6,12 +6,6 @@
 
 namespace volumen {
 
-namespace {
-std::uint8_t byteOf(float x) {
-  return std::uint8_t(std::floor(255.0 * std::clamp(double(x), 0.0, 1.0) + 0.5));
-}
-}  // namespace
-
 std::vector<std::uint8_t> toBytes(const Picture& picture) {
   const std::size_t pixels = std::size_t(picture.size.x) * picture.size.y;
   std::vector<std::uint8_t> bytes;
@@ -20,9 +14,9 @@ std::vector<std::uint8_t> toBytes(const Picture& picture) {
     const float* p = &picture.rgba[4 * n];
     for (int c = 0; c < 3; ++c) {
       const float straight = !picture.transparent ? p[c] : p[3] > 0 ? p[c] / p[3] : 0.0f;
-      bytes.push_back(byteOf(straight));
+      bytes.push_back(toByte(straight));
     }
-    if (picture.transparent) bytes.push_back(byteOf(p[3]));
+    if (picture.transparent) bytes.push_back(toByte(p[3]));
   }
   return bytes;
 }
