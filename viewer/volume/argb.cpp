@@ -17,14 +17,21 @@ void ToArgb(const float* rgba, std::size_t count, std::uint32_t* argb) {
   const hn::ScalableTag<float> df;
   const hn::RebindToSigned<decltype(df)> di;
   using VF = hn::Vec<decltype(df)>;
-  const VF zero = hn::Zero(df), one = hn::Set(df, 1), half = hn::Set(df, 0.5f), most = hn::Set(df, 255);
+  using VI = hn::Vec<decltype(di)>;
+  const VF zero = hn::Zero(df), one = hn::Set(df, 1), half = hn::Set(df, 0.5f), all = hn::Set(df, 256);
+  // toByte of x in 0..1, in floats: 255 x is rounded, and the rest known exactly.
+  const auto byteOf = [&](VF x) {
+    const VF more = hn::Mul(x, all), scaled = hn::Sub(more, x), lost = hn::Sub(hn::Sub(more, scaled), x);
+    const VI whole = hn::ConvertTo(di, hn::Add(scaled, half));
+    const VF above = hn::Sub(scaled, hn::Sub(hn::ConvertTo(df, whole), half));
+    // Rounding can have taken it up to the next byte, never down.
+    return hn::Sub(
+        whole, hn::IfThenElseZero(hn::RebindMask(di, hn::Lt(hn::Add(above, lost), zero)), hn::Set(di, 1)));
+  };
   for (; n + hn::Lanes(df) <= count; n += hn::Lanes(df)) {
     VF r, g, b, a;
     hn::LoadInterleaved4(df, rgba + 4 * n, r, g, b, a);
-    const auto byte = [&](VF x) {
-      const VF inside = hn::Min(hn::Max(hn::Min(x, a), zero), one);
-      return hn::ConvertTo(di, hn::Add(hn::Mul(inside, most), half));
-    };
+    const auto byte = [&](VF x) { return byteOf(hn::Min(hn::Max(hn::Min(x, a), zero), one)); };
     const auto ar = hn::Or(hn::ShiftLeft<24>(byte(a)), hn::ShiftLeft<16>(byte(r)));
     const auto gb = hn::Or(hn::ShiftLeft<8>(byte(g)), byte(b));
     hn::StoreU(hn::Or(ar, gb), di, reinterpret_cast<std::int32_t*>(argb + n));

@@ -20,14 +20,14 @@ struct Picture {
   bool operator==(const Picture&) const = default;
 };
 
-/// A component as it is written and shown: floor(255 x + 1/2) in floats, x clamped to 0..1.
-inline std::uint8_t toByte(float x) { return std::uint8_t(255 * std::clamp(x, 0.0f, 1.0f) + 0.5f); }
+/// A component as it is written and shown: floor(255 x + 1/2), x clamped to 0..1.
+inline std::uint8_t toByte(float x) { return std::uint8_t(255 * std::clamp(double(x), 0.0, 1.0) + 0.5); }
 
 /// `count` pixels of premultiplied colour as 0xaarrggbb, each component by toByte, no colour above its alpha.
 void toArgb(const float* rgba, std::size_t count, std::uint32_t* argb);
 
-/// The 8-bit picture, each component by toByte: 3 bytes a pixel where opaque, else 4
-/// with straight (not premultiplied) colour, 0 where alpha is 0 (SCENE 6).
+/// The 8-bit picture, each component by toByte: 3 bytes a pixel where opaque, else 4 with straight (not
+/// premultiplied) colour, 0 where alpha is 0 (SCENE 6).
 std::vector<std::uint8_t> toBytes(const Picture& picture);
 
 /// How two float pictures differ, in units of 1/255, as DESIGN 2 defines it.

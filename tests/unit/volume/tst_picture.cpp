@@ -9,14 +9,17 @@ using namespace volumen;
 
 namespace {
 
-// Premultiplied pixels: any place between two bytes but those next to a tie, and a few values out of range.
+// Components between two bytes, most of them next to where rounding turns over, and a few out of range.
 std::vector<float> pixels(int count) {
   std::mt19937 random(count);
-  std::uniform_int_distribution<int> byte(0, 255);
-  std::uniform_real_distribution<float> part(-0.499f, 0.499f);
+  std::uniform_int_distribution<int> byte(0, 255), towards(0, 2);
+  std::uniform_real_distribution<float> part(-0.5f, 0.5f);
   std::vector<float> rgba;
-  for (int n = 0; n < 4 * count; ++n)
-    rgba.push_back(n % 13 == 5 ? -0.25f : n % 17 == 7 ? 1.5f : (float(byte(random)) + part(random)) / 255);
+  for (int n = 0; n < 4 * count; ++n) {
+    float x = (float(byte(random)) + (n % 3 == 0 ? part(random) : 0.5f)) / 255;
+    x = std::nextafter(x, float(towards(random)));
+    rgba.push_back(n % 13 == 5 ? -0.25f : n % 17 == 7 ? 1.5f : x);
+  }
   return rgba;
 }
 
