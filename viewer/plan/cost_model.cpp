@@ -86,7 +86,7 @@ double seenShare(const Plan& plan, const VolumeFacts& facts, const Rays& rays) {
   if (plan.stopTransmittance <= 0 || !facts.bricks || visibleMmARay <= 0) return 1;
   const BrickRanges& bricks = *facts.bricks;
   constexpr std::size_t most = 1024;
-  const std::size_t all = bricks.low.size(), looks = std::min(all, most);
+  const std::size_t all = bricks.size(), looks = std::min(all, most);
   double sum = 0;
   int visible = 0;
   for (std::size_t look = 0; look < looks; ++look) {
@@ -94,7 +94,8 @@ double seenShare(const Plan& plan, const VolumeFacts& facts, const Rays& rays) {
     const double place = glm::fract(double(look) * 0.6180339887498949);
     const std::size_t n = looks < all ? std::size_t(place * double(all)) : look;
     double perMm = 0;
-    for (float value : {bricks.low[n], (bricks.low[n] + bricks.high[n]) / 2, bricks.high[n]})
+    const float low = bricks.low(n), high = bricks.high(n);
+    for (float value : {low, (low + high) / 2, high})
       perMm -= std::log1p(-std::min(opacityAt(plan.curve, value), 0.9999)) / plan.curve.unitDistance / 3;
     sum += perMm;
     visible += perMm > 0;

@@ -20,7 +20,7 @@ VolumeFacts factsOf(const Volume& volume) {
   if (!volume.attributes().windows.empty()) facts.fileWindow = volume.attributes().windows.front();
   facts.bricks = std::make_shared<const BrickRanges>(brickRanges(volume));
   facts.slopes = slopesOf(volume, *facts.bricks, facts.range);
-  facts.visible = std::make_shared<VisibleBlocksMemo>();
+  facts.visible = std::make_shared<VisibleCountMemo>();
   return facts;
 }
 

@@ -7,7 +7,7 @@
 
 namespace volumen {
 
-class VisibleBlocksMemo;
+class VisibleCountMemo;
 
 /// What the planner's rules may ask of a volume: a value, so that tests can invent one.
 struct VolumeFacts {
@@ -17,9 +17,9 @@ struct VolumeFacts {
   ValueRange range;          ///< smallest and largest value
   double p01 = 0, p999 = 0;  ///< P0.1 and P99.9 of SCENE 5
   std::optional<Window> fileWindow;
-  std::shared_ptr<const BrickRanges> bricks;   ///< null: unknown, every block counts
-  std::vector<float> slopes;                   ///< slopesOf the volume; empty: unknown
-  std::shared_ptr<VisibleBlocksMemo> visible;  ///< of these bricks; null: looked at anew for every plan
+  std::shared_ptr<const BrickRanges> bricks;  ///< null: unknown, every block counts
+  std::vector<float> slopes;                  ///< slopesOf the volume; empty: unknown
+  std::shared_ptr<VisibleCountMemo> visible;  ///< of these bricks; null: counted anew for every plan
 };
 
 /// Reads the facts off a volume (one pass over it each for bricks, slopes and percentiles, on all cores).

@@ -106,8 +106,10 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   if (!composite(in)) return outdoneBlocks(in, plan);
   if (!isDrawnByPlanes(in)) return off("this method looks at every sample");
   if (!in.facts.bricks) return off("nothing is known of the blocks");
-  const auto visible = visibleBlocksOf(plan.curve, in.facts);
-  plan.visibleShare = double(visible->count) / double(visible->flags.size());
+  const BrickRanges& bricks = *in.facts.bricks;
+  const std::int64_t visible =
+      in.facts.visible ? in.facts.visible->of(plan.curve, bricks) : visibleBlockCount(plan.curve, bricks);
+  plan.visibleShare = double(visible) / double(bricks.size());
   const std::string share =
       inDigits(100 * (1 - plan.visibleShare)) + " % of the blocks hold no visible value";
   if (in.options.full) return off("asked for in full; " + share);

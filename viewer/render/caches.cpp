@@ -36,6 +36,20 @@ Buffer<T> converted(const std::vector<From>& stored, Convert convert) {
   return out;
 }
 
+// Which blocks that are `times` as large along each edge hold one that is visible.
+std::vector<std::uint8_t> inLargerBlocks(const std::vector<std::uint8_t>& visible, glm::ivec3 count,
+                                         int times) {
+  if (times == 1) return visible;
+  const glm::ivec3 larger = (count + (times - 1)) / times;
+  std::vector<std::uint8_t> out(std::size_t(larger.x) * larger.y * larger.z);
+  std::size_t n = 0;
+  for (int k = 0; k < count.z; ++k)
+    for (int j = 0; j < count.y; ++j)
+      for (int i = 0; i < count.x; ++i)
+        out[(std::size_t(k / times) * larger.y + j / times) * larger.x + i / times] |= visible[n++];
+  return out;
+}
+
 }  // namespace
 
 const VolumeFacts& RenderCaches::Impl::factsOfVolume() {
@@ -121,7 +135,6 @@ const Voxels8& RenderCaches::Impl::voxelsIn8(GradientOperator by) {
 
 const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunction& curve,
                                                            const CurveTable& table, const SkipWish& wish) {
-  static_assert(SkipMap::edge == BrickRanges::edge && VisibleCells::edge == BrickRanges::edge);
   if (!skip) skip.emplace();
   // Another view may ask for another reach, but not for other blocks or cells.
   SkipWish others = skip->made;
@@ -140,15 +153,13 @@ const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunctio
   const VolumeFacts& known = factsOfVolume();
   Densities16 densities;
   if (wish.cells && wish.in16) densities = {densities16().data, std::uint16_t(densities16().flip)};
-  const auto make = [&](const std::vector<std::uint8_t>& visible) {
-    if (!has(maps[0]))
-      maps[0] = makeSkipMap(known.bricks->count, visible, wish.reachBlocks, std::move(maps[0]));
-    if (wish.cells && !hasCells) skip->cells.begin(volume->size(), densities, table, visible);
-  };
-  if (wish.rounding == 0)
-    make(visibleBlocksOf(curve, known)->flags);
-  else
-    make(visibleBlocks(curve, *known.bricks, wish.rounding));
+  const BrickRanges& bricks = *known.bricks;
+  const std::vector<std::uint8_t> visible = visibleBlocks(curve, bricks, wish.rounding);
+  if (!has(maps[0]))
+    maps[0] = makeSkipMap(bricks.edge, bricks.count, visible, wish.reachBlocks, std::move(maps[0]));
+  if (wish.cells && !hasCells)
+    skip->cells.begin(volume->size(), densities, table,
+                      inLargerBlocks(visible, bricks.count, VisibleCells::edge / bricks.edge));
   skip->made.cells |= wish.cells;
   return *skip;
 }

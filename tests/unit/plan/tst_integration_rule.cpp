@@ -208,8 +208,8 @@ void TestIntegrationRule::stepsAreLeftOpenWhereTheyMayPay_data() {
     std::vector<float> high(64, -900);
     high.back() = 1000;
     a.facts.geometry.size.x = 64 * 8;
-    a.facts.bricks = std::make_shared<const BrickRanges>(
-        BrickRanges{{64, 1, 1}, std::vector<float>(64, -1000), std::move(high)});
+    a.facts.bricks =
+        std::make_shared<const BrickRanges>(bricksOf(4, {64, 1, 1}, std::vector<float>(64, -1000), high));
   });
 }
 

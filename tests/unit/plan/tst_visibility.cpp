@@ -1,4 +1,6 @@
-// Guards DESIGN 5, empty blocks: what counts as visible, and that an edit looks at the blocks once.
+// Guards DESIGN 5, empty blocks: what counts as visible, and that views of one curve count it once.
+#include <algorithm>
+
 #include "tests/unit/suite.h"
 #include "viewer/plan/visibility.h"
 
@@ -13,14 +15,7 @@ TransferFunction risingFrom(float foot) {
   return curve;
 }
 
-BrickRanges oneBlock(float low, float high) { return {{1, 1, 1}, {low}, {high}}; }
-
-VolumeFacts someFacts() {
-  VolumeFacts facts;
-  facts.bricks = std::make_shared<const BrickRanges>(BrickRanges{{2, 1, 1}, {0, 50}, {20, 200}});
-  facts.visible = std::make_shared<VisibleBlocksMemo>();
-  return facts;
-}
+BrickRanges oneBlock(float low, float high) { return bricksOf(4, {1, 1, 1}, {low}, {high}); }
 
 }  // namespace
 
@@ -30,7 +25,8 @@ class TestVisibility : public QObject {
   void aBlockIsVisible_data();
   void aBlockIsVisible();
   void ofManyBlocksEachCounts();
-  void theSameCurveIsLookedAtOnce();
+  void spansAreMetFromBothSides();
+  void theSameCurveIsCountedOnce();
 };
 
 void TestVisibility::aBlockIsVisible_data() {
@@ -65,28 +61,41 @@ void TestVisibility::aBlockIsVisible() {
 
 // More than are looked at together, and no whole number of such parts.
 void TestVisibility::ofManyBlocksEachCounts() {
-  BrickRanges bricks{{10007, 1, 1}, {}, {}};
+  std::vector<float> low, high;
   std::vector<std::uint8_t> expected;
-  for (int n = 0; n < bricks.count.x; ++n) {
-    bricks.low.push_back(float(n % 7));
-    bricks.high.push_back(float(n % 7 + n % 11 * 10));
+  constexpr int count = 40007;
+  for (int n = 0; n < count; ++n) {
+    low.push_back(float(n % 7));
+    high.push_back(float(n % 7 + n % 11 * 10));
     expected.push_back(n % 7 + n % 11 * 10 > 50);
   }
+  const BrickRanges bricks = bricksOf(4, {count, 1, 1}, low, high);
   QCOMPARE(visibleBlocks(risingFrom(50.5f), bricks), expected);
+  QCOMPARE(visibleBlockCount(risingFrom(50.5f), bricks), std::count(expected.begin(), expected.end(), 1));
 }
 
-void TestVisibility::theSameCurveIsLookedAtOnce() {
-  const VolumeFacts facts = someFacts();
-  const auto first = visibleBlocksOf(risingFrom(100), facts);
-  QCOMPARE(first->flags, (std::vector<std::uint8_t>{0, 1}));
-  QCOMPARE(first->count, std::int64_t(1));
-  QCOMPARE(visibleBlocksOf(risingFrom(100), facts).get(), first.get());
-  const auto edited = visibleBlocksOf(risingFrom(10), facts);
-  QCOMPARE(edited->flags, (std::vector<std::uint8_t>{1, 1}));
-  QCOMPARE(first->count, std::int64_t(1));  // who still holds the old answer keeps it
-  VolumeFacts invented = facts;
-  invented.visible = nullptr;
-  QCOMPARE(visibleBlocksOf(risingFrom(10), invented)->flags, edited->flags);
+// Among bounds of any size: those that reach into one of two spans of visible values, and no others but
+// what levels add.
+void TestVisibility::spansAreMetFromBothSides() {
+  TransferFunction curve;
+  curve.points = {{100, {}, 0}, {150, {}, 1}, {200, {}, 0}, {300, {}, 0}, {350, {}, 1}, {400, {}, 0}};
+  std::vector<float> low, high;
+  for (int a = 0; a < 500; a += 10)
+    for (int b = a; b < 500; b += 10) low.push_back(float(a)), high.push_back(float(b));
+  const auto flags = visibleBlocks(curve, bricksOf(4, {int(low.size()), 1, 1}, low, high));
+  for (std::size_t n = 0; n < low.size(); ++n) {
+    const bool meets = (low[n] <= 200 && high[n] >= 100) || (low[n] <= 400 && high[n] >= 300);
+    QVERIFY2(flags[n] == meets, qPrintable(QStringLiteral("%1 .. %2").arg(low[n]).arg(high[n])));
+  }
+}
+
+void TestVisibility::theSameCurveIsCountedOnce() {
+  VisibleCountMemo memo;
+  const BrickRanges two = bricksOf(4, {2, 1, 1}, {0, 50}, {20, 200}), none = bricksOf(4, {0, 1, 1}, {}, {});
+  QCOMPARE(memo.of(risingFrom(100), two), std::int64_t(1));
+  QCOMPARE(memo.of(risingFrom(100), none), std::int64_t(1));  // not looked at
+  QCOMPARE(memo.of(risingFrom(10), two), std::int64_t(2));
+  QCOMPARE(memo.of(risingFrom(100), two), std::int64_t(1));
 }
 
 VOLUMEN_TEST(TestVisibility);

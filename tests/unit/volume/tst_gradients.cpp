@@ -1,10 +1,9 @@
-// Guards SCENE 3 (Sobel, clamped), SCENE 5 (percentile ranks) and the soundness of blocks.
+// Guards SCENE 3 (Sobel, clamped), SCENE 5 (percentile ranks) and what histograms count.
 #include <glm/geometric.hpp>
 #include <numeric>
 
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
-#include "viewer/volume/bricks.h"
 #include "viewer/volume/gradients.h"
 #include "viewer/volume/histogram.h"
 
@@ -18,8 +17,6 @@ class TestGradients : public QObject {
   void fastSobelEqualsTheDefinition();
   void percentilesAreExactRanks_data();
   void percentilesAreExactRanks();
-  void blocksBoundEveryVoxel_data();
-  void blocksBoundEveryVoxel();
   void histogramCountsEveryVoxelButPadding();
 };
 
@@ -96,32 +93,6 @@ void TestGradients::percentilesAreExactRanks() {
     QCOMPARE(found[p], sorted[rank - 1]);
   }
   QCOMPARE(valueRange(*v), (ValueRange{sorted.front(), sorted.back()}));
-}
-
-void TestGradients::blocksBoundEveryVoxel_data() { addTypesAndSizes(); }
-
-void TestGradients::blocksBoundEveryVoxel() {
-  QFETCH(QString, type);
-  QFETCH(int, nx);
-  QFETCH(int, ny);
-  QFETCH(int, nz);
-  const VolumePtr v = volumeOf(type, {nx, ny, nz});
-  const BrickRanges b = brickRanges(*v);
-  std::vector<float> low(b.low.size(), 1e30f), high(b.low.size(), -1e30f);
-  for (int k = 0; k < nz; ++k)
-    for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i)
-        for (std::size_t n = 0; n < low.size(); ++n) {
-          const int a = int(n) % b.count.x, c = int(n) / b.count.x % b.count.y,
-                    d = int(n) / (b.count.x * b.count.y);
-          const int e = BrickRanges::edge;
-          if (i < a * e || i > a * e + e || j < c * e || j > c * e + e || k < d * e || k > d * e + e)
-            continue;
-          low[n] = std::min(low[n], v->value(i, j, k));
-          high[n] = std::max(high[n], v->value(i, j, k));
-        }
-  QCOMPARE(b.low, low);
-  QCOMPARE(b.high, high);
 }
 
 void TestGradients::histogramCountsEveryVoxelButPadding() {

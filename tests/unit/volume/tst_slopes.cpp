@@ -89,13 +89,18 @@ void TestSlopes::aRampRisesByItsSlopeEverywhere() {
 
 void TestSlopes::oneStepIsSteepWhereItsBlockHasValues() {
   // Rises by 1 a voxel, and between the voxels 21 and 22 by 100.
-  const VolumePtr step = madeOf({40, 5, 5}, [](glm::dvec3 p) { return p.x + (p.x > 21 ? 99.0 : 0.0); });
-  const ValueRange range = valueRange(*step);
-  const std::vector<float> slopes = slopesOf(*step);
-  QCOMPARE(slopes[slopeEntry(70, range)], 100.0f);
-  QCOMPARE(slopes[slopeEntry(20, range)], 100.0f);
-  QCOMPARE(slopes[slopeEntry(18, range)], 1.0f);
-  QCOMPARE(slopes[slopeEntry(130, range)], 1.0f);
+  const auto at = [](glm::dvec3 p) { return p.x + (p.x > 21 ? 99.0 : 0.0); };
+  // Blocks of one cell, and of four: from 20 to 24.
+  for (const glm::ivec3 size : {glm::ivec3(40, 5, 5), glm::ivec3(40, 90, 90)}) {
+    const VolumePtr step = madeOf(size, at);
+    const ValueRange range = valueRange(*step);
+    const std::vector<float> slopes = slopesOf(*step);
+    QCOMPARE(slopes[slopeEntry(70, range)], 100.0f);
+    QCOMPARE(slopes[slopeEntry(21.6, range)], 100.0f);
+    QCOMPARE(slopes[slopeEntry(20.2, range)], size.y < 90 ? 1.0f : 100.0f);
+    QCOMPARE(slopes[slopeEntry(18, range)], 1.0f);
+    QCOMPARE(slopes[slopeEntry(130, range)], 1.0f);
+  }
 }
 
 void TestSlopes::nothingRisesInAConstant() {

@@ -92,15 +92,16 @@ inline float CountBetween(glm::ivec3 first, glm::ivec3 last) {
 template <Mode kMode>
 double MostInBlocks(const BlockValues& blocks, const Box& box, int mostBlocks) {
   const BrickRanges& b = *blocks.bricks;
-  const std::vector<float>& values = kMode == Mode::mip ? b.high : b.low;
-  const glm::ivec3 first = glm::ivec3(box.low) / BrickRanges::edge,
-                   last = glm::ivec3(box.high) / BrickRanges::edge;
+  const glm::ivec3 first = glm::ivec3(box.low) / b.edge, last = glm::ivec3(box.high) / b.edge;
   if (CountBetween(first, last) > float(mostBlocks)) return std::numeric_limits<double>::infinity();
-  float most = -std::numeric_limits<float>::max();
+  std::uint8_t level = kMode == Mode::mip ? 0 : 255;
   for (int z = first.z; z <= last.z; ++z)
     for (int y = first.y; y <= last.y; ++y)
-      for (int x = first.x; x <= last.x; ++x)
-        most = std::max(most, float(kSign<kMode>) * values[(std::size_t(z) * b.count.y + y) * b.count.x + x]);
+      for (int x = first.x; x <= last.x; ++x) {
+        const std::size_t n = (std::size_t(z) * b.count.y + y) * b.count.x + x;
+        level = kMode == Mode::mip ? std::max(level, b.highest[n]) : std::min(level, b.lowest[n]);
+      }
+  const float most = float(kSign<kMode>) * b.levels[level];
   const double density = kSign<kMode> * (kSign<kMode> * most - blocks.intercept) / blocks.slope;
   return blocks.whole ? std::floor(density + 0.5 + blocks.off) : density + blocks.off;
 }
@@ -152,7 +153,8 @@ std::int64_t TakeExtremes(const TraceFrame& f, const BlockValues& blocks, Projec
   const auto stepsIn = [&](float voxels) { return int(std::clamp(voxels / aStep, 1.0f, 64.0f)); };
   // Longer ones hold too much, shorter ones take as long to look at as their samples; so do more blocks or
   // voxels a step, where pixels lie far apart.
-  const int length = stepsIn(8), part = stepsIn(2), blocksAStep = 2, voxelsAStep = 16;
+  const int length = stepsIn(8), part = stepsIn(2), voxelsAStep = 16,
+            blocksAStep = blocks.bricks->edge < 4 ? voxelsAStep : 2;
   const Skipper around(f, p);
   const auto boxOf = [&](int begin, int end) {
     Box box;

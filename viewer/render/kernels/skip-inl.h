@@ -35,16 +35,19 @@ HWY_INLINE MF InVisibleCell(const VisibleCells& cells, MF alive, const V3& clamp
   return IsVisibleCell(cells, alive, Truncated(clamped.x), Truncated(clamped.y), Truncated(clamped.z));
 }
 
-/// What the map says of boxes of blocks from `index` on that reach `across` farther, in the layer that begins
-/// at `layer`: not 0 where such a box meets a visible block.
+/// What the map says of boxes of blocks from `index` on that reach `across` farther, in the layers that begin
+/// at `layer`, 0 or as SkipMap::layerAt has it: not 0 where such a box meets a visible block.
 HWY_INLINE VI NearBlocks(const SkipMap& map, const VI (&index)[3], const VI (&across)[3], VI layer) {
   const DI di;
   const VI row = hn::Add(hn::Mul(index[2], SetI(map.count.y)), index[1]);
-  const VI inLayer = hn::Add(hn::Mul(row, SetI(map.count.x)), index[0]);
   const auto farther = [&](int a) { return hn::ShiftLeftSame(hn::Min(across[a], SetI(1)), a); };
-  const VI bit = hn::Shl(SetI(1), hn::Or(farther(0), hn::Or(farther(1), farther(2))));
+  const VI block = hn::Add(hn::Mul(row, SetI(map.rowBlocks())), index[0]);
+  const auto isFar = hn::Gt(layer, hn::Zero(di));
+  const VI at = hn::IfThenElse(isFar, hn::Add(layer, hn::ShiftRight<3>(block)), block);
+  const VI bit =
+      hn::IfThenElse(isFar, hn::And(block, SetI(7)), hn::Or(farther(0), hn::Or(farther(1), farther(2))));
   const auto* base = reinterpret_cast<const std::int32_t*>(map.near.data());
-  return hn::And(hn::GatherOffset(di, base, hn::Add(inLayer, layer)), bit);
+  return hn::And(hn::GatherOffset(di, base, at), hn::Shl(SetI(1), bit));
 }
 
 /// A box of positions, voxels; at first of none.
@@ -57,7 +60,10 @@ struct Box {
 /// everywhere.
 class Skipper {
  public:
-  Skipper(const TraceFrame& f, const Packet& p) : map_(f.skip) {
+  Skipper(const TraceFrame& f, const Packet& p)
+      : map_(f.skip),
+        middleLayer_(map_ ? int(map_->layerAt(1)) : 0),
+        lastLayer_(map_ ? int(map_->layerAt(map_->layers() - 1)) : 0) {
     const DF df;
     const MF real = hn::Gt(p.steps, hn::Zero(df));
     if (hn::AllFalse(df, real)) {
@@ -81,7 +87,7 @@ class Skipper {
       size_[a] = 2 * half + 2 * back;
       start_[a] = middle - half - back - from * move_[a];
       last_[a] = float(f.size[a] - 1);
-      if (map_ && size_[a] > float(map_->reach * SkipMap::edge)) map_ = nullptr;
+      if (map_ && size_[a] > float(map_->reach << map_->shift)) map_ = nullptr;
     }
   }
 
@@ -100,10 +106,9 @@ class Skipper {
     const DF df;
     const DI di;
     if (!map_) return (std::uint64_t(1) << hn::Lanes(df)) - 1;
-    static_assert(SkipMap::edge == 4);
     const VF middle = hn::Add(hn::Add(hn::Iota(df, 0), Set(float(step))), Set(0.5f));
     const auto block = [&](int a, VF x) {
-      return hn::ShiftRight<2>(Truncated(hn::Min(hn::Max(x, hn::Zero(df)), Set(last_[a]))));
+      return hn::ShiftRightSame(Truncated(hn::Min(hn::Max(x, hn::Zero(df)), Set(last_[a]))), map_->shift);
     };
     VI index[3], across[3];
     for (int a = 0; a < 3; ++a) {
@@ -112,11 +117,10 @@ class Skipper {
       across[a] = hn::Sub(block(a, hn::Add(x, Set(size_[a]))), index[a]);
     }
     const VI farthest = hn::Max(across[0], hn::Max(across[1], across[2]));
-    const int blocks = map_->count.x * map_->count.y * map_->count.z;
     const auto layerWhere = [&](int more, int layer) {
-      return hn::IfThenElseZero(hn::Gt(farthest, SetI(more)), SetI(layer * blocks));
+      return hn::IfThenElseZero(hn::Gt(farthest, SetI(more)), SetI(layer));
     };
-    const VI layer = hn::Max(layerWhere(1, 1), layerWhere(map_->reach - 1, map_->layers() - 1));
+    const VI layer = hn::Max(layerWhere(1, middleLayer_), layerWhere(map_->reach - 1, lastLayer_));
     const VI seen = NearBlocks(*map_, index, across, layer);
     alignas(8) std::uint8_t bits[8] = {};
     hn::StoreMaskBits(di, hn::Ne(seen, hn::Zero(di)), bits);
@@ -136,6 +140,7 @@ class Skipper {
   }
 
   const SkipMap* map_;
+  int middleLayer_, lastLayer_;  ///< where they begin in the map
   float start_[3] = {}, size_[3] = {}, move_[3] = {}, last_[3] = {};
 };
 

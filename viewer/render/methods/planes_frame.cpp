@@ -27,12 +27,12 @@ int levelsOf(Blending blending) {
 
 // How far the box around a packet of rays may reach: its interval, and where samples stand at steps half a
 // step more to either side (RayRow::ahead).
-int reachBlocks(const Plan& plan, const VoxelGeometry& geometry) {
+int reachBlocks(const Plan& plan, const VoxelGeometry& geometry, int edge) {
   const RaySetup setup(plan, geometry);
-  // Of a length for all steps up to one voxel and cells, so that they share a map.
-  const double along = plan.mostParts > 1 ? plan.stepVoxels : std::max(2.0, 2 * plan.stepVoxels);
+  // Of a length for all short steps and cells, so that they share a map.
+  const double along = plan.mostParts > 1 ? plan.stepVoxels : std::max(edge / 2.0, 2 * plan.stepVoxels);
   const double across = 2 * setup.tileSpread() + along + 0.1;
-  return int(std::clamp(std::ceil(across / SkipMap::edge), 1.0, 8.0));
+  return int(std::clamp(std::ceil(across / edge), 1.0, 32.0 / edge));
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
     readBlocks(plan, caches, stats);
   stats.tableBytes =
       curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
-  stats.blockBytes += facts.bricks->low.size() * 2 * sizeof(float);
+  stats.blockBytes += facts.bricks->bytes();
 }
 
 void PlanesFrame::readBlocks(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
@@ -76,9 +76,10 @@ void PlanesFrame::readBlocks(const Plan& plan, RenderCaches& caches, RenderStats
   const bool apart = !key_.dense && key_.store != Store::plane && !isRare(key_.shade);
   const bool asksCells = key_.refined || apart;
   if (plan.skipBlocks || key_.refined) {
-    const auto& skip = cache.skipOf(transfer_, curve_,
-                                    {transfer_.points, reachBlocks(plan, cache.volume->geometry()), rounding_,
-                                     key_.store == Store::int16, asksCells});
+    const auto& skip = cache.skipOf(
+        transfer_, curve_,
+        {transfer_.points, reachBlocks(plan, cache.volume->geometry(), cache.factsOfVolume().bricks->edge),
+         rounding_, key_.store == Store::int16, asksCells});
     stats.blockBytes = skip.bytes();
     if (plan.skipBlocks) frame_.skip = &skip.map();
     if (asksCells) frame_.cells = &skip.cells;
