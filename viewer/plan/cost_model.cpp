@@ -1,6 +1,7 @@
 #include "viewer/plan/cost_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -79,27 +80,34 @@ Rays raysOf(const Plan& plan, const VoxelGeometry& geometry) {
   return {count, count * box.volume() / shadow};
 }
 
+// Calls look with the opacities of the least, middle and largest value of some blocks, spread evenly.
+template <class Look>
+void lookIntoSome(const BrickRanges& bricks, const TransferFunction& curve, const Look& look) {
+  constexpr std::size_t most = 1024;
+  const std::size_t all = bricks.size(), looks = std::min(all, most);
+  for (std::size_t k = 0; k < looks; ++k) {
+    // Multiples of the golden ratio spread evenly; a stride would meet the same columns of blocks again.
+    const double place = glm::fract(double(k) * 0.6180339887498949);
+    const std::size_t n = looks < all ? std::size_t(place * double(all)) : k;
+    const float low = bricks.low(n), high = bricks.high(n);
+    look(std::array{opacityAt(curve, low), opacityAt(curve, (low + high) / 2), opacityAt(curve, high)});
+  }
+}
+
 // The share of what is visible that is seen before rays are opaque: how far rays go into matter of the mean
 // extinction of some visible blocks, each at its least, middle and largest value, over how much is on a ray.
 double seenShare(const Plan& plan, const VolumeFacts& facts, const Rays& rays) {
   const double visibleMmARay = rays.count > 0 ? plan.visibleShare * rays.mm / rays.count : 0;
   if (plan.stopTransmittance <= 0 || !facts.bricks || visibleMmARay <= 0) return 1;
-  const BrickRanges& bricks = *facts.bricks;
-  constexpr std::size_t most = 1024;
-  const std::size_t all = bricks.size(), looks = std::min(all, most);
   double sum = 0;
   int visible = 0;
-  for (std::size_t look = 0; look < looks; ++look) {
-    // Multiples of the golden ratio spread evenly; a stride would meet the same columns of blocks again.
-    const double place = glm::fract(double(look) * 0.6180339887498949);
-    const std::size_t n = looks < all ? std::size_t(place * double(all)) : look;
+  lookIntoSome(*facts.bricks, plan.curve, [&](const std::array<double, 3>& opacities) {
     double perMm = 0;
-    const float low = bricks.low(n), high = bricks.high(n);
-    for (float value : {low, (low + high) / 2, high})
-      perMm -= std::log1p(-std::min(opacityAt(plan.curve, value), 0.9999)) / plan.curve.unitDistance / 3;
+    for (double opacity : opacities)
+      perMm -= std::log1p(-std::min(opacity, 0.9999)) / plan.curve.unitDistance / 3;
     sum += perMm;
     visible += perMm > 0;
-  }
+  });
   if (visible == 0) return 1;
   return std::min(1.0, -std::log(plan.stopTransmittance) / (sum / visible) / visibleMmARay);
 }
@@ -133,6 +141,16 @@ SampleNs planesNs(const Plan& plan) {
 
 double seenShare(const Plan& plan, const VolumeFacts& facts) {
   return seenShare(plan, facts, raysOf(plan, facts.geometry));
+}
+
+double shareInVisibleBlocks(const TransferFunction& curve, const BrickRanges& bricks) {
+  int looked = 0, seen = 0;
+  lookIntoSome(bricks, curve, [&](const std::array<double, 3>& opacities) {
+    const auto visible = std::ranges::count_if(opacities, [](double opacity) { return opacity > 0; });
+    looked += visible > 0 ? 3 : 0;
+    seen += int(visible);
+  });
+  return looked > 0 ? double(seen) / looked : 1;
 }
 
 double samplesInBox(const Plan& plan, const VoxelGeometry& geometry) {

@@ -74,8 +74,9 @@ struct Plan {
   bool skipBlocks = false;       ///< blocks of opacity 0 are never touched; what cannot change an extreme is
                                  ///< passed over but for single samples
   double visibleShare = 1;       ///< share of blocks that hold any visible value
-  bool dense = true;             ///< plain steps: density and gradient fetched together at every sample;
-                                 ///< else gradients only of those that count. The same bytes either way
+  bool fetchApart = false;       ///< plain steps: gradients are fetched only of samples that count, else
+                                 ///< with every density. The same bytes either way
+  bool skipCells = false;        ///< plain steps: samples are taken only in cells that can show something
 
   std::vector<Effect> effects;
   bool operator==(const Plan&) const = default;

@@ -209,17 +209,37 @@ Effect gradientFetch(const RuleInput& in, Plan& plan) {
   constexpr double many = 0.3;
   const bool few =
       plan.gradients && plan.bits != 16 && plan.visibleShare <= many && plan.method == Method::planes;
-  plan.dense = !few || in.options.full;
+  plan.fetchApart = few && !in.options.full;
   if (!plan.gradients) return off("there are no gradients");
   if (plan.resampler != Resampler::cpu || !isDrawnByPlanes(in))
     return on("at every sample: all of them are looked at");
   if (plan.mostParts > 1) return on("where opacity counts, once for each part of a ray");
   if (few)
-    return on(plan.dense ? "with every density: asked for in full"
-                         : "where opacity counts: few samples have any");
+    return on(plan.fetchApart ? "where opacity counts: few samples have any"
+                              : "with every density: asked for in full");
   if (plan.bits == 16) return on("with every density: one load brings both");
   return on(plan.method == Method::blend ? "with every density: slices have no kernel that fetches them apart"
                                          : "with every density: most samples have opacity");
+}
+
+// Plain steps in cells that show nothing (VisibleCells).
+Effect emptyCells(const RuleInput& in, Plan& plan) {
+  // From such a share on asking takes longer than the samples that it spares, as measured.
+  constexpr double many = 0.6;
+  plan.skipCells = false;
+  if (plan.mostParts > 1) return off("rays that go from cell to cell ask each of them anyway");
+  if (!composite(in) || plan.method != Method::planes || plan.resampler != Resampler::cpu ||
+      plan.shader == Shader::table || plan.mapLookup == MapLookup::nearest)
+    return off("there is no kernel that asks single cells");
+  if (in.options.full) return off("asked for in full");
+  if (!plan.skipBlocks) return off("there are no empty blocks either");
+  if (plan.visibleShare == 0) return off("nothing shows");
+  const double share = shareInVisibleBlocks(plan.curve, *in.facts.bricks);
+  const std::string values = "in blocks that show something about " +
+                             std::to_string(std::lround(100 * share)) + " % of the values do";
+  if (plan.bits == 16 ? share > many : !plan.fetchApart) return off(values);
+  plan.skipCells = true;
+  return on(values + ": samples are taken in cells that can");
 }
 
 }  // namespace
@@ -243,6 +263,7 @@ const std::vector<Rule>& rules() {
       {"resampler", false, decideResampler},
       {"gradient fetch", false, gradientFetch},
       {"shader", false, decideShader},
+      {"empty cells", true, emptyCells},
       {"blending", false, decideBlending},
   };
   return table;

@@ -273,6 +273,41 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       });
   row("unlit: nothing to fetch", "gradient fetch", "off  gradient fetch: there are no gradients",
       [](Asked& a) { a.scene.shading.lit = false; });
+  row("a level asks each cell", "empty cells",
+      "off  empty cells: rays that go from cell to cell ask each of them anyway", [](Asked&) {});
+  row("blocks of which little shows", "empty cells",
+      "on   empty cells: in blocks that show something about 33 % of the values do: samples are taken in "
+      "cells that can",
+      [](Asked& a) {
+        a.options.step = 1;
+        a.scene.transferFunction.points = {{600, {1, 1, 1}, 0}, {1000, {1, 1, 1}, 1}};
+      });
+  row("blocks of which most shows", "empty cells",
+      "off  empty cells: in blocks that show something about 100 % of the values do", [](Asked& a) {
+        a.options.step = 1;
+        a.scene.transferFunction.points = {{-600, {1, 1, 1}, 0}, {1000, {1, 1, 1}, 1}};
+      });
+  row("no block is empty", "empty cells", "off  empty cells: there are no empty blocks either", [](Asked& a) {
+    a.options.step = 1;
+    a.scene.transferFunction.points[0].opacity = 0.1;
+  });
+  row("every block is empty", "empty cells", "off  empty cells: nothing shows", [](Asked& a) {
+    a.options.step = 1;
+    a.options.opacityThreshold = 0.9;
+  });
+  row("cells in full", "empty cells", "off  empty cells: asked for in full", [](Asked& a) {
+    a.options.step = 1;
+    a.options.full = true;
+  });
+  row("slices ask no cells", "empty cells", "off  empty cells: there is no kernel that asks single cells",
+      [](Asked& a) { a.options.method = Method::blend; });
+  row("the table asks no cells", "empty cells", "off  empty cells: there is no kernel that asks single cells",
+      [](Asked& a) {
+        a.options.step = 1;
+        a.options.shader = Shader::table;
+      });
+  row("a mean asks no cells", "empty cells", "off  empty cells: there is no kernel that asks single cells",
+      [](Asked& a) { a.scene.mode = Mode::average; });
   row("the reference decides nothing", "reference",
       "on   reference: everything, adaptively, cell by cell, in double precision",
       [](Asked& a) { a.options.method = Method::reference; });

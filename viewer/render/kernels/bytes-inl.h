@@ -13,7 +13,7 @@ namespace volumen::HWY_NAMESPACE {
 
 /// A byte a voxel: no gradients.
 struct Byte1Store : PairDensity<Byte1Store> {
-  static constexpr bool kAlwaysDense = true;
+  static constexpr WhereFew kWhereFew = WhereFew::dense;
 
   static HWY_INLINE void Densities(const Grid& grid, const std::int32_t* index, VI (&rows)[4]) {
     LoadEachOfFour(DI(), grid.Rows(grid.frame().density8), index, rows);
@@ -28,7 +28,7 @@ struct Byte1Store : PairDensity<Byte1Store> {
 
 /// Four bytes a voxel (Voxels8).
 struct Byte4Store : PairDensity<Byte4Store> {
-  static constexpr bool kAlwaysDense = false;
+  static constexpr WhereFew kWhereFew = WhereFew::apart;
 
   static HWY_INLINE void Densities(const Grid& grid, const std::int32_t* index, VI (&rows)[4]) {
     for (int r = 0; r < 4; ++r) {
@@ -56,7 +56,8 @@ struct Byte4Store : PairDensity<Byte4Store> {
   }
 
   /// The density has brought the same bytes.
-  static HWY_INLINE void Prefetch(const Grid&, const Cell&, int) {}
+  template <bool>
+  static HWY_INLINE void Prefetch(const Grid&, const std::int32_t*, int) {}
   template <bool>
   static HWY_INLINE void PrefetchBox(const Grid& grid, glm::vec3 low, glm::vec3 high) {
     grid.Prefetch(grid.frame().voxels8, 1, low, high);

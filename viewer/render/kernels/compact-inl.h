@@ -40,6 +40,33 @@ HWY_INLINE VF Compressed(VF v, MF which) {
 HWY_INLINE VF Compressed(VF v, MF which) { return hn::Compress(v, which); }
 #endif
 
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE VF Expanded(VF v, MF which) { return hn::IfThenElseZero(which, v); }
+#elif HWY_MAX_BYTES == 64
+HWY_INLINE VF Expanded(VF v, MF which) { return VF{_mm512_maskz_expand_ps(which.raw, v.raw)}; }
+#else
+/// Of each mask, how many of its lanes lie below each lane.
+struct LanesBelow {
+  std::uint8_t lanes[1 << kLanes][kLanes];
+
+  constexpr LanesBelow() : lanes() {
+    for (int mask = 0; mask < 1 << kLanes; ++mask) {
+      int below = 0;
+      for (int lane = 0; lane < kLanes; below += mask >> lane++ & 1)
+        lanes[mask][lane] = std::uint8_t(below % kLanes);
+    }
+  }
+};
+alignas(64) inline constexpr LanesBelow kLanesBelow;
+
+HWY_INLINE VF Expanded(VF v, MF which) {
+  std::uint8_t mask[8];
+  hn::StoreMaskBits(DF(), which, mask);
+  const VI lanes = hn::PromoteTo(DI(), hn::LoadU(hn::Rebind<std::uint8_t, DI>(), kLanesBelow.lanes[mask[0]]));
+  return hn::IfThenElseZero(which, hn::TableLookupLanes(v, hn::IndicesFromVec(DF(), lanes)));
+}
+#endif
+
 /// Appends the chosen lanes to an array that has room for a whole vector behind `at`. Compressed in a
 /// register and stored whole: compressing into memory is microcoded on some CPUs, many times slower.
 HWY_INLINE void Append(VF v, MF which, float* at) { hn::StoreU(Compressed(v, which), DF(), at); }

@@ -63,7 +63,8 @@ class LightQueue {
     auto& w = waiting_;
     if constexpr (kLit) {
       const V3 place = PlaceOf(s, n);
-      Store::Prefetch(grid_, grid_.CellAt(place), std::min(kLanes, s.size - n));
+      const CellIndices at(grid_.CellAt(place));
+      Store::template Prefetch<true>(grid_, at.lane, std::min(kLanes, s.size - n));
       AppendPlaces(place, counts, w, w.size);
     }
     if constexpr (kAlong) Append(hn::Load(df, s.reach + n), counts, w.reach + w.size);

@@ -58,6 +58,10 @@ HWY_INLINE Weights WeightsOf(const Cell& c) {
 
 constexpr float kWeightUnit = -1.0f / 32768;
 
+/// How a store takes plain steps where few cells are visible: as anywhere else; in those cells alone
+/// (BatchTracer); and gradients only of what can be seen (SparseTracer).
+enum class WhereFew { dense, batches, apart };
+
 /// Densities of integers of at most 16 bits, interpolated with integer weights. Voxels::Densities(grid,
 /// index, rows): those of the rows of the cells at `index`, the first voxel's and its neighbour's along x in
 /// the lower and upper halves of the lanes.
@@ -104,8 +108,7 @@ struct PairDensity {
 
 /// 16-bit integers. A load of 32 bits brings a voxel's density and its neighbour's along x.
 struct Int16Store : PairDensity<Int16Store> {
-  /// DenseTracer is the faster one however few samples can be seen.
-  static constexpr bool kAlwaysDense = true;
+  static constexpr WhereFew kWhereFew = WhereFew::batches;
 
   static HWY_INLINE void Densities(const Grid& grid, const std::int32_t* index, VI (&rows)[4]) {
     LoadEachOfFour(DI(), grid.Rows(grid.frame().density16), index, rows);
@@ -182,12 +185,17 @@ struct Int16Store : PairDensity<Int16Store> {
     return DensityAndGradient(grid, c).gradient;
   }
 
-  /// Asks for the voxels of the first `count` cells ahead of time: they lie far apart in memory.
-  static HWY_INLINE void Prefetch(const Grid& grid, const Cell& c, int count) {
-    const CellIndices at(c);
+  /// Asks for the voxels of `count` cells ahead of time: they lie far apart in memory.
+  template <bool kGradients>
+  static HWY_INLINE void Prefetch(const Grid& grid, const std::int32_t* index, int count) {
     for (int n = 0; n < count; ++n)
-      for (int r = 0; r < 4; ++r)
-        hwy::Prefetch(grid.frame().voxels16 + std::int64_t(4) * (at.lane[n] + grid.Offset(r)));
+      for (int r = 0; r < 4; ++r) {
+        const std::int64_t voxel = std::int64_t(index[n]) + grid.Offset(r);
+        if constexpr (kGradients)
+          hwy::Prefetch(grid.frame().voxels16 + 4 * voxel);
+        else
+          hwy::Prefetch(grid.frame().density16 + voxel);
+      }
   }
   template <bool kGradients>
   static HWY_INLINE void PrefetchBox(const Grid& grid, glm::vec3 low, glm::vec3 high) {
@@ -199,8 +207,7 @@ struct Int16Store : PairDensity<Int16Store> {
 };
 
 struct Float32Store {
-  /// DenseTracer is the faster one where many samples can be seen.
-  static constexpr bool kAlwaysDense = false;
+  static constexpr WhereFew kWhereFew = WhereFew::apart;
 
   static HWY_INLINE VF Row(const Grid& grid, VI index, VF fx) {
     const DF df;
@@ -227,7 +234,8 @@ struct Float32Store {
   static HWY_INLINE Sample DensityAndGradient(const Grid& grid, const Cell& c) {
     return {Density(grid, c), Gradient(grid, c)};
   }
-  static HWY_INLINE void Prefetch(const Grid&, const Cell&, int) {}
+  template <bool>
+  static HWY_INLINE void Prefetch(const Grid&, const std::int32_t*, int) {}
   template <bool kGradients>
   static HWY_INLINE void PrefetchBox(const Grid& grid, glm::vec3 low, glm::vec3 high) {
     grid.Prefetch(grid.frame().density32, 1, low, high);

@@ -97,7 +97,7 @@ class SparseTracer {
     alive = hn::And(alive, HasSample(p, n));
     const MF last = IsLast(p, n);
     const V3 place = grid_.Clamped(Position(p, n, last));
-    if (f_.cells) alive = InVisibleCell(*f_.cells, alive, place);
+    alive = InVisibleCell(*f_.cells, alive, place);
     auto& s = looked_;
     AppendPlaces(place, alive, s, s.size);
     Append(hn::IfThenElse(last, p.lastUnits, p.units), alive, s.units + s.size);

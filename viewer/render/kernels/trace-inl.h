@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "viewer/render/kernels/batch-inl.h"
 #include "viewer/render/kernels/sparse-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -77,7 +78,7 @@ void TakeSlabs(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
       if (bits[n] && !isOpen(n, step, step + slab)) bits[n] = 0;
       if (Tracer::kCells && bits[n]) skippers[n].TakeIn(step, slab, box);
     }
-    if (Tracer::kCells && f.cells && box.low.x <= box.high.x) f.cells->lookInto(box.low, box.high);
+    if (Tracer::kCells && box.low.x <= box.high.x) f.cells->lookInto(box.low, box.high);
     tracer.BeginSlab();
     for (int n = 0; n < packets; ++n) {
       if constexpr (Tracer::kPrefetches)
@@ -140,12 +141,11 @@ TraceKernel ChooseDensity(TraceKey key) {
     return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
   } else {
     if (key.refined) return TraceRays<SparseTracer<Store, kShade, kGradientOpacity, true>>;
-    if constexpr (Store::kAlwaysDense) {
-      return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
-    } else {
-      if (key.dense) return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
-      return TraceRays<SparseTracer<Store, kShade, kGradientOpacity, false>>;
-    }
+    if constexpr (Store::kWhereFew == WhereFew::batches)
+      if (key.cells) return TraceRays<BatchTracer<Store, kShade, kGradientOpacity>>;
+    if constexpr (Store::kWhereFew == WhereFew::apart)
+      if (key.cells) return TraceRays<SparseTracer<Store, kShade, kGradientOpacity, false>>;
+    return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
   }
 }
 

@@ -31,9 +31,8 @@ struct TraceKey {
   Store store = Store::int16;
   ShadeBy shade = ShadeBy::nothing;
   bool gradientOpacity = false;
-  bool refined = false;  ///< cell by cell, integrated and cut (TraceFrame::parting); never dense
-  bool dense = true;  ///< density and gradient together at every sample, for plain steps of a store that has
-                      ///< both kernels (kAlwaysDense); the same bytes either way
+  bool refined = false;  ///< cell by cell, integrated and cut (TraceFrame::parting)
+  bool cells = false;    ///< plain steps: samples are taken in visible cells alone; the same bytes
 };
 
 /// A passage through a cell is integrated as if its density went straight from its front to its middle and
@@ -77,10 +76,9 @@ struct TraceFrame {
   bool boundedGradients = false;  ///< squares of such gradients neither overflow nor vanish
   float inverseFloor = 0;         ///< 1 / gradientFloor; 0: q = 0 everywhere
   const CurveTable* curve = nullptr;
-  float inverseUnitMm = 1;        ///< 1 / unitDistance
-  const SkipMap* skip = nullptr;  ///< null: every packet is looked at
-  const VisibleCells* cells =
-      nullptr;  ///< null: every sample is looked at; never null where rays go cell by cell
+  float inverseUnitMm = 1;              ///< 1 / unitDistance
+  const SkipMap* skip = nullptr;        ///< null: every packet is looked at
+  const VisibleCells* cells = nullptr;  ///< null where the kernel does not ask (TraceKey)
   const Lighting* lighting = nullptr;
   const ReflectanceMap* map = nullptr;
   const ShadeTable* table = nullptr;

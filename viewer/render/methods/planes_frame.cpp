@@ -47,7 +47,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   key_.shade = shadeOf(plan);
   key_.gradientOpacity = plan.gradientOpacity;
   key_.refined = plan.mostParts > 1;
-  key_.dense = plan.dense;
+  key_.cells = plan.skipCells;
   if (plan.resampler != Resampler::cpu) key_.store = Store::plane;
   curve_ = makeCurveTable(transfer_, scale_);
   frame_.curve = &curve_;
@@ -72,9 +72,8 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
 void PlanesFrame::readBlocks(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
   auto& cache = caches.impl();
   // Which intervals are passed over is a choice, not a sound rule: it looks at cells even where no block is
-  // skipped. Kernels that fetch all do not ask.
-  const bool apart = !key_.dense && key_.store != Store::plane && !isRare(key_.shade);
-  const bool asksCells = key_.refined || apart;
+  // skipped.
+  const bool asksCells = key_.refined || key_.cells;
   if (plan.skipBlocks || key_.refined) {
     const auto& skip = cache.skipOf(
         transfer_, curve_,

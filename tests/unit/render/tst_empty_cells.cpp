@@ -1,0 +1,111 @@
+// Guards DESIGN 5, empty cells: plain steps that take samples in visible cells alone draw the same bytes as
+// those that take all, whatever a sample is lit by, on every CPU target and any number of threads.
+#include "tests/fixtures/cpu_targets.h"
+#include "tests/unit/suite.h"
+#include "viewer/render/render.h"
+#include "viewer/volume/phantoms.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestEmptyCells : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theSameBytes_data();
+  void theSameBytes();
+  void fewerSamples();
+};
+
+namespace {
+
+struct Case {
+  Scene scene;
+  RenderOptions options;
+};
+using Change = void (*)(Case&);
+
+// Bone in a head: from below to above, so that cells hold all of what shows, a part, and nothing.
+Case bone() {
+  Case c;
+  c.scene.transferFunction.points = {{200, {1, 0.9, 0.8}, 0}, {700, {1, 1, 0.9}, 0.4}};
+  c.options.size = {61, 47};
+  c.options.step = 0.7;
+  return c;
+}
+
+// As planned but for whether cells are asked, which is left to no rule.
+Rendered drawn(const Case& c, RenderCaches& caches, bool skipCells) {
+  Plan plan = *makePlan(c.scene, caches.facts(), c.options);
+  if (!plan.skipBlocks || plan.mostParts > 1) qFatal("the case asks no cells");
+  plan.skipCells = skipCells;
+  return *render(plan, caches);
+}
+
+}  // namespace
+Q_DECLARE_METATYPE(Change)
+
+void TestEmptyCells::theSameBytes_data() {
+  QTest::addColumn<Change>("change");
+  const auto row = [](const char* name, Change change) { QTest::newRow(name) << change; };
+  row("one light, direct", [](Case&) {});
+  row("unlit", [](Case& c) { c.scene.shading.lit = false; });
+  row("three lights, map", [](Case& c) {
+    c.scene.lights = {Light{}, Light{.direction = {1, 0, 0}, .colour = {1, 0, 0}},
+                      Light{.direction = {0, -1, 1}}};
+    c.options.shader = Shader::map;
+  });
+  row("gradient opacity", [](Case& c) { c.scene.transferFunction.gradientOpacity = {{0, 0.1}, {50, 1}}; });
+  row("local viewer in perspective", [](Case& c) {
+    c.scene.shading.localViewer = true;
+    c.scene.camera = Camera{.target = glm::dvec3(0),
+                            .direction = {1, 2, -0.5},
+                            .projection = Projection::perspective,
+                            .distance = 150};
+  });
+  row("opaque: rays end within a batch", [](Case& c) {
+    c.scene.transferFunction.points = {{200, {1, 1, 1}, 0}, {210, {1, 1, 1}, 1}};
+  });
+  row("faint: every ray goes to its end", [](Case& c) {
+    c.scene.transferFunction.points[1].opacity = 0.002;
+    c.options.stopAt = 0;
+  });
+  row("bands of a curve", [](Case& c) {
+    c.scene.transferFunction.points = {{-200, {1, 0, 0}, 0},
+                                       {-100, {1, 0, 0}, 0.2},
+                                       {0, {1, 0, 0}, 0},
+                                       {600, {1, 1, 0.5}, 0},
+                                       {800, {1, 1, 0.5}, 0.9}};
+  });
+  row("clipped askew", [](Case& c) {
+    c.scene.clip.boxLow.x = 0.31;
+    c.scene.clip.planes.push_back({{0.3, -0.5, 0.8}, 0});
+  });
+  row("rays far apart", [](Case& c) { c.options.size = {9, 7}; });
+  row("steps of five voxels", [](Case& c) { c.options.step = 5; });
+}
+
+void TestEmptyCells::theSameBytes() {
+  QFETCH(Change, change);
+  Case c = bone();
+  change(c);
+  RenderCaches caches(*makePhantom("ct-head:40"));
+  const Picture whole = drawn(c, caches, false).picture;
+  onEveryCpuTarget([&] {
+    for (int threads : {1, 3}) {
+      c.options.threads = threads;
+      QVERIFY2(drawn(c, caches, true).picture == whole, kernelTarget());
+    }
+  });
+}
+
+void TestEmptyCells::fewerSamples() {
+  const Case c = bone();
+  RenderCaches caches(*makePhantom("ct-head:40"));
+  const RenderStats all = drawn(c, caches, false).stats, some = drawn(c, caches, true).stats;
+  QCOMPARE(some.composited, all.composited);
+  QVERIFY2(2 * some.resampled < all.resampled,
+           qPrintable(QStringLiteral("%1 of %2").arg(some.resampled).arg(all.resampled)));
+}
+
+VOLUMEN_TEST(TestEmptyCells);
+#include "tst_empty_cells.moc"

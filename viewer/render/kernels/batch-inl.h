@@ -1,0 +1,212 @@
+// The composite kernel of plain steps that looks only at samples whose cells can show anything, compiled once
+// a CPU target.
+#if defined(VOLUMEN_RENDER_KERNELS_BATCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_RENDER_KERNELS_BATCH_INL_H_
+#undef VOLUMEN_RENDER_KERNELS_BATCH_INL_H_
+#else
+#define VOLUMEN_RENDER_KERNELS_BATCH_INL_H_
+#endif
+
+#include <utility>
+
+#include "viewer/render/kernels/compact-inl.h"
+#include "viewer/render/kernels/matter-inl.h"
+#include "viewer/render/kernels/skip-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+/// Samples in visible cells, of some packets, side by side whichever rays they belong to: density and
+/// gradient together, opacities, light; then over one another, each on its ray. While one batch is worked on
+/// the memory of the next is on its way. Every sample is computed as DenseTracer does, and added to its ray
+/// in the same order, so both give the same bytes.
+template <class Store, ShadeBy kShade, bool kGradientOpacity>
+class BatchTracer {
+  using Material = Matter<kShade, kGradientOpacity>;
+
+ public:
+  static constexpr int kSlab = 8;  ///< steps that all packets take before any goes on
+  static constexpr bool kCells = true;
+  static constexpr bool kPrefetches = false;
+  static constexpr bool kBlends = false;
+
+  /// Adds to `out`, which must be 0.
+  BatchTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
+              TraceCounts& counts)
+      : f_(f),
+        grid_(f),
+        rays_(rays),
+        matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
+        out_(out),
+        counts_(counts) {}
+
+  /// Takes the packet at ray `first`, which is open, through the steps that `bits` names, step + n by bit n.
+  HWY_INLINE void Advance(int first, int step, std::uint64_t bits) {
+    if (!bits) return;
+    Place(LoadPacket(f_, rays_, first), first, step, bits);
+    if (next_->size < kFull) return;
+    std::swap(next_, batch_);
+    Draw(*next_);
+  }
+  void BeginSlab() {}
+  void EndSlab() {
+    Draw(*batch_);
+    Draw(*next_);
+  }
+  void Finish() {}
+
+ private:
+  static constexpr int kFull = 8 * kLanes;
+
+  static constexpr bool kRays = kShade == ShadeBy::local;  ///< whether light asks which ray a sample is of
+
+  /// Samples, and the steps of packets that they are of.
+  struct Batch {
+    static constexpr int kMost = kFull + (kSlab + 1) * kLanes, kMostSteps = kFull + kSlab;
+    HWY_ALIGN float x[kMost], y[kMost], z[kMost];  ///< places in their cells, then gradients, then colours
+    HWY_ALIGN float density[kMost];
+    HWY_ALIGN float units[kMost];         ///< length in unit distances, 0 where there is none; then opacity
+    HWY_ALIGN std::int32_t index[kMost];  ///< of the cell, then segment of the curve
+    HWY_ALIGN std::int32_t ray[kRays ? kMost : 1];
+    struct Step {
+      int first;             ///< ray of the packet
+      std::uint8_t mask[8];  ///< which of its rays have a sample here
+    };
+    Step steps[kMostSteps];
+    int size = 0, stepCount = 0;
+
+    /// Fills the last vector with samples of length 0.
+    HWY_INLINE void Pad() {
+      for (float* values : {x, y, z, units}) hn::StoreU(hn::Zero(DF()), DF(), values + size);
+      hn::StoreU(hn::Zero(DI()), DI(), index + size);
+      if constexpr (kRays) hn::StoreU(hn::Zero(DI()), DI(), ray + size);
+    }
+  };
+
+  /// Notes the packet's samples in visible cells, and asks for their voxels.
+  HWY_INLINE void Place(const Packet& p, int first, int step, std::uint64_t bits) {
+    const DF df;
+    auto& s = *next_;
+    const MF open = hn::Le(hn::LoadU(df, out_.alpha + first), Set(1 - f_.stopTransmittance));
+    for (; bits; bits &= bits - 1) {
+      const VF n = SampleAt(p, step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits)));
+      const MF last = IsLast(p, n);
+      const V3 place = grid_.Clamped(Position(p, n, last));
+      const MF has = InVisibleCell(*f_.cells, hn::And(open, HasSample(p, n)), place);
+      if (hn::AllFalse(df, has)) continue;
+      auto& noted = s.steps[s.stepCount++];
+      noted.first = first;
+      hn::StoreMaskBits(df, has, noted.mask);
+      const Cell c = grid_.CellAt(place);
+      Append(hn::IfThenElse(last, p.lastUnits, p.units), has, s.units + s.size);
+      Append(c.index, has, s.index + s.size);
+      Append(c.fx, has, s.x + s.size);
+      Append(c.fy, has, s.y + s.size);
+      Append(c.fz, has, s.z + s.size);
+      if constexpr (kRays) Append(hn::Iota(DI(), first), has, s.ray + s.size);
+      const int count = int(hn::CountTrue(df, has));
+      Store::template Prefetch<Material::kGradients>(grid_, s.index + s.size, count);
+      s.size += count;
+    }
+  }
+
+  HWY_INLINE void Draw(Batch& s) {
+    if (s.size == 0) return;
+    counts_.resampled += s.size;
+    s.Pad();
+    Resample(s);
+    Classify(s);
+    // One batch in 32 is timed; they stand for all.
+    const std::int64_t begin = timed_++ % 32 == 0 ? Ticks() : 0;
+    Light(s);
+    Composite(s);
+    if (begin) counts_.shadeTicks += 32 * (Ticks() - begin);
+    s.size = s.stepCount = 0;
+  }
+
+  /// Densities and gradients.
+  HWY_INLINE void Resample(Batch& s) {
+    const DF df;
+    for (int n = 0; n < s.size; n += kLanes) {
+      const V3 place = PlaceOf(s, n);
+      const Cell c{hn::Load(DI(), s.index + n), place.x, place.y, place.z};
+      Sample x;
+      if constexpr (Material::kGradients)
+        x = Store::DensityAndGradient(grid_, c);
+      else
+        x = {Store::Density(grid_, c), Zero3()};
+      hn::Store(x.density, df, s.density + n);
+      hn::Store(x.gradient.x, df, s.x + n);
+      hn::Store(x.gradient.y, df, s.y + n);
+      hn::Store(x.gradient.z, df, s.z + n);
+    }
+  }
+
+  HWY_INLINE void Classify(Batch& s) {
+    const DF df;
+    for (int n = 0; n < s.size; n += kLanes) {
+      const VF density = hn::Load(df, s.density + n), units = hn::Load(df, s.units + n);
+      const MF seen = hn::And(hn::Gt(units, hn::Zero(df)), matter_.CanBeSeen(density));
+      const VI segment = SegmentOf(*f_.curve, density);
+      const VF opacity = IntervalOpacity(matter_.OpacityAt(segment, density, PlaceOf(s, n)), units);
+      hn::Store(hn::IfThenElseZero(seen, opacity), df, s.units + n);
+      hn::Store(segment, DI(), s.index + n);
+    }
+  }
+
+  HWY_INLINE void Light(Batch& s) {
+    const DF df;
+    for (int n = 0; n < s.size; n += kLanes) {
+      if (hn::AllFalse(df, hn::Gt(hn::Load(df, s.units + n), hn::Zero(df)))) continue;
+      VI ray = hn::Zero(DI());
+      if constexpr (kRays) ray = hn::Load(DI(), s.ray + n);
+      const V3 colour =
+          matter_.ColourAt(hn::Load(DI(), s.index + n), hn::Load(df, s.density + n), PlaceOf(s, n), ray);
+      hn::Store(colour.x, df, s.x + n);
+      hn::Store(colour.y, df, s.y + n);
+      hn::Store(colour.z, df, s.z + n);
+    }
+  }
+
+  /// Front to back (paper 3.1).
+  HWY_INLINE void Composite(Batch& s) {
+    const DF df;
+    const VF opaque = Set(1 - f_.stopTransmittance);
+    int at = 0;
+    for (int k = 0; k < s.stepCount;) {
+      const int first = s.steps[k].first;
+      VF red = hn::LoadU(df, out_.red + first), green = hn::LoadU(df, out_.green + first),
+         blue = hn::LoadU(df, out_.blue + first), alpha = hn::LoadU(df, out_.alpha + first);
+      for (; k < s.stepCount && s.steps[k].first == first; ++k) {
+        const MF has = hn::LoadMaskBits(df, s.steps[k].mask);
+        const auto expanded = [&](const float* v) { return Expanded(hn::LoadU(df, v + at), has); };
+        const VF opacity = hn::IfThenElseZero(hn::Le(alpha, opaque), expanded(s.units));
+        const VF weight = hn::Mul(hn::Sub(Set(1), alpha), opacity);
+        red = hn::Add(red, hn::Mul(expanded(s.x), weight));
+        green = hn::Add(green, hn::Mul(expanded(s.y), weight));
+        blue = hn::Add(blue, hn::Mul(expanded(s.z), weight));
+        alpha = hn::Add(alpha, weight);
+        counts_.composited += std::int64_t(hn::CountTrue(df, hn::Gt(weight, hn::Zero(df))));
+        at += int(hn::CountTrue(df, has));
+      }
+      hn::StoreU(red, df, out_.red + first);
+      hn::StoreU(green, df, out_.green + first);
+      hn::StoreU(blue, df, out_.blue + first);
+      hn::StoreU(alpha, df, out_.alpha + first);
+    }
+  }
+
+  const TraceFrame& f_;
+  const Grid grid_;
+  const RayRow& rays_;
+  Material matter_;
+  const TraceRow& out_;
+  TraceCounts& counts_;
+  Batch batches_[2];
+  Batch *batch_ = &batches_[0], *next_ = &batches_[1];
+  unsigned timed_ = 0;
+};
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // per-target include guard
