@@ -7,6 +7,7 @@
 #define VOLUMEN_RENDER_KERNELS_BATCH_INL_H_
 #endif
 
+#include <cstring>
 #include <utility>
 
 #include "viewer/render/kernels/compact-inl.h"
@@ -88,16 +89,25 @@ class BatchTracer {
     const DF df;
     auto& s = *next_;
     const MF open = hn::Le(hn::LoadU(df, out_.alpha + first), Set(1 - f_.stopTransmittance));
+    // All steps are asked before any is noted, so that none waits for what the one before has found.
+    std::uint8_t masks[kSlab][8];
+    std::uint64_t visible = 0;
     for (; bits; bits &= bits - 1) {
-      const VF n = SampleAt(p, step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits)));
-      const MF last = IsLast(p, n);
-      const V3 place = grid_.Clamped(Position(p, n, last));
+      const int k = int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+      const VF n = SampleAt(p, step + k);
+      const V3 place = grid_.Clamped(Position(p, n, IsLast(p, n)));
       const MF has = InVisibleCell(*f_.cells, hn::And(open, HasSample(p, n)), place);
-      if (hn::AllFalse(df, has)) continue;
+      hn::StoreMaskBits(df, has, masks[k]);
+      visible |= std::uint64_t(!hn::AllFalse(df, has)) << k;
+    }
+    for (; visible; visible &= visible - 1) {
+      const int k = int(hwy::Num0BitsBelowLS1Bit_Nonzero64(visible));
+      const VF n = SampleAt(p, step + k);
+      const MF last = IsLast(p, n), has = hn::LoadMaskBits(df, masks[k]);
       auto& noted = s.steps[s.stepCount++];
       noted.first = first;
-      hn::StoreMaskBits(df, has, noted.mask);
-      const Cell c = grid_.CellAt(place);
+      std::memcpy(noted.mask, masks[k], sizeof(noted.mask));
+      const Cell c = grid_.CellAt(grid_.Clamped(Position(p, n, last)));
       Append(hn::IfThenElse(last, p.lastUnits, p.units), has, s.units + s.size);
       Append(c.index, has, s.index + s.size);
       Append(c.fx, has, s.x + s.size);
