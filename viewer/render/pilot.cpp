@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "viewer/render/methods/row_painter.h"
+#include "viewer/render/rays.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {

@@ -89,6 +89,19 @@ void VisibleCells::lookInto(glm::vec3 low, glm::vec3 high) const {
     }
 }
 
+void VisibleCells::prefetch(glm::vec3 low, glm::vec3 high) const {
+  constexpr int lineBlocks = 64 / sizeof(words_[0]);
+  const glm::ivec3 end = count_ - 1;
+  const glm::ivec3 first = glm::clamp(glm::ivec3(low) / edge, glm::ivec3(0), end),
+                   last = glm::clamp(glm::ivec3(high) / edge, glm::ivec3(0), end);
+  for (int c = first.z; c <= last.z; ++c)
+    for (int b = first.y; b <= last.y; ++b) {
+      const std::size_t row = (std::size_t(c) * count_.y + b) * count_.x;
+      for (std::size_t n = (row + first.x) / lineBlocks; n <= (row + last.x) / lineBlocks; ++n)
+        __builtin_prefetch(words_.data() + n * lineBlocks);
+    }
+}
+
 void VisibleCells::lookInto(glm::ivec3 block, std::size_t index) const {
   const std::atomic_ref state(wanted_[index]);
   std::uint8_t wanted = 1;

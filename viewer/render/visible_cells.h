@@ -31,6 +31,9 @@ class VisibleCells {
   /// not looked into before. Threads may do so at once.
   void lookInto(glm::vec3 low, glm::vec3 high) const;
 
+  /// Asks for the words of the blocks that hold such positions ahead of time.
+  void prefetch(glm::vec3 low, glm::vec3 high) const;
+
   /// Two words a block: cell (i, j, k) of block b is bit i % 4 + 4 (j % 4) + 16 (k % 2) of word
   /// 2 b + k % 4 / 2. Only of blocks that were looked into.
   const std::int32_t* words() const { return reinterpret_cast<const std::int32_t*>(words_.data()); }

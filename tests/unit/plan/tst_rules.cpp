@@ -328,6 +328,12 @@ void TestRules::fullSwitchesEverySoundRuleOffAndKeepsTheChoices() {
   QCOMPARE(full.stepVoxels, lean.stepVoxels);
   QCOMPARE(full.stopTransmittance, lean.stopTransmittance);
   QCOMPARE(full.bits, lean.bits);
+  // Of plain steps: levels ask cells in full, too.
+  asked.options.step = 1;
+  asked.scene.transferFunction.points = {{600, {1, 1, 1}, 0}, {1000, {1, 1, 1}, 1}};
+  QVERIFY(!makePlan(asked.scene, asked.facts, asked.options)->skipCells);
+  asked.options.full = false;
+  QVERIFY(makePlan(asked.scene, asked.facts, asked.options)->skipCells);
 }
 
 void TestRules::aPlanIsAPureFunction() {

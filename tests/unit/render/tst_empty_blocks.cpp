@@ -61,7 +61,7 @@ void TestEmptyBlocks::fullIsTheSamePicture() {
   for (const glm::dvec3& direction : directions)
     // The rays of a packet stand far apart, some voxels, a part of a voxel.
     for (double heightMm : {900.0, 120.0, 9.0})
-      for (std::optional<double> step : {std::optional<double>(), {0.3}, {1.0}, {5.0}}) {
+      for (std::optional<double> step : {std::optional<double>(), {0.2}, {0.4}, {1.0}, {5.0}}) {
         RenderOptions options;
         options.size = {45, 38};
         options.step = step;

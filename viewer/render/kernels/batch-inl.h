@@ -10,8 +10,7 @@
 #include <cstring>
 #include <utility>
 
-#include "viewer/render/kernels/compact-inl.h"
-#include "viewer/render/kernels/matter-inl.h"
+#include "viewer/render/kernels/sample_arrays-inl.h"
 #include "viewer/render/kernels/skip-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -61,26 +60,24 @@ class BatchTracer {
 
   static constexpr bool kRays = kShade == ShadeBy::local;  ///< whether light asks which ray a sample is of
 
+  static constexpr int kMost = kFull + (kSlab + 1) * kLanes, kMostSteps = kFull + kSlab;
   /// Samples, and the steps of packets that they are of.
-  struct Batch {
-    static constexpr int kMost = kFull + (kSlab + 1) * kLanes, kMostSteps = kFull + kSlab;
-    HWY_ALIGN float x[kMost], y[kMost], z[kMost];  ///< places in their cells, then gradients, then colours
-    HWY_ALIGN float density[kMost];
-    HWY_ALIGN float units[kMost];         ///< length in unit distances, 0 where there is none; then opacity
-    HWY_ALIGN std::int32_t index[kMost];  ///< of the cell, then segment of the curve
+  struct Batch : SampleArrays<kMost> {
     HWY_ALIGN std::int32_t ray[kRays ? kMost : 1];
     struct Step {
       int first;             ///< ray of the packet
       std::uint8_t mask[8];  ///< which of its rays have a sample here
     };
     Step steps[kMostSteps];
-    int size = 0, stepCount = 0;
+    int stepCount = 0;
 
     /// Fills the last vector with samples of length 0.
     HWY_INLINE void Pad() {
-      for (float* values : {x, y, z, units}) hn::StoreU(hn::Zero(DF()), DF(), values + size);
-      hn::StoreU(hn::Zero(DI()), DI(), index + size);
-      if constexpr (kRays) hn::StoreU(hn::Zero(DI()), DI(), ray + size);
+      const int end = this->size;
+      for (float* values : {this->x, this->y, this->z, this->units})
+        hn::StoreU(hn::Zero(DF()), DF(), values + end);
+      hn::StoreU(hn::Zero(DI()), DI(), this->index + end);
+      if constexpr (kRays) hn::StoreU(hn::Zero(DI()), DI(), ray + end);
     }
   };
 
@@ -115,7 +112,8 @@ class BatchTracer {
       Append(c.fz, has, s.z + s.size);
       if constexpr (kRays) Append(hn::Iota(DI(), first), has, s.ray + s.size);
       const int count = int(hn::CountTrue(df, has));
-      Store::template Prefetch<Material::kGradients>(grid_, s.index + s.size, count);
+      // The cells between are their neighbours, mostly in the same lines of the cache.
+      Store::template Prefetch<Material::kGradients>(grid_, s.index + s.size, count, 2);
       s.size += count;
     }
   }
@@ -125,16 +123,21 @@ class BatchTracer {
     counts_.resampled += s.size;
     s.Pad();
     Resample(s);
-    Classify(s);
+    Classify(matter_, s);
     // One batch in 32 is timed; they stand for all.
     const std::int64_t begin = timed_++ % 32 == 0 ? Ticks() : 0;
-    Light(s);
+    Light(matter_, s, [&](int n) {
+      if constexpr (kRays)
+        return hn::Load(DI(), s.ray + n);
+      else
+        return hn::Zero(DI());
+    });
     Composite(s);
     if (begin) counts_.shadeTicks += 32 * (Ticks() - begin);
     s.size = s.stepCount = 0;
   }
 
-  /// Densities and gradients.
+  /// Densities and gradients; nothing is left of the length of samples that cannot be seen.
   HWY_INLINE void Resample(Batch& s) {
     const DF df;
     for (int n = 0; n < s.size; n += kLanes) {
@@ -145,36 +148,11 @@ class BatchTracer {
         x = Store::DensityAndGradient(grid_, c);
       else
         x = {Store::Density(grid_, c), Zero3()};
+      hn::Store(hn::IfThenElseZero(matter_.CanBeSeen(x.density), hn::Load(df, s.units + n)), df, s.units + n);
       hn::Store(x.density, df, s.density + n);
       hn::Store(x.gradient.x, df, s.x + n);
       hn::Store(x.gradient.y, df, s.y + n);
       hn::Store(x.gradient.z, df, s.z + n);
-    }
-  }
-
-  HWY_INLINE void Classify(Batch& s) {
-    const DF df;
-    for (int n = 0; n < s.size; n += kLanes) {
-      const VF density = hn::Load(df, s.density + n), units = hn::Load(df, s.units + n);
-      const MF seen = hn::And(hn::Gt(units, hn::Zero(df)), matter_.CanBeSeen(density));
-      const VI segment = SegmentOf(*f_.curve, density);
-      const VF opacity = IntervalOpacity(matter_.OpacityAt(segment, density, PlaceOf(s, n)), units);
-      hn::Store(hn::IfThenElseZero(seen, opacity), df, s.units + n);
-      hn::Store(segment, DI(), s.index + n);
-    }
-  }
-
-  HWY_INLINE void Light(Batch& s) {
-    const DF df;
-    for (int n = 0; n < s.size; n += kLanes) {
-      if (hn::AllFalse(df, hn::Gt(hn::Load(df, s.units + n), hn::Zero(df)))) continue;
-      VI ray = hn::Zero(DI());
-      if constexpr (kRays) ray = hn::Load(DI(), s.ray + n);
-      const V3 colour =
-          matter_.ColourAt(hn::Load(DI(), s.index + n), hn::Load(df, s.density + n), PlaceOf(s, n), ray);
-      hn::Store(colour.x, df, s.x + n);
-      hn::Store(colour.y, df, s.y + n);
-      hn::Store(colour.z, df, s.z + n);
     }
   }
 

@@ -6,8 +6,7 @@
 #define VOLUMEN_RENDER_KERNELS_DENSE_INL_H_
 #endif
 
-#include "viewer/render/kernels/compact-inl.h"
-#include "viewer/render/kernels/matter-inl.h"
+#include "viewer/render/kernels/sample_arrays-inl.h"
 #include "viewer/render/kernels/skip-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -52,11 +51,11 @@ class DenseTracer {
     matter_.first = first;
     Place(LoadPacket(f_, rays_, first), step, bits);
     Resample();
-    Classify();
+    Classify(matter_, samples_);
     if (samples_.size == 0) return;
     // One slab in 32 is timed; they stand for all.
     const std::int64_t begin = timed_++ % 32 == 0 ? Ticks() : 0;
-    Light();
+    Light(matter_, samples_, [](int) { return hn::Iota(DI(), 0); });
     if (f_.slices.fromBack)
       Blend();
     else
@@ -138,30 +137,6 @@ class DenseTracer {
     s.size = kept;
   }
 
-  HWY_INLINE void Classify() {
-    const DF df;
-    auto& s = samples_;
-    for (int n = 0; n < s.size; n += kLanes) {
-      const VF density = hn::Load(df, s.density + n), units = hn::Load(df, s.units + n);
-      const VI segment = SegmentOf(*f_.curve, density);
-      const VF opacity = IntervalOpacity(matter_.OpacityAt(segment, density, PlaceOf(s, n)), units);
-      hn::Store(hn::IfThenElseZero(hn::Gt(units, hn::Zero(df)), opacity), df, s.units + n);
-      hn::Store(segment, DI(), s.index + n);
-    }
-  }
-
-  HWY_INLINE void Light() {
-    const DF df;
-    auto& s = samples_;
-    for (int n = 0; n < s.size; n += kLanes) {
-      const V3 colour = matter_.ColourAt(hn::Load(DI(), s.index + n), hn::Load(df, s.density + n),
-                                         PlaceOf(s, n), hn::Iota(DI(), 0));
-      hn::Store(colour.x, df, s.x + n);
-      hn::Store(colour.y, df, s.y + n);
-      hn::Store(colour.z, df, s.z + n);
-    }
-  }
-
   /// What the packet's rays have come to.
   struct Pixels {
     V3 colour;
@@ -226,14 +201,8 @@ class DenseTracer {
   }
 
   /// A slab's samples of a packet, a vector a step.
-  struct Slab {
-    static constexpr int kMost = kSlab * kLanes;
-    HWY_ALIGN float x[kMost], y[kMost], z[kMost];  ///< places in their cells, then gradients, then colours
-    HWY_ALIGN float density[kMost];
-    HWY_ALIGN float units[kMost];         ///< length in unit distances, 0 where there is none; then opacity
-    HWY_ALIGN std::int32_t index[kMost];  ///< of the cell, then segment of the curve
+  struct Slab : SampleArrays<kSlab * kLanes> {
     int step[kSlab];
-    int size = 0;
   };
 
   const TraceFrame& f_;

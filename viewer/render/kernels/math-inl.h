@@ -189,16 +189,20 @@ HWY_INLINE VF FaintOpacity(VF x, VF n) {
 }
 
 /// The opacity of an interval `units` unit distances long whose opacity a unit is `opacity` (SCENE 4, 9):
-/// 1 - (1 - opacity)^units, with no loss where it is small.
+/// 1 - (1 - opacity)^units, with no loss where it is small. `others`: lanes that are not looked at.
+HWY_INLINE VF PowerOpacity(VF opacity, VF units, MF others) {
+  // Curves that jump leave nothing between faint and opaque, whose logarithm is known.
+  const MF known = hn::Or(others, hn::Ge(opacity, Set(kMostOpacity)));
+  const VF log = hn::AllTrue(DF(), known) ? Set(kLogOfOpaque) : TransparencyOf(opacity).log;
+  return hn::Neg(ExpMinus1(hn::Max(hn::Mul(log, units), Set(-80))));
+}
+
+/// The same, faster where opacities are small.
 HWY_INLINE VF IntervalOpacity(VF opacity, VF units) {
   const MF faint = hn::And(hn::Lt(opacity, Set(1.0f / 16)), hn::Lt(hn::Mul(opacity, units), Set(1.0f / 8)));
   const VF series = FaintOpacity(opacity, units);
   if (hn::AllTrue(DF(), faint)) return series;
-  // Curves that jump leave nothing between faint and opaque, whose logarithm is known.
-  const MF known = hn::Or(faint, hn::Ge(opacity, Set(kMostOpacity)));
-  const VF log = hn::AllTrue(DF(), known) ? Set(kLogOfOpaque) : TransparencyOf(opacity).log;
-  const VF whole = hn::Neg(ExpMinus1(hn::Max(hn::Mul(log, units), Set(-80))));
-  return hn::IfThenElse(faint, series, whole);
+  return hn::IfThenElse(faint, series, PowerOpacity(opacity, units, faint));
 }
 
 /// x^power for whole powers >= 1: a few multiplications.

@@ -20,6 +20,27 @@ HWY_INLINE std::int64_t Ticks() { return std::int64_t(__builtin_ia32_rdtsc()); }
 HWY_INLINE std::int64_t Ticks() { return 0; }
 #endif
 
+/// IntervalOpacity: most intervals of a frame are as long as each other and few opacities near 1, so that a
+/// short series does in place of a logarithm and an exponential.
+HWY_INLINE VF IntervalOpacity(const IntervalSeries& series, VF opacity, VF units) {
+  const DF df;
+  if (series.terms == 0) return IntervalOpacity(opacity, units);
+  const VF square = hn::Mul(opacity, opacity);
+  const auto pair = [&](int k) { return hn::Add(Set(series.c[k]), hn::Mul(opacity, Set(series.c[k + 1]))); };
+  VF sum = hn::Add(pair(2), hn::Mul(square, pair(4)));
+  if (series.terms > 6) {
+    const VF last = hn::Add(pair(6), hn::Mul(square, pair(8)));
+    sum = hn::Add(sum, hn::Mul(hn::Mul(square, square), last));
+  }
+  sum = hn::Add(pair(0), hn::Mul(square, sum));
+  const VF fast = hn::Mul(sum, opacity);
+  // Samples that are not there have no length.
+  const MF fits = hn::Or(hn::And(hn::Eq(units, Set(series.units)), hn::Le(opacity, Set(series.most))),
+                         hn::Eq(units, hn::Zero(df)));
+  if (hn::AllTrue(df, fits)) return fast;
+  return hn::IfThenElse(fits, fast, PowerOpacity(opacity, units, fits));
+}
+
 /// Classification and light of one frame.
 template <ShadeBy kShade, bool kGradientOpacity>
 struct Matter {
@@ -41,6 +62,11 @@ struct Matter {
       return hn::Mul(opacity, FactorAt(stored));
     else
       return opacity;
+  }
+
+  /// The same of its whole interval.
+  HWY_INLINE VF IntervalOpacityAt(VI segment, VF density, const V3& stored, VF units) const {
+    return IntervalOpacity(f.intervals, OpacityAt(segment, density, stored), units);
   }
 
   /// SCENE 4's gradientOpacity.

@@ -185,10 +185,11 @@ struct Int16Store : PairDensity<Int16Store> {
     return DensityAndGradient(grid, c).gradient;
   }
 
-  /// Asks for the voxels of `count` cells ahead of time: they lie far apart in memory.
+  /// Asks for the voxels of `count` cells ahead of time, or of every so many-th: they lie far apart in
+  /// memory.
   template <bool kGradients>
-  static HWY_INLINE void Prefetch(const Grid& grid, const std::int32_t* index, int count) {
-    for (int n = 0; n < count; ++n)
+  static HWY_INLINE void Prefetch(const Grid& grid, const std::int32_t* index, int count, int every = 1) {
+    for (int n = 0; n < count; n += every)
       for (int r = 0; r < 4; ++r) {
         const std::int64_t voxel = std::int64_t(index[n]) + grid.Offset(r);
         if constexpr (kGradients)

@@ -55,13 +55,24 @@ struct Box {
   glm::vec3 low{std::numeric_limits<float>::max()}, high{0};
 };
 
+/// How many steps one look of a Skipper covers: short ones, together no longer than a voxel.
+inline int StepsALook(const RayRow& rays) {
+  for (std::size_t n = 0; n < rays.steps.size(); ++n)
+    if (rays.steps[n] > 0) {
+      const float step = glm::length(glm::vec3(rays.moveX[n], rays.moveY[n], rays.moveZ[n]));
+      return step > 0.5f ? 1 : step > 0.25f ? 2 : 4;
+    }
+  return 1;
+}
+
 /// Says at which steps a packet must be looked at: one look into the map for all of its rays, at the lower
 /// corner of the box around them (SkipMap). Packets that spread wider than the map reaches are looked at
 /// everywhere.
 class Skipper {
  public:
-  Skipper(const TraceFrame& f, const Packet& p)
+  Skipper(const TraceFrame& f, const Packet& p, int stepsALook = 1)
       : map_(f.skip),
+        stepsALook_(stepsALook),
         middleLayer_(map_ ? int(map_->layerAt(1)) : 0),
         lastLayer_(map_ ? int(map_->layerAt(map_->layers() - 1)) : 0) {
     const DF df;
@@ -87,9 +98,15 @@ class Skipper {
       size_[a] = 2 * half + 2 * back;
       start_[a] = middle - half - back - from * move_[a];
       last_[a] = float(f.size[a] - 1);
-      if (map_ && size_[a] > float(map_->reach << map_->shift)) map_ = nullptr;
+      const float along = float(stepsALook - 1) * move_[a];
+      lookStart_[a] = start_[a] + std::min(along, 0.0f);
+      lookSize_[a] = size_[a] + std::abs(along);
+      if (map_ && lookSize_[a] > float(map_->reach << map_->shift)) map_ = nullptr;
     }
   }
+
+  /// How far the packet gets in so many steps.
+  glm::vec3 MoveOf(int steps) const { return float(steps) * glm::vec3(move_[0], move_[1], move_[2]); }
 
   /// Widens the box so that it holds the packet at the steps [step, step + count), clamped to the grid.
   HWY_INLINE void TakeIn(int step, int count, Box& box) const {
@@ -101,20 +118,23 @@ class Skipper {
     }
   }
 
-  /// One bit a step, from `step` on, as many as a vector has lanes.
+  int stepsALook() const { return stepsALook_; }
+
+  /// One bit a step, from `step` on, as many as stepsALook vectors have lanes.
   HWY_INLINE std::uint64_t LookFrom(int step) const {
     const DF df;
     const DI di;
-    if (!map_) return (std::uint64_t(1) << hn::Lanes(df)) - 1;
-    const VF middle = hn::Add(hn::Add(hn::Iota(df, 0), Set(float(step))), Set(0.5f));
+    if (!map_) return ~std::uint64_t(0) >> (64 - int(hn::Lanes(df)) * stepsALook_);
+    const VF looks = hn::Mul(hn::Iota(df, 0), Set(float(stepsALook_)));
+    const VF middle = hn::Add(hn::Add(looks, Set(float(step))), Set(0.5f));
     const auto block = [&](int a, VF x) {
       return hn::ShiftRightSame(Truncated(hn::Min(hn::Max(x, hn::Zero(df)), Set(last_[a]))), map_->shift);
     };
     VI index[3], across[3];
     for (int a = 0; a < 3; ++a) {
-      const VF x = hn::Add(Set(start_[a]), hn::Mul(middle, Set(move_[a])));
+      const VF x = hn::Add(Set(lookStart_[a]), hn::Mul(middle, Set(move_[a])));
       index[a] = block(a, x);
-      across[a] = hn::Sub(block(a, hn::Add(x, Set(size_[a]))), index[a]);
+      across[a] = hn::Sub(block(a, hn::Add(x, Set(lookSize_[a]))), index[a]);
     }
     const VI farthest = hn::Max(across[0], hn::Max(across[1], across[2]));
     const auto layerWhere = [&](int more, int layer) {
@@ -126,7 +146,9 @@ class Skipper {
     hn::StoreMaskBits(di, hn::Ne(seen, hn::Zero(di)), bits);
     std::uint64_t mask;
     std::memcpy(&mask, bits, 8);
-    return mask & ((std::uint64_t(1) << hn::Lanes(df)) - 1);
+    mask &= (std::uint64_t(1) << hn::Lanes(df)) - 1;
+    for (int n = 1; n < stepsALook_; n *= 2) mask = EachTwice(mask);
+    return mask;
   }
 
  private:
@@ -139,9 +161,21 @@ class Skipper {
             hn::GetLane(hn::MaxOfLanes(df, hn::IfThenElse(of, v, Set(-1e30f))))};
   }
 
+  /// Of the lower half, every bit twice.
+  static HWY_INLINE std::uint64_t EachTwice(std::uint64_t bits) {
+    bits = (bits | bits << 16) & 0x0000ffff0000ffffu;
+    bits = (bits | bits << 8) & 0x00ff00ff00ff00ffu;
+    bits = (bits | bits << 4) & 0x0f0f0f0f0f0f0f0fu;
+    bits = (bits | bits << 2) & 0x3333333333333333u;
+    bits = (bits | bits << 1) & 0x5555555555555555u;
+    return bits | bits << 1;
+  }
+
   const SkipMap* map_;
+  int stepsALook_;
   int middleLayer_, lastLayer_;  ///< where they begin in the map
   float start_[3] = {}, size_[3] = {}, move_[3] = {}, last_[3] = {};
+  float lookStart_[3] = {}, lookSize_[3] = {};  ///< of the steps of a look together
 };
 
 }  // namespace volumen::HWY_NAMESPACE

@@ -179,8 +179,8 @@ class SparseTracer {
       V3 stored = Zero3();
       if constexpr (kGradientOpacity) stored = GradientAt(s, n);
       hn::Store(segment, DI(), s.segment + n);
-      const VF opacity = matter_.OpacityAt(segment, density, stored);
-      hn::Store(IntervalOpacity(opacity, hn::Load(df, s.units + n)), df, s.weight + n);
+      const VF opacity = matter_.IntervalOpacityAt(segment, density, stored, hn::Load(df, s.units + n));
+      hn::Store(opacity, df, s.weight + n);
     }
   }
 

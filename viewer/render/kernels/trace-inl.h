@@ -53,8 +53,8 @@ void TakeSlabs(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   Tracer tracer(f, rays, plane, out, counts);
   const int lanes = int(hn::Lanes(DF())), packets = int(skippers.size());
   constexpr int slab = Tracer::kSlab;
-  // The skipper looks at as many steps at a time as a vector has lanes: those of several slabs, or of a part.
-  const int looked = std::max(lanes, slab);
+  // A look covers the steps of several slabs, or of a part.
+  const int look = lanes * skippers.front().stepsALook(), looked = std::max(look, slab);
   std::vector<std::uint64_t> looks(packets), bits(packets);
   const auto isOpen = [&](int n, int from, int to) {
     return IsPacketOpen(f, rays, out, n * lanes, from, to);
@@ -63,8 +63,8 @@ void TakeSlabs(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
     const int wanted = std::clamp(ends[n] - step, 0, looked);
     std::uint64_t seen = 0;
     if (wanted && isOpen(n, step, step + looked))
-      for (int more = 0; more < looked; more += lanes) seen |= skippers[n].LookFrom(step + more) << more;
-    return seen & ((1ull << wanted) - 1);
+      for (int more = 0; more < looked; more += look) seen |= skippers[n].LookFrom(step + more) << more;
+    return wanted ? seen & ~std::uint64_t(0) >> (64 - wanted) : 0;
   };
   const int start = steps.begin / looked * looked, slabs = (steps.end - start + slab - 1) / slab;
   const int ahead = f.slices.fromBack ? -slab : slab;
@@ -78,7 +78,11 @@ void TakeSlabs(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
       if (bits[n] && !isOpen(n, step, step + slab)) bits[n] = 0;
       if (Tracer::kCells && bits[n]) skippers[n].TakeIn(step, slab, box);
     }
-    if (Tracer::kCells && box.low.x <= box.high.x) f.cells->lookInto(box.low, box.high);
+    if (Tracer::kCells && box.low.x <= box.high.x) {
+      f.cells->lookInto(box.low, box.high);
+      const glm::vec3 next = skippers.front().MoveOf(slab);
+      f.cells->prefetch(box.low + next, box.high + next);
+    }
     tracer.BeginSlab();
     for (int n = 0; n < packets; ++n) {
       if constexpr (Tracer::kPrefetches)
@@ -120,7 +124,8 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   const int lanes = int(hn::Lanes(DF())), packets = int(rays.steps.size()) / lanes;
   std::vector<Skipper> skippers;
   skippers.reserve(packets);
-  for (int n = 0; n < packets; ++n) skippers.emplace_back(f, LoadPacket(f, rays, n * lanes));
+  const int stepsALook = StepsALook(rays);
+  for (int n = 0; n < packets; ++n) skippers.emplace_back(f, LoadPacket(f, rays, n * lanes), stepsALook);
   const StepRange steps = StepsOf(rays);
   std::vector<int> ends(packets, steps.end);
   std::vector<float> shown;

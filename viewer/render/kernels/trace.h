@@ -4,7 +4,8 @@
 #include <glm/vec3.hpp>
 
 #include "viewer/render/curve_table.h"
-#include "viewer/render/rays.h"
+#include "viewer/render/interval_series.h"
+#include "viewer/render/ray_row.h"
 #include "viewer/render/shading/lighting.h"
 #include "viewer/render/shading/reflectance_map.h"
 #include "viewer/render/shading/shade_table.h"
@@ -77,6 +78,7 @@ struct TraceFrame {
   float inverseFloor = 0;         ///< 1 / gradientFloor; 0: q = 0 everywhere
   const CurveTable* curve = nullptr;
   float inverseUnitMm = 1;              ///< 1 / unitDistance
+  IntervalSeries intervals;             ///< of whole steps where rays are parallel, else none
   const SkipMap* skip = nullptr;        ///< null: every packet is looked at
   const VisibleCells* cells = nullptr;  ///< null where the kernel does not ask (TraceKey)
   const Lighting* lighting = nullptr;

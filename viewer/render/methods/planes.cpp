@@ -2,6 +2,7 @@
 
 #include "viewer/render/methods/planes_gl.h"
 #include "viewer/render/methods/row_painter.h"
+#include "viewer/render/rays.h"
 #include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
 

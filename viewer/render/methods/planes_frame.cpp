@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "viewer/render/caches.h"
+#include "viewer/render/rays.h"
 #include "viewer/volume/clock.h"
 
 namespace volumen {
@@ -26,11 +27,11 @@ int levelsOf(Blending blending) {
 }
 
 // How far the box around a packet of rays may reach: its interval, and where samples stand at steps half a
-// step more to either side (RayRow::ahead).
-int reachBlocks(const Plan& plan, const VoxelGeometry& geometry, int edge) {
-  const RaySetup setup(plan, geometry);
+// step more to either side (RayRow::ahead), or the steps of a look together.
+int reachBlocks(const Plan& plan, const RaySetup& setup, int edge) {
   // Of a length for all short steps and cells, so that they share a map.
-  const double along = plan.mostParts > 1 ? plan.stepVoxels : std::max(edge / 2.0, 2 * plan.stepVoxels);
+  const double along =
+      plan.mostParts > 1 ? plan.stepVoxels : std::max({1.0, edge / 2.0, 2 * plan.stepVoxels});
   const double across = 2 * setup.tileSpread() + along + 0.1;
   return int(std::clamp(std::ceil(across / edge), 1.0, 32.0 / edge));
 }
@@ -53,6 +54,10 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   frame_.curve = &curve_;
   frame_.transfer = &transfer_;
   frame_.inverseUnitMm = float(1 / transfer_.unitDistance);
+  const RaySetup setup(plan, cache.volume->geometry());
+  double mostOpacity = 0;
+  for (const CurvePoint& p : transfer_.points) mostOpacity = std::max(mostOpacity, double(p.opacity));
+  frame_.intervals = makeIntervalSeries(setup.sharedStepMm() * frame_.inverseUnitMm, mostOpacity);
   frame_.lighting = &lighting_;
   makeShades(plan, caches);
   frame_.stopTransmittance = float(plan.stopTransmittance);
@@ -77,7 +82,8 @@ void PlanesFrame::readBlocks(const Plan& plan, RenderCaches& caches, RenderStats
   if (plan.skipBlocks || key_.refined) {
     const auto& skip = cache.skipOf(
         transfer_, curve_,
-        {transfer_.points, reachBlocks(plan, cache.volume->geometry(), cache.factsOfVolume().bricks->edge),
+        {transfer_.points,
+         reachBlocks(plan, RaySetup(plan, cache.volume->geometry()), cache.factsOfVolume().bricks->edge),
          rounding_, key_.store == Store::int16, asksCells});
     stats.blockBytes = skip.bytes();
     if (plan.skipBlocks) frame_.skip = &skip.map();

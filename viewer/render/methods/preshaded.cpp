@@ -7,6 +7,7 @@
 #include "viewer/render/kernels/preshaded.h"
 #include "viewer/render/kernels/shade_samples.h"
 #include "viewer/render/methods/row_painter.h"
+#include "viewer/render/rays.h"
 #include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
 

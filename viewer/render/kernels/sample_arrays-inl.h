@@ -1,0 +1,55 @@
+// Classifying and lighting plain samples, many at a time, compiled once a CPU target.
+#if defined(VOLUMEN_RENDER_KERNELS_SAMPLE_ARRAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_RENDER_KERNELS_SAMPLE_ARRAYS_INL_H_
+#undef VOLUMEN_RENDER_KERNELS_SAMPLE_ARRAYS_INL_H_
+#else
+#define VOLUMEN_RENDER_KERNELS_SAMPLE_ARRAYS_INL_H_
+#endif
+
+#include "viewer/render/kernels/compact-inl.h"
+#include "viewer/render/kernels/matter-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+/// Plain samples on their way: each pass puts what it finds in the place of what it no longer needs.
+template <int kCapacity>
+struct SampleArrays {
+  HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity];  ///< place in the cell, gradient, colour
+  HWY_ALIGN float density[kCapacity];
+  HWY_ALIGN float units[kCapacity];         ///< length in unit distances, 0 where there is none; then opacity
+  HWY_ALIGN std::int32_t index[kCapacity];  ///< of the cell, then segment of the curve
+  int size = 0;
+};
+
+/// From densities, gradients and lengths to segments and opacities.
+template <class Material, class Arrays>
+HWY_INLINE void Classify(const Material& matter, Arrays& s) {
+  const DF df;
+  for (int n = 0; n < s.size; n += kLanes) {
+    const VF density = hn::Load(df, s.density + n), units = hn::Load(df, s.units + n);
+    const VI segment = SegmentOf(*matter.f.curve, density);
+    const VF opacity = matter.IntervalOpacityAt(segment, density, PlaceOf(s, n), units);
+    hn::Store(hn::IfThenElseZero(hn::Gt(units, hn::Zero(df)), opacity), df, s.units + n);
+    hn::Store(segment, DI(), s.index + n);
+  }
+}
+
+/// From densities, gradients and segments to colours, lit, of vectors that have any opacity. `rays(n)`: of
+/// the n-th sample and those behind it (Matter::ColourAt).
+template <class Material, class Arrays, class Rays>
+HWY_INLINE void Light(const Material& matter, Arrays& s, const Rays& rays) {
+  const DF df;
+  for (int n = 0; n < s.size; n += kLanes) {
+    if (hn::AllFalse(df, hn::Gt(hn::Load(df, s.units + n), hn::Zero(df)))) continue;
+    const V3 colour =
+        matter.ColourAt(hn::Load(DI(), s.index + n), hn::Load(df, s.density + n), PlaceOf(s, n), rays(n));
+    hn::Store(colour.x, df, s.x + n);
+    hn::Store(colour.y, df, s.y + n);
+    hn::Store(colour.z, df, s.z + n);
+  }
+}
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // per-target include guard
