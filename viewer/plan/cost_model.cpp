@@ -10,6 +10,7 @@
 #include "viewer/plan/rule_lines.h"
 #include "viewer/plan/visibility.h"
 #include "viewer/scene/curve_changes.h"
+#include "viewer/scene/step_length.h"
 
 namespace volumen {
 

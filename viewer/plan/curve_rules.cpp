@@ -1,9 +1,9 @@
 // The choices that change the curve which is drawn.
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "viewer/plan/rule_lines.h"
 #include "viewer/scene/curve_changes.h"
+#include "viewer/scene/step_length.h"
 
 namespace volumen {
 
@@ -12,10 +12,6 @@ namespace {
 constexpr const char* noCurve = "a projection of values has no curve";
 
 }  // namespace
-
-double stepMm(const Camera& camera, const VoxelGeometry& geometry, double stepVoxels) {
-  return stepVoxels / glm::length(geometry.voxelFromPatientStep() * glm::normalize(camera.direction));
-}
 
 Effect decideCurveTable(const RuleInput& in, Plan& plan) {
   if (in.scene.mode != Mode::composite) return off(noCurve);

@@ -8,6 +8,7 @@
 #include "viewer/plan/cost_model.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/plan/smoothness.h"
+#include "viewer/scene/step_length.h"
 
 namespace volumen {
 

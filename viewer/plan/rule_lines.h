@@ -33,9 +33,6 @@ bool lightIsColoured(const Scene& scene);
 /// No sample's colour is brighter than this (SCENE 5: c D'' + S'').
 double brightest(const Scene& scene);
 
-/// SCENE 9: the length of a step on a ray along the camera's axis, mm.
-double stepMm(const Camera& camera, const VoxelGeometry& geometry, double stepVoxels);
-
 // Rules of the table (rules.h) in files of their own: what draws, how rays are integrated, how light is
 // computed, what changes the curve.
 Effect decideMethod(const RuleInput& in, Plan& plan);

@@ -8,6 +8,8 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "viewer/scene/step_length.h"
+
 namespace volumen {
 
 namespace {
@@ -31,7 +33,7 @@ RaySetup::RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2
   frame_.axes = cameraAxes(camera);
   frame_.target = geometry.voxelFromPatient(target_);
   frame_.voxelFromMm = geometry.voxelFromPatientStep();
-  frame_.parallelStepMm = stepVoxels / glm::length(frame_.voxelFromMm * frame_.axes.direction);
+  frame_.sharedStepMm = frame_.perspective ? 0 : stepMm(camera, geometry, stepVoxels);
   frame_.heightMm =
       frame_.perspective ? 2 * camera.distance * std::tan(glm::radians(camera.fov) / 2) : camera.height;
   frame_.distanceMm = camera.distance;

@@ -27,7 +27,7 @@ class RaySetup {
   }
 
   /// The length of a whole step where all rays have the same: RayRow::stepMm; 0 in perspective.
-  float sharedStepMm() const { return frame_.perspective ? 0 : float(frame_.parallelStepMm); }
+  float sharedStepMm() const { return float(frame_.sharedStepMm); }
 
   static constexpr int tile = 4;    ///< rows and columns of a tile; a tile's rays fill the widest vector
   static constexpr int block = 32;  ///< rows and columns of a block of tiles

@@ -21,6 +21,19 @@ std::uint64_t bitsOf(const std::array<std::uint8_t, 8>& flags) {
   return bytes * 0x0102040810204080u >> 56;
 }
 
+// Calls row(first block, last block's place along i, index of the row's block 0) for each row of those blocks
+// of a grid of `count` that hold positions from `low` to `high`, clamped to the grid.
+template <class Row>
+void forRows(glm::ivec3 count, glm::vec3 low, glm::vec3 high, const Row& row) {
+  const auto blockOf = [&](glm::vec3 p) {
+    return glm::clamp(glm::ivec3(p) / edge, glm::ivec3(0), count - 1);
+  };
+  const glm::ivec3 first = blockOf(low), last = blockOf(high);
+  for (int c = first.z; c <= last.z; ++c)
+    for (int b = first.y; b <= last.y; ++b)
+      row(glm::ivec3(first.x, b, c), last.x, (std::size_t(c) * count.y + b) * count.x);
+}
+
 }  // namespace
 
 struct VisibleCells::RowRange {
@@ -80,26 +93,19 @@ void VisibleCells::begin(glm::ivec3 size, Densities16 densities, const CurveTabl
 }
 
 void VisibleCells::lookInto(glm::vec3 low, glm::vec3 high) const {
-  const glm::ivec3 first = glm::ivec3(low) / edge, last = glm::min(glm::ivec3(high) / edge, count_ - 1);
-  for (int c = first.z; c <= last.z; ++c)
-    for (int b = first.y; b <= last.y; ++b) {
-      const std::size_t row = (std::size_t(c) * count_.y + b) * count_.x;
-      for (int a = first.x; a <= last.x; ++a)
-        if (std::atomic_ref(wanted_[row + a]).load(std::memory_order_acquire)) lookInto({a, b, c}, row + a);
-    }
+  forRows(count_, low, high, [&](glm::ivec3 first, int last, std::size_t row) {
+    for (int a = first.x; a <= last; ++a)
+      if (std::atomic_ref(wanted_[row + a]).load(std::memory_order_acquire))
+        lookInto({a, first.y, first.z}, row + a);
+  });
 }
 
 void VisibleCells::prefetch(glm::vec3 low, glm::vec3 high) const {
   constexpr int lineBlocks = 64 / sizeof(words_[0]);
-  const glm::ivec3 end = count_ - 1;
-  const glm::ivec3 first = glm::clamp(glm::ivec3(low) / edge, glm::ivec3(0), end),
-                   last = glm::clamp(glm::ivec3(high) / edge, glm::ivec3(0), end);
-  for (int c = first.z; c <= last.z; ++c)
-    for (int b = first.y; b <= last.y; ++b) {
-      const std::size_t row = (std::size_t(c) * count_.y + b) * count_.x;
-      for (std::size_t n = (row + first.x) / lineBlocks; n <= (row + last.x) / lineBlocks; ++n)
-        __builtin_prefetch(words_.data() + n * lineBlocks);
-    }
+  forRows(count_, low, high, [&](glm::ivec3 first, int last, std::size_t row) {
+    for (std::size_t n = (row + first.x) / lineBlocks; n <= (row + last) / lineBlocks; ++n)
+      __builtin_prefetch(words_.data() + n * lineBlocks);
+  });
 }
 
 void VisibleCells::lookInto(glm::ivec3 block, std::size_t index) const {

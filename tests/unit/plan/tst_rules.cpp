@@ -75,6 +75,12 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   row("bright light: rays end later", "early stop",
       "on   early stop: a ray ends where less than 1/11730 of the light behind comes through",
       [](Asked& a) { a.scene.lights[0].intensity = 10; });
+  row("steps of half a voxel: rays end later", "early stop",
+      "on   early stop: a ray ends where less than 1/16384 of the light behind comes through",
+      [](Asked& a) { a.options.step = 0.5; });
+  row("longer steps do not", "early stop",
+      "on   early stop: a ray ends where less than 1/4096 of the light behind comes through",
+      [](Asked& a) { a.options.step = 0.6; });
   row("integers in 16 bits", "precision", "on   precision: 16 bits hold the stored integers exactly",
       [](Asked&) {});
   row("gradients of integers beside extreme values", "precision",

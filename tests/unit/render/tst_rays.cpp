@@ -43,8 +43,11 @@ void lookFrom(Case& c, double distance, double fov) {
   c.scene.camera->fov = fov;
 }
 
+// In a row that has held more rays before.
 RayRow raysOf(const Case& c) {
   RayRow rays;
+  const Case other;
+  RaySetup(other.scene, other.geometry, {64, 64}, 0.2, true).makeBlock(0, 0, rays);
   RaySetup(c.scene, c.geometry, size, stepVoxels, true).makeBlock(0, 0, rays);
   return rays;
 }

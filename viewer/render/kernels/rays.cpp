@@ -4,6 +4,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "viewer/render/kernels/math-inl.h"
@@ -21,8 +22,9 @@ HWY_INLINE VD SetD(double x) { return hn::Set(DD(), x); }
 struct D3 {
   VD x, y, z;
 };
-HWY_INLINE VD Dot(const D3& a, const glm::dvec3& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, SetD(b.x)), hn::Mul(a.y, SetD(b.y))), hn::Mul(a.z, SetD(b.z)));
+HWY_INLINE D3 Broadcast(const glm::dvec3& v) { return {SetD(v.x), SetD(v.y), SetD(v.z)}; }
+HWY_INLINE VD Dot(const D3& a, const D3& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
 /// Of some pixels, the places of their centres in the picture, mm from its middle.
@@ -44,8 +46,8 @@ class RayMaker {
     row_.parallel = !f_.perspective;
     const Lines shared = LinesThrough({hn::Zero(DD()), hn::Zero(DD())});
     if (row_.parallel) {
-      row_.sharedStepMm = float(f_.parallelStepMm);
-      row_.sharedMove = glm::vec3(direction_ * f_.parallelStepMm);
+      row_.sharedStepMm = float(f_.sharedStepMm);
+      row_.sharedMove = glm::vec3(direction_ * f_.sharedStepMm);
     }
     for (int n = 0; n < int(row_.pixel.size()); n += int(hn::Lanes(DD()))) {
       const VD pixel = hn::PromoteTo(DD(), hn::LoadU(hn::Rebind<std::int32_t, DD>(), row_.pixel.data() + n));
@@ -94,10 +96,9 @@ class RayMaker {
   HWY_INLINE Lines LinesThrough(const PlacesMm& p) const {
     Lines lines;
     const glm::dvec3 towardsCamera = -f_.axes.direction;
-    const VD zero = hn::Zero(DD());
-    lines.towardsViewer = Sum(towardsCamera, glm::dvec3(0), zero, glm::dvec3(0), zero);
-    lines.along = Sum(direction_, glm::dvec3(0), zero, glm::dvec3(0), zero);
-    lines.stepMm = SetD(f_.parallelStepMm);
+    lines.towardsViewer = Broadcast(towardsCamera);
+    lines.along = Broadcast(direction_);
+    lines.stepMm = SetD(f_.sharedStepMm);
     lines.eyeMm = SetD(-std::numeric_limits<double>::infinity());
     if (f_.perspective) {
       const double far = f_.distanceMm;
@@ -105,10 +106,7 @@ class RayMaker {
           hn::Sqrt(hn::Add(SetD(far * far), hn::Add(hn::Mul(p.right, p.right), hn::Mul(p.up, p.up))));
       const VD aMm = hn::Div(SetD(1), toEye);
       lines.along = Scale(Sum(direction_ * far, right_, p.right, up_, p.up), aMm);
-      const D3& d = lines.along;
-      const VD voxelsAMm =
-          hn::Sqrt(hn::Add(hn::Add(hn::Mul(d.x, d.x), hn::Mul(d.y, d.y)), hn::Mul(d.z, d.z)));
-      lines.stepMm = hn::Div(SetD(f_.stepVoxels), voxelsAMm);
+      lines.stepMm = hn::Div(SetD(f_.stepVoxels), hn::Sqrt(Dot(lines.along, lines.along)));
       lines.eyeMm = hn::Neg(toEye);
       if (f_.localViewer)
         lines.towardsViewer =
@@ -130,8 +128,9 @@ class RayMaker {
     cutAlong(1, origin.y, lines.along.y);
     cutAlong(2, origin.z, lines.along.z);
     for (const RayFrame::Plane& p : f_.planes) {
-      const VD slope = Dot(lines.along, p.normal);
-      Cut(hn::Sub(Dot(origin, p.normal), SetD(p.offset)), slope, hn::Div(SetD(1), slope),
+      const D3 normal = Broadcast(p.normal);
+      const VD slope = Dot(lines.along, normal);
+      Cut(hn::Sub(Dot(origin, normal), SetD(p.offset)), slope, hn::Div(SetD(1), slope),
           roundingVoxels * f_.leastSpacingMm, inside);
     }
     const VD length = hn::Sub(inside.t1, inside.t0);
@@ -142,13 +141,13 @@ class RayMaker {
   /// Keeps the part where outside + slope t <= 0. Lines that drift by less than `rounding` inside the volume
   /// are parallel to the boundary, which is inside (SCENE 6) to within that: rounding must not decide.
   HWY_INLINE void Cut(VD outside, VD slope, VD inverse, double rounding, Interval& inside) const {
-    const VD zero = hn::Zero(DD()), infinity = SetD(std::numeric_limits<double>::infinity());
+    const VD never = SetD(-std::numeric_limits<double>::infinity());
     const VD drift = hn::Mul(slope, SetD(f_.lengthMm)), t = hn::Neg(hn::Mul(outside, inverse));
     const MD leaves = hn::Gt(drift, SetD(rounding)), enters = hn::Lt(drift, SetD(-rounding));
     const MD misses = hn::And(hn::Not(hn::Or(leaves, enters)), hn::Gt(outside, SetD(rounding)));
     inside.t1 = hn::IfThenElse(leaves, hn::Min(inside.t1, t), inside.t1);
     inside.t0 = hn::IfThenElse(enters, hn::Max(inside.t0, t), inside.t0);
-    inside.t1 = hn::IfThenElse(misses, hn::Sub(zero, infinity), inside.t1);
+    inside.t1 = hn::IfThenElse(misses, never, inside.t1);
   }
 
   HWY_INLINE void Write(int n, const D3& origin, const Lines& lines, const Interval& inside) const {

@@ -23,7 +23,7 @@ struct RayFrame {
   glm::dvec3 target{0};   ///< voxel space
   glm::dmat3 voxelFromMm{1};
   double stepVoxels = 1;
-  double parallelStepMm = 1;   ///< the length of a step, but in perspective
+  double sharedStepMm = 1;     ///< the length of a step; 0 in perspective
   glm::dvec3 low{0}, high{0};  ///< the clipped box, voxel space
   std::vector<Plane> planes;
   double lengthMm = 0;  ///< that no ray is longer inside the box than

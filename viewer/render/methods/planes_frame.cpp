@@ -68,23 +68,20 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
                1e-6 * std::max(std::abs(facts.range.low), std::abs(facts.range.high)) / scale_.slope,
                plan.bits != 32};
   else
-    readBlocks(plan, caches, stats);
+    readBlocks(plan, reachBlocks(plan, setup, facts.bricks->edge), caches, stats);
   stats.tableBytes =
       curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
   stats.blockBytes += facts.bricks->bytes();
 }
 
-void PlanesFrame::readBlocks(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
+void PlanesFrame::readBlocks(const Plan& plan, int reach, RenderCaches& caches, RenderStats& stats) {
   auto& cache = caches.impl();
   // Which intervals are passed over is a choice, not a sound rule: it looks at cells even where no block is
   // skipped.
   const bool asksCells = key_.refined || key_.cells;
   if (plan.skipBlocks || key_.refined) {
     const auto& skip = cache.skipOf(
-        transfer_, curve_,
-        {transfer_.points,
-         reachBlocks(plan, RaySetup(plan, cache.volume->geometry()), cache.factsOfVolume().bricks->edge),
-         rounding_, key_.store == Store::int16, asksCells});
+        transfer_, curve_, {transfer_.points, reach, rounding_, key_.store == Store::int16, asksCells});
     stats.blockBytes = skip.bytes();
     if (plan.skipBlocks) frame_.skip = &skip.map();
     if (asksCells) frame_.cells = &skip.cells;

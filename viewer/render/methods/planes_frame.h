@@ -24,7 +24,7 @@ class PlanesFrame {
  private:
   void readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats);
   void readBytes(const Plan& plan, RenderCaches& caches, RenderStats& stats);
-  void readBlocks(const Plan& plan, RenderCaches& caches, RenderStats& stats);
+  void readBlocks(const Plan& plan, int reach, RenderCaches& caches, RenderStats& stats);
   void makeShades(const Plan& plan, RenderCaches& caches);
   void setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale);
 
