@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <glm/common.hpp>
@@ -21,8 +22,12 @@ std::uint64_t bitsOf(const std::array<std::uint8_t, 8>& flags) {
   return bytes * 0x0102040810204080u >> 56;
 }
 
-// Calls row(first block, last block's place along i, index of the row's block 0) for each row of those blocks
-// of a grid of `count` that hold positions from `low` to `high`, clamped to the grid.
+// Of each block two bits: not looked into yet, or some thread does so.
+constexpr std::uint64_t wanted = 1, busy = 2, either = wanted | busy;
+constexpr int statesAWord = 32;
+
+// Calls row(first block, last block's place along i) for each row of those blocks of a grid of `count` that
+// hold positions from `low` to `high`, clamped to the grid.
 template <class Row>
 void forRows(glm::ivec3 count, glm::vec3 low, glm::vec3 high, const Row& row) {
   const auto blockOf = [&](glm::vec3 p) {
@@ -30,8 +35,7 @@ void forRows(glm::ivec3 count, glm::vec3 low, glm::vec3 high, const Row& row) {
   };
   const glm::ivec3 first = blockOf(low), last = blockOf(high);
   for (int c = first.z; c <= last.z; ++c)
-    for (int b = first.y; b <= last.y; ++b)
-      row(glm::ivec3(first.x, b, c), last.x, (std::size_t(c) * count.y + b) * count.x);
+    for (int b = first.y; b <= last.y; ++b) row(glm::ivec3(first.x, b, c), last.x);
 }
 
 }  // namespace
@@ -80,44 +84,58 @@ void VisibleCells::begin(glm::ivec3 size, Densities16 densities, const CurveTabl
   count_ = (size + (edge - 1)) / edge;
   densities_ = densities;
   spans_ = spansOf(curve);
-  words_.resize(visible.size());
-  wanted_.resize(visible.size());
-  const std::int64_t slice = std::int64_t(count_.x) * count_.y;
-  parallelFor(count_.z, 0, [&](std::int64_t first, std::int64_t last) {
-    const auto begin = std::size_t(first * slice), end = std::size_t(last * slice);
-    for (std::size_t n = begin; n < end; ++n) {
-      wanted_[n] = densities.data && visible[n];
-      words_[n] = !densities.data && visible[n] ? ~std::uint64_t(0) : 0;
+  stateWords_ = (count_.x + statesAWord - 1) / statesAWord;
+  // What lies beside, behind and above the last block can be read with it.
+  words_.resize(visible.size() + std::size_t(count_.x) * count_.y + count_.x + 1);
+  states_.resize(std::size_t(stateWords_) * count_.y * count_.z);
+  parallelFor(std::int64_t(count_.y) * count_.z, 0, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t row = first; row < last; ++row) {
+      const std::uint8_t* isVisible = visible.data() + row * count_.x;
+      const auto words = words_.begin() + row * count_.x;
+      const auto states = states_.begin() + row * stateWords_;
+      std::fill_n(states, stateWords_, 0);
+      std::transform(isVisible, isVisible + count_.x, words,
+                     [&](std::uint8_t v) { return v && !densities.data ? ~std::uint64_t(0) : 0; });
+      for (int a = 0; densities.data && a < count_.x; ++a)
+        states[a / statesAWord] |= std::uint64_t(isVisible[a] ? wanted : 0) << 2 * (a % statesAWord);
     }
   });
 }
 
 void VisibleCells::lookInto(glm::vec3 low, glm::vec3 high) const {
-  forRows(count_, low, high, [&](glm::ivec3 first, int last, std::size_t row) {
-    for (int a = first.x; a <= last; ++a)
-      if (std::atomic_ref(wanted_[row + a]).load(std::memory_order_acquire))
-        lookInto({a, first.y, first.z}, row + a);
+  forRows(count_, low, high, [&](glm::ivec3 block, int last) {
+    auto* states = states_.data() + rowAt(block) * stateWords_;
+    for (int n = block.x / statesAWord; n <= last / statesAWord; ++n) {
+      const int begin = std::max(block.x - n * statesAWord, 0),
+                end = std::min(last - n * statesAWord, statesAWord - 1);
+      const std::uint64_t asked = ~std::uint64_t(0) >> (64 - 2 * (end + 1 - begin)) << 2 * begin;
+      std::uint64_t left = std::atomic_ref(states[n]).load(std::memory_order_acquire) & asked;
+      for (; left; left &= left - 1)
+        lookInto({n * statesAWord + std::countr_zero(left) / 2, block.y, block.z}, states[n]);
+    }
   });
 }
 
 void VisibleCells::prefetch(glm::vec3 low, glm::vec3 high) const {
   constexpr int lineBlocks = 64 / sizeof(words_[0]);
-  forRows(count_, low, high, [&](glm::ivec3 first, int last, std::size_t row) {
+  forRows(count_, low, high, [&](glm::ivec3 first, int last) {
+    const std::size_t row = rowAt(first) * count_.x;
     for (std::size_t n = (row + first.x) / lineBlocks; n <= (row + last) / lineBlocks; ++n)
       __builtin_prefetch(words_.data() + n * lineBlocks);
   });
 }
 
-void VisibleCells::lookInto(glm::ivec3 block, std::size_t index) const {
-  const std::atomic_ref state(wanted_[index]);
-  std::uint8_t wanted = 1;
-  if (state.compare_exchange_strong(wanted, 2, std::memory_order_acquire)) {
-    words_[index] = cellsOf(block);
-    state.store(0, std::memory_order_release);
-  } else {
-    while (state.load(std::memory_order_acquire)) {
-    }
+void VisibleCells::lookInto(glm::ivec3 block, std::uint64_t& word) const {
+  const std::atomic_ref states(word);
+  const int shift = 2 * (block.x % statesAWord);
+  std::uint64_t now = states.load(std::memory_order_acquire);
+  while (!(now & wanted << shift &&
+           states.compare_exchange_weak(now, now ^ either << shift, std::memory_order_acquire))) {
+    if (!(now & either << shift)) return;
+    now = states.load(std::memory_order_acquire);
   }
+  words_[rowAt(block) * count_.x + block.x] = cellsOf(block);
+  states.fetch_and(~(either << shift), std::memory_order_release);
 }
 
 std::uint64_t VisibleCells::cellsOf(glm::ivec3 block) const {

@@ -35,10 +35,11 @@ class VisibleCells {
   void prefetch(glm::vec3 low, glm::vec3 high) const;
 
   /// Two words a block: cell (i, j, k) of block b is bit i % 4 + 4 (j % 4) + 16 (k % 2) of word
-  /// 2 b + k % 4 / 2. Only of blocks that were looked into.
+  /// 2 b + k % 4 / 2. Only of blocks that were looked into. Words of a slice, a row and a block more can be
+  /// read behind the last.
   const std::int32_t* words() const { return reinterpret_cast<const std::int32_t*>(words_.data()); }
   glm::ivec3 count() const { return count_; }
-  std::size_t bytes() const { return words_.size() * sizeof(words_[0]) + wanted_.size(); }
+  std::size_t bytes() const { return (words_.size() + states_.size()) * sizeof(words_[0]); }
 
  private:
   /// Cells whose densities reach up to `low` and down to `high` can show something.
@@ -52,13 +53,17 @@ class VisibleCells {
   static void takeIn(const RowRange& from, RowRange& to);
   Row rowOf(glm::ivec3 voxel) const;
   std::uint64_t cellsOf(glm::ivec3 block) const;
-  void lookInto(glm::ivec3 block, std::size_t index) const;
+  /// Unless another thread does so or has done; `states`: the word that has the block's.
+  void lookInto(glm::ivec3 block, std::uint64_t& states) const;
+  /// Which row of blocks along i it is of.
+  std::size_t rowAt(glm::ivec3 block) const { return std::size_t(block.z) * count_.y + block.y; }
 
   glm::ivec3 size_{0}, count_{0};
   Densities16 densities_;
   std::vector<Span> spans_;
   mutable std::vector<std::uint64_t> words_;
-  mutable std::vector<std::uint8_t> wanted_;  ///< 1: not looked into yet, 2: some thread does so, else 0
+  int stateWords_ = 0;                         ///< of a row along i
+  mutable std::vector<std::uint64_t> states_;  ///< two bits a block: whether it was looked into
 };
 
 }  // namespace volumen

@@ -80,6 +80,20 @@ void TestEmptyCells::theSameBytes_data() {
     c.scene.clip.boxLow.x = 0.31;
     c.scene.clip.planes.push_back({{0.3, -0.5, 0.8}, 0});
   });
+  row("rays close together, askew", [](Case& c) {
+    c.scene.camera = Camera{};
+    c.scene.camera->direction = {-0.6, 0.7, 0.4};
+    c.scene.camera->height = 230;
+    c.options.size = {150, 122};
+    c.options.step = 0.23;
+  });
+  row("rays close together, in perspective from near by", [](Case& c) {
+    c.scene.camera = Camera{};
+    c.scene.camera->projection = Projection::perspective;
+    c.scene.camera->direction = {0.2, 1, 0.7};
+    c.scene.camera->distance = 160;
+    c.options.size = {150, 122};
+  });
   row("rays far apart", [](Case& c) { c.options.size = {9, 7}; });
   row("steps of five voxels", [](Case& c) { c.options.step = 5; });
 }

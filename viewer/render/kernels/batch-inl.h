@@ -10,8 +10,8 @@
 #include <cstring>
 #include <utility>
 
+#include "viewer/render/kernels/cells-inl.h"
 #include "viewer/render/kernels/sample_arrays-inl.h"
-#include "viewer/render/kernels/skip-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
@@ -25,7 +25,7 @@ class BatchTracer {
   using Material = Matter<kShade, kGradientOpacity>;
 
  public:
-  static constexpr int kSlab = 8;  ///< steps that all packets take before any goes on
+  static constexpr int kSlab = 16;  ///< steps that all packets take before any goes on
   static constexpr bool kCells = true;
   static constexpr bool kPrefetches = false;
   static constexpr bool kBlends = false;
@@ -41,9 +41,9 @@ class BatchTracer {
         counts_(counts) {}
 
   /// Takes the packet at ray `first`, which is open, through the steps that `bits` names, step + n by bit n.
-  HWY_INLINE void Advance(int first, int step, std::uint64_t bits) {
+  HWY_INLINE void Advance(const Skipper& skipper, int first, int step, std::uint64_t bits) {
     if (!bits) return;
-    Place(LoadPacket(f_, rays_, first), first, step, bits);
+    Place(LoadPacket(f_, rays_, first), Windows(*f_.cells, skipper, step), first, step, bits);
     if (next_->size < kFull) return;
     std::swap(next_, batch_);
     Draw(*next_);
@@ -57,6 +57,7 @@ class BatchTracer {
 
  private:
   static constexpr int kFull = 8 * kLanes;
+  using Windows = CellWindows<kSlab>;
 
   static constexpr bool kRays = kShade == ShadeBy::local;  ///< whether light asks which ray a sample is of
 
@@ -82,18 +83,21 @@ class BatchTracer {
   };
 
   /// Notes the packet's samples in visible cells, and asks for their voxels.
-  HWY_INLINE void Place(const Packet& p, int first, int step, std::uint64_t bits) {
+  HWY_INLINE void Place(const Packet& p, const Windows& windows, int first, int step, std::uint64_t bits) {
     const DF df;
     auto& s = *next_;
     const MF open = hn::Le(hn::LoadU(df, out_.alpha + first), Set(1 - f_.stopTransmittance));
+    const bool fits = windows.fits();
     // All steps are asked before any is noted, so that none waits for what the one before has found.
     std::uint8_t masks[kSlab][8];
     std::uint64_t visible = 0;
     for (; bits; bits &= bits - 1) {
       const int k = int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
       const VF n = SampleAt(p, step + k);
-      const V3 place = grid_.Clamped(Position(p, n, IsLast(p, n)));
-      const MF has = InVisibleCell(*f_.cells, hn::And(open, HasSample(p, n)), place);
+      const V3 place = Position(p, n, IsLast(p, n));
+      const MF there = hn::And(open, HasSample(p, n));
+      const MF has =
+          fits ? windows.IsVisible(k, there, place) : InVisibleCell(*f_.cells, there, grid_.Clamped(place));
       hn::StoreMaskBits(df, has, masks[k]);
       visible |= std::uint64_t(!hn::AllFalse(df, has)) << k;
     }

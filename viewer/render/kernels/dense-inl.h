@@ -46,7 +46,7 @@ class DenseTracer {
 
   /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
   /// n by bit n.
-  HWY_INLINE void Advance(int first, int step, std::uint64_t bits) {
+  HWY_INLINE void Advance(const Skipper&, int first, int step, std::uint64_t bits) {
     if (!bits) return;
     matter_.first = first;
     Place(LoadPacket(f_, rays_, first), step, bits);

@@ -16,25 +16,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// The rays of `alive` whose cell, by its indices inside the grid, is visible.
-HWY_INLINE MF IsVisibleCell(const VisibleCells& cells, MF alive, VI x, VI y, VI z) {
-  const DF df;
-  const DI di;
-  static_assert(VisibleCells::edge == 4);
-  const VI row = hn::Add(hn::Mul(hn::ShiftRight<2>(z), SetI(cells.count().y)), hn::ShiftRight<2>(y));
-  const VI block = hn::Add(hn::Mul(row, SetI(cells.count().x)), hn::ShiftRight<2>(x));
-  const VI word = hn::Add(hn::Add(block, block), hn::And(hn::ShiftRight<1>(z), SetI(1)));
-  const VI bit = hn::Add(hn::Add(hn::And(x, SetI(3)), hn::ShiftLeft<2>(hn::And(y, SetI(3)))),
-                         hn::ShiftLeft<4>(hn::And(z, SetI(1))));
-  const VI seen = hn::And(hn::GatherIndex(di, cells.words(), word), hn::Shl(SetI(1), bit));
-  return hn::AndNot(hn::RebindMask(df, hn::Eq(seen, hn::Zero(di))), alive);
-}
-
-/// The rays of `alive` whose place, clamped to the grid, lies in a visible cell.
-HWY_INLINE MF InVisibleCell(const VisibleCells& cells, MF alive, const V3& clamped) {
-  return IsVisibleCell(cells, alive, Truncated(clamped.x), Truncated(clamped.y), Truncated(clamped.z));
-}
-
 /// What the map says of boxes of blocks from `index` on that reach `across` farther, in the layers that begin
 /// at `layer`, 0 or as SkipMap::layerAt has it: not 0 where such a box meets a visible block.
 HWY_INLINE VI NearBlocks(const SkipMap& map, const VI (&index)[3], const VI (&across)[3], VI layer) {
@@ -55,12 +36,12 @@ struct Box {
   glm::vec3 low{std::numeric_limits<float>::max()}, high{0};
 };
 
-/// How many steps one look of a Skipper covers: short ones, together no longer than a voxel.
-inline int StepsALook(const RayRow& rays) {
+/// How many steps one look of a Skipper covers: short ones, together no longer than so many voxels.
+inline int StepsALook(const RayRow& rays, float voxels) {
   for (std::size_t n = 0; n < rays.steps.size(); ++n)
     if (rays.steps[n] > 0) {
       const float step = glm::length(glm::vec3(rays.moveX[n], rays.moveY[n], rays.moveZ[n]));
-      return step > 0.5f ? 1 : step > 0.25f ? 2 : 4;
+      return 4 * step <= voxels ? 4 : 2 * step <= voxels ? 2 : 1;
     }
   return 1;
 }
@@ -120,6 +101,15 @@ class Skipper {
 
   int stepsALook() const { return stepsALook_; }
 
+  /// Whether the box around the packet is at no step longer along any axis than so many voxels.
+  bool FitsIn(float voxels) const { return std::max(size_[0], std::max(size_[1], size_[2])) <= voxels; }
+
+  /// The voxel that the box begins in along axis `a`, a lane a step, from `step` on; clamped to the grid.
+  HWY_INLINE VI LowFrom(int step, int a) const {
+    const VF middle = hn::Add(hn::Iota(DF(), 0), Set(float(step) + 0.5f));
+    return VoxelAt(a, hn::Add(Set(start_[a]), hn::Mul(middle, Set(move_[a]))));
+  }
+
   /// One bit a step, from `step` on, as many as stepsALook vectors have lanes.
   HWY_INLINE std::uint64_t LookFrom(int step) const {
     const DF df;
@@ -127,9 +117,7 @@ class Skipper {
     if (!map_) return ~std::uint64_t(0) >> (64 - int(hn::Lanes(df)) * stepsALook_);
     const VF looks = hn::Mul(hn::Iota(df, 0), Set(float(stepsALook_)));
     const VF middle = hn::Add(hn::Add(looks, Set(float(step))), Set(0.5f));
-    const auto block = [&](int a, VF x) {
-      return hn::ShiftRightSame(Truncated(hn::Min(hn::Max(x, hn::Zero(df)), Set(last_[a]))), map_->shift);
-    };
+    const auto block = [&](int a, VF x) { return hn::ShiftRightSame(VoxelAt(a, x), map_->shift); };
     VI index[3], across[3];
     for (int a = 0; a < 3; ++a) {
       const VF x = hn::Add(Set(lookStart_[a]), hn::Mul(middle, Set(move_[a])));
@@ -159,6 +147,10 @@ class Skipper {
     const DF df;
     return {hn::GetLane(hn::MinOfLanes(df, hn::IfThenElse(of, v, Set(1e30f)))),
             hn::GetLane(hn::MaxOfLanes(df, hn::IfThenElse(of, v, Set(-1e30f))))};
+  }
+
+  HWY_INLINE VI VoxelAt(int a, VF x) const {
+    return Truncated(hn::Min(hn::Max(x, hn::Zero(DF())), Set(last_[a])));
   }
 
   /// Of the lower half, every bit twice.

@@ -43,7 +43,7 @@ class SparseTracer {
 
   /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
   /// n by bit n.
-  HWY_INLINE void Advance(int first, int step, std::uint64_t bits) {
+  HWY_INLINE void Advance(const Skipper&, int first, int step, std::uint64_t bits) {
     if (!bits) return;
     const VF open = hn::LoadU(DF(), out_.alpha + first);
     const MF alive = hn::Le(open, Set(1 - f_.stopTransmittance));

@@ -91,7 +91,7 @@ void TakeSlabs(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
           skippers[n].TakeIn(step + ahead, slab, next);
           tracer.Prefetch(next.low, next.high);
         }
-      tracer.Advance(n * lanes, step, bits[n]);
+      tracer.Advance(skippers[n], n * lanes, step, bits[n]);
     }
     tracer.EndSlab();
   }
@@ -124,7 +124,8 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   const int lanes = int(hn::Lanes(DF())), packets = int(rays.steps.size()) / lanes;
   std::vector<Skipper> skippers;
   skippers.reserve(packets);
-  const int stepsALook = StepsALook(rays);
+  // Where cells are asked too, a look that finds too much costs little.
+  const int stepsALook = StepsALook(rays, Tracer::kCells ? 2 : 1);
   for (int n = 0; n < packets; ++n) skippers.emplace_back(f, LoadPacket(f, rays, n * lanes), stepsALook);
   const StepRange steps = StepsOf(rays);
   std::vector<int> ends(packets, steps.end);

@@ -6,7 +6,7 @@
 #define VOLUMEN_RENDER_KERNELS_WALK_INL_H_
 #endif
 
-#include "viewer/render/kernels/skip-inl.h"
+#include "viewer/render/kernels/cells-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {

@@ -1,0 +1,113 @@
+// Which samples lie in visible cells, compiled once a CPU target.
+#if defined(VOLUMEN_RENDER_KERNELS_CELLS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_RENDER_KERNELS_CELLS_INL_H_
+#undef VOLUMEN_RENDER_KERNELS_CELLS_INL_H_
+#else
+#define VOLUMEN_RENDER_KERNELS_CELLS_INL_H_
+#endif
+
+#include "viewer/render/kernels/skip-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+/// The bit of a cell's word (VisibleCells::words).
+HWY_INLINE VI BitOfCell(VI x, VI y, VI z) {
+  const VI ofRow = hn::OrAnd(hn::And(x, SetI(3)), hn::ShiftLeft<2>(y), SetI(12));
+  return hn::Shl(SetI(1), hn::OrAnd(ofRow, hn::ShiftLeft<4>(z), SetI(16)));
+}
+
+/// The rays of `alive` whose cell, by its indices inside the grid, is visible.
+HWY_INLINE MF IsVisibleCell(const VisibleCells& cells, MF alive, VI x, VI y, VI z) {
+  const DF df;
+  const DI di;
+  static_assert(VisibleCells::edge == 4);
+  const VI row = hn::Add(hn::Mul(hn::ShiftRight<2>(z), SetI(cells.count().y)), hn::ShiftRight<2>(y));
+  const VI block = hn::Add(hn::Mul(row, SetI(cells.count().x)), hn::ShiftRight<2>(x));
+  const VI word = hn::OrAnd(hn::Add(block, block), hn::ShiftRight<1>(z), SetI(1));
+  const auto seen = hn::TestBit(hn::GatherIndex(di, cells.words(), word), BitOfCell(x, y, z));
+  return hn::And(alive, hn::RebindMask(df, seen));
+}
+
+/// The rays of `alive` whose place, clamped to the grid, lies in a visible cell.
+HWY_INLINE MF InVisibleCell(const VisibleCells& cells, MF alive, const V3& clamped) {
+  return IsVisibleCell(cells, alive, Truncated(clamped.x), Truncated(clamped.y), Truncated(clamped.z));
+}
+
+#if HWY_TARGET == HWY_SCALAR || HWY_MAX_BYTES < 32
+/// Registers are too short to look words up in.
+template <int kSteps>
+struct CellWindows {
+  CellWindows(const VisibleCells&, const Skipper&, int) {}
+  static constexpr bool fits() { return false; }
+  static MF IsVisible(int, MF alive, const V3&) { return alive; }
+};
+#else
+/// What visible cells a packet meets at so many neighbouring steps: at each the box around it lies in 2 x 2 x
+/// 2 blocks, whose words fit into registers. Looking them up there takes half as long as gathers do.
+template <int kSteps>
+class CellWindows {
+  static constexpr int kLanes = hn::MaxLanes(DI());
+
+ public:
+  HWY_INLINE CellWindows(const VisibleCells& cells, const Skipper& packet, int step)
+      : words_(cells.words()),
+        nextRow_(2 * cells.count().x),
+        nextSlice_(nextRow_ * cells.count().y),
+        fits_(packet.FitsIn(VisibleCells::edge)) {
+    const DI di;
+    for (int n = 0; n < kSteps; n += kLanes) {
+      const auto block = [&](int a) { return hn::ShiftRight<2>(packet.LowFrom(step + n, a)); };
+      const VI x = block(0), y = block(1), z = block(2);
+      const VI row = hn::Add(hn::Mul(z, SetI(cells.count().y)), y);
+      hn::Store(hn::Add(hn::Mul(row, SetI(cells.count().x)), x), di, block_ + n);
+      const VI odd = hn::OrAnd(hn::And(hn::ShiftLeft<1>(x), SetI(2)), hn::ShiftLeft<2>(y), SetI(4));
+      hn::Store(hn::OrAnd(odd, hn::ShiftLeft<3>(z), SetI(8)), di, odd_ + n);
+    }
+  }
+
+  /// Whether the packet is narrow enough.
+  bool fits() const { return fits_; }
+
+  /// The rays of `alive` whose place at the n-th of these steps, clamped to the grid, lies in a visible cell.
+  HWY_INLINE MF IsVisible(int n, MF alive, const V3& place) const {
+    // Cutting towards 0 clamps places before the first voxel; none lies behind the last by a voxel.
+    const VI x = Truncated(place.x), y = Truncated(place.y), z = Truncated(place.z);
+    VI at = hn::And(hn::ShiftRight<1>(z), SetI(1));
+    at = hn::OrAnd(at, hn::ShiftRight<1>(x), SetI(2));
+    at = hn::OrAnd(at, y, SetI(4));
+    at = hn::Xor(hn::OrAnd(at, hn::ShiftLeft<1>(z), SetI(8)), SetI(odd_[n]));
+    const auto seen = hn::TestBit(WordAt(words_ + 2 * std::int64_t(block_[n]), at), BitOfCell(x, y, z));
+    return hn::And(alive, hn::RebindMask(DF(), seen));
+  }
+
+ private:
+  /// Word at[lane] of 16: of neighbouring blocks, from the one at `first` on, two along i, their rows along
+  /// j, those along k.
+  HWY_INLINE VI WordAt(const std::int32_t* first, VI at) const {
+    const hn::Full256<std::int32_t> d8;
+    const auto slice = [&](const std::int32_t* words) {
+      const hn::Full128<std::int32_t> d4;
+      return hn::Combine(d8, hn::LoadU(d4, words + nextRow_), hn::LoadU(d4, words));
+    };
+    const auto near = slice(first), far = slice(first + nextSlice_);
+#if HWY_MAX_BYTES == 64
+    return hn::TableLookupLanes(hn::Combine(DI(), far, near), hn::IndicesFromVec(DI(), at));
+#else
+    const auto inSlice = hn::IndicesFromVec(d8, hn::And(at, SetI(7)));
+    return hn::IfThenElse(hn::TestBit(at, SetI(8)), hn::TableLookupLanes(far, inSlice),
+                          hn::TableLookupLanes(near, inSlice));
+#endif
+  }
+
+  const std::int32_t* words_;
+  std::int64_t nextRow_, nextSlice_;
+  bool fits_;
+  HWY_ALIGN std::int32_t block_[kSteps];  ///< the first of each step
+  HWY_ALIGN std::int32_t odd_[kSteps];    ///< which of its indices are odd, as bits of `at`
+};
+#endif
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // per-target include guard
