@@ -37,8 +37,7 @@ Buffer<T> converted(const std::vector<From>& stored, Convert convert) {
 }
 
 // Which blocks that are `times` as large along each edge hold one that is visible.
-std::vector<std::uint8_t> inLargerBlocks(const std::vector<std::uint8_t>& visible, glm::ivec3 count,
-                                         int times) {
+std::vector<std::uint8_t> inLargerBlocks(std::vector<std::uint8_t> visible, glm::ivec3 count, int times) {
   if (times == 1) return visible;
   const glm::ivec3 larger = (count + (times - 1)) / times;
   std::vector<std::uint8_t> out(std::size_t(larger.x) * larger.y * larger.z);
@@ -154,12 +153,12 @@ const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunctio
   Densities16 densities;
   if (wish.cells && wish.in16) densities = {densities16().data, std::uint16_t(densities16().flip)};
   const BrickRanges& bricks = *known.bricks;
-  const std::vector<std::uint8_t> visible = visibleBlocks(curve, bricks, wish.rounding);
+  std::vector<std::uint8_t> visible = visibleBlocks(curve, bricks, wish.rounding);
   if (!has(maps[0]))
     maps[0] = makeSkipMap(bricks.edge, bricks.count, visible, wish.reachBlocks, std::move(maps[0]));
   if (wish.cells && !hasCells)
     skip->cells.begin(volume->size(), densities, table,
-                      inLargerBlocks(visible, bricks.count, VisibleCells::edge / bricks.edge));
+                      inLargerBlocks(std::move(visible), bricks.count, VisibleCells::edge / bricks.edge));
   skip->made.cells |= wish.cells;
   return *skip;
 }

@@ -15,15 +15,18 @@ namespace {
 
 constexpr int edge = VisibleCells::edge;
 
-// Bit n is byte n of `flags`, each 0 or 1.
-std::uint64_t bitsOf(const std::array<std::uint8_t, 8>& flags) {
-  std::uint64_t bytes;
-  std::memcpy(&bytes, flags.data(), 8);
-  return bytes * 0x0102040810204080u >> 56;
+// Bit n: whether byte n of the `count` up to 8 at `bytes` is not 0.
+std::uint64_t bitsOf(const std::uint8_t* bytes, int count = 8) {
+  std::uint64_t eight = 0;
+  std::memcpy(&eight, bytes, count);
+  eight |= eight >> 4;
+  eight |= eight >> 2;
+  eight |= eight >> 1;
+  return (eight & 0x0101010101010101u) * 0x0102040810204080u >> 56;
 }
 
-// Of each block two bits: not looked into yet, or some thread does so.
-constexpr std::uint64_t wanted = 1, busy = 2, either = wanted | busy;
+// A word has the states of blocks next to each other along i: of the n-th bit n where it has not been looked
+// into yet, bit 32 + n where some thread does so.
 constexpr int statesAWord = 32;
 
 // Calls row(first block, last block's place along i) for each row of those blocks of a grid of `count` that
@@ -96,8 +99,8 @@ void VisibleCells::begin(glm::ivec3 size, Densities16 densities, const CurveTabl
       std::fill_n(states, stateWords_, 0);
       std::transform(isVisible, isVisible + count_.x, words,
                      [&](std::uint8_t v) { return v && !densities.data ? ~std::uint64_t(0) : 0; });
-      for (int a = 0; densities.data && a < count_.x; ++a)
-        states[a / statesAWord] |= std::uint64_t(isVisible[a] ? wanted : 0) << 2 * (a % statesAWord);
+      for (int a = 0; densities.data && a < count_.x; a += 8)
+        states[a / statesAWord] |= bitsOf(isVisible + a, std::min(8, count_.x - a)) << a % statesAWord;
     }
   });
 }
@@ -108,10 +111,10 @@ void VisibleCells::lookInto(glm::vec3 low, glm::vec3 high) const {
     for (int n = block.x / statesAWord; n <= last / statesAWord; ++n) {
       const int begin = std::max(block.x - n * statesAWord, 0),
                 end = std::min(last - n * statesAWord, statesAWord - 1);
-      const std::uint64_t asked = ~std::uint64_t(0) >> (64 - 2 * (end + 1 - begin)) << 2 * begin;
-      std::uint64_t left = std::atomic_ref(states[n]).load(std::memory_order_acquire) & asked;
-      for (; left; left &= left - 1)
-        lookInto({n * statesAWord + std::countr_zero(left) / 2, block.y, block.z}, states[n]);
+      const std::uint64_t word = std::atomic_ref(states[n]).load(std::memory_order_acquire);
+      const std::uint32_t asked = ~std::uint32_t(0) >> (statesAWord - 1 - end + begin) << begin;
+      for (std::uint32_t left = std::uint32_t(word | word >> statesAWord) & asked; left; left &= left - 1)
+        lookInto({n * statesAWord + std::countr_zero(left), block.y, block.z}, states[n]);
     }
   });
 }
@@ -127,15 +130,15 @@ void VisibleCells::prefetch(glm::vec3 low, glm::vec3 high) const {
 
 void VisibleCells::lookInto(glm::ivec3 block, std::uint64_t& word) const {
   const std::atomic_ref states(word);
-  const int shift = 2 * (block.x % statesAWord);
+  const std::uint64_t wanted = std::uint64_t(1) << block.x % statesAWord, busy = wanted << statesAWord;
   std::uint64_t now = states.load(std::memory_order_acquire);
-  while (!(now & wanted << shift &&
-           states.compare_exchange_weak(now, now ^ either << shift, std::memory_order_acquire))) {
-    if (!(now & either << shift)) return;
+  while (!(now & wanted &&
+           states.compare_exchange_weak(now, now ^ (wanted | busy), std::memory_order_acquire))) {
+    if (!(now & (wanted | busy))) return;
     now = states.load(std::memory_order_acquire);
   }
   words_[rowAt(block) * count_.x + block.x] = cellsOf(block);
-  states.fetch_and(~(either << shift), std::memory_order_release);
+  states.fetch_and(~busy, std::memory_order_release);
 }
 
 std::uint64_t VisibleCells::cellsOf(glm::ivec3 block) const {
@@ -161,7 +164,7 @@ std::uint64_t VisibleCells::cellsOf(glm::ivec3 block) const {
                            high = std::max(range.high[i], range.high[i + 1]);
         for (const Span& s : spans_) seen[i] |= std::uint8_t(high >= s.low && low <= s.high);
       }
-      cells |= bitsOf(seen) << (4 * j + 16 * k);
+      cells |= bitsOf(seen.data()) << (4 * j + 16 * k);
     }
   return cells;
 }

@@ -74,6 +74,7 @@ class TestVisibleCells : public QObject {
  private Q_SLOTS:
   void cellsAreThoseThatHoldOpacity_data();
   void cellsAreThoseThatHoldOpacity();
+  void onlyWhatWasAskedForIsLookedInto_data();
   void onlyWhatWasAskedForIsLookedInto();
   void withoutDensitiesVisibleBlocksCountWhole();
 };
@@ -94,7 +95,7 @@ void TestVisibleCells::cellsAreThoseThatHoldOpacity_data() {
       {"all", {{0, 0.1}, {10, 0.2}}},
   };
   for (const auto& [name, points] : curves)
-    for (const int x : {23, 8, 5, 1})
+    for (const int x : {150, 23, 8, 5, 1})
       QTest::addRow("%s, %d voxels along x", name, x) << points << x << (x == 8);
 }
 
@@ -125,13 +126,30 @@ void TestVisibleCells::cellsAreThoseThatHoldOpacity() {
       }
 }
 
+void TestVisibleCells::onlyWhatWasAskedForIsLookedInto_data() {
+  QTest::addColumn<int>("x");
+  QTest::addColumn<float>("low");
+  QTest::addColumn<float>("high");
+  QTest::newRow("one block") << 16 << 4.5f << 7.9f;
+  QTest::newRow("blocks 31 to 33 of a long row") << 270 << 127.5f << 132.0f;
+  QTest::newRow("32 blocks") << 270 << 128.0f << 255.5f;
+  QTest::newRow("a whole row") << 270 << 0.0f << 269.0f;
+}
+
 void TestVisibleCells::onlyWhatWasAskedForIsLookedInto() {
-  const Grid g = wavy({16, 16, 16}, 0);
+  QFETCH(int, x);
+  QFETCH(float, low);
+  QFETCH(float, high);
+  const Grid g = wavy({x, 16, 16}, 0);
+  const int row = (x + 3) / 4;
   VisibleCells cells;
   cells.begin(g.size, {g.stored.data(), g.flip}, makeCurveTable(curveOf({{-100, 1}}), {1, 0, -70, 70}),
-              std::vector<std::uint8_t>(64, 1));
-  cells.lookInto({4.5f, 4, 9}, {7.9f, 5, 9});
-  for (int n = 0; n < 64; ++n) QCOMPARE(cells.words()[2 * n], n == 2 * 16 + 1 * 4 + 1 ? -1 : 0);
+              std::vector<std::uint8_t>(std::size_t(16) * row, 1));
+  cells.lookInto({low, 4, 9}, {high, 5, 9});
+  for (int n = 0; n < 16 * row; ++n) {
+    const bool asked = n / row == 2 * 4 + 1 && n % row >= int(low) / 4 && n % row <= int(high) / 4;
+    QCOMPARE(cells.words()[2 * n], asked ? -1 : 0);
+  }
 }
 
 void TestVisibleCells::withoutDensitiesVisibleBlocksCountWhole() {
