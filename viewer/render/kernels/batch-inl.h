@@ -87,7 +87,6 @@ class BatchTracer {
     const DF df;
     auto& s = *next_;
     const MF open = hn::Le(hn::LoadU(df, out_.alpha + first), Set(1 - f_.stopTransmittance));
-    const bool fits = windows.fits();
     // All steps are asked before any is noted, so that none waits for what the one before has found.
     std::uint8_t masks[kSlab][8];
     std::uint64_t visible = 0;
@@ -96,8 +95,8 @@ class BatchTracer {
       const VF n = SampleAt(p, step + k);
       const V3 place = Position(p, n, IsLast(p, n));
       const MF there = hn::And(open, HasSample(p, n));
-      const MF has =
-          fits ? windows.IsVisible(k, there, place) : InVisibleCell(*f_.cells, there, grid_.Clamped(place));
+      const MF has = windows.fits(k) ? windows.IsVisible(k, there, place)
+                                     : InVisibleCell(*f_.cells, there, grid_.Clamped(place));
       hn::StoreMaskBits(df, has, masks[k]);
       visible |= std::uint64_t(!hn::AllFalse(df, has)) << k;
     }

@@ -6,6 +6,8 @@
 #define VOLUMEN_RENDER_KERNELS_CELLS_INL_H_
 #endif
 
+#include <cstring>
+
 #include "viewer/render/kernels/skip-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -39,11 +41,11 @@ HWY_INLINE MF InVisibleCell(const VisibleCells& cells, MF alive, const V3& clamp
 template <int kSteps>
 struct CellWindows {
   CellWindows(const VisibleCells&, const Skipper&, int) {}
-  static constexpr bool fits() { return false; }
+  static constexpr bool fits(int) { return false; }
   static MF IsVisible(int, MF alive, const V3&) { return alive; }
 };
 #else
-/// What visible cells a packet meets at so many neighbouring steps: at each the box around it lies in 2 x 2 x
+/// What visible cells a packet meets at so many neighbouring steps: at most the box around it lies in 2 x 2 x
 /// 2 blocks, whose words fit into registers. Looking them up there takes half as long as gathers do.
 template <int kSteps>
 class CellWindows {
@@ -51,23 +53,28 @@ class CellWindows {
 
  public:
   HWY_INLINE CellWindows(const VisibleCells& cells, const Skipper& packet, int step)
-      : words_(cells.words()),
-        nextRow_(2 * cells.count().x),
-        nextSlice_(nextRow_ * cells.count().y),
-        fits_(packet.FitsIn(VisibleCells::edge)) {
+      : words_(cells.words()), nextRow_(2 * cells.count().x), nextSlice_(nextRow_ * cells.count().y) {
     const DI di;
+    alignas(8) std::uint8_t fits[kSteps / 8 + 8] = {};
     for (int n = 0; n < kSteps; n += kLanes) {
-      const auto block = [&](int a) { return hn::ShiftRight<2>(packet.LowFrom(step + n, a)); };
-      const VI x = block(0), y = block(1), z = block(2);
-      const VI row = hn::Add(hn::Mul(z, SetI(cells.count().y)), y);
-      hn::Store(hn::Add(hn::Mul(row, SetI(cells.count().x)), x), di, block_ + n);
-      const VI odd = hn::OrAnd(hn::And(hn::ShiftLeft<1>(x), SetI(2)), hn::ShiftLeft<2>(y), SetI(4));
-      hn::Store(hn::OrAnd(odd, hn::ShiftLeft<3>(z), SetI(8)), di, odd_ + n);
+      VI block[3], farthest = hn::Zero(di);
+      for (int a = 0; a < 3; ++a) {
+        const auto voxels = packet.VoxelsFrom(step + n, a);
+        block[a] = hn::ShiftRight<2>(voxels.low);
+        farthest = hn::Max(farthest, hn::Sub(hn::ShiftRight<2>(voxels.high), block[a]));
+      }
+      hn::StoreMaskBits(di, hn::Lt(farthest, SetI(2)), fits + n / 8);
+      const VI row = hn::Add(hn::Mul(block[2], SetI(cells.count().y)), block[1]);
+      hn::Store(hn::Add(hn::Mul(row, SetI(cells.count().x)), block[0]), di, block_ + n);
+      const VI oddInSlice =
+          hn::OrAnd(hn::And(hn::ShiftLeft<1>(block[0]), SetI(2)), hn::ShiftLeft<2>(block[1]), SetI(4));
+      hn::Store(hn::OrAnd(oddInSlice, hn::ShiftLeft<3>(block[2]), SetI(8)), di, odd_ + n);
     }
+    std::memcpy(&fits_, fits, sizeof(fits_));
   }
 
-  /// Whether the packet is narrow enough.
-  bool fits() const { return fits_; }
+  /// Whether the packet is narrow enough at the n-th of these steps.
+  bool fits(int n) const { return fits_ >> n & 1; }
 
   /// The rays of `alive` whose place at the n-th of these steps, clamped to the grid, lies in a visible cell.
   HWY_INLINE MF IsVisible(int n, MF alive, const V3& place) const {
@@ -102,7 +109,7 @@ class CellWindows {
 
   const std::int32_t* words_;
   std::int64_t nextRow_, nextSlice_;
-  bool fits_;
+  std::uint64_t fits_;                    ///< bit n: of the n-th step
   HWY_ALIGN std::int32_t block_[kSteps];  ///< the first of each step
   HWY_ALIGN std::int32_t odd_[kSteps];    ///< which of its indices are odd, as bits of `at`
 };

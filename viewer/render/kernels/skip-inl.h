@@ -101,13 +101,15 @@ class Skipper {
 
   int stepsALook() const { return stepsALook_; }
 
-  /// Whether the box around the packet is at no step longer along any axis than so many voxels.
-  bool FitsIn(float voxels) const { return std::max(size_[0], std::max(size_[1], size_[2])) <= voxels; }
-
-  /// The voxel that the box begins in along axis `a`, a lane a step, from `step` on; clamped to the grid.
-  HWY_INLINE VI LowFrom(int step, int a) const {
+  /// The voxels that the box around the packet begins and ends in along axis `a`, a lane a step, from `step`
+  /// on; clamped to the grid.
+  struct Voxels {
+    VI low, high;
+  };
+  HWY_INLINE Voxels VoxelsFrom(int step, int a) const {
     const VF middle = hn::Add(hn::Iota(DF(), 0), Set(float(step) + 0.5f));
-    return VoxelAt(a, hn::Add(Set(start_[a]), hn::Mul(middle, Set(move_[a]))));
+    const VF low = hn::Add(Set(start_[a]), hn::Mul(middle, Set(move_[a])));
+    return {VoxelAt(a, low), VoxelAt(a, hn::Add(low, Set(size_[a])))};
   }
 
   /// One bit a step, from `step` on, as many as stepsALook vectors have lanes.
