@@ -19,13 +19,18 @@ HWY_INLINE VI BitOfCell(VI x, VI y, VI z) {
   return hn::Shl(SetI(1), hn::OrAnd(ofRow, hn::ShiftLeft<4>(z), SetI(16)));
 }
 
+/// Which of the cells' blocks they are, by their indices.
+HWY_INLINE VI BlockAt(const VisibleCells& cells, VI x, VI y, VI z) {
+  const VI row = hn::Add(hn::Mul(z, SetI(cells.count().y)), y);
+  return hn::Add(hn::Mul(row, SetI(cells.count().x)), x);
+}
+
 /// The rays of `alive` whose cell, by its indices inside the grid, is visible.
 HWY_INLINE MF IsVisibleCell(const VisibleCells& cells, MF alive, VI x, VI y, VI z) {
   const DF df;
   const DI di;
   static_assert(VisibleCells::edge == 4);
-  const VI row = hn::Add(hn::Mul(hn::ShiftRight<2>(z), SetI(cells.count().y)), hn::ShiftRight<2>(y));
-  const VI block = hn::Add(hn::Mul(row, SetI(cells.count().x)), hn::ShiftRight<2>(x));
+  const VI block = BlockAt(cells, hn::ShiftRight<2>(x), hn::ShiftRight<2>(y), hn::ShiftRight<2>(z));
   const VI word = hn::OrAnd(hn::Add(block, block), hn::ShiftRight<1>(z), SetI(1));
   const auto seen = hn::TestBit(hn::GatherIndex(di, cells.words(), word), BitOfCell(x, y, z));
   return hn::And(alive, hn::RebindMask(df, seen));
@@ -45,8 +50,8 @@ struct CellWindows {
   static MF IsVisible(int, MF alive, const V3&) { return alive; }
 };
 #else
-/// What visible cells a packet meets at so many neighbouring steps: at most the box around it lies in 2 x 2 x
-/// 2 blocks, whose words fit into registers. Looking them up there takes half as long as gathers do.
+/// What visible cells a packet meets at so many neighbouring steps. Mostly the box around it lies in 2 x 2 x
+/// 2 blocks, whose words fit into registers: looking them up there takes half as long as gathers do.
 template <int kSteps>
 class CellWindows {
   static constexpr int kLanes = hn::MaxLanes(DI());
@@ -64,8 +69,7 @@ class CellWindows {
         farthest = hn::Max(farthest, hn::Sub(hn::ShiftRight<2>(voxels.high), block[a]));
       }
       hn::StoreMaskBits(di, hn::Lt(farthest, SetI(2)), fits + n / 8);
-      const VI row = hn::Add(hn::Mul(block[2], SetI(cells.count().y)), block[1]);
-      hn::Store(hn::Add(hn::Mul(row, SetI(cells.count().x)), block[0]), di, block_ + n);
+      hn::Store(BlockAt(cells, block[0], block[1], block[2]), di, block_ + n);
       const VI oddInSlice =
           hn::OrAnd(hn::And(hn::ShiftLeft<1>(block[0]), SetI(2)), hn::ShiftLeft<2>(block[1]), SetI(4));
       hn::Store(hn::OrAnd(oddInSlice, hn::ShiftLeft<3>(block[2]), SetI(8)), di, odd_ + n);
