@@ -209,7 +209,7 @@ Effect gradientFetch(const RuleInput& in, Plan& plan) {
   // Where gradients lie apart from densities, measured: from so many blocks on it is faster to fetch all.
   constexpr double many = 0.3;
   const bool few =
-      plan.gradients && plan.bits != 16 && plan.visibleShare <= many && plan.method == Method::planes;
+      plan.gradients && plan.bits == 32 && plan.visibleShare <= many && plan.method == Method::planes;
   plan.fetchApart = few && !in.options.full;
   if (!plan.gradients) return off("there are no gradients");
   if (plan.resampler != Resampler::cpu || !isDrawnByPlanes(in))
@@ -218,7 +218,7 @@ Effect gradientFetch(const RuleInput& in, Plan& plan) {
   if (few)
     return on(plan.fetchApart ? "where opacity counts: few samples have any"
                               : "with every density: asked for in full");
-  if (plan.bits == 16) return on("with every density: one load brings both");
+  if (plan.bits != 32) return on("with every density: one load brings both");
   return on(plan.method == Method::blend ? "with every density: slices have no kernel that fetches them apart"
                                          : "with every density: most samples have opacity");
 }
@@ -238,7 +238,7 @@ Effect emptyCells(const RuleInput& in, Plan& plan) {
   const double share = shareInVisibleBlocks(plan.curve, *in.facts.bricks);
   const std::string values = "in blocks that show something about " +
                              std::to_string(std::lround(100 * share)) + " % of the values do";
-  if (plan.bits == 16 ? share > many : !plan.fetchApart) return off(values);
+  if (plan.bits == 32 ? !plan.fetchApart : share > many) return off(values);
   plan.skipCells = true;
   return on(values + ": samples are taken in cells that can");
 }

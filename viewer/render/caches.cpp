@@ -150,14 +150,12 @@ const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunctio
   skip->made.cells = hasCells;
   if (has(maps[0]) && (hasCells || !wish.cells)) return *skip;
   const VolumeFacts& known = factsOfVolume();
-  Densities16 densities;
-  if (wish.cells && wish.in16) densities = {densities16().data, std::uint16_t(densities16().flip)};
   const BrickRanges& bricks = *known.bricks;
   std::vector<std::uint8_t> visible = visibleBlocks(curve, bricks, wish.rounding);
   if (!has(maps[0]))
     maps[0] = makeSkipMap(bricks.edge, bricks.count, visible, wish.reachBlocks, std::move(maps[0]));
   if (wish.cells && !hasCells)
-    skip->cells.begin(volume->size(), densities, table,
+    skip->cells.begin(volume->size(), wish.densities, table,
                       inLargerBlocks(std::move(visible), bricks.count, VisibleCells::edge / bricks.edge));
   skip->made.cells |= wish.cells;
   return *skip;

@@ -47,10 +47,10 @@ struct RenderCaches::Impl {
   /// What is asked of blocks and cells.
   struct SkipWish {
     std::vector<CurvePoint> points;
-    int reachBlocks = 1;  ///< SkipMap::reach
-    double rounding = 0;  ///< how far stored values may be off the volume's, real units
-    bool in16 = true;     ///< cells are told apart by densities16()
-    bool cells = false;   ///< Skip::cells is looked at
+    int reachBlocks = 1;        ///< SkipMap::reach
+    double rounding = 0;        ///< how far stored values may be off the volume's, real units
+    StoredDensities densities;  ///< cells are told apart by; that are looked at
+    bool cells = false;         ///< Skip::cells is looked at
     bool operator==(const SkipWish&) const = default;
   };
   struct Skip {

@@ -81,7 +81,7 @@ std::vector<VisibleCells::Span> VisibleCells::spansOf(const CurveTable& curve) {
   return spans;
 }
 
-void VisibleCells::begin(glm::ivec3 size, Densities16 densities, const CurveTable& curve,
+void VisibleCells::begin(glm::ivec3 size, const StoredDensities& densities, const CurveTable& curve,
                          const std::vector<std::uint8_t>& visible) {
   size_ = size;
   count_ = (size + (edge - 1)) / edge;
@@ -98,8 +98,8 @@ void VisibleCells::begin(glm::ivec3 size, Densities16 densities, const CurveTabl
       const auto states = states_.begin() + row * stateWords_;
       std::fill_n(states, stateWords_, 0);
       std::transform(isVisible, isVisible + count_.x, words,
-                     [&](std::uint8_t v) { return v && !densities.data ? ~std::uint64_t(0) : 0; });
-      for (int a = 0; densities.data && a < count_.x; a += 8)
+                     [&](std::uint8_t v) { return v && !densities ? ~std::uint64_t(0) : 0; });
+      for (int a = 0; densities && a < count_.x; a += 8)
         states[a / statesAWord] |= bitsOf(isVisible + a, std::min(8, count_.x - a)) << a % statesAWord;
     }
   });
@@ -171,13 +171,17 @@ std::uint64_t VisibleCells::cellsOf(glm::ivec3 block) const {
 
 VisibleCells::Row VisibleCells::rowOf(glm::ivec3 voxel) const {
   const glm::ivec3 inside = glm::min(voxel, size_ - 1);
-  const std::int16_t* from =
-      densities_.data + (std::size_t(inside.z) * size_.y + inside.y) * std::size_t(size_.x);
+  const std::size_t begin = (std::size_t(inside.z) * size_.y + inside.y) * std::size_t(size_.x);
   Row row;
-  if (voxel.x + int(row.size()) <= size_.x)
-    std::memcpy(row.data(), from + voxel.x, sizeof(row));
+  const auto take = [&](const auto* from, int stride) {
+    for (int i = 0; i < int(row.size()); ++i) row[i] = from[stride * std::min(voxel.x + i, size_.x - 1)];
+  };
+  if (densities_.in8)
+    take(densities_.in8 + std::size_t(densities_.stride8) * begin, densities_.stride8);
+  else if (voxel.x + int(row.size()) <= size_.x)
+    std::memcpy(row.data(), densities_.in16 + begin + voxel.x, sizeof(row));
   else
-    for (int i = 0; i < int(row.size()); ++i) row[i] = from[std::min(voxel.x + i, size_.x - 1)];
+    take(densities_.in16 + begin, 1);
   for (auto& v : row) v = std::int16_t(v ^ densities_.flip);
   return row;
 }

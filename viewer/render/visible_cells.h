@@ -9,10 +9,16 @@
 
 namespace volumen {
 
-/// Densities as 16-bit integers, i fastest; `flip` is 0x8000 where they are stored unsigned, offset by that.
-struct Densities16 {
-  const std::int16_t* data = nullptr;
+/// Densities as integers, i fastest: of 16 bits, where `flip` is 0x8000 if they are stored unsigned, offset
+/// by that; or of 8, one in so many bytes; or none.
+struct StoredDensities {
+  const std::int16_t* in16 = nullptr;
   std::uint16_t flip = 0;
+  const std::uint8_t* in8 = nullptr;
+  int stride8 = 1;
+
+  explicit operator bool() const { return in16 || in8; }
+  bool operator==(const StoredDensities&) const = default;
 };
 
 /// Which cells of a grid can show anything (the cell (i, j, k) lies between the voxels (i, j, k) and
@@ -24,7 +30,7 @@ class VisibleCells {
 
   /// Begins anew. `visible`: one entry a block, i fastest, not 0 where it holds a visible value. Without
   /// densities all cells of visible blocks count.
-  void begin(glm::ivec3 size, Densities16 densities, const CurveTable& curve,
+  void begin(glm::ivec3 size, const StoredDensities& densities, const CurveTable& curve,
              const std::vector<std::uint8_t>& visible);
 
   /// Looks into the blocks that hold the positions from `low` to `high` (voxels, inside the grid) and were
@@ -59,7 +65,7 @@ class VisibleCells {
   std::size_t rowAt(glm::ivec3 block) const { return std::size_t(block.z) * count_.y + block.y; }
 
   glm::ivec3 size_{0}, count_{0};
-  Densities16 densities_;
+  StoredDensities densities_;
   std::vector<Span> spans_;
   mutable std::vector<std::uint64_t> words_;
   int stateWords_ = 0;                         ///< of a row along i

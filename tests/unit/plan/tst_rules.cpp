@@ -245,6 +245,12 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       "on   gradient fetch: where opacity counts, once for each part of a ray", [](Asked&) {});
   row("plain steps of 16 bits fetch all at once", "gradient fetch",
       "on   gradient fetch: with every density: one load brings both", [](Asked& a) { a.options.step = 1; });
+  row("plain steps of bytes fetch all at once", "gradient fetch",
+      "on   gradient fetch: with every density: one load brings both", [](Asked& a) {
+        a.options.step = 1;
+        a.options.precision = 8;
+        a.options.opacityThreshold = 0.9;
+      });
   row("few visible samples of 32 bits", "gradient fetch",
       "on   gradient fetch: where opacity counts: few samples have any", [](Asked& a) {
         a.options.step = 1;
@@ -286,6 +292,14 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       "cells that can",
       [](Asked& a) {
         a.options.step = 1;
+        a.scene.transferFunction.points = {{600, {1, 1, 1}, 0}, {1000, {1, 1, 1}, 1}};
+      });
+  row("likewise of bytes", "empty cells",
+      "on   empty cells: in blocks that show something about 33 % of the values do: samples are taken in "
+      "cells that can",
+      [](Asked& a) {
+        a.options.step = 1;
+        a.options.precision = 8;
         a.scene.transferFunction.points = {{600, {1, 1, 1}, 0}, {1000, {1, 1, 1}, 1}};
       });
   row("blocks of which most shows", "empty cells",

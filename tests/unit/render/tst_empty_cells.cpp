@@ -13,7 +13,9 @@ class TestEmptyCells : public QObject {
  private Q_SLOTS:
   void theSameBytes_data();
   void theSameBytes();
+  void fewerSamples_data();
   void fewerSamples();
+  void anotherGradientOperatorAsksTheSameCells();
 };
 
 namespace {
@@ -49,6 +51,11 @@ void TestEmptyCells::theSameBytes_data() {
   const auto row = [](const char* name, Change change) { QTest::newRow(name) << change; };
   row("one light, direct", [](Case&) {});
   row("unlit", [](Case& c) { c.scene.shading.lit = false; });
+  row("8 bits", [](Case& c) { c.options.precision = 8; });
+  row("8 bits, unlit", [](Case& c) {
+    c.options.precision = 8;
+    c.scene.shading.lit = false;
+  });
   row("two lights, one of them red, map", [](Case& c) {
     c.scene.lights.resize(2);
     c.scene.lights[1].colour = {1, 0, 0};
@@ -112,13 +119,34 @@ void TestEmptyCells::theSameBytes() {
   });
 }
 
+void TestEmptyCells::fewerSamples_data() {
+  QTest::addColumn<int>("bits");
+  for (int bits : {8, 16}) QTest::addRow("%d bits", bits) << bits;
+}
+
 void TestEmptyCells::fewerSamples() {
-  const Case c = bone();
+  QFETCH(int, bits);
+  Case c = bone();
+  c.options.precision = bits;
   RenderCaches caches(*makePhantom("ct-head:40"));
   const RenderStats all = drawn(c, caches, false).stats, some = drawn(c, caches, true).stats;
   QCOMPARE(some.composited, all.composited);
   QVERIFY2(2 * some.resampled < all.resampled,
            qPrintable(QStringLiteral("%1 of %2").arg(some.resampled).arg(all.resampled)));
+}
+
+// Bytes of density lie among those of the gradients, which are made anew.
+void TestEmptyCells::anotherGradientOperatorAsksTheSameCells() {
+  Case c = bone();
+  c.options.precision = 8;
+  const VolumePtr head = *makePhantom("ct-head:40");
+  RenderCaches caches(head);
+  const Picture first = drawn(c, caches, true).picture;
+  c.options.gradient = GradientOperator::central;
+  RenderCaches fresh(head);
+  const Picture second = drawn(c, caches, true).picture;
+  QVERIFY(second == drawn(c, fresh, true).picture);
+  QVERIFY(second != first);
 }
 
 VOLUMEN_TEST(TestEmptyCells);

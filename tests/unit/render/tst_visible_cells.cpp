@@ -37,6 +37,14 @@ Grid wavy(glm::ivec3 size, std::uint16_t flip) {
   return g;
 }
 
+// The grid's values as bytes that mean 70 less, the last of each so many.
+std::vector<std::uint8_t> bytesOf(const Grid& g, int stride) {
+  std::vector<std::uint8_t> bytes(stride * g.stored.size());
+  for (std::size_t n = 0; n < g.stored.size(); ++n)
+    bytes[stride * n + stride - 1] = std::uint8_t(g.stored[n] + 70);
+  return bytes;
+}
+
 TransferFunction curveOf(const std::vector<std::pair<float, double>>& points) {
   TransferFunction curve;
   curve.points.clear();
@@ -84,6 +92,7 @@ void TestVisibleCells::cellsAreThoseThatHoldOpacity_data() {
   QTest::addColumn<Points>("points");
   QTest::addColumn<int>("x");
   QTest::addColumn<bool>("isUnsigned");
+  QTest::addColumn<int>("bytes");  // 0: 16 bits
   const std::pair<const char*, Points> curves[] = {
       {"a ramp that begins at the background", {{0, 0}, {30, 0.5}}},
       {"a ramp downwards", {{-20, 0.5}, {0, 0}}},
@@ -96,7 +105,12 @@ void TestVisibleCells::cellsAreThoseThatHoldOpacity_data() {
   };
   for (const auto& [name, points] : curves)
     for (const int x : {150, 23, 8, 5, 1})
-      QTest::addRow("%s, %d voxels along x", name, x) << points << x << (x == 8);
+      for (const int bytes : {0, 1, 4})
+        QTest::addRow("%s, %d voxels along x, %s", name, x,
+                      bytes == 0   ? "16 bits"
+                      : bytes == 1 ? "bytes"
+                                   : "one byte in four")
+            << points << x << (x == 8 && bytes == 0) << bytes;
 }
 
 void TestVisibleCells::cellsAreThoseThatHoldOpacity() {
@@ -104,12 +118,16 @@ void TestVisibleCells::cellsAreThoseThatHoldOpacity() {
   QFETCH(Points, points);
   QFETCH(int, x);
   QFETCH(bool, isUnsigned);
+  QFETCH(int, bytes);
   const Grid g = wavy({x, 10, 7}, isUnsigned ? 0x8000 : 0);
   const TransferFunction curve = curveOf(points);
-  const CurveTable table = makeCurveTable(curve, {1, 0, -70, 70});
+  const DensityScale scale = bytes ? DensityScale{1, -70, 0, 140} : DensityScale{1, 0, -70, 70};
+  const std::vector<std::uint8_t> in8 = bytes ? bytesOf(g, bytes) : std::vector<std::uint8_t>{};
   VisibleCells cells;
   const glm::ivec3 blocks = (g.size + 3) / 4;
-  cells.begin(g.size, {g.stored.data(), g.flip}, table,
+  const StoredDensities densities = bytes ? StoredDensities{.in8 = in8.data() + bytes - 1, .stride8 = bytes}
+                                          : StoredDensities{.in16 = g.stored.data(), .flip = g.flip};
+  cells.begin(g.size, densities, makeCurveTable(curve, scale),
               std::vector<std::uint8_t>(std::size_t(blocks.x) * blocks.y * blocks.z, 1));
   parallelFor(8, 0, [&](auto, auto) { cells.lookInto(glm::vec3(0), glm::vec3(g.size - 1)); });
   for (int k = 0; k < g.size.z; ++k)

@@ -58,9 +58,9 @@ HWY_INLINE Weights WeightsOf(const Cell& c) {
 
 constexpr float kWeightUnit = -1.0f / 32768;
 
-/// How a store takes plain steps where few cells are visible: as anywhere else; in those cells alone
-/// (BatchTracer); and gradients only of what can be seen (SparseTracer).
-enum class WhereFew { dense, batches, apart };
+/// How a store takes plain steps where few cells are visible, in those alone: density and gradient together
+/// (BatchTracer), or gradients only of what can be seen (SparseTracer).
+enum class WhereFew { batches, apart };
 
 /// Densities of integers of at most 16 bits, interpolated with integer weights. Voxels::Densities(grid,
 /// index, rows): those of the rows of the cells at `index`, the first voxel's and its neighbour's along x in
@@ -81,7 +81,10 @@ struct PairDensity {
   }
 #endif
 
-  static HWY_INLINE VF Real(VI sum) { return hn::Mul(hn::ConvertTo(DF(), sum), Set(kWeightUnit)); }
+  /// `times`: what the numbers were multiplied by.
+  static HWY_INLINE VF Real(VI sum, int times = 1) {
+    return hn::Mul(hn::ConvertTo(DF(), sum), Set(kWeightUnit / float(times)));
+  }
 
   static HWY_INLINE VF Density(const Grid& grid, const Cell& c) {
     const Weights w = WeightsOf(c);
@@ -106,14 +109,13 @@ struct PairDensity {
   }
 };
 
-/// 16-bit integers. A load of 32 bits brings a voxel's density and its neighbour's along x.
-struct Int16Store : PairDensity<Int16Store> {
-  static constexpr WhereFew kWhereFew = WhereFew::batches;
-
-  static HWY_INLINE void Densities(const Grid& grid, const std::int32_t* index, VI (&rows)[4]) {
-    LoadEachOfFour(DI(), grid.Rows(grid.frame().density16), index, rows);
-    for (VI& row : rows) row = hn::Xor(row, SetI(int(grid.frame().flip16)));
-  }
+/// Gradients, too, of voxels that hold density and gradient together: Voxels::PairsAt<b>(grid, index, r): of
+/// every fourth lane from b on, a block: the voxel at the start of row r of the lane's cell and its neighbour
+/// along x, as (x0 x1 y0 y1 z0 z1 d0 d1), gradients Voxels::kTimes as large. Without blocks, in scalar code:
+/// Voxels::ComponentAt(grid, voxel, n), in the order x, y, z, d.
+template <class Voxels>
+struct VoxelPairs : PairDensity<Voxels> {
+  using Pairs = PairDensity<Voxels>;
 
 #if HWY_TARGET == HWY_SCALAR
   static HWY_INLINE Sample DensityAndGradient(const Grid& grid, const Cell& c) {
@@ -121,9 +123,10 @@ struct Int16Store : PairDensity<Int16Store> {
     const auto component = [&](int n) {
       int sum = 0;
       for (int r = 0; r < 4; ++r) {
-        const std::int16_t* v = grid.frame().voxels16 + std::size_t(4) * std::size_t(grid.Row(c, r).raw) + n;
+        const std::size_t voxel(grid.Row(c, r).raw);
         const int weights = w.row[r].raw;
-        sum += v[0] * int(std::int16_t(weights & 0xffff)) + v[4] * int(std::int16_t(weights >> 16));
+        sum += Voxels::ComponentAt(grid, voxel, n) * int(std::int16_t(weights & 0xffff)) +
+               Voxels::ComponentAt(grid, voxel + 1, n) * int(std::int16_t(weights >> 16));
       }
       return VF(float(sum) * kWeightUnit);
     };
@@ -135,14 +138,10 @@ struct Int16Store : PairDensity<Int16Store> {
   /// components of sample 4 b + k.
   static HWY_INLINE Sample DensityAndGradient(const Grid& grid, const Cell& c) {
     const DI di;
-    const DF df;
     const Weights w = WeightsOf(c);
     const CellIndices at(c);
-    VI sums[4];
-    SumBlocks<0>(grid, at.lane, w, sums);
-    SumBlocks<1>(grid, at.lane, w, sums);
-    SumBlocks<2>(grid, at.lane, w, sums);
-    SumBlocks<3>(grid, at.lane, w, sums);
+    const VI sums[4] = {SumBlocks<0>(grid, at.lane, w), SumBlocks<1>(grid, at.lane, w),
+                        SumBlocks<2>(grid, at.lane, w), SumBlocks<3>(grid, at.lane, w)};
     const hn::Repartition<std::int64_t, DI> d64;
     const auto low64 = [&](VI a, VI b) {
       return hn::BitCast(di, hn::InterleaveLower(d64, hn::BitCast(d64, a), hn::BitCast(d64, b)));
@@ -154,29 +153,19 @@ struct Int16Store : PairDensity<Int16Store> {
              xy23 = hn::InterleaveLower(di, sums[2], sums[3]);
     const VI zd01 = hn::InterleaveUpper(di, sums[0], sums[1]),
              zd23 = hn::InterleaveUpper(di, sums[2], sums[3]);
-    return {Real(high64(zd01, zd23)),
-            {Real(low64(xy01, xy23)), Real(high64(xy01, xy23)), Real(low64(zd01, zd23))}};
+    constexpr int times = Voxels::kTimes;
+    return {Pairs::Real(high64(zd01, zd23)),
+            {Pairs::Real(low64(xy01, xy23), times), Pairs::Real(high64(xy01, xy23), times),
+             Pairs::Real(low64(zd01, zd23), times)}};
   }
 
  private:
-  using Voxel = std::int16_t[4];
-
-  template <int k>
-  static HWY_INLINE void SumBlocks(const Grid& grid, const std::int32_t* index, const Weights& w, VI* sums) {
-    const DI di;
-    const hn::Repartition<std::uint8_t, DI> d8;
-    // (x0 y0 z0 d0 x1 y1 z1 d1) -> (x0 x1 y0 y1 z0 z1 d0 d1)
-    alignas(16) static constexpr std::uint8_t pairs[16] = {0, 1, 8,  9,  2, 3, 10, 11,
-                                                           4, 5, 12, 13, 6, 7, 14, 15};
-    const auto order = hn::LoadDup128(d8, pairs);
-    VI sum = hn::Zero(di);
-    for (int r = 0; r < 4; ++r) {
-      const auto* row = reinterpret_cast<const Voxel*>(grid.frame().voxels16) + grid.Offset(r);
-      const VI rows = LoadEach<4>(di, row, index + k);
-      const VI both = hn::BitCast(di, hn::TableLookupBytes(hn::BitCast(d8, rows), order));
-      sum = AddPairs(sum, both, hn::Broadcast<k>(w.row[r]));
-    }
-    sums[k] = sum;
+  template <int b>
+  static HWY_INLINE VI SumBlocks(const Grid& grid, const std::int32_t* index, const Weights& w) {
+    VI sum = hn::Zero(DI());
+    for (int r = 0; r < 4; ++r)
+      sum = Pairs::AddPairs(sum, Voxels::template PairsAt<b>(grid, index, r), hn::Broadcast<b>(w.row[r]));
+    return sum;
   }
 
  public:
@@ -184,19 +173,51 @@ struct Int16Store : PairDensity<Int16Store> {
   static HWY_INLINE V3 Gradient(const Grid& grid, const Cell& c) {
     return DensityAndGradient(grid, c).gradient;
   }
+};
 
-  /// Asks for the voxels of `count` cells ahead of time, or of every so many-th: they lie far apart in
-  /// memory.
+/// Asks for the `voxels` of `count` cells ahead of time, each so many elements, or of every so many-th cell:
+/// they lie far apart in memory.
+template <class T>
+HWY_INLINE void PrefetchCells(const Grid& grid, const T* voxels, int elements, const std::int32_t* index,
+                              int count, int every) {
+  for (int n = 0; n < count; n += every)
+    for (int r = 0; r < 4; ++r) hwy::Prefetch(voxels + elements * (std::int64_t(index[n]) + grid.Offset(r)));
+}
+
+/// 16-bit integers. A load of 32 bits brings a voxel's density and its neighbour's along x.
+struct Int16Store : VoxelPairs<Int16Store> {
+  static constexpr WhereFew kWhereFew = WhereFew::batches;
+  static constexpr int kTimes = 1;
+
+  static HWY_INLINE void Densities(const Grid& grid, const std::int32_t* index, VI (&rows)[4]) {
+    LoadEachOfFour(DI(), grid.Rows(grid.frame().density16), index, rows);
+    for (VI& row : rows) row = hn::Xor(row, SetI(int(grid.frame().flip16)));
+  }
+
+#if HWY_TARGET == HWY_SCALAR
+  static HWY_INLINE int ComponentAt(const Grid& grid, std::size_t voxel, int n) {
+    return grid.frame().voxels16[4 * voxel + n];
+  }
+#else
+  template <int b>
+  static HWY_INLINE VI PairsAt(const Grid& grid, const std::int32_t* index, int r) {
+    using Voxel = std::int16_t[4];
+    const hn::Repartition<std::uint8_t, DI> d8;
+    // (x0 y0 z0 d0 x1 y1 z1 d1) -> (x0 x1 y0 y1 z0 z1 d0 d1)
+    alignas(16) static constexpr std::uint8_t pairs[16] = {0, 1, 8,  9,  2, 3, 10, 11,
+                                                           4, 5, 12, 13, 6, 7, 14, 15};
+    const auto* row = reinterpret_cast<const Voxel*>(grid.frame().voxels16) + grid.Offset(r);
+    const auto both = hn::BitCast(d8, LoadEach<4>(DI(), row, index + b));
+    return hn::BitCast(DI(), hn::TableLookupBytes(both, hn::LoadDup128(d8, pairs)));
+  }
+#endif
+
   template <bool kGradients>
   static HWY_INLINE void Prefetch(const Grid& grid, const std::int32_t* index, int count, int every = 1) {
-    for (int n = 0; n < count; n += every)
-      for (int r = 0; r < 4; ++r) {
-        const std::int64_t voxel = std::int64_t(index[n]) + grid.Offset(r);
-        if constexpr (kGradients)
-          hwy::Prefetch(grid.frame().voxels16 + 4 * voxel);
-        else
-          hwy::Prefetch(grid.frame().density16 + voxel);
-      }
+    if constexpr (kGradients)
+      PrefetchCells(grid, grid.frame().voxels16, 4, index, count, every);
+    else
+      PrefetchCells(grid, grid.frame().density16, 1, index, count, every);
   }
   template <bool kGradients>
   static HWY_INLINE void PrefetchBox(const Grid& grid, glm::vec3 low, glm::vec3 high) {

@@ -79,8 +79,8 @@ void PlanesFrame::readBlocks(const Plan& plan, int reach, RenderCaches& caches, 
   // skipped.
   const bool asksCells = key_.refined || key_.cells;
   if (plan.skipBlocks || key_.refined) {
-    const auto& skip = cache.skipOf(
-        transfer_, curve_, {transfer_.points, reach, rounding_, key_.store == Store::int16, asksCells});
+    const auto& skip =
+        cache.skipOf(transfer_, curve_, {transfer_.points, reach, rounding_, densities_, asksCells});
     stats.blockBytes = skip.bytes();
     if (plan.skipBlocks) frame_.skip = &skip.map();
     if (asksCells) frame_.cells = &skip.cells;
@@ -102,6 +102,7 @@ void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats
     scale_ = d.scale;
     frame_.density16 = d.data;
     frame_.flip16 = d.flip;
+    densities_ = {.in16 = d.data, .flip = std::uint16_t(d.flip)};
     stats.densityBytes = std::size_t(geometry.voxelCount()) * 2;
     if (!plan.gradients) return;
     const Gradients16& g = cache.gradientsIn16(plan.gradientOperator);
@@ -135,11 +136,13 @@ void PlanesFrame::readBytes(const Plan& plan, RenderCaches& caches, RenderStats&
     const Density8& d = cache.densitiesIn8();
     key_.store = Store::byte1;
     frame_.density8 = d.bytes.data();
+    densities_ = {.in8 = d.bytes.data()};
     return useScale(d.scale);
   }
   const Voxels8& v = cache.voxelsIn8(plan.gradientOperator);
   key_.store = Store::byte4;
   frame_.voxels8 = v.words.data();
+  densities_ = {.in8 = reinterpret_cast<const std::uint8_t*>(v.words.data()) + 3, .stride8 = 4};
   stats.gradientBytes = 3 * voxels;
   useScale(v.scale);
   setGradientScale(plan, cache.volume->geometry(), v.gradientUnit);

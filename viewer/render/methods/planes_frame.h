@@ -35,8 +35,9 @@ class PlanesFrame {
   CurveTable curve_;
   Lighting lighting_;
   ShadeTable table_;
-  double rounding_ = 0;       ///< how far stored values may be off the volume's, real units
-  double gradientScale_ = 1;  ///< value per voxel of a unit of the stored gradients
+  StoredDensities densities_;  ///< that the kernels read, where they are integers
+  double rounding_ = 0;        ///< how far stored values may be off the volume's, real units
+  double gradientScale_ = 1;   ///< value per voxel of a unit of the stored gradients
   TransferFunction transfer_;
 };
 
