@@ -171,7 +171,7 @@ std::uint64_t VisibleCells::cellsOf(glm::ivec3 block) const {
 
 VisibleCells::Row VisibleCells::rowOf(glm::ivec3 voxel) const {
   const glm::ivec3 inside = glm::min(voxel, size_ - 1);
-  const std::size_t begin = (std::size_t(inside.z) * size_.y + inside.y) * std::size_t(size_.x);
+  const std::size_t begin = (std::size_t(inside.z) * size_.y + inside.y) * densities_.rowVoxels;
   Row row;
   const auto take = [&](const auto* from, int stride) {
     for (int i = 0; i < int(row.size()); ++i) row[i] = from[stride * std::min(voxel.x + i, size_.x - 1)];

@@ -16,6 +16,7 @@ struct StoredDensities {
   std::uint16_t flip = 0;
   const std::uint8_t* in8 = nullptr;
   int stride8 = 1;
+  int rowVoxels = 0;  ///< from the start of a row along i to that of the next
 
   explicit operator bool() const { return in16 || in8; }
   bool operator==(const StoredDensities&) const = default;

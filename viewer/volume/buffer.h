@@ -11,6 +11,13 @@ namespace volumen {
 void* allocateLarge(std::size_t bytes);
 void freeLarge(void* memory) noexcept;
 
+/// How many elements apart rows of `count` elements begin, each of so many bytes. Rows of a multiple of 512
+/// bytes get 32 more: those next to each other would fall into the same few sets of a cache and push one
+/// another out (512 voxels of 8 bytes all into one).
+constexpr int rowStride(int count, int elementBytes) {
+  return count + (count * elementBytes % 512 == 0 ? 32 / elementBytes : 0);
+}
+
 /// A fixed number of values, not initialised, aligned to 64 bytes, with 64 readable bytes behind the last:
 /// vector loads and gathers of the last value may read past it. For large data that are written once, on all
 /// cores.

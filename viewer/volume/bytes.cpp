@@ -76,22 +76,25 @@ Density8 densities8(const Volume& volume, const ByteScale& scale) {
 
 Voxels8 voxels8By(const Volume& volume, GradientOperator by, const ByteScale& scale) {
   const double largest = largestComponent(volume, by);
-  Voxels8 v{Buffer<std::uint32_t>(std::size_t(volume.geometry().voxelCount())), scale,
-            largest > 0 ? largest / mostSigned : 1};
+  const glm::ivec3 size = volume.size();
+  const int row = rowStride(size.x, sizeof(std::uint32_t));
+  Voxels8 v{Buffer<std::uint32_t>(std::size_t(row) * size.y * size.z), scale,
+            largest > 0 ? largest / mostSigned : 1, row};
   const ToByte toByte(volume, scale);
   const double perUnit = 1 / v.gradientUnit;
   const auto signedByte = [=](float g) {
     const double units = double(g) * perUnit;
     return std::uint32_t(int(units + std::copysign(0.5, units))) & 255;
   };
-  const std::size_t count = std::size_t(volume.size().x);
+  const std::size_t count = std::size_t(size.x);
   std::visit(
       [&](const auto& stored) {
         gradientRowsBy(volume, by, [&](std::size_t first, const float* xyz0) {
+          std::uint32_t* const words = v.words.data() + first / count * row;
           for (std::size_t n = 0; n < count; ++n) {
             const float* g = xyz0 + 4 * n;
-            v.words[first + n] = signedByte(g[0]) | signedByte(g[1]) << 8 | signedByte(g[2]) << 16 |
-                                 std::uint32_t(toByte(stored[first + n])) << 24;
+            words[n] = signedByte(g[0]) | signedByte(g[1]) << 8 | signedByte(g[2]) << 16 |
+                       std::uint32_t(toByte(stored[first + n])) << 24;
           }
         });
       },

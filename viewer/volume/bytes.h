@@ -35,6 +35,7 @@ struct Voxels8 {
   Buffer<std::uint32_t> words;
   ByteScale scale;
   double gradientUnit = 1;
+  int rowVoxels = 0;  ///< from the start of a row along i to that of the next (rowStride)
 };
 
 // Made on all cores; the same bytes for any number of them.

@@ -94,7 +94,7 @@ Gradients16 gradients16By(const Volume& volume, GradientOperator by) {
   const double largest = (range.high - range.low) / 2 / std::abs(volume.slope());
   double unit = 1.0 / 32;
   while (largest / unit > 32767) unit *= 2;
-  Gradients16 g{Buffer<std::int16_t>(std::size_t(4) * volume.geometry().voxelCount()), volume.slope() * unit};
+  Gradients16 g = makeGradients16(volume.size(), volume.slope() * unit);
   const float perUnit = float(1 / unit);
   std::visit(
       [&]<class T>(const std::vector<T>& stored) {
@@ -102,8 +102,9 @@ Gradients16 gradients16By(const Volume& volume, GradientOperator by) {
         const auto packed = [&](float v) { return std::int16_t(std::lrint(v * perUnit)); };
         const std::size_t count = std::size_t(volume.size().x);
         overRows(stored, volume.size(), by, [&](std::size_t first, const Sums& s) {
+          std::int16_t* const row = g.xyzd.data() + 4 * (first / count * g.rowVoxels);
           overVoxels(s, count, [&](std::size_t n, float x, float y, float z) {
-            std::int16_t* to = g.xyzd.data() + 4 * (first + n);
+            std::int16_t* to = row + 4 * n;
             to[0] = packed(x), to[1] = packed(y), to[2] = packed(z),
             to[3] = std::int16_t(int(stored[first + n]) - shift);
           });

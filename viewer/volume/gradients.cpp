@@ -208,16 +208,20 @@ double gradients16Scale(ValueRange range, double slope) {
 
 bool gradients16AreRounded(ValueRange range, double slope) { return shiftOf(range, slope) > 0; }
 
+Gradients16 makeGradients16(glm::ivec3 size, double scale) {
+  const int row = rowStride(size.x, 4 * sizeof(std::int16_t));
+  return {Buffer<std::int16_t>(std::size_t(4) * row * size.y * size.z), scale, row};
+}
+
 Gradients16 sobel16(const Volume& volume) {
   const ValueRange range = valueRange(volume);
   const int shift = shiftOf(range, volume.slope());
-  Gradients16 g{Buffer<std::int16_t>(std::size_t(4) * volume.geometry().voxelCount()),
-                gradients16Scale(range, volume.slope())};
+  Gradients16 g = makeGradients16(volume.size(), gradients16Scale(range, volume.slope()));
   std::visit(
       [&]<class T>(const std::vector<T>& stored) {
         if constexpr (!std::is_same_v<T, float>)
           overRows<std::int32_t>(stored, volume.size(), shift, [&](std::int64_t row, const auto& draw) {
-            draw(g.xyzd.data() + std::size_t(4) * volume.size().x * row);
+            draw(g.xyzd.data() + std::size_t(4) * g.rowVoxels * row);
           });
       },
       volume.stored());

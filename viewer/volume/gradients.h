@@ -21,6 +21,7 @@ glm::dvec3 sobelAt(const Volume& volume, int i, int j, int k);
 struct Gradients16 {
   Buffer<std::int16_t> xyzd;
   double scale = 1;
+  int rowVoxels = 0;  ///< from the start of a row along i to that of the next (rowStride)
 };
 
 /// Sobel gradients as four floats a voxel (x, y, z, 0), in real value per voxel.
@@ -37,6 +38,9 @@ enum class GradientOperator { sobel, central, zuckerHummel };
 double gradients16Scale(ValueRange range, double slope);
 /// Whether Sobel gradients of such a volume are rounded in Gradients16; those of few values are kept exactly.
 bool gradients16AreRounded(ValueRange range, double slope);
+
+/// Room for the gradients of such a grid.
+Gradients16 makeGradients16(glm::ivec3 size, double scale);
 
 /// Computed on all cores, SIMD; `volume` must hold 8- or 16-bit integers.
 Gradients16 sobel16(const Volume& volume);

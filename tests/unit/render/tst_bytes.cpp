@@ -52,9 +52,11 @@ Rounded rounded(const Volume& from) {
   parts.geometry = from.geometry();
   std::vector<float> values;
   Rounded r;
-  for (std::size_t n = 0; n < v.words.size(); ++n) {
-    values.push_back(float(v.scale.low + v.scale.unit * (v.words[n] >> 24)));
-    const auto g = [&](int a) { return double(std::int8_t(v.words[n] >> 8 * a & 255)); };
+  const std::size_t row = std::size_t(from.size().x);
+  for (std::size_t n = 0; n < std::size_t(from.geometry().voxelCount()); ++n) {
+    const std::uint32_t word = v.words[n / row * v.rowVoxels + n % row];
+    values.push_back(float(v.scale.low + v.scale.unit * (word >> 24)));
+    const auto g = [&](int a) { return double(std::int8_t(word >> 8 * a & 255)); };
     r.gradients.push_back(v.gradientUnit * glm::dvec3(g(0), g(1), g(2)));
   }
   parts.values = std::move(values);

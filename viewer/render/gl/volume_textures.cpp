@@ -48,12 +48,14 @@ GLuint makeTexture(const Format& format, glm::ivec3 n) {
 }
 
 // Fills the bound texture in slabs of whole slices, so that the driver's copies stay small. slab(first
-// voxel, voxels): the data of these voxels.
+// voxel, voxels): the data of these voxels, whose rows lie `rowVoxels` apart.
 template <class Slab>
-Status upload(const Format& format, glm::ivec3 n, const CancelToken& cancel, const Slab& slab) {
+Status upload(const Format& format, glm::ivec3 n, int rowVoxels, const CancelToken& cancel,
+              const Slab& slab) {
   const std::size_t slice = std::size_t(n.x) * n.y;
   const int thickness = int(std::clamp<std::size_t>((16u << 20) / (slice * format.voxelBytes), 1, n.z));
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, rowVoxels);
   for (int k = 0; k < n.z; k += thickness) {
     if (cancel.cancelled()) return Error{"cancelled"};
     const int slices = std::min(thickness, n.z - k);
@@ -107,7 +109,8 @@ Status VolumeTextures::loadShaded(glm::ivec3 n, const float* rgba, const CancelT
   shaded_ = {makeTexture(gradients32, n), 32, std::size_t(n.x) * n.y * n.z * gradients32.voxelBytes};
   if (!shaded_.name)
     return Error{"OpenGL has no room for " + inWords(n) + " in colour; use --resampler cpu."};
-  return upload(gradients32, n, cancel, [&](std::size_t first, std::size_t) { return rgba + 4 * first; });
+  return upload(gradients32, n, n.x, cancel,
+                [&](std::size_t first, std::size_t) { return rgba + 4 * first; });
 }
 
 Status VolumeTextures::loadDensity(int bits, RenderCaches& caches, const CancelToken& cancel) {
@@ -125,7 +128,7 @@ Status VolumeTextures::loadDensity(int bits, RenderCaches& caches, const CancelT
     // Unsigned samples are read as signed densities that are 32768 less.
     const int flip = int(stored.flip & 0xffff);
     std::vector<std::uint16_t> counted;
-    done = upload(format, n, cancel, [&](std::size_t first, std::size_t count) {
+    done = upload(format, n, n.x, cancel, [&](std::size_t first, std::size_t count) {
       counted.resize(count);
       std::transform(stored.data + first, stored.data + first + count, counted.begin(),
                      [&](std::int16_t d) { return std::uint16_t(std::int16_t(d ^ flip) - smallest_); });
@@ -133,7 +136,7 @@ Status VolumeTextures::loadDensity(int bits, RenderCaches& caches, const CancelT
     });
   } else {
     const float* stored = caches.impl().densities32().data;
-    done = upload(format, n, cancel, [&](std::size_t first, std::size_t) { return stored + first; });
+    done = upload(format, n, n.x, cancel, [&](std::size_t first, std::size_t) { return stored + first; });
   }
   if (!done) return done;
   density_.bits = bits;
@@ -151,11 +154,16 @@ Status VolumeTextures::loadGradients(const Plan& plan, RenderCaches& caches, con
   gradients_ = {makeTexture(format, n), 0, 0};
   if (!gradients_.name)
     return Error{"OpenGL has no room for gradients of " + inWords(n) + "; use --resampler cpu."};
-  const void* stored = bits == 16 ? static_cast<const void*>(caches.impl().gradientsIn16(by).xyzd.data())
-                                  : caches.impl().gradientsIn32(by).xyz0.data();
-  const Status done = upload(format, n, cancel, [&](std::size_t first, std::size_t) {
-    return static_cast<const char*>(stored) + first * format.voxelBytes;
-  });
+  Status done;
+  if (bits == 16) {
+    const Gradients16& g = caches.impl().gradientsIn16(by);
+    done = upload(format, n, g.rowVoxels, cancel, [&](std::size_t first, std::size_t) {
+      return g.xyzd.data() + 4 * (first / std::size_t(n.x) * std::size_t(g.rowVoxels));
+    });
+  } else {
+    const float* stored = caches.impl().gradientsIn32(by).xyz0.data();
+    done = upload(format, n, n.x, cancel, [&](std::size_t first, std::size_t) { return stored + 4 * first; });
+  }
   if (!done) return done;
   gradients_.bits = bits;
   gradientsBy_ = by;

@@ -34,7 +34,7 @@ class BatchTracer {
   BatchTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
               TraceCounts& counts)
       : f_(f),
-        grid_(f),
+        grid_(f, Material::kGradients ? f.gradientRow : f.densityRow),
         rays_(rays),
         matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
         out_(out),

@@ -32,7 +32,7 @@ class DenseTracer {
   DenseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
               TraceCounts& counts)
       : f_(f),
-        grid_(f),
+        grid_(f, Material::kGradients ? f.gradientRow : f.densityRow),
         rays_(rays),
         matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
         plane_(plane),

@@ -26,14 +26,15 @@ struct Cell {
 /// What every lookup of a frame needs, broadcast once a row.
 class Grid {
  public:
-  explicit Grid(const TraceFrame& f)
+  /// `rowVoxels`: TraceFrame::densityRow or gradientRow, of what is looked up.
+  Grid(const TraceFrame& f, int rowVoxels)
       : frame_(f),
         last_{Set(float(f.size.x - 1)), Set(float(f.size.y - 1)), Set(float(f.size.z - 1))},
         lastCellX_(SetI(f.size.x > 1 ? f.size.x - 2 : 0)),
         lastCellY_(SetI(f.size.y > 1 ? f.size.y - 2 : 0)),
         lastCellZ_(SetI(f.size.z > 1 ? f.size.z - 2 : 0)),
-        rowStride_(f.size.x),
-        sliceStride_(f.size.x * f.size.y),
+        rowStride_(rowVoxels),
+        sliceStride_(rowVoxels * f.size.y),
         // Along an axis of one voxel the neighbour is the voxel itself.
         nextRow_(f.size.y > 1 ? rowStride_ : 0),
         nextSlice_(f.size.z > 1 ? sliceStride_ : 0),

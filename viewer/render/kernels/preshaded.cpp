@@ -44,7 +44,7 @@ HWY_INLINE PreshadedSum TracePacket(const float* rgba, const Grid& grid, const P
 void TracePreshaded(const float* rgba, const TraceFrame& f, const RayRow& rays, const TraceRow& out,
                     TraceCounts& counts) {
   const DF df;
-  const Grid grid(f);
+  const Grid grid(f, f.size.x);
   for (int first = 0; first < rays.count; first += int(hn::Lanes(df))) {
     const PreshadedSum sum = TracePacket(rgba, grid, LoadPacket(f, rays, first), counts);
     hn::StoreU(sum.colour.x, df, out.red + first);

@@ -188,7 +188,7 @@ std::int64_t TakeExtremes(const TraceFrame& f, const BlockValues& blocks, Projec
 template <class Store, Mode kMode>
 void ProjectRays(const TraceFrame& f, const BlockValues& blocks, const RayRow& rays, const PlaneBuffer& plane,
                  float* result, TraceCounts& counts) {
-  const Grid grid(f);
+  const Grid grid(f, f.densityRow);
   const auto lanes = hn::Lanes(DF());
   std::vector<Stretch> stretches;
   for (std::size_t first = 0; first < rays.steps.size(); first += lanes) {

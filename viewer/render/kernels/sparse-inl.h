@@ -33,11 +33,12 @@ class SparseTracer {
   SparseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
                TraceCounts& counts)
       : f_(f),
-        grid_(f),
+        grid_(f, f.densityRow),
+        gradientGrid_(f, f.gradientRow),
         rays_(rays),
         matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
         out_(out),
-        light_(f, grid_, rays, matter_, counts),
+        light_(f, gradientGrid_, rays, matter_, counts),
         counts_(counts),
         refiner_(f, grid_, rays, counts) {}
 
@@ -195,11 +196,11 @@ class SparseTracer {
   }
 
   HWY_INLINE V3 GradientAt(const Looked& s, int n) const {
-    return Store::Gradient(grid_, grid_.CellAt(PlaceOf(s, n)));
+    return Store::Gradient(gradientGrid_, gradientGrid_.CellAt(PlaceOf(s, n)));
   }
 
   const TraceFrame& f_;
-  const Grid grid_;
+  const Grid grid_, gradientGrid_;  ///< of densities; of gradients
   const RayRow& rays_;
   Material matter_;
   const TraceRow& out_;

@@ -72,6 +72,8 @@ struct TraceFrame {
   const float* gradients32 = nullptr;
   const std::uint8_t* density8 = nullptr;  ///< Density8::bytes
   const std::uint32_t* voxels8 = nullptr;  ///< Voxels8::words
+  int densityRow = 1, gradientRow = 1;  ///< voxels from a row along i to the next, of densities alone and of
+                                        ///< gradients with or without them
   float gradientMatrix[9] = {};   ///< row-major: stored gradient -> gradientUnit per mm in patient space
   float gradientUnit = 1;         ///< real value
   bool boundedGradients = false;  ///< squares of such gradients neither overflow nor vanish

@@ -42,6 +42,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   auto& cache = caches.impl();
   const double begin = wallMs();
   frame_.size = cache.volume->size();
+  frame_.densityRow = frame_.gradientRow = frame_.size.x;
   readStored(plan, caches, stats);
   stats.gradientsMs += wallMs() - begin;
   key_.shade = shadeOf(plan);
@@ -102,11 +103,12 @@ void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats
     scale_ = d.scale;
     frame_.density16 = d.data;
     frame_.flip16 = d.flip;
-    densities_ = {.in16 = d.data, .flip = std::uint16_t(d.flip)};
+    densities_ = {.in16 = d.data, .flip = std::uint16_t(d.flip), .rowVoxels = frame_.densityRow};
     stats.densityBytes = std::size_t(geometry.voxelCount()) * 2;
     if (!plan.gradients) return;
     const Gradients16& g = cache.gradientsIn16(plan.gradientOperator);
     frame_.voxels16 = g.xyzd.data();
+    frame_.gradientRow = g.rowVoxels;
     stats.gradientBytes = g.xyzd.bytes();
     setGradientScale(plan, geometry, g.scale);
     return;
@@ -136,14 +138,17 @@ void PlanesFrame::readBytes(const Plan& plan, RenderCaches& caches, RenderStats&
     const Density8& d = cache.densitiesIn8();
     key_.store = Store::byte1;
     frame_.density8 = d.bytes.data();
-    densities_ = {.in8 = d.bytes.data()};
+    densities_ = {.in8 = d.bytes.data(), .rowVoxels = frame_.densityRow};
     return useScale(d.scale);
   }
   const Voxels8& v = cache.voxelsIn8(plan.gradientOperator);
   key_.store = Store::byte4;
   frame_.voxels8 = v.words.data();
-  densities_ = {.in8 = reinterpret_cast<const std::uint8_t*>(v.words.data()) + 3, .stride8 = 4};
-  stats.gradientBytes = 3 * voxels;
+  frame_.densityRow = frame_.gradientRow = v.rowVoxels;
+  densities_ = {.in8 = reinterpret_cast<const std::uint8_t*>(v.words.data()) + 3,
+                .stride8 = 4,
+                .rowVoxels = v.rowVoxels};
+  stats.gradientBytes = v.words.bytes() - voxels;
   useScale(v.scale);
   setGradientScale(plan, cache.volume->geometry(), v.gradientUnit);
 }

@@ -64,7 +64,8 @@ class VoxelShader {
     if (bits_ == 16) {
       const int flip = int(frame_.flip16 & 0xffff);
       for (int i = 0; i < n; ++i) row.density[i] = float(std::int16_t(frame_.density16[first + i] ^ flip));
-      if (gradients_) std::copy_n(frame_.voxels16 + 4 * first, 4 * n, row.gradients.begin());
+      if (gradients_)
+        std::copy_n(frame_.voxels16 + 4 * (first / n * frame_.gradientRow), 4 * n, row.gradients.begin());
       return;
     }
     std::copy_n(frame_.density32 + first, n, row.density.begin());
