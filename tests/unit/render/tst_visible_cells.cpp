@@ -125,8 +125,9 @@ void TestVisibleCells::cellsAreThoseThatHoldOpacity() {
   const std::vector<std::uint8_t> in8 = bytes ? bytesOf(g, bytes) : std::vector<std::uint8_t>{};
   VisibleCells cells;
   const glm::ivec3 blocks = (g.size + 3) / 4;
-  const StoredDensities densities = bytes ? StoredDensities{.in8 = in8.data() + bytes - 1, .stride8 = bytes}
-                                          : StoredDensities{.in16 = g.stored.data(), .flip = g.flip};
+  const StoredDensities densities =
+      bytes ? StoredDensities{.in8 = in8.data() + bytes - 1, .stride8 = bytes, .rowVoxels = x}
+            : StoredDensities{.in16 = g.stored.data(), .flip = g.flip, .rowVoxels = x};
   cells.begin(g.size, densities, makeCurveTable(curve, scale),
               std::vector<std::uint8_t>(std::size_t(blocks.x) * blocks.y * blocks.z, 1));
   parallelFor(8, 0, [&](auto, auto) { cells.lookInto(glm::vec3(0), glm::vec3(g.size - 1)); });
@@ -161,7 +162,8 @@ void TestVisibleCells::onlyWhatWasAskedForIsLookedInto() {
   const Grid g = wavy({x, 16, 16}, 0);
   const int row = (x + 3) / 4;
   VisibleCells cells;
-  cells.begin(g.size, {g.stored.data(), g.flip}, makeCurveTable(curveOf({{-100, 1}}), {1, 0, -70, 70}),
+  cells.begin(g.size, {.in16 = g.stored.data(), .rowVoxels = x},
+              makeCurveTable(curveOf({{-100, 1}}), {1, 0, -70, 70}),
               std::vector<std::uint8_t>(std::size_t(16) * row, 1));
   cells.lookInto({low, 4, 9}, {high, 5, 9});
   for (int n = 0; n < 16 * row; ++n) {

@@ -55,12 +55,13 @@ Status upload(const Format& format, glm::ivec3 n, int rowVoxels, const CancelTok
   const std::size_t slice = std::size_t(n.x) * n.y;
   const int thickness = int(std::clamp<std::size_t>((16u << 20) / (slice * format.voxelBytes), 1, n.z));
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glPixelStorei(GL_UNPACK_ROW_LENGTH, rowVoxels);
   for (int k = 0; k < n.z; k += thickness) {
     if (cancel.cancelled()) return Error{"cancelled"};
     const int slices = std::min(thickness, n.z - k);
-    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, k, n.x, n.y, slices, format.layout, format.component,
-                    slab(k * slice, slices * slice));
+    const void* data = slab(k * slice, slices * slice);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, rowVoxels);
+    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, k, n.x, n.y, slices, format.layout, format.component, data);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   }
   if (glGetError() != GL_NO_ERROR) return Error{"OpenGL has no room for the volume; use --resampler cpu."};
   return {};
