@@ -11,11 +11,11 @@ namespace volumen {
 void* allocateLarge(std::size_t bytes);
 void freeLarge(void* memory) noexcept;
 
-/// How many elements apart rows of `count` elements begin, each of so many bytes. Rows of a multiple of 512
-/// bytes get 32 more: those next to each other would fall into the same few sets of a cache and push one
+/// How many elements apart rows of `count` elements begin, each of so many bytes. Rows of a multiple of 2048
+/// bytes get 32 more: those next to each other would fall into one or two sets of a cache and push one
 /// another out (512 voxels of 8 bytes all into one).
 constexpr int rowStride(int count, int elementBytes) {
-  return count + (count * elementBytes % 512 == 0 ? 32 / elementBytes : 0);
+  return count + (count * elementBytes % 2048 == 0 ? 32 / elementBytes : 0);
 }
 
 /// A fixed number of values, not initialised, aligned to 64 bytes, with 64 readable bytes behind the last:

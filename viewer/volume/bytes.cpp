@@ -90,7 +90,7 @@ Voxels8 voxels8By(const Volume& volume, GradientOperator by, const ByteScale& sc
   std::visit(
       [&](const auto& stored) {
         gradientRowsBy(volume, by, [&](std::size_t first, const float* xyz0) {
-          std::uint32_t* const words = v.words.data() + first / count * row;
+          std::uint32_t* const words = v.row(first / count);
           for (std::size_t n = 0; n < count; ++n) {
             const float* g = xyz0 + 4 * n;
             words[n] = signedByte(g[0]) | signedByte(g[1]) << 8 | signedByte(g[2]) << 16 |

@@ -36,6 +36,10 @@ struct Voxels8 {
   ByteScale scale;
   double gradientUnit = 1;
   int rowVoxels = 0;  ///< from the start of a row along i to that of the next (rowStride)
+
+  /// The voxels of row n, counted as in Gradients16.
+  std::uint32_t* row(std::size_t n) { return words.data() + n * rowVoxels; }
+  const std::uint32_t* row(std::size_t n) const { return words.data() + n * rowVoxels; }
 };
 
 // Made on all cores; the same bytes for any number of them.

@@ -102,7 +102,7 @@ Gradients16 gradients16By(const Volume& volume, GradientOperator by) {
         const auto packed = [&](float v) { return std::int16_t(std::lrint(v * perUnit)); };
         const std::size_t count = std::size_t(volume.size().x);
         overRows(stored, volume.size(), by, [&](std::size_t first, const Sums& s) {
-          std::int16_t* const row = g.xyzd.data() + 4 * (first / count * g.rowVoxels);
+          std::int16_t* const row = g.row(first / count);
           overVoxels(s, count, [&](std::size_t n, float x, float y, float z) {
             std::int16_t* to = row + 4 * n;
             to[0] = packed(x), to[1] = packed(y), to[2] = packed(z),

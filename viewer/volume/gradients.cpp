@@ -220,9 +220,8 @@ Gradients16 sobel16(const Volume& volume) {
   std::visit(
       [&]<class T>(const std::vector<T>& stored) {
         if constexpr (!std::is_same_v<T, float>)
-          overRows<std::int32_t>(stored, volume.size(), shift, [&](std::int64_t row, const auto& draw) {
-            draw(g.xyzd.data() + std::size_t(4) * g.rowVoxels * row);
-          });
+          overRows<std::int32_t>(stored, volume.size(), shift,
+                                 [&](std::int64_t row, const auto& draw) { draw(g.row(row)); });
       },
       volume.stored());
   return g;

@@ -22,6 +22,10 @@ struct Gradients16 {
   Buffer<std::int16_t> xyzd;
   double scale = 1;
   int rowVoxels = 0;  ///< from the start of a row along i to that of the next (rowStride)
+
+  /// The voxels of row n: of those along i at j, k that is size.y * k + j.
+  std::int16_t* row(std::size_t n) { return xyzd.data() + 4 * (n * rowVoxels); }
+  const std::int16_t* row(std::size_t n) const { return xyzd.data() + 4 * (n * rowVoxels); }
 };
 
 /// Sobel gradients as four floats a voxel (x, y, z, 0), in real value per voxel.

@@ -6,22 +6,11 @@
 
 namespace volumen::tests {
 
-VolumePtr wavyVolume() {
-  static const VolumePtr volume = [] {
-    VolumeParts parts;
-    parts.geometry.size = {26, 22, 18};
-    parts.geometry.patientFromVoxelStep = glm::dmat3({0.8, 0.3, 0}, {-0.3, 0.9, 0.1}, {0.1, 0, 1.7});
-    parts.geometry.origin = -(parts.geometry.patientFromVoxelStep * glm::dvec3(12.5, 10.5, 8.5));
-    std::vector<std::int16_t> values;
-    for (int k = 0; k < 18; ++k)
-      for (int j = 0; j < 22; ++j)
-        for (int i = 0; i < 26; ++i)
-          values.push_back(
-              std::int16_t(500 + 350 * (std::sin(0.41 * i + 0.3) + std::sin(0.37 * j) * std::cos(0.33 * k))));
-    parts.values = std::move(values);
-    return volumeFrom(std::move(parts));
-  }();
-  return volume;
+VolumePtr wavyVolume(glm::ivec3 size) {
+  return volumeOf<std::int16_t>(
+      size, glm::dmat3({0.8, 0.3, 0}, {-0.3, 0.9, 0.1}, {0.1, 0, 1.7}), [](glm::dvec3 x) {
+        return 500 + 350 * (std::sin(0.41 * x.x + 0.3) + std::sin(0.37 * x.y) * std::cos(0.33 * x.z));
+      });
 }
 
 Scene softScene(Projection projection) {

@@ -13,8 +13,8 @@ struct MethodScene {
   Scene scene;
 };
 
-/// Integers that wave between -200 and 1200 on an oblique, sheared, anisotropic grid of 26 x 22 x 18.
-VolumePtr wavyVolume();
+/// Integers that wave between -200 and 1200 on an oblique, sheared, anisotropic grid.
+VolumePtr wavyVolume(glm::ivec3 size = {26, 22, 18});
 
 /// Lit soft matter in wavyVolume(), seen obliquely.
 Scene softScene(Projection projection = Projection::parallel);

@@ -32,6 +32,7 @@ VolumePtr made(const std::string& name) {
   if (name == "bumpy sheared") return volumeOf(size, dmat3({1, 0, 0}, {0.2, 0.9, 0}, {0, 0.8, 1.6}), bumpy);
   if (name == "bumpy left-handed")
     return volumeOf(size, turned * dmat3({-1, 0, 0}, {0, 1.5, 0}, {0, 0, 1}), bumpy);
+  if (name == "bumpy, rows apart") return volumeOf<std::int16_t>({256, 18, 15}, dmat3(1), bumpy);
   if (name == "plateaus")  // large constant parts, exactly at curve points
     return volumeOf(size, dmat3(1), [](dvec3 x) { return 100 * std::floor(bumpy(x / 2.0) / 100); });
   return nullptr;
@@ -130,6 +131,11 @@ void addGrids(std::vector<PictureCase>& cases) {
   add(cases, "isotropic grid, rays along its axis", "bumpy", front);
   add(cases, "isotropic grid, parallel, three lights", "bumpy", parallel);
   add(cases, "isotropic grid, eye inside", "bumpy", inside);
+  add(cases, "rows of 2048 bytes, which lie apart", "bumpy, rows apart", [&](const Parts& p) {
+    Scene scene = parallel(p);
+    scene.camera->height = 40;
+    return scene;
+  });
   add(cases, "anisotropic grid, parallel", "bumpy anisotropic", parallel);
   add(cases, "anisotropic grid, perspective", "bumpy anisotropic", perspective);
   add(cases, "oblique grid, parallel", "bumpy oblique", parallel);

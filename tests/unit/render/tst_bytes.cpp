@@ -54,7 +54,7 @@ Rounded rounded(const Volume& from) {
   Rounded r;
   const std::size_t row = std::size_t(from.size().x);
   for (std::size_t n = 0; n < std::size_t(from.geometry().voxelCount()); ++n) {
-    const std::uint32_t word = v.words[n / row * v.rowVoxels + n % row];
+    const std::uint32_t word = v.row(n / row)[n % row];
     values.push_back(float(v.scale.low + v.scale.unit * (word >> 24)));
     const auto g = [&](int a) { return double(std::int8_t(word >> 8 * a & 255)); };
     r.gradients.push_back(v.gradientUnit * glm::dvec3(g(0), g(1), g(2)));
@@ -102,12 +102,16 @@ QString inWords(const PictureError& e) {
 }  // namespace
 
 void TestBytes::theRoundedVolumeIsDrawn_data() {
+  QTest::addColumn<int>("wide");
   QTest::addColumn<int>("scene");
   QTest::addColumn<int>("method");
-  for (Method method : {Method::planes, Method::blend})
-    for (std::size_t n = 0; n < methodScenes().size(); ++n)
-      QTest::addRow("%s: %s", method == Method::planes ? "planes" : "blend", methodScenes()[n].name.c_str())
-          << int(n) << int(method);
+  // Rows of 512 voxels lie apart.
+  for (int wide : {26, 512})
+    for (Method method : {Method::planes, Method::blend})
+      for (std::size_t n = 0; n < methodScenes().size(); ++n)
+        QTest::addRow("%d wide, %s: %s", wide, method == Method::planes ? "planes" : "blend",
+                      methodScenes()[n].name.c_str())
+            << wide << int(n) << int(method);
 }
 
 // Weights are whole 1/32768, which moves an interpolated value by 7/2 of them times the range at most, 1e-4
@@ -115,12 +119,18 @@ void TestBytes::theRoundedVolumeIsDrawn_data() {
 // values that is an opacity of 1.3e-4 in half a voxel, 0.03/255, where all eight weights are at their worst;
 // of both signs, so that a ray's samples do not add up. The picture of 16 bits is farther off by far.
 void TestBytes::theRoundedVolumeIsDrawn() {
+  QFETCH(int, wide);
   QFETCH(int, scene);
   QFETCH(int, method);
-  static const VolumePtr volume = wavyVolume();
-  static const Rounded coarse = rounded(*volume);
-  static RenderCaches caches(volume);
-  static std::map<int, Picture> truths;
+  struct Wavy {
+    VolumePtr volume;
+    Rounded coarse = rounded(*volume);
+    RenderCaches caches{volume};
+    std::map<int, Picture> truths;
+  };
+  static std::map<int, Wavy> volumes;
+  auto& [volume, coarse, caches, truths] =
+      volumes.try_emplace(wide, wavyVolume({wide, 22, 18})).first->second;
   const Scene& s = methodScenes()[scene].scene;
   const auto [truth, isNew] = truths.try_emplace(scene);
   if (isNew)

@@ -40,6 +40,7 @@ VolumePtr integers(glm::ivec3 size, double slope, double intercept) {
 
 VolumePtr volumeNamed(const std::string& name) {
   if (name == "int16") return integers<std::int16_t>({26, 22, 18}, 0.5, -100);
+  if (name == "rows apart") return integers<std::int16_t>({256, 8, 7}, 0.5, -100);
   if (name == "uint16") return integers<std::uint16_t>({25, 22, 18}, 0.05, -1000);
   if (name == "uint8") return integers<std::uint8_t>({26, 22, 18}, 8, -300);
   if (name == "one slice") return integers<std::int16_t>({26, 22, 1}, 1, 0);
@@ -128,6 +129,10 @@ const std::vector<Case>& cases() {
        [](Scene&, RenderOptions& o) { o.full = true; }},
       {"unsigned 16 bits", "uint16", {40, 40}, [](Scene&, auto&) {}},
       {"bytes", "uint8", {40, 40}, [](Scene&, auto&) {}},
+      {"rows of 2048 bytes, which lie apart",
+       "rows apart",
+       {40, 40},
+       [](Scene& s, auto&) { s.camera->height = 20; }},
       {"one slice", "one slice", {40, 40}, [](Scene&, auto&) {}},
       {"one column", "one column", {40, 40}, [](Scene&, auto&) {}},
       {"one column, unsigned", "uint16, one column", {40, 40}, [](Scene&, auto&) {}},

@@ -24,7 +24,7 @@ class TestBytes : public QObject {
 
 namespace {
 
-constexpr glm::ivec3 small{17, 6, 5}, wide{128, 2, 3};  // rows of 512 bytes: words lie apart
+constexpr glm::ivec3 small{17, 6, 5}, wide{512, 2, 3};  // rows of 2048 bytes: words lie apart
 
 VolumePtr made(VoxelValues values, double slope, double intercept, glm::ivec3 size = small) {
   VolumeParts parts;
@@ -61,7 +61,7 @@ const std::vector<Case>& cases() {
       {"uint8, falling", true, noise<std::uint8_t>(0, 255, -2.5, 40)},
       {"int16 of all values", false, noise<std::int16_t>(-32768, 32767)},
       {"uint16 of all values, falling", false, noise<std::uint16_t>(0, 65535, -0.3, 5)},
-      {"int16 of 257 values, rows of 512 bytes", false, noise<std::int16_t>(-300, -44, 1, 0, wide)},
+      {"int16 of 257 values, rows of 2048 bytes", false, noise<std::int16_t>(-300, -44, 1, 0, wide)},
       {"small floats", false, noise<float>(-1e-6, 2e-6)},
       {"floats as large as can be", false, noise<float>(-1e30, 1e30)},
       {"floats, all the same", false, made(std::vector<float>(17 * 6 * 5, 0.1f), 1, 0)},
@@ -73,7 +73,7 @@ const std::vector<Case>& cases() {
 // Of voxel n, counted without what lies between rows.
 std::uint32_t wordOf(const Voxels8& v, const Volume& volume, std::size_t n) {
   const std::size_t row = std::size_t(volume.size().x);
-  return v.words[n / row * v.rowVoxels + n % row];
+  return v.row(n / row)[n % row];
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ void TestGradientOperators::equalTheirDefinition_data() {
                                                           {"Zucker-Hummel", GradientOperator::zuckerHummel}};
   for (const auto& [name, by] : all)
     for (const bool floats : {false, true})
-      for (const int nx : {1, 2, 19, 64})
+      for (const int nx : {1, 2, 19, 256})
         QTest::addRow("%s, %s, %d wide", name, floats ? "floats" : "integers", nx) << int(by) << floats << nx;
 }
 
@@ -67,12 +67,12 @@ void TestGradientOperators::equalTheirDefinition() {
   for (int k = 0; k < size.z; ++k)
     for (int j = 0; j < size.y; ++j)
       for (int i = 0; i < size.x; ++i, n += 4) {
-        const std::size_t n16 = n + std::size_t(4) * (g16.rowVoxels - size.x) * (k * size.y + j);
         const glm::dvec3 g = defined(*v, op, {i, j, k});
         for (int a = 0; a < 3; ++a) {
           // Float sums of 27 values of the range's size.
           QVERIFY(std::abs(g32.xyz0[n + a] - g[a]) <= 1e-5 * (range.high - range.low));
-          if (!floats) QVERIFY(std::abs(g16.scale * g16.xyzd[n16 + a] - g[a]) <= 0.51 * g16.scale);
+          if (!floats)
+            QVERIFY(std::abs(g16.scale * g16.row(k * size.y + j)[4 * i + a] - g[a]) <= 0.51 * g16.scale);
         }
       }
 }

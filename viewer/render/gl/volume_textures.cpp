@@ -158,9 +158,8 @@ Status VolumeTextures::loadGradients(const Plan& plan, RenderCaches& caches, con
   Status done;
   if (bits == 16) {
     const Gradients16& g = caches.impl().gradientsIn16(by);
-    done = upload(format, n, g.rowVoxels, cancel, [&](std::size_t first, std::size_t) {
-      return g.xyzd.data() + 4 * (first / std::size_t(n.x) * std::size_t(g.rowVoxels));
-    });
+    done = upload(format, n, g.rowVoxels, cancel,
+                  [&](std::size_t first, std::size_t) { return g.row(first / std::size_t(n.x)); });
   } else {
     const float* stored = caches.impl().gradientsIn32(by).xyz0.data();
     done = upload(format, n, n.x, cancel, [&](std::size_t first, std::size_t) { return stored + 4 * first; });
