@@ -120,9 +120,13 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
 // What the light behind could still add is at most this share of its brightness: 0.2/255 at most, which
 // leaves a fifth of 0.25/255 to the rounding of what came before.
 double stopTransmittance(const RuleInput& in) {
+  const RenderOptions& o = in.options;
+  const double most = 0.2 / 255 / std::max(1.0, brightest(in.scene));
+  const bool coarse = !o.step && (o.quality == Quality::draft || o.quality == Quality::standard);
+  if (coarse) return most;
   // Longer steps than half a voxel are off by so much more that nothing finer is worth its time.
-  const bool fine = in.options.quality == Quality::exact || in.options.step.value_or(1) <= 0.5;
-  return std::min(fine ? 1.0 / 16384 : 1.0 / 4096, 0.2 / 255 / brightest(in.scene));
+  const bool fine = o.quality == Quality::exact || o.step.value_or(1) <= 0.5;
+  return std::min(fine ? 1.0 / 16384 : 1.0 / 4096, most);
 }
 
 std::string behind(const RuleInput& in, const Plan& plan) {

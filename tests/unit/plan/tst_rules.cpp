@@ -72,9 +72,20 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.scene.transferFunction.points[0].opacity = 0.1; });
   row("unknown blocks are not", "empty blocks", "off  empty blocks: nothing is known of the blocks",
       [](Asked& a) { a.facts.bricks = nullptr; });
+  row("standard: a fifth of a unit may be behind", "early stop",
+      "on   early stop: a ray ends where less than 1/1275 of the light behind comes through",
+      [](Asked& a) { a.scene.shading.specular = 0; });
   row("bright light: rays end later", "early stop",
       "on   early stop: a ray ends where less than 1/11730 of the light behind comes through",
       [](Asked& a) { a.scene.lights[0].intensity = 10; });
+  row("high: rays end later", "early stop",
+      "on   early stop: a ray ends where less than 1/4096 of the light behind comes through",
+      [](Asked& a) { a.options.quality = Quality::high; });
+  row("high, bright light", "early stop",
+      "on   early stop: a ray ends where less than 1/11730 of the light behind comes through", [](Asked& a) {
+        a.options.quality = Quality::high;
+        a.scene.lights[0].intensity = 10;
+      });
   row("steps of half a voxel: rays end later", "early stop",
       "on   early stop: a ray ends where less than 1/16384 of the light behind comes through",
       [](Asked& a) { a.options.step = 0.5; });
@@ -177,9 +188,10 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       "off  early stop: too little is hidden for finding it from the front first",
       [](Asked& a) { a.options.method = Method::blend; });
   row("slices of what hides much", "early stop",
-      "on   early stop: what lies where less than 1/4096 of the light behind comes through is not blended: "
+      "on   early stop: what lies where less than 1/1275 of the light behind comes through is not blended: "
       "found from the front first",
       [](Asked& a) {
+        a.scene.shading.specular = 0;
         a.options.method = Method::blend;
         a.scene.transferFunction.points[1].opacity = 1;
         a.facts.geometry.size.y = 64;
