@@ -51,6 +51,8 @@ class ShearWarp : public bench::Peer {
     return classified_ ? "VolPack, classified, 1 thread" : "VolPack, raw with octree, 1 thread";
   }
 
+  double stopsAt() const override { return 1.0 / 256; }
+
   void draw(const Camera& camera) override {
     setCamera(camera);
     check(vpShadeTable(context_), context_);
@@ -107,7 +109,7 @@ class ShearWarp : public bench::Peer {
                                int(opacity_.size() * sizeof(float))),
           context_);
     vpSetd(context_, VP_MIN_VOXEL_OPACITY, 0.0005);
-    vpSetd(context_, VP_MAX_RAY_OPACITY, 1 - 1.0 / 256);
+    vpSetd(context_, VP_MAX_RAY_OPACITY, 1 - stopsAt());
   }
 
   void setLight() {

@@ -77,8 +77,9 @@ vtkSmartPointer<vtkVolumeProperty> propertyOf(const Scene& scene) {
 
 class VtkPeer : public bench::Peer {
  public:
-  VtkPeer(std::string name, vtkSmartPointer<vtkVolumeMapper> mapper, const Volume& volume, const Scene& scene)
-      : name_(std::move(name)) {
+  VtkPeer(std::string name, double stopsAt, vtkSmartPointer<vtkVolumeMapper> mapper, const Volume& volume,
+          const Scene& scene)
+      : name_(std::move(name)), stopsAt_(stopsAt) {
     mapper->SetInputDataObject(imageOf(volume));
     volume_->SetMapper(mapper);
     volume_->SetProperty(propertyOf(scene));
@@ -102,6 +103,7 @@ class VtkPeer : public bench::Peer {
   }
 
   std::string name() const override { return name_; }
+  double stopsAt() const override { return stopsAt_; }
 
   void draw(const Camera& camera) override {
     vtkCamera* c = renderer_->GetActiveCamera();
@@ -127,6 +129,7 @@ class VtkPeer : public bench::Peer {
 
  private:
   std::string name_;
+  double stopsAt_;
   vtkNew<vtkVolume> volume_;
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkRenderWindow> window_;
@@ -145,8 +148,9 @@ std::vector<std::unique_ptr<bench::Peer>> makePeers(const Volume& volume, const 
   gpu->SetSampleDistance(float(step));
   gpu->SetImageSampleDistance(1);
   std::vector<std::unique_ptr<bench::Peer>> peers;
-  peers.push_back(std::make_unique<VtkPeer>("VTK fixed-point mapper", cpu, volume, scene));
-  peers.push_back(std::make_unique<VtkPeer>("VTK GPU mapper", gpu, volume, scene));
+  // vtkFixedPointVolumeRayCastHelper.h ends rays below 0xff of 0x7fff, raycasterfs.glsl above 1 - 1/255.
+  peers.push_back(std::make_unique<VtkPeer>("VTK fixed-point mapper", 255.0 / 32767, cpu, volume, scene));
+  peers.push_back(std::make_unique<VtkPeer>("VTK GPU mapper", 1.0 / 255, gpu, volume, scene));
   return peers;
 }
 

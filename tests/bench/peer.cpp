@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "io/files/picture_file.h"
 #include "tests/bench/inputs.h"
@@ -15,9 +16,10 @@ namespace {
 constexpr int views = 8;
 
 // The plain step of one unit distance along the view, as the peers take it.
-RenderOptions oursFor(const Scene& scene, const Volume& volume, int threads) {
+RenderOptions oursFor(const Scene& scene, const Volume& volume, int threads, std::optional<double> stopAt) {
   RenderOptions o;
   o.threads = threads;
+  o.stopAt = stopAt;
   const glm::dvec3 axis = cameraAxes(*scene.camera).direction;
   o.step = scene.transferFunction.unitDistance * glm::length(volume.geometry().voxelFromPatientStep() * axis);
   return o;
@@ -51,6 +53,7 @@ class Comparison {
         caches_(caches),
         peers_(makePeers(volume, scene)),
         peersTook_(peers_.size()),
+        oursStoppedTook_(peers_.size()),
         firstMs_(peers_.size()) {}
 
   Status run(const Arguments& a) {
@@ -62,7 +65,7 @@ class Comparison {
 
   // The first view again, by everyone.
   Status writePictures(const std::string& folder, const std::string& scene) {
-    const auto plan = makePlan(scene_, caches_.facts(), oursFor(scene_, *caches_.volume(), 0));
+    const auto plan = makePlan(scene_, caches_.facts(), oursFor(scene_, *caches_.volume(), 0, {}));
     const auto ours = plan ? render(*plan, caches_) : Result<Rendered>(plan.error());
     if (!ours) return ours.error();
     if (Status s = writePng(ours->picture, folder + "/" + scene + "-volumen.png", {}); !s) return s;
@@ -80,14 +83,16 @@ class Comparison {
   }
 
   void print(const std::string& name) const {
-    std::printf("| %s | volumen | %s | %s | | | |\n", name.c_str(), inMs(oursTook_.wall).c_str(),
+    std::printf("| %s | volumen | %s | %s | | | | |\n", name.c_str(), inMs(oursTook_.wall).c_str(),
                 inMs(oursTook_.processors).c_str());
     for (std::size_t n = 0; n < peers_.size(); ++n) {
-      const Took& peer = peersTook_[n];
-      std::printf("| %s | %s | %s | %s | %.1f x | %.1f x | %.0f |\n", name.c_str(), peers_[n]->name().c_str(),
-                  inMs(peer.wall).c_str(), inMs(peer.processors).c_str(),
+      const Took &peer = peersTook_[n], &stopped = oursStoppedTook_[n];
+      std::printf("| %s | %s | %s | %s | %.1f x | %.1f x | %.1f x (1/%.0f: %s) | %.0f |\n", name.c_str(),
+                  peers_[n]->name().c_str(), inMs(peer.wall).c_str(), inMs(peer.processors).c_str(),
                   median(peer.wall) / median(oursTook_.wall),
-                  median(peer.processors) / median(oursTook_.processors), firstMs_[n]);
+                  median(peer.processors) / median(oursTook_.processors),
+                  median(peer.wall) / median(stopped.wall), 1 / peers_[n]->stopsAt(),
+                  inMs(stopped.wall).c_str(), firstMs_[n]);
     }
     std::fflush(stdout);
   }
@@ -96,16 +101,23 @@ class Comparison {
   Status drawView(double degrees, bool counts, int threads) {
     Scene scene = scene_;
     scene.camera = turned(*scene_.camera, degrees);
-    const auto plan = makePlan(scene, caches_.facts(), oursFor(scene, *caches_.volume(), threads));
-    if (!plan) return plan.error();
-    Status done;
-    oursTook_.time(counts, [&] {
-      if (const auto ours = render(*plan, caches_); !ours) done = ours.error();
-    });
+    if (Status s = drawOurs(scene, counts, threads, {}, oursTook_); !s) return s;
     for (std::size_t n = 0; n < peers_.size(); ++n) {
       const double ms = peersTook_[n].time(counts, [&] { peers_[n]->draw(*scene.camera); });
       if (firstMs_[n] == 0) firstMs_[n] = ms;
+      if (Status s = drawOurs(scene, counts, threads, peers_[n]->stopsAt(), oursStoppedTook_[n]); !s)
+        return s;
     }
+    return {};
+  }
+
+  Status drawOurs(const Scene& scene, bool counts, int threads, std::optional<double> stopAt, Took& took) {
+    const auto plan = makePlan(scene, caches_.facts(), oursFor(scene, *caches_.volume(), threads, stopAt));
+    if (!plan) return plan.error();
+    Status done;
+    took.time(counts, [&] {
+      if (const auto ours = render(*plan, caches_); !ours) done = ours.error();
+    });
     return done;
   }
 
@@ -113,7 +125,7 @@ class Comparison {
   RenderCaches& caches_;
   std::vector<std::unique_ptr<Peer>> peers_;
   Took oursTook_;
-  std::vector<Took> peersTook_;
+  std::vector<Took> peersTook_, oursStoppedTook_;
   std::vector<double> firstMs_;
 };
 
@@ -123,7 +135,8 @@ Status compareAll(const Arguments& a, MakePeers makePeers) {
   RenderCaches caches(*volume);
   std::printf(
       "| scene | renderer | ms a frame: median (minimum) | of all processors | times as long as volumen | "
-      "processors | first frame ms |\n|---|---|---|---|---|---|---|\n");
+      "processors | as volumen whose rays end there too (ms) | first frame ms |\n"
+      "|---|---|---|---|---|---|---|---|\n");
   for (const std::string& path : a.scenes) {
     const auto read = readScene(path);
     if (!read) return read.error();
