@@ -1,4 +1,5 @@
-// How many voxels a second the passes over a volume take: Sobel gradients, block ranges, percentiles.
+// How many voxels a second the passes over a volume take: Sobel gradients, range of values, block ranges,
+// slopes, percentiles.
 #include <benchmark/benchmark.h>
 
 #include <random>
@@ -6,6 +7,7 @@
 #include "viewer/volume/bricks.h"
 #include "viewer/volume/gradients.h"
 #include "viewer/volume/histogram.h"
+#include "viewer/volume/slopes.h"
 
 namespace {
 
@@ -33,6 +35,13 @@ void run(benchmark::State& state, Pass pass) {
 void sobel16Bits(benchmark::State& state) { run(state, sobel16); }
 void sobel32Bits(benchmark::State& state) { run(state, sobel32); }
 void blocks(benchmark::State& state) { run(state, brickRanges); }
+void rangeOfValues(benchmark::State& state) { run(state, valueRange); }
+void slopes(benchmark::State& state) {
+  const VolumePtr volume = noise(int(state.range(0)));
+  const BrickRanges bricks = brickRanges(*volume);
+  const ValueRange range = valueRange(*volume);
+  run(state, [&](const Volume& v) { return slopesOf(v, bricks, range); });
+}
 void percentilesOfAll(benchmark::State& state) {
   run(state, [](const Volume& v) { return percentiles(v, {1, 999}); });
 }
@@ -40,6 +49,8 @@ void percentilesOfAll(benchmark::State& state) {
 BENCHMARK(sobel16Bits)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(sobel32Bits)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(blocks)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(rangeOfValues)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(slopes)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(percentilesOfAll)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "viewer/volume/extremes.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -25,14 +26,10 @@ void lineRange(const std::vector<T>& stored, glm::ivec3 size, int edge, int b, i
                std::vector<T>& highest) {
   lowest.assign(size.x, std::numeric_limits<T>::max());
   highest.assign(size.x, std::numeric_limits<T>::lowest());
-  T *low = lowest.data(), *high = highest.data();
   for (int k = c * edge; k <= std::min(c * edge + edge, size.z - 1); ++k)
     for (int j = b * edge; j <= std::min(b * edge + edge, size.y - 1); ++j) {
       const T* row = stored.data() + (std::size_t(k) * size.y + j) * std::size_t(size.x);
-      for (int i = 0; i < size.x; ++i) {
-        low[i] = std::min(low[i], row[i]);
-        high[i] = std::max(high[i], row[i]);
-      }
+      rowPasses<T>().takeInRange(row, std::size_t(size.x), lowest.data(), highest.data());
     }
 }
 

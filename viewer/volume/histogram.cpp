@@ -5,6 +5,7 @@
 #include <limits>
 #include <mutex>
 
+#include "viewer/volume/extremes.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -105,8 +106,7 @@ ValueRange valueRange(const Volume& volume) {
         T low = stored[0], high = stored[0];
         std::mutex mutex;
         overVoxels(stored.size(), [&](std::size_t first, std::size_t last) {
-          T a = stored[first], b = a;
-          for (std::size_t n = first; n < last; ++n) a = std::min(a, stored[n]), b = std::max(b, stored[n]);
+          const auto [a, b] = rowPasses<T>().rangeOf(stored.data() + first, last - first);
           const std::lock_guard lock(mutex);
           low = std::min(low, a);
           high = std::max(high, b);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "viewer/volume/extremes.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -16,8 +17,6 @@ constexpr std::size_t entries = 256;
 // included, by i: entry i of x lies between i and i + 1.
 template <class T>
 class LineSlopes {
-  using Difference = std::conditional_t<std::is_floating_point_v<T>, float, std::int32_t>;
-
  public:
   LineSlopes(const std::vector<T>& stored, glm::ivec3 size, int edge)
       : stored_(stored), size_(size), edge_(edge) {
@@ -25,15 +24,17 @@ class LineSlopes {
   }
 
   void read(int b, int c) {
-    for (auto& d : largest_) std::fill(d.begin(), d.end(), Difference(0));
+    const auto takeIn = rowPasses<T>().takeInDistance;
+    for (auto& d : largest_) std::fill(d.begin(), d.end(), Distance<T>(0));
     const int lastRow = std::min(b * edge_ + edge_, size_.y - 1),
               lastSlice = std::min(c * edge_ + edge_, size_.z - 1);
     for (int k = c * edge_; k <= lastSlice; ++k)
       for (int j = b * edge_; j <= lastRow; ++j) {
         const T* row = stored_.data() + (std::size_t(k) * size_.y + j) * std::size_t(size_.x);
-        takeIn(row, row + 1, size_.x - 1, largest_[0]);
-        if (j < lastRow) takeIn(row, row + size_.x, size_.x, largest_[1]);
-        if (k < lastSlice) takeIn(row, row + std::size_t(size_.x) * size_.y, size_.x, largest_[2]);
+        const std::size_t count = size_.x, slice = count * size_.y;
+        takeIn(row, row + 1, count - 1, largest_[0].data());
+        if (j < lastRow) takeIn(row, row + count, count, largest_[1].data());
+        if (k < lastSlice) takeIn(row, row + slice, count, largest_[2].data());
       }
   }
 
@@ -43,22 +44,15 @@ class LineSlopes {
       const auto first = largest_[axis].begin() + a * edge_;
       return double(*std::max_element(first, first + count));
     };
-    return std::hypot(most(0, edge_), most(1, edge_ + 1), most(2, edge_ + 1));
+    const double x = most(0, edge_), y = most(1, edge_ + 1), z = most(2, edge_ + 1);
+    return std::sqrt(x * x + y * y + z * z);
   }
 
  private:
-  static void takeIn(const T* here, const T* next, int count, std::vector<Difference>& largest) {
-    Difference* most = largest.data();
-    for (int i = 0; i < count; ++i) {
-      const Difference d = Difference(next[i]) - Difference(here[i]);
-      most[i] = std::max(most[i], std::max(d, -d));
-    }
-  }
-
   const std::vector<T>& stored_;
   glm::ivec3 size_;
   int edge_;
-  std::array<std::vector<Difference>, 3> largest_;
+  std::array<std::vector<Distance<T>>, 3> largest_;
 };
 
 // Of each block, value per voxel.
@@ -90,10 +84,12 @@ std::size_t slopeEntry(double value, ValueRange range) {
 
 std::vector<float> slopesOf(const Volume& volume, const BrickRanges& bricks, ValueRange range) {
   const std::vector<float> ofBlocks = slopesOfBlocks(volume, bricks.edge, bricks.count);
+  std::vector<std::size_t> entryOf;  // of each level
+  for (float level : bricks.levels) entryOf.push_back(slopeEntry(level, range));
   // largest[entries * p + q]: of the blocks whose values reach from entry p to entry q.
   std::vector<float> largest(entries * entries, 0.0f), slopes(entries, 0.0f);
   for (std::size_t n = 0; n < ofBlocks.size(); ++n) {
-    float& here = largest[entries * slopeEntry(bricks.low(n), range) + slopeEntry(bricks.high(n), range)];
+    float& here = largest[entries * entryOf[bricks.lowest[n]] + entryOf[bricks.highest[n]]];
     here = std::max(here, ofBlocks[n]);
   }
   for (std::size_t p = 0; p < entries; ++p) {
