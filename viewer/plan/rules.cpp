@@ -122,8 +122,8 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
 double stopTransmittance(const RuleInput& in) {
   const RenderOptions& o = in.options;
   const double most = 0.2 / 255 / std::max(1.0, brightest(in.scene));
-  const bool coarse = !o.step && (o.quality == Quality::draft || o.quality == Quality::standard);
-  if (coarse) return most;
+  // These levels promise far less than that.
+  if (!o.step && (o.quality == Quality::draft || o.quality == Quality::standard)) return most;
   // Longer steps than half a voxel are off by so much more that nothing finer is worth its time.
   const bool fine = o.quality == Quality::exact || o.step.value_or(1) <= 0.5;
   return std::min(fine ? 1.0 / 16384 : 1.0 / 4096, most);

@@ -1,5 +1,6 @@
 // Guards the passes over rows of stored values: on every CPU target the numbers of the plain loops, also
-// where a row ends within a vector, and nothing behind it touched.
+// where a row ends within a vector, and nothing behind it touched. It stands here because this room names the
+// targets.
 #include <algorithm>
 #include <limits>
 #include <random>
