@@ -7,7 +7,6 @@
 #define VOLUMEN_RENDER_KERNELS_BATCH_INL_H_
 #endif
 
-#include <cstring>
 #include <utility>
 
 #include "viewer/render/kernels/cells-inl.h"
@@ -17,9 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
 /// Samples in visible cells, of some packets, side by side whichever rays they belong to: density and
-/// gradient together, opacities, light; then over one another, each on its ray. While one batch is worked on
-/// the memory of the next is on its way. Every sample is computed as DenseTracer does, and added to its ray
-/// in the same order, so both give the same bytes.
+/// gradient together; of those that can be seen opacities and light; then over one another, each on its ray.
+/// While one batch is worked on the memory of the next is on its way. Every sample is computed as DenseTracer
+/// does, and added to its ray in the same order, so both give the same bytes.
 template <class Store, ShadeBy kShade, bool kGradientOpacity>
 class BatchTracer {
   using Material = Matter<kShade, kGradientOpacity>;
@@ -43,13 +42,21 @@ class BatchTracer {
   /// Takes the packet at ray `first`, which is open, through the steps that `bits` names, step + n by bit n.
   HWY_INLINE void Advance(const Skipper& skipper, int first, int step, std::uint64_t bits) {
     if (!bits) return;
-    Place(LoadPacket(f_, rays_, first), Windows(*f_.cells, skipper, step), first, step, bits);
+    const Packet p = LoadPacket(f_, rays_, first);
+    const MF open = hn::Le(hn::LoadU(DF(), out_.alpha + first), Set(1 - f_.stopTransmittance));
+    const Windows windows(*f_.cells, skipper, step);
+    if (IsWithin(p, open, step))
+      Place<true>(p, open, windows, first, step, bits);
+    else
+      Place<false>(p, open, windows, first, step, bits);
     if (next_->size < kFull) return;
+    Locate(*next_);
     std::swap(next_, batch_);
     Draw(*next_);
   }
   void BeginSlab() {}
   void EndSlab() {
+    Locate(*next_);
     Draw(*batch_);
     Draw(*next_);
   }
@@ -66,65 +73,91 @@ class BatchTracer {
   struct Batch : SampleArrays<kMost> {
     HWY_ALIGN std::int32_t ray[kRays ? kMost : 1];
     struct Step {
-      int first;             ///< ray of the packet
-      std::uint8_t mask[8];  ///< which of its rays have a sample here
+      int first;           ///< ray of the packet
+      std::uint32_t rays;  ///< which of its rays have a sample here
     };
     Step steps[kMostSteps];
     int stepCount = 0;
+    int noted = 0;                           ///< samples before those that cannot be seen are left out
+    std::uint32_t seen[kMost / kLanes + 1];  ///< which of those noted can be seen, a vector an entry
 
     /// Fills the last vector with samples of length 0.
     HWY_INLINE void Pad() {
       const int end = this->size;
       for (float* values : {this->x, this->y, this->z, this->units})
         hn::StoreU(hn::Zero(DF()), DF(), values + end);
-      hn::StoreU(hn::Zero(DI()), DI(), this->index + end);
       if constexpr (kRays) hn::StoreU(hn::Zero(DI()), DI(), ray + end);
+    }
+
+    /// Which of those noted can be seen, from the n-th on in the lowest bits; as many as a vector has.
+    HWY_INLINE std::uint32_t SeenFrom(int n) const {
+      const std::uint64_t next = seen[n / kLanes + 1];
+      return std::uint32_t((seen[n / kLanes] | next << kLanes) >> n % kLanes);
     }
   };
 
-  /// Notes the packet's samples in visible cells, and asks for their voxels.
-  HWY_INLINE void Place(const Packet& p, const Windows& windows, int first, int step, std::uint64_t bits) {
-    const DF df;
+  /// Whether all open rays have a sample at each step of the slab, none their last.
+  static HWY_INLINE bool IsWithin(const Packet& p, MF open, int step) {
+    const MF begun = hn::Ge(SampleAt(p, step), hn::Zero(DF())),
+             goOn = hn::Lt(SampleAt(p, step + kSlab), p.steps);
+    return hn::AllTrue(DF(), hn::Or(hn::Not(open), hn::And(begun, goOn)));
+  }
+
+  /// Notes the packet's samples in visible cells. `kWithin`: IsWithin.
+  template <bool kWithin>
+  HWY_INLINE void Place(const Packet& p, MF open, const Windows& windows, int first, int step,
+                        std::uint64_t bits) {
+    const auto placeAt = [&](VF n) {
+      if constexpr (kWithin)
+        return Add(p.start, Scale(p.move, hn::Add(n, Set(0.5f))));
+      else
+        return Position(p, n, IsLast(p, n));
+    };
     auto& s = *next_;
-    const MF open = hn::Le(hn::LoadU(df, out_.alpha + first), Set(1 - f_.stopTransmittance));
     // All steps are asked before any is noted, so that none waits for what the one before has found.
-    std::uint8_t masks[kSlab][8];
+    std::uint32_t masks[kSlab];
     std::uint64_t visible = 0;
     for (; bits; bits &= bits - 1) {
       const int k = int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
       const VF n = SampleAt(p, step + k);
-      const V3 place = Position(p, n, IsLast(p, n));
-      const MF there = hn::And(open, HasSample(p, n));
-      const MF has = windows.fits(k) ? windows.IsVisible(k, there, place)
-                                     : InVisibleCell(*f_.cells, there, grid_.Clamped(place));
-      hn::StoreMaskBits(df, has, masks[k]);
-      visible |= std::uint64_t(!hn::AllFalse(df, has)) << k;
+      const V3 place = placeAt(n);
+      const MF there = kWithin ? open : hn::And(open, HasSample(p, n));
+      masks[k] = BitsOf(windows.fits(k) ? windows.IsVisible(k, there, place)
+                                        : InVisibleCell(*f_.cells, there, grid_.Clamped(place)));
+      visible |= std::uint64_t(masks[k] != 0) << k;
     }
     for (; visible; visible &= visible - 1) {
       const int k = int(hwy::Num0BitsBelowLS1Bit_Nonzero64(visible));
       const VF n = SampleAt(p, step + k);
-      const MF last = IsLast(p, n), has = hn::LoadMaskBits(df, masks[k]);
-      auto& noted = s.steps[s.stepCount++];
-      noted.first = first;
-      std::memcpy(noted.mask, masks[k], sizeof(noted.mask));
-      const Cell c = grid_.CellAt(grid_.Clamped(Position(p, n, last)));
-      Append(hn::IfThenElse(last, p.lastUnits, p.units), has, s.units + s.size);
-      Append(c.index, has, s.index + s.size);
-      Append(c.fx, has, s.x + s.size);
-      Append(c.fy, has, s.y + s.size);
-      Append(c.fz, has, s.z + s.size);
+      const MF has = MaskOf(masks[k]);
+      s.steps[s.stepCount++] = {first, masks[k]};
+      const VF units = kWithin ? p.units : hn::IfThenElse(IsLast(p, n), p.lastUnits, p.units);
+      Append(units, has, s.units + s.size);
+      AppendPlaces(placeAt(n), has, s, s.size);
       if constexpr (kRays) Append(hn::Iota(DI(), first), has, s.ray + s.size);
-      const int count = int(hn::CountTrue(df, has));
+      s.size += int(hwy::PopCount(masks[k]));
+    }
+  }
+
+  /// Finds the samples' cells, and asks for their voxels.
+  HWY_INLINE void Locate(Batch& s) {
+    s.noted = s.size;
+    s.Pad();
+    const DF df;
+    for (int n = 0; n < s.size; n += kLanes) {
+      const Cell c = grid_.CellAt(grid_.Clamped(PlaceOf(s, n)));
+      hn::Store(c.index, DI(), s.index + n);
+      hn::Store(c.fx, df, s.x + n);
+      hn::Store(c.fy, df, s.y + n);
+      hn::Store(c.fz, df, s.z + n);
       // The cells between are their neighbours, mostly in the same lines of the cache.
-      Store::template Prefetch<Material::kGradients>(grid_, s.index + s.size, count, 2);
-      s.size += count;
+      Store::template Prefetch<Material::kGradients>(grid_, s.index + n, kLanes, 4);
     }
   }
 
   HWY_INLINE void Draw(Batch& s) {
-    if (s.size == 0) return;
-    counts_.resampled += s.size;
-    s.Pad();
+    if (s.noted == 0) return;
+    counts_.resampled += s.noted;
     Resample(s);
     Classify(matter_, s);
     // One batch in 32 is timed; they stand for all.
@@ -137,13 +170,14 @@ class BatchTracer {
     });
     Composite(s);
     if (begin) counts_.shadeTicks += 32 * (Ticks() - begin);
-    s.size = s.stepCount = 0;
+    s.size = s.noted = s.stepCount = 0;
   }
 
-  /// Densities and gradients; nothing is left of the length of samples that cannot be seen.
+  /// Densities and gradients; keeps the samples that can be seen.
   HWY_INLINE void Resample(Batch& s) {
     const DF df;
-    for (int n = 0; n < s.size; n += kLanes) {
+    int kept = 0;
+    for (int n = 0; n < s.noted; n += kLanes) {
       const V3 place = PlaceOf(s, n);
       const Cell c{hn::Load(DI(), s.index + n), place.x, place.y, place.z};
       Sample x;
@@ -151,25 +185,33 @@ class BatchTracer {
         x = Store::DensityAndGradient(grid_, c);
       else
         x = {Store::Density(grid_, c), Zero3()};
-      hn::Store(hn::IfThenElseZero(matter_.CanBeSeen(x.density), hn::Load(df, s.units + n)), df, s.units + n);
-      hn::Store(x.density, df, s.density + n);
-      hn::Store(x.gradient.x, df, s.x + n);
-      hn::Store(x.gradient.y, df, s.y + n);
-      hn::Store(x.gradient.z, df, s.z + n);
+      const VF units = hn::Load(df, s.units + n);
+      const MF seen = hn::And(hn::Gt(units, hn::Zero(df)), matter_.CanBeSeen(x.density));
+      s.seen[n / kLanes] = BitsOf(seen);
+      Append(units, seen, s.units + kept);
+      Append(x.density, seen, s.density + kept);
+      if constexpr (Material::kGradients) AppendPlaces(x.gradient, seen, s, kept);
+      if constexpr (kRays) Append(hn::Load(DI(), s.ray + n), seen, s.ray + kept);
+      kept += int(hwy::PopCount(s.seen[n / kLanes]));
     }
+    s.size = kept;
+    hn::StoreU(hn::Zero(df), df, s.units + kept);
   }
 
   /// Front to back (paper 3.1).
   HWY_INLINE void Composite(Batch& s) {
     const DF df;
     const VF opaque = Set(1 - f_.stopTransmittance);
-    int at = 0;
+    int at = 0, noted = 0;
     for (int k = 0; k < s.stepCount;) {
       const int first = s.steps[k].first;
       VF red = hn::LoadU(df, out_.red + first), green = hn::LoadU(df, out_.green + first),
          blue = hn::LoadU(df, out_.blue + first), alpha = hn::LoadU(df, out_.alpha + first);
       for (; k < s.stepCount && s.steps[k].first == first; ++k) {
-        const MF has = hn::LoadMaskBits(df, s.steps[k].mask);
+        const std::uint32_t rays = s.steps[k].rays, seen = Deposited(s.SeenFrom(noted), rays);
+        noted += int(hwy::PopCount(rays));
+        if (!seen) continue;
+        const MF has = MaskOf(seen);
         const auto expanded = [&](const float* v) { return Expanded(hn::LoadU(df, v + at), has); };
         const VF opacity = hn::IfThenElseZero(hn::Le(alpha, opaque), expanded(s.units));
         const VF weight = hn::Mul(hn::Sub(Set(1), alpha), opacity);
@@ -178,7 +220,7 @@ class BatchTracer {
         blue = hn::Add(blue, hn::Mul(expanded(s.z), weight));
         alpha = hn::Add(alpha, weight);
         counts_.composited += std::int64_t(hn::CountTrue(df, hn::Gt(weight, hn::Zero(df))));
-        at += int(hn::CountTrue(df, has));
+        at += int(hwy::PopCount(seen));
       }
       hn::StoreU(red, df, out_.red + first);
       hn::StoreU(green, df, out_.green + first);

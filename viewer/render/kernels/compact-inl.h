@@ -67,6 +67,28 @@ HWY_INLINE VF Expanded(VF v, MF which) {
 }
 #endif
 
+/// Masks as bits, lane n in bit n.
+HWY_INLINE std::uint32_t BitsOf(MF m) {
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(DF(), m, reinterpret_cast<std::uint8_t*>(&bits));
+  return std::uint32_t(bits) & ((1u << kLanes) - 1);
+}
+HWY_INLINE MF MaskOf(std::uint64_t bits) {
+  return hn::LoadMaskBits(DF(), reinterpret_cast<const std::uint8_t*>(&bits));
+}
+
+/// The lowest bits of `bits`, one at each bit of `where`.
+HWY_INLINE std::uint32_t Deposited(std::uint32_t bits, std::uint32_t where) {
+#if HWY_ARCH_X86_64 && HWY_MAX_BYTES >= 32
+  return _pdep_u32(bits, where);
+#else
+  std::uint32_t all = 0;
+  for (; where; where &= where - 1, bits >>= 1)
+    if (bits & 1) all |= where & (~where + 1);
+  return all;
+#endif
+}
+
 /// Appends the chosen lanes to an array that has room for a whole vector behind `at`. Compressed in a
 /// register and stored whole: compressing into memory is microcoded on some CPUs, many times slower.
 HWY_INLINE void Append(VF v, MF which, float* at) { hn::StoreU(Compressed(v, which), DF(), at); }

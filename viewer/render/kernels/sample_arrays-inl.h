@@ -15,7 +15,7 @@ namespace volumen::HWY_NAMESPACE {
 /// Plain samples on their way: each pass puts what it finds in the place of what it no longer needs.
 template <int kCapacity>
 struct SampleArrays {
-  HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity];  ///< place in the cell, gradient, colour
+  HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity];  ///< place, in its cell, gradient, colour
   HWY_ALIGN float density[kCapacity];
   HWY_ALIGN float units[kCapacity];         ///< length in unit distances, 0 where there is none; then opacity
   HWY_ALIGN std::int32_t index[kCapacity];  ///< of the cell, then segment of the curve
