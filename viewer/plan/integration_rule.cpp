@@ -126,7 +126,8 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
 // nothing. `high` promises a third of the error.
 double mostMissed(Quality quality) { return quality == Quality::standard ? 0.25 : 0.08; }
 
-double firstStep(Quality quality) { return quality == Quality::standard ? 0.5 : 0.25; }
+// What most views of bone in CT keep their promise with, or little less.
+double firstStep(Quality quality) { return quality == Quality::standard ? 9.0 / 16 : 1.0 / 4; }
 
 // What a pilot tries, but for the shortest, where what it misses cannot be far off: of means, whose error is
 // bounded for any values.

@@ -14,7 +14,7 @@ namespace {
 
 // The rays of a pilot stand in tiles, that many pixels apart: near enough to meet the same blocks and memory,
 // far enough to differ. More of them would tell little more.
-constexpr int pixelsApart = 4, mostTiles = 256, tilesATask = 16;
+constexpr int pixelsApart = 4, mostTiles = 256, tilesATask = 4;
 
 // First pixels of tiles of a picture, one in each cell of a grid, at a place that only the cell decides:
 // tiles in rows and columns could all pass by what is straight and upright. First a quarter of them.

@@ -30,7 +30,7 @@ int levelsOf(Blending blending) {
 // step more to either side (RayRow::ahead), or the steps of a look together.
 int reachBlocks(const Plan& plan, const RaySetup& setup, int edge) {
   // Of a length for all short steps and cells, so that they share a map.
-  const double along = plan.mostParts > 1 ? plan.stepVoxels : std::max(2.0, 2 * plan.stepVoxels);
+  const double along = plan.mostParts > 1 ? plan.stepVoxels : std::max(2.25, 2 * plan.stepVoxels);
   const double across = 2 * setup.tileSpread() + along + 0.1;
   return int(std::clamp(std::ceil(across / edge), 1.0, 32.0 / edge));
 }
@@ -192,14 +192,13 @@ void preparePicture(const Plan& plan, Picture& picture) {
 }
 
 void writePixels(const Background& background, const RayRow& rays, const TraceRow& row, Picture& picture) {
-  const glm::vec3 behind = background.colour;
+  const glm::vec3 behind(background.transparent ? glm::dvec3(0) : background.colour);
   for (std::size_t ray = 0; ray < rays.pixel.size(); ++ray) {
     if (rays.pixel[ray] < 0) continue;
     float* rgba = &picture.rgba[std::size_t(4) * rays.pixel[ray]];
     const float a = std::min(row.alpha[ray], 1.0f), through = 1 - a;
     const glm::vec3 c(row.red[ray], row.green[ray], row.blue[ray]);
-    for (int n = 0; n < 3; ++n)
-      rgba[n] = std::clamp(background.transparent ? c[n] : c[n] + through * behind[n], 0.0f, 1.0f);
+    for (int n = 0; n < 3; ++n) rgba[n] = std::clamp(c[n] + through * behind[n], 0.0f, 1.0f);
     rgba[3] = background.transparent ? a : 1.0f;
   }
 }
