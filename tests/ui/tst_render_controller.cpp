@@ -19,31 +19,51 @@ VolumePtr smallVolume() {
   return volumeFrom(std::move(parts));
 }
 
-// Draws a plain picture whose grey is the camera's height / 1000, as slowly as told, row by row.
+// Draws a plain picture whose grey is the first light's intensity, as slowly as told, row by row.
 struct SlowRenderer {
   std::atomic<int> msPerRow{0};
+  std::atomic<bool> plansForEver{false};  ///< until they are cancelled; not of drafts
   std::atomic<int> begun{0}, cancelled{0};
+  std::atomic<int> plansBegun{0}, plansCancelled{0};
 
   MakeDraw make() {
     return [this](VolumePtr) -> Draw {
-      return [this](const Scene& scene, const RenderOptions& options,
-                    const CancelToken& cancel) -> Result<Drawn> {
-        ++begun;
-        Drawn drawn;
-        drawn.picture.size = options.size;
-        drawn.picture.rgba.assign(std::size_t(4) * options.size.x * options.size.y, 1.0f);
-        for (int y = 0; y < options.size.y; ++y) {
-          if (cancel.cancelled()) {
-            ++cancelled;
-            return Error{"cancelled"};
-          }
-          if (msPerRow > 0) QThread::msleep(unsigned(msPerRow));
-          for (int x = 0; x < options.size.x; ++x)
-            for (int c = 0; c < 3; ++c) drawn.picture.row(y)[4 * x + c] = float(scene.lights[0].intensity);
-        }
-        return drawn;
-      };
+      return {[this](const auto&... asked) { return plan(asked...); },
+              [this](const auto&... asked) { return picture(asked...); }};
     };
+  }
+
+ private:
+  Result<Planned> plan(const Scene& scene, const RenderOptions& options, const CancelToken& cancel) {
+    ++plansBegun;
+    while (plansForEver && options.quality != Quality::draft && !cancel.cancelled()) QThread::msleep(1);
+    if (cancel.cancelled()) {
+      ++plansCancelled;
+      return Error{"cancelled"};
+    }
+    Planned planned;
+    planned.plan.scene = scene;
+    planned.plan.options = options;
+    return planned;
+  }
+
+  Result<Drawn> picture(const Planned& planned, const CancelToken& cancel) {
+    const RenderOptions& options = planned.plan.options;
+    ++begun;
+    Drawn drawn;
+    drawn.picture.size = options.size;
+    drawn.picture.rgba.assign(std::size_t(4) * options.size.x * options.size.y, 1.0f);
+    for (int y = 0; y < options.size.y; ++y) {
+      if (cancel.cancelled()) {
+        ++cancelled;
+        return Error{"cancelled"};
+      }
+      if (msPerRow > 0) QThread::msleep(unsigned(msPerRow));
+      for (int x = 0; x < options.size.x; ++x)
+        for (int c = 0; c < 3; ++c)
+          drawn.picture.row(y)[4 * x + c] = float(planned.plan.scene.lights[0].intensity);
+    }
+    return drawn;
   }
 };
 
@@ -83,6 +103,7 @@ class TestRenderController : public QObject {
   void draftComesFirstThenStandard();
   void theLatestRequestWins();
   void aNewRequestCancelsTheStandardPicture();
+  void thePictureAtRestIsPlannedWhileItWaits();
   void draftsFollowWhileRequestsStream();
   void theLevelAtRestIsDrawn_data();
   void theLevelAtRestIsDrawn();
@@ -130,6 +151,25 @@ void TestRenderController::aNewRequestCancelsTheStandardPicture() {
   QTRY_COMPARE(renderer.cancelled.load(), 1);
   QTRY_VERIFY(w.atRest());
   QCOMPARE(w.frames.back().scene.lights[0].intensity, 0.8);
+  QVERIFY(w.failures.isEmpty());
+}
+
+void TestRenderController::thePictureAtRestIsPlannedWhileItWaits() {
+  SlowRenderer renderer;
+  renderer.plansForEver = true;
+  Watched w(renderer.make());
+  w.controller.request(greyScene(0.2), {64, 64});
+  QTRY_COMPARE(renderer.plansBegun.load(), 2);
+  QCOMPARE(renderer.begun.load(), 1);
+  w.controller.request(greyScene(0.8), {64, 64});
+  QTRY_COMPARE(renderer.plansCancelled.load(), 1);
+  // The draft of the new one is there; its picture at rest is being planned, the one before was never begun.
+  QTRY_COMPARE(renderer.plansBegun.load(), 4);
+  QCOMPARE(renderer.begun.load(), 2);
+  renderer.plansForEver = false;
+  QTRY_VERIFY(w.atRest());
+  QCOMPARE(w.frames.back().scene.lights[0].intensity, 0.8);
+  QCOMPARE(renderer.plansBegun.load(), 4);
   QVERIFY(w.failures.isEmpty());
 }
 
@@ -247,9 +287,8 @@ void TestRenderController::anotherVolumeSilencesTheOneBefore() {
 
 void TestRenderController::failuresAreTold() {
   Watched w([](VolumePtr) -> Draw {
-    return [](const Scene&, const RenderOptions&, const CancelToken&) -> Result<Drawn> {
-      return Error{"Not enough memory for the gradients."};
-    };
+    return {[](const auto&...) { return Planned{}; },
+            [](const auto&...) -> Result<Drawn> { return Error{"Not enough memory for the gradients."}; }};
   });
   w.controller.request(greyScene(0.5), {64, 64});
   QTRY_COMPARE(w.failures, QStringList{QStringLiteral("Not enough memory for the gradients.")});

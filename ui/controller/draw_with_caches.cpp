@@ -10,14 +10,25 @@ Draw drawWithCaches(VolumePtr volume) {
     return context ? std::move(context) : makeEglContext();
   });
   caches->facts();  // here, so that it does not count as time of the first frame
-  return
-      [caches](const Scene& scene, const RenderOptions& options, const CancelToken& cancel) -> Result<Drawn> {
-        const Result<Plan> plan = makePlan(scene, caches->facts(), options);
-        if (!plan) return plan.error();
-        Result<Rendered> rendered = render(*plan, *caches, cancel);
-        if (!rendered) return rendered.error();
-        return Drawn{std::move(rendered->picture), std::move(rendered->plan), rendered->stats};
-      };
+  const auto plan = [caches](const Scene& scene, const RenderOptions& options,
+                             const CancelToken& cancel) -> Result<Planned> {
+    const Result<Plan> asked = makePlan(scene, caches->facts(), options);
+    if (!asked) return asked.error();
+    RenderStats stats;
+    Result<Plan> done = settled(*asked, *caches, stats, cancel);
+    if (!done) return done.error();
+    return Planned{std::move(*done), stats};
+  };
+  const auto picture = [caches](const Planned& planned, const CancelToken& cancel) -> Result<Drawn> {
+    Result<Rendered> rendered = render(planned.plan, *caches, cancel);
+    if (!rendered) return rendered.error();
+    RenderStats stats = rendered->stats;
+    stats.pilotMs += planned.stats.pilotMs;
+    stats.gradientsMs += planned.stats.gradientsMs;
+    stats.totalMs += planned.stats.pilotMs + planned.stats.gradientsMs;
+    return Drawn{std::move(rendered->picture), std::move(rendered->plan), stats};
+  };
+  return {plan, picture};
 }
 
 }  // namespace volumen

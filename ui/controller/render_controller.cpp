@@ -1,6 +1,5 @@
 #include "ui/controller/render_controller.h"
 
-#include <QElapsedTimer>
 #include <algorithm>
 #include <chrono>
 
@@ -8,10 +7,19 @@ namespace volumen {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 // How long nothing new must be asked for before the full picture is begun.
 constexpr std::chrono::milliseconds restTime{25};
 
 }  // namespace
+
+Result<Drawn> Draw::operator()(const Scene& scene, const RenderOptions& options,
+                               const CancelToken& cancel) const {
+  const Result<Planned> planned = plan(scene, options, cancel);
+  if (!planned) return planned.error();
+  return picture(*planned, cancel);
+}
 
 RenderController::RenderController(MakeDraw makeDraw, QObject* parent)
     : QObject(parent), makeDraw_(std::move(makeDraw)), thread_([this] { run(); }) {}
@@ -130,7 +138,7 @@ void RenderController::run() {
       pace_ = DraftPace();
       seen_.reset();
       lock.unlock();
-      draw_ = drawnVolume_ ? makeDraw_(drawnVolume_) : Draw();
+      draw_ = drawnVolume_ ? std::optional(makeDraw_(drawnVolume_)) : std::nullopt;
       lock.lock();
     } else if (picture_) {
       drawPicture(lock);
@@ -140,13 +148,13 @@ void RenderController::run() {
       drawTrial(lock);
     }
   }
-  draw_ = Draw();  // on this thread, which its OpenGL context belongs to
+  draw_.reset();  // on this thread, which its OpenGL context belongs to
 }
 
 Result<Drawn> RenderController::draw(const Scene& scene, const RenderOptions& options,
                                      const CancelToken& cancel) {
   if (!draw_) return Error{"Nothing is open to be drawn."};
-  return draw_(scene, options, cancel);
+  return (*draw_)(scene, options, cancel);
 }
 
 void RenderController::drawPicture(std::unique_lock<std::mutex>& lock) {
@@ -181,11 +189,17 @@ void RenderController::drawScreen(std::unique_lock<std::mutex>& lock) {
   if (drawn) seen_ = request;
   lock.lock();
   const auto other = [this] { return closing_ || screen_ || generation_ != drawnGeneration_; };
-  if (!drawn || first == rest || wake_.wait_for(lock, restTime, other)) return;
+  if (!drawn || first == rest || other()) return;
   restCancel_ = CancelToken();
   const CancelToken cancel = restCancel_;
   lock.unlock();
-  drawFrame(request, rest, true, cancel);
+  const Clock::time_point begin = Clock::now();
+  const View view = viewOf(request, rest);
+  const Ahead ahead{draw_->plan(view.scene, view.options, cancel), begin + restTime};
+  lock.lock();
+  if (wake_.wait_until(lock, ahead.rest, other)) return;
+  lock.unlock();
+  drawFrame(request, rest, true, cancel, &ahead);
   lock.lock();
 }
 
@@ -209,38 +223,45 @@ void RenderController::drawTrial(std::unique_lock<std::mutex>& lock) {
   tell([this, trial] { Q_EMIT trialReady(trial); });
 }
 
+RenderController::View RenderController::viewOf(const ScreenRequest& request, Pass pass) const {
+  View view{request.scene, {}, {}};
+  if (!view.shown.camera)
+    view.shown.camera = fitCamera(Camera{}, drawnVolume_->geometry(),
+                                  double(request.pixels.width()) / request.pixels.height());
+  const DraftView draft = draftView(*view.shown.camera, request.pixels, pass.factor);
+  view.scene = view.shown;
+  view.scene.camera = draft.camera;
+  view.options.size = {draft.size.width(), draft.size.height()};
+  view.options.quality = pass.quality;
+  if (pass.quality != Quality::draft && request.resampler == Resampler::gl)
+    view.options.resampler = Resampler::gl;
+  return view;
+}
+
 Result<Drawn> RenderController::drawPass(const ScreenRequest& request, Pass pass, Frame& frame,
-                                         const CancelToken& cancel) {
-  QElapsedTimer clock;
-  clock.start();
+                                         const CancelToken& cancel, const Ahead* ahead) {
+  const Clock::time_point begin = ahead ? ahead->rest : Clock::now();
+  View view = viewOf(request, pass);
   frame.quality = pass.quality;
   frame.factor = pass.factor;
-  frame.scene = request.scene;
-  if (!frame.scene.camera)
-    frame.scene.camera = fitCamera(Camera{}, drawnVolume_->geometry(),
-                                   double(request.pixels.width()) / request.pixels.height());
-  const DraftView view = draftView(*frame.scene.camera, request.pixels, pass.factor);
-  Scene scene = frame.scene;
-  scene.camera = view.camera;
-  RenderOptions options;
-  options.size = {view.size.width(), view.size.height()};
-  options.quality = pass.quality;
-  if (pass.quality != Quality::draft && request.resampler == Resampler::gl) options.resampler = Resampler::gl;
-  Result<Drawn> drawn = draw(scene, options, cancel);
+  frame.scene = std::move(view.shown);
+  Result<Drawn> drawn = !ahead            ? draw(view.scene, view.options, cancel)
+                        : !ahead->planned ? Result<Drawn>(ahead->planned.error())
+                                          : draw_->picture(*ahead->planned, cancel);
   if (!drawn) return drawn;
   frame.image =
       pass.factor == 1 ? toImage(drawn->picture) : enlarged(drawn->picture, pass.factor, request.pixels);
   frame.plan = std::make_shared<const Plan>(drawn->plan);
   frame.stats = drawn->stats;
-  frame.ms = double(clock.nsecsElapsed()) / 1e6;
+  frame.ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   return drawn;
 }
 
 bool RenderController::drawFrame(const ScreenRequest& request, Pass pass, bool atRest,
-                                 const CancelToken& cancel) {
+                                 const CancelToken& cancel, const Ahead* ahead) {
   Frame frame;
   frame.atRest = atRest;
-  Result<Drawn> drawn = drawPass(request, pass, frame, cancel);
+  Result<Drawn> drawn = drawPass(request, pass, frame, cancel, ahead);
   if (!drawn && !cancel.cancelled()) {
     tell([this, sentence = QString::fromStdString(drawn.message())] { Q_EMIT failed(sentence); });
     if (request.resampler == Resampler::gl && pass.quality != Quality::draft) {

@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QObject>
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -22,12 +23,24 @@ struct Drawn {
   RenderStats stats;
 };
 
-/// Draws one picture; on the render thread only.
-using Draw = std::function<Result<Drawn>(const Scene&, const RenderOptions&, const CancelToken&)>;
+/// A plan that leaves nothing open, and what finding that took (settled()).
+struct Planned {
+  Plan plan;
+  RenderStats stats;
+};
+
+/// Draws pictures of one volume; on the render thread only.
+struct Draw {
+  std::function<Result<Planned>(const Scene&, const RenderOptions&, const CancelToken&)> plan;
+  std::function<Result<Drawn>(const Planned&, const CancelToken&)> picture;  ///< its times: of both
+
+  /// Both at once.
+  Result<Drawn> operator()(const Scene& scene, const RenderOptions& options, const CancelToken& cancel) const;
+};
 /// Makes what draws a volume, with its caches; called on the render thread.
 using MakeDraw = std::function<Draw(VolumePtr)>;
 
-/// makePlan() and render() over one set of caches; OpenGL by a context of Qt's, else of EGL's.
+/// makePlan(), settled() and render() over one set of caches; OpenGL by a context of Qt's, else of EGL's.
 Draw drawWithCaches(VolumePtr volume);
 
 /// A picture for the screen.
@@ -36,8 +49,9 @@ struct Frame {
   Quality quality = Quality::standard;
   double factor = 1;    ///< one ray for factor x factor pixels (DraftPace, PictureLevel)
   bool atRest = false;  ///< no finer picture follows
-  double ms = 0;        ///< wall clock, from the request taken up to the image
-  Scene scene;          ///< as drawn: with its camera
+  double ms = 0;  ///< wall clock up to the image, from the request taken or, at rest, from the moment that
+                  ///< nothing new had been asked for long enough
+  Scene scene;    ///< as drawn: with its camera
   std::shared_ptr<const Plan> plan;
   RenderStats stats;
 
@@ -55,8 +69,8 @@ struct Trial {
 };
 
 /// Draws on a thread of its own: of what is asked for only the latest, first as a draft of fewer pixels
-/// within the frame time, then at the level of pictures at rest once nothing new was asked for a moment.
-/// Asking never waits.
+/// within the frame time, then at the level of pictures at rest once nothing new was asked for a moment, in
+/// which that picture is planned. Asking never waits.
 class RenderController : public QObject {
   Q_OBJECT
  public:
@@ -104,6 +118,17 @@ class RenderController : public QObject {
     double factor;
     bool operator==(const Pass&) const = default;
   };
+  // What a pass draws.
+  struct View {
+    Scene shown;  // with its camera
+    Scene scene;  // of the draft's pixels
+    RenderOptions options;
+  };
+  // What was planned while it was not known yet whether something new would be asked for.
+  struct Ahead {
+    Result<Planned> planned;
+    std::chrono::steady_clock::time_point rest;  // from when on nothing was
+  };
   struct PictureRequest {
     Scene scene;
     RenderOptions options;
@@ -116,8 +141,11 @@ class RenderController : public QObject {
   void drawScreen(std::unique_lock<std::mutex>& lock);
   void drawTrial(std::unique_lock<std::mutex>& lock);
   Pass firstPass(PictureLevel rest) const;
-  bool drawFrame(const ScreenRequest& request, Pass pass, bool atRest, const CancelToken& cancel);
-  Result<Drawn> drawPass(const ScreenRequest& request, Pass pass, Frame& frame, const CancelToken& cancel);
+  View viewOf(const ScreenRequest& request, Pass pass) const;
+  bool drawFrame(const ScreenRequest& request, Pass pass, bool atRest, const CancelToken& cancel,
+                 const Ahead* ahead = nullptr);
+  Result<Drawn> drawPass(const ScreenRequest& request, Pass pass, Frame& frame, const CancelToken& cancel,
+                         const Ahead* ahead = nullptr);
   Result<Drawn> draw(const Scene& scene, const RenderOptions& options, const CancelToken& cancel);
   template <class Function>
   void tell(Function function);
@@ -140,7 +168,7 @@ class RenderController : public QObject {
   // Of the render thread alone.
   VolumePtr drawnVolume_;
   int drawnGeneration_ = 0;
-  Draw draw_;
+  std::optional<Draw> draw_;
   DraftPace pace_;
   std::optional<ScreenRequest> seen_;  // what is on screen, if only as a draft
 
