@@ -11,6 +11,9 @@ namespace volumen {
 struct SkipMap {
   int shift = 2;  ///< a block's edge is 1 << shift voxels
   glm::ivec3 count{0};
+  /// How far, in voxels, a packet may get in the steps of one look; `reach` provides for it. Four steps of
+  /// the longest that a pilot tries first.
+  static constexpr float longestLook = 2.25f;
   int reach = 1;  ///< blocks that the largest boxes reach farther along each axis
   /// Layers, with 4 readable bytes behind the last. Their rows along i are padded to rowBlocks(). The first,
   /// a byte a block, is of boxes that reach a = 0 or 1 block farther along each axis: bit a_x + 2 a_y + 4

@@ -149,7 +149,7 @@ void TestPilot::thePictureKeepsThePromise_data() {
   row("noise", noise(), "0.875 0.46875 0.5625 -", [](Scene&) {});
   row("noise, a steep curve", noise(), "0.5625 0.25 0.40625 -", steep);
   row("plates eight voxels apart, a steep curve", plates(8), "0.5625 0.25 0 -", steep);
-  // Of dense ones the law of squares asks for 9/32, too short to save time; 10/32 keeps the promise too.
+  // Of dense ones the law of squares asks for steps too short to save time.
   row("the same, across them", plates(8), "0.375 0.25 0 -", [](Scene& s) {
     steep(s);
     s.camera->direction = {0, 0, 1};

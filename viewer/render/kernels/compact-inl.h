@@ -15,6 +15,16 @@ namespace volumen::HWY_NAMESPACE {
 
 constexpr int kLanes = int(hn::MaxLanes(DF()));
 
+/// Masks as bits, lane n in bit n.
+HWY_INLINE std::uint32_t BitsOf(MF m) {
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(DF(), m, reinterpret_cast<std::uint8_t*>(&bits));
+  return std::uint32_t(bits) & ((1u << kLanes) - 1);
+}
+HWY_INLINE MF MaskOf(std::uint64_t bits) {
+  return hn::LoadMaskBits(DF(), reinterpret_cast<const std::uint8_t*>(&bits));
+}
+
 #if HWY_TARGET == HWY_AVX2
 /// The chosen lanes of each mask first, a byte each. GCC 12 copies Highway's table to the stack at every use.
 struct LaneOrder {
@@ -32,7 +42,7 @@ struct LaneOrder {
 alignas(64) inline constexpr LaneOrder kLaneOrder;
 
 HWY_INLINE VF Compressed(VF v, MF which) {
-  const std::uint8_t* order = kLaneOrder.lanes[hn::detail::BitsFromMask(which)];
+  const std::uint8_t* order = kLaneOrder.lanes[BitsOf(which)];
   const VI lanes = hn::PromoteTo(DI(), hn::LoadU(hn::Rebind<std::uint8_t, DI>(), order));
   return hn::TableLookupLanes(v, hn::IndicesFromVec(DF(), lanes));
 }
@@ -60,22 +70,11 @@ struct LanesBelow {
 alignas(64) inline constexpr LanesBelow kLanesBelow;
 
 HWY_INLINE VF Expanded(VF v, MF which) {
-  std::uint8_t mask[8];
-  hn::StoreMaskBits(DF(), which, mask);
-  const VI lanes = hn::PromoteTo(DI(), hn::LoadU(hn::Rebind<std::uint8_t, DI>(), kLanesBelow.lanes[mask[0]]));
+  const std::uint8_t* below = kLanesBelow.lanes[BitsOf(which)];
+  const VI lanes = hn::PromoteTo(DI(), hn::LoadU(hn::Rebind<std::uint8_t, DI>(), below));
   return hn::IfThenElseZero(which, hn::TableLookupLanes(v, hn::IndicesFromVec(DF(), lanes)));
 }
 #endif
-
-/// Masks as bits, lane n in bit n.
-HWY_INLINE std::uint32_t BitsOf(MF m) {
-  std::uint64_t bits = 0;
-  hn::StoreMaskBits(DF(), m, reinterpret_cast<std::uint8_t*>(&bits));
-  return std::uint32_t(bits) & ((1u << kLanes) - 1);
-}
-HWY_INLINE MF MaskOf(std::uint64_t bits) {
-  return hn::LoadMaskBits(DF(), reinterpret_cast<const std::uint8_t*>(&bits));
-}
 
 /// The lowest bits of `bits`, one at each bit of `where`.
 HWY_INLINE std::uint32_t Deposited(std::uint32_t bits, std::uint32_t where) {

@@ -125,7 +125,7 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
   std::vector<Skipper> skippers;
   skippers.reserve(packets);
   // Where cells are asked too, a look that finds too much costs little.
-  const int stepsALook = StepsALook(rays, Tracer::kCells ? 2.25f : 1);
+  const int stepsALook = StepsALook(rays, Tracer::kCells ? SkipMap::longestLook : 1);
   for (int n = 0; n < packets; ++n) skippers.emplace_back(f, LoadPacket(f, rays, n * lanes), stepsALook);
   const StepRange steps = StepsOf(rays);
   std::vector<int> ends(packets, steps.end);

@@ -30,7 +30,8 @@ int levelsOf(Blending blending) {
 // step more to either side (RayRow::ahead), or the steps of a look together.
 int reachBlocks(const Plan& plan, const RaySetup& setup, int edge) {
   // Of a length for all short steps and cells, so that they share a map.
-  const double along = plan.mostParts > 1 ? plan.stepVoxels : std::max(2.25, 2 * plan.stepVoxels);
+  const double along =
+      plan.mostParts > 1 ? plan.stepVoxels : std::max(double(SkipMap::longestLook), 2 * plan.stepVoxels);
   const double across = 2 * setup.tileSpread() + along + 0.1;
   return int(std::clamp(std::ceil(across / edge), 1.0, 32.0 / edge));
 }
