@@ -45,7 +45,7 @@ class BatchTracer {
     const Packet p = LoadPacket(f_, rays_, first);
     const MF open = hn::Le(hn::LoadU(DF(), out_.alpha + first), Set(1 - f_.stopTransmittance));
     const Windows windows(*f_.cells, skipper, step);
-    if (IsWithin(p, open, step))
+    if (GoOn(p, open, step, kSlab))
       Place<true>(p, open, windows, first, step, bits);
     else
       Place<false>(p, open, windows, first, step, bits);
@@ -96,20 +96,13 @@ class BatchTracer {
     }
   };
 
-  /// Whether all open rays have a sample at each step of the slab, none their last.
-  static HWY_INLINE bool IsWithin(const Packet& p, MF open, int step) {
-    const MF begun = hn::Ge(SampleAt(p, step), hn::Zero(DF())),
-             goOn = hn::Lt(SampleAt(p, step + kSlab), p.steps);
-    return hn::AllTrue(DF(), hn::Or(hn::Not(open), hn::And(begun, goOn)));
-  }
-
-  /// Notes the packet's samples in visible cells. `kWithin`: IsWithin.
-  template <bool kWithin>
+  /// Notes the packet's samples in visible cells. `kGoOn`: open rays do (GoOn).
+  template <bool kGoOn>
   HWY_INLINE void Place(const Packet& p, MF open, const Windows& windows, int first, int step,
                         std::uint64_t bits) {
     const auto placeAt = [&](VF n) {
-      if constexpr (kWithin)
-        return Add(p.start, Scale(p.move, hn::Add(n, Set(0.5f))));
+      if constexpr (kGoOn)
+        return PositionBefore(p, n);
       else
         return Position(p, n, IsLast(p, n));
     };
@@ -121,7 +114,7 @@ class BatchTracer {
       const int k = int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
       const VF n = SampleAt(p, step + k);
       const V3 place = placeAt(n);
-      const MF there = kWithin ? open : hn::And(open, HasSample(p, n));
+      const MF there = kGoOn ? open : hn::And(open, HasSample(p, n));
       masks[k] = BitsOf(windows.fits(k) ? windows.IsVisible(k, there, place)
                                         : InVisibleCell(*f_.cells, there, grid_.Clamped(place)));
       visible |= std::uint64_t(masks[k] != 0) << k;
@@ -131,7 +124,7 @@ class BatchTracer {
       const VF n = SampleAt(p, step + k);
       const MF has = MaskOf(masks[k]);
       s.steps[s.stepCount++] = {first, masks[k]};
-      const VF units = kWithin ? p.units : hn::IfThenElse(IsLast(p, n), p.lastUnits, p.units);
+      const VF units = kGoOn ? p.units : hn::IfThenElse(IsLast(p, n), p.lastUnits, p.units);
       Append(units, has, s.units + s.size);
       AppendPlaces(placeAt(n), has, s, s.size);
       if constexpr (kRays) Append(hn::Iota(DI(), first), has, s.ray + s.size);

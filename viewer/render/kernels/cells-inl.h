@@ -6,8 +6,7 @@
 #define VOLUMEN_RENDER_KERNELS_CELLS_INL_H_
 #endif
 
-#include <cstring>
-
+#include "viewer/render/kernels/compact-inl.h"
 #include "viewer/render/kernels/skip-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -60,7 +59,6 @@ class CellWindows {
   HWY_INLINE CellWindows(const VisibleCells& cells, const Skipper& packet, int step)
       : words_(cells.words()), nextRow_(2 * cells.count().x), nextSlice_(nextRow_ * cells.count().y) {
     const DI di;
-    alignas(8) std::uint8_t fits[kSteps / 8 + 8] = {};
     for (int n = 0; n < kSteps; n += kLanes) {
       VI block[3], farthest = hn::Zero(di);
       for (int a = 0; a < 3; ++a) {
@@ -68,13 +66,12 @@ class CellWindows {
         block[a] = hn::ShiftRight<2>(voxels.low);
         farthest = hn::Max(farthest, hn::Sub(hn::ShiftRight<2>(voxels.high), block[a]));
       }
-      hn::StoreMaskBits(di, hn::Lt(farthest, SetI(2)), fits + n / 8);
+      fits_ |= std::uint64_t(BitsOf(hn::RebindMask(DF(), hn::Lt(farthest, SetI(2))))) << n;
       hn::Store(BlockAt(cells, block[0], block[1], block[2]), di, block_ + n);
       const VI oddInSlice =
           hn::OrAnd(hn::And(hn::ShiftLeft<1>(block[0]), SetI(2)), hn::ShiftLeft<2>(block[1]), SetI(4));
       hn::Store(hn::OrAnd(oddInSlice, hn::ShiftLeft<3>(block[2]), SetI(8)), di, odd_ + n);
     }
-    std::memcpy(&fits_, fits, sizeof(fits_));
   }
 
   /// Whether the packet is narrow enough at the n-th of these steps.
@@ -113,7 +110,7 @@ class CellWindows {
 
   const std::int32_t* words_;
   std::int64_t nextRow_, nextSlice_;
-  std::uint64_t fits_;                    ///< bit n: of the n-th step
+  std::uint64_t fits_ = 0;                ///< bit n: of the n-th step
   HWY_ALIGN std::int32_t block_[kSteps];  ///< the first of each step
   HWY_ALIGN std::int32_t odd_[kSteps];    ///< which of its indices are odd, as bits of `at`
 };

@@ -49,7 +49,11 @@ class DenseTracer {
   HWY_INLINE void Advance(const Skipper&, int first, int step, std::uint64_t bits) {
     if (!bits) return;
     matter_.first = first;
-    Place(LoadPacket(f_, rays_, first), step, bits);
+    const Packet p = LoadPacket(f_, rays_, first);
+    if (!cuts() && GoOn(p, hn::FirstN(DF(), kLanes), step, kSlab))
+      Place<true>(p, step, bits);
+    else
+      Place<false>(p, step, bits);
     Resample();
     Classify(matter_, samples_);
     if (samples_.size == 0) return;
@@ -67,31 +71,42 @@ class DenseTracer {
   void Finish() {}
 
  private:
-  /// Where the samples are that the packet has at these steps.
+  /// Whether rays end at their last step that shows (TraceRow::shown).
+  bool cuts() const { return f_.slices.fromBack && out_.shown; }
+
+  /// Where the samples are that the packet has at these steps. `kGoOn`: all rays do (GoOn), and none is cut.
+  template <bool kGoOn>
   HWY_INLINE void Place(const Packet& p, int step, std::uint64_t bits) {
     const DF df;
     auto& s = samples_;
-    s.size = 0;
-    const bool cut = f_.slices.fromBack && out_.shown, notesSteps = kPlane || out_.shown;
-    const VF shown = cut ? hn::LoadU(df, out_.shown + matter_.first) : Set(std::numeric_limits<float>::max());
-    for (; bits; bits &= bits - 1) {
+    const VF shown =
+        cuts() ? hn::LoadU(df, out_.shown + matter_.first) : Set(std::numeric_limits<float>::max());
+    const bool notesSteps = kPlane || out_.shown;
+    int size = 0;
+    for (; bits; bits &= bits - 1, size += kLanes) {
       const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
       const VF n = SampleAt(p, at);
-      const MF last = IsLast(p, n);
-      MF has = HasSample(p, n);
-      if (cut) has = hn::And(has, hn::Le(Set(float(at)), shown));
-      counts_.resampled += std::int64_t(hn::CountTrue(df, has));
-      hn::Store(hn::IfThenElseZero(has, hn::IfThenElse(last, p.lastUnits, p.units)), df, s.units + s.size);
-      if (notesSteps) s.step[s.size / kLanes] = at;
-      if constexpr (!kPlane) {
-        const Cell c = grid_.CellAt(grid_.Clamped(Position(p, n, last)));
-        hn::Store(c.index, DI(), s.index + s.size);
-        hn::Store(c.fx, df, s.x + s.size);
-        hn::Store(c.fy, df, s.y + s.size);
-        hn::Store(c.fz, df, s.z + s.size);
+      V3 place;
+      if constexpr (kGoOn) {
+        place = PositionBefore(p, n);
+        hn::Store(p.units, df, s.units + size);
+        counts_.resampled += kLanes;
+      } else {
+        const MF last = IsLast(p, n), has = hn::And(HasSample(p, n), hn::Le(Set(float(at)), shown));
+        place = Position(p, n, last);
+        hn::Store(hn::IfThenElseZero(has, hn::IfThenElse(last, p.lastUnits, p.units)), df, s.units + size);
+        counts_.resampled += std::int64_t(hn::CountTrue(df, has));
       }
-      s.size += kLanes;
+      if (notesSteps) s.step[size / kLanes] = at;
+      if constexpr (!kPlane) {
+        const Cell c = grid_.CellAt(grid_.Clamped(place));
+        hn::Store(c.index, DI(), s.index + size);
+        hn::Store(c.fx, df, s.x + size);
+        hn::Store(c.fy, df, s.y + size);
+        hn::Store(c.fz, df, s.z + size);
+      }
     }
+    s.size = size;
   }
 
   HWY_INLINE Sample ValuesAt(int n) const {
@@ -126,10 +141,12 @@ class DenseTracer {
       const MF seen = hn::And(hn::Gt(units, hn::Zero(df)), matter_.CanBeSeen(x.density));
       if (hn::AllFalse(df, seen)) continue;
       hn::Store(x.density, df, s.density + kept);
-      // In place of places that were looked at.
-      hn::Store(x.gradient.x, df, s.x + kept);
-      hn::Store(x.gradient.y, df, s.y + kept);
-      hn::Store(x.gradient.z, df, s.z + kept);
+      if constexpr (Material::kGradients) {
+        // In place of places that were looked at.
+        hn::Store(x.gradient.x, df, s.x + kept);
+        hn::Store(x.gradient.y, df, s.y + kept);
+        hn::Store(x.gradient.z, df, s.z + kept);
+      }
       hn::Store(hn::IfThenElseZero(seen, units), df, s.units + kept);
       if (notesSteps) s.step[kept / kLanes] = s.step[n / kLanes];
       kept += kLanes;

@@ -51,6 +51,17 @@ HWY_INLINE V3 Position(const Packet& p, VF n, MF last) {
   return Add(p.start, Scale(p.move, middle));
 }
 
+/// The same of samples that are not their ray's last.
+HWY_INLINE V3 PositionBefore(const Packet& p, VF n) {
+  return Add(p.start, Scale(p.move, hn::Add(n, Set(0.5f))));
+}
+/// Whether all rays of `which` have a sample at each of `count` steps from `step` on, none its last.
+HWY_INLINE bool GoOn(const Packet& p, MF which, int step, int count) {
+  const MF begun = hn::Ge(SampleAt(p, step), hn::Zero(DF())),
+           goOn = hn::Lt(SampleAt(p, step + count), p.steps);
+  return hn::AllTrue(DF(), hn::Or(hn::Not(which), hn::And(begun, goOn)));
+}
+
 /// What a step adds to places on rays, in voxels.
 HWY_INLINE V3 MoveOf(const RayRow& rays, VI ray) {
   const DF df;
