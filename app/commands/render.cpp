@@ -18,7 +18,7 @@ namespace volumen {
 namespace {
 
 struct Options {
-  std::string path, series, output, statsFile;
+  std::string path, series, output, statsFile, errorMap;
   SceneOptions scene;
   MethodOptions method;
   int frames = 1, turntable = 0;
@@ -141,6 +141,18 @@ class Run {
         return fail(written.message());
       told() << printable(path) << '\n';
     }
+    if (!options_.errorMap.empty()) return writeErrorMap();
+    return exitDone;
+  }
+
+  // Of the last picture.
+  int writeErrorMap() {
+    if (done_.error.empty())
+      return fail(
+          "This way of drawing does not know its error: --error-map needs a level of --method planes.");
+    const Status written = writeMapNrrd(done_.picture.size, done_.error, options_.errorMap);
+    if (!written) return fail(written.message());
+    told() << printable(options_.errorMap) << '\n';
     return exitDone;
   }
 
@@ -208,6 +220,7 @@ std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel) {
                  "So many pictures, turned about the camera's up axis by 360/N degrees each")
       ->check(CLI::Range(1, 9999));
   app.add_option("--stats", o->statsFile, "Write times, samples, memory and the plan to this JSON file");
+  app.add_option("--error-map", o->errorMap, "Write how far each pixel may be off, in 1/255, as .nrrd");
   app.add_flag("--explain", o->explain, "Say what is computed for this picture and why");
   app.add_flag("--print-scene", o->printScene, "Write the complete scene in use to stdout");
   return [o, &cancel] { return Run(*o, cancel)(); };

@@ -24,17 +24,31 @@ Status writePng(const Picture& picture, const std::string& path,
   return out->commit();
 }
 
-Status writePictureNrrd(const Picture& picture, const std::string& path) {
+namespace {
+
+Status writeFloats(const std::string& header, const std::vector<float>& values, const std::string& path) {
   auto out = OutputFile::create(path);
   if (!out) return out.error();
-  const std::string header =
-      "NRRD0005\ntype: float\ndimension: 3\nsizes: 4 " + std::to_string(picture.size.x) + ' ' +
-      std::to_string(picture.size.y) +
-      "\nkinds: RGBA-color domain domain\nendian: little\nencoding: raw\nbackground:=" +
-      (picture.transparent ? "transparent" : "opaque") + "\n\n";
-  if (Status s = out->write(header); !s) return s;
-  if (Status s = out->write(picture.rgba.data(), picture.rgba.size() * sizeof(float)); !s) return s;
+  if (Status s = out->write("NRRD0005\ntype: float\n" + header + "\n\n"); !s) return s;
+  if (Status s = out->write(values.data(), values.size() * sizeof(float)); !s) return s;
   return out->commit();
+}
+
+std::string sizeText(glm::ivec2 size) { return std::to_string(size.x) + ' ' + std::to_string(size.y); }
+
+}  // namespace
+
+Status writePictureNrrd(const Picture& picture, const std::string& path) {
+  return writeFloats("dimension: 3\nsizes: 4 " + sizeText(picture.size) +
+                         "\nkinds: RGBA-color domain domain\nendian: little\nencoding: raw\nbackground:=" +
+                         (picture.transparent ? "transparent" : "opaque"),
+                     picture.rgba, path);
+}
+
+Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std::string& path) {
+  return writeFloats(
+      "dimension: 2\nsizes: " + sizeText(size) + "\nkinds: domain domain\nendian: little\nencoding: raw",
+      values, path);
 }
 
 Result<Picture> readPictureNrrd(const std::string& path) {

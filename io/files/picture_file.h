@@ -18,6 +18,9 @@ Status writePng(const Picture& picture, const std::string& path,
 /// "background" says "opaque" or "transparent".
 Status writePictureNrrd(const Picture& picture, const std::string& path);
 
+/// One float a pixel: sizes W H, first row on top.
+Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std::string& path);
+
 /// Reads what writePictureNrrd wrote. Refused: what is not float32 of sizes 4 W H.
 Result<Picture> readPictureNrrd(const std::string& path);
 

@@ -71,7 +71,7 @@ Status checkMethod(const Scene& scene, const RenderOptions& o) {
 
 bool canIntegrate(const Scene& scene, const RenderOptions& o) {
   return scene.mode == Mode::composite && o.method == Method::planes && o.resampler != Resampler::gl &&
-         o.shader != Shader::table && o.mapLookup != MapLookup::nearest;
+         o.precision != 8 && o.shader != Shader::table && o.mapLookup != MapLookup::nearest;
 }
 
 Status checkOptions(const Scene& scene, const RenderOptions& o) {

@@ -132,8 +132,8 @@ struct SampleNs {
   double looked, seen;
 };
 SampleNs planesNs(const Plan& plan) {
-  if (plan.mostParts <= 1) return {sampleNs + (plan.gradients ? sampleGradientNs : 0), colourNs};
-  const double fineness = 1 / std::sqrt(plan.partTolerance);
+  if (!plan.cellByCell) return {sampleNs + (plan.gradients ? sampleGradientNs : 0), colourNs};
+  const double fineness = 1 / std::sqrt(plan.errorBudget);
   return {intervalNs + (cutNs + (plan.gradients ? litCutNs : 0)) * fineness,
           seenNs + (plan.gradients ? litSeenNs : 0) * fineness};
 }
@@ -174,7 +174,7 @@ PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts, Shader s
     if (plan.method == Method::blend && plan.stopTransmittance > 0)  // what finds out what is hidden
       cost.samplingNs += looked * sampleNs + visible * colourNs;
   }
-  const double lit = plan.mostParts > 1 ? visible * litParts / std::sqrt(plan.partTolerance) : visible;
+  const double lit = plan.cellByCell ? visible * litParts / std::sqrt(plan.errorBudget) : visible;
   cost.lightNs = lightNs(plan, shader, lit);
   return cost;
 }

@@ -30,20 +30,18 @@ double stepOf(Quality quality) {
   return 1;
 }
 
-// How uneven parts may be: as much as keeps the levels' promises on smooth and on sharp curves, as measured
-// on the scenes of the tests.
-double toleranceOf(Quality quality, bool sharp) {
+// What a ray may be off by, in shares of white: what a level promises of 99 pixels of a hundred, or of all.
+double budgetOf(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return sharp ? 0.03 : 0.05;
     case Quality::standard:
-      return sharp ? 0.005 : 0.04;
+      return promiseOf(Quality::standard).most99 / 255;
     case Quality::high:
-      return sharp ? 1e-3 : 3e-3;
+      return promiseOf(Quality::high).most99 / 255;
     case Quality::exact:
       break;
   }
-  return sharp ? 6e-5 : 4e-4;
+  return 0.8 / 255;
 }
 
 // Whether the opacity jumps, or rises within `narrow` values, somewhere: what lies between two samples then
@@ -174,7 +172,7 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
   if (!steps) return {};
   Plan plain = plan;
   plain.stepVoxels = steps->first;
-  plain.mostParts = 1;
+  plain.cellByCell = false;
   // A pilot takes about a tenth of a frame, and something should be left to win.
   constexpr double worthwhile = 0.81;
   const double share = predictedCost(plain, in.facts).ns() / predictedCost(plan, in.facts).ns();
@@ -208,13 +206,14 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
                    inDigits(even->change, 2) + " a voxel" + tried);
     }
     plan.stepVoxels = 2;  // rays stop and look around them at these
-    plan.mostParts = 128;
-    plan.partTolerance = in.options.tolerance.value_or(toleranceOf(in.options.quality, sharp));
+    plan.cellByCell = true;
+    plan.errorBudget = in.options.tolerance.value_or(budgetOf(in.options.quality));
     return on(
-        "cell by cell, integrated through the curve; passages are cut into up to 128 parts where "
-        "values bend or light changes" +
-        std::string(sharp ? "; finely, as the curve rises steeply" : "") + tried +
-        (in.options.tolerance ? "; to a tolerance of " + inDigits(plan.partTolerance) + ", as asked" : ""));
+        "cell by cell, integrated through the curve: passages are cut where the curve bends, and further "
+        "while "
+        "what two rules differ by is above " +
+        inDigits(255 * plan.errorBudget, 2) + "/255 a ray" + tried +
+        (in.options.tolerance ? ", as asked" : ""));
   }
   if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
     return steps(": the curve is smooth");

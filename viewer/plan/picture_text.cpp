@@ -81,8 +81,8 @@ std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan,
   if (plan.pilot && plan.pilot->kept) text.push_back({"volumen-error-pilot", toldBy(*plan.pilot)});
   if (measured) text.push_back({"volumen-error-measured", errorText(*measured)});
   if (plan.method != Method::reference)
-    text.push_back({"volumen-step", plan.mostParts > 1 ? "cell by cell, integrated and cut where it is uneven"
-                                                       : inVoxels(plan.stepVoxels)});
+    text.push_back({"volumen-step", plan.cellByCell ? "cell by cell, integrated and cut where it is uneven"
+                                                    : inVoxels(plan.stepVoxels)});
   text.push_back({"volumen-scene", sceneToJson(plan.scene)});
   return text;
 }

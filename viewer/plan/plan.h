@@ -53,11 +53,10 @@ struct Plan {
   Blending blending = Blending::floats;
   int mapSize = 64;
   MapLookup mapLookup = MapLookup::bilinear;
-  int bits = 16;          ///< stored precision
-  double stepVoxels = 1;  ///< SCENE 9
-  /// Into how many parts a ray's passage through a cell is cut where it is uneven; 1: plain midpoints.
-  int mostParts = 1;
-  double partTolerance = 1;  ///< how uneven a part may be (Parting)
+  int bits = 16;            ///< stored precision
+  double stepVoxels = 1;    ///< SCENE 9
+  bool cellByCell = false;  ///< rays go from cell to cell of the grid, else by plain steps
+  double errorBudget = 1;   ///< cell by cell: what a ray may be off by, as a share of white (ErrorBudget)
   /// What is left open for a pilot to find (settled): whether plain steps, and how long ones, keep the
   /// level's promise and take the place of the integration, or of a mean's shorter steps.
   std::optional<PilotSteps> pilotSteps;

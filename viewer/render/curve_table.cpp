@@ -20,20 +20,7 @@ float densityOf(float value, const DensityScale& scale) {
   return float(std::clamp(density, -1e30, 1e30));
 }
 
-double extinctionOf(double opacity) { return -std::log1p(-std::min(opacity, 1 - 0x1p-20)); }
-
-double colourChange(const CurvePoint& a, const CurvePoint& b) {
-  const glm::dvec3 c = glm::abs(b.colour - a.colour);
-  return std::max({c.r, c.g, c.b});
-}
-
-// The mean extinction where the opacity rises straight between two points: that of -ln(u) over u.
-double meanExtinction(double e1, double e2) {
-  const double u1 = std::exp(-e1), u2 = std::exp(-e2);
-  return std::abs(u2 - u1) < 1e-4 ? (e1 + e2) / 2 : 1 + (u2 * e2 - u1 * e1) / (u2 - u1);
-}
-
-// Appends segments in the order of their densities, and what changes or is summed up from one to the next.
+// Appends segments in the order of their densities.
 class SegmentWriter {
  public:
   SegmentWriter(CurveTable& t, const std::vector<CurvePoint>& points, const std::vector<float>& nodes)
@@ -44,8 +31,9 @@ class SegmentWriter {
     t_.node.push_back(end);
     t_.start.push_back(nodes_[from]);
     addValues(from, to);
-    addChanges(from, to);
-    addIntegral(from, to);
+    t_.shownBefore.push_back(shown_);
+    if (points_[from].opacity > 0 || points_[to].opacity > 0) ++shown_;
+    t_.shownUpTo.push_back(shown_);
   }
 
  private:
@@ -63,38 +51,10 @@ class SegmentWriter {
     add(t_.blue, t_.blueRise, a.colour.b, b.colour.b);
   }
 
-  // Steps between the last segment's end and this one's start count whole.
-  void addChanges(std::size_t from, std::size_t to) {
-    for (; at_ < from; ++at_) change(at_, at_ + 1);
-    const double before = varied_, colourBefore = colourVaried_;
-    t_.variation.push_back(float(before)), t_.colourVariation.push_back(float(colourBefore));
-    for (; at_ < to; ++at_) change(at_, at_ + 1);
-    const double inverse = from == to ? 0 : 1 / width(from, to);
-    t_.variationRise.push_back(float((varied_ - before) * inverse));
-    t_.colourVariationRise.push_back(float((colourVaried_ - colourBefore) * inverse));
-  }
-
-  void change(std::size_t from, std::size_t to) {
-    const CurvePoint &a = points_[from], &b = points_[to];
-    const double before = extinctionOf(a.opacity), behind = extinctionOf(b.opacity);
-    varied_ += std::abs(behind - before) + colourChange(a, b) * std::max(before, behind);
-    if (a.opacity > 0 || b.opacity > 0) colourVaried_ += colourChange(a, b);
-  }
-
-  void addIntegral(std::size_t from, std::size_t to) {
-    const double e1 = extinctionOf(points_[from].opacity), e2 = extinctionOf(points_[to].opacity);
-    t_.integral.push_back(float(integrated_));
-    t_.integralRest.push_back(float(integrated_ - double(float(integrated_))));
-    integrated_ += width(from, to) * meanExtinction(e1, e2);
-    t_.startTransparency.push_back(float(std::exp(-e1))), t_.startExtinction.push_back(float(e1));
-    t_.endTransparency.push_back(float(std::exp(-e2))), t_.endExtinction.push_back(float(e2));
-  }
-
   CurveTable& t_;
   const std::vector<CurvePoint>& points_;
   const std::vector<float>& nodes_;
-  std::size_t at_ = 0;
-  double varied_ = 0, colourVaried_ = 0, integrated_ = 0;
+  float shown_ = 0;
 };
 
 // From the last node before any opacity to the first one behind it.
@@ -131,7 +91,7 @@ void setBuckets(CurveTable& t, const DensityScale& scale) {
 
 }  // namespace
 
-std::size_t CurveTable::bytes() const { return (first.size() + 20 * node.size()) * 4; }
+std::size_t CurveTable::bytes() const { return (first.size() + 12 * node.size()) * 4; }
 
 CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& scale) {
   CurveTable t;
@@ -147,10 +107,8 @@ CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& sca
 
   t.segments = int(t.node.size());
   const std::size_t padded = std::max<std::size_t>(t.node.size(), CurveTable::padding);
-  for (auto* values : {&t.start, &t.opacity, &t.opacityRise, &t.variation, &t.variationRise,
-                       &t.colourVariation, &t.colourVariationRise, &t.integral, &t.integralRest,
-                       &t.startTransparency, &t.startExtinction, &t.endTransparency, &t.endExtinction, &t.red,
-                       &t.redRise, &t.green, &t.greenRise, &t.blue, &t.blueRise})
+  for (auto* values : {&t.start, &t.opacity, &t.opacityRise, &t.shownBefore, &t.shownUpTo, &t.red, &t.redRise,
+                       &t.green, &t.greenRise, &t.blue, &t.blueRise})
     values->resize(padded, 0.0f);
   t.node.resize(padded, infinity);
   setVisible(t, points, nodes);

@@ -28,16 +28,9 @@ struct CurveTable {
   std::vector<float> node;                  ///< node[s]: end of segment s; infinity behind the last
   std::vector<float> start;                 ///< density from which segment s is counted
   std::vector<float> opacity, opacityRise;  ///< at `start`, and a unit of density
-  /// How much the extinction a unit distance, and the colour weighted by it, has changed up to `start`, and a
-  /// unit of density: the difference between two densities says how uneven the curve is there, peaks and
-  /// steps included.
-  std::vector<float> variation, variationRise;
-  /// The extinction's integral over density from the first node to `start`, in two floats; transparency and
-  /// extinction a unit distance at both ends of the segment.
-  std::vector<float> integral, integralRest;
-  std::vector<float> startTransparency, startExtinction, endTransparency, endExtinction;
-  /// As variation, of the colour alone: the largest change of a component.
-  std::vector<float> colourVariation, colourVariationRise;
+  /// How many segments have any opacity, before segment s and up to it: where the two differ for the first
+  /// and the last of some neighbours, none of them has.
+  std::vector<float> shownBefore, shownUpTo;
   std::vector<float> red, redRise, green, greenRise, blue, blueRise;
   std::size_t bytes() const;
 };

@@ -118,7 +118,8 @@ class Pilot {
     const PlanesFrame frame(plan, caches_, stats);
     stats_.gradientsMs += stats.gradientsMs;
     const RaySetup setup(plan, caches_.volume()->geometry());
-    const RowPainter painter(plan, frame, picture);
+    std::vector<float> error;
+    const RowPainter painter(plan, frame, picture, error);
     const auto count = std::int64_t(to - from), tasks = (count + tilesATask - 1) / tilesATask;
     parallelFor(tasks, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
       RayRow rays;
@@ -164,7 +165,7 @@ class Pilot {
     // A percentile of some thousand rays is known to a tenth.
     const double all99 = compare(plain, truth_, followed).percentile99 / 0.9;
     // Finer plain steps are off too, by the square of their length: the difference hides that share.
-    const double finer = fine_.mostParts > 1 ? 0 : fine_.stepVoxels / step;
+    const double finer = fine_.cellByCell ? 0 : fine_.stepVoxels / step;
     const double off = std::max(std::sqrt(e.rmse * e.rmse + missed) / mostRmse,
                                 std::max(e.percentile99, all99) / promised.most99) /
                        (1 - finer * finer);

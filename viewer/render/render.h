@@ -28,6 +28,9 @@ struct RenderStats {
 
 struct Rendered {
   Picture picture;
+  /// How far each pixel may be off (its largest component; 1/255), one entry a pixel: the sum of what its ray's
+  /// parts may be off by. Empty where the path that drew it knows none.
+  std::vector<float> error;
   RenderStats stats;
   Plan plan;  ///< as drawn: nothing is left open
 };

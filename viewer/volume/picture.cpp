@@ -21,10 +21,34 @@ std::vector<std::uint8_t> toBytes(const Picture& picture) {
   return bytes;
 }
 
+namespace {
+
+// From each pixel's largest difference and the sum of all components' squares.
+PictureError errorOf(std::vector<double> largest, double squares) {
+  PictureError e;
+  if (largest.empty()) return e;
+  const std::size_t count = largest.size();
+  e.shareAbove2 = double(std::ranges::count_if(largest, [](double d) { return d > 2; })) / double(count);
+  const std::size_t rank = (99 * count + 99) / 100;  // ceil(0.99 N), at least 1
+  std::nth_element(largest.begin(), largest.begin() + (rank - 1), largest.end());
+  e.percentile99 = largest[rank - 1];
+  e.maximum = *std::max_element(largest.begin() + (rank - 1), largest.end());
+  e.rmse = std::sqrt(squares / (4.0 * double(count)));
+  e.psnrDb = e.rmse > 0 ? 20 * std::log10(255 / e.rmse) : std::numeric_limits<double>::infinity();
+  return e;
+}
+
+}  // namespace
+
+PictureError errorOf(const std::vector<float>& pixels255) {
+  double squares = 0;
+  for (float d : pixels255) squares += 4 * double(d) * d;
+  return errorOf(std::vector<double>(pixels255.begin(), pixels255.end()), squares);
+}
+
 PictureError compare(const Picture& a, const Picture& b, const std::vector<std::uint8_t>& use) {
   std::vector<double> largest;
   double squares = 0;
-  std::size_t above2 = 0;
   const std::size_t pixels = std::size_t(a.size.x) * a.size.y;
   for (std::size_t n = 0; n < pixels; ++n) {
     if (!use.empty() && !use[n]) continue;
@@ -36,19 +60,8 @@ PictureError compare(const Picture& a, const Picture& b, const std::vector<std::
       squares += d * d;
     }
     largest.push_back(most);
-    above2 += most > 2;
   }
-  PictureError e;
-  if (largest.empty()) return e;
-  const std::size_t count = largest.size();
-  const std::size_t rank = (99 * count + 99) / 100;  // ceil(0.99 N), at least 1
-  std::nth_element(largest.begin(), largest.begin() + (rank - 1), largest.end());
-  e.percentile99 = largest[rank - 1];
-  e.maximum = *std::max_element(largest.begin() + (rank - 1), largest.end());
-  e.rmse = std::sqrt(squares / (4.0 * double(count)));
-  e.psnrDb = e.rmse > 0 ? 20 * std::log10(255 / e.rmse) : std::numeric_limits<double>::infinity();
-  e.shareAbove2 = double(above2) / double(count);
-  return e;
+  return errorOf(std::move(largest), squares);
 }
 
 }  // namespace volumen

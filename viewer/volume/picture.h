@@ -39,6 +39,9 @@ struct PictureError {
   double shareAbove2 = 0;   ///< share of pixels off by more than 2/255
 };
 
+/// The same of pixels that are off by so much each (largest component, 1/255); all components count as much.
+PictureError errorOf(const std::vector<float>& pixels255);
+
 /// Compares pictures of one size. `use`: pixels to count (empty: all), one entry a pixel, non-zero = counted.
 PictureError compare(const Picture& a, const Picture& b, const std::vector<std::uint8_t>& use = {});
 

@@ -81,9 +81,10 @@ HWY_INLINE void LoadEachOfFour(D d, const std::array<const T*, 4>& base, const s
 struct FourEach {
   VF a, b, c, d;
 };
-HWY_INLINE FourEach LoadFourEach(const float* base, const std::int32_t* index) {
+template <class T>
+HWY_INLINE FourEach LoadFourEach(const T* base, const std::int32_t* index) {
 #if HWY_TARGET == HWY_SCALAR
-  const float* p = base + index[0];
+  const auto* p = reinterpret_cast<const float*>(base + index[0]);
   return {VF(p[0]), VF(p[1]), VF(p[2]), VF(p[3])};
 #else
   const DF df;
@@ -109,6 +110,9 @@ HWY_INLINE VI Truncated(VF x) {
   return VI{_mm_cvttps_epi32(x.raw)};
 #endif
 }
+/// For divisors: what is not 0, or 1e-30.
+HWY_INLINE VF NotZero(VF x) { return hn::IfThenElse(hn::Eq(x, hn::Zero(DF())), Set(1e-30f), x); }
+HWY_INLINE VF Length(const V3& v) { return hn::Sqrt(Dot(v, v)); }
 HWY_INLINE VF Clamp01(VF x) { return hn::Min(hn::Max(x, hn::Zero(DF())), Set(1)); }
 
 /// Natural logarithm of x in (0, 2); relative error about 1e-7. Polynomial: Cephes logf.

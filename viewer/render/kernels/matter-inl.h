@@ -41,10 +41,16 @@ HWY_INLINE VF IntervalOpacity(const IntervalSeries& series, VF opacity, VF units
   return hn::IfThenElse(fits, fast, PowerOpacity(opacity, units, fits));
 }
 
+/// A lit colour, and the normal it was lit by, shorter where the gradient is below the floor of SCENE 5.
+struct Lit {
+  V3 colour, normal;
+};
+
 /// Classification and light of one frame.
 template <ShadeBy kShade, bool kGradientOpacity>
 struct Matter {
-  static constexpr bool kGradients = kShade != ShadeBy::nothing || kGradientOpacity;
+  static constexpr bool kLit = kShade != ShadeBy::nothing, kFactors = kGradientOpacity;
+  static constexpr bool kGradients = kLit || kFactors;
   const TraceFrame& f;
   /// Of each ray, towards the viewer, patient space; looked at with a local viewer only.
   const float *viewerX, *viewerY, *viewerZ;
@@ -74,79 +80,37 @@ struct Matter {
     return GradientFactor(*f.transfer, NormalOf(f, stored).length);
   }
 
-  /// Samples whose gradient is so small that it may sink below the floor of SCENE 5 nearby.
-  HWY_INLINE MF MayVanishNear(const V3& stored) const {
-    const VF share = hn::Mul(NormalOf(f, stored).length, Set(f.inverseFloor));
-    return hn::And(hn::Gt(Set(f.inverseFloor), hn::Zero(DF())), hn::Lt(share, Set(4)));
-  }
-
   /// The colour of a sample, lit (SCENE 5); `ray`: its ray, counted from `first`.
   HWY_INLINE V3 ColourAt(VI segment, VF density, const V3& stored, VI ray) const {
-    if constexpr (kShade == ShadeBy::nothing) {
-      return ColourOf(*f.curve, segment, density);
-    } else if constexpr (kShade == ShadeBy::table) {
+    if constexpr (kShade == ShadeBy::table)
       return ShadeByTable(*f.table, stored, density);
+    else
+      return LitColour(ColourOf(*f.curve, segment, density), stored, ray).colour;
+  }
+
+  /// A colour of the curve, lit: with D'' and S'' of SCENE 5. Not by the table, which knows no colours.
+  HWY_INLINE Lit LitColour(const V3& colour, const V3& stored, VI ray) const {
+    if constexpr (!kLit) {
+      return {colour, Zero3()};
     } else {
-      const V3 colour = ColourOf(*f.curve, segment, density);
       const Normal normal = NormalOf(f, stored);
       const DS shade = WithFloor(f, ShadeOf(normal.n, ray), normal.length);
-      return Add({hn::Mul(colour.x, shade.d.x), hn::Mul(colour.y, shade.d.y), hn::Mul(colour.z, shade.d.z)},
-                 shade.s);
+      const VF share = hn::Min(Set(1), hn::Mul(normal.length, Set(f.inverseFloor)));
+      return {Add({hn::Mul(colour.x, shade.d.x), hn::Mul(colour.y, shade.d.y), hn::Mul(colour.z, shade.d.z)},
+                  shade.s),
+              Scale(normal.n, share)};
     }
-  }
-
-  /// Where gradients rise about straight from a's to c's over b's.
-  static HWY_INLINE MF IsStraight(const V3& a, const V3& b, const V3& c) {
-    const V3 bent = Add(Add(a, c), Scale(b, Set(-2))), change = Add(c, Scale(a, Set(-1)));
-    return hn::Le(Dot(bent, bent), hn::Mul(Set(0.1f), Dot(change, change)));
-  }
-
-  /// The mean colour along an interval with these gradients in the middles of its halves, straight between
-  /// them and beyond.
-  HWY_INLINE V3 ColourBetween(VI segment, VF density, const V3& stored1, const V3& stored2, VI ray) const {
-    const DF df;
-    const VF one = Set(1), two = Set(2);
-    const V3 g1 = InFloors(stored1), g2 = InFloors(stored2);
-    const V3 middle = Scale(Add(g1, g2), Set(0.5f)), half = Scale(Add(g2, Scale(g1, Set(-1))), Set(0.5f));
-    const VF square = Dot(middle, middle), cross = hn::Mul(two, Dot(middle, half)), change = Dot(half, half);
-    VF mean = hn::Zero(df);
-    constexpr int looks = 8;
-    for (int n = 0; n < looks; ++n) {
-      const VF t = Set((float(n) + 0.5f) * (4.0f / looks) - 2);
-      const VF length2 = hn::Add(square, hn::Mul(t, hn::Add(cross, hn::Mul(t, change))));
-      mean = hn::Add(mean, hn::Min(one, hn::Sqrt(hn::Max(length2, hn::Zero(df)))));
-    }
-    mean = hn::Mul(mean, Set(1.0f / looks));
-    const VF q1 = hn::Min(one, hn::Sqrt(Dot(g1, g1))), q2 = hn::Min(one, hn::Sqrt(Dot(g2, g2)));
-    const VF sum = hn::Add(q1, q2);
-    const V3 flat = ColourAt(segment, density, Zero3(), ray);
-    const V3 both = Add(ColourAt(segment, density, stored1, ray), ColourAt(segment, density, stored2, ray));
-    const MF none = hn::Le(sum, hn::Zero(df));
-    const VF share = hn::IfThenElseZero(hn::Not(none), hn::Div(mean, hn::IfThenElse(none, one, sum)));
-    const auto mix = [&](VF lit, VF unlit) {
-      return hn::Add(hn::Mul(unlit, hn::Sub(one, mean)),
-                     hn::Mul(share, hn::Sub(lit, hn::Mul(unlit, hn::Sub(two, sum)))));
-    };
-    return {mix(both.x, flat.x), mix(both.y, flat.y), mix(both.z, flat.z)};
   }
 
  private:
-  /// A stored gradient in patient space as a share of the floor; far above it clamped.
-  HWY_INLINE V3 InFloors(const V3& stored) const {
-    const V3 g = Scale(InPatient(f, stored), Set(f.gradientUnit * f.inverseFloor));
-    const VF most = Set(1e6f);
-    const auto clamped = [&](VF v) { return hn::Max(hn::Neg(most), hn::Min(v, most)); };
-    return {clamped(g.x), clamped(g.y), clamped(g.z)};
-  }
-
   HWY_INLINE DS ShadeOf(const V3& n, VI ray) const {
-    if constexpr (kShade == ShadeBy::map) {
-      return ShadeMap(*f.map, n);
-    } else if constexpr (kShade == ShadeBy::mapNearest) {
+    if constexpr (kShade == ShadeBy::mapNearest) {
       return ShadeMapNearest(*f.map, n);
-    } else if constexpr (kShade == ShadeBy::phong) {
-      return ShadePhong<false>(*f.lighting, n, Broadcast(f.lighting->viewer));
     } else {
+      constexpr bool any = kShade == ShadeBy::asFrame;
+      if (kShade == ShadeBy::map || (any && f.map)) return ShadeMap(*f.map, n);
+      if (kShade == ShadeBy::phong || (any && !f.lighting->localViewer))
+        return ShadePhong<false>(*f.lighting, n, Broadcast(f.lighting->viewer));
       const auto ofRay = [&](const float* v) { return hn::GatherIndex(DF(), v + first, ray); };
       return ShadePhong<true>(*f.lighting, n, {ofRay(viewerX), ofRay(viewerY), ofRay(viewerZ)});
     }

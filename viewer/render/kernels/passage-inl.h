@@ -1,4 +1,4 @@
-// The density of a ray inside a cell, compiled once a CPU target.
+// Density and gradient of a ray inside a cell, compiled once a CPU target.
 #if defined(VOLUMEN_RENDER_KERNELS_PASSAGE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_RENDER_KERNELS_PASSAGE_INL_H_
 #undef VOLUMEN_RENDER_KERNELS_PASSAGE_INL_H_
@@ -11,46 +11,86 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// c0 + c1 s + c2 s^2 + c3 s^3: the density along a ray inside one cell, exactly (it is trilinear there);
-/// s from -1 to 1, front to back.
+/// c0 + c1 s + c2 s^2 + c3 s^3: a trilinear value along a ray inside one cell, exactly; s from -1 to 1, front
+/// to back.
 struct Cubic {
   VF c0, c1, c2, c3;
 
   HWY_INLINE VF At(VF s) const {
     return hn::Add(c0, hn::Mul(s, hn::Add(c1, hn::Mul(s, hn::Add(c2, hn::Mul(s, c3))))));
   }
+  /// The derivative, and its own.
+  HWY_INLINE VF RiseAt(VF s) const {
+    return hn::Add(c1, hn::Mul(s, hn::Add(hn::Add(c2, c2), hn::Mul(Set(3), hn::Mul(s, c3)))));
+  }
+  HWY_INLINE VF SecondAt(VF s) const { return hn::Add(hn::Add(c2, c2), hn::Mul(Set(6), hn::Mul(s, c3))); }
+  /// How far it may leave the straight lines from -1 to 0 and from there to 1.
+  HWY_INLINE VF Bend() const {
+    return hn::Add(hn::Mul(Set(0.25f), hn::Abs(c2)), hn::Mul(Set(0.385f), hn::Abs(c3)));
+  }
 };
 
-/// The density along the passage through a cell whose middle lies at `place` (voxels) and that reaches as far
-/// as `half` to either side.
-template <class Store>
-HWY_INLINE Cubic DensityAlong(const Grid& grid, const V3& place, const V3& half) {
+/// Where in its cell a ray passes through, from the middle of the passage half of it to either side.
+struct Passage {
+  Cell cell;
+  V3 half;
+};
+
+/// The passage whose middle lies at `place` (voxels) and that reaches as far as `half` to either side.
+/// Outside the voxels' centres values are those of the nearest place between them.
+HWY_INLINE Passage PassageAt(const Grid& grid, const V3& place, const V3& half) {
   const V3 clamped = grid.Clamped(place);
-  // Outside the voxels' centres the density is that of the nearest place between them.
   const auto along = [&](VF at, VF inside, VF h) { return hn::IfThenElseZero(hn::Eq(at, inside), h); };
-  const V3 d{along(place.x, clamped.x, half.x), along(place.y, clamped.y, half.y),
-             along(place.z, clamped.z, half.z)};
-  const Cell cell = grid.CellAt(clamped);
-  const Corners v = Store::CornersOf(grid, cell);
+  return {grid.CellAt(clamped),
+          {along(place.x, clamped.x, half.x), along(place.y, clamped.y, half.y),
+           along(place.z, clamped.z, half.z)}};
+}
+
+/// What is trilinear between the corners of a cell, along a passage through it.
+HWY_INLINE Cubic InterpolateAlong(const Corners& v, const Passage& p) {
+  const V3& d = p.half;
   struct Line {
     VF at, rise;
   } row[4];
   for (int r = 0; r < 4; ++r) {
     const VF across = hn::Sub(v.second[r], v.first[r]);
-    row[r] = {hn::Add(v.first[r], hn::Mul(cell.fx, across)), hn::Mul(d.x, across)};
+    row[r] = {hn::Add(v.first[r], hn::Mul(p.cell.fx, across)), hn::Mul(d.x, across)};
   }
   struct Square {
     VF c0, c1, c2;
   };
   const auto between = [&](const Line& a, const Line& b) {
     const VF at = hn::Sub(b.at, a.at), rise = hn::Sub(b.rise, a.rise);
-    return Square{hn::Add(a.at, hn::Mul(cell.fy, at)),
-                  hn::Add(a.rise, hn::Add(hn::Mul(cell.fy, rise), hn::Mul(d.y, at))), hn::Mul(d.y, rise)};
+    return Square{hn::Add(a.at, hn::Mul(p.cell.fy, at)),
+                  hn::Add(a.rise, hn::Add(hn::Mul(p.cell.fy, rise), hn::Mul(d.y, at))), hn::Mul(d.y, rise)};
   };
-  const Square p = between(row[0], row[1]), q = between(row[2], row[3]);
-  const VF r0 = hn::Sub(q.c0, p.c0), r1 = hn::Sub(q.c1, p.c1), r2 = hn::Sub(q.c2, p.c2);
-  return {hn::Add(p.c0, hn::Mul(cell.fz, r0)), hn::Add(p.c1, hn::Add(hn::Mul(cell.fz, r1), hn::Mul(d.z, r0))),
-          hn::Add(p.c2, hn::Add(hn::Mul(cell.fz, r2), hn::Mul(d.z, r1))), hn::Mul(d.z, r2)};
+  const Square near = between(row[0], row[1]), far = between(row[2], row[3]);
+  const VF r0 = hn::Sub(far.c0, near.c0), r1 = hn::Sub(far.c1, near.c1), r2 = hn::Sub(far.c2, near.c2);
+  const VF fz = p.cell.fz;
+  return {hn::Add(near.c0, hn::Mul(fz, r0)), hn::Add(near.c1, hn::Add(hn::Mul(fz, r1), hn::Mul(d.z, r0))),
+          hn::Add(near.c2, hn::Add(hn::Mul(fz, r2), hn::Mul(d.z, r1))), hn::Mul(d.z, r2)};
+}
+
+/// The density along the passage through a cell whose middle lies at `place` (voxels) and that reaches as far
+/// as `half` to either side.
+template <class Store>
+HWY_INLINE Cubic DensityAlong(const Grid& grid, const V3& place, const V3& half) {
+  const Passage p = PassageAt(grid, place, half);
+  return InterpolateAlong(Store::CornersOf(grid, p.cell), p);
+}
+
+/// The stored gradient along such a passage, component by component.
+struct CubicVector {
+  Cubic x, y, z;
+
+  HWY_INLINE V3 At(VF s) const { return {x.At(s), y.At(s), z.At(s)}; }
+  HWY_INLINE V3 SecondAt(VF s) const { return {x.SecondAt(s), y.SecondAt(s), z.SecondAt(s)}; }
+};
+template <class Store>
+HWY_INLINE CubicVector GradientAlong(const Grid& grid, const V3& place, const V3& half) {
+  const Passage p = PassageAt(grid, place, half);
+  const GradientCorners g = Store::GradientCornersOf(grid, p.cell);
+  return {InterpolateAlong(g.x, p), InterpolateAlong(g.y, p), InterpolateAlong(g.z, p)};
 }
 
 }  // namespace volumen::HWY_NAMESPACE

@@ -24,6 +24,11 @@ struct Corners {
   VF first[4], second[4];
 };
 
+/// The stored gradients at a cell's eight voxels.
+struct GradientCorners {
+  Corners x, y, z;
+};
+
 /// Trilinear weights of a cell's eight voxels in units of -1/32768 (so that a weight of one fits into 16
 /// bits): one 32-bit lane a row of two voxels along x, the first in its lower half. Each split rounds one
 /// part and leaves the rest to the other, so the eight always add up to one: constant regions stay exactly
@@ -96,16 +101,24 @@ struct PairDensity {
   }
 
   static HWY_INLINE Corners CornersOf(const Grid& grid, const Cell& c) {
-    const DF df;
     const CellIndices at(c);
     Corners v;
     VI rows[4];
     Voxels::Densities(grid, at.lane, rows);
-    for (int r = 0; r < 4; ++r) {
-      v.first[r] = hn::ConvertTo(df, hn::ShiftRight<16>(hn::ShiftLeft<16>(rows[r])));
-      v.second[r] = hn::ConvertTo(df, hn::ShiftRight<16>(rows[r]));
-    }
+    for (int r = 0; r < 4; ++r) SetRow(grid, rows[r], 1, v, r);
     return v;
+  }
+
+ protected:
+  /// The row of a cell from pairs of numbers that are so many `times` as large.
+  static HWY_INLINE void SetRow(const Grid& grid, VI pairs, int times, Corners& v, int r) {
+    const DF df;
+    v.first[r] = hn::ConvertTo(df, hn::ShiftRight<16>(hn::ShiftLeft<16>(pairs)));
+    // With one voxel along x there is no second.
+    v.second[r] = grid.nextColumn() ? hn::ConvertTo(df, hn::ShiftRight<16>(pairs)) : v.first[r];
+    if (times == 1) return;
+    v.first[r] = hn::Mul(v.first[r], Set(1 / float(times)));
+    v.second[r] = hn::Mul(v.second[r], Set(1 / float(times)));
   }
 };
 
@@ -132,16 +145,55 @@ struct VoxelPairs : PairDensity<Voxels> {
     };
     return {component(3), { component(0), component(1), component(2) }};
   }
+
+  static HWY_INLINE GradientCorners GradientCornersOf(const Grid& grid, const Cell& c) {
+    GradientCorners g;
+    const auto set = [&](Corners& v, int r, int n) {
+      const std::size_t voxel(grid.Row(c, r).raw);
+      const auto at = [&](std::size_t of) { return VF(float(Voxels::ComponentAt(grid, of, n))); };
+      v.first[r] = at(voxel);
+      v.second[r] = at(voxel + std::size_t(grid.nextColumn()));
+    };
+    for (int r = 0; r < 4; ++r) set(g.x, r, 0), set(g.y, r, 1), set(g.z, r, 2);
+    return g;
+  }
 #else
   /// Four plain loads a sample, each of a voxel and its neighbour along x (with one voxel along x the second
   /// counts nothing: its weight is 0); much faster than gathers (FIELD 2). Block b of sum k holds the four
   /// components of sample 4 b + k.
   static HWY_INLINE Sample DensityAndGradient(const Grid& grid, const Cell& c) {
-    const DI di;
     const Weights w = WeightsOf(c);
     const CellIndices at(c);
     const VI sums[4] = {SumBlocks<0>(grid, at.lane, w), SumBlocks<1>(grid, at.lane, w),
                         SumBlocks<2>(grid, at.lane, w), SumBlocks<3>(grid, at.lane, w)};
+    const Components sum = ComponentsOf(sums);
+    constexpr int times = Voxels::kTimes;
+    return {Pairs::Real(sum.density),
+            {Pairs::Real(sum.x, times), Pairs::Real(sum.y, times), Pairs::Real(sum.z, times)}};
+  }
+
+  static HWY_INLINE GradientCorners GradientCornersOf(const Grid& grid, const Cell& c) {
+    const CellIndices at(c);
+    GradientCorners g;
+    for (int r = 0; r < 4; ++r) {
+      const VI pairs[4] = {
+          Voxels::template PairsAt<0>(grid, at.lane, r), Voxels::template PairsAt<1>(grid, at.lane, r),
+          Voxels::template PairsAt<2>(grid, at.lane, r), Voxels::template PairsAt<3>(grid, at.lane, r)};
+      const Components of = ComponentsOf(pairs);
+      Pairs::SetRow(grid, of.x, Voxels::kTimes, g.x, r);
+      Pairs::SetRow(grid, of.y, Voxels::kTimes, g.y, r);
+      Pairs::SetRow(grid, of.z, Voxels::kTimes, g.z, r);
+    }
+    return g;
+  }
+
+ private:
+  /// Of each lane, from vectors whose block b holds x, y, z and density of lane 4 b + k in the k-th.
+  struct Components {
+    VI x, y, z, density;
+  };
+  static HWY_INLINE Components ComponentsOf(const VI (&of)[4]) {
+    const DI di;
     const hn::Repartition<std::int64_t, DI> d64;
     const auto low64 = [&](VI a, VI b) {
       return hn::BitCast(di, hn::InterleaveLower(d64, hn::BitCast(d64, a), hn::BitCast(d64, b)));
@@ -149,17 +201,11 @@ struct VoxelPairs : PairDensity<Voxels> {
     const auto high64 = [&](VI a, VI b) {
       return hn::BitCast(di, hn::InterleaveUpper(d64, hn::BitCast(d64, a), hn::BitCast(d64, b)));
     };
-    const VI xy01 = hn::InterleaveLower(di, sums[0], sums[1]),
-             xy23 = hn::InterleaveLower(di, sums[2], sums[3]);
-    const VI zd01 = hn::InterleaveUpper(di, sums[0], sums[1]),
-             zd23 = hn::InterleaveUpper(di, sums[2], sums[3]);
-    constexpr int times = Voxels::kTimes;
-    return {Pairs::Real(high64(zd01, zd23)),
-            {Pairs::Real(low64(xy01, xy23), times), Pairs::Real(high64(xy01, xy23), times),
-             Pairs::Real(low64(zd01, zd23), times)}};
+    const VI xy01 = hn::InterleaveLower(di, of[0], of[1]), xy23 = hn::InterleaveLower(di, of[2], of[3]),
+             zd01 = hn::InterleaveUpper(di, of[0], of[1]), zd23 = hn::InterleaveUpper(di, of[2], of[3]);
+    return {low64(xy01, xy23), high64(xy01, xy23), low64(zd01, zd23), high64(zd01, zd23)};
   }
 
- private:
   template <int b>
   static HWY_INLINE VI SumBlocks(const Grid& grid, const std::int32_t* index, const Weights& w) {
     VI sum = hn::Zero(DI());
@@ -266,6 +312,21 @@ struct Float32Store {
 
   static HWY_INLINE V3 Gradient(const Grid& grid, const Cell& c) {
     return InterpolateFour(grid, c, grid.frame().gradients32).xyz;
+  }
+
+  static HWY_INLINE GradientCorners GradientCornersOf(const Grid& grid, const Cell& c) {
+    using Voxel = float[4];
+    const auto* voxels = reinterpret_cast<const Voxel*>(grid.frame().gradients32);
+    const CellIndices at(c);
+    GradientCorners g;
+    for (int r = 0; r < 4; ++r) {
+      const Voxel* row = voxels + grid.Offset(r);
+      const FourEach first = LoadFourEach(row, at.lane),
+                     second = LoadFourEach(row + grid.nextColumn(), at.lane);
+      g.x.first[r] = first.a, g.y.first[r] = first.b, g.z.first[r] = first.c;
+      g.x.second[r] = second.a, g.y.second[r] = second.b, g.z.second[r] = second.c;
+    }
+    return g;
   }
 };
 

@@ -6,6 +6,9 @@
 #define VOLUMEN_RENDER_KERNELS_SHADE_INL_H_
 #endif
 
+#include <cmath>
+#include <limits>
+
 #include "viewer/render/kernels/math-inl.h"
 #include "viewer/render/kernels/trace.h"
 
@@ -77,6 +80,35 @@ HWY_INLINE V3 ColourOf(const CurveTable& t, VI segment, VF density) {
           Clamp01(OnSegment(t, t.blue, t.blueRise, segment, along))};
 }
 
+/// A segment of the curve: straight between its two densities.
+struct CurveSegment {
+  VF low, high;
+  VF start, opacity, opacityRise;  ///< opacity at `start`, and a unit of density
+  V3 colour, colourRise;
+};
+
+HWY_INLINE CurveSegment SegmentAt(const CurveTable& t, VI segment) {
+  const DF df;
+  const auto of = [&](const std::vector<float>& values) { return OfSegment(t, values, segment); };
+  const MF isFirst = hn::RebindMask(df, hn::Eq(segment, hn::Zero(DI())));
+  const VF before = OfSegment(t, t.node, hn::Max(hn::Sub(segment, SetI(1)), hn::Zero(DI())));
+  return {hn::IfThenElse(isFirst, Set(-std::numeric_limits<float>::infinity()), before),
+          of(t.node),
+          of(t.start),
+          of(t.opacity),
+          of(t.opacityRise),
+          {of(t.red), of(t.green), of(t.blue)},
+          {of(t.redRise), of(t.greenRise), of(t.blueRise)}};
+}
+
+HWY_INLINE VF OpacityOn(const CurveSegment& s, VF density) {
+  return Clamp01(hn::Add(s.opacity, hn::Mul(hn::Sub(density, s.start), s.opacityRise)));
+}
+HWY_INLINE V3 ColourOn(const CurveSegment& s, VF density) {
+  const V3 c = Add(s.colour, Scale(s.colourRise, hn::Sub(density, s.start)));
+  return {Clamp01(c.x), Clamp01(c.y), Clamp01(c.z)};
+}
+
 /// The factor of SCENE 4's gradientOpacity at |g_p|; few points, so a walk over them.
 HWY_INLINE VF GradientFactor(const TransferFunction& curve, VF length) {
   const auto& points = curve.gradientOpacity;
@@ -90,6 +122,20 @@ HWY_INLINE VF GradientFactor(const TransferFunction& curve, VF length) {
   }
   return hn::IfThenElse(hn::Ge(length, Set(float(points.back().gradient))), Set(float(points.back().factor)),
                         factor);
+}
+
+/// How much that factor has changed between a gradient of 0 and |g_p|, up and down.
+HWY_INLINE VF FactorVariation(const TransferFunction& curve, VF length) {
+  const auto& points = curve.gradientOpacity;
+  VF sum = hn::Zero(DF());
+  for (std::size_t n = 0; n + 1 < points.size(); ++n) {
+    const float low = float(points[n].gradient), width = float(points[n + 1].gradient - points[n].gradient);
+    const VF change = Set(float(std::abs(points[n + 1].factor - points[n].factor)));
+    const VF jump = hn::IfThenElseZero(hn::Ge(length, Set(low)), Set(1));
+    const VF share = width > 0 ? Clamp01(hn::Mul(hn::Sub(length, Set(low)), Set(1 / width))) : jump;
+    sum = hn::Add(sum, hn::Mul(change, share));
+  }
+  return sum;
 }
 
 /// A stored gradient in patient space, in gradientUnits per mm.

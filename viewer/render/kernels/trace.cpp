@@ -18,6 +18,7 @@ HWY_EXPORT(TargetName);
 const char* kernelTarget() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
 
 TraceKernel chooseTraceKernel(TraceKey key) {
+  if (key.refined) return chooseTraceLevels(key);
   switch (key.store) {
     case Store::int16:
       return chooseTraceInt16(key);

@@ -21,8 +21,9 @@ namespace volumen {
 enum class Store { int16, float32, byte1, byte4, plane };
 
 /// How a visible sample is lit. `map`, `mapNearest`: reflectance map; `table`: colour and light from the
-/// 4-index table; `phong`: directly; `local`: directly, each ray with its own viewer.
-enum class ShadeBy { nothing, map, mapNearest, table, phong, local };
+/// 4-index table; `phong`: directly; `local`: directly, each ray with its own viewer. `asFrame`: one of map,
+/// phong and local, by what the frame holds.
+enum class ShadeBy { nothing, map, mapNearest, table, phong, local, asFrame };
 
 /// What only studies ask for: not worth more than one kernel.
 constexpr bool isRare(ShadeBy shade) { return shade == ShadeBy::table || shade == ShadeBy::mapNearest; }
@@ -32,24 +33,23 @@ struct TraceKey {
   Store store = Store::int16;
   ShadeBy shade = ShadeBy::nothing;
   bool gradientOpacity = false;
-  bool refined = false;  ///< cell by cell, integrated and cut (TraceFrame::parting)
+  bool refined = false;  ///< cell by cell, integrated to an ErrorBudget
   bool cells = false;    ///< plain steps: samples are taken in visible cells alone; the same bytes
 };
 
-/// A passage through a cell is integrated as if its density went straight from its front to its middle and
-/// from there to its back. A half where that is not good enough is cut into the smallest power of two n of
-/// parts with unevenness / (2 n)^2 <= 8 tolerance. The unevenness is that of a passage of two such halves:
-/// the light that comes through to it, times the sum of: how far the optical depths of whole and halves
-/// differ; and shares of what else may be missed.
-struct Parting {
-  float tolerance = 1;
-  int most = 1;         ///< a power of two, at most TraceFrame::mostParts
-  float around = 0.5f;  ///< share of the extinction's change (CurveTable::variation) among those densities
-                        ///< that the straight lines may miss, and of a tenth of the change along them
-  float colour = 3;     ///< share of the change of colour between its samples, times its opacity
-  float trusted =
-      0.5f;            ///< share of the optical depth of whole halves that is taken to hide what lies behind
-  float light = 1.2f;  ///< share of its opacity: the light changes along it; 0 where nothing is lit
+/// How exact rays that go cell by cell are integrated, in shares of white: a part of a ray is cut while what
+/// it is off by is more than its share. A part whose light is a share w of what a ray shows may be off by
+/// most * max(w, leastShare).
+struct ErrorBudget {
+  static constexpr float leastShare = 1.0f / 128;
+  float most = 1;    ///< of a whole ray
+  float unseen = 0;  ///< parts of less light are integrated by one rule alone
+};
+
+/// How much light a part of a ray may miss whose normal turns by t (the length of the change, squared)
+/// between two looks: diffuse * t, and specular where t shininess is large.
+struct LightTurn {
+  float diffuse = 0, specular = 0, shininess = 1;
 };
 
 /// Slices from the back to the front in place of rays from the front to the back (paper 3.2); for kernels
@@ -63,8 +63,7 @@ struct Slices {
 
 /// What all rays of a frame share. Pointers live as long as the frame.
 struct TraceFrame {
-  static constexpr int mostParts = 128;  ///< into which a passage can be cut
-  glm::ivec3 size{1};                    ///< voxels
+  glm::ivec3 size{1};  ///< voxels
   const std::int16_t* density16 = nullptr;
   std::uint32_t flip16 = 0;  ///< xor for a pair of 16-bit values: 0x80008000 where they are unsigned
   const float* density32 = nullptr;
@@ -89,7 +88,8 @@ struct TraceFrame {
   const TransferFunction* transfer = nullptr;  ///< for its gradientOpacity
   float stopTransmittance = 0;                 ///< 0: no ray ends before its last sample
   Slices slices;
-  Parting parting;
+  LightTurn lightTurn;
+  ErrorBudget budget;  ///< where the kernel goes cell by cell (TraceKey)
 };
 
 /// A plane of rays resampled by another resampler: density[step * stride + ray]; gradients four floats a
@@ -103,6 +103,8 @@ struct PlaneBuffer {
 /// What one row of rays came to: premultiplied colour and alpha, one entry a ray (padded as the rays are).
 struct TraceRow {
   float *red, *green, *blue, *alpha;
+  float* error = nullptr;  ///< where the kernel goes cell by cell: how far colours and alpha may be off, in
+                           ///< shares of white
   float* shown = nullptr;  ///< the last step that shows on each ray: rays from the front note it, slices from
                            ///< the back begin with it; null: not asked
 };
@@ -118,7 +120,8 @@ struct TraceCounts {
 using TraceKernel = void (*)(const TraceFrame&, const RayRow&, const PlaneBuffer&, const TraceRow&,
                              TraceCounts&);
 TraceKernel chooseTraceKernel(TraceKey key);
-// The same for one store; a file each, as each holds many kernels. `key.store` is not looked at.
+// The same for some; a file each, as each holds many kernels. Those of one store do not look at `key.store`.
+TraceKernel chooseTraceLevels(TraceKey key);  ///< rays that go cell by cell, over int16 or float32
 TraceKernel chooseTraceInt16(TraceKey key);
 TraceKernel chooseTraceFloat32(TraceKey key);
 TraceKernel chooseTraceBytes(TraceKey key);

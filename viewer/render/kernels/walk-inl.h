@@ -48,10 +48,9 @@ struct WalkAxis {
 
 /// Takes those rays of a packet that are `open` through the steps [from, to), cell by cell: emit(MF, middle,
 /// length) is called with passages through visible cells (length in steps, middle in voxels), front to back
-/// on each ray. Visible passages shorter than `shortest` steps belong to the next cell's.
+/// on each ray.
 template <class Emit>
-HWY_INLINE void WalkCells(const TraceFrame& f, const Packet& p, int from, int to, MF open, float shortest,
-                          const Emit& emit) {
+HWY_INLINE void WalkCells(const TraceFrame& f, const Packet& p, int from, int to, MF open, const Emit& emit) {
   const DF df;
   VF at = hn::Max(SampleAt(p, from), hn::Zero(df));
   // The last interval of a ray is shorter.
@@ -61,16 +60,12 @@ HWY_INLINE void WalkCells(const TraceFrame& f, const Packet& p, int from, int to
   while (!hn::AllFalse(df, hn::Lt(at, end))) {
     const VF upTo = hn::Min(hn::Min(x.face, y.face), hn::Min(z.face, end));
     const VF length = hn::Sub(upTo, at);
-    const MF ends = hn::Ge(upTo, end);
-    const MF passes = hn::Gt(length, hn::IfThenElse(ends, Set(1e-4f), Set(shortest)));
-    const MF visible =
-        IsVisibleCell(*f.cells, hn::Lt(at, end), x.Inside(f.size.x), y.Inside(f.size.y), z.Inside(f.size.z));
-    const MF seen = hn::And(visible, passes);
+    const MF passes = hn::And(hn::Lt(at, end), hn::Gt(length, hn::Zero(df)));
+    const MF seen =
+        IsVisibleCell(*f.cells, passes, x.Inside(f.size.x), y.Inside(f.size.y), z.Inside(f.size.z));
     if (!hn::AllFalse(df, seen))
       emit(seen, Add(p.start, Scale(p.move, hn::Add(at, hn::Mul(length, Set(0.5f))))), length);
-    // Only visible cells hand a short passage on: how many others are walked depends on the packet and on
-    // what is skipped.
-    at = hn::IfThenElse(hn::AndNot(hn::Or(passes, ends), visible), at, hn::Max(at, upTo));
+    at = hn::Max(at, upTo);
     x.PassTo(upTo);
     y.PassTo(upTo);
     z.PassTo(upTo);

@@ -15,7 +15,7 @@ Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const C
   RenderStats& stats = done.stats;
   const PlanesFrame frame(plan, caches, stats);
   const RaySetup setup(plan, caches.volume()->geometry());
-  const RowPainter painter(plan, frame, done.picture);
+  const RowPainter painter(plan, frame, done.picture, done.error);
 
   TraceTotals totals;
   const double begin = wallMs();

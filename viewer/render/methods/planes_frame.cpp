@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "viewer/plan/rule_lines.h"
 #include "viewer/render/caches.h"
 #include "viewer/render/rays.h"
 #include "viewer/volume/clock.h"
@@ -26,12 +27,21 @@ int levelsOf(Blending blending) {
   return blending == Blending::floats ? 0 : blending == Blending::bits16 ? 65535 : 255;
 }
 
+// A twentieth of the diffuse light, and a quarter of the highlights, which are seldom met.
+LightTurn lightTurnOf(const Lighting& lighting) {
+  glm::vec3 diffuse(0), specular(0);
+  for (const ShadingLight& light : lighting.lights) diffuse += light.diffuse, specular += light.specular;
+  const auto largest = [](glm::vec3 v) { return std::max({v.r, v.g, v.b}); };
+  return {0.05f * largest(diffuse), lighting.specular ? 0.25f * largest(specular) : 0.0f,
+          lighting.shininess / 2};
+}
+
 // How far the box around a packet of rays may reach: its interval, and where samples stand at steps half a
 // step more to either side (RayRow::ahead), or the steps of a look together.
 int reachBlocks(const Plan& plan, const RaySetup& setup, int edge) {
   // Of a length for all short steps and cells, so that they share a map.
   const double along =
-      plan.mostParts > 1 ? plan.stepVoxels : std::max(double(SkipMap::longestLook), 2 * plan.stepVoxels);
+      plan.cellByCell ? plan.stepVoxels : std::max(double(SkipMap::longestLook), 2 * plan.stepVoxels);
   const double across = 2 * setup.tileSpread() + along + 0.1;
   return int(std::clamp(std::ceil(across / edge), 1.0, 32.0 / edge));
 }
@@ -39,7 +49,9 @@ int reachBlocks(const Plan& plan, const RaySetup& setup, int edge) {
 }  // namespace
 
 PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats)
-    : lighting_(makeLighting(plan.scene, plan.specular, plan.colouredLight)), transfer_(plan.curve) {
+    : brightest_(float(std::max(1.0, volumen::brightest(plan.scene)))),
+      lighting_(makeLighting(plan.scene, plan.specular, plan.colouredLight)),
+      transfer_(plan.curve) {
   auto& cache = caches.impl();
   const double begin = wallMs();
   frame_.size = cache.volume->size();
@@ -48,7 +60,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   stats.gradientsMs += wallMs() - begin;
   key_.shade = shadeOf(plan);
   key_.gradientOpacity = plan.gradientOpacity;
-  key_.refined = plan.mostParts > 1;
+  key_.refined = plan.cellByCell;
   key_.cells = plan.skipCells;
   if (plan.resampler != Resampler::cpu) key_.store = Store::plane;
   curve_ = makeCurveTable(transfer_, scale_);
@@ -60,6 +72,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   for (const CurvePoint& p : transfer_.points) mostOpacity = std::max(mostOpacity, double(p.opacity));
   frame_.intervals = makeIntervalSeries(setup.sharedStepMm() * frame_.inverseUnitMm, mostOpacity);
   frame_.lighting = &lighting_;
+  frame_.lightTurn = lightTurnOf(lighting_);
   makeShades(plan, caches);
   frame_.stopTransmittance = float(plan.stopTransmittance);
   frame_.slices = {plan.method == Method::blend, float(levelsOf(plan.blending))};
@@ -86,11 +99,8 @@ void PlanesFrame::readBlocks(const Plan& plan, int reach, RenderCaches& caches, 
     stats.blockBytes = skip.bytes();
     if (plan.skipBlocks) frame_.skip = &skip.map();
     if (asksCells) frame_.cells = &skip.cells;
-    frame_.parting.tolerance = float(plan.partTolerance);
-    frame_.parting.most = plan.mostParts;
-    // What gradients take of the opacity is known of samples alone.
-    if (!plan.scene.transferFunction.gradientOpacity.empty()) frame_.parting.trusted = 0;
-    if (!plan.scene.shading.lit) frame_.parting.light = 0;
+    frame_.budget.most = float(plan.errorBudget);
+    frame_.budget.unseen = frame_.budget.most * ErrorBudget::leastShare / brightest_;
   }
 }
 

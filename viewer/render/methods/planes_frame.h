@@ -20,6 +20,7 @@ class PlanesFrame {
   const BlockValues& blocks() const { return blocks_; }  ///< of projections
   const DensityScale& scale() const { return scale_; }
   TraceKey key() const { return key_; }
+  float brightest() const { return brightest_; }  ///< no component of a sample's colour is larger, at least 1
 
  private:
   void readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats);
@@ -29,6 +30,7 @@ class PlanesFrame {
   void setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale);
 
   TraceFrame frame_;
+  float brightest_ = 1;
   BlockValues blocks_;
   TraceKey key_;
   DensityScale scale_;

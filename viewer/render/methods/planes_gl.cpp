@@ -81,7 +81,7 @@ Status drawPlanes(const Plan& plan, RenderCaches& caches, const CancelToken& can
   const RaySetup setup(plan, caches.volume()->geometry());
   BatchMaker maker(setup, plan.options.size, mostSteps(caches.volume()->size(), plan.stepVoxels));
   if (Status s = gl.resampler.prepare(plan, gl.textures, maker.lines()); !s) return s;
-  const RowPainter painter(plan, frame, done.picture);
+  const RowPainter painter(plan, frame, done.picture, done.error);
   BatchShader shader(painter, plan.options.threads);
   if (Status s = drawBatches(maker, gl.resampler, shader, cancel); !s) return s;
   shader.report(plan, stats);

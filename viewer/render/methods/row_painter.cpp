@@ -1,19 +1,27 @@
 #include "viewer/render/methods/row_painter.h"
 
+#include <algorithm>
+
 namespace volumen {
 
-RowPainter::RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& picture)
-    : plan_(plan), frame_(frame), picture_(picture) {
+RowPainter::RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& picture,
+                       std::vector<float>& error)
+    : plan_(plan), frame_(frame), picture_(picture), error_(error) {
   if (plan.scene.mode == Mode::composite)
     trace_ = chooseTraceKernel(frame.key());
   else
     project_ = chooseProjectKernel(frame.key().store, plan.scene.mode);
   preparePicture(plan, picture);
+  if (frame.key().refined) error.assign(picture.rgba.size() / 4, 0.0f);
 }
 
 void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const {
   task.values.assign(4 * rays.steps.size(), 0.0f);
-  const TraceRow out = traceRowOf(task.values);
+  TraceRow out = traceRowOf(task.values);
+  if (!error_.empty()) {
+    task.error.assign(rays.steps.size(), 0.0f);
+    out.error = task.error.data();
+  }
   if (project_) {
     project_(frame_.trace(), frame_.blocks(), rays, plane, out.red, task.counts);
     writeProjectedPixels(plan_.scene, frame_.scale(), rays, out.red, picture_);
@@ -22,6 +30,19 @@ void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task)
   }
   trace_(frame_.trace(), rays, plane, out, task.counts);
   writePixels(plan_.scene.background, rays, out, picture_);
+  if (!error_.empty()) writeError(rays, out);
+}
+
+// Beside what the rules may be off by: what lies where a ray ended, and places rounded to floats.
+void RowPainter::writeError(const RayRow& rays, const TraceRow& row) const {
+  constexpr float roundingOf255 = 0.05f;
+  const float stop = frame_.trace().stopTransmittance;
+  for (std::size_t ray = 0; ray < rays.pixel.size(); ++ray) {
+    if (rays.pixel[ray] < 0) continue;
+    const float left = 1 - row.alpha[ray], unseen = left < stop ? left * frame_.brightest() : 0.0f;
+    error_[std::size_t(rays.pixel[ray])] =
+        std::min(255.0f, 255 * (row.error[ray] + unseen) + (row.alpha[ray] > 0 ? roundingOf255 : 0.0f));
+  }
 }
 
 void TraceTotals::report(const Plan& plan, double passMs, RenderStats& stats) const {

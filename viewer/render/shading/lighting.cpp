@@ -24,6 +24,7 @@ Lighting makeLighting(const Scene& scene, bool specular, bool coloured) {
   out.viewer = viewer;
   const Shading& s = scene.shading;
   out.twoSided = s.sides == 2;
+  out.localViewer = s.localViewer;
   if (!s.lit) return out;
   const double diffuse = limited(s.diffuse), specularity = limited(s.specular);
   out.ambient = float(limited(s.ambient));

@@ -27,6 +27,7 @@ struct Lighting {
   glm::vec3 flat{
       1};  ///< D of a sample whose gradient has no direction: ambient + diffuse/2 * sum(intensity * colour)
   bool twoSided = true;
+  bool localViewer = false;
   bool specular = true;  ///< S is evaluated
   bool coloured = true;  ///< else red, green and blue are the same in all of the above
   bool operator==(const Lighting&) const = default;

@@ -1,0 +1,36 @@
+// The composite kernels of the levels: rays that go cell by cell.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "viewer/render/kernels/trace_levels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "viewer/render/kernels/levels-inl.h"
+#include "viewer/render/kernels/slabs-inl.h"
+#include "viewer/render/kernels/trace.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+template <class Store>
+TraceKernel ChooseLevel(TraceKey key) {
+  const bool lit = key.shade != ShadeBy::nothing;
+  if (key.gradientOpacity)
+    return lit ? TraceRays<LevelTracer<Store, ShadeBy::asFrame, true>>
+               : TraceRays<LevelTracer<Store, ShadeBy::nothing, true>>;
+  return lit ? TraceRays<LevelTracer<Store, ShadeBy::asFrame, false>>
+             : TraceRays<LevelTracer<Store, ShadeBy::nothing, false>>;
+}
+
+TraceKernel ChooseTraceLevels(TraceKey key) {
+  return key.store == Store::int16 ? ChooseLevel<Int16Store>(key) : ChooseLevel<Float32Store>(key);
+}
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace volumen {
+HWY_EXPORT(ChooseTraceLevels);
+TraceKernel chooseTraceLevels(TraceKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTraceLevels)(key); }
+}  // namespace volumen
+#endif  // HWY_ONCE
