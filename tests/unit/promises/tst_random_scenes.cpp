@@ -1,12 +1,14 @@
 // Guards DESIGN 2 (levels, finite, determinism, --full) on scenes drawn by chance: boxes out of real studies,
 // and tiny hard volumes. VOLUMEN_RANDOM_CASES=N: N of the former and half as many of the latter, of the seeds
 // from VOLUMEN_RANDOM_SEED on. VOLUMEN_RANDOM_SAVE=DIR: the cases that fail are written there. With
-// VOLUMEN_FIGURES set each row's figures are printed.
+// VOLUMEN_RANDOM_BRUTE set, what the brute force says of the reference of those is printed; with
+// VOLUMEN_FIGURES each row's figures.
 #include <algorithm>
 #include <cstdio>
 
 #include "io/files/output_file.h"
 #include "io/files/write_volume.h"
+#include "tests/fixtures/brute_force.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/promises/random_cases.h"
 #include "tests/unit/promises/random_report.h"
@@ -58,6 +60,13 @@ QString errorInWords(Truth& truth, const Picture& picture, const PictureError& e
       .arg(inWords(e))
       .arg(worst % picture.size.x)
       .arg(worst / picture.size.x);
+}
+
+/// How far the brute force is from the reference: to see whether to trust that.
+void printBruteForce(Truth& truth, const RandomCase& c) {
+  const Picture brute = bruteForceLimit(c.scene, *c.volume, c.size, 1.0 / 256);
+  std::fprintf(stderr, "%s: the brute force against the reference: %s\n", QTest::currentDataTag(),
+               qPrintable(errorInWords(truth, brute, truth.errorOf(brute))));
 }
 
 }  // namespace
@@ -112,6 +121,7 @@ void TestRandomScenes::everyLevelKeepsItsPromise() {
     if (failed) broken << words;
   }
   report_.addPicture(Family(family), truth.reference(), truth.illConditionedShare());
+  if (!broken.isEmpty() && qEnvironmentVariableIsSet("VOLUMEN_RANDOM_BRUTE")) printBruteForce(truth, c);
   const QByteArray folder = qgetenv("VOLUMEN_RANDOM_SAVE");
   if (!broken.isEmpty() && !folder.isEmpty()) save(c, Family(family), seed, folder.toStdString());
   QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QStringLiteral("; "))));
