@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <set>
 
 namespace volumen::tests {
 namespace {
@@ -63,28 +64,34 @@ void RandomReport::printPictures() const {
         nameOf(family), p.all, p.blank, 100 * p.illConditioned / p.pixels, p.pixels, 100 * p.mostShare);
 }
 
-void RandomReport::printWorst() const {
-  if (failures_.empty()) return;
-  std::vector<LevelResult> worst = failures_;
+void RandomReport::printWorst(Family family) const {
+  std::vector<LevelResult> worst;
+  for (const LevelResult& r : failures_)
+    if (r.family == family) worst.push_back(r);
   std::stable_sort(worst.begin(), worst.end(), [](const LevelResult& a, const LevelResult& b) {
     return timesThePromise(a.error, *a.promise) > timesThePromise(b.error, *b.promise);
   });
-  std::fprintf(stderr, "\nthe worst:");
-  for (std::size_t n = 0; n < std::min<std::size_t>(worst.size(), 20); ++n)
-    std::fprintf(stderr, "\n  %s, seed %llu, %s: %.3g times the promise: %s", nameOf(worst[n].family),
-                 static_cast<unsigned long long>(worst[n].seed), nameOf(worst[n].mode),
-                 timesThePromise(worst[n].error, *worst[n].promise), worst[n].why.c_str());
-  std::fprintf(stderr,
-               "\none of them again, written to DIR for the command line: VOLUMEN_ONLY=TestRandomScenes "
-               "VOLUMEN_RANDOM_CASES=1 VOLUMEN_RANDOM_SEED=%llu VOLUMEN_FIGURES=1 VOLUMEN_RANDOM_SAVE=DIR "
-               "tst_promises",
-               static_cast<unsigned long long>(worst.front().seed));
+  std::set<std::uint64_t> told;
+  for (const LevelResult& r : worst) {
+    if (told.size() >= 10 || !told.insert(r.seed).second) continue;
+    std::fprintf(stderr, "\n  %s, seed %llu, %s: %.3g times the promise: %s", nameOf(family),
+                 static_cast<unsigned long long>(r.seed), nameOf(r.mode),
+                 timesThePromise(r.error, *r.promise), r.why.c_str());
+  }
 }
 
 void RandomReport::print() const {
   printCounts();
   printPictures();
-  printWorst();
+  if (!failures_.empty()) {
+    std::fprintf(stderr, "\nthe worst cases, each at its worst level:");
+    for (Family family : families) printWorst(family);
+    std::fprintf(stderr,
+                 "\none again, written to DIR for the command line: VOLUMEN_ONLY=TestRandomScenes "
+                 "VOLUMEN_RANDOM_CASES=1 VOLUMEN_RANDOM_SEED=%llu VOLUMEN_FIGURES=1 VOLUMEN_RANDOM_SAVE=DIR "
+                 "tst_promises",
+                 static_cast<unsigned long long>(failures_.front().seed));
+  }
   std::fprintf(stderr, "\n");
 }
 

@@ -34,7 +34,7 @@ class RandomReport {
   /// Of the reference of a case.
   void addPicture(Family family, const Picture& picture, double illConditionedShare);
   /// Failures by family, mode and level, the share of ill-conditioned pixels, the worst cases, and how to
-  /// draw the worst again; on stderr.
+  /// draw one again; on stderr.
   void print() const;
 
  private:
@@ -48,7 +48,7 @@ class RandomReport {
   };
   void printCounts() const;
   void printPictures() const;
-  void printWorst() const;
+  void printWorst(Family family) const;
 
   std::map<std::tuple<Family, Mode, Quality>, Count> counts_;
   std::map<Family, Pictures> pictures_;

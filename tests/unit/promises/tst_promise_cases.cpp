@@ -23,7 +23,7 @@ std::string pathOf(const std::string& file) { return "promise-cases/" + file; }
 
 /// Of cases.tsv. `exact`: that level's promise counts too.
 struct PromiseCase {
-  std::string name, volume, scene;
+  std::string name = {}, volume = {}, scene = {};
   glm::ivec2 size{96, 96};
   bool exact = true;
 };
