@@ -57,14 +57,6 @@ class TestHardCases : public QObject {
 
 namespace {
 
-/// Empty where every component is a number of 0 .. 1.
-QString whereNotFinite(const Picture& picture) {
-  for (std::size_t n = 0; n < picture.rgba.size(); ++n)
-    if (!(picture.rgba[n] >= 0 && picture.rgba[n] <= 1))
-      return QStringLiteral("component %1 of pixel %2 is %3").arg(n % 4).arg(n / 4).arg(picture.rgba[n]);
-  return {};
-}
-
 bool allMethodsWanted() { return qEnvironmentVariableIsSet("VOLUMEN_ALL_METHODS"); }
 
 /// Levels above standard: not where nothing is promised, and by OpenGL on delicate cases alone.

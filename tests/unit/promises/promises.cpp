@@ -1,6 +1,7 @@
 #include "tests/unit/promises/promises.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "tests/fixtures/need_gl.h"
@@ -56,11 +57,11 @@ bool DrawWay::mayRefuse(const Scene& scene, const Volume& volume) const {
 Truth::Truth(RenderCaches& caches, Scene scene, glm::ivec2 size)
     : caches_(caches), scene_(std::move(scene)), size_(size) {}
 
-Picture Truth::drawn(RenderOptions options) {
+Rendered Truth::rendered(RenderOptions options) {
   options.size = size_;
   const Plan plan = orThrow(makePlan(scene_, caches_.facts(), options));
   complete_ = plan.scene;
-  return orThrow(render(plan, caches_)).picture;
+  return orThrow(render(plan, caches_));
 }
 
 const Picture& Truth::reference() {
@@ -82,6 +83,15 @@ PictureError Truth::errorOf(const Picture& picture, const Promise& promise) {
 }
 
 PictureError Truth::errorOf(const Picture& picture) { return compare(picture, reference(), use()); }
+
+std::vector<double> Truth::errorOfPixels(const Picture& picture) {
+  std::vector<double> errors(use().size(), 0);
+  for (std::size_t n = 0; n < 4 * errors.size(); ++n)
+    if (use()[n / 4])
+      errors[n / 4] =
+          std::max(errors[n / 4], 255 * std::abs(double(picture.rgba[n]) - double(reference().rgba[n])));
+  return errors;
+}
 
 double Truth::illConditionedShare() {
   return double(std::count(use().begin(), use().end(), 0)) / double(use().size());

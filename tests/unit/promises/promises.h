@@ -63,11 +63,14 @@ class Truth {
   Truth(RenderCaches& caches, Scene scene, glm::ivec2 size);
 
   /// Draws it; throws where the plan or the renderer refuses.
-  Picture drawn(RenderOptions options);
+  Rendered rendered(RenderOptions options);
+  Picture drawn(RenderOptions options) { return rendered(options).picture; }
   /// The error on every pixel where that keeps `promise` (it then needs no knowing which are the few
   /// ill-conditioned ones), else on the well-conditioned ones.
   PictureError errorOf(const Picture& picture, const Promise& promise);
   PictureError errorOf(const Picture& picture);  ///< on the well-conditioned pixels
+  /// The error of every pixel (the largest over RGBA, /255), 0 at ill-conditioned ones.
+  std::vector<double> errorOfPixels(const Picture& picture);
   double illConditionedShare();
   const Picture& reference();
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <random>
 #include <vector>
 
+#include "tests/fixtures/chance.h"
 #include "tests/fixtures/small_volumes.h"
 
 namespace volumen::tests {
@@ -14,30 +14,6 @@ namespace {
 
 using glm::dmat3;
 using glm::dvec3;
-
-/// The distributions of <random> differ between libraries, its generators do not.
-class Chance {
- public:
-  explicit Chance(std::uint64_t seed) : bits_(seed) {}
-
-  double between(double low, double high) {
-    return low + (high - low) * std::ldexp(double(bits_() >> 11), -53);
-  }
-  double share() { return between(0, 1); }
-  double power(double lowExponent, double highExponent) {
-    return std::pow(10, between(lowExponent, highExponent));
-  }
-  int below(int n) { return int(bits_() % std::uint64_t(n)); }
-  bool oneIn(int n) { return below(n) == 0; }
-  dvec3 vector() {
-    const double x = between(-1, 1), y = between(-1, 1);
-    return {x, y, between(-1, 1)};
-  }
-  dvec3 colour() { return vector() * 0.5 + 0.5; }
-
- private:
-  std::mt19937_64 bits_;
-};
 
 dmat3 randomGrid(Chance& chance) {
   const int kind = chance.below(5);

@@ -1,0 +1,138 @@
+// Guards DESIGN 2 (levels, finite, determinism, --full) on scenes drawn by chance: boxes out of real studies,
+// and tiny hard volumes. VOLUMEN_RANDOM_CASES=N: N of the former and half as many of the latter, of the seeds
+// from VOLUMEN_RANDOM_SEED on. VOLUMEN_RANDOM_SAVE=DIR: the cases that fail are written there. With
+// VOLUMEN_RANDOM_BRUTE set, what the brute force says of the reference of those is printed; with
+// VOLUMEN_FIGURES each row's figures.
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+#include "io/files/output_file.h"
+#include "io/files/write_volume.h"
+#include "tests/fixtures/brute_force.h"
+#include "tests/fixtures/fixtures.h"
+#include "tests/unit/promises/random_cases.h"
+#include "tests/unit/promises/random_report.h"
+#include "tests/unit/suite.h"
+#include "viewer/scene/scene_json.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+/// As `DIR/pieces-17.nrrd` and `.json`; tells how to draw them.
+void save(const RandomCase& c, Family family, std::uint64_t seed, const std::string& folder) {
+  const std::string path = folder + "/" + nameOf(family) + "-" + std::to_string(seed);
+  const Status volume = writeVolume(*c.volume, path + ".nrrd");
+  Result<OutputFile> scene = OutputFile::create(path + ".json");
+  const bool saved = volume.ok() && scene && scene->write(sceneToJson(c.scene)) && scene->commit();
+  std::fprintf(stderr,
+               saved ? "volumen render %s.nrrd --scene %s.json --size %dx%d --quality exact -o %s.png\n"
+                     : "cannot write %s.nrrd or %s.json (%d x %d pixels, %s)\n",
+               path.c_str(), path.c_str(), c.size.x, c.size.y, path.c_str());
+}
+
+/// The options of which every one must give the same bytes.
+std::vector<std::pair<const char*, RenderOptions>> twinsOf(const RenderOptions& options) {
+  std::vector<std::pair<const char*, RenderOptions>> twins{
+      {"one thread", options}, {"three threads", options}, {"--full", options}};
+  twins[0].second.threads = 1;
+  twins[1].second.threads = 3;
+  twins[2].second.full = true;
+  return twins;
+}
+
+/// Of floats, so that NaN is like itself.
+bool sameBytes(const Picture& a, const Picture& b) {
+  return a.size == b.size && std::memcmp(a.rgba.data(), b.rgba.data(), a.rgba.size() * sizeof(float)) == 0;
+}
+
+/// All that is wrong with a picture but its error.
+QStringList faultsOf(Truth& truth, const Picture& picture, const RenderOptions& options) {
+  QStringList faults;
+  const QString spoilt = whereNotFinite(picture);
+  if (!spoilt.isEmpty()) faults << spoilt;
+  for (const auto& [name, twin] : twinsOf(options))
+    if (!sameBytes(truth.drawn(twin), picture))
+      faults << QLatin1String(name) + QStringLiteral(": other bytes");
+  return faults;
+}
+
+/// The error in words, and where it is largest.
+QString errorInWords(Truth& truth, const Picture& picture, const PictureError& e) {
+  const std::vector<double> errors = truth.errorOfPixels(picture);
+  const auto worst = int(std::max_element(errors.begin(), errors.end()) - errors.begin());
+  return QStringLiteral("%1, worst at pixel (%2, %3)")
+      .arg(inWords(e))
+      .arg(worst % picture.size.x)
+      .arg(worst / picture.size.x);
+}
+
+/// How far the brute force is from the reference: to see whether to trust that.
+void printBruteForce(Truth& truth, const RandomCase& c) {
+  const Picture brute = bruteForceLimit(c.scene, *c.volume, c.size, 1.0 / 256);
+  std::fprintf(stderr, "%s: the brute force against the reference: %s\n", QTest::currentDataTag(),
+               qPrintable(errorInWords(truth, brute, truth.errorOf(brute))));
+}
+
+}  // namespace
+
+class TestRandomScenes : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void everyLevelKeepsItsPromise_data();
+  void everyLevelKeepsItsPromise();
+  void cleanupTestCase() { report_.print(); }
+
+ private:
+  RandomReport report_;
+};
+
+void TestRandomScenes::everyLevelKeepsItsPromise_data() {
+  QTest::addColumn<int>("family");
+  QTest::addColumn<quint64>("seed");
+  const int pieces = qEnvironmentVariableIsSet("VOLUMEN_RANDOM_CASES")
+                         ? qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES")
+                         : 200;
+  const int first = std::max(1, qEnvironmentVariableIntValue("VOLUMEN_RANDOM_SEED"));
+  for (Family family : families)
+    for (int n = 0; n < (family == Family::pieces ? pieces : (pieces + 1) / 2); ++n)
+      QTest::addRow("%s, seed %d", nameOf(family), first + n) << int(family) << quint64(first + n);
+}
+
+void TestRandomScenes::everyLevelKeepsItsPromise() {
+  QFETCH(int, family);
+  QFETCH(quint64, seed);
+  const RandomCase c = randomCase(Family(family), seed);
+  NEED_VOLUME(c.volume);
+  const Status valid = validateScene(c.scene);
+  QVERIFY2(valid.ok(), valid.ok() ? "" : valid.message().c_str());
+  RenderCaches caches(c.volume);
+  Truth truth(caches, c.scene, c.size);
+  QStringList broken;
+  for (const Promise& promise : promises) {
+    const RenderOptions options = atLevel(promise.quality);
+    const Rendered rendered = truth.rendered(options);
+    const PictureError e = truth.errorOf(rendered.picture, promise);
+    QStringList faults = faultsOf(truth, rendered.picture, options);
+    if (!promise.keptBy(e)) faults << QStringLiteral("promise broken");
+    const bool failed = !faults.isEmpty();
+    if (failed || figuresWanted()) faults << errorInWords(truth, rendered.picture, e);
+    const QString words =
+        QLatin1String(promise.name) + QStringLiteral(": ") + faults.join(QStringLiteral(", "));
+    report_.add({Family(family), seed, c.scene.mode, &promise, e, failed, words.toStdString()});
+    if (figuresWanted())
+      std::fprintf(stderr, "%s (%s, %s) | %s\n", QTest::currentDataTag(), c.what.c_str(),
+                   nameOf(c.scene.mode), qPrintable(words));
+    if (failed) broken << words;
+  }
+  report_.addPicture(Family(family), truth.reference(), truth.illConditionedShare());
+  if (!broken.isEmpty() && qEnvironmentVariableIsSet("VOLUMEN_RANDOM_BRUTE")) printBruteForce(truth, c);
+  const QByteArray folder = qgetenv("VOLUMEN_RANDOM_SAVE");
+  if (!broken.isEmpty() && !folder.isEmpty()) save(c, Family(family), seed, folder.toStdString());
+  QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QStringLiteral("; "))));
+}
+
+VOLUMEN_TEST(TestRandomScenes);
+#include "tst_random_scenes.moc"
