@@ -1,7 +1,13 @@
 // A ray of a pixel from front to back (SCENE 6, 9): resampled, classified, shaded and composited here (figure
-// 1c of the paper), or composited from voxels that were shaded before (figure 1b).
+// 1c of the paper), or composited from voxels that were shaded before (figure 1b). In passes: a shader that
+// loops for long may be ended (llvmpipe: after 65,536 turns).
 uniform float stopTransmittance;
-out vec4 pixel;  // colour times opacity and opacity, or a projection's density in red
+uniform sampler2D before;           // what the passes so far came to
+uniform int firstStep, behindStep;  // of this pass
+// Colour times opacity and opacity; or a projection's extreme, or sum, length and what Kahan's sum lost.
+out vec4 pixel;
+
+vec4 sumBefore() { return firstStep > 0 ? texelFetch(before, ivec2(gl_FragCoord.xy), 0) : vec4(0.0); }
 
 #ifdef COMPOSITE
 vec4 sampleHere(float units) {
@@ -38,8 +44,9 @@ vec4 sampleHere(float units) {
 
 void main() {
   readRay();
-  vec4 sum = vec4(0.0);
-  for (int n = 0; n < steps && sum.a <= 1.0 - stopTransmittance; ++n) {
+  vec4 sum = sumBefore();
+  int behind = min(behindStep, steps);
+  for (int n = firstStep; n < behind && sum.a <= 1.0 - stopTransmittance; ++n) {
     moveTo(samplePlace(n));
     sum += (1.0 - sum.a) * sampleHere(n + 1 == steps ? lastUnits : stepUnits);
   }
@@ -48,8 +55,10 @@ void main() {
 #else
 void main() {
   readRay();
-  float value = 0.0, total = 0.0, lost = 0.0;
-  for (int n = 0; n < steps; ++n) {
+  vec4 sum = sumBefore();
+  float value = sum.x, total = sum.y, lost = sum.z;
+  int behind = min(behindStep, steps);
+  for (int n = firstStep; n < behind; ++n) {
     moveTo(samplePlace(n));
     float d = densityHere();
 #ifdef MIP
@@ -60,16 +69,13 @@ void main() {
     float units = n + 1 == steps ? lastUnits : stepUnits;
     // Kahan's sum: samples can be many.
     EXACT float term = d * units - lost;
-    EXACT float sum = value + term;
-    EXACT float rest = (sum - value) - term;
+    EXACT float next = value + term;
+    EXACT float rest = (next - value) - term;
     lost = rest;
-    value = sum;
+    value = next;
     total += units;
 #endif
   }
-#ifdef AVERAGE
-  value /= max(total, 1e-30);
-#endif
-  pixel = vec4(value, 0.0, 0.0, 0.0);
+  pixel = vec4(value, total, lost, 0.0);
 }
 #endif

@@ -7,17 +7,27 @@ Resampler resamplerOf(const RenderOptions& o) {
   return o.resampler.value_or(o.method == Method::gpu ? Resampler::gl : Resampler::cpu);
 }
 
+namespace {
+
+// What is added where a level was asked for that this path does not keep.
+std::string unlessPromised(const RenderOptions& o) {
+  return o.step || keepsLevels(o) ? "" : "; its steps do not see what lies between, so no error is promised";
+}
+
+}  // namespace
+
 Effect decideMethod(const RuleInput& in, Plan& plan) {
   plan.method = in.options.method;
   switch (plan.method) {
     case Method::blend:
-      return on("blend, as asked: slices from the back to the front, each shaded, then blended");
+      return on("blend, as asked: slices from the back to the front, each shaded, then blended" +
+                unlessPromised(in.options));
     case Method::preshaded:
       return on(
           "preshaded, as asked: colours of voxels are interpolated, not values, which is wrong where the "
           "curve is not straight");
     case Method::gpu:
-      return on("gpu, as asked: everything in one shader of OpenGL");
+      return on("gpu, as asked: everything in one shader of OpenGL" + unlessPromised(in.options));
     case Method::reference:
     case Method::planes:
       break;
@@ -50,7 +60,8 @@ Effect decideResampler(const RuleInput& in, Plan& plan) {
   const std::string by =
       plan.bits == 16 ? "filtered by the texture hardware" : "interpolated in floats as on the CPU";
   if (plan.method == Method::gpu) return on("gl: " + by);
-  return on("gl, as asked: " + by + (plan.bits == 16 ? ", while the CPU shades" : ", while that shades"));
+  return on("gl, as asked: " + by + (plan.bits == 16 ? ", while the CPU shades" : ", while that shades") +
+            (plan.method == Method::planes ? unlessPromised(in.options) : ""));
 }
 
 Effect decideBlending(const RuleInput& in, Plan& plan) {

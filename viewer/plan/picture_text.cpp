@@ -57,7 +57,10 @@ std::string errorText(const Plan& plan) {
   if (plan.method == Method::reference) return "within 0.05/255 of the limit";
   const std::string chosen = besides(plan);
   if (!chosen.empty()) return "not promised, chosen by hand: " + chosen;
-  return plan.options.step ? "that of the midpoint rule at this step" : promise(plan.options.quality);
+  if (plan.options.step) return "that of the midpoint rule at this step";
+  if (keepsLevels(plan.options)) return promise(plan.options.quality);
+  return "not promised: plain steps of " + inVoxels(plan.stepVoxels) +
+         " do not see what lies between two samples";
 }
 
 }  // namespace

@@ -26,6 +26,12 @@ inline bool composite(const RuleInput& in) { return in.scene.mode == Mode::compo
 /// What resamples: as asked, else OpenGL for the method that is OpenGL's alone, and the CPU.
 Resampler resamplerOf(const RenderOptions& options);
 
+/// Whether a level's promise is kept (DESIGN 2): by the CPU's planes, which know what values lie between two
+/// samples. Other paths take plain steps.
+inline bool keepsLevels(const RenderOptions& o) {
+  return o.method == Method::planes && resamplerOf(o) == Resampler::cpu;
+}
+
 /// Lights that are on and not black.
 int lightsThatShine(const Scene& scene);
 /// Whether any of them is neither white nor grey.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viewer/plan/visibility.h"
+#include "viewer/volume/float_units.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -88,18 +89,18 @@ const Density16& RenderCaches::Impl::densities16() {
 const Density32& RenderCaches::Impl::densities32() {
   if (density32) return *density32;
   Density32 d;
+  const ValueRange range = factsOfVolume().range;
+  const FloatUnits units = floatUnits(range);
   std::visit(
       [&]<class T>(const std::vector<T>& stored) {
-        if constexpr (std::is_same_v<T, float>) {
-          d.data = stored.data();
-        } else {
-          d.copy = converted<float>(stored, [&](T v) { return volume->realValue(v); });
-          d.data = d.copy.data();
-        }
+        if constexpr (std::is_same_v<T, float>) d.data = stored.data();
+        if (d.data && units == FloatUnits()) return;
+        d.copy = converted<float>(stored, [&](T v) { return inUnits(volume->realValue(v), units); });
+        d.data = d.copy.data();
       },
       volume->stored());
-  const ValueRange range = factsOfVolume().range;
-  d.scale = {1, 0, range.low, range.high};
+  d.scale = {units.slope, units.intercept, (range.low - units.intercept) / units.slope,
+             (range.high - units.intercept) / units.slope};
   return density32.emplace(std::move(d));
 }
 

@@ -22,7 +22,7 @@ struct Density16 {
   Buffer<std::int16_t> copy;
 };
 
-/// Densities as floats: real values.
+/// Densities as floats: real values in their units (FloatUnits).
 struct Density32 {
   const float* data = nullptr;
   DensityScale scale;

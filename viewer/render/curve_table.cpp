@@ -20,6 +20,9 @@ float densityOf(float value, const DensityScale& scale) {
   return float(std::clamp(density, -1e30, 1e30));
 }
 
+// Finite for nodes that are next to nothing apart: infinity times a distance of 0 would be no number.
+float finiteRise(double rise) { return float(std::clamp(rise, -1e38, 1e38)); }
+
 // Appends segments in the order of their densities.
 class SegmentWriter {
  public:
@@ -43,7 +46,7 @@ class SegmentWriter {
     const CurvePoint &a = points_[from], &b = points_[to];
     const auto add = [&](std::vector<float>& at, std::vector<float>& rise, double p, double q) {
       at.push_back(float(p));
-      rise.push_back(float(from == to ? 0 : (q - p) / width(from, to)));
+      rise.push_back(finiteRise(from == to ? 0 : (q - p) / width(from, to)));
     };
     add(t_.opacity, t_.opacityRise, a.opacity, b.opacity);
     add(t_.red, t_.redRise, a.colour.r, b.colour.r);
@@ -73,7 +76,8 @@ void setVisible(CurveTable& t, const std::vector<CurvePoint>& points, const std:
 void setBuckets(CurveTable& t, const DensityScale& scale) {
   t.low = float(scale.low);
   const double width = scale.high - scale.low;
-  t.perBucket = width > 0 ? float(CurveTable::buckets / width) : 0.0f;
+  // Finite, so that nothing in the first place is no number.
+  t.perBucket = width > 0 ? float(std::min(CurveTable::buckets / width, 1e30)) : 0.0f;
   // The same float arithmetic as in the kernels, so that a density and a node never change places.
   const auto bucketOf = [&](float density) {
     const float b = (density - t.low) * t.perBucket;

@@ -26,18 +26,21 @@ class ToByte {
   double slope_, offset_;
 };
 
-// The largest component of all gradients, in real value per voxel.
-double largestComponent(const Volume& volume, GradientOperator by) {
+// The largest component of all gradients as gradientRowsBy has them, and their scale.
+struct Largest {
+  double component, scale;
+};
+Largest largestComponent(const Volume& volume, GradientOperator by) {
   std::atomic<float> largest = 0;
   const std::size_t count = 4 * std::size_t(volume.size().x);
-  gradientRowsBy(volume, by, [&](std::size_t, const float* xyz0) {
+  const double scale = gradientRowsBy(volume, by, [&](std::size_t, const float* xyz0) {
     float here = 0;
     for (std::size_t n = 0; n < count; ++n) here = std::max(here, std::abs(xyz0[n]));
     float before = largest;
     while (before < here && !largest.compare_exchange_weak(before, here)) {
     }
   });
-  return largest;
+  return {largest, scale};
 }
 
 }  // namespace
@@ -75,13 +78,13 @@ Density8 densities8(const Volume& volume, const ByteScale& scale) {
 }
 
 Voxels8 voxels8By(const Volume& volume, GradientOperator by, const ByteScale& scale) {
-  const double largest = largestComponent(volume, by);
+  const Largest largest = largestComponent(volume, by);
+  const double unit = largest.component > 0 ? largest.component / mostSigned : 1;
   const glm::ivec3 size = volume.size();
   const int row = rowStride(size.x, sizeof(std::uint32_t));
-  Voxels8 v{Buffer<std::uint32_t>(std::size_t(row) * size.y * size.z), scale,
-            largest > 0 ? largest / mostSigned : 1, row};
+  Voxels8 v{Buffer<std::uint32_t>(std::size_t(row) * size.y * size.z), scale, unit * largest.scale, row};
   const ToByte toByte(volume, scale);
-  const double perUnit = 1 / v.gradientUnit;
+  const double perUnit = 1 / unit;
   const auto signedByte = [=](float g) {
     const double units = double(g) * perUnit;
     return std::uint32_t(int(units + std::copysign(0.5, units))) & 255;

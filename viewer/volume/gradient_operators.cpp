@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/volume/float_units.h"
 #include "viewer/volume/gradients.h"
-#include "viewer/volume/histogram.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -77,11 +77,11 @@ void overVoxels(const Sums& s, std::size_t count, const Store& store) {
           s.z[n + 1] + (s.zSide[n] + s.zSide[n + 2]));
 }
 
-// Writes a row as x, y, z, 0, in real value per voxel.
-void writeRow32(const Sums& s, std::size_t count, float slope, float* out) {
+// Writes a row as x, y, z, 0.
+void writeRow32(const Sums& s, std::size_t count, float sign, float* out) {
   overVoxels(s, count, [=](std::size_t n, float x, float y, float z) {
     float* to = out + 4 * n;
-    to[0] = slope * x, to[1] = slope * y, to[2] = slope * z, to[3] = 0;
+    to[0] = sign * x, to[1] = sign * y, to[2] = sign * z, to[3] = 0;
   });
 }
 
@@ -117,28 +117,24 @@ Gradients16 gradients16By(const Volume& volume, GradientOperator by) {
 Gradients32 gradients32By(const Volume& volume, GradientOperator by) {
   if (by == GradientOperator::sobel) return sobel32(volume);
   Gradients32 g{Buffer<float>(std::size_t(4) * volume.geometry().voxelCount())};
-  std::visit(
-      [&](const auto& stored) {
-        overRows(stored, volume.size(), by, [&](std::size_t first, const Sums& s) {
-          writeRow32(s, std::size_t(volume.size().x), float(volume.slope()), g.xyz0.data() + 4 * first);
-        });
-      },
-      volume.stored());
+  g.scale = withFloatUnits(volume, [&](const auto& samples, float sign) {
+    overRows(samples, volume.size(), by, [&](std::size_t first, const Sums& s) {
+      writeRow32(s, std::size_t(volume.size().x), sign, g.xyz0.data() + 4 * first);
+    });
+  });
   return g;
 }
 
-void gradientRowsBy(const Volume& volume, GradientOperator by, const UseGradientRow& use) {
+double gradientRowsBy(const Volume& volume, GradientOperator by, const UseGradientRow& use) {
   if (by == GradientOperator::sobel) return sobelRows(volume, use);
   const std::size_t count = std::size_t(volume.size().x);
-  std::visit(
-      [&](const auto& stored) {
-        overRows(stored, volume.size(), by, [&](std::size_t first, const Sums& s) {
-          std::vector<float> xyz0(4 * count);
-          writeRow32(s, count, float(volume.slope()), xyz0.data());
-          use(first, xyz0.data());
-        });
-      },
-      volume.stored());
+  return withFloatUnits(volume, [&](const auto& samples, float sign) {
+    overRows(samples, volume.size(), by, [&](std::size_t first, const Sums& s) {
+      std::vector<float> xyz0(4 * count);
+      writeRow32(s, count, sign, xyz0.data());
+      use(first, xyz0.data());
+    });
+  });
 }
 
 }  // namespace volumen

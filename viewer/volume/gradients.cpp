@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "viewer/volume/histogram.h"
+#include "viewer/volume/float_units.h"
 #include "viewer/volume/parallel.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -230,25 +230,25 @@ Gradients16 sobel16(const Volume& volume) {
 namespace {
 
 template <class Use>
-void overSobelRows32(const Volume& volume, const Use& use) {
-  std::visit(
-      [&](const auto& stored) { overRows<float>(stored, volume.size(), float(volume.slope() / 32), use); },
-      volume.stored());
+double overSobelRows32(const Volume& volume, const Use& use) {
+  return withFloatUnits(volume, [&](const auto& samples, float sign) {
+    overRows<float>(samples, volume.size(), sign / 32, use);
+  });
 }
 
 }  // namespace
 
 Gradients32 sobel32(const Volume& volume) {
   Gradients32 g{Buffer<float>(std::size_t(4) * volume.geometry().voxelCount())};
-  overSobelRows32(volume, [&](std::int64_t row, const auto& draw) {
+  g.scale = overSobelRows32(volume, [&](std::int64_t row, const auto& draw) {
     draw(g.xyz0.data() + std::size_t(4) * volume.size().x * row);
   });
   return g;
 }
 
-void sobelRows(const Volume& volume, const UseGradientRow& use) {
+double sobelRows(const Volume& volume, const UseGradientRow& use) {
   const std::size_t count = std::size_t(volume.size().x);
-  overSobelRows32(volume, [&](std::int64_t row, const auto& draw) {
+  return overSobelRows32(volume, [&](std::int64_t row, const auto& draw) {
     std::vector<float> xyz0(4 * count);
     draw(xyz0.data());
     use(std::size_t(row) * count, xyz0.data());

@@ -28,9 +28,11 @@ struct Gradients16 {
   const std::int16_t* row(std::size_t n) const { return xyzd.data() + 4 * (n * rowVoxels); }
 };
 
-/// Sobel gradients as four floats a voxel (x, y, z, 0), in real value per voxel.
+/// Sobel gradients as four floats a voxel (x, y, z, 0). G (real value per voxel) = scale * float. The scale
+/// is 1 for ordinary floats (FloatUnits) and the slope's size for integers.
 struct Gradients32 {
   Buffer<float> xyz0;
+  double scale = 1;
 };
 
 /// How a gradient is estimated from the 3 x 3 x 3 neighbours, clamped: Sobel's is the picture's definition
@@ -54,12 +56,12 @@ Gradients32 sobel32(const Volume& volume);
 /// What is done with a row of voxels along i: `first` is the index of its first voxel, `xyz0` its gradients
 /// as in Gradients32, which last for the call only.
 using UseGradientRow = std::function<void(std::size_t first, const float* xyz0)>;
-/// The numbers of sobel32 row by row, on all cores, in no fixed order: nothing is kept.
-void sobelRows(const Volume& volume, const UseGradientRow& use);
+/// The numbers of sobel32 row by row, on all cores, in no fixed order: nothing is kept. Returns their scale.
+double sobelRows(const Volume& volume, const UseGradientRow& use);
 
 /// By any operator; on all cores. The same conditions and units.
 Gradients16 gradients16By(const Volume& volume, GradientOperator by);
 Gradients32 gradients32By(const Volume& volume, GradientOperator by);
-void gradientRowsBy(const Volume& volume, GradientOperator by, const UseGradientRow& use);
+double gradientRowsBy(const Volume& volume, GradientOperator by, const UseGradientRow& use);
 
 }  // namespace volumen

@@ -47,10 +47,21 @@ void addUniform(HardCases& cases) {
   cases.addBoth(uniform("opacity 0", constantVolume(), 0));
   cases.addBoth(uniform("opacity 1", constantVolume(), 1));
   cases.addBoth(uniform("opacity 1 - 1e-7", constantVolume(), 1 - 1e-7));
-  c = uniform("opacity 1 per 1e-6 mm", constantVolume(), 1);
-  c.scene.transferFunction.unitDistance = 1e-6;
-  c.closedForm = [](double mm) { return dvec4(colour, 1) * (mm > 0 ? 1.0 : 0.0); };
-  cases.addBoth(c);
+  for (const auto& [name, unitMm] : {std::pair{"opacity 1 per 1e-6 mm", 1e-6},
+                                     {"opacity 1 per 1e-39 mm", 1e-39},
+                                     {"opacity 1 per 1e-300 mm", 1e-300}}) {
+    c = uniform(name, constantVolume(), 1);
+    c.scene.transferFunction.unitDistance = unitMm;
+    c.closedForm = [](double mm) { return dvec4(colour, 1) * (mm > 0 ? 1.0 : 0.0); };
+    cases.addBoth(c);
+  }
+  HardCase soft{.name = "soft curve per 1e-39 mm",
+                .volume = wavesVolume(),
+                .scene = sceneOf(*wavesVolume(), softCurve(0, 1000)),
+                .finiteOnly = "whatever shows is opaque at once, and plain steps are off by a step",
+                .delicate = true};
+  soft.scene.transferFunction.unitDistance = 1e-39;
+  cases.addBoth(soft);
 
   // Along the whole of 10^4 voxels. Of 100 mm: one in ten of the light is absorbed, one in 10^5 a sample.
   for (const auto& [name, mm] : {std::pair{"opacity 1e-7 per mm, 10^4 samples of 1 mm", 1.0},

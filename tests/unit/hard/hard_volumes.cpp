@@ -110,6 +110,36 @@ std::vector<Named> volumes() {
   };
 }
 
+VolumePtr between(double low, double high) {
+  return volumeOf({12, 13, 11}, dmat3(1), [=](dvec3 x) { return low + (high - low) * tests::waves(x); });
+}
+
+/// Floats that are hard to count in: next to nothing, next to no range, and near the largest that there are.
+void addRanges(HardCases& cases) {
+  const std::pair<const char*, ValueRange> ranges[] = {{"floats of 1e-36", {0, 1e-36}},
+                                                       {"denormal floats, 1e-42", {0, 1e-42}},
+                                                       {"floats of 1e25", {-2e24, 1e25}},
+                                                       {"floats of 100000 to 100001", {100000, 100001}},
+                                                       {"floats of -2000 to -1999.9", {-2000, -1999.9}}};
+  for (const auto& [name, range] : ranges) {
+    const VolumePtr volume = between(range.low, range.high);
+    const ValueRange values = valueRange(*volume);
+    const std::vector<CurvePoint> fromTheLeast = {{float(values.low), {1, 0.8, 0.6}, 0.01},
+                                                  {float(values.high), {0.5, 1, 1}, 0.6}};
+    cases.addBoth({.name = name + std::string(", curve from the least value on"),
+                   .volume = volume,
+                   .scene = sceneOf(*volume, fromTheLeast),
+                   .delicate = true});
+    cases.add({.name = name + std::string(", curve with steps"),
+               .volume = volume,
+               .scene = sceneOf(*volume, steppedCurve(range.low, range.high), {0.6, -0.3, 0.7})});
+    HardCase& mean = cases.add(
+        {.name = name + std::string(", average"), .volume = volume, .scene = sceneOf(*volume, fromTheLeast)});
+    mean.scene.mode = Mode::average;
+    mean.scene.window = Window{(range.low + range.high) / 2, range.high - range.low};
+  }
+}
+
 constexpr const char* decidedByNothing =
     "a ray that passes 1e30 for a hair's breadth has its extreme and its mean there: no sampling sees that";
 
@@ -150,6 +180,7 @@ void addLongVolumes(HardCases& cases, const Named& v) {
 
 void addVolumeCases(HardCases& cases) {
   addSpoiltBorder(cases);
+  addRanges(cases);
   for (const Named& v : volumes()) {
     const auto [low, high] = v.range;
     if (std::max(v.volume->size().x, v.volume->size().z) >= 40) addLongVolumes(cases, v);

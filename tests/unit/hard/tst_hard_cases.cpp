@@ -70,9 +70,6 @@ bool integrates(const DrawWay& way) { return way.options.method == Method::plane
 /// Slow ways take every hundredth case.
 bool isTried(const DrawWay& way, const HardCase& c, int index) {
   if (way.mayRefuse(c.scene, *c.volume)) return false;
-  // OpenGL on a processor (llvmpipe) ends a shader's loops after 65535 turns in all. At `exact`, 64 lights at
-  // 2240 steps are more: the picture is then off by 33/255. Up to 16 lights it is not by 1/255.
-  if (way.options.method == Method::gpu && c.scene.lights.size() > 16) return false;
   return !way.slow || index % 100 == 0 || allMethodsWanted();
 }
 

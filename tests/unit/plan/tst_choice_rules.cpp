@@ -24,7 +24,8 @@ void TestChoiceRules::aChoiceSaysWhatAndWhy_data() {
   row("the CPU resamples a projection", "resampler", "on   resampler: cpu: draws the same on every machine",
       [](Asked& a) { a.scene.mode = Mode::mip; });
   row("OpenGL resamples", "resampler",
-      "on   resampler: gl, as asked: filtered by the texture hardware, while the CPU shades",
+      "on   resampler: gl, as asked: filtered by the texture hardware, while the CPU shades; its steps do not "
+      "see what lies between, so no error is promised",
       [](Asked& a) { a.options.resampler = Resampler::gl; });
   row("one light: direct", "shader",
       "on   shader: direct: light from 1 light at a predicted 0.075 of what a reflectance map takes",
@@ -108,7 +109,8 @@ void TestChoiceRules::aChoiceSaysWhatAndWhy_data() {
       "on   method: planes: rays from front to back, so that what is hidden is never shaded",
       [](Asked& a) { a.options.resampler = Resampler::gl; });
   row("blend as asked", "method",
-      "on   method: blend, as asked: slices from the back to the front, each shaded, then blended",
+      "on   method: blend, as asked: slices from the back to the front, each shaded, then blended; its steps "
+      "do not see what lies between, so no error is promised",
       [](Asked& a) { a.options.method = Method::blend; });
   row("preshaded as asked", "method",
       "on   method: preshaded, as asked: colours of voxels are interpolated, not values, which is wrong "

@@ -37,6 +37,8 @@ class TestPictureText : public QObject {
  private Q_SLOTS:
   void saysItsMethodAndError_data();
   void saysItsMethodAndError();
+  void promisesOnlyWhatThePathKeeps_data();
+  void promisesOnlyWhatThePathKeeps();
   void saysWhatWasMeasured();
 };
 
@@ -49,8 +51,6 @@ void TestPictureText::saysItsMethodAndError_data() {
   };
   const char* standard = "PSNR >= 42 dB, 99th percentile <= 8/255";
   row("by itself", "planes", standard, [](RenderOptions&) {});
-  row("blend keeps the promise", "blend", standard, [](RenderOptions& o) { o.method = Method::blend; });
-  row("gpu keeps the promise", "gpu", standard, [](RenderOptions& o) { o.method = Method::gpu; });
   row("a step", "planes", "that of the midpoint rule at this step", [](RenderOptions& o) { o.step = 1; });
   row("the reference", "reference", "within 0.05/255 of the limit",
       [](RenderOptions& o) { o.method = Method::reference; });
@@ -81,6 +81,44 @@ void TestPictureText::saysItsMethodAndError() {
   change(options);
   QCOMPARE(textOf(options, "volumen-method"), method);
   QCOMPARE(textOf(options, "volumen-error"), error);
+}
+
+void TestPictureText::promisesOnlyWhatThePathKeeps_data() {
+  QTest::addColumn<Change>("change");
+  QTest::addColumn<bool>("promised");
+  const auto row = [](const char* name, bool promised, Change change) {
+    QTest::newRow(name) << change << promised;
+  };
+  row("planes", true, [](RenderOptions&) {});
+  row("planes by OpenGL", false, [](RenderOptions& o) { o.resampler = Resampler::gl; });
+  row("blend", false, [](RenderOptions& o) { o.method = Method::blend; });
+  row("gpu", false, [](RenderOptions& o) { o.method = Method::gpu; });
+  row("preshaded", false, [](RenderOptions& o) { o.method = Method::preshaded; });
+}
+
+// DESIGN 2: a picture states only what the path that drew it keeps, in its text and in --explain.
+void TestPictureText::promisesOnlyWhatThePathKeeps() {
+  QFETCH(Change, change);
+  QFETCH(bool, promised);
+  const QString ofLevels[] = {QStringLiteral("16 x 16"), QStringLiteral("42 dB"), QStringLiteral("52 dB"),
+                              QStringLiteral("maximum <= 1/255")};
+  const QString none = QStringLiteral("not promised");
+  const Scene scene;
+  for (Quality quality : {Quality::draft, Quality::standard, Quality::high, Quality::exact}) {
+    RenderOptions options;
+    options.quality = quality;
+    change(options);
+    const QString error = textOf(options, "volumen-error");
+    QCOMPARE(error.contains(ofLevels[int(quality)]), promised);
+    QCOMPARE(error.contains(none), !promised);
+    const auto plan = makePlan(scene, someFacts(), options);
+    const QString explained = QString::fromStdString(explain(*plan));
+    if (options.method != Method::preshaded)
+      QCOMPARE(explained.contains(QStringLiteral("no error is promised")), !promised);
+    options.step = 0.5;
+    QVERIFY(!QString::fromStdString(explain(*makePlan(scene, someFacts(), options)))
+                 .contains(QStringLiteral("no error is promised")));
+  }
 }
 
 void TestPictureText::saysWhatWasMeasured() {

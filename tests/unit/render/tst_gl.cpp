@@ -56,6 +56,8 @@ struct Case {
   std::function<void(Scene&, RenderOptions&)> change;
 };
 
+using Change = void (*)(Scene&);
+
 void perspective(Scene& s) { s.camera->projection = Projection::perspective; }
 
 const std::vector<Case>& cases() {
@@ -149,6 +151,8 @@ const std::vector<Case>& cases() {
 
 }  // namespace
 
+Q_DECLARE_METATYPE(Change)
+
 class TestGl : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -156,6 +160,8 @@ class TestGl : public QObject {
   void agreesWithCpu();
   void chestAgreesWithCpu_data();
   void chestAgreesWithCpu();
+  void longRaysOfOneShaderAgreeWithCpu_data();
+  void longRaysOfOneShaderAgreeWithCpu();
 
  private:
   RenderCaches& cachesOf(const std::string& name);
@@ -233,6 +239,42 @@ void TestGl::chestAgreesWithCpu() {
     return compareResamplers(caches, c.scene, options);
   }
   QFAIL("there is no such case");
+}
+
+void TestGl::longRaysOfOneShaderAgreeWithCpu_data() {
+  QTest::addColumn<Change>("change");
+  QTest::addColumn<double>("step");
+  const auto row = [](const char* name, double step, Change change) {
+    QTest::newRow(name) << change << step;
+  };
+  row("100,000 steps", 1.0 / 1024, [](Scene&) {});
+  row("64 lights at 2000 steps", 1.0 / 20, [](Scene& s) { s.lights.resize(64, s.lights[0]); });
+  row("mip of 100,000 steps", 1.0 / 1024, [](Scene& s) { s.mode = Mode::mip; });
+  row("average of 100,000 steps", 1.0 / 1024, [](Scene& s) { s.mode = Mode::average; });
+}
+
+// llvmpipe ends a shader after 65,536 turns of its loops: what shows lies behind them.
+void TestGl::longRaysOfOneShaderAgreeWithCpu() {
+  NEED_GL();
+  QFETCH(Change, change);
+  QFETCH(double, step);
+  RenderCaches caches(volumeOf({3, 100, 3}, glm::dmat3(1), [](glm::dvec3 x) { return 10 * x.y; }));
+  Scene scene;
+  scene.transferFunction.points = {
+      {0, {0.2, 0.5, 1}, 0}, {900, {0.2, 0.5, 1}, 1e-3}, {990, {1, 0.6, 0.3}, 0.5}};
+  scene.shading.gradientFloor = 1;
+  scene.lights[0].intensity = 0.05;
+  scene.camera = Camera{.target = glm::dvec3(0), .height = 2};
+  change(scene);
+  RenderOptions options;
+  options.size = {2, 2};
+  options.step = step;
+  const auto cpu = planAndDraw(caches, scene, options);
+  options.method = Method::gpu;
+  const auto gpu = planAndDraw(caches, scene, options);
+  QVERIFY2(gpu.ok(), gpu.ok() ? "" : gpu.message().c_str());
+  const PictureError e = compare(gpu->picture, cpu->picture);
+  QVERIFY2(e.maximum <= 0.1, qPrintable(inWords(e)));
 }
 
 VOLUMEN_TEST(TestGl);

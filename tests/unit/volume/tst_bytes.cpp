@@ -124,7 +124,7 @@ void TestBytes::gradientsAreOffByHalfAUnitAtMost() {
       const int byte = std::int8_t(wordOf(v, volume, n) >> 8 * a & 255);
       largest = std::max(largest, std::abs(byte));
       // 1e-6: products of doubles, rounded.
-      QVERIFY(std::abs(v.gradientUnit * byte - g.xyz0[4 * n + a]) <= (0.5 + 1e-6) * v.gradientUnit);
+      QVERIFY(std::abs(v.gradientUnit * byte - g.scale * g.xyz0[4 * n + a]) <= (0.5 + 1e-6) * v.gradientUnit);
       if (g.xyz0[4 * n + a] == 0) QCOMPARE(byte, 0);
     }
   QCOMPARE(largest, range.high > range.low ? 127 : 0);

@@ -70,7 +70,7 @@ void TestGradientOperators::equalTheirDefinition() {
         const glm::dvec3 g = defined(*v, op, {i, j, k});
         for (int a = 0; a < 3; ++a) {
           // Float sums of 27 values of the range's size.
-          QVERIFY(std::abs(g32.xyz0[n + a] - g[a]) <= 1e-5 * (range.high - range.low));
+          QVERIFY(std::abs(g32.scale * g32.xyz0[n + a] - g[a]) <= 1e-5 * (range.high - range.low));
           if (!floats)
             QVERIFY(std::abs(g16.scale * g16.row(k * size.y + j)[4 * i + a] - g[a]) <= 0.51 * g16.scale);
         }

@@ -62,7 +62,7 @@ void TestGradients::fastSobelEqualsTheDefinition() {
       for (int i = 0; i < nx; ++i) {
         const std::size_t n = std::size_t(4) * ((k * ny + j) * nx + i);
         const glm::dvec3 g = sobelAt(*v, i, j, k);
-        const glm::dvec3 fast(g32.xyz0[n], g32.xyz0[n + 1], g32.xyz0[n + 2]);
+        const glm::dvec3 fast = g32.scale * glm::dvec3(g32.xyz0[n], g32.xyz0[n + 1], g32.xyz0[n + 2]);
         // 27 float additions of values of the range's size.
         QVERIFY(glm::length(fast - g) <= 1e-5 * (range.high - range.low));
         if (!integers) continue;

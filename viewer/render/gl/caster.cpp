@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "viewer/render/gl/shader_texts.h"
 
@@ -10,7 +11,22 @@ namespace volumen {
 
 namespace {
 
-enum Unit { rayUnit = VolumeTextures::freeUnit, curveUnit, bucketUnit, factorUnit, lightUnit, shadeUnit };
+enum Unit {
+  rayUnit = VolumeTextures::freeUnit,
+  curveUnit,
+  bucketUnit,
+  factorUnit,
+  lightUnit,
+  shadeUnit,
+  beforeUnit
+};
+
+// So many that the loops of a pass, one within the other, take a quarter of the turns that llvmpipe allows.
+int stepsOfPass(const TraceFrame& f) {
+  const int turnsOfStep = 1 + f.curve->hops + std::max(1, int(f.transfer->gradientOpacity.size())) +
+                          2 * int(f.lighting->lights.size());
+  return std::max(1, (1 << 14) / turnsOfStep);
+}
 
 const char* shadeDefine(const Plan& plan) {
   if (!plan.lit || plan.method == Method::preshaded) return "";
@@ -64,6 +80,7 @@ Status Caster::prepare(const Plan& plan, const TraceFrame& frame, const VolumeTe
   if (Status s = chooseProgram(plan); !s) return s;
   if (Status s = uploadTables(plan, frame); !s) return s;
   setUniforms(plan, frame, textures);
+  stepsOfPass_ = stepsOfPass(frame);
   return {};
 }
 
@@ -91,9 +108,9 @@ Status Caster::uploadTables(const Plan& plan, const TraceFrame& frame) {
 
 void Caster::setUniforms(const Plan& plan, const TraceFrame& f, const VolumeTextures& textures) {
   textures.use(program_, plan);
-  const std::pair<const char*, Unit> units[] = {{"rays", rayUnit},       {"curve", curveUnit},
-                                                {"buckets", bucketUnit}, {"factors", factorUnit},
-                                                {"lights", lightUnit},   {"shades", shadeUnit}};
+  const std::pair<const char*, Unit> units[] = {
+      {"rays", rayUnit},     {"curve", curveUnit},  {"buckets", bucketUnit}, {"factors", factorUnit},
+      {"lights", lightUnit}, {"shades", shadeUnit}, {"before", beforeUnit}};
   for (const auto& [name, unit] : units) glUniform1i(uniform(name), unit);
   glUniform1f(uniform("stopTransmittance"), f.stopTransmittance);
   glUniform1f(uniform("curveLow"), f.curve->low);
@@ -120,10 +137,9 @@ void Caster::setUniforms(const Plan& plan, const TraceFrame& f, const VolumeText
   glUniform1f(uniform("perDensity"), f.table->perDensity);
 }
 
+bool Caster::makeTarget(glm::ivec2 size) { return target_.size() == size || target_.make(GL_RGBA32F, size); }
+
 Status Caster::draw(const RayBand& band, float inverseUnitMm) {
-  const glm::ivec2 size(band.stride, int(band.rows.size()));
-  if (target_.size() != size && !target_.make(GL_RGBA32F, size))
-    return Error{"OpenGL has no room for the picture; use --resampler cpu."};
   if (Status s = uploadRays(band, inverseUnitMm, rays_); !s) return s;
   const std::pair<const BufferTexture*, Unit> buffers[] = {{&rays_, rayUnit},       {&curve_, curveUnit},
                                                            {&buckets_, bucketUnit}, {&factors_, factorUnit},
@@ -132,8 +148,17 @@ Status Caster::draw(const RayBand& band, float inverseUnitMm) {
   glUseProgram(program_);
   glBindVertexArray(vertices_);
   glUniform1i(uniform("width"), band.stride);
-  target_.use();
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  int first = 0;
+  do {
+    if (first > 0) std::swap(target_, before_);
+    if (!makeTarget({band.stride, int(band.rows.size())}))
+      return Error{"OpenGL has no room for the picture; use --resampler cpu."};
+    glUniform1i(uniform("firstStep"), first);
+    glUniform1i(uniform("behindStep"), first += stepsOfPass_);
+    bindTexture(beforeUnit, GL_TEXTURE_2D, before_.texture());
+    target_.use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  } while (first < band.longest);
   return {};
 }
 

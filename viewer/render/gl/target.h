@@ -16,7 +16,8 @@ class PictureTarget {
  public:
   /// Makes it, in place of what was there, in a format like GL_RGBA32F. False where OpenGL has no room.
   bool make(unsigned format, glm::ivec2 size);
-  glm::ivec2 size() const { return size_; }  ///< 0 where nothing is made
+  glm::ivec2 size() const { return size_; }      ///< 0 where nothing is made
+  unsigned texture() const { return texture_; }  ///< to read it; 0 where nothing is made
   /// Makes all of it what is drawn into.
   void use() const;
   /// Four floats a pixel, row by row, until the next call. Empty where OpenGL failed.

@@ -46,6 +46,14 @@ int reachBlocks(const Plan& plan, const RaySetup& setup, int edge) {
   return int(std::clamp(std::ceil(across / edge), 1.0, 32.0 / edge));
 }
 
+// 1 / unitDistance, but no ray is longer than 1e30 unit distances: only opacities below 1e-27 tell that from
+// more. Projections have no opacity.
+float inverseUnitOf(const Plan& plan, const VoxelGeometry& geometry) {
+  if (plan.scene.mode != Mode::composite) return 1;
+  const double longestMm = glm::dot(geometry.spacing(), glm::dvec3(geometry.size));
+  return float(std::min({1 / plan.curve.unitDistance, 1e30 / longestMm, 1e37}));
+}
+
 }  // namespace
 
 PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats)
@@ -66,7 +74,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   curve_ = makeCurveTable(transfer_, scale_);
   frame_.curve = &curve_;
   frame_.transfer = &transfer_;
-  frame_.inverseUnitMm = float(1 / transfer_.unitDistance);
+  frame_.inverseUnitMm = inverseUnitOf(plan, cache.volume->geometry());
   const RaySetup setup(plan, cache.volume->geometry());
   double mostOpacity = 0;
   for (const CurvePoint& p : transfer_.points) mostOpacity = std::max(mostOpacity, double(p.opacity));
@@ -78,14 +86,18 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   frame_.slices = {plan.method == Method::blend, float(levelsOf(plan.blending))};
   const VolumeFacts& facts = cache.factsOfVolume();
   if (plan.skipBlocks && plan.scene.mode != Mode::composite)
-    blocks_ = {facts.bricks.get(), scale_.slope, scale_.intercept,
-               1e-6 * std::max(std::abs(facts.range.low), std::abs(facts.range.high)) / scale_.slope,
+    blocks_ = {facts.bricks.get(), scale_.slope, scale_.intercept, 1e-6 * largestRounded(plan, facts.range),
                plan.bits != 32};
   else
     readBlocks(plan, reachBlocks(plan, setup, facts.bricks->edge), caches, stats);
   stats.tableBytes =
       curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
   stats.blockBytes += facts.bricks->bytes();
+}
+
+double PlanesFrame::largestRounded(const Plan& plan, ValueRange range) const {
+  if (plan.bits == 32) return std::max(std::abs(scale_.low), std::abs(scale_.high));
+  return std::max(std::abs(range.low), std::abs(range.high)) / scale_.slope;
 }
 
 void PlanesFrame::readBlocks(const Plan& plan, int reach, RenderCaches& caches, RenderStats& stats) {
@@ -133,7 +145,7 @@ void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats
   const Gradients32& g = cache.gradientsIn32(plan.gradientOperator);
   frame_.gradients32 = g.xyz0.data();
   stats.gradientBytes = g.xyz0.bytes();
-  setGradientScale(plan, geometry, 1);
+  setGradientScale(plan, geometry, g.scale);
 }
 
 void PlanesFrame::readBytes(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
@@ -186,14 +198,17 @@ void PlanesFrame::setGradientScale(const Plan& plan, const VoxelGeometry& geomet
     largest = std::max(largest, length);
     smallest = std::min(smallest, length);
   }
-  // A power of two, so that the unit rounds nothing.
-  const double unit = std::exp2(std::clamp(std::ceil(std::log2(largest)), -100.0, 100.0));
-  frame_.gradientUnit = float(unit);
-  frame_.boundedGradients = plan.bits != 32 && smallest > 1e-8 * largest && largest <= unit;
+  // Powers of two, so that no unit rounds anything. Magnitudes are real values a mm; where those would leave
+  // floats, so many times as large as `real`.
+  const double unit = std::exp2(std::ceil(std::log2(largest))), kept = std::clamp(unit, 0x1p-60, 0x1p60),
+               real = unit / kept;
+  frame_.gradientUnit = float(kept);
+  frame_.boundedGradients = plan.bits != 32 && smallest > 1e-8 * largest;
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) frame_.gradientMatrix[3 * r + c] = float(m[c][r] / unit);
   const double floor = *plan.scene.shading.gradientFloor;
-  frame_.inverseFloor = floor > 0 ? float(std::min(1 / floor, 1e30)) : 0.0f;
+  frame_.inverseFloor = floor > 0 ? float(std::min(real / floor, 1e30)) : 0.0f;
+  for (GradientOpacityPoint& p : transfer_.gradientOpacity) p.gradient = std::min(p.gradient / real, 1e30);
 }
 
 void preparePicture(const Plan& plan, Picture& picture) {

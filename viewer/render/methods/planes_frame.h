@@ -27,6 +27,8 @@ class PlanesFrame {
   void readBytes(const Plan& plan, RenderCaches& caches, RenderStats& stats);
   void readBlocks(const Plan& plan, int reach, RenderCaches& caches, RenderStats& stats);
   void makeShades(const Plan& plan, RenderCaches& caches);
+  /// The largest density, in the units that interpolation rounds.
+  double largestRounded(const Plan& plan, ValueRange range) const;
   void setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale);
 
   TraceFrame frame_;

@@ -44,9 +44,9 @@ ShadeTable makeShadeTable(const Lighting& lighting, const CurveTable& curve, con
   constexpr int side = ShadeTable::side;
   ShadeTable t;
   const double width = in.scale.high - in.scale.low, step = in.gradientLimit / ShadeTable::zero;
-  t.perGradient = step > 0 ? float(1 / step) : 0.0f;
+  t.perGradient = step > 0 ? float(std::min(1 / step, 1e30)) : 0.0f;
   t.densityLow = float(in.scale.low);
-  t.perDensity = width > 0 ? float((side - 1) / width) : 0.0f;
+  t.perDensity = width > 0 ? float(std::min((side - 1) / width, 1e30)) : 0.0f;
   t.bgr.resize(std::size_t(side) * side * side * side);
   std::array<glm::dvec3, side> colours;
   for (int d = 0; d < side; ++d) colours[d] = colourOf(curve, in.scale.low + d * width / (side - 1));
