@@ -105,7 +105,7 @@ void TestEvenSteps::theyKeepTheLevelsPromises() {
           RenderOptions options = atLevel(promise.quality);
           if (lit == Lit::byMap) options.shader = Shader::map;
           options.size = {16, 16};
-          if (makePlan(scene, caches.facts(), options)->mostParts > 1) continue;
+          if (makePlan(scene, caches.facts(), options)->cellByCell) continue;
           ++even;
           const PictureError e = truth.errorOf(truth.drawn(options), promise);
           if (!promise.keptBy(e))

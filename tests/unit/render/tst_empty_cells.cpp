@@ -38,7 +38,7 @@ Case bone() {
 // As planned but for whether cells are asked, which is left to no rule.
 Rendered drawn(const Case& c, RenderCaches& caches, bool skipCells) {
   Plan plan = *makePlan(c.scene, caches.facts(), c.options);
-  if (!plan.skipBlocks || plan.mostParts > 1) qFatal("the case asks no cells");
+  if (!plan.skipBlocks || plan.cellByCell) qFatal("the case asks no cells");
   plan.skipCells = skipCells;
   return *render(plan, caches);
 }

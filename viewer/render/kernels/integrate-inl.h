@@ -36,12 +36,14 @@ class PassageIntegrator {
     VF left = one;
     Piece piece = FirstPiece(r, active);
     VF s = Set(-1), length = Set(2);
+    Lit front = rule_.ColourAt(r, piece.segment, s);
     while (!hn::AllFalse(df, active)) {
       const VF end = hn::Add(s, length);
       const MF nearEnd = hn::Ge(hn::Add(end, hn::Mul(length, Set(0.1f))), piece.end);
       const VF upTo = hn::IfThenElse(nearEnd, piece.end, end);
       const VF reach = hn::Mul(through, left);
-      const PartSum part = rule_.Integrate(r, {s, upTo, piece.segment}, reach, Set(budget.unseen));
+      const Lit back = rule_.ColourAt(r, piece.segment, upTo);
+      const PartSum part = rule_.Integrate(r, {s, upTo, piece.segment}, front, back);
       const VF off = hn::Mul(reach, part.error), weight = hn::Mul(reach, part.opacity);
       const VF share = hn::Max(hn::Mul(Set(budget.most), weight), least);
       const MF tooFar = hn::And(hn::Gt(off, share), hn::Gt(hn::Sub(upTo, s), Set(kShortest)));
@@ -54,6 +56,7 @@ class PassageIntegrator {
       const MF ends = hn::And(taken, nearEnd);
       length = hn::IfThenElse(taken, hn::Add(length, length), NextLength(hn::Sub(upTo, s), off, share));
       s = hn::IfThenElse(taken, upTo, s);
+      front = {IfThenElse3(taken, back.colour, front.colour), IfThenElse3(taken, back.normal, front.normal)};
       const MF goesOn =
           hn::And(hn::Or(tooFar, hn::Lt(s, one)), hn::Gt(hn::Mul(through, left), Set(f_.stopTransmittance)));
       active = hn::And(active, goesOn);
@@ -61,6 +64,7 @@ class PassageIntegrator {
       if (hn::AllFalse(df, turns)) continue;
       NextPiece(r, s, turns, piece);
       length = hn::IfThenElse(turns, Set(2), length);
+      front = rule_.ColourAt(r, piece.segment, s);
     }
     sum.opacity = hn::Sub(one, left);
     return sum;

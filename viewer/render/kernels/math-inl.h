@@ -36,6 +36,9 @@ HWY_INLINE V3 Scale(const V3& a, VF s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s
 HWY_INLINE V3 Add(const V3& a, const V3& b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
+HWY_INLINE V3 IfThenElse3(MF m, const V3& a, const V3& b) {
+  return {hn::IfThenElse(m, a.x, b.x), hn::IfThenElse(m, a.y, b.y), hn::IfThenElse(m, a.z, b.z)};
+}
 /// The places from the n-th on of arrays that are aligned for vectors.
 template <class Array>
 HWY_INLINE V3 PlaceOf(const Array& s, int n) {

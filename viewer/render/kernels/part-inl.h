@@ -34,49 +34,45 @@ struct PartSum {
   VF error;  ///< how far a component may be off
 };
 
-/// Integrates parts by an embedded pair of rules. Either takes the opacity between its densities to rise
-/// straight, integrates the extinction in closed form (pre-integration; Engel, Kraus and Ertl 2001) and takes
-/// the colour from where the light comes from in the mean; the coarse one of the whole part, the fine one of
-/// its halves. Both are off by the square of the part's length, so a third of what they differ by is what the
-/// fine one is off by; that is added (Richardson's extrapolation).
+/// Integrates parts by an embedded pair of rules. Opacity: between two places it is taken to rise straight,
+/// and the extinction integrated in closed form (pre-integration; Engel, Kraus and Ertl 2001), over the whole
+/// part and over its halves; a third of what they differ by is what the halves are off by, and is added
+/// (Richardson's extrapolation). Colour: that of the place where the light comes from in the mean, and a
+/// parabola through that and both ends, integrated with the light's mean and variance.
 template <class Material>
 class PartRule {
+  static constexpr float kOffOfBent = 0.4f;  ///< what the parabola may be off by, as a share of what it adds
+
  public:
   explicit PartRule(const Material& matter) : matter_(matter) {}
 
-  /// `reach`: the light that reaches the part; of less light than `few` one colour is enough.
-  HWY_INLINE PartSum Integrate(const RayInCell& r, const Part& p, VF reach, VF few) const {
-    const VF half = Set(0.5f), one = Set(1), zero = hn::Zero(DF());
+  HWY_INLINE Lit ColourAt(const RayInCell& r, const CurveSegment& segment, VF s) const {
+    V3 gradient = Zero3();
+    if constexpr (Material::kLit) gradient = r.gradient.At(s);
+    return matter_.LitColour(ColourOn(segment, DensityOn(r, segment, s)), gradient, r.ray);
+  }
+
+  /// `front` and `back`: the colours at its ends.
+  HWY_INLINE PartSum Integrate(const RayInCell& r, const Part& p, const Lit& front, const Lit& back) const {
+    const VF half = Set(0.5f), one = Set(1);
     const VF middle = hn::Mul(half, hn::Add(p.a, p.b));
     const Extinction a = ExtinctionAt(r, p, p.a), m = ExtinctionAt(r, p, middle), b = ExtinctionAt(r, p, p.b);
     const VF units = hn::Mul(hn::Mul(r.units, half), hn::Sub(p.b, p.a)), halfUnits = hn::Mul(units, half);
-    const Slab whole = SlabOf(a, b, units), front = SlabOf(a, m, halfUnits), back = SlabOf(m, b, halfUnits);
-    const VF seenBack = hn::Mul(hn::Sub(one, front.opacity), back.opacity);
-    const VF fine = hn::Add(front.opacity, seenBack), differ = hn::Sub(fine, whole.opacity);
-    PartSum sum{Zero3(), Clamp01(hn::Add(fine, ThirdOf(differ))), ThirdOf(hn::Abs(differ))};
+    const VF mean = MeanOf(a, b), depth = hn::Mul(units, mean);
+    const Slab first = SlabOf(a, m, halfUnits), second = SlabOf(m, b, halfUnits);
+    const VF behind = hn::Mul(hn::Sub(one, first.opacity), second.opacity);
+    const VF opacity = hn::Add(first.opacity, behind);
+    const VF third = hn::Mul(hn::Sub(opacity, OpacityOfDepth(depth)), Set(1.0f / 3));
+    PartSum sum{Zero3(), Clamp01(hn::Add(opacity, third)), hn::Abs(third)};
     if constexpr (Material::kFactors) sum.error = hn::Add(sum.error, MissedFactors(r, p, halfUnits));
-    if (hn::AllFalse(DF(), hn::Gt(fine, zero))) return sum;
-    const Lit ofWhole = ColourAt(r, p, Between(p.a, p.b, whole.centroid));
-    const MF fully = hn::Gt(hn::Mul(reach, fine), few);
-    if (hn::AllFalse(DF(), fully)) {
-      sum.colour = Scale(ofWhole.colour, sum.opacity);
-      return sum;
-    }
-    const Lit first = ColourAt(r, p, Between(p.a, middle, front.centroid)),
-              second = ColourAt(r, p, Between(middle, p.b, back.centroid));
-    const VF bias = hn::Mul(fine, whole.bias);
-    VF off = zero;
-    if constexpr (Material::kLit) off = hn::Mul(fine, MissedLight(first, ofWhole, second));
-    const auto component = [&](VF c, VF c1, VF c2) {
-      const VF halves = hn::Add(hn::Mul(c1, front.opacity), hn::Mul(c2, seenBack));
-      const VF third = ThirdOf(hn::Sub(halves, hn::Mul(c, whole.opacity)));
-      off = hn::Max(off, hn::Add(hn::Abs(third), hn::Mul(bias, hn::Abs(hn::Sub(c2, c1)))));
-      return hn::IfThenElse(fully, hn::Max(hn::Add(halves, third), zero), hn::Mul(c, sum.opacity));
-    };
-    sum.colour.x = component(ofWhole.colour.x, first.colour.x, second.colour.x);
-    sum.colour.y = component(ofWhole.colour.y, first.colour.y, second.colour.y);
-    sum.colour.z = component(ofWhole.colour.z, first.colour.z, second.colour.z);
-    sum.error = hn::IfThenElse(fully, hn::Max(sum.error, off), sum.error);
+    const VF per = hn::Div(one, NotZero(opacity));
+    const VF at1 = hn::Mul(half, first.centroid), at2 = hn::Mul(half, hn::Add(one, second.centroid));
+    const VF at = hn::Mul(hn::Add(hn::Mul(first.opacity, at1), hn::Mul(behind, at2)), per);
+    const VF d1 = hn::Sub(at1, at), d2 = hn::Sub(at2, at);
+    const VF between =
+        hn::Mul(hn::Add(hn::Mul(first.opacity, hn::Mul(d1, d1)), hn::Mul(behind, hn::Mul(d2, d2))), per);
+    AddColours(r, p, {at, hn::Add(between, WithinHalves(depth)), BiasOf(a, b, mean, depth)}, front, back,
+               sum);
     return sum;
   }
 
@@ -85,30 +81,52 @@ class PartRule {
   struct Extinction {
     VF transparency, extinction;
   };
-  /// What lies between two places: its opacity; where its light comes from in the mean, 0..1; and how far
-  /// that may be off, as a share of the way from the front half's to the back half's.
+  /// What lies between two places: its opacity; where its light comes from in the mean, 0..1.
   struct Slab {
-    VF opacity, centroid, bias;
+    VF opacity, centroid;
+  };
+  /// Where the light of a part comes from, 0..1 of its length: mean and variance, and how far the mean may be
+  /// off.
+  struct Spread {
+    VF mean, variance, bias;
   };
 
-  static HWY_INLINE VF ThirdOf(VF v) { return hn::Mul(v, Set(1.0f / 3)); }
   static HWY_INLINE VF Between(VF a, VF b, VF share) { return hn::Add(a, hn::Mul(share, hn::Sub(b, a))); }
 
-  HWY_INLINE VF DensityAt(const RayInCell& r, const Part& p, VF s) const {
-    return hn::Min(hn::Max(r.density.At(s), p.segment.low), p.segment.high);
+  static HWY_INLINE VF DensityOn(const RayInCell& r, const CurveSegment& segment, VF s) {
+    return hn::Min(hn::Max(r.density.At(s), segment.low), segment.high);
+  }
+  static HWY_INLINE VF OpacityAt(const RayInCell& r, const Part& p, VF s) {
+    return OpacityOn(p.segment, DensityOn(r, p.segment, s));
   }
 
   HWY_INLINE Extinction ExtinctionAt(const RayInCell& r, const Part& p, VF s) const {
-    VF opacity = OpacityOn(p.segment, DensityAt(r, p, s));
+    VF opacity = OpacityAt(r, p, s);
     if constexpr (Material::kFactors) opacity = hn::Mul(opacity, matter_.FactorAt(r.gradient.At(s)));
     const Transparency t = TransparencyOf(opacity);
     return {t.left, hn::Neg(t.log)};
   }
 
-  HWY_INLINE Lit ColourAt(const RayInCell& r, const Part& p, VF s) const {
-    V3 gradient = Zero3();
-    if constexpr (Material::kLit) gradient = r.gradient.At(s);
-    return matter_.LitColour(ColourOn(p.segment, DensityAt(r, p, s)), gradient, r.ray);
+  HWY_INLINE void AddColours(const RayInCell& r, const Part& p, const Spread& light, const Lit& front,
+                             const Lit& back, PartSum& sum) const {
+    const VF one = Set(1), opacity = sum.opacity;
+    const Lit middle = ColourAt(r, p.segment, Between(p.a, p.b, light.mean));
+    // Divided differences; light that comes from one end has next to no variance.
+    const VF toFront = hn::Div(one, hn::Max(light.mean, Set(0.01f))),
+             toBack = hn::Div(one, hn::Max(hn::Sub(one, light.mean), Set(0.01f)));
+    VF off = hn::Zero(DF());
+    if constexpr (Material::kLit) off = MissedLight(front, middle, back);
+    const auto component = [&](VF c, VF c0, VF c1) {
+      const VF rise0 = hn::Mul(hn::Sub(c, c0), toFront), rise1 = hn::Mul(hn::Sub(c1, c), toBack);
+      const VF bent = hn::Mul(hn::Sub(rise1, rise0), light.variance);
+      const VF biased = hn::Mul(light.bias, hn::Max(hn::Abs(rise0), hn::Abs(rise1)));
+      off = hn::Max(off, hn::Add(hn::Mul(Set(kOffOfBent), hn::Abs(bent)), biased));
+      return hn::Mul(opacity, hn::Max(hn::Add(c, bent), hn::Zero(DF())));
+    };
+    sum.colour.x = component(middle.colour.x, front.colour.x, back.colour.x);
+    sum.colour.y = component(middle.colour.y, front.colour.y, back.colour.y);
+    sum.colour.z = component(middle.colour.z, front.colour.z, back.colour.z);
+    sum.error = hn::Max(sum.error, hn::Mul(opacity, off));
   }
 
   /// The light that may have come and gone between three places: by how far the normal turns on the way.
@@ -125,22 +143,32 @@ class PartRule {
     return hn::Add(hn::Mul(Set(light.diffuse), turn), hn::Mul(Set(light.specular), shine));
   }
 
+  static HWY_INLINE VF MeanOf(const Extinction& a, const Extinction& b) {
+    return MeanOnSegment(a.transparency, a.extinction, b.transparency, b.extinction);
+  }
+
   /// The centroid is that of Simpson's rule over the transmittance T: (integral of T - T at the back) /
-  /// opacity, with the depth of the front half as if the extinction rose straight. The bias is a bound on
-  /// what was found for opacities of 0 to 1 - 2^-20 at either end and depths of 0 to 20 (tests, part rule).
+  /// opacity, with the depth of the front half as if the extinction rose straight.
   static HWY_INLINE Slab SlabOf(const Extinction& a, const Extinction& b, VF units) {
-    const VF zero = hn::Zero(DF()), e1 = a.extinction, sum = hn::Add(e1, b.extinction);
-    const VF mean = MeanOnSegment(a.transparency, e1, b.transparency, b.extinction);
-    const VF depth = hn::Mul(units, mean), opacity = OpacityOfDepth(depth);
+    const VF e1 = a.extinction, sum = hn::Add(e1, b.extinction);
+    const VF depth = hn::Mul(units, MeanOf(a, b)), opacity = OpacityOfDepth(depth);
     const VF share = hn::Div(hn::Add(hn::Add(e1, e1), sum), NotZero(hn::Mul(Set(4), sum)));
-    const VF half = OpacityOfDepth(hn::Mul(depth, share));
-    const VF hidden = hn::Div(half, NotZero(opacity));
-    const VF centroid = hn::IfThenElse(hn::Gt(opacity, zero),
-                                       hn::Sub(Set(5.0f / 6), hn::Mul(Set(2.0f / 3), hidden)), Set(0.5f));
-    const VF bent =
-        hn::Div(hn::Abs(hn::Sub(sum, hn::Add(mean, mean))), NotZero(hn::Add(sum, hn::Add(mean, mean))));
-    const VF bias = hn::Min(Set(0.12f), hn::Add(hn::Mul(Set(0.012f), depth), hn::Mul(Set(0.1f), bent)));
-    return {opacity, centroid, bias};
+    const VF hidden = hn::Div(OpacityOfDepth(hn::Mul(depth, share)), NotZero(opacity));
+    const VF centroid = hn::Sub(Set(5.0f / 6), hn::Mul(Set(2.0f / 3), hidden));
+    return {opacity, hn::IfThenElse(hn::Gt(opacity, hn::Zero(DF())), centroid, Set(0.5f))};
+  }
+
+  /// The variance within halves: that of even light where they are thin.
+  static HWY_INLINE VF WithinHalves(VF depth) {
+    return hn::Mul(Set(1.0f / 48), hn::Max(hn::Sub(Set(1), hn::Mul(Set(1.0f / 12), depth)), Set(0)));
+  }
+
+  /// How far the mean of a part's light may be off, as a share of its length: a bound on what was found for
+  /// opacities of 0 to 1 - 2^-20 at either end and depths up to 40.
+  static HWY_INLINE VF BiasOf(const Extinction& a, const Extinction& b, VF mean, VF depth) {
+    const VF ends = hn::Add(a.extinction, b.extinction), twice = hn::Add(mean, mean);
+    const VF bent = hn::Div(hn::Abs(hn::Sub(ends, twice)), NotZero(hn::Add(ends, twice)));
+    return hn::Min(Set(0.08f), hn::Add(hn::Mul(Set(0.004f), depth), hn::Mul(Set(0.05f), bent)));
   }
 
   /// The opacity that factors over the gradient may add or take between the places where they were looked at:
@@ -164,8 +192,7 @@ class PartRule {
       missed = hn::Add(missed, hn::Max(hn::Sub(change, seen), hn::Zero(DF())));
     }
     // -ln(1 - f opacity) <= -f ln(1 - opacity); along half of the way, in the mean.
-    const VF opacity =
-        hn::Max(OpacityOn(p.segment, DensityAt(r, p, p.a)), OpacityOn(p.segment, DensityAt(r, p, p.b)));
+    const VF opacity = hn::Max(OpacityAt(r, p, p.a), OpacityAt(r, p, p.b));
     const VF extinction = hn::Neg(TransparencyOf(opacity).log);
     return OpacityOfDepth(hn::Mul(hn::Mul(halfUnits, half), hn::Mul(extinction, missed)));
   }

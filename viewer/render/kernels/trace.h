@@ -42,8 +42,7 @@ struct TraceKey {
 /// most * max(w, leastShare).
 struct ErrorBudget {
   static constexpr float leastShare = 1.0f / 128;
-  float most = 1;    ///< of a whole ray
-  float unseen = 0;  ///< parts of less light are integrated by one rule alone
+  float most = 1;  ///< of a whole ray
 };
 
 /// How much light a part of a ray may miss whose normal turns by t (the length of the change, squared)

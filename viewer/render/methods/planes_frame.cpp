@@ -112,7 +112,6 @@ void PlanesFrame::readBlocks(const Plan& plan, int reach, RenderCaches& caches, 
     if (plan.skipBlocks) frame_.skip = &skip.map();
     if (asksCells) frame_.cells = &skip.cells;
     frame_.budget.most = float(plan.errorBudget);
-    frame_.budget.unseen = frame_.budget.most * ErrorBudget::leastShare / brightest_;
   }
 }
 
