@@ -23,7 +23,7 @@ class RaySetup {
   RaySetup(const Plan& plan, const VoxelGeometry& geometry)
       : RaySetup(plan.scene, geometry, plan.options.size, plan.stepVoxels, plan.clip) {
     // Between steps stand no samples but those of rays that go from cell to cell.
-    if (plan.mostParts > 1) ahead_ = Ahead::exact;
+    if (plan.cellByCell || plan.mostParts > 1) ahead_ = Ahead::exact;
   }
 
   /// The length of a whole step where all rays have the same: RayRow::stepMm; 0 in perspective.

@@ -21,17 +21,36 @@ struct Cubic {
   }
 };
 
-/// The density along the passage through a cell whose middle lies at `place` (voxels) and that reaches as far
-/// as `half` to either side.
-template <class Store>
-HWY_INLINE Cubic DensityAlong(const Grid& grid, const V3& place, const V3& half) {
+/// A passage through a cell: the place of its middle there, and how far it reaches to either side (voxels).
+struct Passage {
+  Cell cell;
+  V3 half;
+};
+
+/// How much of `half` counts: outside the voxels' centres the density is that of the nearest place between
+/// them.
+HWY_INLINE V3 HalfInside(const V3& place, const V3& clamped, const V3& half) {
+  const auto along = [](VF at, VF inside, VF h) { return hn::IfThenElseZero(hn::Eq(at, inside), h); };
+  return {along(place.x, clamped.x, half.x), along(place.y, clamped.y, half.y),
+          along(place.z, clamped.z, half.z)};
+}
+
+/// The one whose middle lies at `place` (voxels) and that reaches as far as `half`.
+HWY_INLINE Passage PassageAt(const Grid& grid, const V3& place, const V3& half) {
   const V3 clamped = grid.Clamped(place);
-  // Outside the voxels' centres the density is that of the nearest place between them.
-  const auto along = [&](VF at, VF inside, VF h) { return hn::IfThenElseZero(hn::Eq(at, inside), h); };
-  const V3 d{along(place.x, clamped.x, half.x), along(place.y, clamped.y, half.y),
-             along(place.z, clamped.z, half.z)};
-  const Cell cell = grid.CellAt(clamped);
-  const Corners v = Store::CornersOf(grid, cell);
+  return {grid.CellAt(clamped), HalfInside(place, clamped, half)};
+}
+
+/// The same in the cell of this lower corner, which may be one before the first or behind the last.
+HWY_INLINE Passage PassageIn(const Grid& grid, const V3& lower, const V3& place, const V3& half) {
+  const V3 clamped = grid.Clamped(place);
+  return {grid.CellFrom(lower, clamped), HalfInside(place, clamped, half)};
+}
+
+/// The density along a passage through a cell of these corners.
+HWY_INLINE Cubic DensityAlong(const Passage& passage, const Corners& v) {
+  const Cell& cell = passage.cell;
+  const V3& d = passage.half;
   struct Line {
     VF at, rise;
   } row[4];
@@ -51,6 +70,13 @@ HWY_INLINE Cubic DensityAlong(const Grid& grid, const V3& place, const V3& half)
   const VF r0 = hn::Sub(q.c0, p.c0), r1 = hn::Sub(q.c1, p.c1), r2 = hn::Sub(q.c2, p.c2);
   return {hn::Add(p.c0, hn::Mul(cell.fz, r0)), hn::Add(p.c1, hn::Add(hn::Mul(cell.fz, r1), hn::Mul(d.z, r0))),
           hn::Add(p.c2, hn::Add(hn::Mul(cell.fz, r2), hn::Mul(d.z, r1))), hn::Mul(d.z, r2)};
+}
+
+/// The same of the passage of PassageAt.
+template <class Store>
+HWY_INLINE Cubic DensityAlong(const Grid& grid, const V3& place, const V3& half) {
+  const Passage passage = PassageAt(grid, place, half);
+  return DensityAlong(passage, Store::CornersOf(grid, passage.cell));
 }
 
 }  // namespace volumen::HWY_NAMESPACE

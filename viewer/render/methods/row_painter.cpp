@@ -7,7 +7,7 @@ RowPainter::RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& pict
   if (plan.scene.mode == Mode::composite)
     trace_ = chooseTraceKernel(frame.key());
   else
-    project_ = chooseProjectKernel(frame.key().store, plan.scene.mode);
+    project_ = chooseProjectKernel(frame.key().store, plan.scene.mode, plan.cellByCell);
   preparePicture(plan, picture);
 }
 
