@@ -127,22 +127,20 @@ double mostMissed(Quality quality) { return quality == Quality::standard ? 0.25 
 // Near what views of bone in CT come to at `standard`, 7/16 to 9/16, so that a second try is seldom far off.
 double firstStep(Quality quality) { return quality == Quality::standard ? 9.0 / 16 : 1.0 / 4; }
 
-// What a pilot tries, but for the shortest, where what it misses cannot be far off: of means, whose error is
-// bounded for any values.
-std::optional<PilotSteps> stepsOfMean(const RuleInput& in, const Plan& plan) {
-  if (in.options.method != Method::planes || resamplerOf(in.options) != Resampler::cpu) return {};
-  const double ranges = (in.facts.range.high - in.facts.range.low) / plan.scene.window->width;
-  const double longest = std::min(1.0, std::sqrt(mostMissed(in.options.quality) / (worstOfMean * ranges)));
-  return PilotSteps{0, std::min(longest, firstStep(in.options.quality)), longest};
-}
-
-// Likewise of matter: thin plates hide what lies behind them.
+// What a pilot tries, but for the shortest, where what it misses cannot be far off: thin plates hide what lies
+// behind them.
 std::optional<PilotSteps> stepsOfMatter(const RuleInput& in) {
   if (!canIntegrate(in.scene, in.options) || in.facts.slopes.empty()) return {};
   const TransferFunction& curve = in.scene.transferFunction;
   if (isSharp(curve, (in.facts.p999 - in.facts.p01) / 50)) return {};
   if (mostOfVoxel(in, steepnessOf(curve, in.facts)) > mostMissed(in.options.quality)) return {};
-  return PilotSteps{0, firstStep(in.options.quality), 1};
+  return PilotSteps{0, firstStep(in.options.quality)};
+}
+
+// Of projections: only the CPU's planes follow rays through cells.
+bool goesFromCellToCell(const RuleInput& in) {
+  return !composite(in) && in.options.method == Method::planes &&
+         resamplerOf(in.options) == Resampler::cpu;
 }
 
 }  // namespace
@@ -168,7 +166,7 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
   // As many rays as a 99th percentile is known by would be too large a share of a smaller picture; of a strip
   // they would leave out the ends.
   if (double(o.size.x) * o.size.y < 384.0 * 384 || std::min(o.size.x, o.size.y) < 128) return {};
-  auto steps = in.scene.mode == Mode::average ? stepsOfMean(in, plan) : stepsOfMatter(in);
+  auto steps = stepsOfMatter(in);
   if (!steps) return {};
   Plan plain = plan;
   plain.stepVoxels = steps->first;
@@ -188,6 +186,12 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
   if (in.options.step) {
     plan.stepVoxels = *in.options.step;
     return steps(", as asked");
+  }
+  if (goesFromCellToCell(in)) {
+    plan.stepVoxels = 2;  // rays look around them at these
+    plan.cellByCell = true;
+    return on(std::string("cell by cell: ") + (in.scene.mode == Mode::average ? "means" : "extremes") +
+              " are exact");
   }
   plan.stepVoxels = stepOf(in.options.quality);
   const double range = in.facts.p999 - in.facts.p01;

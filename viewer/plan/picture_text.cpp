@@ -53,10 +53,14 @@ std::string besides(const Plan& plan) {
   return text;
 }
 
+// Of a projection that goes from cell to cell.
+bool isExact(const Plan& plan) { return plan.cellByCell && plan.scene.mode != Mode::composite; }
+
 std::string errorText(const Plan& plan) {
   if (plan.method == Method::reference) return "within 0.05/255 of the limit";
   const std::string chosen = besides(plan);
   if (!chosen.empty()) return "not promised, chosen by hand: " + chosen;
+  if (isExact(plan)) return "exact, but for the rounding of floats";
   if (plan.options.step) return "that of the midpoint rule at this step";
   if (keepsLevels(plan.options)) return promise(plan.options.quality);
   return "not promised: plain steps of " + inVoxels(plan.stepVoxels) +
@@ -84,8 +88,9 @@ std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan,
   if (plan.pilot && plan.pilot->kept) text.push_back({"volumen-error-pilot", toldBy(*plan.pilot)});
   if (measured) text.push_back({"volumen-error-measured", errorText(*measured)});
   if (plan.method != Method::reference)
-    text.push_back({"volumen-step", plan.cellByCell ? "cell by cell, integrated and cut where it is uneven"
-                                                    : inVoxels(plan.stepVoxels)});
+    text.push_back({"volumen-step", isExact(plan)     ? "cell by cell"
+                                    : plan.cellByCell ? "cell by cell, integrated and cut where it is uneven"
+                                                      : inVoxels(plan.stepVoxels)});
   text.push_back({"volumen-scene", sceneToJson(plan.scene)});
   return text;
 }

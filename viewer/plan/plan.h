@@ -24,7 +24,6 @@ struct Effect {
 struct PilotSteps {
   double shortest = 0;  ///< shorter ones take longer than what is planned without them
   double first = 0;     ///< that it tries first
-  double longest = 1;   ///< longer ones could be far off where no ray of the pilot is
   bool operator==(const PilotSteps&) const = default;
 };
 
@@ -58,7 +57,7 @@ struct Plan {
   bool cellByCell = false;  ///< rays go from cell to cell of the grid, else by plain steps
   double errorBudget = 1;   ///< cell by cell: what a ray may be off by, as a share of white (ErrorBudget)
   /// What is left open for a pilot to find (settled): whether plain steps, and how long ones, keep the
-  /// level's promise and take the place of the integration, or of a mean's shorter steps.
+  /// level's promise and take the place of the integration.
   std::optional<PilotSteps> pilotSteps;
   std::optional<PilotFinding> pilot;  ///< what it found
   double stopTransmittance = 0;       ///< a ray ends where its transmittance falls below; 0: never

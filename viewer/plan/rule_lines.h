@@ -48,9 +48,6 @@ Effect decideBlending(const RuleInput& in, Plan& plan);
 Effect decideIntegration(const RuleInput& in, Plan& plan);
 /// "2354 rays of this picture, also followed more finely, tell of a PSNR of 45.3 dB and ...".
 std::string toldBy(const PilotFinding& pilot);
-/// Plain steps change a mean over 5 voxels or more by no more than this share of the values' range, times the
-/// square of the step: the weights that they give to voxels, against the true ones (tst_projection).
-constexpr double worstOfMean = 0.12;
 /// Plan::pilotSteps of a plan that is complete else.
 std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan);
 Effect decideShader(const RuleInput& in, Plan& plan);

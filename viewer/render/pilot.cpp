@@ -73,8 +73,7 @@ class Pilot {
     constexpr double unit = 1.0 / 32;
     if (found.told.rays == 0) return {};
     const double tried = found.told.stepVoxels;
-    const double wanted =
-        std::min(plan_.pilotSteps->longest, tried * std::sqrt(0.85 / std::max(found.off, 1e-3)));
+    const double wanted = std::min(1.0, tried * std::sqrt(0.85 / std::max(found.off, 1e-3)));
     const double step = std::floor(wanted / unit) * unit;
     if (found.told.kept) return step > 1.15 * tried ? std::optional(step) : std::nullopt;
     const double least = std::ceil(plan_.pilotSteps->shortest / unit) * unit;

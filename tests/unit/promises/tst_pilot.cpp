@@ -71,16 +71,6 @@ void shiny(Scene& scene) {
   scene.shading.gradientFloor = 1;
 }
 
-void mean(Scene& scene) {
-  scene.mode = Mode::average;
-  scene.window = {500, 1000};
-}
-
-void narrowMean(Scene& scene) {
-  scene.mode = Mode::average;
-  scene.window = {500, 100};
-}
-
 RenderOptions optionsOf(Quality quality) {
   RenderOptions options = atLevel(quality);
   options.size = size;
@@ -159,19 +149,6 @@ void TestPilot::thePictureKeepsThePromise_data() {
     s.camera->direction = {1, 0, 0};
   });
   row("stripes of one voxel, across them", plates(2), "0.65625 0.375 0 -", [](Scene& s) {
-    s.camera->direction = {0, 0, 1};
-  });
-  row("mean of a soft ball", soft, "1 1 1 1", mean);
-  row("mean of noise", noise(), "0.96875 0.53125 0.96875 0.53125", mean);
-  row("mean of noise, a narrow window", noise(), "0.375 0 0.375 0", narrowMean);
-  row("mean of noise, a slab of two voxels", noise(), "0.78125 0.25 0.78125 0.25", [](Scene& s) {
-    mean(s);
-    s.clip.boxLow = {0, 0, 0.47};
-    s.clip.boxHigh = {1, 1, 0.5};
-  });
-  row("mean of stripes of one voxel, a narrow window", plates(2), "0 0.25 0 0.25", narrowMean);
-  row("mean of stripes of one voxel, across them", plates(2), "0.456435 0.25 0.456435 0.25", [](Scene& s) {
-    narrowMean(s);
     s.camera->direction = {0, 0, 1};
   });
 }

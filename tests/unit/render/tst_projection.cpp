@@ -1,11 +1,10 @@
 // Guards DESIGN 5, empty blocks, of projections: what is passed over because it cannot change a maximum or a
-// minimum changes no byte; and what plain steps may change about a mean.
-#include <map>
-
+// minimum changes no byte; and DESIGN 2: projections are exact at every level.
 #include "tests/fixtures/small_volumes.h"
+#include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"
-#include "viewer/plan/rule_lines.h"
 #include "viewer/render/caches.h"
+#include "viewer/render/reference.h"
 #include "viewer/render/render.h"
 
 namespace {
@@ -72,6 +71,21 @@ constexpr View views[] = {
        s.clip.boxLow = {0.21, 0, 0.33};
        s.clip.planes = {{{1, 1, 0}, 3}};
      }},
+    {"clipped to a thin slab",
+     [](Scene& s) {
+       s.camera->direction = {0.3, 0.5, 0.8};
+       s.clip.boxLow.z = 0.43;
+       s.clip.boxHigh.z = 0.431;
+     }},
+    {"clipped away",
+     [](Scene& s) {
+       s.clip.boxLow.x = s.clip.boxHigh.x = 0.4;
+     }},
+    {"along the volume's second axis",
+     [](Scene& s) {
+       s.camera->direction = {0.1, 1, 0};
+       s.camera->up = {0, 0, 1};
+     }},
 };
 
 // `part` of the values, about the extreme that is looked for, is told apart.
@@ -94,8 +108,9 @@ class TestProjection : public QObject {
  private Q_SLOTS:
   void sameBytesAsOfAllSamples_data();
   void sameBytesAsOfAllSamples();
-  void plainStepsChangeAMeanByNoMoreThanPlanned_data();
-  void plainStepsChangeAMeanByNoMoreThanPlanned();
+  void levelsAreExact_data();
+  void levelsAreExact();
+  void randomScenesAreExact();
 };
 
 void TestProjection::sameBytesAsOfAllSamples_data() {
@@ -154,54 +169,67 @@ void TestProjection::sameBytesAsOfAllSamples() {
     }
 }
 
-void TestProjection::plainStepsChangeAMeanByNoMoreThanPlanned_data() {
-  QTest::addColumn<glm::dvec3>("direction");
-  QTest::newRow("along an axis") << glm::dvec3(0, 0, 1);
-  QTest::newRow("along a diagonal of faces") << glm::dvec3(0, 1, 1);
-  QTest::newRow("two voxels to one") << glm::dvec3(0, 1, 2);
-  QTest::newRow("along a diagonal") << glm::dvec3(1, 1, 1);
-  QTest::newRow("askew") << glm::dvec3(0.3, 0.5, 0.8);
+void TestProjection::levelsAreExact_data() {
+  QTest::addColumn<VolumePtr>("volume");
+  const auto row = [](const char* name, const VolumePtr& volume) { QTest::newRow(name) << volume; };
+  row("noise", stored<std::int16_t>(noisyBall(1)));
+  row("noise in floats", stored<float>(noisyBall(1)));
+  row("unsigned noise", stored<std::uint16_t>(noisyBall(100)));
+  row("a slope below 0", stored<std::int16_t>(noisyBall(1), -2, 100));
+  row("bytes", stored<std::uint8_t>(noisyBall(0.4)));
+  row("left-handed", volumeOf<std::int16_t>({23, 37, 19}, {{-1, 0.3, 0}, {0, 1, 0.4}, {0.2, 0, 1}}, noisyBall(1)));
+  row("one voxel along i", stored<std::int16_t>(noisyBall(1), 1, 0, {1, 37, 29}));
+  row("one voxel along j", stored<float>(noisyBall(1), 1, 0, {43, 1, 29}));
+  row("one voxel along k", stored<std::int16_t>(noisyBall(1), 1, 0, {43, 37, 1}));
+  row("one voxel", stored<std::int16_t>([](glm::dvec3) { return 5.0; }, 1, 0, {1, 1, 1}));
+  row("two voxels along each axis", stored<std::int16_t>(noisyBall(1), 1, 0, {2, 2, 2}));
+  row("all alike", stored<std::int16_t>([](glm::dvec3) { return 7.0; }));
 }
 
-// A mean is a sum of weighted values. What plain steps change about the weights, found voxel by voxel, tells
-// the worst that any values could make of it.
-void TestProjection::plainStepsChangeAMeanByNoMoreThanPlanned() {
-  QFETCH(glm::dvec3, direction);
-  const glm::ivec3 grid(7, 7, 6);
-  Scene scene = sceneOf(Mode::average, {0, 1}, 0.5);
-  scene.window = Window{0.5, 1};
-  scene.camera->height = 2;
-  scene.camera->direction = glm::normalize(direction);
-  RenderOptions options;
-  options.size = {4, 4};
-  constexpr int finest = 128;  // parts of a voxel
-  std::vector<int> parts{1};
-  for (int part = finest / 4; part <= finest; part += finest / 32) parts.push_back(part);
-  std::map<int, std::vector<Picture>> weights;  // of each voxel
-  for (int voxel = 0; voxel < grid.x * grid.y * grid.z; ++voxel) {
-    RenderCaches caches(volumeOf(grid, glm::dmat3(1), [&](glm::dvec3 p) {
-      return double(int(p.x) + grid.x * (int(p.y) + grid.y * int(p.z)) == voxel);
-    }));
-    for (int part : parts) {
-      options.step = double(part) / finest;
-      weights[part].push_back(render(*makePlan(scene, caches.facts(), options), caches)->picture);
-    }
-  }
-  double worst = 0;
-  for (int part : parts) {
-    if (part == 1) continue;
-    for (std::size_t pixel = 0; pixel < 16; ++pixel) {
-      double more = 0, less = 0;
-      for (std::size_t voxel = 0; voxel < weights[part].size(); ++voxel) {
-        const double change =
-            double(weights[part][voxel].rgba[4 * pixel]) - weights[1][voxel].rgba[4 * pixel];
-        (change > 0 ? more : less) += std::abs(change);
+// As exact as would be seen in a window of an eighth of the values.
+void TestProjection::levelsAreExact() {
+  QFETCH(VolumePtr, volume);
+  RenderCaches caches(volume);
+  for (Mode mode : {Mode::mip, Mode::minip, Mode::average})
+    for (const View& view : views) {
+      Scene scene = sceneOf(mode, caches.facts().range, 1);
+      const ValueRange range = caches.facts().range;
+      scene.window = Window{(range.low + range.high) / 2, std::max(range.high - range.low, 1e-3)};
+      view.set(scene);
+      std::optional<Picture> truth;
+      for (Quality quality : {Quality::draft, Quality::standard, Quality::high, Quality::exact}) {
+        RenderOptions options;
+        options.size = view.size / 2;
+        options.quality = quality;
+        const Rendered done = *render(*makePlan(scene, caches.facts(), options), caches);
+        if (!truth) truth = *renderReference(done.plan.scene, *volume, options.size);
+        const double off = compare(done.picture, *truth).maximum;
+        QVERIFY2(off <= 0.05 / 8, qPrintable(QStringLiteral("%1, mode %2: %3/255")
+                                                 .arg(QLatin1String(view.name))
+                                                 .arg(int(mode))
+                                                 .arg(off)));
       }
-      const double step = double(part) / finest;
-      worst = std::max(worst, std::max(more, less) / (step * step));
+    }
+}
+
+void TestProjection::randomScenesAreExact() {
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    RandomScene random = randomScene(seed);
+    RenderCaches caches(random.volume);
+    for (Mode mode : {Mode::mip, Mode::minip, Mode::average}) {
+      random.scene.mode = mode;
+      RenderOptions options;
+      options.size = random.size;
+      const Rendered done = *render(*makePlan(random.scene, caches.facts(), options), caches);
+      const Scene& scene = done.plan.scene;
+      const PictureError e = compare(done.picture, *renderReference(scene, *random.volume, options.size),
+                                     *wellConditioned(scene, *random.volume, options.size));
+      QVERIFY2(e.maximum <= 0.05,
+               qPrintable(QStringLiteral("seed %1, mode %2: %3/255").arg(seed).arg(int(mode)).arg(e.maximum)));
+      options.full = true;
+      QVERIFY(render(*makePlan(random.scene, caches.facts(), options), caches)->picture == done.picture);
     }
   }
-  QVERIFY2(worst <= worstOfMean && worst > worstOfMean / 3, qPrintable(QString::number(worst)));
 }
 
 VOLUMEN_TEST(TestProjection);

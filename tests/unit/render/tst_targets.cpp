@@ -100,6 +100,19 @@ void TestTargets::everyCpuTargetGivesTheSameBytes_data() {
   });
   row("mip", [](Case& c) { c.scene.mode = Mode::mip; });
   row("average", [](Case& c) { c.scene.mode = Mode::average; });
+  row("mip, a level", [](Case& c) {
+    c.scene.mode = Mode::mip;
+    c.options.step.reset();
+  });
+  row("minip, a level, 32 bits", [](Case& c) {
+    c.scene.mode = Mode::minip;
+    c.options.step.reset();
+    c.options.precision = 32;
+  });
+  row("average, a level", [](Case& c) {
+    c.scene.mode = Mode::average;
+    c.options.step.reset();
+  });
   row("nothing left out", [](Case& c) { c.options.full = true; });
 }
 

@@ -47,13 +47,20 @@ class Grid {
   }
 
   HWY_INLINE Cell CellAt(const V3& clamped) const {
-    const DF df;
     const VI x = hn::Min(Truncated(clamped.x), lastCellX_);
     const VI y = hn::Min(Truncated(clamped.y), lastCellY_);
     const VI z = hn::Min(Truncated(clamped.z), lastCellZ_);
-    const VI index = hn::Add(hn::Add(x, hn::Mul(y, SetI(rowStride_))), hn::Mul(z, SetI(sliceStride_)));
-    return {index, hn::Sub(clamped.x, hn::ConvertTo(df, x)), hn::Sub(clamped.y, hn::ConvertTo(df, y)),
-            hn::Sub(clamped.z, hn::ConvertTo(df, z))};
+    return CellOf(x, y, z, clamped);
+  }
+
+  /// The cell of this lower corner (voxels), or the nearest one, and where a place lies in it.
+  HWY_INLINE Cell CellFrom(const V3& lower, const V3& clamped) const {
+    const DF df;
+    const auto inside = [&](VF at, VI last) {
+      return hn::Min(Truncated(hn::Max(at, hn::Zero(df))), last);
+    };
+    const VI x = inside(lower.x, lastCellX_), y = inside(lower.y, lastCellY_), z = inside(lower.z, lastCellZ_);
+    return CellOf(x, y, z, clamped);
   }
 
   /// How many voxels the cell's row r lies behind its first: 0, next row, next slice, both.
@@ -83,6 +90,13 @@ class Grid {
   const TraceFrame& frame() const { return frame_; }
 
  private:
+  HWY_INLINE Cell CellOf(VI x, VI y, VI z, const V3& place) const {
+    const DF df;
+    const VI index = hn::Add(hn::Add(x, hn::Mul(y, SetI(rowStride_))), hn::Mul(z, SetI(sliceStride_)));
+    return {index, hn::Sub(place.x, hn::ConvertTo(df, x)), hn::Sub(place.y, hn::ConvertTo(df, y)),
+            hn::Sub(place.z, hn::ConvertTo(df, z))};
+  }
+
   const TraceFrame& frame_;
   V3 last_;
   VI lastCellX_, lastCellY_, lastCellZ_;

@@ -56,7 +56,8 @@ class PartRule {
   HWY_INLINE PartSum Integrate(const RayInCell& r, const Part& p, const Lit& front, const Lit& back) const {
     const VF half = Set(0.5f), one = Set(1);
     const VF middle = hn::Mul(half, hn::Add(p.a, p.b));
-    const Extinction a = ExtinctionAt(r, p, p.a), m = ExtinctionAt(r, p, middle), b = ExtinctionAt(r, p, p.b);
+    const Place places[3] = {PlaceAt(r, p, p.a), PlaceAt(r, p, middle), PlaceAt(r, p, p.b)};
+    const Extinction &a = places[0].extinction, &m = places[1].extinction, &b = places[2].extinction;
     const VF units = hn::Mul(hn::Mul(r.units, half), hn::Sub(p.b, p.a)), halfUnits = hn::Mul(units, half);
     const VF mean = MeanOf(a, b), depth = hn::Mul(units, mean);
     const Slab first = SlabOf(a, m, halfUnits), second = SlabOf(m, b, halfUnits);
@@ -64,7 +65,7 @@ class PartRule {
     const VF opacity = hn::Add(first.opacity, behind);
     const VF third = hn::Mul(hn::Sub(opacity, OpacityOfDepth(depth)), Set(1.0f / 3));
     PartSum sum{Zero3(), Clamp01(hn::Add(opacity, third)), hn::Abs(third)};
-    if constexpr (Material::kFactors) sum.error = hn::Add(sum.error, MissedFactors(r, p, halfUnits));
+    if constexpr (Material::kFactors) sum.error = hn::Add(sum.error, MissedFactors(r, p, places, halfUnits));
     const VF per = hn::Div(one, NotZero(opacity));
     const VF at1 = hn::Mul(half, first.centroid), at2 = hn::Mul(half, hn::Add(one, second.centroid));
     const VF at = hn::Mul(hn::Add(hn::Mul(first.opacity, at1), hn::Mul(behind, at2)), per);
@@ -81,6 +82,12 @@ class PartRule {
   struct Extinction {
     VF transparency, extinction;
   };
+  /// `factor`, `gradient`: where opacity depends on gradients; value per mm.
+  struct Place {
+    Extinction extinction;
+    VF opacity, factor;  ///< opacity: of the curve alone
+    V3 gradient;
+  };
   /// What lies between two places: its opacity; where its light comes from in the mean, 0..1.
   struct Slab {
     VF opacity, centroid;
@@ -96,15 +103,18 @@ class PartRule {
   static HWY_INLINE VF DensityOn(const RayInCell& r, const CurveSegment& segment, VF s) {
     return hn::Min(hn::Max(r.density.At(s), segment.low), segment.high);
   }
-  static HWY_INLINE VF OpacityAt(const RayInCell& r, const Part& p, VF s) {
-    return OpacityOn(p.segment, DensityOn(r, p.segment, s));
-  }
-
-  HWY_INLINE Extinction ExtinctionAt(const RayInCell& r, const Part& p, VF s) const {
-    VF opacity = OpacityAt(r, p, s);
-    if constexpr (Material::kFactors) opacity = hn::Mul(opacity, matter_.FactorAt(r.gradient.At(s)));
+  HWY_INLINE Place PlaceAt(const RayInCell& r, const Part& p, VF s) const {
+    Place place;
+    place.opacity = OpacityOn(p.segment, DensityOn(r, p.segment, s));
+    VF opacity = place.opacity;
+    if constexpr (Material::kFactors) {
+      place.gradient = InMm(r.gradient.At(s));
+      place.factor = GradientFactor(*matter_.f.transfer, Length(place.gradient));
+      opacity = hn::Mul(opacity, place.factor);
+    }
     const Transparency t = TransparencyOf(opacity);
-    return {t.left, hn::Neg(t.log)};
+    place.extinction = {t.left, hn::Neg(t.log)};
+    return place;
   }
 
   HWY_INLINE void AddColours(const RayInCell& r, const Part& p, const Spread& light, const Lit& front,
@@ -172,42 +182,49 @@ class PartRule {
   }
 
   /// The opacity that factors over the gradient may add or take between the places where they were looked at:
-  /// by how far |g| may go within each half and how much the factor changes there.
-  HWY_INLINE VF MissedFactors(const RayInCell& r, const Part& p, VF halfUnits) const {
-    const VF half = Set(0.5f), middle = hn::Mul(half, hn::Add(p.a, p.b));
-    const VF length = hn::Mul(half, hn::Sub(p.b, p.a));
-    const V3 g[3] = {GradientMm(r, p.a), GradientMm(r, middle), GradientMm(r, p.b)};
+  /// where the factor has points, where |g| is not straight, and by the product of what changes.
+  HWY_INLINE VF MissedFactors(const RayInCell& r, const Part& p, const Place (&at)[3], VF halfUnits) const {
+    const TransferFunction& curve = *matter_.f.transfer;
+    const VF half = Set(0.5f), length = hn::Mul(half, hn::Sub(p.b, p.a)), zero = hn::Zero(DF());
     // A curve leaves its chord by no more than an eighth of its second derivative times the square of its
     // length.
     const VF bend = hn::Max(Length(InMm(r.gradient.SecondAt(p.a))), Length(InMm(r.gradient.SecondAt(p.b))));
     const VF leaves = hn::Mul(Set(0.125f), hn::Mul(bend, hn::Mul(length, length)));
-    VF missed = hn::Zero(DF());
+    VF missed = zero;
     for (int n = 0; n < 2; ++n) {
-      const VF most = hn::Add(hn::Max(Length(g[n]), Length(g[n + 1])), leaves);
-      const VF least = hn::Max(hn::Sub(LeastOnChord(g[n], g[n + 1]), leaves), hn::Zero(DF()));
-      const VF change =
-          hn::Sub(FactorVariation(*matter_.f.transfer, most), FactorVariation(*matter_.f.transfer, least));
-      const VF seen = hn::Abs(hn::Sub(GradientFactor(*matter_.f.transfer, Length(g[n])),
-                                      GradientFactor(*matter_.f.transfer, Length(g[n + 1]))));
-      missed = hn::Add(missed, hn::Max(hn::Sub(change, seen), hn::Zero(DF())));
+      const Place &a = at[n], &b = at[n + 1];
+      const VF lengthA = Length(a.gradient), lengthB = Length(b.gradient);
+      const Nearest nearest = NearestOnChord(a.gradient, b.gradient);
+      const VF sag = hn::Sub(Between(lengthA, lengthB, nearest.at), nearest.length);
+      const VF most = hn::Add(hn::Max(lengthA, lengthB), leaves);
+      const VF least = hn::Max(hn::Sub(nearest.length, leaves), zero);
+      const VF range = NotZero(hn::Sub(most, least));
+      const VF change = hn::Abs(hn::Sub(a.factor, b.factor));
+      const VF kinks = FactorBend(curve, least, most);
+      const VF bent = hn::Mul(hn::Div(hn::Add(sag, leaves), range), hn::Add(change, kinks));
+      const VF product = hn::Mul(Set(1.0f / 6), hn::Mul(change, hn::Abs(hn::Sub(a.opacity, b.opacity))));
+      const VF opacity = hn::Max(a.opacity, b.opacity);
+      missed = hn::Add(missed, hn::Add(hn::Mul(hn::Mul(half, opacity), hn::Add(kinks, bent)), product));
     }
-    // -ln(1 - f opacity) <= -f ln(1 - opacity); along half of the way, in the mean.
-    const VF opacity = hn::Max(OpacityAt(r, p, p.a), OpacityAt(r, p, p.b));
-    const VF extinction = hn::Neg(TransparencyOf(opacity).log);
-    return OpacityOfDepth(hn::Mul(hn::Mul(halfUnits, half), hn::Mul(extinction, missed)));
+    // -ln(1 - f opacity) <= -f ln(1 - opacity).
+    const VF opacity = hn::Max(at[0].opacity, at[2].opacity);
+    const VF perOpacity = hn::Div(hn::Neg(TransparencyOf(opacity).log), NotZero(opacity));
+    return OpacityOfDepth(hn::Mul(halfUnits, hn::Mul(perOpacity, missed)));
   }
 
   /// A stored gradient in value per mm.
   HWY_INLINE V3 InMm(const V3& stored) const {
     return Scale(InPatient(matter_.f, stored), Set(matter_.f.gradientUnit));
   }
-  HWY_INLINE V3 GradientMm(const RayInCell& r, VF s) const { return InMm(r.gradient.At(s)); }
 
-  /// The least length between two vectors.
-  static HWY_INLINE VF LeastOnChord(const V3& a, const V3& b) {
+  /// Where between two vectors (0..1) the length is least, and that length.
+  struct Nearest {
+    VF at, length;
+  };
+  static HWY_INLINE Nearest NearestOnChord(const V3& a, const V3& b) {
     const V3 chord = Add(b, Scale(a, Set(-1)));
     const VF at = Clamp01(hn::Div(hn::Neg(Dot(a, chord)), NotZero(Dot(chord, chord))));
-    return Length(Add(a, Scale(chord, at)));
+    return {at, Length(Add(a, Scale(chord, at)))};
   }
 
   const Material& matter_;

@@ -30,20 +30,30 @@ struct Cubic {
   }
 };
 
-/// Where in its cell a ray passes through, from the middle of the passage half of it to either side.
+/// A passage through a cell: the place of its middle there, and how far it reaches to either side (voxels).
 struct Passage {
   Cell cell;
   V3 half;
 };
 
-/// The passage whose middle lies at `place` (voxels) and that reaches as far as `half` to either side.
-/// Outside the voxels' centres values are those of the nearest place between them.
+/// How much of `half` counts: outside the voxels' centres the density is that of the nearest place between
+/// them.
+HWY_INLINE V3 HalfInside(const V3& place, const V3& clamped, const V3& half) {
+  const auto along = [](VF at, VF inside, VF h) { return hn::IfThenElseZero(hn::Eq(at, inside), h); };
+  return {along(place.x, clamped.x, half.x), along(place.y, clamped.y, half.y),
+          along(place.z, clamped.z, half.z)};
+}
+
+/// The one whose middle lies at `place` (voxels) and that reaches as far as `half`.
 HWY_INLINE Passage PassageAt(const Grid& grid, const V3& place, const V3& half) {
   const V3 clamped = grid.Clamped(place);
-  const auto along = [&](VF at, VF inside, VF h) { return hn::IfThenElseZero(hn::Eq(at, inside), h); };
-  return {grid.CellAt(clamped),
-          {along(place.x, clamped.x, half.x), along(place.y, clamped.y, half.y),
-           along(place.z, clamped.z, half.z)}};
+  return {grid.CellAt(clamped), HalfInside(place, clamped, half)};
+}
+
+/// The same in the cell of this lower corner, which may be one before the first or behind the last.
+HWY_INLINE Passage PassageIn(const Grid& grid, const V3& lower, const V3& place, const V3& half) {
+  const V3 clamped = grid.Clamped(place);
+  return {grid.CellFrom(lower, clamped), HalfInside(place, clamped, half)};
 }
 
 /// What is trilinear between the corners of a cell, along a passage through it.

@@ -3,196 +3,23 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <limits>
+#include <optional>
 
 #include "viewer/render/kernels/bytes-inl.h"
-#include "viewer/render/kernels/packet-inl.h"
-#include "viewer/render/kernels/project.h"
-#include "viewer/render/kernels/sample-inl.h"
-#include "viewer/render/kernels/skip-inl.h"
+#include "viewer/render/kernels/projection-inl.h"
+#include "viewer/render/kernels/stretches-inl.h"
+#include "viewer/render/kernels/trail-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// mip, minip and average along the rays of one packet: no table, no shading.
 template <class Store, Mode kMode>
-class Projection {
- public:
-  Projection(const TraceFrame& f, const Grid& grid, const RayRow& rays, const PlaneBuffer& plane, int first)
-      : grid_(grid), plane_(plane), packet_(LoadPacket(f, rays, first)), first_(first) {
-    packet_.ahead = Set(0);  // each ray from where it begins: no sample waits for another's
-    value_ = Set(kMode == Mode::mip     ? -std::numeric_limits<float>::max()
-                 : kMode == Mode::minip ? std::numeric_limits<float>::max()
-                                        : 0);
-  }
-
-  /// Takes the samples at one step; how many they are.
-  HWY_INLINE std::int64_t Take(int step) {
-    const VF n = SampleAt(packet_, step);
-    const MF has = HasSample(packet_, n), last = IsLast(packet_, n);
-    VF density;
-    if constexpr (std::is_void_v<Store>)
-      density = hn::LoadU(DF(), plane_.density + std::size_t(step) * plane_.stride + first_);
-    else
-      density = Store::Density(grid_, grid_.CellAt(grid_.Clamped(Position(packet_, n, last))));
-    VF next;
-    if constexpr (kMode == Mode::mip) {
-      next = hn::Max(value_, density);
-    } else if constexpr (kMode == Mode::minip) {
-      next = hn::Min(value_, density);
-    } else {
-      const VF term =
-          hn::Sub(hn::Mul(density, hn::IfThenElse(last, packet_.lastUnits, packet_.units)), lost_);
-      next = hn::Add(value_, term);
-      lost_ = hn::IfThenElse(has, hn::Sub(hn::Sub(next, value_), term), lost_);
-    }
-    value_ = hn::IfThenElse(has, next, value_);
-    return std::int64_t(hn::CountTrue(DF(), has));
-  }
-
-  /// The extreme that all rays of the packet have reached: the least of their maxima or the largest of their
-  /// minima.
-  HWY_INLINE float ReachedByAll() const {
-    const DF df;
-    const MF real = hn::Gt(packet_.steps, hn::Zero(df));
-    constexpr float most = std::numeric_limits<float>::max();
-    return kMode == Mode::mip ? hn::GetLane(hn::MinOfLanes(df, hn::IfThenElse(real, value_, Set(most))))
-                              : hn::GetLane(hn::MaxOfLanes(df, hn::IfThenElse(real, value_, Set(-most))));
-  }
-
-  HWY_INLINE VF Result() const {
-    if constexpr (kMode != Mode::average) return value_;
-    const Packet& p = packet_;
-    const VF length = hn::Add(hn::Mul(hn::Sub(p.steps, Set(1)), p.units), p.lastUnits);
-    return hn::Div(value_, hn::Max(length, Set(1e-30f)));
-  }
-
-  const Packet& Rays() const { return packet_; }
-
- private:
-  const Grid& grid_;
-  const PlaneBuffer& plane_;
-  Packet packet_;
-  const int first_;
-  VF value_;
-  VF lost_ = Set(0);  ///< of the sum, in rounding: Kahan's compensation, as samples are many
-};
-
-/// What follows looks for the largest: minima are negated.
-template <Mode kMode>
-constexpr double kSign = kMode == Mode::mip ? 1 : -1;
-
-/// How many entries of a grid lie between two; in floats, as there may be many.
-inline float CountBetween(glm::ivec3 first, glm::ivec3 last) {
-  const glm::vec3 count(last - first + 1);
-  return count.x * count.y * count.z;
-}
-
-/// What no sample in the blocks around a box exceeds, if they are no more than `mostBlocks`.
-template <Mode kMode>
-double MostInBlocks(const BlockValues& blocks, const Box& box, int mostBlocks) {
-  const BrickRanges& b = *blocks.bricks;
-  const glm::ivec3 first = glm::ivec3(box.low) / b.edge, last = glm::ivec3(box.high) / b.edge;
-  if (CountBetween(first, last) > float(mostBlocks)) return std::numeric_limits<double>::infinity();
-  std::uint8_t level = kMode == Mode::mip ? 0 : 255;
-  for (int z = first.z; z <= last.z; ++z)
-    for (int y = first.y; y <= last.y; ++y)
-      for (int x = first.x; x <= last.x; ++x) {
-        const std::size_t n = (std::size_t(z) * b.count.y + y) * b.count.x + x;
-        level = kMode == Mode::mip ? std::max(level, b.highest[n]) : std::min(level, b.lowest[n]);
-      }
-  const float most = float(kSign<kMode>) * b.levels[level];
-  const double density = kSign<kMode> * (kSign<kMode> * most - blocks.intercept) / blocks.slope;
-  return blocks.whole ? std::floor(density + 0.5 + blocks.off) : density + blocks.off;
-}
-
-template <class Store>
-float VoxelOf(const TraceFrame& f, std::size_t n) {
-  if constexpr (std::is_same_v<Store, Int16Store>)
-    return std::int16_t(f.density16[n] ^ std::int16_t(f.flip16));
-  else if constexpr (std::is_same_v<Store, Byte1Store>)
-    return f.density8[n];
-  else
-    return f.density32[n];
-}
-
-/// What no sample in a box exceeds, if it holds no more than `mostVoxels`.
-template <class Store, Mode kMode>
-double MostInBox(const TraceFrame& f, const BlockValues& blocks, const Box& box, int mostVoxels) {
-  const glm::ivec3 first(box.low), last = glm::min(glm::ivec3(box.high) + 1, f.size - 1);
-  if (CountBetween(first, last) > float(mostVoxels)) return std::numeric_limits<double>::infinity();
-  float most = -std::numeric_limits<float>::max();
-  for (int z = first.z; z <= last.z; ++z)
-    for (int y = first.y; y <= last.y; ++y) {
-      const std::size_t row = (std::size_t(z) * f.size.y + y) * f.size.x;
-      for (int x = first.x; x <= last.x; ++x)
-        most = std::max(most, float(kSign<kMode>) * VoxelOf<Store>(f, row + x));
-    }
-  // Whole numbers are interpolated to what lies between them.
-  return blocks.whole ? double(most) : most + blocks.off;
-}
-
-/// Some steps of a packet, and what none of its samples exceeds.
-struct Stretch {
-  double most;
-  int begin, end;
-  int middle() const { return (begin + end) / 2; }
-  bool operator<(const Stretch& other) const { return most < other.most; }
-};
-
-/// Takes samples where they may change the extremes. First one of each stretch; then, from the stretch that
-/// may hold the most on, what may exceed what all rays have met; until no stretch does. In whatever order, an
-/// extreme is the same.
-template <class Store, Mode kMode>
-std::int64_t TakeExtremes(const TraceFrame& f, const BlockValues& blocks, Projection<Store, kMode>& rays,
-                          std::vector<Stretch>& stretches) {
-  const Packet& p = rays.Rays();
-  const DF df;
-  const VF fastest = hn::Max(hn::Abs(p.move.x), hn::Max(hn::Abs(p.move.y), hn::Abs(p.move.z)));
-  const float aStep = hn::GetLane(hn::MaxOfLanes(df, fastest));
-  const auto stepsIn = [&](float voxels) { return int(std::clamp(voxels / aStep, 1.0f, 64.0f)); };
-  // Longer ones hold too much, shorter ones take as long to look at as their samples; so do more blocks or
-  // voxels a step, where pixels lie far apart.
-  const int length = stepsIn(8), part = stepsIn(2), voxelsAStep = 16,
-            blocksAStep = blocks.bricks->edge < 4 ? voxelsAStep : 2;
-  const Skipper around(f, p);
-  const auto boxOf = [&](int begin, int end) {
-    Box box;
-    around.TakeIn(begin, end - begin, box);
-    return box;
-  };
-  const auto reached = [&] { return kSign<kMode> * double(rays.ReachedByAll()); };
-  std::int64_t taken = 0;
-  stretches.clear();
-  for (int begin = 0; begin < p.longest; begin += length) {
-    const int end = std::min(begin + length, p.longest);
-    stretches.push_back(
-        {MostInBlocks<kMode>(blocks, boxOf(begin, end), blocksAStep * (end - begin)), begin, end});
-    taken += rays.Take(stretches.back().middle());
-  }
-  std::make_heap(stretches.begin(), stretches.end());
-  for (; !stretches.empty() && stretches.front().most > reached(); stretches.pop_back()) {
-    const Stretch most = stretches.front();
-    for (int begin = most.begin; begin < most.end; begin += part) {
-      const int end = std::min(begin + part, most.end);
-      if (MostInBox<Store, kMode>(f, blocks, boxOf(begin, end), voxelsAStep * (end - begin)) <= reached())
-        continue;
-      for (int step = begin; step < end; ++step)
-        if (step != most.middle()) taken += rays.Take(step);
-    }
-    std::pop_heap(stretches.begin(), stretches.end());
-  }
-  return taken;
-}
-
-template <class Store, Mode kMode>
-void ProjectRays(const TraceFrame& f, const BlockValues& blocks, const RayRow& rays, const PlaneBuffer& plane,
-                 float* result, TraceCounts& counts) {
+void ProjectSamples(const TraceFrame& f, const BlockValues& blocks, const RayRow& rays,
+                    const PlaneBuffer& plane, float* result, TraceCounts& counts) {
   const Grid grid(f, f.densityRow);
-  const auto lanes = hn::Lanes(DF());
   std::vector<Stretch> stretches;
-  for (std::size_t first = 0; first < rays.steps.size(); first += lanes) {
-    Projection<Store, kMode> packet(f, grid, rays, plane, int(first));
+  for (std::size_t first = 0; first < rays.steps.size(); first += hn::Lanes(DF())) {
+    SampleProjection<Store, kMode> packet(f, grid, rays, plane, int(first));
     if constexpr (!std::is_void_v<Store> && kMode != Mode::average)
       if (blocks.bricks) {
         counts.resampled += TakeExtremes(f, blocks, packet, stretches);
@@ -204,18 +31,43 @@ void ProjectRays(const TraceFrame& f, const BlockValues& blocks, const RayRow& r
   }
 }
 
-template <class Store>
-ProjectKernel ChooseMode(Mode mode) {
-  return mode == Mode::mip     ? ProjectRays<Store, Mode::mip>
-         : mode == Mode::minip ? ProjectRays<Store, Mode::minip>
-                               : ProjectRays<Store, Mode::average>;
+template <class Store, Mode kMode>
+void ProjectCells(const TraceFrame& f, const BlockValues& blocks, const RayRow& rays, const PlaneBuffer&,
+                  float* result, TraceCounts& counts) {
+  const Grid grid(f, f.densityRow);
+  std::optional<BlockTrail<kMode>> trail;
+  if (kMode != Mode::average && blocks.bricks && blocks.bricks->size() >= 4) trail.emplace(blocks);
+  for (std::size_t first = 0; first < rays.steps.size(); first += hn::Lanes(DF())) {
+    CellProjection<Store, kMode> packet(f, grid, rays, int(first));
+    if (trail) {
+      counts.resampled += trail->Take(packet);
+    } else {
+      VF at = hn::Zero(DF());
+      counts.resampled += packet.Take(at, EndOf(packet.Rays()), 0);
+    }
+    hn::StoreU(packet.Result(), DF(), result + first);
+  }
 }
 
-ProjectKernel ChooseProject(Store store, Mode mode) {
-  return store == Store::int16     ? ChooseMode<Int16Store>(mode)
-         : store == Store::float32 ? ChooseMode<Float32Store>(mode)
-         : store == Store::byte1   ? ChooseMode<Byte1Store>(mode)
-                                   : ChooseMode<void>(mode);
+template <class Store, Mode kMode>
+ProjectKernel ChooseWay(bool cellByCell) {
+  if constexpr (!std::is_void_v<Store>)
+    if (cellByCell) return ProjectCells<Store, kMode>;
+  return ProjectSamples<Store, kMode>;
+}
+
+template <class Store>
+ProjectKernel ChooseMode(Mode mode, bool cellByCell) {
+  return mode == Mode::mip     ? ChooseWay<Store, Mode::mip>(cellByCell)
+         : mode == Mode::minip ? ChooseWay<Store, Mode::minip>(cellByCell)
+                               : ChooseWay<Store, Mode::average>(cellByCell);
+}
+
+ProjectKernel ChooseProject(Store store, Mode mode, bool cellByCell) {
+  return store == Store::int16     ? ChooseMode<Int16Store>(mode, cellByCell)
+         : store == Store::float32 ? ChooseMode<Float32Store>(mode, cellByCell)
+         : store == Store::byte1   ? ChooseMode<Byte1Store>(mode, cellByCell)
+                                   : ChooseMode<void>(mode, cellByCell);
 }
 
 }  // namespace volumen::HWY_NAMESPACE
@@ -226,8 +78,8 @@ namespace volumen {
 
 HWY_EXPORT(ChooseProject);
 
-ProjectKernel chooseProjectKernel(Store store, Mode mode) {
-  return HWY_DYNAMIC_DISPATCH(ChooseProject)(store, mode);
+ProjectKernel chooseProjectKernel(Store store, Mode mode, bool cellByCell) {
+  return HWY_DYNAMIC_DISPATCH(ChooseProject)(store, mode, cellByCell);
 }
 
 }  // namespace volumen

@@ -124,18 +124,18 @@ HWY_INLINE VF GradientFactor(const TransferFunction& curve, VF length) {
                         factor);
 }
 
-/// How much that factor has changed between a gradient of 0 and |g_p|, up and down.
-HWY_INLINE VF FactorVariation(const TransferFunction& curve, VF length) {
-  const auto& points = curve.gradientOpacity;
-  VF sum = hn::Zero(DF());
-  for (std::size_t n = 0; n + 1 < points.size(); ++n) {
-    const float low = float(points[n].gradient), width = float(points[n + 1].gradient - points[n].gradient);
-    const VF change = Set(float(std::abs(points[n + 1].factor - points[n].factor)));
-    const VF jump = hn::IfThenElseZero(hn::Ge(length, Set(low)), Set(1));
-    const VF share = width > 0 ? Clamp01(hn::Mul(hn::Sub(length, Set(low)), Set(1 / width))) : jump;
-    sum = hn::Add(sum, hn::Mul(change, share));
+/// How far that factor, between two lengths, may leave the straight line from one to the other.
+HWY_INLINE VF FactorBend(const TransferFunction& curve, VF least, VF most) {
+  const VF first = GradientFactor(curve, least), change = hn::Sub(GradientFactor(curve, most), first);
+  const VF rise = hn::Div(change, NotZero(hn::Sub(most, least)));
+  VF bend = hn::Zero(DF());
+  for (const auto& point : curve.gradientOpacity) {
+    const VF at = Set(float(point.gradient));
+    const VF straight = hn::Add(first, hn::Mul(rise, hn::Sub(at, least)));
+    const MF inside = hn::And(hn::Gt(at, least), hn::Le(at, most));
+    bend = hn::Max(bend, hn::IfThenElseZero(inside, hn::Abs(hn::Sub(Set(float(point.factor)), straight))));
   }
-  return sum;
+  return bend;
 }
 
 /// A stored gradient in patient space, in gradientUnits per mm.

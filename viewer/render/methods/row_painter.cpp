@@ -10,7 +10,7 @@ RowPainter::RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& pict
   if (plan.scene.mode == Mode::composite)
     trace_ = chooseTraceKernel(frame.key());
   else
-    project_ = chooseProjectKernel(frame.key().store, plan.scene.mode);
+    project_ = chooseProjectKernel(frame.key().store, plan.scene.mode, plan.cellByCell);
   preparePicture(plan, picture);
   if (frame.key().refined) error.assign(picture.rgba.size() / 4, 0.0f);
 }
