@@ -11,9 +11,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Where rays end, in steps from their start: their last interval is shorter.
+/// Where rays end, in steps from their start: their last interval is shorter. 0 of rays that have none.
 HWY_INLINE VF EndOf(const Packet& p) {
-  return hn::Sub(hn::Add(p.lastMiddle, p.lastMiddle), hn::Sub(p.steps, Set(1)));
+  return hn::Max(hn::Sub(hn::Add(p.lastMiddle, p.lastMiddle), hn::Sub(p.steps, Set(1))), hn::Zero(DF()));
 }
 
 /// The faces across one axis, each `edge` voxels from the next, a power of two (Amanatides and Woo 1987). Each
