@@ -39,6 +39,12 @@ namespace {
 // Values beyond this are limited (DESIGN 10), so that sums and products of values stay finite in float32.
 constexpr float largestValue = 1e30f;
 
+// Whether the rounding of values to floats can be told beside a step of the stored integers: as such they would
+// be more exact than what the file means by them here (SCENE 2).
+bool roundsToFloats(const VolumeParts& parts) {
+  return std::abs(parts.intercept) > double(1 << 17) * std::abs(parts.slope);
+}
+
 Status checkGeometry(const VoxelGeometry& g) {
   for (int a = 0; a < 3; ++a) {
     if (g.size[a] < 1)
@@ -109,7 +115,8 @@ Result<VolumePtr> Volume::make(VolumeParts parts, std::vector<std::string>& warn
     return Error{"The rescale slope or intercept is zero or not finite."};
 
   const bool floats = std::holds_alternative<std::vector<float>>(parts.values);
-  if (floats || std::abs(parts.slope) * 65535 + std::abs(parts.intercept) > largestValue) {
+  if (floats || roundsToFloats(parts) ||
+      std::abs(parts.slope) * 65535 + std::abs(parts.intercept) > largestValue) {
     makeReal(parts);
     auto& values = std::get<std::vector<float>>(parts.values);
     if (std::size_t n = replaceNonFinite(values))

@@ -41,6 +41,13 @@ void RandomReport::addPicture(Family family, const Picture& picture, double illC
   p.mostShare = std::max(p.mostShare, illConditionedShare);
 }
 
+void RandomReport::addEstimate(const std::vector<float>& told, const std::vector<double>& off) {
+  for (std::size_t n = 0; n < off.size(); ++n) {
+    estimated_ += off[n] > 0;
+    beyond_ += off[n] > double(told[n]);
+  }
+}
+
 void RandomReport::printCounts() const {
   std::fprintf(stderr, "\nrandom cases, failed of drawn:");
   for (Mode mode : modes) std::fprintf(stderr, "%14s", nameOf(mode));
@@ -83,6 +90,8 @@ void RandomReport::printWorst(Family family) const {
 void RandomReport::print() const {
   printCounts();
   printPictures();
+  std::fprintf(stderr, "\n%.4f %% of %lld pixels are farther off than their picture says",
+               100 * shareBeyondEstimate(), static_cast<long long>(estimated_));
   if (!failures_.empty()) {
     std::fprintf(stderr, "\nthe worst cases, each at its worst level:");
     for (Family family : families) printWorst(family);

@@ -83,6 +83,7 @@ class TestRandomScenes : public QObject {
  private Q_SLOTS:
   void everyLevelKeepsItsPromise_data();
   void everyLevelKeepsItsPromise();
+  void errorsAreAsTold();
   void cleanupTestCase() { report_.print(); }
 
  private:
@@ -115,6 +116,7 @@ void TestRandomScenes::everyLevelKeepsItsPromise() {
     const RenderOptions options = atLevel(promise.quality);
     const Rendered rendered = truth.rendered(options);
     const PictureError e = truth.errorOf(rendered.picture, promise);
+    if (!rendered.error.empty()) report_.addEstimate(rendered.error, truth.errorOfPixels(rendered.picture));
     QStringList faults = faultsOf(truth, rendered.picture, options);
     if (!promise.keptBy(e)) faults << QStringLiteral("promise broken");
     const bool failed = !faults.isEmpty();
@@ -133,6 +135,9 @@ void TestRandomScenes::everyLevelKeepsItsPromise() {
   if (!broken.isEmpty() && !folder.isEmpty()) save(c, Family(family), seed, folder.toStdString());
   QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QStringLiteral("; "))));
 }
+
+// Of all pixels drawn above: what a picture says of its error covers it.
+void TestRandomScenes::errorsAreAsTold() { QVERIFY(report_.shareBeyondEstimate() <= 0.001); }
 
 VOLUMEN_TEST(TestRandomScenes);
 #include "tst_random_scenes.moc"

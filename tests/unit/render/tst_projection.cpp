@@ -194,7 +194,9 @@ void TestProjection::levelsAreExact() {
     for (const View& view : views) {
       Scene scene = sceneOf(mode, caches.facts().range, 1);
       const ValueRange range = caches.facts().range;
-      scene.window = Window{(range.low + range.high) / 2, std::max(range.high - range.low, 1e-3)};
+      // Floats of a hundredth of the values' size can be told apart as finely.
+      const double size = std::max(std::abs(range.low), std::abs(range.high));
+      scene.window = Window{(range.low + range.high) / 2, std::max(range.high - range.low, 1e-2 * size)};
       view.set(scene);
       std::optional<Picture> truth;
       for (Quality quality : {Quality::draft, Quality::standard, Quality::high, Quality::exact}) {

@@ -36,7 +36,7 @@ void ProjectCells(const TraceFrame& f, const BlockValues& blocks, const RayRow& 
                   float* result, TraceCounts& counts) {
   const Grid grid(f, f.densityRow);
   std::optional<BlockTrail<kMode>> trail;
-  if (kMode != Mode::average && blocks.bricks && blocks.bricks->size() >= 4) trail.emplace(blocks);
+  if (kMode != Mode::average && blocks.bricks && blocks.bricks->size() >= 4) trail.emplace(blocks, f.size);
   for (std::size_t first = 0; first < rays.steps.size(); first += hn::Lanes(DF())) {
     CellProjection<Store, kMode> packet(f, grid, rays, int(first));
     if (trail) {

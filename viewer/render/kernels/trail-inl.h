@@ -7,6 +7,7 @@
 #endif
 
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "viewer/render/kernels/compact-inl.h"
 #include "viewer/render/kernels/project.h"
@@ -22,9 +23,9 @@ class BlockTrail {
   using E = Extreme<kMode>;
 
  public:
-  /// `blocks` must have four or more, and outlive it.
-  explicit BlockTrail(const BlockValues& blocks)
-      : bricks_(*blocks.bricks), bytes_(kMode == Mode::mip ? bricks_.highest : bricks_.lowest) {
+  /// `blocks` must have four or more, and outlive it; `size`: of the volume, voxels.
+  BlockTrail(const BlockValues& blocks, glm::ivec3 size)
+      : bricks_(*blocks.bricks), lastCell_(glm::max(size - 2, 0)), bytes_(kMode == Mode::mip ? bricks_.highest : bricks_.lowest) {
     const double sign = kMode == Mode::mip ? 1 : -1;
     for (std::size_t n = 0; n < bricks_.levels.size(); ++n) {
       const double most = sign * (bricks_.levels[n] - blocks.intercept) / blocks.slope + blocks.off;
@@ -79,16 +80,17 @@ class BlockTrail {
     for (Queue& q : queues_) q.first = q.end = 0, q.parts.resize(std::max(q.parts.size(), most_.size() / kLanes));
   }
 
-  /// What no density in the blocks around the rays exceeds.
+  /// What no density in the blocks around the rays exceeds. Behind the last voxels' centres these are the blocks
+  /// of the cells before, which are what is interpolated in there.
   HWY_INLINE VF MostOf(const FaceWalk& walk) const {
     const DI di;
-    const auto block = [&](VF lower, int count) {
-      const VF n = hn::Mul(hn::Max(lower, hn::Zero(DF())), Set(1 / float(bricks_.edge)));
-      return hn::Min(Truncated(n), SetI(count - 1));
+    const auto block = [&](VF lower, int lastCell) {
+      const VF cell = hn::Min(hn::Max(lower, hn::Zero(DF())), Set(float(lastCell)));
+      return Truncated(hn::Mul(cell, Set(1 / float(bricks_.edge))));
     };
-    const VI row = hn::Add(hn::Mul(block(walk.z.Lower(), bricks_.count.z), SetI(bricks_.count.y)),
-                           block(walk.y.Lower(), bricks_.count.y));
-    const VI n = hn::Add(hn::Mul(row, SetI(bricks_.count.x)), block(walk.x.Lower(), bricks_.count.x));
+    const VI row = hn::Add(hn::Mul(block(walk.z.Lower(), lastCell_.z), SetI(bricks_.count.y)),
+                           block(walk.y.Lower(), lastCell_.y));
+    const VI n = hn::Add(hn::Mul(row, SetI(bricks_.count.x)), block(walk.x.Lower(), lastCell_.x));
     // Four bytes at a time, none behind the last.
     const VI from = hn::Min(n, SetI(int(bytes_.size()) - 4));
     const VI four = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(bytes_.data()), from);
@@ -154,6 +156,7 @@ class BlockTrail {
   };
 
   const BrickRanges& bricks_;
+  const glm::ivec3 lastCell_;
   const std::vector<std::uint8_t>& bytes_;
   float mostOfLevel_[BrickRanges::mostLevels] = {};
   std::vector<float> begin_, most_;  ///< of each part, a vector; one more beginning
