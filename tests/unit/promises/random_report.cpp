@@ -41,11 +41,14 @@ void RandomReport::addPicture(Family family, const Picture& picture, double illC
   p.mostShare = std::max(p.mostShare, illConditionedShare);
 }
 
-void RandomReport::addEstimate(const std::vector<float>& told, const std::vector<double>& off) {
-  for (std::size_t n = 0; n < off.size(); ++n) {
-    estimated_ += off[n] > 0;
-    beyond_ += off[n] > double(told[n]);
-  }
+void RandomReport::addEstimate(const std::string& name, const std::vector<float>& told,
+                               const std::vector<double>& off) {
+  constexpr double roundingOf255 = 1e-3;  // of pixels in floats, the background's among them
+  int beyond = 0;
+  for (std::size_t n = 0; n < off.size(); ++n) beyond += off[n] > double(told[n]) + roundingOf255;
+  estimated_ += std::int64_t(off.size());
+  beyond_ += beyond;
+  if (beyond > 0) mistold_.push_back({beyond, name});
 }
 
 void RandomReport::printCounts() const {
@@ -87,11 +90,19 @@ void RandomReport::printWorst(Family family) const {
   }
 }
 
+void RandomReport::printEstimates() const {
+  std::fprintf(stderr, "\n%.4f %% of %lld pixels are farther off than their picture says; most often of",
+               100 * shareBeyondEstimate(), static_cast<long long>(estimated_));
+  auto most = mistold_;
+  std::sort(most.rbegin(), most.rend());
+  for (std::size_t n = 0; n < std::min<std::size_t>(most.size(), 10); ++n)
+    std::fprintf(stderr, "\n  %s: %d", most[n].second.c_str(), most[n].first);
+}
+
 void RandomReport::print() const {
   printCounts();
   printPictures();
-  std::fprintf(stderr, "\n%.4f %% of %lld pixels are farther off than their picture says",
-               100 * shareBeyondEstimate(), static_cast<long long>(estimated_));
+  printEstimates();
   if (!failures_.empty()) {
     std::fprintf(stderr, "\nthe worst cases, each at its worst level:");
     for (Family family : families) printWorst(family);

@@ -34,8 +34,8 @@ class RandomReport {
   void add(const LevelResult& result);
   /// Of the reference of a case.
   void addPicture(Family family, const Picture& picture, double illConditionedShare);
-  /// How many pixels are no farther off than a picture says (both /255; 0 off: nothing to be told).
-  void addEstimate(const std::vector<float>& told, const std::vector<double>& off);
+  /// Counts pixels that are farther off than their picture says (both /255).
+  void addEstimate(const std::string& name, const std::vector<float>& told, const std::vector<double>& off);
   /// The share of pixels that are farther off than was told, of all that addEstimate was given.
   double shareBeyondEstimate() const { return estimated_ == 0 ? 0 : double(beyond_) / double(estimated_); }
   /// Failures by family, mode and level, the share of ill-conditioned pixels, the worst cases, and how to
@@ -53,12 +53,14 @@ class RandomReport {
   };
   void printCounts() const;
   void printPictures() const;
+  void printEstimates() const;
   void printWorst(Family family) const;
 
   std::map<std::tuple<Family, Mode, Quality>, Count> counts_;
   std::map<Family, Pictures> pictures_;
   std::vector<LevelResult> failures_;
-  std::int64_t estimated_ = 0, beyond_ = 0;  ///< pixels
+  std::int64_t estimated_ = 0, beyond_ = 0;            ///< pixels
+  std::vector<std::pair<int, std::string>> mistold_;  ///< pictures with such pixels, and how many
 };
 
 }  // namespace volumen::tests

@@ -116,7 +116,9 @@ void TestRandomScenes::everyLevelKeepsItsPromise() {
     const RenderOptions options = atLevel(promise.quality);
     const Rendered rendered = truth.rendered(options);
     const PictureError e = truth.errorOf(rendered.picture, promise);
-    if (!rendered.error.empty()) report_.addEstimate(rendered.error, truth.errorOfPixels(rendered.picture));
+    if (!rendered.error.empty())
+      report_.addEstimate(std::string(QTest::currentDataTag()) + ", " + promise.name, rendered.error,
+                          truth.errorOfPixels(rendered.picture));
     QStringList faults = faultsOf(truth, rendered.picture, options);
     if (!promise.keptBy(e)) faults << QStringLiteral("promise broken");
     const bool failed = !faults.isEmpty();

@@ -56,7 +56,8 @@ class PassageIntegrator {
       const MF ends = hn::And(taken, nearEnd);
       length = hn::IfThenElse(taken, hn::Add(length, length), NextLength(hn::Sub(upTo, s), off, share));
       s = hn::IfThenElse(taken, upTo, s);
-      front = {IfThenElse3(taken, back.colour, front.colour), IfThenElse3(taken, back.normal, front.normal)};
+      front = {IfThenElse3(taken, back.colour, front.colour), IfThenElse3(taken, back.normal, front.normal),
+               hn::IfThenElse(hn::RebindMask(DI(), taken), back.sides, front.sides)};
       const MF goesOn =
           hn::And(hn::Or(tooFar, hn::Lt(s, one)), hn::Gt(hn::Mul(through, left), Set(f_.stopTransmittance)));
       active = hn::And(active, goesOn);

@@ -41,9 +41,11 @@ HWY_INLINE VF IntervalOpacity(const IntervalSeries& series, VF opacity, VF units
   return hn::IfThenElse(fits, fast, PowerOpacity(opacity, units, fits));
 }
 
-/// A lit colour, and the normal it was lit by, shorter where the gradient is below the floor of SCENE 5.
+/// A lit colour, the normal it was lit by, shorter where the gradient is below the floor of SCENE 5, and on
+/// which sides of light and viewer that lies (SidesOf).
 struct Lit {
   V3 colour, normal;
+  VI sides;
 };
 
 /// Classification and light of one frame.
@@ -91,14 +93,14 @@ struct Matter {
   /// A colour of the curve, lit: with D'' and S'' of SCENE 5. Not by the table, which knows no colours.
   HWY_INLINE Lit LitColour(const V3& colour, const V3& stored, VI ray) const {
     if constexpr (!kLit) {
-      return {colour, Zero3()};
+      return {colour, Zero3(), SetI(0)};
     } else {
       const Normal normal = NormalOf(f, stored);
       const DS shade = WithFloor(f, ShadeOf(normal.n, ray), normal.length);
       const VF share = hn::Min(Set(1), hn::Mul(normal.length, Set(f.inverseFloor)));
       return {Add({hn::Mul(colour.x, shade.d.x), hn::Mul(colour.y, shade.d.y), hn::Mul(colour.z, shade.d.z)},
                   shade.s),
-              Scale(normal.n, share)};
+              Scale(normal.n, share), SidesOf(*f.lighting, normal.n)};
     }
   }
 

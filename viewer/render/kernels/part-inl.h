@@ -136,21 +136,35 @@ class PartRule {
     sum.colour.x = component(middle.colour.x, front.colour.x, back.colour.x);
     sum.colour.y = component(middle.colour.y, front.colour.y, back.colour.y);
     sum.colour.z = component(middle.colour.z, front.colour.z, back.colour.z);
-    sum.error = hn::Max(sum.error, hn::Mul(opacity, off));
+    const VF brightest = hn::Max(Set(1), hn::Max(middle.colour.x, hn::Max(middle.colour.y, middle.colour.z)));
+    sum.error = hn::Add(hn::Mul(sum.error, brightest), hn::Mul(opacity, off));
   }
 
-  /// The light that may have come and gone between three places: by how far the normal turns on the way.
+  /// The light that may have come and gone between three places: by how far the normal turns on the way, and
+  /// whether it passes a kink of the light there.
   HWY_INLINE VF MissedLight(const Lit& a, const Lit& m, const Lit& b) const {
-    const auto turned = [](const V3& u, const V3& v) {
-      const V3 change = Add(u, Scale(v, Set(-1)));
-      return Dot(change, change);
-    };
-    const VF turn = hn::Max(turned(a.normal, m.normal), turned(m.normal, b.normal));
-    const LightTurn& light = matter_.f.lightTurn;
+    return hn::Max(MissedBetween(a, m), MissedBetween(m, b));
+  }
+  HWY_INLINE VF MissedBetween(const Lit& a, const Lit& b) const {
+    const LightStrength& light = matter_.f.lightStrength;
+    const V3 change = Add(a.normal, Scale(b.normal, Set(-1)));
+    const VF square = Dot(change, change), turn = hn::Sqrt(square);
     // A highlight is so wide that a turn of 1 / sqrt(shininess) may step over a part of it.
-    const VF over = hn::Mul(turn, Set(light.shininess)), square = hn::Mul(over, over);
-    const VF shine = hn::Div(hn::Min(square, Set(1)), hn::Sqrt(hn::Max(over, Set(1))));
-    return hn::Add(hn::Mul(Set(light.diffuse), turn), hn::Mul(Set(light.specular), shine));
+    const VF over = hn::Mul(square, Set(0.5f * light.shininess));
+    const VF shine = hn::Div(hn::Min(hn::Mul(over, over), Set(1)), hn::Sqrt(hn::Max(over, Set(1))));
+    const VF smooth =
+        hn::Add(hn::Mul(Set(0.05f * light.diffuse), square), hn::Mul(Set(0.25f * light.specular), shine));
+    // Between the two sides that a viewer may see, and where highlights begin, light changes within a tenth
+    // of a turn from nothing to all of it.
+    const VI sides = hn::Xor(a.sides, b.sides);
+    const auto passes = [&](VI bits) { return hn::RebindMask(DF(), hn::Ne(bits, SetI(0))); };
+    const VF sudden = hn::Mul(Set(0.25f), hn::Min(hn::Mul(Set(5), turn), Set(1)));
+    const VF ofLights =
+        hn::Add(hn::Mul(Set(0.125f * light.diffuse), turn), hn::Mul(Set(light.specular), sudden));
+    const VF ofSides = hn::Mul(Set(light.diffuse + light.specular), sudden);
+    const VF kinks =
+        hn::IfThenElse(passes(hn::And(sides, SetI(3))), ofSides, hn::IfThenElseZero(passes(sides), ofLights));
+    return hn::Add(smooth, kinks);
   }
 
   static HWY_INLINE VF MeanOf(const Extinction& a, const Extinction& b) {

@@ -209,6 +209,24 @@ HWY_INLINE DS ShadePhong(const Lighting& lighting, const V3& n, const V3& viewer
   return lighting.coloured ? out : InGrey(out.d.x, out.s.x);
 }
 
+/// Between which of the kinks of D' and S' a normal lies: by which lights it is lit from the front (bits 2 to
+/// 31, the first 30 of them), and which side of a surface the viewer sees (bits 0 and 1: neither where both).
+HWY_INLINE VI SidesOf(const Lighting& lighting, const V3& n) {
+  const DI di;
+  VI sides = SetI(0);
+  const auto add = [&](MF which, int bit) {
+    sides = hn::Or(sides, hn::IfThenElseZero(hn::RebindMask(di, which), SetI(int(1u << bit))));
+  };
+  if (lighting.twoSided) {
+    const VF along = Dot(n, Broadcast(lighting.viewer)), band = Set(0.1f);
+    add(hn::Gt(along, band), 0);
+    add(hn::Lt(along, hn::Neg(band)), 1);
+  }
+  const int count = std::min(int(lighting.lights.size()), 30);
+  for (int i = 0; i < count; ++i) add(hn::Gt(Dot(n, Broadcast(lighting.lights[i].l)), hn::Zero(DF())), 2 + i);
+  return sides;
+}
+
 /// Where directions meet the cube of a reflectance map: face, and u, v in -1 .. 1.
 struct CubePlace {
   VI face;

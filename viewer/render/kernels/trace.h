@@ -45,9 +45,9 @@ struct ErrorBudget {
   float most = 1;  ///< of a whole ray
 };
 
-/// How much light a part of a ray may miss whose normal turns by t (the length of the change, squared)
-/// between two looks: diffuse * t, and specular where t shininess is large.
-struct LightTurn {
+/// How much light there is, whatever the normal: what bounds how much of it a part of a ray may miss between
+/// two looks (PartRule).
+struct LightStrength {
   float diffuse = 0, specular = 0, shininess = 1;
 };
 
@@ -87,7 +87,7 @@ struct TraceFrame {
   const TransferFunction* transfer = nullptr;  ///< for its gradientOpacity
   float stopTransmittance = 0;                 ///< 0: no ray ends before its last sample
   Slices slices;
-  LightTurn lightTurn;
+  LightStrength lightStrength;
   ErrorBudget budget;  ///< where the kernel goes cell by cell (TraceKey)
 };
 

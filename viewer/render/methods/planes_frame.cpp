@@ -27,13 +27,11 @@ int levelsOf(Blending blending) {
   return blending == Blending::floats ? 0 : blending == Blending::bits16 ? 65535 : 255;
 }
 
-// A twentieth of the diffuse light, and a quarter of the highlights, which are seldom met.
-LightTurn lightTurnOf(const Lighting& lighting) {
+LightStrength strengthOf(const Lighting& lighting) {
   glm::vec3 diffuse(0), specular(0);
   for (const ShadingLight& light : lighting.lights) diffuse += light.diffuse, specular += light.specular;
   const auto largest = [](glm::vec3 v) { return std::max({v.r, v.g, v.b}); };
-  return {0.05f * largest(diffuse), lighting.specular ? 0.25f * largest(specular) : 0.0f,
-          lighting.shininess / 2};
+  return {largest(diffuse), lighting.specular ? largest(specular) : 0.0f, lighting.shininess};
 }
 
 // How far the box around a packet of rays may reach: its interval, and where samples stand at steps half a
@@ -80,7 +78,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   for (const CurvePoint& p : transfer_.points) mostOpacity = std::max(mostOpacity, double(p.opacity));
   frame_.intervals = makeIntervalSeries(setup.sharedStepMm() * frame_.inverseUnitMm, mostOpacity);
   frame_.lighting = &lighting_;
-  frame_.lightTurn = lightTurnOf(lighting_);
+  frame_.lightStrength = strengthOf(lighting_);
   makeShades(plan, caches);
   frame_.stopTransmittance = float(plan.stopTransmittance);
   frame_.slices = {plan.method == Method::blend, float(levelsOf(plan.blending))};
