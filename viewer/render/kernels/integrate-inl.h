@@ -6,6 +6,9 @@
 #define VOLUMEN_RENDER_KERNELS_INTEGRATE_INL_H_
 #endif
 
+#include <algorithm>
+
+#include "viewer/render/kernels/compact-inl.h"
 #include "viewer/render/kernels/part-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,6 +20,12 @@ struct PassageSum {
   VF opacity, error;
 };
 
+/// Passages, a lane each, and the light that reaches them.
+struct LoadedPassages {
+  RayInCell r;
+  VF through;
+};
+
 /// Integrates passages from their front to their back, a lane each. Each is cut exactly where its density
 /// turns round and where it crosses a point of the curve; what lies between two cuts, a piece, holds no kink
 /// of the curve. A piece is integrated in parts (PartRule): a part is cut further while what it may be
@@ -26,62 +35,102 @@ class PassageIntegrator {
  public:
   PassageIntegrator(const TraceFrame& f, const Material& matter) : f_(f), rule_(matter) {}
 
-  /// `through`: the light that reaches each passage; `active`: the lanes that hold one.
-  HWY_INLINE PassageSum Integrate(const RayInCell& r, VF through, MF active, std::int64_t& parts) const {
+  /// Integrates `count` passages. A lane that has done one takes the next, so that passages of one part need
+  /// not wait for those of many. `load(n, lanes)`: the passages from the n-th on, one in each of these lanes
+  /// (LoadedPassages). `take(ray, lanes, through, sum)`: those of these lanes are done. `parts`: how many
+  /// there were.
+  template <class Load, class Take>
+  HWY_INLINE void Integrate(int count, const Load& load, const Take& take, std::int64_t& parts) const {
     const DF df;
     const VF one = Set(1), zero = hn::Zero(df);
-    const ErrorBudget& budget = f_.budget;
-    const VF least = Set(budget.most * budget.leastShare);
-    PassageSum sum{Zero3(), zero, zero};
-    VF left = one;
-    Piece piece = FirstPiece(r, active);
-    VF s = Set(-1), length = Set(2);
-    Lit front = rule_.ColourAt(r, piece.segment, s);
-    while (!hn::AllFalse(df, active)) {
-      const VF end = hn::Add(s, length);
-      const MF nearEnd = hn::Ge(hn::Add(end, hn::Mul(length, Set(0.1f))), piece.end);
-      const VF upTo = hn::IfThenElse(nearEnd, piece.end, end);
-      const VF reach = hn::Mul(through, left);
-      const Lit back = rule_.ColourAt(r, piece.segment, upTo);
-      const PartSum part = rule_.Integrate(r, {s, upTo, piece.segment}, front, back);
-      const VF off = hn::Mul(reach, part.error), weight = hn::Mul(reach, part.opacity);
-      const VF share = hn::Max(hn::Mul(Set(budget.most), weight), least);
+    if (count == 0) return;
+    Lanes lanes;
+    MF active = hn::FirstN(df, 0);
+    for (int next = 0;;) {
+      MF begins = hn::FirstN(df, 0);
+      if (next < count && int(hn::CountTrue(df, active)) <= kLanes - kRefill) {
+        begins = Refill(count, load, hn::Not(active), next, lanes);
+        active = hn::Or(active, begins);
+      }
+      if (hn::AllFalse(df, active)) return;
+      const MF turns = hn::Or(begins, hn::And(active, hn::Ge(lanes.s, lanes.piece.end)));
+      if (!hn::AllFalse(df, turns)) NextPiece(turns, lanes);
+      const VF s = lanes.s, end = hn::Add(s, lanes.length);
+      const MF nearEnd = hn::Ge(hn::Add(end, hn::Mul(lanes.length, Set(0.1f))), lanes.piece.end);
+      const VF upTo = hn::IfThenElse(nearEnd, lanes.piece.end, end);
+      const VF reach = hn::Mul(lanes.through, lanes.left);
+      const Fragment back = rule_.FragmentAt(lanes.r, lanes.piece.segment, upTo);
+      const PartSum part = rule_.Integrate(lanes.r, {s, upTo, lanes.piece.segment}, lanes.front, back, reach);
+      const VF off = hn::Mul(reach, part.error), share = rule_.ShareOf(reach, part.opacity);
       const MF tooFar = hn::And(hn::Gt(off, share), hn::Gt(hn::Sub(upTo, s), Set(kShortest)));
       const MF taken = hn::AndNot(tooFar, active);
       parts += std::int64_t(hn::CountTrue(df, taken));
-      const VF seen = hn::IfThenElseZero(taken, left);
-      sum.colour = Add(sum.colour, Scale(part.colour, seen));
-      sum.error = hn::Add(sum.error, hn::Mul(seen, part.error));
-      left = hn::Sub(left, hn::Mul(seen, part.opacity));
-      const MF ends = hn::And(taken, nearEnd);
-      length = hn::IfThenElse(taken, hn::Add(length, length), NextLength(hn::Sub(upTo, s), off, share));
-      s = hn::IfThenElse(taken, upTo, s);
-      front = {IfThenElse3(taken, back.colour, front.colour), IfThenElse3(taken, back.normal, front.normal),
-               hn::IfThenElse(hn::RebindMask(DI(), taken), back.sides, front.sides)};
-      const MF goesOn =
-          hn::And(hn::Or(tooFar, hn::Lt(s, one)), hn::Gt(hn::Mul(through, left), Set(f_.stopTransmittance)));
+      const VF seen = hn::IfThenElseZero(taken, lanes.left);
+      lanes.sum.colour = Add(lanes.sum.colour, Scale(part.colour, seen));
+      lanes.sum.error = hn::Add(lanes.sum.error, hn::Mul(seen, part.error));
+      lanes.left = hn::Sub(lanes.left, hn::Mul(seen, part.opacity));
+      lanes.length = hn::IfThenElse(taken, hn::Add(lanes.length, lanes.length),
+                                    NextLength(hn::Sub(upTo, s), off, share));
+      lanes.s = hn::IfThenElse(taken, upTo, s);
+      lanes.front = Chosen(taken, back, lanes.front);
+      const MF goesOn = hn::And(hn::Or(tooFar, hn::Lt(lanes.s, one)),
+                                hn::Gt(hn::Mul(lanes.through, lanes.left), Set(f_.stopTransmittance)));
+      const MF done = hn::AndNot(goesOn, active);
+      if (hn::AllFalse(df, done)) continue;
+      lanes.sum.opacity = hn::Sub(one, lanes.left);
+      take(lanes.r.ray, done, lanes.through, lanes.sum);
       active = hn::And(active, goesOn);
-      const MF turns = hn::And(ends, active);
-      if (hn::AllFalse(df, turns)) continue;
-      NextPiece(r, s, turns, piece);
-      length = hn::IfThenElse(turns, Set(2), length);
-      front = rule_.ColourAt(r, piece.segment, s);
     }
-    sum.opacity = hn::Sub(one, left);
-    return sum;
   }
 
  private:
-  static constexpr float kShortest = 1.0f / 2048;  ///< parts are not cut further
+  static constexpr float kShortest = 1.0f / 2048;   ///< parts are not cut further
+  static constexpr int kRefill = (kLanes + 3) / 4;  ///< so many lanes must have nothing to do
 
   /// What lies between two cuts of a passage.
   struct Piece {
-    VF turn1, turn2;  ///< where the density turns round; 2: nowhere
-    VI index;         ///< segment of the curve
-    CurveSegment segment;
-    VF end;
-    VI step;  ///< from the segment to the next piece's: -1, 0, 1
+    VF turn1 = Set(2), turn2 = Set(2);  ///< where the density turns round; 2: nowhere
+    VI index = SetI(0);                 ///< segment of the curve
+    CurveSegment segment{};
+    VF end = Set(1);
+    VI step = SetI(0);  ///< from the segment to the next piece's: -1, 0, 1
   };
+
+  /// A passage in each lane, and how far it has come.
+  struct Lanes {
+    VI which;
+    RayInCell r;
+    VF through;    ///< the light that reaches the passage
+    VF left;       ///< and how much of that goes on
+    VF s, length;  ///< where it is, how long a part is tried next
+    Piece piece;
+    Fragment front{};  ///< at s
+    PassageSum sum{Zero3(), hn::Zero(DF()), hn::Zero(DF())};
+  };
+
+  /// Gives the lanes that are `idle` the passages from `next` on, as many as there are; which lanes.
+  template <class Load>
+  HWY_INLINE MF Refill(int count, const Load& load, MF idle, int& next, Lanes& lanes) const {
+    const DF df;
+    const VF number = Expanded(hn::Iota(df, float(next)), idle);
+    const MF begins = hn::And(idle, hn::Lt(number, Set(float(count))));
+    const LoadedPassages loaded = load(next, idle);
+    next = std::min(count, next + int(hn::CountTrue(df, idle)));
+    lanes.r = Chosen(begins, loaded.r, lanes.r);
+    lanes.through = hn::IfThenElse(begins, loaded.through, lanes.through);
+    lanes.left = hn::IfThenElse(begins, Set(1), lanes.left);
+    lanes.s = hn::IfThenElse(begins, Set(-1), lanes.s);
+    const VF sofar = hn::IfThenElseZero(hn::Not(begins), Set(1));
+    lanes.sum.colour = Scale(lanes.sum.colour, sofar);
+    lanes.sum.error = hn::Mul(lanes.sum.error, sofar);
+    SetTurns(lanes.r.density, lanes.piece);
+    const DI di;
+    const auto first = hn::RebindMask(di, begins);
+    lanes.piece.index =
+        hn::IfThenElse(first, SegmentOf(*f_.curve, lanes.r.density.At(Set(-1))), lanes.piece.index);
+    lanes.piece.step = hn::IfThenElseZero(hn::Not(first), lanes.piece.step);
+    return begins;
+  }
 
   /// A rule that is off by the cube of a part's length: how long one may be.
   static HWY_INLINE VF NextLength(VF length, VF off, VF share) {
@@ -90,19 +139,13 @@ class PassageIntegrator {
     return hn::Mul(length, shrink);
   }
 
-  HWY_INLINE Piece FirstPiece(const RayInCell& r, MF active) const {
-    Piece p;
-    SetTurns(r.density, p);
-    p.index = SegmentOf(*f_.curve, r.density.At(Set(-1)));
-    p.step = SetI(0);
-    p.end = Set(-1);
-    SetPiece(r, Set(-1), active, p);
-    return p;
-  }
-
-  HWY_INLINE void NextPiece(const RayInCell& r, VF s, MF which, Piece& p) const {
+  /// Begins a piece in the lanes `which`.
+  HWY_INLINE void NextPiece(MF which, Lanes& lanes) const {
+    Piece& p = lanes.piece;
     p.index = hn::Add(p.index, hn::IfThenElseZero(hn::RebindMask(DI(), which), p.step));
-    SetPiece(r, s, which, p);
+    SetPiece(lanes.r, lanes.s, which, p);
+    lanes.length = hn::IfThenElse(which, Set(2), lanes.length);
+    lanes.front = rule_.FragmentAt(lanes.r, p.segment, lanes.s);
   }
 
   /// The roots of the derivative inside the passage.

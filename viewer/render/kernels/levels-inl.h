@@ -103,6 +103,8 @@ class LevelTracer {
 
  private:
   static constexpr int kNoted = 4096 + 64 * kLanes;
+  static constexpr int kUnits = 4, kThrough = 5, kRay = 6, kGradient = 7,
+                       kFields = Material::kGradients ? kGradient + 12 : kGradient;
 
   /// Sets the densities of what was noted and forgets what cannot be seen.
   HWY_INLINE void KeepVisible() {
@@ -170,31 +172,61 @@ class LevelTracer {
       order_[open] = passage;
       open += out_.alpha[noted_.ray[passage]] <= opaque;
     }
-    for (int n = begin; n < open; n += kLanes) DrawPassages(n, std::min(kLanes, open - n));
+    const int count = open - begin;
+    for (int n = 0; n < count; n += kLanes) Prepare(begin + n, n, std::min(kLanes, count - n));
+    const auto load = [&](int next, MF lanes) { return Load(next, lanes); };
+    const auto take = [&](VI ray, MF done, VF through, const PassageSum& sum) {
+      AddToRays(ray, BitsOf(done), through, sum);
+    };
+    integrator_.Integrate(count, load, take, counts_.composited);
   }
 
-  HWY_INLINE void DrawPassages(int first, int count) {
+  /// Of the `count` passages from order_[first] on, no more than a vector: sets those of the wave from `at`
+  /// on.
+  HWY_INLINE void Prepare(int first, int at, int count) {
     const DF df;
     const DI di;
     const auto& s = noted_;
-    const MF active = hn::FirstN(df, std::size_t(count));
     const VI which = hn::IfThenElseZero(hn::FirstN(di, std::size_t(count)), hn::LoadU(di, order_ + first));
     const auto of = [&](const float* values) { return hn::GatherIndex(df, values, which); };
     const VI ray = hn::GatherIndex(di, s.ray, which);
     const VF steps = of(s.steps);
     const VF stepMm =
         rays_.parallel ? Set(rays_.sharedStepMm) : hn::GatherIndex(df, rays_.stepMm.data(), ray);
-    RayInCell r;
-    r.density = {of(s.c0), of(s.c1), of(s.c2), of(s.c3)};
-    r.units = hn::Mul(hn::Mul(stepMm, Set(f_.inverseUnitMm)), steps);
-    r.ray = ray;
-    if constexpr (Material::kGradients)
-      r.gradient = GradientAlong<Store>(gradientGrid_, {of(s.x), of(s.y), of(s.z)}, HalfOf(ray, steps));
-    const VF through = hn::Sub(Set(1), hn::GatherIndex(df, out_.alpha, ray));
-    AddToRays(ray, through, count, integrator_.Integrate(r, through, active, counts_.composited));
+    const auto set = [&](int field, VF value) { hn::Store(value, df, wave_[field] + at); };
+    set(0, of(s.c0)), set(1, of(s.c1)), set(2, of(s.c2)), set(3, of(s.c3));
+    set(kUnits, hn::Mul(hn::Mul(stepMm, Set(f_.inverseUnitMm)), steps));
+    set(kThrough, hn::Sub(Set(1), hn::GatherIndex(df, out_.alpha, ray)));
+    set(kRay, hn::BitCast(df, ray));
+    if constexpr (Material::kGradients) {
+      const CubicVector g =
+          GradientAlong<Store>(gradientGrid_, {of(s.x), of(s.y), of(s.z)}, HalfOf(ray, steps));
+      int field = kGradient;
+      for (const Cubic& c : {g.x, g.y, g.z}) {
+        set(field, c.c0), set(field + 1, c.c1), set(field + 2, c.c2), set(field + 3, c.c3);
+        field += 4;
+      }
+    }
   }
 
-  HWY_INLINE void AddToRays(VI ray, VF through, int count, const PassageSum& sum) {
+  /// The passages of the wave from `next` on, one in each of these lanes.
+  HWY_INLINE LoadedPassages Load(int next, MF lanes) const {
+    const auto of = [&](int field) { return Expanded(hn::LoadU(DF(), wave_[field] + next), lanes); };
+    const auto cubic = [&](int field) {
+      return Cubic{of(field), of(field + 1), of(field + 2), of(field + 3)};
+    };
+    LoadedPassages l;
+    l.r.density = cubic(0);
+    l.r.units = of(kUnits);
+    l.r.ray = hn::BitCast(DI(), of(kRay));
+    l.through = of(kThrough);
+    if constexpr (Material::kGradients)
+      l.r.gradient = {cubic(kGradient), cubic(kGradient + 4), cubic(kGradient + 8)};
+    return l;
+  }
+
+  /// Of the lanes `which` (bits): `through`, the light that reached the passage.
+  HWY_INLINE void AddToRays(VI ray, std::uint32_t which, VF through, const PassageSum& sum) const {
     HWY_ALIGN float parts[4 * kLanes], alpha[kLanes];
     HWY_ALIGN std::int32_t rays[kLanes];
     const V3 c = Scale(sum.colour, through);
@@ -202,7 +234,8 @@ class LevelTracer {
     hn::Store(hn::Mul(sum.opacity, through), DF(), alpha);
     hn::Store(ray, DI(), rays);
     const hn::CappedTag<float, 4> d4;
-    for (int n = 0; n < count; ++n) {
+    for (; which; which &= which - 1) {
+      const int n = int(hwy::Num0BitsBelowLS1Bit_Nonzero32(which));
       out_.alpha[rays[n]] += alpha[n];
       for (int c4 = 0; c4 < 4; c4 += int(hn::MaxLanes(d4))) {
         float* p = sums_.data() + 4 * rays[n] + c4;
@@ -222,7 +255,8 @@ class LevelTracer {
   std::int32_t ofWave_[kNoted];
   HWY_ALIGN std::int32_t order_[kNoted];
   std::vector<std::int32_t> waves_, met_;  ///< met_: of each ray, passages counted so far
-  std::vector<float> sums_;                ///< of each ray: red, green, blue, error
+  HWY_ALIGN float wave_[kFields][kNoted];  ///< passages of a wave; from 0 on their density (Cubic)
+  mutable std::vector<float> sums_;        ///< of each ray: red, green, blue, error
 };
 
 }  // namespace volumen::HWY_NAMESPACE

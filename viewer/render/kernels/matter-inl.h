@@ -41,12 +41,19 @@ HWY_INLINE VF IntervalOpacity(const IntervalSeries& series, VF opacity, VF units
   return hn::IfThenElse(fits, fast, PowerOpacity(opacity, units, fits));
 }
 
-/// A lit colour, the normal it was lit by, shorter where the gradient is below the floor of SCENE 5, and on
-/// which sides of light and viewer that lies (SidesOf).
-struct Lit {
-  V3 colour, normal;
-  VI sides;
+/// What light needs to know of a sample, and what tells how much light may change from one to the next.
+struct Fragment {
+  V3 colour;  ///< of the curve
+  V3 normal;  ///< unit
+  VF share;   ///< how much of it counts: less than 1 where the gradient is below the floor of SCENE 5
+  VI sides;   ///< SidesOf
 };
+
+HWY_INLINE Fragment Chosen(MF which, const Fragment& a, const Fragment& b) {
+  return {IfThenElse3(which, a.colour, b.colour), IfThenElse3(which, a.normal, b.normal),
+          hn::IfThenElse(which, a.share, b.share),
+          hn::IfThenElse(hn::RebindMask(DI(), which), a.sides, b.sides)};
+}
 
 /// Classification and light of one frame.
 template <ShadeBy kShade, bool kGradientOpacity>
@@ -87,21 +94,24 @@ struct Matter {
     if constexpr (kShade == ShadeBy::table)
       return ShadeByTable(*f.table, stored, density);
     else
-      return LitColour(ColourOf(*f.curve, segment, density), stored, ray).colour;
+      return LitColour(FragmentOf(ColourOf(*f.curve, segment, density), stored, ray), ray);
   }
 
-  /// A colour of the curve, lit: with D'' and S'' of SCENE 5. Not by the table, which knows no colours.
-  HWY_INLINE Lit LitColour(const V3& colour, const V3& stored, VI ray) const {
-    if constexpr (!kLit) {
-      return {colour, Zero3(), SetI(0)};
-    } else {
-      const Normal normal = NormalOf(f, stored);
-      const DS shade = WithFloor(f, ShadeOf(normal.n, ray), normal.length);
-      const VF share = hn::Min(Set(1), hn::Mul(normal.length, Set(f.inverseFloor)));
-      return {Add({hn::Mul(colour.x, shade.d.x), hn::Mul(colour.y, shade.d.y), hn::Mul(colour.z, shade.d.z)},
-                  shade.s),
-              Scale(normal.n, share), SidesOf(*f.lighting, normal.n)};
-    }
+  /// Of a colour of the curve and a stored gradient, met by this ray.
+  HWY_INLINE Fragment FragmentOf(const V3& colour, const V3& stored, VI ray) const {
+    if constexpr (!kLit) return {colour, Zero3(), hn::Zero(DF()), SetI(0)};
+    const Normal normal = NormalOf(f, stored);
+    const V3 viewer = f.lighting->localViewer ? ViewerOf(ray) : Broadcast(f.lighting->viewer);
+    return {colour, normal.n, ShareOfNormal(f, normal.length), SidesOf(*f.lighting, normal.n, viewer)};
+  }
+
+  /// Its colour, lit: with D'' and S'' of SCENE 5. Not by the table, which knows no colours.
+  HWY_INLINE V3 LitColour(const Fragment& a, VI ray) const {
+    if constexpr (!kLit) return a.colour;
+    const DS shade = WithFloor(f, ShadeOf(a.normal, ray), a.share);
+    return Add(
+        {hn::Mul(a.colour.x, shade.d.x), hn::Mul(a.colour.y, shade.d.y), hn::Mul(a.colour.z, shade.d.z)},
+        shade.s);
   }
 
  private:
@@ -113,9 +123,13 @@ struct Matter {
       if (kShade == ShadeBy::map || (any && f.map)) return ShadeMap(*f.map, n);
       if (kShade == ShadeBy::phong || (any && !f.lighting->localViewer))
         return ShadePhong<false>(*f.lighting, n, Broadcast(f.lighting->viewer));
-      const auto ofRay = [&](const float* v) { return hn::GatherIndex(DF(), v + first, ray); };
-      return ShadePhong<true>(*f.lighting, n, {ofRay(viewerX), ofRay(viewerY), ofRay(viewerZ)});
+      return ShadePhong<true>(*f.lighting, n, ViewerOf(ray));
     }
+  }
+
+  HWY_INLINE V3 ViewerOf(VI ray) const {
+    const auto of = [&](const float* v) { return hn::GatherIndex(DF(), v + first, ray); };
+    return {of(viewerX), of(viewerY), of(viewerZ)};
   }
 };
 

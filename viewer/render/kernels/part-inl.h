@@ -20,6 +20,13 @@ struct RayInCell {
   VF units;              ///< from -1 to 1, in unit distances
   VI ray;
 };
+HWY_INLINE RayInCell Chosen(MF which, const RayInCell& a, const RayInCell& b) {
+  return {Chosen(which, a.density, b.density),
+          {Chosen(which, a.gradient.x, b.gradient.x), Chosen(which, a.gradient.y, b.gradient.y),
+           Chosen(which, a.gradient.z, b.gradient.z)},
+          hn::IfThenElse(which, a.units, b.units),
+          hn::IfThenElse(hn::RebindMask(DI(), which), a.ray, b.ray)};
+}
 
 /// A part of it, from `a` to `b`, on which the density rises or falls along one segment of the curve.
 struct Part {
@@ -46,14 +53,15 @@ class PartRule {
  public:
   explicit PartRule(const Material& matter) : matter_(matter) {}
 
-  HWY_INLINE Lit ColourAt(const RayInCell& r, const CurveSegment& segment, VF s) const {
+  HWY_INLINE Fragment FragmentAt(const RayInCell& r, const CurveSegment& segment, VF s) const {
     V3 gradient = Zero3();
     if constexpr (Material::kLit) gradient = r.gradient.At(s);
-    return matter_.LitColour(ColourOn(segment, DensityOn(r, segment, s)), gradient, r.ray);
+    return matter_.FragmentOf(ColourOn(segment, DensityOn(r, segment, s)), gradient, r.ray);
   }
 
-  /// `front` and `back`: the colours at its ends.
-  HWY_INLINE PartSum Integrate(const RayInCell& r, const Part& p, const Lit& front, const Lit& back) const {
+  /// `front` and `back`: what is at its ends. `reach`: the light that reaches it.
+  HWY_INLINE PartSum Integrate(const RayInCell& r, const Part& p, const Fragment& front, const Fragment& back,
+                               VF reach) const {
     const VF half = Set(0.5f), one = Set(1);
     const VF middle = hn::Mul(half, hn::Add(p.a, p.b));
     const Place places[3] = {PlaceAt(r, p, p.a), PlaceAt(r, p, middle), PlaceAt(r, p, p.b)};
@@ -72,9 +80,15 @@ class PartRule {
     const VF d1 = hn::Sub(at1, at), d2 = hn::Sub(at2, at);
     const VF between =
         hn::Mul(hn::Add(hn::Mul(first.opacity, hn::Mul(d1, d1)), hn::Mul(behind, hn::Mul(d2, d2))), per);
-    AddColours(r, p, {at, hn::Add(between, WithinHalves(depth)), BiasOf(a, b, mean, depth)}, front, back,
-               sum);
+    const Spread light{at, hn::Add(between, WithinHalves(depth)), BiasOf(a, b, mean, depth)};
+    AddColour(r, light, front, FragmentAt(r, p.segment, Between(p.a, p.b, light.mean)), back, reach, sum);
     return sum;
+  }
+
+  /// What a part of this opacity may be off by, where `reach` reaches it: a share of white.
+  HWY_INLINE VF ShareOf(VF reach, VF opacity) const {
+    const ErrorBudget& budget = matter_.f.budget;
+    return hn::Max(hn::Mul(Set(budget.most), hn::Mul(reach, opacity)), Set(budget.most * budget.leastShare));
   }
 
  private:
@@ -117,46 +131,114 @@ class PartRule {
     return place;
   }
 
-  HWY_INLINE void AddColours(const RayInCell& r, const Part& p, const Spread& light, const Lit& front,
-                             const Lit& back, PartSum& sum) const {
-    const VF one = Set(1), opacity = sum.opacity;
-    const Lit middle = ColourAt(r, p.segment, Between(p.a, p.b, light.mean));
-    // Divided differences; light that comes from one end has next to no variance.
-    const VF toFront = hn::Div(one, hn::Max(light.mean, Set(0.01f))),
-             toBack = hn::Div(one, hn::Max(hn::Sub(one, light.mean), Set(0.01f)));
+  /// How a value leaves the straight way between the ends of a part.
+  struct Bend {
+    VF bent;  ///< the mean that the light sees, less the value at the mean place: by a parabola
+    VF rise;  ///< the larger of the two slopes
+  };
+  struct BendRule {
+    VF toFront, toBack, variance;
+
+    explicit HWY_INLINE BendRule(const Spread& light) : variance(light.variance) {
+      // Divided differences; light that comes from one end has next to no variance.
+      const VF one = Set(1), least = Set(0.01f);
+      toFront = hn::Div(one, hn::Max(light.mean, least));
+      toBack = hn::Div(one, hn::Max(hn::Sub(one, light.mean), least));
+    }
+    HWY_INLINE Bend operator()(VF front, VF middle, VF back) const {
+      const VF rise0 = hn::Mul(hn::Sub(middle, front), toFront),
+               rise1 = hn::Mul(hn::Sub(back, middle), toBack);
+      return {hn::Mul(hn::Sub(rise1, rise0), variance), hn::Max(hn::Abs(rise0), hn::Abs(rise1))};
+    }
+  };
+
+  /// Colour and its error: by the light at the mean place alone where that does, else by that at the ends,
+  /// too.
+  HWY_INLINE void AddColour(const RayInCell& r, const Spread& light, const Fragment& front,
+                            const Fragment& middle, const Fragment& back, VF reach, PartSum& sum) const {
+    const BendRule bend(light);
+    V3 colour = matter_.LitColour(middle, r.ray);
+    const VF brightest = hn::Max(Set(1), hn::Max(colour.x, hn::Max(colour.y, colour.z)));
+    sum.error = hn::Mul(sum.error, brightest);
+    if constexpr (Material::kLit) {
+      const DF df;
+      const VF missed = MissedLight(front, middle, back);
+      VF off = hn::Add(missed, OffInMiddle(light, bend, front, middle, back));
+      const VF allowed = ShareOf(reach, sum.opacity);
+      const MF needsEnds = hn::Gt(hn::Mul(reach, hn::Add(sum.error, hn::Mul(sum.opacity, off))), allowed);
+      if (!hn::AllFalse(df, needsEnds)) {
+        V3 better = colour;
+        const VF offBetter =
+            AddBend(light, bend, matter_.LitColour(front, r.ray), matter_.LitColour(back, r.ray), better);
+        colour = IfThenElse3(needsEnds, better, colour);
+        off = hn::IfThenElse(needsEnds, hn::Add(missed, offBetter), off);
+      }
+      sum.error = hn::Add(sum.error, hn::Mul(sum.opacity, off));
+    } else {
+      const VF off = AddBend(light, bend, front.colour, back.colour, colour);
+      sum.error = hn::Add(sum.error, hn::Mul(sum.opacity, off));
+    }
+    sum.colour = Scale(colour, sum.opacity);
+  }
+
+  /// Adds to the colour at the mean place what a parabola through the ends makes of it; what that may be off
+  /// by.
+  static HWY_INLINE VF AddBend(const Spread& light, const BendRule& bend, const V3& front, const V3& back,
+                               V3& colour) {
     VF off = hn::Zero(DF());
-    if constexpr (Material::kLit) off = MissedLight(front, middle, back);
-    const auto component = [&](VF c, VF c0, VF c1) {
-      const VF rise0 = hn::Mul(hn::Sub(c, c0), toFront), rise1 = hn::Mul(hn::Sub(c1, c), toBack);
-      const VF bent = hn::Mul(hn::Sub(rise1, rise0), light.variance);
-      const VF biased = hn::Mul(light.bias, hn::Max(hn::Abs(rise0), hn::Abs(rise1)));
-      off = hn::Max(off, hn::Add(hn::Mul(Set(kOffOfBent), hn::Abs(bent)), biased));
-      return hn::Mul(opacity, hn::Max(hn::Add(c, bent), hn::Zero(DF())));
+    const auto component = [&](VF c0, VF& c, VF c1) {
+      const Bend b = bend(c0, c, c1);
+      off = hn::Max(off, hn::Add(hn::Mul(Set(kOffOfBent), hn::Abs(b.bent)), hn::Mul(light.bias, b.rise)));
+      c = hn::Max(hn::Add(c, b.bent), hn::Zero(DF()));
     };
-    sum.colour.x = component(middle.colour.x, front.colour.x, back.colour.x);
-    sum.colour.y = component(middle.colour.y, front.colour.y, back.colour.y);
-    sum.colour.z = component(middle.colour.z, front.colour.z, back.colour.z);
-    const VF brightest = hn::Max(Set(1), hn::Max(middle.colour.x, hn::Max(middle.colour.y, middle.colour.z)));
-    sum.error = hn::Add(hn::Mul(sum.error, brightest), hn::Mul(opacity, off));
+    component(front.x, colour.x, back.x);
+    component(front.y, colour.y, back.y);
+    component(front.z, colour.z, back.z);
+    return off;
+  }
+
+  /// What the light at the mean place may be off by, for what curve and normals do on the way.
+  HWY_INLINE VF OffInMiddle(const Spread& light, const BendRule& bend, const Fragment& front,
+                            const Fragment& middle, const Fragment& back) const {
+    const LightStrength& strength = matter_.f.lightStrength;
+    const auto off = [&](VF a, VF m, VF b) {
+      const Bend x = bend(a, m, b);
+      return hn::Add(hn::Abs(x.bent), hn::Mul(light.bias, x.rise));
+    };
+    const auto ofNormal = [&](VF a, VF m, VF b) {
+      return off(hn::Mul(a, front.share), hn::Mul(m, middle.share), hn::Mul(b, back.share));
+    };
+    const V3 turn{ofNormal(front.normal.x, middle.normal.x, back.normal.x),
+                  ofNormal(front.normal.y, middle.normal.y, back.normal.y),
+                  ofNormal(front.normal.z, middle.normal.z, back.normal.z)};
+    const VF colour = hn::Max(hn::Max(off(front.colour.x, middle.colour.x, back.colour.x),
+                                      off(front.colour.y, middle.colour.y, back.colour.y)),
+                              off(front.colour.z, middle.colour.z, back.colour.z));
+    const V3 way = Add(back.normal, Scale(front.normal, Set(-1)));
+    const VF highlight = hn::Min(hn::Mul(Set(strength.shininess / 24), Dot(way, way)), Set(1));
+    return hn::Add(hn::Add(hn::Mul(Set(strength.ambient + strength.diffuse), colour),
+                           hn::Mul(Set(strength.diffuse), Length(turn))),
+                   hn::Mul(Set(strength.specular), highlight));
   }
 
   /// The light that may have come and gone between three places: by how far the normal turns on the way, and
   /// whether it passes a kink of the light there.
-  HWY_INLINE VF MissedLight(const Lit& a, const Lit& m, const Lit& b) const {
+  HWY_INLINE VF MissedLight(const Fragment& a, const Fragment& m, const Fragment& b) const {
     return hn::Max(MissedBetween(a, m), MissedBetween(m, b));
   }
-  HWY_INLINE VF MissedBetween(const Lit& a, const Lit& b) const {
+  HWY_INLINE VF MissedBetween(const Fragment& a, const Fragment& b) const {
     const LightStrength& light = matter_.f.lightStrength;
-    const V3 change = Add(a.normal, Scale(b.normal, Set(-1)));
+    const V3 change = Add(Scale(a.normal, a.share), Scale(b.normal, hn::Neg(b.share)));
     const VF square = Dot(change, change), turn = hn::Sqrt(square);
     // A highlight is so wide that a turn of 1 / sqrt(shininess) may step over a part of it.
     const VF over = hn::Mul(square, Set(0.5f * light.shininess));
     const VF shine = hn::Div(hn::Min(hn::Mul(over, over), Set(1)), hn::Sqrt(hn::Max(over, Set(1))));
     const VF smooth =
         hn::Add(hn::Mul(Set(0.05f * light.diffuse), square), hn::Mul(Set(0.25f * light.specular), shine));
+    const VI sides = hn::Xor(a.sides, b.sides);
+    if (hn::AllTrue(DI(), hn::Eq(sides, SetI(0)))) return smooth;
     // Between the two sides that a viewer may see, and where highlights begin, light changes within a tenth
     // of a turn from nothing to all of it.
-    const VI sides = hn::Xor(a.sides, b.sides);
     const auto passes = [&](VI bits) { return hn::RebindMask(DF(), hn::Ne(bits, SetI(0))); };
     const VF sudden = hn::Mul(Set(0.25f), hn::Min(hn::Mul(Set(5), turn), Set(1)));
     const VF ofLights =

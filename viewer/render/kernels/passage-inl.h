@@ -30,6 +30,11 @@ struct Cubic {
   }
 };
 
+HWY_INLINE Cubic Chosen(MF which, const Cubic& a, const Cubic& b) {
+  return {hn::IfThenElse(which, a.c0, b.c0), hn::IfThenElse(which, a.c1, b.c1),
+          hn::IfThenElse(which, a.c2, b.c2), hn::IfThenElse(which, a.c3, b.c3)};
+}
+
 /// A passage through a cell: the place of its middle there, and how far it reaches to either side (voxels).
 struct Passage {
   Cell cell;

@@ -211,14 +211,14 @@ HWY_INLINE DS ShadePhong(const Lighting& lighting, const V3& n, const V3& viewer
 
 /// Between which of the kinks of D' and S' a normal lies: by which lights it is lit from the front (bits 2 to
 /// 31, the first 30 of them), and which side of a surface the viewer sees (bits 0 and 1: neither where both).
-HWY_INLINE VI SidesOf(const Lighting& lighting, const V3& n) {
+HWY_INLINE VI SidesOf(const Lighting& lighting, const V3& n, const V3& viewer) {
   const DI di;
   VI sides = SetI(0);
   const auto add = [&](MF which, int bit) {
     sides = hn::Or(sides, hn::IfThenElseZero(hn::RebindMask(di, which), SetI(int(1u << bit))));
   };
   if (lighting.twoSided) {
-    const VF along = Dot(n, Broadcast(lighting.viewer)), band = Set(0.1f);
+    const VF along = Dot(n, viewer), band = Set(0.1f);
     add(hn::Gt(along, band), 0);
     add(hn::Lt(along, hn::Neg(band)), 1);
   }
@@ -290,9 +290,13 @@ HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
   return BetweenNodes(map, FirstFloat(map, node), fu, fv);
 }
 
+/// How much of a normal counts: q of SCENE 5, of |g_p|.
+HWY_INLINE VF ShareOfNormal(const TraceFrame& f, VF length) {
+  return hn::Min(Set(1), hn::Mul(length, Set(f.inverseFloor)));
+}
+
 /// D'' and S'' (SCENE 5): a gradient too small to have a direction is lit flatly.
-HWY_INLINE DS WithFloor(const TraceFrame& f, const DS& shade, VF length) {
-  const VF q = hn::Min(Set(1), hn::Mul(length, Set(f.inverseFloor)));
+HWY_INLINE DS WithFloor(const TraceFrame& f, const DS& shade, VF q) {
   const glm::vec3& flat = f.lighting->flat;
   if (!f.lighting->coloured) return InGrey(Lerp(Set(flat.r), shade.d.x, q), hn::Mul(shade.s.x, q));
   return {{Lerp(Set(flat.r), shade.d.x, q), Lerp(Set(flat.g), shade.d.y, q), Lerp(Set(flat.b), shade.d.z, q)},

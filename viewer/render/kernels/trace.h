@@ -48,7 +48,7 @@ struct ErrorBudget {
 /// How much light there is, whatever the normal: what bounds how much of it a part of a ray may miss between
 /// two looks (PartRule).
 struct LightStrength {
-  float diffuse = 0, specular = 0, shininess = 1;
+  float ambient = 0, diffuse = 0, specular = 0, shininess = 1;
 };
 
 /// Slices from the back to the front in place of rays from the front to the back (paper 3.2); for kernels

@@ -31,7 +31,7 @@ LightStrength strengthOf(const Lighting& lighting) {
   glm::vec3 diffuse(0), specular(0);
   for (const ShadingLight& light : lighting.lights) diffuse += light.diffuse, specular += light.specular;
   const auto largest = [](glm::vec3 v) { return std::max({v.r, v.g, v.b}); };
-  return {largest(diffuse), lighting.specular ? largest(specular) : 0.0f, lighting.shininess};
+  return {lighting.ambient, largest(diffuse), lighting.specular ? largest(specular) : 0.0f, lighting.shininess};
 }
 
 // How far the box around a packet of rays may reach: its interval, and where samples stand at steps half a
