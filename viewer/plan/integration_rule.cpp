@@ -34,6 +34,7 @@ double stepOf(Quality quality) {
 double budgetOf(Quality quality) {
   switch (quality) {
     case Quality::draft:
+      return 32.0 / 255;
     case Quality::standard:
       return promiseOf(Quality::standard).most99 / 255;
     case Quality::high:

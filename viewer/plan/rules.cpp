@@ -165,14 +165,24 @@ Effect earlyStop(const RuleInput& in, Plan& plan) {
   return on("a ray ends where " + behind(in, plan) + asAsked(in));
 }
 
-// Whether 16-bit gradients would blur what the scene asks of small ones: a normal at the gradient floor would
-// be off by 1/256, or the ramp of gradient opacity as much. A few extreme values make the packing that
-// coarse.
+// By how much a colour may change, as a share of white, where a normal turns by a little: a share of that.
+double lightPerTurn(const Scene& scene) {
+  double light = 0;
+  for (const Light& l : scene.lights)
+    if (l.on) light += l.intensity * std::max({l.colour.r, l.colour.g, l.colour.b});
+  return light * (scene.shading.diffuse + scene.shading.specular * std::sqrt(scene.shading.shininess));
+}
+
+// Whether 16-bit gradients would blur what the scene asks of small ones: a colour at the gradient floor would
+// be off by 1/256, at `exact` by a quarter of that, or the ramp of gradient opacity by 1/256. A few extreme
+// values make the packing that coarse.
 bool packingIsCoarse(const RuleInput& in, GradientOperator by) {
   if (by == GradientOperator::sobel && !gradients16AreRounded(in.facts.range, in.facts.slope)) return false;
   double smallestPerMm = std::numeric_limits<double>::infinity();
-  if (in.scene.shading.lit && *in.scene.shading.gradientFloor > 0)
-    smallestPerMm = *in.scene.shading.gradientFloor;
+  if (in.scene.shading.lit && *in.scene.shading.gradientFloor > 0) {
+    const double finer = in.options.quality == Quality::exact ? 4 : 1;
+    smallestPerMm = *in.scene.shading.gradientFloor / (finer * std::max(1.0, lightPerTurn(in.scene)));
+  }
   const auto& points = in.scene.transferFunction.gradientOpacity;
   if (!points.empty() && points.back().gradient > 0)
     smallestPerMm = std::min(smallestPerMm, points.back().gradient);

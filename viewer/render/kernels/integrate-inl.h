@@ -45,6 +45,7 @@ class PassageIntegrator {
     const VF one = Set(1), zero = hn::Zero(df);
     if (count == 0) return;
     Lanes lanes;
+    lanes.r.ray = SetI(0);
     MF active = hn::FirstN(df, 0);
     for (int next = 0;;) {
       MF begins = hn::FirstN(df, 0);

@@ -96,7 +96,8 @@ class PartRule {
   struct Extinction {
     VF transparency, extinction;
   };
-  /// `factor`, `gradient`: where opacity depends on gradients; value per mm.
+  /// `factor`, `gradient`: where opacity depends on gradients; in units of the largest that makes a
+  /// difference.
   struct Place {
     Extinction extinction;
     VF opacity, factor;  ///< opacity: of the curve alone
@@ -122,8 +123,9 @@ class PartRule {
     place.opacity = OpacityOn(p.segment, DensityOn(r, p.segment, s));
     VF opacity = place.opacity;
     if constexpr (Material::kFactors) {
-      place.gradient = InMm(r.gradient.At(s));
-      place.factor = GradientFactor(*matter_.f.transfer, Length(place.gradient));
+      const V3 stored = r.gradient.At(s);
+      place.gradient = InFactorUnits(stored);
+      place.factor = matter_.FactorAt(stored);
       opacity = hn::Mul(opacity, place.factor);
     }
     const Transparency t = TransparencyOf(opacity);
@@ -160,24 +162,18 @@ class PartRule {
     V3 colour = matter_.LitColour(middle, r.ray);
     const VF brightest = hn::Max(Set(1), hn::Max(colour.x, hn::Max(colour.y, colour.z)));
     sum.error = hn::Mul(sum.error, brightest);
-    if constexpr (Material::kLit) {
-      const DF df;
-      const VF missed = MissedLight(front, middle, back);
-      VF off = hn::Add(missed, OffInMiddle(light, bend, front, middle, back));
-      const VF allowed = ShareOf(reach, sum.opacity);
-      const MF needsEnds = hn::Gt(hn::Mul(reach, hn::Add(sum.error, hn::Mul(sum.opacity, off))), allowed);
-      if (!hn::AllFalse(df, needsEnds)) {
-        V3 better = colour;
-        const VF offBetter =
-            AddBend(light, bend, matter_.LitColour(front, r.ray), matter_.LitColour(back, r.ray), better);
-        colour = IfThenElse3(needsEnds, better, colour);
-        off = hn::IfThenElse(needsEnds, hn::Add(missed, offBetter), off);
-      }
-      sum.error = hn::Add(sum.error, hn::Mul(sum.opacity, off));
-    } else {
-      const VF off = AddBend(light, bend, front.colour, back.colour, colour);
-      sum.error = hn::Add(sum.error, hn::Mul(sum.opacity, off));
+    const VF missed = MissedLight(front, middle, back);
+    VF off = hn::Add(missed, OffInMiddle(light, bend, front, middle, back));
+    const VF allowed = ShareOf(reach, sum.opacity);
+    const MF needsEnds = hn::Gt(hn::Mul(reach, hn::Add(sum.error, hn::Mul(sum.opacity, off))), allowed);
+    if (!hn::AllFalse(DF(), needsEnds)) {
+      V3 better = colour;
+      const VF offBetter =
+          AddBend(light, bend, matter_.LitColour(front, r.ray), matter_.LitColour(back, r.ray), better);
+      colour = IfThenElse3(needsEnds, better, colour);
+      off = hn::IfThenElse(needsEnds, hn::Add(missed, offBetter), off);
     }
+    sum.error = hn::Add(sum.error, hn::Mul(sum.opacity, off));
     sum.colour = Scale(colour, sum.opacity);
   }
 
@@ -205,25 +201,27 @@ class PartRule {
       const Bend x = bend(a, m, b);
       return hn::Add(hn::Abs(x.bent), hn::Mul(light.bias, x.rise));
     };
+    const VF colour = hn::Max(hn::Max(off(front.colour.x, middle.colour.x, back.colour.x),
+                                      off(front.colour.y, middle.colour.y, back.colour.y)),
+                              off(front.colour.z, middle.colour.z, back.colour.z));
+    const VF ofColour = hn::Mul(Set(strength.ambient + strength.diffuse), colour);
+    if constexpr (!Material::kLit) return ofColour;
     const auto ofNormal = [&](VF a, VF m, VF b) {
       return off(hn::Mul(a, front.share), hn::Mul(m, middle.share), hn::Mul(b, back.share));
     };
     const V3 turn{ofNormal(front.normal.x, middle.normal.x, back.normal.x),
                   ofNormal(front.normal.y, middle.normal.y, back.normal.y),
                   ofNormal(front.normal.z, middle.normal.z, back.normal.z)};
-    const VF colour = hn::Max(hn::Max(off(front.colour.x, middle.colour.x, back.colour.x),
-                                      off(front.colour.y, middle.colour.y, back.colour.y)),
-                              off(front.colour.z, middle.colour.z, back.colour.z));
     const V3 way = Add(back.normal, Scale(front.normal, Set(-1)));
     const VF highlight = hn::Min(hn::Mul(Set(strength.shininess / 24), Dot(way, way)), Set(1));
-    return hn::Add(hn::Add(hn::Mul(Set(strength.ambient + strength.diffuse), colour),
-                           hn::Mul(Set(strength.diffuse), Length(turn))),
+    return hn::Add(hn::Add(ofColour, hn::Mul(Set(strength.diffuse), Length(turn))),
                    hn::Mul(Set(strength.specular), highlight));
   }
 
   /// The light that may have come and gone between three places: by how far the normal turns on the way, and
   /// whether it passes a kink of the light there.
   HWY_INLINE VF MissedLight(const Fragment& a, const Fragment& m, const Fragment& b) const {
+    if constexpr (!Material::kLit) return hn::Zero(DF());
     return hn::Max(MissedBetween(a, m), MissedBetween(m, b));
   }
   HWY_INLINE VF MissedBetween(const Fragment& a, const Fragment& b) const {
@@ -284,7 +282,8 @@ class PartRule {
     const VF half = Set(0.5f), length = hn::Mul(half, hn::Sub(p.b, p.a)), zero = hn::Zero(DF());
     // A curve leaves its chord by no more than an eighth of its second derivative times the square of its
     // length.
-    const VF bend = hn::Max(Length(InMm(r.gradient.SecondAt(p.a))), Length(InMm(r.gradient.SecondAt(p.b))));
+    const VF bend = hn::Max(Length(InFactorUnits(r.gradient.SecondAt(p.a))),
+                            Length(InFactorUnits(r.gradient.SecondAt(p.b))));
     const VF leaves = hn::Mul(Set(0.125f), hn::Mul(bend, hn::Mul(length, length)));
     VF missed = zero;
     for (int n = 0; n < 2; ++n) {
@@ -292,12 +291,15 @@ class PartRule {
       const VF lengthA = Length(a.gradient), lengthB = Length(b.gradient);
       const Nearest nearest = NearestOnChord(a.gradient, b.gradient);
       const VF sag = hn::Sub(Between(lengthA, lengthB, nearest.at), nearest.length);
-      const VF most = hn::Add(hn::Max(lengthA, lengthB), leaves);
-      const VF least = hn::Max(hn::Sub(nearest.length, leaves), zero);
+      const VF beyond = Set(2);  // where the factor changes no more
+      const VF most = hn::Min(hn::Add(hn::Max(lengthA, lengthB), leaves), beyond);
+      const VF least = hn::Min(hn::Max(hn::Sub(nearest.length, leaves), zero), beyond);
       const VF range = NotZero(hn::Sub(most, least));
       const VF change = hn::Abs(hn::Sub(a.factor, b.factor));
-      const VF kinks = FactorBend(curve, least, most);
-      const VF bent = hn::Mul(hn::Div(hn::Add(sag, leaves), range), hn::Add(change, kinks));
+      const VF unit = Set(matter_.f.factorUnit);
+      const VF kinks = FactorBend(curve, hn::Mul(least, unit), hn::Mul(most, unit));
+      const VF share = hn::Min(hn::Div(hn::Add(sag, leaves), range), Set(1));
+      const VF bent = hn::Mul(share, hn::Add(change, kinks));
       const VF product = hn::Mul(Set(1.0f / 6), hn::Mul(change, hn::Abs(hn::Sub(a.opacity, b.opacity))));
       const VF opacity = hn::Max(a.opacity, b.opacity);
       missed = hn::Add(missed, hn::Add(hn::Mul(hn::Mul(half, opacity), hn::Add(kinks, bent)), product));
@@ -308,9 +310,11 @@ class PartRule {
     return OpacityOfDepth(hn::Mul(halfUnits, hn::Mul(perOpacity, missed)));
   }
 
-  /// A stored gradient in value per mm.
-  HWY_INLINE V3 InMm(const V3& stored) const {
-    return Scale(InPatient(matter_.f, stored), Set(matter_.f.gradientUnit));
+  /// A stored gradient in factorUnits, limited so that its square is a number.
+  HWY_INLINE V3 InFactorUnits(const V3& stored) const {
+    const V3 g = Scale(InPatient(matter_.f, stored), Set(matter_.f.factorUnitsAStored));
+    const auto limited = [](VF x) { return hn::Min(hn::Max(x, Set(-1e15f)), Set(1e15f)); };
+    return {limited(g.x), limited(g.y), limited(g.z)};
   }
 
   /// Where between two vectors (0..1) the length is least, and that length.

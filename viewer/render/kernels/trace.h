@@ -87,6 +87,8 @@ struct TraceFrame {
   const TransferFunction* transfer = nullptr;  ///< for its gradientOpacity
   float stopTransmittance = 0;                 ///< 0: no ray ends before its last sample
   Slices slices;
+  /// The largest gradient of gradientOpacity's points (value / mm), and how many of these a stored unit is.
+  float factorUnit = 1, factorUnitsAStored = 0;
   LightStrength lightStrength;
   ErrorBudget budget;  ///< where the kernel goes cell by cell (TraceKey)
 };

@@ -31,7 +31,8 @@ LightStrength strengthOf(const Lighting& lighting) {
   glm::vec3 diffuse(0), specular(0);
   for (const ShadingLight& light : lighting.lights) diffuse += light.diffuse, specular += light.specular;
   const auto largest = [](glm::vec3 v) { return std::max({v.r, v.g, v.b}); };
-  return {lighting.ambient, largest(diffuse), lighting.specular ? largest(specular) : 0.0f, lighting.shininess};
+  return {lighting.ambient, largest(diffuse), lighting.specular ? largest(specular) : 0.0f,
+          lighting.shininess};
 }
 
 // How far the box around a packet of rays may reach: its interval, and where samples stand at steps half a
@@ -79,6 +80,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   frame_.intervals = makeIntervalSeries(setup.sharedStepMm() * frame_.inverseUnitMm, mostOpacity);
   frame_.lighting = &lighting_;
   frame_.lightStrength = strengthOf(lighting_);
+  setFactorUnit();
   makeShades(plan, caches);
   frame_.stopTransmittance = float(plan.stopTransmittance);
   frame_.slices = {plan.method == Method::blend, float(levelsOf(plan.blending))};
@@ -91,6 +93,15 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   stats.tableBytes =
       curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
   stats.blockBytes += facts.bricks->bytes();
+}
+
+void PlanesFrame::setFactorUnit() {
+  const auto& points = transfer_.gradientOpacity;
+  if (points.empty() || !(points.back().gradient > 0)) return;
+  constexpr double most = std::numeric_limits<float>::max();
+  const double unit = std::clamp<double>(points.back().gradient, 1 / most, most / 4);
+  frame_.factorUnit = float(unit);
+  frame_.factorUnitsAStored = float(std::min(frame_.gradientUnit / unit, most));
 }
 
 double PlanesFrame::largestRounded(const Plan& plan, ValueRange range) const {

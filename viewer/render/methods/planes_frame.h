@@ -28,6 +28,7 @@ class PlanesFrame {
   void readBlocks(const Plan& plan, int reach, RenderCaches& caches, RenderStats& stats);
   void makeShades(const Plan& plan, RenderCaches& caches);
   /// The largest density, in the units that interpolation rounds.
+  void setFactorUnit();
   double largestRounded(const Plan& plan, ValueRange range) const;
   void setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale);
 
