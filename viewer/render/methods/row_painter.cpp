@@ -1,6 +1,7 @@
 #include "viewer/render/methods/row_painter.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace volumen {
 
@@ -26,6 +27,7 @@ void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task)
     project_(frame_.trace(), frame_.blocks(), rays, plane, out.red, task.counts);
     writeProjectedPixels(plan_.scene, frame_.scale(), rays, out.red, picture_);
     roundPixels(plan_.blending, rays, picture_);
+    if (!error_.empty()) writeRounding(rays);
     return;
   }
   trace_(frame_.trace(), rays, plane, out, task.counts);
@@ -43,6 +45,16 @@ void RowPainter::writeError(const RayRow& rays, const TraceRow& row) const {
     error_[std::size_t(rays.pixel[ray])] =
         std::min(255.0f, 255 * (row.error[ray] + unseen) + (row.alpha[ray] > 0 ? roundingOf255 : 0.0f));
   }
+}
+
+// Of extremes and means, which are exact but for the rounding of floats.
+void RowPainter::writeRounding(const RayRow& rays) const {
+  constexpr double roundings = 16.0 / (1 << 24);
+  const DensityScale& scale = frame_.scale();
+  const double most = scale.slope * std::max(std::abs(scale.low), std::abs(scale.high));
+  const double off = 255 * (roundings * most / plan_.scene.window->width + 1e-6);
+  for (const int pixel : rays.pixel)
+    if (pixel >= 0) error_[std::size_t(pixel)] = float(std::min(255.0, off));
 }
 
 void TraceTotals::report(const Plan& plan, double passMs, RenderStats& stats) const {

@@ -23,6 +23,7 @@ class RowPainter {
   void paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const;
 
  private:
+  void writeRounding(const RayRow& rays) const;
   void writeError(const RayRow& rays, const TraceRow& row) const;
 
   const Plan& plan_;
