@@ -6,6 +6,8 @@
 #define VOLUMEN_RENDER_KERNELS_PART_INL_H_
 #endif
 
+#include <algorithm>
+
 #include "viewer/render/kernels/extinction-inl.h"
 #include "viewer/render/kernels/matter-inl.h"
 #include "viewer/render/kernels/passage-inl.h"
@@ -212,10 +214,13 @@ class PartRule {
     const V3 turn{ofNormal(front.normal.x, middle.normal.x, back.normal.x),
                   ofNormal(front.normal.y, middle.normal.y, back.normal.y),
                   ofNormal(front.normal.z, middle.normal.z, back.normal.z)};
+    // Wide highlights change as evenly as diffuse light, narrow ones are seldom met.
+    const VF ofNormals = Length(turn);
     const V3 way = Add(back.normal, Scale(front.normal, Set(-1)));
-    const VF highlight = hn::Min(hn::Mul(Set(strength.shininess / 24), Dot(way, way)), Set(1));
-    return hn::Add(hn::Add(ofColour, hn::Mul(Set(strength.diffuse), Length(turn))),
-                   hn::Mul(Set(strength.specular), highlight));
+    const VF highlight = hn::Add(hn::Mul(Set(std::min(strength.shininess, 4.0f)), ofNormals),
+                                 hn::Mul(Set(strength.shininess / 24), Dot(way, way)));
+    return hn::Add(hn::Add(ofColour, hn::Mul(Set(strength.diffuse), ofNormals)),
+                   hn::Mul(Set(strength.specular), hn::Min(highlight, Set(1))));
   }
 
   /// The light that may have come and gone between three places: by how far the normal turns on the way, and
