@@ -20,14 +20,18 @@ namespace {
 constexpr double pixelsApart = 4.236;
 constexpr int tilesATask = 4;
 
+// Where the first steps keep the promise longer ones are tried once, else shorter ones that often: going cell
+// by cell would take longer than the last try.
+constexpr int mostFurtherTries = 2;
+
 // What the rays that tell the truth may be off by, as a share of what the level promises of 99 pixels of a
 // hundred. That little costs them little, and is added to the error.
 constexpr double shareOfTruth = 1.0 / 32;
 
 // Lengths of steps whose continued fractions end in ones: any number of such steps in a row comes by all
 // places of its cells about as often. Longer ones would be near a whole voxel.
-constexpr double evenlySpread[] = {0.8490, 0.7835, 0.7236, 0.6180, 0.5607, 0.4393,
-                                   0.3820, 0.2764, 0.2165, 0.1780, 0.1513, 0.1315};
+constexpr double evenlySpread[] = {0.8490, 0.7835, 0.7236, 0.6180, 0.5802, 0.5607, 0.4393, 0.4198, 0.3820,
+                                   0.3593, 0.3052, 0.2764, 0.2282, 0.2165, 0.1780, 0.1513, 0.1315};
 
 // Whether a step along an axis is within 2 % of one that meets all cells in the same few places.
 bool meetsSamePlaces(double step) {
@@ -57,10 +61,14 @@ class Pilot {
     fine_ = std::move(*fine);
     auto found = tried(stepUpTo(plan_.pilotSteps->first, 0).value_or(plan_.pilotSteps->first));
     if (!found) return found.error();
-    if (const auto step = betterStep(*found)) {
-      const auto second = tried(*step);
-      if (!second) return second.error();
-      if (second->told.kept || !found->told.kept) found = second;
+    for (int more = 0; more < mostFurtherTries; ++more) {
+      const auto step = betterStep(*found);
+      if (!step) break;
+      const bool wasKept = found->told.kept;
+      const auto next = tried(*step);
+      if (!next) return next.error();
+      if (next->told.kept || !wasKept) found = next;
+      if (wasKept || next->told.kept) break;
     }
     return makePlan(plan_.scene, caches_.facts(), plan_.options, found->told);
   }
