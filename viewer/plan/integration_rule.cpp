@@ -125,11 +125,12 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
 // nothing. `high` promises a third of the error.
 double mostMissed(Quality quality) { return quality == Quality::standard ? 0.25 : 0.08; }
 
-// Near what views of bone in CT come to at `standard`, 7/16 to 9/16, so that a second try is seldom far off.
-double firstStep(Quality quality) { return quality == Quality::standard ? 9.0 / 16 : 1.0 / 4; }
+// Near what views of bone in CT come to at `standard`, so that a second try is seldom far off. Of those that
+// a pilot may take: no simple share of a voxel.
+double firstStep(Quality quality) { return quality == Quality::standard ? 0.5607 : 0.2764; }
 
-// What a pilot tries, but for the shortest, where what it misses cannot be far off: thin plates hide what lies
-// behind them.
+// What a pilot tries, but for the shortest, where what it misses cannot be far off: thin plates hide what
+// lies behind them.
 std::optional<PilotSteps> stepsOfMatter(const RuleInput& in) {
   if (!canIntegrate(in.scene, in.options) || in.facts.slopes.empty()) return {};
   const TransferFunction& curve = in.scene.transferFunction;
@@ -140,17 +141,17 @@ std::optional<PilotSteps> stepsOfMatter(const RuleInput& in) {
 
 // Of projections: only the CPU's planes follow rays through cells.
 bool goesFromCellToCell(const RuleInput& in) {
-  return !composite(in) && in.options.method == Method::planes &&
-         resamplerOf(in.options) == Resampler::cpu;
+  return !composite(in) && in.options.method == Method::planes && resamplerOf(in.options) == Resampler::cpu;
 }
 
 }  // namespace
 
 std::string toldBy(const PilotFinding& pilot) {
   if (pilot.rays == 0) return "no ray that was tried shows anything";
-  return std::to_string(pilot.rays) + " rays of this picture, also followed more finely, tell of a PSNR of " +
-         inDigits(pilot.psnrDb, 3) + " dB and a 99th percentile of " + inDigits(pilot.percentile99, 2) +
-         "/255";
+  // Rounded to the side that promises less.
+  return std::to_string(pilot.rays) + " rays of this picture, also followed cell by cell, tell of a PSNR of " +
+         inDigits(std::floor(10 * pilot.psnrDb) / 10) + " dB at least and a 99th percentile of " +
+         inDigits(std::ceil(100 * pilot.percentile99) / 100, 3) + "/255 at most";
 }
 
 std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {

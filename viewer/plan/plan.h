@@ -27,14 +27,14 @@ struct PilotSteps {
   bool operator==(const PilotSteps&) const = default;
 };
 
-/// What some thousand rays of a picture, followed by plain steps and by the next finer level, tell of those
-/// steps (settled).
+/// What some thousand rays of a picture, followed by plain steps and cell by cell, tell of those steps
+/// (settled).
 struct PilotFinding {
   double stepVoxels = 1;
-  bool kept = false;  ///< they keep the level's promise, and are taken
-  int rays = 0;       ///< that show anything
-  double psnrDb = 0;  ///< of those, as PictureError
-  double percentile99 = 0;
+  bool kept = false;        ///< they keep the level's promise, and are taken
+  int rays = 0;             ///< that show anything
+  double psnrDb = 0;        ///< of all that shows anything, at least, as PictureError
+  double percentile99 = 0;  ///< likewise, at most
   bool operator==(const PilotFinding&) const = default;
 };
 

@@ -46,7 +46,7 @@ std::string methodCost(const RuleInput& in, const Plan& plan);
 Effect decideResampler(const RuleInput& in, Plan& plan);
 Effect decideBlending(const RuleInput& in, Plan& plan);
 Effect decideIntegration(const RuleInput& in, Plan& plan);
-/// "2354 rays of this picture, also followed more finely, tell of a PSNR of 45.3 dB and ...".
+/// "2354 rays of this picture, also followed cell by cell, tell of a PSNR of 45.3 dB at least and ...".
 std::string toldBy(const PilotFinding& pilot);
 /// Plan::pilotSteps of a plan that is complete else.
 std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan);

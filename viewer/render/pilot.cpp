@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "viewer/render/methods/row_painter.h"
+#include "viewer/render/pilot_errors.h"
+#include "viewer/render/pilot_tiles.h"
 #include "viewer/render/rays.h"
 #include "viewer/volume/parallel.h"
 
@@ -12,29 +15,32 @@ namespace volumen {
 
 namespace {
 
-// The rays of a pilot stand in tiles, that many pixels apart: near enough to meet the same blocks and memory,
-// far enough to differ. More of them would tell little more.
-constexpr int pixelsApart = 4, mostTiles = 256, tilesATask = 4;
+// Rays of a pilot stand about that many pixels apart: near enough to meet the same blocks and memory, far
+// enough to differ. No whole number, or they could all meet what repeats with the pixels at the same place.
+constexpr double pixelsApart = 4.236;
+constexpr int tilesATask = 4;
 
-// First pixels of tiles of a picture, one in each cell of a grid, at a place that only the cell decides:
-// tiles in rows and columns could all pass by what is straight and upright. First a quarter of them.
-std::vector<glm::ivec2> tilesOf(glm::ivec2 size) {
-  constexpr int tile = RaySetup::tile;
-  const double shrink = std::min(1.0, std::sqrt(double(mostTiles) * tile * tile / (double(size.x) * size.y)));
-  const glm::ivec2 grid = glm::max(glm::ivec2(1), glm::ivec2(glm::dvec2(size) / double(tile) * shrink));
-  std::vector<glm::ivec2> corners;
-  for (bool early : {true, false})
-    for (int y = 0; y < grid.y; ++y)
-      for (int x = 0; x < grid.x; ++x) {
-        if (((x + y) % 4 == 0) != early) continue;
-        // The additive recurrence of the plastic number, which fills a square evenly.
-        const double n = x + double(y) * grid.x;
-        const glm::dvec2 chance = glm::fract(n * glm::dvec2(0.7548776662466927, 0.5698402909980532));
-        const glm::ivec2 begin = glm::ivec2(x, y) * size / grid, end = glm::ivec2(x + 1, y + 1) * size / grid;
-        corners.push_back(begin + glm::ivec2(chance * glm::dvec2(end - begin - (tile - 1))));
-      }
-  return corners;
+// Where the first steps keep the promise longer ones are tried once, else shorter ones that often: going cell
+// by cell would take longer than the last try.
+constexpr int mostFurtherTries = 2;
+
+// What the rays that tell the truth may be off by, as a share of what the level promises of 99 pixels of a
+// hundred. That little costs them little, and is added to the error.
+constexpr double shareOfTruth = 1.0 / 32;
+
+// Lengths of steps whose continued fractions end in ones: any number of such steps in a row comes by all
+// places of its cells about as often. Longer ones would be near a whole voxel.
+constexpr double evenlySpread[] = {0.8490, 0.7835, 0.7236, 0.6180, 0.5802, 0.5607, 0.4393, 0.4198, 0.3820,
+                                   0.3593, 0.3052, 0.2764, 0.2282, 0.2165, 0.1780, 0.1513, 0.1315};
+
+// Whether a step along an axis is within 2 % of one that meets all cells in the same few places.
+bool meetsSamePlaces(double step) {
+  for (double few : {1.0, 3.0 / 4, 2.0 / 3, 1.0 / 2, 1.0 / 3, 1.0 / 4})
+    if (std::abs(step / few - 1) <= 0.02) return true;
+  return false;
 }
+
+glm::ivec2 sizeOfPilot(glm::ivec2 size) { return glm::ivec2(glm::ceil(glm::dvec2(size) / pixelsApart)); }
 
 class Pilot {
  public:
@@ -43,48 +49,63 @@ class Pilot {
         caches_(caches),
         stats_(stats),
         cancel_(cancel),
-        size_((plan.options.size + (pixelsApart - 1)) / pixelsApart),
-        tiles_(tilesOf(size_)) {}
+        size_(sizeOfPilot(plan.options.size)),
+        tiles_(pilotTiles(plan, caches.facts(), size_)) {}
 
   Result<Plan> operator()() {
-    auto fine = planOf(plan_.options.quality == Quality::high ? Quality::exact : Quality::high, {});
+    RenderOptions finer = plan_.options;
+    finer.quality = Quality::exact;
+    finer.tolerance = promiseOf(plan_.options.quality).most99 / 255 * shareOfTruth;
+    auto fine = planOf(finer, {});
     if (!fine) return fine.error();
     fine_ = std::move(*fine);
-    auto found = tried(plan_.pilotSteps->first);
+    auto found = tried(stepUpTo(plan_.pilotSteps->first, 0).value_or(plan_.pilotSteps->first));
     if (!found) return found.error();
-    if (const auto step = betterStep(*found)) {
-      const auto second = tried(*step);
-      if (!second) return second.error();
-      if (second->told.kept || !found->told.kept) found = second;
+    for (int more = 0; more < mostFurtherTries; ++more) {
+      const auto step = betterStep(*found);
+      if (!step) break;
+      const bool wasKept = found->told.kept;
+      const auto next = tried(*step);
+      if (!next) return next.error();
+      if (next->told.kept || !wasKept) found = next;
+      if (wasKept || next->told.kept) break;
     }
     return makePlan(plan_.scene, caches_.facts(), plan_.options, found->told);
   }
 
  private:
-  // `off`: the largest of its errors as a share of what is promised, or of what has to be kept for that.
+  // `off`: the largest of its errors as a share of what is promised; `likely`: the same without what may have
+  // been missed.
   struct Found {
     PilotFinding told;
-    double off = 0;
+    double off = 0, likely = 0;
   };
 
-  // What to try after that, if anything: errors grow with the square of the step, or faster where samples
-  // that stand a simple share of a voxel apart meet every cell in the same places.
+  // The longest step from `least` to `most` that meets no axis of the grid in the same few places, on the ray
+  // in the middle of the view.
+  std::optional<double> stepUpTo(double most, double least) const {
+    const glm::dvec3 along = glm::normalize(caches_.volume()->geometry().voxelFromPatientStep() *
+                                            glm::normalize(plan_.scene.camera->direction));
+    for (double step : evenlySpread)
+      if (step <= most && step >= least && !meetsSamePlaces(step * std::abs(along.x)) &&
+          !meetsSamePlaces(step * std::abs(along.y)) && !meetsSamePlaces(step * std::abs(along.z)))
+        return step;
+    return {};
+  }
+
+  // What to try after that, if anything: errors grow with the square of the step.
   std::optional<double> betterStep(const Found& found) const {
-    constexpr double unit = 1.0 / 32;
     if (found.told.rays == 0) return {};
     const double tried = found.told.stepVoxels;
-    const double wanted = std::min(1.0, tried * std::sqrt(0.85 / std::max(found.off, 1e-3)));
-    const double step = std::floor(wanted / unit) * unit;
-    if (found.told.kept) return step > 1.15 * tried ? std::optional(step) : std::nullopt;
-    const double least = std::ceil(plan_.pilotSteps->shortest / unit) * unit;
-    const bool canKeep = wanted >= 0.9 * least && least < tried;
-    return canKeep ? std::optional(std::max(step, least)) : std::nullopt;
+    const double wanted = tried * std::sqrt(0.85 / std::max(found.off, 1e-3));
+    if (found.told.kept) return stepUpTo(wanted, 1.1 * tried);
+    const double least = plan_.pilotSteps->shortest;
+    if (wanted < 0.9 * least) return {};
+    return stepUpTo(std::min(std::max(wanted, 1.1 * least), 0.99 * tried), least);
   }
 
   // The plan of the whole picture, but for the size of the one that the rays belong to.
-  Result<Plan> planOf(Quality quality, const std::optional<PilotFinding>& finding) const {
-    RenderOptions options = plan_.options;
-    options.quality = quality;
+  Result<Plan> planOf(const RenderOptions& options, const std::optional<PilotFinding>& finding) const {
     auto plan = makePlan(plan_.scene, caches_.facts(), options, finding);
     if (plan) plan->options.size = size_;
     return plan;
@@ -93,26 +114,34 @@ class Pilot {
   // What the rays tell of plain steps; a quarter of them where that tells already that they are of no use.
   Result<Found> tried(double step) {
     // As they would be drawn if they were found good enough.
-    const auto plain = planOf(plan_.options.quality, PilotFinding{step, true});
+    const auto plain = planOf(plan_.options, PilotFinding{step, true});
     if (!plain) return plain.error();
-    const double shorter = plan_.pilotSteps->shortest / step;
+    const double shorter = std::min(1.0, plan_.pilotSteps->shortest / step);
     const std::size_t all = tiles_.size(), early = all / 4;
     Picture picture;
     Found found;
     for (std::size_t count : {early, all}) {
-      follow(fine_, truthTiles_, count, truth_);
-      truthTiles_ = std::max(truthTiles_, count);
+      followTruth(count);
       follow(*plain, count == all ? early : 0, count, picture);
       if (cancel_.cancelled()) return Error{"cancelled"};
       found = finding(step, count, picture);
-      if (found.off * shorter * shorter > 1.4) break;
+      if (found.likely * shorter * shorter > 1.4) break;
     }
     return found;
   }
 
-  // Draws the picture of a plan at the tiles [from, to), and nothing elsewhere.
-  void follow(const Plan& plan, std::size_t from, std::size_t to, Picture& picture) const {
-    if (from >= to) return;
+  // The truth at the first `count` tiles, with what it may be off by itself.
+  void followTruth(std::size_t count) {
+    const std::vector<float> error = follow(fine_, truthTiles_, count, truth_);
+    truthTiles_ = std::max(truthTiles_, count);
+    truthError_.resize(std::size_t(size_.x) * size_.y);
+    for (std::size_t n = 0; n < error.size(); ++n) truthError_[n] = std::max(truthError_[n], error[n]);
+  }
+
+  // Draws the picture of a plan at the tiles [from, to), and nothing elsewhere. What its pixels may be off
+  // by.
+  std::vector<float> follow(const Plan& plan, std::size_t from, std::size_t to, Picture& picture) const {
+    if (from >= to) return {};
     RenderStats stats;
     const PlanesFrame frame(plan, caches_, stats);
     stats_.gradientsMs += stats.gradientsMs;
@@ -124,11 +153,14 @@ class Pilot {
       RayRow rays;
       RowPainter::Task task;
       for (std::int64_t n = first; n < last && !cancel_.cancelled(); ++n) {
-        const auto begin = tiles_.begin() + std::ptrdiff_t(from);
-        setup.makeTiles({begin + n * tilesATask, begin + std::min(count, (n + 1) * tilesATask)}, rays);
+        std::vector<glm::ivec2> corners;
+        for (std::int64_t k = n * tilesATask; k < std::min(count, (n + 1) * tilesATask); ++k)
+          corners.push_back(tiles_[from + std::size_t(k)].corner);
+        setup.makeTiles(corners, rays);
         painter.paint(rays, {}, task);
       }
     });
+    return error;
   }
 
   // Whether a pixel of any tile differs from the background by what could be seen.
@@ -140,35 +172,50 @@ class Pilot {
     return false;
   }
 
+  // What plain steps are off by at a pixel: `largest` component, 1/255, and the mean of all squares. As far
+  // as the truth may be off, they are taken to be off the other way.
+  struct PixelError {
+    double largest = 0, square = 0;
+  };
+  PixelError errorAt(std::size_t pixel, const Picture& plain) const {
+    PixelError e;
+    for (std::size_t n = 4 * pixel; n < 4 * pixel + 4; ++n) {
+      const double apart = 255 * std::abs(double(plain.rgba[n]) - double(truth_.rgba[n]));
+      const bool isSure = n % 4 == 3 && !plan_.scene.background.transparent;
+      const double off = isSure ? apart : apart + truthError_[pixel];
+      e.largest = std::max(e.largest, off);
+      e.square += off * off / 4;
+    }
+    return e;
+  }
+
   // Of the first `count` tiles.
   Found finding(double step, std::size_t count, const Picture& plain) const {
-    std::vector<std::uint8_t> followed(plain.rgba.size() / 4), shown = followed;
+    PilotErrors errors;
     for (std::size_t n = 0; n < count; ++n) {
-      const glm::ivec2 corner = tiles_[n];
-      const glm::ivec2 end = glm::min(corner + RaySetup::tile, size_);
+      const glm::ivec2 corner = tiles_[n].corner, end = glm::min(corner + RaySetup::tile, size_);
+      errors.beginTile(tiles_[n].chance * double(count) / double(tiles_.size()));
       for (int y = corner.y; y < end.y; ++y)
         for (int x = corner.x; x < end.x; ++x) {
           const auto pixel = std::size_t(y) * size_.x + x;
-          followed[pixel] = 1;
-          shown[pixel] = shows(plain, pixel) || shows(truth_, pixel);
+          // What is promised of all pixels is kept by those alone that show anything.
+          if (!shows(plain, pixel) && !shows(truth_, pixel)) continue;
+          const PixelError e = errorAt(pixel, plain);
+          errors.add(e.largest, e.square);
         }
     }
-    const int rays = int(std::count(shown.begin(), shown.end(), 1));
-    if (rays == 0) return {{step}, 0};
-    // What is promised of all pixels is kept by those alone that show anything.
-    const PictureError e = compare(plain, truth_, shown);
+    if (errors.rays() == 0) return {{step}};
+    const PilotErrors::Bounds likely = errors.likely(), worst = errors.worst();
     const LevelPromise promised = promiseOf(plan_.options.quality);
-    const double mostRmse = 255 / std::pow(10, promised.leastPsnrDb / 20);
-    // As if three rays more were twice as wrong as the worst: so much may have been missed.
-    const double missed = 3 * std::pow(2 * e.maximum, 2) / rays;
-    // A percentile of some thousand rays is known to a tenth.
-    const double all99 = compare(plain, truth_, followed).percentile99 / 0.9;
-    // Finer plain steps are off too, by the square of their length: the difference hides that share.
-    const double finer = fine_.cellByCell ? 0 : fine_.stepVoxels / step;
-    const double off = std::max(std::sqrt(e.rmse * e.rmse + missed) / mostRmse,
-                                std::max(e.percentile99, all99) / promised.most99) /
-                       (1 - finer * finer);
-    return {{step, off <= 1, rays, e.psnrDb, e.percentile99}, off};
+    const auto offOf = [&](const PilotErrors::Bounds& b) {
+      return std::max(b.rmse / 255 * std::pow(10, promised.leastPsnrDb / 20),
+                      b.percentile99 / promised.most99);
+    };
+    const double off = offOf(worst);
+    return {{step, off <= 1, errors.rays(), 20 * std::log10(255 / std::max(worst.rmse, 1e-3)),
+             worst.percentile99},
+            off,
+            offOf(likely)};
   }
 
   const Plan& plan_;
@@ -176,9 +223,10 @@ class Pilot {
   RenderStats& stats_;
   const CancelToken& cancel_;
   glm::ivec2 size_;  ///< of the picture that the tiles are of
-  std::vector<glm::ivec2> tiles_;
-  Plan fine_;                   ///< of the next finer level
-  Picture truth_;               ///< by that
+  std::vector<PilotTile> tiles_;
+  Plan fine_;      ///< cell by cell, finer than the level
+  Picture truth_;  ///< by that
+  std::vector<float> truthError_;
   std::size_t truthTiles_ = 0;  ///< the first of them that it holds
 };
 

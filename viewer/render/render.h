@@ -28,8 +28,8 @@ struct RenderStats {
 
 struct Rendered {
   Picture picture;
-  /// How far each pixel may be off (its largest component; 1/255), one entry a pixel: the sum of what its ray's
-  /// parts may be off by. Empty where the path that drew it knows none.
+  /// How far each pixel may be off (its largest component; 1/255), one entry a pixel: the sum of what its
+  /// ray's parts may be off by. Empty where the path that drew it knows none.
   std::vector<float> error;
   RenderStats stats;
   Plan plan;  ///< as drawn: nothing is left open
@@ -59,11 +59,11 @@ class RenderCaches {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The plan with nothing left open. Where it names plain steps (Plan::pilotSteps), up to 4096 rays spread
-/// over its view are followed by them and by the next finer level: by the first steps, then by those that
-/// their errors tell to be as long as may be, or the shortest that save time. The longer of the two that keep
-/// the level's promise there are taken. What comes of it depends on the picture alone, not on the machine.
-/// Adds to the times of `stats`. Errors as render().
+/// The plan with nothing left open. Where it names plain steps (Plan::pilotSteps), about a hundredth of its
+/// rays are followed by them and cell by cell, finely: by the first steps, then by those that their errors
+/// tell to be as long as may be, or by up to two shorter ones that save time. The longest that keep the
+/// level's promise at worst, with what may have been missed, are taken. What comes of it depends on the
+/// picture alone, not on the machine. Adds to the times of `stats`. Errors as render().
 Result<Plan> settled(const Plan& plan, RenderCaches& caches, RenderStats& stats,
                      const CancelToken& cancel = {});
 

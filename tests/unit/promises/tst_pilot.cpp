@@ -1,5 +1,7 @@
 // Guards DESIGN 2 and 5: plain steps that a pilot finds good enough keep the level's promise on the whole
 // picture, and what it finds depends on the picture alone.
+#include <cstdio>
+#include <glm/geometric.hpp>
 #include <random>
 
 #include "tests/fixtures/small_volumes.h"
@@ -92,18 +94,64 @@ PictureError trueError(const Picture& picture, const Scene& complete, const Volu
   return compare(seen, right, truth->well);
 }
 
+// What stands at a place of chance in even matter, seen along the stripes' changes and finely: the rest of
+// the picture has no error at all.
+enum class Small { column, slantedColumn, plates, details, columnInNoise };
+
+// Light takes longer.
+glm::ivec2 largeSize(Quality quality) { return glm::ivec2(quality == Quality::high ? 512 : 1024); }
+
+VolumePtr rarely(Small what, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto place = [&] { return 6 + int(random() % 46); };
+  const int wide = 1 + int(random() % 6);
+  std::vector<glm::ivec3> corners;
+  for (int n = 0; n < (what == Small::details ? 6 : 1); ++n) corners.push_back({place(), place(), place()});
+  return volumeOf<std::uint8_t>({edge, edge, edge}, glm::dmat3(1), [=](glm::dvec3 p) mutable {
+    for (const glm::ivec3& corner : corners) {
+      const glm::ivec3 at = glm::ivec3(p) - corner;
+      const bool inside = at.x >= 0 && at.x < wide && at.z >= 0 && at.z < wide;
+      if (what == Small::details ? inside && at.y >= 0 && at.y < wide : inside)
+        if (what != Small::plates || (at.y >= 0 && at.y < 12)) return int(p.y) % 2 == 0 ? 190.0 : 20.0;
+    }
+    return what == Small::columnInNoise ? 60.0 + random() % 60 : 100.0;
+  });
+}
+
+// Faint and even where nothing stands; what stands there is seen only where values are near 190.
+Scene sceneOfLittle(Small what, Quality quality) {
+  // `high` sends a pilot only where less can be missed, and where going cell by cell takes longer, with
+  // light.
+  const double opacity = quality == Quality::high ? 0.07 : 0.2;
+  Scene scene = sceneOf(opacity);
+  scene.transferFunction.points = {{20, {0.2, 0.3, 0.6}, 0},
+                                   {100, {0.3, 0.5, 0.8}, 0.006},
+                                   {130, {0.9, 0.9, 0.9}, 0},
+                                   {190, {1, 1, 1}, opacity},
+                                   {250, {1, 1, 1}, 0}};
+  scene.shading.lit = quality == Quality::high;
+  scene.camera->direction = what == Small::slantedColumn ? glm::dvec3(0.02, 1, 0.03) : glm::dvec3(0, 1, 0);
+  scene.camera->up = {0, 0, 1};
+  scene.camera->height = 64;
+  return scene;
+}
+
 using Change = void (*)(Scene&);
 
 }  // namespace
 
 Q_DECLARE_METATYPE(Change)
+Q_DECLARE_METATYPE(Small)
 
 class TestPilot : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void thePictureKeepsThePromise_data();
   void thePictureKeepsThePromise();
-  void itFindsTheErrorOfThePicture();
+  void whatIsSmallInALargePictureIsNotOverlooked_data();
+  void whatIsSmallInALargePictureIsNotOverlooked();
+  void itMeetsNoCellsInTheSamePlaces();
+  void itSaysTheWorstThatThePictureMayHave();
   void itDependsOnThePictureAlone_data();
   void itDependsOnThePictureAlone();
   void whatIsNotKeptChangesNothing();
@@ -118,37 +166,37 @@ void TestPilot::thePictureKeepsThePromise_data() {
     QTest::newRow(name) << volume << change << QString::fromLatin1(taken);
   };
   const VolumePtr soft = ball(Within::nothing, 0);
-  row("a soft ball", soft, "1 1 1 -", [](Scene&) {});
-  row("unlit", soft, "1 - 1 -", [](Scene& s) { s.shading.lit = false; });
-  row("with a strong highlight", soft, "1 - - -", shiny);
-  row("in perspective", soft, "1 1 1 -", [](Scene& s) {
+  row("a soft ball", soft, "0.849 0.849 0.849 -", [](Scene&) {});
+  row("unlit", soft, "0.849 - 0.849 -", [](Scene& s) { s.shading.lit = false; });
+  row("with a strong highlight", soft, "0.849 - - -", shiny);
+  row("in perspective", soft, "0.849 0.849 0.849 -", [](Scene& s) {
     s.camera->projection = Projection::perspective;
     s.camera->distance = 150;
   });
-  row("over nothing", soft, "1 1 1 -", [](Scene& s) { s.background.transparent = true; });
-  row("clipped", soft, "1 1 1 -", [](Scene& s) { s.clip.boxHigh = {0.7, 0.6, 1}; });
-  row("with gradient opacity", soft, "1 1 1 -", [](Scene& s) {
+  row("over nothing", soft, "0.849 0.7835 0.849 -", [](Scene& s) { s.background.transparent = true; });
+  row("clipped", soft, "0.849 0.849 0.849 -", [](Scene& s) { s.clip.boxHigh = {0.7, 0.6, 1}; });
+  row("with gradient opacity", soft, "0.849 0.7835 0.849 -", [](Scene& s) {
     s.transferFunction.gradientOpacity = {{0, 0.2}, {20, 1}};
   });
-  row("a few rods in it", ball(Within::rods, 3), "1 0.84375 1 -", [](Scene&) {});
-  row("many rods in it", ball(Within::rods, 40), "1 0.5 0.84375 -", [](Scene&) {});
-  row("a few stripes in it", ball(Within::stripes, 3), "1 0.625 0.875 -", [](Scene&) {});
-  row("many stripes in it", ball(Within::stripes, 40), "1 0.53125 0.71875 -", [](Scene&) {});
-  row("a little noise in it", ball(Within::noise, 3), "1 0.84375 1 -", [](Scene&) {});
-  row("much noise in it", ball(Within::noise, 40), "1 0.625 0.75 -", [](Scene&) {});
-  row("noise", noise(), "0.875 0.46875 0.5625 -", [](Scene&) {});
-  row("noise, a steep curve", noise(), "0.5625 0.25 0.40625 -", steep);
-  row("plates eight voxels apart, a steep curve", plates(8), "0.5625 0.25 0 -", steep);
+  row("a few rods in it", ball(Within::rods, 3), "0.849 0.7835 0.849 -", [](Scene&) {});
+  row("many rods in it", ball(Within::rods, 40), "0.849 0.5802 0.7236 -", [](Scene&) {});
+  row("a few stripes in it", ball(Within::stripes, 3), "0.849 0.5802 0.849 -", [](Scene&) {});
+  row("many stripes in it", ball(Within::stripes, 40), "0.849 0.4393 0.5607 -", [](Scene&) {});
+  row("a little noise in it", ball(Within::noise, 3), "0.849 0.7236 0.849 -", [](Scene&) {});
+  row("much noise in it", ball(Within::noise, 40), "0.849 0.5607 0.7835 -", [](Scene&) {});
+  row("noise", noise(), "0.7236 0.3593 0.5607 -", [](Scene&) {});
+  row("noise, a steep curve", noise(), "0.5607 0.2282 0.2764 -", steep);
+  row("plates eight voxels apart, a steep curve", plates(8), "0.5607 0 0 -", steep);
   // Of dense ones the law of squares asks for steps too short to save time.
-  row("the same, across them", plates(8), "0.375 0.25 0 -", [](Scene& s) {
+  row("the same, across them", plates(8), "0.2764 0 0 -", [](Scene& s) {
     steep(s);
     s.camera->direction = {0, 0, 1};
   });
-  row("stripes of one voxel", plates(2), "1 0.25 0.75 -", [](Scene&) {});
-  row("stripes of one voxel, along them", plates(2), "1 1 1 -", [](Scene& s) {
+  row("stripes of one voxel", plates(2), "0.849 0.382 0.5607 -", [](Scene&) {});
+  row("stripes of one voxel, along them", plates(2), "0.849 0.849 0.849 -", [](Scene& s) {
     s.camera->direction = {1, 0, 0};
   });
-  row("stripes of one voxel, across them", plates(2), "0.65625 0.375 0 -", [](Scene& s) {
+  row("stripes of one voxel, across them", plates(2), "0.5607 0.2764 0 -", [](Scene& s) {
     s.camera->direction = {0, 0, 1};
   });
 }
@@ -179,8 +227,65 @@ void TestPilot::thePictureKeepsThePromise() {
   QCOMPARE(steps.join(QLatin1Char(' ')), taken);
 }
 
-// Some thousand rays tell the PSNR of all of them to 1.5 dB and their 99th percentile to a quarter.
-void TestPilot::itFindsTheErrorOfThePicture() {
+void TestPilot::whatIsSmallInALargePictureIsNotOverlooked_data() {
+  QTest::addColumn<Small>("what");
+  QTest::addColumn<int>("seed");
+  const auto rows = [](const char* name, Small what) {
+    for (int seed = 1; seed <= 4; ++seed) QTest::addRow("%s, %d", name, seed) << what << seed;
+  };
+  rows("a column of stripes", Small::column);
+  rows("a slanted column of stripes", Small::slantedColumn);
+  rows("a few plates of one voxel", Small::plates);
+  rows("bright details", Small::details);
+  rows("a column of stripes in noise", Small::columnInNoise);
+}
+
+void TestPilot::whatIsSmallInALargePictureIsNotOverlooked() {
+  QFETCH(Small, what);
+  QFETCH(int, seed);
+  RenderCaches caches(rarely(what, unsigned(seed)));
+  const auto drawn = [&](Quality quality, Quality scenes) {
+    RenderOptions options = atLevel(quality);
+    options.size = largeSize(scenes);
+    return *render(*makePlan(sceneOfLittle(what, scenes), caches.facts(), options), caches);
+  };
+  QStringList broken;
+  for (const Promise& promise : {promises[0], promises[1]}) {
+    const Rendered done = drawn(promise.quality, promise.quality);
+    if (figuresWanted() && done.plan.pilot)
+      std::fprintf(stderr, "%s | %s: %g voxel, %d, %.1f dB, %.2f/255\n", QTest::currentDataTag(),
+                   promise.name, done.plan.pilot->stepVoxels, int(done.plan.pilot->kept),
+                   done.plan.pilot->psnrDb, done.plan.pilot->percentile99);
+    if (!done.plan.pilot || !done.plan.pilot->kept) continue;
+    const PictureError e = compare(done.picture, drawn(Quality::exact, promise.quality).picture);
+    if (!promise.keptBy(e) || e.psnrDb < done.plan.pilot->psnrDb)
+      broken << QString::fromLatin1(promise.name) + QStringLiteral(": ") + inWords(e);
+  }
+  QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QStringLiteral("; "))));
+}
+
+// A step of a whole voxel, or of one half, would meet each stripe in the same phase.
+void TestPilot::itMeetsNoCellsInTheSamePlaces() {
+  RenderCaches caches(ball(Within::stripes, 3));
+  for (const glm::dvec3 direction :
+       {glm::dvec3(0, 0, 1), {0, 1, 0}, {0.3, 0.5, 0.8}, {0, 0.8, 0.59}, {1, 1, 1}})
+    for (double opacity : {0.02, 0.05, 0.2}) {
+      Scene scene = sceneOf(opacity);
+      scene.camera->direction = direction;
+      const Plan plan = *makePlan(scene, caches.facts(), optionsOf(Quality::standard));
+      RenderStats stats;
+      const Plan done = *settled(plan, caches, stats);
+      QVERIFY(done.pilot);
+      for (int axis = 0; axis < 3; ++axis)
+        for (double few : {1.0, 1 / 2.0, 1 / 3.0})
+          QVERIFY2(
+              std::abs(done.pilot->stepVoxels * std::abs(glm::normalize(direction)[axis]) / few - 1) > 0.02,
+              qPrintable(QString::number(done.pilot->stepVoxels)));
+    }
+}
+
+// Never better than the picture, and where errors are much the same everywhere not much worse.
+void TestPilot::itSaysTheWorstThatThePictureMayHave() {
   RenderCaches caches(ball(Within::rods, 40));
   for (double opacity : {0.02, 0.06, 0.2}) {
     const Scene scene = sceneOf(opacity);
@@ -197,8 +302,9 @@ void TestPilot::itFindsTheErrorOfThePicture() {
     for (std::size_t n = 0; n < exact.rgba.size(); n += 4)
       shown.push_back(std::max({exact.rgba[n], exact.rgba[n + 1], exact.rgba[n + 2]}) > 0.5f / 255);
     const PictureError e = compare(picture, exact, shown);
-    QVERIFY2(std::abs(e.psnrDb - done.pilot->psnrDb) < 1.5 &&
-                 std::abs(e.percentile99 / done.pilot->percentile99 - 1) < 0.25,
+    QVERIFY2(done.pilot->psnrDb <= e.psnrDb && done.pilot->psnrDb > e.psnrDb - 9 &&
+                 done.pilot->percentile99 >= e.percentile99 &&
+                 done.pilot->percentile99 < 2.5 * e.percentile99 + 0.5,
              qPrintable(QStringLiteral("%1 dB, %2/255 of %3")
                             .arg(done.pilot->psnrDb)
                             .arg(done.pilot->percentile99)
@@ -233,11 +339,9 @@ void TestPilot::itDependsOnThePictureAlone() {
 }
 
 void TestPilot::whatIsNotKeptChangesNothing() {
-  RenderCaches caches(noise());
-  Scene scene = sceneOf(0.05);
+  RenderCaches caches(plates(8));
+  Scene scene = sceneOf(0.2);
   steep(scene);
-  scene.transferFunction.points[0].value = 499;
-  shiny(scene);
   Plan plan = *makePlan(scene, caches.facts(), optionsOf(Quality::standard));
   const Rendered done = *render(plan, caches);
   QVERIFY(done.plan.pilot && !done.plan.pilot->kept);
