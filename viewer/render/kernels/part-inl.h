@@ -115,8 +115,6 @@ class PartRule {
     VF mean, variance, bias;
   };
 
-  static HWY_INLINE VF Between(VF a, VF b, VF share) { return hn::Add(a, hn::Mul(share, hn::Sub(b, a))); }
-
   static HWY_INLINE VF DensityOn(const RayInCell& r, const CurveSegment& segment, VF s) {
     return hn::Min(hn::Max(r.density.At(s), segment.low), segment.high);
   }

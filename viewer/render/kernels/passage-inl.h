@@ -61,6 +61,12 @@ HWY_INLINE Passage PassageIn(const Grid& grid, const V3& lower, const V3& place,
   return {grid.CellFrom(lower, clamped), HalfInside(place, clamped, half)};
 }
 
+/// Between a and b, and b itself at 1, where a + (b - a) may be another float: behind the last voxels'
+/// centres what is as even as they are stays so, and does not fall off a step of the curve.
+HWY_INLINE VF Between(VF a, VF b, VF share) {
+  return hn::IfThenElse(hn::Eq(share, Set(1)), b, hn::Add(a, hn::Mul(share, hn::Sub(b, a))));
+}
+
 /// What is trilinear between the corners of a cell, along a passage through it.
 HWY_INLINE Cubic InterpolateAlong(const Corners& v, const Passage& p) {
   const V3& d = p.half;
@@ -69,20 +75,20 @@ HWY_INLINE Cubic InterpolateAlong(const Corners& v, const Passage& p) {
   } row[4];
   for (int r = 0; r < 4; ++r) {
     const VF across = hn::Sub(v.second[r], v.first[r]);
-    row[r] = {hn::Add(v.first[r], hn::Mul(p.cell.fx, across)), hn::Mul(d.x, across)};
+    row[r] = {Between(v.first[r], v.second[r], p.cell.fx), hn::Mul(d.x, across)};
   }
   struct Square {
     VF c0, c1, c2;
   };
   const auto between = [&](const Line& a, const Line& b) {
     const VF at = hn::Sub(b.at, a.at), rise = hn::Sub(b.rise, a.rise);
-    return Square{hn::Add(a.at, hn::Mul(p.cell.fy, at)),
+    return Square{Between(a.at, b.at, p.cell.fy),
                   hn::Add(a.rise, hn::Add(hn::Mul(p.cell.fy, rise), hn::Mul(d.y, at))), hn::Mul(d.y, rise)};
   };
   const Square near = between(row[0], row[1]), far = between(row[2], row[3]);
   const VF r0 = hn::Sub(far.c0, near.c0), r1 = hn::Sub(far.c1, near.c1), r2 = hn::Sub(far.c2, near.c2);
   const VF fz = p.cell.fz;
-  return {hn::Add(near.c0, hn::Mul(fz, r0)), hn::Add(near.c1, hn::Add(hn::Mul(fz, r1), hn::Mul(d.z, r0))),
+  return {Between(near.c0, far.c0, fz), hn::Add(near.c1, hn::Add(hn::Mul(fz, r1), hn::Mul(d.z, r0))),
           hn::Add(near.c2, hn::Add(hn::Mul(fz, r2), hn::Mul(d.z, r1))), hn::Mul(d.z, r2)};
 }
 
