@@ -127,8 +127,8 @@ double mostMissed(Quality quality) { return quality == Quality::standard ? 0.25 
 // Near what views of bone in CT come to at `standard`, 7/16 to 9/16, so that a second try is seldom far off.
 double firstStep(Quality quality) { return quality == Quality::standard ? 9.0 / 16 : 1.0 / 4; }
 
-// What a pilot tries, but for the shortest, where what it misses cannot be far off: thin plates hide what lies
-// behind them.
+// What a pilot tries, but for the shortest, where what it misses cannot be far off: thin plates hide what
+// lies behind them.
 std::optional<PilotSteps> stepsOfMatter(const RuleInput& in) {
   if (!canIntegrate(in.scene, in.options) || in.facts.slopes.empty()) return {};
   const TransferFunction& curve = in.scene.transferFunction;
@@ -139,8 +139,7 @@ std::optional<PilotSteps> stepsOfMatter(const RuleInput& in) {
 
 // Of projections: only the CPU's planes follow rays through cells.
 bool goesFromCellToCell(const RuleInput& in) {
-  return !composite(in) && in.options.method == Method::planes &&
-         resamplerOf(in.options) == Resampler::cpu;
+  return !composite(in) && in.options.method == Method::planes && resamplerOf(in.options) == Resampler::cpu;
 }
 
 }  // namespace
@@ -213,11 +212,9 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
     plan.cellByCell = true;
     plan.errorBudget = in.options.tolerance.value_or(budgetOf(in.options.quality));
     return on(
-        "cell by cell, integrated through the curve: passages are cut where the curve bends, and further "
-        "while "
-        "what two rules differ by is above " +
-        inDigits(255 * plan.errorBudget, 2) + "/255 a ray" + tried +
-        (in.options.tolerance ? ", as asked" : ""));
+        "cell by cell, integrated through the curve: cut where it bends, then until each part of a ray is " +
+        ("expected to be off by no more than its share of " + inDigits(255 * plan.errorBudget, 3)) + "/255" +
+        (in.options.tolerance ? ", as asked" : "") + tried);
   }
   if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
     return steps(": the curve is smooth");
