@@ -221,6 +221,7 @@ void MainWindow::showFrame(const Frame& frame) {
   QString level = QLatin1String(qualityName(frame.quality));
   if (frame.factor > 1) level += QStringLiteral(" 1/%1").arg(frame.factor);
   view_->setPicture(frame.image, tr("%1 - %2 ms").arg(level, ms));
+  accuracy_->showEstimate(frame);
   if (frame.draft()) return;
   effects_->showPlan(*frame.plan, frame.stats);
   Scene now = session_.scene();

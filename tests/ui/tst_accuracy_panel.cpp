@@ -85,6 +85,7 @@ class TestAccuracyPanel : public QObject {
   void aChangeOfTheSceneGivesTheMeasurementUp();
   void nothingIsMeasuredWhereNobodyLooks();
   void aPictureSaysWhatWasMeasuredOfIt();
+  void thePictureOnShowSaysHowFarItMayBeOff();
   void effectsShowTheirCosts();
 };
 
@@ -267,6 +268,33 @@ void TestAccuracyPanel::aPictureSaysWhatWasMeasuredOfIt() {
   const QImage other = savedPicture(w, folder.filePath(QStringLiteral("other.png")));
   QCOMPARE(other.text(QStringLiteral("volumen-level")), QStringLiteral("high"));
   QCOMPARE(other.text(QStringLiteral("volumen-error-measured")), QString());
+}
+
+void TestAccuracyPanel::thePictureOnShowSaysHowFarItMayBeOff() {
+  Measured w;
+  QVERIFY(w.openPanel());
+  auto* estimate = w.child<QLabel>("estimate");
+  const auto numbers = [&] {
+    static const QRegularExpression all(
+        QStringLiteral("^This picture, estimated: 99 % within ([0-9.]+)/255, largest ([0-9.]+)/255, PSNR "
+                       "([0-9]+) dB$"));
+    const auto match = all.match(estimate->text());
+    return match.hasMatch() ? match.captured(2).toDouble() : -1;
+  };
+  const double atStandard = numbers();
+  QVERIFY2(atStandard > 0, qPrintable(estimate->text()));
+  w.shot("estimate");
+  // Another level is another picture.
+  auto* slider = w.child<QSlider>("levelSlider");
+  slider->setFocus();
+  w.after([&] { QTest::keyClick(slider, Qt::Key_End); });
+  QVERIFY2(numbers() > 0 && numbers() < atStandard, qPrintable(estimate->text()));
+  QVERIFY(numbers() <= 1);
+  w.after([&] { QTest::keyClick(slider, Qt::Key_Home); });
+  QCOMPARE(estimate->text(), QStringLiteral("Enlarged from fewer pixels: its error is not estimated."));
+  w.after([&] { QTest::keyClick(slider, Qt::Key_End); });
+  w.after([&] { w.window.session().edit(QStringLiteral("mip"), [](Scene& s) { s.mode = Mode::mip; }); });
+  QCOMPARE(estimate->text(), QStringLiteral("This picture: exact, but for the rounding of floats"));
 }
 
 void TestAccuracyPanel::effectsShowTheirCosts() {

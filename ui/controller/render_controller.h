@@ -19,6 +19,7 @@ namespace volumen {
 /// A picture and the plan it was drawn by.
 struct Drawn {
   Picture picture;
+  std::vector<float> error;  ///< Rendered::error
   Plan plan;
   RenderStats stats;
 };
@@ -54,6 +55,8 @@ struct Frame {
   Scene scene;    ///< as drawn: with its camera
   std::shared_ptr<const Plan> plan;
   RenderStats stats;
+  /// How far the picture may be off; nothing where it does not know, as where it was enlarged.
+  std::optional<PictureError> estimated;
 
   bool draft() const { return !atRest; }
 };

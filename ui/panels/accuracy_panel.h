@@ -8,6 +8,7 @@
 #include <QTreeWidget>
 
 #include "ui/controller/measured_levels.h"
+#include "ui/controller/render_controller.h"
 #include "ui/session/session.h"
 
 namespace volumen {
@@ -24,6 +25,8 @@ class AccuracyPanel : public QWidget {
   void showLevel(PictureLevel level);
   /// What is being measured, share 0..1.
   void showProgress(const QString& what, double share);
+  /// How far the picture on show may be off, as it says itself, or why that is not known.
+  void showEstimate(const Frame& frame);
 
  protected:
   void resizeEvent(QResizeEvent*) override;
@@ -43,7 +46,7 @@ class AccuracyPanel : public QWidget {
   QTreeWidget* table_;
   QCheckBox *meetTime_, *meetError_;
   QDoubleSpinBox *frameMs_, *error_;
-  QLabel *difference_, *caption_, *state_;
+  QLabel *difference_, *caption_, *state_, *estimate_;
   MeasuredLevels measured_;
   PictureLevel level_;
 };
