@@ -55,7 +55,9 @@ struct Frame {
   Scene scene;    ///< as drawn: with its camera
   std::shared_ptr<const Plan> plan;
   RenderStats stats;
-  /// How far the picture may be off; nothing where it does not know, as where it was enlarged.
+  /// How far each pixel may be off (Rendered::error), and what that comes to; nothing where that is not
+  /// known, as where the picture was enlarged.
+  std::shared_ptr<const std::vector<float>> error;
   std::optional<PictureError> estimated;
 
   bool draft() const { return !atRest; }

@@ -62,6 +62,7 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
       table_(new QTreeWidget),
       meetTime_(new QCheckBox(QStringLiteral("\u2264"))),
       meetError_(new QCheckBox(QStringLiteral("\u2264"))),
+      showError_(new QCheckBox(tr("Show error"))),
       frameMs_(new QDoubleSpinBox),
       error_(new QDoubleSpinBox),
       difference_(new QLabel),
@@ -90,6 +91,10 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
   estimate_->setAccessibleName(tr("Estimated error of the picture on show"));
   estimate_->setToolTip(tr("How far the picture on show may be off, as found while it was drawn"));
   estimate_->setWordWrap(true);
+  showError_->setObjectName(QStringLiteral("showErrorBox"));
+  showError_->setToolTip(
+      tr("Show how far each pixel may be off in place of the picture: black where it is right"));
+  connect(showError_, &QCheckBox::toggled, this, &AccuracyPanel::errorWanted);
   // Two lines always, so that nothing below jumps from picture to picture.
   estimate_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   estimate_->setMinimumHeight(2 * estimate_->fontMetrics().lineSpacing());
@@ -98,6 +103,7 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
   column->setSpacing(4);
   column->addLayout(sliderRow());
   column->addWidget(estimate_);
+  column->addWidget(showError_);
   column->addWidget(table_);
   column->addWidget(state_);
   auto* aims = new QHBoxLayout;
@@ -256,6 +262,8 @@ void AccuracyPanel::showProgress(const QString& what, double share) {
 }
 
 void AccuracyPanel::showEstimate(const Frame& frame) { estimate_->setText(estimateOf(frame)); }
+
+void AccuracyPanel::setErrorWanted(bool wanted) { showError_->setChecked(wanted); }
 
 void AccuracyPanel::showDifference() {
   const int row = rowOf(level_);

@@ -27,6 +27,11 @@ class AccuracyPanel : public QWidget {
   void showProgress(const QString& what, double share);
   /// How far the picture on show may be off, as it says itself, or why that is not known.
   void showEstimate(const Frame& frame);
+  /// Whether the view shows that in place of the picture.
+  void setErrorWanted(bool wanted);
+
+ Q_SIGNALS:
+  void errorWanted(bool wanted);
 
  protected:
   void resizeEvent(QResizeEvent*) override;
@@ -44,7 +49,7 @@ class AccuracyPanel : public QWidget {
   Session& session_;
   QSlider* slider_;
   QTreeWidget* table_;
-  QCheckBox *meetTime_, *meetError_;
+  QCheckBox *meetTime_, *meetError_, *showError_;
   QDoubleSpinBox *frameMs_, *error_;
   QLabel *difference_, *caption_, *state_, *estimate_;
   MeasuredLevels measured_;
