@@ -163,9 +163,7 @@ class Run {
 
   // Of the last picture.
   int writeErrorMap() {
-    if (done_.error.empty())
-      return fail(
-          "This way of drawing does not know its error: --error-map needs a level of --method planes.");
+    if (done_.error.empty()) return fail("No error map was written. " + whyNoEstimate(done_.plan));
     const Status written = writeMapNrrd(done_.picture.size, done_.error, options_.errorMap);
     if (!written) return fail(written.message());
     told() << printable(options_.errorMap) << '\n';
