@@ -136,7 +136,7 @@ void addMethodOptions(CLI::App& app, MethodOptions& o) {
       ->check(CLI::IsMember(keys(mapLookups)));
   app.add_option(
          "--tolerance", o.tolerance,
-         "How uneven parts of a ray's way through a cell may be, as a share of its light: smaller is finer")
+         "What a ray may be off by, as a share of white, instead of what its level allows (standard: 0.0314)")
       ->check(CLI::Range(1e-6, 1.0));
   app.add_option("--stop-at", o.stopAt,
                  "End a ray where less than this share of the light behind comes through")

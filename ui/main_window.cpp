@@ -148,6 +148,10 @@ void MainWindow::connectAccuracy() {
   connect(&meter_, &AccuracyMeter::progressed, accuracy_, &AccuracyPanel::showProgress);
   connect(docks_.at(QStringLiteral("accuracy")), &QDockWidget::visibilityChanged, &meter_,
           &AccuracyMeter::setWatched);
+  QAction* showError = actions_.at(QStringLiteral("showError"));
+  connect(accuracy_, &AccuracyPanel::errorWanted, showError, &QAction::setChecked);
+  connect(showError, &QAction::toggled, accuracy_, &AccuracyPanel::setErrorWanted);
+  connect(showError, &QAction::toggled, view_, &VolumeView::setErrorShown);
   snapshot_.setMeasured([this](const Plan& plan) { return measuredError(meter_.measured(), plan); });
 }
 
@@ -220,7 +224,8 @@ void MainWindow::showFrame(const Frame& frame) {
   const QString ms = QString::number(frame.ms, 'f', frame.ms < 10 ? 1 : 0);
   QString level = QLatin1String(qualityName(frame.quality));
   if (frame.factor > 1) level += QStringLiteral(" 1/%1").arg(frame.factor);
-  view_->setPicture(frame.image, tr("%1 - %2 ms").arg(level, ms));
+  view_->setPicture(frame.image, tr("%1 - %2 ms").arg(level, ms), frame.error);
+  accuracy_->showEstimate(frame);
   if (frame.draft()) return;
   effects_->showPlan(*frame.plan, frame.stats);
   Scene now = session_.scene();

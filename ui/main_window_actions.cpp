@@ -153,6 +153,7 @@ void MainWindow::makeActions() {
        "",
        true,
        [this](bool on) { setResampler(on ? Resampler::gl : Resampler::cpu); }},
+      {"showError", tr("Show error"), {}, "", true, [](bool) {}},
       {"lightTheme",
        tr("Light theme"),
        {},
@@ -199,7 +200,7 @@ void MainWindow::makeMenus() {
   fill(view,
        "orbitTool curveTool resetView | viewAnterior viewPosterior viewLeft viewRight viewSuperior "
        "viewInferior | "
-       "openGlResampler | maximise fullScreen lightTheme");
+       "openGlResampler showError | maximise fullScreen lightTheme");
   auto* docks = view->addMenu(tr("Panels"));
   for (const auto& [name, dock] : docks_) docks->addAction(dock->toggleViewAction());
   fill(menuBar()->addMenu(tr("&Help")), "shortcuts about");

@@ -36,42 +36,59 @@ struct Times {
 };
 
 // What the picture's PNG says of itself.
-nlohmann::ordered_json pictureJson(const Plan& plan) {
+nlohmann::ordered_json pictureJson(const Rendered& done) {
   nlohmann::ordered_json out;
-  for (const auto& [key, value] : pictureText(plan)) out[key] = value;
+  for (const auto& [key, value] : pictureText(done.plan, {.estimated = estimateOf(done.error)}))
+    out[key] = value;
   return out;
 }
 
-nlohmann::ordered_json statsJson(const Plan& plan, const RenderStats& s, const Times& t,
-                                 const Volume& volume) {
-  return {{"stagesMs",
-           {{"load", t.loadMs},
-            {"gradients", t.gradientsMs},
-            {"plan", t.planMs},
-            {"pilot", s.pilotMs},
-            {"resample", s.resampleMs},
-            {"shade", s.shadeMs},
-            {"gl", s.glMs},
-            {"total", t.totalMs}}},
-          {"framesMs", t.framesMs},
-          {"samples", {{"resampled", s.resampled}, {"shaded", s.shaded}, {"composited", s.composited}}},
-          {"bytes",
-           {{"volume", volume.bytes()},
-            {"density", s.densityBytes},
-            {"gradients", s.gradientBytes},
-            {"blocks", s.blockBytes},
-            {"tables", s.tableBytes}}},
-          {"threads", s.threads},
-          {"kernel", s.kernel},
-          {"step", plan.stepVoxels},
-          {"precision", plan.bits},
-          {"plan", nlohmann::ordered_json::parse(explainJson(plan, effectCosts(plan, s)))},
-          {"picture", pictureJson(plan)}};
+// How far the picture may be off, in 1/255; psnrDb is null where that is 0. Null where that is not known.
+nlohmann::ordered_json errorJson(const Rendered& done) {
+  const auto estimated = estimateOf(done.error);
+  if (!estimated) return nullptr;
+  nlohmann::ordered_json out{{"maximum", estimated->maximum},
+                             {"percentile99", estimated->percentile99},
+                             {"psnrDb", estimated->psnrDb}};
+  if (const std::string without = notEstimated(done.plan); !without.empty()) out["without"] = without;
+  return out;
 }
 
-Status writePicture(const Picture& picture, const Plan& plan, const std::string& path) {
-  return endsWith(path, ".nrrd") ? writePictureNrrd(picture, path)
-                                 : writePng(picture, path, pictureText(plan));
+nlohmann::ordered_json statsJson(const Rendered& done, const Times& t, const Volume& volume) {
+  const Plan& plan = done.plan;
+  const RenderStats& s = done.stats;
+  nlohmann::ordered_json out{
+      {"stagesMs",
+       {{"load", t.loadMs},
+        {"gradients", t.gradientsMs},
+        {"plan", t.planMs},
+        {"pilot", s.pilotMs},
+        {"resample", s.resampleMs},
+        {"shade", s.shadeMs},
+        {"gl", s.glMs},
+        {"total", t.totalMs}}},
+      {"framesMs", t.framesMs},
+      {"samples", {{"resampled", s.resampled}, {"shaded", s.shaded}, {"composited", s.composited}}},
+      {"bytes",
+       {{"volume", volume.bytes()},
+        {"density", s.densityBytes},
+        {"gradients", s.gradientBytes},
+        {"blocks", s.blockBytes},
+        {"tables", s.tableBytes}}},
+      {"threads", s.threads},
+      {"kernel", s.kernel},
+      {"step", plan.stepVoxels},
+      {"precision", plan.bits},
+      {"error", errorJson(done)}};
+  if (done.error.empty()) out["errorUnknown"] = whyNoEstimate(plan);
+  out["plan"] = nlohmann::ordered_json::parse(explainJson(plan, effectCosts(plan, s)));
+  out["picture"] = pictureJson(done);
+  return out;
+}
+
+Status writePicture(const Rendered& done, const std::string& path) {
+  if (endsWith(path, ".nrrd")) return writePictureNrrd(done.picture, path);
+  return writePng(done.picture, path, pictureText(done.plan, {.estimated = estimateOf(done.error)}));
 }
 
 Status writeText(const std::string& path, const std::string& text) {
@@ -137,8 +154,7 @@ class Run {
       if (const int failed = drawFrames(*plan, caches)) return failed;
       if (options_.output.empty()) continue;
       const std::string path = options_.turntable ? numbered(options_.output, n) : options_.output;
-      if (Status written = writePicture(done_.picture, done_.plan, path); !written)
-        return fail(written.message());
+      if (Status written = writePicture(done_, path); !written) return fail(written.message());
       told() << printable(path) << '\n';
     }
     if (!options_.errorMap.empty()) return writeErrorMap();
@@ -147,9 +163,7 @@ class Run {
 
   // Of the last picture.
   int writeErrorMap() {
-    if (done_.error.empty())
-      return fail(
-          "This way of drawing does not know its error: --error-map needs a level of --method planes.");
+    if (done_.error.empty()) return fail("No error map was written. " + whyNoEstimate(done_.plan));
     const Status written = writeMapNrrd(done_.picture.size, done_.error, options_.errorMap);
     if (!written) return fail(written.message());
     told() << printable(options_.errorMap) << '\n';
@@ -190,7 +204,7 @@ class Run {
                                          : explain(done_.plan, effectCosts(done_.plan, done_.stats)));
     if (options_.printScene) std::cout << sceneToJson(done_.plan.scene);
     if (options_.statsFile.empty()) return exitDone;
-    const std::string text = statsJson(done_.plan, done_.stats, times_, *volume_).dump(2) + "\n";
+    const std::string text = statsJson(done_, times_, *volume_).dump(2) + "\n";
     const Status written = writeText(options_.statsFile, text);
     return written.ok() ? exitDone : fail(written.message());
   }

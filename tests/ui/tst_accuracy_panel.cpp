@@ -71,6 +71,7 @@ struct Measured : Journey {
 
 }  // namespace
 
+Q_DECLARE_METATYPE(std::vector<float>)
 Q_DECLARE_METATYPE(std::vector<volumen::MeasuredLevel>)
 Q_DECLARE_METATYPE(volumen::PictureWish)
 
@@ -85,6 +86,10 @@ class TestAccuracyPanel : public QObject {
   void aChangeOfTheSceneGivesTheMeasurementUp();
   void nothingIsMeasuredWhereNobodyLooks();
   void aPictureSaysWhatWasMeasuredOfIt();
+  void thePictureOnShowSaysHowFarItMayBeOff();
+  void theErrorIsShownInPlaceOfThePicture();
+  void errorsAreGreys_data();
+  void errorsAreGreys();
   void effectsShowTheirCosts();
 };
 
@@ -267,6 +272,85 @@ void TestAccuracyPanel::aPictureSaysWhatWasMeasuredOfIt() {
   const QImage other = savedPicture(w, folder.filePath(QStringLiteral("other.png")));
   QCOMPARE(other.text(QStringLiteral("volumen-level")), QStringLiteral("high"));
   QCOMPARE(other.text(QStringLiteral("volumen-error-measured")), QString());
+}
+
+void TestAccuracyPanel::thePictureOnShowSaysHowFarItMayBeOff() {
+  Measured w;
+  QVERIFY(w.openPanel());
+  auto* estimate = w.child<QLabel>("estimate");
+  const auto numbers = [&] {
+    static const QRegularExpression all(
+        QStringLiteral("^This picture, estimated: 99 % within ([0-9.]+)/255, largest ([0-9.]+)/255, PSNR "
+                       "([0-9]+) dB$"));
+    const auto match = all.match(estimate->text());
+    return match.hasMatch() ? match.captured(2).toDouble() : -1;
+  };
+  const double atStandard = numbers();
+  QVERIFY2(atStandard > 0, qPrintable(estimate->text()));
+  w.shot("estimate");
+  // Another level is another picture.
+  auto* slider = w.child<QSlider>("levelSlider");
+  slider->setFocus();
+  w.after([&] { QTest::keyClick(slider, Qt::Key_End); });
+  QVERIFY2(numbers() > 0 && numbers() < atStandard, qPrintable(estimate->text()));
+  QVERIFY(numbers() <= 1);
+  w.after([&] { QTest::keyClick(slider, Qt::Key_Home); });
+  QCOMPARE(estimate->text(), QStringLiteral("Enlarged from fewer pixels: its error is not estimated."));
+  w.after([&] { QTest::keyClick(slider, Qt::Key_End); });
+  w.after([&] { w.window.session().edit(QStringLiteral("mip"), [](Scene& s) { s.mode = Mode::mip; }); });
+  QCOMPARE(estimate->text(), QStringLiteral("This picture: exact, but for the rounding of floats"));
+}
+
+void TestAccuracyPanel::theErrorIsShownInPlaceOfThePicture() {
+  Measured w;
+  QVERIFY(w.openPanel());
+  VolumeView* view = w.window.view();
+  auto* box = w.child<QCheckBox>("showErrorBox");
+  const auto click = [&] { QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2)); };
+  QVERIFY2(!box->isChecked() && view->shown() == view->picture(), "off by default");
+  const QImage picture = view->picture();
+  click();
+  QVERIFY(box->isChecked() && w.child<QAction>("showError")->isChecked());
+  QCOMPARE(view->shown().size(), picture.size());
+  QVERIFY(view->shown().isGrayscale() && view->shown() != picture);
+  QCOMPARE(qGray(view->shown().pixel(0, 0)), 0);  // nothing is there to be off
+  QVERIFY2(view->picture() == picture, "nothing is drawn anew");
+  w.shot("error");
+  // It follows the picture.
+  const QImage before = view->shown();
+  w.after([&] { QTest::keyClick(view, Qt::Key_Left); });
+  QVERIFY(view->shown().isGrayscale() && view->shown() != before);
+  // Of an enlarged picture nothing is known: it stays on show.
+  auto* slider = w.child<QSlider>("levelSlider");
+  slider->setFocus();
+  w.after([&] { QTest::keyClick(slider, Qt::Key_Home); });
+  QVERIFY(box->isChecked() && view->shown() == view->picture());
+  w.child<QAction>("showError")->trigger();
+  QVERIFY(!box->isChecked());
+}
+
+void TestAccuracyPanel::errorsAreGreys_data() {
+  QTest::addColumn<std::vector<float>>("map");
+  QTest::addColumn<QList<int>>("greys");  // empty: no image
+  QTest::addColumn<QString>("legend");
+  const auto row = [](const char* name, std::vector<float> map, QList<int> greys, const char* legend) {
+    QTest::newRow(name) << std::move(map) << greys << QString::fromLatin1(legend);
+  };
+  row("up to the largest", {0, 0.5f, 1, 0.25f}, {0, 128, 255, 64}, "Estimated error: black 0, white 1/255");
+  row("8/255 at most", {0, 4, 8, 80}, {0, 128, 255, 255}, "Estimated error: black 0, white 8/255 or more");
+  row("none", {0, 0, 0, 0}, {0, 0, 0, 0}, "Estimated error: none");
+  row("not known", {}, {}, "Estimated error: not known of this picture");
+}
+
+void TestAccuracyPanel::errorsAreGreys() {
+  QFETCH(std::vector<float>, map);
+  QFETCH(QList<int>, greys);
+  QFETCH(QString, legend);
+  const ErrorImage shown = errorImage(map, {2, 2});
+  QCOMPARE(shown.legend, legend);
+  QList<int> found;
+  for (int n = 0; n < 4 && !shown.image.isNull(); ++n) found << qGray(shown.image.pixel(n % 2, n / 2));
+  QCOMPARE(found, greys);
 }
 
 void TestAccuracyPanel::effectsShowTheirCosts() {

@@ -26,7 +26,7 @@ Draw drawWithCaches(VolumePtr volume) {
     stats.pilotMs += planned.stats.pilotMs;
     stats.gradientsMs += planned.stats.gradientsMs;
     stats.totalMs += planned.stats.pilotMs + planned.stats.gradientsMs;
-    return Drawn{std::move(rendered->picture), std::move(rendered->plan), stats};
+    return Drawn{std::move(rendered->picture), std::move(rendered->error), std::move(rendered->plan), stats};
   };
   return {plan, picture};
 }

@@ -253,6 +253,8 @@ Result<Drawn> RenderController::drawPass(const ScreenRequest& request, Pass pass
       pass.factor == 1 ? toImage(drawn->picture) : enlarged(drawn->picture, pass.factor, request.pixels);
   frame.plan = std::make_shared<const Plan>(drawn->plan);
   frame.stats = drawn->stats;
+  frame.estimated = pass.factor == 1 ? estimateOf(drawn->error) : std::nullopt;
+  if (frame.estimated) frame.error = std::make_shared<const std::vector<float>>(drawn->error);
   frame.ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   return drawn;
 }

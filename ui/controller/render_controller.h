@@ -19,6 +19,7 @@ namespace volumen {
 /// A picture and the plan it was drawn by.
 struct Drawn {
   Picture picture;
+  std::vector<float> error;  ///< Rendered::error
   Plan plan;
   RenderStats stats;
 };
@@ -54,6 +55,10 @@ struct Frame {
   Scene scene;    ///< as drawn: with its camera
   std::shared_ptr<const Plan> plan;
   RenderStats stats;
+  /// How far each pixel may be off (Rendered::error), and what that comes to; nothing where that is not
+  /// known, as where the picture was enlarged.
+  std::shared_ptr<const std::vector<float>> error;
+  std::optional<PictureError> estimated;
 
   bool draft() const { return !atRest; }
 };

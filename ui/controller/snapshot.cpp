@@ -24,7 +24,8 @@ void Snapshot::save(const Scene& scene, const RenderOptions& options, const QStr
 }
 
 void Snapshot::write(const std::shared_ptr<Drawn>& drawn) {
-  const auto text = pictureText(drawn->plan, measured_ ? measured_(drawn->plan) : std::nullopt);
+  const auto text =
+      pictureText(drawn->plan, {estimateOf(drawn->error), measured_ ? measured_(drawn->plan) : std::nullopt});
   pool_.start([this, drawn, text, path = path_] {
     const Status status = writePng(drawn->picture, path.toStdString(), text);
     const QString sentence = status ? QString() : QString::fromStdString(status.message());

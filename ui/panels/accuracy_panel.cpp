@@ -33,6 +33,20 @@ QString msText(double ms) {
 
 QString errorText(double of255) { return AccuracyPanel::tr("%1/255").arg(inDigits(of255)); }
 
+// What is not estimated is told in a sentence.
+QString estimateOf(const Frame& frame) {
+  if (frame.factor > 1) return AccuracyPanel::tr("Enlarged from fewer pixels: its error is not estimated.");
+  if (!frame.estimated) return QString::fromStdString(whyNoEstimate(*frame.plan));
+  const PictureError& e = *frame.estimated;
+  if (e.maximum == 0) return AccuracyPanel::tr("This picture: exact, but for the rounding of floats");
+  const QString text = AccuracyPanel::tr("This picture, estimated: 99 % within %1, largest %2, PSNR %3 dB")
+                           .arg(errorText(e.percentile99), errorText(e.maximum))
+                           .arg(std::floor(e.psnrDb));
+  const std::string without = notEstimated(*frame.plan);
+  return without.empty() ? text
+                         : AccuracyPanel::tr("%1; without %2").arg(text, QString::fromStdString(without));
+}
+
 // A power of two that makes 99 % of the differences visible without cutting them off.
 double magnificationOf(const PictureError& error) {
   const double most = 255 / std::max(error.percentile99, 1e-3);
@@ -48,11 +62,13 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
       table_(new QTreeWidget),
       meetTime_(new QCheckBox(QStringLiteral("\u2264"))),
       meetError_(new QCheckBox(QStringLiteral("\u2264"))),
+      showError_(new QCheckBox(tr("Show error"))),
       frameMs_(new QDoubleSpinBox),
       error_(new QDoubleSpinBox),
       difference_(new QLabel),
       caption_(new QLabel),
-      state_(new QLabel) {
+      state_(new QLabel),
+      estimate_(new QLabel) {
   makeTable();
   frameMs_->setRange(1, 100000);
   frameMs_->setDecimals(0);
@@ -71,10 +87,23 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
   caption_->setObjectName(QStringLiteral("differenceCaption"));
   caption_->setWordWrap(true);
   state_->setObjectName(QStringLiteral("measuringState"));
+  estimate_->setObjectName(QStringLiteral("estimate"));
+  estimate_->setAccessibleName(tr("Estimated error of the picture on show"));
+  estimate_->setToolTip(tr("How far the picture on show may be off, as found while it was drawn"));
+  estimate_->setWordWrap(true);
+  showError_->setObjectName(QStringLiteral("showErrorBox"));
+  showError_->setToolTip(
+      tr("Show how far each pixel may be off in place of the picture: black where it is right"));
+  connect(showError_, &QCheckBox::toggled, this, &AccuracyPanel::errorWanted);
+  // Two lines always, so that nothing below jumps from picture to picture.
+  estimate_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  estimate_->setMinimumHeight(2 * estimate_->fontMetrics().lineSpacing());
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(4);
   column->addLayout(sliderRow());
+  column->addWidget(estimate_);
+  column->addWidget(showError_);
   column->addWidget(table_);
   column->addWidget(state_);
   auto* aims = new QHBoxLayout;
@@ -231,6 +260,10 @@ void AccuracyPanel::showRow(int row) {
 void AccuracyPanel::showProgress(const QString& what, double share) {
   state_->setText(tr("Measuring: %1, %2 %").arg(what).arg(std::lround(100 * share)));
 }
+
+void AccuracyPanel::showEstimate(const Frame& frame) { estimate_->setText(estimateOf(frame)); }
+
+void AccuracyPanel::setErrorWanted(bool wanted) { showError_->setChecked(wanted); }
 
 void AccuracyPanel::showDifference() {
   const int row = rowOf(level_);

@@ -8,6 +8,7 @@
 #include <QTreeWidget>
 
 #include "ui/controller/measured_levels.h"
+#include "ui/controller/render_controller.h"
 #include "ui/session/session.h"
 
 namespace volumen {
@@ -24,6 +25,13 @@ class AccuracyPanel : public QWidget {
   void showLevel(PictureLevel level);
   /// What is being measured, share 0..1.
   void showProgress(const QString& what, double share);
+  /// How far the picture on show may be off, as it says itself, or why that is not known.
+  void showEstimate(const Frame& frame);
+  /// Whether the view shows that in place of the picture.
+  void setErrorWanted(bool wanted);
+
+ Q_SIGNALS:
+  void errorWanted(bool wanted);
 
  protected:
   void resizeEvent(QResizeEvent*) override;
@@ -41,9 +49,9 @@ class AccuracyPanel : public QWidget {
   Session& session_;
   QSlider* slider_;
   QTreeWidget* table_;
-  QCheckBox *meetTime_, *meetError_;
+  QCheckBox *meetTime_, *meetError_, *showError_;
   QDoubleSpinBox *frameMs_, *error_;
-  QLabel *difference_, *caption_, *state_;
+  QLabel *difference_, *caption_, *state_, *estimate_;
   MeasuredLevels measured_;
   PictureLevel level_;
 };

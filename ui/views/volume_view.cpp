@@ -31,7 +31,7 @@ VolumeView::VolumeView(Session& session, QWidget* parent)
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(cube_, &OrientationCube::viewRequested, this, &VolumeView::showView);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series) picture_ = {};
+    if (before.series != after.series) setPicture({}, {});
     if (before.series != after.series || before.scene.camera != after.scene.camera) showState();
   });
   showState();
@@ -57,10 +57,30 @@ void VolumeView::placeChildren() {
   cube_->move(8, height() - cube_->height() - 8);
 }
 
-void VolumeView::setPicture(const QImage& image, const QString& caption) {
+const QImage& VolumeView::shown() const {
+  return errorShown_ && !errorImage_.image.isNull() ? errorImage_.image : picture_;
+}
+
+void VolumeView::setErrorShown(bool shown) {
+  errorShown_ = shown;
+  makeErrorImage();
+  canvas_->update();
+}
+
+void VolumeView::makeErrorImage() {
+  errorImage_ = {};
+  if (!errorShown_) return;
+  errorImage_ = errorImage(error_ ? *error_ : std::vector<float>(), picture_.size());
+  errorImage_.image.setDevicePixelRatio(picture_.devicePixelRatio());
+}
+
+void VolumeView::setPicture(const QImage& image, const QString& caption,
+                            std::shared_ptr<const std::vector<float>> error) {
   picture_ = image;
   picture_.setDevicePixelRatio(devicePixelRatioF());
   caption_ = caption;
+  error_ = std::move(error);
+  makeErrorImage();
   canvas_->update();
 }
 

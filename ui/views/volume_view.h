@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "ui/session/session.h"
+#include "ui/views/error_image.h"
 #include "ui/views/overlays.h"
 #include "ui/views/pick.h"
 
@@ -26,9 +27,15 @@ class VolumeView : public QWidget {
  public:
   explicit VolumeView(Session& session, QWidget* parent = nullptr);
 
-  /// The picture drawn last, and its name for the corner ("draft 1/4 - 12 ms").
-  void setPicture(const QImage& image, const QString& caption);
+  /// The picture drawn last, its name for the corner ("draft 1/4 - 12 ms"), and how far its pixels may be
+  /// off, null where that is not known.
+  void setPicture(const QImage& image, const QString& caption,
+                  std::shared_ptr<const std::vector<float>> error = {});
   const QImage& picture() const { return picture_; }
+  /// Shows how far the picture's pixels may be off in its place, where that is known.
+  void setErrorShown(bool shown);
+  /// What is on show: the picture, or its error.
+  const QImage& shown() const;
   void setTool(ViewTool tool);
   ViewTool tool() const { return tool_; }
 
@@ -70,6 +77,7 @@ class VolumeView : public QWidget {
   Overlays overlays() const;
   QString hoverText(QPointF position) const;
   void paint(QPainter& painter) const;
+  void makeErrorImage();
   void replaceCanvas();
   void placeChildren();
   void showState();
@@ -79,6 +87,9 @@ class VolumeView : public QWidget {
   OrientationCube* cube_;
   QImage picture_;
   QString caption_;
+  std::shared_ptr<const std::vector<float>> error_;
+  ErrorImage errorImage_;  // of it, where errorShown_
+  bool errorShown_ = false;
   ViewTool tool_ = ViewTool::orbit;
   QTimer wheelEnd_;
 

@@ -55,19 +55,21 @@ Overlays VolumeView::overlays() const {
 void VolumeView::paint(QPainter& painter) const {
   painter.fillRect(rect(), QColor(0x10, 0x12, 0x14));
   if (!session_.series()) return;
-  if (!picture_.isNull()) {
-    const QSizeF shown = picture_.deviceIndependentSize();
-    if (picture_.size() == pixels()) {
-      painter.drawImage(QPointF(0, 0), picture_);
+  if (const QImage& picture = shown(); !picture.isNull()) {
+    const QSizeF shown = picture.deviceIndependentSize();
+    if (picture.size() == pixels()) {
+      painter.drawImage(QPointF(0, 0), picture);
     } else {
       // While the window is being resized: the last picture, until the next one is there.
       const double scale = height() / shown.height();
       const QSizeF fitted = shown * scale;
       painter.setRenderHint(QPainter::SmoothPixmapTransform);
-      painter.drawImage(QRectF(QPointF((width() - fitted.width()) / 2, 0), fitted), picture_);
+      painter.drawImage(QRectF(QPointF((width() - fitted.width()) / 2, 0), fitted), picture);
     }
   }
-  paintOverlays(painter, overlays(), rect());
+  Overlays over = overlays();
+  if (errorShown_) over.topRight << errorImage_.legend;
+  paintOverlays(painter, over, rect());
 }
 
 }  // namespace volumen

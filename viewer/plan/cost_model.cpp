@@ -18,17 +18,17 @@ namespace {
 
 // Nanoseconds on one core of an AMD EPYC (2.6 GHz, AVX-512), November 2026: stagesMs over samples of
 // `volumen render phantom:ct-head:128 --threads 1 --frames 7 --stats`, with 1, 4, 8 and 16 lights, unlit,
-// and each shader, method and resampler in turn. Those of samples, intervals and what is seen of them (3.9
-// GHz): whole frames of the chest CT's bone, skin and bone, and gel, lit and unlit, by `--step`, `standard`
-// and `high`. `bench_choices` holds them all against whole frames.
+// and each shader, method and resampler in turn. Those of samples, and of what goes cell by cell: whole
+// frames of the chest CT's bone, skin and bone, and gel, lit and unlit, by `--step` and `--tolerance`,
+// between which the cost of a voxel that is seen differs by up to a factor of 3. `bench_choices` holds them
+// all against whole frames.
 constexpr double sampleNs = 2.6;          // a density interpolated at a plain step
 constexpr double sampleGradientNs = 1.8;  // its gradient beside it
 constexpr double intervalNs = 9;          // 2 voxels of planes that go cell by cell: the walk, densities
-constexpr double seenNs = 31;             // those of them that can be seen: the curve, integrated
-constexpr double cutNs = 0.3;             // what cuts add at a tolerance of 1, growing with its inverse root
-constexpr double litCutNs = 0.75;         // likewise, where they follow the light too
-constexpr double litSeenNs = 1.5;         // and with its gradients, where it is seen
-constexpr double litParts = 0.2;          // parts that are lit of them, likewise
+constexpr double seenNs = 45;             // those of them that can be seen: the curve, integrated
+constexpr double cutNs = 15;              // cuts at a budget of 1, growing with its inverse fourth root
+constexpr double litCutNs = 72;           // likewise, gradients and the cuts that follow the light
+constexpr double litPlaces = 13;          // places on them where light is computed, likewise
 constexpr double glSampleNs = 6;          // OpenGL without a GPU, with the way back to the CPU
 constexpr double glGradientNs = 6;        // three components more
 constexpr double colourNs = 0.3;          // a visible sample's colour and opacity, composited
@@ -127,15 +127,16 @@ double lightNs(const Plan& plan, Shader shader, double samples) {
          6.0 * plan.mapSize * plan.mapSize * (nodeNs + direct);
 }
 
+// How finely rays that go cell by cell are cut, as measured between budgets of 1/3 and 1/2500.
+double finenessOf(const Plan& plan) { return 1 / std::sqrt(std::sqrt(plan.errorBudget)); }
+
 // Planes on the CPU: of a sample, or of two voxels with their parts, looked at and seen.
 struct SampleNs {
   double looked, seen;
 };
 SampleNs planesNs(const Plan& plan) {
   if (!plan.cellByCell) return {sampleNs + (plan.gradients ? sampleGradientNs : 0), colourNs};
-  const double fineness = 1 / std::sqrt(plan.errorBudget);
-  return {intervalNs + (cutNs + (plan.gradients ? litCutNs : 0)) * fineness,
-          seenNs + (plan.gradients ? litSeenNs : 0) * fineness};
+  return {intervalNs, seenNs + (cutNs + (plan.gradients ? litCutNs : 0)) * finenessOf(plan)};
 }
 
 }  // namespace
@@ -174,7 +175,7 @@ PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts, Shader s
     if (plan.method == Method::blend && plan.stopTransmittance > 0)  // what finds out what is hidden
       cost.samplingNs += looked * sampleNs + visible * colourNs;
   }
-  const double lit = plan.cellByCell ? visible * litParts / std::sqrt(plan.errorBudget) : visible;
+  const double lit = plan.cellByCell ? visible * litPlaces * finenessOf(plan) : visible;
   cost.lightNs = lightNs(plan, shader, lit);
   return cost;
 }

@@ -215,11 +215,9 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
     plan.cellByCell = true;
     plan.errorBudget = in.options.tolerance.value_or(budgetOf(in.options.quality));
     return on(
-        "cell by cell, integrated through the curve: passages are cut where the curve bends, and further "
-        "while "
-        "what two rules differ by is above " +
-        inDigits(255 * plan.errorBudget, 2) + "/255 a ray" + tried +
-        (in.options.tolerance ? ", as asked" : ""));
+        "cell by cell, integrated through the curve: cut where it bends, then until each part of a ray is " +
+        ("expected to be off by no more than its share of " + inDigits(255 * plan.errorBudget, 3)) + "/255" +
+        (in.options.tolerance ? ", as asked" : "") + tried);
   }
   if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
     return steps(": the curve is smooth");

@@ -36,9 +36,10 @@ Effect decideMethod(const RuleInput& in, Plan& plan) {
                           : "planes: rays from front to back, each looked at from end to end");
 }
 
-// Blend draws the same picture; what else there is draws another one.
+// Blend draws the same picture; what else there is draws another one. What a projection passes over is not
+// predicted.
 std::string methodCost(const RuleInput& in, const Plan& plan) {
-  if (plan.method != Method::planes || plan.resampler != Resampler::cpu) return {};
+  if (!composite(in) || plan.method != Method::planes || plan.resampler != Resampler::cpu) return {};
   RenderOptions options = in.options;
   options.method = Method::blend;
   options.tolerance.reset();

@@ -39,7 +39,8 @@ struct RenderOptions {
   std::optional<int> precision;  ///< bits of the stored density and gradient components: 8, 16 or 32
   std::optional<int> mapSize;    ///< n of the reflectance map's six n x n faces
   std::optional<MapLookup> mapLookup;
-  std::optional<double> tolerance;         ///< to which a level cuts passages, instead of its own; 1e-6 .. 1
+  std::optional<double>
+      tolerance;  ///< what a ray may be off by, as a share of white, instead of a level's; 1e-6 .. 1
   std::optional<double> stopAt;            ///< a ray ends below this transmittance, 0 (never) .. 1
   std::optional<double> opacityThreshold;  ///< samples of a smaller interval opacity are passed over, 0 .. 1
   std::optional<int> curveTable;           ///< entries of a classification table; none: the exact curve

@@ -1,5 +1,7 @@
 #include "viewer/plan/picture_text.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "viewer/plan/rule_lines.h"
@@ -32,25 +34,36 @@ std::string levelText(const Plan& plan) {
   return plan.options.step ? "plain steps" : qualityName(plan.options.quality);
 }
 
+std::string joined(std::initializer_list<std::string> parts) {
+  std::string text;
+  for (const std::string& part : parts)
+    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
+// Empty where the map was not asked for.
+std::string mapAsked(const Plan& plan) {
+  const RenderOptions& o = plan.options;
+  if (plan.shader != Shader::map || !(o.shader == Shader::map || o.mapSize || o.mapLookup)) return {};
+  return "light from a map of " + std::to_string(plan.mapSize) + " directions an edge, " +
+         (plan.mapLookup == MapLookup::nearest ? "nearest" : "bilinear");
+}
+
 // What was asked for that no level promises anything of.
 std::string besides(const Plan& plan) {
   const RenderOptions& o = plan.options;
-  std::string text;
-  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
-  if (plan.method == Method::preshaded) add("colours of voxels interpolated, not values");
-  if (plan.shader == Shader::table) add("light from a table of 5-bit indices, in 8 bits");
-  if (plan.shader == Shader::map && (o.shader == Shader::map || o.mapSize || o.mapLookup))
-    add("light from a map of " + std::to_string(plan.mapSize) + " directions an edge, " +
-        (plan.mapLookup == MapLookup::nearest ? "nearest" : "bilinear"));
-  if (plan.blending == Blending::bits8)
-    add("1/2 of 1/255 rounded off after each slice, colours above 1 cut off");
-  if (plan.blending == Blending::bits16)
-    add("1/2 of 1/65535 rounded off after each slice, colours above 1 cut off");
-  if (plan.bits == 8) add("values and gradients of 8 bits");
-  if (o.tolerance) add("a tolerance instead of a level's");
-  if (o.stopAt || o.opacityThreshold || o.curveTable || o.gradient != GradientOperator::sobel)
-    add("thresholds, curve table or gradient operator");
-  return text;
+  const bool others = o.stopAt || o.opacityThreshold || o.curveTable || o.gradient != GradientOperator::sobel;
+  return joined(
+      {plan.method == Method::preshaded ? "colours of voxels interpolated, not values" : "",
+       plan.shader == Shader::table ? "light from a table of 5-bit indices, in 8 bits" : "", mapAsked(plan),
+       plan.blending == Blending::bits8 ? "1/2 of 1/255 rounded off after each slice, colours above 1 cut off"
+                                        : "",
+       plan.blending == Blending::bits16
+           ? "1/2 of 1/65535 rounded off after each slice, colours above 1 cut off"
+           : "",
+       plan.bits == 8 ? "values and gradients of 8 bits" : "",
+       o.tolerance ? "a tolerance instead of a level's" : "",
+       others ? "thresholds, curve table or gradient operator" : ""});
 }
 
 // Of a projection that goes from cell to cell.
@@ -69,6 +82,38 @@ std::string errorText(const Plan& plan) {
 
 }  // namespace
 
+std::string notEstimated(const Plan& plan) {
+  const RenderOptions& o = plan.options;
+  return joined({mapAsked(plan), o.opacityThreshold ? "faint samples left out" : "",
+                 o.curveTable ? "a table of the curve" : "",
+                 o.gradient != GradientOperator::sobel ? "another gradient operator" : ""});
+}
+
+namespace {
+
+// Two digits, from 100 on three, rounded up.
+std::string atMost(double x) {
+  const double unit = std::min(1.0, std::pow(10, std::floor(std::log10(x)) - 1));
+  const double up = unit * std::ceil(x / unit - 1e-6);
+  return inDigits(up, up < 100 ? 2 : 3) + "/255";
+}
+
+}  // namespace
+
+std::string estimateText(const Plan& plan, const PictureError& e) {
+  const std::string without = notEstimated(plan), but = without.empty() ? "" : "; without that of " + without;
+  if (e.maximum == 0) return "none but the rounding of floats" + but;
+  const std::string most99 = e.percentile99 > 0 ? atMost(e.percentile99) : "0/255";
+  return "at most " + atMost(e.maximum) + ", 99th percentile " + most99 + ", PSNR at least " +
+         inDigits(std::floor(e.psnrDb), 3) + " dB" + but;
+}
+
+std::string whyNoEstimate(const Plan& plan) {
+  if (plan.method == Method::reference) return "The reference is within 0.05/255 of the limit by itself.";
+  if (plan.cellByCell) return "The picture is not drawn yet.";
+  return "Plain steps do not know what lies between two samples, and so not how far off they are.";
+}
+
 std::string errorText(const MeasuredError& m) {
   char text[200];
   std::snprintf(
@@ -78,18 +123,18 @@ std::string errorText(const MeasuredError& m) {
   return text;
 }
 
-std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan,
-                                                             const std::optional<MeasuredError>& measured) {
+std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan, const KnownError& known) {
   std::vector<std::pair<std::string, std::string>> text{{"Software", "volumen " VOLUMEN_VERSION},
                                                         {"Comment", "Not for clinical use"},
                                                         {"volumen-method", methodName(plan.method)},
                                                         {"volumen-level", levelText(plan)},
                                                         {"volumen-error", errorText(plan)}};
   if (plan.pilot && plan.pilot->kept) text.push_back({"volumen-error-pilot", toldBy(*plan.pilot)});
-  if (measured) text.push_back({"volumen-error-measured", errorText(*measured)});
+  if (known.estimated) text.push_back({"volumen-error-estimated", estimateText(plan, *known.estimated)});
+  if (known.measured) text.push_back({"volumen-error-measured", errorText(*known.measured)});
   if (plan.method != Method::reference)
     text.push_back({"volumen-step", isExact(plan)     ? "cell by cell"
-                                    : plan.cellByCell ? "cell by cell, integrated and cut where it is uneven"
+                                    : plan.cellByCell ? "cell by cell, integrated with error control"
                                                       : inVoxels(plan.stepVoxels)});
   text.push_back({"volumen-scene", sceneToJson(plan.scene)});
   return text;

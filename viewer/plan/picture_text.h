@@ -15,13 +15,25 @@ struct MeasuredError {
   std::size_t pixels = 0, ofPixels = 0;
 };
 
+/// What is known of a picture's error beside what its plan promises.
+struct KnownError {
+  std::optional<PictureError> estimated{};  ///< by the picture itself (estimateOf)
+  std::optional<MeasuredError> measured{};
+};
+
+/// "at most 0.61/255, 99th percentile 0.2/255, PSNR at least 71 dB", and what that leaves out (notEstimated).
+std::string estimateText(const Plan& plan, const PictureError& estimated);
+/// What was chosen by hand that no picture's estimate holds, as it belongs to what is integrated; else empty.
+std::string notEstimated(const Plan& plan);
+/// Why a picture of this plan has no estimate: a sentence.
+std::string whyNoEstimate(const Plan& plan);
+
 /// "99 % of pixels within 1.23/255, largest 4.88/255, RMSE 0.697/255, measured at 972 of 750000 pixels".
 std::string errorText(const MeasuredError& measured);
 
-/// What a PNG says of itself (DESIGN 10): program, method, level or step, promised error, the measured one
-/// where it is known of exactly this picture, scene; key and value.
-std::vector<std::pair<std::string, std::string>> pictureText(
-    const Plan& plan, const std::optional<MeasuredError>& measured = {});
+/// What a PNG says of itself (DESIGN 10): program, method, level or step, promised error, what is known
+/// of exactly this picture's, scene; key and value.
+std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan, const KnownError& known = {});
 
 /// "draft", "standard", "high", "exact".
 const char* qualityName(Quality quality);

@@ -228,7 +228,7 @@ Effect gradientFetch(const RuleInput& in, Plan& plan) {
   if (!plan.gradients) return off("there are no gradients");
   if (plan.resampler != Resampler::cpu || !isDrawnByPlanes(in))
     return on("at every sample: all of them are looked at");
-  if (plan.cellByCell) return on("where opacity counts, once for each part of a ray");
+  if (plan.cellByCell) return on("once a cell, where something shows");
   if (few)
     return on(plan.fetchApart ? "where opacity counts: few samples have any"
                               : "with every density: asked for in full");
@@ -242,9 +242,10 @@ Effect emptyCells(const RuleInput& in, Plan& plan) {
   // From such a share on asking takes longer than the samples that it spares, as measured.
   constexpr double many = 0.6;
   plan.skipCells = false;
+  if (!composite(in)) return off("a projection of values has no opacity");
   if (plan.cellByCell) return off("rays that go from cell to cell ask each of them anyway");
-  if (!composite(in) || plan.method != Method::planes || plan.resampler != Resampler::cpu ||
-      plan.shader == Shader::table || plan.mapLookup == MapLookup::nearest)
+  if (plan.method != Method::planes || plan.resampler != Resampler::cpu || plan.shader == Shader::table ||
+      plan.mapLookup == MapLookup::nearest)
     return off("there is no kernel that asks single cells");
   if (in.options.full) return off("asked for in full");
   if (!plan.skipBlocks) return off("there are no empty blocks either");

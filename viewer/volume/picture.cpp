@@ -46,6 +46,11 @@ PictureError errorOf(const std::vector<float>& pixels255) {
   return errorOf(std::vector<double>(pixels255.begin(), pixels255.end()), squares);
 }
 
+std::optional<PictureError> estimateOf(const std::vector<float>& map255) {
+  if (map255.empty()) return {};
+  return errorOf(map255);
+}
+
 PictureError compare(const Picture& a, const Picture& b, const std::vector<std::uint8_t>& use) {
   std::vector<double> largest;
   double squares = 0;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <vector>
 
 namespace volumen {
@@ -41,6 +42,10 @@ struct PictureError {
 
 /// The same of pixels that are off by so much each (largest component, 1/255); all components count as much.
 PictureError errorOf(const std::vector<float>& pixels255);
+
+/// What a picture that knows how far each pixel may be off says of all of them: errorOf(), nothing where the
+/// map is empty.
+std::optional<PictureError> estimateOf(const std::vector<float>& map255);
 
 /// Compares pictures of one size. `use`: pixels to count (empty: all), one entry a pixel, non-zero = counted.
 PictureError compare(const Picture& a, const Picture& b, const std::vector<std::uint8_t>& use = {});

@@ -25,6 +25,8 @@ class TestCommands : public QObject {
   void everyCommandHasHelp();
   void renderWritesAPictureThatSaysHowItWasMade();
   void statsHoldTheStages();
+  void aPictureSaysHowFarItMayBeOff_data();
+  void aPictureSaysHowFarItMayBeOff();
   void aLargePictureSaysWhatAPilotFound();
   void theSceneInUseDrawsTheSamePicture();
   void sameBytes_data();
@@ -161,6 +163,47 @@ void TestCommands::statsHoldTheStages() {
   QCOMPARE(all[QStringLiteral("framesMs")].toArray().size(), 3);
   QVERIFY(all[QStringLiteral("samples")].toObject()[QStringLiteral("composited")].toInt() > 0);
   QVERIFY(all[QStringLiteral("plan")].toArray().size() > 5);
+}
+
+void TestCommands::aPictureSaysHowFarItMayBeOff_data() {
+  QTest::addColumn<QString>("options");
+  QTest::addColumn<QString>("text");     // of the PNG, a regular expression
+  QTest::addColumn<QString>("unknown");  // the sentence where nothing is estimated
+  const auto row = [](const char* name, const char* options, const char* text, const char* unknown) {
+    QTest::newRow(name) << QString::fromLatin1(options) << QString::fromLatin1(text)
+                        << QString::fromLatin1(unknown);
+  };
+  const char* numbers = "at most [0-9.]+/255, 99th percentile [0-9.]+/255, PSNR at least [0-9]+ dB";
+  row("standard", "", numbers, "");
+  row("exact", "--quality exact", "at most (1|0.[0-9]+)/255, 99th percentile 0.[0-9]+/255, .*", "");
+  row("what it does not hold", "--gradient central",
+      "at most [^;]*; without that of another gradient operator", "");
+  row("a projection", "--mode mip", "none but the rounding of floats", "");
+  row("plain steps", "--step 1", "",
+      "Plain steps do not know what lies between two samples, and so not how far off they are.");
+  row("the reference", "--reference", "", "The reference is within 0.05/255 of the limit by itself.");
+}
+
+void TestCommands::aPictureSaysHowFarItMayBeOff() {
+  QFETCH(QString, options);
+  QFETCH(QString, text);
+  QFETCH(QString, unknown);
+  const QString png = at("estimate.png"), stats = at("estimate.json");
+  const QString line = QStringLiteral("render phantom:ct-head:32 --size 24x24 %1 --stats %2 -o %3");
+  const Outcome a = runProgram(line.arg(options, stats, png));
+  QVERIFY2(a.status == 0, a.err);
+  const QString said = QImage(png).text(QStringLiteral("volumen-error-estimated"));
+  QVERIFY2(QRegularExpression(QRegularExpression::anchoredPattern(text)).match(said).hasMatch(),
+           qPrintable(said));
+  const QJsonObject all = QJsonDocument::fromJson(contentsOf(stats)).object();
+  QCOMPARE(all[QStringLiteral("errorUnknown")].toString(), unknown);
+  const QJsonValue error = all[QStringLiteral("error")];
+  QCOMPARE(error.isNull(), !unknown.isEmpty());
+  if (error.isNull()) return;
+  const auto number = [&](const char* key) { return error[QLatin1String(key)].toDouble(-1); };
+  QVERIFY(number("percentile99") >= 0 && number("percentile99") <= number("maximum"));
+  // Of an error of 0 there is none.
+  QCOMPARE(error[QStringLiteral("psnrDb")].isNull(), number("maximum") == 0);
 }
 
 void TestCommands::aLargePictureSaysWhatAPilotFound() {

@@ -40,6 +40,8 @@ class TestPictureText : public QObject {
   void promisesOnlyWhatThePathKeeps_data();
   void promisesOnlyWhatThePathKeeps();
   void saysWhatWasMeasured();
+  void saysWhatIsEstimated_data();
+  void saysWhatIsEstimated();
 };
 
 void TestPictureText::saysItsMethodAndError_data() {
@@ -127,12 +129,51 @@ void TestPictureText::saysWhatWasMeasured() {
       972,
       750000};
   const Scene scene;
-  const auto text = pictureText(*makePlan(scene, someFacts(), {}), measured);
+  const auto text = pictureText(*makePlan(scene, someFacts(), {}), {.measured = measured});
   const std::pair<std::string, std::string> expected{
       "volumen-error-measured",
       "99 % of pixels within 2.96/255, largest 4.88/255, RMSE 0.696/255, measured at 972 of 750000 pixels"};
   QVERIFY(std::count(text.begin(), text.end(), expected) == 1);
   QCOMPARE(textOf({}, "volumen-error-measured"), QString());
+}
+
+void TestPictureText::saysWhatIsEstimated_data() {
+  QTest::addColumn<Change>("change");
+  QTest::addColumn<double>("maximum");
+  QTest::addColumn<QString>("expected");
+  const auto row = [](const char* name, double maximum, const char* expected, Change change) {
+    QTest::newRow(name) << change << maximum << QString::fromLatin1(expected);
+  };
+  row("rounded to the safe side", 4.811, "at most 4.9/255, 99th percentile 0.12/255, PSNR at least 71 dB",
+      [](RenderOptions&) {});
+  row("the largest there is", 255, "at most 255/255, 99th percentile 0.12/255, PSNR at least 71 dB",
+      [](RenderOptions&) {});
+  row("nothing", 0, "none but the rounding of floats", [](RenderOptions&) {});
+  row("a coarse tolerance is held by it", 0.6,
+      "at most 0.6/255, 99th percentile 0.12/255, PSNR at least 71 dB",
+      [](RenderOptions& o) { o.tolerance = 0.5; });
+  row("what it does not hold", 0.6,
+      "at most 0.6/255, 99th percentile 0.12/255, PSNR at least 71 dB; without that of light from a map of "
+      "32 directions an edge, bilinear, a table of the curve",
+      [](RenderOptions& o) {
+        o.mapSize = 32;
+        o.curveTable = 64;
+      });
+}
+
+void TestPictureText::saysWhatIsEstimated() {
+  QFETCH(Change, change);
+  QFETCH(double, maximum);
+  QFETCH(QString, expected);
+  RenderOptions options;
+  change(options);
+  const Scene scene;
+  const Plan plan = *makePlan(scene, someFacts(), options);
+  const PictureError estimated{.maximum = maximum, .percentile99 = 0.1149, .psnrDb = 71.93};
+  const auto text = pictureText(plan, {.estimated = estimated});
+  const std::pair<std::string, std::string> line{"volumen-error-estimated", expected.toStdString()};
+  QVERIFY2(std::count(text.begin(), text.end(), line) == 1, estimateText(plan, estimated).c_str());
+  QCOMPARE(textOf(options, "volumen-error-estimated"), QString());
 }
 
 VOLUMEN_TEST(TestPictureText);

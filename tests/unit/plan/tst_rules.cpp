@@ -253,8 +253,8 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.options.step = 1;
         a.options.opacityThreshold = 0.9;
       });
-  row("a level fetches gradients once for each part", "gradient fetch",
-      "on   gradient fetch: where opacity counts, once for each part of a ray", [](Asked&) {});
+  row("a level fetches gradients once a cell", "gradient fetch",
+      "on   gradient fetch: once a cell, where something shows", [](Asked&) {});
   row("plain steps of 16 bits fetch all at once", "gradient fetch",
       "on   gradient fetch: with every density: one load brings both", [](Asked& a) { a.options.step = 1; });
   row("plain steps of bytes fetch all at once", "gradient fetch",
@@ -338,7 +338,7 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.options.step = 1;
         a.options.shader = Shader::table;
       });
-  row("a mean asks no cells", "empty cells", "off  empty cells: there is no kernel that asks single cells",
+  row("a mean has no empty cells", "empty cells", "off  empty cells: a projection of values has no opacity",
       [](Asked& a) { a.scene.mode = Mode::average; });
   row("the reference decides nothing", "reference",
       "on   reference: everything, adaptively, cell by cell, in double precision",
