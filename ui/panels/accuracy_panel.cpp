@@ -38,7 +38,7 @@ QString estimateOf(const Frame& frame) {
   if (frame.factor > 1) return AccuracyPanel::tr("Enlarged from fewer pixels: its error is not estimated.");
   if (!frame.estimated) return QString::fromStdString(whyNoEstimate(*frame.plan));
   const PictureError& e = *frame.estimated;
-  if (e.maximum == 0) return AccuracyPanel::tr("This picture: exact, but for the rounding of floats");
+  if (isRoundingAlone(e)) return AccuracyPanel::tr("This picture: exact, but for the rounding of floats");
   const QString text = AccuracyPanel::tr("This picture, estimated: 99 % within %1, largest %2, PSNR %3 dB")
                            .arg(errorText(e.percentile99), errorText(e.maximum))
                            .arg(std::floor(e.psnrDb));

@@ -102,7 +102,7 @@ std::string atMost(double x) {
 
 std::string estimateText(const Plan& plan, const PictureError& e) {
   const std::string without = notEstimated(plan), but = without.empty() ? "" : "; without that of " + without;
-  if (e.maximum == 0) return "none but the rounding of floats" + but;
+  if (isRoundingAlone(e)) return "none but the rounding of floats" + but;
   const std::string most99 = e.percentile99 > 0 ? atMost(e.percentile99) : "0/255";
   return "at most " + atMost(e.maximum) + ", 99th percentile " + most99 + ", PSNR at least " +
          inDigits(std::floor(e.psnrDb), 3) + " dB" + but;

@@ -46,6 +46,8 @@ PictureError errorOf(const std::vector<float>& pixels255);
 /// What a picture that knows how far each pixel may be off says of all of them: errorOf(), nothing where the
 /// map is empty.
 std::optional<PictureError> estimateOf(const std::vector<float>& map255);
+/// Whether such an estimate is of nothing but what floats round, below all that a picture could show.
+inline bool isRoundingAlone(const PictureError& estimate) { return estimate.maximum <= 0.01; }
 
 /// Compares pictures of one size. `use`: pixels to count (empty: all), one entry a pixel, non-zero = counted.
 PictureError compare(const Picture& a, const Picture& b, const std::vector<std::uint8_t>& use = {});

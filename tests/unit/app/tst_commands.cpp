@@ -209,8 +209,8 @@ void TestCommands::aPictureSaysHowFarItMayBeOff() {
 void TestCommands::aLargePictureSaysWhatAPilotFound() {
   const QString common = QStringLiteral("render phantom:ct-head:48 --preset CT-X-ray --size ");
   const Outcome explained = runProgram(common + QStringLiteral("400x400 --explain"));
-  QVERIFY2(explained.out.contains("plain steps of 1 voxel: "), explained.out);
-  QVERIFY2(explained.out.contains("rays of this picture, also followed more finely, tell of a PSNR of "),
+  QVERIFY2(explained.out.contains("plain steps of 0.8"), explained.out);
+  QVERIFY2(explained.out.contains("rays of this picture, also followed cell by cell, tell of a PSNR of "),
            explained.out);
   const auto drawn = [&](const char* size) {
     const QString line = common + QStringLiteral("%1 --stats %2 -o %3");
