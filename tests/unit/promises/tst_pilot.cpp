@@ -166,29 +166,29 @@ void TestPilot::thePictureKeepsThePromise_data() {
     QTest::newRow(name) << volume << change << QString::fromLatin1(taken);
   };
   const VolumePtr soft = ball(Within::nothing, 0);
-  row("a soft ball", soft, "0.849 0.849 0.849 -", [](Scene&) {});
+  row("a soft ball", soft, "0.849 0.7835 0.849 -", [](Scene&) {});
   row("unlit", soft, "0.849 - 0.849 -", [](Scene& s) { s.shading.lit = false; });
   row("with a strong highlight", soft, "0.849 - - -", shiny);
-  row("in perspective", soft, "0.849 0.849 0.849 -", [](Scene& s) {
+  row("in perspective", soft, "0.849 0.7835 0.849 -", [](Scene& s) {
     s.camera->projection = Projection::perspective;
     s.camera->distance = 150;
   });
-  row("over nothing", soft, "0.849 0.7835 0.849 -", [](Scene& s) { s.background.transparent = true; });
-  row("clipped", soft, "0.849 0.849 0.849 -", [](Scene& s) { s.clip.boxHigh = {0.7, 0.6, 1}; });
+  row("over nothing", soft, "0.849 0.7236 0.849 -", [](Scene& s) { s.background.transparent = true; });
+  row("clipped", soft, "0.849 0.7835 0.849 -", [](Scene& s) { s.clip.boxHigh = {0.7, 0.6, 1}; });
   row("with gradient opacity", soft, "0.849 0.7835 0.849 -", [](Scene& s) {
     s.transferFunction.gradientOpacity = {{0, 0.2}, {20, 1}};
   });
-  row("a few rods in it", ball(Within::rods, 3), "0.849 0.7835 0.849 -", [](Scene&) {});
-  row("many rods in it", ball(Within::rods, 40), "0.849 0.5802 0.7236 -", [](Scene&) {});
+  row("a few rods in it", ball(Within::rods, 3), "0.849 0.7236 0.849 -", [](Scene&) {});
+  row("many rods in it", ball(Within::rods, 40), "0.849 0.5607 0.7236 -", [](Scene&) {});
   row("a few stripes in it", ball(Within::stripes, 3), "0.849 0.5802 0.849 -", [](Scene&) {});
   row("many stripes in it", ball(Within::stripes, 40), "0.849 0.4393 0.5607 -", [](Scene&) {});
   row("a little noise in it", ball(Within::noise, 3), "0.849 0.7236 0.849 -", [](Scene&) {});
-  row("much noise in it", ball(Within::noise, 40), "0.849 0.5607 0.7835 -", [](Scene&) {});
-  row("noise", noise(), "0.7236 0.3593 0.5607 -", [](Scene&) {});
-  row("noise, a steep curve", noise(), "0.5607 0.2282 0.2764 -", steep);
-  row("plates eight voxels apart, a steep curve", plates(8), "0.5607 0 0 -", steep);
+  row("much noise in it", ball(Within::noise, 40), "0.849 0.4393 0.7236 -", [](Scene&) {});
+  row("noise", noise(), "0.5607 0.2764 0.5607 -", [](Scene&) {});
+  row("noise, a steep curve", noise(), "0.4393 0.2282 0.3593 -", steep);
+  row("plates eight voxels apart, a steep curve", plates(8), "0.5607 0.178 0.178 -", steep);
   // Of dense ones the law of squares asks for steps too short to save time.
-  row("the same, across them", plates(8), "0.2764 0 0 -", [](Scene& s) {
+  row("the same, across them", plates(8), "0.2764 0.1315 0.2764 -", [](Scene& s) {
     steep(s);
     s.camera->direction = {0, 0, 1};
   });
@@ -196,7 +196,7 @@ void TestPilot::thePictureKeepsThePromise_data() {
   row("stripes of one voxel, along them", plates(2), "0.849 0.849 0.849 -", [](Scene& s) {
     s.camera->direction = {1, 0, 0};
   });
-  row("stripes of one voxel, across them", plates(2), "0.5607 0.2764 0 -", [](Scene& s) {
+  row("stripes of one voxel, across them", plates(2), "0.5607 0.2764 0.2282 -", [](Scene& s) {
     s.camera->direction = {0, 0, 1};
   });
 }
@@ -343,6 +343,7 @@ void TestPilot::whatIsNotKeptChangesNothing() {
   Scene scene = sceneOf(0.2);
   steep(scene);
   Plan plan = *makePlan(scene, caches.facts(), optionsOf(Quality::standard));
+  plan.pilotSteps->shortest = plan.pilotSteps->first;  // it may try no shorter ones
   const Rendered done = *render(plan, caches);
   QVERIFY(done.plan.pilot && !done.plan.pilot->kept);
   plan.pilotSteps.reset();
