@@ -42,10 +42,8 @@ class PassageIntegrator {
   template <class Load, class Take>
   HWY_INLINE void Integrate(int count, const Load& load, const Take& take, std::int64_t& parts) const {
     const DF df;
-    const VF one = Set(1), zero = hn::Zero(df);
-    if (count == 0) return;
+    const VF one = Set(1);
     Lanes lanes;
-    lanes.r.ray = SetI(0);
     MF active = hn::FirstN(df, 0);
     for (int next = 0;;) {
       MF begins = hn::FirstN(df, 0);
@@ -99,11 +97,10 @@ class PassageIntegrator {
 
   /// A passage in each lane, and how far it has come.
   struct Lanes {
-    VI which;
-    RayInCell r;
-    VF through;    ///< the light that reaches the passage
-    VF left;       ///< and how much of that goes on
-    VF s, length;  ///< where it is, how long a part is tried next
+    RayInCell r{};
+    VF through = hn::Zero(DF());     ///< the light that reaches the passage
+    VF left = hn::Zero(DF());        ///< and how much of that goes on
+    VF s = Set(1), length = Set(2);  ///< where it is, how long a part is tried next
     Piece piece;
     Fragment front{};  ///< at s
     PassageSum sum{Zero3(), hn::Zero(DF()), hn::Zero(DF())};
@@ -121,9 +118,9 @@ class PassageIntegrator {
     lanes.through = hn::IfThenElse(begins, loaded.through, lanes.through);
     lanes.left = hn::IfThenElse(begins, Set(1), lanes.left);
     lanes.s = hn::IfThenElse(begins, Set(-1), lanes.s);
-    const VF sofar = hn::IfThenElseZero(hn::Not(begins), Set(1));
-    lanes.sum.colour = Scale(lanes.sum.colour, sofar);
-    lanes.sum.error = hn::Mul(lanes.sum.error, sofar);
+    PassageSum& sum = lanes.sum;
+    for (VF* value : {&sum.colour.x, &sum.colour.y, &sum.colour.z, &sum.error})
+      *value = hn::IfThenElseZero(hn::Not(begins), *value);
     SetTurns(lanes.r.density, lanes.piece);
     const DI di;
     const auto first = hn::RebindMask(di, begins);
