@@ -92,7 +92,8 @@ class PassageIntegrator {
     VI index = SetI(0);                 ///< segment of the curve
     CurveSegment segment{};
     VF end = Set(1);
-    VI step = SetI(0);  ///< from the segment to the next piece's: -1, 0, 1
+    VI step = SetI(0);     ///< from the segment to the next piece's: -1, 0, 1
+    HWY_INLINE Piece() {}  // an implicit one is compiled for no target
   };
 
   /// A passage in each lane, and how far it has come.
@@ -104,6 +105,7 @@ class PassageIntegrator {
     Piece piece;
     Fragment front{};  ///< at s
     PassageSum sum{Zero3(), hn::Zero(DF()), hn::Zero(DF())};
+    HWY_INLINE Lanes() {}
   };
 
   /// Gives the lanes that are `idle` the passages from `next` on, as many as there are; which lanes.

@@ -60,6 +60,7 @@ struct Extreme {
 /// A sum with what it lost in rounding (Kahan's compensation), as there are many terms.
 struct LongSum {
   VF sum = hn::Zero(DF()), lost = hn::Zero(DF());
+  HWY_INLINE LongSum() {}  // an implicit one is compiled for no target
 
   HWY_INLINE void Add(MF where, VF value) {
     const VF term = hn::Sub(value, lost), next = hn::Add(sum, term);

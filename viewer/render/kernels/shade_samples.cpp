@@ -48,16 +48,15 @@ ShadeKernel ChooseOpacity(bool gradientOpacity) {
 
 ShadeKernel ChooseShadeSamples(TraceKey key) {
   switch (key.shade) {
-    case ShadeBy::map:
-      return ChooseOpacity<ShadeBy::map>(key.gradientOpacity);
     case ShadeBy::mapNearest:
       return ChooseOpacity<ShadeBy::mapNearest>(key.gradientOpacity);
     case ShadeBy::table:
       return ChooseOpacity<ShadeBy::table>(key.gradientOpacity);
+    case ShadeBy::map:
     case ShadeBy::phong:
-      return ChooseOpacity<ShadeBy::phong>(key.gradientOpacity);
     case ShadeBy::local:
-      return ChooseOpacity<ShadeBy::local>(key.gradientOpacity);
+    case ShadeBy::asFrame:
+      return ChooseOpacity<ShadeBy::asFrame>(key.gradientOpacity);
     case ShadeBy::nothing:
       break;
   }
