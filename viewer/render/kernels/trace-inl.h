@@ -45,6 +45,7 @@ TraceKernel ChooseShade(TraceKey key) {
       return ChooseOpacity<Store, ShadeBy::phong>(key);
     case ShadeBy::local:
       return ChooseOpacity<Store, ShadeBy::local>(key);
+    case ShadeBy::asFrame:  // of the levels' kernels alone
     case ShadeBy::nothing:
       break;
   }
