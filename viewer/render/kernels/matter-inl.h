@@ -94,7 +94,7 @@ struct Matter {
     if constexpr (kShade == ShadeBy::table)
       return ShadeByTable(*f.table, stored, density);
     else
-      return LitColour(FragmentOf(ColourOf(*f.curve, segment, density), stored, ray), ray);
+      return Shaded(ColourOf(*f.curve, segment, density), stored, ray);
   }
 
   /// Of a colour of the curve and a stored gradient, met by this ray.
@@ -108,13 +108,21 @@ struct Matter {
   /// Its colour, lit: with D'' and S'' of SCENE 5. Not by the table, which knows no colours.
   HWY_INLINE V3 LitColour(const Fragment& a, VI ray) const {
     if constexpr (!kLit) return a.colour;
-    const DS shade = WithFloor(f, ShadeOf(a.normal, ray), a.share);
-    return Add(
-        {hn::Mul(a.colour.x, shade.d.x), hn::Mul(a.colour.y, shade.d.y), hn::Mul(a.colour.z, shade.d.z)},
-        shade.s);
+    return Shaded(a.colour, a.normal, a.share, ray);
   }
 
  private:
+  HWY_INLINE V3 Shaded(const V3& colour, const V3& stored, VI ray) const {
+    if constexpr (!kLit) return colour;
+    const Normal normal = NormalOf(f, stored);
+    return Shaded(colour, normal.n, ShareOfNormal(f, normal.length), ray);
+  }
+  HWY_INLINE V3 Shaded(const V3& colour, const V3& normal, VF share, VI ray) const {
+    const DS shade = WithFloor(f, ShadeOf(normal, ray), share);
+    return Add({hn::Mul(colour.x, shade.d.x), hn::Mul(colour.y, shade.d.y), hn::Mul(colour.z, shade.d.z)},
+               shade.s);
+  }
+
   HWY_INLINE DS ShadeOf(const V3& n, VI ray) const {
     if constexpr (kShade == ShadeBy::mapNearest) {
       return ShadeMapNearest(*f.map, n);
