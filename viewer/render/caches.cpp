@@ -135,31 +135,35 @@ const Voxels8& RenderCaches::Impl::voxelsIn8(GradientOperator by) {
 
 const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunction& curve,
                                                            const CurveTable& table, const SkipWish& wish) {
-  if (!skip) skip.emplace();
   // Another view may ask for another reach, but not for other blocks or cells.
-  SkipWish others = skip->made;
-  others.reachBlocks = wish.reachBlocks;
-  others.cells = wish.cells;
-  const bool sameBlocks = others == wish;
+  const auto asksFor = [&](const SkipWish& made) {
+    SkipWish others = made;
+    others.reachBlocks = wish.reachBlocks;
+    others.cells = wish.cells;
+    return others == wish;
+  };
+  if (!asksFor(skips[0].made)) std::swap(skips[0], skips[1]);
+  Skip& skip = skips[0];
+  const bool sameBlocks = asksFor(skip.made);
   // Cells that were looked into stay, also where a kernel in between does not ask.
-  const bool hasCells = sameBlocks && skip->made.cells;
-  auto& maps = skip->maps;
+  const bool hasCells = sameBlocks && skip.made.cells;
+  auto& maps = skip.maps;
   if (!sameBlocks) maps[0].near.clear(), maps[1].near.clear();
   const auto has = [&](const SkipMap& m) { return m.reach == wish.reachBlocks && !m.near.empty(); };
   if (!has(maps[0])) std::swap(maps[0], maps[1]);
-  skip->made = wish;
-  skip->made.cells = hasCells;
-  if (has(maps[0]) && (hasCells || !wish.cells)) return *skip;
+  skip.made = wish;
+  skip.made.cells = hasCells;
+  if (has(maps[0]) && (hasCells || !wish.cells)) return skip;
   const VolumeFacts& known = factsOfVolume();
   const BrickRanges& bricks = *known.bricks;
   std::vector<std::uint8_t> visible = visibleBlocks(curve, bricks, wish.rounding);
   if (!has(maps[0]))
     maps[0] = makeSkipMap(bricks.edge, bricks.count, visible, wish.reachBlocks, std::move(maps[0]));
   if (wish.cells && !hasCells)
-    skip->cells.begin(volume->size(), wish.densities, table,
+    skip.cells.begin(volume->size(), wish.densities, table,
                       inLargerBlocks(std::move(visible), bricks.count, VisibleCells::edge / bricks.edge));
-  skip->made.cells |= wish.cells;
-  return *skip;
+  skip.made.cells |= wish.cells;
+  return skip;
 }
 
 const ReflectanceMap& RenderCaches::Impl::reflectanceMap(const Lighting& lighting, int n, MapLookup lookup) {
