@@ -18,7 +18,7 @@ namespace {
 // Rays of a pilot stand about that many pixels apart: near enough to meet the same blocks and memory, far
 // enough to differ. No whole number, or they could all meet what repeats with the pixels at the same place.
 constexpr double pixelsApart = 4.236;
-constexpr int tilesATask = 4;
+constexpr int tilesATask = 8;
 
 // Where the first steps keep the promise longer ones are tried once, else shorter ones that often: going cell
 // by cell would take longer than the last try.
@@ -54,7 +54,7 @@ class Pilot {
 
   Result<Plan> operator()() {
     RenderOptions finer = plan_.options;
-    finer.quality = Quality::exact;
+    finer.stopAt = std::min(plan_.stopTransmittance, shareOfTruth / 255);
     finer.tolerance = promiseOf(plan_.options.quality).most99 / 255 * shareOfTruth;
     auto fine = planOf(finer, {});
     if (!fine) return fine.error();
