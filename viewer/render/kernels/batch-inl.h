@@ -19,9 +19,9 @@ namespace volumen::HWY_NAMESPACE {
 /// gradient together; of those that can be seen opacities and light; then over one another, each on its ray.
 /// While one batch is worked on the memory of the next is on its way. Every sample is computed as DenseTracer
 /// does, and added to its ray in the same order, so both give the same bytes.
-template <class Store, ShadeBy kShade, bool kGradientOpacity>
+template <class Store, bool kIsLit, bool kGradientOpacity>
 class BatchTracer {
-  using Material = Matter<kShade, kGradientOpacity>;
+  using Material = Matter<kIsLit, kGradientOpacity>;
 
  public:
   static constexpr int kSlab = 16;  ///< steps that all packets take before any goes on
@@ -66,7 +66,7 @@ class BatchTracer {
   static constexpr int kFull = 8 * kLanes;
   using Windows = CellWindows<kSlab>;
 
-  static constexpr bool kRays = kShade == ShadeBy::local;  ///< whether light asks which ray a sample is of
+  static constexpr bool kRays = Material::kLit;  ///< light may ask which ray a sample is of
 
   static constexpr int kMost = kFull + (kSlab + 1) * kLanes, kMostSteps = kFull + kSlab;
   /// Samples, and the steps of packets that they are of.

@@ -15,10 +15,10 @@ namespace volumen::HWY_NAMESPACE {
 /// Density and gradient together, of whole packets, a slab at a time: where its samples are; what they are;
 /// opacities; light; over one another. Each pass is short, so that many samples are on their way through it
 /// at once.
-template <class Store, ShadeBy kShade, bool kGradientOpacity>
+template <class Store, bool kIsLit, bool kGradientOpacity>
 class DenseTracer {
   static constexpr bool kPlane = std::is_void_v<Store>;
-  using Material = Matter<kShade, kGradientOpacity>;
+  using Material = Matter<kIsLit, kGradientOpacity>;
 
  public:
   static constexpr int kSlab = 8;        ///< steps that all packets take before any goes on
@@ -26,7 +26,7 @@ class DenseTracer {
   static constexpr bool kPrefetches = !kPlane;
   static constexpr bool kBlends = true;  ///< slices from the back, too
   /// The same without light, which has the same opacities.
-  using Unlit = DenseTracer<Store, ShadeBy::nothing, kGradientOpacity>;
+  using Unlit = DenseTracer<Store, false, kGradientOpacity>;
 
   /// Adds to `out`, which must be 0; slabs come in the order of the frame's slices.
   DenseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
@@ -182,7 +182,7 @@ class DenseTracer {
       p.alpha = hn::Add(p.alpha, weight);
       const MF counts = hn::Gt(weight, hn::Zero(df));
       counts_.composited += std::int64_t(hn::CountTrue(df, counts));
-      if constexpr (kShade == ShadeBy::nothing)
+      if constexpr (!Material::kLit)
         if (out_.shown) {
           float* shown = out_.shown + matter_.first;
           hn::StoreU(hn::IfThenElse(counts, Set(float(s.step[n / kLanes])), hn::LoadU(df, shown)), df, shown);

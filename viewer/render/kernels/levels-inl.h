@@ -36,9 +36,9 @@ struct Passages {
 /// In passes over the passages of many packets: those through visible cells; their densities, of which are
 /// kept those that can be seen; then in waves, the first of each ray, the second of each and so on, so that
 /// the light that reaches a passage is known and nothing behind opaque ones is looked at.
-template <class Store, ShadeBy kShade, bool kGradientOpacity>
+template <class Store, bool kIsLit, bool kGradientOpacity>
 class LevelTracer {
-  using Material = Matter<kShade, kGradientOpacity>;
+  using Material = Matter<kIsLit, kGradientOpacity>;
 
  public:
   static constexpr int kSlab = 4;  ///< steps; in longer slabs more is looked at that the same slab hides

@@ -33,12 +33,10 @@ struct Samples {
 };
 
 /// Samples that wait for light. Each is computed by itself and added to its ray in the order they came.
-template <class Store, ShadeBy kShade, bool kGradientOpacity>
+template <class Store, bool kIsLit, bool kGradientOpacity>
 class LightQueue {
-  static constexpr bool kLit = kShade != ShadeBy::nothing;
-
  public:
-  using Material = Matter<kShade, kGradientOpacity>;
+  using Material = Matter<kIsLit, kGradientOpacity>;
 
   LightQueue(const Grid& grid, std::size_t rays, const Material& matter, TraceCounts& counts)
       : grid_(grid), matter_(matter), counts_(counts), colour_(4 * rays + 4) {}
@@ -51,7 +49,7 @@ class LightQueue {
     const VF weight = hn::Load(df, s.weight + n);
     const MF counts = hn::And(hn::Gt(weight, hn::Zero(df)), hn::FirstN(df, std::size_t(s.size - n)));
     auto& w = waiting_;
-    if constexpr (kLit) {
+    if constexpr (Material::kLit) {
       const V3 place = PlaceOf(s, n);
       const CellIndices at(grid_.CellAt(place));
       Store::template Prefetch<true>(grid_, at.lane, std::min(kLanes, s.size - n));
@@ -85,7 +83,7 @@ class LightQueue {
     s.Pad();
     for (int n = 0; n < s.size; n += kLanes) {
       V3 stored = Zero3();
-      if constexpr (kLit) stored = GradientAt(PlaceOf(s, n));
+      if constexpr (Material::kLit) stored = GradientAt(PlaceOf(s, n));
       const V3 colour = matter_.ColourAt(hn::Load(DI(), s.segment + n), hn::Load(DF(), s.density + n), stored,
                                          hn::Load(DI(), s.ray + n));
       hn::StoreInterleaved4(colour.x, colour.y, colour.z, hn::Zero(DF()), DF(), lit_ + 4 * n);

@@ -56,9 +56,9 @@ HWY_INLINE Fragment Chosen(MF which, const Fragment& a, const Fragment& b) {
 }
 
 /// Classification and light of one frame.
-template <ShadeBy kShade, bool kGradientOpacity>
+template <bool kIsLit, bool kGradientOpacity>
 struct Matter {
-  static constexpr bool kLit = kShade != ShadeBy::nothing, kFactors = kGradientOpacity;
+  static constexpr bool kLit = kIsLit, kFactors = kGradientOpacity;
   static constexpr bool kGradients = kLit || kFactors;
   const TraceFrame& f;
   /// Of each ray, towards the viewer, patient space; looked at with a local viewer only.
@@ -91,10 +91,9 @@ struct Matter {
 
   /// The colour of a sample, lit (SCENE 5); `ray`: its ray, counted from `first`.
   HWY_INLINE V3 ColourAt(VI segment, VF density, const V3& stored, VI ray) const {
-    if constexpr (kShade == ShadeBy::table)
-      return ShadeByTable(*f.table, stored, density);
-    else
-      return Shaded(ColourOf(*f.curve, segment, density), stored, ray);
+    if constexpr (kLit)
+      if (f.light == LightModel::table) return ShadeByTable(*f.table, stored, density);
+    return Shaded(ColourOf(*f.curve, segment, density), stored, ray);
   }
 
   /// Of a colour of the curve and a stored gradient, met by this ray.
@@ -123,16 +122,20 @@ struct Matter {
                shade.s);
   }
 
+  /// D' and S' of SCENE 5, by the frame's model of light.
   HWY_INLINE DS ShadeOf(const V3& n, VI ray) const {
-    if constexpr (kShade == ShadeBy::mapNearest) {
-      return ShadeMapNearest(*f.map, n);
-    } else {
-      constexpr bool any = kShade == ShadeBy::asFrame;
-      if (kShade == ShadeBy::map || (any && f.map)) return ShadeMap(*f.map, n);
-      if (kShade == ShadeBy::phong || (any && !f.lighting->localViewer))
-        return ShadePhong<false>(*f.lighting, n, Broadcast(f.lighting->viewer));
-      return ShadePhong<true>(*f.lighting, n, ViewerOf(ray));
+    switch (f.light) {
+      case LightModel::map:
+        return ShadeMap(*f.map, n);
+      case LightModel::nearestInMap:
+        return ShadeMapNearest(*f.map, n);
+      case LightModel::localPhong:
+        return ShadePhong<true>(*f.lighting, n, ViewerOf(ray));
+      case LightModel::phong:
+      case LightModel::table:  // ColourAt
+        break;
     }
+    return ShadePhong<false>(*f.lighting, n, Broadcast(f.lighting->viewer));
   }
 
   HWY_INLINE V3 ViewerOf(VI ray) const {

@@ -10,11 +10,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-template <ShadeBy kShade, bool kGradientOpacity>
+template <bool kIsLit, bool kGradientOpacity>
 std::int64_t ShadeSamples(const TraceFrame& f, const SampleRow& s, const TraceRow& out) {
   const DF df;
   const VF zero = hn::Zero(df);
-  Matter<kShade, kGradientOpacity> matter{f, s.viewerX, s.viewerY, s.viewerZ};
+  Matter<kIsLit, kGradientOpacity> matter{f, s.viewerX, s.viewerY, s.viewerZ};
   std::int64_t visible = 0;
   for (int first = 0; first < s.count; first += int(hn::Lanes(df))) {
     const VF density = hn::LoadU(df, s.density + first), units = hn::LoadU(df, s.units + first);
@@ -41,26 +41,9 @@ std::int64_t ShadeSamples(const TraceFrame& f, const SampleRow& s, const TraceRo
   return visible;
 }
 
-template <ShadeBy kShade>
-ShadeKernel ChooseOpacity(bool gradientOpacity) {
-  return gradientOpacity ? ShadeSamples<kShade, true> : ShadeSamples<kShade, false>;
-}
-
 ShadeKernel ChooseShadeSamples(TraceKey key) {
-  switch (key.shade) {
-    case ShadeBy::mapNearest:
-      return ChooseOpacity<ShadeBy::mapNearest>(key.gradientOpacity);
-    case ShadeBy::table:
-      return ChooseOpacity<ShadeBy::table>(key.gradientOpacity);
-    case ShadeBy::map:
-    case ShadeBy::phong:
-    case ShadeBy::local:
-    case ShadeBy::asFrame:
-      return ChooseOpacity<ShadeBy::asFrame>(key.gradientOpacity);
-    case ShadeBy::nothing:
-      break;
-  }
-  return ChooseOpacity<ShadeBy::nothing>(key.gradientOpacity);
+  if (key.gradientOpacity) return key.lit ? ShadeSamples<true, true> : ShadeSamples<false, true>;
+  return key.lit ? ShadeSamples<true, false> : ShadeSamples<false, false>;
 }
 
 }  // namespace volumen::HWY_NAMESPACE

@@ -17,9 +17,9 @@ namespace volumen::HWY_NAMESPACE {
 /// to look; densities of what lies in visible blocks; opacities of what can be seen; weights, ray by ray;
 /// gradient and light of what counts. Each pass works on whole vectors. Every sample is computed as
 /// DenseTracer does, and added to its ray in the same order, so both give the same bytes.
-template <class Store, ShadeBy kShade, bool kGradientOpacity>
+template <class Store, bool kIsLit, bool kGradientOpacity>
 class SparseTracer {
-  using Material = Matter<kShade, kGradientOpacity>;
+  using Material = Matter<kIsLit, kGradientOpacity>;
 
  public:
   static constexpr int kSlab = 4;  ///< steps; in longer slabs more is looked at that the same slab hides
@@ -141,7 +141,7 @@ class SparseTracer {
   const RayRow& rays_;
   Material matter_;
   const TraceRow& out_;
-  LightQueue<Store, kShade, kGradientOpacity> light_;
+  LightQueue<Store, kIsLit, kGradientOpacity> light_;
   TraceCounts& counts_;
   Looked looked_;
 };

@@ -13,43 +13,24 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-template <class Store, ShadeBy kShade, bool kGradientOpacity>
-TraceKernel ChooseDensity(TraceKey key) {
-  if constexpr (std::is_void_v<Store> || isRare(kShade)) {
-    return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
-  } else {
-    if constexpr (Store::kWhereFew == WhereFew::batches)
-      if (key.cells) return TraceRays<BatchTracer<Store, kShade, kGradientOpacity>>;
-    if constexpr (Store::kWhereFew == WhereFew::apart)
-      if (key.cells) return TraceRays<SparseTracer<Store, kShade, kGradientOpacity>>;
-    return TraceRays<DenseTracer<Store, kShade, kGradientOpacity>>;
+template <class Store, bool kIsLit, bool kGradientOpacity>
+TraceKernel ChooseSamples(bool cells) {
+  if constexpr (!std::is_void_v<Store>) {
+    using Few = std::conditional_t<Store::kWhereFew == WhereFew::batches,
+                                   BatchTracer<Store, kIsLit, kGradientOpacity>,
+                                   SparseTracer<Store, kIsLit, kGradientOpacity>>;
+    if (cells) return TraceRays<Few>;
   }
-}
-
-template <class Store, ShadeBy kShade>
-TraceKernel ChooseOpacity(TraceKey key) {
-  return key.gradientOpacity ? ChooseDensity<Store, kShade, true>(key)
-                             : ChooseDensity<Store, kShade, false>(key);
+  return TraceRays<DenseTracer<Store, kIsLit, kGradientOpacity>>;
 }
 
 template <class Store>
-TraceKernel ChooseShade(TraceKey key) {
-  switch (key.shade) {
-    case ShadeBy::map:
-      return ChooseOpacity<Store, ShadeBy::map>(key);
-    case ShadeBy::mapNearest:
-      return ChooseOpacity<Store, ShadeBy::mapNearest>(key);
-    case ShadeBy::table:
-      return ChooseOpacity<Store, ShadeBy::table>(key);
-    case ShadeBy::phong:
-      return ChooseOpacity<Store, ShadeBy::phong>(key);
-    case ShadeBy::local:
-      return ChooseOpacity<Store, ShadeBy::local>(key);
-    case ShadeBy::asFrame:  // of the levels' kernels alone
-    case ShadeBy::nothing:
-      break;
-  }
-  return ChooseOpacity<Store, ShadeBy::nothing>(key);
+TraceKernel ChoosePlain(TraceKey key) {
+  if (key.gradientOpacity)
+    return key.lit ? ChooseSamples<Store, true, true>(key.cells)
+                   : ChooseSamples<Store, false, true>(key.cells);
+  return key.lit ? ChooseSamples<Store, true, false>(key.cells)
+                 : ChooseSamples<Store, false, false>(key.cells);
 }
 
 }  // namespace volumen::HWY_NAMESPACE

@@ -20,18 +20,15 @@ namespace volumen {
 /// resampler (GL) has filled: floats, one row a step.
 enum class Store { int16, float32, byte1, byte4, plane };
 
-/// How a visible sample is lit. `map`, `mapNearest`: reflectance map; `table`: colour and light from the
-/// 4-index table; `phong`: directly; `local`: directly, each ray with its own viewer. `asFrame`: one of map,
-/// phong and local, by what the frame holds.
-enum class ShadeBy { nothing, map, mapNearest, table, phong, local, asFrame };
+/// How visible samples are lit (Matter): directly, with one viewer or each ray with its own; by a reflectance
+/// map, bilinear or its nearest patch; colour and light together from the 4-index table.
+enum class LightModel { phong, localPhong, map, nearestInMap, table };
 
-/// What only studies ask for: not worth more than one kernel.
-constexpr bool isRare(ShadeBy shade) { return shade == ShadeBy::table || shade == ShadeBy::mapNearest; }
-
-/// What a kernel is compiled for; chosen once a frame.
+/// What a kernel is compiled for; chosen once a frame. Whatever else a frame asks for, its kernel asks of the
+/// frame, a vector of samples at a time.
 struct TraceKey {
   Store store = Store::int16;
-  ShadeBy shade = ShadeBy::nothing;
+  bool lit = false;  ///< by TraceFrame::light
   bool gradientOpacity = false;
   bool refined = false;  ///< cell by cell, integrated to an ErrorBudget
   bool cells = false;    ///< plain steps: samples are taken in visible cells alone; the same bytes
@@ -77,10 +74,11 @@ struct TraceFrame {
   bool boundedGradients = false;  ///< squares of such gradients neither overflow nor vanish
   float inverseFloor = 0;         ///< 1 / gradientFloor; 0: q = 0 everywhere
   const CurveTable* curve = nullptr;
-  float inverseUnitMm = 1;              ///< 1 / unitDistance
-  IntervalSeries intervals;             ///< of whole steps where rays are parallel, else none
-  const SkipMap* skip = nullptr;        ///< null: every packet is looked at
-  const VisibleCells* cells = nullptr;  ///< null where the kernel does not ask (TraceKey)
+  float inverseUnitMm = 1;               ///< 1 / unitDistance
+  IntervalSeries intervals;              ///< of whole steps where rays are parallel, else none
+  const SkipMap* skip = nullptr;         ///< null: every packet is looked at
+  const VisibleCells* cells = nullptr;   ///< null where the kernel does not ask (TraceKey)
+  LightModel light = LightModel::phong;  ///< where the kernel lights (TraceKey)
   const Lighting* lighting = nullptr;
   const ReflectanceMap* map = nullptr;
   const ShadeTable* table = nullptr;

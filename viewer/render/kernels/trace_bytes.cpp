@@ -11,8 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 TraceKernel ChooseTraceBytes(TraceKey key) {
-  return key.store == Store::byte1 ? ChooseDensity<Byte1Store, ShadeBy::nothing, false>(key)
-                                   : ChooseShade<Byte4Store>(key);
+  return key.store == Store::byte1 ? ChooseSamples<Byte1Store, false, false>(key.cells)
+                                   : ChoosePlain<Byte4Store>(key);
 }
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

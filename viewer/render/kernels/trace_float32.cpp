@@ -9,7 +9,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
-TraceKernel ChooseTraceFloat32(TraceKey key) { return ChooseShade<Float32Store>(key); }
+TraceKernel ChooseTraceFloat32(TraceKey key) { return ChoosePlain<Float32Store>(key); }
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -9,7 +9,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
-TraceKernel ChooseTraceInt16(TraceKey key) { return ChooseShade<Int16Store>(key); }
+TraceKernel ChooseTraceInt16(TraceKey key) { return ChoosePlain<Int16Store>(key); }
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -13,12 +13,9 @@ namespace volumen::HWY_NAMESPACE {
 
 template <class Store>
 TraceKernel ChooseLevel(TraceKey key) {
-  const bool lit = key.shade != ShadeBy::nothing;
   if (key.gradientOpacity)
-    return lit ? TraceRays<LevelTracer<Store, ShadeBy::asFrame, true>>
-               : TraceRays<LevelTracer<Store, ShadeBy::nothing, true>>;
-  return lit ? TraceRays<LevelTracer<Store, ShadeBy::asFrame, false>>
-             : TraceRays<LevelTracer<Store, ShadeBy::nothing, false>>;
+    return key.lit ? TraceRays<LevelTracer<Store, true, true>> : TraceRays<LevelTracer<Store, false, true>>;
+  return key.lit ? TraceRays<LevelTracer<Store, true, false>> : TraceRays<LevelTracer<Store, false, false>>;
 }
 
 TraceKernel ChooseTraceLevels(TraceKey key) {

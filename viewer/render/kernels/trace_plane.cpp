@@ -9,7 +9,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
-TraceKernel ChooseTracePlane(TraceKey key) { return ChooseShade<void>(key); }
+TraceKernel ChooseTracePlane(TraceKey key) { return ChoosePlain<void>(key); }
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

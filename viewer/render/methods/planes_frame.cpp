@@ -14,12 +14,11 @@ namespace volumen {
 
 namespace {
 
-ShadeBy shadeOf(const Plan& plan) {
-  if (!plan.lit) return ShadeBy::nothing;
-  if (plan.shader == Shader::table) return ShadeBy::table;
+LightModel lightOf(const Plan& plan) {
+  if (plan.shader == Shader::table) return LightModel::table;
   if (plan.shader == Shader::map)
-    return plan.mapLookup == MapLookup::nearest ? ShadeBy::mapNearest : ShadeBy::map;
-  return plan.scene.shading.localViewer ? ShadeBy::local : ShadeBy::phong;
+    return plan.mapLookup == MapLookup::nearest ? LightModel::nearestInMap : LightModel::map;
+  return plan.scene.shading.localViewer ? LightModel::localPhong : LightModel::phong;
 }
 
 // The largest value of a component of a frame buffer of 8 or 16 bits; 0 for floats.
@@ -65,7 +64,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   frame_.densityRow = frame_.gradientRow = frame_.size.x;
   readStored(plan, caches, stats);
   stats.gradientsMs += wallMs() - begin;
-  key_.shade = shadeOf(plan);
+  key_.lit = plan.lit;
   key_.gradientOpacity = plan.gradientOpacity;
   key_.refined = plan.cellByCell;
   key_.cells = plan.skipCells;
@@ -78,6 +77,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   double mostOpacity = 0;
   for (const CurvePoint& p : transfer_.points) mostOpacity = std::max(mostOpacity, double(p.opacity));
   frame_.intervals = makeIntervalSeries(setup.sharedStepMm() * frame_.inverseUnitMm, mostOpacity);
+  frame_.light = lightOf(plan);
   frame_.lighting = &lighting_;
   frame_.lightStrength = strengthOf(lighting_);
   setFactorUnit();
