@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "viewer/plan/visibility.h"
 #include "viewer/volume/histogram.h"
 #include "viewer/volume/slopes.h"
 
@@ -20,7 +19,6 @@ VolumeFacts factsOf(const Volume& volume) {
   if (!volume.attributes().windows.empty()) facts.fileWindow = volume.attributes().windows.front();
   facts.bricks = std::make_shared<const BrickRanges>(brickRanges(volume));
   facts.slopes = slopesOf(volume, *facts.bricks, facts.range);
-  facts.visible = std::make_shared<VisibleCountMemo>();
   return facts;
 }
 

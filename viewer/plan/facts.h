@@ -7,8 +7,6 @@
 
 namespace volumen {
 
-class VisibleCountMemo;
-
 /// What the planner's rules may ask of a volume: a value, so that tests can invent one.
 struct VolumeFacts {
   VoxelGeometry geometry;
@@ -19,7 +17,6 @@ struct VolumeFacts {
   std::optional<Window> fileWindow;
   std::shared_ptr<const BrickRanges> bricks;  ///< null: unknown, every block counts
   std::vector<float> slopes;                  ///< slopesOf the volume; empty: unknown
-  std::shared_ptr<VisibleCountMemo> visible;  ///< of these bricks; null: counted anew for every plan
 };
 
 /// Reads the facts off a volume (one pass over it each for bricks, slopes and percentiles, on all cores).

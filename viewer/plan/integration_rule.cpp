@@ -149,7 +149,8 @@ bool goesFromCellToCell(const RuleInput& in) {
 std::string toldBy(const PilotFinding& pilot) {
   if (pilot.rays == 0) return "no ray that was tried shows anything";
   // Rounded to the side that promises less.
-  return std::to_string(pilot.rays) + " rays of this picture, also followed cell by cell, tell of a PSNR of " +
+  return std::to_string(pilot.rays) +
+         " rays of this picture, also followed cell by cell, tell of a PSNR of " +
          inDigits(std::floor(10 * pilot.psnrDb) / 10) + " dB at least and a 99th percentile of " +
          inDigits(std::ceil(100 * pilot.percentile99) / 100, 3) + "/255 at most";
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viewer/plan/facts.h"
+#include "viewer/plan/kernel_key.h"
 #include "viewer/plan/options.h"
 #include "viewer/scene/scene.h"
 
@@ -72,8 +73,6 @@ struct Plan {
   bool skipBlocks = false;       ///< blocks of opacity 0 are never touched; what cannot change an extreme is
                                  ///< passed over but for single samples
   double visibleShare = 1;       ///< share of blocks that hold any visible value
-  bool fetchApart = false;       ///< plain steps: gradients are fetched only of samples that count, else
-                                 ///< with every density. The same bytes either way
   bool skipCells = false;        ///< plain steps: samples are taken only in cells that can show something
 
   std::vector<Effect> effects;

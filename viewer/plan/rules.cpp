@@ -107,8 +107,7 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   if (!isDrawnByPlanes(in)) return off("this method looks at every sample");
   if (!in.facts.bricks) return off("nothing is known of the blocks");
   const BrickRanges& bricks = *in.facts.bricks;
-  const std::int64_t visible =
-      in.facts.visible ? in.facts.visible->of(plan.curve, bricks) : visibleBlockCount(plan.curve, bricks);
+  const std::int64_t visible = visibleBlockCount(plan.curve, bricks);
   plan.visibleShare = double(visible) / double(bricks.size());
   const std::string share =
       inDigits(100 * (1 - plan.visibleShare)) + " % of the blocks hold no visible value";
@@ -219,33 +218,16 @@ Effect precision(const RuleInput& in, Plan& plan) {
             (in.options.precision ? " bits, as asked" : " bits hold the stored integers exactly"));
 }
 
-Effect gradientFetch(const RuleInput& in, Plan& plan) {
-  // Where gradients lie apart from densities, measured: from so many blocks on it is faster to fetch all.
-  constexpr double many = 0.3;
-  const bool few =
-      plan.gradients && plan.bits == 32 && plan.visibleShare <= many && plan.method == Method::planes;
-  plan.fetchApart = few && !in.options.full;
-  if (!plan.gradients) return off("there are no gradients");
-  if (plan.resampler != Resampler::cpu || !isDrawnByPlanes(in))
-    return on("at every sample: all of them are looked at");
-  if (plan.cellByCell) return on("once a cell, where something shows");
-  if (few)
-    return on(plan.fetchApart ? "where opacity counts: few samples have any"
-                              : "with every density: asked for in full");
-  if (plan.bits != 32) return on("with every density: one load brings both");
-  return on(plan.method == Method::blend ? "with every density: slices have no kernel that fetches them apart"
-                                         : "with every density: most samples have opacity");
-}
-
 // Plain steps in cells that show nothing (VisibleCells).
 Effect emptyCells(const RuleInput& in, Plan& plan) {
   // From such a share on asking takes longer than the samples that it spares, as measured.
   constexpr double many = 0.6;
+  // Of floats only gradients are spared, which lie apart from densities: up to such a share of blocks.
+  constexpr double manyBlocks = 0.3;
   plan.skipCells = false;
   if (!composite(in)) return off("a projection of values has no opacity");
   if (plan.cellByCell) return off("rays that go from cell to cell ask each of them anyway");
-  if (plan.method != Method::planes || plan.resampler != Resampler::cpu || plan.shader == Shader::table ||
-      plan.mapLookup == MapLookup::nearest)
+  if (plan.method != Method::planes || plan.resampler != Resampler::cpu)
     return off("there is no kernel that asks single cells");
   if (in.options.full) return off("asked for in full");
   if (!plan.skipBlocks) return off("there are no empty blocks either");
@@ -253,9 +235,20 @@ Effect emptyCells(const RuleInput& in, Plan& plan) {
   const double share = shareInVisibleBlocks(plan.curve, *in.facts.bricks);
   const std::string values = "in blocks that show something about " +
                              std::to_string(std::lround(100 * share)) + " % of the values do";
-  if (plan.bits == 32 ? !plan.fetchApart : share > many) return off(values);
+  if (plan.bits == 32 ? !plan.gradients || plan.visibleShare > manyBlocks : share > many) return off(values);
   plan.skipCells = true;
   return on(values + ": samples are taken in cells that can");
+}
+
+Effect gradientFetch(const RuleInput& in, Plan& plan) {
+  if (!plan.gradients) return off("there are no gradients");
+  const KernelKey kernel = kernelKey(plan);
+  if (kernel.store == Store::plane || !isDrawnByPlanes(in))
+    return on("at every sample: all of them are looked at");
+  if (kernel.sampling == Sampling::passages) return on("once a cell, where something shows");
+  if (kernel.store != Store::float32) return on("with every density: one load brings both");
+  return on(kernel.sampling == Sampling::visibleCells ? "where opacity counts: few samples have any"
+                                                      : "with every density: most samples are looked at");
 }
 
 }  // namespace
@@ -277,9 +270,9 @@ const std::vector<Rule>& rules() {
       {"early stop", false, earlyStop},
       {"precision", false, precision},
       {"resampler", false, decideResampler},
-      {"gradient fetch", false, gradientFetch},
       {"shader", false, decideShader},
       {"empty cells", true, emptyCells},
+      {"gradient fetch", false, gradientFetch},
       {"blending", false, decideBlending},
   };
   return table;

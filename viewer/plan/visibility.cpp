@@ -1,9 +1,7 @@
 #include "viewer/plan/visibility.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <numeric>
 
 #include "viewer/scene/visible_range.h"
 #include "viewer/volume/parallel.h"
@@ -52,46 +50,29 @@ void markVisible(const std::vector<Reach>& reaches, const std::uint8_t* lowest, 
       flags[n] |= std::uint8_t((lowest[n] >= r.first) & (lowest[n] <= r.last) & (highest[n] >= r.high));
 }
 
-constexpr std::size_t chunk = 1 << 13;  // blocks that are looked at together: they stay in the cache
-
-// Calls take(begin, end) for chunks of all blocks, on all cores.
-template <class Take>
-void forChunks(std::size_t blocks, const Take& take) {
-  parallelFor(std::int64_t((blocks + chunk - 1) / chunk), 0, [&](std::int64_t begin, std::int64_t end) {
-    for (std::size_t n = std::size_t(begin); n < std::size_t(end); ++n)
-      take(n * chunk, std::min(blocks, (n + 1) * chunk));
-  });
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> visibleBlocks(const TransferFunction& curve, const BrickRanges& bricks,
                                         double rounding) {
   const std::vector<Reach> reaches = visibleReaches(curve, bricks.levels, rounding);
   std::vector<std::uint8_t> visible(bricks.size());
-  forChunks(visible.size(), [&](std::size_t begin, std::size_t end) {
-    markVisible(reaches, &bricks.lowest[begin], &bricks.highest[begin], end - begin, &visible[begin]);
+  constexpr std::size_t chunk = 1 << 13;  // blocks that are looked at together: they stay in the cache
+  const auto chunks = std::int64_t((visible.size() + chunk - 1) / chunk);
+  parallelFor(chunks, 0, [&](std::int64_t first, std::int64_t last) {
+    for (std::size_t begin = first * chunk; begin < last * chunk; begin += chunk)
+      markVisible(reaches, &bricks.lowest[begin], &bricks.highest[begin],
+                  std::min(chunk, visible.size() - begin), &visible[begin]);
   });
   return visible;
 }
 
 std::int64_t visibleBlockCount(const TransferFunction& curve, const BrickRanges& bricks) {
-  const std::vector<Reach> reaches = visibleReaches(curve, bricks.levels, 0);
-  std::atomic<std::int64_t> count = 0;
-  forChunks(bricks.size(), [&](std::size_t begin, std::size_t end) {
-    std::uint8_t flags[chunk] = {};
-    markVisible(reaches, &bricks.lowest[begin], &bricks.highest[begin], end - begin, flags);
-    count += std::accumulate(flags, flags + (end - begin), std::int64_t(0));
-  });
+  const std::size_t levels = bricks.levels.size();
+  std::int64_t count = 0;
+  for (const Reach r : visibleReaches(curve, bricks.levels, 0))
+    for (std::size_t low = r.first; low <= r.last; ++low)
+      for (std::size_t high = r.high; high < levels; ++high) count += bricks.blocks[low * levels + high];
   return count;
-}
-
-std::int64_t VisibleCountMemo::of(const TransferFunction& curve, const BrickRanges& bricks) {
-  const std::lock_guard lock(mutex_);
-  if (count_ && points_ == curve.points) return *count_;
-  count_ = visibleBlockCount(curve, bricks);
-  points_ = curve.points;
-  return *count_;
 }
 
 }  // namespace volumen

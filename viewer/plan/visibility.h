@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <mutex>
-#include <optional>
 #include <vector>
 
 #include "viewer/scene/scene.h"
@@ -16,19 +14,7 @@ namespace volumen {
 std::vector<std::uint8_t> visibleBlocks(const TransferFunction& curve, const BrickRanges& bricks,
                                         double rounding = 0);
 
-/// How many of these entries are 1, without rounding.
+/// How many of these entries are 1, without rounding: by BrickRanges::blocks, in microseconds.
 std::int64_t visibleBlockCount(const TransferFunction& curve, const BrickRanges& bricks);
-
-/// The last visibleBlockCount() of a volume: plans of other views ask for the same. For use from several
-/// threads at once.
-class VisibleCountMemo {
- public:
-  std::int64_t of(const TransferFunction& curve, const BrickRanges& bricks);
-
- private:
-  std::mutex mutex_;
-  std::vector<CurvePoint> points_;
-  std::optional<std::int64_t> count_;
-};
 
 }  // namespace volumen

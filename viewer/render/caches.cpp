@@ -161,7 +161,7 @@ const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunctio
     maps[0] = makeSkipMap(bricks.edge, bricks.count, visible, wish.reachBlocks, std::move(maps[0]));
   if (wish.cells && !hasCells)
     skip.cells.begin(volume->size(), wish.densities, table,
-                      inLargerBlocks(std::move(visible), bricks.count, VisibleCells::edge / bricks.edge));
+                     inLargerBlocks(std::move(visible), bricks.count, VisibleCells::edge / bricks.edge));
   skip.made.cells |= wish.cells;
   return skip;
 }

@@ -52,7 +52,7 @@ class Pilot {
         size_(sizeOfPilot(plan.options.size)),
         tiles_(pilotTiles(plan, caches.facts(), size_)) {}
 
-  Result<Plan> operator()() {
+  Result<PilotFinding> operator()() {
     RenderOptions finer = plan_.options;
     finer.stopAt = std::min(plan_.stopTransmittance, shareOfTruth / 255);
     finer.tolerance = promiseOf(plan_.options.quality).most99 / 255 * shareOfTruth;
@@ -70,7 +70,7 @@ class Pilot {
       if (next->told.kept || !wasKept) found = next;
       if (wasKept || next->told.kept) break;
     }
-    return makePlan(plan_.scene, caches_.facts(), plan_.options, found->told);
+    return found->told;
   }
 
  private:
@@ -232,8 +232,8 @@ class Pilot {
 
 }  // namespace
 
-Result<Plan> sendPilot(const Plan& plan, RenderCaches& caches, RenderStats& stats,
-                       const CancelToken& cancel) {
+Result<PilotFinding> probe(const Plan& plan, RenderCaches& caches, RenderStats& stats,
+                           const CancelToken& cancel) {
   return Pilot(plan, caches, stats, cancel)();
 }
 

@@ -63,14 +63,15 @@ Result<Plan> settled(const Plan& plan, RenderCaches& caches, RenderStats& stats,
   if (!plan.pilotSteps) return plan;
   if (Status s = checkSize(plan, *caches.volume()); !s) return s.error();
   const double begin = wallMs(), gradientsBefore = stats.gradientsMs;
-  Result<Plan> done = Error{};
+  Result<PilotFinding> found = Error{};
   try {
-    done = sendPilot(plan, caches, stats, cancel);
+    found = probe(plan, caches, stats, cancel);
   } catch (const std::bad_alloc&) {
     return notEnoughMemory(plan, *caches.volume());
   }
   stats.pilotMs += wallMs() - begin - (stats.gradientsMs - gradientsBefore);
-  return done;
+  if (!found) return found.error();
+  return makePlan(plan.scene, caches.facts(), plan.options, *found);
 }
 
 Result<Rendered> render(const Plan& asked, RenderCaches& caches, const CancelToken& cancel) {

@@ -59,11 +59,8 @@ class RenderCaches {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The plan with nothing left open. Where it names plain steps (Plan::pilotSteps), about a hundredth of its
-/// rays are followed by them and cell by cell, finely: by the first steps, then by those that their errors
-/// tell to be as long as may be, or by up to two shorter ones that save time. The longest that keep the
-/// level's promise at worst, with what may have been missed, are taken. What comes of it depends on the
-/// picture alone, not on the machine. Adds to the times of `stats`. Errors as render().
+/// The plan with nothing left open: makePlan() with what a pilot (probe) finds. What comes of it depends on
+/// the picture alone, not on the machine. Adds to the times of `stats`. Errors as render().
 Result<Plan> settled(const Plan& plan, RenderCaches& caches, RenderStats& stats,
                      const CancelToken& cancel = {});
 

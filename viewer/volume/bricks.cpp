@@ -141,7 +141,7 @@ class LevelSearch {
 
 BrickRanges bricksOf(int edge, glm::ivec3 count, const std::vector<float>& low,
                      const std::vector<float>& high) {
-  BrickRanges bricks{edge, count, levelsOf(low, high), {}, {}};
+  BrickRanges bricks{edge, count, levelsOf(low, high), {}, {}, {}};
   if (low.empty()) return bricks;
   bricks.lowest.resize(low.size());
   bricks.highest.resize(low.size());
@@ -153,6 +153,9 @@ BrickRanges bricksOf(int edge, glm::ivec3 count, const std::vector<float>& low,
       bricks.highest[n] = search.above(high[n]);
     }
   });
+  bricks.blocks.resize(bricks.levels.size() * bricks.levels.size());
+  for (std::size_t n = 0; n < low.size(); ++n)
+    ++bricks.blocks[bricks.lowest[n] * bricks.levels.size() + bricks.highest[n]];
   return bricks;
 }
 

@@ -18,11 +18,14 @@ struct BrickRanges {
   glm::ivec3 count{0};
   std::vector<float> levels;                  ///< real values, ascending
   std::vector<std::uint8_t> lowest, highest;  ///< which level bounds a block's values; i fastest
+  std::vector<std::uint32_t> blocks;  ///< how many two levels bound: entry lowest * levels.size() + highest
 
   std::size_t size() const { return lowest.size(); }
   float low(std::size_t n) const { return levels[lowest[n]]; }
   float high(std::size_t n) const { return levels[highest[n]]; }
-  std::size_t bytes() const { return lowest.size() + highest.size() + levels.size() * sizeof(float); }
+  std::size_t bytes() const {
+    return lowest.size() + highest.size() + (levels.size() + blocks.size()) * sizeof(float);
+  }
 };
 
 /// Of a volume: blocks of 4 cells along each edge, of fewer where there are few voxels.

@@ -26,7 +26,7 @@ class TestVisibility : public QObject {
   void aBlockIsVisible();
   void ofManyBlocksEachCounts();
   void spansAreMetFromBothSides();
-  void theSameCurveIsCountedOnce();
+  void whereThereAreNoBlocksNoneIsVisible();
 };
 
 void TestVisibility::aBlockIsVisible_data() {
@@ -89,13 +89,8 @@ void TestVisibility::spansAreMetFromBothSides() {
   }
 }
 
-void TestVisibility::theSameCurveIsCountedOnce() {
-  VisibleCountMemo memo;
-  const BrickRanges two = bricksOf(4, {2, 1, 1}, {0, 50}, {20, 200}), none = bricksOf(4, {0, 1, 1}, {}, {});
-  QCOMPARE(memo.of(risingFrom(100), two), std::int64_t(1));
-  QCOMPARE(memo.of(risingFrom(100), none), std::int64_t(1));  // not looked at
-  QCOMPARE(memo.of(risingFrom(10), two), std::int64_t(2));
-  QCOMPARE(memo.of(risingFrom(100), two), std::int64_t(1));
+void TestVisibility::whereThereAreNoBlocksNoneIsVisible() {
+  QCOMPARE(visibleBlockCount(risingFrom(100), bricksOf(4, {0, 1, 1}, {}, {})), std::int64_t(0));
 }
 
 VOLUMEN_TEST(TestVisibility);

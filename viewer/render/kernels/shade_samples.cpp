@@ -41,7 +41,7 @@ std::int64_t ShadeSamples(const TraceFrame& f, const SampleRow& s, const TraceRo
   return visible;
 }
 
-ShadeKernel ChooseShadeSamples(TraceKey key) {
+ShadeKernel ChooseShadeSamples(KernelKey key) {
   if (key.gradientOpacity) return key.lit ? ShadeSamples<true, true> : ShadeSamples<false, true>;
   return key.lit ? ShadeSamples<true, false> : ShadeSamples<false, false>;
 }
@@ -54,7 +54,7 @@ namespace volumen {
 
 HWY_EXPORT(ChooseShadeSamples);
 
-ShadeKernel chooseShadeKernel(TraceKey key) { return HWY_DYNAMIC_DISPATCH(ChooseShadeSamples)(key); }
+ShadeKernel chooseShadeKernel(KernelKey key) { return HWY_DYNAMIC_DISPATCH(ChooseShadeSamples)(key); }
 
 }  // namespace volumen
 #endif  // HWY_ONCE

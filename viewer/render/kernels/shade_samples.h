@@ -17,6 +17,6 @@ struct SampleRow {
 /// Classifies and shades samples (SCENE 4, 5): `out` is their colour times opacity, and the opacity of their
 /// intervals. Returns how many have opacity.
 using ShadeKernel = std::int64_t (*)(const TraceFrame&, const SampleRow&, const TraceRow& out);
-ShadeKernel chooseShadeKernel(TraceKey key);
+ShadeKernel chooseShadeKernel(KernelKey key);
 
 }  // namespace volumen

@@ -14,23 +14,25 @@ HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
 template <class Store, bool kIsLit, bool kGradientOpacity>
-TraceKernel ChooseSamples(bool cells) {
+TraceKernel ChooseSamples(Sampling sampling) {
   if constexpr (!std::is_void_v<Store>) {
-    using Few = std::conditional_t<Store::kWhereFew == WhereFew::batches,
-                                   BatchTracer<Store, kIsLit, kGradientOpacity>,
-                                   SparseTracer<Store, kIsLit, kGradientOpacity>>;
-    if (cells) return TraceRays<Few>;
+    const bool few = sampling == Sampling::visibleCells;
+    if constexpr (Store::kWhereFew == WhereFew::batches) {
+      if (few) return TraceRays<BatchTracer<Store, kIsLit, kGradientOpacity>>;
+    } else if constexpr (kIsLit || kGradientOpacity) {
+      if (few) return TraceRays<SparseTracer<Store, kIsLit, kGradientOpacity>>;
+    }
   }
   return TraceRays<DenseTracer<Store, kIsLit, kGradientOpacity>>;
 }
 
 template <class Store>
-TraceKernel ChoosePlain(TraceKey key) {
+TraceKernel ChoosePlain(KernelKey key) {
   if (key.gradientOpacity)
-    return key.lit ? ChooseSamples<Store, true, true>(key.cells)
-                   : ChooseSamples<Store, false, true>(key.cells);
-  return key.lit ? ChooseSamples<Store, true, false>(key.cells)
-                 : ChooseSamples<Store, false, false>(key.cells);
+    return key.lit ? ChooseSamples<Store, true, true>(key.sampling)
+                   : ChooseSamples<Store, false, true>(key.sampling);
+  return key.lit ? ChooseSamples<Store, true, false>(key.sampling)
+                 : ChooseSamples<Store, false, false>(key.sampling);
 }
 
 }  // namespace volumen::HWY_NAMESPACE

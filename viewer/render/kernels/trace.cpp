@@ -17,8 +17,8 @@ namespace volumen {
 HWY_EXPORT(TargetName);
 const char* kernelTarget() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
 
-TraceKernel chooseTraceKernel(TraceKey key) {
-  if (key.refined) return chooseTraceLevels(key);
+TraceKernel chooseTraceKernel(KernelKey key) {
+  if (key.sampling == Sampling::passages) return chooseTraceLevels(key);
   switch (key.store) {
     case Store::int16:
       return chooseTraceInt16(key);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "viewer/plan/kernel_key.h"
 #include "viewer/render/curve_table.h"
 #include "viewer/render/interval_series.h"
 #include "viewer/render/ray_row.h"
@@ -15,24 +16,9 @@
 
 namespace volumen {
 
-/// How density (and gradients) are stored: 16-bit integers with 4 x 16-bit gradients, floats with 4 x float
-/// gradients, a byte a voxel without gradients, four bytes a voxel with them, or a plane of rays that another
-/// resampler (GL) has filled: floats, one row a step.
-enum class Store { int16, float32, byte1, byte4, plane };
-
 /// How visible samples are lit (Matter): directly, with one viewer or each ray with its own; by a reflectance
 /// map, bilinear or its nearest patch; colour and light together from the 4-index table.
 enum class LightModel { phong, localPhong, map, nearestInMap, table };
-
-/// What a kernel is compiled for; chosen once a frame. Whatever else a frame asks for, its kernel asks of the
-/// frame, a vector of samples at a time.
-struct TraceKey {
-  Store store = Store::int16;
-  bool lit = false;  ///< by TraceFrame::light
-  bool gradientOpacity = false;
-  bool refined = false;  ///< cell by cell, integrated to an ErrorBudget
-  bool cells = false;    ///< plain steps: samples are taken in visible cells alone; the same bytes
-};
 
 /// How exact rays that go cell by cell are integrated, in shares of white: a part of a ray is cut while what
 /// it is off by is more than its share. A part whose light is a share w of what a ray shows may be off by
@@ -77,8 +63,8 @@ struct TraceFrame {
   float inverseUnitMm = 1;               ///< 1 / unitDistance
   IntervalSeries intervals;              ///< of whole steps where rays are parallel, else none
   const SkipMap* skip = nullptr;         ///< null: every packet is looked at
-  const VisibleCells* cells = nullptr;   ///< null where the kernel does not ask (TraceKey)
-  LightModel light = LightModel::phong;  ///< where the kernel lights (TraceKey)
+  const VisibleCells* cells = nullptr;   ///< null where the kernel does not ask (KernelKey)
+  LightModel light = LightModel::phong;  ///< where the kernel lights (KernelKey)
   const Lighting* lighting = nullptr;
   const ReflectanceMap* map = nullptr;
   const ShadeTable* table = nullptr;
@@ -88,7 +74,7 @@ struct TraceFrame {
   /// The largest gradient of gradientOpacity's points (value / mm), and how many of these a stored unit is.
   float factorUnit = 1, factorUnitsAStored = 0;
   LightStrength lightStrength;
-  ErrorBudget budget;  ///< where the kernel goes cell by cell (TraceKey)
+  ErrorBudget budget;  ///< where the kernel goes cell by cell (KernelKey)
 };
 
 /// A plane of rays resampled by another resampler: density[step * stride + ray]; gradients four floats a
@@ -118,13 +104,13 @@ struct TraceCounts {
 /// front (paper 3.1, 3.2, SCENE 9 and 4 .. 6).
 using TraceKernel = void (*)(const TraceFrame&, const RayRow&, const PlaneBuffer&, const TraceRow&,
                              TraceCounts&);
-TraceKernel chooseTraceKernel(TraceKey key);
+TraceKernel chooseTraceKernel(KernelKey key);
 // The same for some; a file each, as each holds many kernels. Those of one store do not look at `key.store`.
-TraceKernel chooseTraceLevels(TraceKey key);  ///< rays that go cell by cell, over int16 or float32
-TraceKernel chooseTraceInt16(TraceKey key);
-TraceKernel chooseTraceFloat32(TraceKey key);
-TraceKernel chooseTraceBytes(TraceKey key);
-TraceKernel chooseTracePlane(TraceKey key);
+TraceKernel chooseTraceLevels(KernelKey key);  ///< rays that go cell by cell, over int16 or float32
+TraceKernel chooseTraceInt16(KernelKey key);
+TraceKernel chooseTraceFloat32(KernelKey key);
+TraceKernel chooseTraceBytes(KernelKey key);
+TraceKernel chooseTracePlane(KernelKey key);
 
 /// The CPU target that the kernels run on, e.g. "AVX3".
 const char* kernelTarget();

@@ -10,8 +10,8 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
-TraceKernel ChooseTraceBytes(TraceKey key) {
-  return key.store == Store::byte1 ? ChooseSamples<Byte1Store, false, false>(key.cells)
+TraceKernel ChooseTraceBytes(KernelKey key) {
+  return key.store == Store::byte1 ? ChooseSamples<Byte1Store, false, false>(key.sampling)
                                    : ChoosePlain<Byte4Store>(key);
 }
 }  // namespace volumen::HWY_NAMESPACE
@@ -20,6 +20,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace volumen {
 HWY_EXPORT(ChooseTraceBytes);
-TraceKernel chooseTraceBytes(TraceKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTraceBytes)(key); }
+TraceKernel chooseTraceBytes(KernelKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTraceBytes)(key); }
 }  // namespace volumen
 #endif  // HWY_ONCE

@@ -9,13 +9,13 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
-TraceKernel ChooseTraceFloat32(TraceKey key) { return ChoosePlain<Float32Store>(key); }
+TraceKernel ChooseTraceFloat32(KernelKey key) { return ChoosePlain<Float32Store>(key); }
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace volumen {
 HWY_EXPORT(ChooseTraceFloat32);
-TraceKernel chooseTraceFloat32(TraceKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTraceFloat32)(key); }
+TraceKernel chooseTraceFloat32(KernelKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTraceFloat32)(key); }
 }  // namespace volumen
 #endif  // HWY_ONCE

@@ -9,13 +9,13 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
-TraceKernel ChooseTraceInt16(TraceKey key) { return ChoosePlain<Int16Store>(key); }
+TraceKernel ChooseTraceInt16(KernelKey key) { return ChoosePlain<Int16Store>(key); }
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace volumen {
 HWY_EXPORT(ChooseTraceInt16);
-TraceKernel chooseTraceInt16(TraceKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTraceInt16)(key); }
+TraceKernel chooseTraceInt16(KernelKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTraceInt16)(key); }
 }  // namespace volumen
 #endif  // HWY_ONCE

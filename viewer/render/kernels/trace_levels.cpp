@@ -12,13 +12,13 @@ HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
 template <class Store>
-TraceKernel ChooseLevel(TraceKey key) {
+TraceKernel ChooseLevel(KernelKey key) {
   if (key.gradientOpacity)
     return key.lit ? TraceRays<LevelTracer<Store, true, true>> : TraceRays<LevelTracer<Store, false, true>>;
   return key.lit ? TraceRays<LevelTracer<Store, true, false>> : TraceRays<LevelTracer<Store, false, false>>;
 }
 
-TraceKernel ChooseTraceLevels(TraceKey key) {
+TraceKernel ChooseTraceLevels(KernelKey key) {
   return key.store == Store::int16 ? ChooseLevel<Int16Store>(key) : ChooseLevel<Float32Store>(key);
 }
 
@@ -28,6 +28,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace volumen {
 HWY_EXPORT(ChooseTraceLevels);
-TraceKernel chooseTraceLevels(TraceKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTraceLevels)(key); }
+TraceKernel chooseTraceLevels(KernelKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTraceLevels)(key); }
 }  // namespace volumen
 #endif  // HWY_ONCE

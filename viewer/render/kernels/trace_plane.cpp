@@ -9,13 +9,13 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
-TraceKernel ChooseTracePlane(TraceKey key) { return ChoosePlain<void>(key); }
+TraceKernel ChooseTracePlane(KernelKey key) { return ChoosePlain<void>(key); }
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace volumen {
 HWY_EXPORT(ChooseTracePlane);
-TraceKernel chooseTracePlane(TraceKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTracePlane)(key); }
+TraceKernel chooseTracePlane(KernelKey key) { return HWY_DYNAMIC_DISPATCH(ChooseTracePlane)(key); }
 }  // namespace volumen
 #endif  // HWY_ONCE

@@ -55,7 +55,8 @@ float inverseUnitOf(const Plan& plan, const VoxelGeometry& geometry) {
 }  // namespace
 
 PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats)
-    : brightest_(float(std::max(1.0, volumen::brightest(plan.scene)))),
+    : key_(kernelKey(plan)),
+      brightest_(float(std::max(1.0, volumen::brightest(plan.scene)))),
       lighting_(makeLighting(plan.scene, plan.specular, plan.colouredLight)),
       transfer_(plan.curve) {
   auto& cache = caches.impl();
@@ -64,11 +65,6 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   frame_.densityRow = frame_.gradientRow = frame_.size.x;
   readStored(plan, caches, stats);
   stats.gradientsMs += wallMs() - begin;
-  key_.lit = plan.lit;
-  key_.gradientOpacity = plan.gradientOpacity;
-  key_.refined = plan.cellByCell;
-  key_.cells = plan.skipCells;
-  if (plan.resampler != Resampler::cpu) key_.store = Store::plane;
   curve_ = makeCurveTable(transfer_, scale_);
   frame_.curve = &curve_;
   frame_.transfer = &transfer_;
@@ -113,8 +109,8 @@ void PlanesFrame::readBlocks(const Plan& plan, int reach, RenderCaches& caches, 
   auto& cache = caches.impl();
   // Which intervals are passed over is a choice, not a sound rule: it looks at cells even where no block is
   // skipped.
-  const bool asksCells = key_.refined || key_.cells;
-  if (plan.skipBlocks || key_.refined) {
+  const bool asksCells = key_.sampling != Sampling::dense;
+  if (plan.skipBlocks || key_.sampling == Sampling::passages) {
     const auto& skip =
         cache.skipOf(transfer_, curve_, {transfer_.points, reach, rounding_, densities_, asksCells});
     stats.blockBytes = skip.bytes();
@@ -130,7 +126,6 @@ void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats
   const VoxelGeometry& geometry = cache.volume->geometry();
   if (plan.bits == 16) {
     const Density16& d = cache.densities16();
-    key_.store = Store::int16;
     scale_ = d.scale;
     frame_.density16 = d.data;
     frame_.flip16 = d.flip;
@@ -145,7 +140,6 @@ void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats
     return;
   }
   const Density32& d = cache.densities32();
-  key_.store = Store::float32;
   scale_ = d.scale;
   frame_.density32 = d.data;
   stats.densityBytes = std::size_t(geometry.voxelCount()) * 4;
@@ -167,13 +161,11 @@ void PlanesFrame::readBytes(const Plan& plan, RenderCaches& caches, RenderStats&
   };
   if (!plan.gradients) {
     const Density8& d = cache.densitiesIn8();
-    key_.store = Store::byte1;
     frame_.density8 = d.bytes.data();
     densities_ = {.in8 = d.bytes.data(), .rowVoxels = frame_.densityRow};
     return useScale(d.scale);
   }
   const Voxels8& v = cache.voxelsIn8(plan.gradientOperator);
-  key_.store = Store::byte4;
   frame_.voxels8 = v.words.data();
   frame_.densityRow = frame_.gradientRow = v.rowVoxels;
   densities_ = {.in8 = reinterpret_cast<const std::uint8_t*>(v.words.data()) + 3,

@@ -19,7 +19,7 @@ class PlanesFrame {
   const TraceFrame& trace() const { return frame_; }
   const BlockValues& blocks() const { return blocks_; }  ///< of projections
   const DensityScale& scale() const { return scale_; }
-  TraceKey key() const { return key_; }
+  KernelKey key() const { return key_; }
   float brightest() const { return brightest_; }  ///< no component of a sample's colour is larger, at least 1
 
  private:
@@ -32,10 +32,10 @@ class PlanesFrame {
   double largestRounded(const Plan& plan, ValueRange range) const;
   void setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale);
 
+  const KernelKey key_;
   TraceFrame frame_;
   float brightest_ = 1;
   BlockValues blocks_;
-  TraceKey key_;
   DensityScale scale_;
   CurveTable curve_;
   Lighting lighting_;

@@ -13,7 +13,7 @@ RowPainter::RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& pict
   else
     project_ = chooseProjectKernel(frame.key().store, plan.scene.mode, plan.cellByCell);
   preparePicture(plan, picture);
-  if (frame.key().refined) error.assign(picture.rgba.size() / 4, 0.0f);
+  if (frame.key().sampling == Sampling::passages) error.assign(picture.rgba.size() / 4, 0.0f);
 }
 
 void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const {
