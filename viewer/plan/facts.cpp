@@ -10,9 +10,11 @@ namespace volumen {
 VolumeFacts factsOf(const Volume& volume) {
   VolumeFacts facts;
   facts.geometry = volume.geometry();
-  facts.integers = !std::holds_alternative<std::vector<float>>(volume.stored());
   facts.slope = volume.slope();
   facts.range = valueRange(volume);
+  // One value alone is drawn as a float: slope * integer + intercept may be another before it is rounded.
+  facts.integers =
+      !std::holds_alternative<std::vector<float>>(volume.stored()) && facts.range.low < facts.range.high;
   const auto p = percentiles(volume, {1, 999});
   facts.p01 = p[0];
   facts.p999 = p[1];

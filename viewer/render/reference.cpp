@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <optional>
 
 #include "viewer/render/reference_integral.h"
 #include "viewer/volume/parallel.h"
@@ -62,6 +63,7 @@ class Caster {
 
   double projectedGrey(const Ray& ray, Interval interval) const {
     double largest = -std::numeric_limits<double>::infinity(), smallest = -largest, integral = 0;
+    std::optional<double> first;  // means are counted from it: a constant loses nothing
     std::vector<double> places;
     marchCells(volume_.geometry(), ray, interval, [&](const CellPiece& p) {
       const Corners<double> corners = cornerValues(volume_, p.cell);
@@ -73,12 +75,13 @@ class Caster {
         largest = std::max(largest, value);
         smallest = std::min(smallest, value);
       }
-      integral += p.lengthMm * (v.c[0] + v.c[1] / 2 + v.c[2] / 3 + v.c[3] / 4);
+      if (!first) first = v.c[0];
+      integral += p.lengthMm * ((v.c[0] - *first) + v.c[1] / 2 + v.c[2] / 3 + v.c[3] / 4);
       return true;
     });
     const double value = scene_.mode == Mode::mip     ? largest
                          : scene_.mode == Mode::minip ? smallest
-                                                      : integral / (interval.t1 - interval.t0);
+                                                      : first.value_or(0) + integral / (interval.t1 - interval.t0);
     const Window& window = *scene_.window;
     return std::clamp((value - (window.centre - window.width / 2)) / window.width, 0.0, 1.0);
   }

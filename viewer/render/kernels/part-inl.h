@@ -255,13 +255,20 @@ class PartRule {
   }
 
   /// The centroid is that of Simpson's rule over the transmittance T: (integral of T - T at the back) /
-  /// opacity, with the depth of the front half as if the extinction rose straight.
+  /// opacity, with the depth of the front half as if the extinction rose straight. Behind what is all but
+  /// opaque it is where the depth is 1.
   static HWY_INLINE Slab SlabOf(const Extinction& a, const Extinction& b, VF units) {
     const VF e1 = a.extinction, sum = hn::Add(e1, b.extinction);
     const VF depth = hn::Mul(units, MeanOf(a, b)), opacity = OpacityOfDepth(depth);
     const VF share = hn::Div(hn::Add(hn::Add(e1, e1), sum), NotZero(hn::Mul(Set(4), sum)));
     const VF hidden = hn::Div(OpacityOfDepth(hn::Mul(depth, share)), NotZero(opacity));
-    const VF centroid = hn::Sub(Set(5.0f / 6), hn::Mul(Set(2.0f / 3), hidden));
+    VF centroid = hn::Sub(Set(5.0f / 6), hn::Mul(Set(2.0f / 3), hidden));
+    if (!hn::AllFalse(DF(), hn::Gt(depth, Set(4)))) {
+      const VF steady = hn::Mul(units, e1), rise = hn::Mul(units, hn::Sub(b.extinction, e1));
+      const VF square = hn::Max(hn::Add(hn::Mul(steady, steady), hn::Add(rise, rise)), hn::Zero(DF()));
+      const VF at = hn::Div(Set(2), NotZero(hn::Add(steady, hn::Sqrt(square))));
+      centroid = hn::IfThenElse(hn::Gt(depth, Set(4)), hn::Min(centroid, at), centroid);
+    }
     return {opacity, hn::IfThenElse(hn::Gt(opacity, hn::Zero(DF())), centroid, Set(0.5f))};
   }
 

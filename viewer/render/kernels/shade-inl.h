@@ -209,21 +209,28 @@ HWY_INLINE DS ShadePhong(const Lighting& lighting, const V3& n, const V3& viewer
   return lighting.coloured ? out : InGrey(out.d.x, out.s.x);
 }
 
-/// Between which of the kinks of D' and S' a normal lies: by which lights it is lit from the front (bits 2 to
-/// 31, the first 30 of them), and which side of a surface the viewer sees (bits 0 and 1: neither where both).
+/// Between which of the kinks of D' and S' a normal lies: which side of a surface the viewer sees (bits 0 and
+/// 1: neither where both); and of each light, in the next two bits, whether it shines on the front and
+/// whether so that its highlight counts in full. Every fifteenth light shares its bits.
 HWY_INLINE VI SidesOf(const Lighting& lighting, const V3& n, const V3& viewer) {
   const DI di;
   VI sides = SetI(0);
   const auto add = [&](MF which, int bit) {
-    sides = hn::Or(sides, hn::IfThenElseZero(hn::RebindMask(di, which), SetI(int(1u << bit))));
+    sides = hn::Xor(sides, hn::IfThenElseZero(hn::RebindMask(di, which), SetI(int(1u << bit))));
   };
   if (lighting.twoSided) {
     const VF along = Dot(n, viewer), band = Set(0.1f);
     add(hn::Gt(along, band), 0);
     add(hn::Lt(along, hn::Neg(band)), 1);
   }
-  const int count = std::min(int(lighting.lights.size()), 30);
-  for (int i = 0; i < count; ++i) add(hn::Gt(Dot(n, Broadcast(lighting.lights[i].l)), hn::Zero(DF())), 2 + i);
+  int bit = 0;
+  for (const ShadingLight& light : lighting.lights) {
+    const VF along = Dot(n, Broadcast(light.l));
+    add(hn::Gt(along, hn::Zero(DF())), 2 + bit);
+    const glm::vec3& s = light.specular;
+    if (s.r > 0 || s.g > 0 || s.b > 0) add(hn::Gt(hn::Abs(along), Set(0.1f)), 3 + bit);
+    bit = (bit + 2) % 30;
+  }
   return sides;
 }
 
