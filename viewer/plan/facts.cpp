@@ -7,14 +7,26 @@
 
 namespace volumen {
 
+namespace {
+
+// Whether all voxels have one value that is not slope * integer + intercept but that rounded to a float:
+// narrow windows may tell it apart.
+bool isRounded(const Volume& volume, ValueRange range) {
+  const double unrounded = std::visit(
+      [&](const auto& stored) { return volume.slope() * double(stored.front()) + volume.intercept(); },
+      volume.stored());
+  return range.low == range.high && range.low != unrounded;
+}
+
+}  // namespace
+
 VolumeFacts factsOf(const Volume& volume) {
   VolumeFacts facts;
   facts.geometry = volume.geometry();
   facts.slope = volume.slope();
   facts.range = valueRange(volume);
-  // One value alone is drawn as a float: slope * integer + intercept may be another before it is rounded.
   facts.integers =
-      !std::holds_alternative<std::vector<float>>(volume.stored()) && facts.range.low < facts.range.high;
+      !std::holds_alternative<std::vector<float>>(volume.stored()) && !isRounded(volume, facts.range);
   const auto p = percentiles(volume, {1, 999});
   facts.p01 = p[0];
   facts.p999 = p[1];

@@ -10,7 +10,7 @@ namespace volumen {
 /// What the planner's rules may ask of a volume: a value, so that tests can invent one.
 struct VolumeFacts {
   VoxelGeometry geometry;
-  bool integers = true;  ///< stored as 8- or 16-bit integers, more than one of them
+  bool integers = true;  ///< stored as 8- or 16-bit integers that tell the values apart
   double slope = 1;
   ValueRange range;          ///< smallest and largest value
   double p01 = 0, p999 = 0;  ///< P0.1 and P99.9 of SCENE 5

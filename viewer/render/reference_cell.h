@@ -35,12 +35,15 @@ Polynomial<T, 3> interpolateAlong(const Corners<T>& corners, glm::dvec3 start, g
   return p[0];
 }
 
-/// Trilinear interpolation at a place in the cell (clamped to it), as a sum of parts of one sign each: a
-/// corner of 1e30 makes no rounding where it has no weight.
+/// Trilinear interpolation at a place in the cell (clamped to it). What is constant stays so exactly (SCENE
+/// 2), and a corner of 1e30 makes no rounding where it has no weight.
 inline double interpolateAt(const Corners<double>& c, glm::dvec3 place) {
-  const glm::dvec3 f = glm::clamp(place, 0.0, 1.0), e = 1.0 - f;
-  return e.z * (e.y * (e.x * c[0] + f.x * c[1]) + f.y * (e.x * c[2] + f.x * c[3])) +
-         f.z * (e.y * (e.x * c[4] + f.x * c[5]) + f.y * (e.x * c[6] + f.x * c[7]));
+  const glm::dvec3 f = glm::clamp(place, 0.0, 1.0);
+  const auto between = [](double a, double b, double share) {
+    return share < 0.5 ? a + share * (b - a) : b - (1 - share) * (b - a);
+  };
+  const auto row = [&](int n) { return between(c[n], c[n + 1], f.x); };
+  return between(between(row(0), row(2), f.y), between(row(4), row(6), f.y), f.z);
 }
 
 }  // namespace volumen::reference
