@@ -63,7 +63,7 @@ struct Plan {
   std::optional<PilotFinding> pilot;  ///< what it found
   double stopTransmittance = 0;       ///< a ray ends where its transmittance falls below; 0: never
 
-  bool gradients = false;  ///< Sobel gradients are computed, stored and fetched
+  bool gradients = false;  ///< gradients are computed, stored and fetched: the rule of that name decides
   GradientOperator gradientOperator = GradientOperator::sobel;
   bool lit = false;              ///< D and S of SCENE 5 are evaluated
   bool specular = false;         ///< the S part is evaluated

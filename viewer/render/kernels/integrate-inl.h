@@ -28,8 +28,8 @@ struct LoadedPassages {
 
 /// Integrates passages from their front to their back, a lane each. Each is cut exactly where its density
 /// turns round and where it crosses a point of the curve; what lies between two cuts, a piece, holds no kink
-/// of the curve. A piece is integrated in parts (PartRule): a part is cut further while what it may be
-/// off by, times the light that reaches it, is more than its share of the budget (ErrorBudget).
+/// of the curve. A piece is subdivided adaptively into parts (PartRule): one is cut further while what it may
+/// be off by, times the light that reaches it, is more than its share of the budget (ErrorBudget).
 template <class Material>
 class PassageIntegrator {
  public:

@@ -195,8 +195,8 @@ HWY_INLINE VF FaintOpacity(VF x, VF n) {
   return hn::Mul(hn::Mul(n, x), rest);
 }
 
-/// The opacity of an interval `units` unit distances long whose opacity a unit is `opacity` (SCENE 4, 9):
-/// 1 - (1 - opacity)^units, with no loss where it is small. `others`: lanes that are not looked at.
+/// Opacity correction: of an interval `units` unit distances long whose opacity a unit is `opacity` (SCENE 4,
+/// 9): 1 - (1 - opacity)^units, with no loss where it is small. `others`: lanes that are not looked at.
 HWY_INLINE VF PowerOpacity(VF opacity, VF units, MF others) {
   // Curves that jump leave nothing between faint and opaque, whose logarithm is known.
   const MF known = hn::Or(others, hn::Ge(opacity, Set(kMostOpacity)));

@@ -43,11 +43,12 @@ struct PartSum {
   VF error;  ///< how far a component may be off
 };
 
-/// Integrates parts by an embedded pair of rules. Opacity: between two places it is taken to rise straight,
-/// and the extinction integrated in closed form (pre-integration; Engel, Kraus and Ertl 2001), over the whole
-/// part and over its halves; a third of what they differ by is what the halves are off by, and is added
-/// (Richardson's extrapolation). Colour: that of the place where the light comes from in the mean, and a
-/// parabola through that and both ends, integrated with the light's mean and variance.
+/// Integrates parts (opacity correction included) by an embedded pair of rules. Opacity: between two places
+/// it is taken to rise straight, and the extinction integrated in closed form (pre-integration; Engel, Kraus
+/// and Ertl 2001), over the whole part and over its halves; a third of what they differ by is what the halves
+/// are off by, and is added (Richardson's extrapolation). Colour: that of the place where the light comes
+/// from in the mean, and a parabola through that and both ends, integrated with the light's mean and
+/// variance.
 template <class Material>
 class PartRule {
   static constexpr float kOffOfBent = 0.4f;  ///< what the parabola may be off by, as a share of what it adds
