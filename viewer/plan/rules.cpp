@@ -210,7 +210,7 @@ Effect precision(const RuleInput& in, Plan& plan) {
       (in.options.step || in.options.quality == Quality::high || in.options.quality == Quality::exact);
   const bool packed = fits && !in.options.precision && packingIsCoarse(in, plan.gradientOperator);
   plan.bits = fits && !coarse && !packed ? in.options.precision.value_or(16) : 32;
-  if (!fits) return on("32 bits: the values are not 16-bit integers with a positive slope");
+  if (!fits) return on("32 bits: 16-bit integers with a positive slope do not hold the values");
   if (packed)
     return on("32 bits: gradients packed into 16 bits would be too coarse beside a few extreme values");
   if (coarse) return on("32 bits, interpolated in floats: filters of texture hardware are too coarse here");

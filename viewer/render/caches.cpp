@@ -135,16 +135,13 @@ const Voxels8& RenderCaches::Impl::voxelsIn8(GradientOperator by) {
 
 const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunction& curve,
                                                            const CurveTable& table, const SkipWish& wish) {
-  // Another view may ask for another reach, but not for other blocks or cells.
-  const auto asksFor = [&](const SkipWish& made) {
-    SkipWish others = made;
-    others.reachBlocks = wish.reachBlocks;
-    others.cells = wish.cells;
-    return others == wish;
-  };
-  if (!asksFor(skips[0].made)) std::swap(skips[0], skips[1]);
+  if (skips[0].made.densities != wish.densities) std::swap(skips[0], skips[1]);
   Skip& skip = skips[0];
-  const bool sameBlocks = asksFor(skip.made);
+  // Another view may ask for another reach, but not for other blocks or cells.
+  SkipWish others = skip.made;
+  others.reachBlocks = wish.reachBlocks;
+  others.cells = wish.cells;
+  const bool sameBlocks = others == wish;
   // Cells that were looked into stay, also where a kernel in between does not ask.
   const bool hasCells = sameBlocks && skip.made.cells;
   auto& maps = skip.maps;

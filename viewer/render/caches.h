@@ -61,8 +61,8 @@ struct RenderCaches::Impl {
     const SkipMap& map() const { return maps[0]; }
     std::size_t bytes() const { return maps[0].bytes() + maps[1].bytes() + cells.bytes(); }
   };
-  /// For the last two wishes that ask for other blocks or cells, the last first: a picture that moves may
-  /// look at other bits than the one that stands.
+  /// One each for the last two kinds of stored densities, the last first: a picture that moves may look at
+  /// other bits than the one that stands.
   Skip skips[2];
 
   struct Map {

@@ -147,10 +147,10 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.options.quality = Quality::high;
       });
   row("floats in 32 bits", "precision",
-      "on   precision: 32 bits: the values are not 16-bit integers with a positive slope",
+      "on   precision: 32 bits: 16-bit integers with a positive slope do not hold the values",
       [](Asked& a) { a.facts.integers = false; });
   row("a negative slope in 32 bits", "precision",
-      "on   precision: 32 bits: the values are not 16-bit integers with a positive slope",
+      "on   precision: 32 bits: 16-bit integers with a positive slope do not hold the values",
       [](Asked& a) { a.facts.slope = -1; });
   row("slices pass over air too", "empty blocks",
       "on   empty blocks: 50 % of the blocks hold no visible value",
