@@ -3,7 +3,7 @@
 #include <QImage>
 #include <string>
 
-#include "viewer/study/study.h"
+#include "viewer/evaluation/accuracy_study.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {

@@ -9,7 +9,7 @@
 #include "io/dicom/import.h"
 #include "io/files/image_file.h"
 #include "io/walk.h"
-#include "viewer/volume/phantoms.h"
+#include "viewer/phantoms/phantoms.h"
 
 namespace volumen {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/render_options.h"
 #include "app/report_files.h"
 #include "ui/plots/study_charts.h"
-#include "viewer/study/study.h"
+#include "viewer/evaluation/accuracy_study.h"
 
 namespace volumen {
 

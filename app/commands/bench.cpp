@@ -7,7 +7,7 @@
 #include "app/open_volume.h"
 #include "app/progress.h"
 #include "app/render_options.h"
-#include "viewer/study/orbit.h"
+#include "viewer/evaluation/orbit.h"
 
 namespace volumen {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "viewer/study/paper.h"
+#include "viewer/paper/paper.h"
 
 namespace volumen {
 

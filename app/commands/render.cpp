@@ -175,7 +175,7 @@ class Run {
     done_.plan = plan;
     if (!options_.explain) return exitDone;
     RenderStats stats;
-    auto done = settled(plan, caches, stats, cancel_);
+    auto done = completedPlan(plan, caches, stats, cancel_);
     if (!done) return stopped(done.message());
     done_.plan = std::move(*done);
     return exitDone;

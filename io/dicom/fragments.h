@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/dicom/scan.h"
-#include "io/walk.h"
+#include "io/regular_file.h"
 
 namespace volumen::dicom {
 

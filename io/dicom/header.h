@@ -45,6 +45,9 @@ struct Slice {
   std::vector<std::string> parts;  ///< what may tell apart pictures of one place: time point, image type, ...
 };
 
+/// Whether it is known where in the patient a slice lies.
+inline bool isPlaced(const Slice& s) { return s.position && s.orientation && s.spacing; }
+
 /// What a file says about itself and its pictures.
 struct FileHeader {
   std::string path;

@@ -19,8 +19,6 @@ using Entries = std::vector<Entry>;
 
 bool near(glm::dvec3 a, glm::dvec3 b, double tolerance) { return glm::length(a - b) <= tolerance; }
 
-bool isPlaced(const Slice& s) { return s.position && s.orientation && s.spacing; }
-
 /// Whether two pictures can be slices of one volume, place aside.
 bool fit(const Entry& a, const Entry& b) {
   const Slice &s = a.slice(), &t = b.slice();

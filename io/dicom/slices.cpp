@@ -137,8 +137,6 @@ Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, std::vector<
   return slice;
 }
 
-bool isPlaced(const Slice& slice) { return slice.position && slice.orientation && slice.spacing; }
-
 /// The frames of a dose grid: along the normal by GridFrameOffsetVector (PS3.3 C.8.8.3.2).
 Status placeDoseFrames(const DataSet& data, FileHeader& header) {
   const auto offsets = data.numbers(0x3004000c, data.root());

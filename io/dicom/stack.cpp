@@ -14,8 +14,6 @@ glm::dvec3 normalOf(const Slice& slice) {
   return glm::normalize(glm::cross(slice.orientation->row, slice.orientation->column));
 }
 
-bool isPlaced(const Slice& slice) { return slice.position && slice.orientation && slice.spacing; }
-
 /// What is missing for millimetres.
 std::string missingPlace(const Slice& slice) {
   std::string missing;

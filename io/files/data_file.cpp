@@ -1,11 +1,6 @@
 #include "io/files/data_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <system_error>
 
@@ -14,31 +9,15 @@ namespace volumen {
 namespace fs = std::filesystem;
 
 Result<DataFile> DataFile::open(const std::string& path) {
-  // O_NONBLOCK: opening a pipe nobody writes to must not wait.
-  const int fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-  if (fd < 0) return Error{path + " cannot be opened: " + std::generic_category().message(errno) + "."};
-  std::shared_ptr<const int> descriptor(new int(fd), [](const int* p) {
-    ::close(*p);
-    delete p;
-  });
-  struct stat facts {};
-  if (::fstat(fd, &facts) != 0)
-    return Error{path + " cannot be opened: " + std::generic_category().message(errno) + "."};
-  if (!S_ISREG(facts.st_mode)) return Error{path + " is not a regular file."};
-  return DataFile(std::move(descriptor), std::uint64_t(facts.st_size), path);
+  Result<RegularFile> file = RegularFile::open(path);
+  if (!file) return Error{path + " cannot be opened: " + file.error().message + "."};
+  return DataFile(std::make_shared<const RegularFile>(std::move(*file)), path);
 }
 
 Result<std::size_t> DataFile::readAt(std::uint64_t offset, void* to, std::size_t count) const {
-  std::size_t done = 0;
-  while (done < count) {
-    const ssize_t n =
-        ::pread(*descriptor_, static_cast<char*>(to) + done, count - done, off_t(offset + done));
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return Error{path_ + " cannot be read: " + std::generic_category().message(errno) + "."};
-    if (n == 0) break;
-    done += std::size_t(n);
-  }
-  return done;
+  const Result<std::size_t> done = file_->readAt(offset, to, count);
+  if (!done) return Error{path_ + " cannot be read: " + done.error().message + "."};
+  return *done;
 }
 
 Result<std::string> readHead(const std::string& path, std::size_t count) {

@@ -5,17 +5,17 @@
 #include <memory>
 #include <string>
 
+#include "io/regular_file.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {
 
-/// A regular file that holds headers or samples, open for reading. Pipes, devices and folders are refused
-/// without being waited for.
+/// A regular file that holds headers or samples, open for reading; its errors name it.
 class DataFile {
  public:
   static Result<DataFile> open(const std::string& path);
 
-  std::uint64_t size() const { return size_; }  ///< bytes, when it was opened
+  std::uint64_t size() const { return file_->size(); }  ///< bytes, when it was opened
   const std::string& path() const { return path_; }
 
   /// Reads up to `count` bytes from byte `offset` on; returns how many: fewer only at the end of the file. An
@@ -23,10 +23,9 @@ class DataFile {
   Result<std::size_t> readAt(std::uint64_t offset, void* to, std::size_t count) const;
 
  private:
-  DataFile(std::shared_ptr<const int> descriptor, std::uint64_t size, std::string path)
-      : descriptor_(std::move(descriptor)), size_(size), path_(std::move(path)) {}
-  std::shared_ptr<const int> descriptor_;  // closed by the last copy
-  std::uint64_t size_ = 0;
+  DataFile(std::shared_ptr<const RegularFile> file, std::string path)
+      : file_(std::move(file)), path_(std::move(path)) {}
+  std::shared_ptr<const RegularFile> file_;  // closed by the last copy
   std::string path_;
 };
 

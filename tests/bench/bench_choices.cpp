@@ -7,9 +7,9 @@
 
 #include "tests/bench/cases.h"
 #include "tests/bench/inputs.h"
+#include "viewer/evaluation/statistics.h"
+#include "viewer/methods/caches.h"
 #include "viewer/plan/cost_model.h"
-#include "viewer/render/caches.h"
-#include "viewer/study/statistics.h"
 #include "viewer/volume/clock.h"
 
 namespace {
@@ -91,7 +91,7 @@ struct Answer {
 Answer answer(const NamedQuestion& q, RenderCaches& caches, int rounds) {
   RenderStats stats;
   const auto planOf = [&](const RenderOptions& options) {
-    return *settled(*makePlan(q.scene, caches.facts(), options), caches, stats);
+    return *completedPlan(*makePlan(q.scene, caches.facts(), options), caches, stats);
   };
   const Plan plans[] = {planOf(q.chosen), planOf(q.other)};
   std::vector<double> ms[2];

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "io/study.h"
+#include "viewer/evaluation/truth.h"
 #include "viewer/render/render.h"
 #include "viewer/scene/scene_json.h"
-#include "viewer/study/truth.h"
 #include "viewer/volume/clock.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <ctime>
 
 #include "tests/bench/speed.h"
-#include "viewer/study/study.h"
+#include "viewer/evaluation/accuracy_study.h"
 
 namespace {
 

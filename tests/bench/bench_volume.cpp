@@ -4,10 +4,10 @@
 
 #include <random>
 
-#include "viewer/volume/bricks.h"
+#include "viewer/volume/block_ranges.h"
+#include "viewer/volume/gradient_bounds.h"
 #include "viewer/volume/gradients.h"
 #include "viewer/volume/histogram.h"
-#include "viewer/volume/slopes.h"
 
 namespace {
 
@@ -34,13 +34,13 @@ void run(benchmark::State& state, Pass pass) {
 
 void sobel16Bits(benchmark::State& state) { run(state, sobel16); }
 void sobel32Bits(benchmark::State& state) { run(state, sobel32); }
-void blocks(benchmark::State& state) { run(state, brickRanges); }
+void blocks(benchmark::State& state) { run(state, blockRanges); }
 void rangeOfValues(benchmark::State& state) { run(state, valueRange); }
 void slopes(benchmark::State& state) {
   const VolumePtr volume = noise(int(state.range(0)));
-  const BrickRanges bricks = brickRanges(*volume);
+  const BlockRanges blockRanges = blockRanges(*volume);
   const ValueRange range = valueRange(*volume);
-  run(state, [&](const Volume& v) { return slopesOf(v, bricks, range); });
+  run(state, [&](const Volume& v) { return gradientBoundsOf(v, blockRanges, range); });
 }
 void percentilesOfAll(benchmark::State& state) {
   run(state, [](const Volume& v) { return percentiles(v, {1, 999}); });

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "viewer/study/statistics.h"
+#include "viewer/evaluation/statistics.h"
 
 namespace volumen::bench {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/study/orbit.h"
+#include "viewer/evaluation/orbit.h"
 
 namespace volumen::bench {
 

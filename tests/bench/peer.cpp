@@ -6,7 +6,7 @@
 
 #include "io/files/picture_file.h"
 #include "tests/bench/inputs.h"
-#include "viewer/study/statistics.h"
+#include "viewer/evaluation/statistics.h"
 #include "viewer/volume/clock.h"
 
 namespace volumen::bench {

@@ -2,7 +2,7 @@
 
 #include "tests/bench/speed.h"
 #include "tests/fixtures/cpu_targets.h"
-#include "viewer/study/statistics.h"
+#include "viewer/evaluation/statistics.h"
 
 namespace volumen::bench {
 

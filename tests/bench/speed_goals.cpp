@@ -1,11 +1,11 @@
 #include <algorithm>
 
 #include "tests/bench/speed.h"
-#include "viewer/render/shading/reflectance_map.h"
-#include "viewer/study/paper.h"
-#include "viewer/study/statistics.h"
+#include "viewer/evaluation/statistics.h"
+#include "viewer/kernels/make_reflectance_map.h"
+#include "viewer/paper/paper.h"
+#include "viewer/phantoms/phantoms.h"
 #include "viewer/volume/clock.h"
-#include "viewer/volume/phantoms.h"
 
 namespace volumen::bench {
 

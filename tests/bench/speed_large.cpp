@@ -1,11 +1,11 @@
 #include <algorithm>
 
 #include "tests/bench/speed.h"
-#include "viewer/study/statistics.h"
+#include "viewer/evaluation/statistics.h"
+#include "viewer/phantoms/phantom_head.h"
 #include "viewer/volume/clock.h"
+#include "viewer/volume/gradient_bounds.h"
 #include "viewer/volume/histogram.h"
-#include "viewer/volume/phantom_head.h"
-#include "viewer/volume/slopes.h"
 
 namespace volumen::bench {
 
@@ -49,7 +49,7 @@ Result<FirstPicture> firstPictures(const SpeedInputs& in, const VolumePtr& volum
     first.gradientsMs.push_back(orbit->gradientsMs);
     first.stats = orbit->views[0].stats;
     const double begin = wallMs();
-    slopesOf(*volume, brickRanges(*volume), valueRange(*volume));
+    gradientBoundsOf(*volume, blockRanges(*volume), valueRange(*volume));
     first.blocksMs.push_back(wallMs() - begin);
   }
   return first;

@@ -6,7 +6,7 @@
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
-#include "viewer/study/statistics.h"
+#include "viewer/evaluation/statistics.h"
 
 using namespace volumen;
 using volumen::tests::Journey;

@@ -4,8 +4,8 @@
 
 #include "tests/unit/suite.h"
 #include "ui/controller/render_controller.h"
+#include "viewer/phantoms/phantoms.h"
 #include "viewer/scene/presets.h"
-#include "viewer/volume/phantoms.h"
 
 using namespace volumen;
 

@@ -6,7 +6,7 @@
 #include "tests/unit/suite.h"
 #include "ui/controller/qt_gl_context.h"
 #include "ui/controller/render_controller.h"
-#include "viewer/volume/phantoms.h"
+#include "viewer/phantoms/phantoms.h"
 
 using namespace volumen;
 

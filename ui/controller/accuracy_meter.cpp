@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "viewer/study/statistics.h"
+#include "viewer/evaluation/statistics.h"
 
 namespace volumen {
 

@@ -15,7 +15,7 @@ Draw drawWithCaches(VolumePtr volume) {
     const Result<Plan> asked = makePlan(scene, caches->facts(), options);
     if (!asked) return asked.error();
     RenderStats stats;
-    Result<Plan> done = settled(*asked, *caches, stats, cancel);
+    Result<Plan> done = completedPlan(*asked, *caches, stats, cancel);
     if (!done) return done.error();
     return Planned{std::move(*done), stats};
   };

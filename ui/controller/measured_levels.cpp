@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "viewer/study/study.h"
+#include "viewer/evaluation/accuracy_study.h"
 
 namespace volumen {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ui/session/picture_wish.h"
+#include "viewer/evaluation/truth.h"
 #include "viewer/plan/picture_text.h"
-#include "viewer/study/truth.h"
 
 namespace volumen {
 

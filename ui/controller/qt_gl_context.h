@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viewer/render/gl/gl_context.h"
+#include "viewer/gl/gl_context.h"
 
 namespace volumen {
 

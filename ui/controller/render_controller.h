@@ -24,7 +24,7 @@ struct Drawn {
   RenderStats stats;
 };
 
-/// A plan that leaves nothing open, and what finding that took (settled()).
+/// A plan that leaves nothing open, and what finding that took (completedPlan).
 struct Planned {
   Plan plan;
   RenderStats stats;
@@ -41,7 +41,8 @@ struct Draw {
 /// Makes what draws a volume, with its caches; called on the render thread.
 using MakeDraw = std::function<Draw(VolumePtr)>;
 
-/// makePlan(), settled() and render() over one set of caches; OpenGL by a context of Qt's, else of EGL's.
+/// makePlan(), completedPlan() and render() over one set of caches; OpenGL by a context of Qt's, else of
+/// EGL's.
 Draw drawWithCaches(VolumePtr volume);
 
 /// A picture for the screen.

@@ -3,7 +3,7 @@
 #include <QImage>
 
 #include "ui/plots/chart.h"
-#include "viewer/study/paper.h"
+#include "viewer/paper/paper.h"
 
 namespace volumen {
 

@@ -2,7 +2,7 @@
 
 #include <QImage>
 
-#include "viewer/study/truth.h"
+#include "viewer/evaluation/truth.h"
 
 namespace volumen {
 

@@ -3,7 +3,7 @@
 #include <QImage>
 
 #include "ui/plots/chart.h"
-#include "viewer/study/study.h"
+#include "viewer/evaluation/accuracy_study.h"
 
 namespace volumen {
 

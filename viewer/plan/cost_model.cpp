@@ -83,14 +83,14 @@ Rays raysOf(const Plan& plan, const VoxelGeometry& geometry) {
 
 // Calls look with the opacities of the least, middle and largest value of some blocks, spread evenly.
 template <class Look>
-void lookIntoSome(const BrickRanges& bricks, const TransferFunction& curve, const Look& look) {
+void lookIntoSome(const BlockRanges& blockRanges, const TransferFunction& curve, const Look& look) {
   constexpr std::size_t most = 1024;
-  const std::size_t all = bricks.size(), looks = std::min(all, most);
+  const std::size_t all = blockRanges.size(), looks = std::min(all, most);
   for (std::size_t k = 0; k < looks; ++k) {
     // Multiples of the golden ratio spread evenly; a stride would meet the same columns of blocks again.
     const double place = glm::fract(double(k) * 0.6180339887498949);
     const std::size_t n = looks < all ? std::size_t(place * double(all)) : k;
-    const float low = bricks.low(n), high = bricks.high(n);
+    const float low = blockRanges.low(n), high = blockRanges.high(n);
     look(std::array{opacityAt(curve, low), opacityAt(curve, (low + high) / 2), opacityAt(curve, high)});
   }
 }
@@ -99,10 +99,10 @@ void lookIntoSome(const BrickRanges& bricks, const TransferFunction& curve, cons
 // extinction of some visible blocks, each at its least, middle and largest value, over how much is on a ray.
 double seenShare(const Plan& plan, const VolumeFacts& facts, const Rays& rays) {
   const double visibleMmARay = rays.count > 0 ? plan.visibleShare * rays.mm / rays.count : 0;
-  if (plan.stopTransmittance <= 0 || !facts.bricks || visibleMmARay <= 0) return 1;
+  if (plan.stopTransmittance <= 0 || !facts.blockRanges || visibleMmARay <= 0) return 1;
   double sum = 0;
   int visible = 0;
-  lookIntoSome(*facts.bricks, plan.curve, [&](const std::array<double, 3>& opacities) {
+  lookIntoSome(*facts.blockRanges, plan.curve, [&](const std::array<double, 3>& opacities) {
     double perMm = 0;
     for (double opacity : opacities)
       perMm -= std::log1p(-std::min(opacity, 0.9999)) / plan.curve.unitDistance / 3;
@@ -145,9 +145,9 @@ double seenShare(const Plan& plan, const VolumeFacts& facts) {
   return seenShare(plan, facts, raysOf(plan, facts.geometry));
 }
 
-double shareInVisibleBlocks(const TransferFunction& curve, const BrickRanges& bricks) {
+double shareInVisibleBlocks(const TransferFunction& curve, const BlockRanges& blockRanges) {
   int looked = 0, seen = 0;
-  lookIntoSome(bricks, curve, [&](const std::array<double, 3>& opacities) {
+  lookIntoSome(blockRanges, curve, [&](const std::array<double, 3>& opacities) {
     const auto visible = std::ranges::count_if(opacities, [](double opacity) { return opacity > 0; });
     looked += visible > 0 ? 3 : 0;
     seen += int(visible);

@@ -25,7 +25,7 @@ double seenShare(const Plan& plan, const VolumeFacts& facts);
 
 /// Of the blocks that hold a visible value, the share of their values that are visible, estimated from their
 /// least, middle and largest; 1 where there is no such block.
-double shareInVisibleBlocks(const TransferFunction& curve, const BrickRanges& bricks);
+double shareInVisibleBlocks(const TransferFunction& curve, const BlockRanges& blockRanges);
 
 /// Samples of all rays inside the clip box, visible or not: the box's volume over a pixel's area and the step
 /// (SCENE 9), or what of it the picture shows.

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "viewer/volume/gradient_bounds.h"
 #include "viewer/volume/histogram.h"
-#include "viewer/volume/slopes.h"
 
 namespace volumen {
 
@@ -23,7 +23,7 @@ bool isRounded(const Volume& volume, ValueRange range) {
 VolumeFacts factsOf(const Volume& volume) {
   VolumeFacts facts;
   facts.geometry = volume.geometry();
-  facts.slope = volume.slope();
+  facts.rescaleSlope = volume.slope();
   facts.range = valueRange(volume);
   facts.integers =
       !std::holds_alternative<std::vector<float>>(volume.stored()) && !isRounded(volume, facts.range);
@@ -31,8 +31,8 @@ VolumeFacts factsOf(const Volume& volume) {
   facts.p01 = p[0];
   facts.p999 = p[1];
   if (!volume.attributes().windows.empty()) facts.fileWindow = volume.attributes().windows.front();
-  facts.bricks = std::make_shared<const BrickRanges>(brickRanges(volume));
-  facts.slopes = slopesOf(volume, *facts.bricks, facts.range);
+  facts.blockRanges = std::make_shared<const BlockRanges>(blockRanges(volume));
+  facts.gradientBounds = gradientBoundsOf(volume, *facts.blockRanges, facts.range);
   return facts;
 }
 

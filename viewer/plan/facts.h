@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "viewer/volume/bricks.h"
+#include "viewer/volume/block_ranges.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
@@ -11,15 +11,16 @@ namespace volumen {
 struct VolumeFacts {
   VoxelGeometry geometry;
   bool integers = true;  ///< stored as 8- or 16-bit integers that tell the values apart
-  double slope = 1;
+  double rescaleSlope = 1;
   ValueRange range;          ///< smallest and largest value
   double p01 = 0, p999 = 0;  ///< P0.1 and P99.9 of SCENE 5
   std::optional<Window> fileWindow;
-  std::shared_ptr<const BrickRanges> bricks;  ///< null: unknown, every block counts
-  std::vector<float> slopes;                  ///< slopesOf the volume; empty: unknown
+  std::shared_ptr<const BlockRanges> blockRanges;  ///< null: unknown, every block counts
+  std::vector<float> gradientBounds;               ///< gradientBoundsOf the volume; empty: unknown
 };
 
-/// Reads the facts off a volume (one pass over it each for bricks, slopes and percentiles, on all cores).
+/// Reads the facts off a volume (one pass over it each for blockRanges, slopes and percentiles, on all
+/// cores).
 VolumeFacts factsOf(const Volume& volume);
 
 /// (P99.9 - P0.1) / 32 / cbrt(|det L|), value per mm (SCENE 5).

@@ -106,7 +106,7 @@ bool isWholeLevel(const RenderOptions& o) {
 // The longest plain step that keeps the level's promise, if there is any.
 std::optional<EvenStep> evenStep(const RuleInput& in) {
   const RenderOptions& o = in.options;
-  if (in.facts.slopes.empty() || !isWholeLevel(o)) return {};
+  if (in.facts.gradientBounds.empty() || !isWholeLevel(o)) return {};
   if (!in.scene.transferFunction.gradientOpacity.empty()) return {};
   const Steepness s = steepnessOf(in.scene.transferFunction, in.facts);
   const double bright = std::max(1.0, brightest(in.scene));
@@ -132,7 +132,7 @@ double firstStep(Quality quality) { return quality == Quality::standard ? 0.5607
 // What a pilot tries, but for the shortest, where what it misses cannot be far off: thin plates hide what
 // lies behind them.
 std::optional<PilotSteps> stepsOfMatter(const RuleInput& in) {
-  if (!canIntegrate(in.scene, in.options) || in.facts.slopes.empty()) return {};
+  if (!canIntegrate(in.scene, in.options) || in.facts.gradientBounds.empty()) return {};
   const TransferFunction& curve = in.scene.transferFunction;
   if (isSharp(curve, (in.facts.p999 - in.facts.p01) / 50)) return {};
   if (mostOfVoxel(in, steepnessOf(curve, in.facts)) > mostMissed(in.options.quality)) return {};

@@ -29,7 +29,7 @@ struct PilotSteps {
 };
 
 /// What some thousand rays of a picture, followed by plain steps and cell by cell, tell of those steps
-/// (settled).
+/// (completedPlan).
 struct PilotFinding {
   double stepVoxels = 1;
   bool kept = false;        ///< they keep the level's promise, and are taken
@@ -57,7 +57,7 @@ struct Plan {
   double stepVoxels = 1;    ///< SCENE 9
   bool cellByCell = false;  ///< rays go from cell to cell of the grid, else by plain steps
   double errorBudget = 1;   ///< cell by cell: what a ray may be off by, as a share of white (ErrorBudget)
-  /// What is left open for a pilot to find (settled): whether plain steps, and how long ones, keep the
+  /// What is left open for a pilot to find (completedPlan): whether plain steps, and how long ones, keep the
   /// level's promise and take the place of the integration.
   std::optional<PilotSteps> pilotSteps;
   std::optional<PilotFinding> pilot;  ///< what it found

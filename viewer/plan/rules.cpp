@@ -93,7 +93,7 @@ Effect outdoneBlocks(const RuleInput& in, Plan& plan) {
   if (in.scene.mode == Mode::average) return off("a mean looks at every value");
   if (!isDrawnByPlanes(in)) return off("this method looks at every sample");
   if (resamplerOf(in.options) == Resampler::gl) return off("OpenGL resamples every value of a projection");
-  if (!in.facts.bricks) return off("nothing is known of the blocks");
+  if (!in.facts.blockRanges) return off("nothing is known of the blocks");
   if (in.options.full) return off("asked for in full");
   plan.skipBlocks = true;
   return on(in.scene.mode == Mode::mip ? "what holds nothing larger than a ray has met is passed over"
@@ -105,10 +105,10 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   plan.skipBlocks = false;
   if (!composite(in)) return outdoneBlocks(in, plan);
   if (!isDrawnByPlanes(in)) return off("this method looks at every sample");
-  if (!in.facts.bricks) return off("nothing is known of the blocks");
-  const BrickRanges& bricks = *in.facts.bricks;
-  const std::int64_t visible = visibleBlockCount(plan.curve, bricks);
-  plan.visibleShare = double(visible) / double(bricks.size());
+  if (!in.facts.blockRanges) return off("nothing is known of the blocks");
+  const BlockRanges& blockRanges = *in.facts.blockRanges;
+  const std::int64_t visible = visibleBlockCount(plan.curve, blockRanges);
+  plan.visibleShare = double(visible) / double(blockRanges.size());
   const std::string share =
       inDigits(100 * (1 - plan.visibleShare)) + " % of the blocks hold no visible value";
   if (in.options.full) return off("asked for in full; " + share);
@@ -176,7 +176,8 @@ double lightPerTurn(const Scene& scene) {
 // be off by 1/256, at `exact` by a quarter of that, or the ramp of gradient opacity by 1/256. A few extreme
 // values make the packing that coarse.
 bool packingIsCoarse(const RuleInput& in, GradientOperator by) {
-  if (by == GradientOperator::sobel && !gradients16AreRounded(in.facts.range, in.facts.slope)) return false;
+  if (by == GradientOperator::sobel && !gradients16AreRounded(in.facts.range, in.facts.rescaleSlope))
+    return false;
   double smallestPerMm = std::numeric_limits<double>::infinity();
   if (in.scene.shading.lit && *in.scene.shading.gradientFloor > 0) {
     const double finer = in.options.quality == Quality::exact ? 4 : 1;
@@ -187,13 +188,13 @@ bool packingIsCoarse(const RuleInput& in, GradientOperator by) {
     smallestPerMm = std::min(smallestPerMm, points.back().gradient);
   const glm::dvec3 spacing = in.facts.geometry.spacing();
   const double step =
-      gradients16Scale(in.facts.range, in.facts.slope) / std::min({spacing.x, spacing.y, spacing.z});
+      gradients16Scale(in.facts.range, in.facts.rescaleSlope) / std::min({spacing.x, spacing.y, spacing.z});
   return composite(in) && step / 2 > smallestPerMm / 256;
 }
 
 Effect inBytes(const RuleInput& in, Plan& plan) {
   plan.bits = 8;
-  const bool exact = in.facts.integers && bytesHoldExactly(in.facts.range, in.facts.slope);
+  const bool exact = in.facts.integers && bytesHoldExactly(in.facts.range, in.facts.rescaleSlope);
   return on(std::string("8 bits, as asked: values ") +
             (exact ? "kept exactly" : "rounded to 1/255 of their range") +
             (plan.gradients ? ", gradients to 1/127 of the largest" : ""));
@@ -202,7 +203,7 @@ Effect inBytes(const RuleInput& in, Plan& plan) {
 Effect precision(const RuleInput& in, Plan& plan) {
   if (in.options.precision == 8) return inBytes(in, plan);
   // Integers are kept exactly in 16 bits; a negative slope would turn the order of values round.
-  const bool fits = in.facts.integers && in.facts.slope > 0;
+  const bool fits = in.facts.integers && in.facts.rescaleSlope > 0;
   // Texture hardware that filters 16 bits may keep 8 bits of the place between two voxels: measured on
   // scenes with thin bright shells, 0.7/255 RMSE at standard's steps.
   const bool coarse =
@@ -232,7 +233,7 @@ Effect emptyCells(const RuleInput& in, Plan& plan) {
   if (in.options.full) return off("asked for in full");
   if (!plan.skipBlocks) return off("there are no empty blocks either");
   if (plan.visibleShare == 0) return off("nothing shows");
-  const double share = shareInVisibleBlocks(plan.curve, *in.facts.bricks);
+  const double share = shareInVisibleBlocks(plan.curve, *in.facts.blockRanges);
   const std::string values = "in blocks that show something about " +
                              std::to_string(std::lround(100 * share)) + " % of the values do";
   if (plan.bits == 32 ? !plan.gradients || plan.visibleShare > manyBlocks : share > many) return off(values);

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "viewer/plan/facts.h"
-#include "viewer/volume/slopes.h"
+#include "viewer/volume/gradient_bounds.h"
 
 namespace volumen {
 
@@ -15,7 +15,7 @@ namespace {
 // Of the cells that hold any value between the two, value per voxel.
 double largestSlope(const VolumeFacts& facts, double low, double high) {
   const auto entry = [&](double value) {
-    return facts.slopes.begin() + std::ptrdiff_t(slopeEntry(value, facts.range));
+    return facts.gradientBounds.begin() + std::ptrdiff_t(gradientBoundEntry(value, facts.range));
   };
   return *std::max_element(entry(low), entry(high) + 1);
 }

@@ -52,26 +52,26 @@ void markVisible(const std::vector<Reach>& reaches, const std::uint8_t* lowest, 
 
 }  // namespace
 
-std::vector<std::uint8_t> visibleBlocks(const TransferFunction& curve, const BrickRanges& bricks,
+std::vector<std::uint8_t> visibleBlocks(const TransferFunction& curve, const BlockRanges& blockRanges,
                                         double rounding) {
-  const std::vector<Reach> reaches = visibleReaches(curve, bricks.levels, rounding);
-  std::vector<std::uint8_t> visible(bricks.size());
+  const std::vector<Reach> reaches = visibleReaches(curve, blockRanges.levels, rounding);
+  std::vector<std::uint8_t> visible(blockRanges.size());
   constexpr std::size_t chunk = 1 << 13;  // blocks that are looked at together: they stay in the cache
   const auto chunks = std::int64_t((visible.size() + chunk - 1) / chunk);
   parallelFor(chunks, 0, [&](std::int64_t first, std::int64_t last) {
     for (std::size_t begin = first * chunk; begin < last * chunk; begin += chunk)
-      markVisible(reaches, &bricks.lowest[begin], &bricks.highest[begin],
+      markVisible(reaches, &blockRanges.lowest[begin], &blockRanges.highest[begin],
                   std::min(chunk, visible.size() - begin), &visible[begin]);
   });
   return visible;
 }
 
-std::int64_t visibleBlockCount(const TransferFunction& curve, const BrickRanges& bricks) {
-  const std::size_t levels = bricks.levels.size();
+std::int64_t visibleBlockCount(const TransferFunction& curve, const BlockRanges& blockRanges) {
+  const std::size_t levels = blockRanges.levels.size();
   std::int64_t count = 0;
-  for (const Reach r : visibleReaches(curve, bricks.levels, 0))
+  for (const Reach r : visibleReaches(curve, blockRanges.levels, 0))
     for (std::size_t low = r.first; low <= r.last; ++low)
-      for (std::size_t high = r.high; high < levels; ++high) count += bricks.blocks[low * levels + high];
+      for (std::size_t high = r.high; high < levels; ++high) count += blockRanges.counts[low * levels + high];
   return count;
 }
 

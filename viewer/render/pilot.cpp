@@ -5,10 +5,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "viewer/render/methods/row_painter.h"
+#include "viewer/kernels/ray_setup.h"
+#include "viewer/methods/row_painter.h"
 #include "viewer/render/pilot_errors.h"
 #include "viewer/render/pilot_tiles.h"
-#include "viewer/render/rays.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -132,8 +132,8 @@ class Pilot {
 
   // The truth at the first `count` tiles, with what it may be off by itself.
   void followTruth(std::size_t count) {
-    const std::vector<float> error = follow(fine_, truthTiles_, count, truth_);
-    truthTiles_ = std::max(truthTiles_, count);
+    const std::vector<float> error = follow(fine_, fineTiles_, count, finePicture_);
+    fineTiles_ = std::max(fineTiles_, count);
     truthError_.resize(std::size_t(size_.x) * size_.y);
     for (std::size_t n = 0; n < error.size(); ++n) truthError_[n] = std::max(truthError_[n], error[n]);
   }
@@ -180,7 +180,7 @@ class Pilot {
   PixelError errorAt(std::size_t pixel, const Picture& plain) const {
     PixelError e;
     for (std::size_t n = 4 * pixel; n < 4 * pixel + 4; ++n) {
-      const double apart = 255 * std::abs(double(plain.rgba[n]) - double(truth_.rgba[n]));
+      const double apart = 255 * std::abs(double(plain.rgba[n]) - double(finePicture_.rgba[n]));
       const bool isSure = n % 4 == 3 && !plan_.scene.background.transparent;
       const double off = isSure ? apart : apart + truthError_[pixel];
       e.largest = std::max(e.largest, off);
@@ -199,7 +199,7 @@ class Pilot {
         for (int x = corner.x; x < end.x; ++x) {
           const auto pixel = std::size_t(y) * size_.x + x;
           // What is promised of all pixels is kept by those alone that show anything.
-          if (!shows(plain, pixel) && !shows(truth_, pixel)) continue;
+          if (!shows(plain, pixel) && !shows(finePicture_, pixel)) continue;
           const PixelError e = errorAt(pixel, plain);
           errors.add(e.largest, e.square);
         }
@@ -224,10 +224,10 @@ class Pilot {
   const CancelToken& cancel_;
   glm::ivec2 size_;  ///< of the picture that the tiles are of
   std::vector<PilotTile> tiles_;
-  Plan fine_;      ///< cell by cell, finer than the level
-  Picture truth_;  ///< by that
+  Plan fine_;            ///< cell by cell, finer than the level
+  Picture finePicture_;  ///< by that
   std::vector<float> truthError_;
-  std::size_t truthTiles_ = 0;  ///< the first of them that it holds
+  std::size_t fineTiles_ = 0;  ///< the first of them that it holds
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 
+#include "viewer/kernels/ray_setup.h"
 #include "viewer/plan/rule_lines.h"
-#include "viewer/render/rays.h"
 #include "viewer/scene/step_length.h"
 #include "viewer/volume/parallel.h"
 
@@ -83,20 +83,22 @@ std::vector<Way> waysOf(const Plan& plan, const std::vector<float>& levels, doub
 class BlockWalk {
  public:
   BlockWalk(const Plan& plan, const VolumeFacts& facts)
-      : bricks_(*facts.bricks),
-        ways_(waysOf(plan, bricks_.levels, stepMm(*plan.scene.camera, facts.geometry, bricks_.edge))) {}
+      : blockRanges_(*facts.blockRanges),
+        ways_(waysOf(plan, blockRanges_.levels,
+                     stepMm(*plan.scene.camera, facts.geometry, blockRanges_.edge))) {}
 
   // How much of the light of a ray may be judged wrongly: 1, all of it.
   float changeOn(const RayRow& rays, int ray) const {
-    const float inBlocks = 1.0f / float(bricks_.edge);
+    const float inBlocks = 1.0f / float(blockRanges_.edge);
     const glm::vec3 move = glm::vec3(rays.moveX[ray], rays.moveY[ray], rays.moveZ[ray]) * inBlocks;
     glm::vec3 at = glm::vec3(rays.startX[ray], rays.startY[ray], rays.startZ[ray]) * inBlocks + 0.5f * move;
-    const glm::vec3 last(bricks_.count - 1);
+    const glm::vec3 last(blockRanges_.count - 1);
     float change = 0, light = 1;
     for (int n = 0; n < rays.steps[ray] && light > 1.0f / 256; ++n, at += move) {
       const glm::ivec3 block(glm::clamp(at, glm::vec3(0), last));
-      const std::size_t b = (std::size_t(block.z) * bricks_.count.y + block.y) * bricks_.count.x + block.x;
-      const Way& way = ways_[bricks_.lowest[b] * bricks_.levels.size() + bricks_.highest[b]];
+      const std::size_t b =
+          (std::size_t(block.z) * blockRanges_.count.y + block.y) * blockRanges_.count.x + block.x;
+      const Way& way = ways_[blockRanges_.lowest[b] * blockRanges_.levels.size() + blockRanges_.highest[b]];
       change += light * way.change;
       light *= way.through;
     }
@@ -104,7 +106,7 @@ class BlockWalk {
   }
 
  private:
-  const BrickRanges& bricks_;
+  const BlockRanges& blockRanges_;
   std::vector<Way> ways_;
 };
 
@@ -113,17 +115,17 @@ class BlockWalk {
 std::vector<float> changeOfTiles(const Plan& plan, const VolumeFacts& facts, glm::ivec2 size,
                                  glm::ivec2 grid) {
   std::vector<float> changes(std::size_t(grid.x) * grid.y, 1.0f);
-  if (!facts.bricks) return changes;
+  if (!facts.blockRanges) return changes;
   const Camera& camera = *plan.scene.camera;
   const glm::dvec3 spacing = facts.geometry.spacing();
   const double heightMm = camera.projection == Projection::parallel
                               ? camera.height
                               : 2 * camera.distance * std::tan(glm::radians(camera.fov) / 2);
-  const double blocks = heightMm / (facts.bricks->edge * std::min({spacing.x, spacing.y, spacing.z}));
+  const double blocks = heightMm / (facts.blockRanges->edge * std::min({spacing.x, spacing.y, spacing.z}));
   const int rows = int(std::clamp(blocks, 1.0 * grid.y, 2.0 * size.y));
   const double scale = double(size.y) / rows;  // pixels from ray to ray
   const glm::ivec2 count(int(std::ceil(size.x / scale)), rows);
-  const RaySetup setup(plan.scene, facts.geometry, count, facts.bricks->edge, plan.clip);
+  const RaySetup setup(plan.scene, facts.geometry, count, facts.blockRanges->edge, plan.clip);
   const BlockWalk walk(plan, facts);
   std::vector<float> ofRays(std::size_t(count.x) * count.y);
   parallelFor(count.y, plan.options.threads, [&](std::int64_t begin, std::int64_t end) {

@@ -2,12 +2,12 @@
 
 #include <new>
 
-#include "viewer/render/methods/blend_gl.h"
-#include "viewer/render/methods/cast_gl.h"
-#include "viewer/render/methods/planes.h"
-#include "viewer/render/methods/preshaded.h"
+#include "viewer/methods/blend_gl.h"
+#include "viewer/methods/cast_gl.h"
+#include "viewer/methods/planes.h"
+#include "viewer/methods/preshaded.h"
+#include "viewer/reference/reference.h"
 #include "viewer/render/pilot.h"
-#include "viewer/render/reference.h"
 #include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
 
@@ -59,7 +59,8 @@ Error notEnoughMemory(const Plan& plan, const Volume& volume) {
 
 }  // namespace
 
-Result<Plan> settled(const Plan& plan, RenderCaches& caches, RenderStats& stats, const CancelToken& cancel) {
+Result<Plan> completedPlan(const Plan& plan, RenderCaches& caches, RenderStats& stats,
+                           const CancelToken& cancel) {
   if (!plan.pilotSteps) return plan;
   if (Status s = checkSize(plan, *caches.volume()); !s) return s.error();
   const double begin = wallMs(), gradientsBefore = stats.gradientsMs;
@@ -77,7 +78,7 @@ Result<Plan> settled(const Plan& plan, RenderCaches& caches, RenderStats& stats,
 Result<Rendered> render(const Plan& asked, RenderCaches& caches, const CancelToken& cancel) {
   const double begin = wallMs();
   RenderStats pilot;
-  auto plan = settled(asked, caches, pilot, cancel);
+  auto plan = completedPlan(asked, caches, pilot, cancel);
   if (!plan) return plan.error();
   Result<Rendered> done = Error{};
   try {

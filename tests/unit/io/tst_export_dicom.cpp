@@ -9,7 +9,7 @@
 #include "io/export/dicom_series.h"
 #include "tests/fixtures/head_facts.h"
 #include "tests/unit/suite.h"
-#include "viewer/volume/phantoms.h"
+#include "viewer/phantoms/phantoms.h"
 
 using namespace volumen;
 

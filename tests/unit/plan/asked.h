@@ -16,7 +16,7 @@ inline VolumeFacts inventedFacts() {
   f.range = {-1000, 1000};
   f.p01 = -1000;
   f.p999 = 900;
-  f.bricks = std::make_shared<const BrickRanges>(bricksOf(4, {2, 1, 1}, {-1000, 0}, {-900, 1000}));
+  f.blockRanges = std::make_shared<const BlockRanges>(blockRangesOf(4, {2, 1, 1}, {-1000, 0}, {-900, 1000}));
   return f;
 }
 

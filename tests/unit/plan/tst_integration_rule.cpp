@@ -11,7 +11,7 @@ namespace {
 // at most 1.1 as bright as white.
 void evenMatter(Asked& a) {
   a.scene.transferFunction.points = {{-1000, {}, 0}, {1000, {}, 0.01}};
-  a.facts.slopes.assign(256, 900);
+  a.facts.gradientBounds.assign(256, 900);
 }
 
 }  // namespace
@@ -109,18 +109,18 @@ void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
       "slope times that of the values is at most 0.05 a voxel",
       [](Asked& a) {
         evenMatter(a);
-        a.facts.slopes.assign(256, 9000);
+        a.facts.gradientBounds.assign(256, 9000);
       });
   row("four hundred times as much changes", "integration",
       "on   integration: plain steps of 0.1875 voxel: a voxel adds at most 0.011 to a ray, and the curve's "
       "slope times that of the values is at most 2 a voxel",
       [](Asked& a) {
         evenMatter(a);
-        a.facts.slopes.assign(256, 360000);
+        a.facts.gradientBounds.assign(256, 360000);
       });
   row("too much changes", "integration", standard, [](Asked& a) {
     evenMatter(a);
-    a.facts.slopes.assign(256, 900000);
+    a.facts.gradientBounds.assign(256, 900000);
   });
   row("light turns over within a voxel", "integration", standard, [](Asked& a) {
     evenMatter(a);
@@ -167,7 +167,7 @@ void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
   });
   row("nothing is known of the values", "integration", standard, [](Asked& a) {
     evenMatter(a);
-    a.facts.slopes.clear();
+    a.facts.gradientBounds.clear();
   });
 }
 
@@ -205,14 +205,14 @@ void TestIntegrationRule::stepsAreLeftOpenWhereTheyMayPay_data() {
       [](Asked& a) { a.scene.transferFunction.points[1].opacity = 0.25; });
   row("it may not", "0.062 0.56", [](Asked& a) { a.scene.transferFunction.points[1].opacity = 0.2; });
   row("long voxels hide more", "", [](Asked& a) { a.facts.geometry.patientFromVoxelStep[1][1] = 3; });
-  row("nothing is known of the values", "", [](Asked& a) { a.facts.slopes.clear(); });
+  row("nothing is known of the values", "", [](Asked& a) { a.facts.gradientBounds.clear(); });
   row("where little is visible they take longer than going cell by cell", "", [](Asked& a) {
     constexpr int blocks = 4096;
     std::vector<float> high(blocks, -900);
     high.back() = 1000;
     a.facts.geometry.size.x = blocks * 4;
-    a.facts.bricks = std::make_shared<const BrickRanges>(
-        bricksOf(4, {blocks, 1, 1}, std::vector<float>(blocks, -1000), high));
+    a.facts.blockRanges = std::make_shared<const BlockRanges>(
+        blockRangesOf(4, {blocks, 1, 1}, std::vector<float>(blocks, -1000), high));
   });
 }
 
@@ -221,7 +221,7 @@ void TestIntegrationRule::stepsAreLeftOpenWhereTheyMayPay() {
   QFETCH(QString, expected);
   Asked asked;
   asked.scene.transferFunction.points = {{150, {}, 0}, {400, {}, 0.1}};
-  asked.facts.slopes.assign(256, 900000);
+  asked.facts.gradientBounds.assign(256, 900000);
   change(asked);
   const Plan plan = *makePlan(asked.scene, asked.facts, asked.options);
   const auto& steps = plan.pilotSteps;

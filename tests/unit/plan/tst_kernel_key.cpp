@@ -93,8 +93,8 @@ void TestKernelKey::explainSaysWhatTheKernelDoes_data() {
       "on   gradient fetch: where opacity counts: few samples have any", [](Asked& a) {
         a.options.step = 1;
         a.options.precision = 32;
-        a.facts.bricks = std::make_shared<const BrickRanges>(
-            bricksOf(4, {4, 1, 1}, {-1000, -1000, -1000, 0}, {-900, -900, -900, 1000}));
+        a.facts.blockRanges = std::make_shared<const BlockRanges>(
+            blockRangesOf(4, {4, 1, 1}, {-1000, -1000, -1000, 0}, {-900, -900, -900, 1000}));
       });
   row("few visible samples of 32 bits in full", "gradient fetch",
       "on   gradient fetch: with every density: most samples are looked at", [](Asked& a) {

@@ -71,7 +71,7 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   row("visible air is not", "empty blocks", "off  empty blocks: every block holds a visible value",
       [](Asked& a) { a.scene.transferFunction.points[0].opacity = 0.1; });
   row("unknown blocks are not", "empty blocks", "off  empty blocks: nothing is known of the blocks",
-      [](Asked& a) { a.facts.bricks = nullptr; });
+      [](Asked& a) { a.facts.blockRanges = nullptr; });
   row("standard: a fifth of a unit may be behind", "early stop",
       "on   early stop: a ray ends where less than 1/1275 of the light behind comes through",
       [](Asked& a) { a.scene.shading.specular = 0; });
@@ -131,7 +131,7 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       [](Asked& a) {
         a.options.precision = 8;
         a.facts.range = {-27.5, 100};
-        a.facts.slope = -0.5;
+        a.facts.rescaleSlope = -0.5;
       });
   row("bytes of floats, unlit", "precision",
       "on   precision: 8 bits, as asked: values rounded to 1/255 of their range", [](Asked& a) {
@@ -151,7 +151,7 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.facts.integers = false; });
   row("a negative slope in 32 bits", "precision",
       "on   precision: 32 bits: 16-bit integers with a positive slope do not hold the values",
-      [](Asked& a) { a.facts.slope = -1; });
+      [](Asked& a) { a.facts.rescaleSlope = -1; });
   row("slices pass over air too", "empty blocks",
       "on   empty blocks: 50 % of the blocks hold no visible value",
       [](Asked& a) { a.options.method = Method::blend; });
@@ -176,7 +176,7 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   row("a maximum of unknown blocks", "empty blocks", "off  empty blocks: nothing is known of the blocks",
       [](Asked& a) {
         a.scene.mode = Mode::mip;
-        a.facts.bricks.reset();
+        a.facts.blockRanges.reset();
       });
   row("a maximum in full", "empty blocks", "off  empty blocks: asked for in full", [](Asked& a) {
     a.scene.mode = Mode::mip;

@@ -16,8 +16,8 @@ constexpr double never = std::numeric_limits<double>::infinity();
 VolumeFacts someFacts() {
   VolumeFacts facts;
   facts.range = {0, 256};
-  facts.slopes.assign(256, 2.0f);
-  std::fill(facts.slopes.begin() + 128, facts.slopes.end(), 10.0f);
+  facts.gradientBounds.assign(256, 2.0f);
+  std::fill(facts.gradientBounds.begin() + 128, facts.gradientBounds.end(), 10.0f);
   return facts;
 }
 

@@ -15,7 +15,7 @@ TransferFunction risingFrom(float foot) {
   return curve;
 }
 
-BrickRanges oneBlock(float low, float high) { return bricksOf(4, {1, 1, 1}, {low}, {high}); }
+BlockRanges oneBlock(float low, float high) { return blockRangesOf(4, {1, 1, 1}, {low}, {high}); }
 
 }  // namespace
 
@@ -69,9 +69,10 @@ void TestVisibility::ofManyBlocksEachCounts() {
     high.push_back(float(n % 7 + n % 11 * 10));
     expected.push_back(n % 7 + n % 11 * 10 > 50);
   }
-  const BrickRanges bricks = bricksOf(4, {count, 1, 1}, low, high);
-  QCOMPARE(visibleBlocks(risingFrom(50.5f), bricks), expected);
-  QCOMPARE(visibleBlockCount(risingFrom(50.5f), bricks), std::count(expected.begin(), expected.end(), 1));
+  const BlockRanges blockRanges = blockRangesOf(4, {count, 1, 1}, low, high);
+  QCOMPARE(visibleBlocks(risingFrom(50.5f), blockRanges), expected);
+  QCOMPARE(visibleBlockCount(risingFrom(50.5f), blockRanges),
+           std::count(expected.begin(), expected.end(), 1));
 }
 
 // Among bounds of any size: those that reach into one of two spans of visible values, and no others but
@@ -82,7 +83,7 @@ void TestVisibility::spansAreMetFromBothSides() {
   std::vector<float> low, high;
   for (int a = 0; a < 500; a += 10)
     for (int b = a; b < 500; b += 10) low.push_back(float(a)), high.push_back(float(b));
-  const auto flags = visibleBlocks(curve, bricksOf(4, {int(low.size()), 1, 1}, low, high));
+  const auto flags = visibleBlocks(curve, blockRangesOf(4, {int(low.size()), 1, 1}, low, high));
   for (std::size_t n = 0; n < low.size(); ++n) {
     const bool meets = (low[n] <= 200 && high[n] >= 100) || (low[n] <= 400 && high[n] >= 300);
     QVERIFY2(flags[n] == meets, qPrintable(QStringLiteral("%1 .. %2").arg(low[n]).arg(high[n])));
@@ -90,7 +91,7 @@ void TestVisibility::spansAreMetFromBothSides() {
 }
 
 void TestVisibility::whereThereAreNoBlocksNoneIsVisible() {
-  QCOMPARE(visibleBlockCount(risingFrom(100), bricksOf(4, {0, 1, 1}, {}, {})), std::int64_t(0));
+  QCOMPARE(visibleBlockCount(risingFrom(100), blockRangesOf(4, {0, 1, 1}, {}, {})), std::int64_t(0));
 }
 
 VOLUMEN_TEST(TestVisibility);

@@ -8,7 +8,7 @@
 #include "tests/fixtures/brute_force.h"
 #include "tests/fixtures/brute_matter.h"
 #include "tests/fixtures/small_volumes.h"
-#include "viewer/render/reference.h"
+#include "viewer/reference/reference.h"
 
 namespace volumen::tests {
 namespace {

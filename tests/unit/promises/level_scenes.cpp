@@ -6,9 +6,9 @@
 #include <map>
 
 #include "tests/fixtures/real_volume.h"
+#include "viewer/phantoms/phantoms.h"
 #include "viewer/scene/presets.h"
 #include "viewer/volume/histogram.h"
-#include "viewer/volume/phantoms.h"
 
 namespace volumen::tests {
 namespace {

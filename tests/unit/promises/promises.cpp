@@ -6,7 +6,7 @@
 
 #include "tests/fixtures/need_gl.h"
 #include "viewer/plan/rule_lines.h"
-#include "viewer/render/reference.h"
+#include "viewer/reference/reference.h"
 
 namespace volumen::tests {
 namespace {

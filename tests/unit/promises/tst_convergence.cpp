@@ -10,8 +10,8 @@
 #include "tests/unit/promises/convergence.h"
 #include "tests/unit/promises/promises.h"
 #include "tests/unit/suite.h"
+#include "viewer/phantoms/phantoms.h"
 #include "viewer/volume/gradients.h"
-#include "viewer/volume/phantoms.h"
 
 using namespace volumen;
 using namespace volumen::tests;

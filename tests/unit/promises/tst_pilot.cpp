@@ -7,7 +7,7 @@
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/promises/promises.h"
 #include "tests/unit/suite.h"
-#include "viewer/render/reference.h"
+#include "viewer/reference/reference.h"
 
 namespace {
 
@@ -274,7 +274,7 @@ void TestPilot::itMeetsNoCellsInTheSamePlaces() {
       scene.camera->direction = direction;
       const Plan plan = *makePlan(scene, caches.facts(), optionsOf(Quality::standard));
       RenderStats stats;
-      const Plan done = *settled(plan, caches, stats);
+      const Plan done = *completedPlan(plan, caches, stats);
       QVERIFY(done.pilot);
       for (int axis = 0; axis < 3; ++axis)
         for (double few : {1.0, 1 / 2.0, 1 / 3.0})
@@ -291,7 +291,7 @@ void TestPilot::itSaysTheWorstThatThePictureMayHave() {
     const Scene scene = sceneOf(opacity);
     const Plan plan = *makePlan(scene, caches.facts(), optionsOf(Quality::standard));
     RenderStats stats;
-    const Plan done = *settled(plan, caches, stats);
+    const Plan done = *completedPlan(plan, caches, stats);
     QVERIFY(done.pilot && stats.pilotMs > 0);
     RenderOptions plain = optionsOf(Quality::standard);
     plain.step = done.pilot->stepVoxels;
@@ -356,7 +356,7 @@ void TestPilot::itCanBeCancelled() {
   CancelToken cancel;
   cancel.cancel();
   RenderStats stats;
-  const auto done = settled(plan, caches, stats, cancel);
+  const auto done = completedPlan(plan, caches, stats, cancel);
   QVERIFY(!done);
   QCOMPARE(done.message(), std::string("cancelled"));
 }

@@ -10,7 +10,7 @@
 #include "tests/unit/promises/level_scenes.h"
 #include "tests/unit/promises/promises.h"
 #include "tests/unit/suite.h"
-#include "viewer/render/reference.h"
+#include "viewer/reference/reference.h"
 #include "viewer/scene/scene_json.h"
 
 using namespace volumen;

@@ -9,7 +9,7 @@
 #include "tests/unit/promises/promises.h"
 #include "tests/unit/promises/random_cases.h"
 #include "tests/unit/suite.h"
-#include "viewer/render/reference.h"
+#include "viewer/reference/reference.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -82,13 +82,12 @@ void TestRandomPilots::thePictureKeepsThePromise() {
     if (!exact) exact = render(planAt(Quality::exact), caches)->picture;
     const PictureError e = errorOf(done.picture, *exact, promise.most99, done.plan, *c.volume);
     const PilotFinding& told = *done.plan.pilot;
-    const QString words =
-        QStringLiteral("%1, plain steps of %2 voxel, %3; told: %4 dB, %5/255")
-            .arg(QLatin1String(promise.name))
-            .arg(told.stepVoxels)
-            .arg(inWords(e))
-            .arg(told.psnrDb)
-            .arg(told.percentile99);
+    const QString words = QStringLiteral("%1, plain steps of %2 voxel, %3; told: %4 dB, %5/255")
+                              .arg(QLatin1String(promise.name))
+                              .arg(told.stepVoxels)
+                              .arg(inWords(e))
+                              .arg(told.psnrDb)
+                              .arg(told.percentile99);
     if (figuresWanted()) std::fprintf(stderr, "%s: %s\n", QTest::currentDataTag(), qPrintable(words));
     QVERIFY2(promise.keptBy(e) && e.psnrDb >= told.psnrDb, qPrintable(words));
   }

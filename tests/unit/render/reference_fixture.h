@@ -6,7 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "tests/fixtures/small_volumes.h"
-#include "viewer/render/reference.h"
+#include "viewer/reference/reference.h"
 
 namespace volumen::tests {
 

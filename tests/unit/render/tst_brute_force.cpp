@@ -10,7 +10,7 @@
 #include "tests/unit/render/picture_cases.h"
 #include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"
-#include "viewer/render/reference.h"
+#include "viewer/reference/reference.h"
 
 using namespace volumen;
 using namespace volumen::tests;

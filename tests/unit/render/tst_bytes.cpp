@@ -8,11 +8,11 @@
 #include "tests/unit/render/method_cases.h"
 #include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"
-#include "viewer/render/reference.h"
+#include "viewer/phantoms/phantoms.h"
+#include "viewer/reference/reference.h"
 #include "viewer/render/render.h"
 #include "viewer/volume/bytes.h"
 #include "viewer/volume/histogram.h"
-#include "viewer/volume/phantoms.h"
 
 using namespace volumen;
 using namespace volumen::tests;

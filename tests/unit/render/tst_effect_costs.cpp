@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "tests/unit/suite.h"
+#include "viewer/phantoms/phantoms.h"
 #include "viewer/render/effect_costs.h"
-#include "viewer/volume/phantoms.h"
 
 using namespace volumen;
 

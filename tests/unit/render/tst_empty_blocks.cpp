@@ -6,7 +6,7 @@
 #include "tests/fixtures/cpu_targets.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
-#include "viewer/render/caches.h"
+#include "viewer/methods/caches.h"
 #include "viewer/render/render.h"
 
 using namespace volumen;
@@ -55,7 +55,7 @@ void TestEmptyBlocks::fullIsTheSamePicture() {
   QFETCH(glm::ivec3, size);
   QFETCH(int, edge);
   RenderCaches caches(specks(size));
-  QCOMPARE(caches.facts().bricks->edge, edge);
+  QCOMPARE(caches.facts().blockRanges->edge, edge);
   const glm::dvec3 directions[] = {{0, 1, 0}, {1, 0, 0}, {0.6, 0.7, -0.4}, {-0.2, -0.9, 0.5}};
   bool skips = false;
   for (const glm::dvec3& direction : directions)

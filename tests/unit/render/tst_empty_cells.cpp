@@ -2,8 +2,8 @@
 // those that take all, whatever a sample is lit by, on every CPU target and any number of threads.
 #include "tests/fixtures/cpu_targets.h"
 #include "tests/unit/suite.h"
+#include "viewer/phantoms/phantoms.h"
 #include "viewer/render/render.h"
-#include "viewer/volume/phantoms.h"
 
 using namespace volumen;
 using namespace volumen::tests;

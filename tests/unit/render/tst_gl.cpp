@@ -10,8 +10,8 @@
 #include "tests/unit/render/method_cases.h"
 #include "tests/unit/render/picture_cases.h"
 #include "tests/unit/suite.h"
+#include "viewer/phantoms/phantoms.h"
 #include "viewer/render/render.h"
-#include "viewer/volume/phantoms.h"
 
 using namespace volumen;
 using namespace volumen::tests;

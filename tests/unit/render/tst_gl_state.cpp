@@ -6,7 +6,7 @@
 #include "tests/fixtures/need_gl.h"
 #include "tests/unit/render/method_cases.h"
 #include "tests/unit/suite.h"
-#include "viewer/volume/phantoms.h"
+#include "viewer/phantoms/phantoms.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -8,8 +8,8 @@
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/render/method_cases.h"
 #include "tests/unit/suite.h"
-#include "viewer/render/rays.h"
-#include "viewer/render/reference.h"
+#include "viewer/kernels/ray_setup.h"
+#include "viewer/reference/reference.h"
 #include "viewer/render/render.h"
 
 using namespace volumen;

@@ -3,8 +3,8 @@
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"
-#include "viewer/render/caches.h"
-#include "viewer/render/reference.h"
+#include "viewer/methods/caches.h"
+#include "viewer/reference/reference.h"
 #include "viewer/render/render.h"
 
 namespace {
@@ -77,10 +77,7 @@ constexpr View views[] = {
        s.clip.boxLow.z = 0.43;
        s.clip.boxHigh.z = 0.431;
      }},
-    {"clipped away",
-     [](Scene& s) {
-       s.clip.boxLow.x = s.clip.boxHigh.x = 0.4;
-     }},
+    {"clipped away", [](Scene& s) { s.clip.boxLow.x = s.clip.boxHigh.x = 0.4; }},
     {"along the volume's second axis",
      [](Scene& s) {
        s.camera->direction = {0.1, 1, 0};
@@ -177,7 +174,8 @@ void TestProjection::levelsAreExact_data() {
   row("unsigned noise", stored<std::uint16_t>(noisyBall(100)));
   row("a slope below 0", stored<std::int16_t>(noisyBall(1), -2, 100));
   row("bytes", stored<std::uint8_t>(noisyBall(0.4)));
-  row("left-handed", volumeOf<std::int16_t>({23, 37, 19}, {{-1, 0.3, 0}, {0, 1, 0.4}, {0.2, 0, 1}}, noisyBall(1)));
+  row("left-handed",
+      volumeOf<std::int16_t>({23, 37, 19}, {{-1, 0.3, 0}, {0, 1, 0.4}, {0.2, 0, 1}}, noisyBall(1)));
   row("one voxel along i", stored<std::int16_t>(noisyBall(1), 1, 0, {1, 37, 29}));
   row("one voxel along j", stored<float>(noisyBall(1), 1, 0, {43, 1, 29}));
   row("one voxel along k", stored<std::int16_t>(noisyBall(1), 1, 0, {43, 37, 1}));
@@ -206,10 +204,10 @@ void TestProjection::levelsAreExact() {
         const Rendered done = *render(*makePlan(scene, caches.facts(), options), caches);
         if (!truth) truth = *renderReference(done.plan.scene, *volume, options.size);
         const double off = compare(done.picture, *truth).maximum;
-        QVERIFY2(off <= 0.05 / 8, qPrintable(QStringLiteral("%1, mode %2: %3/255")
-                                                 .arg(QLatin1String(view.name))
-                                                 .arg(int(mode))
-                                                 .arg(off)));
+        QVERIFY2(
+            off <= 0.05 / 8,
+            qPrintable(
+                QStringLiteral("%1, mode %2: %3/255").arg(QLatin1String(view.name)).arg(int(mode)).arg(off)));
       }
     }
 }
@@ -226,8 +224,9 @@ void TestProjection::randomScenesAreExact() {
       const Scene& scene = done.plan.scene;
       const PictureError e = compare(done.picture, *renderReference(scene, *random.volume, options.size),
                                      *wellConditioned(scene, *random.volume, options.size));
-      QVERIFY2(e.maximum <= 0.05,
-               qPrintable(QStringLiteral("seed %1, mode %2: %3/255").arg(seed).arg(int(mode)).arg(e.maximum)));
+      QVERIFY2(
+          e.maximum <= 0.05,
+          qPrintable(QStringLiteral("seed %1, mode %2: %3/255").arg(seed).arg(int(mode)).arg(e.maximum)));
       options.full = true;
       QVERIFY(render(*makePlan(random.scene, caches.facts(), options), caches)->picture == done.picture);
     }

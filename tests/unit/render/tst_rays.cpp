@@ -5,8 +5,8 @@
 #include "tests/fixtures/cpu_targets.h"
 #include "tests/unit/render/reference_fixture.h"
 #include "tests/unit/suite.h"
-#include "viewer/render/rays.h"
-#include "viewer/render/reference_ray.h"
+#include "viewer/kernels/ray_setup.h"
+#include "viewer/reference/ray.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -6,8 +6,8 @@
 
 #include "tests/fixtures/cpu_targets.h"
 #include "tests/unit/suite.h"
-#include "viewer/render/caches.h"
-#include "viewer/volume/phantoms.h"
+#include "viewer/methods/caches.h"
+#include "viewer/phantoms/phantoms.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -8,8 +8,8 @@
 #include "tests/fixtures/cpu_targets.h"
 #include "tests/fixtures/picture_words.h"
 #include "tests/unit/suite.h"
+#include "viewer/phantoms/phantoms.h"
 #include "viewer/render/render.h"
-#include "viewer/volume/phantoms.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -5,7 +5,7 @@
 #include "tests/fixtures/picture_words.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
-#include "viewer/render/caches.h"
+#include "viewer/methods/caches.h"
 #include "viewer/render/render.h"
 
 namespace {

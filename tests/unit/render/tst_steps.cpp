@@ -11,7 +11,7 @@
 #include "tests/unit/render/picture_cases.h"
 #include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"
-#include "viewer/render/reference.h"
+#include "viewer/reference/reference.h"
 #include "viewer/render/render.h"
 #include "viewer/scene/presets.h"
 

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "tests/unit/suite.h"
-#include "viewer/render/visible_cells.h"
+#include "viewer/acceleration/visible_cells.h"
 #include "viewer/scene/scene.h"
 #include "viewer/volume/parallel.h"
 

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+
+#include "viewer/plan/facts.h"
+#include "viewer/tables/curve_table.h"
+#include "viewer/volume/buffer.h"
+#include "viewer/volume/bytes.h"
+#include "viewer/volume/gradients.h"
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// Densities in 16 bits as the kernels read them: the volume's own samples where they serve, else a copy.
+struct Density16 {
+  const std::int16_t* data = nullptr;
+  std::uint32_t flip = 0;  ///< TraceFrame::flip16
+  DensityScale scale;
+  Buffer<std::int16_t> copy;
+};
+
+/// Densities as floats: real values in their units (FloatUnits).
+struct Density32 {
+  const float* data = nullptr;
+  DensityScale scale;
+  Buffer<float> copy;
+};
+
+/// A volume as pictures read it: its facts, its densities and gradients in each precision, made when first
+/// asked for and kept (of gradients, those by the last operator). Not for use from two threads at once.
+class StoredVoxels {
+ public:
+  explicit StoredVoxels(VolumePtr volume) : volume_(std::move(volume)) {}
+
+  const VolumePtr& volume() const { return volume_; }
+  const VolumeFacts& facts();
+  const Density16& densities16();  ///< only for integers with a positive slope
+  const Density32& densities32();
+  const Density8& densitiesIn8();
+  const Gradients16& gradientsIn16(GradientOperator by);
+  const Gradients32& gradientsIn32(GradientOperator by);
+  const Voxels8& voxelsIn8(GradientOperator by);
+
+ private:
+  template <class Gradients>
+  struct ByOperator {
+    GradientOperator by;
+    Gradients gradients;
+  };
+
+  VolumePtr volume_;
+  std::optional<VolumeFacts> facts_;
+  std::optional<Density16> density16_;
+  std::optional<Density32> density32_;
+  std::optional<Density8> density8_;
+  std::optional<ByOperator<Gradients16>> gradients16_;
+  std::optional<ByOperator<Gradients32>> gradients32_;
+  std::optional<ByOperator<Voxels8>> voxels8_;
+};
+
+}  // namespace volumen

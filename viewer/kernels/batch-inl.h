@@ -1,0 +1,239 @@
+// The composite kernel of plain steps that looks only at samples whose cells can show anything, compiled once
+// a CPU target.
+#if defined(VOLUMEN_KERNELS_BATCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_KERNELS_BATCH_INL_H_
+#undef VOLUMEN_KERNELS_BATCH_INL_H_
+#else
+#define VOLUMEN_KERNELS_BATCH_INL_H_
+#endif
+
+#include <utility>
+
+#include "viewer/kernels/cells-inl.h"
+#include "viewer/kernels/sample_arrays-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+/// Samples in visible cells, of some packets, side by side whichever rays they belong to: density and
+/// gradient together; of those that can be seen opacities and light; then over one another, each on its ray.
+/// While one batch is worked on the memory of the next is on its way. Every sample is computed as DenseTracer
+/// does, and added to its ray in the same order, so both give the same bytes.
+template <class Store, bool kIsLit, bool kGradientOpacity>
+class BatchTracer {
+  using Material = ClassifyAndLight<kIsLit, kGradientOpacity>;
+
+ public:
+  static constexpr int kSlab = 16;  ///< steps that all packets take before any goes on
+  static constexpr bool kCells = true;
+  static constexpr bool kPrefetches = false;
+  static constexpr bool kBlends = false;
+
+  /// Adds to `out`, which must be 0.
+  BatchTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
+              TraceCounts& counts)
+      : f_(f),
+        grid_(f, Material::kGradients ? f.gradientRow : f.densityRow),
+        rays_(rays),
+        matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
+        out_(out),
+        counts_(counts) {}
+
+  /// Takes the packet at ray `first`, which is open, through the steps that `bits` names, step + n by bit n.
+  HWY_INLINE void Advance(const EmptySpaceSkipper& skipper, int first, int step, std::uint64_t bits) {
+    if (!bits) return;
+    const Packet p = LoadPacket(f_, rays_, first);
+    const MF open = hn::Le(hn::LoadU(DF(), out_.alpha + first), Set(1 - f_.stopTransmittance));
+    const Windows windows(*f_.cells, skipper, step);
+    if (GoOn(p, open, step, kSlab))
+      Place<true>(p, open, windows, first, step, bits);
+    else
+      Place<false>(p, open, windows, first, step, bits);
+    if (next_->size < kFull) return;
+    Locate(*next_);
+    std::swap(next_, batch_);
+    Draw(*next_);
+  }
+  void BeginSlab() {}
+  void EndSlab() {
+    Locate(*next_);
+    Draw(*batch_);
+    Draw(*next_);
+  }
+  void Finish() {}
+
+ private:
+  static constexpr int kFull = 8 * kLanes;
+  using Windows = CellWindows<kSlab>;
+
+  static constexpr bool kRays = Material::kLit;  ///< light may ask which ray a sample is of
+
+  static constexpr int kMost = kFull + (kSlab + 1) * kLanes, kMostSteps = kFull + kSlab;
+  /// Samples, and the steps of packets that they are of.
+  struct Batch : SampleArrays<kMost> {
+    HWY_ALIGN std::int32_t ray[kRays ? kMost : 1];
+    struct Step {
+      int first;           ///< ray of the packet
+      std::uint32_t rays;  ///< which of its rays have a sample here
+    };
+    Step steps[kMostSteps];
+    int stepCount = 0;
+    int noted = 0;                           ///< samples before those that cannot be seen are left out
+    std::uint32_t seen[kMost / kLanes + 1];  ///< which of those noted can be seen, a vector an entry
+
+    /// Fills the last vector with samples of length 0.
+    HWY_INLINE void Pad() {
+      const int end = this->size;
+      for (float* values : {this->x, this->y, this->z, this->unitDistances})
+        hn::StoreU(hn::Zero(DF()), DF(), values + end);
+      if constexpr (kRays) hn::StoreU(hn::Zero(DI()), DI(), ray + end);
+    }
+
+    /// Which of those noted can be seen, from the n-th on in the lowest bits; as many as a vector has.
+    HWY_INLINE std::uint32_t SeenFrom(int n) const {
+      const std::uint64_t next = seen[n / kLanes + 1];
+      return std::uint32_t((seen[n / kLanes] | next << kLanes) >> n % kLanes);
+    }
+  };
+
+  /// Notes the packet's samples in visible cells. `kGoOn`: open rays do (GoOn).
+  template <bool kGoOn>
+  HWY_INLINE void Place(const Packet& p, MF open, const Windows& windows, int first, int step,
+                        std::uint64_t bits) {
+    const auto placeAt = [&](VF n) {
+      if constexpr (kGoOn)
+        return PositionBefore(p, n);
+      else
+        return Position(p, n, IsLast(p, n));
+    };
+    auto& s = *next_;
+    // All steps are asked before any is noted, so that none waits for what the one before has found.
+    std::uint32_t masks[kSlab];
+    std::uint64_t visible = 0;
+    for (; bits; bits &= bits - 1) {
+      const int k = int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+      const VF n = SampleAt(p, step + k);
+      const V3 place = placeAt(n);
+      const MF there = kGoOn ? open : hn::And(open, HasSample(p, n));
+      masks[k] = BitsOf(windows.fits(k) ? windows.IsVisible(k, there, place)
+                                        : InVisibleCell(*f_.cells, there, grid_.Clamped(place)));
+      visible |= std::uint64_t(masks[k] != 0) << k;
+    }
+    for (; visible; visible &= visible - 1) {
+      const int k = int(hwy::Num0BitsBelowLS1Bit_Nonzero64(visible));
+      const VF n = SampleAt(p, step + k);
+      const MF has = MaskOf(masks[k]);
+      s.steps[s.stepCount++] = {first, masks[k]};
+      const VF unitDistances =
+          kGoOn ? p.unitDistances : hn::IfThenElse(IsLast(p, n), p.lastUnitDistances, p.unitDistances);
+      Append(unitDistances, has, s.unitDistances + s.size);
+      AppendPlaces(placeAt(n), has, s, s.size);
+      if constexpr (kRays) Append(hn::Iota(DI(), first), has, s.ray + s.size);
+      s.size += int(hwy::PopCount(masks[k]));
+    }
+  }
+
+  /// Finds the samples' cells, and asks for their voxels.
+  HWY_INLINE void Locate(Batch& s) {
+    s.noted = s.size;
+    s.Pad();
+    const DF df;
+    for (int n = 0; n < s.size; n += kLanes) {
+      const Cell c = grid_.CellAt(grid_.Clamped(PlaceOf(s, n)));
+      hn::Store(c.index, DI(), s.index + n);
+      hn::Store(c.fx, df, s.x + n);
+      hn::Store(c.fy, df, s.y + n);
+      hn::Store(c.fz, df, s.z + n);
+      // The cells between are their neighbours, mostly in the same lines of the cache.
+      Store::template Prefetch<Material::kGradients>(grid_, s.index + n, kLanes, 4);
+    }
+  }
+
+  HWY_INLINE void Draw(Batch& s) {
+    if (s.noted == 0) return;
+    counts_.resampled += s.noted;
+    Resample(s);
+    Classify(matter_, s);
+    // One batch in 32 is timed; they stand for all.
+    const std::int64_t begin = timed_++ % 32 == 0 ? Ticks() : 0;
+    Light(matter_, s, [&](int n) {
+      if constexpr (kRays)
+        return hn::Load(DI(), s.ray + n);
+      else
+        return hn::Zero(DI());
+    });
+    Composite(s);
+    if (begin) counts_.shadeTicks += 32 * (Ticks() - begin);
+    s.size = s.noted = s.stepCount = 0;
+  }
+
+  /// Densities and gradients; keeps the samples that can be seen.
+  HWY_INLINE void Resample(Batch& s) {
+    const DF df;
+    int kept = 0;
+    for (int n = 0; n < s.noted; n += kLanes) {
+      const V3 place = PlaceOf(s, n);
+      const Cell c{hn::Load(DI(), s.index + n), place.x, place.y, place.z};
+      Sample x;
+      if constexpr (Material::kGradients)
+        x = Store::DensityAndGradient(grid_, c);
+      else
+        x = {Store::Density(grid_, c), Zero3()};
+      const VF unitDistances = hn::Load(df, s.unitDistances + n);
+      const MF seen = hn::And(hn::Gt(unitDistances, hn::Zero(df)), matter_.CanBeSeen(x.density));
+      s.seen[n / kLanes] = BitsOf(seen);
+      Append(unitDistances, seen, s.unitDistances + kept);
+      Append(x.density, seen, s.density + kept);
+      if constexpr (Material::kGradients) AppendPlaces(x.gradient, seen, s, kept);
+      if constexpr (kRays) Append(hn::Load(DI(), s.ray + n), seen, s.ray + kept);
+      kept += int(hwy::PopCount(s.seen[n / kLanes]));
+    }
+    s.size = kept;
+    hn::StoreU(hn::Zero(df), df, s.unitDistances + kept);
+  }
+
+  /// Front to back (paper 3.1).
+  HWY_INLINE void Composite(Batch& s) {
+    const DF df;
+    const VF opaque = Set(1 - f_.stopTransmittance);
+    int at = 0, noted = 0;
+    for (int k = 0; k < s.stepCount;) {
+      const int first = s.steps[k].first;
+      VF red = hn::LoadU(df, out_.red + first), green = hn::LoadU(df, out_.green + first),
+         blue = hn::LoadU(df, out_.blue + first), alpha = hn::LoadU(df, out_.alpha + first);
+      for (; k < s.stepCount && s.steps[k].first == first; ++k) {
+        const std::uint32_t rays = s.steps[k].rays, seen = Deposited(s.SeenFrom(noted), rays);
+        noted += int(hwy::PopCount(rays));
+        if (!seen) continue;
+        const MF has = MaskOf(seen);
+        const auto expanded = [&](const float* v) { return Expanded(hn::LoadU(df, v + at), has); };
+        const VF opacity = hn::IfThenElseZero(hn::Le(alpha, opaque), expanded(s.unitDistances));
+        const VF weight = hn::Mul(hn::Sub(Set(1), alpha), opacity);
+        red = hn::Add(red, hn::Mul(expanded(s.x), weight));
+        green = hn::Add(green, hn::Mul(expanded(s.y), weight));
+        blue = hn::Add(blue, hn::Mul(expanded(s.z), weight));
+        alpha = hn::Add(alpha, weight);
+        counts_.composited += std::int64_t(hn::CountTrue(df, hn::Gt(weight, hn::Zero(df))));
+        at += int(hwy::PopCount(seen));
+      }
+      hn::StoreU(red, df, out_.red + first);
+      hn::StoreU(green, df, out_.green + first);
+      hn::StoreU(blue, df, out_.blue + first);
+      hn::StoreU(alpha, df, out_.alpha + first);
+    }
+  }
+
+  const TraceFrame& f_;
+  const Grid grid_;
+  const RayRow& rays_;
+  Material matter_;
+  const TraceRow& out_;
+  TraceCounts& counts_;
+  Batch batches_[2];
+  Batch *batch_ = &batches_[0], *next_ = &batches_[1];
+  unsigned timed_ = 0;
+};
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // per-target include guard

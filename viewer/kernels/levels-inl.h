@@ -1,0 +1,264 @@
+// The composite kernel of the levels: rays go from cell to cell, compiled once a CPU target.
+#if defined(VOLUMEN_KERNELS_LEVELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_KERNELS_LEVELS_INL_H_
+#undef VOLUMEN_KERNELS_LEVELS_INL_H_
+#else
+#define VOLUMEN_KERNELS_LEVELS_INL_H_
+#endif
+
+#include <algorithm>
+#include <type_traits>
+#include <vector>
+
+#include "viewer/kernels/compact-inl.h"
+#include "viewer/kernels/integrate-inl.h"
+#include "viewer/kernels/walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace volumen::HWY_NAMESPACE {
+
+/// Passages of rays through cells, front to back on each ray.
+template <int kCapacity>
+struct Passages {
+  HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity];                    ///< middle
+  HWY_ALIGN float steps[kCapacity];                                            ///< length
+  HWY_ALIGN float c0[kCapacity], c1[kCapacity], c2[kCapacity], c3[kCapacity];  ///< density (Cubic)
+  HWY_ALIGN std::int32_t ray[kCapacity];
+  int size = 0;
+
+  /// Makes what stands in the last vector behind the last passage harmless: places inside the volume.
+  HWY_INLINE void Pad() {
+    for (float* values : {x, y, z, steps}) hn::StoreU(hn::Zero(DF()), DF(), values + size);
+    hn::StoreU(hn::Zero(DI()), DI(), ray + size);
+  }
+};
+
+/// In passes over the passages of many packets: those through visible cells; their densities, of which are
+/// kept those that can be seen; then in waves, the first of each ray, the second of each and so on, so that
+/// the light that reaches a passage is known and nothing behind opaque ones is looked at.
+template <class Store, bool kIsLit, bool kGradientOpacity>
+class LevelTracer {
+  using Material = ClassifyAndLight<kIsLit, kGradientOpacity>;
+
+ public:
+  static constexpr int kSlab = 4;  ///< steps; in longer slabs more is looked at that the same slab hides
+  static constexpr bool kCells = true;
+  static constexpr bool kBlends = false;
+  static constexpr bool kPrefetches = false;
+
+  /// Adds to `out`, which must be 0.
+  LevelTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
+              TraceCounts& counts)
+      : f_(f),
+        grid_(f, f.densityRow),
+        gradientGrid_(f, f.gradientRow),
+        rays_(rays),
+        matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
+        integrator_(f, matter_),
+        out_(out),
+        counts_(counts),
+        met_(rays.steps.size()),
+        sums_(4 * rays.steps.size() + 4) {}
+
+  /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
+  /// n by bit n.
+  HWY_INLINE void Advance(const EmptySpaceSkipper&, int first, int step, std::uint64_t bits) {
+    if (!bits) return;
+    const MF open = hn::Le(hn::LoadU(DF(), out_.alpha + first), Set(1 - f_.stopTransmittance));
+    const Packet p = LoadPacket(f_, rays_, first);
+    const VI ray = hn::Add(hn::Iota(DI(), 0), SetI(first));
+    auto& s = noted_;
+    OverRuns(step, bits, [&](int from, int to) {
+      WalkCells(f_, p, from, to, open, [&](MF seen, const V3& middle, VF length) {
+        AppendPlaces(middle, seen, s, s.size);
+        Append(length, seen, s.steps + s.size);
+        Append(ray, seen, s.ray + s.size);
+        s.size += int(hn::CountTrue(DF(), seen));
+      });
+    });
+    if (s.size > kNoted / 2) EndSlab();
+  }
+
+  void BeginSlab() {}
+
+  /// Draws all that was noted.
+  void EndSlab() {
+    if (noted_.size == 0) return;
+    KeepVisible();
+    const std::int64_t begin = Ticks();
+    SortInWaves();
+    for (std::size_t w = 0; w + 1 < waves_.size(); ++w) DrawWave(waves_[w], waves_[w + 1]);
+    noted_.size = 0;
+    counts_.shadeTicks += Ticks() - begin;
+  }
+
+  void Finish() {
+    for (std::size_t n = 0; 4 * n + 4 < sums_.size(); ++n) {
+      out_.red[n] = sums_[4 * n];
+      out_.green[n] = sums_[4 * n + 1];
+      out_.blue[n] = sums_[4 * n + 2];
+      if (out_.error) out_.error[n] = sums_[4 * n + 3];
+    }
+  }
+
+ private:
+  static constexpr int kNoted = 4096 + 64 * kLanes;
+  static constexpr int kUnitDistances = 4, kThrough = 5, kRay = 6, kGradient = 7,
+                       kFields = Material::kGradients ? kGradient + 12 : kGradient;
+
+  /// Sets the densities of what was noted and forgets what cannot be seen.
+  HWY_INLINE void KeepVisible() {
+    auto& s = noted_;
+    s.Pad();
+    counts_.resampled += s.size;
+    int kept = 0;
+    for (int n = 0; n < s.size; n += kLanes) kept += KeepVisible(n, kept);
+    s.size = kept;
+    s.Pad();
+  }
+
+  /// Of the passages from n on: moves those that can be seen to `kept`; how many.
+  HWY_INLINE int KeepVisible(int n, int kept) {
+    const DF df;
+    auto& s = noted_;
+    const VI ray = hn::Load(DI(), s.ray + n);
+    const VF steps = hn::Load(df, s.steps + n);
+    const V3 place = PlaceOf(s, n);
+    const Cubic c = DensityAlong<Store>(grid_, place, HalfOf(ray, steps));
+    const VF front = c.At(Set(-1)), back = c.At(Set(1)), bend = c.Bend();
+    const VF low = hn::Sub(hn::Min(c.c0, hn::Min(front, back)), bend),
+             high = hn::Add(hn::Max(c.c0, hn::Max(front, back)), bend);
+    const MF keep =
+        hn::AndNot(IsHiddenBetween(*f_.curve, low, high), hn::FirstN(df, std::size_t(s.size - n)));
+    if (hn::AllFalse(df, keep)) return 0;
+    AppendPlaces(place, keep, s, kept);
+    Append(steps, keep, s.steps + kept);
+    Append(c.c0, keep, s.c0 + kept);
+    Append(c.c1, keep, s.c1 + kept);
+    Append(c.c2, keep, s.c2 + kept);
+    Append(c.c3, keep, s.c3 + kept);
+    Append(ray, keep, s.ray + kept);
+    return int(hn::CountTrue(df, keep));
+  }
+
+  HWY_INLINE V3 HalfOf(VI ray, VF steps) const {
+    return Scale(MoveOf(rays_, ray), hn::Mul(steps, Set(0.5f)));
+  }
+
+  /// Fills order_ with the passages, the first of each ray before the second of each; waves_: where each wave
+  /// begins.
+  HWY_INLINE void SortInWaves() {
+    const auto& s = noted_;
+    waves_.assign(1, 0);
+    for (int n = 0; n < s.size; ++n) {
+      const int wave = met_[s.ray[n]]++;
+      ofWave_[n] = wave;
+      if (wave + 2 > int(waves_.size())) waves_.push_back(0);
+      ++waves_[wave + 1];
+    }
+    for (std::size_t w = 1; w < waves_.size(); ++w) waves_[w] += waves_[w - 1];
+    for (int n = 0; n < s.size; ++n) order_[waves_[ofWave_[n]]++] = n;
+    for (std::size_t w = waves_.size() - 1; w > 0; --w) waves_[w] = waves_[w - 1];
+    waves_[0] = 0;
+    for (int n = 0; n < s.size; ++n) met_[s.ray[n]] = 0;
+  }
+
+  /// Draws the passages order_[begin, end), each of another ray, of those rays that let light through.
+  HWY_INLINE void DrawWave(int begin, int end) {
+    const float opaque = 1 - f_.stopTransmittance;
+    int open = begin;
+    for (int n = begin; n < end; ++n) {
+      const int passage = order_[n];
+      order_[open] = passage;
+      open += out_.alpha[noted_.ray[passage]] <= opaque;
+    }
+    const int count = open - begin;
+    for (int n = 0; n < count; n += kLanes) Prepare(begin + n, n, std::min(kLanes, count - n));
+    const auto load = [&](int next, MF lanes) { return Load(next, lanes); };
+    const auto take = [&](VI ray, MF done, VF through, const PassageSum& sum) {
+      AddToRays(ray, BitsOf(done), through, sum);
+    };
+    integrator_.Integrate(count, load, take, counts_.composited);
+  }
+
+  /// Of the `count` passages from order_[first] on, no more than a vector: sets those of the wave from `at`
+  /// on.
+  HWY_INLINE void Prepare(int first, int at, int count) {
+    const DF df;
+    const DI di;
+    const auto& s = noted_;
+    const VI which = hn::IfThenElseZero(hn::FirstN(di, std::size_t(count)), hn::LoadU(di, order_ + first));
+    const auto of = [&](const float* values) { return hn::GatherIndex(df, values, which); };
+    const VI ray = hn::GatherIndex(di, s.ray, which);
+    const VF steps = of(s.steps);
+    const VF stepMm =
+        rays_.parallel ? Set(rays_.sharedStepMm) : hn::GatherIndex(df, rays_.stepMm.data(), ray);
+    const auto set = [&](int field, VF value) { hn::Store(value, df, wave_[field] + at); };
+    set(0, of(s.c0)), set(1, of(s.c1)), set(2, of(s.c2)), set(3, of(s.c3));
+    set(kUnitDistances, hn::Mul(hn::Mul(stepMm, Set(f_.inverseUnitMm)), steps));
+    set(kThrough, hn::Sub(Set(1), hn::GatherIndex(df, out_.alpha, ray)));
+    set(kRay, hn::BitCast(df, ray));
+    if constexpr (Material::kGradients) {
+      const CubicVector g =
+          GradientAlong<Store>(gradientGrid_, {of(s.x), of(s.y), of(s.z)}, HalfOf(ray, steps));
+      int field = kGradient;
+      for (const Cubic& c : {g.x, g.y, g.z}) {
+        set(field, c.c0), set(field + 1, c.c1), set(field + 2, c.c2), set(field + 3, c.c3);
+        field += 4;
+      }
+    }
+  }
+
+  /// The passages of the wave from `next` on, one in each of these lanes.
+  HWY_INLINE LoadedPassages Load(int next, MF lanes) const {
+    const auto of = [&](int field) { return Expanded(hn::LoadU(DF(), wave_[field] + next), lanes); };
+    const auto cubic = [&](int field) {
+      return Cubic{of(field), of(field + 1), of(field + 2), of(field + 3)};
+    };
+    LoadedPassages l;
+    l.r.density = cubic(0);
+    l.r.unitDistances = of(kUnitDistances);
+    l.r.ray = hn::BitCast(DI(), of(kRay));
+    l.through = of(kThrough);
+    if constexpr (Material::kGradients)
+      l.r.gradient = {cubic(kGradient), cubic(kGradient + 4), cubic(kGradient + 8)};
+    return l;
+  }
+
+  /// Of the lanes `which` (bits): `through`, the light that reached the passage.
+  HWY_INLINE void AddToRays(VI ray, std::uint32_t which, VF through, const PassageSum& sum) const {
+    HWY_ALIGN float parts[4 * kLanes], alpha[kLanes];
+    HWY_ALIGN std::int32_t rays[kLanes];
+    const V3 c = Scale(sum.colour, through);
+    hn::StoreInterleaved4(c.x, c.y, c.z, hn::Mul(sum.error, through), DF(), parts);
+    hn::Store(hn::Mul(sum.opacity, through), DF(), alpha);
+    hn::Store(ray, DI(), rays);
+    const hn::CappedTag<float, 4> d4;
+    for (; which; which &= which - 1) {
+      const int n = int(hwy::Num0BitsBelowLS1Bit_Nonzero32(which));
+      out_.alpha[rays[n]] += alpha[n];
+      for (int c4 = 0; c4 < 4; c4 += int(hn::MaxLanes(d4))) {
+        float* p = sums_.data() + 4 * rays[n] + c4;
+        hn::StoreU(hn::Add(hn::LoadU(d4, p), hn::Load(d4, parts + 4 * n + c4)), d4, p);
+      }
+    }
+  }
+
+  const TraceFrame& f_;
+  const Grid grid_, gradientGrid_;  ///< of densities; of gradients
+  const RayRow& rays_;
+  const Material matter_;
+  const PassageIntegrator<Material> integrator_;
+  const TraceRow& out_;
+  TraceCounts& counts_;
+  Passages<kNoted> noted_;
+  std::int32_t ofWave_[kNoted];
+  HWY_ALIGN std::int32_t order_[kNoted];
+  std::vector<std::int32_t> waves_, met_;  ///< met_: of each ray, passages counted so far
+  HWY_ALIGN float wave_[kFields][kNoted];  ///< passages of a wave; from 0 on their density (Cubic)
+  mutable std::vector<float> sums_;        ///< of each ray: red, green, blue, error
+};
+
+}  // namespace volumen::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // per-target include guard

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "viewer/plan/options.h"
+#include "viewer/tables/reflectance_map.h"
+
+namespace volumen {
+
+/// D' and S' of SCENE 5 at every node, in single precision: 2 x 2 nodes at least.
+ReflectanceMap makeReflectanceMap(const Lighting& lighting, int n, MapLookup lookup);
+
+}  // namespace volumen

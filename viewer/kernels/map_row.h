@@ -1,0 +1,19 @@
+#pragma once
+
+#include "viewer/tables/lighting.h"
+
+namespace volumen {
+
+/// A row of a reflectance map's face: node u lies in the direction whose component `axis` is `sign`, the next
+/// one (cyclic) sign * (2 u + 1 - n) / span, the one after sign * v.
+struct MapRow {
+  int axis = 0;
+  float sign = 1, v = 0, span = 1;
+  int n = 0;  ///< nodes
+};
+
+/// D' and S' of SCENE 5 at the nodes of a row: nodes as in ReflectanceMap.
+using MapRowKernel = void (*)(const Lighting&, const MapRow&, float* nodes);
+MapRowKernel chooseMapRowKernel();
+
+}  // namespace volumen

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "viewer/kernels/ray_kernel.h"
+#include "viewer/kernels/ray_row.h"
+#include "viewer/plan/plan.h"
+#include "viewer/scene/scene.h"
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// Makes the rays of a picture: camera, box, clip box and planes (SCENE 6, 7) in double precision, sampled in
+/// steps (SCENE 9).
+class RaySetup {
+ public:
+  static constexpr int padding = 16;  ///< rays a row is padded to a multiple of
+
+  /// `scene` must be complete. `clip` false: the clip box and planes are not looked at.
+  RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, double stepVoxels, bool clip);
+  /// The rays of a plan's picture.
+  RaySetup(const Plan& plan, const VoxelGeometry& geometry)
+      : RaySetup(plan.scene, geometry, plan.options.size, plan.stepVoxels, plan.clip) {
+    // Between steps stand no samples but those of rays that go from cell to cell.
+    if (plan.cellByCell) ahead_ = Ahead::exact;
+  }
+
+  /// The length of a whole step where all rays have the same: RayRow::stepMm; 0 in perspective.
+  float sharedStepMm() const { return float(frame_.sharedStepMm); }
+
+  static constexpr int tile = 4;    ///< rows and columns of a tile; a tile's rays fill the widest vector
+  static constexpr int block = 32;  ///< rows and columns of a block of tiles
+  /// How far the rays of a tile lie from their middle, in voxels along any axis, at the far end of the
+  /// volume.
+  double tileSpread() const;
+  /// Fills `row` with the rays of the block of pixels from (x, y) on, tile by tile: rays that a kernel takes
+  /// together then lie close in both directions, and meet the same blocks and memory.
+  void makeBlock(int x, int y, RayRow& row) const;
+  /// The same of single tiles: `corners`, their first pixels.
+  void makeTiles(const std::vector<glm::ivec2>& corners, RayRow& row) const;
+  /// Fills `row` with the rays of `count` pixels of picture row y, from pixel x on.
+  void makeRays(int x, int y, int count, RayRow& row) const;
+
+ private:
+  static void resize(RayRow& row, int count);
+
+  RayFrame frame_;
+  VoxelGeometry geometry_;
+  glm::dvec3 target_;           ///< patient space
+  Ahead ahead_ = Ahead::whole;  ///< of tiles
+  RayKernel makeRays_ = chooseRayKernel();
+};
+
+}  // namespace volumen

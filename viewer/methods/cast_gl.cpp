@@ -1,0 +1,53 @@
+#include "viewer/methods/cast_gl.h"
+
+#include "viewer/methods/gl_frame.h"
+#include "viewer/methods/preshaded.h"
+#include "viewer/volume/clock.h"
+
+namespace volumen {
+
+namespace {
+
+// Shades the voxels and hands them over.
+Status loadShaded(const Plan& plan, const PlanesFrame& frame, const VoxelGeometry& geometry, GlState& gl,
+                  const CancelToken& cancel, RenderStats& stats) {
+  const double begin = wallMs();
+  const Buffer<float> shaded = shadeVoxels(plan, frame, geometry, cancel);
+  if (cancel.cancelled()) return Error{"cancelled"};
+  const Status loaded = gl.textures.loadShaded(geometry.size, shaded.data(), cancel);
+  stats.shadeMs = wallMs() - begin;
+  stats.shaded = plan.lit ? geometry.voxelCount() : 0;
+  return loaded;
+}
+
+Status drawCast(const Plan& plan, RenderCaches& caches, const CancelToken& cancel, GlState& gl,
+                Rendered& done) {
+  RenderStats& stats = done.stats;
+  const VoxelGeometry& geometry = caches.volume()->geometry();
+  const PlanesFrame frame(plan, caches, stats);
+  const Status loaded = plan.method == Method::preshaded
+                            ? loadShaded(plan, frame, geometry, gl, cancel, stats)
+                            : loadTextures(plan, caches, gl, cancel, stats);
+  if (!loaded) return loaded;
+  const double begin = wallMs();
+  const RaySetup setup(plan, geometry);
+  if (Status s = gl.caster.prepare(plan, frame.trace(), gl.textures); !s) return s;
+  preparePicture(plan, done.picture);
+  RayBands bands(setup, plan.options.size, mostSteps(geometry.size, plan.stepVoxels));
+  RayBand band;
+  for (bands.fill(band, plan.options.threads); !band.empty(); bands.fill(band, plan.options.threads)) {
+    if (Status s = gl.caster.draw(band, frame.trace().inverseUnitMm); !s) return s;
+    if (Status s = writeBand(plan, frame, band, gl.caster.pixels(), done.picture); !s) return s;
+    if (cancel.cancelled()) return Error{"cancelled"};
+  }
+  stats.resampleMs = stats.glMs = wallMs() - begin;
+  return {};
+}
+
+}  // namespace
+
+Result<Rendered> renderCastGl(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
+  return onGl(caches, [&](GlState& gl, Rendered& done) { return drawCast(plan, caches, cancel, gl, done); });
+}
+
+}  // namespace volumen

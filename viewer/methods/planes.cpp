@@ -1,0 +1,46 @@
+#include "viewer/methods/planes.h"
+
+#include "viewer/kernels/ray_setup.h"
+#include "viewer/methods/planes_gl.h"
+#include "viewer/methods/row_painter.h"
+#include "viewer/volume/clock.h"
+#include "viewer/volume/parallel.h"
+
+namespace volumen {
+
+namespace {
+
+Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
+  Rendered done;
+  RenderStats& stats = done.stats;
+  const PlanesFrame frame(plan, caches, stats);
+  const RaySetup setup(plan, caches.volume()->geometry());
+  const RowPainter painter(plan, frame, done.picture, done.error);
+
+  TraceTotals totals;
+  const double begin = wallMs();
+  const glm::ivec2 blocks = (plan.options.size + (RaySetup::block - 1)) / RaySetup::block;
+  parallelFor(
+      std::int64_t(blocks.x) * blocks.y, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
+        RayRow rays;
+        RowPainter::Task task;
+        for (std::int64_t n = first; n < last && !cancel.cancelled(); ++n) {
+          setup.makeBlock(int(n % blocks.x) * RaySetup::block, int(n / blocks.x) * RaySetup::block, rays);
+          painter.paint(rays, {}, task);
+        }
+        totals.add(task.counts);
+      });
+  if (cancel.cancelled()) return Error{"cancelled"};
+
+  totals.report(plan, wallMs() - begin, stats);
+  return done;
+}
+
+}  // namespace
+
+Result<Rendered> renderPlanes(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
+  return plan.resampler == Resampler::gl ? renderPlanesGl(plan, caches, cancel)
+                                         : renderPlanesCpu(plan, caches, cancel);
+}
+
+}  // namespace volumen

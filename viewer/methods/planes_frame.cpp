@@ -1,0 +1,256 @@
+#include "viewer/methods/planes_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "viewer/kernels/ray_setup.h"
+#include "viewer/methods/caches.h"
+#include "viewer/plan/rule_lines.h"
+#include "viewer/volume/clock.h"
+
+namespace volumen {
+
+namespace {
+
+LightModel lightOf(const Plan& plan) {
+  if (plan.shader == Shader::table) return LightModel::table;
+  if (plan.shader == Shader::map)
+    return plan.mapLookup == MapLookup::nearest ? LightModel::nearestInMap : LightModel::map;
+  return plan.scene.shading.localViewer ? LightModel::localPhong : LightModel::phong;
+}
+
+// The largest value of a component of a frame buffer of 8 or 16 bits; 0 for floats.
+int levelsOf(Blending blending) {
+  return blending == Blending::floats ? 0 : blending == Blending::bits16 ? 65535 : 255;
+}
+
+LightStrength strengthOf(const Lighting& lighting) {
+  glm::vec3 diffuse(0), specular(0);
+  for (const ShadingLight& light : lighting.lights) diffuse += light.diffuse, specular += light.specular;
+  const auto largest = [](glm::vec3 v) { return std::max({v.r, v.g, v.b}); };
+  return {lighting.ambient, largest(diffuse), lighting.specular ? largest(specular) : 0.0f,
+          lighting.shininess};
+}
+
+// How far the box around a packet of rays may reach: its interval, and where samples stand at steps half a
+// step more to either side (RayRow::ahead), or the steps of a look together.
+int reachBlocks(const Plan& plan, const RaySetup& setup, int edge) {
+  // Of a length for all short steps and cells, so that they share a map.
+  const double along =
+      plan.cellByCell ? plan.stepVoxels : std::max(double(EmptySpaceMap::longestLook), 2 * plan.stepVoxels);
+  const double across = 2 * setup.tileSpread() + along + 0.1;
+  return int(std::clamp(std::ceil(across / edge), 1.0, 32.0 / edge));
+}
+
+// 1 / unitDistance, but no ray is longer than 1e30 unit distances: only opacities below 1e-27 tell that from
+// more. Projections have no opacity.
+float inverseUnitOf(const Plan& plan, const VoxelGeometry& geometry) {
+  if (plan.scene.mode != Mode::composite) return 1;
+  const double longestMm = glm::dot(geometry.spacing(), glm::dvec3(geometry.size));
+  return float(std::min({1 / plan.curve.unitDistance, 1e30 / longestMm, 1e37}));
+}
+
+}  // namespace
+
+PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats)
+    : key_(kernelKey(plan)),
+      brightest_(float(std::max(1.0, volumen::brightest(plan.scene)))),
+      lighting_(makeLighting(plan.scene, plan.specular, plan.colouredLight)),
+      transfer_(plan.curve) {
+  StoredVoxels& voxels = caches.impl().voxels;
+  const double begin = wallMs();
+  frame_.size = voxels.volume()->size();
+  frame_.densityRow = frame_.gradientRow = frame_.size.x;
+  readStored(plan, caches, stats);
+  stats.gradientsMs += wallMs() - begin;
+  curve_ = makeCurveTable(transfer_, scale_);
+  frame_.curve = &curve_;
+  frame_.transfer = &transfer_;
+  frame_.inverseUnitMm = inverseUnitOf(plan, voxels.volume()->geometry());
+  const RaySetup setup(plan, voxels.volume()->geometry());
+  double mostOpacity = 0;
+  for (const CurvePoint& p : transfer_.points) mostOpacity = std::max(mostOpacity, double(p.opacity));
+  frame_.intervals = makeCorrectionSeries(setup.sharedStepMm() * frame_.inverseUnitMm, mostOpacity);
+  frame_.light = lightOf(plan);
+  frame_.lighting = &lighting_;
+  frame_.lightStrength = strengthOf(lighting_);
+  setFactorUnit();
+  makeShades(plan, caches);
+  frame_.stopTransmittance = float(plan.stopTransmittance);
+  frame_.slices = {plan.method == Method::blend, float(levelsOf(plan.blending))};
+  const VolumeFacts& facts = voxels.facts();
+  if (plan.skipBlocks && plan.scene.mode != Mode::composite)
+    blocks_ = {facts.blockRanges.get(), scale_.slope, scale_.intercept,
+               1e-6 * largestRounded(plan, facts.range), plan.bits != 32};
+  else
+    readBlocks(plan, reachBlocks(plan, setup, facts.blockRanges->edge), caches, stats);
+  stats.tableBytes =
+      curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
+  stats.blockBytes += facts.blockRanges->bytes();
+}
+
+void PlanesFrame::setFactorUnit() {
+  const auto& points = transfer_.gradientOpacity;
+  if (points.empty() || !(points.back().gradient > 0)) return;
+  constexpr double most = std::numeric_limits<float>::max();
+  const double unit = std::clamp<double>(points.back().gradient, 1 / most, most / 4);
+  frame_.factorUnit = float(unit);
+  frame_.factorUnitsAStored = float(std::min(frame_.gradientUnit / unit, most));
+}
+
+double PlanesFrame::largestRounded(const Plan& plan, ValueRange range) const {
+  if (plan.bits == 32) return std::max(std::abs(scale_.low), std::abs(scale_.high));
+  return std::max(std::abs(range.low), std::abs(range.high)) / scale_.slope;
+}
+
+void PlanesFrame::readBlocks(const Plan& plan, int reach, RenderCaches& caches, RenderStats& stats) {
+  StoredVoxels& voxels = caches.impl().voxels;
+  // Which intervals are passed over is a choice, not a sound rule: it looks at cells even where no block is
+  // skipped.
+  const bool asksCells = key_.sampling != Sampling::dense;
+  if (plan.skipBlocks || key_.sampling == Sampling::passages) {
+    const auto& skip =
+        caches.impl().skipOf(transfer_, curve_, {transfer_.points, reach, rounding_, densities_, asksCells});
+    stats.blockBytes = skip.bytes();
+    if (plan.skipBlocks) frame_.skip = &skip.map();
+    if (asksCells) frame_.cells = &skip.cells;
+    frame_.budget.most = float(plan.errorBudget);
+  }
+}
+
+void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
+  if (plan.bits == 8) return readBytes(plan, caches, stats);
+  StoredVoxels& voxels = caches.impl().voxels;
+  const VoxelGeometry& geometry = voxels.volume()->geometry();
+  if (plan.bits == 16) {
+    const Density16& d = voxels.densities16();
+    scale_ = d.scale;
+    frame_.density16 = d.data;
+    frame_.flip16 = d.flip;
+    densities_ = {.in16 = d.data, .flip = std::uint16_t(d.flip), .rowVoxels = frame_.densityRow};
+    stats.densityBytes = std::size_t(geometry.voxelCount()) * 2;
+    if (!plan.gradients) return;
+    const Gradients16& g = voxels.gradientsIn16(plan.gradientOperator);
+    frame_.voxels16 = g.xyzd.data();
+    frame_.gradientRow = g.rowVoxels;
+    stats.gradientBytes = g.xyzd.bytes();
+    setGradientScale(plan, geometry, g.scale);
+    return;
+  }
+  const Density32& d = voxels.densities32();
+  scale_ = d.scale;
+  frame_.density32 = d.data;
+  stats.densityBytes = std::size_t(geometry.voxelCount()) * 4;
+  if (!plan.gradients) return;
+  const Gradients32& g = voxels.gradientsIn32(plan.gradientOperator);
+  frame_.gradients32 = g.xyz0.data();
+  stats.gradientBytes = g.xyz0.bytes();
+  setGradientScale(plan, geometry, g.scale);
+}
+
+void PlanesFrame::readBytes(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
+  StoredVoxels& voxels = caches.impl().voxels;
+  stats.densityBytes = std::size_t(voxels.volume()->geometry().voxelCount());
+  const auto useScale = [&](const ByteScale& s) {
+    scale_ = {s.unit, s.low, 0, (voxels.facts().range.high - s.low) / s.unit};
+    // A little more than half a unit, as values are rounded to floats before and behind.
+    rounding_ = s.exact ? 0 : 0.501 * s.unit;
+  };
+  if (!plan.gradients) {
+    const Density8& d = voxels.densitiesIn8();
+    frame_.density8 = d.bytes.data();
+    densities_ = {.in8 = d.bytes.data(), .rowVoxels = frame_.densityRow};
+    return useScale(d.scale);
+  }
+  const Voxels8& v = voxels.voxelsIn8(plan.gradientOperator);
+  frame_.voxels8 = v.words.data();
+  frame_.densityRow = frame_.gradientRow = v.rowVoxels;
+  densities_ = {.in8 = reinterpret_cast<const std::uint8_t*>(v.words.data()) + 3,
+                .stride8 = 4,
+                .rowVoxels = v.rowVoxels};
+  stats.gradientBytes = v.words.bytes() - stats.densityBytes;
+  useScale(v.scale);
+  setGradientScale(plan, voxels.volume()->geometry(), v.gradientUnit);
+}
+
+void PlanesFrame::makeShades(const Plan& plan, RenderCaches& caches) {
+  if (plan.shader == Shader::map)
+    frame_.map = &caches.impl().reflectanceMap(lighting_, plan.mapSize, plan.mapLookup);
+  if (plan.shader != Shader::table) return;
+  ShadeTableInput in{{}, frame_.inverseFloor, 1, scale_};
+  for (int n = 0; n < 9; ++n) in.gradientMatrix[n] = frame_.gradientMatrix[n] * frame_.gradientUnit;
+  const ValueRange values = caches.facts().range;
+  // A Sobel component is half the difference of two means of values (SCENE 3).
+  in.gradientLimit = (values.high - values.low) / 2 / gradientScale_;
+  table_ = makeShadeTable(lighting_, curve_, in);
+  frame_.table = &table_;
+}
+
+void PlanesFrame::setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale) {
+  gradientScale_ = scale;
+  const glm::dmat3 m = geometry.patientFromVoxelGradient() * scale;
+  double largest = 0, smallest = std::numeric_limits<double>::max();
+  for (int c = 0; c < 3; ++c) {
+    const double length = glm::length(m[c]);
+    largest = std::max(largest, length);
+    smallest = std::min(smallest, length);
+  }
+  // Powers of two, so that no unit rounds anything. Magnitudes are real values a mm; where those would leave
+  // floats, so many times as large as `real`.
+  const double unit = std::exp2(std::ceil(std::log2(largest))), kept = std::clamp(unit, 0x1p-60, 0x1p60),
+               real = unit / kept;
+  frame_.gradientUnit = float(kept);
+  frame_.boundedGradients = plan.bits != 32 && smallest > 1e-8 * largest;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) frame_.gradientMatrix[3 * r + c] = float(m[c][r] / unit);
+  const double floor = *plan.scene.shading.gradientFloor;
+  frame_.inverseFloor = floor > 0 ? float(std::min(real / floor, 1e30)) : 0.0f;
+  for (GradientOpacityPoint& p : transfer_.gradientOpacity) p.gradient = std::min(p.gradient / real, 1e30);
+}
+
+void preparePicture(const Plan& plan, Picture& picture) {
+  picture.size = plan.options.size;
+  picture.transparent = plan.scene.background.transparent;
+  picture.rgba.resize(std::size_t(4) * picture.size.x * picture.size.y);
+}
+
+void writePixels(const Background& background, const RayRow& rays, const TraceRow& row, Picture& picture) {
+  const glm::vec3 behind(background.transparent ? glm::dvec3(0) : background.colour);
+  for (std::size_t ray = 0; ray < rays.pixel.size(); ++ray) {
+    if (rays.pixel[ray] < 0) continue;
+    float* rgba = &picture.rgba[std::size_t(4) * rays.pixel[ray]];
+    const float a = std::min(row.alpha[ray], 1.0f), through = 1 - a;
+    const glm::vec3 c(row.red[ray], row.green[ray], row.blue[ray]);
+    for (int n = 0; n < 3; ++n) rgba[n] = std::clamp(c[n] + through * behind[n], 0.0f, 1.0f);
+    rgba[3] = background.transparent ? a : 1.0f;
+  }
+}
+
+void roundPixels(Blending blending, const RayRow& rays, Picture& picture) {
+  const int levels = levelsOf(blending);
+  if (levels == 0) return;
+  for (int pixel : rays.pixel)
+    for (int c = 0; pixel >= 0 && c < 4; ++c) {
+      float& x = picture.rgba[std::size_t(4) * pixel + c];
+      x = float(int(x * float(levels) + 0.5f)) / float(levels);
+    }
+}
+
+void writeProjectedPixels(const Scene& scene, const DensityScale& scale, const RayRow& rays,
+                          const float* density, Picture& picture) {
+  const Window& w = *scene.window;
+  for (std::size_t ray = 0; ray < rays.pixel.size(); ++ray) {
+    if (rays.pixel[ray] < 0) continue;
+    float* rgba = &picture.rgba[std::size_t(4) * rays.pixel[ray]];
+    const bool hit = rays.steps[ray] > 0;
+    const double value = scale.slope * density[ray] + scale.intercept;
+    const float grey = float(std::clamp((value - (w.centre - w.width / 2)) / w.width, 0.0, 1.0));
+    const bool clear = !hit && scene.background.transparent;
+    for (int n = 0; n < 3; ++n) rgba[n] = hit ? grey : clear ? 0.0f : float(scene.background.colour[n]);
+    rgba[3] = clear ? 0.0f : 1.0f;
+  }
+}
+
+}  // namespace volumen

@@ -1,0 +1,70 @@
+#include "viewer/methods/row_painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace volumen {
+
+RowPainter::RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& picture,
+                       std::vector<float>& error)
+    : plan_(plan), frame_(frame), picture_(picture), error_(error) {
+  if (plan.scene.mode == Mode::composite)
+    trace_ = chooseTraceKernel(frame.key());
+  else
+    project_ = chooseProjectKernel(frame.key().store, plan.scene.mode, plan.cellByCell);
+  preparePicture(plan, picture);
+  if (frame.key().sampling == Sampling::passages) error.assign(picture.rgba.size() / 4, 0.0f);
+}
+
+void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const {
+  task.values.assign(4 * rays.steps.size(), 0.0f);
+  TraceRow out = traceRowOf(task.values);
+  if (!error_.empty()) {
+    task.error.assign(rays.steps.size(), 0.0f);
+    out.error = task.error.data();
+  }
+  if (project_) {
+    project_(frame_.trace(), frame_.blocks(), rays, plane, out.red, task.counts);
+    writeProjectedPixels(plan_.scene, frame_.scale(), rays, out.red, picture_);
+    roundPixels(plan_.blending, rays, picture_);
+    if (!error_.empty()) writeRounding(rays);
+    return;
+  }
+  trace_(frame_.trace(), rays, plane, out, task.counts);
+  writePixels(plan_.scene.background, rays, out, picture_);
+  if (!error_.empty()) writeError(rays, out);
+}
+
+// Beside what the rules may be off by: what lies where a ray ended, and places rounded to floats.
+void RowPainter::writeError(const RayRow& rays, const TraceRow& row) const {
+  constexpr float roundingOf255 = 0.05f;
+  const float stop = frame_.trace().stopTransmittance;
+  for (std::size_t ray = 0; ray < rays.pixel.size(); ++ray) {
+    if (rays.pixel[ray] < 0) continue;
+    const float left = 1 - row.alpha[ray], unseen = left < stop ? left * frame_.brightest() : 0.0f;
+    error_[std::size_t(rays.pixel[ray])] =
+        std::min(255.0f, 255 * (row.error[ray] + unseen) + (row.alpha[ray] > 0 ? roundingOf255 : 0.0f));
+  }
+}
+
+// Of extremes and means, which are exact but for the rounding of floats.
+void RowPainter::writeRounding(const RayRow& rays) const {
+  constexpr double roundings = 16.0 / (1 << 24);
+  const DensityScale& scale = frame_.scale();
+  const double most = scale.slope * std::max(std::abs(scale.low), std::abs(scale.high));
+  const double off = 255 * (roundings * most / plan_.scene.window->width + 1e-6);
+  for (const int pixel : rays.pixel)
+    if (pixel >= 0) error_[std::size_t(pixel)] = float(std::min(255.0, off));
+}
+
+void TraceTotals::report(const Plan& plan, double passMs, RenderStats& stats) const {
+  const double shadeShare = allTicks ? double(shadeTicks) / double(allTicks) : 0;
+  stats.resampleMs = passMs * (1 - shadeShare);
+  stats.shadeMs = passMs * shadeShare;
+  stats.resampled = resampled;
+  stats.composited = composited;
+  stats.shaded = plan.lit ? stats.composited : 0;
+  stats.kernel = kernelTarget();
+}
+
+}  // namespace volumen
