@@ -23,6 +23,7 @@
 #include "ui/panels/transfer_panel.h"
 #include "ui/views/canvas.h"
 #include "ui/views/volume_view.h"
+#include "ui/widgets/documents_window.h"
 
 namespace volumen {
 
@@ -161,6 +162,12 @@ void MainWindow::makeActions() {
        true,
        [this](bool on) { setTheme(on ? Theme::light : Theme::dark); }},
       {"shortcuts", tr("Mouse and keys"), {tr("?")}, "help", false, [this](bool) { showShortcuts(); }},
+      {"documentation",
+       tr("Documentation"),
+       {QKeySequence::HelpContents},
+       "",
+       false,
+       [this](bool) { (new DocumentsWindow(this))->show(); }},
       {"about", tr("About volumen"), {}, "", false, [this](bool) { showAbout(); }},
   };
   for (const ActionEntry& entry : table) {
@@ -203,7 +210,7 @@ void MainWindow::makeMenus() {
        "openGlResampler showError | maximise fullScreen lightTheme");
   auto* docks = view->addMenu(tr("Panels"));
   for (const auto& [name, dock] : docks_) docks->addAction(dock->toggleViewAction());
-  fill(menuBar()->addMenu(tr("&Help")), "shortcuts about");
+  fill(menuBar()->addMenu(tr("&Help")), "documentation shortcuts about");
 }
 
 void MainWindow::makeToolBar() {

@@ -1,0 +1,60 @@
+#include "ui/widgets/documents_window.h"
+
+#include <QDesktopServices>
+#include <QFile>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QTextBrowser>
+
+namespace volumen {
+namespace {
+
+const QString folder = QStringLiteral(":/docs/");
+
+// In the order in which a user would read them.
+const QStringList pages{QStringLiteral("import.md"),      QStringLiteral("accuracy.md"),
+                        QStringLiteral("performance.md"), QStringLiteral("picture.md"),
+                        QStringLiteral("design.md"),      QStringLiteral("kernels.md")};
+
+// The page's first heading.
+QString titleOf(const QString& page) {
+  QFile file(folder + page);
+  if (!file.open(QIODevice::ReadOnly)) return page;
+  return QString::fromUtf8(file.readLine()).remove(0, 1).trimmed();
+}
+
+}  // namespace
+
+DocumentsWindow::DocumentsWindow(QWidget* parent) : QDialog(parent) {
+  setObjectName(QStringLiteral("documents"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(tr("volumen: documentation"));
+  resize(980, 720);
+  auto* list = new QListWidget(this);
+  list->setObjectName(QStringLiteral("documentList"));
+  list->setAccessibleName(tr("Documents"));
+  list->setFixedWidth(230);
+  list->setWordWrap(true);
+  for (const QString& page : pages) list->addItem(titleOf(page));
+  auto* text = new QTextBrowser(this);
+  text->setObjectName(QStringLiteral("documentText"));
+  text->setAccessibleName(tr("Document"));
+  text->setOpenLinks(false);
+  auto* row = new QHBoxLayout(this);
+  row->addWidget(list);
+  row->addWidget(text, 1);
+  const auto show = [text](const QString& page) {
+    text->setSource(QUrl(QStringLiteral("qrc") + folder + page), QTextDocument::MarkdownResource);
+  };
+  connect(list, &QListWidget::currentRowChanged, text, [show](int n) { show(pages[n]); });
+  connect(text, &QTextBrowser::anchorClicked, list, [list](const QUrl& link) {
+    const qsizetype page = pages.indexOf(link.fileName());
+    if (page >= 0)
+      list->setCurrentRow(int(page));
+    else if (!link.scheme().isEmpty())
+      QDesktopServices::openUrl(link);
+  });
+  list->setCurrentRow(0);
+}
+
+}  // namespace volumen
