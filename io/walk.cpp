@@ -36,7 +36,9 @@ std::vector<std::string> entries(const std::string& folder, std::error_code& err
 
 Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return Error{path + ": " + std::strerror(errno) + "."};
+  if (::stat(path.c_str(), &status) != 0)
+    return Error{"Cannot open " + path + ": " +
+                 (errno == ENOENT ? "no such file or folder" : std::strerror(errno)) + "."};
   FoundFiles found;
   Visited visited;
   std::vector<std::string> open{path};  // last in, first out; filled in reverse so that names stay in order
