@@ -47,7 +47,7 @@ constexpr Entry commands[] = {
 
 bool isPath(const std::string& word) {
   std::error_code ignored;
-  return word.starts_with("phantom:") || word.find_first_of("/.") != std::string::npos ||
+  return word.empty() || word.starts_with("phantom:") || word.find_first_of("/.") != std::string::npos ||
          std::filesystem::exists(word, ignored);
 }
 

@@ -110,7 +110,13 @@ void addExamples(CLI::App& app, const std::vector<std::string>& lines) {
 }
 
 CLI::Option* addPath(CLI::App& app, std::string& path) {
-  return app.add_option("PATH", path, "A file, a folder or phantom:NAME[:SIZE]")->type_name("");
+  // An empty one is a variable of a script that was not set.
+  const auto check = [](const std::string& text) {
+    return text.empty() ? std::string("\"\" is not a file or folder.") : std::string();
+  };
+  return app.add_option("PATH", path, "A file, a folder or phantom:NAME[:SIZE]")
+      ->check(CLI::Validator(check, ""))
+      ->type_name("");
 }
 
 void addSeries(CLI::App& app, std::string& series) {

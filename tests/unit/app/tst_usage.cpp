@@ -21,6 +21,8 @@ class TestUsage : public QObject {
   void whatIsMistypedIsToldAtOnce();
   void plainPathsOpenTheWindow_data();
   void plainPathsOpenTheWindow();
+  void anEmptyPathIsNoPath();
+  void plainPathRunsTheWindow();
   void openTellsOfEveryPath();
   void presetsAreListed_data();
   void presetsAreListed();
@@ -119,6 +121,29 @@ void TestUsage::plainPathsOpenTheWindow() {
   const Outcome a = runProgramIn(folder_.path(), QProcess::splitCommand(line));
   QCOMPARE(a.status, 1);
   QVERIFY2(a.err.startsWith("volumen: No display can be reached") && a.err.count('\n') == 1, a.err);
+}
+
+// As a script hands it on whose variable was not set.
+void TestUsage::anEmptyPathIsNoPath() {
+  const Outcome a = runProgram(QStringList{QStringLiteral("info"), QString()});
+  QCOMPARE(a.status, 2);
+  QVERIFY2(a.err.startsWith("volumen: PATH: \"\" is not a file or folder."), a.err);
+}
+
+// Where there is a display the window stays until it is closed, as SIGINT does.
+void TestUsage::plainPathRunsTheWindow() {
+  QProcess process;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+  environment.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_.path());
+  process.setProcessEnvironment(environment);
+  process.start(QStringLiteral(VOLUMEN_PROGRAM), {QStringLiteral("phantom:sphere:8")});
+  QVERIFY(process.waitForStarted());
+  QVERIFY(!process.waitForFinished(1500));
+  ::kill(pid_t(process.processId()), SIGINT);
+  QVERIFY(process.waitForFinished(30000));
+  QCOMPARE(process.exitStatus(), QProcess::CrashExit);
+  QCOMPARE(process.exitCode(), SIGINT);
 }
 
 void TestUsage::openTellsOfEveryPath() {
