@@ -10,6 +10,7 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTextBrowser>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include "tests/ui/gestures.h"
@@ -298,8 +299,11 @@ void TestJourneys::everyPathIsComplainedAbout() {
   QTRY_VERIFY_WITH_TIMEOUT(saysAll(), longest);
   QCOMPARE(banner->sentence().count(QLatin1Char('\n')), 2);
   // Every file, with its reason, can be read there.
-  QCOMPARE(w.child<QPlainTextEdit>("bannerDetails")->toPlainText().count(QStringLiteral("not an image")),
-           count);
+  QTest::mouseClick(banner->findChild<QToolButton*>(), Qt::LeftButton);
+  auto* details = w.child<QPlainTextEdit>("bannerDetails");
+  QVERIFY(details->isVisible());
+  QCOMPARE(details->toPlainText().count(QStringLiteral("not an image")), count);
+  w.shot("complaints");
 }
 
 void TestJourneys::closingWhileRenderingIsClean_data() {
