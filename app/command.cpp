@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <iostream>
+#include <sstream>
 
 namespace volumen {
 
@@ -41,13 +42,27 @@ std::string printable(const std::string& utf8) {
   return out;
 }
 
+namespace {
+// Every line by itself: a list stays a list.
+void tell(const std::string& sentence) {
+  std::istringstream lines(sentence);
+  const char* before = "volumen: ";
+  for (std::string line; std::getline(lines, line); before = "")
+    std::cerr << before << printable(line) << '\n';
+}
+}  // namespace
+
 int fail(const std::string& sentence) {
-  std::cerr << "volumen: " << printable(sentence) << '\n';
+  tell(sentence);
   return exitFailed;
 }
 
+int fail(const std::string& sentence, const CancelToken& cancel) {
+  return fail(cancel.cancelled() ? "Interrupted; nothing was written." : sentence);
+}
+
 int failUsage(const std::string& sentence) {
-  std::cerr << "volumen: " << printable(sentence) << '\n';
+  tell(sentence);
   return exitUsage;
 }
 

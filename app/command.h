@@ -24,9 +24,11 @@ std::function<int()> makeOpen(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel);
 
-/// Writes "volumen: SENTENCE" to stderr, control characters escaped, and returns exitFailed.
+/// Writes "volumen: SENTENCE" to stderr, control characters but line ends escaped, and returns exitFailed.
 int fail(const std::string& sentence);
-/// The same with exitUsage, for options that do not go together.
+/// The same; where the command was interrupted that alone is said: nothing is left half written.
+int fail(const std::string& sentence, const CancelToken& cancel);
+/// The same with exitUsage, for a command line that cannot be meant.
 int failUsage(const std::string& sentence);
 /// Text from files and folders, safe for a terminal: C0, C1, DEL and bidirectional controls become \xNN or
 /// \u{NNNN}.

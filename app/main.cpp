@@ -1,16 +1,32 @@
+#include <algorithm>
 #include <csignal>
+#include <cstdio>
+#include <filesystem>
 #include <iostream>
 
 #include "app/command.h"
+#include "app/list_presets.h"
+#include "app/usage.h"
 
 namespace {
 
 const volumen::CancelToken cancelled;
+volatile std::sig_atomic_t caught = 0;
 
 // A second Ctrl-C ends the program at once, in case the first one is not noticed soon.
 void onInterrupt(int signal) {
+  caught = signal;
   cancelled.cancel();
   std::signal(signal, SIG_DFL);
+}
+
+// Ends as the signal would have ended it, once everything is cleaned up: a shell then ends its loop, too.
+int endBySignal(int status) {
+  if (!caught) return status;
+  std::cout.flush();
+  std::fflush(nullptr);
+  std::raise(caught);
+  return status;
 }
 
 struct Entry {
@@ -20,36 +36,65 @@ struct Entry {
 };
 
 constexpr Entry commands[] = {
-    {"accuracy", "What accuracy costs in time: every knob of the renderer measured on one scene",
-     volumen::makeAccuracy},
-    {"bench", "How fast a scene is drawn from all around", volumen::makeBench},
-    {"convert", "Write a series as one file (.nrrd, .nii.gz, .mha) or as DICOM", volumen::makeConvert},
-    {"info", "What is in a file or folder: patients, studies, series, geometry, warnings", volumen::makeInfo},
-    {"open", "The desktop program", volumen::makeOpen},
-    {"render", "Draw a picture without a window", volumen::makeRender},
-    {"segment", "Label the voxels of a value range; writes .seg.nrrd", volumen::makeSegment},
+    {"open", "Open the window", volumen::makeOpen},
+    {"render", "Render a picture without a window", volumen::makeRender},
+    {"info", "List patients, studies and series, with geometry and warnings", volumen::makeInfo},
+    {"convert", "Write a series as .nrrd, .nii.gz, .mha or DICOM", volumen::makeConvert},
+    {"segment", "Segment a value range (writes .seg.nrrd)", volumen::makeSegment},
+    {"accuracy", "Measure what every setting costs in time and accuracy", volumen::makeAccuracy},
+    {"bench", "Measure how fast a scene is drawn from all around", volumen::makeBench},
 };
+
+bool isPath(const std::string& word) {
+  std::error_code ignored;
+  return word.empty() || word.starts_with("phantom:") || word.find_first_of("/.") != std::string::npos ||
+         std::filesystem::exists(word, ignored);
+}
+
+bool isCommand(const std::string& word) {
+  return std::any_of(std::begin(commands), std::end(commands),
+                     [&](const Entry& entry) { return word == entry.name; });
+}
+
+int run(std::vector<std::string> words, CLI::App& app, std::function<int()>& command) {
+  if (words.empty() || (!isCommand(words[0]) && isPath(words[0]))) words.insert(words.begin(), "open");
+  if (!words[0].starts_with('-') && !isCommand(words[0]))
+    return volumen::failUsage(volumen::unknownCommand(words[0], app));
+  try {
+    std::reverse(words.begin(), words.end());
+    app.parse(words);
+  } catch (const CLI::Success& e) {
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    const auto chosen = app.get_subcommands();
+    const CLI::App& at = chosen.empty() ? app : *chosen.front();
+    return volumen::failUsage(volumen::usageProblem(e, at) + "\nSee `volumen " +
+                              (chosen.empty() ? "" : at.get_name() + " ") + "--help`.");
+  }
+  return endBySignal(command());
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
-  CLI::App app{"volumen, a DICOM workstation for people without a GPU to spare. Not for clinical use."};
+  CLI::App app{
+      "volumen shows CT, MR and other scans in 3D, without a GPU. Not for clinical use.\n"
+      "PATH is a file, a folder or phantom:NAME[:SIZE], a volume that the program makes."};
   app.name("volumen");
-  app.set_version_flag("--version", "volumen " VOLUMEN_VERSION);
-  app.require_subcommand(1);
-  std::function<int()> run;
+  app.formatter(std::make_shared<volumen::HelpFormatter>());
+  app.set_help_flag("-h,--help", "Show this help; `volumen COMMAND --help` shows that of a command");
+  app.set_version_flag("--version", "volumen " VOLUMEN_VERSION, "Show the version");
+  volumen::addListPresets(app);
+  volumen::addExamples(app, {"volumen scans/", "volumen render scans/ --preset CT-Bone -o bone.png"});
+  std::function<int()> command;
   for (const Entry& entry : commands) {
     CLI::App* sub = app.add_subcommand(entry.name, entry.text);
+    sub->group("Commands");
+    sub->set_help_flag("-h,--help", "Show this help");
     auto runThis = entry.make(*sub, cancelled);
-    sub->callback([runThis, &run] { run = runThis; });
+    sub->callback([runThis, &command] { command = runThis; });
   }
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    const int status = app.exit(e);
-    return status == 0 ? volumen::exitDone : volumen::exitUsage;
-  }
-  return run();
+  return run({argv + 1, argv + argc}, app, command);
 }

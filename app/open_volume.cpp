@@ -4,32 +4,48 @@
 
 #include "app/command.h"
 #include "app/progress.h"
+#include "ui/session/text.h"
 
 namespace volumen {
 
 namespace {
 
-Result<Opened> open(const std::string& path, const std::string& seriesText, const Progress& progress,
+Error nothingToShow(const std::string& path, const Study& study) {
+  if (study.refused.empty()) return Error{"No images found in " + path + "."};
+  const Refused& first = study.refused.front();
+  const std::string why = first.path + ": " + first.reason;
+  if (study.refused.size() == 1) return Error{why};
+  return Error{"No images found in " + path + ": " + unreadText(study).toStdString() + " The first: " + why +
+               "\n`volumen info` lists them."};
+}
+
+// One a line, as `info` numbers and names them.
+std::string listOf(const Study& study) {
+  std::string list;
+  for (std::size_t n = 0; n < study.volumes.size(); ++n) {
+    const int slices = study.volumes[n].acquired.size.z;
+    list += "\n  " + std::to_string(n + 1) + "  " + seriesText(study.volumes[n]).toStdString() + ", " +
+            std::to_string(slices) + (slices == 1 ? " slice" : " slices");
+  }
+  return list;
+}
+
+Result<Opened> open(const std::string& path, const std::string& wanted, const Progress& progress,
                     const CancelToken& cancel) {
   const Result<Study> study = openStudy(path, progress, cancel);
   if (!study) return study.error();
-  if (study->volumes.empty() && !study->refused.empty()) {
-    const Refused& first = study->refused.front();
-    const std::size_t more = study->refused.size() - 1;
-    return Error{
-        first.path + ": " + first.reason +
-        (more ? " (" + std::to_string(more) + " more files were refused: volumen info " + path + ")" : "")};
-  }
-  if (study->volumes.empty()) return Error{path + " holds no image that could be drawn."};
-  const Result<std::size_t> chosen = chooseSeries(*study, seriesText);
-  if (!chosen) return chosen.error();
+  if (study->volumes.empty()) return nothingToShow(path, *study);
+  const Result<std::size_t> chosen = chooseSeries(*study, wanted);
+  if (!chosen) return Error{chosen.message() + " " + printable(path) + " holds:" + listOf(*study)};
   Opened opened{study->volumes[*chosen], {}, {}};
   Result<Loaded> loaded = loadSeries(opened.series, progress, cancel);
   if (!loaded) return loaded.error();
   opened.loaded = std::move(*loaded);
-  if (seriesText.empty() && study->volumes.size() > 1)
-    opened.notes.push_back(path + " holds " + std::to_string(study->volumes.size()) + " volumes; this is " +
-                           opened.series.id + ", the one with most voxels (--series chooses).");
+  if (wanted.empty() && study->volumes.size() > 1)
+    opened.notes.push_back(path + " holds " + std::to_string(study->volumes.size()) +
+                           " series; using number " + std::to_string(*chosen + 1) + ", \"" +
+                           seriesText(opened.series).toStdString() +
+                           "\" (the largest). Choose another with --series.");
   opened.notes.insert(opened.notes.end(), opened.loaded.warnings.begin(), opened.loaded.warnings.end());
   return opened;
 }

@@ -1,65 +1,64 @@
 #include "app/render_options.h"
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <glm/trigonometric.hpp>
-#include <map>
-#include <sstream>
 
+#include "app/list_presets.h"
+#include "app/usage.h"
+#include "io/files/scene_file.h"
 #include "viewer/plan/plan.h"
 #include "viewer/scene/presets.h"
 #include "viewer/scene/scene_json.h"
+#include "viewer/phantoms/phantoms.h"
 
 namespace volumen {
 
 namespace {
 
-const std::map<std::string, Quality> qualities{{"draft", Quality::draft},
-                                               {"standard", Quality::standard},
-                                               {"high", Quality::high},
-                                               {"exact", Quality::exact}};
-const std::map<std::string, Mode> modes{
-    {"composite", Mode::composite}, {"mip", Mode::mip}, {"minip", Mode::minip}, {"average", Mode::average}};
-const std::map<std::string, Shader> shaders{
-    {"auto", Shader::automatic}, {"map", Shader::map}, {"table", Shader::table}, {"phong", Shader::phong}};
-const std::map<std::string, Method> methods{{"planes", Method::planes},
-                                            {"blend", Method::blend},
-                                            {"preshaded", Method::preshaded},
-                                            {"gpu", Method::gpu},
-                                            {"reference", Method::reference}};
-const std::map<std::string, Blending> blendings{
-    {"float", Blending::floats}, {"16", Blending::bits16}, {"8", Blending::bits8}};
-const std::map<std::string, MapLookup> mapLookups{{"nearest", MapLookup::nearest},
-                                                  {"bilinear", MapLookup::bilinear}};
-const std::map<std::string, GradientOperator> gradientOperators{
-    {"sobel", GradientOperator::sobel},
-    {"central", GradientOperator::central},
-    {"zucker-hummel", GradientOperator::zuckerHummel}};
+// The words of an option, in the order of its help.
+template <class T>
+using Words = std::vector<std::pair<std::string, T>>;
 
-template <class Map>
-std::vector<std::string> keys(const Map& map) {
+const Words<Quality> qualities{{"draft", Quality::draft},
+                               {"standard", Quality::standard},
+                               {"high", Quality::high},
+                               {"exact", Quality::exact}};
+const Words<Mode> modes{
+    {"composite", Mode::composite}, {"mip", Mode::mip}, {"minip", Mode::minip}, {"average", Mode::average}};
+const Words<Shader> shaders{
+    {"auto", Shader::automatic}, {"phong", Shader::phong}, {"map", Shader::map}, {"table", Shader::table}};
+const Words<Method> methods{{"planes", Method::planes},
+                            {"blend", Method::blend},
+                            {"preshaded", Method::preshaded},
+                            {"gpu", Method::gpu},
+                            {"reference", Method::reference}};
+const Words<Blending> blendings{
+    {"float", Blending::floats}, {"16", Blending::bits16}, {"8", Blending::bits8}};
+const Words<MapLookup> mapLookups{{"bilinear", MapLookup::bilinear}, {"nearest", MapLookup::nearest}};
+const Words<GradientOperator> gradientOperators{{"sobel", GradientOperator::sobel},
+                                                {"central", GradientOperator::central},
+                                                {"zucker-hummel", GradientOperator::zuckerHummel}};
+
+template <class T>
+std::vector<std::string> keys(const Words<T>& words) {
   std::vector<std::string> out;
-  for (const auto& entry : map) out.push_back(entry.first);
+  for (const auto& word : words) out.push_back(word.first);
   return out;
+}
+
+// Of a word that the command line was checked for.
+template <class T>
+T meaning(const Words<T>& words, const std::string& word) {
+  return std::find_if(words.begin(), words.end(), [&](const auto& w) { return w.first == word; })->second;
 }
 
 Result<glm::ivec2> sizeOf(const std::string& text) {
   glm::ivec2 size;
   char rest = 0;
   if (std::sscanf(text.c_str(), "%6dx%6d%c", &size.x, &size.y, &rest) != 2 || size.x < 1 || size.y < 1)
-    return Error{"--size must be WxH, like 512x512, not \"" + text + "\"."};
+    return Error{"--size: \"" + text + "\" is not WIDTHxHEIGHT in pixels, as in 512x512."};
   return size;
-}
-
-Result<Scene> readScene(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return Error{path + ": the scene file cannot be read."};
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file.eof() && file.fail()) return Error{path + ": the scene file cannot be read."};
-  auto scene = sceneFromJson(text.str());
-  if (!scene) return Error{path + ": " + scene.message()};
-  return scene;
 }
 
 // The camera after --view and --projection; none where the scene's default holds.
@@ -85,74 +84,88 @@ void overrideCamera(Scene& scene, const SceneOptions& options, const Volume& vol
 }  // namespace
 
 void addSceneOptions(CLI::App& app, SceneOptions& o) {
-  app.add_option("--scene", o.sceneFile, "A scene file (JSON)");
-  app.add_option("--preset", o.preset, "A preset by name, or auto (the default)")->excludes("--scene");
-  app.add_option("--view", o.view, "Look from this side")->check(CLI::IsMember(standardViewNames()));
-  app.add_option("--projection", o.projection, "Of the camera")
-      ->check(CLI::IsMember({"parallel", "perspective"}));
-  app.add_option("--size", o.size, "Of the picture, in pixels")->capture_default_str();
-  app.add_option("--mode", o.mode, "What is drawn along each ray")->check(CLI::IsMember(keys(modes)));
+  CLI::Option* scene =
+      app.add_option("--scene", o.sceneFile, "A scene file, or a PNG that volumen wrote")->type_name("FILE");
+  app.add_option("--preset", o.preset, "A preset by name (default: auto)")
+      ->type_name("NAME")
+      ->excludes(scene);
+  addListPresets(app);
+  oneOf(app.add_option("--view", o.view, "Look from this side"), standardViewNames());
+  oneOf(app.add_option("--projection", o.projection, "The camera's projection"), {"parallel", "perspective"});
+  app.add_option("--size", o.size, "Picture size in pixels, WIDTHxHEIGHT (default: 512x512)")
+      ->type_name("WxH");
+  oneOf(app.add_option("--mode", o.mode, "3D (composite), or a projection"), keys(modes));
 }
 
-Result<Scene> makeScene(const SceneOptions& options, const Volume& volume) {
-  auto scene = options.sceneFile.empty()
-                   ? presetScene(options.preset.empty() ? "auto" : options.preset, volume)
-                   : readScene(options.sceneFile);
+Result<std::optional<Scene>> readScene(const SceneOptions& options) {
+  if (options.sceneFile.empty()) return std::optional<Scene>();
+  const auto text = readSceneText(options.sceneFile);
+  if (!text) return text.error();
+  auto scene = sceneFromJson(*text);
+  if (!scene) return Error{options.sceneFile + ": " + scene.message()};
+  return std::optional<Scene>(std::move(*scene));
+}
+
+Result<Scene> makeScene(const SceneOptions& options, const std::optional<Scene>& file, const Volume& volume) {
+  auto scene =
+      file ? Result<Scene>(*file) : presetScene(options.preset.empty() ? "auto" : options.preset, volume);
   if (!scene) return scene;
   const auto size = sizeOf(options.size);
   if (!size) return size.error();
-  if (!options.mode.empty()) scene->mode = modes.at(options.mode);
+  if (!options.mode.empty()) scene->mode = meaning(modes, options.mode);
   overrideCamera(*scene, options, volume, double(size->x) / size->y);
   return scene;
 }
 
 void addMethodOptions(CLI::App& app, MethodOptions& o) {
-  auto* quality =
-      app.add_option("--quality", o.quality, "Level, each with its error promise (default: standard)")
-          ->check(CLI::IsMember(keys(qualities)));
-  auto* step =
-      app.add_option("--step", o.step, "Plain midpoint rule with this step in voxels, instead of a level")
-          ->excludes(quality);
+  CLI::Option* quality =
+      oneOf(app.add_option("--quality", o.quality,
+                           "Quality level, each of a promised accuracy (default: standard)"),
+            keys(qualities));
+  CLI::Option* step = number(
+      app.add_option("--step", o.step, "Plain steps of this many voxels instead of a level"), 1. / 1024, 64);
+  step->type_name("VOXELS")->excludes(quality);
   app.add_flag("--reference", o.reference, "The true picture, in double precision (slow)")
       ->excludes(quality)
       ->excludes(step);
-  app.add_option("--method", o.method, "How it is drawn")
-      ->check(CLI::IsMember(keys(methods)))
-      ->capture_default_str();
-  app.add_option("--resampler", o.resampler, "What resamples (default: gl with --method gpu, else cpu)")
-      ->check(CLI::IsMember({"cpu", "gl"}));
-  app.add_option("--blending", o.blending, "Bits of the frame buffer of --method blend (default: float)")
-      ->check(CLI::IsMember(keys(blendings)));
-  app.add_option("--precision", o.precision,
-                 "Bits of stored density and gradients (8: planes and blend on the CPU alone)")
-      ->check(CLI::IsMember({8, 16, 32}));
-  app.add_option("--shader", o.shader,
-                 "How samples are lit: reflectance map, 5-bit table (for comparison) or directly")
-      ->check(CLI::IsMember(keys(shaders)))
-      ->capture_default_str();
-  app.add_option("--map-size", o.mapSize, "n of the reflectance map's n x n faces")
-      ->check(CLI::Range(2, 1024));
-  app.add_option("--map-lookup", o.mapLookup, "How the reflectance map is read (default: bilinear)")
-      ->check(CLI::IsMember(keys(mapLookups)));
-  app.add_option(
-         "--tolerance", o.tolerance,
-         "What a ray may be off by, as a share of white, instead of what its level allows (standard: 0.0314)")
-      ->check(CLI::Range(1e-6, 1.0));
-  app.add_option("--stop-at", o.stopAt,
-                 "End a ray where less than this share of the light behind comes through")
-      ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--opacity-threshold", o.opacityThreshold,
-                 "Pass over samples whose opacity, over one step, is below this")
-      ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--curve-table", o.curveTable,
-                 "Look colour and opacity up in a table of so many entries, instead of the exact curve")
-      ->check(CLI::Range(2, 65536));
-  app.add_option("--gradient", o.gradient, "How gradients are estimated")
-      ->check(CLI::IsMember(keys(gradientOperators)))
-      ->capture_default_str();
-  app.add_option("--threads", o.threads, "How many (default: all allowed cores)")->check(CLI::Range(1, 1024));
-  app.add_flag("--full", o.full,
-               "Leave nothing out: every sound rule of the planner off, the same picture, slower");
+  oneOf(app.add_option("--method", o.method, "Rendering method (default: planes)"), keys(methods));
+  oneOf(app.add_option("--resampler", o.resampler,
+                       "Resample with the CPU or OpenGL (default: gl with --method gpu, else cpu)"),
+        {"cpu", "gl"});
+  oneOf(
+      app.add_option("--blending", o.blending, "Bits of the frame buffer of --method blend (default: float)"),
+      keys(blendings));
+  oneOf(app.add_option("--precision", o.precision,
+                       "Bits of stored density and gradients (8: planes and blend on the CPU alone)"),
+        {"8", "16", "32"});
+  oneOf(app.add_option("--shader", o.shader,
+                       "Lighting directly (phong), by reflectance map, or by 5-bit table (for comparison)"),
+        keys(shaders));
+  wholeNumber(app.add_option("--map-size", o.mapSize, "n of the reflectance map's n x n faces"), 2, 1024);
+  oneOf(app.add_option("--map-lookup", o.mapLookup, "How the reflectance map is read (default: bilinear)"),
+        keys(mapLookups));
+  number(app.add_option("--tolerance", o.tolerance,
+                        "Largest error of a ray, as a share of white, instead of the level's (standard: "
+                        "0.0314)"),
+         1e-6, 1)
+      ->type_name("SHARE");
+  number(app.add_option("--stop-at", o.stopAt,
+                        "End a ray where less than this share of the light behind comes through"),
+         0, 1);
+  number(app.add_option("--opacity-threshold", o.opacityThreshold,
+                        "Skip samples whose opacity over one step is below this"),
+         0, 1);
+  wholeNumber(app.add_option("--curve-table", o.curveTable,
+                             "Colour and opacity from a table of N entries instead of the exact curve"),
+              2, 65536);
+  oneOf(app.add_option("--gradient", o.gradient, "Gradient operator (default: sobel)"),
+        keys(gradientOperators));
+  addThreads(app, o.threads);
+  app.add_flag("--full", o.full, "Switch every optimisation off (same picture, slower)");
+}
+
+void addThreads(CLI::App& app, std::optional<int>& threads) {
+  wholeNumber(app.add_option("--threads", threads, "Number of threads (default: all cores)"), 1, 1024);
 }
 
 Result<RenderOptions> renderOptions(const SceneOptions& scene, const MethodOptions& method) {
@@ -160,31 +173,38 @@ Result<RenderOptions> renderOptions(const SceneOptions& scene, const MethodOptio
   const auto size = sizeOf(scene.size);
   if (!size) return size.error();
   out.size = *size;
-  if (!method.quality.empty()) out.quality = qualities.at(method.quality);
+  if (!scene.preset.empty())
+    if (Status known = checkPreset(scene.preset); !known)
+      return Error{known.message() + " (`volumen --list-presets` shows all)"};
+  if (!method.quality.empty()) out.quality = meaning(qualities, method.quality);
   out.step = method.step;
-  out.method = method.reference ? Method::reference : methods.at(method.method);
+  out.method = method.reference ? Method::reference : meaning(methods, method.method);
   if (out.method == Method::reference && (method.step || !method.quality.empty()))
     return Error{"--method reference has no steps or levels; leave --step and --quality out."};
   if (!method.resampler.empty()) out.resampler = method.resampler == "gl" ? Resampler::gl : Resampler::cpu;
-  if (!method.blending.empty()) out.blending = blendings.at(method.blending);
-  out.shader = shaders.at(method.shader);
+  if (!method.blending.empty()) out.blending = meaning(blendings, method.blending);
+  out.shader = meaning(shaders, method.shader);
   out.precision = method.precision;
   out.mapSize = method.mapSize;
-  if (!method.mapLookup.empty()) out.mapLookup = mapLookups.at(method.mapLookup);
+  if (!method.mapLookup.empty()) out.mapLookup = meaning(mapLookups, method.mapLookup);
   out.tolerance = method.tolerance;
   out.stopAt = method.stopAt;
   out.opacityThreshold = method.opacityThreshold;
   out.curveTable = method.curveTable;
-  out.gradient = gradientOperators.at(method.gradient);
+  out.gradient = meaning(gradientOperators, method.gradient);
   out.threads = method.threads.value_or(0);
   out.full = method.full;
   return out;
 }
 
-Status checkPlan(const Scene& scene, const Volume& volume, const RenderOptions& options) {
+Status checkPlan(const SceneOptions& options, const std::optional<Scene>& file, const RenderOptions& asked) {
+  const Result<VolumePtr> standIn = makePhantom("sphere:16");
+  if (!standIn) return standIn.error();
+  const auto scene = makeScene(options, file, **standIn);
+  if (!scene) return scene.error();
   VolumeFacts facts;
-  facts.geometry = volume.geometry();
-  const auto plan = makePlan(scene, facts, options);
+  facts.geometry = (*standIn)->geometry();
+  const auto plan = makePlan(*scene, facts, asked);
   return plan ? Status() : Status(plan.error());
 }
 

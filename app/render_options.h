@@ -14,11 +14,15 @@ struct SceneOptions {
   std::string sceneFile, preset, view, projection, mode, size = "512x512";
 };
 
-/// Adds --scene, --preset, --view, --projection, --size and --mode.
+/// Adds --scene, --preset, --list-presets, --view, --projection, --size and --mode.
 void addSceneOptions(CLI::App& app, SceneOptions& options);
 
-/// The scene for a volume: file or preset, then the single overrides. The Error names the file or option.
-Result<Scene> makeScene(const SceneOptions& options, const Volume& volume);
+/// The scene of --scene, a scene file or a picture that holds one; none where the option is not given. Read
+/// before anything is loaded. The Error names the file.
+Result<std::optional<Scene>> readScene(const SceneOptions& options);
+
+/// The scene for a volume: `file`'s (readScene) or the preset's, then the single overrides.
+Result<Scene> makeScene(const SceneOptions& options, const std::optional<Scene>& file, const Volume& volume);
 
 /// The options that choose accuracy and method, as typed.
 struct MethodOptions {
@@ -33,12 +37,15 @@ struct MethodOptions {
 /// --full.
 void addMethodOptions(CLI::App& app, MethodOptions& options);
 
-/// Both together as the planner reads them. The Error (wrong usage) names the options that do not go
+/// Adds --threads.
+void addThreads(CLI::App& app, std::optional<int>& threads);
+
+/// Both together as the planner reads them. The Error (wrong usage) names what is unknown or does not go
 /// together.
 Result<RenderOptions> renderOptions(const SceneOptions& scene, const MethodOptions& method);
 
-/// What the planner would refuse, before anything is measured: options that the scene does not go with. It
-/// looks at nothing of the volume but its geometry.
-Status checkPlan(const Scene& scene, const Volume& volume, const RenderOptions& options);
+/// What the planner would refuse of a scene made by makeScene, asked before a volume is loaded: options that
+/// do not go together. A projection that --preset auto alone may choose is not known yet.
+Status checkPlan(const SceneOptions& options, const std::optional<Scene>& file, const RenderOptions& asked);
 
 }  // namespace volumen

@@ -12,9 +12,11 @@ namespace volumen {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 template <class Write>
 Status writeWhole(const std::string& folder, const char* name, Write write) {
-  const std::string path = (std::filesystem::path(folder) / name).string();
+  const std::string path = (fs::path(folder) / name).string();
   auto file = OutputFile::create(path);
   if (!file) return file.error();
   if (Status s = write(*file); !s) return s;
@@ -25,11 +27,28 @@ Status writeWhole(const std::string& folder, const char* name, Write write) {
 
 }  // namespace
 
+Status checkFolder(const std::string& folder) {
+  std::vector<fs::path> made;
+  std::error_code ignored;
+  for (fs::path at = fs::path(folder).lexically_normal(); !at.empty() && !fs::exists(at, ignored);
+       at = at.parent_path())
+    made.push_back(at);
+  Status status = makeFolder(folder);
+  if (status)
+    if (auto file = OutputFile::create((fs::path(folder) / "study.csv").string()); !file)
+      status = file.error();
+  for (const fs::path& empty : made) fs::remove(empty, ignored);
+  return status;
+}
+
 Status makeFolder(const std::string& folder) {
   std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) return Error{folder + ": the folder cannot be made (" + failed.message() + ")."};
-  return {};
+  fs::create_directories(folder, failed);
+  const bool there = fs::is_directory(folder, failed);
+  if (there) return {};
+  return Error{
+      "Cannot make the folder " + folder + ": " +
+      (fs::exists(folder, failed) ? "a file has this name" : "no permission, or not a place for one") + "."};
 }
 
 Status writeReport(const std::string& folder, const char* name, const std::string& text) {
@@ -39,7 +58,7 @@ Status writeReport(const std::string& folder, const char* name, const std::strin
 Status writeReport(const std::string& folder, const char* name, const QImage& picture) {
   return writeWhole(folder, name, [&](OutputFile& file) -> Status {
     if (picture.save(&file.device(), "PNG")) return {};
-    return Error{folder + "/" + name + ": the picture cannot be written."};
+    return Error{"Cannot write " + folder + "/" + name + "."};
   });
 }
 

@@ -8,6 +8,9 @@
 
 namespace volumen {
 
+/// Whether a folder can be made, or written into where it is there; leaves nothing. The Error names it.
+Status checkFolder(const std::string& folder);
+
 /// A folder that a command writes its reports into; makes it. The Error names it.
 Status makeFolder(const std::string& folder);
 

@@ -61,12 +61,19 @@ void sortVolumes(std::vector<Series>& volumes) {
                    [&](const Series& a, const Series& b) { return key(a) < key(b); });
 }
 
+/// A sentence about a file, "F is compressed.", as a reason that stands behind its name: "compressed."
+std::string reasonWithout(const std::string& file, std::string sentence) {
+  for (const std::string& begin : {file + ": ", file + " is ", file + " "})
+    if (sentence.starts_with(begin)) return sentence.substr(begin.size());
+  return sentence;
+}
+
 void addImageFile(const std::string& file, Study& study) {
   Result<std::vector<Series>> volumes = readImageFileHeaders(file);
   if (volumes)
     std::move(volumes->begin(), volumes->end(), std::back_inserter(study.volumes));
   else
-    study.refused.push_back({file, volumes.message()});
+    study.refused.push_back({file, reasonWithout(file, volumes.message())});
 }
 
 }  // namespace
@@ -86,7 +93,7 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
       others.push_back(file);
   }
   dicom::findSeries(others, study, progress, cancel);
-  if (cancel.cancelled()) return Error{path + ": cancelled."};
+  if (cancel.cancelled()) return Error{path + ": interrupted."};
   sortVolumes(study.volumes);
   numberParts(study.volumes);
   return study;
@@ -106,7 +113,7 @@ Result<Loaded> loadSeries(const Series& series, const Progress& progress, const 
 
 Result<std::size_t> chooseSeries(const Study& study, const std::string& text) {
   const std::vector<Series>& all = study.volumes;
-  if (all.empty()) return Error{"There is no volume to choose."};
+  if (all.empty()) return Error{"There is no series to choose from."};
   if (text.empty()) {
     const auto most = std::max_element(all.begin(), all.end(), [](const Series& a, const Series& b) {
       return a.acquired.voxelCount() < b.acquired.voxelCount();
@@ -120,10 +127,7 @@ Result<std::size_t> chooseSeries(const Study& study, const std::string& text) {
   const bool isNumber = text.find_first_not_of("0123456789") == std::string::npos && text.size() <= 9;
   if (isNumber && numberOf(text) >= 1 && std::size_t(numberOf(text)) <= all.size())
     return std::size_t(numberOf(text)) - 1;
-  std::string list;
-  for (std::size_t n = 0; n < all.size(); ++n)
-    list += "\n  " + std::to_string(n + 1) + "  " + all[n].id + "  " + all[n].description;
-  return Error{"There is no series \"" + text + "\"; there are:" + list};
+  return Error{"Unknown series \"" + text + "\"."};
 }
 
 }  // namespace volumen

@@ -37,6 +37,7 @@ struct Series {
   std::vector<int> frames;         ///< DICOM: the frame (from 0) of each of `files` that is the slice
 };
 
+/// A file that could not be read; the reason stands behind its name: "F: compressed with bzip2, ...".
 struct Refused {
   std::string path, reason;
 };
@@ -75,7 +76,7 @@ Result<Loaded> loadSeries(const Series& series, const Progress& progress = {},
                           const CancelToken& cancel = {});
 
 /// The series that `--series` means: an id, a UID or its number (from 1) in the study's order; empty: the one
-/// with most voxels. An Error that lists what there is.
+/// with most voxels. An Error where nothing is meant by it.
 Result<std::size_t> chooseSeries(const Study& study, const std::string& text);
 
 }  // namespace volumen

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <set>
@@ -33,7 +34,9 @@ std::vector<std::string> entries(const std::string& folder, std::error_code& err
 
 Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return Error{path + ": " + std::strerror(errno) + "."};
+  if (::stat(path.c_str(), &status) != 0)
+    return Error{"Cannot open " + path + ": " +
+                 (errno == ENOENT ? "no such file or folder" : std::strerror(errno)) + "."};
   FoundFiles found;
   Visited visited;
   std::vector<std::string> open{path};  // last in, first out; filled in reverse so that names stay in order

@@ -99,7 +99,7 @@ void MainWindow::connectLoader() {
           [this](const QString& name, const Scene& scene, const VolumePtr& v) {
             if (session_.series() && session_.series()->volume == v) applyPreset(name, scene);
           });
-  connect(&loader_, &Loader::failed, this, [this](const QString& sentence) { banner_->tell(sentence); });
+  connect(&loader_, &Loader::failed, this, [this](const QString& sentence) { banner_->add(sentence); });
   connect(&loader_, &Loader::progressed, status_, &StatusLine::progress);
   connect(&loader_, &Loader::busyChanged, this, [this](bool busy) {
     if (busy)
@@ -178,12 +178,8 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
   for (const Other& other : study->other)
     details << shownText(other.path) + QStringLiteral(": ") + shownText(other.kind);
   if (study->volumes.empty())
-    return banner_->tell(tr("%1 holds no image that can be shown.").arg(shownText(path.toStdString())),
-                         details);
-  if (!study->refused.empty())
-    banner_->tell(study->refused.size() == 1 ? tr("1 file could not be read.")
-                                             : tr("%1 files could not be read.").arg(study->refused.size()),
-                  details);
+    return banner_->add(tr("No images found in %1.").arg(shownText(path.toStdString())), details);
+  if (!study->refused.empty()) banner_->add(unreadText(*study), details);
   if (!std::exchange(showFirst_, false)) return;
   if (const Result<std::size_t> largest = chooseSeries(*study, {})) loader_.load(study->volumes[*largest]);
 }

@@ -8,6 +8,7 @@
 #include "app/progress.h"
 #include "app/render_options.h"
 #include "app/report_files.h"
+#include "app/usage.h"
 #include "ui/plots/study_charts.h"
 #include "viewer/evaluation/accuracy_study.h"
 
@@ -29,14 +30,13 @@ Result<std::vector<Setting>> settingsOf(const AccuracyOptions& options, const Re
   if (options.knobs.empty()) return all;
   std::string names;
   for (const Setting& s : all)
-    if (names.find(s.knob) == std::string::npos) names += (names.empty() ? "" : "; ") + s.knob;
+    if (names.find(s.knob) == std::string::npos) names += (names.empty() ? "\"" : ", \"") + s.knob + "\"";
   std::vector<Setting> chosen{all.front()};
   for (const std::string& knob : options.knobs) {
     const std::size_t before = chosen.size();
     std::copy_if(all.begin() + 1, all.end(), std::back_inserter(chosen),
                  [&](const Setting& s) { return s.knob == knob; });
-    if (chosen.size() == before)
-      return Error{"--knob " + knob + ": there is no such knob; there are: " + names + "."};
+    if (chosen.size() == before) return Error{"--knob: \"" + knob + "\" is not one of " + names + "."};
   }
   return chosen;
 }
@@ -47,6 +47,7 @@ std::string sceneName(const SceneOptions& scene) {
 }
 
 Status writeAll(const AccuracyStudy& study, const StudyTitle& title, const std::string& folder) {
+  if (Status s = makeFolder(folder); !s) return s;
   prepareFonts();
   if (Status s = writeReport(folder, "study.csv", studyCsv(study)); !s) return s;
   if (Status s = writeReport(folder, "study.json", studyJson(study, title)); !s) return s;
@@ -70,18 +71,21 @@ int run(const AccuracyOptions& options, const CancelToken& cancel) {
   if (!asked) return failUsage(asked.message());
   const auto settings = settingsOf(options, studyBase(asked->size, asked->threads));
   if (!settings) return failUsage(settings.message());
-  if (Status s = makeFolder(options.folder); !s) return fail(s.message());
+  const auto file = readScene(options.scene);
+  if (!file) return fail(file.message());
+  if (Status s = checkPlan(options.scene, *file, settings->front().options); !s)
+    return failUsage(s.message());
+  if (Status s = checkFolder(options.folder); !s) return fail(s.message());
   auto opened = openVolume(options.path, options.series, cancel);
-  if (!opened) return fail(opened.message());
+  if (!opened) return fail(opened.message(), cancel);
   printNotes(opened->notes);
   const VolumePtr volume = opened->loaded.drawn;
-  const auto scene = makeScene(options.scene, *volume);
+  const auto scene = makeScene(options.scene, *file, *volume);
   if (!scene) return fail(scene.message());
-  if (Status s = checkPlan(*scene, *volume, settings->front().options); !s) return failUsage(s.message());
   RenderCaches caches(volume);
   const auto study = measure(*scene, *settings, options.study, caches, terminalProgress(), cancel);
   endTerminalProgress();
-  if (!study) return fail(cancel.cancelled() ? "Stopped; nothing was written." : study.message());
+  if (!study) return fail(study.message(), cancel);
   printNotes(leftOutNote(study->leftOut));
   const std::string name = volume->attributes().name.empty() ? opened->series.id : volume->attributes().name;
   const Status written = writeAll(*study, titleOf(name, sceneName(options.scene)), options.folder);
@@ -92,24 +96,27 @@ int run(const AccuracyOptions& options, const CancelToken& cancel) {
 
 std::function<int()> makeAccuracy(CLI::App& app, const CancelToken& cancel) {
   auto o = std::make_shared<AccuracyOptions>();
-  app.add_option("PATH", o->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
+  addPath(app, o->path)->required();
   app.add_option("-o,--output", o->folder,
                  "The folder to write: study.csv, study.json, error-time.png, knobs.png, differences.png")
+      ->type_name("FOLDER")
       ->required();
-  app.add_option("--series", o->series, "Which series: its id, its UID or its number in `volumen info`");
+  addSeries(app, o->series);
   addSceneOptions(app, o->scene);
   app.add_option("--knob", o->knobs,
-                 "Only this knob beside the base (again for more); default: all, and the grid");
-  app.add_option("--frames", o->study.frames, "Frames a row; slow rows get fewer")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option(
-         "--pixels", o->study.mostPixels,
-         "Most pixels of the reference; of a larger picture it is computed at one in each cell of a grid")
-      ->check(CLI::Range(1, 1 << 26))
-      ->capture_default_str();
-  app.add_option("--threads", o->threads, "How many (default: all allowed cores)")
-      ->check(CLI::Range(1, 1024));
+                 "Measure this setting alone (again for more; default: all, and the grid)")
+      ->type_name("NAME")
+      ->take_all();
+  wholeNumber(app.add_option("--frames", o->study.frames, "Frames a row; slow rows get fewer (default: 5)"),
+              1, 1000);
+  wholeNumber(
+      app.add_option("--pixels", o->study.mostPixels,
+                     "Most pixels of the reference; of a larger picture it is computed at one in each "
+                     "cell of a grid"),
+      1, 1 << 26);
+  addThreads(app, o->threads);
+  addExamples(app, {"volumen accuracy scans/ --preset CT-Bone -o accuracy/",
+                    "volumen accuracy scans/ --knob step --frames 1 --size 64x64 -o accuracy/"});
   return [o, &cancel] { return run(*o, cancel); };
 }
 

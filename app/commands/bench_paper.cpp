@@ -70,6 +70,7 @@ Result<std::vector<PaperVolume>> withStandIns(const std::string& data, const Can
 }
 
 Status writeAll(const PaperBench& bench, const std::string& folder) {
+  if (Status s = makeFolder(folder); !s) return s;
   prepareFonts();
   const StudyTitle title = titleOf({}, {});
   if (Status s = writeReport(folder, "paper.md", paperText(bench, title.machine, title.date)); !s) return s;
@@ -87,12 +88,12 @@ Status writeAll(const PaperBench& bench, const std::string& folder) {
 
 int benchPaper(const std::string& folder, const std::string& data, const PaperOptions& options,
                const CancelToken& cancel) {
-  if (Status s = makeFolder(folder); !s) return fail(s.message());
+  if (Status s = checkFolder(folder); !s) return fail(s.message());
   auto volumes = withStandIns(data, cancel);
   const auto bench = volumes ? measurePaper(std::move(*volumes), options, terminalProgress(), cancel)
                              : Result<PaperBench>(volumes.error());
   endTerminalProgress();
-  if (!bench) return fail(cancel.cancelled() ? "Stopped; nothing was written." : bench.message());
+  if (!bench) return fail(bench.message(), cancel);
   const Status written = writeAll(*bench, folder);
   return written.ok() ? exitDone : fail(written.message());
 }

@@ -6,7 +6,9 @@
 #include "app/command.h"
 #include "app/open_volume.h"
 #include "app/progress.h"
+#include "app/usage.h"
 #include "io/export/dicom_series.h"
+#include "io/files/output_file.h"
 #include "io/files/write_volume.h"
 
 namespace volumen {
@@ -23,6 +25,12 @@ bool isFolder(const std::string& output) {
   return output.ends_with('/') || std::filesystem::is_directory(output, ignored);
 }
 
+Status checkOutput(const std::string& output) {
+  if (isFolder(output)) return checkDicomFolder(output);
+  const auto file = OutputFile::create(output);
+  return file ? Status() : Status(file.error());
+}
+
 Status write(const Volume& volume, const Series& series, const std::string& output, const Progress& progress,
              const CancelToken& cancel) {
   if (isFolder(output)) return writeDicomSeries(volume, dicomTags(series), output, progress, cancel);
@@ -34,25 +42,24 @@ void addNotes(std::vector<std::string>& notes, const Opened& opened, const std::
   const Loaded& loaded = opened.loaded;
   if (loaded.drawn != loaded.acquired) {
     const int made = opened.series.regular ? opened.series.regular->interpolatedSlices : 0;
-    notes.push_back("The slices of " + opened.series.id + " are not evenly spaced: a regular grid of " +
-                    std::to_string(loaded.drawn->size().z) + " slices was written, " + std::to_string(made) +
-                    " of them interpolated.");
+    notes.push_back("Evenly spaced slices were written: " + std::to_string(loaded.drawn->size().z) + ", " +
+                    std::to_string(made) + " of them interpolated.");
   }
   if (!loaded.drawn->geometry().calibrated)
-    notes.push_back(opened.series.id + " is not calibrated: " + output +
-                    " gives no size of its voxels, or 1 mm.");
+    notes.push_back("Not calibrated: " + output + " gives no size of its voxels, or 1 mm.");
 }
 
 int run(const ConvertOptions& options, const CancelToken& cancel) {
   if (!isFolder(options.output) && !isVolumeFileName(options.output))
     return failUsage(options.output +
                      ": volumes are written as .nrrd, .nii.gz or .mha, or as DICOM to FOLDER/.");
+  if (Status s = checkOutput(options.output); !s) return fail(s.message());
   Result<Opened> opened = openVolume(options.path, options.series, cancel);
-  if (!opened) return fail(opened.message());
+  if (!opened) return fail(opened.message(), cancel);
   const Status written =
       write(*opened->loaded.drawn, opened->series, options.output, terminalProgress(), cancel);
   endTerminalProgress();
-  if (!written) return fail(written.message());
+  if (!written) return fail(written.message(), cancel);
   addNotes(opened->notes, *opened, options.output);
   printNotes(opened->notes);
   std::cout << printable(options.output) << '\n';
@@ -63,12 +70,13 @@ int run(const ConvertOptions& options, const CancelToken& cancel) {
 
 std::function<int()> makeConvert(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<ConvertOptions>();
-  app.add_option("PATH", options->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
+  addPath(app, options->path)->required();
   app.add_option("-o,--output", options->output,
-                 "The file to write: .nrrd, .nii.gz or .mha; or FOLDER/ for a DICOM series")
+                 "The file to write, .nrrd, .nii.gz or .mha; or FOLDER/ for a DICOM series")
+      ->type_name("FILE")
       ->required();
-  app.add_option("--series", options->series,
-                 "Which series: its id, its UID or its number in `volumen info`");
+  addSeries(app, options->series);
+  addExamples(app, {"volumen convert scans/ -o chest.nii.gz", "volumen convert scans/ --series 1 -o copy/"});
   return [options, &cancel] { return run(*options, cancel); };
 }
 

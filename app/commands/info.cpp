@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "app/info_text.h"
 #include "app/progress.h"
+#include "app/usage.h"
 #include "io/study.h"
 
 namespace volumen {
@@ -17,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 struct InfoOptions {
   std::string path;
-  bool json = false, values = false;
+  bool json = false, values = false, verbose = false;
 };
 
 Json toJson(glm::dvec3 v) { return Json::array({v.x, v.y, v.z}); }
@@ -112,77 +114,43 @@ Status addValues(Json& out, const Series& series, const CancelToken& cancel) {
   return {};
 }
 
-Json studyJson(Study& study, bool values, const CancelToken& cancel) {
-  Json out{{"volumes", Json::array()}, {"refused", Json::array()}, {"other", Json::array()}};
+// Every series, with its values where they are wanted; one whose values cannot be read is refused instead.
+std::vector<InfoSeries> describe(Study& study, bool values, const CancelToken& cancel) {
+  std::vector<InfoSeries> all;
   for (const Series& s : study.volumes) {
-    Json entry = seriesJson(s);
+    InfoSeries entry{&s, seriesJson(s)};
     if (values) {
-      if (Status added = addValues(entry, s, cancel); !added) {
+      if (Status added = addValues(entry.json, s, cancel); !added) {
         study.refused.push_back({s.path, added.message()});
         continue;
       }
     }
-    out["volumes"].push_back(std::move(entry));
+    all.push_back(std::move(entry));
   }
+  endTerminalProgress();
+  return all;
+}
+
+Json studyJson(const Study& study, const std::vector<InfoSeries>& series) {
+  Json out{{"volumes", Json::array()}, {"refused", Json::array()}, {"other", Json::array()}};
+  for (const InfoSeries& s : series) out["volumes"].push_back(s.json);
   for (const Refused& r : study.refused) out["refused"].push_back({{"path", r.path}, {"reason", r.reason}});
   for (const Other& o : study.other) out["other"].push_back({{"path", o.path}, {"kind", o.kind}});
   return out;
 }
 
-std::string line(const Json& v, const char* key) {
-  return v.contains(key) && v[key].is_string() ? v[key].get<std::string>() : "";
-}
-
-void printText(const Json& all) {
-  std::string patient, study;
-  int number = 0;
-  for (const Json& v : all["volumes"]) {
-    const std::string who = line(v["patient"], "name") +
-                            (line(v["patient"], "id").empty() ? "" : " (" + line(v["patient"], "id") + ")");
-    const std::string what = line(v["study"], "date") + " " + line(v["study"], "description");
-    if (who != patient || number == 0)
-      std::cout << "Patient " << (who.empty() ? "without a name" : printable(who)) << '\n';
-    if (who != patient || what != study || number == 0) std::cout << "  Study " << printable(what) << '\n';
-    patient = who, study = what;
-    std::cout << "    " << ++number << "  " << line(v, "format") << ' ' << printable(line(v, "modality"))
-              << "  " << printable(line(v, "description").empty() ? line(v, "id") : line(v, "description"))
-              << '\n';
-    std::cout << "       " << v["dims"][0] << " x " << v["dims"][1] << " x " << v["dims"][2] << " voxels, "
-              << line(v, "valueType");
-    if (v["calibrated"])
-      std::printf(", %.4g x %.4g x %.4g mm", double(v["spacing"][0]), double(v["spacing"][1]),
-                  double(v["spacing"][2])),
-          std::fflush(stdout);
-    else
-      std::cout << ", not calibrated";
-    if (v.contains("regular"))
-      std::cout << "; drawn on " << v["regular"]["dims"][2] << " even slices, "
-                << v["regular"]["interpolatedSlices"] << " interpolated";
-    std::cout << '\n';
-    if (v.contains("min"))
-      std::cout << "       values " << v["min"] << " .. " << v["max"] << ", mean " << v["mean"] << '\n';
-    for (const Json& w : v["warnings"]) std::cout << "       ! " << printable(w.get<std::string>()) << '\n';
-  }
-  for (const Json& r : all["refused"])
-    std::cout << "Refused " << printable(r["path"]) << ": " << printable(r["reason"]) << '\n';
-  for (const Json& o : all["other"])
-    std::cout << "Other   " << printable(o["path"]) << ": " << printable(o["kind"]) << '\n';
-}
-
 int run(const InfoOptions& options, const CancelToken& cancel) {
   auto study = openStudy(options.path, terminalProgress(), cancel);
   endTerminalProgress();
-  if (!study) return fail(study.message());
-  const Json all = studyJson(*study, options.values, cancel);
-  endTerminalProgress();
-  if (cancel.cancelled()) return fail("Stopped.");
-  std::cout << std::flush;
+  if (!study) return fail(study.message(), cancel);
+  const std::vector<InfoSeries> series = describe(*study, options.values, cancel);
+  if (cancel.cancelled()) return fail({}, cancel);
   if (options.json)
-    std::cout << all.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << studyJson(*study, series).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   else
-    printText(all);
-  if (!all["volumes"].empty()) return exitDone;
-  if (!options.json) fail(options.path + " holds no volume.");
+    std::cout << infoText(*study, series, options.verbose);
+  if (!series.empty()) return exitDone;
+  if (!options.json) fail("No images found in " + options.path + ".");
   return exitFailed;
 }
 
@@ -190,10 +158,12 @@ int run(const InfoOptions& options, const CancelToken& cancel) {
 
 std::function<int()> makeInfo(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<InfoOptions>();
-  app.add_option("PATH", options->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
-  app.add_flag("--json", options->json, "One JSON object on stdout");
+  addPath(app, options->path)->required();
+  app.add_flag("--json", options->json, "Write one JSON object to stdout");
   app.add_flag("--values", options->values,
                "Read the pixels too: minimum, maximum, mean and checksum of the values");
+  app.add_flag("--verbose", options->verbose, "Also ids, folders and every file that is not shown");
+  addExamples(app, {"volumen info scans/", "volumen info scans/ --values --json"});
   return [options, &cancel] { return run(*options, cancel); };
 }
 

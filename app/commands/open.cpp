@@ -4,9 +4,11 @@
 
 #include <QApplication>
 #include <QTimer>
+#include <filesystem>
 #include <memory>
 
 #include "app/command.h"
+#include "app/usage.h"
 #include "ui/main_window.h"
 
 namespace volumen {
@@ -14,8 +16,8 @@ namespace volumen {
 namespace {
 
 constexpr const char* noDisplay =
-    "No display can be reached, so no window can be opened: set DISPLAY or WAYLAND_DISPLAY, or draw "
-    "without a window by `volumen render`.";
+    "No display can be reached, so no window can be opened: set DISPLAY or WAYLAND_DISPLAY, or use "
+    "`volumen render`, which needs no window.";
 
 // QGuiApplication ends the program where the display does not answer, so it is tried in a child process
 // first.
@@ -41,7 +43,22 @@ bool displayAnswers() {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-int run(const std::vector<std::string>& paths, const CancelToken& cancel) {
+// The paths that are there; every other one is complained about.
+std::vector<std::string> existing(const std::vector<std::string>& paths) {
+  std::vector<std::string> there;
+  for (const std::string& path : paths) {
+    std::error_code ignored;
+    if (path.starts_with("phantom:") || std::filesystem::exists(path, ignored))
+      there.push_back(path);
+    else
+      fail("Cannot open " + path + ": no such file or folder.");
+  }
+  return there;
+}
+
+int run(const std::vector<std::string>& asked, const CancelToken& cancel) {
+  const std::vector<std::string> paths = existing(asked);
+  if (paths.empty() && !asked.empty()) return exitFailed;
   if (!displayAnswers()) return fail(noDisplay);
   int argc = 1;
   char name[] = "volumen", *argv[] = {name, nullptr};
@@ -67,7 +84,8 @@ int run(const std::vector<std::string>& paths, const CancelToken& cancel) {
 
 std::function<int()> makeOpen(CLI::App& app, const CancelToken& cancel) {
   auto paths = std::make_shared<std::vector<std::string>>();
-  app.add_option("PATH", *paths, "Files, folders or phantom:NAME[:SIZE]");
+  app.add_option("PATH", *paths, "Files, folders or phantom:NAME[:SIZE]")->type_name("");
+  addExamples(app, {"volumen open scans/", "volumen open chest.nii.gz phantom:ct-head"});
   return [paths, &cancel] { return run(*paths, cancel); };
 }
 

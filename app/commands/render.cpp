@@ -5,6 +5,7 @@
 #include "app/command.h"
 #include "app/open_volume.h"
 #include "app/render_options.h"
+#include "app/usage.h"
 #include "io/files/output_file.h"
 #include "io/files/picture_file.h"
 #include "viewer/plan/picture_text.h"
@@ -115,12 +116,16 @@ class Run {
     if (const int wrong = checkUsage()) return wrong;
     const auto asked = renderOptions(options_.scene, options_.method);
     if (!asked) return failUsage(asked.message());
+    const auto file = readScene(options_.scene);
+    if (!file) return fail(file.message());
+    if (Status s = checkPlan(options_.scene, *file, *asked); !s) return failUsage(s.message());
+    if (Status s = checkOutputs(); !s) return fail(s.message());
     auto opened = openVolume(options_.path, options_.series, cancel_);
-    if (!opened) return fail(opened.message());
+    if (!opened) return fail(opened.message(), cancel_);
     printNotes(opened->notes);
     volume_ = opened->loaded.drawn;
     times_.loadMs = wallMs() - begin;
-    auto scene = makeScene(options_.scene, *volume_);
+    auto scene = makeScene(options_.scene, *file, *volume_);
     if (!scene) return fail(scene.message());
     RenderCaches caches(volume_);
     const int status = draw(*scene, *asked, caches);
@@ -132,10 +137,21 @@ class Run {
   int checkUsage() const {
     const bool quiet = options_.explain || options_.printScene || !options_.statsFile.empty();
     if (options_.output.empty() && !quiet)
-      return failUsage("Say where the picture goes: -o PICTURE (.png or .nrrd).");
+      return failUsage("Missing output file: use -o PICTURE (.png or .nrrd).");
     if (!options_.output.empty() && !endsWith(options_.output, ".png") && !endsWith(options_.output, ".nrrd"))
       return failUsage(options_.output + ": pictures are written as .png (8 bits) or .nrrd (floats).");
     return 0;
+  }
+
+  // Whether everything can be written that will be.
+  Status checkOutputs() const {
+    const std::string picture =
+        options_.turntable && !options_.output.empty() ? numbered(options_.output, 0) : options_.output;
+    for (const std::string& path : {picture, options_.statsFile, options_.errorMap}) {
+      if (path.empty()) continue;
+      if (auto file = OutputFile::create(path); !file) return file.error();
+    }
+    return {};
   }
 
   int draw(const Scene& scene, const RenderOptions& asked, RenderCaches& caches) {
@@ -156,6 +172,7 @@ class Run {
       const std::string path = options_.turntable ? numbered(options_.output, n) : options_.output;
       if (Status written = writePicture(done_, path); !written) return fail(written.message());
       told() << printable(path) << '\n';
+      ++written_;
     }
     if (!options_.errorMap.empty()) return writeErrorMap();
     return exitDone;
@@ -195,7 +212,10 @@ class Run {
   }
 
   int stopped(const std::string& why) const {
-    return fail(cancel_.cancelled() ? "Stopped; no picture was written." : why);
+    if (cancel_.cancelled() && written_ > 0)
+      return fail("Interrupted; " + std::to_string(written_) + " of " + std::to_string(options_.turntable) +
+                  " pictures were written.");
+    return fail(why, cancel_);
   }
 
   int finish() {
@@ -217,26 +237,29 @@ class Run {
   VolumePtr volume_;
   Times times_;
   Rendered done_;
+  int written_ = 0;
 };
 
 }  // namespace
 
 std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel) {
   auto o = std::make_shared<Options>();
-  app.add_option("PATH", o->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
-  app.add_option("-o,--output", o->output, "The picture: .png (8 bits) or .nrrd (floats, for comparison)");
-  app.add_option("--series", o->series, "Which series: its id, its UID or its number in `volumen info`");
+  addPath(app, o->path)->required();
+  app.add_option("-o,--output", o->output, "The picture: .png (8 bits) or .nrrd (floats, for comparison)")
+      ->type_name("PICTURE");
+  addSeries(app, o->series);
   addSceneOptions(app, o->scene);
   addMethodOptions(app, o->method);
-  app.add_option("--frames", o->frames, "Draw the same view so many times, for timing")
-      ->check(CLI::Range(1, 100000));
-  app.add_option("--turntable", o->turntable,
-                 "So many pictures, turned about the camera's up axis by 360/N degrees each")
-      ->check(CLI::Range(1, 9999));
-  app.add_option("--stats", o->statsFile, "Write times, samples, memory and the plan to this JSON file");
-  app.add_option("--error-map", o->errorMap, "Write how far each pixel may be off, in 1/255, as .nrrd");
+  wholeNumber(app.add_option("--frames", o->frames, "Render the same view N times, for timing"), 1, 100000);
+  wholeNumber(app.add_option("--turntable", o->turntable, "Render N pictures of a full turn"), 1, 9999);
+  app.add_option("--stats", o->statsFile, "Write times, samples, memory and the plan to this JSON file")
+      ->type_name("FILE");
+  app.add_option("--error-map", o->errorMap, "Write how far each pixel may be off, in 1/255, as .nrrd")
+      ->type_name("FILE");
   app.add_flag("--explain", o->explain, "Say what is computed for this picture and why");
   app.add_flag("--print-scene", o->printScene, "Write the complete scene in use to stdout");
+  addExamples(app, {"volumen render scans/ --preset CT-Bone --view left -o bone.png",
+                    "volumen render scans/ --scene bone.png --turntable 12 -o turn.png"});
   return [o, &cancel] { return Run(*o, cancel)(); };
 }
 

@@ -9,7 +9,9 @@
 
 #include "app/command.h"
 #include "app/open_volume.h"
+#include "app/usage.h"
 #include "io/export/seg_nrrd.h"
+#include "io/files/output_file.h"
 #include "viewer/segment/range.h"
 
 namespace volumen {
@@ -68,27 +70,27 @@ void printJson(const LabelStatistics& s, const std::string& series, const ValueR
 void addNotes(std::vector<std::string>& notes, const Opened& opened, const LabelStatistics& s,
               const std::string& range) {
   if (opened.loaded.drawn != opened.loaded.acquired)
-    notes.push_back("The slices of " + opened.series.id +
-                    " are not evenly spaced: voxels are those of the regular grid of " +
-                    std::to_string(opened.loaded.drawn->size().z) + " slices.");
-  if (!s.millilitres) notes.push_back(opened.series.id + " is not calibrated: no millilitres.");
+    notes.push_back("The segment has the evenly spaced slices that are shown in 3D: " +
+                    std::to_string(opened.loaded.drawn->size().z) + ".");
+  if (!s.millilitres) notes.push_back("Not calibrated: no volume in millilitres.");
   if (!s.voxels) notes.push_back("No voxel has a value in " + range + "; the segment is empty.");
 }
 
 int run(const SegmentOptions& options, const CancelToken& cancel) {
   const auto range = readRange(options.range);
   if (!range)
-    return failUsage("--range must be LOW:HIGH with LOW <= HIGH (either may be left out), not " +
-                     options.range + ".");
+    return failUsage("--range: \"" + options.range +
+                     "\" is not LOW:HIGH, LOW: or :HIGH with LOW not above HIGH, as in 150:3000.");
   if (!options.output.ends_with(".seg.nrrd"))
     return failUsage(options.output + ": segmentations are written as .seg.nrrd.");
+  if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
   Result<Opened> opened = openVolume(options.path, options.series, cancel);
-  if (!opened) return fail(opened.message());
+  if (!opened) return fail(opened.message(), cancel);
   const Volume& volume = *opened->loaded.drawn;
   const LabelMap map = labelRange(volume, *range);
   const LabelStatistics statistics = labelStatistics(map, volume);
   if (const Status s = writeSegNrrd(map, "Range " + options.range, boneIvory, options.output, cancel); !s)
-    return fail(s.message());
+    return fail(s.message(), cancel);
   addNotes(opened->notes, *opened, statistics, options.range);
   printNotes(opened->notes);
   if (options.json)
@@ -102,15 +104,18 @@ int run(const SegmentOptions& options, const CancelToken& cancel) {
 
 std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<SegmentOptions>();
-  app.add_option("PATH", options->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
+  addPath(app, options->path)->required();
   app.add_option("--range", options->range,
-                 "Values to label, both ends included: LOW:HIGH, LOW: or :HIGH (HU for CT)")
+                 "Values to segment, both ends included: LOW:HIGH, LOW: or :HIGH (HU for CT)")
+      ->type_name("LOW:HIGH")
       ->required();
-  app.add_option("-o,--output", options->output, "The file to write: .seg.nrrd, as 3D Slicer reads it")
+  app.add_option("-o,--output", options->output, "The file to write, .seg.nrrd, as 3D Slicer reads it")
+      ->type_name("FILE")
       ->required();
-  app.add_option("--series", options->series,
-                 "Which series: its id, its UID or its number in `volumen info`");
-  app.add_flag("--json", options->json, "One JSON object on stdout");
+  addSeries(app, options->series);
+  app.add_flag("--json", options->json, "Write one JSON object to stdout");
+  addExamples(app, {"volumen segment scans/ --range 150:3000 -o bone.seg.nrrd",
+                    "volumen segment scans/ --range :-300 --json -o air.seg.nrrd"});
   return [options, &cancel] { return run(*options, cancel); };
 }
 

@@ -12,7 +12,7 @@ Result<int> wordField(const DataSet& data, std::uint32_t tag, const char* name, 
   if (!value && ifAbsent) return *ifAbsent;
   if (!value) return Error{std::string(name) + " " + tagText(tag) + " is missing"};
   if (*value < low || *value > high)
-    return Error{std::string(name) + " is " + std::to_string(*value) + ", which no picture can have"};
+    return Error{std::string(name) + " is " + std::to_string(*value) + ", which no image can have"};
   return int(*value);
 }
 
@@ -30,10 +30,10 @@ Status checkColour(const DataSet& data) {
   const int samples = data.word(0x00280002, data.root()).value_or(1);
   if (photometric == "MONOCHROME1" || photometric == "MONOCHROME2") {
     if (samples == 1) return {};
-    return Error{"SamplesPerPixel is " + std::to_string(samples) + " in a grey picture"};
+    return Error{"SamplesPerPixel is " + std::to_string(samples) + " in a grey image"};
   }
   if (photometric.empty()) return Error{"PhotometricInterpretation (0028,0004) is missing"};
-  return Error{"it is a colour picture (" + photometric + "), which is no volume"};
+  return Error{"colour image (" + photometric + "): cannot be shown in 3D"};
 }
 
 /// Bits, sign and order of integer samples.
@@ -41,7 +41,7 @@ Status readBits(const DataSet& data, const Element& pixels, PixelFormat& format)
   const auto allocated = wordField(data, 0x00280100, "BitsAllocated", {}, 1, 64);
   if (!allocated) return allocated.error();
   format.bitsAllocated = *allocated;
-  if (format.bitsAllocated == 1) return Error{"pictures of one bit a pixel (segmentations) are not read"};
+  if (format.bitsAllocated == 1) return Error{"image of one bit per pixel: not supported yet"};
   if (format.bitsAllocated != 8 && format.bitsAllocated != 16 && format.bitsAllocated != 32)
     return Error{"BitsAllocated is " + std::to_string(format.bitsAllocated) + "; 8, 16 and 32 are read"};
   const auto stored =

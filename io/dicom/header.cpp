@@ -65,16 +65,14 @@ Status scanPlain(const RegularFile& file, Scanned& s) {
   }
 }
 
-/// "SR (BasicTextSRStorage)".
+/// "DICOM file without pixel data (SR)".
 std::string kindOf(const FileHeader& header) {
   const char* name = header.sopClassUid.empty() ? nullptr : dcmFindNameOfUID(header.sopClassUid.c_str());
   if (header.sopClassUid == "1.2.840.10008.1.3.10" ||
       (name && std::string_view(name) == "MediaStorageDirectoryStorage"))
     return "DICOMDIR";
-  std::string kind = "DICOM without a picture";
-  if (!header.modality.empty()) kind += ", " + header.modality;
-  if (name) kind += std::string(" (") + name + ")";
-  return kind;
+  const std::string known = !header.modality.empty() ? header.modality : name ? name : "";
+  return "DICOM file without pixel data" + (known.empty() ? "" : " (" + known + ")");
 }
 
 Result<std::vector<FrameRanges>> nativeFrames(const Element& pixels, const PixelFormat& format,
@@ -92,6 +90,8 @@ Result<std::vector<FrameRanges>> nativeFrames(const Element& pixels, const Pixel
 }
 
 Status readPicture(const RegularFile& file, const Scanned& s, const DataSet& data, FileHeader& header) {
+  if (header.sopClassUid == "1.2.840.10008.5.1.4.1.1.66.4")
+    return Error{"DICOM segmentation: not supported yet"};
   const Element& pixels = *s.dataSet.pixels;
   auto format = readPixelFormat(data, pixels);
   if (!format) return format.error();

@@ -7,17 +7,6 @@
 
 namespace volumen::dicom {
 
-namespace {
-
-/// A sentence begins with a capital.
-std::string capitalised(std::string sentence) {
-  if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z')
-    sentence[0] = char(sentence[0] - 'a' + 'A');
-  return sentence;
-}
-
-}  // namespace
-
 void findSeries(const std::vector<std::string>& files, Study& study, const Progress& progress,
                 const CancelToken& cancel) {
   std::vector<Inspection> inspections(files.size());
@@ -34,7 +23,7 @@ void findSeries(const std::vector<std::string>& files, Study& study, const Progr
         study.other.push_back({files[n], i.text});
         break;
       case Inspection::Kind::refused:
-        study.refused.push_back({files[n], capitalised(i.text)});
+        study.refused.push_back({files[n], i.text});
         break;
       case Inspection::Kind::picture:
         pictures.push_back(std::move(i.header));

@@ -268,7 +268,7 @@ Result<Loaded> load(const Series& series, const Progress& progress, const Cancel
   reportFailures(slices, warnings);
   const std::string reason = slices[0].failure;
   std::erase_if(slices, [](const Incoming& in) { return !in.failure.empty(); });
-  if (cancel.cancelled()) return Error{series.path + ": cancelled."};
+  if (cancel.cancelled()) return Error{series.path + ": interrupted."};
   if (slices.empty()) return Error{series.files[0] + ": " + reason};
   if (Status s = checkMemory(series, slices.size(), slices[0].file->format.frameSamples()); !s)
     return s.error();
@@ -280,7 +280,7 @@ Result<Loaded> load(const Series& series, const Progress& progress, const Cancel
     plan = {std::vector<float>{}, true};
     loader.run(plan);
   }
-  if (cancel.cancelled()) return Error{series.path + ": cancelled."};
+  if (cancel.cancelled()) return Error{series.path + ": interrupted."};
   reportFailures(slices, warnings);
   const Incoming firstSlice = slices[0];
   loader.compact();

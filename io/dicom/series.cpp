@@ -186,9 +186,9 @@ std::vector<Part> splitGaps(const Entries& entries) {
   for (std::size_t n = 0; n < entries.size(); ++n) {
     parts.back().entries.push_back(entries[n]);
     if (n == steps.size() || (steps[n] <= 4 * median && steps[n] <= median + 20)) continue;
-    const std::string gap = "The series has a gap of " + millimetres(steps[n]) + " mm between " +
+    const std::string gap = "Gap of " + millimetres(steps[n]) + " mm between " +
                             fileName(entries[n].file->path) + " and " + fileName(entries[n + 1].file->path) +
-                            "; the slices on either side are volumes of their own.";
+                            ": the slices on either side are series of their own.";
     parts.back().warnings.push_back(gap);
     parts.push_back({{}, {gap}});
   }

@@ -71,7 +71,7 @@ std::optional<Orientation> readOrientation(const DataSet& data, DataSet::Scope s
       {std::abs(glm::length(row) - 1), std::abs(glm::length(column) - 1), std::abs(glm::dot(row, column))});
   if (!(off <= 0.01)) {
     warnings.push_back(
-        "its ImageOrientationPatient is no pair of unit vectors at right angles and is not used");
+        "its ImageOrientationPatient is not a pair of unit vectors at right angles and is not used");
     return {};
   }
   if (off > 1e-3) warnings.push_back("its ImageOrientationPatient was made exactly orthonormal");
@@ -144,7 +144,7 @@ Status placeDoseFrames(const DataSet& data, FileHeader& header) {
   // Offsets that do not begin with 0 are positions of some other kind.
   if (!offsets || offsets->size() != std::size_t(header.format.frames) || (*offsets)[0] != 0 ||
       !isPlaced(first))
-    return Error{"it has several frames, and where each of them lies is not said"};
+    return Error{"several frames without a position each: cannot be shown in 3D"};
   const glm::dvec3 normal = glm::cross(first.orientation->row, first.orientation->column);
   header.slices.assign(offsets->size(), first);
   for (std::size_t n = 0; n < offsets->size(); ++n) {
@@ -168,7 +168,7 @@ Status readEnhancedFrames(const DataSet& data, FileHeader& header) {
     const auto slice = readSlice(data, at, header.warnings);
     if (!slice) return slice.error();
     if (frames > 1 && !isPlaced(*slice))
-      return Error{"it has several frames, and where each of them lies is not said"};
+      return Error{"several frames without a position each: cannot be shown in 3D"};
     header.slices.push_back(*slice);
     header.slices.back().frame = int(n);
   }
@@ -187,9 +187,7 @@ void numberSlices(const DataSet& data, FileHeader& header) {
 Status readSlices(const DataSet& data, FileHeader& header) {
   const auto imageType = data.values(0x00080008, data.root());
   if (std::find(imageType.begin(), imageType.end(), "MOSAIC") != imageType.end())
-    return Error{"it is a Siemens mosaic (many slices as tiles of one picture), which is not read"};
-  if (header.sopClassUid == "1.2.840.10008.5.1.4.1.1.66.4")
-    return Error{"it is a segmentation, which is no volume"};
+    return Error{"Siemens mosaic (the slices are tiles of one image): not supported yet"};
   if (data.has(0x00283000, data.root()))
     header.warnings.push_back("its Modality LUT Sequence is not applied: values are those before it");
   const bool enhanced = data.find(0x52009229, data.root()) || data.find(0x52009230, data.root());

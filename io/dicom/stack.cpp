@@ -45,12 +45,8 @@ void warnOfShear(std::span<const PlacedSlice> slices, Stack& stack) {
   const double cosine = std::min(1.0, std::abs(glm::dot(lineDirection(slices), normalOf(slices[0].slice))));
   const double degrees = std::acos(cosine) * 180 / 3.14159265358979323846;
   if (degrees < 0.05) return;
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "The slices are sheared (gantry tilt): the step between them is %.2f degrees off their normal; the "
-      "volume keeps this shear.",
-      degrees);
+  char text[80];
+  std::snprintf(text, sizeof text, "Gantry tilt of %.1f degrees, corrected in 3D.", degrees);
   stack.warnings.push_back(text);
 }
 
@@ -65,7 +61,7 @@ void warnOffLine(std::span<const PlacedSlice> slices, const std::vector<double>&
   const double pixel = std::min(slices[0].slice.spacing->x, slices[0].slice.spacing->y);
   if (worst > 0.1 * pixel)
     stack.warnings.push_back("The slices do not lie on one line: " + fileName(slices[at].path) + " is " +
-                             millimetres(worst) + " mm beside it, and is drawn on it.");
+                             millimetres(worst) + " mm beside it and was moved onto it.");
 }
 
 /// Which two slices, and with what weight, make up the place `mm` along the line; a copy where a slice is
@@ -91,22 +87,28 @@ int missingSlices(const std::vector<double>& steps, double median) {
   return missing;
 }
 
+std::string missingSentence(int missing, const std::string& between, double most, double median) {
+  const std::string gap = between + " (" + millimetres(most) + " mm instead of " + millimetres(median) + ")";
+  if (missing == 1) return "A slice is missing between " + gap + "; it was interpolated.";
+  return std::to_string(missing) + " slices are missing, the most between " + gap +
+         "; they were interpolated.";
+}
+
 std::string unevenSentence(std::span<const PlacedSlice> slices, const std::vector<double>& steps,
                            double median, const Stack& stack, double cutMm) {
   const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
   const std::size_t at = std::size_t(most - steps.begin());
-  const int missing = missingSlices(steps, median);
-  std::string text =
-      missing ? std::to_string(missing) + (missing == 1 ? " slice is" : " slices are") + " missing: t"
-              : std::string("The slices are uneven: t");
-  text += "he distance between them is " + millimetres(*least) + " to " + millimetres(*most) +
-          " mm (largest between " + fileName(slices[at].path) + " and " + fileName(slices[at + 1].path) +
-          "); " + std::to_string(stack.regular->interpolatedSlices) + " of " +
-          std::to_string(stack.regular->geometry.size.z) + " slices of a regular grid of " +
-          millimetres(median) + " mm are interpolated";
-  if (cutMm > gridTolerance * median)
-    text += ", and the last " + millimetres(cutMm) + " mm lie beyond that grid";
-  return text + ".";
+  const std::string between = fileName(slices[at].path) + " and " + fileName(slices[at + 1].path);
+  std::string text;
+  if (const int missing = missingSlices(steps, median))
+    text = missingSentence(missing, between, *most, median);
+  else
+    text = "Uneven slice spacing (" + millimetres(*least) + " to " + millimetres(*most) +
+           " mm, largest between " + between + "): " + std::to_string(stack.regular->interpolatedSlices) +
+           " of the " + std::to_string(stack.regular->geometry.size.z) + " slices shown in 3D " +
+           (stack.regular->interpolatedSlices == 1 ? "is" : "are") + " interpolated.";
+  if (cutMm > gridTolerance * median) text += " The last " + millimetres(cutMm) + " mm are not shown in 3D.";
+  return text;
 }
 
 /// Adds the regular grid of DESIGN 10: the median distance, from the first slice on.
@@ -135,7 +137,7 @@ bool isEven(const std::vector<double>& along) {
 void layOutSingle(const PlacedSlice& only, Stack& stack) {
   const bool known = only.slice.thickness > 0;
   stack.acquired.patientFromVoxelStep[2] = normalOf(only.slice) * (known ? only.slice.thickness : 1.0);
-  if (!known) stack.warnings.push_back("A single slice without SliceThickness: it is drawn 1 mm thick.");
+  if (!known) stack.warnings.push_back("A single slice of unknown thickness: shown 1 mm thick.");
 }
 
 }  // namespace
@@ -147,9 +149,9 @@ Stack layOut(std::span<const PlacedSlice> slices, int columns, int rows) {
       std::find_if(slices.begin(), slices.end(), [](const PlacedSlice& s) { return !isPlaced(s.slice); });
   if (lost != slices.end()) {
     stack.acquired.calibrated = false;
-    stack.warnings.push_back("Not calibrated: " + missingPlace(lost->slice) + " of " + fileName(lost->path) +
-                             " is missing or invalid, so no mm and no directions are known; it is drawn at a "
-                             "nominal 1 mm.");
+    stack.warnings.push_back("Not calibrated: no measurements in mm, no orientation (" +
+                             fileName(lost->path) + " has no valid " + missingPlace(lost->slice) +
+                             "); shown with voxels of 1 mm.");
     return stack;
   }
   const Slice& first = slices[0].slice;

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "io/export/dicom_uid.h"
+#include "io/files/output_file.h"
 
 namespace volumen {
 
@@ -229,7 +230,7 @@ Status writeSlices(const Volume& volume, const DicomSeriesTags& tags, const fs::
   const DicomUids uids(volume, tags.patientId + tags.seriesDescription);
   const std::vector<Attribute> series = seriesAttributes(volume, tags, uids);
   for (int k = 0; k < volume.size().z; ++k) {
-    if (cancel.cancelled()) return Error{"Cancelled; nothing was written."};
+    if (cancel.cancelled()) return Error{"Interrupted; nothing was written."};
     if (progress) progress("writing slices", std::size_t(k), std::size_t(volume.size().z));
     DcmFileFormat file;
     OFCondition done =
@@ -238,9 +239,19 @@ Status writeSlices(const Volume& volume, const DicomSeriesTags& tags, const fs::
     std::snprintf(name, sizeof name, "slice-%05d.dcm", k + 1);
     const std::string path = (folder / name).string();
     if (done.good()) done = file.saveFile(OFFilename(path.c_str()), EXS_LittleEndianExplicit);
-    if (done.bad()) return Error{path + " cannot be written: " + done.text() + "."};
+    if (done.bad()) return Error{"Cannot write " + path + ": " + done.text() + "."};
   }
   return {};
+}
+
+// "out/" and "out" alike.
+fs::path targetOf(const std::string& folder) {
+  const fs::path target = fs::path(folder).lexically_normal();
+  return target.has_filename() ? target : target.parent_path();
+}
+
+fs::path parentOf(const fs::path& target) {
+  return target.has_parent_path() ? target.parent_path() : fs::path(".");
 }
 
 bool isEmptyOrMissing(const fs::path& folder) {
@@ -250,6 +261,16 @@ bool isEmptyOrMissing(const fs::path& folder) {
 }
 
 }  // namespace
+
+Status checkDicomFolder(const std::string& folder) {
+  const fs::path target = targetOf(folder);
+  if (!isEmptyOrMissing(target))
+    return Error{folder + " exists and is not an empty folder; name a new one for the DICOM series."};
+  const auto probe = OutputFile::create((parentOf(target) / "slice.dcm").string());
+  if (probe) return {};
+  return Error{"Cannot make the folder " + folder + ": " + parentOf(target).string() +
+               " is missing or cannot be written."};
+}
 
 DicomSeriesTags dicomTags(const Series& series) {
   DicomSeriesTags tags;
@@ -280,22 +301,19 @@ DicomSeriesTags dicomTags(const Series& series) {
 Status writeDicomSeries(const Volume& volume, const DicomSeriesTags& tags, const std::string& folder,
                         const Progress& progress, const CancelToken& cancel) {
   if (Status s = checkRepresentable(volume); !s) return s;
-  fs::path target = fs::path(folder).lexically_normal();
-  if (!target.has_filename()) target = target.parent_path();
-  if (!isEmptyOrMissing(target))
-    return Error{folder + " exists and is not an empty folder; name a new one for the DICOM series."};
-  const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (Status s = checkDicomFolder(folder); !s) return s;
+  const fs::path target = targetOf(folder), parent = parentOf(target);
   fs::path aside = parent / ".";
   aside += target.filename();
   aside += std::to_string(getpid());
   std::error_code error;
   if (!fs::create_directory(aside, error))
-    return Error{folder +
-                 " cannot be made: " + (error ? error.message() : aside.string() + " is in the way") + "."};
+    return Error{"Cannot make the folder " + folder + ": " +
+                 (error ? error.message() : aside.string() + " is in the way") + "."};
   Status status = writeSlices(volume, tags, aside, progress, cancel);
   if (status) {
     fs::rename(aside, target, error);
-    if (error) status = Error{folder + " cannot be made: " + error.message() + "."};
+    if (error) status = Error{"Cannot make the folder " + folder + ": " + error.message() + "."};
   }
   if (!status) fs::remove_all(aside, error);
   return status;

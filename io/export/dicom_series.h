@@ -23,6 +23,10 @@ struct DicomSeriesTags {
 /// The tags that a series which was opened has to say; a phantom is patient "Volumen^Sample".
 DicomSeriesTags dicomTags(const Series& series);
 
+/// Whether a series can be written into this folder: it is empty, or missing where one can be made; leaves
+/// nothing. The Error names it.
+Status checkDicomFolder(const std::string& folder);
+
 /// Writes a volume as a DICOM series, one uncompressed file (Explicit VR Little Endian) a slice, into
 /// `folder`, which must not exist or be empty; it appears whole or not at all. CT and MR volumes become CT
 /// and MR Image Storage, others Secondary Capture. UIDs follow from the contents: the same volume and tags

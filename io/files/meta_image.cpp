@@ -87,7 +87,7 @@ Status setMetaGeometry(const MetaHeader& header, const std::vector<std::uint64_t
   const std::string unit = header.field({"DistanceUnits"});
   const double mm = unit == "um" ? 1e-3 : unit == "cm" ? 10 : 1;
   if (mm != 1)
-    image.warnings.push_back("The header gives lengths in '" + unit + "'; they were turned into mm.");
+    image.warnings.push_back("The header gives lengths in '" + unit + "'; they were converted to mm.");
   std::vector<glm::dvec3> steps;
   glm::dvec3 origin(0);
   for (std::size_t a = 0; a < sizes.size(); ++a) {
@@ -114,7 +114,7 @@ Status parseSamples(const MetaHeader& header, SampleData& data, const std::strin
   if (header.isTrue({"CompressedData"})) data.encoding = Encoding::deflate;
   const std::string channels = header.field({"ElementNumberOfChannels"});
   if (channels == "3" || channels == "4")
-    return Error{path + " is a colour picture (or holds vectors), not a volume of values."};
+    return Error{path + " is a colour image (or holds vectors): it cannot be shown in 3D."};
   if (!channels.empty() && channels != "1")
     return Error{path + " has " + fieldText(channels) + " channels; volumen reads one."};
   const std::string skip = header.field({"HeaderSize"});

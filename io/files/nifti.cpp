@@ -142,11 +142,11 @@ Result<SampleType> sampleType(const Fields& f, const std::string& path) {
       return SampleType::uint64;
     case 128:
     case 2304:
-      return Error{path + " is a colour picture, not a volume of values."};
+      return Error{path + " is a colour image: it cannot be shown in 3D."};
     case 32:
     case 1792:
     case 2048:
-      return Error{path + " holds complex numbers, which have no picture of their own."};
+      return Error{path + " holds complex numbers, which cannot be shown."};
     default:
       return Error{path + " has samples of NIfTI data type " + std::to_string(f.datatype) +
                    ", which volumen does not read."};
@@ -206,7 +206,7 @@ Status setNiftiGeometry(const Fields& f, const std::vector<std::uint64_t>& sizes
   const double mm = unit == 1 ? 1000 : unit == 3 ? 1e-3 : 1;
   if (mm != 1)
     image.warnings.push_back(std::string("The header gives lengths in ") + (unit == 1 ? "m" : "um") +
-                             "; they were turned into mm.");
+                             "; they were converted to mm.");
   Affine affine = affineOfSform(f);
   if (f.sformCode <= 0 && f.qformCode > 0) {
     affine = affineOfQform(f);

@@ -120,8 +120,8 @@ bool isVolumeKind(const std::string& kind) {
 Status refuseKind(const std::string& kind, const std::string& path) {
   static const std::set<std::string> colours{"rgb-color", "rgba-color", "hsv-color",
                                              "xyz-color", "3-color",    "4-color"};
-  if (colours.count(kind)) return Error{path + " is a colour picture, not a volume of values."};
-  if (kind == "complex") return Error{path + " holds complex numbers, which have no picture of their own."};
+  if (colours.count(kind)) return Error{path + " is a colour image: it cannot be shown in 3D."};
+  if (kind == "complex") return Error{path + " holds complex numbers, which cannot be shown."};
   return {};
 }
 

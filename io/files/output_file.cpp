@@ -3,9 +3,11 @@
 #include <zlib.h>
 
 #include <QFile>
+#include <QFileInfo>
 #include <QSaveFile>
 #include <algorithm>
 #include <array>
+#include <cerrno>
 
 namespace volumen {
 
@@ -30,13 +32,26 @@ OutputFile::OutputFile(OutputFile&&) noexcept = default;
 OutputFile::~OutputFile() = default;
 
 Status OutputFile::fail(const std::string& why) const {
-  return Error{state_->path + " cannot be written: " + why + "."};
+  return Error{"Cannot write " + state_->path + ": " + why + "."};
 }
+
+namespace {
+
+// Why Qt could not make a file aside of `path`.
+std::string whyNot(const QString& path, const QString& error) {
+  const QFileInfo file(path), folder(file.absolutePath());
+  if (file.isDir()) return "it is a folder";
+  if (!folder.isDir() || error == qt_error_string(ENOENT)) return "no such folder";
+  if (!folder.isWritable() || (file.exists() && !file.isWritable())) return "no permission to write there";
+  return error.left(1).toLower().toStdString() + error.mid(1).toStdString();
+}
+
+}  // namespace
 
 Result<OutputFile> OutputFile::create(const std::string& path) {
   OutputFile out(std::make_unique<State>(path));
-  if (!out.state_->file.open(QIODevice::WriteOnly))
-    return out.fail(out.state_->file.errorString().toStdString()).error();
+  QSaveFile& file = out.state_->file;
+  if (!file.open(QIODevice::WriteOnly)) return out.fail(whyNot(file.fileName(), file.errorString())).error();
   return out;
 }
 

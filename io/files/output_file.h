@@ -14,6 +14,8 @@ namespace volumen {
 /// commit() (an error, a cancelled command) nothing is left.
 class OutputFile {
  public:
+  /// The Error, "Cannot write PATH: no such folder.", also says where it cannot be made at all; whoever asks
+  /// only that lets it go without commit().
   static Result<OutputFile> create(const std::string& path);
   OutputFile(OutputFile&&) noexcept;
   ~OutputFile();

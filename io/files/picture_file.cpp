@@ -20,7 +20,7 @@ Status writePng(const Picture& picture, const std::string& path,
   for (const auto& [key, value] : text)
     writer.setText(QString::fromStdString(key), QString::fromStdString(value));
   if (!writer.write(image))
-    return Error{path + " cannot be written: " + writer.errorString().toStdString() + "."};
+    return Error{"Cannot write " + path + ": " + writer.errorString().toStdString() + "."};
   return out->commit();
 }
 

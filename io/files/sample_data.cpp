@@ -171,7 +171,7 @@ Result<Samples> readType(const SampleData& data, std::uint64_t volume, Samples i
   const std::uint64_t chunkVoxels = std::max<std::uint64_t>(1, (1 << 18) / data.leading);
   std::vector<T> chunk(chunkVoxels * data.leading);
   for (std::uint64_t done = 0; done < data.voxels;) {
-    if (cancel.cancelled()) return Error{"Cancelled."};
+    if (cancel.cancelled()) return Error{"Interrupted."};
     if (progress) progress("reading voxels", done, data.voxels);
     const std::uint64_t count = std::min(chunkVoxels, data.voxels - done);
     if (Status s =

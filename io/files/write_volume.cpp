@@ -68,7 +68,7 @@ Status writeSamples(const Volume& volume, const Form& form, OutputFile& out, con
           constexpr std::size_t chunk = 1 << 18;
           std::vector<To> part;
           for (std::size_t done = 0; done < values.size(); done += part.size()) {
-            if (cancel.cancelled()) return Error{"Cancelled."};
+            if (cancel.cancelled()) return Error{"Interrupted; nothing was written."};
             if (progress) progress("writing voxels", done, values.size());
             part.resize(std::min(chunk, values.size() - done));
             for (std::size_t n = 0; n < part.size(); ++n)
@@ -198,7 +198,7 @@ Status writeVolume(const Volume& volume, const std::string& path, const Progress
   if (name.ends_with(".nrrd")) return writeNrrd(volume, path, {}, progress, cancel);
   if (name.ends_with(".nii.gz")) return writeNifti(volume, path, progress, cancel);
   if (name.ends_with(".mha")) return writeMeta(volume, path, progress, cancel);
-  return Error{path + " cannot be written: volumes are written as .nrrd, .nii.gz or .mha."};
+  return Error{path + ": volumes are written as .nrrd, .nii.gz or .mha."};
 }
 
 }  // namespace volumen

@@ -10,6 +10,7 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTextBrowser>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include "tests/ui/gestures.h"
@@ -50,6 +51,7 @@ class TestJourneys : public QObject {
   void droppedFilesAreOpened();
   void whatCannotBeOpenedIsSaidInASentence_data();
   void whatCannotBeOpenedIsSaidInASentence();
+  void everyPathIsComplainedAbout();
   void closingWhileRenderingIsClean_data();
   void closingWhileRenderingIsClean();
   void viewAloneAndBack();
@@ -274,6 +276,34 @@ void TestJourneys::whatCannotBeOpenedIsSaidInASentence() {
   QVERIFY2(banner->sentence().endsWith(QLatin1Char('.')), qPrintable(banner->sentence()));
   QVERIFY(w.child<QWidget>("startPage")->isVisible());
   w.shot("missing");
+}
+
+void TestJourneys::everyPathIsComplainedAbout() {
+  const QTemporaryDir folder;
+  QDir(folder.path()).mkdir(QStringLiteral("empty"));
+  const QString texts = folder.filePath(QStringLiteral("texts"));
+  QDir(folder.path()).mkdir(QStringLiteral("texts"));
+  constexpr int count = 40;
+  for (int n = 0; n < count; ++n) {
+    QFile text(texts + QStringLiteral("/%1.txt").arg(n));
+    QVERIFY(text.open(QIODevice::WriteOnly));
+  }
+  const QStringList paths{folder.filePath(QStringLiteral("nowhere")),
+                          folder.filePath(QStringLiteral("empty")), texts};
+  Journey w(paths);
+  auto* banner = w.child<Banner>("banner");
+  const auto saysAll = [&] {
+    return std::all_of(paths.begin(), paths.end(),
+                       [&](const QString& path) { return banner->sentence().contains(path); });
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(saysAll(), longest);
+  QCOMPARE(banner->sentence().count(QLatin1Char('\n')), 2);
+  // Every file, with its reason, can be read there.
+  QTest::mouseClick(banner->findChild<QToolButton*>(), Qt::LeftButton);
+  auto* details = w.child<QPlainTextEdit>("bannerDetails");
+  QVERIFY(details->isVisible());
+  QCOMPARE(details->toPlainText().count(QStringLiteral("not an image")), count);
+  w.shot("complaints");
 }
 
 void TestJourneys::closingWhileRenderingIsClean_data() {

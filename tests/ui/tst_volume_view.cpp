@@ -179,7 +179,7 @@ void TestVolumeView::namesReadLikeNames_data() {
   row("carets", "Doe^Jane^A", "12", "Doe, Jane A (12)");
   row("other scripts follow", "Yamada^Tarou=山田^太郎", "1", "Yamada, Tarou (1)");
   row("no name", "", "77", "77");
-  row("nothing", "", "", "unknown patient");
+  row("nothing", "", "", "(no name)");
   row("reordering characters are taken out", "Doe\u202e^Jane", "", "Doe, Jane");
 }
 

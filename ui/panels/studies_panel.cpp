@@ -73,10 +73,7 @@ void StudiesPanel::addSeries(const QString& path, const Series& series, std::siz
   if (series.format == "DICOM") {
     const QString patient = patientText(series);
     parent = childNamed(parent, QStringLiteral("patient ") + patient, patient);
-    QStringList study{dateText(series.studyDate), shownText(series.studyDescription)};
-    study.removeAll(QString());
-    parent = childNamed(parent, QString::fromStdString(series.studyUid),
-                        study.isEmpty() ? tr("study without date") : study.join(QLatin1Char(' ')));
+    parent = childNamed(parent, QString::fromStdString(series.studyUid), studyText(series));
   } else {
     parent = childNamed(parent, QStringLiteral("files"),
                         series.format == "phantom" ? tr("Phantoms") : tr("Files"));

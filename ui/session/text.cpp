@@ -38,7 +38,7 @@ QString patientText(const Series& series) {
   else if (!parts.isEmpty())
     name = parts[0];
   const QString id = shownText(series.patientId);
-  if (name.isEmpty() && id.isEmpty()) return series.format == "DICOM" ? tr("unknown patient") : QString();
+  if (name.isEmpty() && id.isEmpty()) return series.format == "DICOM" ? tr("(no name)") : QString();
   if (id.isEmpty() || id == name) return name;
   return name.isEmpty() ? id : QStringLiteral("%1 (%2)").arg(name, id);
 }
@@ -53,6 +53,26 @@ QString seriesText(const Series& series) {
   if (!series.seriesNumber.empty()) parts << QStringLiteral("(%1)").arg(shownText(series.seriesNumber));
   if (parts.isEmpty()) parts << shownText(series.id);
   return parts.join(QLatin1Char(' '));
+}
+
+QString studyText(const Series& series) {
+  QStringList parts{dateText(series.studyDate), shownText(series.studyDescription)};
+  if (parts[0].isEmpty()) parts[0] = tr("(no date)");
+  parts.removeAll(QString());
+  return parts.join(QLatin1Char(' '));
+}
+
+QString unreadText(const Study& study) {
+  const auto refused = study.refused.size(), others = study.other.size();
+  if (refused == 0)
+    return others == 0   ? QString()
+           : others == 1 ? tr("1 file is not an image.")
+                         : tr("%1 files are not images.").arg(others);
+  const QString text =
+      refused == 1 ? tr("1 file could not be read") : tr("%1 files could not be read").arg(refused);
+  return others == 0   ? tr("%1.").arg(text)
+         : others == 1 ? tr("%1; 1 other is not an image.").arg(text)
+                       : tr("%1; %2 others are not images.").arg(text).arg(others);
 }
 
 QString valueUnit(const Volume& volume) {

@@ -11,12 +11,19 @@ namespace volumen {
 /// reorder text are left out, blanks trimmed.
 QString shownText(const std::string& utf8);
 
-/// "Doe, Jane (12345)": DICOM's carets read as a name; "unknown patient" where a DICOM file names none; empty
+/// "Doe, Jane (12345)": DICOM's carets read as a name; "(no name)" where a DICOM file names none; empty
 /// for what has no patients.
 QString patientText(const Series& series);
 
 /// "CT Head 1.0 mm (3)": modality, description, number.
 QString seriesText(const Series& series);
+
+/// "2026-03-14 CT head": date ("(no date)" where there is none) and description of the study.
+QString studyText(const Series& series);
+
+/// "8 files could not be read; 77 others are not images.": what of a folder is not shown; empty where all of
+/// it is.
+QString unreadText(const Study& study);
 
 /// The unit of a volume's values: "HU" for CT, else empty.
 QString valueUnit(const Volume& volume);

@@ -4,22 +4,20 @@
 
 namespace volumen {
 
-namespace {
-constexpr int mostDetails = 20;
-}
-
 Banner::Banner(QWidget* parent)
-    : QFrame(parent), sentence_(new QLabel), details_(new QLabel), more_(new QToolButton) {
+    : QFrame(parent), sentence_(new QLabel), details_(new QPlainTextEdit), more_(new QToolButton) {
   setObjectName(QStringLiteral("banner"));
   setStyleSheet(
       QStringLiteral("#banner { background: #4a3312; border-bottom: 1px solid #c98a2b; }"
-                     "#banner QLabel { color: #ffe2b0; }"));
+                     "#banner QLabel, #banner QPlainTextEdit { background: transparent; color: #ffe2b0; }"));
   sentence_->setObjectName(QStringLiteral("bannerText"));
-  for (QLabel* label : {sentence_, details_}) {
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  }
+  sentence_->setTextFormat(Qt::PlainText);
+  sentence_->setWordWrap(true);
+  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  details_->setObjectName(QStringLiteral("bannerDetails"));
+  details_->setReadOnly(true);
+  details_->setFrameShape(QFrame::NoFrame);
+  details_->setFixedHeight(7 * fontMetrics().lineSpacing());  // scrolled where there are more
   more_->setText(tr("Details"));
   more_->setCheckable(true);
   auto* close = new QToolButton;
@@ -40,13 +38,18 @@ Banner::Banner(QWidget* parent)
 
 void Banner::tell(const QString& sentence, const QStringList& details) {
   sentence_->setText(sentence);
-  QStringList shown = details.mid(0, mostDetails);
-  if (details.size() > mostDetails) shown << tr("and %1 more").arg(details.size() - mostDetails);
-  details_->setText(shown.join(QLatin1Char('\n')));
+  details_->setPlainText(details.join(QLatin1Char('\n')));
   more_->setVisible(!details.isEmpty());
   more_->setChecked(false);
   details_->hide();
   show();
+}
+
+void Banner::add(const QString& sentence, const QStringList& details) {
+  if (isHidden()) return tell(sentence, details);
+  if (sentence_->text().contains(sentence)) return;
+  const QStringList before = details_->toPlainText().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  tell(sentence_->text() + QLatin1Char('\n') + sentence, before + details);
 }
 
 }  // namespace volumen

@@ -2,20 +2,25 @@
 
 #include <QFrame>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QToolButton>
 
 namespace volumen {
 
-/// One sentence over the view, with details on demand; stays until it is closed or replaced.
+/// A sentence over the view, with all its details on demand; stays until it is closed or replaced.
 class Banner : public QFrame {
   Q_OBJECT
  public:
   explicit Banner(QWidget* parent = nullptr);
   void tell(const QString& sentence, const QStringList& details = {});
+  /// The same, below what the banner already says while it is open: each of several paths is complained
+  /// about.
+  void add(const QString& sentence, const QStringList& details = {});
   QString sentence() const { return sentence_->text(); }
 
  private:
-  QLabel *sentence_, *details_;
+  QLabel* sentence_;
+  QPlainTextEdit* details_;
   QToolButton* more_;
 };
 

@@ -126,7 +126,7 @@ Result<Chosen> choose(const std::string& text) {
   }
   std::string list;
   for (const Entry& entry : phantoms) list += (list.empty() ? "" : ", ") + std::string(entry.name);
-  return Error{"There is no phantom \"" + name + "\"; there are " + list + "."};
+  return Error{"Unknown phantom \"" + name + "\". Phantoms: " + list + "."};
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ Status checkShader(const Scene& scene, const RenderOptions& o) {
 
 Status checkTolerance(const Scene& scene, const RenderOptions& o) {
   if (!o.tolerance) return {};
-  if (!(*o.tolerance >= 1e-6 && *o.tolerance <= 1)) return Error{"--tolerance must be 0.000001 .. 1."};
+  if (!(*o.tolerance >= 1e-6 && *o.tolerance <= 1)) return Error{"--tolerance must be 0.000001 to 1."};
   if (!o.step && canIntegrate(scene, o)) return {};
   return Error{
       "--tolerance goes with the levels of --method planes on the CPU alone: not with --step, projections, "
@@ -30,14 +30,14 @@ Status checkTolerance(const Scene& scene, const RenderOptions& o) {
 
 // What the reference, which draws the picture's definition, has not.
 Status checkKnobs(const RenderOptions& o) {
-  if (o.stopAt && !(*o.stopAt >= 0 && *o.stopAt < 1)) return Error{"--stop-at must be 0 .. 1, below 1."};
+  if (o.stopAt && !(*o.stopAt >= 0 && *o.stopAt < 1)) return Error{"--stop-at must be 0 to 1, below 1."};
   if (o.stopAt && o.method == Method::blend &&
       (o.resampler == Resampler::gl || o.blending.value_or(Blending::floats) != Blending::floats))
     return Error{"--stop-at goes with --method blend on the CPU and in floats alone."};
   if (o.opacityThreshold && !(*o.opacityThreshold >= 0 && *o.opacityThreshold < 1))
-    return Error{"--opacity-threshold must be 0 .. 1, below 1."};
+    return Error{"--opacity-threshold must be 0 to 1, below 1."};
   if (o.curveTable && (*o.curveTable < 2 || *o.curveTable > 65536))
-    return Error{"--curve-table must be 2 .. 65536."};
+    return Error{"--curve-table must be 2 to 65536."};
   const bool used = o.stopAt || o.opacityThreshold || o.curveTable || o.gradient != GradientOperator::sobel;
   if (!used || o.method != Method::reference) return {};
   return Error{
@@ -76,12 +76,12 @@ bool canIntegrate(const Scene& scene, const RenderOptions& o) {
 
 Status checkOptions(const Scene& scene, const RenderOptions& o) {
   if (o.size.x < 1 || o.size.y < 1 || o.size.x > 32768 || o.size.y > 32768)
-    return Error{"--size must be 1x1 .. 32768x32768."};
+    return Error{"--size must be 1x1 to 32768x32768."};
   if (o.step && !(*o.step >= 1.0 / 1024 && *o.step <= 64))
-    return Error{"--step must be 1/1024 .. 64 voxels."};
+    return Error{"--step must be 1/1024 to 64 voxels."};
   if (Status s = checkPrecision(o); !s) return s;
-  if (o.mapSize && (*o.mapSize < 2 || *o.mapSize > 1024)) return Error{"--map-size must be 2 .. 1024."};
-  if (o.threads < 0 || o.threads > 1024) return Error{"--threads must be 1 .. 1024."};
+  if (o.mapSize && (*o.mapSize < 2 || *o.mapSize > 1024)) return Error{"--map-size must be 2 to 1024."};
+  if (o.threads < 0 || o.threads > 1024) return Error{"--threads must be 1 to 1024."};
   if (o.resampler == Resampler::gl && o.method == Method::reference)
     return Error{
         "--resampler gl does not go with --method reference, which interpolates in double precision."};

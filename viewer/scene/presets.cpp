@@ -7,6 +7,7 @@
 #include "viewer/scene/json_fields.h"
 #include "viewer/scene/preset_texts.h"
 #include "viewer/scene/scene_json.h"
+#include "viewer/scene/similar_name.h"
 
 namespace volumen {
 
@@ -67,12 +68,6 @@ std::vector<Light> shoulderLights() {
   return {{.direction = {-0.5, 0.5, 1}}, {.direction = {0.8, -0.3, 0.6}, .intensity = 0.25}};
 }
 
-std::string allNames() {
-  std::string all = "auto";
-  for (const std::string& name : presetNames()) all += ", " + name;
-  return all;
-}
-
 }  // namespace
 
 const std::vector<std::string>& presetNames() {
@@ -84,13 +79,21 @@ const std::vector<std::string>& presetNames() {
   return names;
 }
 
+Status checkPreset(const std::string& name) {
+  std::vector<std::string> names = presetNames();
+  names.push_back("auto");
+  if (std::find(names.begin(), names.end(), name) != names.end()) return {};
+  const auto similar = similarName(name, names);
+  return Error{"Unknown preset \"" + name.substr(0, 60) + "\"." +
+               (similar ? " Did you mean " + *similar + "?" : "")};
+}
+
 Result<Scene> presetScene(const std::string& name, const Volume& volume) {
+  if (Status known = checkPreset(name); !known) return known.error();
   const bool automatic = name == "auto";
   const std::string wanted = automatic ? automaticPreset(volume) : name;
   const auto found = std::find_if(presets().begin(), presets().end(),
                                   [&](const Preset& preset) { return preset.name == wanted; });
-  if (found == presets().end())
-    return Error{"There is no preset \"" + name.substr(0, 60) + "\"; there are " + allNames() + "."};
   Scene scene = found->scene;
   if (found->anchor) anchor(scene, *found->anchor, usualRange(volume));
   if (automatic) scene.lights = shoulderLights();

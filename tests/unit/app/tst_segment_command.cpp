@@ -112,14 +112,14 @@ void TestSegmentCommand::wrongUsageIsRefused_data() {
     QTest::newRow(name) << words(arguments) << QString::fromLatin1(sentence);
   };
   row("no range", "phantom:ramp:8 -o a.seg.nrrd", "--range");
-  row("no output", "phantom:ramp:8 --range 1:2", "--output");
+  row("no output", "phantom:ramp:8 --range 1:2", "Missing -o FILE");
   row("no path", "--range 1:2 -o a.seg.nrrd", "PATH");
-  row("one number", "phantom:ramp:8 --range 12 -o a.seg.nrrd", "--range must be LOW:HIGH");
-  row("only a colon", "phantom:ramp:8 --range : -o a.seg.nrrd", "--range must be LOW:HIGH");
-  row("upside down", "phantom:ramp:8 --range 5:1 -o a.seg.nrrd", "not 5:1");
-  row("words", "phantom:ramp:8 --range bone:skin -o a.seg.nrrd", "--range must be LOW:HIGH");
-  row("nan", "phantom:ramp:8 --range nan:1 -o a.seg.nrrd", "--range must be LOW:HIGH");
-  row("unit behind it", "phantom:ramp:8 --range 1:2HU -o a.seg.nrrd", "--range must be LOW:HIGH");
+  row("one number", "phantom:ramp:8 --range 12 -o a.seg.nrrd", "is not LOW:HIGH");
+  row("only a colon", "phantom:ramp:8 --range : -o a.seg.nrrd", "is not LOW:HIGH");
+  row("upside down", "phantom:ramp:8 --range 5:1 -o a.seg.nrrd", "\"5:1\" is not");
+  row("words", "phantom:ramp:8 --range bone:skin -o a.seg.nrrd", "is not LOW:HIGH");
+  row("nan", "phantom:ramp:8 --range nan:1 -o a.seg.nrrd", "is not LOW:HIGH");
+  row("unit behind it", "phantom:ramp:8 --range 1:2HU -o a.seg.nrrd", "is not LOW:HIGH");
   row("another format", "phantom:ramp:8 --range 1:2 -o a.nii.gz", "written as .seg.nrrd");
 }
 

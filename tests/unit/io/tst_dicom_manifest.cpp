@@ -193,7 +193,7 @@ void TestDicomManifest::rowIsWhatTheManifestSays() {
   }
   if (expect == QLatin1String("load-colour-or-refuse")) {
     QVERIFY(study.volumes.empty());
-    QVERIFY2(study.refused.at(0).reason.find("colour picture") != std::string::npos,
+    QVERIFY2(study.refused.at(0).reason.find("colour image") != std::string::npos,
              study.refused[0].reason.c_str());
     return;
   }

@@ -58,11 +58,14 @@ void TestDicomSeries::regularGridOfUnevenSlices_data() {
                       const char* says) {
     QTest::newRow(name) << z << slices << interpolated << step << QString::fromLatin1(says);
   };
-  row("one slice missing", {0, 1, 2, 4, 5}, 6, 1, 1.0, "1 slice is missing");
-  row("two slices missing at two places", {0, 2, 6, 8, 12, 14, 16}, 9, 2, 2.0, "2 slices are missing");
-  row("two distances", {0, 1, 2, 3, 4.5, 6}, 7, 2, 1.0, "uneven");
-  row("a slice within 1 % is a copy", {0, 1, 2, 3.009, 4, 6}, 7, 1, 1.0, "between them is 0.991 to 2 mm");
-  row("the end lies beyond the grid", {0, 1, 2, 3, 4.5}, 5, 1, 1.0, "the last 0.5 mm");
+  row("one slice missing", {0, 1, 2, 4, 5}, 6, 1, 1.0, "A slice is missing between ");
+  row("two slices missing at two places", {0, 2, 6, 8, 12, 14, 16}, 9, 2, 2.0,
+      "2 slices are missing, the most between ");
+  row("two distances", {0, 1, 2, 3, 4.5, 6}, 7, 2, 1.0, "Uneven slice spacing (1 to 1.5 mm, ");
+  row("a slice within 1 % is a copy", {0, 1, 2, 3.009, 4, 6}, 7, 1, 1.0,
+      " (2 mm instead of 1); it was interpolated.");
+  row("the end lies beyond the grid", {0, 1, 2, 3, 4.5}, 5, 1, 1.0,
+      "): 1 of the 5 slices shown in 3D is interpolated. The last 0.5 mm are not shown in 3D.");
 }
 
 void TestDicomSeries::regularGridOfUnevenSlices() {
@@ -115,7 +118,7 @@ void TestDicomSeries::largeGapsSplit() {
   if (volumes == 1) return;
   QCOMPARE(study.volumes[0].id, std::string("1.2.3.4.5#1"));
   QCOMPARE(study.volumes[1].id, std::string("1.2.3.4.5#2"));
-  for (const Series& s : study.volumes) QVERIFY(warns(s.warnings, "gap"));
+  for (const Series& s : study.volumes) QVERIFY(warns(s.warnings, "Gap of "));
 }
 
 void TestDicomSeries::shearIsKept() {
@@ -129,7 +132,7 @@ void TestDicomSeries::shearIsKept() {
   QCOMPARE(study.volumes.size(), std::size_t(1));
   const Series& s = study.volumes[0];
   QVERIFY(glm::length(s.acquired.patientFromVoxelStep[2] - glm::dvec3(0, 0.5, 2)) < 1e-12);
-  QVERIFY(warns(s.warnings, "14.04 degrees"));  // atan(0.5 / 2)
+  QVERIFY(warns(s.warnings, "Gantry tilt of 14.0 degrees, corrected in 3D."));  // atan(0.5 / 2)
   QVERIFY(!s.regular);
 }
 
@@ -228,7 +231,7 @@ void TestDicomSeries::withoutPlaceItIsNotCalibrated() {
   const Series& s = study.volumes[0];
   QVERIFY(!s.acquired.calibrated);
   QCOMPARE(s.acquired.patientFromVoxelStep, glm::dmat3(1));
-  QVERIFY2(warns(s.warnings, "Not calibrated: " + says.toStdString()), s.warnings[0].c_str());
+  QVERIFY2(warns(s.warnings, "has no valid " + says.toStdString()), s.warnings[0].c_str());
   const auto loaded = loadSeries(s);
   QVERIFY(loaded.ok());
   QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{500, 499, 498}));  // by InstanceNumber

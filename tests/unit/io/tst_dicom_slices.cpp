@@ -144,7 +144,7 @@ void TestDicomSlices::framesWithoutPlaceAreRefused() {
   folder.add("cine", p);
   const Study study = folder.open();
   QVERIFY(study.volumes.empty());
-  QVERIFY(study.refused.at(0).reason.find("where each of them lies") != std::string::npos);
+  QVERIFY(study.refused.at(0).reason.find("several frames without a position each") != std::string::npos);
 }
 
 void TestDicomSlices::badSliceCostsOnlyItself_data() {
@@ -176,7 +176,7 @@ void TestDicomSlices::badSliceCostsOnlyItself() {
   QVERIFY(loaded.ok());
   QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 100, 300, 400}));
   QCOMPARE(firstOfEachSlice(*loaded->drawn), (std::vector<float>{0, 100, 200, 300, 400}));
-  QVERIFY(warns(loaded->warnings, "1 slice is missing"));
+  QVERIFY(warns(loaded->warnings, "A slice is missing between "));
   if (!seenAtOpening) QVERIFY(warns(loaded->warnings, "Slice s2 is left out"));
 }
 

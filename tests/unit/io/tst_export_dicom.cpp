@@ -160,7 +160,7 @@ void TestExportDicom::whatDicomCannotKeepIsRefused_data() {
   row("fractions", "whole");
   row("too large", "16 bits");
   row("folder in use", "not an empty folder");
-  row("no parent", "cannot be made");
+  row("no parent", "Cannot make the folder");
 }
 
 void TestExportDicom::whatDicomCannotKeepIsRefused() {

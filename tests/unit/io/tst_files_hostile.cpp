@@ -191,7 +191,7 @@ void TestFilesHostile::isRefused_data() {
   row("nrrd: colour", "a.nrrd",
       nrrd(samples(18), "sizes: 4 3 2\nspace directions: (1,0,0)",
            "sizes: 3 3 2\nkinds: RGB-color domain domain\nspace directions: none"),
-      "colour picture");
+      "colour image");
 
   row("meta: local data short", "a.mha", meta(samples(23)), "too short");
   row("meta: broken zlib", "a.mha", meta(samples(24), "ElementType", "CompressedData = True\nElementType"),
@@ -215,7 +215,7 @@ void TestFilesHostile::isRefused_data() {
   row("meta: slope 0", "a.mha",
       meta(samples(24), "ElementType", "ElementToIntensityFunctionSlope = 0\nElementType"), "slope");
   row("meta: three channels", "a.mha",
-      meta(samples(72), "ElementType", "ElementNumberOfChannels = 3\nElementType"), "colour picture");
+      meta(samples(72), "ElementType", "ElementNumberOfChannels = 3\nElementType"), "colour image");
   row("meta: line of 2 MB", "a.mha",
       meta(samples(24), "NDims", "Comment = " + QByteArray(2 << 20, 'x') + "\nNDims"), "first MiB");
   row("meta: header cut off", "a.mha", meta({}).left(60), "ElementDataFile");
@@ -240,7 +240,7 @@ void TestFilesHostile::isRefused_data() {
   spoiled("nifti: sform NaN", 280, notANumber, "not finite");
   spoiled("nifti: sform of rank 2", 280, 0.0f, "zero");
   spoiled("nifti: origin infinite", 292, std::numeric_limits<float>::infinity(), "position");
-  spoiled("nifti: RGB", 70, std::int16_t(128), "colour picture");
+  spoiled("nifti: RGB", 70, std::int16_t(128), "colour image");
   spoiled("nifti: complex", 70, std::int16_t(32), "complex");
   spoiled("nifti: no such type", 70, std::int16_t(77), "type 77");
   spoiled("nifti: CIFTI", 68, std::int16_t(3001), "CIFTI");

@@ -252,7 +252,7 @@ void TestFilesWrite::pictureFloatsComeBack() {
   // It is no volume.
   const auto asVolume = readImageFileHeaders(file("p.nrrd"));
   QVERIFY(!asVolume.ok());
-  QVERIFY(asVolume.message().find("colour picture") != std::string::npos);
+  QVERIFY(asVolume.message().find("colour image") != std::string::npos);
 }
 
 VOLUMEN_TEST(TestFilesWrite);

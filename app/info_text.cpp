@@ -1,0 +1,92 @@
+#include "app/info_text.h"
+
+#include <sstream>
+
+#include "app/command.h"
+#include "ui/session/text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr std::size_t fewFiles = 5;
+constexpr const char* indent = "       ";
+
+std::string patientLine(const Series& s) {
+  if (s.format == "phantom") return "Phantoms";
+  if (s.format != "DICOM") return "Files";
+  return "Patient " + patientText(s).toStdString();
+}
+
+std::string studyLine(const Series& s) {
+  return s.format == "DICOM" ? "  Study " + studyText(s).toStdString() : "";
+}
+
+std::string numberText(double value, int digits = 4) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+std::string gridText(const Series& s) {
+  const VoxelGeometry& g = s.acquired;
+  std::ostringstream out;
+  out << g.size.x << " x " << g.size.y << " x " << g.size.z << " voxels";
+  if (g.calibrated) {
+    const glm::dvec3 mm = g.spacing();
+    out << " of " << numberText(mm.x) << " x " << numberText(mm.y) << " x " << numberText(mm.z) << " mm";
+  }
+  if (s.regular) out << " (in 3D: " << s.regular->geometry.size.z << " even slices)";
+  out << ", " << s.valueType << ", " << s.format;
+  if (s.files.size() > 1) out << ", " << s.files.size() << " files";
+  return out.str();
+}
+
+void addSeries(std::ostream& out, std::size_t number, const InfoSeries& found, bool verbose) {
+  const Series& s = *found.series;
+  const auto& json = found.json;
+  out << "    " << number << "  " << seriesText(s).toStdString() << '\n' << indent << gridText(s) << '\n';
+  if (json.contains("min"))
+    out << indent << "values " << numberText(json["min"], 7) << " to " << numberText(json["max"], 7)
+        << ", mean " << numberText(json["mean"], 7) << '\n';
+  if (verbose)
+    out << indent << "id " << printable(s.id) << '\n' << indent << "in " << printable(s.path) << '\n';
+  for (const auto& warning : json["warnings"])
+    out << indent << "! " << printable(warning.get<std::string>()) << '\n';
+}
+
+// One file a line; the first few where not all are wanted.
+template <class Files, class Why>
+void addFiles(std::ostream& out, const Files& files, bool verbose, Why why) {
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    if (n == fewFiles && !verbose && files.size() > fewFiles + 1) {
+      out << "  ... and " << files.size() - n << " more (--verbose lists all)\n";
+      return;
+    }
+    out << "  " << printable(files[n].path) << ": " << printable(why(files[n])) << '\n';
+  }
+}
+
+}  // namespace
+
+std::string infoText(const Study& study, const std::vector<InfoSeries>& series, bool verbose) {
+  std::ostringstream out;
+  std::string patient, when;
+  for (std::size_t n = 0; n < series.size(); ++n) {
+    const Series& s = *series[n].series;
+    const bool samePatient = patientLine(s) == patient && n > 0;
+    if (!samePatient) out << patientLine(s) << '\n';
+    if (!samePatient || studyLine(s) != when)
+      if (!studyLine(s).empty()) out << studyLine(s) << '\n';
+    patient = patientLine(s), when = studyLine(s);
+    addSeries(out, n + 1, series[n], verbose);
+  }
+  const QString unread = unreadText(study);
+  if (unread.isEmpty()) return out.str();
+  out << unread.toStdString() << '\n';
+  addFiles(out, study.refused, verbose, [](const Refused& file) { return file.reason; });
+  addFiles(out, study.other, verbose, [](const Other& file) { return file.kind; });
+  return out.str();
+}
+
+}  // namespace volumen

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace volumen {
+
+/// The words of one line a command, and of its help: option, value, text; no remarks of the parser's own.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter();
+  std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_usage(const CLI::App* app, std::string name) const override;
+};
+
+/// A check of `option`: one of these words, which the help shows.
+CLI::Option* oneOf(CLI::Option* option, const std::vector<std::string>& words);
+
+/// A check of `option`: a number (`whole`: an integer) from `low` to `high`, which the help shows.
+CLI::Option* number(CLI::Option* option, double low, double high);
+CLI::Option* wholeNumber(CLI::Option* option, long low, long high);
+
+/// "Examples:" and one line each, below a command's help.
+void addExamples(CLI::App& app, const std::vector<std::string>& lines);
+
+/// PATH and --series, which most commands take.
+CLI::Option* addPath(CLI::App& app, std::string& path);
+void addSeries(CLI::App& app, std::string& series);
+
+/// What is wrong with a command line that could not be parsed, in one sentence.
+std::string usageProblem(const CLI::ParseError& error, const CLI::App& app);
+
+/// "Unknown command "X". Did you mean render? Commands: ..."
+std::string unknownCommand(const std::string& word, const CLI::App& app);
+
+}  // namespace volumen

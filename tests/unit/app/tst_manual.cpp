@@ -1,0 +1,162 @@
+// Guards DESIGN 4: the manual page and each --help say what the program really has, and their examples run.
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+
+#include "tests/fixtures/fixtures.h"
+#include "tests/fixtures/program.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen::tests;
+
+namespace {
+
+const char* const commands[] = {"open", "render", "info", "convert", "segment", "accuracy", "bench"};
+
+/// The manual page without its markup.
+QString manual() {
+  QString text = QString::fromUtf8(contentsOf(QStringLiteral(VOLUMEN_SOURCE_DIR "/resources/man/volumen.1")));
+  text.remove(QRegularExpression(QStringLiteral("\\\\f[BIR]")));
+  return text.replace(QLatin1String("\\-"), QLatin1String("-"));
+}
+
+QString helpOf(const QString& command) {
+  return QString::fromUtf8(runProgram(QStringList{command, QStringLiteral("--help")}).out);
+}
+
+/// "-o,--output FILE", "--view anterior|posterior|...", ...: the options of a help text, with their values.
+QStringList optionsIn(const QString& help) {
+  QStringList options;
+  // The text stands two blanks or a line behind its option.
+  const QRegularExpression option(QStringLiteral("^  (-\\S+( \\S+)*)(  |$)"),
+                                  QRegularExpression::MultilineOption);
+  for (auto it = option.globalMatch(help); it.hasNext();) options << it.next().captured(1);
+  return options;
+}
+
+QStringList examplesIn(const QString& text) {
+  QStringList examples;
+  const qsizetype from = text.lastIndexOf(QRegularExpression(QStringLiteral("Examples:|\\.SH EXAMPLES")));
+  const QRegularExpression line(QStringLiteral("^ *volumen (.*)$"), QRegularExpression::MultilineOption);
+  if (from < 0) return examples;
+  for (auto it = line.globalMatch(text, from); it.hasNext();) examples << it.next().captured(1);
+  return examples;
+}
+
+QStringList keysOf(const QJsonValue& value) {
+  QStringList keys;
+  if (value.isArray())
+    for (const QJsonValue& element : value.toArray()) keys << keysOf(element);
+  for (const QString& key : value.toObject().keys()) keys << key << keysOf(value.toObject()[key]);
+  return keys;
+}
+
+}  // namespace
+
+class TestManual : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase();
+  void manualHasEveryOption_data();
+  void manualHasEveryOption();
+  void manualHasNoOtherOption();
+  void manualHasTheFieldsOfAScene();
+  void helpEndsWithTwoExamples_data();
+  void helpEndsWithTwoExamples();
+  void examplesRun_data();
+  void examplesRun();
+
+ private:
+  QTemporaryDir folder_;
+};
+
+/// What the examples speak of: a study in scans/, scene.json, and bone.png, a picture that holds a scene.
+void TestManual::initTestCase() {
+  const auto made = [&](const char* line) {
+    return runProgram(QString::fromLatin1(line).replace(QLatin1String("IN"), folder_.path())).status;
+  };
+  QCOMPARE(made("convert phantom:ct-head:24 -o IN/scans/"), 0);
+  QCOMPARE(made("render phantom:ct-head:24 --size 16x16 -o IN/bone.png"), 0);
+  QCOMPARE(made("convert phantom:ct-head:24 -o IN/chest.nii.gz"), 0);
+  QFile scene(folder_.filePath(QStringLiteral("scene.json")));
+  QVERIFY(scene.open(QIODevice::WriteOnly));
+  scene.write("{}");
+}
+
+void TestManual::manualHasEveryOption_data() {
+  QTest::addColumn<QString>("help");
+  QTest::newRow("volumen") << QString::fromUtf8(runProgram(QStringLiteral("--help")).out);
+  for (const char* command : commands) QTest::newRow(command) << helpOf(QString::fromLatin1(command));
+}
+
+void TestManual::manualHasEveryOption() {
+  QFETCH(QString, help);
+  const QStringList options = optionsIn(help);
+  QVERIFY(!options.isEmpty());
+  const QString page = manual();
+  for (const QString& option : options)
+    QVERIFY2(page.contains(QLatin1Char(' ') + option + QLatin1Char('\n')), qPrintable(option));
+}
+
+void TestManual::manualHasNoOtherOption() {
+  QString helps = QString::fromUtf8(runProgram(QStringLiteral("--help")).out);
+  for (const char* command : commands) {
+    helps += helpOf(QString::fromLatin1(command));
+    QVERIFY2(manual().contains(QStringLiteral(".SS ") + QLatin1String(command)), command);
+  }
+  const QRegularExpression option(QStringLiteral("--[a-z][a-z-]+"));
+  const QString page = manual();
+  for (auto it = option.globalMatch(page); it.hasNext();) {
+    const QString name = it.next().captured();
+    QVERIFY2(helps.contains(name), qPrintable(name));
+  }
+}
+
+void TestManual::manualHasTheFieldsOfAScene() {
+  const Outcome a =
+      runProgram(QStringLiteral("render phantom:ct-head:24 --preset CT-MIP --size 8x8 --print-scene"));
+  const QStringList fields = keysOf(QJsonDocument::fromJson(a.out).object());
+  QVERIFY(fields.size() > 30);
+  const QString page = manual();
+  const QString scene = page.mid(page.indexOf(QLatin1String(".SH SCENE FILE")));
+  for (const QString& field : fields)
+    QVERIFY2(scene.contains(QRegularExpression(QStringLiteral("\\b%1\\b").arg(field))), qPrintable(field));
+}
+
+void TestManual::helpEndsWithTwoExamples_data() { manualHasEveryOption_data(); }
+
+void TestManual::helpEndsWithTwoExamples() {
+  QFETCH(QString, help);
+  QCOMPARE(examplesIn(help).size(), 2);
+}
+
+void TestManual::examplesRun_data() {
+  QTest::addColumn<QString>("line");
+  QStringList all =
+      examplesIn(manual()) + examplesIn(QString::fromUtf8(runProgram(QStringLiteral("--help")).out));
+  for (const char* command : commands) all << examplesIn(helpOf(QString::fromLatin1(command)));
+  all.removeDuplicates();
+  for (const QString& line : all) QTest::newRow(qPrintable(line)) << line;
+}
+
+// In a folder that has what they name, at sizes that draw at once; what opens the window has no display here.
+void TestManual::examplesRun() {
+  QFETCH(QString, line);
+  QStringList words = QProcess::splitCommand(line);
+  const bool opens = words[0] == QLatin1String("open") || words.size() == 1;
+  if (words[0] == QLatin1String("render") || words[0] == QLatin1String("bench"))
+    words << QStringLiteral("--threads") << QStringLiteral("2");
+  if (words[0] == QLatin1String("accuracy") && !words.contains(QLatin1String("--knob")))
+    words << QStringLiteral("--knob") << QStringLiteral("step") << QStringLiteral("--size")
+          << QStringLiteral("32x32") << QStringLiteral("--frames") << QStringLiteral("1");
+  const Outcome a = runProgramIn(folder_.path(), words);
+  QVERIFY2(a.status == (opens ? 1 : 0), a.err);
+  QCOMPARE(a.err.contains("No display"), opens);
+}
+
+VOLUMEN_TEST(TestManual);
+#include "tst_manual.moc"
