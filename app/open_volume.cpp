@@ -30,7 +30,7 @@ Result<Opened> open(const std::string& path, const std::string& seriesText, cons
   if (seriesText.empty() && study->volumes.size() > 1)
     opened.notes.push_back(path + " holds " + std::to_string(study->volumes.size()) + " volumes; this is " +
                            opened.series.id + ", the one with most voxels (--series chooses).");
-  opened.notes.insert(opened.notes.end(), opened.loaded.warnings.begin(), opened.loaded.warnings.end());
+  for (const Warning& w : opened.loaded.warnings) opened.notes.push_back(w.sentence);
   return opened;
 }
 

@@ -41,7 +41,18 @@ bool displayAnswers() {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-int run(const std::vector<std::string>& paths, const CancelToken& cancel) {
+struct OpenOptions {
+  std::vector<std::string> paths;
+  std::string sceneFile;
+};
+
+int run(const OpenOptions& options, const CancelToken& cancel) {
+  std::optional<Scene> scene;
+  if (!options.sceneFile.empty()) {
+    const auto read = sceneFromFile(options.sceneFile);
+    if (!read) return fail(read.message());
+    scene = *read;
+  }
   if (!displayAnswers()) return fail(noDisplay);
   int argc = 1;
   char name[] = "volumen", *argv[] = {name, nullptr};
@@ -52,8 +63,8 @@ int run(const std::vector<std::string>& paths, const CancelToken& cancel) {
   MainWindow window(realServices());
   window.show();
   QStringList files;
-  for (const std::string& path : paths) files << QString::fromStdString(path);
-  if (!files.isEmpty()) window.open(files);
+  for (const std::string& path : options.paths) files << QString::fromStdString(path);
+  if (!files.isEmpty()) window.open(files, scene);
   // Ctrl-C in the terminal closes the window.
   QTimer interrupted;
   QObject::connect(&interrupted, &QTimer::timeout, &window, [&] {
@@ -66,9 +77,12 @@ int run(const std::vector<std::string>& paths, const CancelToken& cancel) {
 }  // namespace
 
 std::function<int()> makeOpen(CLI::App& app, const CancelToken& cancel) {
-  auto paths = std::make_shared<std::vector<std::string>>();
-  app.add_option("PATH", *paths, "Files, folders or phantom:NAME[:SIZE]");
-  return [paths, &cancel] { return run(*paths, cancel); };
+  auto options = std::make_shared<OpenOptions>();
+  auto* paths = app.add_option("PATH", options->paths, "Files, folders or phantom:NAME[:SIZE]");
+  app.add_option("--scene", options->sceneFile,
+                 "Show the first of them by this scene: a scene file, or a picture that volumen wrote")
+      ->needs(paths);
+  return [options, &cancel] { return run(*options, cancel); };
 }
 
 }  // namespace volumen

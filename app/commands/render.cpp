@@ -5,8 +5,10 @@
 #include "app/command.h"
 #include "app/open_volume.h"
 #include "app/render_options.h"
+#include "app/report_files.h"
 #include "io/files/output_file.h"
 #include "io/files/picture_file.h"
+#include "ui/views/annotate.h"
 #include "viewer/plan/picture_text.h"
 #include "viewer/render/effect_costs.h"
 #include "viewer/render/render.h"
@@ -22,7 +24,7 @@ struct Options {
   SceneOptions scene;
   MethodOptions method;
   int frames = 1, turntable = 0;
-  bool explain = false, printScene = false;
+  bool noWarningLine = false, explain = false, printScene = false;
 };
 
 bool endsWith(const std::string& text, const std::string& end) {
@@ -86,9 +88,18 @@ nlohmann::ordered_json statsJson(const Rendered& done, const Times& t, const Vol
   return out;
 }
 
-Status writePicture(const Rendered& done, const std::string& path) {
+// The warnings that change what is seen stand in a PNG's text, and in its corner where `warningLine`.
+Status writePicture(const Rendered& done, const std::vector<Warning>& warnings, bool warningLine,
+                    const std::string& path) {
   if (endsWith(path, ".nrrd")) return writePictureNrrd(done.picture, path);
-  return writePng(done.picture, path, pictureText(done.plan, {.estimated = estimateOf(done.error)}));
+  PictureText text = pictureText(done.plan, {.estimated = estimateOf(done.error)});
+  const PictureText warned = warningText(warnings);
+  text.insert(text.end(), warned.begin(), warned.end());
+  if (warned.empty() || !warningLine) return writePng(done.picture, path, text);
+  prepareFonts();
+  QImage image = imageForFile(done.picture);
+  annotate(image, warningOverlays(warnings));
+  return writeImage(image, path, text);
 }
 
 Status writeText(const std::string& path, const std::string& text) {
@@ -119,6 +130,7 @@ class Run {
     if (!opened) return fail(opened.message());
     printNotes(opened->notes);
     volume_ = opened->loaded.drawn;
+    warnings_ = opened->loaded.warnings;
     times_.loadMs = wallMs() - begin;
     auto scene = makeScene(options_.scene, *volume_);
     if (!scene) return fail(scene.message());
@@ -154,7 +166,8 @@ class Run {
       if (const int failed = drawFrames(*plan, caches)) return failed;
       if (options_.output.empty()) continue;
       const std::string path = options_.turntable ? numbered(options_.output, n) : options_.output;
-      if (Status written = writePicture(done_, path); !written) return fail(written.message());
+      if (Status written = writePicture(done_, warnings_, !options_.noWarningLine, path); !written)
+        return fail(written.message());
       told() << printable(path) << '\n';
     }
     if (!options_.errorMap.empty()) return writeErrorMap();
@@ -215,6 +228,7 @@ class Run {
   const Options& options_;
   const CancelToken& cancel_;
   VolumePtr volume_;
+  std::vector<Warning> warnings_;
   Times times_;
   Rendered done_;
 };
@@ -235,6 +249,10 @@ std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel) {
       ->check(CLI::Range(1, 9999));
   app.add_option("--stats", o->statsFile, "Write times, samples, memory and the plan to this JSON file");
   app.add_option("--error-map", o->errorMap, "Write how far each pixel may be off, in 1/255, as .nrrd");
+  app.add_flag(
+      "--no-warning-line", o->noWarningLine,
+      "Do not write into a corner of the PNG what is not as it seems (interpolated slices, tilt, not "
+      "calibrated); its text keeps it");
   app.add_flag("--explain", o->explain, "Say what is computed for this picture and why");
   app.add_flag("--print-scene", o->printScene, "Write the complete scene in use to stdout");
   return [o, &cancel] { return Run(*o, cancel)(); };

@@ -57,7 +57,7 @@ void warnOfShear(std::span<const PlacedSlice> slices, Stack& stack) {
       "The slices are sheared (gantry tilt): the step between them is %.2f degrees off their normal; the "
       "volume keeps this shear.",
       degrees);
-  stack.warnings.push_back(text);
+  stack.warnings.push_back({text, WarningKind::sheared});
 }
 
 void warnOffLine(std::span<const PlacedSlice> slices, const std::vector<double>& along, Stack& stack) {
@@ -70,8 +70,9 @@ void warnOffLine(std::span<const PlacedSlice> slices, const std::vector<double>&
   }
   const double pixel = std::min(slices[0].slice.spacing->x, slices[0].slice.spacing->y);
   if (worst > 0.1 * pixel)
-    stack.warnings.push_back("The slices do not lie on one line: " + fileName(slices[at].path) + " is " +
-                             millimetres(worst) + " mm beside it, and is drawn on it.");
+    stack.warnings.push_back({"The slices do not lie on one line: " + fileName(slices[at].path) + " is " +
+                                  millimetres(worst) + " mm beside it, and is drawn on it.",
+                              WarningKind::offLine});
 }
 
 /// Which two slices, and with what weight, make up the place `mm` along the line; a copy where a slice is
@@ -128,8 +129,8 @@ bool isEven(const std::vector<double>& along) {
   return isEven(along, places);
 }
 
-std::string unevenSentence(std::span<const PlacedSlice> slices, const std::vector<double>& steps,
-                           double distance, const Stack& stack, double cutMm) {
+Warning unevenWarning(std::span<const PlacedSlice> slices, const std::vector<double>& steps, double distance,
+                      const Stack& stack, double cutMm) {
   const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
   const std::size_t at = std::size_t(most - steps.begin());
   const int missing = missingSlices(steps, distance);
@@ -143,7 +144,7 @@ std::string unevenSentence(std::span<const PlacedSlice> slices, const std::vecto
           millimetres(distance) + " mm are interpolated";
   if (cutMm > gridTolerance * distance)
     text += ", and the last " + millimetres(cutMm) + " mm lie beyond that grid";
-  return text + ".";
+  return {text + ".", missing ? WarningKind::missingSlices : WarningKind::unevenSlices};
 }
 
 /// Adds the regular grid of DESIGN 10, from the first slice on: the median distance, or the mean one where
@@ -166,13 +167,13 @@ void addRegularGrid(std::span<const PlacedSlice> slices, const std::vector<doubl
   }
   stack.regular = regular;
   stack.warnings.push_back(
-      unevenSentence(slices, steps, distance, stack, along.back() - (count - 1) * distance));
+      unevenWarning(slices, steps, distance, stack, along.back() - (count - 1) * distance));
 }
 
 void layOutSingle(const PlacedSlice& only, Stack& stack) {
   const bool known = only.slice.thickness > 0;
   stack.acquired.patientFromVoxelStep[2] = normalOf(only.slice) * (known ? only.slice.thickness : 1.0);
-  if (!known) stack.warnings.push_back("A single slice without SliceThickness: it is drawn 1 mm thick.");
+  if (!known) stack.warnings.emplace_back("A single slice without SliceThickness: it is drawn 1 mm thick.");
 }
 
 }  // namespace
@@ -184,9 +185,10 @@ Stack layOut(std::span<const PlacedSlice> slices, int columns, int rows) {
       std::find_if(slices.begin(), slices.end(), [](const PlacedSlice& s) { return !isPlaced(s.slice); });
   if (lost != slices.end()) {
     stack.acquired.calibrated = false;
-    stack.warnings.push_back("Not calibrated: " + missingPlace(lost->slice) + " of " + fileName(lost->path) +
-                             " is missing or invalid, so no mm and no directions are known; it is drawn at a "
-                             "nominal 1 mm.");
+    stack.warnings.push_back({"Not calibrated: " + missingPlace(lost->slice) + " of " + fileName(lost->path) +
+                                  " is missing or invalid, so no mm and no directions are known; it is drawn "
+                                  "at a nominal 1 mm.",
+                              WarningKind::notCalibrated});
     return stack;
   }
   const Slice& first = slices[0].slice;

@@ -55,7 +55,8 @@ Status setGeometry(ImageHeader& header, const std::vector<std::uint64_t>& sizes,
       return Error{path + " gives a voxel spacing or direction that is zero, not finite or absurdly large."};
   if (!(glm::length(origin) < 1e9))
     return Error{path + " gives a position that is not finite or absurdly large."};
-  if (steps.size() < 3) header.warnings.push_back("The picture has no thickness of its own; 1 mm is taken.");
+  if (steps.size() < 3)
+    header.warnings.emplace_back("The picture has no thickness of its own; 1 mm is taken.");
   while (steps.size() < 3) steps.push_back(missingAxis(steps));
   g.patientFromVoxelStep = glm::dmat3(steps[0], steps[1], steps[2]);
   g.origin = origin;
@@ -68,7 +69,8 @@ Status setGeometry(ImageHeader& header, const std::vector<std::uint64_t>& sizes,
 Status setNominalGeometry(ImageHeader& header, const std::vector<std::uint64_t>& sizes,
                           const std::string& path) {
   header.geometry.calibrated = false;
-  header.warnings.push_back("The header gives no voxel spacing: not calibrated, drawn at a nominal 1 mm.");
+  header.warnings.push_back({"The header gives no voxel spacing: not calibrated, drawn at a nominal 1 mm.",
+                             WarningKind::notCalibrated});
   return setSize(header.geometry, sizes, path);
 }
 

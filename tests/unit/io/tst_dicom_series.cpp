@@ -83,7 +83,7 @@ void TestDicomSeries::regularGridOfUnevenSlices() {
   QCOMPARE(s.regular->interpolatedSlices, interpolated);
   QVERIFY(std::abs(s.regular->geometry.spacing().z - step) < 1e-9);
   QVERIFY(std::abs(s.acquired.spacing().z - (z.back() - z.front()) / double(z.size() - 1)) < 1e-9);
-  QVERIFY2(warns(s.warnings, says.toStdString()), s.warnings[0].c_str());
+  QVERIFY2(warns(s.warnings, says.toStdString()), s.warnings[0].sentence.c_str());
   QVERIFY(warns(s.warnings, "s10"));  // file names
   const auto loaded = loadSeries(s);
   QVERIFY(loaded.ok());
@@ -133,7 +133,8 @@ void TestDicomSeries::jitterIsRegular() {
   const Study study = folder.open();
   QCOMPARE(study.volumes.size(), std::size_t(1));
   const Series& s = study.volumes[0];
-  const QByteArray said = s.warnings.empty() ? QByteArray() : QByteArray::fromStdString(s.warnings[0]);
+  const QByteArray said =
+      s.warnings.empty() ? QByteArray() : QByteArray::fromStdString(s.warnings[0].sentence);
   QVERIFY2(bool(s.regular) == (interpolated >= 0), said);
   QCOMPARE(s.warnings.empty(), interpolated < 0);
   if (!s.regular) return;
@@ -279,7 +280,7 @@ void TestDicomSeries::withoutPlaceItIsNotCalibrated() {
   const Series& s = study.volumes[0];
   QVERIFY(!s.acquired.calibrated);
   QCOMPARE(s.acquired.patientFromVoxelStep, glm::dmat3(1));
-  QVERIFY2(warns(s.warnings, "Not calibrated: " + says.toStdString()), s.warnings[0].c_str());
+  QVERIFY2(warns(s.warnings, "Not calibrated: " + says.toStdString()), s.warnings[0].sentence.c_str());
   const auto loaded = loadSeries(s);
   QVERIFY(loaded.ok());
   QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{500, 499, 498}));  // by InstanceNumber
