@@ -46,7 +46,7 @@ Result<Opened> open(const std::string& path, const std::string& wanted, const Pr
                            " series; using number " + std::to_string(*chosen + 1) + ", \"" +
                            seriesText(opened.series).toStdString() +
                            "\" (the largest). Choose another with --series.");
-  opened.notes.insert(opened.notes.end(), opened.loaded.warnings.begin(), opened.loaded.warnings.end());
+  for (const Warning& w : opened.loaded.warnings) opened.notes.push_back(w.sentence);
   return opened;
 }
 

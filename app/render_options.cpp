@@ -7,10 +7,10 @@
 #include "app/list_presets.h"
 #include "app/usage.h"
 #include "io/files/scene_file.h"
+#include "viewer/phantoms/phantoms.h"
 #include "viewer/plan/plan.h"
 #include "viewer/scene/presets.h"
 #include "viewer/scene/scene_json.h"
-#include "viewer/phantoms/phantoms.h"
 
 namespace volumen {
 
@@ -99,7 +99,7 @@ void addSceneOptions(CLI::App& app, SceneOptions& o) {
 
 Result<std::optional<Scene>> readScene(const SceneOptions& options) {
   if (options.sceneFile.empty()) return std::optional<Scene>();
-  const auto text = readSceneText(options.sceneFile);
+  const auto text = sceneText(options.sceneFile);
   if (!text) return text.error();
   auto scene = sceneFromJson(*text);
   if (!scene) return Error{options.sceneFile + ": " + scene.message()};

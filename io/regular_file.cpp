@@ -12,10 +12,11 @@ namespace volumen {
 
 Result<RegularFile> RegularFile::open(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-  if (fd < 0) return Error{std::strerror(errno)};
+  if (fd < 0) return Error{errno == ENOENT ? "no such file" : std::strerror(errno)};
   RegularFile file(fd, 0);
   struct stat status {};
   if (::fstat(fd, &status) != 0) return Error{std::strerror(errno)};
+  if (S_ISDIR(status.st_mode)) return Error{"it is a folder"};
   if (!S_ISREG(status.st_mode)) return Error{"not a regular file"};
   file.size_ = std::uint64_t(status.st_size);
   return file;

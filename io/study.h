@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/warning.h"
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/volume.h"
 
@@ -23,8 +24,8 @@ struct Series {
 
   VoxelGeometry
       acquired;  ///< the slices as acquired; spacing along k: mean distance along the step between slices
-  std::string valueType;              ///< "uint8", "int16", "uint16", "float32"
-  std::vector<std::string> warnings;  ///< each one sentence, mm and file names
+  std::string valueType;  ///< "uint8", "int16", "uint16", "float32"
+  std::vector<Warning> warnings;
 
   /// The drawn grid, where it differs from the slices as acquired (uneven or missing slices).
   struct Regular {
@@ -68,7 +69,7 @@ Result<Study> openStudy(const std::string& path, const Progress& progress = {},
 /// regular grid (the same pointer where they do not differ). `warnings`: the series' and those of loading.
 struct Loaded {
   VolumePtr acquired, drawn;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 /// Reads and decodes a series. An Error names the file and why.

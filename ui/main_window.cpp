@@ -47,6 +47,9 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectDrawing();
   connectSegmenter();
   connectAccuracy();
+  connectSnapshots();
+  connectScenes();
+  connectRecent();
   restoreLayout();
 }
 
@@ -59,9 +62,9 @@ MainWindow::~MainWindow() {
 void MainWindow::makeCentre() {
   view_ = new VolumeView(session_);
   banner_ = new Banner;
-  auto* start = new StartPage;
+  start_ = new StartPage;
   pages_ = new QStackedWidget;
-  pages_->addWidget(start);
+  pages_->addWidget(start_);
   pages_->addWidget(view_);
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
@@ -73,9 +76,9 @@ void MainWindow::makeCentre() {
   status_ = new StatusLine;
   statusBar()->addWidget(status_, 1);
   statusBar()->setSizeGripEnabled(false);
-  connect(start, &StartPage::openFolderRequested, this, &MainWindow::askForFolder);
-  connect(start, &StartPage::openFileRequested, this, &MainWindow::askForFile);
-  connect(start, &StartPage::sampleRequested, this, [this] { open({QStringLiteral("phantom:ct-head")}); });
+  connect(start_, &StartPage::openFolderRequested, this, &MainWindow::askForFolder);
+  connect(start_, &StartPage::openFileRequested, this, &MainWindow::askForFile);
+  connect(start_, &StartPage::sampleRequested, this, [this] { open({QStringLiteral("phantom:ct-head")}); });
 }
 
 void MainWindow::connectSession() {
@@ -94,7 +97,10 @@ void MainWindow::connectSession() {
 
 void MainWindow::connectLoader() {
   connect(&loader_, &Loader::studyOpened, this, &MainWindow::showStudy);
-  connect(&loader_, &Loader::seriesLoaded, &session_, &Session::show);
+  connect(&loader_, &Loader::seriesLoaded, this, [this](const ShownSeriesPtr& series) {
+    session_.show(series);
+    if (const auto scene = std::exchange(sceneToShow_, {})) session_.edit(tr("Open scene"), *scene);
+  });
   connect(&loader_, &Loader::presetReady, this,
           [this](const QString& name, const Scene& scene, const VolumePtr& v) {
             if (session_.series() && session_.series()->volume == v) applyPreset(name, scene);
@@ -118,16 +124,6 @@ void MainWindow::connectDrawing() {
   connect(&controller_, &RenderController::frameReady, this, &MainWindow::showFrame);
   connect(&controller_, &RenderController::failed, this,
           [this](const QString& sentence) { banner_->tell(sentence); });
-  connect(snapshotPanel_, &SnapshotPanel::saveRequested, this, &MainWindow::saveSnapshot);
-  connect(&snapshot_, &Snapshot::begun, this, [this] { status_->begin(tr("drawing the picture to save")); });
-  connect(&snapshot_, &Snapshot::saved, this, [this](const QString& path) {
-    status_->end();
-    status_->tell(tr("Saved %1").arg(path));
-  });
-  connect(&snapshot_, &Snapshot::failed, this, [this](const QString& sentence) {
-    status_->end();
-    banner_->tell(sentence);
-  });
 }
 
 void MainWindow::connectSegmenter() {
@@ -152,7 +148,6 @@ void MainWindow::connectAccuracy() {
   connect(accuracy_, &AccuracyPanel::errorWanted, showError, &QAction::setChecked);
   connect(showError, &QAction::toggled, accuracy_, &AccuracyPanel::setErrorWanted);
   connect(showError, &QAction::toggled, view_, &VolumeView::setErrorShown);
-  snapshot_.setMeasured([this](const Plan& plan) { return measuredError(meter_.measured(), plan); });
 }
 
 void MainWindow::applyLevel() {
@@ -164,8 +159,9 @@ void MainWindow::applyLevel() {
   requestFrame();
 }
 
-void MainWindow::open(const QStringList& paths) {
+void MainWindow::open(const QStringList& paths, const std::optional<Scene>& scene) {
   banner_->hide();
+  sceneToShow_ = scene;
   showFirst_ = true;
   for (const QString& path : paths) loader_.open(path);
 }
@@ -180,6 +176,7 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
   if (study->volumes.empty())
     return banner_->add(tr("No images found in %1.").arg(shownText(path.toStdString())), details);
   if (!study->refused.empty()) banner_->add(unreadText(*study), details);
+  recent_.add(path);
   if (!std::exchange(showFirst_, false)) return;
   if (const Result<std::size_t> largest = chooseSeries(*study, {})) loader_.load(study->volumes[*largest]);
 }
@@ -195,10 +192,10 @@ void MainWindow::showSeries() {
   studies_->markShown(series->series);
   presets_->setCurrentIndex(0);
   QStringList warnings;
-  for (const std::string& warning : series->warnings) warnings << shownText(warning);
+  for (const Warning& w : series->warnings)
+    if (w.kind == WarningKind::other) warnings << shownText(w.sentence);  // the others stand on the picture
   status_->showWarnings(warnings);
-  snapshotPanel_->setName(seriesText(series->series).replace(QLatin1Char('/'), QLatin1Char('_')) +
-                          QStringLiteral(".png"));
+  snapshotPanel_->setName(seriesText(series->series).replace(QLatin1Char('/'), QLatin1Char('_')));
   view_->setFocus();
 }
 
@@ -244,17 +241,6 @@ void MainWindow::applyPreset(const QString& name, const Scene& scene) {
     s.shading = scene.shading;
     s.lights = scene.lights;
   });
-}
-
-void MainWindow::saveSnapshot(const SnapshotRequest& request) {
-  if (!session_.series()) return banner_->tell(tr("Nothing is open to be saved: open a series first."));
-  Scene scene = session_.scene();
-  scene.camera = view_->camera();
-  if (request.transparent) scene.background = {.transparent = true, .colour = {}};
-  RenderOptions options;
-  options.size = {request.size.width(), request.size.height()};
-  options.quality = request.quality;
-  snapshot_.save(scene, options, request.path);
 }
 
 void MainWindow::setMaximised(bool alone) {

@@ -5,7 +5,9 @@
 
 #include "ui/controller/accuracy_meter.h"
 #include "ui/controller/loader.h"
+#include "ui/controller/recent_files.h"
 #include "ui/controller/render_controller.h"
+#include "ui/controller/scene_files.h"
 #include "ui/controller/segmenter.h"
 #include "ui/controller/snapshot.h"
 #include "ui/session/session.h"
@@ -21,6 +23,7 @@ class Banner;
 class EffectsPanel;
 class SegmentPanel;
 class SnapshotPanel;
+class StartPage;
 class StatusLine;
 class StudiesPanel;
 class VolumeView;
@@ -42,8 +45,9 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(const Services& services, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Opens files, folders or phantoms; the largest series of the first that holds any is shown.
-  void open(const QStringList& paths);
+  /// Opens files, folders or phantoms; the largest series of the first that holds any is shown, by the scene
+  /// where one is given.
+  void open(const QStringList& paths, const std::optional<Scene>& scene = {});
   Session& session() { return session_; }
   VolumeView* view() const { return view_; }
   const RenderController& controller() const { return controller_; }
@@ -70,6 +74,9 @@ class MainWindow : public QMainWindow {
   void connectDrawing();
   void connectSegmenter();
   void connectAccuracy();
+  void connectSnapshots();
+  void connectScenes();
+  void connectRecent();
   void restoreLayout();
 
   void requestFrame();
@@ -78,7 +85,11 @@ class MainWindow : public QMainWindow {
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study);
   void showSeries();
   void applyPreset(const QString& name, const Scene& scene);
-  void saveSnapshot(const struct SnapshotRequest& request);
+  Scene sceneInView() const;
+  void takeSnapshot(const SnapshotRequest& request);
+  void askForScene();
+  void askForSceneFile();
+  void showRecent();
   void askForFolder();
   void askForFile();
   void setMaximised(bool alone);
@@ -94,9 +105,12 @@ class MainWindow : public QMainWindow {
   AccuracyMeter meter_;
   Snapshot snapshot_;
   Segmenter segmenter_;
+  SceneFiles sceneFiles_;
+  RecentFiles recent_;
 
   VolumeView* view_;
   QStackedWidget* pages_;
+  StartPage* start_;
   Banner* banner_;
   StatusLine* status_;
   StudiesPanel* studies_;
@@ -107,8 +121,10 @@ class MainWindow : public QMainWindow {
   QComboBox* presets_;
   std::map<QString, QAction*> actions_;
   std::map<QString, QDockWidget*> docks_;
-  QByteArray layoutBefore_;  // of the docks, while the view is alone
-  bool showFirst_ = false;   // the next study opened is shown
+  QByteArray layoutBefore_;           // of the docks, while the view is alone
+  bool showFirst_ = false;            // the next study opened is shown
+  std::optional<Scene> sceneToShow_;  // by this scene
+  QMenu* recentMenu_;
 };
 
 }  // namespace volumen

@@ -114,11 +114,19 @@ void MainWindow::makeActions() {
        false,
        [this](bool) { open({QStringLiteral("phantom:ct-head")}); }},
       {"snapshot",
-       tr("Save picture..."),
+       tr("Save snapshot..."),
        {tr("Ctrl+S")},
        "snapshot",
        false,
        [this](bool) { snapshotPanel_->askWhere(); }},
+      {"copySnapshot",
+       tr("Copy snapshot"),
+       {QKeySequence::Copy},
+       "",
+       false,
+       [this](bool) { snapshotPanel_->copy(); }},
+      {"openScene", tr("Open scene..."), {}, "", false, [this](bool) { askForScene(); }},
+      {"saveScene", tr("Save scene..."), {}, "", false, [this](bool) { askForSceneFile(); }},
       {"quit", tr("Quit"), {QKeySequence::Quit}, "", false, [this](bool) { close(); }},
       {"orbitTool",
        tr("Turn the view"),
@@ -201,7 +209,11 @@ void MainWindow::makeMenus() {
       else
         menu->addAction(actions_.at(name));
   };
-  fill(menuBar()->addMenu(tr("&File")), "openFolder openFile openSample | snapshot | quit");
+  auto* file = menuBar()->addMenu(tr("&File"));
+  fill(file, "openFolder openFile openSample | openScene saveScene | snapshot copySnapshot | quit");
+  recentMenu_ = new QMenu(tr("Open recent"), file);
+  file->insertMenu(actions_.at(QStringLiteral("openSample")), recentMenu_);
+  connect(file, &QMenu::aboutToShow, &recent_, &RecentFiles::look);
   fill(menuBar()->addMenu(tr("&Edit")), "undo redo");
   auto* view = menuBar()->addMenu(tr("&View"));
   fill(view,
@@ -256,7 +268,7 @@ void MainWindow::askForFile() {
   auto* dialog = new QFileDialog(this, tr("Open files"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
-  connect(dialog, &QFileDialog::filesSelected, this, &MainWindow::open);
+  connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) { open(paths); });
   dialog->open();
 }
 
@@ -309,8 +321,8 @@ void MainWindow::showShortcuts() {
          "Home shows all"),
       tr("Ctrl+Z, Ctrl+Shift+Z"),
       tr("undo, redo"),
-      tr("Ctrl+O, Ctrl+S"),
-      tr("open a folder, save a picture"),
+      tr("Ctrl+O, Ctrl+S, Ctrl+C"),
+      tr("open a folder, save a snapshot, copy it"),
   };
   QString html = QStringLiteral("<table cellpadding='3' width='560'>");
   for (int n = 0; n + 1 < rows.size(); n += 2)

@@ -80,6 +80,15 @@ Values valuesOf(const Volume& volume) {
   return out;
 }
 
+// Sentences, and the kind of each.
+void addWarnings(Json& out, const std::vector<Warning>& warnings) {
+  out["warnings"] = out["warningKinds"] = Json::array();
+  for (const Warning& w : warnings) {
+    out["warnings"].push_back(w.sentence);
+    out["warningKinds"].push_back(kindName(w.kind));
+  }
+}
+
 Json seriesJson(const Series& s) {
   Json out{{"id", s.id}, {"path", s.path}, {"format", s.format}};
   out["patient"] = {{"name", s.patientName}, {"id", s.patientId}};
@@ -94,7 +103,7 @@ Json seriesJson(const Series& s) {
     out["regular"] = {{"dims", toJson(s.regular->geometry.size)},
                       {"spacing", toJson(s.regular->geometry.spacing())},
                       {"interpolatedSlices", s.regular->interpolatedSlices}};
-  out["warnings"] = s.warnings;
+  addWarnings(out, s.warnings);
   return out;
 }
 
@@ -106,7 +115,7 @@ Status addValues(Json& out, const Series& series, const CancelToken& cancel) {
   const Values v = valuesOf(*loaded->acquired);
   out["dims"] = toJson(loaded->acquired->size());
   out["valueType"] = loaded->acquired->typeName();
-  out["warnings"] = loaded->warnings;
+  addWarnings(out, loaded->warnings);
   out["min"] = v.low;
   out["max"] = v.high;
   out["mean"] = v.mean;

@@ -56,9 +56,20 @@ std::vector<std::string> existing(const std::vector<std::string>& paths) {
   return there;
 }
 
-int run(const std::vector<std::string>& asked, const CancelToken& cancel) {
-  const std::vector<std::string> paths = existing(asked);
-  if (paths.empty() && !asked.empty()) return exitFailed;
+struct OpenOptions {
+  std::vector<std::string> paths;
+  std::string sceneFile;
+};
+
+int run(const OpenOptions& options, const CancelToken& cancel) {
+  const std::vector<std::string> paths = existing(options.paths);
+  if (paths.empty() && !options.paths.empty()) return exitFailed;
+  std::optional<Scene> scene;
+  if (!options.sceneFile.empty()) {
+    const auto read = sceneFromFile(options.sceneFile);
+    if (!read) return fail(read.message());
+    scene = *read;
+  }
   if (!displayAnswers()) return fail(noDisplay);
   int argc = 1;
   char name[] = "volumen", *argv[] = {name, nullptr};
@@ -69,8 +80,8 @@ int run(const std::vector<std::string>& asked, const CancelToken& cancel) {
   MainWindow window(realServices());
   window.show();
   QStringList files;
-  for (const std::string& path : paths) files << QString::fromStdString(path);
-  if (!files.isEmpty()) window.open(files);
+  for (const std::string& path : options.paths) files << QString::fromStdString(path);
+  if (!files.isEmpty()) window.open(files, scene);
   // Ctrl-C in the terminal closes the window.
   QTimer interrupted;
   QObject::connect(&interrupted, &QTimer::timeout, &window, [&] {
@@ -83,10 +94,15 @@ int run(const std::vector<std::string>& asked, const CancelToken& cancel) {
 }  // namespace
 
 std::function<int()> makeOpen(CLI::App& app, const CancelToken& cancel) {
-  auto paths = std::make_shared<std::vector<std::string>>();
-  app.add_option("PATH", *paths, "Files, folders or phantom:NAME[:SIZE]")->type_name("");
+  auto options = std::make_shared<OpenOptions>();
+  auto* paths =
+      app.add_option("PATH", options->paths, "Files, folders or phantom:NAME[:SIZE]")->type_name("");
+  app.add_option("--scene", options->sceneFile,
+                 "Show the first of them by this scene: a scene file, or a picture that volumen wrote")
+      ->type_name("FILE")
+      ->needs(paths);
   addExamples(app, {"volumen open scans/", "volumen open chest.nii.gz phantom:ct-head"});
-  return [paths, &cancel] { return run(*paths, cancel); };
+  return [options, &cancel] { return run(*options, cancel); };
 }
 
 }  // namespace volumen

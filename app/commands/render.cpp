@@ -5,9 +5,11 @@
 #include "app/command.h"
 #include "app/open_volume.h"
 #include "app/render_options.h"
+#include "app/report_files.h"
 #include "app/usage.h"
 #include "io/files/output_file.h"
 #include "io/files/picture_file.h"
+#include "ui/views/annotate.h"
 #include "viewer/plan/picture_text.h"
 #include "viewer/render/effect_costs.h"
 #include "viewer/render/render.h"
@@ -23,7 +25,7 @@ struct Options {
   SceneOptions scene;
   MethodOptions method;
   int frames = 1, turntable = 0;
-  bool explain = false, printScene = false;
+  bool noWarningLine = false, explain = false, printScene = false;
 };
 
 bool endsWith(const std::string& text, const std::string& end) {
@@ -87,9 +89,18 @@ nlohmann::ordered_json statsJson(const Rendered& done, const Times& t, const Vol
   return out;
 }
 
-Status writePicture(const Rendered& done, const std::string& path) {
+// The warnings that change what is seen stand in a PNG's text, and in its corner where `warningLine`.
+Status writePicture(const Rendered& done, const std::vector<Warning>& warnings, bool warningLine,
+                    const std::string& path) {
   if (endsWith(path, ".nrrd")) return writePictureNrrd(done.picture, path);
-  return writePng(done.picture, path, pictureText(done.plan, {.estimated = estimateOf(done.error)}));
+  PictureText text = pictureText(done.plan, {.estimated = estimateOf(done.error)});
+  const PictureText warned = warningText(warnings);
+  text.insert(text.end(), warned.begin(), warned.end());
+  if (warned.empty() || !warningLine) return writePng(done.picture, path, text);
+  prepareFonts();
+  QImage image = imageForFile(done.picture);
+  annotate(image, warningOverlays(warnings));
+  return writeImage(image, path, text);
 }
 
 Status writeText(const std::string& path, const std::string& text) {
@@ -124,6 +135,7 @@ class Run {
     if (!opened) return fail(opened.message(), cancel_);
     printNotes(opened->notes);
     volume_ = opened->loaded.drawn;
+    warnings_ = opened->loaded.warnings;
     times_.loadMs = wallMs() - begin;
     auto scene = makeScene(options_.scene, *file, *volume_);
     if (!scene) return fail(scene.message());
@@ -170,7 +182,8 @@ class Run {
       if (const int failed = drawFrames(*plan, caches)) return failed;
       if (options_.output.empty()) continue;
       const std::string path = options_.turntable ? numbered(options_.output, n) : options_.output;
-      if (Status written = writePicture(done_, path); !written) return fail(written.message());
+      if (Status written = writePicture(done_, warnings_, !options_.noWarningLine, path); !written)
+        return fail(written.message());
       told() << printable(path) << '\n';
       ++written_;
     }
@@ -235,6 +248,7 @@ class Run {
   const Options& options_;
   const CancelToken& cancel_;
   VolumePtr volume_;
+  std::vector<Warning> warnings_;
   Times times_;
   Rendered done_;
   int written_ = 0;
@@ -256,6 +270,10 @@ std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel) {
       ->type_name("FILE");
   app.add_option("--error-map", o->errorMap, "Write how far each pixel may be off, in 1/255, as .nrrd")
       ->type_name("FILE");
+  app.add_flag(
+      "--no-warning-line", o->noWarningLine,
+      "Do not write into a corner of the PNG what is not as it seems (interpolated slices, tilt, not "
+      "calibrated); its text keeps it");
   app.add_flag("--explain", o->explain, "Say what is computed for this picture and why");
   app.add_flag("--print-scene", o->printScene, "Write the complete scene in use to stdout");
   addExamples(app, {"volumen render scans/ --preset CT-Bone --view left -o bone.png",

@@ -185,20 +185,20 @@ class Loader {
 };
 
 /// Names the slices that failed and takes those away that never came to decoding.
-void reportFailures(const std::vector<Incoming>& slices, std::vector<std::string>& warnings) {
+void reportFailures(const std::vector<Incoming>& slices, std::vector<Warning>& warnings) {
   for (const Incoming& in : slices)
     if (!in.failure.empty())
       warnings.push_back("Slice " + fileName(in.placed.path) + " is left out: " + in.failure);
 }
 
 /// One sentence for each kind of note.
-void reportNotes(const std::vector<Incoming>& slices, std::vector<std::string>& warnings) {
+void reportNotes(const std::vector<Incoming>& slices, std::vector<Warning>& warnings) {
   std::map<std::string, std::string> firstFile;
   for (const Incoming& in : slices)
     if (!in.note.empty()) firstFile.emplace(in.note, fileName(in.placed.path));
   for (const auto& [note, file] : firstFile) warnings.push_back(file + ": " + note + ".");
   if (std::any_of(slices.begin(), slices.end(), [](const Incoming& in) { return in.inexact; }))
-    warnings.push_back("Its values are wider than float32 and were rounded to it.");
+    warnings.emplace_back("Its values are wider than float32 and were rounded to it.");
 }
 
 std::vector<const FileHeader*> headersOf(const std::vector<Incoming>& slices) {
@@ -236,12 +236,12 @@ VolumeAttributes attributesOf(const Series& series, const Slice& first) {
 }
 
 Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slices, Loader& loader,
-                        const ValuePlan& plan, std::vector<std::string> warnings) {
+                        const ValuePlan& plan, std::vector<Warning> warnings) {
   const PixelFormat& format = slices[0].file->format;
   const Slice& first = slices[0].placed.slice;
   const Stack stack = layOut(placedOf(slices), format.columns, format.rows);
-  for (const std::string& sentence : stack.warnings)
-    if (std::find(warnings.begin(), warnings.end(), sentence) == warnings.end()) warnings.push_back(sentence);
+  for (const Warning& warning : stack.warnings)
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
   VolumeParts parts;
   parts.attributes = attributesOf(series, first);
   if (!plan.rescaled) parts.slope = first.slope, parts.intercept = first.intercept;
@@ -249,8 +249,10 @@ Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slice
   if (stack.regular) drawn.values = resampleSlices(loader.values(), loader.sliceVoxels(), stack.sources);
   parts.geometry = stack.acquired;
   parts.values = std::move(loader.values());
-  const auto acquired = Volume::make(std::move(parts), warnings);
+  std::vector<std::string> changed;
+  const auto acquired = Volume::make(std::move(parts), changed);
   if (!acquired) return Error{series.path + ": " + acquired.message()};
+  addSentences(warnings, changed);
   if (!stack.regular) return Loaded{*acquired, *acquired, warnings};
   drawn.geometry = stack.regular->geometry;
   std::vector<std::string> repeated;  // what was said of the acquired slices holds for these
@@ -264,7 +266,7 @@ Result<Loaded> load(const Series& series, const Progress& progress, const Cancel
   std::vector<Incoming> slices;
   for (std::size_t n = 0; n < series.files.size(); ++n)
     slices.push_back(files.slice(series.files[n], series.frames[n]));
-  std::vector<std::string> warnings = series.warnings;
+  std::vector<Warning> warnings = series.warnings;
   reportFailures(slices, warnings);
   const std::string reason = slices[0].failure;
   std::erase_if(slices, [](const Incoming& in) { return !in.failure.empty(); });

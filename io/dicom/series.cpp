@@ -206,12 +206,12 @@ std::string commonFolder(const std::vector<std::string>& files) {
 }
 
 /// One sentence for each kind of remark, naming the first file it was made of.
-void addRemarks(const Entries& entries, std::vector<std::string>& warnings) {
+void addRemarks(const Entries& entries, std::vector<Warning>& warnings) {
   std::map<std::string, std::set<std::string>> filesByRemark;
   for (const Entry& e : entries)
     for (const std::string& remark : e.file->warnings) filesByRemark[remark].insert(e.file->path);
   for (const auto& [remark, files] : filesByRemark)
-    warnings.push_back(
+    warnings.emplace_back(
         fileName(*files.begin()) +
         (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more files: " : ": ") + remark +
         ".");
@@ -244,7 +244,7 @@ Series describe(const Part& part) {
   s.regular = stack.regular;
   constexpr const char* names[] = {"uint8", "int16", "uint16", "float32"};
   s.valueType = names[planValues(headers, slices).type.index()];
-  s.warnings = part.warnings;
+  addSentences(s.warnings, part.warnings);
   s.warnings.insert(s.warnings.end(), stack.warnings.begin(), stack.warnings.end());
   addRemarks(part.entries, s.warnings);
   return s;

@@ -4,11 +4,15 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 namespace volumen::dicom {
 namespace {
 
 constexpr double gridTolerance = 0.01;  // of the distance between slices (DESIGN 10)
+
+// Slices this far off an even grid are on it: scanners round and tables tremble (DESIGN 10).
+double mostJitterMm(double distance) { return std::min(0.02 * distance, 0.1); }
 
 glm::dvec3 normalOf(const Slice& slice) {
   return glm::normalize(glm::cross(slice.orientation->row, slice.orientation->column));
@@ -47,7 +51,7 @@ void warnOfShear(std::span<const PlacedSlice> slices, Stack& stack) {
   if (degrees < 0.05) return;
   char text[80];
   std::snprintf(text, sizeof text, "Gantry tilt of %.1f degrees, corrected in 3D.", degrees);
-  stack.warnings.push_back(text);
+  stack.warnings.push_back({text, WarningKind::sheared});
 }
 
 void warnOffLine(std::span<const PlacedSlice> slices, const std::vector<double>& along, Stack& stack) {
@@ -60,31 +64,63 @@ void warnOffLine(std::span<const PlacedSlice> slices, const std::vector<double>&
   }
   const double pixel = std::min(slices[0].slice.spacing->x, slices[0].slice.spacing->y);
   if (worst > 0.1 * pixel)
-    stack.warnings.push_back("The slices do not lie on one line: " + fileName(slices[at].path) + " is " +
-                             millimetres(worst) + " mm beside it and was moved onto it.");
+    stack.warnings.push_back({"The slices do not lie on one line: " + fileName(slices[at].path) + " is " +
+                                  millimetres(worst) + " mm beside it and was moved onto it.",
+                              WarningKind::offLine});
 }
 
 /// Which two slices, and with what weight, make up the place `mm` along the line; a copy where a slice is
-/// within 1 % of `distance`.
-Stack::Source sourceAt(const std::vector<double>& along, double mm, double distance) {
+/// within `tolerance` mm.
+Stack::Source sourceAt(const std::vector<double>& along, double mm, double tolerance) {
   const auto above = std::upper_bound(along.begin(), along.end(), mm);
   const int below =
       int(std::clamp<std::ptrdiff_t>(above - along.begin() - 1, 0, std::ptrdiff_t(along.size()) - 2));
   const double from = along[std::size_t(below)], to = along[std::size_t(below) + 1];
-  if (std::abs(mm - from) <= gridTolerance * distance) return {below, 0};
-  if (std::abs(mm - to) <= gridTolerance * distance) return {below + 1, 0};
+  if (std::abs(mm - from) <= tolerance) return {below, 0};
+  if (std::abs(mm - to) <= tolerance) return {below + 1, 0};
   return {below, std::clamp((mm - from) / (to - from), 0.0, 1.0)};
 }
 
-/// How many slices are missing, where every step is a whole number of medians (within 5 %); else 0.
-int missingSlices(const std::vector<double>& steps, double median) {
-  int missing = 0;
+/// The place of each slice on a grid of `distance`, where every step is a whole number of it (within 5 %);
+/// else nothing.
+std::vector<int> gridPlaces(const std::vector<double>& steps, double distance) {
+  std::vector<int> places{0};
   for (double step : steps) {
-    const double count = std::round(step / median);
-    if (count < 1 || std::abs(step - count * median) > 0.05 * median) return 0;
-    missing += int(count) - 1;
+    const double count = std::round(step / distance);
+    if (count < 1 || std::abs(step - count * distance) > 0.05 * distance) return {};
+    places.push_back(places.back() + int(count));
   }
-  return missing;
+  return places;
+}
+
+/// How many slices are missing on such a grid; 0 where there is none.
+int missingSlices(const std::vector<double>& steps, double distance) {
+  const std::vector<int> places = gridPlaces(steps, distance);
+  return places.empty() ? 0 : places.back() - int(steps.size());
+}
+
+/// Whether slices at these places of a grid lie even but for jitter: of the grid that fits them best (least
+/// squares).
+bool isEven(const std::vector<double>& along, const std::vector<int>& places) {
+  const double count = double(along.size());
+  double meanPlace = 0, meanMm = 0, together = 0, spread = 0;
+  for (std::size_t n = 0; n < along.size(); ++n) meanPlace += places[n] / count, meanMm += along[n] / count;
+  for (std::size_t n = 0; n < along.size(); ++n) {
+    together += (places[n] - meanPlace) * (along[n] - meanMm);
+    spread += (places[n] - meanPlace) * (places[n] - meanPlace);
+  }
+  const double distance = together / spread;
+  constexpr double rounding = 1e-6;  // of decimals in the files, mm
+  for (std::size_t n = 0; n < along.size(); ++n)
+    if (std::abs(along[n] - meanMm - distance * (places[n] - meanPlace)) > mostJitterMm(distance) + rounding)
+      return false;
+  return true;
+}
+
+bool isEven(const std::vector<double>& along) {
+  std::vector<int> places(along.size());
+  std::iota(places.begin(), places.end(), 0);
+  return isEven(along, places);
 }
 
 std::string missingSentence(int missing, const std::string& between, double most, double median) {
@@ -94,50 +130,50 @@ std::string missingSentence(int missing, const std::string& between, double most
          "; they were interpolated.";
 }
 
-std::string unevenSentence(std::span<const PlacedSlice> slices, const std::vector<double>& steps,
-                           double median, const Stack& stack, double cutMm) {
+Warning unevenWarning(std::span<const PlacedSlice> slices, const std::vector<double>& steps, double distance,
+                      const Stack& stack, double cutMm) {
   const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
   const std::size_t at = std::size_t(most - steps.begin());
   const std::string between = fileName(slices[at].path) + " and " + fileName(slices[at + 1].path);
-  std::string text;
-  if (const int missing = missingSlices(steps, median))
-    text = missingSentence(missing, between, *most, median);
-  else
-    text = "Uneven slice spacing (" + millimetres(*least) + " to " + millimetres(*most) +
-           " mm, largest between " + between + "): " + std::to_string(stack.regular->interpolatedSlices) +
-           " of the " + std::to_string(stack.regular->geometry.size.z) + " slices shown in 3D " +
-           (stack.regular->interpolatedSlices == 1 ? "is" : "are") + " interpolated.";
-  if (cutMm > gridTolerance * median) text += " The last " + millimetres(cutMm) + " mm are not shown in 3D.";
-  return text;
+  const int missing = missingSlices(steps, distance), interpolated = stack.regular->interpolatedSlices;
+  std::string text = missing
+                         ? missingSentence(missing, between, *most, distance)
+                         : "Uneven slice spacing (" + millimetres(*least) + " to " + millimetres(*most) +
+                               " mm, largest between " + between + "): " + std::to_string(interpolated) +
+                               " of the " + std::to_string(stack.regular->geometry.size.z) +
+                               " slices shown in 3D " + (interpolated == 1 ? "is" : "are") + " interpolated.";
+  if (cutMm > gridTolerance * distance)
+    text += " The last " + millimetres(cutMm) + " mm are not shown in 3D.";
+  return {text, missing ? WarningKind::missingSlices : WarningKind::unevenSlices};
 }
 
-/// Adds the regular grid of DESIGN 10: the median distance, from the first slice on.
+/// Adds the regular grid of DESIGN 10, from the first slice on: the median distance, or the mean one where
+/// the slices are even but for those that are missing.
 void addRegularGrid(std::span<const PlacedSlice> slices, const std::vector<double>& along, Stack& stack) {
   const std::vector<double> steps = stepsMm(slices);
-  const double median = lowerMedian(steps);
-  const int count = int(std::floor(along.back() / median + gridTolerance)) + 1;
+  double distance = lowerMedian(steps), tolerance = gridTolerance * distance;
+  const std::vector<int> places = gridPlaces(steps, distance);
+  if (!places.empty() && isEven(along, places)) {
+    distance = along.back() / places.back();
+    tolerance = 2 * mostJitterMm(distance);  // the first slice is off as well
+  }
+  const int count = int(std::floor(along.back() / distance + gridTolerance)) + 1;
   Series::Regular regular{stack.acquired, 0};
   regular.geometry.size.z = count;
-  regular.geometry.patientFromVoxelStep[2] = median * lineDirection(slices);
+  regular.geometry.patientFromVoxelStep[2] = distance * lineDirection(slices);
   for (int k = 0; k < count; ++k) {
-    stack.sources.push_back(sourceAt(along, k * median, median));
+    stack.sources.push_back(sourceAt(along, k * distance, tolerance));
     if (stack.sources.back().weight > 0) ++regular.interpolatedSlices;
   }
   stack.regular = regular;
-  stack.warnings.push_back(unevenSentence(slices, steps, median, stack, along.back() - (count - 1) * median));
-}
-
-bool isEven(const std::vector<double>& along) {
-  const double mean = along.back() / double(along.size() - 1);
-  for (std::size_t n = 0; n < along.size(); ++n)
-    if (std::abs(along[n] - double(n) * mean) > gridTolerance * mean) return false;
-  return true;
+  stack.warnings.push_back(
+      unevenWarning(slices, steps, distance, stack, along.back() - (count - 1) * distance));
 }
 
 void layOutSingle(const PlacedSlice& only, Stack& stack) {
   const bool known = only.slice.thickness > 0;
   stack.acquired.patientFromVoxelStep[2] = normalOf(only.slice) * (known ? only.slice.thickness : 1.0);
-  if (!known) stack.warnings.push_back("A single slice of unknown thickness: shown 1 mm thick.");
+  if (!known) stack.warnings.emplace_back("A single slice of unknown thickness: shown 1 mm thick.");
 }
 
 }  // namespace
@@ -149,9 +185,10 @@ Stack layOut(std::span<const PlacedSlice> slices, int columns, int rows) {
       std::find_if(slices.begin(), slices.end(), [](const PlacedSlice& s) { return !isPlaced(s.slice); });
   if (lost != slices.end()) {
     stack.acquired.calibrated = false;
-    stack.warnings.push_back("Not calibrated: no measurements in mm, no orientation (" +
-                             fileName(lost->path) + " has no valid " + missingPlace(lost->slice) +
-                             "); shown with voxels of 1 mm.");
+    stack.warnings.push_back({"Not calibrated: no measurements in mm, no orientation (" +
+                                  fileName(lost->path) + " has no valid " + missingPlace(lost->slice) +
+                                  "); shown with voxels of 1 mm.",
+                              WarningKind::notCalibrated});
     return stack;
   }
   const Slice& first = slices[0].slice;

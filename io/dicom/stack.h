@@ -24,8 +24,8 @@ struct Stack {
     int below = 0;
     double weight = 0;
   };
-  std::vector<Source> sources;        ///< one entry a slice of the regular grid; empty without one
-  std::vector<std::string> warnings;  ///< sentences
+  std::vector<Source> sources;  ///< one entry a slice of the regular grid; empty without one
+  std::vector<Warning> warnings;
 };
 
 /// Lays slices of one size and orientation, in order, out in space (DESIGN 7 and 10): the step between slices

@@ -106,8 +106,9 @@ Result<Loaded> loadImageFile(const Series& series, const Progress& progress, con
   auto number = volumeNumber(series, *header);
   if (!number) return number.error();
   Loaded loaded{{}, {}, series.warnings};
+  std::vector<std::string> changed;
   auto samples =
-      readSamples(header->data, *number, header->slope, header->intercept, progress, cancel, loaded.warnings);
+      readSamples(header->data, *number, header->slope, header->intercept, progress, cancel, changed);
   if (!samples) return samples.error();
   VolumeParts parts;
   parts.geometry = header->geometry;
@@ -116,8 +117,9 @@ Result<Loaded> loadImageFile(const Series& series, const Progress& progress, con
   parts.intercept = samples->intercept;
   parts.attributes.name = series.description.empty() ? series.id : series.description;
   parts.attributes.modality = series.modality;
-  auto volume = Volume::make(std::move(parts), loaded.warnings);
+  auto volume = Volume::make(std::move(parts), changed);
   if (!volume) return Error{series.path + ": " + volume.message()};
+  addSentences(loaded.warnings, changed);
   loaded.acquired = loaded.drawn = *volume;
   return loaded;
 }

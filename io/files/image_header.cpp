@@ -55,7 +55,8 @@ Status setGeometry(ImageHeader& header, const std::vector<std::uint64_t>& sizes,
       return Error{path + " gives a voxel spacing or direction that is zero, not finite or absurdly large."};
   if (!(glm::length(origin) < 1e9))
     return Error{path + " gives a position that is not finite or absurdly large."};
-  if (steps.size() < 3) header.warnings.push_back("A single slice of unknown thickness: shown 1 mm thick.");
+  if (steps.size() < 3)
+    header.warnings.emplace_back("A single slice of unknown thickness: shown 1 mm thick.");
   while (steps.size() < 3) steps.push_back(missingAxis(steps));
   g.patientFromVoxelStep = glm::dmat3(steps[0], steps[1], steps[2]);
   g.origin = origin;
@@ -69,8 +70,9 @@ Status setNominalGeometry(ImageHeader& header, const std::vector<std::uint64_t>&
                           const std::string& path) {
   header.geometry.calibrated = false;
   header.warnings.push_back(
-      "Not calibrated: no measurements in mm (the header gives no voxel spacing); shown with voxels of 1 "
-      "mm.");
+      {"Not calibrated: no measurements in mm (the header gives no voxel spacing); shown with voxels of 1 "
+       "mm.",
+       WarningKind::notCalibrated});
   return setSize(header.geometry, sizes, path);
 }
 

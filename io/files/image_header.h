@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/files/sample_data.h"
+#include "io/warning.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
@@ -17,7 +18,7 @@ struct ImageHeader {
   SampleData data;
   VoxelGeometry geometry;
   double slope = 1, intercept = 0;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 /// Headers and lists of data files may be this long.

@@ -83,7 +83,8 @@ Status setMetaGeometry(const MetaHeader& header, const std::vector<std::uint64_t
   if (!*spacing) return setNominalGeometry(image, sizes, path);
   if (!*matrix)
     image.warnings.push_back(
-        "The header gives no directions: its axes are taken as left, posterior, superior.");
+        {"The header gives no directions: its axes are taken as left, posterior, superior.",
+         WarningKind::noDirections});
   const std::string unit = header.field({"DistanceUnits"});
   const double mm = unit == "um" ? 1e-3 : unit == "cm" ? 10 : 1;
   if (mm != 1)

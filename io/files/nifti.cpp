@@ -220,7 +220,8 @@ Status setNiftiGeometry(const Fields& f, const std::vector<std::uint64_t>& sizes
       if (!(f.pixdim[a + 1] > 0)) return setNominalGeometry(image, sizes, path);
     affine = affineOfPixdim(f, sizes);
     image.warnings.push_back(
-        "The header gives spacings but no directions: which side is left or top is not known.");
+        {"The header gives spacings but no directions: which side is left or top is not known.",
+         WarningKind::noDirections});
   }
   const glm::dvec3 lpsFromRas(-mm, -mm, mm);
   std::vector<glm::dvec3> steps;

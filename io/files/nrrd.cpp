@@ -100,14 +100,13 @@ std::vector<std::string> quoted(std::string_view text) {
 }
 
 // mm per unit of the lengths in field `name`, entry `axis`; says so where they are not mm.
-double unitMm(const NrrdHeader& header, const char* name, std::size_t axis,
-              std::vector<std::string>& warnings) {
+double unitMm(const NrrdHeader& header, const char* name, std::size_t axis, std::vector<Warning>& warnings) {
   const auto units = quoted(header.field(name));
   if (axis >= units.size() || units[axis].empty()) return 1;
   const auto mm = millimetres(units[axis]);
-  const std::string warning =
+  const Warning warning(
       "The header gives lengths in '" + fieldText(units[axis]) +
-      (mm ? "'; they were turned into mm." : "', which volumen does not know; they are taken as mm.");
+      (mm ? "'; they were turned into mm." : "', which volumen does not know; they are taken as mm."));
   if (mm != 1.0 && std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
     warnings.push_back(warning);
   return mm.value_or(1);
@@ -193,7 +192,8 @@ Status setNrrdGeometry(const NrrdHeader& header, const Space& space,
     if (!done) return done.error();
     if (!*done) return setNominalGeometry(image, sizes, path);
     image.warnings.push_back(
-        "The header gives spacings but no directions: which side is left or top is not known.");
+        {"The header gives spacings but no directions: which side is left or top is not known.",
+         WarningKind::noDirections});
     return {};
   }
   const double mm = unitMm(header, "spaceunits", 0, image.warnings);
@@ -207,11 +207,12 @@ Status setNrrdGeometry(const NrrdHeader& header, const Space& space,
       return Error{path + " has the space origin '" + fieldText(text) + "', which is not one vector."};
     origin = inLps(*(*vectors)[0], space) * mm;
   } else {
-    image.warnings.push_back("The header gives no position: voxel (0, 0, 0) is taken as the origin.");
+    image.warnings.emplace_back("The header gives no position: voxel (0, 0, 0) is taken as the origin.");
   }
   if (!space.anatomical)
     image.warnings.push_back(
-        "The header names no anatomical space: its axes are taken as left, posterior, superior.");
+        {"The header names no anatomical space: its axes are taken as left, posterior, superior.",
+         WarningKind::noDirections});
   return setGeometry(image, sizes, steps, origin, path);
 }
 

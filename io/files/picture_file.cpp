@@ -8,20 +8,50 @@
 
 namespace volumen {
 
-Status writePng(const Picture& picture, const std::string& path,
-                const std::vector<std::pair<std::string, std::string>>& text) {
-  const std::vector<std::uint8_t> bytes = toBytes(picture);
-  const int channels = picture.transparent ? 4 : 3;
-  const QImage image(bytes.data(), picture.size.x, picture.size.y, qsizetype(channels) * picture.size.x,
-                     picture.transparent ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+namespace {
+
+constexpr int jpegQuality = 95;
+
+Status writeAs(const char* format, const QImage& image, const std::string& path, const PictureText& text) {
   auto out = OutputFile::create(path);
   if (!out) return out.error();
-  QImageWriter writer(&out->device(), "png");
+  QImageWriter writer(&out->device(), format);
+  if (qstrcmp(format, "jpeg") == 0) writer.setQuality(jpegQuality);
   for (const auto& [key, value] : text)
     writer.setText(QString::fromStdString(key), QString::fromStdString(value));
   if (!writer.write(image))
     return Error{"Cannot write " + path + ": " + writer.errorString().toStdString() + "."};
   return out->commit();
+}
+
+}  // namespace
+
+QImage imageForFile(const Picture& picture) {
+  const std::vector<std::uint8_t> bytes = toBytes(picture);
+  const int channels = picture.transparent ? 4 : 3;
+  const QImage image(bytes.data(), picture.size.x, picture.size.y, qsizetype(channels) * picture.size.x,
+                     picture.transparent ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+  return image.copy();
+}
+
+Status writeImage(const QImage& image, const std::string& path, const PictureText& text) {
+  const QString name = QString::fromStdString(path);
+  const bool jpeg = name.endsWith(QStringLiteral(".jpg"), Qt::CaseInsensitive) ||
+                    name.endsWith(QStringLiteral(".jpeg"), Qt::CaseInsensitive);
+  if (jpeg && image.hasAlphaChannel())
+    return Error{path + ": JPEG cannot hold a transparent background; choose PNG or another background."};
+  return writeAs(jpeg ? "jpeg" : "png", image, path, text);
+}
+
+Status writePng(const Picture& picture, const std::string& path, const PictureText& text) {
+  return writeAs("png", imageForFile(picture), path, text);
+}
+
+PictureText warningText(const std::vector<Warning>& warnings) {
+  std::string lines;
+  for (const Warning& w : changingPicture(warnings))
+    lines += (lines.empty() ? "" : "\n") + std::string(kindName(w.kind)) + ": " + w.sentence;
+  return lines.empty() ? PictureText() : PictureText{{"volumen-warnings", lines}};
 }
 
 namespace {

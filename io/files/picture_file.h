@@ -4,15 +4,30 @@
 #include <utility>
 #include <vector>
 
+#include "io/warning.h"
 #include "viewer/volume/picture.h"
 #include "viewer/volume/result.h"
 
+class QImage;
+
 namespace volumen {
 
-/// Writes the 8-bit picture (SCENE 6): RGB where the background is opaque, else RGBA with straight colour,
-/// and `text` (key, value) as PNG text. The file appears whole or not at all.
-Status writePng(const Picture& picture, const std::string& path,
-                const std::vector<std::pair<std::string, std::string>>& text);
+/// What a picture's file says of it: key and value.
+using PictureText = std::vector<std::pair<std::string, std::string>>;
+
+/// The 8-bit picture (SCENE 6): RGB888 where the background is opaque, else RGBA8888 with straight colour.
+QImage imageForFile(const Picture& picture);
+
+/// Writes an image of imageForFile(), as JPEG where the path ends in .jpg or .jpeg, else as PNG. The file
+/// appears whole or not at all. Refused: transparency in a JPEG.
+Status writeImage(const QImage& image, const std::string& path, const PictureText& text);
+
+/// Both at once, as PNG.
+Status writePng(const Picture& picture, const std::string& path, const PictureText& text);
+
+/// The text of a picture that the warnings which change what is seen stand in: each "KIND: sentence" in a
+/// line of its own (kindName()); empty without any.
+PictureText warningText(const std::vector<Warning>& warnings);
 
 /// Writes the floats themselves for comparison (DESIGN 10): float32, sizes 4 W H, first row on top; the key
 /// "background" says "opaque" or "transparent".

@@ -1,30 +1,43 @@
 #include "io/files/scene_file.h"
 
 #include <QBuffer>
-#include <QFile>
-#include <QFileInfo>
 #include <QImageReader>
+
+#include "io/regular_file.h"
 
 namespace volumen {
 
-Result<std::string> readSceneText(const std::string& path) {
-  constexpr qsizetype most = 256 << 20;
-  QFile file(QFile::decodeName(QByteArray::fromStdString(path)));
-  const QFileInfo facts(file);
-  if (!facts.exists()) return Error{"Cannot read the scene " + path + ": no such file."};
-  if (facts.isDir()) return Error{"Cannot read the scene " + path + ": it is a folder."};
-  if (!file.open(QIODevice::ReadOnly))
-    return Error{"Cannot read the scene " + path + ": " + file.errorString().toStdString() + "."};
-  QByteArray bytes;
-  for (QByteArray part; !(part = file.read(1 << 20)).isEmpty();) {
-    bytes += part;
-    if (bytes.size() > most) return Error{path + " is too large to be a scene."};
+namespace {
+
+// A scene is a few kilobytes; in a picture it stands before the pixels.
+constexpr std::uint64_t mostBytes = 16 << 20;
+
+// Empty: not a kind of picture that we write.
+QByteArray pictureFormat(const QByteArray& bytes) {
+  if (bytes.startsWith("\x89PNG\r\n\x1a\n")) return "png";
+  if (bytes.startsWith("\xff\xd8\xff")) return "jpeg";
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> sceneText(const std::string& path) {
+  const auto file = RegularFile::open(path);
+  if (!file) return Error{"Cannot read the scene " + path + ": " + file.message() + "."};
+  std::vector<std::uint8_t> content;
+  if (Status s = file->readUpTo(content, mostBytes); !s)
+    return Error{"Cannot read the scene " + path + ": " + s.message() + "."};
+  QByteArray bytes(reinterpret_cast<const char*>(content.data()), qsizetype(content.size()));
+  const QByteArray format = pictureFormat(bytes);
+  if (format.isEmpty()) {
+    if (file->size() > mostBytes) return Error{path + " is no scene: it is larger than 16 MB."};
+    return bytes.toStdString();
   }
-  if (!bytes.startsWith("\x89PNG")) return bytes.toStdString();
-  QBuffer png(&bytes);
-  const QString text = QImageReader(&png, "png").text(QStringLiteral("volumen-scene"));
-  if (text.isEmpty()) return Error{path + " holds no scene."};
-  return text.toStdString();
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::ReadOnly);
+  const QString scene = QImageReader(&buffer, format).text(QStringLiteral("volumen-scene"));
+  if (scene.isEmpty()) return Error{path + " holds no scene."};
+  return scene.toStdString();
 }
 
 }  // namespace volumen

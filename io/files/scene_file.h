@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// The text of a scene (JSON): that of a scene file, or the one that a PNG of the program carries. The Error
-/// names the file: it cannot be read, or it is a picture that holds no scene.
-Result<std::string> readSceneText(const std::string& path);
+/// The text (JSON) of a scene: all of a scene file, or what a picture of ours (PNG or JPEG) says it was drawn
+/// from. It is not looked into. The Error names the file.
+Result<std::string> sceneText(const std::string& path);
 
 }  // namespace volumen

@@ -2,6 +2,8 @@
 
 #include <QAction>
 #include <QDir>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
 #include <functional>
@@ -50,5 +52,17 @@ struct Journey {
       window.grab().save(QDir(folder).filePath(QLatin1String(name)) + QStringLiteral(".png"));
   }
 };
+
+/// Types a path into the file dialog of this name that is open, and accepts.
+inline void answer(Journey& w, const char* dialog, const QString& path) {
+  for (QFileDialog* open : w.window.findChildren<QFileDialog*>(QLatin1String(dialog))) {
+    if (!open->isVisible()) continue;  // answered before, and not yet deleted
+    auto* name = open->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    name->setText(path);
+    QTest::keyClick(name, Qt::Key_Return);
+    return;
+  }
+  QFAIL("there is no such dialog");
+}
 
 }  // namespace volumen::tests

@@ -137,7 +137,7 @@ void TestJourneys::snapshotOfAnySizeWithTransparentBackground() {
   const QString path = folder.filePath(QStringLiteral("small.png"));
   w.child<QSpinBox>("snapshotWidth")->setValue(123);
   w.child<QSpinBox>("snapshotHeight")->setValue(77);
-  w.child<QCheckBox>("snapshotTransparent")->setChecked(true);
+  w.child<QComboBox>("snapshotBackground")->setCurrentIndex(4);
   w.child<QAction>("snapshot")->trigger();
   auto* name = w.child<QFileDialog>("snapshotDialog")->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
   name->setText(path);

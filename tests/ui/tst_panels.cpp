@@ -237,7 +237,7 @@ void TestPanels::studiesAreListedAndSearched() {
   };
   auto study = std::make_shared<Study>();
   study->volumes = {series("Doe^Jane", "Head"), series("Doe^Jane", "Lung"), series("Roe^Rick", "Knee")};
-  study->volumes[1].warnings = {"Slices 34-36 missing: 7.5 mm gap filled by interpolation."};
+  study->volumes[1].warnings = {Warning("Slices 34-36 missing: 7.5 mm gap filled by interpolation.")};
   study->refused = {{"/data/broken.dcm", "cut off"}};
   StudiesPanel panel;
   panel.addStudy(QStringLiteral("/data"), study);

@@ -12,10 +12,10 @@ using namespace volumen::tests;
 
 namespace {
 
-VolumePtr smallVolume() {
+VolumePtr smallVolume(std::int16_t value = 1) {
   VolumeParts parts;
   parts.geometry.size = {4, 4, 4};
-  parts.values = std::vector<std::int16_t>(64, 1);
+  parts.values = std::vector<std::int16_t>(64, value);
   return volumeFrom(std::move(parts));
 }
 
@@ -115,6 +115,7 @@ class TestRenderController : public QObject {
   void failuresAreTold();
   void aSceneWithoutCameraIsFitted();
   void picturesToSaveAreDrawnAndCancelled();
+  void picturesAreOfTheVolumeTheyWereAskedOf();
 };
 
 void TestRenderController::draftComesFirstThenStandard() {
@@ -311,17 +312,67 @@ void TestRenderController::picturesToSaveAreDrawnAndCancelled() {
   SlowRenderer renderer;
   Watched w(renderer.make());
   QSignalSpy ready(&w.controller, &RenderController::pictureReady);
-  w.controller.requestPicture(greyScene(0.5), ofSize(30, 20));
+  const VolumePtr volume = smallVolume();
+  const int number = w.controller.requestPicture(volume, greyScene(0.5), ofSize(30, 20));
   QTRY_COMPARE(ready.count(), 1);
-  const auto drawn = ready[0][0].value<std::shared_ptr<Drawn>>();
+  QCOMPARE(ready[0][0].toInt(), number);
+  const auto drawn = ready[0][1].value<std::shared_ptr<Drawn>>();
   QVERIFY(drawn && drawn->picture.size == glm::ivec2(30, 20));
   renderer.msPerRow = 5;
-  w.controller.requestPicture(greyScene(0.5), ofSize(30, 2000));
+  w.controller.requestPicture(volume, greyScene(0.5), ofSize(30, 2000));
+  w.controller.requestPicture(volume, greyScene(0.5), ofSize(30, 2000));
   QTRY_VERIFY(renderer.begun == 2);
-  w.controller.cancelPicture();
-  QTRY_COMPARE(ready.count(), 2);
-  QVERIFY(!ready[1][0].value<std::shared_ptr<Drawn>>());
-  QCOMPARE(ready[1][1].toString(), QStringLiteral("Cancelled."));
+  w.controller.cancelPictures();
+  QTRY_COMPARE(ready.count(), 3);
+  for (int n : {1, 2}) {
+    QVERIFY(!ready[n][1].value<std::shared_ptr<Drawn>>());
+    QCOMPARE(ready[n][2].toString(), QStringLiteral("Cancelled."));
+  }
+}
+
+namespace {
+
+// Draws every volume in the grey of its values.
+MakeDraw greyOfVolume() {
+  return [](const VolumePtr& volume) -> Draw {
+    return {[](const Scene& scene, const RenderOptions& options, const CancelToken&) -> Result<Planned> {
+              Planned planned;
+              planned.plan.scene = scene;
+              planned.plan.options = options;
+              return planned;
+            },
+            [volume](const Planned& planned, const CancelToken&) -> Result<Drawn> {
+              QThread::msleep(30);
+              Drawn drawn;
+              drawn.picture.size = planned.plan.options.size;
+              drawn.picture.rgba.assign(std::size_t(4) * drawn.picture.size.x * drawn.picture.size.y,
+                                        float(volume->valueAt(0)));
+              return drawn;
+            }};
+  };
+}
+
+}  // namespace
+
+void TestRenderController::picturesAreOfTheVolumeTheyWereAskedOf() {
+  Watched w(greyOfVolume());
+  const VolumePtr first = smallVolume(), second = smallVolume(0);
+  QSignalSpy ready(&w.controller, &RenderController::pictureReady);
+  w.controller.setVolume(first);
+  std::vector<int> numbers;
+  for (int n = 0; n < 3; ++n)
+    numbers.push_back(w.controller.requestPicture(first, greyScene(0.5), ofSize(8, 8)));
+  w.controller.setVolume(second);
+  w.controller.request(greyScene(0.5), {8, 8});
+  numbers.push_back(w.controller.requestPicture(second, greyScene(0.5), ofSize(8, 8)));
+  w.controller.setVolume(nullptr);
+  QTRY_COMPARE(ready.count(), 4);
+  for (int n = 0; n < 4; ++n) {
+    QCOMPARE(ready[n][0].toInt(), numbers[std::size_t(n)]);
+    const auto drawn = ready[n][1].value<std::shared_ptr<Drawn>>();
+    QVERIFY(drawn);
+    QCOMPARE(drawn->picture.rgba[0], n < 3 ? 1.0f : 0.0f);
+  }
 }
 
 VOLUMEN_TEST(TestRenderController);

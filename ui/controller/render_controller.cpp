@@ -90,20 +90,28 @@ void RenderController::dropTrial() {
   trialCancel_.cancel();
 }
 
-void RenderController::requestPicture(const Scene& scene, const RenderOptions& options) {
+int RenderController::requestPicture(const VolumePtr& volume, const Scene& scene,
+                                     const RenderOptions& options) {
+  int number = 0;
   {
     const std::lock_guard lock(mutex_);
-    pictureCancel_.cancel();
     trialCancel_.cancel();
-    pictureCancel_ = CancelToken();
-    picture_ = PictureRequest{scene, options, pictureCancel_};
+    number = ++pictureNumber_;
+    pictures_.push_back({number, volume, scene, options, CancelToken()});
   }
   wake_.notify_one();
+  return number;
 }
 
-void RenderController::cancelPicture() {
+void RenderController::cancelPictures() {
   const std::lock_guard lock(mutex_);
   pictureCancel_.cancel();
+  for (const PictureRequest& request : pictures_) request.cancel.cancel();
+}
+
+double RenderController::pictureDone() const {
+  const std::lock_guard lock(mutex_);
+  return pictureCancel_.done();
 }
 
 // Runs a function on the thread of this object, unless the volume has changed by then.
@@ -119,7 +127,7 @@ void RenderController::tell(Function function) {
 
 bool RenderController::waitForWork(std::unique_lock<std::mutex>& lock) {
   const auto something = [this] {
-    return closing_ || generation_ != drawnGeneration_ || screen_ || picture_ || trial_;
+    return closing_ || generation_ != drawnGeneration_ || screen_ || !pictures_.empty() || trial_;
   };
   if (!something()) {
     tell([this] { Q_EMIT workingChanged(false); });
@@ -140,10 +148,10 @@ void RenderController::run() {
       lock.unlock();
       draw_ = drawnVolume_ ? std::optional(makeDraw_(drawnVolume_)) : std::nullopt;
       lock.lock();
-    } else if (picture_) {
-      drawPicture(lock);
     } else if (screen_) {
       drawScreen(lock);
+    } else if (!pictures_.empty()) {
+      drawPicture(lock);
     } else {
       drawTrial(lock);
     }
@@ -158,15 +166,23 @@ Result<Drawn> RenderController::draw(const Scene& scene, const RenderOptions& op
 }
 
 void RenderController::drawPicture(std::unique_lock<std::mutex>& lock) {
-  const PictureRequest request = *std::exchange(picture_, std::nullopt);
+  const PictureRequest request = std::move(pictures_.front());
+  pictures_.pop_front();
+  pictureCancel_ = request.cancel;
   lock.unlock();
-  Result<Drawn> drawn = draw(request.scene, request.options, request.cancel);
-  const auto picture = drawn ? std::make_shared<Drawn>(std::move(*drawn)) : nullptr;
-  const QString failure = picture                      ? QString()
+  const bool shown = request.volume == drawnVolume_ && draw_;
+  const Draw picture = shown ? *draw_ : makeDraw_(request.volume);
+  Result<Drawn> drawn = picture(request.scene, request.options, request.cancel);
+  const auto saved = drawn ? std::make_shared<Drawn>(std::move(*drawn)) : nullptr;
+  const QString failure = saved                        ? QString()
                           : request.cancel.cancelled() ? tr("Cancelled.")
                                                        : QString::fromStdString(drawn.message());
-  tell([this, picture, failure] { Q_EMIT pictureReady(picture, failure); });
+  // Also where another volume is shown by now.
+  QMetaObject::invokeMethod(
+      this, [this, number = request.number, saved, failure] { Q_EMIT pictureReady(number, saved, failure); },
+      Qt::QueuedConnection);
   lock.lock();
+  pictureCancel_ = CancelToken();
 }
 
 // A draft, but never finer than the picture at rest.

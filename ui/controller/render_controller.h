@@ -4,6 +4,7 @@
 #include <QObject>
 #include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -98,16 +99,21 @@ class RenderController : public QObject {
   /// is drawn first. Ends in trialReady(). A second takes the place of the first.
   int requestTrial(const Scene& scene, QSize pixels, PictureLevel level);
   void dropTrial();
-  /// Asks for one picture to be saved, drawn next: ends in pictureReady(). A second gives up the first.
-  void requestPicture(const Scene& scene, const RenderOptions& options);
-  void cancelPicture();
+  /// Asks for a picture of a volume to be saved, whatever is on screen by then; they are drawn in order, when
+  /// the screen has its picture. Each ends in pictureReady() with the number returned.
+  int requestPicture(const VolumePtr& volume, const Scene& scene, const RenderOptions& options);
+  /// Gives up all of them.
+  void cancelPictures();
+  /// How much of the picture to be saved is drawn, 0 to 1.
+  double pictureDone() const;
 
  Q_SIGNALS:
   void frameReady(const volumen::Frame& frame);
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
   void trialReady(const volumen::Trial& trial);
-  void pictureReady(const std::shared_ptr<volumen::Drawn>& drawn, const QString& failure);
+  /// `drawn` null: `failure` says why.
+  void pictureReady(int number, const std::shared_ptr<volumen::Drawn>& drawn, const QString& failure);
   /// Whether the thread has something to do.
   void workingChanged(bool working);
 
@@ -136,6 +142,8 @@ class RenderController : public QObject {
     std::chrono::steady_clock::time_point rest;  // from when on nothing was
   };
   struct PictureRequest {
+    int number;
+    VolumePtr volume;
     Scene scene;
     RenderOptions options;
     CancelToken cancel;
@@ -158,15 +166,17 @@ class RenderController : public QObject {
 
   const MakeDraw makeDraw_;
 
-  std::mutex mutex_;  // guards from here ...
+  mutable std::mutex mutex_;  // guards from here ...
   std::condition_variable wake_;
   VolumePtr volume_;
   int generation_ = 0;  // of the volume
   std::optional<ScreenRequest> screen_;
-  std::optional<PictureRequest> picture_;
+  std::deque<PictureRequest> pictures_;
+  int pictureNumber_ = 0;
   std::optional<ScreenRequest> trial_;
   int trialNumber_ = 0;
-  CancelToken volumeCancel_, restCancel_, pictureCancel_, trialCancel_;
+  CancelToken volumeCancel_, restCancel_, trialCancel_;
+  CancelToken pictureCancel_;  // of the picture being drawn
   Resampler resampler_ = Resampler::cpu;
   PictureLevel level_;
   bool closing_ = false;  // ... to here

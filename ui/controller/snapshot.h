@@ -1,13 +1,18 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QThreadPool>
+#include <QTimer>
 
 #include "ui/controller/render_controller.h"
+#include "ui/session/shown_series.h"
+#include "ui/session/snapshot_request.h"
 #include "viewer/plan/picture_text.h"
 
 namespace volumen {
 
-/// Saves pictures: drawn by the render thread, written by another.
+/// Takes snapshots, one after the other: drawn by the render thread, written by another. Each that is asked
+/// for ends in saved(), copied() or failed().
 class Snapshot : public QObject {
   Q_OBJECT
  public:
@@ -18,22 +23,47 @@ class Snapshot : public QObject {
   void setMeasured(std::function<std::optional<MeasuredError>(const Plan&)> measured) {
     measured_ = std::move(measured);
   }
-  /// One at a time: a second gives up the first.
-  void save(const Scene& scene, const RenderOptions& options, const QString& path);
-  void cancel() { controller_.cancelPicture(); }
+  /// Of this series, whatever is on show when it is drawn. The scene has a camera.
+  void take(const ShownSeriesPtr& series, const Scene& scene, const SnapshotRequest& request);
+  void cancel();
 
  Q_SIGNALS:
   void begun();
-  void saved(const QString& path);
+  /// `part`: 0 to 1, of all pictures asked for at once; `secondsLeft`: an estimate, negative while there is
+  /// none.
+  void progressed(double part, double secondsLeft);
+  /// Of several pictures: the last one's path.
+  void saved(const QString& path, int pictures);
+  void copied();
   void failed(const QString& sentence);
 
  private:
+  struct Job {
+    ShownSeriesPtr series;
+    Scene scene;
+    SnapshotRequest request;
+    int drawn = 0;  // pictures of it
+    bool cancelled = false;
+    double part = 0;  // told last
+    QElapsedTimer clock;
+  };
+
+  void begin();
+  void draw();
+  void tellProgress();
   void write(const std::shared_ptr<Drawn>& drawn);
+  void written(const QImage& forClipboard, const QString& path, const QString& failure);
+  void end(const QString& failure);
 
   RenderController& controller_;
   QThreadPool pool_;
-  QString path_;
+  std::deque<Job> jobs_;  // the first is under way
+  int number_ = 0;        // of the picture asked for
+  QTimer tick_;
   std::function<std::optional<MeasuredError>(const Plan&)> measured_;
 };
+
+/// "head.png" and 7 -> "head-007.png".
+QString numberedPath(const QString& path, int number);
 
 }  // namespace volumen

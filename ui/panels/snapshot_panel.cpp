@@ -1,62 +1,146 @@
 #include "ui/panels/snapshot_panel.h"
 
 #include <QFileDialog>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
+#include "ui/widgets/colour_button.h"
+
 namespace volumen {
 
 namespace {
+
 constexpr int largestEdge = 16384;  // pixels
+
+enum BackgroundChoice { asInView, black, white, otherColour, transparent };
+
+template <class Widget>
+Widget* named(Widget* widget, const char* name, const QString& label) {
+  widget->setObjectName(QLatin1String(name));
+  widget->setAccessibleName(label);
+  return widget;
 }
 
-SnapshotPanel::SnapshotPanel(QWidget* parent)
-    : QWidget(parent),
-      width_(new QSpinBox),
-      height_(new QSpinBox),
-      quality_(new QComboBox),
-      transparent_(new QCheckBox(tr("Transparent background"))),
-      name_(QStringLiteral("volumen.png")) {
-  for (auto [edge, name, label] : {std::tuple(width_, "snapshotWidth", tr("Width")),
-                                   std::tuple(height_, "snapshotHeight", tr("Height"))}) {
-    edge->setObjectName(QLatin1String(name));
-    edge->setAccessibleName(label);
+QString picturesFolder() {
+  const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+  return QFileInfo(pictures).isDir() ? pictures : QString();
+}
+
+}  // namespace
+
+SnapshotPanel::SnapshotPanel(QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(4);
+  addSize(column);
+  addKind(column);
+  addBackground(column);
+  addAnnotations(column);
+  addButtons(column);
+  column->addStretch();
+  setViewSize(viewSize_);
+}
+
+void SnapshotPanel::addSize(QVBoxLayout* column) {
+  width_ = named(new QSpinBox, "snapshotWidth", tr("Width"));
+  height_ = named(new QSpinBox, "snapshotHeight", tr("Height"));
+  for (QSpinBox* edge : {width_, height_}) {
     edge->setRange(1, largestEdge);
     edge->setSuffix(tr(" px"));
     connect(edge, &QSpinBox::valueChanged, this, [this] { sizeChosen_ = true; });
   }
-  quality_->setObjectName(QStringLiteral("snapshotQuality"));
-  quality_->setAccessibleName(tr("Quality"));
-  quality_->addItems({tr("standard quality"), tr("high quality"), tr("exact")});
-  quality_->setCurrentIndex(1);
-  transparent_->setObjectName(QStringLiteral("snapshotTransparent"));
-  auto* asView = new QPushButton(tr("Size of the view"));
-  auto* save = new QPushButton(tr("Save PNG..."));
-  save->setObjectName(QStringLiteral("snapshotSave"));
-  auto* size = new QHBoxLayout;
-  size->addWidget(width_, 1);
-  size->addWidget(new QLabel(QStringLiteral("x")));
-  size->addWidget(height_, 1);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->setSpacing(4);
-  column->addLayout(size);
-  auto* kind = new QHBoxLayout;
-  kind->addWidget(quality_, 1);
-  kind->addWidget(asView);
-  column->addLayout(kind);
-  column->addWidget(transparent_);
-  column->addWidget(save);
-  column->addStretch();
-  connect(asView, &QPushButton::clicked, this, [this] {
+  auto* match = named(new QPushButton(tr("Match view size")), "snapshotMatch", tr("Match view size"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(width_, 1);
+  row->addWidget(new QLabel(QStringLiteral("x")));
+  row->addWidget(height_, 1);
+  column->addLayout(row);
+  column->addWidget(match);
+  connect(match, &QPushButton::clicked, this, [this] {
     sizeChosen_ = false;
     setViewSize(viewSize_);
   });
+}
+
+void SnapshotPanel::addKind(QVBoxLayout* column) {
+  quality_ = named(new QComboBox, "snapshotQuality", tr("Quality"));
+  quality_->addItems({tr("Standard quality"), tr("High quality"), tr("Exact")});
+  quality_->setCurrentIndex(1);
+  format_ = named(new QComboBox, "snapshotFormat", tr("File format"));
+  format_->addItems({QStringLiteral("PNG"), QStringLiteral("JPEG")});
+  auto* row = new QHBoxLayout;
+  row->addWidget(quality_, 1);
+  row->addWidget(format_);
+  column->addLayout(row);
+}
+
+void SnapshotPanel::addBackground(QVBoxLayout* column) {
+  background_ = named(new QComboBox, "snapshotBackground", tr("Background"));
+  background_->addItems({tr("Background as in the view"), tr("Black background"), tr("White background"),
+                         tr("Background of a colour"), tr("Transparent background (PNG)")});
+  colour_ = new ColourButton(tr("Background colour"));
+  colour_->setObjectName(QStringLiteral("snapshotColour"));
+  colour_->setColour({0.5, 0.5, 0.5});
+  colour_->hide();
+  connect(background_, &QComboBox::currentIndexChanged, this, [this](int choice) {
+    colour_->setVisible(choice == otherColour);
+    if (choice == transparent) format_->setCurrentIndex(0);
+    format_->setEnabled(choice != transparent);
+  });
+  auto* row = new QHBoxLayout;
+  row->addWidget(background_, 1);
+  row->addWidget(colour_);
+  column->addLayout(row);
+}
+
+void SnapshotPanel::addAnnotations(QVBoxLayout* column) {
+  const auto box = [](const char* name, const QString& text, const QString& tip) {
+    auto* made = new QCheckBox(text);
+    made->setObjectName(QLatin1String(name));
+    made->setToolTip(tip);
+    return made;
+  };
+  letters_ = box("snapshotLetters", tr("Orientation"), tr("Letters of the patient's sides at the edges"));
+  scaleBar_ =
+      box("snapshotScaleBar", tr("Scale bar"), tr("A length in mm or cm; in parallel projection only"));
+  patient_ = box("snapshotPatient", tr("Patient and series"), tr("Name, ID and series, top left"));
+  warnings_ = box("snapshotWarnings", tr("Warnings"),
+                  tr("What is not as it seems, such as interpolated slices; it always stands in the "
+                     "file's text"));
+  warnings_->setChecked(true);
+  auto* grid = new QGridLayout;
+  grid->addWidget(letters_, 0, 0);
+  grid->addWidget(scaleBar_, 0, 1);
+  grid->addWidget(patient_, 1, 0);
+  grid->addWidget(warnings_, 1, 1);
+  column->addLayout(grid);
+}
+
+void SnapshotPanel::addButtons(QVBoxLayout* column) {
+  auto* save = named(new QPushButton(tr("Save...")), "snapshotSave", tr("Save the snapshot"));
+  auto* copyIt = named(new QPushButton(tr("Copy")), "snapshotCopy", tr("Copy the snapshot"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(save, 1);
+  row->addWidget(copyIt, 1);
+  column->addLayout(row);
+  pictures_ = named(new QSpinBox, "turntablePictures", tr("Pictures of the turntable"));
+  pictures_->setRange(2, 999);
+  pictures_->setValue(36);
+  pictures_->setSuffix(tr(" pictures"));
+  auto* turntable =
+      named(new QPushButton(tr("Save turntable...")), "turntableSave", tr("Save the turntable"));
+  turntable->setToolTip(tr("Pictures of a full turn about the view's vertical, into a folder"));
+  auto* last = new QHBoxLayout;
+  last->addWidget(pictures_, 1);
+  last->addWidget(turntable, 1);
+  column->addLayout(last);
   connect(save, &QPushButton::clicked, this, &SnapshotPanel::askWhere);
-  setViewSize(viewSize_);
+  connect(copyIt, &QPushButton::clicked, this, &SnapshotPanel::copy);
+  connect(turntable, &QPushButton::clicked, this, &SnapshotPanel::askForFolder);
 }
 
 void SnapshotPanel::setViewSize(QSize pixels) {
@@ -67,21 +151,62 @@ void SnapshotPanel::setViewSize(QSize pixels) {
   height_->setValue(pixels.height());
 }
 
+QString SnapshotPanel::suffix() const {
+  return format_->currentIndex() == 0 ? QStringLiteral("png") : QStringLiteral("jpg");
+}
+
+std::optional<Background> SnapshotPanel::background() const {
+  switch (background_->currentIndex()) {
+    case black:
+      return Background{};
+    case white:
+      return Background{.colour = glm::dvec3(1)};
+    case otherColour:
+      return Background{.colour = colour_->colour()};
+    case transparent:
+      return Background{.transparent = true};
+    default:
+      return {};
+  }
+}
+
+SnapshotRequest SnapshotPanel::chosen(const QString& path) const {
+  constexpr Quality levels[] = {Quality::standard, Quality::high, Quality::exact};
+  return {.path = path,
+          .size = {width_->value(), height_->value()},
+          .quality = levels[quality_->currentIndex()],
+          .background = background(),
+          .shown = {.letters = letters_->isChecked(),
+                    .scaleBar = scaleBar_->isChecked(),
+                    .patient = patient_->isChecked(),
+                    .warnings = warnings_->isChecked()}};
+}
+
+void SnapshotPanel::copy() { Q_EMIT requested(chosen({})); }
+
 void SnapshotPanel::askWhere() {
-  auto* dialog = new QFileDialog(this, tr("Save a picture"), {}, tr("PNG pictures (*.png)"));
+  const bool png = format_->currentIndex() == 0;
+  auto* dialog = new QFileDialog(this, tr("Save a snapshot"), picturesFolder(),
+                                 png ? tr("PNG pictures (*.png)") : tr("JPEG pictures (*.jpg *.jpeg)"));
   dialog->setObjectName(QStringLiteral("snapshotDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("png"));
-  const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  if (QFileInfo(pictures).isDir()) dialog->setDirectory(pictures);
-  dialog->selectFile(name_);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    constexpr Quality levels[] = {Quality::standard, Quality::high, Quality::exact};
-    Q_EMIT saveRequested({path,
-                          {width_->value(), height_->value()},
-                          levels[quality_->currentIndex()],
-                          transparent_->isChecked()});
+  dialog->setDefaultSuffix(suffix());
+  dialog->selectFile(name_ + QLatin1Char('.') + suffix());
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& path) { Q_EMIT requested(chosen(path)); });
+  dialog->open();
+}
+
+void SnapshotPanel::askForFolder() {
+  auto* dialog = new QFileDialog(this, tr("Save the turntable in a folder"), picturesFolder());
+  dialog->setObjectName(QStringLiteral("turntableDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+    SnapshotRequest request = chosen(folder + QLatin1Char('/') + name_ + QLatin1Char('.') + suffix());
+    request.pictures = pictures_->value();
+    Q_EMIT requested(request);
   });
   dialog->open();
 }

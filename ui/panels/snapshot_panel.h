@@ -5,40 +5,49 @@
 #include <QPushButton>
 #include <QSpinBox>
 
-#include "viewer/plan/options.h"
+#include "ui/session/snapshot_request.h"
+
+class QVBoxLayout;
 
 namespace volumen {
 
-/// What a snapshot is to be.
-struct SnapshotRequest {
-  QString path;
-  QSize size;
-  Quality quality = Quality::high;
-  bool transparent = false;
-};
+class ColourButton;
 
-/// A picture of the view as PNG, at any size.
+/// A picture of the view at any size: to a file, to the clipboard, or all around.
 class SnapshotPanel : public QWidget {
   Q_OBJECT
  public:
   explicit SnapshotPanel(QWidget* parent = nullptr);
 
-  /// The size that "as in the view" gives.
+  /// The size that "Match view size" gives.
   void setViewSize(QSize pixels);
-  /// The file name offered first.
+  /// The file name offered first, without its suffix.
   void setName(const QString& name) { name_ = name; }
-  /// Asks where to save; then tells saveRequested().
+  /// Asks where to save; then tells requested().
   void askWhere();
+  /// The snapshot as chosen, for the clipboard.
+  void copy();
 
  Q_SIGNALS:
-  void saveRequested(const volumen::SnapshotRequest& request);
+  void requested(const volumen::SnapshotRequest& request);
 
  private:
-  QSpinBox *width_, *height_;
-  QComboBox* quality_;
-  QCheckBox* transparent_;
+  void addSize(QVBoxLayout* column);
+  void addKind(QVBoxLayout* column);
+  void addBackground(QVBoxLayout* column);
+  void addAnnotations(QVBoxLayout* column);
+  void addButtons(QVBoxLayout* column);
+  void askForFolder();
+  SnapshotRequest chosen(const QString& path) const;
+  std::optional<Background> background() const;
+  QString suffix() const;
+
+  QSpinBox *width_, *height_, *pictures_;
+  QComboBox *quality_, *format_, *background_;
+  ColourButton* colour_;
+  QCheckBox *letters_, *scaleBar_, *patient_, *warnings_;
   QSize viewSize_{512, 512};
-  QString name_;
+  QString name_ = QStringLiteral("volumen");
   bool sizeChosen_ = false;
 };
 

@@ -21,7 +21,7 @@ QString sizeText(const Series& series) {
 
 QString toolTipOf(const Series& series) {
   QStringList lines{seriesText(series), sizeText(series)};
-  for (const std::string& warning : series.warnings) lines << QStringLiteral("! ") + shownText(warning);
+  for (const Warning& w : series.warnings) lines << QStringLiteral("! ") + shownText(w.sentence);
   for (QString& line : lines) line = line.toHtmlEscaped();
   // Rich text, so that long sentences wrap.
   return QStringLiteral("<p>%1</p>").arg(lines.join(QStringLiteral("<br>")));

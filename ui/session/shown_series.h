@@ -13,8 +13,8 @@ namespace volumen {
 /// A loaded series and what the panels want to know of it: made once by the loader, then only read.
 struct ShownSeries {
   Series series;
-  VolumePtr volume;                   ///< the drawn grid
-  std::vector<std::string> warnings;  ///< the series' and those of loading, one sentence each
+  VolumePtr volume;               ///< the drawn grid
+  std::vector<Warning> warnings;  ///< the series' and those of loading
   Histogram histogram;
   Scene firstScene;  ///< the automatic preset's
 };

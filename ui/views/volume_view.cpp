@@ -5,9 +5,11 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "ui/session/text.h"
 #include "ui/views/canvas.h"
 #include "ui/widgets/curve_edits.h"
 #include "ui/widgets/orientation_cube.h"
+#include "ui/widgets/warning_badge.h"
 
 namespace volumen {
 
@@ -20,7 +22,8 @@ VolumeView::VolumeView(Session& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
       canvas_(makeCanvas([this](QPainter& p) { paint(p); }, [this] { replaceCanvas(); }, this)),
-      cube_(new OrientationCube(this)) {
+      cube_(new OrientationCube(this)),
+      badge_(new WarningBadge(this)) {
   setObjectName(QStringLiteral("volumeView"));
   setAccessibleName(tr("Volume view"));
   setFocusPolicy(Qt::StrongFocus);
@@ -31,10 +34,21 @@ VolumeView::VolumeView(Session& session, QWidget* parent)
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(cube_, &OrientationCube::viewRequested, this, &VolumeView::showView);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series) setPicture({}, {});
+    if (before.series != after.series) showSeries();
     if (before.series != after.series || before.scene.camera != after.scene.camera) showState();
   });
   showState();
+}
+
+void VolumeView::showSeries() {
+  setPicture({}, {});
+  QStringList words, sentences;
+  if (const ShownSeriesPtr& series = session_.series()) {
+    for (const std::string& text : shortWarnings(series->warnings)) words << QString::fromStdString(text);
+    for (const Warning& w : changingPicture(series->warnings)) sentences << shownText(w.sentence);
+  }
+  badge_->tell(words, sentences);
+  placeChildren();
 }
 
 void VolumeView::showState() {
@@ -55,6 +69,9 @@ void VolumeView::replaceCanvas() {
 void VolumeView::placeChildren() {
   canvas_->setGeometry(rect());
   cube_->move(8, height() - cube_->height() - 8);
+  // Under the lines about patient and series.
+  const auto lines = session_.series() ? overlays().topLeft.size() : 0;
+  badge_->move(8, 12 + int(lines) * (fontMetrics().height() + 1) + 4);
 }
 
 const QImage& VolumeView::shown() const {

@@ -12,6 +12,7 @@
 namespace volumen {
 
 class OrientationCube;
+class WarningBadge;
 
 /// What a left-drag does.
 enum class ViewTool {
@@ -80,11 +81,13 @@ class VolumeView : public QWidget {
   void makeErrorImage();
   void replaceCanvas();
   void placeChildren();
+  void showSeries();
   void showState();
 
   Session& session_;
   QWidget* canvas_;
   OrientationCube* cube_;
+  WarningBadge* badge_;
   QImage picture_;
   QString caption_;
   std::shared_ptr<const std::vector<float>> error_;

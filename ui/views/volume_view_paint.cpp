@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "ui/session/text.h"
+#include "ui/views/view_overlays.h"
 #include "ui/views/volume_view.h"
 
 namespace volumen {
@@ -21,13 +22,9 @@ QString VolumeView::hoverText(QPointF position) const {
 }
 
 Overlays VolumeView::overlays() const {
-  Overlays o;
-  const ShownSeries& series = *session_.series();
-  const VoxelGeometry& geometry = series.volume->geometry();
+  const VoxelGeometry& geometry = session_.series()->volume->geometry();
   const Camera seen = camera();
-  const CameraAxes axes = cameraAxes(seen);
-  o.topLeft << patientText(series.series) << seriesText(series.series);
-  o.topLeft.removeAll(QString());
+  Overlays o = viewOverlays(*session_.series(), seen, size());
   o.bottomRight = caption_;
   const Camera fitted = fitCamera(seen, geometry, double(width()) / height());
   const double zoom =
@@ -35,20 +32,14 @@ Overlays VolumeView::overlays() const {
   const QString zoomText = tr("zoom %1 %").arg(std::lround(100 * zoom));
   if (!geometry.calibrated) {
     o.topRight << zoomText;
-    o.warning = tr("not calibrated: no lengths or directions known");
     return o;
   }
   const std::string name = viewName(seen);
-  o.topRight << (name.empty() ? tr("from %1").arg(QString::fromStdString(sideLetters(-axes.direction)))
-                              : QString::fromStdString(name))
+  o.topRight << (name.empty()
+                     ? tr("from %1").arg(QString::fromStdString(sideLetters(-cameraAxes(seen).direction)))
+                     : QString::fromStdString(name))
              << zoomText;
   if (seen.projection == Projection::perspective) o.topRight << tr("perspective");
-  const auto letters = [](glm::dvec3 d) { return QString::fromStdString(sideLetters(d)); };
-  o.right = letters(axes.right);
-  o.left = letters(-axes.right);
-  o.top = letters(axes.up);
-  o.bottom = letters(-axes.up);
-  if (seen.projection == Projection::parallel) o.mmPerPixel = seen.height / height();
   return o;
 }
 

@@ -67,6 +67,12 @@ void StatusLine::progress(const QString& what, qint64 done, qint64 total) {
   if (total > 0) bar_->setValue(int(1000 * done / total));
 }
 
+void StatusLine::progressTo(const QString& text, double part) {
+  task_->setText(text);
+  bar_->setRange(0, 1000);
+  bar_->setValue(int(1000 * part));
+}
+
 void StatusLine::end() {
   appear_.stop();
   task_->clear();

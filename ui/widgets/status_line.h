@@ -20,6 +20,8 @@ class StatusLine : public QWidget {
   void begin(const QString& what);
   /// total 0: not known.
   void progress(const QString& what, qint64 done, qint64 total);
+  /// The same of a part, 0 to 1; `text` says all.
+  void progressTo(const QString& text, double part);
   void end();
   /// All of them in the tooltip, the first in the line.
   void showWarnings(const QStringList& sentences);

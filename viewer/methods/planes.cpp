@@ -1,5 +1,7 @@
 #include "viewer/methods/planes.h"
 
+#include <atomic>
+
 #include "viewer/kernels/ray_setup.h"
 #include "viewer/methods/planes_gl.h"
 #include "viewer/methods/row_painter.h"
@@ -19,17 +21,19 @@ Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const C
 
   TraceTotals totals;
   const double begin = wallMs();
+  std::atomic<std::int64_t> finished{0};
   const glm::ivec2 blocks = (plan.options.size + (RaySetup::block - 1)) / RaySetup::block;
-  parallelFor(
-      std::int64_t(blocks.x) * blocks.y, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
-        RayRow rays;
-        RowPainter::Task task;
-        for (std::int64_t n = first; n < last && !cancel.cancelled(); ++n) {
-          setup.makeBlock(int(n % blocks.x) * RaySetup::block, int(n / blocks.x) * RaySetup::block, rays);
-          painter.paint(rays, {}, task);
-        }
-        totals.add(task.counts);
-      });
+  const std::int64_t count = std::int64_t(blocks.x) * blocks.y;
+  parallelFor(count, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
+    RayRow rays;
+    RowPainter::Task task;
+    for (std::int64_t n = first; n < last && !cancel.cancelled(); ++n) {
+      setup.makeBlock(int(n % blocks.x) * RaySetup::block, int(n / blocks.x) * RaySetup::block, rays);
+      painter.paint(rays, {}, task);
+      cancel.setDone(double(++finished) / double(count));
+    }
+    totals.add(task.counts);
+  });
   if (cancel.cancelled()) return Error{"cancelled"};
 
   totals.report(plan, wallMs() - begin, stats);

@@ -5,15 +5,23 @@
 
 namespace volumen {
 
-/// Says to long work that nobody waits for it any more. Copies share one flag; checked between rows, slices,
-/// files.
+/// Says to long work that nobody waits for it any more, and hears how far it is. Copies share one state;
+/// checked between rows, slices, files.
 class CancelToken {
  public:
-  void cancel() const { flag_->store(true, std::memory_order_relaxed); }
-  bool cancelled() const { return flag_->load(std::memory_order_relaxed); }
+  void cancel() const { state_->cancelled.store(true, std::memory_order_relaxed); }
+  bool cancelled() const { return state_->cancelled.load(std::memory_order_relaxed); }
+
+  /// How much of the work is done, 0 to 1, where whoever does it says so; else 0.
+  double done() const { return state_->done.load(std::memory_order_relaxed); }
+  void setDone(double part) const { state_->done.store(part, std::memory_order_relaxed); }
 
  private:
-  std::shared_ptr<std::atomic<bool>> flag_ = std::make_shared<std::atomic<bool>>(false);
+  struct State {
+    std::atomic<bool> cancelled{false};
+    std::atomic<double> done{0};
+  };
+  std::shared_ptr<State> state_ = std::make_shared<State>();
 };
 
 }  // namespace volumen

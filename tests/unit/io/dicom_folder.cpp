@@ -35,9 +35,9 @@ std::string numbered(const char* prefix, int n) {
   return QString::fromLatin1("%1%2").arg(QLatin1String(prefix)).arg(n).toStdString();
 }
 
-bool warns(const std::vector<std::string>& warnings, const std::string& word) {
-  return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& w) {
-    return w.find(word) != std::string::npos && w.ends_with(".");
+bool warns(const std::vector<Warning>& warnings, const std::string& word) {
+  return std::any_of(warnings.begin(), warnings.end(), [&](const Warning& w) {
+    return w.sentence.find(word) != std::string::npos && w.sentence.ends_with(".");
   });
 }
 

@@ -31,7 +31,7 @@ DicomPicture sliceAt(double z, int value);
 std::string numbered(const char* prefix, int n);
 
 /// Whether a warning is a sentence that holds `word`.
-bool warns(const std::vector<std::string>& warnings, const std::string& word);
+bool warns(const std::vector<Warning>& warnings, const std::string& word);
 
 /// The first value of each slice.
 std::vector<float> firstOfEachSlice(const Volume& volume);

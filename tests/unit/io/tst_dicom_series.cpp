@@ -18,6 +18,8 @@ class TestDicomSeries : public QObject {
   void slicesAreOrderedByPlaceNotByName();
   void regularGridOfUnevenSlices_data();
   void regularGridOfUnevenSlices();
+  void jitterIsRegular_data();
+  void jitterIsRegular();
   void largeGapsSplit_data();
   void largeGapsSplit();
   void shearIsKept();
@@ -84,7 +86,7 @@ void TestDicomSeries::regularGridOfUnevenSlices() {
   QCOMPARE(s.regular->interpolatedSlices, interpolated);
   QVERIFY(std::abs(s.regular->geometry.spacing().z - step) < 1e-9);
   QVERIFY(std::abs(s.acquired.spacing().z - (z.back() - z.front()) / double(z.size() - 1)) < 1e-9);
-  QVERIFY2(warns(s.warnings, says.toStdString()), s.warnings[0].c_str());
+  QVERIFY2(warns(s.warnings, says.toStdString()), s.warnings[0].sentence.c_str());
   QVERIFY(warns(s.warnings, "s10"));  // file names
   const auto loaded = loadSeries(s);
   QVERIFY(loaded.ok());
@@ -97,6 +99,56 @@ void TestDicomSeries::regularGridOfUnevenSlices() {
   for (double place : z)
     if (std::abs(place / step - std::round(place / step)) < 0.01 && place <= step * (slices - 1))
       QCOMPARE(values[std::size_t(std::lround(place / step))], float(int(100 * place)));
+}
+
+void TestDicomSeries::jitterIsRegular_data() {
+  QTest::addColumn<double>("distance");
+  QTest::addColumn<QList<double>>("off");  // of each slice, mm; nothing is left out where `missing` is -1
+  QTest::addColumn<int>("missing");
+  QTest::addColumn<int>("interpolated");  // -1: the slices are taken as they are
+  const auto pattern = [](double a) { return QList<double>{a, -a, -a, a, a, -a, -a, a}; };
+  QList<double> first(20, 0.0), middle(20, 0.0), drift;
+  first[0] = middle[9] = 0.08;
+  for (int n = 0; n < 20; ++n) drift << (n < 10 ? 0 : 0.06 * (n - 10));
+  QTest::newRow("0.06 mm in 7 mm") << 7.0 << pattern(0.06) << -1 << -1;
+  QTest::newRow("below 0.1 mm in 7 mm") << 7.0 << pattern(0.099) << -1 << -1;
+  QTest::newRow("0.1 mm in 7 mm") << 7.0 << pattern(0.1) << -1 << -1;
+  QTest::newRow("above 0.1 mm in 7 mm") << 7.0 << pattern(0.102) << -1 << 4;
+  QTest::newRow("below 2 % of 1 mm") << 1.0 << pattern(0.019) << -1 << -1;
+  QTest::newRow("2 % of 1 mm") << 1.0 << pattern(0.02) << -1 << -1;
+  QTest::newRow("above 2 % of 1 mm") << 1.0 << pattern(0.022) << -1 << 4;
+  QTest::newRow("the first of 20 off") << 7.0 << first << -1 << -1;
+  QTest::newRow("one in the middle off") << 7.0 << middle << -1 << -1;
+  QTest::newRow("steps that differ by 0.06 mm but add up") << 7.0 << drift << -1 << 8;
+  QTest::newRow("one slice missing") << 7.0 << pattern(0.06) << 3 << 1;
+}
+
+// 2 % of the distance between slices and 0.1 mm: within both, slices are where they should be.
+void TestDicomSeries::jitterIsRegular() {
+  QFETCH(double, distance);
+  QFETCH(QList<double>, off);
+  QFETCH(int, missing);
+  QFETCH(int, interpolated);
+  const DicomFolder folder;
+  for (int n = 0; n < off.size(); ++n)
+    if (n != missing)
+      folder.add(tests::numbered("s", 100 + n), sliceAt(distance * (n + 1) + off[n], 10 * (n + 1)));
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  const Series& s = study.volumes[0];
+  const QByteArray said =
+      s.warnings.empty() ? QByteArray() : QByteArray::fromStdString(s.warnings[0].sentence);
+  QVERIFY2(bool(s.regular) == (interpolated >= 0), said);
+  QCOMPARE(s.warnings.empty(), interpolated < 0);
+  if (!s.regular) return;
+  QCOMPARE(s.regular->interpolatedSlices, interpolated);
+  if (missing < 0) return;
+  const auto loaded = loadSeries(s);
+  QVERIFY(loaded.ok());
+  // All slices that are there are there exactly; the missing one lies between its neighbours.
+  for (int n = 0; n < off.size(); ++n)
+    if (n != missing) QCOMPARE(loaded->drawn->value(0, 0, n), float(10 * (n + 1)));
+  QVERIFY(std::abs(loaded->drawn->value(0, 0, missing) - 10 * (missing + 1)) < 0.5);
 }
 
 void TestDicomSeries::largeGapsSplit_data() {
@@ -231,7 +283,7 @@ void TestDicomSeries::withoutPlaceItIsNotCalibrated() {
   const Series& s = study.volumes[0];
   QVERIFY(!s.acquired.calibrated);
   QCOMPARE(s.acquired.patientFromVoxelStep, glm::dmat3(1));
-  QVERIFY2(warns(s.warnings, "has no valid " + says.toStdString()), s.warnings[0].c_str());
+  QVERIFY2(warns(s.warnings, "has no valid " + says.toStdString()), s.warnings[0].sentence.c_str());
   const auto loaded = loadSeries(s);
   QVERIFY(loaded.ok());
   QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{500, 499, 498}));  // by InstanceNumber

@@ -156,7 +156,7 @@ void TestDicomValues::wideIntegersBecomeFloat() {
   QCOMPARE(loaded->acquired->value(0, 0, 0), 3.f);
   QCOMPARE(loaded->acquired->value(1, 0, 0), 8388608.5f);
   // 2^24 + 1 itself has no float32.
-  QVERIFY(loaded->warnings.back().find("float32") != std::string::npos);
+  QVERIFY(loaded->warnings.back().sentence.find("float32") != std::string::npos);
 }
 
 void TestDicomValues::extremeRescaleStaysFinite() {

@@ -88,7 +88,7 @@ void TestExportDicom::headReadsBackAsWritten() {
   QCOMPARE(series.patientName, std::string("Volumen^Sample"));
   QVERIFY(series.description.find("synthetic") != std::string::npos);
   QVERIFY(series.studyDescription.find("Synthetic") != std::string::npos);
-  QVERIFY2(series.warnings.empty(), series.warnings.empty() ? "" : series.warnings[0].c_str());
+  QVERIFY2(series.warnings.empty(), series.warnings.empty() ? "" : series.warnings[0].sentence.c_str());
 
   const Result<Loaded> loaded = loadSeries(series);
   QVERIFY(loaded.ok());

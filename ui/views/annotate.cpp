@@ -1,0 +1,64 @@
+#include "ui/views/annotate.h"
+
+#include <algorithm>
+
+namespace volumen {
+
+namespace {
+
+constexpr double points = 10;            // of the text, at a scale of 1
+constexpr double edgeAtScale1 = 640;     // pixels
+constexpr int dotsPerMeter = 3780;       // 96 a inch: what points are in pixels
+constexpr double sideOfTopLetters = 60;  // pixels at a scale of 1, beside the middle
+
+}  // namespace
+
+void annotate(QImage& image, Overlays overlays) {
+  const int before[] = {image.dotsPerMeterX(), image.dotsPerMeterY()};
+  image.setDotsPerMeterX(dotsPerMeter);
+  image.setDotsPerMeterY(dotsPerMeter);
+  {
+    QPainter painter(&image);
+    QFont font;
+    font.setPointSizeF(points);
+    painter.setFont(font);
+    const QFontMetricsF metrics(font, &image);
+    const double width = image.width(), height = image.height();
+    double widest = 1;
+    for (const QString& line : overlays.warning.split(QLatin1Char('\n')))
+      widest = std::max(widest, metrics.horizontalAdvance(line) + 24);
+    const double scale = std::min(std::max(0.9, std::min(width, height) / edgeAtScale1), width / widest);
+    // Names may be long; they must not run into the letter at the top.
+    const double room = width / scale / 2 - sideOfTopLetters;
+    for (QString& line : overlays.topLeft) line = metrics.elidedText(line, Qt::ElideRight, room);
+    overlays.mmPerPixel *= scale;
+    painter.scale(scale, scale);
+    paintOverlays(painter, overlays, {0, 0, width / scale, height / scale});
+  }
+  image.setDotsPerMeterX(before[0]);
+  image.setDotsPerMeterY(before[1]);
+}
+
+Overlays warningOverlays(const std::vector<Warning>& warnings) {
+  QStringList lines;
+  for (const std::string& text : shortWarnings(warnings)) lines << QString::fromStdString(text);
+  Overlays overlays;
+  overlays.warning = lines.join(QLatin1Char('\n'));
+  return overlays;
+}
+
+Overlays chosenOverlays(const Overlays& all, const Annotations& chosen,
+                        const std::vector<Warning>& warnings) {
+  Overlays o;
+  if (chosen.warnings) o = warningOverlays(warnings);
+  if (chosen.patient) o.topLeft = all.topLeft;
+  if (chosen.scaleBar) o.mmPerPixel = all.mmPerPixel;
+  if (!chosen.letters) return o;
+  o.left = all.left;
+  o.right = all.right;
+  o.top = all.top;
+  o.bottom = all.bottom;
+  return o;
+}
+
+}  // namespace volumen

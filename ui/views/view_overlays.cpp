@@ -1,0 +1,23 @@
+#include "ui/views/view_overlays.h"
+
+#include "ui/session/camera_moves.h"
+#include "ui/session/text.h"
+
+namespace volumen {
+
+Overlays viewOverlays(const ShownSeries& series, const Camera& camera, glm::dvec2 size) {
+  Overlays o;
+  o.topLeft << patientText(series.series) << seriesText(series.series);
+  o.topLeft.removeAll(QString());
+  if (!series.volume->geometry().calibrated) return o;
+  const CameraAxes axes = cameraAxes(camera);
+  const auto letters = [](glm::dvec3 d) { return QString::fromStdString(sideLetters(d)); };
+  o.right = letters(axes.right);
+  o.left = letters(-axes.right);
+  o.top = letters(axes.up);
+  o.bottom = letters(-axes.up);
+  if (camera.projection == Projection::parallel) o.mmPerPixel = camera.height / size.y;
+  return o;
+}
+
+}  // namespace volumen

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/session/shown_series.h"
+#include "ui/views/overlays.h"
+
+namespace volumen {
+
+/// What holds of a series seen by a camera in any picture of it: patient and series, and, where they are
+/// known, the patient's sides at the edges and the scale. `size` in pixels.
+Overlays viewOverlays(const ShownSeries& series, const Camera& camera, glm::dvec2 size);
+
+}  // namespace volumen

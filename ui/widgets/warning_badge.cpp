@@ -1,0 +1,28 @@
+#include "ui/widgets/warning_badge.h"
+
+namespace volumen {
+
+WarningBadge::WarningBadge(QWidget* parent) : QLabel(parent) {
+  setObjectName(QStringLiteral("warningBadge"));
+  setTextFormat(Qt::PlainText);
+  // The same on both themes: it lies on the picture.
+  setStyleSheet(
+      QStringLiteral("#warningBadge { color: #ffc85a; background: rgba(27,30,34,210);"
+                     " border: 1px solid #c98a2b; border-radius: 3px; padding: 2px 6px; }"));
+  hide();
+}
+
+void WarningBadge::tell(const QStringList& words, const QStringList& sentences) {
+  QStringList lines, paragraphs;
+  for (const QString& word : words) lines << QStringLiteral("! ") + word;
+  for (const QString& sentence : sentences)
+    paragraphs << QStringLiteral("<p>%1</p>").arg(sentence.toHtmlEscaped());
+  setText(lines.join(QLatin1Char('\n')));
+  setToolTip(paragraphs.join(QString()));
+  setAccessibleName(tr("Warnings"));
+  setAccessibleDescription(sentences.join(QLatin1Char(' ')));
+  adjustSize();
+  setVisible(!words.isEmpty());
+}
+
+}  // namespace volumen
