@@ -5,10 +5,8 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QMimeData>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "ui/controller/qt_gl_context.h"
@@ -36,7 +34,6 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   setWindowTitle(QStringLiteral("volumen"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-  resize(1440, 900);
   makeCentre();
   makeDocks();
   makeActions();
@@ -48,6 +45,8 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectSegmenter();
   connectAccuracy();
   restoreLayout();
+  showTheme();
+  session_.prefer(storedPreferences());
 }
 
 MainWindow::~MainWindow() {
@@ -79,6 +78,7 @@ void MainWindow::makeCentre() {
 }
 
 void MainWindow::connectSession() {
+  connect(&session_, &Session::preferencesChanged, this, &MainWindow::applyPreferences);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series) showSeries();
     if (before.wish != after.wish) applyLevel();
@@ -103,7 +103,7 @@ void MainWindow::connectLoader() {
   connect(&loader_, &Loader::progressed, status_, &StatusLine::progress);
   connect(&loader_, &Loader::busyChanged, this, [this](bool busy) {
     if (busy)
-      status_->begin(tr("opening"));
+      status_->begin(tr("Opening"));
     else
       status_->end();
   });
@@ -193,16 +193,11 @@ void MainWindow::showSeries() {
   controller_.setVolume(series ? series->volume : nullptr);
   pages_->setCurrentWidget(series ? static_cast<QWidget*>(view_) : pages_->widget(0));
   if (!series) return;
-  QStringList parts{patientText(series->series), seriesText(series->series), QStringLiteral("volumen")};
-  parts.removeAll(QString());
-  setWindowTitle(parts.join(QStringLiteral(" - ")));
-  studies_->markShown(series->series);
+  showNames();
   presets_->setCurrentIndex(0);
   QStringList warnings;
   for (const std::string& warning : series->warnings) warnings << shownText(warning);
   status_->showWarnings(warnings);
-  snapshotPanel_->setName(seriesText(series->series).replace(QLatin1Char('/'), QLatin1Char('_')) +
-                          QStringLiteral(".png"));
   view_->setFocus();
 }
 
@@ -261,14 +256,6 @@ void MainWindow::saveSnapshot(const SnapshotRequest& request) {
   snapshot_.save(scene, options, request.path);
 }
 
-void MainWindow::setMaximised(bool alone) {
-  if (alone) layoutBefore_ = saveState();
-  for (const auto& [name, dock] : docks_) dock->setVisible(!alone);
-  for (QToolBar* bar : findChildren<QToolBar*>()) bar->setVisible(!alone);
-  statusBar()->setVisible(!alone);
-  if (!alone) restoreState(layoutBefore_);
-}
-
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
@@ -281,20 +268,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
 }
 
-void MainWindow::restoreLayout() {
-  const QSettings settings;
-  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-  restoreState(settings.value(QStringLiteral("window/layout")).toByteArray());
-  const bool light = settings.value(QStringLiteral("theme")).toString() == QStringLiteral("light");
-  actions_[QStringLiteral("lightTheme")]->setChecked(light);
-  setTheme(light ? Theme::light : Theme::dark);
-}
-
 void MainWindow::closeEvent(QCloseEvent* event) {
-  QSettings settings;
   actions_[QStringLiteral("maximise")]->setChecked(false);
-  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-  settings.setValue(QStringLiteral("window/layout"), saveState());
+  keepLayout();
   event->accept();
 }
 

@@ -57,6 +57,8 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent*) override;
   void dropEvent(QDropEvent*) override;
   void closeEvent(QCloseEvent*) override;
+  void showEvent(QShowEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
 
  private:
   void makeCentre();
@@ -70,7 +72,10 @@ class MainWindow : public QMainWindow {
   void connectDrawing();
   void connectSegmenter();
   void connectAccuracy();
+  void resetLayout();
+  void shareRoom();
   void restoreLayout();
+  void keepLayout();
 
   void requestFrame();
   void applyLevel();
@@ -83,7 +88,10 @@ class MainWindow : public QMainWindow {
   void askForFile();
   void setMaximised(bool alone);
   void setResampler(Resampler resampler);
-  void setTheme(Theme theme);
+  void applyPreferences(const Preferences& before, const Preferences& after);
+  void showTheme();
+  void showNames();
+  void showPreferences();
   void showAbout();
   void showShortcuts();
 
@@ -108,6 +116,7 @@ class MainWindow : public QMainWindow {
   std::map<QString, QAction*> actions_;
   std::map<QString, QDockWidget*> docks_;
   QByteArray layoutBefore_;  // of the docks, while the view is alone
+  bool layoutKept_ = false;  // from an earlier start
   bool showFirst_ = false;   // the next study opened is shown
 };
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "ui/british.h"
 #include "ui/main_window.h"
 
 namespace volumen {
@@ -49,6 +50,7 @@ int run(const std::vector<std::string>& paths, const CancelToken& cancel) {
   QApplication::setOrganizationName(QStringLiteral("volumen"));
   QApplication::setApplicationName(QStringLiteral("volumen"));
   QApplication::setApplicationVersion(QStringLiteral(VOLUMEN_VERSION));
+  speakBritish(app);
   MainWindow window(realServices());
   window.show();
   QStringList files;

@@ -100,9 +100,9 @@ void TestPanels::pointsAreTyped() {
   QVERIFY(std::abs(perMm - opacity) < 1e-5);
   s.session.undoStack().undo();
   QCOMPARE(s.child<QDoubleSpinBox>("pointValue")->value(), 600.0);
-  QCOMPARE(s.child<QDoubleSpinBox>("pointHalving")->text(), QStringLiteral("0 mm"));
+  QCOMPARE(s.child<QDoubleSpinBox>("pointHalving")->text(), QStringLiteral("< 0.01 mm"));
   s.panel->editor()->select(0);
-  QCOMPARE(s.child<QDoubleSpinBox>("pointHalving")->text(), QStringLiteral("never"));
+  QCOMPARE(s.child<QDoubleSpinBox>("pointHalving")->text(), QStringLiteral("none"));
 }
 
 void TestPanels::typedValuesStopAtTheNeighbours() {

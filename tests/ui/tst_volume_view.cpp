@@ -76,6 +76,9 @@ class TestVolumeView : public QObject {
   void wheelZoomsAtTheCursor();
   void curveToolShiftsAndWidens();
   void cubeAndResetChangeTheView();
+  void zoomCountsFromTheFittedView();
+  void draggingDoesWhatIsPreferred_data();
+  void draggingDoesWhatIsPreferred();
   void thePictureIsShownPixelByPixel();
   void theCanvasIsOpenGlWhereItCanBe();
 };
@@ -179,7 +182,7 @@ void TestVolumeView::namesReadLikeNames_data() {
   row("carets", "Doe^Jane^A", "12", "Doe, Jane A (12)");
   row("other scripts follow", "Yamada^Tarou=山田^太郎", "1", "Yamada, Tarou (1)");
   row("no name", "", "77", "77");
-  row("nothing", "", "", "unknown patient");
+  row("nothing", "", "", "(no name)");
   row("reordering characters are taken out", "Doe\u202e^Jane", "", "Doe, Jane");
 }
 
@@ -223,12 +226,11 @@ void TestVolumeView::gesturesAreOneUndoStepEach_data() {
   QTest::addColumn<int>("button");
   QTest::addColumn<int>("modifiers");
   QTest::addColumn<QString>("step");
-  QTest::newRow("left turns") << int(Qt::LeftButton) << 0 << QStringLiteral("Turn the view");
+  QTest::newRow("left turns") << int(Qt::LeftButton) << 0 << QStringLiteral("Rotate");
   QTest::newRow("Ctrl+left rolls") << int(Qt::LeftButton) << int(Qt::ControlModifier)
-                                   << QStringLiteral("Turn the view");
-  QTest::newRow("middle pans") << int(Qt::MiddleButton) << 0 << QStringLiteral("Move the view");
-  QTest::newRow("Shift+left pans") << int(Qt::LeftButton) << int(Qt::ShiftModifier)
-                                   << QStringLiteral("Move the view");
+                                   << QStringLiteral("Rotate");
+  QTest::newRow("middle pans") << int(Qt::MiddleButton) << 0 << QStringLiteral("Pan");
+  QTest::newRow("Shift+left pans") << int(Qt::LeftButton) << int(Qt::ShiftModifier) << QStringLiteral("Pan");
   QTest::newRow("right zooms") << int(Qt::RightButton) << 0 << QStringLiteral("Zoom");
 }
 
@@ -293,6 +295,68 @@ void TestVolumeView::cubeAndResetChangeTheView() {
   shown.view.resetView();
   QCOMPARE(viewName(shown.view.camera()), std::string("anterior"));
   QCOMPARE(shown.session.undoStack().count(), 2);
+}
+
+void TestVolumeView::zoomCountsFromTheFittedView() {
+  Session session;
+  session.show(tests::ballSeries(32, 10, {}, {1, 1, 3}));
+  VolumeView view(session);
+  view.resize(400, 300);
+  view.show();
+  const auto wheel = [&](int notches) {
+    QWheelEvent event({5, 5}, view.mapToGlobal(QPointF(5, 5)), {}, {0, 120 * notches}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&view, &event);
+  };
+  QCOMPARE(view.zoom(), 1.0);
+  tests::drag(&view, {200, 150}, {330, 190});
+  QCOMPARE(view.zoom(), 1.0);
+  view.resize(400, 250);  // a banner came
+  QCOMPARE(view.zoom(), 1.0);
+  wheel(2);
+  const double enlarged = std::pow(0.85, -2);
+  QVERIFY(std::abs(view.zoom() - enlarged) < 1e-9);
+  tests::drag(&view, {200, 150}, {260, 90});
+  QVERIFY(std::abs(view.zoom() - enlarged) < 1e-9);
+  view.showView(QStringLiteral("superior"));
+  QCOMPARE(view.zoom(), 1.0);
+  tests::drag(&view, {200, 150}, {260, 90});
+  QCOMPARE(view.zoom(), 1.0);
+  session.undoStack().undo();
+  session.undoStack().undo();
+  QVERIFY(std::abs(view.zoom() - enlarged) < 1e-9);
+  view.resetView();
+  QCOMPARE(view.zoom(), 1.0);
+}
+
+void TestVolumeView::draggingDoesWhatIsPreferred_data() {
+  QTest::addColumn<int>("button");
+  QTest::addColumn<bool>("shift");
+  QTest::addColumn<int>("action");
+  QTest::addColumn<QString>("step");
+  const std::pair<DragAction, const char*> actions[] = {{DragAction::rotate, "Rotate"},
+                                                        {DragAction::pan, "Pan"},
+                                                        {DragAction::zoom, "Zoom"},
+                                                        {DragAction::curve, "Adjust curve"}};
+  for (const auto& [action, step] : actions)
+    for (const auto& [button, shift, name] :
+         {std::tuple(Qt::MiddleButton, false, "middle"), std::tuple(Qt::RightButton, false, "right"),
+          std::tuple(Qt::LeftButton, true, "Shift+left")})
+      QTest::addRow("%s: %s", name, step) << int(button) << shift << int(action) << QString::fromLatin1(step);
+}
+
+void TestVolumeView::draggingDoesWhatIsPreferred() {
+  QFETCH(int, button);
+  QFETCH(bool, shift);
+  QFETCH(int, action);
+  QFETCH(QString, step);
+  Shown shown;
+  shown.session.prefer([&](Preferences& p) {
+    (shift ? p.shiftDrag : button == Qt::RightButton ? p.rightDrag : p.middleDrag) = DragAction(action);
+  });
+  tests::drag(&shown.view, shown.middle() + QPointF(30, 0), shown.middle() + QPointF(60, 40),
+              Qt::MouseButton(button), shift ? Qt::ShiftModifier : Qt::NoModifier);
+  QCOMPARE(shown.session.undoStack().undoText(), step);
 }
 
 void TestVolumeView::thePictureIsShownPixelByPixel() {

@@ -3,6 +3,7 @@
 
 #include "ui/session/text.h"
 #include "ui/views/volume_view.h"
+#include "ui/widgets/orientation_cube.h"
 
 namespace volumen {
 
@@ -10,7 +11,7 @@ QString VolumeView::hoverText(QPointF position) const {
   const std::optional<Pick> hit = pickAt(position);
   if (!hit) return {};
   const ShownSeries& series = *session_.series();
-  QString text = tr("value %1").arg(hit->value, 0, 'f', valueDecimals(series.histogram) - 1);
+  QString text = QString::number(hit->value, 'f', valueDecimals(series.histogram) - 1);
   if (series.volume->attributes().modality == "CT") text += QStringLiteral(" HU");
   if (!series.volume->geometry().calibrated) return text;
   const glm::dvec3 p = hit->pPatient;
@@ -23,26 +24,23 @@ QString VolumeView::hoverText(QPointF position) const {
 Overlays VolumeView::overlays() const {
   Overlays o;
   const ShownSeries& series = *session_.series();
-  const VoxelGeometry& geometry = series.volume->geometry();
   const Camera seen = camera();
   const CameraAxes axes = cameraAxes(seen);
   o.topLeft << patientText(series.series) << seriesText(series.series);
   o.topLeft.removeAll(QString());
   o.bottomRight = caption_;
-  const Camera fitted = fitCamera(seen, geometry, double(width()) / height());
-  const double zoom =
-      seen.projection == Projection::parallel ? fitted.height / seen.height : fitted.distance / seen.distance;
-  const QString zoomText = tr("zoom %1 %").arg(std::lround(100 * zoom));
-  if (!geometry.calibrated) {
+  if (cube_->isVisibleTo(this)) o.taken.push_back(cube_->geometry());
+  const QString zoomText = tr("Zoom %1 %").arg(std::lround(100 * zoom()));
+  if (!series.volume->geometry().calibrated) {
     o.topRight << zoomText;
-    o.warning = tr("not calibrated: no lengths or directions known");
+    o.warning = tr("Not calibrated: no measurements in mm, no orientation");
     return o;
   }
   const std::string name = viewName(seen);
-  o.topRight << (name.empty() ? tr("from %1").arg(QString::fromStdString(sideLetters(-axes.direction)))
-                              : QString::fromStdString(name))
+  o.topRight << (name.empty() ? tr("From %1").arg(QString::fromStdString(sideWords(-axes.direction)))
+                              : viewText(QString::fromStdString(name)))
              << zoomText;
-  if (seen.projection == Projection::perspective) o.topRight << tr("perspective");
+  if (seen.projection == Projection::perspective) o.topRight << tr("Perspective");
   const auto letters = [](glm::dvec3 d) { return QString::fromStdString(sideLetters(d)); };
   o.right = letters(axes.right);
   o.left = letters(-axes.right);
