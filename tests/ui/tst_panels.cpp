@@ -103,6 +103,10 @@ void TestPanels::pointsAreTyped() {
   QCOMPARE(s.child<QDoubleSpinBox>("pointHalving")->text(), QStringLiteral("< 0.01 mm"));
   s.panel->editor()->select(0);
   QCOMPARE(s.child<QDoubleSpinBox>("pointHalving")->text(), QStringLiteral("none"));
+  // No point, no numbers.
+  s.panel->editor()->select(-1);
+  for (const char* each : {"pointValue", "pointOpacity", "pointHalving"})
+    QCOMPARE(s.child<QDoubleSpinBox>(each)->text(), QString());
 }
 
 void TestPanels::typedValuesStopAtTheNeighbours() {

@@ -68,7 +68,6 @@ void TransferPanel::makeFields() {
   opacity_ = addField(QStringLiteral("pointOpacity"), tr("Opacity per mm"), 5, 0, 1);
   halving_ =
       addField(QStringLiteral("pointHalving"), tr("Half-value depth"), 2, shortestHalving, longestHalving);
-  halving_->setSuffix(tr(" mm"));
   colour_ = new ColourButton(tr("Point colour"));
   colour_->setObjectName(QStringLiteral("pointColour"));
   grid->addWidget(new QLabel(tr("Colour")), 0, 3, Qt::AlignBottom);
@@ -130,13 +129,15 @@ void TransferPanel::showPoint() {
   const bool any = n >= 0 && n < int(curve.points.size());
   fields_->setEnabled(any);
   const QSignalBlocker quietValue(value_), quietOpacity(opacity_), quietHalving(halving_);
+  const QString unit = session_.series() ? valueUnit(*session_.series()->volume) : QString();
+  value_->setSuffix(any && !unit.isEmpty() ? QLatin1Char(' ') + unit : QString());
+  halving_->setSuffix(any ? tr(" mm") : QString());
   if (!any) {
     for (QDoubleSpinBox* field : {value_, opacity_, halving_}) field->clear();
     return;
   }
   const CurvePoint& point = curve.points[n];
   const double extinction = extinctionPerMm(point.opacity, curve.unitDistance);
-  value_->setSuffix(session_.series() ? QLatin1Char(' ') + valueUnit(*session_.series()->volume) : QString());
   value_->setValue(point.value);
   opacity_->setValue(opacityFromExtinction(extinction, 1));
   // At both ends there is no number: the field stands at its smallest value, under another name.
