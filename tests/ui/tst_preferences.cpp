@@ -53,6 +53,8 @@ class TestPreferences : public QObject {
   void cleanup();
   void themeAndTextSize();
   void mouseButtons();
+  void draggingDoesWhatIsPreferred_data();
+  void draggingDoesWhatIsPreferred();
   void directions();
   void opacityAxis();
   void namesAreHiddenEverywhere();
@@ -83,6 +85,40 @@ void TestPreferences::mouseButtons() {
   const auto curve = window.session().scene().transferFunction;
   tests::drag(window.view(), {300, 300}, {300, 340}, Qt::MiddleButton);
   QVERIFY(window.session().scene().transferFunction != curve);
+}
+
+void TestPreferences::draggingDoesWhatIsPreferred_data() {
+  QTest::addColumn<int>("button");
+  QTest::addColumn<bool>("shift");
+  QTest::addColumn<int>("action");
+  QTest::addColumn<QString>("step");
+  const std::pair<DragAction, const char*> actions[] = {{DragAction::rotate, "Rotate"},
+                                                        {DragAction::pan, "Pan"},
+                                                        {DragAction::zoom, "Zoom"},
+                                                        {DragAction::curve, "Adjust curve"}};
+  for (const auto& [action, step] : actions)
+    for (const auto& [button, shift, name] :
+         {std::tuple(Qt::MiddleButton, false, "middle"), std::tuple(Qt::RightButton, false, "right"),
+          std::tuple(Qt::LeftButton, true, "Shift+left")})
+      QTest::addRow("%s: %s", name, step) << int(button) << shift << int(action) << QString::fromLatin1(step);
+}
+
+void TestPreferences::draggingDoesWhatIsPreferred() {
+  QFETCH(int, button);
+  QFETCH(bool, shift);
+  QFETCH(int, action);
+  QFETCH(QString, step);
+  Session session;
+  session.show(tests::ballSeries());
+  VolumeView view(session);
+  view.resize(400, 300);
+  view.show();
+  session.prefer([&](Preferences& p) {
+    (shift ? p.shiftDrag : button == Qt::RightButton ? p.rightDrag : p.middleDrag) = DragAction(action);
+  });
+  tests::drag(&view, {230, 150}, {260, 190}, Qt::MouseButton(button),
+              shift ? Qt::ShiftModifier : Qt::NoModifier);
+  QCOMPARE(session.undoStack().undoText(), step);
 }
 
 void TestPreferences::directions() {

@@ -77,8 +77,6 @@ class TestVolumeView : public QObject {
   void curveToolShiftsAndWidens();
   void cubeAndResetChangeTheView();
   void zoomCountsFromTheFittedView();
-  void draggingDoesWhatIsPreferred_data();
-  void draggingDoesWhatIsPreferred();
   void thePictureIsShownPixelByPixel();
   void theCanvasIsOpenGlWhereItCanBe();
 };
@@ -327,36 +325,6 @@ void TestVolumeView::zoomCountsFromTheFittedView() {
   QVERIFY(std::abs(view.zoom() - enlarged) < 1e-9);
   view.resetView();
   QCOMPARE(view.zoom(), 1.0);
-}
-
-void TestVolumeView::draggingDoesWhatIsPreferred_data() {
-  QTest::addColumn<int>("button");
-  QTest::addColumn<bool>("shift");
-  QTest::addColumn<int>("action");
-  QTest::addColumn<QString>("step");
-  const std::pair<DragAction, const char*> actions[] = {{DragAction::rotate, "Rotate"},
-                                                        {DragAction::pan, "Pan"},
-                                                        {DragAction::zoom, "Zoom"},
-                                                        {DragAction::curve, "Adjust curve"}};
-  for (const auto& [action, step] : actions)
-    for (const auto& [button, shift, name] :
-         {std::tuple(Qt::MiddleButton, false, "middle"), std::tuple(Qt::RightButton, false, "right"),
-          std::tuple(Qt::LeftButton, true, "Shift+left")})
-      QTest::addRow("%s: %s", name, step) << int(button) << shift << int(action) << QString::fromLatin1(step);
-}
-
-void TestVolumeView::draggingDoesWhatIsPreferred() {
-  QFETCH(int, button);
-  QFETCH(bool, shift);
-  QFETCH(int, action);
-  QFETCH(QString, step);
-  Shown shown;
-  shown.session.prefer([&](Preferences& p) {
-    (shift ? p.shiftDrag : button == Qt::RightButton ? p.rightDrag : p.middleDrag) = DragAction(action);
-  });
-  tests::drag(&shown.view, shown.middle() + QPointF(30, 0), shown.middle() + QPointF(60, 40),
-              Qt::MouseButton(button), shift ? Qt::ShiftModifier : Qt::NoModifier);
-  QCOMPARE(shown.session.undoStack().undoText(), step);
 }
 
 void TestVolumeView::thePictureIsShownPixelByPixel() {
