@@ -5,10 +5,8 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QMimeData>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "ui/controller/qt_gl_context.h"
@@ -36,7 +34,6 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   setWindowTitle(QStringLiteral("volumen"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-  resize(1440, 900);
   makeCentre();
   makeDocks();
   makeActions();
@@ -51,6 +48,8 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectScenes();
   connectRecent();
   restoreLayout();
+  showTheme();
+  session_.prefer(storedPreferences());
 }
 
 MainWindow::~MainWindow() {
@@ -82,6 +81,7 @@ void MainWindow::makeCentre() {
 }
 
 void MainWindow::connectSession() {
+  connect(&session_, &Session::preferencesChanged, this, &MainWindow::applyPreferences);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series) showSeries();
     if (before.wish != after.wish) applyLevel();
@@ -109,7 +109,7 @@ void MainWindow::connectLoader() {
   connect(&loader_, &Loader::progressed, status_, &StatusLine::progress);
   connect(&loader_, &Loader::busyChanged, this, [this](bool busy) {
     if (busy)
-      status_->begin(tr("opening"));
+      status_->begin(tr("Opening"));
     else
       status_->end();
   });
@@ -186,16 +186,12 @@ void MainWindow::showSeries() {
   controller_.setVolume(series ? series->volume : nullptr);
   pages_->setCurrentWidget(series ? static_cast<QWidget*>(view_) : pages_->widget(0));
   if (!series) return;
-  QStringList parts{patientText(series->series), seriesText(series->series), QStringLiteral("volumen")};
-  parts.removeAll(QString());
-  setWindowTitle(parts.join(QStringLiteral(" - ")));
-  studies_->markShown(series->series);
+  showNames();
   presets_->setCurrentIndex(0);
   QStringList warnings;
   for (const Warning& w : series->warnings)
     if (w.kind == WarningKind::other) warnings << shownText(w.sentence);  // the others stand on the picture
   status_->showWarnings(warnings);
-  snapshotPanel_->setName(seriesText(series->series).replace(QLatin1Char('/'), QLatin1Char('_')));
   view_->setFocus();
 }
 
@@ -243,12 +239,6 @@ void MainWindow::applyPreset(const QString& name, const Scene& scene) {
   });
 }
 
-void MainWindow::setMaximised(bool alone) {
-  if (alone) layoutBefore_ = saveState();
-  for (const auto& [name, dock] : docks_) dock->setVisible(!alone);
-  for (QToolBar* bar : findChildren<QToolBar*>()) bar->setVisible(!alone);
-  statusBar()->setVisible(!alone);
-  if (!alone) restoreState(layoutBefore_);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -263,20 +253,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
 }
 
-void MainWindow::restoreLayout() {
-  const QSettings settings;
-  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-  restoreState(settings.value(QStringLiteral("window/layout")).toByteArray());
-  const bool light = settings.value(QStringLiteral("theme")).toString() == QStringLiteral("light");
-  actions_[QStringLiteral("lightTheme")]->setChecked(light);
-  setTheme(light ? Theme::light : Theme::dark);
-}
-
 void MainWindow::closeEvent(QCloseEvent* event) {
-  QSettings settings;
   actions_[QStringLiteral("maximise")]->setChecked(false);
-  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-  settings.setValue(QStringLiteral("window/layout"), saveState());
+  keepLayout();
   event->accept();
 }
 

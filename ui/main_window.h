@@ -61,6 +61,8 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent*) override;
   void dropEvent(QDropEvent*) override;
   void closeEvent(QCloseEvent*) override;
+  void showEvent(QShowEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
 
  private:
   void makeCentre();
@@ -77,7 +79,10 @@ class MainWindow : public QMainWindow {
   void connectSnapshots();
   void connectScenes();
   void connectRecent();
+  void resetLayout();
+  void shareRoom();
   void restoreLayout();
+  void keepLayout();
 
   void requestFrame();
   void applyLevel();
@@ -94,7 +99,10 @@ class MainWindow : public QMainWindow {
   void askForFile();
   void setMaximised(bool alone);
   void setResampler(Resampler resampler);
-  void setTheme(Theme theme);
+  void applyPreferences(const Preferences& before, const Preferences& after);
+  void showTheme();
+  void showNames();
+  void showPreferences();
   void showAbout();
   void showShortcuts();
 
@@ -122,6 +130,7 @@ class MainWindow : public QMainWindow {
   std::map<QString, QAction*> actions_;
   std::map<QString, QDockWidget*> docks_;
   QByteArray layoutBefore_;           // of the docks, while the view is alone
+  bool layoutKept_ = false;           // from an earlier start
   bool showFirst_ = false;            // the next study opened is shown
   std::optional<Scene> sceneToShow_;  // by this scene
   QMenu* recentMenu_;

@@ -7,8 +7,9 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QScrollArea>
-#include <QSettings>
+#include <QScrollBar>
 #include <QToolBar>
+#include <QVBoxLayout>
 
 #include "ui/main_window.h"
 #include "ui/panels/accuracy_panel.h"
@@ -24,6 +25,7 @@
 #include "ui/views/canvas.h"
 #include "ui/views/volume_view.h"
 #include "ui/widgets/documents_window.h"
+#include "ui/widgets/fold_title.h"
 
 namespace volumen {
 
@@ -39,15 +41,38 @@ struct ActionEntry {
   std::function<void(bool)> run;
 };
 
-// A panel that may be given less height than it has, so that the window fits a small screen.
-QWidget* scrolling(QWidget* panel) {
-  auto* scroll = new QScrollArea;
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(panel->minimumSizeHint().width());
-  scroll->setWidget(panel);
-  return scroll;
+// A panel that may be given less height than it has, so that the window fits a small screen; never less
+// width.
+class Scrolling : public QScrollArea {
+ public:
+  explicit Scrolling(QWidget* panel) {
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setWidget(panel);
+  }
+
+  QSize minimumSizeHint() const override {
+    return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width(), 60};
+  }
+
+ protected:
+  // A scroll area tells nobody that what it holds has grown.
+  bool eventFilter(QObject* object, QEvent* event) override {
+    if (object == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+    return QScrollArea::eventFilter(object, event);
+  }
+};
+
+QWidget* stacked(QWidget* above, QWidget* below) {
+  auto* both = new QWidget;
+  auto* column = new QVBoxLayout(both);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(above);
+  column->addWidget(below);
+  column->addStretch();
+  return both;
 }
 
 }  // namespace
@@ -58,6 +83,8 @@ void MainWindow::addDock(const QString& name, const QString& title, QWidget* pan
   panel->setObjectName(name + QStringLiteral("Panel"));
   dock->setWidget(panel);
   addDockWidget(area, dock);
+  new FoldTitle(dock);
+  connect(dock->toggleViewAction(), &QAction::triggered, dock, &QWidget::raise);
   docks_[name] = dock;
 }
 
@@ -73,29 +100,17 @@ void MainWindow::makeDocks() {
   const auto left = Qt::LeftDockWidgetArea, right = Qt::RightDockWidgetArea;
   addDock(QStringLiteral("studies"), tr("Studies"), studies_, left);
   addDock(QStringLiteral("transfer"), tr("Opacity and colour"), new TransferPanel(session_), right);
-  addDock(QStringLiteral("lights"), tr("Lights"), scrolling(new LightsPanel(session_)), right);
-  addDock(QStringLiteral("material"), tr("Material"), scrolling(new MaterialPanel(session_)), right);
-  addDock(QStringLiteral("clip"), tr("Clip"), scrolling(new ClipPanel(session_)), right);
-  addDock(QStringLiteral("camera"), tr("Camera"), scrolling(camera), right);
+  addDock(QStringLiteral("lights"), tr("Lights"),
+          new Scrolling(stacked(new LightsPanel(session_), new MaterialPanel(session_))), right);
+  addDock(QStringLiteral("clip"), tr("Clip"), new Scrolling(new ClipPanel(session_)), right);
+  addDock(QStringLiteral("camera"), tr("Camera"), new Scrolling(camera), right);
   addDock(QStringLiteral("effects"), tr("Effects"), effects_, right);
-  addDock(QStringLiteral("accuracy"), tr("Accuracy and time"), scrolling(accuracy_), right);
-  addDock(QStringLiteral("segment"), tr("Segment"), scrolling(segment_), right);
-  addDock(QStringLiteral("snapshot"), tr("Snapshot"), scrolling(snapshotPanel_), right);
-  const auto dock = [this](const char* name) { return docks_.at(QLatin1String(name)); };
-  for (const char* name : {"material", "clip", "camera", "segment"})
-    tabifyDockWidget(dock("lights"), dock(name));
-  for (const char* name : {"accuracy", "snapshot"}) tabifyDockWidget(dock("effects"), dock(name));
-  dock("lights")->raise();
-  dock("effects")->raise();
-  resizeDocks({dock("studies"), dock("transfer")}, {230, 340}, Qt::Horizontal);
-  resizeDocks({dock("transfer"), dock("lights"), dock("effects")}, {280, 160, 340}, Qt::Vertical);
+  addDock(QStringLiteral("accuracy"), tr("Quality and speed"), new Scrolling(accuracy_), right);
+  addDock(QStringLiteral("segment"), tr("Segment"), new Scrolling(segment_), right);
+  addDock(QStringLiteral("snapshot"), tr("Snapshot"), new Scrolling(snapshotPanel_), right);
 }
 
 void MainWindow::makeActions() {
-  const auto keypad = [](int key) { return QKeySequence(int(Qt::KeypadModifier) | key); };
-  const auto opposite = [](int key) {
-    return QKeySequence(int(Qt::KeypadModifier) | int(Qt::ControlModifier) | key);
-  };
   const auto view = [this](const char* name) {
     return [this, name](bool) { view_->showView(QLatin1String(name)); };
   };
@@ -129,25 +144,32 @@ void MainWindow::makeActions() {
       {"saveScene", tr("Save scene..."), {}, "", false, [this](bool) { askForSceneFile(); }},
       {"quit", tr("Quit"), {QKeySequence::Quit}, "", false, [this](bool) { close(); }},
       {"orbitTool",
-       tr("Turn the view"),
+       tr("Rotate"),
        {tr("T")},
        "orbit",
        true,
        [this](bool) { view_->setTool(ViewTool::orbit); }},
       {"curveTool",
-       tr("Shift the curve"),
+       tr("Adjust curve (W/L)"),
        {tr("W")},
        "curve",
        true,
        [this](bool) { view_->setTool(ViewTool::curve); }},
-      {"resetView", tr("Reset the view"), {tr("R")}, "reset", false, [this](bool) { view_->resetView(); }},
-      {"viewAnterior", tr("From anterior"), {keypad(Qt::Key_1)}, "view", false, view("anterior")},
-      {"viewPosterior", tr("From posterior"), {opposite(Qt::Key_1)}, "", false, view("posterior")},
-      {"viewLeft", tr("From left"), {keypad(Qt::Key_3)}, "", false, view("left")},
-      {"viewRight", tr("From right"), {opposite(Qt::Key_3)}, "", false, view("right")},
-      {"viewSuperior", tr("From superior"), {keypad(Qt::Key_7)}, "", false, view("superior")},
-      {"viewInferior", tr("From inferior"), {opposite(Qt::Key_7)}, "", false, view("inferior")},
-      {"maximise", tr("View alone"), {tr("F10")}, "", true, [this](bool on) { setMaximised(on); }},
+      {"resetView", tr("Reset view"), {tr("F")}, "reset", false, [this](bool) { view_->resetView(); }},
+      {"viewAnterior", tr("Anterior view"), {tr("A")}, "view", false, view("anterior")},
+      {"viewPosterior", tr("Posterior view"), {tr("P")}, "", false, view("posterior")},
+      {"viewLeft", tr("Left view"), {tr("L")}, "", false, view("left")},
+      {"viewRight", tr("Right view"), {tr("R")}, "", false, view("right")},
+      {"viewSuperior", tr("Superior view"), {tr("S")}, "", false, view("superior")},
+      {"viewInferior", tr("Inferior view"), {tr("I")}, "", false, view("inferior")},
+      {"maximise", tr("Maximise view"), {tr("F10")}, "", true, [this](bool on) { setMaximised(on); }},
+      {"leaveMaximised",
+       tr("Leave maximised view"),
+       {tr("Esc")},
+       "",
+       false,
+       [this](bool) { actions_.at(QStringLiteral("maximise"))->setChecked(false); }},
+      {"resetLayout", tr("Reset layout"), {}, "", false, [this](bool) { resetLayout(); }},
       {"fullScreen",
        tr("Full screen"),
        {tr("F11")},
@@ -157,18 +179,27 @@ void MainWindow::makeActions() {
          setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
        }},
       {"openGlResampler",
-       tr("Resample with OpenGL"),
+       tr("Use OpenGL (usually slower without a GPU)"),
        {},
        "",
        true,
        [this](bool on) { setResampler(on ? Resampler::gl : Resampler::cpu); }},
-      {"showError", tr("Show error"), {}, "", true, [](bool) {}},
+      {"showError", tr("Show error map"), {}, "", true, [](bool) {}},
       {"lightTheme",
        tr("Light theme"),
        {},
        "",
        true,
-       [this](bool on) { setTheme(on ? Theme::light : Theme::dark); }},
+       [this](bool on) {
+         session_.prefer([on](Preferences& p) { p.theme = on ? Theme::light : Theme::dark; });
+       }},
+      {"hideNames",
+       tr("Hide names"),
+       {},
+       "",
+       true,
+       [this](bool on) { session_.prefer([on](Preferences& p) { p.hideNames = on; }); }},
+      {"preferences", tr("Preferences..."), {tr("Ctrl+,")}, "", false, [this](bool) { showPreferences(); }},
       {"shortcuts", tr("Mouse and keys"), {tr("?")}, "help", false, [this](bool) { showShortcuts(); }},
       {"documentation",
        tr("Documentation"),
@@ -191,6 +222,7 @@ void MainWindow::makeActions() {
   auto* tools = new QActionGroup(this);
   for (const char* tool : {"orbitTool", "curveTool"}) tools->addAction(actions_[QLatin1String(tool)]);
   actions_[QStringLiteral("orbitTool")]->setChecked(true);
+  actions_[QStringLiteral("leaveMaximised")]->setEnabled(false);
   for (auto [name, action, key] :
        {std::tuple("undo", session_.undoStack().createUndoAction(this, tr("Undo")), QKeySequence::Undo),
         std::tuple("redo", session_.undoStack().createRedoAction(this, tr("Redo")), QKeySequence::Redo)}) {
@@ -214,14 +246,16 @@ void MainWindow::makeMenus() {
   recentMenu_ = new QMenu(tr("Open recent"), file);
   file->insertMenu(actions_.at(QStringLiteral("openSample")), recentMenu_);
   connect(file, &QMenu::aboutToShow, &recent_, &RecentFiles::look);
-  fill(menuBar()->addMenu(tr("&Edit")), "undo redo");
+  fill(menuBar()->addMenu(tr("&Edit")), "undo redo | preferences");
   auto* view = menuBar()->addMenu(tr("&View"));
   fill(view,
        "orbitTool curveTool resetView | viewAnterior viewPosterior viewLeft viewRight viewSuperior "
        "viewInferior | "
-       "openGlResampler showError | maximise fullScreen lightTheme");
+       "openGlResampler showError | maximise fullScreen lightTheme hideNames");
   auto* docks = view->addMenu(tr("Panels"));
   for (const auto& [name, dock] : docks_) docks->addAction(dock->toggleViewAction());
+  docks->addSeparator();
+  docks->addAction(actions_.at(QStringLiteral("resetLayout")));
   fill(menuBar()->addMenu(tr("&Help")), "documentation shortcuts about");
 }
 
@@ -240,7 +274,7 @@ void MainWindow::makeToolBar() {
   presets_->setObjectName(QStringLiteral("presets"));
   presets_->setAccessibleName(tr("Preset"));
   presets_->setMinimumContentsLength(22);
-  presets_->addItem(tr("automatic"), QStringLiteral("auto"));
+  presets_->addItem(tr("Automatic"), QStringLiteral("auto"));
   for (const std::string& name : services_.presetNames)
     presets_->addItem(QString::fromStdString(name), QString::fromStdString(name));
   label->setBuddy(presets_);
@@ -257,7 +291,7 @@ void MainWindow::makeToolBar() {
 }
 
 void MainWindow::askForFolder() {
-  auto* dialog = new QFileDialog(this, tr("Open a folder"));
+  auto* dialog = new QFileDialog(this, tr("Open folder"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) { open({path}); });
@@ -265,27 +299,17 @@ void MainWindow::askForFolder() {
 }
 
 void MainWindow::askForFile() {
-  auto* dialog = new QFileDialog(this, tr("Open files"));
+  auto* dialog = new QFileDialog(this, tr("Open file"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
   connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) { open(paths); });
   dialog->open();
 }
 
-void MainWindow::setTheme(Theme theme) {
-  applyTheme(*qApp, theme);
-  QSettings().setValue(QStringLiteral("theme"),
-                       theme == Theme::light ? QStringLiteral("light") : QStringLiteral("dark"));
-  for (const auto& [name, action] : actions_) {
-    const QString iconName = action->property("iconName").toString();
-    if (!iconName.isEmpty()) action->setIcon(icon(iconName));
-  }
-}
-
 void MainWindow::showAbout() {
   auto* box = new QMessageBox(
       QMessageBox::NoIcon, tr("About volumen"),
-      tr("<h3>volumen %1</h3><p>A DICOM workstation for people without a GPU to spare.</p>"
+      tr("<h3>volumen %1</h3><p>A DICOM workstation without a GPU.</p>"
          "<p><b>Not for clinical use.</b></p>"
          "<p>Free software under the GNU General Public License, version 3 or later.</p>"
          "<p>Qt %2. Pictures are shown through: %3.</p>")
@@ -300,31 +324,33 @@ void MainWindow::showAbout() {
 void MainWindow::showShortcuts() {
   const QStringList rows{
       tr("Left drag"),
-      tr("turn about the point under the cursor (Ctrl: roll)"),
-      tr("Middle or Shift+left drag"),
-      tr("move"),
-      tr("Right drag, wheel"),
+      tr("the chosen tool: rotate (Ctrl: roll), or adjust the curve: up and down shift it, left and right "
+         "change its width (Ctrl: overall opacity)"),
+      tr("Middle, right, Shift+left drag"),
+      tr("pan, zoom, pan (Edit > Preferences changes them)"),
+      tr("Wheel"),
       tr("zoom at the cursor"),
-      tr("Double-click"),
-      tr("view alone and back"),
-      tr("Arrows"),
-      tr("turn by 5 degrees (Shift: 1)"),
-      tr("R"),
-      tr("reset the view"),
+      tr("Double-click, F10"),
+      tr("maximise the view and back (Esc: back)"),
+      tr("Arrow keys"),
+      tr("rotate by 5 degrees (Shift: 1)"),
+      tr("A, P, L, R, S, I"),
+      tr("anterior, posterior, left, right, superior, inferior view"),
       tr("Keypad 1, 3, 7"),
-      tr("from anterior, left, superior (Ctrl: the opposite)"),
-      tr("W, T"),
-      tr("drag shifts (up, down) and widens (left, right) the curve (Ctrl: overall opacity); back to "
-         "turning"),
-      tr("Curve"),
-      tr("double-click adds, right-click or Delete removes, arrows nudge, Tab walks, wheel zooms the axis, "
-         "Home shows all"),
+      tr("anterior, left, superior view (Ctrl: the opposite one)"),
+      tr("F, keypad 0"),
+      tr("reset the view"),
+      tr("T, W"),
+      tr("tools: rotate, adjust curve (W/L)"),
+      tr("In the curve"),
+      tr("double-click adds a point, right-click or Delete removes it, arrow keys nudge it, Tab goes to the "
+         "next, the wheel zooms the value axis, Home shows all of it"),
       tr("Ctrl+Z, Ctrl+Shift+Z"),
       tr("undo, redo"),
       tr("Ctrl+O, Ctrl+S, Ctrl+C"),
       tr("open a folder, save a snapshot, copy it"),
   };
-  QString html = QStringLiteral("<table cellpadding='3' width='560'>");
+  QString html = QStringLiteral("<table cellpadding='3' width='640'>");
   for (int n = 0; n + 1 < rows.size(); n += 2)
     html += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(rows[n], rows[n + 1]);
   auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Mouse and keys"), html + QStringLiteral("</table>"),

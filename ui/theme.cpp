@@ -55,7 +55,9 @@ QString sheetOf(const Colours& c, Theme theme) {
              "QMainWindow::separator { background: %4; width: 4px; height: 4px; }"
              "QMainWindow::separator:hover { background: %5; }"
              "QDockWidget { font-weight: bold; }"
-             "QDockWidget::title { background: %2; padding: 5px 8px; }"
+             "QWidget#foldTitle { background: %2; }"
+             "QMainWindow QTabBar::tab { padding: 3px 7px; }"
+             "QMainWindow QTabBar { qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true; }"
              "QToolButton[popupMode=\"2\"] { padding-right: 14px; }"
              "QToolBar { border: 0; border-bottom: 1px solid %3; padding: 3px 6px; spacing: 4px; }"
              "QToolButton[onPicture=\"true\"] { color: #d7dce2; background: rgba(27,30,34,200);"
@@ -80,8 +82,12 @@ QString sheetOf(const Colours& c, Theme theme) {
 
 }  // namespace
 
-void applyTheme(QApplication& app, Theme theme) {
+void applyTheme(QApplication& app, Theme theme, int textPercent) {
+  static const QFont systemFont = QApplication::font();
   const Colours& colours = theme == Theme::dark ? dark : light;
+  QFont font = systemFont;
+  font.setPointSizeF(systemFont.pointSizeF() * textPercent / 100);
+  QApplication::setFont(font);
   app.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   app.setPalette(paletteOf(colours));
   app.setStyleSheet(sheetOf(colours, theme));

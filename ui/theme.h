@@ -2,14 +2,14 @@
 
 #include <QIcon>
 
+#include "ui/session/preferences.h"
+
 class QApplication;
 
 namespace volumen {
 
-enum class Theme { dark, light };
-
-/// Colours and controls of the whole program.
-void applyTheme(QApplication& app, Theme theme);
+/// Colours, controls and text size (in percent of the system's) of the whole program.
+void applyTheme(QApplication& app, Theme theme, int textPercent);
 
 /// An icon of resources/icons in the text colour of the theme applied last.
 QIcon icon(const QString& name);

@@ -9,6 +9,7 @@
 
 #include "app/command.h"
 #include "app/usage.h"
+#include "ui/british.h"
 #include "ui/main_window.h"
 
 namespace volumen {
@@ -77,6 +78,7 @@ int run(const OpenOptions& options, const CancelToken& cancel) {
   QApplication::setOrganizationName(QStringLiteral("volumen"));
   QApplication::setApplicationName(QStringLiteral("volumen"));
   QApplication::setApplicationVersion(QStringLiteral(VOLUMEN_VERSION));
+  speakBritish(app);
   MainWindow window(realServices());
   window.show();
   QStringList files;

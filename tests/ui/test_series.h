@@ -4,12 +4,14 @@
 
 namespace volumen::tests {
 
-/// A bright ball of value 1000 in air of 0: `n` voxels of 1 mm along each axis, centred on the origin, radius
-/// `radius` mm about `centre`.
-inline ShownSeriesPtr ballSeries(int n = 32, double radius = 10, glm::dvec3 centre = {0, 0, 0}) {
+/// A bright ball of value 1000 in air of 0: `n` voxels of `spacing` mm along each axis, centred on the
+/// origin, radius `radius` mm about `centre`.
+inline ShownSeriesPtr ballSeries(int n = 32, double radius = 10, glm::dvec3 centre = {0, 0, 0},
+                                 glm::dvec3 spacing = {1, 1, 1}) {
   VolumeParts parts;
   parts.geometry.size = {n, n, n};
-  parts.geometry.origin = glm::dvec3(-(n - 1) / 2.0);
+  for (int axis = 0; axis < 3; ++axis) parts.geometry.patientFromVoxelStep[axis] *= spacing[axis];
+  parts.geometry.origin = -(n - 1) / 2.0 * spacing;
   std::vector<std::int16_t> values;
   for (int k = 0; k < n; ++k)
     for (int j = 0; j < n; ++j)

@@ -100,9 +100,13 @@ void TestPanels::pointsAreTyped() {
   QVERIFY(std::abs(perMm - opacity) < 1e-5);
   s.session.undoStack().undo();
   QCOMPARE(s.child<QDoubleSpinBox>("pointValue")->value(), 600.0);
-  QCOMPARE(s.child<QDoubleSpinBox>("pointHalving")->text(), QStringLiteral("0 mm"));
+  QCOMPARE(s.child<QDoubleSpinBox>("pointHalving")->text(), QStringLiteral("< 0.01 mm"));
   s.panel->editor()->select(0);
-  QCOMPARE(s.child<QDoubleSpinBox>("pointHalving")->text(), QStringLiteral("never"));
+  QCOMPARE(s.child<QDoubleSpinBox>("pointHalving")->text(), QStringLiteral("none"));
+  // No point, no numbers.
+  s.panel->editor()->select(-1);
+  for (const char* each : {"pointValue", "pointOpacity", "pointHalving"})
+    QCOMPARE(s.child<QDoubleSpinBox>(each)->text(), QString());
 }
 
 void TestPanels::typedValuesStopAtTheNeighbours() {

@@ -76,6 +76,7 @@ class TestVolumeView : public QObject {
   void wheelZoomsAtTheCursor();
   void curveToolShiftsAndWidens();
   void cubeAndResetChangeTheView();
+  void zoomCountsFromTheFittedView();
   void thePictureIsShownPixelByPixel();
   void theCanvasIsOpenGlWhereItCanBe();
 };
@@ -223,12 +224,11 @@ void TestVolumeView::gesturesAreOneUndoStepEach_data() {
   QTest::addColumn<int>("button");
   QTest::addColumn<int>("modifiers");
   QTest::addColumn<QString>("step");
-  QTest::newRow("left turns") << int(Qt::LeftButton) << 0 << QStringLiteral("Turn the view");
+  QTest::newRow("left turns") << int(Qt::LeftButton) << 0 << QStringLiteral("Rotate");
   QTest::newRow("Ctrl+left rolls") << int(Qt::LeftButton) << int(Qt::ControlModifier)
-                                   << QStringLiteral("Turn the view");
-  QTest::newRow("middle pans") << int(Qt::MiddleButton) << 0 << QStringLiteral("Move the view");
-  QTest::newRow("Shift+left pans") << int(Qt::LeftButton) << int(Qt::ShiftModifier)
-                                   << QStringLiteral("Move the view");
+                                   << QStringLiteral("Rotate");
+  QTest::newRow("middle pans") << int(Qt::MiddleButton) << 0 << QStringLiteral("Pan");
+  QTest::newRow("Shift+left pans") << int(Qt::LeftButton) << int(Qt::ShiftModifier) << QStringLiteral("Pan");
   QTest::newRow("right zooms") << int(Qt::RightButton) << 0 << QStringLiteral("Zoom");
 }
 
@@ -293,6 +293,38 @@ void TestVolumeView::cubeAndResetChangeTheView() {
   shown.view.resetView();
   QCOMPARE(viewName(shown.view.camera()), std::string("anterior"));
   QCOMPARE(shown.session.undoStack().count(), 2);
+}
+
+void TestVolumeView::zoomCountsFromTheFittedView() {
+  Session session;
+  session.show(tests::ballSeries(32, 10, {}, {1, 1, 3}));
+  VolumeView view(session);
+  view.resize(400, 300);
+  view.show();
+  const auto wheel = [&](int notches) {
+    QWheelEvent event({5, 5}, view.mapToGlobal(QPointF(5, 5)), {}, {0, 120 * notches}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&view, &event);
+  };
+  QCOMPARE(view.zoom(), 1.0);
+  tests::drag(&view, {200, 150}, {330, 190});
+  QCOMPARE(view.zoom(), 1.0);
+  view.resize(400, 250);  // a banner came
+  QCOMPARE(view.zoom(), 1.0);
+  wheel(2);
+  const double enlarged = std::pow(0.85, -2);
+  QVERIFY(std::abs(view.zoom() - enlarged) < 1e-9);
+  tests::drag(&view, {200, 150}, {260, 90});
+  QVERIFY(std::abs(view.zoom() - enlarged) < 1e-9);
+  view.showView(QStringLiteral("superior"));
+  QCOMPARE(view.zoom(), 1.0);
+  tests::drag(&view, {200, 150}, {260, 90});
+  QCOMPARE(view.zoom(), 1.0);
+  session.undoStack().undo();
+  session.undoStack().undo();
+  QVERIFY(std::abs(view.zoom() - enlarged) < 1e-9);
+  view.resetView();
+  QCOMPARE(view.zoom(), 1.0);
 }
 
 void TestVolumeView::thePictureIsShownPixelByPixel() {

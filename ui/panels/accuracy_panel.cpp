@@ -1,6 +1,6 @@
 #include "ui/panels/accuracy_panel.h"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -35,16 +35,18 @@ QString errorText(double of255) { return AccuracyPanel::tr("%1/255").arg(inDigit
 
 // What is not estimated is told in a sentence.
 QString estimateOf(const Frame& frame) {
-  if (frame.factor > 1) return AccuracyPanel::tr("Enlarged from fewer pixels: its error is not estimated.");
+  if (frame.factor > 1) return AccuracyPanel::tr("Enlarged from fewer pixels: no error estimate.");
   if (!frame.estimated) return QString::fromStdString(whyNoEstimate(*frame.plan));
   const PictureError& e = *frame.estimated;
-  if (isRoundingAlone(e)) return AccuracyPanel::tr("This picture: exact, but for the rounding of floats");
-  const QString text = AccuracyPanel::tr("This picture, estimated: 99 % within %1, largest %2, PSNR %3 dB")
-                           .arg(errorText(e.percentile99), errorText(e.maximum))
-                           .arg(std::floor(e.psnrDb));
+  if (isRoundingAlone(e)) return AccuracyPanel::tr("This picture: exact up to floating-point rounding");
+  const QString text =
+      AccuracyPanel::tr("This picture (estimated): 99 % of pixels within %1, largest error %2, PSNR %3 dB")
+          .arg(errorText(e.percentile99), errorText(e.maximum))
+          .arg(std::floor(e.psnrDb));
   const std::string without = notEstimated(*frame.plan);
-  return without.empty() ? text
-                         : AccuracyPanel::tr("%1; without %2").arg(text, QString::fromStdString(without));
+  return without.empty()
+             ? text
+             : AccuracyPanel::tr("%1; not counting %2").arg(text, QString::fromStdString(without));
 }
 
 // A power of two that makes 99 % of the differences visible without cutting them off.
@@ -60,9 +62,9 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
       session_(session),
       slider_(new QSlider(Qt::Horizontal)),
       table_(new QTreeWidget),
-      meetTime_(new QCheckBox(QStringLiteral("\u2264"))),
-      meetError_(new QCheckBox(QStringLiteral("\u2264"))),
-      showError_(new QCheckBox(tr("Show error"))),
+      meetTime_(new QCheckBox(tr("Keep frames under"))),
+      meetError_(new QCheckBox(tr("Keep the error under"))),
+      showError_(new QCheckBox(tr("Show error map"))),
       frameMs_(new QDoubleSpinBox),
       error_(new QDoubleSpinBox),
       difference_(new QLabel),
@@ -78,9 +80,8 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
   error_->setDecimals(2);
   error_->setSingleStep(0.1);
   error_->setSuffix(tr("/255"));
-  meetTime_->setToolTip(tr("Meet this frame time: the most accurate level that is so fast"));
-  meetError_->setToolTip(
-      tr("Meet this error: the fastest level with 99 % of the pixels so near to the reference"));
+  meetTime_->setToolTip(tr("Use the most accurate level that is fast enough"));
+  meetError_->setToolTip(tr("Use the fastest level with 99 % of the pixels this close to the reference"));
   difference_->setObjectName(QStringLiteral("difference"));
   difference_->setAccessibleName(tr("Difference from the reference"));
   difference_->setAlignment(Qt::AlignCenter);
@@ -88,12 +89,11 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
   caption_->setWordWrap(true);
   state_->setObjectName(QStringLiteral("measuringState"));
   estimate_->setObjectName(QStringLiteral("estimate"));
-  estimate_->setAccessibleName(tr("Estimated error of the picture on show"));
-  estimate_->setToolTip(tr("How far the picture on show may be off, as found while it was drawn"));
+  estimate_->setAccessibleName(tr("Estimated error of the displayed picture"));
+  estimate_->setToolTip(tr("How far the displayed picture may be off, estimated while it was drawn"));
   estimate_->setWordWrap(true);
   showError_->setObjectName(QStringLiteral("showErrorBox"));
-  showError_->setToolTip(
-      tr("Show how far each pixel may be off in place of the picture: black where it is right"));
+  showError_->setToolTip(tr("Show the estimated error of each pixel instead of the picture (black: none)"));
   connect(showError_, &QCheckBox::toggled, this, &AccuracyPanel::errorWanted);
   // Two lines always, so that nothing below jumps from picture to picture.
   estimate_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -106,10 +106,10 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
   column->addWidget(showError_);
   column->addWidget(table_);
   column->addWidget(state_);
-  auto* aims = new QHBoxLayout;
+  auto* aims = new QGridLayout;
   aims->setSpacing(4);
-  addAim(aims, meetTime_, frameMs_, Aim::time, tr("Meet this frame time"));
-  addAim(aims, meetError_, error_, Aim::error, tr("Meet this error"));
+  addAim(*aims, 0, meetTime_, frameMs_, Aim::time, tr("Keep frames under a time"));
+  addAim(*aims, 1, meetError_, error_, Aim::error, tr("Keep the error under a limit"));
   column->addLayout(aims);
   column->addWidget(difference_);
   column->addWidget(caption_);
@@ -124,9 +124,10 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
 void AccuracyPanel::makeTable() {
   table_->setObjectName(QStringLiteral("levelTable"));
   table_->setAccessibleName(tr("Levels with their times and errors"));
-  table_->setHeaderLabels({tr("Level"), tr("Time"), tr("99 % within"), tr("Largest")});
-  table_->headerItem()->setToolTip(timeColumn, tr("Median of the full pictures drawn, in this window"));
-  table_->headerItem()->setToolTip(mostColumn, tr("99 % of the pixels are so near to the reference"));
+  table_->setHeaderLabels({tr("Level"), tr("Time"), tr("99 % of\npixels within"), tr("Largest\nerror")});
+  table_->headerItem()->setToolTip(timeColumn, tr("Median time of a full picture in this window"));
+  table_->headerItem()->setToolTip(mostColumn,
+                                   tr("99 % of the pixels differ from the reference by no more than this"));
   table_->headerItem()->setToolTip(largestColumn, tr("The largest difference from the reference"));
   table_->setRootIsDecorated(false);
   table_->setUniformRowHeights(true);
@@ -151,7 +152,7 @@ void AccuracyPanel::makeTable() {
 
 QLayout* AccuracyPanel::sliderRow() {
   slider_->setObjectName(QStringLiteral("levelSlider"));
-  slider_->setAccessibleName(tr("Level of the picture at rest"));
+  slider_->setAccessibleName(tr("Quality level"));
   slider_->setRange(0, int(pictureLevels().size()) - 1);
   slider_->setPageStep(1);
   connect(slider_, &QSlider::valueChanged, this, [this](int row) {
@@ -161,13 +162,13 @@ QLayout* AccuracyPanel::sliderRow() {
   connect(slider_, &QSlider::sliderReleased, this, [this] { session_.endGesture(); });
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
-  row->addWidget(new QLabel(tr("faster")));
+  row->addWidget(new QLabel(tr("Faster")));
   row->addWidget(slider_, 1);
-  row->addWidget(new QLabel(tr("more accurate")));
+  row->addWidget(new QLabel(tr("More accurate")));
   return row;
 }
 
-void AccuracyPanel::addAim(QBoxLayout* row, QCheckBox* box, QDoubleSpinBox* field, Aim aim,
+void AccuracyPanel::addAim(QGridLayout& grid, int row, QCheckBox* box, QDoubleSpinBox* field, Aim aim,
                            const QString& name) {
   const QString suffix = aim == Aim::time ? QStringLiteral("Time") : QStringLiteral("Error");
   box->setObjectName(QStringLiteral("meet") + suffix);
@@ -191,12 +192,12 @@ void AccuracyPanel::addAim(QBoxLayout* row, QCheckBox* box, QDoubleSpinBox* fiel
     });
   });
   connect(field, &QDoubleSpinBox::editingFinished, this, [this] { session_.endGesture(); });
-  row->addWidget(box);
-  row->addWidget(field, 1);
+  grid.addWidget(box, row, 0);
+  grid.addWidget(field, row, 1);
 }
 
 void AccuracyPanel::choose(int row) {
-  wish(tr("Accuracy"), [&](PictureWish& w) {
+  wish(tr("Quality level"), [&](PictureWish& w) {
     w.aim = Aim::level;
     w.level = pictureLevels()[std::size_t(row)];
   });
@@ -235,7 +236,7 @@ void AccuracyPanel::showMeasured(const MeasuredLevels& measured) {
                         .arg(measured.truth->pixels.size())
                         .arg(qint64(measured.truth->size.x) * measured.truth->size.y));
   else if (measured.levels.empty())
-    state_->setText(tr("Measured once the picture is at rest"));
+    state_->setText(tr("Measured when the picture is complete"));
   showDifference();
 }
 
@@ -279,7 +280,8 @@ void AccuracyPanel::showDifference() {
   QPixmap shown = QPixmap::fromImage(image.scaled(room * devicePixelRatioF(), Qt::KeepAspectRatio));
   shown.setDevicePixelRatio(devicePixelRatioF());
   difference_->setPixmap(shown);
-  caption_->setText(tr("%1 less the reference, %2 times as bright").arg(nameOf(level_)).arg(times));
+  caption_->setText(
+      tr("Difference between %1 and the reference, %2 times as bright").arg(nameOf(level_)).arg(times));
 }
 
 void AccuracyPanel::resizeEvent(QResizeEvent* event) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QBoxLayout>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -10,6 +9,8 @@
 #include "ui/controller/measured_levels.h"
 #include "ui/controller/render_controller.h"
 #include "ui/session/session.h"
+
+class QGridLayout;
 
 namespace volumen {
 
@@ -39,7 +40,8 @@ class AccuracyPanel : public QWidget {
  private:
   void makeTable();
   QLayout* sliderRow();
-  void addAim(QBoxLayout* row, QCheckBox* box, QDoubleSpinBox* field, Aim aim, const QString& name);
+  void addAim(QGridLayout& grid, int row, QCheckBox* box, QDoubleSpinBox* field, Aim aim,
+              const QString& name);
   void choose(int row);
   void wish(const QString& text, const std::function<void(PictureWish&)>& change);
   void showWish(const PictureWish& wish);

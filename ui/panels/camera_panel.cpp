@@ -13,7 +13,7 @@ CameraPanel::CameraPanel(Session& session, std::function<Camera()> cameraInUse, 
   projection_ = new QComboBox;
   projection_->setObjectName(QStringLiteral("projection"));
   projection_->setAccessibleName(tr("Projection"));
-  projection_->addItems({tr("parallel"), tr("perspective")});
+  projection_->addItems({tr("Parallel"), tr("Perspective")});
   fov_ = new NumberRow(tr("Field of view"),
                        {.low = 5, .high = 120, .decimals = 0, .suffix = QStringLiteral("\u00b0")});
   auto* views = new QGridLayout;
@@ -25,7 +25,7 @@ CameraPanel::CameraPanel(Session& session, std::function<Camera()> cameraInUse, 
     connect(button, &QPushButton::clicked, this, [this, name] { Q_EMIT viewRequested(name); });
     views->addWidget(button, n / 2, n % 2);
   }
-  auto* reset = new QPushButton(tr("Reset"));
+  auto* reset = new QPushButton(tr("Reset view"));
   connect(reset, &QPushButton::clicked, this, &CameraPanel::resetRequested);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);

@@ -7,6 +7,21 @@
 
 namespace volumen {
 
+namespace {
+
+// Of a volume whose directions are not known: the first and the last along its axis.
+QString edgeName(const QString& axis, bool last) {
+  return (last ? ClipPanel::tr("%1 end") : ClipPanel::tr("%1 start")).arg(axis);
+}
+
+// "Right edge": the patient's side that a direction points to most.
+QString sideName(glm::dvec3 direction) {
+  const QString words = QString::fromStdString(sideWords(direction)).section(QLatin1Char('-'), 0, 0);
+  return ClipPanel::tr("%1 edge").arg(words.left(1).toUpper() + words.mid(1));
+}
+
+}  // namespace
+
 ClipPanel::ClipPanel(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
@@ -14,17 +29,16 @@ ClipPanel::ClipPanel(Session& session, QWidget* parent) : QWidget(parent), sessi
   for (int axis = 0; axis < 3; ++axis)
     for (bool high : {false, true}) {
       NumberRow*& row = (high ? high_ : low_)[axis];
-      row = makeRow(
-          QStringLiteral("%1 %2").arg(high ? tr("to") : tr("from"), QStringLiteral("ijk").mid(axis, 1)));
+      row = makeRow(edgeName(QStringLiteral("IJK").mid(axis, 1), high));
       row->setObjectName(
           QStringLiteral("clip%1%2").arg(high ? QStringLiteral("High") : QStringLiteral("Low")).arg(axis));
       column->addWidget(row);
       connectRow(axis, high);
     }
-  auto* reset = new QPushButton(tr("Show all"));
+  auto* reset = new QPushButton(tr("Reset clipping"));
   reset->setObjectName(QStringLiteral("clipReset"));
   connect(reset, &QPushButton::clicked, this,
-          [this] { session_.edit(tr("Remove the clip box"), [](Scene& s) { s.clip = {}; }); });
+          [this] { session_.edit(tr("Reset clipping"), [](Scene& s) { s.clip = {}; }); });
   column->addWidget(reset);
   column->addStretch();
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
@@ -41,7 +55,7 @@ NumberRow* ClipPanel::makeRow(const QString& name) {
 void ClipPanel::connectRow(int axis, bool high) {
   NumberRow* row = high ? high_[axis] : low_[axis];
   connect(row, &NumberRow::valueEdited, this, [this, axis, high](double percent) {
-    const QString what = tr("Clip box");
+    const QString what = tr("Clip");
     session_.edit(
         what,
         [&](Scene& s) {
@@ -62,18 +76,19 @@ void ClipPanel::showClip() {
   }
 }
 
-// The sides of the volume's box by the patient's: "from R", "to L".
+// The sides of the volume's box by the patient's: "Right edge", "Left edge".
 void ClipPanel::nameSides() {
   const bool directions = session_.series() && session_.series()->volume->geometry().calibrated;
   for (int axis = 0; axis < 3; ++axis) {
-    QString low = QStringLiteral("ijk").mid(axis, 1), high = low;
+    const QString letter = QStringLiteral("IJK").mid(axis, 1);
+    QString low = edgeName(letter, false), high = edgeName(letter, true);
     if (directions) {
       const glm::dvec3 along = session_.series()->volume->geometry().patientFromVoxelStep[axis];
-      low = QString::fromStdString(sideLetters(-along).substr(0, 1));
-      high = QString::fromStdString(sideLetters(along).substr(0, 1));
+      low = sideName(-along);
+      high = sideName(along);
     }
-    low_[axis]->setName(tr("from %1").arg(low));
-    high_[axis]->setName(tr("to %1").arg(high));
+    low_[axis]->setName(low);
+    high_[axis]->setName(high);
   }
 }
 

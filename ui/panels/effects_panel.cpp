@@ -21,7 +21,7 @@ QString msText(double ms) { return QString::number(ms, 'f', ms < 10 ? 1 : 0); }
 }  // namespace
 
 EffectsPanel::EffectsPanel(QWidget* parent) : QTextBrowser(parent) {
-  setAccessibleName(tr("Effects of the picture and why they are on or off"));
+  setAccessibleName(tr("Effects: which are on, and why"));
   setFrameShape(QFrame::NoFrame);
   viewport()->setAutoFillBackground(false);
   document()->setDocumentMargin(8);
@@ -31,7 +31,7 @@ void EffectsPanel::showPlan(const Plan& plan, const RenderStats& stats) {
   QStringList times{tr("%1 ms").arg(msText(stats.totalMs)),
                     tr("resampling %1 ms").arg(msText(stats.resampleMs)),
                     tr("shading %1 ms").arg(msText(stats.shadeMs))};
-  if (stats.gradientsMs >= 1) times << tr("gradients, once, %1 ms").arg(msText(stats.gradientsMs));
+  if (stats.gradientsMs >= 1) times << tr("gradients %1 ms (once)").arg(msText(stats.gradientsMs));
   times << (stats.threads == 1 ? tr("1 thread") : tr("%1 threads").arg(stats.threads));
   QString html = QStringLiteral("<p>%1</p><table cellspacing='0' cellpadding='2'>")
                      .arg(times.join(QStringLiteral(", ")));

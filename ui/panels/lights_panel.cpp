@@ -15,6 +15,7 @@ namespace volumen {
 namespace {
 
 constexpr int mostLights = 64;  // SCENE 8
+constexpr int tallest = 220;    // pixels, of ball and list
 
 // Between camera space (SCENE 7: right, up, towards the viewer) and patient space.
 glm::dvec3 toPatient(const CameraAxes& axes, glm::dvec3 d) {
@@ -32,9 +33,11 @@ LightsPanel::LightsPanel(Session& session, QWidget* parent)
   auto* top = new QHBoxLayout;
   top->addWidget(ball_, 1);
   top->addWidget(makeList(), 1);
+  ball_->setMaximumHeight(tallest);
+  list_->setMaximumHeight(tallest);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
-  column->addLayout(top, 1);
+  column->addLayout(top);
   column->addWidget(makeFields());
   connectBall();
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
@@ -48,7 +51,7 @@ QWidget* LightsPanel::makeList() {
   list_ = new QListWidget;
   list_->setObjectName(QStringLiteral("lightList"));
   list_->setAccessibleName(tr("Lights"));
-  list_->setMinimumHeight(60);
+  list_->setMinimumSize(60, 60);
   add_ = new QToolButton;
   add_->setObjectName(QStringLiteral("addLight"));
   add_->setText(tr("Add"));
@@ -88,13 +91,13 @@ QWidget* LightsPanel::makeList() {
 
 QWidget* LightsPanel::makeFields() {
   fields_ = new QWidget;
-  colour_ = new ColourButton(tr("Colour of the light"));
+  colour_ = new ColourButton(tr("Light colour"));
   colour_->setObjectName(QStringLiteral("lightColour"));
   intensity_ = new NumberRow(tr("Intensity"), {.low = 0, .high = 2, .decimals = 2});
   space_ = new QComboBox;
   space_->setObjectName(QStringLiteral("lightSpace"));
-  space_->setAccessibleName(tr("What the light is fixed to"));
-  space_->addItems({tr("fixed to the camera"), tr("fixed to the patient")});
+  space_->setAccessibleName(tr("Light attached to"));
+  space_->addItems({tr("Moves with the camera"), tr("Fixed to the patient")});
   auto* row = new QHBoxLayout;
   row->addWidget(space_, 1);
   row->addWidget(colour_);
@@ -104,15 +107,15 @@ QWidget* LightsPanel::makeFields() {
   column->addWidget(intensity_);
   column->addLayout(row);
   connect(intensity_, &NumberRow::valueEdited, this, [this](double v) {
-    changeSelected(tr("Intensity of a light"), [&](Light& light) { light.intensity = v; });
+    changeSelected(tr("Light intensity"), [&](Light& light) { light.intensity = v; });
   });
   connect(colour_, &ColourButton::colourEdited, this, [this](glm::dvec3 c) {
-    changeSelected(tr("Colour of a light"), [&](Light& light) { light.colour = c; });
+    changeSelected(tr("Light colour"), [&](Light& light) { light.colour = c; });
   });
   connect(intensity_, &NumberRow::gestureFinished, this, [this] { session_.endGesture(); });
   connect(colour_, &ColourButton::gestureFinished, this, [this] { session_.endGesture(); });
   connect(space_, &QComboBox::activated, this, [this](int n) {
-    changeSelected(tr("What a light is fixed to"), [&](Light& light) {
+    changeSelected(tr("Light attached to"), [&](Light& light) {
       const Space space = n == 0 ? Space::camera : Space::patient;
       if (light.space == space) return;
       light.space = space;  // it stays where it is
@@ -130,7 +133,7 @@ void LightsPanel::connectBall() {
     showSelected();
   });
   connect(ball_, &LightBall::directionEdited, this, [this](int, glm::dvec3 direction) {
-    changeSelected(tr("Turn a light"), [&](Light& light) {
+    changeSelected(tr("Move light"), [&](Light& light) {
       light.direction = light.space == Space::camera ? direction : toPatient(axes(), direction);
     });
   });
@@ -184,13 +187,13 @@ void LightsPanel::addLight() {
   Light light;
   light.direction = {0.6, 0.6, 0.8};
   light.intensity = 0.5;
-  session_.edit(tr("Add a light"), [&](Scene& s) { s.lights.push_back(light); });
+  session_.edit(tr("Add light"), [&](Scene& s) { s.lights.push_back(light); });
   ball_->select(int(session_.scene().lights.size()) - 1);
 }
 
 void LightsPanel::removeLight() {
   const int n = ball_->selected();
-  session_.edit(tr("Remove a light"), [&](Scene& s) { s.lights.erase(s.lights.begin() + n); });
+  session_.edit(tr("Remove light"), [&](Scene& s) { s.lights.erase(s.lights.begin() + n); });
 }
 
 }  // namespace volumen

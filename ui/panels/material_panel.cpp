@@ -8,13 +8,13 @@ namespace volumen {
 
 MaterialPanel::MaterialPanel(Session& session, QWidget* parent)
     : QWidget(parent), bindings_(bindingsTo(session)) {
-  auto* lit = new QCheckBox(tr("Lit"));
+  auto* lit = new QCheckBox(tr("Lighting"));
   lit->setObjectName(QStringLiteral("lit"));
-  lit->setToolTip(tr("Off: colour and opacity alone; no gradients are computed."));
+  lit->setToolTip(tr("Without it, only colour and opacity are drawn."));
   auto* sides = new QComboBox;
   sides->setObjectName(QStringLiteral("sides"));
   sides->setAccessibleName(tr("Lit sides of a surface"));
-  sides->addItems({tr("both sides lit"), tr("front side lit")});
+  sides->addItems({tr("Two-sided lighting"), tr("One-sided lighting")});
   const auto row = [](const QString& name, const NumberFormat& format) {
     return new NumberRow(name, format);
   };
@@ -34,7 +34,7 @@ MaterialPanel::MaterialPanel(Session& session, QWidget* parent)
   column->addWidget(rows);
   column->addStretch();
 
-  bindings_.flag(lit, tr("Lighting on or off"), [](Scene& s) -> bool& { return s.shading.lit; });
+  bindings_.flag(lit, tr("Lighting"), [](Scene& s) -> bool& { return s.shading.lit; });
   bindings_.number(ambient, tr("Ambient"), [](Scene& s) -> double& { return s.shading.ambient; });
   bindings_.number(diffuse, tr("Diffuse"), [](Scene& s) -> double& { return s.shading.diffuse; });
   bindings_.number(specular, tr("Specular"), [](Scene& s) -> double& { return s.shading.specular; });

@@ -24,9 +24,17 @@ QDoubleSpinBox* valueField(const char* name, const QString& label) {
   return field;
 }
 
-QString endText(double value) {
-  if (std::isinf(value)) return value < 0 ? QStringLiteral("min") : QStringLiteral("max");
-  return QString::number(value, 'g', 6);
+QString endText(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
+
+// "Visible: above -454 HU".
+QString spanText(const ValueRange& span, int decimals, const QString& unit) {
+  const auto end = [&](double value) {
+    return (endText(value, decimals) + QLatin1Char(' ') + unit).trimmed();
+  };
+  if (std::isinf(span.low) && std::isinf(span.high)) return SegmentPanel::tr("Visible: all values");
+  if (std::isinf(span.high)) return SegmentPanel::tr("Visible: above %1").arg(end(span.low));
+  if (std::isinf(span.low)) return SegmentPanel::tr("Visible: below %1").arg(end(span.high));
+  return SegmentPanel::tr("Visible: %1 to %2").arg(endText(span.low, decimals), end(span.high));
 }
 
 }  // namespace
@@ -40,9 +48,9 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
       segment_(new QPushButton(tr("Segment"))),
       save_(new QPushButton(tr("Save .seg.nrrd..."))),
       result_(new QLabel),
-      only_(new QCheckBox(tr("Show only this"))) {
+      only_(new QCheckBox(tr("Show only the segment"))) {
   spans_->setObjectName(QStringLiteral("segmentSpans"));
-  spans_->setAccessibleName(tr("Visible span of the curve"));
+  spans_->setAccessibleName(tr("Visible value range"));
   segment_->setObjectName(QStringLiteral("segment"));
   save_->setObjectName(QStringLiteral("segmentSave"));
   only_->setObjectName(QStringLiteral("segmentOnly"));
@@ -53,7 +61,7 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
   connect(spans_, &QComboBox::activated, this, &SegmentPanel::takeSpan);
   connect(only_, &QCheckBox::clicked, this, &SegmentPanel::showOnly);
   connect(segment_, &QPushButton::clicked, this, [this] {
-    result_->setText(tr("counting"));
+    result_->setText(tr("Segmenting..."));
     Q_EMIT segmentRequested(session_.series()->volume, range());
   });
   connect(save_, &QPushButton::clicked, this, &SegmentPanel::askWhere);
@@ -70,7 +78,7 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
 
 void SegmentPanel::makeLayout() {
   auto* fields = new QHBoxLayout;
-  fields->addWidget(new QLabel(tr("from")));
+  fields->addWidget(new QLabel(tr("From")));
   fields->addWidget(low_, 1);
   fields->addWidget(new QLabel(tr("to")));
   fields->addWidget(high_, 1);
@@ -103,8 +111,8 @@ void SegmentPanel::showSpans() {
     field->setDecimals(valueDecimals(series->histogram));
   }
   for (const ValueRange& span : visibleSpans(session_.scene().transferFunction))
-    spans_->addItem(tr("visible: %1 to %2 %3").arg(endText(span.low), endText(span.high), unit));
-  if (spans_->count() == 0) spans_->addItem(tr("nothing is visible"));
+    spans_->addItem(spanText(span, valueDecimals(series->histogram) - 1, unit));
+  if (spans_->count() == 0) spans_->addItem(tr("Nothing is visible"));
   // Typed numbers stay; where there are none yet, the first span is offered.
   if (!segmentation_ && !low_->hasFocus() && !high_->hasFocus()) takeSpan(0);
 }
@@ -128,11 +136,13 @@ void SegmentPanel::showSegmentation(const std::shared_ptr<const Segmentation>& s
   if (!segmentation) return result_->clear();
   const LabelStatistics& s = segmentation->statistics;
   const QString unit = valueUnit(*segmentation->volume), voxels = QLocale().toString(qlonglong(s.voxels));
-  QString text = tr("%1 voxels").arg(voxels);
-  text += s.millilitres ? tr(", %1 ml").arg(*s.millilitres, 0, 'f', *s.millilitres < 100 ? 2 : 0)
-                        : tr(", not calibrated: no volume known");
-  if (s.voxels > 0) text += tr(", mean %1 %2").arg(s.mean, 0, 'f', 1).arg(unit);
-  result_->setText(text);
+  QStringList parts;
+  if (s.millilitres) parts << tr("%1 ml").arg(*s.millilitres, 0, 'f', *s.millilitres < 100 ? 2 : 0);
+  const int decimals = valueDecimals(session_.series()->histogram) - 1;
+  if (s.voxels > 0) parts << tr("mean %1 %2").arg(s.mean, 0, 'f', decimals).arg(unit).trimmed();
+  const QString text = parts.join(QStringLiteral(", ")) + tr(" (%1 voxels)").arg(voxels);
+  result_->setText(s.millilitres ? text.trimmed()
+                                 : tr("Not calibrated, no volume in ml: %1").arg(text.trimmed()));
 }
 
 void SegmentPanel::showOnly(bool on) {
@@ -141,13 +151,13 @@ void SegmentPanel::showOnly(bool on) {
     alone_ = restrictedTo(before_, segmentation_->range);
   }
   const TransferFunction& curve = on ? alone_ : before_;
-  session_.edit(on ? tr("Show only a value range") : tr("Show all values"),
+  session_.edit(on ? tr("Show only the segment") : tr("Show all values"),
                 [&](Scene& s) { s.transferFunction = curve; });
   only_->setChecked(on);
 }
 
 void SegmentPanel::askWhere() {
-  auto* dialog = new QFileDialog(this, tr("Save a segmentation"), {}, tr("Segmentations (*.seg.nrrd)"));
+  auto* dialog = new QFileDialog(this, tr("Save segmentation"), {}, tr("Segmentations (*.seg.nrrd)"));
   dialog->setObjectName(QStringLiteral("segmentDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);

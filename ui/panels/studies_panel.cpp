@@ -34,7 +34,7 @@ bool sameSeries(const Series& a, const Series& b) { return a.id == b.id && a.pat
 StudiesPanel::StudiesPanel(QWidget* parent)
     : QWidget(parent), search_(new QLineEdit), tree_(new QTreeWidget) {
   search_->setObjectName(QStringLiteral("studySearch"));
-  search_->setPlaceholderText(tr("search"));
+  search_->setPlaceholderText(tr("Search"));
   search_->setAccessibleName(tr("Search patients, studies and series"));
   search_->setClearButtonEnabled(true);
   tree_->setObjectName(QStringLiteral("studyTree"));
@@ -72,7 +72,8 @@ void StudiesPanel::addSeries(const QString& path, const Series& series, std::siz
   QTreeWidgetItem* parent = tree_->invisibleRootItem();
   if (series.format == "DICOM") {
     const QString patient = patientText(series);
-    parent = childNamed(parent, QStringLiteral("patient ") + patient, patient);
+    const std::string key = "patient " + series.patientName + "\n" + series.patientId;
+    parent = childNamed(parent, QString::fromStdString(key), patient);
     parent = childNamed(parent, QString::fromStdString(series.studyUid), studyText(series));
   } else {
     parent = childNamed(parent, QStringLiteral("files"),
@@ -90,7 +91,7 @@ void StudiesPanel::addRefused(const QString& path, const Study& study) {
   auto* parent = childNamed(tree_->invisibleRootItem(), QStringLiteral("refused"), tr("Could not be read"));
   parent->setExpanded(false);
   for (const Refused& refused : study.refused) {
-    const QString name = shownText(refused.path), reason = shownText(refused.reason);
+    const QString name = pathText(refused.path), reason = shownText(refused.reason);
     auto* item = new QTreeWidgetItem(parent, {QFileInfo(name).fileName()});
     item->setToolTip(0, QStringLiteral("<p>%1<br>%2</p>").arg(name.toHtmlEscaped(), reason.toHtmlEscaped()));
     item->setData(0, pathRole, path);
@@ -118,6 +119,11 @@ void StudiesPanel::addStudy(const QString& path, const std::shared_ptr<const Stu
   for (std::size_t n = 0; n < study->volumes.size(); ++n) addSeries(path, study->volumes[n], n);
   addRefused(path, *study);
   filter(search_->text());
+}
+
+void StudiesPanel::showNames() {
+  const auto opened = studies_;
+  for (const auto& [path, study] : opened) addStudy(path, study);
 }
 
 void StudiesPanel::markShown(const Series& series) {

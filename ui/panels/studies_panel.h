@@ -18,6 +18,8 @@ class StudiesPanel : public QWidget {
 
   /// Adds what a path holds, instead of what it held when it was opened before.
   void addStudy(const QString& path, const std::shared_ptr<const Study>& study);
+  /// Writes all again, after names were hidden or shown.
+  void showNames();
   /// Marks the series on screen.
   void markShown(const Series& series);
   QTreeWidget* tree() const { return tree_; }

@@ -44,11 +44,18 @@ QWidget* TransferPanel::makeScaleBox() {
   auto* scale = new QComboBox;
   scale->setObjectName(QStringLiteral("opacityScale"));
   scale->setAccessibleName(tr("Opacity axis"));
-  scale->addItems({tr("linear opacity"), tr("logarithmic extinction")});
-  scale->setToolTip(tr("The logarithmic axis reaches 0.0001 per mm with the mouse."));
-  connect(scale, &QComboBox::activated, this, [this](int n) {
-    editor_->setOpacityScale(n == 0 ? OpacityScale::linear : OpacityScale::extinction);
-  });
+  scale->addItems({tr("Opacity axis: linear"), tr("Opacity axis: logarithmic")});
+  scale->setToolTip(
+      tr("The logarithmic axis makes opacities down to 0.0001 per mm adjustable with the mouse."));
+  connect(scale, &QComboBox::activated, this,
+          [this](int n) { session_.prefer([n](Preferences& p) { p.logarithmicOpacity = n == 1; }); });
+  const auto show = [this, scale] {
+    const bool logarithmic = session_.preferences().logarithmicOpacity;
+    scale->setCurrentIndex(logarithmic ? 1 : 0);
+    editor_->setOpacityScale(logarithmic ? OpacityScale::extinction : OpacityScale::linear);
+  };
+  connect(&session_, &Session::preferencesChanged, this, show);
+  show();
   return scale;
 }
 
@@ -60,11 +67,10 @@ void TransferPanel::makeFields() {
   value_ = addField(QStringLiteral("pointValue"), tr("Value"), 1, -1e9, 1e9);
   opacity_ = addField(QStringLiteral("pointOpacity"), tr("Opacity per mm"), 5, 0, 1);
   halving_ =
-      addField(QStringLiteral("pointHalving"), tr("Halves light in"), 2, shortestHalving, longestHalving);
-  halving_->setSuffix(tr(" mm"));
-  colour_ = new ColourButton(tr("Colour of the point"));
+      addField(QStringLiteral("pointHalving"), tr("Half-value depth"), 2, shortestHalving, longestHalving);
+  colour_ = new ColourButton(tr("Point colour"));
   colour_->setObjectName(QStringLiteral("pointColour"));
-  grid->addWidget(new QLabel(tr("Colour")), 0, 3);
+  grid->addWidget(new QLabel(tr("Colour")), 0, 3, Qt::AlignBottom);
   grid->addWidget(colour_, 1, 3);
   for (int column = 0; column < 3; ++column) grid->setColumnStretch(column, 1);
 }
@@ -81,20 +87,18 @@ void TransferPanel::connectEditor() {
 
 void TransferPanel::connectFields() {
   const auto unitDistance = [this] { return session_.scene().transferFunction.unitDistance; };
-  connect(value_, &QDoubleSpinBox::valueChanged, this, [this](double v) {
-    changePoint([v](CurvePoint& p) { p.value = float(v); }, tr("Set value of a curve point"));
-  });
+  connect(value_, &QDoubleSpinBox::valueChanged, this,
+          [this](double v) { changePoint([v](CurvePoint& p) { p.value = float(v); }, tr("Point value")); });
   connect(opacity_, &QDoubleSpinBox::valueChanged, this, [this, unitDistance](double perMm) {
     const double opacity = opacityFromExtinction(extinctionPerMm(perMm, 1), unitDistance());
-    changePoint([opacity](CurvePoint& p) { p.opacity = opacity; }, tr("Set opacity of a curve point"));
+    changePoint([opacity](CurvePoint& p) { p.opacity = opacity; }, tr("Point opacity"));
   });
   connect(halving_, &QDoubleSpinBox::valueChanged, this, [this, unitDistance](double mm) {
     const double opacity = opacityFromExtinction(ln2 / mm, unitDistance());
-    changePoint([opacity](CurvePoint& p) { p.opacity = opacity; }, tr("Set opacity of a curve point"));
+    changePoint([opacity](CurvePoint& p) { p.opacity = opacity; }, tr("Point opacity"));
   });
-  connect(colour_, &ColourButton::colourEdited, this, [this](glm::dvec3 c) {
-    changePoint([c](CurvePoint& p) { p.colour = c; }, tr("Colour of a curve point"));
-  });
+  connect(colour_, &ColourButton::colourEdited, this,
+          [this](glm::dvec3 c) { changePoint([c](CurvePoint& p) { p.colour = c; }, tr("Point colour")); });
   connect(colour_, &ColourButton::gestureFinished, this, [this] { session_.endGesture(); });
 }
 
@@ -113,7 +117,8 @@ QDoubleSpinBox* TransferPanel::addField(const QString& name, const QString& labe
   const int column = grid->columnCount() - (grid->count() == 0 ? 1 : 0);
   auto* caption = new QLabel(label);
   caption->setBuddy(field);
-  grid->addWidget(caption, 0, column);
+  caption->setWordWrap(true);
+  grid->addWidget(caption, 0, column, Qt::AlignBottom);
   grid->addWidget(field, 1, column);
   return field;
 }
@@ -123,16 +128,21 @@ void TransferPanel::showPoint() {
   const int n = editor_->selected();
   const bool any = n >= 0 && n < int(curve.points.size());
   fields_->setEnabled(any);
-  if (!any) return;
   const QSignalBlocker quietValue(value_), quietOpacity(opacity_), quietHalving(halving_);
+  const QString unit = session_.series() ? valueUnit(*session_.series()->volume) : QString();
+  value_->setSuffix(any && !unit.isEmpty() ? QLatin1Char(' ') + unit : QString());
+  halving_->setSuffix(any ? tr(" mm") : QString());
+  if (!any) {
+    for (QDoubleSpinBox* field : {value_, opacity_, halving_}) field->clear();
+    return;
+  }
   const CurvePoint& point = curve.points[n];
   const double extinction = extinctionPerMm(point.opacity, curve.unitDistance);
-  value_->setSuffix(session_.series() ? QLatin1Char(' ') + valueUnit(*session_.series()->volume) : QString());
   value_->setValue(point.value);
   opacity_->setValue(opacityFromExtinction(extinction, 1));
   // At both ends there is no number: the field stands at its smallest value, under another name.
   const bool none = extinction == 0, all = point.opacity >= 1;
-  halving_->setSpecialValueText(none ? tr("never") : all ? tr("0 mm") : QString());
+  halving_->setSpecialValueText(none ? tr("none") : all ? tr("< 0.01 mm") : QString());
   halving_->setValue(none || all ? shortestHalving : ln2 / extinction);
   colour_->setColour(point.colour);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -21,13 +22,13 @@ glm::dvec3 eyeOf(const Camera& camera) {
   return *camera.target - camera.distance * glm::normalize(camera.direction);
 }
 
+}  // namespace
+
 double heightAtTarget(const Camera& camera) {
   return camera.projection == Projection::parallel
              ? camera.height
              : 2 * camera.distance * std::tan(glm::radians(camera.fov) / 2);
 }
-
-}  // namespace
 
 Camera cameraInUse(const Scene& scene, const VoxelGeometry& geometry, glm::dvec2 size) {
   if (!scene.camera) return fitCamera(Camera{}, geometry, size.x / size.y);
@@ -114,6 +115,14 @@ std::string sideLetters(glm::dvec3 direction) {
   for (const auto& [part, letter] : sides)
     if (std::abs(part) > 0.3) letters += letter;
   return letters;
+}
+
+std::string sideWords(glm::dvec3 direction) {
+  std::string words;
+  for (const char letter : sideLetters(direction))
+    for (const std::string& name : standardViewNames())
+      if (std::toupper(name[0]) == letter) words += (words.empty() ? "" : "-") + name;
+  return words;
 }
 
 std::string viewName(const Camera& camera) {

@@ -38,6 +38,10 @@ Camera withProjection(Camera camera, Projection projection);
 
 /// The patient's side a direction points to: "L", "PL", "SAR" ..., strongest first (LPS).
 std::string sideLetters(glm::dvec3 direction);
+/// The same in words: "posterior-left".
+std::string sideWords(glm::dvec3 direction);
+/// Millimetres from the lower to the upper edge of the picture, at the target's depth.
+double heightAtTarget(const Camera& camera);
 /// "anterior" where the camera looks along that view within a degree, else empty.
 std::string viewName(const Camera& camera);
 

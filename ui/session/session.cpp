@@ -1,6 +1,7 @@
 #include "ui/session/session.h"
 
 #include "ui/session/edit_state.h"
+#include "ui/session/text.h"
 
 namespace volumen {
 
@@ -32,6 +33,19 @@ void Session::edit(const QString& text, const std::function<void(Scene&)>& chang
 
 void Session::wishFor(const QString& text, const PictureWish& after, const QString& mergeKey) {
   push(text, {state_.series, state_.scene, after}, mergeKey);
+}
+
+void Session::prefer(const Preferences& preferences) {
+  if (preferences == preferences_) return;
+  const Preferences before = std::exchange(preferences_, preferences);
+  hideNames(preferences.hideNames);
+  Q_EMIT preferencesChanged(before, preferences_);
+}
+
+void Session::prefer(const std::function<void(Preferences&)>& change) {
+  Preferences after = preferences_;
+  change(after);
+  prefer(after);
 }
 
 void Session::setState(const SessionState& state) {

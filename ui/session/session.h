@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "ui/session/picture_wish.h"
+#include "ui/session/preferences.h"
 #include "ui/session/shown_series.h"
 #include "viewer/scene/scene.h"
 
@@ -44,11 +45,19 @@ class Session : public QObject {
   /// The same for what is asked of the picture beside the scene.
   void wishFor(const QString& text, const PictureWish& after, const QString& mergeKey = {});
 
+  /// How the window is wanted: no part of the picture, and no step to undo.
+  const Preferences& preferences() const { return preferences_; }
+  void prefer(const Preferences& preferences);
+  /// The same for a change of those in use.
+  void prefer(const std::function<void(Preferences&)>& change);
+
   /// The mouse was released, the field was left: what follows is a step of its own.
   void endGesture() { ++gesture_; }
 
  Q_SIGNALS:
   void changed(const volumen::SessionState& before, const volumen::SessionState& after);
+
+  void preferencesChanged(const volumen::Preferences& before, const volumen::Preferences& after);
 
  private:
   friend class EditState;
@@ -56,6 +65,7 @@ class Session : public QObject {
   void setState(const SessionState& state);
 
   SessionState state_;
+  Preferences preferences_;
   QUndoStack undoStack_;
   int gesture_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QStringList>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace volumen {
@@ -19,7 +20,13 @@ bool reorders(QChar c) {
          (u >= 0x2066 && u <= 0x2069);
 }
 
+std::atomic<bool> hidden = false;
+
 }  // namespace
+
+void hideNames(bool on) { hidden = on; }
+
+bool namesHidden() { return hidden; }
 
 QString shownText(const std::string& utf8) {
   QString text;
@@ -38,6 +45,7 @@ QString patientText(const Series& series) {
   else if (!parts.isEmpty())
     name = parts[0];
   const QString id = shownText(series.patientId);
+  if (hidden && (series.format == "DICOM" || !name.isEmpty() || !id.isEmpty())) return tr("(name hidden)");
   if (name.isEmpty() && id.isEmpty()) return series.format == "DICOM" ? tr("(no name)") : QString();
   if (id.isEmpty() || id == name) return name;
   return name.isEmpty() ? id : QStringLiteral("%1 (%2)").arg(name, id);
@@ -48,10 +56,12 @@ QString seriesText(const Series& series) {
   if (!series.modality.empty()) parts << shownText(series.modality);
   QString description = shownText(series.description);
   if (description.isEmpty() && series.format != "DICOM")
-    description = QFileInfo(QString::fromStdString(series.path)).fileName();
+    description = hidden && series.format != "phantom"
+                      ? tr("(file name hidden)")
+                      : QFileInfo(QString::fromStdString(series.path)).fileName();
   if (!description.isEmpty()) parts << description;
   if (!series.seriesNumber.empty()) parts << QStringLiteral("(%1)").arg(shownText(series.seriesNumber));
-  if (parts.isEmpty()) parts << shownText(series.id);
+  if (parts.isEmpty()) parts << (hidden ? tr("(ID hidden)") : shownText(series.id));
   return parts.join(QLatin1Char(' '));
 }
 
@@ -75,6 +85,8 @@ QString unreadText(const Study& study) {
                        : tr("%1; %2 others are not images.").arg(text).arg(others);
 }
 
+QString viewText(const QString& name) { return tr("%1 view").arg(name.left(1).toUpper() + name.mid(1)); }
+
 QString valueUnit(const Volume& volume) {
   return volume.attributes().modality == "CT" ? QStringLiteral("HU") : QString();
 }
@@ -84,7 +96,10 @@ int valueDecimals(const Histogram& histogram) {
   return std::clamp(int(std::ceil(4 - std::log10(range))), 1, 6);
 }
 
+QString pathText(const std::string& path) { return hidden ? tr("(path hidden)") : shownText(path); }
+
 QString dateText(const std::string& dicomDate) {
+  if (hidden) return dicomDate.empty() ? QString() : tr("(date hidden)");
   if (dicomDate.size() != 8) return shownText(dicomDate);
   const QString d = QString::fromStdString(dicomDate);
   return QStringLiteral("%1-%2-%3").arg(d.left(4), d.mid(4, 2), d.mid(6, 2));

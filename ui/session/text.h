@@ -11,6 +11,11 @@ namespace volumen {
 /// reorder text are left out, blanks trimmed.
 QString shownText(const std::string& utf8);
 
+/// While on, patientText(), dateText() and pathText() say that there is something hidden, and seriesText()
+/// leaves file names out: one switch behind all that is shown, so that no window can forget it.
+void hideNames(bool hidden);
+bool namesHidden();
+
 /// "Doe, Jane (12345)": DICOM's carets read as a name; "(no name)" where a DICOM file names none; empty
 /// for what has no patients.
 QString patientText(const Series& series);
@@ -25,11 +30,17 @@ QString studyText(const Series& series);
 /// it is.
 QString unreadText(const Study& study);
 
+/// "Anterior view" of the standard view "anterior".
+QString viewText(const QString& name);
+
 /// The unit of a volume's values: "HU" for CT, else empty.
 QString valueUnit(const Volume& volume);
 
 /// How many decimals tell values of this range apart: 1 for CT, more for what lies between 0 and 1.
 int valueDecimals(const Histogram& histogram);
+
+/// The path of a file as a person may read it.
+QString pathText(const std::string& path);
 
 /// "2026-03-14" of DICOM's 20260314.
 QString dateText(const std::string& dicomDate);

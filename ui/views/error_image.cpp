@@ -22,7 +22,7 @@ QString legendOf(float white, float largest) {
 
 ErrorImage errorImage(const std::vector<float>& map, QSize size) {
   if (map.empty() || map.size() != std::size_t(size.width()) * std::size_t(size.height()))
-    return {{}, tr("Estimated error: not known of this picture")};
+    return {{}, tr("Estimated error: not known for this picture")};
   const float largest = *std::ranges::max_element(map);
   const float white = std::min(largest, float(promiseOf(Quality::standard).most99));
   QImage image(size, QImage::Format_Grayscale8);

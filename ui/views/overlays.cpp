@@ -1,39 +1,132 @@
 #include "ui/views/overlays.h"
 
+#include <QPainterPath>
+#include <algorithm>
 #include <cmath>
 
 namespace volumen {
 
 namespace {
 
-constexpr double margin = 10;  // pixels
+constexpr double margin = 10, gap = 6;  // pixels
+constexpr int fewestCharacters = 4;     // of an elided line: fewer say nothing
+constexpr double longestBar = 200, shortestBar = 24;
 
-const QColor textColour(0xd7, 0xdc, 0xe2), warningColour(0xff, 0xc8, 0x5a);
+const QColor textColour(0xf2, 0xf4, 0xf6), warningColour(0xff, 0xc8, 0x5a), rimColour(0, 0, 0, 230);
 
-// Text that can be read on white as on black: a dark rim around it.
-void paintText(QPainter& painter, const QRectF& where, int align, const QString& text, const QColor& colour) {
-  painter.setPen(QColor(0, 0, 0, 200));
-  for (const QPointF& by : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1), QPointF(1, 1)})
-    painter.drawText(where.translated(by), align, text);
-  painter.setPen(colour);
-  painter.drawText(where, align, text);
+// Letters with serifs: an I must not look like a stroke.
+QFont letterFont(const QFont& font) {
+  return QFont(QStringLiteral("monospace"), font.pointSize() + 2, QFont::Bold);
 }
 
 QString lengthText(double mm) {
   return mm >= 10 ? QStringLiteral("%1 cm").arg(mm / 10) : QStringLiteral("%1 mm").arg(mm);
 }
 
-void paintScaleBar(QPainter& painter, double mmPerPixel, const QRectF& area) {
-  const double mm = scaleBarMm(mmPerPixel, std::min(200.0, area.width() / 4));
-  const double pixels = mm / mmPerPixel, y = area.bottom() - 1;
-  const double left = std::round(area.center().x() - pixels / 2);
-  for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 200), 4.0), std::pair(textColour, 2.0)}) {
+// Puts one thing after the other where it touches nothing that stands already.
+class Placer {
+ public:
+  Placer(const Overlays& overlays, const QRectF& area, const QFont& font)
+      : inside_(area.adjusted(margin, margin, -margin, -margin)),
+        metrics_(font),
+        letters_(letterFont(font)),
+        taken_(overlays.taken) {}
+
+  PlacedOverlays placed;
+
+  // A side's letters, centred on a point.
+  void letter(const QString& text, QPointF centre) {
+    const QSizeF size(letters_.horizontalAdvance(text), letters_.height());
+    const QRectF rect(centre - QPointF(size.width() / 2, size.height() / 2), size);
+    if (!text.isEmpty() && isFree(rect)) add({rect, text, false, true});
+  }
+
+  // A line at the left or right edge, elided where it has to be.
+  void line(const QString& text, bool right, double top, bool warning = false) {
+    QRectF row(inside_.left(), top, inside_.width(), metrics_.height());
+    if (text.isEmpty() || row.bottom() > inside_.bottom()) return;
+    for (const QRectF& other : taken_) {
+      if (!row.intersects(other.adjusted(-gap, 0, gap, 0))) continue;
+      if (right)
+        row.setLeft(std::max(row.left(), other.right() + gap));
+      else
+        row.setRight(std::min(row.right(), other.left() - gap));
+    }
+    if (row.width() < fewestCharacters * metrics_.averageCharWidth()) return;
+    const QString fitting = metrics_.elidedText(text, Qt::ElideRight, row.width());
+    const double width = metrics_.horizontalAdvance(fitting);
+    if (fitting != text && fitting.size() <= fewestCharacters) return;
+    row = QRectF(right ? row.right() - width : row.left(), top, width, metrics_.height());
+    if (isFree(row)) add({row, fitting, warning});
+  }
+
+  // Centred, or in the middle of what is free at the bottom.
+  void scaleBar(double mmPerPixel) {
+    const double height = metrics_.height() + 8, top = inside_.bottom() - height;
+    double left = inside_.left(), right = inside_.right();
+    for (const QRectF& other : taken_) {
+      if (other.bottom() < top) continue;
+      if (other.center().x() < inside_.center().x())
+        left = std::max(left, other.right() + gap);
+      else
+        right = std::min(right, other.left() - gap);
+    }
+    const double room = std::min({longestBar, inside_.width() / 4, right - left});
+    if (room < shortestBar) return;
+    const double mm = volumen::scaleBarMm(mmPerPixel, room);
+    const double width = std::max(mm / mmPerPixel, metrics_.horizontalAdvance(lengthText(mm)));
+    const double x =
+        std::clamp(inside_.center().x(), left + width / 2, std::max(left + width / 2, right - width / 2));
+    const QRectF rect(std::round(x - width / 2), top, width, height);
+    if (!isFree(rect)) return;
+    taken_.push_back(rect);
+    placed.scaleBar = rect;
+    placed.scaleBarMm = mm;
+  }
+
+  const QRectF& inside() const { return inside_; }
+  double lineHeight() const { return metrics_.height() + 1; }
+  double letterHeight() const { return letters_.height(); }
+  double letterWidth(const QString& text) const { return letters_.horizontalAdvance(text); }
+
+ private:
+  bool isFree(const QRectF& rect) const {
+    return inside_.adjusted(-1, -1, 1, 1).contains(rect) &&
+           std::ranges::none_of(taken_, [&](const QRectF& other) { return rect.intersects(other); });
+  }
+  void add(const PlacedText& text) {
+    placed.texts.push_back(text);
+    taken_.push_back(text.rect);
+  }
+
+  QRectF inside_;
+  QFontMetricsF metrics_, letters_;
+  std::vector<QRectF> taken_;
+};
+
+// A dark rim around it makes it readable on bone as on black.
+void paintText(QPainter& painter, const PlacedText& placed) {
+  QPainterPath path;
+  const QFontMetricsF metrics(painter.font());
+  const QPointF baseline(placed.rect.left(), placed.rect.top() + metrics.ascent());
+  path.addText(baseline, painter.font(), placed.text);
+  painter.strokePath(path, QPen(rimColour, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setPen(placed.warning ? warningColour : textColour);
+  painter.drawText(baseline, placed.text);
+}
+
+void paintScaleBar(QPainter& painter, const PlacedOverlays& placed, double mmPerPixel) {
+  const QRectF& rect = placed.scaleBar;
+  const double pixels = placed.scaleBarMm / mmPerPixel, y = rect.bottom() - 2;
+  const double left = std::round(rect.center().x() - pixels / 2);
+  for (const auto& [colour, width] : {std::pair(rimColour, 4.0), std::pair(textColour, 2.0)}) {
     painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(QPointF(left, y), QPointF(left + pixels, y));
     for (double x : {left, left + pixels}) painter.drawLine(QPointF(x, y - 4), QPointF(x, y + 1));
   }
-  paintText(painter, QRectF(left, y - 24, pixels, 18), Qt::AlignCenter | Qt::TextDontClip, lengthText(mm),
-            textColour);
+  const QString text = lengthText(placed.scaleBarMm);
+  const double width = QFontMetricsF(painter.font()).horizontalAdvance(text);
+  paintText(painter, {QRectF(rect.center().x() - width / 2, rect.top(), width, rect.height()), text});
 }
 
 }  // namespace
@@ -45,27 +138,32 @@ double scaleBarMm(double mmPerPixel, double mostPixels) {
   return power;
 }
 
-void paintOverlays(QPainter& painter, const Overlays& o, QRectF area) {
-  const QRectF inside = area.adjusted(margin, margin, -margin, -margin);
+PlacedOverlays placeOverlays(const Overlays& o, const QRectF& area, const QFont& font) {
+  Placer placer(o, area, font);
+  const QRectF inside = placer.inside();
+  const QPointF middle = inside.center();
+  const double half = placer.letterHeight() / 2, line = placer.lineHeight();
+  placer.letter(o.left, {inside.left() + placer.letterWidth(o.left) / 2, middle.y()});
+  placer.letter(o.right, {inside.right() - placer.letterWidth(o.right) / 2, middle.y()});
+  placer.letter(o.top, {middle.x(), inside.top() + half});
+  placer.letter(o.bottom, {middle.x(), inside.bottom() - line - 10 - half});
+  for (int n = 0; n < o.topRight.size(); ++n) placer.line(o.topRight[n], true, inside.top() + n * line);
+  for (int n = 0; n < o.topLeft.size(); ++n) placer.line(o.topLeft[n], false, inside.top() + n * line);
+  placer.line(o.warning, false, inside.top() + double(o.topLeft.size()) * line, true);
+  placer.line(o.bottomRight, true, inside.bottom() - line);
+  if (o.mmPerPixel > 0) placer.scaleBar(o.mmPerPixel);
+  return placer.placed;
+}
+
+void paintOverlays(QPainter& painter, const Overlays& overlays, const QRectF& area) {
   painter.setRenderHint(QPainter::Antialiasing);
-  const double line = QFontMetricsF(painter.font()).height() + 1;
-  const auto stack = [&](const QStringList& lines, int align) {
-    for (int n = 0; n < lines.size(); ++n)
-      paintText(painter, inside.adjusted(0, n * line, 0, 0), align | Qt::AlignTop, lines[n], textColour);
-  };
-  stack(o.topLeft, Qt::AlignLeft);
-  stack(o.topRight, Qt::AlignRight);
-  if (!o.warning.isEmpty())
-    paintText(painter, inside.adjusted(0, double(o.topLeft.size()) * line, 0, 0),
-              Qt::AlignLeft | Qt::AlignTop, o.warning, warningColour);
-  paintText(painter, inside, Qt::AlignRight | Qt::AlignBottom, o.bottomRight, textColour);
-  if (o.mmPerPixel > 0) paintScaleBar(painter, o.mmPerPixel, inside);
-  // Letters with serifs: an I must not look like a stroke.
-  painter.setFont(QFont(QStringLiteral("monospace"), painter.font().pointSize() + 2, QFont::Bold));
-  paintText(painter, inside, Qt::AlignLeft | Qt::AlignVCenter, o.left, textColour);
-  paintText(painter, inside, Qt::AlignRight | Qt::AlignVCenter, o.right, textColour);
-  paintText(painter, inside, Qt::AlignHCenter | Qt::AlignTop, o.top, textColour);
-  paintText(painter, inside.adjusted(0, 0, 0, -32), Qt::AlignHCenter | Qt::AlignBottom, o.bottom, textColour);
+  const QFont font = painter.font();
+  const PlacedOverlays placed = placeOverlays(overlays, area, font);
+  if (!placed.scaleBar.isEmpty()) paintScaleBar(painter, placed, overlays.mmPerPixel);
+  for (const PlacedText& text : placed.texts) {
+    painter.setFont(text.letter ? letterFont(font) : font);
+    paintText(painter, text);
+  }
 }
 
 }  // namespace volumen

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QString>
+#include <vector>
 
 namespace volumen {
 
@@ -10,9 +11,10 @@ struct Overlays {
   QStringList topLeft;               ///< patient, series
   QStringList topRight;              ///< view, zoom
   QString bottomRight;               ///< level and ms
-  QString warning;                   ///< lines under the top left, in the warning colour
+  QString warning;                   ///< under the top left, in the warning colour: "Not calibrated: ..."
   QString left, right, top, bottom;  ///< the patient's sides at the edges
   double mmPerPixel = 0;             ///< for the scale bar; 0: none
+  std::vector<QRectF> taken;         ///< where something else stands already
 
   /// Whether there is nothing to write.
   bool empty() const {
@@ -21,9 +23,26 @@ struct Overlays {
   }
 };
 
+/// One line of text and its place.
+struct PlacedText {
+  QRectF rect;
+  QString text;
+  bool warning = false;
+  bool letter = false;  ///< of a side, in the letters' font
+};
+
+/// What of the overlays finds room in an area, and where: nothing touches anything else, long lines are
+/// elided, and what would not be readable is left out.
+struct PlacedOverlays {
+  std::vector<PlacedText> texts;
+  QRectF scaleBar;        ///< with its caption; empty: none
+  double scaleBarMm = 0;  ///< its length
+};
+PlacedOverlays placeOverlays(const Overlays& overlays, const QRectF& area, const QFont& font);
+
 /// A round length (1, 2 or 5 times a power of ten, mm) of at most so many pixels.
 double scaleBarMm(double mmPerPixel, double mostPixels);
 
-void paintOverlays(QPainter& painter, const Overlays& overlays, QRectF area);
+void paintOverlays(QPainter& painter, const Overlays& overlays, const QRectF& area);
 
 }  // namespace volumen

@@ -15,6 +15,7 @@ namespace volumen {
 
 namespace {
 constexpr double turnPerPixel = 0.008;  // rad
+constexpr int leastForCube = 280;       // pixels of width and height: in less it would hide the picture
 glm::dvec2 toVec(QPointF p) { return {p.x(), p.y()}; }
 }  // namespace
 
@@ -34,9 +35,13 @@ VolumeView::VolumeView(Session& session, QWidget* parent)
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(cube_, &OrientationCube::viewRequested, this, &VolumeView::showView);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series) showSeries();
+    if (before.series != after.series) {
+      fitMm_.clear();
+      showSeries();
+    }
     if (before.series != after.series || before.scene.camera != after.scene.camera) showState();
   });
+  connect(&session_, &Session::preferencesChanged, this, [this] { canvas_->update(); });
   showState();
 }
 
@@ -53,7 +58,7 @@ void VolumeView::showSeries() {
 
 void VolumeView::showState() {
   const bool directions = session_.series() && session_.series()->volume->geometry().calibrated;
-  cube_->setVisible(directions);
+  cube_->setVisible(directions && width() >= leastForCube && height() >= leastForCube);
   if (session_.series()) cube_->setAxes(cameraAxes(camera()));
   canvas_->update();
 }
@@ -122,8 +127,27 @@ std::optional<Pick> VolumeView::pickAt(QPointF position) const {
 }
 
 void VolumeView::editCamera(const QString& what, const Camera& camera) {
+  const std::optional<Camera> before = session_.scene().camera;
+  const Camera fitted = this->camera();
   session_.edit(
       what, [&](Scene& s) { s.camera = camera; }, what);
+  if (!before) rememberFit(fitted);
+}
+
+void VolumeView::rememberFit(const Camera& fitted) {
+  const int step = session_.undoStack().index();
+  fitMm_.erase(fitMm_.upper_bound(step), fitMm_.end());
+  fitMm_[step] = heightAtTarget(fitted);
+}
+
+double VolumeView::zoom() const {
+  if (!session_.series() || !session_.scene().camera) return 1;
+  const Camera seen = camera();
+  const auto after = fitMm_.upper_bound(session_.undoStack().index());
+  if (after != fitMm_.begin()) return std::prev(after)->second / heightAtTarget(seen);
+  const Camera first = session_.series()->firstScene.camera.value_or(Camera{});
+  const Camera fitted = fitCamera(first, session_.series()->volume->geometry(), double(width()) / height());
+  return heightAtTarget(fitted) / heightAtTarget(seen);
 }
 
 void VolumeView::showView(const QString& name) {
@@ -133,30 +157,44 @@ void VolumeView::showView(const QString& name) {
   view.fov = now.fov;
   view.projection = now.projection;
   session_.endGesture();
-  editCamera(tr("View from %1").arg(name),
-             fitCamera(view, session_.series()->volume->geometry(), double(width()) / height()));
+  view = fitCamera(view, session_.series()->volume->geometry(), double(width()) / height());
+  editCamera(viewText(name), view);
+  rememberFit(view);
   session_.endGesture();
 }
 
 void VolumeView::resetView() {
-  session_.edit(tr("Reset the view"), [](Scene& s) { s.camera.reset(); });
+  session_.edit(tr("Reset view"), [](Scene& s) { s.camera.reset(); });
+}
+
+VolumeView::Hand VolumeView::handOf(DragAction action, bool control) const {
+  switch (action) {
+    case DragAction::rotate:
+      return control ? Hand::roll : Hand::orbit;
+    case DragAction::curve:
+      return control ? Hand::opacity : Hand::curve;
+    case DragAction::pan:
+      return Hand::pan;
+    case DragAction::zoom:
+      return Hand::zoom;
+  }
+  return Hand::none;
 }
 
 VolumeView::Hand VolumeView::handFor(const QMouseEvent& event) const {
   const bool control = event.modifiers() & Qt::ControlModifier, shift = event.modifiers() & Qt::ShiftModifier;
+  const Preferences& wanted = session_.preferences();
   switch (event.button()) {
     case Qt::MiddleButton:
-      return Hand::pan;
+      return handOf(wanted.middleDrag, control);
     case Qt::RightButton:
-      return Hand::zoom;
+      return handOf(wanted.rightDrag, control);
     case Qt::LeftButton:
-      break;
+      if (shift) return handOf(wanted.shiftDrag, control);
+      return handOf(tool_ == ViewTool::curve ? DragAction::curve : DragAction::rotate, control);
     default:
       return Hand::none;
   }
-  if (shift) return Hand::pan;
-  if (tool_ == ViewTool::curve) return control ? Hand::opacity : Hand::curve;
-  return control ? Hand::roll : Hand::orbit;
 }
 
 void VolumeView::mousePressEvent(QMouseEvent* event) {
@@ -184,7 +222,8 @@ Camera VolumeView::movedCamera(QPointF to) const {
     case Hand::pan:
       return panned(cameraAtPress_, size(), toVec(moved), pivot_);
     case Hand::zoom:
-      return zoomedAt(cameraAtPress_, pivot_, std::exp(moved.y() * 0.008));
+      return zoomedAt(cameraAtPress_, pivot_,
+                      std::exp((session_.preferences().zoomDragInverted ? -0.008 : 0.008) * moved.y()));
     default:
       return cameraAtPress_;
   }
@@ -194,8 +233,9 @@ TransferFunction VolumeView::movedCurve(QPointF to) const {
   const QPointF part((to.x() - pressedAt_.x()) / width(), (to.y() - pressedAt_.y()) / height());
   if (hand_ == Hand::opacity) return withOpacityScaled(curveAtPress_, std::exp(-6 * part.y()));
   const Histogram& histogram = session_.series()->histogram;
-  return shifted(widened(curveAtPress_, std::exp(2 * part.x())),
-                 part.y() * 0.5 * (histogram.high - histogram.low));
+  return shifted(
+      widened(curveAtPress_, std::exp(2 * part.x())),
+      (session_.preferences().curveDragInverted ? -0.5 : 0.5) * part.y() * (histogram.high - histogram.low));
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
@@ -204,15 +244,15 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
       return Q_EMIT hovered(hoverText(event->position()));
     case Hand::curve:
     case Hand::opacity: {
-      const QString what = hand_ == Hand::curve ? tr("Shift the curve") : tr("Change overall opacity");
+      const QString what = hand_ == Hand::curve ? tr("Adjust curve") : tr("Adjust opacity");
       return session_.edit(
           what, [&](Scene& s) { s.transferFunction = movedCurve(event->position()); }, what);
     }
     case Hand::orbit:
     case Hand::roll:
-      return editCamera(tr("Turn the view"), movedCamera(event->position()));
+      return editCamera(tr("Rotate"), movedCamera(event->position()));
     case Hand::pan:
-      return editCamera(tr("Move the view"), movedCamera(event->position()));
+      return editCamera(tr("Pan"), movedCamera(event->position()));
     case Hand::zoom:
       return editCamera(tr("Zoom"), movedCamera(event->position()));
   }
@@ -234,7 +274,8 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
   const SightLine line = sightLine(now, size(), toVec(event->position()));
   glm::dvec3 fixed = hit ? hit->pPatient : line.origin;
   if (!hit && now.projection == Projection::perspective) fixed = line.origin + now.distance * line.direction;
-  editCamera(tr("Zoom"), zoomedAt(now, fixed, std::pow(0.85, event->angleDelta().y() / 120.0)));
+  const double notches = (session_.preferences().wheelInverted ? -1 : 1) * event->angleDelta().y() / 120.0;
+  editCamera(tr("Zoom"), zoomedAt(now, fixed, std::pow(0.85, notches)));
   wheelEnd_.start();
 }
 
@@ -244,7 +285,7 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
   if (!session_.series() || (right == 0 && down == 0)) return QWidget::keyPressEvent(event);
   const double angle = (event->modifiers() & Qt::ShiftModifier ? 1 : 5) * 3.14159265358979 / 180;
   const Camera now = camera();
-  editCamera(tr("Turn the view"), orbited(now, *now.target, right * angle, down * angle));
+  editCamera(tr("Rotate"), orbited(now, *now.target, right * angle, down * angle));
   if (!event->isAutoRepeat()) session_.endGesture();
 }
 

@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QTimer>
 #include <QWidget>
+#include <map>
 
 #include "ui/session/session.h"
 #include "ui/views/error_image.h"
@@ -20,8 +21,8 @@ enum class ViewTool {
   curve   ///< shifts (up: to lower values) and widens (right) the curve; Ctrl: overall opacity
 };
 
-/// The picture of the session's scene at device pixels, with the hands on it: left-drag as the tool says,
-/// middle or Shift+left pans, right-drag or wheel zooms at the cursor, arrows turn, double-click asks to be
+/// The picture of the session's scene at device pixels, with the hands on it: left-drag as the tool says, the
+/// other drags as the preferences do, the wheel zooms at the cursor, arrows turn, double-click asks to be
 /// alone.
 class VolumeView : public QWidget {
   Q_OBJECT
@@ -46,6 +47,9 @@ class VolumeView : public QWidget {
   Camera camera() const;
   /// What is under a position; none without a series or where nothing is seen.
   std::optional<Pick> pickAt(QPointF position) const;
+  /// How much larger than when it was fitted last the object is shown: 1 after a standard view or a reset,
+  /// whatever turns the camera or resizes the view since.
+  double zoom() const;
   /// A standard view, whole; the projection stays.
   void showView(const QString& name);
   void resetView();
@@ -71,9 +75,11 @@ class VolumeView : public QWidget {
   enum class Hand { none, orbit, roll, pan, zoom, curve, opacity };
 
   Hand handFor(const QMouseEvent& event) const;
+  Hand handOf(DragAction action, bool control) const;
   Camera movedCamera(QPointF to) const;
   TransferFunction movedCurve(QPointF to) const;
   void editCamera(const QString& what, const Camera& camera);
+  void rememberFit(const Camera& fitted);
   glm::dvec2 size() const { return {double(width()), double(height())}; }
   Overlays overlays() const;
   QString hoverText(QPointF position) const;
@@ -95,6 +101,7 @@ class VolumeView : public QWidget {
   bool errorShown_ = false;
   ViewTool tool_ = ViewTool::orbit;
   QTimer wheelEnd_;
+  std::map<int, double> fitMm_;  // height of fitted cameras, by the number of undo steps when they came
 
   // Of the gesture under way.
   Hand hand_ = Hand::none;

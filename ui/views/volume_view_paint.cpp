@@ -4,6 +4,7 @@
 #include "ui/session/text.h"
 #include "ui/views/view_overlays.h"
 #include "ui/views/volume_view.h"
+#include "ui/widgets/orientation_cube.h"
 
 namespace volumen {
 
@@ -11,7 +12,7 @@ QString VolumeView::hoverText(QPointF position) const {
   const std::optional<Pick> hit = pickAt(position);
   if (!hit) return {};
   const ShownSeries& series = *session_.series();
-  QString text = tr("value %1").arg(hit->value, 0, 'f', valueDecimals(series.histogram) - 1);
+  QString text = QString::number(hit->value, 'f', valueDecimals(series.histogram) - 1);
   if (series.volume->attributes().modality == "CT") text += QStringLiteral(" HU");
   if (!series.volume->geometry().calibrated) return text;
   const glm::dvec3 p = hit->pPatient;
@@ -22,24 +23,23 @@ QString VolumeView::hoverText(QPointF position) const {
 }
 
 Overlays VolumeView::overlays() const {
-  const VoxelGeometry& geometry = session_.series()->volume->geometry();
+  const ShownSeries& series = *session_.series();
   const Camera seen = camera();
-  Overlays o = viewOverlays(*session_.series(), seen, size());
+  Overlays o = viewOverlays(series, seen, size());
   o.bottomRight = caption_;
-  const Camera fitted = fitCamera(seen, geometry, double(width()) / height());
-  const double zoom =
-      seen.projection == Projection::parallel ? fitted.height / seen.height : fitted.distance / seen.distance;
-  const QString zoomText = tr("zoom %1 %").arg(std::lround(100 * zoom));
-  if (!geometry.calibrated) {
+  for (const QWidget* child : {static_cast<const QWidget*>(cube_), static_cast<const QWidget*>(badge_)})
+    if (child->isVisibleTo(this)) o.taken.push_back(child->geometry());
+  const QString zoomText = tr("Zoom %1 %").arg(std::lround(100 * zoom()));
+  if (!series.volume->geometry().calibrated) {
     o.topRight << zoomText;
     return o;
   }
   const std::string name = viewName(seen);
   o.topRight << (name.empty()
-                     ? tr("from %1").arg(QString::fromStdString(sideLetters(-cameraAxes(seen).direction)))
-                     : QString::fromStdString(name))
+                     ? tr("From %1").arg(QString::fromStdString(sideWords(-cameraAxes(seen).direction)))
+                     : viewText(QString::fromStdString(name)))
              << zoomText;
-  if (seen.projection == Projection::perspective) o.topRight << tr("perspective");
+  if (seen.projection == Projection::perspective) o.topRight << tr("Perspective");
   return o;
 }
 

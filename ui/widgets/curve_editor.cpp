@@ -11,7 +11,8 @@
 namespace volumen {
 
 namespace {
-constexpr double leftMargin = 46, rightMargin = 10, topMargin = 20, bottomMargin = 42;
+constexpr double rightMargin = 10;
+constexpr int lowestPlot = 90;
 constexpr double rampTop = 8, rampHeight = 12;  // below the plot
 constexpr double reach = 8, snapReach = 4;      // pixels
 }  // namespace
@@ -59,9 +60,23 @@ void CurveEditor::showValues(double low, double high) {
 
 void CurveEditor::showAllValues() { showValues(histogram_.low, histogram_.high); }
 
+QFont CurveEditor::smallFont() const {
+  QFont small = font();
+  small.setPointSizeF(std::max(7.0, small.pointSizeF() - 1.5));
+  return small;
+}
+
+QSize CurveEditor::minimumSizeHint() const {
+  const QRectF plot = plotRect();
+  return {220, int(height() - plot.height()) + lowestPlot};
+}
+
 QRectF CurveEditor::plotRect() const {
-  return {leftMargin, topMargin, std::max(1.0, width() - leftMargin - rightMargin),
-          std::max(1.0, height() - topMargin - bottomMargin)};
+  const QFontMetricsF metrics(smallFont());
+  const double left = metrics.horizontalAdvance(QStringLiteral("0.00001")) + 8,
+               top = 1.5 * metrics.height() + 4;
+  const double below = rampTop + rampHeight + metrics.height() + 8;
+  return {left, top, std::max(1.0, width() - left - rightMargin), std::max(1.0, height() - top - below)};
 }
 
 ValueAxis CurveEditor::valueAxis() const {

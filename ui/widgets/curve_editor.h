@@ -40,7 +40,7 @@ class CurveEditor : public QWidget {
   void showAllValues();
 
   QSize sizeHint() const override { return {340, 250}; }
-  QSize minimumSizeHint() const override { return {220, 150}; }
+  QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
   /// The user changed the curve; `what` names the step ("Move curve point").
@@ -65,6 +65,7 @@ class CurveEditor : public QWidget {
  private:
   enum class Drag { none, point, pan };
 
+  QFont smallFont() const;
   QRectF plotRect() const;
   int pointAt(QPointF position) const;
   int swatchAt(QPointF position) const;

@@ -42,9 +42,7 @@ QString opacityText(double opacity, const OpacityAxis& axis) {
 void CurveEditor::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  QFont small = font();
-  small.setPointSizeF(std::max(7.0, small.pointSizeF() - 1.5));
-  painter.setFont(small);
+  painter.setFont(smallFont());
   const QRectF plot = plotRect();
   painter.fillRect(plot, palette().color(QPalette::Base));
   paintHistogram(painter);
@@ -110,8 +108,9 @@ void CurveEditor::paintGrid(QPainter& painter) const {
                      opacityText(opacity, opacities));
   }
   painter.setPen(faded(text, 0.85));
-  const QString axisName = scale_ == OpacityScale::linear ? tr("opacity per %1 mm").arg(curve_.unitDistance)
-                                                          : tr("extinction per mm");
+  const QString axisName = scale_ == OpacityScale::extinction ? tr("Extinction per mm")
+                           : curve_.unitDistance == 1         ? tr("Opacity per mm")
+                                                      : tr("Opacity per %1 mm").arg(curve_.unitDistance);
   painter.drawText(QPointF(4, metrics.ascent() + 2), axisName);
   if (!unit_.isEmpty()) painter.drawText(QRectF(0, 2, width() - 6, metrics.height()), Qt::AlignRight, unit_);
 }
@@ -121,18 +120,16 @@ void CurveEditor::paintTissues(QPainter& painter) const {
   const QRectF plot = plotRect();
   const ValueAxis axis = valueAxis();
   const QFontMetricsF metrics(painter.font());
-  double lastRight = plot.left();
+  painter.setPen(QPen(faded(palette().color(QPalette::WindowText), 0.2), 1, Qt::DotLine));
   for (const Tissue& tissue : tissuesHu) {
     const double x = axis.pixelOf(tissue.value);
-    if (x < plot.left() || x > plot.right()) continue;
-    painter.setPen(QPen(faded(palette().color(QPalette::WindowText), 0.2), 1, Qt::DotLine));
-    painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
-    const QString name = QString::fromLatin1(tissue.name);
-    if (x + 2 < lastRight || x + 4 + metrics.horizontalAdvance(name) > plot.right()) continue;
-    painter.setPen(faded(palette().color(QPalette::WindowText), 0.6));
-    painter.drawText(QPointF(x + 3, plot.top() + metrics.ascent() + 1), name);
-    lastRight = x + 6 + metrics.horizontalAdvance(name);
+    if (x >= plot.left() && x <= plot.right())
+      painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
   }
+  painter.setPen(faded(palette().color(QPalette::WindowText), 0.6));
+  const auto width = [&](const QString& name) { return metrics.horizontalAdvance(name); };
+  for (const TissueLabel& label : tissueLabels(axis, width))
+    painter.drawText(QPointF(label.left, plot.top() + metrics.ascent() + 1), label.name);
 }
 
 void CurveEditor::paintCurve(QPainter& painter) const {

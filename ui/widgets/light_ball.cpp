@@ -17,8 +17,8 @@ constexpr double handleRadius = 6, reach = 10;  // pixels
 
 LightBall::LightBall(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName(tr("Directions of the lights"));
-  setToolTip(tr("Drag a handle to turn its light. Double-click sends it behind the object."));
+  setAccessibleName(tr("Light directions"));
+  setToolTip(tr("Drag a handle to move its light; double-click to send it behind the object."));
 }
 
 void LightBall::setLights(std::vector<BallLight> lights) {

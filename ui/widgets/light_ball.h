@@ -36,7 +36,7 @@ class LightBall : public QWidget {
   glm::dvec3 directionAt(QPointF position, bool behind) const;
 
   QSize sizeHint() const override { return {150, 150}; }
-  QSize minimumSizeHint() const override { return {100, 100}; }
+  QSize minimumSizeHint() const override { return {84, 84}; }
 
  Q_SIGNALS:
   /// The user turned a light; the direction is a unit vector in camera space.

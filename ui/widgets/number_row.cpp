@@ -1,5 +1,7 @@
 #include "ui/widgets/number_row.h"
 
+#include <QEvent>
+#include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <cmath>
@@ -11,7 +13,6 @@ constexpr int sliderSteps = 1000;
 }
 
 NumberRow::NumberRow(const QString& name, const NumberFormat& format, QWidget* parent)
-
     : QWidget(parent),
       format_(format),
       label_(new QLabel),
@@ -20,22 +21,22 @@ NumberRow::NumberRow(const QString& name, const NumberFormat& format, QWidget* p
   slider_->setRange(0, sliderSteps);
   slider_->setPageStep(sliderSteps / 10);
   slider_->setSingleStep(sliderSteps / 100);
+  slider_->setMinimumWidth(40);
   field_->setRange(format.low, format.high);
   field_->setDecimals(format.decimals);
   field_->setSuffix(format.suffix);
   field_->setSingleStep(std::pow(10.0, 1 - format.decimals) / 2);
   field_->setKeyboardTracking(false);
   field_->setObjectName(QString(name).remove(QLatin1Char(' ')));
-  field_->setFixedWidth(84);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
-  label_->setFixedWidth(86);
   label_->setBuddy(field_);
   setName(name);
   row->addWidget(label_);
   row->addWidget(slider_, 1);
   row->addWidget(field_);
+  setWidths();
   connect(slider_, &QSlider::valueChanged, this, [this](int position) {
     const QSignalBlocker quiet(field_);
     field_->setValue(valueOf(position));
@@ -49,6 +50,18 @@ NumberRow::NumberRow(const QString& name, const NumberFormat& format, QWidget* p
     Q_EMIT valueEdited(value);
   });
   connect(field_, &QDoubleSpinBox::editingFinished, this, &NumberRow::gestureFinished);
+}
+
+// The same in all rows, so that they stand in line.
+void NumberRow::setWidths() {
+  const QFontMetrics metrics = fontMetrics();
+  label_->setFixedWidth(metrics.horizontalAdvance(QStringLiteral("Posterior edge")) + 2);
+  field_->setFixedWidth(metrics.horizontalAdvance(QStringLiteral("100.00 %")) + 28);
+}
+
+void NumberRow::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) setWidths();
 }
 
 void NumberRow::setName(const QString& name) {

@@ -32,7 +32,11 @@ class NumberRow : public QWidget {
   void valueEdited(double value);
   void gestureFinished();
 
+ protected:
+  void changeEvent(QEvent*) override;
+
  private:
+  void setWidths();
   int sliderOf(double value) const;
   double valueOf(int position) const;
 

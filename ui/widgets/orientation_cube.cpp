@@ -39,8 +39,9 @@ OrientationCube::OrientationCube(QWidget* parent) : QWidget(parent) {
     button->setText(QString::fromLatin1(face.letter));
     button->setObjectName(QStringLiteral("view-") + view);
     button->setProperty("onPicture", true);
-    button->setToolTip(tr("View from %1").arg(view));
-    button->setAccessibleName(tr("View from %1").arg(view));
+    const QString name = tr("%1 view").arg(view.left(1).toUpper() + view.mid(1));
+    button->setToolTip(tr("%1 (%2)").arg(name, button->text()));
+    button->setAccessibleName(name);
     button->setFixedSize(22, 22);
     button->setFocusPolicy(Qt::TabFocus);
     connect(button, &QToolButton::clicked, this, [this, view] { Q_EMIT viewRequested(view); });

@@ -18,7 +18,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   QFont large = title->font();
   large.setPointSizeF(large.pointSizeF() * 2);
   title->setFont(large);
-  auto* hint = new QLabel(tr("or drop a folder or files anywhere in this window"));
+  auto* hint = new QLabel(tr("or drop a folder or files onto this window"));
   auto* notice = new QLabel(tr("Not for clinical use."));
   auto* column = new QVBoxLayout(this);
   column->addStretch(2);

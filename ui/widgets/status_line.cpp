@@ -1,5 +1,6 @@
 #include "ui/widgets/status_line.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 
 namespace volumen {
@@ -34,8 +35,7 @@ StatusLine::StatusLine(QWidget* parent)
   row->addWidget(bar_);
   row->addWidget(cancel_);
   row->addWidget(warning_, 1);
-  // Or the picture above would be resized, and drawn again, whenever something runs.
-  setFixedHeight(std::max(cancel_->sizeHint().height(), hover_->sizeHint().height()) + 4);
+  setHeight();
   for (QTimer* timer : {&appear_, &fade_}) timer->setSingleShot(true);
   connect(&appear_, &QTimer::timeout, this, [this] {
     for (QWidget* part :
@@ -92,10 +92,20 @@ void StatusLine::showWarnings(const QStringList& sentences) {
 void StatusLine::elideWarning() {
   if (warnings_.isEmpty()) return warning_->clear();
   QString more;
-  if (warnings_.size() > 1) more = tr("  (+%1 more)").arg(warnings_.size() - 1);
+  if (warnings_.size() > 1) more = tr("  (and %1 more)").arg(warnings_.size() - 1);
   const int room = warning_->width() - fontMetrics().horizontalAdvance(more) - 4;
   warning_->setText(fontMetrics().elidedText(QStringLiteral("! ") + warnings_[0], Qt::ElideRight, room) +
                     more);
+}
+
+// Or the picture above would be resized, and drawn again, whenever something runs.
+void StatusLine::setHeight() {
+  setFixedHeight(std::max(cancel_->sizeHint().height(), hover_->sizeHint().height()) + 4);
+}
+
+void StatusLine::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) setHeight();
 }
 
 void StatusLine::resizeEvent(QResizeEvent* event) {

@@ -31,9 +31,11 @@ class StatusLine : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent*) override;
+  void changeEvent(QEvent*) override;
 
  private:
   void elideWarning();
+  void setHeight();
 
   QLabel *hover_, *task_, *warning_;
   QProgressBar* bar_;

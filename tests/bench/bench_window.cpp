@@ -11,13 +11,13 @@
 using namespace volumen;
 using volumen::tests::Journey;
 
-class TestChestTimes : public QObject {
+class BenchWindow : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void aDragAcrossTheChest();
 };
 
-void TestChestTimes::aDragAcrossTheChest() {
+void BenchWindow::aDragAcrossTheChest() {
   const std::string path = tests::dataPath("ct-chest-lidc0314-138");
   NEED_DATA(path);
   Journey w;
@@ -54,5 +54,5 @@ void TestChestTimes::aDragAcrossTheChest() {
       *std::max_element(draftsMs.begin(), draftsMs.end()), factors.back(), factors.back(), fullMs.back());
 }
 
-VOLUMEN_TEST(TestChestTimes);
-#include "tst_chest_times.moc"
+VOLUMEN_TEST(BenchWindow);
+#include "bench_window.moc"

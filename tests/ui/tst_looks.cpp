@@ -1,0 +1,285 @@
+// Guards how the window looks at any size: the picture has the room, nothing overlaps or is cut off, panels
+// fold to their titles, and layouts of earlier versions do no harm.
+#include <QAbstractButton>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSettings>
+#include <QTabBar>
+#include <QToolButton>
+
+#include "tests/fixtures/fixtures.h"
+#include "tests/ui/journey.h"
+#include "tests/ui/test_series.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using volumen::tests::longest;
+
+namespace {
+
+// A window of this size that shows a ball.
+struct Sized : MainWindow {
+  explicit Sized(QSize size, int textPercent = 100, Theme theme = Theme::dark) : MainWindow(realServices()) {
+    session().prefer([&](Preferences& p) {
+      p.textPercent = textPercent;
+      p.theme = theme;
+    });
+    resize(size);
+    show();
+    session().show(tests::ballSeries());
+    QCoreApplication::processEvents();
+  }
+  QDockWidget* dock(const char* name) {
+    return findChild<QDockWidget*>(QLatin1String(name) + QStringLiteral("Dock"));
+  }
+  // Whether a panel's tab is the chosen one.
+  bool onTop(const char* name) {
+    for (const QTabBar* bar : findChildren<QTabBar*>())
+      if (bar->currentIndex() >= 0 && bar->tabText(bar->currentIndex()) == dock(name)->windowTitle())
+        return true;
+    return false;
+  }
+  QAbstractButton* fold(const char* name) {
+    return findChild<QAbstractButton*>(QLatin1String(name) + QStringLiteral("DockFold"));
+  }
+};
+
+QString nameOf(const QWidget* widget) {
+  return QStringLiteral("%1 \"%2\" in %3")
+      .arg(QLatin1String(widget->metaObject()->className()), widget->objectName(),
+           widget->parentWidget()->objectName());
+}
+
+// Docks that are tabs of one another share their place.
+bool shareAPlace(const QMainWindow& window, QWidget* a, QWidget* b) {
+  auto *one = qobject_cast<QDockWidget*>(a), *other = qobject_cast<QDockWidget*>(b);
+  return one && other && window.tabifiedDockWidgets(one).contains(other);
+}
+
+// What overlaps its neighbour or shows less than its whole text; empty where all is well.
+QStringList flaws(const QMainWindow& window) {
+  QStringList found;
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisible() || widget->isWindow()) continue;
+    // What lies over the picture has a test of its own; the arrows of tabs are Qt's.
+    if (qobject_cast<VolumeView*>(widget->parentWidget()) || qobject_cast<QTabBar*>(widget->parentWidget()))
+      continue;
+    for (QWidget* other : widget->parentWidget()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+      if (other > widget && other->isVisible() && !other->isWindow() &&
+          other->geometry().intersects(widget->geometry()) && !shareAPlace(window, widget, other))
+        found << nameOf(widget) + QStringLiteral(" overlaps ") + nameOf(other);
+    const auto* label = qobject_cast<QLabel*>(widget);
+    const bool reads =
+        (label && !label->wordWrap() && label->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored) ||
+        qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget);
+    const auto* small = qobject_cast<QToolButton*>(widget);  // with a fixed size and a letter in it
+    if (!reads || (small && small->text().size() < 2)) continue;
+    if (widget->width() < widget->minimumSizeHint().width())
+      found << nameOf(widget) + QStringLiteral(" is too narrow");
+    const QRect seen = widget->visibleRegion().boundingRect();
+    if (!seen.isEmpty() && seen.width() < widget->width())
+      found << nameOf(widget) + QStringLiteral(" is cut off");
+  }
+  return found;
+}
+
+}  // namespace
+
+class TestLooks : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void init() { QSettings().clear(); }
+  void cleanup() { QSettings().clear(); }
+  void thePictureHasTheRoom_data();
+  void thePictureHasTheRoom();
+  void nothingOverlapsOrIsCutOff_data();
+  void nothingOverlapsOrIsCutOff();
+  void panelsAreWholeInAUsualWindow_data();
+  void panelsAreWholeInAUsualWindow();
+  void panelsFoldToTheirTitles();
+  void hiddenPanelsAreOpenedFromTheView();
+  void layoutsOfEarlierVersionsDoNoHarm();
+  void theLayoutIsKept();
+  void dialogsAreBritish();
+  void realStudiesAreShown_data();
+  void realStudiesAreShown();
+};
+
+void TestLooks::thePictureHasTheRoom_data() {
+  QTest::addColumn<QSize>("size");
+  QTest::addColumn<int>("width");
+  QTest::newRow("1024 x 700") << QSize(1024, 700) << 540;
+  QTest::newRow("1440 x 900") << QSize(1440, 900) << 800;
+  QTest::newRow("2560 x 1440") << QSize(2560, 1440) << 1850;
+}
+
+void TestLooks::thePictureHasTheRoom() {
+  QFETCH(QSize, size);
+  QFETCH(int, width);
+  Sized window(size);
+  QCOMPARE(window.size(), size);
+  QVERIFY2(window.view()->width() >= width, qPrintable(QString::number(window.view()->width())));
+  const auto area = [](const QWidget* widget) { return widget->width() * widget->height(); };
+  for (const char* name : {"studies", "transfer", "lights"})
+    QVERIFY2(area(window.view()) > 2 * area(window.dock(name)), name);
+}
+
+void TestLooks::nothingOverlapsOrIsCutOff_data() {
+  QTest::addColumn<QSize>("size");
+  QTest::addColumn<int>("textPercent");
+  QTest::addColumn<bool>("light");
+  for (const QSize size : {QSize(1024, 700), QSize(1440, 900), QSize(2560, 1440)})
+    for (int percent : {100, 140})
+      for (bool light : {false, true})
+        QTest::addRow("%d x %d, text %d %%, %s", size.width(), size.height(), percent,
+                      light ? "light" : "dark")
+            << size << percent << light;
+}
+
+void TestLooks::nothingOverlapsOrIsCutOff() {
+  QFETCH(QSize, size);
+  QFETCH(int, textPercent);
+  QFETCH(bool, light);
+  Sized window(size, textPercent, light ? Theme::light : Theme::dark);
+  QCOMPARE(window.size(), size);
+  for (const char* tab : {"clip", "segment", "snapshot", "camera", "accuracy", "effects", "lights"}) {
+    window.dock(tab)->show();
+    window.dock(tab)->raise();
+    QTest::qWait(20);
+    QTRY_VERIFY2(window.onTop(tab), tab);
+    const QStringList found = flaws(window);
+    QVERIFY2(found.isEmpty(),
+             qPrintable(QLatin1String(tab) + QStringLiteral(": ") + found.join(QLatin1Char('\n'))));
+  }
+}
+
+void TestLooks::panelsAreWholeInAUsualWindow_data() {
+  QTest::addColumn<QString>("name");
+  for (const char* name : {"lights", "clip", "segment", "snapshot"})
+    QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+void TestLooks::panelsAreWholeInAUsualWindow() {
+  QFETCH(QString, name);
+  Sized window({1440, 900});
+  QDockWidget* dock = window.findChild<QDockWidget*>(name + QStringLiteral("Dock"));
+  dock->raise();
+  QTest::qWait(20);
+  auto* area = dock->findChild<QScrollArea*>();
+  QVERIFY(area->isVisible());
+  QCOMPARE(area->verticalScrollBar()->maximum(), 0);
+}
+
+void TestLooks::panelsFoldToTheirTitles() {
+  Sized window({1440, 900});
+  const int before = window.dock("lights")->height(), curve = window.dock("transfer")->height();
+  QTest::mouseClick(window.fold("transfer"), Qt::LeftButton);
+  QTRY_VERIFY(window.dock("lights")->height() > before + 100);
+  QVERIFY(window.dock("transfer")->height() < 40);
+  QVERIFY(!window.findChild<QWidget*>(QStringLiteral("transferPanel"))->isVisible());
+  // A click on the title unfolds, too.
+  QTest::mouseClick(window.dock("transfer")->titleBarWidget(), Qt::LeftButton, {}, QPoint(80, 8));
+  QTRY_VERIFY(std::abs(window.dock("transfer")->height() - curve) < curve / 10);
+  // Tabs fold together: one that stays open would keep the room.
+  QTest::mouseClick(window.fold("lights"), Qt::LeftButton);
+  QTRY_VERIFY(window.dock("lights")->height() < 40);
+  QTRY_VERIFY(window.dock("transfer")->height() > curve + 100);
+  QTest::mouseClick(window.fold("lights"), Qt::LeftButton);
+  QTRY_VERIFY(std::abs(window.dock("lights")->height() - before) < before / 10);
+}
+
+void TestLooks::hiddenPanelsAreOpenedFromTheView() {
+  Sized window({1440, 900});
+  for (const char* name : {"effects", "accuracy", "camera"}) {
+    QVERIFY(!window.dock(name)->isVisible());
+    window.dock(name)->toggleViewAction()->trigger();
+    QTRY_VERIFY2(window.onTop(name), name);
+  }
+  window.findChild<QAction*>(QStringLiteral("resetLayout"))->trigger();
+  QTRY_VERIFY(!window.dock("effects")->isVisible());
+  QTRY_VERIFY(window.onTop("lights"));
+}
+
+void TestLooks::layoutsOfEarlierVersionsDoNoHarm() {
+  // As the window was kept when it had other panels and no number for its layout.
+  QMainWindow earlier;
+  for (const char* name : {"studies", "transfer", "lights", "material", "effects"}) {
+    auto* dock = new QDockWidget;
+    dock->setObjectName(QLatin1String(name) + QStringLiteral("Dock"));
+    earlier.addDockWidget(Qt::LeftDockWidgetArea, dock);
+    if (name == std::string("lights")) dock->hide();
+  }
+  QSettings().setValue(QStringLiteral("window/layout"), earlier.saveState());
+  Sized window({1440, 900});
+  QVERIFY(!window.dock("effects")->isVisible());
+  QTRY_VERIFY(window.onTop("lights"));
+  QVERIFY(window.view()->width() > 800);
+  QCOMPARE(window.dockWidgetArea(window.dock("transfer")), Qt::RightDockWidgetArea);
+}
+
+void TestLooks::theLayoutIsKept() {
+  int width = 0;
+  {
+    Sized window({1440, 900});
+    window.dock("studies")->close();
+    QTest::mouseClick(window.fold("transfer"), Qt::LeftButton);
+    QTest::qWait(20);
+    width = window.view()->width();
+    window.close();
+  }
+  Sized window({1440, 900});
+  QVERIFY(!window.dock("studies")->isVisible());
+  QVERIFY(!window.findChild<QWidget*>(QStringLiteral("transferPanel"))->isVisible());
+  QCOMPARE(window.view()->width(), width);
+}
+
+void TestLooks::dialogsAreBritish() {
+  QColorDialog dialog;
+  dialog.setOption(QColorDialog::DontUseNativeDialog);
+  QStringList texts{dialog.windowTitle()};
+  for (const QAbstractButton* button : dialog.findChildren<QAbstractButton*>()) texts << button->text();
+  for (const QLabel* label : dialog.findChildren<QLabel*>()) texts << label->text();
+  QVERIFY2(!texts.filter(QStringLiteral("olour")).isEmpty(), qPrintable(texts.join(QLatin1Char('|'))));
+  QVERIFY2(texts.filter(QStringLiteral("olor")).isEmpty(), qPrintable(texts.join(QLatin1Char('|'))));
+  QCOMPARE(QLocale().toString(1196896), QStringLiteral("1,196,896"));
+}
+
+void TestLooks::realStudiesAreShown_data() {
+  QTest::addColumn<QString>("path");
+  QTest::addColumn<QSize>("size");
+  QTest::addColumn<bool>("light");
+  for (const char* path : {"ct-chest-lidc0314-138", "mr-head-ge-mprage-130", "pet-ct/sts019-pet",
+                           "dicom-geometry/ct-ge-tilt-varspacing-28"})
+    for (const QSize size : {QSize(1024, 700), QSize(1440, 900), QSize(2560, 1440)})
+      for (bool light : {false, true})
+        QTest::addRow("%s, %d, %s", path, size.width(), light ? "light" : "dark")
+            << QString::fromLatin1(path) << size << light;
+}
+
+void TestLooks::realStudiesAreShown() {
+  QFETCH(QString, path);
+  QFETCH(QSize, size);
+  QFETCH(bool, light);
+  const QString folder = qEnvironmentVariable("VOLUMEN_SHOTS");
+  if (folder.isEmpty()) QSKIP("for the eye: $VOLUMEN_SHOTS names no folder for the pictures");
+  const std::string data = tests::dataPath(path.toStdString());
+  NEED_DATA(data);
+  Sized window(size, 100, light ? Theme::light : Theme::dark);
+  QSignalSpy settled(&window, &MainWindow::settled);
+  window.open({QString::fromStdString(data)});
+  QTRY_VERIFY_WITH_TIMEOUT(window.session().series()->series.description != "Ball", longest);
+  settled.clear();
+  QTRY_VERIFY_WITH_TIMEOUT(settled.count() > 0, longest);
+  const QStringList found = flaws(window);
+  QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+  const QString name =
+      path.section(QLatin1Char('/'), -1) + QStringLiteral("-%1-%2.png").arg(size.width()).arg(light ? 1 : 0);
+  QVERIFY(window.grab().save(QDir(folder).filePath(name)));
+}
+
+VOLUMEN_TEST(TestLooks);
+#include "tst_looks.moc"

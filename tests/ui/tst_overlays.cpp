@@ -1,0 +1,146 @@
+// Guards the texts on the picture and on the curve's axis: readable on anything, never over each other, and
+// none where it would mislead.
+#include "tests/unit/suite.h"
+#include "ui/views/overlays.h"
+#include "ui/widgets/tissues.h"
+
+using namespace volumen;
+
+namespace {
+
+Overlays everything() {
+  Overlays o;
+  o.topLeft << QStringLiteral("Featherstonehaugh, Maximilian Bartholomew (0123456789)")
+            << QStringLiteral("CT Thorax with contrast, arterial phase 1.0 B31f (204)");
+  o.topRight << QStringLiteral("From posterior-right-superior") << QStringLiteral("Zoom 100 %")
+             << QStringLiteral("Perspective");
+  o.bottomRight = QStringLiteral("standard - 1234 ms");
+  o.warning = QStringLiteral("Not calibrated: no measurements in mm, no orientation");
+  o.left = QStringLiteral("RAS");
+  o.right = QStringLiteral("LPI");
+  o.top = QStringLiteral("SPR");
+  o.bottom = QStringLiteral("IAL");
+  o.mmPerPixel = 0.5;
+  return o;
+}
+
+}  // namespace
+
+class TestOverlays : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void nothingTouchesAnythingElse_data();
+  void nothingTouchesAnythingElse();
+  void allOfItFindsRoomInAUsualView();
+  void textIsReadableOnAnything_data();
+  void textIsReadableOnAnything();
+  void tissuesAreNamedWhereTheyAre_data();
+  void tissuesAreNamedWhereTheyAre();
+};
+
+void TestOverlays::nothingTouchesAnythingElse_data() {
+  QTest::addColumn<QSize>("size");
+  QTest::addColumn<bool>("cube");
+  for (int width : {1, 20, 60, 100, 200, 320, 450, 586, 840, 1900})
+    for (int height : {1, 20, 60, 100, 200, 320, 600, 1300})
+      for (bool cube : {false, true})
+        QTest::addRow("%d x %d%s", width, height, cube ? ", with the cube" : "")
+            << QSize(width, height) << cube;
+}
+
+void TestOverlays::nothingTouchesAnythingElse() {
+  QFETCH(QSize, size);
+  QFETCH(bool, cube);
+  Overlays overlays = everything();
+  if (cube) overlays.taken.emplace_back(8, size.height() - 118, 132, 110);
+  const QRectF area(QPointF(), size);
+  const PlacedOverlays placed = placeOverlays(overlays, area, QFont());
+  std::vector<QRectF> rects = overlays.taken;
+  for (const PlacedText& text : placed.texts) rects.push_back(text.rect);
+  if (!placed.scaleBar.isEmpty()) rects.push_back(placed.scaleBar);
+  for (std::size_t n = 0; n < rects.size(); ++n) {
+    if (n >= overlays.taken.size()) QVERIFY(area.contains(rects[n]));
+    for (std::size_t m = 0; m < n; ++m) QVERIFY(!rects[n].intersects(rects[m]));
+  }
+  // It can be painted, too.
+  QImage image(size, QImage::Format_RGB32);
+  QPainter painter(&image);
+  paintOverlays(painter, overlays, area);
+}
+
+void TestOverlays::allOfItFindsRoomInAUsualView() {
+  const Overlays overlays = everything();
+  const PlacedOverlays placed = placeOverlays(overlays, {0, 0, 1200, 800}, QFont());
+  QCOMPARE(int(placed.texts.size()), int(overlays.topLeft.size() + overlays.topRight.size() + 6));
+  for (const PlacedText& text : placed.texts)
+    QVERIFY2(!text.text.contains(QChar(0x2026)), qPrintable(text.text));
+  QVERIFY(!placed.scaleBar.isEmpty());
+  QCOMPARE(placed.scaleBarMm, 100.0);
+}
+
+void TestOverlays::textIsReadableOnAnything_data() {
+  QTest::addColumn<QColor>("ground");
+  QTest::newRow("white") << QColor(Qt::white);
+  QTest::newRow("bone") << QColor(0xf0, 0xe4, 0xc8);
+  QTest::newRow("grey") << QColor(0x80, 0x80, 0x80);
+  QTest::newRow("black") << QColor(Qt::black);
+}
+
+void TestOverlays::textIsReadableOnAnything() {
+  QFETCH(QColor, ground);
+  Overlays overlays;
+  overlays.topLeft << QStringLiteral("IIIIIIIIIIIIIIII");
+  QImage image(300, 60, QImage::Format_RGB32);
+  image.fill(ground);
+  QPainter painter(&image);
+  paintOverlays(painter, overlays, QRectF(0, 0, 300, 60));
+  painter.end();
+  // Bright strokes, and dark at both sides of each.
+  int strokes = 0;
+  const QRectF text = placeOverlays(overlays, {0, 0, 300, 60}, QFont()).texts.at(0).rect;
+  const int y = int(text.center().y());
+  for (int x = int(text.left()) + 1; x < text.right(); ++x) {
+    const auto grey = [&](int at) { return qGray(image.pixel(at, y)); };
+    if (grey(x) < 200 || grey(x) < grey(x - 1) || grey(x) < grey(x + 1)) continue;
+    ++strokes;
+    const int left = std::min(grey(x - 1), grey(x - 2)), right = std::min(grey(x + 1), grey(x + 2));
+    QVERIFY2(left < 90 && right < 90, qPrintable(QStringLiteral("%1, %2").arg(left).arg(right)));
+  }
+  QVERIFY(strokes >= 8);
+}
+
+void TestOverlays::tissuesAreNamedWhereTheyAre_data() {
+  QTest::addColumn<double>("low");
+  QTest::addColumn<double>("high");
+  QTest::addColumn<QStringList>("names");
+  const auto row = [](const char* what, double low, double high, const char* names) {
+    QTest::newRow(what) << low << high << QString::fromLatin1(names).split(QLatin1Char(' '));
+  };
+  row("all values: no contrast where bone is", -1024, 3071, "lung bone");
+  row("soft tissue", -200, 300, "fat muscle");
+  row("close up on contrast", 150, 420, "contrast");
+  row("far out", -30000, 30000, "bone");
+}
+
+void TestOverlays::tissuesAreNamedWhereTheyAre() {
+  QFETCH(double, low);
+  QFETCH(double, high);
+  QFETCH(QStringList, names);
+  const ValueAxis axis{low, high, 40, 280};
+  const auto width = [](const QString& name) { return 6.0 * double(name.size()); };
+  QStringList found;
+  for (const TissueLabel& label : tissueLabels(axis, width)) {
+    found << label.name;
+    // From its first to its last letter the nearest tissue below is its own.
+    for (const double x : {label.left, label.left + width(label.name)}) {
+      QString below;
+      for (const Tissue& tissue : tissuesHu)
+        if (tissue.value <= axis.valueAt(x)) below = QLatin1String(tissue.name);
+      QCOMPARE(below, label.name);
+    }
+  }
+  QCOMPARE(found, names);
+}
+
+VOLUMEN_TEST(TestOverlays);
+#include "tst_overlays.moc"

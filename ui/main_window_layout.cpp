@@ -1,0 +1,144 @@
+#include <QApplication>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QScreen>
+#include <QSettings>
+#include <QStatusBar>
+#include <QToolBar>
+
+#include "ui/main_window.h"
+#include "ui/panels/snapshot_panel.h"
+#include "ui/panels/studies_panel.h"
+#include "ui/preferences_dialog.h"
+#include "ui/session/text.h"
+#include "ui/widgets/fold_title.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int layoutVersion = 2;  // a layout kept under another one knows other panels: not restored
+
+FoldTitle* titleOf(const QDockWidget* dock) { return static_cast<FoldTitle*>(dock->titleBarWidget()); }
+
+}  // namespace
+
+void MainWindow::resetLayout() {
+  const auto dock = [this](const char* name) { return docks_.at(QLatin1String(name)); };
+  for (const auto& [name, each] : docks_) {
+    each->setFloating(false);
+    titleOf(each)->setFolded(false);
+  }
+  addDockWidget(Qt::LeftDockWidgetArea, dock("studies"));
+  addDockWidget(Qt::RightDockWidgetArea, dock("transfer"));
+  splitDockWidget(dock("transfer"), dock("lights"), Qt::Vertical);
+  for (const char* name : {"clip", "segment", "snapshot", "camera", "effects", "accuracy"})
+    tabifyDockWidget(dock("lights"), dock(name));
+  for (const auto& [name, each] : docks_)
+    each->setVisible(name != QStringLiteral("camera") && name != QStringLiteral("effects") &&
+                     name != QStringLiteral("accuracy"));
+  dock("lights")->raise();
+  shareRoom();
+}
+
+void MainWindow::shareRoom() {
+  // The picture is the largest thing in a small window too; in a large one panels need no more than this.
+  const int studies = std::clamp(width() * 16 / 100, 150, 260), right = std::clamp(width() / 4, 240, 380);
+  const int curve = std::max(height() * 2 / 5, 330);
+  QDockWidget *list = docks_.at(QStringLiteral("studies")), *transfer = docks_.at(QStringLiteral("transfer"));
+  resizeDocks({list, transfer}, {studies, right}, Qt::Horizontal);
+  resizeDocks({transfer, docks_.at(QStringLiteral("lights"))}, {curve, height() - curve}, Qt::Vertical);
+}
+
+void MainWindow::restoreLayout() {
+  const QSettings settings;
+  const QRect screen = QApplication::primaryScreen()->availableGeometry();
+  resize(std::min(1440, screen.width()), std::min(900, screen.height()));
+  resetLayout();
+  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+  layoutKept_ = restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), layoutVersion);
+  const QStringList folded = settings.value(QStringLiteral("window/folded")).toStringList();
+  if (layoutKept_)
+    for (const auto& [name, dock] : docks_) titleOf(dock)->setFolded(folded.contains(name));
+}
+
+void MainWindow::keepLayout() {
+  QSettings settings;
+  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("window/layout"), saveState(layoutVersion));
+  QStringList folded;
+  for (const auto& [name, dock] : docks_)
+    if (titleOf(dock)->folded()) folded << name;
+  settings.setValue(QStringLiteral("window/folded"), folded);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  // Only now its size is known.
+  if (!std::exchange(layoutKept_, true)) shareRoom();
+}
+
+void MainWindow::setMaximised(bool alone) {
+  if (alone) layoutBefore_ = saveState();
+  for (const auto& [name, dock] : docks_) dock->setVisible(!alone);
+  for (QToolBar* bar : findChildren<QToolBar*>()) bar->setVisible(!alone);
+  statusBar()->setVisible(!alone);
+  if (!alone) restoreState(layoutBefore_);
+  actions_.at(QStringLiteral("leaveMaximised"))->setEnabled(alone);
+}
+
+void MainWindow::applyPreferences(const Preferences& before, const Preferences& after) {
+  storePreferences(after);
+  if (before.theme != after.theme || before.textPercent != after.textPercent) showTheme();
+  actions_.at(QStringLiteral("lightTheme"))->setChecked(after.theme == Theme::light);
+  actions_.at(QStringLiteral("hideNames"))->setChecked(after.hideNames);
+  if (before.hideNames == after.hideNames) return;
+  studies_->showNames();
+  showNames();
+}
+
+void MainWindow::showTheme() {
+  applyTheme(*qApp, session_.preferences().theme, session_.preferences().textPercent);
+  for (const auto& [name, action] : actions_) {
+    const QString iconName = action->property("iconName").toString();
+    if (!iconName.isEmpty()) action->setIcon(icon(iconName));
+  }
+}
+
+void MainWindow::showNames() {
+  const ShownSeriesPtr& series = session_.series();
+  if (!series) return;
+  QStringList parts{patientText(series->series), seriesText(series->series), QStringLiteral("volumen")};
+  parts.removeAll(QString());
+  setWindowTitle(parts.join(QStringLiteral(" - ")));
+  studies_->markShown(series->series);
+  snapshotPanel_->setName(seriesText(series->series).replace(QLatin1Char('/'), QLatin1Char('_')));
+}
+
+void MainWindow::showPreferences() {
+  auto* dialog = findChild<PreferencesDialog*>();
+  if (!dialog) {
+    dialog = new PreferencesDialog(session_, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  dialog->show();
+  dialog->activateWindow();
+}
+
+// The keypad's keys as they come with and without NumLock. Under X11 no shortcut can tell them from the keys
+// of the other blocks, and with NumLock on none fires at all.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  static const std::map<int, std::pair<const char*, const char*>> views{
+      {Qt::Key_1, {"viewAnterior", "viewPosterior"}}, {Qt::Key_End, {"viewAnterior", "viewPosterior"}},
+      {Qt::Key_3, {"viewLeft", "viewRight"}},         {Qt::Key_PageDown, {"viewLeft", "viewRight"}},
+      {Qt::Key_7, {"viewSuperior", "viewInferior"}},  {Qt::Key_Home, {"viewSuperior", "viewInferior"}},
+      {Qt::Key_0, {"resetView", "resetView"}},        {Qt::Key_Insert, {"resetView", "resetView"}}};
+  const auto view = views.find(event->key());
+  const bool typing = focusWidget() && focusWidget()->testAttribute(Qt::WA_InputMethodEnabled);
+  if (view == views.end() || typing || !(event->modifiers() & Qt::KeypadModifier))
+    return QMainWindow::keyPressEvent(event);
+  const bool opposite = event->modifiers() & Qt::ControlModifier;
+  actions_.at(QLatin1String(opposite ? view->second.second : view->second.first))->trigger();
+}
+
+}  // namespace volumen

@@ -1,0 +1,75 @@
+#include "ui/preferences_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace volumen {
+
+PreferencesDialog::PreferencesDialog(Session& session, QWidget* parent)
+    : QDialog(parent), session_(session), form_(new QFormLayout(this)) {
+  setObjectName(QStringLiteral("preferencesDialog"));
+  setWindowTitle(tr("Preferences"));
+  form_->setHorizontalSpacing(16);
+  addChoice<Theme>("theme", tr("Theme"), &Preferences::theme,
+                   {{tr("Dark"), Theme::dark}, {tr("Light"), Theme::light}});
+  addChoice<int>("textSize", tr("Text size"), &Preferences::textPercent,
+                 {{tr("Normal"), 100}, {tr("Large"), 120}, {tr("Very large"), 140}});
+  form_->addRow(tr("Left drag"), new QLabel(tr("The chosen tool")));
+  const std::vector<std::pair<QString, DragAction>> actions{{tr("Rotate"), DragAction::rotate},
+                                                            {tr("Pan"), DragAction::pan},
+                                                            {tr("Zoom"), DragAction::zoom},
+                                                            {tr("Adjust curve (W/L)"), DragAction::curve}};
+  addChoice<DragAction>("middleDrag", tr("Middle drag"), &Preferences::middleDrag, actions);
+  addChoice<DragAction>("rightDrag", tr("Right drag"), &Preferences::rightDrag, actions);
+  addChoice<DragAction>("shiftDrag", tr("Shift+left drag"), &Preferences::shiftDrag, actions);
+  addFlag("zoomDragInverted", tr("Drag down to enlarge"), &Preferences::zoomDragInverted);
+  addFlag("wheelInverted", tr("Turn the wheel towards you to enlarge"), &Preferences::wheelInverted);
+  addFlag("curveDragInverted", tr("Drag up to move the curve to higher values"),
+          &Preferences::curveDragInverted);
+  addChoice<bool>("opacityAxis", tr("Opacity axis"), &Preferences::logarithmicOpacity,
+                  {{tr("Linear"), false}, {tr("Logarithmic"), true}});
+  addFlag("hideNames", tr("Hide names, IDs, dates and file names"), &Preferences::hideNames);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close);
+  form_->addRow(buttons);
+  buttons->button(QDialogButtonBox::RestoreDefaults)->setText(tr("Restore defaults"));
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+  connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
+          [this] { session_.prefer(Preferences{}); });
+}
+
+void PreferencesDialog::follow(const std::function<void()>& show) {
+  connect(&session_, &Session::preferencesChanged, this, show);
+  show();
+}
+
+template <class Value>
+void PreferencesDialog::addChoice(const char* name, const QString& label, Value Preferences::*member,
+                                  const std::vector<std::pair<QString, Value>>& entries) {
+  auto* box = new QComboBox;
+  box->setObjectName(QLatin1String(name));
+  box->setAccessibleName(label);
+  for (const auto& [text, value] : entries) box->addItem(text);
+  form_->addRow(label, box);
+  connect(box, &QComboBox::activated, this, [this, member, entries](int n) {
+    session_.prefer([&](Preferences& p) { p.*member = entries[std::size_t(n)].second; });
+  });
+  follow([this, box, member, entries] {
+    for (std::size_t n = 0; n < entries.size(); ++n)
+      if (entries[n].second == session_.preferences().*member) box->setCurrentIndex(int(n));
+  });
+}
+
+void PreferencesDialog::addFlag(const char* name, const QString& label, bool Preferences::*member) {
+  auto* box = new QCheckBox(label);
+  box->setObjectName(QLatin1String(name));
+  form_->addRow(box);
+  connect(box, &QCheckBox::clicked, this,
+          [this, member](bool on) { session_.prefer([&](Preferences& p) { p.*member = on; }); });
+  follow([this, box, member] { box->setChecked(session_.preferences().*member); });
+}
+
+}  // namespace volumen

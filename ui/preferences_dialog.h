@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QDialog>
+#include <functional>
+
+#include "ui/session/session.h"
+
+class QFormLayout;
+
+namespace volumen {
+
+/// Edit > Preferences: every choice takes effect at once.
+class PreferencesDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit PreferencesDialog(Session& session, QWidget* parent = nullptr);
+
+ private:
+  template <class Value>
+  void addChoice(const char* name, const QString& label, Value Preferences::*member,
+                 const std::vector<std::pair<QString, Value>>& entries);
+  void addFlag(const char* name, const QString& label, bool Preferences::*member);
+  void follow(const std::function<void()>& show);
+
+  Session& session_;
+  QFormLayout* form_;
+};
+
+}  // namespace volumen

@@ -1,0 +1,72 @@
+#include "ui/session/preferences.h"
+
+#include <QSettings>
+#include <utility>
+
+namespace volumen {
+
+namespace {
+
+constexpr std::pair<DragAction, const char*> dragNames[] = {{DragAction::rotate, "rotate"},
+                                                            {DragAction::pan, "pan"},
+                                                            {DragAction::zoom, "zoom"},
+                                                            {DragAction::curve, "curve"}};
+
+// Goes through all preferences: one list for reading and writing.
+template <class Visit>
+void visit(Preferences& p, const Visit& each) {
+  each("theme", p.theme);
+  each("textPercent", p.textPercent);
+  each("middleDrag", p.middleDrag);
+  each("rightDrag", p.rightDrag);
+  each("shiftDrag", p.shiftDrag);
+  each("zoomDragInverted", p.zoomDragInverted);
+  each("wheelInverted", p.wheelInverted);
+  each("curveDragInverted", p.curveDragInverted);
+  each("logarithmicOpacity", p.logarithmicOpacity);
+  each("hideNames", p.hideNames);
+}
+
+QVariant toVariant(bool value) { return value; }
+QVariant toVariant(int value) { return value; }
+QVariant toVariant(Theme theme) {
+  return theme == Theme::light ? QStringLiteral("light") : QStringLiteral("dark");
+}
+QVariant toVariant(DragAction action) {
+  for (const auto& [known, name] : dragNames)
+    if (known == action) return QLatin1String(name);
+  return {};
+}
+
+void fromVariant(const QVariant& kept, bool& value) { value = kept.toBool(); }
+void fromVariant(const QVariant& kept, int& percent) {
+  const int number = kept.toInt();
+  if (number >= 80 && number <= 200) percent = number;
+}
+void fromVariant(const QVariant& kept, Theme& theme) {
+  theme = kept.toString() == QStringLiteral("light") ? Theme::light : Theme::dark;
+}
+void fromVariant(const QVariant& kept, DragAction& action) {
+  for (const auto& [known, name] : dragNames)
+    if (kept.toString() == QLatin1String(name)) action = known;
+}
+
+}  // namespace
+
+Preferences storedPreferences() {
+  Preferences preferences;
+  const QSettings settings;
+  visit(preferences, [&](const char* name, auto& value) {
+    if (settings.contains(QLatin1String(name))) fromVariant(settings.value(QLatin1String(name)), value);
+  });
+  return preferences;
+}
+
+void storePreferences(const Preferences& preferences) {
+  Preferences kept = preferences;
+  QSettings settings;
+  visit(kept,
+        [&](const char* name, auto& value) { settings.setValue(QLatin1String(name), toVariant(value)); });
+}
+
+}  // namespace volumen

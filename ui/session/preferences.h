@@ -1,0 +1,28 @@
+#pragma once
+
+namespace volumen {
+
+enum class Theme { dark, light };
+
+/// What dragging with a mouse button does in the view.
+enum class DragAction { rotate, pan, zoom, curve };
+
+/// How one person wants the window; kept from one start to the next.
+struct Preferences {
+  Theme theme = Theme::dark;
+  int textPercent = 100;  ///< of the system's text size
+  /// A left drag is the chosen tool's.
+  DragAction middleDrag = DragAction::pan, rightDrag = DragAction::zoom, shiftDrag = DragAction::pan;
+  bool zoomDragInverted = false;   ///< dragging down enlarges
+  bool wheelInverted = false;      ///< the wheel towards the hand enlarges
+  bool curveDragInverted = false;  ///< dragging up shifts the curve to higher values
+  bool logarithmicOpacity = false;
+  bool hideNames = false;
+  bool operator==(const Preferences&) const = default;
+};
+
+/// Those kept by storePreferences(); the defaults for what was never kept or cannot be read.
+Preferences storedPreferences();
+void storePreferences(const Preferences& preferences);
+
+}  // namespace volumen

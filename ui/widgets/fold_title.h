@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QDockWidget>
+#include <QToolButton>
+
+namespace volumen {
+
+/// The title of a panel: a click on it, or Space, folds the panel to this title and back. Panels that are
+/// tabs of one another are folded together.
+class FoldTitle : public QWidget {
+  Q_OBJECT
+ public:
+  /// Becomes the title of `dock`.
+  explicit FoldTitle(QDockWidget* dock);
+
+  bool folded() const { return folded_; }
+  void setFolded(bool folded);
+
+ protected:
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override {}
+  void changeEvent(QEvent*) override;
+
+ private:
+  void foldWithTabs(bool folded);
+
+  QDockWidget* dock_;
+  QToolButton* arrow_;
+  QPoint pressedAt_;
+  bool folded_ = false;
+  QList<int> heightsBefore_;  // of the panels of its column, when it was folded
+};
+
+}  // namespace volumen
