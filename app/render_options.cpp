@@ -6,7 +6,9 @@
 #include <map>
 #include <sstream>
 
+#include "ui/session/own_presets.h"
 #include "viewer/plan/plan.h"
+#include "viewer/scene/first_camera.h"
 #include "viewer/scene/presets.h"
 #include "viewer/scene/scene_json.h"
 
@@ -62,11 +64,21 @@ Result<Scene> readScene(const std::string& path) {
   return scene;
 }
 
+// A preset of the program's or the user's own; a file of theirs that is none is told where no name fits.
+Result<Scene> namedPreset(const std::string& name, const Volume& volume) {
+  const OwnPresets own = ownPresets();
+  auto scene = presetScene(name.empty() ? "auto" : name, volume, own.presets);
+  if (scene || own.problems.empty()) return scene;
+  std::string sentence = scene.message();
+  for (const std::string& problem : own.problems) sentence += " " + problem;
+  return Error{sentence};
+}
+
 // The camera after --view and --projection; none where the scene's default holds.
 void overrideCamera(Scene& scene, const SceneOptions& options, const Volume& volume, double aspect) {
   if (options.view.empty() && options.projection.empty()) return;
   const bool given = scene.camera.has_value();
-  Camera camera = scene.camera.value_or(Camera{});
+  Camera camera = scene.camera.value_or(firstCamera(volume.geometry()));
   const Projection projection = options.projection.empty()         ? camera.projection
                                 : options.projection == "parallel" ? Projection::parallel
                                                                    : Projection::perspective;
@@ -86,7 +98,8 @@ void overrideCamera(Scene& scene, const SceneOptions& options, const Volume& vol
 
 void addSceneOptions(CLI::App& app, SceneOptions& o) {
   app.add_option("--scene", o.sceneFile, "A scene file (JSON)");
-  app.add_option("--preset", o.preset, "A preset by name, or auto (the default)")->excludes("--scene");
+  app.add_option("--preset", o.preset, "A preset by name, your own too, or auto (the default)")
+      ->excludes("--scene");
   app.add_option("--view", o.view, "Look from this side")->check(CLI::IsMember(standardViewNames()));
   app.add_option("--projection", o.projection, "Of the camera")
       ->check(CLI::IsMember({"parallel", "perspective"}));
@@ -95,9 +108,7 @@ void addSceneOptions(CLI::App& app, SceneOptions& o) {
 }
 
 Result<Scene> makeScene(const SceneOptions& options, const Volume& volume) {
-  auto scene = options.sceneFile.empty()
-                   ? presetScene(options.preset.empty() ? "auto" : options.preset, volume)
-                   : readScene(options.sceneFile);
+  auto scene = options.sceneFile.empty() ? namedPreset(options.preset, volume) : readScene(options.sceneFile);
   if (!scene) return scene;
   const auto size = sizeOf(options.size);
   if (!size) return size.error();

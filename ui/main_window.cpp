@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QComboBox>
 #include <QDockWidget>
 #include <QMimeData>
 #include <QSettings>
@@ -14,6 +13,7 @@
 #include "ui/controller/qt_gl_context.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/effects_panel.h"
+#include "ui/panels/preset_bar.h"
 #include "ui/panels/segment_panel.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
@@ -31,7 +31,8 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
       controller_(services.makeDraw),
       loader_(services.makeScene),
       meter_(controller_),
-      snapshot_(controller_) {
+      snapshot_(controller_),
+      thumbnails_(controller_, services.makeScene) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("volumen"));
   setAcceptDrops(true);
@@ -97,7 +98,8 @@ void MainWindow::connectLoader() {
   connect(&loader_, &Loader::seriesLoaded, &session_, &Session::show);
   connect(&loader_, &Loader::presetReady, this,
           [this](const QString& name, const Scene& scene, const VolumePtr& v) {
-            if (session_.series() && session_.series()->volume == v) applyPreset(name, scene);
+            if (session_.series() && session_.series()->volume == v)
+              session_.choosePreset(tr("Preset %1").arg(name), name.toStdString(), scene);
           });
   connect(&loader_, &Loader::failed, this, [this](const QString& sentence) { banner_->tell(sentence); });
   connect(&loader_, &Loader::progressed, status_, &StatusLine::progress);
@@ -190,6 +192,8 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
 
 void MainWindow::showSeries() {
   const ShownSeriesPtr& series = session_.series();
+  thumbnails_.stop();
+  thumbnailsOf_.reset();
   controller_.setVolume(series ? series->volume : nullptr);
   pages_->setCurrentWidget(series ? static_cast<QWidget*>(view_) : pages_->widget(0));
   if (!series) return;
@@ -197,7 +201,6 @@ void MainWindow::showSeries() {
   parts.removeAll(QString());
   setWindowTitle(parts.join(QStringLiteral(" - ")));
   studies_->markShown(series->series);
-  presets_->setCurrentIndex(0);
   QStringList warnings;
   for (const std::string& warning : series->warnings) warnings << shownText(warning);
   status_->showWarnings(warnings);
@@ -237,17 +240,15 @@ void MainWindow::showFrame(const Frame& frame) {
   complete.camera = frame.scene.camera;
   if (!complete.camera->target) complete.camera->target = target;
   meter_.show(session_.series()->volume, complete, frame.image.size());
+  drawThumbnails();
   Q_EMIT settled();
 }
 
-void MainWindow::applyPreset(const QString& name, const Scene& scene) {
-  session_.edit(tr("Preset %1").arg(name), [&](Scene& s) {
-    s.mode = scene.mode;
-    s.window = scene.window;
-    s.transferFunction = scene.transferFunction;
-    s.shading = scene.shading;
-    s.lights = scene.lights;
-  });
+// Once the first picture of a series is there.
+void MainWindow::drawThumbnails() {
+  const VolumePtr& volume = session_.series()->volume;
+  if (std::exchange(thumbnailsOf_, volume) == volume) return;
+  thumbnails_.start(volume, presets_->names(), int(PresetBar::thumbnailEdge * devicePixelRatioF()));
 }
 
 void MainWindow::saveSnapshot(const SnapshotRequest& request) {

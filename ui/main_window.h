@@ -5,13 +5,14 @@
 
 #include "ui/controller/accuracy_meter.h"
 #include "ui/controller/loader.h"
+#include "ui/controller/preset_thumbnails.h"
 #include "ui/controller/render_controller.h"
 #include "ui/controller/segmenter.h"
 #include "ui/controller/snapshot.h"
+#include "ui/session/own_presets.h"
 #include "ui/session/session.h"
 #include "ui/theme.h"
 
-class QComboBox;
 class QStackedWidget;
 
 namespace volumen {
@@ -19,17 +20,18 @@ namespace volumen {
 class AccuracyPanel;
 class Banner;
 class EffectsPanel;
+class PresetBar;
 class SegmentPanel;
 class SnapshotPanel;
 class StatusLine;
 class StudiesPanel;
 class VolumeView;
 
-/// What the window has done by others: how volumes are drawn, how presets are made, and their names.
+/// What the window has done by others: how volumes are drawn, how presets are made, and which there are.
 struct Services {
   MakeDraw makeDraw;
   MakeScene makeScene;
-  std::vector<std::string> presetNames;
+  std::function<std::vector<PresetEntry>()> presets;
 };
 
 /// The real ones: render() and presetScene().
@@ -77,7 +79,8 @@ class MainWindow : public QMainWindow {
   void showFrame(const Frame& frame);
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study);
   void showSeries();
-  void applyPreset(const QString& name, const Scene& scene);
+  void makePresetBar(QToolBar* bar);
+  void drawThumbnails();
   void saveSnapshot(const struct SnapshotRequest& request);
   void askForFolder();
   void askForFile();
@@ -94,6 +97,7 @@ class MainWindow : public QMainWindow {
   AccuracyMeter meter_;
   Snapshot snapshot_;
   Segmenter segmenter_;
+  PresetThumbnails thumbnails_;
 
   VolumeView* view_;
   QStackedWidget* pages_;
@@ -104,11 +108,12 @@ class MainWindow : public QMainWindow {
   AccuracyPanel* accuracy_;
   SegmentPanel* segment_;
   SnapshotPanel* snapshotPanel_;
-  QComboBox* presets_;
+  PresetBar* presets_;
   std::map<QString, QAction*> actions_;
   std::map<QString, QDockWidget*> docks_;
   QByteArray layoutBefore_;  // of the docks, while the view is alone
   bool showFirst_ = false;   // the next study opened is shown
+  VolumePtr thumbnailsOf_;   // the volume whose presets have thumbnails
 };
 
 }  // namespace volumen

@@ -100,8 +100,13 @@ class RenderController : public QObject {
   /// Asks for one picture to be saved, drawn next: ends in pictureReady(). A second gives up the first.
   void requestPicture(const Scene& scene, const RenderOptions& options);
   void cancelPicture();
+  /// Asks for small pictures of these scenes, whole, after everything else; returns the number of the batch.
+  /// Each ends in thumbnailReady() or, where it cannot be drawn, in nothing. A second takes the place of the
+  /// first; none are left of a volume before.
+  int requestThumbnails(std::vector<Scene> scenes, QSize pixels);
 
  Q_SIGNALS:
+  void thumbnailReady(int batch, int n, const QImage& image);
   void frameReady(const volumen::Frame& frame);
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
@@ -134,6 +139,11 @@ class RenderController : public QObject {
     Result<Planned> planned;
     std::chrono::steady_clock::time_point rest;  // from when on nothing was
   };
+  struct Thumbnails {
+    std::vector<Scene> scenes;
+    QSize pixels;
+    std::size_t next = 0;
+  };
   struct PictureRequest {
     Scene scene;
     RenderOptions options;
@@ -145,6 +155,7 @@ class RenderController : public QObject {
   void drawPicture(std::unique_lock<std::mutex>& lock);
   void drawScreen(std::unique_lock<std::mutex>& lock);
   void drawTrial(std::unique_lock<std::mutex>& lock);
+  void drawThumbnail(std::unique_lock<std::mutex>& lock);
   Pass firstPass(PictureLevel rest) const;
   View viewOf(const ScreenRequest& request, Pass pass) const;
   bool drawFrame(const ScreenRequest& request, Pass pass, bool atRest, const CancelToken& cancel,
@@ -165,7 +176,9 @@ class RenderController : public QObject {
   std::optional<PictureRequest> picture_;
   std::optional<ScreenRequest> trial_;
   int trialNumber_ = 0;
-  CancelToken volumeCancel_, restCancel_, pictureCancel_, trialCancel_;
+  std::optional<Thumbnails> thumbnails_;
+  int thumbnailBatch_ = 0;
+  CancelToken volumeCancel_, restCancel_, pictureCancel_, trialCancel_;  // the last of thumbnails, too
   Resampler resampler_ = Resampler::cpu;
   PictureLevel level_;
   bool closing_ = false;  // ... to here

@@ -97,13 +97,13 @@ void SegmentPanel::showSpans() {
   const ShownSeriesPtr& series = session_.series();
   setEnabled(series != nullptr);
   if (!series) return;
-  const QString unit = valueUnit(*series->volume);
+  const QString unit = unitSuffix(series->series);
   for (QDoubleSpinBox* field : {low_, high_}) {
-    field->setSuffix(QLatin1Char(' ') + unit);
+    field->setSuffix(unit);
     field->setDecimals(valueDecimals(series->histogram));
   }
   for (const ValueRange& span : visibleSpans(session_.scene().transferFunction))
-    spans_->addItem(tr("visible: %1 to %2 %3").arg(endText(span.low), endText(span.high), unit));
+    spans_->addItem(tr("visible: %1 to %2%3").arg(endText(span.low), endText(span.high), unit));
   if (spans_->count() == 0) spans_->addItem(tr("nothing is visible"));
   // Typed numbers stay; where there are none yet, the first span is offered.
   if (!segmentation_ && !low_->hasFocus() && !high_->hasFocus()) takeSpan(0);
@@ -127,11 +127,12 @@ void SegmentPanel::showSegmentation(const std::shared_ptr<const Segmentation>& s
   only_->setChecked(false);
   if (!segmentation) return result_->clear();
   const LabelStatistics& s = segmentation->statistics;
-  const QString unit = valueUnit(*segmentation->volume), voxels = QLocale().toString(qlonglong(s.voxels));
+  const QString unit = unitSuffix(session_.series()->series),
+                voxels = QLocale().toString(qlonglong(s.voxels));
   QString text = tr("%1 voxels").arg(voxels);
   text += s.millilitres ? tr(", %1 ml").arg(*s.millilitres, 0, 'f', *s.millilitres < 100 ? 2 : 0)
                         : tr(", not calibrated: no volume known");
-  if (s.voxels > 0) text += tr(", mean %1 %2").arg(s.mean, 0, 'f', 1).arg(unit);
+  if (s.voxels > 0) text += tr(", mean %1%2").arg(s.mean, 0, 'f', 1).arg(unit);
   result_->setText(text);
 }
 
@@ -155,7 +156,7 @@ void SegmentPanel::askWhere() {
   dialog->selectFile(QStringLiteral("segmentation.seg.nrrd"));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     const ValueRange r = segmentation_->range;
-    const QString name = tr("%1 to %2 %3").arg(r.low).arg(r.high).arg(valueUnit(*segmentation_->volume));
+    const QString name = tr("%1 to %2%3").arg(r.low).arg(r.high).arg(unitSuffix(session_.series()->series));
     const glm::dvec3 colour = curveAt(session_.scene().transferFunction, (r.low + r.high) / 2).colour;
     Q_EMIT saveRequested(segmentation_, {path, name.trimmed(), colour});
   });

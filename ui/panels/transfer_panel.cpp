@@ -1,13 +1,15 @@
 #include "ui/panels/transfer_panel.h"
 
-#include <QComboBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/panels/window_fields.h"
 #include "ui/session/text.h"
+#include "ui/session/windows.h"
 
 namespace volumen {
 
@@ -17,39 +19,103 @@ constexpr double longestHalving = 1e5, shortestHalving = 0.05;  // mm, of the fi
 }  // namespace
 
 TransferPanel::TransferPanel(Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), editor_(new CurveEditor), fields_(new QWidget) {
+    : QWidget(parent),
+      session_(session),
+      editor_(new CurveEditor),
+      fields_(new QWidget),
+      windowFields_(new WindowFields(session)),
+      mode_(new QComboBox),
+      scale_(new QComboBox) {
   editor_->setObjectName(QStringLiteral("curveEditor"));
   makeFields();
+  makeScaleBox();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
+  column->addWidget(makeModeRow());
   column->addWidget(editor_, 1);
   column->addWidget(fields_);
-  column->addWidget(makeScaleBox());
+  column->addWidget(windowFields_);
+  column->addWidget(scale_);
   connectEditor();
   connectFields();
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series && after.series) {
-      editor_->setHistogram(after.series->histogram, valueUnit(*after.series->volume));
+      editor_->setHistogram(after.series->histogram, shownText(after.series->series.unit));
       value_->setDecimals(valueDecimals(after.series->histogram));
+      value_->setSuffix(unitSuffix(after.series->series));
     }
-    if (before.scene.transferFunction == after.scene.transferFunction) return;
-    editor_->setCurve(after.scene.transferFunction);
-    showPoint();
+    if (before.series != after.series || before.scene.mode != after.scene.mode) showMode();
+    if (before.series == after.series && before.scene.mode == after.scene.mode &&
+        before.scene.window == after.scene.window &&
+        before.scene.transferFunction == after.scene.transferFunction)
+      return;
+    showCurve();
   });
-  editor_->setCurve(session_.scene().transferFunction);
-  showPoint();
+  showMode();
+  showCurve();
 }
 
-QWidget* TransferPanel::makeScaleBox() {
-  auto* scale = new QComboBox;
-  scale->setObjectName(QStringLiteral("opacityScale"));
-  scale->setAccessibleName(tr("Opacity axis"));
-  scale->addItems({tr("linear opacity"), tr("logarithmic extinction")});
-  scale->setToolTip(tr("The logarithmic axis reaches 0.0001 per mm with the mouse."));
-  connect(scale, &QComboBox::activated, this, [this](int n) {
+QWidget* TransferPanel::makeModeRow() {
+  mode_->setObjectName(QStringLiteral("mode"));
+  mode_->setAccessibleName(tr("Mode"));
+  mode_->addItems({tr("3D"), tr("MIP (maximum)"), tr("MinIP (minimum)"), tr("Average")});
+  mode_->setToolTip(tr("What is shown of each line of sight"));
+  connect(mode_, &QComboBox::activated, this, [this](int n) {
+    if (session_.series())
+      session_.edit(tr("Mode %1").arg(mode_->itemText(n)),
+                    withMode(session_.scene(), Mode(n), *session_.series()));
+  });
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  auto* label = new QLabel(tr("Mode"));
+  label->setBuddy(mode_);
+  line->addWidget(label);
+  line->addWidget(mode_, 1);
+  return row;
+}
+
+void TransferPanel::showMode() {
+  const bool window = session_.scene().mode != Mode::composite;
+  mode_->setCurrentIndex(int(session_.scene().mode));
+  mode_->setEnabled(session_.series() != nullptr);
+  editor_->setWindow(window);
+  fields_->setVisible(!window);
+  scale_->setVisible(!window);
+  windowFields_->setVisible(window);
+}
+
+void TransferPanel::showCurve() {
+  const Scene& scene = session_.scene();
+  if (scene.mode == Mode::composite || !session_.series()) {
+    editor_->setCurve(scene.transferFunction);
+    return showPoint();
+  }
+  // The window as a curve from black to white.
+  const WindowEnds ends = endsOf(windowInUse(scene, *session_.series()));
+  const CurvePoint dark{float(ends.dark), glm::dvec3(0), 0}, bright{float(ends.bright), glm::dvec3(1), 1};
+  TransferFunction curve;
+  curve.points = ends.dark < ends.bright ? std::vector{dark, bright} : std::vector{bright, dark};
+  editor_->setCurve(curve);
+}
+
+void TransferPanel::editWindow(const TransferFunction& curve, const QString& what) {
+  const CurvePoint &first = curve.points.front(), &last = curve.points.back();
+  WindowEnds ends{first.value, last.value};
+  if (ends.bright - ends.dark < session_.series()->valueSpread / 4000) return showCurve();
+  if (first.opacity > last.opacity) std::swap(ends.dark, ends.bright);
+  session_.edit(
+      what, [&](Scene& s) { s.window = windowBetween(ends); }, what);
+}
+
+void TransferPanel::makeScaleBox() {
+  scale_->setObjectName(QStringLiteral("opacityScale"));
+  scale_->setAccessibleName(tr("Opacity axis"));
+  scale_->addItems({tr("linear opacity"), tr("logarithmic extinction")});
+  scale_->setToolTip(tr("The logarithmic axis reaches 0.0001 per mm with the mouse."));
+  connect(scale_, &QComboBox::activated, this, [this](int n) {
     editor_->setOpacityScale(n == 0 ? OpacityScale::linear : OpacityScale::extinction);
   });
-  return scale;
 }
 
 void TransferPanel::makeFields() {
@@ -71,6 +137,7 @@ void TransferPanel::makeFields() {
 
 void TransferPanel::connectEditor() {
   connect(editor_, &CurveEditor::edited, this, [this](const TransferFunction& curve, const QString& what) {
+    if (session_.scene().mode != Mode::composite) return editWindow(curve, what);
     session_.edit(
         what, [&](Scene& s) { s.transferFunction = curve; }, what);
   });
@@ -119,6 +186,7 @@ QDoubleSpinBox* TransferPanel::addField(const QString& name, const QString& labe
 }
 
 void TransferPanel::showPoint() {
+  if (session_.scene().mode != Mode::composite) return;
   const TransferFunction& curve = session_.scene().transferFunction;
   const int n = editor_->selected();
   const bool any = n >= 0 && n < int(curve.points.size());
@@ -127,7 +195,6 @@ void TransferPanel::showPoint() {
   const QSignalBlocker quietValue(value_), quietOpacity(opacity_), quietHalving(halving_);
   const CurvePoint& point = curve.points[n];
   const double extinction = extinctionPerMm(point.opacity, curve.unitDistance);
-  value_->setSuffix(session_.series() ? QLatin1Char(' ') + valueUnit(*session_.series()->volume) : QString());
   value_->setValue(point.value);
   opacity_->setValue(opacityFromExtinction(extinction, 1));
   // At both ends there is no number: the field stands at its smallest value, under another name.

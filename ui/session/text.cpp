@@ -55,8 +55,9 @@ QString seriesText(const Series& series) {
   return parts.join(QLatin1Char(' '));
 }
 
-QString valueUnit(const Volume& volume) {
-  return volume.attributes().modality == "CT" ? QStringLiteral("HU") : QString();
+QString unitSuffix(const Series& series) {
+  const QString unit = shownText(series.unit);
+  return unit.isEmpty() ? unit : QLatin1Char(' ') + unit;
 }
 
 int valueDecimals(const Histogram& histogram) {
