@@ -79,7 +79,7 @@ void TestProjections::theModeIsChosenInTheWindow() {
   mode->setFocus();
   QTest::keyClick(mode, Qt::Key_Down);
   QCOMPARE(w.session.scene().mode, Mode::mip);
-  QVERIFY2(near(w.window(), {350, 1500}), "one that suits a projection of CT");
+  QVERIFY2(near(w.window(), {700, 1800}), "one that suits a projection of CT");
   QVERIFY(w.child<QDoubleSpinBox>("windowWidth")->isVisible());
   QVERIFY(!w.child<QDoubleSpinBox>("pointOpacity")->isVisible());
   QTest::keyClick(mode, Qt::Key_Down);

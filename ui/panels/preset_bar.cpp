@@ -1,5 +1,6 @@
 #include "ui/panels/preset_bar.h"
 
+#include <QAbstractItemView>
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QLabel>
@@ -16,6 +17,7 @@ namespace volumen {
 namespace {
 
 const QString automatic = QStringLiteral("auto");
+constexpr int widestRow = 340;  // of the list, pixels
 
 // Until there is a thumbnail, and for what has none.
 QIcon neutralIcon(const QPalette& palette) {
@@ -60,6 +62,7 @@ PresetBar::PresetBar(Session& session, Entries entries, QWidget* parent)
   box_->setMaxVisibleItems(10);
   box_->setIconSize({20, 20});
   box_->setItemDelegate(new ThumbnailDelegate(box_));
+  box_->view()->setMinimumWidth(widestRow);
   // A list below the box, which scrolls, in place of a menu over it.
   box_->setStyleSheet(QStringLiteral("combobox-popup: 0;"));
   auto* label = new QLabel(tr("Preset"));
@@ -146,7 +149,12 @@ void PresetBar::showChosen() {
 
 void PresetBar::showThumbnail(const QString& name, const QImage& image) {
   const int n = box_->findData(name);
-  if (n >= 0) box_->setItemIcon(n, QIcon(QPixmap::fromImage(image)));
+  if (n < 0) return;
+  QIcon icon;
+  // Not tinted in the row that is selected.
+  for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected})
+    icon.addPixmap(QPixmap::fromImage(image), mode);
+  box_->setItemIcon(n, icon);
 }
 
 void PresetBar::askName() {

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -23,19 +24,18 @@ TransferPanel::TransferPanel(Session& session, QWidget* parent)
       session_(session),
       editor_(new CurveEditor),
       fields_(new QWidget),
-      windowFields_(new WindowFields(session)),
+      pages_(new QStackedWidget),
       mode_(new QComboBox),
       scale_(new QComboBox) {
   editor_->setObjectName(QStringLiteral("curveEditor"));
   makeFields();
   makeScaleBox();
+  makePages();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->addWidget(makeModeRow());
   column->addWidget(editor_, 1);
-  column->addWidget(fields_);
-  column->addWidget(windowFields_);
-  column->addWidget(scale_);
+  column->addWidget(pages_);
   connectEditor();
   connectFields();
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
@@ -53,6 +53,18 @@ TransferPanel::TransferPanel(Session& session, QWidget* parent)
   });
   showMode();
   showCurve();
+}
+
+// Of one height, so that nothing around them moves with the mode.
+void TransferPanel::makePages() {
+  auto* curve = new QWidget;
+  auto* column = new QVBoxLayout(curve);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(fields_);
+  column->addWidget(scale_);
+  pages_->addWidget(curve);
+  pages_->addWidget(new WindowFields(session_));
+  pages_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
 }
 
 QWidget* TransferPanel::makeModeRow() {
@@ -80,9 +92,7 @@ void TransferPanel::showMode() {
   mode_->setCurrentIndex(int(session_.scene().mode));
   mode_->setEnabled(session_.series() != nullptr);
   editor_->setWindow(window);
-  fields_->setVisible(!window);
-  scale_->setVisible(!window);
-  windowFields_->setVisible(window);
+  pages_->setCurrentIndex(window ? 1 : 0);
 }
 
 void TransferPanel::showCurve() {

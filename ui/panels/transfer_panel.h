@@ -7,6 +7,8 @@
 #include "ui/widgets/colour_button.h"
 #include "ui/widgets/curve_editor.h"
 
+class QStackedWidget;
+
 namespace volumen {
 
 /// What is drawn along each line of sight, and how values are shown: the curve of opacity and colour with its
@@ -20,6 +22,7 @@ class TransferPanel : public QWidget {
  private:
   QWidget* makeModeRow();
   void makeScaleBox();
+  void makePages();
   void makeFields();
   void connectEditor();
   void connectFields();
@@ -32,7 +35,8 @@ class TransferPanel : public QWidget {
 
   Session& session_;
   CurveEditor* editor_;
-  QWidget *fields_, *windowFields_;
+  QWidget* fields_;
+  QStackedWidget* pages_;  // numbers of the curve, of the window
   QComboBox *mode_, *scale_;
   QDoubleSpinBox *value_, *opacity_, *halving_;
   ColourButton* colour_;

@@ -40,7 +40,7 @@ std::vector<NamedWindow> windowChoices(const ShownSeries& series) {
                                                 {tr("Bone"), {400, 2000}},
                                                 {tr("Lung"), {-600, 1500}},
                                                 {tr("CT angiography"), {170, 600}},
-                                                {tr("Bone MIP"), {350, 1500}}};
+                                                {tr("Bone MIP"), {700, 1800}}};
   for (const auto& [name, window] : tissues) all.push_back({withNumbers(name, window), window});
   return all;
 }
@@ -49,7 +49,7 @@ Scene withMode(Scene scene, Mode mode, const ShownSeries& series) {
   scene.mode = mode;
   if (scene.window || mode == Mode::composite || !isHounsfield(series)) return scene;
   // What a file's window is made for, one slice, leaves a projection all white or all black.
-  scene.window = mode == Mode::mip     ? Window{350, 1500}
+  scene.window = mode == Mode::mip     ? Window{700, 1800}
                  : mode == Mode::minip ? Window{-700, 800}
                                        : Window{-300, 1400};
   return scene;
