@@ -75,7 +75,7 @@ void TestFirstPictures::theChestIsProjectedWindowedAndPointedAt() {
   auto* hover = w.child<QLabel>("hoverText");
   QVERIFY(hover);
   const auto valueAt = [&](QPoint at) {
-    QTest::mouseMove(view, at);
+    tests::hover(view, at);
     return hover->text().section(QLatin1Char(' '), 0, 0).toDouble();
   };
   // Where the picture is bright nothing below the foot of the curve is seen.
