@@ -2,6 +2,8 @@
 
 #include <iostream>
 
+#include "app/command.h"
+#include "ui/session/own_presets.h"
 #include "viewer/scene/presets.h"
 
 namespace volumen {
@@ -10,6 +12,7 @@ void addListPresets(CLI::App& app) {
   const auto list = [] {
     std::cout << "auto\n";
     for (const std::string& name : presetNames()) std::cout << name << '\n';
+    for (const Preset& preset : ownPresets().presets) std::cout << printable(preset.name) << '\n';
     throw CLI::Success();
   };
   app.add_flag_callback("--list-presets", list, "List the names of all presets");

@@ -7,8 +7,10 @@
 #include "app/list_presets.h"
 #include "app/usage.h"
 #include "io/files/scene_file.h"
+#include "ui/session/own_presets.h"
 #include "viewer/phantoms/phantoms.h"
 #include "viewer/plan/plan.h"
+#include "viewer/scene/first_camera.h"
 #include "viewer/scene/presets.h"
 #include "viewer/scene/scene_json.h"
 
@@ -61,11 +63,24 @@ Result<glm::ivec2> sizeOf(const std::string& text) {
   return size;
 }
 
+std::string withProblems(std::string sentence, const OwnPresets& own) {
+  for (const std::string& problem : own.problems) sentence += " " + problem;
+  return sentence;
+}
+
+// A preset of the program's or the user's own; a file of theirs that is none is told where no name fits.
+Result<Scene> namedPreset(const std::string& name, const Volume& volume) {
+  const OwnPresets own = ownPresets();
+  auto scene = presetScene(name.empty() ? "auto" : name, volume, own.presets);
+  if (scene || own.problems.empty()) return scene;
+  return Error{withProblems(scene.message(), own)};
+}
+
 // The camera after --view and --projection; none where the scene's default holds.
 void overrideCamera(Scene& scene, const SceneOptions& options, const Volume& volume, double aspect) {
   if (options.view.empty() && options.projection.empty()) return;
   const bool given = scene.camera.has_value();
-  Camera camera = scene.camera.value_or(Camera{});
+  Camera camera = scene.camera.value_or(firstCamera(volume.geometry()));
   const Projection projection = options.projection.empty()         ? camera.projection
                                 : options.projection == "parallel" ? Projection::parallel
                                                                    : Projection::perspective;
@@ -86,7 +101,7 @@ void overrideCamera(Scene& scene, const SceneOptions& options, const Volume& vol
 void addSceneOptions(CLI::App& app, SceneOptions& o) {
   CLI::Option* scene =
       app.add_option("--scene", o.sceneFile, "A scene file, or a PNG that volumen wrote")->type_name("FILE");
-  app.add_option("--preset", o.preset, "A preset by name (default: auto)")
+  app.add_option("--preset", o.preset, "A preset by name, your own too (default: auto)")
       ->type_name("NAME")
       ->excludes(scene);
   addListPresets(app);
@@ -107,8 +122,7 @@ Result<std::optional<Scene>> readScene(const SceneOptions& options) {
 }
 
 Result<Scene> makeScene(const SceneOptions& options, const std::optional<Scene>& file, const Volume& volume) {
-  auto scene =
-      file ? Result<Scene>(*file) : presetScene(options.preset.empty() ? "auto" : options.preset, volume);
+  auto scene = file ? Result<Scene>(*file) : namedPreset(options.preset, volume);
   if (!scene) return scene;
   const auto size = sizeOf(options.size);
   if (!size) return size.error();
@@ -173,9 +187,11 @@ Result<RenderOptions> renderOptions(const SceneOptions& scene, const MethodOptio
   const auto size = sizeOf(scene.size);
   if (!size) return size.error();
   out.size = *size;
-  if (!scene.preset.empty())
-    if (Status known = checkPreset(scene.preset); !known)
-      return Error{known.message() + " (`volumen --list-presets` shows all)"};
+  if (!scene.preset.empty()) {
+    const OwnPresets own = ownPresets();
+    if (Status known = checkPreset(scene.preset, own.presets); !known)
+      return Error{withProblems(known.message() + " (`volumen --list-presets` shows all)", own)};
+  }
   if (!method.quality.empty()) out.quality = meaning(qualities, method.quality);
   out.step = method.step;
   out.method = method.reference ? Method::reference : meaning(methods, method.method);

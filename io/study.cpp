@@ -28,6 +28,7 @@ Result<Study> openPhantom(const std::string& path) {
   series.format = "phantom";
   series.description = phantomName(path);
   series.modality = phantom->modality;
+  if (series.modality == "CT") series.unit = "HU";
   series.acquired = phantom->geometry;
   series.valueType = phantom->valueType;
   Study study;

@@ -21,6 +21,7 @@ struct Series {
   std::string format;  ///< "DICOM", "NRRD", "NIfTI", "MetaImage", "phantom"
   std::string patientName, patientId, studyUid, studyDate, studyDescription;
   std::string seriesUid, seriesNumber, modality, description;
+  std::string unit;  ///< of the values: "HU", "Bq/ml", "SUV"; empty where they have none
 
   VoxelGeometry
       acquired;  ///< the slices as acquired; spacing along k: mean distance along the step between slices

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QComboBox>
 #include <QDockWidget>
 #include <QMimeData>
 #include <QStackedWidget>
@@ -12,6 +11,7 @@
 #include "ui/controller/qt_gl_context.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/effects_panel.h"
+#include "ui/panels/preset_bar.h"
 #include "ui/panels/segment_panel.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
@@ -29,7 +29,8 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
       controller_(services.makeDraw),
       loader_(services.makeScene),
       meter_(controller_),
-      snapshot_(controller_) {
+      snapshot_(controller_),
+      thumbnails_(controller_, services.makeScene) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("volumen"));
   setAcceptDrops(true);
@@ -103,7 +104,8 @@ void MainWindow::connectLoader() {
   });
   connect(&loader_, &Loader::presetReady, this,
           [this](const QString& name, const Scene& scene, const VolumePtr& v) {
-            if (session_.series() && session_.series()->volume == v) applyPreset(name, scene);
+            if (session_.series() && session_.series()->volume == v)
+              session_.choosePreset(tr("Preset %1").arg(name), name.toStdString(), scene);
           });
   connect(&loader_, &Loader::failed, this, [this](const QString& sentence) { banner_->add(sentence); });
   connect(&loader_, &Loader::progressed, status_, &StatusLine::progress);
@@ -183,11 +185,12 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
 
 void MainWindow::showSeries() {
   const ShownSeriesPtr& series = session_.series();
+  thumbnails_.stop();
+  thumbnailsOf_.reset();
   controller_.setVolume(series ? series->volume : nullptr);
   pages_->setCurrentWidget(series ? static_cast<QWidget*>(view_) : pages_->widget(0));
   if (!series) return;
   showNames();
-  presets_->setCurrentIndex(0);
   QStringList warnings;
   for (const Warning& w : series->warnings)
     if (w.kind == WarningKind::other) warnings << shownText(w.sentence);  // the others stand on the picture
@@ -226,19 +229,15 @@ void MainWindow::showFrame(const Frame& frame) {
   complete.camera = frame.scene.camera;
   if (!complete.camera->target) complete.camera->target = target;
   meter_.show(session_.series()->volume, complete, frame.image.size());
+  drawThumbnails();
   Q_EMIT settled();
 }
 
-void MainWindow::applyPreset(const QString& name, const Scene& scene) {
-  session_.edit(tr("Preset %1").arg(name), [&](Scene& s) {
-    s.mode = scene.mode;
-    s.window = scene.window;
-    s.transferFunction = scene.transferFunction;
-    s.shading = scene.shading;
-    s.lights = scene.lights;
-  });
-}
-
+// Once the first picture of a series is there.
+void MainWindow::drawThumbnails() {
+  const VolumePtr& volume = session_.series()->volume;
+  if (std::exchange(thumbnailsOf_, volume) == volume) return;
+  thumbnails_.start(volume, presets_->names(), int(PresetBar::thumbnailEdge * devicePixelRatioF()));
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -5,15 +5,16 @@
 
 #include "ui/controller/accuracy_meter.h"
 #include "ui/controller/loader.h"
+#include "ui/controller/preset_thumbnails.h"
 #include "ui/controller/recent_files.h"
 #include "ui/controller/render_controller.h"
 #include "ui/controller/scene_files.h"
 #include "ui/controller/segmenter.h"
 #include "ui/controller/snapshot.h"
+#include "ui/session/own_presets.h"
 #include "ui/session/session.h"
 #include "ui/theme.h"
 
-class QComboBox;
 class QStackedWidget;
 
 namespace volumen {
@@ -21,6 +22,7 @@ namespace volumen {
 class AccuracyPanel;
 class Banner;
 class EffectsPanel;
+class PresetBar;
 class SegmentPanel;
 class SnapshotPanel;
 class StartPage;
@@ -28,11 +30,11 @@ class StatusLine;
 class StudiesPanel;
 class VolumeView;
 
-/// What the window has done by others: how volumes are drawn, how presets are made, and their names.
+/// What the window has done by others: how volumes are drawn, how presets are made, and which there are.
 struct Services {
   MakeDraw makeDraw;
   MakeScene makeScene;
-  std::vector<std::string> presetNames;
+  std::function<std::vector<PresetEntry>()> presets;
 };
 
 /// The real ones: render() and presetScene().
@@ -89,7 +91,8 @@ class MainWindow : public QMainWindow {
   void showFrame(const Frame& frame);
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study);
   void showSeries();
-  void applyPreset(const QString& name, const Scene& scene);
+  void makePresetBar(QToolBar* bar);
+  void drawThumbnails();
   Scene sceneInView() const;
   void takeSnapshot(const SnapshotRequest& request);
   void askForScene();
@@ -115,6 +118,7 @@ class MainWindow : public QMainWindow {
   Segmenter segmenter_;
   SceneFiles sceneFiles_;
   RecentFiles recent_;
+  PresetThumbnails thumbnails_;
 
   VolumeView* view_;
   QStackedWidget* pages_;
@@ -126,7 +130,7 @@ class MainWindow : public QMainWindow {
   AccuracyPanel* accuracy_;
   SegmentPanel* segment_;
   SnapshotPanel* snapshotPanel_;
-  QComboBox* presets_;
+  PresetBar* presets_;
   std::map<QString, QAction*> actions_;
   std::map<QString, QDockWidget*> docks_;
   QByteArray layoutBefore_;           // of the docks, while the view is alone
@@ -134,6 +138,7 @@ class MainWindow : public QMainWindow {
   bool showFirst_ = false;            // the next study opened is shown
   std::optional<Scene> sceneToShow_;  // by this scene
   QMenu* recentMenu_;
+  VolumePtr thumbnailsOf_;  // the volume whose presets have thumbnails
 };
 
 }  // namespace volumen

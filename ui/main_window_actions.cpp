@@ -1,9 +1,7 @@
 #include <QActionGroup>
 #include <QApplication>
-#include <QComboBox>
 #include <QDockWidget>
 #include <QFileDialog>
-#include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QScrollArea>
@@ -18,12 +16,15 @@
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/material_panel.h"
+#include "ui/panels/preset_bar.h"
 #include "ui/panels/segment_panel.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/transfer_panel.h"
+#include "ui/session/text.h"
 #include "ui/views/canvas.h"
 #include "ui/views/volume_view.h"
+#include "ui/widgets/banner.h"
 #include "ui/widgets/documents_window.h"
 #include "ui/widgets/fold_title.h"
 
@@ -269,25 +270,28 @@ void MainWindow::makeToolBar() {
   bar->addSeparator();
   for (const char* name : {"orbitTool", "curveTool", "resetView"}) add(name);
   bar->addSeparator();
-  auto* label = new QLabel(tr("Preset"));
-  presets_ = new QComboBox;
-  presets_->setObjectName(QStringLiteral("presets"));
-  presets_->setAccessibleName(tr("Preset"));
-  presets_->setMinimumContentsLength(22);
-  presets_->addItem(tr("Automatic"), QStringLiteral("auto"));
-  for (const std::string& name : services_.presetNames)
-    presets_->addItem(QString::fromStdString(name), QString::fromStdString(name));
-  label->setBuddy(presets_);
-  bar->addWidget(label);
-  bar->addWidget(presets_);
+  makePresetBar(bar);
   auto* gap = new QWidget;
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(gap);
   add("snapshot");
   add("shortcuts");
-  connect(presets_, &QComboBox::activated, this, [this](int n) {
-    if (session_.series()) loader_.makePreset(presets_->itemData(n).toString(), session_.series()->volume);
+}
+
+void MainWindow::makePresetBar(QToolBar* bar) {
+  presets_ = new PresetBar(session_, services_.presets);
+  bar->addWidget(presets_);
+  connect(presets_, &PresetBar::presetChosen, this,
+          [this](const QString& name) { loader_.makePreset(name, session_.series()->volume); });
+  connect(presets_, &PresetBar::failed, this, [this](const QString& sentence) { banner_->tell(sentence); });
+  connect(presets_, &PresetBar::listChanged, this, [this] {
+    thumbnailsOf_.reset();
+    drawThumbnails();
   });
+  QStringList problems;
+  for (const std::string& problem : ownPresets().problems) problems << shownText(problem);
+  if (!problems.isEmpty()) banner_->tell(tr("A preset of yours cannot be read."), problems);
+  connect(&thumbnails_, &PresetThumbnails::ready, presets_, &PresetBar::showThumbnail);
 }
 
 void MainWindow::askForFolder() {
@@ -341,7 +345,7 @@ void MainWindow::showShortcuts() {
       tr("F, keypad 0"),
       tr("reset the view"),
       tr("T, W"),
-      tr("tools: rotate, adjust curve (W/L)"),
+      tr("tools: rotate, adjust curve (W/L; in projections the window, Shift: fine, Ctrl: fast)"),
       tr("In the curve"),
       tr("double-click adds a point, right-click or Delete removes it, arrow keys nudge it, Tab goes to the "
          "next, the wheel zooms the value axis, Home shows all of it"),

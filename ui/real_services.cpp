@@ -1,8 +1,13 @@
 #include "ui/main_window.h"
-#include "viewer/scene/presets.h"
+#include "ui/session/own_presets.h"
 
 namespace volumen {
 
-Services realServices() { return {drawWithCaches, presetScene, presetNames()}; }
+Services realServices() {
+  const auto makeScene = [](const std::string& preset, const Volume& volume) {
+    return presetScene(preset, volume, ownPresets().presets);
+  };
+  return {drawWithCaches, makeScene, presetEntries};
+}
 
 }  // namespace volumen

@@ -59,6 +59,15 @@ Status readBits(const DataSet& data, const Element& pixels, PixelFormat& format)
   return {};
 }
 
+// CT means HU where it does not say otherwise (Rescale Type); PET says it in Units.
+std::string unitOf(const std::string& modality, const std::string& rescaleType, const std::string& units) {
+  if (modality == "CT") return rescaleType.empty() || rescaleType == "HU" ? "HU" : "";
+  if (modality != "PT") return "";
+  if (units == "BQML") return "Bq/ml";
+  // Standardised uptake by body weight, surface or lean mass: g/ml, cm2/ml.
+  return units == "GML" || units == "CM2ML" ? "SUV" : "";
+}
+
 }  // namespace
 
 void readIdentity(const DataSet& data, FileHeader& header) {
@@ -76,6 +85,7 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   header.seriesNumber = text(0x00200011);
   header.modality = text(0x00080060);
   header.description = text(0x0008103e);
+  header.unit = unitOf(header.modality, text(0x00281054), text(0x00541001));
 }
 
 Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels) {

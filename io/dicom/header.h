@@ -54,6 +54,7 @@ struct FileHeader {
   std::string sopClassUid, sopInstanceUid;
   std::string patientName, patientId, studyUid, studyDate, studyDescription;
   std::string seriesUid, seriesNumber, modality, description;
+  std::string unit;  ///< Series::unit
   TransferSyntax syntax{"", "", Coding::native, {}, false};
   PixelFormat format;
   std::vector<FrameRanges> frames;  ///< where each frame's bytes lie (in the inflated data set if deflated)

@@ -230,6 +230,7 @@ Series describe(const Part& part) {
   s.seriesUid = first.seriesUid;
   s.seriesNumber = first.seriesNumber;
   s.modality = first.modality;
+  s.unit = first.unit;
   s.description = first.description;
   std::vector<const FileHeader*> headers;
   for (const Entry& e : part.entries) {

@@ -83,6 +83,7 @@ Result<std::vector<Series>> readImageFileHeaders(const std::string& path) {
   series.path = path;
   series.format = header->format;
   series.modality = header->modality;
+  if (series.modality == "CT") series.unit = "HU";
   series.description = header->description;
   series.acquired = header->geometry;
   series.valueType = volumeTypeName(header->data.type);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QCoreApplication>
+#include <QMouseEvent>
 #include <QPointF>
 #include <QTest>
 #include <QWidget>
@@ -15,6 +17,12 @@ inline void drag(QWidget* widget, QPointF from, QPointF to, Qt::MouseButton butt
     QTest::mouseEvent(QTest::MouseMove, widget, button, modifiers,
                       (from + (to - from) * (double(n) / steps)).toPoint());
   QTest::mouseRelease(widget, button, modifiers, to.toPoint());
+}
+
+/// The mouse passes over a widget, no button held.
+inline void hover(QWidget* widget, QPointF at) {
+  QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+  QCoreApplication::sendEvent(widget, &move);
 }
 
 }  // namespace volumen::tests

@@ -201,7 +201,7 @@ void TestVolumeView::pickFindsTheSurface() {
   const auto hit = pick(series->firstScene, *series->volume, line, true);
   QVERIFY(hit.has_value());
   // The curve begins at 400 of 1000, in the cell that holds the surface: within a voxel.
-  QVERIFY(std::abs(hit->pPatient.y + 10) < 1);
+  QVERIFY(std::abs(hit->pPatient->y + 10) < 1);
   QVERIFY(std::abs(valueAtVoxel(*series->volume, {15.5 + 2, 15.5, 15.5}) - 1000) < 1e-9);
   QVERIFY(!pick(series->firstScene, *series->volume, {{14, -500, 14}, {0, 1, 0}}, true));
   // In perspective nothing behind the eye is seen.
@@ -213,11 +213,11 @@ void TestVolumeView::pickSeesTheClip() {
   Scene scene = series->firstScene;
   scene.clip.boxLow.y = 0.5;
   auto hit = pick(scene, *series->volume, {{0, -500, 0}, {0, 1, 0}}, true);
-  QVERIFY(hit && std::abs(hit->pPatient.y) < 1);
+  QVERIFY(hit && std::abs(hit->pPatient->y) < 1);
   scene.clip = {};
   scene.clip.planes = {{{0, -2, 0}, -4}};  // keeps y >= 4
   hit = pick(scene, *series->volume, {{0, -500, 0}, {0, 1, 0}}, true);
-  QVERIFY(hit && std::abs(hit->pPatient.y - 4) < 1);
+  QVERIFY(hit && std::abs(hit->pPatient->y - 4) < 1);
 }
 
 void TestVolumeView::gesturesAreOneUndoStepEach_data() {
@@ -262,7 +262,7 @@ void TestVolumeView::wheelZoomsAtTheCursor() {
                     Qt::NoScrollPhase, false);
   QCoreApplication::sendEvent(&shown.view, &wheel);
   const Camera after = shown.view.camera();
-  QVERIFY(near(seenAt(after, size, seen->pPatient), {at.x(), at.y()}));
+  QVERIFY(near(seenAt(after, size, *seen->pPatient), {at.x(), at.y()}));
   QVERIFY(after.height < 32 * 0.75);
 }
 

@@ -2,11 +2,24 @@
 
 #include <QElapsedTimer>
 
+#include "viewer/plan/default_window.h"
+#include "viewer/scene/automatic.h"
+
 namespace volumen {
 
 namespace {
 constexpr int tellEveryMs = 50;
+
+void setWindow(ShownSeries& shown) {
+  VolumeFacts facts;
+  const std::vector<float> p = percentiles(*shown.volume, {1, 999});
+  facts.p01 = p[0], facts.p999 = p[1];
+  const std::vector<Window>& files = shown.volume->attributes().windows;
+  if (!files.empty()) facts.fileWindow = files.front();
+  shown.window = defaultWindow(facts);
+  shown.valueSpread = p[1] > p[0] ? double(p[1]) - p[0] : 1;
 }
+}  // namespace
 
 Loader::Loader(MakeScene makeScene, QObject* parent) : QObject(parent), makeScene_(std::move(makeScene)) {
   for (QThreadPool* pool : {&openPool_, &loadPool_}) pool->setMaxThreadCount(1);
@@ -84,6 +97,8 @@ void Loader::load(const Series& series) {
     shown->volume = loaded->drawn;
     shown->warnings = loaded->warnings;
     shown->histogram = histogram(*loaded->drawn);
+    setWindow(*shown);
+    if (series.unit.empty()) shown->usual = usualRange(*loaded->drawn);
     Result<Scene> scene = makeScene_("auto", *loaded->drawn);
     if (!scene) return fail(scene.message());
     shown->firstScene = std::move(*scene);

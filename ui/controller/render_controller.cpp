@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "viewer/scene/first_camera.h"
+
 namespace volumen {
 
 namespace {
@@ -44,6 +46,7 @@ void RenderController::setVolume(VolumePtr volume) {
     ++generation_;
     screen_.reset();
     trial_.reset();
+    thumbnails_.reset();
     volumeCancel_.cancel();
     restCancel_.cancel();
     trialCancel_.cancel();
@@ -103,6 +106,16 @@ int RenderController::requestPicture(const VolumePtr& volume, const Scene& scene
   return number;
 }
 
+int RenderController::requestThumbnails(std::vector<Scene> scenes, QSize pixels) {
+  {
+    const std::lock_guard lock(mutex_);
+    thumbnails_ = Thumbnails{std::move(scenes), pixels};
+    ++thumbnailBatch_;
+  }
+  wake_.notify_one();
+  return thumbnailBatch_;
+}
+
 void RenderController::cancelPictures() {
   const std::lock_guard lock(mutex_);
   pictureCancel_.cancel();
@@ -127,7 +140,8 @@ void RenderController::tell(Function function) {
 
 bool RenderController::waitForWork(std::unique_lock<std::mutex>& lock) {
   const auto something = [this] {
-    return closing_ || generation_ != drawnGeneration_ || screen_ || !pictures_.empty() || trial_;
+    return closing_ || generation_ != drawnGeneration_ || screen_ || !pictures_.empty() || trial_ ||
+           thumbnails_;
   };
   if (!something()) {
     tell([this] { Q_EMIT workingChanged(false); });
@@ -152,8 +166,10 @@ void RenderController::run() {
       drawScreen(lock);
     } else if (!pictures_.empty()) {
       drawPicture(lock);
-    } else {
+    } else if (trial_) {
       drawTrial(lock);
+    } else {
+      drawThumbnail(lock);
     }
   }
   draw_.reset();  // on this thread, which its OpenGL context belongs to
@@ -239,10 +255,30 @@ void RenderController::drawTrial(std::unique_lock<std::mutex>& lock) {
   tell([this, trial] { Q_EMIT trialReady(trial); });
 }
 
+// One at a time, so that anything else comes in between; drawn again where something interrupts it.
+void RenderController::drawThumbnail(std::unique_lock<std::mutex>& lock) {
+  if (!draw_ || thumbnails_->next == thumbnails_->scenes.size()) return thumbnails_.reset();
+  const Scene scene = thumbnails_->scenes[thumbnails_->next];
+  const int batch = thumbnailBatch_, n = int(thumbnails_->next);
+  RenderOptions options;
+  options.size = {thumbnails_->pixels.width(), thumbnails_->pixels.height()};
+  options.quality = Quality::draft;
+  trialCancel_ = CancelToken();
+  const CancelToken cancel = trialCancel_;
+  lock.unlock();
+  const Result<Drawn> drawn = draw(scene, options, cancel);
+  const QImage image = drawn ? toImage(drawn->picture) : QImage();
+  lock.lock();
+  if (cancel.cancelled() || batch != thumbnailBatch_) return;
+  ++thumbnails_->next;
+  // What cannot be drawn has no thumbnail.
+  if (drawn) tell([this, batch, n, image] { Q_EMIT thumbnailReady(batch, n, image); });
+}
+
 RenderController::View RenderController::viewOf(const ScreenRequest& request, Pass pass) const {
   View view{request.scene, {}, {}};
   if (!view.shown.camera)
-    view.shown.camera = fitCamera(Camera{}, drawnVolume_->geometry(),
+    view.shown.camera = fitCamera(firstCamera(drawnVolume_->geometry()), drawnVolume_->geometry(),
                                   double(request.pixels.width()) / request.pixels.height());
   const DraftView draft = draftView(*view.shown.camera, request.pixels, pass.factor);
   view.scene = view.shown;

@@ -106,8 +106,13 @@ class RenderController : public QObject {
   void cancelPictures();
   /// How much of the picture to be saved is drawn, 0 to 1.
   double pictureDone() const;
+  /// Asks for small pictures of these scenes, whole, after everything else; returns the number of the batch.
+  /// Each ends in thumbnailReady() or, where it cannot be drawn, in nothing. A second takes the place of the
+  /// first; none are left of a volume before.
+  int requestThumbnails(std::vector<Scene> scenes, QSize pixels);
 
  Q_SIGNALS:
+  void thumbnailReady(int batch, int n, const QImage& image);
   void frameReady(const volumen::Frame& frame);
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
@@ -141,6 +146,11 @@ class RenderController : public QObject {
     Result<Planned> planned;
     std::chrono::steady_clock::time_point rest;  // from when on nothing was
   };
+  struct Thumbnails {
+    std::vector<Scene> scenes;
+    QSize pixels;
+    std::size_t next = 0;
+  };
   struct PictureRequest {
     int number;
     VolumePtr volume;
@@ -154,6 +164,7 @@ class RenderController : public QObject {
   void drawPicture(std::unique_lock<std::mutex>& lock);
   void drawScreen(std::unique_lock<std::mutex>& lock);
   void drawTrial(std::unique_lock<std::mutex>& lock);
+  void drawThumbnail(std::unique_lock<std::mutex>& lock);
   Pass firstPass(PictureLevel rest) const;
   View viewOf(const ScreenRequest& request, Pass pass) const;
   bool drawFrame(const ScreenRequest& request, Pass pass, bool atRest, const CancelToken& cancel,
@@ -175,8 +186,10 @@ class RenderController : public QObject {
   int pictureNumber_ = 0;
   std::optional<ScreenRequest> trial_;
   int trialNumber_ = 0;
-  CancelToken volumeCancel_, restCancel_, trialCancel_;
-  CancelToken pictureCancel_;  // of the picture being drawn
+  std::optional<Thumbnails> thumbnails_;
+  int thumbnailBatch_ = 0;
+  CancelToken volumeCancel_, restCancel_, trialCancel_;  // the last of thumbnails, too
+  CancelToken pictureCancel_;                            // of the picture being drawn
   Resampler resampler_ = Resampler::cpu;
   PictureLevel level_;
   bool closing_ = false;  // ... to here

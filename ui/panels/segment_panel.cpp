@@ -105,9 +105,9 @@ void SegmentPanel::showSpans() {
   const ShownSeriesPtr& series = session_.series();
   setEnabled(series != nullptr);
   if (!series) return;
-  const QString unit = valueUnit(*series->volume);
+  const QString unit = unitSuffix(series->series);
   for (QDoubleSpinBox* field : {low_, high_}) {
-    field->setSuffix(QLatin1Char(' ') + unit);
+    field->setSuffix(unit);
     field->setDecimals(valueDecimals(series->histogram));
   }
   for (const ValueRange& span : visibleSpans(session_.scene().transferFunction))
@@ -135,7 +135,8 @@ void SegmentPanel::showSegmentation(const std::shared_ptr<const Segmentation>& s
   only_->setChecked(false);
   if (!segmentation) return result_->clear();
   const LabelStatistics& s = segmentation->statistics;
-  const QString unit = valueUnit(*segmentation->volume), voxels = QLocale().toString(qlonglong(s.voxels));
+  const QString unit = shownText(session_.series()->series.unit),
+                voxels = QLocale().toString(qlonglong(s.voxels));
   QStringList parts;
   if (s.millilitres) parts << tr("%1 ml").arg(*s.millilitres, 0, 'f', *s.millilitres < 100 ? 2 : 0);
   const int decimals = valueDecimals(session_.series()->histogram) - 1;
@@ -165,7 +166,7 @@ void SegmentPanel::askWhere() {
   dialog->selectFile(QStringLiteral("segmentation.seg.nrrd"));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     const ValueRange r = segmentation_->range;
-    const QString name = tr("%1 to %2 %3").arg(r.low).arg(r.high).arg(valueUnit(*segmentation_->volume));
+    const QString name = tr("%1 to %2%3").arg(r.low).arg(r.high).arg(unitSuffix(session_.series()->series));
     const glm::dvec3 colour = curveAt(session_.scene().transferFunction, (r.low + r.high) / 2).colour;
     Q_EMIT saveRequested(segmentation_, {path, name.trimmed(), colour});
   });

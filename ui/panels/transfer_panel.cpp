@@ -1,13 +1,16 @@
 #include "ui/panels/transfer_panel.h"
 
-#include <QComboBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/panels/window_fields.h"
 #include "ui/session/text.h"
+#include "ui/session/windows.h"
 
 namespace volumen {
 
@@ -17,46 +20,119 @@ constexpr double longestHalving = 1e5, shortestHalving = 0.05;  // mm, of the fi
 }  // namespace
 
 TransferPanel::TransferPanel(Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), editor_(new CurveEditor), fields_(new QWidget) {
+    : QWidget(parent),
+      session_(session),
+      editor_(new CurveEditor),
+      fields_(new QWidget),
+      pages_(new QStackedWidget),
+      mode_(new QComboBox),
+      scale_(new QComboBox) {
   editor_->setObjectName(QStringLiteral("curveEditor"));
   makeFields();
+  makeScaleBox();
+  makePages();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
+  column->addWidget(makeModeRow());
   column->addWidget(editor_, 1);
-  column->addWidget(fields_);
-  column->addWidget(makeScaleBox());
+  column->addWidget(pages_);
   connectEditor();
   connectFields();
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series && after.series) {
-      editor_->setHistogram(after.series->histogram, valueUnit(*after.series->volume));
+      editor_->setHistogram(after.series->histogram, shownText(after.series->series.unit));
       value_->setDecimals(valueDecimals(after.series->histogram));
+      value_->setSuffix(unitSuffix(after.series->series));
     }
-    if (before.scene.transferFunction == after.scene.transferFunction) return;
-    editor_->setCurve(after.scene.transferFunction);
-    showPoint();
+    if (before.series != after.series || before.scene.mode != after.scene.mode) showMode();
+    if (before.series == after.series && before.scene.mode == after.scene.mode &&
+        before.scene.window == after.scene.window &&
+        before.scene.transferFunction == after.scene.transferFunction)
+      return;
+    showCurve();
   });
-  editor_->setCurve(session_.scene().transferFunction);
-  showPoint();
+  showMode();
+  showCurve();
 }
 
-QWidget* TransferPanel::makeScaleBox() {
-  auto* scale = new QComboBox;
-  scale->setObjectName(QStringLiteral("opacityScale"));
-  scale->setAccessibleName(tr("Opacity axis"));
-  scale->addItems({tr("Opacity axis: linear"), tr("Opacity axis: logarithmic")});
-  scale->setToolTip(
+// Of one height, so that nothing around them moves with the mode.
+void TransferPanel::makePages() {
+  auto* curve = new QWidget;
+  auto* column = new QVBoxLayout(curve);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(fields_);
+  column->addWidget(scale_);
+  pages_->addWidget(curve);
+  pages_->addWidget(new WindowFields(session_));
+  pages_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+}
+
+QWidget* TransferPanel::makeModeRow() {
+  mode_->setObjectName(QStringLiteral("mode"));
+  mode_->setAccessibleName(tr("Mode"));
+  mode_->addItems({tr("3D"), tr("MIP (maximum)"), tr("MinIP (minimum)"), tr("Average")});
+  mode_->setToolTip(tr("What is shown of each line of sight"));
+  connect(mode_, &QComboBox::activated, this, [this](int n) {
+    if (session_.series())
+      session_.edit(tr("Mode %1").arg(mode_->itemText(n)),
+                    withMode(session_.scene(), Mode(n), *session_.series()));
+  });
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  auto* label = new QLabel(tr("Mode"));
+  label->setBuddy(mode_);
+  line->addWidget(label);
+  line->addWidget(mode_, 1);
+  return row;
+}
+
+void TransferPanel::showMode() {
+  const bool window = session_.scene().mode != Mode::composite;
+  mode_->setCurrentIndex(int(session_.scene().mode));
+  mode_->setEnabled(session_.series() != nullptr);
+  editor_->setWindow(window);
+  pages_->setCurrentIndex(window ? 1 : 0);
+}
+
+void TransferPanel::showCurve() {
+  const Scene& scene = session_.scene();
+  if (scene.mode == Mode::composite || !session_.series()) {
+    editor_->setCurve(scene.transferFunction);
+    return showPoint();
+  }
+  // The window as a curve from black to white.
+  const WindowEnds ends = endsOf(windowInUse(scene, *session_.series()));
+  const CurvePoint dark{float(ends.dark), glm::dvec3(0), 0}, bright{float(ends.bright), glm::dvec3(1), 1};
+  TransferFunction curve;
+  curve.points = ends.dark < ends.bright ? std::vector{dark, bright} : std::vector{bright, dark};
+  editor_->setCurve(curve);
+}
+
+void TransferPanel::editWindow(const TransferFunction& curve, const QString& what) {
+  const CurvePoint &first = curve.points.front(), &last = curve.points.back();
+  WindowEnds ends{first.value, last.value};
+  if (ends.bright - ends.dark < session_.series()->valueSpread / 4000) return showCurve();
+  if (first.opacity > last.opacity) std::swap(ends.dark, ends.bright);
+  session_.edit(
+      what, [&](Scene& s) { s.window = windowBetween(ends); }, what);
+}
+
+void TransferPanel::makeScaleBox() {
+  scale_->setObjectName(QStringLiteral("opacityScale"));
+  scale_->setAccessibleName(tr("Opacity axis"));
+  scale_->addItems({tr("Opacity axis: linear"), tr("Opacity axis: logarithmic")});
+  scale_->setToolTip(
       tr("The logarithmic axis makes opacities down to 0.0001 per mm adjustable with the mouse."));
-  connect(scale, &QComboBox::activated, this,
+  connect(scale_, &QComboBox::activated, this,
           [this](int n) { session_.prefer([n](Preferences& p) { p.logarithmicOpacity = n == 1; }); });
-  const auto show = [this, scale] {
+  const auto show = [this] {
     const bool logarithmic = session_.preferences().logarithmicOpacity;
-    scale->setCurrentIndex(logarithmic ? 1 : 0);
+    scale_->setCurrentIndex(logarithmic ? 1 : 0);
     editor_->setOpacityScale(logarithmic ? OpacityScale::extinction : OpacityScale::linear);
   };
   connect(&session_, &Session::preferencesChanged, this, show);
   show();
-  return scale;
 }
 
 void TransferPanel::makeFields() {
@@ -77,6 +153,7 @@ void TransferPanel::makeFields() {
 
 void TransferPanel::connectEditor() {
   connect(editor_, &CurveEditor::edited, this, [this](const TransferFunction& curve, const QString& what) {
+    if (session_.scene().mode != Mode::composite) return editWindow(curve, what);
     session_.edit(
         what, [&](Scene& s) { s.transferFunction = curve; }, what);
   });
@@ -124,6 +201,7 @@ QDoubleSpinBox* TransferPanel::addField(const QString& name, const QString& labe
 }
 
 void TransferPanel::showPoint() {
+  if (session_.scene().mode != Mode::composite) return;
   const TransferFunction& curve = session_.scene().transferFunction;
   const int n = editor_->selected();
   const bool any = n >= 0 && n < int(curve.points.size());

@@ -1,14 +1,18 @@
 #pragma once
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 
 #include "ui/session/session.h"
 #include "ui/widgets/colour_button.h"
 #include "ui/widgets/curve_editor.h"
 
+class QStackedWidget;
+
 namespace volumen {
 
-/// Opacity and colour: the curve, and the selected point in numbers.
+/// What is drawn along each line of sight, and how values are shown: the curve of opacity and colour with its
+/// selected point in numbers, or the window of a projection.
 class TransferPanel : public QWidget {
   Q_OBJECT
  public:
@@ -16,17 +20,24 @@ class TransferPanel : public QWidget {
   CurveEditor* editor() const { return editor_; }
 
  private:
-  QWidget* makeScaleBox();
+  QWidget* makeModeRow();
+  void makeScaleBox();
+  void makePages();
   void makeFields();
   void connectEditor();
   void connectFields();
   QDoubleSpinBox* addField(const QString& name, const QString& label, int decimals, double low, double high);
+  void showMode();
+  void showCurve();
   void showPoint();
+  void editWindow(const TransferFunction& curve, const QString& what);
   void changePoint(const std::function<void(CurvePoint&)>& change, const QString& what);
 
   Session& session_;
   CurveEditor* editor_;
   QWidget* fields_;
+  QStackedWidget* pages_;  // numbers of the curve, of the window
+  QComboBox *mode_, *scale_;
   QDoubleSpinBox *value_, *opacity_, *halving_;
   ColourButton* colour_;
 };

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "viewer/scene/first_camera.h"
+
 namespace volumen {
 
 namespace {
@@ -31,7 +33,7 @@ double heightAtTarget(const Camera& camera) {
 }
 
 Camera cameraInUse(const Scene& scene, const VoxelGeometry& geometry, glm::dvec2 size) {
-  if (!scene.camera) return fitCamera(Camera{}, geometry, size.x / size.y);
+  if (!scene.camera) return fitCamera(firstCamera(geometry), geometry, size.x / size.y);
   Camera camera = *scene.camera;
   if (!camera.target) camera.target = geometry.centre();
   return camera;

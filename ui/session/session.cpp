@@ -2,6 +2,7 @@
 
 #include "ui/session/edit_state.h"
 #include "ui/session/text.h"
+#include "viewer/scene/presets.h"
 
 namespace volumen {
 
@@ -11,6 +12,7 @@ void Session::show(ShownSeriesPtr series) {
   undoStack_.clear();
   const SessionState before = state_;
   state_.scene = series ? series->firstScene : Scene{};
+  state_.preset = series ? std::make_shared<ChosenPreset>(ChosenPreset{"auto", series->firstScene}) : nullptr;
   state_.series = std::move(series);
   endGesture();
   Q_EMIT changed(before, state_);
@@ -22,7 +24,9 @@ void Session::push(const QString& text, SessionState after, const QString& merge
 }
 
 void Session::edit(const QString& text, Scene after, const QString& mergeKey) {
-  push(text, {state_.series, std::move(after), state_.wish}, mergeKey);
+  SessionState state = state_;
+  state.scene = std::move(after);
+  push(text, std::move(state), mergeKey);
 }
 
 void Session::edit(const QString& text, const std::function<void(Scene&)>& change, const QString& mergeKey) {
@@ -32,7 +36,22 @@ void Session::edit(const QString& text, const std::function<void(Scene&)>& chang
 }
 
 void Session::wishFor(const QString& text, const PictureWish& after, const QString& mergeKey) {
-  push(text, {state_.series, state_.scene, after}, mergeKey);
+  SessionState state = state_;
+  state.wish = after;
+  push(text, std::move(state), mergeKey);
+}
+
+void Session::choosePreset(const QString& text, const std::string& name, const Scene& look) {
+  if (state_.preset && state_.preset->name == name && sameLook(state_.scene, look) && !presetModified())
+    return;
+  SessionState state = state_;
+  state.scene = withLook(state_.scene, look);
+  state.preset = std::make_shared<ChosenPreset>(ChosenPreset{name, look});
+  push(text, std::move(state), {});
+}
+
+bool Session::presetModified() const {
+  return state_.preset && !sameLook(state_.scene, state_.preset->scene);
 }
 
 void Session::prefer(const Preferences& preferences) {

@@ -11,11 +11,18 @@
 
 namespace volumen {
 
+/// The preset that was chosen last and the look it gave.
+struct ChosenPreset {
+  std::string name;
+  Scene scene;
+};
+
 /// All that the window shows, as a value.
 struct SessionState {
   ShownSeriesPtr series;  ///< null: nothing opened yet
   Scene scene;
   PictureWish wish;
+  std::shared_ptr<const ChosenPreset> preset;  ///< null: no series
   bool operator==(const SessionState&) const = default;
 };
 
@@ -41,6 +48,11 @@ class Session : public QObject {
   void edit(const QString& text, Scene after, const QString& mergeKey = {});
   /// The same for a change of the scene as it is now.
   void edit(const QString& text, const std::function<void(Scene&)>& change, const QString& mergeKey = {});
+
+  /// Gives the scene the look of a preset's, and remembers its name; one undo step.
+  void choosePreset(const QString& text, const std::string& name, const Scene& look);
+  /// Whether the look was changed since.
+  bool presetModified() const;
 
   /// The same for what is asked of the picture beside the scene.
   void wishFor(const QString& text, const PictureWish& after, const QString& mergeKey = {});

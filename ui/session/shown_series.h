@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,10 @@ struct ShownSeries {
   VolumePtr volume;               ///< the drawn grid
   std::vector<Warning> warnings;  ///< the series' and those of loading
   Histogram histogram;
-  Scene firstScene;  ///< the automatic preset's
+  Window window;                    ///< where the scene has none: the file's, else P0.1 .. P99.9 (SCENE 8)
+  double valueSpread = 1;           ///< P99.9 - P0.1, > 0
+  std::optional<ValueRange> usual;  ///< usualRange(), of values without a unit
+  Scene firstScene;                 ///< the automatic preset's
 };
 
 using ShownSeriesPtr = std::shared_ptr<const ShownSeries>;

@@ -87,8 +87,9 @@ QString unreadText(const Study& study) {
 
 QString viewText(const QString& name) { return tr("%1 view").arg(name.left(1).toUpper() + name.mid(1)); }
 
-QString valueUnit(const Volume& volume) {
-  return volume.attributes().modality == "CT" ? QStringLiteral("HU") : QString();
+QString unitSuffix(const Series& series) {
+  const QString unit = shownText(series.unit);
+  return unit.isEmpty() ? unit : QLatin1Char(' ') + unit;
 }
 
 int valueDecimals(const Histogram& histogram) {

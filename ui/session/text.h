@@ -33,8 +33,8 @@ QString unreadText(const Study& study);
 /// "Anterior view" of the standard view "anterior".
 QString viewText(const QString& name);
 
-/// The unit of a volume's values: "HU" for CT, else empty.
-QString valueUnit(const Volume& volume);
+/// A number with a unit behind it: " HU"; empty where the values have no unit.
+QString unitSuffix(const Series& series);
 
 /// How many decimals tell values of this range apart: 1 for CT, more for what lies between 0 and 1.
 int valueDecimals(const Histogram& histogram);

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
+#include <vector>
 
 #include "ui/widgets/axes.h"
 #include "ui/widgets/curve_edits.h"
+#include "viewer/volume/gradients.h"
 
 namespace volumen {
 
@@ -45,53 +46,142 @@ Stretch visibleStretch(const Scene& scene, const VoxelGeometry& g, const SightLi
   return s;
 }
 
+// Trilinear between the eight nearest voxels, of at(i, j, k).
+template <class At>
+auto interpolated(glm::ivec3 size, glm::dvec3 pVoxel, const At& at) {
+  const glm::dvec3 x = glm::clamp(pVoxel, glm::dvec3(0), glm::dvec3(size - 1));
+  const glm::ivec3 a(x), b = glm::min(a + 1, size - 1);
+  const glm::dvec3 f = x - glm::dvec3(a);
+  const auto between = [](auto from, auto to, double share) { return from + share * (to - from); };
+  const auto row = [&](int j, int k) { return between(at(a.x, j, k), at(b.x, j, k), f.x); };
+  const auto slice = [&](int k) { return between(row(a.y, k), row(b.y, k), f.y); };
+  return between(slice(a.z), slice(b.z), f.z);
+}
+
+// |g_p| of SCENE 3, value per mm.
+double gradientLength(const Volume& volume, glm::dvec3 pVoxel) {
+  const glm::dvec3 g =
+      interpolated(volume.size(), pVoxel, [&](int i, int j, int k) { return sobelAt(volume, i, j, k); });
+  return glm::length(volume.geometry().patientFromVoxelGradient() * g);
+}
+
+// The factor of SCENE 4, linear between points, the last of equal ones holding at their gradient.
+double gradientFactor(const std::vector<GradientOpacityPoint>& points, double gradient) {
+  const auto above = std::upper_bound(points.begin(), points.end(), gradient,
+                                      [](double g, const auto& p) { return g < p.gradient; });
+  if (above == points.begin()) return points.front().factor;
+  const GradientOpacityPoint& below = *(above - 1);
+  if (above == points.end()) return below.factor;
+  const double share = (gradient - below.gradient) / (above->gradient - below.gradient);
+  return below.factor + share * (above->factor - below.factor);
+}
+
+// A line of sight through the scene; t in mm along it.
+class Sight {
+ public:
+  Sight(const Scene& scene, const Volume& volume, const SightLine& line, bool parallel)
+      : scene_(scene),
+        volume_(volume),
+        line_(line),
+        seen_(visibleStretch(scene, volume.geometry(), line, parallel)),
+        step_(1 / (stepsPerVoxel * glm::length(volume.geometry().voxelFromPatientStep() * line.direction))) {
+    for (const GradientOpacityPoint& p : scene.transferFunction.gradientOpacity)
+      anyFactor_ = anyFactor_ || p.factor != 1;
+  }
+
+  std::optional<Pick> surface() const;
+  std::optional<Pick> extreme() const;
+  std::optional<Pick> mean() const;
+
+ private:
+  // Four, so that a curve's narrow band is met within the edge that it lies on; finer where it is found.
+  static constexpr double stepsPerVoxel = 4, finer = 64;
+
+  glm::dvec3 voxelAt(double t) const {
+    return volume_.geometry().voxelFromPatient(line_.origin + t * line_.direction);
+  }
+  double valueAt(double t) const { return valueAtVoxel(volume_, voxelAt(t)); }
+  Pick pickAt(double t) const { return {line_.origin + t * line_.direction, valueAt(t)}; }
+  double extinctionAt(double t) const;
+
+  const Scene& scene_;
+  const Volume& volume_;
+  const SightLine& line_;
+  const Stretch seen_;
+  const double step_;
+  bool anyFactor_ = false;
+};
+
+double Sight::extinctionAt(double t) const {
+  const TransferFunction& curve = scene_.transferFunction;
+  const glm::dvec3 x = voxelAt(t);
+  double opacity = curveAt(curve, valueAtVoxel(volume_, x)).opacity;
+  if (opacity > 0 && anyFactor_) opacity *= gradientFactor(curve.gradientOpacity, gradientLength(volume_, x));
+  return extinctionPerMm(opacity, curve.unitDistance);
+}
+
+std::optional<Pick> Sight::surface() const {
+  constexpr double opaque = 20;  // optical depth behind which nothing is seen
+  std::vector<double> depths;    // optical, of each step
+  double whole = 0;
+  for (double t = seen_.first + step_ / 2; t < seen_.last && whole < opaque; t += step_) {
+    depths.push_back(step_ * extinctionAt(t));
+    whole += depths.back();
+  }
+  const double opacity = -std::expm1(-whole);
+  if (opacity < 0.05) return {};
+  double left = -std::log1p(-opacity / 2);  // until half of the opacity
+  std::size_t n = 0;
+  while (n + 1 < depths.size() && depths[n] < left) left -= depths[n++];
+  // Again in fine steps, from the step before, which may begin to be visible behind its middle.
+  double at = seen_.first + (double(n) + 0.5) * step_;
+  if (n > 0) left += depths[n - 1];
+  const double end = std::min(seen_.last, at + 2 * step_);
+  for (double t = std::max(seen_.first, at - 1.5 * step_); t < end && left > 0; t += step_ / finer) {
+    const double depth = step_ / finer * extinctionAt(t);
+    left -= depth;
+    if (depth > 0) at = t;
+  }
+  return pickAt(at);
+}
+
+std::optional<Pick> Sight::extreme() const {
+  const double sign = scene_.mode == Mode::mip ? 1 : -1;
+  std::optional<double> at;
+  double most = 0;
+  const auto look = [&](double first, double last, double step) {
+    for (double t = first + step / 2; t < last; t += step) {
+      const double value = sign * valueAt(t);
+      if (at && value <= most) continue;
+      most = value;
+      at = t;
+    }
+  };
+  look(seen_.first, seen_.last, step_);
+  if (!at) return {};
+  look(std::max(seen_.first, *at - step_), std::min(seen_.last, *at + step_), step_ / finer);
+  return pickAt(*at);
+}
+
+std::optional<Pick> Sight::mean() const {
+  double sum = 0;
+  int count = 0;
+  for (double t = seen_.first + step_ / 2; t < seen_.last; t += step_, ++count) sum += valueAt(t);
+  if (count == 0) return {};
+  return Pick{{}, sum / count};
+}
+
 }  // namespace
 
 double valueAtVoxel(const Volume& volume, glm::dvec3 pVoxel) {
-  const glm::dvec3 last = glm::dvec3(volume.size() - 1);
-  const glm::dvec3 x = glm::clamp(pVoxel, glm::dvec3(0), last);
-  const glm::ivec3 a(x), b = glm::min(a + 1, volume.size() - 1);
-  const glm::dvec3 f = x - glm::dvec3(a);
-  const auto row = [&](int j, int k) {
-    const double from = volume.value(a.x, j, k);
-    return from + f.x * (volume.value(b.x, j, k) - from);
-  };
-  const auto slice = [&](int k) {
-    const double from = row(a.y, k);
-    return from + f.y * (row(b.y, k) - from);
-  };
-  const double from = slice(a.z);
-  return from + f.z * (slice(b.z) - from);
+  return interpolated(volume.size(), pVoxel,
+                      [&](int i, int j, int k) { return double(volume.value(i, j, k)); });
 }
 
 std::optional<Pick> pick(const Scene& scene, const Volume& volume, const SightLine& line, bool parallel) {
-  const VoxelGeometry& g = volume.geometry();
-  const Stretch stretch = visibleStretch(scene, g, line, parallel);
-  const double step = 0.5 / glm::length(g.voxelFromPatientStep() * line.direction);
-  const auto valueAt = [&](double t) {
-    return valueAtVoxel(volume, g.voxelFromPatient(line.origin + t * line.direction));
-  };
-  double transmittance = 1, weighted = 0, largest = -std::numeric_limits<double>::infinity(), largestAt = 0;
-  for (double t = stretch.first + step / 2; t < stretch.last && transmittance > 0.02; t += step) {
-    const double value = valueAt(t);
-    if (scene.mode != Mode::composite) {
-      if (value > largest) largestAt = t;
-      largest = std::max(largest, value);
-      continue;
-    }
-    const double opacity = curveAt(scene.transferFunction, value).opacity;
-    const double stopped = -std::expm1(-extinctionPerMm(opacity, scene.transferFunction.unitDistance) * step);
-    weighted += t * transmittance * stopped;
-    transmittance *= 1 - stopped;
-  }
-  double depth = largestAt;
-  if (scene.mode == Mode::composite) {
-    if (transmittance > 0.95) return {};
-    depth = weighted / (1 - transmittance);
-  } else if (!std::isfinite(largest)) {
-    return {};
-  }
-  return Pick{line.origin + depth * line.direction, valueAt(depth)};
+  const Sight sight(scene, volume, line, parallel);
+  if (scene.mode == Mode::composite) return sight.surface();
+  return scene.mode == Mode::average ? sight.mean() : sight.extreme();
 }
 
 }  // namespace volumen

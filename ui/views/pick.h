@@ -10,12 +10,14 @@ namespace volumen {
 
 /// What is seen along a line of sight.
 struct Pick {
-  glm::dvec3 pPatient{0};  ///< at the mean depth of what is seen, weighted by opacity; mm
-  double value = 0;        ///< there, real units
+  std::optional<glm::dvec3> pPatient;  ///< where, mm; none for `average`, which shows no place
+  double value = 0;                    ///< there, real units; `average`: the mean along the line
 };
 
-/// Looks along the line in steps of half a voxel, through clip and curve (shading changes no depth). None
-/// where less than a twentieth of the light is stopped. A composite scene's; `mip`: at the largest value.
+/// Looks along the line through box, clip and curve, gradient opacity included, as the picture does. Of a
+/// composite scene: the place at which half of the line's final opacity is reached, whose value the curve
+/// shows; none where less than a twentieth of the light is stopped. `mip`, `minip`: where the largest or
+/// smallest value lies. A few steps a voxel, on the calling thread.
 std::optional<Pick> pick(const Scene& scene, const Volume& volume, const SightLine& line, bool parallel);
 
 /// v(x) of SCENE 2 at a voxel position, real units.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/session/text.h"
+#include "ui/session/windows.h"
 #include "ui/views/canvas.h"
 #include "ui/widgets/curve_edits.h"
 #include "ui/widgets/orientation_cube.h"
@@ -172,6 +173,7 @@ VolumeView::Hand VolumeView::handOf(DragAction action, bool control) const {
     case DragAction::rotate:
       return control ? Hand::roll : Hand::orbit;
     case DragAction::curve:
+      if (session_.scene().mode != Mode::composite) return Hand::window;
       return control ? Hand::opacity : Hand::curve;
     case DragAction::pan:
       return Hand::pan;
@@ -203,9 +205,11 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   pressedAt_ = event->position();
   cameraAtPress_ = camera();
   curveAtPress_ = session_.scene().transferFunction;
+  windowAtPress_ = windowInUse(session_.scene(), *session_.series());
   const std::optional<Pick> hit = pickAt(pressedAt_);
-  pivot_ = hit ? hit->pPatient : *cameraAtPress_.target;
-  if (!hit && hand_ == Hand::zoom && cameraAtPress_.projection == Projection::parallel)
+  const std::optional<glm::dvec3> place = hit ? hit->pPatient : std::nullopt;
+  pivot_ = place.value_or(*cameraAtPress_.target);
+  if (!place && hand_ == Hand::zoom && cameraAtPress_.projection == Projection::parallel)
     pivot_ = sightLine(cameraAtPress_, size(), toVec(pressedAt_)).origin;
   session_.endGesture();
 }
@@ -238,6 +242,16 @@ TransferFunction VolumeView::movedCurve(QPointF to) const {
       (session_.preferences().curveDragInverted ? -0.5 : 0.5) * part.y() * (histogram.high - histogram.low));
 }
 
+void VolumeView::moveWindow(const QMouseEvent& event) {
+  const Qt::KeyboardModifiers keys = event.modifiers();
+  const double speed = keys & Qt::ControlModifier ? 5 : keys & Qt::ShiftModifier ? 0.2 : 1;
+  const Window moved =
+      draggedWindow(windowAtPress_, speed * toVec(event.position() - pressedAt_), *session_.series());
+  const QString what = tr("Window");
+  session_.edit(
+      what, [&](Scene& s) { s.window = moved; }, what);
+}
+
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   switch (hand_) {
     case Hand::none:
@@ -248,6 +262,8 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
       return session_.edit(
           what, [&](Scene& s) { s.transferFunction = movedCurve(event->position()); }, what);
     }
+    case Hand::window:
+      return moveWindow(*event);
     case Hand::orbit:
     case Hand::roll:
       return editCamera(tr("Rotate"), movedCamera(event->position()));
@@ -272,8 +288,10 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
   const Camera now = camera();
   const std::optional<Pick> hit = pickAt(event->position());
   const SightLine line = sightLine(now, size(), toVec(event->position()));
-  glm::dvec3 fixed = hit ? hit->pPatient : line.origin;
-  if (!hit && now.projection == Projection::perspective) fixed = line.origin + now.distance * line.direction;
+  const std::optional<glm::dvec3> place = hit ? hit->pPatient : std::nullopt;
+  glm::dvec3 fixed = place.value_or(line.origin);
+  if (!place && now.projection == Projection::perspective)
+    fixed = line.origin + now.distance * line.direction;
   const double notches = (session_.preferences().wheelInverted ? -1 : 1) * event->angleDelta().y() / 120.0;
   editCamera(tr("Zoom"), zoomedAt(now, fixed, std::pow(0.85, notches)));
   wheelEnd_.start();

@@ -18,7 +18,8 @@ class WarningBadge;
 /// What a left-drag does.
 enum class ViewTool {
   orbit,  ///< turns about the point under the cursor; Ctrl rolls
-  curve   ///< shifts (up: to lower values) and widens (right) the curve; Ctrl: overall opacity
+  curve   ///< shifts (up: to lower values) and widens (right) the curve, in projections the window; Ctrl:
+          ///< overall opacity
 };
 
 /// The picture of the session's scene at device pixels, with the hands on it: left-drag as the tool says, the
@@ -72,12 +73,13 @@ class VolumeView : public QWidget {
   void leaveEvent(QEvent*) override;
 
  private:
-  enum class Hand { none, orbit, roll, pan, zoom, curve, opacity };
+  enum class Hand { none, orbit, roll, pan, zoom, curve, opacity, window };
 
   Hand handFor(const QMouseEvent& event) const;
   Hand handOf(DragAction action, bool control) const;
   Camera movedCamera(QPointF to) const;
   TransferFunction movedCurve(QPointF to) const;
+  void moveWindow(const QMouseEvent& event);
   void editCamera(const QString& what, const Camera& camera);
   void rememberFit(const Camera& fitted);
   glm::dvec2 size() const { return {double(width()), double(height())}; }
@@ -108,6 +110,7 @@ class VolumeView : public QWidget {
   QPointF pressedAt_;
   Camera cameraAtPress_;
   TransferFunction curveAtPress_;
+  Window windowAtPress_;
   glm::dvec3 pivot_{0};
 };
 

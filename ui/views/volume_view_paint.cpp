@@ -12,10 +12,11 @@ QString VolumeView::hoverText(QPointF position) const {
   const std::optional<Pick> hit = pickAt(position);
   if (!hit) return {};
   const ShownSeries& series = *session_.series();
-  QString text = QString::number(hit->value, 'f', valueDecimals(series.histogram) - 1);
-  if (series.volume->attributes().modality == "CT") text += QStringLiteral(" HU");
+  const QString text =
+      QString::number(hit->value, 'f', valueDecimals(series.histogram) - 1) + unitSuffix(series.series);
+  if (!hit->pPatient) return tr("mean %1 along the line of sight").arg(text);
   if (!series.volume->geometry().calibrated) return text;
-  const glm::dvec3 p = hit->pPatient;
+  const glm::dvec3 p = *hit->pPatient;
   const auto side = [](double mm, const char* plus, const char* minus) {
     return QStringLiteral("%1 %2").arg(QLatin1String(mm < 0 ? minus : plus)).arg(std::abs(mm), 0, 'f', 1);
   };

@@ -42,6 +42,20 @@ void CurveEditor::setOpacityScale(OpacityScale scale) {
   update();
 }
 
+void CurveEditor::setWindow(bool window) {
+  if (window == window_) return;
+  window_ = window;
+  select(-1);
+  setAccessibleName(window ? tr("Window") : tr("Opacity and colour curve"));
+  update();
+}
+
+QString CurveEditor::axisName() const {
+  if (window_) return tr("Brightness");
+  if (scale_ == OpacityScale::extinction) return tr("Extinction per mm");
+  return curve_.unitDistance == 1 ? tr("Opacity per mm") : tr("Opacity per %1 mm").arg(curve_.unitDistance);
+}
+
 void CurveEditor::select(int n) {
   if (n == selected_) return;
   selected_ = n;
@@ -86,7 +100,7 @@ ValueAxis CurveEditor::valueAxis() const {
 
 OpacityAxis CurveEditor::opacityAxis() const {
   const QRectF plot = plotRect();
-  return {scale_, curve_.unitDistance, plot.bottom(), plot.top()};
+  return {opacityScale(), curve_.unitDistance, plot.bottom(), plot.top()};
 }
 
 QPointF CurveEditor::positionOf(int n) const {
@@ -118,6 +132,8 @@ int CurveEditor::swatchAt(QPointF position) const {
   return -1;
 }
 
+QString CurveEditor::moveText() const { return window_ ? tr("Window") : tr("Move curve point"); }
+
 void CurveEditor::change(TransferFunction curve, const QString& what) {
   curve_ = std::move(curve);
   update();
@@ -128,10 +144,11 @@ void CurveEditor::mousePressEvent(QMouseEvent* event) {
   const int hit = pointAt(event->position());
   pressedAt_ = event->position();
   if (event->button() == Qt::RightButton) {
-    if (hit >= 0) removePoint(hit);
+    if (hit >= 0 && !window_) removePoint(hit);
     return;
   }
-  if (const int swatch = swatchAt(event->position()); swatch >= 0 && event->button() == Qt::LeftButton) {
+  if (const int swatch = window_ ? -1 : swatchAt(event->position());
+      swatch >= 0 && event->button() == Qt::LeftButton) {
     select(swatch);
     Q_EMIT colourRequested(swatch);
     return;
@@ -166,8 +183,8 @@ void CurveEditor::dragPointTo(QPointF position, Qt::KeyboardModifiers modifiers)
   const QPointF to = pointAtPress_ + moved;
   const CurvePoint& point = curve_.points[selected_];
   const double value = moved.x() == 0 ? double(point.value) : snapped(valueAxis().valueAt(to.x()));
-  const double opacity = moved.y() == 0 ? point.opacity : opacityAxis().opacityAt(to.y());
-  change(withPointMoved(curve_, selected_, value, opacity), tr("Move curve point"));
+  const double opacity = moved.y() == 0 || window_ ? point.opacity : opacityAxis().opacityAt(to.y());
+  change(withPointMoved(curve_, selected_, value, opacity), moveText());
 }
 
 double CurveEditor::snapped(double value) const {
@@ -178,7 +195,7 @@ double CurveEditor::snapped(double value) const {
 }
 
 void CurveEditor::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || pointAt(event->position()) >= 0) return;
+  if (window_ || event->button() != Qt::LeftButton || pointAt(event->position()) >= 0) return;
   const QRectF plot = plotRect();
   if (!plot.adjusted(0, -reach, 0, reach).contains(event->position())) return;
   int added = -1;
@@ -209,14 +226,14 @@ void CurveEditor::nudge(double pixelsRight, double pixelsUp) {
   const CurvePoint& point = curve_.points[selected_];
   const double value = point.value + pixelsRight * valueAxis().valuesPerPixel();
   double opacity = point.opacity;
-  if (pixelsUp != 0) {
+  if (pixelsUp != 0 && !window_) {
     // A point in the strip for 0 leaves it, or returns to it, in one step.
     const OpacityAxis axis = opacityAxis();
     opacity = axis.opacityAt(axis.pixelOf(opacity) - pixelsUp);
     if (scale_ == OpacityScale::extinction && pixelsUp > 0 && opacity == 0)
       opacity = opacityFromExtinction(OpacityAxis::lowestExtinction, curve_.unitDistance);
   }
-  change(withPointMoved(curve_, selected_, value, opacity), tr("Move curve point"));
+  change(withPointMoved(curve_, selected_, value, opacity), moveText());
 }
 
 void CurveEditor::keyPressEvent(QKeyEvent* event) {
@@ -232,7 +249,7 @@ void CurveEditor::keyPressEvent(QKeyEvent* event) {
     nudge(0, pixels);
   else if (any && event->key() == Qt::Key_Down)
     nudge(0, -pixels);
-  else if (any && (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace))
+  else if (any && !window_ && (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace))
     removePoint(selected_);
   else if (any && event->key() == Qt::Key_Escape)
     select(-1);

@@ -22,7 +22,12 @@ class CurveEditor : public QWidget {
   /// The histogram to draw, and the unit of its values ("HU", or empty). Shows the whole range.
   void setHistogram(const Histogram& histogram, const QString& unit);
   void setOpacityScale(OpacityScale scale);
-  OpacityScale opacityScale() const { return scale_; }
+  /// Whether the curve is the window of a projection: brightness over value between two ends, which move
+  /// along the value axis only.
+  void setWindow(bool window);
+  OpacityScale opacityScale() const { return window_ ? OpacityScale::linear : scale_; }
+  /// What the vertical axis shows.
+  QString axisName() const;
 
   /// Index of the selected point, -1 where none.
   int selected() const { return selected_; }
@@ -71,6 +76,7 @@ class CurveEditor : public QWidget {
   int swatchAt(QPointF position) const;
   void dragPointTo(QPointF position, Qt::KeyboardModifiers modifiers);
   double snapped(double value) const;
+  QString moveText() const;
   void removePoint(int n);
   void nudge(double pixelsRight, double pixelsUp);
   void change(TransferFunction curve, const QString& what);
@@ -85,6 +91,7 @@ class CurveEditor : public QWidget {
   Histogram histogram_;
   QString unit_;
   OpacityScale scale_ = OpacityScale::linear;
+  bool window_ = false;
   double low_ = 0, high_ = 1;  // values in view
   int selected_ = -1;
 

@@ -108,10 +108,7 @@ void CurveEditor::paintGrid(QPainter& painter) const {
                      opacityText(opacity, opacities));
   }
   painter.setPen(faded(text, 0.85));
-  const QString axisName = scale_ == OpacityScale::extinction ? tr("Extinction per mm")
-                           : curve_.unitDistance == 1         ? tr("Opacity per mm")
-                                                      : tr("Opacity per %1 mm").arg(curve_.unitDistance);
-  painter.drawText(QPointF(4, metrics.ascent() + 2), axisName);
+  painter.drawText(QPointF(4, metrics.ascent() + 2), axisName());
   if (!unit_.isEmpty()) painter.drawText(QRectF(0, 2, width() - 6, metrics.height()), Qt::AlignRight, unit_);
 }
 
@@ -174,7 +171,7 @@ void CurveEditor::paintRamp(QPainter& painter) const {
   painter.fillRect(QRectF(plot.left(), plot.bottom() + 9, plot.width(), 10), rampOf(curve_, axis, 1));
   for (int n = 0; n < int(curve_.points.size()); ++n) {
     const QRectF swatch = swatchOf(n);
-    if (swatch.center().x() < plot.left() - 1 || swatch.center().x() > plot.right() + 1) continue;
+    if (window_ || swatch.center().x() < plot.left() - 1 || swatch.center().x() > plot.right() + 1) continue;
     painter.setBrush(toQColor(curve_.points[n].colour));
     painter.setPen(QPen(palette().color(n == selected_ ? QPalette::Highlight : QPalette::WindowText),
                         n == selected_ ? 2 : 1));

@@ -52,7 +52,7 @@ void RowPainter::writeRounding(const RayRow& rays) const {
   constexpr double roundings = 16.0 / (1 << 24);
   const DensityScale& scale = frame_.scale();
   const double most = scale.slope * std::max(std::abs(scale.low), std::abs(scale.high));
-  const double off = 255 * (roundings * most / plan_.scene.window->width + 1e-6);
+  const double off = 255 * (roundings * most / std::abs(plan_.scene.window->width) + 1e-6);
   for (const int pixel : rays.pixel)
     if (pixel >= 0) error_[std::size_t(pixel)] = float(std::min(255.0, off));
 }

@@ -1,7 +1,9 @@
 #include "viewer/plan/plan.h"
 
 #include "viewer/plan/check_options.h"
+#include "viewer/plan/default_window.h"
 #include "viewer/plan/rule_lines.h"
+#include "viewer/scene/first_camera.h"
 
 namespace volumen {
 
@@ -10,15 +12,10 @@ namespace {
 // The scene with everything set that SCENE 8 lets out: camera, window, gradientFloor.
 Scene completed(Scene scene, const VolumeFacts& facts, glm::ivec2 size) {
   if (!scene.camera)
-    scene.camera = fitCamera(Camera{}, facts.geometry, double(size.x) / size.y);
+    scene.camera = fitCamera(firstCamera(facts.geometry), facts.geometry, double(size.x) / size.y);
   else if (!scene.camera->target)
     scene.camera->target = facts.geometry.centre();
-  if (!scene.window) {
-    const double width = facts.p999 - facts.p01;
-    scene.window = facts.fileWindow
-                       ? *facts.fileWindow
-                       : Window{.centre = (facts.p01 + facts.p999) / 2, .width = width > 0 ? width : 1};
-  }
+  if (!scene.window) scene.window = defaultWindow(facts);
   if (!scene.shading.gradientFloor) scene.shading.gradientFloor = defaultGradientFloor(facts);
   return scene;
 }

@@ -68,6 +68,9 @@ bool isBony(const Histogram& h) { return share(h, 300, 1e30, -200) > 0.09; }
 std::string automaticPreset(const Volume& volume) {
   const std::string& modality = volume.attributes().modality;
   if (modality == "US") return "US-Fetal";
+  // Of a head the surface would be its face; the brightest values lie inside.
+  if (modality == "MR") return "MR-MIP";
+  if (modality == "PT" || modality == "NM") return "PET-MIP";
   const Histogram h = histogram(volume, fineBins);
   if (modality != "CT" && !(modality.empty() && looksLikeHounsfield(h))) return "MR-Default";
   if (isBony(h)) return "CT-Bone";

@@ -13,47 +13,6 @@ namespace volumen {
 
 namespace {
 
-struct Preset {
-  std::string name;
-  Scene scene;
-  std::optional<ValueRange> anchor;
-};
-
-// A preset file: {"name", "modality", "scene": what differs from SCENE 8's defaults, "anchor"?}. The values
-// of MR have no unit; a preset with an anchor is moved so that `low` falls on the volume's P1 and `high` on
-// its P99.5.
-Preset readPreset(const std::string& text) {
-  const auto json = parseJson(text);
-  assert(json.ok());
-  std::string problem;
-  JsonFields fields(*json, "", problem);
-  Preset preset;
-  std::string modality;
-  fields.read("name", preset.name);
-  fields.read("modality", modality);
-  if (auto anchor = fields.object("anchor")) {
-    anchor->read("low", preset.anchor.emplace().low);
-    anchor->read("high", preset.anchor->high);
-    anchor->refuseOthers();
-  }
-  const nlohmann::json* part = fields.raw("scene");
-  fields.refuseOthers();
-  assert(problem.empty() && part);
-  const auto scene = sceneFromJson(part->dump());
-  assert(scene.ok());
-  preset.scene = *scene;
-  return preset;
-}
-
-const std::vector<Preset>& presets() {
-  static const std::vector<Preset> all = [] {
-    std::vector<Preset> read;
-    for (const std::string& text : presetTexts()) read.push_back(readPreset(text));
-    return read;
-  }();
-  return all;
-}
-
 void anchor(Scene& scene, ValueRange from, ValueRange to) {
   // A volume of one value has no range to map to; that value then counts as `high`.
   const double scale = to.high > to.low ? (to.high - to.low) / (from.high - from.low) : 1;
@@ -68,34 +27,108 @@ std::vector<Light> shoulderLights() {
   return {{.direction = {-0.5, 0.5, 1}}, {.direction = {0.8, -0.3, 0.6}, .intensity = 0.25}};
 }
 
+const Preset* found(const std::vector<Preset>& presets, const std::string& name) {
+  const auto at =
+      std::find_if(presets.begin(), presets.end(), [&](const Preset& preset) { return preset.name == name; });
+  return at == presets.end() ? nullptr : &*at;
+}
+
 }  // namespace
+
+const std::vector<Preset>& builtInPresets() {
+  static const std::vector<Preset> all = [] {
+    std::vector<Preset> read;
+    for (const std::string& text : presetTexts()) {
+      Result<Preset> preset = presetFromJson(text);
+      assert(preset.ok());
+      read.push_back(std::move(*preset));
+    }
+    return read;
+  }();
+  return all;
+}
 
 const std::vector<std::string>& presetNames() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for (const Preset& preset : presets()) all.push_back(preset.name);
+    for (const Preset& preset : builtInPresets()) all.push_back(preset.name);
     return all;
   }();
   return names;
 }
 
-Status checkPreset(const std::string& name) {
-  std::vector<std::string> names = presetNames();
-  names.push_back("auto");
+Result<Preset> presetFromJson(const std::string& text) {
+  const auto json = parseJson(text);
+  if (!json) return json.error();
+  std::string problem;
+  JsonFields fields(*json, "", problem);
+  Preset preset;
+  fields.read("name", preset.name);
+  fields.read("modality", preset.modality);
+  if (auto anchor = fields.object("anchor")) {
+    anchor->read("low", preset.anchor.emplace().low);
+    anchor->read("high", preset.anchor->high);
+    if (!(preset.anchor->low < preset.anchor->high))
+      anchor->refuse("anchor.high", "must be larger than anchor.low");
+    anchor->refuseOthers();
+  }
+  const nlohmann::json* part = fields.raw("scene");
+  fields.refuseOthers();
+  if (preset.name.empty()) fields.refuse("name", "must not be empty");
+  if (!part) fields.refuse("scene", "is missing");
+  if (!problem.empty()) return Error{problem};
+  Result<Scene> scene = sceneFromJson(part->dump());
+  if (!scene) return Error{"scene: " + scene.message()};
+  preset.scene = std::move(*scene);
+  preset.scene.camera.reset();
+  preset.scene.clip = {};
+  return preset;
+}
+
+std::string presetToJson(const Preset& preset) {
+  nlohmann::ordered_json file{{"name", preset.name}, {"modality", preset.modality}};
+  if (preset.anchor) file["anchor"] = {{"low", preset.anchor->low}, {"high", preset.anchor->high}};
+  auto scene = nlohmann::ordered_json::parse(sceneToJson(preset.scene));
+  for (const char* view : {"camera", "clip"}) scene.erase(view);
+  file["scene"] = std::move(scene);
+  return file.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+Scene sceneOf(const Preset& preset, const Volume& volume) {
+  Scene scene = preset.scene;
+  if (preset.anchor) anchor(scene, *preset.anchor, usualRange(volume));
+  return scene;
+}
+
+bool sameLook(const Scene& a, const Scene& b) { return withLook(a, b) == a; }
+
+Scene withLook(Scene scene, const Scene& look) {
+  scene.mode = look.mode;
+  scene.window = look.window;
+  scene.transferFunction = look.transferFunction;
+  scene.shading = look.shading;
+  scene.lights = look.lights;
+  scene.background = look.background;
+  return scene;
+}
+
+Status checkPreset(const std::string& name, const std::vector<Preset>& own) {
+  std::vector<std::string> names{"auto"};
+  for (const auto* presets : {&builtInPresets(), &own})
+    for (const Preset& preset : *presets) names.push_back(preset.name);
   if (std::find(names.begin(), names.end(), name) != names.end()) return {};
   const auto similar = similarName(name, names);
   return Error{"Unknown preset \"" + name.substr(0, 60) + "\"." +
                (similar ? " Did you mean " + *similar + "?" : "")};
 }
 
-Result<Scene> presetScene(const std::string& name, const Volume& volume) {
-  if (Status known = checkPreset(name); !known) return known.error();
+Result<Scene> presetScene(const std::string& name, const Volume& volume, const std::vector<Preset>& own) {
+  if (Status known = checkPreset(name, own); !known) return known.error();
   const bool automatic = name == "auto";
   const std::string wanted = automatic ? automaticPreset(volume) : name;
-  const auto found = std::find_if(presets().begin(), presets().end(),
-                                  [&](const Preset& preset) { return preset.name == wanted; });
-  Scene scene = found->scene;
-  if (found->anchor) anchor(scene, *found->anchor, usualRange(volume));
+  const Preset* preset = found(builtInPresets(), wanted);
+  if (!preset) preset = found(own, wanted);
+  Scene scene = sceneOf(*preset, volume);
   if (automatic) scene.lights = shoulderLights();
   return scene;
 }

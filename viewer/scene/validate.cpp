@@ -139,7 +139,8 @@ Status validateScene(const Scene& scene) {
   Rules rules;
   if (scene.window) {
     rules.finite("window.centre", scene.window->centre);
-    rules.positive("window.width", scene.window->width);
+    rules.finite("window.width", scene.window->width);
+    rules.require(scene.window->width != 0, "window.width", "must not be 0");
   }
   check(rules, scene.transferFunction);
   check(rules, scene.shading);

@@ -58,9 +58,11 @@ void TestAutoPreset::autoChoosesByModalityAndHistogram_data() {
   QTest::newRow("head") << patient({air, fat, muscle, denseBone}, "CT") << "CT-Bone";
   QTest::newRow("chest, modality unknown") << patient(chest, "") << "CT-Bones";
   QTest::newRow("head, modality unknown") << patient({air, fat, muscle, denseBone}, "") << "CT-Bone";
-  QTest::newRow("MR") << countingVolume("MR") << "MR-Default";
+  QTest::newRow("MR") << countingVolume("MR") << "MR-MIP";
+  QTest::newRow("PET") << countingVolume("PT") << "PET-MIP";
+  QTest::newRow("SPECT") << countingVolume("NM") << "PET-MIP";
   QTest::newRow("no HU, modality unknown") << countingVolume("") << "MR-Default";
-  QTest::newRow("HU-like but MR") << patient(chest, "MR") << "MR-Default";
+  QTest::newRow("HU-like but MR") << patient(chest, "MR") << "MR-MIP";
   QTest::newRow("ultrasound") << countingVolume("US") << "US-Fetal";
   QTest::newRow("CT of one value") << rowOf(std::vector<std::int16_t>(10, 0), "CT") << "CT-Muscle";
 }

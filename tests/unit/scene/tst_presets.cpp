@@ -161,7 +161,7 @@ double tableAt(const std::vector<Point>& points, double value) {
 }  // namespace
 
 void TestPresets::namesAreCompleteAndInOrder() {
-  std::vector<std::string> expected{"CT-Skin-and-Bone"};
+  std::vector<std::string> expected{"CT-Skin-and-Bone", "PET-MIP"};
   for (const Published& p : published()) expected.push_back(p.name);
   std::sort(expected.begin(), expected.end());
   QCOMPARE(presetNames(), expected);
@@ -228,7 +228,8 @@ void TestPresets::presetsLeaveCameraClipAndLightsAlone() {
   const Scene plain;
   for (const std::string& name : presetNames()) {
     const Scene scene = *presetScene(name, *countingVolume());
-    QVERIFY(!scene.camera && scene.clip == plain.clip && scene.background == plain.background);
+    QVERIFY(!scene.camera && scene.clip == plain.clip);
+    QCOMPARE(scene.background == plain.background, name != "PET-MIP");
     QVERIFY(scene.lights == plain.lights);
   }
 }
@@ -285,6 +286,9 @@ void TestPresets::techniqueOfMaximumPresets() {
   QVERIFY(ct.centre - ct.width / 2 > -1000 && ct.centre + ct.width / 2 > 700);  // air black, ribs not white
   const Window mr = *presetScene("MR-MIP", *countingVolume())->window;
   QVERIFY(mr.centre - mr.width / 2 > 9 && mr.centre + mr.width / 2 > 994);  // the brightest below white
+  const Scene pet = *presetScene("PET-MIP", *countingVolume("PT"));
+  QVERIFY2(pet.window->width < 0, "much tracer is dark");
+  QVERIFY2(pet.background.colour == glm::dvec3(1), "as bright as no tracer");
 }
 
 void TestPresets::unknownNameIsRefusedWithOneLikeIt() {

@@ -112,7 +112,7 @@ void TestSceneRefusals::refusalsNameTheField_data() {
       "shading.shininess must be in 1 .. 10000, not 10001.");
   row("gradient floor 0", R"({"shading": {"gradientFloor": 0}})",
       "shading.gradientFloor must be > 0, not 0.");
-  row("window width 0", R"({"window": {"width": 0}})", "window.width must be > 0, not 0.");
+  row("window width 0", R"({"window": {"width": 0}})", "window.width must not be 0.");
   row("unit distance 0", R"({"transferFunction": {"unitDistance": 0}})",
       "transferFunction.unitDistance must be > 0, not 0.");
   row("no points", R"({"transferFunction": {"points": []}})",

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <QThreadPool>
+
+#include "ui/controller/loader.h"
+#include "ui/controller/render_controller.h"
+
+namespace volumen {
+
+/// A small picture of the open volume for each preset: their scenes are made on a thread of its own, drawn by
+/// the render thread where that has nothing else to do.
+class PresetThumbnails : public QObject {
+  Q_OBJECT
+ public:
+  PresetThumbnails(RenderController& controller, MakeScene makeScene, QObject* parent = nullptr);
+  /// Gives up what is under way.
+  ~PresetThumbnails() override;
+
+  /// Makes those of the volume that the controller draws, in this order, so many device pixels wide and high.
+  /// Gives up the ones before.
+  void start(VolumePtr volume, const std::vector<std::string>& presets, int edge);
+  void stop();
+
+ Q_SIGNALS:
+  void ready(const QString& preset, const QImage& image);
+
+ private:
+  struct Made {
+    std::vector<QString> names;
+    std::vector<Scene> scenes;
+  };
+
+  RenderController& controller_;
+  const MakeScene makeScene_;
+  QThreadPool pool_;
+  CancelToken cancel_;
+  std::vector<QString> names_;  // of the batch being drawn
+  int batch_ = 0;
+};
+
+}  // namespace volumen

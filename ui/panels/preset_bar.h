@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QAction>
+#include <QComboBox>
+#include <QImage>
+#include <functional>
+
+#include "ui/session/own_presets.h"
+#include "ui/session/session.h"
+
+namespace volumen {
+
+/// The list of presets, those of the series' modality first, with a thumbnail each; and what keeps the look
+/// on screen as one of the user's own, or deletes it.
+class PresetBar : public QWidget {
+  Q_OBJECT
+ public:
+  using Entries = std::function<std::vector<PresetEntry>()>;
+  PresetBar(Session& session, Entries entries, QWidget* parent = nullptr);
+
+  /// The names in the list, in its order.
+  std::vector<std::string> names() const;
+  void showThumbnail(const QString& name, const QImage& image);
+  static constexpr int thumbnailEdge = 56;  ///< logical pixels
+
+ Q_SIGNALS:
+  void presetChosen(const QString& name);
+  /// Other presets are in the list.
+  void listChanged();
+  void failed(const QString& sentence);
+
+ private:
+  void makeMenu();
+  void fill();
+  void add(const PresetEntry& entry);
+  void showChosen();
+  void askName();
+  void save(const QString& name);
+  void deleteOwn();
+  bool isOwn(const QString& name) const;
+
+  Session& session_;
+  const Entries readEntries_;
+  std::vector<PresetEntry> entries_;
+  QComboBox* box_;
+  QAction *save_, *delete_;
+};
+
+}  // namespace volumen

@@ -1,0 +1,115 @@
+#include "ui/panels/window_fields.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <cmath>
+
+#include "ui/session/text.h"
+#include "ui/session/windows.h"
+
+namespace volumen {
+
+WindowFields::WindowFields(Session& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      choices_(new QComboBox),
+      centre_(makeField(QStringLiteral("windowCentre"), tr("Centre"))),
+      width_(makeField(QStringLiteral("windowWidth"), tr("Width"))),
+      inverted_(new QCheckBox(tr("Inverted"))) {
+  choices_->setObjectName(QStringLiteral("windowChoice"));
+  choices_->setAccessibleName(tr("Window"));
+  choices_->setToolTip(tr("Width / centre"));
+  choices_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  choices_->setMinimumContentsLength(12);
+  inverted_->setObjectName(QStringLiteral("windowInverted"));
+  inverted_->setToolTip(tr("Large values dark"));
+  width_->setMinimum(1e-9);
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(4);
+  int column = 0;
+  for (const auto& [label, field] : {std::pair<QString, QWidget*>(tr("Window"), choices_),
+                                     {tr("Centre"), centre_},
+                                     {tr("Width"), width_}}) {
+    auto* caption = new QLabel(label);
+    caption->setBuddy(field);
+    grid->addWidget(caption, 0, column);
+    grid->addWidget(field, 1, column);
+    grid->setColumnStretch(column, column == 0 ? 2 : 1);
+    ++column;
+  }
+  grid->addWidget(inverted_, 2, 0, 1, 3);
+  connect(choices_, &QComboBox::activated, this, [this](int n) {
+    setWindow(windowChoices(*session_.series())[std::size_t(n)].window);
+    session_.endGesture();
+  });
+  for (QDoubleSpinBox* field : {centre_, width_}) {
+    connect(field, &QDoubleSpinBox::valueChanged, this, &WindowFields::typed);
+    connect(field, &QDoubleSpinBox::editingFinished, this, [this] { session_.endGesture(); });
+  }
+  connect(inverted_, &QCheckBox::clicked, this, [this] {
+    typed();
+    session_.endGesture();
+  });
+  connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
+    if (before.series != after.series) fillChoices();
+    if (before.series != after.series || before.scene.window != after.scene.window) showWindow();
+  });
+  fillChoices();
+  showWindow();
+}
+
+QDoubleSpinBox* WindowFields::makeField(const QString& name, const QString& label) {
+  auto* field = new QDoubleSpinBox;
+  field->setObjectName(name);
+  field->setAccessibleName(label);
+  field->setRange(-1e9, 1e9);
+  field->setKeyboardTracking(false);
+  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field->setMinimumWidth(64);
+  return field;
+}
+
+void WindowFields::fillChoices() {
+  choices_->clear();
+  setEnabled(session_.series() != nullptr);
+  if (!session_.series()) return;
+  const ShownSeries& series = *session_.series();
+  for (const NamedWindow& choice : windowChoices(series)) choices_->addItem(choice.name);
+  for (QDoubleSpinBox* field : {centre_, width_}) {
+    const QSignalBlocker quiet(field);
+    field->setSuffix(unitSuffix(series.series));
+    field->setDecimals(valueDecimals(series.histogram));
+  }
+}
+
+void WindowFields::showWindow() {
+  if (!session_.series()) return;
+  const std::optional<Window>& own = session_.scene().window;
+  const Window window = windowInUse(session_.scene(), *session_.series());
+  const QSignalBlocker quietCentre(centre_), quietWidth(width_);
+  centre_->setValue(window.centre);
+  width_->setValue(std::abs(window.width));
+  inverted_->setChecked(window.width < 0);
+  const std::vector<NamedWindow> choices = windowChoices(*session_.series());
+  const auto found = std::find_if(choices.begin(), choices.end(),
+                                  [&](const NamedWindow& choice) { return choice.window == own; });
+  choices_->setCurrentIndex(found == choices.end() ? -1 : int(found - choices.begin()));
+  choices_->setPlaceholderText(tr("as set"));
+}
+
+void WindowFields::setWindow(const std::optional<Window>& window) {
+  const QString what = tr("Window");
+  session_.edit(
+      what, [&](Scene& s) { s.window = window; }, what);
+}
+
+void WindowFields::typed() {
+  if (!session_.series()) return;
+  const double width = std::max(width_->value(), 1e-9);
+  setWindow(Window{centre_->value(), inverted_->isChecked() ? -width : width});
+}
+
+}  // namespace volumen

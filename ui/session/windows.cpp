@@ -1,0 +1,75 @@
+#include "ui/session/windows.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace volumen {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
+
+bool isHounsfield(const ShownSeries& series) { return series.series.unit == "HU"; }
+
+QString withNumbers(const QString& name, const Window& window) {
+  return QStringLiteral("%1 (%2 / %3)").arg(name).arg(window.width, 0, 'g', 4).arg(window.centre, 0, 'g', 4);
+}
+
+// Least width that a drag makes, as a share of the spread of values.
+constexpr double finest = 1.0 / 4000;
+
+}  // namespace
+
+Window windowInUse(const Scene& scene, const ShownSeries& series) {
+  return scene.window.value_or(series.window);
+}
+
+std::vector<NamedWindow> windowChoices(const ShownSeries& series) {
+  std::vector<NamedWindow> all{{tr("Automatic"), {}}};
+  const std::vector<Window>& files = series.volume->attributes().windows;
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    const QString name = files.size() == 1 ? tr("From file") : tr("From file, %1").arg(n + 1);
+    all.push_back({withNumbers(name, files[n]), files[n]});
+  }
+  if (!isHounsfield(series)) return all;
+  const std::pair<QString, Window> tissues[] = {{tr("Brain"), {40, 80}},
+                                                {tr("Abdomen"), {40, 400}},
+                                                {tr("Mediastinum"), {50, 350}},
+                                                {tr("Liver"), {90, 150}},
+                                                {tr("Bone"), {400, 2000}},
+                                                {tr("Lung"), {-600, 1500}},
+                                                {tr("CT angiography"), {170, 600}},
+                                                {tr("Bone MIP"), {700, 1800}}};
+  for (const auto& [name, window] : tissues) all.push_back({withNumbers(name, window), window});
+  return all;
+}
+
+Scene withMode(Scene scene, Mode mode, const ShownSeries& series) {
+  scene.mode = mode;
+  if (scene.window || mode == Mode::composite || !isHounsfield(series)) return scene;
+  // What a file's window is made for, one slice, leaves a projection all white or all black.
+  scene.window = mode == Mode::mip     ? Window{700, 1800}
+                 : mode == Mode::minip ? Window{-700, 800}
+                                       : Window{-300, 1400};
+  return scene;
+}
+
+WindowEnds endsOf(const Window& window) {
+  return {window.centre - window.width / 2, window.centre + window.width / 2};
+}
+
+Window windowBetween(WindowEnds ends) { return {(ends.dark + ends.bright) / 2, ends.bright - ends.dark}; }
+
+Window draggedWindow(const Window& atPress, glm::dvec2 pixels, const ShownSeries& series) {
+  const double least = finest * series.valueSpread, sign = atPress.width < 0 ? -1 : 1;
+  const double width = std::abs(atPress.width), step = std::max(width / 80, least);
+  if (series.series.modality == "PT") {
+    const double low = atPress.centre - width / 2;
+    const double wide = std::max(least, width + (pixels.x + pixels.y) * step);
+    return {low + wide / 2, sign * wide};
+  }
+  return {atPress.centre + pixels.y * step, sign * std::max(least, width + pixels.x * step)};
+}
+
+}  // namespace volumen

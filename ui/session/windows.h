@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QString>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "ui/session/shown_series.h"
+
+namespace volumen {
+
+/// Windows of projections, from value to value; a negative width is an inverted window (SCENE 6).
+
+/// The scene's, or the one that stands for none.
+Window windowInUse(const Scene& scene, const ShownSeries& series);
+
+/// A window to choose by name.
+struct NamedWindow {
+  QString name;                  ///< "Bone (2000 / 400)"
+  std::optional<Window> window;  ///< none: automatic
+};
+
+/// Automatic, the file's own, and for HU those of tissues.
+std::vector<NamedWindow> windowChoices(const ShownSeries& series);
+
+/// The scene drawn in another mode; a projection without a window gets one that suits its values.
+Scene withMode(Scene scene, Mode mode, const ShownSeries& series);
+
+/// Its darkest and brightest value: low > high where it is inverted.
+struct WindowEnds {
+  double dark, bright;
+};
+WindowEnds endsOf(const Window& window);
+/// The window between two different values.
+Window windowBetween(WindowEnds ends);
+
+/// The window after a drag by so many pixels to the right (wider) and down (up: lower values): a pixel is
+/// 1/80 of the width at the press, but not less than 1/4000 of the series' spread of values. Of PET the lower
+/// end stays.
+Window draggedWindow(const Window& atPress, glm::dvec2 pixels, const ShownSeries& series);
+
+}  // namespace volumen

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "viewer/plan/facts.h"
+
+namespace volumen {
+
+/// The window of a projection whose scene has none: the file's, else P0.1 .. P99.9 (SCENE 8).
+Window defaultWindow(const VolumeFacts& facts);
+
+}  // namespace volumen
