@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "ui/controller/qt_gl_context.h"
+#include "ui/controller/table_remover.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/segment_panel.h"
@@ -46,6 +47,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectLoader();
   connectDrawing();
   connectSegmenter();
+  connectTableRemover();
   connectAccuracy();
   restoreLayout();
 }
@@ -80,7 +82,8 @@ void MainWindow::makeCentre() {
 
 void MainWindow::connectSession() {
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series) showSeries();
+    if (before.series != after.series)
+      areOneSeries(before.series, after.series) ? showVolume() : showSeries();
     if (before.wish != after.wish) applyLevel();
     if (before.series == after.series && before.scene == after.scene) return;
     meter_.forget();
@@ -110,6 +113,7 @@ void MainWindow::connectLoader() {
   connect(status_, &StatusLine::cancelRequested, this, [this] {
     loader_.cancel();
     snapshot_.cancel();
+    tableRemover_->cancel();
   });
   connect(studies_, &StudiesPanel::seriesChosen, &loader_, &Loader::load);
 }
@@ -137,6 +141,14 @@ void MainWindow::connectSegmenter() {
   connect(&segmenter_, &Segmenter::saved, this,
           [this](const QString& path) { status_->tell(tr("Saved %1").arg(path)); });
   connect(&segmenter_, &Segmenter::failed, this,
+          [this](const QString& sentence) { banner_->tell(sentence); });
+}
+
+void MainWindow::connectTableRemover() {
+  segment_->setTableAction(tableRemover_);
+  connect(tableRemover_, &TableRemover::begun, this, [this] { status_->begin(tr("Removing table")); });
+  connect(tableRemover_, &TableRemover::ended, status_, &StatusLine::end);
+  connect(tableRemover_, &TableRemover::failed, this,
           [this](const QString& sentence) { banner_->tell(sentence); });
 }
 
@@ -188,9 +200,19 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
   if (const Result<std::size_t> largest = chooseSeries(*study, {})) loader_.load(study->volumes[*largest]);
 }
 
-void MainWindow::showSeries() {
+// The volume of the series on screen and what is to be known of it.
+void MainWindow::showVolume() {
   const ShownSeriesPtr& series = session_.series();
   controller_.setVolume(series ? series->volume : nullptr);
+  QStringList warnings;
+  if (series)
+    for (const std::string& warning : series->warnings) warnings << shownText(warning);
+  status_->showWarnings(warnings);
+}
+
+void MainWindow::showSeries() {
+  const ShownSeriesPtr& series = session_.series();
+  showVolume();
   pages_->setCurrentWidget(series ? static_cast<QWidget*>(view_) : pages_->widget(0));
   if (!series) return;
   QStringList parts{patientText(series->series), seriesText(series->series), QStringLiteral("volumen")};
@@ -198,9 +220,6 @@ void MainWindow::showSeries() {
   setWindowTitle(parts.join(QStringLiteral(" - ")));
   studies_->markShown(series->series);
   presets_->setCurrentIndex(0);
-  QStringList warnings;
-  for (const std::string& warning : series->warnings) warnings << shownText(warning);
-  status_->showWarnings(warnings);
   snapshotPanel_->setName(seriesText(series->series).replace(QLatin1Char('/'), QLatin1Char('_')) +
                           QStringLiteral(".png"));
   view_->setFocus();

@@ -23,6 +23,7 @@ class SegmentPanel;
 class SnapshotPanel;
 class StatusLine;
 class StudiesPanel;
+class TableRemover;
 class VolumeView;
 
 /// What the window has done by others: how volumes are drawn, how presets are made, and their names.
@@ -69,6 +70,7 @@ class MainWindow : public QMainWindow {
   void connectLoader();
   void connectDrawing();
   void connectSegmenter();
+  void connectTableRemover();
   void connectAccuracy();
   void restoreLayout();
 
@@ -77,6 +79,7 @@ class MainWindow : public QMainWindow {
   void showFrame(const Frame& frame);
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study);
   void showSeries();
+  void showVolume();
   void applyPreset(const QString& name, const Scene& scene);
   void saveSnapshot(const struct SnapshotRequest& request);
   void askForFolder();
@@ -103,6 +106,7 @@ class MainWindow : public QMainWindow {
   EffectsPanel* effects_;
   AccuracyPanel* accuracy_;
   SegmentPanel* segment_;
+  TableRemover* tableRemover_;
   SnapshotPanel* snapshotPanel_;
   QComboBox* presets_;
   std::map<QString, QAction*> actions_;

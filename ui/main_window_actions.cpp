@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QToolBar>
 
+#include "ui/controller/table_remover.h"
 #include "ui/main_window.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/camera_panel.h"
@@ -184,6 +185,8 @@ void MainWindow::makeActions() {
     action->setProperty("iconName", QLatin1String(name));
     actions_[action->objectName()] = action;
   }
+  tableRemover_ = new TableRemover(session_, this);
+  actions_[tableRemover_->objectName()] = tableRemover_;
 }
 
 void MainWindow::makeMenus() {
@@ -195,7 +198,7 @@ void MainWindow::makeMenus() {
         menu->addAction(actions_.at(name));
   };
   fill(menuBar()->addMenu(tr("&File")), "openFolder openFile openSample | snapshot | quit");
-  fill(menuBar()->addMenu(tr("&Edit")), "undo redo");
+  fill(menuBar()->addMenu(tr("&Edit")), "undo redo | removeTable");
   auto* view = menuBar()->addMenu(tr("&View"));
   fill(view,
        "orbitTool curveTool resetView | viewAnterior viewPosterior viewLeft viewRight viewSuperior "

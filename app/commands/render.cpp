@@ -22,7 +22,7 @@ struct Options {
   SceneOptions scene;
   MethodOptions method;
   int frames = 1, turntable = 0;
-  bool explain = false, printScene = false;
+  bool explain = false, printScene = false, removeTable = false;
 };
 
 bool endsWith(const std::string& text, const std::string& end) {
@@ -118,6 +118,8 @@ class Run {
     auto opened = openVolume(options_.path, options_.series, cancel_);
     if (!opened) return fail(opened.message());
     printNotes(opened->notes);
+    if (options_.removeTable)
+      if (Status removed = removeTable(*opened, cancel_); !removed) return stopped(removed.message());
     volume_ = opened->loaded.drawn;
     times_.loadMs = wallMs() - begin;
     auto scene = makeScene(options_.scene, *volume_);
@@ -226,6 +228,8 @@ std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel) {
   app.add_option("PATH", o->path, "A file, a folder or phantom:NAME[:SIZE]")->required();
   app.add_option("-o,--output", o->output, "The picture: .png (8 bits) or .nrrd (floats, for comparison)");
   app.add_option("--series", o->series, "Which series: its id, its UID or its number in `volumen info`");
+  app.add_flag("--remove-table", o->removeTable,
+               "CT: draw the patient alone, without table, cushions and cables");
   addSceneOptions(app, o->scene);
   addMethodOptions(app, o->method);
   app.add_option("--frames", o->frames, "Draw the same view so many times, for timing")

@@ -20,7 +20,7 @@ constexpr glm::dvec3 boneIvory{0.94, 0.86, 0.64};
 
 struct SegmentOptions {
   std::string path, range, output, series;
-  bool json = false;
+  bool json = false, removeTable = false;
 };
 
 // An end of the range: a number, or nothing for no end.
@@ -84,6 +84,8 @@ int run(const SegmentOptions& options, const CancelToken& cancel) {
     return failUsage(options.output + ": segmentations are written as .seg.nrrd.");
   Result<Opened> opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message());
+  if (options.removeTable)
+    if (Status removed = removeTable(*opened, cancel); !removed) return fail(removed.message());
   const Volume& volume = *opened->loaded.drawn;
   const LabelMap map = labelRange(volume, *range);
   const LabelStatistics statistics = labelStatistics(map, volume);
@@ -110,6 +112,8 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
       ->required();
   app.add_option("--series", options->series,
                  "Which series: its id, its UID or its number in `volumen info`");
+  app.add_flag("--remove-table", options->removeTable,
+               "CT: segment the patient alone, without table, cushions and cables");
   app.add_flag("--json", options->json, "One JSON object on stdout");
   return [options, &cancel] { return run(*options, cancel); };
 }

@@ -28,7 +28,7 @@ TransferPanel::TransferPanel(Session& session, QWidget* parent)
   connectEditor();
   connectFields();
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series && after.series) {
+    if (!areOneSeries(before.series, after.series) && after.series) {
       editor_->setHistogram(after.series->histogram, valueUnit(*after.series->volume));
       value_->setDecimals(valueDecimals(after.series->histogram));
     }

@@ -30,6 +30,10 @@ void Session::edit(const QString& text, const std::function<void(Scene&)>& chang
   edit(text, std::move(after), mergeKey);
 }
 
+void Session::exchangeSeries(const QString& text, ShownSeriesPtr after) {
+  push(text, {std::move(after), state_.scene, state_.wish}, {});
+}
+
 void Session::wishFor(const QString& text, const PictureWish& after, const QString& mergeKey) {
   push(text, {state_.series, state_.scene, after}, mergeKey);
 }

@@ -41,6 +41,9 @@ class Session : public QObject {
   /// The same for a change of the scene as it is now.
   void edit(const QString& text, const std::function<void(Scene&)>& change, const QString& mergeKey = {});
 
+  /// The same for what is shown of the series: `after` is the one on screen with or without its table.
+  void exchangeSeries(const QString& text, ShownSeriesPtr after);
+
   /// The same for what is asked of the picture beside the scene.
   void wishFor(const QString& text, const PictureWish& after, const QString& mergeKey = {});
 

@@ -31,7 +31,7 @@ VolumeView::VolumeView(Session& session, QWidget* parent)
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(cube_, &OrientationCube::viewRequested, this, &VolumeView::showView);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series) setPicture({}, {});
+    if (!areOneSeries(before.series, after.series)) setPicture({}, {});
     if (before.series != after.series || before.scene.camera != after.scene.camera) showState();
   });
   showState();

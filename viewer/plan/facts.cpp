@@ -32,6 +32,7 @@ VolumeFacts factsOf(const Volume& volume) {
   facts.p999 = p[1];
   if (!volume.attributes().windows.empty()) facts.fileWindow = volume.attributes().windows.front();
   facts.bricks = std::make_shared<const BrickRanges>(brickRanges(volume));
+  facts.tableRemoved = volume.attributes().tableRemoved;
   facts.slopes = slopesOf(volume, *facts.bricks, facts.range);
   return facts;
 }

@@ -17,6 +17,7 @@ struct VolumeFacts {
   std::optional<Window> fileWindow;
   std::shared_ptr<const BrickRanges> bricks;  ///< null: unknown, every block counts
   std::vector<float> slopes;                  ///< slopesOf the volume; empty: unknown
+  bool tableRemoved = false;                  ///< VolumeAttributes::tableRemoved
 };
 
 /// Reads the facts off a volume (one pass over it each for bricks, slopes and percentiles, on all cores).

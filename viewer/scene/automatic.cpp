@@ -49,6 +49,11 @@ bool looksLikeHounsfield(const Histogram& h) {
          countBetween(h, 0, 1e30) > 0;
 }
 
+bool inHounsfield(const Volume& volume, const Histogram& h) {
+  const std::string& modality = volume.attributes().modality;
+  return modality == "CT" || (modality.empty() && looksLikeHounsfield(h));
+}
+
 bool hasContrast(const Histogram& h) {
   constexpr double binHu = 20, firstHu = 130, lastHu = 450;
   double lowest = double(countBetween(h, firstHu, firstHu + binHu));
@@ -66,10 +71,9 @@ bool isChest(const Histogram& h) { return share(h, -900, -600, -900) > 0.1; }
 bool isBony(const Histogram& h) { return share(h, 300, 1e30, -200) > 0.09; }
 
 std::string automaticPreset(const Volume& volume) {
-  const std::string& modality = volume.attributes().modality;
-  if (modality == "US") return "US-Fetal";
+  if (volume.attributes().modality == "US") return "US-Fetal";
   const Histogram h = histogram(volume, fineBins);
-  if (modality != "CT" && !(modality.empty() && looksLikeHounsfield(h))) return "MR-Default";
+  if (!inHounsfield(volume, h)) return "MR-Default";
   if (isBony(h)) return "CT-Bone";
   if (isChest(h)) return hasContrast(h) ? "CT-Chest-Contrast-Enhanced" : "CT-Bones";
   return hasContrast(h) ? "CT-AAA" : "CT-Muscle";

@@ -66,7 +66,8 @@ struct VolumeAttributes {
   std::string modality;         ///< DICOM Modality ("CT", "MR", ...), empty where unknown
   std::vector<Window> windows;  ///< the file's own windows, first is the default
   std::optional<ValueRange>
-      padding;  ///< values left out of histogram and automatic presets (DESIGN 10), real units
+      padding;                ///< values left out of histogram and automatic presets (DESIGN 10), real units
+  bool tableRemoved = false;  ///< what lies outside the patient was made air (withoutTable)
 };
 
 /// All that a Volume is made from.
