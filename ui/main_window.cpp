@@ -116,6 +116,15 @@ void MainWindow::connectLoader() {
     tableRemover_->cancel();
   });
   connect(studies_, &StudiesPanel::seriesChosen, &loader_, &Loader::load);
+  connect(studies_, &StudiesPanel::seriesRemoved, this, [this](const Series& gone) {
+    const ShownSeriesPtr& shown = session_.series();
+    if (shown && shown->series.id == gone.id && shown->series.path == gone.path) session_.show(nullptr);
+  });
+  connect(studies_, &StudiesPanel::allClosed, this, [this] {
+    loader_.cancel();
+    banner_->hide();
+    session_.show(nullptr);
+  });
 }
 
 void MainWindow::connectDrawing() {
@@ -214,11 +223,11 @@ void MainWindow::showSeries() {
   const ShownSeriesPtr& series = session_.series();
   showVolume();
   pages_->setCurrentWidget(series ? static_cast<QWidget*>(view_) : pages_->widget(0));
-  if (!series) return;
+  if (!series) return setWindowTitle(QStringLiteral("volumen"));
   QStringList parts{patientText(series->series), seriesText(series->series), QStringLiteral("volumen")};
   parts.removeAll(QString());
   setWindowTitle(parts.join(QStringLiteral(" - ")));
-  studies_->markShown(series->series);
+  studies_->markShown(series);
   presets_->setCurrentIndex(0);
   snapshotPanel_->setName(seriesText(series->series).replace(QLatin1Char('/'), QLatin1Char('_')) +
                           QStringLiteral(".png"));

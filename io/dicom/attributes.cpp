@@ -76,6 +76,8 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   header.seriesNumber = text(0x00200011);
   header.modality = text(0x00080060);
   header.description = text(0x0008103e);
+  header.time = text(0x00080032);
+  if (header.time.empty()) header.time = text(0x00080031);
 }
 
 Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels) {

@@ -43,6 +43,13 @@ QString patientText(const Series& series) {
   return name.isEmpty() ? id : QStringLiteral("%1 (%2)").arg(name, id);
 }
 
+QString studyText(const Series& series) {
+  QStringList study{dateText(series.studyDate), shownText(series.studyDescription)};
+  study.removeAll(QString());
+  if (study.isEmpty() && series.format == "DICOM") return tr("(no date)");
+  return study.join(QLatin1Char(' '));
+}
+
 QString seriesText(const Series& series) {
   QStringList parts;
   if (!series.modality.empty()) parts << shownText(series.modality);
@@ -68,6 +75,12 @@ QString dateText(const std::string& dicomDate) {
   if (dicomDate.size() != 8) return shownText(dicomDate);
   const QString d = QString::fromStdString(dicomDate);
   return QStringLiteral("%1-%2-%3").arg(d.left(4), d.mid(4, 2), d.mid(6, 2));
+}
+
+QString timeText(const std::string& dicomTime) {
+  const QString t = shownText(dicomTime).section(QLatin1Char('.'), 0, 0);
+  if (t.size() != 6) return t;
+  return QStringLiteral("%1:%2:%3").arg(t.left(2), t.mid(2, 2), t.mid(4, 2));
 }
 
 }  // namespace volumen

@@ -15,6 +15,9 @@ QString shownText(const std::string& utf8);
 /// for what has no patients.
 QString patientText(const Series& series);
 
+/// "2026-03-14 CT head": date and description of the study; "(no date)" where a DICOM file has neither.
+QString studyText(const Series& series);
+
 /// "CT Head 1.0 mm (3)": modality, description, number.
 QString seriesText(const Series& series);
 
@@ -26,5 +29,8 @@ int valueDecimals(const Histogram& histogram);
 
 /// "2026-03-14" of DICOM's 20260314.
 QString dateText(const std::string& dicomDate);
+
+/// "10:22:31" of DICOM's 102231.25.
+QString timeText(const std::string& dicomTime);
 
 }  // namespace volumen
