@@ -5,6 +5,8 @@
 #include "app/command.h"
 #include "app/progress.h"
 #include "ui/session/text.h"
+#include "viewer/scene/automatic.h"
+#include "viewer/segment/table.h"
 
 namespace volumen {
 
@@ -56,6 +58,18 @@ Result<Opened> openVolume(const std::string& path, const std::string& series, co
   auto opened = open(path, series, terminalProgress(), cancel);
   endTerminalProgress();
   return opened;
+}
+
+Status removeTable(Opened& opened, const CancelToken& cancel) {
+  const Volume& volume = *opened.loaded.drawn;
+  if (!inHounsfield(volume, histogram(volume, 1 << 16)))
+    return Error{"--remove-table is for CT alone: the values of " + opened.series.id +
+                 " are not Hounsfield units."};
+  Result<VolumePtr> without = withoutTable(volume, cancel);
+  if (!without) return without.error();
+  if (opened.loaded.acquired == opened.loaded.drawn) opened.loaded.acquired = *without;
+  opened.loaded.drawn = *without;
+  return {};
 }
 
 void printNotes(const std::vector<std::string>& notes) {

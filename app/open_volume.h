@@ -18,6 +18,10 @@ struct Opened {
 /// loads it, with progress on a terminal. The Error is a sentence for the user.
 Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel);
 
+/// Takes away from what is drawn all that lies outside the patient (withoutTable). An Error where values are
+/// not HU.
+Status removeTable(Opened& opened, const CancelToken& cancel);
+
 /// Writes the notes to stderr, one line each.
 void printNotes(const std::vector<std::string>& notes);
 

@@ -8,13 +8,14 @@
 
 #include "io/dicom/import.h"
 #include "io/files/image_file.h"
+#include "io/files/sample_cache.h"
 #include "io/walk.h"
 #include "viewer/phantoms/phantoms.h"
 
 namespace volumen {
 namespace {
 
-constexpr std::string_view phantomPrefix = "phantom:";
+constexpr std::string_view phantomPrefix = "phantom:", sampleStudy = "ct-head";
 
 bool isPhantom(const std::string& path) { return path.starts_with(phantomPrefix); }
 
@@ -103,7 +104,10 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
 Result<Loaded> loadSeries(const Series& series, const Progress& progress, const CancelToken& cancel) {
   if (series.format == "DICOM") return dicom::loadSeries(series, progress, cancel);
   if (series.format == "phantom") {
-    Result<VolumePtr> volume = makePhantom(phantomName(series.path));
+    const std::string name = phantomName(series.path);
+    if (progress) progress("making the phantom", 0, 0);
+    Result<VolumePtr> volume =
+        name == sampleStudy ? cachedPhantom(name, userCacheFolder()) : makePhantom(name);
     if (!volume) return volume.error();
     return Loaded{*volume, *volume, {}};
   }

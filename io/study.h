@@ -21,7 +21,11 @@ struct Series {
   std::string format;  ///< "DICOM", "NRRD", "NIfTI", "MetaImage", "phantom"
   std::string patientName, patientId, studyUid, studyDate, studyDescription;
   std::string seriesUid, seriesNumber, modality, description;
-  std::string unit;  ///< of the values: "HU", "Bq/ml", "SUV"; empty where they have none
+  std::string unit;       ///< of the values: "HU", "Bq/ml", "SUV"; empty where they have none
+  std::string time;       ///< of day, as DICOM writes it: of the acquisition, else of the series
+  std::string echoTime;   ///< ms, as in the file; empty where it is not given
+  std::string bValue;     ///< diffusion weight, s/mm^2, as in the file; empty where it is not given
+  std::string timePoint;  ///< of a series in time, as in the file; empty where it is not given
 
   VoxelGeometry
       acquired;  ///< the slices as acquired; spacing along k: mean distance along the step between slices

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "ui/controller/qt_gl_context.h"
+#include "ui/controller/table_remover.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/preset_bar.h"
@@ -44,6 +45,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectLoader();
   connectDrawing();
   connectSegmenter();
+  connectTableRemover();
   connectAccuracy();
   connectSnapshots();
   connectScenes();
@@ -84,7 +86,8 @@ void MainWindow::makeCentre() {
 void MainWindow::connectSession() {
   connect(&session_, &Session::preferencesChanged, this, &MainWindow::applyPreferences);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series) showSeries();
+    if (before.series != after.series)
+      areOneSeries(before.series, after.series) ? showVolume() : showSeries();
     if (before.wish != after.wish) applyLevel();
     if (before.series == after.series && before.scene == after.scene) return;
     meter_.forget();
@@ -118,8 +121,18 @@ void MainWindow::connectLoader() {
   connect(status_, &StatusLine::cancelRequested, this, [this] {
     loader_.cancel();
     snapshot_.cancel();
+    tableRemover_->cancel();
   });
   connect(studies_, &StudiesPanel::seriesChosen, &loader_, &Loader::load);
+  connect(studies_, &StudiesPanel::seriesRemoved, this, [this](const Series& gone) {
+    const ShownSeriesPtr& shown = session_.series();
+    if (shown && shown->series.id == gone.id && shown->series.path == gone.path) session_.show(nullptr);
+  });
+  connect(studies_, &StudiesPanel::allClosed, this, [this] {
+    loader_.cancel();
+    banner_->hide();
+    session_.show(nullptr);
+  });
 }
 
 void MainWindow::connectDrawing() {
@@ -135,6 +148,14 @@ void MainWindow::connectSegmenter() {
   connect(&segmenter_, &Segmenter::saved, this,
           [this](const QString& path) { status_->tell(tr("Saved %1").arg(path)); });
   connect(&segmenter_, &Segmenter::failed, this,
+          [this](const QString& sentence) { banner_->tell(sentence); });
+}
+
+void MainWindow::connectTableRemover() {
+  segment_->setTableAction(tableRemover_);
+  connect(tableRemover_, &TableRemover::begun, this, [this] { status_->begin(tr("Removing table")); });
+  connect(tableRemover_, &TableRemover::ended, status_, &StatusLine::end);
+  connect(tableRemover_, &TableRemover::failed, this,
           [this](const QString& sentence) { banner_->tell(sentence); });
 }
 
@@ -183,18 +204,25 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
   if (const Result<std::size_t> largest = chooseSeries(*study, {})) loader_.load(study->volumes[*largest]);
 }
 
-void MainWindow::showSeries() {
+// The volume of the series on screen and what is to be known of it.
+void MainWindow::showVolume() {
   const ShownSeriesPtr& series = session_.series();
   thumbnails_.stop();
   thumbnailsOf_.reset();
   controller_.setVolume(series ? series->volume : nullptr);
-  pages_->setCurrentWidget(series ? static_cast<QWidget*>(view_) : pages_->widget(0));
-  if (!series) return;
-  showNames();
   QStringList warnings;
-  for (const Warning& w : series->warnings)
-    if (w.kind == WarningKind::other) warnings << shownText(w.sentence);  // the others stand on the picture
+  if (series)
+    for (const Warning& w : series->warnings)
+      if (w.kind == WarningKind::other) warnings << shownText(w.sentence);  // the others stand on the picture
   status_->showWarnings(warnings);
+}
+
+void MainWindow::showSeries() {
+  const ShownSeriesPtr& series = session_.series();
+  showVolume();
+  pages_->setCurrentWidget(series ? static_cast<QWidget*>(view_) : pages_->widget(0));
+  if (!series) return setWindowTitle(QStringLiteral("volumen"));
+  showNames();
   view_->setFocus();
 }
 

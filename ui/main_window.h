@@ -28,6 +28,7 @@ class SnapshotPanel;
 class StartPage;
 class StatusLine;
 class StudiesPanel;
+class TableRemover;
 class VolumeView;
 
 /// What the window has done by others: how volumes are drawn, how presets are made, and which there are.
@@ -77,6 +78,7 @@ class MainWindow : public QMainWindow {
   void connectLoader();
   void connectDrawing();
   void connectSegmenter();
+  void connectTableRemover();
   void connectAccuracy();
   void connectSnapshots();
   void connectScenes();
@@ -91,6 +93,7 @@ class MainWindow : public QMainWindow {
   void showFrame(const Frame& frame);
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study);
   void showSeries();
+  void showVolume();
   void makePresetBar(QToolBar* bar);
   void drawThumbnails();
   Scene sceneInView() const;
@@ -129,6 +132,7 @@ class MainWindow : public QMainWindow {
   EffectsPanel* effects_;
   AccuracyPanel* accuracy_;
   SegmentPanel* segment_;
+  TableRemover* tableRemover_;
   SnapshotPanel* snapshotPanel_;
   PresetBar* presets_;
   std::map<QString, QAction*> actions_;

@@ -9,6 +9,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "ui/controller/table_remover.h"
 #include "ui/main_window.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/camera_panel.h"
@@ -232,6 +233,8 @@ void MainWindow::makeActions() {
     action->setProperty("iconName", QLatin1String(name));
     actions_[action->objectName()] = action;
   }
+  tableRemover_ = new TableRemover(session_, this);
+  actions_[tableRemover_->objectName()] = tableRemover_;
 }
 
 void MainWindow::makeMenus() {
@@ -247,7 +250,7 @@ void MainWindow::makeMenus() {
   recentMenu_ = new QMenu(tr("Open recent"), file);
   file->insertMenu(actions_.at(QStringLiteral("openSample")), recentMenu_);
   connect(file, &QMenu::aboutToShow, &recent_, &RecentFiles::look);
-  fill(menuBar()->addMenu(tr("&Edit")), "undo redo | preferences");
+  fill(menuBar()->addMenu(tr("&Edit")), "undo redo | removeTable | preferences");
   auto* view = menuBar()->addMenu(tr("&View"));
   fill(view,
        "orbitTool curveTool resetView | viewAnterior viewPosterior viewLeft viewRight viewSuperior "

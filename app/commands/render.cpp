@@ -25,7 +25,7 @@ struct Options {
   SceneOptions scene;
   MethodOptions method;
   int frames = 1, turntable = 0;
-  bool noWarningLine = false, explain = false, printScene = false;
+  bool noWarningLine = false, explain = false, printScene = false, removeTable = false;
 };
 
 bool endsWith(const std::string& text, const std::string& end) {
@@ -134,6 +134,8 @@ class Run {
     auto opened = openVolume(options_.path, options_.series, cancel_);
     if (!opened) return fail(opened.message(), cancel_);
     printNotes(opened->notes);
+    if (options_.removeTable)
+      if (Status removed = removeTable(*opened, cancel_); !removed) return stopped(removed.message());
     volume_ = opened->loaded.drawn;
     warnings_ = opened->loaded.warnings;
     times_.loadMs = wallMs() - begin;
@@ -262,6 +264,8 @@ std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel) {
   app.add_option("-o,--output", o->output, "The picture: .png (8 bits) or .nrrd (floats, for comparison)")
       ->type_name("PICTURE");
   addSeries(app, o->series);
+  app.add_flag("--remove-table", o->removeTable,
+               "CT: draw the patient alone, without table, cushions and cables");
   addSceneOptions(app, o->scene);
   addMethodOptions(app, o->method);
   wholeNumber(app.add_option("--frames", o->frames, "Render the same view N times, for timing"), 1, 100000);

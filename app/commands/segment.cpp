@@ -22,7 +22,7 @@ constexpr glm::dvec3 boneIvory{0.94, 0.86, 0.64};
 
 struct SegmentOptions {
   std::string path, range, output, series;
-  bool json = false;
+  bool json = false, removeTable = false;
 };
 
 // An end of the range: a number, or nothing for no end.
@@ -86,6 +86,8 @@ int run(const SegmentOptions& options, const CancelToken& cancel) {
   if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
   Result<Opened> opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
+  if (options.removeTable)
+    if (Status removed = removeTable(*opened, cancel); !removed) return fail(removed.message(), cancel);
   const Volume& volume = *opened->loaded.drawn;
   const LabelMap map = labelRange(volume, *range);
   const LabelStatistics statistics = labelStatistics(map, volume);
@@ -113,6 +115,8 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
       ->type_name("FILE")
       ->required();
   addSeries(app, options->series);
+  app.add_flag("--remove-table", options->removeTable,
+               "CT: segment the patient alone, without table, cushions and cables");
   app.add_flag("--json", options->json, "Write one JSON object to stdout");
   addExamples(app, {"volumen segment scans/ --range 150:3000 -o bone.seg.nrrd",
                     "volumen segment scans/ --range :-300 --json -o air.seg.nrrd"});

@@ -86,6 +86,8 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   header.modality = text(0x00080060);
   header.description = text(0x0008103e);
   header.unit = unitOf(header.modality, text(0x00281054), text(0x00541001));
+  header.time = text(0x00080032);
+  if (header.time.empty()) header.time = text(0x00080031);
 }
 
 Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels) {

@@ -4,65 +4,16 @@
 #include <dcmtk/dcmdata/dcuid.h>
 
 #include "io/dicom/attributes.h"
-#include "io/dicom/inflate.h"
+#include "io/dicom/scanned_file.h"
 
 namespace volumen::dicom {
 namespace {
 
-constexpr std::uint64_t firstRead = 64 << 10;
-constexpr std::uint64_t headerLimit = 512 << 20;
 constexpr std::uint64_t sizeLimit = std::uint64_t(16) << 30;
 
 Inspection refused(const std::string& reason) {
   std::string sentence = reason + ".";
   return {Inspection::Kind::refused, sentence, {}};
-}
-
-/// A scanned file: its first bytes (all of an inflated data set) and the elements in them.
-struct Scanned {
-  MetaHeader meta;
-  TransferSyntax syntax;
-  std::vector<std::uint8_t> head;
-  std::uint64_t size = 0;  // of what offsets of elements count in
-  std::uint64_t inflatedFrom = 0;
-  DataSetScan dataSet;
-};
-
-/// The transfer syntax that the file names, with the encoding that its bytes show.
-Result<TransferSyntax> syntaxOf(const MetaHeader& meta, Bytes head) {
-  TransferSyntax syntax = transferSyntax(meta.transferSyntaxUid);
-  if (meta.transferSyntaxUid.empty()) syntax = transferSyntax("1.2.840.10008.1.2");
-  if (!*syntax.uid)
-    return Error{"its transfer syntax " + toUtf8(meta.transferSyntaxUid, {}) + " is not known"};
-  if (!syntax.deflated) syntax.encoding = encodingFound(head, meta.dataSet, syntax.encoding);
-  return syntax;
-}
-
-Status scanInflated(const RegularFile& file, Scanned& s) {
-  if (Status read = file.readUpTo(s.head, file.size()); !read) return read;
-  auto inflated = inflateRaw(Bytes(s.head).subspan(s.meta.dataSet));
-  if (!inflated) return inflated.error();
-  s.inflatedFrom = s.meta.dataSet;
-  s.head = std::move(*inflated);
-  s.size = s.head.size();
-  auto scan = scanDataSet(s.head, 0, s.size, s.syntax.encoding);
-  if (!scan) return scan.error();
-  s.dataSet = std::move(*scan);
-  return {};
-}
-
-Status scanPlain(const RegularFile& file, Scanned& s) {
-  s.size = file.size();
-  while (true) {
-    auto scan = scanDataSet(s.head, s.meta.dataSet, s.size, s.syntax.encoding);
-    if (!scan) return scan.error();
-    s.dataSet = std::move(*scan);
-    if (!s.dataSet.needsUpTo) return {};
-    if (s.dataSet.needsUpTo > headerLimit) return Error{"it has more than 512 MiB in front of its pixels"};
-    if (Status read = file.readUpTo(s.head, std::max<std::uint64_t>(s.dataSet.needsUpTo, 4 * s.head.size()));
-        !read)
-      return read;
-  }
 }
 
 /// "DICOM file without pixel data (SR)".
@@ -89,7 +40,7 @@ Result<std::vector<FrameRanges>> nativeFrames(const Element& pixels, const Pixel
   return frames;
 }
 
-Status readPicture(const RegularFile& file, const Scanned& s, const DataSet& data, FileHeader& header) {
+Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet& data, FileHeader& header) {
   if (header.sopClassUid == "1.2.840.10008.5.1.4.1.1.66.4")
     return Error{"DICOM segmentation: not supported yet"};
   const Element& pixels = *s.dataSet.pixels;
@@ -122,17 +73,15 @@ bool beginsAsDicom(Bytes head) {
 Inspection inspect(const std::string& path) {
   const Result<RegularFile> file = RegularFile::open(path);
   if (!file) return refused(file.message());
-  Scanned s;
-  if (Status read = file->readUpTo(s.head, firstRead); !read) return refused(read.message());
+  ScannedFile s;
+  if (Status read = s.begin(*file); !read) return refused(read.message());
   const Result<MetaHeader> meta = scanMeta(s.head, file->size());
   const bool magic = hasMagic(s.head);
   if (!magic && !beginsAsDicom(s.head)) return {};
   if (!meta) return magic ? refused(meta.message()) : Inspection{};
   s.meta = *meta;
-  const Result<TransferSyntax> syntax = syntaxOf(s.meta, s.head);
-  if (!syntax) return refused(syntax.message());
-  s.syntax = *syntax;
-  const Status scanned = s.syntax.deflated ? scanInflated(*file, s) : scanPlain(*file, s);
+  if (Status named = s.findSyntax(); !named) return refused(named.message());
+  const Status scanned = s.scan(*file);
   const bool looksLikeDicom = magic || !s.meta.transferSyntaxUid.empty();
   if (!scanned) return looksLikeDicom ? refused(scanned.message()) : Inspection{};
 

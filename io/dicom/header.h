@@ -40,8 +40,9 @@ struct Slice {
   double slope = 1, intercept = 0;
   std::optional<ValueRange> padding;  ///< stored values that stand for no picture
   std::vector<Window> windows;
-  long instance = 0;               ///< InstanceNumber; order of slices that nothing else orders
-  std::string echo;                ///< echo number and time: slices of different echoes are different volumes
+  long instance = 0;  ///< InstanceNumber; order of slices that nothing else orders
+  std::string echo;   ///< echo number and time: slices of different echoes are different volumes
+  std::string echoTime, bValue, timePoint;  ///< as Series has them
   std::vector<std::string> parts;  ///< what may tell apart pictures of one place: time point, image type, ...
 };
 
@@ -55,6 +56,7 @@ struct FileHeader {
   std::string patientName, patientId, studyUid, studyDate, studyDescription;
   std::string seriesUid, seriesNumber, modality, description;
   std::string unit;  ///< Series::unit
+  std::string time;  ///< as Series has it
   TransferSyntax syntax{"", "", Coding::native, {}, false};
   PixelFormat format;
   std::vector<FrameRanges> frames;  ///< where each frame's bytes lie (in the inflated data set if deflated)

@@ -217,6 +217,14 @@ void addRemarks(const Entries& entries, std::vector<Warning>& warnings) {
         ".");
 }
 
+/// What all slices say alike; else empty.
+std::string common(const Entries& entries, std::string Slice::*what) {
+  const std::string& first = entries[0].slice().*what;
+  const bool alike =
+      std::all_of(entries.begin(), entries.end(), [&](const Entry& e) { return e.slice().*what == first; });
+  return alike ? first : std::string();
+}
+
 Series describe(const Part& part) {
   const FileHeader& first = *part.entries[0].file;
   Series s;
@@ -232,6 +240,10 @@ Series describe(const Part& part) {
   s.modality = first.modality;
   s.unit = first.unit;
   s.description = first.description;
+  s.time = first.time;
+  s.echoTime = common(part.entries, &Slice::echoTime);
+  s.bValue = common(part.entries, &Slice::bValue);
+  s.timePoint = common(part.entries, &Slice::timePoint);
   std::vector<const FileHeader*> headers;
   for (const Entry& e : part.entries) {
     s.files.push_back(e.file->path);

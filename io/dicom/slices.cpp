@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -50,6 +51,41 @@ constexpr struct {
     {0, 0x00181060},
     {cardiac, 0x00209153},
 };
+
+/// The number in an FD, in the fewest digits; empty where there is none.
+std::string doubleText(const DataSet& data, std::uint32_t tag, DataSet::Scope scope) {
+  const std::string raw = data.raw(tag, scope);
+  if (raw.size() != sizeof(double)) return {};
+  const Bytes bytes(reinterpret_cast<const std::uint8_t*>(raw.data()), raw.size());
+  char text[32];
+  const double value = numberAt<double>(bytes, 0, data.find(tag, scope)->bigEndian);
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string readEchoTime(const DataSet& data, DataSet::Scope scope) {
+  const std::string time = data.text(0x00180081, scope);
+  return time.empty() ? doubleText(data, 0x00189082, scope) : time;
+}
+
+/// The diffusion weight: DICOM's, or the private one of Siemens or GE, which adds multiples of 100000.
+std::string readBValue(const DataSet& data, DataSet::Scope scope) {
+  if (const std::string b = doubleText(data, 0x00189087, scope); !b.empty()) return b;
+  if (data.text(0x00190010, data.root()) == "SIEMENS MR HEADER") return data.text(0x0019100c, data.root());
+  if (data.text(0x00430010, data.root()) != "GEMS_PARM_01") return {};
+  const auto numbers = data.numbers(0x00431039, data.root());
+  return numbers ? std::to_string(long(std::fmod((*numbers)[0], 100000))) : std::string();
+}
+
+/// Number of the time point, where the file counts them.
+std::string readTimePoint(const DataSet& data, const FrameScopes& at) {
+  const std::string identifier = data.text(0x00200100, at.of(0));
+  if (!identifier.empty()) return identifier;
+  const std::string index = data.raw(0x00209128, at.of(frameContent));
+  if (index.size() != sizeof(std::uint32_t)) return {};
+  const Bytes bytes(reinterpret_cast<const std::uint8_t*>(index.data()), index.size());
+  const bool bigEndian = data.find(0x00209128, at.of(frameContent))->bigEndian;
+  return std::to_string(numberAt<std::uint32_t>(bytes, 0, bigEndian));
+}
 
 std::optional<glm::dvec3> vectorAt(const std::vector<double>& v, std::size_t at) {
   if (v.size() < at + 3) return {};
@@ -132,6 +168,9 @@ Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, std::vector<
   slice.windows = readWindows(data, at.of(windowing));
   slice.echo = data.text(0x00180086, at.of(mrEcho)) + "/" + data.text(0x00180081, at.of(mrEcho)) + "/" +
                data.raw(0x00189082, at.of(mrEcho));
+  slice.echoTime = readEchoTime(data, at.of(mrEcho));
+  slice.bValue = readBValue(data, at.of(mrDiffusion));
+  slice.timePoint = readTimePoint(data, at);
   for (const auto& [group, tag] : partAttributes) slice.parts.push_back(data.raw(tag, at.of(group)));
   if (Status s = readRescale(data, at.of(valueTransformation), slice); !s) return s.error();
   return slice;

@@ -14,6 +14,9 @@ class TestDrafts : public QObject {
  private Q_SLOTS:
   void paceKeepsTheFrameTime_data();
   void paceKeepsTheFrameTime();
+  void aStepInBetweenWhereTheRestTakesLong_data();
+  void aStepInBetweenWhereTheRestTakesLong();
+  void theRestIsExpectedAsItWas();
   void draftSeesWhatTheFullPictureSees_data();
   void draftSeesWhatTheFullPictureSees();
   void enlargingKeepsColours();
@@ -39,6 +42,39 @@ void TestDrafts::paceKeepsTheFrameTime() {
   QCOMPARE(pace.factor(), factor);
   pace.measured(fullMs / (pace.factor() * pace.factor()));
   QCOMPARE(pace.factor(), factor);  // and stays
+}
+
+void TestDrafts::aStepInBetweenWhereTheRestTakesLong_data() {
+  QTest::addColumn<double>("draftMs");
+  QTest::addColumn<double>("factor");
+  QTest::addColumn<int>("edge");
+  QTest::addColumn<double>("between");  // 0: none
+  // At rest a ray takes twice as long, as long as nothing else is known.
+  QTest::newRow("the rest takes 2 s") << 20.0 << 7.0 << 1 << 2.0;
+  QTest::newRow("the rest takes 0.4 s") << 4.0 << 7.0 << 1 << 0.0;
+  QTest::newRow("the first draft was fine already") << 200.0 << 2.0 << 1 << 0.0;
+  QTest::newRow("a coarser rest of 1.5 s") << 62.0 << 7.0 << 2 << 4.0;
+}
+
+void TestDrafts::aStepInBetweenWhereTheRestTakesLong() {
+  QFETCH(double, draftMs);
+  QFETCH(double, factor);
+  QFETCH(int, edge);
+  QFETCH(double, between);
+  RestCost cost;
+  cost.draftTook(draftMs, factor);
+  QCOMPARE(cost.factorBetween(factor, edge).value_or(0), between);
+}
+
+void TestDrafts::theRestIsExpectedAsItWas() {
+  RestCost cost;
+  QVERIFY(!cost.factorBetween(7, 1));
+  cost.draftTook(10, 7);
+  cost.restTook(4900, 1);  // ten times as long a ray
+  QCOMPARE(cost.expected(1), 4900.0);
+  cost.draftTook(1.5, 7);
+  QCOMPARE(cost.expected(1), 735.0);
+  QCOMPARE(*cost.factorBetween(7, 1), 1.5);
 }
 
 void TestDrafts::draftSeesWhatTheFullPictureSees_data() {

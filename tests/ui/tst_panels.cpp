@@ -251,7 +251,7 @@ void TestPanels::studiesAreListedAndSearched() {
   };
   QCOMPARE(panel.tree()->topLevelItemCount(), 3);  // two patients and what could not be read
   QCOMPARE(found("Doe, Jane").size(), 1);
-  QCOMPARE(found("CT Lung").value(0)->text(0), QStringLiteral("! CT Lung"));
+  QVERIFY(found("CT Lung").value(0)->text(0).startsWith(QStringLiteral("! CT Lung\n1 slice")));
   QVERIFY(found("CT Lung").value(0)->toolTip(0).contains(QStringLiteral("7.5 mm gap")));
   QVERIFY(found("broken.dcm").value(0)->toolTip(0).contains(QStringLiteral("cut off")));
   QTest::keyClicks(panel.findChild<QLineEdit*>(), QStringLiteral("knee"));

@@ -153,7 +153,7 @@ void TestProjections::theWindowIsChosenByName() {
 void TestProjections::theHistogramSaysWindowAndItsEndsAreDragged() {
   Shown w;
   CurveEditor* editor = w.panel.editor();
-  QCOMPARE(editor->axisName(), QStringLiteral("brightness"));
+  QCOMPARE(editor->axisName(), QStringLiteral("Brightness"));
   QCOMPARE(int(editor->curve().points.size()), 2);
   const QPointF end = editor->positionOf(1), to(editor->valueAxis().pixelOf(700), end.y() + 30);
   tests::drag(editor, end, to);

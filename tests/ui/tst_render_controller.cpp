@@ -21,6 +21,7 @@ VolumePtr smallVolume(std::int16_t value = 1) {
 // Draws a plain picture whose grey is the first light's intensity, as slowly as told, row by row.
 struct SlowRenderer {
   std::atomic<int> msPerRow{0};
+  std::atomic<int> microsecondsPerPixel{0};
   std::atomic<bool> plansForEver{false};  ///< until they are cancelled; not of drafts
   std::atomic<int> begun{0}, cancelled{0};
   std::atomic<int> plansBegun{0}, plansCancelled{0};
@@ -58,6 +59,7 @@ struct SlowRenderer {
         return Error{"cancelled"};
       }
       if (msPerRow > 0) QThread::msleep(unsigned(msPerRow));
+      if (microsecondsPerPixel > 0) QThread::usleep(unsigned(microsecondsPerPixel * options.size.x));
       for (int x = 0; x < options.size.x; ++x)
         for (int c = 0; c < 3; ++c)
           drawn.picture.row(y)[4 * x + c] = float(planned.plan.scene.lights[0].intensity);
@@ -107,6 +109,9 @@ class TestRenderController : public QObject {
   void theLevelAtRestIsDrawn_data();
   void theLevelAtRestIsDrawn();
   void anotherLevelOfTheSamePictureNeedsNoDraft();
+  void aLongPictureComesInThreeSteps();
+  void theStepInBetweenIsCancelled();
+  void whatIsSeenInFullGetsNoCoarser();
   void aTrialWaitsForWhatIsAskedFor();
   void aTrialThatIsDroppedTellsNothing();
   void closingWhileRenderingCancels();
@@ -223,6 +228,51 @@ void TestRenderController::anotherLevelOfTheSamePictureNeedsNoDraft() {
   w.controller.request(greyScene(0.6), {64, 64});
   QTRY_VERIFY(w.atRest());
   QVERIFY2(w.frames.front().draft(), "another picture comes as a draft first");
+}
+
+// 5 us a pixel: 1.5 s in full.
+void TestRenderController::aLongPictureComesInThreeSteps() {
+  SlowRenderer renderer;
+  renderer.microsecondsPerPixel = 5;
+  Watched w(renderer.make());
+  w.controller.request(greyScene(0.5), {640, 480});
+  QTRY_VERIFY_WITH_TIMEOUT(w.atRest(), 60000);
+  QCOMPARE(w.frames.size(), std::size_t(3));
+  QVERIFY(w.frames[0].draft() && w.frames[1].draft());
+  QVERIFY(w.frames[0].factor > w.frames[1].factor && w.frames[1].factor > 1);
+  for (const Frame& frame : w.frames) {
+    QCOMPARE(frame.image.size(), QSize(640, 480));
+    QVERIFY2(frame.scene == w.frames[0].scene, "the same camera, so that nothing jumps");
+    for (const QPoint at : {QPoint(0, 0), QPoint(320, 240), QPoint(639, 479)})
+      QCOMPARE(qRed(frame.image.pixel(at)), 128);
+  }
+}
+
+void TestRenderController::theStepInBetweenIsCancelled() {
+  SlowRenderer renderer;
+  renderer.microsecondsPerPixel = 10;
+  Watched w(renderer.make());
+  w.controller.request(greyScene(0.2), {640, 480});
+  QTRY_COMPARE_WITH_TIMEOUT(renderer.begun.load(), 2, 60000);
+  renderer.microsecondsPerPixel = 0;
+  w.controller.request(greyScene(0.8), {64, 48});
+  QTRY_VERIFY(w.atRest());
+  QCOMPARE(renderer.cancelled.load(), 1);
+  for (std::size_t n = 1; n < w.frames.size(); ++n) QCOMPARE(w.frames[n].scene.lights[0].intensity, 0.8);
+  QVERIFY(w.failures.isEmpty());
+}
+
+void TestRenderController::whatIsSeenInFullGetsNoCoarser() {
+  SlowRenderer renderer;
+  renderer.microsecondsPerPixel = 5;
+  Watched w(renderer.make());
+  w.controller.request(greyScene(0.5), {640, 480});
+  QTRY_VERIFY_WITH_TIMEOUT(w.atRest(), 60000);
+  w.frames.clear();
+  w.controller.setLevel({Quality::exact, 1});
+  w.controller.request(greyScene(0.5), {640, 480});
+  QTRY_VERIFY_WITH_TIMEOUT(w.atRest(), 60000);
+  QCOMPARE(w.frames.size(), std::size_t(1));
 }
 
 void TestRenderController::aTrialWaitsForWhatIsAskedFor() {

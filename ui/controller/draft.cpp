@@ -69,6 +69,17 @@ void DraftPace::measured(double ms) {
   }
 }
 
+std::optional<double> RestCost::factorBetween(double first, int edge) const {
+  constexpr double soonMs = 500;
+  const double rest = expected(edge);
+  if (rest <= soonMs) return {};
+  const auto next = std::find_if(std::begin(factors), std::end(factors), [&](double factor) {
+    return factor > edge && draftMs_ / (factor * factor) <= rest / 6;
+  });
+  if (next == std::end(factors) || *next * 1.4 > first) return {};
+  return *next;
+}
+
 DraftView draftView(const Camera& camera, QSize full, double factor) {
   if (factor == 1) return {full, camera};
   const auto part = [&](int pixels) { return std::max(1, int(std::ceil(pixels / factor - 1e-9))); };

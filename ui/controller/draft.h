@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QSize>
 #include <glm/vec4.hpp>
+#include <optional>
 
 #include "viewer/scene/scene.h"
 #include "viewer/volume/picture.h"
@@ -23,6 +24,27 @@ class DraftPace {
  private:
   double budgetMs_;
   int step_ = 4;
+};
+
+/// What the picture at rest is expected to take, by what a draft of the same scene took and by what those
+/// before took beside theirs.
+class RestCost {
+ public:
+  /// A draft took so long.
+  void draftTook(double ms, double factor) { draftMs_ = ms * factor * factor; }
+  /// The picture at rest, of one ray for edge x edge pixels, that followed took so long.
+  void restTook(double ms, int edge) {
+    if (draftMs_ > 0) timesDraft_ = ms * edge * edge / draftMs_;
+  }
+  /// In ms.
+  double expected(int edge) const { return timesDraft_ * draftMs_ / (edge * edge); }
+  /// The factor of a draft in between: none where the picture at rest comes soon anyway, or where the first
+  /// draft was about as fine. The finest that takes at most a sixth of the picture at rest.
+  std::optional<double> factorBetween(double first, int edge) const;
+
+ private:
+  double draftMs_ = 0;     // the last draft, were it as fine as the screen
+  double timesDraft_ = 2;  // how much longer a ray takes at rest; at first as measured on chest and head
 };
 
 /// A picture of a factor less pixels that shows the same: its size, rounded up, and its camera, which sees as

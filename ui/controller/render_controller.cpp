@@ -158,6 +158,7 @@ void RenderController::run() {
       drawnGeneration_ = generation_;
       drawnVolume_ = volume_;
       pace_ = DraftPace();
+      cost_ = RestCost();
       seen_.reset();
       lock.unlock();
       draw_ = drawnVolume_ ? std::optional(makeDraw_(drawnVolume_)) : std::nullopt;
@@ -222,6 +223,8 @@ void RenderController::drawScreen(std::unique_lock<std::mutex>& lock) {
   lock.lock();
   const auto other = [this] { return closing_ || screen_ || generation_ != drawnGeneration_; };
   if (!drawn || first == rest || other()) return;
+  // What is on screen of the same scene may be finer than any draft.
+  if (!seen && !drawBetween(request, first, lock)) return;
   restCancel_ = CancelToken();
   const CancelToken cancel = restCancel_;
   lock.unlock();
@@ -233,6 +236,22 @@ void RenderController::drawScreen(std::unique_lock<std::mutex>& lock) {
   lock.unlock();
   drawFrame(request, rest, true, cancel, &ahead);
   lock.lock();
+}
+
+// A draft between the first one and the picture at rest, where that will take long; false where something
+// else is asked for meanwhile.
+bool RenderController::drawBetween(const ScreenRequest& request, Pass first,
+                                   std::unique_lock<std::mutex>& lock) {
+  const auto factor = cost_.factorBetween(first.factor, request.level.edge);
+  if (!factor) return true;
+  const auto other = [this] { return closing_ || screen_ || generation_ != drawnGeneration_; };
+  if (wake_.wait_for(lock, restTime, other)) return false;
+  restCancel_ = CancelToken();
+  const CancelToken cancel = restCancel_;
+  lock.unlock();
+  const bool drawn = drawFrame(request, {Quality::draft, *factor}, false, cancel);
+  lock.lock();
+  return drawn && !other();
 }
 
 // Stays asked for where something else interrupts it.
@@ -328,8 +347,10 @@ bool RenderController::drawFrame(const ScreenRequest& request, Pass pass, bool a
   if (!drawn) return false;
   // What is made once for the volume says nothing about the next frame, and a full picture at rest nothing
   // about drafts.
-  if (pass == firstPass(request.level) && pass.factor == pace_.factor())
-    pace_.measured(std::max(0.0, frame.ms - frame.stats.gradientsMs));
+  const double ms = std::max(0.0, frame.ms - frame.stats.gradientsMs);
+  if (pass == firstPass(request.level) && pass.factor == pace_.factor()) pace_.measured(ms);
+  if (pass.quality == Quality::draft && !atRest) cost_.draftTook(ms, pass.factor);
+  if (atRest) cost_.restTook(ms, request.level.edge);
   tell([this, frame] { Q_EMIT frameReady(frame); });
   return true;
 }

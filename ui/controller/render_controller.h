@@ -53,7 +53,7 @@ struct Frame {
   double factor = 1;    ///< one ray for factor x factor pixels (DraftPace, PictureLevel)
   bool atRest = false;  ///< no finer picture follows
   double ms = 0;  ///< wall clock up to the image, from the request taken or, at rest, from the moment that
-                  ///< nothing new had been asked for long enough
+                  ///< nothing new had been asked for long enough and drafts were done
   Scene scene;    ///< as drawn: with its camera
   std::shared_ptr<const Plan> plan;
   RenderStats stats;
@@ -77,7 +77,8 @@ struct Trial {
 
 /// Draws on a thread of its own: of what is asked for only the latest, first as a draft of fewer pixels
 /// within the frame time, then at the level of pictures at rest once nothing new was asked for a moment, in
-/// which that picture is planned. Asking never waits.
+/// which that picture is planned. Where that one is expected to take long, a finer draft comes in between.
+/// Asking never waits.
 class RenderController : public QObject {
   Q_OBJECT
  public:
@@ -167,6 +168,7 @@ class RenderController : public QObject {
   void drawThumbnail(std::unique_lock<std::mutex>& lock);
   Pass firstPass(PictureLevel rest) const;
   View viewOf(const ScreenRequest& request, Pass pass) const;
+  bool drawBetween(const ScreenRequest& request, Pass first, std::unique_lock<std::mutex>& lock);
   bool drawFrame(const ScreenRequest& request, Pass pass, bool atRest, const CancelToken& cancel,
                  const Ahead* ahead = nullptr);
   Result<Drawn> drawPass(const ScreenRequest& request, Pass pass, Frame& frame, const CancelToken& cancel,
@@ -199,6 +201,7 @@ class RenderController : public QObject {
   int drawnGeneration_ = 0;
   std::optional<Draw> draw_;
   DraftPace pace_;
+  RestCost cost_;
   std::optional<ScreenRequest> seen_;  // what is on screen, if only as a draft
 
   std::thread thread_;

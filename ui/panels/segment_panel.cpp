@@ -42,6 +42,7 @@ QString spanText(const ValueRange& span, int decimals, const QString& unit) {
 SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
+      table_(new QCheckBox),
       spans_(new QComboBox),
       low_(valueField("segmentLow", tr("Lowest value"))),
       high_(valueField("segmentHigh", tr("Highest value"))),
@@ -49,6 +50,7 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
       save_(new QPushButton(tr("Save .seg.nrrd..."))),
       result_(new QLabel),
       only_(new QCheckBox(tr("Show only the segment"))) {
+  table_->setObjectName(QStringLiteral("segmentTable"));
   spans_->setObjectName(QStringLiteral("segmentSpans"));
   spans_->setAccessibleName(tr("Visible value range"));
   segment_->setObjectName(QStringLiteral("segment"));
@@ -67,7 +69,9 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
   connect(save_, &QPushButton::clicked, this, &SegmentPanel::askWhere);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series) showSegmentation(nullptr);
-    if (before.series == after.series && before.scene.transferFunction == after.scene.transferFunction)
+    // Typed numbers stay where only the table goes.
+    if (areOneSeries(before.series, after.series) &&
+        before.scene.transferFunction == after.scene.transferFunction)
       return;
     showSpans();
     only_->setChecked(only_->isChecked() && after.scene.transferFunction == alone_);
@@ -88,12 +92,25 @@ void SegmentPanel::makeLayout() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(4);
+  column->addWidget(table_, 0, Qt::AlignLeft);
   column->addWidget(spans_);
   column->addLayout(fields);
   column->addWidget(segment_);
   column->addWidget(result_);
   column->addLayout(buttons);
   column->addStretch();
+}
+
+void SegmentPanel::setTableAction(QAction* action) {
+  const auto show = [this, action] {
+    table_->setText(action->text());
+    table_->setToolTip(action->toolTip());
+    table_->setEnabled(action->isEnabled());
+    table_->setChecked(action->isChecked());
+  };
+  connect(action, &QAction::changed, table_, show);
+  connect(table_, &QCheckBox::clicked, action, &QAction::trigger);
+  show();
 }
 
 ValueRange SegmentPanel::range() const {

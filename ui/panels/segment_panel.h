@@ -20,6 +20,8 @@ class SegmentPanel : public QWidget {
 
   /// Shows what a request came to; null: nothing yet.
   void showSegmentation(const std::shared_ptr<const Segmentation>& segmentation);
+  /// Puts a switchable action on top.
+  void setTableAction(QAction* action);
 
  Q_SIGNALS:
   void segmentRequested(const volumen::VolumePtr& volume, const volumen::ValueRange& range);
@@ -35,6 +37,7 @@ class SegmentPanel : public QWidget {
   void askWhere();
 
   Session& session_;
+  QCheckBox* table_;
   QComboBox* spans_;
   QDoubleSpinBox *low_, *high_;
   QPushButton *segment_, *save_;

@@ -1,9 +1,16 @@
 #include "ui/panels/studies_panel.h"
 
+#include <QDesktopServices>
 #include <QFileInfo>
+#include <QMenu>
+#include <QPersistentModelIndex>
 #include <QTreeWidgetItemIterator>
+#include <QUrl>
 #include <QVBoxLayout>
+#include <set>
 
+#include "ui/panels/attributes_dialog.h"
+#include "ui/session/series_text.h"
 #include "ui/session/text.h"
 
 namespace volumen {
@@ -12,27 +19,40 @@ namespace {
 
 enum Role { keyRole = Qt::UserRole, pathRole, indexRole };
 
-QString sizeText(const Series& series) {
-  const VoxelGeometry& g = series.regular ? series.regular->geometry : series.acquired;
-  QString text = QStringLiteral("%1 x %2 x %3").arg(g.size.x).arg(g.size.y).arg(g.size.z);
-  if (g.calibrated) text += QStringLiteral(", %1 mm").arg(g.spacing().z, 0, 'g', 3);
-  return text;
+constexpr int thumbnailEdge = 44;
+
+// Rich text, so that long sentences wrap.
+QString toolTipOf(const Series& series) {
+  QStringList lines;
+  for (const QString& line : everythingOf(series)) lines << line.toHtmlEscaped();
+  return QStringLiteral("<p>%1</p>").arg(lines.join(QStringLiteral("<br>")));
 }
 
-QString toolTipOf(const Series& series) {
-  QStringList lines{seriesText(series), sizeText(series)};
-  for (const Warning& w : series.warnings) lines << QStringLiteral("! ") + shownText(w.sentence);
-  for (QString& line : lines) line = line.toHtmlEscaped();
-  // Rich text, so that long sentences wrap.
-  return QStringLiteral("<p>%1</p>").arg(lines.join(QStringLiteral("<br>")));
+// Others of a study with the same name.
+std::vector<const Series*> namesakes(const Study& study, const Series& series) {
+  std::vector<const Series*> found;
+  for (const Series& other : study.volumes)
+    if (other.studyUid == series.studyUid && other.modality == series.modality &&
+        other.description == series.description)
+      found.push_back(&other);
+  return found;
 }
 
 bool sameSeries(const Series& a, const Series& b) { return a.id == b.id && a.path == b.path; }
 
+// With the parents that hold nothing else.
+void removeItem(QTreeWidgetItem* item) {
+  while (item) {
+    QTreeWidgetItem* parent = item->parent();
+    delete item;
+    item = parent && parent->childCount() == 0 ? parent : nullptr;
+  }
+}
+
 }  // namespace
 
 StudiesPanel::StudiesPanel(QWidget* parent)
-    : QWidget(parent), search_(new QLineEdit), tree_(new QTreeWidget) {
+    : QWidget(parent), search_(new QLineEdit), tree_(new QTreeWidget), thumbnails_(thumbnailEdge) {
   search_->setObjectName(QStringLiteral("studySearch"));
   search_->setPlaceholderText(tr("Search"));
   search_->setAccessibleName(tr("Search patients, studies and series"));
@@ -42,20 +62,29 @@ StudiesPanel::StudiesPanel(QWidget* parent)
   tree_->setHeaderHidden(true);
   tree_->setIndentation(14);
   tree_->setUniformRowHeights(false);
+  tree_->setIconSize({thumbnailEdge, thumbnailEdge});
+  tree_->setContextMenuPolicy(Qt::CustomContextMenu);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->addWidget(search_);
   column->addWidget(tree_, 1);
   connect(search_, &QLineEdit::textChanged, this, &StudiesPanel::filter);
   const auto choose = [this](QTreeWidgetItem* item) {
-    const QString path = item->data(0, pathRole).toString();
-    const QVariant index = item->data(0, indexRole);
-    if (!index.isValid()) return;
-    for (const auto& [opened, study] : studies_)
-      if (opened == path) return Q_EMIT seriesChosen(study->volumes[index.toULongLong()]);
+    if (const Series* series = seriesOf(item)) Q_EMIT seriesChosen(*series);
   };
   connect(tree_, &QTreeWidget::itemClicked, this, choose);
   connect(tree_, &QTreeWidget::itemActivated, this, choose);
+  connect(tree_, &QTreeWidget::customContextMenuRequested, this, &StudiesPanel::showMenu);
+  connect(&thumbnails_, &Thumbnails::made, this, &StudiesPanel::setThumbnail);
+}
+
+// Null for patients, studies and what could not be read.
+const Series* StudiesPanel::seriesOf(const QTreeWidgetItem* item) const {
+  const QVariant index = item->data(0, indexRole);
+  if (!index.isValid()) return nullptr;
+  for (const auto& [path, study] : studies_)
+    if (path == item->data(0, pathRole).toString()) return &study->volumes[index.toULongLong()];
+  return nullptr;
 }
 
 QTreeWidgetItem* StudiesPanel::childNamed(QTreeWidgetItem* parent, const QString& key, const QString& text) {
@@ -68,7 +97,8 @@ QTreeWidgetItem* StudiesPanel::childNamed(QTreeWidgetItem* parent, const QString
   return item;
 }
 
-void StudiesPanel::addSeries(const QString& path, const Series& series, std::size_t n) {
+void StudiesPanel::addSeries(const QString& path, const Study& study, std::size_t n) {
+  const Series& series = study.volumes[n];
   QTreeWidgetItem* parent = tree_->invisibleRootItem();
   if (series.format == "DICOM") {
     const QString patient = patientText(series);
@@ -79,11 +109,70 @@ void StudiesPanel::addSeries(const QString& path, const Series& series, std::siz
     parent = childNamed(parent, QStringLiteral("files"),
                         series.format == "phantom" ? tr("Phantoms") : tr("Files"));
   }
-  auto* item = new QTreeWidgetItem(parent, {seriesText(series)});
-  if (!series.warnings.empty()) item->setText(0, QStringLiteral("! ") + item->text(0));
+  const QStringList details =
+      QStringList(slicesText(series)) + tellingApart(series, namesakes(study, series));
+  const QString mark = series.warnings.empty() ? QString() : QStringLiteral("! ");
+  auto* item = new QTreeWidgetItem(
+      parent, {mark + seriesText(series) + QLatin1Char('\n') + details.join(QStringLiteral(", "))});
   item->setToolTip(0, toolTipOf(series));
   item->setData(0, pathRole, path);
   item->setData(0, indexRole, qulonglong(n));
+  QPixmap none(thumbnailEdge, thumbnailEdge);  // so that nothing moves when the thumbnail comes
+  none.fill(Qt::transparent);
+  item->setIcon(0, none);
+  thumbnails_.request(series);
+}
+
+void StudiesPanel::setThumbnail(const Series& series, const QImage& thumbnail) {
+  for (QTreeWidgetItemIterator it(tree_); *it; ++it)
+    if (const Series* listed = seriesOf(*it); listed && sameSeries(*listed, series))
+      (*it)->setIcon(0, QPixmap::fromImage(thumbnail));
+}
+
+void StudiesPanel::showMenu(QPoint position) {
+  QTreeWidgetItem* item = tree_->itemAt(position);
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("studyMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const Series* series = item ? seriesOf(item) : nullptr;
+  // The item may go while the menu is open.
+  const QPersistentModelIndex index(tree_->indexAt(position));
+  if (item)
+    menu->addAction(tr("Remove from list"), this, [this, index] {
+      if (QTreeWidgetItem* chosen = tree_->itemFromIndex(index)) remove(chosen);
+    });
+  if (!studies_.empty()) menu->addAction(tr("Close all"), this, &StudiesPanel::closeAll);
+  if (series && series->format != "phantom") {
+    menu->addSeparator();
+    const QFileInfo place(QString::fromStdString(series->path));
+    const QString folder = place.isDir() ? place.filePath() : place.absolutePath();
+    menu->addAction(tr("Show in file manager"), this,
+                    [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+  }
+  if (series && series->format == "DICOM")
+    menu->addAction(tr("DICOM attributes..."), this,
+                    [this, chosen = *series] { (new AttributesDialog(chosen, this))->show(); });
+  if (menu->isEmpty()) return menu->deleteLater();
+  menu->popup(tree_->viewport()->mapToGlobal(position));
+}
+
+// With all below it, and what holds nothing else.
+void StudiesPanel::remove(QTreeWidgetItem* item) {
+  std::vector<Series> gone;
+  const std::function<void(QTreeWidgetItem*)> collect = [&](QTreeWidgetItem* from) {
+    if (const Series* series = seriesOf(from)) gone.push_back(*series);
+    for (int n = 0; n < from->childCount(); ++n) collect(from->child(n));
+  };
+  collect(item);
+  removeItem(item);
+  for (const Series& series : gone) Q_EMIT seriesRemoved(series);
+}
+
+void StudiesPanel::closeAll() {
+  thumbnails_.cancel();
+  tree_->clear();
+  studies_.clear();
+  Q_EMIT allClosed();
 }
 
 void StudiesPanel::addRefused(const QString& path, const Study& study) {
@@ -104,39 +193,44 @@ void StudiesPanel::removePath(const QString& path) {
   std::vector<QTreeWidgetItem*> gone;
   for (QTreeWidgetItemIterator it(tree_); *it; ++it)
     if ((*it)->data(0, pathRole).toString() == path) gone.push_back(*it);
-  for (QTreeWidgetItem* item : gone) {
-    while (item) {
-      QTreeWidgetItem* parent = item->parent();
-      delete item;
-      item = parent && parent->childCount() == 0 ? parent : nullptr;
-    }
-  }
+  for (QTreeWidgetItem* item : gone) removeItem(item);
 }
 
 void StudiesPanel::addStudy(const QString& path, const std::shared_ptr<const Study>& study) {
   removePath(path);
   studies_.emplace_back(path, study);
-  for (std::size_t n = 0; n < study->volumes.size(); ++n) addSeries(path, study->volumes[n], n);
+  for (std::size_t n = 0; n < study->volumes.size(); ++n) addSeries(path, *study, n);
   addRefused(path, *study);
   filter(search_->text());
 }
 
+// Those that were removed from the list stay away.
 void StudiesPanel::showNames() {
+  using Place = std::pair<QString, qulonglong>;
+  const auto placeOf = [](const QTreeWidgetItem* item) {
+    return Place(item->data(0, pathRole).toString(), item->data(0, indexRole).toULongLong());
+  };
+  std::set<Place> listed;
+  for (QTreeWidgetItemIterator it(tree_); *it; ++it)
+    if (seriesOf(*it)) listed.insert(placeOf(*it));
   const auto opened = studies_;
   for (const auto& [path, study] : opened) addStudy(path, study);
+  std::vector<QTreeWidgetItem*> gone;
+  for (QTreeWidgetItemIterator it(tree_); *it; ++it)
+    if (seriesOf(*it) && !listed.contains(placeOf(*it))) gone.push_back(*it);
+  for (QTreeWidgetItem* item : gone) removeItem(item);
 }
 
-void StudiesPanel::markShown(const Series& series) {
+void StudiesPanel::markShown(const ShownSeriesPtr& shown) {
   for (QTreeWidgetItemIterator it(tree_); *it; ++it) {
-    const QVariant index = (*it)->data(0, indexRole);
-    bool shown = false;
-    for (const auto& [path, study] : studies_)
-      shown = shown || (index.isValid() && (*it)->data(0, pathRole).toString() == path &&
-                        sameSeries(study->volumes[index.toULongLong()], series));
+    const Series* listed = seriesOf(*it);
+    const bool is = listed && sameSeries(*listed, shown->series);
     QFont font = (*it)->font(0);
-    font.setBold(shown);
+    font.setBold(is);
     (*it)->setFont(0, font);
-    if (shown) tree_->setCurrentItem(*it);
+    if (!is) continue;
+    tree_->setCurrentItem(*it);
+    (*it)->setIcon(0, QPixmap::fromImage(thumbnailOf(*shown->volume, thumbnailEdge)));
   }
 }
 

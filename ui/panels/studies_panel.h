@@ -5,12 +5,16 @@
 #include <memory>
 #include <vector>
 
-#include "io/study.h"
+#include "ui/controller/thumbnails.h"
+#include "ui/session/shown_series.h"
+
+class QMenu;
 
 namespace volumen {
 
-/// What was opened: patients, studies, series; "!" where there is a warning, its sentence in the tooltip. A
-/// click asks for a series. What could not be read is named below with its reason.
+/// What was opened: patients, studies, series with a thumbnail; "!" where there is a warning, all that is
+/// known in the tooltip. A click asks for a series, a right click for what else can be done with it. What
+/// could not be read is named below with its reason.
 class StudiesPanel : public QWidget {
   Q_OBJECT
  public:
@@ -21,21 +25,31 @@ class StudiesPanel : public QWidget {
   /// Writes all again, after names were hidden or shown.
   void showNames();
   /// Marks the series on screen.
-  void markShown(const Series& series);
+  void markShown(const ShownSeriesPtr& shown);
   QTreeWidget* tree() const { return tree_; }
 
  Q_SIGNALS:
   void seriesChosen(const volumen::Series& series);
+  /// It is no longer in the list.
+  void seriesRemoved(const volumen::Series& series);
+  /// The list is empty.
+  void allClosed();
 
  private:
+  const Series* seriesOf(const QTreeWidgetItem* item) const;
   QTreeWidgetItem* childNamed(QTreeWidgetItem* parent, const QString& key, const QString& text);
-  void addSeries(const QString& path, const Series& series, std::size_t n);
+  void addSeries(const QString& path, const Study& study, std::size_t n);
   void addRefused(const QString& path, const Study& study);
+  void setThumbnail(const Series& series, const QImage& thumbnail);
+  void showMenu(QPoint position);
+  void remove(QTreeWidgetItem* item);
+  void closeAll();
   void removePath(const QString& path);
   void filter(const QString& text);
 
   QLineEdit* search_;
   QTreeWidget* tree_;
+  Thumbnails thumbnails_;
   std::vector<std::pair<QString, std::shared_ptr<const Study>>> studies_;
 };
 

@@ -39,7 +39,7 @@ TransferPanel::TransferPanel(Session& session, QWidget* parent)
   connectEditor();
   connectFields();
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series && after.series) {
+    if (!areOneSeries(before.series, after.series) && after.series) {
       editor_->setHistogram(after.series->histogram, shownText(after.series->series.unit));
       value_->setDecimals(valueDecimals(after.series->histogram));
       value_->setSuffix(unitSuffix(after.series->series));
@@ -207,7 +207,7 @@ void TransferPanel::showPoint() {
   const bool any = n >= 0 && n < int(curve.points.size());
   fields_->setEnabled(any);
   const QSignalBlocker quietValue(value_), quietOpacity(opacity_), quietHalving(halving_);
-  const QString unit = session_.series() ? valueUnit(*session_.series()->volume) : QString();
+  const QString unit = session_.series() ? shownText(session_.series()->series.unit) : QString();
   value_->setSuffix(any && !unit.isEmpty() ? QLatin1Char(' ') + unit : QString());
   halving_->setSuffix(any ? tr(" mm") : QString());
   if (!any) {

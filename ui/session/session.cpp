@@ -35,6 +35,10 @@ void Session::edit(const QString& text, const std::function<void(Scene&)>& chang
   edit(text, std::move(after), mergeKey);
 }
 
+void Session::exchangeSeries(const QString& text, ShownSeriesPtr after) {
+  push(text, {std::move(after), state_.scene, state_.wish}, {});
+}
+
 void Session::wishFor(const QString& text, const PictureWish& after, const QString& mergeKey) {
   SessionState state = state_;
   state.wish = after;

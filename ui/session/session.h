@@ -53,6 +53,8 @@ class Session : public QObject {
   void choosePreset(const QString& text, const std::string& name, const Scene& look);
   /// Whether the look was changed since.
   bool presetModified() const;
+  /// The same for what is shown of the series: `after` is the one on screen with or without its table.
+  void exchangeSeries(const QString& text, ShownSeriesPtr after);
 
   /// The same for what is asked of the picture beside the scene.
   void wishFor(const QString& text, const PictureWish& after, const QString& mergeKey = {});

@@ -67,7 +67,7 @@ QString seriesText(const Series& series) {
 
 QString studyText(const Series& series) {
   QStringList parts{dateText(series.studyDate), shownText(series.studyDescription)};
-  if (parts[0].isEmpty()) parts[0] = tr("(no date)");
+  if (parts[0].isEmpty() && series.format == "DICOM") parts[0] = tr("(no date)");
   parts.removeAll(QString());
   return parts.join(QLatin1Char(' '));
 }
@@ -104,6 +104,12 @@ QString dateText(const std::string& dicomDate) {
   if (dicomDate.size() != 8) return shownText(dicomDate);
   const QString d = QString::fromStdString(dicomDate);
   return QStringLiteral("%1-%2-%3").arg(d.left(4), d.mid(4, 2), d.mid(6, 2));
+}
+
+QString timeText(const std::string& dicomTime) {
+  const QString t = shownText(dicomTime).section(QLatin1Char('.'), 0, 0);
+  if (t.size() != 6) return t;
+  return QStringLiteral("%1:%2:%3").arg(t.left(2), t.mid(2, 2), t.mid(4, 2));
 }
 
 }  // namespace volumen

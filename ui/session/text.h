@@ -23,7 +23,7 @@ QString patientText(const Series& series);
 /// "CT Head 1.0 mm (3)": modality, description, number.
 QString seriesText(const Series& series);
 
-/// "2026-03-14 CT head": date ("(no date)" where there is none) and description of the study.
+/// "2026-03-14 CT head": date ("(no date)" where a DICOM file has none) and description of the study.
 QString studyText(const Series& series);
 
 /// "8 files could not be read; 77 others are not images.": what of a folder is not shown; empty where all of
@@ -44,5 +44,8 @@ QString pathText(const std::string& path);
 
 /// "2026-03-14" of DICOM's 20260314.
 QString dateText(const std::string& dicomDate);
+
+/// "10:22:31" of DICOM's 102231.25.
+QString timeText(const std::string& dicomTime);
 
 }  // namespace volumen

@@ -36,18 +36,18 @@ VolumeView::VolumeView(Session& session, QWidget* parent)
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(cube_, &OrientationCube::viewRequested, this, &VolumeView::showView);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series) {
+    if (!areOneSeries(before.series, after.series)) {
       fitMm_.clear();
-      showSeries();
+      setPicture({}, {});
     }
+    if (before.series != after.series) showWarnings();
     if (before.series != after.series || before.scene.camera != after.scene.camera) showState();
   });
   connect(&session_, &Session::preferencesChanged, this, [this] { canvas_->update(); });
   showState();
 }
 
-void VolumeView::showSeries() {
-  setPicture({}, {});
+void VolumeView::showWarnings() {
   QStringList words, sentences;
   if (const ShownSeriesPtr& series = session_.series()) {
     for (const std::string& text : shortWarnings(series->warnings)) words << QString::fromStdString(text);

@@ -89,7 +89,7 @@ class VolumeView : public QWidget {
   void makeErrorImage();
   void replaceCanvas();
   void placeChildren();
-  void showSeries();
+  void showWarnings();
   void showState();
 
   Session& session_;

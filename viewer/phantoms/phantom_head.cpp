@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <array>
+#include <atomic>
 #include <cmath>
 
 #include "viewer/phantoms/head/anatomy.h"
@@ -203,7 +204,9 @@ class Noise {
   int slice_;
 };
 
-void fillBlock(const VoxelGeometry& g, glm::ivec3 first, std::vector<std::int16_t>& values) {
+// Calls put(place in memory, value) for every voxel of a block.
+template <class Put>
+void fillBlock(const VoxelGeometry& g, glm::ivec3 first, const Put& put) {
   const glm::ivec3 last = glm::min(first + blockSize, g.size);
   const Vec spacing(g.spacing());
   const Block block(Vec(g.patientFromVoxel(first)), spacing, std::max(1.f, 0.6f * spacing.x));
@@ -213,8 +216,8 @@ void fillBlock(const VoxelGeometry& g, glm::ivec3 first, std::vector<std::int16_
     for (int j = first.y; j < last.y; ++j)
       for (int i = first.x; i < last.x; ++i) {
         const float hu = (onlyAir ? airHu : block.value(glm::ivec3(i, j, k) - first)) + noise.at(i, j);
-        values[(std::size_t(k) * g.size.y + j) * g.size.x + i] =
-            std::int16_t(std::floor(std::clamp(hu, -1024.f, 3071.f) + 0.5f));
+        put((std::size_t(k) * g.size.y + j) * g.size.x + i,
+            std::int16_t(std::floor(std::clamp(hu, -1024.f, 3071.f) + 0.5f)));
       }
   }
 }
@@ -232,19 +235,41 @@ VoxelGeometry headGeometry(int sizeInPlane) {
 }
 
 VolumeParts headPhantom(int sizeInPlane) {
-  VolumeParts parts;
-  parts.geometry = headGeometry(sizeInPlane);
-  const VoxelGeometry& g = parts.geometry;
+  const VoxelGeometry g = headGeometry(sizeInPlane);
   std::vector<std::int16_t> values(std::size_t(g.voxelCount()));
   const glm::ivec3 blocks = (g.size + blockSize - 1) / blockSize;
   tbb::parallel_for(0, blocks.z * blocks.y, [&](int n) {
     for (int i = 0; i < blocks.x; ++i)
-      fillBlock(g, glm::ivec3(i, n % blocks.y, n / blocks.y) * blockSize, values);
+      fillBlock(g, glm::ivec3(i, n % blocks.y, n / blocks.y) * blockSize,
+                [&](std::size_t at, std::int16_t value) { values[at] = value; });
   });
+  return headPhantom(sizeInPlane, std::move(values));
+}
+
+VolumeParts headPhantom(int sizeInPlane, std::vector<std::int16_t> values) {
+  VolumeParts parts;
+  parts.geometry = headGeometry(sizeInPlane);
   parts.values = std::move(values);
   parts.attributes.modality = "CT";
   parts.attributes.windows = {{40, 400}, {40, 80}, {500, 2500}};
   return parts;
+}
+
+bool areHeadPhantoms(int sizeInPlane, const std::vector<std::int16_t>& values) {
+  constexpr int everyBlock = 211;  // a prime, so that no row or column of blocks is left out
+  const VoxelGeometry g = headGeometry(sizeInPlane);
+  if (values.size() != std::size_t(g.voxelCount())) return false;
+  const glm::ivec3 blocks = (g.size + blockSize - 1) / blockSize;
+  const int count = blocks.x * blocks.y * blocks.z;
+  std::atomic<bool> same = true;
+  tbb::parallel_for(0, count / everyBlock, [&](int part) {
+    const int n = part * everyBlock;
+    const glm::ivec3 block(n % blocks.x, n / blocks.x % blocks.y, n / blocks.x / blocks.y);
+    fillBlock(g, block * blockSize, [&](std::size_t at, std::int16_t value) {
+      if (values[at] != value) same = false;
+    });
+  });
+  return same;
 }
 
 }  // namespace volumen

@@ -9,6 +9,13 @@ namespace volumen {
 /// number of threads. Structures: viewer/volume/head.
 VolumeParts headPhantom(int sizeInPlane);
 
+/// The same of values that it gave before.
+VolumeParts headPhantom(int sizeInPlane, std::vector<std::int16_t> values);
+
+/// Whether `values` are those of headPhantom(sizeInPlane), as far as one of 211 blocks tells: what another
+/// version of the program made differs in many.
+bool areHeadPhantoms(int sizeInPlane, const std::vector<std::int16_t>& values);
+
 /// Its voxels alone.
 VoxelGeometry headGeometry(int sizeInPlane);
 

@@ -89,7 +89,7 @@ struct Entry {
 };
 
 constexpr Entry phantoms[] = {
-    {"ct-head", 512, headPhantom, headGeometry, "int16", "CT"},
+    {"ct-head", 512, [](int size) { return headPhantom(size); }, headGeometry, "int16", "CT"},
     {"sphere", 64, sphere, cubeOf, "uint8", ""},
     {"opaque-sphere", 64, sphere, cubeOf, "uint8", ""},
     {"solid", 64, solid, cubeOf, "uint8", ""},
@@ -129,15 +129,26 @@ Result<Chosen> choose(const std::string& text) {
   return Error{"Unknown phantom \"" + name + "\". Phantoms: " + list + "."};
 }
 
+Result<VolumePtr> volumeOf(VolumeParts parts, const std::string& name) {
+  parts.attributes.name = name;
+  std::vector<std::string> warnings;
+  return Volume::make(std::move(parts), warnings);
+}
+
 }  // namespace
 
 Result<VolumePtr> makePhantom(const std::string& text) {
   const Result<Chosen> chosen = choose(text);
   if (!chosen) return chosen.error();
-  VolumeParts parts = chosen->phantom->make(chosen->size);
-  parts.attributes.name = text;
-  std::vector<std::string> warnings;
-  return Volume::make(std::move(parts), warnings);
+  return volumeOf(chosen->phantom->make(chosen->size), text);
+}
+
+Result<VolumePtr> phantomFrom(const std::string& text, std::vector<std::int16_t> values) {
+  const Result<Chosen> chosen = choose(text);
+  if (!chosen) return chosen.error();
+  if (chosen->phantom->geometry != headGeometry || !areHeadPhantoms(chosen->size, values))
+    return Error{"These are no values of phantom \"" + text + "\"."};
+  return volumeOf(headPhantom(chosen->size, std::move(values)), text);
 }
 
 Result<PhantomHeader> phantomHeader(const std::string& text) {

@@ -9,6 +9,13 @@ namespace volumen {
 
 namespace {
 
+// What was done to the volume before it is drawn.
+void sayWhatWasDone(const VolumeFacts& facts, Plan& plan) {
+  plan.tableRemoved = facts.tableRemoved;
+  if (facts.tableRemoved)
+    plan.effects.push_back({"table removed", true, false, "what lies outside the patient is taken as air"});
+}
+
 // The scene with everything set that SCENE 8 lets out: camera, window, gradientFloor.
 Scene completed(Scene scene, const VolumeFacts& facts, glm::ivec2 size) {
   if (!scene.camera)
@@ -33,6 +40,7 @@ Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const Render
     plan.method = Method::reference;
     plan.effects.push_back(
         {"reference", true, false, "everything, adaptively, cell by cell, in double precision"});
+    sayWhatWasDone(facts, plan);
     return plan;
   }
   const RuleInput input{plan.scene, facts, options, pilot};
@@ -44,6 +52,7 @@ Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const Render
   }
   for (std::size_t n = 0; n < plan.effects.size(); ++n)
     if (rules()[n].cost) plan.effects[n].reason += rules()[n].cost(input, plan);
+  sayWhatWasDone(facts, plan);
   plan.pilot = pilot;
   if (!pilot) plan.pilotSteps = openSteps(input, plan);
   return plan;

@@ -49,6 +49,11 @@ bool looksLikeHounsfield(const Histogram& h) {
          countBetween(h, 0, 1e30) > 0;
 }
 
+bool inHounsfield(const Volume& volume, const Histogram& h) {
+  const std::string& modality = volume.attributes().modality;
+  return modality == "CT" || (modality.empty() && looksLikeHounsfield(h));
+}
+
 bool hasContrast(const Histogram& h) {
   constexpr double binHu = 20, firstHu = 130, lastHu = 450;
   double lowest = double(countBetween(h, firstHu, firstHu + binHu));
@@ -72,7 +77,7 @@ std::string automaticPreset(const Volume& volume) {
   if (modality == "MR") return "MR-MIP";
   if (modality == "PT" || modality == "NM") return "PET-MIP";
   const Histogram h = histogram(volume, fineBins);
-  if (modality != "CT" && !(modality.empty() && looksLikeHounsfield(h))) return "MR-Default";
+  if (!inHounsfield(volume, h)) return "MR-Default";
   if (isBony(h)) return "CT-Bone";
   if (isChest(h)) return hasContrast(h) ? "CT-Chest-Contrast-Enhanced" : "CT-Bones";
   return hasContrast(h) ? "CT-AAA" : "CT-Muscle";

@@ -11,6 +11,10 @@ ValueRange usualRange(const Volume& volume);
 /// below what scanners write outside their circle, and matter above 0.
 bool looksLikeHounsfield(const Histogram& histogram);
 
+/// Whether the volume's values are Hounsfield units: it is a CT, or no modality is known and they look like
+/// it. `histogram`: the volume's.
+bool inHounsfield(const Volume& volume, const Histogram& histogram);
+
 /// CT with contrast medium: its blood makes a second hump above soft tissue, so the counts rise again
 /// somewhere between 130 and 450 HU; without it they only fall.
 bool hasContrast(const Histogram& histogram);

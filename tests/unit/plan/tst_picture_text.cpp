@@ -39,6 +39,8 @@ class TestPictureText : public QObject {
   void saysItsMethodAndError();
   void promisesOnlyWhatThePathKeeps_data();
   void promisesOnlyWhatThePathKeeps();
+  void saysThatTheTableWasRemoved_data();
+  void saysThatTheTableWasRemoved();
   void saysWhatWasMeasured();
   void saysWhatIsEstimated_data();
   void saysWhatIsEstimated();
@@ -121,6 +123,30 @@ void TestPictureText::promisesOnlyWhatThePathKeeps() {
     QVERIFY(!QString::fromStdString(explain(*makePlan(scene, someFacts(), options)))
                  .contains(QStringLiteral("no error is promised")));
   }
+}
+
+void TestPictureText::saysThatTheTableWasRemoved_data() {
+  QTest::addColumn<bool>("removed");
+  QTest::addColumn<bool>("reference");
+  for (const bool removed : {false, true})
+    for (const bool reference : {false, true})
+      QTest::addRow("%s, %s", removed ? "without its table" : "as it is", reference ? "reference" : "planes")
+          << removed << reference;
+}
+
+void TestPictureText::saysThatTheTableWasRemoved() {
+  QFETCH(bool, removed);
+  QFETCH(bool, reference);
+  VolumeFacts facts = someFacts();
+  facts.tableRemoved = removed;
+  RenderOptions options;
+  if (reference) options.method = Method::reference;
+  const auto plan = makePlan(Scene(), facts, options);
+  QVERIFY(plan.ok());
+  const auto text = pictureText(*plan);
+  QCOMPARE(std::any_of(text.begin(), text.end(), [](const auto& t) { return t.first == "volumen-table"; }),
+           removed);
+  QCOMPARE(explain(*plan).find("on   table removed: ") != std::string::npos, removed);
 }
 
 void TestPictureText::saysWhatWasMeasured() {

@@ -1,0 +1,119 @@
+// Guards the action "Remove table": one undo step for the picture and segments, by real events.
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTextBrowser>
+
+#include "io/files/write_volume.h"
+#include "tests/fixtures/ct_with_table.h"
+#include "tests/ui/journey.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+// A window on a CT with a table, seen from behind.
+struct OnTable {
+  QTemporaryDir dir;
+  Journey w;
+
+  bool open() {
+    const QString path = dir.filePath(QStringLiteral("ct.nrrd"));
+    if (!writeVolume(*CtWithTable::volume(true), path.toStdString())) return false;
+    w.window.open({path});
+    return w.settle() && !w.after("viewPosterior").isNull();
+  }
+  QCheckBox* button() { return w.child<QCheckBox>("segmentTable"); }
+  void click() {
+    w.child<QDockWidget>("segmentDock")->raise();
+    QTest::mouseClick(button(), Qt::LeftButton);
+  }
+};
+
+}  // namespace
+
+class TestRemoveTable : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theTableGoesAndComesBack();
+  void segmentsAreOfThePatientAlone();
+  void thePanelsKeepWhatTheyShow();
+  void itIsNotOfferedForOtherValues();
+};
+
+void TestRemoveTable::theTableGoesAndComesBack() {
+  OnTable t;
+  QVERIFY(t.open());
+  const QImage with = t.w.window.view()->picture();
+  t.w.shot("table");
+  const QImage without = t.w.after([&] { t.click(); });
+  t.w.shot("table-removed");
+  QVERIFY2(!without.isNull() && without != with, "the table hides the back no longer");
+  QVERIFY(t.button()->isChecked());
+  QVERIFY(t.w.child<QTextBrowser>("effectsPanel")->toPlainText().contains(QStringLiteral("table removed")));
+  // One step; undone by key, made again by key, and taken back by the button.
+  QCOMPARE(t.w.window.session().undoStack().count(), 2);  // the view, the table
+  QVERIFY(t.w.after([&] { QTest::keyClick(&t.w.window, Qt::Key_Z, Qt::ControlModifier); }) == with);
+  QVERIFY(!t.button()->isChecked());
+  QVERIFY(t.w.after("redo") == without);
+  QVERIFY(t.button()->isChecked());
+  QVERIFY(t.w.after([&] { t.click(); }) == with);
+  QVERIFY(!t.button()->isChecked());
+}
+
+void TestRemoveTable::segmentsAreOfThePatientAlone() {
+  OnTable t;
+  QVERIFY(t.open());
+  t.w.after([&] { t.click(); });
+  auto* low = t.w.child<QWidget>("segmentLow");
+  auto* high = t.w.child<QWidget>("segmentHigh");
+  for (const auto& [field, text] : {std::pair(low, "390"), std::pair(high, "410")}) {
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(field, QLatin1String(text));
+  }
+  auto* result = t.w.child<QLabel>("segmentResult");
+  QTest::mouseClick(t.w.child<QPushButton>("segment"), Qt::LeftButton);
+  // The table alone holds 400 HU.
+  const QRegularExpression none(QStringLiteral("\\b0 voxels"));
+  QTRY_VERIFY_WITH_TIMEOUT(result->text().contains(none), longest);
+  t.w.after("undo");
+  QTest::mouseClick(t.w.child<QPushButton>("segment"), Qt::LeftButton);
+  const int table = CtWithTable::size.x * 3 * CtWithTable::size.z;
+  QTRY_VERIFY_WITH_TIMEOUT(result->text().contains(QLocale().toString(table) + QStringLiteral(" voxels")),
+                           longest);
+}
+
+void TestRemoveTable::thePanelsKeepWhatTheyShow() {
+  OnTable t;
+  QVERIFY(t.open());
+  const Scene scene = t.w.window.session().scene();
+  const QString title = t.w.window.windowTitle();
+  t.w.after([&] { t.click(); });
+  QVERIFY(t.w.window.session().scene() == scene);
+  QCOMPARE(t.w.window.windowTitle(), title);
+  QVERIFY(t.w.child<QLabel>("warningText")->toolTip().contains(QStringLiteral("table was removed")));
+}
+
+void TestRemoveTable::itIsNotOfferedForOtherValues() {
+  Journey w;
+  auto* action = w.child<QAction>("removeTable");
+  QVERIFY(!action->isEnabled());
+  QVERIFY(action->toolTip().contains(QStringLiteral("Open a CT")));
+  w.window.open({QStringLiteral("phantom:sphere:32")});
+  QVERIFY(w.settle());
+  QVERIFY(!action->isEnabled());
+  QVERIFY(action->toolTip().contains(QStringLiteral("not Hounsfield units")));
+  w.settled.clear();
+  w.window.open({QStringLiteral("phantom:ct-head:48")});
+  QVERIFY(w.settle());
+  QVERIFY(action->isEnabled());
+}
+
+VOLUMEN_TEST(TestRemoveTable);
+#include "tst_remove_table.moc"

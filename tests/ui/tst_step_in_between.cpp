@@ -1,0 +1,73 @@
+// Guards DESIGN 8: a picture that takes long comes in steps, each of which is shown, after a real drag.
+#include <QSignalSpy>
+#include <QThread>
+
+#include "tests/ui/gestures.h"
+#include "tests/unit/suite.h"
+#include "ui/main_window.h"
+#include "ui/views/volume_view.h"
+#include "viewer/scene/presets.h"
+
+using namespace volumen;
+
+namespace {
+
+constexpr int longest = 60000;  // ms, for a loaded machine
+
+// Pictures of one grey that take 6 us a pixel.
+Draw slowDraw(const VolumePtr&) {
+  const auto plan = [](const Scene& scene, const RenderOptions& options, const CancelToken&) {
+    Planned planned;
+    planned.plan.scene = scene;
+    planned.plan.options = options;
+    return Result<Planned>(planned);
+  };
+  const auto picture = [](const Planned& planned, const CancelToken& cancel) -> Result<Drawn> {
+    Drawn drawn;
+    drawn.plan = planned.plan;
+    drawn.picture.size = planned.plan.options.size;
+    drawn.picture.rgba.assign(std::size_t(4) * drawn.picture.size.x * drawn.picture.size.y, 0.5f);
+    for (int y = 0; y < drawn.picture.size.y; ++y) {
+      if (cancel.cancelled()) return Error{"cancelled"};
+      QThread::usleep(6UL * unsigned(drawn.picture.size.x));
+    }
+    return drawn;
+  };
+  return {plan, picture};
+}
+
+}  // namespace
+
+class TestStepInBetween : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aDragEndsInASharperPictureAndThenTheFullOne();
+};
+
+void TestStepInBetween::aDragEndsInASharperPictureAndThenTheFullOne() {
+  MainWindow window({slowDraw, presetScene, {}});
+  QSignalSpy settled(&window, &MainWindow::settled);
+  window.resize(1040, 680);
+  window.show();
+  window.open({QStringLiteral("phantom:sphere:16")});
+  QTRY_VERIFY_WITH_TIMEOUT(!settled.isEmpty(), longest);
+
+  std::vector<Frame> frames;
+  bool allShown = true;
+  connect(&window.controller(), &RenderController::frameReady, &window, [&](const Frame& frame) {
+    frames.push_back(frame);
+    allShown = allShown && window.view()->picture() == frame.image;
+  });
+  settled.clear();
+  tests::drag(window.view(), {150, 150}, {190, 170});
+  QTRY_VERIFY_WITH_TIMEOUT(!settled.isEmpty(), longest);
+  QVERIFY(allShown);
+  QVERIFY(frames.size() >= 3);
+  const Frame &first = frames[frames.size() - 3], &between = frames[frames.size() - 2], &rest = frames.back();
+  QVERIFY(rest.atRest && rest.factor == 1);
+  QVERIFY(between.draft() && between.factor < first.factor);
+  QVERIFY2(first.scene == between.scene && between.scene == rest.scene, "nothing jumps");
+}
+
+VOLUMEN_TEST(TestStepInBetween);
+#include "tst_step_in_between.moc"

@@ -1,0 +1,95 @@
+#include "ui/controller/table_remover.h"
+
+#include "viewer/scene/automatic.h"
+#include "viewer/segment/table.h"
+
+namespace volumen {
+
+namespace {
+
+Result<ShownSeriesPtr> seriesWithout(const ShownSeriesPtr& series, const CancelToken& cancel) {
+  Result<VolumePtr> volume = withoutTable(*series->volume, cancel);
+  if (!volume) return volume.error();
+  auto without = std::make_shared<ShownSeries>(*series);
+  without->volume = *volume;
+  without->warnings.push_back("The table was removed: what lies outside the patient is shown as air.");
+  without->withTable = series;
+  return ShownSeriesPtr(without);
+}
+
+}  // namespace
+
+TableRemover::TableRemover(Session& session, QObject* parent)
+    : QAction(tr("Remove table"), parent), session_(session) {
+  setObjectName(QStringLiteral("removeTable"));
+  setCheckable(true);
+  pool_.setMaxThreadCount(1);
+  connect(this, &QAction::triggered, this, &TableRemover::take);
+  connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
+    if (before.series == after.series) return;
+    if (!areOneSeries(before.series, after.series)) {
+      cancel();
+      made_.reset();
+    }
+    showState();
+  });
+  showState();
+}
+
+TableRemover::~TableRemover() {
+  cancel_.cancel();
+  pool_.waitForDone();
+}
+
+void TableRemover::cancel() {
+  cancel_.cancel();
+  cancel_ = CancelToken();
+  showState();
+}
+
+void TableRemover::showState() {
+  const ShownSeriesPtr& series = session_.series();
+  const bool offered = series && inHounsfield(*series->volume, series->histogram);
+  setEnabled(offered);
+  setChecked(series && series->withTable);
+  setToolTip(!series    ? tr("Open a CT series first.")
+             : !offered ? tr("Only for CT: the values of this series are not Hounsfield units.")
+                        : tr("Hide what is not connected with the patient: table, cushions, cables."));
+}
+
+void TableRemover::take(bool removed) {
+  const ShownSeriesPtr series = session_.series();
+  cancel_.cancel();
+  cancel_ = CancelToken();
+  if (!removed) {
+    if (series->withTable) session_.exchangeSeries(tr("Show table"), series->withTable);
+  } else if (made_ && areOneSeries(made_, series)) {
+    show(made_);
+  } else {
+    make(series);
+  }
+}
+
+void TableRemover::make(const ShownSeriesPtr& series) {
+  Q_EMIT begun();
+  pool_.start([this, series, cancel = cancel_] {
+    const Result<ShownSeriesPtr> made = seriesWithout(series, cancel);
+    QMetaObject::invokeMethod(
+        this,
+        [this, cancel, made] {
+          Q_EMIT ended();
+          if (cancel.cancelled()) return;
+          if (made) return show(*made);
+          showState();
+          Q_EMIT failed(QString::fromStdString(made.message()));
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void TableRemover::show(const ShownSeriesPtr& without) {
+  made_ = without;
+  session_.exchangeSeries(tr("Remove table"), without);
+}
+
+}  // namespace volumen

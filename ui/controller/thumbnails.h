@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <QThreadPool>
+
+#include "io/study.h"
+#include "viewer/volume/cancel.h"
+
+namespace volumen {
+
+/// The slice in the middle of a volume by its window, as it is usually looked at: anterior or superior on
+/// top, in a square of `edge` pixels, transparent where the slice does not fill it.
+QImage thumbnailOf(const Volume& volume, int edge);
+
+/// Makes thumbnails of series on a thread of its own, one after the other.
+class Thumbnails : public QObject {
+  Q_OBJECT
+ public:
+  explicit Thumbnails(int edge, QObject* parent = nullptr);
+  /// Gives up what is under way.
+  ~Thumbnails() override;
+
+  /// Ends in made(), but where the series cannot be read or is one large file that would have to be read
+  /// whole.
+  void request(const Series& series);
+  /// Forgets all requests.
+  void cancel();
+
+ Q_SIGNALS:
+  void made(const volumen::Series& series, const QImage& thumbnail);
+
+ private:
+  const int edge_;
+  QThreadPool pool_;
+  CancelToken cancel_;
+};
+
+}  // namespace volumen

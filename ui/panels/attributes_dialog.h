@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QThreadPool>
+#include <QTreeWidget>
+
+#include "io/study.h"
+
+namespace volumen {
+
+/// All DICOM attributes of a slice of a series, read on a worker thread; searched by tag, name and value.
+class AttributesDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit AttributesDialog(const Series& series, QWidget* parent = nullptr);
+  ~AttributesDialog() override;
+
+ private:
+  void makeLayout();
+  void read();
+  void filter();
+
+  const Series series_;
+  QSpinBox* slice_;
+  QLineEdit* search_;
+  QTreeWidget* tree_;
+  QLabel* file_;
+  QThreadPool pool_;
+  int latest_ = 0;
+};
+
+}  // namespace volumen

@@ -1,0 +1,84 @@
+#include "ui/session/series_text.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "ui/session/text.h"
+
+namespace volumen {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
+
+// What may tell series apart, the clearest first, and as what it is shown.
+struct Attribute {
+  std::string Series::*value;
+  QString (*text)(const std::string& value);
+};
+const Attribute attributes[] = {
+    {&Series::echoTime, [](const std::string& v) { return tr("TE %1 ms").arg(shownText(v)); }},
+    {&Series::bValue, [](const std::string& v) { return tr("b %1").arg(shownText(v)); }},
+    {&Series::timePoint, [](const std::string& v) { return tr("time point %1").arg(shownText(v)); }},
+    {&Series::time, timeText},
+};
+
+QString sizeText(const VoxelGeometry& g) {
+  QString text = QStringLiteral("%1 x %2 x %3").arg(g.size.x).arg(g.size.y).arg(g.size.z);
+  const glm::dvec3 mm = g.spacing();
+  if (g.calibrated)
+    text += tr(", %1 x %2 x %3 mm").arg(mm.x, 0, 'g', 4).arg(mm.y, 0, 'g', 4).arg(mm.z, 0, 'g', 4);
+  return text;
+}
+
+}  // namespace
+
+QString planeText(const VoxelGeometry& geometry) {
+  if (!geometry.calibrated) return {};
+  constexpr double nearEnough = 0.8;
+  const glm::dmat3& step = geometry.patientFromVoxelStep;
+  const glm::dvec3 normal = glm::abs(glm::normalize(glm::cross(step[0], step[1])));
+  if (normal.z >= nearEnough) return tr("axial");
+  if (normal.y >= nearEnough) return tr("coronal");
+  return normal.x >= nearEnough ? tr("sagittal") : tr("oblique");
+}
+
+QString slicesText(const Series& series) {
+  const int count = series.acquired.size.z;
+  QStringList parts{count == 1 ? tr("1 slice") : tr("%1 slices").arg(count), planeText(series.acquired)};
+  parts.removeAll(QString());
+  return parts.join(QStringLiteral(", "));
+}
+
+QStringList tellingApart(const Series& series, const std::vector<const Series*>& others) {
+  QStringList found;
+  std::vector<const Series*> alike = others;
+  for (const Attribute& attribute : attributes) {
+    const std::string& value = series.*attribute.value;
+    const auto differs = [&](const Series* other) { return other->*attribute.value != value; };
+    if (std::none_of(alike.begin(), alike.end(), differs)) continue;
+    std::erase_if(alike, differs);
+    if (!value.empty()) found << attribute.text(value);
+  }
+  return found;
+}
+
+QStringList everythingOf(const Series& series) {
+  QStringList lines{patientText(series), studyText(series), seriesText(series), slicesText(series),
+                    sizeText(series.acquired)};
+  if (series.regular)
+    lines << tr("in 3D %1 even slices, %2 of them interpolated")
+                 .arg(series.regular->geometry.size.z)
+                 .arg(series.regular->interpolatedSlices);
+  for (const Attribute& attribute : attributes)
+    if (const std::string& value = series.*attribute.value; !value.empty()) lines << attribute.text(value);
+  lines << QStringLiteral("%1, %2").arg(QString::fromStdString(series.format),
+                                        QString::fromStdString(series.valueType))
+        << pathText(series.path);
+  for (const Warning& w : series.warnings) lines << QStringLiteral("! ") + shownText(w.sentence);
+  lines.removeAll(QString());
+  return lines;
+}
+
+}  // namespace volumen
