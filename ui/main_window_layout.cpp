@@ -111,7 +111,7 @@ void MainWindow::showNames() {
   QStringList parts{patientText(series->series), seriesText(series->series), QStringLiteral("volumen")};
   parts.removeAll(QString());
   setWindowTitle(parts.join(QStringLiteral(" - ")));
-  studies_->markShown(series->series);
+  studies_->markShown(series);
   snapshotPanel_->setName(seriesText(series->series).replace(QLatin1Char('/'), QLatin1Char('_')));
 }
 

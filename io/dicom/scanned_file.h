@@ -4,7 +4,7 @@
 
 #include "io/dicom/scan.h"
 #include "io/dicom/transfer_syntax.h"
-#include "io/walk.h"
+#include "io/regular_file.h"
 
 namespace volumen::dicom {
 

@@ -12,7 +12,7 @@ Result<ShownSeriesPtr> seriesWithout(const ShownSeriesPtr& series, const CancelT
   if (!volume) return volume.error();
   auto without = std::make_shared<ShownSeries>(*series);
   without->volume = *volume;
-  without->warnings.push_back("The table was removed: what lies outside the patient is shown as air.");
+  without->warnings.emplace_back("The table was removed: what lies outside the patient is shown as air.");
   without->withTable = series;
   return ShownSeriesPtr(without);
 }

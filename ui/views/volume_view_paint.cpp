@@ -5,6 +5,7 @@
 #include "ui/views/view_overlays.h"
 #include "ui/views/volume_view.h"
 #include "ui/widgets/orientation_cube.h"
+#include "ui/widgets/warning_badge.h"
 
 namespace volumen {
 
