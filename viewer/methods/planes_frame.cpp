@@ -106,7 +106,6 @@ double PlanesFrame::largestRounded(const Plan& plan, ValueRange range) const {
 }
 
 void PlanesFrame::readBlocks(const Plan& plan, int reach, RenderCaches& caches, RenderStats& stats) {
-  StoredVoxels& voxels = caches.impl().voxels;
   // Which intervals are passed over is a choice, not a sound rule: it looks at cells even where no block is
   // skipped.
   const bool asksCells = key_.sampling != Sampling::dense;
