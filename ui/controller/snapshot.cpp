@@ -45,7 +45,11 @@ Snapshot::Snapshot(RenderController& controller, QObject* parent) : QObject(pare
 Snapshot::~Snapshot() { pool_.waitForDone(); }
 
 void Snapshot::take(const ShownSeriesPtr& series, const Scene& scene, const SnapshotRequest& request) {
-  jobs_.push_back({series, scene, request});
+  Job job;
+  job.series = series;
+  job.scene = scene;
+  job.request = request;
+  jobs_.push_back(std::move(job));
   if (jobs_.size() == 1) begin();
 }
 

@@ -36,7 +36,9 @@ void Session::edit(const QString& text, const std::function<void(Scene&)>& chang
 }
 
 void Session::exchangeSeries(const QString& text, ShownSeriesPtr after) {
-  push(text, {std::move(after), state_.scene, state_.wish}, {});
+  SessionState state = state_;
+  state.series = std::move(after);
+  push(text, std::move(state), {});
 }
 
 void Session::wishFor(const QString& text, const PictureWish& after, const QString& mergeKey) {

@@ -6,8 +6,10 @@
 
 #include "tests/fixtures/cpu_targets.h"
 #include "tests/unit/suite.h"
+#include "viewer/kernels/make_reflectance_map.h"
 #include "viewer/methods/caches.h"
 #include "viewer/phantoms/phantoms.h"
+#include "viewer/render/render.h"
 
 using namespace volumen;
 using namespace volumen::tests;
