@@ -45,7 +45,9 @@ class TestStepInBetween : public QObject {
 };
 
 void TestStepInBetween::aDragEndsInASharperPictureAndThenTheFullOne() {
-  MainWindow window({slowDraw, presetScene, {}});
+  Services services = realServices();
+  services.makeDraw = slowDraw;
+  MainWindow window(services);
   QSignalSpy settled(&window, &MainWindow::settled);
   window.resize(1040, 680);
   window.show();

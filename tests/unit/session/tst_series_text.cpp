@@ -117,7 +117,7 @@ void TestSeriesText::everythingIsSaid() {
   series.path = "/data/a";
   series.acquired = turned(0, {1, 0, 0});
   series.regular = Series::Regular{series.acquired, 3};
-  series.warnings = {"A slice is missing."};
+  series.warnings = {{"A slice is missing.", WarningKind::missingSlices}};
   const QString all = everythingOf(series).join(QLatin1Char('\n'));
   for (const char* part :
        {"Doe, Jane", "2026-03-14 Head", "MR T2", "28 slices, axial", "64 x 64 x 28, 1 x 1 x 4 mm",
