@@ -60,8 +60,8 @@ void TestSceneFile::whatHoldsNoSceneIsRefusedByName_data() {
   const auto row = [](const char* what, const QString& path, const char* why) {
     QTest::newRow(what) << path << QString::fromLatin1(why);
   };
-  row("missing", folder_.filePath(QStringLiteral("none.json")), "No such file");
-  row("folder", folder_.path(), "not a regular file");
+  row("missing", folder_.filePath(QStringLiteral("none.json")), "no such file");
+  row("folder", folder_.path(), "it is a folder");
   row("device", QStringLiteral("/dev/zero"), "not a regular file");
   const QString plain = folder_.filePath(QStringLiteral("plain.png"));
   QVERIFY(QImage(3, 3, QImage::Format_Grayscale8).save(plain));

@@ -37,7 +37,8 @@ void TestPresetFiles::ownPresetsAreFoundByName() {
   QVERIFY(scene.ok());
   QCOMPARE(scene->transferFunction.points[0].value, 9.f);  // P1 and P99.5 of the volume
   QCOMPARE(scene->transferFunction.points[1].value, 994.f);
-  QVERIFY(presetScene("Yours", *countingVolume(), {own}).message().find("Mine") != std::string::npos);
+  QVERIFY(presetScene("Mime", *countingVolume(), {own}).message().find("Did you mean Mine?") !=
+          std::string::npos);
 }
 
 void TestPresetFiles::wrongFilesAreASentence_data() {
