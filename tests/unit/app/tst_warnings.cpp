@@ -51,7 +51,8 @@ void TestWarnings::theyStandInTheCornerUnlessSwitchedOff() {
   QVERIFY(!rendered("--no-warning-line", "without.png").isEmpty());
   const QImage with(at("with.png")), without(at("without.png"));
   for (const QImage& image : {with, without})
-    QVERIFY(image.text(QStringLiteral("volumen-warnings")).startsWith(QStringLiteral("notCalibrated: The ")));
+    QVERIFY(image.text(QStringLiteral("volumen-warnings"))
+                .startsWith(QStringLiteral("notCalibrated: Not calibrated")));
   QRect where;
   for (int y = 0; y < 200; ++y)
     for (int x = 0; x < 300; ++x)

@@ -34,6 +34,7 @@ void TestStudyText::studyIsDateAndDescription() {
   QFETCH(QString, description);
   QFETCH(QString, text);
   Series series;
+  series.format = "DICOM";
   series.studyDate = date.toStdString();
   series.studyDescription = description.toStdString();
   QCOMPARE(studyText(series), text);
