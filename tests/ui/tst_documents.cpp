@@ -20,6 +20,7 @@ class TestDocuments : public QObject {
 namespace {
 
 QDialog* opened(tests::Journey& journey) {
+  if (!QTest::qWaitForWindowActive(&journey.window)) return nullptr;
   QTest::keyClick(&journey.window, Qt::Key_F1);
   return journey.child<QDialog>("documents");
 }
@@ -52,6 +53,7 @@ void TestDocuments::f1OpensThem() {
 void TestDocuments::linksLeadToPages() {
   tests::Journey journey;
   QDialog* documents = opened(journey);
+  QVERIFY(documents);
   auto* list = documents->findChild<QListWidget*>(QStringLiteral("documentList"));
   auto* text = documents->findChild<QTextBrowser*>(QStringLiteral("documentText"));
   int links = 0;
@@ -73,6 +75,7 @@ void TestDocuments::linksLeadToPages() {
 void TestDocuments::picturesAreThere() {
   tests::Journey journey;
   QDialog* documents = opened(journey);
+  QVERIFY(documents);
   auto* list = documents->findChild<QListWidget*>(QStringLiteral("documentList"));
   auto* text = documents->findChild<QTextBrowser*>(QStringLiteral("documentText"));
   int pictures = 0;
