@@ -11,6 +11,7 @@
 #include "ui/panels/transfer_panel.h"
 #include "ui/session/windows.h"
 #include "ui/views/volume_view.h"
+#include "ui/widgets/curve_editor.h"
 
 using namespace volumen;
 
@@ -201,8 +202,10 @@ void TestProjections::unitsAreThoseOfTheSeries() {
   QFETCH(QString, suffix);
   Shown w("CT", "HU", Mode::composite);
   auto* value = w.child<QDoubleSpinBox>("pointValue");
+  w.child<CurveEditor>("curveEditor")->select(0);  // without a point the field is empty
   QCOMPARE(value->suffix(), QStringLiteral(" HU"));
   w.session.show(seriesOf(modality.toLatin1().constData(), unit.toLatin1().constData()));
+  w.child<CurveEditor>("curveEditor")->select(0);
   QCOMPARE(value->suffix(), suffix);
   QCOMPARE(w.child<QDoubleSpinBox>("windowCentre")->suffix(), suffix);
 }

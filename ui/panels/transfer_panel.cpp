@@ -42,7 +42,6 @@ TransferPanel::TransferPanel(Session& session, QWidget* parent)
     if (!areOneSeries(before.series, after.series) && after.series) {
       editor_->setHistogram(after.series->histogram, shownText(after.series->series.unit));
       value_->setDecimals(valueDecimals(after.series->histogram));
-      value_->setSuffix(unitSuffix(after.series->series));
     }
     if (before.series != after.series || before.scene.mode != after.scene.mode) showMode();
     if (before.series == after.series && before.scene.mode == after.scene.mode &&

@@ -192,6 +192,7 @@ VolumeView::Hand VolumeView::handFor(const QMouseEvent& event) const {
     case Qt::RightButton:
       return handOf(wanted.rightDrag, control);
     case Qt::LeftButton:
+      if (tool_ == ViewTool::curve && session_.scene().mode != Mode::composite) return Hand::window;
       if (shift) return handOf(wanted.shiftDrag, control);
       return handOf(tool_ == ViewTool::curve ? DragAction::curve : DragAction::rotate, control);
     default:
