@@ -140,9 +140,9 @@ void TransferPanel::makeFields() {
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(4);
   value_ = addField(QStringLiteral("pointValue"), tr("Value"), 1, -1e9, 1e9);
-  opacity_ = addField(QStringLiteral("pointOpacity"), tr("Opacity per mm"), 5, 0, 1);
+  opacity_ = addField(QStringLiteral("pointOpacity"), tr("Opacity\nper mm"), 5, 0, 1);
   halving_ =
-      addField(QStringLiteral("pointHalving"), tr("Half-value depth"), 2, shortestHalving, longestHalving);
+      addField(QStringLiteral("pointHalving"), tr("Half-value\ndepth"), 2, shortestHalving, longestHalving);
   colour_ = new ColourButton(tr("Point colour"));
   colour_->setObjectName(QStringLiteral("pointColour"));
   grid->addWidget(new QLabel(tr("Colour")), 0, 3, Qt::AlignBottom);
@@ -183,7 +183,7 @@ QDoubleSpinBox* TransferPanel::addField(const QString& name, const QString& labe
   auto* grid = static_cast<QGridLayout*>(fields_->layout());
   auto* field = new QDoubleSpinBox;
   field->setObjectName(name);
-  field->setAccessibleName(label);
+  field->setAccessibleName(QString(label).replace(QLatin1Char('\n'), QLatin1Char(' ')));
   field->setDecimals(decimals);
   field->setRange(low, high);
   field->setKeyboardTracking(false);
@@ -193,7 +193,6 @@ QDoubleSpinBox* TransferPanel::addField(const QString& name, const QString& labe
   const int column = grid->columnCount() - (grid->count() == 0 ? 1 : 0);
   auto* caption = new QLabel(label);
   caption->setBuddy(field);
-  caption->setWordWrap(true);
   grid->addWidget(caption, 0, column, Qt::AlignBottom);
   grid->addWidget(field, 1, column);
   return field;
