@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAction>
+#include <QApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
@@ -23,6 +24,9 @@ struct Journey {
   explicit Journey(const QStringList& paths = {}) {
     window.resize(1040, 680);
     window.show();
+    // Without a window manager nobody else makes it active, and shortcuts wait for that.
+    window.activateWindow();
+    QApplication::setActiveWindow(&window);
     if (!paths.isEmpty()) window.open(paths);
   }
 
