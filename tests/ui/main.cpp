@@ -1,17 +1,15 @@
 #include <QApplication>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include "tests/unit/suite.h"
 #include "ui/british.h"
 
 int main(int argc, char** argv) {
-  // Settings and caches of the tests stay away from the user's own.
+  // Settings and caches stay away from the user's own, and from those of tests that run at the same time.
   const QTemporaryDir home;
-  qputenv("XDG_CONFIG_HOME", home.path().toLocal8Bit());
+  for (const char* folder : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"})
+    qputenv(folder, home.path().toLocal8Bit());
   QApplication app(argc, argv);
   volumen::speakBritish(app);
-  QStandardPaths::setTestModeEnabled(true);
   return volumen::tests::runSuite(argc, argv);
 }
