@@ -1,102 +1,9 @@
 // Guards DESIGN 8 (the UI thread never renders or waits; the latest request wins).
-#include <QSignalSpy>
-#include <atomic>
-
-#include "tests/fixtures/small_volumes.h"
+#include "tests/ui/slow_renderer.h"
 #include "tests/unit/suite.h"
-#include "ui/controller/render_controller.h"
 
 using namespace volumen;
 using namespace volumen::tests;
-
-namespace {
-
-VolumePtr smallVolume(std::int16_t value = 1) {
-  VolumeParts parts;
-  parts.geometry.size = {4, 4, 4};
-  parts.values = std::vector<std::int16_t>(64, value);
-  return volumeFrom(std::move(parts));
-}
-
-// Draws a plain picture whose grey is the first light's intensity, as slowly as told, row by row.
-struct SlowRenderer {
-  std::atomic<int> msPerRow{0};
-  std::atomic<int> microsecondsPerPixel{0};
-  std::atomic<bool> plansForEver{false};  ///< until they are cancelled; not of drafts
-  std::atomic<int> begun{0}, cancelled{0};
-  std::atomic<int> plansBegun{0}, plansCancelled{0};
-
-  MakeDraw make() {
-    return [this](VolumePtr) -> Draw {
-      return {[this](const auto&... asked) { return plan(asked...); },
-              [this](const auto&... asked) { return picture(asked...); }};
-    };
-  }
-
- private:
-  Result<Planned> plan(const Scene& scene, const RenderOptions& options, const CancelToken& cancel) {
-    ++plansBegun;
-    while (plansForEver && options.quality != Quality::draft && !cancel.cancelled()) QThread::msleep(1);
-    if (cancel.cancelled()) {
-      ++plansCancelled;
-      return Error{"cancelled"};
-    }
-    Planned planned;
-    planned.plan.scene = scene;
-    planned.plan.options = options;
-    return planned;
-  }
-
-  Result<Drawn> picture(const Planned& planned, const CancelToken& cancel) {
-    const RenderOptions& options = planned.plan.options;
-    ++begun;
-    Drawn drawn;
-    drawn.picture.size = options.size;
-    drawn.picture.rgba.assign(std::size_t(4) * options.size.x * options.size.y, 1.0f);
-    for (int y = 0; y < options.size.y; ++y) {
-      if (cancel.cancelled()) {
-        ++cancelled;
-        return Error{"cancelled"};
-      }
-      if (msPerRow > 0) QThread::msleep(unsigned(msPerRow));
-      if (microsecondsPerPixel > 0) QThread::usleep(unsigned(microsecondsPerPixel * options.size.x));
-      for (int x = 0; x < options.size.x; ++x)
-        for (int c = 0; c < 3; ++c)
-          drawn.picture.row(y)[4 * x + c] = float(planned.plan.scene.lights[0].intensity);
-    }
-    return drawn;
-  }
-};
-
-Scene greyScene(double grey) {
-  Scene scene;
-  scene.camera = Camera{};
-  scene.lights[0].intensity = grey;
-  return scene;
-}
-
-RenderOptions ofSize(int width, int height) {
-  RenderOptions options;
-  options.size = {width, height};
-  return options;
-}
-
-struct Watched {
-  RenderController controller;
-  std::vector<Frame> frames;
-  QStringList failures;
-
-  explicit Watched(MakeDraw make) : controller(std::move(make)) {
-    QObject::connect(&controller, &RenderController::frameReady, &controller,
-                     [this](const Frame& frame) { frames.push_back(frame); });
-    QObject::connect(&controller, &RenderController::failed, &controller,
-                     [this](const QString& sentence) { failures << sentence; });
-    controller.setVolume(smallVolume());
-  }
-  bool atRest() const { return !frames.empty() && !frames.back().draft(); }
-};
-
-}  // namespace
 
 class TestRenderController : public QObject {
   Q_OBJECT
@@ -118,8 +25,6 @@ class TestRenderController : public QObject {
   void anotherVolumeSilencesTheOneBefore();
   void failuresAreTold();
   void aSceneWithoutCameraIsFitted();
-  void picturesToSaveAreDrawnAndCancelled();
-  void picturesAreOfTheVolumeTheyWereAskedOf();
 };
 
 void TestRenderController::draftComesFirstThenStandard() {
@@ -352,73 +257,6 @@ void TestRenderController::aSceneWithoutCameraIsFitted() {
   QCOMPARE(w.frames.back().scene.camera->height, 4.0);  // four voxels of 1 mm
   w.controller.request(scene, {100, 200});
   QTRY_COMPARE(w.frames.back().scene.camera->height, 8.0);
-}
-
-void TestRenderController::picturesToSaveAreDrawnAndCancelled() {
-  SlowRenderer renderer;
-  Watched w(renderer.make());
-  QSignalSpy ready(&w.controller, &RenderController::pictureReady);
-  const VolumePtr volume = smallVolume();
-  const int number = w.controller.requestPicture(volume, greyScene(0.5), ofSize(30, 20));
-  QTRY_COMPARE(ready.count(), 1);
-  QCOMPARE(ready[0][0].toInt(), number);
-  const auto drawn = ready[0][1].value<std::shared_ptr<Drawn>>();
-  QVERIFY(drawn && drawn->picture.size == glm::ivec2(30, 20));
-  renderer.msPerRow = 5;
-  w.controller.requestPicture(volume, greyScene(0.5), ofSize(30, 2000));
-  w.controller.requestPicture(volume, greyScene(0.5), ofSize(30, 2000));
-  QTRY_VERIFY(renderer.begun == 2);
-  w.controller.cancelPictures();
-  QTRY_COMPARE(ready.count(), 3);
-  for (int n : {1, 2}) {
-    QVERIFY(!ready[n][1].value<std::shared_ptr<Drawn>>());
-    QCOMPARE(ready[n][2].toString(), QStringLiteral("Cancelled."));
-  }
-}
-
-namespace {
-
-// Draws every volume in the grey of its values.
-MakeDraw greyOfVolume() {
-  return [](const VolumePtr& volume) -> Draw {
-    return {[](const Scene& scene, const RenderOptions& options, const CancelToken&) -> Result<Planned> {
-              Planned planned;
-              planned.plan.scene = scene;
-              planned.plan.options = options;
-              return planned;
-            },
-            [volume](const Planned& planned, const CancelToken&) -> Result<Drawn> {
-              QThread::msleep(30);
-              Drawn drawn;
-              drawn.picture.size = planned.plan.options.size;
-              drawn.picture.rgba.assign(std::size_t(4) * drawn.picture.size.x * drawn.picture.size.y,
-                                        float(volume->valueAt(0)));
-              return drawn;
-            }};
-  };
-}
-
-}  // namespace
-
-void TestRenderController::picturesAreOfTheVolumeTheyWereAskedOf() {
-  Watched w(greyOfVolume());
-  const VolumePtr first = smallVolume(), second = smallVolume(0);
-  QSignalSpy ready(&w.controller, &RenderController::pictureReady);
-  w.controller.setVolume(first);
-  std::vector<int> numbers;
-  for (int n = 0; n < 3; ++n)
-    numbers.push_back(w.controller.requestPicture(first, greyScene(0.5), ofSize(8, 8)));
-  w.controller.setVolume(second);
-  w.controller.request(greyScene(0.5), {8, 8});
-  numbers.push_back(w.controller.requestPicture(second, greyScene(0.5), ofSize(8, 8)));
-  w.controller.setVolume(nullptr);
-  QTRY_COMPARE(ready.count(), 4);
-  for (int n = 0; n < 4; ++n) {
-    QCOMPARE(ready[n][0].toInt(), numbers[std::size_t(n)]);
-    const auto drawn = ready[n][1].value<std::shared_ptr<Drawn>>();
-    QVERIFY(drawn);
-    QCOMPARE(drawn->picture.rgba[0], n < 3 ? 1.0f : 0.0f);
-  }
 }
 
 VOLUMEN_TEST(TestRenderController);

@@ -135,7 +135,7 @@ void TestSeriesFacts::everyAttributeIsListed_data() {
 void TestSeriesFacts::everyAttributeIsListed() {
   QFETCH(QString, file);
   const std::string path = dataPath(file.toStdString());
-  if (path.empty()) QSKIP("the real test data are not there");
+  NEED_DATA(path);
   const Result<Study> study = openStudy(path);
   QVERIFY(study.ok() && !study->volumes.empty());
   for (const Series& series : study->volumes) {

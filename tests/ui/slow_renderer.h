@@ -1,0 +1,96 @@
+#pragma once
+
+#include <QSignalSpy>
+#include <atomic>
+
+#include "tests/fixtures/small_volumes.h"
+#include "ui/controller/render_controller.h"
+
+namespace volumen::tests {
+
+inline VolumePtr smallVolume(std::int16_t value = 1) {
+  VolumeParts parts;
+  parts.geometry.size = {4, 4, 4};
+  parts.values = std::vector<std::int16_t>(64, value);
+  return volumeFrom(std::move(parts));
+}
+
+// Draws a plain picture whose grey is the first light's intensity, as slowly as told, row by row.
+struct SlowRenderer {
+  std::atomic<int> msPerRow{0};
+  std::atomic<int> microsecondsPerPixel{0};
+  std::atomic<bool> plansForEver{false};  ///< until they are cancelled; not of drafts
+  std::atomic<int> begun{0}, cancelled{0};
+  std::atomic<int> plansBegun{0}, plansCancelled{0};
+
+  MakeDraw make() {
+    return [this](VolumePtr) -> Draw {
+      return {[this](const auto&... asked) { return plan(asked...); },
+              [this](const auto&... asked) { return picture(asked...); }};
+    };
+  }
+
+ private:
+  Result<Planned> plan(const Scene& scene, const RenderOptions& options, const CancelToken& cancel) {
+    ++plansBegun;
+    while (plansForEver && options.quality != Quality::draft && !cancel.cancelled()) QThread::msleep(1);
+    if (cancel.cancelled()) {
+      ++plansCancelled;
+      return Error{"cancelled"};
+    }
+    Planned planned;
+    planned.plan.scene = scene;
+    planned.plan.options = options;
+    return planned;
+  }
+
+  Result<Drawn> picture(const Planned& planned, const CancelToken& cancel) {
+    const RenderOptions& options = planned.plan.options;
+    ++begun;
+    Drawn drawn;
+    drawn.picture.size = options.size;
+    drawn.picture.rgba.assign(std::size_t(4) * options.size.x * options.size.y, 1.0f);
+    for (int y = 0; y < options.size.y; ++y) {
+      if (cancel.cancelled()) {
+        ++cancelled;
+        return Error{"cancelled"};
+      }
+      if (msPerRow > 0) QThread::msleep(unsigned(msPerRow));
+      if (microsecondsPerPixel > 0) QThread::usleep(unsigned(microsecondsPerPixel * options.size.x));
+      for (int x = 0; x < options.size.x; ++x)
+        for (int c = 0; c < 3; ++c)
+          drawn.picture.row(y)[4 * x + c] = float(planned.plan.scene.lights[0].intensity);
+    }
+    return drawn;
+  }
+};
+
+inline Scene greyScene(double grey) {
+  Scene scene;
+  scene.camera = Camera{};
+  scene.lights[0].intensity = grey;
+  return scene;
+}
+
+inline RenderOptions ofSize(int width, int height) {
+  RenderOptions options;
+  options.size = {width, height};
+  return options;
+}
+
+struct Watched {
+  RenderController controller;
+  std::vector<Frame> frames;
+  QStringList failures;
+
+  explicit Watched(MakeDraw make) : controller(std::move(make)) {
+    QObject::connect(&controller, &RenderController::frameReady, &controller,
+                     [this](const Frame& frame) { frames.push_back(frame); });
+    QObject::connect(&controller, &RenderController::failed, &controller,
+                     [this](const QString& sentence) { failures << sentence; });
+    controller.setVolume(smallVolume());
+  }
+  bool atRest() const { return !frames.empty() && !frames.back().draft(); }
+};
+
+}  // namespace volumen::tests
