@@ -19,11 +19,11 @@ QTEST_DISABLE_STACK_DUMP=1 ctest --test-dir "$top/build/$preset" --output-on-fai
   --output-log "$log" -V >"$top/build/$preset/tests.out" 2>&1 || status=$?
 grep -E 'Test +#|% tests passed|FAIL!|The following tests FAILED|^[[:space:]]+[0-9]+ - ' "$top/build/$preset/tests.out" | sed 's/^[0-9]*: //' >&2 || true
 if [ $status -ne 0 ]; then
-  grep -E -A4 'FAIL!|QFATAL|ERROR: AddressSanitizer|runtime error' "$top/build/$preset/tests.out" >&2 | head -200 || true
+  grep -E -A4 'FAIL!|QFATAL|ERROR: AddressSanitizer|runtime error' "$top/build/$preset/tests.out" >&2 | sed -n 1,200p || true
 fi
 passed=$(grep -cE '^[0-9]+: PASS' "$log" || true)
 skipped=$(grep -cE '^[0-9]+: SKIP' "$log" || true)
 sed -n 's|.*longestFilesAndFunctions() ||p' "$top/build/$preset/tests.out" >&2 || true
 say "$passed test rows passed, $skipped skipped; everything is in $log"
-[ "$skipped" -eq 0 ] || grep -E '^[0-9]+: SKIP' "$log" | sed 's/^[0-9]*: //' | sort | uniq -c | sort -rn | head -20 >&2
+[ "$skipped" -eq 0 ] || grep -E '^[0-9]+: SKIP' "$log" | sed 's/^[0-9]*: //' | sort | uniq -c | sort -rn | sed -n 1,20p >&2
 exit $status

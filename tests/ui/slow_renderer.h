@@ -8,12 +8,7 @@
 
 namespace volumen::tests {
 
-inline VolumePtr smallVolume(std::int16_t value = 1) {
-  VolumeParts parts;
-  parts.geometry.size = {4, 4, 4};
-  parts.values = std::vector<std::int16_t>(64, value);
-  return volumeFrom(std::move(parts));
-}
+VolumePtr smallVolume(std::int16_t value = 1);
 
 // Draws a plain picture whose grey is the first light's intensity, as slowly as told, row by row.
 struct SlowRenderer {
@@ -65,18 +60,9 @@ struct SlowRenderer {
   }
 };
 
-inline Scene greyScene(double grey) {
-  Scene scene;
-  scene.camera = Camera{};
-  scene.lights[0].intensity = grey;
-  return scene;
-}
+Scene greyScene(double grey);
 
-inline RenderOptions ofSize(int width, int height) {
-  RenderOptions options;
-  options.size = {width, height};
-  return options;
-}
+RenderOptions ofSize(int width, int height);
 
 struct Watched {
   RenderController controller;
