@@ -1,0 +1,64 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/slice/grey.h"
+
+namespace volumen {
+
+/// What the size of a pixel stands for (FIELD-slices 4, PS3.3 10.7).
+enum class PixelSizeKind {
+  unknown,     ///< pixels only; `mm` is the shape of a pixel, no length
+  patient,     ///< PixelSpacing of CT, MR, PET: mm in the patient
+  calibrated,  ///< of a projection, calibrated
+  atDetector,  ///< of a projection: mm at the detector
+  magnified,   ///< at the detector, divided by the magnification
+  filmScan     ///< NominalScannedPixelSpacing
+};
+
+struct PixelSize {
+  glm::dvec2 mm{1};  ///< x: from column to column, y: from row to row
+  PixelSizeKind kind = PixelSizeKind::unknown;
+  bool operator==(const PixelSize&) const = default;
+};
+
+/// A layer over a frame: 60xx overlay planes. One byte a pixel of the frame, 1 where it draws.
+struct FrameOverlay {
+  std::string label;
+  std::vector<std::uint8_t> mask;
+};
+
+/// A region of an ultrasound picture with units of its own (PS3.3 C.8.5.5); pixels, inclusive.
+struct UltrasoundRegion {
+  glm::ivec2 from{0}, to{0};
+  int unitX = 0, unitY = 0;  ///< 3 = cm, 4 = s, 7 = cm/s
+  glm::dvec2 delta{0};       ///< per pixel, in that unit
+};
+
+/// A named way from value to grey that the file offers.
+struct NamedGrey {
+  std::string name;  ///< WindowCenterWidthExplanation, LUTExplanation; empty where it has none
+  GreyMapping mapping;
+};
+
+/// One picture as acquired, pixel for pixel (SLICE 2).
+struct Frame {
+  glm::ivec2 size{0};             ///< columns, rows
+  std::vector<float> values;      ///< grey: after modality LUT or rescale, first row on top; else empty
+  std::vector<std::uint8_t> rgb;  ///< colour: 3 a pixel; else empty
+  std::vector<NamedGrey>
+      greys;  ///< the file's windows and VOI LUTs, first is the default; never empty for grey
+  std::optional<ValueRange> padding;  ///< values that stand for no value
+  PixelSize pixel;
+  std::vector<FrameOverlay> overlays;
+  std::vector<std::uint8_t> shutter;  ///< one byte a pixel, 1 where it hides; empty: none
+  std::vector<UltrasoundRegion> regions;
+  std::string unit;  ///< "HU", ...; empty: none
+
+  bool colour() const { return !rgb.empty(); }
+};
+
+}  // namespace volumen

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// How values between voxels are found (SLICE 1).
+enum class Interpolation { nearest, linear, cubic };
+
+/// What a slab shows of the samples along its normal (SLICE 1).
+enum class SlabMode { max, min, mean };
+
+/// A flat view through a volume (SLICE 1). Patient space, mm; pixels count from the top left corner.
+struct SlicePlane {
+  glm::dvec3 centre{0};                      ///< of the picture, mm
+  glm::dvec3 right{1, 0, 0}, down{0, 1, 0};  ///< unit vectors, orthogonal
+  double mmPerPixel = 1;                     ///< both directions
+  glm::ivec2 size{1};                        ///< pixels
+  double slabMm = 0;                         ///< thickness of the slab, centred on the plane; 0: one sample
+  SlabMode slabMode = SlabMode::max;
+  Interpolation interpolation = Interpolation::linear;
+  bool average = false;  ///< k x k sub-samples a pixel where pixels are larger than voxels
+
+  bool operator==(const SlicePlane&) const = default;
+
+  /// right x down: towards the next slice.
+  glm::dvec3 normal() const;
+  /// The patient position of a place in the picture; the centre of pixel (x, y) is (x + 1/2, y + 1/2).
+  glm::dvec3 patientFromPixel(glm::dvec2 pPixel) const;
+  /// The place in the picture of the point's foot on the plane.
+  glm::dvec2 pixelFromPatient(glm::dvec3 pPatient) const;
+};
+
+enum class NamedPlane { axial, coronal, sagittal };
+
+/// The named plane through the volume's centre, with the smallest voxel spacing and the smallest size that
+/// covers the volume's box.
+SlicePlane namedPlane(const VoxelGeometry& geometry, NamedPlane name);
+
+/// The plane of these directions with the same defaults.
+SlicePlane planeAlong(const VoxelGeometry& geometry, glm::dvec3 right, glm::dvec3 down);
+
+/// h of SLICE 1: one voxel along the unit vector `normal`, mm.
+double voxelAlong(const VoxelGeometry& geometry, glm::dvec3 normal);
+
+/// A step of the wheel along `normal`: the spacing of the volume axis that lies closest to it, projected, mm.
+double wheelStep(const VoxelGeometry& geometry, glm::dvec3 normal);
+
+}  // namespace volumen
