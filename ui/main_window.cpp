@@ -17,7 +17,7 @@
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/session/text.h"
-#include "ui/views/volume_view.h"
+#include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/start_page.h"
 #include "ui/widgets/status_line.h"
@@ -39,6 +39,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   makeCentre();
   makeDocks();
   makeActions();
+  makeLayoutActions();
   makeMenus();
   makeToolBar();
   connectSession();
@@ -50,6 +51,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectSnapshots();
   connectScenes();
   connectRecent();
+  connectViews();
   restoreLayout();
   showTheme();
   session_.prefer(storedPreferences());
@@ -62,12 +64,13 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::makeCentre() {
-  view_ = new VolumeView(session_);
+  grid_ = new ViewGrid(session_, slices_);
+  view_ = grid_->sceneView();
   banner_ = new Banner;
   start_ = new StartPage;
   pages_ = new QStackedWidget;
   pages_->addWidget(start_);
-  pages_->addWidget(view_);
+  pages_->addWidget(grid_);
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
@@ -87,22 +90,19 @@ void MainWindow::connectSession() {
   connect(&session_, &Session::preferencesChanged, this, &MainWindow::applyPreferences);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series)
-      areOneSeries(before.series, after.series) ? showVolume() : showSeries();
+      before.series&& areOneSeries(before.series, after.series) ? showVolume() : showSeries();
     if (before.wish != after.wish) applyLevel();
     if (before.series == after.series && before.scene == after.scene) return;
     meter_.forget();
     requestFrame();
   });
   connect(view_, &VolumeView::pixelsChanged, this, &MainWindow::requestFrame);
-  connect(view_, &VolumeView::hovered, status_, &StatusLine::showHover);
-  connect(view_, &VolumeView::maximiseRequested, this,
-          [this] { actions_[QStringLiteral("maximise")]->toggle(); });
 }
 
 void MainWindow::connectLoader() {
   connect(&loader_, &Loader::studyOpened, this, &MainWindow::showStudy);
   connect(&loader_, &Loader::seriesLoaded, this, [this](const ShownSeriesPtr& series) {
-    session_.show(series);
+    session_.take(series);
     if (const auto scene = std::exchange(sceneToShow_, {})) session_.edit(tr("Open scene"), *scene);
   });
   connect(&loader_, &Loader::presetReady, this,
@@ -123,11 +123,12 @@ void MainWindow::connectLoader() {
     snapshot_.cancel();
     tableRemover_->cancel();
   });
-  connect(studies_, &StudiesPanel::seriesChosen, &loader_, &Loader::load);
-  connect(studies_, &StudiesPanel::seriesRemoved, this, [this](const Series& gone) {
-    const ShownSeriesPtr& shown = session_.series();
-    if (shown && shown->series.id == gone.id && shown->series.path == gone.path) session_.show(nullptr);
+  connect(studies_, &StudiesPanel::seriesChosen, this, [this](const Series& series) {
+    if (!session_.showAgain(series, session_.workspace().focus)) loader_.load(series);
   });
+  connect(&session_, &Session::seriesNeeded, &loader_, &Loader::load);
+  connect(studies_, &StudiesPanel::seriesRemoved, this,
+          [this](const Series& gone) { session_.close(keyOf(gone)); });
   connect(studies_, &StudiesPanel::allClosed, this, [this] {
     loader_.cancel();
     banner_->hide();
@@ -220,14 +221,14 @@ void MainWindow::showVolume() {
 void MainWindow::showSeries() {
   const ShownSeriesPtr& series = session_.series();
   showVolume();
-  pages_->setCurrentWidget(series ? static_cast<QWidget*>(view_) : pages_->widget(0));
+  pages_->setCurrentWidget(series ? static_cast<QWidget*>(grid_) : pages_->widget(0));
   if (!series) return setWindowTitle(QStringLiteral("volumen"));
   showNames();
-  view_->setFocus();
+  grid_->setFocus();
 }
 
 void MainWindow::requestFrame() {
-  if (!session_.series() || pages_->currentWidget() != view_) return;
+  if (!session_.series() || pages_->currentWidget() != grid_ || view_->isHidden()) return;
   snapshotPanel_->setViewSize(view_->pixels());
   controller_.request(session_.scene(), view_->pixels());
 }

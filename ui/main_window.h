@@ -10,6 +10,7 @@
 #include "ui/controller/render_controller.h"
 #include "ui/controller/scene_files.h"
 #include "ui/controller/segmenter.h"
+#include "ui/controller/slice_service.h"
 #include "ui/controller/snapshot.h"
 #include "ui/session/own_presets.h"
 #include "ui/session/session.h"
@@ -29,6 +30,7 @@ class StartPage;
 class StatusLine;
 class StudiesPanel;
 class TableRemover;
+class ViewGrid;
 class VolumeView;
 
 /// What the window has done by others: how volumes are drawn, how presets are made, and which there are.
@@ -53,6 +55,7 @@ class MainWindow : public QMainWindow {
   void open(const QStringList& paths, const std::optional<Scene>& scene = {});
   Session& session() { return session_; }
   VolumeView* view() const { return view_; }
+  ViewGrid* views() const { return grid_; }
   const RenderController& controller() const { return controller_; }
   const AccuracyMeter& meter() const { return meter_; }
 
@@ -81,6 +84,9 @@ class MainWindow : public QMainWindow {
   void connectTableRemover();
   void connectAccuracy();
   void connectSnapshots();
+  void connectViews();
+  void makeLayoutActions();
+  void resetViewInFocus();
   void connectScenes();
   void connectRecent();
   void resetLayout();
@@ -115,6 +121,7 @@ class MainWindow : public QMainWindow {
   Services services_;
   Session session_;
   RenderController controller_;
+  SliceService slices_;
   Loader loader_;
   AccuracyMeter meter_;
   Snapshot snapshot_;
@@ -123,7 +130,8 @@ class MainWindow : public QMainWindow {
   RecentFiles recent_;
   PresetThumbnails thumbnails_;
 
-  VolumeView* view_;
+  ViewGrid* grid_;
+  VolumeView* view_;  // of grid_: the 3D one
   QStackedWidget* pages_;
   StartPage* start_;
   Banner* banner_;

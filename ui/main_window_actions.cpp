@@ -157,7 +157,7 @@ void MainWindow::makeActions() {
        "curve",
        true,
        [this](bool) { view_->setTool(ViewTool::curve); }},
-      {"resetView", tr("Reset view"), {tr("F")}, "reset", false, [this](bool) { view_->resetView(); }},
+      {"resetView", tr("Reset view"), {tr("F")}, "reset", false, [this](bool) { resetViewInFocus(); }},
       {"viewAnterior", tr("Anterior view"), {tr("A")}, "view", false, view("anterior")},
       {"viewPosterior", tr("Posterior view"), {tr("P")}, "", false, view("posterior")},
       {"viewLeft", tr("Left view"), {tr("L")}, "", false, view("left")},
@@ -256,6 +256,7 @@ void MainWindow::makeMenus() {
        "orbitTool curveTool resetView | viewAnterior viewPosterior viewLeft viewRight viewSuperior "
        "viewInferior | "
        "openGlResampler showError | maximise fullScreen lightTheme hideNames");
+  fill(view->addMenu(tr("Layout")), "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour");
   auto* docks = view->addMenu(tr("Panels"));
   for (const auto& [name, dock] : docks_) docks->addAction(dock->toggleViewAction());
   docks->addSeparator();
@@ -352,6 +353,12 @@ void MainWindow::showShortcuts() {
       tr("In the curve"),
       tr("double-click adds a point, right-click or Delete removes it, arrow keys nudge it, Tab goes to the "
          "next, the wheel zooms the value axis, Home shows all of it"),
+      tr("In a slice"),
+      tr("left drag changes the window (Shift: fine, Ctrl: fast), middle pans, right zooms, the wheel "
+         "scrolls (Ctrl: zooms, "
+         "Alt: slab), Shift moves the crosshair, 0 to 9 choose a window, Esc gives up a drag"),
+      tr("Ctrl+1 to Ctrl+5"),
+      tr("layouts: one view, planes and 3D, large 3D beside planes, two or four series"),
       tr("Ctrl+Z, Ctrl+Shift+Z"),
       tr("undo, redo"),
       tr("Ctrl+O, Ctrl+S, Ctrl+C"),

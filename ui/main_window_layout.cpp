@@ -11,6 +11,7 @@
 #include "ui/panels/studies_panel.h"
 #include "ui/preferences_dialog.h"
 #include "ui/session/text.h"
+#include "ui/views/view_grid.h"
 #include "ui/widgets/fold_title.h"
 
 namespace volumen {
@@ -80,6 +81,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 
 void MainWindow::setMaximised(bool alone) {
   if (alone) layoutBefore_ = saveState();
+  grid_->setAlone(alone);
   for (const auto& [name, dock] : docks_) dock->setVisible(!alone);
   for (QToolBar* bar : findChildren<QToolBar*>()) bar->setVisible(!alone);
   statusBar()->setVisible(!alone);

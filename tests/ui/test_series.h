@@ -23,6 +23,9 @@ inline ShownSeriesPtr ballSeries(int n = 32, double radius = 10, glm::dvec3 cent
   std::vector<std::string> warnings;
   auto series = std::make_shared<ShownSeries>();
   series->volume = *Volume::make(std::move(parts), warnings);
+  static int made = 0;  // each is a series of its own
+  series->series.path = "ball";
+  series->series.id = "ball#" + std::to_string(++made);
   series->series.patientName = "Test^Ball";
   series->series.patientId = "42";
   series->series.format = "DICOM";

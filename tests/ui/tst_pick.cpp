@@ -44,6 +44,7 @@ const SightLine fromTheFront{{0, -500, 0}, {0, 1, 0}};
 ShownSeriesPtr shownSeries(const VolumePtr& volume, const Scene& scene) {
   auto series = std::make_shared<ShownSeries>();
   series->volume = volume;
+  series->series.id = "volume";
   series->series.modality = volume->attributes().modality;
   series->series.unit = "HU";
   series->histogram = histogram(*volume);

@@ -13,7 +13,6 @@ Result<ShownSeriesPtr> seriesWithout(const ShownSeriesPtr& series, const CancelT
   auto without = std::make_shared<ShownSeries>(*series);
   without->volume = *volume;
   without->warnings.emplace_back("The table was removed: what lies outside the patient is shown as air.");
-  without->withTable = series;
   return ShownSeriesPtr(without);
 }
 
@@ -27,10 +26,7 @@ TableRemover::TableRemover(Session& session, QObject* parent)
   connect(this, &QAction::triggered, this, &TableRemover::take);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series == after.series) return;
-    if (!areOneSeries(before.series, after.series)) {
-      cancel();
-      made_.reset();
-    }
+    if (!areOneSeries(before.series, after.series)) cancel();
     showState();
   });
   showState();
@@ -51,7 +47,7 @@ void TableRemover::showState() {
   const ShownSeriesPtr& series = session_.series();
   const bool offered = series && inHounsfield(*series->volume, series->histogram);
   setEnabled(offered);
-  setChecked(series && series->withTable);
+  setChecked(session_.tableRemoved());
   setToolTip(!series    ? tr("Open a CT series first.")
              : !offered ? tr("Only for CT: the values of this series are not Hounsfield units.")
                         : tr("Hide what is not connected with the patient: table, cushions, cables."));
@@ -62,9 +58,9 @@ void TableRemover::take(bool removed) {
   cancel_.cancel();
   cancel_ = CancelToken();
   if (!removed) {
-    if (series->withTable) session_.exchangeSeries(tr("Show table"), series->withTable);
-  } else if (made_ && areOneSeries(made_, series)) {
-    show(made_);
+    session_.removeTable(tr("Show table"), nullptr);
+  } else if (const ShownSeriesPtr made = session_.withoutTable()) {
+    show(made);
   } else {
     make(series);
   }
@@ -88,8 +84,7 @@ void TableRemover::make(const ShownSeriesPtr& series) {
 }
 
 void TableRemover::show(const ShownSeriesPtr& without) {
-  made_ = without;
-  session_.exchangeSeries(tr("Remove table"), without);
+  session_.removeTable(tr("Remove table"), without);
 }
 
 }  // namespace volumen

@@ -36,7 +36,6 @@ class TableRemover : public QAction {
   Session& session_;
   QThreadPool pool_;
   CancelToken cancel_;
-  ShownSeriesPtr made_;  // the last one
 };
 
 }  // namespace volumen

@@ -1,6 +1,9 @@
 #include "ui/session/session.h"
 
-#include "ui/session/edit_state.h"
+#include <algorithm>
+
+#include "ui/session/edit_workspace.h"
+#include "ui/session/series_text.h"
 #include "ui/session/text.h"
 #include "viewer/scene/presets.h"
 
@@ -8,56 +11,139 @@ namespace volumen {
 
 Session::Session(QObject* parent) : QObject(parent) {}
 
+PoolKey Session::poolKeyOf(const SeriesKey& series) const {
+  const auto known = workspace_.series.find(series);
+  return {series, known != workspace_.series.end() && known->second.tableRemoved};
+}
+
+ShownSeriesPtr Session::seriesOf(ViewId view) const {
+  const SeriesKey& key = workspace_.view(view).series;
+  return key.empty() ? nullptr : pool_.find(poolKeyOf(key));
+}
+
+const Scene& Session::sceneOf(ViewId view) const {
+  static const Scene none;
+  const ViewState& shown = workspace_.view(view);
+  const auto look = shown.scenes.find(shown.series);
+  return look == shown.scenes.end() ? none : look->second.scene;
+}
+
 void Session::show(ShownSeriesPtr series) {
+  if (series) return show(std::move(series), workspace_.focus);
   undoStack_.clear();
-  const SessionState before = state_;
-  state_.scene = series ? series->firstScene : Scene{};
-  state_.preset = series ? std::make_shared<ChosenPreset>(ChosenPreset{"auto", series->firstScene}) : nullptr;
-  state_.series = std::move(series);
+  pool_.clear();
+  Workspace empty;
+  empty.layout = workspace_.layout;
+  empty.wish = workspace_.wish;
+  setWorkspace(empty);
+}
+
+void Session::show(ShownSeriesPtr series, ViewId view) {
+  const SeriesKey key = keyOf(series->series);
+  pool_.put({key, false}, series);
+  const SceneLook first{series->firstScene,
+                        std::make_shared<ChosenPreset>(ChosenPreset{"auto", series->firstScene})};
   endGesture();
-  Q_EMIT changed(before, state_);
+  const bool isFirst = workspace_.series.empty();
+  Workspace after = withSeries(workspace_, view, series->series, first);
+  if (isFirst || after == workspace_)
+    setWorkspace(after);
+  else
+    change(tr("Show %1").arg(seriesText(series->series)), std::move(after));
 }
 
-void Session::push(const QString& text, SessionState after, const QString& mergeKey) {
-  if (after == state_) return;
-  undoStack_.push(new EditState(*this, text, std::move(after), mergeKey, gesture_));
+bool Session::showAgain(const Series& series, ViewId view) {
+  ShownSeriesPtr held = pool_.find({keyOf(series), false});
+  if (held) show(std::move(held), view);
+  return held != nullptr;
 }
 
-void Session::edit(const QString& text, Scene after, const QString& mergeKey) {
-  SessionState state = state_;
-  state.scene = std::move(after);
-  push(text, std::move(state), mergeKey);
+void Session::take(ShownSeriesPtr series) {
+  const SeriesKey key = keyOf(series->series);
+  const auto waits = [&](ViewId id) { return workspace_.view(id).series == key && !seriesOf(id); };
+  if (std::ranges::none_of(viewsOnScreen(workspace_), waits)) return show(std::move(series));
+  pool_.put({key, false}, std::move(series));
+  setWorkspace(workspace_);
+}
+
+void Session::close(const SeriesKey& key) {
+  if (!workspace_.series.contains(key)) return;
+  undoStack_.clear();
+  pool_.forget(key);
+  setWorkspace(without(workspace_, key));
+}
+
+void Session::change(const QString& text, Workspace after, const QString& mergeKey) {
+  if (after == workspace_) return;
+  undoStack_.push(new EditWorkspace(*this, text, std::move(after), mergeKey, gesture_));
+}
+
+void Session::change(const QString& text, const std::function<void(Workspace&)>& edit,
+                     const QString& mergeKey) {
+  Workspace after = workspace_;
+  edit(after);
+  change(text, std::move(after), mergeKey);
+}
+
+void Session::edit(ViewId view, const QString& text, const std::function<void(Scene&)>& edit,
+                   const QString& mergeKey) {
+  const ViewState& shown = workspace_.view(view);
+  if (!shown.scenes.contains(shown.series)) return;
+  change(
+      text, [&](Workspace& w) { edit(w.view(view).scenes.at(shown.series).scene); }, mergeKey);
 }
 
 void Session::edit(const QString& text, const std::function<void(Scene&)>& change, const QString& mergeKey) {
-  Scene after = state_.scene;
-  change(after);
-  edit(text, std::move(after), mergeKey);
+  edit(sceneViewOf(workspace_), text, change, mergeKey);
 }
 
-void Session::exchangeSeries(const QString& text, ShownSeriesPtr after) {
-  SessionState state = state_;
-  state.series = std::move(after);
-  push(text, std::move(state), {});
+void Session::edit(const QString& text, Scene after, const QString& mergeKey) {
+  edit(
+      text, [&](Scene& scene) { scene = std::move(after); }, mergeKey);
+}
+
+void Session::removeTable(const QString& text, ShownSeriesPtr without) {
+  const SeriesKey key = keyOf(state_.series->series);
+  const bool removed = without != nullptr;
+  if (without) pool_.put({key, true}, std::move(without));
+  change(text, [&](Workspace& w) { w.series.at(key).tableRemoved = removed; });
+}
+
+bool Session::tableRemoved() const {
+  return state_.series && poolKeyOf(keyOf(state_.series->series)).tableRemoved;
+}
+
+ShownSeriesPtr Session::withoutTable() const {
+  return state_.series ? pool_.find({keyOf(state_.series->series), true}) : nullptr;
 }
 
 void Session::wishFor(const QString& text, const PictureWish& after, const QString& mergeKey) {
-  SessionState state = state_;
-  state.wish = after;
-  push(text, std::move(state), mergeKey);
+  change(
+      text, [&](Workspace& w) { w.wish = after; }, mergeKey);
 }
 
 void Session::choosePreset(const QString& text, const std::string& name, const Scene& look) {
   if (state_.preset && state_.preset->name == name && sameLook(state_.scene, look) && !presetModified())
     return;
-  SessionState state = state_;
-  state.scene = withLook(state_.scene, look);
-  state.preset = std::make_shared<ChosenPreset>(ChosenPreset{name, look});
-  push(text, std::move(state), {});
+  change(text, [&](Workspace& w) {
+    ViewState& view = w.view(sceneViewOf(w));
+    const auto shown = view.scenes.find(view.series);
+    if (shown == view.scenes.end()) return;
+    shown->second.scene = withLook(shown->second.scene, look);
+    shown->second.preset = std::make_shared<ChosenPreset>(ChosenPreset{name, look});
+  });
 }
 
 bool Session::presetModified() const {
   return state_.preset && !sameLook(state_.scene, state_.preset->scene);
+}
+
+void Session::setFocus(ViewId view) {
+  if (view == workspace_.focus) return;
+  endGesture();
+  Workspace after = workspace_;
+  after.focus = view;
+  setWorkspace(after);
 }
 
 void Session::prefer(const Preferences& preferences) {
@@ -73,10 +159,26 @@ void Session::prefer(const std::function<void(Preferences&)>& change) {
   prefer(after);
 }
 
-void Session::setState(const SessionState& state) {
-  const SessionState before = state_;
-  state_ = state;
-  Q_EMIT changed(before, state_);
+SessionState Session::stateInFocus() const {
+  const ViewId id = sceneViewOf(workspace_);
+  const ViewState& view = workspace_.view(id);
+  const auto look = view.scenes.find(view.series);
+  SessionState state{seriesOf(id), {}, workspace_.wish, nullptr};
+  if (look != view.scenes.end()) state.scene = look->second.scene, state.preset = look->second.preset;
+  return state;
+}
+
+void Session::setWorkspace(const Workspace& workspace) {
+  const Workspace before = std::exchange(workspace_, workspace);
+  std::set<PoolKey> onScreen;
+  for (const ViewId id : viewsOnScreen(workspace_))
+    if (const SeriesKey& key = workspace_.view(id).series; !key.empty()) onScreen.insert(poolKeyOf(key));
+  pool_.setOnScreen(onScreen);
+  const SessionState stateBefore = std::exchange(state_, stateInFocus());
+  Q_EMIT workspaceChanged(before, workspace_);
+  if (stateBefore != state_) Q_EMIT changed(stateBefore, state_);
+  for (const PoolKey& key : onScreen)
+    if (!pool_.find(key)) Q_EMIT seriesNeeded(*workspace_.series.at(key.series).series);
 }
 
 }  // namespace volumen

@@ -4,60 +4,78 @@
 #include <QUndoStack>
 #include <functional>
 
-#include "ui/session/picture_wish.h"
+#include "ui/data/series_pool.h"
 #include "ui/session/preferences.h"
-#include "ui/session/shown_series.h"
-#include "viewer/scene/scene.h"
+#include "ui/workspace/workspace.h"
 
 namespace volumen {
 
-/// The preset that was chosen last and the look it gave.
-struct ChosenPreset {
-  std::string name;
-  Scene scene;
-};
-
-/// All that the window shows, as a value.
+/// What one 3D view shows, with its data at hand.
 struct SessionState {
-  ShownSeriesPtr series;  ///< null: nothing opened yet
+  ShownSeriesPtr series;  ///< null: none, or it is not in memory yet
   Scene scene;
   PictureWish wish;
   std::shared_ptr<const ChosenPreset> preset;  ///< null: no series
   bool operator==(const SessionState&) const = default;
 };
 
-/// The only object that holds state over time. Panels read state() and write edit(); they hear of every
-/// change, their own included, through changed() and compare their part of before and after.
+/// The only object that holds state over time: the workspace with its steps, and the series in memory. Panels
+/// work on one 3D view, the one in focus: they read state() and write edit(); they hear of every change,
+/// their own included, through changed() and compare their part of before and after.
 class Session : public QObject {
   Q_OBJECT
  public:
   explicit Session(QObject* parent = nullptr);
 
+  const Workspace& workspace() const { return workspace_; }
+  QUndoStack& undoStack() { return undoStack_; }
+
+  /// Of the 3D view in focus.
   const SessionState& state() const { return state_; }
   const Scene& scene() const { return state_.scene; }
   const ShownSeriesPtr& series() const { return state_.series; }
   const PictureWish& wish() const { return state_.wish; }
-  QUndoStack& undoStack() { return undoStack_; }
+  /// Of any view; flat ones have an empty one.
+  const Scene& sceneOf(ViewId view) const;
+  /// The series of a view; null: none, or it is not in memory.
+  ShownSeriesPtr seriesOf(ViewId view) const;
 
-  /// Puts a series on screen with its first scene; what is asked of the picture stays. Forgets the steps made
-  /// on the one before.
+  /// Puts a series into the view in focus (and its group), as it was left there, else by its first scene; one
+  /// undo step, but for the first series of a workspace. Null: closes all, and forgets all steps.
   void show(ShownSeriesPtr series);
+  void show(ShownSeriesPtr series, ViewId view);
+  /// The same for a series that is still in memory; false where it is not.
+  bool showAgain(const Series& series, ViewId view);
+  /// Keeps a series that views on screen wait for; shows any other.
+  void take(ShownSeriesPtr series);
+  /// Drops a series from views and memory, and forgets all steps.
+  void close(const SeriesKey& key);
 
-  /// Makes `after` the scene, as one undo step called `text`. Edits in a row with one non-empty `mergeKey`
-  /// are one step until endGesture(); a step that changes nothing is dropped.
+  /// Makes `after` the workspace, as one undo step called `text`. Edits in a row with one non-empty
+  /// `mergeKey` are one step until endGesture(); a step that changes nothing is dropped.
+  void change(const QString& text, Workspace after, const QString& mergeKey = {});
+  void change(const QString& text, const std::function<void(Workspace&)>& edit, const QString& mergeKey = {});
+
+  /// The same for the scene of the view in focus, or of any 3D view.
   void edit(const QString& text, Scene after, const QString& mergeKey = {});
-  /// The same for a change of the scene as it is now.
   void edit(const QString& text, const std::function<void(Scene&)>& change, const QString& mergeKey = {});
+  void edit(ViewId view, const QString& text, const std::function<void(Scene&)>& change,
+            const QString& mergeKey = {});
 
   /// Gives the scene the look of a preset's, and remembers its name; one undo step.
   void choosePreset(const QString& text, const std::string& name, const Scene& look);
   /// Whether the look was changed since.
   bool presetModified() const;
-  /// The same for what is shown of the series: `after` is the one on screen with or without its table.
-  void exchangeSeries(const QString& text, ShownSeriesPtr after);
+  /// Shows the series in focus without its table, which is `without`, or with it again (null); one undo step.
+  void removeTable(const QString& text, ShownSeriesPtr without);
+  bool tableRemoved() const;
+  /// The series in focus without its table, where that was made before.
+  ShownSeriesPtr withoutTable() const;
 
   /// The same for what is asked of the picture beside the scene.
   void wishFor(const QString& text, const PictureWish& after, const QString& mergeKey = {});
+  /// Which view the panels work on: no step to undo.
+  void setFocus(ViewId view);
 
   /// How the window is wanted: no part of the picture, and no step to undo.
   const Preferences& preferences() const { return preferences_; }
@@ -65,20 +83,30 @@ class Session : public QObject {
   /// The same for a change of those in use.
   void prefer(const std::function<void(Preferences&)>& change);
 
+  SeriesPool& pool() { return pool_; }
+
   /// The mouse was released, the field was left: what follows is a step of its own.
   void endGesture() { ++gesture_; }
 
  Q_SIGNALS:
+  /// Of the 3D view in focus, or of another one that came into focus.
   void changed(const volumen::SessionState& before, const volumen::SessionState& after);
+  /// Of anything, or a series came into memory.
+  void workspaceChanged(const volumen::Workspace& before, const volumen::Workspace& after);
+  /// A view shows a series that is not in memory: take() it.
+  void seriesNeeded(const volumen::Series& series);
 
   void preferencesChanged(const volumen::Preferences& before, const volumen::Preferences& after);
 
  private:
-  friend class EditState;
-  void push(const QString& text, SessionState after, const QString& mergeKey);
-  void setState(const SessionState& state);
+  friend class EditWorkspace;
+  PoolKey poolKeyOf(const SeriesKey& series) const;
+  SessionState stateInFocus() const;
+  void setWorkspace(const Workspace& workspace);
 
-  SessionState state_;
+  Workspace workspace_;
+  mutable SeriesPool pool_;
+  SessionState state_;  // of the 3D view in focus
   Preferences preferences_;
   QUndoStack undoStack_;
   int gesture_ = 0;

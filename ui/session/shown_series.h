@@ -21,16 +21,13 @@ struct ShownSeries {
   double valueSpread = 1;           ///< P99.9 - P0.1, > 0
   std::optional<ValueRange> usual;  ///< usualRange(), of values without a unit
   Scene firstScene;                 ///< the automatic preset's
-  /// The same with its table, where that was removed from the volume; else null.
-  std::shared_ptr<const ShownSeries> withTable;
 };
 
 using ShownSeriesPtr = std::shared_ptr<const ShownSeries>;
 
 /// Whether two are one series, with or without its table.
 inline bool areOneSeries(const ShownSeriesPtr& a, const ShownSeriesPtr& b) {
-  const auto whole = [](const ShownSeriesPtr& s) { return s && s->withTable ? s->withTable : s; };
-  return whole(a) == whole(b);
+  return a == b || (a && b && a->series.path == b->series.path && a->series.id == b->series.id);
 }
 
 }  // namespace volumen

@@ -25,6 +25,21 @@ Window windowInUse(const Scene& scene, const ShownSeries& series) {
   return scene.window.value_or(series.window);
 }
 
+Window flatWindow(const SeriesState& state, const ShownSeries& series) {
+  const Window own{series.window.centre, std::abs(series.window.width)};
+  const bool inverted = series.series.modality == "PT";
+  return state.window.value_or(inverted ? Window{own.centre, -own.width} : own);
+}
+
+GreyMapping greyMapping(const Window& window, const Series& series) {
+  GreyMapping grey;
+  grey.window = {window.centre, std::abs(window.width)};
+  grey.inverted = window.width < 0;
+  if (series.format == "DICOM" && series.valueType != "float32" && grey.window.width >= 1)
+    grey.function = WindowFunction::linear;
+  return grey;
+}
+
 std::vector<NamedWindow> windowChoices(const ShownSeries& series) {
   std::vector<NamedWindow> all{{tr("Automatic"), {}}};
   const std::vector<Window>& files = series.volume->attributes().windows;

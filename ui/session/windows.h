@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "ui/session/shown_series.h"
+#include "ui/workspace/workspace.h"
+#include "viewer/slice/grey.h"
 
 namespace volumen {
 
@@ -13,6 +15,11 @@ namespace volumen {
 
 /// The scene's, or the one that stands for none.
 Window windowInUse(const Scene& scene, const ShownSeries& series);
+
+/// Of flat views: the one that was set, else the series' own, inverted for PET.
+Window flatWindow(const SeriesState& state, const ShownSeries& series);
+/// The mapping from value to grey that a window of a flat view stands for.
+GreyMapping greyMapping(const Window& window, const Series& series);
 
 /// A window to choose by name.
 struct NamedWindow {

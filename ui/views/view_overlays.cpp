@@ -20,4 +20,12 @@ Overlays viewOverlays(const ShownSeries& series, const Camera& camera, glm::dvec
   return o;
 }
 
+QString placeText(glm::dvec3 pPatient) {
+  const auto side = [](double mm, const char* plus, const char* minus) {
+    return QStringLiteral("%1 %2").arg(QLatin1String(mm < 0 ? minus : plus)).arg(std::abs(mm), 0, 'f', 1);
+  };
+  return QStringLiteral("%1, %2, %3 mm")
+      .arg(side(pPatient.x, "L", "R"), side(pPatient.y, "P", "A"), side(pPatient.z, "S", "I"));
+}
+
 }  // namespace volumen

@@ -9,4 +9,7 @@ namespace volumen {
 /// known, the patient's sides at the edges and the scale. `size` in pixels.
 Overlays viewOverlays(const ShownSeries& series, const Camera& camera, glm::dvec2 size);
 
+/// "L 12.0, P 3.5, S 100.2 mm": a patient position.
+QString placeText(glm::dvec3 pPatient);
+
 }  // namespace volumen

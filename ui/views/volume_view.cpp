@@ -20,47 +20,51 @@ constexpr int leastForCube = 280;       // pixels of width and height: in less i
 glm::dvec2 toVec(QPointF p) { return {p.x(), p.y()}; }
 }  // namespace
 
-VolumeView::VolumeView(Session& session, QWidget* parent)
-    : QWidget(parent),
-      session_(session),
+VolumeView::VolumeView(Session& session, ViewId id, QWidget* parent)
+    : View(session, id, parent),
       canvas_(makeCanvas([this](QPainter& p) { paint(p); }, [this] { replaceCanvas(); }, this)),
       cube_(new OrientationCube(this)),
       badge_(new WarningBadge(this)) {
   setObjectName(QStringLiteral("volumeView"));
   setAccessibleName(tr("Volume view"));
-  setFocusPolicy(Qt::StrongFocus);
-  setMouseTracking(true);
   setMinimumSize(200, 200);
   wheelEnd_.setSingleShot(true);
   wheelEnd_.setInterval(500);
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(cube_, &OrientationCube::viewRequested, this, &VolumeView::showView);
-  connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (!areOneSeries(before.series, after.series)) {
-      fitMm_.clear();
-      setPicture({}, {});
-    }
-    if (before.series != after.series) showWarnings();
-    if (before.series != after.series || before.scene.camera != after.scene.camera) showState();
-  });
   connect(&session_, &Session::preferencesChanged, this, [this] { canvas_->update(); });
   showState();
 }
 
+void VolumeView::seriesExchanged(bool another) {
+  if (another) {
+    fitMm_.clear();
+    setPicture({}, {});
+  }
+  showWarnings();
+  showState();
+}
+
+void VolumeView::workspaceChanged(const Workspace& before) {
+  const ViewState& then = before.view(id());
+  const auto look = then.scenes.find(state().series);
+  if (look == then.scenes.end() || look->second.scene.camera != scene().camera) showState();
+}
+
 void VolumeView::showWarnings() {
   QStringList words, sentences;
-  if (const ShownSeriesPtr& series = session_.series()) {
-    for (const std::string& text : shortWarnings(series->warnings)) words << QString::fromStdString(text);
-    for (const Warning& w : changingPicture(series->warnings)) sentences << shownText(w.sentence);
+  if (const ShownSeriesPtr shown = series()) {
+    for (const std::string& text : shortWarnings(shown->warnings)) words << QString::fromStdString(text);
+    for (const Warning& w : changingPicture(shown->warnings)) sentences << shownText(w.sentence);
   }
   badge_->tell(words, sentences);
   placeChildren();
 }
 
 void VolumeView::showState() {
-  const bool directions = session_.series() && session_.series()->volume->geometry().calibrated;
+  const bool directions = series() && series()->volume->geometry().calibrated;
   cube_->setVisible(directions && width() >= leastForCube && height() >= leastForCube);
-  if (session_.series()) cube_->setAxes(cameraAxes(camera()));
+  if (series()) cube_->setAxes(cameraAxes(camera()));
   canvas_->update();
 }
 
@@ -76,7 +80,7 @@ void VolumeView::placeChildren() {
   canvas_->setGeometry(rect());
   cube_->move(8, height() - cube_->height() - 8);
   // Under the lines about patient and series.
-  const auto lines = session_.series() ? overlays().topLeft.size() : 0;
+  const auto lines = series() ? overlays().topLeft.size() : 0;
   badge_->move(8, 12 + int(lines) * (fontMetrics().height() + 1) + 4);
 }
 
@@ -112,26 +116,20 @@ void VolumeView::setTool(ViewTool tool) {
   setCursor(tool == ViewTool::curve ? Qt::SizeAllCursor : Qt::ArrowCursor);
 }
 
-QSize VolumeView::pixels() const {
-  return {int(std::ceil(width() * devicePixelRatioF())), int(std::ceil(height() * devicePixelRatioF()))};
-}
-
-Camera VolumeView::camera() const {
-  return cameraInUse(session_.scene(), session_.series()->volume->geometry(), size());
-}
+Camera VolumeView::camera() const { return cameraInUse(scene(), series()->volume->geometry(), size()); }
 
 std::optional<Pick> VolumeView::pickAt(QPointF position) const {
-  if (!session_.series()) return {};
+  if (!series()) return {};
   const Camera seen = camera();
-  return pick(session_.scene(), *session_.series()->volume, sightLine(seen, size(), toVec(position)),
+  return pick(scene(), *series()->volume, sightLine(seen, size(), toVec(position)),
               seen.projection == Projection::parallel);
 }
 
 void VolumeView::editCamera(const QString& what, const Camera& camera) {
-  const std::optional<Camera> before = session_.scene().camera;
+  const std::optional<Camera> before = scene().camera;
   const Camera fitted = this->camera();
   session_.edit(
-      what, [&](Scene& s) { s.camera = camera; }, what);
+      id(), what, [&](Scene& s) { s.camera = camera; }, what);
   if (!before) rememberFit(fitted);
 }
 
@@ -142,30 +140,30 @@ void VolumeView::rememberFit(const Camera& fitted) {
 }
 
 double VolumeView::zoom() const {
-  if (!session_.series() || !session_.scene().camera) return 1;
+  if (!series() || !scene().camera) return 1;
   const Camera seen = camera();
   const auto after = fitMm_.upper_bound(session_.undoStack().index());
   if (after != fitMm_.begin()) return std::prev(after)->second / heightAtTarget(seen);
-  const Camera first = session_.series()->firstScene.camera.value_or(Camera{});
-  const Camera fitted = fitCamera(first, session_.series()->volume->geometry(), double(width()) / height());
+  const Camera first = series()->firstScene.camera.value_or(Camera{});
+  const Camera fitted = fitCamera(first, series()->volume->geometry(), double(width()) / height());
   return heightAtTarget(fitted) / heightAtTarget(seen);
 }
 
 void VolumeView::showView(const QString& name) {
-  if (!session_.series()) return;
+  if (!series()) return;
   Camera view = *standardView(name.toStdString());
   const Camera now = camera();
   view.fov = now.fov;
   view.projection = now.projection;
   session_.endGesture();
-  view = fitCamera(view, session_.series()->volume->geometry(), double(width()) / height());
+  view = fitCamera(view, series()->volume->geometry(), double(width()) / height());
   editCamera(viewText(name), view);
   rememberFit(view);
   session_.endGesture();
 }
 
 void VolumeView::resetView() {
-  session_.edit(tr("Reset view"), [](Scene& s) { s.camera.reset(); });
+  session_.edit(id(), tr("Reset view"), [](Scene& s) { s.camera.reset(); });
 }
 
 VolumeView::Hand VolumeView::handOf(DragAction action, bool control) const {
@@ -173,7 +171,7 @@ VolumeView::Hand VolumeView::handOf(DragAction action, bool control) const {
     case DragAction::rotate:
       return control ? Hand::roll : Hand::orbit;
     case DragAction::curve:
-      if (session_.scene().mode != Mode::composite) return Hand::window;
+      if (scene().mode != Mode::composite) return Hand::window;
       return control ? Hand::opacity : Hand::curve;
     case DragAction::pan:
       return Hand::pan;
@@ -192,7 +190,7 @@ VolumeView::Hand VolumeView::handFor(const QMouseEvent& event) const {
     case Qt::RightButton:
       return handOf(wanted.rightDrag, control);
     case Qt::LeftButton:
-      if (tool_ == ViewTool::curve && session_.scene().mode != Mode::composite) return Hand::window;
+      if (tool_ == ViewTool::curve && scene().mode != Mode::composite) return Hand::window;
       if (shift) return handOf(wanted.shiftDrag, control);
       return handOf(tool_ == ViewTool::curve ? DragAction::curve : DragAction::rotate, control);
     default:
@@ -201,12 +199,13 @@ VolumeView::Hand VolumeView::handFor(const QMouseEvent& event) const {
 }
 
 void VolumeView::mousePressEvent(QMouseEvent* event) {
-  if (!session_.series() || hand_ != Hand::none) return;
+  View::mousePressEvent(event);
+  if (!series() || hand_ != Hand::none) return;
   hand_ = handFor(*event);
   pressedAt_ = event->position();
   cameraAtPress_ = camera();
-  curveAtPress_ = session_.scene().transferFunction;
-  windowAtPress_ = windowInUse(session_.scene(), *session_.series());
+  curveAtPress_ = scene().transferFunction;
+  windowAtPress_ = windowInUse(scene(), *series());
   const std::optional<Pick> hit = pickAt(pressedAt_);
   const std::optional<glm::dvec3> place = hit ? hit->pPatient : std::nullopt;
   pivot_ = place.value_or(*cameraAtPress_.target);
@@ -237,7 +236,7 @@ Camera VolumeView::movedCamera(QPointF to) const {
 TransferFunction VolumeView::movedCurve(QPointF to) const {
   const QPointF part((to.x() - pressedAt_.x()) / width(), (to.y() - pressedAt_.y()) / height());
   if (hand_ == Hand::opacity) return withOpacityScaled(curveAtPress_, std::exp(-6 * part.y()));
-  const Histogram& histogram = session_.series()->histogram;
+  const Histogram& histogram = series()->histogram;
   return shifted(
       widened(curveAtPress_, std::exp(2 * part.x())),
       (session_.preferences().curveDragInverted ? -0.5 : 0.5) * part.y() * (histogram.high - histogram.low));
@@ -246,11 +245,10 @@ TransferFunction VolumeView::movedCurve(QPointF to) const {
 void VolumeView::moveWindow(const QMouseEvent& event) {
   const Qt::KeyboardModifiers keys = event.modifiers();
   const double speed = keys & Qt::ControlModifier ? 5 : keys & Qt::ShiftModifier ? 0.2 : 1;
-  const Window moved =
-      draggedWindow(windowAtPress_, speed * toVec(event.position() - pressedAt_), *session_.series());
+  const Window moved = draggedWindow(windowAtPress_, speed * toVec(event.position() - pressedAt_), *series());
   const QString what = tr("Window");
   session_.edit(
-      what, [&](Scene& s) { s.window = moved; }, what);
+      id(), what, [&](Scene& s) { s.window = moved; }, what);
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
@@ -261,7 +259,7 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
     case Hand::opacity: {
       const QString what = hand_ == Hand::curve ? tr("Adjust curve") : tr("Adjust opacity");
       return session_.edit(
-          what, [&](Scene& s) { s.transferFunction = movedCurve(event->position()); }, what);
+          id(), what, [&](Scene& s) { s.transferFunction = movedCurve(event->position()); }, what);
     }
     case Hand::window:
       return moveWindow(*event);
@@ -280,12 +278,8 @@ void VolumeView::mouseReleaseEvent(QMouseEvent*) {
   session_.endGesture();
 }
 
-void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) Q_EMIT maximiseRequested();
-}
-
 void VolumeView::wheelEvent(QWheelEvent* event) {
-  if (!session_.series() || hand_ != Hand::none) return;
+  if (!series() || hand_ != Hand::none) return;
   const Camera now = camera();
   const std::optional<Pick> hit = pickAt(event->position());
   const SightLine line = sightLine(now, size(), toVec(event->position()));
@@ -301,19 +295,17 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
 void VolumeView::keyPressEvent(QKeyEvent* event) {
   const int right = (event->key() == Qt::Key_Right) - (event->key() == Qt::Key_Left);
   const int down = (event->key() == Qt::Key_Down) - (event->key() == Qt::Key_Up);
-  if (!session_.series() || (right == 0 && down == 0)) return QWidget::keyPressEvent(event);
+  if (!series() || (right == 0 && down == 0)) return QWidget::keyPressEvent(event);
   const double angle = (event->modifiers() & Qt::ShiftModifier ? 1 : 5) * 3.14159265358979 / 180;
   const Camera now = camera();
   editCamera(tr("Rotate"), orbited(now, *now.target, right * angle, down * angle));
   if (!event->isAutoRepeat()) session_.endGesture();
 }
 
-void VolumeView::leaveEvent(QEvent*) { Q_EMIT hovered({}); }
-
-void VolumeView::resizeEvent(QResizeEvent*) {
+void VolumeView::resizeEvent(QResizeEvent* event) {
   placeChildren();
   showState();
-  Q_EMIT pixelsChanged();
+  View::resizeEvent(event);
 }
 
 }  // namespace volumen

@@ -2,13 +2,12 @@
 
 #include <QImage>
 #include <QTimer>
-#include <QWidget>
 #include <map>
 
-#include "ui/session/session.h"
 #include "ui/views/error_image.h"
 #include "ui/views/overlays.h"
 #include "ui/views/pick.h"
+#include "ui/views/view.h"
 
 namespace volumen {
 
@@ -25,10 +24,10 @@ enum class ViewTool {
 /// The picture of the session's scene at device pixels, with the hands on it: left-drag as the tool says, the
 /// other drags as the preferences do, the wheel zooms at the cursor, arrows turn, double-click asks to be
 /// alone.
-class VolumeView : public QWidget {
+class VolumeView : public View {
   Q_OBJECT
  public:
-  explicit VolumeView(Session& session, QWidget* parent = nullptr);
+  explicit VolumeView(Session& session, ViewId id = sceneViewId, QWidget* parent = nullptr);
 
   /// The picture drawn last, its name for the corner ("draft 1/4 - 12 ms"), and how far its pixels may be
   /// off, null where that is not known.
@@ -42,8 +41,6 @@ class VolumeView : public QWidget {
   void setTool(ViewTool tool);
   ViewTool tool() const { return tool_; }
 
-  /// How many device pixels the picture should have.
-  QSize pixels() const;
   /// The camera in use: the scene's, or the one fitted to this view.
   Camera camera() const;
   /// What is under a position; none without a series or where nothing is seen.
@@ -56,21 +53,15 @@ class VolumeView : public QWidget {
   void resetView();
   const QWidget* canvas() const { return canvas_; }
 
- Q_SIGNALS:
-  void pixelsChanged();
-  void maximiseRequested();
-  /// What is under the cursor, empty where nothing is.
-  void hovered(const QString& text);
-
  protected:
+  void seriesExchanged(bool another) override;
+  void workspaceChanged(const Workspace& before) override;
   void resizeEvent(QResizeEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
   void mouseMoveEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
-  void mouseDoubleClickEvent(QMouseEvent*) override;
   void wheelEvent(QWheelEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
-  void leaveEvent(QEvent*) override;
 
  private:
   enum class Hand { none, orbit, roll, pan, zoom, curve, opacity, window };
@@ -82,6 +73,7 @@ class VolumeView : public QWidget {
   void moveWindow(const QMouseEvent& event);
   void editCamera(const QString& what, const Camera& camera);
   void rememberFit(const Camera& fitted);
+  const Scene& scene() const { return session_.sceneOf(id()); }
   glm::dvec2 size() const { return {double(width()), double(height())}; }
   Overlays overlays() const;
   QString hoverText(QPointF position) const;
@@ -92,7 +84,6 @@ class VolumeView : public QWidget {
   void showWarnings();
   void showState();
 
-  Session& session_;
   QWidget* canvas_;
   OrientationCube* cube_;
   WarningBadge* badge_;

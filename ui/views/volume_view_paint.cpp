@@ -12,27 +12,23 @@ namespace volumen {
 QString VolumeView::hoverText(QPointF position) const {
   const std::optional<Pick> hit = pickAt(position);
   if (!hit) return {};
-  const ShownSeries& series = *session_.series();
+  const ShownSeriesPtr shown = series();
   const QString text =
-      QString::number(hit->value, 'f', valueDecimals(series.histogram) - 1) + unitSuffix(series.series);
+      QString::number(hit->value, 'f', valueDecimals(shown->histogram) - 1) + unitSuffix(shown->series);
   if (!hit->pPatient) return tr("mean %1 along the line of sight").arg(text);
-  if (!series.volume->geometry().calibrated) return text;
-  const glm::dvec3 p = *hit->pPatient;
-  const auto side = [](double mm, const char* plus, const char* minus) {
-    return QStringLiteral("%1 %2").arg(QLatin1String(mm < 0 ? minus : plus)).arg(std::abs(mm), 0, 'f', 1);
-  };
-  return text + tr(" at %1, %2, %3 mm").arg(side(p.x, "L", "R"), side(p.y, "P", "A"), side(p.z, "S", "I"));
+  if (!shown->volume->geometry().calibrated) return text;
+  return text + tr(" at %1").arg(placeText(*hit->pPatient));
 }
 
 Overlays VolumeView::overlays() const {
-  const ShownSeries& series = *session_.series();
+  const ShownSeriesPtr shown = series();
   const Camera seen = camera();
-  Overlays o = viewOverlays(series, seen, size());
+  Overlays o = viewOverlays(*shown, seen, size());
   o.bottomRight = caption_;
   for (const QWidget* child : {static_cast<const QWidget*>(cube_), static_cast<const QWidget*>(badge_)})
     if (child->isVisibleTo(this)) o.taken.push_back(child->geometry());
   const QString zoomText = tr("Zoom %1 %").arg(std::lround(100 * zoom()));
-  if (!series.volume->geometry().calibrated) {
+  if (!shown->volume->geometry().calibrated) {
     o.topRight << zoomText;
     return o;
   }
@@ -47,7 +43,7 @@ Overlays VolumeView::overlays() const {
 
 void VolumeView::paint(QPainter& painter) const {
   painter.fillRect(rect(), QColor(0x10, 0x12, 0x14));
-  if (!session_.series()) return;
+  if (!series()) return;
   if (const QImage& picture = shown(); !picture.isNull()) {
     const QSizeF shown = picture.deviceIndependentSize();
     if (picture.size() == pixels()) {

@@ -6,12 +6,12 @@
 
 namespace volumen {
 
-/// The one undo command: the state before and after. It is a small value, so no property needs a class of its
-/// own.
-class EditState : public QUndoCommand {
+/// The one undo command: the workspace before and after. It is a small value, so no property needs a class of
+/// its own.
+class EditWorkspace : public QUndoCommand {
  public:
   /// `mergeKey`: commands of one non-empty key in one gesture merge.
-  EditState(Session& session, const QString& text, SessionState after, const QString& mergeKey, int gesture);
+  EditWorkspace(Session& session, const QString& text, Workspace after, const QString& mergeKey, int gesture);
 
   void undo() override;
   void redo() override;
@@ -20,7 +20,7 @@ class EditState : public QUndoCommand {
 
  private:
   Session& session_;
-  SessionState before_, after_;
+  Workspace before_, after_;
   QString mergeKey_;
   int gesture_;
 };

@@ -1,0 +1,300 @@
+// Guards the document: views keep what was made of each series, every change is a step that can be undone,
+// and series in memory go when there is no room.
+#include <QSignalSpy>
+#include <QTest>
+#include <random>
+
+#include "tests/ui/test_series.h"
+#include "tests/unit/suite.h"
+#include "ui/session/session.h"
+#include "ui/workspace/flat_plane.h"
+
+using namespace volumen;
+
+namespace {
+
+void brighten(Session& session, double intensity) {
+  session.edit(QStringLiteral("Light"), [&](Scene& s) { s.lights[0].intensity = intensity; });
+  session.endGesture();
+}
+
+double brightness(const Session& session) { return session.scene().lights[0].intensity; }
+
+// 20 x 30 x 41 voxels of 0.5, 0.7, 2 mm somewhere in the patient.
+VoxelGeometry slab() {
+  VoxelGeometry geometry;
+  geometry.size = {20, 30, 41};
+  for (int a = 0; a < 3; ++a) geometry.patientFromVoxelStep[a] *= glm::dvec3(0.5, 0.7, 2)[a];
+  geometry.origin = {-100, 20, 300};
+  return geometry;
+}
+
+}  // namespace
+
+class TestWorkspace : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void editsSurviveASwitchAndBack();
+  void aSwitchIsAStep();
+  void viewsOfAGroupShowOneSeries();
+  void comparedViewsShowTheirOwn();
+  void layoutsKeepTheFocusOnScreen_data();
+  void layoutsKeepTheFocusOnScreen();
+  void randomStepsAreUndoneToTheByte();
+  void theOldestSeriesGoFirst();
+  void whatIsOnScreenStays();
+  void aSeriesThatWentIsAskedForAgain();
+  void closingForgetsTheSteps();
+  void theTableComesBackWithUndo();
+  void planesLieOnAcquiredSlices();
+  void theWheelGoesDownThePatient_data();
+  void theWheelGoesDownThePatient();
+  void referenceLinesLieWhereThePlanesCut();
+};
+
+void TestWorkspace::editsSurviveASwitchAndBack() {
+  Session session;
+  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
+  session.show(a);
+  brighten(session, 0.25);
+  session.show(b);
+  QCOMPARE(brightness(session), 1.0);
+  brighten(session, 0.5);
+  QVERIFY(session.showAgain(a->series, session.workspace().focus));
+  QCOMPARE(brightness(session), 0.25);
+  session.show(b);
+  QCOMPARE(brightness(session), 0.5);
+}
+
+void TestWorkspace::aSwitchIsAStep() {
+  Session session;
+  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
+  session.show(a);
+  QVERIFY2(!session.undoStack().canUndo(), "the first series is where it begins");
+  brighten(session, 0.25);
+  session.show(b);
+  brighten(session, 0.5);
+  session.undoStack().undo();
+  QVERIFY(session.series() == b);
+  session.undoStack().undo();
+  QVERIFY(session.series() == a);
+  QCOMPARE(brightness(session), 0.25);
+  session.undoStack().undo();
+  QCOMPARE(brightness(session), 1.0);
+  while (session.undoStack().canRedo()) session.undoStack().redo();
+  QVERIFY(session.series() == b);
+  QCOMPARE(brightness(session), 0.5);
+}
+
+void TestWorkspace::viewsOfAGroupShowOneSeries() {
+  Session session;
+  const ShownSeriesPtr a = tests::ballSeries();
+  session.show(a);
+  for (ViewId id = 0; id < firstComparedId; ++id) QVERIFY(session.seriesOf(id) == a);
+  for (ViewId id = firstComparedId; id < viewCount; ++id) QVERIFY(!session.seriesOf(id));
+}
+
+void TestWorkspace::comparedViewsShowTheirOwn() {
+  Session session;
+  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
+  session.show(a);
+  session.change(QStringLiteral("Layout"), withLayout(session.workspace(), Layout::two));
+  QVERIFY2(session.seriesOf(firstComparedId) == a, "beside what was shown");
+  session.show(b, firstComparedId + 1);
+  QVERIFY(session.seriesOf(firstComparedId) == a);
+  QVERIFY(session.seriesOf(firstComparedId + 1) == b);
+  QVERIFY(session.seriesOf(axialViewId) == a);
+}
+
+void TestWorkspace::layoutsKeepTheFocusOnScreen_data() {
+  QTest::addColumn<int>("from");
+  QTest::addColumn<int>("to");
+  for (const Layout from : {Layout::one, Layout::planes, Layout::besidePlanes, Layout::two, Layout::four})
+    for (const Layout to : {Layout::one, Layout::planes, Layout::besidePlanes, Layout::two, Layout::four})
+      QTest::addRow("%s to %s", layoutName(from), layoutName(to)) << int(from) << int(to);
+}
+
+void TestWorkspace::layoutsKeepTheFocusOnScreen() {
+  QFETCH(int, from);
+  QFETCH(int, to);
+  QCOMPARE(*layoutNamed(layoutName(Layout(to))), Layout(to));
+  Workspace first;
+  for (ViewId focus = 0; focus < viewCount; ++focus) {
+    first.focus = focus;
+    const Workspace after = withLayout(withLayout(first, Layout(from)), Layout(to));
+    const auto views = viewsOnScreen(after);
+    QVERIFY(std::ranges::find(views, after.focus) != views.end());
+    if (std::ranges::find(views, focus) != views.end() && from == to) QCOMPARE(after.focus, focus);
+    const ViewId scene = sceneViewOf(after);
+    QVERIFY(after.view(scene).kind == ViewKind::volume);
+  }
+}
+
+void TestWorkspace::randomStepsAreUndoneToTheByte() {
+  std::mt19937 random(7);
+  const auto below = [&](int n) { return int(random() % unsigned(n)); };
+  Session session;
+  const std::vector<ShownSeriesPtr> series{tests::ballSeries(), tests::ballSeries(), tests::ballSeries()};
+  session.show(series[0]);
+  std::vector<Workspace> history{session.workspace()};
+  while (history.size() <= 200) {
+    switch (below(5)) {
+      case 0:
+        session.show(series[std::size_t(below(3))], below(viewCount));
+        break;
+      case 1:
+        session.change(QStringLiteral("Layout"), withLayout(session.workspace(), Layout(below(5))));
+        break;
+      case 2:
+        brighten(session, 0.01 * below(100));
+        break;
+      case 3:
+        session.change(QStringLiteral("Zoom"), [&](Workspace& w) {
+          ViewState& view = w.view(below(viewCount));
+          view.flats[view.series].zoom = 1 + below(9);
+        });
+        break;
+      default:
+        session.change(QStringLiteral("Crosshair"), [&](Workspace& w) { w.cursors["f"].x = below(99); });
+    }
+    session.endGesture();
+    if (session.undoStack().index() == int(history.size())) history.push_back(session.workspace());
+  }
+  for (std::size_t n = history.size() - 1; n-- > 0;) {
+    session.undoStack().undo();
+    QVERIFY2(session.workspace() == history[n], qPrintable(QString::number(n)));
+  }
+  for (std::size_t n = 1; n < history.size(); ++n) {
+    session.undoStack().redo();
+    QVERIFY2(session.workspace() == history[n], qPrintable(QString::number(n)));
+  }
+}
+
+void TestWorkspace::theOldestSeriesGoFirst() {
+  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries(), c = tests::ballSeries();
+  const std::size_t one = a->volume->bytes();
+  SeriesPool pool(2 * one);
+  pool.put({keyOf(a->series)}, a);
+  pool.put({keyOf(b->series)}, b);
+  QVERIFY(pool.find({keyOf(a->series)}) == a);
+  pool.put({keyOf(c->series)}, c);
+  QVERIFY2(!pool.find({keyOf(b->series)}), "used longest ago");
+  QVERIFY(pool.find({keyOf(a->series)}) && pool.find({keyOf(c->series)}));
+  QCOMPARE(pool.bytes(), 2 * one);
+}
+
+void TestWorkspace::whatIsOnScreenStays() {
+  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries(), c = tests::ballSeries();
+  SeriesPool pool(1);
+  pool.setOnScreen({{keyOf(a->series)}});
+  pool.put({keyOf(a->series)}, a);
+  pool.put({keyOf(b->series), true}, b);
+  pool.put({keyOf(c->series)}, c);
+  QVERIFY2(pool.find({keyOf(a->series)}), "on screen");
+  QVERIFY2(pool.find({keyOf(b->series), true}), "no file gives it back");
+  pool.setOnScreen({});
+  QVERIFY(!pool.find({keyOf(a->series)}));
+}
+
+void TestWorkspace::aSeriesThatWentIsAskedForAgain() {
+  Session session;
+  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
+  session.pool().setBudget(1);
+  QSignalSpy needed(&session, &Session::seriesNeeded);
+  session.show(a);
+  brighten(session, 0.25);
+  session.show(b);
+  QVERIFY(!session.pool().find({keyOf(a->series)}));
+  session.undoStack().undo();
+  QCOMPARE(needed.count(), 1);
+  QCOMPARE(needed[0][0].value<Series>().id, a->series.id);
+  QVERIFY(!session.series());
+  session.take(a);
+  QVERIFY(session.series() == a);
+  QCOMPARE(brightness(session), 0.25);
+  QVERIFY2(session.undoStack().canRedo(), "what came back is no step");
+}
+
+void TestWorkspace::closingForgetsTheSteps() {
+  Session session;
+  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
+  session.show(a);
+  session.show(b);
+  session.close(keyOf(b->series));
+  QVERIFY(!session.series());
+  QVERIFY(!session.undoStack().canUndo());
+  QVERIFY(session.showAgain(a->series, sceneViewId));
+  session.show(nullptr);
+  QVERIFY(!session.showAgain(a->series, sceneViewId));
+  QVERIFY(session.workspace() == Workspace());
+}
+
+void TestWorkspace::theTableComesBackWithUndo() {
+  Session session;
+  const ShownSeriesPtr a = tests::ballSeries();
+  const auto masked = std::make_shared<const ShownSeries>(*a);
+  session.show(a);
+  session.removeTable(QStringLiteral("Remove table"), masked);
+  QVERIFY(session.series() == masked && session.tableRemoved());
+  session.undoStack().undo();
+  QVERIFY(session.series() == a && !session.tableRemoved());
+  QVERIFY(session.withoutTable() == masked);
+}
+
+void TestWorkspace::planesLieOnAcquiredSlices() {
+  const VoxelGeometry geometry = slab();
+  const glm::dvec3 cursor = firstCursor(geometry);
+  const glm::dvec3 pVoxel = geometry.voxelFromPatient(cursor);
+  for (int a = 0; a < 3; ++a) QVERIFY(std::abs(pVoxel[a] - std::round(pVoxel[a])) < 1e-9);
+  ViewState view;
+  view.kind = ViewKind::axial;
+  const SlicePlane plane = flatPlane(view, {}, geometry, cursor, {300, 200});
+  QCOMPARE(plane.size, glm::ivec2(300, 200));
+  QVERIFY(std::abs(plane.centre.z - cursor.z) < 1e-9);
+  // 10 x 21 mm, the height in 200 pixels.
+  QVERIFY(std::abs(plane.mmPerPixel - 21.0 / 200) < 1e-9);
+}
+
+void TestWorkspace::theWheelGoesDownThePatient_data() {
+  QTest::addColumn<int>("kind");
+  QTest::addColumn<glm::dvec3>("step");
+  QTest::addColumn<int>("count");
+  QTest::newRow("axial: caudal") << int(ViewKind::axial) << glm::dvec3(0, 0, -2) << 41;
+  QTest::newRow("coronal: posterior") << int(ViewKind::coronal) << glm::dvec3(0, 0.7, 0) << 30;
+  QTest::newRow("sagittal: left") << int(ViewKind::sagittal) << glm::dvec3(0.5, 0, 0) << 20;
+}
+
+void TestWorkspace::theWheelGoesDownThePatient() {
+  QFETCH(int, kind);
+  QFETCH(glm::dvec3, step);
+  QFETCH(int, count);
+  const VoxelGeometry geometry = slab();
+  const glm::dvec3 cursor = firstCursor(geometry);
+  const auto near = [](glm::dvec3 a, glm::dvec3 b) { return glm::length(a - b) < 1e-9; };
+  QVERIFY(near(scrolled(geometry, ViewKind(kind), cursor, 3), cursor + 3.0 * step));
+  const StackPlace place = stackPlace(geometry, ViewKind(kind), cursor);
+  QCOMPARE(place.count, count);
+  const glm::dvec3 end = scrolled(geometry, ViewKind(kind), cursor, 1000);
+  QCOMPARE(stackPlace(geometry, ViewKind(kind), end).index, count - 1);
+  QVERIFY2(near(end, cursor + double(count - 1 - place.index) * step), "it stops at the last slice");
+}
+
+void TestWorkspace::referenceLinesLieWhereThePlanesCut() {
+  const VoxelGeometry geometry = slab();
+  glm::dvec3 cursor = firstCursor(geometry);
+  ViewState axial, sagittal;
+  axial.kind = ViewKind::axial;
+  sagittal.kind = ViewKind::sagittal;
+  const SlicePlane a = flatPlane(axial, {}, geometry, cursor, {300, 200});
+  cursor.x += 2;
+  const SlicePlane s = flatPlane(sagittal, {}, geometry, cursor, {300, 200});
+  const auto line = referenceLine(a, s);
+  QVERIFY(line);
+  const double x = a.pixelFromPatient(cursor).x;
+  QVERIFY(std::abs(line->from.x - x) < 1e-6 && std::abs(line->to.x - x) < 1e-6);
+  QVERIFY(std::abs(line->from.y - line->to.y) > 200);
+  QVERIFY2(!referenceLine(a, a), "parallel");
+}
+
+VOLUMEN_TEST(TestWorkspace);
+#include "tst_workspace.moc"

@@ -1,0 +1,75 @@
+#include "ui/controller/slice_service.h"
+
+#include <algorithm>
+
+#include "viewer/slice/slice.h"
+
+namespace volumen {
+
+namespace {
+
+QImage imageOf(const SliceValues& slice, const GreyMapping& grey) {
+  const std::vector<std::uint8_t> bytes = greyBytes(slice.values, grey);
+  QImage image(slice.size.x, slice.size.y, QImage::Format_Grayscale8);
+  for (int y = 0; y < slice.size.y; ++y)
+    std::copy_n(bytes.begin() + std::ptrdiff_t(y) * slice.size.x, slice.size.x, image.scanLine(y));
+  return image;
+}
+
+}  // namespace
+
+SliceService::SliceService(QObject* parent) : QObject(parent), thread_([this] { run(); }) {}
+
+SliceService::~SliceService() {
+  {
+    const std::lock_guard lock(mutex_);
+    closing_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+void SliceService::request(SliceRequest request) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto same = std::ranges::find(waiting_, request.view, &SliceRequest::view);
+    if (same != waiting_.end())
+      *same = std::move(request);
+    else
+      waiting_.push_back(std::move(request));
+  }
+  wake_.notify_one();
+}
+
+void SliceService::drop(ViewId view) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(waiting_, [&](const SliceRequest& r) { return r.view == view; });
+}
+
+void SliceService::run() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    wake_.wait(lock, [this] { return closing_ || !waiting_.empty(); });
+    if (closing_) return;
+    SliceRequest request = std::move(waiting_.front());
+    waiting_.pop_front();
+    lock.unlock();
+    const Result<SliceValues> slice = resampleSlice(*request.volume, request.plane);
+    if (slice) {
+      const SlicePicture picture{request, imageOf(*slice, request.grey)};
+      QMetaObject::invokeMethod(
+          this, [this, picture] { Q_EMIT ready(picture); }, Qt::QueuedConnection);
+    } else {
+      QMetaObject::invokeMethod(
+          this,
+          [this, view = request.view, sentence = QString::fromStdString(slice.message())] {
+            Q_EMIT failed(view, sentence);
+          },
+          Qt::QueuedConnection);
+    }
+    request = {};
+    lock.lock();
+  }
+}
+
+}  // namespace volumen

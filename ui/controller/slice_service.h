@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "ui/workspace/workspace.h"
+#include "viewer/slice/grey.h"
+#include "viewer/slice/plane.h"
+
+namespace volumen {
+
+/// What a flat view shows.
+struct SliceRequest {
+  ViewId view = 0;
+  VolumePtr volume;
+  SlicePlane plane;
+  GreyMapping grey;
+};
+
+/// A flat picture for the screen, whole.
+struct SlicePicture {
+  SliceRequest request;
+  QImage image;
+};
+
+/// Draws flat pictures on a thread of its own, so that they never wait for a 3D one: of each view the latest
+/// request, in the order in which they were asked for. Asking never waits.
+class SliceService : public QObject {
+  Q_OBJECT
+ public:
+  explicit SliceService(QObject* parent = nullptr);
+  ~SliceService() override;
+
+  void request(SliceRequest request);
+  /// Gives up what is asked for of a view.
+  void drop(ViewId view);
+
+ Q_SIGNALS:
+  void ready(const volumen::SlicePicture& picture);
+  /// A sentence; not for what was replaced or dropped.
+  void failed(int view, const QString& sentence);
+
+ private:
+  void run();
+
+  std::mutex mutex_;  // guards from here ...
+  std::condition_variable wake_;
+  std::deque<SliceRequest> waiting_;
+  bool closing_ = false;  // ... to here
+  std::thread thread_;
+};
+
+}  // namespace volumen

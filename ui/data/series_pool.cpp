@@ -1,0 +1,59 @@
+#include "ui/data/series_pool.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace volumen {
+
+SeriesPool::SeriesPool(std::size_t budget) : budget_(budget) {}
+
+std::size_t SeriesPool::defaultBudget() {
+  const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGESIZE);
+  return pages > 0 && bytes > 0 ? std::size_t(pages) * std::size_t(bytes) / 4 : std::size_t(1) << 30;
+}
+
+ShownSeriesPtr SeriesPool::find(const PoolKey& key) {
+  const auto found = std::ranges::find(held_, key, &Held::key);
+  if (found == held_.end()) return nullptr;
+  held_.splice(held_.begin(), held_, found);
+  return held_.front().series;
+}
+
+void SeriesPool::put(const PoolKey& key, ShownSeriesPtr series) {
+  std::erase_if(held_, [&](const Held& h) { return h.key == key; });
+  held_.push_front({key, std::move(series)});
+  dropBeyondBudget();
+}
+
+void SeriesPool::setOnScreen(std::set<PoolKey> keys) {
+  onScreen_ = std::move(keys);
+  dropBeyondBudget();
+}
+
+void SeriesPool::setBudget(std::size_t bytes) {
+  budget_ = bytes;
+  dropBeyondBudget();
+}
+
+void SeriesPool::forget(const SeriesKey& key) {
+  std::erase_if(held_, [&](const Held& h) { return h.key.series == key; });
+}
+
+std::size_t SeriesPool::bytes() const {
+  std::size_t sum = 0;
+  for (const Held& h : held_) sum += h.series->volume->bytes();
+  return sum;
+}
+
+void SeriesPool::dropBeyondBudget() {
+  std::size_t held = bytes();
+  // The first was asked for just now.
+  for (auto h = held_.end(); held > budget_ && h != held_.begin();) {
+    if (--h == held_.begin() || h->key.tableRemoved || onScreen_.contains(h->key)) continue;
+    held -= h->series->volume->bytes();
+    h = held_.erase(h);
+  }
+}
+
+}  // namespace volumen

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <set>
+
+#include "ui/session/shown_series.h"
+#include "ui/workspace/workspace.h"
+
+namespace volumen {
+
+/// Which volume of a series: as it is, or without its table.
+struct PoolKey {
+  SeriesKey series;
+  bool tableRemoved = false;
+  auto operator<=>(const PoolKey&) const = default;
+};
+
+/// The series in memory. Beyond a budget those that were used longest ago go first; never what is on screen,
+/// nor what was computed (without a table), which no file gives back.
+class SeriesPool {
+ public:
+  /// `budget`: bytes of voxels to keep, those on screen included.
+  explicit SeriesPool(std::size_t budget = defaultBudget());
+
+  /// Null where it is not in memory. Counts as use.
+  ShownSeriesPtr find(const PoolKey& key);
+  void put(const PoolKey& key, ShownSeriesPtr series);
+  /// What is on screen from now on; drops what is beyond the budget.
+  void setOnScreen(std::set<PoolKey> keys);
+  void setBudget(std::size_t bytes);
+  void forget(const SeriesKey& key);
+  void clear() { held_.clear(); }
+
+  /// Of the voxels held.
+  std::size_t bytes() const;
+  /// A quarter of the machine's memory.
+  static std::size_t defaultBudget();
+
+ private:
+  struct Held {
+    PoolKey key;
+    ShownSeriesPtr series;
+  };
+  void dropBeyondBudget();
+
+  std::list<Held> held_;  // the last used first
+  std::set<PoolKey> onScreen_;
+  std::size_t budget_;
+};
+
+}  // namespace volumen

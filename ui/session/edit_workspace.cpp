@@ -1,0 +1,26 @@
+#include "ui/session/edit_workspace.h"
+
+namespace volumen {
+
+EditWorkspace::EditWorkspace(Session& session, const QString& text, Workspace after, const QString& mergeKey,
+                             int gesture)
+    : QUndoCommand(text),
+      session_(session),
+      before_(session.workspace()),
+      after_(std::move(after)),
+      mergeKey_(mergeKey),
+      gesture_(gesture) {}
+
+void EditWorkspace::undo() { session_.setWorkspace(before_); }
+
+void EditWorkspace::redo() { session_.setWorkspace(after_); }
+
+bool EditWorkspace::mergeWith(const QUndoCommand* later) {
+  const auto& next = static_cast<const EditWorkspace&>(*later);
+  if (mergeKey_.isEmpty() || next.mergeKey_ != mergeKey_ || next.gesture_ != gesture_) return false;
+  after_ = next.after_;
+  setObsolete(before_ == after_);
+  return true;
+}
+
+}  // namespace volumen

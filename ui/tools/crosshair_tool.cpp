@@ -1,0 +1,28 @@
+#include <QCoreApplication>
+
+#include "ui/tools/flat_tool.h"
+
+namespace volumen {
+
+namespace {
+
+class CrosshairDrag : public Drag {
+ public:
+  explicit CrosshairDrag(const FlatPress& press) : press_(press) { moveTo(press.at, {}); }
+
+  void moveTo(QPointF p, Qt::KeyboardModifiers) override {
+    moveCursor(press_.session, press_.series->series, QCoreApplication::translate("volumen", "Crosshair"),
+               press_.patientAt(p));
+  }
+
+ private:
+  const FlatPress press_;
+};
+
+}  // namespace
+
+std::unique_ptr<Drag> beginCrosshair(const FlatPress& press) {
+  return std::make_unique<CrosshairDrag>(press);
+}
+
+}  // namespace volumen

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QString>
+#include <memory>
+#include <vector>
+
+#include "ui/session/session.h"
+#include "ui/tools/drag.h"
+#include "viewer/slice/plane.h"
+
+namespace volumen {
+
+/// A flat view when the mouse was pressed, as far as tools know it.
+struct FlatPress {
+  Session& session;
+  ViewId view;
+  ShownSeriesPtr series;
+  SlicePlane plane;   ///< in device pixels
+  double pixelRatio;  ///< device pixels a logical one
+  QPointF at;         ///< logical pixels
+
+  glm::dvec3 patientAt(QPointF p) const {
+    return plane.patientFromPixel({p.x() * pixelRatio, p.y() * pixelRatio});
+  }
+};
+
+/// What a drag in a flat view does.
+struct FlatTool {
+  const char* name;
+  QString text;
+  Qt::CursorShape cursor;
+  std::unique_ptr<Drag> (*begin)(const FlatPress& press);
+};
+
+/// All of them; each is a file of this folder.
+const std::vector<FlatTool>& flatTools();
+/// The tool of this name; there must be one.
+const FlatTool& flatTool(const char* name);
+
+std::unique_ptr<Drag> beginWindow(const FlatPress& press);
+std::unique_ptr<Drag> beginPan(const FlatPress& press);
+std::unique_ptr<Drag> beginFlatZoom(const FlatPress& press);
+std::unique_ptr<Drag> beginScroll(const FlatPress& press);
+std::unique_ptr<Drag> beginCrosshair(const FlatPress& press);
+
+/// How the view shows its series.
+FlatLook lookOf(const FlatPress& press);
+/// Changes how a flat view shows its series; steps of one name in a gesture are one.
+void editFlat(Session& session, ViewId view, const QString& text,
+              const std::function<void(FlatLook&)>& change);
+/// Moves the cursor of the frame of reference of a series.
+void moveCursor(Session& session, const Series& series, const QString& text, glm::dvec3 pPatient);
+/// Enlarges a flat view about a point, which stays where it is.
+void zoomFlat(Session& session, ViewId view, const FlatLook& from, const VoxelGeometry& geometry,
+              const SlicePlane& plane, glm::dvec3 fixed, double factor);
+
+}  // namespace volumen

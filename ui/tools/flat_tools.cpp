@@ -1,0 +1,58 @@
+#include <QCoreApplication>
+#include <algorithm>
+#include <cstring>
+#include <glm/geometric.hpp>
+
+#include "ui/tools/flat_tool.h"
+
+namespace volumen {
+
+namespace {
+QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
+}  // namespace
+
+const std::vector<FlatTool>& flatTools() {
+  static const std::vector<FlatTool> table{
+      {"window", tr("Window"), Qt::ArrowCursor, beginWindow},
+      {"scroll", tr("Scroll"), Qt::SizeVerCursor, beginScroll},
+      {"pan", tr("Pan"), Qt::SizeAllCursor, beginPan},
+      {"zoom", tr("Zoom"), Qt::ArrowCursor, beginFlatZoom},
+      {"crosshair", tr("Crosshair"), Qt::CrossCursor, beginCrosshair},
+  };
+  return table;
+}
+
+const FlatTool& flatTool(const char* name) {
+  return *std::ranges::find_if(flatTools(), [&](const FlatTool& t) { return !std::strcmp(t.name, name); });
+}
+
+FlatLook lookOf(const FlatPress& press) { return flatLookOf(press.session.workspace().view(press.view)); }
+
+void editFlat(Session& session, ViewId view, const QString& text,
+              const std::function<void(FlatLook&)>& change) {
+  session.change(
+      text,
+      [&](Workspace& w) {
+        ViewState& state = w.view(view);
+        change(state.flats[state.series]);
+      },
+      text);
+}
+
+void moveCursor(Session& session, const Series& series, const QString& text, glm::dvec3 pPatient) {
+  session.change(
+      text, [&](Workspace& w) { w.cursors[frameOfReference(series)] = pPatient; }, text);
+}
+
+void zoomFlat(Session& session, ViewId view, const FlatLook& from, const VoxelGeometry& geometry,
+              const SlicePlane& plane, glm::dvec3 fixed, double factor) {
+  const double zoom = std::clamp(from.zoom * factor, 0.05, 200.0);
+  const glm::dvec3 offset = fixed - geometry.centre();
+  const glm::dvec2 fixedMm(glm::dot(offset, plane.right), glm::dot(offset, plane.down));
+  editFlat(session, view, tr("Zoom"), [&](FlatLook& look) {
+    look.zoom = zoom;
+    look.panMm = fixedMm + (from.panMm - fixedMm) * (from.zoom / zoom);
+  });
+}
+
+}  // namespace volumen

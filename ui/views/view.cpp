@@ -1,0 +1,35 @@
+#include "ui/views/view.h"
+
+#include <QMouseEvent>
+#include <cmath>
+
+namespace volumen {
+
+View::View(Session& session, ViewId id, QWidget* parent) : QWidget(parent), session_(session), id_(id) {
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  connect(&session_, &Session::workspaceChanged, this, [this](const Workspace& before) {
+    const ShownSeriesPtr last = std::exchange(seen_, series());
+    if (last != seen_) seriesExchanged(!areOneSeries(last, seen_));
+    workspaceChanged(before);
+  });
+}
+
+QSize View::pixels() const {
+  return {int(std::ceil(width() * devicePixelRatioF())), int(std::ceil(height() * devicePixelRatioF()))};
+}
+
+void View::mousePressEvent(QMouseEvent* event) {
+  session_.setFocus(id_);
+  event->accept();
+}
+
+void View::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) Q_EMIT maximiseRequested();
+}
+
+void View::leaveEvent(QEvent*) { Q_EMIT hovered({}); }
+
+void View::resizeEvent(QResizeEvent*) { Q_EMIT pixelsChanged(); }
+
+}  // namespace volumen

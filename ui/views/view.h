@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/session/session.h"
+
+namespace volumen {
+
+/// One view of the workspace: shows what its ViewState says, at device pixels, and is in focus once it is
+/// pressed.
+class View : public QWidget {
+  Q_OBJECT
+ public:
+  View(Session& session, ViewId id, QWidget* parent = nullptr);
+
+  ViewId id() const { return id_; }
+  Session& session() const { return session_; }
+  const ViewState& state() const { return session_.workspace().view(id_); }
+  /// Null: none, or it is not in memory yet.
+  ShownSeriesPtr series() const { return session_.seriesOf(id_); }
+  /// How many device pixels the picture should have.
+  QSize pixels() const;
+
+ Q_SIGNALS:
+  void pixelsChanged();
+  void maximiseRequested();
+  /// What is under the cursor, empty where nothing is.
+  void hovered(const QString& text);
+
+ protected:
+  /// The series that is shown was exchanged, or what is known of it.
+  virtual void seriesExchanged(bool another) = 0;
+  /// Something of the workspace changed.
+  virtual void workspaceChanged(const Workspace& before) = 0;
+
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
+  void leaveEvent(QEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+
+  Session& session_;
+
+ private:
+  const ViewId id_;
+  ShownSeriesPtr seen_;
+};
+
+}  // namespace volumen

@@ -1,0 +1,84 @@
+#include "ui/views/view_grid.h"
+
+#include <algorithm>
+
+namespace volumen {
+
+namespace {
+
+constexpr int gap = 2;  // logical pixels between views
+
+// Where the views of a layout lie in an area.
+std::vector<QRect> placesOf(Layout layout, std::size_t count, QSize area) {
+  const auto part = [](int whole, int n, int of) { return QPair(whole * n / of, whole * (n + 1) / of); };
+  const auto cell = [&](int column, int columns, int row, int rows, QRect in) {
+    const auto [left, right] = part(in.width() + gap, column, columns);
+    const auto [top, bottom] = part(in.height() + gap, row, rows);
+    return QRect(in.x() + left, in.y() + top, right - left - gap, bottom - top - gap);
+  };
+  const QRect whole(QPoint(0, 0), area);
+  if (count == 1) return {whole};
+  if (count == 2) return {cell(0, 2, 0, 1, whole), cell(1, 2, 0, 1, whole)};
+  if (layout == Layout::besidePlanes) {
+    std::vector<QRect> places{cell(0, 3, 0, 1, whole).united(cell(1, 3, 0, 1, whole))};
+    const QRect beside = cell(2, 3, 0, 1, whole);
+    for (int row = 0; row < 3; ++row) places.push_back(cell(0, 1, row, 3, beside));
+    return places;
+  }
+  std::vector<QRect> places;
+  for (int n = 0; n < int(count); ++n) places.push_back(cell(n % 2, 2, n / 2, 2, whole));
+  return places;
+}
+
+}  // namespace
+
+ViewGrid::ViewGrid(Session& session, SliceService& slices, QWidget* parent)
+    : QWidget(parent), session_(session), slices_(slices), scene_(new VolumeView(session)) {
+  setObjectName(QStringLiteral("viewGrid"));
+  scene_->setParent(this);
+  setFocusProxy(scene_);
+  add(sceneViewId, scene_);
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (viewsOnScreen(before) != viewsOnScreen(after) || before.layout != after.layout) arrange();
+          });
+  arrange();
+}
+
+SliceView* ViewGrid::sliceView(ViewId id) const {
+  const auto view = views_.find(id);
+  return view == views_.end() ? nullptr : qobject_cast<SliceView*>(view->second);
+}
+
+View* ViewGrid::viewOf(ViewId id) {
+  if (!views_.contains(id)) add(id, new SliceView(session_, slices_, id, this));
+  return views_.at(id);
+}
+
+void ViewGrid::add(ViewId id, View* view) {
+  views_[id] = view;
+  connect(view, &View::maximiseRequested, this, &ViewGrid::maximiseRequested);
+  connect(view, &View::hovered, this, &ViewGrid::hovered);
+}
+
+void ViewGrid::setAlone(bool alone) {
+  alone_ = alone ? std::optional(session_.workspace().focus) : std::nullopt;
+  arrange();
+}
+
+void ViewGrid::arrange() {
+  std::vector<ViewId> ids = viewsOnScreen(session_.workspace());
+  if (alone_ && std::ranges::find(ids, *alone_) != ids.end()) ids = {*alone_};
+  const std::vector<QRect> places = placesOf(session_.workspace().layout, ids.size(), size());
+  for (const auto& [id, view] : views_)
+    if (std::ranges::find(ids, id) == ids.end()) view->hide();
+  for (std::size_t n = 0; n < ids.size(); ++n) {
+    View* view = viewOf(ids[n]);
+    view->setGeometry(places[n]);
+    view->show();
+  }
+}
+
+void ViewGrid::resizeEvent(QResizeEvent*) { arrange(); }
+
+}  // namespace volumen

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <optional>
+
+#include "ui/views/slice_view.h"
+#include "ui/views/volume_view.h"
+
+namespace volumen {
+
+/// The views of the workspace, as its layout places them; made when they are first shown.
+class ViewGrid : public QWidget {
+  Q_OBJECT
+ public:
+  ViewGrid(Session& session, SliceService& slices, QWidget* parent = nullptr);
+
+  VolumeView* sceneView() const { return scene_; }
+  /// Null where it was never shown, or is the 3D one.
+  SliceView* sliceView(ViewId id) const;
+  /// Shows the view in focus alone, or all of the layout again.
+  void setAlone(bool alone);
+
+ Q_SIGNALS:
+  void maximiseRequested();
+  void hovered(const QString& text);
+
+ protected:
+  void resizeEvent(QResizeEvent*) override;
+
+ private:
+  View* viewOf(ViewId id);
+  void add(ViewId id, View* view);
+  void arrange();
+
+  Session& session_;
+  SliceService& slices_;
+  VolumeView* scene_;
+  std::map<ViewId, View*> views_;
+  std::optional<ViewId> alone_;
+};
+
+}  // namespace volumen
