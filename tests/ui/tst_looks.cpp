@@ -15,6 +15,7 @@
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
+#include "ui/views/view_grid.h"
 
 using namespace volumen;
 using volumen::tests::longest;
@@ -107,6 +108,8 @@ class TestLooks : public QObject {
   void dialogsAreBritish();
   void realStudiesAreShown_data();
   void realStudiesAreShown();
+  void layoutsHaveRoom_data();
+  void layoutsHaveRoom();
 };
 
 void TestLooks::thePictureHasTheRoom_data() {
@@ -282,6 +285,34 @@ void TestLooks::realStudiesAreShown() {
       path.section(QLatin1Char('/'), -1) + QStringLiteral("-%1-%2.png").arg(size.width()).arg(light ? 1 : 0);
   if (const QString folder = qEnvironmentVariable("VOLUMEN_SHOTS"); !folder.isEmpty())
     QVERIFY(window.grab().save(QDir(folder).filePath(name)));
+}
+
+void TestLooks::layoutsHaveRoom_data() {
+  QTest::addColumn<QString>("path");
+  QTest::addColumn<QString>("layout");
+  for (const char* path : {"ct-chest-lidc0314-138", "mr-head-ge-mprage-130", "pet-ct/sts019-pet"})
+    for (const char* layout : {"layoutPlanes", "layoutBesidePlanes"})
+      QTest::addRow("%s, %s", path, layout) << QString::fromLatin1(path) << QString::fromLatin1(layout);
+}
+
+void TestLooks::layoutsHaveRoom() {
+  QFETCH(QString, path);
+  QFETCH(QString, layout);
+  const std::string data = tests::dataPath(path.toStdString());
+  NEED_DATA(data);
+  Sized window({1440, 900});
+  window.open({QString::fromStdString(data)});
+  QTRY_VERIFY_WITH_TIMEOUT(window.session().series()->series.description != "Ball", longest);
+  QSignalSpy settled(&window, &MainWindow::settled);
+  window.findChild<QAction*>(layout)->trigger();
+  QTRY_VERIFY_WITH_TIMEOUT(settled.count() > 0, longest);
+  for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId})
+    QTRY_VERIFY(!window.views()->sliceView(id)->picture().isNull());
+  if (const QString folder = qEnvironmentVariable("VOLUMEN_SHOTS"); !folder.isEmpty())
+    QVERIFY(window.grab().save(QDir(folder).filePath(path.section(QLatin1Char('/'), -1) + QLatin1Char('-') +
+                                                     layout + QStringLiteral(".png"))));
+  const QStringList found = flaws(window);
+  QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
 }
 
 VOLUMEN_TEST(TestLooks);

@@ -53,8 +53,8 @@ void Session::show(ShownSeriesPtr series, ViewId view) {
 }
 
 bool Session::showAgain(const Series& series, ViewId view) {
-  ShownSeriesPtr held = pool_.find({keyOf(series), false});
-  if (held) show(std::move(held), view);
+  const ShownSeriesPtr held = pool_.find({keyOf(series), false});
+  if (held) show(held, view);
   return held != nullptr;
 }
 

@@ -6,6 +6,7 @@
 #include "ui/session/windows.h"
 #include "ui/views/slice_view.h"
 #include "ui/views/view_overlays.h"
+#include "ui/widgets/warning_badge.h"
 #include "ui/workspace/flat_plane.h"
 
 namespace volumen {
