@@ -14,37 +14,6 @@ namespace volumen {
 
 namespace {
 
-// Plain steps of these lengths keep the levels' error promises (DESIGN 2) where values and curve are smooth
-// (FIELD 4).
-double stepOf(Quality quality) {
-  switch (quality) {
-    case Quality::draft:
-      return 1.0 / 2;
-    case Quality::standard:
-      return 1.0 / 4;
-    case Quality::high:
-      return 1.0 / 8;
-    case Quality::exact:
-      return 1.0 / 32;
-  }
-  return 1;
-}
-
-// What a ray may be off by, in shares of white: what a level promises of 99 pixels of a hundred, or of all.
-double budgetOf(Quality quality) {
-  switch (quality) {
-    case Quality::draft:
-      return 32.0 / 255;
-    case Quality::standard:
-      return promiseOf(Quality::standard).most99 / 255;
-    case Quality::high:
-      return promiseOf(Quality::high).most99 / 255;
-    case Quality::exact:
-      break;
-  }
-  return 0.8 / 255;
-}
-
 // Whether the opacity jumps, or rises within `narrow` values, somewhere: what lies between two samples then
 // counts.
 bool isSharp(const TransferFunction& curve, double narrow) {
@@ -196,7 +165,8 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
     return on(std::string("cell by cell: ") + (in.scene.mode == Mode::average ? "means" : "extremes") +
               " are exact");
   }
-  plan.stepVoxels = stepOf(in.options.quality);
+  const QualityLevel& level = levelOf(in.options.quality);
+  plan.stepVoxels = level.stepVoxels;
   const double range = in.facts.p999 - in.facts.p01;
   const bool sharp = composite(in) && isSharp(in.scene.transferFunction, range / 50);
   if (in.pilot && in.pilot->kept) {
@@ -214,7 +184,7 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
     }
     plan.stepVoxels = 2;  // rays stop and look around them at these
     plan.cellByCell = true;
-    plan.errorBudget = in.options.tolerance.value_or(budgetOf(in.options.quality));
+    plan.errorBudget = in.options.tolerance.value_or(level.rayBudget / 255);
     return on(
         "cell by cell, integrated through the curve: cut where it bends, then until each part of a ray is " +
         ("expected to be off by no more than its share of " + inDigits(255 * plan.errorBudget, 3)) + "/255" +
