@@ -13,9 +13,9 @@ struct SliceValues {
   std::vector<float> values;
 };
 
-/// The volume's values on `plane` (SLICE 1), with all cores and SIMD; an Error for planes that are no plane
-/// (directions not orthogonal unit vectors, sizes below 1 or above 2^28 pixels, numbers that are not finite).
-/// Cancelled: an Error, too.
+/// The volume's values on `plane` (slices.md 1), with all cores and SIMD; an Error for planes that are no
+/// plane (directions not orthogonal unit vectors, sizes below 1 or above 2^28 pixels, numbers that are not
+/// finite). Cancelled: an Error, too.
 Result<SliceValues> resampleSlice(const Volume& volume, const SlicePlane& plane, int threads = 0,
                                   const CancelToken& cancel = {});
 

@@ -1,5 +1,5 @@
-// Guards DESIGN 1: the rooms include only what the table allows. Prints the longest files and functions, for
-// a reader to judge.
+// Guards design.md 1: the rooms include only what the table allows. Prints the longest files and functions,
+// for a reader to judge.
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
