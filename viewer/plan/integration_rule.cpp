@@ -113,6 +113,40 @@ bool goesFromCellToCell(const RuleInput& in) {
   return !composite(in) && in.options.method == Method::planes && resamplerOf(in.options) == Resampler::cpu;
 }
 
+Effect plainSteps(const Plan& plan, const std::string& why) {
+  return on("plain steps of " + inVoxels(plan.stepVoxels) + why);
+}
+
+// Of paths that can go from cell to cell; `tried`: what a pilot tried in vain.
+Effect integrated(const RuleInput& in, Plan& plan, const std::string& tried) {
+  if (const auto even = evenStep(in)) {
+    plan.stepVoxels = even->voxels;
+    return plainSteps(plan, ": a voxel adds at most " + inDigits(even->most, 2) +
+                                " to a ray, and the curve's slope times that of the values is at most " +
+                                inDigits(even->change, 2) + " a voxel" + tried);
+  }
+  plan.stepVoxels = 2;  // rays stop and look around them at these
+  plan.cellByCell = true;
+  plan.errorBudget = in.options.tolerance.value_or(levelOf(in.options.quality).rayBudget / 255);
+  return on(
+      "cell by cell, integrated through the curve: cut where it bends, then until each part of a ray is "
+      "expected to be off by no more than its share of " +
+      inDigits(255 * plan.errorBudget, 3) + "/255" + (in.options.tolerance ? ", as asked" : "") + tried);
+}
+
+// Of all others.
+Effect stepped(const RuleInput& in, Plan& plan, const std::string& tried) {
+  plan.stepVoxels = levelOf(in.options.quality).stepVoxels;
+  const double range = in.facts.p999 - in.facts.p01;
+  if (composite(in) && !isSharp(in.scene.transferFunction, range / 50))
+    return plainSteps(plan, ": the curve is smooth");
+  // A draft's means over pixels take the errors of many rays out.
+  if (in.scene.mode != Mode::average || in.options.quality != Quality::draft) plan.stepVoxels /= 2;
+  return plainSteps(
+      plan, (composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples") +
+                tried);
+}
+
 }  // namespace
 
 std::string toldBy(const PilotFinding& pilot) {
@@ -152,12 +186,9 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
 }
 
 Effect decideIntegration(const RuleInput& in, Plan& plan) {
-  const auto steps = [&](const std::string& why) {
-    return on("plain steps of " + inVoxels(plan.stepVoxels) + why);
-  };
   if (in.options.step) {
     plan.stepVoxels = *in.options.step;
-    return steps(", as asked");
+    return plainSteps(plan, ", as asked");
   }
   if (goesFromCellToCell(in)) {
     plan.stepVoxels = 2;  // rays look around them at these
@@ -165,38 +196,13 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
     return on(std::string("cell by cell: ") + (in.scene.mode == Mode::average ? "means" : "extremes") +
               " are exact");
   }
-  const QualityLevel& level = levelOf(in.options.quality);
-  plan.stepVoxels = level.stepVoxels;
-  const double range = in.facts.p999 - in.facts.p01;
-  const bool sharp = composite(in) && isSharp(in.scene.transferFunction, range / 50);
   if (in.pilot && in.pilot->kept) {
     plan.stepVoxels = in.pilot->stepVoxels;
-    return steps(": " + toldBy(*in.pilot));
+    return plainSteps(plan, ": " + toldBy(*in.pilot));
   }
   const std::string tried =
       in.pilot ? "; not plain steps of " + inVoxels(in.pilot->stepVoxels) + ", as " + toldBy(*in.pilot) : "";
-  if (canIntegrate(in.scene, in.options)) {
-    if (const auto even = evenStep(in)) {
-      plan.stepVoxels = even->voxels;
-      return steps(": a voxel adds at most " + inDigits(even->most, 2) +
-                   " to a ray, and the curve's slope times that of the values is at most " +
-                   inDigits(even->change, 2) + " a voxel" + tried);
-    }
-    plan.stepVoxels = 2;  // rays stop and look around them at these
-    plan.cellByCell = true;
-    plan.errorBudget = in.options.tolerance.value_or(level.rayBudget / 255);
-    return on(
-        "cell by cell, integrated through the curve: cut where it bends, then until each part of a ray is " +
-        ("expected to be off by no more than its share of " + inDigits(255 * plan.errorBudget, 3)) + "/255" +
-        (in.options.tolerance ? ", as asked" : "") + tried);
-  }
-  if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
-    return steps(": the curve is smooth");
-  // A draft's means over pixels take the errors of many rays out.
-  if (in.scene.mode != Mode::average || in.options.quality != Quality::draft) plan.stepVoxels /= 2;
-  return steps(
-      (composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples") +
-      tried);
+  return canIntegrate(in.scene, in.options) ? integrated(in, plan, tried) : stepped(in, plan, tried);
 }
 
 }  // namespace volumen

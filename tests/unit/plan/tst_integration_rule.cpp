@@ -41,7 +41,7 @@ void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.scene.transferFunction.points[1].value = 151; });
   row("a tolerance as asked", "integration", "on 128/255 cell asked",
       [](Asked& a) { a.options.tolerance = 0.5; });
-  row("slices of blend: plain steps", "integration", "on 0.25 voxel plain curve smooth",
+  row("slices of blend: plain steps", "integration", "on 0.25 voxel plain smooth",
       [](Asked& a) { a.options.method = Method::blend; });
   row("planes by OpenGL, a step in the curve: finer plain steps", "integration",
       "on 0.125 voxel plain curve step", [](Asked& a) {
