@@ -1,6 +1,7 @@
 // Guards design.md 5, how rays are integrated: plain steps where matter changes little, else cell by cell.
 #include "tests/unit/plan/asked.h"
 #include "tests/unit/suite.h"
+#include "viewer/plan/rule_lines.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -12,6 +13,11 @@ namespace {
 void evenMatter(Asked& a) {
   a.scene.transferFunction.points = {{-1000, {}, 0}, {1000, {}, 0.01}};
   a.facts.gradientBounds.assign(256, 900);
+}
+
+// What a level that goes cell by cell states: the budget of its rays, then what else.
+std::string cellByCell(Quality quality, const std::string& figures = "", const std::string& words = "") {
+  return "on " + inDigits(levelOf(quality).rayBudget) + "/255 " + figures + " cell " + words;
 }
 
 }  // namespace
@@ -32,11 +38,12 @@ class TestIntegrationRule : public QObject {
 void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
   addRuleColumns();
   const auto row = addRuleRow;
-  const char* standard = "on 8/255 cell";
-  const char* high = "on 2.5/255 cell";
+  const std::string atStandard = cellByCell(Quality::standard), atHigh = cellByCell(Quality::high),
+                    atExact = cellByCell(Quality::exact);
+  const char *standard = atStandard.c_str(), *high = atHigh.c_str(), *exact = atExact.c_str();
   row("standard", "integration", standard, [](Asked&) {});
   row("high", "integration", high, [](Asked& a) { a.options.quality = Quality::high; });
-  row("exact", "integration", "on 0.8/255 cell", [](Asked& a) { a.options.quality = Quality::exact; });
+  row("exact", "integration", exact, [](Asked& a) { a.options.quality = Quality::exact; });
   row("a step in the curve changes nothing", "integration", standard,
       [](Asked& a) { a.scene.transferFunction.points[1].value = 151; });
   row("a tolerance as asked", "integration", "on 128/255 cell asked",
@@ -201,8 +208,12 @@ void TestIntegrationRule::whatAPilotFoundIsSaid_data() {
   row("good enough", {0.5, true, 2354, 45.34, 5.52},
       "on 0.5 voxel 2354 45.3 dB 99 5.52/255 plain PSNR least percentile most", [](Asked&) {});
   row("not good enough", {0.5, false, 1839, 41.7, 10.04},
-      "on 8/255 0.5 voxel 1839 41.7 dB 99 10/255 cell not plain PSNR least percentile most", [](Asked&) {});
-  row("nothing to be seen", {0.5, false, 0, 0, 0}, "on 8/255 0.5 voxel cell not plain no ray", [](Asked&) {});
+      cellByCell(Quality::standard, "0.5 voxel 1839 41.7 dB 99 10/255",
+                 "not plain PSNR least percentile most")
+          .c_str(),
+      [](Asked&) {});
+  row("nothing to be seen", {0.5, false, 0, 0, 0},
+      cellByCell(Quality::standard, "0.5 voxel", "not plain no ray").c_str(), [](Asked&) {});
   row("not good enough where the volume is even", {0.5, false, 1839, 41.7, 10.04},
       "on 0.375 voxel 0.011 0.005 0.5 voxel 1839 41.7 dB 99 10/255 plain slope not plain PSNR least "
       "percentile most",
