@@ -8,7 +8,7 @@
 
 namespace volumen {
 
-/// Exit statuses of the program (DESIGN 4).
+/// Exit statuses of the program (design.md 4).
 enum ExitStatus { exitDone = 0, exitFailed = 1, exitUsage = 2 };
 
 /// One command: adds its options to `app` and returns what runs it. `app` and what the function captured live

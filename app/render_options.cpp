@@ -9,7 +9,7 @@
 #include "io/files/scene_file.h"
 #include "ui/session/own_presets.h"
 #include "viewer/phantoms/phantoms.h"
-#include "viewer/plan/plan.h"
+#include "viewer/plan/rule_lines.h"
 #include "viewer/scene/first_camera.h"
 #include "viewer/scene/presets.h"
 #include "viewer/scene/scene_json.h"
@@ -22,10 +22,13 @@ namespace {
 template <class T>
 using Words = std::vector<std::pair<std::string, T>>;
 
-const Words<Quality> qualities{{"draft", Quality::draft},
-                               {"standard", Quality::standard},
-                               {"high", Quality::high},
-                               {"exact", Quality::exact}};
+Words<Quality> namedQualities() {
+  Words<Quality> words;
+  for (int n = 0; n < int(std::size(qualityLevels)); ++n)
+    words.push_back({qualityLevels[n].name, Quality(n)});
+  return words;
+}
+const Words<Quality> qualities = namedQualities();
 const Words<Mode> modes{
     {"composite", Mode::composite}, {"mip", Mode::mip}, {"minip", Mode::minip}, {"average", Mode::average}};
 const Words<Shader> shaders{
@@ -159,8 +162,8 @@ void addMethodOptions(CLI::App& app, MethodOptions& o) {
   oneOf(app.add_option("--map-lookup", o.mapLookup, "How the reflectance map is read (default: bilinear)"),
         keys(mapLookups));
   number(app.add_option("--tolerance", o.tolerance,
-                        "Largest error of a ray, as a share of white, instead of the level's (standard: "
-                        "0.0314)"),
+                        "Largest error of a ray, as a share of white, instead of the level's (standard: " +
+                            inDigits(levelOf(Quality::standard).rayBudget / 255, 3) + ")"),
          1e-6, 1)
       ->type_name("SHARE");
   number(app.add_option("--stop-at", o.stopAt,

@@ -9,7 +9,7 @@
 
 namespace volumen {
 
-/// The options that choose a scene and how it is drawn (DESIGN 4), as typed.
+/// The options that choose a scene and how it is drawn (design.md 4), as typed.
 struct SceneOptions {
   std::string sceneFile, preset, view, projection, mode, size = "512x512";
 };

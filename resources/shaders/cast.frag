@@ -1,6 +1,6 @@
-// A ray of a pixel from front to back (SCENE 6, 9): resampled, classified, shaded and composited here (figure
-// 1c of the paper), or composited from voxels that were shaded before (figure 1b). In passes: a shader that
-// loops for long may be ended (llvmpipe: after 65,536 turns).
+// A ray of a pixel from front to back (picture.md 6, 9): resampled, classified, shaded and composited here
+// (figure 1c of the paper), or composited from voxels that were shaded before (figure 1b). In passes: a shader
+// that loops for long may be ended (llvmpipe: after 65,536 turns).
 uniform float stopTransmittance;
 uniform sampler2D before;           // what the passes so far came to
 uniform int firstStep, behindStep;  // of this pass

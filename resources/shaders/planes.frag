@@ -1,5 +1,5 @@
-// Density and gradient of one sample of one ray (SCENE 2, 3, 9), in the units of the textures' integers or
-// floats. A strip's samples lie one behind the other, line after line of the target: all rays of step 0, of
+// Density and gradient of one sample of one ray (picture.md 2, 3, 9), in the units of the textures' integers
+// or floats. A strip's samples lie one behind the other, line after line of the target: all rays of step 0, of
 // step 1, ...
 uniform samplerBuffer rays;  // two texels a ray: start, middle of the last step; move, steps (voxels)
 uniform int lineShift;       // log2 of the samples of a line

@@ -1,4 +1,4 @@
-// The ray of a pixel (SCENE 6, 7, 9).
+// The ray of a pixel (picture.md 6, 7, 9).
 // Four texels a pixel: start, middle of the last step; move, steps (voxels); towards the viewer (patient
 // space); length of a step, of the last one (unit distances).
 uniform samplerBuffer rays;

@@ -1,4 +1,4 @@
-// Density and gradient at a place (SCENE 2, 3), in the units of the textures' integers or floats.
+// Density and gradient at a place (picture.md 2, 3), in the units of the textures' integers or floats.
 uniform sampler3D density;
 uniform sampler3D gradient;
 uniform ivec3 size;  // voxels
@@ -43,7 +43,7 @@ void moveTo(vec3 p) { pVoxel = clamp(p, vec3(0.0), vec3(size - 1)); }
 vec3 coordinate() { return (pVoxel + 0.5) / vec3(size); }
 
 // Normalised 16 bits come back as 0..1, counted from the smallest density; what is within the rounding of
-// that of an integer is the integer, so that constant regions keep their value (SCENE 2).
+// that of an integer is the integer, so that constant regions keep their value (picture.md 2).
 float densityHere() {
   float d = textureLod(density, coordinate(), 0.0).r * 65535.0;
   float whole = round(d);

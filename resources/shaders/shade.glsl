@@ -1,4 +1,4 @@
-// Classification and light of a sample (SCENE 4, 5), as the CPU's kernels compute them.
+// Classification and light of a sample (picture.md 4, 5), as the CPU's kernels compute them.
 uniform samplerBuffer curve;    // three texels a segment: end, start, opacity, its rise; red, green; blue
 uniform samplerBuffer buckets;  // the first segment that a density of each bucket can lie in
 uniform float curveLow, perBucket;
@@ -152,7 +152,7 @@ vec3 tableColour(vec3 stored, float d) {
 uniform float inverseFloor;
 uniform vec3 flatLight;
 
-// SCENE 5, a gradient too small to have a direction included.
+// picture.md 5, a gradient too small to have a direction included.
 vec3 litColour(vec3 colour, vec4 normal) {
   DS light = lightOf(normal.xyz);
   float q = min(1.0, normal.w * inverseFloor);

@@ -1,6 +1,6 @@
-// Measures and prints, for DESIGN 2's time goals in the window: the interaction frame and the full picture of
-// a chest CT in a window of 1440 x 900. Times are no test: what is held is that a drag is followed by drafts
-// and ends in a full picture.
+// Measures and prints, for design.md 2's time goals in the window: the interaction frame and the full picture
+// of a chest CT in a window of 1440 x 900. Times are no test: what is held is that a drag is followed by
+// drafts and ends in a full picture.
 #include <algorithm>
 
 #include "tests/fixtures/fixtures.h"

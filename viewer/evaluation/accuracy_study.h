@@ -17,7 +17,7 @@ struct StudyRow {
   int frames = 0;
   std::size_t bytes = 0;  ///< held for the picture: densities, gradients, blocks, tables
   std::int64_t resampled = 0, shaded = 0, composited = 0;
-  PictureError error;  ///< over the truth's well-conditioned pixels (DESIGN 2)
+  PictureError error;  ///< over the truth's well-conditioned pixels (design.md 2)
   bool front = false;  ///< no other row is both faster and nearer to the truth (median ms, RMSE)
   Picture pixels;      ///< the truth's pixels as this setting draws them
 };

@@ -1,4 +1,4 @@
-// The table of knobs (DESIGN 6): a new option is one row.
+// The table of knobs (design.md 6): a new option is one row.
 #include <cstdio>
 #include <functional>
 

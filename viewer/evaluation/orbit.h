@@ -13,7 +13,7 @@ struct OrbitView {
   RenderStats stats;                 ///< of the last frame
 };
 
-/// How fast a scene is drawn from all around (DESIGN 4, `bench`).
+/// How fast a scene is drawn from all around (design.md 4, `bench`).
 struct Orbit {
   Plan plan;  ///< of the first view
   double firstFrameMs =

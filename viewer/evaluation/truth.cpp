@@ -25,7 +25,7 @@ glm::vec4 pixelOf(const Picture& picture, int x, int y) {
   return {p[0], p[1], p[2], p[3]};
 }
 
-// SCENE 7: pixels are squares of height / H mm around the middle of the picture.
+// picture.md 7: pixels are squares of height / H mm around the middle of the picture.
 glm::vec4 enlarged(const Picture& small, glm::ivec2 size, glm::ivec2 pixel) {
   const double scale = double(small.size.y) / size.y;
   const glm::dvec2 at =

@@ -14,7 +14,7 @@ struct Truth {
   glm::ivec2 grid{0};              ///< cells; `size` where every pixel is taken
   std::vector<glm::ivec2> pixels;  ///< one a cell, row by row
   Picture picture;                 ///< of the grid's size: the reference at these pixels
-  std::vector<std::uint8_t> well;  ///< which of them are well-conditioned (DESIGN 2)
+  std::vector<std::uint8_t> well;  ///< which of them are well-conditioned (design.md 2)
   double ms = 0;                   ///< that it took
 
   /// Of `pixels`, how many are not well-conditioned and therefore not counted.

@@ -46,7 +46,7 @@ HWY_INLINE VF CorrectedOpacity(const CorrectionSeries& series, VF opacity, VF un
 struct Fragment {
   V3 colour;  ///< of the curve
   V3 normal;  ///< unit
-  VF share;   ///< how much of it counts: less than 1 where the gradient is below the floor of SCENE 5
+  VF share;   ///< how much of it counts: less than 1 where the gradient is below the floor of picture.md 5
   VI sides;   ///< SidesOf
 };
 
@@ -85,12 +85,12 @@ struct ClassifyAndLight {
     return CorrectedOpacity(f.intervals, OpacityAt(segment, density, stored), unitDistances);
   }
 
-  /// SCENE 4's gradientOpacity.
+  /// picture.md 4's gradientOpacity.
   HWY_INLINE VF FactorAt(const V3& stored) const {
     return GradientFactor(*f.transfer, NormalOf(f, stored).length);
   }
 
-  /// The colour of a sample, lit (SCENE 5); `ray`: its ray, counted from `first`.
+  /// The colour of a sample, lit (picture.md 5); `ray`: its ray, counted from `first`.
   HWY_INLINE V3 ColourAt(VI segment, VF density, const V3& stored, VI ray) const {
     if constexpr (kLit)
       if (f.light == LightModel::table) return ShadeByTable(*f.table, stored, density);
@@ -105,7 +105,7 @@ struct ClassifyAndLight {
     return {colour, normal.n, ShareOfNormal(f, normal.length), SidesOf(*f.lighting, normal.n, viewer)};
   }
 
-  /// Its colour, lit: with D'' and S'' of SCENE 5. Not by the table, which knows no colours.
+  /// Its colour, lit: with D'' and S'' of picture.md 5. Not by the table, which knows no colours.
   HWY_INLINE V3 LitColour(const Fragment& a, VI ray) const {
     if constexpr (!kLit) return a.colour;
     return Shaded(a.colour, a.normal, a.share, ray);
@@ -123,7 +123,7 @@ struct ClassifyAndLight {
                shade.s);
   }
 
-  /// D' and S' of SCENE 5, by the frame's model of light.
+  /// D' and S' of picture.md 5, by the frame's model of light.
   HWY_INLINE DS ShadeOf(const V3& n, VI ray) const {
     switch (f.light) {
       case LightModel::map:

@@ -16,8 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// The cell around a position that is clamped to the grid (SCENE 2): index of its first voxel and the place
-/// inside it, 0..1.
+/// The cell around a position that is clamped to the grid (picture.md 2): index of its first voxel and the
+/// place inside it, 0..1.
 struct Cell {
   VI index;
   VF fx, fy, fz;

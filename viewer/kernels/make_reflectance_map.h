@@ -5,7 +5,7 @@
 
 namespace volumen {
 
-/// D' and S' of SCENE 5 at every node, in single precision: 2 x 2 nodes at least.
+/// D' and S' of picture.md 5 at every node, in single precision: 2 x 2 nodes at least.
 ReflectanceMap makeReflectanceMap(const Lighting& lighting, int n, MapLookup lookup);
 
 }  // namespace volumen

@@ -12,7 +12,7 @@ struct MapRow {
   int n = 0;  ///< nodes
 };
 
-/// D' and S' of SCENE 5 at the nodes of a row: nodes as in ReflectanceMap.
+/// D' and S' of picture.md 5 at the nodes of a row: nodes as in ReflectanceMap.
 using MapRowKernel = void (*)(const Lighting&, const MapRow&, float* nodes);
 MapRowKernel chooseMapRowKernel();
 

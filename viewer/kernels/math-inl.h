@@ -46,7 +46,7 @@ HWY_INLINE V3 PlaceOf(const Array& s, int n) {
   return {hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
 }
 HWY_INLINE V3 Broadcast(const glm::vec3& v) { return {Set(v.x), Set(v.y), Set(v.z)}; }
-/// a + f (b - a): exactly a where a = b (SCENE 2).
+/// a + f (b - a): exactly a where a = b (picture.md 2).
 HWY_INLINE VF Lerp(VF a, VF b, VF f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); }
 /// What lies at base[index[lane]], as many bytes of it as a lane has; with kLanes as many as those have, at
 /// every so many-th index. By plain loads: where memory is waited for a gather takes twice as long, in cache
@@ -196,8 +196,8 @@ HWY_INLINE VF FaintOpacity(VF x, VF n) {
 }
 
 /// Opacity correction: of an interval `unitDistances` unit distances long whose opacity a unit is `opacity`
-/// (SCENE 4, 9): 1 - (1 - opacity)^unitDistances, with no loss where it is small. `others`: lanes that are
-/// not looked at.
+/// (picture.md 4, 9): 1 - (1 - opacity)^unitDistances, with no loss where it is small. `others`: lanes that
+/// are not looked at.
 HWY_INLINE VF PowerOpacity(VF opacity, VF unitDistances, MF others) {
   // Curves that jump leave nothing between faint and opaque, whose logarithm is known.
   const MF known = hn::Or(others, hn::Ge(opacity, Set(kMostOpacity)));

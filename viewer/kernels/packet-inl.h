@@ -45,7 +45,7 @@ HWY_INLINE MF HasSample(const Packet& p, VF n) {
 }
 HWY_INLINE MF IsLast(const Packet& p, VF n) { return hn::Eq(p.steps, hn::Add(n, Set(1))); }
 
-/// SCENE 9: start + (n + 1/2) move, the last interval being shorter.
+/// picture.md 9: start + (n + 1/2) move, the last interval being shorter.
 HWY_INLINE V3 Position(const Packet& p, VF n, MF last) {
   const VF middle = hn::IfThenElse(last, p.lastMiddle, hn::Add(n, Set(0.5f)));
   return Add(p.start, Scale(p.move, middle));

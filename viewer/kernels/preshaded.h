@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// Interpolates and composites preshaded voxels along the rays of a row, front to back (SCENE 9). `rgba`:
-/// four floats a voxel, colour times opacity and the opacity per unit distance, i fastest.
+/// Interpolates and composites preshaded voxels along the rays of a row, front to back (picture.md 9).
+/// `rgba`: four floats a voxel, colour times opacity and the opacity per unit distance, i fastest.
 using PreshadedKernel = void (*)(const float* rgba, const TraceFrame&, const RayRow&, const TraceRow& out,
                                  TraceCounts&);
 PreshadedKernel choosePreshadedKernel();

@@ -61,8 +61,8 @@ class RayMaker {
   }
 
  private:
-  /// Straight lines through the picture: where a mm along each leads (voxel space), a step of SCENE 9, where
-  /// they come to the eye, mm from the picture, and the way there (patient space).
+  /// Straight lines through the picture: where a mm along each leads (voxel space), a step of picture.md 9,
+  /// where they come to the eye, mm from the picture, and the way there (patient space).
   struct Lines {
     D3 along;
     VD stepMm, eyeMm;
@@ -139,7 +139,7 @@ class RayMaker {
   }
 
   /// Keeps the part where outside + slope t <= 0. Lines that drift by less than `rounding` inside the volume
-  /// are parallel to the boundary, which is inside (SCENE 6) to within that: rounding must not decide.
+  /// are parallel to the boundary, which is inside (picture.md 6) to within that: rounding must not decide.
   HWY_INLINE void Cut(VD outside, VD slope, VD inverse, double rounding, Interval& inside) const {
     const VD never = SetD(-std::numeric_limits<double>::infinity());
     const VD drift = hn::Mul(slope, SetD(f_.lengthMm)), t = hn::Neg(hn::Mul(outside, inverse));

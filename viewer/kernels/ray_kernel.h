@@ -9,7 +9,7 @@
 
 namespace volumen {
 
-/// What all rays of a picture share (SCENE 6, 7, 9).
+/// What all rays of a picture share (picture.md 6, 7, 9).
 struct RayFrame {
   struct Plane {
     glm::dvec3 normal;  ///< in voxel space: inside where dot(normal, x) <= offset (mm)

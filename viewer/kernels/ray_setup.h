@@ -11,8 +11,8 @@
 
 namespace volumen {
 
-/// Makes the rays of a picture: camera, box, clip box and planes (SCENE 6, 7) in double precision, sampled in
-/// steps (SCENE 9).
+/// Makes the rays of a picture: camera, box, clip box and planes (picture.md 6, 7) in double precision,
+/// sampled in steps (picture.md 9).
 class RaySetup {
  public:
   static constexpr int padding = 16;  ///< rays a row is padded to a multiple of

@@ -32,7 +32,7 @@ struct GradientCorners {
 /// Trilinear weights of a cell's eight voxels in units of -1/32768 (so that a weight of one fits into 16
 /// bits): one 32-bit lane a row of two voxels along x, the first in its lower half. Each split rounds one
 /// part and leaves the rest to the other, so the eight always add up to one: constant regions stay exactly
-/// constant (SCENE 2), and every CPU target has the same integers.
+/// constant (picture.md 2), and every CPU target has the same integers.
 struct Weights {
   VI row[4];  ///< (y0 z0), (y1 z0), (y0 z1), (y1 z1)
 };
@@ -159,7 +159,7 @@ struct VoxelPairs : PairDensity<Voxels> {
   }
 #else
   /// Four plain loads a sample, each of a voxel and its neighbour along x (with one voxel along x the second
-  /// counts nothing: its weight is 0); much faster than gathers (FIELD 2). Block b of sum k holds the four
+  /// counts nothing: its weight is 0); much faster than gathers. Block b of sum k holds the four
   /// components of sample 4 b + k.
   static HWY_INLINE Sample DensityAndGradient(const Grid& grid, const Cell& c) {
     const Weights w = WeightsOf(c);

@@ -109,7 +109,7 @@ HWY_INLINE V3 ColourOn(const CurveSegment& s, VF density) {
   return {Clamp01(c.x), Clamp01(c.y), Clamp01(c.z)};
 }
 
-/// The factor of SCENE 4's gradientOpacity at |g_p|; few points, so a walk over them.
+/// The factor of picture.md 4's gradientOpacity at |g_p|; few points, so a walk over them.
 HWY_INLINE VF GradientFactor(const TransferFunction& curve, VF length) {
   const auto& points = curve.gradientOpacity;
   if (points.empty()) return Set(1);
@@ -145,7 +145,7 @@ HWY_INLINE V3 InPatient(const TraceFrame& f, const V3& stored) {
           Dot({Set(m[6]), Set(m[7]), Set(m[8])}, stored)};
 }
 
-/// |g_p| and the normal -g_p / |g_p| of a stored gradient (SCENE 3, 5).
+/// |g_p| and the normal -g_p / |g_p| of a stored gradient (picture.md 3, 5).
 struct Normal {
   V3 n;
   VF length;
@@ -170,9 +170,9 @@ struct DS {
 };
 HWY_INLINE DS InGrey(VF d, VF s) { return {{d, d, d}, {s, s, s}}; }
 
-/// D'(n) and S'(n) of SCENE 5. A light shines on one side of a surface alone, so that each is looked at once
-/// and counts for as much of the picture as the viewer sees of that side. `h` of light i: the light's own, or
-/// with kLocal that of the sample's viewer.
+/// D'(n) and S'(n) of picture.md 5. A light shines on one side of a surface alone, so that each is looked at
+/// once and counts for as much of the picture as the viewer sees of that side. `h` of light i: the light's
+/// own, or with kLocal that of the sample's viewer.
 template <bool kLocal>
 HWY_INLINE DS ShadePhong(const Lighting& lighting, const V3& n, const V3& viewer) {
   const VF zero = hn::Zero(DF()), one = Set(1), shininess = Set(lighting.shininess);
@@ -297,12 +297,12 @@ HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
   return BetweenNodes(map, FirstFloat(map, node), fu, fv);
 }
 
-/// How much of a normal counts: q of SCENE 5, of |g_p|.
+/// How much of a normal counts: q of picture.md 5, of |g_p|.
 HWY_INLINE VF ShareOfNormal(const TraceFrame& f, VF length) {
   return hn::Min(Set(1), hn::Mul(length, Set(f.inverseFloor)));
 }
 
-/// D'' and S'' (SCENE 5): a gradient too small to have a direction is lit flatly.
+/// D'' and S'' (picture.md 5): a gradient too small to have a direction is lit flatly.
 HWY_INLINE DS WithFloor(const TraceFrame& f, const DS& shade, VF q) {
   const glm::vec3& flat = f.lighting->flat;
   if (!f.lighting->coloured) return InGrey(Lerp(Set(flat.r), shade.d.x, q), hn::Mul(shade.s.x, q));

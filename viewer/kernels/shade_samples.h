@@ -15,8 +15,8 @@ struct SampleRow {
   const float *viewerX = nullptr, *viewerY = nullptr, *viewerZ = nullptr;
 };
 
-/// Classifies and shades samples (SCENE 4, 5): `out` is their colour times opacity, and the opacity of their
-/// intervals. Returns how many have opacity.
+/// Classifies and shades samples (picture.md 4, 5): `out` is their colour times opacity, and the opacity of
+/// their intervals. Returns how many have opacity.
 using ShadeKernel = std::int64_t (*)(const TraceFrame&, const SampleRow&, const TraceRow& out);
 ShadeKernel chooseShadeKernel(KernelKey key);
 

@@ -101,7 +101,7 @@ struct TraceCounts {
 };
 
 /// Resamples, classifies, shades and composites one row of rays front to back, or slices of them back to
-/// front (paper 3.1, 3.2, SCENE 9 and 4 .. 6).
+/// front (paper 3.1, 3.2, picture.md 9 and 4 .. 6).
 using TraceKernel = void (*)(const TraceFrame&, const RayRow&, const PlaneBuffer&, const TraceRow&,
                              TraceCounts&);
 TraceKernel chooseTraceKernel(KernelKey key);

@@ -13,7 +13,7 @@ namespace volumen {
 
 namespace {
 
-// Lengths of the n-th intervals of a row's rays in unit distances (SCENE 9); 0 where a ray has no n-th.
+// Lengths of the n-th intervals of a row's rays in unit distances (picture.md 9); 0 where a ray has no n-th.
 void unitDistancesOfSlice(const RayRow& rays, int n, float inverseUnitMm, std::vector<float>& unitDistances) {
   unitDistances.resize(rays.steps.size());
   // Without a branch, so that the compiler takes several rays at a time.

@@ -181,7 +181,7 @@ void PlanesFrame::makeShades(const Plan& plan, RenderCaches& caches) {
   ShadeTableInput in{{}, frame_.inverseFloor, 1, scale_};
   for (int n = 0; n < 9; ++n) in.gradientMatrix[n] = frame_.gradientMatrix[n] * frame_.gradientUnit;
   const ValueRange values = caches.facts().range;
-  // A Sobel component is half the difference of two means of values (SCENE 3).
+  // A Sobel component is half the difference of two means of values (picture.md 3).
   in.gradientLimit = (values.high - values.low) / 2 / gradientScale_;
   table_ = makeShadeTable(lighting_, curve_, in);
   frame_.table = &table_;

@@ -55,7 +55,7 @@ inline TraceRow traceRowOf(std::vector<float>& values) {
 
 /// An empty picture of the plan's size.
 void preparePicture(const Plan& plan, Picture& picture);
-/// Writes the rays' pixels: colour over the background, clamped (SCENE 6).
+/// Writes the rays' pixels: colour over the background, clamped (picture.md 6).
 void writePixels(const Background& background, const RayRow& rays, const TraceRow& row, Picture& picture);
 /// The same for projections: densities mapped to grey by the window; rays of no steps show the background.
 void writeProjectedPixels(const Scene& scene, const DensityScale& scale, const RayRow& rays,

@@ -9,7 +9,7 @@
 namespace volumen {
 
 /// The traditional order of operations (figure 1b of the paper; Van Gelder and Kim): voxels are classified
-/// and shaded first, then colours and opacities are interpolated and composited front to back (SCENE 9).
+/// and shaded first, then colours and opacities are interpolated and composited front to back (picture.md 9).
 /// What is interpolated is the opacity per unit distance and the colour times it, so that the colour of
 /// invisible voxels counts for nothing. Everything is shaded again for each picture.
 Result<Rendered> renderPreshaded(const Plan& plan, RenderCaches& caches, const CancelToken& cancel);

@@ -11,8 +11,8 @@ namespace volumen {
 
 namespace {
 
-// SCENE 9: the step, in voxels, that gives a ray along the camera's axis so many samples in the volume; 0:
-// one a voxel.
+// picture.md 9: the step, in voxels, that gives a ray along the camera's axis so many samples in the volume;
+// 0: one a voxel.
 double stepFor(const Scene& scene, const VoxelGeometry& geometry, int samples) {
   if (samples == 0) return 1;
   const glm::dvec3 axis =

@@ -28,7 +28,7 @@ double seenShare(const Plan& plan, const VolumeFacts& facts);
 double shareInVisibleBlocks(const TransferFunction& curve, const BlockRanges& blockRanges);
 
 /// Samples of all rays inside the clip box, visible or not: the box's volume over a pixel's area and the step
-/// (SCENE 9), or what of it the picture shows.
+/// (picture.md 9), or what of it the picture shows.
 double samplesInBox(const Plan& plan, const VoxelGeometry& geometry);
 
 }  // namespace volumen

@@ -13,7 +13,7 @@ struct VolumeFacts {
   bool integers = true;  ///< stored as 8- or 16-bit integers that tell the values apart
   double rescaleSlope = 1;
   ValueRange range;          ///< smallest and largest value
-  double p01 = 0, p999 = 0;  ///< P0.1 and P99.9 of SCENE 5
+  double p01 = 0, p999 = 0;  ///< P0.1 and P99.9 of picture.md 5
   std::optional<Window> fileWindow;
   std::shared_ptr<const BlockRanges> blockRanges;  ///< null: unknown, every block counts
   std::vector<float> gradientBounds;               ///< gradientBoundsOf the volume; empty: unknown
@@ -24,7 +24,7 @@ struct VolumeFacts {
 /// cores).
 VolumeFacts factsOf(const Volume& volume);
 
-/// (P99.9 - P0.1) / 32 / cbrt(|det L|), value per mm (SCENE 5).
+/// (P99.9 - P0.1) / 32 / cbrt(|det L|), value per mm (picture.md 5).
 double defaultGradientFloor(const VolumeFacts& facts);
 
 }  // namespace volumen

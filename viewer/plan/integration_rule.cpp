@@ -14,37 +14,6 @@ namespace volumen {
 
 namespace {
 
-// Plain steps of these lengths keep the levels' error promises (DESIGN 2) where values and curve are smooth
-// (FIELD 4).
-double stepOf(Quality quality) {
-  switch (quality) {
-    case Quality::draft:
-      return 1.0 / 2;
-    case Quality::standard:
-      return 1.0 / 4;
-    case Quality::high:
-      return 1.0 / 8;
-    case Quality::exact:
-      return 1.0 / 32;
-  }
-  return 1;
-}
-
-// What a ray may be off by, in shares of white: what a level promises of 99 pixels of a hundred, or of all.
-double budgetOf(Quality quality) {
-  switch (quality) {
-    case Quality::draft:
-      return 32.0 / 255;
-    case Quality::standard:
-      return promiseOf(Quality::standard).most99 / 255;
-    case Quality::high:
-      return promiseOf(Quality::high).most99 / 255;
-    case Quality::exact:
-      break;
-  }
-  return 0.8 / 255;
-}
-
 // Whether the opacity jumps, or rises within `narrow` values, somewhere: what lies between two samples then
 // counts.
 bool isSharp(const TransferFunction& curve, double narrow) {
@@ -144,6 +113,40 @@ bool goesFromCellToCell(const RuleInput& in) {
   return !composite(in) && in.options.method == Method::planes && resamplerOf(in.options) == Resampler::cpu;
 }
 
+Effect plainSteps(const Plan& plan, const std::string& why) {
+  return on("plain steps of " + inVoxels(plan.stepVoxels) + why);
+}
+
+// Of paths that can go from cell to cell; `tried`: what a pilot tried in vain.
+Effect integrated(const RuleInput& in, Plan& plan, const std::string& tried) {
+  if (const auto even = evenStep(in)) {
+    plan.stepVoxels = even->voxels;
+    return plainSteps(plan, ": a voxel adds at most " + inDigits(even->most, 2) +
+                                " to a ray, and the curve's slope times that of the values is at most " +
+                                inDigits(even->change, 2) + " a voxel" + tried);
+  }
+  plan.stepVoxels = 2;  // rays stop and look around them at these
+  plan.cellByCell = true;
+  plan.errorBudget = in.options.tolerance.value_or(levelOf(in.options.quality).rayBudget / 255);
+  return on(
+      "cell by cell, integrated through the curve: cut where it bends, then until each part of a ray is "
+      "expected to be off by no more than its share of " +
+      inDigits(255 * plan.errorBudget, 3) + "/255" + (in.options.tolerance ? ", as asked" : "") + tried);
+}
+
+// Of all others.
+Effect stepped(const RuleInput& in, Plan& plan, const std::string& tried) {
+  plan.stepVoxels = levelOf(in.options.quality).stepVoxels;
+  const double range = in.facts.p999 - in.facts.p01;
+  if (composite(in) && !isSharp(in.scene.transferFunction, range / 50))
+    return plainSteps(plan, ": the curve is smooth");
+  // A draft's means over pixels take the errors of many rays out.
+  if (in.scene.mode != Mode::average || in.options.quality != Quality::draft) plan.stepVoxels /= 2;
+  return plainSteps(
+      plan, (composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples") +
+                tried);
+}
+
 }  // namespace
 
 std::string toldBy(const PilotFinding& pilot) {
@@ -183,12 +186,9 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
 }
 
 Effect decideIntegration(const RuleInput& in, Plan& plan) {
-  const auto steps = [&](const std::string& why) {
-    return on("plain steps of " + inVoxels(plan.stepVoxels) + why);
-  };
   if (in.options.step) {
     plan.stepVoxels = *in.options.step;
-    return steps(", as asked");
+    return plainSteps(plan, ", as asked");
   }
   if (goesFromCellToCell(in)) {
     plan.stepVoxels = 2;  // rays look around them at these
@@ -196,37 +196,13 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
     return on(std::string("cell by cell: ") + (in.scene.mode == Mode::average ? "means" : "extremes") +
               " are exact");
   }
-  plan.stepVoxels = stepOf(in.options.quality);
-  const double range = in.facts.p999 - in.facts.p01;
-  const bool sharp = composite(in) && isSharp(in.scene.transferFunction, range / 50);
   if (in.pilot && in.pilot->kept) {
     plan.stepVoxels = in.pilot->stepVoxels;
-    return steps(": " + toldBy(*in.pilot));
+    return plainSteps(plan, ": " + toldBy(*in.pilot));
   }
   const std::string tried =
       in.pilot ? "; not plain steps of " + inVoxels(in.pilot->stepVoxels) + ", as " + toldBy(*in.pilot) : "";
-  if (canIntegrate(in.scene, in.options)) {
-    if (const auto even = evenStep(in)) {
-      plan.stepVoxels = even->voxels;
-      return steps(": a voxel adds at most " + inDigits(even->most, 2) +
-                   " to a ray, and the curve's slope times that of the values is at most " +
-                   inDigits(even->change, 2) + " a voxel" + tried);
-    }
-    plan.stepVoxels = 2;  // rays stop and look around them at these
-    plan.cellByCell = true;
-    plan.errorBudget = in.options.tolerance.value_or(budgetOf(in.options.quality));
-    return on(
-        "cell by cell, integrated through the curve: cut where it bends, then until each part of a ray is " +
-        ("expected to be off by no more than its share of " + inDigits(255 * plan.errorBudget, 3)) + "/255" +
-        (in.options.tolerance ? ", as asked" : "") + tried);
-  }
-  if (composite(in) && !sharp && !isSharp(in.scene.transferFunction, range / 200))
-    return steps(": the curve is smooth");
-  // A draft's means over pixels take the errors of many rays out.
-  if (in.scene.mode != Mode::average || in.options.quality != Quality::draft) plan.stepVoxels /= 2;
-  return steps(
-      (composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples") +
-      tried);
+  return canIntegrate(in.scene, in.options) ? integrated(in, plan, tried) : stepped(in, plan, tried);
 }
 
 }  // namespace volumen

@@ -3,21 +3,12 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
+#include "viewer/plan/levels.h"
 #include "viewer/volume/gradients.h"
 
 namespace volumen {
 
-/// Levels of quality, each an error promise against the reference (DESIGN 2).
-enum class Quality { draft, standard, high, exact };
-/// What `standard` and `high` promise (DESIGN 2): against the reference, of well-conditioned pixels.
-struct LevelPromise {
-  double leastPsnrDb, most99;  ///< the 99th percentile in /255
-};
-constexpr LevelPromise promiseOf(Quality standardOrHigh) {
-  return standardOrHigh == Quality::high ? LevelPromise{52, 2.5} : LevelPromise{42, 8};
-}
-
-/// DESIGN 3.
+/// design.md 3.
 enum class Method { planes, blend, preshaded, gpu, reference };
 enum class Resampler { cpu, gl };
 /// Reflectance map, the 4-index 5-bit table that the paper rejects (figure 3b), or directly (paper 2.2).
@@ -32,7 +23,7 @@ enum class Blending { floats, bits16, bits8 };
 struct RenderOptions {
   glm::ivec2 size{512, 512};
   Quality quality = Quality::standard;
-  std::optional<double> step;  ///< voxels: the plain midpoint rule of SCENE 9 instead of a level
+  std::optional<double> step;  ///< voxels: the plain midpoint rule of picture.md 9 instead of a level
   Method method = Method::planes;
   std::optional<Resampler> resampler;  ///< none: gl with Method::gpu, else cpu
   Shader shader = Shader::automatic;
@@ -47,7 +38,7 @@ struct RenderOptions {
   GradientOperator gradient = GradientOperator::sobel;
   std::optional<Blending> blending;
   int threads = 0;    ///< 0: all allowed cores
-  bool full = false;  ///< every sound rule off: the same bytes, slower (DESIGN 5)
+  bool full = false;  ///< every sound rule off: the same bytes, slower (design.md 5)
   bool operator==(const RenderOptions&) const = default;
 };
 

@@ -9,25 +9,12 @@
 
 namespace volumen {
 
-const char* qualityName(Quality quality) {
-  static constexpr const char* names[] = {"draft", "standard", "high", "exact"};
-  return names[int(quality)];
-}
-
 const char* methodName(Method method) {
   static constexpr const char* names[] = {"planes", "blend", "preshaded", "gpu", "reference"};
   return names[int(method)];
 }
 
 namespace {
-
-// DESIGN 2's promises, against the reference, in /255 of well-conditioned pixels.
-std::string promise(Quality quality) {
-  if (quality == Quality::draft) return "means over 16 x 16 pixels within 3/255 RMSE of standard";
-  if (quality == Quality::exact) return "maximum <= 1/255";
-  const LevelPromise p = promiseOf(quality);
-  return "PSNR >= " + inDigits(p.leastPsnrDb) + " dB, 99th percentile <= " + inDigits(p.most99) + "/255";
-}
 
 std::string levelText(const Plan& plan) {
   if (plan.method == Method::reference) return "reference";
@@ -75,7 +62,7 @@ std::string errorText(const Plan& plan) {
   if (!chosen.empty()) return "not promised, chosen by hand: " + chosen;
   if (isExact(plan)) return "exact, but for the rounding of floats";
   if (plan.options.step) return "that of the midpoint rule at this step";
-  if (keepsLevels(plan.options)) return promise(plan.options.quality);
+  if (keepsLevels(plan.options)) return promiseText(plan.options.quality);
   return "not promised: plain steps of " + inVoxels(plan.stepVoxels) +
          " do not see what lies between two samples";
 }

@@ -31,12 +31,10 @@ std::string whyNoEstimate(const Plan& plan);
 /// "99 % of pixels within 1.23/255, largest 4.88/255, RMSE 0.697/255, measured at 972 of 750000 pixels".
 std::string errorText(const MeasuredError& measured);
 
-/// What a PNG says of itself (DESIGN 10): program, method, level or step, promised error, what is known
+/// What a PNG says of itself (design.md 10): program, method, level or step, promised error, what is known
 /// of exactly this picture's, scene; key and value.
 std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan, const KnownError& known = {});
 
-/// "draft", "standard", "high", "exact".
-const char* qualityName(Quality quality);
 /// "planes", "blend", "preshaded", "gpu", "reference".
 const char* methodName(Method method);
 

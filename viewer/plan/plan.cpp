@@ -16,7 +16,7 @@ void sayWhatWasDone(const VolumeFacts& facts, Plan& plan) {
     plan.effects.push_back({"table removed", true, false, "what lies outside the patient is taken as air"});
 }
 
-// The scene with everything set that SCENE 8 lets out: camera, window, gradientFloor.
+// The scene with everything set that picture.md 8 lets out: camera, window, gradientFloor.
 Scene completed(Scene scene, const VolumeFacts& facts, glm::ivec2 size) {
   if (!scene.camera)
     scene.camera = fitCamera(firstCamera(facts.geometry), facts.geometry, double(size.x) / size.y);

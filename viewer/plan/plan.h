@@ -16,7 +16,7 @@ struct Effect {
   std::string name;  ///< "lighting", "gradients", "specular", "clip", "empty blocks", ...
   bool on = false;
   bool sound =
-      false;  ///< a sound rule (off: same bytes); else a choice within the level's promise (DESIGN 5)
+      false;  ///< a sound rule (off: same bytes); else a choice within the level's promise (design.md 5)
   std::string reason;  ///< one clause a radiologist's physicist would agree with
   bool operator==(const Effect&) const = default;
 };
@@ -54,7 +54,7 @@ struct Plan {
   int mapSize = 64;
   MapLookup mapLookup = MapLookup::bilinear;
   int bits = 16;            ///< stored precision
-  double stepVoxels = 1;    ///< SCENE 9
+  double stepVoxels = 1;    ///< picture.md 9
   bool cellByCell = false;  ///< rays go from cell to cell of the grid, else by plain steps
   double errorBudget = 1;   ///< cell by cell: what a ray may be off by, as a share of white (ErrorBudget)
   /// What is left open for a pilot to find (completedPlan): whether plain steps, and how long ones, keep the
@@ -65,7 +65,7 @@ struct Plan {
 
   bool gradients = false;  ///< gradients are computed, stored and fetched: the rule of that name decides
   GradientOperator gradientOperator = GradientOperator::sobel;
-  bool lit = false;              ///< D and S of SCENE 5 are evaluated
+  bool lit = false;              ///< D and S of picture.md 5 are evaluated
   bool specular = false;         ///< the S part is evaluated
   bool colouredLight = false;    ///< D and S for red, green and blue; else once for all three
   bool gradientOpacity = false;  ///< the factor over |g_p| is evaluated

@@ -26,8 +26,8 @@ inline bool composite(const RuleInput& in) { return in.scene.mode == Mode::compo
 /// What resamples: as asked, else OpenGL for the method that is OpenGL's alone, and the CPU.
 Resampler resamplerOf(const RenderOptions& options);
 
-/// Whether a level's promise is kept (DESIGN 2): by the CPU's planes, which know what values lie between two
-/// samples. Other paths take plain steps.
+/// Whether a level's promise is kept (design.md 2): by the CPU's planes, which know what values lie between
+/// two samples. Other paths take plain steps.
 inline bool keepsLevels(const RenderOptions& o) {
   return o.method == Method::planes && resamplerOf(o) == Resampler::cpu;
 }
@@ -36,7 +36,7 @@ inline bool keepsLevels(const RenderOptions& o) {
 int lightsThatShine(const Scene& scene);
 /// Whether any of them is neither white nor grey.
 bool lightIsColoured(const Scene& scene);
-/// No sample's colour is brighter than this (SCENE 5: c D'' + S'').
+/// No sample's colour is brighter than this (picture.md 5: c D'' + S'').
 double brightest(const Scene& scene);
 
 // Rules of the table (rules.h) in files of their own: what draws, how rays are integrated, how light is

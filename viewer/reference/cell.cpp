@@ -6,7 +6,7 @@ namespace volumen::reference {
 
 namespace {
 
-// Where in memory the voxels first, first + 1, ... of one axis lie, indices clamped (SCENE 2).
+// Where in memory the voxels first, first + 1, ... of one axis lie, indices clamped (picture.md 2).
 template <int count>
 std::array<std::size_t, count> offsets(int first, int size, std::size_t stride) {
   std::array<std::size_t, count> out;

@@ -9,12 +9,12 @@
 namespace volumen::reference {
 
 /// What lies at the eight corners of the cell between voxels c and c + (1, 1, 1), at i + 2 j + 4 k; indices
-/// clamped to the volume (SCENE 2), so that cells -1 and n - 1 are the half-voxel border.
+/// clamped to the volume (picture.md 2), so that cells -1 and n - 1 are the half-voxel border.
 template <class T>
 using Corners = std::array<T, 8>;
 
 Corners<double> cornerValues(const Volume& volume, glm::ivec3 cell);
-/// Sobel gradients (SCENE 3), value per voxel.
+/// Sobel gradients (picture.md 3), value per voxel.
 Corners<glm::dvec3> cornerGradients(const Volume& volume, glm::ivec3 cell);
 
 /// Trilinear interpolation at start + s move (place within the cell, voxels), as a polynomial of s.
@@ -35,8 +35,8 @@ Polynomial<T, 3> interpolateAlong(const Corners<T>& corners, glm::dvec3 start, g
   return p[0];
 }
 
-/// Trilinear interpolation at a place in the cell (clamped to it). What is constant stays so exactly (SCENE
-/// 2), and a corner of 1e30 makes no rounding where it has no weight.
+/// Trilinear interpolation at a place in the cell (clamped to it). What is constant stays so exactly
+/// (picture.md 2), and a corner of 1e30 makes no rounding where it has no weight.
 inline double interpolateAt(const Corners<double>& c, glm::dvec3 place) {
   const glm::dvec3 f = glm::clamp(place, 0.0, 1.0);
   const auto between = [](double a, double b, double share) {

@@ -6,7 +6,7 @@
 namespace volumen::reference {
 
 /// A curve through points (at, value): linear between neighbours, constant outside. Points of one place make
-/// a step: the first is the limit from below, the last holds at the place and above (SCENE 4).
+/// a step: the first is the limit from below, the last holds at the place and above (picture.md 4).
 template <class T>
 class Curve {
  public:

@@ -10,7 +10,7 @@
 
 namespace volumen::reference {
 
-/// The transfer function of a scene (SCENE 4).
+/// The transfer function of a scene (picture.md 4).
 struct Classifier {
   explicit Classifier(const TransferFunction& function, const VoxelGeometry& geometry);
   /// Whether any value in low .. high has an opacity above 0.
@@ -25,7 +25,7 @@ struct Classifier {
   double unitDistanceMm, densestPerMm;
 };
 
-/// The integral of SCENE 6 along one ray, fed with its cells front to back.
+/// The integral of picture.md 6 along one ray, fed with its cells front to back.
 ///
 /// Inside a cell the density is a cubic along the ray. The piece is cut wherever a formula changes: at the
 /// points of the curve, so that its steps and kinks lie between pieces, and at the kinks of gradient opacity

@@ -7,7 +7,7 @@
 namespace volumen::reference {
 
 namespace {
-constexpr double viewerBand = 0.1;  // w of SCENE 5 runs from 0 to 1 over |n.e| <= 0.1
+constexpr double viewerBand = 0.1;  // w of picture.md 5 runs from 0 to 1 over |n.e| <= 0.1
 constexpr double lightBand = 0.1;   // clamp(10 n.l) runs from 0 to 1 over 0 <= n.l <= 0.1
 // Strengths are limited to this, so that no product of them is infinite; the picture has long been white.
 double limited(double strength) { return std::min(strength, 1e30); }

@@ -7,7 +7,7 @@
 
 namespace volumen::reference {
 
-/// SCENE 5 for one direction of view.
+/// picture.md 5 for one direction of view.
 class Lighting {
  public:
   /// `axes` turn lights of camera space into patient space; the viewer is at -axes.direction until told.

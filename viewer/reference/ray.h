@@ -19,12 +19,12 @@ struct Interval {
   bool empty() const { return !(t1 > t0 && std::isfinite(t1 - t0)); }
 };
 
-/// SCENE 7: the rays of a picture.
+/// picture.md 7: the rays of a picture.
 class RayMaker {
  public:
   RayMaker(const Camera& camera, const VoxelGeometry& geometry, glm::ivec2 size);
-  /// The ray through the centre of pixel (px, py), py downwards. Its origin is the point q of SCENE 7, not
-  /// the eye, so that a distant eye costs no precision.
+  /// The ray through the centre of pixel (px, py), py downwards. Its origin is the point q of picture.md 7,
+  /// not the eye, so that a distant eye costs no precision.
   Ray through(int px, int py) const;
   const CameraAxes& axes() const { return axes_; }
 
@@ -36,7 +36,7 @@ class RayMaker {
   double distanceMm_, heightMm_;
 };
 
-/// SCENE 6: the ray inside the volume's box, the clip box and the clip planes, and in front of the eye.
+/// picture.md 6: the ray inside the volume's box, the clip box and the clip planes, and in front of the eye.
 Interval visibleInterval(const Ray& ray, const VoxelGeometry& geometry, const Clip& clip);
 
 }  // namespace volumen::reference

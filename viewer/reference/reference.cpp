@@ -24,8 +24,8 @@ class Caster {
         classifier_(scene.transferFunction, volume.geometry()),
         lighting_(scene, rays_.axes()) {}
 
-  /// The float pixel (SCENE 6, DESIGN 10), its ray moved sideways by `moveMm` along the picture's right and
-  /// up.
+  /// The float pixel (picture.md 6, design.md 10), its ray moved sideways by `moveMm` along the picture's
+  /// right and up.
   glm::vec4 pixel(int px, int py, glm::dvec2 moveMm = {0, 0}) const {
     Ray ray = rays_.through(px, py);
     ray.origin += moveMm.x * rays_.axes().right + moveMm.y * rays_.axes().up;
@@ -35,7 +35,7 @@ class Caster {
                                           : composed(glm::dvec3(projectedGrey(ray, interval)), 1);
   }
 
-  /// DESIGN 2, of the pixel whose reference is `here`.
+  /// design.md 2, of the pixel whose reference is `here`.
   bool isWellConditioned(int px, int py, glm::vec4 here) const {
     const glm::dvec2 move = sidewaysMm();
     const glm::dvec2 moves[] = {{move.x, 0}, {-move.x, 0}, {0, move.y}, {0, -move.y}};

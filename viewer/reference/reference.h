@@ -11,13 +11,13 @@
 
 namespace volumen {
 
-/// The true picture: SCENE.md's limit in double precision, within 0.05/255. One code path for everything;
+/// The true picture: picture.md's limit in double precision, within 0.05/255. One code path for everything;
 /// shares no kernel with the fast methods. `scene` must be valid and complete (camera, window, gradientFloor
 /// set, as a Plan's is). `threads` 0: all. An Error only where cancelled.
 Result<Picture> renderReference(const Scene& scene, const Volume& volume, glm::ivec2 size, int threads = 0,
                                 const CancelToken& cancel = {});
 
-/// Which pixels are well-conditioned (DESIGN 2): the reference there changes by at most 0.1/255 (float,
+/// Which pixels are well-conditioned (design.md 2): the reference there changes by at most 0.1/255 (float,
 /// premultiplied, any component) when the ray is moved sideways by 1e-4 voxel, in either of the picture's two
 /// directions. One entry a pixel.
 Result<std::vector<std::uint8_t>> wellConditioned(const Scene& scene, const Volume& volume, glm::ivec2 size,

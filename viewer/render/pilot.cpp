@@ -206,7 +206,7 @@ class Pilot {
     }
     if (errors.rays() == 0) return {{step}};
     const PilotErrors::Bounds likely = errors.likely(), worst = errors.worst();
-    const LevelPromise promised = promiseOf(plan_.options.quality);
+    const LevelPromise& promised = promiseOf(plan_.options.quality);
     const auto offOf = [&](const PilotErrors::Bounds& b) {
       return std::max(b.rmse / 255 * std::pow(10, promised.leastPsnrDb / 20),
                       b.percentile99 / promised.most99);

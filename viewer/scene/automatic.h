@@ -4,7 +4,7 @@
 
 namespace volumen {
 
-/// The values most voxels have: P1 .. P99.5, padding left out (DESIGN 10), from a fine histogram.
+/// The values most voxels have: P1 .. P99.5, padding left out (design.md 10), from a fine histogram.
 ValueRange usualRange(const Volume& volume);
 
 /// Whether values are Hounsfield units by the look of them: a mode of air between -1100 and -900, nothing

@@ -12,7 +12,7 @@ CurvePoint between(const CurvePoint& a, const CurvePoint& b, double s) {
           a.opacity + s * (b.opacity - a.opacity)};
 }
 
-// SCENE 4: the last of equal points holds at their value.
+// picture.md 4: the last of equal points holds at their value.
 CurvePoint curveAt(const std::vector<CurvePoint>& points, float value) {
   const auto behind = std::upper_bound(points.begin(), points.end(), value,
                                        [](float v, const CurvePoint& p) { return v < p.value; });

@@ -4,7 +4,7 @@
 
 namespace volumen {
 
-/// The opacity of a value per unit distance (SCENE 4), gradient opacity aside.
+/// The opacity of a value per unit distance (picture.md 4), gradient opacity aside.
 double opacityAt(const TransferFunction& curve, float value);
 
 /// The curve as a classification table of `entries` >= 2 entries holds it, spread evenly over the range, the

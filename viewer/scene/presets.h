@@ -25,8 +25,8 @@ const std::vector<std::string>& presetNames();
 /// spelled like it.
 Status checkPreset(const std::string& name, const std::vector<Preset>& own = {});
 
-/// A preset file: {"name", "modality", "anchor"?, "scene": what differs from SCENE 8's defaults}. An Error is
-/// a sentence that names the field.
+/// A preset file: {"name", "modality", "anchor"?, "scene": what differs from picture.md 8's defaults}. An
+/// Error is a sentence that names the field.
 Result<Preset> presetFromJson(const std::string& text);
 /// The file of a preset; camera and clip are left out.
 std::string presetToJson(const Preset& preset);

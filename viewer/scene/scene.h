@@ -9,11 +9,11 @@
 
 namespace volumen {
 
-/// The scene of SCENE.md as a plain value; every default is the one SCENE 8 shows.
+/// The scene of picture.md as a plain value; every default is the one picture.md 8 shows.
 
 enum class Mode { composite, mip, minip, average };
 
-/// One point of the transfer function (SCENE 4). `value` in real units, colour and opacity 0..1.
+/// One point of the transfer function (picture.md 4). `value` in real units, colour and opacity 0..1.
 struct CurvePoint {
   float value = 0;
   glm::dvec3 colour{1};
@@ -38,7 +38,7 @@ struct Shading {
   bool lit = true;
   int sides = 2;  ///< 1 or 2
   bool localViewer = false;
-  std::optional<double> gradientFloor;  ///< value per mm; none: the default of SCENE 5
+  std::optional<double> gradientFloor;  ///< value per mm; none: the default of picture.md 5
   double ambient = 0.2, diffuse = 0.7, specular = 0.2, shininess = 20;
   bool operator==(const Shading&) const = default;
 };
@@ -56,7 +56,7 @@ struct Light {
 
 enum class Projection { parallel, perspective };
 
-/// SCENE 7. `direction` and `up` need not be unit.
+/// picture.md 7. `direction` and `up` need not be unit.
 struct Camera {
   std::optional<glm::dvec3> target;  ///< patient mm; none: the centre of the volume
   glm::dvec3 direction{0, 1, 0}, up{0, 0, 1};
@@ -101,8 +101,8 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
-/// The six views of DESIGN 10: anterior, posterior, left, right, superior, inferior. None where the name is
-/// unknown.
+/// The six views of design.md 10: anterior, posterior, left, right, superior, inferior. None where the name
+/// is unknown.
 std::optional<Camera> standardView(const std::string& name);
 /// Their names, in that order.
 const std::vector<std::string>& standardViewNames();
@@ -112,14 +112,14 @@ const std::vector<std::string>& standardViewNames();
 /// directions of a picture of this aspect (width / height).
 Camera fitCamera(Camera camera, const VoxelGeometry& geometry, double aspect);
 
-/// SCENE 7's orthonormal axes of a camera in patient space.
+/// picture.md 7's orthonormal axes of a camera in patient space.
 struct CameraAxes {
   glm::dvec3 right, up, direction;
 };
 CameraAxes cameraAxes(const Camera& camera);
 
 /// `camera` turned by `degrees` about its `up` through the target, anticlockwise seen from the tip of up
-/// (DESIGN 10).
+/// (design.md 10).
 Camera turned(Camera camera, double degrees);
 
 /// `camera` with its eye `degrees` above the plane through the target at right angles to `up` (towards the

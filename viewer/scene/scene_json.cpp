@@ -15,7 +15,7 @@ const Words<Space> spaceWords{{"camera", Space::camera}, {"patient", Space::pati
 const Words<Projection> projectionWords{{"parallel", Projection::parallel},
                                         {"perspective", Projection::perspective}};
 
-// The elements that SCENE 8 shows stand for the defaults of every element of their lists.
+// The elements that picture.md 8 shows stand for the defaults of every element of their lists.
 constexpr CurvePoint shownPoint{150, {0.9, 0.8, 0.7}, 0};
 constexpr ClipPlane shownPlane{{0, 0, 1}, 50};
 

@@ -6,7 +6,7 @@ namespace volumen {
 namespace {
 
 // Written by hand, because a scene file is read and edited by people: one line a point, light or plane, in
-// SCENE 8's order.
+// picture.md 8's order.
 
 template <class... Parts>
 std::string join(const Parts&... parts) {

@@ -5,7 +5,7 @@
 
 namespace volumen {
 
-/// SCENE 9: the length of a step on a ray along the camera's axis, mm.
+/// picture.md 9: the length of a step on a ray along the camera's axis, mm.
 double stepMm(const Camera& camera, const VoxelGeometry& geometry, double stepVoxels);
 
 }  // namespace volumen

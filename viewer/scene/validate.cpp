@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-// Keeps the first broken rule (SCENE 8, table of what is allowed) as a sentence.
+// Keeps the first broken rule (picture.md 8, table of what is allowed) as a sentence.
 class Rules {
  public:
   std::string problem;

@@ -24,7 +24,7 @@ float floorFloat(double value) {
   return double(f) > value && f > -largest ? below(f) : f;
 }
 
-// The curve just below a value (SCENE 4: the first of equal points is the limit from below).
+// The curve just below a value (picture.md 4: the first of equal points is the limit from below).
 CurvePoint limitFromBelow(const std::vector<CurvePoint>& points, float value) {
   const auto b = std::find_if(points.begin(), points.end(), [&](const auto& p) { return p.value >= value; });
   if (b == points.begin()) return {value, b->colour, b->opacity};

@@ -9,7 +9,7 @@
 
 namespace volumen {
 
-/// What the size of a pixel stands for (FIELD-slices 4, PS3.3 10.7).
+/// What the size of a pixel stands for (slices.md 4, PS3.3 10.7).
 enum class PixelSizeKind {
   unknown,     ///< pixels only; `mm` is the shape of a pixel, no length
   patient,     ///< PixelSpacing of CT, MR, PET: mm in the patient
@@ -44,7 +44,7 @@ struct NamedGrey {
   GreyMapping mapping;
 };
 
-/// One picture as acquired, pixel for pixel (SLICE 2).
+/// One picture as acquired, pixel for pixel (slices.md 2).
 struct Frame {
   glm::ivec2 size{0};             ///< columns, rows
   std::vector<float> values;      ///< grey: after modality LUT or rescale, first row on top; else empty

@@ -9,7 +9,7 @@
 
 namespace volumen {
 
-/// How a window turns values into grey (PS3.3 C.11.2, SLICE 3).
+/// How a window turns values into grey (PS3.3 C.11.2, slices.md 3).
 enum class WindowFunction {
   linear,       ///< DICOM's LINEAR, for stored integers of DICOM; a width below 1 counts as 1
   linearExact,  ///< (v - c) / w + 1/2, clamped

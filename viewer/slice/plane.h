@@ -9,13 +9,13 @@
 
 namespace volumen {
 
-/// How values between voxels are found (SLICE 1).
+/// How values between voxels are found (slices.md 1).
 enum class Interpolation { nearest, linear, cubic };
 
-/// What a slab shows of the samples along its normal (SLICE 1).
+/// What a slab shows of the samples along its normal (slices.md 1).
 enum class SlabMode { max, min, mean };
 
-/// A flat view through a volume (SLICE 1). Patient space, mm; pixels count from the top left corner.
+/// A flat view through a volume (slices.md 1). Patient space, mm; pixels count from the top left corner.
 struct SlicePlane {
   glm::dvec3 centre{0};                      ///< of the picture, mm
   glm::dvec3 right{1, 0, 0}, down{0, 1, 0};  ///< unit vectors, orthogonal
@@ -52,7 +52,7 @@ SlicePlane planeAlong(const VoxelGeometry& geometry, glm::dvec3 right, glm::dvec
 /// The smallest size in pixels that covers the volume's box along these directions from its centre.
 glm::ivec2 sizeToCover(const VoxelGeometry& geometry, glm::dvec3 right, glm::dvec3 down, double mmPerPixel);
 
-/// h of SLICE 1: one voxel along the unit vector `normal`, mm.
+/// h of slices.md 1: one voxel along the unit vector `normal`, mm.
 double voxelAlong(const VoxelGeometry& geometry, glm::dvec3 normal);
 
 /// How many samples along the normal the plane's slab has, at least 1.

@@ -13,7 +13,7 @@ struct SliceValues {
   std::vector<float> values;
 };
 
-/// The volume's values on `plane` (SLICE 1), on so many threads (0: all allowed) and with SIMD: the same
+/// The volume's values on `plane` (slices.md 1), on so many threads (0: all allowed) and with SIMD: the same
 /// bytes for any number and on every CPU. Averages are of the slab's values at those sub-samples that have
 /// one. Positions are rounded to 2^-24 voxels. An Error for what checkPlane refuses, and where it was
 /// cancelled.

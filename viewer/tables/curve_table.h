@@ -15,8 +15,8 @@ struct DensityScale {
 
 /// The transfer function over density as the kernels read it: exact, piecewise linear. A density falls into a
 /// bucket, the bucket names the first segment it can lie in, and at most `hops` comparisons with the nodes
-/// find the right one: segment = number of (different) nodes <= density (SCENE 4: the last point of a step
-/// holds at the value and above).
+/// find the right one: segment = number of (different) nodes <= density (picture.md 4: the last point of a
+/// step holds at the value and above).
 struct CurveTable {
   static constexpr int buckets = 2048;
   static constexpr int padding = 16;      ///< the segments' arrays are padded to at least this many entries

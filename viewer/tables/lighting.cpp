@@ -39,7 +39,7 @@ Lighting makeLighting(const Scene& scene, bool specular, bool coloured) {
     const glm::dvec3 l =
         glm::normalize(light.space == Space::patient ? p : p.x * axes.right + p.y * axes.up + p.z * viewer);
     const glm::dvec3 both = l + viewer;
-    // SCENE 5: a light exactly behind has no half-way vector.
+    // picture.md 5: a light exactly behind has no half-way vector.
     const glm::dvec3 h = glm::length(both) < 1e-3 ? glm::dvec3(0) : glm::normalize(both);
     out.lights.push_back({l, h, diffuse * c, specularity * c});
     sum += c;

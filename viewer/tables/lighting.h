@@ -8,7 +8,8 @@
 
 namespace volumen {
 
-/// One light as SCENE 5 uses it, in patient space, everything that is constant over a picture multiplied in.
+/// One light as picture.md 5 uses it, in patient space, everything that is constant over a picture multiplied
+/// in.
 struct ShadingLight {
   glm::vec3 l;         ///< unit, towards the light
   glm::vec3 h;         ///< unit, half way between light and viewer; 0 where the light adds nothing to S
@@ -17,7 +18,7 @@ struct ShadingLight {
   bool operator==(const ShadingLight&) const = default;
 };
 
-/// SCENE 5 for one picture: lights, material and the viewer's direction in patient space.
+/// picture.md 5 for one picture: lights, material and the viewer's direction in patient space.
 struct Lighting {
   std::vector<ShadingLight> lights;
   glm::vec3 viewer{0};  ///< e, unit (the camera's; with a local viewer each ray has its own)
@@ -37,7 +38,7 @@ struct Lighting {
 /// are off are left out. `coloured`: what may be said of the lights (Plan::colouredLight).
 Lighting makeLighting(const Scene& scene, bool specular, bool coloured);
 
-/// D'(n) and S'(n) of SCENE 5 for a unit normal, two sides included, in double precision.
+/// D'(n) and S'(n) of picture.md 5 for a unit normal, two sides included, in double precision.
 struct Shade {
   glm::dvec3 d, s;
 };

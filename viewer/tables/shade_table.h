@@ -9,10 +9,10 @@
 
 namespace volumen {
 
-/// The table that the paper rejects (2.2, figure 3b): the shaded colour (SCENE 5) over (Gx, Gy, Gz, density),
-/// 5 bits an index, 8 bits a component. Opacity is not in it, it stays the curve's.
-/// Gradient components are rounded to 31 values -limit .. limit, so that no gradient stays none; densities to
-/// 32 values from the smallest to the largest. Colours above 1 are cut off.
+/// The table that the paper rejects (2.2, figure 3b): the shaded colour (picture.md 5) over (Gx, Gy, Gz,
+/// density), 5 bits an index, 8 bits a component. Opacity is not in it, it stays the curve's. Gradient
+/// components are rounded to 31 values -limit .. limit, so that no gradient stays none; densities to 32
+/// values from the smallest to the largest. Colours above 1 are cut off.
 struct ShadeTable {
   static constexpr int indexBits = 5, side = 1 << indexBits;
   static constexpr int zero = 15;  ///< the index of a gradient component of 0; the last index is never used

@@ -7,7 +7,7 @@
 namespace volumen {
 
 /// Asks the system for huge pages behind large memory; first touch of small pages costs more than the work on
-/// them (FIELD 2).
+/// them.
 void* allocateLarge(std::size_t bytes);
 void freeLarge(void* memory) noexcept;
 

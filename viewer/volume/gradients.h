@@ -9,7 +9,7 @@
 
 namespace volumen {
 
-/// 3D Sobel at one voxel (SCENE 3): along the axis [-1 0 1]/2, along the other two [1 2 1]/4, neighbours
+/// 3D Sobel at one voxel (picture.md 3): along the axis [-1 0 1]/2, along the other two [1 2 1]/4, neighbours
 /// clamped. In real value per voxel. The plain double-precision definition that the fast ones are tested
 /// against.
 glm::dvec3 sobelAt(const Volume& volume, int i, int j, int k);
@@ -36,7 +36,7 @@ struct Gradients32 {
 };
 
 /// How a gradient is estimated from the 3 x 3 x 3 neighbours, clamped: Sobel's is the picture's definition
-/// (SCENE 3); central differences of the two neighbours along each axis; Zucker and Hummel (1981): all
+/// (picture.md 3); central differences of the two neighbours along each axis; Zucker and Hummel (1981): all
 /// neighbours, weighted inversely as their distance.
 enum class GradientOperator { sobel, central, zuckerHummel };
 

@@ -60,7 +60,7 @@ ValueCounts valueCounts(const Volume& volume, const std::vector<T>& stored) {
   return out;
 }
 
-// SCENE 5's rank: max(1, ceil(r N / 100)) with r = perMille / 10.
+// picture.md 5's rank: max(1, ceil(r N / 100)) with r = perMille / 10.
 std::int64_t rankOf(int perMille, std::int64_t count) {
   return std::max<std::int64_t>(1, (perMille * count + 999) / 1000);
 }

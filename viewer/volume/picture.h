@@ -10,7 +10,7 @@
 namespace volumen {
 
 /// Float RGBA, first row on top. Opaque background: colour clamped to 0..1, alpha 1.
-/// Transparent background: premultiplied colour clamped to 0..1, alpha A (SCENE 6, DESIGN 10).
+/// Transparent background: premultiplied colour clamped to 0..1, alpha A (picture.md 6, design.md 10).
 struct Picture {
   glm::ivec2 size{0};
   bool transparent = false;
@@ -28,10 +28,10 @@ inline std::uint8_t toByte(float x) { return std::uint8_t(255 * std::clamp(doubl
 void toArgb(const float* rgba, std::size_t count, std::uint32_t* argb);
 
 /// The 8-bit picture, each component by toByte: 3 bytes a pixel where opaque, else 4 with straight (not
-/// premultiplied) colour, 0 where alpha is 0 (SCENE 6).
+/// premultiplied) colour, 0 where alpha is 0 (picture.md 6).
 std::vector<std::uint8_t> toBytes(const Picture& picture);
 
-/// How two float pictures differ, in units of 1/255, as DESIGN 2 defines it.
+/// How two float pictures differ, in units of 1/255, as design.md 2 defines it.
 struct PictureError {
   double maximum = 0;       ///< largest over pixels and RGBA
   double percentile99 = 0;  ///< rank ceil(0.99 N) of all pixels' largest difference

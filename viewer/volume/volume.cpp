@@ -36,11 +36,11 @@ double VoxelGeometry::voxelVolume() const { return std::abs(glm::determinant(pat
 
 namespace {
 
-// Values beyond this are limited (DESIGN 10), so that sums and products of values stay finite in float32.
+// Values beyond this are limited (design.md 10), so that sums and products of values stay finite in float32.
 constexpr float largestValue = 1e30f;
 
-// Whether the rounding of values to floats can be told beside a step of the stored integers: as such they would
-// be more exact than what the file means by them here (SCENE 2).
+// Whether the rounding of values to floats can be told beside a step of the stored integers: as such they
+// would be more exact than what the file means by them here (picture.md 2).
 bool roundsToFloats(const VolumeParts& parts) {
   return std::abs(parts.intercept) > double(1 << 17) * std::abs(parts.slope);
 }
@@ -61,7 +61,8 @@ Status checkGeometry(const VoxelGeometry& g) {
   return {};
 }
 
-// NaN and -inf become the smallest, +inf the largest finite value (SCENE 2). Returns how many were changed.
+// NaN and -inf become the smallest, +inf the largest finite value (picture.md 2). Returns how many were
+// changed.
 std::size_t replaceNonFinite(std::vector<float>& values) {
   float low = std::numeric_limits<float>::infinity(), high = -low;
   for (float v : values)

@@ -13,7 +13,8 @@
 
 namespace volumen {
 
-/// Where the voxels lie (SCENE 1). Voxel space: (i, j, k), centres at integers. Patient space: DICOM LPS, mm.
+/// Where the voxels lie (picture.md 1). Voxel space: (i, j, k), centres at integers. Patient space: DICOM
+/// LPS, mm.
 struct VoxelGeometry {
   glm::ivec3 size{1};  ///< voxels along i, j, k; each >= 1
   glm::dmat3 patientFromVoxelStep{
@@ -30,14 +31,14 @@ struct VoxelGeometry {
   glm::dvec3 voxelFromPatient(glm::dvec3 pPatient) const;
   /// inverse(L): voxels per mm.
   glm::dmat3 voxelFromPatientStep() const;
-  /// transpose(inverse(L)): turns a gradient in value per voxel into one in value per mm (SCENE 3).
+  /// transpose(inverse(L)): turns a gradient in value per voxel into one in value per mm (picture.md 3).
   glm::dmat3 patientFromVoxelGradient() const;
   /// Lengths of the columns of L, mm.
   glm::dvec3 spacing() const;
   /// patientFromVoxel((n - 1)/2): the centre of the volume.
   glm::dvec3 centre() const;
-  /// The largest / smallest coordinate of the box of voxel cells (SCENE 1: -1/2 .. n - 1/2), as its eight
-  /// corners in patient space.
+  /// The largest / smallest coordinate of the box of voxel cells (picture.md 1: -1/2 .. n - 1/2), as its
+  /// eight corners in patient space.
   std::vector<glm::dvec3> boxCorners() const;
   /// Volume of one voxel, mm^3 (|det L|).
   double voxelVolume() const;
@@ -54,7 +55,7 @@ struct ValueRange {
   bool operator==(const ValueRange&) const = default;
 };
 
-/// A display window (SCENE 6), real units.
+/// A display window (picture.md 6), real units.
 struct Window {
   double centre = 40, width = 400;
   bool operator==(const Window&) const = default;
@@ -66,7 +67,7 @@ struct VolumeAttributes {
   std::string modality;         ///< DICOM Modality ("CT", "MR", ...), empty where unknown
   std::vector<Window> windows;  ///< the file's own windows, first is the default
   std::optional<ValueRange>
-      padding;                ///< values left out of histogram and automatic presets (DESIGN 10), real units
+      padding;  ///< values left out of histogram and automatic presets (design.md 10), real units
   bool tableRemoved = false;  ///< what lies outside the patient was made air (withoutTable)
 };
 
@@ -79,11 +80,11 @@ struct VolumeParts {
 };
 
 /// Immutable samples and geometry. A voxel's value is slope * stored + intercept, in double, rounded once to
-/// float32 (DESIGN 10).
+/// float32 (design.md 10).
 class Volume {
  public:
   /// Checks and takes over `parts`; shares the result. NaN and infinities become the smallest / largest
-  /// finite value (SCENE 2), |value| > 1e30 is limited; each such change adds a sentence to `warnings`.
+  /// finite value (picture.md 2), |value| > 1e30 is limited; each such change adds a sentence to `warnings`.
   /// Refused: sizes that do not match, non-finite geometry or rescale, det L = 0, slope 0.
   static Result<std::shared_ptr<const Volume>> make(VolumeParts parts, std::vector<std::string>& warnings);
 

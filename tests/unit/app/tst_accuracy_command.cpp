@@ -1,4 +1,4 @@
-// Guards DESIGN 4 and 6 (accuracy: CSV, JSON and pictures of the study, without a display).
+// Guards design.md 4 and 6 (accuracy: CSV, JSON and pictures of the study, without a display).
 #include <QDir>
 #include <QImage>
 #include <QJsonArray>

@@ -1,4 +1,4 @@
-// Guards DESIGN 4 (bench).
+// Guards design.md 4 (bench).
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>

@@ -1,4 +1,5 @@
-// Guards DESIGN 4 and 10 and SCENE 6: looks by the command line: presets of the user's own, inverted windows.
+// Guards design.md 4 and 10 and picture.md 6: looks by the command line: presets of the user's own, inverted
+// windows.
 #include <QDir>
 #include <QFile>
 #include <QImage>

@@ -1,4 +1,5 @@
-// Guards DESIGN 4: the manual page and each --help say what the program really has, and their examples run.
+// Guards design.md 4: the manual page and each --help say what the program really has, and their examples
+// run.
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,4 +1,4 @@
-// Guards DESIGN 4 (command line: results on stdout, the rest on stderr, exit status) and 8 (segment).
+// Guards design.md 4 (command line: results on stdout, the rest on stderr, exit status) and 8 (segment).
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>

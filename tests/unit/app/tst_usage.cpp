@@ -1,4 +1,4 @@
-// Guards DESIGN 4: what a new user mistypes is told at once, in one clear sentence, before anything is
+// Guards design.md 4: what a new user mistypes is told at once, in one clear sentence, before anything is
 // loaded.
 #include <signal.h>
 

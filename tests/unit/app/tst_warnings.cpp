@@ -1,4 +1,4 @@
-// Guards DESIGN 7: what is not as it seems stands in every picture, and scripts can tell what it is.
+// Guards design.md 7: what is not as it seems stands in every picture, and scripts can tell what it is.
 #include <QFile>
 #include <QImage>
 #include <QJsonArray>

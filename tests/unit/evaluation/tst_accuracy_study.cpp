@@ -1,4 +1,4 @@
-// Guards DESIGN 2 and 6: errors against the reference on a stratified subset, times, the Pareto front, CSV
+// Guards design.md 2 and 6: errors against the reference on a stratified subset, times, the Pareto front, CSV
 // and JSON, cancel.
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -115,8 +115,8 @@ void TestStudy::aSmallerPictureIsReadAtItsPlaces_data() {
   QTest::newRow("the same") << 64 << 48;
 }
 
-// A picture whose colour is the place in the picture's plane (SCENE 7: b and a over the height): enlarged,
-// every pixel still says its own place.
+// A picture whose colour is the place in the picture's plane (picture.md 7: b and a over the height):
+// enlarged, every pixel still says its own place.
 void TestStudy::aSmallerPictureIsReadAtItsPlaces() {
   QFETCH(int, width);
   QFETCH(int, height);

@@ -1,4 +1,4 @@
-// Guards DESIGN 4 (bench: N views, the camera turned by 360/N each; median, minimum, samples).
+// Guards design.md 4 (bench: N views, the camera turned by 360/N each; median, minimum, samples).
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>

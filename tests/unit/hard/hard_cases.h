@@ -48,8 +48,8 @@ void addViewCases(HardCases& cases);
 /// All of them.
 const std::vector<HardCase>& hardCases();
 
-/// The length in mm of the ray through a pixel inside box, clip box and planes and in front of the eye (SCENE
-/// 6, 7); 0 where it is empty. Shares no code with the viewer's rooms.
+/// The length in mm of the ray through a pixel inside box, clip box and planes and in front of the eye
+/// (picture.md 6, 7); 0 where it is empty. Shares no code with the viewer's rooms.
 double lengthOfRay(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, int px, int py);
 
 /// A scene seen from `direction` in parallel, the whole box in view, lit by the headlight.

@@ -25,7 +25,7 @@ HardCase uniform(const char* name, VolumePtr volume, double opacity, double brig
   c.scene.transferFunction.unitDistance = 1;
   c.scene.shading.lit = brightness != 1;
   c.scene.background.transparent = true;
-  // Opacity is limited to 1 - 2^-20 (SCENE 4).
+  // Opacity is limited to 1 - 2^-20 (picture.md 4).
   const double muPerMm = -std::log1p(-std::min(opacity, 1 - std::ldexp(1, -20)));
   c.closedForm = [=](double mm) {
     const double alpha = -std::expm1(-muPerMm * mm);
@@ -39,7 +39,7 @@ HardCase uniform(const char* name, VolumePtr volume, double opacity, double brig
 void addUniform(HardCases& cases) {
   cases.addBoth(uniform("homogeneous cube, opacity 0.03", constantVolume(), 0.03));
   cases.addBoth(uniform("homogeneous cube, opacity 0.002", constantVolume(ivec3(40)), 0.002));
-  // No gradient anywhere: SCENE 5's q is 0, and D'' = ambient + diffuse / 2.
+  // No gradient anywhere: picture.md 5's q is 0, and D'' = ambient + diffuse / 2.
   cases.addBoth(uniform("constant volume, lit", constantVolume(), 0.05, 0.2 + 0.7 / 2));
   HardCase c = uniform("constant volume, lit, gradient floor 1e-30", constantVolume(), 0.05, 0.2 + 0.7 / 2);
   c.scene.shading.gradientFloor = 1e-30;

@@ -41,7 +41,7 @@ VolumePtr spoiltFloats(int infinityAtJ) {
     for (int j = 0; j < 20; ++j)
       for (int i = 0; i < 21; ++i) values.push_back(float(1000 * waves(dvec3(i, j, k))));
   const float infinity = std::numeric_limits<float>::infinity();
-  // Few enough for the percentiles of SCENE 5 not to see them.
+  // Few enough for the percentiles of picture.md 5 not to see them.
   values[4321] = values[4322] = std::numeric_limits<float>::quiet_NaN();
   values[std::size_t(11 * 20 + infinityAtJ) * 21 + 7] = infinity;
   values[2777] = -infinity;

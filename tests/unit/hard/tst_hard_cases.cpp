@@ -1,6 +1,6 @@
-// Guards DESIGN 2 (finite, levels, determinism) and SCENE 2 to 9 where numbers are hard: every method on
-// every case. With VOLUMEN_ALL_TARGETS set, every case and OpenGL too are compared on every CPU target; with
-// VOLUMEN_ALL_METHODS, every method takes every case at every level.
+// Guards design.md 2 (finite, levels, determinism) and picture.md 2 to 9 where numbers are hard: every method
+// on every case. With VOLUMEN_ALL_TARGETS set, every case and OpenGL too are compared on every CPU target;
+// with VOLUMEN_ALL_METHODS, every method takes every case at every level.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

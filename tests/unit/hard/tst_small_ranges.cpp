@@ -1,5 +1,5 @@
-// Guards DESIGN 2 (`exact`) where integers have few values: gradients and their floor are then a few of the
-// smallest steps that 16 bits hold.
+// Guards design.md 2 (`exact`) where integers have few values: gradients and their floor are then a few of
+// the smallest steps that 16 bits hold.
 #include <cstdio>
 
 #include "tests/fixtures/small_volumes.h"

@@ -1,4 +1,4 @@
-// Guards PAPER.md's Tables 1 and 2 as `bench --paper` compares with them, and its reports.
+// Guards the paper's Tables 1 and 2 as `bench --paper` compares with them, and its reports.
 #include "tests/unit/suite.h"
 #include "viewer/paper/paper.h"
 #include "viewer/phantoms/phantoms.h"

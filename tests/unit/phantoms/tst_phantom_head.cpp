@@ -1,4 +1,4 @@
-// Guards DESIGN 10 (phantom ct-head) and DESIGN 2 (the same bytes for any number of threads).
+// Guards design.md 10 (phantom ct-head) and design.md 2 (the same bytes for any number of threads).
 #include <tbb/global_control.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Guards DESIGN 10 (phantoms): values against the closed forms written again here, geometry, names and sizes.
+// Guards design.md 10 (phantoms): values against the closed forms written again here, geometry, names and
+// sizes.
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
@@ -74,7 +75,7 @@ void TestPhantoms::headersSayWhatIsMade() {
 
 namespace {
 
-// What DESIGN 10 says voxel x of `text` holds; x in voxels.
+// What design.md 10 says voxel x of `text` holds; x in voxels.
 double closedForm(const QString& text, glm::dvec3 x, int edge) {
   const double r = glm::length(x - 0.5 * (edge - 1));
   if (text == QLatin1String("solid")) return 1;

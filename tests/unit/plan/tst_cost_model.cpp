@@ -1,5 +1,5 @@
-// Guards the planner's cost model (DESIGN 5): what it predicts grows with what it predicts from, and planes
-// come out as the cheapest way to draw where much is hidden or steps are alike.
+// Guards the planner's cost model (design.md 5): what it predicts grows with what it predicts from, and
+// planes come out as the cheapest way to draw where much is hidden or steps are alike.
 #include "tests/unit/plan/asked.h"
 #include "tests/unit/suite.h"
 #include "viewer/plan/cost_model.h"

@@ -1,4 +1,4 @@
-// Guards DESIGN 5: which kernel a plan names, and what --explain says that follows from it: the cells that
+// Guards design.md 5: which kernel a plan names, and what --explain says that follows from it: the cells that
 // are asked, and how gradients are fetched.
 #include "tests/unit/plan/asked.h"
 #include "tests/unit/suite.h"
@@ -12,7 +12,7 @@ class TestKernelKey : public QObject {
   void aPlanNamesItsKernel_data();
   void aPlanNamesItsKernel();
   void explainSaysWhatTheKernelDoes_data();
-  void explainSaysWhatTheKernelDoes() { compareLine(); }
+  void explainSaysWhatTheKernelDoes() { compareEffect(); }
 };
 
 Q_DECLARE_METATYPE(Store)
@@ -79,88 +79,73 @@ void TestKernelKey::aPlanNamesItsKernel() {
 void TestKernelKey::explainSaysWhatTheKernelDoes_data() {
   addRuleColumns();
   const auto row = addRuleRow;
-  row("a level fetches gradients once a cell", "gradient fetch",
-      "on   gradient fetch: once a cell, where something shows", [](Asked&) {});
-  row("plain steps of 16 bits fetch all at once", "gradient fetch",
-      "on   gradient fetch: with every density: one load brings both", [](Asked& a) { a.options.step = 1; });
-  row("plain steps of bytes fetch all at once", "gradient fetch",
-      "on   gradient fetch: with every density: one load brings both", [](Asked& a) {
-        a.options.step = 1;
-        a.options.precision = 8;
-        a.options.opacityThreshold = 0.9;
-      });
-  row("few visible samples of 32 bits", "gradient fetch",
-      "on   gradient fetch: where opacity counts: few samples have any", [](Asked& a) {
-        a.options.step = 1;
-        a.options.precision = 32;
-        a.facts.blockRanges = std::make_shared<const BlockRanges>(
-            blockRangesOf(4, {4, 1, 1}, {-1000, -1000, -1000, 0}, {-900, -900, -900, 1000}));
-      });
-  row("few visible samples of 32 bits in full", "gradient fetch",
-      "on   gradient fetch: with every density: most samples are looked at", [](Asked& a) {
-        a.options.step = 1;
-        a.options.precision = 32;
-        a.options.opacityThreshold = 0.9;
-        a.options.full = true;
-      });
-  row("many visible samples of 32 bits", "gradient fetch",
-      "on   gradient fetch: with every density: most samples are looked at", [](Asked& a) {
-        a.options.step = 1;
-        a.options.precision = 32;
-      });
-  row("slices of 16 bits fetch all", "gradient fetch",
-      "on   gradient fetch: with every density: one load brings both",
+  row("a level fetches gradients once a cell", "gradient fetch", "on once cell", [](Asked&) {});
+  row("plain steps of 16 bits fetch all at once", "gradient fetch", "on every density load",
+      [](Asked& a) { a.options.step = 1; });
+  row("plain steps of bytes fetch all at once", "gradient fetch", "on every density load", [](Asked& a) {
+    a.options.step = 1;
+    a.options.precision = 8;
+    a.options.opacityThreshold = 0.9;
+  });
+  row("few visible samples of 32 bits", "gradient fetch", "on opacity few", [](Asked& a) {
+    a.options.step = 1;
+    a.options.precision = 32;
+    a.facts.blockRanges = std::make_shared<const BlockRanges>(
+        blockRangesOf(4, {4, 1, 1}, {-1000, -1000, -1000, 0}, {-900, -900, -900, 1000}));
+  });
+  row("few visible samples of 32 bits in full", "gradient fetch", "on every density most", [](Asked& a) {
+    a.options.step = 1;
+    a.options.precision = 32;
+    a.options.opacityThreshold = 0.9;
+    a.options.full = true;
+  });
+  row("many visible samples of 32 bits", "gradient fetch", "on every density most", [](Asked& a) {
+    a.options.step = 1;
+    a.options.precision = 32;
+  });
+  row("slices of 16 bits fetch all", "gradient fetch", "on every density load",
       [](Asked& a) { a.options.method = Method::blend; });
-  row("slices of 32 bits fetch all, few as are visible", "gradient fetch",
-      "on   gradient fetch: with every density: most samples are looked at", [](Asked& a) {
+  row("slices of 32 bits fetch all, few as are visible", "gradient fetch", "on every density most",
+      [](Asked& a) {
         a.options.method = Method::blend;
         a.options.precision = 32;
         a.options.opacityThreshold = 0.9;
       });
-  row("slices by OpenGL fetch all", "gradient fetch",
-      "on   gradient fetch: at every sample: all of them are looked at", [](Asked& a) {
-        a.options.method = Method::blend;
-        a.options.resampler = Resampler::gl;
-      });
-  row("unlit: nothing to fetch", "gradient fetch", "off  gradient fetch: there are no gradients",
+  row("slices by OpenGL fetch all", "gradient fetch", "on every sample", [](Asked& a) {
+    a.options.method = Method::blend;
+    a.options.resampler = Resampler::gl;
+  });
+  row("unlit: nothing to fetch", "gradient fetch", "off no gradients",
       [](Asked& a) { a.scene.shading.lit = false; });
-  row("a level asks each cell", "empty cells",
-      "off  empty cells: rays that go from cell to cell ask each of them anyway", [](Asked&) {});
-  row("blocks of which little shows", "empty cells",
-      "on   empty cells: in blocks that show something about 33 % of the values do: samples are taken in "
-      "cells that can",
-      [](Asked& a) {
-        a.options.step = 1;
-        a.scene.transferFunction.points = {{600, {1, 1, 1}, 0}, {1000, {1, 1, 1}, 1}};
-      });
-  row("likewise of bytes", "empty cells",
-      "on   empty cells: in blocks that show something about 33 % of the values do: samples are taken in "
-      "cells that can",
-      [](Asked& a) {
-        a.options.step = 1;
-        a.options.precision = 8;
-        a.scene.transferFunction.points = {{600, {1, 1, 1}, 0}, {1000, {1, 1, 1}, 1}};
-      });
-  row("blocks of which most shows", "empty cells",
-      "off  empty cells: in blocks that show something about 100 % of the values do", [](Asked& a) {
-        a.options.step = 1;
-        a.scene.transferFunction.points = {{-600, {1, 1, 1}, 0}, {1000, {1, 1, 1}, 1}};
-      });
-  row("no block is empty", "empty cells", "off  empty cells: there are no empty blocks either", [](Asked& a) {
+  row("a level asks each cell", "empty cells", "off rays cell", [](Asked&) {});
+  row("blocks of which little shows", "empty cells", "on 33 % values cells", [](Asked& a) {
+    a.options.step = 1;
+    a.scene.transferFunction.points = {{600, {1, 1, 1}, 0}, {1000, {1, 1, 1}, 1}};
+  });
+  row("likewise of bytes", "empty cells", "on 33 % values cells", [](Asked& a) {
+    a.options.step = 1;
+    a.options.precision = 8;
+    a.scene.transferFunction.points = {{600, {1, 1, 1}, 0}, {1000, {1, 1, 1}, 1}};
+  });
+  row("blocks of which most shows", "empty cells", "off 100 % values", [](Asked& a) {
+    a.options.step = 1;
+    a.scene.transferFunction.points = {{-600, {1, 1, 1}, 0}, {1000, {1, 1, 1}, 1}};
+  });
+  row("no block is empty", "empty cells", "off no empty blocks", [](Asked& a) {
     a.options.step = 1;
     a.scene.transferFunction.points[0].opacity = 0.1;
   });
-  row("every block is empty", "empty cells", "off  empty cells: nothing shows", [](Asked& a) {
+  row("every block is empty", "empty cells", "off nothing shows", [](Asked& a) {
     a.options.step = 1;
     a.options.opacityThreshold = 0.9;
   });
-  row("cells in full", "empty cells", "off  empty cells: asked for in full", [](Asked& a) {
+  row("cells in full", "empty cells", "off full", [](Asked& a) {
     a.options.step = 1;
     a.options.full = true;
   });
-  row("slices ask no cells", "empty cells", "off  empty cells: there is no kernel that asks single cells",
+  row("slices ask no cells", "empty cells", "off no kernel",
       [](Asked& a) { a.options.method = Method::blend; });
-  row("a mean has no empty cells", "empty cells", "off  empty cells: a projection of values has no opacity",
+  row("a mean has no empty cells", "empty cells", "off projection",
       [](Asked& a) { a.scene.mode = Mode::average; });
 }
 

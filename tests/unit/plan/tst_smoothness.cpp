@@ -1,4 +1,5 @@
-// Guards DESIGN 5, "curve smooth: plain steps": how much the curve makes of what changes from voxel to voxel.
+// Guards design.md 5, "curve smooth: plain steps": how much the curve makes of what changes from voxel to
+// voxel.
 #include <cmath>
 #include <limits>
 

@@ -1,4 +1,4 @@
-// Guards DESIGN 5, empty blocks: what counts as visible, and that views of one curve count it once.
+// Guards design.md 5, empty blocks: what counts as visible, and that views of one curve count it once.
 #include <algorithm>
 
 #include "tests/unit/suite.h"

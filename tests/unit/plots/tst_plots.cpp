@@ -1,4 +1,4 @@
-// Guards DESIGN 6 (plots that a person likes to read): round ticks, labels that do not collide.
+// Guards design.md 6 (plots that a person likes to read): round ticks, labels that do not collide.
 #include <cmath>
 
 #include "tests/unit/suite.h"

@@ -1,5 +1,5 @@
-// Guards DESIGN 1: the rooms include only what the table allows. Prints the longest files and functions, for
-// a reader to judge.
+// Guards design.md 1: the rooms include only what the table allows; and that the sections of resources/docs
+// that comments cite are there. Prints the longest files and functions, for a reader to judge.
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
@@ -80,6 +80,8 @@ class TestProject : public QObject {
   void theTableForbidsWhatItShould();
   void roomsIncludeOnlyWhatTheTableAllows_data();
   void roomsIncludeOnlyWhatTheTableAllows();
+  void citedSectionsExist_data();
+  void citedSectionsExist();
   void longestFilesAndFunctions();
 };
 
@@ -128,6 +130,27 @@ void TestProject::roomsIncludeOnlyWhatTheTableAllows() {
     QVERIFY2(mayInclude(room, included),
              qPrintable(room.name + QStringLiteral(" may not include ") + included));
   }
+}
+
+void TestProject::citedSectionsExist_data() {
+  QTest::addColumn<QString>("document");
+  for (const char* document : {"picture", "design", "slices"})
+    QTest::newRow(document) << QString::fromLatin1(document) + QStringLiteral(".md");
+}
+
+void TestProject::citedSectionsExist() {
+  QFETCH(QString, document);
+  const QString text = textOf(QStringLiteral("resources/docs/") + document);
+  const QRegularExpression cited(
+      QStringLiteral("\\b%1(?:'s)? (\\d+)").arg(QRegularExpression::escape(document)));
+  int citations = 0;
+  for (const QString& path : sources())
+    for (auto found = cited.globalMatch(textOf(path)); found.hasNext(); ++citations) {
+      const QString section = found.next().captured(1);
+      QVERIFY2(text.contains(QStringLiteral("\n## %1 ").arg(section)),
+               qPrintable(path + QStringLiteral(" cites section ") + section));
+    }
+  QVERIFY2(citations > 0, "nobody cites it");
 }
 
 void TestProject::longestFilesAndFunctions() {

@@ -27,7 +27,8 @@ VolumePtr sampledField(const Field& field, double hMm);
 /// of the box is in view: the picture is `pictureMm` high. Lit with an explicit gradientFloor, or unlit.
 Scene sceneOf(const Field& field, bool lit, double pictureMm = 4);
 
-/// The picture of the field itself: SCENE 4 to 6 integrated in steps of 1/200 mm, gradients by differences.
+/// The picture of the field itself: picture.md 4 to 6 integrated in steps of 1/200 mm, gradients by
+/// differences.
 Picture pictureOfField(const Field& field, const Scene& scene, glm::ivec2 size);
 
 /// One measured error, over step (voxels), grid (mm) or pixel (mm).

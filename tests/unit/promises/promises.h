@@ -10,7 +10,7 @@
 
 namespace volumen::tests {
 
-/// What a level promises on well-conditioned pixels (DESIGN 2), in 1/255.
+/// What a level promises on well-conditioned pixels (design.md 2), in 1/255.
 struct Promise {
   const char* name;
   Quality quality;
@@ -20,9 +20,12 @@ struct Promise {
     return e.psnrDb >= leastPsnrDb && e.percentile99 <= most99 && e.maximum <= mostMaximum;
   }
 };
-inline constexpr Promise promises[] = {{"standard", Quality::standard, 42, 8, 255},
-                                       {"high", Quality::high, 52, 2.5, 255},
-                                       {"exact", Quality::exact, 0, 255, 1}};
+constexpr Promise promiseAt(Quality quality) {
+  const LevelPromise& p = promiseOf(quality);
+  return {qualityName(quality), quality, p.leastPsnrDb, p.most99, p.mostMaximum};
+}
+inline constexpr Promise promises[] = {promiseAt(Quality::standard), promiseAt(Quality::high),
+                                       promiseAt(Quality::exact)};
 
 inline RenderOptions atLevel(Quality quality) {
   RenderOptions options;

@@ -59,7 +59,7 @@ class RandomReport {
   std::map<std::tuple<Family, Mode, Quality>, Count> counts_;
   std::map<Family, Pictures> pictures_;
   std::vector<LevelResult> failures_;
-  std::int64_t estimated_ = 0, beyond_ = 0;            ///< pixels
+  std::int64_t estimated_ = 0, beyond_ = 0;           ///< pixels
   std::vector<std::pair<int, std::string>> mistold_;  ///< pictures with such pixels, and how many
 };
 

@@ -1,5 +1,5 @@
-// Guards DESIGN 2 and SCENE 3, 6, 9: every approximation converges to the picture at the order that theory
-// gives it, on fields of closed form; gradients point where the field's do.
+// Guards design.md 2 and picture.md 3, 6, 9: every approximation converges to the picture at the order that
+// theory gives it, on fields of closed form; gradients point where the field's do.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Guards DESIGN 2 and 5: where the planner takes plain steps in place of going cell by cell, the levels keep
-// their promises, on the volumes that leave the most between two samples.
+// Guards design.md 2 and 5: where the planner takes plain steps in place of going cell by cell, the levels
+// keep their promises, on the volumes that leave the most between two samples.
 #include <random>
 
 #include "tests/fixtures/small_volumes.h"

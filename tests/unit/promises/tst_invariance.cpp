@@ -1,4 +1,5 @@
-// Guards DESIGN 2 (invariance): what must not change the picture does not, for every method at every level.
+// Guards design.md 2 (invariance): what must not change the picture does not, for every method at every
+// level.
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>

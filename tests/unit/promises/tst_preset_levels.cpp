@@ -1,4 +1,4 @@
-// Guards DESIGN 2 (levels): that what people draw first, every preset on every kind of study, keeps the
+// Guards design.md 2 (levels): that what people draw first, every preset on every kind of study, keeps the
 // levels' promises, seen from sides that differ from row to row. With VOLUMEN_FIGURES set it prints what each
 // row measured.
 #include <array>

@@ -1,4 +1,4 @@
-// Guards DESIGN 2 (levels): the promises on scenes in which a level missed one on 23 November 2026
+// Guards design.md 2 (levels): the promises on scenes in which a level missed one on 23 November 2026
 // (../shared/data/promise-cases), and on the other scenes and volumes of that folder. With VOLUMEN_FIGURES
 // set it prints what each row measured.
 #include <cstdio>

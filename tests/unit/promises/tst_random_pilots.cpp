@@ -1,6 +1,6 @@
-// Guards DESIGN 2 on pictures large enough for a pilot: plain steps that one takes keep the level's promise,
-// and what it says. Boxes out of real studies, as in tst_random_scenes, against `exact`; where they differ by
-// more than a level's 99th percentile, against the reference, and not at ill-conditioned pixels.
+// Guards design.md 2 on pictures large enough for a pilot: plain steps that one takes keep the level's
+// promise, and what it says. Boxes out of real studies, as in tst_random_scenes, against `exact`; where they
+// differ by more than a level's 99th percentile, against the reference, and not at ill-conditioned pixels.
 // VOLUMEN_RANDOM_CASES=N: so many seeds, from VOLUMEN_RANDOM_SEED on.
 #include <algorithm>
 #include <cstdio>

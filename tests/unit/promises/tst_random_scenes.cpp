@@ -1,6 +1,6 @@
-// Guards DESIGN 2 (levels, finite, determinism, --full) on scenes drawn by chance: boxes out of real studies,
-// and tiny hard volumes. VOLUMEN_RANDOM_CASES=N: N of the former and half as many of the latter, of the seeds
-// from VOLUMEN_RANDOM_SEED on. VOLUMEN_RANDOM_SAVE=DIR: the cases that fail are written there. With
+// Guards design.md 2 (levels, finite, determinism, --full) on scenes drawn by chance: boxes out of real
+// studies, and tiny hard volumes. VOLUMEN_RANDOM_CASES=N: N of the former and half as many of the latter, of
+// the seeds from VOLUMEN_RANDOM_SEED on. VOLUMEN_RANDOM_SAVE=DIR: the cases that fail are written there. With
 // VOLUMEN_RANDOM_BRUTE set, what the brute force says of the reference of those is printed; with
 // VOLUMEN_FIGURES each row's figures.
 #include <algorithm>

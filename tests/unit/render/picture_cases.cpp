@@ -223,7 +223,7 @@ void addEffects(std::vector<PictureCase>& cases) {
   });
 }
 
-/// The scenes of bench-scenes, FIELD 1: HU.
+/// The scenes of bench-scenes: HU.
 Scene benchScene(const Parts& p, const char* name) {
   Scene scene = sceneOf(p.soft(), p.parallel({-0.951251243, -0.167731259, -0.258819045}));
   scene.camera->height = 400;

@@ -1,4 +1,5 @@
-// Guards SCENE 2 to 8 and DESIGN 2 (the reference): two renderers written apart from each other agree.
+// Guards picture.md 2 to 8 and design.md 2 (the reference): two renderers written apart from each other
+// agree.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -49,7 +50,7 @@ void TestBruteForce::halfTheStepChangesLittle() {
   QVERIFY2(e.rmse <= 0.02 && e.maximum <= 0.2, qPrintable(inWords(e)));
 }
 
-// The reference is promised within 0.05/255 (DESIGN 2), the brute force within 0.07/255 (above).
+// The reference is promised within 0.05/255 (design.md 2), the brute force within 0.07/255 (above).
 void TestBruteForce::referenceAgrees() {
   QFETCH(int, index);
   const PictureCase& c = pictureCases()[index];

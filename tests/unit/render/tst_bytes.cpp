@@ -1,5 +1,6 @@
-// Guards DESIGN 3 (stored precision of 8 bits), DESIGN 2 (determinism) and DESIGN 5 (full) for it. What is
-// drawn is the volume rounded to bytes: a brute-force rendering of that volume in double precision says so.
+// Guards design.md 3 (stored precision of 8 bits), design.md 2 (determinism) and design.md 5 (full) for it.
+// What is drawn is the volume rounded to bytes: a brute-force rendering of that volume in double precision
+// says so.
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,4 +1,4 @@
-// Guards DESIGN 5, empty blocks: whatever the size of blocks, which depends on the volume's, nothing that
+// Guards design.md 5, empty blocks: whatever the size of blocks, which depends on the volume's, nothing that
 // shows is passed over.
 #include <glm/geometric.hpp>
 #include <random>

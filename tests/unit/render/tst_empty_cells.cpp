@@ -1,5 +1,5 @@
-// Guards DESIGN 5, empty cells: plain steps that take samples in visible cells alone draw the same bytes as
-// those that take all, whatever a sample is lit by, on every CPU target and any number of threads.
+// Guards design.md 5, empty cells: plain steps that take samples in visible cells alone draw the same bytes
+// as those that take all, whatever a sample is lit by, on every CPU target and any number of threads.
 #include "tests/fixtures/cpu_targets.h"
 #include "tests/unit/suite.h"
 #include "viewer/phantoms/phantoms.h"

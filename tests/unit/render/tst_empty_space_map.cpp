@@ -1,4 +1,5 @@
-// Guards DESIGN 5, empty blocks: a packet of rays is passed over only where nothing in its reach is visible.
+// Guards design.md 5, empty blocks: a packet of rays is passed over only where nothing in its reach is
+// visible.
 #include <random>
 
 #include "tests/unit/suite.h"

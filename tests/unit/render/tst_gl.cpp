@@ -1,4 +1,4 @@
-// Guards DESIGN 3 (the GL resampler) and SCENE 2, 3 and 9 as OpenGL interpolates.
+// Guards design.md 3 (the GL resampler) and picture.md 2, 3 and 9 as OpenGL interpolates.
 #include <cmath>
 #include <functional>
 #include <map>

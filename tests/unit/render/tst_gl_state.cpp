@@ -1,4 +1,4 @@
-// Guards DESIGN 3 (the GL resampler: what is kept between pictures, where there is none) and DESIGN 2
+// Guards design.md 3 (the GL resampler: what is kept between pictures, where there is none) and design.md 2
 // (determinism).
 #include <chrono>
 #include <thread>

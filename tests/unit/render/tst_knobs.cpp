@@ -1,4 +1,4 @@
-// Guards the knobs of DESIGN 6 as the methods obey them: thresholds, curve table, gradient operator.
+// Guards the knobs of design.md 6 as the methods obey them: thresholds, curve table, gradient operator.
 #include <limits>
 
 #include "tests/fixtures/brute_force.h"

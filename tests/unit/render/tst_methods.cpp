@@ -1,4 +1,4 @@
-// Guards DESIGN 3 (every method against the reference), SCENE 9 and DESIGN 2 (determinism).
+// Guards design.md 3 (every method against the reference), picture.md 9 and design.md 2 (determinism).
 #include <cmath>
 #include <map>
 
@@ -105,7 +105,7 @@ void TestMethods::addRows(bool preshaded) {
   const MethodCase& c = methodCases()[method]; \
   if (c.needsGl) NEED_GL()
 
-// DESIGN 2: errors at most those of the midpoint rule in double precision, plus what the stored precision
+// design.md 2: errors at most those of the midpoint rule in double precision, plus what the stored precision
 // explains: 5 % (the same samples, rounded), and what lies behind the transmittance at which rays end; and
 // plus what the method says of itself.
 void TestMethods::keepsItsError() {
@@ -120,19 +120,19 @@ void TestMethods::keepsItsError() {
            qPrintable(inWords(e) + QStringLiteral("; the rule: ") + inWords(rule)));
 }
 
-// DESIGN 2, of every method that rounds nothing off by choice.
+// design.md 2, of every method that rounds nothing off by choice.
 void TestMethods::keepsThePromiseOfItsLevel() {
   NEED_METHOD(c);
   QFETCH(int, scene);
   if (c.options.blending) return;
-  const double psnrDb[] = {42, 52}, percentile99[] = {8, 2.5};
-  for (int level = 0; level < 2; ++level) {
+  for (const Quality quality : {Quality::standard, Quality::high}) {
+    const LevelPromise& promised = promiseOf(quality);
     RenderOptions options = c.options;
-    options.quality = level == 0 ? Quality::standard : Quality::high;
+    options.quality = quality;
     const auto done = drawAsAsked(methodScenes()[scene].scene, options);
     QVERIFY2(done.ok(), done.ok() ? "" : done.message().c_str());
     const PictureError e = compare(done->picture, truthOf(scene).reference);
-    QVERIFY2(e.psnrDb >= psnrDb[level] && e.percentile99 <= percentile99[level], qPrintable(inWords(e)));
+    QVERIFY2(e.psnrDb >= promised.leastPsnrDb && e.percentile99 <= promised.most99, qPrintable(inWords(e)));
   }
 }
 

@@ -1,4 +1,4 @@
-// Guards SCENE 4, 9: the opacity of an interval by a short series is the closed form's.
+// Guards picture.md 4, 9: the opacity of an interval by a short series is the closed form's.
 #include <cmath>
 
 #include "tests/unit/suite.h"

@@ -1,4 +1,5 @@
-// Guards DESIGN 3 (preshaded): classify and shade voxels, interpolate colours, composite by SCENE 9's rule.
+// Guards design.md 3 (preshaded): classify and shade voxels, interpolate colours, composite by picture.md 9's
+// rule.
 #include <cmath>
 #include <glm/geometric.hpp>
 

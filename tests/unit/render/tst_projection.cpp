@@ -1,5 +1,5 @@
-// Guards DESIGN 5, empty blocks, of projections: what is passed over because it cannot change a maximum or a
-// minimum changes no byte; and DESIGN 2: projections are exact at every level.
+// Guards design.md 5, empty blocks, of projections: what is passed over because it cannot change a maximum or
+// a minimum changes no byte; and design.md 2: projections are exact at every level.
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"

@@ -1,5 +1,5 @@
-// Guards SCENE 6, 7, 9 for the rays of the kernels: each begins, steps and ends where the reference's does,
-// and has the same bytes on every CPU target.
+// Guards picture.md 6, 7, 9 for the rays of the kernels: each begins, steps and ends where the reference's
+// does, and has the same bytes on every CPU target.
 #include <cstring>
 
 #include "tests/fixtures/cpu_targets.h"

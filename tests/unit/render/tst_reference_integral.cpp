@@ -1,5 +1,5 @@
-// Guards SCENE 2, 4, 6 (integral, classification, projections, background) and DESIGN 2 (reference, finite,
-// determinism) for the reference renderer, in closed forms.
+// Guards picture.md 2, 4, 6 (integral, classification, projections, background) and design.md 2 (reference,
+// finite, determinism) for the reference renderer, in closed forms.
 #include "tests/unit/render/reference_fixture.h"
 #include "tests/unit/suite.h"
 

@@ -1,5 +1,5 @@
-// Guards SCENE 1, 6 (interval), 7 and DESIGN 2 (invariance, well-conditioned pixels, determinism, finite) for
-// the reference renderer.
+// Guards picture.md 1, 6 (interval), 7 and design.md 2 (invariance, well-conditioned pixels, determinism,
+// finite) for the reference renderer.
 #include <limits>
 
 #include "tests/unit/render/reference_fixture.h"

@@ -1,5 +1,4 @@
-// Guards SCENE 3, 4 (gradient opacity) and 5 for the reference renderer, by hand-made numbers and closed
-// forms.
+// Guards picture.md 5 (light) for the reference renderer, by hand-made numbers and closed forms.
 #include <functional>
 
 #include "tests/unit/render/reference_fixture.h"
@@ -20,12 +19,6 @@ class TestReferenceShading : public QObject {
   void normalThatTurnsOverIsDampedByTheFloor();
   void narrowHighlightIsNotMissed_data();
   void narrowHighlightIsNotMissed();
-  void gradientOpacityScalesTheOpacity_data();
-  void gradientOpacityScalesTheOpacity();
-  void sobelSmoothsAcrossItsAxis_data();
-  void sobelSmoothsAcrossItsAxis();
-  void sobelClampsAtTheBorder();
-  void singleVoxelHasNoGradient();
 };
 
 namespace {
@@ -38,10 +31,6 @@ const glm::dmat3 grids[] = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
 Light lightFrom(glm::dvec3 towards, double intensity = 1, glm::dvec3 colour = white) {
   return {towards, Space::camera, colour, intensity, true};
 }
-
-// Clips what the clamped neighbours at the border touch: the outermost full cell and the half voxel on each
-// side.
-Clip insideOf(glm::ivec3 size) { return {1.5 / glm::dvec3(size), 1.0 - 1.5 / glm::dvec3(size), {}}; }
 
 struct ShadingCase {
   const char* name;
@@ -211,26 +200,7 @@ void TestReferenceShading::lightsAddUp() {
   QVERIFY2(largest <= referenceBound, qPrintable(QString::number(largest * 255)));
 }
 
-// Volumes of i^2 / 2: Sobel's central difference of it is exact, so that |g| = |x| along the ray.
 namespace {
-struct Parabola {
-  VolumePtr volume;
-  Scene scene;
-  double mu;
-};
-
-// The ray runs from x = -4 .. 4 (mm, from the vertex of the parabola) against the viewer's eye.
-Parabola parabola(double opacity, int sides, double floorPerMm) {
-  const VoxelGeometry geometry = gridAround({11, 5, 5});
-  Parabola p{volumeOf(geometry, [](int i, int, int) { return (i - 5) * (i - 5) / 2.0; }), plainScene(opacity),
-             0};
-  p.scene.clip = insideOf(geometry.size);
-  p.scene.transferFunction.points[0].colour = white;
-  p.scene.shading = {true, sides, false, floorPerMm, 0.2, 0.7, 0, 20};
-  p.mu = extinction(opacity);
-  return p;
-}
-
 // The integral over pieces (length, D at its start, D at its end), front to back.
 double overPieces(double mu, std::initializer_list<glm::dvec3> pieces) {
   double sum = 0, before = 0;
@@ -305,71 +275,6 @@ void TestReferenceShading::narrowHighlightIsNotMissed() {
     expected += s * mu * std::exp(-mu * t) * 8 / steps;
   }
   COMPARE_WITHIN(onePixel(scene, *volume).r, expected, referenceBound);
-}
-
-void TestReferenceShading::gradientOpacityScalesTheOpacity_data() {
-  QTest::addColumn<QList<double>>("points");  // gradient, factor, ...
-  QTest::addColumn<double>("depthPerMu");     // of 8 mm with |g| = |x|, -4 .. 4, at small opacity
-  QTest::newRow("constant") << QList<double>{0, 0.25} << 2.0;
-  QTest::newRow("linear") << QList<double>{0, 0, 4, 1} << 4.0;
-  QTest::newRow("kink") << QList<double>{1.3, 0, 2.3, 1} << 2 * (0.5 + 1.7);
-  QTest::newRow("step, holds at its place and above")
-      << QList<double>{1.3, 0.1, 1.3, 0.9} << 2 * (0.13 + 0.9 * 2.7);
-}
-
-void TestReferenceShading::gradientOpacityScalesTheOpacity() {
-  QFETCH(QList<double>, points);
-  QFETCH(double, depthPerMu);
-  // So small that -ln(1 - opacity x factor) is opacity x factor to a relative 1e-4 ...
-  Parabola p = parabola(1e-4, 1, 0);
-  for (int n = 0; n < points.size(); n += 2)
-    p.scene.transferFunction.gradientOpacity.push_back({points[n], points[n + 1]});
-  for (bool lit : {false, true}) {
-    p.scene.shading.lit = lit;
-    COMPARE_WITHIN(onePixel(p.scene, *p.volume).a, -std::expm1(-1e-4 * depthPerMu), 1e-7);
-  }
-  // ... and where the factor is constant the closed form holds for any opacity.
-  if (points.size() == 2) {
-    p.scene.transferFunction.points[0].opacity = 0.9;
-    COMPARE_WITHIN(onePixel(p.scene, *p.volume).a, 1 - std::pow(1 - 0.9 * 0.25, 8), 2e-7);
-  }
-}
-
-void TestReferenceShading::sobelSmoothsAcrossItsAxis_data() {
-  QTest::addColumn<int>("axis");
-  for (int axis = 0; axis < 3; ++axis) QTest::addRow("along %c", 'i' + axis) << axis;
-}
-
-void TestReferenceShading::sobelSmoothsAcrossItsAxis() {
-  QFETCH(int, axis);
-  // A ramp along one axis in every second voxel of a chequerboard across it: half the ramp after smoothing.
-  const VoxelGeometry geometry = gridAround({7, 7, 7});
-  const auto chequered = volumeOf(geometry, [&](int i, int j, int k) {
-    const int place[3] = {i, j, k};
-    return ((i + j + k - place[axis]) & 1) * place[axis];
-  });
-  Scene scene = plainScene(0.8, {1, 0.3, -0.2});
-  scene.clip = insideOf(geometry.size);
-  scene.transferFunction.gradientOpacity = {{0, 0}, {1, 1}};
-  const double lengthMm = 4 * glm::length(scene.camera->direction);
-  COMPARE_WITHIN(onePixel(scene, *chequered).a, 1 - std::pow(1 - 0.8 * 0.5, lengthMm), 2e-7);
-}
-
-void TestReferenceShading::sobelClampsAtTheBorder() {
-  // The end voxels of a ramp see half of its slope, and the half-voxel border takes that of the end voxels.
-  const auto ramp = volumeOf(gridAround({9, 3, 3}), [](int i, int, int) { return i; });
-  Scene scene = plainScene(1e-4);
-  scene.transferFunction.gradientOpacity = {{0, 0}, {0.8, 0.8}, {0.8, 1}};
-  // Borders 0.5; then from 0.5 to 1 over a voxel (0.6 of it up to 0.8, mean 0.65; the rest 1); 6 voxels of 1.
-  const double depthPerMu = 2 * (0.5 * 0.5 + 0.6 * 0.65 + 0.4) + 6;
-  COMPARE_WITHIN(onePixel(scene, *ramp).a, -std::expm1(-1e-4 * depthPerMu), 1e-7);
-}
-
-void TestReferenceShading::singleVoxelHasNoGradient() {
-  Scene scene = plainScene(0.5);
-  scene.shading = {true, 2, false, 1e-6, 0.2, 0.7, 0.2, 20};
-  const glm::dvec4 pixel = onePixel(scene, *homogeneous(gridAround({1, 1, 1}), 1000));
-  COMPARE_WITHIN(pixel.r, 0.5 * 0.55, 1e-6);
 }
 
 VOLUMEN_TEST(TestReferenceShading);

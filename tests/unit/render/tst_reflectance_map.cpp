@@ -1,6 +1,6 @@
-// Guards the reflectance map (paper 2.2): its nodes against SCENE 5 in double precision, the same bytes on
-// every CPU target, and (DESIGN 1, 5) that an edit makes it anew where it depends on what changed, and else
-// not.
+// Guards the reflectance map (paper 2.2): its nodes against picture.md 5 in double precision, the same bytes
+// on every CPU target, and (design.md 1, 5) that an edit makes it anew where it depends on what changed, and
+// else not.
 #include <cmath>
 #include <glm/geometric.hpp>
 

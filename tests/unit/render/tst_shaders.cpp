@@ -1,4 +1,4 @@
-// Guards DESIGN 3 (shading by reflectance map and by the paper's 5-bit table) with the paper's figure 3: a
+// Guards design.md 3 (shading by reflectance map and by the paper's 5-bit table) with the paper's figure 3: a
 // sphere, lit each way.
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -201,7 +201,7 @@ void TestShaders::whiteLightComputedOnceIsTheSame_data() {
   row("preshaded", [](Scene&, RenderOptions& o) { o.method = Method::preshaded; });
 }
 
-// DESIGN 5: white lights -> fewer components. With every sound rule off they are all computed.
+// design.md 5: white lights -> fewer components. With every sound rule off they are all computed.
 void TestShaders::whiteLightComputedOnceIsTheSame() {
   QFETCH(Change, change);
   Scene scene = sphereScene();

@@ -1,4 +1,4 @@
-// Guards DESIGN 3 and 5: slices that leave out what is hidden draw the picture of all slices.
+// Guards design.md 3 and 5: slices that leave out what is hidden draw the picture of all slices.
 #include <glm/geometric.hpp>
 #include <random>
 

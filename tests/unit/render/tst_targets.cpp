@@ -1,4 +1,4 @@
-// Guards DESIGN 2 (determinism): the same bytes on every CPU target that the kernels are compiled for and
+// Guards design.md 2 (determinism): the same bytes on every CPU target that the kernels are compiled for and
 // this machine has.
 #include <optional>
 

@@ -1,4 +1,4 @@
-// Guards DESIGN 5, empty blocks, cell by cell: a cell is passed over exactly where no density between its
+// Guards design.md 5, empty blocks, cell by cell: a cell is passed over exactly where no density between its
 // eight voxels has opacity.
 #include <algorithm>
 #include <random>

@@ -1,4 +1,4 @@
-// Guards DESIGN 10 (the preset that is chosen by itself, defaults of render).
+// Guards design.md 10 (the preset that is chosen by itself, defaults of render).
 #include <algorithm>
 #include <random>
 

@@ -1,4 +1,4 @@
-// Guards SCENE 7 and 8 (camera), DESIGN 10 (views, turning).
+// Guards picture.md 7 and 8 (camera), design.md 10 (views, turning).
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -79,8 +79,8 @@ VoxelGeometry obliqueGrid() {
           .origin = {-12, 200, 37}};
 }
 
-// The largest |a| / (width / 2) or |b| / (height / 2) that a corner of the box has in the picture (SCENE 7):
-// 1 where the box just fits; infinity where a corner is not in front of the eye.
+// The largest |a| / (width / 2) or |b| / (height / 2) that a corner of the box has in the picture (picture.md
+// 7): 1 where the box just fits; infinity where a corner is not in front of the eye.
 double fill(const Camera& camera, const VoxelGeometry& geometry, double aspect) {
   const CameraAxes axes = cameraAxes(camera);
   const bool perspective = camera.projection == Projection::perspective;

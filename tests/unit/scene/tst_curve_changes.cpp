@@ -1,4 +1,4 @@
-// Guards the knobs of DESIGN 6 that change the curve: table size and low-opacity threshold.
+// Guards the knobs of design.md 6 that change the curve: table size and low-opacity threshold.
 #include <cmath>
 
 #include "tests/unit/suite.h"
@@ -18,7 +18,7 @@ class TestCurveChanges : public QObject {
 
 namespace {
 
-// SCENE 4 to the letter.
+// picture.md 4 to the letter.
 CurvePoint at(const TransferFunction& curve, double value) {
   const auto& p = curve.points;
   CurvePoint out = p.front();

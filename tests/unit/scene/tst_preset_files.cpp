@@ -1,4 +1,4 @@
-// Guards DESIGN 10 (presets): the file of a preset, read and written.
+// Guards design.md 10 (presets): the file of a preset, read and written.
 #include "tests/unit/scene/preset_volumes.h"
 #include "tests/unit/suite.h"
 #include "viewer/scene/presets.h"

@@ -1,4 +1,4 @@
-// Guards DESIGN 10 (presets, padding) and the published opacities that the presets
+// Guards design.md 10 (presets, padding) and the published opacities that the presets
 // repeat.
 #include "tests/unit/scene/preset_volumes.h"
 #include "tests/unit/suite.h"

@@ -1,10 +1,11 @@
-// Guards SCENE 4 (values are float32), SCENE 7 (directions) and SCENE 8 (scene file: fields, defaults,
-// writing).
+// Guards picture.md 4 (values are float32), picture.md 7 (directions) and picture.md 8 (scene file: fields,
+// defaults, writing).
 #include <QDir>
 #include <QFile>
 #include <random>
 
 #include "tests/fixtures/fixtures.h"
+#include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"
 #include "viewer/scene/scene_json.h"
 
@@ -38,25 +39,14 @@ void TestSceneJson::missingFieldsHaveTheirDefaults() {
   QVERIFY((s.clip.planes == std::vector<ClipPlane>{{{0, 0, 1}, 50}}));
 }
 
+// The one of resources/docs/picture.md 8, with all its defaults.
 void TestSceneJson::theSceneOfThePageLoads() {
-  const auto read = sceneFromJson(R"({
-  "volumenScene": 1,
-  "mode": "composite",
-  "window": {"centre": 40, "width": 400},
-  "transferFunction": {
-    "unitDistance": 1.0,
-    "points": [{"value": 150, "colour": [0.9, 0.8, 0.7], "opacity": 0.0},
-               {"value": 400, "colour": [1.0, 1.0, 0.9], "opacity": 0.8}],
-    "gradientOpacity": [{"gradient": 0, "factor": 1.0}]
-  },
-  "shading": {"lit": true, "sides": 2, "localViewer": false, "gradientFloor": null,
-              "ambient": 0.2, "diffuse": 0.7, "specular": 0.2, "shininess": 20},
-  "lights": [{"direction": [0, 0, 1], "space": "camera", "colour": [1, 1, 1], "intensity": 1.0, "on": true}],
-  "camera": {"target": [0, 0, 0], "direction": [0, 1, 0], "up": [0, 0, 1],
-             "projection": "parallel", "height": 300, "fov": 30, "distance": 800},
-  "clip": {"box": [[0, 1], [0, 1], [0, 1]], "planes": [{"normal": [0, 0, 1], "offset": 50}]},
-  "background": [0, 0, 0]
-})");
+  const QString page =
+      QString::fromUtf8(contentsOf(QStringLiteral(VOLUMEN_SOURCE_DIR "/resources/docs/picture.md")));
+  const qsizetype begin = page.indexOf(QLatin1String("    {\n")),
+                  end = page.indexOf(QLatin1String("\n    }\n"), begin);
+  QVERIFY(begin >= 0 && end > begin);
+  const auto read = sceneFromJson(page.mid(begin, end + 6 - begin).toStdString());
   QVERIFY2(read.ok(), read.ok() ? "" : read.message().c_str());
   Scene expected;
   expected.window = Window{40, 400};

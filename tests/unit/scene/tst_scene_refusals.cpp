@@ -1,4 +1,5 @@
-// Guards SCENE 4 (order of points) and SCENE 8 (what a scene file is refused for, and what it may hold).
+// Guards picture.md 4 (order of points) and picture.md 8 (what a scene file is refused for, and what it may
+// hold).
 #include <functional>
 #include <limits>
 

@@ -1,4 +1,5 @@
-// Guards SCENE 4 (points of one value) for restricting a curve to a range, DESIGN 8 (segment what is seen).
+// Guards picture.md 4 (points of one value) for restricting a curve to a range, design.md 8 (segment what is
+// seen).
 #include <cmath>
 #include <limits>
 #include <random>
@@ -25,7 +26,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr float largest = std::numeric_limits<float>::max();
 
-// SCENE 4 word by word: linear between neighbours, constant outside, the last of equal points holds.
+// picture.md 4 word by word: linear between neighbours, constant outside, the last of equal points holds.
 double opacityAt(const TransferFunction& curve, double value) {
   const auto& p = curve.points;
   if (value < double(p.front().value)) return p.front().opacity;

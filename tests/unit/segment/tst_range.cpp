@@ -1,4 +1,4 @@
-// Guards DESIGN 8 (segmentation by value range) and SCENE 1 (voxel volume).
+// Guards design.md 8 (segmentation by value range) and picture.md 1 (voxel volume).
 #include <cmath>
 #include <limits>
 #include <random>

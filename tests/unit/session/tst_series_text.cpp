@@ -1,4 +1,4 @@
-// Guards DESIGN 8: what the list of series says of each.
+// Guards design.md 8: what the list of series says of each.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/unit/suite.h"

@@ -1,4 +1,4 @@
-// Guards DESIGN 1 (state in one session object) and DESIGN 8 (undo for everything).
+// Guards design.md 1 (state in one session object) and design.md 8 (undo for everything).
 #include <QSignalSpy>
 
 #include "tests/unit/suite.h"

@@ -1,4 +1,4 @@
-// Guards DESIGN 5, empty blocks: their bounds hold every value, in levels that lie close by.
+// Guards design.md 5, empty blocks: their bounds hold every value, in levels that lie close by.
 #include <algorithm>
 #include <random>
 

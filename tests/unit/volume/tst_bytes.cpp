@@ -1,4 +1,4 @@
-// Guards DESIGN 3 (stored precision of 8 bits: the paper's four bytes a voxel, 2.3).
+// Guards design.md 3 (stored precision of 8 bits: the paper's four bytes a voxel, 2.3).
 #include <cmath>
 #include <random>
 

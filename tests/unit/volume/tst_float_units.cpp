@@ -1,4 +1,4 @@
-// Guards DESIGN 2 (finite) where floats leave what single precision bears: values and gradients in units.
+// Guards design.md 2 (finite) where floats leave what single precision bears: values and gradients in units.
 #include <cmath>
 
 #include "tests/fixtures/small_volumes.h"
@@ -69,7 +69,9 @@ void TestFloatUnits::leaveOrdinaryValuesAlone() {
 }
 
 // Whatever is summed up of one value alone, nothing is rounded.
-void TestFloatUnits::oneValueIsCountedFromItself() { QCOMPARE(inUnits(0.3f, floatUnits({0.3f, 0.3f})), 0.0f); }
+void TestFloatUnits::oneValueIsCountedFromItself() {
+  QCOMPARE(inUnits(0.3f, floatUnits({0.3f, 0.3f})), 0.0f);
+}
 
 VOLUMEN_TEST(TestFloatUnits);
 #include "tst_float_units.moc"

@@ -1,4 +1,4 @@
-// Guards the knob "gradient operator" of DESIGN 6: central differences, Sobel, Zucker-Hummel.
+// Guards the knob "gradient operator" of design.md 6: central differences, Sobel, Zucker-Hummel.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Guards SCENE 3 (Sobel, clamped), SCENE 5 (percentile ranks) and what histograms count.
+// Guards picture.md 3 (Sobel, clamped), picture.md 5 (percentile ranks) and what histograms count.
 #include <glm/geometric.hpp>
 #include <numeric>
 

@@ -1,4 +1,4 @@
-// Guards SCENE 6: how a picture's floats become the bytes that are written and shown.
+// Guards picture.md 6: how a picture's floats become the bytes that are written and shown.
 #include <cmath>
 #include <random>
 

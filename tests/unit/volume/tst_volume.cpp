@@ -1,4 +1,4 @@
-// Guards SCENE 1, 2 and DESIGN 10 (values).
+// Guards picture.md 1, 2 and design.md 10 (values).
 #include <glm/geometric.hpp>
 #include <limits>
 
