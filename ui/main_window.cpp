@@ -88,7 +88,7 @@ void MainWindow::connectSession() {
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series)
       areOneSeries(before.series, after.series) ? showVolume() : showSeries();
-    if (before.wish != after.wish) applyLevel();
+    if (before.goal != after.goal) applyLevel();
     if (before.series == after.series && before.scene == after.scene) return;
     meter_.forget();
     requestFrame();
@@ -136,7 +136,7 @@ void MainWindow::connectLoader() {
 }
 
 void MainWindow::connectDrawing() {
-  connect(&controller_, &RenderController::frameReady, this, &MainWindow::showFrame);
+  connect(&controller_, &RenderController::screenPictureReady, this, &MainWindow::showFrame);
   connect(&controller_, &RenderController::failed, this,
           [this](const QString& sentence) { banner_->tell(sentence); });
 }
@@ -174,8 +174,8 @@ void MainWindow::connectAccuracy() {
 }
 
 void MainWindow::applyLevel() {
-  meter_.setNeeded(session_.wish().aim != Aim::level);
-  const auto level = levelFor(session_.wish(), meter_.measured().levels);
+  meter_.setNeeded(session_.goal().aim != Aim::level);
+  const auto level = levelFor(session_.goal(), meter_.measured().levels);
   if (!level || *level == controller_.level()) return;
   controller_.setLevel(*level);
   accuracy_->showLevel(*level);
@@ -240,7 +240,7 @@ void MainWindow::setResampler(Resampler resampler) {
   requestFrame();
 }
 
-void MainWindow::showFrame(const Frame& frame) {
+void MainWindow::showFrame(const ScreenPicture& frame) {
   const QString ms = QString::number(frame.ms, 'f', frame.ms < 10 ? 1 : 0);
   QString level = QLatin1String(qualityName(frame.quality));
   if (frame.factor > 1) level += QStringLiteral(" 1/%1").arg(frame.factor);

@@ -90,7 +90,7 @@ class MainWindow : public QMainWindow {
 
   void requestFrame();
   void applyLevel();
-  void showFrame(const Frame& frame);
+  void showFrame(const ScreenPicture& frame);
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study);
   void showSeries();
   void showVolume();

@@ -66,12 +66,12 @@ RenderOptions ofSize(int width, int height);
 
 struct Watched {
   RenderController controller;
-  std::vector<Frame> frames;
+  std::vector<ScreenPicture> frames;
   QStringList failures;
 
   explicit Watched(MakeDraw make) : controller(std::move(make)) {
-    QObject::connect(&controller, &RenderController::frameReady, &controller,
-                     [this](const Frame& frame) { frames.push_back(frame); });
+    QObject::connect(&controller, &RenderController::screenPictureReady, &controller,
+                     [this](const ScreenPicture& frame) { frames.push_back(frame); });
     QObject::connect(&controller, &RenderController::failed, &controller,
                      [this](const QString& sentence) { failures << sentence; });
     controller.setVolume(smallVolume());

@@ -69,13 +69,13 @@ struct Measured : Journey {
 
 Q_DECLARE_METATYPE(std::vector<float>)
 Q_DECLARE_METATYPE(std::vector<volumen::MeasuredLevel>)
-Q_DECLARE_METATYPE(volumen::PictureWish)
+Q_DECLARE_METATYPE(volumen::QualityGoal)
 
 class TestAccuracyPanel : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void wishesPickALevel_data();
-  void wishesPickALevel();
+  void goalsPickALevel_data();
+  void goalsPickALevel();
   void beatenLevelsAreNotOnTheFront();
   void levelsAreMeasuredAndChosen();
   void targetsPickTheLevel();
@@ -89,8 +89,8 @@ class TestAccuracyPanel : public QObject {
   void effectsShowTheirCosts();
 };
 
-void TestAccuracyPanel::wishesPickALevel_data() {
-  QTest::addColumn<PictureWish>("wish");
+void TestAccuracyPanel::goalsPickALevel_data() {
+  QTest::addColumn<QualityGoal>("goal");
   QTest::addColumn<std::vector<MeasuredLevel>>("levels");
   QTest::addColumn<int>("quality");  // -1: not told yet
   using Levels = std::vector<MeasuredLevel>;
@@ -101,9 +101,9 @@ void TestAccuracyPanel::wishesPickALevel_data() {
   const Levels broken{measured(coarse, 5, 20), measured(draft, {}, 0, "no memory"), measured(standard, 90, 3),
                       measured(high, {}, 0, "no memory")};
   const auto row = [](const char* name, Aim aim, double target, const Levels& levels, int quality) {
-    PictureWish wish{.aim = aim, .level = high};
-    wish.frameMs = wish.errorOf255 = target;
-    QTest::newRow(name) << wish << levels << quality;
+    QualityGoal goal{.aim = aim, .level = high};
+    goal.frameMs = goal.errorOf255 = target;
+    QTest::newRow(name) << goal << levels << quality;
   };
   row("the level itself, nothing measured", Aim::level, 0, {}, int(Quality::high));
   row("time: the most accurate within it", Aim::time, 100, all, int(Quality::standard));
@@ -119,11 +119,11 @@ void TestAccuracyPanel::wishesPickALevel_data() {
   row("nothing measured", Aim::time, 100, {}, -1);
 }
 
-void TestAccuracyPanel::wishesPickALevel() {
-  QFETCH(PictureWish, wish);
+void TestAccuracyPanel::goalsPickALevel() {
+  QFETCH(QualityGoal, goal);
   QFETCH(std::vector<MeasuredLevel>, levels);
   QFETCH(int, quality);
-  const auto level = levelFor(wish, levels);
+  const auto level = levelFor(goal, levels);
   QCOMPARE(level ? int(level->quality) : -1, quality);
 }
 
@@ -213,10 +213,10 @@ void TestAccuracyPanel::targetsPickTheLevel() {
   QVERIFY(w.window.controller().level() == coarse);
   // Switched off, the level stays; undone, the target is back.
   QTest::mouseClick(w.child<QCheckBox>("meetError"), Qt::LeftButton, {}, QPoint(8, 8));
-  QVERIFY(w.window.session().wish().aim == Aim::level);
+  QVERIFY(w.window.session().goal().aim == Aim::level);
   QVERIFY(w.window.controller().level() == coarse);
   w.child<QAction>("undo")->trigger();
-  QVERIFY(w.window.session().wish().aim == Aim::error);
+  QVERIFY(w.window.session().goal().aim == Aim::error);
 }
 
 void TestAccuracyPanel::aChangeOfTheSceneGivesTheMeasurementUp() {

@@ -19,12 +19,12 @@ class TestOpenGlResampler : public QObject {
 namespace {
 
 // The next full picture.
-Frame fullFrame(RenderController& controller, const Scene& scene) {
-  Frame full;
-  const auto connection =
-      QObject::connect(&controller, &RenderController::frameReady, &controller, [&](const Frame& frame) {
-        if (!frame.draft()) full = frame;
-      });
+ScreenPicture fullPicture(RenderController& controller, const Scene& scene) {
+  ScreenPicture full;
+  const auto connection = QObject::connect(&controller, &RenderController::screenPictureReady, &controller,
+                                           [&](const ScreenPicture& frame) {
+                                             if (!frame.draft()) full = frame;
+                                           });
   controller.request(scene, {80, 60});
   [&] { QTRY_VERIFY_WITH_TIMEOUT(!full.image.isNull(), 60000); }();
   QObject::disconnect(connection);
@@ -50,9 +50,9 @@ void TestOpenGlResampler::theSamePictureComesFromOpenGl() {
   QSignalSpy failures(&controller, &RenderController::failed);
   controller.setVolume(*makePhantom("ct-head:48"));
   const Scene scene;
-  const Frame cpu = fullFrame(controller, scene);
+  const ScreenPicture cpu = fullPicture(controller, scene);
   controller.setResampler(Resampler::gl);
-  const Frame gl = fullFrame(controller, scene);
+  const ScreenPicture gl = fullPicture(controller, scene);
   QCOMPARE(cpu.plan->resampler, Resampler::cpu);
   // The CPU goes from cell to cell where OpenGL takes plain steps, and both keep the promise of `standard`:
   // 42 dB, an RMSE of 2.03/255 each.

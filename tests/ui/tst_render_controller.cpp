@@ -34,7 +34,7 @@ void TestRenderController::draftComesFirstThenStandard() {
   QTRY_VERIFY(w.atRest());
   QCOMPARE(w.frames.size(), std::size_t(2));
   QVERIFY(w.frames[0].draft());
-  for (const Frame& frame : w.frames) {
+  for (const ScreenPicture& frame : w.frames) {
     QCOMPARE(frame.image.size(), QSize(101, 67));
     QCOMPARE(qRed(frame.image.pixel(50, 33)), 128);
   }
@@ -145,7 +145,7 @@ void TestRenderController::aLongPictureComesInThreeSteps() {
   QCOMPARE(w.frames.size(), std::size_t(3));
   QVERIFY(w.frames[0].draft() && w.frames[1].draft());
   QVERIFY(w.frames[0].factor > w.frames[1].factor && w.frames[1].factor > 1);
-  for (const Frame& frame : w.frames) {
+  for (const ScreenPicture& frame : w.frames) {
     QCOMPARE(frame.image.size(), QSize(640, 480));
     QVERIFY2(frame.scene == w.frames[0].scene, "the same camera, so that nothing jumps");
     for (const QPoint at : {QPoint(0, 0), QPoint(320, 240), QPoint(639, 479)})
@@ -234,7 +234,7 @@ void TestRenderController::anotherVolumeSilencesTheOneBefore() {
   renderer.msPerRow = 0;
   w.controller.request(greyScene(0.8), {64, 40});
   QTRY_VERIFY(w.atRest());
-  for (const Frame& frame : w.frames) QCOMPARE(frame.scene.lights[0].intensity, 0.8);
+  for (const ScreenPicture& frame : w.frames) QCOMPARE(frame.scene.lights[0].intensity, 0.8);
 }
 
 void TestRenderController::failuresAreTold() {

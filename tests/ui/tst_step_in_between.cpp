@@ -54,18 +54,20 @@ void TestStepInBetween::aDragEndsInASharperPictureAndThenTheFullOne() {
   window.open({QStringLiteral("phantom:sphere:16")});
   QTRY_VERIFY_WITH_TIMEOUT(!settled.isEmpty(), longest);
 
-  std::vector<Frame> frames;
+  std::vector<ScreenPicture> frames;
   bool allShown = true;
-  connect(&window.controller(), &RenderController::frameReady, &window, [&](const Frame& frame) {
-    frames.push_back(frame);
-    allShown = allShown && window.view()->picture() == frame.image;
-  });
+  connect(&window.controller(), &RenderController::screenPictureReady, &window,
+          [&](const ScreenPicture& frame) {
+            frames.push_back(frame);
+            allShown = allShown && window.view()->picture() == frame.image;
+          });
   settled.clear();
   tests::drag(window.view(), {150, 150}, {190, 170});
   QTRY_VERIFY_WITH_TIMEOUT(!settled.isEmpty(), longest);
   QVERIFY(allShown);
   QVERIFY(frames.size() >= 3);
-  const Frame &first = frames[frames.size() - 3], &between = frames[frames.size() - 2], &rest = frames.back();
+  const ScreenPicture &first = frames[frames.size() - 3], &between = frames[frames.size() - 2],
+                      &rest = frames.back();
   QVERIFY(rest.atRest && rest.factor == 1);
   QVERIFY(between.draft() && between.factor < first.factor);
   QVERIFY2(first.scene == between.scene && between.scene == rest.scene, "nothing jumps");

@@ -261,7 +261,7 @@ void RenderController::drawTrial(std::unique_lock<std::mutex>& lock) {
   trialCancel_ = CancelToken();
   const CancelToken cancel = trialCancel_;
   lock.unlock();
-  Frame frame;
+  ScreenPicture frame;
   Result<Drawn> drawn = drawPass(request, {request.level.quality, double(request.level.edge)}, frame, cancel);
   lock.lock();
   if (cancel.cancelled()) return;
@@ -309,7 +309,7 @@ RenderController::View RenderController::viewOf(const ScreenRequest& request, Pa
   return view;
 }
 
-Result<Drawn> RenderController::drawPass(const ScreenRequest& request, Pass pass, Frame& frame,
+Result<Drawn> RenderController::drawPass(const ScreenRequest& request, Pass pass, ScreenPicture& frame,
                                          const CancelToken& cancel, const Ahead* ahead) {
   const Clock::time_point begin = ahead ? ahead->rest : Clock::now();
   View view = viewOf(request, pass);
@@ -332,7 +332,7 @@ Result<Drawn> RenderController::drawPass(const ScreenRequest& request, Pass pass
 
 bool RenderController::drawFrame(const ScreenRequest& request, Pass pass, bool atRest,
                                  const CancelToken& cancel, const Ahead* ahead) {
-  Frame frame;
+  ScreenPicture frame;
   frame.atRest = atRest;
   Result<Drawn> drawn = drawPass(request, pass, frame, cancel, ahead);
   if (!drawn && !cancel.cancelled()) {
@@ -351,7 +351,7 @@ bool RenderController::drawFrame(const ScreenRequest& request, Pass pass, bool a
   if (pass == firstPass(request.level) && pass.factor == pace_.factor()) pace_.measured(ms);
   if (pass.quality == Quality::draft && !atRest) cost_.draftTook(ms, pass.factor);
   if (atRest) cost_.restTook(ms, request.level.edge);
-  tell([this, frame] { Q_EMIT frameReady(frame); });
+  tell([this, frame] { Q_EMIT screenPictureReady(frame); });
   return true;
 }
 

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "ui/controller/draft.h"
-#include "ui/session/picture_wish.h"
+#include "ui/session/quality_goal.h"
 #include "viewer/render/render.h"
 
 namespace volumen {
@@ -47,7 +47,7 @@ using MakeDraw = std::function<Draw(VolumePtr)>;
 Draw drawWithCaches(VolumePtr volume);
 
 /// A picture for the screen.
-struct Frame {
+struct ScreenPicture {
   QImage image;  ///< as many pixels as were asked for
   Quality quality = Quality::standard;
   double factor = 1;    ///< one ray for factor x factor pixels (DraftPace, PictureLevel)
@@ -114,7 +114,7 @@ class RenderController : public QObject {
 
  Q_SIGNALS:
   void thumbnailReady(int batch, int n, const QImage& image);
-  void frameReady(const volumen::Frame& frame);
+  void screenPictureReady(const volumen::ScreenPicture& picture);
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
   void trialReady(const volumen::Trial& trial);
@@ -171,8 +171,8 @@ class RenderController : public QObject {
   bool drawBetween(const ScreenRequest& request, Pass first, std::unique_lock<std::mutex>& lock);
   bool drawFrame(const ScreenRequest& request, Pass pass, bool atRest, const CancelToken& cancel,
                  const Ahead* ahead = nullptr);
-  Result<Drawn> drawPass(const ScreenRequest& request, Pass pass, Frame& frame, const CancelToken& cancel,
-                         const Ahead* ahead = nullptr);
+  Result<Drawn> drawPass(const ScreenRequest& request, Pass pass, ScreenPicture& frame,
+                         const CancelToken& cancel, const Ahead* ahead = nullptr);
   Result<Drawn> draw(const Scene& scene, const RenderOptions& options, const CancelToken& cancel);
   template <class Function>
   void tell(Function function);

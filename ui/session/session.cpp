@@ -41,9 +41,9 @@ void Session::exchangeSeries(const QString& text, ShownSeriesPtr after) {
   push(text, std::move(state), {});
 }
 
-void Session::wishFor(const QString& text, const PictureWish& after, const QString& mergeKey) {
+void Session::setGoal(const QString& text, const QualityGoal& after, const QString& mergeKey) {
   SessionState state = state_;
-  state.wish = after;
+  state.goal = after;
   push(text, std::move(state), mergeKey);
 }
 

@@ -4,8 +4,8 @@
 #include <QUndoStack>
 #include <functional>
 
-#include "ui/session/picture_wish.h"
 #include "ui/session/preferences.h"
+#include "ui/session/quality_goal.h"
 #include "ui/session/shown_series.h"
 #include "viewer/scene/scene.h"
 
@@ -21,7 +21,7 @@ struct ChosenPreset {
 struct SessionState {
   ShownSeriesPtr series;  ///< null: nothing opened yet
   Scene scene;
-  PictureWish wish;
+  QualityGoal goal;
   std::shared_ptr<const ChosenPreset> preset;  ///< null: no series
   bool operator==(const SessionState&) const = default;
 };
@@ -36,7 +36,7 @@ class Session : public QObject {
   const SessionState& state() const { return state_; }
   const Scene& scene() const { return state_.scene; }
   const ShownSeriesPtr& series() const { return state_.series; }
-  const PictureWish& wish() const { return state_.wish; }
+  const QualityGoal& goal() const { return state_.goal; }
   QUndoStack& undoStack() { return undoStack_; }
 
   /// Puts a series on screen with its first scene; what is asked of the picture stays. Forgets the steps made
@@ -57,7 +57,7 @@ class Session : public QObject {
   void exchangeSeries(const QString& text, ShownSeriesPtr after);
 
   /// The same for what is asked of the picture beside the scene.
-  void wishFor(const QString& text, const PictureWish& after, const QString& mergeKey = {});
+  void setGoal(const QString& text, const QualityGoal& after, const QString& mergeKey = {});
 
   /// How the window is wanted: no part of the picture, and no step to undo.
   const Preferences& preferences() const { return preferences_; }
