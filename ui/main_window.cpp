@@ -24,14 +24,20 @@
 
 namespace volumen {
 
+namespace {
+
+constexpr ViewId onlyView = 0;
+
+}  // namespace
+
 MainWindow::MainWindow(const Services& services, QWidget* parent)
     : QMainWindow(parent),
       services_(services),
-      controller_(services.makeDraw),
+      drawService_(services.makeDraw),
       loader_(services.makeScene),
-      meter_(controller_),
-      snapshot_(controller_),
-      thumbnails_(controller_, services.makeScene) {
+      meter_(drawService_),
+      snapshot_(drawService_),
+      thumbnails_(drawService_, services.makeScene) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("volumen"));
   setAcceptDrops(true);
@@ -136,9 +142,9 @@ void MainWindow::connectLoader() {
 }
 
 void MainWindow::connectDrawing() {
-  connect(&controller_, &RenderController::screenPictureReady, this, &MainWindow::showFrame);
-  connect(&controller_, &RenderController::failed, this,
-          [this](const QString& sentence) { banner_->tell(sentence); });
+  connect(&drawService_, &DrawService::screenPictureReady, this, &MainWindow::showFrame);
+  connect(&drawService_, &DrawService::failed, this,
+          [this](ViewId, const QString& sentence) { banner_->tell(sentence); });
 }
 
 void MainWindow::connectSegmenter() {
@@ -176,8 +182,8 @@ void MainWindow::connectAccuracy() {
 void MainWindow::applyLevel() {
   meter_.setNeeded(session_.goal().aim != Aim::level);
   const auto level = levelFor(session_.goal(), meter_.measured().levels);
-  if (!level || *level == controller_.level()) return;
-  controller_.setLevel(*level);
+  if (!level || *level == drawService_.level(onlyView)) return;
+  drawService_.setLevel(onlyView, *level);
   accuracy_->showLevel(*level);
   requestFrame();
 }
@@ -209,7 +215,7 @@ void MainWindow::showVolume() {
   const ShownSeriesPtr& series = session_.series();
   thumbnails_.stop();
   thumbnailsOf_.reset();
-  controller_.setVolume(series ? series->volume : nullptr);
+  drawService_.show(onlyView, series ? series->volume : nullptr);
   QStringList warnings;
   if (series)
     for (const Warning& w : series->warnings)
@@ -229,13 +235,13 @@ void MainWindow::showSeries() {
 void MainWindow::requestFrame() {
   if (!session_.series() || pages_->currentWidget() != view_) return;
   snapshotPanel_->setViewSize(view_->pixels());
-  controller_.request(session_.scene(), view_->pixels());
+  drawService_.request(onlyView, session_.scene(), view_->pixels());
 }
 
 void MainWindow::setResampler(Resampler resampler) {
   // Where Qt has no OpenGL without a window, EGL is tried when the picture is drawn.
   if (resampler == Resampler::gl) makeOffscreenGlSurface();
-  controller_.setResampler(resampler);
+  drawService_.setResampler(resampler);
   meter_.forget();
   requestFrame();
 }

@@ -4,10 +4,10 @@
 #include <map>
 
 #include "ui/controller/accuracy_meter.h"
+#include "ui/controller/draw_service.h"
 #include "ui/controller/loader.h"
 #include "ui/controller/preset_thumbnails.h"
 #include "ui/controller/recent_files.h"
-#include "ui/controller/render_controller.h"
 #include "ui/controller/scene_files.h"
 #include "ui/controller/segmenter.h"
 #include "ui/controller/snapshot.h"
@@ -53,7 +53,7 @@ class MainWindow : public QMainWindow {
   void open(const QStringList& paths, const std::optional<Scene>& scene = {});
   Session& session() { return session_; }
   VolumeView* view() const { return view_; }
-  const RenderController& controller() const { return controller_; }
+  const DrawService& drawService() const { return drawService_; }
   const AccuracyMeter& meter() const { return meter_; }
 
  Q_SIGNALS:
@@ -114,7 +114,7 @@ class MainWindow : public QMainWindow {
 
   Services services_;
   Session session_;
-  RenderController controller_;
+  DrawService drawService_;
   Loader loader_;
   AccuracyMeter meter_;
   Snapshot snapshot_;

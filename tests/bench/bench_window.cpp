@@ -23,11 +23,11 @@ void BenchWindow::aDragAcrossTheChest() {
   Journey w;
   w.window.resize(1440, 900);
   std::vector<double> draftsMs, fullMs, factors;
-  QObject::connect(&w.window.controller(), &RenderController::screenPictureReady, &w.window,
-                   [&](const ScreenPicture& frame) {
-                     const double ms = frame.ms - frame.stats.gradientsMs;
-                     (frame.draft() ? draftsMs : fullMs).push_back(ms);
-                     if (frame.draft()) factors.push_back(frame.factor);
+  QObject::connect(&w.window.drawService(), &DrawService::screenPictureReady, &w.window,
+                   [&](const ScreenPicture& picture) {
+                     const double ms = picture.ms - picture.stats.gradientsMs;
+                     (picture.draft() ? draftsMs : fullMs).push_back(ms);
+                     if (picture.draft()) factors.push_back(picture.factor);
                    });
   w.window.open({QString::fromStdString(path)});
   QVERIFY(w.settle());

@@ -163,13 +163,13 @@ void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
   const QImage first = w.window.view()->picture();
   slider->setFocus();
   const QImage finer = w.after([&] { QTest::keyClick(slider, Qt::Key_Right); });
-  QVERIFY(w.window.controller().level() == high);
+  QVERIFY(w.window.drawService().level(0) == high);
   QVERIFY2(finer != first, "smaller steps");
   QVERIFY(caption->text().contains(QStringLiteral("high")));
   QVERIFY(!w.child<QLabel>("difference")->pixmap().isNull());
   QVERIFY2(w.finished.count() == 1 && w.cancelled.count() == 0, "a level is no other scene");
   QVERIFY(w.after("undo") == first);
-  QVERIFY(w.window.controller().level() == standard);
+  QVERIFY(w.window.drawService().level(0) == standard);
   QCOMPARE(slider->value(), 3);
   // So does a click on a row.
   auto* table = w.child<QTreeWidget>("levelTable");
@@ -177,7 +177,7 @@ void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
                       table->visualItemRect(table->topLevelItem(0)).center());
   });
-  QVERIFY(w.window.controller().level() == coarse);
+  QVERIFY(w.window.drawService().level(0) == coarse);
   QCOMPARE(slider->value(), 0);
   QVERIFY(blurred != first && blurred.size() == first.size());
 }
@@ -197,24 +197,24 @@ void TestAccuracyPanel::targetsPickTheLevel() {
   // An error that the finest level alone can be sure to meet.
   w.after([&] { type(error, "0.01"); });
   QVERIFY(w.child<QCheckBox>("meetError")->isChecked());
-  QVERIFY(w.window.controller().level() == pictureLevels().back());
+  QVERIFY(w.window.drawService().level(0) == pictureLevels().back());
   QCOMPARE(w.child<QSlider>("levelSlider")->value(), int(pictureLevels().size()) - 1);
   // A time that every level meets: the finest; an error of 255/255: the coarsest.
   type(time, "100000");
   QVERIFY(w.child<QCheckBox>("meetTime")->isChecked());
   QVERIFY(!w.child<QCheckBox>("meetError")->isChecked());
-  QVERIFY(w.window.controller().level() == pictureLevels().back());
+  QVERIFY(w.window.drawService().level(0) == pictureLevels().back());
   w.after([&] { type(error, "255"); });
-  QVERIFY(w.window.controller().level() == coarse);
+  QVERIFY(w.window.drawService().level(0) == coarse);
   // The target holds for the next scene too, after its own measurement.
   w.finished.clear();
   w.after([&] { w.window.session().edit(QStringLiteral("unlit"), [](Scene& s) { s.shading.lit = false; }); });
   QVERIFY(w.measure());
-  QVERIFY(w.window.controller().level() == coarse);
+  QVERIFY(w.window.drawService().level(0) == coarse);
   // Switched off, the level stays; undone, the target is back.
   QTest::mouseClick(w.child<QCheckBox>("meetError"), Qt::LeftButton, {}, QPoint(8, 8));
   QVERIFY(w.window.session().goal().aim == Aim::level);
-  QVERIFY(w.window.controller().level() == coarse);
+  QVERIFY(w.window.drawService().level(0) == coarse);
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.window.session().goal().aim == Aim::error);
 }

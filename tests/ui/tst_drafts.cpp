@@ -3,7 +3,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "tests/unit/suite.h"
-#include "ui/controller/render_controller.h"
+#include "ui/controller/screen_picture.h"
 #include "viewer/phantoms/phantoms.h"
 #include "viewer/scene/presets.h"
 
@@ -133,7 +133,7 @@ void TestDrafts::draftLooksLikeStandard_data() {
 void TestDrafts::draftLooksLikeStandard() {
   QFETCH(double, factor);
   static const VolumePtr head = *makePhantom("ct-head:96");
-  static const Draw draw = drawWithCaches(head);
+  static const Draw draw = drawWithCaches(std::make_shared<StoredVoxels>(head));
   static Scene scene = *presetScene("auto", *head);
   const QSize full(400, 336);
   scene.camera = fitCamera(Camera{}, head->geometry(), double(full.width()) / full.height());

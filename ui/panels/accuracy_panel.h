@@ -6,8 +6,8 @@
 #include <QSlider>
 #include <QTreeWidget>
 
+#include "ui/controller/draw_service.h"
 #include "ui/controller/measured_levels.h"
-#include "ui/controller/render_controller.h"
 #include "ui/session/session.h"
 
 class QGridLayout;
