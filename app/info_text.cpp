@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "app/command.h"
-#include "ui/session/text.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -4,7 +4,7 @@
 
 #include "app/command.h"
 #include "app/progress.h"
-#include "ui/session/text.h"
+#include "ui/workspace/text.h"
 #include "viewer/scene/automatic.h"
 #include "viewer/segment/table.h"
 

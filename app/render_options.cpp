@@ -7,7 +7,7 @@
 #include "app/list_presets.h"
 #include "app/usage.h"
 #include "io/files/scene_file.h"
-#include "ui/session/own_presets.h"
+#include "ui/workspace/own_presets.h"
 #include "viewer/phantoms/phantoms.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/scene/first_camera.h"

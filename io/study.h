@@ -16,8 +16,8 @@ namespace volumen {
 /// One volume that was found: plain values that the rest of the program sees, and how to load it. Text is
 /// UTF-8, exactly as in the file; whoever shows it escapes control characters.
 struct Series {
-  std::string id;    ///< SeriesInstanceUID or file name, "#n" behind it where that holds several (DESIGN 10)
-  std::string path;  ///< the file, or the folder that holds the files
+  std::string id;  ///< SeriesInstanceUID or file name, "#n" behind it where that holds several (design.md 10)
+  std::string path;    ///< the file, or the folder that holds the files
   std::string format;  ///< "DICOM", "NRRD", "NIfTI", "MetaImage", "phantom"
   std::string patientName, patientId, studyUid, studyDate, studyDescription;
   std::string seriesUid, seriesNumber, modality, description;

@@ -16,22 +16,28 @@
 #include "ui/panels/segment_panel.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
-#include "ui/session/text.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/start_page.h"
 #include "ui/widgets/status_line.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
+
+namespace {
+
+constexpr ViewId onlyView = 0;
+
+}  // namespace
 
 MainWindow::MainWindow(const Services& services, QWidget* parent)
     : QMainWindow(parent),
       services_(services),
-      controller_(services.makeDraw),
+      drawService_(services.makeDraw),
       loader_(services.makeScene),
-      meter_(controller_),
-      snapshot_(controller_),
-      thumbnails_(controller_, services.makeScene) {
+      meter_(drawService_),
+      snapshot_(drawService_),
+      thumbnails_(drawService_, services.makeScene) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("volumen"));
   setAcceptDrops(true);
@@ -91,7 +97,7 @@ void MainWindow::connectSession() {
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series)
       before.series&& areOneSeries(before.series, after.series) ? showVolume() : showSeries();
-    if (before.wish != after.wish) applyLevel();
+    if (before.goal != after.goal) applyLevel();
     if (before.series == after.series && before.scene == after.scene) return;
     meter_.forget();
     requestFrame();
@@ -137,9 +143,9 @@ void MainWindow::connectLoader() {
 }
 
 void MainWindow::connectDrawing() {
-  connect(&controller_, &RenderController::frameReady, this, &MainWindow::showFrame);
-  connect(&controller_, &RenderController::failed, this,
-          [this](const QString& sentence) { banner_->tell(sentence); });
+  connect(&drawService_, &DrawService::screenPictureReady, this, &MainWindow::showFrame);
+  connect(&drawService_, &DrawService::failed, this,
+          [this](ViewId, const QString& sentence) { banner_->tell(sentence); });
 }
 
 void MainWindow::connectSegmenter() {
@@ -175,10 +181,10 @@ void MainWindow::connectAccuracy() {
 }
 
 void MainWindow::applyLevel() {
-  meter_.setNeeded(session_.wish().aim != Aim::level);
-  const auto level = levelFor(session_.wish(), meter_.measured().levels);
-  if (!level || *level == controller_.level()) return;
-  controller_.setLevel(*level);
+  meter_.setNeeded(session_.goal().aim != Aim::level);
+  const auto level = levelFor(session_.goal(), meter_.measured().levels);
+  if (!level || *level == drawService_.level(onlyView)) return;
+  drawService_.setLevel(onlyView, *level);
   accuracy_->showLevel(*level);
   requestFrame();
 }
@@ -210,7 +216,7 @@ void MainWindow::showVolume() {
   const ShownSeriesPtr& series = session_.series();
   thumbnails_.stop();
   thumbnailsOf_.reset();
-  controller_.setVolume(series ? series->volume : nullptr);
+  drawService_.show(onlyView, series ? series->volume : nullptr);
   QStringList warnings;
   if (series)
     for (const Warning& w : series->warnings)
@@ -230,18 +236,18 @@ void MainWindow::showSeries() {
 void MainWindow::requestFrame() {
   if (!session_.series() || pages_->currentWidget() != grid_ || view_->isHidden()) return;
   snapshotPanel_->setViewSize(view_->pixels());
-  controller_.request(session_.scene(), view_->pixels());
+  drawService_.request(onlyView, session_.scene(), view_->pixels());
 }
 
 void MainWindow::setResampler(Resampler resampler) {
   // Where Qt has no OpenGL without a window, EGL is tried when the picture is drawn.
   if (resampler == Resampler::gl) makeOffscreenGlSurface();
-  controller_.setResampler(resampler);
+  drawService_.setResampler(resampler);
   meter_.forget();
   requestFrame();
 }
 
-void MainWindow::showFrame(const Frame& frame) {
+void MainWindow::showFrame(const ScreenPicture& frame) {
   const QString ms = QString::number(frame.ms, 'f', frame.ms < 10 ? 1 : 0);
   QString level = QLatin1String(qualityName(frame.quality));
   if (frame.factor > 1) level += QStringLiteral(" 1/%1").arg(frame.factor);

@@ -4,17 +4,17 @@
 #include <map>
 
 #include "ui/controller/accuracy_meter.h"
+#include "ui/controller/draw_service.h"
 #include "ui/controller/loader.h"
 #include "ui/controller/preset_thumbnails.h"
 #include "ui/controller/recent_files.h"
-#include "ui/controller/render_controller.h"
 #include "ui/controller/scene_files.h"
 #include "ui/controller/segmenter.h"
 #include "ui/controller/slice_service.h"
 #include "ui/controller/snapshot.h"
-#include "ui/session/own_presets.h"
-#include "ui/session/session.h"
 #include "ui/theme.h"
+#include "ui/workspace/own_presets.h"
+#include "ui/workspace/session.h"
 
 class QStackedWidget;
 
@@ -56,7 +56,7 @@ class MainWindow : public QMainWindow {
   Session& session() { return session_; }
   VolumeView* view() const { return view_; }
   ViewGrid* views() const { return grid_; }
-  const RenderController& controller() const { return controller_; }
+  const DrawService& drawService() const { return drawService_; }
   const AccuracyMeter& meter() const { return meter_; }
 
  Q_SIGNALS:
@@ -96,7 +96,7 @@ class MainWindow : public QMainWindow {
 
   void requestFrame();
   void applyLevel();
-  void showFrame(const Frame& frame);
+  void showFrame(const ScreenPicture& frame);
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study);
   void showSeries();
   void showVolume();
@@ -120,7 +120,7 @@ class MainWindow : public QMainWindow {
 
   Services services_;
   Session session_;
-  RenderController controller_;
+  DrawService drawService_;
   SliceService slices_;
   Loader loader_;
   AccuracyMeter meter_;

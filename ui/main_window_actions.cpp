@@ -22,12 +22,12 @@
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/transfer_panel.h"
-#include "ui/session/text.h"
 #include "ui/views/canvas.h"
 #include "ui/views/volume_view.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/documents_window.h"
 #include "ui/widgets/fold_title.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -10,9 +10,9 @@
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/preferences_dialog.h"
-#include "ui/session/text.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/fold_title.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 

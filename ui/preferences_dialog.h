@@ -3,7 +3,7 @@
 #include <QDialog>
 #include <functional>
 
-#include "ui/session/session.h"
+#include "ui/workspace/session.h"
 
 class QFormLayout;
 

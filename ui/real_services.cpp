@@ -1,5 +1,5 @@
 #include "ui/main_window.h"
-#include "ui/session/own_presets.h"
+#include "ui/workspace/own_presets.h"
 
 namespace volumen {
 

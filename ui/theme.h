@@ -2,7 +2,7 @@
 
 #include <QIcon>
 
-#include "ui/session/preferences.h"
+#include "ui/workspace/preferences.h"
 
 class QApplication;
 

@@ -25,7 +25,7 @@ struct InfoOptions {
 Json toJson(glm::dvec3 v) { return Json::array({v.x, v.y, v.z}); }
 Json toJson(glm::ivec3 v) { return Json::array({v.x, v.y, v.z}); }
 
-// The geometry keys of DESIGN 7; null where nothing is calibrated.
+// The geometry keys of design.md 7; null where nothing is calibrated.
 void addGeometry(Json& out, const VoxelGeometry& g) {
   const bool known = g.calibrated;
   const glm::dvec3 spacing = g.spacing();

@@ -177,7 +177,7 @@ struct Part {
   std::vector<std::string> warnings;
 };
 
-/// Cuts at gaps of more than 4 usual distances, or more than 20 mm beyond the usual one (DESIGN 10).
+/// Cuts at gaps of more than 4 usual distances, or more than 20 mm beyond the usual one (design.md 10).
 std::vector<Part> splitGaps(const Entries& entries) {
   std::vector<Part> parts(1);
   if (!isPlaced(entries[0].slice()) || entries.size() < 3) return {{entries, {}}};

@@ -9,9 +9,9 @@
 namespace volumen::dicom {
 namespace {
 
-constexpr double gridTolerance = 0.01;  // of the distance between slices (DESIGN 10)
+constexpr double gridTolerance = 0.01;  // of the distance between slices (design.md 10)
 
-// Slices this far off an even grid are on it: scanners round and tables tremble (DESIGN 10).
+// Slices this far off an even grid are on it: scanners round and tables tremble (design.md 10).
 double mostJitterMm(double distance) { return std::min(0.02 * distance, 0.1); }
 
 glm::dvec3 normalOf(const Slice& slice) {
@@ -147,7 +147,7 @@ Warning unevenWarning(std::span<const PlacedSlice> slices, const std::vector<dou
   return {text, missing ? WarningKind::missingSlices : WarningKind::unevenSlices};
 }
 
-/// Adds the regular grid of DESIGN 10, from the first slice on: the median distance, or the mean one where
+/// Adds the regular grid of design.md 10, from the first slice on: the median distance, or the mean one where
 /// the slices are even but for those that are missing.
 void addRegularGrid(std::span<const PlacedSlice> slices, const std::vector<double>& along, Stack& stack) {
   const std::vector<double> steps = stepsMm(slices);

@@ -28,9 +28,9 @@ struct Stack {
   std::vector<Warning> warnings;
 };
 
-/// Lays slices of one size and orientation, in order, out in space (DESIGN 7 and 10): the step between slices
-/// keeps shear, uneven distances give a regular grid besides. Slices without position, orientation or spacing
-/// give an uncalibrated volume.
+/// Lays slices of one size and orientation, in order, out in space (design.md 7 and 10): the step between
+/// slices keeps shear, uneven distances give a regular grid besides. Slices without position, orientation or
+/// spacing give an uncalibrated volume.
 Stack layOut(std::span<const PlacedSlice> slices, int columns, int rows);
 
 /// Lengths of the steps between neighbouring slices, mm along the line through them.

@@ -15,7 +15,8 @@ namespace volumen {
 /// What a picture's file says of it: key and value.
 using PictureText = std::vector<std::pair<std::string, std::string>>;
 
-/// The 8-bit picture (SCENE 6): RGB888 where the background is opaque, else RGBA8888 with straight colour.
+/// The 8-bit picture (picture.md 6): RGB888 where the background is opaque, else RGBA8888 with straight
+/// colour.
 QImage imageForFile(const Picture& picture);
 
 /// Writes an image of imageForFile(), as JPEG where the path ends in .jpg or .jpeg, else as PNG. The file
@@ -29,8 +30,8 @@ Status writePng(const Picture& picture, const std::string& path, const PictureTe
 /// line of its own (kindName()); empty without any.
 PictureText warningText(const std::vector<Warning>& warnings);
 
-/// Writes the floats themselves for comparison (DESIGN 10): float32, sizes 4 W H, first row on top; the key
-/// "background" says "opaque" or "transparent".
+/// Writes the floats themselves for comparison (design.md 10): float32, sizes 4 W H, first row on top; the
+/// key "background" says "opaque" or "transparent".
 Status writePictureNrrd(const Picture& picture, const std::string& path);
 
 /// One float a pixel: sizes W H, first row on top.

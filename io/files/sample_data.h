@@ -39,7 +39,7 @@ Status setCounts(SampleData& data, const std::vector<std::uint64_t>& leading,
 /// file.
 Status checkFiles(const SampleData& data);
 
-/// "uint8", "int16", "uint16" or "float32": what a Volume keeps such samples as (DESIGN 10).
+/// "uint8", "int16", "uint16" or "float32": what a Volume keeps such samples as (design.md 10).
 const char* volumeTypeName(SampleType type);
 
 /// Stored values as a Volume keeps them.

@@ -23,11 +23,12 @@ void BenchWindow::aDragAcrossTheChest() {
   Journey w;
   w.window.resize(1440, 900);
   std::vector<double> draftsMs, fullMs, factors;
-  QObject::connect(&w.window.controller(), &RenderController::frameReady, &w.window, [&](const Frame& frame) {
-    const double ms = frame.ms - frame.stats.gradientsMs;
-    (frame.draft() ? draftsMs : fullMs).push_back(ms);
-    if (frame.draft()) factors.push_back(frame.factor);
-  });
+  QObject::connect(&w.window.drawService(), &DrawService::screenPictureReady, &w.window,
+                   [&](const ScreenPicture& picture) {
+                     const double ms = picture.ms - picture.stats.gradientsMs;
+                     (picture.draft() ? draftsMs : fullMs).push_back(ms);
+                     if (picture.draft()) factors.push_back(picture.factor);
+                   });
   w.window.open({QString::fromStdString(path)});
   QVERIFY(w.settle());
   // The pace of drafts is found while dragging: that of the second drag is the one people see.

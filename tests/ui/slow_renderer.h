@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "tests/fixtures/small_volumes.h"
-#include "ui/controller/render_controller.h"
+#include "ui/controller/draw_service.h"
 
 namespace volumen::tests {
 
@@ -19,7 +19,7 @@ struct SlowRenderer {
   std::atomic<int> plansBegun{0}, plansCancelled{0};
 
   MakeDraw make() {
-    return [this](VolumePtr) -> Draw {
+    return [this](const VoxelsPtr&) -> Draw {
       return {[this](const auto&... asked) { return plan(asked...); },
               [this](const auto&... asked) { return picture(asked...); }};
     };
@@ -64,19 +64,30 @@ Scene greyScene(double grey);
 
 RenderOptions ofSize(int width, int height);
 
+/// A service whose view 0 shows a volume; all that it tells is kept.
 struct Watched {
-  RenderController controller;
-  std::vector<Frame> frames;
+  const VolumePtr volume = smallVolume();
+  std::vector<ScreenPicture> pictures;
+  std::map<int, std::vector<Answer>> answers;  ///< by number of the request
   QStringList failures;
+  DrawService service;  ///< last: it answers until it is gone
 
-  explicit Watched(MakeDraw make) : controller(std::move(make)) {
-    QObject::connect(&controller, &RenderController::frameReady, &controller,
-                     [this](const Frame& frame) { frames.push_back(frame); });
-    QObject::connect(&controller, &RenderController::failed, &controller,
-                     [this](const QString& sentence) { failures << sentence; });
-    controller.setVolume(smallVolume());
+  explicit Watched(MakeDraw make) : service(std::move(make)) {
+    QObject::connect(&service, &DrawService::screenPictureReady, &service,
+                     [this](const ScreenPicture& picture) { pictures.push_back(picture); });
+    QObject::connect(&service, &DrawService::answered, &service,
+                     [this](ViewId, int number, Answer answer) { answers[number].push_back(answer); });
+    QObject::connect(&service, &DrawService::failed, &service,
+                     [this](ViewId, const QString& sentence) { failures << sentence; });
+    service.show(0, volume);
   }
-  bool atRest() const { return !frames.empty() && !frames.back().draft(); }
+  bool atRest() const { return !pictures.empty() && !pictures.back().draft(); }
+  /// The only answer to a request.
+  std::optional<Answer> answerTo(int number) const {
+    const auto found = answers.find(number);
+    return found != answers.end() && found->second.size() == 1 ? std::optional(found->second[0])
+                                                               : std::nullopt;
+  }
 };
 
 }  // namespace volumen::tests

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/session/shown_series.h"
+#include "ui/data/shown_series.h"
 
 namespace volumen::tests {
 

@@ -1,6 +1,6 @@
-// Guards DESIGN 6 (a slider along the levels with measured milliseconds and measured error for the scene on
-// screen; targets that pick a level), DESIGN 8 (nothing waits, undo for everything) and DESIGN 10 (what a PNG
-// says of itself).
+// Guards design.md 6 (a slider along the levels with measured milliseconds and measured error for the scene
+// on screen; targets that pick a level), design.md 8 (nothing waits, undo for everything) and design.md 10
+// (what a PNG says of itself).
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -69,13 +69,13 @@ struct Measured : Journey {
 
 Q_DECLARE_METATYPE(std::vector<float>)
 Q_DECLARE_METATYPE(std::vector<volumen::MeasuredLevel>)
-Q_DECLARE_METATYPE(volumen::PictureWish)
+Q_DECLARE_METATYPE(volumen::QualityGoal)
 
 class TestAccuracyPanel : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void wishesPickALevel_data();
-  void wishesPickALevel();
+  void goalsPickALevel_data();
+  void goalsPickALevel();
   void beatenLevelsAreNotOnTheFront();
   void levelsAreMeasuredAndChosen();
   void targetsPickTheLevel();
@@ -89,8 +89,8 @@ class TestAccuracyPanel : public QObject {
   void effectsShowTheirCosts();
 };
 
-void TestAccuracyPanel::wishesPickALevel_data() {
-  QTest::addColumn<PictureWish>("wish");
+void TestAccuracyPanel::goalsPickALevel_data() {
+  QTest::addColumn<QualityGoal>("goal");
   QTest::addColumn<std::vector<MeasuredLevel>>("levels");
   QTest::addColumn<int>("quality");  // -1: not told yet
   using Levels = std::vector<MeasuredLevel>;
@@ -101,9 +101,9 @@ void TestAccuracyPanel::wishesPickALevel_data() {
   const Levels broken{measured(coarse, 5, 20), measured(draft, {}, 0, "no memory"), measured(standard, 90, 3),
                       measured(high, {}, 0, "no memory")};
   const auto row = [](const char* name, Aim aim, double target, const Levels& levels, int quality) {
-    PictureWish wish{.aim = aim, .level = high};
-    wish.frameMs = wish.errorOf255 = target;
-    QTest::newRow(name) << wish << levels << quality;
+    QualityGoal goal{.aim = aim, .level = high};
+    goal.frameMs = goal.errorOf255 = target;
+    QTest::newRow(name) << goal << levels << quality;
   };
   row("the level itself, nothing measured", Aim::level, 0, {}, int(Quality::high));
   row("time: the most accurate within it", Aim::time, 100, all, int(Quality::standard));
@@ -119,11 +119,11 @@ void TestAccuracyPanel::wishesPickALevel_data() {
   row("nothing measured", Aim::time, 100, {}, -1);
 }
 
-void TestAccuracyPanel::wishesPickALevel() {
-  QFETCH(PictureWish, wish);
+void TestAccuracyPanel::goalsPickALevel() {
+  QFETCH(QualityGoal, goal);
   QFETCH(std::vector<MeasuredLevel>, levels);
   QFETCH(int, quality);
-  const auto level = levelFor(wish, levels);
+  const auto level = levelFor(goal, levels);
   QCOMPARE(level ? int(level->quality) : -1, quality);
 }
 
@@ -149,10 +149,10 @@ void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
             w.cell(int(n), 1).endsWith(QStringLiteral(" s")));
     QVERIFY(w.cell(int(n), 2).endsWith(QStringLiteral("/255")));
   }
-  // DESIGN 2's promises of standard, high and exact, at the pixels that were measured.
-  QVERIFY(levels[3].error.percentile99 <= 8);
-  QVERIFY(levels[4].error.percentile99 <= 2.5);
-  QVERIFY(levels[5].error.maximum <= 1);
+  // design.md 2's promises of standard, high and exact, at the pixels that were measured.
+  QVERIFY(levels[3].error.percentile99 <= promiseOf(Quality::standard).most99);
+  QVERIFY(levels[4].error.percentile99 <= promiseOf(Quality::high).most99);
+  QVERIFY(levels[5].error.maximum <= promiseOf(Quality::exact).mostMaximum);
   QVERIFY2(levels[0].error.rmse > levels[5].error.rmse, "fewer rays show");
   QVERIFY(levels[0].plan->options.size.x < levels[5].plan->options.size.x);
 
@@ -163,13 +163,13 @@ void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
   const QImage first = w.window.view()->picture();
   slider->setFocus();
   const QImage finer = w.after([&] { QTest::keyClick(slider, Qt::Key_Right); });
-  QVERIFY(w.window.controller().level() == high);
+  QVERIFY(w.window.drawService().level(0) == high);
   QVERIFY2(finer != first, "smaller steps");
   QVERIFY(caption->text().contains(QStringLiteral("high")));
   QVERIFY(!w.child<QLabel>("difference")->pixmap().isNull());
   QVERIFY2(w.finished.count() == 1 && w.cancelled.count() == 0, "a level is no other scene");
   QVERIFY(w.after("undo") == first);
-  QVERIFY(w.window.controller().level() == standard);
+  QVERIFY(w.window.drawService().level(0) == standard);
   QCOMPARE(slider->value(), 3);
   // So does a click on a row.
   auto* table = w.child<QTreeWidget>("levelTable");
@@ -177,7 +177,7 @@ void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
                       table->visualItemRect(table->topLevelItem(0)).center());
   });
-  QVERIFY(w.window.controller().level() == coarse);
+  QVERIFY(w.window.drawService().level(0) == coarse);
   QCOMPARE(slider->value(), 0);
   QVERIFY(blurred != first && blurred.size() == first.size());
 }
@@ -197,26 +197,26 @@ void TestAccuracyPanel::targetsPickTheLevel() {
   // An error that the finest level alone can be sure to meet.
   w.after([&] { type(error, "0.01"); });
   QVERIFY(w.child<QCheckBox>("meetError")->isChecked());
-  QVERIFY(w.window.controller().level() == pictureLevels().back());
+  QVERIFY(w.window.drawService().level(0) == pictureLevels().back());
   QCOMPARE(w.child<QSlider>("levelSlider")->value(), int(pictureLevels().size()) - 1);
   // A time that every level meets: the finest; an error of 255/255: the coarsest.
   type(time, "100000");
   QVERIFY(w.child<QCheckBox>("meetTime")->isChecked());
   QVERIFY(!w.child<QCheckBox>("meetError")->isChecked());
-  QVERIFY(w.window.controller().level() == pictureLevels().back());
+  QVERIFY(w.window.drawService().level(0) == pictureLevels().back());
   w.after([&] { type(error, "255"); });
-  QVERIFY(w.window.controller().level() == coarse);
+  QVERIFY(w.window.drawService().level(0) == coarse);
   // The target holds for the next scene too, after its own measurement.
   w.finished.clear();
   w.after([&] { w.window.session().edit(QStringLiteral("unlit"), [](Scene& s) { s.shading.lit = false; }); });
   QVERIFY(w.measure());
-  QVERIFY(w.window.controller().level() == coarse);
+  QVERIFY(w.window.drawService().level(0) == coarse);
   // Switched off, the level stays; undone, the target is back.
   QTest::mouseClick(w.child<QCheckBox>("meetError"), Qt::LeftButton, {}, QPoint(8, 8));
-  QVERIFY(w.window.session().wish().aim == Aim::level);
-  QVERIFY(w.window.controller().level() == coarse);
+  QVERIFY(w.window.session().goal().aim == Aim::level);
+  QVERIFY(w.window.drawService().level(0) == coarse);
   w.child<QAction>("undo")->trigger();
-  QVERIFY(w.window.session().wish().aim == Aim::error);
+  QVERIFY(w.window.session().goal().aim == Aim::error);
 }
 
 void TestAccuracyPanel::aChangeOfTheSceneGivesTheMeasurementUp() {
@@ -257,7 +257,7 @@ void TestAccuracyPanel::aPictureSaysWhatWasMeasuredOfIt() {
   const QImage same = savedPicture(w, folder.filePath(QStringLiteral("same.png")));
   const auto says = [&](const char* key) { return same.text(QLatin1String(key)); };
   QCOMPARE(says("volumen-level"), QStringLiteral("high"));
-  QVERIFY(says("volumen-error").contains(QStringLiteral("PSNR >= 52 dB")));
+  QCOMPARE(says("volumen-error"), QString::fromStdString(promiseText(Quality::high)));
   QVERIFY(says("volumen-step").contains(QStringLiteral("cell by cell")));
   QVERIFY(says("volumen-scene").contains(QStringLiteral("volumenScene")));
   const auto known = measuredError(w.window.meter().measured(), *w.levels()[4].plan);

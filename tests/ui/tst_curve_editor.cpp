@@ -1,4 +1,4 @@
-// Guards DESIGN 8 (curve editor) and SCENE 4 (opacity per unitDistance, extinction).
+// Guards design.md 8 (curve editor) and picture.md 4 (opacity per unitDistance, extinction).
 #include <QSignalSpy>
 #include <QWheelEvent>
 #include <cmath>

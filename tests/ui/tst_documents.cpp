@@ -42,7 +42,7 @@ void TestDocuments::f1OpensThem() {
   QVERIFY(documents);
   auto* list = documents->findChild<QListWidget*>(QStringLiteral("documentList"));
   auto* text = documents->findChild<QTextBrowser*>(QStringLiteral("documentText"));
-  QVERIFY(list->count() >= 6);
+  QVERIFY(list->count() >= 7);
   for (int n = 0; n < list->count(); ++n) {
     const QPoint row = list->visualItemRect(list->item(n)).center();
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, row);

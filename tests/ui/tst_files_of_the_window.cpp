@@ -1,5 +1,5 @@
-// Guards DESIGN 8: scenes are saved and opened, what was opened last is offered again, and what is not as it
-// seems stands on the picture.
+// Guards design.md 8: scenes are saved and opened, what was opened last is offered again, and what is not as
+// it seems stands on the picture.
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>

@@ -1,5 +1,5 @@
-// Guards DESIGN 8 and SCENE 8 on real series: what is opened is seen from where there is most to see, in the
-// way its modality is read.
+// Guards design.md 8 and picture.md 8 on real series: what is opened is seen from where there is most to see,
+// in the way its modality is read.
 #include <QComboBox>
 #include <QLabel>
 
@@ -7,7 +7,7 @@
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
-#include "ui/session/camera_moves.h"
+#include "ui/workspace/camera_moves.h"
 
 using namespace volumen;
 using volumen::tests::Journey;

@@ -1,4 +1,4 @@
-// Guards DESIGN 8: whole journeys through the window, by real events.
+// Guards design.md 8: whole journeys through the window, by real events.
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>

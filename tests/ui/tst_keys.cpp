@@ -9,7 +9,7 @@
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/session/camera_moves.h"
+#include "ui/workspace/camera_moves.h"
 
 using namespace volumen;
 

@@ -1,4 +1,4 @@
-// Guards DESIGN 8 (lights on a sphere) and SCENE 7 (camera space: x right, y up, z to the viewer).
+// Guards design.md 8 (lights on a sphere) and picture.md 7 (camera space: x right, y up, z to the viewer).
 #include <QSignalSpy>
 #include <glm/geometric.hpp>
 

@@ -1,5 +1,5 @@
-// Guards DESIGN 8 (the UI thread never decodes or waits; progress, cancel) and DESIGN 7 (a bad path costs a
-// sentence).
+// Guards design.md 8 (the UI thread never decodes or waits; progress, cancel) and design.md 7 (a bad path
+// costs a sentence).
 #include <QSignalSpy>
 
 #include "tests/unit/suite.h"

@@ -1,11 +1,11 @@
-// Guards DESIGN 3 in the window: OpenGL resamples on the render thread, and where it cannot, the CPU does.
+// Guards design.md 3 in the window: OpenGL resamples on the render thread, and where it cannot, the CPU does.
 #include <cmath>
 
 #include <QSignalSpy>
 
 #include "tests/unit/suite.h"
+#include "ui/controller/draw_service.h"
 #include "ui/controller/qt_gl_context.h"
-#include "ui/controller/render_controller.h"
 #include "viewer/phantoms/phantoms.h"
 
 using namespace volumen;
@@ -19,13 +19,13 @@ class TestOpenGlResampler : public QObject {
 namespace {
 
 // The next full picture.
-Frame fullFrame(RenderController& controller, const Scene& scene) {
-  Frame full;
-  const auto connection =
-      QObject::connect(&controller, &RenderController::frameReady, &controller, [&](const Frame& frame) {
-        if (!frame.draft()) full = frame;
-      });
-  controller.request(scene, {80, 60});
+ScreenPicture fullPicture(DrawService& service, const Scene& scene) {
+  ScreenPicture full;
+  const auto connection = QObject::connect(&service, &DrawService::screenPictureReady, &service,
+                                           [&](const ScreenPicture& picture) {
+                                             if (!picture.draft()) full = picture;
+                                           });
+  service.request(0, scene, {80, 60});
   [&] { QTRY_VERIFY_WITH_TIMEOUT(!full.image.isNull(), 60000); }();
   QObject::disconnect(connection);
   return full;
@@ -46,20 +46,20 @@ double rmsDifference(const QImage& a, const QImage& b) {
 
 void TestOpenGlResampler::theSamePictureComesFromOpenGl() {
   makeOffscreenGlSurface();
-  RenderController controller(drawWithCaches);
-  QSignalSpy failures(&controller, &RenderController::failed);
-  controller.setVolume(*makePhantom("ct-head:48"));
+  DrawService service(drawWithCaches);
+  QSignalSpy failures(&service, &DrawService::failed);
+  service.show(0, *makePhantom("ct-head:48"));
   const Scene scene;
-  const Frame cpu = fullFrame(controller, scene);
-  controller.setResampler(Resampler::gl);
-  const Frame gl = fullFrame(controller, scene);
+  const ScreenPicture cpu = fullPicture(service, scene);
+  service.setResampler(Resampler::gl);
+  const ScreenPicture gl = fullPicture(service, scene);
   QCOMPARE(cpu.plan->resampler, Resampler::cpu);
   // The CPU goes from cell to cell where OpenGL takes plain steps, and both keep the promise of `standard`:
   // 42 dB, an RMSE of 2.03/255 each.
   QVERIFY(rmsDifference(cpu.image, gl.image) <= 4.06);
   if (!failures.isEmpty()) {
     QCOMPARE(gl.plan->resampler, Resampler::cpu);
-    QSKIP(qPrintable(failures[0][0].toString()));
+    QSKIP(qPrintable(failures[0][1].toString()));
   }
   QCOMPARE(gl.plan->resampler, Resampler::gl);
 }

@@ -1,4 +1,4 @@
-// Guards DESIGN 8 (panels write edits of the session, one undo step a gesture) and SCENE 4, 5, 7, 8.
+// Guards design.md 8 (panels write edits of the session, one undo step a gesture) and picture.md 4, 5, 7, 8.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QMenu>
@@ -16,7 +16,7 @@
 #include "ui/panels/material_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/transfer_panel.h"
-#include "ui/session/camera_moves.h"
+#include "ui/workspace/camera_moves.h"
 #include "viewer/scene/scene_json.h"
 
 using namespace volumen;

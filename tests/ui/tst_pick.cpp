@@ -1,5 +1,5 @@
-// Guards DESIGN 8 (pointing): the place and value under the cursor are those that the picture shows (SCENE 4,
-// 6), against closed forms and on a real chest.
+// Guards design.md 8 (pointing): the place and value under the cursor are those that the picture shows
+// (picture.md 4, 6), against closed forms and on a real chest.
 #include <QSignalSpy>
 #include <QTest>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include "tests/ui/gestures.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/session/text.h"
 #include "ui/views/volume_view.h"
 #include "ui/widgets/curve_edits.h"
+#include "ui/workspace/text.h"
 #include "viewer/scene/presets.h"
 
 using namespace volumen;

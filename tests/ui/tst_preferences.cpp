@@ -14,8 +14,8 @@
 #include "tests/unit/suite.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/preferences_dialog.h"
-#include "ui/session/text.h"
 #include "ui/widgets/curve_editor.h"
+#include "ui/workspace/text.h"
 
 using namespace volumen;
 

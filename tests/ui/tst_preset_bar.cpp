@@ -1,4 +1,4 @@
-// Guards DESIGN 8 (presets): the list, its thumbnails, what is modified, the user's own.
+// Guards design.md 8 (presets): the list, its thumbnails, what is modified, the user's own.
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>

@@ -1,4 +1,4 @@
-// Guards DESIGN 8 (projections in the window): mode, window by drag, typed, by name and on the histogram;
+// Guards design.md 8 (projections in the window): mode, window by drag, typed, by name and on the histogram;
 // units.
 #include <QCheckBox>
 #include <QComboBox>
@@ -9,9 +9,9 @@
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/panels/transfer_panel.h"
-#include "ui/session/windows.h"
 #include "ui/views/volume_view.h"
 #include "ui/widgets/curve_editor.h"
+#include "ui/workspace/windows.h"
 
 using namespace volumen;
 

@@ -1,4 +1,4 @@
-// Guards DESIGN 8: pictures to be saved are all answered, each drawn of the volume it was asked of.
+// Guards design.md 8: pictures to be saved are all answered, each drawn of the volume it was asked of.
 #include "tests/ui/slow_renderer.h"
 #include "tests/unit/suite.h"
 
@@ -15,18 +15,18 @@ class TestSavedPictures : public QObject {
 void TestSavedPictures::picturesToSaveAreDrawnAndCancelled() {
   SlowRenderer renderer;
   Watched w(renderer.make());
-  QSignalSpy ready(&w.controller, &RenderController::pictureReady);
+  QSignalSpy ready(&w.service, &DrawService::pictureReady);
   const VolumePtr volume = smallVolume();
-  const int number = w.controller.requestPicture(volume, greyScene(0.5), ofSize(30, 20));
+  const int number = w.service.requestPicture(volume, greyScene(0.5), ofSize(30, 20));
   QTRY_COMPARE(ready.count(), 1);
   QCOMPARE(ready[0][0].toInt(), number);
   const auto drawn = ready[0][1].value<std::shared_ptr<Drawn>>();
   QVERIFY(drawn && drawn->picture.size == glm::ivec2(30, 20));
   renderer.msPerRow = 5;
-  w.controller.requestPicture(volume, greyScene(0.5), ofSize(30, 2000));
-  w.controller.requestPicture(volume, greyScene(0.5), ofSize(30, 2000));
+  w.service.requestPicture(volume, greyScene(0.5), ofSize(30, 2000));
+  w.service.requestPicture(volume, greyScene(0.5), ofSize(30, 2000));
   QTRY_VERIFY(renderer.begun == 2);
-  w.controller.cancelPictures();
+  w.service.cancelPictures();
   QTRY_COMPARE(ready.count(), 3);
   for (int n : {1, 2}) {
     QVERIFY(!ready[n][1].value<std::shared_ptr<Drawn>>());
@@ -38,14 +38,14 @@ namespace {
 
 // Draws every volume in the grey of its values.
 MakeDraw greyOfVolume() {
-  return [](const VolumePtr& volume) -> Draw {
+  return [](const VoxelsPtr& voxels) -> Draw {
     return {[](const Scene& scene, const RenderOptions& options, const CancelToken&) -> Result<Planned> {
               Planned planned;
               planned.plan.scene = scene;
               planned.plan.options = options;
               return planned;
             },
-            [volume](const Planned& planned, const CancelToken&) -> Result<Drawn> {
+            [volume = voxels->volume()](const Planned& planned, const CancelToken&) -> Result<Drawn> {
               QThread::msleep(30);
               Drawn drawn;
               drawn.picture.size = planned.plan.options.size;
@@ -61,15 +61,15 @@ MakeDraw greyOfVolume() {
 void TestSavedPictures::picturesAreOfTheVolumeTheyWereAskedOf() {
   Watched w(greyOfVolume());
   const VolumePtr first = smallVolume(), second = smallVolume(0);
-  QSignalSpy ready(&w.controller, &RenderController::pictureReady);
-  w.controller.setVolume(first);
+  QSignalSpy ready(&w.service, &DrawService::pictureReady);
+  w.service.show(0, first);
   std::vector<int> numbers;
   for (int n = 0; n < 3; ++n)
-    numbers.push_back(w.controller.requestPicture(first, greyScene(0.5), ofSize(8, 8)));
-  w.controller.setVolume(second);
-  w.controller.request(greyScene(0.5), {8, 8});
-  numbers.push_back(w.controller.requestPicture(second, greyScene(0.5), ofSize(8, 8)));
-  w.controller.setVolume(nullptr);
+    numbers.push_back(w.service.requestPicture(first, greyScene(0.5), ofSize(8, 8)));
+  w.service.show(0, second);
+  w.service.request(0, greyScene(0.5), {8, 8});
+  numbers.push_back(w.service.requestPicture(second, greyScene(0.5), ofSize(8, 8)));
+  w.service.show(0, nullptr);
   QTRY_COMPARE(ready.count(), 4);
   for (int n = 0; n < 4; ++n) {
     QCOMPARE(ready[n][0].toInt(), numbers[std::size_t(n)]);

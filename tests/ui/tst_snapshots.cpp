@@ -1,4 +1,4 @@
-// Guards DESIGN 8: snapshots as they are chosen, of the series they were asked of; what is told meanwhile.
+// Guards design.md 8: snapshots as they are chosen, of the series they were asked of; what is told meanwhile.
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>

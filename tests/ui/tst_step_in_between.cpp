@@ -1,4 +1,4 @@
-// Guards DESIGN 8: a picture that takes long comes in steps, each of which is shown, after a real drag.
+// Guards design.md 8: a picture that takes long comes in steps, each of which is shown, after a real drag.
 #include <QSignalSpy>
 #include <QThread>
 
@@ -15,7 +15,7 @@ namespace {
 constexpr int longest = 60000;  // ms, for a loaded machine
 
 // Pictures of one grey that take 6 us a pixel.
-Draw slowDraw(const VolumePtr&) {
+Draw slowDraw(const VoxelsPtr&) {
   const auto plan = [](const Scene& scene, const RenderOptions& options, const CancelToken&) {
     Planned planned;
     planned.plan.scene = scene;
@@ -54,18 +54,20 @@ void TestStepInBetween::aDragEndsInASharperPictureAndThenTheFullOne() {
   window.open({QStringLiteral("phantom:sphere:16")});
   QTRY_VERIFY_WITH_TIMEOUT(!settled.isEmpty(), longest);
 
-  std::vector<Frame> frames;
+  std::vector<ScreenPicture> pictures;
   bool allShown = true;
-  connect(&window.controller(), &RenderController::frameReady, &window, [&](const Frame& frame) {
-    frames.push_back(frame);
-    allShown = allShown && window.view()->picture() == frame.image;
-  });
+  connect(&window.drawService(), &DrawService::screenPictureReady, &window,
+          [&](const ScreenPicture& picture) {
+            pictures.push_back(picture);
+            allShown = allShown && window.view()->picture() == picture.image;
+          });
   settled.clear();
   tests::drag(window.view(), {150, 150}, {190, 170});
   QTRY_VERIFY_WITH_TIMEOUT(!settled.isEmpty(), longest);
   QVERIFY(allShown);
-  QVERIFY(frames.size() >= 3);
-  const Frame &first = frames[frames.size() - 3], &between = frames[frames.size() - 2], &rest = frames.back();
+  QVERIFY(pictures.size() >= 3);
+  const ScreenPicture &first = pictures[pictures.size() - 3], &between = pictures[pictures.size() - 2],
+                      &rest = pictures.back();
   QVERIFY(rest.atRest && rest.factor == 1);
   QVERIFY(between.draft() && between.factor < first.factor);
   QVERIFY2(first.scene == between.scene && between.scene == rest.scene, "nothing jumps");

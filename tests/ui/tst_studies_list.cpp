@@ -1,4 +1,4 @@
-// Guards DESIGN 8: the list of series, its thumbnails and what its menu does, by real events.
+// Guards design.md 8: the list of series, its thumbnails and what its menu does, by real events.
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QDesktopServices>

@@ -1,4 +1,5 @@
-// Guards DESIGN 8 (volume view and its gestures), SCENE 6 (ray inside box and clip) and SCENE 7 (camera).
+// Guards design.md 8 (volume view and its gestures), picture.md 6 (ray inside box and clip) and picture.md 7
+// (camera).
 #include <QGuiApplication>
 #include <QSignalSpy>
 #include <QWheelEvent>
@@ -8,9 +9,9 @@
 #include "tests/ui/gestures.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/session/text.h"
 #include "ui/views/canvas.h"
 #include "ui/views/volume_view.h"
+#include "ui/workspace/text.h"
 
 using namespace volumen;
 

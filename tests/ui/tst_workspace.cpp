@@ -6,8 +6,8 @@
 
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/session/session.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/session.h"
 
 using namespace volumen;
 

@@ -14,10 +14,10 @@ constexpr double enoughMs = 600;
 
 }  // namespace
 
-AccuracyMeter::AccuracyMeter(RenderController& controller, QObject* parent)
-    : QObject(parent), controller_(controller) {
+AccuracyMeter::AccuracyMeter(DrawService& drawService, QObject* parent)
+    : QObject(parent), drawService_(drawService) {
   pool_.setMaxThreadCount(1);
-  connect(&controller_, &RenderController::trialReady, this, &AccuracyMeter::take);
+  connect(&drawService_, &DrawService::trialReady, this, &AccuracyMeter::take);
 }
 
 AccuracyMeter::~AccuracyMeter() {
@@ -76,7 +76,7 @@ void AccuracyMeter::stop() {
   if (!running_) return;
   running_ = false;
   cancel_.cancel();
-  controller_.dropTrial();
+  drawService_.dropTrial();
   Q_EMIT cancelled();
 }
 
@@ -118,7 +118,7 @@ void AccuracyMeter::drawNext() {
   framesMs_.clear();
   Q_EMIT progressed(QString::fromStdString(levelName(levels[next_].level)),
                     double(next_) / double(levels.size()));
-  awaited_ = controller_.requestTrial(shown_->scene, shown_->pixels, levels[next_].level);
+  awaited_ = drawService_.requestTrial(shown_->volume, shown_->scene, shown_->pixels, levels[next_].level);
 }
 
 void AccuracyMeter::take(const Trial& trial) {
@@ -128,7 +128,7 @@ void AccuracyMeter::take(const Trial& trial) {
     framesMs_.push_back(trial.ms);
     const double spentMs = std::accumulate(framesMs_.begin(), framesMs_.end(), 0.0);
     if (int(framesMs_.size()) < frames && spentMs < enoughMs) {
-      awaited_ = controller_.requestTrial(shown_->scene, shown_->pixels, level.level);
+      awaited_ = drawService_.requestTrial(shown_->volume, shown_->scene, shown_->pixels, level.level);
       return;
     }
     describe(level, trial);

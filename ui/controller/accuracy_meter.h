@@ -3,8 +3,8 @@
 #include <QObject>
 #include <QThreadPool>
 
+#include "ui/controller/draw_service.h"
 #include "ui/controller/measured_levels.h"
-#include "ui/controller/render_controller.h"
 
 namespace volumen {
 
@@ -14,7 +14,7 @@ namespace volumen {
 class AccuracyMeter : public QObject {
   Q_OBJECT
  public:
-  explicit AccuracyMeter(RenderController& controller, QObject* parent = nullptr);
+  explicit AccuracyMeter(DrawService& drawService, QObject* parent = nullptr);
   /// Gives up what is under way.
   ~AccuracyMeter() override;
 
@@ -58,7 +58,7 @@ class AccuracyMeter : public QObject {
   void take(const Trial& trial);
   void describe(MeasuredLevel& level, const Trial& trial) const;
 
-  RenderController& controller_;
+  DrawService& drawService_;
   QThreadPool pool_;
   std::optional<Shown> shown_;
   MeasuredLevels measured_;

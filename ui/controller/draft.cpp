@@ -11,7 +11,7 @@ namespace volumen {
 
 namespace {
 
-// Beyond 7 the means over blocks of 16 x 16 pixels would miss those of `standard` by more than DESIGN 2
+// Beyond 7 the means over blocks of 16 x 16 pixels would miss those of `standard` by more than design.md 2
 // allows.
 constexpr double factors[] = {1, 1.5, 2, 3, 4, 5, 6, 7};
 constexpr int lastStep = int(std::size(factors)) - 1;
@@ -36,21 +36,21 @@ QImage imageOfRows(QSize size, QImage::Format format, const Fill& fill) {
 
 // Where the pixels of a stretch of `full` lie among `count` pixels that are `factor` as large, middle on
 // middle.
-struct Sample {
+struct Neighbours {
   int first, second;
   float weight;  // of the second
 };
 
-Sample sampleAt(int n, int full, int count, double factor) {
+Neighbours neighboursAt(int n, int full, int count, double factor) {
   const double at = std::clamp((n + 0.5 - full / 2.0) / factor + count / 2.0 - 0.5, 0.0, count - 1.0);
   const int first = int(at);
   return {first, std::min(first + 1, count - 1), float(at - first)};
 }
 
-std::vector<Sample> samplesAlong(int full, int count, double factor) {
-  std::vector<Sample> samples(full);
-  for (int n = 0; n < full; ++n) samples[n] = sampleAt(n, full, count, factor);
-  return samples;
+std::vector<Neighbours> neighboursAlong(int full, int count, double factor) {
+  std::vector<Neighbours> neighbours(full);
+  for (int n = 0; n < full; ++n) neighbours[n] = neighboursAt(n, full, count, factor);
+  return neighbours;
 }
 
 }  // namespace
@@ -91,8 +91,8 @@ DraftView draftView(const Camera& camera, QSize full, double factor) {
 }
 
 QImage enlarged(const Picture& picture, double factor, QSize full) {
-  const std::vector<Sample> columns = samplesAlong(full.width(), picture.size.x, factor);
-  const std::vector<Sample> rows = samplesAlong(full.height(), picture.size.y, factor);
+  const std::vector<Neighbours> columns = neighboursAlong(full.width(), picture.size.x, factor);
+  const std::vector<Neighbours> rows = neighboursAlong(full.height(), picture.size.y, factor);
   return imageOfRows(full, formatOf(picture), [&](int begin, int end, const auto& rowOf) {
     // Each row of the small picture is stretched once, when the rows between which the result lies reach it.
     std::vector<float> stretched[2], blended(std::size_t(4) * full.width());
@@ -121,8 +121,8 @@ QImage enlarged(const Picture& picture, double factor, QSize full) {
 }
 
 glm::vec4 enlargedPixel(const Picture& picture, double factor, QSize full, glm::ivec2 pixel) {
-  const Sample x = sampleAt(pixel.x, full.width(), picture.size.x, factor);
-  const Sample y = sampleAt(pixel.y, full.height(), picture.size.y, factor);
+  const Neighbours x = neighboursAt(pixel.x, full.width(), picture.size.x, factor);
+  const Neighbours y = neighboursAt(pixel.y, full.height(), picture.size.y, factor);
   const auto along = [&](int row) {
     const float *a = picture.row(row) + 4 * x.first, *b = picture.row(row) + 4 * x.second;
     const glm::vec4 first(a[0], a[1], a[2], a[3]), second(b[0], b[1], b[2], b[3]);

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "io/study.h"
-#include "ui/session/shown_series.h"
+#include "ui/data/shown_series.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {

@@ -18,18 +18,18 @@ std::string levelName(PictureLevel level) {
   return level.edge == 1 ? name : name + " 1/" + std::to_string(level.edge);
 }
 
-std::optional<PictureLevel> levelFor(const PictureWish& wish, const std::vector<MeasuredLevel>& levels) {
-  if (wish.aim == Aim::level) return wish.level;
+std::optional<PictureLevel> levelFor(const QualityGoal& goal, const std::vector<MeasuredLevel>& levels) {
+  if (goal.aim == Aim::level) return goal.level;
   const MeasuredLevel* best = nullptr;
   for (const MeasuredLevel& l : levels) {
     if (!l.done()) return std::nullopt;
     if (!l.ms) continue;
-    if (wish.aim == Aim::error) {
+    if (goal.aim == Aim::error) {
       best = &l;
-      if (l.error.percentile99 <= wish.errorOf255) return l.level;
+      if (l.error.percentile99 <= goal.errorOf255) return l.level;
     } else {
       // The finer ones take longer still.
-      if (*l.ms > wish.frameMs) return best ? best->level : l.level;
+      if (*l.ms > goal.frameMs) return best ? best->level : l.level;
       best = &l;
     }
   }

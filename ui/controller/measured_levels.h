@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/session/picture_wish.h"
+#include "ui/workspace/quality_goal.h"
 #include "viewer/evaluation/truth.h"
 #include "viewer/plan/picture_text.h"
 
@@ -36,9 +36,9 @@ const std::vector<PictureLevel>& pictureLevels();
 /// "standard", "draft 1/4".
 std::string levelName(PictureLevel level);
 
-/// The level that a wish means; none as long as too little is measured to tell. Where no level is fast (or
+/// The level that a goal means; none as long as too little is measured to tell. Where no level is fast (or
 /// accurate) enough, the fastest (most accurate).
-std::optional<PictureLevel> levelFor(const PictureWish& wish, const std::vector<MeasuredLevel>& levels);
+std::optional<PictureLevel> levelFor(const QualityGoal& goal, const std::vector<MeasuredLevel>& levels);
 
 /// Marks those that no other one beats in time and error.
 void markFront(std::vector<MeasuredLevel>& levels);

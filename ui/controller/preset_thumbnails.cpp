@@ -2,14 +2,13 @@
 
 namespace volumen {
 
-PresetThumbnails::PresetThumbnails(RenderController& controller, MakeScene makeScene, QObject* parent)
-    : QObject(parent), controller_(controller), makeScene_(std::move(makeScene)) {
+PresetThumbnails::PresetThumbnails(DrawService& drawService, MakeScene makeScene, QObject* parent)
+    : QObject(parent), drawService_(drawService), makeScene_(std::move(makeScene)) {
   pool_.setMaxThreadCount(1);
   pool_.setThreadPriority(QThread::LowPriority);
-  connect(&controller_, &RenderController::thumbnailReady, this,
-          [this](int batch, int n, const QImage& image) {
-            if (batch == batch_) Q_EMIT ready(names_[std::size_t(n)], image);
-          });
+  connect(&drawService_, &DrawService::thumbnailReady, this, [this](int batch, int n, const QImage& image) {
+    if (batch == batch_) Q_EMIT ready(names_[std::size_t(n)], image);
+  });
 }
 
 PresetThumbnails::~PresetThumbnails() {
@@ -21,7 +20,7 @@ void PresetThumbnails::stop() {
   cancel_.cancel();
   cancel_ = CancelToken();
   batch_ = 0;
-  controller_.requestThumbnails({}, {});
+  drawService_.requestThumbnails(nullptr, {}, {});
 }
 
 void PresetThumbnails::start(VolumePtr volume, const std::vector<std::string>& presets, int edge) {
@@ -37,10 +36,10 @@ void PresetThumbnails::start(VolumePtr volume, const std::vector<std::string>& p
     }
     QMetaObject::invokeMethod(
         this,
-        [this, made, edge, cancel] {
+        [this, volume, made, edge, cancel] {
           if (cancel.cancelled()) return;
           names_ = std::move(made->names);
-          batch_ = controller_.requestThumbnails(std::move(made->scenes), {edge, edge});
+          batch_ = drawService_.requestThumbnails(volume, std::move(made->scenes), {edge, edge});
         },
         Qt::QueuedConnection);
   });

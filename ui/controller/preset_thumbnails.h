@@ -4,8 +4,8 @@
 #include <QObject>
 #include <QThreadPool>
 
+#include "ui/controller/draw_service.h"
 #include "ui/controller/loader.h"
-#include "ui/controller/render_controller.h"
 
 namespace volumen {
 
@@ -14,12 +14,11 @@ namespace volumen {
 class PresetThumbnails : public QObject {
   Q_OBJECT
  public:
-  PresetThumbnails(RenderController& controller, MakeScene makeScene, QObject* parent = nullptr);
+  PresetThumbnails(DrawService& drawService, MakeScene makeScene, QObject* parent = nullptr);
   /// Gives up what is under way.
   ~PresetThumbnails() override;
 
-  /// Makes those of the volume that the controller draws, in this order, so many device pixels wide and high.
-  /// Gives up the ones before.
+  /// Makes those of the volume, in this order, so many device pixels wide and high. Gives up the ones before.
   void start(VolumePtr volume, const std::vector<std::string>& presets, int edge);
   void stop();
 
@@ -32,7 +31,7 @@ class PresetThumbnails : public QObject {
     std::vector<Scene> scenes;
   };
 
-  RenderController& controller_;
+  DrawService& drawService_;
   const MakeScene makeScene_;
   QThreadPool pool_;
   CancelToken cancel_;

@@ -4,7 +4,7 @@
 #include <QThreadPool>
 #include <memory>
 
-#include "ui/session/segmentation.h"
+#include "ui/workspace/segmentation.h"
 
 namespace volumen {
 

@@ -28,11 +28,11 @@ QString numberedPath(const QString& path, int number) {
   return path.left(dot) + QStringLiteral("-%1").arg(number, 3, 10, QLatin1Char('0')) + path.mid(dot);
 }
 
-Snapshot::Snapshot(RenderController& controller, QObject* parent) : QObject(parent), controller_(controller) {
+Snapshot::Snapshot(DrawService& drawService, QObject* parent) : QObject(parent), drawService_(drawService) {
   pool_.setMaxThreadCount(1);
   tick_.setInterval(tellEveryMs);
   connect(&tick_, &QTimer::timeout, this, &Snapshot::tellProgress);
-  connect(&controller_, &RenderController::pictureReady, this,
+  connect(&drawService_, &DrawService::pictureReady, this,
           [this](int number, const std::shared_ptr<Drawn>& drawn, const QString& failure) {
             if (number != number_) return;
             if (drawn)
@@ -56,7 +56,7 @@ void Snapshot::take(const ShownSeriesPtr& series, const Scene& scene, const Snap
 void Snapshot::cancel() {
   if (jobs_.empty()) return;
   for (Job& job : jobs_) job.cancelled = true;
-  controller_.cancelPictures();
+  drawService_.cancelPictures();
 }
 
 void Snapshot::begin() {
@@ -73,12 +73,12 @@ void Snapshot::draw() {
   options.size = {job.request.size.width(), job.request.size.height()};
   options.quality = job.request.quality;
   number_ =
-      controller_.requestPicture(job.series->volume, sceneOf(job.scene, job.request, job.drawn), options);
+      drawService_.requestPicture(job.series->volume, sceneOf(job.scene, job.request, job.drawn), options);
 }
 
 void Snapshot::tellProgress() {
   Job& job = jobs_.front();
-  job.part = std::max(job.part, (job.drawn + controller_.pictureDone()) / job.request.pictures);
+  job.part = std::max(job.part, (job.drawn + drawService_.pictureDone()) / job.request.pictures);
   const double seconds = double(job.clock.elapsed()) / 1000;
   Q_EMIT progressed(job.part, job.part < leastPart ? -1 : seconds * (1 - job.part) / job.part);
 }

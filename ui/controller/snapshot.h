@@ -4,9 +4,9 @@
 #include <QThreadPool>
 #include <QTimer>
 
-#include "ui/controller/render_controller.h"
-#include "ui/session/shown_series.h"
-#include "ui/session/snapshot_request.h"
+#include "ui/controller/draw_service.h"
+#include "ui/data/shown_series.h"
+#include "ui/workspace/snapshot_request.h"
 #include "viewer/plan/picture_text.h"
 
 namespace volumen {
@@ -16,7 +16,7 @@ namespace volumen {
 class Snapshot : public QObject {
   Q_OBJECT
  public:
-  explicit Snapshot(RenderController& controller, QObject* parent = nullptr);
+  explicit Snapshot(DrawService& drawService, QObject* parent = nullptr);
   ~Snapshot() override;
 
   /// Where to ask what was measured of exactly the picture that a plan draws: written with it.
@@ -55,7 +55,7 @@ class Snapshot : public QObject {
   void written(const QImage& forClipboard, const QString& path, const QString& failure);
   void end(const QString& failure);
 
-  RenderController& controller_;
+  DrawService& drawService_;
   QThreadPool pool_;
   std::deque<Job> jobs_;  // the first is under way
   int number_ = 0;        // of the picture asked for

@@ -83,8 +83,6 @@ void TableRemover::make(const ShownSeriesPtr& series) {
   });
 }
 
-void TableRemover::show(const ShownSeriesPtr& without) {
-  session_.removeTable(tr("Remove table"), without);
-}
+void TableRemover::show(const ShownSeriesPtr& without) { session_.removeTable(tr("Remove table"), without); }
 
 }  // namespace volumen

@@ -3,7 +3,7 @@
 #include <QAction>
 #include <QThreadPool>
 
-#include "ui/session/session.h"
+#include "ui/workspace/session.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {

@@ -4,8 +4,8 @@
 #include <list>
 #include <set>
 
-#include "ui/session/shown_series.h"
-#include "ui/workspace/workspace.h"
+#include "ui/data/series_key.h"
+#include "ui/data/shown_series.h"
 
 namespace volumen {
 

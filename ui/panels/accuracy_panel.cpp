@@ -34,7 +34,7 @@ QString msText(double ms) {
 QString errorText(double of255) { return AccuracyPanel::tr("%1/255").arg(inDigits(of255)); }
 
 // What is not estimated is told in a sentence.
-QString estimateOf(const Frame& frame) {
+QString estimateOf(const ScreenPicture& frame) {
   if (frame.factor > 1) return AccuracyPanel::tr("Enlarged from fewer pixels: no error estimate.");
   if (!frame.estimated) return QString::fromStdString(whyNoEstimate(*frame.plan));
   const PictureError& e = *frame.estimated;
@@ -115,9 +115,9 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
   column->addWidget(caption_);
   column->addStretch();
   connect(&session_, &Session::changed, this,
-          [this](const SessionState&, const SessionState& after) { showWish(after.wish); });
-  showWish(session_.wish());
-  showLevel(session_.wish().level);
+          [this](const SessionState&, const SessionState& after) { showGoal(after.goal); });
+  showGoal(session_.goal());
+  showLevel(session_.goal().level);
   showMeasured({});
 }
 
@@ -178,17 +178,17 @@ void AccuracyPanel::addAim(QGridLayout& grid, int row, QCheckBox* box, QDoubleSp
   field->setToolTip(box->toolTip());
   field->setKeyboardTracking(false);
   connect(box, &QCheckBox::clicked, this, [this, name, aim](bool on) {
-    wish(name, [&](PictureWish& w) {
-      w.aim = on ? aim : Aim::level;
-      w.level = level_;
+    editGoal(name, [&](QualityGoal& goal) {
+      goal.aim = on ? aim : Aim::level;
+      goal.level = level_;
     });
     session_.endGesture();
   });
   connect(field, &QDoubleSpinBox::valueChanged, this, [this, name, aim](double value) {
-    wish(name, [&](PictureWish& w) {
-      w.aim = aim;
-      w.level = level_;
-      (aim == Aim::time ? w.frameMs : w.errorOf255) = value;
+    editGoal(name, [&](QualityGoal& goal) {
+      goal.aim = aim;
+      goal.level = level_;
+      (aim == Aim::time ? goal.frameMs : goal.errorOf255) = value;
     });
   });
   connect(field, &QDoubleSpinBox::editingFinished, this, [this] { session_.endGesture(); });
@@ -197,24 +197,24 @@ void AccuracyPanel::addAim(QGridLayout& grid, int row, QCheckBox* box, QDoubleSp
 }
 
 void AccuracyPanel::choose(int row) {
-  wish(tr("Quality level"), [&](PictureWish& w) {
-    w.aim = Aim::level;
-    w.level = pictureLevels()[std::size_t(row)];
+  editGoal(tr("Quality level"), [&](QualityGoal& goal) {
+    goal.aim = Aim::level;
+    goal.level = pictureLevels()[std::size_t(row)];
   });
 }
 
-void AccuracyPanel::wish(const QString& text, const std::function<void(PictureWish&)>& change) {
-  PictureWish after = session_.wish();
+void AccuracyPanel::editGoal(const QString& text, const std::function<void(QualityGoal&)>& change) {
+  QualityGoal after = session_.goal();
   change(after);
-  session_.wishFor(text, after, text);
+  session_.setGoal(text, after, text);
 }
 
-void AccuracyPanel::showWish(const PictureWish& wish) {
+void AccuracyPanel::showGoal(const QualityGoal& goal) {
   const QSignalBlocker quietTime(frameMs_), quietError(error_);
-  meetTime_->setChecked(wish.aim == Aim::time);
-  meetError_->setChecked(wish.aim == Aim::error);
-  frameMs_->setValue(wish.frameMs);
-  error_->setValue(wish.errorOf255);
+  meetTime_->setChecked(goal.aim == Aim::time);
+  meetError_->setChecked(goal.aim == Aim::error);
+  frameMs_->setValue(goal.frameMs);
+  error_->setValue(goal.errorOf255);
 }
 
 void AccuracyPanel::showLevel(PictureLevel level) {
@@ -262,7 +262,7 @@ void AccuracyPanel::showProgress(const QString& what, double share) {
   state_->setText(tr("Measuring: %1, %2 %").arg(what).arg(std::lround(100 * share)));
 }
 
-void AccuracyPanel::showEstimate(const Frame& frame) { estimate_->setText(estimateOf(frame)); }
+void AccuracyPanel::showEstimate(const ScreenPicture& frame) { estimate_->setText(estimateOf(frame)); }
 
 void AccuracyPanel::setErrorWanted(bool wanted) { showError_->setChecked(wanted); }
 

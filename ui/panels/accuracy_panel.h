@@ -6,9 +6,9 @@
 #include <QSlider>
 #include <QTreeWidget>
 
+#include "ui/controller/draw_service.h"
 #include "ui/controller/measured_levels.h"
-#include "ui/controller/render_controller.h"
-#include "ui/session/session.h"
+#include "ui/workspace/session.h"
 
 class QGridLayout;
 
@@ -27,7 +27,7 @@ class AccuracyPanel : public QWidget {
   /// What is being measured, share 0..1.
   void showProgress(const QString& what, double share);
   /// How far the picture on show may be off, as it says itself, or why that is not known.
-  void showEstimate(const Frame& frame);
+  void showEstimate(const ScreenPicture& frame);
   /// Whether the view shows that in place of the picture.
   void setErrorWanted(bool wanted);
 
@@ -43,8 +43,8 @@ class AccuracyPanel : public QWidget {
   void addAim(QGridLayout& grid, int row, QCheckBox* box, QDoubleSpinBox* field, Aim aim,
               const QString& name);
   void choose(int row);
-  void wish(const QString& text, const std::function<void(PictureWish&)>& change);
-  void showWish(const PictureWish& wish);
+  void editGoal(const QString& text, const std::function<void(QualityGoal&)>& change);
+  void showGoal(const QualityGoal& goal);
   void showRow(int row);
   void showDifference();
 

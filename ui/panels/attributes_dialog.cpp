@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 
 #include "io/dicom/attribute_list.h"
-#include "ui/session/text.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 

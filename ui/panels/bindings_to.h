@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/session/session.h"
 #include "ui/widgets/bind.h"
+#include "ui/workspace/session.h"
 
 namespace volumen {
 

@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/session/camera_moves.h"
+#include "ui/workspace/camera_moves.h"
 
 namespace volumen {
 

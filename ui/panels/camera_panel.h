@@ -2,8 +2,8 @@
 
 #include <QComboBox>
 
-#include "ui/session/session.h"
 #include "ui/widgets/number_row.h"
+#include "ui/workspace/session.h"
 
 namespace volumen {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/session/session.h"
 #include "ui/widgets/number_row.h"
+#include "ui/workspace/session.h"
 
 namespace volumen {
 

@@ -14,10 +14,10 @@ namespace volumen {
 
 namespace {
 
-constexpr int mostLights = 64;  // SCENE 8
+constexpr int mostLights = 64;  // picture.md 8
 constexpr int tallest = 220;    // pixels, of ball and list
 
-// Between camera space (SCENE 7: right, up, towards the viewer) and patient space.
+// Between camera space (picture.md 7: right, up, towards the viewer) and patient space.
 glm::dvec3 toPatient(const CameraAxes& axes, glm::dvec3 d) {
   return d.x * axes.right + d.y * axes.up - d.z * axes.direction;
 }

@@ -3,10 +3,10 @@
 #include <QListWidget>
 #include <QToolButton>
 
-#include "ui/session/session.h"
 #include "ui/widgets/colour_button.h"
 #include "ui/widgets/light_ball.h"
 #include "ui/widgets/number_row.h"
+#include "ui/workspace/session.h"
 
 class QComboBox;
 

@@ -10,7 +10,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "ui/session/text.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -5,8 +5,8 @@
 #include <QImage>
 #include <functional>
 
-#include "ui/session/own_presets.h"
-#include "ui/session/session.h"
+#include "ui/workspace/own_presets.h"
+#include "ui/workspace/session.h"
 
 namespace volumen {
 

@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "ui/session/text.h"
 #include "ui/widgets/curve_edits.h"
+#include "ui/workspace/text.h"
 #include "viewer/scene/visible_range.h"
 
 namespace volumen {

@@ -6,8 +6,8 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/session/segmentation.h"
-#include "ui/session/session.h"
+#include "ui/workspace/segmentation.h"
+#include "ui/workspace/session.h"
 
 namespace volumen {
 

@@ -5,7 +5,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 
-#include "ui/session/snapshot_request.h"
+#include "ui/workspace/snapshot_request.h"
 
 class QVBoxLayout;
 

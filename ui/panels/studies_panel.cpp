@@ -10,8 +10,8 @@
 #include <set>
 
 #include "ui/panels/attributes_dialog.h"
-#include "ui/session/series_text.h"
-#include "ui/session/text.h"
+#include "ui/workspace/series_text.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/controller/thumbnails.h"
-#include "ui/session/shown_series.h"
+#include "ui/data/shown_series.h"
 
 class QMenu;
 

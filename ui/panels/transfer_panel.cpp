@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "ui/panels/window_fields.h"
-#include "ui/session/text.h"
-#include "ui/session/windows.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/windows.h"
 
 namespace volumen {
 

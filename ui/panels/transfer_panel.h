@@ -3,9 +3,9 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 
-#include "ui/session/session.h"
 #include "ui/widgets/colour_button.h"
 #include "ui/widgets/curve_editor.h"
+#include "ui/workspace/session.h"
 
 class QStackedWidget;
 

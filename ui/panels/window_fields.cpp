@@ -5,8 +5,8 @@
 #include <QSignalBlocker>
 #include <cmath>
 
-#include "ui/session/text.h"
-#include "ui/session/windows.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/windows.h"
 
 namespace volumen {
 

@@ -4,7 +4,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 
-#include "ui/session/session.h"
+#include "ui/workspace/session.h"
 
 namespace volumen {
 

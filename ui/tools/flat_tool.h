@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "ui/session/session.h"
 #include "ui/tools/drag.h"
+#include "ui/workspace/session.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {

@@ -1,7 +1,7 @@
 #include <QCoreApplication>
 
-#include "ui/session/windows.h"
 #include "ui/tools/flat_tool.h"
+#include "ui/workspace/windows.h"
 
 namespace volumen {
 

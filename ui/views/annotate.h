@@ -3,8 +3,8 @@
 #include <QImage>
 
 #include "io/warning.h"
-#include "ui/session/snapshot_request.h"
 #include "ui/views/overlays.h"
+#include "ui/workspace/snapshot_request.h"
 
 namespace volumen {
 

@@ -14,7 +14,8 @@ namespace volumen {
 
 namespace {
 
-// The part of the line inside box, clip box and clip planes, in mm along it (SCENE 6). Empty: first >= last.
+// The part of the line inside box, clip box and clip planes, in mm along it (picture.md 6). Empty: first >=
+// last.
 struct Stretch {
   double first, last;
 
@@ -58,14 +59,14 @@ auto interpolated(glm::ivec3 size, glm::dvec3 pVoxel, const At& at) {
   return between(slice(a.z), slice(b.z), f.z);
 }
 
-// |g_p| of SCENE 3, value per mm.
+// |g_p| of picture.md 3, value per mm.
 double gradientLength(const Volume& volume, glm::dvec3 pVoxel) {
   const glm::dvec3 g =
       interpolated(volume.size(), pVoxel, [&](int i, int j, int k) { return sobelAt(volume, i, j, k); });
   return glm::length(volume.geometry().patientFromVoxelGradient() * g);
 }
 
-// The factor of SCENE 4, linear between points, the last of equal ones holding at their gradient.
+// The factor of picture.md 4, linear between points, the last of equal ones holding at their gradient.
 double gradientFactor(const std::vector<GradientOpacityPoint>& points, double gradient) {
   const auto above = std::upper_bound(points.begin(), points.end(), gradient,
                                       [](double g, const auto& p) { return g < p.gradient; });

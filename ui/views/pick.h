@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ui/session/camera_moves.h"
+#include "ui/workspace/camera_moves.h"
 #include "viewer/scene/scene.h"
 #include "viewer/volume/volume.h"
 
@@ -20,7 +20,7 @@ struct Pick {
 /// smallest value lies. A few steps a voxel, on the calling thread.
 std::optional<Pick> pick(const Scene& scene, const Volume& volume, const SightLine& line, bool parallel);
 
-/// v(x) of SCENE 2 at a voxel position, real units.
+/// v(x) of picture.md 2 at a voxel position, real units.
 double valueAtVoxel(const Volume& volume, glm::dvec3 pVoxel);
 
 }  // namespace volumen

@@ -5,10 +5,10 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "ui/session/text.h"
-#include "ui/session/windows.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/windows.h"
 
 namespace volumen {
 

@@ -1,13 +1,13 @@
 #include <QPainter>
 #include <cmath>
 
-#include "ui/session/camera_moves.h"
-#include "ui/session/text.h"
-#include "ui/session/windows.h"
 #include "ui/views/slice_view.h"
 #include "ui/views/view_overlays.h"
 #include "ui/widgets/warning_badge.h"
+#include "ui/workspace/camera_moves.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/windows.h"
 
 namespace volumen {
 

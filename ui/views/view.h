@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "ui/session/session.h"
+#include "ui/workspace/session.h"
 
 namespace volumen {
 

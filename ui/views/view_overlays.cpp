@@ -1,7 +1,7 @@
 #include "ui/views/view_overlays.h"
 
-#include "ui/session/camera_moves.h"
-#include "ui/session/text.h"
+#include "ui/workspace/camera_moves.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -5,12 +5,12 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "ui/session/text.h"
-#include "ui/session/windows.h"
 #include "ui/views/canvas.h"
 #include "ui/widgets/curve_edits.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/windows.h"
 
 namespace volumen {
 

@@ -1,11 +1,11 @@
 #include <QPainter>
 #include <cmath>
 
-#include "ui/session/text.h"
 #include "ui/views/view_overlays.h"
 #include "ui/views/volume_view.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -4,7 +4,7 @@
 
 namespace volumen {
 
-/// Extinction per mm of an opacity per unitDistance mm (SCENE 4).
+/// Extinction per mm of an opacity per unitDistance mm (picture.md 4).
 double extinctionPerMm(double opacity, double unitDistance);
 /// Its inverse; an extinction of opacity 1 - 2^-20 and above gives 1.
 double opacityFromExtinction(double extinctionPerMm, double unitDistance);

@@ -7,7 +7,7 @@ namespace volumen {
 /// Edits of a curve, from value to value. Results stay valid: values in order, opacities 0..1, one point or
 /// more.
 
-/// The curve's own colour and opacity at a value (SCENE 4, without gradient opacity).
+/// The curve's own colour and opacity at a value (picture.md 4, without gradient opacity).
 CurvePoint curveAt(const TransferFunction& curve, double value);
 
 /// Point `n` moved, not past its neighbours.

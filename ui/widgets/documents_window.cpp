@@ -14,7 +14,8 @@ const QString folder = QStringLiteral(":/docs/");
 // In the order in which a user would read them.
 const QStringList pages{QStringLiteral("import.md"),      QStringLiteral("accuracy.md"),
                         QStringLiteral("performance.md"), QStringLiteral("picture.md"),
-                        QStringLiteral("design.md"),      QStringLiteral("kernels.md")};
+                        QStringLiteral("slices.md"),      QStringLiteral("design.md"),
+                        QStringLiteral("kernels.md")};
 
 // The page's first heading.
 QString titleOf(const QString& page) {

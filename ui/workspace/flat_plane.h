@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ui/session/shown_series.h"
+#include "ui/data/shown_series.h"
 #include "ui/workspace/workspace.h"
 #include "viewer/slice/plane.h"
 

@@ -39,8 +39,6 @@ void put(Workspace& workspace, ViewId id, const Series& series, const SceneLook&
 
 }  // namespace
 
-SeriesKey keyOf(const Series& series) { return {series.path, series.id}; }
-
 Workspace::Workspace() : views(std::size_t(viewCount)) {
   view(axialViewId).kind = ViewKind::axial;
   view(coronalViewId).kind = ViewKind::coronal;

@@ -6,23 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
-#include "ui/session/picture_wish.h"
+#include "ui/data/series_key.h"
+#include "ui/workspace/quality_goal.h"
+#include "ui/workspace/view_id.h"
 #include "viewer/scene/scene.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {
-
-/// Which place of a layout, from 0.
-using ViewId = int;
-
-/// Names a series: where it was found and what it is called there.
-struct SeriesKey {
-  std::string path, id;
-  auto operator<=>(const SeriesKey&) const = default;
-  bool empty() const { return path.empty() && id.empty(); }
-};
-SeriesKey keyOf(const Series& series);
 
 /// The preset that was chosen last and the look it gave.
 struct ChosenPreset {
@@ -88,7 +78,7 @@ struct Workspace {
   Layout layout = Layout::one;
   std::vector<ViewState> views;               ///< viewCount of them
   ViewId focus = sceneViewId;                 ///< the view that the panels work on
-  PictureWish wish;                           ///< of 3D pictures at rest
+  QualityGoal goal;                           ///< of 3D pictures at rest
   std::map<std::string, glm::dvec3> cursors;  ///< by frame of reference, patient mm
   bool operator==(const Workspace&) const = default;
 

@@ -27,7 +27,8 @@ struct Density32 {
 };
 
 /// A volume as pictures read it: its facts, its densities and gradients in each precision, made when first
-/// asked for and kept (of gradients, those by the last operator). Not for use from two threads at once.
+/// asked for and kept (of gradients, those by the last operator). Several RenderCaches may share one. Not for
+/// use from two threads at once.
 class StoredVoxels {
  public:
   explicit StoredVoxels(VolumePtr volume) : volume_(std::move(volume)) {}

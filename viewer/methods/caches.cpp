@@ -8,13 +8,16 @@
 
 namespace volumen {
 
-RenderCaches::RenderCaches(VolumePtr volume) : impl_(std::make_unique<Impl>(std::move(volume))) {}
+RenderCaches::RenderCaches(VolumePtr volume)
+    : RenderCaches(std::make_shared<StoredVoxels>(std::move(volume))) {}
+RenderCaches::RenderCaches(std::shared_ptr<StoredVoxels> voxels)
+    : impl_(std::make_unique<Impl>(std::move(voxels))) {}
 RenderCaches::~RenderCaches() = default;
 RenderCaches::RenderCaches(RenderCaches&&) noexcept = default;
 RenderCaches& RenderCaches::operator=(RenderCaches&&) noexcept = default;
 
-const VolumePtr& RenderCaches::volume() const { return impl_->voxels.volume(); }
-const VolumeFacts& RenderCaches::facts() { return impl_->voxels.facts(); }
+const VolumePtr& RenderCaches::volume() const { return impl_->voxels->volume(); }
+const VolumeFacts& RenderCaches::facts() { return impl_->voxels->facts(); }
 
 void RenderCaches::setGlContextFactory(GlContextFactory factory) {
   impl_->gl.reset();
@@ -57,7 +60,7 @@ const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunctio
   skip.made = request;
   skip.made.cells = hasCells;
   if (has(maps[0]) && (hasCells || !request.cells)) return skip;
-  const VolumeFacts& known = voxels.facts();
+  const VolumeFacts& known = voxels->facts();
   const BlockRanges& blockRanges = *known.blockRanges;
   std::vector<std::uint8_t> visible = visibleBlocks(curve, blockRanges, request.rounding);
   if (!has(maps[0]))
@@ -65,7 +68,7 @@ const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunctio
                                 std::move(maps[0]));
   if (request.cells && !hasCells)
     skip.cells.begin(
-        voxels.volume()->size(), request.densities, table,
+        voxels->volume()->size(), request.densities, table,
         inLargerBlocks(std::move(visible), blockRanges.count, VisibleCells::edge / blockRanges.edge));
   skip.made.cells |= request.cells;
   return skip;

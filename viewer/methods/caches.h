@@ -13,9 +13,9 @@
 namespace volumen {
 
 struct RenderCaches::Impl {
-  explicit Impl(VolumePtr volume) : voxels(std::move(volume)) {}
+  explicit Impl(std::shared_ptr<StoredVoxels> shared) : voxels(std::move(shared)) {}
 
-  StoredVoxels voxels;
+  std::shared_ptr<StoredVoxels> voxels;  ///< maybe of others, too
 
   /// What is asked of blocks and cells.
   struct SkipRequest {

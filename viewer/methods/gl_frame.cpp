@@ -22,7 +22,7 @@ Error glFailed() { return Error{"OpenGL failed while it drew; use --resampler cp
 Status loadTextures(const Plan& plan, RenderCaches& caches, GlState& gl, const CancelToken& cancel,
                     RenderStats& stats) {
   const double begin = wallMs();
-  if (Status s = gl.textures.load(plan, caches.impl().voxels, cancel); !s) return s;
+  if (Status s = gl.textures.load(plan, *caches.impl().voxels, cancel); !s) return s;
   stats.gradientsMs += wallMs() - begin;
   stats.densityBytes += gl.textures.densityBytes();
   if (plan.gradients) stats.gradientBytes += gl.textures.gradientBytes();

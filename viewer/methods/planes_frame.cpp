@@ -59,7 +59,7 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
       brightest_(float(std::max(1.0, volumen::brightest(plan.scene)))),
       lighting_(makeLighting(plan.scene, plan.specular, plan.colouredLight)),
       transfer_(plan.curve) {
-  StoredVoxels& voxels = caches.impl().voxels;
+  StoredVoxels& voxels = *caches.impl().voxels;
   const double begin = wallMs();
   frame_.size = voxels.volume()->size();
   frame_.densityRow = frame_.gradientRow = frame_.size.x;
@@ -121,7 +121,7 @@ void PlanesFrame::readBlocks(const Plan& plan, int reach, RenderCaches& caches, 
 
 void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
   if (plan.bits == 8) return readBytes(plan, caches, stats);
-  StoredVoxels& voxels = caches.impl().voxels;
+  StoredVoxels& voxels = *caches.impl().voxels;
   const VoxelGeometry& geometry = voxels.volume()->geometry();
   if (plan.bits == 16) {
     const Density16& d = voxels.densities16();
@@ -150,7 +150,7 @@ void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats
 }
 
 void PlanesFrame::readBytes(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
-  StoredVoxels& voxels = caches.impl().voxels;
+  StoredVoxels& voxels = *caches.impl().voxels;
   stats.densityBytes = std::size_t(voxels.volume()->geometry().voxelCount());
   const auto useScale = [&](const ByteScale& s) {
     scale_ = {s.unit, s.low, 0, (voxels.facts().range.high - s.low) / s.unit};

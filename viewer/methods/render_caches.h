@@ -8,11 +8,16 @@
 
 namespace volumen {
 
+class StoredVoxels;
+
 /// What is expensive and reusable of one volume, made when first needed: facts, stored density, gradients, GL
-/// textures. Each is keyed by exactly what it was computed from. Not for use from two threads at once.
+/// textures. Each is keyed by exactly what it was computed from. Not for use from two threads at once; nor
+/// are several of them that share their voxels.
 class RenderCaches {
  public:
   explicit RenderCaches(VolumePtr volume);
+  /// Facts, densities and gradients are those of `voxels`; all else is of these caches alone.
+  explicit RenderCaches(std::shared_ptr<StoredVoxels> voxels);
   ~RenderCaches();
   RenderCaches(RenderCaches&&) noexcept;
   RenderCaches& operator=(RenderCaches&&) noexcept;

@@ -1,4 +1,4 @@
-// Guards DESIGN 7 (walls a and b): no file ends the program, hangs it or shows an invented picture.
+// Guards design.md 7 (walls a and b): no file ends the program, hangs it or shows an invented picture.
 #include <sys/stat.h>
 
 #include <QElapsedTimer>

@@ -1,4 +1,4 @@
-// Guards DESIGN 7, 10: every DICOM row of the real test data loads as its manifest says, or is refused by
+// Guards design.md 7, 10: every DICOM row of the real test data loads as its manifest says, or is refused by
 // name.
 #include <zlib.h>
 
@@ -44,7 +44,7 @@ constexpr Exception exceptions[] = {
     {"emri_small.*(dcm|RLE|endian|lossless)", "frames"},
     {":DICOMDIR", ""},
     {"TINY_ALPHA:DICOMDIR", ""},
-    // A gap of 197 mm splits this series in two (DESIGN 10).
+    // A gap of 197 mm splits this series in two (design.md 10).
     {"dicomdirtests#4$", nullptr},
     // The stream says unsigned, the file signed: taken as signed the 13 bits are Hounsfield units (air -1000,
     // padding -2000); taken as unsigned, as this row has it, the padding is brighter than bone.

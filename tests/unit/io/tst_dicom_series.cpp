@@ -1,4 +1,4 @@
-// Guards DESIGN 7 and 10 (series by geometry, uneven slices, shear, single slice, what is not calibrated).
+// Guards design.md 7 and 10 (series by geometry, uneven slices, shear, single slice, what is not calibrated).
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 

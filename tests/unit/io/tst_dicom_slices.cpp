@@ -1,4 +1,4 @@
-// Guards DESIGN 7 and 10 (rescale, padding, frames of one file, slices that cannot be read).
+// Guards design.md 7 and 10 (rescale, padding, frames of one file, slices that cannot be read).
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 

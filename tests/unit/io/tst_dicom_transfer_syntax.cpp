@@ -1,5 +1,5 @@
-// Guards DESIGN 1 and 7 (every transfer syntax decodes to the values of its uncompressed twin, or is refused
-// by name).
+// Guards design.md 1 and 7 (every transfer syntax decodes to the values of its uncompressed twin, or is
+// refused by name).
 #include <QTemporaryDir>
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Guards DESIGN 7 and 10 (values): bits stored, high bit, sign, overlays, wide integers, floats; RLE, JPEG
+// Guards design.md 7 and 10 (values): bits stored, high bit, sign, overlays, wide integers, floats; RLE, JPEG
 // and JPEG-LS of each.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

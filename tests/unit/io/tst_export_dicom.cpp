@@ -1,5 +1,5 @@
-// Guards DESIGN 4 (convert to DICOM: values and geometry exact, no half-written study) and DESIGN 10 (ct-head
-// as the sample study).
+// Guards design.md 4 (convert to DICOM: values and geometry exact, no half-written study) and design.md 10
+// (ct-head as the sample study).
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>

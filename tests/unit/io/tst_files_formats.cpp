@@ -1,5 +1,5 @@
-// Guards DESIGN 7, 10 and SCENE 1: what the formats can say that the real data do not: every encoding, type,
-// byte order, space, unit and way to name data files.
+// Guards design.md 7, 10 and picture.md 1: what the formats can say that the real data do not: every
+// encoding, type, byte order, space, unit and way to name data files.
 #include <zlib.h>
 
 #include <QDir>
@@ -123,7 +123,7 @@ void addType(const char* nrrdName, const char* metaName, const char* keptAs) {
       char bytes[sizeof(T)];
       big ? qToBigEndian(v, bytes) : qToLittleEndian(v, bytes);
       data.append(bytes, sizeof(T));
-      // Volumes limit |value| to 1e30 (DESIGN 10).
+      // Volumes limit |value| to 1e30 (design.md 10).
       expected.append(float(std::clamp(double(v), -1e30, 1e30)));
     }
     const QByteArray nrrd =

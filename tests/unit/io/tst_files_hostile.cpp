@@ -1,5 +1,5 @@
-// Guards DESIGN 7 (files are untrusted): broken and hostile image files are refused in a sentence that names
-// the file; nothing outside their folder is read, no memory is set aside for what is not there.
+// Guards design.md 7 (files are untrusted): broken and hostile image files are refused in a sentence that
+// names the file; nothing outside their folder is read, no memory is set aside for what is not there.
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <zlib.h>

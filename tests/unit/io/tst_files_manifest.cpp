@@ -1,4 +1,5 @@
-// Guards DESIGN 7, 10: every NRRD, NIfTI and MetaImage file of the real test data loads as its manifest says.
+// Guards design.md 7, 10: every NRRD, NIfTI and MetaImage file of the real test data loads as its manifest
+// says.
 #include <zlib.h>
 
 #include <QFile>

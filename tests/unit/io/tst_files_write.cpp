@@ -1,5 +1,5 @@
-// Guards DESIGN 4 (convert: values and geometry exact), DESIGN 10 (picture files) and SCENE 6 (8-bit
-// pictures).
+// Guards design.md 4 (convert: values and geometry exact), design.md 10 (picture files) and picture.md 6
+// (8-bit pictures).
 #include <QDir>
 #include <QImage>
 #include <QTemporaryDir>

@@ -1,4 +1,5 @@
-// Guards DESIGN 10 (phantom ct-head): what is kept of it gives the same bytes, and nothing else is believed.
+// Guards design.md 10 (phantom ct-head): what is kept of it gives the same bytes, and nothing else is
+// believed.
 #include <zlib.h>
 
 #include <QDir>

@@ -1,4 +1,5 @@
-// Guards DESIGN 7: what tells series of one name apart is read, and all attributes of a file can be listed.
+// Guards design.md 7: what tells series of one name apart is read, and all attributes of a file can be
+// listed.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 

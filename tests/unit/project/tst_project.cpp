@@ -96,7 +96,7 @@ void TestProject::theTableForbidsWhatItShould_data() {
   row("a plan knows no pixels", "viewer/plan/plan.cpp", "viewer/render/render.h", false);
   row("io knows no rendering", "io/study.cpp", "viewer/render/render.h", false);
   row("nobody includes app", "ui/main_window.cpp", "app/command.h", false);
-  row("widgets know no session", "ui/widgets/light_ball.cpp", "ui/session/session.h", false);
+  row("widgets know no session", "ui/widgets/light_ball.cpp", "ui/workspace/session.h", false);
   row("the reference shares nothing with kernels", "viewer/reference/cell.cpp", "viewer/kernels/trace.h",
       false);
   row("render reads plans", "viewer/render/render.cpp", "viewer/plan/plan.h", true);

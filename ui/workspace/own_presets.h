@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/session/shown_series.h"
+#include "ui/data/shown_series.h"
 #include "viewer/scene/presets.h"
 
 namespace volumen {

@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "tests/unit/suite.h"
-#include "ui/session/text.h"
+#include "ui/workspace/text.h"
 
 using namespace volumen;
 

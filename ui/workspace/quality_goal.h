@@ -19,12 +19,12 @@ enum class Aim {
 };
 
 /// What the user asks of the picture at rest beside the scene.
-struct PictureWish {
+struct QualityGoal {
   Aim aim = Aim::level;
   PictureLevel level;     ///< with Aim::level; else while nothing is measured
   double frameMs = 150;   ///< with Aim::time
   double errorOf255 = 2;  ///< with Aim::error: 99 % of the pixels within so many 1/255 of the reference
-  bool operator==(const PictureWish&) const = default;
+  bool operator==(const QualityGoal&) const = default;
 };
 
 }  // namespace volumen

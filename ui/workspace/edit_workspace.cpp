@@ -1,4 +1,4 @@
-#include "ui/session/edit_workspace.h"
+#include "ui/workspace/edit_workspace.h"
 
 namespace volumen {
 

@@ -2,7 +2,7 @@
 
 #include <QUndoCommand>
 
-#include "ui/session/session.h"
+#include "ui/workspace/session.h"
 
 namespace volumen {
 

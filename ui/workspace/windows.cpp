@@ -1,4 +1,4 @@
-#include "ui/session/windows.h"
+#include "ui/workspace/windows.h"
 
 #include <QCoreApplication>
 #include <algorithm>

@@ -2,8 +2,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/unit/suite.h"
-#include "ui/session/series_text.h"
-#include "ui/session/text.h"
+#include "ui/workspace/series_text.h"
+#include "ui/workspace/text.h"
 
 using namespace volumen;
 

@@ -1,10 +1,10 @@
-#include "ui/session/series_text.h"
+#include "ui/workspace/series_text.h"
 
 #include <QCoreApplication>
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "ui/session/text.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 

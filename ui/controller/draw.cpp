@@ -1,10 +1,18 @@
+#include "ui/controller/draw.h"
+
 #include "ui/controller/qt_gl_context.h"
-#include "ui/controller/render_controller.h"
 
 namespace volumen {
 
-Draw drawWithCaches(VolumePtr volume) {
-  auto caches = std::make_shared<RenderCaches>(std::move(volume));
+Result<Drawn> Draw::operator()(const Scene& scene, const RenderOptions& options,
+                               const CancelToken& cancel) const {
+  const Result<Planned> planned = plan(scene, options, cancel);
+  if (!planned) return planned.error();
+  return picture(*planned, cancel);
+}
+
+Draw drawWithCaches(const VoxelsPtr& voxels) {
+  auto caches = std::make_shared<RenderCaches>(voxels);
   caches->setGlContextFactory([] {
     auto context = makeQtGlContext();
     return context ? std::move(context) : makeEglContext();

@@ -17,8 +17,8 @@ struct ShownSeries {
   VolumePtr volume;               ///< the drawn grid
   std::vector<Warning> warnings;  ///< the series' and those of loading
   Histogram histogram;
-  Window window;                    ///< where the scene has none: the file's, else P0.1 .. P99.9 (SCENE 8)
-  double valueSpread = 1;           ///< P99.9 - P0.1, > 0
+  Window window;           ///< where the scene has none: the file's, else P0.1 .. P99.9 (picture.md 8)
+  double valueSpread = 1;  ///< P99.9 - P0.1, > 0
   std::optional<ValueRange> usual;  ///< usualRange(), of values without a unit
   Scene firstScene;                 ///< the automatic preset's
 };

@@ -1,4 +1,4 @@
-#include "ui/session/preferences.h"
+#include "ui/workspace/preferences.h"
 
 #include <QSettings>
 #include <utility>

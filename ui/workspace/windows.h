@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "ui/session/shown_series.h"
+#include "ui/data/shown_series.h"
 #include "ui/workspace/workspace.h"
 #include "viewer/slice/grey.h"
 
 namespace volumen {
 
-/// Windows of projections, from value to value; a negative width is an inverted window (SCENE 6).
+/// Windows of projections, from value to value; a negative width is an inverted window (picture.md 6).
 
 /// The scene's, or the one that stands for none.
 Window windowInUse(const Scene& scene, const ShownSeries& series);

@@ -13,7 +13,7 @@ namespace volumen {
 /// The camera that draws the scene: its own, or the one fitted to the volume in a picture of this size.
 Camera cameraInUse(const Scene& scene, const VoxelGeometry& geometry, glm::dvec2 size);
 
-/// A line of sight (SCENE 7). parallel: the origin lies in the plane of the target.
+/// A line of sight (picture.md 7). parallel: the origin lies in the plane of the target.
 struct SightLine {
   glm::dvec3 origin, direction;  ///< patient space; direction is a unit vector
 };

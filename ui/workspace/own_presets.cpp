@@ -1,4 +1,4 @@
-#include "ui/session/own_presets.h"
+#include "ui/workspace/own_presets.h"
 
 #include <algorithm>
 

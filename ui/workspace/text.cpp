@@ -1,4 +1,4 @@
-#include "ui/session/text.h"
+#include "ui/workspace/text.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

@@ -2,7 +2,7 @@
 #include <QSignalSpy>
 
 #include "tests/unit/suite.h"
-#include "ui/session/session.h"
+#include "ui/workspace/session.h"
 
 using namespace volumen;
 
@@ -31,7 +31,7 @@ class TestSession : public QObject {
   void editsBecomeUndoSteps();
   void undoAndRedoRestoreTheScene();
   void everyChangeIsToldOnceWithBeforeAndAfter();
-  void wishesAreStepsBesideTheScene();
+  void goalsAreStepsBesideTheScene();
   void anotherSeriesForgetsTheSteps();
 };
 
@@ -96,23 +96,23 @@ void TestSession::everyChangeIsToldOnceWithBeforeAndAfter() {
   QVERIFY(told == expected);
 }
 
-void TestSession::wishesAreStepsBesideTheScene() {
+void TestSession::goalsAreStepsBesideTheScene() {
   Session session;
   apply(session, {2, ""});
-  PictureWish wish;
-  wish.aim = Aim::time;
-  session.wishFor(QStringLiteral("Time"), wish, QStringLiteral("t"));
-  wish.frameMs = 80;
-  session.wishFor(QStringLiteral("Time"), wish, QStringLiteral("t"));
-  session.wishFor(QStringLiteral("Time"), wish);
+  QualityGoal goal;
+  goal.aim = Aim::time;
+  session.setGoal(QStringLiteral("Time"), goal, QStringLiteral("t"));
+  goal.frameMs = 80;
+  session.setGoal(QStringLiteral("Time"), goal, QStringLiteral("t"));
+  session.setGoal(QStringLiteral("Time"), goal);
   QCOMPARE(session.undoStack().count(), 2);
   QCOMPARE(session.scene().lights[0].intensity, 2.0);
   session.undoStack().undo();
-  QVERIFY(session.wish() == PictureWish{});
+  QVERIFY(session.goal() == QualityGoal{});
   QCOMPARE(session.scene().lights[0].intensity, 2.0);
   session.undoStack().redo();
   session.show(std::make_shared<ShownSeries>());
-  QVERIFY2(session.wish() == wish, "asked for of every series");
+  QVERIFY2(session.goal() == goal, "asked for of every series");
 }
 
 void TestSession::anotherSeriesForgetsTheSteps() {

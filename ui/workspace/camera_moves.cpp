@@ -1,4 +1,4 @@
-#include "ui/session/camera_moves.h"
+#include "ui/workspace/camera_moves.h"
 
 #include <algorithm>
 #include <array>

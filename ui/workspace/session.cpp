@@ -1,10 +1,10 @@
-#include "ui/session/session.h"
+#include "ui/workspace/session.h"
 
 #include <algorithm>
 
-#include "ui/session/edit_workspace.h"
-#include "ui/session/series_text.h"
-#include "ui/session/text.h"
+#include "ui/workspace/edit_workspace.h"
+#include "ui/workspace/series_text.h"
+#include "ui/workspace/text.h"
 #include "viewer/scene/presets.h"
 
 namespace volumen {
@@ -34,7 +34,7 @@ void Session::show(ShownSeriesPtr series) {
   pool_.clear();
   Workspace empty;
   empty.layout = workspace_.layout;
-  empty.wish = workspace_.wish;
+  empty.goal = workspace_.goal;
   setWorkspace(empty);
 }
 
@@ -117,9 +117,9 @@ ShownSeriesPtr Session::withoutTable() const {
   return state_.series ? pool_.find({keyOf(state_.series->series), true}) : nullptr;
 }
 
-void Session::wishFor(const QString& text, const PictureWish& after, const QString& mergeKey) {
+void Session::setGoal(const QString& text, const QualityGoal& after, const QString& mergeKey) {
   change(
-      text, [&](Workspace& w) { w.wish = after; }, mergeKey);
+      text, [&](Workspace& w) { w.goal = after; }, mergeKey);
 }
 
 void Session::choosePreset(const QString& text, const std::string& name, const Scene& look) {
@@ -163,7 +163,7 @@ SessionState Session::stateInFocus() const {
   const ViewId id = sceneViewOf(workspace_);
   const ViewState& view = workspace_.view(id);
   const auto look = view.scenes.find(view.series);
-  SessionState state{seriesOf(id), {}, workspace_.wish, nullptr};
+  SessionState state{seriesOf(id), {}, workspace_.goal, nullptr};
   if (look != view.scenes.end()) state.scene = look->second.scene, state.preset = look->second.preset;
   return state;
 }

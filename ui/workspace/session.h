@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "ui/data/series_pool.h"
-#include "ui/session/preferences.h"
+#include "ui/workspace/preferences.h"
 #include "ui/workspace/workspace.h"
 
 namespace volumen {
@@ -14,7 +14,7 @@ namespace volumen {
 struct SessionState {
   ShownSeriesPtr series;  ///< null: none, or it is not in memory yet
   Scene scene;
-  PictureWish wish;
+  QualityGoal goal;
   std::shared_ptr<const ChosenPreset> preset;  ///< null: no series
   bool operator==(const SessionState&) const = default;
 };
@@ -34,7 +34,7 @@ class Session : public QObject {
   const SessionState& state() const { return state_; }
   const Scene& scene() const { return state_.scene; }
   const ShownSeriesPtr& series() const { return state_.series; }
-  const PictureWish& wish() const { return state_.wish; }
+  const QualityGoal& goal() const { return state_.goal; }
   /// Of any view; flat ones have an empty one.
   const Scene& sceneOf(ViewId view) const;
   /// The series of a view; null: none, or it is not in memory.
@@ -73,7 +73,7 @@ class Session : public QObject {
   ShownSeriesPtr withoutTable() const;
 
   /// The same for what is asked of the picture beside the scene.
-  void wishFor(const QString& text, const PictureWish& after, const QString& mergeKey = {});
+  void setGoal(const QString& text, const QualityGoal& after, const QString& mergeKey = {});
   /// Which view the panels work on: no step to undo.
   void setFocus(ViewId view);
 

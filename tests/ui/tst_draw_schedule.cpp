@@ -1,0 +1,86 @@
+// Guards design.md 11: one scheduler; the view under the hand first, drafts before pictures at rest.
+#include "tests/unit/suite.h"
+#include "ui/controller/draw_schedule.h"
+
+using namespace volumen;
+
+Q_DECLARE_METATYPE(volumen::Waiting)
+Q_DECLARE_METATYPE(std::optional<volumen::Job>)
+
+class TestDrawSchedule : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void whatIsDrawnNext_data();
+  void whatIsDrawnNext();
+  void allIsDrawnInTheEnd();
+};
+
+namespace {
+
+WaitingView waits(ViewId view, Work next, int ms = 0) { return {view, next, std::chrono::milliseconds(ms)}; }
+
+}  // namespace
+
+void TestDrawSchedule::whatIsDrawnNext_data() {
+  QTest::addColumn<Waiting>("waiting");
+  QTest::addColumn<std::optional<Job>>("job");
+  const auto row = [](const char* name, const Waiting& waiting, std::optional<Job> job) {
+    QTest::newRow(name) << waiting << job;
+  };
+  using enum Work;
+  row("nothing", {}, {});
+  row("thumbnails, where there is nothing else", {.views = {}, .hand = {}, .thumbnail = true},
+      Job{thumbnail});
+  row("a trial before thumbnails", {.views = {}, .hand = {}, .trial = true, .thumbnail = true}, Job{trial});
+  row("a picture to be saved before a trial",
+      {.views = {}, .hand = {}, .saved = true, .trial = true, .thumbnail = true}, Job{saved});
+  row("the screen before all of them",
+      {.views = {waits(3, rest)}, .hand = {}, .saved = true, .trial = true, .thumbnail = true}, Job{rest, 3});
+  row("the view under the hand", {.views = {waits(1, draft), waits(2, draft)}, .hand = 2}, Job{draft, 2});
+  row("the view under the hand, although others have waited",
+      {.views = {waits(1, draft, 200), waits(2, draft)}, .hand = 2}, Job{draft, 2});
+  row("no starving: another has waited for too long",
+      {.views = {waits(1, draft, 300), waits(2, draft)}, .hand = 2}, Job{draft, 1});
+  row("both have: the one that has waited for longest",
+      {.views = {waits(2, draft, 300), waits(1, draft, 400)}, .hand = 2}, Job{draft, 1});
+  row("no hand: the one that has waited for longest",
+      {.views = {waits(1, draft, 10), waits(2, draft, 20), waits(3, draft)}, .hand = {}}, Job{draft, 2});
+  row("a draft of another before the picture at rest under the hand",
+      {.views = {waits(1, rest), waits(2, draft)}, .hand = 1}, Job{draft, 2});
+  row("a draft of another before the finer one under the hand",
+      {.views = {waits(1, between), waits(2, draft)}, .hand = 1}, Job{draft, 2});
+  row("a finer draft of another before the picture at rest under the hand",
+      {.views = {waits(1, rest), waits(2, between)}, .hand = 1}, Job{between, 2});
+  row("pictures at rest: the view under the hand, however long others have waited",
+      {.views = {waits(1, rest, 5000), waits(2, rest)}, .hand = 2}, Job{rest, 2});
+  row("the hand is over a view that waits for nothing", {.views = {waits(1, rest)}, .hand = 2}, Job{rest, 1});
+}
+
+void TestDrawSchedule::whatIsDrawnNext() {
+  QFETCH(Waiting, waiting);
+  QFETCH(std::optional<Job>, job);
+  QVERIFY(nextJob(waiting) == job);
+}
+
+// Four views from their drafts to rest: the drafts of all come first, and each step of the hand's first.
+void TestDrawSchedule::allIsDrawnInTheEnd() {
+  using enum Work;
+  Waiting waiting{.views = {waits(0, draft), waits(1, draft), waits(2, draft), waits(3, draft)}, .hand = 2};
+  std::vector<Job> done;
+  while (const auto job = nextJob(waiting)) {
+    done.push_back(*job);
+    const auto view = std::find_if(waiting.views.begin(), waiting.views.end(),
+                                   [&](const WaitingView& v) { return v.view == job->view; });
+    if (job->work == rest)
+      waiting.views.erase(view);
+    else
+      view->next = Work(int(job->work) + 1);
+  }
+  std::vector<Job> expected;
+  for (const Work work : {draft, between, rest})
+    for (const ViewId view : {2, 0, 1, 3}) expected.push_back({work, view});
+  QVERIFY(done == expected);
+}
+
+VOLUMEN_TEST(TestDrawSchedule);
+#include "tst_draw_schedule.moc"

@@ -1,0 +1,24 @@
+#include "ui/controller/draw_schedule.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace volumen {
+
+std::optional<Job> nextJob(const Waiting& waiting) {
+  // The smaller, the sooner.
+  const auto rank = [&](const WaitingView& v) {
+    const bool overdue = v.next == Work::draft && v.waited > longestWait;
+    return std::tuple(v.next, !overdue, overdue || v.view != waiting.hand, -v.waited, v.view);
+  };
+  const auto first =
+      std::min_element(waiting.views.begin(), waiting.views.end(),
+                       [&](const WaitingView& a, const WaitingView& b) { return rank(a) < rank(b); });
+  if (first != waiting.views.end()) return Job{first->next, first->view};
+  if (waiting.saved) return Job{Work::saved};
+  if (waiting.trial) return Job{Work::trial};
+  if (waiting.thumbnail) return Job{Work::thumbnail};
+  return {};
+}
+
+}  // namespace volumen

@@ -1,0 +1,257 @@
+// The render thread of DrawService.
+#include <algorithm>
+
+#include "ui/controller/draw_service.h"
+
+namespace volumen {
+
+namespace {
+
+// How long nothing new must be asked for before the full picture is begun.
+constexpr std::chrono::milliseconds restTime{25};
+// How often idle voxels are looked at: nothing tells when the last holder of a volume lets it go.
+constexpr std::chrono::seconds lookTime{1};
+
+}  // namespace
+
+void DrawService::run() {
+  std::unique_lock lock(mutex_);
+  while (const auto job = waitForJob(lock)) {
+    switch (job->work) {
+      case Work::draft:
+        drawDraft(job->view, lock);
+        break;
+      case Work::between:
+        drawBetween(job->view, lock);
+        break;
+      case Work::rest:
+        drawRest(job->view, lock);
+        break;
+      case Work::saved:
+        drawSaved(lock);
+        break;
+      case Work::trial:
+        drawTrial(lock);
+        break;
+      case Work::thumbnail:
+        drawThumbnail(lock);
+        break;
+    }
+  }
+  drawings_.clear();  // on this thread, which their OpenGL contexts belong to
+}
+
+std::optional<Job> DrawService::waitForJob(std::unique_lock<std::mutex>& lock) {
+  while (true) {
+    dropUnused(lock);
+    if (closing_) return {};
+    if (const auto job = nextJob(waiting())) return job;
+    if (pool_.hasIdle())
+      wake_.wait_for(lock, lookTime);
+    else
+      wake_.wait(lock);
+  }
+}
+
+// What drew views that are hidden or show another volume, and what was computed of volumes that are gone.
+void DrawService::dropUnused(std::unique_lock<std::mutex>& lock) {
+  std::vector<ViewId> unused;
+  for (const auto& [id, drawing] : drawings_)
+    if (drawing.shownAt() != views_.at(id).shownAt) unused.push_back(id);
+  lock.unlock();
+  for (const ViewId id : unused) drawings_.erase(id);
+  pool_.dropUnheld();
+  lock.lock();
+}
+
+Waiting DrawService::waiting() const {
+  Waiting all{{}, hand_, !pictures_.empty(), trial_.has_value(), thumbnails_.has_value()};
+  for (const auto& [id, view] : views_)
+    if (view.pending)
+      all.views.push_back(
+          {id, view.pending->next,
+           std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - view.pending->since)});
+  return all;
+}
+
+void DrawService::drawDraft(ViewId id, std::unique_lock<std::mutex>& lock) {
+  View& view = views_.at(id);
+  view.pending->since = Clock::now();
+  const ScreenRequest request = view.pending->request;
+  const VolumePtr volume = view.volume;
+  const int shownAt = view.shownAt;
+  const CancelToken cancel = view.cancel;
+  lock.unlock();
+  ViewDrawing& drawing = drawingOf(id, volume, shownAt);
+  const Pass first = drawing.firstPass(request.level);
+  const bool only = first == restPass(request.level);
+  // Another level of what is on screen needs no draft; that may be finer than any.
+  const bool seen = drawing.isSeen(request) && !only;
+  const Outcome outcome = seen ? Outcome::drawn : drawScreen(id, request, first, only, cancel);
+  const auto between = seen ? std::nullopt : drawing.factorBetween(request.level);
+  quietAt_ = Clock::now() + restTime;
+  lock.lock();
+  if (only)
+    follow(id, request.number, outcome, {});
+  else
+    follow(id, request.number, outcome, between ? Work::between : Work::rest, between.value_or(1));
+}
+
+void DrawService::drawBetween(ViewId id, std::unique_lock<std::mutex>& lock) {
+  View& view = views_.at(id);
+  const ScreenRequest request = view.pending->request;
+  const Pass pass{Quality::draft, view.pending->between};
+  if (!staysQuiet(id, request.number, lock)) return;
+  const CancelToken cancel = view.restCancel = CancelToken();
+  lock.unlock();
+  const Outcome outcome = drawScreen(id, request, pass, false, cancel);
+  lock.lock();
+  follow(id, request.number, outcome, Work::rest);
+}
+
+void DrawService::drawRest(ViewId id, std::unique_lock<std::mutex>& lock) {
+  View& view = views_.at(id);
+  const ScreenRequest request = view.pending->request;
+  const CancelToken cancel = view.restCancel = CancelToken();
+  lock.unlock();
+  const Pass pass = restPass(request.level);
+  const ViewDrawing& drawing = drawings_.at(id);
+  const PlannedPass ahead = planPass(drawing.draw(), *drawing.volume(), request, pass, quietAt_, cancel);
+  lock.lock();
+  if (!staysQuiet(id, request.number, lock)) return;
+  lock.unlock();
+  const Outcome outcome = drawScreen(id, request, pass, true, cancel, &ahead);
+  lock.lock();
+  follow(id, request.number, outcome, {});
+}
+
+void DrawService::drawSaved(std::unique_lock<std::mutex>& lock) {
+  const PictureRequest request = std::move(pictures_.front());
+  pictures_.pop_front();
+  pictureCancel_ = request.cancel;
+  lock.unlock();
+  Result<Drawn> drawn = drawOf(request.volume)(request.scene, request.options, request.cancel);
+  const auto saved = drawn ? std::make_shared<Drawn>(std::move(*drawn)) : nullptr;
+  const QString failure = saved                        ? QString()
+                          : request.cancel.cancelled() ? tr("Cancelled.")
+                                                       : QString::fromStdString(drawn.message());
+  QMetaObject::invokeMethod(
+      this, [this, number = request.number, saved, failure] { Q_EMIT pictureReady(number, saved, failure); },
+      Qt::QueuedConnection);
+  lock.lock();
+  pictureCancel_ = CancelToken();
+}
+
+// Stays asked for where something else interrupts it.
+void DrawService::drawTrial(std::unique_lock<std::mutex>& lock) {
+  const auto [volume, request] = *trial_;
+  const CancelToken cancel = trialCancel_ = CancelToken();
+  lock.unlock();
+  Result<DrawnPass> drawn = drawPass(drawOf(volume), *volume, request, restPass(request.level), cancel);
+  lock.lock();
+  if (cancel.cancelled()) return;
+  trial_.reset();
+  Trial trial{request.number, request.level, request.pixels, 0, nullptr, {}};
+  if (drawn) {
+    trial.ms = drawn->shown.ms - drawn->shown.stats.gradientsMs;
+    trial.drawn = std::make_shared<const Drawn>(std::move(drawn->drawn));
+  } else {
+    trial.failure = QString::fromStdString(drawn.message());
+  }
+  QMetaObject::invokeMethod(
+      this, [this, trial] { Q_EMIT trialReady(trial); }, Qt::QueuedConnection);
+}
+
+// One at a time, so that anything else comes in between; drawn again where something interrupts it.
+void DrawService::drawThumbnail(std::unique_lock<std::mutex>& lock) {
+  const VolumePtr volume = thumbnails_->volume;
+  const Scene scene = thumbnails_->scenes[thumbnails_->next];
+  const int batch = thumbnailBatch_, n = int(thumbnails_->next);
+  RenderOptions options;
+  options.size = {thumbnails_->pixels.width(), thumbnails_->pixels.height()};
+  options.quality = Quality::draft;
+  const CancelToken cancel = trialCancel_ = CancelToken();
+  lock.unlock();
+  const Result<Drawn> drawn = drawOf(volume)(scene, options, cancel);
+  const QImage image = drawn ? toImage(drawn->picture) : QImage();
+  lock.lock();
+  if (cancel.cancelled() || batch != thumbnailBatch_) return;
+  if (++thumbnails_->next == thumbnails_->scenes.size()) thumbnails_.reset();
+  if (!drawn) return;
+  QMetaObject::invokeMethod(
+      this, [this, batch, n, image] { Q_EMIT thumbnailReady(batch, n, image); }, Qt::QueuedConnection);
+}
+
+// What draws this showing of the volume in a view.
+ViewDrawing& DrawService::drawingOf(ViewId id, const VolumePtr& volume, int shownAt) {
+  const auto found = drawings_.find(id);
+  if (found != drawings_.end() && found->second.shownAt() == shownAt) return found->second;
+  drawings_.erase(id);
+  return drawings_.try_emplace(id, volume, shownAt, makeDraw_(pool_.voxelsOf(volume))).first->second;
+}
+
+// What draws a volume for no view: what does so for one, else something of its own.
+Draw DrawService::drawOf(const VolumePtr& volume) {
+  const auto shown = std::find_if(drawings_.begin(), drawings_.end(),
+                                  [&](const auto& entry) { return entry.second.volume() == volume; });
+  return shown != drawings_.end() ? shown->second.draw() : makeDraw_(pool_.voxelsOf(volume));
+}
+
+DrawService::Outcome DrawService::drawScreen(ViewId id, const ScreenRequest& request, Pass pass, bool atRest,
+                                             const CancelToken& cancel, const PlannedPass* ahead) {
+  ViewDrawing& drawing = drawings_.at(id);
+  Result<DrawnPass> drawn = drawPass(drawing.draw(), *drawing.volume(), request, pass, cancel, ahead);
+  if (!drawn) {
+    if (cancel.cancelled()) return Outcome::cancelled;
+    const bool again = request.resampler == Resampler::gl && pass.quality != Quality::draft;
+    QMetaObject::invokeMethod(
+        this,
+        [this, id, number = request.number, sentence = QString::fromStdString(drawn.message()), again] {
+          deliverFailure(id, number, sentence, !again);
+        },
+        Qt::QueuedConnection);
+    if (!again) return Outcome::failed;
+    useCpu();
+    ScreenRequest byCpu = request;
+    byCpu.resampler = Resampler::cpu;
+    return drawScreen(id, byCpu, pass, atRest, cancel);
+  }
+  ScreenPicture& picture = drawn->shown;
+  picture.view = id;
+  picture.volume = drawing.volume();
+  picture.atRest = atRest;
+  drawing.drew(picture, request);
+  QMetaObject::invokeMethod(
+      this, [this, picture] { deliver(picture); }, Qt::QueuedConnection);
+  return Outcome::drawn;
+}
+
+// Waits until nothing new was asked for long enough; false where something is.
+bool DrawService::staysQuiet(ViewId id, int number, std::unique_lock<std::mutex>& lock) {
+  const auto& pending = views_.at(id).pending;
+  return !wake_.wait_until(lock, quietAt_, [&] {
+    return closing_ || !pending || pending->request.number != number ||
+           std::any_of(views_.begin(), views_.end(), [](const auto& entry) {
+             return entry.second.pending && entry.second.pending->next == Work::draft;
+           });
+  });
+}
+
+// What comes after a picture of a request, unless something else is asked of the view by now.
+void DrawService::follow(ViewId id, int number, Outcome outcome, std::optional<Work> next, double between) {
+  auto& pending = views_.at(id).pending;
+  if (outcome == Outcome::cancelled || !pending || pending->request.number != number) return;
+  if (outcome == Outcome::failed || !next) return pending.reset();
+  pending->next = *next;
+  pending->between = between;
+}
+
+// OpenGL has failed: what waits for it does so no longer.
+void DrawService::useCpu() {
+  const std::lock_guard lock(mutex_);
+  resampler_ = Resampler::cpu;
+  for (auto& [id, view] : views_)
+    if (view.pending) view.pending->request.resampler = Resampler::cpu;
+}
+
+}  // namespace volumen

@@ -1,0 +1,67 @@
+#include "ui/controller/screen_picture.h"
+
+#include <algorithm>
+
+#include "viewer/scene/first_camera.h"
+
+namespace volumen {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// What a pass draws.
+struct PassView {
+  Scene shown;  // with its camera
+  Scene scene;  // of the draft's pixels
+  RenderOptions options;
+};
+
+PassView viewOf(const ScreenRequest& request, Pass pass, const VoxelGeometry& geometry) {
+  PassView view{request.scene, {}, {}};
+  if (!view.shown.camera)
+    view.shown.camera =
+        fitCamera(firstCamera(geometry), geometry, double(request.pixels.width()) / request.pixels.height());
+  const DraftView draft = draftView(*view.shown.camera, request.pixels, pass.factor);
+  view.scene = view.shown;
+  view.scene.camera = draft.camera;
+  view.options.size = {draft.size.width(), draft.size.height()};
+  view.options.quality = pass.quality;
+  if (pass.quality != Quality::draft && request.resampler == Resampler::gl)
+    view.options.resampler = Resampler::gl;
+  return view;
+}
+
+}  // namespace
+
+PlannedPass planPass(const Draw& draw, const Volume& volume, const ScreenRequest& request, Pass pass,
+                     Clock::time_point from, const CancelToken& cancel) {
+  from = std::max(from, Clock::now());
+  const PassView view = viewOf(request, pass, volume.geometry());
+  return {draw.plan(view.scene, view.options, cancel), from};
+}
+
+Result<DrawnPass> drawPass(const Draw& draw, const Volume& volume, const ScreenRequest& request, Pass pass,
+                           const CancelToken& cancel, const PlannedPass* ahead) {
+  const Clock::time_point begin = ahead ? ahead->from : Clock::now();
+  PassView view = viewOf(request, pass, volume.geometry());
+  Result<Drawn> drawn = !ahead            ? draw(view.scene, view.options, cancel)
+                        : !ahead->planned ? Result<Drawn>(ahead->planned.error())
+                                          : draw.picture(*ahead->planned, cancel);
+  if (!drawn) return drawn.error();
+  ScreenPicture shown;
+  shown.number = request.number;
+  shown.quality = pass.quality;
+  shown.factor = pass.factor;
+  shown.scene = std::move(view.shown);
+  shown.image =
+      pass.factor == 1 ? toImage(drawn->picture) : enlarged(drawn->picture, pass.factor, request.pixels);
+  shown.plan = std::make_shared<const Plan>(drawn->plan);
+  shown.stats = drawn->stats;
+  shown.estimated = pass.factor == 1 ? estimateOf(drawn->error) : std::nullopt;
+  if (shown.estimated) shown.error = std::make_shared<const std::vector<float>>(drawn->error);
+  shown.ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  return DrawnPass{std::move(*drawn), std::move(shown)};
+}
+
+}  // namespace volumen

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <compare>
+#include <string>
+
+#include "io/study.h"
+
+namespace volumen {
+
+/// Names a series: where it was found and what it is called there.
+struct SeriesKey {
+  std::string path, id;
+  auto operator<=>(const SeriesKey&) const = default;
+  bool empty() const { return path.empty() && id.empty(); }
+};
+
+inline SeriesKey keyOf(const Series& series) { return {series.path, series.id}; }
+
+}  // namespace volumen
