@@ -26,7 +26,6 @@ namespace volumen {
 
 namespace {
 
-constexpr ViewId onlyView = 0;
 
 }  // namespace
 
@@ -183,8 +182,8 @@ void MainWindow::connectAccuracy() {
 void MainWindow::applyLevel() {
   meter_.setNeeded(session_.goal().aim != Aim::level);
   const auto level = levelFor(session_.goal(), meter_.measured().levels);
-  if (!level || *level == drawService_.level(onlyView)) return;
-  drawService_.setLevel(onlyView, *level);
+  if (!level || *level == drawService_.level(sceneViewId)) return;
+  drawService_.setLevel(sceneViewId, *level);
   accuracy_->showLevel(*level);
   requestFrame();
 }
@@ -216,7 +215,7 @@ void MainWindow::showVolume() {
   const ShownSeriesPtr& series = session_.series();
   thumbnails_.stop();
   thumbnailsOf_.reset();
-  drawService_.show(onlyView, series ? series->volume : nullptr);
+  drawService_.show(sceneViewId, series ? series->volume : nullptr);
   QStringList warnings;
   if (series)
     for (const Warning& w : series->warnings)
@@ -236,7 +235,7 @@ void MainWindow::showSeries() {
 void MainWindow::requestFrame() {
   if (!session_.series() || pages_->currentWidget() != grid_ || view_->isHidden()) return;
   snapshotPanel_->setViewSize(view_->pixels());
-  drawService_.request(onlyView, session_.scene(), view_->pixels());
+  drawService_.request(sceneViewId, session_.scene(), view_->pixels());
 }
 
 void MainWindow::setResampler(Resampler resampler) {
