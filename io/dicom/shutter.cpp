@@ -43,7 +43,7 @@ Result<Shape> circle(const DataSet& data, DataSet::Scope scope, glm::dvec2 pixel
   });
 }
 
-/// Pixels whose centre lies inside, even-odd.
+/// Pixels whose centre lies inside, even-odd, or on an edge.
 Result<Shape> polygon(const DataSet& data, DataSet::Scope scope) {
   const auto numbers = data.numbers(0x00181620, scope);
   if (!numbers || numbers->size() < 6 || numbers->size() % 2 == 1)
@@ -54,14 +54,19 @@ Result<Shape> polygon(const DataSet& data, DataSet::Scope scope) {
     corners.emplace_back((*numbers)[n + 1] - 1, (*numbers)[n] - 1);
   return Shape([=](int row) {
     std::vector<double> crossings;
+    std::vector<Run> runs;
     for (std::size_t n = 0; n < corners.size(); ++n) {
       const glm::dvec2 a = corners[n], b = corners[(n + 1) % corners.size()];
+      if (a.y == row) {
+        const double other = b.y == row ? b.x : a.x;
+        runs.push_back({std::ceil(std::min(a.x, other)), std::floor(std::max(a.x, other)) + 1});
+      }
       if ((a.y <= row) != (b.y <= row)) crossings.push_back(a.x + (row - a.y) / (b.y - a.y) * (b.x - a.x));
     }
     std::sort(crossings.begin(), crossings.end());
-    std::vector<Run> runs;
     for (std::size_t n = 0; n + 1 < crossings.size(); n += 2)
-      runs.push_back({std::ceil(crossings[n]), std::ceil(crossings[n + 1])});
+      runs.push_back({std::ceil(crossings[n]), std::floor(crossings[n + 1]) + 1});
+    std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.from < b.from; });
     return runs;
   });
 }
