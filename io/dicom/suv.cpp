@@ -137,10 +137,19 @@ Result<double> factorOfBqml(const DataSet& data, const Series& series) {
   return *weight * 1000 / *dose;
 }
 
+/// Counts of Philips come with a factor of their own.
+Result<double> factorOfCounts(const DataSet& data) {
+  constexpr std::uint32_t creator = 0x70530010, factor = 0x70531000;
+  if (data.text(creator, data.root()) != "Philips PET Private Group")
+    return Error{"Units (0054,1001) is CNTS"};
+  return positive(data, data.root(), "the factor from counts to SUV", factor);
+}
+
 Result<double> factorOf(const DataSet& data, const Series& series) {
   const std::string units = data.text(0x00541001, data.root()), type = data.text(0x00541006, data.root());
   if (units.empty()) return missing("Units", 0x00541001);
   if (units == "BQML") return factorOfBqml(data, series);
+  if (units == "CNTS") return factorOfCounts(data);
   if (units == "GML" && (type.empty() || type == "BW")) return 1.0;
   if (units == "GML") return Error{"SUVType (0054,1006) is " + dicom::toUtf8(type, {})};
   return Error{"Units (0054,1001) is " + dicom::toUtf8(units, {})};

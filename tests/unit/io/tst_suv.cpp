@@ -149,6 +149,11 @@ void TestSuv::factors_data() {
       [](DcmDataset& d) { d.putAndInsertString(DCM_SeriesTime, "180000"); });
   row("pictures later than the series: the series counts", 2 * whole,
       [](DcmDataset& d) { d.putAndInsertString(DCM_AcquisitionTime, "120000"); });
+  row("counts with their factor", 0.25, [](DcmDataset& d) {
+    d.putAndInsertString(DCM_Units, "CNTS");
+    d.putAndInsertString(DcmTag(0x7053, 0x0010, EVR_LO), "Philips PET Private Group");
+    d.putAndInsertString(DcmTag(0x7053, 0x1000, EVR_DS), "0.25");
+  });
   row("over midnight by date", 2 * whole, [](DcmDataset& d) {
     doseOf(d).putAndInsertString(DCM_RadiopharmaceuticalStartDateTime, "20260228233000");
     d.putAndInsertString(DCM_SeriesDate, "20260301");
