@@ -13,10 +13,10 @@ std::string textAt(const DataSet& data, std::uint32_t tag, DataSet::Scope scope)
   return text.empty() ? text : toUtf8(text, data.text(0x00080005, data.root()));
 }
 
-/// LINEAR is DICOM's for integers and widths from 1 on; what it is not defined for is LINEAR_EXACT.
-WindowFunction functionOf(const std::string& name, double width, bool floats) {
+/// LINEAR is not defined for widths below 1: there it is LINEAR_EXACT.
+WindowFunction functionOf(const std::string& name, double width) {
   if (name == "SIGMOID") return WindowFunction::sigmoid;
-  const bool exact = name == "LINEAR_EXACT" || width < 1 || floats;
+  const bool exact = name == "LINEAR_EXACT" || width < 1;
   return exact ? WindowFunction::linearExact : WindowFunction::linear;
 }
 
@@ -56,7 +56,6 @@ std::vector<NamedGrey> readWindows(const DataSet& data, DataSet::Scope scope) {
   const auto centres = data.numbers(0x00281050, scope), widths = data.numbers(0x00281051, scope);
   if (!centres || !widths) return greys;
   const std::string function = data.text(0x00281056, scope);
-  const bool floats = data.has(0x7fe00008, data.root()) || data.has(0x7fe00009, data.root());
   std::vector<std::string> names;
   if (data.has(0x00281055, scope)) names = data.values(0x00281055, scope);
   for (std::size_t n = 0; n < std::min(centres->size(), widths->size()); ++n) {
@@ -64,7 +63,7 @@ std::vector<NamedGrey> readWindows(const DataSet& data, DataSet::Scope scope) {
     NamedGrey grey;
     if (n < names.size()) grey.name = toUtf8(names[n], data.text(0x00080005, data.root()));
     grey.mapping.window = {(*centres)[n], (*widths)[n]};
-    grey.mapping.function = functionOf(function, (*widths)[n], floats);
+    grey.mapping.function = functionOf(function, (*widths)[n]);
     greys.push_back(grey);
   }
   return greys;
@@ -85,7 +84,13 @@ std::vector<NamedGrey> readGreys(const DataSet& data, const FrameScopes& at, con
   if (greys.empty()) greys.push_back({{}, {ownWindow(frame), WindowFunction::linearExact, {}, false}});
   const bool inverted =
       header.format.photometric == "MONOCHROME1" || data.text(0x20500020, data.root()) == "INVERSE";
-  for (NamedGrey& grey : greys) grey.mapping.inverted = inverted;
+  const bool floats = header.format.kind != PixelFormat::Kind::integer;
+  for (NamedGrey& grey : greys) {
+    grey.mapping.inverted = inverted;
+    // LINEAR is for integers (SLICE 3).
+    if (floats && grey.mapping.function == WindowFunction::linear)
+      grey.mapping.function = WindowFunction::linearExact;
+  }
   return greys;
 }
 

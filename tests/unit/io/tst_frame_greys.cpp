@@ -26,6 +26,7 @@ class TestFrameGreys : public QObject {
   void polarityIsTurnedOnce();
   void windows_data();
   void windows();
+  void windowsOfFloatsAreExact();
   void rangeOfTheFrameWithoutPadding();
   void voiLuts_data();
   void voiLuts();
@@ -117,6 +118,19 @@ void TestFrameGreys::windows() {
                  .arg(grey.mapping.window.width)
                  .arg(QString::fromStdString(grey.name));
   QCOMPARE(greys, found);
+}
+
+void TestFrameGreys::windowsOfFloatsAreExact() {
+  const Result<Frame> frame = frameWith([](DcmDataset& d) {
+    d.findAndDeleteElement(DCM_PixelData);
+    const std::vector<Float32> values(12, 0.25f);
+    d.putAndInsertFloat32Array(DCM_FloatPixelData, values.data(), values.size());
+    d.putAndInsertString(DCM_WindowCenter, "0");
+    d.putAndInsertString(DCM_WindowWidth, "2");
+  });
+  QVERIFY2(frame.ok(), frame.ok() ? "" : frame.message().c_str());
+  QCOMPARE(frame->values[0], 0.25f);
+  QCOMPARE(frame->greys[0].mapping, (GreyMapping{{0, 2}, WindowFunction::linearExact, {}, false}));
 }
 
 void TestFrameGreys::rangeOfTheFrameWithoutPadding() {
