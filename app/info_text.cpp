@@ -67,6 +67,14 @@ void addFiles(std::ostream& out, const Files& files, bool verbose, Why why) {
   }
 }
 
+std::string imageLine(const Image& image) {
+  std::ostringstream out;
+  out << image.columns << " x " << image.rows;
+  if (image.frames > 1) out << ", " << image.frames << " frames";
+  out << ", " << image.photometric << "; " << image.notVolume;
+  return out.str();
+}
+
 }  // namespace
 
 std::string infoText(const Study& study, const std::vector<InfoSeries>& series, bool verbose) {
@@ -84,6 +92,7 @@ std::string infoText(const Study& study, const std::vector<InfoSeries>& series, 
   const QString unread = unreadText(study);
   if (unread.isEmpty()) return out.str();
   out << unread.toStdString() << '\n';
+  addFiles(out, study.images, verbose, imageLine);
   addFiles(out, study.refused, verbose, [](const Refused& file) { return file.reason; });
   addFiles(out, study.other, verbose, [](const Other& file) { return file.kind; });
   return out.str();

@@ -13,10 +13,10 @@ namespace volumen {
 namespace {
 
 Error nothingToShow(const std::string& path, const Study& study) {
-  if (study.refused.empty()) return Error{"No images found in " + path + "."};
-  const Refused& first = study.refused.front();
-  const std::string why = first.path + ": " + first.reason;
-  if (study.refused.size() == 1) return Error{why};
+  const std::vector<Refused> unread = notShown(study);
+  if (unread.empty()) return Error{"No images found in " + path + "."};
+  const std::string why = unread[0].path + ": " + unread[0].reason;
+  if (unread.size() == 1) return Error{why};
   return Error{"No images found in " + path + ": " + unreadText(study).toStdString() + " The first: " + why +
                "\n`volumen info` lists them."};
 }

@@ -44,23 +44,37 @@ long numberOf(const std::string& text) {
 }
 
 /// Tells volumes of one series (or files of one name) apart by "#1", "#2", ... behind their ids.
-void numberParts(std::vector<Series>& volumes) {
+template <class Found>
+void numberParts(std::vector<Found>& all) {
   std::map<std::string, int> count, next;
-  for (const Series& s : volumes) ++count[s.id];
-  for (Series& s : volumes)
-    if (const std::string id = s.id; count[id] > 1) s.id.append("#").append(std::to_string(++next[id]));
+  for (const Found& found : all) ++count[found.id];
+  for (Found& found : all)
+    if (const std::string id = found.id; count[id] > 1)
+      found.id.append("#").append(std::to_string(++next[id]));
 }
 
-/// `info`'s order: patient, study, series number, position.
+/// `info`'s order: patient, study, series number, ...
+auto orderKey(const SeriesIdentity& s) {
+  return std::make_tuple(std::tie(s.patientName, s.patientId, s.studyDate, s.studyUid),
+                         numberOf(s.seriesNumber));
+}
+
+/// ... position.
 void sortVolumes(std::vector<Series>& volumes) {
   const auto key = [](const Series& s) {
     const glm::dvec3 o = s.acquired.origin;
-    return std::make_tuple(std::tie(s.patientName, s.patientId, s.studyDate, s.studyUid),
-                           numberOf(s.seriesNumber), s.seriesUid.empty() ? s.path : s.seriesUid, o.z, o.y,
-                           o.x, s.id.size(), std::tie(s.id));  // "#2" before "#10"
+    return std::make_tuple(orderKey(s), s.seriesUid.empty() ? s.path : s.seriesUid, o.z, o.y, o.x,
+                           s.id.size(), std::tie(s.id));  // "#2" before "#10"
   };
   std::stable_sort(volumes.begin(), volumes.end(),
                    [&](const Series& a, const Series& b) { return key(a) < key(b); });
+}
+
+/// ... path.
+void sortImages(std::vector<Image>& images) {
+  const auto key = [](const Image& i) { return std::make_tuple(orderKey(i), std::tie(i.seriesUid, i.path)); };
+  std::stable_sort(images.begin(), images.end(),
+                   [&](const Image& a, const Image& b) { return key(a) < key(b); });
 }
 
 /// A sentence about a file, "F is compressed.", as a reason that stands behind its name: "compressed."
@@ -98,6 +112,8 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
   if (cancel.cancelled()) return Error{path + ": interrupted."};
   sortVolumes(study.volumes);
   numberParts(study.volumes);
+  sortImages(study.images);
+  numberParts(study.images);
   return study;
 }
 

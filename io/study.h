@@ -13,14 +13,19 @@
 
 namespace volumen {
 
-/// One volume that was found: plain values that the rest of the program sees, and how to load it. Text is
-/// UTF-8, exactly as in the file; whoever shows it escapes control characters.
-struct Series {
-  std::string id;  ///< SeriesInstanceUID or file name, "#n" behind it where that holds several (design.md 10)
-  std::string path;    ///< the file, or the folder that holds the files
-  std::string format;  ///< "DICOM", "NRRD", "NIfTI", "MetaImage", "phantom"
+/// Whose pictures these are and which series they belong to. Text is UTF-8, exactly as in the file; whoever
+/// shows it escapes control characters.
+struct SeriesIdentity {
   std::string patientName, patientId, studyUid, studyDate, studyDescription;
   std::string seriesUid, seriesNumber, modality, description;
+  std::string frameOfReferenceUid;  ///< positions of one frame of reference are comparable; empty: not given
+};
+
+/// One volume that was found: plain values that the rest of the program sees, and how to load it.
+struct Series : SeriesIdentity {
+  std::string id;    ///< SeriesInstanceUID or file name, "#n" behind it where that holds several (design.md 10)
+  std::string path;  ///< the file, or the folder that holds the files
+  std::string format;     ///< "DICOM", "NRRD", "NIfTI", "MetaImage", "phantom"
   std::string unit;       ///< of the values: "HU", "Bq/ml", "SUV"; empty where they have none
   std::string time;       ///< of day, as DICOM writes it: of the acquisition, else of the series
   std::string echoTime;   ///< ms, as in the file; empty where it is not given
@@ -41,6 +46,26 @@ struct Series {
 
   std::vector<std::string> files;  ///< every file it is made of, in slice order (one file for NRRD etc.)
   std::vector<int> frames;         ///< DICOM: the frame (from 0) of each of `files` that is the slice
+  std::vector<std::string> sopInstanceUids;  ///< DICOM: of each of `files`
+};
+
+/// How the frames of a clip follow each other (PS3.3 C.7.6.5).
+struct Cine {
+  double framesPerSecond = 0;        ///< as the file recommends; 0: it does not
+  std::vector<double> frameTimesMs;  ///< from the frame before to each frame; empty: always the same
+  bool backAndForth = false;         ///< PreferredPlaybackSequencing 1
+};
+
+/// A DICOM file that is no volume and whose frames can be shown as acquired (io/frames.h): colour, clips,
+/// frames without a place.
+struct Image : SeriesIdentity {
+  std::string id;         ///< SOPInstanceUID or file name, "#n" behind it where several are alike
+  std::string path;       ///< of the file
+  std::string notVolume;  ///< why it is no volume: a sentence without the file's name
+  std::string sopInstanceUid, sopClassUid;
+  int frames = 1, rows = 0, columns = 0;
+  std::string photometric;  ///< PhotometricInterpretation
+  Cine cine;
 };
 
 /// A file that could not be read; the reason stands behind its name: "F: compressed with bzip2, ...".
@@ -53,9 +78,11 @@ struct Other {
   std::string path, kind;
 };
 
-/// All that one PATH holds. Volumes in `info`'s order: patient, study, series number, position.
+/// All that one PATH holds. Volumes in `info`'s order: patient, study, series number, position; images by
+/// patient, study, series number and path. What is in one list is in none of the others.
 struct Study {
   std::vector<Series> volumes;
+  std::vector<Image> images;
   std::vector<Refused> refused;
   std::vector<Other> other;
 };

@@ -24,11 +24,6 @@
 
 namespace volumen {
 
-namespace {
-
-
-}  // namespace
-
 MainWindow::MainWindow(const Services& services, QWidget* parent)
     : QMainWindow(parent),
       services_(services),
@@ -198,13 +193,13 @@ void MainWindow::open(const QStringList& paths, const std::optional<Scene>& scen
 void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Study>& study) {
   studies_->addStudy(path, study);
   QStringList details;
-  for (const Refused& refused : study->refused)
+  for (const Refused& refused : notShown(*study))
     details << shownText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
   for (const Other& other : study->other)
     details << shownText(other.path) + QStringLiteral(": ") + shownText(other.kind);
   if (study->volumes.empty())
     return banner_->add(tr("No images found in %1.").arg(shownText(path.toStdString())), details);
-  if (!study->refused.empty()) banner_->add(unreadText(*study), details);
+  if (!notShown(*study).empty()) banner_->add(unreadText(*study), details);
   recent_.add(path);
   if (!std::exchange(showFirst_, false)) return;
   if (const Result<std::size_t> largest = chooseSeries(*study, {})) loader_.load(study->volumes[*largest]);

@@ -89,14 +89,18 @@ void addWarnings(Json& out, const std::vector<Warning>& warnings) {
   }
 }
 
-Json seriesJson(const Series& s) {
-  Json out{{"id", s.id}, {"path", s.path}, {"format", s.format}};
+void addIdentity(Json& out, const SeriesIdentity& s) {
   out["patient"] = {{"name", s.patientName}, {"id", s.patientId}};
   out["study"] = {{"uid", s.studyUid}, {"date", s.studyDate}, {"description", s.studyDescription}};
-  out["series"] = {{"number", s.seriesNumber}, {"description", s.description}, {"files", s.files.size()}};
   out["seriesUid"] = s.seriesUid;
   out["modality"] = s.modality;
   out["description"] = s.description;
+}
+
+Json seriesJson(const Series& s) {
+  Json out{{"id", s.id}, {"path", s.path}, {"format", s.format}};
+  addIdentity(out, s);
+  out["series"] = {{"number", s.seriesNumber}, {"description", s.description}, {"files", s.files.size()}};
   addGeometry(out, s.acquired);
   out["valueType"] = s.valueType;
   if (s.regular)
@@ -104,6 +108,18 @@ Json seriesJson(const Series& s) {
                       {"spacing", toJson(s.regular->geometry.spacing())},
                       {"interpolatedSlices", s.regular->interpolatedSlices}};
   addWarnings(out, s.warnings);
+  return out;
+}
+
+Json imageJson(const Image& image) {
+  Json out{{"id", image.id}, {"path", image.path}};
+  addIdentity(out, image);
+  out["sopInstanceUid"] = image.sopInstanceUid;
+  out["frames"] = image.frames;
+  out["rows"] = image.rows;
+  out["columns"] = image.columns;
+  out["photometric"] = image.photometric;
+  out["notVolume"] = image.notVolume;
   return out;
 }
 
@@ -141,8 +157,12 @@ std::vector<InfoSeries> describe(Study& study, bool values, const CancelToken& c
 }
 
 Json studyJson(const Study& study, const std::vector<InfoSeries>& series) {
-  Json out{{"volumes", Json::array()}, {"refused", Json::array()}, {"other", Json::array()}};
+  Json out{{"volumes", Json::array()},
+           {"images", Json::array()},
+           {"refused", Json::array()},
+           {"other", Json::array()}};
   for (const InfoSeries& s : series) out["volumes"].push_back(s.json);
+  for (const Image& image : study.images) out["images"].push_back(imageJson(image));
   for (const Refused& r : study.refused) out["refused"].push_back({{"path", r.path}, {"reason", r.reason}});
   for (const Other& o : study.other) out["other"].push_back({{"path", o.path}, {"kind", o.kind}});
   return out;
@@ -158,7 +178,7 @@ int run(const InfoOptions& options, const CancelToken& cancel) {
     std::cout << studyJson(*study, series).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   else
     std::cout << infoText(*study, series, options.verbose);
-  if (!series.empty()) return exitDone;
+  if (!series.empty() || !study->images.empty()) return exitDone;
   if (!options.json) fail("No images found in " + options.path + ".");
   return exitFailed;
 }

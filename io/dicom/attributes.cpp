@@ -25,15 +25,22 @@ Result<int> frameCount(const DataSet& data) {
   return int(*value);
 }
 
-Status checkColour(const DataSet& data) {
-  const std::string photometric = data.text(0x00280004, data.root());
-  const int samples = data.word(0x00280002, data.root()).value_or(1);
-  if (photometric == "MONOCHROME1" || photometric == "MONOCHROME2") {
-    if (samples == 1) return {};
-    return Error{"SamplesPerPixel is " + std::to_string(samples) + " in a grey image"};
+/// Colours and how they are laid out. A missing SamplesPerPixel is 1.
+Status readColour(const DataSet& data, PixelFormat& format) {
+  constexpr std::pair<const char*, int> kinds[] = {
+      {"MONOCHROME1", 1}, {"MONOCHROME2", 1},  {"PALETTE COLOR", 1}, {"RGB", 3},
+      {"YBR_FULL", 3},    {"YBR_FULL_422", 3}, {"YBR_ICT", 3},       {"YBR_RCT", 3}};
+  format.photometric = data.text(0x00280004, data.root());
+  format.samples = data.word(0x00280002, data.root()).value_or(1);
+  format.planar = format.samples > 1 && data.word(0x00280006, data.root()).value_or(0) == 1;
+  if (format.photometric.empty()) return Error{"PhotometricInterpretation (0028,0004) is missing"};
+  for (const auto& [name, samples] : kinds) {
+    if (format.photometric != name) continue;
+    if (format.samples == samples) return {};
+    return Error{"SamplesPerPixel is " + std::to_string(format.samples) + " in " +
+                 (format.isGrey() ? "a grey image" : "a colour image (" + format.photometric + ")")};
   }
-  if (photometric.empty()) return Error{"PhotometricInterpretation (0028,0004) is missing"};
-  return Error{"colour image (" + photometric + "): cannot be shown in 3D"};
+  return Error{"colour image (" + format.photometric + "): not supported"};
 }
 
 /// Bits, sign and order of integer samples.
@@ -85,6 +92,7 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   header.seriesNumber = text(0x00200011);
   header.modality = text(0x00080060);
   header.description = text(0x0008103e);
+  header.frameOfReferenceUid = text(0x00200052);
   header.unit = unitOf(header.modality, text(0x00281054), text(0x00541001));
   header.time = text(0x00080032);
   if (header.time.empty()) header.time = text(0x00080031);
@@ -92,7 +100,7 @@ void readIdentity(const DataSet& data, FileHeader& header) {
 
 Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels) {
   PixelFormat format;
-  if (Status s = checkColour(data); !s) return s.error();
+  if (Status s = readColour(data, format); !s) return s.error();
   const auto rows = wordField(data, 0x00280010, "Rows", {}, 1, 65535);
   if (!rows) return rows.error();
   const auto columns = wordField(data, 0x00280011, "Columns", {}, 1, 65535);
@@ -110,7 +118,25 @@ Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels) 
     format.bitsAllocated = format.bitsStored = pixels.tag == 0x7fe00008 ? 32 : 64;
     format.highBit = format.bitsAllocated - 1;
   }
+  if (!format.isGrey() &&
+      (format.kind != PixelFormat::Kind::integer || (format.samples > 1 && format.isSigned)))
+    return Error{"its colours are not unsigned integers"};
   return format;
+}
+
+Cine readCine(const DataSet& data, int frames) {
+  Cine cine;
+  const DataSet::Scope root = data.root();
+  cine.backAndForth = data.word(0x00181244, root).value_or(0) == 1;
+  if (const auto times = data.numbers(0x00181065, root); times && times->size() == std::size_t(frames))
+    cine.frameTimesMs = *times;
+  const auto positive = [&](std::uint32_t tag) { return std::max(0.0, data.number(tag, root).value_or(0)); };
+  // RecommendedDisplayFrameRate, CineRate, FrameTime.
+  cine.framesPerSecond = positive(0x00082144);
+  if (cine.framesPerSecond == 0) cine.framesPerSecond = positive(0x00180040);
+  if (const double ms = positive(0x00181063); cine.framesPerSecond == 0 && ms > 0)
+    cine.framesPerSecond = 1000 / ms;
+  return cine;
 }
 
 }  // namespace volumen::dicom

@@ -12,11 +12,14 @@ inline constexpr int frameLimit = 1'000'000;
 void readIdentity(const DataSet& data, FileHeader& header);
 
 /// The Image Pixel Module of a data set whose pixels stand in `pixels`. An Error says which attribute is
-/// missing, wrong or of a kind that is no volume (colour, one bit a pixel).
+/// missing, wrong or of a kind that is not read (one bit a pixel, colours that are not in use).
 Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels);
 
-/// Fills in where each frame lies and how its values are rescaled. An Error where a frame's place or rescale
-/// cannot be known.
+/// How the frames are to be played.
+Cine readCine(const DataSet& data, int frames);
+
+/// Fills in where each frame lies and how its values are rescaled, or why the frames are no slices
+/// (notVolume). An Error where a rescale cannot be known.
 Status readSlices(const DataSet& data, FileHeader& header);
 
 }  // namespace volumen::dicom

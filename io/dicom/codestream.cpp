@@ -78,6 +78,27 @@ Result<StreamInfo> jpegInfo(Bytes stream) {
   return info;
 }
 
+bool jpegSaysYbr(Bytes stream) {
+  constexpr std::uint8_t jfif = 0xe0, adobe = 0xee;
+  bool ybr = false;
+  for (std::size_t at = 2; at + 4 <= stream.size() && stream[at] == 0xff;) {
+    const std::uint8_t marker = stream[at + 1];
+    const std::size_t length = numberAt<std::uint16_t>(stream, at + 2, true);
+    if (length < 2 || length > stream.size() - at - 2) return false;
+    const Bytes segment = stream.subspan(at + 4, length - 2);
+    const auto begins = [&](std::string_view text) {
+      return segment.size() >= text.size() && std::equal(text.begin(), text.end(), segment.begin());
+    };
+    constexpr std::size_t adobeTransform = 11;
+    if (marker == jfif && begins("JFIF")) ybr = true;
+    if (marker == adobe && begins("Adobe") && segment.size() > adobeTransform)
+      ybr = segment[adobeTransform] == 1;
+    if (isFrameHeader(marker)) return ybr && (marker & 3) != 3;
+    at += 2 + length;
+  }
+  return false;
+}
+
 Bytes jpeg2000Stream(Bytes frame) {
   constexpr std::array<std::uint8_t, 4> start{0xff, 0x4f, 0xff, 0x51};  // SOC, SIZ
   const auto it = std::search(frame.begin(), frame.end(), start.begin(), start.end());
@@ -97,9 +118,15 @@ Result<StreamInfo> jpeg2000Info(Bytes stream) {
   const std::uint64_t tiles = ((std::uint64_t(right) - tileLeft + tileWidth - 1) / tileWidth) *
                               ((std::uint64_t(bottom) - tileTop + tileHeight - 1) / tileHeight);
   if (tiles > tileLimit) return Error{"its JPEG 2000 stream has more than 4096 tiles"};
-  if (stream[43] != 1 || stream[44] != 1) return Error{"its JPEG 2000 stream is subsampled"};
-  return StreamInfo{int(right - left), int(bottom - top), numberAt<std::uint16_t>(stream, 40, true),
-                    (stream[42] & 0x7f) + 1, (stream[42] & 0x80) != 0};
+  const std::size_t components = numberAt<std::uint16_t>(stream, 40, true);
+  if (components < 1 || stream.size() < 42 + 3 * components)
+    return Error{"its JPEG 2000 stream has a damaged SIZ marker"};
+  for (std::size_t at = 42; at < 42 + 3 * components; at += 3) {
+    if (stream[at + 1] != 1 || stream[at + 2] != 1) return Error{"its JPEG 2000 stream is subsampled"};
+    if (stream[at] != stream[42]) return Error{"the colours of its JPEG 2000 stream differ in precision"};
+  }
+  return StreamInfo{int(right - left), int(bottom - top), int(components), (stream[42] & 0x7f) + 1,
+                    (stream[42] & 0x80) != 0};
 }
 
 Status checkStream(const StreamInfo& info, const PixelFormat& format, std::size_t streamBytes) {
@@ -107,8 +134,9 @@ Status checkStream(const StreamInfo& info, const PixelFormat& format, std::size_
     return Error{"its compressed picture has " + std::to_string(info.columns) + " x " +
                  std::to_string(info.rows) + " pixels, but the file says " + std::to_string(format.columns) +
                  " x " + std::to_string(format.rows)};
-  if (info.components != 1)
-    return Error{"its compressed picture has " + std::to_string(info.components) + " colours"};
+  if (info.components != format.samples)
+    return Error{"its compressed picture has " + std::to_string(info.components) +
+                 " colours, but the file says " + std::to_string(format.samples)};
   if (info.precision < 1 || info.precision > format.bitsAllocated)
     return Error{"its compressed picture has " + std::to_string(info.precision) +
                  " bits a pixel, but the file says " + std::to_string(format.bitsAllocated)};

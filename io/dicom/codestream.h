@@ -14,13 +14,18 @@ struct StreamInfo {
 /// no picture, damaged markers, more than 100 scans, fewer bytes than the coding can possibly need.
 Result<StreamInfo> jpegInfo(Bytes stream);
 
-/// The SIZ marker of a JPEG 2000 code stream (ISO 15444-1 A.5.1). Refused: subsampling, more than 4096 tiles.
+/// Whether a JPEG stream of three colours says that they are luminance and colour differences: by the mark
+/// of JFIF or of Adobe, where its coding is not lossless.
+bool jpegSaysYbr(Bytes stream);
+
+/// The SIZ marker of a JPEG 2000 code stream (ISO 15444-1 A.5.1). Refused: subsampling, colours that differ
+/// in precision, more than 4096 tiles.
 Result<StreamInfo> jpeg2000Info(Bytes stream);
 
 /// The part of a JPEG 2000 frame that is the code stream: all of it, or what follows the boxes of a JP2 file.
 Bytes jpeg2000Stream(Bytes frame);
 
-/// Whether a stream of so many bytes is the picture that the data set announces: its size, one component, and
+/// Whether a stream of so many bytes is the picture that the data set announces: its size, its colours, and
 /// a precision that fits its bits. Refused as well: pictures above 256 MiB that come from less than 1/4096 of
 /// that, which no acquired picture does.
 Status checkStream(const StreamInfo& info, const PixelFormat& format, std::size_t streamBytes);

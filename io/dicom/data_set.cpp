@@ -69,10 +69,42 @@ std::optional<double> DataSet::number(std::uint32_t tag, Scope scope) const {
   return all->front();
 }
 
-std::optional<std::uint16_t> DataSet::word(std::uint32_t tag, Scope scope) const {
+template <class T>
+std::optional<T> DataSet::numberOf(std::uint32_t tag, Scope scope) const {
   const Element* e = find(tag, scope);
-  if (!e || e->length < 2 || e->length == undefinedLength) return {};
-  return numberAt<std::uint16_t>(bytes_, e->offset, e->bigEndian);
+  if (!e || e->length < sizeof(T) || e->length == undefinedLength) return {};
+  return numberAt<T>(bytes_, e->offset, e->bigEndian);
+}
+
+std::optional<std::uint16_t> DataSet::word(std::uint32_t tag, Scope scope) const {
+  return numberOf<std::uint16_t>(tag, scope);
+}
+
+std::optional<std::uint32_t> DataSet::dword(std::uint32_t tag, Scope scope) const {
+  return numberOf<std::uint32_t>(tag, scope);
+}
+
+std::optional<double> DataSet::real(std::uint32_t tag, Scope scope) const {
+  return numberOf<double>(tag, scope);
+}
+
+std::vector<std::uint16_t> DataSet::words(std::uint32_t tag, Scope scope) const {
+  const Element* e = find(tag, scope);
+  if (!e || e->length == undefinedLength) return {};
+  std::vector<std::uint16_t> words(e->length / 2);
+  for (std::size_t n = 0; n < words.size(); ++n)
+    words[n] = numberAt<std::uint16_t>(bytes_, e->offset + 2 * n, e->bigEndian);
+  return words;
+}
+
+std::vector<std::uint8_t> DataSet::bytes(std::uint32_t tag, Scope scope) const {
+  const Element* e = find(tag, scope);
+  if (!e || e->length == undefinedLength) return {};
+  const auto begin = bytes_.begin() + std::ptrdiff_t(e->offset);
+  std::vector<std::uint8_t> bytes(begin, begin + std::ptrdiff_t(e->length));
+  if (e->bigEndian && e->vr == vrOf('O', 'W'))
+    for (std::size_t n = 0; n + 1 < bytes.size(); n += 2) std::swap(bytes[n], bytes[n + 1]);
+  return bytes;
 }
 
 bool DataSet::has(std::uint32_t tag, Scope scope) const {

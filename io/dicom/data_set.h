@@ -36,10 +36,20 @@ class DataSet {
   std::optional<double> number(std::uint32_t tag, Scope scope) const;
   /// The first 16-bit word of a US, SS or OW.
   std::optional<std::uint16_t> word(std::uint32_t tag, Scope scope) const;
+  /// A UL, and an FD.
+  std::optional<std::uint32_t> dword(std::uint32_t tag, Scope scope) const;
+  std::optional<double> real(std::uint32_t tag, Scope scope) const;
+  /// All 16-bit words of a value, however long.
+  std::vector<std::uint16_t> words(std::uint32_t tag, Scope scope) const;
+  /// All bytes of a value, however long, those of big endian 16-bit words (OW) in the order of little endian.
+  std::vector<std::uint8_t> bytes(std::uint32_t tag, Scope scope) const;
   /// An element that is there and not empty.
   bool has(std::uint32_t tag, Scope scope) const;
 
  private:
+  template <class T>
+  std::optional<T> numberOf(std::uint32_t tag, Scope scope) const;
+
   Bytes bytes_;
   const std::vector<Element>& elements_;
 };

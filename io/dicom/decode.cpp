@@ -1,5 +1,6 @@
 #include "io/dicom/decode.h"
 
+#include "io/dicom/codestream.h"
 #include "io/dicom/inflate.h"
 
 namespace volumen::dicom {
@@ -10,9 +11,9 @@ template <class Raw, class Value>
 std::vector<Value> unpackIntegers(const PixelFormat& format, Bytes bytes) {
   const int shift = format.highBit + 1 - format.bitsStored, bits = format.bitsStored;
   const std::uint32_t mask = bits == 32 ? ~0u : (1u << bits) - 1, sign = 1u << (bits - 1);
-  std::vector<Value> values(bytes.size() / sizeof(Raw));
+  std::vector<Value> values(format.frameSamples());
   for (std::size_t n = 0; n < values.size(); ++n) {
-    const std::size_t at = format.bytesInWords && (n ^ 1) < values.size() ? n ^ 1 : n;
+    const std::size_t at = format.bytesInWords ? n ^ 1 : n;
     const std::uint32_t raw = numberAt<Raw>(bytes, at * sizeof(Raw), format.bigEndian);
     const std::uint32_t stored = raw >> shift & mask;
     // (x ^ s) - s spreads the sign bit s over all bits above it.
@@ -42,26 +43,64 @@ Samples unpack(const PixelFormat& format, Bytes bytes) {
   return unpackIntegers<std::uint32_t, std::int32_t>(format, bytes);
 }
 
+bool isYbr(const PixelFormat& format) { return format.photometric.starts_with("YBR_FULL"); }
+
 /// Samples of a decoder that delivers little endian bytes.
-Result<Frame> unpackDecoded(PixelFormat format, const Result<std::vector<std::uint8_t>>& decoded) {
+Result<DecodedFrame> unpackDecoded(PixelFormat format, const Result<std::vector<std::uint8_t>>& decoded) {
   if (!decoded) return decoded.error();
   if (decoded->size() != format.frameBytes()) return Error{"its decoded picture has the wrong size"};
   format.bigEndian = format.bytesInWords = false;
-  return Frame{unpack(format, *decoded), {}};
+  return DecodedFrame{unpack(format, *decoded), {}, isYbr(format)};
+}
+
+/// Samples of one colour after those of another, side by side.
+template <class Value>
+std::vector<Value> interleaved(const std::vector<Value>& planes, std::size_t colours) {
+  std::vector<Value> pixels(planes.size());
+  const std::size_t count = planes.size() / colours;
+  for (std::size_t colour = 0; colour < colours; ++colour)
+    for (std::size_t n = 0; n < count; ++n) pixels[n * colours + colour] = planes[colour * count + n];
+  return pixels;
+}
+
+/// Y Y Cb Cr of two pixels as Y Cb Cr of each.
+template <class Value>
+std::vector<Value> upsampled(const std::vector<Value>& pairs) {
+  std::vector<Value> pixels;
+  pixels.reserve(pairs.size() / 2 * 3);
+  for (std::size_t n = 0; n + 3 < pairs.size(); n += 4)
+    for (std::size_t luma : {n, n + 1})
+      pixels.insert(pixels.end(), {pairs[luma], pairs[n + 2], pairs[n + 3]});
+  return pixels;
+}
+
+Samples unpackNative(const PixelFormat& format, Bytes bytes) {
+  Samples samples = unpack(format, bytes);
+  if (!format.subsampled && !format.planar) return samples;
+  return std::visit(
+      [&](const auto& values) -> Samples {
+        if (format.subsampled) return upsampled(values);
+        return interleaved(values, std::size_t(format.samples));
+      },
+      samples);
 }
 
 }  // namespace
 
-Result<Frame> decodeFrame(const PixelFormat& format, const TransferSyntax& syntax, Bytes bytes) {
+Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax& syntax, Bytes bytes) {
   switch (syntax.coding) {
     case Coding::native:
-      if (bytes.size() != format.frameBytes()) return Error{"its pixel data is cut off"};
-      return Frame{unpack(format, bytes), {}};
+      if (bytes.size() != format.frameBytes() + (format.bytesInWords ? format.frameBytes() % 2 : 0))
+        return Error{"its pixel data is cut off"};
+      return DecodedFrame{unpackNative(format, bytes), {}, isYbr(format)};
     case Coding::rle:
       return unpackDecoded(format, decodeRle(format, bytes));
     case Coding::jpeg:
-    case Coding::jpegLs:
-      return unpackDecoded(format, decodeJpeg(format, syntax, bytes));
+    case Coding::jpegLs: {
+      auto decoded = unpackDecoded(format, decodeJpeg(format, syntax, bytes));
+      if (decoded && format.samples > 1 && jpegSaysYbr(bytes)) decoded->ybr = true;
+      return decoded;
+    }
     case Coding::jpeg2000:
       return decodeJpeg2000(format, bytes);
     case Coding::unsupported:
@@ -92,7 +131,9 @@ Result<std::vector<std::uint8_t>> PixelSource::bytes(Range range) const {
   return std::vector<std::uint8_t>(begin, begin + std::ptrdiff_t(range.length));
 }
 
-Result<Frame> PixelSource::frame(int n) const {
+Result<DecodedFrame> PixelSource::frame(int n) const { return frame(n, header_.format); }
+
+Result<DecodedFrame> PixelSource::frame(int n, const PixelFormat& format) const {
   std::vector<std::uint8_t> joined;
   for (const Range& range : header_.frames[std::size_t(n)]) {
     auto part = bytes(range);
@@ -102,7 +143,7 @@ Result<Frame> PixelSource::frame(int n) const {
     else
       joined.insert(joined.end(), part->begin(), part->end());
   }
-  return decodeFrame(header_.format, header_.syntax, joined);
+  return decodeFrame(format, header_.syntax, joined);
 }
 
 }  // namespace volumen::dicom

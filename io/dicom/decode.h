@@ -6,21 +6,22 @@
 
 namespace volumen::dicom {
 
-/// Stored values of a frame, i fastest: masked and sign-extended from the bits stored, 8-bit signed ones
-/// widened.
+/// Stored values of a frame, the samples of a pixel side by side, i fastest: masked and sign-extended from
+/// the bits stored, 8-bit signed ones widened.
 using Samples = std::variant<std::vector<std::uint8_t>, std::vector<std::int16_t>, std::vector<std::uint16_t>,
                              std::vector<std::int32_t>, std::vector<std::uint32_t>, std::vector<float>,
                              std::vector<double>>;
 
 /// A decoded frame, and what was noticed: a sentence without the file's name, or empty.
-struct Frame {
+struct DecodedFrame {
   Samples samples;
   std::string note;
+  bool ybr = false;  ///< its three samples are those of YBR_FULL, else of RGB
 };
 
 /// Decodes one frame from its bytes (all fragments joined). The only place where pixel data meets a decoder:
 /// bytes in, a value or a reason out.
-Result<Frame> decodeFrame(const PixelFormat& format, const TransferSyntax& syntax, Bytes bytes);
+Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax& syntax, Bytes bytes);
 
 /// The pixel data of a file, read frame by frame.
 class PixelSource {
@@ -28,7 +29,9 @@ class PixelSource {
   /// Opens the file, and inflates a deflated one. `header` must outlive it.
   static Result<PixelSource> open(const FileHeader& header);
   /// Reads and decodes frame `n` (from 0). May be called from several threads at once.
-  Result<Frame> frame(int n) const;
+  Result<DecodedFrame> frame(int n) const;
+  /// The same of other bits of the samples than those of the picture (overlays in unused bits).
+  Result<DecodedFrame> frame(int n, const PixelFormat& format) const;
 
  private:
   PixelSource(const FileHeader& header, RegularFile file) : header_(header), file_(std::move(file)) {}
@@ -44,6 +47,6 @@ class PixelSource {
 Result<std::vector<std::uint8_t>> decodeRle(const PixelFormat& format, Bytes bytes);
 Result<std::vector<std::uint8_t>> decodeJpeg(const PixelFormat& format, const TransferSyntax& syntax,
                                              Bytes bytes);
-Result<Frame> decodeJpeg2000(const PixelFormat& format, Bytes bytes);
+Result<DecodedFrame> decodeJpeg2000(const PixelFormat& format, Bytes bytes);
 
 }  // namespace volumen::dicom

@@ -4,7 +4,6 @@
 #include <dcmtk/dcmdata/dcuid.h>
 
 #include "io/dicom/attributes.h"
-#include "io/dicom/scanned_file.h"
 
 namespace volumen::dicom {
 namespace {
@@ -34,6 +33,11 @@ Result<std::vector<FrameRanges>> nativeFrames(const Element& pixels, const Pixel
   if (have < needed)
     return Error{"its pixel data is cut off: " + std::to_string(have) + " of " + std::to_string(needed) +
                  " bytes are there"};
+  // The last byte of an odd number stands behind its padding.
+  const bool oddWords = format.bytesInWords && format.frameBytes() % 2 == 1;
+  if (oddWords && (format.frames > 1 || have == needed))
+    return Error{"its frames have an odd number of bytes in big endian words"};
+  if (oddWords) return std::vector<FrameRanges>{{{pixels.offset, needed + 1}}};
   std::vector<FrameRanges> frames;
   for (int n = 0; n < format.frames; ++n)
     frames.push_back({{pixels.offset + std::uint64_t(n) * format.frameBytes(), format.frameBytes()}});
@@ -47,16 +51,20 @@ Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet&
   auto format = readPixelFormat(data, pixels);
   if (!format) return format.error();
   header.format = *format;
+  header.format.subsampled = s.syntax.coding == Coding::native && format->photometric == "YBR_FULL_422";
+  if (header.format.subsampled && format->columns % 2 == 1)
+    return Error{"its rows are odd, and YBR_FULL_422 stores two pixels at a time"};
   if (s.syntax.coding == Coding::unsupported)
     return Error{"its transfer syntax \"" + std::string(s.syntax.name) + "\" is not supported"};
-  if (format->frameBytes() * std::uint64_t(format->frames) > sizeLimit)
+  if (header.format.frameBytes() * std::uint64_t(format->frames) > sizeLimit)
     return Error{"it claims more than 16 GiB of pixels"};
   if (Status slices = readSlices(data, header); !slices) return slices;
   if (s.syntax.coding != Coding::native && pixels.length != undefinedLength)
     return Error{"its pixel data is not in fragments, as \"" + std::string(s.syntax.name) + "\" wants it"};
-  auto frames = s.syntax.coding == Coding::native ? nativeFrames(pixels, *format, s.size)
+  auto frames = s.syntax.coding == Coding::native ? nativeFrames(pixels, header.format, s.size)
                                                   : encapsulatedFrames(file, pixels, format->frames);
   if (!frames) return frames.error();
+  header.cine = readCine(data, format->frames);
   header.frames = std::move(*frames);
   return {};
 }
@@ -68,12 +76,10 @@ bool beginsAsDicom(Bytes head) {
   return group == 0x0002 || group == 0x0004 || group == 0x0008 || group == 0x0800;
 }
 
-}  // namespace
-
-Inspection inspect(const std::string& path) {
+/// Reads the file and says what it is; leaves its elements in `s`.
+Inspection inspectInto(const std::string& path, ScannedFile& s) {
   const Result<RegularFile> file = RegularFile::open(path);
   if (!file) return refused(file.message());
-  ScannedFile s;
   if (Status read = s.begin(*file); !read) return refused(read.message());
   const Result<MetaHeader> meta = scanMeta(s.head, file->size());
   const bool magic = hasMagic(s.head);
@@ -98,5 +104,15 @@ Inspection inspect(const std::string& path) {
   if (Status picture = readPicture(*file, s, data, found.header); !picture) return refused(picture.message());
   return found;
 }
+
+}  // namespace
+
+InspectedFile inspectFile(const std::string& path) {
+  InspectedFile file;
+  file.found = inspectInto(path, file.scanned);
+  return file;
+}
+
+Inspection inspect(const std::string& path) { return inspectFile(path).found; }
 
 }  // namespace volumen::dicom

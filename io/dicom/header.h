@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "io/dicom/fragments.h"
-#include "io/dicom/transfer_syntax.h"
+#include "io/dicom/scanned_file.h"
+#include "io/study.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen::dicom {
@@ -20,8 +21,14 @@ struct PixelFormat {
   bool isSigned = false;
   bool bigEndian = false;     ///< of native samples
   bool bytesInWords = false;  ///< 8-bit samples in big endian 16-bit words (OW)
+  std::string photometric = "MONOCHROME2";
+  int samples = 1;          ///< a pixel: 3 for colour that is no palette
+  bool planar = false;      ///< native samples: all of one colour after all of another
+  bool subsampled = false;  ///< native YBR_FULL_422: Y Y Cb Cr for two pixels
 
-  std::uint64_t frameSamples() const { return std::uint64_t(columns) * std::uint64_t(rows); }
+  bool isGrey() const { return photometric.starts_with("MONOCHROME"); }
+  std::uint64_t framePixels() const { return std::uint64_t(columns) * std::uint64_t(rows); }
+  std::uint64_t frameSamples() const { return framePixels() * std::uint64_t(subsampled ? 2 : samples); }
   std::uint64_t frameBytes() const { return frameSamples() * std::uint64_t(bitsAllocated / 8); }
 };
 
@@ -50,18 +57,18 @@ struct Slice {
 inline bool isPlaced(const Slice& s) { return s.position && s.orientation && s.spacing; }
 
 /// What a file says about itself and its pictures.
-struct FileHeader {
+struct FileHeader : SeriesIdentity {
   std::string path;
   std::string sopClassUid, sopInstanceUid;
-  std::string patientName, patientId, studyUid, studyDate, studyDescription;
-  std::string seriesUid, seriesNumber, modality, description;
   std::string unit;  ///< Series::unit
   std::string time;  ///< as Series has it
   TransferSyntax syntax{"", "", Coding::native, {}, false};
   PixelFormat format;
   std::vector<FrameRanges> frames;  ///< where each frame's bytes lie (in the inflated data set if deflated)
   std::uint64_t inflatedFrom = 0;   ///< where the deflated data set begins in the file; 0: it is not deflated
-  std::vector<Slice> slices;
+  std::vector<Slice> slices;        ///< one a frame; only one where all frames are alike
+  std::string notVolume;            ///< why its frames can only be shown as acquired; empty: they are slices
+  Cine cine;
   std::vector<std::string> warnings;  ///< sentences without the file's name
 };
 
@@ -75,5 +82,12 @@ struct Inspection {
 /// Reads a file up to its pixel data and says what it is. Never trusts it: this is the first of the two
 /// functions that touch the bytes of a DICOM file (the other is PixelSource).
 Inspection inspect(const std::string& path);
+
+/// What a file turned out to be, and all elements of its header for whoever wants more of them.
+struct InspectedFile {
+  ScannedFile scanned;
+  Inspection found;
+};
+InspectedFile inspectFile(const std::string& path);
 
 }  // namespace volumen::dicom

@@ -7,6 +7,26 @@
 
 namespace volumen::dicom {
 
+namespace {
+
+Image imageOf(const FileHeader& file) {
+  Image image;
+  static_cast<SeriesIdentity&>(image) = file;
+  image.id = file.sopInstanceUid.empty() ? fileName(file.path) : file.sopInstanceUid;
+  image.path = file.path;
+  image.notVolume = file.notVolume + ".";
+  image.sopInstanceUid = file.sopInstanceUid;
+  image.sopClassUid = file.sopClassUid;
+  image.frames = file.format.frames;
+  image.rows = file.format.rows;
+  image.columns = file.format.columns;
+  image.photometric = file.format.photometric;
+  image.cine = file.cine;
+  return image;
+}
+
+}  // namespace
+
 void findSeries(const std::vector<std::string>& files, Study& study, const Progress& progress,
                 const CancelToken& cancel) {
   std::vector<Inspection> inspections(files.size());
@@ -26,7 +46,10 @@ void findSeries(const std::vector<std::string>& files, Study& study, const Progr
         study.refused.push_back({files[n], i.text});
         break;
       case Inspection::Kind::picture:
-        pictures.push_back(std::move(i.header));
+        if (i.header.notVolume.empty())
+          pictures.push_back(std::move(i.header));
+        else
+          study.images.push_back(imageOf(i.header));
         break;
     }
   }

@@ -46,10 +46,11 @@ void registerDecoders() {
   });
 }
 
-/// A data set of nothing but one compressed grey picture.
+/// A data set of nothing but one compressed picture. Colours are called RGB, so that they stay as they are.
 void fill(DcmDataset& data, const PixelFormat& format, E_TransferSyntax syntax, Bytes bytes) {
-  data.putAndInsertUint16(DCM_SamplesPerPixel, 1);
-  data.putAndInsertString(DCM_PhotometricInterpretation, "MONOCHROME2");
+  data.putAndInsertUint16(DCM_SamplesPerPixel, Uint16(format.samples));
+  data.putAndInsertString(DCM_PhotometricInterpretation, format.samples == 1 ? "MONOCHROME2" : "RGB");
+  if (format.samples > 1) data.putAndInsertUint16(DCM_PlanarConfiguration, 0);
   data.putAndInsertUint16(DCM_Rows, Uint16(format.rows));
   data.putAndInsertUint16(DCM_Columns, Uint16(format.columns));
   data.putAndInsertUint16(DCM_BitsAllocated, Uint16(format.bitsAllocated));
@@ -68,8 +69,9 @@ void fill(DcmDataset& data, const PixelFormat& format, E_TransferSyntax syntax, 
 
 /// The decoded samples as little endian bytes of `bitsAllocated` each, whatever width the decoder chose.
 std::vector<std::uint8_t> decodedBytes(DcmDataset& data, const PixelFormat& format) {
-  Uint16 bits = 0;
+  Uint16 bits = 0, planar = 0;
   data.findAndGetUint16(DCM_BitsAllocated, bits);
+  data.findAndGetUint16(DCM_PlanarConfiguration, planar);
   const Uint8* narrow = nullptr;
   const Uint16* wide = nullptr;
   unsigned long count = 0;
@@ -79,8 +81,10 @@ std::vector<std::uint8_t> decodedBytes(DcmDataset& data, const PixelFormat& form
   const std::size_t samples = format.frameSamples(), width = std::size_t(format.bitsAllocated / 8);
   if ((!narrow && !wide) || count < samples || width > 2 || (wide && width < 2)) return {};
   bytes.resize(samples * width);
+  const std::size_t pixels = format.framePixels(), colours = std::size_t(format.samples);
   for (std::size_t n = 0; n < samples; ++n) {
-    const unsigned value = narrow ? narrow[n] : wide[n];
+    const std::size_t at = planar ? n % colours * pixels + n / colours : n;
+    const unsigned value = narrow ? narrow[at] : wide[at];
     bytes[n * width] = std::uint8_t(value);
     if (width == 2) bytes[n * 2 + 1] = std::uint8_t(value >> 8);
   }

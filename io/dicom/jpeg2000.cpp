@@ -72,19 +72,21 @@ Image decodeImage(Bytes bytes) {
 }
 
 template <class Value>
-Samples converted(const OPJ_INT32* data, std::size_t count) {
+Samples converted(const opj_image_t& image, std::size_t count) {
+  const std::size_t colours = image.numcomps;
   std::vector<Value> values(count);
-  for (std::size_t n = 0; n < count; ++n) values[n] = Value(data[n]);
+  for (std::size_t n = 0; n < count; ++n) values[n] = Value(image.comps[n % colours].data[n / colours]);
   return values;
 }
 
 /// Samples in the type that the file announces; where it says signed and the stream does not, the stream's
 /// bits are taken as signed.
-Samples samplesOf(const PixelFormat& format, const StreamInfo& info, OPJ_INT32* data) {
+Samples samplesOf(const PixelFormat& format, const StreamInfo& info, const opj_image_t& data) {
   const std::size_t count = format.frameSamples();
   if (format.isSigned && !info.isSigned) {
     const std::uint32_t sign = 1u << (info.precision - 1);
-    for (std::size_t n = 0; n < count; ++n) data[n] = OPJ_INT32((std::uint32_t(data[n]) ^ sign) - sign);
+    OPJ_INT32* grey = data.comps[0].data;  // colours are never signed
+    for (std::size_t n = 0; n < count; ++n) grey[n] = OPJ_INT32((std::uint32_t(grey[n]) ^ sign) - sign);
   }
   const bool isSigned = format.isSigned || info.isSigned;
   if (format.bitsAllocated == 32)
@@ -92,6 +94,13 @@ Samples samplesOf(const PixelFormat& format, const StreamInfo& info, OPJ_INT32* 
   if (isSigned) return converted<std::int16_t>(data, count);
   return format.bitsAllocated == 8 ? converted<std::uint8_t>(data, count)
                                    : converted<std::uint16_t>(data, count);
+}
+
+bool hasSize(const opj_image_t& image, const PixelFormat& format) {
+  return int(image.numcomps) == format.samples &&
+         std::all_of(image.comps, image.comps + image.numcomps, [&](const opj_image_comp_t& c) {
+           return c.data && int(c.w) == format.columns && int(c.h) == format.rows;
+         });
 }
 
 std::string mismatch(const PixelFormat& format, const StreamInfo& info) {
@@ -104,18 +113,17 @@ std::string mismatch(const PixelFormat& format, const StreamInfo& info) {
 
 }  // namespace
 
-Result<Frame> decodeJpeg2000(const PixelFormat& format, Bytes bytes) {
+Result<DecodedFrame> decodeJpeg2000(const PixelFormat& format, Bytes bytes) {
   bytes = jpeg2000Stream(bytes);
   const Result<StreamInfo> info = jpeg2000Info(bytes);
   if (!info) return info.error();
   if (Status s = checkStream(*info, format, bytes.size()); !s) return s.error();
   const Image image = decodeImage(bytes);
   if (!image) return Error{"its JPEG 2000 picture is damaged or cut off"};
-  const opj_image_comp_t& component = image->comps[0];
-  if (image->numcomps != 1 || !component.data || int(component.w) != format.columns ||
-      int(component.h) != format.rows)
-    return Error{"its JPEG 2000 picture decodes to the wrong size"};
-  return Frame{samplesOf(format, *info, component.data), mismatch(format, *info)};
+  if (!hasSize(*image, format)) return Error{"its JPEG 2000 picture decodes to the wrong size"};
+  // The colour transforms of JPEG 2000 (YBR_ICT, YBR_RCT) are undone by the decoder.
+  return DecodedFrame{samplesOf(format, *info, *image), mismatch(format, *info),
+                      format.photometric.starts_with("YBR_FULL")};
 }
 
 }  // namespace volumen::dicom

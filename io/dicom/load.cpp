@@ -42,6 +42,8 @@ class Files {
     in.placed.path = path;
     if (i.kind != Inspection::Kind::picture)
       in.failure = i.text.empty() ? "it is no DICOM picture any more." : i.text;
+    else if (!i.header.notVolume.empty())
+      in.failure = i.header.notVolume + ".";
     else if (frame >= int(i.header.slices.size()))
       in.failure = "it has fewer frames than it had.";
     else if (i.header.format.columns != size_.x || i.header.format.rows != size_.y)
@@ -164,7 +166,7 @@ class Loader {
 
   void decodeSlice(const PixelSource& source, std::size_t at, Incoming& in) {
     try {
-      const Result<Frame> frame = source.frame(in.placed.slice.frame);
+      const Result<DecodedFrame> frame = source.frame(in.placed.slice.frame);
       if (!frame) {
         in.failure = frame.message() + ".";
         return;

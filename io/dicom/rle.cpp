@@ -27,7 +27,8 @@ bool unpackBits(Bytes in, std::vector<std::uint8_t>& out, std::size_t first, std
 
 Result<std::vector<std::uint8_t>> decodeRle(const PixelFormat& format, Bytes bytes) {
   constexpr std::size_t headerSize = 64;
-  const std::size_t planes = std::size_t(format.bitsAllocated / 8);
+  const std::size_t width = std::size_t(format.bitsAllocated / 8);
+  const std::size_t planes = width * std::size_t(format.samples);
   if (bytes.size() < headerSize) return Error{"its RLE header is cut off"};
   if (numberAt<std::uint32_t>(bytes, 0, false) != planes)
     return Error{"its RLE header has the wrong number of segments"};
@@ -40,9 +41,9 @@ Result<std::vector<std::uint8_t>> decodeRle(const PixelFormat& format, Bytes byt
         plane + 1 < planes ? numberAt<std::uint32_t>(bytes, 8 + 4 * plane, false) : bytes.size();
     if (begin < headerSize || begin > end || end > bytes.size())
       return Error{"its RLE header points outside its data"};
-    // The first segment holds the most significant bytes (PS3.5 G.2).
-    if (!unpackBits(bytes.subspan(begin, end - begin), out, planes - 1 - plane, planes,
-                    format.frameSamples()))
+    // The first segment of each colour holds the most significant bytes (PS3.5 G.2).
+    const std::size_t first = plane / width * width + width - 1 - plane % width;
+    if (!unpackBits(bytes.subspan(begin, end - begin), out, first, planes, format.framePixels()))
       return Error{"its RLE data is cut off or damaged"};
   }
   return out;

@@ -230,16 +230,8 @@ Series describe(const Part& part) {
   Series s;
   s.id = first.seriesUid.empty() ? fileName(first.path) : first.seriesUid;
   s.format = "DICOM";
-  s.patientName = first.patientName;
-  s.patientId = first.patientId;
-  s.studyUid = first.studyUid;
-  s.studyDate = first.studyDate;
-  s.studyDescription = first.studyDescription;
-  s.seriesUid = first.seriesUid;
-  s.seriesNumber = first.seriesNumber;
-  s.modality = first.modality;
+  static_cast<SeriesIdentity&>(s) = first;
   s.unit = first.unit;
-  s.description = first.description;
   s.time = first.time;
   s.echoTime = common(part.entries, &Slice::echoTime);
   s.bValue = common(part.entries, &Slice::bValue);
@@ -248,6 +240,7 @@ Series describe(const Part& part) {
   for (const Entry& e : part.entries) {
     s.files.push_back(e.file->path);
     s.frames.push_back(e.slice().frame);
+    s.sopInstanceUids.push_back(e.file->sopInstanceUid);
     headers.push_back(e.file);
   }
   s.path = commonFolder(s.files);

@@ -4,34 +4,14 @@
 #include <glm/geometric.hpp>
 
 #include "io/dicom/attributes.h"
+#include "io/dicom/frame_scopes.h"
+#include "io/dicom/greys.h"
+#include "io/dicom/pixel_size.h"
 
 namespace volumen::dicom {
 namespace {
 
-/// Where the attributes of one frame stand: all in the data set itself, or, in enhanced pictures, each in a
-/// functional group of the frame or of all frames (PS3.3 C.7.6.16).
-class FrameScopes {
- public:
-  explicit FrameScopes(DataSet::Scope root) : root_(root), isEnhanced_(false) {}
-  FrameScopes(const DataSet& data, DataSet::Scope ofFrame, DataSet::Scope ofAll)
-      : data_(&data), root_(ofFrame), ofAll_(ofAll), isEnhanced_(true) {}
-
-  /// The scope that holds the attributes of this functional group; an empty one where there is none.
-  DataSet::Scope of(std::uint32_t group) const {
-    if (!isEnhanced_) return root_;
-    for (DataSet::Scope scope : {root_, ofAll_})
-      if (const auto items = data_->items(group, scope); !items.empty()) return items[0];
-    return {};
-  }
-
- private:
-  const DataSet* data_ = nullptr;
-  DataSet::Scope root_, ofAll_;
-  bool isEnhanced_;
-};
-
-constexpr std::uint32_t planePosition = 0x00209113, planeOrientation = 0x00209116, pixelMeasures = 0x00289110,
-                        valueTransformation = 0x00289145, windowing = 0x00289132, frameContent = 0x00209111,
+constexpr std::uint32_t planePosition = 0x00209113, planeOrientation = 0x00209116, frameContent = 0x00209111,
                         mrEcho = 0x00189114, mrDiffusion = 0x00189117, mrFrameType = 0x00189226,
                         ctFrameType = 0x00189329, cardiac = 0x00189118;
 
@@ -54,12 +34,10 @@ constexpr struct {
 
 /// The number in an FD, in the fewest digits; empty where there is none.
 std::string doubleText(const DataSet& data, std::uint32_t tag, DataSet::Scope scope) {
-  const std::string raw = data.raw(tag, scope);
-  if (raw.size() != sizeof(double)) return {};
-  const Bytes bytes(reinterpret_cast<const std::uint8_t*>(raw.data()), raw.size());
+  const auto value = data.real(tag, scope);
+  if (!value) return {};
   char text[32];
-  const double value = numberAt<double>(bytes, 0, data.find(tag, scope)->bigEndian);
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+  return {text, std::to_chars(text, text + sizeof text, *value).ptr};
 }
 
 std::string readEchoTime(const DataSet& data, DataSet::Scope scope) {
@@ -80,11 +58,8 @@ std::string readBValue(const DataSet& data, DataSet::Scope scope) {
 std::string readTimePoint(const DataSet& data, const FrameScopes& at) {
   const std::string identifier = data.text(0x00200100, at.of(0));
   if (!identifier.empty()) return identifier;
-  const std::string index = data.raw(0x00209128, at.of(frameContent));
-  if (index.size() != sizeof(std::uint32_t)) return {};
-  const Bytes bytes(reinterpret_cast<const std::uint8_t*>(index.data()), index.size());
-  const bool bigEndian = data.find(0x00209128, at.of(frameContent))->bigEndian;
-  return std::to_string(numberAt<std::uint32_t>(bytes, 0, bigEndian));
+  const auto index = data.dword(0x00209128, at.of(frameContent));
+  return index ? std::to_string(*index) : std::string();
 }
 
 std::optional<glm::dvec3> vectorAt(const std::vector<double>& v, std::size_t at) {
@@ -116,12 +91,6 @@ std::optional<Orientation> readOrientation(const DataSet& data, DataSet::Scope s
   return o;
 }
 
-std::optional<glm::dvec2> readSpacing(const DataSet& data, DataSet::Scope scope) {
-  const auto v = data.numbers(0x00280030, scope);
-  if (!v || v->size() < 2 || !((*v)[0] > 0) || !((*v)[1] > 0)) return {};
-  return glm::dvec2((*v)[1], (*v)[0]);  // PS3.3 10.7.1.3: first between rows, then between columns
-}
-
 Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice) {
   const auto field = [&](std::uint32_t tag, const char* name, double& value) -> Status {
     if (!data.has(tag, scope)) return {};
@@ -150,52 +119,48 @@ std::optional<ValueRange> readPadding(const DataSet& data, const PixelFormat& fo
   return ValueRange{std::min(first, second), std::max(first, second)};
 }
 
-std::vector<Window> readWindows(const DataSet& data, DataSet::Scope scope) {
-  std::vector<Window> windows;
-  const auto centres = data.numbers(0x00281050, scope), widths = data.numbers(0x00281051, scope);
-  if (!centres || !widths) return windows;
-  for (std::size_t n = 0; n < std::min(centres->size(), widths->size()); ++n)
-    if ((*widths)[n] > 0) windows.push_back({(*centres)[n], (*widths)[n]});
-  return windows;
-}
-
 Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, std::vector<std::string>& warnings) {
   Slice slice;
   slice.position = readPosition(data, at.of(planePosition));
   slice.orientation = readOrientation(data, at.of(planeOrientation), warnings);
-  slice.spacing = readSpacing(data, at.of(pixelMeasures));
+  slice.spacing = readSpacing(data, 0x00280030, at.of(pixelMeasures));
   slice.thickness = data.number(0x00180050, at.of(pixelMeasures)).value_or(0);
-  slice.windows = readWindows(data, at.of(windowing));
+  for (const NamedGrey& grey : readWindows(data, at.of(frameVoiLut)))
+    slice.windows.push_back(grey.mapping.window);
   slice.echo = data.text(0x00180086, at.of(mrEcho)) + "/" + data.text(0x00180081, at.of(mrEcho)) + "/" +
                data.raw(0x00189082, at.of(mrEcho));
   slice.echoTime = readEchoTime(data, at.of(mrEcho));
   slice.bValue = readBValue(data, at.of(mrDiffusion));
   slice.timePoint = readTimePoint(data, at);
   for (const auto& [group, tag] : partAttributes) slice.parts.push_back(data.raw(tag, at.of(group)));
-  if (Status s = readRescale(data, at.of(valueTransformation), slice); !s) return s.error();
+  if (Status s = readRescale(data, at.of(pixelValueTransformation), slice); !s) return s.error();
   return slice;
 }
 
+void framesWithoutPlace(FileHeader& header) {
+  header.notVolume = "several frames without a position each: cannot be shown in 3D";
+}
+
 /// The frames of a dose grid: along the normal by GridFrameOffsetVector (PS3.3 C.8.8.3.2).
-Status placeDoseFrames(const DataSet& data, FileHeader& header) {
+void placeDoseFrames(const DataSet& data, FileHeader& header) {
   const auto offsets = data.numbers(0x3004000c, data.root());
   const Slice first = header.slices.front();
   // Offsets that do not begin with 0 are positions of some other kind.
   if (!offsets || offsets->size() != std::size_t(header.format.frames) || (*offsets)[0] != 0 ||
       !isPlaced(first))
-    return Error{"several frames without a position each: cannot be shown in 3D"};
+    return framesWithoutPlace(header);
   const glm::dvec3 normal = glm::cross(first.orientation->row, first.orientation->column);
   header.slices.assign(offsets->size(), first);
   for (std::size_t n = 0; n < offsets->size(); ++n) {
     header.slices[n].frame = int(n);
     header.slices[n].position = *first.position + (*offsets)[n] * normal;
   }
-  return {};
 }
 
 /// The frames of an enhanced picture, each with the functional groups that hold for it.
 Status readEnhancedFrames(const DataSet& data, FileHeader& header) {
-  const auto ofAll = data.items(0x52009229, data.root()), ofFrames = data.items(0x52009230, data.root());
+  const auto ofAll = data.items(FrameScopes::sharedGroups, data.root());
+  const auto ofFrames = data.items(FrameScopes::perFrameGroups, data.root());
   const std::size_t frames = std::size_t(header.format.frames);
   if (frames > 1 && ofFrames.size() != frames)
     return Error{"it has " + std::to_string(frames) + " frames, but functional groups for " +
@@ -206,8 +171,7 @@ Status readEnhancedFrames(const DataSet& data, FileHeader& header) {
                          ofAll.empty() ? DataSet::Scope{} : ofAll[0]);
     const auto slice = readSlice(data, at, header.warnings);
     if (!slice) return slice.error();
-    if (frames > 1 && !isPlaced(*slice))
-      return Error{"several frames without a position each: cannot be shown in 3D"};
+    if (frames > 1 && !isPlaced(*slice)) framesWithoutPlace(header);
     header.slices.push_back(*slice);
     header.slices.back().frame = int(n);
   }
@@ -226,18 +190,18 @@ void numberSlices(const DataSet& data, FileHeader& header) {
 Status readSlices(const DataSet& data, FileHeader& header) {
   const auto imageType = data.values(0x00080008, data.root());
   if (std::find(imageType.begin(), imageType.end(), "MOSAIC") != imageType.end())
-    return Error{"Siemens mosaic (the slices are tiles of one image): not supported yet"};
+    header.notVolume = "Siemens mosaic (the slices are tiles of one image): not supported yet";
+  if (!header.format.isGrey())
+    header.notVolume = "colour image (" + header.format.photometric + "): cannot be shown in 3D";
   if (data.has(0x00283000, data.root()))
     header.warnings.push_back("its Modality LUT Sequence is not applied: values are those before it");
-  const bool enhanced = data.find(0x52009229, data.root()) || data.find(0x52009230, data.root());
-  if (enhanced) {
+  if (FrameScopes::isEnhanced(data)) {
     if (Status s = readEnhancedFrames(data, header); !s) return s;
   } else {
     const auto slice = readSlice(data, FrameScopes(data.root()), header.warnings);
     if (!slice) return slice.error();
     header.slices = {*slice};
-    if (header.format.frames > 1)
-      if (Status s = placeDoseFrames(data, header); !s) return s;
+    if (header.format.frames > 1 && header.notVolume.empty()) placeDoseFrames(data, header);
   }
   const auto padding = readPadding(data, header.format);
   for (Slice& slice : header.slices) slice.padding = padding;

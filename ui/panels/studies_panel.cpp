@@ -176,10 +176,11 @@ void StudiesPanel::closeAll() {
 }
 
 void StudiesPanel::addRefused(const QString& path, const Study& study) {
-  if (study.refused.empty()) return;
+  const std::vector<Refused> unread = notShown(study);
+  if (unread.empty()) return;
   auto* parent = childNamed(tree_->invisibleRootItem(), QStringLiteral("refused"), tr("Could not be read"));
   parent->setExpanded(false);
-  for (const Refused& refused : study.refused) {
+  for (const Refused& refused : unread) {
     const QString name = pathText(refused.path), reason = shownText(refused.reason);
     auto* item = new QTreeWidgetItem(parent, {QFileInfo(name).fileName()});
     item->setToolTip(0, QStringLiteral("<p>%1<br>%2</p>").arg(name.toHtmlEscaped(), reason.toHtmlEscaped()));

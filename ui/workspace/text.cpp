@@ -72,8 +72,15 @@ QString studyText(const Series& series) {
   return parts.join(QLatin1Char(' '));
 }
 
-QString unreadText(const Study& study) {
-  const auto refused = study.refused.size(), others = study.other.size();
+std::vector<Refused> notShown(const Study& study) {
+  std::vector<Refused> all = study.refused;
+  for (const Image& image : study.images) all.push_back({image.path, image.notVolume});
+  return all;
+}
+
+namespace {
+
+QString unreadFilesText(std::size_t refused, std::size_t others) {
   if (refused == 0)
     return others == 0   ? QString()
            : others == 1 ? tr("1 file is not an image.")
@@ -83,6 +90,17 @@ QString unreadText(const Study& study) {
   return others == 0   ? tr("%1.").arg(text)
          : others == 1 ? tr("%1; 1 other is not an image.").arg(text)
                        : tr("%1; %2 others are not images.").arg(text).arg(others);
+}
+
+}  // namespace
+
+QString unreadText(const Study& study) {
+  const auto images = study.images.size();
+  QStringList sentences{unreadFilesText(study.refused.size(), study.other.size())};
+  if (images == 1) sentences << tr("1 picture is no volume.");
+  if (images > 1) sentences << tr("%1 pictures are no volumes.").arg(images);
+  sentences.removeAll(QString());
+  return sentences.join(QLatin1Char(' '));
 }
 
 QString viewText(const QString& name) { return tr("%1 view").arg(name.left(1).toUpper() + name.mid(1)); }

@@ -13,7 +13,7 @@ namespace volumen {
 enum class PixelSizeKind {
   unknown,     ///< pixels only; `mm` is the shape of a pixel, no length
   patient,     ///< PixelSpacing of CT, MR, PET: mm in the patient
-  calibrated,  ///< of a projection, calibrated
+  calibrated,  ///< of a projection, calibrated by an object of known size, or said to be without how
   atDetector,  ///< of a projection: mm at the detector
   magnified,   ///< at the detector, divided by the magnification
   filmScan     ///< NominalScannedPixelSpacing
@@ -56,7 +56,8 @@ struct Frame {
   std::vector<FrameOverlay> overlays;
   std::vector<std::uint8_t> shutter;  ///< one byte a pixel, 1 where it hides; empty: none
   std::vector<UltrasoundRegion> regions;
-  std::string unit;  ///< "HU", ...; empty: none
+  std::string unit;                   ///< "HU", ...; empty: none
+  std::vector<std::string> warnings;  ///< what of the file is not shown and why: sentences without its name
 
   bool colour() const { return !rgb.empty(); }
 };

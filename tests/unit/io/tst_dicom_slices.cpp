@@ -17,7 +17,7 @@ class TestDicomSlices : public QObject {
   void paddingAndWindowsAreKept();
   void framesOfAnEnhancedPictureAreSlices();
   void framesOfADoseAreSlices();
-  void framesWithoutPlaceAreRefused();
+  void framesWithoutPlaceAreAnImage();
   void badSliceCostsOnlyItself_data();
   void badSliceCostsOnlyItself();
 };
@@ -137,14 +137,17 @@ void TestDicomSlices::framesOfADoseAreSlices() {
   QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 0.25, 0.5}));
 }
 
-void TestDicomSlices::framesWithoutPlaceAreRefused() {
+void TestDicomSlices::framesWithoutPlaceAreAnImage() {
   const DicomFolder folder;
   DicomPicture p = sliceAt(5, 0);
   p.edit = [](DcmDataset& data) { makeFrames(data, 3); };
   folder.add("cine", p);
   const Study study = folder.open();
   QVERIFY(study.volumes.empty());
-  QVERIFY(study.refused.at(0).reason.find("several frames without a position each") != std::string::npos);
+  QVERIFY(study.refused.empty());
+  QCOMPARE(study.images.at(0).notVolume,
+           std::string("several frames without a position each: cannot be shown in 3D."));
+  QCOMPARE(study.images[0].frames, 3);
 }
 
 void TestDicomSlices::badSliceCostsOnlyItself_data() {

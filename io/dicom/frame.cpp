@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "io/dicom/colour.h"
+#include "io/dicom/greys.h"
+#include "io/dicom/import.h"
+#include "io/dicom/lookup_table.h"
+#include "io/dicom/overlays.h"
+#include "io/dicom/pixel_size.h"
+#include "io/dicom/shutter.h"
+
+namespace volumen::dicom {
+namespace {
+
+constexpr std::uint64_t pixelLimit = std::uint64_t(1) << 28;
+constexpr std::uint32_t modalityLut = 0x00283000;
+
+/// From stored values to values: the Modality LUT Sequence, which stands in for the rescale, or the rescale
+/// of one frame (PS3.3 C.11.1).
+struct ValueMapping {
+  std::optional<LookupTable> table;
+  double slope = 1, intercept = 0;
+  std::string unit;
+
+  float operator()(double stored) const {
+    constexpr double most = 1e30;  // as volumes are limited (DESIGN 10)
+    if (table) return table->at(stored);
+    const double value = slope * stored + intercept;
+    return float(value > most ? most : value < -most ? -most : value);
+  }
+};
+
+Result<ValueMapping> readValueMapping(const DataSet& data, const FileHeader& header, const Slice& slice) {
+  ValueMapping mapping{{}, slice.slope, slice.intercept, header.unit};
+  const auto items = data.items(modalityLut, data.root());
+  if (items.empty() || header.format.kind != PixelFormat::Kind::integer) return mapping;
+  auto table = readLookupTable(data, items[0], {0x00283002, 0x00283006}, header.format.isSigned);
+  if (!table) return table.error();
+  mapping.table = std::move(*table);
+  mapping.unit = data.text(0x00283004, items[0]) == "HU" ? "HU" : "";
+  return mapping;
+}
+
+std::vector<float> valuesOf(const Samples& samples, const ValueMapping& mapping) {
+  return std::visit(
+      [&](const auto& stored) {
+        std::vector<float> values(stored.size());
+        std::transform(stored.begin(), stored.end(), values.begin(),
+                       [&](auto v) { return mapping(double(v)); });
+        return values;
+      },
+      samples);
+}
+
+std::optional<ValueRange> paddingValues(const Slice& slice, const ValueMapping& mapping) {
+  if (!slice.padding) return {};
+  const double a = mapping(slice.padding->low), b = mapping(slice.padding->high);
+  return ValueRange{std::min(a, b), std::max(a, b)};
+}
+
+Status addGreys(const DataSet& data, const FileHeader& header, const DecodedFrame& decoded, int n,
+                Frame& frame) {
+  const Slice& slice = header.slices[header.slices.size() == 1 ? 0 : std::size_t(n)];
+  const auto mapping = readValueMapping(data, header, slice);
+  if (!mapping) return mapping.error();
+  frame.values = valuesOf(decoded.samples, *mapping);
+  frame.padding = paddingValues(slice, *mapping);
+  frame.unit = mapping->unit;
+  frame.greys = readGreys(data, FrameScopes(data, n), header, frame, frame.warnings);
+  return {};
+}
+
+Result<Frame> readFrame(const InspectedFile& file, int n) {
+  const FileHeader& header = file.found.header;
+  const PixelFormat& format = header.format;
+  if (n < 0 || n >= format.frames)
+    return Error{"there is no frame " + std::to_string(n) + ": it holds " + std::to_string(format.frames)};
+  if (format.framePixels() > pixelLimit) return Error{"a frame of it has more than 2^28 pixels"};
+  const auto pixels = PixelSource::open(header);
+  if (!pixels) return pixels.error();
+  const auto decoded = pixels->frame(n);
+  if (!decoded) return decoded.error();
+  const DataSet data(file.scanned.head, file.scanned.dataSet.elements);
+  const FrameScopes at(data, n);
+  Frame frame;
+  frame.size = {format.columns, format.rows};
+  if (!decoded->note.empty()) frame.warnings.push_back(decoded->note + ".");
+  if (format.isGrey()) {
+    if (Status s = addGreys(data, header, *decoded, n, frame); !s) return s.error();
+  } else {
+    auto rgb = toRgb(*decoded, format, data);
+    if (!rgb) return rgb.error();
+    frame.rgb = std::move(*rgb);
+  }
+  frame.pixel = readPixelSize(data, at, header.modality);
+  frame.overlays = readOverlays(data, *pixels, header, n, frame.warnings);
+  frame.shutter = readShutter(data, at, frame.size, frame.pixel.mm, frame.warnings);
+  frame.regions = readRegions(data);
+  return frame;
+}
+
+}  // namespace
+
+Result<Frame> loadFrame(const std::string& path, int n) {
+  try {
+    const InspectedFile file = inspectFile(path);
+    if (file.found.kind != Inspection::Kind::picture)
+      return Error{path + ": " + (file.found.text.empty() ? "it is no DICOM picture." : file.found.text)};
+    Result<Frame> frame = readFrame(file, n);
+    if (!frame) return Error{path + ": " + frame.message() + "."};
+    return frame;
+  } catch (const std::bad_alloc&) {
+    return Error{path + ": there is not enough memory to show it."};
+  }
+}
+
+}  // namespace volumen::dicom

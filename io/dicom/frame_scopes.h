@@ -1,0 +1,47 @@
+#pragma once
+
+#include "io/dicom/data_set.h"
+
+namespace volumen::dicom {
+
+/// Where the attributes of one frame stand: all in the data set itself, or, in enhanced pictures, each in a
+/// functional group of the frame or of all frames (PS3.3 C.7.6.16).
+class FrameScopes {
+ public:
+  explicit FrameScopes(DataSet::Scope root) : root_(root), isEnhanced_(false) {}
+  FrameScopes(const DataSet& data, DataSet::Scope ofFrame, DataSet::Scope ofAll)
+      : data_(&data), root_(ofFrame), ofAll_(ofAll), isEnhanced_(true) {}
+  /// Those of frame `n` (from 0).
+  FrameScopes(const DataSet& data, int n) : FrameScopes(data.root()) {
+    const auto ofAll = data.items(sharedGroups, root_), ofFrames = data.items(perFrameGroups, root_);
+    if (!isEnhanced(data)) return;
+    const bool there = std::size_t(n) < ofFrames.size();
+    *this = FrameScopes(data, there ? ofFrames[std::size_t(n)] : DataSet::Scope{},
+                        ofAll.empty() ? DataSet::Scope{} : ofAll[0]);
+  }
+
+  static bool isEnhanced(const DataSet& data) {
+    return data.find(sharedGroups, data.root()) || data.find(perFrameGroups, data.root());
+  }
+
+  /// The scope that holds the attributes of this functional group; an empty one where there is none.
+  DataSet::Scope of(std::uint32_t group) const {
+    if (!isEnhanced_) return root_;
+    for (DataSet::Scope scope : {root_, ofAll_})
+      if (const auto items = data_->items(group, scope); !items.empty()) return items[0];
+    return {};
+  }
+
+  static constexpr std::uint32_t sharedGroups = 0x52009229, perFrameGroups = 0x52009230;
+
+ private:
+  const DataSet* data_ = nullptr;
+  DataSet::Scope root_, ofAll_;
+  bool isEnhanced_;
+};
+
+/// Functional groups that slices and frames as acquired both read.
+inline constexpr std::uint32_t pixelMeasures = 0x00289110, pixelValueTransformation = 0x00289145,
+                               frameVoiLut = 0x00289132;
+
+}  // namespace volumen::dicom

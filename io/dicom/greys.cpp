@@ -1,0 +1,97 @@
+#include "io/dicom/greys.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/dicom/lookup_table.h"
+
+namespace volumen::dicom {
+namespace {
+
+std::string textAt(const DataSet& data, std::uint32_t tag, DataSet::Scope scope) {
+  const std::string text = data.text(tag, scope);
+  return text.empty() ? text : toUtf8(text, data.text(0x00080005, data.root()));
+}
+
+/// LINEAR is not defined for widths below 1: there it is LINEAR_EXACT.
+WindowFunction functionOf(const std::string& name, double width) {
+  if (name == "SIGMOID") return WindowFunction::sigmoid;
+  const bool exact = name == "LINEAR_EXACT" || width < 1;
+  return exact ? WindowFunction::linearExact : WindowFunction::linear;
+}
+
+NamedGrey greyOf(const LookupTable& table, const std::string& name) {
+  NamedGrey grey{name, {}};
+  grey.mapping.table.first = table.first;
+  for (const std::uint16_t entry : table.entries)
+    grey.mapping.table.grey.push_back(float(std::min(1.0, entry / table.top())));
+  grey.mapping.window = {table.first + double(table.entries.size()) / 2, double(table.entries.size())};
+  return grey;
+}
+
+/// SCENE 5's percentiles 0.1 and 99.9 of what is no padding.
+Window ownWindow(const Frame& frame) {
+  std::vector<float> values;
+  values.reserve(frame.values.size());
+  const auto isPadding = [&](float v) {
+    return frame.padding && v >= frame.padding->low && v <= frame.padding->high;
+  };
+  std::copy_if(frame.values.begin(), frame.values.end(), std::back_inserter(values),
+               [&](float v) { return std::isfinite(v) && !isPadding(v); });
+  if (values.empty()) return {0.5, 1};
+  const auto ranked = [&](std::size_t perMille) {
+    const std::size_t rank = std::max<std::size_t>(1, (perMille * values.size() + 999) / 1000);
+    const auto it = values.begin() + std::ptrdiff_t(rank - 1);
+    std::nth_element(values.begin(), it, values.end());
+    return double(*it);
+  };
+  const double low = ranked(1), high = ranked(999);
+  return {(low + high) / 2, high > low ? high - low : 1};
+}
+
+}  // namespace
+
+std::vector<NamedGrey> readWindows(const DataSet& data, DataSet::Scope scope) {
+  std::vector<NamedGrey> greys;
+  const auto centres = data.numbers(0x00281050, scope), widths = data.numbers(0x00281051, scope);
+  if (!centres || !widths) return greys;
+  const std::string function = data.text(0x00281056, scope);
+  std::vector<std::string> names;
+  if (data.has(0x00281055, scope)) names = data.values(0x00281055, scope);
+  for (std::size_t n = 0; n < std::min(centres->size(), widths->size()); ++n) {
+    if (!((*widths)[n] > 0)) continue;
+    NamedGrey grey;
+    if (n < names.size()) grey.name = toUtf8(names[n], data.text(0x00080005, data.root()));
+    grey.mapping.window = {(*centres)[n], (*widths)[n]};
+    grey.mapping.function = functionOf(function, (*widths)[n]);
+    greys.push_back(grey);
+  }
+  return greys;
+}
+
+std::vector<NamedGrey> readGreys(const DataSet& data, const FrameScopes& at, const FileHeader& header,
+                                 const Frame& frame, std::vector<std::string>& warnings) {
+  std::vector<NamedGrey> greys = readWindows(data, at.of(frameVoiLut));
+  const bool signedInput = header.format.isSigned || std::any_of(frame.values.begin(), frame.values.end(),
+                                                                 [](float v) { return v < 0; });
+  for (const DataSet::Scope item : data.items(0x00283010, at.of(frameVoiLut))) {
+    const auto table = readLookupTable(data, item, {0x00283002, 0x00283006}, signedInput);
+    if (table)
+      greys.push_back(greyOf(*table, textAt(data, 0x00283003, item)));
+    else
+      warnings.push_back("A VOI LUT is left out: " + table.message() + ".");
+  }
+  if (greys.empty()) greys.push_back({{}, {ownWindow(frame), WindowFunction::linearExact, {}, false}});
+  const bool inverted =
+      header.format.photometric == "MONOCHROME1" || data.text(0x20500020, data.root()) == "INVERSE";
+  const bool floats = header.format.kind != PixelFormat::Kind::integer;
+  for (NamedGrey& grey : greys) {
+    grey.mapping.inverted = inverted;
+    // LINEAR is for integers (SLICE 3).
+    if (floats && grey.mapping.function == WindowFunction::linear)
+      grey.mapping.function = WindowFunction::linearExact;
+  }
+  return greys;
+}
+
+}  // namespace volumen::dicom

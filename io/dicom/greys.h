@@ -1,0 +1,18 @@
+#pragma once
+
+#include "io/dicom/frame_scopes.h"
+#include "io/dicom/header.h"
+#include "viewer/slice/frame.h"
+
+namespace volumen::dicom {
+
+/// The windows that stand in `scope`, in the file's order, with their explanations and their function
+/// (PS3.3 C.11.2.1.2). Windows without a width are left out.
+std::vector<NamedGrey> readWindows(const DataSet& data, DataSet::Scope scope);
+
+/// All ways from value to grey that the file offers for a frame of these values: windows, then VOI LUTs;
+/// where there are none, the values' own range (P0.1 .. P99.9). `warnings`: LUTs that are left out.
+std::vector<NamedGrey> readGreys(const DataSet& data, const FrameScopes& at, const FileHeader& header,
+                                 const Frame& frame, std::vector<std::string>& warnings);
+
+}  // namespace volumen::dicom

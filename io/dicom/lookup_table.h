@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "io/dicom/data_set.h"
+
+namespace volumen::dicom {
+
+/// A look-up table (PS3.3 C.11.1.1, C.11.2.1.1, C.7.6.3.1.5): the entry of `first` is the first; inputs
+/// beyond either end take the entry there.
+struct LookupTable {
+  double first = 0;
+  int bits = 16;  ///< of an entry, 8 .. 16
+  std::vector<std::uint16_t> entries;
+
+  std::uint16_t at(double input) const;
+  /// The largest entry that `bits` can hold.
+  double top() const { return double((1u << bits) - 1); }
+};
+
+/// The tags of a table: its descriptor and its data, or its data in segments (0: never so).
+struct LookupTags {
+  std::uint32_t descriptor = 0, data = 0, segments = 0;
+};
+
+/// Reads a table; `isSigned`: whether inputs may be negative (a descriptor of VR SS says so itself). An Error
+/// says which of its attributes is missing, wrong or too short.
+Result<LookupTable> readLookupTable(const DataSet& data, DataSet::Scope scope, LookupTags tags,
+                                    bool isSigned);
+
+}  // namespace volumen::dicom

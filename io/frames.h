@@ -1,0 +1,17 @@
+#pragma once
+
+#include "io/study.h"
+#include "viewer/slice/frame.h"
+
+namespace volumen {
+
+/// Frame `index` (from 0) of a picture, as acquired (SLICE 2): values or colours, the file's windows,
+/// overlays, shutter, regions. Where the file has no window the default is P0.1 .. P99.9 of this frame
+/// without padding. An Error names the file and why: damaged, or more than 2^28 pixels. What alone cannot be
+/// shown (an overlay, a LUT, a shutter) is left out with a sentence in `warnings`.
+Result<Frame> loadFrame(const Image& image, int index);
+
+/// The frame that is slice `index` (from 0) of a DICOM series.
+Result<Frame> loadFrame(const Series& series, int index);
+
+}  // namespace volumen
