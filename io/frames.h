@@ -5,7 +5,7 @@
 
 namespace volumen {
 
-/// Frame `index` (from 0) of a picture, as acquired (SLICE 2): values or colours, the file's windows,
+/// Frame `index` (from 0) of a picture, as acquired (slices.md 2): values or colours, the file's windows,
 /// overlays, shutter, regions. Where the file has no window the default is P0.1 .. P99.9 of this frame
 /// without padding. An Error names the file and why: damaged, or more than 2^28 pixels. What alone cannot be
 /// shown (an overlay, a LUT, a shutter) is left out with a sentence in `warnings`.

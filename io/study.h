@@ -23,8 +23,8 @@ struct SeriesIdentity {
 
 /// One volume that was found: plain values that the rest of the program sees, and how to load it.
 struct Series : SeriesIdentity {
-  std::string id;    ///< SeriesInstanceUID or file name, "#n" behind it where that holds several (design.md 10)
-  std::string path;  ///< the file, or the folder that holds the files
+  std::string id;  ///< SeriesInstanceUID or file name, "#n" behind it where that holds several (design.md 10)
+  std::string path;       ///< the file, or the folder that holds the files
   std::string format;     ///< "DICOM", "NRRD", "NIfTI", "MetaImage", "phantom"
   std::string unit;       ///< of the values: "HU", "Bq/ml", "SUV"; empty where they have none
   std::string time;       ///< of day, as DICOM writes it: of the acquisition, else of the series

@@ -4,7 +4,7 @@
 
 namespace volumen {
 
-/// What the values of a PET series are multiplied by to give SUVbw, g/ml (SLICE 4, FIELD-slices 5): from
+/// What the values of a PET series are multiplied by to give SUVbw, g/ml (slices.md 4): from
 /// Units BQML with weight, dose and times, from CNTS with a factor in the file, 1 for GML. An Error is the
 /// sentence that says why there is no SUV, with the attribute that is missing. Reads the headers of all
 /// files: the scan begins with the earliest.

@@ -24,7 +24,7 @@ struct ValueMapping {
   std::string unit;
 
   float operator()(double stored) const {
-    constexpr double most = 1e30;  // as volumes are limited (DESIGN 10)
+    constexpr double most = 1e30;  // as volumes are limited (design.md 10)
     if (table) return table->at(stored);
     const double value = slope * stored + intercept;
     return float(value > most ? most : value < -most ? -most : value);

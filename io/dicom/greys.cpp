@@ -29,7 +29,7 @@ NamedGrey greyOf(const LookupTable& table, const std::string& name) {
   return grey;
 }
 
-/// SCENE 5's percentiles 0.1 and 99.9 of what is no padding.
+/// picture.md 5's percentiles 0.1 and 99.9 of what is no padding.
 Window ownWindow(const Frame& frame) {
   std::vector<float> values;
   values.reserve(frame.values.size());
@@ -87,7 +87,7 @@ std::vector<NamedGrey> readGreys(const DataSet& data, const FrameScopes& at, con
   const bool floats = header.format.kind != PixelFormat::Kind::integer;
   for (NamedGrey& grey : greys) {
     grey.mapping.inverted = inverted;
-    // LINEAR is for integers (SLICE 3).
+    // LINEAR is for integers (slices.md 3).
     if (floats && grey.mapping.function == WindowFunction::linear)
       grey.mapping.function = WindowFunction::linearExact;
   }

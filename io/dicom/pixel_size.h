@@ -9,7 +9,7 @@ namespace volumen::dicom {
 /// where it is no pair of positive numbers.
 std::optional<glm::dvec2> readSpacing(const DataSet& data, std::uint32_t tag, DataSet::Scope scope);
 
-/// How large a pixel is, and what that size stands for (FIELD-slices 4, PS3.3 10.7): of a projection
+/// How large a pixel is, and what that size stands for (PS3.3 10.7): of a projection
 /// calibrated, at the detector or divided by the magnification; else PixelSpacing as it is; where there is no
 /// size, its shape by PixelAspectRatio.
 PixelSize readPixelSize(const DataSet& data, const FrameScopes& at, const std::string& modality);

@@ -1,4 +1,4 @@
-// Guards DESIGN 7: pictures that are no volumes are listed by `info`, and a picture in 3D that they cannot
+// Guards design.md 7: pictures that are no volumes are listed by `info`, and a picture in 3D that they cannot
 // give is refused with their reason.
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,4 +1,4 @@
-// Guards SLICE 2: colour, made here: palettes of every form, planes, halved colour differences, and what
+// Guards slices.md 2: colour, made here: palettes of every form, planes, halved colour differences, and what
 // coders make of them.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

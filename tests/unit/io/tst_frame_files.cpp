@@ -1,5 +1,5 @@
-// Guards SLICE 2 to 4: what data/dicom-2d/README.md says of its pictures: values, greys, colours, overlays,
-// pixel sizes, regions, clips.
+// Guards slices.md 2 to 4: what data/dicom-2d/README.md says of its pictures: values, greys, colours,
+// overlays, pixel sizes, regions, clips.
 #include <algorithm>
 #include <cmath>
 

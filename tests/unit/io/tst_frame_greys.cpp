@@ -1,4 +1,4 @@
-// Guards SLICE 2 and 3, FIELD-slices 3 and 4: windows, VOI LUTs, polarity, sizes of pixels, shutters and
+// Guards slices.md 2 and 3: windows, VOI LUTs, polarity, sizes of pixels, shutters and
 // functional groups, made here.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

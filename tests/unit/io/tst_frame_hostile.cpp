@@ -1,4 +1,4 @@
-// Guards SLICE 2, DESIGN 7: what lies in LUTs, palettes, overlays and shutters costs that part, or the
+// Guards slices.md 2, design.md 7: what lies in LUTs, palettes, overlays and shutters costs that part, or the
 // picture with a sentence, and never the program.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

@@ -1,5 +1,5 @@
-// Guards SLICE 2: the values and colours of every picture of the real test data are those that DCMTK's own
-// reader gives (its parser, its rescale, its palettes and colour conversion), and those of the manifest's
+// Guards slices.md 2: the values and colours of every picture of the real test data are those that DCMTK's
+// own reader gives (its parser, its rescale, its palettes and colour conversion), and those of the manifest's
 // readers.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcrledrg.h>

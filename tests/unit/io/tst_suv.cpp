@@ -1,4 +1,4 @@
-// Guards SLICE 4, FIELD-slices 5: the factor to SUVbw of real PET pictures, and what is said where it cannot
+// Guards slices.md 4: the factor to SUVbw of real PET pictures, and what is said where it cannot
 // be known.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
