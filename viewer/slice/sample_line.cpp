@@ -31,23 +31,21 @@ struct Places {
 };
 
 template <Interpolation kHow>
-HWY_INLINE void Locate(const SampleLine& line, std::int64_t first, int count, glm::ivec3 size, Places& out) {
+HWY_INLINE void LocateAlong(int axis, const SampleLine& line, std::int64_t first, int count, int size,
+                            Places& out) {
   const hn::ScalableTag<double> dd;
   const hn::Rebind<float, decltype(dd)> df;
   const hn::Rebind<std::int32_t, decltype(dd)> di;
-  const auto units = hn::Set(dd, positionUnits), zero = hn::Zero(dd);
-  for (int a = 0; a < 3; ++a) {
-    const auto start = hn::Set(dd, line.start[a]), step = hn::Set(dd, line.step[a]);
-    const auto last = hn::Set(dd, double(size[a] - 1));
-    for (int n = 0; n < count; n += int(hn::Lanes(dd))) {
-      auto x = hn::Add(hn::Mul(hn::Iota(dd, double(first + n)), step), start);
-      x = hn::Sub(hn::Add(x, units), units);
-      if constexpr (kHow == Interpolation::nearest) x = hn::Floor(hn::Add(x, hn::Set(dd, 0.5)));
-      if constexpr (kHow != Interpolation::cubic) x = hn::Min(hn::Max(x, zero), last);
-      const auto voxel = hn::Floor(x);
-      hn::Store(hn::DemoteTo(di, voxel), di, out.voxel[a] + n);
-      hn::Store(hn::DemoteTo(df, hn::Sub(x, voxel)), df, out.part[a] + n);
-    }
+  const auto start = hn::Set(dd, line.start[axis]), step = hn::Set(dd, line.step[axis]);
+  const auto units = hn::Set(dd, positionUnits), last = hn::Set(dd, double(size - 1));
+  for (int n = 0; n < count; n += int(hn::Lanes(dd))) {
+    auto x = hn::Add(hn::Mul(hn::Iota(dd, double(first + n)), step), start);
+    x = hn::Sub(hn::Add(x, units), units);
+    if constexpr (kHow == Interpolation::nearest) x = hn::Floor(hn::Add(x, hn::Set(dd, 0.5)));
+    if constexpr (kHow != Interpolation::cubic) x = hn::Min(hn::Max(x, hn::Zero(dd)), last);
+    const auto voxel = hn::Floor(x);
+    hn::Store(hn::DemoteTo(di, voxel), di, out.voxel[axis] + n);
+    hn::Store(hn::DemoteTo(df, hn::Sub(x, voxel)), df, out.part[axis] + n);
   }
 }
 
@@ -97,9 +95,9 @@ HWY_INLINE void TapOffsets(int voxel, int size, std::ptrdiff_t stride, std::ptrd
 
 /// The voxels around each point, as pairs: taps[((z kTaps + y) kTaps + x) / 2].
 template <class T, int kTaps>
-HWY_INLINE void CollectClamped(const T* stored, glm::ivec3 size, const Places& at, int count,
+HWY_INLINE void CollectClamped(const T* stored, glm::ivec3 size, const Places& at, int first, int last,
                                Pairs<T>* taps) {
-  for (int n = 0; n < count; ++n) {
+  for (int n = first; n < last; ++n) {
     std::ptrdiff_t x[kTaps], y[kTaps], z[kTaps];
     TapOffsets(at.voxel[0][n], size.x, 1, x);
     TapOffsets(at.voxel[1][n], size.y, size.x, y);
@@ -113,27 +111,38 @@ HWY_INLINE void CollectClamped(const T* stored, glm::ivec3 size, const Places& a
 
 /// The same where no point lies so near a face that a neighbour is clamped.
 template <class T, int kTaps>
-HWY_INLINE void CollectInner(const T* stored, glm::ivec3 size, const Places& at, int count, Pairs<T>* taps) {
-  constexpr int kBefore = BeforeOf(kTaps);
-  const std::ptrdiff_t row = size.x, slice = row * size.y;
-  const T* const corner = stored - kBefore * (1 + row + slice);
-  for (int n = 0; n < count; ++n) {
-    const T* const first = corner + at.voxel[2][n] * slice + at.voxel[1][n] * row + at.voxel[0][n];
+HWY_INLINE void CollectInner(const T* stored, glm::ivec3 size, const Places& at, int first, int last,
+                             Pairs<T>* taps) {
+  const std::ptrdiff_t row = size.x, slice = row * size.y, before = BeforeOf(kTaps) * (1 + row + slice);
+  for (int n = first; n < last; ++n) {
+    const T* const from = stored + (at.voxel[2][n] * slice + at.voxel[1][n] * row + at.voxel[0][n] - before);
     for (int c = 0; c < kTaps; ++c)
       for (int b = 0; b < kTaps; ++b)
         for (int a = 0; a < kTaps; a += 2)
-          std::memcpy(taps[((c * kTaps + b) * kTaps + a) / 2][n], first + c * slice + b * row + a,
+          std::memcpy(taps[((c * kTaps + b) * kTaps + a) / 2][n], from + c * slice + b * row + a,
                       2 * sizeof(T));
   }
 }
 
-/// Whether no neighbour of the points is clamped; as they lie on a line, the ends tell.
+/// Whether none of the voxels around the point is clamped.
 template <int kTaps>
-bool AreInner(const Places& at, int count, glm::ivec3 size) {
-  for (int a = 0; a < 3; ++a)
-    for (const int voxel : {at.voxel[a][0], at.voxel[a][count - 1]})
-      if (voxel < BeforeOf(kTaps) || voxel - BeforeOf(kTaps) + kTaps > size[a]) return false;
-  return true;
+HWY_INLINE bool IsInner(const Places& at, int n, glm::ivec3 size) {
+  const auto along = [&](int a) {
+    const int before = at.voxel[a][n] - BeforeOf(kTaps);
+    return before >= 0 && before + kTaps <= size[a];
+  };
+  return along(0) && along(1) && along(2);
+}
+
+template <class T, int kTaps>
+HWY_INLINE void Collect(const T* stored, glm::ivec3 size, const Places& at, int count, Pairs<T>* taps) {
+  // Of points on a line the inner ones follow each other.
+  int first = 0, last = count;
+  while (first < last && !IsInner<kTaps>(at, first, size)) ++first;
+  while (first < last && !IsInner<kTaps>(at, last - 1, size)) --last;
+  CollectClamped<T, kTaps>(stored, size, at, 0, first, taps);
+  CollectInner<T, kTaps>(stored, size, at, first, last, taps);
+  CollectClamped<T, kTaps>(stored, size, at, last, count, taps);
 }
 
 /// What lies between two voxels: exactly theirs where they are equal.
@@ -183,10 +192,11 @@ HWY_INLINE VF Blend(const Pairs<T>* taps, const Places& at, int n) {
 template <Interpolation kHow, class Use>
 HWY_INLINE void OverChunks(glm::ivec3 size, const SampleLine& line, SampleRange range, float* values,
                            const Use& use) {
-  Places at;
+  Places at = {};
   for (std::int64_t first = range.first; first < range.last; first += kChunk, values += kChunk) {
     const int count = int(std::min<std::int64_t>(kChunk, range.last - first));
-    Locate<kHow>(line, first, count, size, at);
+    for (int a = 0; a < 3; ++a)
+      if (line.step[a] != 0 || first == range.first) LocateAlong<kHow>(a, line, first, count, size[a], at);
     use(at, values, count);
   }
 }
@@ -209,10 +219,7 @@ void Interpolate(const void* stored, glm::ivec3 size, const SampleLine& line, Sa
   HWY_ALIGN Pairs<T> taps[kTaps * kTaps * kTaps / 2] = {};
   const T* const samples = static_cast<const T*>(stored);
   OverChunks<kHow>(size, line, range, values, [&](const Places& at, float* out, int count) {
-    if (AreInner<kTaps>(at, count, size))
-      CollectInner<T, kTaps>(samples, size, at, count, taps);
-    else
-      CollectClamped<T, kTaps>(samples, size, at, count, taps);
+    Collect<T, kTaps>(samples, size, at, count, taps);
     for (int n = 0; n < count; n += int(hn::Lanes(DF())))
       hn::StoreU(Blend<T, Along, kTaps>(taps, at, n), DF(), out + n);
   });

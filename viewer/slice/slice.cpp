@@ -127,7 +127,7 @@ class Resampler {
  private:
   // Tiles of so many (sub-)samples: small enough that what one depth reads is still in the caches for the
   // next, though voxels above each other fall into the same few sets of a cache.
-  static constexpr int columnsATile = 64, rowsATile = 16;
+  static constexpr int columnsATile = 128, rowsATile = 16;
 
   int tilesAcross() const { return (size_.x + tileColumns_ - 1) / tileColumns_; }
 
