@@ -23,6 +23,7 @@ std::function<int()> makeInfo(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeOpen(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel);
+std::function<int()> makeSlice(CLI::App& app, const CancelToken& cancel);
 
 /// Writes "volumen: SENTENCE" to stderr, control characters but line ends escaped, and returns exitFailed.
 int fail(const std::string& sentence);

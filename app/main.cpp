@@ -38,6 +38,7 @@ struct Entry {
 constexpr Entry commands[] = {
     {"open", "Open the window", volumen::makeOpen},
     {"render", "Render a picture without a window", volumen::makeRender},
+    {"slice", "Draw a plane through a volume, or a slab", volumen::makeSlice},
     {"info", "List patients, studies and series, with geometry and warnings", volumen::makeInfo},
     {"convert", "Write a series as .nrrd, .nii.gz, .mha or DICOM", volumen::makeConvert},
     {"segment", "Segment a value range (writes .seg.nrrd)", volumen::makeSegment},

@@ -5,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/list_presets.h"
+#include "app/option_words.h"
 #include "app/usage.h"
 #include "io/files/scene_file.h"
 #include "ui/session/own_presets.h"
@@ -18,50 +19,25 @@ namespace volumen {
 
 namespace {
 
-// The words of an option, in the order of its help.
-template <class T>
-using Words = std::vector<std::pair<std::string, T>>;
-
-const Words<Quality> qualities{{"draft", Quality::draft},
-                               {"standard", Quality::standard},
-                               {"high", Quality::high},
-                               {"exact", Quality::exact}};
-const Words<Mode> modes{
+const OptionWords<Quality> qualities{{"draft", Quality::draft},
+                                     {"standard", Quality::standard},
+                                     {"high", Quality::high},
+                                     {"exact", Quality::exact}};
+const OptionWords<Mode> modes{
     {"composite", Mode::composite}, {"mip", Mode::mip}, {"minip", Mode::minip}, {"average", Mode::average}};
-const Words<Shader> shaders{
+const OptionWords<Shader> shaders{
     {"auto", Shader::automatic}, {"phong", Shader::phong}, {"map", Shader::map}, {"table", Shader::table}};
-const Words<Method> methods{{"planes", Method::planes},
-                            {"blend", Method::blend},
-                            {"preshaded", Method::preshaded},
-                            {"gpu", Method::gpu},
-                            {"reference", Method::reference}};
-const Words<Blending> blendings{
+const OptionWords<Method> methods{{"planes", Method::planes},
+                                  {"blend", Method::blend},
+                                  {"preshaded", Method::preshaded},
+                                  {"gpu", Method::gpu},
+                                  {"reference", Method::reference}};
+const OptionWords<Blending> blendings{
     {"float", Blending::floats}, {"16", Blending::bits16}, {"8", Blending::bits8}};
-const Words<MapLookup> mapLookups{{"bilinear", MapLookup::bilinear}, {"nearest", MapLookup::nearest}};
-const Words<GradientOperator> gradientOperators{{"sobel", GradientOperator::sobel},
-                                                {"central", GradientOperator::central},
-                                                {"zucker-hummel", GradientOperator::zuckerHummel}};
-
-template <class T>
-std::vector<std::string> keys(const Words<T>& words) {
-  std::vector<std::string> out;
-  for (const auto& word : words) out.push_back(word.first);
-  return out;
-}
-
-// Of a word that the command line was checked for.
-template <class T>
-T meaning(const Words<T>& words, const std::string& word) {
-  return std::find_if(words.begin(), words.end(), [&](const auto& w) { return w.first == word; })->second;
-}
-
-Result<glm::ivec2> sizeOf(const std::string& text) {
-  glm::ivec2 size;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%6dx%6d%c", &size.x, &size.y, &rest) != 2 || size.x < 1 || size.y < 1)
-    return Error{"--size: \"" + text + "\" is not WIDTHxHEIGHT in pixels, as in 512x512."};
-  return size;
-}
+const OptionWords<MapLookup> mapLookups{{"bilinear", MapLookup::bilinear}, {"nearest", MapLookup::nearest}};
+const OptionWords<GradientOperator> gradientOperators{{"sobel", GradientOperator::sobel},
+                                                      {"central", GradientOperator::central},
+                                                      {"zucker-hummel", GradientOperator::zuckerHummel}};
 
 std::string withProblems(std::string sentence, const OwnPresets& own) {
   for (const std::string& problem : own.problems) sentence += " " + problem;

@@ -1,15 +1,14 @@
+#include <QImage>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
 #include "app/open_volume.h"
+#include "app/picture_output.h"
 #include "app/render_options.h"
-#include "app/report_files.h"
 #include "app/usage.h"
 #include "io/files/output_file.h"
-#include "io/files/picture_file.h"
-#include "ui/views/annotate.h"
 #include "viewer/plan/picture_text.h"
 #include "viewer/render/effect_costs.h"
 #include "viewer/render/render.h"
@@ -27,10 +26,6 @@ struct Options {
   int frames = 1, turntable = 0;
   bool noWarningLine = false, explain = false, printScene = false, removeTable = false;
 };
-
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() > end.size() && text.ends_with(end);
-}
 
 // Times that only the command knows.
 struct Times {
@@ -89,18 +84,11 @@ nlohmann::ordered_json statsJson(const Rendered& done, const Times& t, const Vol
   return out;
 }
 
-// The warnings that change what is seen stand in a PNG's text, and in its corner where `warningLine`.
 Status writePicture(const Rendered& done, const std::vector<Warning>& warnings, bool warningLine,
                     const std::string& path) {
-  if (endsWith(path, ".nrrd")) return writePictureNrrd(done.picture, path);
-  PictureText text = pictureText(done.plan, {.estimated = estimateOf(done.error)});
-  const PictureText warned = warningText(warnings);
-  text.insert(text.end(), warned.begin(), warned.end());
-  if (warned.empty() || !warningLine) return writePng(done.picture, path, text);
-  prepareFonts();
-  QImage image = imageForFile(done.picture);
-  annotate(image, warningOverlays(warnings));
-  return writeImage(image, path, text);
+  if (isFloatPicture(path)) return writePictureNrrd(done.picture, path);
+  const PictureText text = pictureText(done.plan, {.estimated = estimateOf(done.error)});
+  return writePictureWithWarnings(imageForFile(done.picture), text, warnings, warningLine, path);
 }
 
 Status writeText(const std::string& path, const std::string& text) {
@@ -152,9 +140,9 @@ class Run {
     const bool quiet = options_.explain || options_.printScene || !options_.statsFile.empty();
     if (options_.output.empty() && !quiet)
       return failUsage("Missing output file: use -o PICTURE (.png or .nrrd).");
-    if (!options_.output.empty() && !endsWith(options_.output, ".png") && !endsWith(options_.output, ".nrrd"))
-      return failUsage(options_.output + ": pictures are written as .png (8 bits) or .nrrd (floats).");
-    return 0;
+    if (options_.output.empty()) return 0;
+    const Status named = checkPictureName(options_.output);
+    return named ? 0 : failUsage(named.message());
   }
 
   // Whether everything can be written that will be.
@@ -261,8 +249,7 @@ class Run {
 std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel) {
   auto o = std::make_shared<Options>();
   addPath(app, o->path)->required();
-  app.add_option("-o,--output", o->output, "The picture: .png (8 bits) or .nrrd (floats, for comparison)")
-      ->type_name("PICTURE");
+  addPictureOutput(app, o->output, "The picture: .png (8 bits) or .nrrd (floats, for comparison)");
   addSeries(app, o->series);
   app.add_flag("--remove-table", o->removeTable,
                "CT: draw the patient alone, without table, cushions and cables");
@@ -274,10 +261,7 @@ std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel) {
       ->type_name("FILE");
   app.add_option("--error-map", o->errorMap, "Write how far each pixel may be off, in 1/255, as .nrrd")
       ->type_name("FILE");
-  app.add_flag(
-      "--no-warning-line", o->noWarningLine,
-      "Do not write into a corner of the PNG what is not as it seems (interpolated slices, tilt, not "
-      "calibrated); its text keeps it");
+  addNoWarningLine(app, o->noWarningLine);
   app.add_flag("--explain", o->explain, "Say what is computed for this picture and why");
   app.add_flag("--print-scene", o->printScene, "Write the complete scene in use to stdout");
   addExamples(app, {"volumen render scans/ --preset CT-Bone --view left -o bone.png",

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "viewer/volume/volume.h"
 
@@ -26,7 +28,7 @@ struct SlicePlane {
 
   bool operator==(const SlicePlane&) const = default;
 
-  /// right x down: towards the next slice.
+  /// right x down, a unit vector: away from who looks at it.
   glm::dvec3 normal() const;
   /// The patient position of a place in the picture; the centre of pixel (x, y) is (x + 1/2, y + 1/2).
   glm::dvec3 patientFromPixel(glm::dvec2 pPixel) const;
@@ -34,19 +36,40 @@ struct SlicePlane {
   glm::dvec2 pixelFromPatient(glm::dvec3 pPatient) const;
 };
 
+/// Refused: directions that are no orthogonal unit vectors, sizes below 1 or above 2^28 pixels, pixels of no
+/// size, a negative slab, numbers that are not finite. The sentence says which.
+Status checkPlane(const SlicePlane& plane);
+
 enum class NamedPlane { axial, coronal, sagittal };
 
 /// The named plane through the volume's centre, with the smallest voxel spacing and the smallest size that
 /// covers the volume's box.
 SlicePlane namedPlane(const VoxelGeometry& geometry, NamedPlane name);
 
-/// The plane of these directions with the same defaults.
+/// The plane of these directions (orthogonal unit vectors) with the same defaults.
 SlicePlane planeAlong(const VoxelGeometry& geometry, glm::dvec3 right, glm::dvec3 down);
+
+/// The smallest size in pixels that covers the volume's box along these directions from its centre.
+glm::ivec2 sizeToCover(const VoxelGeometry& geometry, glm::dvec3 right, glm::dvec3 down, double mmPerPixel);
 
 /// h of SLICE 1: one voxel along the unit vector `normal`, mm.
 double voxelAlong(const VoxelGeometry& geometry, glm::dvec3 normal);
 
+/// How many samples along the normal the plane's slab has, at least 1.
+std::int64_t slabSamples(const SlicePlane& plane, const VoxelGeometry& geometry);
+
+/// How many sub-samples a pixel are averaged along each of its sides, at least 1.
+std::int64_t subSamples(const SlicePlane& plane, const VoxelGeometry& geometry);
+
 /// A step of the wheel along `normal`: the spacing of the volume axis that lies closest to it, projected, mm.
 double wheelStep(const VoxelGeometry& geometry, glm::dvec3 normal);
+
+/// The plane moved along its normal onto the volume's slice `index` (from 0; between two where it is not
+/// whole); none where it is not parallel to the slices within 1e-3.
+std::optional<SlicePlane> onSlice(SlicePlane plane, const VoxelGeometry& geometry, double index);
+
+/// The plane after so many steps of the wheel: down is caudal, posterior or left, whichever lies closest to
+/// its normal. Planes parallel to the slices land on them.
+SlicePlane wheeled(SlicePlane plane, const VoxelGeometry& geometry, int stepsDown);
 
 }  // namespace volumen

@@ -13,9 +13,10 @@ struct SliceValues {
   std::vector<float> values;
 };
 
-/// The volume's values on `plane` (SLICE 1), with all cores and SIMD; an Error for planes that are no plane
-/// (directions not orthogonal unit vectors, sizes below 1 or above 2^28 pixels, numbers that are not finite).
-/// Cancelled: an Error, too.
+/// The volume's values on `plane` (SLICE 1), on so many threads (0: all allowed) and with SIMD: the same
+/// bytes for any number and on every CPU. Averages are of the slab's values at those sub-samples that have
+/// one. Positions are rounded to 2^-24 voxels. An Error for what checkPlane refuses, and where it was
+/// cancelled.
 Result<SliceValues> resampleSlice(const Volume& volume, const SlicePlane& plane, int threads = 0,
                                   const CancelToken& cancel = {});
 

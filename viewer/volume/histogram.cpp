@@ -152,4 +152,14 @@ Histogram histogram(const Volume& volume, int bins) {
   return h;
 }
 
+double valueOfRank(const Histogram& h, double part) {
+  std::int64_t all = 0, sum = 0;
+  for (std::int64_t count : h.counts) all += count;
+  for (std::size_t n = 0; n < h.counts.size(); ++n) {
+    sum += h.counts[n];
+    if (double(sum) >= part * double(all)) return h.low + (double(n) + 0.5) * h.binWidth();
+  }
+  return h.high;
+}
+
 }  // namespace volumen

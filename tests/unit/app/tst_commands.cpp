@@ -124,7 +124,7 @@ void TestCommands::tooLittleMemoryIsASentence() {
 void TestCommands::everyCommandHasHelp_data() {
   QTest::addColumn<QString>("line");
   for (const char* line : {"--help", "render --help", "info --help", "convert --help", "open --help",
-                           "segment --help", "bench --help", "accuracy --help"})
+                           "segment --help", "slice --help", "bench --help", "accuracy --help"})
     QTest::newRow(line) << QString::fromLatin1(line);
 }
 

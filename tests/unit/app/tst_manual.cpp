@@ -15,7 +15,7 @@ using namespace volumen::tests;
 
 namespace {
 
-const char* const commands[] = {"open", "render", "info", "convert", "segment", "accuracy", "bench"};
+const char* const commands[] = {"open", "render", "slice", "info", "convert", "segment", "accuracy", "bench"};
 
 /// The manual page without its markup.
 QString manual() {

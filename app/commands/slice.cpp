@@ -1,0 +1,257 @@
+#include <QImage>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/command.h"
+#include "app/open_volume.h"
+#include "app/option_words.h"
+#include "app/picture_output.h"
+#include "app/usage.h"
+#include "io/files/output_file.h"
+#include "viewer/slice/first_window.h"
+#include "viewer/slice/slice.h"
+
+namespace volumen {
+
+namespace {
+
+const OptionWords<NamedPlane> planes{
+    {"axial", NamedPlane::axial}, {"coronal", NamedPlane::coronal}, {"sagittal", NamedPlane::sagittal}};
+const OptionWords<SlabMode> slabModes{
+    {"max", SlabMode::max}, {"min", SlabMode::min}, {"mean", SlabMode::mean}};
+const OptionWords<Interpolation> interpolations{
+    {"linear", Interpolation::linear}, {"nearest", Interpolation::nearest}, {"cubic", Interpolation::cubic}};
+
+// As typed.
+struct Options {
+  std::string path, series, output, plane = "axial", centre, right, down, size, slabMode = "max",
+                                    interpolation = "linear", window;
+  std::optional<double> at, mmPerPixel;
+  std::optional<int> index;
+  double slabMm = 0;
+  bool average = false, printPlane = false, noWarningLine = false;
+};
+
+// Read, before a volume is known.
+struct Asked {
+  std::optional<glm::dvec3> centre;
+  std::optional<std::pair<glm::dvec3, glm::dvec3>> rightAndDown;  // orthogonal unit vectors
+  std::optional<glm::ivec2> size;
+  std::optional<Window> window;
+};
+
+Result<glm::dvec3> readVector(const std::string& option, const std::string& text) {
+  const auto numbers = numbersOf(option, text, 3, "0,0.5,-12");
+  if (!numbers) return numbers.error();
+  return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+}
+
+Status readDirections(const Options& options, Asked& asked) {
+  if (options.right.empty()) return {};
+  const auto right = readVector("--right", options.right), down = readVector("--down", options.down);
+  if (!right) return right.error();
+  if (!down) return down.error();
+  if (!(glm::length(*right) > 0) || !(glm::length(*down) > 0))
+    return Error{"--right and --down are directions; 0,0,0 is none."};
+  const glm::dvec3 r = glm::normalize(*right), d = glm::normalize(*down);
+  if (std::abs(glm::dot(r, d)) > 1e-3) return Error{"--right and --down are not at a right angle."};
+  asked.rightAndDown = {r, glm::normalize(d - glm::dot(r, d) * r)};
+  return {};
+}
+
+Result<Asked> readOptions(const Options& options) {
+  Asked asked;
+  if (!options.centre.empty()) {
+    const auto centre = readVector("--centre", options.centre);
+    if (!centre) return centre.error();
+    asked.centre = *centre;
+  }
+  if (Status s = readDirections(options, asked); !s) return s.error();
+  if (!options.size.empty()) {
+    const auto size = sizeOf(options.size);
+    if (!size) return size.error();
+    asked.size = *size;
+  }
+  if (!options.window.empty()) {
+    const auto window = numbersOf("--window", options.window, 2, "40,400");
+    if (!window) return window.error();
+    if (!((*window)[1] > 0)) return Error{"--window: the width must be above 0."};
+    asked.window = Window{(*window)[0], (*window)[1]};
+  }
+  return asked;
+}
+
+// Where --at is measured.
+int axisOf(NamedPlane plane) { return plane == NamedPlane::axial ? 2 : plane == NamedPlane::coronal ? 1 : 0; }
+
+Result<SlicePlane> onIndex(const SlicePlane& plane, const VoxelGeometry& geometry, int index) {
+  if (index >= geometry.size.z)
+    return Error{"--index " + std::to_string(index) + ": the slices are 0 to " +
+                 std::to_string(geometry.size.z - 1) + "."};
+  const auto on = onSlice(plane, geometry, index);
+  if (!on)
+    return Error{
+        "--index: the plane is not parallel to the slices; say where it lies with --at or --centre."};
+  return *on;
+}
+
+Result<SlicePlane> makePlane(const Options& options, const Asked& asked, const VoxelGeometry& geometry) {
+  const NamedPlane name = meaning(planes, options.plane);
+  SlicePlane plane = asked.rightAndDown
+                         ? planeAlong(geometry, asked.rightAndDown->first, asked.rightAndDown->second)
+                         : namedPlane(geometry, name);
+  if (asked.centre) plane.centre = *asked.centre;
+  if (options.at) plane.centre[axisOf(name)] = *options.at;
+  if (options.mmPerPixel) {
+    plane.mmPerPixel = *options.mmPerPixel;
+    plane.size = sizeToCover(geometry, plane.right, plane.down, plane.mmPerPixel);
+  }
+  if (asked.size) plane.size = *asked.size;
+  plane.slabMm = options.slabMm;
+  plane.slabMode = meaning(slabModes, options.slabMode);
+  plane.interpolation = meaning(interpolations, options.interpolation);
+  plane.average = options.average;
+  if (!options.index) return plane;
+  return onIndex(plane, geometry, *options.index);
+}
+
+nlohmann::ordered_json planeJson(const SlicePlane& plane) {
+  const auto vector = [](glm::dvec3 v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
+  return {{"centre", vector(plane.centre)},
+          {"right", vector(plane.right)},
+          {"down", vector(plane.down)},
+          {"mmPerPixel", plane.mmPerPixel},
+          {"size", {plane.size.x, plane.size.y}},
+          {"slabMm", plane.slabMm},
+          {"slabMode", wordOf(slabModes, plane.slabMode)},
+          {"interpolation", wordOf(interpolations, plane.interpolation)},
+          {"average", plane.average}};
+}
+
+std::string windowText(const GreyMapping& grey) {
+  const nlohmann::json centre = grey.window.centre, width = grey.window.width;
+  return (grey.function == WindowFunction::linear ? "LINEAR " : "LINEAR_EXACT ") + centre.dump() + "," +
+         width.dump();
+}
+
+QImage greyImage(const SliceValues& slice, const GreyMapping& grey) {
+  const std::vector<std::uint8_t> bytes = greyBytes(slice.values, grey);
+  QImage image(slice.size.x, slice.size.y, QImage::Format_Grayscale8);
+  for (int y = 0; y < slice.size.y; ++y)
+    std::memcpy(image.scanLine(y), bytes.data() + std::size_t(y) * slice.size.x, slice.size.x);
+  return image;
+}
+
+Status writeSlice(const SliceValues& slice, const SlicePlane& plane, const Opened& opened,
+                  const Options& options, const Asked& asked) {
+  if (isFloatPicture(options.output)) return writeMapNrrd(slice.size, slice.values, options.output);
+  const Volume& volume = *opened.loaded.drawn;
+  const GreyMapping grey =
+      windowGrey(volume, opened.series.format == "DICOM", asked.window ? *asked.window : firstWindow(volume));
+  const PictureText text{{"Software", "volumen " VOLUMEN_VERSION},
+                         {"Comment", "Not for clinical use"},
+                         {"volumen-plane", planeJson(plane).dump()},
+                         {"volumen-window", windowText(grey)}};
+  return writePictureWithWarnings(greyImage(slice, grey), text, opened.loaded.warnings,
+                                  !options.noWarningLine, options.output);
+}
+
+// What of the command line cannot be meant, whatever the volume.
+Status checkUsage(const Options& options, const Asked& asked) {
+  if (options.output.empty() && !options.printPlane)
+    return Error{"Missing output file: use -o PICTURE (.png or .nrrd)."};
+  if (!options.output.empty())
+    if (Status s = checkPictureName(options.output); !s) return s;
+  SlicePlane plane;
+  if (asked.size) plane.size = *asked.size;
+  return checkPlane(plane);
+}
+
+int draw(const Options& options, const Asked& asked, const SlicePlane& plane, const Opened& opened,
+         const CancelToken& cancel) {
+  if (options.output.empty()) return exitDone;
+  const auto slice = resampleSlice(*opened.loaded.drawn, plane, 0, cancel);
+  if (!slice) return fail(slice.message(), cancel);
+  if (Status s = writeSlice(*slice, plane, opened, options, asked); !s) return fail(s.message());
+  // Beside a plane nothing else is written to stdout.
+  (options.printPlane ? std::cerr : std::cout) << printable(options.output) << '\n';
+  return exitDone;
+}
+
+int run(const Options& options, const CancelToken& cancel) {
+  const auto asked = readOptions(options);
+  if (!asked) return failUsage(asked.message());
+  if (Status s = checkUsage(options, *asked); !s) return failUsage(s.message());
+  if (!options.output.empty())
+    if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
+  auto opened = openVolume(options.path, options.series, cancel);
+  if (!opened) return fail(opened.message(), cancel);
+  if (options.index && opened->loaded.drawn != opened->loaded.acquired)
+    opened->notes.push_back("--index counts the evenly spaced slices that are shown in 3D: " +
+                            std::to_string(opened->loaded.drawn->size().z) + ".");
+  printNotes(opened->notes);
+  const auto plane = makePlane(options, *asked, opened->loaded.drawn->geometry());
+  if (!plane) return fail(plane.message());
+  if (const int failed = draw(options, *asked, *plane, *opened, cancel)) return failed;
+  if (options.printPlane) std::cout << planeJson(*plane).dump(2) << '\n';
+  return exitDone;
+}
+
+// Adds what says where the plane lies.
+void addPlane(CLI::App& app, Options& o) {
+  constexpr double farMm = 1e6;
+  CLI::Option* plane = oneOf(app.add_option("--plane", o.plane, "The plane (default: axial)"), keys(planes));
+  CLI::Option* at = number(app.add_option("--at", o.at,
+                                          "Where the plane lies: z of an axial, y of a coronal, x of a "
+                                          "sagittal one, in mm (default: the volume's centre)"),
+                           -farMm, farMm);
+  CLI::Option* index = wholeNumber(
+      app.add_option("--index", o.index, "The N-th slice, from 0, of a plane parallel to the slices"), 0,
+      1000000);
+  CLI::Option* centre =
+      app.add_option("--centre", o.centre, "The centre of the picture, in mm (default: the volume's)");
+  CLI::Option* right =
+      app.add_option("--right", o.right, "Where the right of the picture is, a direction in the patient");
+  CLI::Option* down = app.add_option("--down", o.down, "Where the bottom of the picture is");
+  for (CLI::Option* vector : {centre, right, down}) vector->type_name("X,Y,Z");
+  right->needs(down)->excludes(plane)->excludes(at);
+  down->needs(right);
+  at->excludes(index)->excludes(centre);
+  index->excludes(centre);
+}
+
+}  // namespace
+
+std::function<int()> makeSlice(CLI::App& app, const CancelToken& cancel) {
+  auto o = std::make_shared<Options>();
+  addPath(app, o->path)->required();
+  addPictureOutput(app, o->output, "The picture: .png (8 bits) or .nrrd (floats, before the window)");
+  addSeries(app, o->series);
+  addPlane(app, *o);
+  app.add_option("--size", o->size, "Picture size in pixels, WIDTHxHEIGHT (default: all of the volume)")
+      ->type_name("WxH");
+  number(app.add_option("--mm-per-pixel", o->mmPerPixel,
+                        "Size of a pixel (default: the smallest voxel spacing)"),
+         1e-6, 1e6);
+  CLI::Option* slab =
+      number(app.add_option("--slab", o->slabMm, "Thickness of a slab around the plane, in mm"), 0, 1e6);
+  oneOf(app.add_option("--slab-mode", o->slabMode, "What of a slab is shown (default: max)"), keys(slabModes))
+      ->needs(slab);
+  oneOf(app.add_option("--interpolation", o->interpolation, "Between voxels (default: linear)"),
+        keys(interpolations));
+  app.add_flag("--average", o->average, "Average over pixels that are larger than voxels");
+  app.add_option("--window", o->window,
+                 "Centre and width of the values from black to white (default: the file's, else nearly all)")
+      ->type_name("C,W");
+  addNoWarningLine(app, o->noWarningLine);
+  app.add_flag("--print-plane", o->printPlane, "Write the plane in use to stdout, as JSON");
+  addExamples(app, {"volumen slice scans/ --plane coronal --slab 10 -o coronal.png",
+                    "volumen slice scans/ --index 7 --window 40,400 -o slice.png"});
+  return [o, &cancel] { return run(*o, cancel); };
+}
+
+}  // namespace volumen

@@ -1,0 +1,81 @@
+// Guards SLICE 2 and 3: the window that a view begins with, and which of DICOM's functions it is.
+#include "tests/fixtures/small_volumes.h"
+#include "tests/unit/suite.h"
+#include "viewer/slice/first_window.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestFirstWindow : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theFilesFirstElseNearlyAllValues_data();
+  void theFilesFirstElseNearlyAllValues();
+  void linearForIntegersOfDicom_data();
+  void linearForIntegersOfDicom();
+};
+
+namespace {
+
+// 8000 values: 2000 of -2000, then 0 to 5999.
+template <class T>
+VolumePtr volumeOf8000(VolumeAttributes attributes, double slope = 1) {
+  VolumeParts parts;
+  parts.geometry.size = {20, 20, 20};
+  std::vector<T> values(2000, T(-2000));
+  for (int n = 0; n < 6000; ++n) values.push_back(T(n));
+  parts.values = std::move(values), parts.slope = slope, parts.attributes = std::move(attributes);
+  return volumeFrom(std::move(parts));
+}
+
+}  // namespace
+
+void TestFirstWindow::theFilesFirstElseNearlyAllValues_data() {
+  QTest::addColumn<std::vector<Window>>("windows");
+  QTest::addColumn<bool>("padded");
+  QTest::addColumn<double>("centre");
+  QTest::addColumn<double>("width");
+  QTest::newRow("the first of two") << std::vector<Window>{{40, 400}, {300, 1500}} << true << 40. << 400.;
+  QTest::newRow("the first that is one")
+      << std::vector<Window>{{40, 0}, {300, 1500}} << false << 300. << 1500.;
+  // Ranks 8 and 7992 of 8000: -2000 and 5991.
+  QTest::newRow("none: nearly all") << std::vector<Window>{} << false << 1995.5 << 7991.;
+  // Ranks 6 and 5994 of 6000.
+  QTest::newRow("none: nearly all but padding") << std::vector<Window>{} << true << 2999. << 5988.;
+}
+
+void TestFirstWindow::theFilesFirstElseNearlyAllValues() {
+  QFETCH(std::vector<Window>, windows);
+  QFETCH(bool, padded);
+  VolumeAttributes attributes;
+  attributes.windows = windows;
+  if (padded) attributes.padding = {-2000, -2000};
+  const Window window = firstWindow(*volumeOf8000<std::int16_t>(attributes));
+  QTEST(window.centre, "centre");
+  QTEST(window.width, "width");
+}
+
+void TestFirstWindow::linearForIntegersOfDicom_data() {
+  QTest::addColumn<bool>("dicom");
+  QTest::addColumn<bool>("integers");
+  QTest::addColumn<double>("width");
+  QTest::addColumn<bool>("linear");
+  QTest::newRow("integers of DICOM") << true << true << 400. << true;
+  QTest::newRow("narrowest") << true << true << 1. << true;
+  QTest::newRow("too narrow") << true << true << 0.9 << false;
+  QTest::newRow("floats") << true << false << 400. << false;
+  QTest::newRow("another format") << false << true << 400. << false;
+}
+
+void TestFirstWindow::linearForIntegersOfDicom() {
+  QFETCH(bool, dicom);
+  QFETCH(bool, integers);
+  QFETCH(double, width);
+  const VolumePtr volume = integers ? volumeOf8000<std::int16_t>({}) : volumeOf8000<float>({});
+  const GreyMapping grey = windowGrey(*volume, dicom, {40, width});
+  QVERIFY((grey.window == Window{40, width}) && grey.table.grey.empty() && !grey.inverted);
+  QTEST(grey.function == WindowFunction::linear, "linear");
+}
+
+VOLUMEN_TEST(TestFirstWindow);
+#include "tst_first_window.moc"

@@ -1,0 +1,240 @@
+#include "viewer/slice/slice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "viewer/slice/sample_line.h"
+#include "viewer/volume/parallel.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Extent {
+  double low, high;  // mm
+};
+
+// Evenly spaced samples in one direction of a plane: the n-th lies `at(n)` mm from its centre.
+struct Samples {
+  double first = 0, distance = 1;  // mm
+  std::int64_t count = 1;
+
+  // `count` of them centred on the plane's centre.
+  static Samples centred(double width, std::int64_t count) {
+    const double distance = width / double(count);
+    return {distance * 0.5 - width * 0.5, distance, count};
+  }
+
+  // Those between, and one more at each end.
+  SampleRange between(Extent mm) const {
+    if (distance == 0) return {0, count};
+    const double last = double(count);
+    const double from = std::clamp(std::floor((mm.low - first) / distance) - 1, 0.0, last);
+    const double to = std::clamp(std::ceil((mm.high - first) / distance) + 2, from, last);
+    return {std::int64_t(from), std::int64_t(to)};
+  }
+};
+
+// Of the volume's box along a direction from the plane's centre, mm.
+Extent boxAlong(const VoxelGeometry& geometry, glm::dvec3 centre, glm::dvec3 direction) {
+  Extent extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const glm::dvec3& corner : geometry.boxCorners()) {
+    const double mm = glm::dot(corner - centre, direction);
+    extent = {std::min(extent.low, mm), std::max(extent.high, mm)};
+  }
+  return extent;
+}
+
+SampleRange common(SampleRange a, SampleRange b) {
+  const std::int64_t first = std::max(a.first, b.first);
+  return {first, std::max(first, std::min(a.last, b.last))};
+}
+
+// A rectangle of (sub-)samples.
+struct Tile {
+  SampleRange columns, rows;
+
+  std::int64_t width() const { return columns.last - columns.first; }
+  std::int64_t count() const { return width() * (rows.last - rows.first); }
+};
+
+// What the slabs through the points of a tile hold, row by row, in stored values; `value` is NaN where there
+// is none. Kept from tile to tile for its memory.
+struct Slabs {
+  std::vector<float> samples, extreme;
+  std::vector<double> sum, value;
+  std::vector<int> counted;
+};
+
+// The extreme in stored values that is `mode` of what they mean.
+SlabMode storedMode(SlabMode mode, double slope) {
+  if (slope > 0 || mode == SlabMode::mean) return mode;
+  return mode == SlabMode::max ? SlabMode::min : SlabMode::max;
+}
+
+class Resampler {
+ public:
+  Resampler(const Volume& volume, const SlicePlane& plane)
+      : volume_(volume),
+        size_(plane.size),
+        perPixel_(subSamples(plane, volume.geometry())),
+        tileColumns_(int(std::max<std::int64_t>(1, columnsATile / perPixel_))),
+        tileRows_(int(std::max<std::int64_t>(1, rowsATile / perPixel_))),
+        mode_(storedMode(plane.slabMode, volume.slope())),
+        kernel_(chooseLineKernel(volume.stored(), plane.interpolation)) {
+    const VoxelGeometry& g = volume.geometry();
+    const glm::dvec3 normal = plane.normal();
+    const double s = plane.mmPerPixel;
+    across_ = Samples::centred(s * plane.size.x, perPixel_ * plane.size.x);
+    down_ = Samples::centred(s * plane.size.y, perPixel_ * plane.size.y);
+    deep_ = Samples::centred(plane.slabMm, slabSamples(plane, g));
+    const glm::dmat3 perMm = g.voxelFromPatientStep();
+    centre_ = perMm * (plane.centre - g.origin);
+    right_ = perMm * plane.right, below_ = perMm * plane.down, normal_ = perMm * normal;
+    columnsInBox_ = across_.between(boxAlong(g, plane.centre, plane.right));
+    rowsInBox_ = down_.between(boxAlong(g, plane.centre, plane.down));
+    depthsInBox_ = deep_.between(boxAlong(g, plane.centre, normal));
+    samples_ = std::visit([](const auto& v) { return static_cast<const void*>(v.data()); }, volume.stored());
+  }
+
+  std::int64_t tiles() const { return std::int64_t(tilesAcross()) * ((size_.y + tileRows_ - 1) / tileRows_); }
+
+  // Writes the pixels of the n-th tile of a picture.
+  void draw(std::int64_t n, Slabs& slabs, float* values) const {
+    const int left = int(n % tilesAcross()) * tileColumns_, top = int(n / tilesAcross()) * tileRows_;
+    const int right = std::min(left + tileColumns_, size_.x), bottom = std::min(top + tileRows_, size_.y);
+    for (int y = top; y < bottom; ++y) {
+      float* const row = values + std::int64_t(y) * size_.x;
+      std::fill(row + left, row + right, float(nan));
+    }
+    const Tile tile{common({left * perPixel_, right * perPixel_}, columnsInBox_),
+                    common({top * perPixel_, bottom * perPixel_}, rowsInBox_)};
+    if (tile.count() == 0) return;
+    if (deep_.count == 1)
+      takePlane(tile, slabs);
+    else
+      takeSlabs(tile, slabs);
+    if (perPixel_ == 1)
+      copy(tile, slabs, values);
+    else
+      average(tile, slabs, {left, top}, {right, bottom}, values);
+  }
+
+ private:
+  // Tiles of so many (sub-)samples: small enough that what one depth reads is still in the caches for the
+  // next, though voxels above each other fall into the same few sets of a cache.
+  static constexpr int columnsATile = 128, rowsATile = 16;
+
+  int tilesAcross() const { return (size_.x + tileColumns_ - 1) / tileColumns_; }
+
+  void copy(const Tile& tile, const Slabs& slabs, float* values) const {
+    const double* value = slabs.value.data();
+    for (std::int64_t y = tile.rows.first; y < tile.rows.last; ++y)
+      for (std::int64_t x = tile.columns.first; x < tile.columns.last; ++x)
+        values[y * size_.x + x] = volume_.realValue(*value++);
+  }
+
+  void average(const Tile& tile, const Slabs& slabs, glm::ivec2 from, glm::ivec2 to, float* values) const {
+    for (int y = from.y; y < to.y; ++y)
+      for (int x = from.x; x < to.x; ++x) {
+        const SampleRange columns = common({x * perPixel_, (x + 1) * perPixel_}, tile.columns),
+                          rows = common({y * perPixel_, (y + 1) * perPixel_}, tile.rows);
+        double sum = 0;
+        std::int64_t counted = 0;
+        for (std::int64_t v = rows.first; v < rows.last; ++v) {
+          const double* row = slabs.value.data() + (v - tile.rows.first) * tile.width() - tile.columns.first;
+          for (std::int64_t u = columns.first; u < columns.last; ++u)
+            if (!std::isnan(row[u])) sum += row[u], ++counted;
+        }
+        if (counted) values[std::int64_t(y) * size_.x + x] = volume_.realValue(sum / double(counted));
+      }
+  }
+
+  void takePlane(const Tile& tile, Slabs& slabs) const {
+    slabs.value.assign(tile.count(), nan);
+    overLines(tile, 0, slabs.samples, [&](std::int64_t at, std::int64_t count, const float* samples) {
+      std::copy_n(samples, count, slabs.value.data() + at);
+    });
+  }
+
+  void takeSlabs(const Tile& tile, Slabs& slabs) const {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    slabs.value.resize(tile.count());
+    if (mode_ == SlabMode::mean) return takeMeans(tile, slabs);
+    const bool largest = mode_ == SlabMode::max;
+    slabs.extreme.assign(tile.count(), largest ? -infinity : infinity);
+    for (std::int64_t w = depthsInBox_.first; w < depthsInBox_.last; ++w)
+      overLines(tile, w, slabs.samples, [&](std::int64_t at, std::int64_t count, const float* samples) {
+        float* const extreme = slabs.extreme.data() + at;
+        if (largest)
+          for (std::int64_t n = 0; n < count; ++n) extreme[n] = std::max(extreme[n], samples[n]);
+        else
+          for (std::int64_t n = 0; n < count; ++n) extreme[n] = std::min(extreme[n], samples[n]);
+      });
+    std::transform(slabs.extreme.begin(), slabs.extreme.end(), slabs.value.begin(),
+                   [](float v) { return std::isinf(v) ? nan : double(v); });
+  }
+
+  void takeMeans(const Tile& tile, Slabs& slabs) const {
+    slabs.sum.assign(tile.count(), 0);
+    slabs.counted.assign(tile.count(), 0);
+    for (std::int64_t w = depthsInBox_.first; w < depthsInBox_.last; ++w)
+      overLines(tile, w, slabs.samples, [&](std::int64_t at, std::int64_t count, const float* samples) {
+        for (std::int64_t n = 0; n < count; ++n) slabs.sum[at + n] += samples[n], ++slabs.counted[at + n];
+      });
+    for (std::size_t n = 0; n < slabs.value.size(); ++n)
+      slabs.value[n] = slabs.counted[n] ? slabs.sum[n] / slabs.counted[n] : nan;
+  }
+
+  // Calls use(place in the tile, count, samples) for what lies in the box of each row of a tile at depth w.
+  template <class Use>
+  void overLines(const Tile& tile, std::int64_t w, std::vector<float>& samples, const Use& use) const {
+    samples.resize(tile.width() + lineSlack);
+    for (std::int64_t v = tile.rows.first; v < tile.rows.last; ++v) {
+      const SampleLine line = lineAt(v, w);
+      const SampleRange inside = insideBox(line, tile.columns, volume_.size());
+      if (inside.first == inside.last) continue;
+      kernel_(samples_, volume_.size(), line, inside, samples.data());
+      use((v - tile.rows.first) * tile.width() + inside.first - tile.columns.first,
+          inside.last - inside.first, samples.data());
+    }
+  }
+
+  SampleLine lineAt(std::int64_t v, std::int64_t w) const {
+    const double y = down_.first + double(v) * down_.distance, z = deep_.first + double(w) * deep_.distance;
+    return {centre_ + across_.first * right_ + y * below_ + z * normal_, across_.distance * right_};
+  }
+
+  const Volume& volume_;
+  glm::ivec2 size_;             // pixels
+  std::int64_t perPixel_;       // sub-samples along a side of a pixel
+  int tileColumns_, tileRows_;  // pixels
+  SlabMode mode_;
+  LineKernel kernel_;
+  Samples across_, down_, deep_;
+  glm::dvec3 centre_, right_, below_, normal_;  // voxel space; the directions are voxels per mm
+  SampleRange columnsInBox_, rowsInBox_, depthsInBox_;
+  const void* samples_;
+};
+
+}  // namespace
+
+Result<SliceValues> resampleSlice(const Volume& volume, const SlicePlane& plane, int threads,
+                                  const CancelToken& cancel) {
+  if (Status s = checkPlane(plane); !s) return s.error();
+  SliceValues out{plane.size, std::vector<float>(std::size_t(plane.size.x) * plane.size.y)};
+  const Resampler resampler(volume, plane);
+  parallelFor(resampler.tiles(), threads, [&](std::int64_t begin, std::int64_t end) {
+    Slabs slabs;
+    for (std::int64_t n = begin; n < end && !cancel.cancelled(); ++n)
+      resampler.draw(n, slabs, out.values.data());
+  });
+  if (cancel.cancelled()) return Error{"cancelled"};
+  return out;
+}
+
+}  // namespace volumen
