@@ -1,10 +1,14 @@
 #include "tests/unit/app/slice_case.h"
 
 #include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 
 #include "io/study.h"
@@ -51,6 +55,22 @@ double toleranceOf(const Volume& volume) {
 
 bool same(double a, double b, double tolerance) {
   return std::isnan(a) || std::isnan(b) ? std::isnan(a) == std::isnan(b) : std::abs(a - b) <= tolerance;
+}
+
+/// Whether --print-plane told the plane.
+bool isToldAs(const QByteArray& json, const TwinPlane& plane) {
+  const QJsonObject told = QJsonDocument::fromJson(json).object();
+  const auto near = [&](const char* name, glm::dvec3 wanted) {
+    const QJsonArray v = told[QLatin1String(name)].toArray();
+    return v.size() == 3 &&
+           glm::length(glm::dvec3(v[0].toDouble(), v[1].toDouble(), v[2].toDouble()) - wanted) <= 1e-9;
+  };
+  const QJsonArray size = told[QStringLiteral("size")].toArray();
+  return near("centre", plane.centre) && near("right", plane.right) && near("down", plane.down) &&
+         std::abs(told[QStringLiteral("mmPerPixel")].toDouble() - plane.mmPerPixel) <= 1e-12 &&
+         size == QJsonArray{plane.size.x, plane.size.y} &&
+         told[QStringLiteral("slabMm")].toDouble() == plane.slabMm &&
+         told[QStringLiteral("average")].toBool() == plane.average;
 }
 
 /// Whether some shift of all samples makes the twin's pixel what the program's is.
@@ -100,6 +120,8 @@ QStringList planeOptions(const TwinPlane& plane) {
 
 QString faultsOf(const SliceFile& slice, const Volume& volume, const TwinPlane& plane) {
   if (!slice.failure.isEmpty()) return slice.failure;
+  if (!isToldAs(slice.plane, plane))
+    return QStringLiteral("--print-plane: ") + QString::fromUtf8(slice.plane);
   if (slice.size != plane.size)
     return QStringLiteral("%1 x %2 pixels, the twin has %3 x %4")
         .arg(slice.size.x)

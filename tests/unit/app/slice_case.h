@@ -24,9 +24,10 @@ QStringList samplingOptions(const TwinPlane& plane);
 /// The options that ask for all of `plane`, in numbers.
 QStringList planeOptions(const TwinPlane& plane);
 
-/// Where the values are not the twin's: pixels without a value where the twin has one (or the reverse), and
-/// values further off than 1e-4 of the volume's range (and what float32 rounds off). A pixel passes if the
-/// twin gives it with all samples moved by 1e-6 voxel: what hangs on less hangs on rounding. Empty: none.
+/// Where the plane that was told or the values are not the twin's: pixels without a value where the twin has
+/// one (or the reverse), and values further off than 1e-4 of the volume's range (and what float32 rounds
+/// off). A pixel passes if the twin gives it with all samples moved by 1e-6 voxel: what hangs on less hangs
+/// on rounding. Empty: none.
 QString faultsOf(const SliceFile& slice, const Volume& volume, const TwinPlane& plane);
 
 /// The volume that a flat view shows of the path, chosen as the program chooses without --series; null where
