@@ -20,6 +20,7 @@ std::function<int()> makeAccuracy(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeBench(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeConvert(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeInfo(CLI::App& app, const CancelToken& cancel);
+std::function<int()> makeMeasure(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeOpen(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel);

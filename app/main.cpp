@@ -42,6 +42,7 @@ constexpr Entry commands[] = {
     {"info", "List patients, studies and series, with geometry and warnings", volumen::makeInfo},
     {"convert", "Write a series as .nrrd, .nii.gz, .mha or DICOM", volumen::makeConvert},
     {"segment", "Segment a value range (writes .seg.nrrd)", volumen::makeSegment},
+    {"measure", "Measure lengths, angles, regions and volumes", volumen::makeMeasure},
     {"accuracy", "Measure what every setting costs in time and accuracy", volumen::makeAccuracy},
     {"bench", "Measure how fast a scene is drawn from all around", volumen::makeBench},
 };

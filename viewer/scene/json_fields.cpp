@@ -137,7 +137,7 @@ bool JsonFields::isKind(const json& value, const std::string& path, Kind kind) {
 }
 
 const json* JsonFields::raw(const char* name) {
-  known_.push_back(name);
+  if (std::find(known_.begin(), known_.end(), name) == known_.end()) known_.push_back(name);
   const auto found = object_->find(name);
   return found == object_->end() ? nullptr : &*found;
 }

@@ -16,7 +16,8 @@ using namespace volumen::tests;
 
 namespace {
 
-const char* const commands[] = {"open", "render", "slice", "info", "convert", "segment", "accuracy", "bench"};
+const char* const commands[] = {"open",    "render",  "slice",    "info", "convert",
+                                "segment", "measure", "accuracy", "bench"};
 
 /// The manual page without its markup.
 QString manual() {
@@ -75,7 +76,8 @@ class TestManual : public QObject {
   QTemporaryDir folder_;
 };
 
-/// What the examples speak of: a study in scans/, scene.json, and bone.png, a picture that holds a scene.
+/// What the examples speak of: a study in scans/, scene.json, shapes.json, and bone.png, a picture that holds
+/// a scene.
 void TestManual::initTestCase() {
   const auto made = [&](const char* line) {
     return runProgram(QString::fromLatin1(line).replace(QLatin1String("IN"), folder_.path())).status;
@@ -83,9 +85,11 @@ void TestManual::initTestCase() {
   QCOMPARE(made("convert phantom:ct-head:24 -o IN/scans/"), 0);
   QCOMPARE(made("render phantom:ct-head:24 --size 16x16 -o IN/bone.png"), 0);
   QCOMPARE(made("convert phantom:ct-head:24 -o IN/chest.nii.gz"), 0);
-  QFile scene(folder_.filePath(QStringLiteral("scene.json")));
-  QVERIFY(scene.open(QIODevice::WriteOnly));
-  scene.write("{}");
+  for (const auto& [name, text] : {std::pair("scene.json", "{}"), {"shapes.json", "[]"}}) {
+    QFile file(folder_.filePath(QLatin1String(name)));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  }
 }
 
 void TestManual::manualHasEveryOption_data() {

@@ -53,8 +53,8 @@ void TestUsage::whatIsMistypedIsToldAtOnce_data() {
     QTest::newRow(line) << QString::fromLatin1(line) << status << QString::fromLatin1(sentence);
   };
   row("rendre x", 2,
-      "Unknown command \"rendre\". Did you mean render? Commands: open, render, info, convert, segment, "
-      "accuracy, bench (plain `volumen` opens the window).");
+      "Unknown command \"rendre\". Did you mean render? Commands: open, render, slice, info, convert, "
+      "segment, measure, accuracy, bench (plain `volumen` opens the window).");
   row("draw", 2, "Unknown command \"draw\". Commands: open");
   // There is no PATH /nowhere: what is complained about was looked at before it.
   row("render /nowhere --preset CT-bone -o a.png", 2,

@@ -1,0 +1,144 @@
+#include "app/shapes_json.h"
+
+#include <cmath>
+#include <limits>
+
+#include "viewer/scene/json_fields.h"
+
+namespace volumen {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+ShapeKind readKind(JsonFields& fields) {
+  Words<ShapeKind> words;
+  for (const ShapeRule& rule : shapeRules()) words.emplace_back(rule.name, rule.kind);
+  ShapeKind kind = ShapeKind::length;
+  if (!fields.raw("kind")) fields.refuse(fields.pathOf("kind"), "is missing");
+  fields.read("kind", kind, words);
+  return kind;
+}
+
+void readPoints(JsonFields& fields, std::vector<glm::dvec3>& points) {
+  const json* list = fields.raw("points");
+  if (!list) return;
+  if (!list->is_array()) return fields.refuse(fields.pathOf("points"), "must be a list of [x, y, z] in mm");
+  for (const json& point : *list) {
+    const std::string path = fields.pathOf("points", points.size());
+    fields.readNumbers(point, path, &points.emplace_back()[0], 3);
+  }
+}
+
+ShapePlane readPlane(JsonFields fields) {
+  ShapePlane plane;
+  for (const auto& [name, part] :
+       {std::pair("centre", &plane.centre), {"right", &plane.right}, {"down", &plane.down}}) {
+    if (!fields.raw(name)) fields.refuse(fields.pathOf(name), "is missing");
+    fields.read(name, *part);
+  }
+  fields.refuseOthers();
+  return plane;
+}
+
+// [low, high]; null for no end.
+void readRange(JsonFields& fields, ValueRange& range) {
+  const std::string path = fields.pathOf("range");
+  const json* ends = fields.raw("range");
+  if (!ends) return fields.refuse(path, "is missing");
+  if (!ends->is_array() || ends->size() != 2)
+    return fields.refuse(path, "must be [low, high], null for no end");
+  range = {-infinity, infinity};
+  for (std::size_t n = 0; n < 2; ++n) {
+    const json& end = (*ends)[n];
+    if (end.is_number())
+      (n == 0 ? range.low : range.high) = end.get<double>();
+    else if (!end.is_null())
+      fields.refuse(fields.pathOf("range", n), "must be a number, or null for no end");
+  }
+}
+
+Shape readShape(JsonFields fields) {
+  Shape shape;
+  shape.kind = readKind(fields);
+  fields.read("name", shape.name);
+  if (shape.kind == ShapeKind::volume) {
+    readRange(fields, shape.range);
+  } else {
+    readPoints(fields, shape.points);
+    if (auto plane = fields.object("plane")) shape.plane = readPlane(*plane);
+  }
+  fields.refuseOthers();
+  return shape;
+}
+
+ordered_json numbers(glm::dvec3 v) { return {v.x, v.y, v.z}; }
+
+ordered_json unitText(const std::string& unit) { return unit.empty() ? ordered_json() : ordered_json(unit); }
+
+void addRegion(ordered_json& out, const Measured& m) {
+  out["voxels"] = m.values ? m.values->n : 0;
+  if (!m.values) {
+    out["problem"] = "no voxel inside";
+    return;
+  }
+  out["mean"] = m.values->mean;
+  out["sd"] = m.values->sd;
+  out["min"] = m.values->min;
+  out["max"] = m.values->max;
+  out["valueUnit"] = unitText(m.valueUnit);
+}
+
+void addProbe(ordered_json& out, const Shape& shape, const Measured& m) {
+  out["point"] = numbers(shape.points[0]);
+  out["index"] = {m.voxel->index.x, m.voxel->index.y, m.voxel->index.z};
+  out["voxelCentre"] = numbers(m.voxel->centre);
+  out["padding"] = m.voxel->padding;
+}
+
+void addVolume(ordered_json& out, const Shape& shape, const Measured& m) {
+  const auto end = [](double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(); };
+  out["range"] = {end(shape.range.low), end(shape.range.high)};
+  out["voxels"] = m.segment->voxels;
+  out["drawn"] = *m.drawn;
+  out["difference"] = *m.drawn - m.number;
+  out["valueUnit"] = unitText(m.valueUnit);
+}
+
+}  // namespace
+
+Result<std::vector<Shape>> shapesFromJson(const std::string& text) {
+  const auto parsed = parseJson(text);
+  if (!parsed) return parsed.error();
+  if (!parsed->is_array()) return Error{"The JSON must be a list of shapes, [{\"kind\": ...}, ...]."};
+  std::vector<Shape> shapes;
+  for (const json& item : *parsed) {
+    const std::string path = "[" + std::to_string(shapes.size()) + "]";
+    std::string problem;
+    shapes.push_back(readShape(JsonFields(item, path, problem)));
+    if (!problem.empty()) return Error{problem};
+    if (const Status valid = checkShape(shapes.back()); !valid) return Error{path + "." + valid.message()};
+  }
+  return shapes;
+}
+
+ordered_json measuredToJson(const Shape& shape, const Result<Measured>& measured) {
+  ordered_json out{{"kind", ruleOf(shape.kind).name}};
+  if (!shape.name.empty()) out["name"] = shape.name;
+  if (!measured) {
+    out["problem"] = measured.message();
+    return out;
+  }
+  out["number"] = measured->number;
+  out["unit"] = unitText(measured->unit);
+  if (measured->plusMinus) out["plusMinus"] = *measured->plusMinus;
+  if (ruleOf(shape.kind).region) addRegion(out, *measured);
+  if (measured->voxel) addProbe(out, shape, *measured);
+  if (measured->segment) addVolume(out, shape, *measured);
+  return out;
+}
+
+}  // namespace volumen

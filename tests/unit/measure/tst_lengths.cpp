@@ -1,0 +1,119 @@
+// Guards slices.md 4: lengths with what they may be off, angles, Cobb's angle.
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tests/fixtures/grids.h"
+#include "tests/unit/suite.h"
+#include "viewer/measure/lengths.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+using glm::dvec3;
+
+class TestLengths : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void sumsItsSegments_data();
+  void sumsItsSegments();
+  void isOffByTheVoxelsAlongIt_data();
+  void isOffByTheVoxelsAlongIt();
+  void aVoxelIsAsLongAsItsStepOnEveryGrid_data();
+  void aVoxelIsAsLongAsItsStepOnEveryGrid();
+  void angles_data();
+  void angles();
+  void noAngleWithoutArms();
+};
+
+namespace {
+
+VoxelGeometry grid(glm::dmat3 step) { return {.size = {10, 10, 10}, .patientFromVoxelStep = step}; }
+
+bool near(double a, double b) { return std::abs(a - b) <= 1e-12 * std::max(1.0, std::abs(b)); }
+
+}  // namespace
+
+void TestLengths::sumsItsSegments_data() {
+  QTest::addColumn<std::vector<dvec3>>("points");
+  QTest::addColumn<double>("mm");
+  QTest::newRow("3, 4, 5") << std::vector<dvec3>{{1, 1, 1}, {4, 5, 1}} << 5.0;
+  QTest::newRow("in space") << std::vector<dvec3>{{0, 0, 0}, {2, 3, 6}} << 7.0;
+  QTest::newRow("there and back") << std::vector<dvec3>{{0, 0, 0}, {2, 3, 6}, {0, 0, 0}} << 14.0;
+  QTest::newRow("one place") << std::vector<dvec3>{{1, 2, 3}, {1, 2, 3}} << 0.0;
+  QTest::newRow("one point") << std::vector<dvec3>{{1, 2, 3}} << 0.0;
+  QTest::newRow("no points") << std::vector<dvec3>{} << 0.0;
+}
+
+void TestLengths::sumsItsSegments() {
+  QFETCH(std::vector<dvec3>, points);
+  QFETCH(double, mm);
+  const Length length = lengthOf(points, grid(glm::dmat3(0.7)));
+  QVERIFY(near(length.mm, mm));
+  QVERIFY(std::isfinite(length.plusMinus));
+}
+
+// u^2 = (s1^2 + s2^2)/12, by hand for voxels of 0.5 x 0.8 x 2.5 mm.
+void TestLengths::isOffByTheVoxelsAlongIt_data() {
+  QTest::addColumn<std::vector<dvec3>>("points");
+  QTest::addColumn<double>("squares");  // of the extents at all ends
+  QTest::newRow("along i") << std::vector<dvec3>{{0, 0, 0}, {9, 0, 0}} << 2 * 0.5 * 0.5;
+  QTest::newRow("along k, backwards") << std::vector<dvec3>{{0, 0, 9}, {0, 0, 1}} << 2 * 2.5 * 2.5;
+  // 1 / sqrt((0.6/0.5)^2 + (0.8/0.8)^2)
+  QTest::newRow("across") << std::vector<dvec3>{{0, 0, 0}, {6, 8, 0}} << 2 / (1.44 + 1);
+  QTest::newRow("a corner") << std::vector<dvec3>{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}}
+                            << 2 * 0.5 * 0.5 + 2 * 0.8 * 0.8;
+  QTest::newRow("no direction: the longest") << std::vector<dvec3>{{1, 1, 1}, {1, 1, 1}} << 2 * 2.5 * 2.5;
+}
+
+void TestLengths::isOffByTheVoxelsAlongIt() {
+  QFETCH(std::vector<dvec3>, points);
+  QFETCH(double, squares);
+  const Length length = lengthOf(points, grid({0.5, 0, 0, 0, 0.8, 0, 0, 0, 2.5}));
+  QVERIFY(near(length.plusMinus, 2 * std::sqrt(squares / 12)));
+}
+
+void TestLengths::aVoxelIsAsLongAsItsStepOnEveryGrid_data() {
+  QTest::addColumn<glm::dmat3>("step");
+  for (const Grid& g : grids) QTest::newRow(g.name) << g.patientFromVoxelStep;
+}
+
+void TestLengths::aVoxelIsAsLongAsItsStepOnEveryGrid() {
+  QFETCH(glm::dmat3, step);
+  for (int a = 0; a < 3; ++a) {
+    const dvec3 ends[] = {dvec3(1, 2, 3), dvec3(1, 2, 3) + 4.0 * step[a]};
+    const double s = glm::length(step[a]);
+    QVERIFY(near(lengthOf(ends, grid(step)).mm, 4 * s));
+    QVERIFY(near(lengthOf(ends, grid(step)).plusMinus, 2 * std::sqrt(2 * s * s / 12)));
+  }
+}
+
+void TestLengths::angles_data() {
+  QTest::addColumn<dvec3>("a");
+  QTest::addColumn<dvec3>("b");
+  QTest::addColumn<double>("degrees");
+  QTest::newRow("right") << dvec3(2, 0, 0) << dvec3(0, 0, 5) << 90.0;
+  QTest::newRow("none") << dvec3(1, 2, 3) << dvec3(2, 4, 6) << 0.0;
+  QTest::newRow("straight") << dvec3(1, 2, 3) << dvec3(-1, -2, -3) << 180.0;
+  QTest::newRow("obtuse") << dvec3(1, 0, 0) << dvec3(-1, 1, 0) << 135.0;
+  QTest::newRow("sixty, out of the plane") << dvec3(1, 1, 0) << dvec3(0, 1, 1) << 60.0;
+  QTest::newRow("hardly any") << dvec3(1, 0, 0) << dvec3(1, 1e-9, 0) << 1e-9 * 180 / std::acos(-1.0);
+  QTest::newRow("long and short") << dvec3(1e8, 0, 0) << dvec3(1e-8, 1e-8, 0) << 45.0;
+}
+
+void TestLengths::angles() {
+  QFETCH(dvec3, a);
+  QFETCH(dvec3, b);
+  QFETCH(double, degrees);
+  QVERIFY(std::abs(*angleBetween(a, b) - degrees) <= 1e-12 * (1 + degrees));
+  QVERIFY(std::abs(*angleBetween(b, a) - degrees) <= 1e-12 * (1 + degrees));
+  const double cobb = std::min(degrees, 180 - degrees);
+  QVERIFY(std::abs(*cobbAngle(a, b) - cobb) <= 1e-12 * (1 + degrees));
+  QVERIFY(std::abs(*cobbAngle(a, -b) - cobb) <= 1e-12 * (1 + degrees));
+}
+
+void TestLengths::noAngleWithoutArms() {
+  QVERIFY(!angleBetween({0, 0, 0}, {1, 0, 0}));
+  QVERIFY(!cobbAngle({1, 0, 0}, {0, 0, 0}));
+}
+
+VOLUMEN_TEST(TestLengths);
+#include "tst_lengths.moc"

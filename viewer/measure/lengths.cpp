@@ -1,0 +1,39 @@
+#include "viewer/measure/lengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "viewer/slice/plane.h"
+
+namespace volumen {
+
+Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometry) {
+  const glm::dvec3 spacing = geometry.spacing();
+  const double longest = std::max({spacing.x, spacing.y, spacing.z});
+  double sum = 0, variance = 0;
+  for (std::size_t n = 1; n < points.size(); ++n) {
+    const glm::dvec3 segment = points[n] - points[n - 1];
+    const double mm = glm::length(segment);
+    const double extent = mm > 0 ? voxelAlong(geometry, segment / mm) : longest;
+    sum += mm;
+    variance += 2 * extent * extent / 12;
+  }
+  return {sum, 2 * std::sqrt(variance)};
+}
+
+Result<double> angleBetween(glm::dvec3 a, glm::dvec3 b) {
+  if (glm::length(a) == 0 || glm::length(b) == 0)
+    return Error{"There is no angle where an arm has no length."};
+  // Well-conditioned at 0 and 180 degrees, where the arc cosine is not.
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / std::numbers::pi;
+}
+
+Result<double> cobbAngle(glm::dvec3 a, glm::dvec3 b) {
+  Result<double> angle = angleBetween(a, b);
+  if (angle) *angle = std::min(*angle, 180 - *angle);
+  return angle;
+}
+
+}  // namespace volumen

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// A length and how far it may be off, mm.
+struct Length {
+  double mm = 0;
+  double plusMinus = 0;  ///< 2 u (slices.md 4)
+};
+
+/// The length of a line through patient points. u^2 sums (s^2 + s^2)/12 over the segments, one term for each
+/// end: s is the voxel's extent along the segment, 1 / |inverse(L) d|; the longest spacing where the segment
+/// has no length and so no direction.
+Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometry);
+
+/// The angle between two directions of any length, 0 to 180 degrees. None (an Error) where one has no length.
+Result<double> angleBetween(glm::dvec3 a, glm::dvec3 b);
+
+/// Cobb's: the smaller angle between two lines, 0 to 90 degrees; likewise.
+Result<double> cobbAngle(glm::dvec3 a, glm::dvec3 b);
+
+}  // namespace volumen

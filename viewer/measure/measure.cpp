@@ -1,0 +1,115 @@
+#include "viewer/measure/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "viewer/measure/lengths.h"
+#include "viewer/measure/outline.h"
+#include "viewer/slice/plane.h"
+
+namespace volumen {
+
+namespace {
+
+// What is measured in units of the grid.
+std::string inGridUnit(const VoxelGeometry& geometry, const char* calibrated, const char* otherwise) {
+  return geometry.calibrated ? calibrated : otherwise;
+}
+
+Result<Measured> measureLength(const Shape& shape, const VoxelGeometry& geometry) {
+  const Length length = lengthOf(shape.points, geometry);
+  Measured measured;
+  measured.number = length.mm;
+  measured.plusMinus = length.plusMinus;
+  measured.unit = inGridUnit(geometry, "mm", "px");
+  return measured;
+}
+
+Result<Measured> measureAngle(const Shape& shape) {
+  const auto& p = shape.points;
+  const Result<double> angle = shape.kind == ShapeKind::cobb ? cobbAngle(p[1] - p[0], p[3] - p[2])
+                                                             : angleBetween(p[0] - p[1], p[2] - p[1]);
+  if (!angle) return angle.error();
+  Measured measured;
+  measured.number = *angle;
+  measured.unit = "degrees";
+  return measured;
+}
+
+Result<Measured> measureRegion(const Shape& shape, const Volume& volume) {
+  const ShapePlane& plane = *shape.plane;
+  const double half = wheelStep(volume.geometry(), plane.normal()) / 2;
+  for (std::size_t n = 0; n < shape.points.size(); ++n)
+    if (std::abs(glm::dot(plane.normal(), shape.points[n] - plane.centre)) > half)
+      return Error{"points[" + std::to_string(n) + "] lies off the plane by more than half a voxel."};
+  Measured measured;
+  measured.number = areaOf(outlineOf(shape));
+  measured.unit = inGridUnit(volume.geometry(), "mm^2", "px^2");
+  measured.values = regionValues(shape, volume);
+  return measured;
+}
+
+Result<Measured> measureProbe(const Shape& shape, const Volume& volume, const std::string& valueUnit) {
+  const VoxelGeometry& geometry = volume.geometry();
+  const glm::dvec3 x = geometry.voxelFromPatient(shape.points[0]);
+  for (int a = 0; a < 3; ++a)
+    if (!(x[a] >= -0.5 && x[a] <= geometry.size[a] - 0.5)) return Error{"The point lies outside the volume."};
+  ProbedVoxel voxel;
+  voxel.index = glm::clamp(glm::ivec3(glm::floor(x + 0.5)), glm::ivec3(0), geometry.size - 1);
+  voxel.centre = geometry.patientFromVoxel(glm::dvec3(voxel.index));
+  Measured measured;
+  measured.number = double(volume.value(voxel.index.x, voxel.index.y, voxel.index.z));
+  measured.unit = valueUnit;
+  const std::optional<ValueRange>& padding = volume.attributes().padding;
+  voxel.padding = padding && measured.number >= padding->low && measured.number <= padding->high;
+  measured.voxel = voxel;
+  return measured;
+}
+
+Result<Measured> measureVolume(const Shape& shape, const Volume& volume, const CancelToken& cancel) {
+  const Result<RangeVolume> segment = rangeVolume(volume, shape.range, cancel);
+  if (!segment) return segment.error();
+  const VoxelGeometry& geometry = volume.geometry();
+  const double voxel = geometry.calibrated ? geometry.voxelVolume() / 1000 : 1;
+  Measured measured;
+  measured.number = double(segment->voxels) * voxel;
+  measured.drawn = segment->drawnVoxels * voxel;
+  measured.unit = inGridUnit(geometry, "ml", "voxels");
+  measured.segment = *segment;
+  return measured;
+}
+
+Result<Measured> measureByKind(const Shape& shape, const Volume& volume, const std::string& valueUnit,
+                               const CancelToken& cancel) {
+  switch (shape.kind) {
+    case ShapeKind::length:
+    case ShapeKind::polyline:
+      return measureLength(shape, volume.geometry());
+    case ShapeKind::angle:
+    case ShapeKind::cobb:
+      return measureAngle(shape);
+    case ShapeKind::ellipse:
+    case ShapeKind::rectangle:
+    case ShapeKind::freehand:
+      return measureRegion(shape, volume);
+    case ShapeKind::probe:
+      return measureProbe(shape, volume, valueUnit);
+    case ShapeKind::volume:
+      break;
+  }
+  return measureVolume(shape, volume, cancel);
+}
+
+}  // namespace
+
+Result<Measured> measure(const Shape& shape, const Volume& volume, const std::string& valueUnit,
+                         const CancelToken& cancel) {
+  if (const Status valid = checkShape(shape); !valid) return valid.error();
+  Result<Measured> measured = measureByKind(shape, volume, valueUnit, cancel);
+  if (measured) measured->valueUnit = valueUnit;
+  return measured;
+}
+
+}  // namespace volumen

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "viewer/measure/range_volume.h"
+#include "viewer/measure/region.h"
+#include "viewer/measure/shape.h"
+#include "viewer/volume/cancel.h"
+
+namespace volumen {
+
+/// The acquired voxel at a point, by `nearest` (slices.md 1).
+struct ProbedVoxel {
+  glm::ivec3 index{0};
+  glm::dvec3 centre{0};  ///< of the voxel, patient mm
+  bool padding = false;  ///< its value stands for no value
+};
+
+/// What a shape measures (slices.md 4).
+struct Measured {
+  double number = 0;  ///< length, angle, area, the probe's value, the voxels' volume
+  std::string unit;   ///< "mm", "degrees", "mm^2", "ml", the probe's own; where the grid is not calibrated
+                      ///< "px", "px^2" and "voxels" stand for what has mm in it; empty: none
+  std::optional<double> plusMinus;        ///< of lengths, in their unit
+  std::optional<ValueStatistics> values;  ///< of regions; none: no voxel inside
+  std::optional<ProbedVoxel> voxel;       ///< of probes
+  std::optional<RangeVolume> segment;     ///< of volumes, in voxels
+  std::optional<double> drawn;            ///< of volumes: as drawn, in `unit`
+  std::string valueUnit;                  ///< of the volume's values
+};
+
+/// Measures one shape on the voxels of a volume; `valueUnit` is that of its values (Series::unit). An Error
+/// where checkShape() refuses it, a region's point lies further off its plane than half a voxel along the
+/// normal, an arm of an angle has no length, a probe lies outside the volume's box, or `cancel` was asked
+/// to.
+Result<Measured> measure(const Shape& shape, const Volume& volume, const std::string& valueUnit,
+                         const CancelToken& cancel = {});
+
+}  // namespace volumen
