@@ -210,7 +210,7 @@ void MainWindow::showVolume() {
   const ShownSeriesPtr& series = session_.series();
   thumbnails_.stop();
   thumbnailsOf_.reset();
-  drawService_.show(sceneViewId, series ? series->volume : nullptr);
+  drawService_.show(sceneViewId, series && !view_->isHidden() ? series->volume : nullptr);
   QStringList warnings;
   if (series)
     for (const Warning& w : series->warnings)

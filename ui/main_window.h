@@ -150,6 +150,7 @@ class MainWindow : public QMainWindow {
   bool showFirst_ = false;            // the next study opened is shown
   std::optional<Scene> sceneToShow_;  // by this scene
   QMenu* recentMenu_;
+  QMenu* layoutMenu_;
   VolumePtr thumbnailsOf_;  // the volume whose presets have thumbnails
 };
 

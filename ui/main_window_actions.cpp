@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/controller/table_remover.h"
@@ -256,7 +257,8 @@ void MainWindow::makeMenus() {
        "orbitTool curveTool resetView | viewAnterior viewPosterior viewLeft viewRight viewSuperior "
        "viewInferior | "
        "openGlResampler showError | maximise fullScreen lightTheme hideNames");
-  fill(view->addMenu(tr("Layout")), "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour");
+  layoutMenu_ = view->addMenu(tr("Layout"));
+  fill(layoutMenu_, "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour");
   auto* docks = view->addMenu(tr("Panels"));
   for (const auto& [name, dock] : docks_) docks->addAction(dock->toggleViewAction());
   docks->addSeparator();
@@ -275,6 +277,12 @@ void MainWindow::makeToolBar() {
   for (const char* name : {"orbitTool", "curveTool", "resetView"}) add(name);
   bar->addSeparator();
   makePresetBar(bar);
+  auto* layouts = new QToolButton;
+  layouts->setObjectName(QStringLiteral("layoutButton"));
+  layouts->setText(tr("Layout"));
+  layouts->setPopupMode(QToolButton::InstantPopup);
+  layouts->setMenu(layoutMenu_);
+  bar->addWidget(layouts);
   auto* gap = new QWidget;
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(gap);

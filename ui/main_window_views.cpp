@@ -43,7 +43,10 @@ void MainWindow::connectViews() {
   // Whatever brings the 3D view on screen: it has to be drawn.
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
-            if (viewsOnScreen(before) != viewsOnScreen(after)) requestFrame();
+            if (viewsOnScreen(before) == viewsOnScreen(after)) return;
+            const ShownSeriesPtr& series = session_.series();
+            drawService_.show(sceneViewId, series && !view_->isHidden() ? series->volume : nullptr);
+            requestFrame();
           });
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/command.h"
+#include "app/commands/slice_frame.h"
 #include "app/open_volume.h"
 #include "app/option_words.h"
 #include "app/picture_output.h"
@@ -21,6 +22,7 @@ namespace {
 
 const OptionWords<NamedPlane> planes{
     {"axial", NamedPlane::axial}, {"coronal", NamedPlane::coronal}, {"sagittal", NamedPlane::sagittal}};
+const char* const framePlane = "frame";  // beside them: a picture as acquired
 const OptionWords<SlabMode> slabModes{
     {"max", SlabMode::max}, {"min", SlabMode::min}, {"mean", SlabMode::mean}};
 const OptionWords<Interpolation> interpolations{
@@ -106,11 +108,8 @@ Result<SlicePlane> makePlane(const Options& options, const Asked& asked, const V
                          : namedPlane(geometry, name);
   if (asked.centre) plane.centre = *asked.centre;
   if (options.at) plane.centre[axisOf(name)] = *options.at;
-  if (options.mmPerPixel) {
-    plane.mmPerPixel = *options.mmPerPixel;
-    plane.size = sizeToCover(geometry, plane.right, plane.down, plane.mmPerPixel);
-  }
-  if (asked.size) plane.size = *asked.size;
+  if (options.mmPerPixel) plane.mmPerPixel = *options.mmPerPixel;
+  plane.size = asked.size ? *asked.size : sizeToCover(geometry, plane);
   plane.slabMm = options.slabMm;
   plane.slabMode = meaning(slabModes, options.slabMode);
   plane.interpolation = meaning(interpolations, options.interpolation);
@@ -166,6 +165,11 @@ Status checkUsage(const Options& options, const Asked& asked) {
     return Error{"Missing output file: use -o PICTURE (.png or .nrrd)."};
   if (!options.output.empty())
     if (Status s = checkPictureName(options.output); !s) return s;
+  if (options.plane == framePlane &&
+      (asked.size || asked.centre || asked.rightAndDown || options.at || options.mmPerPixel ||
+       options.slabMm > 0 || options.average || options.printPlane || options.interpolation != "linear"))
+    return Error{
+        "--plane frame shows a picture as acquired: only --index, --window and --series go with it."};
   SlicePlane plane;
   if (asked.size) plane.size = *asked.size;
   return checkPlane(plane);
@@ -188,6 +192,9 @@ int run(const Options& options, const CancelToken& cancel) {
   if (Status s = checkUsage(options, *asked); !s) return failUsage(s.message());
   if (!options.output.empty())
     if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
+  if (options.plane == framePlane)
+    return sliceFrame(
+        {options.path, options.series, options.output, options.index.value_or(0), asked->window}, cancel);
   auto opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
   if (options.index && opened->loaded.drawn != opened->loaded.acquired)
@@ -204,14 +211,19 @@ int run(const Options& options, const CancelToken& cancel) {
 // Adds what says where the plane lies.
 void addPlane(CLI::App& app, Options& o) {
   constexpr double farMm = 1e6;
-  CLI::Option* plane = oneOf(app.add_option("--plane", o.plane, "The plane (default: axial)"), keys(planes));
+  std::vector<std::string> names = keys(planes);
+  names.emplace_back(framePlane);
+  CLI::Option* plane =
+      oneOf(app.add_option("--plane", o.plane, "The plane, or a picture as acquired: frame (default: axial)"),
+            names);
   CLI::Option* at = number(app.add_option("--at", o.at,
                                           "Where the plane lies: z of an axial, y of a coronal, x of a "
                                           "sagittal one, in mm (default: the volume's centre)"),
                            -farMm, farMm);
-  CLI::Option* index = wholeNumber(
-      app.add_option("--index", o.index, "The N-th slice, from 0, of a plane parallel to the slices"), 0,
-      1000000);
+  CLI::Option* index =
+      wholeNumber(app.add_option("--index", o.index,
+                                 "The N-th slice or frame, from 0; of a plane parallel to the slices"),
+                  0, 1000000);
   CLI::Option* centre =
       app.add_option("--centre", o.centre, "The centre of the picture, in mm (default: the volume's)");
   CLI::Option* right =

@@ -56,11 +56,13 @@ PictureText warningText(const std::vector<Warning>& warnings) {
 
 namespace {
 
-Status writeFloats(const std::string& header, const std::vector<float>& values, const std::string& path) {
+template <class T>
+Status writeValues(const std::string& header, const std::vector<T>& values, const std::string& path) {
   auto out = OutputFile::create(path);
   if (!out) return out.error();
-  if (Status s = out->write("NRRD0005\ntype: float\n" + header + "\n\n"); !s) return s;
-  if (Status s = out->write(values.data(), values.size() * sizeof(float)); !s) return s;
+  const std::string type = std::is_same_v<T, float> ? "float" : "uint8";
+  if (Status s = out->write("NRRD0005\ntype: " + type + "\n" + header + "\n\n"); !s) return s;
+  if (Status s = out->write(values.data(), values.size() * sizeof(T)); !s) return s;
   return out->commit();
 }
 
@@ -69,16 +71,22 @@ std::string sizeText(glm::ivec2 size) { return std::to_string(size.x) + ' ' + st
 }  // namespace
 
 Status writePictureNrrd(const Picture& picture, const std::string& path) {
-  return writeFloats("dimension: 3\nsizes: 4 " + sizeText(picture.size) +
+  return writeValues("dimension: 3\nsizes: 4 " + sizeText(picture.size) +
                          "\nkinds: RGBA-color domain domain\nendian: little\nencoding: raw\nbackground:=" +
                          (picture.transparent ? "transparent" : "opaque"),
                      picture.rgba, path);
 }
 
 Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std::string& path) {
-  return writeFloats(
+  return writeValues(
       "dimension: 2\nsizes: " + sizeText(size) + "\nkinds: domain domain\nendian: little\nencoding: raw",
       values, path);
+}
+
+Status writeColourNrrd(glm::ivec2 size, const std::vector<std::uint8_t>& rgb, const std::string& path) {
+  return writeValues(
+      "dimension: 3\nsizes: 3 " + sizeText(size) + "\nkinds: RGB-color domain domain\nencoding: raw", rgb,
+      path);
 }
 
 Result<Picture> readPictureNrrd(const std::string& path) {

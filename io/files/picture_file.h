@@ -37,6 +37,9 @@ Status writePictureNrrd(const Picture& picture, const std::string& path);
 /// One float a pixel: sizes W H, first row on top.
 Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std::string& path);
 
+/// Three bytes a pixel, red, green, blue: sizes 3 W H, first row on top.
+Status writeColourNrrd(glm::ivec2 size, const std::vector<std::uint8_t>& rgb, const std::string& path);
+
 /// Reads what writePictureNrrd wrote. Refused: what is not float32 of sizes 4 W H.
 Result<Picture> readPictureNrrd(const std::string& path);
 

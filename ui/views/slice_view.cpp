@@ -39,7 +39,7 @@ std::optional<SlicePlane> SliceView::plane() const {
 GreyMapping SliceView::grey() const {
   const ShownSeriesPtr shown = series();
   const SeriesState& state = session_.workspace().series.at(keyOf(shown->series));
-  return greyMapping(flatWindow(state, *shown), shown->series);
+  return greyMapping(flatWindow(state, *shown), *shown);
 }
 
 void SliceView::askForPicture() {

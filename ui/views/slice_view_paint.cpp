@@ -135,11 +135,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     paintOverlays(painter, overlays(), QRectF(rect()).adjusted(0, 0, -6, 0));
     paintStackBar(painter);
   }
-  const bool several = viewsOnScreen(session_.workspace()).size() > 1;
-  if (several && session_.workspace().focus == id()) {
-    painter.setPen(QColor(0x4a, 0xa3, 0xff));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
-  }
+  paintFocus(painter);
 }
 
 }  // namespace volumen

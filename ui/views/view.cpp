@@ -1,6 +1,7 @@
 #include "ui/views/view.h"
 
 #include <QMouseEvent>
+#include <QPainter>
 #include <cmath>
 
 namespace volumen {
@@ -17,6 +18,13 @@ View::View(Session& session, ViewId id, QWidget* parent) : QWidget(parent), sess
 
 QSize View::pixels() const {
   return {int(std::ceil(width() * devicePixelRatioF())), int(std::ceil(height() * devicePixelRatioF()))};
+}
+
+void View::paintFocus(QPainter& painter) const {
+  if (viewsOnScreen(session_.workspace()).size() < 2 || session_.workspace().focus != id_) return;
+  painter.setPen(QColor(0x4a, 0xa3, 0xff));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
 void View::mousePressEvent(QMouseEvent* event) {

@@ -33,6 +33,9 @@ class View : public QWidget {
   /// Something of the workspace changed.
   virtual void workspaceChanged(const Workspace& before) = 0;
 
+  /// A thin frame where this is the view in focus of several.
+  void paintFocus(QPainter& painter) const;
+
   void mousePressEvent(QMouseEvent*) override;
   void mouseDoubleClickEvent(QMouseEvent*) override;
   void leaveEvent(QEvent*) override;

@@ -46,6 +46,7 @@ void VolumeView::seriesExchanged(bool another) {
 }
 
 void VolumeView::workspaceChanged(const Workspace& before) {
+  if (before.focus != session_.workspace().focus) canvas_->update();
   const ViewState& then = before.view(id());
   const auto look = then.scenes.find(state().series);
   if (look == then.scenes.end() || look->second.scene.camera != scene().camera) showState();

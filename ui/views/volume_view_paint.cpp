@@ -59,6 +59,7 @@ void VolumeView::paint(QPainter& painter) const {
   Overlays over = overlays();
   if (errorShown_) over.topRight << errorImage_.legend;
   paintOverlays(painter, over, rect());
+  paintFocus(painter);
 }
 
 }  // namespace volumen

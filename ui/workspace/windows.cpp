@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/slice/first_window.h"
+
 namespace volumen {
 
 namespace {
@@ -31,12 +33,10 @@ Window flatWindow(const SeriesState& state, const ShownSeries& series) {
   return state.window.value_or(inverted ? Window{own.centre, -own.width} : own);
 }
 
-GreyMapping greyMapping(const Window& window, const Series& series) {
-  GreyMapping grey;
-  grey.window = {window.centre, std::abs(window.width)};
+GreyMapping greyMapping(const Window& window, const ShownSeries& series) {
+  GreyMapping grey =
+      windowGrey(*series.volume, series.series.format == "DICOM", {window.centre, std::abs(window.width)});
   grey.inverted = window.width < 0;
-  if (series.format == "DICOM" && series.valueType != "float32" && grey.window.width >= 1)
-    grey.function = WindowFunction::linear;
   return grey;
 }
 

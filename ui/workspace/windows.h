@@ -19,7 +19,7 @@ Window windowInUse(const Scene& scene, const ShownSeries& series);
 /// Of flat views: the one that was set, else the series' own, inverted for PET.
 Window flatWindow(const SeriesState& state, const ShownSeries& series);
 /// The mapping from value to grey that a window of a flat view stands for.
-GreyMapping greyMapping(const Window& window, const Series& series);
+GreyMapping greyMapping(const Window& window, const ShownSeries& series);
 
 /// A window to choose by name.
 struct NamedWindow {

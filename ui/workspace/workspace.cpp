@@ -74,7 +74,9 @@ FlatLook flatLookOf(const ViewState& view) {
   return look == view.flats.end() ? FlatLook{} : look->second;
 }
 
-std::string frameOfReference(const Series& series) { return series.path + '\n' + series.id; }
+std::string frameOfReference(const Series& series) {
+  return series.frameOfReferenceUid.empty() ? series.path + '\n' + series.id : series.frameOfReferenceUid;
+}
 
 Workspace withSeries(Workspace workspace, ViewId view, const Series& series, const SceneLook& first) {
   const auto [state, isNew] = workspace.series.try_emplace(keyOf(series));

@@ -32,12 +32,6 @@ bool parallelToSlices(const VoxelGeometry& geometry, glm::dvec3 normal) {
   return glm::length(glm::cross(normal, glm::normalize(glm::cross(L[0], L[1])))) <= parallelWithin;
 }
 
-// Caudal, posterior, left.
-bool looksDown(glm::dvec3 normal) {
-  const int a = largestComponent(normal);
-  return a == 2 ? normal.z < 0 : normal[a] > 0;
-}
-
 }  // namespace
 
 glm::dvec3 SlicePlane::normal() const { return glm::cross(right, down); }
@@ -82,18 +76,20 @@ SlicePlane planeAlong(const VoxelGeometry& geometry, glm::dvec3 right, glm::dvec
   plane.right = right;
   plane.down = down;
   plane.mmPerPixel = smallestSpacing(geometry);
-  plane.size = sizeToCover(geometry, right, down, plane.mmPerPixel);
+  plane.size = sizeToCover(geometry, plane);
   return plane;
 }
 
-glm::ivec2 sizeToCover(const VoxelGeometry& geometry, glm::dvec3 right, glm::dvec3 down, double mmPerPixel) {
-  const glm::dvec3 n(geometry.size);
-  const auto& L = geometry.patientFromVoxelStep;
-  const auto pixels = [&](glm::dvec3 along) {
-    const glm::dvec3 mm = glm::abs(along * L) * n;
-    return int(std::clamp(roundedUp((mm.x + mm.y + mm.z) / mmPerPixel), 1.0, double(1 << 30)));
+glm::ivec2 sizeToCover(const VoxelGeometry& geometry, const SlicePlane& plane) {
+  glm::dvec2 half(0);
+  for (const glm::dvec3& corner : geometry.boxCorners()) {
+    const glm::dvec3 offset = corner - plane.centre;
+    half = glm::max(half, glm::abs(glm::dvec2(glm::dot(offset, plane.right), glm::dot(offset, plane.down))));
+  }
+  const auto pixels = [&](double mm) {
+    return int(std::clamp(roundedUp(2 * mm / plane.mmPerPixel), 1.0, double(1 << 30)));
   };
-  return {pixels(right), pixels(down)};
+  return {pixels(half.x), pixels(half.y)};
 }
 
 double voxelAlong(const VoxelGeometry& geometry, glm::dvec3 normal) {
@@ -123,20 +119,6 @@ std::optional<SlicePlane> onSlice(SlicePlane plane, const VoxelGeometry& geometr
   const glm::dvec3 onIt = geometry.patientFromVoxel({centre.x, centre.y, index});
   plane.centre += normal * glm::dot(normal, onIt - plane.centre);
   return plane;
-}
-
-SlicePlane wheeled(SlicePlane plane, const VoxelGeometry& geometry, int stepsDown) {
-  const glm::dvec3 normal = plane.normal();
-  const double steps = looksDown(normal) ? stepsDown : -stepsDown;
-  if (!parallelToSlices(geometry, normal)) {
-    plane.centre += normal * (steps * wheelStep(geometry, normal));
-    return plane;
-  }
-  // From between two slices the first step leads to the next of them.
-  const double slice = geometry.voxelFromPatient(plane.centre).z;
-  const bool rising = steps * glm::dot(normal, geometry.patientFromVoxelStep[2]) > 0;
-  const double from = rising ? std::floor(slice + 1e-6) : std::ceil(slice - 1e-6);
-  return *onSlice(plane, geometry, from + (rising ? std::abs(steps) : -std::abs(steps)));
 }
 
 }  // namespace volumen

@@ -49,8 +49,8 @@ SlicePlane namedPlane(const VoxelGeometry& geometry, NamedPlane name);
 /// The plane of these directions (orthogonal unit vectors) with the same defaults.
 SlicePlane planeAlong(const VoxelGeometry& geometry, glm::dvec3 right, glm::dvec3 down);
 
-/// The smallest size in pixels that covers the volume's box along these directions from its centre.
-glm::ivec2 sizeToCover(const VoxelGeometry& geometry, glm::dvec3 right, glm::dvec3 down, double mmPerPixel);
+/// The smallest size in pixels at which this plane, about its centre, covers the volume's box.
+glm::ivec2 sizeToCover(const VoxelGeometry& geometry, const SlicePlane& plane);
 
 /// h of slices.md 1: one voxel along the unit vector `normal`, mm.
 double voxelAlong(const VoxelGeometry& geometry, glm::dvec3 normal);
@@ -67,9 +67,5 @@ double wheelStep(const VoxelGeometry& geometry, glm::dvec3 normal);
 /// The plane moved along its normal onto the volume's slice `index` (from 0; between two where it is not
 /// whole); none where it is not parallel to the slices within 1e-3.
 std::optional<SlicePlane> onSlice(SlicePlane plane, const VoxelGeometry& geometry, double index);
-
-/// The plane after so many steps of the wheel: down is caudal, posterior or left, whichever lies closest to
-/// its normal. Planes parallel to the slices land on them.
-SlicePlane wheeled(SlicePlane plane, const VoxelGeometry& geometry, int stepsDown);
 
 }  // namespace volumen

@@ -90,6 +90,7 @@ VolumePtr realOne(const QString& name) {
 class TestSliceTwin : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void defaultSizeCoversTheBoxFromAnyCentre();
   void initTestCase();
   void namedPlanesOfStudies_data();
   void namedPlanesOfStudies();
@@ -274,6 +275,18 @@ void TestSliceTwin::grey() {
                  options);
   QVERIFY2(done.status == 0, done.err.constData());
   QCOMPARE(greyFaults(png, slice, {centre, width}, file.isEmpty()), QString());
+}
+
+void TestSliceTwin::defaultSizeCoversTheBoxFromAnyCentre() {
+  const QString path = gridPath(QStringLiteral("oblique"));
+  const VolumePtr volume = volumeAt(path.toStdString());
+  TwinPlane plane = twinPlane(volume->geometry(), {0.6, 0.8, 0}, {0, 0, -1});
+  plane.centre += dvec3(1.3, -0.7, 0.9);
+  plane.mmPerPixel = 0.45;
+  plane.size = twinSize(volume->geometry(), plane);
+  QStringList options = planeOptions(plane);
+  options.remove(options.indexOf(QStringLiteral("--size")), 2);
+  QCOMPARE(faultsOf(runSlice(path, options), *volume, plane), QString());
 }
 
 VOLUMEN_TEST(TestSliceTwin);

@@ -22,9 +22,6 @@ class TestPlane : public QObject {
   void samplesOfSlabsAndPixels();
   void aStepOfTheWheel_data();
   void aStepOfTheWheel();
-  void wheelDownGoesCaudalPosteriorOrLeft_data();
-  void wheelDownGoesCaudalPosteriorOrLeft();
-  void stepsLandOnSlices();
   void onSliceOnlyWhereParallel();
 };
 
@@ -88,8 +85,9 @@ void TestPlane::theSmallestSizeCoversTheBox() {
   QFETCH(double, mmPerPixel);
   QFETCH(QSize, size);
   const VoxelGeometry g = axialScan();
-  const SlicePlane plane = namedPlane(g, NamedPlane(name));
-  const glm::ivec2 covers = sizeToCover(g, plane.right, plane.down, mmPerPixel);
+  SlicePlane plane = namedPlane(g, NamedPlane(name));
+  plane.mmPerPixel = mmPerPixel;
+  const glm::ivec2 covers = sizeToCover(g, plane);
   QCOMPARE(QSize(covers.x, covers.y), size);
   if (mmPerPixel == 0.7) QCOMPARE(QSize(plane.size.x, plane.size.y), size);
 }
@@ -157,41 +155,6 @@ void TestPlane::aStepOfTheWheel() {
   QFETCH(glm::dvec3, normal);
   QFETCH(double, mm);
   QVERIFY(std::abs(wheelStep(axialScan(), normal) - mm) < 1e-12);
-}
-
-void TestPlane::wheelDownGoesCaudalPosteriorOrLeft_data() {
-  QTest::addColumn<int>("name");
-  QTest::addColumn<glm::dvec3>("moved");
-  QTest::newRow("axial") << int(NamedPlane::axial) << glm::dvec3(0, 0, -6);
-  QTest::newRow("coronal") << int(NamedPlane::coronal) << glm::dvec3(0, 2.1, 0);
-  QTest::newRow("sagittal") << int(NamedPlane::sagittal) << glm::dvec3(2.1, 0, 0);
-}
-
-void TestPlane::wheelDownGoesCaudalPosteriorOrLeft() {
-  QFETCH(int, name);
-  QFETCH(glm::dvec3, moved);
-  VoxelGeometry g = axialScan();
-  g.size.z = 101;  // the centre lies on a slice
-  for (const bool mirrored : {false, true}) {
-    SlicePlane plane = namedPlane(g, NamedPlane(name));
-    if (mirrored) plane.right = -plane.right;  // seen from the other side
-    QVERIFY(near(wheeled(plane, g, 3).centre - plane.centre, moved));
-    QVERIFY(near(wheeled(plane, g, -3).centre - plane.centre, -moved));
-  }
-}
-
-void TestPlane::stepsLandOnSlices() {
-  const glm::dmat3 sheared{{0.7, 0, 0}, {0, 0.7, 0}, {0, 0.4, -2}};  // and from the head down
-  const VoxelGeometry g = geometryOf({64, 64, 40}, sheared);
-  SlicePlane plane = namedPlane(g, NamedPlane::axial);  // between slices 19 and 20
-  const auto slice = [&](const SlicePlane& p) { return g.voxelFromPatient(p.centre).z; };
-  QVERIFY(std::abs(slice(plane) - 19.5) < 1e-9);
-  for (const auto& [steps, lands] : {std::pair{1, 20}, {2, 21}, {-1, 19}, {-3, 17}})
-    QVERIFY(std::abs(slice(wheeled(plane, g, steps)) - lands) < 1e-9);
-  plane = wheeled(plane, g, 1);
-  for (int n = 0; n < 10; ++n) plane = wheeled(plane, g, 1);
-  QVERIFY(std::abs(slice(plane) - 30) < 1e-9);
-  QVERIFY(std::abs(slice(wheeled(plane, g, 0)) - 30) < 1e-9);
 }
 
 void TestPlane::onSliceOnlyWhereParallel() {
