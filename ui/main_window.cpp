@@ -123,8 +123,9 @@ void MainWindow::connectLoader() {
     snapshot_.cancel();
     tableRemover_->cancel();
   });
-  connect(studies_, &StudiesPanel::seriesChosen, this, [this](const Series& series) {
-    if (!session_.showAgain(series, session_.workspace().focus)) loader_.load(series);
+  connect(studies_, &StudiesPanel::seriesChosen, this, &MainWindow::showInFocus);
+  connect(grid_, &ViewGrid::dropped, this, [this](const QMimeData& data) {
+    if (const Series* series = studies_->seriesOf(data)) showInFocus(*series);
   });
   connect(&session_, &Session::seriesNeeded, &loader_, &Loader::load);
   connect(studies_, &StudiesPanel::seriesRemoved, this,
@@ -134,6 +135,10 @@ void MainWindow::connectLoader() {
     banner_->hide();
     session_.show(nullptr);
   });
+}
+
+void MainWindow::showInFocus(const Series& series) {
+  if (!session_.showAgain(series, session_.workspace().focus)) loader_.load(series);
 }
 
 void MainWindow::connectDrawing() {

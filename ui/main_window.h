@@ -87,6 +87,7 @@ class MainWindow : public QMainWindow {
   void connectViews();
   void makeLayoutActions();
   void resetViewInFocus();
+  void showInFocus(const Series& series);
   void connectScenes();
   void connectRecent();
   void resetLayout();

@@ -1,4 +1,7 @@
 // Guards the flat views as a hand meets them: real mouse and key events in a real window.
+#include <QDragEnterEvent>
+#include <QMimeData>
+#include <QTreeWidget>
 #include <QWheelEvent>
 
 #include "tests/ui/gestures.h"
@@ -76,6 +79,7 @@ class TestSliceViews : public QObject {
   void resetMakesItWhole();
   void everythingIsUndone();
   void anotherSeriesComesAndGoes();
+  void aSeriesIsDraggedIntoAView();
   void tinyWindowsDoNoHarm();
   void notANumberIsShown();
 };
@@ -297,6 +301,29 @@ void TestSliceViews::anotherSeriesComesAndGoes() {
   QVERIFY(w.look(axialViewId) == look);
   w.session().show(nullptr);
   QVERIFY(!w.view(axialViewId)->plane());
+}
+
+void TestSliceViews::aSeriesIsDraggedIntoAView() {
+  Journey w({QStringLiteral("phantom:sphere:24"), QStringLiteral("phantom:cube:16")});
+  QVERIFY(w.settle());
+  auto* tree = w.child<QTreeWidget>("studyTree");
+  QTRY_COMPARE_WITH_TIMEOUT(
+      tree->findItems(QStringLiteral("cube"), Qt::MatchContains | Qt::MatchRecursive).size(), 1, longest);
+  w.child<QAction>("layoutTwo")->trigger();
+  QVERIFY(w.window.session().seriesOf(firstComparedId));
+  QTreeWidgetItem* cube =
+      tree->findItems(QStringLiteral("cube"), Qt::MatchContains | Qt::MatchRecursive).value(0);
+  const std::unique_ptr<QMimeData> data(tree->model()->mimeData({tree->indexFromItem(cube)}));
+  QVERIFY(data);
+  SliceView* right = w.window.views()->sliceView(firstComparedId + 1);
+  QDragEnterEvent enter({20, 20}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+  QCoreApplication::sendEvent(right, &enter);
+  QVERIFY(enter.isAccepted());
+  QDropEvent drop({20, 20}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+  QCoreApplication::sendEvent(right, &drop);
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().seriesOf(firstComparedId + 1), longest);
+  QVERIFY(w.window.session().seriesOf(firstComparedId + 1)->series.path.find("cube") != std::string::npos);
+  QVERIFY(w.window.session().seriesOf(firstComparedId)->series.path.find("sphere") != std::string::npos);
 }
 
 void TestSliceViews::tinyWindowsDoNoHarm() {

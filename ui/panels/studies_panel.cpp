@@ -3,6 +3,7 @@
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QMenu>
+#include <QMimeData>
 #include <QPersistentModelIndex>
 #include <QTreeWidgetItemIterator>
 #include <QUrl>
@@ -40,6 +41,19 @@ std::vector<const Series*> namesakes(const Study& study, const Series& series) {
 
 bool sameSeries(const Series& a, const Series& b) { return a.id == b.id && a.path == b.path; }
 
+// A tree whose series can be dragged: by the path that was opened and their number in it.
+class StudyTree : public QTreeWidget {
+ protected:
+  QStringList mimeTypes() const override { return {StudiesPanel::draggedSeries}; }
+  QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
+    if (items.isEmpty() || !items.front()->data(0, indexRole).isValid()) return nullptr;
+    auto* data = new QMimeData;
+    data->setData(StudiesPanel::draggedSeries, items.front()->data(0, indexRole).toByteArray() + ' ' +
+                                                   items.front()->data(0, pathRole).toString().toUtf8());
+    return data;
+  }
+};
+
 // With the parents that hold nothing else.
 void removeItem(QTreeWidgetItem* item) {
   while (item) {
@@ -52,7 +66,7 @@ void removeItem(QTreeWidgetItem* item) {
 }  // namespace
 
 StudiesPanel::StudiesPanel(QWidget* parent)
-    : QWidget(parent), search_(new QLineEdit), tree_(new QTreeWidget), thumbnails_(thumbnailEdge) {
+    : QWidget(parent), search_(new QLineEdit), tree_(new StudyTree), thumbnails_(thumbnailEdge) {
   search_->setObjectName(QStringLiteral("studySearch"));
   search_->setPlaceholderText(tr("Search"));
   search_->setAccessibleName(tr("Search patients, studies and series"));
@@ -60,6 +74,7 @@ StudiesPanel::StudiesPanel(QWidget* parent)
   tree_->setObjectName(QStringLiteral("studyTree"));
   tree_->setAccessibleName(tr("Patients, studies and series"));
   tree_->setHeaderHidden(true);
+  tree_->setDragEnabled(true);
   tree_->setIndentation(14);
   tree_->setUniformRowHeights(false);
   tree_->setIconSize({thumbnailEdge, thumbnailEdge});
@@ -84,6 +99,15 @@ const Series* StudiesPanel::seriesOf(const QTreeWidgetItem* item) const {
   if (!index.isValid()) return nullptr;
   for (const auto& [path, study] : studies_)
     if (path == item->data(0, pathRole).toString()) return &study->volumes[index.toULongLong()];
+  return nullptr;
+}
+
+const Series* StudiesPanel::seriesOf(const QMimeData& dragged) const {
+  const QByteArray said = dragged.data(draggedSeries);
+  const qsizetype space = said.indexOf(' ');
+  const std::size_t n = said.left(std::max(qsizetype(0), space)).toULongLong();
+  for (const auto& [path, study] : studies_)
+    if (path.toUtf8() == said.mid(space + 1) && n < study->volumes.size()) return &study->volumes[n];
   return nullptr;
 }
 

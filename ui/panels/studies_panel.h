@@ -9,6 +9,7 @@
 #include "ui/data/shown_series.h"
 
 class QMenu;
+class QMimeData;
 
 namespace volumen {
 
@@ -27,6 +28,10 @@ class StudiesPanel : public QWidget {
   /// Marks the series on screen.
   void markShown(const ShownSeriesPtr& shown);
   QTreeWidget* tree() const { return tree_; }
+  /// The mime type of a series that is dragged.
+  static inline const QString draggedSeries = QStringLiteral("application/x-volumen-series");
+  /// The series that is dragged; null where it is not in the list.
+  const Series* seriesOf(const QMimeData& dragged) const;
 
  Q_SIGNALS:
   void seriesChosen(const volumen::Series& series);

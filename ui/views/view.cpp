@@ -1,5 +1,6 @@
 #include "ui/views/view.h"
 
+#include <QDragEnterEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <cmath>
@@ -9,6 +10,7 @@ namespace volumen {
 View::View(Session& session, ViewId id, QWidget* parent) : QWidget(parent), session_(session), id_(id) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  setAcceptDrops(true);
   connect(&session_, &Session::workspaceChanged, this, [this](const Workspace& before) {
     const ShownSeriesPtr last = std::exchange(seen_, series());
     if (last != seen_) seriesExchanged(!areOneSeries(last, seen_));
@@ -25,6 +27,19 @@ void View::paintFocus(QPainter& painter) const {
   painter.setPen(QColor(0x4a, 0xa3, 0xff));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+// Files are the window's.
+void View::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) return event->ignore();
+  event->acceptProposedAction();
+}
+
+void View::dropEvent(QDropEvent* event) {
+  if (event->mimeData()->hasUrls()) return event->ignore();
+  event->acceptProposedAction();
+  session_.setFocus(id_);
+  Q_EMIT dropped(*event->mimeData());
 }
 
 void View::mousePressEvent(QMouseEvent* event) {

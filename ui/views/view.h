@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QMimeData>
 #include <QWidget>
 
 #include "ui/workspace/session.h"
@@ -24,6 +25,8 @@ class View : public QWidget {
  Q_SIGNALS:
   void pixelsChanged();
   void maximiseRequested();
+  /// Something was dropped that is no file.
+  void dropped(const QMimeData& data);
   /// What is under the cursor, empty where nothing is.
   void hovered(const QString& text);
 
@@ -36,6 +39,8 @@ class View : public QWidget {
   /// A thin frame where this is the view in focus of several.
   void paintFocus(QPainter& painter) const;
 
+  void dragEnterEvent(QDragEnterEvent*) override;
+  void dropEvent(QDropEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
   void mouseDoubleClickEvent(QMouseEvent*) override;
   void leaveEvent(QEvent*) override;

@@ -59,6 +59,7 @@ void ViewGrid::add(ViewId id, View* view) {
   views_[id] = view;
   connect(view, &View::maximiseRequested, this, &ViewGrid::maximiseRequested);
   connect(view, &View::hovered, this, &ViewGrid::hovered);
+  connect(view, &View::dropped, this, &ViewGrid::dropped);
 }
 
 void ViewGrid::setAlone(bool alone) {

@@ -24,6 +24,7 @@ class ViewGrid : public QWidget {
  Q_SIGNALS:
   void maximiseRequested();
   void hovered(const QString& text);
+  void dropped(const QMimeData& data);
 
  protected:
   void resizeEvent(QResizeEvent*) override;
