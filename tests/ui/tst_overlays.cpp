@@ -29,6 +29,7 @@ Overlays everything() {
 class TestOverlays : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void eachWarningHasItsLine();
   void nothingTouchesAnythingElse_data();
   void nothingTouchesAnythingElse();
   void allOfItFindsRoomInAUsualView();
@@ -140,6 +141,15 @@ void TestOverlays::tissuesAreNamedWhereTheyAre() {
     }
   }
   QCOMPARE(found, names);
+}
+
+void TestOverlays::eachWarningHasItsLine() {
+  Overlays o;
+  o.warning = QStringLiteral("Gantry tilt\nSlices interpolated");
+  const PlacedOverlays placed = placeOverlays(o, {0, 0, 400, 300}, QFont());
+  QCOMPARE(placed.texts.size(), std::size_t(2));
+  QVERIFY(placed.texts[1].rect.top() >= placed.texts[0].rect.bottom());
+  QVERIFY(placed.texts[0].warning && placed.texts[1].warning);
 }
 
 VOLUMEN_TEST(TestOverlays);

@@ -149,7 +149,11 @@ PlacedOverlays placeOverlays(const Overlays& o, const QRectF& area, const QFont&
   placer.letter(o.bottom, {middle.x(), inside.bottom() - line - 10 - half});
   for (int n = 0; n < o.topRight.size(); ++n) placer.line(o.topRight[n], true, inside.top() + n * line);
   for (int n = 0; n < o.topLeft.size(); ++n) placer.line(o.topLeft[n], false, inside.top() + n * line);
-  placer.line(o.warning, false, inside.top() + double(o.topLeft.size()) * line, true);
+  double below = inside.top() + double(o.topLeft.size()) * line;
+  for (const QString& warning : o.warning.split(QLatin1Char('\n'))) {
+    placer.line(warning, false, below, true);
+    below += line;
+  }
   placer.line(o.bottomRight, true, inside.bottom() - line);
   if (o.mmPerPixel > 0) placer.scaleBar(o.mmPerPixel);
   return placer.placed;
