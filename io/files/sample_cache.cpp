@@ -29,7 +29,7 @@ std::uint64_t checksumOf(const std::vector<std::int16_t>& values) {
 // The values in a file; none where it is not there, damaged or of another format.
 std::vector<std::int16_t> keptValues(const std::string& path) {
   const Result<RegularFile> file = RegularFile::open(path);
-  if (!file || file->size() < sizeof(Head)) return {};
+  if (!file || file->size() <= sizeof(Head)) return {};
   const auto head = file->read(0, sizeof(Head)), body = file->read(sizeof(Head), file->size() - sizeof(Head));
   if (!head || !body || body->size() % sizeof(std::int16_t) != 0) return {};
   std::vector<std::int16_t> values(body->size() / sizeof(std::int16_t));
