@@ -124,8 +124,8 @@ void MainWindow::connectLoader() {
     tableRemover_->cancel();
   });
   connect(studies_, &StudiesPanel::seriesChosen, this, &MainWindow::showInFocus);
-  connect(grid_, &ViewGrid::dropped, this, [this](const QMimeData& data) {
-    if (const Series* series = studies_->seriesOf(data)) showInFocus(*series);
+  connect(grid_, &ViewGrid::dropped, this, [this](const QMimeData& what) {
+    if (const Series* series = studies_->seriesOf(what)) showInFocus(*series);
   });
   connect(&session_, &Session::seriesNeeded, &loader_, &Loader::load);
   connect(studies_, &StudiesPanel::seriesRemoved, this,
