@@ -47,10 +47,10 @@ class StudyTree : public QTreeWidget {
   QStringList mimeTypes() const override { return {StudiesPanel::draggedSeries}; }
   QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
     if (items.isEmpty() || !items.front()->data(0, indexRole).isValid()) return nullptr;
-    auto* data = new QMimeData;
-    data->setData(StudiesPanel::draggedSeries, items.front()->data(0, indexRole).toByteArray() + ' ' +
-                                                   items.front()->data(0, pathRole).toString().toUtf8());
-    return data;
+    auto* dragged = new QMimeData;
+    dragged->setData(StudiesPanel::draggedSeries, items.front()->data(0, indexRole).toByteArray() + ' ' +
+                                                      items.front()->data(0, pathRole).toString().toUtf8());
+    return dragged;
   }
 };
 
