@@ -6,6 +6,7 @@
 #include "io/frames.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
+#include "tests/fixtures/real_volume.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
@@ -70,7 +71,7 @@ void TestSliceFrame::picturesAreWrittenAsAcquired() {
         runProgram({QStringLiteral("slice"), QString::fromStdString(data), QStringLiteral("--plane"),
                     QStringLiteral("frame"), QStringLiteral("--index"), QString::number(index),
                     QStringLiteral("-o"), out});
-    QVERIFY2(done.status == 0, qPrintable(done.err));
+    QVERIFY2(done.status == 0, done.err.constData());
   }
   const QByteArray written = bytesBehindHeader(folder_.filePath(QStringLiteral("frame.nrrd")));
   QVERIFY(written == (frame->colour() ? bytesOf(frame->rgb) : bytesOf(frame->values)));
@@ -96,7 +97,7 @@ void TestSliceFrame::aSliceOfASeriesIsItsFrame() {
   const Outcome done = runProgram(
       {QStringLiteral("slice"), QString::fromStdString(data), QStringLiteral("--plane"),
        QStringLiteral("frame"), QStringLiteral("--index"), QStringLiteral("7"), QStringLiteral("-o"), out});
-  QVERIFY2(done.status == 0, qPrintable(done.err));
+  QVERIFY2(done.status == 0, done.err.constData());
   std::vector<float> expected;
   const glm::ivec3 n = chest->size();
   for (int j = 0; j < n.y; ++j)
@@ -124,7 +125,7 @@ void TestSliceFrame::wrongUsageIsRefused() {
   const Outcome done = runProgram(
       QStringLiteral("slice %1 --plane frame -o %2 %3").arg(QString::fromStdString(data), out, options));
   QCOMPARE(done.status, status);
-  QVERIFY2(done.err.contains(says), qPrintable(done.err));
+  QVERIFY2(done.err.contains(says.toUtf8()), done.err.constData());
   QVERIFY(!QFile::exists(out));
 }
 

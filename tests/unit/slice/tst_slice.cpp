@@ -80,8 +80,10 @@ SlicePlane alongSlice(const Volume& volume, double k) {
 void TestSlice::acquiredValuesStayThemselves_data() {
   QTest::addColumn<QString>("type");
   QTest::addColumn<int>("how");
-  for (const char* type : {"uint8", "int16", "uint16", "float32"})
-    for (int how = 0; how < 3; ++how) QTest::addRow("%s, %d", type, how) << QString::fromLatin1(type) << how;
+  for (const QString& type : {QStringLiteral("uint8"), QStringLiteral("int16"), QStringLiteral("uint16"),
+                              QStringLiteral("float32")})
+    for (int how = 0; how < 3; ++how)
+      QTest::newRow(qPrintable(QStringLiteral("%1, %2").arg(type).arg(how))) << type << how;
 }
 
 // To the last bit, on every slice, at the edges too; and between them where pixels are a third of a voxel.
