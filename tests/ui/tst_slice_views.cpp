@@ -28,14 +28,14 @@ struct Planes : Journey {
   Session& session() { return window.session(); }
   // Whether the picture of what the workspace says comes on screen.
   bool shows(ViewId id) {
-    QSignalSpy settled(view(id), &SliceView::settled);
-    return settled.wait(longest) || !view(id)->picture().isNull();
+    QSignalSpy shown(view(id), &SliceView::settled);
+    return shown.wait(longest) || !view(id)->picture().isNull();
   }
   // Waits for the picture after something was done.
   bool after(ViewId id, const std::function<void()>& act) {
-    QSignalSpy settled(view(id), &SliceView::settled);
+    QSignalSpy shown(view(id), &SliceView::settled);
     act();
-    return !settled.isEmpty() || settled.wait(longest);
+    return !shown.isEmpty() || shown.wait(longest);
   }
   glm::dvec3 cursor() { return cursorOf(session().workspace(), *session().series()); }
   StackPlace place(ViewId id) {
