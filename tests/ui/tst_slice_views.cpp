@@ -29,7 +29,7 @@ struct Planes : Journey {
   // Whether the picture of what the workspace says comes on screen.
   bool shows(ViewId id) {
     QSignalSpy shown(view(id), &SliceView::settled);
-    return shown.wait(longest) || !view(id)->picture().isNull();
+    return !view(id)->picture().isNull() || shown.wait(longest);
   }
   // Waits for the picture after something was done.
   bool after(ViewId id, const std::function<void()>& act) {
