@@ -16,8 +16,11 @@ namespace {
 Result<Frame> frameOf(const Study& study, const FrameOptions& options) {
   const auto image = std::ranges::find(study.images, options.series, &Image::id);
   if (image != study.images.end()) return loadFrame(*image, options.index);
-  if (options.series.empty() && study.volumes.empty() && !study.images.empty())
-    return loadFrame(study.images.front(), options.index);
+  if (study.volumes.empty() && !study.images.empty()) {
+    if (options.series.empty()) return loadFrame(study.images.front(), options.index);
+    return Error{"--series " + options.series +
+                 " names none of the pictures; \"volumen info --json\" lists their ids."};
+  }
   const Result<std::size_t> series = chooseSeries(study, options.series);
   if (!series) return series.error();
   return loadFrame(study.volumes[*series], options.index);
