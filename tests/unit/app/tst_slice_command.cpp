@@ -78,7 +78,8 @@ void TestSliceCommand::printsThePlane_data() {
   row("at x", "--plane sagittal --at -1e2", R"({"centre": [-100, 201, 302.5]})");
   row("slice 0", "--index 0", R"({"centre": [103, 201, 300]})");
   row("slice 1", "--index 1", R"({"centre": [103, 201, 305]})");
-  row("centre", "--centre 1,-2,3.5", R"({"centre": [1, -2, 3.5], "size": [8, 3]})");
+  row("a picture about another centre still covers the box", "--centre 1,-2,3.5",
+      R"({"centre": [1, -2, 3.5], "size": [212, 409]})");
   row("directions are made unit vectors", "--right 0,3,0 --down 0,0,-0.1",
       R"({"right": [0, 1, 0], "down": [0, 0, -1], "size": [3, 10]})");
   row("larger pixels cover it, too", "--mm-per-pixel 2", R"({"mmPerPixel": 2, "size": [4, 2]})");
