@@ -365,7 +365,7 @@ void MainWindow::showShortcuts() {
       tr("left drag changes the window (Shift: fine, Ctrl: fast), middle pans, right zooms, the wheel "
          "scrolls (Ctrl: zooms, "
          "Alt: slab), Shift moves the crosshair, 0 to 9 choose a window, Esc gives up a drag"),
-      tr("Ctrl+1 to Ctrl+5"),
+      tr("Alt+1 to Alt+5"),
       tr("layouts: one view, planes and 3D, large 3D beside planes, two or four series"),
       tr("Ctrl+Z, Ctrl+Shift+Z"),
       tr("undo, redo"),

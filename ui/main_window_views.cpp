@@ -10,11 +10,11 @@ namespace volumen {
 
 void MainWindow::makeLayoutActions() {
   const std::tuple<Layout, const char*, QString, QString> table[] = {
-      {Layout::one, "layoutOne", tr("One view"), tr("Ctrl+1")},
-      {Layout::planes, "layoutPlanes", tr("Planes and 3D"), tr("Ctrl+2")},
-      {Layout::besidePlanes, "layoutBesidePlanes", tr("Large 3D beside planes"), tr("Ctrl+3")},
-      {Layout::two, "layoutTwo", tr("Two series"), tr("Ctrl+4")},
-      {Layout::four, "layoutFour", tr("Four series"), tr("Ctrl+5")}};
+      {Layout::one, "layoutOne", tr("One view"), tr("Alt+1")},
+      {Layout::planes, "layoutPlanes", tr("Planes and 3D"), tr("Alt+2")},
+      {Layout::besidePlanes, "layoutBesidePlanes", tr("Large 3D beside planes"), tr("Alt+3")},
+      {Layout::two, "layoutTwo", tr("Two series"), tr("Alt+4")},
+      {Layout::four, "layoutFour", tr("Four series"), tr("Alt+5")}};
   auto* group = new QActionGroup(this);
   for (const auto& [layout, name, text, key] : table) {
     auto* action = group->addAction(text);
