@@ -169,7 +169,8 @@ SessionState Session::stateInFocus() const {
 }
 
 void Session::setWorkspace(const Workspace& workspace) {
-  const Workspace before = std::exchange(workspace_, workspace);
+  Workspace after = workspace;  // a copy: it may be the one in use
+  const Workspace before = std::exchange(workspace_, std::move(after));
   std::set<PoolKey> onScreen;
   for (const ViewId id : viewsOnScreen(workspace_))
     if (const SeriesKey& key = workspace_.view(id).series; !key.empty()) onScreen.insert(poolKeyOf(key));
