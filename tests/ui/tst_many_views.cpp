@@ -36,7 +36,7 @@ void TestManyViews::everyViewGetsItsPictures() {
   w.service.setHand(hand);
   // Something else keeps the thread busy until all have asked.
   renderer.msPerRow = 2;
-  w.service.requestPicture(w.volume, greyScene(0), ofSize(8, 20));
+  w.service.requestPicture(w.volume, greyScene(0), ofSize(8, 5000));
   QTRY_COMPARE(renderer.begun.load(), 1);
   QElapsedTimer clock;
   clock.start();
