@@ -102,7 +102,8 @@ void MainWindow::connectSession() {
 void MainWindow::connectLoader() {
   connect(&loader_, &Loader::studyOpened, this, &MainWindow::showStudy);
   connect(&loader_, &Loader::seriesLoaded, this, [this](const ShownSeriesPtr& series) {
-    session_.take(series);
+    const bool isFirst = session_.workspace().series.empty();
+    session_.take(series, [&](Workspace w) { return arranged(std::move(w), series->series, isFirst); });
     if (const auto scene = std::exchange(sceneToShow_, {})) session_.edit(tr("Open scene"), *scene);
   });
   connect(&loader_, &Loader::presetReady, this,

@@ -87,6 +87,9 @@ class MainWindow : public QMainWindow {
   void connectViews();
   void makeLayoutActions();
   void resetViewInFocus();
+  Workspace arranged(Workspace workspace, const Series& series, bool isFirst) const;
+  const Series* ctUnder(const Series& pet) const;
+  void keepLayouts() const;
   void showInFocus(const Series& series);
   void connectScenes();
   void connectRecent();
@@ -152,7 +155,8 @@ class MainWindow : public QMainWindow {
   std::optional<Scene> sceneToShow_;  // by this scene
   QMenu* recentMenu_;
   QMenu* layoutMenu_;
-  VolumePtr thumbnailsOf_;  // the volume whose presets have thumbnails
+  std::map<QString, Layout> layoutsChosen_;  // by modality, since the program began
+  VolumePtr thumbnailsOf_;                   // the volume whose presets have thumbnails
 };
 
 }  // namespace volumen

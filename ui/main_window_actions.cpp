@@ -16,6 +16,7 @@
 #include "ui/panels/camera_panel.h"
 #include "ui/panels/clip_panel.h"
 #include "ui/panels/effects_panel.h"
+#include "ui/panels/flat_menus.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/preset_bar.h"
@@ -258,7 +259,10 @@ void MainWindow::makeMenus() {
        "viewInferior | "
        "openGlResampler showError | maximise fullScreen lightTheme hideNames");
   layoutMenu_ = view->addMenu(tr("Layout"));
-  fill(layoutMenu_, "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour");
+  fill(layoutMenu_, "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour | alignPlanes");
+  view->addMenu(makeColourMenu(session_, view));
+  view->addMenu(makeOverlayMenu(
+      session_, [this] { return studies_->allSeries(); }, view));
   auto* docks = view->addMenu(tr("Panels"));
   for (const auto& [name, dock] : docks_) docks->addAction(dock->toggleViewAction());
   docks->addSeparator();

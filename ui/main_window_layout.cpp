@@ -64,6 +64,7 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::keepLayout() {
+  keepLayouts();
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
   settings.setValue(QStringLiteral("window/layout"), saveState(layoutVersion));

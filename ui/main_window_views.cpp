@@ -2,11 +2,25 @@
 #include <QSettings>
 
 #include "ui/main_window.h"
+#include "ui/panels/flat_menus.h"
+#include "ui/panels/studies_panel.h"
+#include "ui/tools/flat_tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/status_line.h"
+#include "ui/workspace/flat_plane.h"
 
 namespace volumen {
+
+namespace {
+
+// Where the layout that was chosen for a modality is kept.
+QString layoutKey(const Series& series) {
+  const QString modality = QString::fromStdString(series.modality);
+  return QStringLiteral("layouts/") + (modality.isEmpty() ? QStringLiteral("other") : modality);
+}
+
+}  // namespace
 
 void MainWindow::makeLayoutActions() {
   const std::tuple<Layout, const char*, QString, QString> table[] = {
@@ -23,6 +37,8 @@ void MainWindow::makeLayoutActions() {
     action->setCheckable(true);
     action->setChecked(layout == session_.workspace().layout);
     connect(action, &QAction::triggered, this, [this, layout = layout] {
+      if (const ShownSeriesPtr shown = session_.seriesOf(session_.workspace().focus))
+        layoutsChosen_[layoutKey(shown->series)] = layout;
       session_.change(tr("Layout"), withLayout(session_.workspace(), layout));
     });
     connect(&session_, &Session::workspaceChanged, action,
@@ -32,6 +48,16 @@ void MainWindow::makeLayoutActions() {
     addAction(action);
     actions_[action->objectName()] = action;
   }
+  auto* align = new QAction(tr("Planes along the slices"), this);
+  align->setObjectName(QStringLiteral("alignPlanes"));
+  connect(align, &QAction::triggered, this, [this] {
+    const ShownSeriesPtr shown = session_.seriesOf(session_.workspace().focus);
+    if (!shown) return banner_->tell(tr("Open a series first."));
+    const glm::dvec3 at = crosshairOf(session_.workspace(), *shown).at;
+    setCrosshair(session_, *shown, tr("Planes along the slices"), alongSlices(at, shown->volume->geometry()));
+    session_.endGesture();
+  });
+  actions_[align->objectName()] = align;
 }
 
 void MainWindow::connectViews() {
@@ -48,6 +74,35 @@ void MainWindow::connectViews() {
             drawService_.show(sceneViewId, series && !view_->isHidden() ? series->volume : nullptr);
             requestFrame();
           });
+}
+
+// The CT that a PET is read over: of its study and frame of reference, the one with most voxels.
+const Series* MainWindow::ctUnder(const Series& pet) const {
+  const auto voxels = [](const Series& s) {
+    return std::int64_t(s.acquired.size.x) * s.acquired.size.y * s.acquired.size.z;
+  };
+  const Series* found = nullptr;
+  for (const Series* series : studies_->allSeries())
+    if (series->modality == "CT" && series->studyUid == pet.studyUid &&
+        whyNotOverlaid(*series, pet).isEmpty() && (!found || voxels(*series) > voxels(*found)))
+      found = series;
+  return found;
+}
+
+// What a series that was never shown before brings with it: the layout of its modality, the CT under a PET.
+Workspace MainWindow::arranged(Workspace workspace, const Series& series, bool isFirst) const {
+  if (isFirst) {
+    const QString kept = QSettings().value(layoutKey(series)).toString();
+    workspace =
+        withLayout(std::move(workspace), layoutNamed(kept.toStdString()).value_or(usualLayout(series)));
+  }
+  const Series* ct = series.modality == "PT" && workspace.focus < firstComparedId ? ctUnder(series) : nullptr;
+  return ct ? fusedWith(std::move(workspace), *ct) : workspace;
+}
+
+void MainWindow::keepLayouts() const {
+  QSettings settings;
+  for (const auto& [key, layout] : layoutsChosen_) settings.setValue(key, QLatin1String(layoutName(layout)));
 }
 
 void MainWindow::resetViewInFocus() {

@@ -1,4 +1,5 @@
 #include <QApplication>
+#include <QSettings>
 #include <QTemporaryDir>
 
 #include "tests/unit/suite.h"
@@ -10,6 +11,9 @@ int main(int argc, char** argv) {
   for (const char* folder : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"})
     qputenv(folder, home.path().toLocal8Bit());
   QApplication app(argc, argv);
+  // Most tests are about the 3D view alone; those of layouts say so.
+  for (const char* modality : {"CT", "MR", "PT", "other"})
+    QSettings().setValue(QStringLiteral("layouts/") + QLatin1String(modality), QStringLiteral("one"));
   volumen::speakBritish(app);
   return volumen::tests::runSuite(argc, argv);
 }

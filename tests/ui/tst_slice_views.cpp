@@ -37,13 +37,20 @@ struct Planes : Journey {
     act();
     return !shown.isEmpty() || shown.wait(longest);
   }
-  glm::dvec3 cursor() { return cursorOf(session().workspace(), *session().series()); }
+  Crosshair crosshair() { return crosshairOf(session().workspace(), *session().series()); }
+  glm::dvec3 cursor() { return crosshair().at; }
   StackPlace place(ViewId id) {
-    return stackPlace(session().series()->volume->geometry(), session().workspace().view(id).kind, cursor());
+    return stackPlace(session().series()->volume->geometry(), session().workspace().view(id).kind,
+                      crosshair());
   }
   Window shownWindow() {
     const auto& state = session().workspace().series.begin()->second;
     return state.window.value_or(session().series()->window);
+  }
+  // Where a point is in a view, logical pixels.
+  QPointF pixel(ViewId id, glm::dvec3 p) {
+    const glm::dvec2 at = view(id)->plane()->pixelFromPatient(p) / view(id)->devicePixelRatioF();
+    return {at.x, at.y};
   }
   FlatLook look(ViewId id) { return flatLookOf(session().workspace().view(id)); }
 };
@@ -73,6 +80,8 @@ class TestSliceViews : public QObject {
   void controlWheelZoomsAtTheCursor();
   void altWheelMakesASlab();
   void shiftMovesTheCrosshairEverywhere();
+  void handlesTurnTheOtherPlanes();
+  void linesMoveTheirPlane();
   void theViewThatIsPressedIsInFocus();
   void aDoubleClickShowsOneViewAlone();
   void whatIsUnderTheCursorIsRead();
@@ -119,7 +128,7 @@ void TestSliceViews::theWheelScrolls() {
   const int before = w.place(axialViewId).index;
   QVERIFY(w.after(axialViewId, [&] { wheel(w.view(axialViewId), -3); }));
   QCOMPARE(w.place(axialViewId).index, before + 3);
-  QVERIFY2(w.cursor().z < firstCursor(w.session().series()->volume->geometry()).z, "caudal");
+  QVERIFY2(w.cursor().z < firstCrosshair(w.session().series()->volume->geometry()).at.z, "caudal");
   for (int n = 0; n < 100; ++n) wheel(w.view(axialViewId), -1);
   QCOMPARE(w.place(axialViewId).index, 31);
   w.child<QAction>("undo")->trigger();
@@ -172,7 +181,7 @@ void TestSliceViews::escapeGivesUpADrag() {
   QTest::mouseEvent(QTest::MouseMove, view, Qt::LeftButton, {}, {120, 70});
   QVERIFY2(w.session().workspace() == pressed, "what follows is no drag any more");
   QTest::mouseRelease(view, Qt::LeftButton, {}, {120, 70});
-  QVERIFY(w.session().workspace().cursors == before.cursors);
+  QVERIFY(w.session().workspace().crosshairs == before.crosshairs);
 }
 
 void TestSliceViews::digitsChooseWindows() {
@@ -228,6 +237,46 @@ void TestSliceViews::shiftMovesTheCrosshairEverywhere() {
   QVERIFY(glm::length(w.cursor() - p) < view->plane()->mmPerPixel);
   QVERIFY(std::abs(w.view(coronalViewId)->plane()->centre.y - w.cursor().y) < 1e-9);
   QVERIFY(std::abs(w.view(sagittalViewId)->plane()->centre.x - w.cursor().x) < 1e-9);
+}
+
+void TestSliceViews::handlesTurnTheOtherPlanes() {
+  Planes w;
+  SliceView* axial = w.view(axialViewId);
+  const Crosshair before = w.crosshair();
+  const QImage coronalBefore = w.view(coronalViewId)->picture();
+  const QPointF middle = w.pixel(axialViewId, before.at);
+  // The sagittal plane's line is upright; its upper handle goes 30 degrees clockwise.
+  const double reach = 0.36 * std::min(axial->width(), axial->height());
+  const auto around = [&](double angle) {
+    return (middle + reach * QPointF(std::sin(angle), -std::cos(angle))).toPoint();
+  };
+  const double angle = M_PI / 6;
+  QVERIFY(w.after(coronalViewId, [&] { tests::drag(axial, around(0), around(angle)); }));
+  const Crosshair after = w.crosshair();
+  QCOMPARE(after.axial, before.axial);
+  QCOMPARE(after.at, before.at);
+  const double turned = std::acos(glm::dot(after.sagittal.normal(), before.sagittal.normal()));
+  QVERIFY2(std::abs(turned - angle) < 0.02, "two pixels at 100 from the middle");
+  QVERIFY2(after.sagittal.normal().x * after.sagittal.normal().y > 0, "clockwise: from right towards down");
+  QVERIFY(w.view(coronalViewId)->picture() != coronalBefore);
+  const QPointF still = w.pixel(coronalViewId, after.at);
+  w.child<QAction>("resetView")->trigger();
+  QVERIFY(!w.crosshair().turned());
+  QVERIFY2(QLineF(w.pixel(coronalViewId, after.at), still).length() < 1e-6, "the point stays where it was");
+  w.child<QAction>("undo")->trigger();
+  QCOMPARE(w.crosshair(), after);
+  w.child<QAction>("undo")->trigger();
+  QCOMPARE(w.crosshair(), before);
+}
+
+void TestSliceViews::linesMoveTheirPlane() {
+  Planes w;
+  SliceView* axial = w.view(axialViewId);
+  const glm::dvec3 before = w.cursor();
+  const QPoint on = (w.pixel(axialViewId, before) + QPointF(0, 40)).toPoint();
+  tests::drag(axial, on, on + QPoint(30, 5));
+  const double mm = axial->plane()->mmPerPixel * axial->devicePixelRatioF();
+  QVERIFY(glm::length(w.cursor() - before - glm::dvec3(30 * mm, 0, 0)) < 1e-9);
 }
 
 void TestSliceViews::theViewThatIsPressedIsInFocus() {

@@ -2,21 +2,7 @@
 
 #include <algorithm>
 
-#include "viewer/slice/slice.h"
-
 namespace volumen {
-
-namespace {
-
-QImage imageOf(const SliceValues& slice, const GreyMapping& grey) {
-  const std::vector<std::uint8_t> bytes = greyBytes(slice.values, grey);
-  QImage image(slice.size.x, slice.size.y, QImage::Format_Grayscale8);
-  for (int y = 0; y < slice.size.y; ++y)
-    std::copy_n(bytes.begin() + std::ptrdiff_t(y) * slice.size.x, slice.size.x, image.scanLine(y));
-  return image;
-}
-
-}  // namespace
 
 SliceService::SliceService(QObject* parent) : QObject(parent), thread_([this] { run(); }) {}
 
@@ -54,15 +40,15 @@ void SliceService::run() {
     SliceRequest request = std::move(waiting_.front());
     waiting_.pop_front();
     lock.unlock();
-    const Result<SliceValues> slice = resampleSlice(*request.volume, request.plane);
-    if (slice) {
-      const SlicePicture picture{request, imageOf(*slice, request.grey)};
+    const Result<QImage> image = sliceImage(request.layers, request.plane);
+    if (image) {
+      const SlicePicture picture{request, *image};
       QMetaObject::invokeMethod(
           this, [this, picture] { Q_EMIT ready(picture); }, Qt::QueuedConnection);
     } else {
       QMetaObject::invokeMethod(
           this,
-          [this, view = request.view, sentence = QString::fromStdString(slice.message())] {
+          [this, view = request.view, sentence = QString::fromStdString(image.message())] {
             Q_EMIT failed(view, sentence);
           },
           Qt::QueuedConnection);

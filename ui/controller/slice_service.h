@@ -8,18 +8,17 @@
 #include <optional>
 #include <thread>
 
-#include "ui/workspace/workspace.h"
-#include "viewer/slice/grey.h"
-#include "viewer/slice/plane.h"
+#include "ui/controller/slice_image.h"
+#include "ui/workspace/view_id.h"
 
 namespace volumen {
 
 /// What a flat view shows.
 struct SliceRequest {
   ViewId view = 0;
-  VolumePtr volume;
+  std::vector<SliceLayer> layers;  ///< the first at the bottom
   SlicePlane plane;
-  GreyMapping grey;
+  bool operator==(const SliceRequest&) const = default;
 };
 
 /// A flat picture for the screen, whole.

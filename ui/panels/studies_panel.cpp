@@ -102,6 +102,13 @@ const Series* StudiesPanel::seriesOf(const QTreeWidgetItem* item) const {
   return nullptr;
 }
 
+std::vector<const Series*> StudiesPanel::allSeries() const {
+  std::vector<const Series*> all;
+  for (const auto& [path, study] : studies_)
+    for (const Series& series : study->volumes) all.push_back(&series);
+  return all;
+}
+
 const Series* StudiesPanel::seriesOf(const QMimeData& dragged) const {
   const QByteArray said = dragged.data(draggedSeries);
   const qsizetype space = said.indexOf(' ');

@@ -27,6 +27,8 @@ class StudiesPanel : public QWidget {
   void showNames();
   /// Marks the series on screen.
   void markShown(const ShownSeriesPtr& shown);
+  /// All that are in the list.
+  std::vector<const Series*> allSeries() const;
   QTreeWidget* tree() const { return tree_; }
   /// The mime type of a series that is dragged.
   static inline const QString draggedSeries = QStringLiteral("application/x-volumen-series");

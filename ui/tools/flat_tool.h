@@ -22,6 +22,10 @@ struct FlatPress {
   glm::dvec3 patientAt(QPointF p) const {
     return plane.patientFromPixel({p.x() * pixelRatio, p.y() * pixelRatio});
   }
+  QPointF pixelAt(glm::dvec3 pPatient) const {
+    const glm::dvec2 p = plane.pixelFromPatient(pPatient) / pixelRatio;
+    return {p.x, p.y};
+  }
 };
 
 /// What a drag in a flat view does.
@@ -43,13 +47,20 @@ std::unique_ptr<Drag> beginFlatZoom(const FlatPress& press);
 std::unique_ptr<Drag> beginScroll(const FlatPress& press);
 std::unique_ptr<Drag> beginCrosshair(const FlatPress& press);
 
+/// Turns the other planes about the crosshair as the pointer goes around it.
+std::unique_ptr<Drag> beginTurn(const FlatPress& press);
+/// Moves a plane across its line; `across`: a unit vector, logical pixels.
+std::unique_ptr<Drag> beginMovePlane(const FlatPress& press, QPointF across);
+
 /// How the view shows its series.
 FlatLook lookOf(const FlatPress& press);
 /// Changes how a flat view shows its series; steps of one name in a gesture are one.
 void editFlat(Session& session, ViewId view, const QString& text,
               const std::function<void(FlatLook&)>& change);
-/// Moves the cursor of the frame of reference of a series.
-void moveCursor(Session& session, const Series& series, const QString& text, glm::dvec3 pPatient);
+/// Moves the crosshair of a series' frame of reference, and turns it.
+void setCrosshair(Session& session, const ShownSeries& series, const QString& text, const Crosshair& after);
+/// Moves it alone.
+void moveCrosshair(Session& session, const ShownSeries& series, const QString& text, glm::dvec3 pPatient);
 /// Enlarges a flat view about a point, which stays where it is.
 void zoomFlat(Session& session, ViewId view, const FlatLook& from, const VoxelGeometry& geometry,
               const SlicePlane& plane, glm::dvec3 fixed, double factor);

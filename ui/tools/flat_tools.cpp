@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "ui/tools/flat_tool.h"
+#include "ui/workspace/flat_plane.h"
 
 namespace volumen {
 
@@ -39,9 +40,15 @@ void editFlat(Session& session, ViewId view, const QString& text,
       text);
 }
 
-void moveCursor(Session& session, const Series& series, const QString& text, glm::dvec3 pPatient) {
-  session.change(
-      text, [&](Workspace& w) { w.cursors[frameOfReference(series)] = pPatient; }, text);
+void setCrosshair(Session& session, const ShownSeries& series, const QString& text, const Crosshair& after) {
+  const Crosshair before = crosshairOf(session.workspace(), series);
+  session.change(text, withCrosshair(session.workspace(), series.series, before, after), text);
+}
+
+void moveCrosshair(Session& session, const ShownSeries& series, const QString& text, glm::dvec3 pPatient) {
+  Crosshair after = crosshairOf(session.workspace(), series);
+  after.at = pPatient;
+  setCrosshair(session, series, text, after);
 }
 
 void zoomFlat(Session& session, ViewId view, const FlatLook& from, const VoxelGeometry& geometry,

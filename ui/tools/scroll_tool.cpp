@@ -15,21 +15,21 @@ class ScrollDrag : public Drag {
   explicit ScrollDrag(const FlatPress& press)
       : press_(press),
         kind_(press.session.workspace().view(press.view).kind),
-        atPress_(cursorOf(press.session.workspace(), *press.series)) {}
+        atPress_(crosshairOf(press.session.workspace(), *press.series)) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
     const VoxelGeometry& geometry = press_.series->volume->geometry();
     const int count = stackPlace(geometry, kind_, atPress_).count;
     const double height = press_.plane.size.y / press_.pixelRatio;
     const double pixels = std::max(2.0, height / std::max(count, 8));
-    moveCursor(press_.session, press_.series->series, QCoreApplication::translate("volumen", "Scroll"),
-               scrolled(geometry, kind_, atPress_, int(std::lround((p.y() - press_.at.y()) / pixels))));
+    moveCrosshair(press_.session, *press_.series, QCoreApplication::translate("volumen", "Scroll"),
+                  scrolled(geometry, kind_, atPress_, int(std::lround((p.y() - press_.at.y()) / pixels))));
   }
 
  private:
   const FlatPress press_;
   const ViewKind kind_;
-  const glm::dvec3 atPress_;
+  const Crosshair atPress_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "ui/views/cross_lines.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/text.h"
@@ -33,32 +34,38 @@ std::optional<SlicePlane> SliceView::plane() const {
   const ShownSeriesPtr shown = series();
   if (!shown || state().kind == ViewKind::volume) return {};
   return flatPlane(state(), flatLookOf(state()), shown->volume->geometry(),
-                   cursorOf(session_.workspace(), *shown), {pixels().width(), pixels().height()});
+                   crosshairOf(session_.workspace(), *shown), {pixels().width(), pixels().height()});
 }
 
-GreyMapping SliceView::grey() const {
+std::vector<SliceLayer> SliceView::layers() const {
   const ShownSeriesPtr shown = series();
-  const SeriesState& state = session_.workspace().series.at(keyOf(shown->series));
-  return greyMapping(flatWindow(state, *shown), *shown);
+  const SeriesState& below = session_.workspace().series.at(keyOf(shown->series));
+  std::vector<SliceLayer> layers{
+      {shown->volume, greyMapping(flatWindow(below, *shown), *shown), below.colours}};
+  const FlatLook look = flatLookOf(state());
+  if (const ShownSeriesPtr over = session_.seriesNamed(look.overlay))
+    layers.push_back({over->volume,
+                      greyMapping(overlayWindow(session_.workspace().series.at(look.overlay), *over), *over),
+                      look.overlayColours, look.overlayOpacity});
+  return layers;
 }
 
 void SliceView::askForPicture() {
   const std::optional<SlicePlane> now = plane();
   if (!now || !isVisible() || now->size.x < 1 || now->size.y < 1) return;
-  SliceRequest request{id(), series()->volume, *now, grey()};
-  if (asked_ && asked_->volume == request.volume && asked_->plane == request.plane &&
-      asked_->grey == request.grey)
-    return;
+  SliceRequest request{id(), layers(), *now};
+  if (asked_ == request) return;
   asked_ = request;
   service_.request(std::move(request));
 }
 
 void SliceView::showPicture(const SlicePicture& picture) {
-  if (picture.request.view != id() || !asked_ || picture.request.volume != asked_->volume) return;
+  if (picture.request.view != id() || !asked_) return;
+  if (picture.request.layers.front().volume != asked_->layers.front().volume) return;
   picture_ = picture.image;
   picture_.setDevicePixelRatio(devicePixelRatioF());
   update();
-  if (picture.request.plane == asked_->plane && picture.request.grey == asked_->grey) Q_EMIT settled();
+  if (picture.request == *asked_) Q_EMIT settled();
 }
 
 void SliceView::seriesExchanged(bool another) {
@@ -90,14 +97,19 @@ void SliceView::setTool(const FlatTool& tool) {
 void SliceView::scroll(int steps) {
   const ShownSeriesPtr shown = series();
   if (!shown || steps == 0) return;
-  const glm::dvec3 cursor = cursorOf(session_.workspace(), *shown);
-  moveCursor(session_, shown->series, tr("Scroll"),
-             scrolled(shown->volume->geometry(), state().kind, cursor, steps));
+  const Crosshair crosshair = crosshairOf(session_.workspace(), *shown);
+  moveCrosshair(session_, *shown, tr("Scroll"),
+                scrolled(shown->volume->geometry(), state().kind, crosshair, steps));
 }
 
 void SliceView::resetView() {
-  editFlat(session_, id(), tr("Reset view"),
-           [](FlatLook& look) { look = FlatLook{.nearest = look.nearest}; });
+  const ShownSeriesPtr shown = series();
+  if (!shown) return;
+  const Crosshair before = crosshairOf(session_.workspace(), *shown);
+  Workspace after = withCrosshair(session_.workspace(), shown->series, before, {before.at});
+  FlatLook& look = after.view(id()).flats[state().series];
+  look = FlatLook{.nearest = look.nearest};
+  session_.change(tr("Reset view"), after);
   session_.endGesture();
 }
 
@@ -127,13 +139,17 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
   if (!tool || !press || drag_) return;
   session_.endGesture();
   stepsAtPress_ = session_.undoStack().index();
-  drag_ = tool->begin(*press);
+  const bool onLines = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
+  if (onLines) drag_ = beginOnLines(*press);
+  if (!drag_) drag_ = tool->begin(*press);
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_) return drag_->moveTo(event->position(), event->modifiers());
   if (event->modifiers() & Qt::ShiftModifier)
     if (const auto press = pressAt(event->position())) beginCrosshair(*press);
+  const auto press = pressAt(event->position());
+  setCursor(press && isOnLines(*press) ? Qt::PointingHandCursor : tool_->cursor);
   Q_EMIT hovered(hoverText(event->position()));
 }
 
@@ -183,7 +199,8 @@ void SliceView::chooseWindow(int number) {
 void SliceView::keyPressEvent(QKeyEvent* event) {
   const auto whole = [this] {
     const ShownSeriesPtr shown = series();
-    return shown ? stackPlace(shown->volume->geometry(), state().kind, cursorOf(session_.workspace(), *shown))
+    return shown ? stackPlace(shown->volume->geometry(), state().kind,
+                              crosshairOf(session_.workspace(), *shown))
                        .count
                  : 0;
   };

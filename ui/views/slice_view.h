@@ -50,7 +50,7 @@ class SliceView : public View {
  private:
   std::optional<FlatPress> pressAt(QPointF p) const;
   const FlatTool* toolFor(const QMouseEvent& event) const;
-  GreyMapping grey() const;
+  std::vector<SliceLayer> layers() const;
   void askForPicture();
   void showPicture(const SlicePicture& picture);
   void chooseWindow(int number);
@@ -58,8 +58,8 @@ class SliceView : public View {
   void placeBadge();
   QString hoverText(QPointF position) const;
   Overlays overlays() const;
-  void paintLines(QPainter& painter) const;
   void paintStackBar(QPainter& painter) const;
+  void paintColours(QPainter& painter) const;
 
   SliceService& service_;
   WarningBadge* badge_;

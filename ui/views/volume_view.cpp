@@ -3,8 +3,10 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 
+#include "ui/tools/flat_tool.h"
 #include "ui/views/canvas.h"
 #include "ui/widgets/curve_edits.h"
 #include "ui/widgets/orientation_cube.h"
@@ -46,7 +48,9 @@ void VolumeView::seriesExchanged(bool another) {
 }
 
 void VolumeView::workspaceChanged(const Workspace& before) {
-  if (before.focus != session_.workspace().focus) canvas_->update();
+  const Workspace& now = session_.workspace();
+  if (before.focus != now.focus || before.crosshairs != now.crosshairs || before.layout != now.layout)
+    canvas_->update();
   const ViewState& then = before.view(id());
   const auto look = then.scenes.find(state().series);
   if (look == then.scenes.end() || look->second.scene.camera != scene().camera) showState();
@@ -274,9 +278,25 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   }
 }
 
-void VolumeView::mouseReleaseEvent(QMouseEvent*) {
+void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
+  const bool clicked = hand_ == Hand::orbit && (event->position() - pressedAt_).manhattanLength() < 3;
   hand_ = Hand::none;
   session_.endGesture();
+  if (!clicked || !planesOnScreen()) return;
+  const std::optional<Pick> hit = pickAt(event->position());
+  if (!hit || !hit->pPatient) return;
+  moveCrosshair(session_, *series(), tr("Crosshair"), *hit->pPatient);
+  session_.endGesture();
+}
+
+bool VolumeView::planesOnScreen() const {
+  const Workspace& workspace = session_.workspace();
+  return series() && std::ranges::any_of(viewsOnScreen(workspace), [&](ViewId other) {
+           const ViewState& view = workspace.view(other);
+           const auto shown = workspace.series.find(view.series);
+           return view.kind != ViewKind::volume && shown != workspace.series.end() &&
+                  frameOfReference(*shown->second.series) == frameOfReference(series()->series);
+         });
 }
 
 void VolumeView::wheelEvent(QWheelEvent* event) {

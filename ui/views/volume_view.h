@@ -78,6 +78,9 @@ class VolumeView : public View {
   Overlays overlays() const;
   QString hoverText(QPointF position) const;
   void paint(QPainter& painter) const;
+  void paintCrosshair(QPainter& painter) const;
+  /// Of the same frame of reference.
+  bool planesOnScreen() const;
   void makeErrorImage();
   void replaceCanvas();
   void placeChildren();

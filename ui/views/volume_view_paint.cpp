@@ -1,10 +1,12 @@
 #include <QPainter>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "ui/views/view_overlays.h"
 #include "ui/views/volume_view.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
+#include "ui/workspace/flat_plane.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -41,6 +43,24 @@ Overlays VolumeView::overlays() const {
   return o;
 }
 
+// Where the planes on screen meet.
+void VolumeView::paintCrosshair(QPainter& painter) const {
+  if (!planesOnScreen()) return;
+  constexpr double gap = 4, arm = 11;  // logical pixels
+  const Camera seen = camera();
+  const glm::dvec3 at = crosshairOf(session_.workspace(), *series()).at;
+  const SightLine middle = sightLine(seen, size(), size() / 2.0);
+  if (seen.projection == Projection::perspective && glm::dot(at - middle.origin, middle.direction) <= 0)
+    return;
+  const glm::dvec2 p = seenAt(seen, size(), at);
+  for (const auto& [colour, width] :
+       {std::pair(QColor(Qt::black), 3.0), std::pair(QColor(0xf5, 0xd9, 0x4a), 1.0)}) {
+    painter.setPen(QPen(colour, width));
+    for (const QPointF d : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+      painter.drawLine(QPointF(p.x, p.y) + gap * d, QPointF(p.x, p.y) + arm * d);
+  }
+}
+
 void VolumeView::paint(QPainter& painter) const {
   painter.fillRect(rect(), QColor(0x10, 0x12, 0x14));
   if (!series()) return;
@@ -58,6 +78,7 @@ void VolumeView::paint(QPainter& painter) const {
   }
   Overlays over = overlays();
   if (errorShown_) over.topRight << errorImage_.legend;
+  paintCrosshair(painter);
   paintOverlays(painter, over, rect());
   paintFocus(painter);
 }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <iterator>
 
 namespace volumen {
 
@@ -14,11 +17,9 @@ NamedPlane namedPlaneOf(ViewKind kind) {
                                       : NamedPlane::axial;
 }
 
-// The patient axis that the wheel moves along, downwards: caudal, posterior, left.
-glm::dvec3 wheelDown(ViewKind kind) {
-  return kind == ViewKind::coronal    ? glm::dvec3(0, 1, 0)
-         : kind == ViewKind::sagittal ? glm::dvec3(1, 0, 0)
-                                      : glm::dvec3(0, 0, -1);
+// The direction that the wheel moves along; unturned: caudal, posterior, left.
+glm::dvec3 wheelDown(ViewKind kind, const Crosshair& crosshair) {
+  return (kind == ViewKind::coronal ? 1.0 : -1.0) * crosshair.plane(kind).normal();
 }
 
 // The places along a direction where slices lie: first + index * step, in mm along it.
@@ -28,8 +29,9 @@ struct Stack {
   int count = 1;
 };
 
-Stack stackOf(const VoxelGeometry& geometry, ViewKind kind) {
-  Stack stack{.along = wheelDown(kind), .step = wheelStep(geometry, wheelDown(kind))};
+Stack stackOf(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair) {
+  const glm::dvec3 down = wheelDown(kind, crosshair);
+  Stack stack{.along = down, .step = wheelStep(geometry, down)};
   // Through the first and the last voxel: acquired slices, where the plane is parallel to them.
   double low = 1e300, high = -1e300;
   const glm::ivec3 last = geometry.size - 1;
@@ -43,17 +45,23 @@ Stack stackOf(const VoxelGeometry& geometry, ViewKind kind) {
   return stack;
 }
 
+const VoxelGeometry& drawnGeometry(const Series& series) {
+  return series.regular ? series.regular->geometry : series.acquired;
+}
+
 }  // namespace
 
 SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry,
-                     glm::dvec3 cursor, glm::ivec2 pixels) {
+                     const Crosshair& crosshair, glm::ivec2 pixels) {
   SlicePlane plane = namedPlane(geometry, namedPlaneOf(view.kind));
   const glm::dvec2 whole = glm::dvec2(plane.size) * plane.mmPerPixel;
   const double fittedMm = std::max(whole.x / pixels.x, whole.y / pixels.y);
   plane.size = pixels;
   plane.mmPerPixel = fittedMm / look.zoom;
+  plane.right = crosshair.plane(view.kind).right;
+  plane.down = crosshair.plane(view.kind).down;
   plane.centre = geometry.centre() + look.panMm.x * plane.right + look.panMm.y * plane.down;
-  plane.centre += plane.normal() * glm::dot(cursor - plane.centre, plane.normal());
+  plane.centre += plane.normal() * glm::dot(crosshair.at - plane.centre, plane.normal());
   plane.slabMm = look.slabMm;
   plane.slabMode = look.slabMode;
   plane.interpolation = look.nearest ? Interpolation::nearest : Interpolation::linear;
@@ -61,32 +69,90 @@ SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeo
   return plane;
 }
 
-StackPlace stackPlace(const VoxelGeometry& geometry, ViewKind kind, glm::dvec3 p) {
-  const Stack stack = stackOf(geometry, kind);
-  const double index = std::round((glm::dot(p, stack.along) - stack.first) / stack.step);
+StackPlace stackPlace(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair) {
+  const Stack stack = stackOf(geometry, kind, crosshair);
+  const double index = std::round((glm::dot(crosshair.at, stack.along) - stack.first) / stack.step);
   return {int(std::clamp(index, 0.0, double(stack.count - 1))), stack.count};
 }
 
-glm::dvec3 scrolled(const VoxelGeometry& geometry, ViewKind kind, glm::dvec3 p, int steps) {
-  const Stack stack = stackOf(geometry, kind);
-  const int index = std::clamp(stackPlace(geometry, kind, p).index + steps, 0, stack.count - 1);
-  return p + stack.along * (stack.first + index * stack.step - glm::dot(p, stack.along));
+glm::dvec3 scrolled(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair, int steps) {
+  const Stack stack = stackOf(geometry, kind, crosshair);
+  const int index = std::clamp(stackPlace(geometry, kind, crosshair).index + steps, 0, stack.count - 1);
+  const double mm = stack.first + index * stack.step - glm::dot(crosshair.at, stack.along);
+  return crosshair.at + stack.along * mm;
 }
 
-glm::dvec3 onSlice(const VoxelGeometry& geometry, ViewKind kind, glm::dvec3 p) {
-  return scrolled(geometry, kind, p, 0);
+glm::dvec3 onSlice(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair) {
+  return scrolled(geometry, kind, crosshair, 0);
 }
 
-glm::dvec3 firstCursor(const VoxelGeometry& geometry) {
-  glm::dvec3 cursor = geometry.centre();
+Crosshair firstCrosshair(const VoxelGeometry& geometry) {
+  Crosshair crosshair{geometry.centre()};
   for (const ViewKind kind : {ViewKind::axial, ViewKind::coronal, ViewKind::sagittal})
-    cursor = onSlice(geometry, kind, cursor);
-  return cursor;
+    crosshair.at = onSlice(geometry, kind, crosshair);
+  return crosshair;
 }
 
-glm::dvec3 cursorOf(const Workspace& workspace, const ShownSeries& series) {
-  const auto cursor = workspace.cursors.find(frameOfReference(series.series));
-  return cursor == workspace.cursors.end() ? firstCursor(series.volume->geometry()) : cursor->second;
+Crosshair crosshairOf(const Workspace& workspace, const ShownSeries& series) {
+  const auto known = workspace.crosshairs.find(frameOfReference(series.series));
+  return known == workspace.crosshairs.end() ? firstCrosshair(series.volume->geometry()) : known->second;
+}
+
+Workspace withCrosshair(Workspace workspace, const Series& series, const Crosshair& before,
+                        const Crosshair& after) {
+  const std::string frame = frameOfReference(series);
+  workspace.crosshairs[frame] = after;
+  Crosshair moved = before;
+  moved.at = after.at;
+  if (moved == after) return workspace;
+  for (ViewState& view : workspace.views) {
+    const auto state = workspace.series.find(view.series);
+    if (view.kind == ViewKind::volume || state == workspace.series.end() ||
+        frameOfReference(*state->second.series) != frame)
+      continue;
+    const VoxelGeometry& geometry = drawnGeometry(*state->second.series);
+    FlatLook& look = view.flats[view.series];
+    // Where the crosshair stands from the volume's centre in the picture, before and after.
+    const auto place = [&](const Crosshair& crosshair) {
+      const SlicePlane plane = flatPlane(view, {}, geometry, crosshair, {1, 1});
+      const glm::dvec3 from = after.at - geometry.centre();
+      return glm::dvec2(glm::dot(from, plane.right), glm::dot(from, plane.down));
+    };
+    look.panMm += place(after) - place(before);
+  }
+  return workspace;
+}
+
+Crosshair turnedIn(Crosshair crosshair, ViewKind kind, double angle) {
+  const glm::dmat3 rotation(glm::rotate(glm::dmat4(1), angle, crosshair.plane(kind).normal()));
+  const std::pair<ViewKind, PlaneDirections*> planes[] = {{ViewKind::axial, &crosshair.axial},
+                                                          {ViewKind::coronal, &crosshair.coronal},
+                                                          {ViewKind::sagittal, &crosshair.sagittal}};
+  for (const auto& [other, plane] : planes)
+    if (other != kind) *plane = {rotation * plane->right, rotation * plane->down};
+  return crosshair;
+}
+
+Crosshair alongSlices(glm::dvec3 at, const VoxelGeometry& geometry) {
+  const auto& L = geometry.patientFromVoxelStep;
+  const glm::dvec3 i = glm::normalize(L[0]), k = glm::normalize(glm::cross(L[0], L[1]));
+  const glm::dvec3 acquired[] = {i, glm::cross(k, i), k};
+  // Of the 24 turns that put these in the place of the patient's axes, the smallest.
+  glm::dmat3 best(1);
+  double closest = -4;
+  int order[] = {0, 1, 2};
+  do {
+    for (int signs = 0; signs < 8; ++signs) {
+      glm::dmat3 axes;
+      for (int n = 0; n < 3; ++n) axes[n] = acquired[order[n]] * (signs >> n & 1 ? -1.0 : 1.0);
+      const double sum = axes[0].x + axes[1].y + axes[2].z;
+      if (glm::determinant(axes) > 0 && sum > closest + 1e-12) closest = sum, best = axes;
+    }
+  } while (std::next_permutation(std::begin(order), std::end(order)));
+  Crosshair crosshair{at};
+  for (PlaneDirections* plane : {&crosshair.axial, &crosshair.coronal, &crosshair.sagittal})
+    *plane = {best * plane->right, best * plane->down};
+  return crosshair;
 }
 
 std::optional<PixelLine> referenceLine(const SlicePlane& view, const SlicePlane& other) {

@@ -8,29 +8,43 @@
 
 namespace volumen {
 
-/// The plane that a flat view shows, through the cursor; as many pixels as asked for. `view`: not a 3D one.
+/// The plane that a flat view shows, through the crosshair and turned as it is; as many pixels as asked for.
+/// `view`: not a 3D one. Turning changes no size: a view fits what it would show unturned.
 SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry,
-                     glm::dvec3 cursor, glm::ivec2 pixels);
+                     const Crosshair& crosshair, glm::ivec2 pixels);
 
-/// The point moved along the normal of a kind of view to the nearest place where wheel steps land: on an
-/// acquired slice where the plane is parallel to them.
-glm::dvec3 onSlice(const VoxelGeometry& geometry, ViewKind kind, glm::dvec3 p);
+/// The crosshair's point moved along the normal of a kind of view to the nearest place where wheel steps
+/// land: on an acquired slice where the plane is parallel to them.
+glm::dvec3 onSlice(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair);
 
-/// Where the cursor starts: in the middle, on slices of all three planes.
-glm::dvec3 firstCursor(const VoxelGeometry& geometry);
+/// Where it starts: in the middle, on slices of all three planes, not turned.
+Crosshair firstCrosshair(const VoxelGeometry& geometry);
 
-/// The cursor of the series' frame of reference; where none was set yet, firstCursor().
-glm::dvec3 cursorOf(const Workspace& workspace, const ShownSeries& series);
+/// The crosshair of the series' frame of reference; where none was set yet, firstCrosshair().
+Crosshair crosshairOf(const Workspace& workspace, const ShownSeries& series);
 
-/// The point after so many steps of the wheel (down: caudal, posterior, left of the patient), kept inside the
-/// volume.
-glm::dvec3 scrolled(const VoxelGeometry& geometry, ViewKind kind, glm::dvec3 p, int steps);
+/// Its point after so many steps of the wheel (unturned down: caudal, posterior, left of the patient), kept
+/// inside the volume.
+glm::dvec3 scrolled(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair, int steps);
 
-/// Which step along a view's normal a point is on, and of how many; from 0 at the first end.
+/// Which step along a view's normal the crosshair is on, and of how many; from 0 at the first end.
 struct StackPlace {
   int index = 0, count = 1;
 };
-StackPlace stackPlace(const VoxelGeometry& geometry, ViewKind kind, glm::dvec3 p);
+StackPlace stackPlace(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair);
+
+/// With another crosshair for the series' frame of reference. Where it is turned otherwise than before, every
+/// view of that frame keeps its point at the same place of the picture.
+Workspace withCrosshair(Workspace workspace, const Series& series, const Crosshair& before,
+                        const Crosshair& after);
+
+/// With the planes of the two other kinds turned about the normal of this one, radians, clockwise in its
+/// picture.
+Crosshair turnedIn(Crosshair crosshair, ViewKind kind, double angle);
+
+/// Planes along the slices as acquired and at right angles to them, each named after the patient's plane that
+/// it is closest to.
+Crosshair alongSlices(glm::dvec3 at, const VoxelGeometry& geometry);
 
 /// The ends of the line in which the plane of `view` cuts `other`, in pixels of `view`; none where they are
 /// parallel.

@@ -16,10 +16,11 @@ PoolKey Session::poolKeyOf(const SeriesKey& series) const {
   return {series, known != workspace_.series.end() && known->second.tableRemoved};
 }
 
-ShownSeriesPtr Session::seriesOf(ViewId view) const {
-  const SeriesKey& key = workspace_.view(view).series;
+ShownSeriesPtr Session::seriesNamed(const SeriesKey& key) const {
   return key.empty() ? nullptr : pool_.find(poolKeyOf(key));
 }
+
+ShownSeriesPtr Session::seriesOf(ViewId view) const { return seriesNamed(workspace_.view(view).series); }
 
 const Scene& Session::sceneOf(ViewId view) const {
   static const Scene none;
@@ -38,14 +39,15 @@ void Session::show(ShownSeriesPtr series) {
   setWorkspace(empty);
 }
 
-void Session::show(ShownSeriesPtr series, ViewId view) {
+void Session::show(ShownSeriesPtr series, ViewId view, const Arrange& arrange) {
   const SeriesKey key = keyOf(series->series);
   pool_.put({key, false}, series);
   const SceneLook first{series->firstScene,
                         std::make_shared<ChosenPreset>(ChosenPreset{"auto", series->firstScene})};
   endGesture();
-  const bool isFirst = workspace_.series.empty();
+  const bool isFirst = workspace_.series.empty(), isNew = !workspace_.series.contains(key);
   Workspace after = withSeries(workspace_, view, series->series, first);
+  if (isNew && arrange) after = arrange(std::move(after));
   if (isFirst || after == workspace_)
     setWorkspace(after);
   else
@@ -58,10 +60,14 @@ bool Session::showAgain(const Series& series, ViewId view) {
   return held != nullptr;
 }
 
-void Session::take(ShownSeriesPtr series) {
+void Session::take(ShownSeriesPtr series, const Arrange& arrange) {
   const SeriesKey key = keyOf(series->series);
-  const auto waits = [&](ViewId id) { return workspace_.view(id).series == key && !seriesOf(id); };
-  if (std::ranges::none_of(viewsOnScreen(workspace_), waits)) return show(std::move(series));
+  const auto waits = [&](ViewId id) {
+    const ViewState& view = workspace_.view(id);
+    return (view.series == key || flatLookOf(view).overlay == key) && !seriesNamed(key);
+  };
+  if (std::ranges::none_of(viewsOnScreen(workspace_), waits))
+    return show(std::move(series), workspace_.focus, arrange);
   pool_.put({key, false}, std::move(series));
   setWorkspace(workspace_);
 }
@@ -172,8 +178,12 @@ void Session::setWorkspace(const Workspace& workspace) {
   Workspace after = workspace;  // a copy: it may be the one in use
   const Workspace before = std::exchange(workspace_, std::move(after));
   std::set<PoolKey> onScreen;
-  for (const ViewId id : viewsOnScreen(workspace_))
-    if (const SeriesKey& key = workspace_.view(id).series; !key.empty()) onScreen.insert(poolKeyOf(key));
+  for (const ViewId id : viewsOnScreen(workspace_)) {
+    const ViewState& view = workspace_.view(id);
+    const SeriesKey overlay = view.kind == ViewKind::volume ? SeriesKey{} : flatLookOf(view).overlay;
+    for (const SeriesKey& key : {view.series, overlay})
+      if (!key.empty()) onScreen.insert(poolKeyOf(key));
+  }
   pool_.setOnScreen(onScreen);
   const SessionState stateBefore = std::exchange(state_, stateInFocus());
   Q_EMIT workspaceChanged(before, workspace_);

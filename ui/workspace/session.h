@@ -37,17 +37,21 @@ class Session : public QObject {
   const QualityGoal& goal() const { return state_.goal; }
   /// Of any view; flat ones have an empty one.
   const Scene& sceneOf(ViewId view) const;
+  /// A series of the workspace; null: it is not in memory.
+  ShownSeriesPtr seriesNamed(const SeriesKey& key) const;
   /// The series of a view; null: none, or it is not in memory.
   ShownSeriesPtr seriesOf(ViewId view) const;
 
   /// Puts a series into the view in focus (and its group), as it was left there, else by its first scene; one
   /// undo step, but for the first series of a workspace. Null: closes all, and forgets all steps.
+  /// `arrange`: done to the workspace in the same step where the series was never shown before.
+  using Arrange = std::function<Workspace(Workspace)>;
   void show(ShownSeriesPtr series);
-  void show(ShownSeriesPtr series, ViewId view);
+  void show(ShownSeriesPtr series, ViewId view, const Arrange& arrange = {});
   /// The same for a series that is still in memory; false where it is not.
   bool showAgain(const Series& series, ViewId view);
   /// Keeps a series that views on screen wait for; shows any other.
-  void take(ShownSeriesPtr series);
+  void take(ShownSeriesPtr series, const Arrange& arrange = {});
   /// Drops a series from views and memory, and forgets all steps.
   void close(const SeriesKey& key);
 

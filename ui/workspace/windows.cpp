@@ -33,6 +33,11 @@ Window flatWindow(const SeriesState& state, const ShownSeries& series) {
   return state.window.value_or(inverted ? Window{own.centre, -own.width} : own);
 }
 
+Window overlayWindow(const SeriesState& state, const ShownSeries& series) {
+  const Window window = flatWindow(state, series);
+  return {window.centre, std::abs(window.width)};
+}
+
 GreyMapping greyMapping(const Window& window, const ShownSeries& series) {
   GreyMapping grey =
       windowGrey(*series.volume, series.series.format == "DICOM", {window.centre, std::abs(window.width)});

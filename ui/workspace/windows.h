@@ -18,6 +18,8 @@ Window windowInUse(const Scene& scene, const ShownSeries& series);
 
 /// Of flat views: the one that was set, else the series' own, inverted for PET.
 Window flatWindow(const SeriesState& state, const ShownSeries& series);
+/// Of a series over another: the same, never inverted.
+Window overlayWindow(const SeriesState& state, const ShownSeries& series);
 /// The mapping from value to grey that a window of a flat view stands for.
 GreyMapping greyMapping(const Window& window, const ShownSeries& series);
 

@@ -89,6 +89,45 @@ Workspace withSeries(Workspace workspace, ViewId view, const Series& series, con
   return workspace;
 }
 
+std::vector<ViewId> planesOf(const Workspace& workspace, ViewId view) {
+  if (!inGroup(view)) return {view};
+  std::vector<ViewId> planes;
+  for (ViewId id = 0; id < firstComparedId; ++id)
+    if (workspace.view(id).kind != ViewKind::volume) planes.push_back(id);
+  return planes;
+}
+
+Workspace withFlatLooks(Workspace workspace, ViewId view, const std::function<void(FlatLook&)>& change) {
+  for (const ViewId id : planesOf(workspace, view)) {
+    ViewState& state = workspace.view(id);
+    if (!state.series.empty()) change(state.flats[state.series]);
+  }
+  return workspace;
+}
+
+Workspace withOverlay(Workspace workspace, ViewId view, const Series* overlay) {
+  if (overlay) {
+    const auto [state, isNew] = workspace.series.try_emplace(keyOf(*overlay));
+    if (isNew) state->second.series = std::make_shared<const Series>(*overlay);
+  }
+  return withFlatLooks(std::move(workspace), view,
+                       [&](FlatLook& look) { look.overlay = overlay ? keyOf(*overlay) : SeriesKey{}; });
+}
+
+Workspace fusedWith(Workspace workspace, const Series& under) {
+  const SeriesKey over = workspace.view(sceneViewId).series;
+  const auto [state, isNew] = workspace.series.try_emplace(keyOf(under));
+  if (isNew) state->second.series = std::make_shared<const Series>(under);
+  for (const ViewId id : planesOf(workspace, axialViewId)) workspace.view(id).series = keyOf(under);
+  return withFlatLooks(std::move(workspace), axialViewId, [&](FlatLook& look) { look.overlay = over; });
+}
+
+Layout usualLayout(const Series& series) {
+  constexpr int fewest = 8;  // slices that make planes across them worth a look
+  const glm::ivec3 n = series.acquired.size;
+  return std::min({n.x, n.y, n.z}) < fewest ? Layout::one : Layout::planes;
+}
+
 Workspace withLayout(Workspace workspace, Layout layout) {
   const SeriesKey shown = workspace.view(workspace.focus).series;
   workspace.layout = layout;
@@ -108,6 +147,8 @@ Workspace without(Workspace workspace, const SeriesKey& key) {
     if (view.series == key) view.series = {};
     view.scenes.erase(key);
     view.flats.erase(key);
+    for (auto& [series, look] : view.flats)
+      if (look.overlay == key) look.overlay = {};
   }
   return workspace;
 }

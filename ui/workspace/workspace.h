@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <glm/geometric.hpp>
 #include <map>
 #include <memory>
 #include <optional>
@@ -10,6 +12,7 @@
 #include "ui/workspace/quality_goal.h"
 #include "ui/workspace/view_id.h"
 #include "viewer/scene/scene.h"
+#include "viewer/slice/colour_map.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {
@@ -34,6 +37,9 @@ struct FlatLook {
   double slabMm = 0;
   SlabMode slabMode = SlabMode::max;
   bool nearest = false;  ///< voxels as they are, not interpolated
+  SeriesKey overlay;     ///< a second series over the first; empty: none
+  ColourMap overlayColours = ColourMap::hotIron;
+  double overlayOpacity = 0.5;
   bool operator==(const FlatLook&) const = default;
 };
 
@@ -42,6 +48,7 @@ struct SeriesState {
   std::shared_ptr<const Series> series;
   bool tableRemoved = false;
   std::optional<Window> window;  ///< of flat views; a negative width is inverted; none: the series' own
+  ColourMap colours = ColourMap::grey;
   bool operator==(const SeriesState&) const = default;
 };
 
@@ -69,6 +76,31 @@ enum class Layout {
 inline constexpr ViewId sceneViewId = 0, axialViewId = 1, coronalViewId = 2, sagittalViewId = 3,
                         firstComparedId = 4, viewCount = 8;
 
+/// How a picture lies in the patient: orthogonal unit vectors.
+struct PlaneDirections {
+  glm::dvec3 right{1, 0, 0}, down{0, 1, 0};
+  bool operator==(const PlaneDirections&) const = default;
+
+  glm::dvec3 normal() const { return glm::cross(right, down); }
+};
+
+/// The three planes of a frame of reference: the point where they meet and how each lies; their normals are
+/// orthogonal.
+struct Crosshair {
+  glm::dvec3 at{0};  ///< patient mm
+  PlaneDirections axial, coronal{{1, 0, 0}, {0, 0, -1}}, sagittal{{0, 1, 0}, {0, 0, -1}};
+  bool operator==(const Crosshair&) const = default;
+
+  const PlaneDirections& plane(ViewKind kind) const {
+    return kind == ViewKind::coronal ? coronal : kind == ViewKind::sagittal ? sagittal : axial;
+  }
+  /// Whether a plane is none of the patient's own.
+  bool turned() const {
+    const Crosshair own;
+    return axial != own.axial || coronal != own.coronal || sagittal != own.sagittal;
+  }
+};
+
 /// All that the user made: what the window shows and how. A plain value; every change of it is a step that
 /// can be undone.
 struct Workspace {
@@ -76,10 +108,10 @@ struct Workspace {
 
   std::map<SeriesKey, SeriesState> series;  ///< those that were shown
   Layout layout = Layout::one;
-  std::vector<ViewState> views;               ///< viewCount of them
-  ViewId focus = sceneViewId;                 ///< the view that the panels work on
-  QualityGoal goal;                           ///< of 3D pictures at rest
-  std::map<std::string, glm::dvec3> cursors;  ///< by frame of reference, patient mm
+  std::vector<ViewState> views;                 ///< viewCount of them
+  ViewId focus = sceneViewId;                   ///< the view that the panels work on
+  QualityGoal goal;                             ///< of 3D pictures at rest
+  std::map<std::string, Crosshair> crosshairs;  ///< by frame of reference
   bool operator==(const Workspace&) const = default;
 
   const ViewState& view(ViewId id) const { return views[std::size_t(id)]; }
@@ -104,6 +136,16 @@ std::string frameOfReference(const Series& series);
 
 /// With this series in a view, and in those of its group; by `first` where a 3D view has not shown it yet.
 Workspace withSeries(Workspace workspace, ViewId view, const Series& series, const SceneLook& first);
+/// The views that show slices of the same series as this one does: of a group all, of views to compare one.
+std::vector<ViewId> planesOf(const Workspace& workspace, ViewId view);
+/// With this change in each of them.
+Workspace withFlatLooks(Workspace workspace, ViewId view, const std::function<void(FlatLook&)>& change);
+/// With a second series over what planesOf() shows; null: with none.
+Workspace withOverlay(Workspace workspace, ViewId view, const Series* overlay);
+/// With the planes of the group showing `under` and over it the group's series.
+Workspace fusedWith(Workspace workspace, const Series& under);
+/// The layout that readers of a modality expect: planes and 3D; one view where there are few slices.
+Layout usualLayout(const Series& series);
 /// In another layout; the first view to compare, where it is empty, gets the series of the focus.
 Workspace withLayout(Workspace workspace, Layout layout);
 /// Without this series: views that show it are empty.

@@ -1,0 +1,232 @@
+// Guards a second series over the first, colour maps, and the layout that a series opens in: real events on a
+// real PET and its CT.
+#include <QMenu>
+#include <QSettings>
+#include <QSlider>
+#include <QTreeWidget>
+
+#include "tests/fixtures/fixtures.h"
+#include "tests/ui/gestures.h"
+#include "tests/ui/journey.h"
+#include "tests/ui/test_series.h"
+#include "tests/unit/suite.h"
+#include "ui/tools/flat_tool.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/camera_moves.h"
+#include "ui/workspace/flat_plane.h"
+
+using namespace volumen;
+using volumen::tests::Journey;
+using volumen::tests::longest;
+
+namespace {
+
+// Until the next window is opened.
+struct UsualLayouts {
+  UsualLayouts() { set(QString()); }
+  ~UsualLayouts() { set(QStringLiteral("one")); }
+  void set(const QString& layout) {
+    for (const char* modality : {"CT", "MR", "PT"})
+      QSettings().setValue(QStringLiteral("layouts/") + QLatin1String(modality), layout);
+  }
+};
+
+// The PET and the CT of a study.
+struct Fused : Journey {
+  Fused() : Journey({QString::fromStdString(tests::dataPath("pet-ct"))}) {}
+  const Workspace& workspace() { return window.session().workspace(); }
+  const FlatLook look(ViewId id) { return flatLookOf(workspace().view(id)); }
+  std::string modality(const SeriesKey& key) {
+    return key.empty() ? "" : workspace().series.at(key).series->modality;
+  }
+  bool opened() {
+    return QTest::qWaitFor([this] { return window.session().series() != nullptr; }, longest);
+  }
+  void choose(const QString& what) {
+    auto* tree = child<QTreeWidget>("studyTree");
+    for (QTreeWidgetItemIterator it(tree); *it; ++it)
+      if ((*it)->text(0).startsWith(what) && (*it)->childCount() == 0) {
+        const QRect place = tree->visualItemRect(*it);
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, place.center());
+        return;
+      }
+    QFAIL("not in the list");
+  }
+  // Opens the menu as a press on its title does.
+  QAction* entry(const char* menu, const QString& text) {
+    auto* shown = child<QMenu>(menu);
+    Q_EMIT shown->aboutToShow();
+    for (QAction* action : shown->actions())
+      if (action->text().startsWith(text)) return action;
+    return nullptr;
+  }
+};
+
+}  // namespace
+
+class TestFusion : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void seriesOpenInTheirUsualLayout_data();
+  void seriesOpenInTheirUsualLayout();
+  void aLayoutThatWasChosenComesBack();
+  void petOpensOverItsCt();
+  void overlaysAreChosenMixedAndUndone();
+  void anotherFrameOfReferenceIsNoOverlay();
+  void colourMapsAreShown();
+  void aClickIn3dSetsTheCrosshair();
+};
+
+void TestFusion::seriesOpenInTheirUsualLayout_data() {
+  QTest::addColumn<QString>("path");
+  QTest::addColumn<int>("layout");
+  QTest::newRow("CT: planes and 3D") << QStringLiteral("ct-chest-lidc0314-138") << int(Layout::planes);
+  QTest::newRow("MR: planes and 3D") << QStringLiteral("mr-head-ge-mprage-130") << int(Layout::planes);
+  QTest::newRow("one slice: one view") << QStringLiteral("dicom-2d/ct-two-windows.dcm") << int(Layout::one);
+}
+
+void TestFusion::seriesOpenInTheirUsualLayout() {
+  QFETCH(QString, path);
+  QFETCH(int, layout);
+  const std::string data = tests::dataPath(path.toStdString());
+  NEED_DATA(data);
+  const UsualLayouts usual;
+  Journey w({QString::fromStdString(data)});
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
+  QCOMPARE(int(w.window.session().workspace().layout), layout);
+  QVERIFY2(!w.child<QAction>("undo")->isEnabled(), "opening is no step");
+}
+
+void TestFusion::aLayoutThatWasChosenComesBack() {
+  const UsualLayouts usual;
+  {
+    Journey w({QStringLiteral("phantom:ct-head:64")});
+    QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
+    w.child<QAction>("layoutBesidePlanes")->trigger();
+    w.window.close();
+  }
+  Journey again({QStringLiteral("phantom:ct-head:64")});
+  QTRY_VERIFY_WITH_TIMEOUT(again.window.session().series() != nullptr, longest);
+  QCOMPARE(again.window.session().workspace().layout, Layout::besidePlanes);
+}
+
+void TestFusion::petOpensOverItsCt() {
+  NEED_DATA(tests::dataPath("pet-ct"));
+  const UsualLayouts usual;
+  Fused w;
+  QVERIFY(w.opened());
+  QCOMPARE(w.modality(w.workspace().view(axialViewId).series), std::string("CT"));
+  w.choose(QStringLiteral("PT IBSI"));
+  QTRY_COMPARE_WITH_TIMEOUT(w.modality(w.workspace().view(sceneViewId).series), std::string("PT"), longest);
+  for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId}) {
+    QCOMPARE(w.modality(w.workspace().view(id).series), std::string("CT"));
+    QCOMPARE(w.modality(w.look(id).overlay), std::string("PT"));
+  }
+  // The hottest voxel (dicom-2d/README.md) is shown in the colours of hot iron, over the CT.
+  SliceView* axial = w.window.views()->sliceView(axialViewId);
+  const ShownSeriesPtr ct = w.window.session().seriesOf(axialViewId);
+  moveCrosshair(w.window.session(), *ct, {}, {-7.0312, -82.0312, -140.65});
+  const auto at = [&] {
+    const glm::dvec2 p = axial->plane()->pixelFromPatient({-7.0312, -82.0312, -140.65});
+    return axial->picture().pixel(int(p.x), int(p.y));
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(axial->picture().format() == QImage::Format_RGB32 && qRed(at()) > qBlue(at()) + 20,
+                           longest);
+  QSignalSpy hovered(axial, &View::hovered);
+  const glm::dvec2 p =
+      axial->plane()->pixelFromPatient({-7.0312, -82.0312, -140.65}) / axial->devicePixelRatioF();
+  tests::hover(axial, {p.x, p.y});
+  const QString text = hovered.last().first().toString();
+  QVERIFY2(text.contains(QStringLiteral(" HU | 16.3")) && text.contains(QStringLiteral("SUV")),
+           qPrintable(text));
+  w.shot("pet-over-ct");
+  w.child<QAction>("undo")->trigger();
+  w.child<QAction>("undo")->trigger();
+  QCOMPARE(w.modality(w.workspace().view(sceneViewId).series), std::string("CT"));
+  QVERIFY(w.look(axialViewId).overlay.empty());
+}
+
+void TestFusion::overlaysAreChosenMixedAndUndone() {
+  NEED_DATA(tests::dataPath("pet-ct"));
+  const UsualLayouts usual;
+  Fused w;
+  QVERIFY(w.opened());
+  const Workspace before = w.workspace();
+  QAction* pet = w.entry("overlayMenu", QStringLiteral("PT IBSI"));
+  QVERIFY(pet && pet->isEnabled());
+  pet->trigger();
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().seriesNamed(w.look(axialViewId).overlay) != nullptr, longest);
+  Q_EMIT w.child<QMenu>("overlayMenu")->aboutToShow();
+  w.child<QSlider>("overlayOpacity")->setValue(80);
+  QCOMPARE(w.look(coronalViewId).overlayOpacity, 0.8);
+  w.child<QAction>("overlay_pet")->trigger();
+  QCOMPARE(w.look(sagittalViewId).overlayColours, ColourMap::pet);
+  QAction* none = w.entry("overlayMenu", QStringLiteral("None"));
+  none->trigger();
+  QVERIFY(w.look(axialViewId).overlay.empty());
+  for (int n = 0; n < 4; ++n) w.child<QAction>("undo")->trigger();
+  QVERIFY(w.workspace() == before);
+}
+
+void TestFusion::anotherFrameOfReferenceIsNoOverlay() {
+  NEED_DATA(tests::dataPath("ct-chest-lidc0314-138"));
+  Fused w;
+  QVERIFY(w.opened());
+  w.window.open({QString::fromStdString(tests::dataPath("ct-chest-lidc0314-138"))});
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<QTreeWidget>("studyTree")->topLevelItemCount() > 1, longest);
+  w.choose(QStringLiteral("PT IBSI"));
+  QTRY_COMPARE_WITH_TIMEOUT(w.modality(w.workspace().view(sceneViewId).series), std::string("PT"), longest);
+  auto* menu = w.child<QMenu>("overlayMenu");
+  Q_EMIT menu->aboutToShow();
+  const QList<QAction*> all = menu->actions();
+  QVERIFY2(std::ranges::any_of(all,
+                               [](QAction* a) {
+                                 return a->text().contains(QStringLiteral("another frame of reference")) &&
+                                        !a->isEnabled();
+                               }),
+           "the reason is said");
+}
+
+void TestFusion::colourMapsAreShown() {
+  Journey w;
+  w.window.session().show(tests::ballSeries(32, 10));
+  w.child<QAction>("layoutPlanes")->trigger();
+  SliceView* axial = w.window.views()->sliceView(axialViewId);
+  QTRY_VERIFY_WITH_TIMEOUT(!axial->picture().isNull(), longest);
+  auto* menu = w.child<QMenu>("colourMenu");
+  Q_EMIT menu->aboutToShow();
+  QSignalSpy shown(axial, &SliceView::settled);
+  w.child<QAction>("colours_hotIron")->trigger();
+  QVERIFY(!shown.isEmpty() || shown.wait(longest));
+  const glm::dvec2 air = axial->plane()->pixelFromPatient({-14, -14, 0.5});
+  // 0 HU is grey 102 in the window 400 / 40.
+  QCOMPARE(axial->picture().pixel(int(air.x), int(air.y)), colourTable(ColourMap::hotIron)[102]);
+  w.child<QAction>("undo")->trigger();
+  QTRY_COMPARE_WITH_TIMEOUT(axial->picture().pixel(int(air.x), int(air.y)), qRgb(102, 102, 102), longest);
+}
+
+void TestFusion::aClickIn3dSetsTheCrosshair() {
+  Journey w;
+  w.window.session().show(tests::ballSeries(32, 10, {3, -2, 4}));
+  VolumeView* view = w.window.view();
+  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
+  QVERIFY2(!w.child<QAction>("undo")->isEnabled(), "no plane is on screen");
+  QVERIFY(!w.after("layoutPlanes").isNull());
+  const auto crosshair = [&] {
+    return crosshairOf(w.window.session().workspace(), *w.window.session().series());
+  };
+  const glm::dvec2 middle =
+      seenAt(view->camera(), {double(view->width()), double(view->height())}, {3, -2, 4});
+  QTest::mouseClick(view, Qt::LeftButton, {}, QPoint(int(middle.x), int(middle.y)));
+  const double radius = glm::length(crosshair().at - glm::dvec3(3, -2, 4));
+  QVERIFY2(std::abs(radius - 10) < 1.5, qPrintable(QString::number(radius)));  // a voxel's edge and a half
+  const Crosshair before = crosshair();
+  tests::drag(view, view->rect().center(), view->rect().center() + QPoint(30, 0));
+  QVERIFY2(crosshair() == before, "a drag turns and does not set it");
+  w.child<QAction>("undo")->trigger();
+  w.child<QAction>("undo")->trigger();
+  QVERIFY2(crosshair() != before, "undone");
+}
+
+VOLUMEN_TEST(TestFusion);
+#include "tst_fusion.moc"

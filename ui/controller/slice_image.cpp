@@ -1,0 +1,53 @@
+#include "ui/controller/slice_image.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/slice/slice.h"
+
+namespace volumen {
+
+namespace {
+
+QImage greyImage(const SliceValues& slice, const GreyMapping& grey) {
+  const std::vector<std::uint8_t> bytes = greyBytes(slice.values, grey);
+  QImage image(slice.size.x, slice.size.y, QImage::Format_Grayscale8);
+  for (int y = 0; y < slice.size.y; ++y)
+    std::copy_n(bytes.begin() + std::ptrdiff_t(y) * slice.size.x, slice.size.x, image.scanLine(y));
+  return image;
+}
+
+// Of 32 bits a pixel, so that rows follow each other without a gap.
+std::span<std::uint32_t> pixelsOf(QImage& image) {
+  return {reinterpret_cast<std::uint32_t*>(image.bits()),
+          std::size_t(image.width()) * std::size_t(image.height())};
+}
+
+QImage colourImage(const SliceValues& slice, const GreyMapping& grey, ColourMap map) {
+  const std::vector<std::uint8_t> bytes = greyBytes(slice.values, grey);
+  QImage image(slice.size.x, slice.size.y, QImage::Format_RGB32);
+  const ColourTable& colours = colourTable(map);
+  std::ranges::transform(bytes, slice.values, pixelsOf(image).begin(), [&](std::uint8_t byte, float value) {
+    return std::isnan(value) ? 0xff000000u : colours[byte];
+  });
+  return image;
+}
+
+}  // namespace
+
+Result<QImage> sliceImage(const std::vector<SliceLayer>& layers, const SlicePlane& plane) {
+  QImage image;
+  for (const SliceLayer& layer : layers) {
+    const Result<SliceValues> slice = resampleSlice(*layer.volume, plane);
+    if (!slice) return Error{slice.message()};
+    if (image.isNull()) {
+      const bool plain = layers.size() == 1 && layer.colours == ColourMap::grey;
+      image = plain ? greyImage(*slice, layer.grey) : colourImage(*slice, layer.grey, layer.colours);
+    } else {
+      layOver(pixelsOf(image), slice->values, layer.grey, layer.colours, layer.opacity);
+    }
+  }
+  return image;
+}
+
+}  // namespace volumen

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QMenu>
+
+#include "ui/workspace/session.h"
+
+namespace volumen {
+
+/// Colours of the series that the flat view in focus shows.
+QMenu* makeColourMenu(Session& session, QWidget* parent);
+
+/// The second series of the flat views in focus, its colours and its opacity. `series` lists what is open.
+QMenu* makeOverlayMenu(Session& session, std::function<std::vector<const Series*>()> series, QWidget* parent);
+
+/// Why two series cannot lie over each other; empty where they can.
+QString whyNotOverlaid(const Series& under, const Series& over);
+
+}  // namespace volumen

@@ -1,0 +1,59 @@
+#include <QCoreApplication>
+#include <cmath>
+
+#include "ui/tools/flat_tool.h"
+#include "ui/workspace/flat_plane.h"
+
+namespace volumen {
+
+namespace {
+
+// Turns the other planes of the frame of reference about the crosshair, in the plane of the view.
+class TurnDrag : public Drag {
+ public:
+  explicit TurnDrag(const FlatPress& press)
+      : press_(press), atPress_(crosshairOf(press.session.workspace(), *press.series)) {}
+
+  void moveTo(QPointF p, Qt::KeyboardModifiers) override {
+    const ViewKind kind = press_.session.workspace().view(press_.view).kind;
+    setCrosshair(press_.session, *press_.series, QCoreApplication::translate("volumen", "Turn planes"),
+                 turnedIn(atPress_, kind, angle(p) - angle(press_.at)));
+  }
+
+ private:
+  double angle(QPointF p) const {
+    const QPointF from = p - press_.pixelAt(atPress_.at);
+    return std::atan2(from.y(), from.x());
+  }
+
+  const FlatPress press_;
+  const Crosshair atPress_;
+};
+
+// Moves the crosshair across a line: the plane that the line stands for.
+class MovePlaneDrag : public Drag {
+ public:
+  MovePlaneDrag(const FlatPress& press, QPointF across)
+      : press_(press), atPress_(crosshairOf(press.session.workspace(), *press.series)), across_(across) {}
+
+  void moveTo(QPointF p, Qt::KeyboardModifiers) override {
+    const QPointF moved = QPointF::dotProduct(p - press_.at, across_) * across_;
+    moveCrosshair(press_.session, *press_.series, QCoreApplication::translate("volumen", "Move plane"),
+                  atPress_.at + press_.patientAt(press_.at + moved) - press_.patientAt(press_.at));
+  }
+
+ private:
+  const FlatPress press_;
+  const Crosshair atPress_;
+  const QPointF across_;
+};
+
+}  // namespace
+
+std::unique_ptr<Drag> beginTurn(const FlatPress& press) { return std::make_unique<TurnDrag>(press); }
+
+std::unique_ptr<Drag> beginMovePlane(const FlatPress& press, QPointF across) {
+  return std::make_unique<MovePlaneDrag>(press, across);
+}
+
+}  // namespace volumen

@@ -1,0 +1,113 @@
+#include "ui/views/cross_lines.h"
+
+#include <QLineF>
+#include <algorithm>
+
+#include "ui/workspace/flat_plane.h"
+
+namespace volumen {
+
+namespace {
+
+// Logical pixels.
+constexpr int gap = 20;               // left free about the crosshair's point
+constexpr double handleRadius = 4;    // as drawn
+constexpr double handleReach = 9;     // for a press
+constexpr double lineReach = 4;       // likewise
+constexpr double handleShare = 0.36;  // of the view's shorter side, from the crosshair's point
+
+// The colour of a view's line in the others.
+QColor lineColour(ViewKind kind) {
+  switch (kind) {
+    case ViewKind::axial:
+      return QColor(0xff, 0x5c, 0x5c);
+    case ViewKind::coronal:
+      return QColor(0x5c, 0xe0, 0x7a);
+    default:
+      return QColor(0xf5, 0xd9, 0x4a);
+  }
+}
+
+QPointF middleOf(const FlatPress& press) {
+  return press.pixelAt(crosshairOf(press.session.workspace(), *press.series).at);
+}
+
+double distance(QPointF a, QPointF b) { return QLineF(a, b).length(); }
+
+// Of a point from a line that goes on without end.
+double distanceFromLine(const CrossLine& line, QPointF p) {
+  const QPointF along = line.to - line.from, from = p - line.from;
+  return std::abs(along.x() * from.y() - along.y() * from.x()) / distance(line.from, line.to);
+}
+
+bool isOnHandle(const CrossLine& line, QPointF p) {
+  return std::ranges::any_of(line.handles, [&](QPointF h) { return distance(h, p) <= handleReach; });
+}
+
+const CrossLine* lineAt(const std::vector<CrossLine>& lines, QPointF p, QPointF middle) {
+  if (std::abs(p.x() - middle.x()) <= gap && std::abs(p.y() - middle.y()) <= gap) return nullptr;
+  const auto line =
+      std::ranges::find_if(lines, [&](const CrossLine& l) { return distanceFromLine(l, p) <= lineReach; });
+  return line == lines.end() ? nullptr : &*line;
+}
+
+}  // namespace
+
+std::vector<CrossLine> crossLines(const FlatPress& press) {
+  const Workspace& workspace = press.session.workspace();
+  const Crosshair crosshair = crosshairOf(workspace, *press.series);
+  const QPointF middle = middleOf(press);
+  const QSizeF size(press.plane.size.x / press.pixelRatio, press.plane.size.y / press.pixelRatio);
+  const QRectF within = QRectF({0, 0}, size).adjusted(10, 10, -10, -10);
+  std::vector<CrossLine> lines;
+  for (const ViewId other : viewsOnScreen(workspace)) {
+    const ViewState& view = workspace.view(other);
+    if (other == press.view || view.kind == ViewKind::volume || view.series != keyOf(press.series->series))
+      continue;
+    const SlicePlane plane =
+        flatPlane(view, flatLookOf(view), press.series->volume->geometry(), crosshair, {100, 100});
+    const auto cut = referenceLine(press.plane, plane);
+    if (!cut) continue;
+    const auto logical = [&](glm::dvec2 p) { return QPointF(p.x, p.y) / press.pixelRatio; };
+    CrossLine line{view.kind, logical(cut->from), logical(cut->to), {}};
+    const QPointF along = (line.to - line.from) / distance(line.from, line.to);
+    for (const double sign : {-1.0, 1.0}) {
+      const QPointF handle = middle + sign * handleShare * std::min(size.width(), size.height()) * along;
+      if (within.contains(handle) && within.contains(middle)) line.handles.push_back(handle);
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+void paintCrossLines(QPainter& painter, const std::vector<CrossLine>& lines, QPointF middle, QRect view) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRect free(middle.toPoint() - QPoint(gap, gap), QSize(2 * gap, 2 * gap));
+  painter.setClipRegion(QRegion(view) - QRegion(free));
+  for (const CrossLine& line : lines) {
+    painter.setPen(QPen(lineColour(line.kind), 1));
+    painter.drawLine(line.from, line.to);
+    painter.setBrush(Qt::black);
+    for (const QPointF handle : line.handles) painter.drawEllipse(handle, handleRadius, handleRadius);
+  }
+  painter.restore();
+}
+
+bool isOnLines(const FlatPress& press) {
+  const std::vector<CrossLine> lines = crossLines(press);
+  const auto onHandle = [&](const CrossLine& line) { return isOnHandle(line, press.at); };
+  return std::ranges::any_of(lines, onHandle) || lineAt(lines, press.at, middleOf(press));
+}
+
+std::unique_ptr<Drag> beginOnLines(const FlatPress& press) {
+  const std::vector<CrossLine> lines = crossLines(press);
+  for (const CrossLine& line : lines)
+    if (isOnHandle(line, press.at)) return beginTurn(press);
+  const CrossLine* line = lineAt(lines, press.at, middleOf(press));
+  if (!line) return nullptr;
+  const QPointF along = (line->to - line->from) / distance(line->from, line->to);
+  return beginMovePlane(press, {-along.y(), along.x()});
+}
+
+}  // namespace volumen
