@@ -2,6 +2,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "tests/ui/watchdog.h"
 #include "tests/unit/suite.h"
 #include "ui/british.h"
 
@@ -10,7 +11,7 @@ int main(int argc, char** argv) {
   const QTemporaryDir home;
   for (const char* folder : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"})
     qputenv(folder, home.path().toLocal8Bit());
-  QApplication app(argc, argv);
+  volumen::tests::WatchedApplication app(argc, argv);
   // Most tests are about the 3D view alone; those of layouts say so.
   for (const char* modality : {"CT", "MR", "PT", "other"})
     QSettings().setValue(QStringLiteral("layouts/") + QLatin1String(modality), QStringLiteral("one"));

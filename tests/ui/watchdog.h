@@ -1,0 +1,55 @@
+#pragma once
+
+#include <time.h>
+
+#include <QApplication>
+#include <QMetaEnum>
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+namespace volumen::tests {
+
+/// The application of the tests of the window: measures how long the UI thread computes for each event, that
+/// is, how long the window would not answer. Processor time, so that a loaded machine does not count; what
+/// the thread waits for is seen by the tests of the services, which never make it wait.
+class WatchedApplication : public QApplication {
+ public:
+  using QApplication::QApplication;
+  ~WatchedApplication() override { report(); }
+
+  bool notify(QObject* receiver, QEvent* event) override {
+    if (depth_ > 0) return QApplication::notify(receiver, event);
+    const QString what =
+        QStringLiteral("%1, %2")
+            .arg(QLatin1String(receiver->metaObject()->className()))
+            .arg(QLatin1String(QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type())));
+    ++depth_;
+    const double before = cpuMs();
+    const bool done = QApplication::notify(receiver, event);
+    const double ms = cpuMs() - before;
+    --depth_;
+    double& longest = longest_[what];
+    longest = std::max(longest, ms);
+    return done;
+  }
+
+ private:
+  static double cpuMs() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
+  }
+
+  // What took longer than a person may notice.
+  void report() const {
+    constexpr double mostMs = 20;
+    for (const auto& [what, ms] : longest_)
+      if (ms > mostMs) std::printf("UI thread: %6.1f ms for %s\n", ms, qPrintable(what));
+  }
+
+  int depth_ = 0;
+  std::map<QString, double> longest_;
+};
+
+}  // namespace volumen::tests
