@@ -109,9 +109,9 @@ void store(const Samples& samples, const ValuePlan& plan, std::size_t offset, Vo
 }
 
 /// All slices of one volume, decoded into one block of memory.
-class Loader {
+class SliceDecoder {
  public:
-  Loader(std::vector<Incoming>& slices, const Progress& progress, const CancelToken& cancel)
+  SliceDecoder(std::vector<Incoming>& slices, const Progress& progress, const CancelToken& cancel)
       : slices_(slices), progress_(progress), cancel_(cancel) {}
 
   /// Decodes everything as `plan` says; slices that fail are marked.
@@ -237,7 +237,7 @@ VolumeAttributes attributesOf(const Series& series, const Slice& first) {
   return a;
 }
 
-Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slices, Loader& loader,
+Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slices, SliceDecoder& decoder,
                         const ValuePlan& plan, std::vector<Warning> warnings) {
   const PixelFormat& format = slices[0].file->format;
   const Slice& first = slices[0].placed.slice;
@@ -248,9 +248,9 @@ Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slice
   parts.attributes = attributesOf(series, first);
   if (!plan.rescaled) parts.slope = first.slope, parts.intercept = first.intercept;
   VolumeParts drawn = parts;
-  if (stack.regular) drawn.values = resampleSlices(loader.values(), loader.sliceVoxels(), stack.sources);
+  if (stack.regular) drawn.values = resampleSlices(decoder.values(), decoder.sliceVoxels(), stack.sources);
   parts.geometry = stack.acquired;
-  parts.values = std::move(loader.values());
+  parts.values = std::move(decoder.values());
   std::vector<std::string> changed;
   const auto acquired = Volume::make(std::move(parts), changed);
   if (!acquired) return Error{series.path + ": " + acquired.message()};
@@ -278,19 +278,19 @@ Result<Loaded> load(const Series& series, const Progress& progress, const Cancel
     return s.error();
 
   ValuePlan plan = planValues(headersOf(slices), placedOf(slices));
-  Loader loader(slices, progress, cancel);
-  loader.run(plan);
+  SliceDecoder decoder(slices, progress, cancel);
+  decoder.run(plan);
   if (std::any_of(slices.begin(), slices.end(), [](const Incoming& in) { return in.doesNotFit; })) {
     plan = {std::vector<float>{}, true};
-    loader.run(plan);
+    decoder.run(plan);
   }
   if (cancel.cancelled()) return Error{series.path + ": interrupted."};
   reportFailures(slices, warnings);
   const Incoming firstSlice = slices[0];
-  loader.compact();
+  decoder.compact();
   if (slices.empty()) return Error{firstSlice.placed.path + ": " + firstSlice.failure};
   reportNotes(slices, warnings);
-  return assemble(series, slices, loader, plan, std::move(warnings));
+  return assemble(series, slices, decoder, plan, std::move(warnings));
 }
 
 }  // namespace

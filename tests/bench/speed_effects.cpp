@@ -49,7 +49,7 @@ const std::vector<Change>& changes() {
        [](RenderOptions& o) { o.shader = Shader::map; }},
       {"specular 0", "specular", [](Scene& s) { s.shading.specular = 0; }},
       {"unlit", "gradients", [](Scene& s) { s.shading.lit = false; }},
-      {"opaque above 200", "early stop", makeOpaque},
+      {"opaque above 200", "early ray termination", makeOpaque},
       {"gradient opacity", "gradient opacity",
        [](Scene& s) {
          s.transferFunction.gradientOpacity = {{20, 0}, {100, 1}};

@@ -54,7 +54,7 @@ class RayMaker {
       const PlacesMm places = PlacesOf(pixel);
       const D3 origin = Sum(target_, right_, places.right, up_, places.up);
       const Lines lines = f_.perspective ? LinesThrough(places) : shared;
-      Interval inside = InsideOf(origin, lines);
+      Intervals inside = InsideOf(origin, lines);
       inside.any = hn::And(inside.any, hn::Ge(pixel, hn::Zero(DD())));
       Write(n, origin, lines, inside);
     }
@@ -69,7 +69,7 @@ class RayMaker {
     D3 towardsViewer;
   };
   /// The parts of lines from t0 to t1, mm from the picture, where there is any.
-  struct Interval {
+  struct Intervals {
     VD t0, t1;
     MD any;
   };
@@ -115,9 +115,9 @@ class RayMaker {
     return lines;
   }
 
-  HWY_INLINE Interval InsideOf(const D3& origin, const Lines& lines) const {
+  HWY_INLINE Intervals InsideOf(const D3& origin, const Lines& lines) const {
     const VD infinity = SetD(std::numeric_limits<double>::infinity());
-    Interval inside{lines.eyeMm, infinity, {}};
+    Intervals inside{lines.eyeMm, infinity, {}};
     constexpr double roundingVoxels = 1e-9;
     const auto cutAlong = [&](int a, VD o, VD slope) {
       const VD inverse = hn::Div(SetD(1), slope);
@@ -140,7 +140,7 @@ class RayMaker {
 
   /// Keeps the part where outside + slope t <= 0. Lines that drift by less than `rounding` inside the volume
   /// are parallel to the boundary, which is inside (picture.md 6) to within that: rounding must not decide.
-  HWY_INLINE void Cut(VD outside, VD slope, VD inverse, double rounding, Interval& inside) const {
+  HWY_INLINE void Cut(VD outside, VD slope, VD inverse, double rounding, Intervals& inside) const {
     const VD never = SetD(-std::numeric_limits<double>::infinity());
     const VD drift = hn::Mul(slope, SetD(f_.lengthMm)), t = hn::Neg(hn::Mul(outside, inverse));
     const MD leaves = hn::Gt(drift, SetD(rounding)), enters = hn::Lt(drift, SetD(-rounding));
@@ -150,7 +150,7 @@ class RayMaker {
     inside.t1 = hn::IfThenElse(misses, never, inside.t1);
   }
 
-  HWY_INLINE void Write(int n, const D3& origin, const Lines& lines, const Interval& inside) const {
+  HWY_INLINE void Write(int n, const D3& origin, const Lines& lines, const Intervals& inside) const {
     const VD one = SetD(1), t0 = hn::IfThenElseZero(inside.any, inside.t0);
     const VD length = hn::IfThenElseZero(inside.any, hn::Sub(inside.t1, inside.t0));
     const VD stepsAMm = hn::Div(one, lines.stepMm);

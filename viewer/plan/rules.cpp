@@ -139,7 +139,7 @@ std::string asAsked(const RuleInput& in) { return in.options.stopAt ? ", as aske
 
 // Slices come from the back: where they can leave out what is hidden is found from the front first, without
 // light.
-Effect earlyStopOfSlices(const RuleInput& in, Plan& plan) {
+Effect earlyTerminationOfSlices(const RuleInput& in, Plan& plan) {
   if (resamplerOf(in.options) == Resampler::gl)
     return off("what comes from the back cannot know what will hide it");
   if (in.options.blending.value_or(Blending::floats) != Blending::floats)
@@ -155,10 +155,10 @@ Effect earlyStopOfSlices(const RuleInput& in, Plan& plan) {
   return off("too little is hidden for finding it from the front first");
 }
 
-Effect earlyStop(const RuleInput& in, Plan& plan) {
+Effect earlyRayTermination(const RuleInput& in, Plan& plan) {
   plan.stopTransmittance = 0;
   if (!composite(in)) return off("a projection looks at the whole ray");
-  if (plan.method == Method::blend) return earlyStopOfSlices(in, plan);
+  if (plan.method == Method::blend) return earlyTerminationOfSlices(in, plan);
   plan.stopTransmittance = in.options.stopAt.value_or(stopTransmittance(in));
   if (plan.stopTransmittance == 0) return off("every ray is followed to its end, as asked");
   return on("a ray ends where " + behind(in, plan) + asAsked(in));
@@ -268,7 +268,7 @@ const std::vector<Rule>& rules() {
       {"curve table", false, decideCurveTable},
       {"faint samples", false, decideFaintSamples},
       {"empty blocks", true, emptyBlocks},
-      {"early stop", false, earlyStop},
+      {"early ray termination", false, earlyRayTermination},
       {"precision", false, precision},
       {"resampler", false, decideResampler},
       {"shader", false, decideShader},

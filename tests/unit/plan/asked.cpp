@@ -40,7 +40,7 @@ bool isDone(const Plan& plan, const Effect& e) {
                                                {"clip", plan.clip},
                                                {"empty blocks", plan.skipBlocks},
                                                {"empty cells", plan.skipCells},
-                                               {"early stop", plan.stopTransmittance > 0},
+                                               {"early ray termination", plan.stopTransmittance > 0},
                                                {"faint samples", plan.options.opacityThreshold.has_value()},
                                                {"curve table", plan.options.curveTable.has_value()}};
   const auto* found =

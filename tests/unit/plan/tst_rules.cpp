@@ -58,19 +58,20 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.scene.transferFunction.points[0].opacity = 0.1; });
   row("unknown blocks are not", "empty blocks", "off nothing known",
       [](Asked& a) { a.facts.blockRanges = nullptr; });
-  row("standard: a fifth of a unit may be behind", "early stop", "on 1/1275 ray",
+  row("standard: a fifth of a unit may be behind", "early ray termination", "on 1/1275 ray",
       [](Asked& a) { a.scene.shading.specular = 0; });
-  row("bright light: rays end later", "early stop", "on 1/11730 ray",
+  row("bright light: rays end later", "early ray termination", "on 1/11730 ray",
       [](Asked& a) { a.scene.lights[0].intensity = 10; });
-  row("high: rays end later", "early stop", "on 1/4096 ray",
+  row("high: rays end later", "early ray termination", "on 1/4096 ray",
       [](Asked& a) { a.options.quality = Quality::high; });
-  row("high, bright light", "early stop", "on 1/11730 ray", [](Asked& a) {
+  row("high, bright light", "early ray termination", "on 1/11730 ray", [](Asked& a) {
     a.options.quality = Quality::high;
     a.scene.lights[0].intensity = 10;
   });
-  row("steps of half a voxel: rays end later", "early stop", "on 1/16384 ray",
+  row("steps of half a voxel: rays end later", "early ray termination", "on 1/16384 ray",
       [](Asked& a) { a.options.step = 0.5; });
-  row("longer steps do not", "early stop", "on 1/4096 ray", [](Asked& a) { a.options.step = 0.6; });
+  row("longer steps do not", "early ray termination", "on 1/4096 ray",
+      [](Asked& a) { a.options.step = 0.6; });
   row("integers in 16 bits", "precision", "on 16 bits integers exactly", [](Asked&) {});
   row("gradients of integers beside extreme values", "precision",
       "on 32 bits 16 bits gradients coarse extreme", [](Asked& a) {
@@ -141,29 +142,30 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   });
   row("preshaded skips no blocks", "empty blocks", "off every sample",
       [](Asked& a) { a.options.method = Method::preshaded; });
-  row("slices of what hides little", "early stop", "off little",
+  row("slices of what hides little", "early ray termination", "off little",
       [](Asked& a) { a.options.method = Method::blend; });
-  row("slices of what hides much", "early stop", "on 1/1275 blended", [](Asked& a) {
+  row("slices of what hides much", "early ray termination", "on 1/1275 blended", [](Asked& a) {
     a.scene.shading.specular = 0;
     a.options.method = Method::blend;
     a.scene.transferFunction.points[1].opacity = 1;
     a.facts.geometry.size.y = 64;
   });
-  row("slices that stop as asked", "early stop", "on 0.02 blended asked", [](Asked& a) {
+  row("slices that stop as asked", "early ray termination", "on 0.02 blended asked", [](Asked& a) {
     a.options.method = Method::blend;
     a.options.stopAt = 0.02;
   });
-  row("every slice as asked", "early stop", "off slice asked", [](Asked& a) {
+  row("every slice as asked", "early ray termination", "off slice asked", [](Asked& a) {
     a.options.method = Method::blend;
     a.options.stopAt = 0;
   });
-  row("slices that are rounded fade into values of their own", "early stop", "off rounded", [](Asked& a) {
-    a.options.method = Method::blend;
-    a.options.blending = Blending::bits8;
-    a.scene.transferFunction.points[1].opacity = 1;
-    a.facts.geometry.size.y = 64;
-  });
-  row("slices by OpenGL never stop", "early stop", "off back", [](Asked& a) {
+  row("slices that are rounded fade into values of their own", "early ray termination", "off rounded",
+      [](Asked& a) {
+        a.options.method = Method::blend;
+        a.options.blending = Blending::bits8;
+        a.scene.transferFunction.points[1].opacity = 1;
+        a.facts.geometry.size.y = 64;
+      });
+  row("slices by OpenGL never stop", "early ray termination", "off back", [](Asked& a) {
     a.options.method = Method::blend;
     a.options.resampler = Resampler::gl;
     a.scene.transferFunction.points[1].opacity = 1;
@@ -174,8 +176,9 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.options.gradient = GradientOperator::central; });
   row("no gradients, no operator", "gradient operator", "off no gradients",
       [](Asked& a) { a.scene.shading.lit = false; });
-  row("a ray ends as asked", "early stop", "on 0.02 ray asked", [](Asked& a) { a.options.stopAt = 0.02; });
-  row("no ray ends", "early stop", "off ray asked", [](Asked& a) { a.options.stopAt = 0; });
+  row("a ray ends as asked", "early ray termination", "on 0.02 ray asked",
+      [](Asked& a) { a.options.stopAt = 0.02; });
+  row("no ray ends", "early ray termination", "off ray asked", [](Asked& a) { a.options.stopAt = 0; });
   row("the exact curve", "curve table", "off exactly", [](Asked&) {});
   row("a table", "curve table", "on 256 nearest asked", [](Asked& a) { a.options.curveTable = 256; });
   row("every sample counts", "faint samples", "off every", [](Asked&) {});
