@@ -200,11 +200,11 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
   studies_->addStudy(path, study);
   QStringList details;
   for (const Refused& refused : notShown(*study))
-    details << shownText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
+    details << pathText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
   for (const Other& other : study->other)
-    details << shownText(other.path) + QStringLiteral(": ") + shownText(other.kind);
+    details << pathText(other.path) + QStringLiteral(": ") + shownText(other.kind);
   if (study->volumes.empty())
-    return banner_->add(tr("No images found in %1.").arg(shownText(path.toStdString())), details);
+    return banner_->add(tr("No images found in %1.").arg(pathText(path.toStdString())), details);
   if (!notShown(*study).empty()) banner_->add(unreadText(*study), details);
   recent_.add(path);
   if (!std::exchange(showFirst_, false)) return;

@@ -32,6 +32,8 @@ PreferencesDialog::PreferencesDialog(Session& session, QWidget* parent)
           &Preferences::curveDragInverted);
   addChoice<bool>("opacityAxis", tr("Opacity axis"), &Preferences::logarithmicOpacity,
                   {{tr("Linear"), false}, {tr("Logarithmic"), true}});
+  addChoice<int>("memory", tr("Memory for series"), &Preferences::memoryPercent,
+                 {{tr("10 % of the machine's"), 10}, {tr("25 %"), 25}, {tr("50 %"), 50}, {tr("75 %"), 75}});
   addFlag("hideNames", tr("Hide names, IDs, dates and file names"), &Preferences::hideNames);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close);
   form_->addRow(buttons);

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 #include <functional>
@@ -15,6 +16,13 @@
 namespace volumen::tests {
 
 inline constexpr int longest = 60000;  // ms, for a loaded machine
+
+/// Lets studies open in the 3D view alone, which most tests are about; those of layouts say so.
+inline void openAlone(bool alone = true) {
+  for (const char* modality : {"CT", "MR", "PT", "other"})
+    QSettings().setValue(QStringLiteral("layouts/") + QLatin1String(modality),
+                         alone ? QStringLiteral("one") : QString());
+}
 
 /// A window; pictures are waited for, and kept where $VOLUMEN_SHOTS names a folder.
 struct Journey {

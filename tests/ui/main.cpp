@@ -1,7 +1,7 @@
 #include <QApplication>
-#include <QSettings>
 #include <QTemporaryDir>
 
+#include "tests/ui/journey.h"
 #include "tests/ui/watchdog.h"
 #include "tests/unit/suite.h"
 #include "ui/british.h"
@@ -12,9 +12,7 @@ int main(int argc, char** argv) {
   for (const char* folder : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"})
     qputenv(folder, home.path().toLocal8Bit());
   volumen::tests::WatchedApplication app(argc, argv);
-  // Most tests are about the 3D view alone; those of layouts say so.
-  for (const char* modality : {"CT", "MR", "PT", "other"})
-    QSettings().setValue(QStringLiteral("layouts/") + QLatin1String(modality), QStringLiteral("one"));
+  volumen::tests::openAlone();
   volumen::speakBritish(app);
   return volumen::tests::runSuite(argc, argv);
 }

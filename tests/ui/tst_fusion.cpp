@@ -1,7 +1,6 @@
 // Guards a second series over the first, colour maps, and the layout that a series opens in: real events on a
 // real PET and its CT.
 #include <QMenu>
-#include <QSettings>
 #include <QSlider>
 #include <QTreeWidget>
 
@@ -23,12 +22,8 @@ namespace {
 
 // Until the next window is opened.
 struct UsualLayouts {
-  UsualLayouts() { set(QString()); }
-  ~UsualLayouts() { set(QStringLiteral("one")); }
-  void set(const QString& layout) {
-    for (const char* modality : {"CT", "MR", "PT"})
-      QSettings().setValue(QStringLiteral("layouts/") + QLatin1String(modality), layout);
-  }
+  UsualLayouts() { tests::openAlone(false); }
+  ~UsualLayouts() { tests::openAlone(); }
 };
 
 // The PET and the CT of a study.

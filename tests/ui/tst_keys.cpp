@@ -70,7 +70,10 @@ constexpr unsigned long numLock = 0xff7f, leftControl = 0xffe3, keypad1 = 0xffb1
 class TestKeys : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void init() { QSettings().clear(); }
+  void init() {
+    QSettings().clear();
+    tests::openAlone();
+  }
   void keysChooseViews_data();
   void keysChooseViews();
   void theKeypadWorksByTheXServer_data();

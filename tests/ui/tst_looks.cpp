@@ -93,8 +93,11 @@ QStringList flaws(const QMainWindow& window) {
 class TestLooks : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void init() { QSettings().clear(); }
-  void cleanup() { QSettings().clear(); }
+  void init() {
+    QSettings().clear();
+    tests::openAlone();
+  }
+  void cleanup() { init(); }
   void thePictureHasTheRoom_data();
   void thePictureHasTheRoom();
   void nothingOverlapsOrIsCutOff_data();

@@ -49,7 +49,10 @@ struct Opened : MainWindow {
 class TestPreferences : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void init() { QSettings().clear(); }
+  void init() {
+    QSettings().clear();
+    tests::openAlone();
+  }
   void cleanup();
   void themeAndTextSize();
   void mouseButtons();
@@ -63,7 +66,7 @@ class TestPreferences : public QObject {
 };
 
 void TestPreferences::cleanup() {
-  QSettings().clear();
+  init();
   hideNames(false);
 }
 
@@ -199,7 +202,7 @@ void TestPreferences::choicesAreKeptAndReset() {
   Preferences chosen;
   {
     Opened window;
-    for (const char* box : {"theme", "textSize", "middleDrag", "rightDrag", "opacityAxis"})
+    for (const char* box : {"theme", "textSize", "middleDrag", "rightDrag", "opacityAxis", "memory"})
       window.choose(box, 1);
     window.choose("shiftDrag", 2);
     for (const char* box : {"zoomDragInverted", "wheelInverted", "curveDragInverted", "hideNames"})
@@ -215,7 +218,8 @@ void TestPreferences::choicesAreKeptAndReset() {
                              .wheelInverted = true,
                              .curveDragInverted = true,
                              .logarithmicOpacity = true,
-                             .hideNames = true};
+                             .hideNames = true,
+                             .memoryPercent = 50};
   QVERIFY(chosen == expected);
   Opened window;
   QVERIFY(window.session().preferences() == expected);

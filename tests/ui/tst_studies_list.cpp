@@ -77,6 +77,7 @@ class TestStudiesList : public QObject {
   void everythingIsClosed();
   void theFolderIsShown();
   void attributesAreReadAndSearched();
+  void attributesHideNames();
 };
 
 void TestStudiesList::aSeriesSaysItsSlicesAndPlaneAndHasAThumbnail() {
@@ -195,6 +196,24 @@ void TestStudiesList::attributesAreReadAndSearched() {
   if (!folder.isEmpty()) dialog->grab().save(folder + QStringLiteral("/attributes.png"));
   QTest::keyClick(dialog, Qt::Key_Escape);
   QTRY_VERIFY(!l.w.child<QDialog>("attributesDialog"));
+}
+
+void TestStudiesList::attributesHideNames() {
+  Listed l;
+  QVERIFY(l.open());
+  hideNames(true);
+  l.choose(l.series(), "DICOM attributes...");
+  QTRY_VERIFY(l.w.child<QDialog>("attributesDialog"));
+  auto* tree = l.w.child<QTreeWidget>("attributesTree");
+  const auto value = [&](const char* name) {
+    const auto found = tree->findItems(QLatin1String(name), Qt::MatchExactly, 1);
+    return found.isEmpty() ? QString() : found[0]->text(3);
+  };
+  QTRY_COMPARE_WITH_TIMEOUT(value("Modality"), QStringLiteral("CT"), longest);
+  for (const char* name : {"PatientName", "PatientID", "StudyDate", "SOPInstanceUID"})
+    QCOMPARE(value(name), QStringLiteral("(hidden)"));
+  QVERIFY(!value("PixelSpacing").contains(QStringLiteral("hidden")));
+  hideNames(false);
 }
 
 VOLUMEN_TEST(TestStudiesList);

@@ -20,9 +20,11 @@ class WatchedApplication : public QApplication {
 
   bool notify(QObject* receiver, QEvent* event) override {
     if (depth_ > 0) return QApplication::notify(receiver, event);
+    const QObject* parent = receiver->parent();
     const QString what =
-        QStringLiteral("%1, %2")
-            .arg(QLatin1String(receiver->metaObject()->className()))
+        QStringLiteral("%1 %2 of %3, %4")
+            .arg(QLatin1String(receiver->metaObject()->className()), receiver->objectName(),
+                 QLatin1String(parent ? parent->metaObject()->className() : "nobody"))
             .arg(QLatin1String(QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type())));
     ++depth_;
     const double before = cpuMs();

@@ -8,9 +8,10 @@ namespace volumen {
 
 SeriesPool::SeriesPool(std::size_t budget) : budget_(budget) {}
 
-std::size_t SeriesPool::defaultBudget() {
+std::size_t SeriesPool::partOfMemory(int percent) {
   const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGESIZE);
-  return pages > 0 && bytes > 0 ? std::size_t(pages) * std::size_t(bytes) / 4 : std::size_t(1) << 30;
+  return pages > 0 && bytes > 0 ? std::size_t(pages) * std::size_t(bytes) / 100 * std::size_t(percent)
+                                : std::size_t(1) << 30;
 }
 
 ShownSeriesPtr SeriesPool::find(const PoolKey& key) {

@@ -21,7 +21,7 @@ struct PoolKey {
 class SeriesPool {
  public:
   /// `budget`: bytes of voxels to keep, those on screen included.
-  explicit SeriesPool(std::size_t budget = defaultBudget());
+  explicit SeriesPool(std::size_t budget = partOfMemory(25));
 
   /// Null where it is not in memory. Counts as use.
   ShownSeriesPtr find(const PoolKey& key);
@@ -34,8 +34,8 @@ class SeriesPool {
 
   /// Of the voxels held.
   std::size_t bytes() const;
-  /// A quarter of the machine's memory.
-  static std::size_t defaultBudget();
+  /// So many percent of the machine's memory.
+  static std::size_t partOfMemory(int percent);
 
  private:
   struct Held {

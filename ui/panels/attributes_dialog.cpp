@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>
+#include <set>
 
 #include "io/dicom/attribute_list.h"
 #include "ui/workspace/text.h"
@@ -13,9 +14,17 @@ namespace volumen {
 
 namespace {
 
+// While names are hidden, numbers and codes alone are shown: text, dates and identifiers may name the
+// patient.
+QString valueText(const dicom::AttributeLine& line) {
+  static const std::set<std::string> kept{"US", "SS", "UL", "SL", "UV", "SV", "FL", "FD", "DS",
+                                          "IS", "CS", "AT", "SQ", "OB", "OW", "OF", "OD", "OL"};
+  return namesHidden() && !kept.contains(line.vr) ? AttributesDialog::tr("(hidden)") : shownText(line.value);
+}
+
 QTreeWidgetItem* itemOf(const dicom::AttributeLine& line) {
   return new QTreeWidgetItem(
-      {shownText(line.tag), shownText(line.name), shownText(line.vr), shownText(line.value)});
+      {shownText(line.tag), shownText(line.name), shownText(line.vr), valueText(line)});
 }
 
 void fill(QTreeWidget* tree, const std::vector<dicom::AttributeLine>& lines) {
@@ -102,7 +111,7 @@ void AttributesDialog::makeLayout() {
 
 void AttributesDialog::read() {
   const std::string path = series_.files[std::size_t(slice_->value() - 1)];
-  file_->setText(QFileInfo(QString::fromStdString(path)).fileName());
+  file_->setText(namesHidden() ? pathText(path) : QFileInfo(QString::fromStdString(path)).fileName());
   pool_.start([this, path, number = ++latest_] {
     const auto lines = dicom::listAttributes(path);
     QMetaObject::invokeMethod(
@@ -110,7 +119,8 @@ void AttributesDialog::read() {
         [this, lines, path, number] {
           if (number != latest_) return;
           fill(tree_, lines ? *lines : std::vector<dicom::AttributeLine>{});
-          if (!lines) file_->setText(shownText(path + ": " + lines.message() + "."));
+          if (!lines)
+            file_->setText(QStringLiteral("%1: %2.").arg(pathText(path), shownText(lines.message())));
           filter();
         },
         Qt::QueuedConnection);

@@ -75,7 +75,7 @@ StudiesPanel::StudiesPanel(QWidget* parent)
   tree_->setAccessibleName(tr("Patients, studies and series"));
   tree_->setHeaderHidden(true);
   tree_->setDragEnabled(true);
-  tree_->setIndentation(14);
+  tree_->setIndentation(8);
   tree_->setUniformRowHeights(false);
   tree_->setIconSize({thumbnailEdge, thumbnailEdge});
   tree_->setContextMenuPolicy(Qt::CustomContextMenu);

@@ -29,18 +29,17 @@ WindowFields::WindowFields(Session& session, QWidget* parent)
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(4);
-  int column = 0;
-  for (const auto& [label, field] : {std::pair<QString, QWidget*>(tr("Window"), choices_),
-                                     {tr("Centre"), centre_},
-                                     {tr("Width"), width_}}) {
+  grid->setColumnStretch(1, 1);
+  const auto add = [&](const QString& label, QWidget* field, int row) {
     auto* caption = new QLabel(label);
     caption->setBuddy(field);
-    grid->addWidget(caption, 0, column);
-    grid->addWidget(field, 1, column);
-    grid->setColumnStretch(column, column == 0 ? 2 : 1);
-    ++column;
-  }
-  grid->addWidget(inverted_, 2, 0, 1, 3);
+    grid->addWidget(caption, row, 0);
+    grid->addWidget(field, row, 1);
+  };
+  add(tr("Window"), choices_, 0);
+  add(tr("Centre"), centre_, 1);
+  add(tr("Width"), width_, 2);
+  grid->addWidget(inverted_, 3, 0, 1, 2);
   connect(choices_, &QComboBox::activated, this, [this](int n) {
     setWindow(windowChoices(*session_.series())[std::size_t(n)].window);
     session_.endGesture();

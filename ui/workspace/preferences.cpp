@@ -1,6 +1,7 @@
 #include "ui/workspace/preferences.h"
 
 #include <QSettings>
+#include <algorithm>
 #include <utility>
 
 namespace volumen {
@@ -25,6 +26,7 @@ void visit(Preferences& p, const Visit& each) {
   each("curveDragInverted", p.curveDragInverted);
   each("logarithmicOpacity", p.logarithmicOpacity);
   each("hideNames", p.hideNames);
+  each("memoryPercent", p.memoryPercent);
 }
 
 QVariant toVariant(bool value) { return value; }
@@ -41,7 +43,7 @@ QVariant toVariant(DragAction action) {
 void fromVariant(const QVariant& kept, bool& value) { value = kept.toBool(); }
 void fromVariant(const QVariant& kept, int& percent) {
   const int number = kept.toInt();
-  if (number >= 80 && number <= 200) percent = number;
+  if (number >= 5 && number <= 200) percent = number;
 }
 void fromVariant(const QVariant& kept, Theme& theme) {
   theme = kept.toString() == QStringLiteral("light") ? Theme::light : Theme::dark;
@@ -59,6 +61,8 @@ Preferences storedPreferences() {
   visit(preferences, [&](const char* name, auto& value) {
     if (settings.contains(QLatin1String(name))) fromVariant(settings.value(QLatin1String(name)), value);
   });
+  preferences.textPercent = std::clamp(preferences.textPercent, 80, 200);
+  preferences.memoryPercent = std::clamp(preferences.memoryPercent, 5, 90);
   return preferences;
 }
 

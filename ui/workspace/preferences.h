@@ -18,6 +18,7 @@ struct Preferences {
   bool curveDragInverted = false;  ///< dragging up shifts the curve to higher values
   bool logarithmicOpacity = false;
   bool hideNames = false;
+  int memoryPercent = 25;  ///< of the machine's memory, for series that are not on screen
   bool operator==(const Preferences&) const = default;
 };
 

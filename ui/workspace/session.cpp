@@ -156,6 +156,7 @@ void Session::prefer(const Preferences& preferences) {
   if (preferences == preferences_) return;
   const Preferences before = std::exchange(preferences_, preferences);
   hideNames(preferences.hideNames);
+  pool_.setBudget(SeriesPool::partOfMemory(preferences.memoryPercent));
   Q_EMIT preferencesChanged(before, preferences_);
 }
 
