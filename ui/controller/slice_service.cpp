@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/controller/frame_picture.h"
 #include "viewer/slice/slice.h"
 
 namespace volumen {
@@ -14,6 +15,13 @@ QImage imageOf(const SliceValues& slice, const GreyMapping& grey) {
   for (int y = 0; y < slice.size.y; ++y)
     std::copy_n(bytes.begin() + std::ptrdiff_t(y) * slice.size.x, slice.size.x, image.scanLine(y));
   return image;
+}
+
+Result<QImage> draw(const SliceRequest& request) {
+  if (request.frame) return drawFrame(*request.frame, request.plane, request.grey, request.withLayers);
+  const Result<SliceValues> slice = resampleSlice(*request.volume, request.plane);
+  if (!slice) return slice.error();
+  return imageOf(*slice, request.grey);
 }
 
 }  // namespace
@@ -54,15 +62,15 @@ void SliceService::run() {
     SliceRequest request = std::move(waiting_.front());
     waiting_.pop_front();
     lock.unlock();
-    const Result<SliceValues> slice = resampleSlice(*request.volume, request.plane);
-    if (slice) {
-      const SlicePicture picture{request, imageOf(*slice, request.grey)};
+    const Result<QImage> image = draw(request);
+    if (image) {
+      const SlicePicture picture{request, *image};
       QMetaObject::invokeMethod(
           this, [this, picture] { Q_EMIT ready(picture); }, Qt::QueuedConnection);
     } else {
       QMetaObject::invokeMethod(
           this,
-          [this, view = request.view, sentence = QString::fromStdString(slice.message())] {
+          [this, view = request.view, sentence = QString::fromStdString(image.message())] {
             Q_EMIT failed(view, sentence);
           },
           Qt::QueuedConnection);

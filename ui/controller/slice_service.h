@@ -8,6 +8,7 @@
 #include <optional>
 #include <thread>
 
+#include "ui/data/shown_frame.h"
 #include "ui/workspace/workspace.h"
 #include "viewer/slice/grey.h"
 #include "viewer/slice/plane.h"
@@ -20,6 +21,8 @@ struct SliceRequest {
   VolumePtr volume;
   SlicePlane plane;
   GreyMapping grey;
+  ShownFramePtr frame;     ///< drawn in place of the volume; null: none
+  bool withLayers = true;  ///< of a frame: overlays and shutters
 };
 
 /// A flat picture for the screen, whole.

@@ -1,10 +1,12 @@
 #include "ui/views/slice_view.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <cmath>
 
+#include "ui/views/cine_player.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/text.h"
@@ -12,9 +14,19 @@
 
 namespace volumen {
 
-SliceView::SliceView(Session& session, SliceService& service, ViewId id, QWidget* parent)
+namespace {
+
+bool areAlike(const SliceRequest& a, const SliceRequest& b) {
+  return a.volume == b.volume && a.plane == b.plane && a.grey == b.grey && a.withLayers == b.withLayers;
+}
+
+}  // namespace
+
+SliceView::SliceView(Session& session, SliceService& service, FrameService& frames, ViewId id,
+                     QWidget* parent)
     : View(session, id, parent),
       service_(service),
+      frames_(frames),
       badge_(new WarningBadge(this)),
       tool_(&flatTool("window")) {
   setObjectName(QStringLiteral("sliceView%1").arg(id));
@@ -25,46 +37,69 @@ SliceView::SliceView(Session& session, SliceService& service, ViewId id, QWidget
   wheelEnd_.setInterval(500);
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(&service_, &SliceService::ready, this, &SliceView::showPicture);
+  connect(&frames_, &FrameService::ready, this, &SliceView::takeFrame);
+  connect(&frames_, &FrameService::failed, this, &SliceView::tellFrameFailure);
   connect(this, &View::pixelsChanged, this, &SliceView::askForPicture);
+  showed_ = {state().series, state().kind};
   seriesExchanged(true);
 }
 
+SliceView::~SliceView() = default;
+
 std::optional<SlicePlane> SliceView::plane() const {
-  const ShownSeriesPtr shown = series();
+  const ShownSeriesPtr shown = this->shown();
   if (!shown || state().kind == ViewKind::volume) return {};
   return flatPlane(state(), flatLookOf(state()), shown->volume->geometry(),
                    cursorOf(session_.workspace(), *shown), {pixels().width(), pixels().height()});
 }
 
+const SeriesState& SliceView::seriesState() const { return session_.workspace().series.at(state().series); }
+
 GreyMapping SliceView::grey() const {
-  const ShownSeriesPtr shown = series();
-  const SeriesState& state = session_.workspace().series.at(keyOf(shown->series));
-  return greyMapping(flatWindow(state, *shown), *shown);
+  const FlatLook look = flatLookOf(state());
+  if (showsFrames()) return frameGrey(seriesState(), look, *frame_);
+  GreyMapping grey = greyMapping(flatWindow(seriesState(), *series()), *series());
+  grey.inverted = grey.inverted != look.inverted;
+  return grey;
 }
 
 void SliceView::askForPicture() {
   const std::optional<SlicePlane> now = plane();
   if (!now || !isVisible() || now->size.x < 1 || now->size.y < 1) return;
-  SliceRequest request{id(), series()->volume, *now, grey()};
-  if (asked_ && asked_->volume == request.volume && asked_->plane == request.plane &&
-      asked_->grey == request.grey)
-    return;
+  SliceRequest request{
+      id(), shown()->volume, *now, grey(), showsFrames() ? frame_ : nullptr, flatLookOf(state()).layers};
+  if (asked_ && areAlike(*asked_, request)) return;
   asked_ = request;
   service_.request(std::move(request));
 }
 
 void SliceView::showPicture(const SlicePicture& picture) {
-  if (picture.request.view != id() || !asked_ || picture.request.volume != asked_->volume) return;
+  if (picture.request.view != id() || !asked_) return;
+  // Of frames that come faster than they are drawn any is better than none.
+  const auto& frame = picture.request.frame;
+  const bool isOfClip = frame && showsFrames() && frame->key.series == state().series;
+  if (picture.request.volume != asked_->volume && !isOfClip) return;
   picture_ = picture.image;
   picture_.setDevicePixelRatio(devicePixelRatioF());
+  if (player_ && frame) player_->tellShown(frame->key.index);
   update();
-  if (picture.request.plane == asked_->plane && picture.request.grey == asked_->grey) Q_EMIT settled();
+  const bool isWanted = !showsFrames() || (frame_ && frame_->key == frameKey());
+  if (isWanted && areAlike(picture.request, *asked_)) Q_EMIT settled();
 }
 
 void SliceView::seriesExchanged(bool another) {
+  if (showsFrames()) return;
   if (another) picture_ = {}, asked_.reset();
+  tellWarnings();
+}
+
+void SliceView::tellWarnings() {
   QStringList words, sentences;
-  if (const ShownSeriesPtr shown = series()) {
+  if (showsFrames()) {
+    for (const std::string& sentence : frame_ ? frame_->warnings : std::vector<std::string>{})
+      sentences << shownText(sentence);
+    if (!sentences.isEmpty()) words << tr("Not all of it shown");
+  } else if (const ShownSeriesPtr shown = series()) {
     for (const std::string& text : shortWarnings(shown->warnings)) words << QString::fromStdString(text);
     for (const Warning& w : changingPicture(shown->warnings)) sentences << shownText(w.sentence);
   }
@@ -73,12 +108,15 @@ void SliceView::seriesExchanged(bool another) {
 }
 
 void SliceView::workspaceChanged(const Workspace&) {
+  const std::pair now(state().series, state().kind);
+  if (std::exchange(showed_, now) != now) forgetFrame();
+  askForFrame();
   askForPicture();
   update();
 }
 
 void SliceView::placeBadge() {
-  const auto lines = series() ? overlays().topLeft.size() : 0;
+  const auto lines = shown() ? overlays().topLeft.size() : 0;
   badge_->move(8, 12 + int(lines) * (fontMetrics().height() + 1) + 4);
 }
 
@@ -88,29 +126,44 @@ void SliceView::setTool(const FlatTool& tool) {
 }
 
 void SliceView::scroll(int steps) {
+  if (steps == 0) return;
+  if (showsFrames()) {
+    stop();
+    return showFrame(session_, id(), flatLookOf(state()).frame + steps);
+  }
   const ShownSeriesPtr shown = series();
-  if (!shown || steps == 0) return;
+  if (!shown) return;
   const glm::dvec3 cursor = cursorOf(session_.workspace(), *shown);
   moveCursor(session_, shown->series, tr("Scroll"),
              scrolled(shown->volume->geometry(), state().kind, cursor, steps));
 }
 
 void SliceView::resetView() {
-  editFlat(session_, id(), tr("Reset view"),
-           [](FlatLook& look) { look = FlatLook{.nearest = look.nearest}; });
+  editFlat(session_, id(), tr("Reset view"), [](FlatLook& look) {
+    look.panMm = {0, 0}, look.zoom = 1, look.slabMm = 0;
+  });
   session_.endGesture();
 }
 
 std::optional<FlatPress> SliceView::pressAt(QPointF p) const {
   const std::optional<SlicePlane> now = plane();
   if (!now) return {};
-  return FlatPress{session_, id(), series(), *now, devicePixelRatioF(), p};
+  const ShownSeriesPtr shown = this->shown();
+  const Window window =
+      showsFrames() ? seriesState().window.value_or(grey().window) : flatWindow(seriesState(), *shown);
+  return FlatPress{session_, id(), shown, *now, devicePixelRatioF(), p, window};
 }
+
+// Whether its places are those of the patient.
+bool SliceView::hasCursor() const { return !showsFrames() || (frame_ && frame_->geometry().calibrated); }
 
 const FlatTool* SliceView::toolFor(const QMouseEvent& event) const {
   switch (event.button()) {
     case Qt::LeftButton:
-      return event.modifiers() & Qt::ShiftModifier ? &flatTool("crosshair") : tool_;
+      if (event.modifiers() & Qt::ShiftModifier && hasCursor()) return &flatTool("crosshair");
+      // Colours have no window, and what has no place in the patient no crosshair.
+      if (showsFrames() && frame_ && frame_->colour() && tool_ == &flatTool("window")) return nullptr;
+      return !hasCursor() && tool_ == &flatTool("crosshair") ? nullptr : tool_;
     case Qt::MiddleButton:
       return &flatTool("pan");
     case Qt::RightButton:
@@ -126,20 +179,24 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
   const auto press = pressAt(event->position());
   if (!tool || !press || drag_) return;
   session_.endGesture();
+  pressedAt_ = event->position();
   stepsAtPress_ = session_.undoStack().index();
   drag_ = tool->begin(*press);
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_) return drag_->moveTo(event->position(), event->modifiers());
-  if (event->modifiers() & Qt::ShiftModifier)
+  if (event->modifiers() & Qt::ShiftModifier && hasCursor())
     if (const auto press = pressAt(event->position())) beginCrosshair(*press);
   Q_EMIT hovered(hoverText(event->position()));
 }
 
-void SliceView::mouseReleaseEvent(QMouseEvent*) {
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  const bool isClick = (event->position() - pressedAt_).manhattanLength() < QApplication::startDragDistance();
+  const bool wantsMenu = drag_ && event->button() == Qt::RightButton && isClick;
   drag_.reset();
   session_.endGesture();
+  if (wantsMenu) Q_EMIT menuRequested(event->globalPosition().toPoint());
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
@@ -162,7 +219,7 @@ void SliceView::wheelEvent(QWheelEvent* event) {
 
 void SliceView::makeSlabThicker(int steps) {
   const ShownSeriesPtr shown = series();
-  if (!shown || steps == 0) return;
+  if (!shown || showsFrames() || steps == 0) return;
   const double step = wheelStep(shown->volume->geometry(), plane()->normal());
   editFlat(session_, id(), tr("Slab"), [&](FlatLook& look) {
     look.slabMm = std::clamp(std::round(look.slabMm / step + steps) * step, 0.0, 500.0);
@@ -171,8 +228,13 @@ void SliceView::makeSlabThicker(int steps) {
 
 // 0: as the series says; 1 and on: those of the menu.
 void SliceView::chooseWindow(int number) {
-  const ShownSeriesPtr shown = series();
+  const ShownSeriesPtr shown = this->shown();
   if (!shown) return;
+  if (showsFrames()) {
+    const std::vector<GreyChoice> choices = greyChoices(*frame_);
+    if (number < int(choices.size())) chooseGrey(choices[std::size_t(number)]);
+    return;
+  }
   const std::vector<NamedWindow> choices = windowChoices(*shown);
   if (number >= int(choices.size())) return;
   session_.change(tr("Window"), [&](Workspace& w) {
@@ -181,12 +243,6 @@ void SliceView::chooseWindow(int number) {
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
-  const auto whole = [this] {
-    const ShownSeriesPtr shown = series();
-    return shown ? stackPlace(shown->volume->geometry(), state().kind, cursorOf(session_.workspace(), *shown))
-                       .count
-                 : 0;
-  };
   switch (event->key()) {
     case Qt::Key_Up:
       return scroll(-1);
@@ -197,9 +253,11 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_PageDown:
       return scroll(10);
     case Qt::Key_Home:
-      return scroll(-whole());
+      return scroll(-place().count);
     case Qt::Key_End:
-      return scroll(whole());
+      return scroll(place().count);
+    case Qt::Key_I:
+      return invert();
     case Qt::Key_Escape:
       if (!drag_) break;
       drag_.reset();
@@ -219,6 +277,7 @@ void SliceView::leaveEvent(QEvent* event) {
 
 void SliceView::showEvent(QShowEvent* event) {
   View::showEvent(event);
+  askForFrame();
   askForPicture();
 }
 

@@ -53,6 +53,7 @@ QString positionText(ViewKind kind, glm::dvec3 p) {
 QString SliceView::hoverText(QPointF position) const {
   const auto press = pressAt(position);
   if (!press) return {};
+  if (showsFrames()) return frameHoverText(position);
   const Volume& volume = *press->series->volume;
   const glm::dvec3 p = press->patientAt(position);
   const glm::ivec3 voxel(glm::floor(volume.geometry().voxelFromPatient(p) + 0.5));
@@ -65,12 +66,12 @@ QString SliceView::hoverText(QPointF position) const {
 }
 
 Overlays SliceView::overlays() const {
+  if (showsFrames()) return frameOverlays();
   const ShownSeriesPtr shown = series();
   const VoxelGeometry& geometry = shown->volume->geometry();
   const SlicePlane now = *plane();
   const FlatLook look = flatLookOf(state());
-  const glm::dvec3 cursor = cursorOf(session_.workspace(), *shown);
-  const StackPlace place = stackPlace(geometry, state().kind, cursor);
+  const StackPlace place = this->place();
   const Window window = flatWindow(session_.workspace().series.at(keyOf(shown->series)), *shown);
   Overlays o;
   o.topLeft << patientText(shown->series) << seriesText(shown->series);
@@ -105,7 +106,9 @@ void SliceView::paintLines(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
   for (const ViewId other : viewsOnScreen(session_.workspace())) {
     const ViewState& view = session_.workspace().view(other);
-    if (other == id() || view.kind == ViewKind::volume || view.series != state().series) continue;
+    if (other == id() || view.kind == ViewKind::volume || view.kind == ViewKind::frames ||
+        view.series != state().series)
+      continue;
     const SlicePlane plane = flatPlane(view, flatLookOf(view), shown->volume->geometry(), cursor, {100, 100});
     const auto line = referenceLine(now, plane);
     if (!line) continue;
@@ -116,9 +119,8 @@ void SliceView::paintLines(QPainter& painter) const {
 }
 
 void SliceView::paintStackBar(QPainter& painter) const {
-  const ShownSeriesPtr shown = series();
-  const StackPlace place =
-      stackPlace(shown->volume->geometry(), state().kind, cursorOf(session_.workspace(), *shown));
+  const StackPlace place = this->place();
+  if (place.count < 2) return;
   const QRectF bar(width() - 5.0, 0, 3, height());
   const double part = bar.height() / place.count;
   painter.fillRect(bar, QColor(255, 255, 255, 30));
@@ -129,11 +131,13 @@ void SliceView::paintStackBar(QPainter& painter) const {
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
-  if (series()) {
+  if (shown()) {
     if (!picture_.isNull()) painter.drawImage(QPointF(0, 0), picture_);
-    paintLines(painter);
+    if (!showsFrames()) paintLines(painter);
     paintOverlays(painter, overlays(), QRectF(rect()).adjusted(0, 0, -6, 0));
     paintStackBar(painter);
+  } else if (!frameFailure_.isEmpty()) {
+    paintOverlays(painter, {.warning = frameFailure_}, rect());
   }
   paintFocus(painter);
 }

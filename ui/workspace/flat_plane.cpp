@@ -47,7 +47,8 @@ Stack stackOf(const VoxelGeometry& geometry, ViewKind kind) {
 
 SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry,
                      glm::dvec3 cursor, glm::ivec2 pixels) {
-  SlicePlane plane = namedPlane(geometry, namedPlaneOf(view.kind));
+  SlicePlane plane =
+      view.kind == ViewKind::frames ? framePlane(geometry) : namedPlane(geometry, namedPlaneOf(view.kind));
   const glm::dvec2 whole = glm::dvec2(plane.size) * plane.mmPerPixel;
   const double fittedMm = std::max(whole.x / pixels.x, whole.y / pixels.y);
   plane.size = pixels;

@@ -2,13 +2,14 @@
 
 #include <optional>
 
-#include "ui/data/shown_series.h"
+#include "ui/data/shown_frame.h"
 #include "ui/workspace/workspace.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {
 
-/// The plane that a flat view shows, through the cursor; as many pixels as asked for. `view`: not a 3D one.
+/// The plane that a flat view shows, through the cursor, or of frames, whose slice is the volume; as many
+/// pixels as asked for. `view`: not a 3D one.
 SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry,
                      glm::dvec3 cursor, glm::ivec2 pixels);
 

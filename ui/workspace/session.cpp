@@ -43,13 +43,20 @@ void Session::show(ShownSeriesPtr series, ViewId view) {
   pool_.put({key, false}, series);
   const SceneLook first{series->firstScene,
                         std::make_shared<ChosenPreset>(ChosenPreset{"auto", series->firstScene})};
+  begin(tr("Show %1").arg(seriesText(series->series)), withSeries(workspace_, view, series->series, first));
+}
+
+void Session::showFrames(const Series& series, ViewId view) {
+  begin(tr("Show %1").arg(seriesText(series)), withFrames(workspace_, view, series));
+}
+
+// A step, but for the first series of a workspace.
+void Session::begin(const QString& text, Workspace after) {
   endGesture();
-  const bool isFirst = workspace_.series.empty();
-  Workspace after = withSeries(workspace_, view, series->series, first);
-  if (isFirst || after == workspace_)
+  if (workspace_.series.empty() || after == workspace_)
     setWorkspace(after);
   else
-    change(tr("Show %1").arg(seriesText(series->series)), std::move(after));
+    change(text, std::move(after));
 }
 
 bool Session::showAgain(const Series& series, ViewId view) {
@@ -60,7 +67,10 @@ bool Session::showAgain(const Series& series, ViewId view) {
 
 void Session::take(ShownSeriesPtr series) {
   const SeriesKey key = keyOf(series->series);
-  const auto waits = [&](ViewId id) { return workspace_.view(id).series == key && !seriesOf(id); };
+  const auto waits = [&](ViewId id) {
+    const ViewState& view = workspace_.view(id);
+    return view.series == key && view.kind != ViewKind::frames && !seriesOf(id);
+  };
   if (std::ranges::none_of(viewsOnScreen(workspace_), waits)) return show(std::move(series));
   pool_.put({key, false}, std::move(series));
   setWorkspace(workspace_);
@@ -172,8 +182,10 @@ void Session::setWorkspace(const Workspace& workspace) {
   Workspace after = workspace;  // a copy: it may be the one in use
   const Workspace before = std::exchange(workspace_, std::move(after));
   std::set<PoolKey> onScreen;
-  for (const ViewId id : viewsOnScreen(workspace_))
-    if (const SeriesKey& key = workspace_.view(id).series; !key.empty()) onScreen.insert(poolKeyOf(key));
+  for (const ViewId id : viewsOnScreen(workspace_)) {
+    const ViewState& view = workspace_.view(id);
+    if (!view.series.empty() && view.kind != ViewKind::frames) onScreen.insert(poolKeyOf(view.series));
+  }
   pool_.setOnScreen(onScreen);
   const SessionState stateBefore = std::exchange(state_, stateInFocus());
   Q_EMIT workspaceChanged(before, workspace_);

@@ -44,7 +44,9 @@ class Session : public QObject {
   /// undo step, but for the first series of a workspace. Null: closes all, and forgets all steps.
   void show(ShownSeriesPtr series);
   void show(ShownSeriesPtr series, ViewId view);
-  /// The same for a series that is still in memory; false where it is not.
+  /// Puts the frames of a series into a view, as withFrames() does; one undo step, but for the first series.
+  void showFrames(const Series& series, ViewId view);
+  /// The same as show() for a series that is still in memory; false where it is not.
   bool showAgain(const Series& series, ViewId view);
   /// Keeps a series that views on screen wait for; shows any other.
   void take(ShownSeriesPtr series);
@@ -101,6 +103,7 @@ class Session : public QObject {
  private:
   friend class EditWorkspace;
   PoolKey poolKeyOf(const SeriesKey& series) const;
+  void begin(const QString& text, Workspace after);
   SessionState stateInFocus() const;
   void setWorkspace(const Workspace& workspace);
 

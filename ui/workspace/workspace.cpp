@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace volumen {
 
@@ -28,9 +29,50 @@ const std::vector<LayoutEntry>& layouts() {
 
 bool inGroup(ViewId view) { return view < firstComparedId; }
 
+ViewKind firstKind(ViewId id) {
+  return id == sceneViewId      ? ViewKind::volume
+         : id == coronalViewId  ? ViewKind::coronal
+         : id == sagittalViewId ? ViewKind::sagittal
+                                : ViewKind::axial;
+}
+
+// The slice of a series at its cursor; the one in the middle where there is none.
+int sliceAtCursor(const Workspace& workspace, const Series& series) {
+  const int last = series.acquired.size.z - 1;
+  const auto cursor = workspace.cursors.find(frameOfReference(series));
+  if (cursor == workspace.cursors.end()) return last / 2;
+  return int(std::clamp(std::round(series.acquired.voxelFromPatient(cursor->second).z), 0.0, double(last)));
+}
+
+// Slices again; the cursor goes to the frame that was shown.
+void leaveFrames(Workspace& workspace, ViewId id) {
+  ViewState& view = workspace.view(id);
+  if (view.kind != ViewKind::frames) return;
+  const Series* series = seriesIn(workspace, id);
+  if (series && series->notVolume.empty() && series->acquired.calibrated) {
+    const glm::dvec3 middle = glm::dvec3(series->acquired.size - 1) * 0.5;
+    glm::dvec3& cursor =
+        workspace.cursors.try_emplace(frameOfReference(*series), series->acquired.patientFromVoxel(middle))
+            .first->second;
+    glm::dvec3 pVoxel = series->acquired.voxelFromPatient(cursor);
+    pVoxel.z = flatLookOf(view).frame;
+    cursor = series->acquired.patientFromVoxel(pVoxel);
+  }
+  view.kind = firstKind(id);
+  if (workspace.layout == Layout::one && workspace.focus == axialViewId) workspace.focus = sceneViewId;
+}
+
+void remember(Workspace& workspace, const Series& series) {
+  const auto [state, isNew] = workspace.series.try_emplace(keyOf(series));
+  if (isNew) state->second.series = std::make_shared<const Series>(series);
+}
+
 void put(Workspace& workspace, ViewId id, const Series& series, const SceneLook& first) {
   ViewState& view = workspace.view(id);
+  const bool wereFrames = view.kind == ViewKind::frames && view.series == keyOf(series);
+  leaveFrames(workspace, id);
   view.series = keyOf(series);
+  if (wereFrames) view.flats[view.series] = {.nearest = flatLookOf(view).nearest};
   if (view.kind == ViewKind::volume)
     view.scenes.try_emplace(view.series, first);
   else
@@ -40,10 +82,7 @@ void put(Workspace& workspace, ViewId id, const Series& series, const SceneLook&
 }  // namespace
 
 Workspace::Workspace() : views(std::size_t(viewCount)) {
-  view(axialViewId).kind = ViewKind::axial;
-  view(coronalViewId).kind = ViewKind::coronal;
-  view(sagittalViewId).kind = ViewKind::sagittal;
-  for (ViewId id = firstComparedId; id < viewCount; ++id) view(id).kind = ViewKind::axial;
+  for (ViewId id = 0; id < viewCount; ++id) view(id).kind = firstKind(id);
 }
 
 const char* layoutName(Layout layout) {
@@ -58,6 +97,8 @@ std::optional<Layout> layoutNamed(const std::string& name) {
 
 std::vector<ViewId> viewsOnScreen(const Workspace& workspace) {
   const auto& views = std::ranges::find(layouts(), workspace.layout, &LayoutEntry::layout)->views;
+  const ViewId first = views.empty() ? workspace.focus : views.front();
+  if (inGroup(first) && showsFrames(workspace, first)) return {axialViewId};
   return views.empty() ? std::vector{workspace.focus} : views;
 }
 
@@ -67,6 +108,17 @@ ViewId sceneViewOf(const Workspace& workspace) {
   for (const ViewId id : viewsOnScreen(workspace))
     if (workspace.view(id).kind == ViewKind::volume) return id;
   return sceneViewId;
+}
+
+const Series* seriesIn(const Workspace& workspace, ViewId view) {
+  const auto state = workspace.series.find(workspace.view(view).series);
+  return state == workspace.series.end() ? nullptr : state->second.series.get();
+}
+
+ViewId framesViewOf(ViewId view) { return inGroup(view) ? axialViewId : view; }
+
+bool showsFrames(const Workspace& workspace, ViewId view) {
+  return workspace.view(framesViewOf(view)).kind == ViewKind::frames;
 }
 
 FlatLook flatLookOf(const ViewState& view) {
@@ -79,8 +131,7 @@ std::string frameOfReference(const Series& series) {
 }
 
 Workspace withSeries(Workspace workspace, ViewId view, const Series& series, const SceneLook& first) {
-  const auto [state, isNew] = workspace.series.try_emplace(keyOf(series));
-  if (isNew) state->second.series = std::make_shared<const Series>(series);
+  remember(workspace, series);
   if (!inGroup(view)) {
     put(workspace, view, series, first);
     return workspace;
@@ -89,8 +140,24 @@ Workspace withSeries(Workspace workspace, ViewId view, const Series& series, con
   return workspace;
 }
 
+Workspace withFrames(Workspace workspace, ViewId view, const Series& series) {
+  remember(workspace, series);
+  const ViewId shown = framesViewOf(view);
+  const SeriesKey key = keyOf(series);
+  ViewState& frames = workspace.view(shown);
+  const bool wereSlices = frames.series == key && frames.kind != ViewKind::frames;
+  for (ViewId id = 0; inGroup(view) && id < firstComparedId; ++id) workspace.view(id).series = key;
+  frames.series = key;
+  frames.kind = ViewKind::frames;
+  FlatLook& look = frames.flats[key];
+  if (wereSlices) look = {.nearest = look.nearest, .frame = sliceAtCursor(workspace, series)};
+  if (workspace.focus == view || inGroup(workspace.focus)) workspace.focus = shown;
+  return workspace;
+}
+
 Workspace withLayout(Workspace workspace, Layout layout) {
   const SeriesKey shown = workspace.view(workspace.focus).series;
+  const bool asFrames = showsFrames(workspace, workspace.focus);
   workspace.layout = layout;
   const std::vector<ViewId> views = viewsOnScreen(workspace);
   if (std::ranges::find(views, workspace.focus) == views.end()) workspace.focus = views.front();
@@ -98,17 +165,22 @@ Workspace withLayout(Workspace workspace, Layout layout) {
   if (first.series.empty()) {
     first.series = shown;
     first.flats.try_emplace(shown);
+    if (asFrames) first.kind = ViewKind::frames;
   }
   return workspace;
 }
 
 Workspace without(Workspace workspace, const SeriesKey& key) {
-  workspace.series.erase(key);
-  for (ViewState& view : workspace.views) {
-    if (view.series == key) view.series = {};
+  for (ViewId id = 0; id < viewCount; ++id) {
+    ViewState& view = workspace.view(id);
+    if (view.series == key) {
+      leaveFrames(workspace, id);
+      view.series = {};
+    }
     view.scenes.erase(key);
     view.flats.erase(key);
   }
+  workspace.series.erase(key);
   return workspace;
 }
 

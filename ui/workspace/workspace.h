@@ -33,7 +33,10 @@ struct FlatLook {
   double zoom = 1;      ///< relative to the picture that shows all of the volume
   double slabMm = 0;
   SlabMode slabMode = SlabMode::max;
-  bool nearest = false;  ///< voxels as they are, not interpolated
+  bool nearest = false;   ///< voxels as they are, not interpolated
+  bool inverted = false;  ///< bright where it would be dark; colours stay
+  int frame = 0;          ///< of frames: which, from 0
+  bool layers = true;     ///< of frames: overlays and shutters
   bool operator==(const FlatLook&) const = default;
 };
 
@@ -42,10 +45,11 @@ struct SeriesState {
   std::shared_ptr<const Series> series;
   bool tableRemoved = false;
   std::optional<Window> window;  ///< of flat views; a negative width is inverted; none: the series' own
+  int namedGrey = 0;             ///< of frames without such a window: which of the file's own
   bool operator==(const SeriesState&) const = default;
 };
 
-enum class ViewKind { volume, axial, coronal, sagittal };
+enum class ViewKind { volume, axial, coronal, sagittal, frames };
 
 /// What a view shows: one series, and what it made of that and of those it showed before.
 struct ViewState {
@@ -65,7 +69,8 @@ enum class Layout {
   four           ///< four series, 2 x 2
 };
 
-/// The views that every workspace has. The first four show one series together.
+/// The views that every workspace has. The first four show one series together; as frames the axial one alone
+/// does.
 inline constexpr ViewId sceneViewId = 0, axialViewId = 1, coronalViewId = 2, sagittalViewId = 3,
                         firstComparedId = 4, viewCount = 8;
 
@@ -96,6 +101,9 @@ std::vector<ViewId> viewsOnScreen(const Workspace& workspace);
 /// The 3D view that the panels work on: the one in focus, else the one of the same group.
 ViewId sceneViewOf(const Workspace& workspace);
 
+/// The series of a view; null: none.
+const Series* seriesIn(const Workspace& workspace, ViewId view);
+
 /// How a flat view shows its series; the defaults where it has none.
 FlatLook flatLookOf(const ViewState& view);
 
@@ -104,6 +112,12 @@ std::string frameOfReference(const Series& series);
 
 /// With this series in a view, and in those of its group; by `first` where a 3D view has not shown it yet.
 Workspace withSeries(Workspace workspace, ViewId view, const Series& series, const SceneLook& first);
+/// With the frames of this series in a view, or in the axial one of its group; where the view showed slices
+/// of it, from the one at the cursor on.
+Workspace withFrames(Workspace workspace, ViewId view, const Series& series);
+/// The view that shows frames where this one is asked to: itself, or the axial one of its group.
+ViewId framesViewOf(ViewId view);
+bool showsFrames(const Workspace& workspace, ViewId view);
 /// In another layout; the first view to compare, where it is empty, gets the series of the focus.
 Workspace withLayout(Workspace workspace, Layout layout);
 /// Without this series: views that show it are empty.
