@@ -89,7 +89,7 @@ std::string infoText(const Study& study, const std::vector<InfoSeries>& series, 
     patient = patientLine(s), when = studyLine(s);
     addSeries(out, n + 1, series[n], verbose);
   }
-  const QString unread = unreadText(study);
+  const QString unread = noVolumesText(study);
   if (unread.isEmpty()) return out.str();
   out << unread.toStdString() << '\n';
   addFiles(out, study.images, verbose, imageLine);

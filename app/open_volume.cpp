@@ -13,12 +13,13 @@ namespace volumen {
 namespace {
 
 Error nothingToShow(const std::string& path, const Study& study) {
-  const std::vector<Refused> unread = notShown(study);
+  std::vector<Refused> unread = study.refused;
+  for (const Image& image : study.images) unread.push_back({image.path, image.notVolume});
   if (unread.empty()) return Error{"No images found in " + path + "."};
   const std::string why = unread[0].path + ": " + unread[0].reason;
   if (unread.size() == 1) return Error{why};
-  return Error{"No images found in " + path + ": " + unreadText(study).toStdString() + " The first: " + why +
-               "\n`volumen info` lists them."};
+  return Error{"No images found in " + path + ": " + noVolumesText(study).toStdString() +
+               " The first: " + why + "\n`volumen info` lists them."};
 }
 
 // One a line, as `info` numbers and names them.

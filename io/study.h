@@ -21,7 +21,15 @@ struct SeriesIdentity {
   std::string frameOfReferenceUid;  ///< positions of one frame of reference are comparable; empty: not given
 };
 
-/// One volume that was found: plain values that the rest of the program sees, and how to load it.
+/// How the frames of a clip follow each other (PS3.3 C.7.6.5).
+struct Cine {
+  double framesPerSecond = 0;        ///< as the file recommends; 0: it does not
+  std::vector<double> frameTimesMs;  ///< from the frame before to each frame; empty: always the same
+  bool backAndForth = false;         ///< PreferredPlaybackSequencing 1
+};
+
+/// One volume that was found, or pictures that are none: plain values that the rest of the program sees, and
+/// how to load it.
 struct Series : SeriesIdentity {
   std::string id;  ///< SeriesInstanceUID or file name, "#n" behind it where that holds several (design.md 10)
   std::string path;       ///< the file, or the folder that holds the files
@@ -47,13 +55,9 @@ struct Series : SeriesIdentity {
   std::vector<std::string> files;  ///< every file it is made of, in slice order (one file for NRRD etc.)
   std::vector<int> frames;         ///< DICOM: the frame (from 0) of each of `files` that is the slice
   std::vector<std::string> sopInstanceUids;  ///< DICOM: of each of `files`
-};
 
-/// How the frames of a clip follow each other (PS3.3 C.7.6.5).
-struct Cine {
-  double framesPerSecond = 0;        ///< as the file recommends; 0: it does not
-  std::vector<double> frameTimesMs;  ///< from the frame before to each frame; empty: always the same
-  bool backAndForth = false;         ///< PreferredPlaybackSequencing 1
+  std::string notVolume;  ///< why these are only frames: a sentence; empty: it is a volume
+  Cine cine;              ///< of frames
 };
 
 /// A DICOM file that is no volume and whose frames can be shown as acquired (io/frames.h): colour, clips,

@@ -10,6 +10,7 @@
 
 #include "ui/controller/qt_gl_context.h"
 #include "ui/controller/table_remover.h"
+#include "ui/data/frame_series.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/preset_bar.h"
@@ -40,6 +41,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   makeDocks();
   makeActions();
   makeLayoutActions();
+  makeFrameActions();
   makeMenus();
   makeToolBar();
   connectSession();
@@ -52,6 +54,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectScenes();
   connectRecent();
   connectViews();
+  connectFrames();
   restoreLayout();
   showTheme();
   session_.prefer(storedPreferences());
@@ -64,7 +67,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::makeCentre() {
-  grid_ = new ViewGrid(session_, slices_);
+  grid_ = new ViewGrid(session_, slices_, frames_);
   view_ = grid_->sceneView();
   banner_ = new Banner;
   start_ = new StartPage;
@@ -139,6 +142,7 @@ void MainWindow::connectLoader() {
 }
 
 void MainWindow::showInFocus(const Series& series) {
+  if (opensAsFrames(series)) return showFramesInFocus(series);
   if (!session_.showAgain(series, session_.workspace().focus)) loader_.load(series);
 }
 
@@ -199,16 +203,26 @@ void MainWindow::open(const QStringList& paths, const std::optional<Scene>& scen
 void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Study>& study) {
   studies_->addStudy(path, study);
   QStringList details;
-  for (const Refused& refused : notShown(*study))
+  for (const Refused& refused : study->refused)
     details << pathText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
   for (const Other& other : study->other)
     details << pathText(other.path) + QStringLiteral(": ") + shownText(other.kind);
-  if (study->volumes.empty())
+  if (study->volumes.empty() && study->images.empty())
     return banner_->add(tr("No images found in %1.").arg(pathText(path.toStdString())), details);
-  if (!notShown(*study).empty()) banner_->add(unreadText(*study), details);
+  if (!study->refused.empty()) banner_->add(unreadText(*study), details);
   recent_.add(path);
   if (!std::exchange(showFirst_, false)) return;
-  if (const Result<std::size_t> largest = chooseSeries(*study, {})) loader_.load(study->volumes[*largest]);
+  showFirst(*study);
+}
+
+// The largest volume, else the first pictures.
+void MainWindow::showFirst(const Study& study) {
+  if (const Result<std::size_t> largest = chooseSeries(study, {}); largest && !study.volumes.empty()) {
+    const Series& series = study.volumes[*largest];
+    return opensAsFrames(series) && !sceneToShow_ ? showFramesInFocus(series) : loader_.load(series);
+  }
+  if (const std::vector<Series> frames = frameSeries(study); !frames.empty())
+    showFramesInFocus(frames.front());
 }
 
 // The volume of the series on screen and what is to be known of it.
@@ -225,12 +239,8 @@ void MainWindow::showVolume() {
 }
 
 void MainWindow::showSeries() {
-  const ShownSeriesPtr& series = session_.series();
   showVolume();
-  pages_->setCurrentWidget(series ? static_cast<QWidget*>(grid_) : pages_->widget(0));
-  if (!series) return setWindowTitle(QStringLiteral("volumen"));
-  showNames();
-  grid_->setFocus();
+  showPage();
 }
 
 void MainWindow::requestFrame() {

@@ -5,6 +5,7 @@
 
 #include "ui/controller/accuracy_meter.h"
 #include "ui/controller/draw_service.h"
+#include "ui/controller/frame_service.h"
 #include "ui/controller/loader.h"
 #include "ui/controller/preset_thumbnails.h"
 #include "ui/controller/recent_files.h"
@@ -30,6 +31,7 @@ class StartPage;
 class StatusLine;
 class StudiesPanel;
 class TableRemover;
+class SliceView;
 class ViewGrid;
 class VolumeView;
 
@@ -86,6 +88,15 @@ class MainWindow : public QMainWindow {
   void connectSnapshots();
   void connectViews();
   void makeLayoutActions();
+  void makeFrameActions();
+  void connectFrames();
+  SliceView* framesInFocus() const;
+  void setShowAsFrames(bool asFrames);
+  void showFrameActions();
+  void showFramesInFocus(const Series& series);
+  void showFlatMenu(SliceView& view, QPoint global);
+  void showPage();
+  void showFirst(const Study& study);
   void resetViewInFocus();
   Workspace arranged(Workspace workspace, const Series& series, bool isFirst) const;
   const Series* ctUnder(const Series& pet) const;
@@ -126,6 +137,7 @@ class MainWindow : public QMainWindow {
   Session session_;
   DrawService drawService_;
   SliceService slices_;
+  FrameService frames_;
   Loader loader_;
   AccuracyMeter meter_;
   Snapshot snapshot_;

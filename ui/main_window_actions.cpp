@@ -257,6 +257,7 @@ void MainWindow::makeMenus() {
   fill(view,
        "orbitTool curveTool resetView | viewAnterior viewPosterior viewLeft viewRight viewSuperior "
        "viewInferior | "
+       "showAsFrames overlaysAndShutters playFrames | "
        "openGlResampler showError | maximise fullScreen lightTheme hideNames");
   layoutMenu_ = view->addMenu(tr("Layout"));
   fill(layoutMenu_, "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour | alignPlanes");
@@ -368,7 +369,10 @@ void MainWindow::showShortcuts() {
       tr("In a slice"),
       tr("left drag changes the window (Shift: fine, Ctrl: fast), middle pans, right zooms, the wheel "
          "scrolls (Ctrl: zooms, "
-         "Alt: slab), Shift moves the crosshair, 0 to 9 choose a window, Esc gives up a drag"),
+         "Alt: slab), Shift moves the crosshair, 0 to 9 choose a window, I inverts, a right click opens a "
+         "menu, Esc gives up a drag"),
+      tr("C"),
+      tr("plays the frames of the view in focus, and stops"),
       tr("Alt+1 to Alt+5"),
       tr("layouts: one view, planes and 3D, large 3D beside planes, two or four series"),
       tr("Ctrl+Z, Ctrl+Shift+Z"),

@@ -109,13 +109,14 @@ void MainWindow::showTheme() {
 }
 
 void MainWindow::showNames() {
-  const ShownSeriesPtr& series = session_.series();
-  if (!series) return;
-  QStringList parts{patientText(series->series), seriesText(series->series), QStringLiteral("volumen")};
+  const Series* series = seriesIn(session_.workspace(), session_.workspace().focus);
+  if (!series) return setWindowTitle(QStringLiteral("volumen"));
+  QStringList parts{patientText(*series), seriesText(*series), QStringLiteral("volumen")};
   parts.removeAll(QString());
   setWindowTitle(parts.join(QStringLiteral(" - ")));
-  studies_->markShown(series);
-  snapshotPanel_->setName(seriesText(series->series).replace(QLatin1Char('/'), QLatin1Char('_')));
+  const ShownSeriesPtr inMemory = session_.seriesOf(session_.workspace().focus);
+  studies_->markShown(*series, inMemory ? inMemory->volume : nullptr);
+  snapshotPanel_->setName(seriesText(*series).replace(QLatin1Char('/'), QLatin1Char('_')));
 }
 
 void MainWindow::showPreferences() {

@@ -59,9 +59,18 @@ std::optional<ValueRange> paddingValues(const Slice& slice, const ValueMapping& 
   return ValueRange{std::min(a, b), std::max(a, b)};
 }
 
+const Slice& sliceOf(const FileHeader& header, int n) {
+  return header.slices[header.slices.size() == 1 ? 0 : std::size_t(n)];
+}
+
+std::optional<FramePlace> placeOf(const Slice& slice, const PixelSize& pixel) {
+  if (!isPlaced(slice) || pixel.kind != PixelSizeKind::patient) return {};
+  return FramePlace{*slice.position, slice.orientation->row, slice.orientation->column};
+}
+
 Status addGreys(const DataSet& data, const FileHeader& header, const DecodedFrame& decoded, int n,
                 Frame& frame) {
-  const Slice& slice = header.slices[header.slices.size() == 1 ? 0 : std::size_t(n)];
+  const Slice& slice = sliceOf(header, n);
   const auto mapping = readValueMapping(data, header, slice);
   if (!mapping) return mapping.error();
   frame.values = valuesOf(decoded.samples, *mapping);
@@ -94,6 +103,7 @@ Result<Frame> readFrame(const InspectedFile& file, int n) {
     frame.rgb = std::move(*rgb);
   }
   frame.pixel = readPixelSize(data, at, header.modality);
+  frame.place = placeOf(sliceOf(header, n), frame.pixel);
   frame.overlays = readOverlays(data, *pixels, header, n, frame.warnings);
   frame.shutter = readShutter(data, at, frame.size, frame.pixel.mm, frame.warnings);
   frame.regions = readRegions(data);

@@ -81,7 +81,7 @@ std::vector<NamedGrey> readGreys(const DataSet& data, const FrameScopes& at, con
     else
       warnings.push_back("A VOI LUT is left out: " + table.message() + ".");
   }
-  if (greys.empty()) greys.push_back({{}, {ownWindow(frame), WindowFunction::linearExact, {}, false}});
+  if (greys.empty()) greys.push_back({{}, {ownWindow(frame), WindowFunction::linearExact, {}, false}, true});
   const bool inverted =
       header.format.photometric == "MONOCHROME1" || data.text(0x20500020, data.root()) == "INVERSE";
   const bool floats = header.format.kind != PixelFormat::Kind::integer;

@@ -82,9 +82,13 @@ void Loader::open(const QString& path) {
   });
 }
 
-void Loader::load(const Series& series) {
+void Loader::cancelLoad() {
   loadCancel_.cancel();
   loadCancel_ = CancelToken();
+}
+
+void Loader::load(const Series& series) {
+  cancelLoad();
   start(loadPool_, loadCancel_, [this, series](const CancelToken& cancel, const Progress& progress) {
     const auto fail = [&](const std::string& sentence) {
       tell(cancel, [this, text = QString::fromStdString(sentence)] { Q_EMIT failed(text); });

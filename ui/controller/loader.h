@@ -29,6 +29,8 @@ class Loader : public QObject {
   void load(const Series& series);
   void makePreset(const QString& name, VolumePtr volume);
   void cancel();
+  /// Gives up the load that is under way alone.
+  void cancelLoad();
 
  Q_SIGNALS:
   void studyOpened(const QString& path, const std::shared_ptr<const volumen::Study>& study);

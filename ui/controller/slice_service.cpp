@@ -2,7 +2,18 @@
 
 #include <algorithm>
 
+#include "ui/controller/frame_picture.h"
+
 namespace volumen {
+
+namespace {
+
+Result<QImage> draw(const SliceRequest& request) {
+  if (!request.frame) return sliceImage(request.layers, request.plane);
+  return drawFrame(*request.frame, request.plane, request.layers.front().grey, request.withLayers);
+}
+
+}  // namespace
 
 SliceService::SliceService(QObject* parent) : QObject(parent), thread_([this] { run(); }) {}
 
@@ -40,7 +51,7 @@ void SliceService::run() {
     SliceRequest request = std::move(waiting_.front());
     waiting_.pop_front();
     lock.unlock();
-    const Result<QImage> image = sliceImage(request.layers, request.plane);
+    const Result<QImage> image = draw(request);
     if (image) {
       const SlicePicture picture{request, *image};
       QMetaObject::invokeMethod(

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "ui/controller/slice_image.h"
+#include "ui/data/shown_frame.h"
 #include "ui/workspace/view_id.h"
 
 namespace volumen {
@@ -18,6 +19,8 @@ struct SliceRequest {
   ViewId view = 0;
   std::vector<SliceLayer> layers;  ///< the first at the bottom
   SlicePlane plane;
+  ShownFramePtr frame;     ///< drawn in place of the layers; null: none
+  bool withLayers = true;  ///< of a frame: overlays and shutters
   bool operator==(const SliceRequest&) const = default;
 };
 

@@ -5,6 +5,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "io/frames.h"
+#include "ui/controller/frame_picture.h"
+#include "ui/data/frame_series.h"
+#include "ui/workspace/frame_look.h"
+
 namespace volumen {
 
 namespace {
@@ -80,6 +85,32 @@ QImage thumbnailOf(const Volume& volume, int edge) {
   return out;
 }
 
+namespace {
+
+std::optional<QImage> sliceThumbnail(const Series& part, int edge, const CancelToken& cancel) {
+  const Result<Loaded> loaded = loadSeries(part, {}, cancel);
+  if (!loaded) return {};
+  return thumbnailOf(*loaded->drawn, edge);
+}
+
+// The whole picture, in the middle of a black square.
+std::optional<QImage> frameThumbnail(const Series& series, int edge) {
+  const int index = frameCount(series) / 2;
+  Result<Frame> frame = loadFrame(series, index);
+  if (!frame) return {};
+  const Result<ShownFramePtr> shown = shownFrame(series, index, std::move(*frame));
+  if (!shown) return {};
+  SlicePlane plane = framePlane((*shown)->geometry());
+  plane.mmPerPixel *= double(std::max(plane.size.x, plane.size.y)) / edge;
+  plane.size = {edge, edge};
+  plane.average = true;
+  const Result<QImage> image = drawFrame(**shown, plane, frameGrey({}, {}, **shown), true);
+  if (!image) return {};
+  return *image;
+}
+
+}  // namespace
+
 Thumbnails::Thumbnails(int edge, QObject* parent) : QObject(parent), edge_(edge) {
   pool_.setMaxThreadCount(1);
   pool_.setThreadPriority(QThread::LowPriority);
@@ -101,12 +132,12 @@ void Thumbnails::request(const Series& series) {
   if (!part) return;
   pool_.start([this, series, part = *part, cancel = cancel_] {
     if (cancel.cancelled()) return;
-    const Result<Loaded> loaded = loadSeries(part, {}, cancel);
-    if (!loaded) return;  // where the series itself cannot be read, a click on it says why
-    const QImage thumbnail = thumbnailOf(*loaded->drawn, edge_);
+    const std::optional<QImage> drawn =
+        opensAsFrames(series) ? frameThumbnail(series, edge_) : sliceThumbnail(part, edge_, cancel);
+    if (!drawn) return;  // where the series itself cannot be read, a click on it says why
     QMetaObject::invokeMethod(
         this,
-        [this, series, thumbnail, cancel] {
+        [this, series, thumbnail = *drawn, cancel] {
           if (!cancel.cancelled()) Q_EMIT made(series, thumbnail);
         },
         Qt::QueuedConnection);

@@ -13,7 +13,8 @@ namespace volumen {
 /// top, in a square of `edge` pixels, transparent where the slice does not fill it.
 QImage thumbnailOf(const Volume& volume, int edge);
 
-/// Makes thumbnails of series on a thread of its own, one after the other.
+/// Makes thumbnails of series on a thread of its own, one after the other: of those that open as frames the
+/// frame in the middle as it is shown.
 class Thumbnails : public QObject {
   Q_OBJECT
  public:

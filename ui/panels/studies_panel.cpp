@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <set>
 
+#include "ui/data/frame_series.h"
 #include "ui/panels/attributes_dialog.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
@@ -93,12 +94,18 @@ StudiesPanel::StudiesPanel(QWidget* parent)
   connect(&thumbnails_, &Thumbnails::made, this, &StudiesPanel::setThumbnail);
 }
 
+const Series* StudiesPanel::Opened::seriesAt(std::size_t n) const {
+  const std::size_t volumes = study->volumes.size();
+  if (n < volumes) return &study->volumes[n];
+  return n < volumes + frames.size() ? &frames[n - volumes] : nullptr;
+}
+
 // Null for patients, studies and what could not be read.
 const Series* StudiesPanel::seriesOf(const QTreeWidgetItem* item) const {
   const QVariant index = item->data(0, indexRole);
   if (!index.isValid()) return nullptr;
-  for (const auto& [path, study] : studies_)
-    if (path == item->data(0, pathRole).toString()) return &study->volumes[index.toULongLong()];
+  for (const Opened& opened : studies_)
+    if (opened.path == item->data(0, pathRole).toString()) return opened.seriesAt(index.toULongLong());
   return nullptr;
 }
 
@@ -113,8 +120,8 @@ const Series* StudiesPanel::seriesOf(const QMimeData& dragged) const {
   const QByteArray said = dragged.data(draggedSeries);
   const qsizetype space = said.indexOf(' ');
   const std::size_t n = said.left(std::max(qsizetype(0), space)).toULongLong();
-  for (const auto& [path, study] : studies_)
-    if (path.toUtf8() == said.mid(space + 1) && n < study->volumes.size()) return &study->volumes[n];
+  for (const Opened& opened : studies_)
+    if (opened.path.toUtf8() == said.mid(space + 1)) return opened.seriesAt(n);
   return nullptr;
 }
 
@@ -128,8 +135,8 @@ QTreeWidgetItem* StudiesPanel::childNamed(QTreeWidgetItem* parent, const QString
   return item;
 }
 
-void StudiesPanel::addSeries(const QString& path, const Study& study, std::size_t n) {
-  const Series& series = study.volumes[n];
+void StudiesPanel::addSeries(const Opened& opened, std::size_t n) {
+  const Series& series = *opened.seriesAt(n);
   QTreeWidgetItem* parent = tree_->invisibleRootItem();
   if (series.format == "DICOM") {
     const QString patient = patientText(series);
@@ -141,12 +148,13 @@ void StudiesPanel::addSeries(const QString& path, const Study& study, std::size_
                         series.format == "phantom" ? tr("Phantoms") : tr("Files"));
   }
   const QStringList details =
-      QStringList(slicesText(series)) + tellingApart(series, namesakes(study, series));
-  const QString mark = series.warnings.empty() ? QString() : QStringLiteral("! ");
+      QStringList(slicesText(series)) + tellingApart(series, namesakes(*opened.study, series));
+  // What is said of one slice as a volume does not hold of it as a frame.
+  const QString mark = series.warnings.empty() || opensAsFrames(series) ? QString() : QStringLiteral("! ");
   auto* item = new QTreeWidgetItem(
       parent, {mark + seriesText(series) + QLatin1Char('\n') + details.join(QStringLiteral(", "))});
   item->setToolTip(0, toolTipOf(series));
-  item->setData(0, pathRole, path);
+  item->setData(0, pathRole, opened.path);
   item->setData(0, indexRole, qulonglong(n));
   QPixmap none(thumbnailEdge, thumbnailEdge);  // so that nothing moves when the thumbnail comes
   none.fill(Qt::transparent);
@@ -207,11 +215,10 @@ void StudiesPanel::closeAll() {
 }
 
 void StudiesPanel::addRefused(const QString& path, const Study& study) {
-  const std::vector<Refused> unread = notShown(study);
-  if (unread.empty()) return;
+  if (study.refused.empty()) return;
   auto* parent = childNamed(tree_->invisibleRootItem(), QStringLiteral("refused"), tr("Could not be read"));
   parent->setExpanded(false);
-  for (const Refused& refused : unread) {
+  for (const Refused& refused : study.refused) {
     const QString name = pathText(refused.path), reason = shownText(refused.reason);
     auto* item = new QTreeWidgetItem(parent, {QFileInfo(name).fileName()});
     item->setToolTip(0, QStringLiteral("<p>%1<br>%2</p>").arg(name.toHtmlEscaped(), reason.toHtmlEscaped()));
@@ -221,7 +228,7 @@ void StudiesPanel::addRefused(const QString& path, const Study& study) {
 }
 
 void StudiesPanel::removePath(const QString& path) {
-  std::erase_if(studies_, [&](const auto& opened) { return opened.first == path; });
+  std::erase_if(studies_, [&](const Opened& opened) { return opened.path == path; });
   std::vector<QTreeWidgetItem*> gone;
   for (QTreeWidgetItemIterator it(tree_); *it; ++it)
     if ((*it)->data(0, pathRole).toString() == path) gone.push_back(*it);
@@ -230,8 +237,8 @@ void StudiesPanel::removePath(const QString& path) {
 
 void StudiesPanel::addStudy(const QString& path, const std::shared_ptr<const Study>& study) {
   removePath(path);
-  studies_.emplace_back(path, study);
-  for (std::size_t n = 0; n < study->volumes.size(); ++n) addSeries(path, *study, n);
+  const Opened& opened = studies_.emplace_back(Opened{path, study, frameSeries(*study)});
+  for (std::size_t n = 0; opened.seriesAt(n); ++n) addSeries(opened, n);
   addRefused(path, *study);
   filter(search_->text());
 }
@@ -246,23 +253,24 @@ void StudiesPanel::showNames() {
   for (QTreeWidgetItemIterator it(tree_); *it; ++it)
     if (seriesOf(*it)) listed.insert(placeOf(*it));
   const auto opened = studies_;
-  for (const auto& [path, study] : opened) addStudy(path, study);
+  for (const Opened& again : opened) addStudy(again.path, again.study);
   std::vector<QTreeWidgetItem*> gone;
   for (QTreeWidgetItemIterator it(tree_); *it; ++it)
     if (seriesOf(*it) && !listed.contains(placeOf(*it))) gone.push_back(*it);
   for (QTreeWidgetItem* item : gone) removeItem(item);
 }
 
-void StudiesPanel::markShown(const ShownSeriesPtr& shown) {
+void StudiesPanel::markShown(const Series& shown, const VolumePtr& volume) {
   for (QTreeWidgetItemIterator it(tree_); *it; ++it) {
     const Series* listed = seriesOf(*it);
-    const bool is = listed && sameSeries(*listed, shown->series);
+    const bool is = listed && sameSeries(*listed, shown);
     QFont font = (*it)->font(0);
     font.setBold(is);
     (*it)->setFont(0, font);
     if (!is) continue;
     tree_->setCurrentItem(*it);
-    (*it)->setIcon(0, QPixmap::fromImage(thumbnailOf(*shown->volume, thumbnailEdge)));
+    if (volume && !opensAsFrames(shown))
+      (*it)->setIcon(0, QPixmap::fromImage(thumbnailOf(*volume, thumbnailEdge)));
   }
 }
 

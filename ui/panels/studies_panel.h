@@ -13,9 +13,9 @@ class QMimeData;
 
 namespace volumen {
 
-/// What was opened: patients, studies, series with a thumbnail; "!" where there is a warning, all that is
-/// known in the tooltip. A click asks for a series, a right click for what else can be done with it. What
-/// could not be read is named below with its reason.
+/// What was opened: patients, studies, series of slices or frames with a thumbnail; "!" where there is a
+/// warning, all that is known in the tooltip. A click asks for a series, a right click for what else can be
+/// done with it. What could not be read is named below with its reason.
 class StudiesPanel : public QWidget {
   Q_OBJECT
  public:
@@ -25,9 +25,9 @@ class StudiesPanel : public QWidget {
   void addStudy(const QString& path, const std::shared_ptr<const Study>& study);
   /// Writes all again, after names were hidden or shown.
   void showNames();
-  /// Marks the series on screen.
-  void markShown(const ShownSeriesPtr& shown);
-  /// All that are in the list.
+  /// Marks the series on screen; its volume, where it is in memory, has the thumbnail at once.
+  void markShown(const Series& shown, const VolumePtr& volume);
+  /// All volumes that are in the list.
   std::vector<const Series*> allSeries() const;
   QTreeWidget* tree() const { return tree_; }
   /// The mime type of a series that is dragged.
@@ -43,9 +43,18 @@ class StudiesPanel : public QWidget {
   void allClosed();
 
  private:
+  struct Opened {
+    QString path;
+    std::shared_ptr<const Study> study;
+    std::vector<Series> frames;  // of what is no volume
+
+    // First the volumes, then the frames; null beyond them.
+    const Series* seriesAt(std::size_t n) const;
+  };
+
   const Series* seriesOf(const QTreeWidgetItem* item) const;
   QTreeWidgetItem* childNamed(QTreeWidgetItem* parent, const QString& key, const QString& text);
-  void addSeries(const QString& path, const Study& study, std::size_t n);
+  void addSeries(const Opened& opened, std::size_t n);
   void addRefused(const QString& path, const Study& study);
   void setThumbnail(const Series& series, const QImage& thumbnail);
   void showMenu(QPoint position);
@@ -57,7 +66,7 @@ class StudiesPanel : public QWidget {
   QLineEdit* search_;
   QTreeWidget* tree_;
   Thumbnails thumbnails_;
-  std::vector<std::pair<QString, std::shared_ptr<const Study>>> studies_;
+  std::vector<Opened> studies_;
 };
 
 }  // namespace volumen

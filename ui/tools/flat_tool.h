@@ -18,6 +18,7 @@ struct FlatPress {
   SlicePlane plane;   ///< in device pixels
   double pixelRatio;  ///< device pixels a logical one
   QPointF at;         ///< logical pixels
+  Window window{};    ///< in use
 
   glm::dvec3 patientAt(QPointF p) const {
     return plane.patientFromPixel({p.x() * pixelRatio, p.y() * pixelRatio});
@@ -57,6 +58,8 @@ FlatLook lookOf(const FlatPress& press);
 /// Changes how a flat view shows its series; steps of one name in a gesture are one.
 void editFlat(Session& session, ViewId view, const QString& text,
               const std::function<void(FlatLook&)>& change);
+/// Shows another frame of a view that shows frames; as many as there are.
+void showFrame(Session& session, ViewId view, int frame);
 /// Moves the crosshair of a series' frame of reference, and turns it.
 void setCrosshair(Session& session, const ShownSeries& series, const QString& text, const Crosshair& after);
 /// Moves it alone.

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "ui/data/frame_series.h"
 #include "ui/tools/flat_tool.h"
 #include "ui/workspace/flat_plane.h"
 
@@ -38,6 +39,13 @@ void editFlat(Session& session, ViewId view, const QString& text,
         change(state.flats[state.series]);
       },
       text);
+}
+
+void showFrame(Session& session, ViewId view, int frame) {
+  const Series* series = seriesIn(session.workspace(), view);
+  if (!series || frameCount(*series) == 0) return;
+  editFlat(session, view, tr("Scroll"),
+           [&](FlatLook& look) { look.frame = std::clamp(frame, 0, frameCount(*series) - 1); });
 }
 
 void setCrosshair(Session& session, const ShownSeries& series, const QString& text, const Crosshair& after) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/data/frame_series.h"
 #include "ui/tools/flat_tool.h"
 #include "ui/workspace/flat_plane.h"
 
@@ -15,21 +16,26 @@ class ScrollDrag : public Drag {
   explicit ScrollDrag(const FlatPress& press)
       : press_(press),
         kind_(press.session.workspace().view(press.view).kind),
-        atPress_(crosshairOf(press.session.workspace(), *press.series)) {}
+        atPress_(crosshairOf(press.session.workspace(), *press.series)),
+        frameAtPress_(lookOf(press).frame) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
     const VoxelGeometry& geometry = press_.series->volume->geometry();
-    const int count = stackPlace(geometry, kind_, atPress_).count;
+    const int count = kind_ == ViewKind::frames
+                          ? frameCount(*seriesIn(press_.session.workspace(), press_.view))
+                          : stackPlace(geometry, kind_, atPress_).count;
     const double height = press_.plane.size.y / press_.pixelRatio;
-    const double pixels = std::max(2.0, height / std::max(count, 8));
+    const int steps = int(std::lround((p.y() - press_.at.y()) / std::max(2.0, height / std::max(count, 8))));
+    if (kind_ == ViewKind::frames) return showFrame(press_.session, press_.view, frameAtPress_ + steps);
     moveCrosshair(press_.session, *press_.series, QCoreApplication::translate("volumen", "Scroll"),
-                  scrolled(geometry, kind_, atPress_, int(std::lround((p.y() - press_.at.y()) / pixels))));
+                  scrolled(geometry, kind_, atPress_, steps));
   }
 
  private:
   const FlatPress press_;
   const ViewKind kind_;
   const Crosshair atPress_;
+  const int frameAtPress_;
 };
 
 }  // namespace

@@ -10,15 +10,12 @@ namespace {
 // Right widens, up brightens; a step is a share of the width at the press. Shift: fine, Ctrl: fast.
 class WindowDrag : public Drag {
  public:
-  explicit WindowDrag(const FlatPress& press)
-      : press_(press),
-        atPress_(
-            flatWindow(press.session.workspace().series.at(keyOf(press.series->series)), *press.series)) {}
+  explicit WindowDrag(const FlatPress& press) : press_(press) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers keys) override {
     const double speed = keys & Qt::ControlModifier ? 5 : keys & Qt::ShiftModifier ? 0.2 : 1;
     const QPointF moved = speed * (p - press_.at);
-    const Window window = draggedWindow(atPress_, {moved.x(), moved.y()}, *press_.series);
+    const Window window = draggedWindow(press_.window, {moved.x(), moved.y()}, *press_.series);
     const QString text = QCoreApplication::translate("volumen", "Window");
     press_.session.change(
         text, [&](Workspace& w) { w.series.at(keyOf(press_.series->series)).window = window; }, text);
@@ -26,7 +23,6 @@ class WindowDrag : public Drag {
 
  private:
   const FlatPress press_;
-  const Window atPress_;
 };
 
 }  // namespace

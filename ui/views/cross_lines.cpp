@@ -62,7 +62,8 @@ std::vector<CrossLine> crossLines(const FlatPress& press) {
   std::vector<CrossLine> lines;
   for (const ViewId other : viewsOnScreen(workspace)) {
     const ViewState& view = workspace.view(other);
-    if (other == press.view || view.kind == ViewKind::volume || view.series != keyOf(press.series->series))
+    if (other == press.view || view.kind == ViewKind::volume || view.kind == ViewKind::frames ||
+        view.series != keyOf(press.series->series))
       continue;
     const SlicePlane plane =
         flatPlane(view, flatLookOf(view), press.series->volume->geometry(), crosshair, {100, 100});

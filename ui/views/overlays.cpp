@@ -12,7 +12,8 @@ constexpr double margin = 10, gap = 6;  // pixels
 constexpr int fewestCharacters = 4;     // of an elided line: fewer say nothing
 constexpr double longestBar = 200, shortestBar = 24;
 
-const QColor textColour(0xf2, 0xf4, 0xf6), warningColour(0xff, 0xc8, 0x5a), rimColour(0, 0, 0, 230);
+const QColor textColour(0xf2, 0xf4, 0xf6), warningColour(0xff, 0xc8, 0x5a), lateColour(0xff, 0x6b, 0x6b),
+    rimColour(0, 0, 0, 230);
 
 // Letters with serifs: an I must not look like a stroke.
 QFont letterFont(const QFont& font) {
@@ -111,7 +112,7 @@ void paintText(QPainter& painter, const PlacedText& placed) {
   const QPointF baseline(placed.rect.left(), placed.rect.top() + metrics.ascent());
   path.addText(baseline, painter.font(), placed.text);
   painter.strokePath(path, QPen(rimColour, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setPen(placed.warning ? warningColour : textColour);
+  painter.setPen(placed.late ? lateColour : placed.warning ? warningColour : textColour);
   painter.drawText(baseline, placed.text);
 }
 
@@ -148,6 +149,9 @@ PlacedOverlays placeOverlays(const Overlays& o, const QRectF& area, const QFont&
   placer.letter(o.top, {middle.x(), inside.top() + half});
   placer.letter(o.bottom, {middle.x(), inside.bottom() - line - 10 - half});
   for (int n = 0; n < o.topRight.size(); ++n) placer.line(o.topRight[n], true, inside.top() + n * line);
+  if (o.isLate)
+    for (PlacedText& text : placer.placed.texts)
+      text.late = !o.topRight.isEmpty() && text.text == o.topRight.front();
   for (int n = 0; n < o.topLeft.size(); ++n) placer.line(o.topLeft[n], false, inside.top() + n * line);
   double below = inside.top() + double(o.topLeft.size()) * line;
   for (const QString& warning : o.warning.split(QLatin1Char('\n'))) {

@@ -10,6 +10,7 @@ namespace volumen {
 struct Overlays {
   QStringList topLeft;               ///< patient, series
   QStringList topRight;              ///< view, zoom
+  bool isLate = false;               ///< the first of these lines is red: a clip is too slow
   QString bottomRight;               ///< level and ms
   QString warning;                   ///< under the top left, in the warning colour: "Not calibrated: ..."
   QString left, right, top, bottom;  ///< the patient's sides at the edges
@@ -29,6 +30,7 @@ struct PlacedText {
   QString text;
   bool warning = false;
   bool letter = false;  ///< of a side, in the letters' font
+  bool late = false;    ///< red
 };
 
 /// What of the overlays finds room in an area, and where: nothing touches anything else, long lines are

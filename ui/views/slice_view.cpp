@@ -1,10 +1,12 @@
 #include "ui/views/slice_view.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <cmath>
 
+#include "ui/views/cine_player.h"
 #include "ui/views/cross_lines.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/flat_plane.h"
@@ -13,9 +15,11 @@
 
 namespace volumen {
 
-SliceView::SliceView(Session& session, SliceService& service, ViewId id, QWidget* parent)
+SliceView::SliceView(Session& session, SliceService& service, FrameService& frames, ViewId id,
+                     QWidget* parent)
     : View(session, id, parent),
       service_(service),
+      frames_(frames),
       badge_(new WarningBadge(this)),
       tool_(&flatTool("window")) {
   setObjectName(QStringLiteral("sliceView%1").arg(id));
@@ -26,24 +30,36 @@ SliceView::SliceView(Session& session, SliceService& service, ViewId id, QWidget
   wheelEnd_.setInterval(500);
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(&service_, &SliceService::ready, this, &SliceView::showPicture);
+  connect(&frames_, &FrameService::ready, this, &SliceView::takeFrame);
+  connect(&frames_, &FrameService::failed, this, &SliceView::tellFrameFailure);
   connect(this, &View::pixelsChanged, this, &SliceView::askForPicture);
+  showed_ = {state().series, state().kind};
   seriesExchanged(true);
 }
 
+SliceView::~SliceView() = default;
+
 std::optional<SlicePlane> SliceView::plane() const {
-  const ShownSeriesPtr shown = series();
+  const ShownSeriesPtr shown = this->shown();
   if (!shown || state().kind == ViewKind::volume) return {};
   return flatPlane(state(), flatLookOf(state()), shown->volume->geometry(),
                    crosshairOf(session_.workspace(), *shown), {pixels().width(), pixels().height()});
 }
 
-std::vector<SliceLayer> SliceView::layers() const {
-  const ShownSeriesPtr shown = series();
-  const SeriesState& below = session_.workspace().series.at(keyOf(shown->series));
-  std::vector<SliceLayer> layers{
-      {shown->volume, greyMapping(flatWindow(below, *shown), *shown), below.colours}};
+const SeriesState& SliceView::seriesState() const { return session_.workspace().series.at(state().series); }
+
+GreyMapping SliceView::grey() const {
   const FlatLook look = flatLookOf(state());
-  if (const ShownSeriesPtr over = session_.seriesNamed(look.overlay))
+  if (showsFrames()) return frameGrey(seriesState(), look, *frame_);
+  GreyMapping grey = greyMapping(flatWindow(seriesState(), *series()), *series());
+  grey.inverted = grey.inverted != look.inverted;
+  return grey;
+}
+
+std::vector<SliceLayer> SliceView::layers() const {
+  std::vector<SliceLayer> layers{{shown()->volume, grey(), seriesState().colours}};
+  const FlatLook look = flatLookOf(state());
+  if (const ShownSeriesPtr over = session_.seriesNamed(look.overlay); over && !showsFrames())
     layers.push_back({over->volume,
                       greyMapping(overlayWindow(session_.workspace().series.at(look.overlay), *over), *over),
                       look.overlayColours, look.overlayOpacity});
@@ -53,7 +69,7 @@ std::vector<SliceLayer> SliceView::layers() const {
 void SliceView::askForPicture() {
   const std::optional<SlicePlane> now = plane();
   if (!now || !isVisible() || now->size.x < 1 || now->size.y < 1) return;
-  SliceRequest request{id(), layers(), *now};
+  SliceRequest request{id(), layers(), *now, showsFrames() ? frame_ : nullptr, flatLookOf(state()).layers};
   if (asked_ == request) return;
   asked_ = request;
   service_.request(std::move(request));
@@ -61,17 +77,31 @@ void SliceView::askForPicture() {
 
 void SliceView::showPicture(const SlicePicture& picture) {
   if (picture.request.view != id() || !asked_) return;
-  if (picture.request.layers.front().volume != asked_->layers.front().volume) return;
+  // Of frames that come faster than they are drawn any is better than none.
+  const auto& frame = picture.request.frame;
+  const bool isOfClip = frame && showsFrames() && frame->key.series == state().series;
+  if (picture.request.layers.front().volume != asked_->layers.front().volume && !isOfClip) return;
   picture_ = picture.image;
   picture_.setDevicePixelRatio(devicePixelRatioF());
+  if (player_ && frame) player_->tellShown(frame->key.index);
   update();
-  if (picture.request == *asked_) Q_EMIT settled();
+  const bool isWanted = !showsFrames() || (frame_ && frame_->key == frameKey());
+  if (isWanted && picture.request == *asked_) Q_EMIT settled();
 }
 
 void SliceView::seriesExchanged(bool another) {
+  if (showsFrames()) return;
   if (another) picture_ = {}, asked_.reset();
+  tellWarnings();
+}
+
+void SliceView::tellWarnings() {
   QStringList words, sentences;
-  if (const ShownSeriesPtr shown = series()) {
+  if (showsFrames()) {
+    for (const std::string& sentence : frame_ ? frame_->warnings : std::vector<std::string>{})
+      sentences << shownText(sentence);
+    if (!sentences.isEmpty()) words << tr("Not all of it shown");
+  } else if (const ShownSeriesPtr shown = series()) {
     for (const std::string& text : shortWarnings(shown->warnings)) words << QString::fromStdString(text);
     for (const Warning& w : changingPicture(shown->warnings)) sentences << shownText(w.sentence);
   }
@@ -80,12 +110,15 @@ void SliceView::seriesExchanged(bool another) {
 }
 
 void SliceView::workspaceChanged(const Workspace&) {
+  const std::pair now(state().series, state().kind);
+  if (std::exchange(showed_, now) != now) forgetFrame();
+  askForFrame();
   askForPicture();
   update();
 }
 
 void SliceView::placeBadge() {
-  const auto lines = series() ? overlays().topLeft.size() : 0;
+  const auto lines = shown() ? overlays().topLeft.size() : 0;
   badge_->move(8, 12 + int(lines) * (fontMetrics().height() + 1) + 4);
 }
 
@@ -95,20 +128,25 @@ void SliceView::setTool(const FlatTool& tool) {
 }
 
 void SliceView::scroll(int steps) {
+  if (steps == 0) return;
+  if (showsFrames()) {
+    stop();
+    return showFrame(session_, id(), flatLookOf(state()).frame + steps);
+  }
   const ShownSeriesPtr shown = series();
-  if (!shown || steps == 0) return;
+  if (!shown) return;
   const Crosshair crosshair = crosshairOf(session_.workspace(), *shown);
   moveCrosshair(session_, *shown, tr("Scroll"),
                 scrolled(shown->volume->geometry(), state().kind, crosshair, steps));
 }
 
 void SliceView::resetView() {
-  const ShownSeriesPtr shown = series();
-  if (!shown) return;
-  const Crosshair before = crosshairOf(session_.workspace(), *shown);
-  Workspace after = withCrosshair(session_.workspace(), shown->series, before, {before.at});
-  FlatLook& look = after.view(id()).flats[state().series];
-  look = FlatLook{.nearest = look.nearest};
+  Workspace after = session_.workspace();
+  if (const ShownSeriesPtr shown = series(); shown && !showsFrames()) {
+    const Crosshair before = crosshairOf(after, *shown);
+    after = withCrosshair(std::move(after), shown->series, before, {before.at});
+  }
+  makeWhole(after.view(id()).flats[state().series]);
   session_.change(tr("Reset view"), after);
   session_.endGesture();
 }
@@ -116,13 +154,22 @@ void SliceView::resetView() {
 std::optional<FlatPress> SliceView::pressAt(QPointF p) const {
   const std::optional<SlicePlane> now = plane();
   if (!now) return {};
-  return FlatPress{session_, id(), series(), *now, devicePixelRatioF(), p};
+  const ShownSeriesPtr shown = this->shown();
+  const Window window =
+      showsFrames() ? seriesState().window.value_or(grey().window) : flatWindow(seriesState(), *shown);
+  return FlatPress{session_, id(), shown, *now, devicePixelRatioF(), p, window};
 }
+
+// Whether its places are those of the patient.
+bool SliceView::hasCursor() const { return !showsFrames() || (frame_ && frame_->geometry().calibrated); }
 
 const FlatTool* SliceView::toolFor(const QMouseEvent& event) const {
   switch (event.button()) {
     case Qt::LeftButton:
-      return event.modifiers() & Qt::ShiftModifier ? &flatTool("crosshair") : tool_;
+      if (event.modifiers() & Qt::ShiftModifier && hasCursor()) return &flatTool("crosshair");
+      // Colours have no window, and what has no place in the patient no crosshair.
+      if (showsFrames() && frame_ && frame_->colour() && tool_ == &flatTool("window")) return nullptr;
+      return !hasCursor() && tool_ == &flatTool("crosshair") ? nullptr : tool_;
     case Qt::MiddleButton:
       return &flatTool("pan");
     case Qt::RightButton:
@@ -138,24 +185,29 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
   const auto press = pressAt(event->position());
   if (!tool || !press || drag_) return;
   session_.endGesture();
+  pressedAt_ = event->position();
   stepsAtPress_ = session_.undoStack().index();
-  const bool onLines = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
+  const bool onLines =
+      !showsFrames() && event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
   if (onLines) drag_ = beginOnLines(*press);
   if (!drag_) drag_ = tool->begin(*press);
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_) return drag_->moveTo(event->position(), event->modifiers());
-  if (event->modifiers() & Qt::ShiftModifier)
+  if (event->modifiers() & Qt::ShiftModifier && hasCursor())
     if (const auto press = pressAt(event->position())) beginCrosshair(*press);
   const auto press = pressAt(event->position());
-  setCursor(press && isOnLines(*press) ? Qt::PointingHandCursor : tool_->cursor);
+  setCursor(press && !showsFrames() && isOnLines(*press) ? Qt::PointingHandCursor : tool_->cursor);
   Q_EMIT hovered(hoverText(event->position()));
 }
 
-void SliceView::mouseReleaseEvent(QMouseEvent*) {
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  const bool isClick = (event->position() - pressedAt_).manhattanLength() < QApplication::startDragDistance();
+  const bool wantsMenu = drag_ && event->button() == Qt::RightButton && isClick;
   drag_.reset();
   session_.endGesture();
+  if (wantsMenu) Q_EMIT menuRequested(event->globalPosition().toPoint());
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
@@ -178,7 +230,7 @@ void SliceView::wheelEvent(QWheelEvent* event) {
 
 void SliceView::makeSlabThicker(int steps) {
   const ShownSeriesPtr shown = series();
-  if (!shown || steps == 0) return;
+  if (!shown || showsFrames() || steps == 0) return;
   const double step = wheelStep(shown->volume->geometry(), plane()->normal());
   editFlat(session_, id(), tr("Slab"), [&](FlatLook& look) {
     look.slabMm = std::clamp(std::round(look.slabMm / step + steps) * step, 0.0, 500.0);
@@ -187,8 +239,13 @@ void SliceView::makeSlabThicker(int steps) {
 
 // 0: as the series says; 1 and on: those of the menu.
 void SliceView::chooseWindow(int number) {
-  const ShownSeriesPtr shown = series();
+  const ShownSeriesPtr shown = this->shown();
   if (!shown) return;
+  if (showsFrames()) {
+    const std::vector<GreyChoice> choices = greyChoices(*frame_);
+    if (number < int(choices.size())) chooseGrey(choices[std::size_t(number)]);
+    return;
+  }
   const std::vector<NamedWindow> choices = windowChoices(*shown);
   if (number >= int(choices.size())) return;
   session_.change(tr("Window"), [&](Workspace& w) {
@@ -197,13 +254,6 @@ void SliceView::chooseWindow(int number) {
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
-  const auto whole = [this] {
-    const ShownSeriesPtr shown = series();
-    return shown ? stackPlace(shown->volume->geometry(), state().kind,
-                              crosshairOf(session_.workspace(), *shown))
-                       .count
-                 : 0;
-  };
   switch (event->key()) {
     case Qt::Key_Up:
       return scroll(-1);
@@ -214,9 +264,11 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_PageDown:
       return scroll(10);
     case Qt::Key_Home:
-      return scroll(-whole());
+      return scroll(-place().count);
     case Qt::Key_End:
-      return scroll(whole());
+      return scroll(place().count);
+    case Qt::Key_I:
+      return invert();
     case Qt::Key_Escape:
       if (!drag_) break;
       drag_.reset();
@@ -236,6 +288,7 @@ void SliceView::leaveEvent(QEvent* event) {
 
 void SliceView::showEvent(QShowEvent* event) {
   View::showEvent(event);
+  askForFrame();
   askForPicture();
 }
 

@@ -5,21 +5,28 @@
 #include <memory>
 #include <optional>
 
+#include "ui/controller/frame_service.h"
 #include "ui/controller/slice_service.h"
 #include "ui/tools/flat_tool.h"
 #include "ui/views/overlays.h"
 #include "ui/views/view.h"
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/frame_look.h"
 
 namespace volumen {
 
+class CinePlayer;
 class WarningBadge;
 
 /// A plane through the volume of a series, whole at every step: the left button as the tool says, the wheel
-/// scrolls, Ctrl+wheel zooms, Alt+wheel makes the slab thicker, Shift+move moves the crosshair everywhere.
+/// scrolls, Ctrl+wheel zooms, Alt+wheel makes the slab thicker, Shift+move moves the crosshair everywhere, a
+/// right click opens a menu. Or its frames as acquired: the same, with a frame in place of the volume.
 class SliceView : public View {
   Q_OBJECT
  public:
-  SliceView(Session& session, SliceService& service, ViewId id, QWidget* parent = nullptr);
+  SliceView(Session& session, SliceService& service, FrameService& frames, ViewId id,
+            QWidget* parent = nullptr);
+  ~SliceView() override;
 
   const QImage& picture() const { return picture_; }
   /// The plane on screen, device pixels; none without a series.
@@ -29,10 +36,27 @@ class SliceView : public View {
   void scroll(int steps);
   /// Whole again, and thin.
   void resetView();
+  /// The frame on screen; null: none is read yet, or slices are shown.
+  const ShownFramePtr& frame() const { return frame_; }
+  /// Why the frame that is wanted cannot be shown; empty: it can.
+  const QString& failure() const { return frameFailure_; }
+  /// What is on screen, as a series: the frame as one of one slice; null: nothing is in memory yet.
+  ShownSeriesPtr shown() const { return showsFrames() ? frame_ ? frame_->slice : nullptr : series(); }
+  bool showsFrames() const { return state().kind == ViewKind::frames; }
+  /// The frames as a clip, or still again at the frame on screen.
+  void togglePlay();
+  /// One of greyChoices().
+  void chooseGrey(const GreyChoice& choice);
+  /// What is written over the picture. Only where shown() is something.
+  Overlays overlays() const;
+  bool isPlaying() const { return player_ != nullptr; }
+  void invert();
 
  Q_SIGNALS:
   /// The picture of what the workspace says is on screen.
   void settled();
+  /// A right click: a menu is to be opened here.
+  void menuRequested(QPoint global);
 
  protected:
   void seriesExchanged(bool another) override;
@@ -46,6 +70,8 @@ class SliceView : public View {
   void wheelEvent(QWheelEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
   void leaveEvent(QEvent*) override;
+  bool event(QEvent*) override;
+  void hideEvent(QHideEvent*) override;
 
  private:
   std::optional<FlatPress> pressAt(QPointF p) const;
@@ -54,20 +80,37 @@ class SliceView : public View {
   void askForPicture();
   void showPicture(const SlicePicture& picture);
   void chooseWindow(int number);
+  const SeriesState& seriesState() const;
+  StackPlace place() const;
+  bool hasCursor() const;
+  void askForFrame();
+  void takeFrame(int view, const ShownFramePtr& frame);
+  void tellFrameFailure(int view, const FrameKey& key, const QString& sentence);
+  void forgetFrame();
+  void stop();
+  FrameKey frameKey() const;
+  QString frameHoverText(QPointF position) const;
+  Overlays frameOverlays() const;
+  void tellWarnings();
   void makeSlabThicker(int steps);
   void placeBadge();
   QString hoverText(QPointF position) const;
-  Overlays overlays() const;
   void paintStackBar(QPainter& painter) const;
   void paintColours(QPainter& painter) const;
 
   SliceService& service_;
+  FrameService& frames_;
+  ShownFramePtr frame_;
+  QString frameFailure_;  // why the frame that is wanted cannot be shown
+  std::optional<std::pair<SeriesKey, ViewKind>> showed_;
+  std::unique_ptr<CinePlayer> player_;  // while a clip is played
   WarningBadge* badge_;
   const FlatTool* tool_;
   QImage picture_;
   std::optional<SliceRequest> asked_;  // the last
   std::unique_ptr<Drag> drag_;
   int stepsAtPress_ = 0;  // of the undo stack
+  QPointF pressedAt_;
   QTimer wheelEnd_;
   double wheelRest_ = 0;  // notches not yet scrolled
 };

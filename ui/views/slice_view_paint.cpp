@@ -51,6 +51,7 @@ QString valueText(const ShownSeries& shown, glm::dvec3 p) {
 QString SliceView::hoverText(QPointF position) const {
   const auto press = pressAt(position);
   if (!press) return {};
+  if (showsFrames()) return frameHoverText(position);
   const glm::dvec3 p = press->patientAt(position);
   QString text = valueText(*press->series, p);
   if (text.isEmpty()) return {};
@@ -60,12 +61,13 @@ QString SliceView::hoverText(QPointF position) const {
 }
 
 Overlays SliceView::overlays() const {
+  if (showsFrames()) return frameOverlays();
   const ShownSeriesPtr shown = series();
   const VoxelGeometry& geometry = shown->volume->geometry();
   const SlicePlane now = *plane();
   const FlatLook look = flatLookOf(state());
   const Crosshair crosshair = crosshairOf(session_.workspace(), *shown);
-  const StackPlace place = stackPlace(geometry, state().kind, crosshair);
+  const StackPlace place = this->place();
   const Window window = flatWindow(session_.workspace().series.at(keyOf(shown->series)), *shown);
   Overlays o;
   o.topLeft << patientText(shown->series) << seriesText(shown->series);
@@ -89,9 +91,8 @@ Overlays SliceView::overlays() const {
 }
 
 void SliceView::paintStackBar(QPainter& painter) const {
-  const ShownSeriesPtr shown = series();
-  const StackPlace place =
-      stackPlace(shown->volume->geometry(), state().kind, crosshairOf(session_.workspace(), *shown));
+  const StackPlace place = this->place();
+  if (place.count < 2) return;
   const QRectF bar(width() - 5.0, 0, 3, height());
   const double part = bar.height() / place.count;
   painter.fillRect(bar, QColor(255, 255, 255, 30));
@@ -114,14 +115,18 @@ void SliceView::paintColours(QPainter& painter) const {
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
-  if (series()) {
+  if (shown()) {
     if (!picture_.isNull()) painter.drawImage(QPointF(0, 0), picture_);
-    const FlatPress here = *pressAt({});
-    paintCrossLines(painter, crossLines(here), here.pixelAt(crosshairOf(session_.workspace(), *series()).at),
-                    rect());
+    if (!showsFrames()) {
+      const FlatPress here = *pressAt({});
+      paintCrossLines(painter, crossLines(here),
+                      here.pixelAt(crosshairOf(session_.workspace(), *series()).at), rect());
+    }
     paintOverlays(painter, overlays(), QRectF(rect()).adjusted(0, 0, -6, 0));
     paintStackBar(painter);
-    paintColours(painter);
+    if (!showsFrames()) paintColours(painter);
+  } else if (!frameFailure_.isEmpty()) {
+    paintOverlays(painter, {.warning = frameFailure_}, rect());
   }
   paintFocus(painter);
 }

@@ -32,15 +32,16 @@ std::vector<QRect> placesOf(Layout layout, std::size_t count, QSize area) {
 
 }  // namespace
 
-ViewGrid::ViewGrid(Session& session, SliceService& slices, QWidget* parent)
-    : QWidget(parent), session_(session), slices_(slices), scene_(new VolumeView(session)) {
+ViewGrid::ViewGrid(Session& session, SliceService& slices, FrameService& frames, QWidget* parent)
+    : QWidget(parent), session_(session), slices_(slices), frames_(frames), scene_(new VolumeView(session)) {
   setObjectName(QStringLiteral("viewGrid"));
   scene_->setParent(this);
-  setFocusProxy(scene_);
   add(sceneViewId, scene_);
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
-            if (viewsOnScreen(before) != viewsOnScreen(after) || before.layout != after.layout) arrange();
+            if (viewsOnScreen(before) != viewsOnScreen(after) || before.layout != after.layout ||
+                before.focus != after.focus)
+              arrange();
           });
   arrange();
 }
@@ -51,7 +52,7 @@ SliceView* ViewGrid::sliceView(ViewId id) const {
 }
 
 View* ViewGrid::viewOf(ViewId id) {
-  if (!views_.contains(id)) add(id, new SliceView(session_, slices_, id, this));
+  if (!views_.contains(id)) add(id, new SliceView(session_, slices_, frames_, id, this));
   return views_.at(id);
 }
 
@@ -60,6 +61,9 @@ void ViewGrid::add(ViewId id, View* view) {
   connect(view, &View::maximiseRequested, this, &ViewGrid::maximiseRequested);
   connect(view, &View::hovered, this, &ViewGrid::hovered);
   connect(view, &View::dropped, this, &ViewGrid::dropped);
+  if (auto* flat = qobject_cast<SliceView*>(view))
+    connect(flat, &SliceView::menuRequested, this,
+            [this, flat](QPoint global) { Q_EMIT menuRequested(flat, global); });
 }
 
 void ViewGrid::setAlone(bool alone) {
@@ -78,6 +82,9 @@ void ViewGrid::arrange() {
     view->setGeometry(places[n]);
     view->show();
   }
+  // Keys are for what is on screen.
+  const ViewId focus = session_.workspace().focus;
+  setFocusProxy(viewOf(std::ranges::find(ids, focus) == ids.end() ? ids.front() : focus));
 }
 
 void ViewGrid::resizeEvent(QResizeEvent*) { arrange(); }

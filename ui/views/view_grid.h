@@ -13,7 +13,7 @@ namespace volumen {
 class ViewGrid : public QWidget {
   Q_OBJECT
  public:
-  ViewGrid(Session& session, SliceService& slices, QWidget* parent = nullptr);
+  ViewGrid(Session& session, SliceService& slices, FrameService& frames, QWidget* parent = nullptr);
 
   VolumeView* sceneView() const { return scene_; }
   /// Null where it was never shown, or is the 3D one.
@@ -25,6 +25,7 @@ class ViewGrid : public QWidget {
   void maximiseRequested();
   void hovered(const QString& text);
   void dropped(const QMimeData& data);
+  void menuRequested(volumen::SliceView* view, QPoint global);
 
  protected:
   void resizeEvent(QResizeEvent*) override;
@@ -36,6 +37,7 @@ class ViewGrid : public QWidget {
 
   Session& session_;
   SliceService& slices_;
+  FrameService& frames_;
   VolumeView* scene_;
   std::map<ViewId, View*> views_;
   std::optional<ViewId> alone_;

@@ -53,15 +53,15 @@ const VoxelGeometry& drawnGeometry(const Series& series) {
 
 SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry,
                      const Crosshair& crosshair, glm::ivec2 pixels) {
-  SlicePlane plane = namedPlane(geometry, namedPlaneOf(view.kind));
+  const bool ofFrames = view.kind == ViewKind::frames;
+  SlicePlane plane = ofFrames ? framePlane(geometry) : namedPlane(geometry, namedPlaneOf(view.kind));
   const glm::dvec2 whole = glm::dvec2(plane.size) * plane.mmPerPixel;
   const double fittedMm = std::max(whole.x / pixels.x, whole.y / pixels.y);
   plane.size = pixels;
   plane.mmPerPixel = fittedMm / look.zoom;
-  plane.right = crosshair.plane(view.kind).right;
-  plane.down = crosshair.plane(view.kind).down;
+  if (!ofFrames) plane.right = crosshair.plane(view.kind).right, plane.down = crosshair.plane(view.kind).down;
   plane.centre = geometry.centre() + look.panMm.x * plane.right + look.panMm.y * plane.down;
-  plane.centre += plane.normal() * glm::dot(crosshair.at - plane.centre, plane.normal());
+  if (!ofFrames) plane.centre += plane.normal() * glm::dot(crosshair.at - plane.centre, plane.normal());
   plane.slabMm = look.slabMm;
   plane.slabMode = look.slabMode;
   plane.interpolation = look.nearest ? Interpolation::nearest : Interpolation::linear;
@@ -107,7 +107,7 @@ Workspace withCrosshair(Workspace workspace, const Series& series, const Crossha
   if (moved == after) return workspace;
   for (ViewState& view : workspace.views) {
     const auto state = workspace.series.find(view.series);
-    if (view.kind == ViewKind::volume || state == workspace.series.end() ||
+    if (view.kind == ViewKind::volume || view.kind == ViewKind::frames || state == workspace.series.end() ||
         frameOfReference(*state->second.series) != frame)
       continue;
     const VoxelGeometry& geometry = drawnGeometry(*state->second.series);

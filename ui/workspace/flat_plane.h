@@ -2,14 +2,15 @@
 
 #include <optional>
 
-#include "ui/data/shown_series.h"
+#include "ui/data/shown_frame.h"
 #include "ui/workspace/workspace.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {
 
-/// The plane that a flat view shows, through the crosshair and turned as it is; as many pixels as asked for.
-/// `view`: not a 3D one. Turning changes no size: a view fits what it would show unturned.
+/// The plane that a flat view shows, through the crosshair and turned as it is, or of frames, whose slice is
+/// the volume; as many pixels as asked for. `view`: not a 3D one. Turning changes no size: a view fits what
+/// it would show unturned.
 SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry,
                      const Crosshair& crosshair, glm::ivec2 pixels);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "ui/data/frame_series.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -46,6 +47,7 @@ QString planeText(const VoxelGeometry& geometry) {
 
 QString slicesText(const Series& series) {
   const int count = series.acquired.size.z;
+  if (opensAsFrames(series)) return count == 1 ? tr("1 frame") : tr("%1 frames").arg(count);
   QStringList parts{count == 1 ? tr("1 slice") : tr("%1 slices").arg(count), planeText(series.acquired)};
   parts.removeAll(QString());
   return parts.join(QStringLiteral(", "));
@@ -73,8 +75,8 @@ QStringList everythingOf(const Series& series) {
                  .arg(series.regular->interpolatedSlices);
   for (const Attribute& attribute : attributes)
     if (const std::string& value = series.*attribute.value; !value.empty()) lines << attribute.text(value);
-  lines << QStringLiteral("%1, %2").arg(QString::fromStdString(series.format),
-                                        QString::fromStdString(series.valueType))
+  lines << shownText(series.notVolume)
+        << QStringLiteral("%1, %2").arg(QString::fromStdString(series.format), shownText(series.valueType))
         << pathText(series.path);
   for (const Warning& w : series.warnings) lines << QStringLiteral("! ") + shownText(w.sentence);
   lines.removeAll(QString());

@@ -11,7 +11,7 @@ namespace volumen {
 /// is not calibrated.
 QString planeText(const VoxelGeometry& geometry);
 
-/// "28 slices, axial".
+/// "28 slices, axial", "34 frames".
 QString slicesText(const Series& series);
 
 /// What tells a series apart from others of its name: the first of echo time, b-value, time point and time of

@@ -44,14 +44,23 @@ void Session::show(ShownSeriesPtr series, ViewId view, const Arrange& arrange) {
   pool_.put({key, false}, series);
   const SceneLook first{series->firstScene,
                         std::make_shared<ChosenPreset>(ChosenPreset{"auto", series->firstScene})};
-  endGesture();
-  const bool isFirst = workspace_.series.empty(), isNew = !workspace_.series.contains(key);
+  const bool isNew = !workspace_.series.contains(key);
   Workspace after = withSeries(workspace_, view, series->series, first);
-  if (isNew && arrange) after = arrange(std::move(after));
-  if (isFirst || after == workspace_)
+  begin(tr("Show %1").arg(seriesText(series->series)),
+        isNew && arrange ? arrange(std::move(after)) : std::move(after));
+}
+
+void Session::showFrames(const Series& series, ViewId view) {
+  begin(tr("Show %1").arg(seriesText(series)), withFrames(workspace_, view, series));
+}
+
+// A step, but for the first series of a workspace.
+void Session::begin(const QString& text, Workspace after) {
+  endGesture();
+  if (workspace_.series.empty() || after == workspace_)
     setWorkspace(after);
   else
-    change(tr("Show %1").arg(seriesText(series->series)), std::move(after));
+    change(text, std::move(after));
 }
 
 bool Session::showAgain(const Series& series, ViewId view) {
@@ -64,7 +73,8 @@ void Session::take(ShownSeriesPtr series, const Arrange& arrange) {
   const SeriesKey key = keyOf(series->series);
   const auto waits = [&](ViewId id) {
     const ViewState& view = workspace_.view(id);
-    return (view.series == key || flatLookOf(view).overlay == key) && !seriesNamed(key);
+    const bool shows = view.series == key && view.kind != ViewKind::frames;
+    return (shows || flatLookOf(view).overlay == key) && !seriesNamed(key);
   };
   if (std::ranges::none_of(viewsOnScreen(workspace_), waits))
     return show(std::move(series), workspace_.focus, arrange);
@@ -181,6 +191,7 @@ void Session::setWorkspace(const Workspace& workspace) {
   std::set<PoolKey> onScreen;
   for (const ViewId id : viewsOnScreen(workspace_)) {
     const ViewState& view = workspace_.view(id);
+    if (view.kind == ViewKind::frames) continue;
     const SeriesKey overlay = view.kind == ViewKind::volume ? SeriesKey{} : flatLookOf(view).overlay;
     for (const SeriesKey& key : {view.series, overlay})
       if (!key.empty()) onScreen.insert(poolKeyOf(key));

@@ -48,7 +48,9 @@ class Session : public QObject {
   using Arrange = std::function<Workspace(Workspace)>;
   void show(ShownSeriesPtr series);
   void show(ShownSeriesPtr series, ViewId view, const Arrange& arrange = {});
-  /// The same for a series that is still in memory; false where it is not.
+  /// Puts the frames of a series into a view, as withFrames() does; one undo step, but for the first series.
+  void showFrames(const Series& series, ViewId view);
+  /// The same as show() for a series that is still in memory; false where it is not.
   bool showAgain(const Series& series, ViewId view);
   /// Keeps a series that views on screen wait for; shows any other.
   void take(ShownSeriesPtr series, const Arrange& arrange = {});
@@ -105,6 +107,7 @@ class Session : public QObject {
  private:
   friend class EditWorkspace;
   PoolKey poolKeyOf(const SeriesKey& series) const;
+  void begin(const QString& text, Workspace after);
   SessionState stateInFocus() const;
   void setWorkspace(const Workspace& workspace);
 

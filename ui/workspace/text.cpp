@@ -72,15 +72,8 @@ QString studyText(const Series& series) {
   return parts.join(QLatin1Char(' '));
 }
 
-std::vector<Refused> notShown(const Study& study) {
-  std::vector<Refused> all = study.refused;
-  for (const Image& image : study.images) all.push_back({image.path, image.notVolume});
-  return all;
-}
-
-namespace {
-
-QString unreadFilesText(std::size_t refused, std::size_t others) {
+QString unreadText(const Study& study) {
+  const std::size_t refused = study.refused.size(), others = study.other.size();
   if (refused == 0)
     return others == 0   ? QString()
            : others == 1 ? tr("1 file is not an image.")
@@ -92,11 +85,9 @@ QString unreadFilesText(std::size_t refused, std::size_t others) {
                        : tr("%1; %2 others are not images.").arg(text).arg(others);
 }
 
-}  // namespace
-
-QString unreadText(const Study& study) {
-  const auto images = study.images.size();
-  QStringList sentences{unreadFilesText(study.refused.size(), study.other.size())};
+QString noVolumesText(const Study& study) {
+  const std::size_t images = study.images.size();
+  QStringList sentences{unreadText(study)};
   if (images == 1) sentences << tr("1 picture is no volume.");
   if (images > 1) sentences << tr("%1 pictures are no volumes.").arg(images);
   sentences.removeAll(QString());

@@ -30,9 +30,8 @@ QString studyText(const Series& series);
 /// it is.
 QString unreadText(const Study& study);
 
-/// The files that no view shows, each with its reason: those that could not be read, and pictures that are no
-/// volumes.
-std::vector<Refused> notShown(const Study& study);
+/// The same where only volumes count: "1 picture is no volume." behind it.
+QString noVolumesText(const Study& study);
 
 /// "Anterior view" of the standard view "anterior".
 QString viewText(const QString& name);

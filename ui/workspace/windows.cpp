@@ -12,7 +12,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
 
-bool isHounsfield(const ShownSeries& series) { return series.series.unit == "HU"; }
+bool isHounsfield(const Series& series) { return series.unit == "HU"; }
 
 QString withNumbers(const QString& name, const Window& window) {
   return QStringLiteral("%1 (%2 / %3)").arg(name).arg(window.width, 0, 'g', 4).arg(window.centre, 0, 'g', 4);
@@ -45,13 +45,8 @@ GreyMapping greyMapping(const Window& window, const ShownSeries& series) {
   return grey;
 }
 
-std::vector<NamedWindow> windowChoices(const ShownSeries& series) {
-  std::vector<NamedWindow> all{{tr("Automatic"), {}}};
-  const std::vector<Window>& files = series.volume->attributes().windows;
-  for (std::size_t n = 0; n < files.size(); ++n) {
-    const QString name = files.size() == 1 ? tr("From file") : tr("From file, %1").arg(n + 1);
-    all.push_back({withNumbers(name, files[n]), files[n]});
-  }
+std::vector<NamedWindow> tissueWindows(const Series& series) {
+  std::vector<NamedWindow> all;
   if (!isHounsfield(series)) return all;
   const std::pair<QString, Window> tissues[] = {{tr("Brain"), {40, 80}},
                                                 {tr("Abdomen"), {40, 400}},
@@ -65,9 +60,20 @@ std::vector<NamedWindow> windowChoices(const ShownSeries& series) {
   return all;
 }
 
+std::vector<NamedWindow> windowChoices(const ShownSeries& series) {
+  std::vector<NamedWindow> all{{tr("Automatic"), {}}};
+  const std::vector<Window>& files = series.volume->attributes().windows;
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    const QString name = files.size() == 1 ? tr("From file") : tr("From file, %1").arg(n + 1);
+    all.push_back({withNumbers(name, files[n]), files[n]});
+  }
+  for (const NamedWindow& tissue : tissueWindows(series.series)) all.push_back(tissue);
+  return all;
+}
+
 Scene withMode(Scene scene, Mode mode, const ShownSeries& series) {
   scene.mode = mode;
-  if (scene.window || mode == Mode::composite || !isHounsfield(series)) return scene;
+  if (scene.window || mode == Mode::composite || !isHounsfield(series.series)) return scene;
   // What a file's window is made for, one slice, leaves a projection all white or all black.
   scene.window = mode == Mode::mip     ? Window{700, 1800}
                  : mode == Mode::minip ? Window{-700, 800}

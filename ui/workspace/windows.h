@@ -32,6 +32,9 @@ struct NamedWindow {
 /// Automatic, the file's own, and for HU those of tissues.
 std::vector<NamedWindow> windowChoices(const ShownSeries& series);
 
+/// Those of tissues, for HU; else none.
+std::vector<NamedWindow> tissueWindows(const Series& series);
+
 /// The scene drawn in another mode; a projection without a window gets one that suits its values.
 Scene withMode(Scene scene, Mode mode, const ShownSeries& series);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace volumen {
 
@@ -28,9 +29,50 @@ const std::vector<LayoutEntry>& layouts() {
 
 bool inGroup(ViewId view) { return view < firstComparedId; }
 
+ViewKind firstKind(ViewId id) {
+  return id == sceneViewId      ? ViewKind::volume
+         : id == coronalViewId  ? ViewKind::coronal
+         : id == sagittalViewId ? ViewKind::sagittal
+                                : ViewKind::axial;
+}
+
+// The slice of a series at its cursor; the one in the middle where there is none.
+int sliceAtCursor(const Workspace& workspace, const Series& series) {
+  const int last = series.acquired.size.z - 1;
+  const auto crosshair = workspace.crosshairs.find(frameOfReference(series));
+  if (crosshair == workspace.crosshairs.end()) return last / 2;
+  return int(
+      std::clamp(std::round(series.acquired.voxelFromPatient(crosshair->second.at).z), 0.0, double(last)));
+}
+
+// Slices again; the cursor goes to the frame that was shown.
+void leaveFrames(Workspace& workspace, ViewId id) {
+  ViewState& view = workspace.view(id);
+  if (view.kind != ViewKind::frames) return;
+  const Series* series = seriesIn(workspace, id);
+  if (series && series->notVolume.empty() && series->acquired.calibrated) {
+    const glm::dvec3 middle = glm::dvec3(series->acquired.size - 1) * 0.5;
+    const auto [crosshair, isNew] = workspace.crosshairs.try_emplace(frameOfReference(*series));
+    glm::dvec3& at = crosshair->second.at;
+    glm::dvec3 pVoxel = isNew ? middle : series->acquired.voxelFromPatient(at);
+    pVoxel.z = flatLookOf(view).frame;
+    at = series->acquired.patientFromVoxel(pVoxel);
+  }
+  view.kind = firstKind(id);
+  if (workspace.layout == Layout::one && workspace.focus == axialViewId) workspace.focus = sceneViewId;
+}
+
+void remember(Workspace& workspace, const Series& series) {
+  const auto [state, isNew] = workspace.series.try_emplace(keyOf(series));
+  if (isNew) state->second.series = std::make_shared<const Series>(series);
+}
+
 void put(Workspace& workspace, ViewId id, const Series& series, const SceneLook& first) {
   ViewState& view = workspace.view(id);
+  const bool wereFrames = view.kind == ViewKind::frames && view.series == keyOf(series);
+  leaveFrames(workspace, id);
   view.series = keyOf(series);
+  if (wereFrames) makeWhole(view.flats[view.series]);
   if (view.kind == ViewKind::volume)
     view.scenes.try_emplace(view.series, first);
   else
@@ -40,10 +82,7 @@ void put(Workspace& workspace, ViewId id, const Series& series, const SceneLook&
 }  // namespace
 
 Workspace::Workspace() : views(std::size_t(viewCount)) {
-  view(axialViewId).kind = ViewKind::axial;
-  view(coronalViewId).kind = ViewKind::coronal;
-  view(sagittalViewId).kind = ViewKind::sagittal;
-  for (ViewId id = firstComparedId; id < viewCount; ++id) view(id).kind = ViewKind::axial;
+  for (ViewId id = 0; id < viewCount; ++id) view(id).kind = firstKind(id);
 }
 
 const char* layoutName(Layout layout) {
@@ -58,6 +97,8 @@ std::optional<Layout> layoutNamed(const std::string& name) {
 
 std::vector<ViewId> viewsOnScreen(const Workspace& workspace) {
   const auto& views = std::ranges::find(layouts(), workspace.layout, &LayoutEntry::layout)->views;
+  const ViewId first = views.empty() ? workspace.focus : views.front();
+  if (inGroup(first) && showsFrames(workspace, first)) return {axialViewId};
   return views.empty() ? std::vector{workspace.focus} : views;
 }
 
@@ -67,6 +108,17 @@ ViewId sceneViewOf(const Workspace& workspace) {
   for (const ViewId id : viewsOnScreen(workspace))
     if (workspace.view(id).kind == ViewKind::volume) return id;
   return sceneViewId;
+}
+
+const Series* seriesIn(const Workspace& workspace, ViewId view) {
+  const auto state = workspace.series.find(workspace.view(view).series);
+  return state == workspace.series.end() ? nullptr : state->second.series.get();
+}
+
+ViewId framesViewOf(ViewId view) { return inGroup(view) ? axialViewId : view; }
+
+bool showsFrames(const Workspace& workspace, ViewId view) {
+  return workspace.view(framesViewOf(view)).kind == ViewKind::frames;
 }
 
 FlatLook flatLookOf(const ViewState& view) {
@@ -79,8 +131,7 @@ std::string frameOfReference(const Series& series) {
 }
 
 Workspace withSeries(Workspace workspace, ViewId view, const Series& series, const SceneLook& first) {
-  const auto [state, isNew] = workspace.series.try_emplace(keyOf(series));
-  if (isNew) state->second.series = std::make_shared<const Series>(series);
+  remember(workspace, series);
   if (!inGroup(view)) {
     put(workspace, view, series, first);
     return workspace;
@@ -106,18 +157,14 @@ Workspace withFlatLooks(Workspace workspace, ViewId view, const std::function<vo
 }
 
 Workspace withOverlay(Workspace workspace, ViewId view, const Series* overlay) {
-  if (overlay) {
-    const auto [state, isNew] = workspace.series.try_emplace(keyOf(*overlay));
-    if (isNew) state->second.series = std::make_shared<const Series>(*overlay);
-  }
+  if (overlay) remember(workspace, *overlay);
   return withFlatLooks(std::move(workspace), view,
                        [&](FlatLook& look) { look.overlay = overlay ? keyOf(*overlay) : SeriesKey{}; });
 }
 
 Workspace fusedWith(Workspace workspace, const Series& under) {
   const SeriesKey over = workspace.view(sceneViewId).series;
-  const auto [state, isNew] = workspace.series.try_emplace(keyOf(under));
-  if (isNew) state->second.series = std::make_shared<const Series>(under);
+  remember(workspace, under);
   for (const ViewId id : planesOf(workspace, axialViewId)) workspace.view(id).series = keyOf(under);
   return withFlatLooks(std::move(workspace), axialViewId, [&](FlatLook& look) { look.overlay = over; });
 }
@@ -128,8 +175,26 @@ Layout usualLayout(const Series& series) {
   return std::min({n.x, n.y, n.z}) < fewest ? Layout::one : Layout::planes;
 }
 
+void makeWhole(FlatLook& look) { look.panMm = {0, 0}, look.zoom = 1, look.slabMm = 0; }
+
+Workspace withFrames(Workspace workspace, ViewId view, const Series& series) {
+  remember(workspace, series);
+  const ViewId shown = framesViewOf(view);
+  const SeriesKey key = keyOf(series);
+  ViewState& frames = workspace.view(shown);
+  const bool wereSlices = frames.series == key && frames.kind != ViewKind::frames;
+  for (ViewId id = 0; inGroup(view) && id < firstComparedId; ++id) workspace.view(id).series = key;
+  frames.series = key;
+  frames.kind = ViewKind::frames;
+  FlatLook& look = frames.flats[key];
+  if (wereSlices) makeWhole(look), look.frame = sliceAtCursor(workspace, series);
+  if (workspace.focus == view || inGroup(workspace.focus)) workspace.focus = shown;
+  return workspace;
+}
+
 Workspace withLayout(Workspace workspace, Layout layout) {
   const SeriesKey shown = workspace.view(workspace.focus).series;
+  const bool asFrames = showsFrames(workspace, workspace.focus);
   workspace.layout = layout;
   const std::vector<ViewId> views = viewsOnScreen(workspace);
   if (std::ranges::find(views, workspace.focus) == views.end()) workspace.focus = views.front();
@@ -137,19 +202,24 @@ Workspace withLayout(Workspace workspace, Layout layout) {
   if (first.series.empty()) {
     first.series = shown;
     first.flats.try_emplace(shown);
+    if (asFrames) first.kind = ViewKind::frames;
   }
   return workspace;
 }
 
 Workspace without(Workspace workspace, const SeriesKey& key) {
-  workspace.series.erase(key);
-  for (ViewState& view : workspace.views) {
-    if (view.series == key) view.series = {};
+  for (ViewId id = 0; id < viewCount; ++id) {
+    ViewState& view = workspace.view(id);
+    if (view.series == key) {
+      leaveFrames(workspace, id);
+      view.series = {};
+    }
     view.scenes.erase(key);
     view.flats.erase(key);
     for (auto& [series, look] : view.flats)
       if (look.overlay == key) look.overlay = {};
   }
+  workspace.series.erase(key);
   return workspace;
 }
 

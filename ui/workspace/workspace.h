@@ -36,23 +36,30 @@ struct FlatLook {
   double zoom = 1;      ///< relative to the picture that shows all of the volume
   double slabMm = 0;
   SlabMode slabMode = SlabMode::max;
-  bool nearest = false;  ///< voxels as they are, not interpolated
-  SeriesKey overlay;     ///< a second series over the first; empty: none
+  bool nearest = false;   ///< voxels as they are, not interpolated
+  bool inverted = false;  ///< bright where it would be dark; colours stay
+  int frame = 0;          ///< of frames: which, from 0
+  bool layers = true;     ///< of frames: overlays and shutters
+  SeriesKey overlay;      ///< of slices: a second series over the first; empty: none
   ColourMap overlayColours = ColourMap::hotIron;
   double overlayOpacity = 0.5;
   bool operator==(const FlatLook&) const = default;
 };
+
+/// All of it in the view, and no slab.
+void makeWhole(FlatLook& look);
 
 /// What holds for a series in every view.
 struct SeriesState {
   std::shared_ptr<const Series> series;
   bool tableRemoved = false;
   std::optional<Window> window;  ///< of flat views; a negative width is inverted; none: the series' own
+  int namedGrey = 0;             ///< of frames without such a window: which of the file's own
   ColourMap colours = ColourMap::grey;
   bool operator==(const SeriesState&) const = default;
 };
 
-enum class ViewKind { volume, axial, coronal, sagittal };
+enum class ViewKind { volume, axial, coronal, sagittal, frames };
 
 /// What a view shows: one series, and what it made of that and of those it showed before.
 struct ViewState {
@@ -72,7 +79,8 @@ enum class Layout {
   four           ///< four series, 2 x 2
 };
 
-/// The views that every workspace has. The first four show one series together.
+/// The views that every workspace has. The first four show one series together; as frames the axial one alone
+/// does.
 inline constexpr ViewId sceneViewId = 0, axialViewId = 1, coronalViewId = 2, sagittalViewId = 3,
                         firstComparedId = 4, viewCount = 8;
 
@@ -128,6 +136,9 @@ std::vector<ViewId> viewsOnScreen(const Workspace& workspace);
 /// The 3D view that the panels work on: the one in focus, else the one of the same group.
 ViewId sceneViewOf(const Workspace& workspace);
 
+/// The series of a view; null: none.
+const Series* seriesIn(const Workspace& workspace, ViewId view);
+
 /// How a flat view shows its series; the defaults where it has none.
 FlatLook flatLookOf(const ViewState& view);
 
@@ -146,6 +157,12 @@ Workspace withOverlay(Workspace workspace, ViewId view, const Series* overlay);
 Workspace fusedWith(Workspace workspace, const Series& under);
 /// The layout that readers of a modality expect: planes and 3D; one view where there are few slices.
 Layout usualLayout(const Series& series);
+/// With the frames of this series in a view, or in the axial one of its group; where the view showed slices
+/// of it, from the one at the cursor on.
+Workspace withFrames(Workspace workspace, ViewId view, const Series& series);
+/// The view that shows frames where this one is asked to: itself, or the axial one of its group.
+ViewId framesViewOf(ViewId view);
+bool showsFrames(const Workspace& workspace, ViewId view);
 /// In another layout; the first view to compare, where it is empty, gets the series of the focus.
 Workspace withLayout(Workspace workspace, Layout layout);
 /// Without this series: views that show it are empty.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,13 @@ struct UltrasoundRegion {
 struct NamedGrey {
   std::string name;  ///< WindowCenterWidthExplanation, LUTExplanation; empty where it has none
   GreyMapping mapping;
+  bool ofValues = false;  ///< the file offers none: P0.1 .. P99.9 of the frame
+};
+
+/// Where a frame lies in the patient, mm.
+struct FramePlace {
+  glm::dvec3 origin{0};                      ///< the centre of its first pixel
+  glm::dvec3 row{1, 0, 0}, column{0, 1, 0};  ///< unit vectors along a row and down a column
 };
 
 /// One picture as acquired, pixel for pixel (slices.md 2).
@@ -53,6 +61,7 @@ struct Frame {
       greys;  ///< the file's windows and VOI LUTs, first is the default; never empty for grey
   std::optional<ValueRange> padding;  ///< values that stand for no value
   PixelSize pixel;
+  std::optional<FramePlace> place;  ///< of slices whose file says it
   std::vector<FrameOverlay> overlays;
   std::vector<std::uint8_t> shutter;  ///< one byte a pixel, 1 where it hides; empty: none
   std::vector<UltrasoundRegion> regions;

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <QImage>
+
+#include "ui/data/shown_frame.h"
+#include "viewer/slice/plane.h"
+
+namespace volumen {
+
+/// A frame on a plane through its slice: grey by `grey`, colours as they are; black around it, where
+/// `withLayers` under shutters too, white where overlays are. An Error for what checkPlane refuses.
+Result<QImage> drawFrame(const ShownFrame& frame, const SlicePlane& plane, const GreyMapping& grey,
+                         bool withLayers);
+
+}  // namespace volumen

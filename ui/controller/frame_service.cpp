@@ -1,0 +1,153 @@
+#include "ui/controller/frame_service.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/frames.h"
+#include "ui/data/frame_series.h"
+#include "ui/data/series_pool.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int mostAhead = 32;
+
+// Values that count for a window.
+void addValues(const Frame& frame, std::vector<float>& values) {
+  const auto counts = [&](float v) {
+    return std::isfinite(v) && !(frame.padding && v >= frame.padding->low && v <= frame.padding->high);
+  };
+  std::ranges::copy_if(frame.values, std::back_inserter(values), counts);
+}
+
+Window windowOfMost(std::vector<float> values) {
+  if (values.empty()) return {0.5, 1};
+  const auto ofRank = [&](double part) {
+    const auto rank = std::max(1.0, std::ceil(part * double(values.size())));
+    const auto at = values.begin() + std::ptrdiff_t(rank) - 1;
+    std::ranges::nth_element(values, at);
+    return double(*at);
+  };
+  const double low = ofRank(0.001), high = ofRank(0.999);
+  return {(low + high) / 2, high > low ? high - low : 1};
+}
+
+}  // namespace
+
+std::size_t FrameService::defaultBudget() {
+  return std::min(SeriesPool::defaultBudget() / 4, std::size_t(1) << 30);
+}
+
+FrameService::FrameService(std::size_t budget, QObject* parent)
+    : QObject(parent), pool_(budget), thread_([this] { run(); }) {}
+
+FrameService::~FrameService() {
+  {
+    const std::lock_guard lock(mutex_);
+    closing_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+ShownFramePtr FrameService::find(const FrameKey& key) {
+  const std::lock_guard lock(mutex_);
+  return pool_.find(key);
+}
+
+void FrameService::request(ViewId view, std::shared_ptr<const Series> series, int index, int step) {
+  {
+    const std::lock_guard lock(mutex_);
+    wanted_[view] = {std::move(series), index, step};
+    tellReady();
+  }
+  wake_.notify_one();
+}
+
+void FrameService::drop(ViewId view) {
+  const std::lock_guard lock(mutex_);
+  wanted_.erase(view);
+}
+
+// To the views whose frame is there, or never will be.
+void FrameService::tellReady() {
+  for (auto& [view, wanted] : wanted_) {
+    if (wanted.told || !isKnown(wanted.key(0))) continue;
+    wanted.told = true;
+    if (const ShownFramePtr frame = pool_.find(wanted.key(0))) {
+      tellReady(view, frame);
+      continue;
+    }
+    const QString sentence = QString::fromStdString(failures_.at(wanted.key(0)));
+    QMetaObject::invokeMethod(
+        this, [this, view = view, key = wanted.key(0), sentence] { Q_EMIT failed(view, key, sentence); },
+        Qt::QueuedConnection);
+  }
+}
+
+void FrameService::tellReady(ViewId view, const ShownFramePtr& frame) {
+  QMetaObject::invokeMethod(
+      this, [this, view, frame] { Q_EMIT ready(view, frame); }, Qt::QueuedConnection);
+}
+
+// How many frames ahead are read: those of all views take no more than half of the pool.
+int FrameService::reach() const {
+  const std::size_t room = pool_.budget() / 2 / frameBytes_ / std::max<std::size_t>(1, wanted_.size());
+  return int(std::min<std::size_t>(room, mostAhead));
+}
+
+std::optional<FrameService::Job> FrameService::nextJob() const {
+  const int most = reach();
+  for (int ahead = 0; ahead <= most; ++ahead)
+    for (const auto& [view, wanted] : wanted_) {
+      const FrameKey key = wanted.key(ahead);
+      if (key.index < 0 || key.index >= frameCount(*wanted.series) || isKnown(key)) continue;
+      return Job{wanted.series, key, ahead == 0 ? std::optional(view) : std::nullopt};
+    }
+  return {};
+}
+
+void FrameService::run() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    std::optional<Job> job;
+    wake_.wait(lock, [&] { return closing_ || (job = nextJob()); });
+    if (closing_) return;
+    lock.unlock();
+    Result<ShownFramePtr> frame = read(*job);
+    lock.lock();
+    if (frame) {
+      frameBytes_ = std::max<std::size_t>(1, (*frame)->bytes());
+      pool_.put(*frame);
+      // Who goes on faster than frames are read sees at least this one.
+      if (job->view && wanted_.contains(*job->view) && wanted_[*job->view].key(0) != job->key)
+        tellReady(*job->view, *frame);
+    } else {
+      failures_[job->key] = frame.message();
+    }
+    tellReady();
+  }
+}
+
+Result<ShownFramePtr> FrameService::read(const Job& job) {
+  Result<Frame> frame = loadFrame(*job.series, job.key.index);
+  if (!frame) return frame.error();
+  if (!frame->greys.empty() && frame->greys.front().ofValues && frameCount(*job.series) > 1)
+    frame->greys.front().mapping.window = windowOf(*job.series);
+  return shownFrame(*job.series, job.key.index, std::move(*frame));
+}
+
+Window FrameService::windowOf(const Series& series) {
+  const auto known = windows_.find(keyOf(series));
+  if (known != windows_.end()) return known->second;
+  const int count = frameCount(series), sampled = std::min(count, sampledFrames);
+  std::vector<float> values;
+  for (int n = 0; n < sampled; ++n)
+    if (const Result<Frame> frame =
+            loadFrame(series, int(std::int64_t(n) * (count - 1) / std::max(1, sampled - 1))))
+      addValues(*frame, values);
+  return windows_[keyOf(series)] = windowOfMost(std::move(values));
+}
+
+}  // namespace volumen

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <QObject>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "ui/data/frame_pool.h"
+#include "ui/workspace/view_id.h"
+
+namespace volumen {
+
+/// Reads and decodes frames on a thread of its own: of each view the one that is wanted, then those that come
+/// next in the direction in which it goes. Asking never waits.
+///
+/// Where files have no window, all frames of a series share one: P0.1 .. P99.9 of at most `sampledFrames` of
+/// them, evenly placed.
+class FrameService : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr int sampledFrames = 9;
+
+  explicit FrameService(std::size_t budget = defaultBudget(), QObject* parent = nullptr);
+  ~FrameService() override;
+
+  /// A frame that is in memory; else null.
+  ShownFramePtr find(const FrameKey& key);
+  /// Ends in ready() or failed(), unless the view asks for another one before it is begun. `step`: 1 or -1,
+  /// where the next ones lie.
+  void request(ViewId view, std::shared_ptr<const Series> series, int index, int step);
+  /// Reads nothing ahead for a view any more.
+  void drop(ViewId view);
+
+  /// 1/16 of the machine's memory, at most 1 GiB.
+  static std::size_t defaultBudget();
+
+ Q_SIGNALS:
+  /// What a view wants, or wanted when it was begun.
+  void ready(int view, const volumen::ShownFramePtr& frame);
+  void failed(int view, const volumen::FrameKey& key, const QString& sentence);
+
+ private:
+  struct Wanted {
+    std::shared_ptr<const Series> series;
+    int index = 0, step = 1;
+    bool told = false;
+
+    FrameKey key(int ahead) const { return {keyOf(*series), index + ahead * step}; }
+  };
+  struct Job {
+    std::shared_ptr<const Series> series;
+    FrameKey key;
+    std::optional<ViewId> view;  // that wants it; none: read ahead
+  };
+
+  void run();
+  void tellReady();
+  void tellReady(ViewId view, const ShownFramePtr& frame);
+  std::optional<Job> nextJob() const;
+  int reach() const;
+  bool isKnown(const FrameKey& key) const { return pool_.contains(key) || failures_.contains(key); }
+  Result<ShownFramePtr> read(const Job& job);
+  Window windowOf(const Series& series);
+
+  std::map<SeriesKey, Window> windows_;  // of series without one; of the thread alone
+  std::mutex mutex_;                     // guards from here ...
+  std::condition_variable wake_;
+  FramePool pool_;
+  std::map<ViewId, Wanted> wanted_;
+  std::map<FrameKey, std::string> failures_;
+  std::size_t frameBytes_ = 1;  // of the frame read last
+  bool closing_ = false;        // ... to here
+  std::thread thread_;
+};
+
+}  // namespace volumen

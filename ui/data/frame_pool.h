@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+
+#include "ui/data/shown_frame.h"
+
+namespace volumen {
+
+/// Frames in memory; beyond a budget of bytes those that were used longest ago go first.
+class FramePool {
+ public:
+  explicit FramePool(std::size_t budget) : budget_(budget) {}
+
+  /// Null where it is not in memory. Counts as use.
+  ShownFramePtr find(const FrameKey& key);
+  bool contains(const FrameKey& key) const { return held_.contains(key); }
+  /// Keeps a frame, whatever its size.
+  void put(ShownFramePtr frame);
+
+  std::size_t bytes() const { return bytes_; }
+  std::size_t budget() const { return budget_; }
+
+ private:
+  struct Held {
+    ShownFramePtr frame;
+    std::size_t lastUse;
+  };
+
+  std::map<FrameKey, Held> held_;
+  std::size_t budget_, bytes_ = 0, uses_ = 0;
+};
+
+}  // namespace volumen

@@ -1,0 +1,99 @@
+#include "ui/data/shown_frame.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace volumen {
+
+namespace {
+
+VoxelGeometry geometryOf(const Frame& frame) {
+  VoxelGeometry geometry{.size = {frame.size, 1}, .calibrated = frame.place.has_value()};
+  const glm::dvec2 mm = frame.pixel.mm;
+  const FramePlace place = frame.place.value_or(FramePlace{});
+  const glm::dvec3 normal = glm::normalize(glm::cross(place.row, place.column));
+  // As thick as its pixels are wide: the smallest spacing is that of the pixels.
+  geometry.patientFromVoxelStep = {mm.x * place.row, mm.y * place.column, std::min(mm.x, mm.y) * normal};
+  geometry.origin = place.origin;
+  return geometry;
+}
+
+Result<VolumePtr> volumeOf(const VoxelGeometry& geometry, VoxelValues values) {
+  std::vector<std::string> warnings;
+  return Volume::make({.geometry = geometry, .values = std::move(values)}, warnings);
+}
+
+std::vector<std::uint8_t> channel(const Frame& frame, std::size_t which) {
+  std::vector<std::uint8_t> values(frame.rgb.size() / 3);
+  for (std::size_t n = 0; n < values.size(); ++n) values[n] = frame.rgb[3 * n + which];
+  return values;
+}
+
+std::vector<std::uint8_t> allOverlays(const Frame& frame) {
+  std::vector<std::uint8_t> mask = frame.overlays.front().mask;
+  for (const FrameOverlay& overlay : frame.overlays)
+    std::ranges::transform(mask, overlay.mask, mask.begin(), [](auto a, auto b) { return a | b; });
+  return mask;
+}
+
+// What tools and texts ask of a series.
+ShownSeriesPtr sliceOf(const Series& series, const Frame& frame, VolumePtr volume) {
+  auto slice = std::make_shared<ShownSeries>();
+  static_cast<SeriesIdentity&>(slice->series) = series;
+  slice->series.id = series.id;
+  slice->series.path = series.path;
+  slice->series.format = series.format;
+  slice->series.unit = frame.unit;
+  slice->volume = std::move(volume);
+  if (frame.colour()) return slice;
+  const std::vector<float> ends = percentiles(*slice->volume, {1, 999});
+  const auto [low, high] = std::ranges::minmax(frame.values);
+  slice->histogram.low = low, slice->histogram.high = high;
+  slice->window = frame.greys.front().mapping.window;
+  slice->valueSpread = ends[1] > ends[0] ? double(ends[1]) - ends[0] : 1;
+  return slice;
+}
+
+}  // namespace
+
+std::size_t ShownFrame::bytes() const {
+  std::size_t sum = slice->volume->bytes();
+  for (const VolumePtr& volume : {green, blue, overlays, shutter}) sum += volume ? volume->bytes() : 0;
+  return sum;
+}
+
+Result<ShownFramePtr> shownFrame(const Series& series, int index, Frame frame) {
+  const VoxelGeometry geometry = geometryOf(frame);
+  auto shown = std::make_shared<ShownFrame>();
+  shown->key = {keyOf(series), index};
+  std::vector<std::pair<VolumePtr*, VoxelValues>> parts;
+  VolumePtr values;
+  if (frame.colour()) {
+    parts.emplace_back(&values, channel(frame, 0));
+    parts.emplace_back(&shown->green, channel(frame, 1));
+    parts.emplace_back(&shown->blue, channel(frame, 2));
+  } else {
+    parts.emplace_back(&values, frame.values);
+  }
+  if (!frame.overlays.empty()) parts.emplace_back(&shown->overlays, allOverlays(frame));
+  if (!frame.shutter.empty()) parts.emplace_back(&shown->shutter, frame.shutter);
+  for (auto& [volume, voxels] : parts) {
+    Result<VolumePtr> made = volumeOf(geometry, std::move(voxels));
+    if (!made) return made.error();
+    *volume = *made;
+  }
+  shown->slice = sliceOf(series, frame, values);
+  shown->greys = std::move(frame.greys);
+  shown->pixel = frame.pixel;
+  shown->regions = std::move(frame.regions);
+  shown->warnings = std::move(frame.warnings);
+  return ShownFramePtr(shown);
+}
+
+SlicePlane framePlane(const VoxelGeometry& slice) {
+  const glm::dvec3 right = glm::normalize(slice.patientFromVoxelStep[0]);
+  const glm::dvec3 column = slice.patientFromVoxelStep[1];
+  return planeAlong(slice, right, glm::normalize(column - glm::dot(column, right) * right));
+}
+
+}  // namespace volumen

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+
+#include "ui/data/series_key.h"
+#include "ui/data/shown_series.h"
+#include "viewer/slice/frame.h"
+#include "viewer/slice/plane.h"
+
+namespace volumen {
+
+/// Names a frame: its series, and its number there from 0.
+struct FrameKey {
+  SeriesKey series;
+  int index = 0;
+  auto operator<=>(const FrameKey&) const = default;
+};
+
+/// A frame in memory, as flat views draw it: a series of one slice, so that it is cut, moved and read like
+/// any other. Where it has no place in the patient its first pixel is the origin, rows run along x, columns
+/// along y, and a pixel is as large as PixelSize says.
+struct ShownFrame {
+  FrameKey key;
+  ShownSeriesPtr slice;         ///< its values; of colour its red
+  VolumePtr green, blue;        ///< null: grey
+  VolumePtr overlays, shutter;  ///< 1 where they draw or hide, else 0; null: none
+  std::vector<NamedGrey> greys;
+  PixelSize pixel;
+  std::vector<UltrasoundRegion> regions;
+  std::vector<std::string> warnings;
+
+  bool colour() const { return green != nullptr; }
+  const VoxelGeometry& geometry() const { return slice->volume->geometry(); }
+  /// Of all pixels held.
+  std::size_t bytes() const;
+};
+
+using ShownFramePtr = std::shared_ptr<const ShownFrame>;
+
+/// Makes a frame of a series ready to be shown. An Error where its geometry makes no sense.
+Result<ShownFramePtr> shownFrame(const Series& series, int index, Frame frame);
+
+/// The plane that shows a slice as it was acquired: its rows to the right, its columns downwards; else as
+/// planeAlong().
+SlicePlane framePlane(const VoxelGeometry& slice);
+
+}  // namespace volumen

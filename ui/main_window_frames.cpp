@@ -1,0 +1,128 @@
+#include <QAction>
+#include <QMenu>
+#include <QStackedWidget>
+
+#include "ui/data/frame_series.h"
+#include "ui/main_window.h"
+#include "ui/tools/flat_tool.h"
+#include "ui/views/view_grid.h"
+#include "ui/widgets/status_line.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+void MainWindow::makeFrameActions() {
+  const auto add = [this](const char* name, const QString& text, const QString& key, bool isCheckable) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(QLatin1String(name));
+    if (!key.isEmpty()) action->setShortcut(key);
+    action->setCheckable(isCheckable);
+    addAction(action);
+    return actions_[action->objectName()] = action;
+  };
+  connect(add("showAsFrames", tr("Show as frames"), {}, true), &QAction::triggered, this,
+          &MainWindow::setShowAsFrames);
+  connect(add("overlaysAndShutters", tr("Overlays and shutters"), {}, true), &QAction::triggered, this,
+          [this](bool on) {
+            session_.endGesture();
+            editFlat(session_, framesViewOf(session_.workspace().focus), tr("Overlays and shutters"),
+                     [on](FlatLook& look) { look.layers = on; });
+          });
+  connect(add("playFrames", tr("Play or stop"), tr("C"), false), &QAction::triggered, this, [this] {
+    if (SliceView* view = framesInFocus()) view->togglePlay();
+  });
+}
+
+void MainWindow::connectFrames() {
+  connect(grid_, &ViewGrid::menuRequested, this,
+          [this](SliceView* view, QPoint global) { showFlatMenu(*view, global); });
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            const auto shown = [](const Workspace& w) {
+              return std::pair(w.view(w.focus).series, showsFrames(w, w.focus));
+            };
+            if (shown(before) != shown(after)) showPage();
+            showFrameActions();
+            const bool isAlone = showsFrames(after, after.focus) && viewsOnScreen(after).size() == 1;
+            if (before.layout == after.layout || !isAlone || after.layout == Layout::one) return;
+            const Series* series = seriesIn(after, after.focus);
+            if (!series) return;
+            const QString why =
+                series->notVolume.empty() ? tr("View > Show as frames is on") : shownText(series->notVolume);
+            status_->tell(tr("Shown as frames alone: %1").arg(why));
+          });
+  showFrameActions();
+}
+
+// The view of frames that keys and the menu are for; null: there is none.
+SliceView* MainWindow::framesInFocus() const {
+  const ViewId focus = session_.workspace().focus;
+  return showsFrames(session_.workspace(), focus) ? grid_->sliceView(framesViewOf(focus)) : nullptr;
+}
+
+void MainWindow::showFramesInFocus(const Series& series) {
+  loader_.cancelLoad();
+  sceneToShow_.reset();
+  session_.showFrames(series, session_.workspace().focus);
+}
+
+void MainWindow::setShowAsFrames(bool asFrames) {
+  const ViewId focus = session_.workspace().focus;
+  const Series* shown = seriesIn(session_.workspace(), focus);
+  if (!shown) return;
+  const Series series = *shown;
+  if (asFrames) return showFramesInFocus(series);
+  if (!session_.showAgain(series, focus)) loader_.load(series);
+}
+
+// What the actions say of the view in focus.
+void MainWindow::showFrameActions() {
+  const Workspace& workspace = session_.workspace();
+  const Series* series = seriesIn(workspace, workspace.focus);
+  const bool asFrames = series && showsFrames(workspace, workspace.focus);
+  QAction* kind = actions_.at(QStringLiteral("showAsFrames"));
+  kind->setChecked(asFrames);
+  kind->setEnabled(series && frameCount(*series) > 0 && series->notVolume.empty());
+  kind->setToolTip(series && !series->notVolume.empty() ? shownText(series->notVolume) : kind->text());
+  QAction* layers = actions_.at(QStringLiteral("overlaysAndShutters"));
+  layers->setEnabled(asFrames);
+  layers->setChecked(flatLookOf(workspace.view(framesViewOf(workspace.focus))).layers);
+  actions_.at(QStringLiteral("playFrames"))->setEnabled(asFrames && frameCount(*series) > 1);
+}
+
+// Of what is in focus: the views or the start page, title, and mark in the list.
+void MainWindow::showPage() {
+  const Workspace& workspace = session_.workspace();
+  const bool isAny = std::ranges::any_of(viewsOnScreen(workspace),
+                                         [&](ViewId id) { return !workspace.view(id).series.empty(); });
+  pages_->setCurrentWidget(isAny ? static_cast<QWidget*>(grid_) : pages_->widget(0));
+  showNames();
+  if (isAny && !grid_->isAncestorOf(focusWidget())) grid_->setFocus();
+}
+
+void MainWindow::showFlatMenu(SliceView& view, QPoint global) {
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("flatMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (view.showsFrames() && view.frame()) {
+    const std::vector<GreyChoice> choices = greyChoices(*view.frame());
+    const SeriesState& state = session_.workspace().series.at(view.state().series);
+    for (std::size_t n = 0; n < choices.size(); ++n) {
+      const QString digit = n < 10 ? QStringLiteral("\t%1").arg(n) : QString();
+      QAction* action = menu->addAction(choices[n].name + digit, &view,
+                                        [&view, choice = choices[n]] { view.chooseGrey(choice); });
+      action->setCheckable(true);
+      action->setChecked(withGrey(state, choices[n]) == state);
+    }
+    if (!choices.empty()) menu->addAction(tr("Invert") + QStringLiteral("\tI"), &view, &SliceView::invert);
+    menu->addSeparator();
+  }
+  if (!view.showsFrames())
+    for (const char* name : {"colourMenu", "overlayMenu"})
+      menu->addMenu(findChild<QMenu*>(QLatin1String(name)));
+  for (const char* name : {"showAsFrames", "overlaysAndShutters", "playFrames"})
+    menu->addAction(actions_.at(QLatin1String(name)));
+  menu->popup(global);
+}
+
+}  // namespace volumen

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "ui/data/shown_frame.h"
+#include "ui/workspace/windows.h"
+
+namespace volumen {
+
+/// How a frame is turned into grey: by the window that was set, LINEAR for integers of DICOM, else by the one
+/// of the file's windows and VOI LUTs that was chosen.
+GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const ShownFrame& frame);
+
+/// A way from value to grey to choose by name.
+struct GreyChoice {
+  QString name;                  ///< "SOFTER, LUT", "Bone (2000 / 400)"
+  int namedGrey = 0;             ///< which of the file's
+  std::optional<Window> window;  ///< in place of them
+};
+
+/// The first of the file's, then all of these by name, then those of tissues where values are HU. Empty for
+/// colour.
+std::vector<GreyChoice> greyChoices(const ShownFrame& frame);
+
+/// The state after a choice.
+SeriesState withGrey(SeriesState state, const GreyChoice& choice);
+
+/// "W 900 L 2653", and what is no straight line said behind it: "sigmoid", "LUT SOFTER".
+QString greyText(const SeriesState& state, const FlatLook& look, const ShownFrame& frame);
+
+}  // namespace volumen
