@@ -48,7 +48,6 @@ void SliceView::takeFrame(int view, const ShownFramePtr& frame) {
   frameFailure_.clear();
   tellWarnings();
   askForPicture();
-  update();
 }
 
 void SliceView::tellFrameFailure(int view, const FrameKey& key, const QString& sentence) {
