@@ -4,6 +4,8 @@
 #include <dcmtk/dcmdata/dcuid.h>
 
 #include "io/dicom/attributes.h"
+#include "io/dicom/reference.h"
+#include "io/dicom/stack.h"
 
 namespace volumen::dicom {
 namespace {
@@ -12,7 +14,7 @@ constexpr std::uint64_t sizeLimit = std::uint64_t(16) << 30;
 
 Inspection refused(const std::string& reason) {
   std::string sentence = reason + ".";
-  return {Inspection::Kind::refused, sentence, {}};
+  return {Inspection::Kind::refused, sentence, {}, {}};
 }
 
 /// "DICOM file without pixel data (SR)".
@@ -45,8 +47,6 @@ Result<std::vector<FrameRanges>> nativeFrames(const Element& pixels, const Pixel
 }
 
 Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet& data, FileHeader& header) {
-  if (header.sopClassUid == "1.2.840.10008.5.1.4.1.1.66.4")
-    return Error{"DICOM segmentation: not supported yet"};
   const Element& pixels = *s.dataSet.pixels;
   auto format = readPixelFormat(data, pixels);
   if (!format) return format.error();
@@ -76,6 +76,16 @@ bool beginsAsDicom(Bytes head) {
   return group == 0x0002 || group == 0x0004 || group == 0x0008 || group == 0x0800;
 }
 
+/// What has no picture of its own, and what it refers to.
+Inspection withoutPicture(const DataSet& data, const FileHeader& header) {
+  Inspection found{Inspection::Kind::noPicture, kindOf(header), {}, {}};
+  if (const auto kind = referenceKind(header.sopClassUid)) {
+    found.reference = readReference(data, header, *kind);
+    if (kind == ReferenceKind::segmentation) found.text = "DICOM segmentation";
+  }
+  return found;
+}
+
 /// Reads the file and says what it is; leaves its elements in `s`.
 Inspection inspectInto(const std::string& path, ScannedFile& s) {
   const Result<RegularFile> file = RegularFile::open(path);
@@ -95,17 +105,22 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
   // Without preamble only what says which class or kind it is passes for DICOM.
   const bool named = data.has(0x00080016, data.root()) || data.has(0x00080060, data.root());
   if (!looksLikeDicom && !named) return {};
-  Inspection found{Inspection::Kind::picture, {}, {}};
+  Inspection found{Inspection::Kind::picture, {}, {}, {}};
   found.header.path = path;
   found.header.syntax = s.syntax;
   found.header.inflatedFrom = s.inflatedFrom;
   readIdentity(data, found.header);
-  if (!s.dataSet.pixels) return {Inspection::Kind::noPicture, kindOf(found.header), {}};
+  const bool isSegmentation = referenceKind(found.header.sopClassUid) == ReferenceKind::segmentation;
+  if (!s.dataSet.pixels || isSegmentation) return withoutPicture(data, found.header);
   if (Status picture = readPicture(*file, s, data, found.header); !picture) return refused(picture.message());
   return found;
 }
 
 }  // namespace
+
+std::string instanceId(const FileHeader& file) {
+  return file.sopInstanceUid.empty() ? fileName(file.path) : file.sopInstanceUid;
+}
 
 InspectedFile inspectFile(const std::string& path) {
   InspectedFile file;

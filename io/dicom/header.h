@@ -72,11 +72,15 @@ struct FileHeader : SeriesIdentity {
   std::vector<std::string> warnings;  ///< sentences without the file's name
 };
 
+/// What tells one file of a study from another: its SOPInstanceUID, else its name.
+std::string instanceId(const FileHeader& file);
+
 /// What a file turned out to be.
 struct Inspection {
   enum class Kind { notDicom, noPicture, refused, picture } kind = Kind::notDicom;
   std::string text;   ///< noPicture: what it is; refused: why, a sentence
   FileHeader header;  ///< picture
+  std::optional<Reference> reference;  ///< noPicture that refers to pictures
 };
 
 /// Reads a file up to its pixel data and says what it is. Never trusts it: this is the first of the two
