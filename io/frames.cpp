@@ -28,8 +28,8 @@ Result<PresentedFrame> presented(const std::string& path, const std::string& sop
                                  const Presentation& presentation) {
   if (!namesFrame(presentation.pictures, sopInstanceUid, frame))
     return Error{path + ": the presentation state refers to other pictures."};
-  Result<Frame> loaded =
-      dicom::loadFrame(path, frame, dicom::Shown{presentation, greysFor(presentation, sopInstanceUid, frame)});
+  Result<Frame> loaded = dicom::loadFrame(
+      path, frame, dicom::Shown{presentation, greysFor(presentation, sopInstanceUid, frame)});
   if (!loaded) return loaded.error();
   FramePresentation how = presentationOf(presentation, sopInstanceUid, frame, loaded->size);
   if (const Status area = checkArea(how, loaded->size); !area)

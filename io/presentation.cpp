@@ -8,9 +8,8 @@ namespace {
 /// The first part that holds for a frame.
 template <class Part>
 const Part* partFor(const std::vector<Part>& parts, const std::string& sopInstanceUid, int frame) {
-  const auto found = std::ranges::find_if(parts, [&](const Part& part) {
-    return part.of.empty() || namesFrame(part.of, sopInstanceUid, frame);
-  });
+  const auto found = std::ranges::find_if(
+      parts, [&](const Part& part) { return part.of.empty() || namesFrame(part.of, sopInstanceUid, frame); });
   return found == parts.end() ? nullptr : &*found;
 }
 
@@ -22,7 +21,8 @@ float ValueMapping::operator()(double stored) const {
   return float(std::clamp(slope * stored + intercept, -most, most));
 }
 
-bool namesFrame(const std::vector<ReferencedPicture>& pictures, const std::string& sopInstanceUid, int frame) {
+bool namesFrame(const std::vector<ReferencedPicture>& pictures, const std::string& sopInstanceUid,
+                int frame) {
   return std::ranges::any_of(pictures, [&](const ReferencedPicture& p) {
     return p.sopInstanceUid == sopInstanceUid &&
            (p.frames.empty() || std::ranges::binary_search(p.frames, frame));

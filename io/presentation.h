@@ -21,9 +21,9 @@ struct ValueMapping {
   float operator()(double stored) const;
 };
 
-/// A grayscale softcopy presentation state (PS3.3 A.33.1): how the pictures that it refers to are to be shown.
-/// What it leaves out is not taken from the pictures: without a rescale stored values are values, without a
-/// window all of them are shown.
+/// A grayscale softcopy presentation state (PS3.3 A.33.1): how the pictures that it refers to are to be
+/// shown. What it leaves out is not taken from the pictures: without a rescale stored values are values,
+/// without a window all of them are shown.
 struct Presentation {
   /// A part that holds for some of the pictures; `of` empty: for all of them.
   struct Greys {
@@ -45,7 +45,8 @@ struct Presentation {
   std::vector<ReferencedPicture> pictures;
   ValueMapping values;
   std::vector<Greys> greys;
-  bool inverted = false;  ///< Presentation LUT Shape INVERSE; MONOCHROME1 of a picture does not count beside it
+  bool inverted =
+      false;  ///< Presentation LUT Shape INVERSE; MONOCHROME1 of a picture does not count beside it
   Shutter shutter;
   PictureTurn turn;
   std::vector<Area> areas;

@@ -71,8 +71,9 @@ struct Image : SeriesIdentity {
 /// A picture, or some of its frames, that an object refers to.
 struct ReferencedPicture {
   std::string sopInstanceUid;
-  std::string seriesUid;    ///< empty where it is not said
-  std::vector<int> frames;  ///< from 0; none: all of them
+  std::string seriesUid;      ///< empty where it is not said
+  std::vector<int> frames;    ///< from 0, in order; none: all of them
+  std::vector<int> segments;  ///< of a segmentation, their numbers; none: all of them
 };
 
 /// What kind of object refers to pictures.

@@ -46,29 +46,6 @@ Result<std::vector<FrameRanges>> nativeFrames(const Element& pixels, const Pixel
   return frames;
 }
 
-Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet& data, FileHeader& header) {
-  const Element& pixels = *s.dataSet.pixels;
-  auto format = readPixelFormat(data, pixels);
-  if (!format) return format.error();
-  header.format = *format;
-  header.format.subsampled = s.syntax.coding == Coding::native && format->photometric == "YBR_FULL_422";
-  if (header.format.subsampled && format->columns % 2 == 1)
-    return Error{"its rows are odd, and YBR_FULL_422 stores two pixels at a time"};
-  if (s.syntax.coding == Coding::unsupported)
-    return Error{"its transfer syntax \"" + std::string(s.syntax.name) + "\" is not supported"};
-  if (header.format.frameBytes() * std::uint64_t(format->frames) > sizeLimit)
-    return Error{"it claims more than 16 GiB of pixels"};
-  if (Status slices = readSlices(data, header); !slices) return slices;
-  if (s.syntax.coding != Coding::native && pixels.length != undefinedLength)
-    return Error{"its pixel data is not in fragments, as \"" + std::string(s.syntax.name) + "\" wants it"};
-  auto frames = s.syntax.coding == Coding::native ? nativeFrames(pixels, header.format, s.size)
-                                                  : encapsulatedFrames(file, pixels, format->frames);
-  if (!frames) return frames.error();
-  header.cine = readCine(data, format->frames);
-  header.frames = std::move(*frames);
-  return {};
-}
-
 /// Whether a file without preamble begins as DICOM does: with group 0002, 0004 or 0008 in either byte order.
 bool beginsAsDicom(Bytes head) {
   if (head.size() < 8) return false;
@@ -117,6 +94,29 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
 }
 
 }  // namespace
+
+Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet& data, FileHeader& header) {
+  const Element& pixels = *s.dataSet.pixels;
+  auto format = readPixelFormat(data, pixels);
+  if (!format) return format.error();
+  header.format = *format;
+  header.format.subsampled = s.syntax.coding == Coding::native && format->photometric == "YBR_FULL_422";
+  if (header.format.subsampled && format->columns % 2 == 1)
+    return Error{"its rows are odd, and YBR_FULL_422 stores two pixels at a time"};
+  if (s.syntax.coding == Coding::unsupported)
+    return Error{"its transfer syntax \"" + std::string(s.syntax.name) + "\" is not supported"};
+  if (header.format.frameBytes() * std::uint64_t(format->frames) > sizeLimit)
+    return Error{"it claims more than 16 GiB of pixels"};
+  if (Status slices = readSlices(data, header); !slices) return slices;
+  if (s.syntax.coding != Coding::native && pixels.length != undefinedLength)
+    return Error{"its pixel data is not in fragments, as \"" + std::string(s.syntax.name) + "\" wants it"};
+  auto frames = s.syntax.coding == Coding::native ? nativeFrames(pixels, header.format, s.size)
+                                                  : encapsulatedFrames(file, pixels, format->frames);
+  if (!frames) return frames.error();
+  header.cine = readCine(data, format->frames);
+  header.frames = std::move(*frames);
+  return {};
+}
 
 std::string instanceId(const FileHeader& file) {
   return file.sopInstanceUid.empty() ? fileName(file.path) : file.sopInstanceUid;

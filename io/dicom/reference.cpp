@@ -50,11 +50,21 @@ std::vector<int> readFrames(const DataSet& data, DataSet::Scope item) {
   return frames;
 }
 
-/// All frames of a picture are meant where one mention of it names none.
+/// All are meant where one mention names none.
+void mergeNumbers(std::vector<int>& known, const std::vector<int>& more) {
+  if (known.empty() || more.empty()) return known.clear();
+  known.insert(known.end(), more.begin(), more.end());
+}
+
 void merge(ReferencedPicture& known, const ReferencedPicture& more) {
   if (known.seriesUid.empty()) known.seriesUid = more.seriesUid;
-  if (known.frames.empty() || more.frames.empty()) return known.frames.clear();
-  known.frames.insert(known.frames.end(), more.frames.begin(), more.frames.end());
+  mergeNumbers(known.frames, more.frames);
+  mergeNumbers(known.segments, more.segments);
+}
+
+void sortNumbers(std::vector<int>& numbers) {
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 /// The meaning of the code of a document's title.
@@ -120,15 +130,16 @@ std::vector<ReferencedPicture> readPictures(const DataSet& data, DataSet::Scope 
     if (e.tag == itemTag) around.enter({n + 1, e.end});
     if (e.tag != instanceUid || !around.isInside()) continue;
     const DataSet::Scope item = around.item();
-    ReferencedPicture picture{data.text(instanceUid, item), around.uid(), readFrames(data, item)};
+    const auto segments = data.words(0x0062000b, item);
+    ReferencedPicture picture{data.text(instanceUid, item),
+                              around.uid(),
+                              readFrames(data, item),
+                              {segments.begin(), segments.end()}};
     if (picture.sopInstanceUid.empty() || isProcedure(data.text(0x00081150, item))) continue;
     const auto [at, isNew] = known.emplace(picture.sopInstanceUid, pictures.size());
     isNew ? pictures.push_back(std::move(picture)) : merge(pictures[at->second], picture);
   }
-  for (ReferencedPicture& p : pictures) {
-    std::ranges::sort(p.frames);
-    p.frames.erase(std::unique(p.frames.begin(), p.frames.end()), p.frames.end());
-  }
+  for (ReferencedPicture& p : pictures) sortNumbers(p.frames), sortNumbers(p.segments);
   return pictures;
 }
 

@@ -66,15 +66,15 @@ struct GraphicText {
 /// A layer that graphics and texts lie on.
 struct GraphicLayer {
   std::string name, description;
-  double order = 0;             ///< the lowest is drawn first
-  float grey = 1;               ///< recommended, 0 black .. 1 white; 1 where it is not said
+  double order = 0;                   ///< the lowest is drawn first
+  float grey = 1;                     ///< recommended, 0 black .. 1 white; 1 where it is not said
   std::optional<glm::u8vec3> colour;  ///< recommended, sRGB
 };
 
 /// How one frame is to be shown beside its greys and its shutter.
 struct FramePresentation {
   PictureTurn turn;
-  std::optional<PixelBox> area;  ///< what is displayed; none: all of it
+  std::optional<PixelBox> area;      ///< what is displayed; none: all of it
   std::vector<GraphicLayer> layers;  ///< the lowest first
   std::vector<Graphic> graphics;
   std::vector<GraphicText> texts;
