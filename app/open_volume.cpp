@@ -10,8 +10,6 @@
 
 namespace volumen {
 
-namespace {
-
 Error nothingToShow(const std::string& path, const Study& study) {
   const std::vector<Refused> unread = notShown(study);
   if (unread.empty()) return Error{"No images found in " + path + "."};
@@ -20,6 +18,8 @@ Error nothingToShow(const std::string& path, const Study& study) {
   return Error{"No images found in " + path + ": " + unreadText(study).toStdString() + " The first: " + why +
                "\n`volumen info` lists them."};
 }
+
+namespace {
 
 // One a line, as `info` numbers and names them.
 std::string listOf(const Study& study) {
