@@ -23,7 +23,8 @@ struct Source {
   const Image* image = nullptr;
   const Series* series = nullptr;
 
-  int count() const { return image ? image->frames : int(series->files.size()); }
+  /// How many frames a presentation state can name: none of a series that is not DICOM.
+  int count() const { return image ? image->frames : int(series->sopInstanceUids.size()); }
   bool isNamedBy(const Presentation& p, int n) const {
     if (image) return namesFrame(p.pictures, image->sopInstanceUid, n);
     const auto at = std::size_t(n);
@@ -62,32 +63,44 @@ Result<std::string> presentationFile(const Study& study, const std::string& text
                std::to_string(count) + "."};
 }
 
+/// The first frame of these that a presentation state refers to.
+std::optional<std::pair<Source, int>> firstNamed(const std::vector<Source>& sources,
+                                                 const Presentation& presentation) {
+  for (const Source& source : sources)
+    for (int n = 0; n < source.count(); ++n)
+      if (source.isNamedBy(presentation, n)) return std::pair(source, n);
+  return {};
+}
+
+/// That no picture is here, with those that are here without their pixels.
+Error namesNothing(const Study& study, const std::string& path) {
+  std::string why;
+  for (const Other& other : study.other) {
+    const bool isReference =
+        std::ranges::find(study.references, other.path, &Reference::path) != study.references.end();
+    if (!isReference && other.kind.find("without pixel data") != std::string::npos)
+      why += "\n" + other.path + ": " + other.kind + ".";
+  }
+  return Error{path + " holds none of the pictures that the presentation state refers to." + why};
+}
+
 /// The picture that is asked for, else the first one that a presentation state refers to.
 Result<PresentedFrame> presentedFrame(const Study& study, const FrameOptions& options,
                                       const Presentation& presentation) {
-  if (options.index) {
-    const Result<Source> source = sourceOf(study, options);
-    if (!source) return source.error();
-    return source->load(*options.index, presentation);
-  }
   std::vector<Source> sources;
-  if (!options.series.empty()) {
+  if (options.index || !options.series.empty()) {
     const Result<Source> source = sourceOf(study, options);
     if (!source) return source.error();
+    if (options.index) return source->load(*options.index, presentation);
     sources.push_back(*source);
   } else {
     for (const Series& series : study.volumes)
       if (series.format == "DICOM") sources.push_back({nullptr, &series});
     for (const Image& image : study.images) sources.push_back({&image, nullptr});
   }
-  for (const Source& source : sources)
-    for (int n = 0; n < source.count(); ++n)
-      if (source.isNamedBy(presentation, n)) return source.load(n, presentation);
-  std::string why;
-  for (const Other& other : study.other)
-    if (other.kind.find("without pixel data (") != std::string::npos)
-      why += "\n" + other.path + ": " + other.kind + ".";
-  return Error{options.path + " holds none of the pictures that the presentation state refers to." + why};
+  const auto named = firstNamed(sources, presentation);
+  if (!named) return namesNothing(study, options.path);
+  return named->first.load(named->second, presentation);
 }
 
 QImage imageOf(const std::vector<std::uint8_t>& bytes, glm::ivec2 size, bool colour) {
