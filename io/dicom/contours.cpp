@@ -85,14 +85,17 @@ class Reader {
         ++damaged;
     if (damaged > 0)
       leaveOut(std::to_string(damaged) + " contours of \"" + region.name +
-               "\" without a known type or without three numbers a point");
+               "\" without a known type or without three numbers a point, within 10 km");
   }
 
   std::optional<Contour> readContour(Scope item) const {
     const std::string name = data_.text(0x30060042, item);
     const auto type = std::ranges::find(types, name, [](const auto& t) { return std::string_view(t.first); });
     const auto numbers = data_.numbers(0x30060050, item);
-    if (type == std::end(types) || !numbers || numbers->size() % 3 != 0) return {};
+    constexpr double farthest = 1e7;
+    if (type == std::end(types) || !numbers || numbers->size() % 3 != 0 ||
+        std::ranges::any_of(*numbers, [](double x) { return std::abs(x) > farthest; }))
+      return {};
     Contour contour;
     contour.type = type->second;
     contour.points.reserve(numbers->size() / 3);

@@ -47,7 +47,7 @@ class Reader {
       return Error{"its SegmentationType is \"" + toUtf8(type, {}) + "\"; BINARY and FRACTIONAL are read"};
     out_.fractional = type == "FRACTIONAL";
     out_.size = {data_.word(0x00280011, root).value_or(0), data_.word(0x00280010, root).value_or(0)};
-    frames_ = data_.number(0x00280008, root).value_or(0);
+    frames_ = data_.has(0x00280008, root) ? data_.number(0x00280008, root).value_or(0) : 1;
     if (out_.size.x == 0 || out_.size.y == 0) return Error{"its Rows or Columns are missing"};
     if (!(frames_ >= 1 && frames_ <= frameLimit && frames_ == std::floor(frames_)))
       return Error{"its NumberOfFrames is no number of frames"};
@@ -96,6 +96,9 @@ class Reader {
     const auto mm = readSpacing(data_, 0x00280030, at.of(pixelMeasures));
     if (!position || position->size() < 3 || !directions || directions->size() < 6 || !mm)
       return Error{"its place, directions or pixel spacing are missing"};
+    constexpr double farthest = 1e7;
+    if (std::ranges::any_of(*position, [](double x) { return std::abs(x) > farthest; }))
+      return Error{"its place is more than 10 km away"};
     const std::vector<double>&p = *position, &d = *directions;
     const bool isFirst = out_.frames.empty();
     if (isFirst)

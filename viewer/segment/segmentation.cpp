@@ -43,7 +43,7 @@ std::int64_t pixelsOf(const Segmentation& s, std::size_t segment) {
 
 Result<VoxelGeometry> gridOf(const Segmentation& s) {
   constexpr double same = 1e-3, off = 0.05;  // mm, and part of a step
-  constexpr double mostVoxels = 2147483648.0;
+  constexpr double mostVoxels = 2147483647;
   const std::vector<Plane> planes = planesOf(s, {});
   if (planes.empty()) return Error{"the segmentation has no frames"};
   double step = HUGE_VAL;
@@ -53,7 +53,7 @@ Result<VoxelGeometry> gridOf(const Segmentation& s) {
   const Plane& first = planes.front();
   const double last = std::round((planes.back().along - first.along) / step);
   if (!(double(s.size.x) * s.size.y * (last + 1) <= mostVoxels))
-    return Error{"the grid of the segmentation has more than 2^31 voxels"};
+    return Error{"the grid of the segmentation has 2^31 voxels or more"};
   const glm::dvec3 normal = glm::cross(s.right, s.down), origin = s.frames[first.frame].origin;
   for (const Plane& plane : planes) {
     const double k = (plane.along - first.along) / step;

@@ -50,7 +50,7 @@ struct Segmentation {
 std::int64_t pixelsOf(const Segmentation& segmentation, std::size_t segment);
 
 /// The grid of the segmentation's own planes, the empty ones between them included. An Error where they are
-/// not evenly spaced, or would be more than 2^31 voxels.
+/// not evenly spaced, or would be 2^31 voxels or more.
 Result<VoxelGeometry> gridOf(const Segmentation& segmentation);
 
 /// A segment on a grid: 1 where the nearest plane of the segment, at most half its thickness away, is set at

@@ -239,9 +239,13 @@ void TestPresentation::areaCountedFromZeroIsTheWholePicture() {
   const auto area = [](int fromX, int fromY, int toX, int toY) {
     return [=](DcmItem& data) {
       DcmItem& item = addItem(data, 0x0070, 0x005a);
-      const Sint32 from[] = {fromX, fromY}, to[] = {toX, toY};
-      item.putAndInsertSint32Array(DCM_DisplayedAreaTopLeftHandCorner, from, 2);
-      item.putAndInsertSint32Array(DCM_DisplayedAreaBottomRightHandCorner, to, 2);
+      const Sint32 corners[] = {fromX, fromY, toX, toY};
+      for (const bool last : {false, true}) {
+        auto* corner = new DcmSignedLong(last ? DCM_DisplayedAreaBottomRightHandCorner
+                                              : DCM_DisplayedAreaTopLeftHandCorner);
+        corner->putSint32Array(corners + (last ? 2 : 0), 2);
+        item.insert(corner);
+      }
     };
   };
   QCOMPARE(*Pair(area(0, 0, 4, 3)).shown()->how.area, (PixelBox{{0, 0}, {3, 2}}));
