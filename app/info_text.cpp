@@ -1,5 +1,6 @@
 #include "app/info_text.h"
 
+#include <set>
 #include <sstream>
 
 #include "app/command.h"
@@ -67,6 +68,38 @@ void addFiles(std::ostream& out, const Files& files, bool verbose, Why why) {
   }
 }
 
+std::string referenceLine(const Reference& object) {
+  std::ostringstream out;
+  out << kindName(object.kind);
+  for (const std::string& words : {object.label, object.text})
+    if (!words.empty()) out << ", " << words;
+  const std::size_t count = object.pictures.size();
+  out << "; refers to " << count << (count == 1 ? " picture" : " pictures");
+  if (object.notHere == 0) return out.str();
+  out << (object.notHere < count ? ", of which " + std::to_string(object.notHere) : ", which")
+      << (object.notHere == 1 ? " is not here" : " are not here");
+  return out.str();
+}
+
+void addReferences(std::ostream& out, const std::vector<Reference>& references) {
+  if (!references.empty()) out << "Objects that refer to pictures\n";
+  for (std::size_t n = 0; n < references.size(); ++n)
+    out << "    " << n + 1 << "  " << printable(references[n].path) << ": "
+        << printable(referenceLine(references[n])) << '\n';
+}
+
+// What is left to say of files once its references are told.
+Study unshown(const Study& study) {
+  Study rest;
+  rest.images = study.images;
+  rest.refused = study.refused;
+  std::set<std::string> told;
+  for (const Reference& object : study.references) told.insert(object.path);
+  for (const Other& other : study.other)
+    if (!told.contains(other.path)) rest.other.push_back(other);
+  return rest;
+}
+
 std::string imageLine(const Image& image) {
   std::ostringstream out;
   out << image.columns << " x " << image.rows;
@@ -89,12 +122,14 @@ std::string infoText(const Study& study, const std::vector<InfoSeries>& series, 
     patient = patientLine(s), when = studyLine(s);
     addSeries(out, n + 1, series[n], verbose);
   }
-  const QString unread = noVolumesText(study);
+  addReferences(out, study.references);
+  const Study rest = unshown(study);
+  const QString unread = noVolumesText(rest);
   if (unread.isEmpty()) return out.str();
   out << unread.toStdString() << '\n';
-  addFiles(out, study.images, verbose, imageLine);
-  addFiles(out, study.refused, verbose, [](const Refused& file) { return file.reason; });
-  addFiles(out, study.other, verbose, [](const Other& file) { return file.kind; });
+  addFiles(out, rest.images, verbose, imageLine);
+  addFiles(out, rest.refused, verbose, [](const Refused& file) { return file.reason; });
+  addFiles(out, rest.other, verbose, [](const Other& file) { return file.kind; });
   return out.str();
 }
 

@@ -10,8 +10,6 @@
 
 namespace volumen {
 
-namespace {
-
 Error nothingToShow(const std::string& path, const Study& study) {
   std::vector<Refused> unread = study.refused;
   for (const Image& image : study.images) unread.push_back({image.path, image.notVolume});
@@ -21,6 +19,8 @@ Error nothingToShow(const std::string& path, const Study& study) {
   return Error{"No images found in " + path + ": " + noVolumesText(study).toStdString() +
                " The first: " + why + "\n`volumen info` lists them."};
 }
+
+namespace {
 
 // One a line, as `info` numbers and names them.
 std::string listOf(const Study& study) {

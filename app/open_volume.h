@@ -14,6 +14,9 @@ struct Opened {
   std::vector<std::string> notes;  ///< sentences for stderr
 };
 
+/// Why nothing of a study can be shown: a sentence for the user.
+Error nothingToShow(const std::string& path, const Study& study);
+
 /// Opens PATH, chooses the series that `--series` means (empty: the one with most voxels, which is noted) and
 /// loads it, with progress on a terminal. The Error is a sentence for the user.
 Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel);

@@ -3,15 +3,57 @@
 #include "io/dicom/import.h"
 
 namespace volumen {
+namespace {
+
+/// A slice's index that is there.
+Status checkIndex(const Series& series, int index) {
+  if (series.format != "DICOM") return Error{series.path + ": only DICOM pictures have frames as acquired."};
+  if (index >= 0 && std::size_t(index) < series.files.size()) return {};
+  return Error{series.path + ": there is no slice " + std::to_string(index) + " in " +
+               std::to_string(series.files.size()) + "."};
+}
+
+Status checkArea(const FramePresentation& how, glm::ivec2 size) {
+  constexpr std::int64_t pixelLimit = std::int64_t(1) << 28;
+  if (!how.area) return {};
+  const glm::i64vec2 from(how.area->from), to(how.area->to), count = to - from + std::int64_t(1);
+  if (from.x >= size.x || from.y >= size.y || to.x < 0 || to.y < 0)
+    return Error{"the presentation state displays no part of it"};
+  if (count.x > pixelLimit || count.y > pixelLimit || count.x * count.y > pixelLimit)
+    return Error{"the presentation state displays an area of more than 2^28 pixels"};
+  return {};
+}
+
+Result<PresentedFrame> presented(const std::string& path, const std::string& sopInstanceUid, int frame,
+                                 const Presentation& presentation) {
+  if (!namesFrame(presentation.pictures, sopInstanceUid, frame))
+    return Error{path + ": the presentation state refers to other pictures."};
+  Result<Frame> loaded = dicom::loadFrame(
+      path, frame, dicom::Shown{presentation, greysFor(presentation, sopInstanceUid, frame)});
+  if (!loaded) return loaded.error();
+  FramePresentation how = presentationOf(presentation, sopInstanceUid, frame, loaded->size);
+  if (const Status area = checkArea(how, loaded->size); !area)
+    return Error{path + ": " + area.message() + "."};
+  return PresentedFrame{std::move(*loaded), std::move(how)};
+}
+
+}  // namespace
 
 Result<Frame> loadFrame(const Image& image, int index) { return dicom::loadFrame(image.path, index); }
 
 Result<Frame> loadFrame(const Series& series, int index) {
-  if (series.format != "DICOM") return Error{series.path + ": only DICOM pictures have frames as acquired."};
-  if (index < 0 || std::size_t(index) >= series.files.size())
-    return Error{series.path + ": there is no slice " + std::to_string(index) + " in " +
-                 std::to_string(series.files.size()) + "."};
+  if (const Status there = checkIndex(series, index); !there) return there.error();
   return dicom::loadFrame(series.files[std::size_t(index)], series.frames[std::size_t(index)]);
+}
+
+Result<PresentedFrame> loadFrame(const Image& image, int index, const Presentation& presentation) {
+  return presented(image.path, image.sopInstanceUid, index, presentation);
+}
+
+Result<PresentedFrame> loadFrame(const Series& series, int index, const Presentation& presentation) {
+  if (const Status there = checkIndex(series, index); !there) return there.error();
+  const auto n = std::size_t(index);
+  return presented(series.files[n], series.sopInstanceUids[n], series.frames[n], presentation);
 }
 
 }  // namespace volumen

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/presentation.h"
 #include "io/study.h"
 #include "viewer/slice/frame.h"
 
@@ -13,5 +14,16 @@ Result<Frame> loadFrame(const Image& image, int index);
 
 /// The frame that is slice `index` (from 0) of a DICOM series.
 Result<Frame> loadFrame(const Series& series, int index);
+
+/// A frame with the values, greys and shutter of a presentation state, and how it is to be shown.
+struct PresentedFrame {
+  Frame frame;
+  FramePresentation how;
+};
+
+/// The same frames as a presentation state has them shown. An Error also where it refers to other pictures
+/// alone, or displays no part of this one or more than 2^28 pixels.
+Result<PresentedFrame> loadFrame(const Image& image, int index, const Presentation& presentation);
+Result<PresentedFrame> loadFrame(const Series& series, int index, const Presentation& presentation);
 
 }  // namespace volumen

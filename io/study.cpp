@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 #include <tuple>
+#include <unordered_set>
 
 #include "io/dicom/import.h"
 #include "io/files/image_file.h"
@@ -71,10 +72,23 @@ void sortVolumes(std::vector<Series>& volumes) {
 }
 
 /// ... path.
-void sortImages(std::vector<Image>& images) {
-  const auto key = [](const Image& i) { return std::make_tuple(orderKey(i), std::tie(i.seriesUid, i.path)); };
-  std::stable_sort(images.begin(), images.end(),
-                   [&](const Image& a, const Image& b) { return key(a) < key(b); });
+template <class Found>
+void sortFiles(std::vector<Found>& files) {
+  const auto key = [](const Found& f) { return std::make_tuple(orderKey(f), std::tie(f.seriesUid, f.path)); };
+  std::stable_sort(files.begin(), files.end(),
+                   [&](const Found& a, const Found& b) { return key(a) < key(b); });
+}
+
+/// Counts what the objects refer to and the study does not hold.
+void countNotHere(Study& study) {
+  std::unordered_set<std::string_view> here;
+  if (study.references.empty()) return;
+  for (const Series& s : study.volumes) here.insert(s.sopInstanceUids.begin(), s.sopInstanceUids.end());
+  for (const Image& image : study.images) here.insert(image.sopInstanceUid);
+  for (const Reference& object : study.references) here.insert(object.sopInstanceUid);
+  for (Reference& object : study.references)
+    object.notHere = std::size_t(std::ranges::count_if(
+        object.pictures, [&](const ReferencedPicture& p) { return !here.contains(p.sopInstanceUid); }));
 }
 
 /// A sentence about a file, "F is compressed.", as a reason that stands behind its name: "compressed."
@@ -94,6 +108,11 @@ void addImageFile(const std::string& file, Study& study) {
 
 }  // namespace
 
+const char* kindName(ReferenceKind kind) {
+  constexpr const char* names[] = {"presentation state", "key objects", "report", "contours", "segmentation"};
+  return names[int(kind)];
+}
+
 Result<Study> openStudy(const std::string& path, const Progress& progress, const CancelToken& cancel) {
   if (isPhantom(path)) return openPhantom(path);
   const Result<FoundFiles> found = findFiles(path, cancel);
@@ -112,8 +131,11 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
   if (cancel.cancelled()) return Error{path + ": interrupted."};
   sortVolumes(study.volumes);
   numberParts(study.volumes);
-  sortImages(study.images);
+  sortFiles(study.images);
   numberParts(study.images);
+  sortFiles(study.references);
+  numberParts(study.references);
+  countNotHere(study);
   return study;
 }
 

@@ -72,23 +72,56 @@ struct Image : SeriesIdentity {
   Cine cine;
 };
 
+/// A picture, or some of its frames, that an object refers to.
+struct ReferencedPicture {
+  std::string sopInstanceUid;
+  std::string seriesUid;      ///< empty where it is not said
+  std::vector<int> frames;    ///< from 0, in order; none: all of them
+  std::vector<int> segments;  ///< of a segmentation, their numbers; none: all of them
+};
+
+/// What kind of object refers to pictures.
+enum class ReferenceKind {
+  presentation,  ///< softcopy presentation states: how pictures are to be shown (io/presentation.h)
+  keyObjects,    ///< Key Object Selection: pictures that are marked (io/report.h)
+  report,        ///< structured reports, among them TID 1500 (io/report.h)
+  contours,      ///< RTSTRUCT: regions of interest (io/contours.h)
+  segmentation   ///< SEG (io/segmentation.h)
+};
+
+/// The kind's name for people and scripts: "presentation state".
+const char* kindName(ReferenceKind kind);
+
+/// A DICOM object that refers to pictures and can be read by itself.
+struct Reference : SeriesIdentity {
+  ReferenceKind kind = ReferenceKind::report;
+  std::string id;  ///< SOPInstanceUID or file name, "#n" behind it where several are alike
+  std::string path, sopInstanceUid, sopClassUid;
+  std::string label;  ///< of presentation states, structure sets and segmentations; the title of documents
+  std::string text;   ///< the description that goes with it; of key objects what is said of the pictures
+  std::string date;   ///< as DICOM writes it: of the content; empty where it is not given
+  std::vector<ReferencedPicture> pictures;  ///< pictures and other objects, each once
+  std::size_t notHere = 0;                  ///< how many of `pictures` the study does not hold
+};
+
 /// A file that could not be read; the reason stands behind its name: "F: compressed with bzip2, ...".
 struct Refused {
   std::string path, reason;
 };
 
-/// Valid, but no volume: SR, RT, DICOMDIR, a text file.
+/// Valid, but no volume: SR, RT, DICOMDIR, a text file. What refers to pictures is in Study::references, too.
 struct Other {
   std::string path, kind;
 };
 
-/// All that one PATH holds. Volumes in `info`'s order: patient, study, series number, position; images by
-/// patient, study, series number and path. What is in one list is in none of the others.
+/// All that one PATH holds. Volumes in `info`'s order: patient, study, series number, position; images and
+/// references by patient, study, series number and path. Of the other lists what is in one is in none else.
 struct Study {
   std::vector<Series> volumes;
   std::vector<Image> images;
   std::vector<Refused> refused;
   std::vector<Other> other;
+  std::vector<Reference> references;  ///< their files are in `other`, too
 };
 
 /// Called now and then with what is being done ("reading headers"), how many of how many. From the calling

@@ -8,6 +8,7 @@
 #include "app/command.h"
 #include "app/info_text.h"
 #include "app/progress.h"
+#include "app/references_json.h"
 #include "app/usage.h"
 #include "io/study.h"
 
@@ -156,15 +157,27 @@ std::vector<InfoSeries> describe(Study& study, bool values, const CancelToken& c
   return all;
 }
 
-Json studyJson(const Study& study, const std::vector<InfoSeries>& series) {
+// With its contents where they are wanted, or why they cannot be read.
+Json describeReference(const Reference& object, bool values) {
+  Json out = referenceToJson(object);
+  if (!values) return out;
+  Result<Json> contents = contentsToJson(object);
+  out[contents ? "contents" : "problem"] = contents ? std::move(*contents) : Json(contents.message());
+  return out;
+}
+
+Json studyJson(const Study& study, const std::vector<InfoSeries>& series, bool values) {
   Json out{{"volumes", Json::array()},
            {"images", Json::array()},
            {"refused", Json::array()},
-           {"other", Json::array()}};
+           {"other", Json::array()},
+           {"references", Json::array()}};
   for (const InfoSeries& s : series) out["volumes"].push_back(s.json);
   for (const Image& image : study.images) out["images"].push_back(imageJson(image));
   for (const Refused& r : study.refused) out["refused"].push_back({{"path", r.path}, {"reason", r.reason}});
   for (const Other& o : study.other) out["other"].push_back({{"path", o.path}, {"kind", o.kind}});
+  for (const Reference& object : study.references)
+    out["references"].push_back(describeReference(object, values));
   return out;
 }
 
@@ -175,10 +188,11 @@ int run(const InfoOptions& options, const CancelToken& cancel) {
   const std::vector<InfoSeries> series = describe(*study, options.values, cancel);
   if (cancel.cancelled()) return fail({}, cancel);
   if (options.json)
-    std::cout << studyJson(*study, series).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << studyJson(*study, series, options.values).dump(2, ' ', false, Json::error_handler_t::replace)
+              << '\n';
   else
     std::cout << infoText(*study, series, options.verbose);
-  if (!series.empty() || !study->images.empty()) return exitDone;
+  if (!series.empty() || !study->images.empty() || !study->references.empty()) return exitDone;
   if (!options.json) fail("No images found in " + options.path + ".");
   return exitFailed;
 }
@@ -189,8 +203,10 @@ std::function<int()> makeInfo(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<InfoOptions>();
   addPath(app, options->path)->required();
   app.add_flag("--json", options->json, "Write one JSON object to stdout");
-  app.add_flag("--values", options->values,
-               "Read the pixels too: minimum, maximum, mean and checksum of the values");
+  app.add_flag(
+      "--values", options->values,
+      "Read the pixels too: minimum, maximum, mean and checksum of the values; and what objects that "
+      "refer to pictures hold");
   app.add_flag("--verbose", options->verbose, "Also ids, folders and every file that is not shown");
   addExamples(app, {"volumen info scans/", "volumen info scans/ --values --json"});
   return [options, &cancel] { return run(*options, cancel); };

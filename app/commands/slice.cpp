@@ -31,11 +31,11 @@ const OptionWords<Interpolation> interpolations{
 // As typed.
 struct Options {
   std::string path, series, output, plane = "axial", centre, right, down, size, slabMode = "max",
-                                    interpolation = "linear", window;
+                                    interpolation = "linear", window, presentation;
   std::optional<double> at, mmPerPixel;
   std::optional<int> index;
   double slabMm = 0;
-  bool average = false, printPlane = false, noWarningLine = false;
+  bool average = false, printPlane = false, noWarningLine = false, noGraphics = false;
 };
 
 // Read, before a volume is known.
@@ -169,7 +169,10 @@ Status checkUsage(const Options& options, const Asked& asked) {
       (asked.size || asked.centre || asked.rightAndDown || options.at || options.mmPerPixel ||
        options.slabMm > 0 || options.average || options.printPlane || options.interpolation != "linear"))
     return Error{
-        "--plane frame shows a picture as acquired: only --index, --window and --series go with it."};
+        "--plane frame shows a picture as acquired: only --index, --window, --series and --presentation go "
+        "with it."};
+  if (options.plane != framePlane && !options.presentation.empty())
+    return Error{"--presentation is for pictures as acquired: use it with --plane frame."};
   SlicePlane plane;
   if (asked.size) plane.size = *asked.size;
   return checkPlane(plane);
@@ -193,8 +196,9 @@ int run(const Options& options, const CancelToken& cancel) {
   if (!options.output.empty())
     if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
   if (options.plane == framePlane)
-    return sliceFrame(
-        {options.path, options.series, options.output, options.index.value_or(0), asked->window}, cancel);
+    return sliceFrame({options.path, options.series, options.output, options.index, asked->window,
+                       options.presentation, !options.noGraphics},
+                      cancel);
   auto opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
   if (options.index && opened->loaded.drawn != opened->loaded.acquired)
@@ -259,6 +263,13 @@ std::function<int()> makeSlice(CLI::App& app, const CancelToken& cancel) {
   app.add_option("--window", o->window,
                  "Centre and width of the values from black to white (default: the file's, else nearly all)")
       ->type_name("C,W");
+  CLI::Option* presentation =
+      app.add_option(
+             "--presentation", o->presentation,
+             "Show the frame as a grayscale presentation state has it: its file, or its number in info")
+          ->type_name("FILE|NUMBER");
+  app.add_flag("--no-graphics", o->noGraphics, "Leave out the graphics of the presentation state")
+      ->needs(presentation);
   addNoWarningLine(app, o->noWarningLine);
   app.add_flag("--print-plane", o->printPlane, "Write the plane in use to stdout, as JSON");
   addExamples(app, {"volumen slice scans/ --plane coronal --slab 10 -o coronal.png",

@@ -2,53 +2,189 @@
 
 #include <QImage>
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <iostream>
+#include <limits>
 
 #include "app/command.h"
+#include "app/open_volume.h"
+#include "app/paint_graphics.h"
 #include "app/picture_output.h"
+#include "app/report_files.h"
 #include "io/frames.h"
 
 namespace volumen {
 
 namespace {
 
-Result<Frame> frameOf(const Study& study, const FrameOptions& options) {
+/// A picture that frames are taken of: an image or a series.
+struct Source {
+  const Image* image = nullptr;
+  const Series* series = nullptr;
+
+  /// How many frames a presentation state can name: none of a series that is not DICOM.
+  int count() const { return image ? image->frames : int(series->sopInstanceUids.size()); }
+  bool isNamedBy(const Presentation& p, int n) const {
+    if (image) return namesFrame(p.pictures, image->sopInstanceUid, n);
+    const auto at = std::size_t(n);
+    return namesFrame(p.pictures, series->sopInstanceUids[at], series->frames[at]);
+  }
+  template <class... Shown>
+  auto load(int n, const Shown&... shown) const {
+    return image ? loadFrame(*image, n, shown...) : loadFrame(*series, n, shown...);
+  }
+};
+
+Result<Source> sourceOf(const Study& study, const FrameOptions& options) {
   const auto image = std::ranges::find(study.images, options.series, &Image::id);
-  if (image != study.images.end()) return loadFrame(*image, options.index);
-  if (study.volumes.empty() && !study.images.empty()) {
-    if (options.series.empty()) return loadFrame(study.images.front(), options.index);
+  if (image != study.images.end()) return Source{&*image, nullptr};
+  if (study.volumes.empty() && study.images.empty()) return nothingToShow(options.path, study);
+  if (study.volumes.empty()) {
+    if (options.series.empty()) return Source{&study.images.front(), nullptr};
     return Error{"--series " + options.series +
                  " names none of the pictures; \"volumen info --json\" lists their ids."};
   }
   const Result<std::size_t> series = chooseSeries(study, options.series);
   if (!series) return series.error();
-  return loadFrame(study.volumes[*series], options.index);
+  return Source{nullptr, &study.volumes[*series]};
 }
 
-QImage imageOf(const Frame& frame, const std::optional<Window>& window) {
-  const auto width = std::size_t(frame.size.x);
-  if (frame.colour()) {
-    QImage image(frame.size.x, frame.size.y, QImage::Format_RGB888);
-    for (int y = 0; y < frame.size.y; ++y)
-      std::memcpy(image.scanLine(y), frame.rgb.data() + 3 * width * std::size_t(y), 3 * width);
-    return image;
+/// The file that --presentation means.
+Result<std::string> presentationFile(const Study& study, const std::string& text) {
+  const bool isNumber = text.find_first_not_of("0123456789") == std::string::npos && text.size() <= 9;
+  if (!isNumber) return text;
+  const std::size_t number = std::stoul(text);
+  const std::size_t count = study.references.size();
+  if (number >= 1 && number <= count) return study.references[number - 1].path;
+  if (count == 0) return Error{"--presentation " + text + ": no object here refers to pictures."};
+  return Error{"--presentation " + text +
+               ": \"volumen info\" numbers the objects that refer to pictures from 1 to " +
+               std::to_string(count) + "."};
+}
+
+/// The first frame of these that a presentation state refers to.
+std::optional<std::pair<Source, int>> firstNamed(const std::vector<Source>& sources,
+                                                 const Presentation& presentation) {
+  for (const Source& source : sources)
+    for (int n = 0; n < source.count(); ++n)
+      if (source.isNamedBy(presentation, n)) return std::pair(source, n);
+  return {};
+}
+
+/// That no picture is here, with those that are here without their pixels.
+Error namesNothing(const Study& study, const std::string& path) {
+  std::string why;
+  for (const Other& other : study.other) {
+    const bool isReference =
+        std::ranges::find(study.references, other.path, &Reference::path) != study.references.end();
+    if (!isReference && other.kind.find("without pixel data") != std::string::npos)
+      why += "\n" + other.path + ": " + other.kind + ".";
   }
-  GreyMapping grey = frame.greys.front().mapping;
-  if (window) grey.window = *window, grey.table = {};
-  const std::vector<std::uint8_t> bytes = greyBytes(frame.values, grey);
-  QImage image(frame.size.x, frame.size.y, QImage::Format_Grayscale8);
-  for (int y = 0; y < frame.size.y; ++y)
+  return Error{path + " holds none of the pictures that the presentation state refers to." + why};
+}
+
+/// The picture that is asked for, else the first one that a presentation state refers to.
+Result<PresentedFrame> presentedFrame(const Study& study, const FrameOptions& options,
+                                      const Presentation& presentation) {
+  std::vector<Source> sources;
+  if (options.index || !options.series.empty()) {
+    const Result<Source> source = sourceOf(study, options);
+    if (!source) return source.error();
+    if (options.index) return source->load(*options.index, presentation);
+    sources.push_back(*source);
+  } else {
+    for (const Series& series : study.volumes)
+      if (series.format == "DICOM") sources.push_back({nullptr, &series});
+    for (const Image& image : study.images) sources.push_back({&image, nullptr});
+  }
+  const auto named = firstNamed(sources, presentation);
+  if (!named) return namesNothing(study, options.path);
+  return named->first.load(named->second, presentation);
+}
+
+QImage imageOf(const std::vector<std::uint8_t>& bytes, glm::ivec2 size, bool colour) {
+  const std::size_t width = std::size_t(size.x) * (colour ? 3 : 1);
+  QImage image(size.x, size.y, colour ? QImage::Format_RGB888 : QImage::Format_Grayscale8);
+  for (int y = 0; y < size.y; ++y)
     std::memcpy(image.scanLine(y), bytes.data() + width * std::size_t(y), width);
   return image;
+}
+
+/// The frame in 8 bits, 3 or 1 a pixel.
+std::vector<std::uint8_t> bytesOf(const Frame& frame, const std::optional<Window>& window) {
+  if (frame.colour()) return frame.rgb;
+  GreyMapping grey = frame.greys.front().mapping;
+  if (window) grey.window = *window, grey.table = {};
+  return greyBytes(frame.values, grey);
+}
+
+void closeShutter(const Frame& frame, std::vector<std::uint8_t>& bytes) {
+  const std::size_t channels = frame.colour() ? 3 : 1;
+  const auto grey = std::uint8_t(255 * frame.shutterGrey + 0.5f);
+  for (std::size_t n = 0; n < frame.shutter.size(); ++n)
+    if (frame.shutter[n]) std::fill_n(bytes.begin() + std::ptrdiff_t(n * channels), channels, grey);
+}
+
+Status writeImage(const QImage& image, const std::string& path) {
+  const PictureText text{{"Software", "volumen " VOLUMEN_VERSION}, {"Comment", "Not for clinical use"}};
+  return writePictureWithWarnings(image, text, {}, false, path);
 }
 
 Status write(const Frame& frame, const FrameOptions& options) {
   if (isFloatPicture(options.output))
     return frame.colour() ? writeColourNrrd(frame.size, frame.rgb, options.output)
                           : writeMapNrrd(frame.size, frame.values, options.output);
-  const PictureText text{{"Software", "volumen " VOLUMEN_VERSION}, {"Comment", "Not for clinical use"}};
-  return writePictureWithWarnings(imageOf(frame, options.window), text, {}, false, options.output);
+  return writeImage(imageOf(bytesOf(frame, options.window), frame.size, frame.colour()), options.output);
+}
+
+Status write(const PresentedFrame& shown, const FrameOptions& options) {
+  const Frame& frame = shown.frame;
+  const PresentedGrid grid(shown.how, frame.size);
+  const int channels = frame.colour() ? 3 : 1;
+  if (isFloatPicture(options.output) && !frame.colour())
+    return writeMapNrrd(
+        grid.size(),
+        presentPixels(grid, frame.values, frame.size, 1, std::numeric_limits<float>::quiet_NaN()),
+        options.output);
+  std::vector<std::uint8_t> bytes = bytesOf(frame, options.window);
+  if (isFloatPicture(options.output))
+    return writeColourNrrd(grid.size(), presentPixels(grid, bytes, frame.size, channels, std::uint8_t(0)),
+                           options.output);
+  closeShutter(frame, bytes);
+  QImage image =
+      imageOf(presentPixels(grid, bytes, frame.size, channels, std::uint8_t(0)), grid.size(), frame.colour());
+  if (options.graphics) {
+    prepareFonts();
+    paintGraphics(image, shown.how, grid);
+  }
+  return writeImage(image, options.output);
+}
+
+/// Says what is not shown, and writes the picture.
+template <class Shown>
+Status finish(const Result<Shown>& shown, const std::vector<std::string>& warnings,
+              const FrameOptions& options) {
+  if (!shown) return shown.error();
+  printNotes(warnings);
+  return write(*shown, options);
+}
+
+Status drawPresented(const Study& study, const FrameOptions& options) {
+  const Result<std::string> file = presentationFile(study, options.presentation);
+  if (!file) return file.error();
+  const Result<Presentation> presentation = loadPresentation(*file);
+  if (!presentation) return presentation.error();
+  printNotes(presentation->warnings);
+  const Result<PresentedFrame> shown = presentedFrame(study, options, *presentation);
+  return finish(shown, shown ? shown->frame.warnings : std::vector<std::string>(), options);
+}
+
+Status drawAcquired(const Study& study, const FrameOptions& options) {
+  const Result<Source> source = sourceOf(study, options);
+  if (!source) return source.error();
+  const Result<Frame> frame = source->load(options.index.value_or(0));
+  return finish(frame, frame ? frame->warnings : std::vector<std::string>(), options);
 }
 
 }  // namespace
@@ -56,10 +192,9 @@ Status write(const Frame& frame, const FrameOptions& options) {
 int sliceFrame(const FrameOptions& options, const CancelToken& cancel) {
   const Result<Study> study = openStudy(options.path, {}, cancel);
   if (!study) return fail(study.message(), cancel);
-  const Result<Frame> frame = frameOf(*study, options);
-  if (!frame) return fail(frame.message());
-  for (const std::string& warning : frame->warnings) std::cerr << "volumen: " << printable(warning) << '\n';
-  if (Status s = write(*frame, options); !s) return fail(s.message());
+  const Status drawn =
+      options.presentation.empty() ? drawAcquired(*study, options) : drawPresented(*study, options);
+  if (!drawn) return fail(drawn.message());
   std::cout << printable(options.output) << '\n';
   return exitDone;
 }

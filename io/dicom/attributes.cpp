@@ -79,8 +79,7 @@ std::string unitOf(const std::string& modality, const std::string& rescaleType, 
 
 void readIdentity(const DataSet& data, FileHeader& header) {
   const DataSet::Scope root = data.root();
-  const std::string characters = data.text(0x00080005, root);
-  const auto text = [&](std::uint32_t tag) { return toUtf8(data.text(tag, root), characters); };
+  const auto text = [&](std::uint32_t tag) { return data.utf8(tag, root); };
   header.sopClassUid = text(0x00080016);
   header.sopInstanceUid = text(0x00080018);
   header.patientName = text(0x00100010);

@@ -1,14 +1,15 @@
 #include "io/dicom/data_set.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace volumen::dicom {
 namespace {
 
-constexpr std::uint64_t textLimit = 1 << 20;
+constexpr std::uint64_t textLimit = 1 << 20, numbersLimit = 64 << 20;
 
-std::string trimmed(const std::string& text) {
+std::string_view trimmed(std::string_view text) {
   constexpr std::string_view padding("\0 \t\r\n", 5);
   const std::size_t begin = text.find_first_not_of(padding);
   if (begin == std::string::npos) return {};
@@ -23,12 +24,15 @@ const Element* DataSet::find(std::uint32_t tag, Scope scope) const {
   return nullptr;
 }
 
+DataSet::Scope DataSet::contents(std::uint32_t tag, Scope scope) const {
+  const Element* e = find(tag, scope);
+  return e ? Scope{std::uint32_t(e - elements_.data()) + 1, e->end} : Scope{};
+}
+
 std::vector<DataSet::Scope> DataSet::items(std::uint32_t tag, Scope scope) const {
   std::vector<Scope> found;
-  const Element* sequence = find(tag, scope);
-  if (!sequence) return found;
-  const std::uint32_t first = std::uint32_t(sequence - elements_.data()) + 1;
-  for (std::uint32_t n = first; n < sequence->end; n = elements_[n].end)
+  const Scope all = contents(tag, scope);
+  for (std::uint32_t n = all.begin; n < all.end; n = elements_[n].end)
     found.push_back({n + 1, elements_[n].end});
   return found;
 }
@@ -39,27 +43,40 @@ std::string DataSet::raw(std::uint32_t tag, Scope scope) const {
   return std::string(reinterpret_cast<const char*>(bytes_.data()) + e->offset, e->length);
 }
 
-std::string DataSet::text(std::uint32_t tag, Scope scope) const { return trimmed(raw(tag, scope)); }
+std::string DataSet::text(std::uint32_t tag, Scope scope) const {
+  return std::string(trimmed(raw(tag, scope)));
+}
+
+std::string DataSet::utf8(std::uint32_t tag, Scope scope) const {
+  const std::string found = text(tag, scope);
+  const std::string own = found.empty() ? found : text(specificCharacterSet, scope);
+  return toUtf8(found, own.empty() ? characters_ : own);
+}
 
 std::vector<std::string> DataSet::values(std::uint32_t tag, Scope scope) const {
   const std::string all = text(tag, scope);
   std::vector<std::string> found;
   for (std::size_t begin = 0; begin <= all.size() && !all.empty();) {
     const std::size_t end = std::min(all.find('\\', begin), all.size());
-    found.push_back(trimmed(all.substr(begin, end - begin)));
+    found.emplace_back(trimmed(std::string_view(all).substr(begin, end - begin)));
     begin = end + 1;
   }
   return found;
 }
 
 std::optional<std::vector<double>> DataSet::numbers(std::uint32_t tag, Scope scope) const {
+  const Element* e = find(tag, scope);
+  if (!e || e->length > numbersLimit) return {};
+  const std::string_view all =
+      trimmed({reinterpret_cast<const char*>(bytes_.data()) + e->offset, std::size_t(e->length)});
   std::vector<double> found;
-  for (const std::string& value : values(tag, scope)) {
-    const std::optional<double> number = parseNumber(value);
+  for (std::size_t begin = 0; begin <= all.size();) {
+    const std::size_t end = std::min(all.find('\\', begin), all.size());
+    const std::optional<double> number = parseNumber(all.substr(begin, end - begin));
     if (!number) return {};
     found.push_back(*number);
+    begin = end + 1;
   }
-  if (found.empty()) return {};
   return found;
 }
 
@@ -67,6 +84,25 @@ std::optional<double> DataSet::number(std::uint32_t tag, Scope scope) const {
   const auto all = numbers(tag, scope);
   if (!all) return {};
   return all->front();
+}
+
+template <class T>
+std::vector<T> DataSet::allOf(std::uint32_t tag, Scope scope, std::uint16_t vr) const {
+  const Element* e = find(tag, scope);
+  const bool meant = e && (e->vr == vr || e->vr == 0 || e->vr == vrOf('U', 'N'));
+  if (!meant || e->length == undefinedLength) return {};
+  std::vector<T> all(e->length / sizeof(T));
+  for (std::size_t n = 0; n < all.size(); ++n)
+    all[n] = numberAt<T>(bytes_, e->offset + sizeof(T) * n, e->bigEndian);
+  return all;
+}
+
+std::vector<float> DataSet::floats(std::uint32_t tag, Scope scope) const {
+  return allOf<float>(tag, scope, vrOf('F', 'L'));
+}
+
+std::vector<std::int32_t> DataSet::longs(std::uint32_t tag, Scope scope) const {
+  return allOf<std::int32_t>(tag, scope, vrOf('S', 'L'));
 }
 
 template <class T>
@@ -112,7 +148,7 @@ bool DataSet::has(std::uint32_t tag, Scope scope) const {
   return e && e->length > 0;
 }
 
-std::optional<double> parseNumber(std::string text) {
+std::optional<double> parseNumber(std::string_view text) {
   text = trimmed(text);
   const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
   double value = 0;

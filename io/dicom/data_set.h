@@ -18,20 +18,27 @@ class DataSet {
   };
 
   /// `bytes` must outlive it and hold all values of `elements`.
-  DataSet(Bytes bytes, const std::vector<Element>& elements) : bytes_(bytes), elements_(elements) {}
+  DataSet(Bytes bytes, const std::vector<Element>& elements)
+      : bytes_(bytes), elements_(elements), characters_(text(specificCharacterSet, root())) {}
 
   Scope root() const { return {0, std::uint32_t(elements_.size())}; }
   const Element* find(std::uint32_t tag, Scope scope) const;
+  const Element& element(std::uint32_t n) const { return elements_[n]; }
+  /// All that an element holds, items and what is in them; an empty scope where there is none.
+  Scope contents(std::uint32_t tag, Scope scope) const;
   /// The items of a sequence; empty where there is none.
   std::vector<Scope> items(std::uint32_t tag, Scope scope) const;
 
   /// Raw text without padding; empty where it is absent or longer than 1 MiB.
   std::string text(std::uint32_t tag, Scope scope) const;
+  /// Text in UTF-8, by the character set of the item, else of the data set.
+  std::string utf8(std::uint32_t tag, Scope scope) const;
   /// The bytes of a value as they are, of whatever kind; empty where it is absent or longer than 1 MiB.
   std::string raw(std::uint32_t tag, Scope scope) const;
   /// The values of a text between backslashes, each without padding.
   std::vector<std::string> values(std::uint32_t tag, Scope scope) const;
-  /// The numbers of a DS or IS; nothing where it is absent or empty, or one of them is no finite number.
+  /// The numbers of a DS or IS; nothing where it is absent, empty or longer than 64 MiB, or one of them is no
+  /// finite number.
   std::optional<std::vector<double>> numbers(std::uint32_t tag, Scope scope) const;
   std::optional<double> number(std::uint32_t tag, Scope scope) const;
   /// The first 16-bit word of a US, SS or OW.
@@ -39,6 +46,9 @@ class DataSet {
   /// A UL, and an FD.
   std::optional<std::uint32_t> dword(std::uint32_t tag, Scope scope) const;
   std::optional<double> real(std::uint32_t tag, Scope scope) const;
+  /// All numbers of an FL, and of an SL; none where it is of another kind.
+  std::vector<float> floats(std::uint32_t tag, Scope scope) const;
+  std::vector<std::int32_t> longs(std::uint32_t tag, Scope scope) const;
   /// All 16-bit words of a value, however long.
   std::vector<std::uint16_t> words(std::uint32_t tag, Scope scope) const;
   /// All bytes of a value, however long, those of big endian 16-bit words (OW) in the order of little endian.
@@ -47,15 +57,20 @@ class DataSet {
   bool has(std::uint32_t tag, Scope scope) const;
 
  private:
+  static constexpr std::uint32_t specificCharacterSet = 0x00080005;
+
   template <class T>
   std::optional<T> numberOf(std::uint32_t tag, Scope scope) const;
+  template <class T>
+  std::vector<T> allOf(std::uint32_t tag, Scope scope, std::uint16_t vr) const;
 
   Bytes bytes_;
   const std::vector<Element>& elements_;
+  std::string characters_;  // SpecificCharacterSet of the data set
 };
 
 /// A finite number that takes up all of `text` (PS3.5 6.2, DS and IS), else nothing.
-std::optional<double> parseNumber(std::string text);
+std::optional<double> parseNumber(std::string_view text);
 
 /// `text` in UTF-8, by SpecificCharacterSet (0008,0005), code extensions included. What cannot be converted
 /// becomes U+FFFD.

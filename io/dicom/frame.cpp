@@ -14,31 +14,13 @@ namespace volumen::dicom {
 namespace {
 
 constexpr std::uint64_t pixelLimit = std::uint64_t(1) << 28;
-constexpr std::uint32_t modalityLut = 0x00283000;
 
-/// From stored values to values: the Modality LUT Sequence, which stands in for the rescale, or the rescale
-/// of one frame (PS3.3 C.11.1).
-struct ValueMapping {
-  std::optional<LookupTable> table;
-  double slope = 1, intercept = 0;
-  std::string unit;
-
-  float operator()(double stored) const {
-    constexpr double most = 1e30;  // as volumes are limited (design.md 10)
-    if (table) return table->at(stored);
-    const double value = slope * stored + intercept;
-    return float(value > most ? most : value < -most ? -most : value);
-  }
-};
-
+/// What the file itself says: the Modality LUT Sequence, which stands in for the rescale, or the rescale of
+/// one frame (PS3.3 C.11.1).
 Result<ValueMapping> readValueMapping(const DataSet& data, const FileHeader& header, const Slice& slice) {
-  ValueMapping mapping{{}, slice.slope, slice.intercept, header.unit};
-  const auto items = data.items(modalityLut, data.root());
-  if (items.empty() || header.format.kind != PixelFormat::Kind::integer) return mapping;
-  auto table = readLookupTable(data, items[0], {0x00283002, 0x00283006}, header.format.isSigned);
-  if (!table) return table.error();
-  mapping.table = std::move(*table);
-  mapping.unit = data.text(0x00283004, items[0]) == "HU" ? "HU" : "";
+  ValueMapping mapping{slice.slope, slice.intercept, 0, {}, header.unit};
+  if (header.format.kind != PixelFormat::Kind::integer) return mapping;
+  if (Status s = readModalityLut(data, header.format.isSigned, mapping); !s) return s.error();
   return mapping;
 }
 
@@ -68,19 +50,42 @@ std::optional<FramePlace> placeOf(const Slice& slice, const PixelSize& pixel) {
   return FramePlace{*slice.position, slice.orientation->row, slice.orientation->column};
 }
 
+/// All values that stored ones can give, as a window.
+GreyMapping allValues(const PixelFormat& format, const ValueMapping& mapping) {
+  const double count = std::exp2(format.bitsStored), lowest = format.isSigned ? -count / 2 : 0;
+  double low = mapping(lowest), high = mapping(lowest + count - 1);
+  if (!mapping.table.empty()) {
+    const auto [least, most] = std::ranges::minmax(mapping.table);
+    low = least, high = most;
+  }
+  const double width = std::abs(high - low);
+  return {{(low + high) / 2, width > 0 ? width : 1}, WindowFunction::linearExact, {}, false};
+}
+
+/// The greys of a presentation state, turned over by its shape alone.
+std::vector<NamedGrey> shownGreys(const Shown& shown, const PixelFormat& format) {
+  std::vector<NamedGrey> greys;
+  if (shown.greys) greys = *shown.greys;
+  if (greys.empty()) greys.push_back({{}, allValues(format, shown.presentation.values), true});
+  for (NamedGrey& grey : greys) grey.mapping.inverted = shown.presentation.inverted;
+  return greys;
+}
+
 Status addGreys(const DataSet& data, const FileHeader& header, const DecodedFrame& decoded, int n,
-                Frame& frame) {
+                const std::optional<Shown>& shown, Frame& frame) {
   const Slice& slice = sliceOf(header, n);
-  const auto mapping = readValueMapping(data, header, slice);
+  const auto mapping =
+      shown ? Result<ValueMapping>(shown->presentation.values) : readValueMapping(data, header, slice);
   if (!mapping) return mapping.error();
   frame.values = valuesOf(decoded.samples, *mapping);
   frame.padding = paddingValues(slice, *mapping);
   frame.unit = mapping->unit;
-  frame.greys = readGreys(data, FrameScopes(data, n), header, frame, frame.warnings);
+  frame.greys = shown ? shownGreys(*shown, header.format)
+                      : readGreys(data, FrameScopes(data, n), header, frame, frame.warnings);
   return {};
 }
 
-Result<Frame> readFrame(const InspectedFile& file, int n) {
+Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Shown>& shown) {
   const FileHeader& header = file.found.header;
   const PixelFormat& format = header.format;
   if (n < 0 || n >= format.frames)
@@ -96,7 +101,7 @@ Result<Frame> readFrame(const InspectedFile& file, int n) {
   frame.size = {format.columns, format.rows};
   if (!decoded->note.empty()) frame.warnings.push_back(decoded->note + ".");
   if (format.isGrey()) {
-    if (Status s = addGreys(data, header, *decoded, n, frame); !s) return s.error();
+    if (Status s = addGreys(data, header, *decoded, n, shown, frame); !s) return s.error();
   } else {
     auto rgb = toRgb(*decoded, format, data);
     if (!rgb) return rgb.error();
@@ -105,19 +110,21 @@ Result<Frame> readFrame(const InspectedFile& file, int n) {
   frame.pixel = readPixelSize(data, at, header.modality);
   frame.place = placeOf(sliceOf(header, n), frame.pixel);
   frame.overlays = readOverlays(data, *pixels, header, n, frame.warnings);
-  frame.shutter = readShutter(data, at, frame.size, frame.pixel.mm, frame.warnings);
+  const Shutter shutter = shown ? shown->presentation.shutter : readShutter(data, at, frame.warnings);
+  frame.shutter = hiddenBy(shutter, frame.size, frame.pixel.mm);
+  frame.shutterGrey = shutter.grey;
   frame.regions = readRegions(data);
   return frame;
 }
 
 }  // namespace
 
-Result<Frame> loadFrame(const std::string& path, int n) {
+Result<Frame> loadFrame(const std::string& path, int n, const std::optional<Shown>& shown) {
   try {
     const InspectedFile file = inspectFile(path);
     if (file.found.kind != Inspection::Kind::picture)
       return Error{path + ": " + (file.found.text.empty() ? "it is no DICOM picture." : file.found.text)};
-    Result<Frame> frame = readFrame(file, n);
+    Result<Frame> frame = readFrame(file, n, shown);
     if (!frame) return Error{path + ": " + frame.message() + "."};
     return frame;
   } catch (const std::bad_alloc&) {

@@ -8,11 +8,6 @@
 namespace volumen::dicom {
 namespace {
 
-std::string textAt(const DataSet& data, std::uint32_t tag, DataSet::Scope scope) {
-  const std::string text = data.text(tag, scope);
-  return text.empty() ? text : toUtf8(text, data.text(0x00080005, data.root()));
-}
-
 /// LINEAR is not defined for widths below 1: there it is LINEAR_EXACT.
 WindowFunction functionOf(const std::string& name, double width) {
   if (name == "SIGMOID") return WindowFunction::sigmoid;
@@ -69,18 +64,35 @@ std::vector<NamedGrey> readWindows(const DataSet& data, DataSet::Scope scope) {
   return greys;
 }
 
-std::vector<NamedGrey> readGreys(const DataSet& data, const FrameScopes& at, const FileHeader& header,
-                                 const Frame& frame, std::vector<std::string>& warnings) {
-  std::vector<NamedGrey> greys = readWindows(data, at.of(frameVoiLut));
-  const bool signedInput = header.format.isSigned || std::any_of(frame.values.begin(), frame.values.end(),
-                                                                 [](float v) { return v < 0; });
-  for (const DataSet::Scope item : data.items(0x00283010, at.of(frameVoiLut))) {
+std::vector<NamedGrey> readMappings(const DataSet& data, DataSet::Scope scope, bool signedInput,
+                                    std::vector<std::string>& warnings) {
+  std::vector<NamedGrey> greys = readWindows(data, scope);
+  for (const DataSet::Scope item : data.items(0x00283010, scope)) {
     const auto table = readLookupTable(data, item, {0x00283002, 0x00283006}, signedInput);
     if (table)
-      greys.push_back(greyOf(*table, textAt(data, 0x00283003, item)));
+      greys.push_back(greyOf(*table, data.utf8(0x00283003, item)));
     else
       warnings.push_back("A VOI LUT is left out: " + table.message() + ".");
   }
+  return greys;
+}
+
+Status readModalityLut(const DataSet& data, bool isSigned, ValueMapping& mapping) {
+  const auto items = data.items(0x00283000, data.root());
+  if (items.empty()) return {};
+  auto table = readLookupTable(data, items[0], {0x00283002, 0x00283006}, isSigned);
+  if (!table) return table.error();
+  mapping.first = table->first;
+  mapping.table = std::move(table->entries);
+  mapping.unit = data.text(0x00283004, items[0]) == "HU" ? "HU" : "";
+  return {};
+}
+
+std::vector<NamedGrey> readGreys(const DataSet& data, const FrameScopes& at, const FileHeader& header,
+                                 const Frame& frame, std::vector<std::string>& warnings) {
+  const bool signedInput = header.format.isSigned || std::any_of(frame.values.begin(), frame.values.end(),
+                                                                 [](float v) { return v < 0; });
+  std::vector<NamedGrey> greys = readMappings(data, at.of(frameVoiLut), signedInput, warnings);
   if (greys.empty()) greys.push_back({{}, {ownWindow(frame), WindowFunction::linearExact, {}, false}, true});
   const bool inverted =
       header.format.photometric == "MONOCHROME1" || data.text(0x20500020, data.root()) == "INVERSE";

@@ -2,6 +2,7 @@
 
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/header.h"
+#include "io/presentation.h"
 #include "viewer/slice/frame.h"
 
 namespace volumen::dicom {
@@ -9,6 +10,14 @@ namespace volumen::dicom {
 /// The windows that stand in `scope`, in the file's order, with their explanations and their function
 /// (PS3.3 C.11.2.1.2). Windows without a width are left out.
 std::vector<NamedGrey> readWindows(const DataSet& data, DataSet::Scope scope);
+
+/// The windows of `scope`, then its VOI LUTs, whose inputs may be negative where `signedInput`. `warnings`:
+/// LUTs that are left out.
+std::vector<NamedGrey> readMappings(const DataSet& data, DataSet::Scope scope, bool signedInput,
+                                    std::vector<std::string>& warnings);
+
+/// Takes over the Modality LUT Sequence of a data set, where there is one. An Error says what is wrong in it.
+Status readModalityLut(const DataSet& data, bool isSigned, ValueMapping& mapping);
 
 /// All ways from value to grey that the file offers for a frame of these values: windows, then VOI LUTs;
 /// where there are none, the values' own range (P0.1 .. P99.9). `warnings`: LUTs that are left out.

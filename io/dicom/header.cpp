@@ -4,6 +4,8 @@
 #include <dcmtk/dcmdata/dcuid.h>
 
 #include "io/dicom/attributes.h"
+#include "io/dicom/reference.h"
+#include "io/dicom/stack.h"
 
 namespace volumen::dicom {
 namespace {
@@ -12,7 +14,7 @@ constexpr std::uint64_t sizeLimit = std::uint64_t(16) << 30;
 
 Inspection refused(const std::string& reason) {
   std::string sentence = reason + ".";
-  return {Inspection::Kind::refused, sentence, {}};
+  return {Inspection::Kind::refused, sentence, {}, {}};
 }
 
 /// "DICOM file without pixel data (SR)".
@@ -44,9 +46,56 @@ Result<std::vector<FrameRanges>> nativeFrames(const Element& pixels, const Pixel
   return frames;
 }
 
+/// Whether a file without preamble begins as DICOM does: with group 0002, 0004 or 0008 in either byte order.
+bool beginsAsDicom(Bytes head) {
+  if (head.size() < 8) return false;
+  const std::uint16_t group = numberAt<std::uint16_t>(head, 0, false);
+  return group == 0x0002 || group == 0x0004 || group == 0x0008 || group == 0x0800;
+}
+
+/// What has no picture of its own, and what it refers to.
+Inspection withoutPicture(const DataSet& data, const FileHeader& header) {
+  Inspection found{Inspection::Kind::noPicture, kindOf(header), {}, {}};
+  if (const auto kind = referenceKind(header.sopClassUid)) {
+    found.reference = readReference(data, header, *kind);
+    if (kind == ReferenceKind::segmentation) found.text = "DICOM segmentation";
+  }
+  return found;
+}
+
+/// Reads the file and says what it is; leaves its elements in `s`.
+Inspection inspectInto(const std::string& path, ScannedFile& s) {
+  const Result<RegularFile> file = RegularFile::open(path);
+  if (!file) return refused(file.message());
+  if (Status read = s.begin(*file); !read) return refused(read.message());
+  const Result<MetaHeader> meta = scanMeta(s.head, file->size());
+  const bool magic = hasMagic(s.head);
+  if (!magic && !beginsAsDicom(s.head)) return {};
+  if (!meta) return magic ? refused(meta.message()) : Inspection{};
+  s.meta = *meta;
+  if (Status named = s.findSyntax(); !named) return refused(named.message());
+  const Status scanned = s.scan(*file);
+  const bool looksLikeDicom = magic || !s.meta.transferSyntaxUid.empty();
+  if (!scanned) return looksLikeDicom ? refused(scanned.message()) : Inspection{};
+
+  const DataSet data(s.head, s.dataSet.elements);
+  // Without preamble only what says which class or kind it is passes for DICOM.
+  const bool named = data.has(0x00080016, data.root()) || data.has(0x00080060, data.root());
+  if (!looksLikeDicom && !named) return {};
+  Inspection found{Inspection::Kind::picture, {}, {}, {}};
+  found.header.path = path;
+  found.header.syntax = s.syntax;
+  found.header.inflatedFrom = s.inflatedFrom;
+  readIdentity(data, found.header);
+  const bool isSegmentation = referenceKind(found.header.sopClassUid) == ReferenceKind::segmentation;
+  if (!s.dataSet.pixels || isSegmentation) return withoutPicture(data, found.header);
+  if (Status picture = readPicture(*file, s, data, found.header); !picture) return refused(picture.message());
+  return found;
+}
+
+}  // namespace
+
 Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet& data, FileHeader& header) {
-  if (header.sopClassUid == "1.2.840.10008.5.1.4.1.1.66.4")
-    return Error{"DICOM segmentation: not supported yet"};
   const Element& pixels = *s.dataSet.pixels;
   auto format = readPixelFormat(data, pixels);
   if (!format) return format.error();
@@ -69,43 +118,9 @@ Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet&
   return {};
 }
 
-/// Whether a file without preamble begins as DICOM does: with group 0002, 0004 or 0008 in either byte order.
-bool beginsAsDicom(Bytes head) {
-  if (head.size() < 8) return false;
-  const std::uint16_t group = numberAt<std::uint16_t>(head, 0, false);
-  return group == 0x0002 || group == 0x0004 || group == 0x0008 || group == 0x0800;
+std::string instanceId(const FileHeader& file) {
+  return file.sopInstanceUid.empty() ? fileName(file.path) : file.sopInstanceUid;
 }
-
-/// Reads the file and says what it is; leaves its elements in `s`.
-Inspection inspectInto(const std::string& path, ScannedFile& s) {
-  const Result<RegularFile> file = RegularFile::open(path);
-  if (!file) return refused(file.message());
-  if (Status read = s.begin(*file); !read) return refused(read.message());
-  const Result<MetaHeader> meta = scanMeta(s.head, file->size());
-  const bool magic = hasMagic(s.head);
-  if (!magic && !beginsAsDicom(s.head)) return {};
-  if (!meta) return magic ? refused(meta.message()) : Inspection{};
-  s.meta = *meta;
-  if (Status named = s.findSyntax(); !named) return refused(named.message());
-  const Status scanned = s.scan(*file);
-  const bool looksLikeDicom = magic || !s.meta.transferSyntaxUid.empty();
-  if (!scanned) return looksLikeDicom ? refused(scanned.message()) : Inspection{};
-
-  const DataSet data(s.head, s.dataSet.elements);
-  // Without preamble only what says which class or kind it is passes for DICOM.
-  const bool named = data.has(0x00080016, data.root()) || data.has(0x00080060, data.root());
-  if (!looksLikeDicom && !named) return {};
-  Inspection found{Inspection::Kind::picture, {}, {}};
-  found.header.path = path;
-  found.header.syntax = s.syntax;
-  found.header.inflatedFrom = s.inflatedFrom;
-  readIdentity(data, found.header);
-  if (!s.dataSet.pixels) return {Inspection::Kind::noPicture, kindOf(found.header), {}};
-  if (Status picture = readPicture(*file, s, data, found.header); !picture) return refused(picture.message());
-  return found;
-}
-
-}  // namespace
 
 InspectedFile inspectFile(const std::string& path) {
   InspectedFile file;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/dicom/data_set.h"
 #include "io/dicom/fragments.h"
 #include "io/dicom/scanned_file.h"
 #include "io/study.h"
@@ -72,11 +73,20 @@ struct FileHeader : SeriesIdentity {
   std::vector<std::string> warnings;  ///< sentences without the file's name
 };
 
+/// Fills in how the pixels of a scanned file are written, where each frame's bytes lie and what it shows.
+/// `header` holds its path and syntax. An Error says why it cannot be shown.
+Status readPicture(const RegularFile& file, const ScannedFile& scanned, const DataSet& data,
+                   FileHeader& header);
+
+/// What tells one file of a study from another: its SOPInstanceUID, else its name.
+std::string instanceId(const FileHeader& file);
+
 /// What a file turned out to be.
 struct Inspection {
   enum class Kind { notDicom, noPicture, refused, picture } kind = Kind::notDicom;
-  std::string text;   ///< noPicture: what it is; refused: why, a sentence
-  FileHeader header;  ///< picture
+  std::string text;                    ///< noPicture: what it is; refused: why, a sentence
+  FileHeader header;                   ///< picture
+  std::optional<Reference> reference;  ///< noPicture that refers to pictures
 };
 
 /// Reads a file up to its pixel data and says what it is. Never trusts it: this is the first of the two

@@ -12,7 +12,7 @@ namespace {
 Image imageOf(const FileHeader& file) {
   Image image;
   static_cast<SeriesIdentity&>(image) = file;
-  image.id = file.sopInstanceUid.empty() ? fileName(file.path) : file.sopInstanceUid;
+  image.id = instanceId(file);
   image.path = file.path;
   image.notVolume = file.notVolume + ".";
   image.sopInstanceUid = file.sopInstanceUid;
@@ -41,6 +41,7 @@ void findSeries(const std::vector<std::string>& files, Study& study, const Progr
         break;
       case Inspection::Kind::noPicture:
         study.other.push_back({files[n], i.text});
+        if (i.reference) study.references.push_back(std::move(*i.reference));
         break;
       case Inspection::Kind::refused:
         study.refused.push_back({files[n], i.text});

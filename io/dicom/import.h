@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/study.h"
+#include "io/presentation.h"
 #include "viewer/slice/frame.h"
 
 namespace volumen::dicom {
@@ -14,7 +14,15 @@ void findSeries(const std::vector<std::string>& files, Study& study, const Progr
 /// named in a warning.
 Result<Loaded> loadSeries(const Series& series, const Progress& progress, const CancelToken& cancel);
 
-/// Frame `n` (from 0) of a file as acquired, as io/frames.h says.
-Result<Frame> loadFrame(const std::string& path, int n);
+/// What a presentation state says of the values of a frame: its own mapping, inversion and shutter, and its
+/// greys (none: all values).
+struct Shown {
+  const Presentation& presentation;
+  const std::vector<NamedGrey>* greys;
+};
+
+/// Frame `n` (from 0) of a file as acquired, as io/frames.h says; as a presentation state has it shown, where
+/// there is one.
+Result<Frame> loadFrame(const std::string& path, int n, const std::optional<Shown>& shown = {});
 
 }  // namespace volumen::dicom

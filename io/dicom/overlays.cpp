@@ -17,8 +17,7 @@ class Plane {
   int bitPosition() const { return word(0x0102).value_or(0); }
   std::string label() const {
     for (std::uint32_t element : {0x1500u, 0x0022u})
-      if (const std::string text = data_.text(tag(element), data_.root()); !text.empty())
-        return toUtf8(text, data_.text(0x00080005, data_.root()));
+      if (const std::string text = data_.utf8(tag(element), data_.root()); !text.empty()) return text;
     return "Overlay " + std::to_string((group_ - 0x6000) / 2 + 1);
   }
 

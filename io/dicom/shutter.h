@@ -1,13 +1,12 @@
 #pragma once
 
 #include "io/dicom/frame_scopes.h"
-#include "viewer/slice/frame.h"
+#include "viewer/slice/shutter.h"
 
 namespace volumen::dicom {
 
-/// What the display shutters of a frame hide (PS3.3 C.7.6.11): one byte a pixel, 1 outside any of its
-/// rectangle, circle and polygon; empty where they hide nothing. `warnings`: shapes that are left out.
-std::vector<std::uint8_t> readShutter(const DataSet& data, const FrameScopes& at, glm::ivec2 size,
-                                      glm::dvec2 pixelMm, std::vector<std::string>& warnings);
+/// The display shutter of a frame or of a presentation state (PS3.3 C.7.6.11). `warnings`: shapes that are
+/// left out.
+Shutter readShutter(const DataSet& data, const FrameScopes& at, std::vector<std::string>& warnings);
 
 }  // namespace volumen::dicom

@@ -64,6 +64,7 @@ struct Frame {
   std::optional<FramePlace> place;  ///< of slices whose file says it
   std::vector<FrameOverlay> overlays;
   std::vector<std::uint8_t> shutter;  ///< one byte a pixel, 1 where it hides; empty: none
+  float shutterGrey = 0;              ///< what it hides behind, 0 black .. 1 white
   std::vector<UltrasoundRegion> regions;
   std::string unit;                   ///< "HU", ...; empty: none
   std::vector<std::string> warnings;  ///< what of the file is not shown and why: sentences without its name

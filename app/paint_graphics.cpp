@@ -1,0 +1,96 @@
+#include "app/paint_graphics.h"
+
+#include <QPainter>
+#include <algorithm>
+
+namespace volumen {
+
+namespace {
+
+/// Paints one layer after the other.
+class LayerPainter {
+ public:
+  LayerPainter(QPainter& painter, const FramePresentation& how, const PresentedGrid& grid)
+      : painter_(painter), how_(how), grid_(grid) {}
+
+  void paint(const std::string& layer, const QColor& colour) {
+    painter_.setPen(colour);
+    for (const Graphic& graphic : how_.graphics)
+      if (graphic.layer == layer) paint(graphic, colour);
+    for (const GraphicText& text : how_.texts)
+      if (text.layer == layer) paint(text);
+  }
+
+ private:
+  QPointF at(glm::dvec2 point, AnnotationUnits units) const {
+    const glm::dvec2 p = grid_.displayed(point, units);
+    return {p.x, p.y};
+  }
+
+  static bool isNear(const QPointF& p) {
+    constexpr double farthest = 1e5;
+    return std::abs(p.x()) < farthest && std::abs(p.y()) < farthest;
+  }
+
+  void paint(const Graphic& graphic, const QColor& colour) {
+    QPolygonF line;
+    for (const glm::dvec2 point : outlineOf(graphic)) line << at(point, graphic.units);
+    if (!std::ranges::all_of(line, isNear)) return;
+    const bool closed = line.size() > 2 && line.front() == line.back();
+    painter_.setBrush(graphic.filled && closed ? QBrush(colour) : QBrush());
+    if (graphic.type == GraphicType::point)
+      paintCross(line.front());
+    else
+      closed ? painter_.drawPolygon(line) : painter_.drawPolyline(line);
+  }
+
+  void paintCross(const QPointF& p) {
+    constexpr double arm = 3;
+    painter_.drawLine(p - QPointF(arm, 0), p + QPointF(arm, 0));
+    painter_.drawLine(p - QPointF(0, arm), p + QPointF(0, arm));
+  }
+
+  void paint(const GraphicText& text) {
+    constexpr qsizetype mostLetters = 4096;
+    const QString words = QString::fromStdString(text.text).left(mostLetters);
+    const QPointF anchor = text.anchor ? at(text.anchor->point, text.anchor->units) : QPointF();
+    if (!isNear(anchor)) return;
+    QRectF place(anchor + QPointF(3, 3), QSizeF());
+    int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextDontClip;
+    if (text.box) {
+      using Justified = GraphicText::Box::Justified;
+      place = QRectF(at(text.box->topLeft, text.box->units), at(text.box->bottomRight, text.box->units))
+                  .normalized();
+      if (!isNear(place.topLeft()) || !isNear(place.bottomRight())) return;
+      flags |= text.box->justified == Justified::right    ? Qt::AlignRight
+               : text.box->justified == Justified::centre ? Qt::AlignHCenter
+                                                          : Qt::AlignLeft;
+      if (text.anchor && text.anchor->visible) painter_.drawLine(place.center(), anchor);
+    }
+    painter_.drawText(place, flags, words);
+  }
+
+  QPainter& painter_;
+  const FramePresentation& how_;
+  const PresentedGrid& grid_;
+};
+
+QColor colourOf(const GraphicLayer& layer) {
+  if (layer.colour) return {layer.colour->x, layer.colour->y, layer.colour->z};
+  return QColor::fromRgbF(layer.grey, layer.grey, layer.grey);
+}
+
+}  // namespace
+
+void paintGraphics(QImage& image, const FramePresentation& how, const PresentedGrid& grid) {
+  image = image.convertToFormat(QImage::Format_RGB32);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont font = painter.font();
+  font.setPixelSize(std::clamp(image.height() / 40, 9, 32));
+  painter.setFont(font);
+  LayerPainter layers(painter, how, grid);
+  for (const GraphicLayer& layer : how.layers) layers.paint(layer.name, colourOf(layer));
+}
+
+}  // namespace volumen

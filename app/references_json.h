@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "io/study.h"
+
+namespace volumen {
+
+/// What `info` says of an object that refers to pictures (resources/docs/import.md).
+nlohmann::ordered_json referenceToJson(const Reference& object);
+
+/// All that is read of it. The Error is a sentence that names its file.
+Result<nlohmann::ordered_json> contentsToJson(const Reference& object);
+
+}  // namespace volumen

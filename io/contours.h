@@ -1,0 +1,52 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/study.h"
+
+namespace volumen {
+
+/// A contour of a region of interest, in patient mm (LPS).
+struct Contour {
+  enum class Type {
+    point,           ///< one position
+    openPlanar,      ///< a line in a plane
+    openNonplanar,   ///< a line
+    closedPlanar,    ///< an outline in a plane; the last point is joined to the first
+    closedPlanarXor  ///< the same; where several lie in one plane, what an odd number of them holds
+  } type = Type::closedPlanar;
+  std::vector<glm::dvec3> points;
+  std::vector<ReferencedPicture> pictures;  ///< those that it was drawn on
+};
+
+/// A region of interest.
+struct RegionOfInterest {
+  int number = 0;
+  std::string name, description, algorithm;  ///< UTF-8
+  std::string type;                          ///< RT ROI Interpreted Type: "GTV", "ORGAN"; may be empty
+  std::optional<glm::u8vec3> colour;         ///< sRGB
+  std::string frameOfReferenceUid;
+  std::vector<Contour> contours;  ///< in the file's order
+};
+
+/// An RT Structure Set (PS3.3 A.19). Contours lie in the patient: they are placed by their coordinates,
+/// whatever pictures they name.
+struct StructureSet {
+  std::string label, name, description;
+  std::vector<RegionOfInterest> regions;
+  std::vector<std::string> warnings;  ///< what of it is left out and why: sentences without its name
+};
+
+/// Reads a structure set. An Error names the file and why.
+Result<StructureSet> loadContours(const std::string& path);
+
+/// The area of a closed contour, mm^2; 0 of others.
+double areaOf(const Contour& contour);
+
+/// The type's name for scripts: "closedPlanar".
+const char* typeName(Contour::Type type);
+
+}  // namespace volumen

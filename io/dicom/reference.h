@@ -1,0 +1,36 @@
+#pragma once
+
+#include "io/dicom/data_set.h"
+#include "io/dicom/header.h"
+
+namespace volumen::dicom {
+
+/// The kind of a SOP class; nothing where it is none that refers to pictures.
+std::optional<ReferenceKind> referenceKind(const std::string& sopClassUid);
+
+/// The pictures that this part of a data set names, each once, with the series that holds them where it is
+/// said. References to procedures, patients and work lists are left out.
+std::vector<ReferencedPicture> readPictures(const DataSet& data, DataSet::Scope scope);
+
+/// What a file of kind `kind` says of itself.
+Reference readReference(const DataSet& data, const FileHeader& header, ReferenceKind kind);
+
+/// The file of an object of kind `kind`, and its elements. An Error is a sentence that names the file and why
+/// it is not such an object.
+Result<InspectedFile> openObject(const std::string& path, ReferenceKind kind);
+
+/// Runs `read` on the data set of such a file. Its Error, a reason without full stop, gets the file's name.
+template <class Value, class Read>
+Result<Value> loadObject(const std::string& path, ReferenceKind kind, const Read& read) {
+  try {
+    const Result<InspectedFile> file = openObject(path, kind);
+    if (!file) return file.error();
+    Result<Value> value = read(*file, DataSet(file->scanned.head, file->scanned.dataSet.elements));
+    if (!value) return Error{path + ": " + value.message() + "."};
+    return value;
+  } catch (const std::bad_alloc&) {
+    return Error{path + ": there is not enough memory to read it."};
+  }
+}
+
+}  // namespace volumen::dicom

@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <unordered_map>
+
+#include "io/dicom/attributes.h"
+#include "io/dicom/cielab.h"
+#include "io/dicom/decode.h"
+#include "io/dicom/frame_scopes.h"
+#include "io/dicom/pixel_size.h"
+#include "io/dicom/reference.h"
+#include "io/segmentation.h"
+
+namespace volumen {
+namespace dicom {
+namespace {
+
+using Scope = DataSet::Scope;
+
+constexpr std::uint32_t segmentOfFrame = 0x0062000a;
+
+std::string meaningAt(const DataSet& data, std::uint32_t tag, Scope item) {
+  const auto codes = data.items(tag, item);
+  return codes.empty() ? std::string() : data.utf8(0x00080104, codes[0]);
+}
+
+/// Reads one segmentation object.
+class Reader {
+ public:
+  Reader(const InspectedFile& file, const DataSet& data, const std::string& path)
+      : file_(file), data_(data), path_(path) {}
+
+  Result<Segmentation> run() {
+    if (Status s = readSize(); !s) return s.error();
+    if (Status s = readSegments(); !s) return s.error();
+    if (Status s = readFrames(); !s) return s.error();
+    const Status pixels = out_.fractional ? readFractions() : readBits();
+    if (!pixels) return pixels.error();
+    return std::move(out_);
+  }
+
+ private:
+  Status readSize() {
+    const Scope root = data_.root();
+    const std::string type = data_.text(0x00620001, root);
+    if (type != "BINARY" && type != "FRACTIONAL")
+      return Error{"its SegmentationType is \"" + toUtf8(type, {}) + "\"; BINARY and FRACTIONAL are read"};
+    out_.fractional = type == "FRACTIONAL";
+    out_.size = {data_.word(0x00280011, root).value_or(0), data_.word(0x00280010, root).value_or(0)};
+    frames_ = data_.has(0x00280008, root) ? data_.number(0x00280008, root).value_or(0) : 1;
+    if (out_.size.x == 0 || out_.size.y == 0) return Error{"its Rows or Columns are missing"};
+    if (!(frames_ >= 1 && frames_ <= frameLimit && frames_ == std::floor(frames_)))
+      return Error{"its NumberOfFrames is no number of frames"};
+    const auto allocated = data_.word(0x00280100, root);
+    if (allocated != (out_.fractional ? 8 : 1))
+      return Error{"its BitsAllocated does not go with its SegmentationType " + type};
+    if (!file_.scanned.dataSet.pixels) return Error{"it has no pixel data"};
+    return {};
+  }
+
+  Status readSegments() {
+    for (const Scope item : data_.items(0x00620002, data_.root())) {
+      Segment segment;
+      segment.number = data_.word(0x00620004, item).value_or(0);
+      segment.label = data_.utf8(0x00620005, item);
+      segment.description = data_.utf8(0x00620006, item);
+      segment.category = meaningAt(data_, 0x00620003, item);
+      segment.type = meaningAt(data_, 0x0062000f, item);
+      segment.algorithm = data_.utf8(0x00620009, item);
+      segment.trackingId = data_.utf8(0x00620020, item);
+      segment.colour = readCieLab(data_, 0x0062000d, item);
+      if (!byNumber_.emplace(segment.number, out_.segments.size()).second)
+        return Error{"two of its segments have the number " + std::to_string(segment.number)};
+      out_.segments.push_back(std::move(segment));
+    }
+    return {};
+  }
+
+  Status readFrames() {
+    const auto ofAll = data_.items(FrameScopes::sharedGroups, data_.root());
+    const auto ofFrames = data_.items(FrameScopes::perFrameGroups, data_.root());
+    if (double(ofFrames.size()) != frames_)
+      return Error{"it has functional groups for " + std::to_string(ofFrames.size()) + " of its frames"};
+    for (std::size_t n = 0; n < ofFrames.size(); ++n) {
+      const FrameScopes at(data_, ofFrames[n], ofAll.empty() ? Scope{} : ofAll[0]);
+      if (Status s = readFrame(at); !s) return Error{"frame " + std::to_string(n + 1) + ": " + s.message()};
+    }
+    return {};
+  }
+
+  Status readFrame(const FrameScopes& at) {
+    const auto segment = byNumber_.find(data_.word(0x0062000b, at.of(segmentOfFrame)).value_or(0));
+    if (segment == byNumber_.end()) return Error{"its segment is not one of those of the file"};
+    const auto position = data_.numbers(0x00200032, at.of(0x00209113));
+    const auto directions = data_.numbers(0x00200037, at.of(0x00209116));
+    const auto mm = readSpacing(data_, 0x00280030, at.of(pixelMeasures));
+    if (!position || position->size() < 3 || !directions || directions->size() < 6 || !mm)
+      return Error{"its place, directions or pixel spacing are missing"};
+    constexpr double farthest = 1e7;
+    if (std::ranges::any_of(*position, [](double x) { return std::abs(x) > farthest; }))
+      return Error{"its place is more than 10 km away"};
+    const std::vector<double>&p = *position, &d = *directions;
+    const bool isFirst = out_.frames.empty();
+    if (isFirst)
+      if (Status s = takePlane({d[0], d[1], d[2]}, {d[3], d[4], d[5]}, *mm, at); !s) return s;
+    constexpr double off = 1e-4;
+    if (glm::distance(out_.right, {d[0], d[1], d[2]}) > off ||
+        glm::distance(out_.down, {d[3], d[4], d[5]}) > off || glm::distance(out_.mm, *mm) > off)
+      return Error{"its directions or pixel spacing are not those of the first frame"};
+    out_.frames.push_back({segment->second, {p[0], p[1], p[2]}});
+    return {};
+  }
+
+  /// Directions, sizes and thickness, of the first frame.
+  Status takePlane(glm::dvec3 right, glm::dvec3 down, glm::dvec2 mm, const FrameScopes& at) {
+    constexpr double off = 0.01;
+    const bool square = std::abs(glm::length(right) - 1) < off && std::abs(glm::length(down) - 1) < off &&
+                        std::abs(glm::dot(right, down)) < off;
+    if (!square) return Error{"its directions are no unit vectors at right angles"};
+    out_.right = right;
+    out_.down = down;
+    out_.mm = mm;
+    for (const std::uint32_t tag : {0x00180088u, 0x00180050u}) {
+      const double thickness = data_.number(tag, at.of(pixelMeasures)).value_or(0);
+      if (!(thickness > 0)) continue;
+      out_.thickness = thickness;
+      break;
+    }
+    return {};
+  }
+
+  /// Bits run on from frame to frame (PS3.5 8.1.1).
+  Status readBits() {
+    const ScannedFile& scanned = file_.scanned;
+    const Element& pixels = *scanned.dataSet.pixels;
+    if (scanned.syntax.coding != Coding::native || pixels.length == undefinedLength)
+      return Error{"its frames of one bit a pixel are compressed (" + std::string(scanned.syntax.name) +
+                   "), which is not read"};
+    const std::uint64_t needed =
+        (std::uint64_t(out_.size.x) * std::uint64_t(out_.size.y) * std::uint64_t(frames_) + 7) / 8;
+    const std::uint64_t there = std::min(pixels.length, scanned.size - std::min(scanned.size, pixels.offset));
+    if (there < needed)
+      return Error{"its pixel data is cut off: " + std::to_string(there) + " of " + std::to_string(needed) +
+                   " bytes are there"};
+    auto bytes = bytesAt(pixels.offset, std::min(there, needed + needed % 2));
+    if (!bytes) return bytes.error();
+    if (pixels.bigEndian && pixels.vr == vrOf('O', 'W'))
+      for (std::size_t n = 0; n + 1 < bytes->size(); n += 2) std::swap((*bytes)[n], (*bytes)[n + 1]);
+    out_.bits = std::move(*bytes);
+    return {};
+  }
+
+  Result<std::vector<std::uint8_t>> bytesAt(std::uint64_t offset, std::uint64_t length) const {
+    if (file_.scanned.inflatedFrom > 0) {
+      const auto begin = file_.scanned.head.begin() + std::ptrdiff_t(offset);
+      return std::vector<std::uint8_t>(begin, begin + std::ptrdiff_t(length));
+    }
+    const auto file = RegularFile::open(path_);
+    if (!file) return file.error();
+    return file->read(offset, length);
+  }
+
+  /// Fractions of MaximumFractionalValue, one byte a pixel, decoded as any picture is.
+  Status readFractions() {
+    const auto file = RegularFile::open(path_);
+    if (!file) return file.error();
+    FileHeader header;
+    header.path = path_;
+    header.syntax = file_.scanned.syntax;
+    header.inflatedFrom = file_.scanned.inflatedFrom;
+    if (Status s = readPicture(*file, file_.scanned, data_, header); !s) return s;
+    const auto pixels = PixelSource::open(header);
+    if (!pixels) return pixels.error();
+    const int most = data_.word(0x0062000e, data_.root()).value_or(255);
+    const std::size_t perFrame = header.format.framePixels();
+    out_.bits.assign((perFrame * out_.frames.size() + 7) / 8, 0);
+    for (std::size_t n = 0; n < out_.frames.size(); ++n) {
+      const auto decoded = pixels->frame(int(n));
+      if (!decoded) return decoded.error();
+      const auto* fractions = std::get_if<std::vector<std::uint8_t>>(&decoded->samples);
+      if (!fractions || fractions->size() != perFrame) return Error{"its fractions are not of 8 bits"};
+      for (std::size_t m = 0; m < perFrame; ++m)
+        if (const std::size_t bit = n * perFrame + m; (*fractions)[m] > 0 && 2 * (*fractions)[m] >= most)
+          out_.bits[bit / 8] |= std::uint8_t(1 << bit % 8);
+    }
+    return {};
+  }
+
+  const InspectedFile& file_;
+  const DataSet& data_;
+  std::string path_;
+  double frames_ = 0;
+  std::unordered_map<int, std::size_t> byNumber_;
+  Segmentation out_;
+};
+
+}  // namespace
+}  // namespace dicom
+
+Result<Segmentation> loadSegmentation(const std::string& path) {
+  return dicom::loadObject<Segmentation>(path, ReferenceKind::segmentation,
+                                         [&](const dicom::InspectedFile& file, const dicom::DataSet& data) {
+                                           return dicom::Reader(file, data, path).run();
+                                         });
+}
+
+}  // namespace volumen

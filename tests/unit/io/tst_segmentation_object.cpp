@@ -1,0 +1,264 @@
+// Guards import.md: segments of SEG objects come out bit by bit, placed by their geometry, overlapping ones
+// apart.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "io/segmentation.h"
+#include "io/study.h"
+#include "tests/fixtures/fixtures.h"
+#include "tests/unit/io/dicom_folder.h"
+#include "tests/unit/io/dicom_objects.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestSegmentationObject : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aBoneLiesOnItsCt();
+  void overlappingSegmentsAreKeptApart();
+  void ownGridHoldsEmptyPlanes();
+  void bitsRunOnFromFrameToFrame_data();
+  void bitsRunOnFromFrameToFrame();
+  void fractionsAreSetFromOneHalfOn();
+  void coloursAreThoseOfCieLab_data();
+  void coloursAreThoseOfCieLab();
+  void byteOrderDoesNotMatter();
+  void damagedOnesAreRefused_data();
+  void damagedOnesAreRefused();
+};
+
+namespace {
+
+/// What a made-up object has; one segment in every frame, the frames 2 mm apart along z.
+struct Made {
+  int columns = 3, rows = 3, frames = 2, bitsAllocated = 1;
+  std::string type = "BINARY";
+  std::vector<std::uint8_t> bytes = {0xff, 0xff, 0x03};
+  std::function<void(DcmItem&)> edit = {};
+};
+
+void addFrame(DcmItem& data, int n) {
+  DcmItem& groups = addItem(data, 0x5200, 0x9230);
+  putWord(addItem(groups, 0x0062, 0x000a), 0x0062, 0x000b, 1);
+  put(addItem(groups, 0x0020, 0x9113), 0x0020, 0x0032, "10\\20\\" + std::to_string(2 * n));
+}
+
+void write(const std::string& path, const Made& made) {
+  writeObject(path, segmentationClass, [&](DcmItem& data) {
+    put(data, 0x0062, 0x0001, made.type);
+    put(data, 0x0028, 0x0004, "MONOCHROME2");
+    put(data, 0x0028, 0x0008, std::to_string(made.frames));
+    const unsigned words[][2] = {{0x0002, 1},
+                                 {0x0010, unsigned(made.rows)},
+                                 {0x0011, unsigned(made.columns)},
+                                 {0x0100, unsigned(made.bitsAllocated)},
+                                 {0x0101, unsigned(made.bitsAllocated)},
+                                 {0x0102, unsigned(made.bitsAllocated - 1)},
+                                 {0x0103, 0}};
+    for (const auto& [element, value] : words) putWord(data, 0x0028, element, value);
+    putWord(data, 0x0062, 0x000e, 100);
+    putWord(addItem(data, 0x0062, 0x0002), 0x0062, 0x0004, 1);
+    DcmItem& shared = addItem(data, 0x5200, 0x9229);
+    put(addItem(shared, 0x0020, 0x9116), 0x0020, 0x0037, "1\\0\\0\\0\\1\\0");
+    DcmItem& measures = addItem(shared, 0x0028, 0x9110);
+    put(measures, 0x0028, 0x0030, "0.5\\0.7");
+    put(measures, 0x0018, 0x0050, "2");
+    for (int n = 0; n < made.frames; ++n) addFrame(data, n);
+    data.putAndInsertUint8Array(DCM_PixelData, made.bytes.data(), made.bytes.size());
+    if (made.edit) made.edit(data);
+  });
+}
+
+std::int64_t count(const LabelMap& map) { return std::ranges::count(map.labels, std::uint8_t(1)); }
+
+}  // namespace
+
+void TestSegmentationObject::aBoneLiesOnItsCt() {
+  NEED_DATA(dataPath());
+  const Result<Segmentation> s = loadSegmentation(dataPath("dicom-2d/seg-on-CT_small.dcm"));
+  QVERIFY2(s, s ? "" : s.message().c_str());
+  QCOMPARE(s->segments.size(), std::size_t(1));
+  QCOMPARE(s->segments[0].label, std::string("first segment"));
+  QCOMPARE(s->segments[0].category, std::string("Tissue"));
+  QCOMPARE(s->segments[0].type, std::string("Bone"));
+  QCOMPARE(pixelsOf(*s, 0), std::int64_t(1832));
+  const Result<Study> ct = openStudy(dataPath("dicom-pydicom/test_files/CT_small.dcm"));
+  QVERIFY(ct.ok());
+  const LabelMap map = labelMapOf(*s, 0, ct->volumes.at(0).acquired);
+  QCOMPARE(count(map), std::int64_t(1832));
+  QCOMPARE(*labelBox(map), (VoxelBox{{5, 6, 0}, {101, 94, 0}}));
+}
+
+void TestSegmentationObject::overlappingSegmentsAreKeptApart() {
+  NEED_DATA(dataPath());
+  const Result<Segmentation> s = loadSegmentation(dataPath("dicom-2d/seg-overlap-on-CT2.dcm"));
+  const Result<Study> ct = openStudy(dataPath("dicom-pydicom/test_files/dicomdirtests/77654033/CT2"));
+  QVERIFY2(s, s ? "" : s.message().c_str());
+  QVERIFY(ct.ok());
+  QCOMPARE(s->segments.size(), std::size_t(2));
+  QCOMPARE(s->frames.size(), std::size_t(8));
+  std::int64_t slices = 0;
+  for (const Series& series : ct->volumes) {
+    const LabelMap bone = labelMapOf(*s, 0, series.acquired), spine = labelMapOf(*s, 1, series.acquired);
+    const int last = series.acquired.size.z - 1;
+    QCOMPARE(count(bone), std::int64_t(16 * (last + 1)));
+    QCOMPARE(count(spine), std::int64_t(4 * (last + 1)));
+    QCOMPARE(*labelBox(bone), (VoxelBox{{4, 4, 0}, {7, 7, last}}));
+    QCOMPARE(*labelBox(spine), (VoxelBox{{6, 6, 0}, {7, 7, last}}));  // inside the bone
+    slices += last + 1;
+  }
+  QCOMPARE(slices, std::int64_t(4));
+}
+
+void TestSegmentationObject::ownGridHoldsEmptyPlanes() {
+  NEED_DATA(dataPath());
+  const Result<Segmentation> s = loadSegmentation(dataPath("dicom-2d/seg-overlap-on-CT2.dcm"));
+  QVERIFY(s.ok());
+  const Result<VoxelGeometry> grid = gridOf(*s);
+  QVERIFY2(grid, grid ? "" : grid.message().c_str());
+  QCOMPARE(grid->size, glm::ivec3(16, 16, 165));  // -99.48 .. 105.52 in steps of 1.25
+  QCOMPARE(count(labelMapOf(*s, 0, *grid)), std::int64_t(64));
+  QCOMPARE(count(labelMapOf(*s, 1, *grid)), std::int64_t(16));
+}
+
+void TestSegmentationObject::bitsRunOnFromFrameToFrame_data() {
+  QTest::addColumn<int>("columns");
+  QTest::addColumn<int>("rows");
+  QTest::addColumn<int>("frames");
+  for (const auto& [x, y, n] : {std::array{3, 3, 2}, {1, 1, 9}, {5, 3, 7}, {8, 2, 3}, {13, 11, 5}})
+    QTest::addRow("%d x %d, %d frames", x, y, n) << x << y << n;
+}
+
+void TestSegmentationObject::bitsRunOnFromFrameToFrame() {
+  QFETCH(int, columns);
+  QFETCH(int, rows);
+  QFETCH(int, frames);
+  // Set is every pixel whose number, through all frames, has an odd number of ones.
+  const auto isSet = [](std::size_t n) { return std::popcount(n) % 2 == 1; };
+  Made made{columns, rows, frames};
+  const std::size_t bits = std::size_t(columns * rows * frames);
+  made.bytes.assign((bits + 15) / 16 * 2, 0);
+  for (std::size_t n = 0; n < bits; ++n)
+    if (isSet(n)) made.bytes[n / 8] |= std::uint8_t(1 << n % 8);
+  const DicomFolder folder;
+  write(folder.path("seg"), made);
+  const Result<Segmentation> s = loadSegmentation(folder.path("seg"));
+  QVERIFY2(s, s ? "" : s.message().c_str());
+  const Result<VoxelGeometry> grid = gridOf(*s);
+  QVERIFY2(grid, grid ? "" : grid.message().c_str());
+  QCOMPARE(grid->spacing(), glm::dvec3(0.7, 0.5, 2));
+  const LabelMap map = labelMapOf(*s, 0, *grid);
+  for (std::size_t n = 0; n < bits; ++n) QCOMPARE(map.labels[n] == 1, isSet(n));
+}
+
+void TestSegmentationObject::fractionsAreSetFromOneHalfOn() {
+  const DicomFolder folder;
+  Made made{2, 2, 1, 8, "FRACTIONAL", {0, 49, 50, 100}};
+  write(folder.path("seg"), made);
+  const Result<Segmentation> s = loadSegmentation(folder.path("seg"));
+  QVERIFY2(s, s ? "" : s.message().c_str());
+  QVERIFY(s->fractional && !s->isSet(0, 0, 0) && !s->isSet(0, 1, 0) && s->isSet(0, 0, 1) &&
+          s->isSet(0, 1, 1));
+}
+
+void TestSegmentationObject::coloursAreThoseOfCieLab_data() {
+  QTest::addColumn<QList<int>>("words");
+  QTest::addColumn<QList<int>>("rgb");
+  // CIELab of D50, (L 655.35, (a + 128) 257, (b + 128) 257), of well-known colours; +- 2 for the words'
+  // rounding.
+  QTest::newRow("white") << QList<int>{65535, 32896, 32896} << QList<int>{255, 255, 255};
+  QTest::newRow("black") << QList<int>{0, 32896, 32896} << QList<int>{0, 0, 0};
+  QTest::newRow("middle grey, L 53.39") << QList<int>{34988, 32896, 32896} << QList<int>{127, 127, 127};
+  QTest::newRow("red, L 54.29, a 80.81, b 69.89") << QList<int>{35579, 53664, 50858} << QList<int>{255, 0, 0};
+}
+
+void TestSegmentationObject::coloursAreThoseOfCieLab() {
+  QFETCH(QList<int>, words);
+  QFETCH(QList<int>, rgb);
+  const DicomFolder folder;
+  Made made;
+  made.edit = [&](DcmItem& data) {
+    DcmItem* segment = nullptr;
+    data.findAndGetSequenceItem(DCM_SegmentSequence, segment);
+    const Uint16 lab[] = {Uint16(words[0]), Uint16(words[1]), Uint16(words[2])};
+    segment->putAndInsertUint16Array(DCM_RecommendedDisplayCIELabValue, lab, 3);
+  };
+  write(folder.path("seg"), made);
+  const Result<Segmentation> s = loadSegmentation(folder.path("seg"));
+  QVERIFY(s.ok() && s->segments.at(0).colour);
+  for (int c = 0; c < 3; ++c)
+    QVERIFY2(std::abs(int((*s->segments[0].colour)[c]) - rgb[c]) <= 2,
+             qPrintable(QString::number((*s->segments[0].colour)[c])));
+}
+
+void TestSegmentationObject::byteOrderDoesNotMatter() {
+  NEED_DATA(dataPath());
+  const Result<Segmentation> little = loadSegmentation(dataPath("dicom-pydicom/test_files/liver_1frame.dcm"));
+  const Result<Segmentation> big =
+      loadSegmentation(dataPath("dicom-pydicom/test_files/liver_expb_1frame.dcm"));
+  QVERIFY2(little, little ? "" : little.message().c_str());
+  QVERIFY2(big, big ? "" : big.message().c_str());
+  QCOMPARE(little->segments.at(0).label, std::string("Liver"));
+  QVERIFY(pixelsOf(*little, 0) > 1000 && little->bits == big->bits);
+}
+
+void TestSegmentationObject::damagedOnesAreRefused_data() {
+  QTest::addColumn<int>("what");
+  QTest::addColumn<QString>("says");
+  QTest::newRow("too few bits") << 0 << QStringLiteral("cut off: 2 of 3 bytes");
+  QTest::newRow("frames without groups") << 1 << QStringLiteral("functional groups for 2");
+  QTest::newRow("a million frames") << 2 << QStringLiteral("functional groups for 2");
+  QTest::newRow("no frames") << 3 << QStringLiteral("NumberOfFrames");
+  QTest::newRow("a segment that is not there") << 4 << QStringLiteral("frame 1: its segment");
+  QTest::newRow("a segment twice") << 5 << QStringLiteral("two of its segments have the number 1");
+  QTest::newRow("eight bits of one") << 6 << QStringLiteral("BitsAllocated");
+  QTest::newRow("an unknown type") << 7 << QStringLiteral("SegmentationType is \"LABELMAP\"");
+  QTest::newRow("no place") << 8 << QStringLiteral("frame 3: its place");
+  QTest::newRow("no pixels") << 9 << QStringLiteral("no pixel data");
+  QTest::newRow("directions that are none") << 10 << QStringLiteral("right angles");
+}
+
+void TestSegmentationObject::damagedOnesAreRefused() {
+  QFETCH(int, what);
+  QFETCH(QString, says);
+  const DicomFolder folder;
+  Made made;
+  if (what == 0) made.bytes.resize(2);
+  if (what == 6) made.bitsAllocated = 8;
+  if (what == 7) made.type = "LABELMAP";
+  made.edit = [&](DcmItem& data) {
+    if (what >= 1 && what <= 3) put(data, 0x0028, 0x0008, what == 1 ? "3" : what == 2 ? "1000000" : "0");
+    if (what == 4 || what == 5) putWord(addItem(data, 0x0062, 0x0002), 0x0062, 0x0004, 1);
+    DcmItem* first = nullptr;
+    data.findAndGetSequenceItem(DCM_SegmentSequence, first);
+    if (what == 4) putWord(*first, 0x0062, 0x0004, 9), data.findAndDeleteSequenceItem(DCM_SegmentSequence, 1);
+    if (what == 8) addItem(data, 0x5200, 0x9230), put(data, 0x0028, 0x0008, "3");
+    if (what == 8) {
+      DcmItem* frame = nullptr;
+      data.findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frame, 2);
+      putWord(addItem(*frame, 0x0062, 0x000a), 0x0062, 0x000b, 1);
+    }
+    if (what == 9) data.findAndDeleteElement(DCM_PixelData);
+    if (what == 10) {
+      DcmItem* shared = nullptr;
+      data.findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared);
+      DcmItem* plane = nullptr;
+      shared->findAndGetSequenceItem(DCM_PlaneOrientationSequence, plane);
+      put(*plane, 0x0020, 0x0037, "1\\0\\0\\1\\0\\0");
+    }
+  };
+  write(folder.path("seg"), made);
+  const Result<Segmentation> s = loadSegmentation(folder.path("seg"));
+  QVERIFY2(!s, "loaded");
+  QVERIFY2(s.message().find(says.toStdString()) != std::string::npos && s.message().ends_with("."),
+           s.message().c_str());
+}
+
+VOLUMEN_TEST(TestSegmentationObject);
+#include "tst_segmentation_object.moc"

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/segment/label_map.h"
+#include "viewer/volume/result.h"
+
+namespace volumen {
+
+/// One segment of a segmentation.
+struct Segment {
+  int number = 0;                  ///< as the file counts: from 1
+  std::string label, description;  ///< UTF-8
+  std::string category, type;      ///< meanings of their codes: "Tissue", "Bone"
+  std::string algorithm, trackingId;
+  std::optional<glm::u8vec3> colour;  ///< recommended, sRGB
+};
+
+/// The pixels of one segment in one plane.
+struct SegmentFrame {
+  std::size_t segment = 0;  ///< index of its segment
+  glm::dvec3 origin{0};     ///< patient position of the centre of its first pixel, mm
+};
+
+/// A segmentation object (PS3.3 A.51): planes of one size and direction, each of one segment. Segments may
+/// overlap. Of a fractional one a pixel is set where its fraction is at least 1/2.
+struct Segmentation {
+  bool fractional = false;
+  glm::ivec2 size{0};                        ///< columns, rows
+  glm::dvec3 right{1, 0, 0}, down{0, 1, 0};  ///< unit vectors along a row and down a column, LPS
+  glm::dvec2 mm{1};                          ///< from column to column, from row to row
+  double thickness = 1;                      ///< of a plane, mm
+  std::vector<Segment> segments;
+  std::vector<SegmentFrame> frames;
+  std::vector<std::uint8_t> bits;  ///< frame after frame without a gap, lowest bit first
+
+  bool isSet(std::size_t frame, int x, int y) const {
+    const std::size_t bit =
+        (frame * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x) + std::size_t(x);
+    return bits[bit / 8] >> bit % 8 & 1;
+  }
+};
+
+/// How many pixels of a segment are set, in all of its frames.
+std::int64_t pixelsOf(const Segmentation& segmentation, std::size_t segment);
+
+/// The grid of the segmentation's own planes, the empty ones between them included. An Error where they are
+/// not evenly spaced, or would be 2^31 voxels or more.
+Result<VoxelGeometry> gridOf(const Segmentation& segmentation);
+
+/// A segment on a grid: 1 where the nearest plane of the segment, at most half its thickness away, is set at
+/// the nearest pixel. Each segment gets a map of its own, for they may overlap.
+LabelMap labelMapOf(const Segmentation& segmentation, std::size_t segment, const VoxelGeometry& grid);
+
+}  // namespace volumen
