@@ -40,6 +40,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   makeDocks();
   makeActions();
   makeLayoutActions();
+  makeMeasureActions();
   makeMenus();
   makeToolBar();
   connectSession();
@@ -64,7 +65,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::makeCentre() {
-  grid_ = new ViewGrid(session_, slices_);
+  grid_ = new ViewGrid(session_, slices_, measurer_);
   view_ = grid_->sceneView();
   banner_ = new Banner;
   start_ = new StartPage;

@@ -6,6 +6,7 @@
 #include "ui/controller/accuracy_meter.h"
 #include "ui/controller/draw_service.h"
 #include "ui/controller/loader.h"
+#include "ui/controller/measurer.h"
 #include "ui/controller/preset_thumbnails.h"
 #include "ui/controller/recent_files.h"
 #include "ui/controller/scene_files.h"
@@ -23,6 +24,7 @@ namespace volumen {
 class AccuracyPanel;
 class Banner;
 class EffectsPanel;
+class MeasurementsPanel;
 class PresetBar;
 class SegmentPanel;
 class SnapshotPanel;
@@ -86,6 +88,10 @@ class MainWindow : public QMainWindow {
   void connectSnapshots();
   void connectViews();
   void makeLayoutActions();
+  void makeMeasureActions();
+  QWidget* makeMeasureButton();
+  void connectMeasurements(MeasurementsPanel* panel);
+  void showMeasurement(int id);
   void resetViewInFocus();
   void showInFocus(const Series& series);
   void connectScenes();
@@ -123,6 +129,7 @@ class MainWindow : public QMainWindow {
   Session session_;
   DrawService drawService_;
   SliceService slices_;
+  Measurer measurer_{session_};
   Loader loader_;
   AccuracyMeter meter_;
   Snapshot snapshot_;
@@ -152,6 +159,7 @@ class MainWindow : public QMainWindow {
   std::optional<Scene> sceneToShow_;  // by this scene
   QMenu* recentMenu_;
   QMenu* layoutMenu_;
+  QMenu* measureMenu_;
   VolumePtr thumbnailsOf_;  // the volume whose presets have thumbnails
 };
 

@@ -18,6 +18,7 @@
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/material_panel.h"
+#include "ui/panels/measurements_panel.h"
 #include "ui/panels/preset_bar.h"
 #include "ui/panels/segment_panel.h"
 #include "ui/panels/snapshot_panel.h"
@@ -111,6 +112,9 @@ void MainWindow::makeDocks() {
   addDock(QStringLiteral("accuracy"), tr("Quality and speed"), new Scrolling(accuracy_), right);
   addDock(QStringLiteral("segment"), tr("Segment"), new Scrolling(segment_), right);
   addDock(QStringLiteral("snapshot"), tr("Snapshot"), new Scrolling(snapshotPanel_), right);
+  auto* measurements = new MeasurementsPanel(session_, measurer_);
+  addDock(QStringLiteral("measurements"), tr("Measurements"), measurements, right);
+  connectMeasurements(measurements);
 }
 
 void MainWindow::makeActions() {
@@ -258,6 +262,7 @@ void MainWindow::makeMenus() {
        "viewInferior | "
        "openGlResampler showError | maximise fullScreen lightTheme hideNames");
   layoutMenu_ = view->addMenu(tr("Layout"));
+  view->addMenu(measureMenu_);
   fill(layoutMenu_, "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour");
   auto* docks = view->addMenu(tr("Panels"));
   for (const auto& [name, dock] : docks_) docks->addAction(dock->toggleViewAction());
@@ -283,6 +288,7 @@ void MainWindow::makeToolBar() {
   layouts->setPopupMode(QToolButton::InstantPopup);
   layouts->setMenu(layoutMenu_);
   bar->addWidget(layouts);
+  bar->addWidget(makeMeasureButton());
   auto* gap = new QWidget;
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(gap);
@@ -365,6 +371,10 @@ void MainWindow::showShortcuts() {
       tr("left drag changes the window (Shift: fine, Ctrl: fast), middle pans, right zooms, the wheel "
          "scrolls (Ctrl: zooms, "
          "Alt: slab), Shift moves the crosshair, 0 to 9 choose a window, Esc gives up a drag"),
+      tr("D, A, E, P, T in a slice"),
+      tr("measure: length, angle, ellipse, probe, arrow with text; the tool before comes back after one "
+         "measurement (Shift keeps it), Enter or a double-click ends a polyline, Esc gives up, Delete "
+         "removes what is selected, W changes the window again"),
       tr("Alt+1 to Alt+5"),
       tr("layouts: one view, planes and 3D, large 3D beside planes, two or four series"),
       tr("Ctrl+Z, Ctrl+Shift+Z"),

@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "ui/controller/measurer.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/text.h"
@@ -12,9 +13,10 @@
 
 namespace volumen {
 
-SliceView::SliceView(Session& session, SliceService& service, ViewId id, QWidget* parent)
+SliceView::SliceView(Session& session, SliceService& service, Measurer& measurer, ViewId id, QWidget* parent)
     : View(session, id, parent),
       service_(service),
+      measurer_(measurer),
       badge_(new WarningBadge(this)),
       tool_(&flatTool("window")) {
   setObjectName(QStringLiteral("sliceView%1").arg(id));
@@ -25,6 +27,7 @@ SliceView::SliceView(Session& session, SliceService& service, ViewId id, QWidget
   wheelEnd_.setInterval(500);
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(&service_, &SliceService::ready, this, &SliceView::showPicture);
+  connect(&measurer_, &Measurer::measured, this, qOverload<>(&QWidget::update));
   connect(this, &View::pixelsChanged, this, &SliceView::askForPicture);
   seriesExchanged(true);
 }
@@ -83,7 +86,9 @@ void SliceView::placeBadge() {
 }
 
 void SliceView::setTool(const FlatTool& tool) {
+  if (drag_ && drag_->drawing()) drag_.reset();
   tool_ = &tool;
+  update();
   setCursor(tool.cursor);
 }
 
@@ -110,7 +115,7 @@ std::optional<FlatPress> SliceView::pressAt(QPointF p) const {
 const FlatTool* SliceView::toolFor(const QMouseEvent& event) const {
   switch (event.button()) {
     case Qt::LeftButton:
-      return event.modifiers() & Qt::ShiftModifier ? &flatTool("crosshair") : tool_;
+      return event.modifiers() & Qt::ShiftModifier && !tool_->measuring ? &flatTool("crosshair") : tool_;
     case Qt::MiddleButton:
       return &flatTool("pan");
     case Qt::RightButton:
@@ -124,22 +129,32 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
   View::mousePressEvent(event);
   const FlatTool* tool = toolFor(*event);
   const auto press = pressAt(event->position());
+  if (drag_ && event->button() == Qt::LeftButton) drag_->press(event->position());
   if (!tool || !press || drag_) return;
   session_.endGesture();
   stepsAtPress_ = session_.undoStack().index();
-  drag_ = tool->begin(*press);
+  if (tool == tool_) drag_ = pressMeasurement(*press);
+  if (!drag_) drag_ = tool->begin(*press);
+  if (drag_->drawing()) update();
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
-  if (drag_) return drag_->moveTo(event->position(), event->modifiers());
-  if (event->modifiers() & Qt::ShiftModifier)
+  if (drag_) {
+    drag_->moveTo(event->position(), event->modifiers());
+    if (drag_->drawing()) update();
+    return;
+  }
+  if (event->modifiers() & Qt::ShiftModifier && !tool_->measuring)
     if (const auto press = pressAt(event->position())) beginCrosshair(*press);
-  Q_EMIT hovered(hoverText(event->position()));
+  showCursorAt(event->position());
+  const QString measured = measurementText(event->position());
+  Q_EMIT hovered(measured.isEmpty() ? hoverText(event->position()) : measured);
 }
 
-void SliceView::mouseReleaseEvent(QMouseEvent*) {
-  drag_.reset();
-  session_.endGesture();
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (drag_ && drag_->drawing() && (event->button() != Qt::LeftButton || !drag_->release(event->position())))
+    return update();
+  endDrag(event->modifiers());
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
@@ -187,6 +202,7 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
                        .count
                  : 0;
   };
+  if (pressMeasuringKey(*event)) return;
   switch (event->key()) {
     case Qt::Key_Up:
       return scroll(-1);
@@ -203,6 +219,7 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Escape:
       if (!drag_) break;
       drag_.reset();
+      update();
       while (session_.undoStack().index() > stepsAtPress_) session_.undoStack().undo();
       return session_.endGesture();
     default:

@@ -12,14 +12,17 @@
 
 namespace volumen {
 
+class Measurer;
 class WarningBadge;
+struct DrawnMeasurement;
 
 /// A plane through the volume of a series, whole at every step: the left button as the tool says, the wheel
 /// scrolls, Ctrl+wheel zooms, Alt+wheel makes the slab thicker, Shift+move moves the crosshair everywhere.
 class SliceView : public View {
   Q_OBJECT
  public:
-  SliceView(Session& session, SliceService& service, ViewId id, QWidget* parent = nullptr);
+  SliceView(Session& session, SliceService& service, Measurer& measurer, ViewId id,
+            QWidget* parent = nullptr);
 
   const QImage& picture() const { return picture_; }
   /// The plane on screen, device pixels; none without a series.
@@ -29,10 +32,16 @@ class SliceView : public View {
   void scroll(int steps);
   /// Whole again, and thin.
   void resetView();
+  /// The measurements that are seen, the one that is being drawn last.
+  std::vector<DrawnMeasurement> drawnMeasurements() const;
 
  Q_SIGNALS:
   /// The picture of what the workspace says is on screen.
   void settled();
+  /// The key of a tool was pressed.
+  void toolWanted(const volumen::FlatTool& tool);
+  /// A measurement was drawn, and no other is wanted.
+  void toolDone();
 
  protected:
   void seriesExchanged(bool another) override;
@@ -44,7 +53,9 @@ class SliceView : public View {
   void mouseMoveEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
   void wheelEvent(QWheelEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
+  bool event(QEvent*) override;
   void leaveEvent(QEvent*) override;
 
  private:
@@ -58,10 +69,19 @@ class SliceView : public View {
   void placeBadge();
   QString hoverText(QPointF position) const;
   Overlays overlays() const;
+  QRectF overlayArea() const { return QRectF(rect()).adjusted(0, 0, -6, 0); }
   void paintLines(QPainter& painter) const;
   void paintStackBar(QPainter& painter) const;
+  std::optional<MeasurementHit> measurementAt(QPointF p) const;
+  std::unique_ptr<Drag> pressMeasurement(const FlatPress& press);
+  void endDrag(Qt::KeyboardModifiers keys);
+  void askForName(int id);
+  QString measurementText(QPointF p) const;
+  void showCursorAt(QPointF p);
+  bool pressMeasuringKey(const QKeyEvent& event);
 
   SliceService& service_;
+  Measurer& measurer_;
   WarningBadge* badge_;
   const FlatTool* tool_;
   QImage picture_;

@@ -1,6 +1,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/views/drawn_measurement.h"
 #include "ui/views/slice_view.h"
 #include "ui/views/view_overlays.h"
 #include "ui/widgets/warning_badge.h"
@@ -132,7 +133,8 @@ void SliceView::paintEvent(QPaintEvent*) {
   if (series()) {
     if (!picture_.isNull()) painter.drawImage(QPointF(0, 0), picture_);
     paintLines(painter);
-    paintOverlays(painter, overlays(), QRectF(rect()).adjusted(0, 0, -6, 0));
+    paintMeasurements(painter, drawnMeasurements());
+    paintOverlays(painter, overlays(), overlayArea());
     paintStackBar(painter);
   }
   paintFocus(painter);

@@ -39,6 +39,8 @@ class Session : public QObject {
   const Scene& sceneOf(ViewId view) const;
   /// The series of a view; null: none, or it is not in memory.
   ShownSeriesPtr seriesOf(ViewId view) const;
+  /// Likewise, as it is shown: without its table where that was removed.
+  ShownSeriesPtr find(const SeriesKey& series) const { return pool_.find(poolKeyOf(series)); }
 
   /// Puts a series into the view in focus (and its group), as it was left there, else by its first scene; one
   /// undo step, but for the first series of a workspace. Null: closes all, and forgets all steps.
@@ -76,6 +78,8 @@ class Session : public QObject {
   void setGoal(const QString& text, const QualityGoal& after, const QString& mergeKey = {});
   /// Which view the panels work on: no step to undo.
   void setFocus(ViewId view);
+  /// Which measurement has handles, 0: none; no step either.
+  void select(int measurement);
 
   /// How the window is wanted: no part of the picture, and no step to undo.
   const Preferences& preferences() const { return preferences_; }

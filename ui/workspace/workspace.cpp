@@ -104,6 +104,7 @@ Workspace withLayout(Workspace workspace, Layout layout) {
 
 Workspace without(Workspace workspace, const SeriesKey& key) {
   workspace.series.erase(key);
+  std::erase_if(workspace.measurements, [&](const Measurement& m) { return m.series == key; });
   for (ViewState& view : workspace.views) {
     if (view.series == key) view.series = {};
     view.scenes.erase(key);

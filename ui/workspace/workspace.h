@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/data/series_key.h"
+#include "ui/workspace/measurement.h"
 #include "ui/workspace/quality_goal.h"
 #include "ui/workspace/view_id.h"
 #include "viewer/scene/scene.h"
@@ -80,6 +81,9 @@ struct Workspace {
   ViewId focus = sceneViewId;                 ///< the view that the panels work on
   QualityGoal goal;                           ///< of 3D pictures at rest
   std::map<std::string, glm::dvec3> cursors;  ///< by frame of reference, patient mm
+  std::vector<Measurement> measurements;      ///< in the order in which they were made
+  bool measurementsShown = true;              ///< in flat views
+  int selected = 0;                           ///< the measurement with handles; 0: none
   bool operator==(const Workspace&) const = default;
 
   const ViewState& view(ViewId id) const { return views[std::size_t(id)]; }
@@ -106,7 +110,7 @@ std::string frameOfReference(const Series& series);
 Workspace withSeries(Workspace workspace, ViewId view, const Series& series, const SceneLook& first);
 /// In another layout; the first view to compare, where it is empty, gets the series of the focus.
 Workspace withLayout(Workspace workspace, Layout layout);
-/// Without this series: views that show it are empty.
+/// Without this series and what was measured on it: views that show it are empty.
 Workspace without(Workspace workspace, const SeriesKey& key);
 
 }  // namespace volumen
