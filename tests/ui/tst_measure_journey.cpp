@@ -69,13 +69,14 @@ void TestMeasureJourney::aChest() {
       for (const DrawnMeasurement& shape : drawn)
         for (const QPolygonF& line : shape.lines)
           for (const QPointF p : line) QVERIFY(!text.textRect.contains(p));
-    QVERIFY(QTest::qWaitFor([&] { return !w.view(id)->picture().isNull(); }, longest));
   }
-  QTest::qWait(500);
-  w.shot("measurements");
-  w.window.resize(1040, 680);
-  QTest::qWait(500);
-  w.shot("measurements-small");
+  for (const auto& [size, name] :
+       {std::pair(QSize(1440, 900), "measurements"), {QSize(1040, 680), "measurements-small"}}) {
+    w.window.resize(size);
+    for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId})
+      QVERIFY(QTest::qWaitFor([&] { return w.view(id)->picture().size() == w.view(id)->pixels(); }, longest));
+    w.shot(name);
+  }
 }
 
 VOLUMEN_TEST(TestMeasureJourney);

@@ -218,6 +218,14 @@ void TestMeasureTools::anArrowAsksForItsText() {
     QTest::keyClick(again, Qt::Key_Return);
   }
   QCOMPARE(w.last().shape.name, std::string("Node"));
+  w.draw(arrow, {{70, 160}, {120, 200}});
+  for (QLineEdit* given : w.view()->findChildren<QLineEdit*>(QStringLiteral("measurementName"))) {
+    if (!given->isVisible()) continue;
+    given->setText(QStringLiteral("given up"));
+    QTest::keyClick(given, Qt::Key_Escape);
+    QVERIFY(!given->isVisible());
+  }
+  QCOMPARE(w.last().shape.name, std::string());
 }
 
 void TestMeasureTools::withoutCalibrationPixelsAreSaid() {

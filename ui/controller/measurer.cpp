@@ -34,12 +34,20 @@ Measurer::~Measurer() {
   pool_.waitForDone();
 }
 
+// The pool is asked only where something changed: being asked for counts as use there.
 MeasuredPtr Measurer::numbersOf(const Measurement& measurement) {
-  const ShownSeriesPtr series = session_.find(measurement.series);
   const Known& known = known_[measurement.id];
-  if (series && (known.series != measurement.series || known.shape != measurement.shape ||
-                 known.volume.lock() != series->volume))
-    request(measurement, series);
+  const VolumePtr volume = known.volume.lock();
+  const auto& all = session_.workspace().series;
+  const auto state = all.find(measurement.series);
+  const bool current = known.series == measurement.series && known.shape == measurement.shape && volume &&
+                       state != all.end() && volume->attributes().tableRemoved == state->second.tableRemoved;
+  if (!current) {
+    const ShownSeriesPtr series = session_.find(measurement.series);
+    if (series &&
+        (known.series != measurement.series || known.shape != measurement.shape || volume != series->volume))
+      request(measurement, series);
+  }
   return known.series == measurement.series ? known.numbers : nullptr;
 }
 

@@ -79,9 +79,11 @@ void MeasurementsPanel::makeLayout() {
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
-  list_->header()->setStretchLastSection(true);
-  list_->header()->resizeSection(nameColumn, 90);
-  list_->header()->resizeSection(numberColumn, 150);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // what is cut off stands in the tooltip
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setSectionResizeMode(numberColumn, QHeaderView::Stretch);
+  list_->header()->resizeSection(nameColumn, 100);
+  list_->header()->resizeSection(seriesColumn, 80);
   list_->setMinimumHeight(60);
   shown_->setObjectName(QStringLiteral("measurementsShown"));
   shown_->setToolTip(tr("Show measurements in slices"));
@@ -157,6 +159,7 @@ void MeasurementsPanel::showRow(QTreeWidgetItem* item, const Measurement& measur
   item->setFlags(item->flags() | Qt::ItemIsEditable);
   item->setData(nameColumn, Qt::UserRole, measurement.id);
   item->setText(nameColumn, nameText(measurement));
+  item->setToolTip(nameColumn, nameText(measurement));
   item->setText(numberColumn, number);
   item->setToolTip(numberColumn, number);
   if (state == session_.workspace().series.end()) return;

@@ -54,9 +54,11 @@ QRectF boxOf(const DrawnMeasurement& drawn) {
   return box;
 }
 
-bool coversShape(const DrawnMeasurement& drawn, const QRectF& text) {
-  if (ruleOf(drawn.kind).region && boxOf(drawn).intersects(text)) return true;
-  return std::ranges::any_of(drawn.lines, [&](const QPolygonF& line) { return touches(line, text); });
+// `box`: that of the shape. What lies inside a region is covered as well.
+bool coversShape(const DrawnMeasurement& drawn, const QRectF& box, const QRectF& text) {
+  if (!box.intersects(text)) return false;
+  return (drawn.whole && ruleOf(drawn.kind).region) ||
+         std::ranges::any_of(drawn.lines, [&](const QPolygonF& line) { return touches(line, text); });
 }
 
 // Middles of places beside a box: right, left, below, above; each in the middle, then along one of its ends;
@@ -75,23 +77,6 @@ std::vector<QPointF> middlesBeside(const QRectF& box, QSizeF size, double gap) {
   return middles;
 }
 
-// Of lines beside their ends, the last one first; of all beside the box of what is in the view.
-std::vector<QPointF> candidates(const DrawnMeasurement& drawn, QSizeF size, const QRectF& area) {
-  std::vector<QRectF> boxes;
-  if (!ruleOf(drawn.kind).region)
-    for (const QPointF end : {drawn.lines.back().back(), drawn.lines.front().front()})
-      boxes.emplace_back(end - QPointF(2, 2), QSizeF(4, 4));
-  boxes.push_back(boxOf(drawn));
-  std::vector<QPointF> middles;
-  for (const double gap : textGaps)
-    for (const QRectF& box : boxes) {
-      if (!area.intersects(box)) continue;
-      const std::vector<QPointF> more = middlesBeside(box.intersected(area), size, gap);
-      middles.insert(middles.end(), more.begin(), more.end());
-    }
-  return middles;
-}
-
 QRectF around(QPointF middle, QSizeF size) {
   return {middle - QPointF(size.width(), size.height()) / 2, size};
 }
@@ -100,6 +85,25 @@ QRectF movedInto(QRectF rect, const QRectF& area) {
   rect.moveLeft(std::clamp(rect.left(), area.left(), std::max(area.left(), area.right() - rect.width())));
   rect.moveTop(std::clamp(rect.top(), area.top(), std::max(area.top(), area.bottom() - rect.height())));
   return rect;
+}
+
+// Places for a text inside the area, best first: of lines beside their ends, the last one first; of all
+// beside the box of what is in the view. None where nothing of the shape is.
+std::vector<QRectF> placesFor(const DrawnMeasurement& drawn, const QRectF& box, QSizeF size,
+                              const QRectF& area) {
+  std::vector<QRectF> boxes;
+  if (!ruleOf(drawn.kind).region)
+    for (const QPointF end : {drawn.lines.back().back(), drawn.lines.front().front()})
+      boxes.emplace_back(end - QPointF(2, 2), QSizeF(4, 4));
+  boxes.push_back(box);
+  std::vector<QRectF> places;
+  for (const double gap : textGaps)
+    for (const QRectF& beside : boxes) {
+      if (!area.intersects(beside)) continue;
+      for (const QPointF middle : middlesBeside(beside.intersected(area), size, gap))
+        places.push_back(movedInto(around(middle, size), area));
+    }
+  return places;
 }
 
 QSizeF sizeOf(const QStringList& text, const QFontMetricsF& metrics) {
@@ -136,30 +140,35 @@ DrawnMeasurement drawnMeasurement(const Measurement& measurement, const SlicePla
 
 void placeTexts(std::vector<DrawnMeasurement>& drawn, const QRectF& area, const std::vector<QRectF>& taken,
                 const QFontMetricsF& metrics) {
-  std::vector<QRectF> full = taken;
+  std::vector<QRectF> full = taken, boxes;
   for (DrawnMeasurement& d : drawn) {
+    boxes.push_back(boxOf(d));
     if (d.text.isEmpty() || !d.textMiddle) continue;
     d.textRect = around(*d.textMiddle, sizeOf(d.text, metrics));
     full.push_back(d.textRect);
   }
-  for (DrawnMeasurement& d : drawn) {
+  for (std::size_t n = 0; n < drawn.size(); ++n) {
+    DrawnMeasurement& d = drawn[n];
     if (d.text.isEmpty() || d.textMiddle) continue;
-    const QSizeF size = sizeOf(d.text, metrics);
-    const std::vector<QPointF> middles = candidates(d, size, area);
-    if (middles.empty()) continue;
-    const auto isFree = [&](QPointF middle) {
-      const QRectF rect = around(middle, size);
-      return area.contains(rect) &&
-             std::ranges::none_of(full, [&](const QRectF& other) { return other.intersects(rect); }) &&
-             std::ranges::none_of(drawn,
-                                  [&](const DrawnMeasurement& other) { return coversShape(other, rect); });
+    const std::vector<QRectF> places = placesFor(d, boxes[n], sizeOf(d.text, metrics), area);
+    if (places.empty()) continue;
+    const auto leavesIt = [&](const QRectF& place) { return !coversShape(d, boxes[n], place); };
+    const auto leavesTexts = [&](const QRectF& place) {
+      return leavesIt(place) &&
+             std::ranges::none_of(full, [&](const QRectF& other) { return other.intersects(place); });
     };
-    const auto leavesItsShape = [&](QPointF middle) {
-      return !coversShape(d, movedInto(around(middle, size), area));
+    const auto leavesShapes = [&](const QRectF& place, bool cutsToo) {
+      if (!leavesTexts(place)) return false;
+      for (std::size_t m = 0; m < drawn.size(); ++m)
+        if ((cutsToo || drawn[m].whole) && coversShape(drawn[m], boxes[m], place)) return false;
+      return true;
     };
-    auto found = std::ranges::find_if(middles, isFree);
-    if (found == middles.end()) found = std::ranges::find_if(middles, leavesItsShape);
-    d.textRect = movedInto(around(found == middles.end() ? middles.front() : *found, size), area);
+    auto found = std::ranges::find_if(places, [&](const QRectF& p) { return leavesShapes(p, true); });
+    if (found == places.end())
+      found = std::ranges::find_if(places, [&](const QRectF& p) { return leavesShapes(p, false); });
+    if (found == places.end()) found = std::ranges::find_if(places, leavesTexts);
+    if (found == places.end()) found = std::ranges::find_if(places, leavesIt);
+    d.textRect = found == places.end() ? places.front() : *found;
     full.push_back(d.textRect);
   }
 }

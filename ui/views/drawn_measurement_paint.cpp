@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-const QColor lineColour(0xff, 0xd5, 0x7a), accent(0x4a, 0xa3, 0xff), shadow(0, 0, 0, 190);
+const QColor lineColour(0xff, 0xbf, 0x69), accent(0x4a, 0xa3, 0xff), shadow(0, 0, 0, 190);
 constexpr double lineWidth = 1.3, shadowWidth = 3.4;         // logical pixels
 constexpr double arm = 7, gap = 2.5, head = 11, corner = 4;  // of a probe's cross, an arrow, a handle
 constexpr double longestGap = 26;                            // from a shape to its text without a leader
@@ -60,9 +60,16 @@ QPainterPath pathOf(const DrawnMeasurement& d) {
   return path;
 }
 
-void stroke(QPainter& painter, const QPainterPath& path, const QColor& colour, Qt::PenStyle style) {
-  painter.strokePath(path, QPen(shadow, shadowWidth, style, Qt::FlatCap, Qt::RoundJoin));
-  painter.strokePath(path, QPen(colour, lineWidth, style, Qt::FlatCap, Qt::RoundJoin));
+void stroke(QPainter& painter, const QPainterPath& path, const QColor& colour) {
+  painter.strokePath(path, QPen(shadow, shadowWidth, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+  painter.strokePath(path, QPen(colour, lineWidth, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+}
+
+void strokeDashes(QPainter& painter, const QPainterPath& path, const QColor& colour) {
+  QPen pen(colour, 1, Qt::CustomDashLine, Qt::FlatCap);
+  pen.setDashPattern({3, 4});
+  painter.strokePath(path, QPen(QColor(0, 0, 0, 110), 2.4, Qt::SolidLine, Qt::FlatCap));
+  painter.strokePath(path, pen);
 }
 
 // From a text that stands apart to the nearest point of its shape; between the lines of a Cobb angle.
@@ -86,7 +93,7 @@ void paintLeaders(QPainter& painter, const DrawnMeasurement& d) {
       path.lineTo(leader.p2());
     }
   }
-  if (!path.isEmpty()) stroke(painter, path, colourOf(d), Qt::DotLine);
+  if (!path.isEmpty()) strokeDashes(painter, path, colourOf(d));
 }
 
 void paintText(QPainter& painter, const DrawnMeasurement& d) {
@@ -118,7 +125,7 @@ void paintMeasurements(QPainter& painter, const std::vector<DrawnMeasurement>& d
   painter.setRenderHint(QPainter::Antialiasing);
   for (const DrawnMeasurement& d : drawn) {
     paintLeaders(painter, d);
-    stroke(painter, pathOf(d), colourOf(d), Qt::SolidLine);
+    stroke(painter, pathOf(d), colourOf(d));
     paintHandles(painter, d);
   }
   for (const DrawnMeasurement& d : drawn) paintText(painter, d);

@@ -130,6 +130,14 @@ bool SliceView::pressMeasuringKey(const QKeyEvent& event) {
     if (drag_->finish()) endDrag(event.modifiers());
     return true;
   }
+  if (event.key() == Qt::Key_Escape)
+    for (auto* field : findChildren<QLineEdit*>(QStringLiteral("measurementName"))) {
+      if (field->isHidden()) continue;
+      field->hide();
+      field->deleteLater();
+      setFocus();
+      return true;
+    }
   if (event.key() == Qt::Key_Escape && !drag_ && tool_->measuring) {
     Q_EMIT toolDone();
     return true;
