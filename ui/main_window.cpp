@@ -42,6 +42,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   makeActions();
   makeLayoutActions();
   makeFrameActions();
+  makeMeasureActions();
   makeMenus();
   makeToolBar();
   connectSession();
@@ -67,7 +68,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::makeCentre() {
-  grid_ = new ViewGrid(session_, slices_, frames_);
+  grid_ = new ViewGrid(session_, slices_, frames_, measurer_);
   view_ = grid_->sceneView();
   banner_ = new Banner;
   start_ = new StartPage;

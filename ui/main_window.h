@@ -7,6 +7,7 @@
 #include "ui/controller/draw_service.h"
 #include "ui/controller/frame_service.h"
 #include "ui/controller/loader.h"
+#include "ui/controller/measurer.h"
 #include "ui/controller/preset_thumbnails.h"
 #include "ui/controller/recent_files.h"
 #include "ui/controller/scene_files.h"
@@ -24,6 +25,7 @@ namespace volumen {
 class AccuracyPanel;
 class Banner;
 class EffectsPanel;
+class MeasurementsPanel;
 class PresetBar;
 class SegmentPanel;
 class SnapshotPanel;
@@ -97,6 +99,10 @@ class MainWindow : public QMainWindow {
   void showFlatMenu(SliceView& view, QPoint global);
   void showPage();
   void showFirst(const Study& study);
+  void makeMeasureActions();
+  QWidget* makeMeasureButton();
+  void connectMeasurements(MeasurementsPanel* panel);
+  void showMeasurement(int id);
   void resetViewInFocus();
   Workspace arranged(Workspace workspace, const Series& series, bool isFirst) const;
   const Series* ctUnder(const Series& pet) const;
@@ -138,6 +144,7 @@ class MainWindow : public QMainWindow {
   DrawService drawService_;
   SliceService slices_;
   FrameService frames_;
+  Measurer measurer_{session_};
   Loader loader_;
   AccuracyMeter meter_;
   Snapshot snapshot_;
@@ -167,6 +174,7 @@ class MainWindow : public QMainWindow {
   std::optional<Scene> sceneToShow_;  // by this scene
   QMenu* recentMenu_;
   QMenu* layoutMenu_;
+  QMenu* measureMenu_;
   std::map<QString, Layout> layoutsChosen_;  // by modality, since the program began
   VolumePtr thumbnailsOf_;                   // the volume whose presets have thumbnails
 };

@@ -19,6 +19,7 @@
 #include "ui/panels/flat_menus.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/material_panel.h"
+#include "ui/panels/measurements_panel.h"
 #include "ui/panels/preset_bar.h"
 #include "ui/panels/segment_panel.h"
 #include "ui/panels/snapshot_panel.h"
@@ -112,6 +113,9 @@ void MainWindow::makeDocks() {
   addDock(QStringLiteral("accuracy"), tr("Quality and speed"), new Scrolling(accuracy_), right);
   addDock(QStringLiteral("segment"), tr("Segment"), new Scrolling(segment_), right);
   addDock(QStringLiteral("snapshot"), tr("Snapshot"), new Scrolling(snapshotPanel_), right);
+  auto* measurements = new MeasurementsPanel(session_, measurer_);
+  addDock(QStringLiteral("measurements"), tr("Measurements"), measurements, right);
+  connectMeasurements(measurements);
 }
 
 void MainWindow::makeActions() {
@@ -261,6 +265,7 @@ void MainWindow::makeMenus() {
        "openGlResampler showError | maximise fullScreen lightTheme hideNames");
   layoutMenu_ = view->addMenu(tr("Layout"));
   fill(layoutMenu_, "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour | alignPlanes");
+  view->addMenu(measureMenu_);
   view->addMenu(makeColourMenu(session_, view));
   view->addMenu(makeOverlayMenu(
       session_, [this] { return studies_->allSeries(); }, view));
@@ -288,6 +293,7 @@ void MainWindow::makeToolBar() {
   layouts->setPopupMode(QToolButton::InstantPopup);
   layouts->setMenu(layoutMenu_);
   bar->addWidget(layouts);
+  bar->addWidget(makeMeasureButton());
   auto* gap = new QWidget;
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(gap);
@@ -371,8 +377,14 @@ void MainWindow::showShortcuts() {
          "scrolls (Ctrl: zooms, "
          "Alt: slab), Shift moves the crosshair, 0 to 9 choose a window, I inverts, a right click opens a "
          "menu, Esc gives up a drag"),
+      tr("On its lines"),
+      tr("a drag moves that plane; the round handle turns the other planes; F puts them straight"),
       tr("C"),
       tr("plays the frames of the view in focus, and stops"),
+      tr("D, A, E, P, T in a slice"),
+      tr("measure: length, angle, ellipse, probe, arrow with text; the tool before comes back after one "
+         "measurement (Shift keeps it), Enter or a double-click ends a polyline, Esc gives up, Delete "
+         "removes what is selected, W changes the window again"),
       tr("Alt+1 to Alt+5"),
       tr("layouts: one view, planes and 3D, large 3D beside planes, two or four series"),
       tr("Ctrl+Z, Ctrl+Shift+Z"),

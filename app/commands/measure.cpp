@@ -3,7 +3,7 @@
 
 #include "app/command.h"
 #include "app/open_volume.h"
-#include "app/shapes_json.h"
+#include "viewer/measure/shape_json.h"
 #include "app/usage.h"
 #include "io/regular_file.h"
 

@@ -45,11 +45,11 @@ QImage savedPicture(Journey& w, const QString& path) {
 }
 
 // The sample study with the panel before it, all levels measured.
-struct Measured : Journey {
+struct AccuracyWindow : Journey {
   QSignalSpy finished{&window.meter(), &AccuracyMeter::finished};
   QSignalSpy cancelled{&window.meter(), &AccuracyMeter::cancelled};
 
-  Measured() : Journey({QStringLiteral("phantom:ct-head:32")}) { window.resize(800, 560); }
+  AccuracyWindow() : Journey({QStringLiteral("phantom:ct-head:32")}) { window.resize(800, 560); }
 
   bool openPanel() {
     if (!settle()) return false;
@@ -137,7 +137,7 @@ void TestAccuracyPanel::beatenLevelsAreNotOnTheFront() {
 }
 
 void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
-  Measured w;
+  AccuracyWindow w;
   QVERIFY(w.openPanel());
   QVERIFY(w.measure());
   w.shot("accuracy");
@@ -183,7 +183,7 @@ void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
 }
 
 void TestAccuracyPanel::targetsPickTheLevel() {
-  Measured w;
+  AccuracyWindow w;
   QVERIFY(w.openPanel());
   QVERIFY(w.measure());
   auto* error = w.child<QDoubleSpinBox>("aimError");
@@ -220,7 +220,7 @@ void TestAccuracyPanel::targetsPickTheLevel() {
 }
 
 void TestAccuracyPanel::aChangeOfTheSceneGivesTheMeasurementUp() {
-  Measured w;
+  AccuracyWindow w;
   QVERIFY(w.openPanel());
   QTRY_VERIFY_WITH_TIMEOUT(w.window.meter().running(), longest);
   w.settled.clear();
@@ -238,7 +238,7 @@ void TestAccuracyPanel::aChangeOfTheSceneGivesTheMeasurementUp() {
 }
 
 void TestAccuracyPanel::nothingIsMeasuredWhereNobodyLooks() {
-  Measured w;
+  AccuracyWindow w;
   QVERIFY(w.settle());
   QVERIFY(!w.window.meter().running());
   QVERIFY(w.levels().empty());
@@ -249,7 +249,7 @@ void TestAccuracyPanel::nothingIsMeasuredWhereNobodyLooks() {
 }
 
 void TestAccuracyPanel::aPictureSaysWhatWasMeasuredOfIt() {
-  Measured w;
+  AccuracyWindow w;
   QVERIFY(w.openPanel());
   QVERIFY(w.measure());
   const QTemporaryDir folder;
@@ -271,7 +271,7 @@ void TestAccuracyPanel::aPictureSaysWhatWasMeasuredOfIt() {
 }
 
 void TestAccuracyPanel::thePictureOnShowSaysHowFarItMayBeOff() {
-  Measured w;
+  AccuracyWindow w;
   QVERIFY(w.openPanel());
   auto* estimate = w.child<QLabel>("estimate");
   const auto numbers = [&] {
@@ -299,7 +299,7 @@ void TestAccuracyPanel::thePictureOnShowSaysHowFarItMayBeOff() {
 }
 
 void TestAccuracyPanel::theErrorIsShownInPlaceOfThePicture() {
-  Measured w;
+  AccuracyWindow w;
   QVERIFY(w.openPanel());
   VolumeView* view = w.window.view();
   auto* box = w.child<QCheckBox>("showErrorBox");
@@ -351,7 +351,7 @@ void TestAccuracyPanel::errorsAreGreys() {
 }
 
 void TestAccuracyPanel::effectsShowTheirCosts() {
-  Measured w;
+  AccuracyWindow w;
   QVERIFY(w.settle());
   const QString text = w.child<QTextBrowser>("effectsPanel")->toPlainText();
   for (const char* effect : {"method", "integration", "lighting", "gradients"}) {

@@ -35,12 +35,26 @@ struct FlatTool {
   QString text;
   Qt::CursorShape cursor;
   std::unique_ptr<Drag> (*begin)(const FlatPress& press);
+  int key = 0;             ///< chooses it in a flat view; 0: none
+  bool measuring = false;  ///< draws a measurement; its icon is "measure-NAME"
 };
 
-/// All of them; each is a file of this folder.
+/// A part of a measurement under the pointer.
+enum class MeasurementPart { handle, line, text };
+struct MeasurementHit {
+  int id = 0;
+  MeasurementPart part = MeasurementPart::line;
+  std::size_t handle = 0;    ///< which of handlesOf()
+  glm::dvec3 textOffset{0};  ///< of where its text stands now (Measurement::textOffset)
+  bool movable = true;       ///< false: the plane only cuts it
+};
+
+/// All of them; each is a file of this folder, those that measure are one.
 const std::vector<FlatTool>& flatTools();
 /// The tool of this name; there must be one.
 const FlatTool& flatTool(const char* name);
+/// The tool of a key; null: it is none's.
+const FlatTool* flatToolOfKey(int key);
 
 std::unique_ptr<Drag> beginWindow(const FlatPress& press);
 std::unique_ptr<Drag> beginPan(const FlatPress& press);
@@ -52,6 +66,10 @@ std::unique_ptr<Drag> beginCrosshair(const FlatPress& press);
 std::unique_ptr<Drag> beginTurn(const FlatPress& press);
 /// Moves a plane across its line; `across`: a unit vector, logical pixels.
 std::unique_ptr<Drag> beginMovePlane(const FlatPress& press, QPointF across);
+/// Those that draw a measurement, one a kind that is drawn.
+std::vector<FlatTool> measuringTools();
+/// Moves the part of a measurement that was pressed.
+std::unique_ptr<Drag> beginMeasurementEdit(const FlatPress& press, const MeasurementHit& hit);
 
 /// How the view shows its series.
 FlatLook lookOf(const FlatPress& press);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstring>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "ui/data/frame_series.h"
 #include "ui/tools/flat_tool.h"
@@ -14,18 +15,27 @@ QString tr(const char* text) { return QCoreApplication::translate("volumen", tex
 }  // namespace
 
 const std::vector<FlatTool>& flatTools() {
-  static const std::vector<FlatTool> table{
-      {"window", tr("Window"), Qt::ArrowCursor, beginWindow},
-      {"scroll", tr("Scroll"), Qt::SizeVerCursor, beginScroll},
-      {"pan", tr("Pan"), Qt::SizeAllCursor, beginPan},
-      {"zoom", tr("Zoom"), Qt::ArrowCursor, beginFlatZoom},
-      {"crosshair", tr("Crosshair"), Qt::CrossCursor, beginCrosshair},
-  };
+  static const std::vector<FlatTool> table = [] {
+    std::vector<FlatTool> all{
+        {"window", tr("Window"), Qt::ArrowCursor, beginWindow, Qt::Key_W},
+        {"scroll", tr("Scroll"), Qt::SizeVerCursor, beginScroll},
+        {"pan", tr("Pan"), Qt::SizeAllCursor, beginPan},
+        {"zoom", tr("Zoom"), Qt::ArrowCursor, beginFlatZoom},
+        {"crosshair", tr("Crosshair"), Qt::CrossCursor, beginCrosshair},
+    };
+    std::ranges::move(measuringTools(), std::back_inserter(all));
+    return all;
+  }();
   return table;
 }
 
 const FlatTool& flatTool(const char* name) {
   return *std::ranges::find_if(flatTools(), [&](const FlatTool& t) { return !std::strcmp(t.name, name); });
+}
+
+const FlatTool* flatToolOfKey(int key) {
+  const auto found = key == 0 ? flatTools().end() : std::ranges::find(flatTools(), key, &FlatTool::key);
+  return found == flatTools().end() ? nullptr : &*found;
 }
 
 FlatLook lookOf(const FlatPress& press) { return flatLookOf(press.session.workspace().view(press.view)); }

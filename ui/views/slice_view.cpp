@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "ui/controller/measurer.h"
 #include "ui/views/cine_player.h"
 #include "ui/views/cross_lines.h"
 #include "ui/widgets/warning_badge.h"
@@ -15,11 +16,12 @@
 
 namespace volumen {
 
-SliceView::SliceView(Session& session, SliceService& service, FrameService& frames, ViewId id,
-                     QWidget* parent)
+SliceView::SliceView(Session& session, SliceService& service, FrameService& frames, Measurer& measurer,
+                     ViewId id, QWidget* parent)
     : View(session, id, parent),
       service_(service),
       frames_(frames),
+      measurer_(measurer),
       badge_(new WarningBadge(this)),
       tool_(&flatTool("window")) {
   setObjectName(QStringLiteral("sliceView%1").arg(id));
@@ -32,6 +34,7 @@ SliceView::SliceView(Session& session, SliceService& service, FrameService& fram
   connect(&service_, &SliceService::ready, this, &SliceView::showPicture);
   connect(&frames_, &FrameService::ready, this, &SliceView::takeFrame);
   connect(&frames_, &FrameService::failed, this, &SliceView::tellFrameFailure);
+  connect(&measurer_, &Measurer::measured, this, qOverload<>(&QWidget::update));
   connect(this, &View::pixelsChanged, this, &SliceView::askForPicture);
   showed_ = {state().series, state().kind};
   seriesExchanged(true);
@@ -123,7 +126,9 @@ void SliceView::placeBadge() {
 }
 
 void SliceView::setTool(const FlatTool& tool) {
+  if (drag_ && drag_->drawing()) drag_.reset();
   tool_ = &tool;
+  update();
   setCursor(tool.cursor);
 }
 
@@ -166,8 +171,11 @@ bool SliceView::hasCursor() const { return !showsFrames() || (frame_ && frame_->
 const FlatTool* SliceView::toolFor(const QMouseEvent& event) const {
   switch (event.button()) {
     case Qt::LeftButton:
-      if (event.modifiers() & Qt::ShiftModifier && hasCursor()) return &flatTool("crosshair");
-      // Colours have no window, and what has no place in the patient no crosshair.
+      if (event.modifiers() & Qt::ShiftModifier && !tool_->measuring && hasCursor())
+        return &flatTool("crosshair");
+      // Frames are not measured on; colours have no window, and what has no place in the patient no
+      // crosshair.
+      if (showsFrames() && tool_->measuring) return nullptr;
       if (showsFrames() && frame_ && frame_->colour() && tool_ == &flatTool("window")) return nullptr;
       return !hasCursor() && tool_ == &flatTool("crosshair") ? nullptr : tool_;
     case Qt::MiddleButton:
@@ -183,30 +191,36 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
   View::mousePressEvent(event);
   const FlatTool* tool = toolFor(*event);
   const auto press = pressAt(event->position());
+  if (drag_ && event->button() == Qt::LeftButton) drag_->press(event->position());
   if (!tool || !press || drag_) return;
   session_.endGesture();
   pressedAt_ = event->position();
   stepsAtPress_ = session_.undoStack().index();
-  const bool onLines =
-      !showsFrames() && event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
-  if (onLines) drag_ = beginOnLines(*press);
+  if (tool == tool_) drag_ = pressMeasurement(*press);
+  if (!drag_ && tool == tool_ && !tool->measuring && !showsFrames()) drag_ = beginOnLines(*press);
   if (!drag_) drag_ = tool->begin(*press);
+  if (drag_->drawing()) update();
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
-  if (drag_) return drag_->moveTo(event->position(), event->modifiers());
-  if (event->modifiers() & Qt::ShiftModifier && hasCursor())
+  if (drag_) {
+    drag_->moveTo(event->position(), event->modifiers());
+    if (drag_->drawing()) update();
+    return;
+  }
+  if (event->modifiers() & Qt::ShiftModifier && !tool_->measuring && hasCursor())
     if (const auto press = pressAt(event->position())) beginCrosshair(*press);
-  const auto press = pressAt(event->position());
-  setCursor(press && !showsFrames() && isOnLines(*press) ? Qt::PointingHandCursor : tool_->cursor);
-  Q_EMIT hovered(hoverText(event->position()));
+  showCursorAt(event->position());
+  const QString measured = measurementText(event->position());
+  Q_EMIT hovered(measured.isEmpty() ? hoverText(event->position()) : measured);
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (drag_ && drag_->drawing() && (event->button() != Qt::LeftButton || !drag_->release(event->position())))
+    return update();
   const bool isClick = (event->position() - pressedAt_).manhattanLength() < QApplication::startDragDistance();
   const bool wantsMenu = drag_ && event->button() == Qt::RightButton && isClick;
-  drag_.reset();
-  session_.endGesture();
+  endDrag(event->modifiers());
   if (wantsMenu) Q_EMIT menuRequested(event->globalPosition().toPoint());
 }
 
@@ -254,6 +268,7 @@ void SliceView::chooseWindow(int number) {
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
+  if (pressMeasuringKey(*event)) return;
   switch (event->key()) {
     case Qt::Key_Up:
       return scroll(-1);
@@ -272,6 +287,7 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Escape:
       if (!drag_) break;
       drag_.reset();
+      update();
       while (session_.undoStack().index() > stepsAtPress_) session_.undoStack().undo();
       return session_.endGesture();
     default:

@@ -16,7 +16,9 @@
 namespace volumen {
 
 class CinePlayer;
+class Measurer;
 class WarningBadge;
+struct DrawnMeasurement;
 
 /// A plane through the volume of a series, whole at every step: the left button as the tool says, the wheel
 /// scrolls, Ctrl+wheel zooms, Alt+wheel makes the slab thicker, Shift+move moves the crosshair everywhere, a
@@ -24,7 +26,7 @@ class WarningBadge;
 class SliceView : public View {
   Q_OBJECT
  public:
-  SliceView(Session& session, SliceService& service, FrameService& frames, ViewId id,
+  SliceView(Session& session, SliceService& service, FrameService& frames, Measurer& measurer, ViewId id,
             QWidget* parent = nullptr);
   ~SliceView() override;
 
@@ -51,12 +53,18 @@ class SliceView : public View {
   Overlays overlays() const;
   bool isPlaying() const { return player_ != nullptr; }
   void invert();
+  /// The measurements that are seen, the one that is being drawn last.
+  std::vector<DrawnMeasurement> drawnMeasurements() const;
 
  Q_SIGNALS:
   /// The picture of what the workspace says is on screen.
   void settled();
   /// A right click: a menu is to be opened here.
   void menuRequested(QPoint global);
+  /// The key of a tool was pressed.
+  void toolWanted(const volumen::FlatTool& tool);
+  /// A measurement was drawn, and no other is wanted.
+  void toolDone();
 
  protected:
   void seriesExchanged(bool another) override;
@@ -68,9 +76,10 @@ class SliceView : public View {
   void mouseMoveEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
   void wheelEvent(QWheelEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
-  void leaveEvent(QEvent*) override;
   bool event(QEvent*) override;
+  void leaveEvent(QEvent*) override;
   void hideEvent(QHideEvent*) override;
 
  private:
@@ -95,11 +104,20 @@ class SliceView : public View {
   void makeSlabThicker(int steps);
   void placeBadge();
   QString hoverText(QPointF position) const;
+  QRectF overlayArea() const { return QRectF(rect()).adjusted(0, 0, -6, 0); }
   void paintStackBar(QPainter& painter) const;
   void paintColours(QPainter& painter) const;
+  std::optional<MeasurementHit> measurementAt(QPointF p) const;
+  std::unique_ptr<Drag> pressMeasurement(const FlatPress& press);
+  void endDrag(Qt::KeyboardModifiers keys);
+  void askForName(int id);
+  QString measurementText(QPointF p) const;
+  void showCursorAt(QPointF p);
+  bool pressMeasuringKey(const QKeyEvent& event);
 
   SliceService& service_;
   FrameService& frames_;
+  Measurer& measurer_;
   ShownFramePtr frame_;
   QString frameFailure_;  // why the frame that is wanted cannot be shown
   std::optional<std::pair<SeriesKey, ViewKind>> showed_;

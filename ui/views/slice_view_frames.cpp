@@ -1,5 +1,3 @@
-#include <QKeyEvent>
-
 #include "ui/data/frame_series.h"
 #include "ui/views/cine_player.h"
 #include "ui/views/slice_view.h"
@@ -95,18 +93,6 @@ void SliceView::chooseGrey(const GreyChoice& choice) {
     SeriesState& state = w.series.at(this->state().series);
     state = withGrey(state, choice);
   });
-}
-
-// Keys that mean something else elsewhere in the window.
-bool SliceView::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride) {
-    const auto& key = static_cast<QKeyEvent&>(*event);
-    if (key.key() == Qt::Key_I && key.modifiers() == Qt::NoModifier) {
-      event->accept();
-      return true;
-    }
-  }
-  return View::event(event);
 }
 
 void SliceView::hideEvent(QHideEvent* event) {

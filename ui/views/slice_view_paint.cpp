@@ -3,6 +3,7 @@
 
 #include "ui/views/colour_bar.h"
 #include "ui/views/cross_lines.h"
+#include "ui/views/drawn_measurement.h"
 #include "ui/views/slice_view.h"
 #include "ui/views/view_overlays.h"
 #include "ui/widgets/warning_badge.h"
@@ -121,8 +122,9 @@ void SliceView::paintEvent(QPaintEvent*) {
       const FlatPress here = *pressAt({});
       paintCrossLines(painter, crossLines(here),
                       here.pixelAt(crosshairOf(session_.workspace(), *series()).at), rect());
+      paintMeasurements(painter, drawnMeasurements());
     }
-    paintOverlays(painter, overlays(), QRectF(rect()).adjusted(0, 0, -6, 0));
+    paintOverlays(painter, overlays(), overlayArea());
     paintStackBar(painter);
     if (!showsFrames()) paintColours(painter);
   } else if (!frameFailure_.isEmpty()) {

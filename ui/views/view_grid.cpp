@@ -32,8 +32,16 @@ std::vector<QRect> placesOf(Layout layout, std::size_t count, QSize area) {
 
 }  // namespace
 
-ViewGrid::ViewGrid(Session& session, SliceService& slices, FrameService& frames, QWidget* parent)
-    : QWidget(parent), session_(session), slices_(slices), frames_(frames), scene_(new VolumeView(session)) {
+ViewGrid::ViewGrid(Session& session, SliceService& slices, FrameService& frames, Measurer& measurer,
+                   QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      slices_(slices),
+      frames_(frames),
+      measurer_(measurer),
+      scene_(new VolumeView(session)),
+      tool_(&flatTool("window")),
+      toolBefore_(tool_) {
   setObjectName(QStringLiteral("viewGrid"));
   scene_->setParent(this);
   add(sceneViewId, scene_);
@@ -52,8 +60,22 @@ SliceView* ViewGrid::sliceView(ViewId id) const {
 }
 
 View* ViewGrid::viewOf(ViewId id) {
-  if (!views_.contains(id)) add(id, new SliceView(session_, slices_, frames_, id, this));
+  if (!views_.contains(id)) {
+    auto* made = new SliceView(session_, slices_, frames_, measurer_, id, this);
+    made->setTool(*tool_);
+    connect(made, &SliceView::toolWanted, this, &ViewGrid::setTool);
+    connect(made, &SliceView::toolDone, this, &ViewGrid::restoreTool);
+    add(id, made);
+  }
   return views_.at(id);
+}
+
+void ViewGrid::setTool(const FlatTool& tool) {
+  tool_ = &tool;
+  if (!tool.measuring) toolBefore_ = tool_;
+  for (const auto& [id, view] : views_)
+    if (auto* slice = qobject_cast<SliceView*>(view)) slice->setTool(tool);
+  Q_EMIT toolChanged();
 }
 
 void ViewGrid::add(ViewId id, View* view) {

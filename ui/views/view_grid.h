@@ -13,19 +13,26 @@ namespace volumen {
 class ViewGrid : public QWidget {
   Q_OBJECT
  public:
-  ViewGrid(Session& session, SliceService& slices, FrameService& frames, QWidget* parent = nullptr);
+  ViewGrid(Session& session, SliceService& slices, FrameService& frames, Measurer& measurer,
+           QWidget* parent = nullptr);
 
   VolumeView* sceneView() const { return scene_; }
   /// Null where it was never shown, or is the 3D one.
   SliceView* sliceView(ViewId id) const;
   /// Shows the view in focus alone, or all of the layout again.
   void setAlone(bool alone);
+  /// What the left button does in flat views.
+  void setTool(const FlatTool& tool);
+  const FlatTool& tool() const { return *tool_; }
+  /// The one before the last that measures.
+  void restoreTool() { setTool(*toolBefore_); }
 
  Q_SIGNALS:
   void maximiseRequested();
   void hovered(const QString& text);
   void dropped(const QMimeData& data);
   void menuRequested(volumen::SliceView* view, QPoint global);
+  void toolChanged();
 
  protected:
   void resizeEvent(QResizeEvent*) override;
@@ -38,7 +45,9 @@ class ViewGrid : public QWidget {
   Session& session_;
   SliceService& slices_;
   FrameService& frames_;
+  Measurer& measurer_;
   VolumeView* scene_;
+  const FlatTool *tool_, *toolBefore_;
   std::map<ViewId, View*> views_;
   std::optional<ViewId> alone_;
 };

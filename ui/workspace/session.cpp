@@ -162,6 +162,13 @@ void Session::setFocus(ViewId view) {
   setWorkspace(after);
 }
 
+void Session::select(int measurement) {
+  if (measurement == workspace_.selected) return;
+  Workspace after = workspace_;
+  after.selected = measurement;
+  setWorkspace(after);
+}
+
 void Session::prefer(const Preferences& preferences) {
   if (preferences == preferences_) return;
   const Preferences before = std::exchange(preferences_, preferences);

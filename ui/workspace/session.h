@@ -42,10 +42,10 @@ class Session : public QObject {
   /// The series of a view; null: none, or it is not in memory.
   ShownSeriesPtr seriesOf(ViewId view) const;
 
+  /// What is done to the workspace in the same step where a series was never shown before.
+  using Arrange = std::function<Workspace(Workspace)>;
   /// Puts a series into the view in focus (and its group), as it was left there, else by its first scene; one
   /// undo step, but for the first series of a workspace. Null: closes all, and forgets all steps.
-  /// `arrange`: done to the workspace in the same step where the series was never shown before.
-  using Arrange = std::function<Workspace(Workspace)>;
   void show(ShownSeriesPtr series);
   void show(ShownSeriesPtr series, ViewId view, const Arrange& arrange = {});
   /// Puts the frames of a series into a view, as withFrames() does; one undo step, but for the first series.
@@ -82,6 +82,8 @@ class Session : public QObject {
   void setGoal(const QString& text, const QualityGoal& after, const QString& mergeKey = {});
   /// Which view the panels work on: no step to undo.
   void setFocus(ViewId view);
+  /// Which measurement has handles, 0: none; no step either.
+  void select(int measurement);
 
   /// How the window is wanted: no part of the picture, and no step to undo.
   const Preferences& preferences() const { return preferences_; }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ui/data/series_key.h"
+#include "ui/workspace/measurement.h"
 #include "ui/workspace/quality_goal.h"
 #include "ui/workspace/view_id.h"
 #include "viewer/scene/scene.h"
@@ -120,6 +121,9 @@ struct Workspace {
   ViewId focus = sceneViewId;                   ///< the view that the panels work on
   QualityGoal goal;                             ///< of 3D pictures at rest
   std::map<std::string, Crosshair> crosshairs;  ///< by frame of reference
+  std::vector<Measurement> measurements;        ///< in the order in which they were made
+  bool measurementsShown = true;                ///< in flat views
+  int selected = 0;                             ///< the measurement with handles; 0: none
   bool operator==(const Workspace&) const = default;
 
   const ViewState& view(ViewId id) const { return views[std::size_t(id)]; }
@@ -165,7 +169,7 @@ ViewId framesViewOf(ViewId view);
 bool showsFrames(const Workspace& workspace, ViewId view);
 /// In another layout; the first view to compare, where it is empty, gets the series of the focus.
 Workspace withLayout(Workspace workspace, Layout layout);
-/// Without this series: views that show it are empty.
+/// Without this series and what was measured on it: views that show it are empty.
 Workspace without(Workspace workspace, const SeriesKey& key);
 
 }  // namespace volumen

@@ -96,6 +96,8 @@ Result<Measured> measureByKind(const Shape& shape, const Volume& volume, const s
       return measureRegion(shape, volume);
     case ShapeKind::probe:
       return measureProbe(shape, volume, valueUnit);
+    case ShapeKind::arrow:
+      return Error{"An arrow has no number."};
     case ShapeKind::volume:
       break;
   }

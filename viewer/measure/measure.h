@@ -32,7 +32,8 @@ struct Measured {
 
 /// Measures one shape on the voxels of a volume; `valueUnit` is that of its values (Series::unit). An Error
 /// where checkShape() refuses it, a region's point lies further off its plane than half a voxel along the
-/// normal, an arm of an angle has no length, a probe lies outside the volume's box, or `cancel` was asked
+/// normal, an arm of an angle has no length, an arrow is asked for its
+/// number, a probe lies outside the volume's box, or `cancel` was asked
 /// to.
 Result<Measured> measure(const Shape& shape, const Volume& volume, const std::string& valueUnit,
                          const CancelToken& cancel = {});

@@ -21,6 +21,7 @@ constexpr ShapeRule rules[] = {
     {ShapeKind::freehand, "freehand", 3, mostPoints, "its corners in order; the last is joined to the first",
      true},
     {ShapeKind::probe, "probe", 1, 1, "the place", false},
+    {ShapeKind::arrow, "arrow", 2, 2, "its tip, then its other end", false},
     {ShapeKind::volume, "volume", 0, 0, "none", false},
 };
 

@@ -10,8 +10,8 @@
 
 namespace volumen {
 
-/// The tools of slices.md 4.
-enum class ShapeKind { length, polyline, angle, cobb, ellipse, rectangle, freehand, probe, volume };
+/// The tools of slices.md 4, and an arrow, which points at something and has no number.
+enum class ShapeKind { length, polyline, angle, cobb, ellipse, rectangle, freehand, probe, arrow, volume };
 
 /// The plane that a shape is drawn on. Patient space.
 struct ShapePlane {

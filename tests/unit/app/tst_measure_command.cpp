@@ -80,6 +80,8 @@ void TestMeasureCommand::numbersOfEveryKind_data() {
   row("volume", R"({"kind": "volume", "range": [3, 6]})",
       R"({"number": 1.024, "unit": "ml", "voxels": 1024, "range": [3, 6], "valueUnit": null})");
   row("volume, open", R"({"kind": "volume", "range": [null, 6]})", R"({"voxels": 1792, "range": [null, 6]})");
+  row("arrow", R"({"kind": "arrow", "name": "here", "points": [[0, 0, 0], [9, 9, 0]]})",
+      R"({"name": "here", "problem": "An arrow has no number."})");
   row("a probe outside", R"({"kind": "probe", "points": [[99, 0, 0]]})",
       R"({"problem": "The point lies outside the volume."})");
 }

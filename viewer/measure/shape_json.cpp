@@ -1,9 +1,7 @@
-#include "app/shapes_json.h"
+#include "viewer/measure/shape_json.h"
 
 #include <cmath>
 #include <limits>
-
-#include "viewer/scene/json_fields.h"
 
 namespace volumen {
 
@@ -61,23 +59,14 @@ void readRange(JsonFields& fields, ValueRange& range) {
   }
 }
 
-Shape readShape(JsonFields fields) {
-  Shape shape;
-  shape.kind = readKind(fields);
-  fields.read("name", shape.name);
-  if (shape.kind == ShapeKind::volume) {
-    readRange(fields, shape.range);
-  } else {
-    readPoints(fields, shape.points);
-    if (auto plane = fields.object("plane")) shape.plane = readPlane(*plane);
-  }
-  fields.refuseOthers();
-  return shape;
-}
-
 ordered_json numbers(glm::dvec3 v) { return {v.x, v.y, v.z}; }
 
 ordered_json unitText(const std::string& unit) { return unit.empty() ? ordered_json() : ordered_json(unit); }
+
+ordered_json rangeToJson(const ValueRange& range) {
+  const auto end = [](double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(); };
+  return {end(range.low), end(range.high)};
+}
 
 void addRegion(ordered_json& out, const Measured& m) {
   out["voxels"] = m.values ? m.values->n : 0;
@@ -100,8 +89,7 @@ void addProbe(ordered_json& out, const Shape& shape, const Measured& m) {
 }
 
 void addVolume(ordered_json& out, const Shape& shape, const Measured& m) {
-  const auto end = [](double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(); };
-  out["range"] = {end(shape.range.low), end(shape.range.high)};
+  out["range"] = rangeToJson(shape.range);
   out["voxels"] = m.segment->voxels;
   out["drawn"] = *m.drawn;
   out["difference"] = *m.drawn - m.number;
@@ -109,6 +97,43 @@ void addVolume(ordered_json& out, const Shape& shape, const Measured& m) {
 }
 
 }  // namespace
+
+Shape readShape(JsonFields fields) {
+  Shape shape;
+  shape.kind = readKind(fields);
+  fields.read("name", shape.name);
+  if (shape.kind == ShapeKind::volume) {
+    readRange(fields, shape.range);
+  } else {
+    readPoints(fields, shape.points);
+    if (auto plane = fields.object("plane")) shape.plane = readPlane(*plane);
+  }
+  fields.refuseOthers();
+  return shape;
+}
+
+ordered_json shapeToJson(const Shape& shape) {
+  ordered_json out{{"kind", ruleOf(shape.kind).name}};
+  if (!shape.name.empty()) out["name"] = shape.name;
+  if (shape.kind == ShapeKind::volume) {
+    out["range"] = rangeToJson(shape.range);
+    return out;
+  }
+  for (const glm::dvec3 p : shape.points) out["points"].push_back(numbers(p));
+  if (shape.plane)
+    out["plane"] = {{"centre", numbers(shape.plane->centre)},
+                    {"right", numbers(shape.plane->right)},
+                    {"down", numbers(shape.plane->down)}};
+  return out;
+}
+
+std::string shapesToJson(const std::vector<Shape>& shapes) {
+  std::string text;
+  for (const Shape& shape : shapes)
+    text += (text.empty() ? "[" : ",\n ") +
+            shapeToJson(shape).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  return (text.empty() ? "[" : text) + "]\n";
+}
 
 Result<std::vector<Shape>> shapesFromJson(const std::string& text) {
   const auto parsed = parseJson(text);

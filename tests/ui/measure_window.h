@@ -1,0 +1,105 @@
+#pragma once
+
+#include <glm/geometric.hpp>
+
+#include "tests/ui/gestures.h"
+#include "tests/ui/journey.h"
+#include "tests/ui/test_series.h"
+#include "ui/views/drawn_measurement.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/measurement_text.h"
+#include "ui/workspace/measurements.h"
+
+namespace volumen::tests {
+
+/// A series of its own whose voxels are these.
+inline ShownSeriesPtr seriesOf(VolumePtr volume) {
+  auto series = std::make_shared<ShownSeries>(*ballSeries(2, 1));
+  series->volume = std::move(volume);
+  return series;
+}
+
+/// Where each kind is drawn, pixels of the view.
+inline std::vector<QPointF> placesOf(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::angle:
+      return {{60, 60}, {120, 90}, {100, 150}};
+    case ShapeKind::cobb:
+      return {{60, 60}, {130, 70}, {60, 140}, {120, 160}};
+    case ShapeKind::polyline:
+      return {{50, 50}, {90, 60}, {110, 120}, {60, 130}};
+    case ShapeKind::freehand:
+      return {{60, 60}, {120, 62}, {140, 110}, {100, 150}, {58, 120}};
+    case ShapeKind::probe:
+      return {{101, 97}};
+    default:
+      return {{70, 60}, {131, 111}};
+  }
+}
+
+/// All that a tool draws.
+inline const std::vector<ShapeKind> drawnKinds{ShapeKind::length,   ShapeKind::polyline, ShapeKind::angle,
+                                               ShapeKind::cobb,     ShapeKind::ellipse,  ShapeKind::rectangle,
+                                               ShapeKind::freehand, ShapeKind::probe,    ShapeKind::arrow};
+
+/// A window that shows a series in planes, and what a hand measures in them.
+struct MeasureWindow : Journey {
+  explicit MeasureWindow(const ShownSeriesPtr& series = ballSeries(32, 10, {3, -2, 4})) {
+    session().show(series);
+    child<QAction>("layoutPlanes")->trigger();
+    QCoreApplication::processEvents();
+    session().setFocus(axialViewId);  // as a press would: it is no step
+  }
+
+  Session& session() { return window.session(); }
+  SliceView* view(ViewId id = axialViewId) { return window.views()->sliceView(id); }
+  const std::vector<Measurement>& all() { return session().workspace().measurements; }
+  const Measurement& last() { return all().back(); }
+  glm::dvec3 patient(QPointF p, ViewId id = axialViewId) {
+    return view(id)->plane()->patientFromPixel({p.x(), p.y()});
+  }
+  void choose(ShapeKind kind) {
+    child<QAction>((std::string(ruleOf(kind).name) + "Tool").c_str())->trigger();
+  }
+
+  /// As radiologists draw it: lines and boxes by drags, the rest of an angle and of a polyline by clicks.
+  void draw(ShapeKind kind, const std::vector<QPointF>& p, ViewId id = axialViewId,
+            Qt::KeyboardModifiers keys = {}) {
+    choose(kind);
+    drawOn(kind, p, id, keys);
+  }
+
+  void drawOn(ShapeKind kind, const std::vector<QPointF>& p, ViewId id, Qt::KeyboardModifiers keys) {
+    SliceView* on = view(id);
+    const auto click = [&](QPointF at) { QTest::mouseClick(on, Qt::LeftButton, keys, at.toPoint()); };
+    if (kind == ShapeKind::freehand) {
+      QTest::mousePress(on, Qt::LeftButton, keys, p[0].toPoint());
+      for (const QPointF at : p) QTest::mouseEvent(QTest::MouseMove, on, Qt::LeftButton, keys, at.toPoint());
+      QTest::mouseRelease(on, Qt::LeftButton, keys, p.back().toPoint());
+      return;
+    }
+    if (kind == ShapeKind::probe || kind == ShapeKind::polyline) {
+      for (const QPointF at : p) click(at);
+      if (kind == ShapeKind::polyline) QTest::keyClick(on, Qt::Key_Return, keys);
+      return;
+    }
+    drag(on, p[0], p[1], Qt::LeftButton, keys);
+    if (p.size() == 3) click(p[2]);
+    if (p.size() == 4) drag(on, p[2], p[3], Qt::LeftButton, keys);
+  }
+
+  /// What is seen of a measurement in a view; without lines where nothing is.
+  DrawnMeasurement drawn(int measurement, ViewId id = axialViewId) {
+    for (const DrawnMeasurement& d : view(id)->drawnMeasurements())
+      if (d.id == measurement) return d;
+    return {};
+  }
+  Result<Measured> measured(const Measurement& m) {
+    const ShownSeriesPtr series = session().find(m.series);
+    return measure(m.shape, *series->volume, series->series.unit);
+  }
+  void undo() { child<QAction>("undo")->trigger(); }
+  void redo() { child<QAction>("redo")->trigger(); }
+};
+
+}  // namespace volumen::tests

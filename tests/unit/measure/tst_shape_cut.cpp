@@ -1,0 +1,131 @@
+// Guards what of a shape a flat view shows: all of it on its own slice, its cut in every other plane.
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "tests/fixtures/small_volumes.h"
+#include "tests/unit/suite.h"
+#include "viewer/measure/outline.h"
+#include "viewer/measure/shape_cut.h"
+
+using namespace volumen;
+using glm::dvec3;
+
+namespace {
+
+SlicePlane axialAt(double z) { return {.centre = {7, -3, z}}; }
+SlicePlane sagittalAt(double x) { return {.centre = {x, 1, 2}, .right = {0, 1, 0}, .down = {0, 0, -1}}; }
+
+Shape shapeOf(ShapeKind kind, std::vector<dvec3> points) {
+  Shape shape{kind, "", std::move(points), {}, {}};
+  if (ruleOf(kind).region) shape.plane = ShapePlane{shape.points[0], {1, 0, 0}, {0, 1, 0}};
+  return shape;
+}
+
+}  // namespace
+
+class TestShapeCut : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void seenOnItsSlice_data();
+  void seenOnItsSlice();
+  void cutByAnotherPlane_data();
+  void cutByAnotherPlane();
+  void anEllipsesEdge();
+  void aThickSlabShowsMore();
+};
+
+void TestShapeCut::seenOnItsSlice_data() {
+  QTest::addColumn<double>("z");
+  QTest::addColumn<bool>("seen");
+  QTest::newRow("on it") << 4.0 << true;
+  QTest::newRow("a little above") << 4.9 << true;
+  QTest::newRow("a little below") << 3.1 << true;
+  QTest::newRow("halfway above: this one") << 5.0 << true;
+  QTest::newRow("halfway below: the other one") << 3.0 << false;
+  QTest::newRow("on the next slice") << 6.0 << false;
+}
+
+// Slices 2 mm apart; each kind at z = 4.
+void TestShapeCut::seenOnItsSlice() {
+  QFETCH(double, z);
+  QFETCH(bool, seen);
+  const std::vector<dvec3> places{{0, 0, 4}, {3, 1, 4}, {5, 5, 4}, {-2, 4, 4}};
+  for (const ShapeRule& rule : shapeRules()) {
+    if (rule.kind == ShapeKind::volume) continue;
+    const Shape shape = shapeOf(rule.kind, {places.begin(), places.begin() + long(rule.fewest)});
+    const ShapeCut cut = cutOf(shape, axialAt(z), 1);
+    QVERIFY2(cut.whole == seen, rule.name);
+    QVERIFY2(cut.lines.empty() != seen, rule.name);
+    QCOMPARE(cut.lines.size(), std::size_t(!seen ? 0 : rule.kind == ShapeKind::cobb ? 2 : 1));
+  }
+}
+
+void TestShapeCut::cutByAnotherPlane_data() {
+  QTest::addColumn<Shape>("shape");
+  QTest::addColumn<std::vector<dvec3>>("ends");  // of the lines, each beside the other
+  using enum ShapeKind;
+  const auto row = [](const char* name, const Shape& shape, std::vector<dvec3> ends) {
+    QTest::newRow(name) << shape << ends;
+  };
+  const double half = 0.25, chord = std::sqrt(3.0) / 2;
+  row("rectangle", shapeOf(rectangle, {{-1, -2, 4}, {3, 5, 4}}), {{0.5, -2, 4}, {0.5, 5, 4}});
+  row("rectangle beside it", shapeOf(rectangle, {{1, -2, 4}, {3, 5, 4}}), {});
+  row("freehand with two arms",
+      shapeOf(freehand,
+              {{0, 0, 4}, {1, 0, 4}, {1, 1, 4}, {0.2, 1, 4}, {0.2, 3, 4}, {1, 3, 4}, {1, 4, 4}, {0, 4, 4}}),
+      {{0.5, 0, 4}, {0.5, 1, 4}, {0.5, 3, 4}, {0.5, 4, 4}});
+  row("ellipse", shapeOf(ellipse, {{0, -1, 4}, {2, 1, 4}}), {{0.5, -chord, 4}, {0.5, chord, 4}});
+  row("length across", shapeOf(length, {{-2, 0, 4}, {2, 0, 4}}), {{0.5 - half, 0, 4}, {0.5 + half, 0, 4}});
+  row("length that ends in it", shapeOf(length, {{-2, 0, 4}, {0.5, 0, 4}}),
+      {{0.5 - half, 0, 4}, {0.5, 0, 4}});
+  row("length beside it", shapeOf(length, {{-2, 0, 4}, {-1, 0, 4}}), {});
+  row("one arm of an angle", shapeOf(angle, {{0.5, 3, 4}, {0.5, 0, 4}, {4, 0, 4}}),
+      {{0.5, 3, 4}, {0.5, 0, 4}, {0.5, 0, 4}, {0.5 + half, 0, 4}});
+  row("probe beside it", shapeOf(probe, {{0, 0, 4}}), {});
+}
+
+// The plane x = 0.5, half a millimetre thick.
+void TestShapeCut::cutByAnotherPlane() {
+  QFETCH(Shape, shape);
+  QFETCH(std::vector<dvec3>, ends);
+  const ShapeCut cut = cutOf(shape, sagittalAt(0.5), 0.25);
+  QVERIFY(!cut.whole);
+  QCOMPARE(cut.lines.size(), ends.size() / 2);
+  // The ellipse's corners lie on it, so that its chords end inside by 1 - cos(1 degree) at most; the slab by
+  // its rounding.
+  const double within = shape.kind == ShapeKind::ellipse ? 4e-4 : 1e-6;
+  for (std::size_t n = 0; n < cut.lines.size(); ++n) {
+    const dvec3 a = cut.lines[n].front(), b = cut.lines[n].back();
+    const double direct = std::max(glm::length(a - ends[2 * n]), glm::length(b - ends[2 * n + 1]));
+    const double turned = std::max(glm::length(b - ends[2 * n]), glm::length(a - ends[2 * n + 1]));
+    const std::size_t other = ends.size() / 2 - 1 - n;
+    const double reversed = std::max(glm::length(b - ends[2 * other]), glm::length(a - ends[2 * other + 1]));
+    QVERIFY(std::min({direct, turned, reversed}) < within);
+  }
+}
+
+void TestShapeCut::anEllipsesEdge() {
+  const Shape ellipse = shapeOf(ShapeKind::ellipse, {{-3, 2, 4}, {5, 8, 4}});
+  const std::vector<dvec3> edge = edgeOf(ellipse);
+  QCOMPARE(int(edge.size()), ellipseCorners);
+  for (const dvec3 p : edge) {
+    const glm::dvec2 from((p.x - 1) / 4, (p.y - 5) / 3);
+    QVERIFY(std::abs(glm::length(from) - 1) < 1e-12 && p.z == 4);
+  }
+  QVERIFY(glm::length(middleOf(ellipse) - dvec3(1, 5, 4)) < 1e-12);
+  QVERIFY(glm::length(middleOf(shapeOf(ShapeKind::length, {{0, 0, 0}, {2, 4, 6}})) - dvec3(1, 2, 3)) < 1e-12);
+}
+
+void TestShapeCut::aThickSlabShowsMore() {
+  VoxelGeometry geometry;
+  geometry.size = {9, 9, 9};
+  geometry.patientFromVoxelStep[2] *= 3.0;
+  SlicePlane plane = axialAt(0);
+  QCOMPARE(seenWithin(plane, geometry), 1.5);
+  plane.slabMm = 10;
+  QCOMPARE(seenWithin(plane, geometry), 5.0);
+  QCOMPARE(seenWithin(sagittalAt(0), geometry), 0.5);
+}
+
+VOLUMEN_TEST(TestShapeCut);
+#include "tst_shape_cut.moc"

@@ -1,0 +1,60 @@
+// Guards measure.md: what is written of a shape is what is read again, to the bit, and an arrow has no
+// number.
+#include <limits>
+
+#include "tests/unit/suite.h"
+#include "viewer/measure/shape_json.h"
+
+using namespace volumen;
+
+class TestShapeJson : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void whatIsWrittenIsRead_data();
+  void whatIsWrittenIsRead();
+  void aListKeepsItsOrder();
+  void anArrowHasNoNumber();
+};
+
+void TestShapeJson::whatIsWrittenIsRead_data() {
+  QTest::addColumn<Shape>("shape");
+  const double third = 1.0 / 3, infinity = std::numeric_limits<double>::infinity();
+  for (const ShapeRule& rule : shapeRules()) {
+    Shape shape{rule.kind, "a \"name\", \xc3\xa9", {}, {}, {}};
+    for (std::size_t n = 0; n < rule.fewest; ++n)
+      shape.points.push_back({third * double(n), -1e-300, 123456.789 + double(n * n)});
+    if (rule.region) shape.plane = ShapePlane{{third, 2, 3}, {0.6, 0.8, 0}, {0, 0, -1}};
+    if (rule.kind == ShapeKind::volume) shape.range = {-infinity, third};
+    QTest::newRow(rule.name) << shape;
+  }
+  QTest::newRow("no name") << Shape{ShapeKind::probe, "", {{0, 0, 0}}, {}, {}};
+}
+
+void TestShapeJson::whatIsWrittenIsRead() {
+  QFETCH(Shape, shape);
+  const auto read = shapesFromJson(shapesToJson({shape}));
+  QVERIFY2(read.ok(), read.ok() ? "" : read.message().c_str());
+  QCOMPARE(read->size(), std::size_t(1));
+  QVERIFY(read->front() == shape);
+}
+
+void TestShapeJson::aListKeepsItsOrder() {
+  std::vector<Shape> shapes;
+  for (int n = 0; n < 5; ++n)
+    shapes.push_back({ShapeKind::length, std::to_string(n), {{n, 0, 0}, {0, 1, 2}}, {}, {}});
+  QVERIFY(*shapesFromJson(shapesToJson(shapes)) == shapes);
+  QVERIFY(shapesFromJson(shapesToJson({}))->empty());
+}
+
+void TestShapeJson::anArrowHasNoNumber() {
+  const Shape arrow{ShapeKind::arrow, "here", {{0, 0, 0}, {1, 0, 0}}, {}, {}};
+  std::vector<std::string> warnings;
+  VolumeParts parts;
+  parts.values = std::vector<float>(1);
+  const auto json = measuredToJson(arrow, measure(arrow, **Volume::make(std::move(parts), warnings), "HU"));
+  QVERIFY(!json.contains("number"));
+  QCOMPARE(json["problem"].get<std::string>(), std::string("An arrow has no number."));
+}
+
+VOLUMEN_TEST(TestShapeJson);
+#include "tst_shape_json.moc"

@@ -1,0 +1,174 @@
+// Guards how measurements read: numbers with their units, lists as text and CSV; and the handles of shapes.
+#include <glm/geometric.hpp>
+
+#include "tests/unit/suite.h"
+#include "ui/workspace/measurement_text.h"
+#include "ui/workspace/measurements.h"
+
+using namespace volumen;
+
+namespace {
+
+Measured numberOf(double number, const char* unit) {
+  Measured m;
+  m.number = number;
+  m.unit = unit;
+  m.valueUnit = "HU";
+  return m;
+}
+
+Measured regionOf(double area, std::optional<ValueStatistics> values) {
+  Measured m = numberOf(area, "mm^2");
+  m.values = values;
+  return m;
+}
+
+Shape shapeOf(ShapeKind kind, std::vector<glm::dvec3> points = {{0, 0, 0}}) {
+  Shape shape{kind, "", std::move(points), {}, {}};
+  if (ruleOf(kind).region) shape.plane = ShapePlane{};
+  return shape;
+}
+
+}  // namespace
+
+class TestMeasurementText : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void numbersRead_data();
+  void numbersRead();
+  void linesSayNumbersWithUnits_data();
+  void linesSayNumbersWithUnits();
+  void hoverSaysHowSure();
+  void asText();
+  void asCsv();
+  void handlesKeepBoxes();
+};
+
+void TestMeasurementText::numbersRead_data() {
+  QTest::addColumn<double>("number");
+  QTest::addColumn<QString>("text");
+  const auto row = [](double number, const char* text) {
+    QTest::newRow(text) << number << QString::fromLatin1(text);
+  };
+  row(0, "0");
+  row(123.456, "123.5");
+  row(23.44, "23.4");
+  row(-853.26, "-853.3");
+  row(1.2345, "1.23");
+  row(0.98765, "0.988");
+  row(0.0012345, "0.00123");
+  row(-0.00056789, "-0.000568");
+  row(1234567.89, "1234567.9");
+  row(-1024, "-1024");
+}
+
+void TestMeasurementText::numbersRead() {
+  QFETCH(double, number);
+  QFETCH(QString, text);
+  QCOMPARE(numberText(number), text);
+}
+
+void TestMeasurementText::linesSayNumbersWithUnits_data() {
+  QTest::addColumn<Shape>("shape");
+  QTest::addColumn<Result<Measured>>("measured");
+  QTest::addColumn<QStringList>("lines");
+  const auto row = [](const char* name, ShapeKind kind, const Result<Measured>& measured, const char* lines) {
+    QTest::newRow(name) << shapeOf(kind) << measured
+                        << QString::fromUtf8(lines).split(QLatin1Char('|'), Qt::SkipEmptyParts);
+  };
+  using enum ShapeKind;
+  row("length", length, numberOf(23.44, "mm"), "23.4 mm");
+  row("length in pixels", length, numberOf(23.44, "px"), "23.4 px");
+  row("angle", angle, numberOf(45, "degrees"), "45.0\u00b0");
+  row("HU", probe, numberOf(45, "HU"), "45 HU");
+  row("SUV", probe, numberOf(2.345, "SUV"), "2.35 SUV");
+  row("no unit", probe, numberOf(0.00123, ""), "0.00123");
+  row("region", ellipse, regionOf(78.54, ValueStatistics{1200, 45.24, 3.05, -5, 99}),
+      "Area 78.5 mm\u00b2|Mean 45.2, SD 3.05 HU|Min -5, max 99 HU|1,200 voxels");
+  row("one voxel", ellipse, regionOf(1, ValueStatistics{1, 7, 0, 7, 7}),
+      "Area 1 mm\u00b2|Mean 7, SD 0 HU|Min 7, max 7 HU|1 voxel");
+  row("no voxel", rectangle, regionOf(0.04, {}), "Area 0.0400 mm\u00b2|no voxel inside");
+  row("no number", angle, Error{"There is no angle."}, "There is no angle.");
+  row("arrow", arrow, Error{"An arrow has no number."}, "");
+}
+
+void TestMeasurementText::linesSayNumbersWithUnits() {
+  QFETCH(Shape, shape);
+  QFETCH(Result<Measured>, measured);
+  QFETCH(QStringList, lines);
+  QCOMPARE(measuredLines(shape, measured), lines);
+}
+
+void TestMeasurementText::hoverSaysHowSure() {
+  Series series;
+  series.modality = "CT";
+  series.description = "Chest";
+  Measured m = numberOf(23.44, "px");
+  m.plusMinus = 0.61;
+  const Measurement length{4, {}, shapeOf(ShapeKind::length), {}};
+  QCOMPARE(detailText(length, m, series),
+           QStringLiteral("Length 4: 23.4 \u00b1 0.610 px, not calibrated, from CT Chest"));
+  Measured probed = numberOf(45, "HU");
+  probed.voxel = ProbedVoxel{{1, 2, 3}, {}, false};
+  const Measurement probe{5, {}, shapeOf(ShapeKind::probe), {}};
+  QCOMPARE(detailText(probe, probed, series), QStringLiteral("Probe 5: 45 HU, voxel 1, 2, 3, from CT Chest"));
+}
+
+void TestMeasurementText::asText() {
+  Series series;
+  series.modality = "MR";
+  const Result<Measured> measured = numberOf(12.5, "mm");
+  Measurement named{1, {}, shapeOf(ShapeKind::length), {}};
+  named.shape.name = "aorta";
+  const Measurement arrow{2, {}, shapeOf(ShapeKind::arrow), {}};
+  QCOMPARE(measurementsAsText({{named, &measured, &series}, {arrow, nullptr, nullptr}}),
+           QStringLiteral("aorta: 12.5 mm (MR)\nArrow 2\n"));
+}
+
+void TestMeasurementText::asCsv() {
+  Series series;
+  series.modality = "CT";
+  Measurement named{1, {}, shapeOf(ShapeKind::length, {{0.1, -2, 3}, {4, 5, 6}}), {}};
+  named.shape.name = "a \"big\", one";
+  Measured length = numberOf(1.0 / 3, "mm");
+  length.plusMinus = 0.5;
+  const Measurement region{2, {}, shapeOf(ShapeKind::ellipse), {}};
+  const Result<Measured> lengths(length), regions(regionOf(2, ValueStatistics{3, 1.5, 0.5, 1, 2})),
+      none(regionOf(2, {}));
+  const Measurement arrow{3, {}, shapeOf(ShapeKind::arrow), {}};
+  const QStringList lines = measurementsAsCsv({{named, &lengths, &series},
+                                               {region, &regions, &series},
+                                               {region, &none, &series},
+                                               {region, nullptr, nullptr},
+                                               {arrow, nullptr, &series}})
+                                .split(QStringLiteral("\r\n"));
+  QCOMPARE(lines.size(), 7);
+  QCOMPARE(lines[0].count(QLatin1Char(',')), 13);
+  QCOMPARE(
+      lines[1],
+      QStringLiteral("\"a \"\"big\"\", one\",length,0.3333333333333333,mm,0.5,,,,,,,,CT,0.1 -2 3; 4 5 6"));
+  QCOMPARE(lines[2], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,1.5,0.5,1,2,3,HU,,CT,0 0 0"));
+  QCOMPARE(lines[3], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,,,,,,,no voxel inside,CT,0 0 0"));
+  QCOMPARE(lines[4], QStringLiteral("Ellipse 2,ellipse,,,,,,,,,,not measured yet,,0 0 0"));
+  QCOMPARE(lines[5], QStringLiteral("Arrow 3,arrow,,,,,,,,,,,CT,0 0 0"));
+}
+
+void TestMeasurementText::handlesKeepBoxes() {
+  Shape box = shapeOf(ShapeKind::rectangle, {{1, 2, 7}, {5, 4, 7}});
+  box.plane->centre.z = 7;
+  const std::vector<glm::dvec3> handles = handlesOf(box);
+  QCOMPARE(handles.size(), std::size_t(4));
+  for (std::size_t n = 0; n < 4; ++n) {
+    const Shape moved = withHandleAt(box, n, handles[n] + glm::dvec3(0.5, 0.25, 3));  // off the plane, too
+    const std::vector<glm::dvec3> now = handlesOf(moved);
+    const auto holds = [&](glm::dvec3 p) {
+      return std::ranges::any_of(now, [&](glm::dvec3 q) { return glm::length(p - q) < 1e-12; });
+    };
+    QVERIFY(holds(handles[(n + 2) % 4]));
+    QVERIFY(holds(handles[n] + glm::dvec3(0.5, 0.25, 0)));
+  }
+  QVERIFY(withHandleAt(box, 9, {0, 0, 0}) == box);
+}
+
+VOLUMEN_TEST(TestMeasurementText);
+#include "tst_measurement_text.moc"

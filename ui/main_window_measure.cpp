@@ -1,0 +1,113 @@
+#include <QActionGroup>
+#include <QMenu>
+#include <QToolButton>
+
+#include "ui/controller/measurer.h"
+#include "ui/main_window.h"
+#include "ui/panels/measurements_panel.h"
+#include "ui/theme.h"
+#include "ui/views/view_grid.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/status_line.h"
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/measurements.h"
+#include "viewer/measure/shape_cut.h"
+
+namespace volumen {
+
+namespace {
+
+// Frames are not measured on.
+bool showsSlices(const Workspace& workspace, ViewId id) {
+  const ViewKind kind = workspace.view(id).kind;
+  return kind != ViewKind::volume && kind != ViewKind::frames;
+}
+
+// The flat view that shows a series, else the one in focus, else the first; none on screen: none.
+std::optional<ViewId> flatViewFor(const Workspace& workspace, const SeriesKey& series) {
+  std::optional<ViewId> best;
+  for (const ViewId id : viewsOnScreen(workspace)) {
+    if (!showsSlices(workspace, id)) continue;
+    if (workspace.view(id).series == series) return id;
+    if (!best || id == workspace.focus) best = id;
+  }
+  return best;
+}
+
+}  // namespace
+
+// Their keys mean views in 3D: flat views hear them themselves, the menu only tells them.
+void MainWindow::makeMeasureActions() {
+  measureMenu_ = new QMenu(tr("Measure"), this);
+  auto* group = new QActionGroup(this);
+  group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+  for (const FlatTool& tool : flatTools()) {
+    if (!tool.measuring) continue;
+    const QString name = QLatin1String(tool.name);
+    const QString key = tool.key ? QLatin1Char('\t') + QKeySequence(tool.key).toString() : QString();
+    auto* action = new QAction(tool.text + key, group);
+    action->setObjectName(name + QStringLiteral("Tool"));
+    action->setCheckable(true);
+    action->setToolTip(tool.text);
+    action->setProperty("iconName", QStringLiteral("measure-") + name);
+    connect(action, &QAction::triggered, this, [this, &tool](bool on) {
+      if (!on) return grid_->restoreTool();
+      grid_->setTool(tool);
+      if (!flatViewFor(session_.workspace(), {}))
+        status_->tell(tr("Measuring works in slices: choose a layout with planes (Alt+2)."));
+    });
+    connect(grid_, &ViewGrid::toolChanged, action,
+            [this, action, &tool] { action->setChecked(&grid_->tool() == &tool); });
+    actions_[action->objectName()] = action;
+    measureMenu_->addAction(action);
+  }
+  QAction* menu = measureMenu_->menuAction();
+  menu->setObjectName(QStringLiteral("measure"));
+  const auto showTool = [this, menu] {
+    const QString name = QStringLiteral("measure");
+    const FlatTool& tool = grid_->tool();
+    menu->setProperty("iconName", tool.measuring ? name + QLatin1Char('-') + QLatin1String(tool.name) : name);
+    menu->setIcon(icon(menu->property("iconName").toString()));
+  };
+  connect(grid_, &ViewGrid::toolChanged, menu, showTool);
+  showTool();
+  actions_[menu->objectName()] = menu;
+}
+
+QWidget* MainWindow::makeMeasureButton() {
+  auto* button = new QToolButton;
+  button->setObjectName(QStringLiteral("measureButton"));
+  button->setDefaultAction(measureMenu_->menuAction());
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setPopupMode(QToolButton::InstantPopup);
+  return button;
+}
+
+void MainWindow::connectMeasurements(MeasurementsPanel* panel) {
+  connect(panel, &MeasurementsPanel::jumpRequested, this, &MainWindow::showMeasurement);
+  connect(panel, &MeasurementsPanel::saved, this,
+          [this](const QString& path) { status_->tell(tr("Saved %1").arg(path)); });
+  connect(panel, &MeasurementsPanel::failed, this,
+          [this](const QString& sentence) { banner_->tell(sentence); });
+}
+
+// In the flat view that shows its series, else in the one in focus.
+void MainWindow::showMeasurement(int id) {
+  const Measurement* found = findMeasurement(session_.workspace(), id);
+  if (!found || found->shape.points.empty()) return;
+  const Measurement m = *found;
+  const Series series = *session_.workspace().series.at(m.series).series;
+  session_.endGesture();
+  if (!flatViewFor(session_.workspace(), m.series))
+    session_.change(tr("Layout"), withLayout(session_.workspace(), Layout::planes));
+  const ViewId view = *flatViewFor(session_.workspace(), m.series);
+  session_.setFocus(view);
+  if (session_.workspace().view(view).series != m.series) showInFocus(series);
+  session_.change(tr("Go to measurement"), [&](Workspace& w) {
+    w.crosshairs[frameOfReference(series)].at = middleOf(m.shape);
+    w.measurementsShown = true;
+    w.selected = m.id;
+  });
+}
+
+}  // namespace volumen

@@ -1,0 +1,250 @@
+#include "ui/panels/measurements_panel.h"
+
+#include <QClipboard>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QMenu>
+#include <QSaveFile>
+#include <QShortcut>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "ui/workspace/measurements.h"
+#include "ui/workspace/text.h"
+#include "viewer/measure/shape_json.h"
+
+namespace volumen {
+
+namespace {
+
+enum Column { nameColumn, numberColumn, seriesColumn };
+constexpr qint64 mostBytes = 16 << 20;  // of a file of shapes, as `volumen measure` takes them
+
+QToolButton* button(const char* name, const QString& text) {
+  auto* made = new QToolButton;
+  made->setObjectName(QLatin1String(name));
+  made->setText(text);
+  return made;
+}
+
+}  // namespace
+
+MeasurementsPanel::MeasurementsPanel(Session& session, Measurer& measurer, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      measurer_(measurer),
+      empty_(new QLabel(tr("Choose a tool under Measure (D: length, E: ellipse), then drag in a slice."))),
+      list_(new QTreeWidget),
+      shown_(new QCheckBox(tr("Show"))),
+      rename_(button("measurementRename", tr("Rename"))),
+      delete_(button("measurementDelete", tr("Delete"))),
+      deleteAll_(button("measurementDeleteAll", tr("Delete all"))),
+      copy_(menuButton("measurementCopy", tr("Copy"))),
+      save_(menuButton("measurementSave", tr("Save"))),
+      open_(button("measurementOpen", tr("Open..."))) {
+  makeLayout();
+  fillMenus();
+  connect(&session_, &Session::workspaceChanged, this, &MeasurementsPanel::showAll);
+  connect(&session_, &Session::preferencesChanged, this, &MeasurementsPanel::showAll);
+  connect(&measurer_, &Measurer::measured, this, &MeasurementsPanel::showAll);
+  connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+    if (item) session_.select(item->data(nameColumn, Qt::UserRole).toInt());
+  });
+  connect(list_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
+    Q_EMIT jumpRequested(item->data(nameColumn, Qt::UserRole).toInt());
+  });
+  connect(list_, &QTreeWidget::itemChanged, this, &MeasurementsPanel::rename);
+  connect(shown_, &QCheckBox::clicked, this, [this](bool on) { showMeasurements(session_, on); });
+  connect(rename_, &QToolButton::clicked, this,
+          [this] { list_->editItem(list_->currentItem(), nameColumn); });
+  const auto deleteSelected = [this] {
+    if (selectedId() > 0) deleteMeasurement(session_, selectedId());
+  };
+  connect(delete_, &QToolButton::clicked, this, deleteSelected);
+  auto* key = new QShortcut(Qt::Key_Delete, list_, nullptr, nullptr, Qt::WidgetShortcut);
+  connect(key, &QShortcut::activated, this, deleteSelected);
+  connect(deleteAll_, &QToolButton::clicked, this, [this] { deleteAllMeasurements(session_); });
+  connect(open_, &QToolButton::clicked, this, &MeasurementsPanel::askWhatToOpen);
+  showAll();
+}
+
+void MeasurementsPanel::makeLayout() {
+  empty_->setObjectName(QStringLiteral("measurementsEmpty"));
+  empty_->setWordWrap(true);
+  list_->setObjectName(QStringLiteral("measurementList"));
+  list_->setAccessibleName(tr("Measurements"));
+  list_->setHeaderLabels({tr("Name"), tr("Number"), tr("Series")});
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(true);
+  list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // what is cut off stands in the tooltip
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setSectionResizeMode(numberColumn, QHeaderView::Stretch);
+  list_->header()->resizeSection(nameColumn, 100);
+  list_->header()->resizeSection(seriesColumn, 80);
+  list_->setMinimumHeight(60);
+  shown_->setObjectName(QStringLiteral("measurementsShown"));
+  shown_->setToolTip(tr("Show measurements in slices"));
+  open_->setToolTip(tr("Add the shapes of a file to the series in focus"));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  for (QWidget* part : {static_cast<QWidget*>(shown_), static_cast<QWidget*>(rename_),
+                        static_cast<QWidget*>(delete_), static_cast<QWidget*>(deleteAll_)})
+    row->addWidget(part);
+  row->addStretch();
+  auto* files = new QHBoxLayout;
+  files->setSpacing(4);
+  for (QToolButton* part : {copy_, save_, open_}) files->addWidget(part);
+  files->addStretch();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(4);
+  column->addWidget(empty_);
+  column->addWidget(list_, 1);
+  column->addLayout(row);
+  column->addLayout(files);
+}
+
+QToolButton* MeasurementsPanel::menuButton(const char* name, const QString& text) {
+  QToolButton* made = button(name, text);
+  made->setPopupMode(QToolButton::InstantPopup);
+  made->setMenu(new QMenu(made));
+  return made;
+}
+
+void MeasurementsPanel::fillMenus() {
+  const auto add = [](QToolButton* to, const char* name, const QString& text, auto run) {
+    to->menu()->addAction(text, to, run)->setObjectName(QLatin1String(name));
+  };
+  add(copy_, "copyMeasurementsText", tr("As text"), [this] { copy(measurementsAsText(rows())); });
+  add(copy_, "copyMeasurementsCsv", tr("As CSV"), [this] { copy(measurementsAsCsv(rows())); });
+  add(save_, "saveMeasurementsCsv", tr("Numbers as CSV..."), [this] {
+    askWhere(tr("Save numbers"), QStringLiteral("csv"), [this] { return measurementsAsCsv(rows()); });
+  });
+  add(save_, "saveShapes", tr("Shapes of the series in focus as JSON..."),
+      [this] { askWhere(tr("Save shapes"), QStringLiteral("json"), [this] { return shapesText(); }); });
+}
+
+// Rows stay the items they are, so that a name that is being typed stays in its field.
+void MeasurementsPanel::showAll() {
+  const Workspace& workspace = session_.workspace();
+  const QSignalBlocker quiet(list_);
+  const int count = int(workspace.measurements.size());
+  while (list_->topLevelItemCount() > count) delete list_->takeTopLevelItem(count);
+  QTreeWidgetItem* selected = nullptr;
+  for (int n = 0; n < count; ++n) {
+    QTreeWidgetItem* item = list_->topLevelItem(n);
+    if (!item) item = new QTreeWidgetItem(list_);
+    const Measurement& m = workspace.measurements[std::size_t(n)];
+    showRow(item, m);
+    if (m.id == workspace.selected) selected = item;
+  }
+  list_->setCurrentItem(selected);
+  empty_->setVisible(count == 0);
+  list_->setVisible(count > 0);
+  shown_->setChecked(workspace.measurementsShown);
+  for (QWidget* part : {static_cast<QWidget*>(shown_), static_cast<QWidget*>(deleteAll_),
+                        static_cast<QWidget*>(copy_), static_cast<QWidget*>(save_)})
+    part->setEnabled(count > 0);
+  for (QToolButton* part : {rename_, delete_}) part->setEnabled(selected != nullptr);
+  open_->setEnabled(!seriesInFocus().empty());
+}
+
+void MeasurementsPanel::showRow(QTreeWidgetItem* item, const Measurement& measurement) {
+  const auto state = session_.workspace().series.find(measurement.series);
+  const MeasuredPtr numbers = measurer_.numbersOf(measurement);
+  const QString number = numbers ? measuredText(measurement.shape, *numbers) : tr("not measured yet");
+  item->setFlags(item->flags() | Qt::ItemIsEditable);
+  item->setData(nameColumn, Qt::UserRole, measurement.id);
+  item->setText(nameColumn, nameText(measurement));
+  item->setToolTip(nameColumn, nameText(measurement));
+  item->setText(numberColumn, number);
+  item->setToolTip(numberColumn, number);
+  if (state == session_.workspace().series.end()) return;
+  item->setText(seriesColumn, seriesText(*state->second.series));
+  item->setToolTip(seriesColumn, item->text(seriesColumn));
+}
+
+int MeasurementsPanel::selectedId() const {
+  const QTreeWidgetItem* item = list_->currentItem();
+  return item ? item->data(nameColumn, Qt::UserRole).toInt() : 0;
+}
+
+std::vector<MeasuredRow> MeasurementsPanel::rows() {
+  const Workspace& workspace = session_.workspace();
+  std::vector<MeasuredRow> rows;
+  held_.clear();
+  for (const Measurement& m : workspace.measurements) {
+    const auto state = workspace.series.find(m.series);
+    held_.push_back(measurer_.exactNumbersOf(m));
+    rows.push_back(
+        {m, held_.back().get(), state == workspace.series.end() ? nullptr : state->second.series.get()});
+  }
+  return rows;
+}
+
+// What stands there by itself is no name.
+void MeasurementsPanel::rename(QTreeWidgetItem* item) {
+  const int id = item->data(nameColumn, Qt::UserRole).toInt();
+  const Measurement* m = findMeasurement(session_.workspace(), id);
+  if (m && item->text(nameColumn) != nameText(*m))
+    renameMeasurement(session_, id, item->text(nameColumn));
+  else
+    showAll();
+}
+
+void MeasurementsPanel::copy(const QString& text) { QGuiApplication::clipboard()->setText(text); }
+
+SeriesKey MeasurementsPanel::seriesInFocus() const {
+  return session_.workspace().view(session_.workspace().focus).series;
+}
+
+QString MeasurementsPanel::shapesText() const {
+  std::vector<Shape> shapes;
+  for (const Measurement& m : session_.workspace().measurements)
+    if (m.series == seriesInFocus()) shapes.push_back(m.shape);
+  return QString::fromStdString(shapesToJson(shapes));
+}
+
+void MeasurementsPanel::askWhere(const QString& title, const QString& suffix,
+                                 const std::function<QString()>& text) {
+  auto* dialog = new QFileDialog(this, title, {}, QStringLiteral("*.%1").arg(suffix));
+  dialog->setObjectName(QStringLiteral("measurementSaveDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(suffix);
+  dialog->selectFile(QStringLiteral("measurements.%1").arg(suffix));
+  connect(dialog, &QFileDialog::fileSelected, this, [this, text](const QString& path) {
+    QSaveFile file(path);
+    const QByteArray bytes = text().toUtf8();
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+      Q_EMIT failed(tr("Cannot write %1: %2.").arg(path, file.errorString()));
+    else
+      Q_EMIT saved(path);
+  });
+  dialog->open();
+}
+
+void MeasurementsPanel::askWhatToOpen() {
+  auto* dialog = new QFileDialog(this, tr("Open shapes"), {}, QStringLiteral("*.json"));
+  dialog->setObjectName(QStringLiteral("measurementOpenDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &MeasurementsPanel::openShapes);
+  dialog->open();
+}
+
+void MeasurementsPanel::openShapes(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly))
+    return Q_EMIT failed(tr("Cannot read %1: %2.").arg(path, file.errorString()));
+  if (file.size() > mostBytes) return Q_EMIT failed(tr("Cannot read %1: it is larger than 16 MB.").arg(path));
+  const Result<std::vector<Shape>> shapes = shapesFromJson(file.readAll().toStdString());
+  if (!shapes)
+    return Q_EMIT failed(QStringLiteral("%1: %2").arg(path, QString::fromStdString(shapes.message())));
+  addMeasurements(session_, seriesInFocus(), *shapes);
+}
+
+}  // namespace volumen

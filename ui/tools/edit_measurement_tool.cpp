@@ -1,0 +1,48 @@
+#include <QCoreApplication>
+
+#include "ui/tools/flat_tool.h"
+#include "ui/workspace/measurements.h"
+
+namespace volumen {
+
+namespace {
+
+// Moves a part of a measurement by as much as the pointer, from where it was at the press.
+class MeasurementDrag : public Drag {
+ public:
+  MeasurementDrag(const FlatPress& press, const MeasurementHit& hit)
+      : press_(press), hit_(hit), atPress_(*findMeasurement(press.session.workspace(), hit.id)) {}
+
+  void moveTo(QPointF p, Qt::KeyboardModifiers) override {
+    const glm::dvec3 mm = press_.patientAt(p) - press_.patientAt(press_.at);
+    editMeasurement(press_.session, hit_.id, text(), [&](Measurement& m) {
+      m = atPress_;
+      if (hit_.part == MeasurementPart::text)
+        m.textOffset = hit_.textOffset + mm;
+      else if (hit_.part == MeasurementPart::handle)
+        m.shape = withHandleAt(m.shape, hit_.handle, handlesOf(m.shape)[hit_.handle] + mm);
+      else
+        m.shape = movedBy(m.shape, mm);
+    });
+  }
+
+ private:
+  QString text() const {
+    return hit_.part == MeasurementPart::text ? QCoreApplication::translate("volumen", "Move text")
+           : hit_.part == MeasurementPart::handle
+               ? QCoreApplication::translate("volumen", "Change measurement")
+               : QCoreApplication::translate("volumen", "Move measurement");
+  }
+
+  const FlatPress press_;
+  const MeasurementHit hit_;
+  const Measurement atPress_;
+};
+
+}  // namespace
+
+std::unique_ptr<Drag> beginMeasurementEdit(const FlatPress& press, const MeasurementHit& hit) {
+  return std::make_unique<MeasurementDrag>(press, hit);
+}
+
+}  // namespace volumen

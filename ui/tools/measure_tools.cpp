@@ -1,0 +1,103 @@
+#include <QCoreApplication>
+#include <glm/geometric.hpp>
+
+#include "ui/tools/flat_tool.h"
+#include "ui/workspace/measurement_text.h"
+#include "ui/workspace/measurements.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr double clickPixels = 3;     // logical; a shorter way is a click and no drag
+constexpr double freehandPixels = 3;  // logical, from one point of an outline to the next
+
+// Draws a shape point by point. The last point follows the pointer until it is released away from the one
+// before, so that a line is made by a drag as by two clicks.
+class ShapeDrag : public Drag {
+ public:
+  ShapeDrag(const FlatPress& press, ShapeKind kind) : press_(press), rule_(ruleOf(kind)) {
+    drawn_.id = -1 - press.view;  // none of the workspace's
+    drawn_.series = keyOf(press.series->series);
+    drawn_.shape.kind = kind;
+    if (rule_.region)
+      drawn_.shape.plane = ShapePlane{press.plane.centre, press.plane.right, press.plane.down};
+    beginLine(press.at);
+  }
+
+  void moveTo(QPointF p, Qt::KeyboardModifiers) override {
+    if (!following_) return;
+    points().back() = press_.patientAt(p);
+    if (rule_.kind == ShapeKind::freehand && points().size() < rule_.most && lastSegment() >= freehandPixels)
+      points().push_back(points().back());
+  }
+
+  void press(QPointF p) override { following_ ? moveTo(p, {}) : beginLine(p); }
+
+  bool release(QPointF p) override {
+    moveTo(p, {});
+    if (rule_.kind == ShapeKind::freehand) return points().size() < rule_.fewest || complete();
+    if (rule_.most > 1 && lastSegment() < clickPixels) return false;
+    if (points().size() == rule_.most) return complete();
+    following_ = rule_.kind != ShapeKind::cobb;  // its second line begins with a press of its own
+    if (following_) points().push_back(points().back());
+    return false;
+  }
+
+  bool finish() override {
+    if (rule_.kind != ShapeKind::polyline) return false;
+    points().pop_back();
+    return points().size() < rule_.fewest || complete();
+  }
+
+  const Measurement* drawing() const override { return &drawn_; }
+
+ private:
+  std::vector<glm::dvec3>& points() { return drawn_.shape.points; }
+
+  // Both its ends, the second one to follow the pointer.
+  void beginLine(QPointF p) {
+    points().push_back(press_.patientAt(p));
+    if (rule_.most > 1) points().push_back(points().back());
+    following_ = true;
+  }
+
+  // Logical pixels from the last point but one to the last.
+  double lastSegment() {
+    const auto last = points().end() - 1;
+    return glm::length(*last - *(last - 1)) / (press_.plane.mmPerPixel * press_.pixelRatio);
+  }
+
+  bool complete() {
+    press_.session.endGesture();
+    addMeasurement(press_.session, drawn_.series, drawn_.shape);
+    return true;
+  }
+
+  const FlatPress press_;
+  const ShapeRule& rule_;
+  Measurement drawn_;
+  bool following_ = false;  // the last point follows the pointer
+};
+
+template <ShapeKind kind>
+std::unique_ptr<Drag> beginShape(const FlatPress& press) {
+  return std::make_unique<ShapeDrag>(press, kind);
+}
+
+template <ShapeKind kind>
+FlatTool measuringTool(int key) {
+  return {ruleOf(kind).name, kindText(kind), Qt::CrossCursor, beginShape<kind>, key, true};
+}
+
+}  // namespace
+
+std::vector<FlatTool> measuringTools() {
+  using enum ShapeKind;
+  return {
+      measuringTool<length>(Qt::Key_D), measuringTool<polyline>(0),        measuringTool<angle>(Qt::Key_A),
+      measuringTool<cobb>(0),           measuringTool<ellipse>(Qt::Key_E), measuringTool<rectangle>(0),
+      measuringTool<freehand>(0),       measuringTool<probe>(Qt::Key_P),   measuringTool<arrow>(Qt::Key_T)};
+}
+
+}  // namespace volumen

@@ -1,0 +1,190 @@
+#include "ui/views/drawn_measurement.h"
+
+#include <QLineF>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/workspace/measurements.h"
+#include "viewer/measure/shape_cut.h"
+
+namespace volumen {
+
+namespace {
+
+// Logical pixels.
+constexpr double handleReach = 7, lineReach = 5, markReach = 8;
+constexpr double textGaps[] = {8, 40, 90, 150};  // between a shape and its text, the nearest that is free
+constexpr double textFrame = 2;                  // about a text's letters
+
+double squared(QPointF p) { return QPointF::dotProduct(p, p); }
+
+double distanceTo(QPointF a, QPointF b, QPointF p) {
+  const QPointF along = b - a;
+  const double t = squared(along) == 0 ? 0 : QPointF::dotProduct(p - a, along) / squared(along);
+  return std::sqrt(squared(p - (a + std::clamp(t, 0.0, 1.0) * along)));
+}
+
+double distanceTo(const QPolygonF& line, QPointF p) {
+  double least = std::sqrt(squared(p - line.front()));
+  for (qsizetype n = 1; n < line.size(); ++n) least = std::min(least, distanceTo(line[n - 1], line[n], p));
+  return least;
+}
+
+// Whether a line runs through a rectangle or lies in it.
+bool touches(const QPolygonF& line, const QRectF& rect) {
+  if (rect.contains(line.front())) return true;
+  const QPointF corners[] = {rect.topLeft(), rect.topRight(), rect.bottomRight(), rect.bottomLeft()};
+  for (qsizetype n = 1; n < line.size(); ++n) {
+    if (rect.contains(line[n])) return true;
+    for (int c = 0; c < 4; ++c)
+      if (QLineF(line[n - 1], line[n]).intersects({corners[c], corners[(c + 1) % 4]}, nullptr) ==
+          QLineF::BoundedIntersection)
+        return true;
+  }
+  return false;
+}
+
+QRectF boxOf(const DrawnMeasurement& drawn) {
+  QRectF box;
+  for (const QPolygonF& line : drawn.lines)
+    for (const QPointF p : line) {
+      const QRectF around(p - QPointF(markReach, markReach) / 2, QSizeF(markReach, markReach));
+      box = box.isNull() ? around : box.united(around);
+    }
+  return box;
+}
+
+// `box`: that of the shape. What lies inside a region is covered as well.
+bool coversShape(const DrawnMeasurement& drawn, const QRectF& box, const QRectF& text) {
+  if (!box.intersects(text)) return false;
+  return (drawn.whole && ruleOf(drawn.kind).region) ||
+         std::ranges::any_of(drawn.lines, [&](const QPolygonF& line) { return touches(line, text); });
+}
+
+// Middles of places beside a box: right, left, below, above; each in the middle, then along one of its ends;
+// then the corners.
+std::vector<QPointF> middlesBeside(const QRectF& box, QSizeF size, double gap) {
+  const double dx = box.width() / 2 + gap + size.width() / 2,
+               dy = box.height() / 2 + gap / 2 + size.height() / 2;
+  const double alongX = (size.width() - box.width()) / 2, alongY = (size.height() - box.height()) / 2;
+  std::vector<QPointF> middles;
+  for (const double end : {0.0, 1.0, -1.0})
+    for (const QPointF way : {QPointF(dx, end * alongY), QPointF(-dx, end * alongY),
+                              QPointF(end * alongX, dy), QPointF(end * alongX, -dy)})
+      middles.push_back(box.center() + way);
+  for (const QPointF way : {QPointF(dx, dy), QPointF(dx, -dy), QPointF(-dx, dy), QPointF(-dx, -dy)})
+    middles.push_back(box.center() + way);
+  return middles;
+}
+
+QRectF around(QPointF middle, QSizeF size) {
+  return {middle - QPointF(size.width(), size.height()) / 2, size};
+}
+
+QRectF movedInto(QRectF rect, const QRectF& area) {
+  rect.moveLeft(std::clamp(rect.left(), area.left(), std::max(area.left(), area.right() - rect.width())));
+  rect.moveTop(std::clamp(rect.top(), area.top(), std::max(area.top(), area.bottom() - rect.height())));
+  return rect;
+}
+
+// Places for a text inside the area, best first: of lines beside their ends, the last one first; of all
+// beside the box of what is in the view. None where nothing of the shape is.
+std::vector<QRectF> placesFor(const DrawnMeasurement& drawn, const QRectF& box, QSizeF size,
+                              const QRectF& area) {
+  std::vector<QRectF> boxes;
+  if (!ruleOf(drawn.kind).region)
+    for (const QPointF end : {drawn.lines.back().back(), drawn.lines.front().front()})
+      boxes.emplace_back(end - QPointF(2, 2), QSizeF(4, 4));
+  boxes.push_back(box);
+  std::vector<QRectF> places;
+  for (const double gap : textGaps)
+    for (const QRectF& beside : boxes) {
+      if (!area.intersects(beside)) continue;
+      for (const QPointF middle : middlesBeside(beside.intersected(area), size, gap))
+        places.push_back(movedInto(around(middle, size), area));
+    }
+  return places;
+}
+
+QSizeF sizeOf(const QStringList& text, const QFontMetricsF& metrics) {
+  double width = 0;
+  for (const QString& line : text) width = std::max(width, metrics.horizontalAdvance(line));
+  return {std::ceil(width) + 2 * textFrame, double(text.size()) * metrics.height() + 2 * textFrame};
+}
+
+}  // namespace
+
+DrawnMeasurement drawnMeasurement(const Measurement& measurement, const SlicePlane& plane,
+                                  const VoxelGeometry& geometry, double pixelRatio, bool selected) {
+  DrawnMeasurement drawn{.id = measurement.id, .kind = measurement.shape.kind, .selected = selected};
+  const Shape& shape = measurement.shape;
+  const auto pixel = [&](glm::dvec3 p) {
+    const glm::dvec2 at = plane.pixelFromPatient(p) / pixelRatio;
+    return QPointF(at.x, at.y);
+  };
+  const double half = seenWithin(plane, geometry);
+  const ShapeCut cut = cutOf(shape, plane, half);
+  drawn.whole = cut.whole;
+  for (const std::vector<glm::dvec3>& line : cut.lines) {
+    QPolygonF& points = drawn.lines.emplace_back();
+    for (const glm::dvec3 p : line) points << pixel(p);
+  }
+  if (drawn.lines.empty()) return drawn;
+  drawn.middle = pixel(middleOf(shape));
+  if (measurement.textOffset) drawn.textMiddle = pixel(middleOf(shape) + *measurement.textOffset);
+  if (!selected || !cut.whole) return drawn;
+  const std::vector<glm::dvec3> handles = handlesOf(shape);
+  for (std::size_t n = 0; n < handles.size(); ++n) drawn.handles.push_back({n, pixel(handles[n])});
+  return drawn;
+}
+
+void placeTexts(std::vector<DrawnMeasurement>& drawn, const QRectF& area, const std::vector<QRectF>& taken,
+                const QFontMetricsF& metrics) {
+  std::vector<QRectF> full = taken, boxes;
+  for (DrawnMeasurement& d : drawn) {
+    boxes.push_back(boxOf(d));
+    if (d.text.isEmpty() || !d.textMiddle) continue;
+    d.textRect = around(*d.textMiddle, sizeOf(d.text, metrics));
+    full.push_back(d.textRect);
+  }
+  for (std::size_t n = 0; n < drawn.size(); ++n) {
+    DrawnMeasurement& d = drawn[n];
+    if (d.text.isEmpty() || d.textMiddle) continue;
+    const std::vector<QRectF> places = placesFor(d, boxes[n], sizeOf(d.text, metrics), area);
+    if (places.empty()) continue;
+    const auto leavesIt = [&](const QRectF& place) { return !coversShape(d, boxes[n], place); };
+    const auto leavesTexts = [&](const QRectF& place) {
+      return leavesIt(place) &&
+             std::ranges::none_of(full, [&](const QRectF& other) { return other.intersects(place); });
+    };
+    const auto leavesShapes = [&](const QRectF& place, bool cutsToo) {
+      if (!leavesTexts(place)) return false;
+      for (std::size_t m = 0; m < drawn.size(); ++m)
+        if ((cutsToo || drawn[m].whole) && coversShape(drawn[m], boxes[m], place)) return false;
+      return true;
+    };
+    auto found = std::ranges::find_if(places, [&](const QRectF& p) { return leavesShapes(p, true); });
+    if (found == places.end())
+      found = std::ranges::find_if(places, [&](const QRectF& p) { return leavesShapes(p, false); });
+    if (found == places.end()) found = std::ranges::find_if(places, leavesTexts);
+    if (found == places.end()) found = std::ranges::find_if(places, leavesIt);
+    d.textRect = found == places.end() ? places.front() : *found;
+    full.push_back(d.textRect);
+  }
+}
+
+std::optional<DrawnHit> hitAt(const std::vector<DrawnMeasurement>& drawn, QPointF p) {
+  for (auto d = drawn.rbegin(); d != drawn.rend(); ++d)
+    for (const DrawnMeasurement::Handle& handle : d->handles)
+      if (std::sqrt(squared(p - handle.at)) <= handleReach)
+        return DrawnHit{&*d, MeasurementPart::handle, handle.index};
+  for (auto d = drawn.rbegin(); d != drawn.rend(); ++d) {
+    if (d->textRect.contains(p)) return DrawnHit{&*d, MeasurementPart::text};
+    for (const QPolygonF& line : d->lines)
+      if (distanceTo(line, p) <= (line.size() == 1 ? markReach : lineReach))
+        return DrawnHit{&*d, MeasurementPart::line};
+  }
+  return {};
+}
+
+}  // namespace volumen

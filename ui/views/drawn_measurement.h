@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPolygonF>
+#include <QStringList>
+#include <vector>
+
+#include "ui/tools/flat_tool.h"
+#include "ui/workspace/measurement.h"
+
+namespace volumen {
+
+/// A measurement as it is seen in a flat view. Logical pixels of the view.
+struct DrawnMeasurement {
+  int id = 0;
+  ShapeKind kind = ShapeKind::length;
+  bool whole = false;  ///< all of it lies in the view's plane; else what the plane cuts
+  bool selected = false;
+  std::vector<QPolygonF> lines;  ///< a line of one point is a mark
+  struct Handle {
+    std::size_t index = 0;  ///< of handlesOf()
+    QPointF at;
+  };
+  std::vector<Handle> handles;        ///< of the selected one
+  QPointF middle;                     ///< of the shape
+  std::optional<QPointF> textMiddle;  ///< where the user has put the text
+  QStringList text;
+  QRectF textRect;  ///< around it; empty: there is no text, or no room
+};
+
+/// The measurement in a view of this plane (device pixels); without lines where nothing is to be seen of it.
+/// Without its text.
+DrawnMeasurement drawnMeasurement(const Measurement& measurement, const SlicePlane& plane,
+                                  const VoxelGeometry& geometry, double pixelRatio, bool selected);
+
+/// Gives every text its place inside `area`: where the user put it, else beside its shape, touching neither
+/// any shape nor `taken` nor another text, where there is such a place.
+void placeTexts(std::vector<DrawnMeasurement>& drawn, const QRectF& area, const std::vector<QRectF>& taken,
+                const QFontMetricsF& metrics);
+
+/// What of them lies under a point, the last drawn first; handles before lines and texts.
+struct DrawnHit {
+  const DrawnMeasurement* drawn = nullptr;
+  MeasurementPart part = MeasurementPart::line;
+  std::size_t handle = 0;
+};
+std::optional<DrawnHit> hitAt(const std::vector<DrawnMeasurement>& drawn, QPointF p);
+
+void paintMeasurements(QPainter& painter, const std::vector<DrawnMeasurement>& drawn);
+
+}  // namespace volumen

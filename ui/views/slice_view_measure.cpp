@@ -1,0 +1,175 @@
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPainter>
+
+#include "ui/controller/measurer.h"
+#include "ui/views/cross_lines.h"
+#include "ui/views/drawn_measurement.h"
+#include "ui/views/slice_view.h"
+#include "ui/workspace/measurement_text.h"
+#include "ui/workspace/measurements.h"
+#include "viewer/measure/shape_cut.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int nameFieldWidth = 180;
+
+// Of its whole, and of arrows also what they say.
+QStringList textOf(const Measurement& m, Measurer& measurer) {
+  QStringList text;
+  if (!m.shape.name.empty()) text << nameText(m);
+  if (const MeasuredPtr numbers = measurer.numbersOf(m)) text << measuredLines(m.shape, *numbers);
+  return text;
+}
+
+}  // namespace
+
+std::vector<DrawnMeasurement> SliceView::drawnMeasurements() const {
+  std::vector<DrawnMeasurement> drawn;
+  const ShownSeriesPtr shown = series();
+  const std::optional<SlicePlane> now = plane();
+  if (!shown || !now || showsFrames()) return drawn;
+  const Workspace& workspace = session_.workspace();
+  const auto add = [&](const Measurement& m, bool selected) {
+    DrawnMeasurement one =
+        drawnMeasurement(m, *now, shown->volume->geometry(), devicePixelRatioF(), selected);
+    if (one.lines.empty()) return;
+    if (one.whole || m.id < 0) one.text = textOf(m, measurer_);
+    drawn.push_back(std::move(one));
+  };
+  if (workspace.measurementsShown)
+    for (const Measurement* m : measurementsIn(workspace, frameOfReference(shown->series)))
+      add(*m, m->id == workspace.selected);
+  if (const Measurement* m = drag_ ? drag_->drawing() : nullptr) add(*m, true);
+  if (drawn.empty()) return drawn;
+  const PlacedOverlays placed = placeOverlays(overlays(), overlayArea(), font());
+  std::vector<QRectF> taken{placed.scaleBar};
+  for (const PlacedText& text : placed.texts) taken.push_back(text.rect);
+  placeTexts(drawn, QRectF(rect()).adjusted(4, 4, -10, -4), taken, QFontMetricsF(font()));
+  return drawn;
+}
+
+std::optional<MeasurementHit> SliceView::measurementAt(QPointF p) const {
+  const std::vector<DrawnMeasurement> drawn = drawnMeasurements();
+  const auto hit = hitAt(drawn, p);
+  const Measurement* m = hit ? findMeasurement(session_.workspace(), hit->drawn->id) : nullptr;
+  if (!m) return {};
+  const glm::dvec3 text = pressAt(p)->patientAt(hit->drawn->textRect.center());
+  return MeasurementHit{m->id, hit->part, hit->handle, text - middleOf(m->shape), hit->drawn->whole};
+}
+
+std::unique_ptr<Drag> SliceView::pressMeasurement(const FlatPress& press) {
+  if (tool_->measuring) return nullptr;
+  const auto hit = measurementAt(press.at);
+  session_.select(hit ? hit->id : 0);
+  return hit && hit->movable ? beginMeasurementEdit(press, *hit) : nullptr;
+}
+
+void SliceView::endDrag(Qt::KeyboardModifiers keys) {
+  const bool drew = drag_ && drag_->drawing();
+  const bool kept = drew && session_.undoStack().index() > stepsAtPress_;
+  drag_.reset();
+  session_.endGesture();
+  if (!drew) return;
+  update();
+  if (!kept) return;
+  const Measurement* made = findMeasurement(session_.workspace(), session_.workspace().selected);
+  if (made && made->shape.kind == ShapeKind::arrow) askForName(made->id);
+  if (!(keys & Qt::ShiftModifier)) Q_EMIT toolDone();
+}
+
+// A field where the text stands; what is typed becomes the name on Enter or when it is left.
+void SliceView::askForName(int id) {
+  const Measurement* m = findMeasurement(session_.workspace(), id);
+  if (!m) return;
+  auto* field = new QLineEdit(QString::fromStdString(m->shape.name), this);
+  field->setObjectName(QStringLiteral("measurementName"));
+  field->setAccessibleName(tr("Text of the measurement"));
+  field->setMaxLength(200);
+  field->resize(nameFieldWidth, field->sizeHint().height());
+  QPointF at(20, 20);
+  for (const DrawnMeasurement& d : drawnMeasurements())
+    if (d.id == id) at = d.textRect.isEmpty() ? d.lines.back().back() : d.textRect.topLeft();
+  field->move(std::clamp(int(at.x()), 0, std::max(0, width() - field->width())),
+              std::clamp(int(at.y()), 0, std::max(0, height() - field->height())));
+  connect(field, &QLineEdit::editingFinished, this, [this, field, id] {
+    if (field->isHidden()) return;  // told a second time: the focus went with it
+    field->hide();
+    renameMeasurement(session_, id, field->text());
+    field->deleteLater();
+    setFocus();
+  });
+  field->show();
+  field->setFocus();
+}
+
+QString SliceView::measurementText(QPointF p) const {
+  const auto hit = measurementAt(p);
+  if (!hit) return {};
+  const Measurement& m = *findMeasurement(session_.workspace(), hit->id);
+  const MeasuredPtr numbers = measurer_.numbersOf(m);
+  const auto& taken = session_.workspace().series.at(m.series).series;
+  return numbers ? detailText(m, *numbers, *taken) : nameText(m);
+}
+
+void SliceView::showCursorAt(QPointF p) {
+  const auto hit = tool_->measuring ? std::nullopt : measurementAt(p);
+  if (hit)
+    return setCursor(hit->part == MeasurementPart::handle ? Qt::PointingHandCursor : Qt::SizeAllCursor);
+  const auto press = tool_->measuring || showsFrames() ? std::nullopt : pressAt(p);
+  setCursor(press && isOnLines(*press) ? Qt::PointingHandCursor : tool_->cursor);
+}
+
+// The keys of the tools, of deleting and of ending a line; false: the key means nothing here.
+bool SliceView::pressMeasuringKey(const QKeyEvent& event) {
+  if (event.key() == Qt::Key_Delete && session_.workspace().selected > 0) {
+    deleteMeasurement(session_, session_.workspace().selected);
+    return true;
+  }
+  if ((event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) && drag_) {
+    if (drag_->finish()) endDrag(event.modifiers());
+    return true;
+  }
+  if (event.key() == Qt::Key_Escape)
+    for (auto* field : findChildren<QLineEdit*>(QStringLiteral("measurementName"))) {
+      if (field->isHidden()) continue;
+      field->hide();
+      field->deleteLater();
+      setFocus();
+      return true;
+    }
+  if (event.key() == Qt::Key_Escape && !drag_ && tool_->measuring) {
+    Q_EMIT toolDone();
+    return true;
+  }
+  const FlatTool* tool = event.modifiers() & ~Qt::ShiftModifier ? nullptr : flatToolOfKey(event.key());
+  if (tool) Q_EMIT toolWanted(*tool);
+  return tool != nullptr;
+}
+
+// Letters that stand for tools here, and I for inverting, mean views elsewhere in the window.
+bool SliceView::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto& key = static_cast<QKeyEvent&>(*event);
+    if (!(key.modifiers() & ~Qt::ShiftModifier) && (flatToolOfKey(key.key()) || key.key() == Qt::Key_I)) {
+      event->accept();
+      return true;
+    }
+  }
+  return View::event(event);
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  if (drag_) {
+    if (drag_->finish()) endDrag(event->modifiers());
+    return;
+  }
+  const auto hit = measurementAt(event->position());
+  if (hit && hit->part == MeasurementPart::text) return askForName(hit->id);
+  View::mouseDoubleClickEvent(event);
+}
+
+}  // namespace volumen

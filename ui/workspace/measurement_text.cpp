@@ -1,0 +1,172 @@
+#include "ui/workspace/measurement_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
+
+// A unit as it stands behind a number: an angle's sign touches it.
+QString unitText(const std::string& unit) {
+  if (unit == "degrees") return QStringLiteral("\u00b0");
+  if (unit == "mm^2") return QStringLiteral(" mm\u00b2");
+  if (unit == "px^2") return QStringLiteral(" px\u00b2");
+  return unit.empty() ? QString() : QLatin1Char(' ') + shownText(unit);
+}
+
+// An area below a hundredth of a mm^2 is still no 0.
+QString withUnit(double number, const std::string& unit) {
+  if (unit == "degrees") return QString::number(number, 'f', 1) + unitText(unit);
+  return numberText(number) + unitText(unit);
+}
+
+QStringList regionLines(const Measured& m) {
+  QStringList lines{tr("Area %1").arg(withUnit(m.number, m.unit))};
+  if (!m.values) return lines << tr("no voxel inside");
+  const QString unit = unitText(m.valueUnit);
+  lines << tr("Mean %1, SD %2%3").arg(numberText(m.values->mean), numberText(m.values->sd), unit);
+  lines << tr("Min %1, max %2%3").arg(numberText(m.values->min), numberText(m.values->max), unit);
+  return lines << (m.values->n == 1 ? tr("1 voxel")
+                                    : tr("%1 voxels").arg(QLocale().toString(qlonglong(m.values->n))));
+}
+
+// A field between quotation marks where it needs them.
+QString csvField(QString text) {
+  if (!text.contains(QLatin1Char(',')) && !text.contains(QLatin1Char('"')) &&
+      !text.contains(QLatin1Char('\n')))
+    return text;
+  return QLatin1Char('"') + text.replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
+}
+
+QString exact(double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); }
+
+// number, unit, +-, mean, SD, min, max, voxels, unit of the values, problem.
+QStringList csvNumbers(const Result<Measured>* measured) {
+  QStringList fields(10, QString());
+  if (!measured)
+    fields[9] = tr("not measured yet");
+  else if (!*measured)
+    fields[9] = QString::fromStdString(measured->message());
+  if (!measured || !*measured) return fields;
+  const Measured& m = **measured;
+  fields[0] = exact(m.number);
+  fields[1] = QString::fromStdString(m.unit);
+  if (m.plusMinus) fields[2] = exact(*m.plusMinus);
+  if (m.values) {
+    const double numbers[] = {m.values->mean, m.values->sd, m.values->min, m.values->max};
+    for (int n = 0; n < 4; ++n) fields[3 + n] = exact(numbers[n]);
+    fields[7] = QString::number(m.values->n);
+    fields[8] = QString::fromStdString(m.valueUnit);
+  }
+  if (m.unit.ends_with("^2") && !m.values) fields[9] = tr("no voxel inside");
+  return fields;
+}
+
+}  // namespace
+
+QString kindText(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::length:
+      return tr("Length");
+    case ShapeKind::polyline:
+      return tr("Polyline");
+    case ShapeKind::angle:
+      return tr("Angle");
+    case ShapeKind::cobb:
+      return tr("Cobb angle");
+    case ShapeKind::ellipse:
+      return tr("Ellipse");
+    case ShapeKind::rectangle:
+      return tr("Rectangle");
+    case ShapeKind::freehand:
+      return tr("Freehand");
+    case ShapeKind::probe:
+      return tr("Probe");
+    case ShapeKind::arrow:
+      return tr("Arrow");
+    case ShapeKind::volume:
+      break;
+  }
+  return tr("Volume");
+}
+
+QString nameText(const Measurement& measurement) {
+  const QString name = shownText(measurement.shape.name);
+  return name.isEmpty() ? QStringLiteral("%1 %2").arg(kindText(measurement.shape.kind)).arg(measurement.id)
+                        : name;
+}
+
+QString numberText(double number) {
+  if (number == std::round(number) && std::abs(number) < 1e7) return QString::number(qlonglong(number));
+  const double size = std::abs(number);
+  const int decimals = size >= 10 || size == 0 ? 1 : std::min(12, 2 - int(std::floor(std::log10(size))));
+  return QString::number(number, 'f', decimals);
+}
+
+QStringList measuredLines(const Shape& shape, const Result<Measured>& measured) {
+  if (shape.kind == ShapeKind::arrow) return {};
+  if (!measured) return {shownText(measured.message())};
+  if (ruleOf(shape.kind).region) return regionLines(*measured);
+  QStringList lines{withUnit(measured->number, measured->unit)};
+  if (measured->voxel && measured->voxel->padding) lines << tr("padding");
+  if (measured->drawn) lines << tr("%1 as drawn").arg(withUnit(*measured->drawn, measured->unit));
+  return lines;
+}
+
+QString measuredText(const Shape& shape, const Result<Measured>& measured) {
+  return measuredLines(shape, measured).join(QStringLiteral(", "));
+}
+
+QString detailText(const Measurement& measurement, const Result<Measured>& measured, const Series& series) {
+  QString text = nameText(measurement);
+  if (measured && measured->plusMinus)
+    text +=
+        QStringLiteral(": %1 \u00b1 %2%3")
+            .arg(numberText(measured->number), numberText(*measured->plusMinus), unitText(measured->unit));
+  else if (const QString numbers = measuredText(measurement.shape, measured); !numbers.isEmpty())
+    text += QStringLiteral(": ") + numbers;
+  if (measured && measured->voxel)
+    text += tr(", voxel %1, %2, %3")
+                .arg(measured->voxel->index.x)
+                .arg(measured->voxel->index.y)
+                .arg(measured->voxel->index.z);
+  if (measured && (measured->unit == "px" || measured->unit == "px^2")) text += tr(", not calibrated");
+  return measurement.shape.kind == ShapeKind::arrow ? text : tr("%1, from %2").arg(text, seriesText(series));
+}
+
+QString measurementsAsText(const std::vector<MeasuredRow>& rows) {
+  QString text;
+  for (const MeasuredRow& row : rows) {
+    text += nameText(row.measurement);
+    const QString numbers = row.measured ? measuredText(row.measurement.shape, *row.measured) : QString();
+    if (!numbers.isEmpty()) text += QStringLiteral(": ") + numbers;
+    if (row.series) text += QStringLiteral(" (%1)").arg(seriesText(*row.series));
+    text += QLatin1Char('\n');
+  }
+  return text;
+}
+
+QString measurementsAsCsv(const std::vector<MeasuredRow>& rows) {
+  QString text = QStringLiteral(
+      "name,kind,number,unit,plus_minus,mean,sd,min,max,voxels,value_unit,problem,series,points_mm\r\n");
+  for (const MeasuredRow& row : rows) {
+    QStringList points;
+    for (const glm::dvec3 p : row.measurement.shape.points)
+      points << QStringLiteral("%1 %2 %3").arg(exact(p.x), exact(p.y), exact(p.z));
+    QStringList fields{nameText(row.measurement), QLatin1String(ruleOf(row.measurement.shape.kind).name)};
+    fields += csvNumbers(row.measurement.shape.kind == ShapeKind::arrow ? nullptr : row.measured);
+    if (row.measurement.shape.kind == ShapeKind::arrow) fields.last().clear();
+    fields << (row.series ? seriesText(*row.series) : QString()) << points.join(QStringLiteral("; "));
+    for (QString& field : fields) field = csvField(field);
+    text += fields.join(QLatin1Char(',')) + QStringLiteral("\r\n");
+  }
+  return text;
+}
+
+}  // namespace volumen

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include "ui/data/shown_series.h"
+#include "ui/workspace/measurement.h"
+#include "viewer/measure/measure.h"
+
+namespace volumen {
+
+/// "Length", "Cobb angle": of a tool.
+QString kindText(ShapeKind kind);
+
+/// The name, else what it is and its number: "Length 3".
+QString nameText(const Measurement& measurement);
+
+/// A number as people read it: three digits of what is small, one decimal of what is large, whole numbers as
+/// they are; never with an exponent.
+QString numberText(double number);
+
+/// A measured number with its unit, and of regions what the voxels inside say, a line each: "23.4 mm";
+/// "Area 12.3 mm²", "Mean 45.2, SD 3.1 HU", "Min -5, max 99 HU", "123 voxels". Where there is no number, why.
+QStringList measuredLines(const Shape& shape, const Result<Measured>& measured);
+
+/// The same in one line, for lists.
+QString measuredText(const Shape& shape, const Result<Measured>& measured);
+
+/// How sure the number is and what it was taken from: "23.4 ± 0.6 mm, from CT Chest (3)".
+QString detailText(const Measurement& measurement, const Result<Measured>& measured, const Series& series);
+
+/// A measurement and its numbers, as far as they are known.
+struct MeasuredRow {
+  Measurement measurement;
+  const Result<Measured>* measured;  ///< null: not yet
+  const Series* series;              ///< null: unknown
+};
+
+/// Name, numbers and series, a line each.
+QString measurementsAsText(const std::vector<MeasuredRow>& rows);
+/// RFC 4180, with a line of headings; numbers in full, positions in patient mm.
+QString measurementsAsCsv(const std::vector<MeasuredRow>& rows);
+
+}  // namespace volumen

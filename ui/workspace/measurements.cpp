@@ -1,0 +1,144 @@
+#include "ui/workspace/measurements.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "ui/workspace/measurement_text.h"
+#include "viewer/measure/outline.h"
+#include "viewer/measure/shape_cut.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr std::size_t mostHandles = 12;
+
+QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
+
+bool isBox(const Shape& shape) {
+  return shape.kind == ShapeKind::ellipse || shape.kind == ShapeKind::rectangle;
+}
+
+glm::dvec3 footOn(const ShapePlane& plane, glm::dvec3 p) {
+  return p - plane.normal() * glm::dot(p - plane.centre, plane.normal());
+}
+
+// How many points of a freehand outline lie from one handle to the next.
+std::size_t strideOf(const Shape& shape) { return (shape.points.size() + mostHandles - 1) / mostHandles; }
+
+Measurement* find(Workspace& workspace, int id) {
+  const auto found = std::ranges::find(workspace.measurements, id, &Measurement::id);
+  return found == workspace.measurements.end() ? nullptr : &*found;
+}
+
+void dragOutline(std::vector<glm::dvec3>& points, std::size_t at, std::size_t stride, glm::dvec3 mm) {
+  const auto count = std::ptrdiff_t(points.size()), reach = std::ptrdiff_t(stride);
+  for (std::ptrdiff_t n = 1 - reach; n < reach; ++n) {
+    const double part = 1 - double(std::abs(n)) / double(reach);
+    points[std::size_t((std::ptrdiff_t(at) + n + count) % count)] += part * mm;
+  }
+}
+
+}  // namespace
+
+const Measurement* findMeasurement(const Workspace& workspace, int id) {
+  const auto found = std::ranges::find(workspace.measurements, id, &Measurement::id);
+  return found == workspace.measurements.end() ? nullptr : &*found;
+}
+
+std::vector<const Measurement*> measurementsIn(const Workspace& workspace, const std::string& frame) {
+  std::vector<const Measurement*> found;
+  for (const Measurement& m : workspace.measurements) {
+    const auto state = workspace.series.find(m.series);
+    if (state != workspace.series.end() && frameOfReference(*state->second.series) == frame)
+      found.push_back(&m);
+  }
+  return found;
+}
+
+int addMeasurement(Session& session, const SeriesKey& series, const Shape& shape) {
+  addMeasurements(session, series, {&shape, 1});
+  return session.workspace().selected;
+}
+
+void addMeasurements(Session& session, const SeriesKey& series, std::span<const Shape> shapes) {
+  if (shapes.empty() || !session.workspace().series.contains(series)) return;
+  const QString text = shapes.size() == 1 ? kindText(shapes[0].kind) : tr("Add measurements");
+  session.change(text, [&](Workspace& w) {
+    int last = 0;
+    for (const Measurement& m : w.measurements) last = std::max(last, m.id);
+    for (const Shape& shape : shapes) w.measurements.push_back({++last, series, shape, {}});
+    w.selected = last;
+    w.measurementsShown = true;
+  });
+}
+
+void editMeasurement(Session& session, int id, const QString& text,
+                     const std::function<void(Measurement&)>& change) {
+  session.change(
+      text,
+      [&](Workspace& w) {
+        if (Measurement* m = find(w, id)) change(*m);
+      },
+      text + QString::number(id));
+}
+
+void renameMeasurement(Session& session, int id, const QString& name) {
+  session.endGesture();
+  editMeasurement(session, id, tr("Rename measurement"),
+                  [&](Measurement& m) { m.shape.name = name.simplified().toStdString(); });
+}
+
+void deleteMeasurement(Session& session, int id) {
+  session.change(tr("Delete measurement"), [&](Workspace& w) {
+    std::erase_if(w.measurements, [&](const Measurement& m) { return m.id == id; });
+    if (w.selected == id) w.selected = 0;
+  });
+}
+
+void deleteAllMeasurements(Session& session) {
+  session.change(tr("Delete all measurements"), [](Workspace& w) {
+    w.measurements.clear();
+    w.selected = 0;
+  });
+}
+
+void showMeasurements(Session& session, bool shown) {
+  session.change(shown ? tr("Show measurements") : tr("Hide measurements"),
+                 [&](Workspace& w) { w.measurementsShown = shown; });
+}
+
+Shape movedBy(Shape shape, glm::dvec3 mm) {
+  for (glm::dvec3& p : shape.points) p += mm;
+  if (shape.plane) shape.plane->centre += mm;
+  return shape;
+}
+
+std::vector<glm::dvec3> handlesOf(const Shape& shape) {
+  if (shape.kind == ShapeKind::ellipse) {
+    Shape box = shape;
+    box.kind = ShapeKind::rectangle;
+    return edgeOf(box);
+  }
+  if (shape.kind == ShapeKind::rectangle) return edgeOf(shape);
+  if (shape.kind != ShapeKind::freehand) return shape.points;
+  std::vector<glm::dvec3> handles;
+  for (std::size_t n = 0; n < shape.points.size(); n += strideOf(shape)) handles.push_back(shape.points[n]);
+  return handles;
+}
+
+Shape withHandleAt(Shape shape, std::size_t handle, glm::dvec3 place) {
+  const std::vector<glm::dvec3> handles = handlesOf(shape);
+  if (handle >= handles.size()) return shape;
+  if (shape.plane) place = footOn(*shape.plane, place);
+  if (isBox(shape))
+    shape.points = {handles[(handle + 2) % 4], place};
+  else if (shape.kind == ShapeKind::freehand)
+    dragOutline(shape.points, handle * strideOf(shape), strideOf(shape), place - handles[handle]);
+  else
+    shape.points[handle] = place;
+  return shape;
+}
+
+}  // namespace volumen
