@@ -2,6 +2,7 @@
 // overlays, pixel sizes, regions, clips.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/frame_of.h"
@@ -23,6 +24,7 @@ class TestFrameFiles : public QObject {
   void sizesOfPixels();
   void overlays_data();
   void overlays();
+  void slicesSayWhereTheyLie();
   void ultrasoundRegions();
   void clips_data();
   void clips();
@@ -146,6 +148,8 @@ void TestFrameFiles::greysOnOffer() {
   }
   QCOMPARE(found, names);
   QCOMPARE(f->greys[0].mapping.function, function);
+  const bool hasNone = file.startsWith(QStringLiteral("xa-")) || file.startsWith(QStringLiteral("cr-dental"));
+  QCOMPARE(f->greys[0].ofValues, hasNone);
 }
 
 void TestFrameFiles::colourPixels_data() {
@@ -252,6 +256,23 @@ void TestFrameFiles::overlays() {
     QCOMPARE(place.bottom(), places[n].bottom());
     QVERIFY2(places[n].contains(place), qPrintable(QString::number(place.left())));
   }
+}
+
+void TestFrameFiles::slicesSayWhereTheyLie() {
+  NEED_DATA(dataPath());
+  const Result<Study> study = openStudy(dataPath("pet-ct/sts019-ct"));
+  QVERIFY(study.ok() && study->volumes.size() == 1);
+  const Series& ct = study->volumes[0];
+  for (const int n : {0, 46}) {
+    const Result<Frame> slice = loadFrame(ct, n);
+    QVERIFY(slice.ok() && slice->place);
+    // The README gives positions to 0.01 mm.
+    QVERIFY(glm::distance(slice->place->origin, glm::dvec3(-87.8907, -143.5547, n ? -75.21 : -225.63)) <
+            0.01);
+    QCOMPARE(slice->place->row, glm::dvec3(1, 0, 0));
+    QCOMPARE(slice->place->column, glm::dvec3(0, 1, 0));
+  }
+  QVERIFY2(!frameAt(QStringLiteral("cr-hip-mono2-jpeg12.dcm"))->place, "a projection lies nowhere");
 }
 
 void TestFrameFiles::ultrasoundRegions() {
