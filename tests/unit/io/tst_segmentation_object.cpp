@@ -199,9 +199,8 @@ void TestSegmentationObject::coloursAreThoseOfCieLab() {
 
 void TestSegmentationObject::byteOrderDoesNotMatter() {
   NEED_DATA(dataPath());
-  const Result<Segmentation> little = loadSegmentation(dataPath("dicom-pydicom/test_files/liver_1frame.dcm"));
-  const Result<Segmentation> big =
-      loadSegmentation(dataPath("dicom-pydicom/test_files/liver_expb_1frame.dcm"));
+  const Result<Segmentation> little = loadSegmentation(dataPath("dicom-pydicom/data_store/liver.dcm"));
+  const Result<Segmentation> big = loadSegmentation(dataPath("dicom-pydicom/data_store/liver_expb.dcm"));
   QVERIFY2(little, little ? "" : little.message().c_str());
   QVERIFY2(big, big ? "" : big.message().c_str());
   QCOMPARE(little->segments.at(0).label, std::string("Liver"));
