@@ -36,7 +36,7 @@ Window windowOfMost(std::vector<float> values) {
 }  // namespace
 
 std::size_t FrameService::defaultBudget() {
-  return std::min(SeriesPool::defaultBudget() / 4, std::size_t(1) << 30);
+  return std::min(SeriesPool::partOfMemory(6), std::size_t(1) << 30);
 }
 
 FrameService::FrameService(std::size_t budget, QObject* parent)

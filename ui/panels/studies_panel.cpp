@@ -111,8 +111,8 @@ const Series* StudiesPanel::seriesOf(const QTreeWidgetItem* item) const {
 
 std::vector<const Series*> StudiesPanel::allSeries() const {
   std::vector<const Series*> all;
-  for (const auto& [path, study] : studies_)
-    for (const Series& series : study->volumes) all.push_back(&series);
+  for (const Opened& opened : studies_)
+    for (const Series& series : opened.study->volumes) all.push_back(&series);
   return all;
 }
 
