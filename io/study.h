@@ -19,6 +19,7 @@ struct SeriesIdentity {
   std::string patientName, patientId, studyUid, studyDate, studyDescription;
   std::string seriesUid, seriesNumber, modality, description;
   std::string frameOfReferenceUid;  ///< positions of one frame of reference are comparable; empty: not given
+  bool operator==(const SeriesIdentity&) const = default;
 };
 
 /// One volume that was found: plain values that the rest of the program sees, and how to load it.
@@ -41,12 +42,14 @@ struct Series : SeriesIdentity {
   struct Regular {
     VoxelGeometry geometry;
     int interpolatedSlices = 0;
+    bool operator==(const Regular&) const = default;
   };
   std::optional<Regular> regular;
 
   std::vector<std::string> files;  ///< every file it is made of, in slice order (one file for NRRD etc.)
   std::vector<int> frames;         ///< DICOM: the frame (from 0) of each of `files` that is the slice
   std::vector<std::string> sopInstanceUids;  ///< DICOM: of each of `files`
+  bool operator==(const Series&) const = default;
 };
 
 /// How the frames of a clip follow each other (PS3.3 C.7.6.5).

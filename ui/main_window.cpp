@@ -2,12 +2,15 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "io/files/session_file.h"
 #include "ui/controller/qt_gl_context.h"
 #include "ui/controller/table_remover.h"
 #include "ui/panels/accuracy_panel.h"
@@ -18,6 +21,7 @@
 #include "ui/panels/studies_panel.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/offer_bar.h"
 #include "ui/widgets/start_page.h"
 #include "ui/widgets/status_line.h"
 #include "ui/workspace/text.h"
@@ -51,6 +55,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectSnapshots();
   connectScenes();
   connectRecent();
+  connectSessions();
   connectViews();
   restoreLayout();
   showTheme();
@@ -67,6 +72,7 @@ void MainWindow::makeCentre() {
   grid_ = new ViewGrid(session_, slices_);
   view_ = grid_->sceneView();
   banner_ = new Banner;
+  offer_ = new OfferBar;
   start_ = new StartPage;
   pages_ = new QStackedWidget;
   pages_->addWidget(start_);
@@ -75,6 +81,7 @@ void MainWindow::makeCentre() {
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  column->addWidget(offer_);
   column->addWidget(banner_);
   column->addWidget(pages_, 1);
   setCentralWidget(centre);
@@ -192,7 +199,14 @@ void MainWindow::open(const QStringList& paths, const std::optional<Scene>& scen
   banner_->hide();
   sceneToShow_ = scene;
   showFirst_ = true;
-  for (const QString& path : paths) loader_.open(path);
+  for (const QString& given : paths) {
+    const bool isFile = QFileInfo::exists(given);  // a phantom is none
+    const QString path = isFile ? QDir::cleanPath(QFileInfo(given).absoluteFilePath()) : given;
+    if (isSessionFile(path.toStdString()))
+      loader_.openSession(path);
+    else
+      loader_.open(path);
+  }
 }
 
 void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Study>& study) {
@@ -226,8 +240,10 @@ void MainWindow::showVolume() {
 void MainWindow::showSeries() {
   const ShownSeriesPtr& series = session_.series();
   showVolume();
-  pages_->setCurrentWidget(series ? static_cast<QWidget*>(grid_) : pages_->widget(0));
-  if (!series) return setWindowTitle(QStringLiteral("volumen"));
+  if (!series) {
+    setWindowModified(false);
+    return setWindowTitle(QStringLiteral("volumen"));
+  }
   showNames();
   grid_->setFocus();
 }

@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QScreen>
 #include <QSettings>
@@ -110,9 +111,13 @@ void MainWindow::showTheme() {
 void MainWindow::showNames() {
   const ShownSeriesPtr& series = session_.series();
   if (!series) return;
-  QStringList parts{patientText(series->series), seriesText(series->series), QStringLiteral("volumen")};
+  const QString file = QFileInfo(sessionFiles_.path()).fileName();
+  const bool named = !file.isEmpty() && !namesHidden();
+  QStringList parts{patientText(series->series), seriesText(series->series),
+                    named ? file + QStringLiteral("[*]") : QString(), QStringLiteral("volumen")};
   parts.removeAll(QString());
   setWindowTitle(parts.join(QStringLiteral(" - ")));
+  setWindowModified(named && sessionFiles_.modified());
   studies_->markShown(series);
   snapshotPanel_->setName(seriesText(series->series).replace(QLatin1Char('/'), QLatin1Char('_')));
 }

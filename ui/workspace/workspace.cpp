@@ -78,9 +78,18 @@ std::string frameOfReference(const Series& series) {
   return series.frameOfReferenceUid.empty() ? series.path + '\n' + series.id : series.frameOfReferenceUid;
 }
 
+Workspace withFound(Workspace workspace, const Series& series) {
+  const auto state = workspace.series.find(keyOf(series));
+  if (state == workspace.series.end() || !state->second.missing) return workspace;
+  state->second.series = std::make_shared<const Series>(series);
+  state->second.missing.reset();
+  return workspace;
+}
+
 Workspace withSeries(Workspace workspace, ViewId view, const Series& series, const SceneLook& first) {
   const auto [state, isNew] = workspace.series.try_emplace(keyOf(series));
   if (isNew) state->second.series = std::make_shared<const Series>(series);
+  workspace = withFound(std::move(workspace), series);
   if (!inGroup(view)) {
     put(workspace, view, series, first);
     return workspace;
