@@ -1,4 +1,6 @@
 // Guards design.md 8: however the program ends, what was not saved is offered again.
+#include <time.h>
+
 #include <QDir>
 #include <QElapsedTimer>
 #include <QProcess>
@@ -74,6 +76,30 @@ std::unique_ptr<QProcess> started(const QString& program, const QStringList& arg
   process->setStandardOutputFile(QProcess::nullDevice());
   process->start(program, arguments);
   return process;
+}
+
+// The longest between two events of this thread, and how much of such a time it computed.
+struct Gap {
+  double ms = 0, computedMs = 0;
+};
+
+double threadMs() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return double(time.tv_sec) * 1e3 + double(time.tv_nsec) / 1e6;
+}
+
+Gap longestGap() {
+  Gap gap;
+  QElapsedTimer whole, since;
+  double computed = threadMs();
+  for (whole.start(), since.start(); whole.elapsed() < 1500;) {
+    QTest::qWait(0);
+    gap.ms = std::max(gap.ms, double(since.restart()));
+    const double now = threadMs();
+    gap.computedMs = std::max(gap.computedMs, now - std::exchange(computed, now));
+  }
+  return gap;
 }
 
 void kill(QProcess& process) {
@@ -218,8 +244,8 @@ void TestAutosave::twoWindowsKeepTwo() {
   QCOMPARE(kept().size(), 1);
 }
 
-// 400 series and their looks in every view. Of the gaps between events the shortest of a few tries counts:
-// other programs may hold the processor.
+// 400 series and their looks in every view. This thread may compute for 20 ms at most between two events, and
+// wait no longer than it also does while nothing is kept: other programs may hold the processor.
 void TestAutosave::theWindowNeverWaitsForIt() {
   Session session;
   SessionFiles files(session);
@@ -233,18 +259,15 @@ void TestAutosave::theWindowNeverWaitsForIt() {
   for (auto& [key, state] : w.series) state.missing = SeriesProof{};
   session.open({}, w);
   QVERIFY(isKept(1));
-  qint64 shortest = longest;
-  for (int n = 1; n <= 5; ++n) {
+  const Gap usual = longestGap();
+  Gap gap{1e9, 1e9};
+  for (int n = 1; n <= 3; ++n) {
     session.change({}, [&](Workspace& after) { after.cursors["1.2"].x = n; });
-    qint64 gap = 0;
-    QElapsedTimer whole, since;
-    for (whole.start(), since.start(); whole.elapsed() < 1500;) {
-      QTest::qWait(0);
-      gap = std::max(gap, since.restart());
-    }
-    shortest = std::min(shortest, gap);
+    const Gap now = longestGap();
+    gap = {std::min(gap.ms, now.ms), std::min(gap.computedMs, now.computedMs)};
   }
-  QVERIFY2(shortest <= 20, qPrintable(QString::number(shortest)));
+  QVERIFY2(gap.computedMs <= 20, qPrintable(QString::number(gap.computedMs)));
+  QVERIFY2(gap.ms <= 20 + usual.ms, qPrintable(QString::number(gap.ms)));
 }
 
 void TestAutosave::whereItCannotBeKeptThatIsSaidOnce() {
