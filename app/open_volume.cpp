@@ -33,6 +33,14 @@ std::string listOf(const Study& study) {
   return list;
 }
 
+Result<Opened> load(const Series& series, const Progress& progress, const CancelToken& cancel) {
+  Result<Loaded> loaded = loadSeries(series, progress, cancel);
+  if (!loaded) return loaded.error();
+  Opened opened{series, std::move(*loaded), {}};
+  for (const Warning& w : opened.loaded.warnings) opened.notes.push_back(w.sentence);
+  return opened;
+}
+
 Result<Opened> open(const std::string& path, const std::string& wanted, const Progress& progress,
                     const CancelToken& cancel) {
   const Result<Study> study = openStudy(path, progress, cancel);
@@ -40,16 +48,12 @@ Result<Opened> open(const std::string& path, const std::string& wanted, const Pr
   if (study->volumes.empty()) return nothingToShow(path, *study);
   const Result<std::size_t> chosen = chooseSeries(*study, wanted);
   if (!chosen) return Error{chosen.message() + " " + printable(path) + " holds:" + listOf(*study)};
-  Opened opened{study->volumes[*chosen], {}, {}};
-  Result<Loaded> loaded = loadSeries(opened.series, progress, cancel);
-  if (!loaded) return loaded.error();
-  opened.loaded = std::move(*loaded);
-  if (wanted.empty() && study->volumes.size() > 1)
-    opened.notes.push_back(path + " holds " + std::to_string(study->volumes.size()) +
-                           " series; using number " + std::to_string(*chosen + 1) + ", \"" +
-                           seriesText(opened.series).toStdString() +
-                           "\" (the largest). Choose another with --series.");
-  for (const Warning& w : opened.loaded.warnings) opened.notes.push_back(w.sentence);
+  Result<Opened> opened = load(study->volumes[*chosen], progress, cancel);
+  if (opened && wanted.empty() && study->volumes.size() > 1)
+    opened->notes.insert(opened->notes.begin(), path + " holds " + std::to_string(study->volumes.size()) +
+                                                    " series; using number " + std::to_string(*chosen + 1) +
+                                                    ", \"" + seriesText(opened->series).toStdString() +
+                                                    "\" (the largest). Choose another with --series.");
   return opened;
 }
 
@@ -57,6 +61,12 @@ Result<Opened> open(const std::string& path, const std::string& wanted, const Pr
 
 Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel) {
   auto opened = open(path, series, terminalProgress(), cancel);
+  endTerminalProgress();
+  return opened;
+}
+
+Result<Opened> openSeries(const Series& series, const CancelToken& cancel) {
+  auto opened = load(series, terminalProgress(), cancel);
   endTerminalProgress();
   return opened;
 }

@@ -21,6 +21,9 @@ Error nothingToShow(const std::string& path, const Study& study);
 /// loads it, with progress on a terminal. The Error is a sentence for the user.
 Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel);
 
+/// The same for a series that was found before.
+Result<Opened> openSeries(const Series& series, const CancelToken& cancel);
+
 /// Takes away from what is drawn all that lies outside the patient (withoutTable). An Error where values are
 /// not HU.
 Status removeTable(Opened& opened, const CancelToken& cancel);

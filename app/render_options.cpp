@@ -157,6 +157,10 @@ void addMethodOptions(CLI::App& app, MethodOptions& o) {
   app.add_flag("--full", o.full, "Switch every optimisation off (same picture, slower)");
 }
 
+bool leavesLevelOpen(const MethodOptions& options) {
+  return options.quality.empty() && !options.step && !options.reference && options.method != "reference";
+}
+
 void addThreads(CLI::App& app, std::optional<int>& threads) {
   wholeNumber(app.add_option("--threads", threads, "Number of threads (default: all cores)"), 1, 1024);
 }

@@ -37,6 +37,9 @@ struct MethodOptions {
 /// --full.
 void addMethodOptions(CLI::App& app, MethodOptions& options);
 
+/// Whether neither a level nor what takes its place is asked for.
+bool leavesLevelOpen(const MethodOptions& options);
+
 /// Adds --threads.
 void addThreads(CLI::App& app, std::optional<int>& threads);
 

@@ -10,6 +10,7 @@
 #include "io/dicom/import.h"
 #include "io/files/image_file.h"
 #include "io/files/sample_cache.h"
+#include "io/files/session_file.h"
 #include "io/walk.h"
 #include "viewer/phantoms/phantoms.h"
 
@@ -115,6 +116,8 @@ const char* kindName(ReferenceKind kind) {
 
 Result<Study> openStudy(const std::string& path, const Progress& progress, const CancelToken& cancel) {
   if (isPhantom(path)) return openPhantom(path);
+  if (isSessionFile(path))
+    return Error{path + " is a session, not a volume: `volumen open` and `volumen render` take it."};
   const Result<FoundFiles> found = findFiles(path, cancel);
   if (!found) return found.error();
   Study study;

@@ -19,6 +19,7 @@ struct SeriesIdentity {
   std::string patientName, patientId, studyUid, studyDate, studyDescription;
   std::string seriesUid, seriesNumber, modality, description;
   std::string frameOfReferenceUid;  ///< positions of one frame of reference are comparable; empty: not given
+  bool operator==(const SeriesIdentity&) const = default;
 };
 
 /// How the frames of a clip follow each other (PS3.3 C.7.6.5).
@@ -26,6 +27,7 @@ struct Cine {
   double framesPerSecond = 0;        ///< as the file recommends; 0: it does not
   std::vector<double> frameTimesMs;  ///< from the frame before to each frame; empty: always the same
   bool backAndForth = false;         ///< PreferredPlaybackSequencing 1
+  bool operator==(const Cine&) const = default;
 };
 
 /// One volume that was found, or pictures that are none: plain values that the rest of the program sees, and
@@ -49,6 +51,7 @@ struct Series : SeriesIdentity {
   struct Regular {
     VoxelGeometry geometry;
     int interpolatedSlices = 0;
+    bool operator==(const Regular&) const = default;
   };
   std::optional<Regular> regular;
 
@@ -58,6 +61,7 @@ struct Series : SeriesIdentity {
 
   std::string notVolume;  ///< why these are only frames: a sentence; empty: it is a volume
   Cine cine;              ///< of frames
+  bool operator==(const Series&) const = default;
 };
 
 /// A DICOM file that is no volume and whose frames can be shown as acquired (io/frames.h): colour, clips,

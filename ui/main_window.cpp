@@ -2,12 +2,15 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "io/files/session_file.h"
 #include "ui/controller/qt_gl_context.h"
 #include "ui/controller/table_remover.h"
 #include "ui/data/frame_series.h"
@@ -19,6 +22,7 @@
 #include "ui/panels/studies_panel.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/offer_bar.h"
 #include "ui/widgets/start_page.h"
 #include "ui/widgets/status_line.h"
 #include "ui/workspace/text.h"
@@ -54,6 +58,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectSnapshots();
   connectScenes();
   connectRecent();
+  connectSessions();
   connectViews();
   connectFrames();
   restoreLayout();
@@ -71,6 +76,7 @@ void MainWindow::makeCentre() {
   grid_ = new ViewGrid(session_, slices_, frames_, measurer_);
   view_ = grid_->sceneView();
   banner_ = new Banner;
+  offer_ = new OfferBar;
   start_ = new StartPage;
   pages_ = new QStackedWidget;
   pages_->addWidget(start_);
@@ -79,6 +85,7 @@ void MainWindow::makeCentre() {
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  column->addWidget(offer_);
   column->addWidget(banner_);
   column->addWidget(pages_, 1);
   setCentralWidget(centre);
@@ -198,7 +205,14 @@ void MainWindow::open(const QStringList& paths, const std::optional<Scene>& scen
   banner_->hide();
   sceneToShow_ = scene;
   showFirst_ = true;
-  for (const QString& path : paths) loader_.open(path);
+  for (const QString& given : paths) {
+    const bool isFile = QFileInfo::exists(given);  // a phantom is none
+    const QString path = isFile ? QDir::cleanPath(QFileInfo(given).absoluteFilePath()) : given;
+    if (isSessionFile(path.toStdString()))
+      loader_.openSession(path);
+    else
+      loader_.open(path);
+  }
 }
 
 void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Study>& study) {

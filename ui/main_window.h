@@ -4,6 +4,7 @@
 #include <map>
 
 #include "ui/controller/accuracy_meter.h"
+#include "ui/controller/autosave.h"
 #include "ui/controller/draw_service.h"
 #include "ui/controller/frame_service.h"
 #include "ui/controller/loader.h"
@@ -26,6 +27,7 @@ class AccuracyPanel;
 class Banner;
 class EffectsPanel;
 class MeasurementsPanel;
+class OfferBar;
 class PresetBar;
 class SegmentPanel;
 class SnapshotPanel;
@@ -54,8 +56,8 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(const Services& services, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Opens files, folders or phantoms; the largest series of the first that holds any is shown, by the scene
-  /// where one is given.
+  /// Opens files, folders, phantoms or sessions; the largest series of the first that holds any is shown, by
+  /// the scene where one is given.
   void open(const QStringList& paths, const std::optional<Scene>& scene = {});
   Session& session() { return session_; }
   VolumeView* view() const { return view_; }
@@ -109,6 +111,12 @@ class MainWindow : public QMainWindow {
   void keepLayouts() const;
   void showInFocus(const Series& series);
   void connectScenes();
+  void connectSessions();
+  void showSession(const QString& path, const OpenedSession& opened);
+  void saveSession();
+  void askForSession();
+  void askForSessionFile();
+  void offerLost(const LostSession& lost);
   void connectRecent();
   void resetLayout();
   void shareRoom();
@@ -151,6 +159,8 @@ class MainWindow : public QMainWindow {
   Segmenter segmenter_;
   SceneFiles sceneFiles_;
   RecentFiles recent_;
+  SessionFiles sessionFiles_{session_};
+  Autosave autosave_{session_, sessionFiles_};
   PresetThumbnails thumbnails_;
 
   ViewGrid* grid_;
@@ -158,6 +168,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* pages_;
   StartPage* start_;
   Banner* banner_;
+  OfferBar* offer_;
   StatusLine* status_;
   StudiesPanel* studies_;
   EffectsPanel* effects_;
@@ -172,6 +183,7 @@ class MainWindow : public QMainWindow {
   bool layoutKept_ = false;           // from an earlier start
   bool showFirst_ = false;            // the next study opened is shown
   std::optional<Scene> sceneToShow_;  // by this scene
+  std::optional<LostSession> lost_;   // offered, or being restored
   QMenu* recentMenu_;
   QMenu* layoutMenu_;
   QMenu* measureMenu_;

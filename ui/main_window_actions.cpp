@@ -136,9 +136,17 @@ void MainWindow::makeActions() {
        "sample",
        false,
        [this](bool) { open({QStringLiteral("phantom:ct-head")}); }},
+      {"openSession", tr("Open session..."), {}, "", false, [this](bool) { askForSession(); }},
+      {"saveSession", tr("Save session"), {QKeySequence::Save}, "", false, [this](bool) { saveSession(); }},
+      {"saveSessionAs",
+       tr("Save session as..."),
+       {tr("Ctrl+Shift+S")},
+       "",
+       false,
+       [this](bool) { askForSessionFile(); }},
       {"snapshot",
        tr("Save snapshot..."),
-       {tr("Ctrl+S")},
+       {tr("Ctrl+E")},
        "snapshot",
        false,
        [this](bool) { snapshotPanel_->askWhere(); }},
@@ -252,7 +260,9 @@ void MainWindow::makeMenus() {
         menu->addAction(actions_.at(name));
   };
   auto* file = menuBar()->addMenu(tr("&File"));
-  fill(file, "openFolder openFile openSample | openScene saveScene | snapshot copySnapshot | quit");
+  fill(file,
+       "openFolder openFile openSample | openSession saveSession saveSessionAs | openScene saveScene | "
+       "snapshot copySnapshot | quit");
   recentMenu_ = new QMenu(tr("Open recent"), file);
   file->insertMenu(actions_.at(QStringLiteral("openSample")), recentMenu_);
   connect(file, &QMenu::aboutToShow, &recent_, &RecentFiles::look);
@@ -389,8 +399,8 @@ void MainWindow::showShortcuts() {
       tr("layouts: one view, planes and 3D, large 3D beside planes, two or four series"),
       tr("Ctrl+Z, Ctrl+Shift+Z"),
       tr("undo, redo"),
-      tr("Ctrl+O, Ctrl+S, Ctrl+C"),
-      tr("open a folder, save a snapshot, copy it"),
+      tr("Ctrl+O, Ctrl+S, Ctrl+E, Ctrl+C"),
+      tr("open a folder, save the session, save a snapshot, copy it"),
   };
   QString html = QStringLiteral("<table cellpadding='3' width='640'>");
   for (int n = 0; n + 1 < rows.size(); n += 2)

@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QScreen>
 #include <QSettings>
@@ -110,10 +111,17 @@ void MainWindow::showTheme() {
 
 void MainWindow::showNames() {
   const Series* series = seriesIn(session_.workspace(), session_.workspace().focus);
-  if (!series) return setWindowTitle(QStringLiteral("volumen"));
-  QStringList parts{patientText(*series), seriesText(*series), QStringLiteral("volumen")};
+  if (!series) {
+    setWindowModified(false);
+    return setWindowTitle(QStringLiteral("volumen"));
+  }
+  const QString file = QFileInfo(sessionFiles_.path()).fileName();
+  const bool named = !file.isEmpty() && !namesHidden();
+  QStringList parts{patientText(*series), seriesText(*series),
+                    named ? file + QStringLiteral("[*]") : QString(), QStringLiteral("volumen")};
   parts.removeAll(QString());
   setWindowTitle(parts.join(QStringLiteral(" - ")));
+  setWindowModified(named && sessionFiles_.modified());
   const ShownSeriesPtr inMemory = session_.seriesOf(session_.workspace().focus);
   studies_->markShown(*series, inMemory ? inMemory->volume : nullptr);
   snapshotPanel_->setName(seriesText(*series).replace(QLatin1Char('/'), QLatin1Char('_')));

@@ -1,5 +1,7 @@
 #include <QActionGroup>
 #include <QSettings>
+#include <QStackedWidget>
+#include <algorithm>
 
 #include "ui/main_window.h"
 #include "ui/panels/flat_menus.h"
@@ -61,6 +63,11 @@ void MainWindow::makeLayoutActions() {
 }
 
 void MainWindow::connectViews() {
+  connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
+    const auto shows = [&](ViewId view) { return !after.view(view).series.empty(); };
+    const bool any = std::ranges::any_of(viewsOnScreen(after), shows);
+    pages_->setCurrentWidget(any ? static_cast<QWidget*>(grid_) : pages_->widget(0));
+  });
   connect(grid_, &ViewGrid::hovered, status_, &StatusLine::showHover);
   connect(grid_, &ViewGrid::maximiseRequested, this,
           [this] { actions_[QStringLiteral("maximise")]->toggle(); });

@@ -7,8 +7,10 @@
 #include "app/open_volume.h"
 #include "app/picture_output.h"
 #include "app/render_options.h"
+#include "app/session_view.h"
 #include "app/usage.h"
 #include "io/files/output_file.h"
+#include "io/files/session_file.h"
 #include "viewer/plan/picture_text.h"
 #include "viewer/render/effect_costs.h"
 #include "viewer/render/render.h"
@@ -113,16 +115,24 @@ class Run {
   int operator()() {
     const double begin = wallMs();
     if (const int wrong = checkUsage()) return wrong;
-    const auto asked = renderOptions(options_.scene, options_.method);
+    auto asked = renderOptions(options_.scene, options_.method);
     if (!asked) return failUsage(asked.message());
-    const auto file = readScene(options_.scene);
+    std::optional<SessionView> session;
+    if (isSessionFile(options_.path)) {
+      auto read = readSessionView(options_.path, cancel_);
+      if (!read) return fail(read.message(), cancel_);
+      if (leavesLevelOpen(options_.method) && read->quality) asked->quality = *read->quality;
+      session = std::move(*read);
+    }
+    const auto file = session ? Result(std::optional(session->scene)) : readScene(options_.scene);
     if (!file) return fail(file.message());
     if (Status s = checkPlan(options_.scene, *file, *asked); !s) return failUsage(s.message());
     if (Status s = checkOutputs(); !s) return fail(s.message());
-    auto opened = openVolume(options_.path, options_.series, cancel_);
+    auto opened =
+        session ? openSeries(session->series, cancel_) : openVolume(options_.path, options_.series, cancel_);
     if (!opened) return fail(opened.message(), cancel_);
     printNotes(opened->notes);
-    if (options_.removeTable)
+    if (options_.removeTable || (session && session->tableRemoved))
       if (Status removed = removeTable(*opened, cancel_); !removed) return stopped(removed.message());
     volume_ = opened->loaded.drawn;
     warnings_ = opened->loaded.warnings;
@@ -140,9 +150,20 @@ class Run {
     const bool quiet = options_.explain || options_.printScene || !options_.statsFile.empty();
     if (options_.output.empty() && !quiet)
       return failUsage("Missing output file: use -o PICTURE (.png or .nrrd).");
+    if (const std::string said = saidBySession(); !said.empty())
+      return failUsage(options_.path + " is a session, which says what is drawn: leave " + said + " out.");
     if (options_.output.empty()) return 0;
     const Status named = checkPictureName(options_.output);
     return named ? 0 : failUsage(named.message());
+  }
+
+  // An option that contradicts the session that is drawn; empty: none.
+  std::string saidBySession() const {
+    if (!isSessionFile(options_.path)) return {};
+    if (!options_.series.empty()) return "--series";
+    if (!options_.scene.sceneFile.empty()) return "--scene";
+    if (!options_.scene.preset.empty()) return "--preset";
+    return options_.removeTable ? "--remove-table" : "";
   }
 
   // Whether everything can be written that will be.

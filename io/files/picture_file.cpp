@@ -29,9 +29,14 @@ Status writeAs(const char* format, const QImage& image, const std::string& path,
 QImage imageForFile(const Picture& picture) {
   const std::vector<std::uint8_t> bytes = toBytes(picture);
   const int channels = picture.transparent ? 4 : 3;
-  const QImage image(bytes.data(), picture.size.x, picture.size.y, qsizetype(channels) * picture.size.x,
-                     picture.transparent ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
-  return image.copy();
+  QImage image = QImage(bytes.data(), picture.size.x, picture.size.y, qsizetype(channels) * picture.size.x,
+                        picture.transparent ? QImage::Format_RGBA8888 : QImage::Format_RGB888)
+                     .copy();
+  // Else it is the screen's, where there is one: the window and the command line write the same file.
+  constexpr int dotsPerMetre = 3780;  // 96 an inch
+  image.setDotsPerMeterX(dotsPerMetre);
+  image.setDotsPerMeterY(dotsPerMetre);
+  return image;
 }
 
 Status writeImage(const QImage& image, const std::string& path, const PictureText& text) {

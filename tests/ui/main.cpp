@@ -7,10 +7,12 @@
 #include "ui/british.h"
 
 int main(int argc, char** argv) {
-  // Settings and caches stay away from the user's own, and from those of tests that run at the same time.
-  const QTemporaryDir home;
+  // Settings and caches stay away from the user's own, and from those of tests that run at the same time; a
+  // test that starts this program again shares its own.
+  const QTemporaryDir own;
+  const QByteArray shared = qgetenv("VOLUMEN_TEST_HOME");
   for (const char* folder : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"})
-    qputenv(folder, home.path().toLocal8Bit());
+    qputenv(folder, shared.isEmpty() ? own.path().toLocal8Bit() : shared);
   volumen::tests::WatchedApplication app(argc, argv);
   volumen::tests::openAlone();
   volumen::speakBritish(app);

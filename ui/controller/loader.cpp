@@ -35,6 +35,7 @@ void Loader::cancel() {
     token->cancel();
     *token = CancelToken();
   }
+  loading_.reset();
 }
 
 // Runs a function on the thread of this object, unless the job was cancelled by then.
@@ -82,16 +83,34 @@ void Loader::open(const QString& path) {
   });
 }
 
+void Loader::openSession(const QString& path) {
+  start(openPool_, cancel_, [this, path](const CancelToken& cancel, const Progress& progress) {
+    const Result<OpenedSession> session = volumen::openSession(path.toStdString(), progress, cancel);
+    tell(cancel, [this, path, session] {
+      if (session)
+        Q_EMIT sessionOpened(path, *session);
+      else
+        Q_EMIT failed(QString::fromStdString(session.message()));
+    });
+  });
+}
+
 void Loader::cancelLoad() {
   loadCancel_.cancel();
   loadCancel_ = CancelToken();
+  loading_.reset();
 }
 
 void Loader::load(const Series& series) {
+  if (loading_ == keyOf(series)) return;
   cancelLoad();
+  loading_ = keyOf(series);
   start(loadPool_, loadCancel_, [this, series](const CancelToken& cancel, const Progress& progress) {
     const auto fail = [&](const std::string& sentence) {
-      tell(cancel, [this, text = QString::fromStdString(sentence)] { Q_EMIT failed(text); });
+      tell(cancel, [this, text = QString::fromStdString(sentence)] {
+        loading_.reset();
+        Q_EMIT failed(text);
+      });
     };
     Result<Loaded> loaded = loadSeries(series, progress, cancel);
     if (!loaded) return fail(loaded.message());
@@ -106,7 +125,10 @@ void Loader::load(const Series& series) {
     Result<Scene> scene = makeScene_("auto", *loaded->drawn);
     if (!scene) return fail(scene.message());
     shown->firstScene = std::move(*scene);
-    tell(cancel, [this, shown] { Q_EMIT seriesLoaded(shown); });
+    tell(cancel, [this, shown] {
+      loading_.reset();
+      Q_EMIT seriesLoaded(shown);
+    });
   });
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "io/study.h"
+#include "ui/controller/open_session.h"
 #include "ui/data/shown_series.h"
 #include "viewer/volume/cancel.h"
 
@@ -25,7 +26,8 @@ class Loader : public QObject {
   ~Loader() override;
 
   void open(const QString& path);
-  /// Gives up a load that is under way.
+  void openSession(const QString& path);
+  /// Gives up a load of another series that is under way.
   void load(const Series& series);
   void makePreset(const QString& name, VolumePtr volume);
   void cancel();
@@ -34,6 +36,7 @@ class Loader : public QObject {
 
  Q_SIGNALS:
   void studyOpened(const QString& path, const std::shared_ptr<const volumen::Study>& study);
+  void sessionOpened(const QString& path, const volumen::OpenedSession& session);
   void seriesLoaded(const volumen::ShownSeriesPtr& series);
   void presetReady(const QString& name, const volumen::Scene& scene, const volumen::VolumePtr& volume);
   /// A sentence; not for what was cancelled.
@@ -55,6 +58,7 @@ class Loader : public QObject {
   QThreadPool openPool_, loadPool_;  // one thread each: paths in order, beside what is made of the volumes
   CancelToken cancel_, loadCancel_;  // of everything else, and of the series being loaded
   int underWay_ = 0;
+  std::optional<SeriesKey> loading_;
 };
 
 }  // namespace volumen

@@ -24,6 +24,7 @@ TableRemover::TableRemover(Session& session, QObject* parent)
   setCheckable(true);
   pool_.setMaxThreadCount(1);
   connect(this, &QAction::triggered, this, &TableRemover::take);
+  connect(&session_, &Session::withoutTableNeeded, this, &TableRemover::makeAgain);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series == after.series) return;
     if (!areOneSeries(before.series, after.series)) cancel();
@@ -62,20 +63,31 @@ void TableRemover::take(bool removed) {
   } else if (const ShownSeriesPtr made = session_.withoutTable()) {
     show(made);
   } else {
-    make(series);
+    make(series, [this](const ShownSeriesPtr& without) { show(without); });
   }
 }
 
-void TableRemover::make(const ShownSeriesPtr& series) {
+// For a workspace that was read: no step of its own.
+void TableRemover::makeAgain(const ShownSeriesPtr& series) {
+  const SeriesKey key = keyOf(series->series);
+  if (makingAgain_ == key) return;
+  if (!inHounsfield(*series->volume, series->histogram))
+    return session_.change(tr("Show table"), [&](Workspace& w) { w.series.at(key).tableRemoved = false; });
+  makingAgain_ = key;
+  make(series, [this](const ShownSeriesPtr& without) { session_.takeWithoutTable(without); });
+}
+
+void TableRemover::make(const ShownSeriesPtr& series, const std::function<void(const ShownSeriesPtr&)>& use) {
   Q_EMIT begun();
-  pool_.start([this, series, cancel = cancel_] {
+  pool_.start([this, series, use, cancel = cancel_] {
     const Result<ShownSeriesPtr> made = seriesWithout(series, cancel);
     QMetaObject::invokeMethod(
         this,
-        [this, cancel, made] {
+        [this, cancel, use, made] {
           Q_EMIT ended();
+          makingAgain_.reset();
           if (cancel.cancelled()) return;
-          if (made) return show(*made);
+          if (made) return use(*made);
           showState();
           Q_EMIT failed(QString::fromStdString(made.message()));
         },

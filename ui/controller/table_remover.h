@@ -30,12 +30,14 @@ class TableRemover : public QAction {
  private:
   void showState();
   void take(bool removed);
-  void make(const ShownSeriesPtr& series);
+  void makeAgain(const ShownSeriesPtr& series);
+  void make(const ShownSeriesPtr& series, const std::function<void(const ShownSeriesPtr&)>& use);
   void show(const ShownSeriesPtr& without);
 
   Session& session_;
   QThreadPool pool_;
   CancelToken cancel_;
+  std::optional<SeriesKey> makingAgain_;
 };
 
 }  // namespace volumen

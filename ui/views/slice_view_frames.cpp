@@ -16,7 +16,8 @@ QString letters(glm::dvec3 direction) { return QString::fromStdString(sideLetter
 }  // namespace
 
 FrameKey SliceView::frameKey() const {
-  return {state().series, player_ ? player_->due() : flatLookOf(state()).frame};
+  const int last = std::max(0, frameCount(*seriesState().series) - 1);
+  return {state().series, player_ ? player_->due() : std::min(flatLookOf(state()).frame, last)};
 }
 
 void SliceView::forgetFrame() {
@@ -31,6 +32,7 @@ void SliceView::forgetFrame() {
 
 void SliceView::askForFrame() {
   if (!showsFrames() || state().series.empty() || !isVisible()) return;
+  if (frameCount(*seriesState().series) == 0) return;  // of a session whose files are not here
   const FrameKey key = frameKey();
   if (frame_ && frame_->key == key) return;
   const bool isBackwards = frame_ && frame_->key.index > key.index && !player_;

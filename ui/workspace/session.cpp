@@ -78,8 +78,22 @@ void Session::take(ShownSeriesPtr series, const Arrange& arrange) {
   };
   if (std::ranges::none_of(viewsOnScreen(workspace_), waits))
     return show(std::move(series), workspace_.focus, arrange);
-  pool_.put({key, false}, std::move(series));
+  pool_.put({key, false}, series);
+  setWorkspace(withFound(workspace_, series->series));
+}
+
+void Session::takeWithoutTable(ShownSeriesPtr without) {
+  const SeriesKey key = keyOf(without->series);
+  if (!workspace_.series.contains(key)) return;
+  pool_.put({key, true}, std::move(without));
   setWorkspace(workspace_);
+}
+
+void Session::open(const QString& text, const Workspace& workspace) {
+  endGesture();
+  if (!workspace_.series.empty()) return change(text, workspace);
+  undoStack_.clear();
+  setWorkspace(workspace);
 }
 
 void Session::close(const SeriesKey& key) {
@@ -192,6 +206,17 @@ SessionState Session::stateInFocus() const {
   return state;
 }
 
+// Of what is on screen and not in memory.
+void Session::askFor(const PoolKey& key) {
+  const auto known = workspace_.series.find(key.series);
+  if (known == workspace_.series.end() || known->second.missing || pool_.find(key)) return;
+  const ShownSeriesPtr withTable = key.tableRemoved ? pool_.find({key.series, false}) : nullptr;
+  if (withTable)
+    Q_EMIT withoutTableNeeded(withTable);
+  else
+    Q_EMIT seriesNeeded(*known->second.series);
+}
+
 void Session::setWorkspace(const Workspace& workspace) {
   Workspace after = workspace;  // a copy: it may be the one in use
   const Workspace before = std::exchange(workspace_, std::move(after));
@@ -207,8 +232,7 @@ void Session::setWorkspace(const Workspace& workspace) {
   const SessionState stateBefore = std::exchange(state_, stateInFocus());
   Q_EMIT workspaceChanged(before, workspace_);
   if (stateBefore != state_) Q_EMIT changed(stateBefore, state_);
-  for (const PoolKey& key : onScreen)
-    if (!pool_.find(key)) Q_EMIT seriesNeeded(*workspace_.series.at(key.series).series);
+  for (const PoolKey& key : onScreen) askFor(key);
 }
 
 }  // namespace volumen

@@ -54,6 +54,10 @@ class Session : public QObject {
   bool showAgain(const Series& series, ViewId view);
   /// Keeps a series that views on screen wait for; shows any other.
   void take(ShownSeriesPtr series, const Arrange& arrange = {});
+  /// The same for its volume without the table.
+  void takeWithoutTable(ShownSeriesPtr without);
+  /// Makes a workspace that was read the one in use; one undo step, but for the first of a window.
+  void open(const QString& text, const Workspace& workspace);
   /// Drops a series from views and memory, and forgets all steps.
   void close(const SeriesKey& key);
 
@@ -103,6 +107,8 @@ class Session : public QObject {
   void workspaceChanged(const volumen::Workspace& before, const volumen::Workspace& after);
   /// A view shows a series that is not in memory: take() it.
   void seriesNeeded(const volumen::Series& series);
+  /// A view shows this series without its table, and that volume is not in memory: takeWithoutTable() it.
+  void withoutTableNeeded(const volumen::ShownSeriesPtr& series);
 
   void preferencesChanged(const volumen::Preferences& before, const volumen::Preferences& after);
 
@@ -111,6 +117,7 @@ class Session : public QObject {
   PoolKey poolKeyOf(const SeriesKey& series) const;
   void begin(const QString& text, Workspace after);
   SessionState stateInFocus() const;
+  void askFor(const PoolKey& key);
   void setWorkspace(const Workspace& workspace);
 
   Workspace workspace_;

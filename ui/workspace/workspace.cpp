@@ -130,8 +130,17 @@ std::string frameOfReference(const Series& series) {
   return series.frameOfReferenceUid.empty() ? series.path + '\n' + series.id : series.frameOfReferenceUid;
 }
 
+Workspace withFound(Workspace workspace, const Series& series) {
+  const auto state = workspace.series.find(keyOf(series));
+  if (state == workspace.series.end() || !state->second.missing) return workspace;
+  state->second.series = std::make_shared<const Series>(series);
+  state->second.missing.reset();
+  return workspace;
+}
+
 Workspace withSeries(Workspace workspace, ViewId view, const Series& series, const SceneLook& first) {
   remember(workspace, series);
+  workspace = withFound(std::move(workspace), series);
   if (!inGroup(view)) {
     put(workspace, view, series, first);
     return workspace;
@@ -179,6 +188,7 @@ void makeWhole(FlatLook& look) { look.panMm = {0, 0}, look.zoom = 1, look.slabMm
 
 Workspace withFrames(Workspace workspace, ViewId view, const Series& series) {
   remember(workspace, series);
+  workspace = withFound(std::move(workspace), series);
   const ViewId shown = framesViewOf(view);
   const SeriesKey key = keyOf(series);
   ViewState& frames = workspace.view(shown);

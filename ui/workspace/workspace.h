@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ui/data/series_key.h"
+#include "ui/data/series_proof.h"
 #include "ui/workspace/measurement.h"
 #include "ui/workspace/quality_goal.h"
 #include "ui/workspace/view_id.h"
@@ -22,13 +23,20 @@ namespace volumen {
 struct ChosenPreset {
   std::string name;
   Scene scene;
+  bool operator==(const ChosenPreset&) const = default;
 };
+
+/// Whether two shared values are equal.
+template <class T>
+bool sameValue(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b) {
+  return a == b || (a && b && *a == *b);
+}
 
 /// How one 3D view shows one series.
 struct SceneLook {
   Scene scene;
   std::shared_ptr<const ChosenPreset> preset;
-  bool operator==(const SceneLook&) const = default;
+  bool operator==(const SceneLook& o) const { return scene == o.scene && sameValue(preset, o.preset); }
 };
 
 /// How one flat view shows one series.
@@ -57,7 +65,12 @@ struct SeriesState {
   std::optional<Window> window;  ///< of flat views; a negative width is inverted; none: the series' own
   int namedGrey = 0;             ///< of frames without such a window: which of the file's own
   ColourMap colours = ColourMap::grey;
-  bool operator==(const SeriesState&) const = default;
+  /// What a session knows of a series that was not found again: it is not loaded, `series` only names it.
+  std::optional<SeriesProof> missing;
+  bool operator==(const SeriesState& o) const {
+    return sameValue(series, o.series) && tableRemoved == o.tableRemoved && window == o.window &&
+           namedGrey == o.namedGrey && colours == o.colours && missing == o.missing;
+  }
 };
 
 enum class ViewKind { volume, axial, coronal, sagittal, frames };
@@ -151,6 +164,8 @@ std::string frameOfReference(const Series& series);
 
 /// With this series in a view, and in those of its group; by `first` where a 3D view has not shown it yet.
 Workspace withSeries(Workspace workspace, ViewId view, const Series& series, const SceneLook& first);
+/// With a series at hand that was missing.
+Workspace withFound(Workspace workspace, const Series& series);
 /// The views that show slices of the same series as this one does: of a group all, of views to compare one.
 std::vector<ViewId> planesOf(const Workspace& workspace, ViewId view);
 /// With this change in each of them.

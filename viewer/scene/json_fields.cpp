@@ -13,28 +13,34 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t largestText = 4 << 20;
 constexpr std::size_t deepestNesting = 32;
 
-// Follows the parser and notes what a parsed value no longer shows: how deep it was, and fields given twice.
-class Nesting {
+// Goes through a text and notes what a parsed value no longer shows: how deep it was, and fields given twice.
+// A callback of json::parse could, too, but takes time by the square of a list's length.
+class Nesting : public nlohmann::json_sax<json> {
  public:
   std::string problem;
 
-  bool operator()(int, json::parse_event_t event, json& value) {
-    if (!problem.empty()) return false;
-    if (event == json::parse_event_t::object_start || event == json::parse_event_t::array_start) {
-      if (levels_.size() == deepestNesting) problem = "The JSON is nested too deeply.";
-      levels_.push_back({event == json::parse_event_t::array_start, {}, {}, 0});
-    } else if (event == json::parse_event_t::key) {
-      Level& level = levels_.back();
-      level.key = value.get<std::string>();
-      if (!level.keys.insert(level.key).second) problem = path() + " is given twice.";
-    } else {
-      if (event != json::parse_event_t::value) levels_.pop_back();
-      if (!levels_.empty()) ++levels_.back().index;
-    }
+  bool null() override { return value(); }
+  bool boolean(bool) override { return value(); }
+  bool number_integer(number_integer_t) override { return value(); }
+  bool number_unsigned(number_unsigned_t) override { return value(); }
+  bool number_float(number_float_t, const string_t&) override { return value(); }
+  bool string(string_t&) override { return value(); }
+  bool binary(binary_t&) override { return value(); }
+  bool start_object(std::size_t) override { return start(false); }
+  bool start_array(std::size_t) override { return start(true); }
+  bool end_object() override { return end(); }
+  bool end_array() override { return end(); }
+  bool key(string_t& name) override {
+    Level& level = levels_.back();
+    level.key = name;
+    if (!level.keys.insert(name).second) problem = path() + " is given twice.";
     return problem.empty();
+  }
+  // json::parse says what and where.
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
   }
 
  private:
@@ -45,6 +51,20 @@ class Nesting {
     std::size_t index;
   };
   std::vector<Level> levels_;
+
+  bool start(bool list) {
+    if (levels_.size() == deepestNesting) problem = "The JSON is nested too deeply.";
+    levels_.push_back({list, {}, {}, 0});
+    return problem.empty();
+  }
+  bool end() {
+    levels_.pop_back();
+    return value();
+  }
+  bool value() {
+    if (!levels_.empty()) ++levels_.back().index;
+    return true;
+  }
 
   std::string path() const {
     std::string text;
@@ -92,15 +112,15 @@ const char* kindName(const json& value) {
 
 }  // namespace
 
-Result<json> parseJson(const std::string& text) {
-  if (text.size() > largestText) return Error{"The JSON is larger than 4 MiB."};
+Result<json> parseJson(const std::string& text, std::size_t mostMiB) {
+  if (text.size() > mostMiB << 20)
+    return Error{"The JSON is larger than " + std::to_string(mostMiB) + " MiB."};
   Nesting nesting;
+  json::sax_parse(text, &nesting);
+  if (!nesting.problem.empty()) return Error{nesting.problem};
   try {
-    json parsed = json::parse(text, std::ref(nesting));
-    if (!nesting.problem.empty()) return Error{nesting.problem};
-    return parsed;
+    return json::parse(text);
   } catch (const json::parse_error& e) {
-    if (!nesting.problem.empty()) return Error{nesting.problem};
     return Error{"Not JSON at " + placeInText(text, e.byte) + ": " + reasonOf(e.what()) + "."};
   } catch (const json::out_of_range& e) {
     return Error{"A number is too large: " + std::string(e.what()).substr(0, 100) + "."};

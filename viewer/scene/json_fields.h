@@ -11,9 +11,10 @@
 
 namespace volumen {
 
-/// Parses JSON text that nobody has checked. Refused in one sentence: texts above 4 MiB, nesting deeper than
-/// 32, a field given twice in one object (with its path), anything that is not JSON (with line and column).
-Result<nlohmann::json> parseJson(const std::string& text);
+/// Parses JSON text that nobody has checked. Refused in one sentence: texts above `mostMiB`, nesting deeper
+/// than 32, a field given twice in one object (with its path), anything that is not JSON (with line and
+/// column).
+Result<nlohmann::json> parseJson(const std::string& text, std::size_t mostMiB = 4);
 
 /// The words of an enumeration in a file.
 template <class T>

@@ -52,6 +52,8 @@ void TestSceneRefusals::refusalsNameTheField_data() {
   QTest::addColumn<QString>("sentence");
   row("no object", "[1]", "The JSON must be an object, not a list.");
   row("other version", R"({"volumenScene": 2})", "volumenScene must be 1, the version of the format, not 2.");
+  row("a million lights", repeated("{\"lights\": [", "{}", 1000000, "]}"),
+      "lights must hold 0 to 64 lights, not 1000000.");
   row("unknown at the top", R"({"colour": 1})",
       "colour is unknown; the fields here are volumenScene, mode, window, transferFunction, shading, lights, "
       "camera, clip, background.");

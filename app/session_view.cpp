@@ -1,0 +1,31 @@
+#include "app/session_view.h"
+
+#include "app/progress.h"
+#include "ui/controller/open_session.h"
+
+namespace volumen {
+
+namespace {
+
+Result<SessionView> viewOf(const std::string& path, const OpenedSession& session) {
+  const Workspace& workspace = session.workspace;
+  const ViewState& view = workspace.view(sceneViewOf(workspace));
+  const auto look = view.scenes.find(view.series);
+  if (look == view.scenes.end()) return Error{path + " shows no series in 3D."};
+  const SeriesState& shown = workspace.series.at(view.series);
+  if (shown.missing) return Error{path + ": " + session.problems.join(QLatin1Char(' ')).toStdString()};
+  SessionView read{*shown.series, shown.tableRemoved, look->second.scene, {}};
+  if (workspace.goal.aim == Aim::level) read.quality = workspace.goal.level.quality;
+  return read;
+}
+
+}  // namespace
+
+Result<SessionView> readSessionView(const std::string& path, const CancelToken& cancel) {
+  const auto session = openSession(path, terminalProgress(), cancel);
+  endTerminalProgress();
+  if (!session) return session.error();
+  return viewOf(path, *session);
+}
+
+}  // namespace volumen

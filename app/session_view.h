@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "io/study.h"
+#include "viewer/plan/options.h"
+#include "viewer/scene/scene.h"
+
+namespace volumen {
+
+/// What the 3D view in focus of a session shows.
+struct SessionView {
+  Series series;
+  bool tableRemoved = false;
+  Scene scene;
+  std::optional<Quality> quality;  ///< none: the window chose it by time or error
+};
+
+/// Reads a session and finds the series of that view. The Error names the file, and the series where it is
+/// missing or has changed.
+Result<SessionView> readSessionView(const std::string& path, const CancelToken& cancel);
+
+}  // namespace volumen

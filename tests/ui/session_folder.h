@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QTemporaryDir>
+
+#include "io/files/write_volume.h"
+#include "tests/fixtures/ct_with_table.h"
+#include "tests/ui/journey.h"
+
+namespace volumen::tests {
+
+/// A folder with a CT, ct.nrrd, in which windows save and open sessions.
+class SessionFolder {
+ public:
+  SessionFolder() { (void)writeVolume(*CtWithTable::volume(true), ct().toStdString()); }
+
+  QString at(const char* name) const { return dir_.filePath(QLatin1String(name)); }
+  QString ct() const { return at("ct.nrrd"); }
+
+  /// True once it is written.
+  bool save(Journey& w, const char* name = "s.volumen") const {
+    w.child<QAction>("saveSessionAs")->trigger();
+    answer(w, "saveSessionDialog", at(name));
+    return QTest::qWaitFor([&] { return w.window.windowTitle().contains(QLatin1String(name)); }, longest);
+  }
+  /// True once its picture at rest is on screen.
+  bool open(Journey& w, const char* name = "s.volumen") const {
+    // Pictures of what was open before may come until then.
+    bool drawn = false;
+    QObject context;
+    QObject::connect(&w.window, &MainWindow::settled, &context,
+                     [&] { drawn |= w.window.windowTitle().contains(QLatin1String(name)); });
+    w.child<QAction>("openSession")->trigger();
+    answer(w, "openSessionDialog", at(name));
+    return QTest::qWaitFor([&] { return drawn; }, longest);
+  }
+
+ private:
+  QTemporaryDir dir_;
+};
+
+/// Whether the picture at rest comes after something was done.
+inline bool settles(Journey& w, const std::function<void()>& act) { return !w.after(act).isNull(); }
+
+}  // namespace volumen::tests

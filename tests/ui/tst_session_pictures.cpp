@@ -1,0 +1,117 @@
+// Guards design.md 8: `volumen render` draws a session as the window does.
+#include <QComboBox>
+#include <QSpinBox>
+
+#include "tests/fixtures/program.h"
+#include "tests/ui/gestures.h"
+#include "tests/ui/session_folder.h"
+#include "tests/unit/suite.h"
+#include "ui/views/slice_view.h"
+#include "ui/views/view_grid.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestSessionPictures : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theProgramDrawsTheSnapshot_data();
+  void theProgramDrawsTheSnapshot();
+  void theProgramRefusesWhatContradicts_data();
+  void theProgramRefusesWhatContradicts();
+};
+
+void TestSessionPictures::theProgramDrawsTheSnapshot_data() {
+  QTest::addColumn<int>("what");
+  QTest::addColumn<QSize>("size");
+  const QSize view(0, 0);  // of the window's view
+  QTest::newRow("as it is opened") << 0 << view;
+  QTest::newRow("turned") << 1 << QSize(230, 170);
+  QTest::newRow("without its table, by level") << 2 << QSize(200, 200);
+  QTest::newRow("from the planes beside it") << 3 << QSize(160, 120);
+}
+
+void TestSessionPictures::theProgramDrawsTheSnapshot() {
+  const SessionFolder folder;
+  QFETCH(int, what);
+  QFETCH(QSize, size);
+  Journey w({folder.ct()});
+  QVERIFY(w.settle());
+  Quality quality = Quality::standard;
+  if (what >= 1) QVERIFY(settles(w, [&] { drag(w.window.view(), {100, 100}, {130, 90}); }));
+  if (what == 2) {
+    QVERIFY(!w.after("removeTable").isNull());
+    quality = Quality::high;
+    w.window.session().setGoal(QStringLiteral("Level"), {.level = {quality, 1}});
+  }
+  if (what == 3) {
+    w.child<QAction>("layoutPlanes")->trigger();
+    QTRY_VERIFY(w.window.views()->sliceView(coronalViewId));
+    QTest::mouseClick(w.window.views()->sliceView(coronalViewId), Qt::LeftButton, {}, {50, 50});
+  }
+  if (size.isNull()) size = w.window.view()->pixels();
+  QVERIFY(folder.save(w));
+  auto* panel = w.child<QWidget>("snapshotPanel");
+  QVERIFY(panel);
+  w.child<QSpinBox>("snapshotWidth")->setValue(size.width());
+  w.child<QSpinBox>("snapshotHeight")->setValue(size.height());
+  w.child<QComboBox>("snapshotQuality")->setCurrentIndex(quality == Quality::standard ? 0 : 1);
+  w.child<QAction>("snapshot")->trigger();
+  answer(w, "snapshotDialog", folder.at("window.png"));
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.at("window.png")), longest);
+  const Outcome a = runProgram(QStringList{
+      QStringLiteral("render"), folder.at("s.volumen"), QStringLiteral("-o"), folder.at("program.png"),
+      QStringLiteral("--size"), QStringLiteral("%1x%2").arg(size.width()).arg(size.height())});
+  QVERIFY2(a.status == 0, a.err);
+  const QImage window(folder.at("window.png")), program(folder.at("program.png"));
+  QCOMPARE(window.size(), size);
+  QVERIFY(window == program);
+  QCOMPARE(contentsOf(folder.at("window.png")), contentsOf(folder.at("program.png")));
+}
+
+void TestSessionPictures::theProgramRefusesWhatContradicts_data() {
+  QTest::addColumn<QString>("line");
+  QTest::addColumn<int>("status");
+  QTest::addColumn<QString>("words");
+  const auto row = [](const char* name, const char* line, int status, const char* words) {
+    QTest::newRow(name) << QString::fromLatin1(line) << status << QString::fromLatin1(words);
+  };
+  row("another series", "render S --series 1 -o P", 2, "leave --series out");
+  row("another scene", "render S --scene x.json -o P", 2, "leave --scene out");
+  row("a preset", "render S --preset CT-Bone -o P", 2, "leave --preset out");
+  row("the table", "render S --remove-table -o P", 2, "leave --remove-table out");
+  row("another view", "render S --view left --mode mip --size 16x16 --quality draft -o P", 0, "");
+  row("a series that is gone", "render GONE -o P", 1, "not found");
+  row("no session", "render /nowhere/x.volumen -o P", 1, "/nowhere/x.volumen");
+  row("info", "info S", 1, "is a session, not a volume");
+  row("convert", "convert S -o V", 1, "is a session, not a volume");
+  row("slice", "slice S -o P", 1, "is a session, not a volume");
+  row("bench", "bench S --views 1", 1, "is a session, not a volume");
+}
+
+void TestSessionPictures::theProgramRefusesWhatContradicts() {
+  const SessionFolder folder;
+  QFETCH(QString, line);
+  QFETCH(int, status);
+  QFETCH(QString, words);
+  {
+    Journey w({folder.ct()});
+    QVERIFY(w.settle());
+    QVERIFY(folder.save(w));
+    QVERIFY(QFile::copy(folder.ct(), folder.at("gone.nrrd")));
+    w.window.session().show(nullptr);
+    QVERIFY(settles(w, [&] { w.window.open({folder.at("gone.nrrd")}); }));
+    QVERIFY(folder.save(w, "gone.volumen"));
+  }
+  QVERIFY(QFile::remove(folder.at("gone.nrrd")));
+  line.replace(QStringLiteral("GONE"), folder.at("gone.volumen"));
+  line.replace(QStringLiteral(" S"), QLatin1Char(' ') + folder.at("s.volumen"));
+  line.replace(QStringLiteral("-o P"), QStringLiteral("-o ") + folder.at("p.png"));
+  line.replace(QStringLiteral("-o V"), QStringLiteral("-o ") + folder.at("v.nrrd"));
+  const Outcome a = runProgram(line);
+  QVERIFY2(a.status == status, a.err);
+  QVERIFY2(QString::fromUtf8(a.err).contains(words), a.err);
+}
+
+VOLUMEN_TEST(TestSessionPictures);
+#include "tst_session_pictures.moc"

@@ -1,0 +1,154 @@
+#include "tests/unit/workspace/random_workspace.h"
+
+#include "tests/fixtures/chance.h"
+#include "tests/unit/render/random_scenes.h"
+#include "ui/workspace/flat_plane.h"
+
+namespace volumen::tests {
+namespace {
+
+double anyNumber(Chance& chance) {
+  const double number = chance.power(-12, 6) * (chance.oneIn(2) ? -1 : 1);
+  return chance.oneIn(5) ? std::round(number) : number;
+}
+
+glm::dvec3 anyPlace(Chance& chance) {
+  const double x = anyNumber(chance), y = anyNumber(chance);
+  return {x, y, anyNumber(chance)};
+}
+
+std::string anyText(Chance& chance) {
+  static const std::vector<std::string> texts{"", "Kopf \xc3\xa4", "a \"b\"\n\t\\ \x01", "Z",
+                                              "1.2.840.10008"};
+  return texts[std::size_t(chance.below(int(texts.size())))];
+}
+
+VoxelGeometry anyGeometry(Chance& chance) {
+  VoxelGeometry geometry;
+  for (int a = 0; a < 3; ++a) {
+    geometry.size[a] = 1 + chance.below(600);
+    geometry.patientFromVoxelStep[a] = anyPlace(chance);
+  }
+  geometry.origin = anyPlace(chance);
+  geometry.calibrated = !chance.oneIn(5);
+  return geometry;
+}
+
+// What a session says of a series.
+Series namedSeries(Chance& chance, int n) {
+  Series series;
+  series.format = chance.oneIn(4) ? "phantom" : "DICOM";
+  series.path = (series.format == "phantom" ? "phantom:" : "/data/") + std::to_string(n) + anyText(chance);
+  series.id = "id" + std::to_string(chance.below(2));
+  series.seriesUid = anyText(chance);
+  series.seriesNumber = anyText(chance);
+  if (!chance.oneIn(3)) series.frameOfReferenceUid = "2.25." + std::to_string(chance.below(3));
+  series.modality = "CT";
+  series.description = anyText(chance);
+  series.acquired = anyGeometry(chance);
+  series.valueType = "int16";
+  return series;
+}
+
+SeriesState anySeries(Chance& chance, int n) {
+  SeriesState state;
+  Series series = namedSeries(chance, n);
+  if (chance.oneIn(3)) {
+    state.missing = SeriesProof{series.acquired, series.valueType, chance.below(900), anyText(chance)};
+  } else {
+    series.patientName = "Doe^Jane";
+    series.warnings.emplace_back("Gantry tilt.", WarningKind::sheared);
+    for (int file = chance.below(4); file > 0; --file) {
+      series.files.push_back(series.path + "/" + std::to_string(file));
+      series.sopInstanceUids.push_back("2.25.9." + std::to_string(chance.below(1000)));
+    }
+  }
+  state.series = std::make_shared<const Series>(std::move(series));
+  state.tableRemoved = chance.oneIn(3);
+  state.namedGrey = chance.below(4);
+  state.colours = ColourMap(chance.below(4));
+  if (chance.oneIn(2)) state.window = Window{anyNumber(chance), chance.power(-3, 5)};
+  return state;
+}
+
+SceneLook anyScene(Chance& chance) {
+  SceneLook look{randomScene(std::uint64_t(chance.below(1 << 30))).scene, nullptr};
+  if (chance.oneIn(2))
+    look.preset = std::make_shared<const ChosenPreset>(
+        ChosenPreset{anyText(chance), randomScene(std::uint64_t(chance.below(1 << 30))).scene});
+  return look;
+}
+
+Crosshair anyCrosshair(Chance& chance) {
+  Crosshair crosshair;
+  crosshair.at = anyPlace(chance);
+  const ViewKind kinds[] = {ViewKind::axial, ViewKind::coronal, ViewKind::sagittal};
+  for (int turns = chance.below(4); turns > 0; --turns)
+    crosshair = turnedIn(crosshair, kinds[chance.below(3)], chance.below(1000) * 0.01);
+  return crosshair;
+}
+
+Measurement anyMeasurement(Chance& chance, int id, const SeriesKey& series) {
+  Measurement m{id, series, {}, {}};
+  m.shape.kind = chance.oneIn(2) ? ShapeKind::length : ShapeKind::rectangle;
+  m.shape.name = anyText(chance);
+  m.shape.points = {anyPlace(chance), anyPlace(chance)};
+  if (m.shape.kind == ShapeKind::rectangle) m.shape.plane = ShapePlane{anyPlace(chance)};
+  if (chance.oneIn(2)) m.textOffset = anyPlace(chance);
+  return m;
+}
+
+FlatLook anyFlat(Chance& chance, const SeriesKey& overlay) {
+  FlatLook look;
+  look.panMm = {anyNumber(chance), anyNumber(chance)};
+  look.zoom = chance.power(-1, 2);
+  look.slabMm = chance.oneIn(2) ? 0 : chance.power(-2, 2);
+  look.slabMode = SlabMode(chance.below(3));
+  look.nearest = chance.oneIn(2);
+  look.inverted = chance.oneIn(2);
+  look.frame = chance.below(100);
+  look.layers = chance.oneIn(2);
+  look.overlay = overlay;
+  look.overlayColours = ColourMap(chance.below(4));
+  look.overlayOpacity = chance.below(101) / 100.0;
+  return look;
+}
+
+}  // namespace
+
+Workspace randomWorkspace(std::uint64_t seed) {
+  Chance chance(seed);
+  Workspace w;
+  std::vector<SeriesKey> keys{{}};  // no series, too
+  for (int n = chance.below(6); n > 0; --n) {
+    const SeriesState state = anySeries(chance, n);
+    keys.push_back(keyOf(*state.series));
+    w.series[keys.back()] = state;
+    if (chance.oneIn(2)) w.crosshairs[frameOfReference(*state.series)] = anyCrosshair(chance);
+  }
+  if (chance.oneIn(4)) w.crosshairs["2.25.77"] = anyCrosshair(chance);  // of a series that was closed
+  for (ViewState& view : w.views) {
+    view.series = keys[std::size_t(chance.below(int(keys.size())))];
+    if (view.kind != ViewKind::volume) view.kind = ViewKind(1 + chance.below(3));
+    for (const SeriesKey& key : keys) {
+      if (chance.oneIn(3)) view.scenes[key] = anyScene(chance);
+      if (chance.oneIn(3))
+        view.flats[key] = anyFlat(chance, keys[std::size_t(chance.below(int(keys.size())))]);
+    }
+  }
+  for (std::size_t n = 1; n < keys.size(); ++n)
+    for (int made = chance.below(3); made > 0; --made)
+      w.measurements.push_back(anyMeasurement(chance, int(w.measurements.size()) + 1, keys[n]));
+  w.measurementsShown = !chance.oneIn(4);
+  w.layout = Layout(chance.below(5));
+  const std::vector<ViewId> shown = viewsOnScreen(w);
+  w.focus =
+      w.layout == Layout::one ? chance.below(viewCount) : shown[std::size_t(chance.below(int(shown.size())))];
+  w.goal.aim = Aim(chance.below(3));
+  w.goal.level = {Quality(chance.below(4)), 1 << chance.below(3)};
+  w.goal.frameMs = chance.power(0, 4);
+  w.goal.errorOf255 = chance.power(-2, 2);
+  return w;
+}
+
+}  // namespace volumen::tests

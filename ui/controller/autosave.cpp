@@ -1,0 +1,144 @@
+#include "ui/controller/autosave.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QRandomGenerator>
+#include <QStandardPaths>
+
+#include "io/files/session_file.h"
+#include "ui/controller/open_session.h"
+#include "ui/workspace/session_json.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int keepWithinMs = 1000;  // and the time to write it, on a slow disk
+
+QString lockOf(const QString& path) { return path + QStringLiteral(".lock"); }
+
+// With the lock, and with what was being written when the program was killed.
+void removeKept(const QString& path) {
+  const QFileInfo file(path);
+  for (const QString& name : file.dir().entryList({file.fileName() + QStringLiteral("*")}, QDir::Files))
+    file.dir().remove(name);
+}
+
+QString savedAsOf(const QString& path) {
+  const auto text = sessionText(path.toStdString());
+  if (!text) return {};
+  const auto session = sessionFromJson(*text, {});
+  return session ? QString::fromStdString(session->savedAs) : QString();
+}
+
+// The latest that no running program holds.
+std::optional<LostSession> latestLost() {
+  const QDir dir(Autosave::folder());
+  for (const QFileInfo& file : dir.entryInfoList({QStringLiteral("*.volumen")}, QDir::Files, QDir::Time)) {
+    const QString path = file.filePath();
+    if (auto lock = LockFile::take(lockOf(path).toStdString()))
+      return LostSession{path, savedAsOf(path), file.lastModified(),
+                         std::make_shared<LockFile>(std::move(*lock))};
+  }
+  return {};
+}
+
+}  // namespace
+
+// The file of this program, under a name that no other takes.
+class Autosave::File {
+ public:
+  Status write(const Workspace& workspace, const std::string& savedAs) {
+    if (!lock_) {
+      QDir().mkpath(folder());
+      // Paths may name patients.
+      QFile::setPermissions(folder(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+      lock_ = LockFile::take(lockOf(path_).toStdString());
+    }
+    return saveSession(path_.toStdString(), workspace, savedAs);
+  }
+
+  void remove() {
+    if (!lock_) return;
+    removeKept(path_);
+    lock_.reset();
+  }
+
+ private:
+  const QString path_ = QStringLiteral("%1/%2-%3.volumen")
+                            .arg(folder())
+                            .arg(QCoreApplication::applicationPid())
+                            .arg(QRandomGenerator::system()->generate64(), 16, 16, QLatin1Char('0'));
+  std::optional<LockFile> lock_;
+};
+
+QString Autosave::folder() {
+  return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+         QStringLiteral("/volumen/autosave");
+}
+
+Autosave::Autosave(const Session& session, const SessionFiles& files, QObject* parent)
+    : QObject(parent), session_(session), files_(files), file_(std::make_unique<File>()) {
+  pool_.setMaxThreadCount(1);
+  timer_.setSingleShot(true);
+  timer_.setInterval(keepWithinMs);
+  connect(&timer_, &QTimer::timeout, this, &Autosave::write);
+  const auto note = [this] {
+    if (!timer_.isActive()) timer_.start();
+  };
+  connect(&session_, &Session::workspaceChanged, this, note);
+  connect(&files_, &SessionFiles::changed, this, note);
+}
+
+Autosave::~Autosave() {
+  pool_.waitForDone();
+  if (!files_.path().isEmpty() && wanted())
+    (void)file_->write(session_.workspace(), files_.path().toStdString());
+  else
+    file_->remove();
+}
+
+bool Autosave::wanted() const { return files_.modified(); }
+
+void Autosave::write() {
+  if (writing_) return timer_.start();
+  writing_ = true;
+  if (!wanted())
+    return pool_.start([this] {
+      file_->remove();
+      QMetaObject::invokeMethod(
+          this, [this] { written({}); }, Qt::QueuedConnection);
+    });
+  pool_.start([this, workspace = session_.workspace(), savedAs = files_.path().toStdString()] {
+    const Status status = file_->write(workspace, savedAs);
+    QMetaObject::invokeMethod(
+        this, [this, status] { written(status); }, Qt::QueuedConnection);
+  });
+}
+
+void Autosave::written(const Status& status) {
+  writing_ = false;
+  if (!status && !failing_) Q_EMIT failed(QString::fromStdString(status.message()));
+  failing_ = !status;
+  if (status && replaced_) forget(*std::exchange(replaced_, {}), false);
+}
+
+void Autosave::look() {
+  pool_.start([this] {
+    if (const auto lost = latestLost())
+      QMetaObject::invokeMethod(
+          this, [this, lost] { Q_EMIT found(*lost); }, Qt::QueuedConnection);
+  });
+}
+
+void Autosave::forget(const LostSession& lost, bool replaced) {
+  if (replaced) {
+    replaced_ = lost;
+    if (!timer_.isActive()) timer_.start();
+    return;
+  }
+  pool_.start([lost] { removeKept(lost.path); });
+}
+
+}  // namespace volumen

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QDateTime>
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "io/files/lock_file.h"
+#include "ui/controller/session_files.h"
+
+namespace volumen {
+
+/// What another run of the program left unsaved, held for this one to restore or discard.
+struct LostSession {
+  QString path;     ///< of what was kept on the way
+  QString savedAs;  ///< the session file that it belongs to; empty: none
+  QDateTime at;     ///< when it was kept last
+  std::shared_ptr<LockFile> lock;
+};
+
+/// Keeps what is not saved: one file a running program in the user's data folder, written on a worker thread
+/// within 2 s of every change. It goes when all is saved and when the program ends in order; changes of a
+/// session file that were not saved stay.
+class Autosave : public QObject {
+  Q_OBJECT
+ public:
+  Autosave(const Session& session, const SessionFiles& files, QObject* parent = nullptr);
+  ~Autosave() override;
+
+  /// Looks on the worker thread for what other runs left; the latest is told by found().
+  void look();
+  /// Deletes it; where `replaced`, only once the workspace is kept instead.
+  void forget(const LostSession& lost, bool replaced);
+
+  /// $XDG_DATA_HOME/volumen/autosave.
+  static QString folder();
+
+ Q_SIGNALS:
+  void found(const volumen::LostSession& lost);
+  /// A sentence; once until it could be written again.
+  void failed(const QString& sentence);
+
+ private:
+  class File;
+  void write();
+  void written(const Status& status);
+  bool wanted() const;
+
+  const Session& session_;
+  const SessionFiles& files_;
+  QThreadPool pool_;
+  QTimer timer_;
+  std::unique_ptr<File> file_;  // for the pool's thread
+  bool writing_ = false, failing_ = false;
+  std::optional<LostSession> replaced_;
+};
+
+}  // namespace volumen

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QStringList>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "ui/workspace/workspace.h"
+
+namespace volumen {
+
+/// A session that was read, with its series found again.
+struct OpenedSession {
+  Workspace workspace;
+  std::string savedAs;  ///< of what was kept on the way: the session file it belongs to; empty: none yet
+  std::vector<std::pair<std::string, std::shared_ptr<const Study>>> studies;  ///< by path
+  QStringList problems;  ///< a sentence for each series that is missing or has changed
+};
+
+/// Reads a session file and looks for its series: beside it as they lay then, else at their old place. Where
+/// one is missing, or is not what it was, its views stay empty and keep their state. The Error names the
+/// file.
+Result<OpenedSession> openSession(const std::string& path, const Progress& progress = {},
+                                  const CancelToken& cancel = {});
+
+/// Writes a session file. The Error names the file.
+Status saveSession(const std::string& path, const Workspace& workspace, const std::string& savedAs = {});
+
+}  // namespace volumen

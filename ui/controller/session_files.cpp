@@ -1,0 +1,74 @@
+#include "ui/controller/session_files.h"
+
+#include "ui/controller/open_session.h"
+
+namespace volumen {
+
+SessionFiles::SessionFiles(Session& session, QObject* parent) : QObject(parent), session_(session) {
+  pool_.setMaxThreadCount(1);
+  connect(&session_.undoStack(), &QUndoStack::indexChanged, this, &SessionFiles::followUndo);
+  connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
+    if (after.series.empty() && !path_.isEmpty()) return become({}, {});
+    if (modified() != modifiedTold_) tellModified();
+  });
+}
+
+SessionFiles::~SessionFiles() { pool_.waitForDone(); }
+
+bool SessionFiles::modified() const {
+  if (!written_) return !session_.workspace().series.empty();
+  const Workspace& now = session_.workspace();
+  if (now.focus == written_->focus) return now != *written_;
+  Workspace inFocus = now;
+  inFocus.focus = written_->focus;
+  return inFocus != *written_;
+}
+
+void SessionFiles::become(const QString& path, const std::optional<Workspace>& written) {
+  ++became_;
+  set(path, written);
+}
+
+void SessionFiles::set(const QString& path, const std::optional<Workspace>& written) {
+  path_ = path;
+  written_ = written;
+  tellModified();
+}
+
+void SessionFiles::tellModified() {
+  modifiedTold_ = modified();
+  Q_EMIT changed();
+}
+
+// Before the step that opened it the workspace was another one, which must not be written over it.
+void SessionFiles::followUndo(int step) {
+  if (step >= openedAt_) return;
+  openedAt_ = 0;
+  if (session_.undoStack().count() > 0) become({}, {});
+}
+
+void SessionFiles::opened(const QString& path) {
+  openedAt_ = session_.undoStack().index();
+  become(path, session_.workspace());
+}
+
+void SessionFiles::restored(const QString& path) {
+  openedAt_ = session_.undoStack().index();
+  become(path, {});
+}
+
+void SessionFiles::save(const QString& path) {
+  pool_.start([this, path, workspace = session_.workspace(), became = became_] {
+    const Status status = saveSession(path.toStdString(), workspace);
+    QMetaObject::invokeMethod(
+        this,
+        [this, path, workspace, became, status] {
+          if (!status) return void(Q_EMIT failed(QString::fromStdString(status.message())));
+          if (became == became_) set(path, workspace);
+          Q_EMIT saved(path);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+}  // namespace volumen

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+#include <optional>
+
+#include "ui/workspace/session.h"
+
+namespace volumen {
+
+/// Which session file the workspace is in, and whether it holds something else by now; writes it on a worker
+/// thread.
+class SessionFiles : public QObject {
+  Q_OBJECT
+ public:
+  explicit SessionFiles(Session& session, QObject* parent = nullptr);
+  /// Waits for what is being written.
+  ~SessionFiles() override;
+
+  /// Empty: it is in none.
+  const QString& path() const { return path_; }
+  /// Whether the workspace is not, or not as it is, in a file. The focus counts for nothing.
+  bool modified() const;
+
+  /// Ends in saved() or failed().
+  void save(const QString& path);
+  /// The workspace was read from this file just now.
+  void opened(const QString& path);
+  /// It was restored; the file, if any, does not hold it yet.
+  void restored(const QString& path);
+
+ Q_SIGNALS:
+  void saved(const QString& path);
+  void failed(const QString& sentence);
+  /// Of path() or modified().
+  void changed();
+
+ private:
+  void become(const QString& path, const std::optional<Workspace>& written);
+  void set(const QString& path, const std::optional<Workspace>& written);
+  void followUndo(int step);
+  void tellModified();
+
+  Session& session_;
+  QThreadPool pool_;
+  QString path_;
+  std::optional<Workspace> written_;  // what the file holds
+  int openedAt_ = 0;                  // the undo step from which on it is that file's
+  int became_ = 0;                    // how often it became another file's, but by saving
+  bool modifiedTold_ = false;
+};
+
+}  // namespace volumen

@@ -1,0 +1,94 @@
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+
+#include "ui/main_window.h"
+#include "ui/panels/studies_panel.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/offer_bar.h"
+#include "ui/widgets/status_line.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+QString filter() { return MainWindow::tr("Sessions (*.volumen)"); }
+
+QString lostText(const LostSession& lost) {
+  const QString at = QLocale().toString(lost.at, QLocale::ShortFormat);
+  if (!lost.savedAs.isEmpty())
+    return MainWindow::tr("%1 has changes of %2 that were not saved.")
+        .arg(pathText(lost.savedAs.toStdString()), at);
+  return MainWindow::tr("volumen was ended before it could save what was open on %1.").arg(at);
+}
+
+}  // namespace
+
+void MainWindow::connectSessions() {
+  connect(&loader_, &Loader::sessionOpened, this, &MainWindow::showSession);
+  connect(&sessionFiles_, &SessionFiles::saved, this, [this](const QString& path) {
+    status_->tell(tr("Saved %1").arg(path));
+    recent_.add(path);
+  });
+  connect(&sessionFiles_, &SessionFiles::changed, this, &MainWindow::showNames);
+  const auto tell = [this](const QString& sentence) { banner_->tell(sentence); };
+  connect(&sessionFiles_, &SessionFiles::failed, this, tell);
+  connect(&autosave_, &Autosave::failed, this, tell);
+  connect(&autosave_, &Autosave::found, this, &MainWindow::offerLost);
+  connect(offer_, &OfferBar::accepted, this, [this] { loader_.openSession(lost_->path); });
+  connect(offer_, &OfferBar::refused, this, [this] {
+    autosave_.forget(*std::exchange(lost_, {}), false);
+    autosave_.look();
+  });
+  autosave_.look();
+}
+
+void MainWindow::showSession(const QString& path, const OpenedSession& opened) {
+  const bool restores = lost_ && lost_->path == path;
+  for (const auto& [place, study] : opened.studies) studies_->addStudy(QString::fromStdString(place), study);
+  session_.open(restores ? tr("Restore") : tr("Open session"), opened.workspace);
+  for (const QString& problem : opened.problems) banner_->add(problem);
+  if (restores) {
+    sessionFiles_.restored(QString::fromStdString(opened.savedAs));
+    autosave_.forget(*std::exchange(lost_, {}), true);
+    return autosave_.look();
+  }
+  sessionFiles_.opened(path);
+  recent_.add(path);
+}
+
+void MainWindow::offerLost(const LostSession& lost) {
+  lost_ = lost;
+  offer_->offer(lostText(lost), tr("Restore"), tr("Discard"));
+}
+
+void MainWindow::saveSession() {
+  if (sessionFiles_.path().isEmpty()) return askForSessionFile();
+  sessionFiles_.save(sessionFiles_.path());
+}
+
+void MainWindow::askForSession() {
+  auto* dialog = new QFileDialog(this, tr("Open a session"), {}, filter());
+  dialog->setObjectName(QStringLiteral("openSessionDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) { open({path}); });
+  dialog->open();
+}
+
+void MainWindow::askForSessionFile() {
+  if (session_.workspace().series.empty()) return banner_->tell(tr("Open a series first."));
+  auto* dialog =
+      new QFileDialog(this, tr("Save the session"), QFileInfo(sessionFiles_.path()).path(), filter());
+  dialog->setObjectName(QStringLiteral("saveSessionDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("volumen"));
+  const QString name = QFileInfo(sessionFiles_.path()).fileName();
+  dialog->selectFile(name.isEmpty() ? QStringLiteral("session.volumen") : name);
+  connect(dialog, &QFileDialog::fileSelected, &sessionFiles_, &SessionFiles::save);
+  dialog->open();
+}
+
+}  // namespace volumen

@@ -1,0 +1,193 @@
+#pragma once
+
+#include <algorithm>
+#include <glm/vec2.hpp>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/study.h"
+#include "ui/data/series_key.h"
+#include "viewer/measure/shape.h"
+#include "viewer/scene/json_fields.h"
+#include "viewer/scene/scene.h"
+
+namespace volumen {
+
+/// What a number of a session may be, ends included.
+struct Limits {
+  double low, high;
+};
+
+/// The series of a session: everything behind their list refers to them by their number in it, from 0.
+struct NumberedSeries {
+  std::vector<SeriesKey> keys;
+  std::vector<std::string> frames;  ///< of reference; empty: the series has one that others share
+
+  void add(const Series& series);
+};
+
+// FieldWriter and FieldReader have the same functions, so that one list of fields a struct,
+//   template <class Fields> void fields(Fields& f, FlatLook& look) { f("zoom", look.zoom, {0.001, 1000}); ...
+//   }
+// both writes and reads it. What cannot be read is not written: the first thing that is wrong is kept in
+// `problem`, as a sentence with the field's path.
+
+/// Makes a JSON object of a struct.
+class FieldWriter {
+ public:
+  using Json = nlohmann::ordered_json;
+  FieldWriter(std::string path, NumberedSeries& series, std::string& problem)
+      : path_(std::move(path)), series_(series), problem_(problem) {}
+
+  void operator()(const char* name, bool& value) { json_[name] = value; }
+  void operator()(const char* name, std::string& value) { json_[name] = value; }
+  void operator()(const char* name, int& value, Limits limits);
+  void operator()(const char* name, double& value, Limits limits);
+  void operator()(const char* name, glm::dvec2& value, Limits limits);
+  void operator()(const char* name, glm::dvec3& value, Limits limits);
+  void require(const char* name, bool kept, const char* sentence) {
+    if (!kept && problem_.empty()) problem_ = pathOf(name) + " " + sentence + ".";
+  }
+  void operator()(const char* name, Scene& scene);
+  void operator()(const char* name, Shape& shape);
+  /// A number of the list; null: no series.
+  void operator()(const char* name, SeriesKey& series);
+  /// A frame of reference: its UID, or the number of the only series in it.
+  void frame(const char* name, std::string& frame);
+
+  template <class T>
+  void operator()(const char* name, T& value, const Words<T>& words) {
+    const auto word = std::ranges::find(words, value, &std::pair<const char*, T>::second);
+    json_[name] = word->first;
+  }
+  template <class T>
+  void operator()(const char* name, T& value) {
+    json_[name] = objectOf(value, pathOf(name));
+  }
+  template <class T>
+  void operator()(const char* name, std::optional<T>& value) {
+    json_[name] = value ? objectOf(*value, pathOf(name)) : Json();
+  }
+  template <class T>
+  void operator()(const char* name, std::shared_ptr<const T>& value) {
+    std::optional<T> copy = value ? std::optional<T>(*value) : std::nullopt;
+    (*this)(name, copy);
+  }
+  template <class T>
+  void operator()(const char* name, std::vector<T>& items) {
+    Json& list = json_[name] = Json::array();
+    for (T& item : items) list.push_back(objectOf(item, pathOf(name, list.size())));
+  }
+  /// A map as a list of objects, each of the fields that `item(writer, key, value)` names.
+  template <class Key, class T, class Item>
+  void map(const char* name, std::map<Key, T>& items, Item item) {
+    Json& list = json_[name] = Json::array();
+    for (auto& [key, value] : items) {
+      FieldWriter writer(pathOf(name, list.size()), series_, problem_);
+      Key copy = key;
+      item(writer, copy, value);
+      list.push_back(std::move(writer.json_));
+    }
+  }
+
+  const Json& json() const { return json_; }
+
+ private:
+  template <class T>
+  Json objectOf(T& value, const std::string& path) {
+    FieldWriter writer(path, series_, problem_);
+    fields(writer, value);
+    return std::move(writer.json_);
+  }
+  void check(const std::string& path, double value, Limits limits);
+  Json listOf(const char* name, const double* numbers, int count, Limits limits);
+  std::string pathOf(const std::string& name) const { return path_.empty() ? name : path_ + "." + name; }
+  std::string pathOf(const std::string& name, std::size_t n) const {
+    return pathOf(name) + "[" + std::to_string(n) + "]";
+  }
+
+  Json json_ = Json::object();
+  std::string path_;
+  NumberedSeries& series_;
+  std::string& problem_;
+};
+
+/// Reads a JSON object into a struct; a missing field leaves what is there.
+class FieldReader {
+ public:
+  FieldReader(JsonFields& json, const NumberedSeries& series) : json_(json), series_(series) {}
+
+  void operator()(const char* name, bool& value) { json_.read(name, value); }
+  void operator()(const char* name, std::string& value) { json_.read(name, value); }
+  void operator()(const char* name, int& value, Limits limits);
+  void operator()(const char* name, double& value, Limits limits);
+  void operator()(const char* name, glm::dvec2& value, Limits limits);
+  void operator()(const char* name, glm::dvec3& value, Limits limits);
+  void require(const char* name, bool kept, const char* sentence) {
+    if (!kept) json_.refuse(json_.pathOf(name), sentence);
+  }
+  void operator()(const char* name, Scene& scene);
+  void operator()(const char* name, Shape& shape);
+  void operator()(const char* name, SeriesKey& series);
+  void frame(const char* name, std::string& frame);
+
+  template <class T>
+  void operator()(const char* name, T& value, const Words<T>& words) {
+    json_.read(name, value, words);
+  }
+  template <class T>
+  void operator()(const char* name, T& value) {
+    if (auto object = json_.object(name)) read(*object, value);
+  }
+  template <class T>
+  void operator()(const char* name, std::optional<T>& value) {
+    if (auto object = json_.objectOrNull(name)) read(*object, value.emplace());
+  }
+  template <class T>
+  void operator()(const char* name, std::shared_ptr<const T>& value) {
+    std::optional<T> copy;
+    (*this)(name, copy);
+    if (copy) value = std::make_shared<const T>(std::move(*copy));
+  }
+  template <class T>
+  void operator()(const char* name, std::vector<T>& items) {
+    json_.readList(name, items, [&](JsonFields object) {
+      T item;
+      read(object, item);
+      return item;
+    });
+  }
+  template <class Key, class T, class Item>
+  void map(const char* name, std::map<Key, T>& items, Item item) {
+    std::vector<std::pair<Key, T>> list;
+    json_.readList(name, list, [&](JsonFields object) {
+      std::pair<Key, T> entry;
+      FieldReader reader(object, series_);
+      item(reader, entry.first, entry.second);
+      object.refuseOthers();
+      return entry;
+    });
+    for (std::size_t n = 0; n < list.size(); ++n)
+      if (!items.insert(std::move(list[n])).second) json_.refuse(json_.pathOf(name, n), "is there twice");
+  }
+
+ private:
+  template <class T>
+  void read(JsonFields& object, T& value) {
+    FieldReader reader(object, series_);
+    fields(reader, value);
+    object.refuseOthers();
+  }
+  void check(const std::string& path, double value, Limits limits);
+  void readNumbers(const char* name, double* numbers, int count, Limits limits);
+  std::optional<std::size_t> readNumber(const char* name);
+
+  JsonFields& json_;
+  const NumberedSeries& series_;
+};
+
+}  // namespace volumen

@@ -1,0 +1,311 @@
+#include "ui/workspace/session_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <set>
+
+#include "ui/workspace/session_fields.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int version = 1;
+constexpr std::size_t mostMiB = 8;
+
+constexpr Limits lengths{-1e9, 1e9};   // mm
+constexpr Limits values{-1e33, 1e33};  // volumes hold up to 1e30
+
+const Words<ViewKind> kindWords{{"volume", ViewKind::volume},
+                                {"axial", ViewKind::axial},
+                                {"coronal", ViewKind::coronal},
+                                {"sagittal", ViewKind::sagittal},
+                                {"frames", ViewKind::frames}};
+const Words<SlabMode> slabWords{{"max", SlabMode::max}, {"min", SlabMode::min}, {"mean", SlabMode::mean}};
+const Words<Aim> aimWords{{"level", Aim::level}, {"time", Aim::time}, {"error", Aim::error}};
+
+Words<Layout> namedLayouts() {
+  Words<Layout> words;
+  for (const Layout layout : {Layout::one, Layout::planes, Layout::besidePlanes, Layout::two, Layout::four})
+    words.emplace_back(layoutName(layout), layout);
+  return words;
+}
+
+Words<Quality> namedQualities() {
+  Words<Quality> words;
+  for (const Quality q : {Quality::draft, Quality::standard, Quality::high, Quality::exact})
+    words.emplace_back(qualityName(q), q);
+  return words;
+}
+
+Words<ColourMap> namedColourMaps() {
+  Words<ColourMap> words;
+  for (const ColourMap map : colourMaps()) words.emplace_back(colourMapName(map), map);
+  return words;
+}
+
+const Words<ColourMap> colourWords = namedColourMaps();
+const Words<Layout> layoutWords = namedLayouts();
+const Words<Quality> qualityWords = namedQualities();
+
+struct SeriesEntry {
+  SavedSeries saved;
+  SeriesState state;
+};
+
+}  // namespace
+
+// One list a struct, for writing and reading (session_fields.h).
+
+template <class Fields>
+void fields(Fields& f, Window& w) {
+  f("centre", w.centre, values);
+  f("width", w.width, values);
+  f.require("width", w.width != 0, "must not be 0");
+}
+
+template <class Fields>
+void fields(Fields& f, VoxelGeometry& g) {
+  constexpr Limits counts{1, 1e6};
+  f("sizeI", g.size.x, counts);
+  f("sizeJ", g.size.y, counts);
+  f("sizeK", g.size.z, counts);
+  f("stepI", g.patientFromVoxelStep[0], lengths);
+  f("stepJ", g.patientFromVoxelStep[1], lengths);
+  f("stepK", g.patientFromVoxelStep[2], lengths);
+  f("origin", g.origin, lengths);
+  f("calibrated", g.calibrated);
+}
+
+template <class Fields>
+void fields(Fields& f, SeriesState& s) {
+  f("tableRemoved", s.tableRemoved);
+  f("window", s.window);
+  f("namedGrey", s.namedGrey, {0, 1e6});
+  f("colours", s.colours, colourWords);
+}
+
+template <class Fields>
+void fields(Fields& f, SeriesEntry& s) {
+  f("path", s.saved.series.path);
+  f("relativePath", s.saved.relativePath);
+  f("id", s.saved.series.id);
+  f("format", s.saved.series.format);
+  f("seriesUid", s.saved.series.seriesUid);
+  f("frameOfReferenceUid", s.saved.series.frameOfReferenceUid);
+  f("modality", s.saved.series.modality);
+  f("seriesNumber", s.saved.series.seriesNumber);
+  f("description", s.saved.series.description);
+  f("geometry", s.saved.proof.geometry);
+  f("valueType", s.saved.proof.valueType);
+  f("files", s.saved.proof.files, {0, 1e9});
+  f("instances", s.saved.proof.instances);
+  fields(f, s.state);
+}
+
+template <class Fields>
+void fields(Fields& f, ChosenPreset& p) {
+  f("name", p.name);
+  f("scene", p.scene);
+}
+
+template <class Fields>
+void fields(Fields& f, FlatLook& look) {
+  f("panMm", look.panMm, lengths);
+  f("zoom", look.zoom, {1e-3, 1e4});
+  f("slabMm", look.slabMm, {0, 1e6});
+  f("slabMode", look.slabMode, slabWords);
+  f("nearest", look.nearest);
+  f("inverted", look.inverted);
+  f("frame", look.frame, {0, 1e9});
+  f("layers", look.layers);
+  f("overlay", look.overlay);
+  f("overlayColours", look.overlayColours, colourWords);
+  f("overlayOpacity", look.overlayOpacity, {0, 1});
+}
+
+template <class Fields>
+void fields(Fields& f, ViewState& v) {
+  f("kind", v.kind, kindWords);
+  f("series", v.series);
+  f.map("scenes", v.scenes, [](auto& item, SeriesKey& series, SceneLook& look) {
+    item("series", series);
+    item("scene", look.scene);
+    item("preset", look.preset);
+  });
+  f.map("flats", v.flats, [](auto& item, SeriesKey& series, FlatLook& look) {
+    item("series", series);
+    fields(item, look);
+  });
+}
+
+template <class Fields>
+void fields(Fields& f, PictureLevel& level) {
+  f("quality", level.quality, qualityWords);
+  f("edge", level.edge, {1, 16});
+}
+
+template <class Fields>
+void fields(Fields& f, QualityGoal& goal) {
+  f("aim", goal.aim, aimWords);
+  f("level", goal.level);
+  f("frameMs", goal.frameMs, {1e-3, 1e9});
+  f("errorOf255", goal.errorOf255, {1e-9, 1e3});
+}
+
+template <class Fields>
+void fields(Fields& f, PlaneDirections& plane) {
+  constexpr double within = 1e-6;
+  f("right", plane.right, {-1, 1});
+  f("down", plane.down, {-1, 1});
+  const double r = glm::length(plane.right), d = glm::length(plane.down);
+  f.require("right",
+            std::abs(r - 1) < within && std::abs(d - 1) < within &&
+                std::abs(glm::dot(plane.right, plane.down)) < within,
+            "and down must be orthogonal unit vectors");
+}
+
+template <class Fields>
+void fields(Fields& f, Crosshair& crosshair) {
+  f("at", crosshair.at, lengths);
+  f("axial", crosshair.axial);
+  f("coronal", crosshair.coronal);
+  f("sagittal", crosshair.sagittal);
+}
+
+template <class Fields>
+void fields(Fields& f, Measurement& m) {
+  bool placed = m.textOffset.has_value();
+  glm::dvec3 offset = m.textOffset.value_or(glm::dvec3(0));
+  f("id", m.id, {1, 1e9});
+  f("series", m.series);
+  f("shape", m.shape);
+  f("textPlaced", placed);
+  f("textOffset", offset, lengths);
+  if (placed) m.textOffset = offset;
+}
+
+// All but the series, whose list comes first.
+template <class Fields>
+void fields(Fields& f, Workspace& w) {
+  f("layout", w.layout, layoutWords);
+  f("focus", w.focus, {0, viewCount - 1});
+  f("goal", w.goal);
+  f.map("crosshairs", w.crosshairs, [](auto& item, std::string& frame, Crosshair& crosshair) {
+    item.frame("frame", frame);
+    fields(item, crosshair);
+  });
+  f("views", w.views);
+  f("measurements", w.measurements);
+  f("measurementsShown", w.measurementsShown);
+}
+
+namespace {
+
+std::string relativeTo(const std::string& folder, const Series& series) {
+  if (series.format == "phantom") return {};
+  return std::filesystem::path(series.path).lexically_relative(folder).string();
+}
+
+SeriesEntry entryOf(const SeriesState& state, const std::string& folder) {
+  const SeriesProof proof = state.missing ? *state.missing : proofOf(*state.series);
+  return {{*state.series, relativeTo(folder, *state.series), proof}, state};
+}
+
+SeriesState stateOf(SeriesEntry entry, const FindSeries& find) {
+  entry.saved.series.acquired = entry.saved.proof.geometry;
+  entry.saved.series.valueType = entry.saved.proof.valueType;
+  entry.state.series = find ? find(entry.saved) : nullptr;
+  if (entry.state.series) return entry.state;
+  entry.state.missing = entry.saved.proof;
+  entry.state.series = std::make_shared<const Series>(std::move(entry.saved.series));
+  return entry.state;
+}
+
+// What the window relies on beyond what each field may be.
+void checkViews(JsonFields& json, const Workspace& workspace) {
+  if (workspace.views.size() != std::size_t(viewCount))
+    return json.refuse(
+        "views", "must be " + std::to_string(viewCount) + ", not " + std::to_string(workspace.views.size()));
+  const Workspace usual;
+  for (ViewId id = 0; id < viewCount; ++id) {
+    const bool isVolume = usual.view(id).kind == ViewKind::volume;
+    if ((workspace.view(id).kind == ViewKind::volume) != isVolume)
+      json.refuse(json.pathOf("views", std::size_t(id)) + ".kind",
+                  isVolume ? "must be \"volume\"" : "must not be \"volume\"");
+  }
+  for (const ViewId id : {coronalViewId, sagittalViewId})
+    if (workspace.view(id).kind == ViewKind::frames)
+      json.refuse(json.pathOf("views", std::size_t(id)) + ".kind", "must not be \"frames\"");
+  std::set<int> ids;
+  for (std::size_t n = 0; n < workspace.measurements.size(); ++n) {
+    const Measurement& m = workspace.measurements[n];
+    if (!workspace.series.contains(m.series))
+      json.refuse(json.pathOf("measurements", n) + ".series", "must be the number of a series");
+    if (!ids.insert(m.id).second) json.refuse(json.pathOf("measurements", n) + ".id", "is there twice");
+  }
+  const std::vector<ViewId> shown = viewsOnScreen(workspace);
+  if (std::ranges::find(shown, workspace.focus) == shown.end())
+    json.refuse("focus", "must be a view of the layout");
+}
+
+}  // namespace
+
+Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& find) {
+  const auto parsed = parseJson(text, mostMiB);
+  if (!parsed) return parsed.error();
+  std::string problem;
+  JsonFields json(*parsed, "", problem);
+  NumberedSeries numbers;
+  FieldReader read(json, numbers);
+  int found = 0;
+  read("volumenSession", found, {-1e9, 1e9});
+  if (found != version)
+    json.refuse("volumenSession", "must be " + std::to_string(version) + ", the version of the format, not " +
+                                      std::to_string(found));
+  std::vector<SeriesEntry> entries;
+  read("series", entries);
+  SavedSession session;
+  if (!problem.empty()) return Error{problem};
+  for (SeriesEntry& entry : entries) {
+    const SeriesState state = stateOf(std::move(entry), find);
+    numbers.add(*state.series);
+    if (!session.workspace.series.emplace(numbers.keys.back(), state).second)
+      return Error{json.pathOf("series", numbers.keys.size() - 1) + " is there twice."};
+  }
+  fields(read, session.workspace);
+  read("savedAs", session.savedAs);
+  json.refuseOthers();
+  if (problem.empty()) checkViews(json, session.workspace);
+  if (!problem.empty()) return Error{problem};
+  return session;
+}
+
+Result<std::string> sessionToJson(const Workspace& workspace, const std::string& folder,
+                                  const std::string& savedAs) {
+  std::string problem;
+  NumberedSeries numbers;
+  FieldWriter write("", numbers, problem);
+  std::vector<SeriesEntry> entries;
+  for (const auto& [key, state] : workspace.series) {
+    entries.push_back(entryOf(state, folder));
+    numbers.add(*state.series);
+  }
+  int written = version;
+  Workspace copy = workspace;
+  std::string of = savedAs;
+  write("volumenSession", written, {version, version});
+  write("series", entries);
+  fields(write, copy);
+  if (!savedAs.empty()) write("savedAs", of);
+  if (!problem.empty()) return Error{problem};
+  // A name that is no UTF-8 is written with marks in its place; such a series is told as missing later.
+  std::string text = write.json().dump(1, ' ', false, FieldWriter::Json::error_handler_t::replace) + "\n";
+  if (text.size() > mostMiB << 20)
+    return Error{"The session is larger than " + std::to_string(mostMiB) + " MiB."};
+  return text;
+}
+
+}  // namespace volumen

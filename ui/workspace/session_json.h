@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "ui/workspace/workspace.h"
+
+namespace volumen {
+
+/// What a session says of one of its series, to find it again.
+struct SavedSeries {
+  Series series;             ///< what names it; path as it was
+  std::string relativePath;  ///< from the session's folder; empty: of what is no file (phantoms)
+  SeriesProof proof;
+};
+
+/// Finds a series again. Null: it is not there, or no longer what it was.
+using FindSeries = std::function<std::shared_ptr<const Series>(const SavedSeries& saved)>;
+
+struct SavedSession {
+  Workspace workspace;
+  std::string savedAs;  ///< of what was kept on the way: the session file it belongs to; empty: none yet
+};
+
+/// Reads a session (JSON in UTF-8) that nobody has checked. Where `find` finds a series the workspace holds
+/// that one, under its own path; else what the session says of it, as missing. Every refusal is one sentence
+/// that names the field; unknown fields, texts above 8 MiB and what no window can show are refused.
+Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& find);
+
+/// The workspace with every field: what is read from it is equal where the series are found. `folder`: where
+/// the session is to lie. An Error names the field that could not be read again, such as a number that is not
+/// finite.
+Result<std::string> sessionToJson(const Workspace& workspace, const std::string& folder,
+                                  const std::string& savedAs = {});
+
+}  // namespace volumen
