@@ -95,7 +95,7 @@ struct MeasureWindow : Journey {
     return {};
   }
   Result<Measured> measured(const Measurement& m) {
-    const ShownSeriesPtr series = session().find(m.series);
+    const ShownSeriesPtr series = session().seriesNamed(m.series);
     return measure(m.shape, *series->volume, series->series.unit);
   }
   void undo() { child<QAction>("undo")->trigger(); }

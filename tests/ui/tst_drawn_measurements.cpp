@@ -9,7 +9,8 @@ using namespace volumen;
 namespace {
 
 DrawnMeasurement lineOf(int id, std::vector<QPointF> points) {
-  DrawnMeasurement d{.id = id, .kind = ShapeKind::polyline, .whole = true};
+  DrawnMeasurement d;
+  d.id = id, d.kind = ShapeKind::polyline, d.whole = true;
   d.lines = {QPolygonF(QList<QPointF>(points.begin(), points.end()))};
   d.middle = d.lines[0].boundingRect().center();
   d.text = QStringList(QStringLiteral("23.4 mm"));

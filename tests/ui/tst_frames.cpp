@@ -473,7 +473,9 @@ void TestFrames::aClipThatIsTooSlowIsRed() {
   }
   QVERIFY2(player.rate() > 0 && player.rate() < 10.5, qPrintable(QString::number(player.rate())));
   QVERIFY(player.isLate());
-  const Overlays over{.topRight = {QStringLiteral("Frame 1 / 2"), QStringLiteral("px")}, .isLate = true};
+  Overlays over;
+  over.topRight = {QStringLiteral("Frame 1 / 2"), QStringLiteral("px")};
+  over.isLate = true;
   for (const PlacedText& text : placeOverlays(over, QRectF(0, 0, 400, 300), QFont()).texts)
     QCOMPARE(text.late, text.text.startsWith(QStringLiteral("Frame")));
 }

@@ -13,6 +13,7 @@
 #include "tests/unit/suite.h"
 #include "ui/controller/thumbnails.h"
 #include "ui/panels/attributes_dialog.h"
+#include "ui/workspace/text.h"
 #include "viewer/phantoms/phantoms.h"
 
 using namespace volumen;

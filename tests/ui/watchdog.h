@@ -31,8 +31,8 @@ class WatchedApplication : public QApplication {
     const bool done = QApplication::notify(receiver, event);
     const double ms = cpuMs() - before;
     --depth_;
-    double& longest = longest_[what];
-    longest = std::max(longest, ms);
+    double& most = longest_[what];
+    most = std::max(most, ms);
     return done;
   }
 

@@ -116,7 +116,10 @@ QSizeF sizeOf(const QStringList& text, const QFontMetricsF& metrics) {
 
 DrawnMeasurement drawnMeasurement(const Measurement& measurement, const SlicePlane& plane,
                                   const VoxelGeometry& geometry, double pixelRatio, bool selected) {
-  DrawnMeasurement drawn{.id = measurement.id, .kind = measurement.shape.kind, .selected = selected};
+  DrawnMeasurement drawn;
+  drawn.id = measurement.id;
+  drawn.kind = measurement.shape.kind;
+  drawn.selected = selected;
   const Shape& shape = measurement.shape;
   const auto pixel = [&](glm::dvec3 p) {
     const glm::dvec2 at = plane.pixelFromPatient(p) / pixelRatio;

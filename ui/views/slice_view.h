@@ -85,6 +85,7 @@ class SliceView : public View {
  private:
   std::optional<FlatPress> pressAt(QPointF p) const;
   const FlatTool* toolFor(const QMouseEvent& event) const;
+  GreyMapping grey() const;
   std::vector<SliceLayer> layers() const;
   void askForPicture();
   void showPicture(const SlicePicture& picture);

@@ -128,7 +128,9 @@ void SliceView::paintEvent(QPaintEvent*) {
     paintStackBar(painter);
     if (!showsFrames()) paintColours(painter);
   } else if (!frameFailure_.isEmpty()) {
-    paintOverlays(painter, {.warning = frameFailure_}, rect());
+    Overlays only;
+    only.warning = frameFailure_;
+    paintOverlays(painter, only, rect());
   }
   paintFocus(painter);
 }

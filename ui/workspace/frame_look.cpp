@@ -41,9 +41,10 @@ GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const Show
   if (const std::optional<Window>& window = state.window) {
     const double width = std::abs(window->width);
     const bool isLinear = areIntegers(frame) && width >= 1;
-    grey = {.window = {window->centre, width},
-            .function = isLinear ? WindowFunction::linear : WindowFunction::linearExact,
-            .inverted = grey.inverted != (window->width < 0)};
+    grey.window = {window->centre, width};
+    grey.function = isLinear ? WindowFunction::linear : WindowFunction::linearExact;
+    grey.table = {};
+    grey.inverted = grey.inverted != (window->width < 0);
   }
   grey.inverted = grey.inverted != look.inverted;
   return grey;

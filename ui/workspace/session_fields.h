@@ -145,7 +145,11 @@ class FieldReader {
   }
   template <class T>
   void operator()(const char* name, std::optional<T>& value) {
-    if (auto object = json_.objectOrNull(name)) read(*object, value.emplace());
+    if (auto object = json_.objectOrNull(name)) {
+      T item;
+      read(*object, item);
+      value = std::move(item);
+    }
   }
   template <class T>
   void operator()(const char* name, std::shared_ptr<const T>& value) {

@@ -49,7 +49,7 @@ struct FlatLook {
   bool inverted = false;  ///< bright where it would be dark; colours stay
   int frame = 0;          ///< of frames: which, from 0
   bool layers = true;     ///< of frames: overlays and shutters
-  SeriesKey overlay;      ///< of slices: a second series over the first; empty: none
+  SeriesKey overlay{};    ///< of slices: a second series over the first; empty: none
   ColourMap overlayColours = ColourMap::hotIron;
   double overlayOpacity = 0.5;
   bool operator==(const FlatLook&) const = default;
@@ -110,7 +110,7 @@ struct PlaneDirections {
 /// orthogonal.
 struct Crosshair {
   glm::dvec3 at{0};  ///< patient mm
-  PlaneDirections axial, coronal{{1, 0, 0}, {0, 0, -1}}, sagittal{{0, 1, 0}, {0, 0, -1}};
+  PlaneDirections axial{}, coronal{{1, 0, 0}, {0, 0, -1}}, sagittal{{0, 1, 0}, {0, 0, -1}};
   bool operator==(const Crosshair&) const = default;
 
   const PlaneDirections& plane(ViewKind kind) const {

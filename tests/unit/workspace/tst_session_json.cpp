@@ -109,7 +109,9 @@ void TestSessionJson::aSeriesElsewhereTakesAllThatWasMadeOfIt() {
 }
 
 void TestSessionJson::seriesThatAreNotFoundAreKeptAsMissing() {
-  const Workspace w = withSeries(randomWorkspace(5), sceneViewId, Series{{}, "1.2", "/gone"}, {});
+  Series gone;
+  gone.id = "1.2", gone.path = "/gone";
+  const Workspace w = withSeries(randomWorkspace(5), sceneViewId, gone, {});
   const std::string text = *sessionToJson(w, folder, "/data/s.volumen");
   const auto back = sessionFromJson(text, {});
   QVERIFY(back);
@@ -275,7 +277,7 @@ void TestSessionJson::whatCannotBeReadIsNotWritten() {
   Workspace w = withSeries({}, sceneViewId, series, {});
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   if (which == 0) w.view(axialViewId).flats.begin()->second.zoom = infinity;
-  if (which == 1) w.view(sceneViewId).scenes.begin()->second.scene.camera = Camera{.height = nan};
+  if (which == 1) w.view(sceneViewId).scenes.begin()->second.scene.camera.emplace().height = nan;
   if (which == 2) w.crosshairs["1.2"].at = {0, nan, 0};
   const auto text = sessionToJson(w, folder);
   QVERIFY(!text);
