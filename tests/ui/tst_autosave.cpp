@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QProcess>
 #include <QPushButton>
+#include <QSettings>
 #include <QTemporaryDir>
 
 #include "io/files/write_volume.h"
@@ -295,6 +296,9 @@ void TestAutosave::aProgramThatIsKilledIsRestored() {
   QVERIFY(file.open(QIODevice::WriteOnly));
   file.write(QByteArray::fromStdString(sceneToJson(scene)));
   file.close();
+  // As these tests open studies themselves (tests::openAlone()).
+  QSettings(QStringLiteral("volumen"), QStringLiteral("volumen"))
+      .setValue(QStringLiteral("layouts/other"), QStringLiteral("one"));
   const auto program = started(QStringLiteral(VOLUMEN_PROGRAM), {QStringLiteral("open"), at("ct.nrrd"),
                                                                  QStringLiteral("--scene"), file.fileName()});
   // Once the scene is among what is kept.
