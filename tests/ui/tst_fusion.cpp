@@ -28,7 +28,9 @@ struct UsualLayouts {
 
 // The PET and the CT of a study.
 struct Fused : Journey {
-  Fused() : Journey({QString::fromStdString(tests::dataPath("pet-ct"))}) {}
+  Fused()
+      : Journey({QString::fromStdString(tests::dataPath("pet-ct/sts019-ct")),
+                 QString::fromStdString(tests::dataPath("pet-ct/sts019-pet"))}) {}
   const Workspace& workspace() { return window.session().workspace(); }
   const FlatLook look(ViewId id) { return flatLookOf(workspace().view(id)); }
   std::string modality(const SeriesKey& key) {
@@ -134,7 +136,11 @@ void TestFusion::petOpensOverItsCt() {
   const QString text = hovered.last().first().toString();
   QVERIFY2(text.contains(QStringLiteral(" HU | 16.3")) && text.contains(QStringLiteral("SUV")),
            qPrintable(text));
-  w.shot("pet-over-ct");
+  if (qEnvironmentVariableIsSet("VOLUMEN_SHOTS")) {
+    QVERIFY(!w.after([&] { w.window.resize(1440, 900); }).isNull());
+    QTest::qWait(500);
+    w.shot("window-fusion");
+  }
   w.child<QAction>("undo")->trigger();
   w.child<QAction>("undo")->trigger();
   QCOMPARE(w.modality(w.workspace().view(sceneViewId).series), std::string("CT"));

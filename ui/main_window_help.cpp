@@ -1,0 +1,79 @@
+#include <QMessageBox>
+
+#include "ui/main_window.h"
+#include "ui/views/canvas.h"
+#include "ui/views/volume_view.h"
+
+namespace volumen {
+
+void MainWindow::showAbout() {
+  auto* box = new QMessageBox(
+      QMessageBox::NoIcon, tr("About volumen"),
+      tr("<h3>volumen %1</h3><p>A DICOM workstation without a GPU.</p>"
+         "<p><b>Not for clinical use.</b></p>"
+         "<p>Free software under the GNU General Public License, version 3 or later.</p>"
+         "<p>Qt %2. Pictures are shown through: %3.</p>")
+          .arg(QStringLiteral(VOLUMEN_VERSION), QLatin1String(qVersion()), canvasKind(view_->canvas())),
+      QMessageBox::Close, this);
+  box->setObjectName(QStringLiteral("aboutBox"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setModal(false);
+  box->show();
+}
+
+void MainWindow::showShortcuts() {
+  const QStringList rows{
+      tr("Left drag"),
+      tr("the chosen tool: rotate (Ctrl: roll), or adjust the curve: up and down shift it, left and right "
+         "change its width (Ctrl: overall opacity)"),
+      tr("Middle, right, Shift+left drag"),
+      tr("pan, zoom, pan (Edit > Preferences changes them)"),
+      tr("Wheel"),
+      tr("zoom at the cursor"),
+      tr("Double-click, F10"),
+      tr("maximise the view and back (Esc: back)"),
+      tr("Arrow keys"),
+      tr("rotate by 5 degrees (Shift: 1)"),
+      tr("A, P, L, R, S, I"),
+      tr("anterior, posterior, left, right, superior, inferior view"),
+      tr("Keypad 1, 3, 7"),
+      tr("anterior, left, superior view (Ctrl: the opposite one)"),
+      tr("F, keypad 0"),
+      tr("reset the view"),
+      tr("T, W"),
+      tr("tools: rotate, adjust curve (W/L; in projections the window, Shift: fine, Ctrl: fast)"),
+      tr("In the curve"),
+      tr("double-click adds a point, right-click or Delete removes it, arrow keys nudge it, Tab goes to the "
+         "next, the wheel zooms the value axis, Home shows all of it"),
+      tr("In a slice"),
+      tr("left drag changes the window (Shift: fine, Ctrl: fast), middle pans, right zooms, the wheel "
+         "scrolls (Ctrl: zooms, "
+         "Alt: slab), Shift moves the crosshair, 0 to 9 choose a window, I inverts, a right click opens a "
+         "menu, Esc gives up a drag"),
+      tr("On its lines"),
+      tr("a drag moves that plane; the round handle turns the other planes; F puts them straight"),
+      tr("C"),
+      tr("plays the frames of the view in focus, and stops"),
+      tr("D, A, E, P, T in a slice"),
+      tr("measure: length, angle, ellipse, probe, arrow with text; the tool before comes back after one "
+         "measurement (Shift keeps it), Enter or a double-click ends a polyline, Esc gives up, Delete "
+         "removes what is selected, W changes the window again"),
+      tr("Alt+1 to Alt+5"),
+      tr("layouts: one view, planes and 3D, large 3D beside planes, two or four series"),
+      tr("Ctrl+Z, Ctrl+Shift+Z"),
+      tr("undo, redo"),
+      tr("Ctrl+O, Ctrl+S, Ctrl+E, Ctrl+C"),
+      tr("open a folder, save the session, save a snapshot, copy it"),
+  };
+  QString html = QStringLiteral("<table cellpadding='3' width='640'>");
+  for (int n = 0; n + 1 < rows.size(); n += 2)
+    html += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(rows[n], rows[n + 1]);
+  auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Mouse and keys"), html + QStringLiteral("</table>"),
+                              QMessageBox::Close, this);
+  box->setObjectName(QStringLiteral("shortcutsBox"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setModal(false);
+  box->show();
+}
+
+}  // namespace volumen
