@@ -192,7 +192,7 @@ int run(const InfoOptions& options, const CancelToken& cancel) {
               << '\n';
   else
     std::cout << infoText(*study, series, options.verbose);
-  if (!series.empty() || !study->images.empty() || !study->references.empty()) return exitDone;
+  if (!series.empty() || !study->images.empty()) return exitDone;
   if (!options.json) fail("No images found in " + options.path + ".");
   return exitFailed;
 }
