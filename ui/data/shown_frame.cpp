@@ -20,7 +20,10 @@ VoxelGeometry geometryOf(const Frame& frame) {
 
 Result<VolumePtr> volumeOf(const VoxelGeometry& geometry, VoxelValues values) {
   std::vector<std::string> warnings;
-  return Volume::make({.geometry = geometry, .values = std::move(values)}, warnings);
+  VolumeParts parts;
+  parts.geometry = geometry;
+  parts.values = std::move(values);
+  return Volume::make(std::move(parts), warnings);
 }
 
 std::vector<std::uint8_t> channel(const Frame& frame, std::size_t which) {
