@@ -149,7 +149,7 @@ void SliceView::resetView() {
   Workspace after = session_.workspace();
   if (const ShownSeriesPtr shown = series(); shown && !showsFrames()) {
     const Crosshair before = crosshairOf(after, *shown);
-    after = withCrosshair(std::move(after), shown->series, before, {before.at});
+    if (before.turned()) after = withCrosshair(std::move(after), shown->series, before, {before.at});
   }
   makeWhole(after.view(id()).flats[state().series]);
   session_.change(tr("Reset view"), after);
