@@ -146,6 +146,7 @@ void SliceView::scroll(int steps) {
 }
 
 void SliceView::resetView() {
+  if (state().series.empty()) return;
   Workspace after = session_.workspace();
   if (const ShownSeriesPtr shown = series(); shown && !showsFrames()) {
     const Crosshair before = crosshairOf(after, *shown);

@@ -16,6 +16,7 @@ QString letters(glm::dvec3 direction) { return QString::fromStdString(sideLetter
 }  // namespace
 
 FrameKey SliceView::frameKey() const {
+  if (state().series.empty()) return {};
   const int last = std::max(0, frameCount(*seriesState().series) - 1);
   return {state().series, player_ ? player_->due() : std::min(flatLookOf(state()).frame, last)};
 }
