@@ -70,6 +70,7 @@ std::unique_ptr<QProcess> started(const QString& program, const QStringList& arg
   auto process = std::make_unique<QProcess>();
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+  environment.remove(QStringLiteral("DISPLAY"));  // else OpenGL is looked for there
   environment.insert(QStringLiteral("VOLUMEN_TEST_HOME"), qEnvironmentVariable("XDG_DATA_HOME"));
   for (const auto& [name, value] : more) environment.insert(name, value);
   process->setProcessEnvironment(environment);
