@@ -3,9 +3,9 @@
 
 #include "app/command.h"
 #include "app/open_volume.h"
-#include "viewer/measure/shape_json.h"
 #include "app/usage.h"
 #include "io/regular_file.h"
+#include "viewer/measure/shape_json.h"
 
 namespace volumen {
 
