@@ -236,7 +236,8 @@ void TestMeasureTools::withoutCalibrationPixelsAreSaid() {
   MeasureWindow w(seriesOf(volumeFrom(std::move(parts))));
   w.draw(length, {{50, 50}, {90, 80}});
   const QString text = w.drawn(w.last().id).text.value(0);
-  QVERIFY2(text == numberText(50 * w.view()->plane()->mmPerPixel) + QStringLiteral(" px"), qPrintable(text));
+  QVERIFY2(text == shortNumberText(50 * w.view()->plane()->mmPerPixel) + QStringLiteral(" px"),
+           qPrintable(text));
   w.draw(rectangle, {{60, 100}, {120, 150}});
   QVERIFY(w.drawn(w.last().id).text.value(0).endsWith(QStringLiteral(" px\u00b2")));
 }

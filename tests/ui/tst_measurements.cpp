@@ -269,8 +269,9 @@ void TestMeasurements::hoverTellsHowSure() {
   QSignalSpy hovered(w.view(), &View::hovered);
   hover(w.view(), {90, 70});
   const Measured m = *w.measured(w.last());
-  QCOMPARE(hovered.last().value(0).toString(), QStringLiteral("Length 1: %1 \u00b1 %2 mm, from CT Ball")
-                                                   .arg(numberText(m.number), numberText(*m.plusMinus)));
+  QCOMPARE(hovered.last().value(0).toString(),
+           QStringLiteral("Length 1: %1 \u00b1 %2 mm, from CT Ball")
+               .arg(shortNumberText(m.number), shortNumberText(*m.plusMinus)));
   QCOMPARE(w.view()->cursor().shape(), Qt::SizeAllCursor);
   hover(w.view(), {50, 50});
   QCOMPARE(w.view()->cursor().shape(), Qt::PointingHandCursor);

@@ -8,7 +8,7 @@
 namespace volumen {
 
 namespace {
-constexpr int tellEveryMs = 50;
+constexpr int progressEveryMs = 50;
 
 void setWindow(ShownSeries& shown) {
   VolumeFacts facts;
@@ -52,7 +52,7 @@ void Loader::tell(const CancelToken& cancel, Function function) {
 Progress Loader::progressTeller(const CancelToken& cancel) {
   auto clock = std::make_shared<QElapsedTimer>();
   return [this, cancel, clock](const char* what, std::size_t done, std::size_t total) {
-    if (clock->isValid() && clock->elapsed() < tellEveryMs) return;
+    if (clock->isValid() && clock->elapsed() < progressEveryMs) return;
     clock->start();
     tell(cancel, [this, text = QString::fromUtf8(what), done, total] {
       Q_EMIT progressed(text, qint64(done), qint64(total));

@@ -1,6 +1,5 @@
 #include "ui/controller/open_session.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
@@ -16,8 +15,6 @@
 namespace volumen {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
 
 std::string folderOf(const std::string& path) {
   return QFileInfo(QString::fromStdString(path)).absolutePath().toStdString();

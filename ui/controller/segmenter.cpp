@@ -14,7 +14,7 @@ Segmenter::~Segmenter() {
 
 void Segmenter::segment(VolumePtr volume, ValueRange range) {
   pool_.start([this, volume, range, number = ++latest_] {
-    auto made = std::make_shared<Segmentation>();
+    auto made = std::make_shared<RangeSegment>();
     made->volume = volume;
     made->range = range;
     made->map = labelRange(*volume, range);
@@ -28,7 +28,7 @@ void Segmenter::segment(VolumePtr volume, ValueRange range) {
   });
 }
 
-void Segmenter::save(std::shared_ptr<const Segmentation> segmentation, const SegmentationFile& file) {
+void Segmenter::save(std::shared_ptr<const RangeSegment> segmentation, const SegmentFile& file) {
   pool_.start([this, segmentation, file] {
     const Status status =
         writeSegNrrd(segmentation->map, file.name.toStdString(), file.colour, file.path.toStdString());

@@ -4,7 +4,7 @@
 #include <QThreadPool>
 #include <memory>
 
-#include "ui/workspace/segmentation.h"
+#include "ui/workspace/range_segment.h"
 
 namespace volumen {
 
@@ -17,10 +17,10 @@ class Segmenter : public QObject {
 
   /// Only the result of the latest request is told.
   void segment(VolumePtr volume, ValueRange range);
-  void save(std::shared_ptr<const Segmentation> segmentation, const SegmentationFile& file);
+  void save(std::shared_ptr<const RangeSegment> segmentation, const SegmentFile& file);
 
  Q_SIGNALS:
-  void segmented(const std::shared_ptr<const volumen::Segmentation>& segmentation);
+  void segmented(const std::shared_ptr<const volumen::RangeSegment>& segmentation);
   void saved(const QString& path);
   void failed(const QString& sentence);
 

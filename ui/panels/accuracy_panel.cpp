@@ -13,7 +13,7 @@ namespace volumen {
 
 namespace {
 
-enum Column { levelColumn, timeColumn, mostColumn, largestColumn, columns };
+enum { levelColumn, timeColumn, mostColumn, largestColumn, columns };
 
 constexpr int tallestDifference = 220;  // pixels
 

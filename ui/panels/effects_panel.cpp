@@ -16,7 +16,7 @@ QString bracketed(const std::string& cost) {
       .arg(escaped(cost).replace(QLatin1Char(' '), QStringLiteral("&nbsp;")));
 }
 
-QString msText(double ms) { return QString::number(ms, 'f', ms < 10 ? 1 : 0); }
+QString stageText(double ms) { return QString::number(ms, 'f', ms < 10 ? 1 : 0); }
 
 }  // namespace
 
@@ -28,10 +28,10 @@ EffectsPanel::EffectsPanel(QWidget* parent) : QTextBrowser(parent) {
 }
 
 void EffectsPanel::showPlan(const Plan& plan, const RenderStats& stats) {
-  QStringList times{tr("%1 ms").arg(msText(stats.totalMs)),
-                    tr("resampling %1 ms").arg(msText(stats.resampleMs)),
-                    tr("shading %1 ms").arg(msText(stats.shadeMs))};
-  if (stats.gradientsMs >= 1) times << tr("gradients %1 ms (once)").arg(msText(stats.gradientsMs));
+  QStringList times{tr("%1 ms").arg(stageText(stats.totalMs)),
+                    tr("resampling %1 ms").arg(stageText(stats.resampleMs)),
+                    tr("shading %1 ms").arg(stageText(stats.shadeMs))};
+  if (stats.gradientsMs >= 1) times << tr("gradients %1 ms (once)").arg(stageText(stats.gradientsMs));
   times << (stats.threads == 1 ? tr("1 thread") : tr("%1 threads").arg(stats.threads));
   QString html = QStringLiteral("<p>%1</p><table cellspacing='0' cellpadding='2'>")
                      .arg(times.join(QStringLiteral(", ")));

@@ -1,7 +1,6 @@
 #include "ui/panels/flat_menus.h"
 
 #include <QActionGroup>
-#include <QCoreApplication>
 #include <QSlider>
 #include <QWidgetAction>
 #include <cmath>
@@ -12,8 +11,6 @@
 namespace volumen {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
 
 QString textOf(ColourMap map) {
   switch (map) {

@@ -19,7 +19,7 @@ namespace volumen {
 
 namespace {
 
-enum Column { nameColumn, numberColumn, seriesColumn };
+enum { nameColumn, numberColumn, seriesColumn };
 constexpr qint64 mostBytes = 16 << 20;  // of a file of shapes, as `volumen measure` takes them
 
 QToolButton* button(const char* name, const QString& text) {

@@ -144,7 +144,7 @@ void SegmentPanel::takeSpan(int n) {
   high_->setValue(std::floor(steps * std::min(spans[n].high, histogram.high)) / steps);
 }
 
-void SegmentPanel::showSegmentation(const std::shared_ptr<const Segmentation>& segmentation) {
+void SegmentPanel::showSegmentation(const std::shared_ptr<const RangeSegment>& segmentation) {
   if (segmentation && (!session_.series() || segmentation->volume != session_.series()->volume)) return;
   segmentation_ = segmentation;
   save_->setEnabled(segmentation != nullptr);

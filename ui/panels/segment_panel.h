@@ -6,27 +6,27 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/workspace/segmentation.h"
+#include "ui/workspace/range_segment.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {
 
-/// Segment what is visible: the value range of a span of the curve, or a typed one, becomes a label map whose
-/// voxels and millilitres are shown, that can be looked at alone, and saved.
+/// RangeSegment what is visible: the value range of a span of the curve, or a typed one, becomes a label map
+/// whose voxels and millilitres are shown, that can be looked at alone, and saved.
 class SegmentPanel : public QWidget {
   Q_OBJECT
  public:
   explicit SegmentPanel(Session& session, QWidget* parent = nullptr);
 
   /// Shows what a request came to; null: nothing yet.
-  void showSegmentation(const std::shared_ptr<const Segmentation>& segmentation);
+  void showSegmentation(const std::shared_ptr<const RangeSegment>& segmentation);
   /// Puts a switchable action on top.
   void setTableAction(QAction* action);
 
  Q_SIGNALS:
   void segmentRequested(const volumen::VolumePtr& volume, const volumen::ValueRange& range);
-  void saveRequested(const std::shared_ptr<const volumen::Segmentation>& segmentation,
-                     const volumen::SegmentationFile& file);
+  void saveRequested(const std::shared_ptr<const volumen::RangeSegment>& segmentation,
+                     const volumen::SegmentFile& file);
 
  private:
   void makeLayout();
@@ -43,7 +43,7 @@ class SegmentPanel : public QWidget {
   QPushButton *segment_, *save_;
   QLabel* result_;
   QCheckBox* only_;
-  std::shared_ptr<const Segmentation> segmentation_;
+  std::shared_ptr<const RangeSegment> segmentation_;
   TransferFunction before_, alone_;  // the curve without and with "show only"
 };
 

@@ -1,4 +1,3 @@
-#include <QCoreApplication>
 #include <algorithm>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -7,12 +6,9 @@
 #include "ui/data/frame_series.h"
 #include "ui/tools/flat_tool.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
-
-namespace {
-QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
-}  // namespace
 
 const std::vector<FlatTool>& flatTools() {
   static const std::vector<FlatTool> table = [] {

@@ -6,7 +6,7 @@ namespace volumen {
 
 namespace {
 
-constexpr double points = 10;            // of the text, at a scale of 1
+constexpr double textPoints = 10;        // of the text, at a scale of 1
 constexpr double edgeAtScale1 = 640;     // pixels
 constexpr int dotsPerMeter = 3780;       // 96 a inch: what points are in pixels
 constexpr double sideOfTopLetters = 60;  // pixels at a scale of 1, beside the middle
@@ -20,7 +20,7 @@ void annotate(QImage& image, Overlays overlays) {
   {
     QPainter painter(&image);
     QFont font;
-    font.setPointSizeF(points);
+    font.setPointSizeF(textPoints);
     painter.setFont(font);
     const QFontMetricsF metrics(font, &image);
     const double width = image.width(), height = image.height();

@@ -10,14 +10,14 @@ namespace volumen {
 namespace {
 
 // Logical pixels.
-constexpr int gap = 20;               // left free about the crosshair's point
+constexpr int middleGap = 20;         // left free about the crosshair's point
 constexpr double handleRadius = 4;    // as drawn
-constexpr double handleReach = 9;     // for a press
-constexpr double lineReach = 4;       // likewise
+constexpr double turnReach = 9;       // for a press
+constexpr double moveReach = 4;       // likewise
 constexpr double handleShare = 0.36;  // of the view's shorter side, from the crosshair's point
 
 // The colour of a view's line in the others.
-QColor lineColour(ViewKind kind) {
+QColor colourOfPlane(ViewKind kind) {
   switch (kind) {
     case ViewKind::axial:
       return QColor(0xff, 0x5c, 0x5c);
@@ -41,13 +41,13 @@ double distanceFromLine(const CrossLine& line, QPointF p) {
 }
 
 bool isOnHandle(const CrossLine& line, QPointF p) {
-  return std::ranges::any_of(line.handles, [&](QPointF h) { return distance(h, p) <= handleReach; });
+  return std::ranges::any_of(line.handles, [&](QPointF h) { return distance(h, p) <= turnReach; });
 }
 
 const CrossLine* lineAt(const std::vector<CrossLine>& lines, QPointF p, QPointF middle) {
-  if (std::abs(p.x() - middle.x()) <= gap && std::abs(p.y() - middle.y()) <= gap) return nullptr;
+  if (std::abs(p.x() - middle.x()) <= middleGap && std::abs(p.y() - middle.y()) <= middleGap) return nullptr;
   const auto line =
-      std::ranges::find_if(lines, [&](const CrossLine& l) { return distanceFromLine(l, p) <= lineReach; });
+      std::ranges::find_if(lines, [&](const CrossLine& l) { return distanceFromLine(l, p) <= moveReach; });
   return line == lines.end() ? nullptr : &*line;
 }
 
@@ -84,10 +84,10 @@ std::vector<CrossLine> crossLines(const FlatPress& press) {
 void paintCrossLines(QPainter& painter, const std::vector<CrossLine>& lines, QPointF middle, QRect view) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const QRect free(middle.toPoint() - QPoint(gap, gap), QSize(2 * gap, 2 * gap));
+  const QRect free(middle.toPoint() - QPoint(middleGap, middleGap), QSize(2 * middleGap, 2 * middleGap));
   painter.setClipRegion(QRegion(view) - QRegion(free));
   for (const CrossLine& line : lines) {
-    painter.setPen(QPen(lineColour(line.kind), 1));
+    painter.setPen(QPen(colourOfPlane(line.kind), 1));
     painter.drawLine(line.from, line.to);
     painter.setBrush(Qt::black);
     for (const QPointF handle : line.handles) painter.drawEllipse(handle, handleRadius, handleRadius);

@@ -1,16 +1,14 @@
 #include "ui/views/error_image.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 
+#include "ui/workspace/text.h"
 #include "viewer/plan/options.h"
 #include "viewer/volume/picture.h"
 
 namespace volumen {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("ErrorImage", text); }
 
 QString legendOf(float white, float largest) {
   if (largest == 0) return tr("Estimated error: none");

@@ -8,8 +8,8 @@ namespace volumen {
 
 namespace {
 
-constexpr double margin = 10, gap = 6;  // pixels
-constexpr int fewestCharacters = 4;     // of an elided line: fewer say nothing
+constexpr double margin = 10, textGap = 6;  // pixels
+constexpr int fewestCharacters = 4;         // of an elided line: fewer say nothing
 constexpr double longestBar = 200, shortestBar = 24;
 
 const QColor textColour(0xf2, 0xf4, 0xf6), warningColour(0xff, 0xc8, 0x5a), lateColour(0xff, 0x6b, 0x6b),
@@ -47,11 +47,11 @@ class Placer {
     QRectF row(inside_.left(), top, inside_.width(), metrics_.height());
     if (text.isEmpty() || row.bottom() > inside_.bottom()) return;
     for (const QRectF& other : taken_) {
-      if (!row.intersects(other.adjusted(-gap, 0, gap, 0))) continue;
+      if (!row.intersects(other.adjusted(-textGap, 0, textGap, 0))) continue;
       if (right)
-        row.setLeft(std::max(row.left(), other.right() + gap));
+        row.setLeft(std::max(row.left(), other.right() + textGap));
       else
-        row.setRight(std::min(row.right(), other.left() - gap));
+        row.setRight(std::min(row.right(), other.left() - textGap));
     }
     if (row.width() < fewestCharacters * metrics_.averageCharWidth()) return;
     const QString fitting = metrics_.elidedText(text, Qt::ElideRight, row.width());
@@ -68,9 +68,9 @@ class Placer {
     for (const QRectF& other : taken_) {
       if (other.bottom() < top) continue;
       if (other.center().x() < inside_.center().x())
-        left = std::max(left, other.right() + gap);
+        left = std::max(left, other.right() + textGap);
       else
-        right = std::min(right, other.left() - gap);
+        right = std::min(right, other.left() - textGap);
     }
     const double room = std::min({longestBar, inside_.width() / 4, right - left});
     if (room < shortestBar) return;

@@ -6,15 +6,15 @@ namespace volumen {
 
 namespace {
 
-constexpr int gap = 2;  // logical pixels between views
+constexpr int viewGap = 2;  // logical pixels between views
 
 // Where the views of a layout lie in an area.
 std::vector<QRect> placesOf(Layout layout, std::size_t count, QSize area) {
   const auto part = [](int whole, int n, int of) { return QPair(whole * n / of, whole * (n + 1) / of); };
   const auto cell = [&](int column, int columns, int row, int rows, QRect in) {
-    const auto [left, right] = part(in.width() + gap, column, columns);
-    const auto [top, bottom] = part(in.height() + gap, row, rows);
-    return QRect(in.x() + left, in.y() + top, right - left - gap, bottom - top - gap);
+    const auto [left, right] = part(in.width() + viewGap, column, columns);
+    const auto [top, bottom] = part(in.height() + viewGap, row, rows);
+    return QRect(in.x() + left, in.y() + top, right - left - viewGap, bottom - top - viewGap);
   };
   const QRect whole(QPoint(0, 0), area);
   if (count == 1) return {whole};

@@ -13,8 +13,8 @@ namespace volumen {
 namespace {
 constexpr double rightMargin = 10;
 constexpr int lowestPlot = 90;
-constexpr double rampTop = 8, rampHeight = 12;  // below the plot
-constexpr double reach = 8, snapReach = 4;      // pixels
+constexpr double rampTop = 8, rampHeight = 12;   // below the plot
+constexpr double pointReach = 8, snapReach = 4;  // pixels
 }  // namespace
 
 CurveEditor::CurveEditor(QWidget* parent) : QWidget(parent) {
@@ -115,7 +115,7 @@ QRectF CurveEditor::swatchOf(int n) const {
 
 int CurveEditor::pointAt(QPointF position) const {
   int nearest = -1;
-  double distance = reach;
+  double distance = pointReach;
   for (int n = 0; n < int(curve_.points.size()); ++n) {
     const QPointF d = positionOf(n) - position;
     const double length = std::hypot(d.x(), d.y());
@@ -197,7 +197,7 @@ double CurveEditor::snapped(double value) const {
 void CurveEditor::mouseDoubleClickEvent(QMouseEvent* event) {
   if (window_ || event->button() != Qt::LeftButton || pointAt(event->position()) >= 0) return;
   const QRectF plot = plotRect();
-  if (!plot.adjusted(0, -reach, 0, reach).contains(event->position())) return;
+  if (!plot.adjusted(0, -pointReach, 0, pointReach).contains(event->position())) return;
   int added = -1;
   TransferFunction curve = withPointAdded(curve_, valueAxis().valueAt(event->position().x()),
                                           opacityAxis().opacityAt(event->position().y()), &added);

@@ -12,7 +12,7 @@
 namespace volumen {
 
 namespace {
-constexpr double handleRadius = 6, reach = 10;  // pixels
+constexpr double handleRadius = 6, handleReach = 10;  // pixels
 }
 
 LightBall::LightBall(QWidget* parent) : QWidget(parent) {
@@ -62,13 +62,13 @@ glm::dvec3 LightBall::directionAt(QPointF position, bool behind) const {
 
 int LightBall::lightAt(QPointF position) const {
   int nearest = -1;
-  double distance = reach;
+  double distance = handleReach;
   bool front = false;
   for (int n = 0; n < int(lights_.size()); ++n) {
     const QPointF d = positionOf(lights_[n].direction) - position;
     const double length = std::hypot(d.x(), d.y());
     const bool inFront = lights_[n].direction.z >= 0;
-    if (length > reach || (front && !inFront) || (front == inFront && length > distance)) continue;
+    if (length > handleReach || (front && !inFront) || (front == inFront && length > distance)) continue;
     nearest = n;
     distance = length;
     front = inFront;

@@ -1,6 +1,5 @@
 #include "ui/workspace/frame_look.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +8,6 @@
 namespace volumen {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
 
 const NamedGrey& chosenOf(const SeriesState& state, const ShownFrame& frame) {
   return frame.greys[std::min(std::size_t(std::max(0, state.namedGrey)), frame.greys.size() - 1)];

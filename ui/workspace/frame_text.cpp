@@ -1,6 +1,5 @@
 #include "ui/workspace/frame_text.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +10,6 @@ namespace volumen {
 namespace {
 
 constexpr int centimetres = 3;  // of UltrasoundRegion's units
-
-QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
 
 // The word that stands beside mm; empty for those of the patient as they are.
 QString kindText(PixelSizeKind kind) {

@@ -1,6 +1,5 @@
 #include "ui/workspace/measurement_text.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
 
@@ -9,8 +8,6 @@
 namespace volumen {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
 
 // A unit as it stands behind a number: an angle's sign touches it.
 QString unitText(const std::string& unit) {
@@ -23,15 +20,15 @@ QString unitText(const std::string& unit) {
 // An area below a hundredth of a mm^2 is still no 0.
 QString withUnit(double number, const std::string& unit) {
   if (unit == "degrees") return QString::number(number, 'f', 1) + unitText(unit);
-  return numberText(number) + unitText(unit);
+  return shortNumberText(number) + unitText(unit);
 }
 
 QStringList regionLines(const Measured& m) {
   QStringList lines{tr("Area %1").arg(withUnit(m.number, m.unit))};
   if (!m.values) return lines << tr("no voxel inside");
   const QString unit = unitText(m.valueUnit);
-  lines << tr("Mean %1, SD %2%3").arg(numberText(m.values->mean), numberText(m.values->sd), unit);
-  lines << tr("Min %1, max %2%3").arg(numberText(m.values->min), numberText(m.values->max), unit);
+  lines << tr("Mean %1, SD %2%3").arg(shortNumberText(m.values->mean), shortNumberText(m.values->sd), unit);
+  lines << tr("Min %1, max %2%3").arg(shortNumberText(m.values->min), shortNumberText(m.values->max), unit);
   return lines << (m.values->n == 1 ? tr("1 voxel")
                                     : tr("%1 voxels").arg(QLocale().toString(qlonglong(m.values->n))));
 }
@@ -102,7 +99,7 @@ QString nameText(const Measurement& measurement) {
                         : name;
 }
 
-QString numberText(double number) {
+QString shortNumberText(double number) {
   if (number == std::round(number) && std::abs(number) < 1e7) return QString::number(qlonglong(number));
   const double size = std::abs(number);
   const int decimals = size >= 10 || size == 0 ? 1 : std::min(12, 2 - int(std::floor(std::log10(size))));
@@ -126,9 +123,9 @@ QString measuredText(const Shape& shape, const Result<Measured>& measured) {
 QString detailText(const Measurement& measurement, const Result<Measured>& measured, const Series& series) {
   QString text = nameText(measurement);
   if (measured && measured->plusMinus)
-    text +=
-        QStringLiteral(": %1 \u00b1 %2%3")
-            .arg(numberText(measured->number), numberText(*measured->plusMinus), unitText(measured->unit));
+    text += QStringLiteral(": %1 \u00b1 %2%3")
+                .arg(shortNumberText(measured->number), shortNumberText(*measured->plusMinus),
+                     unitText(measured->unit));
   else if (const QString numbers = measuredText(measurement.shape, measured); !numbers.isEmpty())
     text += QStringLiteral(": ") + numbers;
   if (measured && measured->voxel)

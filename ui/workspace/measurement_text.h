@@ -17,7 +17,7 @@ QString nameText(const Measurement& measurement);
 
 /// A number as people read it: three digits of what is small, one decimal of what is large, whole numbers as
 /// they are; never with an exponent.
-QString numberText(double number);
+QString shortNumberText(double number);
 
 /// A measured number with its unit, and of regions what the voxels inside say, a line each: "23.4 mm";
 /// "Area 12.3 mm²", "Mean 45.2, SD 3.1 HU", "Min -5, max 99 HU", "123 voxels". Where there is no number, why.

@@ -1,10 +1,10 @@
 #include "ui/workspace/measurements.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "ui/workspace/measurement_text.h"
+#include "ui/workspace/text.h"
 #include "viewer/measure/outline.h"
 #include "viewer/measure/shape_cut.h"
 
@@ -13,8 +13,6 @@ namespace volumen {
 namespace {
 
 constexpr std::size_t mostHandles = 12;
-
-QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
 
 bool isBox(const Shape& shape) {
   return shape.kind == ShapeKind::ellipse || shape.kind == ShapeKind::rectangle;

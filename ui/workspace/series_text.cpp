@@ -1,6 +1,5 @@
 #include "ui/workspace/series_text.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -10,8 +9,6 @@
 namespace volumen {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
 
 // What may tell series apart, the clearest first, and as what it is shown.
 struct Attribute {

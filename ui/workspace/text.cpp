@@ -9,9 +9,9 @@
 
 namespace volumen {
 
-namespace {
-
 QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
+
+namespace {
 
 // Invisible characters that would reorder what stands beside them.
 bool reorders(QChar c) {

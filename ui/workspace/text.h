@@ -7,6 +7,9 @@
 
 namespace volumen {
 
+/// What the program says, in the language of its user.
+QString tr(const char* text);
+
 /// Text from a file as a person may read it: control characters become blanks, those that
 /// reorder text are left out, blanks trimmed.
 QString shownText(const std::string& utf8);

@@ -1,16 +1,14 @@
 #include "ui/workspace/windows.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/workspace/text.h"
 #include "viewer/slice/first_window.h"
 
 namespace volumen {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
 
 bool isHounsfield(const Series& series) { return series.unit == "HU"; }
 

@@ -7,7 +7,7 @@
 namespace volumen {
 
 /// The voxels of a value range and what they amount to.
-struct Segmentation {
+struct RangeSegment {
   VolumePtr volume;
   ValueRange range;
   LabelMap map;
@@ -15,7 +15,7 @@ struct Segmentation {
 };
 
 /// Where and as what a segmentation is to be saved.
-struct SegmentationFile {
+struct SegmentFile {
   QString path, name;
   glm::dvec3 colour{1};
 };
