@@ -62,6 +62,13 @@ SlicePlane averaged() {
   return plane;
 }
 
+GreyMapping grey(WindowFunction function) {
+  GreyMapping mapping;
+  mapping.window = {40, 400};
+  mapping.function = function;
+  return mapping;
+}
+
 void toGrey(benchmark::State& state, const GreyMapping& mapping) {
   SlicePlane plane = oblique();
   plane.size = glm::ivec2(1000);
@@ -92,9 +99,9 @@ VOLUMEN_BENCH(max 20 mm sagittal, with(named(NamedPlane::sagittal), Interpolatio
 VOLUMEN_BENCH(max 20 mm oblique, with(oblique(), Interpolation::linear, 20));
 VOLUMEN_BENCH(mean 20 mm oblique, with(oblique(), Interpolation::linear, 20, SlabMode::mean));
 VOLUMEN_BENCH(averaged 2 x 2, averaged());
-BENCHMARK_CAPTURE(toGrey, LINEAR, GreyMapping{{40, 400}, WindowFunction::linear})
+BENCHMARK_CAPTURE(toGrey, LINEAR, grey(WindowFunction::linear))
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(toGrey, SIGMOID, GreyMapping{{40, 400}, WindowFunction::sigmoid})
+BENCHMARK_CAPTURE(toGrey, SIGMOID, grey(WindowFunction::sigmoid))
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -225,6 +225,50 @@ void Interpolate(const void* stored, glm::ivec3 size, const SampleLine& line, Sa
   });
 }
 
+/// Samples as floats.
+template <class T>
+HWY_INLINE VF LoadFloats(const T* samples) {
+  const DF df;
+  if constexpr (std::is_same_v<T, float>)
+    return hn::Load(df, samples);
+  else
+    return hn::ConvertTo(df, hn::PromoteTo(hn::RebindToSigned<DF>(), hn::Load(hn::Rebind<T, DF>(), samples)));
+}
+
+/// Linear between the four voxels of one layer, across kAxis; along kAxis the points lie on voxels.
+template <class T, int kAxis>
+void InterpolateInLayer(const void* stored, glm::ivec3 size, const SampleLine& line, SampleRange range,
+                        float* values) {
+  constexpr int kU = kAxis == 0 ? 1 : 0, kV = kAxis == 2 ? 1 : 2;
+  const std::ptrdiff_t strides[] = {1, size.x, std::ptrdiff_t(size.x) * size.y};
+  HWY_ALIGN T corners[4][kChunk] = {};
+  OverChunks<Interpolation::linear>(size, line, range, values, [&](const Places& at, float* out, int count) {
+    for (int n = 0; n < count; ++n) {
+      const T* const from = static_cast<const T*>(stored) + at.voxel[2][n] * strides[2] +
+                            at.voxel[1][n] * strides[1] + at.voxel[0][n];
+      const std::ptrdiff_t u = at.voxel[kU][n] + 1 < size[kU] ? strides[kU] : 0,
+                           v = at.voxel[kV][n] + 1 < size[kV] ? strides[kV] : 0;
+      corners[0][n] = from[0], corners[1][n] = from[u], corners[2][n] = from[v], corners[3][n] = from[u + v];
+    }
+    for (int n = 0; n < count; n += int(hn::Lanes(DF()))) {
+      const Linear alongU(hn::Load(DF(), at.part[kU] + n)), alongV(hn::Load(DF(), at.part[kV] + n));
+      const VF low[] = {LoadFloats(corners[0] + n), LoadFloats(corners[1] + n)},
+               high[] = {LoadFloats(corners[2] + n), LoadFloats(corners[3] + n)};
+      hn::StoreU(alongV({alongU(low), alongU(high)}), DF(), out + n);
+    }
+  });
+}
+
+LineKernel ChooseLayer(const VoxelValues& stored, int axis) {
+  return std::visit(
+      [&]<class T>(const std::vector<T>&) -> LineKernel {
+        return axis == 0   ? InterpolateInLayer<T, 0>
+               : axis == 1 ? InterpolateInLayer<T, 1>
+                           : InterpolateInLayer<T, 2>;
+      },
+      stored);
+}
+
 template <class T>
 LineKernel ChooseHow(Interpolation how) {
   return how == Interpolation::nearest  ? TakeNearest<T>
@@ -243,9 +287,14 @@ HWY_AFTER_NAMESPACE();
 namespace volumen {
 
 HWY_EXPORT(ChooseLine);
+HWY_EXPORT(ChooseLayer);
 
 LineKernel chooseLineKernel(const VoxelValues& stored, Interpolation interpolation) {
   return HWY_DYNAMIC_DISPATCH(ChooseLine)(stored, interpolation);
+}
+
+LineKernel chooseLayerKernel(const VoxelValues& stored, int axis) {
+  return HWY_DYNAMIC_DISPATCH(ChooseLayer)(stored, axis);
 }
 
 namespace {

@@ -39,4 +39,8 @@ using LineKernel = void (*)(const void* stored, glm::ivec3 size, const SampleLin
 /// The kernel for samples of this type, on this CPU.
 LineKernel chooseLineKernel(const VoxelValues& stored, Interpolation interpolation);
 
+/// The linear one for points that lie on voxels along `axis`: half the voxels are read. Where `axis` is 2 the
+/// values are those of the kernel above, bit for bit.
+LineKernel chooseLayerKernel(const VoxelValues& stored, int axis);
+
 }  // namespace volumen

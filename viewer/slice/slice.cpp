@@ -62,9 +62,17 @@ struct Tile {
   std::int64_t count() const { return width() * (rows.last - rows.first); }
 };
 
+// What the points of a tile are over one layer of voxels, row by row.
+struct Layer {
+  int voxel = -1;  // along the axis; -1: none yet
+  std::vector<float> values;
+};
+
 // What the slabs through the points of a tile hold, row by row, in stored values; `value` is NaN where there
 // is none. Kept from tile to tile for its memory.
 struct Slabs {
+  Layer layers[2];
+  std::vector<SampleRange> inside;  // of each row, the points in the box
   std::vector<float> samples, extreme;
   std::vector<double> sum, value;
   std::vector<int> counted;
@@ -98,6 +106,8 @@ class Resampler {
     columnsInBox_ = across_.between(boxAlong(g, plane.centre, plane.right));
     rowsInBox_ = down_.between(boxAlong(g, plane.centre, plane.down));
     depthsInBox_ = deep_.between(boxAlong(g, plane.centre, normal));
+    layerAxis_ = plane.interpolation == Interpolation::linear && deep_.count > 1 ? axisAlongNormal() : -1;
+    if (layerAxis_ >= 0) layerKernel_ = chooseLayerKernel(volume.stored(), layerAxis_);
     samples_ = std::visit([](const auto& v) { return static_cast<const void*>(v.data()); }, volume.stored());
   }
 
@@ -127,7 +137,7 @@ class Resampler {
  private:
   // Tiles of so many (sub-)samples: small enough that what one depth reads is still in the caches for the
   // next, though voxels above each other fall into the same few sets of a cache.
-  static constexpr int columnsATile = 128, rowsATile = 16;
+  static constexpr int columnsATile = 256, rowsATile = 16;
 
   int tilesAcross() const { return (size_.x + tileColumns_ - 1) / tileColumns_; }
 
@@ -167,14 +177,13 @@ class Resampler {
     if (mode_ == SlabMode::mean) return takeMeans(tile, slabs);
     const bool largest = mode_ == SlabMode::max;
     slabs.extreme.assign(tile.count(), largest ? -infinity : infinity);
-    for (std::int64_t w = depthsInBox_.first; w < depthsInBox_.last; ++w)
-      overLines(tile, w, slabs.samples, [&](std::int64_t at, std::int64_t count, const float* samples) {
-        float* const extreme = slabs.extreme.data() + at;
-        if (largest)
-          for (std::int64_t n = 0; n < count; ++n) extreme[n] = std::max(extreme[n], samples[n]);
-        else
-          for (std::int64_t n = 0; n < count; ++n) extreme[n] = std::min(extreme[n], samples[n]);
-      });
+    overDepths(tile, slabs, [&](std::int64_t at, std::int64_t count, const float* samples) {
+      float* const extreme = slabs.extreme.data() + at;
+      if (largest)
+        for (std::int64_t n = 0; n < count; ++n) extreme[n] = std::max(extreme[n], samples[n]);
+      else
+        for (std::int64_t n = 0; n < count; ++n) extreme[n] = std::min(extreme[n], samples[n]);
+    });
     std::transform(slabs.extreme.begin(), slabs.extreme.end(), slabs.value.begin(),
                    [](float v) { return std::isinf(v) ? nan : double(v); });
   }
@@ -182,12 +191,79 @@ class Resampler {
   void takeMeans(const Tile& tile, Slabs& slabs) const {
     slabs.sum.assign(tile.count(), 0);
     slabs.counted.assign(tile.count(), 0);
-    for (std::int64_t w = depthsInBox_.first; w < depthsInBox_.last; ++w)
-      overLines(tile, w, slabs.samples, [&](std::int64_t at, std::int64_t count, const float* samples) {
-        for (std::int64_t n = 0; n < count; ++n) slabs.sum[at + n] += samples[n], ++slabs.counted[at + n];
-      });
+    overDepths(tile, slabs, [&](std::int64_t at, std::int64_t count, const float* samples) {
+      for (std::int64_t n = 0; n < count; ++n) slabs.sum[at + n] += samples[n], ++slabs.counted[at + n];
+    });
     for (std::size_t n = 0; n < slabs.value.size(); ++n)
       slabs.value[n] = slabs.counted[n] ? slabs.sum[n] / slabs.counted[n] : nan;
+  }
+
+  // The axis of the volume that the normal runs along, with the pixels in layers of voxels; -1: none.
+  int axisAlongNormal() const {
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3, c = (a + 2) % 3;
+      if (normal_[b] == 0 && normal_[c] == 0 && right_[a] == 0 && below_[a] == 0) return a;
+    }
+    return -1;
+  }
+
+  // The same as overLines() for every depth. Where the slab's depths lie along an axis of the volume, the
+  // layers of voxels are interpolated once each, and what lies between two of them is linear.
+  template <class Use>
+  void overDepths(const Tile& tile, Slabs& slabs, const Use& use) const {
+    if (layerAxis_ < 0) {
+      for (std::int64_t w = depthsInBox_.first; w < depthsInBox_.last; ++w)
+        overLines(tile, w, slabs.samples, use);
+      return;
+    }
+    slabs.layers[0].voxel = slabs.layers[1].voxel = -1;
+    slabs.inside.clear();
+    for (std::int64_t v = tile.rows.first; v < tile.rows.last; ++v)
+      slabs.inside.push_back(insideBox(inLayer(v, 0), tile.columns, volume_.size()));
+    for (std::int64_t w = depthsInBox_.first; w < depthsInBox_.last; ++w) betweenLayers(tile, w, slabs, use);
+  }
+
+  // A row of pixels at a layer of voxels.
+  SampleLine inLayer(std::int64_t v, int voxel) const {
+    SampleLine line = lineAt(v, 0);
+    line.start[layerAxis_] = voxel;
+    return line;
+  }
+
+  template <class Use>
+  void betweenLayers(const Tile& tile, std::int64_t w, Slabs& slabs, const Use& use) const {
+    const int last = volume_.size()[layerAxis_] - 1;
+    const double x = lineAt(tile.rows.first, w).at(0, layerAxis_);
+    if (x < -0.5 || x > last + 0.5) return;
+    const double within = std::clamp(x, 0.0, double(last));
+    const int voxel = int(within);
+    const float part = float(within - voxel);
+    const float* low = layer(tile, voxel, slabs);
+    const float* high = layer(tile, std::min(voxel + 1, last), slabs);
+    slabs.samples.resize(tile.width() + lineSlack);
+    for (std::size_t row = 0; row < slabs.inside.size(); ++row) {
+      const SampleRange inside = slabs.inside[row];
+      const std::int64_t at = std::int64_t(row) * tile.width() + inside.first - tile.columns.first,
+                         count = inside.last - inside.first;
+      for (std::int64_t n = 0; n < count; ++n)
+        slabs.samples[n] = low[at + n] + part * (high[at + n] - low[at + n]);
+      use(at, count, slabs.samples.data());
+    }
+  }
+
+  // What the pixels of a tile are over one layer of voxels; of the layers asked for before, the last stays.
+  const float* layer(const Tile& tile, int voxel, Slabs& slabs) const {
+    Layer& layer = slabs.layers[voxel % 2];
+    if (layer.voxel == voxel) return layer.values.data();
+    layer.voxel = voxel;
+    layer.values.resize(tile.count() + lineSlack);
+    float* row = layer.values.data() - tile.columns.first;
+    for (std::int64_t v = tile.rows.first; v < tile.rows.last; ++v, row += tile.width()) {
+      const SampleRange inside = slabs.inside[v - tile.rows.first];
+      if (inside.first < inside.last)
+        layerKernel_(samples_, volume_.size(), inLayer(v, voxel), inside, row + inside.first);
+    }
+    return layer.values.data();
   }
 
   // Calls use(place in the tile, count, samples) for what lies in the box of each row of a tile at depth w.
@@ -214,7 +290,8 @@ class Resampler {
   std::int64_t perPixel_;       // sub-samples along a side of a pixel
   int tileColumns_, tileRows_;  // pixels
   SlabMode mode_;
-  LineKernel kernel_;
+  LineKernel kernel_, layerKernel_ = nullptr;
+  int layerAxis_ = -1;  // that a slab's depths lie along; -1: none
   Samples across_, down_, deep_;
   glm::dvec3 centre_, right_, below_, normal_;  // voxel space; the directions are voxels per mm
   SampleRange columnsInBox_, rowsInBox_, depthsInBox_;
