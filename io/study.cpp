@@ -7,6 +7,8 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "io/archive.h"
+#include "io/dicom/directory.h"
 #include "io/dicom/import.h"
 #include "io/files/image_file.h"
 #include "io/files/sample_cache.h"
@@ -99,6 +101,28 @@ std::string reasonWithout(const std::string& file, std::string sentence) {
   return sentence;
 }
 
+/// The folder that a path ends in: "." where it names none.
+std::string folderOf(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  if (slash == std::string::npos) return ".";
+  return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+/// The files that a path stands for: itself or what is below it; all below its folder where it is a DICOMDIR;
+/// what is in it where it is a zip archive.
+Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
+  if (isZipArchive(path)) {
+    const Result<UnpackedArchive> archive = unpackZip(path, userCacheFolder(), cancel);
+    if (!archive) return archive.error();
+    Result<FoundFiles> found = findFiles(archive->folder, cancel, Links::inside);
+    for (const auto& [name, reason] : archive->leftOut)
+      if (found) found->unreadable.emplace_back(path + "/" + name, reason);
+    return found;
+  }
+  if (dicom::isDirectoryFile(path)) return findFiles(folderOf(path), cancel, Links::inside);
+  return findFiles(path, cancel);
+}
+
 void addImageFile(const std::string& file, Study& study) {
   Result<std::vector<Series>> volumes = readImageFileHeaders(file);
   if (volumes)
@@ -118,7 +142,7 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
   if (isPhantom(path)) return openPhantom(path);
   if (isSessionFile(path))
     return Error{path + " is a session, not a volume: `volumen open` and `volumen render` take it."};
-  const Result<FoundFiles> found = findFiles(path, cancel);
+  const Result<FoundFiles> found = filesOf(path, cancel);
   if (!found) return found.error();
   Study study;
   for (const auto& [file, reason] : found->unreadable) study.refused.push_back({file, reason + "."});
@@ -152,9 +176,7 @@ Result<Loaded> loadSeries(const Series& series, const Progress& progress, const 
     if (!volume) return volume.error();
     return Loaded{*volume, *volume, {}};
   }
-  for (const char* format : {"NRRD", "NIfTI", "MetaImage"})
-    if (series.format == format) return loadImageFile(series, progress, cancel);
-  return Error{series.path + ": the format " + series.format + " is not known."};
+  return loadImageFile(series, progress, cancel);
 }
 
 Result<std::size_t> chooseSeries(const Study& study, const std::string& text) {

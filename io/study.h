@@ -35,12 +35,14 @@ struct Cine {
 struct Series : SeriesIdentity {
   std::string id;  ///< SeriesInstanceUID or file name, "#n" behind it where that holds several (design.md 10)
   std::string path;       ///< the file, or the folder that holds the files
-  std::string format;     ///< "DICOM", "NRRD", "NIfTI", "MetaImage", "phantom"
+  std::string format;     ///< "DICOM", "phantom" or that of the file: "NRRD", "NIfTI", "MetaImage", ...
   std::string unit;       ///< of the values: "HU", "Bq/ml", "SUV"; empty where they have none
   std::string time;       ///< of day, as DICOM writes it: of the acquisition, else of the series
   std::string echoTime;   ///< ms, as in the file; empty where it is not given
   std::string bValue;     ///< diffusion weight, s/mm^2, as in the file; empty where it is not given
   std::string timePoint;  ///< of a series in time, as in the file; empty where it is not given
+  std::string label;      ///< what else tells it from the other volumes of its series or file, in a few
+                          ///< words: "direction 12", "component x", "2 of 5"; empty where nothing does
 
   VoxelGeometry
       acquired;  ///< the slices as acquired; spacing along k: mean distance along the step between slices
@@ -132,7 +134,8 @@ struct Study {
 /// thread.
 using Progress = std::function<void(const char* what, std::size_t done, std::size_t total)>;
 
-/// What is under `path`: a file, a folder (nested; links followed, each file once) or "phantom:NAME[:SIZE]".
+/// What is under `path`: a file, a folder (nested; links followed, each file once), a DICOMDIR (all below its
+/// folder; no links out of it), a zip archive (unpacked until the program ends) or "phantom:NAME[:SIZE]".
 /// Reads headers only. An Error where there is no such path; what cannot be loaded is in `refused` with its
 /// reason.
 Result<Study> openStudy(const std::string& path, const Progress& progress = {},

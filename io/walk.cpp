@@ -30,20 +30,32 @@ std::vector<std::string> entries(const std::string& folder, std::error_code& err
   return paths;
 }
 
+/// Whether `path` is a link that leads out of `root`, which is canonical.
+bool leadsOut(const std::string& path, const std::filesystem::path& root) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(path, error)) return false;
+  const std::filesystem::path target = std::filesystem::canonical(path, error);
+  return error || std::mismatch(root.begin(), root.end(), target.begin(), target.end()).first != root.end();
+}
+
 }  // namespace
 
-Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel) {
+Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel, Links links) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0)
     return Error{"Cannot open " + path + ": " +
                  (errno == ENOENT ? "no such file or folder" : std::strerror(errno)) + "."};
   FoundFiles found;
   Visited visited;
+  std::error_code unknown;
+  const std::filesystem::path root = std::filesystem::canonical(path, unknown);
   std::vector<std::string> open{path};  // last in, first out; filled in reverse so that names stay in order
   while (!open.empty() && !cancel.cancelled()) {
     const std::string at = std::move(open.back());
     open.pop_back();
-    if (::stat(at.c_str(), &status) != 0) {
+    if (links == Links::inside && at != path && leadsOut(at, root)) {
+      found.unreadable.emplace_back(at, "is a link out of the folder and is not followed");
+    } else if (::stat(at.c_str(), &status) != 0) {
       found.unreadable.emplace_back(at, std::strerror(errno));
     } else if (S_ISREG(status.st_mode)) {
       if (visited.firstTime(status)) found.files.push_back(at);

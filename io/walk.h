@@ -16,9 +16,12 @@ struct FoundFiles {
   std::vector<std::pair<std::string, std::string>> unreadable;  ///< path, reason
 };
 
-/// Finds all regular files under `path` (itself, where it is one). Symbolic links are followed, loops end
-/// (each folder and file once, by device and inode); FIFOs, sockets and devices are left out. An Error where
-/// there is no such path.
-Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel);
+/// Which symbolic links a search follows.
+enum class Links { all, inside };  ///< inside: those that stay below its path
+
+/// Finds all regular files under `path` (itself, where it is one). Symbolic links are followed as `links`
+/// says, loops end (each folder and file once, by device and inode); FIFOs, sockets and devices are left out.
+/// An Error where there is no such path.
+Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel, Links links = Links::all);
 
 }  // namespace volumen

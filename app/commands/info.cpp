@@ -104,6 +104,9 @@ Json seriesJson(const Series& s) {
   out["series"] = {{"number", s.seriesNumber}, {"description", s.description}, {"files", s.files.size()}};
   addGeometry(out, s.acquired);
   out["valueType"] = s.valueType;
+  for (const auto& [key, text] : {std::pair("echoTime", &s.echoTime), std::pair("bValue", &s.bValue),
+                                  std::pair("timePoint", &s.timePoint), std::pair("label", &s.label)})
+    if (!text->empty()) out[key] = *text;
   if (s.regular)
     out["regular"] = {{"dims", toJson(s.regular->geometry.size)},
                       {"spacing", toJson(s.regular->geometry.spacing())},

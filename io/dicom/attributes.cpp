@@ -33,6 +33,8 @@ Status readColour(const DataSet& data, PixelFormat& format) {
   format.photometric = data.text(0x00280004, data.root());
   format.samples = data.word(0x00280002, data.root()).value_or(1);
   format.planar = format.samples > 1 && data.word(0x00280006, data.root()).value_or(0) == 1;
+  const bool hasPalette = data.has(0x00281101, data.root());
+  if (format.photometric.empty() && format.samples == 1 && !hasPalette) format.photometric = "MONOCHROME2";
   if (format.photometric.empty()) return Error{"PhotometricInterpretation (0028,0004) is missing"};
   for (const auto& [name, samples] : kinds) {
     if (format.photometric != name) continue;

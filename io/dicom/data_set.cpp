@@ -105,6 +105,10 @@ std::vector<std::int32_t> DataSet::longs(std::uint32_t tag, Scope scope) const {
   return allOf<std::int32_t>(tag, scope, vrOf('S', 'L'));
 }
 
+std::vector<std::uint32_t> DataSet::dwords(std::uint32_t tag, Scope scope) const {
+  return allOf<std::uint32_t>(tag, scope, vrOf('U', 'L'));
+}
+
 template <class T>
 std::optional<T> DataSet::numberOf(std::uint32_t tag, Scope scope) const {
   const Element* e = find(tag, scope);

@@ -46,9 +46,10 @@ class DataSet {
   /// A UL, and an FD.
   std::optional<std::uint32_t> dword(std::uint32_t tag, Scope scope) const;
   std::optional<double> real(std::uint32_t tag, Scope scope) const;
-  /// All numbers of an FL, and of an SL; none where it is of another kind.
+  /// All numbers of an FL, of an SL and of a UL; none where it is of another kind.
   std::vector<float> floats(std::uint32_t tag, Scope scope) const;
   std::vector<std::int32_t> longs(std::uint32_t tag, Scope scope) const;
+  std::vector<std::uint32_t> dwords(std::uint32_t tag, Scope scope) const;
   /// All 16-bit words of a value, however long.
   std::vector<std::uint16_t> words(std::uint32_t tag, Scope scope) const;
   /// All bytes of a value, however long, those of big endian 16-bit words (OW) in the order of little endian.

@@ -2,6 +2,7 @@
 
 #include "io/dicom/codestream.h"
 #include "io/dicom/inflate.h"
+#include "io/dicom/mosaic.h"
 
 namespace volumen::dicom {
 namespace {
@@ -113,14 +114,23 @@ Result<PixelSource> PixelSource::open(const FileHeader& header) {
   Result<RegularFile> file = RegularFile::open(header.path);
   if (!file) return file.error();
   PixelSource source(header, std::move(*file));
-  if (!header.inflatedFrom) return source;
-  const std::uint64_t size = source.file_.size();
-  const auto deflated = source.file_.read(header.inflatedFrom, size - std::min(size, header.inflatedFrom));
+  if (Status inflated = source.inflate(); !inflated) return inflated.error();
+  if (!header.mosaic) return source;
+  auto whole = source.decoded(0, wholeMosaic(header.format, *header.mosaic));
+  if (!whole) return whole.error();
+  source.mosaic_ = std::move(*whole);
+  return source;
+}
+
+Status PixelSource::inflate() {
+  if (!header_.inflatedFrom) return {};
+  const std::uint64_t size = file_.size();
+  const auto deflated = file_.read(header_.inflatedFrom, size - std::min(size, header_.inflatedFrom));
   if (!deflated) return deflated.error();
   auto inflated = inflateRaw(*deflated);
   if (!inflated) return inflated.error();
-  source.inflated_ = std::move(*inflated);
-  return source;
+  inflated_ = std::move(*inflated);
+  return {};
 }
 
 Result<std::vector<std::uint8_t>> PixelSource::bytes(Range range) const {
@@ -131,9 +141,19 @@ Result<std::vector<std::uint8_t>> PixelSource::bytes(Range range) const {
   return std::vector<std::uint8_t>(begin, begin + std::ptrdiff_t(range.length));
 }
 
-Result<DecodedFrame> PixelSource::frame(int n) const { return frame(n, header_.format); }
+Result<DecodedFrame> PixelSource::frame(int n) const {
+  if (mosaic_) return tileOf(*mosaic_, n, header_.format, *header_.mosaic);
+  return decoded(n, header_.format);
+}
 
 Result<DecodedFrame> PixelSource::frame(int n, const PixelFormat& format) const {
+  if (!mosaic_) return decoded(n, format);
+  const auto whole = decoded(0, wholeMosaic(format, *header_.mosaic));
+  if (!whole) return whole.error();
+  return tileOf(*whole, n, format, *header_.mosaic);
+}
+
+Result<DecodedFrame> PixelSource::decoded(int n, const PixelFormat& format) const {
   std::vector<std::uint8_t> joined;
   for (const Range& range : header_.frames[std::size_t(n)]) {
     auto part = bytes(range);

@@ -35,11 +35,14 @@ class PixelSource {
 
  private:
   PixelSource(const FileHeader& header, RegularFile file) : header_(header), file_(std::move(file)) {}
+  Status inflate();
   Result<std::vector<std::uint8_t>> bytes(Range range) const;
+  Result<DecodedFrame> decoded(int n, const PixelFormat& format) const;
 
   const FileHeader& header_;
   RegularFile file_;
   std::vector<std::uint8_t> inflated_;
+  std::optional<DecodedFrame> mosaic_;  // the whole picture
 };
 
 /// The decoders behind decodeFrame. The first three give samples as native ones would stand in a little

@@ -4,6 +4,8 @@
 #include <dcmtk/dcmdata/dcuid.h>
 
 #include "io/dicom/attributes.h"
+#include "io/dicom/directory.h"
+#include "io/dicom/mosaic.h"
 #include "io/dicom/reference.h"
 #include "io/dicom/stack.h"
 
@@ -14,15 +16,12 @@ constexpr std::uint64_t sizeLimit = std::uint64_t(16) << 30;
 
 Inspection refused(const std::string& reason) {
   std::string sentence = reason + ".";
-  return {Inspection::Kind::refused, sentence, {}, {}};
+  return {Inspection::Kind::refused, sentence, {}, {}, {}};
 }
 
 /// "DICOM file without pixel data (SR)".
 std::string kindOf(const FileHeader& header) {
   const char* name = header.sopClassUid.empty() ? nullptr : dcmFindNameOfUID(header.sopClassUid.c_str());
-  if (header.sopClassUid == "1.2.840.10008.1.3.10" ||
-      (name && std::string_view(name) == "MediaStorageDirectoryStorage"))
-    return "DICOMDIR";
   const std::string known = !header.modality.empty() ? header.modality : name ? name : "";
   return "DICOM file without pixel data" + (known.empty() ? "" : " (" + known + ")");
 }
@@ -55,7 +54,8 @@ bool beginsAsDicom(Bytes head) {
 
 /// What has no picture of its own, and what it refers to.
 Inspection withoutPicture(const DataSet& data, const FileHeader& header) {
-  Inspection found{Inspection::Kind::noPicture, kindOf(header), {}, {}};
+  Inspection found{Inspection::Kind::noPicture, kindOf(header), {}, {}, {}};
+  if (data.find(directoryRecords, data.root())) found.listed = listedFiles(data);
   if (const auto kind = referenceKind(header.sopClassUid)) {
     found.reference = readReference(data, header, *kind);
     if (kind == ReferenceKind::segmentation) found.text = "DICOM segmentation";
@@ -82,7 +82,7 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
   // Without preamble only what says which class or kind it is passes for DICOM.
   const bool named = data.has(0x00080016, data.root()) || data.has(0x00080060, data.root());
   if (!looksLikeDicom && !named) return {};
-  Inspection found{Inspection::Kind::picture, {}, {}, {}};
+  Inspection found{Inspection::Kind::picture, {}, {}, {}, {}};
   found.header.path = path;
   found.header.syntax = s.syntax;
   found.header.inflatedFrom = s.inflatedFrom;
@@ -100,6 +100,9 @@ Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet&
   auto format = readPixelFormat(data, pixels);
   if (!format) return format.error();
   header.format = *format;
+  if (!data.has(0x00280004, data.root()))
+    header.warnings.emplace_back(
+        "its PhotometricInterpretation is missing: one sample a pixel is taken as grey, high values bright");
   header.format.subsampled = s.syntax.coding == Coding::native && format->photometric == "YBR_FULL_422";
   if (header.format.subsampled && format->columns % 2 == 1)
     return Error{"its rows are odd, and YBR_FULL_422 stores two pixels at a time"};
@@ -113,8 +116,18 @@ Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet&
   auto frames = s.syntax.coding == Coding::native ? nativeFrames(pixels, header.format, s.size)
                                                   : encapsulatedFrames(file, pixels, format->frames);
   if (!frames) return frames.error();
+  if (const std::uint64_t needed = header.format.frameBytes() * std::uint64_t(format->frames);
+      s.syntax.coding == Coding::native && pixels.length >= needed + header.format.frameBytes())
+    header.warnings.push_back("its pixel data has " + std::to_string(pixels.length) + " bytes, and its " +
+                              std::to_string(format->frames) + (format->frames == 1 ? " frame" : " frames") +
+                              " take " + std::to_string(needed) + ": the rest is not shown");
   header.cine = readCine(data, format->frames);
   header.frames = std::move(*frames);
+  constexpr std::uint64_t endMark = 8;
+  if (const Range last = header.frames.back().back();
+      s.syntax.coding != Coding::native && last.offset + last.length + endMark > s.size)
+    header.warnings.emplace_back("it ends behind its last fragment, without the mark that belongs there");
+  splitMosaic(data, header);
   return {};
 }
 

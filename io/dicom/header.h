@@ -51,11 +51,25 @@ struct Slice {
   long instance = 0;  ///< InstanceNumber; order of slices that nothing else orders
   std::string echo;   ///< echo number and time: slices of different echoes are different volumes
   std::string echoTime, bValue, timePoint;  ///< as Series has them
-  std::vector<std::string> parts;  ///< what may tell apart pictures of one place: time point, image type, ...
+  std::uint32_t inStack = 0;                ///< InStackPositionNumber, from 1; 0: not given
+  std::vector<std::string> parts;           ///< what may tell apart pictures of one place (io/dicom/parts.h)
 };
 
 /// Whether it is known where in the patient a slice lies.
 inline bool isPlaced(const Slice& s) { return s.position && s.orientation && s.spacing; }
+
+/// A Siemens mosaic: the slices of a volume are tiles of one picture, row by row from the upper left.
+struct Mosaic {
+  int columns = 0, rows = 0;  ///< of the whole picture
+  int tilesAcross = 0;
+};
+
+/// A multi-frame picture that is spread over several files (PS3.3 C.7.6.16.2.2.4).
+struct Concatenation {
+  std::string uid;          ///< empty: the file is whole
+  int part = 0, parts = 0;  ///< from 1; 0: not given
+  int firstFrame = 0;       ///< frames in the parts before
+};
 
 /// What a file says about itself and its pictures.
 struct FileHeader : SeriesIdentity {
@@ -65,7 +79,10 @@ struct FileHeader : SeriesIdentity {
   std::string time;  ///< as Series has it
   TransferSyntax syntax{"", "", Coding::native, {}, false};
   PixelFormat format;
-  std::vector<FrameRanges> frames;  ///< where each frame's bytes lie (in the inflated data set if deflated)
+  std::optional<Mosaic> mosaic;  ///< the frames are its tiles; `format` is that of a tile
+  Concatenation concatenation;
+  std::vector<FrameRanges> frames;  ///< where each frame's bytes lie (in the inflated data set if deflated);
+                                    ///< of a mosaic, of the whole picture
   std::uint64_t inflatedFrom = 0;   ///< where the deflated data set begins in the file; 0: it is not deflated
   std::vector<Slice> slices;        ///< one a frame; only one where all frames are alike
   std::string notVolume;            ///< why its frames can only be shown as acquired; empty: they are slices
@@ -84,9 +101,10 @@ std::string instanceId(const FileHeader& file);
 /// What a file turned out to be.
 struct Inspection {
   enum class Kind { notDicom, noPicture, refused, picture } kind = Kind::notDicom;
-  std::string text;                    ///< noPicture: what it is; refused: why, a sentence
-  FileHeader header;                   ///< picture
-  std::optional<Reference> reference;  ///< noPicture that refers to pictures
+  std::string text;                                     ///< noPicture: what it is; refused: why, a sentence
+  FileHeader header;                                    ///< picture
+  std::optional<Reference> reference;                   ///< noPicture that refers to pictures
+  std::optional<std::vector<std::string>> listed = {};  ///< the files that a DICOMDIR names
 };
 
 /// Reads a file up to its pixel data and says what it is. Never trusts it: this is the first of the two

@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include "io/archive.h"
+#include "io/dicom/directory.h"
 #include "io/dicom/parallel.h"
 #include "io/dicom/series.h"
 
@@ -37,10 +39,11 @@ void findSeries(const std::vector<std::string>& files, Study& study, const Progr
     Inspection& i = inspections[n];
     switch (i.kind) {
       case Inspection::Kind::notDicom:
-        study.other.push_back({files[n], "not an image"});
+        study.other.push_back(
+            {files[n], isZipArchive(files[n]) ? "zip archive: open it by itself" : "not an image"});
         break;
       case Inspection::Kind::noPicture:
-        study.other.push_back({files[n], i.text});
+        study.other.push_back({files[n], i.listed ? directoryText(files[n], *i.listed, files) : i.text});
         if (i.reference) study.references.push_back(std::move(*i.reference));
         break;
       case Inspection::Kind::refused:

@@ -1,5 +1,7 @@
 #include "io/dicom/series.h"
 
+#include "io/dicom/parts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -71,8 +73,11 @@ void order(Entries& entries) {
   };
   std::stable_sort(entries.begin(), entries.end(),
                    [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
-  if (!placed)
-    for (std::size_t n = 0; n < entries.size(); ++n) entries[n].placed.alongNormal = double(n);
+  if (placed) return;
+  const bool numbered = std::ranges::all_of(entries, [](const Entry& e) { return e.slice().inStack > 0; });
+  for (std::size_t n = 0; n < entries.size(); ++n)
+    entries[n].placed.alongNormal = numbered ? double(entries[n].slice().inStack) : double(n);
+  std::ranges::stable_sort(entries, {}, [](const Entry& e) { return e.placed.alongNormal; });
 }
 
 /// Distances below this are none, mm.
@@ -121,46 +126,67 @@ std::vector<std::string> dropCopies(Entries& entries) {
   return warnings;
 }
 
+/// Pictures of which none lies where another does, and what tells them from those that do.
+struct Split {
+  Entries entries;
+  PartName name;
+};
+
 /// Splits by one attribute, in order of first occurrence.
-std::vector<Entries> byPart(const Entries& entries, std::size_t part) {
+std::vector<Split> byPart(const Entries& entries, std::size_t part) {
   std::map<std::string, std::size_t> index;
-  std::vector<Entries> parts;
+  std::vector<std::string> values;
+  std::vector<Split> splits;
   for (const Entry& e : entries) {
-    const auto [it, isNew] = index.emplace(e.slice().parts[part], parts.size());
-    if (isNew) parts.emplace_back();
-    parts[it->second].push_back(e);
+    const auto [it, isNew] = index.emplace(e.slice().parts[part], splits.size());
+    if (isNew) splits.emplace_back(), values.push_back(it->first);
+    splits[it->second].entries.push_back(e);
   }
-  return parts;
+  for (std::size_t n = 0; n < splits.size(); ++n) splits[n].name = partName(part, values, n);
+  return splits;
 }
 
 /// Pictures of one place by their order there: the first of each place, the second of each place, ...
-std::vector<Entries> byRank(const Entries& entries) {
-  std::vector<Entries> ranks;
+std::vector<Split> byRank(const Entries& entries) {
+  std::vector<Split> ranks;
   for (const Entries& place : byPlace(entries)) {
     Entries inOrder = place;
     std::stable_sort(inOrder.begin(), inOrder.end(),
                      [](const Entry& a, const Entry& b) { return a.slice().instance < b.slice().instance; });
     ranks.resize(std::max(ranks.size(), inOrder.size()));
-    for (std::size_t n = 0; n < inOrder.size(); ++n) ranks[n].push_back(inOrder[n]);
+    for (std::size_t n = 0; n < inOrder.size(); ++n) ranks[n].entries.push_back(inOrder[n]);
   }
+  for (std::size_t n = 0; n < ranks.size(); ++n)
+    ranks[n].name.label = std::to_string(n + 1) + " of " + std::to_string(ranks.size());
   return ranks;
 }
 
+std::vector<Split> splitRepeats(const Entries& entries);
+
+/// Splits what is split already once more; names follow each other.
+std::vector<Split> splitFurther(const std::vector<Split>& splits) {
+  std::vector<Split> all;
+  for (const Split& split : splits)
+    for (Split& inner : splitRepeats(split.entries)) {
+      if (inner.name.timePoint.empty()) inner.name.timePoint = split.name.timePoint;
+      const bool both = !split.name.label.empty() && !inner.name.label.empty();
+      inner.name.label = split.name.label + (both ? ", " : "") + inner.name.label;
+      all.push_back(std::move(inner));
+    }
+  return all;
+}
+
 /// Parts of which none holds two pictures of one place.
-std::vector<Entries> splitRepeats(const Entries& entries) {
+std::vector<Split> splitRepeats(const Entries& entries) {
   const std::size_t most = mostAtOnePlace(entries);
-  if (most == 1) return {entries};
+  if (most == 1) return {{entries, {}}};
   for (std::size_t part = 0; part < entries[0].slice().parts.size(); ++part) {
-    std::vector<Entries> parts = byPart(entries, part);
+    const std::vector<Split> splits = byPart(entries, part);
     // An attribute explains the repetition where it makes no more parts than there are pictures at a place.
-    const bool explains =
-        parts.size() > 1 && parts.size() <= most &&
-        std::all_of(parts.begin(), parts.end(), [&](const Entries& p) { return mostAtOnePlace(p) < most; });
-    if (!explains) continue;
-    std::vector<Entries> all;
-    for (const Entries& p : parts)
-      for (Entries& split : splitRepeats(p)) all.push_back(std::move(split));
-    return all;
+    const bool explains = splits.size() > 1 && splits.size() <= most &&
+                          std::all_of(splits.begin(), splits.end(),
+                                      [&](const Split& s) { return mostAtOnePlace(s.entries) < most; });
+    if (explains) return splitFurther(splits);
   }
   return byRank(entries);
 }
@@ -175,12 +201,13 @@ std::vector<PlacedSlice> placedSlices(const Entries& entries) {
 struct Part {
   Entries entries;
   std::vector<std::string> warnings;
+  PartName name = {};
 };
 
 /// Cuts at gaps of more than 4 usual distances, or more than 20 mm beyond the usual one (design.md 10).
 std::vector<Part> splitGaps(const Entries& entries) {
   std::vector<Part> parts(1);
-  if (!isPlaced(entries[0].slice()) || entries.size() < 3) return {{entries, {}}};
+  if (!isPlaced(entries[0].slice()) || entries.size() < 3) return {{entries, {}, {}}};
   const std::vector<double> steps = stepsMm(placedSlices(entries));
   const double median = lowerMedian(steps);
   for (std::size_t n = 0; n < entries.size(); ++n) {
@@ -190,7 +217,7 @@ std::vector<Part> splitGaps(const Entries& entries) {
                             fileName(entries[n].file->path) + " and " + fileName(entries[n + 1].file->path) +
                             ": the slices on either side are series of their own.";
     parts.back().warnings.push_back(gap);
-    parts.push_back({{}, {gap}});
+    parts.push_back({{}, {gap}, {}});
   }
   return parts;
 }
@@ -217,6 +244,22 @@ void addRemarks(const Entries& entries, std::vector<Warning>& warnings) {
         ".");
 }
 
+/// Names the parts of concatenations that are not there.
+void warnOfMissingParts(const Entries& entries, std::vector<Warning>& warnings) {
+  std::map<std::string, std::set<int>> found;
+  std::map<std::string, int> promised;
+  for (const Entry& e : entries) {
+    const Concatenation& c = e.file->concatenation;
+    if (c.uid.empty() || c.part == 0) continue;
+    found[c.uid].insert(c.part);
+    promised[c.uid] = std::max(promised[c.uid], c.parts);
+  }
+  for (const auto& [uid, parts] : found)
+    if (int(parts.size()) < promised[uid])
+      warnings.emplace_back("Only " + std::to_string(parts.size()) + " of the " +
+                            std::to_string(promised[uid]) + " parts of this concatenation are here.");
+}
+
 /// What all slices say alike; else empty.
 std::string common(const Entries& entries, std::string Slice::*what) {
   const std::string& first = entries[0].slice().*what;
@@ -236,6 +279,8 @@ Series describe(const Part& part) {
   s.echoTime = common(part.entries, &Slice::echoTime);
   s.bValue = common(part.entries, &Slice::bValue);
   s.timePoint = common(part.entries, &Slice::timePoint);
+  if (s.timePoint.empty()) s.timePoint = part.name.timePoint;
+  s.label = part.name.label;
   std::vector<const FileHeader*> headers;
   for (const Entry& e : part.entries) {
     s.files.push_back(e.file->path);
@@ -253,6 +298,7 @@ Series describe(const Part& part) {
   addSentences(s.warnings, part.warnings);
   s.warnings.insert(s.warnings.end(), stack.warnings.begin(), stack.warnings.end());
   addRemarks(part.entries, s.warnings);
+  warnOfMissingParts(part.entries, s.warnings);
   return s;
 }
 
@@ -271,8 +317,9 @@ std::vector<Series> sortIntoSeries(const std::vector<FileHeader>& files) {
   for (Entries& group : groups(files)) {
     order(group);
     const std::vector<std::string> copies = dropCopies(group);
-    for (const Entries& single : splitRepeats(group)) {
-      for (Part& part : splitGaps(single)) {
+    for (const Split& split : splitRepeats(group)) {
+      for (Part& part : splitGaps(split.entries)) {
+        part.name = split.name;
         part.warnings.insert(part.warnings.begin(), copies.begin(), copies.end());
         all.push_back(describe(part));
       }

@@ -1,53 +1,28 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "io/dicom/attributes.h"
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/greys.h"
+#include "io/dicom/parts.h"
 #include "io/dicom/pixel_size.h"
+#include "io/dicom/stack.h"
 
 namespace volumen::dicom {
 namespace {
 
-constexpr std::uint32_t planePosition = 0x00209113, planeOrientation = 0x00209116, frameContent = 0x00209111,
-                        mrEcho = 0x00189114, mrDiffusion = 0x00189117, mrFrameType = 0x00189226,
-                        ctFrameType = 0x00189329, cardiac = 0x00189118;
-
-/// What tells apart pictures of one place, the first that does so deciding: time point, kind of picture,
-/// acquisition, diffusion weight, trigger time.
-constexpr struct {
-  std::uint32_t group, tag;
-} partAttributes[] = {
-    {0, 0x00200100},
-    {frameContent, 0x00209128},
-    {0, 0x00080008},
-    {mrFrameType, 0x00089007},
-    {ctFrameType, 0x00089007},
-    {0, 0x00200012},
-    {frameContent, 0x00209156},
-    {mrDiffusion, 0x00189087},
-    {0, 0x00181060},
-    {cardiac, 0x00209153},
-};
-
-/// The number in an FD, in the fewest digits; empty where there is none.
-std::string doubleText(const DataSet& data, std::uint32_t tag, DataSet::Scope scope) {
-  const auto value = data.real(tag, scope);
-  if (!value) return {};
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, *value).ptr};
-}
+constexpr std::uint32_t planePosition = 0x00209113, planeOrientation = 0x00209116,
+                        realWorldValueMapping = 0x00409096, spacingBetweenSlices = 0x00180088;
 
 std::string readEchoTime(const DataSet& data, DataSet::Scope scope) {
   const std::string time = data.text(0x00180081, scope);
-  return time.empty() ? doubleText(data, 0x00189082, scope) : time;
+  return time.empty() ? realText(data, 0x00189082, scope) : time;
 }
 
 /// The diffusion weight: DICOM's, or the private one of Siemens or GE, which adds multiples of 100000.
 std::string readBValue(const DataSet& data, DataSet::Scope scope) {
-  if (const std::string b = doubleText(data, 0x00189087, scope); !b.empty()) return b;
+  if (const std::string b = realText(data, 0x00189087, scope); !b.empty()) return b;
   if (data.text(0x00190010, data.root()) == "SIEMENS MR HEADER") return data.text(0x0019100c, data.root());
   if (data.text(0x00430010, data.root()) != "GEMS_PARM_01") return {};
   const auto numbers = data.numbers(0x00431039, data.root());
@@ -58,7 +33,7 @@ std::string readBValue(const DataSet& data, DataSet::Scope scope) {
 std::string readTimePoint(const DataSet& data, const FrameScopes& at) {
   const std::string identifier = data.text(0x00200100, at.of(0));
   if (!identifier.empty()) return identifier;
-  const auto index = data.dword(0x00209128, at.of(frameContent));
+  const auto index = data.dword(0x00209128, at.of(frameContentGroup));
   return index ? std::to_string(*index) : std::string();
 }
 
@@ -72,20 +47,24 @@ std::optional<glm::dvec3> readPosition(const DataSet& data, DataSet::Scope scope
   return v ? vectorAt(*v, 0) : std::nullopt;
 }
 
+void warnOnce(FileHeader& header, const std::string& sentence) {
+  if (std::ranges::find(header.warnings, sentence) == header.warnings.end())
+    header.warnings.push_back(sentence);
+}
+
 /// Unit vectors at right angles; nothing where the file's are neither (by more than 1 %).
-std::optional<Orientation> readOrientation(const DataSet& data, DataSet::Scope scope,
-                                           std::vector<std::string>& warnings) {
+std::optional<Orientation> readOrientation(const DataSet& data, DataSet::Scope scope, FileHeader& header) {
   const auto v = data.numbers(0x00200037, scope);
   if (!v || v->size() < 6) return {};
   const glm::dvec3 row = *vectorAt(*v, 0), column = *vectorAt(*v, 3);
   const double off = std::max(
       {std::abs(glm::length(row) - 1), std::abs(glm::length(column) - 1), std::abs(glm::dot(row, column))});
   if (!(off <= 0.01)) {
-    warnings.push_back(
-        "its ImageOrientationPatient is not a pair of unit vectors at right angles and is not used");
+    warnOnce(header,
+             "its ImageOrientationPatient is not a pair of unit vectors at right angles and is not used");
     return {};
   }
-  if (off > 1e-3) warnings.push_back("its ImageOrientationPatient was made exactly orthonormal");
+  if (off > 1e-3) warnOnce(header, "its ImageOrientationPatient was made exactly orthonormal");
   Orientation o{glm::normalize(row), {}};
   o.column = glm::normalize(column - glm::dot(column, o.row) * o.row);
   return o;
@@ -107,6 +86,30 @@ Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice) {
   return {};
 }
 
+/// What "real world value mapping" (PS3.3 C.7.6.16.2.11) means values in; empty where it is another unit.
+std::string unitOfMapping(const DataSet& data, DataSet::Scope mapping) {
+  const auto codes = data.items(0x004008ea, mapping);
+  const std::string code = codes.empty() ? std::string() : data.text(0x00080100, codes[0]);
+  if (code == "[hnsf'U]") return "HU";
+  if (code == "Bq/ml") return code;
+  return code.starts_with("{SUV") || code == "g/ml{SUVbw}" ? "SUV" : "";
+}
+
+/// A linear real world value mapping, where there is no rescale.
+void readRealWorldValues(const DataSet& data, const FrameScopes& at, Slice& slice, FileHeader& header) {
+  DataSet::Scope mapping = at.of(realWorldValueMapping);
+  if (const auto items = data.items(realWorldValueMapping, mapping); !items.empty()) mapping = items[0];
+  const DataSet::Scope rescale = at.of(pixelValueTransformation);
+  if (data.has(0x00281053, rescale) || data.has(0x3004000e, rescale)) return;
+  const auto slope = data.real(0x00409225, mapping), intercept = data.real(0x00409224, mapping);
+  if (slope && intercept && *slope != 0 && std::isfinite(*slope) && std::isfinite(*intercept)) {
+    slice.slope = *slope, slice.intercept = *intercept;
+    if (header.unit.empty()) header.unit = unitOfMapping(data, mapping);
+  } else if (data.has(0x00409212, mapping)) {
+    warnOnce(header, "its Real World Value Mapping is a table and is not applied");
+  }
+}
+
 /// PixelPaddingValue and PixelPaddingRangeLimit, in stored values.
 std::optional<ValueRange> readPadding(const DataSet& data, const PixelFormat& format) {
   const auto stored = [&](std::uint16_t word) {
@@ -119,26 +122,54 @@ std::optional<ValueRange> readPadding(const DataSet& data, const PixelFormat& fo
   return ValueRange{std::min(first, second), std::max(first, second)};
 }
 
-Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, std::vector<std::string>& warnings) {
+Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, const Dimensions& dimensions,
+                        FileHeader& header) {
   Slice slice;
   slice.position = readPosition(data, at.of(planePosition));
-  slice.orientation = readOrientation(data, at.of(planeOrientation), warnings);
+  slice.orientation = readOrientation(data, at.of(planeOrientation), header);
   slice.spacing = readSpacing(data, 0x00280030, at.of(pixelMeasures));
   slice.thickness = data.number(0x00180050, at.of(pixelMeasures)).value_or(0);
   for (const NamedGrey& grey : readWindows(data, at.of(frameVoiLut)))
     slice.windows.push_back(grey.mapping.window);
-  slice.echo = data.text(0x00180086, at.of(mrEcho)) + "/" + data.text(0x00180081, at.of(mrEcho)) + "/" +
-               data.raw(0x00189082, at.of(mrEcho));
-  slice.echoTime = readEchoTime(data, at.of(mrEcho));
-  slice.bValue = readBValue(data, at.of(mrDiffusion));
+  slice.echo = data.text(0x00180086, at.of(mrEchoGroup)) + "/" + data.text(0x00180081, at.of(mrEchoGroup)) +
+               "/" + data.raw(0x00189082, at.of(mrEchoGroup));
+  slice.echoTime = readEchoTime(data, at.of(mrEchoGroup));
+  slice.bValue = readBValue(data, at.of(mrDiffusionGroup));
   slice.timePoint = readTimePoint(data, at);
-  for (const auto& [group, tag] : partAttributes) slice.parts.push_back(data.raw(tag, at.of(group)));
+  slice.inStack = dimensions.inStack(data, at.of(frameContentGroup));
+  slice.parts = readParts(data, at, dimensions);
   if (Status s = readRescale(data, at.of(pixelValueTransformation), slice); !s) return s.error();
+  readRealWorldValues(data, at, slice, header);
   return slice;
 }
 
-void framesWithoutPlace(FileHeader& header) {
-  header.notVolume = "several frames without a position each: cannot be shown in 3D";
+/// Whether frames without a position are known to be the slices of a volume in their order: the file calls
+/// them a volume and gives their distance.
+bool isVolumeInOrder(const DataSet& data, const FrameScopes& at) {
+  const double distance = std::max(data.number(spacingBetweenSlices, data.root()).value_or(0),
+                                   data.number(spacingBetweenSlices, at.of(pixelMeasures)).value_or(0));
+  return data.text(0x00089206, data.root()) == "VOLUME" && distance > 0;
+}
+
+/// Frames that do not all say where they lie: slices of an uncalibrated volume where their order is known,
+/// else only frames.
+void framesWithoutPlace(const DataSet& data, const FrameScopes& at, FileHeader& header) {
+  if (!header.notVolume.empty()) return;
+  const bool ordered = std::ranges::all_of(header.slices, [](const Slice& s) { return s.inStack > 0; });
+  if (!ordered && !isVolumeInOrder(data, at)) {
+    header.notVolume = "several frames without a position each: cannot be shown in 3D";
+    return;
+  }
+  for (Slice& slice : header.slices) slice.position.reset();
+  header.warnings.emplace_back(
+      ordered ? "its frames are stacked by their number, for they have no positions of their own"
+              : "its frames are stacked in their order, for they have no positions of their own");
+}
+
+/// One slice a frame, all like the first.
+void repeatSlice(FileHeader& header) {
+  header.slices.assign(std::size_t(header.format.frames), Slice(header.slices.front()));
+  for (std::size_t n = 0; n < header.slices.size(); ++n) header.slices[n].frame = int(n);
 }
 
 /// The frames of a dose grid: along the normal by GridFrameOffsetVector (PS3.3 C.8.8.3.2).
@@ -147,50 +178,83 @@ void placeDoseFrames(const DataSet& data, FileHeader& header) {
   const Slice first = header.slices.front();
   // Offsets that do not begin with 0 are positions of some other kind.
   if (!offsets || offsets->size() != std::size_t(header.format.frames) || (*offsets)[0] != 0 ||
-      !isPlaced(first))
-    return framesWithoutPlace(header);
-  const glm::dvec3 normal = glm::cross(first.orientation->row, first.orientation->column);
-  header.slices.assign(offsets->size(), first);
-  for (std::size_t n = 0; n < offsets->size(); ++n) {
-    header.slices[n].frame = int(n);
-    header.slices[n].position = *first.position + (*offsets)[n] * normal;
+      !isPlaced(first)) {
+    const FrameScopes root(data.root());
+    if (isVolumeInOrder(data, root)) repeatSlice(header);
+    return framesWithoutPlace(data, root, header);
   }
+  const glm::dvec3 normal = glm::cross(first.orientation->row, first.orientation->column);
+  repeatSlice(header);
+  for (std::size_t n = 0; n < offsets->size(); ++n)
+    header.slices[n].position = *first.position + (*offsets)[n] * normal;
+}
+
+/// Frames that share one position, each at its number in the stack: SpacingBetweenSlices apart along the
+/// normal.
+void placeByNumber(const DataSet& data, const FrameScopes& shared, FileHeader& header) {
+  const double distance = data.number(spacingBetweenSlices, shared.of(pixelMeasures)).value_or(0);
+  const bool numbered = std::ranges::all_of(header.slices, [](const Slice& s) { return s.inStack > 0; });
+  const bool one = std::ranges::all_of(
+      header.slices, [&](const Slice& s) { return s.inStack == header.slices.front().inStack; });
+  if (!numbered || one) return;  // pictures of one place
+  if (!(distance > 0)) return framesWithoutPlace(data, shared, header);
+  for (Slice& slice : header.slices) {
+    const glm::dvec3 normal = glm::cross(slice.orientation->row, slice.orientation->column);
+    *slice.position += (double(slice.inStack) - 1) * distance * normal;
+  }
+  header.warnings.push_back("its frames share one position: they were placed " + millimetres(distance) +
+                            " mm apart by their number in the stack");
 }
 
 /// The frames of an enhanced picture, each with the functional groups that hold for it.
 Status readEnhancedFrames(const DataSet& data, FileHeader& header) {
   const auto ofAll = data.items(FrameScopes::sharedGroups, data.root());
   const auto ofFrames = data.items(FrameScopes::perFrameGroups, data.root());
+  const DataSet::Scope all = ofAll.empty() ? DataSet::Scope{} : ofAll[0];
   const std::size_t frames = std::size_t(header.format.frames);
-  if (frames > 1 && ofFrames.size() != frames)
+  if (frames > 1 && !ofFrames.empty() && ofFrames.size() != frames)
     return Error{"it has " + std::to_string(frames) + " frames, but functional groups for " +
                  std::to_string(ofFrames.size())};
+  const Dimensions dimensions(data);
   header.slices.clear();
+  bool placed = !ofFrames.empty(), ownPlaces = false;
   for (std::size_t n = 0; n < frames; ++n) {
-    const FrameScopes at(data, ofFrames.empty() ? DataSet::Scope{} : ofFrames[n],
-                         ofAll.empty() ? DataSet::Scope{} : ofAll[0]);
-    const auto slice = readSlice(data, at, header.warnings);
+    const DataSet::Scope own = ofFrames.empty() ? DataSet::Scope{} : ofFrames[n];
+    const auto slice = readSlice(data, FrameScopes(data, own, all), dimensions, header);
     if (!slice) return slice.error();
-    if (frames > 1 && !isPlaced(*slice)) framesWithoutPlace(header);
+    placed = placed && isPlaced(*slice);
+    ownPlaces = ownPlaces || data.find(planePosition, own);
     header.slices.push_back(*slice);
     header.slices.back().frame = int(n);
   }
+  const FrameScopes shared(data, {}, all);
+  if (frames > 1 && !placed)
+    framesWithoutPlace(data, shared, header);
+  else if (frames > 1 && !ownPlaces)
+    placeByNumber(data, shared, header);
   return {};
+}
+
+void readConcatenation(const DataSet& data, Concatenation& whole) {
+  const DataSet::Scope root = data.root();
+  whole.uid = data.text(0x00209161, root);
+  whole.part = data.word(0x00209162, root).value_or(0);
+  whole.parts = data.word(0x00209163, root).value_or(0);
+  whole.firstFrame = int(std::min<std::uint32_t>(data.dword(0x00209228, root).value_or(0), frameLimit));
 }
 
 /// InstanceNumber, and within a file the number of the frame.
 void numberSlices(const DataSet& data, FileHeader& header) {
   constexpr double limit = 1e9;
   const long instance = long(std::clamp(data.number(0x00200013, data.root()).value_or(0), -limit, limit));
-  for (Slice& slice : header.slices) slice.instance = instance * (frameLimit + 1) + slice.frame;
+  for (Slice& slice : header.slices)
+    slice.instance = instance * (2L * frameLimit + 1) + header.concatenation.firstFrame + slice.frame;
 }
 
 }  // namespace
 
 Status readSlices(const DataSet& data, FileHeader& header) {
-  const auto imageType = data.values(0x00080008, data.root());
-  if (std::find(imageType.begin(), imageType.end(), "MOSAIC") != imageType.end())
-    header.notVolume = "Siemens mosaic (the slices are tiles of one image): not supported yet";
+  readConcatenation(data, header.concatenation);
   if (!header.format.isGrey())
     header.notVolume = "colour image (" + header.format.photometric + "): cannot be shown in 3D";
   if (data.has(0x00283000, data.root()))
@@ -198,7 +262,7 @@ Status readSlices(const DataSet& data, FileHeader& header) {
   if (FrameScopes::isEnhanced(data)) {
     if (Status s = readEnhancedFrames(data, header); !s) return s;
   } else {
-    const auto slice = readSlice(data, FrameScopes(data.root()), header.warnings);
+    const auto slice = readSlice(data, FrameScopes(data.root()), Dimensions(data), header);
     if (!slice) return slice.error();
     header.slices = {*slice};
     if (header.format.frames > 1 && header.notVolume.empty()) placeDoseFrames(data, header);

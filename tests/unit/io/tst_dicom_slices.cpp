@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/unit/io/dicom_folder.h"
+#include "tests/unit/io/dicom_frames.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
@@ -61,28 +62,6 @@ void TestDicomSlices::paddingAndWindowsAreKept() {
   QCOMPARE(a.modality, std::string("CT"));
   QCOMPARE(loaded->acquired->value(0, 0, 0), -1014.f);
 }
-
-namespace {
-
-/// Makes `data` a picture of `frames` frames, frame n of value n everywhere.
-void makeFrames(DcmDataset& data, int frames) {
-  std::vector<Uint16> pixels;
-  for (int n = 0; n < frames; ++n) pixels.insert(pixels.end(), 12, Uint16(n));
-  data.putAndInsertString(DCM_NumberOfFrames, QByteArray::number(frames).constData());
-  data.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
-}
-
-/// The item of a functional group: of all frames (frame -1) or of one.
-DcmItem& group(DcmDataset& data, int frame, const DcmTagKey& sequence) {
-  const DcmTagKey& holder =
-      frame < 0 ? DCM_SharedFunctionalGroupsSequence : DCM_PerFrameFunctionalGroupsSequence;
-  DcmItem *item = nullptr, *found = nullptr;
-  data.findOrCreateSequenceItem(holder, item, std::max(0, frame));
-  item->findOrCreateSequenceItem(sequence, found);
-  return *found;
-}
-
-}  // namespace
 
 void TestDicomSlices::framesOfAnEnhancedPictureAreSlices() {
   const DicomFolder folder;

@@ -1,0 +1,210 @@
+#include "io/archive.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "io/files/lock_file.h"
+#include "io/regular_file.h"
+
+namespace volumen {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t mostBytes = std::uint64_t(16) << 30, alwaysBytes = 16 << 20, mostRatio = 200;
+constexpr std::size_t mostFiles = 100'000, mostDepth = 64, mostNameBytes = 255;
+constexpr const char* lockName = "lock";
+
+/// A folder for the files of one archive, with a lock that is held as long as it is in use.
+class PrivateFolder {
+ public:
+  static std::optional<PrivateFolder> make(const std::string& base) {
+    std::error_code error;
+    fs::create_directories(base, error);
+    std::string name = base + "/XXXXXX";
+    if (error || !mkdtemp(name.data())) return {};
+    auto lock = LockFile::take(name + "/" + lockName);
+    if (!lock) return {};
+    return PrivateFolder(name, std::move(*lock));
+  }
+  PrivateFolder(PrivateFolder&& other) noexcept
+      : path_(std::exchange(other.path_, {})), lock_(std::move(other.lock_)) {}
+  PrivateFolder& operator=(PrivateFolder&&) = delete;
+  ~PrivateFolder() {
+    std::error_code error;
+    if (!path_.empty()) fs::remove_all(path_, error);
+  }
+  std::string files() const { return path_ + "/files"; }
+
+ private:
+  PrivateFolder(std::string path, LockFile lock) : path_(std::move(path)), lock_(std::move(lock)) {}
+  std::string path_;
+  LockFile lock_;
+};
+
+/// Removes what programs left that did not end well: folders that nobody holds.
+void removeLeftovers(const std::string& base) {
+  std::error_code error;
+  for (fs::directory_iterator it(base, error), end; !error && it != end; it.increment(error)) {
+    if (!it->is_directory(error) || it->is_symlink(error)) continue;
+    if (const auto lock = LockFile::take(it->path().string() + "/" + lockName))
+      fs::remove_all(it->path(), error);
+  }
+}
+
+/// The place of an entry below `root`; nothing where its name leads out of it or cannot be a file's.
+std::optional<fs::path> placeOf(const char* name, const fs::path& root) {
+  if (!name || *name == '/' || *name == '\0') return {};
+  fs::path place = root;
+  std::size_t depth = 0;
+  for (const fs::path& component : fs::path(name)) {
+    const std::string text = component.string();
+    if (text.empty() || text == ".") continue;
+    if (text == ".." || text.size() > mostNameBytes || text.find('\\') != std::string::npos) return {};
+    if (++depth > mostDepth) return {};
+    place /= component;
+  }
+  if (depth == 0) return {};
+  return place;
+}
+
+struct ArchiveCloser {
+  void operator()(archive* a) const { archive_read_free(a); }
+};
+
+/// Unpacks the entries of one archive.
+class Unpacker {
+ public:
+  Unpacker(std::string path, std::uint64_t size, fs::path root)
+      : path_(std::move(path)), root_(std::move(root)), reader_(archive_read_new()) {
+    std::error_code error;
+    const fs::space_info disk = fs::space(root_, error);
+    limit_ = std::min(mostBytes, error ? mostBytes : std::uint64_t(disk.available) / 2);
+    limit_ = std::min(limit_, std::max(alwaysBytes, size * mostRatio));
+    size_ = size;
+  }
+
+  Result<std::vector<std::pair<std::string, std::string>>> run(const CancelToken& cancel) {
+    constexpr std::size_t blockBytes = 1 << 16;
+    archive* a = reader_.get();
+    if (!a || archive_read_support_format_zip(a) != ARCHIVE_OK ||
+        archive_read_open_filename(a, path_.c_str(), blockBytes) != ARCHIVE_OK)
+      return damaged();
+    archive_entry* entry = nullptr;
+    for (std::size_t files = 0;;) {
+      if (cancel.cancelled()) return Error{path_ + ": interrupted."};
+      const int code = archive_read_next_header(a, &entry);
+      if (code == ARCHIVE_EOF) return std::move(leftOut_);
+      if (code != ARCHIVE_OK && code != ARCHIVE_WARN) return damaged();
+      if (++files > mostFiles)
+        return Error{path_ + " holds more than " + std::to_string(mostFiles) + " files: it is not unpacked."};
+      if (archive_entry_filetype(entry) == AE_IFDIR) continue;
+      if (Status s = unpack(entry, cancel); !s) return s.error();
+    }
+  }
+
+ private:
+  Error damaged() const {
+    const char* why = reader_ ? archive_error_string(reader_.get()) : nullptr;
+    return Error{path_ + " cannot be unpacked" + (why ? std::string(": ") + why : std::string()) + "."};
+  }
+
+  Status unpack(archive_entry* entry, const CancelToken& cancel) {
+    const char* name = archive_entry_pathname(entry);
+    const std::string shown = name ? name : "?";
+    if (archive_entry_is_encrypted(entry))
+      return Error{path_ + " is encrypted: unpack it with its password."};
+    if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry))
+      return leaveOut(shown, "a link or no file");
+    const auto place = placeOf(name, root_);
+    if (!place) return leaveOut(shown, "its name leads out of the archive or cannot be a file's");
+    std::error_code error;
+    fs::create_directories(place->parent_path(), error);
+    if (error || fs::exists(*place, error)) return leaveOut(shown, "its name is there twice");
+    std::ofstream out(*place, std::ios::binary);
+    std::vector<char> block(1 << 18);
+    while (true) {
+      if (cancel.cancelled()) return Error{path_ + ": interrupted."};
+      const la_ssize_t got = archive_read_data(reader_.get(), block.data(), block.size());
+      if (got == 0) break;
+      if (got < 0) return damaged();
+      written_ += std::uint64_t(got);
+      if (written_ > limit_) return tooLarge();
+      out.write(block.data(), got);
+    }
+    out.close();
+    if (!out) return Error{path_ + " cannot be unpacked: the disk is full."};
+    return {};
+  }
+
+  Status leaveOut(const std::string& name, const char* reason) {
+    leftOut_.emplace_back(name, reason);
+    return {};
+  }
+
+  Status tooLarge() const {
+    return Error{path_ + " holds more than " + std::to_string(limit_ >> 20) + " MiB in " +
+                 std::to_string(size_) + " bytes: it is not unpacked."};
+  }
+
+  std::string path_;
+  fs::path root_;
+  std::unique_ptr<archive, ArchiveCloser> reader_;
+  std::uint64_t limit_ = 0, size_ = 0, written_ = 0;
+  std::vector<std::pair<std::string, std::string>> leftOut_;
+};
+
+/// What this program has unpacked; removed when it ends.
+struct Unpacked {
+  PrivateFolder folder;
+  UnpackedArchive archive;
+};
+
+/// What says that a file is still the same one.
+std::string identityOf(const std::string& path) {
+  struct stat s {};
+  if (::stat(path.c_str(), &s) != 0) return path;
+  return std::to_string(s.st_dev) + ":" + std::to_string(s.st_ino) + ":" + std::to_string(s.st_size) + ":" +
+         std::to_string(s.st_mtim.tv_sec) + ":" + std::to_string(s.st_mtim.tv_nsec);
+}
+
+}  // namespace
+
+bool isZipArchive(const std::string& path) {
+  const Result<RegularFile> file = RegularFile::open(path);
+  std::vector<std::uint8_t> head;
+  if (!file || !file->readUpTo(head, 4) || head.size() < 4 || head[0] != 'P' || head[1] != 'K') return false;
+  return (head[2] == 3 && head[3] == 4) || (head[2] == 5 && head[3] == 6);
+}
+
+Result<UnpackedArchive> unpackZip(const std::string& path, const std::string& cacheFolder,
+                                  const CancelToken& cancel) {
+  static std::mutex mutex;
+  static std::map<std::string, Unpacked> known;
+  const std::scoped_lock one(mutex);
+  const std::string identity = identityOf(path);
+  if (const auto found = known.find(identity); found != known.end()) return found->second.archive;
+  const std::string base = cacheFolder + "/archives";
+  removeLeftovers(base);
+  auto folder = PrivateFolder::make(base);
+  std::error_code error;
+  if (!folder || !fs::create_directory(folder->files(), error))
+    return Error{path + " cannot be unpacked: " + base + " cannot be written."};
+  const std::uint64_t size = fs::file_size(path, error);
+  if (error) return Error{path + " cannot be opened: " + error.message() + "."};
+  auto leftOut = Unpacker(path, size, folder->files()).run(cancel);
+  if (!leftOut) return leftOut.error();
+  UnpackedArchive archive{folder->files(), std::move(*leftOut)};
+  known.emplace(identity, Unpacked{std::move(*folder), archive});
+  return archive;
+}
+
+}  // namespace volumen
