@@ -9,7 +9,7 @@
 namespace volumen {
 
 /// How the bytes of samples are encoded in a file.
-enum class Encoding { raw, deflate, hex };
+enum class Encoding { raw, deflate, bzip2, hex };
 
 /// Decoded bytes, front to back.
 class ByteSource {
@@ -23,6 +23,9 @@ class ByteSource {
   Status readAll(void* to, std::size_t count, const std::string& path);
   /// Skips exactly `count` bytes.
   virtual Status skip(std::uint64_t count, const std::string& path);
+
+ protected:
+  std::uint64_t total_ = 0;  // bytes read and skipped
 };
 
 /// The decoded bytes of `file` from byte `offset` on. Deflate: gzip (several members too) or zlib, whichever

@@ -44,6 +44,7 @@ Result<std::string> resolveBeside(const std::string& headerPath, const std::stri
   if (end.first != folder.end()) return outside;
   if (!fs::exists(whole, e)) return Error{refers + ", which is not there."};
   if (!fs::is_regular_file(whole, e)) return Error{refers + ", which is not a regular file."};
+  if (fs::equivalent(whole, headerPath, e)) return Error{refers + ", which is the header itself."};
   return whole.string();
 }
 

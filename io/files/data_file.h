@@ -33,8 +33,8 @@ class DataFile {
 Result<std::string> readHead(const std::string& path, std::size_t count);
 
 /// The path of `name`, which a header in `headerPath` refers to. Files are untrusted: refused are names that
-/// are empty or absolute, or that lead out of the header's folder (also through a link), and what is no
-/// regular file.
+/// are empty or absolute, that lead out of the header's folder (also through a link) or to the header itself,
+/// and what is no regular file.
 Result<std::string> resolveBeside(const std::string& headerPath, const std::string& name);
 
 }  // namespace volumen

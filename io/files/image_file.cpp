@@ -8,50 +8,77 @@
 #include "io/files/meta_image.h"
 #include "io/files/nifti.h"
 #include "io/files/nrrd.h"
+#include "io/files/other_formats.h"
 
 namespace volumen {
 
 namespace {
 
-enum class Format { none, nrrd, nifti, metaImage };
+std::string fileName(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+struct Reader {
+  Result<ImageHeader> (*read)(const std::string& path);
+};
+constexpr Reader nrrd{readNrrdHeader}, metaImage{readMetaImageHeader}, nifti{readNiftiHeader};
 
 // By content first, so that a wrong name does no harm.
-Format formatOf(const std::string& path) {
+std::optional<Reader> readerOf(const std::string& path) {
   constexpr std::size_t enough = 540;
   auto head = readHead(path, enough);
-  if (!head) return Format::none;
-  if (head->starts_with("NRRD000")) return Format::nrrd;
-  if (head->starts_with("ObjectType = Image") || head->starts_with("NDims = ")) return Format::metaImage;
+  if (!head) return {};
+  if (head->starts_with("NRRD000")) return nrrd;
+  if (head->starts_with("ObjectType = Image") || head->starts_with("NDims = ")) return metaImage;
+  if (head->starts_with("\x1f\x8b"))
+    if (auto inside = readDecompressedHead(path, enough)) *head = *inside;
   const std::string name = lowerCase(path);
+  constexpr struct {
+    bool (*claims)(const FileClaim& file);
+    Reader reader;
+  } others[] = {{isAnalyze, {readAnalyzeHeader}},
+                {isVtk, {readVtkHeader}},
+                {isMgh, {readMghHeader}},
+                {isGipl, {readGiplHeader}},
+                {isMrc, {readMrcHeader}}};
+  for (const auto& other : others)
+    if (other.claims({*head, name})) return other.reader;
   const auto ends = [&](const char* end) { return name.ends_with(end); };
-  if (head->starts_with("\x1f\x8b")) {
-    auto inside = readDecompressedHead(path, enough);
-    if (inside && isNiftiHead(*inside)) return Format::nifti;
-  } else if (isNiftiHead(*head)) {
-    return Format::nifti;
-  }
-  if (ends(".nii") || ends(".nii.gz")) return Format::nifti;
-  if (ends(".nrrd") || ends(".nhdr")) return Format::nrrd;
-  if (ends(".mha") || ends(".mhd")) return Format::metaImage;
-  return Format::none;
+  if (isNiftiHead(*head) || ends(".nii") || ends(".nii.gz")) return nifti;
+  if (ends(".nrrd") || ends(".nhdr")) return nrrd;
+  if (ends(".mha") || ends(".mhd")) return metaImage;
+  return {};
+}
+
+// A format that is known and not read; empty where it is none.
+std::string unreadFormatOf(const std::string& path) {
+  const auto head = readHead(path, 64);
+  return head ? unreadFormat({*head, lowerCase(path)}) : std::string();
 }
 
 Result<ImageHeader> readHeader(const std::string& path) {
-  switch (formatOf(path)) {
-    case Format::nrrd:
-      return readNrrdHeader(path);
-    case Format::nifti:
-      return readNiftiHeader(path);
-    case Format::metaImage:
-      return readMetaImageHeader(path);
-    case Format::none:
-      break;
-  }
+  if (const auto reader = readerOf(path)) return reader->read(path);
   if (auto file = DataFile::open(path); !file) return file.error();
+  if (const std::string format = unreadFormatOf(path); !format.empty())
+    return Error{path + " is a " + format +
+                 " file, which volumen does not read; convert it to NIfTI or NRRD."};
   return Error{path + " is not a NRRD, NIfTI or MetaImage file."};
 }
 
-std::string fileName(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+// Raw data that go on by a row or more: the header may mean other sizes or another type.
+void warnOfSurplus(const ImageHeader& header, std::vector<Warning>& warnings) {
+  const SampleData& data = header.data;
+  const bool counts =
+      data.encoding == Encoding::raw && !data.text && data.lineSkip == 0 && data.byteSkip >= 0;
+  if (!counts || header.format == "MGH" || header.format == "VTK") return;  // these may hold more
+  const std::uint64_t part = data.samples() / data.files.size() * bytesOf(data.type);
+  const std::uint64_t needed = data.offset + std::uint64_t(data.byteSkip) + part;
+  const std::uint64_t row = std::uint64_t(header.geometry.size.x) * bytesOf(data.type);
+  for (const std::string& path : data.files)
+    if (const auto file = DataFile::open(path); file && file->size() >= needed + row) {
+      warnings.push_back(fileName(path) + " holds " + std::to_string(file->size() - needed) +
+                         " bytes more than its header promises; they are not shown.");
+      return;
+    }
+}
 
 // Which volume of its file a series is, from 0: the number behind "NAME#" in its id. More may stand behind
 // it, which tells files of one name apart.
@@ -73,7 +100,9 @@ Result<std::uint64_t> volumeNumber(const Series& series, const ImageHeader& head
 
 }  // namespace
 
-bool looksLikeImageFile(const std::string& path) { return formatOf(path) != Format::none; }
+bool looksLikeImageFile(const std::string& path) {
+  return readerOf(path).has_value() || !unreadFormatOf(path).empty();
+}
 
 Result<std::vector<Series>> readImageFileHeaders(const std::string& path) {
   auto header = readHeader(path);
@@ -89,12 +118,19 @@ Result<std::vector<Series>> readImageFileHeaders(const std::string& path) {
   series.valueType = volumeTypeName(header->data.type);
   series.warnings = header->warnings;
   series.files = {path};
+  warnOfSurplus(*header, series.warnings);
   const std::uint64_t count = header->data.volumes();
   if (count == 1) return std::vector<Series>{series};
   std::vector<Series> all;
   for (std::uint64_t n = 1; n <= count; ++n) {
     all.push_back(series);
     all.back().id += '#' + std::to_string(n);
+    if (n <= header->names.size()) {
+      const VolumeName& name = header->names[n - 1];
+      all.back().timePoint = name.timePoint;
+      all.back().bValue = name.bValue;
+      all.back().label = name.label;
+    }
     all.back().warnings.push_back("This is volume " + std::to_string(n) + " of " + std::to_string(count) +
                                   " in its file.");
   }

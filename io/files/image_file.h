@@ -7,12 +7,13 @@
 
 namespace volumen {
 
-/// Whether `path` claims to be NRRD, NIfTI or MetaImage: by its first bytes, or by its name.
+/// Whether `path` claims to be an image file that is no DICOM (resources/docs/import.md lists them, also
+/// those that are refused by name): by its first bytes, or by its name.
 bool looksLikeImageFile(const std::string& path);
 
-/// The volumes that a NRRD, NIfTI or MetaImage file holds; headers only. Several where it has more than three
-/// axes: their ids end in "#1", "#2" ... The Error names the file and why there are none: damaged, cut off, a
-/// colour picture, data files outside its folder.
+/// The volumes that an image file holds; headers only. Several where it has more than three axes: their ids
+/// end in "#1", "#2" ..., and they are named by what varies: timePoint, bValue, label. The Error names the
+/// file and why there are none: damaged, cut off, a colour picture, data files outside its folder.
 Result<std::vector<Series>> readImageFileHeaders(const std::string& path);
 
 /// Reads the volume `series`, one of readImageFileHeaders(series.path).

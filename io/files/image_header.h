@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/files/sample_data.h"
+#include "io/files/volume_names.h"
 #include "io/warning.h"
 #include "viewer/volume/volume.h"
 
@@ -13,11 +14,12 @@ namespace volumen {
 
 /// What the header of an image file says, whatever its format: one grid, one or several volumes on it.
 struct ImageHeader {
-  std::string format;  ///< "NRRD", "NIfTI", "MetaImage"
+  std::string format;  ///< "NRRD", "NIfTI", "MetaImage", "Analyze", "MGH", "GIPL", "VTK", "MRC"
   std::string description, modality;
   SampleData data;
   VoxelGeometry geometry;
   double slope = 1, intercept = 0;
+  std::vector<VolumeName> names;  ///< one a volume; empty where nothing tells them apart
   std::vector<Warning> warnings;
 };
 

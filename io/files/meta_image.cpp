@@ -113,11 +113,6 @@ Status parseSamples(const MetaHeader& header, SampleData& data, const std::strin
   const std::string binary = header.field({"BinaryData"});
   data.text = !binary.empty() && !header.isTrue({"BinaryData"});
   if (header.isTrue({"CompressedData"})) data.encoding = Encoding::deflate;
-  const std::string channels = header.field({"ElementNumberOfChannels"});
-  if (channels == "3" || channels == "4")
-    return Error{path + " is a colour image (or holds vectors): it cannot be shown in 3D."};
-  if (!channels.empty() && channels != "1")
-    return Error{path + " has " + fieldText(channels) + " channels; volumen reads one."};
   const std::string skip = header.field({"HeaderSize"});
   const auto headerSize = skip.empty() ? 0 : toInteger(skip);
   const bool fromEnd = headerSize == -1 && !data.text && data.encoding == Encoding::raw;
@@ -129,6 +124,17 @@ Status parseSamples(const MetaHeader& header, SampleData& data, const std::strin
   else
     data.offset = std::uint64_t(*headerSize);
   return {};
+}
+
+// How many samples stand at each place: vectors become one volume a component; bytes in threes are colours.
+Result<std::uint64_t> channelsOf(const MetaHeader& header, SampleType type, const std::string& path) {
+  const std::string text = header.field({"ElementNumberOfChannels"});
+  const auto channels = text.empty() ? 1 : toInteger(text);
+  if (!channels || *channels < 1)
+    return Error{path + " has " + fieldText(text) + " channels; 1 or more is meant."};
+  if (type == SampleType::uint8 && (*channels == 3 || *channels == 4))
+    return Error{path + " is a colour image: it cannot be shown in 3D."};
+  return std::uint64_t(*channels);
 }
 
 Status findFiles(MetaHeader& header, SampleData& data, const std::string& path) {
@@ -191,7 +197,13 @@ Result<ImageHeader> readMetaImageHeader(const std::string& path) {
   if (Status s = parseSamples(*header, image.data, path); !s) return s.error();
   const auto end = sizes->begin() + std::min<std::int64_t>(3, *axes);
   const std::vector<std::uint64_t> grid(sizes->begin(), end);
-  if (Status s = setCounts(image.data, {}, grid, {end, sizes->end()}, path); !s) return s.error();
+  const auto channels = channelsOf(*header, image.data.type, path);
+  if (!channels) return channels.error();
+  if (Status s = setCounts(image.data, {*channels}, grid, {end, sizes->end()}, path); !s) return s.error();
+  std::vector<OuterAxis> outer{{OuterAxis::Kind::component, *channels}};
+  for (auto size = end; size != sizes->end(); ++size)
+    outer.push_back({size == end ? OuterAxis::Kind::time : OuterAxis::Kind::other, *size});
+  image.names = volumeNames(outer);
   if (Status s = setMetaGeometry(*header, grid, std::size_t(*axes), image, path); !s) return s.error();
   if (Status s = parseRescale(*header, image, path); !s) return s.error();
   if (Status s = findFiles(*header, image.data, path); !s) return s.error();

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <glm/geometric.hpp>
 
+#include "io/files/header_numbers.h"
 #include "io/files/header_text.h"
 
 namespace volumen {
@@ -29,25 +28,7 @@ struct Fields {
   std::string description;
 };
 
-// Numbers at fixed places of the header, in its byte order.
-struct Bytes {
-  const std::string& head;
-  bool swap;
-
-  template <class T>
-  T at(std::size_t place) const {
-    std::array<char, sizeof(T)> bytes;
-    std::memcpy(bytes.data(), head.data() + place, sizeof(T));
-    if (swap) std::reverse(bytes.begin(), bytes.end());
-    return std::bit_cast<T>(bytes);
-  }
-  template <class T, class To, std::size_t N>
-  void row(std::size_t place, std::array<To, N>& to) const {
-    for (std::size_t n = 0; n < N; ++n) to[n] = To(at<T>(place + n * sizeof(T)));
-  }
-};
-
-Fields fieldsOfNifti1(const Bytes& b) {
+Fields fieldsOfNifti1(const HeaderNumbers& b) {
   Fields f;
   b.row<std::int16_t>(40, f.dim);
   f.intent = b.at<std::int16_t>(68);
@@ -67,7 +48,7 @@ Fields fieldsOfNifti1(const Bytes& b) {
   return f;
 }
 
-Fields fieldsOfNifti2(const Bytes& b) {
+Fields fieldsOfNifti2(const HeaderNumbers& b) {
   Fields f;
   f.version = 2;
   f.pair = b.head.compare(4, 3, "ni2") == 0;
@@ -88,12 +69,12 @@ Fields fieldsOfNifti2(const Bytes& b) {
   return f;
 }
 
-// 1 or 2; 0 where `head` is no NIfTI or Analyze header. `swap`: its byte order is not this machine's.
-int version(const std::string& head, bool& swap) {
+// 1 or 2; 0 where `head` is no NIfTI or Analyze header.
+int version(const std::string& head, bool& bigEndian) {
   if (head.size() < bytesOfNifti1) return 0;
-  for (const bool swapped : {false, true}) {
-    swap = swapped;
-    const std::int32_t size = Bytes{head, swapped}.at<std::int32_t>(0);
+  for (const bool big : {false, true}) {
+    bigEndian = big;
+    const std::int32_t size = HeaderNumbers{head, big}.at<std::int32_t>(0);
     if (size == std::int32_t(bytesOfNifti1)) return 1;
     if (size == std::int32_t(bytesOfNifti2) && head.size() >= bytesOfNifti2) return 2;
   }
@@ -106,15 +87,15 @@ Result<Fields> readFields(const std::string& path, bool& compressed) {
   compressed = *start == "\x1f\x8b";
   auto head = readDecompressedHead(path, bytesOfNifti2);
   if (!head) return head.error();
-  bool swap = false;
-  const int v = version(*head, swap);
+  bool bigEndian = false;
+  const int v = version(*head, bigEndian);
   if (v == 0) return Error{path + " is not a NIfTI file: its header does not begin with 348 or 540."};
   const std::string magic = v == 1 ? head->substr(344, 4) : head->substr(4, 4);
   const std::string number(1, v == 1 ? '1' : '2');
   if (magic != "n+" + number + '\0' && magic != "ni" + number + '\0')
-    return Error{path + " is an Analyze file, which does not say which side is left; convert it to NIfTI."};
-  Fields f = v == 1 ? fieldsOfNifti1({*head, swap}) : fieldsOfNifti2({*head, swap});
-  f.bigEndian = swap == (std::endian::native == std::endian::little);
+    return Error{path + " is a damaged NIfTI file, or an Analyze header whose name does not end in .hdr."};
+  Fields f = v == 1 ? fieldsOfNifti1({*head, bigEndian}) : fieldsOfNifti2({*head, bigEndian});
+  f.bigEndian = bigEndian;
   return f;
 }
 
@@ -258,11 +239,20 @@ Status findSamples(const Fields& f, bool compressed, SampleData& data, const std
   return {};
 }
 
+// Axis 4 is time, axis 5 the components of what stands at one place.
+std::vector<VolumeName> namesOf(const std::vector<std::uint64_t>& trailing) {
+  using enum OuterAxis::Kind;
+  std::vector<OuterAxis> axes;
+  for (std::size_t a = 0; a < trailing.size(); ++a)
+    axes.push_back({a == 0 ? time : a == 1 ? component : other, trailing[a]});
+  return volumeNames(axes);
+}
+
 }  // namespace
 
 bool isNiftiHead(const std::string& head) {
-  bool swap = false;
-  return version(head, swap) != 0;
+  bool bigEndian = false;
+  return version(head, bigEndian) != 0;
 }
 
 Result<std::string> readDecompressedHead(const std::string& path, std::size_t count) {
@@ -300,6 +290,7 @@ Result<ImageHeader> readNiftiHeader(const std::string& path) {
     (a <= 3 ? grid : trailing).push_back(std::uint64_t(f->dim[a]));
   }
   if (Status s = setCounts(image.data, {}, grid, trailing, path); !s) return s.error();
+  image.names = namesOf(trailing);
   if (Status s = setNiftiGeometry(*f, grid, image, path); !s) return s.error();
   if (f->slope != 0 && std::isfinite(f->slope)) {
     if (!std::isfinite(f->intercept)) return Error{path + " has a scl_inter that is not finite."};

@@ -14,7 +14,7 @@ Result<std::string> readDecompressedHead(const std::string& path, std::size_t co
 
 /// The volumes of a NIfTI-1 or NIfTI-2 file or pair (.hdr and .img), nifti1.h and nifti2.h. Geometry by
 /// sform, else qform, else pixdim as nibabel places it (centred, first axis to the left). Refused with a
-/// reason: Analyze (it does not say which side is left), colour pictures, complex numbers, CIFTI.
+/// reason: colour pictures, complex numbers, CIFTI.
 Result<ImageHeader> readNiftiHeader(const std::string& path);
 
 }  // namespace volumen

@@ -150,6 +150,50 @@ Result<GridAxes> gridAxes(const NrrdHeader& header, const std::optional<std::vec
   return GridAxes{first, std::min<std::size_t>(3, end - first)};
 }
 
+OuterAxis outerAxis(const std::string& kind, std::uint64_t size, bool isDiffusion) {
+  using enum OuterAxis::Kind;
+  if (kind == "time") return {time, size};
+  if (kind == "list") return {isDiffusion ? direction : other, size};
+  const bool isVector =
+      kind.find("vector") != std::string::npos || kind.find("gradient") != std::string::npos ||
+      kind.find("normal") != std::string::npos || kind == "point" || kind.find("matrix") != std::string::npos;
+  return {isVector ? component : other, size};
+}
+
+// The diffusion weight of each direction, by NA-MIC's keys: the nominal one belongs to the longest gradient.
+void nameDiffusion(const NrrdHeader& header, std::vector<VolumeName>& names) {
+  const auto nominal = header.keyValues.find("DWMRI_b-value");
+  const auto b = nominal == header.keyValues.end() ? std::nullopt : toNumber(trimmed(nominal->second));
+  if (!b || !std::isfinite(*b)) return;
+  std::vector<double> squares;
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    const std::string number = std::to_string(n);
+    const std::string key = "DWMRI_gradient_" + std::string(4 - std::min<std::size_t>(4, number.size()), '0');
+    const auto gradient = header.keyValues.find(key + number);
+    const auto g = gradient == header.keyValues.end() ? std::nullopt : toNumbers(gradient->second);
+    if (!g || g->size() != 3) return;
+    squares.push_back((*g)[0] * (*g)[0] + (*g)[1] * (*g)[1] + (*g)[2] * (*g)[2]);
+  }
+  const double longest = *std::max_element(squares.begin(), squares.end());
+  if (!(longest > 0) || !std::isfinite(longest)) return;
+  for (std::size_t n = 0; n < names.size(); ++n)
+    names[n].bValue = exactText(std::round(*b * squares[n] / longest));
+}
+
+// What tells the volumes of a file apart: the axes before and behind the grid.
+std::vector<VolumeName> namesOf(const NrrdHeader& header, GridAxes grid,
+                                const std::vector<std::string>& kinds) {
+  const auto modality = header.keyValues.find("modality");
+  const bool isDiffusion = modality != header.keyValues.end() && trimmed(modality->second) == "DWMRI";
+  std::vector<OuterAxis> axes;
+  for (std::size_t a = 0; a < header.sizes.size(); ++a)
+    if (a < grid.first || a >= grid.first + grid.count)
+      axes.push_back(outerAxis(kinds[a], header.sizes[a], isDiffusion));
+  std::vector<VolumeName> names = volumeNames(axes);
+  if (isDiffusion) nameDiffusion(header, names);
+  return names;
+}
+
 // Spacings and axis mins / maxs: a grid along the axes, of no known relation to a patient.
 Result<bool> geometryFromSpacings(const NrrdHeader& header, GridAxes grid, ImageHeader& image,
                                   const std::vector<std::uint64_t>& sizes, const std::string& path) {
@@ -248,6 +292,7 @@ Result<ImageHeader> readNrrdHeader(const std::string& path) {
   if (Status s = setCounts(image.data, {begin, inner}, {inner, outer}, {outer, header->sizes.end()}, path);
       !s)
     return s.error();
+  image.names = namesOf(*header, *grid, kinds);
   if (Status s = checkFiles(image.data); !s) return s.error();
   return image;
 }

@@ -22,7 +22,7 @@ struct NrrdHeader {
 /// Parses the header of `path` (attached or detached) and finds its data files.
 Result<NrrdHeader> readNrrdFields(const std::string& path);
 
-/// The volumes of a NRRD file. Refused with a reason: colour pictures, complex numbers, block type, bzip2.
+/// The volumes of a NRRD file. Refused with a reason: colour pictures, complex numbers, block type.
 Result<ImageHeader> readNrrdHeader(const std::string& path);
 
 }  // namespace volumen

@@ -154,7 +154,7 @@ Status parseEncoding(NrrdHeader& header, const std::string& path) {
   else if (name == "ascii" || name == "text" || name == "txt")
     data.text = true;
   else if (name == "bzip2" || name == "bz2")
-    return Error{path + " is compressed with bzip2, which volumen does not read; save it with gzip."};
+    data.encoding = Encoding::bzip2;
   else if (name != "raw")
     return Error{path + " has the unknown encoding '" + fieldText(name) + "'."};
 

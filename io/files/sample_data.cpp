@@ -126,7 +126,9 @@ class Parts {
     if (data_.byteSkip < 0) {
       auto all = decodedBytes(data_, *file, *offset);
       if (!all) return all.error();
-      if (*all < partBytes_) return Error{path() + " holds fewer samples than its header promises."};
+      if (*all < partBytes_)
+        return Error{path() + " holds fewer samples than its header promises: " + std::to_string(*all) +
+                     " of " + std::to_string(partBytes_) + " bytes."};
       skipped = *all - partBytes_;
     }
     if (data_.text) *offset += skipped, skipped = 0;
@@ -155,6 +157,14 @@ struct ToFloat {
   }
 };
 
+// bzip2 packs so tightly that the size of a file says nothing: its bytes are counted before memory is asked
+// for.
+Status checkBzip2(const SampleData& data) {
+  if (data.encoding != Encoding::bzip2 || data.text) return {};
+  Parts parts(data);
+  return parts.skip(data.samples() * bytesOf(data.type));
+}
+
 template <class T>
 Result<Samples> readType(const SampleData& data, std::uint64_t volume, Samples into, const Progress& progress,
                          const CancelToken& cancel, std::vector<std::string>& warnings) {
@@ -162,6 +172,7 @@ Result<Samples> readType(const SampleData& data, std::uint64_t volume, Samples i
   constexpr bool toReal = std::is_same_v<Kept, float> && !std::is_same_v<T, float>;
   const bool swap = !data.text && data.bigEndian != (std::endian::native == std::endian::big);
   const std::uint64_t lead = volume % data.leading;
+  if (Status s = checkBzip2(data); !s) return s.error();
   Parts parts(data);
   if (Status s = parts.skip(volume / data.leading * data.voxels * data.leading * sizeof(T)); !s)
     return s.error();

@@ -1,5 +1,6 @@
 // Guards design.md 7, 10 and picture.md 1: what the formats can say that the real data do not: every
 // encoding, type, byte order, space, unit and way to name data files.
+#include <bzlib.h>
 #include <zlib.h>
 
 #include <QDir>
@@ -24,6 +25,15 @@ QByteArray counted(int from, int count) {
 }
 
 QByteArray zlibbed(const QByteArray& plain) { return qCompress(plain).mid(4); }
+
+QByteArray bzipped(QByteArray plain) {
+  QByteArray packed(plain.size() + 1000, '\0');
+  unsigned size = unsigned(packed.size());
+  if (BZ2_bzBuffToBuffCompress(packed.data(), &size, plain.data(), unsigned(plain.size()), 9, 0, 0) != BZ_OK)
+    qFatal("bzip2");
+  packed.resize(size);
+  return packed;
+}
 
 glm::dvec3 vectorOf(const QList<double>& v) { return {v[0], v[1], v[2]}; }
 
@@ -80,6 +90,10 @@ void TestFilesFormats::samplesAreFound_data() {
   row("nrrd hex", "a.nrrd", nrrd + "encoding: hex\n\n" + hex);
   row("nrrd hex, capitals", "a.nrrd", nrrd + "encoding: hex\n\n" + hex.toUpper());
   row("nrrd gzip", "a.nrrd", nrrd + "encoding: gz\n\n" + zlibbed(data));
+  row("nrrd bzip2", "a.nrrd", nrrd + "encoding: bzip2\n\n" + bzipped(data));
+  write(QStringLiteral("packed.bz2"), bzipped("xyz" + data));
+  row("nrrd bz2, byte skip", "a.nhdr", nrrd + "encoding: bz2\nbyte skip: 3\ndata file: packed.bz2\n");
+  row("nrrd bz2, byte skip -1", "a.nhdr", nrrd + "encoding: bz2\nbyte skip: -1\ndata file: packed.bz2\n");
   row("nrrd line and byte skip", "a.nhdr",
       nrrd + "encoding: raw\nline skip: 1\nbyte skip: 4\ndata file: junk.raw\n");
   row("nrrd byte skip -1", "a.nhdr", nrrd + "encoding: raw\nbyteskip: -1\ndatafile: junk.raw\n");

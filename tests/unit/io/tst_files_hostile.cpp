@@ -1,5 +1,6 @@
 // Guards design.md 7 (files are untrusted): broken and hostile image files are refused in a sentence that
 // names the file; nothing outside their folder is read, no memory is set aside for what is not there.
+#include <bzlib.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <zlib.h>
@@ -31,6 +32,15 @@ QByteArray gzip(const QByteArray& plain) {
   deflate(&stream, Z_FINISH);
   packed.resize(qsizetype(stream.total_out));
   deflateEnd(&stream);
+  return packed;
+}
+
+QByteArray bzip2(QByteArray plain) {
+  QByteArray packed(plain.size() / 100 + 1000, '\0');
+  unsigned size = unsigned(packed.size());
+  if (BZ2_bzBuffToBuffCompress(packed.data(), &size, plain.data(), unsigned(plain.size()), 9, 0, 0) != BZ_OK)
+    qFatal("bzip2");
+  packed.resize(size);
   return packed;
 }
 
@@ -131,6 +141,14 @@ void TestFilesHostile::isRefused_data() {
   row("nrrd: gzip cut off", "a.nrrd", nrrd(gzip(samples(24)).chopped(10), "raw", "gzip"), "cut off");
   row("nrrd: gzip without its checksum", "a.nrrd", nrrd(gzip(samples(24)).chopped(8), "raw", "gzip"),
       "cut off");
+  row("nrrd: bzip2 cut off", "a.nrrd", nrrd(bzip2(samples(24)).chopped(10), "raw", "bzip2"), "cut off");
+  row("nrrd: bzip2 holds less", "a.nrrd", nrrd(bzip2(samples(23)), "raw", "bzip2"), "end after 23 bytes");
+  row("nrrd: bzip2 that is none", "a.nrrd", nrrd(samples(24), "raw", "bzip2"), "damaged");
+  row("nrrd: large sizes, little bzip2", "a.nrrd",
+      nrrd(bzip2(samples(1000)), "4 3 2", "100 100 600").replace("raw", "bzip2"), "end after 1000 bytes");
+  row("nrrd: its own data file", "a.nhdr", nrrd({}, "encoding", "data file: a.nhdr\nencoding"),
+      "the header itself");
+  row("meta: its own data file", "a.mhd", meta({}, "LOCAL", "a.mhd"), "the header itself");
   row("nrrd: gzip holds less", "a.nrrd", nrrd(gzip(samples(23)), "raw", "gzip"), "fewer samples");
   row("nrrd: gzip that is none", "a.nrrd", nrrd(samples(24), "raw", "gzip"), "damaged");
   row("nrrd: sizes beyond 64 bits", "a.nrrd", nrrd(samples(24), "4 3 2", "4294967296 4294967296 4294967296"),
@@ -245,7 +263,7 @@ void TestFilesHostile::isRefused_data() {
   spoiled("nifti: no such type", 70, std::int16_t(77), "type 77");
   spoiled("nifti: CIFTI", 68, std::int16_t(3001), "CIFTI");
   row("nifti: Analyze", "a.nii", nifti(24, [](QByteArray& h) { h.replace(344, 4, QByteArray(4, '\0')); }),
-      "Analyze");
+      "damaged NIfTI");
   row("nifti: magic of a pair in one file", "a.nii",
       nifti(24, [](QByteArray& h) { h.replace(344, 4, QByteArray("ni1\0", 4)); }), ".hdr");
   row("nifti: pair without its other half", "lonely.hdr",
@@ -282,6 +300,7 @@ void TestFilesHostile::soundFileIsNot_data() {
   QTest::addColumn<QByteArray>("content");
   QTest::newRow("nrrd") << QStringLiteral("s.nrrd") << nrrd(samples(24));
   QTest::newRow("nrrd gzip") << QStringLiteral("s.nrrd") << nrrd(gzip(samples(24)), "raw", "gzip");
+  QTest::newRow("nrrd bzip2") << QStringLiteral("s.nrrd") << nrrd(bzip2(samples(24)), "raw", "bzip2");
   QTest::newRow("nrrd text") << QStringLiteral("s.nrrd") << nrrd(repeated("7 ", 24), "raw", "text");
   QTest::newRow("nrrd hex") << QStringLiteral("s.nrrd") << nrrd(repeated("07", 24), "raw", "hex");
   QTest::newRow("meta") << QStringLiteral("s.mha") << meta(samples(24));

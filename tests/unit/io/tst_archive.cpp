@@ -1,0 +1,180 @@
+// Guards design.md 7: a zip archive is opened like a folder; nothing of it lands outside of its own folder,
+// and a bomb is refused before it fills the disk.
+#include <archive.h>
+#include <archive_entry.h>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <filesystem>
+#include <random>
+
+#include "io/archive.h"
+#include "tests/unit/io/dicom_folder.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+struct Entry {
+  std::string name;
+  std::vector<std::uint8_t> bytes;
+  bool isLink = false;
+};
+
+void writeZip(const std::string& path, const std::vector<Entry>& entries) {
+  archive* a = archive_write_new();
+  archive_write_set_format_zip(a);
+  archive_write_open_filename(a, path.c_str());
+  for (const Entry& e : entries) {
+    archive_entry* entry = archive_entry_new();
+    archive_entry_set_pathname(entry, e.name.c_str());
+    archive_entry_set_filetype(entry, e.isLink ? AE_IFLNK : AE_IFREG);
+    archive_entry_set_perm(entry, 0644);
+    if (e.isLink) archive_entry_set_symlink(entry, "/etc/passwd");
+    archive_entry_set_size(entry, e.isLink ? 0 : la_int64_t(e.bytes.size()));
+    archive_write_header(a, entry);
+    if (!e.isLink) archive_write_data(a, e.bytes.data(), e.bytes.size());
+    archive_entry_free(entry);
+  }
+  archive_write_close(a);
+  archive_write_free(a);
+}
+
+// Slices of a series, in a folder of the archive.
+std::vector<Entry> slices(int count) {
+  const DicomFolder folder;
+  std::vector<Entry> entries;
+  for (int n = 0; n < count; ++n) {
+    folder.add("s", sliceAt(n, 10 * n));
+    entries.push_back({numbered("study/series/s", n), readAll(folder.path("s")), false});
+  }
+  return entries;
+}
+
+}  // namespace
+
+class TestArchive : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void init();
+  void isOpenedLikeAFolder();
+  void hostileEntriesAreLeftOut_data();
+  void hostileEntriesAreLeftOut();
+  void bombIsRefused();
+  void flatDataAreNoBomb();
+  void everyMutationEndsWell();
+  void leftoversGo();
+
+ private:
+  std::string path(const char* name) const { return folder_->filePath(QLatin1String(name)).toStdString(); }
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+void TestArchive::init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+void TestArchive::isOpenedLikeAFolder() {
+  std::vector<Entry> entries = slices(3);
+  const std::string header =
+      "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 1\nspacings: 1 1 1\nencoding: raw\ndata file: "
+      "v.raw\n\n";
+  entries.push_back({"other/v.nhdr", {header.begin(), header.end()}, false});
+  entries.push_back({"other/v.raw", {1, 2, 3, 4}, false});
+  writeZip(path("a.zip"), entries);
+  const Result<Study> study = openStudy(path("a.zip"));
+  QVERIFY2(study.ok(), study.ok() ? "" : study.message().c_str());
+  QCOMPARE(study->volumes.size(), std::size_t(2));
+  for (const Series& series : study->volumes) {
+    const auto loaded = loadSeries(series);
+    QVERIFY2(loaded.ok(), loaded.ok() ? "" : loaded.message().c_str());
+    if (series.format == "DICOM")
+      QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 10, 20}));
+  }
+  // Opened again it is not unpacked again.
+  const Result<Study> again = openStudy(path("a.zip"));
+  QVERIFY(again.ok());
+  QCOMPARE(again->volumes[0].path, study->volumes[0].path);
+}
+
+void TestArchive::hostileEntriesAreLeftOut_data() {
+  QTest::addColumn<QByteArray>("name");
+  QTest::addColumn<bool>("isLink");
+  QTest::newRow("parent folder") << QByteArray("../evil") << false;
+  QTest::newRow("parent folder further in") << QByteArray("a/../../../evil") << false;
+  QTest::newRow("absolute") << QByteArray("/tmp/volumen-evil") << false;
+  QTest::newRow("backslashes") << QByteArray("..\\evil") << false;
+  QTest::newRow("a name of 300 bytes") << QByteArray(300, 'x') << false;
+  QTest::newRow("100 folders") << QByteArray("a/").repeated(100) + "x" << false;
+  QTest::newRow("a link") << QByteArray("link") << true;
+  QTest::newRow("a name twice") << QByteArray("study/series/s0") << false;
+}
+
+void TestArchive::hostileEntriesAreLeftOut() {
+  QFETCH(QByteArray, name);
+  QFETCH(bool, isLink);
+  std::vector<Entry> entries = slices(2);
+  entries.push_back({name.toStdString(), {'e', 'v', 'i', 'l'}, isLink});
+  writeZip(path("a.zip"), entries);
+  const Result<UnpackedArchive> archive = unpackZip(path("a.zip"), path("cache"), {});
+  QVERIFY2(archive.ok(), archive.ok() ? "" : archive.message().c_str());
+  QCOMPARE(archive->leftOut.size(), std::size_t(1));
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path("cache")))
+    if (entry.is_regular_file() && entry.path().filename() != "lock") {
+      QVERIFY(entry.path().string().starts_with(archive->folder));
+      ++files;
+    }
+  QCOMPARE(files, std::size_t(2));
+  QVERIFY(!QFile::exists(QStringLiteral("/tmp/volumen-evil")));
+}
+
+void TestArchive::bombIsRefused() {
+  writeZip(path("bomb.zip"), {{"zeros", std::vector<std::uint8_t>(64 << 20), false}});
+  const Result<Study> study = openStudy(path("bomb.zip"));
+  QVERIFY(!study.ok());
+  QVERIFY2(study.message().find("it is not unpacked") != std::string::npos, study.message().c_str());
+}
+
+// Small archives may hold what packs well: 8 MiB of zeros.
+void TestArchive::flatDataAreNoBomb() {
+  writeZip(path("flat.zip"), {{"zeros", std::vector<std::uint8_t>(8 << 20), false}});
+  QVERIFY(unpackZip(path("flat.zip"), path("cache"), {}).ok());
+}
+
+void TestArchive::everyMutationEndsWell() {
+  writeZip(path("a.zip"), slices(2));
+  const std::vector<std::uint8_t> whole = readAll(path("a.zip"));
+  std::mt19937 random(7);
+  int refused = 0;
+  for (int n = 0; n < 300; ++n) {
+    std::vector<std::uint8_t> spoiled = whole;
+    for (int changes = 0; changes < 3; ++changes) spoiled[random() % whole.size()] = std::uint8_t(random());
+    if (n % 3 == 0) spoiled.resize(random() % whole.size());
+    const std::string name = path(numbered("m", n).c_str());
+    writeAll(name, spoiled);
+    if (!isZipArchive(name)) continue;
+    const Result<UnpackedArchive> archive = unpackZip(name, path("cache"), {});
+    if (!archive) ++refused;
+    if (!archive) QVERIFY(archive.message().ends_with("."));
+  }
+  QVERIFY(refused > 0);
+}
+
+// What a program left that was stopped goes with the next archive; what another one uses stays.
+void TestArchive::leftoversGo() {
+  writeZip(path("a.zip"), slices(1));
+  const std::string left = path("cache") + "/archives/left";
+  QVERIFY(QDir().mkpath(QString::fromStdString(left + "/files")));
+  writeAll(left + "/files/x", {1});
+  QVERIFY(unpackZip(path("a.zip"), path("cache"), {}).ok());
+  QVERIFY(!std::filesystem::exists(left));
+  writeZip(path("b.zip"), slices(2));
+  const Result<UnpackedArchive> first = unpackZip(path("a.zip"), path("cache"), {});
+  QVERIFY(first.ok() && unpackZip(path("b.zip"), path("cache"), {}).ok());
+  QVERIFY(std::filesystem::exists(first->folder));
+}
+
+VOLUMEN_TEST(TestArchive);
+#include "tst_archive.moc"

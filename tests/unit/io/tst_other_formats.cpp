@@ -1,0 +1,397 @@
+// Guards import.md: Analyze, MGH, GIPL, VTK and MRC are read as their definitions say, what they leave open
+// is said, and no mutation of their bytes ends otherwise than in a volume or a sentence.
+#include <zlib.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtEndian>
+#include <cstring>
+#include <functional>
+#include <random>
+
+#include "io/files/image_file.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+
+namespace {
+
+template <class T>
+void put(QByteArray& header, int place, T value, bool bigEndian = true) {
+  QByteArray bytes(reinterpret_cast<const char*>(&value), sizeof value);
+  if (bigEndian) std::reverse(bytes.begin(), bytes.end());
+  header.replace(place, sizeof value, bytes);
+}
+
+// 4 x 3 x 2 samples from 1 on, of 16 bits.
+QByteArray samples(bool bigEndian = true, int count = 24) {
+  QByteArray data(2 * count, '\0');
+  for (int n = 0; n < count; ++n) put(data, 2 * n, std::int16_t(n + 1), bigEndian);
+  return data;
+}
+
+using Change = std::function<void(QByteArray&)>;
+
+QByteArray changed(QByteArray header, const Change& change) {
+  if (change) change(header);
+  return header;
+}
+
+QByteArray analyzeHeader(const Change& change = {}) {
+  QByteArray h(348, '\0');
+  put<std::int32_t>(h, 0, 348);
+  const std::int16_t dims[] = {3, 4, 3, 2};
+  for (int n = 0; n < 4; ++n) put(h, 40 + 2 * n, dims[n]);
+  put<std::int16_t>(h, 70, 4);
+  put<std::int16_t>(h, 72, 16);
+  for (int n = 0; n < 3; ++n) put(h, 80 + 4 * n, float(n + 1));
+  return changed(h, change);
+}
+
+QByteArray mgh(const Change& change = {}) {
+  QByteArray h(284, '\0');
+  const std::int32_t numbers[] = {1, 4, 3, 2, 1, 4};
+  for (int n = 0; n < 6; ++n) put(h, 4 * n, numbers[n]);
+  put<std::int16_t>(h, 28, 1);
+  for (int n = 0; n < 3; ++n) put(h, 30 + 4 * n, float(n + 1));
+  // Columns to the left, rows down, slices to the front: RAS (-1, 0, 0), (0, 0, -1), (0, 1, 0).
+  put(h, 42, -1.f), put(h, 62, -1.f), put(h, 70, 1.f);
+  put(h, 78, 10.f), put(h, 82, 20.f), put(h, 86, 30.f);
+  return changed(h, change) + samples();
+}
+
+QByteArray gipl(const Change& change = {}) {
+  QByteArray h(256, '\0');
+  const std::uint16_t dims[] = {4, 3, 2, 1, 15};
+  for (int n = 0; n < 5; ++n) put(h, 2 * n, dims[n]);
+  for (int n = 0; n < 3; ++n) put(h, 10 + 4 * n, float(n + 1)), put(h, 204 + 8 * n, double(10 * n));
+  put(h, 252, 719555000u);
+  return changed(h, change) + samples();
+}
+
+QByteArray mrc(bool bigEndian = false, const Change& change = {}) {
+  QByteArray h(1024, '\0');
+  const auto number = [&](int place, std::int32_t value) { put(h, place, value, bigEndian); };
+  const std::int32_t sizes[] = {4, 3, 2};
+  for (int n = 0; n < 3; ++n) {
+    number(4 * n, sizes[n]);
+    number(28 + 4 * n, sizes[n]);
+    put(h, 40 + 4 * n, float(sizes[n]) * float(n + 1) * 1e7f, bigEndian);
+    number(64 + 4 * n, n + 1);
+  }
+  number(12, 1);
+  h.replace(208, 4, "MAP ");
+  h.replace(212, 2, bigEndian ? QByteArray(2, '\x11') : QByteArray(2, '\x44'));
+  return changed(h, change) + samples(bigEndian);
+}
+
+QByteArray vtk(const QByteArray& replace = {}, const QByteArray& by = {}) {
+  QByteArray h =
+      "# vtk DataFile Version 3.0\na title\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS 4 3 2\nSPACING 1 2 "
+      "3\n"
+      "ORIGIN 0 10 20\nPOINT_DATA 24\nSCALARS s short 1\nLOOKUP_TABLE default\n";
+  if (!replace.isEmpty()) h.replace(replace, by);
+  return h + samples();
+}
+
+QByteArray gzipped(const QByteArray& plain) {
+  QByteArray packed(qsizetype(compressBound(uLong(plain.size())) + 64), '\0');
+  z_stream stream{};
+  constexpr int gzipWindow = 15 + 16;
+  deflateInit2(&stream, 9, Z_DEFLATED, gzipWindow, 8, Z_DEFAULT_STRATEGY);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(plain.data()));
+  stream.avail_in = uInt(plain.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = uInt(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(qsizetype(stream.total_out));
+  deflateEnd(&stream);
+  return packed;
+}
+
+}  // namespace
+
+class TestOtherFormats : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void isRead_data();
+  void isRead();
+  void directionsOfMgh();
+  void missingSpacingIsNotCalibrated_data();
+  void missingSpacingIsNotCalibrated();
+  void furtherAxesAreVolumes_data();
+  void furtherAxesAreVolumes();
+  void isRefused_data();
+  void isRefused();
+  void otherFormatsAreNamed_data();
+  void otherFormatsAreNamed();
+  void everyCutIsRefused_data();
+  void everyCutIsRefused();
+  void everyMutationEndsWell_data();
+  void everyMutationEndsWell();
+
+ private:
+  std::string write(const QString& name, const QByteArray& content) const;
+  // Writes the file, and for Analyze the .img beside it; reads its first volume.
+  Result<Loaded> load(const QString& name, const QByteArray& content) const;
+  QTemporaryDir folder_;
+};
+
+std::string TestOtherFormats::write(const QString& name, const QByteArray& content) const {
+  QFile file(folder_.filePath(name));
+  file.remove();
+  if (!file.open(QIODevice::WriteOnly)) qFatal("no temporary file");
+  file.write(content);
+  return file.fileName().toStdString();
+}
+
+Result<Loaded> TestOtherFormats::load(const QString& name, const QByteArray& content) const {
+  if (name.endsWith(QLatin1String(".hdr"))) write(QStringLiteral("a.img"), samples());
+  const auto found = readImageFileHeaders(write(name, content));
+  if (!found) return found.error();
+  return loadImageFile((*found)[0]);
+}
+
+void TestOtherFormats::isRead_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QByteArray>("content");
+  QTest::addColumn<QByteArray>("format");
+  QTest::addColumn<bool>("hasDirections");
+  const auto row = [](const char* title, const char* name, const QByteArray& content, const char* format) {
+    QTest::newRow(title) << QString::fromLatin1(name) << content << QByteArray(format) << (format[1] == 'G');
+  };
+  row("Analyze, big endian", "a.hdr", analyzeHeader(), "Analyze");
+  row("MGH", "a.mgh", mgh(), "MGH");
+  row("MGZ", "a.mgz", gzipped(mgh()), "MGH");
+  row("GIPL", "a.gipl", gipl(), "GIPL");
+  row("GIPL under another name", "a.bin", gipl(), "GIPL");
+  row("GIPL in gzip", "a.gipl.gz", gzipped(gipl()), "GIPL");
+  row("VTK", "a.vtk", vtk(), "VTK");
+  row("VTK without a lookup table", "a.vtk", vtk("LOOKUP_TABLE default\n", ""), "VTK");
+  row("VTK with an aspect ratio", "a.vtk", vtk("SPACING", "ASPECT_RATIO"), "VTK");
+  row("MRC", "a.mrc", mrc(), "MRC");
+  row("MRC, big endian", "a.map", mrc(true), "MRC");
+  row("MRC with an extended header", "a.mrc",
+      mrc(false, [](QByteArray& h) { put<std::int32_t>(h, 92, 100, false), h.append(100, '\7'); }), "MRC");
+}
+
+void TestOtherFormats::isRead() {
+  QFETCH(QString, name);
+  QFETCH(QByteArray, content);
+  QFETCH(QByteArray, format);
+  QFETCH(bool, hasDirections);
+  if (name.endsWith(QLatin1String(".hdr"))) write(QStringLiteral("a.img"), samples());
+  const auto found = readImageFileHeaders(write(name, content));
+  QVERIFY2(found.ok(), found.ok() ? "" : found.message().c_str());
+  QCOMPARE(found->size(), std::size_t(1));
+  const Series& series = (*found)[0];
+  QCOMPARE(QByteArray::fromStdString(series.format), format);
+  QCOMPARE(series.acquired.size, glm::ivec3(4, 3, 2));
+  const glm::dvec3 spacing = series.acquired.spacing();
+  for (int a = 0; a < 3; ++a) QVERIFY(std::abs(spacing[a] - (a + 1)) < 1e-5);
+  const bool warned = std::ranges::any_of(
+      series.warnings, [](const Warning& w) { return w.kind == WarningKind::noDirections; });
+  QCOMPARE(warned, !hasDirections);
+  const auto loaded = loadImageFile(series);
+  QVERIFY2(loaded.ok(), loaded.ok() ? "" : loaded.message().c_str());
+  for (std::size_t n = 0; n < 24; ++n) QCOMPARE(loaded->acquired->valueAt(n), float(n + 1));
+}
+
+void TestOtherFormats::directionsOfMgh() {
+  const auto loaded = load(QStringLiteral("a.mgh"), mgh());
+  QVERIFY(loaded.ok());
+  const VoxelGeometry& g = loaded->acquired->geometry();
+  // RAS to LPS: x and y change their signs.
+  QCOMPARE(g.patientFromVoxelStep[0], glm::dvec3(1, 0, 0));
+  QCOMPARE(g.patientFromVoxelStep[1], glm::dvec3(0, 0, -2));
+  QCOMPARE(g.patientFromVoxelStep[2], glm::dvec3(0, -3, 0));
+  // Voxel (2, 1.5, 1), half of each size, lies at the centre (10, 20, 30) RAS.
+  QCOMPARE(g.patientFromVoxel(glm::dvec3(2, 1.5, 1)), glm::dvec3(-10, -20, 30));
+}
+
+void TestOtherFormats::missingSpacingIsNotCalibrated_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QByteArray>("content");
+  QTest::newRow("Analyze") << QStringLiteral("a.hdr")
+                           << analyzeHeader([](QByteArray& h) { put(h, 84, 0.f); });
+  QTest::newRow("MGH") << QStringLiteral("a.mgh") << mgh([](QByteArray& h) { put<std::int16_t>(h, 28, 0); });
+  QTest::newRow("GIPL") << QStringLiteral("a.gipl") << gipl([](QByteArray& h) { put(h, 10, 0.f); });
+  QTest::newRow("VTK") << QStringLiteral("a.vtk") << vtk("SPACING 1 2 3\n", "");
+  QTest::newRow("MRC") << QStringLiteral("a.mrc")
+                       << mrc(false, [](QByteArray& h) { put(h, 48, 0.f, false); });
+}
+
+void TestOtherFormats::missingSpacingIsNotCalibrated() {
+  QFETCH(QString, name);
+  QFETCH(QByteArray, content);
+  const auto loaded = load(name, content);
+  QVERIFY2(loaded.ok(), loaded.ok() ? "" : loaded.message().c_str());
+  QVERIFY(!loaded->acquired->geometry().calibrated);
+  QVERIFY(std::ranges::any_of(loaded->warnings,
+                              [](const Warning& w) { return w.kind == WarningKind::notCalibrated; }));
+}
+
+void TestOtherFormats::furtherAxesAreVolumes_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QByteArray>("content");
+  QTest::addColumn<QStringList>("names");  // timePoint|label
+  const QStringList times{QStringLiteral("1|"), QStringLiteral("2|")};
+  QTest::newRow("MGH") << QStringLiteral("a.mgh")
+                       << mgh([](QByteArray& h) { put<std::int32_t>(h, 16, 2); }) + samples() << times;
+  QTest::newRow("GIPL") << QStringLiteral("a.gipl")
+                        << gipl([](QByteArray& h) { put<std::uint16_t>(h, 6, 2); }) + samples() << times;
+  QTest::newRow("MRC, a stack of volumes")
+      << QStringLiteral("a.mrc")
+      << mrc(false,
+             [](QByteArray& h) { put<std::int32_t>(h, 8, 4, false), put<std::int32_t>(h, 88, 401, false); }) +
+             samples(false)
+      << times;
+  QTest::newRow("VTK vectors") << QStringLiteral("a.vtk")
+                               << vtk("SCALARS s short 1\nLOOKUP_TABLE default", "VECTORS v short") +
+                                      samples() + samples()
+                               << QStringList{QStringLiteral("|component x"), QStringLiteral("|component y"),
+                                              QStringLiteral("|component z")};
+}
+
+void TestOtherFormats::furtherAxesAreVolumes() {
+  QFETCH(QString, name);
+  QFETCH(QByteArray, content);
+  QFETCH(QStringList, names);
+  const auto found = readImageFileHeaders(write(name, content));
+  QVERIFY2(found.ok(), found.ok() ? "" : found.message().c_str());
+  QStringList all;
+  for (const Series& s : *found) {
+    all << QString::fromStdString(s.timePoint + "|" + s.label);
+    QCOMPARE(s.acquired.size, glm::ivec3(4, 3, 2));
+  }
+  QCOMPARE(all, names);
+  QVERIFY(loadImageFile(found->back()).ok());
+}
+
+void TestOtherFormats::isRefused_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QByteArray>("content");
+  QTest::addColumn<QByteArray>("says");
+  const auto row = [](const char* title, const char* name, const QByteArray& content, const char* says) {
+    QTest::newRow(title) << QString::fromLatin1(name) << content << QByteArray(says);
+  };
+  row("Analyze in colour", "a.hdr", analyzeHeader([](QByteArray& h) { put<std::int16_t>(h, 70, 128); }),
+      "colour");
+  row("Analyze of bits", "a.hdr", analyzeHeader([](QByteArray& h) { put<std::int16_t>(h, 70, 1); }),
+      "type 1");
+  row("Analyze with more than its .img", "a.hdr",
+      analyzeHeader([](QByteArray& h) { put<std::int16_t>(h, 46, 3); }), "48 bytes, but");
+  row("Analyze without an axis", "a.hdr", analyzeHeader([](QByteArray& h) { put<std::int16_t>(h, 46, 0); }),
+      "axis of 0");
+  row("MGH of another version", "a.mgh", mgh([](QByteArray& h) { put<std::int32_t>(h, 0, 2); }), "version 1");
+  row("MGH of 2^31 columns", "a.mgh", mgh([](QByteArray& h) { put<std::int32_t>(h, 4, 0x7fffffff); }),
+      "MiB");
+  row("MGH of a negative size", "a.mgh", mgh([](QByteArray& h) { put<std::int32_t>(h, 8, -3); }),
+      "axis of -3");
+  row("MGH of another type", "a.mgh", mgh([](QByteArray& h) { put<std::int32_t>(h, 20, 6); }), "type 6");
+  row("MGH without directions", "a.mgh", mgh([](QByteArray& h) { put(h, 42, 0.f); }), "spacing or direction");
+  row("GIPL without its number", "a.gipl", gipl([](QByteArray& h) { put(h, 252, 7u); }), "GIPL's number");
+  row("GIPL of bits", "a.gipl", gipl([](QByteArray& h) { put<std::uint16_t>(h, 8, 1); }), "type 1");
+  row("GIPL of 65535^3", "a.gipl", gipl([](QByteArray& h) {
+        for (int n = 0; n < 3; ++n) put<std::uint16_t>(h, 2 * n, 65535);
+      }),
+      "MiB");
+  row("VTK of points that are not enough", "a.vtk", vtk("POINT_DATA 24", "POINT_DATA 23"), "23, but its");
+  row("VTK of cells", "a.vtk", vtk("POINT_DATA", "CELL_DATA"), "CELL_DATA");
+  row("VTK of another grid", "a.vtk", vtk("STRUCTURED_POINTS", "POLYDATA"), "POLYDATA");
+  row("VTK in colour", "a.vtk", vtk("SCALARS s short 1", "COLOR_SCALARS s 3"), "colour");
+  row("VTK of bits", "a.vtk", vtk("short", "bit"), "'bit'");
+  row("VTK of other text", "a.vtk", vtk("BINARY", "PLAIN"), "ASCII or BINARY");
+  row("VTK with a field twice", "a.vtk", vtk("ORIGIN 0 10 20\n", "ORIGIN 0 0 0\nORIGIN 0 0 0\n"), "twice");
+  row("MRC before 2000", "a.mrc", mrc(false, [](QByteArray& h) { h.replace(208, 3, "abc"); }), "2000");
+  row("MRC of complex numbers", "a.mrc",
+      mrc(false, [](QByteArray& h) { put<std::int32_t>(h, 12, 4, false); }), "complex");
+  row("MRC of a negative extended header", "a.mrc",
+      mrc(false, [](QByteArray& h) { put<std::int32_t>(h, 92, -1024, false); }), "-1024 bytes");
+  row("MRC with an axis twice", "a.mrc",
+      mrc(false, [](QByteArray& h) { put<std::int32_t>(h, 68, 1, false); }), "two axes");
+}
+
+void TestOtherFormats::isRefused() {
+  QFETCH(QString, name);
+  QFETCH(QByteArray, content);
+  QFETCH(QByteArray, says);
+  const auto loaded = load(name, content);
+  QVERIFY2(!loaded.ok(), "was loaded");
+  QVERIFY2(loaded.message().find(says.toStdString()) != std::string::npos, loaded.message().c_str());
+  QVERIFY(loaded.message().ends_with("."));
+}
+
+void TestOtherFormats::otherFormatsAreNamed_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QByteArray>("begins");
+  QTest::addColumn<QByteArray>("says");
+  const auto row = [](const char* name, const QByteArray& begins, const char* says) {
+    QTest::newRow(says) << QString::fromLatin1(name) << begins << QByteArray(says);
+  };
+  row("a.h5", "\x89HDF\r\n\x1a\n", "HDF5");
+  row("a.mnc", "\x89HDF\r\n\x1a\n", "MINC 2");
+  row("b.mnc", QByteArray("CDF\x01"), "MINC or netCDF");
+  row("a.tif", QByteArray("II*\0", 4), "TIFF");
+  row("2dseq", "1234", "Bruker ParaVision");
+  row("a.par", "# === DATA DESCRIPTION FILE ===", "Philips PAR/REC");
+  row("a.isq", "CTDATA-HEADER_V1", "Scanco ISQ");
+  row("a.vti", "<VTKFile type=\"ImageData\">", "VTK XML");
+}
+
+void TestOtherFormats::otherFormatsAreNamed() {
+  QFETCH(QString, name);
+  QFETCH(QByteArray, begins);
+  QFETCH(QByteArray, says);
+  const std::string path = write(name, begins + QByteArray(400, '\0'));
+  QVERIFY(looksLikeImageFile(path));
+  const auto found = readImageFileHeaders(path);
+  QVERIFY(!found.ok());
+  QVERIFY2(found.message().find(says.toStdString() + " file, which volumen does not read; convert it to") !=
+               std::string::npos,
+           found.message().c_str());
+}
+
+void TestOtherFormats::everyCutIsRefused_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QByteArray>("content");
+  QTest::newRow("Analyze") << QStringLiteral("a.hdr") << analyzeHeader();
+  QTest::newRow("MGH") << QStringLiteral("a.mgh") << mgh();
+  QTest::newRow("MGZ") << QStringLiteral("a.mgz") << gzipped(mgh());
+  QTest::newRow("GIPL") << QStringLiteral("a.gipl") << gipl();
+  QTest::newRow("VTK") << QStringLiteral("a.vtk") << vtk();
+  QTest::newRow("MRC") << QStringLiteral("a.mrc") << mrc();
+}
+
+void TestOtherFormats::everyCutIsRefused() {
+  QFETCH(QString, name);
+  QFETCH(QByteArray, content);
+  for (qsizetype length = 0; length < content.size(); ++length)
+    QVERIFY2(!load(name, content.left(length)).ok(), std::to_string(length).c_str());
+}
+
+void TestOtherFormats::everyMutationEndsWell_data() { everyCutIsRefused_data(); }
+
+// One to four bytes of the header changed: loaded as something or refused in a sentence.
+void TestOtherFormats::everyMutationEndsWell() {
+  QFETCH(QString, name);
+  QFETCH(QByteArray, content);
+  std::mt19937 random(20261124);
+  const auto below = [&](qsizetype n) { return qsizetype(random() % std::uint32_t(n)); };
+  constexpr std::uint8_t telling[] = {0, 1, 0x7f, 0x80, 0xff};
+  int refused = 0;
+  for (int n = 0; n < 500; ++n) {
+    QByteArray spoiled = content;
+    for (qsizetype changes = 1 + below(4); changes > 0; --changes)
+      spoiled[below(content.size())] = char(n % 2 ? telling[below(5)] : below(256));
+    const auto loaded = load(name, spoiled);
+    if (!loaded) {
+      QVERIFY(loaded.message().ends_with("."));
+      ++refused;
+    }
+  }
+  QVERIFY(refused > 0);
+}
+
+VOLUMEN_TEST(TestOtherFormats);
+#include "tst_other_formats.moc"
