@@ -21,11 +21,17 @@ struct Reader {
 };
 constexpr Reader nrrd{readNrrdHeader}, metaImage{readMetaImageHeader}, nifti{readNiftiHeader};
 
+// A DICOM file may begin as another one does (TIFF) in front of its own mark.
+bool isDicom(const std::string& head) {
+  constexpr std::size_t preamble = 128;
+  return head.size() > preamble && head.compare(preamble, 4, "DICM") == 0;
+}
+
 // By content first, so that a wrong name does no harm.
 std::optional<Reader> readerOf(const std::string& path) {
   constexpr std::size_t enough = 540;
   auto head = readHead(path, enough);
-  if (!head) return {};
+  if (!head || isDicom(*head)) return {};
   if (head->starts_with("NRRD000")) return nrrd;
   if (head->starts_with("ObjectType = Image") || head->starts_with("NDims = ")) return metaImage;
   if (head->starts_with("\x1f\x8b"))
@@ -50,8 +56,8 @@ std::optional<Reader> readerOf(const std::string& path) {
 
 // A format that is known and not read; empty where it is none.
 std::string unreadFormatOf(const std::string& path) {
-  const auto head = readHead(path, 64);
-  return head ? unreadFormat({*head, lowerCase(path)}) : std::string();
+  const auto head = readHead(path, 132);
+  return head && !isDicom(*head) ? unreadFormat({*head, lowerCase(path)}) : std::string();
 }
 
 Result<ImageHeader> readHeader(const std::string& path) {

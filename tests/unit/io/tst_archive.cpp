@@ -60,6 +60,7 @@ class TestArchive : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void init();
+  void cleanup();
   void isOpenedLikeAFolder();
   void hostileEntriesAreLeftOut_data();
   void hostileEntriesAreLeftOut();
@@ -74,6 +75,9 @@ class TestArchive : public QObject {
 };
 
 void TestArchive::init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+// Mutated archives hold names that are no text, which QTemporaryDir cannot remove.
+void TestArchive::cleanup() { std::filesystem::remove_all(folder_->path().toStdString()); }
 
 void TestArchive::isOpenedLikeAFolder() {
   std::vector<Entry> entries = slices(3);
