@@ -9,6 +9,7 @@
 #include "ui/controller/measurer.h"
 #include "ui/views/cine_player.h"
 #include "ui/views/cross_lines.h"
+#include "ui/views/time_bar.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/text.h"
@@ -23,6 +24,7 @@ SliceView::SliceView(Session& session, SliceService& service, FrameService& fram
       frames_(frames),
       measurer_(measurer),
       badge_(new WarningBadge(this)),
+      time_(new TimeBar(session, id, this)),
       tool_(&flatTool("window")) {
   setObjectName(QStringLiteral("sliceView%1").arg(id));
   setAccessibleName(tr("Slice view"));
@@ -46,7 +48,7 @@ std::optional<SlicePlane> SliceView::plane() const {
   const ShownSeriesPtr shown = this->shown();
   if (!shown || state().kind == ViewKind::volume) return {};
   return flatPlane(state(), flatLookOf(state()), shown->volume->geometry(),
-                   crosshairOf(session_.workspace(), *shown), {pixels().width(), pixels().height()});
+                   crosshairOf(session_.workspace(), id(), *shown), {pixels().width(), pixels().height()});
 }
 
 const SeriesState& SliceView::seriesState() const { return session_.workspace().series.at(state().series); }
@@ -62,10 +64,13 @@ GreyMapping SliceView::grey() const {
 std::vector<SliceLayer> SliceView::layers() const {
   std::vector<SliceLayer> layers{{shown()->volume, grey(), seriesState().colours}};
   const FlatLook look = flatLookOf(state());
+  const Workspace& workspace = session_.workspace();
   if (const ShownSeriesPtr over = session_.seriesNamed(look.overlay); over && !showsFrames())
-    layers.push_back({over->volume,
-                      greyMapping(overlayWindow(session_.workspace().series.at(look.overlay), *over), *over),
-                      look.overlayColours, look.overlayOpacity});
+    if (const auto relation =
+            relationOf(workspace, frameOfReference(*seriesState().series), frameOfReference(over->series)))
+      layers.push_back({over->volume,
+                        greyMapping(overlayWindow(workspace.series.at(look.overlay), *over), *over),
+                        look.overlayColours, look.overlayOpacity, relation->toFromFrom});
   return layers;
 }
 
@@ -140,8 +145,8 @@ void SliceView::scroll(int steps) {
   }
   const ShownSeriesPtr shown = series();
   if (!shown) return;
-  const Crosshair crosshair = crosshairOf(session_.workspace(), *shown);
-  moveCrosshair(session_, *shown, tr("Scroll"),
+  const Crosshair crosshair = crosshairOf(session_.workspace(), id(), *shown);
+  moveCrosshair(session_, id(), *shown, tr("Scroll"),
                 scrolled(shown->volume->geometry(), state().kind, crosshair, steps));
 }
 
@@ -149,8 +154,9 @@ void SliceView::resetView() {
   if (state().series.empty()) return;
   Workspace after = session_.workspace();
   if (const ShownSeriesPtr shown = series(); shown && !showsFrames()) {
-    const Crosshair before = crosshairOf(after, *shown);
-    if (before.turned()) after = withCrosshair(std::move(after), shown->series, before, {before.at});
+    const Crosshair before = crosshairOf(after, id(), *shown);
+    if (before.turned())
+      after = withCrosshair(std::move(after), id(), frameOfReference(shown->series), before, {before.at});
   }
   makeWhole(after.view(id()).flats[state().series]);
   session_.change(tr("Reset view"), after);
@@ -283,6 +289,10 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
       return scroll(-place().count);
     case Qt::Key_End:
       return scroll(place().count);
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+      if (showsFrames() || !time_->hasSteps()) break;
+      return time_->step(event->key() == Qt::Key_Left ? -1 : 1);
     case Qt::Key_I:
       return invert();
     case Qt::Key_Escape:
@@ -309,8 +319,19 @@ void SliceView::showEvent(QShowEvent* event) {
   askForPicture();
 }
 
+// At the bottom; what is written stands above it.
+void SliceView::placeTimeBar() {
+  constexpr int height = 20;
+  time_->setGeometry(8, this->height() - height, width() - 20, height);
+}
+
+QRectF SliceView::overlayArea() const {
+  return QRectF(rect()).adjusted(0, 0, -6, time_->hasSteps() ? -time_->height() : 0);
+}
+
 void SliceView::resizeEvent(QResizeEvent* event) {
   placeBadge();
+  placeTimeBar();
   View::resizeEvent(event);
 }
 
