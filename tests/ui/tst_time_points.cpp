@@ -124,8 +124,10 @@ void TestTimePoints::keysStepInAllViewsOfTheGroup() {
   w.key(Qt::Key_Left);
   QVERIFY(w.shows(100));
   w.key(Qt::Key_Right);
+  QSignalSpy settled(w.view(), &SliceView::settled);
   w.key(Qt::Key_Right);
   QVERIFY(w.shows(300));
+  QTRY_VERIFY_WITH_TIMEOUT(settled.count() > 0, longest);
   w.shot("time-points");
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.shows(100));
@@ -141,7 +143,9 @@ void TestTimePoints::theNextOneIsLoadedAhead() {
   };
   QTRY_VERIFY_WITH_TIMEOUT(held(1), longest);
   QVERIFY2(w.shows(100), "it is not shown for that");
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
   w.key(Qt::Key_Right);
+  QVERIFY2(!w.view()->picture().isNull(), "no flash of black between two steps");
   QCOMPARE(w.session().seriesOf(axialViewId)->volume->value(8, 8, 8), 200.f);
   QTRY_VERIFY_WITH_TIMEOUT(held(2), longest);
 }

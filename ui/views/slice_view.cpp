@@ -13,9 +13,24 @@
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
+
+namespace {
+
+using Showed = std::optional<std::pair<SeriesKey, ViewKind>>;
+
+// Whether a view shows another time point of what it showed: the picture stays until the new one is drawn.
+bool isTimeStep(const Workspace& workspace, const Showed& last, const ViewState& now) {
+  if (!last || last->second != now.kind || now.kind == ViewKind::frames) return false;
+  const auto from = workspace.series.find(last->first), to = workspace.series.find(now.series);
+  return from != workspace.series.end() && to != workspace.series.end() &&
+         areTimePoints(*from->second.series, *to->second.series);
+}
+
+}  // namespace
 
 SliceView::SliceView(Session& session, SliceService& service, FrameService& frames, Measurer& measurer,
                      ViewId id, QWidget* parent)
@@ -99,7 +114,7 @@ void SliceView::showPicture(const SlicePicture& picture) {
 
 void SliceView::seriesExchanged(bool another) {
   if (showsFrames()) return;
-  if (another) picture_ = {}, asked_.reset();
+  if (another && !isTimeStep(session_.workspace(), showed_, state())) picture_ = {}, asked_.reset();
   tellWarnings();
 }
 
@@ -119,7 +134,8 @@ void SliceView::tellWarnings() {
 
 void SliceView::workspaceChanged(const Workspace&) {
   const std::pair now(state().series, state().kind);
-  if (std::exchange(showed_, now) != now) forgetFrame();
+  const Showed last = std::exchange(showed_, now);
+  if (last != now && !isTimeStep(session_.workspace(), last, state())) forgetFrame();
   askForFrame();
   askForPicture();
   update();
@@ -317,16 +333,6 @@ void SliceView::showEvent(QShowEvent* event) {
   View::showEvent(event);
   askForFrame();
   askForPicture();
-}
-
-// At the bottom; what is written stands above it.
-void SliceView::placeTimeBar() {
-  constexpr int height = 20;
-  time_->setGeometry(8, this->height() - height, width() - 20, height);
-}
-
-QRectF SliceView::overlayArea() const {
-  return QRectF(rect()).adjusted(0, 0, -6, time_->hasSteps() ? -time_->height() : 0);
 }
 
 void SliceView::resizeEvent(QResizeEvent* event) {

@@ -100,6 +100,16 @@ Overlays SliceView::overlays() const {
   return o;
 }
 
+// At the bottom; what is written stands above it.
+void SliceView::placeTimeBar() {
+  constexpr int height = 20;
+  time_->setGeometry(8, this->height() - height, width() - 20, height);
+}
+
+QRectF SliceView::overlayArea() const {
+  return QRectF(rect()).adjusted(0, 0, -6, time_->hasSteps() ? -time_->height() : 0);
+}
+
 void SliceView::paintStackBar(QPainter& painter) const {
   const StackPlace place = this->place();
   if (place.count < 2) return;
