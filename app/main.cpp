@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
@@ -47,6 +48,13 @@ constexpr Entry commands[] = {
     {"bench", "Measure how fast a scene is drawn from all around", volumen::makeBench},
 };
 
+// ITK takes its threads and even libraries to load from the environment: not from ours.
+void forgetForeignSettings() {
+  for (const char* name :
+       {"ITK_AUTOLOAD_PATH", "ITK_GLOBAL_DEFAULT_NUMBER_OF_THREADS", "ITK_GLOBAL_DEFAULT_THREADER", "NSLOTS"})
+    unsetenv(name);
+}
+
 bool isPath(const std::string& word) {
   std::error_code ignored;
   return word.empty() || word.starts_with("phantom:") || word.find_first_of("/.") != std::string::npos ||
@@ -79,6 +87,7 @@ int run(std::vector<std::string> words, CLI::App& app, std::function<int()>& com
 }  // namespace
 
 int main(int argc, char** argv) {
+  forgetForeignSettings();
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
   CLI::App app{

@@ -26,6 +26,7 @@
 #include "ui/widgets/start_page.h"
 #include "ui/widgets/status_line.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
 
 namespace volumen {
 
@@ -61,6 +62,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectSessions();
   connectViews();
   connectFrames();
+  connectLinks();
   restoreLayout();
   showTheme();
   session_.prefer(storedPreferences());
@@ -151,6 +153,13 @@ void MainWindow::connectLoader() {
 
 void MainWindow::showInFocus(const Series& series) {
   if (opensAsFrames(series)) return showFramesInFocus(series);
+  const Workspace& workspace = session_.workspace();
+  const Series* shown = seriesIn(workspace, workspace.focus);
+  if (shown && !showsFrames(workspace, workspace.focus) && keyOf(*shown) != keyOf(series) &&
+      workspace.series.contains(keyOf(series)) && areTimePoints(*shown, series)) {
+    session_.endGesture();
+    return session_.change(tr("Time point"), withTimePoint(workspace, workspace.focus, keyOf(series)));
+  }
   if (!session_.showAgain(series, session_.workspace().focus)) loader_.load(series);
 }
 

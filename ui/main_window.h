@@ -29,6 +29,7 @@ class EffectsPanel;
 class MeasurementsPanel;
 class OfferBar;
 class PresetBar;
+class Registrar;
 class SegmentPanel;
 class SnapshotPanel;
 class StartPage;
@@ -102,6 +103,8 @@ class MainWindow : public QMainWindow {
   void showPage();
   void showFirst(const Study& study);
   void makeMeasureActions();
+  void connectLinks();
+  void registerViews();
   QWidget* makeMeasureButton();
   void connectMeasurements(MeasurementsPanel* panel);
   void showMeasurement(int id);
@@ -175,6 +178,7 @@ class MainWindow : public QMainWindow {
   AccuracyPanel* accuracy_;
   SegmentPanel* segment_;
   TableRemover* tableRemover_;
+  Registrar* registrar_;
   SnapshotPanel* snapshotPanel_;
   PresetBar* presets_;
   std::map<QString, QAction*> actions_;
@@ -187,6 +191,7 @@ class MainWindow : public QMainWindow {
   QMenu* recentMenu_;
   QMenu* layoutMenu_;
   QMenu* measureMenu_;
+  QMenu* linkMenu_;
   std::map<QString, Layout> layoutsChosen_;  // by modality, since the program began
   VolumePtr thumbnailsOf_;                   // the volume whose presets have thumbnails
 };

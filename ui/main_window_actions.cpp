@@ -17,6 +17,7 @@
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/panels/lights_panel.h"
+#include "ui/panels/link_menu.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/measurements_panel.h"
 #include "ui/panels/preset_bar.h"
@@ -273,6 +274,9 @@ void MainWindow::makeMenus() {
        "openGlResampler showError | maximise fullScreen lightTheme hideNames");
   layoutMenu_ = view->addMenu(tr("Layout"));
   fill(layoutMenu_, "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour | alignPlanes");
+  linkMenu_ = makeLinkMenu(
+      session_, [this] { registerViews(); }, view);
+  view->addMenu(linkMenu_);
   view->addMenu(measureMenu_);
   view->addMenu(makeColourMenu(session_, view));
   view->addMenu(makeOverlayMenu(
@@ -302,6 +306,11 @@ void MainWindow::makeToolBar() {
   layouts->setMenu(layoutMenu_);
   bar->addWidget(layouts);
   bar->addWidget(makeMeasureButton());
+  auto* links = new QToolButton;
+  links->setObjectName(QStringLiteral("linkButton"));
+  links->setDefaultAction(linkMenu_->menuAction());
+  links->setPopupMode(QToolButton::InstantPopup);
+  bar->addWidget(links);
   auto* gap = new QWidget;
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(gap);

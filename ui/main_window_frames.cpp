@@ -8,6 +8,7 @@
 #include "ui/views/view_grid.h"
 #include "ui/widgets/status_line.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
 
 namespace volumen {
 
@@ -29,7 +30,10 @@ void MainWindow::makeFrameActions() {
                      [on](FlatLook& look) { look.layers = on; });
           });
   connect(add("playFrames", tr("Play or stop"), tr("C"), false), &QAction::triggered, this, [this] {
-    if (SliceView* view = framesInFocus()) view->togglePlay();
+    const ViewId focus = session_.workspace().focus;
+    SliceView* view = framesInFocus();
+    if (!view) view = grid_->sliceView(planesOf(session_.workspace(), focus).front());
+    if (view) view->togglePlay();
   });
 }
 
@@ -87,7 +91,8 @@ void MainWindow::showFrameActions() {
   QAction* layers = actions_.at(QStringLiteral("overlaysAndShutters"));
   layers->setEnabled(asFrames);
   layers->setChecked(flatLookOf(workspace.view(framesViewOf(workspace.focus))).layers);
-  actions_.at(QStringLiteral("playFrames"))->setEnabled(asFrames && frameCount(*series) > 1);
+  actions_.at(QStringLiteral("playFrames"))
+      ->setEnabled(asFrames ? frameCount(*series) > 1 : series && hasTimePoints(workspace, keyOf(*series)));
 }
 
 // Of what is in focus: the views or the start page, title, and mark in the list.

@@ -104,7 +104,8 @@ void MainWindow::showMeasurement(int id) {
   session_.setFocus(view);
   if (session_.workspace().view(view).series != m.series) showInFocus(series);
   session_.change(tr("Go to measurement"), [&](Workspace& w) {
-    w.crosshairs[frameOfReference(series)].at = middleOf(m.shape);
+    const std::string frame = frameOfReference(series);
+    (scrollsAlone(w, view) ? w.view(view).crosshairs[frame] : w.crosshairs[frame]).at = middleOf(m.shape);
     w.measurementsShown = true;
     w.selected = m.id;
   });

@@ -11,6 +11,7 @@
 #include "ui/widgets/banner.h"
 #include "ui/widgets/status_line.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/time_points.h"
 
 namespace volumen {
 
@@ -53,10 +54,12 @@ void MainWindow::makeLayoutActions() {
   auto* align = new QAction(tr("Planes along the slices"), this);
   align->setObjectName(QStringLiteral("alignPlanes"));
   connect(align, &QAction::triggered, this, [this] {
-    const ShownSeriesPtr shown = session_.seriesOf(session_.workspace().focus);
+    const ViewId focus = session_.workspace().focus;
+    const ShownSeriesPtr shown = session_.seriesOf(focus);
     if (!shown) return banner_->tell(tr("Open a series first."));
-    const glm::dvec3 at = crosshairOf(session_.workspace(), *shown).at;
-    setCrosshair(session_, *shown, tr("Planes along the slices"), alongSlices(at, shown->volume->geometry()));
+    const glm::dvec3 at = crosshairOf(session_.workspace(), focus, *shown).at;
+    setCrosshair(session_, focus, *shown, tr("Planes along the slices"),
+                 alongSlices(at, shown->volume->geometry()));
     session_.endGesture();
   });
   actions_[align->objectName()] = align;
@@ -91,18 +94,21 @@ const Series* MainWindow::ctUnder(const Series& pet) const {
   const Series* found = nullptr;
   for (const Series* series : studies_->allSeries())
     if (series->modality == "CT" && series->studyUid == pet.studyUid &&
-        whyNotOverlaid(*series, pet).isEmpty() && (!found || voxels(*series) > voxels(*found)))
+        whyNotOverlaid(session_.workspace(), *series, pet).isEmpty() &&
+        (!found || voxels(*series) > voxels(*found)))
       found = series;
   return found;
 }
 
-// What a series that was never shown before brings with it: the layout of its modality, the CT under a PET.
+// What a series that was never shown before brings with it: the layout of its modality, its time points, the
+// CT under a PET.
 Workspace MainWindow::arranged(Workspace workspace, const Series& series, bool isFirst) const {
   if (isFirst) {
     const QString kept = QSettings().value(layoutKey(series)).toString();
     workspace =
         withLayout(std::move(workspace), layoutNamed(kept.toStdString()).value_or(usualLayout(series)));
   }
+  workspace = withTimePointsOf(std::move(workspace), series, studies_->allSeries());
   const Series* ct = series.modality == "PT" && workspace.focus < firstComparedId ? ctUnder(series) : nullptr;
   return ct ? fusedWith(std::move(workspace), *ct) : workspace;
 }

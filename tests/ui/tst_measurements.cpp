@@ -203,7 +203,7 @@ void TestMeasurements::otherPlanesShowTheCut() {
   w.draw(rectangle, {{60, 60}, {140, 120}});
   const int id = w.last().id;
   const glm::dvec3 a = w.last().shape.points[0], b = w.last().shape.points[1];
-  moveCrosshair(w.session(), *w.session().series(), QStringLiteral("Crosshair"), (a + b) / 2.0);
+  moveCrosshair(w.session(), axialViewId, *w.session().series(), QStringLiteral("Crosshair"), (a + b) / 2.0);
   const DrawnMeasurement cut = w.drawn(id, coronalViewId);
   QVERIFY(!cut.whole && cut.text.isEmpty() && cut.handles.empty());
   QCOMPARE(cut.lines.size(), qsizetype(1));

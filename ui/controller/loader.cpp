@@ -101,10 +101,18 @@ void Loader::cancelLoad() {
   loading_.reset();
 }
 
-void Loader::load(const Series& series) {
-  if (loading_ == keyOf(series)) return;
+void Loader::load(const Series& series) { begin(series, false); }
+
+void Loader::loadAhead(const Series& series) { begin(series, true); }
+
+void Loader::begin(const Series& series, bool isAhead) {
+  if (loading_ == keyOf(series)) {
+    isAhead_ = isAhead_ && isAhead;
+    return;
+  }
   cancelLoad();
   loading_ = keyOf(series);
+  isAhead_ = isAhead;
   start(loadPool_, loadCancel_, [this, series](const CancelToken& cancel, const Progress& progress) {
     const auto fail = [&](const std::string& sentence) {
       tell(cancel, [this, text = QString::fromStdString(sentence)] {
@@ -127,7 +135,10 @@ void Loader::load(const Series& series) {
     shown->firstScene = std::move(*scene);
     tell(cancel, [this, shown] {
       loading_.reset();
-      Q_EMIT seriesLoaded(shown);
+      if (isAhead_)
+        Q_EMIT loadedAhead(shown);
+      else
+        Q_EMIT seriesLoaded(shown);
     });
   });
 }

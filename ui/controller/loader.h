@@ -29,8 +29,11 @@ class Loader : public QObject {
   void openSession(const QString& path);
   /// Gives up a load of another series that is under way.
   void load(const Series& series);
+  /// The same for one that is not shown yet, told by loadedAhead().
+  void loadAhead(const Series& series);
   void makePreset(const QString& name, VolumePtr volume);
   void cancel();
+  bool isBusy() const { return underWay_ > 0; }
   /// Gives up the load that is under way alone.
   void cancelLoad();
 
@@ -38,6 +41,7 @@ class Loader : public QObject {
   void studyOpened(const QString& path, const std::shared_ptr<const volumen::Study>& study);
   void sessionOpened(const QString& path, const volumen::OpenedSession& session);
   void seriesLoaded(const volumen::ShownSeriesPtr& series);
+  void loadedAhead(const volumen::ShownSeriesPtr& series);
   void presetReady(const QString& name, const volumen::Scene& scene, const volumen::VolumePtr& volume);
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
@@ -51,6 +55,7 @@ class Loader : public QObject {
 
   void start(QThreadPool& pool, const CancelToken& cancel, Job job);
   Progress progressTeller(const CancelToken& cancel);
+  void begin(const Series& series, bool isAhead);
   template <class Function>
   void tell(const CancelToken& cancel, Function function);
 
@@ -59,6 +64,7 @@ class Loader : public QObject {
   CancelToken cancel_, loadCancel_;  // of everything else, and of the series being loaded
   int underWay_ = 0;
   std::optional<SeriesKey> loading_;
+  bool isAhead_ = false;  // nobody waits for what is being loaded
 };
 
 }  // namespace volumen

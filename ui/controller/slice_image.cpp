@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "viewer/slice/slice.h"
 
@@ -33,12 +34,21 @@ QImage colourImage(const SliceValues& slice, const GreyMapping& grey, ColourMap 
   return image;
 }
 
+SlicePlane planeMovedBy(SlicePlane plane, const Rigid& rigid) {
+  if (rigid == Rigid{}) return plane;
+  plane.centre = rigid(plane.centre);
+  plane.right = glm::normalize(rigid.rotation * plane.right);
+  plane.down = rigid.rotation * plane.down;
+  plane.down = glm::normalize(plane.down - glm::dot(plane.down, plane.right) * plane.right);
+  return plane;
+}
+
 }  // namespace
 
 Result<QImage> sliceImage(const std::vector<SliceLayer>& layers, const SlicePlane& plane) {
   QImage image;
   for (const SliceLayer& layer : layers) {
-    const Result<SliceValues> slice = resampleSlice(*layer.volume, plane);
+    const Result<SliceValues> slice = resampleSlice(*layer.volume, planeMovedBy(plane, layer.fromPlane));
     if (!slice) return Error{slice.message()};
     if (image.isNull()) {
       const bool plain = layers.size() == 1 && layer.colours == ColourMap::grey;

@@ -5,6 +5,7 @@
 
 #include "viewer/slice/colour_map.h"
 #include "viewer/slice/plane.h"
+#include "viewer/volume/rigid.h"
 
 namespace volumen {
 
@@ -14,6 +15,7 @@ struct SliceLayer {
   GreyMapping grey;
   ColourMap colours = ColourMap::grey;
   double opacity = 1;  ///< of layers above the first
+  Rigid fromPlane{};   ///< from the plane's patient space to the volume's
   bool operator==(const SliceLayer&) const = default;
 };
 

@@ -41,6 +41,13 @@ void SeriesPool::forget(const SeriesKey& key) {
   std::erase_if(held_, [&](const Held& h) { return h.key.series == key; });
 }
 
+bool SeriesPool::hasRoomFor(std::size_t bytes) const {
+  std::size_t sum = bytes;
+  for (const Held& h : held_)
+    if (onScreen_.contains(h.key)) sum += h.series->volume->bytes();
+  return sum <= budget_;
+}
+
 std::size_t SeriesPool::bytes() const {
   std::size_t sum = 0;
   for (const Held& h : held_) sum += h.series->volume->bytes();

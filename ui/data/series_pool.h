@@ -30,6 +30,8 @@ class SeriesPool {
   void setOnScreen(std::set<PoolKey> keys);
   void setBudget(std::size_t bytes);
   void forget(const SeriesKey& key);
+  /// Whether a volume of so many bytes has room beside what is on screen.
+  bool hasRoomFor(std::size_t bytes) const;
   void clear() { held_.clear(); }
 
   /// Of the voxels held.

@@ -80,7 +80,7 @@ void fillOverlays(QMenu* menu, Session& session, const std::vector<const Series*
   if (under == session.workspace().series.end()) return;
   for (const Series* over : all) {
     if (keyOf(*over) == state.series) continue;
-    const QString why = whyNotOverlaid(*under->second.series, *over);
+    const QString why = whyNotOverlaid(session.workspace(), *under->second.series, *over);
     const QString name = seriesText(*over).replace(QLatin1Char('&'), QStringLiteral("&&"));
     QAction* action = menu->addAction(why.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, why), menu,
                                       [set, series = *over] { set(&series); });
@@ -100,9 +100,10 @@ void fillOverlays(QMenu* menu, Session& session, const std::vector<const Series*
 
 }  // namespace
 
-QString whyNotOverlaid(const Series& under, const Series& over) {
+QString whyNotOverlaid(const Workspace& workspace, const Series& under, const Series& over) {
   if (!under.acquired.calibrated || !over.acquired.calibrated) return tr("not calibrated");
-  if (frameOfReference(under) != frameOfReference(over)) return tr("another frame of reference");
+  if (!relationOf(workspace, frameOfReference(under), frameOfReference(over)))
+    return tr("another frame of reference");
   return {};
 }
 

@@ -11,8 +11,8 @@ class CrosshairDrag : public Drag {
   explicit CrosshairDrag(const FlatPress& press) : press_(press) { moveTo(press.at, {}); }
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
-    moveCrosshair(press_.session, *press_.series, QCoreApplication::translate("volumen", "Crosshair"),
-                  press_.patientAt(p));
+    moveCrosshair(press_.session, press_.view, *press_.series,
+                  QCoreApplication::translate("volumen", "Crosshair"), press_.patientAt(p));
   }
 
  private:

@@ -78,10 +78,12 @@ void editFlat(Session& session, ViewId view, const QString& text,
               const std::function<void(FlatLook&)>& change);
 /// Shows another frame of a view that shows frames; as many as there are.
 void showFrame(Session& session, ViewId view, int frame);
-/// Moves the crosshair of a series' frame of reference, and turns it.
-void setCrosshair(Session& session, const ShownSeries& series, const QString& text, const Crosshair& after);
+/// Moves the crosshair of a view's series, and turns it.
+void setCrosshair(Session& session, ViewId view, const ShownSeries& series, const QString& text,
+                  const Crosshair& after);
 /// Moves it alone.
-void moveCrosshair(Session& session, const ShownSeries& series, const QString& text, glm::dvec3 pPatient);
+void moveCrosshair(Session& session, ViewId view, const ShownSeries& series, const QString& text,
+                   glm::dvec3 pPatient);
 /// Enlarges a flat view about a point, which stays where it is.
 void zoomFlat(Session& session, ViewId view, const FlatLook& from, const VoxelGeometry& geometry,
               const SlicePlane& plane, glm::dvec3 fixed, double factor);

@@ -54,20 +54,23 @@ void showFrame(Session& session, ViewId view, int frame) {
            [&](FlatLook& look) { look.frame = std::clamp(frame, 0, frameCount(*series) - 1); });
 }
 
-void setCrosshair(Session& session, const ShownSeries& series, const QString& text, const Crosshair& after) {
-  const Crosshair before = crosshairOf(session.workspace(), series);
-  session.change(text, withCrosshair(session.workspace(), series.series, before, after), text);
+void setCrosshair(Session& session, ViewId view, const ShownSeries& series, const QString& text,
+                  const Crosshair& after) {
+  const Crosshair before = crosshairOf(session.workspace(), view, series);
+  session.change(
+      text, withCrosshair(session.workspace(), view, frameOfReference(series.series), before, after), text);
 }
 
-void moveCrosshair(Session& session, const ShownSeries& series, const QString& text, glm::dvec3 pPatient) {
-  Crosshair after = crosshairOf(session.workspace(), series);
+void moveCrosshair(Session& session, ViewId view, const ShownSeries& series, const QString& text,
+                   glm::dvec3 pPatient) {
+  Crosshair after = crosshairOf(session.workspace(), view, series);
   after.at = pPatient;
-  setCrosshair(session, series, text, after);
+  setCrosshair(session, view, series, text, after);
 }
 
 void zoomFlat(Session& session, ViewId view, const FlatLook& from, const VoxelGeometry& geometry,
               const SlicePlane& plane, glm::dvec3 fixed, double factor) {
-  const double zoom = std::clamp(from.zoom * factor, 0.05, 200.0);
+  const double zoom = std::clamp(from.zoom * factor, leastZoom, mostZoom);
   const glm::dvec3 offset = fixed - geometry.centre();
   const glm::dvec2 fixedMm(glm::dot(offset, plane.right), glm::dot(offset, plane.down));
   editFlat(session, view, tr("Zoom"), [&](FlatLook& look) {

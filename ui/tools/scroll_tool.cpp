@@ -16,7 +16,7 @@ class ScrollDrag : public Drag {
   explicit ScrollDrag(const FlatPress& press)
       : press_(press),
         kind_(press.session.workspace().view(press.view).kind),
-        atPress_(crosshairOf(press.session.workspace(), *press.series)),
+        atPress_(crosshairOf(press.session.workspace(), press.view, *press.series)),
         frameAtPress_(lookOf(press).frame) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
@@ -27,7 +27,8 @@ class ScrollDrag : public Drag {
     const double height = press_.plane.size.y / press_.pixelRatio;
     const int steps = int(std::lround((p.y() - press_.at.y()) / std::max(2.0, height / std::max(count, 8))));
     if (kind_ == ViewKind::frames) return showFrame(press_.session, press_.view, frameAtPress_ + steps);
-    moveCrosshair(press_.session, *press_.series, QCoreApplication::translate("volumen", "Scroll"),
+    moveCrosshair(press_.session, press_.view, *press_.series,
+                  QCoreApplication::translate("volumen", "Scroll"),
                   scrolled(geometry, kind_, atPress_, steps));
   }
 

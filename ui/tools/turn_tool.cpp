@@ -12,11 +12,12 @@ namespace {
 class TurnDrag : public Drag {
  public:
   explicit TurnDrag(const FlatPress& press)
-      : press_(press), atPress_(crosshairOf(press.session.workspace(), *press.series)) {}
+      : press_(press), atPress_(crosshairOf(press.session.workspace(), press.view, *press.series)) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
     const ViewKind kind = press_.session.workspace().view(press_.view).kind;
-    setCrosshair(press_.session, *press_.series, QCoreApplication::translate("volumen", "Turn planes"),
+    setCrosshair(press_.session, press_.view, *press_.series,
+                 QCoreApplication::translate("volumen", "Turn planes"),
                  turnedIn(atPress_, kind, angle(p) - angle(press_.at)));
   }
 
@@ -34,11 +35,14 @@ class TurnDrag : public Drag {
 class MovePlaneDrag : public Drag {
  public:
   MovePlaneDrag(const FlatPress& press, QPointF across)
-      : press_(press), atPress_(crosshairOf(press.session.workspace(), *press.series)), across_(across) {}
+      : press_(press),
+        atPress_(crosshairOf(press.session.workspace(), press.view, *press.series)),
+        across_(across) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
     const QPointF moved = QPointF::dotProduct(p - press_.at, across_) * across_;
-    moveCrosshair(press_.session, *press_.series, QCoreApplication::translate("volumen", "Move plane"),
+    moveCrosshair(press_.session, press_.view, *press_.series,
+                  QCoreApplication::translate("volumen", "Move plane"),
                   atPress_.at + press_.patientAt(press_.at + moved) - press_.patientAt(press_.at));
   }
 

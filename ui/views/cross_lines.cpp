@@ -29,7 +29,7 @@ QColor colourOfPlane(ViewKind kind) {
 }
 
 QPointF middleOf(const FlatPress& press) {
-  return press.pixelAt(crosshairOf(press.session.workspace(), *press.series).at);
+  return press.pixelAt(crosshairOf(press.session.workspace(), press.view, *press.series).at);
 }
 
 double distance(QPointF a, QPointF b) { return QLineF(a, b).length(); }
@@ -55,7 +55,7 @@ const CrossLine* lineAt(const std::vector<CrossLine>& lines, QPointF p, QPointF 
 
 std::vector<CrossLine> crossLines(const FlatPress& press) {
   const Workspace& workspace = press.session.workspace();
-  const Crosshair crosshair = crosshairOf(workspace, *press.series);
+  const Crosshair crosshair = crosshairOf(workspace, press.view, *press.series);
   const QPointF middle = middleOf(press);
   const QSizeF size(press.plane.size.x / press.pixelRatio, press.plane.size.y / press.pixelRatio);
   const QRectF within = QRectF({0, 0}, size).adjusted(10, 10, -10, -10);

@@ -9,12 +9,28 @@
 #include "ui/controller/measurer.h"
 #include "ui/views/cine_player.h"
 #include "ui/views/cross_lines.h"
+#include "ui/views/time_bar.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
+
+namespace {
+
+using Showed = std::optional<std::pair<SeriesKey, ViewKind>>;
+
+// Whether a view shows another time point of what it showed: the picture stays until the new one is drawn.
+bool isTimeStep(const Workspace& workspace, const Showed& last, const ViewState& now) {
+  if (!last || last->second != now.kind || now.kind == ViewKind::frames) return false;
+  const auto from = workspace.series.find(last->first), to = workspace.series.find(now.series);
+  return from != workspace.series.end() && to != workspace.series.end() &&
+         areTimePoints(*from->second.series, *to->second.series);
+}
+
+}  // namespace
 
 SliceView::SliceView(Session& session, SliceService& service, FrameService& frames, Measurer& measurer,
                      ViewId id, QWidget* parent)
@@ -23,6 +39,7 @@ SliceView::SliceView(Session& session, SliceService& service, FrameService& fram
       frames_(frames),
       measurer_(measurer),
       badge_(new WarningBadge(this)),
+      time_(new TimeBar(session, id, this)),
       tool_(&flatTool("window")) {
   setObjectName(QStringLiteral("sliceView%1").arg(id));
   setAccessibleName(tr("Slice view"));
@@ -46,7 +63,7 @@ std::optional<SlicePlane> SliceView::plane() const {
   const ShownSeriesPtr shown = this->shown();
   if (!shown || state().kind == ViewKind::volume) return {};
   return flatPlane(state(), flatLookOf(state()), shown->volume->geometry(),
-                   crosshairOf(session_.workspace(), *shown), {pixels().width(), pixels().height()});
+                   crosshairOf(session_.workspace(), id(), *shown), {pixels().width(), pixels().height()});
 }
 
 const SeriesState& SliceView::seriesState() const { return session_.workspace().series.at(state().series); }
@@ -62,10 +79,13 @@ GreyMapping SliceView::grey() const {
 std::vector<SliceLayer> SliceView::layers() const {
   std::vector<SliceLayer> layers{{shown()->volume, grey(), seriesState().colours}};
   const FlatLook look = flatLookOf(state());
+  const Workspace& workspace = session_.workspace();
   if (const ShownSeriesPtr over = session_.seriesNamed(look.overlay); over && !showsFrames())
-    layers.push_back({over->volume,
-                      greyMapping(overlayWindow(session_.workspace().series.at(look.overlay), *over), *over),
-                      look.overlayColours, look.overlayOpacity});
+    if (const auto relation =
+            relationOf(workspace, frameOfReference(*seriesState().series), frameOfReference(over->series)))
+      layers.push_back({over->volume,
+                        greyMapping(overlayWindow(workspace.series.at(look.overlay), *over), *over),
+                        look.overlayColours, look.overlayOpacity, relation->toFromFrom});
   return layers;
 }
 
@@ -94,7 +114,7 @@ void SliceView::showPicture(const SlicePicture& picture) {
 
 void SliceView::seriesExchanged(bool another) {
   if (showsFrames()) return;
-  if (another) picture_ = {}, asked_.reset();
+  if (another && !isTimeStep(session_.workspace(), showed_, state())) picture_ = {}, asked_.reset();
   tellWarnings();
 }
 
@@ -114,7 +134,8 @@ void SliceView::tellWarnings() {
 
 void SliceView::workspaceChanged(const Workspace&) {
   const std::pair now(state().series, state().kind);
-  if (std::exchange(showed_, now) != now) forgetFrame();
+  const Showed last = std::exchange(showed_, now);
+  if (last != now && !isTimeStep(session_.workspace(), last, state())) forgetFrame();
   askForFrame();
   askForPicture();
   update();
@@ -140,8 +161,8 @@ void SliceView::scroll(int steps) {
   }
   const ShownSeriesPtr shown = series();
   if (!shown) return;
-  const Crosshair crosshair = crosshairOf(session_.workspace(), *shown);
-  moveCrosshair(session_, *shown, tr("Scroll"),
+  const Crosshair crosshair = crosshairOf(session_.workspace(), id(), *shown);
+  moveCrosshair(session_, id(), *shown, tr("Scroll"),
                 scrolled(shown->volume->geometry(), state().kind, crosshair, steps));
 }
 
@@ -149,8 +170,9 @@ void SliceView::resetView() {
   if (state().series.empty()) return;
   Workspace after = session_.workspace();
   if (const ShownSeriesPtr shown = series(); shown && !showsFrames()) {
-    const Crosshair before = crosshairOf(after, *shown);
-    if (before.turned()) after = withCrosshair(std::move(after), shown->series, before, {before.at});
+    const Crosshair before = crosshairOf(after, id(), *shown);
+    if (before.turned())
+      after = withCrosshair(std::move(after), id(), frameOfReference(shown->series), before, {before.at});
   }
   makeWhole(after.view(id()).flats[state().series]);
   session_.change(tr("Reset view"), after);
@@ -283,6 +305,10 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
       return scroll(-place().count);
     case Qt::Key_End:
       return scroll(place().count);
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+      if (showsFrames() || !time_->hasSteps()) break;
+      return time_->step(event->key() == Qt::Key_Left ? -1 : 1);
     case Qt::Key_I:
       return invert();
     case Qt::Key_Escape:
@@ -311,6 +337,7 @@ void SliceView::showEvent(QShowEvent* event) {
 
 void SliceView::resizeEvent(QResizeEvent* event) {
   placeBadge();
+  placeTimeBar();
   View::resizeEvent(event);
 }
 

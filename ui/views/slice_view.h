@@ -17,6 +17,7 @@ namespace volumen {
 
 class CinePlayer;
 class Measurer;
+class TimeBar;
 class WarningBadge;
 struct DrawnMeasurement;
 
@@ -45,7 +46,7 @@ class SliceView : public View {
   /// What is on screen, as a series: the frame as one of one slice; null: nothing is in memory yet.
   ShownSeriesPtr shown() const { return showsFrames() ? frame_ ? frame_->slice : nullptr : series(); }
   bool showsFrames() const { return state().kind == ViewKind::frames; }
-  /// The frames as a clip, or still again at the frame on screen.
+  /// The frames as a clip, or still again at the frame on screen; of slices the time points.
   void togglePlay();
   /// One of greyChoices().
   void chooseGrey(const GreyChoice& choice);
@@ -105,7 +106,8 @@ class SliceView : public View {
   void makeSlabThicker(int steps);
   void placeBadge();
   QString hoverText(QPointF position) const;
-  QRectF overlayArea() const { return QRectF(rect()).adjusted(0, 0, -6, 0); }
+  QRectF overlayArea() const;
+  void placeTimeBar();
   void paintStackBar(QPainter& painter) const;
   void paintColours(QPainter& painter) const;
   std::optional<MeasurementHit> measurementAt(QPointF p) const;
@@ -124,6 +126,7 @@ class SliceView : public View {
   std::optional<std::pair<SeriesKey, ViewKind>> showed_;
   std::unique_ptr<CinePlayer> player_;  // while a clip is played
   WarningBadge* badge_;
+  TimeBar* time_;
   const FlatTool* tool_;
   QImage picture_;
   std::optional<SliceRequest> asked_;  // the last

@@ -1,6 +1,7 @@
 #include "ui/data/frame_series.h"
 #include "ui/views/cine_player.h"
 #include "ui/views/slice_view.h"
+#include "ui/views/time_bar.h"
 #include "ui/views/view_overlays.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/camera_moves.h"
@@ -63,12 +64,13 @@ StackPlace SliceView::place() const {
   const ShownSeriesPtr shown = this->shown();
   if (!shown) return {};
   if (showsFrames()) return {frame_->key.index, frameCount(*seriesState().series)};
-  return stackPlace(shown->volume->geometry(), state().kind, crosshairOf(session_.workspace(), *shown));
+  return stackPlace(shown->volume->geometry(), state().kind, crosshairOf(session_.workspace(), id(), *shown));
 }
 
 void SliceView::togglePlay() {
   if (player_) return stop();
-  if (!showsFrames() || state().series.empty()) return;
+  if (!showsFrames()) return time_->togglePlay();
+  if (state().series.empty()) return;
   const Series& series = *seriesState().series;
   if (frameCount(series) < 2) return;
   player_ = std::make_unique<CinePlayer>(series.cine, frameCount(series), flatLookOf(state()).frame);

@@ -5,10 +5,12 @@
 #include "ui/views/cross_lines.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/slice_view.h"
+#include "ui/views/time_bar.h"
 #include "ui/views/view_overlays.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/link_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/windows.h"
 
@@ -56,8 +58,12 @@ QString SliceView::hoverText(QPointF position) const {
   const glm::dvec3 p = press->patientAt(position);
   QString text = valueText(*press->series, p);
   if (text.isEmpty()) return {};
-  if (const ShownSeriesPtr over = session_.seriesNamed(flatLookOf(state()).overlay))
-    if (const QString second = valueText(*over, p); !second.isEmpty()) text += QStringLiteral(" | ") + second;
+  if (const ShownSeriesPtr over = session_.seriesNamed(flatLookOf(state()).overlay)) {
+    const auto relation = relationOf(session_.workspace(), frameOfReference(press->series->series),
+                                     frameOfReference(over->series));
+    const QString second = relation ? valueText(*over, relation->toFromFrom(p)) : QString();
+    if (!second.isEmpty()) text += QStringLiteral(" | ") + second;
+  }
   return press->series->volume->geometry().calibrated ? text + tr(" at %1").arg(placeText(p)) : text;
 }
 
@@ -67,7 +73,7 @@ Overlays SliceView::overlays() const {
   const VoxelGeometry& geometry = shown->volume->geometry();
   const SlicePlane now = *plane();
   const FlatLook look = flatLookOf(state());
-  const Crosshair crosshair = crosshairOf(session_.workspace(), *shown);
+  const Crosshair crosshair = crosshairOf(session_.workspace(), id(), *shown);
   const StackPlace place = this->place();
   const Window window = flatWindow(session_.workspace().series.at(keyOf(shown->series)), *shown);
   Overlays o;
@@ -82,6 +88,9 @@ Overlays SliceView::overlays() const {
   if (!geometry.calibrated) return o;
   o.topRight << (crosshair.turned() ? tr("oblique") : positionText(state().kind, now.centre));
   if (look.slabMm > 0) o.topRight << slabText(look);
+  o.topRight << time_->text();
+  o.topRight << linkText(session_.workspace(), id());
+  o.topRight.removeAll(QString());
   const auto letters = [](glm::dvec3 d) { return QString::fromStdString(sideLetters(d)); };
   o.right = letters(now.right);
   o.left = letters(-now.right);
@@ -89,6 +98,16 @@ Overlays SliceView::overlays() const {
   o.top = letters(-now.down);
   o.mmPerPixel = now.mmPerPixel * devicePixelRatioF();
   return o;
+}
+
+// At the bottom; what is written stands above it.
+void SliceView::placeTimeBar() {
+  constexpr int height = 20;
+  time_->setGeometry(8, this->height() - height, width() - 20, height);
+}
+
+QRectF SliceView::overlayArea() const {
+  return QRectF(rect()).adjusted(0, 0, -6, time_->hasSteps() ? -time_->height() : 0);
 }
 
 void SliceView::paintStackBar(QPainter& painter) const {
@@ -121,7 +140,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     if (!showsFrames()) {
       const FlatPress here = *pressAt({});
       paintCrossLines(painter, crossLines(here),
-                      here.pixelAt(crosshairOf(session_.workspace(), *series()).at), rect());
+                      here.pixelAt(crosshairOf(session_.workspace(), id(), *series()).at), rect());
       paintMeasurements(painter, drawnMeasurements());
     }
     paintOverlays(painter, overlays(), overlayArea());

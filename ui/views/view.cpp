@@ -11,6 +11,7 @@ View::View(Session& session, ViewId id, QWidget* parent) : QWidget(parent), sess
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAcceptDrops(true);
+  session_.setViewSize(id_, {pixels().width(), pixels().height()});
   connect(&session_, &Session::workspaceChanged, this, [this](const Workspace& before) {
     const ShownSeriesPtr last = std::exchange(seen_, series());
     if (last != seen_) seriesExchanged(!areOneSeries(last, seen_));
@@ -53,6 +54,9 @@ void View::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void View::leaveEvent(QEvent*) { Q_EMIT hovered({}); }
 
-void View::resizeEvent(QResizeEvent*) { Q_EMIT pixelsChanged(); }
+void View::resizeEvent(QResizeEvent*) {
+  session_.setViewSize(id_, {pixels().width(), pixels().height()});
+  Q_EMIT pixelsChanged();
+}
 
 }  // namespace volumen

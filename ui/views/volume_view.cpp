@@ -285,7 +285,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (!clicked || !planesOnScreen()) return;
   const std::optional<Pick> hit = pickAt(event->position());
   if (!hit || !hit->pPatient) return;
-  moveCrosshair(session_, *series(), tr("Crosshair"), *hit->pPatient);
+  moveCrosshair(session_, id(), *series(), tr("Crosshair"), *hit->pPatient);
   session_.endGesture();
 }
 

@@ -45,11 +45,25 @@ Stack stackOf(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& cro
   return stack;
 }
 
-const VoxelGeometry& drawnGeometry(const Series& series) {
-  return series.regular ? series.regular->geometry : series.acquired;
+// The crosshair of a view in a frame of reference; null: none was set yet.
+const Crosshair* findCrosshair(const Workspace& workspace, ViewId view, const std::string& frame) {
+  const auto find = [&](const std::map<std::string, Crosshair>& in) {
+    const auto found = in.find(frame);
+    return found == in.end() ? nullptr : &found->second;
+  };
+  const Crosshair* own = scrollsAlone(workspace, view) ? find(workspace.view(view).crosshairs) : nullptr;
+  return own ? own : find(workspace.crosshairs);
 }
 
 }  // namespace
+
+bool scrollsAlone(const Workspace& workspace, ViewId view) {
+  return !workspace.links.scroll && view >= firstComparedId;
+}
+
+const VoxelGeometry& drawnGeometry(const Series& series) {
+  return series.regular ? series.regular->geometry : series.acquired;
+}
 
 SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry,
                      const Crosshair& crosshair, glm::ivec2 pixels) {
@@ -94,27 +108,38 @@ Crosshair firstCrosshair(const VoxelGeometry& geometry) {
 }
 
 Crosshair crosshairOf(const Workspace& workspace, const ShownSeries& series) {
-  const auto known = workspace.crosshairs.find(frameOfReference(series.series));
-  return known == workspace.crosshairs.end() ? firstCrosshair(series.volume->geometry()) : known->second;
+  return crosshairOf(workspace, sceneViewId, series);
 }
 
-Workspace withCrosshair(Workspace workspace, const Series& series, const Crosshair& before,
+Crosshair crosshairOf(const Workspace& workspace, ViewId view, const ShownSeries& series) {
+  const Crosshair* known = findCrosshair(workspace, view, frameOfReference(series.series));
+  return known ? *known : firstCrosshair(series.volume->geometry());
+}
+
+Crosshair crosshairOf(const Workspace& workspace, ViewId view, const Series& series) {
+  const Crosshair* known = findCrosshair(workspace, view, frameOfReference(series));
+  return known ? *known : firstCrosshair(drawnGeometry(series));
+}
+
+Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& frame, const Crosshair& before,
                         const Crosshair& after) {
-  const std::string frame = frameOfReference(series);
-  workspace.crosshairs[frame] = after;
+  const bool alone = scrollsAlone(workspace, view);
+  (alone ? workspace.view(view).crosshairs : workspace.crosshairs)[frame] = after;
   Crosshair moved = before;
   moved.at = after.at;
   if (moved == after) return workspace;
-  for (ViewState& view : workspace.views) {
-    const auto state = workspace.series.find(view.series);
-    if (view.kind == ViewKind::volume || view.kind == ViewKind::frames || state == workspace.series.end() ||
-        frameOfReference(*state->second.series) != frame)
+  for (ViewId id = 0; id < viewCount; ++id) {
+    ViewState& state = workspace.view(id);
+    const Series* series = seriesIn(workspace, id);
+    if (state.kind == ViewKind::volume || state.kind == ViewKind::frames || !series ||
+        frameOfReference(*series) != frame)
       continue;
-    const VoxelGeometry& geometry = drawnGeometry(*state->second.series);
-    FlatLook& look = view.flats[view.series];
+    if (id != view && (alone || (scrollsAlone(workspace, id) && state.crosshairs.contains(frame)))) continue;
+    const VoxelGeometry& geometry = drawnGeometry(*series);
+    FlatLook& look = state.flats[state.series];
     // Where the crosshair stands from the volume's centre in the picture, before and after.
     const auto place = [&](const Crosshair& crosshair) {
-      const SlicePlane plane = flatPlane(view, {}, geometry, crosshair, {1, 1});
+      const SlicePlane plane = flatPlane(state, {}, geometry, crosshair, {1, 1});
       const glm::dvec3 from = after.at - geometry.centre();
       return glm::dvec2(glm::dot(from, plane.right), glm::dot(from, plane.down));
     };

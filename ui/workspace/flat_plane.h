@@ -21,8 +21,17 @@ glm::dvec3 onSlice(const VoxelGeometry& geometry, ViewKind kind, const Crosshair
 /// Where it starts: in the middle, on slices of all three planes, not turned.
 Crosshair firstCrosshair(const VoxelGeometry& geometry);
 
+/// Whether a view has positions of its own: it is one of those to compare, and they are not linked.
+bool scrollsAlone(const Workspace& workspace, ViewId view);
+
+/// The grid of a series that is drawn.
+const VoxelGeometry& drawnGeometry(const Series& series);
+
 /// The crosshair of the series' frame of reference; where none was set yet, firstCrosshair().
 Crosshair crosshairOf(const Workspace& workspace, const ShownSeries& series);
+/// The same in a view, which may scroll alone.
+Crosshair crosshairOf(const Workspace& workspace, ViewId view, const ShownSeries& series);
+Crosshair crosshairOf(const Workspace& workspace, ViewId view, const Series& series);
 
 /// Its point after so many steps of the wheel (unturned down: caudal, posterior, left of the patient), kept
 /// inside the volume.
@@ -34,9 +43,10 @@ struct StackPlace {
 };
 StackPlace stackPlace(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair);
 
-/// With another crosshair for the series' frame of reference. Where it is turned otherwise than before, every
-/// view of that frame keeps its point at the same place of the picture.
-Workspace withCrosshair(Workspace workspace, const Series& series, const Crosshair& before,
+/// With another crosshair for a frame of reference, or for the view alone where it scrolls alone. Where it is
+/// turned otherwise than before, every view that it belongs to keeps its point at the same place of the
+/// picture.
+Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& frame, const Crosshair& before,
                         const Crosshair& after);
 
 /// With the planes of the two other kinds turned about the normal of this one, radians, clockwise in its

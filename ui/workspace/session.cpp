@@ -78,7 +78,11 @@ void Session::take(ShownSeriesPtr series, const Arrange& arrange) {
   };
   if (std::ranges::none_of(viewsOnScreen(workspace_), waits))
     return show(std::move(series), workspace_.focus, arrange);
-  pool_.put({key, false}, series);
+  keep(std::move(series));
+}
+
+void Session::keep(ShownSeriesPtr series) {
+  pool_.put({keyOf(series->series), false}, series);
   setWorkspace(withFound(workspace_, series->series));
 }
 
@@ -91,7 +95,10 @@ void Session::takeWithoutTable(ShownSeriesPtr without) {
 
 void Session::open(const QString& text, const Workspace& workspace) {
   endGesture();
-  if (!workspace_.series.empty()) return change(text, workspace);
+  if (!workspace_.series.empty()) {
+    if (workspace != workspace_) push(text, workspace, {});
+    return;
+  }
   undoStack_.clear();
   setWorkspace(workspace);
 }
@@ -105,6 +112,10 @@ void Session::close(const SeriesKey& key) {
 
 void Session::change(const QString& text, Workspace after, const QString& mergeKey) {
   if (after == workspace_) return;
+  push(text, withLinksFollowed(workspace_, std::move(after), viewSizes_), mergeKey);
+}
+
+void Session::push(const QString& text, Workspace after, const QString& mergeKey) {
   undoStack_.push(new EditWorkspace(*this, text, std::move(after), mergeKey, gesture_));
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "ui/data/series_pool.h"
+#include "ui/workspace/links.h"
 #include "ui/workspace/preferences.h"
 #include "ui/workspace/workspace.h"
 
@@ -54,6 +55,8 @@ class Session : public QObject {
   bool showAgain(const Series& series, ViewId view);
   /// Keeps a series that views on screen wait for; shows any other.
   void take(ShownSeriesPtr series, const Arrange& arrange = {});
+  /// Keeps a series in memory, for views that wait for it now or later.
+  void keep(ShownSeriesPtr series);
   /// The same for its volume without the table.
   void takeWithoutTable(ShownSeriesPtr without);
   /// Makes a workspace that was read the one in use; one undo step, but for the first of a window.
@@ -61,8 +64,11 @@ class Session : public QObject {
   /// Drops a series from views and memory, and forgets all steps.
   void close(const SeriesKey& key);
 
-  /// Makes `after` the workspace, as one undo step called `text`. Edits in a row with one non-empty
-  /// `mergeKey` are one step until endGesture(); a step that changes nothing is dropped.
+  /// How large the picture of a view is, device pixels: what links of zoom are reckoned with.
+  void setViewSize(ViewId view, glm::ivec2 pixels) { viewSizes_[view] = pixels; }
+
+  /// Makes `after`, with what is linked to it, the workspace, as one undo step called `text`. Edits in a row
+  /// with one non-empty `mergeKey` are one step until endGesture(); a step that changes nothing is dropped.
   void change(const QString& text, Workspace after, const QString& mergeKey = {});
   void change(const QString& text, const std::function<void(Workspace&)>& edit, const QString& mergeKey = {});
 
@@ -116,6 +122,7 @@ class Session : public QObject {
   friend class EditWorkspace;
   PoolKey poolKeyOf(const SeriesKey& series) const;
   void begin(const QString& text, Workspace after);
+  void push(const QString& text, Workspace after, const QString& mergeKey);
   SessionState stateInFocus() const;
   void askFor(const PoolKey& key);
   void setWorkspace(const Workspace& workspace);
@@ -125,6 +132,7 @@ class Session : public QObject {
   SessionState state_;  // of the 3D view in focus
   Preferences preferences_;
   QUndoStack undoStack_;
+  ViewSizes viewSizes_;
   int gesture_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <set>
 
 #include "ui/workspace/session_fields.h"
@@ -127,35 +128,6 @@ void fields(Fields& f, FlatLook& look) {
 }
 
 template <class Fields>
-void fields(Fields& f, ViewState& v) {
-  f("kind", v.kind, kindWords);
-  f("series", v.series);
-  f.map("scenes", v.scenes, [](auto& item, SeriesKey& series, SceneLook& look) {
-    item("series", series);
-    item("scene", look.scene);
-    item("preset", look.preset);
-  });
-  f.map("flats", v.flats, [](auto& item, SeriesKey& series, FlatLook& look) {
-    item("series", series);
-    fields(item, look);
-  });
-}
-
-template <class Fields>
-void fields(Fields& f, PictureLevel& level) {
-  f("quality", level.quality, qualityWords);
-  f("edge", level.edge, {1, 16});
-}
-
-template <class Fields>
-void fields(Fields& f, QualityGoal& goal) {
-  f("aim", goal.aim, aimWords);
-  f("level", goal.level);
-  f("frameMs", goal.frameMs, {1e-3, 1e9});
-  f("errorOf255", goal.errorOf255, {1e-9, 1e3});
-}
-
-template <class Fields>
 void fields(Fields& f, PlaneDirections& plane) {
   constexpr double within = 1e-6;
   f("right", plane.right, {-1, 1});
@@ -176,6 +148,74 @@ void fields(Fields& f, Crosshair& crosshair) {
 }
 
 template <class Fields>
+void crosshairsField(Fields& f, std::map<std::string, Crosshair>& crosshairs) {
+  f.map("crosshairs", crosshairs, [](auto& item, std::string& frame, Crosshair& crosshair) {
+    item.frame("frame", frame);
+    fields(item, crosshair);
+  });
+}
+
+template <class Fields>
+void fields(Fields& f, Rigid& rigid) {
+  constexpr double within = 1e-6;
+  constexpr Limits parts{-1 - within, 1 + within};
+  f("right", rigid.rotation[0], parts);
+  f("back", rigid.rotation[1], parts);
+  f("up", rigid.rotation[2], parts);
+  f("shift", rigid.translation, lengths);
+  const glm::dmat3 unity = glm::transpose(rigid.rotation) * rigid.rotation;
+  double off = std::abs(glm::determinant(rigid.rotation) - 1);
+  for (int n = 0; n < 3; ++n) off = std::max(off, glm::length(unity[n] - glm::dmat3(1)[n]));
+  f.require("right", off < within, "with back and up must be a rotation");
+}
+
+template <class Fields>
+void fields(Fields& f, FrameLink& link) {
+  f.frame("from", link.from);
+  f.frame("to", link.to);
+  f("toFromFrom", link.toFromFrom);
+  f("registered", link.registered);
+}
+
+template <class Fields>
+void fields(Fields& f, Links& links) {
+  f("scroll", links.scroll);
+  f("zoom", links.zoom);
+  f("pan", links.pan);
+  f("window", links.window);
+}
+
+template <class Fields>
+void fields(Fields& f, ViewState& v) {
+  f("kind", v.kind, kindWords);
+  f("series", v.series);
+  f.map("scenes", v.scenes, [](auto& item, SeriesKey& series, SceneLook& look) {
+    item("series", series);
+    item("scene", look.scene);
+    item("preset", look.preset);
+  });
+  f.map("flats", v.flats, [](auto& item, SeriesKey& series, FlatLook& look) {
+    item("series", series);
+    fields(item, look);
+  });
+  crosshairsField(f, v.crosshairs);
+}
+
+template <class Fields>
+void fields(Fields& f, PictureLevel& level) {
+  f("quality", level.quality, qualityWords);
+  f("edge", level.edge, {1, 16});
+}
+
+template <class Fields>
+void fields(Fields& f, QualityGoal& goal) {
+  f("aim", goal.aim, aimWords);
+  f("level", goal.level);
+  f("frameMs", goal.frameMs, {1e-3, 1e9});
+  f("errorOf255", goal.errorOf255, {1e-9, 1e3});
+}
+
+template <class Fields>
 void fields(Fields& f, Measurement& m) {
   bool placed = m.textOffset.has_value();
   glm::dvec3 offset = m.textOffset.value_or(glm::dvec3(0));
@@ -193,10 +233,9 @@ void fields(Fields& f, Workspace& w) {
   f("layout", w.layout, layoutWords);
   f("focus", w.focus, {0, viewCount - 1});
   f("goal", w.goal);
-  f.map("crosshairs", w.crosshairs, [](auto& item, std::string& frame, Crosshair& crosshair) {
-    item.frame("frame", frame);
-    fields(item, crosshair);
-  });
+  crosshairsField(f, w.crosshairs);
+  f("links", w.links);
+  f("frameLinks", w.frameLinks);
   f("views", w.views);
   f("measurements", w.measurements);
   f("measurementsShown", w.measurementsShown);

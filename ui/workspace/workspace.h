@@ -16,6 +16,7 @@
 #include "viewer/scene/scene.h"
 #include "viewer/slice/colour_map.h"
 #include "viewer/slice/plane.h"
+#include "viewer/volume/rigid.h"
 
 namespace volumen {
 
@@ -55,6 +56,9 @@ struct FlatLook {
   bool operator==(const FlatLook&) const = default;
 };
 
+/// Of FlatLook::zoom.
+inline constexpr double leastZoom = 0.05, mostZoom = 200;
+
 /// All of it in the view, and no slab.
 void makeWhole(FlatLook& look);
 
@@ -74,29 +78,6 @@ struct SeriesState {
 };
 
 enum class ViewKind { volume, axial, coronal, sagittal, frames };
-
-/// What a view shows: one series, and what it made of that and of those it showed before.
-struct ViewState {
-  ViewKind kind = ViewKind::volume;
-  SeriesKey series;  ///< empty: none
-  std::map<SeriesKey, SceneLook> scenes;
-  std::map<SeriesKey, FlatLook> flats;
-  bool operator==(const ViewState&) const = default;
-};
-
-/// How views share the window.
-enum class Layout {
-  one,           ///< the view in focus
-  planes,        ///< 2 x 2: axial, coronal, sagittal, 3D of one series
-  besidePlanes,  ///< a large 3D view beside the three planes
-  two,           ///< two series side by side
-  four           ///< four series, 2 x 2
-};
-
-/// The views that every workspace has. The first four show one series together; as frames the axial one alone
-/// does.
-inline constexpr ViewId sceneViewId = 0, axialViewId = 1, coronalViewId = 2, sagittalViewId = 3,
-                        firstComparedId = 4, viewCount = 8;
 
 /// How a picture lies in the patient: orthogonal unit vectors.
 struct PlaneDirections {
@@ -123,6 +104,47 @@ struct Crosshair {
   }
 };
 
+/// What a view shows: one series, and what it made of that and of those it showed before.
+struct ViewState {
+  ViewKind kind = ViewKind::volume;
+  SeriesKey series;  ///< empty: none
+  std::map<SeriesKey, SceneLook> scenes;
+  std::map<SeriesKey, FlatLook> flats;
+  std::map<std::string, Crosshair> crosshairs;  ///< its own, by frame of reference, while it scrolls alone
+  bool operator==(const ViewState&) const = default;
+};
+
+/// How views share the window.
+enum class Layout {
+  one,           ///< the view in focus
+  planes,        ///< 2 x 2: axial, coronal, sagittal, 3D of one series
+  besidePlanes,  ///< a large 3D view beside the three planes
+  two,           ///< two series side by side
+  four           ///< four series, 2 x 2
+};
+
+/// The views that every workspace has. The first four show one series together; as frames the axial one alone
+/// does.
+inline constexpr ViewId sceneViewId = 0, axialViewId = 1, coronalViewId = 2, sagittalViewId = 3,
+                        firstComparedId = 4, viewCount = 8;
+
+/// What of a view the views beside it follow.
+struct Links {
+  bool scroll = true;   ///< position and directions, by frame of reference
+  bool zoom = false;    ///< mm per pixel
+  bool pan = false;     ///< the patient's point in the middle
+  bool window = false;  ///< within one modality and unit
+  bool operator==(const Links&) const = default;
+};
+
+/// Two frames of reference whose positions follow each other.
+struct FrameLink {
+  std::string from, to;
+  Rigid toFromFrom;
+  bool registered = false;  ///< else by hand
+  bool operator==(const FrameLink&) const = default;
+};
+
 /// All that the user made: what the window shows and how. A plain value; every change of it is a step that
 /// can be undone.
 struct Workspace {
@@ -134,9 +156,11 @@ struct Workspace {
   ViewId focus = sceneViewId;                   ///< the view that the panels work on
   QualityGoal goal;                             ///< of 3D pictures at rest
   std::map<std::string, Crosshair> crosshairs;  ///< by frame of reference
-  std::vector<Measurement> measurements;        ///< in the order in which they were made
-  bool measurementsShown = true;                ///< in flat views
-  int selected = 0;                             ///< the measurement with handles; 0: none
+  Links links;
+  std::vector<FrameLink> frameLinks;
+  std::vector<Measurement> measurements;  ///< in the order in which they were made
+  bool measurementsShown = true;          ///< in flat views
+  int selected = 0;                       ///< the measurement with handles; 0: none
   bool operator==(const Workspace&) const = default;
 
   const ViewState& view(ViewId id) const { return views[std::size_t(id)]; }

@@ -140,6 +140,13 @@ Workspace randomWorkspace(std::uint64_t seed) {
     for (int made = chance.below(3); made > 0; --made)
       w.measurements.push_back(anyMeasurement(chance, int(w.measurements.size()) + 1, keys[n]));
   w.measurementsShown = !chance.oneIn(4);
+  w.links = {chance.oneIn(2), chance.oneIn(2), chance.oneIn(2), chance.oneIn(2)};
+  for (const auto& [frame, crosshair] : w.crosshairs) {
+    const PlaneDirections plane = crosshair.coronal;
+    const glm::dmat3 rotation(plane.right, plane.down, plane.normal());
+    w.frameLinks.push_back({frame, "2.25.78", {rotation, anyPlace(chance)}, chance.oneIn(2)});
+    w.views[std::size_t(chance.below(viewCount))].crosshairs[frame] = crosshair;
+  }
   w.layout = Layout(chance.below(5));
   const std::vector<ViewId> shown = viewsOnScreen(w);
   w.focus =

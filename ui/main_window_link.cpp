@@ -1,0 +1,40 @@
+#include <cmath>
+
+#include "ui/controller/next_time_point.h"
+#include "ui/controller/registrar.h"
+#include "ui/main_window.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/status_line.h"
+#include "ui/workspace/links.h"
+
+namespace volumen {
+
+void MainWindow::connectLinks() {
+  new NextTimePoint(session_, loader_, this);
+  registrar_ = new Registrar(this);
+  connect(registrar_, &Registrar::begun, this, [this] { status_->begin(tr("Registering")); });
+  connect(registrar_, &Registrar::progressed, this, [this](double part) {
+    status_->progressTo(tr("Registering: %1 %").arg(std::lround(100 * part)), part);
+  });
+  connect(registrar_, &Registrar::ended, status_, &StatusLine::end);
+  connect(registrar_, &Registrar::failed, this, [this](const QString& sentence) { banner_->tell(sentence); });
+  connect(registrar_, &Registrar::found, this,
+          [this](const std::string& from, const std::string& to, const Rigid& toFromFrom) {
+            session_.endGesture();
+            session_.change(tr("Register"), withRegistration(session_.workspace(), from, to, toFromFrom));
+          });
+  connect(status_, &StatusLine::cancelRequested, registrar_, &Registrar::cancel);
+}
+
+// The view in focus and the first one beside it that lies elsewhere.
+void MainWindow::registerViews() {
+  const std::vector<ViewId> others = viewsOfOtherFrames(session_.workspace());
+  if (others.empty()) return;
+  const ShownSeriesPtr fixed = session_.seriesOf(session_.workspace().focus);
+  const ShownSeriesPtr moving = session_.seriesOf(others.front());
+  if (!fixed || !moving) return banner_->tell(tr("A series is still being loaded: try again."));
+  registrar_->start({frameOfReference(fixed->series), fixed->volume},
+                    {frameOfReference(moving->series), moving->volume});
+}
+
+}  // namespace volumen

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QSlider>
+#include <QTimer>
+
+#include "ui/workspace/session.h"
+
+namespace volumen {
+
+/// The steps in time, echo or diffusion weight of what a view shows; hidden where there is one.
+class TimeBar : public QSlider {
+  Q_OBJECT
+ public:
+  TimeBar(Session& session, ViewId view, QWidget* parent);
+
+  bool hasSteps() const { return maximum() > 0; }
+  /// Which of them is shown: "b 50 (2 of 3)"; empty where there is one.
+  const QString& text() const { return text_; }
+  /// So many steps on; stays within them.
+  void step(int steps);
+  /// Shows one after the other, from the first again after the last; or stops.
+  void togglePlay();
+
+ private:
+  void showSteps();
+  void goTo(int index);
+  void playNext();
+
+  Session& session_;
+  const ViewId view_;
+  QString text_;
+  QTimer timer_;
+};
+
+}  // namespace volumen

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <QString>
+
+#include "ui/workspace/links.h"
+
+namespace volumen {
+
+/// How a view follows the one in focus, for a line in its corner: "not linked", "linked by hand, +12 mm"
+/// (along the normal of its plane); empty where they share a frame of reference.
+QString linkText(const Workspace& workspace, ViewId view);
+
+/// Whether the views on screen follow the one in focus, and why not: a sentence.
+QString linkSentence(const Workspace& workspace);
+
+}  // namespace volumen

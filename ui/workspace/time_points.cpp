@@ -1,0 +1,161 @@
+#include "ui/workspace/time_points.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <tuple>
+
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+// What may vary from step to step, the first that does names the axis.
+using Axis = std::string Series::*;
+constexpr Axis axes[] = {&Series::bValue, &Series::echoTime, &Series::timePoint};
+
+double numberIn(const std::string& text) {
+  double number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+// The number behind "NAME#" in an id; 0: none.
+double volumeNumber(const Series& series) {
+  const std::size_t mark = series.id.find_last_of('#');
+  return mark == std::string::npos ? 0 : numberIn(series.id.substr(mark + 1));
+}
+
+bool onOneGrid(const VoxelGeometry& a, const VoxelGeometry& b) {
+  constexpr double within = 1e-3;  // mm
+  if (a.size != b.size || glm::length(a.origin - b.origin) > within) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (glm::length(a.patientFromVoxelStep[axis] - b.patientFromVoxelStep[axis]) * a.size[axis] > within)
+      return false;
+  return true;
+}
+
+auto orderOf(const Series& series) {
+  return std::tuple(numberIn(series.bValue), numberIn(series.echoTime), numberIn(series.timePoint),
+                    volumeNumber(series), std::string_view(series.id));
+}
+
+bool varies(const std::vector<const Series*>& steps, Axis axis) {
+  std::set<std::string> values;
+  for (const Series* step : steps) values.insert(step->*axis);
+  return values.size() > 1 && !values.contains({});
+}
+
+// Null: none of them is given.
+const Axis* axisOf(const std::vector<const Series*>& steps) {
+  const auto axis = std::ranges::find_if(axes, [&](Axis a) { return varies(steps, a); });
+  return axis == std::end(axes) ? nullptr : axis;
+}
+
+}  // namespace
+
+bool areTimePoints(const Series& a, const Series& b) {
+  if (keyOf(a) == keyOf(b)) return true;
+  if (!a.notVolume.empty() || !b.notVolume.empty() || a.format != b.format || a.path != b.path ||
+      a.seriesUid != b.seriesUid || a.studyUid != b.studyUid || !onOneGrid(a.acquired, b.acquired))
+    return false;
+  if (a.format == "DICOM")
+    return !a.seriesUid.empty() && std::ranges::any_of(axes, [&](Axis axis) { return a.*axis != b.*axis; });
+  return volumeNumber(a) > 0 && volumeNumber(b) > 0;
+}
+
+std::vector<const Series*> timePointsOf(const Workspace& workspace, const SeriesKey& series) {
+  const auto shown = workspace.series.find(series);
+  if (shown == workspace.series.end()) return {};
+  std::vector<const Series*> steps;
+  for (const auto& [key, state] : workspace.series)
+    if (areTimePoints(*shown->second.series, *state.series)) steps.push_back(state.series.get());
+  std::ranges::sort(steps, {}, [](const Series* s) { return orderOf(*s); });
+  return steps;
+}
+
+bool hasTimePoints(const Workspace& workspace, const SeriesKey& series) {
+  const auto shown = workspace.series.find(series);
+  return shown != workspace.series.end() && std::ranges::any_of(workspace.series, [&](const auto& other) {
+           return other.first != series && areTimePoints(*shown->second.series, *other.second.series);
+         });
+}
+
+QString timePointText(const Workspace& workspace, const SeriesKey& series) {
+  const std::vector<const Series*> steps = timePointsOf(workspace, series);
+  if (steps.size() < 2) return {};
+  const auto at = std::ranges::find(steps, series, [](const Series* s) { return keyOf(*s); });
+  const QString number = tr("%1 of %2").arg(at - steps.begin() + 1).arg(steps.size());
+  const Axis* axis = axisOf(steps);
+  if (!axis) return tr("volume %1").arg(number);
+  const QString value = shownText((**at).*(*axis));
+  if (*axis == &Series::bValue) return tr("b %1 (%2)").arg(value, number);
+  if (*axis == &Series::echoTime) return tr("echo %1: %2 ms").arg(number, value);
+  return tr("time point %1").arg(number);
+}
+
+QString timeAxisText(const Workspace& workspace, const SeriesKey& series) {
+  const std::vector<const Series*> steps = timePointsOf(workspace, series);
+  const Axis* axis = steps.size() < 2 ? nullptr : axisOf(steps);
+  if (!axis) return {};
+  QStringList values;
+  for (const Series* step : steps) values << shownText(step->*(*axis));
+  values.removeDuplicates();
+  const QString all = values.join(QStringLiteral(", "));
+  if (*axis == &Series::bValue) return tr("b = %1").arg(all);
+  return *axis == &Series::echoTime ? tr("echo times %1 ms").arg(all) : tr("time points %1").arg(all);
+}
+
+Workspace withTimePointsOf(Workspace workspace, const Series& series,
+                           const std::vector<const Series*>& open) {
+  for (const Series* other : open)
+    if (areTimePoints(series, *other))
+      if (const auto [state, isNew] = workspace.series.try_emplace(keyOf(*other)); isNew)
+        state->second.series = std::make_shared<const Series>(*other);
+  return workspace;
+}
+
+Workspace withTimePoint(Workspace workspace, ViewId view, const SeriesKey& step) {
+  const SeriesKey last = workspace.view(view).series;
+  const auto from = workspace.series.find(last);
+  const auto to = workspace.series.find(step);
+  if (last == step || from == workspace.series.end() || to == workspace.series.end()) return workspace;
+  to->second.window = from->second.window;
+  to->second.namedGrey = from->second.namedGrey;
+  to->second.colours = from->second.colours;
+  // Volumes without a frame of reference have one each.
+  const std::string frame = frameOfReference(*from->second.series),
+                    next = frameOfReference(*to->second.series);
+  const auto follow = [&](std::map<std::string, Crosshair>& crosshairs) {
+    if (const auto known = crosshairs.find(frame); known != crosshairs.end()) {
+      const Crosshair crosshair = known->second;
+      crosshairs[next] = crosshair;
+    }
+  };
+  follow(workspace.crosshairs);
+  const bool isOfGroup = view < firstComparedId;
+  for (ViewId id = isOfGroup ? 0 : view; id <= (isOfGroup ? firstComparedId - 1 : view); ++id) {
+    ViewState& state = workspace.view(id);
+    if (state.series != last) continue;
+    follow(state.crosshairs);
+    if (const auto scene = state.scenes.find(last); scene != state.scenes.end()) {
+      const SceneLook look = scene->second;
+      state.scenes[step] = look;
+    }
+    if (const auto flat = state.flats.find(last); flat != state.flats.end()) {
+      const FlatLook look = flat->second;
+      state.flats[step] = look;
+    }
+    state.series = step;
+  }
+  return workspace;
+}
+
+}  // namespace volumen
