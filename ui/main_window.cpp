@@ -42,6 +42,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
   makeCentre();
+  makeReferenceActions();
   makeDocks();
   makeActions();
   makeLayoutActions();
@@ -61,6 +62,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectSessions();
   connectViews();
   connectFrames();
+  connectReferences();
   restoreLayout();
   showTheme();
   session_.prefer(storedPreferences());
@@ -73,7 +75,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::makeCentre() {
-  grid_ = new ViewGrid(session_, slices_, frames_, measurer_);
+  grid_ = new ViewGrid(session_, slices_, frames_, measurer_, references_);
   view_ = grid_->sceneView();
   banner_ = new Banner;
   offer_ = new OfferBar;

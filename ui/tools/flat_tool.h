@@ -82,8 +82,8 @@ void showFrame(Session& session, ViewId view, int frame);
 void setCrosshair(Session& session, const ShownSeries& series, const QString& text, const Crosshair& after);
 /// Moves it alone.
 void moveCrosshair(Session& session, const ShownSeries& series, const QString& text, glm::dvec3 pPatient);
-/// Enlarges a flat view about a point, which stays where it is.
-void zoomFlat(Session& session, ViewId view, const FlatLook& from, const VoxelGeometry& geometry,
-              const SlicePlane& plane, glm::dvec3 fixed, double factor);
+/// Enlarges a flat view about a point, which stays where it is. `plane` shows `from`.
+void zoomFlat(Session& session, ViewId view, const FlatLook& from, const SlicePlane& plane, glm::dvec3 fixed,
+              double factor);
 
 }  // namespace volumen
