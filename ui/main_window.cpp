@@ -224,7 +224,9 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
     details << pathText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
   for (const Other& other : study->other)
     details << pathText(other.path) + QStringLiteral(": ") + shownText(other.kind);
-  if (study->volumes.empty() && study->images.empty())
+  const bool hasPictures = !study->volumes.empty() || !study->images.empty();
+  if (!hasPictures && !study->references.empty()) return;  // they stand in the list
+  if (!hasPictures)
     return banner_->add(tr("No images found in %1.").arg(pathText(path.toStdString())), details);
   if (!study->refused.empty()) banner_->add(unreadText(*study), details);
   recent_.add(path);

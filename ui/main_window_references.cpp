@@ -47,17 +47,19 @@ Workspace withPresentation(Workspace workspace, ViewId view, const ReferenceKey&
 }  // namespace
 
 void MainWindow::makeReferenceActions() {
-  const auto add = [this](const char* name, const QString& text, const QString& key, auto run) {
+  const auto add = [this](const char* name, const QString& text, const QString& word, const QString& key,
+                          auto run) {
     auto* action = new QAction(text, this);
+    action->setIconText(word);  // of its button
     action->setObjectName(QLatin1String(name));
     action->setShortcut(key);
     addAction(action);
     connect(action, &QAction::triggered, this, run);
     actions_[action->objectName()] = action;
   };
-  add("keyImage", tr("Key image"), tr("K"), [this] { toggleKeyImage(); });
-  add("previousKeyImage", tr("Previous key image"), tr(","), [this] { goToKeyImage(-1); });
-  add("nextKeyImage", tr("Next key image"), tr("."), [this] { goToKeyImage(1); });
+  add("keyImage", tr("Key image"), tr("Mark"), tr("K"), [this] { toggleKeyImage(); });
+  add("previousKeyImage", tr("Previous key image"), tr("Previous"), tr(","), [this] { goToKeyImage(-1); });
+  add("nextKeyImage", tr("Next key image"), tr("Next"), tr("."), [this] { goToKeyImage(1); });
 }
 
 void MainWindow::makeReferenceDocks() {
