@@ -43,6 +43,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
   makeCentre();
+  makeReferenceActions();
   makeDocks();
   makeActions();
   makeLayoutActions();
@@ -63,6 +64,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectViews();
   connectFrames();
   connectLinks();
+  connectReferences();
   restoreLayout();
   showTheme();
   session_.prefer(storedPreferences());
@@ -75,7 +77,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::makeCentre() {
-  grid_ = new ViewGrid(session_, slices_, frames_, measurer_);
+  grid_ = new ViewGrid(session_, slices_, frames_, measurer_, references_);
   view_ = grid_->sceneView();
   banner_ = new Banner;
   offer_ = new OfferBar;
@@ -231,7 +233,9 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
     details << pathText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
   for (const Other& other : study->other)
     details << pathText(other.path) + QStringLiteral(": ") + shownText(other.kind);
-  if (study->volumes.empty() && study->images.empty())
+  const bool hasPictures = !study->volumes.empty() || !study->images.empty();
+  if (!hasPictures && !study->references.empty()) return;  // they stand in the list
+  if (!hasPictures)
     return banner_->add(tr("No images found in %1.").arg(pathText(path.toStdString())), details);
   if (!study->refused.empty()) banner_->add(unreadText(*study), details);
   recent_.add(path);

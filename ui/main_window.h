@@ -11,6 +11,7 @@
 #include "ui/controller/measurer.h"
 #include "ui/controller/preset_thumbnails.h"
 #include "ui/controller/recent_files.h"
+#include "ui/controller/references.h"
 #include "ui/controller/scene_files.h"
 #include "ui/controller/segmenter.h"
 #include "ui/controller/slice_service.h"
@@ -26,6 +27,7 @@ namespace volumen {
 class AccuracyPanel;
 class Banner;
 class EffectsPanel;
+class KeyImagesPanel;
 class MeasurementsPanel;
 class OfferBar;
 class PresetBar;
@@ -100,6 +102,21 @@ class MainWindow : public QMainWindow {
   void showFrameActions();
   void showFramesInFocus(const Series& series);
   void showFlatMenu(SliceView& view, QPoint global);
+  void makeReferenceActions();
+  void makeReferenceDocks();
+  void connectReferences();
+  void showReference(const ReferencePtr& object);
+  void showPresentation(const ReferencePtr& object);
+  void showRegions(const ReferencePtr& object);
+  void showReport(const ReferencePtr& object, const Report& report);
+  void showPicture(const Series& series, int index);
+  void showAsFrame(const QString& text, const Series& series, int index, const ReferenceKey& presentation);
+  void showPictureNamed(const ReferencedPicture& picture);
+  void showPlace(const std::string& frameOfReferenceUid, glm::dvec3 pPatient);
+  void toggleKeyImage();
+  void goToKeyImage(int step);
+  void fillPresentations(QMenu* menu, SliceView& view);
+  SliceView* flatViewInFocus() const;
   void showPage();
   void showFirst(const Study& study);
   void makeMeasureActions();
@@ -155,6 +172,7 @@ class MainWindow : public QMainWindow {
   DrawService drawService_;
   SliceService slices_;
   FrameService frames_;
+  References references_;
   Measurer measurer_{session_};
   Loader loader_;
   AccuracyMeter meter_;
@@ -174,6 +192,7 @@ class MainWindow : public QMainWindow {
   OfferBar* offer_;
   StatusLine* status_;
   StudiesPanel* studies_;
+  KeyImagesPanel* keyImages_;
   EffectsPanel* effects_;
   AccuracyPanel* accuracy_;
   SegmentPanel* segment_;

@@ -115,6 +115,7 @@ void MainWindow::makeDocks() {
   auto* measurements = new MeasurementsPanel(session_, measurer_);
   addDock(QStringLiteral("measurements"), tr("Measure"), measurements, right);
   connectMeasurements(measurements);
+  makeReferenceDocks();
 }
 
 void MainWindow::makeActions() {
@@ -271,6 +272,7 @@ void MainWindow::makeMenus() {
        "orbitTool curveTool resetView | viewAnterior viewPosterior viewLeft viewRight viewSuperior "
        "viewInferior | "
        "showAsFrames overlaysAndShutters playFrames | "
+       "keyImage previousKeyImage nextKeyImage | "
        "openGlResampler showError | maximise fullScreen lightTheme hideNames");
   layoutMenu_ = view->addMenu(tr("Layout"));
   fill(layoutMenu_, "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour | alignPlanes");

@@ -122,6 +122,9 @@ void MainWindow::showFlatMenu(SliceView& view, QPoint global) {
     if (!choices.empty()) menu->addAction(tr("Invert") + QStringLiteral("\tI"), &view, &SliceView::invert);
     menu->addSeparator();
   }
+  fillPresentations(menu, view);
+  menu->addAction(actions_.at(QStringLiteral("keyImage")));
+  menu->addSeparator();
   if (!view.showsFrames())
     for (const char* name : {"colourMenu", "overlayMenu"})
       menu->addMenu(findChild<QMenu*>(QLatin1String(name)));

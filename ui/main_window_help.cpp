@@ -54,6 +54,10 @@ void MainWindow::showShortcuts() {
       tr("a drag moves that plane; the round handle turns the other planes; F puts them straight"),
       tr("C"),
       tr("plays the frames of the view in focus, and stops"),
+      tr("K, comma, full stop"),
+      tr("marks the picture shown as a key image, or takes the mark off; goes to the key image before, and "
+         "to "
+         "the next"),
       tr("D, A, E, P, T in a slice"),
       tr("measure: length, angle, ellipse, probe, arrow with text; the tool before comes back after one "
          "measurement (Shift keeps it), Enter or a double-click ends a polyline, Esc gives up, Delete "

@@ -19,7 +19,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int layoutVersion = 3;  // a layout kept under another one knows other panels: not restored
+constexpr int layoutVersion = 4;  // a layout kept under another one knows other panels: not restored
 
 FoldTitle* titleOf(const QDockWidget* dock) { return static_cast<FoldTitle*>(dock->titleBarWidget()); }
 
@@ -34,11 +34,13 @@ void MainWindow::resetLayout() {
   addDockWidget(Qt::LeftDockWidgetArea, dock("studies"));
   addDockWidget(Qt::RightDockWidgetArea, dock("transfer"));
   splitDockWidget(dock("transfer"), dock("lights"), Qt::Vertical);
-  for (const char* name : {"clip", "segment", "snapshot", "measurements", "camera", "effects", "accuracy"})
+  for (const char* name : {"clip", "segment", "snapshot", "measurements", "keyImages", "regions", "camera",
+                           "effects", "accuracy"})
     tabifyDockWidget(dock("lights"), dock(name));
   for (const auto& [name, each] : docks_)
     each->setVisible(name != QStringLiteral("camera") && name != QStringLiteral("effects") &&
-                     name != QStringLiteral("accuracy"));
+                     name != QStringLiteral("accuracy") && name != QStringLiteral("keyImages") &&
+                     name != QStringLiteral("regions"));
   dock("lights")->raise();
   shareRoom();
 }

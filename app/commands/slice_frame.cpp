@@ -9,10 +9,10 @@
 
 #include "app/command.h"
 #include "app/open_volume.h"
-#include "app/paint_graphics.h"
 #include "app/picture_output.h"
 #include "app/report_files.h"
 #include "io/frames.h"
+#include "ui/views/paint_graphics.h"
 
 namespace volumen {
 

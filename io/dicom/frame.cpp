@@ -50,6 +50,21 @@ std::optional<FramePlace> placeOf(const Slice& slice, const PixelSize& pixel) {
   return FramePlace{*slice.position, slice.orientation->row, slice.orientation->column};
 }
 
+/// A value of PatientOrientation, head and feet as superior and inferior; empty for other letters.
+std::string sideOf(std::string letters) {
+  std::ranges::replace(letters, 'H', 'S');
+  std::ranges::replace(letters, 'F', 'I');
+  return letters.find_first_not_of("LRAPSI") == std::string::npos ? letters : std::string();
+}
+
+void readSides(const DataSet& data, Frame& frame) {
+  const std::string text = data.text(0x00200020, data.root());
+  const auto end = text.find('\\');
+  if (end == std::string::npos) return;
+  frame.rowSide = sideOf(text.substr(0, end));
+  frame.columnSide = sideOf(text.substr(end + 1));
+}
+
 /// All values that stored ones can give, as a window.
 GreyMapping allValues(const PixelFormat& format, const ValueMapping& mapping) {
   const double count = std::exp2(format.bitsStored), lowest = format.isSigned ? -count / 2 : 0;
@@ -109,6 +124,7 @@ Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Sh
   }
   frame.pixel = readPixelSize(data, at, header.modality);
   frame.place = placeOf(sliceOf(header, n), frame.pixel);
+  readSides(data, frame);
   frame.overlays = readOverlays(data, *pixels, header, n, frame.warnings);
   const Shutter shutter = shown ? shown->presentation.shutter : readShutter(data, at, frame.warnings);
   frame.shutter = hiddenBy(shutter, frame.size, frame.pixel.mm);

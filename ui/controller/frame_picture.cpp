@@ -64,7 +64,7 @@ Result<QImage> drawFrame(const ShownFrame& frame, const SlicePlane& plane, const
   std::vector<Bytes*> all;
   for (Bytes& bytes : channels) all.push_back(&bytes);
   if (withLayers) {
-    if (Status s = addLayer(frame.shutter, plane, 0, all); !s) return s.error();
+    if (Status s = addLayer(frame.shutter, plane, 255 * frame.shutterGrey, all); !s) return s.error();
     if (Status s = addLayer(frame.overlays, plane, 255, all); !s) return s.error();
   }
   return frame.colour() ? colourImage(plane.size, channels[0], channels[1], channels[2])

@@ -7,8 +7,9 @@
 
 namespace volumen {
 
-/// A frame on a plane through its slice: grey by `grey`, colours as they are; black around it, where
-/// `withLayers` under shutters too, white where overlays are. An Error for what checkPlane refuses.
+/// A frame on a plane through its slice: grey by `grey`, colours as they are; black around it; where
+/// `withLayers`, shutters hide behind their grey and overlays are white. An Error for what checkPlane
+/// refuses.
 Result<QImage> drawFrame(const ShownFrame& frame, const SlicePlane& plane, const GreyMapping& grey,
                          bool withLayers);
 

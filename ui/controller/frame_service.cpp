@@ -5,6 +5,7 @@
 
 #include "io/frames.h"
 #include "ui/data/frame_series.h"
+#include "ui/data/picture_index.h"
 #include "ui/data/series_pool.h"
 
 namespace volumen {
@@ -56,10 +57,11 @@ ShownFramePtr FrameService::find(const FrameKey& key) {
   return pool_.find(key);
 }
 
-void FrameService::request(ViewId view, std::shared_ptr<const Series> series, int index, int step) {
+void FrameService::request(ViewId view, std::shared_ptr<const Series> series, int index, int step,
+                           const std::string& presentation) {
   {
     const std::lock_guard lock(mutex_);
-    wanted_[view] = {std::move(series), index, step};
+    wanted_[view] = {std::move(series), index, step, presentation};
     tellReady();
   }
   wake_.notify_one();
@@ -130,12 +132,32 @@ void FrameService::run() {
   }
 }
 
+const Result<Presentation>& FrameService::presentationOf(const std::string& path) {
+  const auto known = presentations_.find(path);
+  return known != presentations_.end() ? known->second
+                                       : presentations_.emplace(path, loadPresentation(path)).first->second;
+}
+
 Result<ShownFramePtr> FrameService::read(const Job& job) {
+  if (job.key.presentation.empty()) return readAcquired(job, {});
+  const Result<Presentation>& presentation = presentationOf(job.key.presentation);
+  if (!presentation) return readAcquired(job, presentation.message());
+  if (!namesPicture(presentation->pictures, *job.series, job.key.index)) return readAcquired(job, {});
+  Result<PresentedFrame> shown = loadFrame(*job.series, job.key.index, *presentation);
+  if (!shown) return readAcquired(job, shown.message());
+  std::vector<std::string>& warnings = shown->frame.warnings;
+  warnings.insert(warnings.end(), presentation->warnings.begin(), presentation->warnings.end());
+  return shownFrame(*job.series, job.key, std::move(shown->frame), std::move(shown->how));
+}
+
+// `warning`: why it is not shown otherwise; empty: it should not be.
+Result<ShownFramePtr> FrameService::readAcquired(const Job& job, const std::string& warning) {
   Result<Frame> frame = loadFrame(*job.series, job.key.index);
   if (!frame) return frame.error();
+  if (!warning.empty()) frame->warnings.push_back(warning);
   if (!frame->greys.empty() && frame->greys.front().ofValues && frameCount(*job.series) > 1)
     frame->greys.front().mapping.window = windowOf(*job.series);
-  return shownFrame(*job.series, job.key.index, std::move(*frame));
+  return shownFrame(*job.series, job.key, std::move(*frame));
 }
 
 Window FrameService::windowOf(const Series& series) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "io/presentation.h"
 #include "ui/data/frame_pool.h"
 #include "ui/workspace/view_id.h"
 
@@ -28,8 +29,10 @@ class FrameService : public QObject {
   /// A frame that is in memory; else null.
   ShownFramePtr find(const FrameKey& key);
   /// Ends in ready() or failed(), unless the view asks for another one before it is begun. `step`: 1 or -1,
-  /// where the next ones lie.
-  void request(ViewId view, std::shared_ptr<const Series> series, int index, int step);
+  /// where the next ones lie. `presentation`: the file of a presentation state; frames that it does not name,
+  /// or that it cannot be applied to, are shown as acquired.
+  void request(ViewId view, std::shared_ptr<const Series> series, int index, int step,
+               const std::string& presentation = {});
   /// Reads nothing ahead for a view any more.
   void drop(ViewId view);
 
@@ -45,9 +48,10 @@ class FrameService : public QObject {
   struct Wanted {
     std::shared_ptr<const Series> series;
     int index = 0, step = 1;
+    std::string presentation;
     bool told = false;
 
-    FrameKey key(int ahead) const { return {keyOf(*series), index + ahead * step}; }
+    FrameKey key(int ahead) const { return {keyOf(*series), index + ahead * step, presentation}; }
   };
   struct Job {
     std::shared_ptr<const Series> series;
@@ -62,10 +66,13 @@ class FrameService : public QObject {
   int reach() const;
   bool isKnown(const FrameKey& key) const { return pool_.contains(key) || failures_.contains(key); }
   Result<ShownFramePtr> read(const Job& job);
+  Result<ShownFramePtr> readAcquired(const Job& job, const std::string& warning);
+  const Result<Presentation>& presentationOf(const std::string& path);
   Window windowOf(const Series& series);
 
-  std::map<SeriesKey, Window> windows_;  // of series without one; of the thread alone
-  std::mutex mutex_;                     // guards from here ...
+  std::map<SeriesKey, Window> windows_;  // of series without one; of the thread alone, as the next
+  std::map<std::string, Result<Presentation>> presentations_;  // by file
+  std::mutex mutex_;                                           // guards from here ...
   std::condition_variable wake_;
   FramePool pool_;
   std::map<ViewId, Wanted> wanted_;

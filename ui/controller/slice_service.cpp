@@ -8,9 +8,17 @@ namespace volumen {
 
 namespace {
 
-Result<QImage> draw(const SliceRequest& request) {
+Result<QImage> drawPicture(const SliceRequest& request) {
   if (!request.frame) return sliceImage(request.layers, request.plane);
   return drawFrame(*request.frame, request.plane, request.layers.front().grey, request.withLayers);
+}
+
+Result<QImage> draw(const SliceRequest& request) {
+  Result<QImage> picture = drawPicture(request);
+  if (!picture) return picture;
+  for (const SegmentLayer& layer : request.segments)
+    *picture = withSegments(std::move(*picture), request.plane, layer);
+  return picture;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <optional>
 #include <thread>
 
+#include "ui/controller/segment_layer.h"
 #include "ui/controller/slice_image.h"
 #include "ui/data/shown_frame.h"
 #include "ui/workspace/view_id.h"
@@ -21,6 +22,7 @@ struct SliceRequest {
   SlicePlane plane;
   ShownFramePtr frame;     ///< drawn in place of the layers; null: none
   bool withLayers = true;  ///< of a frame: overlays and shutters
+  std::vector<SegmentLayer> segments{};
   bool operator==(const SliceRequest&) const = default;
 };
 

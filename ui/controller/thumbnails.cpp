@@ -98,7 +98,7 @@ std::optional<QImage> frameThumbnail(const Series& series, int edge) {
   const int index = frameCount(series) / 2;
   Result<Frame> frame = loadFrame(series, index);
   if (!frame) return {};
-  const Result<ShownFramePtr> shown = shownFrame(series, index, std::move(*frame));
+  const Result<ShownFramePtr> shown = shownFrame(series, {keyOf(series), index}, std::move(*frame));
   if (!shown) return {};
   SlicePlane plane = framePlane((*shown)->geometry());
   plane.mmPerPixel *= double(std::max(plane.size.x, plane.size.y)) / edge;

@@ -65,10 +65,12 @@ std::size_t ShownFrame::bytes() const {
   return sum;
 }
 
-Result<ShownFramePtr> shownFrame(const Series& series, int index, Frame frame) {
+Result<ShownFramePtr> shownFrame(const Series& series, const FrameKey& key, Frame frame,
+                                 std::optional<FramePresentation> how) {
   const VoxelGeometry geometry = geometryOf(frame);
   auto shown = std::make_shared<ShownFrame>();
-  shown->key = {keyOf(series), index};
+  shown->key = key;
+  shown->how = std::move(how);
   std::vector<std::pair<VolumePtr*, VoxelValues>> parts;
   VolumePtr values;
   if (frame.colour()) {
@@ -88,6 +90,9 @@ Result<ShownFramePtr> shownFrame(const Series& series, int index, Frame frame) {
   shown->slice = sliceOf(series, frame, values);
   shown->greys = std::move(frame.greys);
   shown->pixel = frame.pixel;
+  shown->shutterGrey = frame.shutterGrey;
+  shown->rowSide = std::move(frame.rowSide);
+  shown->columnSide = std::move(frame.columnSide);
   shown->regions = std::move(frame.regions);
   shown->warnings = std::move(frame.warnings);
   return ShownFramePtr(shown);

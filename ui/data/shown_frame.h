@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "ui/data/series_key.h"
 #include "ui/data/shown_series.h"
 #include "viewer/slice/frame.h"
 #include "viewer/slice/plane.h"
+#include "viewer/slice/presentation.h"
 
 namespace volumen {
 
@@ -13,6 +15,7 @@ namespace volumen {
 struct FrameKey {
   SeriesKey series;
   int index = 0;
+  std::string presentation{};  ///< the file of the presentation state it is shown by; empty: none
   auto operator<=>(const FrameKey&) const = default;
 };
 
@@ -24,9 +27,12 @@ struct ShownFrame {
   ShownSeriesPtr slice;         ///< its values; of colour its red
   VolumePtr green, blue;        ///< null: grey
   VolumePtr overlays, shutter;  ///< 1 where they draw or hide, else 0; null: none
+  float shutterGrey = 0;        ///< what the shutter hides behind, 0 black .. 1 white
   std::vector<NamedGrey> greys;
   PixelSize pixel;
   std::vector<UltrasoundRegion> regions;
+  std::string rowSide, columnSide;       ///< as Frame has them
+  std::optional<FramePresentation> how;  ///< as the presentation state has it; none: as acquired
   std::vector<std::string> warnings;
 
   bool colour() const { return green != nullptr; }
@@ -37,8 +43,9 @@ struct ShownFrame {
 
 using ShownFramePtr = std::shared_ptr<const ShownFrame>;
 
-/// Makes a frame of a series ready to be shown. An Error where its geometry makes no sense.
-Result<ShownFramePtr> shownFrame(const Series& series, int index, Frame frame);
+/// Makes a frame of a series ready to be shown. `key` names it. An Error where its geometry makes no sense.
+Result<ShownFramePtr> shownFrame(const Series& series, const FrameKey& key, Frame frame,
+                                 std::optional<FramePresentation> how = {});
 
 /// The plane that shows a slice as it was acquired: its rows to the right, its columns downwards; else as
 /// planeAlong().

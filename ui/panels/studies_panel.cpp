@@ -9,17 +9,17 @@
 #include <QUrl>
 #include <QVBoxLayout>
 #include <set>
+#include <tuple>
 
 #include "ui/data/frame_series.h"
 #include "ui/panels/attributes_dialog.h"
+#include "ui/panels/studies_panel_roles.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
 
 namespace {
-
-enum Role { keyRole = Qt::UserRole, pathRole, indexRole };
 
 constexpr int thumbnailEdge = 44;
 
@@ -87,6 +87,7 @@ StudiesPanel::StudiesPanel(QWidget* parent)
   connect(search_, &QLineEdit::textChanged, this, &StudiesPanel::filter);
   const auto choose = [this](QTreeWidgetItem* item) {
     if (const Series* series = seriesOf(item)) Q_EMIT seriesChosen(*series);
+    if (const ReferencePtr object = referenceOf(item)) Q_EMIT referenceChosen(object);
   };
   connect(tree_, &QTreeWidget::itemClicked, this, choose);
   connect(tree_, &QTreeWidget::itemActivated, this, choose);
@@ -135,18 +136,20 @@ QTreeWidgetItem* StudiesPanel::childNamed(QTreeWidgetItem* parent, const QString
   return item;
 }
 
+// The study of a series, made where there is none yet.
+QTreeWidgetItem* StudiesPanel::studyItem(const Series& series) {
+  QTreeWidgetItem* root = tree_->invisibleRootItem();
+  if (series.format != "DICOM")
+    return childNamed(root, QStringLiteral("files"),
+                      series.format == "phantom" ? tr("Phantoms") : tr("Files"));
+  const std::string key = "patient " + series.patientName + "\n" + series.patientId;
+  QTreeWidgetItem* patient = childNamed(root, QString::fromStdString(key), patientText(series));
+  return childNamed(patient, QString::fromStdString(series.studyUid), studyText(series));
+}
+
 void StudiesPanel::addSeries(const Opened& opened, std::size_t n) {
   const Series& series = *opened.seriesAt(n);
-  QTreeWidgetItem* parent = tree_->invisibleRootItem();
-  if (series.format == "DICOM") {
-    const QString patient = patientText(series);
-    const std::string key = "patient " + series.patientName + "\n" + series.patientId;
-    parent = childNamed(parent, QString::fromStdString(key), patient);
-    parent = childNamed(parent, QString::fromStdString(series.studyUid), studyText(series));
-  } else {
-    parent = childNamed(parent, QStringLiteral("files"),
-                        series.format == "phantom" ? tr("Phantoms") : tr("Files"));
-  }
+  QTreeWidgetItem* parent = studyItem(series);
   const QStringList details =
       QStringList(slicesText(series)) + tellingApart(series, namesakes(*opened.study, series));
   // What is said of one slice as a volume does not hold of it as a frame.
@@ -211,6 +214,7 @@ void StudiesPanel::closeAll() {
   thumbnails_.cancel();
   tree_->clear();
   studies_.clear();
+  Q_EMIT listChanged();
   Q_EMIT allClosed();
 }
 
@@ -239,24 +243,29 @@ void StudiesPanel::addStudy(const QString& path, const std::shared_ptr<const Stu
   removePath(path);
   const Opened& opened = studies_.emplace_back(Opened{path, study, frameSeries(*study)});
   for (std::size_t n = 0; opened.seriesAt(n); ++n) addSeries(opened, n);
+  for (std::size_t n = 0; n < study->references.size(); ++n) addReference(opened, n);
   addRefused(path, *study);
+  showReferences();
   filter(search_->text());
+  Q_EMIT listChanged();
 }
 
 // Those that were removed from the list stay away.
 void StudiesPanel::showNames() {
-  using Place = std::pair<QString, qulonglong>;
+  using Place = std::tuple<QString, QString, QString>;
   const auto placeOf = [](const QTreeWidgetItem* item) {
-    return Place(item->data(0, pathRole).toString(), item->data(0, indexRole).toULongLong());
+    return Place(item->data(0, pathRole).toString(), item->data(0, indexRole).toString(),
+                 item->data(0, referenceRole).toString());
   };
+  const auto isListed = [this](const QTreeWidgetItem* item) { return seriesOf(item) || referenceOf(item); };
   std::set<Place> listed;
   for (QTreeWidgetItemIterator it(tree_); *it; ++it)
-    if (seriesOf(*it)) listed.insert(placeOf(*it));
+    if (isListed(*it)) listed.insert(placeOf(*it));
   const auto opened = studies_;
   for (const Opened& again : opened) addStudy(again.path, again.study);
   std::vector<QTreeWidgetItem*> gone;
   for (QTreeWidgetItemIterator it(tree_); *it; ++it)
-    if (seriesOf(*it) && !listed.contains(placeOf(*it))) gone.push_back(*it);
+    if (isListed(*it) && !listed.contains(placeOf(*it))) gone.push_back(*it);
   for (QTreeWidgetItem* item : gone) removeItem(item);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/controller/thumbnails.h"
+#include "ui/data/reference_key.h"
 #include "ui/data/shown_series.h"
 
 class QMenu;
@@ -14,8 +15,9 @@ class QMimeData;
 namespace volumen {
 
 /// What was opened: patients, studies, series of slices or frames with a thumbnail; "!" where there is a
-/// warning, all that is known in the tooltip. A click asks for a series, a right click for what else can be
-/// done with it. What could not be read is named below with its reason.
+/// warning, all that is known in the tooltip. Below them the objects that refer to pictures, with how many of
+/// these are not in the list. A click asks for a series or an object, a right click for what else can be done
+/// with it. What could not be read is named below with its reason.
 class StudiesPanel : public QWidget {
   Q_OBJECT
  public:
@@ -29,6 +31,13 @@ class StudiesPanel : public QWidget {
   void markShown(const Series& shown, const VolumePtr& volume);
   /// All volumes that are in the list.
   std::vector<const Series*> allSeries() const;
+  /// The same and the frames of what is no volume.
+  std::vector<const Series*> allPictures() const;
+  /// All objects that refer to pictures.
+  std::vector<ReferencePtr> references() const;
+  /// The files that have no pictures and are no such objects, each with what it is: "F: DICOM file without
+  /// pixel data (CR)".
+  QStringList filesWithoutPixels() const;
   QTreeWidget* tree() const { return tree_; }
   /// The mime type of a series that is dragged.
   static inline const QString draggedSeries = QStringLiteral("application/x-volumen-series");
@@ -37,6 +46,9 @@ class StudiesPanel : public QWidget {
 
  Q_SIGNALS:
   void seriesChosen(const volumen::Series& series);
+  void referenceChosen(const volumen::ReferencePtr& object);
+  /// Of what is open.
+  void listChanged();
   /// It is no longer in the list.
   void seriesRemoved(const volumen::Series& series);
   /// The list is empty.
@@ -53,8 +65,12 @@ class StudiesPanel : public QWidget {
   };
 
   const Series* seriesOf(const QTreeWidgetItem* item) const;
+  ReferencePtr referenceOf(const QTreeWidgetItem* item) const;
+  QTreeWidgetItem* studyItem(const Series& series);
   QTreeWidgetItem* childNamed(QTreeWidgetItem* parent, const QString& key, const QString& text);
   void addSeries(const Opened& opened, std::size_t n);
+  void addReference(const Opened& opened, std::size_t n);
+  void showReferences();
   void addRefused(const QString& path, const Study& study);
   void setThumbnail(const Series& series, const QImage& thumbnail);
   void showMenu(QPoint position);

@@ -84,8 +84,8 @@ void setCrosshair(Session& session, ViewId view, const ShownSeries& series, cons
 /// Moves it alone.
 void moveCrosshair(Session& session, ViewId view, const ShownSeries& series, const QString& text,
                    glm::dvec3 pPatient);
-/// Enlarges a flat view about a point, which stays where it is.
-void zoomFlat(Session& session, ViewId view, const FlatLook& from, const VoxelGeometry& geometry,
-              const SlicePlane& plane, glm::dvec3 fixed, double factor);
+/// Enlarges a flat view about a point, which stays where it is. `plane` shows `from`.
+void zoomFlat(Session& session, ViewId view, const FlatLook& from, const SlicePlane& plane, glm::dvec3 fixed,
+              double factor);
 
 }  // namespace volumen

@@ -68,11 +68,12 @@ void moveCrosshair(Session& session, ViewId view, const ShownSeries& series, con
   setCrosshair(session, view, series, text, after);
 }
 
-void zoomFlat(Session& session, ViewId view, const FlatLook& from, const VoxelGeometry& geometry,
-              const SlicePlane& plane, glm::dvec3 fixed, double factor) {
+void zoomFlat(Session& session, ViewId view, const FlatLook& from, const SlicePlane& plane, glm::dvec3 fixed,
+              double factor) {
   const double zoom = std::clamp(from.zoom * factor, leastZoom, mostZoom);
-  const glm::dvec3 offset = fixed - geometry.centre();
-  const glm::dvec2 fixedMm(glm::dot(offset, plane.right), glm::dot(offset, plane.down));
+  const glm::dvec3 offset = fixed - plane.centre;
+  const glm::dvec2 fixedMm =
+      from.panMm + glm::dvec2(glm::dot(offset, plane.right), glm::dot(offset, plane.down));
   editFlat(session, view, tr("Zoom"), [&](FlatLook& look) {
     look.zoom = zoom;
     look.panMm = fixedMm + (from.panMm - fixedMm) * (from.zoom / zoom);

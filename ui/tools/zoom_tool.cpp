@@ -14,8 +14,8 @@ class ZoomDrag : public Drag {
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
     const double sign = press_.session.preferences().zoomDragInverted ? 1 : -1;
-    zoomFlat(press_.session, press_.view, atPress_, press_.series->volume->geometry(), press_.plane,
-             press_.patientAt(press_.at), std::exp(sign * 0.008 * (p.y() - press_.at.y())));
+    zoomFlat(press_.session, press_.view, atPress_, press_.plane, press_.patientAt(press_.at),
+             std::exp(sign * 0.008 * (p.y() - press_.at.y())));
   }
 
  private:

@@ -7,11 +7,13 @@
 #include <cmath>
 
 #include "ui/controller/measurer.h"
+#include "ui/controller/references.h"
 #include "ui/views/cine_player.h"
 #include "ui/views/cross_lines.h"
 #include "ui/views/time_bar.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/presented_frame.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 #include "ui/workspace/windows.h"
@@ -33,11 +35,12 @@ bool isTimeStep(const Workspace& workspace, const Showed& last, const ViewState&
 }  // namespace
 
 SliceView::SliceView(Session& session, SliceService& service, FrameService& frames, Measurer& measurer,
-                     ViewId id, QWidget* parent)
+                     References& references, ViewId id, QWidget* parent)
     : View(session, id, parent),
       service_(service),
       frames_(frames),
       measurer_(measurer),
+      references_(references),
       badge_(new WarningBadge(this)),
       time_(new TimeBar(session, id, this)),
       tool_(&flatTool("window")) {
@@ -52,6 +55,10 @@ SliceView::SliceView(Session& session, SliceService& service, FrameService& fram
   connect(&frames_, &FrameService::ready, this, &SliceView::takeFrame);
   connect(&frames_, &FrameService::failed, this, &SliceView::tellFrameFailure);
   connect(&measurer_, &Measurer::measured, this, qOverload<>(&QWidget::update));
+  connect(&references_, &References::changed, this, [this] {
+    askForPicture();
+    update();
+  });
   connect(this, &View::pixelsChanged, this, &SliceView::askForPicture);
   showed_ = {state().series, state().kind};
   seriesExchanged(true);
@@ -62,8 +69,11 @@ SliceView::~SliceView() = default;
 std::optional<SlicePlane> SliceView::plane() const {
   const ShownSeriesPtr shown = this->shown();
   if (!shown || state().kind == ViewKind::volume) return {};
-  return flatPlane(state(), flatLookOf(state()), shown->volume->geometry(),
-                   crosshairOf(session_.workspace(), id(), *shown), {pixels().width(), pixels().height()});
+  const FlatLook look = flatLookOf(state());
+  const SlicePlane plane =
+      flatPlane(state(), look, shown->volume->geometry(), crosshairOf(session_.workspace(), id(), *shown),
+                {pixels().width(), pixels().height()});
+  return showsFrames() && frame_->how ? presentedPlane(*frame_, look, plane) : plane;
 }
 
 const SeriesState& SliceView::seriesState() const { return session_.workspace().series.at(state().series); }
@@ -92,7 +102,8 @@ std::vector<SliceLayer> SliceView::layers() const {
 void SliceView::askForPicture() {
   const std::optional<SlicePlane> now = plane();
   if (!now || !isVisible() || now->size.x < 1 || now->size.y < 1) return;
-  SliceRequest request{id(), layers(), *now, showsFrames() ? frame_ : nullptr, flatLookOf(state()).layers};
+  SliceRequest request{
+      id(), layers(), *now, showsFrames() ? frame_ : nullptr, flatLookOf(state()).layers, segmentLayers()};
   if (asked_ == request) return;
   asked_ = request;
   service_.request(std::move(request));
@@ -255,8 +266,8 @@ void SliceView::wheelEvent(QWheelEvent* event) {
   wheelEnd_.start();
   if (event->modifiers() & Qt::ControlModifier) {
     const double sign = session_.preferences().wheelInverted ? -1 : 1;
-    return zoomFlat(session_, id(), flatLookOf(state()), press->series->volume->geometry(), press->plane,
-                    press->patientAt(press->at), std::pow(0.85, -sign * notches));
+    return zoomFlat(session_, id(), flatLookOf(state()), press->plane, press->patientAt(press->at),
+                    std::pow(0.85, -sign * notches));
   }
   wheelRest_ -= notches;
   const int steps = int(std::trunc(wheelRest_));

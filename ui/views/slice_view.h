@@ -17,6 +17,7 @@ namespace volumen {
 
 class CinePlayer;
 class Measurer;
+class References;
 class TimeBar;
 class WarningBadge;
 struct DrawnMeasurement;
@@ -27,8 +28,8 @@ struct DrawnMeasurement;
 class SliceView : public View {
   Q_OBJECT
  public:
-  SliceView(Session& session, SliceService& service, FrameService& frames, Measurer& measurer, ViewId id,
-            QWidget* parent = nullptr);
+  SliceView(Session& session, SliceService& service, FrameService& frames, Measurer& measurer,
+            References& references, ViewId id, QWidget* parent = nullptr);
   ~SliceView() override;
 
   const QImage& picture() const { return picture_; }
@@ -54,6 +55,9 @@ class SliceView : public View {
   Overlays overlays() const;
   bool isPlaying() const { return player_ != nullptr; }
   void invert();
+  /// The acquired picture that is seen, by its number in the series; none where the plane is not that of an
+  /// acquired slice.
+  std::optional<int> acquiredPicture() const;
   /// The measurements that are seen, the one that is being drawn last.
   std::vector<DrawnMeasurement> drawnMeasurements() const;
 
@@ -110,6 +114,10 @@ class SliceView : public View {
   void placeTimeBar();
   void paintStackBar(QPainter& painter) const;
   void paintColours(QPainter& painter) const;
+  void paintReferences(QPainter& painter) const;
+  std::vector<SegmentLayer> segmentLayers() const;
+  std::string frameOfReferenceShown() const;
+  QStringList referenceTexts() const;
   std::optional<MeasurementHit> measurementAt(QPointF p) const;
   std::unique_ptr<Drag> pressMeasurement(const FlatPress& press);
   void endDrag(Qt::KeyboardModifiers keys);
@@ -121,6 +129,7 @@ class SliceView : public View {
   SliceService& service_;
   FrameService& frames_;
   Measurer& measurer_;
+  References& references_;
   ShownFramePtr frame_;
   QString frameFailure_;  // why the frame that is wanted cannot be shown
   std::optional<std::pair<SeriesKey, ViewKind>> showed_;

@@ -6,6 +6,7 @@
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/frame_text.h"
+#include "ui/workspace/presented_frame.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -19,7 +20,8 @@ QString letters(glm::dvec3 direction) { return QString::fromStdString(sideLetter
 FrameKey SliceView::frameKey() const {
   if (state().series.empty()) return {};
   const int last = std::max(0, frameCount(*seriesState().series) - 1);
-  return {state().series, player_ ? player_->due() : std::min(flatLookOf(state()).frame, last)};
+  const FlatLook look = flatLookOf(state());
+  return {state().series, player_ ? player_->due() : std::min(look.frame, last), look.presentation.path};
 }
 
 void SliceView::forgetFrame() {
@@ -38,7 +40,7 @@ void SliceView::askForFrame() {
   const FrameKey key = frameKey();
   if (frame_ && frame_->key == key) return;
   const bool isBackwards = frame_ && frame_->key.index > key.index && !player_;
-  frames_.request(id(), seriesState().series, key.index, isBackwards ? -1 : 1);
+  frames_.request(id(), seriesState().series, key.index, isBackwards ? -1 : 1, key.presentation);
   if (const ShownFramePtr held = frames_.find(key)) takeFrame(id(), held);
 }
 
@@ -127,16 +129,19 @@ Overlays SliceView::frameOverlays() const {
     o.topRight.front() += tr(", %1 a second").arg(player_->rate(), 0, 'f', 1);
     o.isLate = player_->isLate();
   }
-  o.topRight << pixelSizeText(*frame_);
+  o.topRight << pixelSizeText(*frame_) << referenceTexts();
   o.bottomRight = greyText(seriesState(), look, *frame_);
   o.warning = frameFailure_;
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
   if (hasMm(*frame_)) o.mmPerPixel = now.mmPerPixel * devicePixelRatioF();
-  if (!frame_->geometry().calibrated) return o;
-  o.right = letters(now.right);
-  o.left = letters(-now.right);
-  o.bottom = letters(now.down);
-  o.top = letters(-now.down);
+  const auto side = [&](glm::dvec3 direction) {
+    return frame_->geometry().calibrated ? letters(direction)
+                                         : QString::fromStdString(frameSide(*frame_, direction));
+  };
+  o.right = side(now.right);
+  o.left = side(-now.right);
+  o.bottom = side(now.down);
+  o.top = side(-now.down);
   return o;
 }
 

@@ -85,6 +85,7 @@ Overlays SliceView::overlays() const {
   o.topRight << kindText(state().kind) << QStringLiteral("%1 / %2").arg(place.index + 1).arg(place.count);
   o.bottomRight = tr("W %1 L %2").arg(std::abs(window.width), 0, 'g', 4).arg(window.centre, 0, 'g', 4);
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
+  o.topRight << referenceTexts();
   if (!geometry.calibrated) return o;
   o.topRight << (crosshair.turned() ? tr("oblique") : positionText(state().kind, now.centre));
   if (look.slabMm > 0) o.topRight << slabText(look);
@@ -137,6 +138,7 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), Qt::black);
   if (shown()) {
     if (!picture_.isNull()) painter.drawImage(QPointF(0, 0), picture_);
+    paintReferences(painter);
     if (!showsFrames()) {
       const FlatPress here = *pressAt({});
       paintCrossLines(painter, crossLines(here),

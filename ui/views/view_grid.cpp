@@ -33,12 +33,13 @@ std::vector<QRect> placesOf(Layout layout, std::size_t count, QSize area) {
 }  // namespace
 
 ViewGrid::ViewGrid(Session& session, SliceService& slices, FrameService& frames, Measurer& measurer,
-                   QWidget* parent)
+                   References& references, QWidget* parent)
     : QWidget(parent),
       session_(session),
       slices_(slices),
       frames_(frames),
       measurer_(measurer),
+      references_(references),
       scene_(new VolumeView(session)),
       tool_(&flatTool("window")),
       toolBefore_(tool_) {
@@ -61,7 +62,7 @@ SliceView* ViewGrid::sliceView(ViewId id) const {
 
 View* ViewGrid::viewOf(ViewId id) {
   if (!views_.contains(id)) {
-    auto* made = new SliceView(session_, slices_, frames_, measurer_, id, this);
+    auto* made = new SliceView(session_, slices_, frames_, measurer_, references_, id, this);
     made->setTool(*tool_);
     connect(made, &SliceView::toolWanted, this, &ViewGrid::setTool);
     connect(made, &SliceView::toolDone, this, &ViewGrid::restoreTool);

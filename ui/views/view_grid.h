@@ -14,7 +14,7 @@ class ViewGrid : public QWidget {
   Q_OBJECT
  public:
   ViewGrid(Session& session, SliceService& slices, FrameService& frames, Measurer& measurer,
-           QWidget* parent = nullptr);
+           References& references, QWidget* parent = nullptr);
 
   VolumeView* sceneView() const { return scene_; }
   /// Null where it was never shown, or is the 3D one.
@@ -46,6 +46,7 @@ class ViewGrid : public QWidget {
   SliceService& slices_;
   FrameService& frames_;
   Measurer& measurer_;
+  References& references_;
   VolumeView* scene_;
   const FlatTool *tool_, *toolBefore_;
   std::map<ViewId, View*> views_;

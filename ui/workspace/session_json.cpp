@@ -25,6 +25,8 @@ const Words<ViewKind> kindWords{{"volume", ViewKind::volume},
                                 {"sagittal", ViewKind::sagittal},
                                 {"frames", ViewKind::frames}};
 const Words<SlabMode> slabWords{{"max", SlabMode::max}, {"min", SlabMode::min}, {"mean", SlabMode::mean}};
+const Words<ReferenceKind> regionWords{{"contours", ReferenceKind::contours},
+                                       {"segmentation", ReferenceKind::segmentation}};
 const Words<Aim> aimWords{{"level", Aim::level}, {"time", Aim::time}, {"error", Aim::error}};
 
 Words<Layout> namedLayouts() {
@@ -113,6 +115,31 @@ void fields(Fields& f, ChosenPreset& p) {
 }
 
 template <class Fields>
+void fields(Fields& f, ReferenceKey& object) {
+  f("path", object.path);
+  f("id", object.id);
+}
+
+template <class Fields>
+void fields(Fields& f, KeyImage& image) {
+  f("series", image.series);
+  f("sopInstanceUid", image.sopInstanceUid);
+  f("frame", image.frame, {0, 1e9});
+}
+
+template <class Fields>
+void fields(Fields& f, RegionsLook& look) {
+  f("kind", look.kind, regionWords);
+  f("label", look.label);
+  f("frameOfReferenceUid", look.frameOfReferenceUid);
+  f("opacity", look.opacity, {0, 1});
+  f.map("regions", look.shown, [](auto& item, int& number, bool& shown) {
+    item("number", number, {-2147483648.0, 2147483647.0});
+    item("shown", shown);
+  });
+}
+
+template <class Fields>
 void fields(Fields& f, FlatLook& look) {
   f("panMm", look.panMm, lengths);
   f("zoom", look.zoom, {1e-3, 1e4});
@@ -125,6 +152,7 @@ void fields(Fields& f, FlatLook& look) {
   f("overlay", look.overlay);
   f("overlayColours", look.overlayColours, colourWords);
   f("overlayOpacity", look.overlayOpacity, {0, 1});
+  f("presentation", look.presentation);
 }
 
 template <class Fields>
@@ -239,6 +267,11 @@ void fields(Fields& f, Workspace& w) {
   f("views", w.views);
   f("measurements", w.measurements);
   f("measurementsShown", w.measurementsShown);
+  f("keyImages", w.keyImages);
+  f.map("regions", w.regions, [](auto& item, ReferenceKey& object, RegionsLook& look) {
+    fields(item, object);
+    fields(item, look);
+  });
 }
 
 namespace {
@@ -285,6 +318,9 @@ void checkViews(JsonFields& json, const Workspace& workspace) {
       json.refuse(json.pathOf("measurements", n) + ".series", "must be the number of a series");
     if (!ids.insert(m.id).second) json.refuse(json.pathOf("measurements", n) + ".id", "is there twice");
   }
+  for (std::size_t n = 0; n < workspace.keyImages.size(); ++n)
+    if (!workspace.series.contains(workspace.keyImages[n].series))
+      json.refuse(json.pathOf("keyImages", n) + ".series", "must be the number of a series");
   const std::vector<ViewId> shown = viewsOnScreen(workspace);
   if (std::ranges::find(shown, workspace.focus) == shown.end())
     json.refuse("focus", "must be a view of the layout");

@@ -219,6 +219,7 @@ Workspace withLayout(Workspace workspace, Layout layout) {
 
 Workspace without(Workspace workspace, const SeriesKey& key) {
   std::erase_if(workspace.measurements, [&](const Measurement& m) { return m.series == key; });
+  std::erase_if(workspace.keyImages, [&](const KeyImage& image) { return image.series == key; });
   for (ViewId id = 0; id < viewCount; ++id) {
     ViewState& view = workspace.view(id);
     if (view.series == key) {

@@ -8,10 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "ui/data/reference_key.h"
 #include "ui/data/series_key.h"
 #include "ui/data/series_proof.h"
+#include "ui/workspace/key_image.h"
 #include "ui/workspace/measurement.h"
 #include "ui/workspace/quality_goal.h"
+#include "ui/workspace/regions_look.h"
 #include "ui/workspace/view_id.h"
 #include "viewer/scene/scene.h"
 #include "viewer/slice/colour_map.h"
@@ -53,6 +56,7 @@ struct FlatLook {
   SeriesKey overlay{};    ///< of slices: a second series over the first; empty: none
   ColourMap overlayColours = ColourMap::hotIron;
   double overlayOpacity = 0.5;
+  ReferenceKey presentation{};  ///< of frames: the presentation state that those it names are shown by
   bool operator==(const FlatLook&) const = default;
 };
 
@@ -161,6 +165,8 @@ struct Workspace {
   std::vector<Measurement> measurements;  ///< in the order in which they were made
   bool measurementsShown = true;          ///< in flat views
   int selected = 0;                       ///< the measurement with handles; 0: none
+  std::vector<KeyImage> keyImages;         ///< in the order in which they were marked
+  std::map<ReferenceKey, RegionsLook> regions;  ///< structure sets and segmentations over flat views
   bool operator==(const Workspace&) const = default;
 
   const ViewState& view(ViewId id) const { return views[std::size_t(id)]; }

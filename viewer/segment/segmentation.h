@@ -53,8 +53,29 @@ std::int64_t pixelsOf(const Segmentation& segmentation, std::size_t segment);
 /// not evenly spaced, or would be 2^31 voxels or more.
 Result<VoxelGeometry> gridOf(const Segmentation& segmentation);
 
-/// A segment on a grid: 1 where the nearest plane of the segment, at most half its thickness away, is set at
-/// the nearest pixel. Each segment gets a map of its own, for they may overlap.
+/// Where a segment lies: at places whose nearest plane of the segment, at most half its thickness away, is
+/// set at the nearest pixel. The segmentation must outlive it.
+class SegmentPlaces {
+ public:
+  SegmentPlaces(const Segmentation& segmentation, std::size_t segment);
+
+  bool holds(glm::dvec3 pPatient) const;
+  /// The corners of the box of its planes, half a pixel and half a plane larger; none where it has no planes.
+  std::vector<glm::dvec3> corners() const;
+
+ private:
+  struct Plane {
+    double along;  ///< mm along the normal
+    std::size_t frame;
+  };
+
+  const Segmentation& all_;
+  glm::dvec3 normal_;
+  std::vector<Plane> planes_;  ///< of the segment, in order
+};
+
+/// A segment on a grid: 1 at voxels whose centre it holds. Each segment gets a map of its own, for they may
+/// overlap.
 LabelMap labelMapOf(const Segmentation& segmentation, std::size_t segment, const VoxelGeometry& grid);
 
 }  // namespace volumen

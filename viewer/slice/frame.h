@@ -62,6 +62,9 @@ struct Frame {
   std::optional<ValueRange> padding;  ///< values that stand for no value
   PixelSize pixel;
   std::optional<FramePlace> place;  ///< of slices whose file says it
+  /// The patient's sides that rows and columns run to, in letters of L R A P S I: "L", "PI"; empty where the
+  /// file does not say (PatientOrientation, PS3.3 C.7.6.1.1.1).
+  std::string rowSide, columnSide;
   std::vector<FrameOverlay> overlays;
   std::vector<std::uint8_t> shutter;  ///< one byte a pixel, 1 where it hides; empty: none
   float shutterGrey = 0;              ///< what it hides behind, 0 black .. 1 white

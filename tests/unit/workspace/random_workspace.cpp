@@ -98,6 +98,16 @@ Measurement anyMeasurement(Chance& chance, int id, const SeriesKey& series) {
   return m;
 }
 
+RegionsLook anyRegions(Chance& chance) {
+  RegionsLook look;
+  look.kind = chance.oneIn(2) ? ReferenceKind::contours : ReferenceKind::segmentation;
+  look.label = anyText(chance);
+  look.frameOfReferenceUid = anyText(chance);
+  look.opacity = chance.below(101) / 100.0;
+  for (int n = chance.below(4); n > 0; --n) look.shown[chance.below(100) - 10] = chance.oneIn(2);
+  return look;
+}
+
 FlatLook anyFlat(Chance& chance, const SeriesKey& overlay) {
   FlatLook look;
   look.panMm = {anyNumber(chance), anyNumber(chance)};
@@ -111,6 +121,7 @@ FlatLook anyFlat(Chance& chance, const SeriesKey& overlay) {
   look.overlay = overlay;
   look.overlayColours = ColourMap(chance.below(4));
   look.overlayOpacity = chance.below(101) / 100.0;
+  if (chance.oneIn(3)) look.presentation = {"/data/pr" + anyText(chance), anyText(chance)};
   return look;
 }
 
@@ -147,6 +158,10 @@ Workspace randomWorkspace(std::uint64_t seed) {
     w.frameLinks.push_back({frame, "2.25.78", {rotation, anyPlace(chance)}, chance.oneIn(2)});
     w.views[std::size_t(chance.below(viewCount))].crosshairs[frame] = crosshair;
   }
+  for (std::size_t n = 1; n < keys.size(); ++n)
+    if (chance.oneIn(2)) w.keyImages.push_back({keys[n], anyText(chance), chance.below(50)});
+  for (int n = chance.below(3); n > 0; --n)
+    w.regions[{"/data/rt" + std::to_string(n), anyText(chance)}] = anyRegions(chance);
   w.layout = Layout(chance.below(5));
   const std::vector<ViewId> shown = viewsOnScreen(w);
   w.focus =

@@ -76,7 +76,7 @@ ShownFramePtr frameWith(const std::function<void(Frame&)>& change = {}) {
   frame.values = {0, 1, 2, 3, 4, 5};
   frame.greys = {named("", {2, 5}, WindowFunction::linear)};
   if (change) change(frame);
-  return *shownFrame(ct(1), 0, frame);
+  return *shownFrame(ct(1), {keyOf(ct(1)), 0}, frame);
 }
 
 }  // namespace
@@ -281,7 +281,7 @@ void TestFramesOfSeries::thePoolForgetsWhatWasUsedLongestAgo() {
     Frame frame;
     frame.size = {10, 10};
     frame.rgb.assign(300, 1);
-    return *shownFrame(series, index, frame);
+    return *shownFrame(series, {keyOf(series), index}, frame);
   };
   FramePool pool(900);
   for (int n = 0; n < 3; ++n) pool.put(make(n));

@@ -1,7 +1,8 @@
-#include "app/paint_graphics.h"
+#include "ui/views/paint_graphics.h"
 
-#include <QPainter>
+#include <QPolygonF>
 #include <algorithm>
+#include <cmath>
 
 namespace volumen {
 
@@ -10,8 +11,8 @@ namespace {
 /// Paints one layer after the other.
 class LayerPainter {
  public:
-  LayerPainter(QPainter& painter, const FramePresentation& how, const PresentedGrid& grid)
-      : painter_(painter), how_(how), grid_(grid) {}
+  LayerPainter(QPainter& painter, const FramePresentation& how, const AnnotationPlaces& places)
+      : painter_(painter), how_(how), at_(places) {}
 
   void paint(const std::string& layer, const QColor& colour) {
     painter_.setPen(colour);
@@ -22,11 +23,6 @@ class LayerPainter {
   }
 
  private:
-  QPointF at(glm::dvec2 point, AnnotationUnits units) const {
-    const glm::dvec2 p = grid_.displayed(point, units);
-    return {p.x, p.y};
-  }
-
   static bool isNear(const QPointF& p) {
     constexpr double farthest = 1e5;
     return std::abs(p.x()) < farthest && std::abs(p.y()) < farthest;
@@ -34,7 +30,7 @@ class LayerPainter {
 
   void paint(const Graphic& graphic, const QColor& colour) {
     QPolygonF line;
-    for (const glm::dvec2 point : outlineOf(graphic)) line << at(point, graphic.units);
+    for (const glm::dvec2 point : outlineOf(graphic)) line << at_(point, graphic.units);
     if (!std::ranges::all_of(line, isNear)) return;
     const bool closed = line.size() > 2 && line.front() == line.back();
     painter_.setBrush(graphic.filled && closed ? QBrush(colour) : QBrush());
@@ -53,13 +49,13 @@ class LayerPainter {
   void paint(const GraphicText& text) {
     constexpr qsizetype mostLetters = 4096;
     const QString words = QString::fromStdString(text.text).left(mostLetters);
-    const QPointF anchor = text.anchor ? at(text.anchor->point, text.anchor->units) : QPointF();
+    const QPointF anchor = text.anchor ? at_(text.anchor->point, text.anchor->units) : QPointF();
     if (!isNear(anchor)) return;
     QRectF place(anchor + QPointF(3, 3), QSizeF());
     int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextDontClip;
     if (text.box) {
       using Justified = GraphicText::Box::Justified;
-      place = QRectF(at(text.box->topLeft, text.box->units), at(text.box->bottomRight, text.box->units))
+      place = QRectF(at_(text.box->topLeft, text.box->units), at_(text.box->bottomRight, text.box->units))
                   .normalized();
       if (!isNear(place.topLeft()) || !isNear(place.bottomRight())) return;
       flags |= text.box->justified == Justified::right    ? Qt::AlignRight
@@ -72,25 +68,33 @@ class LayerPainter {
 
   QPainter& painter_;
   const FramePresentation& how_;
-  const PresentedGrid& grid_;
+  const AnnotationPlaces& at_;
 };
 
-QColor colourOf(const GraphicLayer& layer) {
+QColor layerColour(const GraphicLayer& layer) {
   if (layer.colour) return {layer.colour->x, layer.colour->y, layer.colour->z};
   return QColor::fromRgbF(layer.grey, layer.grey, layer.grey);
 }
 
 }  // namespace
 
+void paintGraphics(QPainter& painter, const FramePresentation& how, const AnnotationPlaces& places) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  LayerPainter layers(painter, how, places);
+  for (const GraphicLayer& layer : how.layers) layers.paint(layer.name, layerColour(layer));
+  painter.setBrush(Qt::NoBrush);
+}
+
 void paintGraphics(QImage& image, const FramePresentation& how, const PresentedGrid& grid) {
   image = image.convertToFormat(QImage::Format_RGB32);
   QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
   QFont font = painter.font();
   font.setPixelSize(std::clamp(image.height() / 40, 9, 32));
   painter.setFont(font);
-  LayerPainter layers(painter, how, grid);
-  for (const GraphicLayer& layer : how.layers) layers.paint(layer.name, colourOf(layer));
+  paintGraphics(painter, how, [&](glm::dvec2 position, AnnotationUnits units) {
+    const glm::dvec2 p = grid.displayed(position, units);
+    return QPointF(p.x, p.y);
+  });
 }
 
 }  // namespace volumen

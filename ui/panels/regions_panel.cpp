@@ -1,0 +1,206 @@
+#include "ui/panels/regions_panel.h"
+
+#include <QHBoxLayout>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/widgets/region_colours.h"
+#include "ui/workspace/reference_text.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+enum RegionRole { pathOfRegion = Qt::UserRole, idOfRegion, numberOfRegion };
+
+ReferenceKey keyOfItem(const QTreeWidgetItem* item) {
+  return {item->data(0, pathOfRegion).toString().toStdString(),
+          item->data(0, idOfRegion).toString().toStdString()};
+}
+
+QIcon swatch(const QColor& colour) {
+  QPixmap pixmap(12, 12);
+  pixmap.fill(colour);
+  return pixmap;
+}
+
+glm::dvec3 meanOf(const std::vector<glm::dvec3>& points) {
+  glm::dvec3 sum(0);
+  for (const glm::dvec3& p : points) sum += p;
+  return sum / double(points.size());
+}
+
+// Of its middle contour, or of the middle plane of a segment.
+std::optional<glm::dvec3> middleOfRegion(const LoadedRegions& regions, int number) {
+  if (regions.contours) {
+    for (const RegionOfInterest& region : regions.contours->regions)
+      if (region.number == number && !region.contours.empty() &&
+          !region.contours[region.contours.size() / 2].points.empty())
+        return meanOf(region.contours[region.contours.size() / 2].points);
+    return {};
+  }
+  const Segmentation& all = *regions.segmentation;
+  std::vector<glm::dvec3> origins;
+  for (const SegmentFrame& frame : all.frames)
+    if (all.segments[frame.segment].number == number) origins.push_back(frame.origin);
+  if (origins.empty()) return {};
+  const glm::dvec2 half = glm::dvec2(all.size - 1) / 2.0 * all.mm;
+  return origins[origins.size() / 2] + half.x * all.right + half.y * all.down;
+}
+
+}  // namespace
+
+RegionsLook firstLook(const Reference& object) {
+  RegionsLook look;
+  look.kind = object.kind;
+  look.label = object.label;
+  look.frameOfReferenceUid = object.frameOfReferenceUid;
+  return look;
+}
+
+RegionsPanel::RegionsPanel(Session& session, References& references, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      references_(references),
+      empty_(new QLabel(tr("Contours (RTSTRUCT) and segmentations (SEG) of what is open stand here."))),
+      list_(new QTreeWidget),
+      opacity_(new QSlider(Qt::Horizontal)) {
+  empty_->setObjectName(QStringLiteral("regionsEmpty"));
+  empty_->setWordWrap(true);
+  list_->setObjectName(QStringLiteral("regionList"));
+  list_->setAccessibleName(tr("Contours and segments"));
+  list_->setHeaderHidden(true);
+  list_->setIndentation(12);
+  list_->setMinimumHeight(60);
+  opacity_->setObjectName(QStringLiteral("segmentOpacity"));
+  opacity_->setAccessibleName(tr("Opacity of segments"));
+  opacity_->setToolTip(tr("Opacity of segments"));
+  opacity_->setRange(0, 100);
+  auto* row = new QHBoxLayout;
+  row->addWidget(new QLabel(tr("Opacity of segments")));
+  row->addWidget(opacity_, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(4);
+  column->addWidget(empty_);
+  column->addWidget(list_, 1);
+  column->addLayout(row);
+  connect(list_, &QTreeWidget::itemChanged, this, &RegionsPanel::toggle);
+  connect(list_, &QTreeWidget::itemDoubleClicked, this, &RegionsPanel::choose);
+  connect(opacity_, &QSlider::valueChanged, this, &RegionsPanel::setOpacity);
+  connect(opacity_, &QSlider::sliderReleased, &session_, &Session::endGesture);
+  connect(&references_, &References::changed, this, &RegionsPanel::showAll);
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (before.regions != after.regions) showAll();
+          });
+  showAll();
+}
+
+void RegionsPanel::showAll() {
+  const QSignalBlocker quietList(list_), quietSlider(opacity_);
+  const auto& shown = session_.workspace().regions;
+  std::map<ReferenceKey, RegionsLook> all = shown;
+  for (const ReferencePtr& object : references_.all())
+    if (object->kind == ReferenceKind::contours || object->kind == ReferenceKind::segmentation)
+      all.try_emplace(keyOf(*object), firstLook(*object));
+  const int scrolled = list_->verticalScrollBar()->value();
+  list_->clear();
+  bool anySegments = false;
+  for (const auto& [key, look] : all) {
+    const bool isShown = shown.contains(key);
+    QTreeWidgetItem* item = addObject(key, look, isShown);
+    const auto regions = isShown ? references_.regions(key, look.kind) : nullptr;
+    if (!regions) continue;
+    if (regions->contours)
+      for (const RegionOfInterest& region : regions->contours->regions)
+        addRegion(item, look, region.number, shownText(region.name),
+                  regionColour(region.colour, region.number));
+    if (regions->segmentation)
+      for (const Segment& segment : regions->segmentation->segments)
+        addRegion(item, look, segment.number, shownText(segment.label),
+                  regionColour(segment.colour, segment.number));
+    if (look.kind != ReferenceKind::segmentation) continue;
+    if (!std::exchange(anySegments, true)) opacity_->setValue(int(std::lround(100 * look.opacity)));
+  }
+  list_->verticalScrollBar()->setValue(scrolled);
+  opacity_->setEnabled(anySegments);
+  empty_->setVisible(all.empty());
+  list_->setVisible(!all.empty());
+}
+
+QTreeWidgetItem* RegionsPanel::addObject(const ReferenceKey& key, const RegionsLook& look, bool shown) {
+  Reference named;
+  named.kind = look.kind;
+  named.label = look.label;
+  auto* item = new QTreeWidgetItem(list_, {referenceName(named)});
+  item->setToolTip(0, pathText(key.path));
+  item->setData(0, pathOfRegion, QString::fromStdString(key.path));
+  item->setData(0, idOfRegion, QString::fromStdString(key.id));
+  item->setCheckState(0, shown ? Qt::Checked : Qt::Unchecked);
+  item->setExpanded(true);
+  return item;
+}
+
+void RegionsPanel::addRegion(QTreeWidgetItem* parent, const RegionsLook& look, int number,
+                             const QString& text, const QColor& colour) {
+  const QString name = text.isEmpty() ? tr("Region %1").arg(number) : text;
+  auto* item = new QTreeWidgetItem(parent, {name});
+  item->setIcon(0, swatch(colour));
+  item->setToolTip(0, tr("%1: a double-click goes to it").arg(name));
+  for (const int role : {pathOfRegion, idOfRegion}) item->setData(0, role, parent->data(0, role));
+  item->setData(0, numberOfRegion, number);
+  item->setCheckState(0, look.shows(number) ? Qt::Checked : Qt::Unchecked);
+}
+
+void RegionsPanel::toggle(QTreeWidgetItem* item) {
+  const ReferenceKey key = keyOfItem(item);
+  const bool on = item->checkState(0) == Qt::Checked;
+  const QVariant number = item->data(0, numberOfRegion);
+  const auto edit = [this, key, on, number](Workspace& w) {
+    if (number.isValid()) return void(w.regions[key].shown[number.toInt()] = on);
+    if (!on) return void(w.regions.erase(key));
+    for (const ReferencePtr& object : references_.all())
+      if (keyOf(*object) == key) w.regions[key] = firstLook(*object);
+  };
+  // Afterwards: the list, which is in the middle of telling, is filled anew.
+  QMetaObject::invokeMethod(
+      this,
+      [this, edit, text = on ? tr("Show %1").arg(item->text(0)) : tr("Hide %1").arg(item->text(0))] {
+        session_.change(text, edit);
+        session_.endGesture();
+      },
+      Qt::QueuedConnection);
+}
+
+void RegionsPanel::choose(QTreeWidgetItem* item) {
+  const QVariant number = item->data(0, numberOfRegion);
+  const auto look = session_.workspace().regions.find(keyOfItem(item));
+  if (!number.isValid() || look == session_.workspace().regions.end()) return;
+  const auto regions = references_.regions(look->first, look->second.kind);
+  if (!regions) return;
+  std::string frame = look->second.frameOfReferenceUid;
+  if (regions->contours)
+    for (const RegionOfInterest& region : regions->contours->regions)
+      if (region.number == number.toInt() && !region.frameOfReferenceUid.empty())
+        frame = region.frameOfReferenceUid;
+  if (const auto middle = middleOfRegion(*regions, number.toInt())) Q_EMIT placeChosen(frame, *middle);
+}
+
+void RegionsPanel::setOpacity(int percent) {
+  const QString what = tr("Opacity of segments");
+  session_.change(
+      what,
+      [&](Workspace& w) {
+        for (auto& [key, look] : w.regions)
+          if (look.kind == ReferenceKind::segmentation) look.opacity = percent / 100.0;
+      },
+      what);
+}
+
+}  // namespace volumen

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QLabel>
+#include <QSlider>
+#include <QTreeWidget>
+
+#include "ui/controller/references.h"
+#include "ui/workspace/session.h"
+
+namespace volumen {
+
+/// Structure sets and segmentations, each with its regions: which of them flat views show.
+class RegionsPanel : public QWidget {
+  Q_OBJECT
+ public:
+  RegionsPanel(Session& session, References& references, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  /// The middle of a region is to be seen.
+  void placeChosen(const std::string& frameOfReferenceUid, glm::dvec3 pPatient);
+
+ private:
+  void showAll();
+  QTreeWidgetItem* addObject(const ReferenceKey& key, const RegionsLook& look, bool shown);
+  void addRegion(QTreeWidgetItem* parent, const RegionsLook& look, int number, const QString& text,
+                 const QColor& colour);
+  void toggle(QTreeWidgetItem* item);
+  void choose(QTreeWidgetItem* item);
+  void setOpacity(int percent);
+
+  Session& session_;
+  References& references_;
+  QLabel* empty_;
+  QTreeWidget* list_;
+  QSlider* opacity_;
+};
+
+/// How a structure set or a segmentation is shown at first.
+RegionsLook firstLook(const Reference& object);
+
+}  // namespace volumen

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QPainter>
+#include <functional>
+
+#include "viewer/slice/presentation.h"
+
+namespace volumen {
+
+/// Where a position of an annotation lies, in pixels of the painter.
+using AnnotationPlaces = std::function<QPointF(glm::dvec2 position, AnnotationUnits units)>;
+
+/// Draws the graphics and texts of a presentation state, layer by layer in their recommended greys or
+/// colours, in the painter's font. What lies far outside the picture is left out.
+void paintGraphics(QPainter& painter, const FramePresentation& how, const AnnotationPlaces& places);
+
+/// The same over the displayed picture, pixel for pixel, letters as large as suits its height. Needs a
+/// QGuiApplication.
+void paintGraphics(QImage& image, const FramePresentation& how, const PresentedGrid& grid);
+
+}  // namespace volumen

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QColor>
+#include <glm/vec3.hpp>
+#include <optional>
+
+namespace volumen {
+
+/// The colour of a region or segment: the file's, else one of a few that are far apart, by its number.
+QColor regionColour(const std::optional<glm::u8vec3>& ofFile, int number);
+
+}  // namespace volumen
