@@ -21,6 +21,7 @@
 #include "ui/panels/measurements_panel.h"
 #include "ui/panels/preset_bar.h"
 #include "ui/panels/segment_panel.h"
+#include "ui/panels/slab_menu.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/transfer_panel.h"
@@ -274,6 +275,8 @@ void MainWindow::makeMenus() {
   layoutMenu_ = view->addMenu(tr("Layout"));
   fill(layoutMenu_, "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour | alignPlanes");
   view->addMenu(measureMenu_);
+  view->addAction(actions_.at(QStringLiteral("interpolate")));
+  view->addMenu(makeSlabMenu(session_, view));
   view->addMenu(makeColourMenu(session_, view));
   view->addMenu(makeOverlayMenu(
       session_, [this] { return studies_->allSeries(); }, view));

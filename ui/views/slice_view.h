@@ -12,6 +12,7 @@
 #include "ui/views/view.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/frame_look.h"
+#include "ui/workspace/range_segment.h"
 
 namespace volumen {
 
@@ -34,6 +35,10 @@ class SliceView : public View {
   /// The plane on screen, device pixels; none without a series.
   std::optional<SlicePlane> plane() const;
   void setTool(const FlatTool& tool);
+  /// Tints a segment in slices of its volume; null: none.
+  void showSegment(const std::shared_ptr<const RangeSegment>& segment);
+  /// Whether the clip box of the 3D scene is seen where it is the whole volume, too.
+  void setClipShown(bool shown);
   /// So many slices down the patient.
   void scroll(int steps);
   /// Whole again, and thin.
@@ -90,6 +95,8 @@ class SliceView : public View {
   void askForPicture();
   void showPicture(const SlicePicture& picture);
   void chooseWindow(int number);
+  QRectF windowRect() const;
+  void typeWindow();
   const SeriesState& seriesState() const;
   StackPlace place() const;
   bool hasCursor() const;
@@ -108,6 +115,7 @@ class SliceView : public View {
   QRectF overlayArea() const { return QRectF(rect()).adjusted(0, 0, -6, 0); }
   void paintStackBar(QPainter& painter) const;
   void paintColours(QPainter& painter) const;
+  std::optional<ShapeFrame> shapeFrame() const;
   std::optional<MeasurementHit> measurementAt(QPointF p) const;
   std::unique_ptr<Drag> pressMeasurement(const FlatPress& press);
   void endDrag(Qt::KeyboardModifiers keys);
@@ -130,6 +138,8 @@ class SliceView : public View {
   std::unique_ptr<Drag> drag_;
   int stepsAtPress_ = 0;  // of the undo stack
   QPointF pressedAt_;
+  bool clipShown_ = false;
+  std::shared_ptr<const RangeSegment> segment_;  // that is looked at alone
   QTimer wheelEnd_;
   double wheelRest_ = 0;  // notches not yet scrolled
 };
