@@ -175,6 +175,7 @@ void MainWindow::connectSegmenter() {
   connect(segment_, &SegmentPanel::segmentRequested, &segmenter_, &Segmenter::segment);
   connect(segment_, &SegmentPanel::saveRequested, &segmenter_, &Segmenter::save);
   connect(&segmenter_, &Segmenter::segmented, segment_, &SegmentPanel::showSegmentation);
+  connect(segment_, &SegmentPanel::previewChanged, grid_, &ViewGrid::showSegment);
   connect(&segmenter_, &Segmenter::saved, this,
           [this](const QString& path) { status_->tell(tr("Saved %1").arg(path)); });
   connect(&segmenter_, &Segmenter::failed, this,

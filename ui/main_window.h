@@ -125,6 +125,7 @@ class MainWindow : public QMainWindow {
   QWidget* makeMeasureButton();
   void connectMeasurements(MeasurementsPanel* panel);
   void showMeasurement(int id);
+  void showOnFrame(const Measurement& m);
   void resetViewInFocus();
   Workspace arranged(Workspace workspace, const Series& series, bool isFirst) const;
   const Series* ctUnder(const Series& pet) const;
@@ -173,7 +174,7 @@ class MainWindow : public QMainWindow {
   SliceService slices_;
   FrameService frames_;
   References references_;
-  Measurer measurer_{session_};
+  Measurer measurer_{session_, frames_};
   Loader loader_;
   AccuracyMeter meter_;
   Snapshot snapshot_;

@@ -22,6 +22,7 @@
 #include "ui/panels/measurements_panel.h"
 #include "ui/panels/preset_bar.h"
 #include "ui/panels/segment_panel.h"
+#include "ui/panels/slab_menu.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/transfer_panel.h"
@@ -280,6 +281,8 @@ void MainWindow::makeMenus() {
       session_, [this] { registerViews(); }, view);
   view->addMenu(linkMenu_);
   view->addMenu(measureMenu_);
+  view->addAction(actions_.at(QStringLiteral("interpolate")));
+  view->addMenu(makeSlabMenu(session_, view));
   view->addMenu(makeColourMenu(session_, view));
   view->addMenu(makeOverlayMenu(
       session_, [this] { return studies_->allSeries(); }, view));

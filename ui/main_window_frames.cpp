@@ -4,6 +4,7 @@
 
 #include "ui/data/frame_series.h"
 #include "ui/main_window.h"
+#include "ui/panels/slab_menu.h"
 #include "ui/tools/flat_tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/status_line.h"
@@ -29,6 +30,8 @@ void MainWindow::makeFrameActions() {
             editFlat(session_, framesViewOf(session_.workspace().focus), tr("Overlays and shutters"),
                      [on](FlatLook& look) { look.layers = on; });
           });
+  QAction* interpolate = makeInterpolationAction(session_, this);
+  actions_[interpolate->objectName()] = interpolate;
   connect(add("playFrames", tr("Play or stop"), tr("C"), false), &QAction::triggered, this, [this] {
     const ViewId focus = session_.workspace().focus;
     SliceView* view = framesInFocus();
@@ -122,11 +125,12 @@ void MainWindow::showFlatMenu(SliceView& view, QPoint global) {
     if (!choices.empty()) menu->addAction(tr("Invert") + QStringLiteral("\tI"), &view, &SliceView::invert);
     menu->addSeparator();
   }
+  menu->addAction(actions_.at(QStringLiteral("interpolate")));
   fillPresentations(menu, view);
   menu->addAction(actions_.at(QStringLiteral("keyImage")));
   menu->addSeparator();
   if (!view.showsFrames())
-    for (const char* name : {"colourMenu", "overlayMenu"})
+    for (const char* name : {"slabMenu", "colourMenu", "overlayMenu"})
       menu->addMenu(findChild<QMenu*>(QLatin1String(name)));
   for (const char* name : {"showAsFrames", "overlaysAndShutters", "playFrames"})
     menu->addAction(actions_.at(QLatin1String(name)));

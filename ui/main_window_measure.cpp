@@ -1,6 +1,7 @@
 #include <QActionGroup>
 #include <QMenu>
 #include <QToolButton>
+#include <algorithm>
 
 #include "ui/controller/measurer.h"
 #include "ui/main_window.h"
@@ -17,7 +18,6 @@ namespace volumen {
 
 namespace {
 
-// Frames are not measured on.
 bool showsSlices(const Workspace& workspace, ViewId id) {
   const ViewKind kind = workspace.view(id).kind;
   return kind != ViewKind::volume && kind != ViewKind::frames;
@@ -53,7 +53,10 @@ void MainWindow::makeMeasureActions() {
     connect(action, &QAction::triggered, this, [this, &tool](bool on) {
       if (!on) return grid_->restoreTool();
       grid_->setTool(tool);
-      if (!flatViewFor(session_.workspace(), {}))
+      const auto isFlat = [this](ViewId id) {
+        return session_.workspace().view(id).kind != ViewKind::volume;
+      };
+      if (std::ranges::none_of(viewsOnScreen(session_.workspace()), isFlat))
         status_->tell(tr("Measuring works in slices: choose a layout with planes (Alt+2)."));
     });
     connect(grid_, &ViewGrid::toolChanged, action,
@@ -91,11 +94,32 @@ void MainWindow::connectMeasurements(MeasurementsPanel* panel) {
           [this](const QString& sentence) { banner_->tell(sentence); });
 }
 
+// In a view that shows frames of its series, else in the one in focus.
+void MainWindow::showOnFrame(const Measurement& m) {
+  const Workspace& now = session_.workspace();
+  const auto series = now.series.at(m.series).series;
+  const auto frame = frameMeant(*series, *m.shape.frame);
+  if (!frame) return;
+  const std::vector<ViewId> onScreen = viewsOnScreen(now);
+  const auto shows = [&](ViewId id) {
+    return now.view(id).series == m.series && now.view(id).kind == ViewKind::frames;
+  };
+  const auto found = std::ranges::find_if(onScreen, shows);
+  Workspace after = withFrames(now, found == onScreen.end() ? now.focus : *found, *series);
+  const ViewId view = found == onScreen.end() ? framesViewOf(now.focus) : *found;
+  after.view(view).flats[m.series].frame = *frame;
+  after.focus = view;
+  after.measurementsShown = true;
+  after.selected = m.id;
+  session_.change(tr("Go to measurement"), after);
+}
+
 // In the flat view that shows its series, else in the one in focus.
 void MainWindow::showMeasurement(int id) {
   const Measurement* found = findMeasurement(session_.workspace(), id);
   if (!found || found->shape.points.empty()) return;
   const Measurement m = *found;
+  if (m.shape.frame) return showOnFrame(m);
   const Series series = *session_.workspace().series.at(m.series).series;
   session_.endGesture();
   if (!flatViewFor(session_.workspace(), m.series))

@@ -160,9 +160,9 @@ void MainWindow::showPicture(const Series& shown, int index) {
     session_.setFocus(*view);
     const ShownSeriesPtr held = session_.seriesOf(*view);
     if (held) {
-      glm::dvec3 pVoxel = series.acquired.voxelFromPatient(crosshairOf(session_.workspace(), *held).at);
+      glm::dvec3 pVoxel = series.acquired.voxelFromPatient(crosshairOf(session_.workspace(), *view, *held).at);
       pVoxel.z = index;
-      moveCrosshair(session_, *held, text, series.acquired.patientFromVoxel(pVoxel));
+      moveCrosshair(session_, *view, *held, text, series.acquired.patientFromVoxel(pVoxel));
       return session_.endGesture();
     }
   }
@@ -188,7 +188,7 @@ void MainWindow::showPlace(const std::string& frameOfReferenceUid, glm::dvec3 pP
   for (const ViewId id : viewsOnScreen(session_.workspace())) {
     const ShownSeriesPtr shown = session_.seriesOf(id);
     if (!shown || shown->series.frameOfReferenceUid != frameOfReferenceUid) continue;
-    moveCrosshair(session_, *shown, tr("Go to region"), pPatient);
+    moveCrosshair(session_, id, *shown, tr("Go to region"), pPatient);
     return session_.endGesture();
   }
   status_->tell(tr("No slices of its frame of reference are on screen."));

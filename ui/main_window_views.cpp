@@ -1,4 +1,5 @@
 #include <QActionGroup>
+#include <QDockWidget>
 #include <QSettings>
 #include <QStackedWidget>
 #include <algorithm>
@@ -71,6 +72,7 @@ void MainWindow::connectViews() {
     const bool any = std::ranges::any_of(viewsOnScreen(after), shows);
     pages_->setCurrentWidget(any ? static_cast<QWidget*>(grid_) : pages_->widget(0));
   });
+  connect(docks_.at(QStringLiteral("clip")), &QDockWidget::visibilityChanged, grid_, &ViewGrid::setClipShown);
   connect(grid_, &ViewGrid::hovered, status_, &StatusLine::showHover);
   connect(grid_, &ViewGrid::maximiseRequested, this,
           [this] { actions_[QStringLiteral("maximise")]->toggle(); });

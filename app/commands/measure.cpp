@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
 #include "app/command.h"
 #include "app/open_volume.h"
 #include "app/usage.h"
+#include "io/frames.h"
 #include "io/regular_file.h"
+#include "ui/data/frame_series.h"
+#include "ui/workspace/measurements.h"
 #include "viewer/measure/shape_json.h"
 
 namespace volumen {
@@ -27,25 +31,80 @@ Result<std::vector<Shape>> readShapes(const std::string& path) {
   return shapes;
 }
 
+/// The series and the number there of the picture that a shape is drawn on.
+struct FrameOfStudy {
+  const Series* series = nullptr;
+  int index = 0;
+};
+
+std::optional<FrameOfStudy> findFrame(const std::vector<Series>& all, const ShapeFrame& name) {
+  for (const Series& series : all)
+    if (const auto index = frameMeant(series, name)) return FrameOfStudy{&series, *index};
+  return {};
+}
+
+Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape) {
+  const auto found = findFrame(all, *shape.frame);
+  if (!found)
+    return Error{"No picture here has the instance " + JsonFields::quoted(shape.frame->instance) +
+                 " and a frame " + std::to_string(shape.frame->number) + "."};
+  Result<Frame> frame = loadFrame(*found->series, found->index);
+  if (!frame) return frame.error();
+  const Result<ShownFramePtr> shown = shownFrame(*found->series, found->index, std::move(*frame));
+  if (!shown) return shown.error();
+  return measureOnFrame(shape, pixelsOf(**shown), (*shown)->slice->series.unit);
+}
+
+/// What shapes are measured on; of the two what they need.
+struct Sources {
+  std::optional<Opened> volume;
+  std::vector<Series> frames;
+};
+
+Result<Sources> open(const MeasureOptions& options, const std::vector<Shape>& shapes,
+                     const CancelToken& cancel) {
+  const auto isOnFrame = [](const Shape& shape) { return shape.frame.has_value(); };
+  Sources sources;
+  if (shapes.empty() || !std::ranges::all_of(shapes, isOnFrame)) {
+    Result<Opened> opened = openVolume(options.path, options.series, cancel);
+    if (!opened) return opened.error();
+    sources.volume = std::move(*opened);
+  }
+  if (std::ranges::none_of(shapes, isOnFrame)) return sources;
+  const Result<Study> study = openStudy(options.path, {}, cancel);
+  if (!study) return study.error();
+  sources.frames = frameSeries(*study);
+  sources.frames.insert(sources.frames.end(), study->volumes.begin(), study->volumes.end());
+  return sources;
+}
+
+void noteOf(Opened& opened) {
+  const Volume& volume = *opened.loaded.drawn;
+  if (opened.loaded.drawn != opened.loaded.acquired)
+    opened.notes.push_back("Measured on the evenly spaced slices that are shown in 3D: " +
+                           std::to_string(volume.size().z) + ".");
+  if (!volume.geometry().calibrated)
+    opened.notes.push_back("Not calibrated: lengths are in pixels, volumes in voxels.");
+  printNotes(opened.notes);
+}
+
 int run(const MeasureOptions& options, const CancelToken& cancel) {
   const Result<std::vector<Shape>> shapes = readShapes(options.shapes);
   if (!shapes) return fail(shapes.message());
-  Result<Opened> opened = openVolume(options.path, options.series, cancel);
-  if (!opened) return fail(opened.message(), cancel);
-  const Volume& volume = *opened->loaded.drawn;
-  if (opened->loaded.drawn != opened->loaded.acquired)
-    opened->notes.push_back("Measured on the evenly spaced slices that are shown in 3D: " +
-                            std::to_string(volume.size().z) + ".");
-  if (!volume.geometry().calibrated)
-    opened->notes.push_back("Not calibrated: lengths are in pixels, volumes in voxels.");
-  nlohmann::ordered_json all{{"series", opened->series.id},
-                             {"measurements", nlohmann::ordered_json::array()}};
+  Result<Sources> sources = open(options, *shapes, cancel);
+  if (!sources) return fail(sources.message(), cancel);
+  std::optional<Opened>& opened = sources->volume;
+  nlohmann::ordered_json all, numbers = nlohmann::ordered_json::array();
+  if (opened) all["series"] = opened->series.id;
   for (const Shape& shape : *shapes) {
-    const Result<Measured> measured = measure(shape, volume, opened->series.unit, cancel);
+    const Result<Measured> measured =
+        shape.frame ? measuredOn(sources->frames, shape)
+                    : measure(shape, *opened->loaded.drawn, opened->series.unit, cancel);
     if (cancel.cancelled()) return fail({}, cancel);
-    all["measurements"].push_back(measuredToJson(shape, measured));
+    numbers.push_back(measuredToJson(shape, measured));
   }
-  printNotes(opened->notes);
+  if (opened) noteOf(*opened);
+  all["measurements"] = std::move(numbers);
   std::cout << all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
   return exitDone;
 }
@@ -56,7 +115,8 @@ std::function<int()> makeMeasure(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<MeasureOptions>();
   addPath(app, options->path)->required();
   app.add_option("--roi", options->shapes,
-                 "The shapes to measure, in patient mm, as JSON: a list of {\"kind\", \"points\", \"plane\"}")
+                 "The shapes to measure, in patient mm or pixels of a frame, as JSON: a list of {\"kind\", "
+                 "\"points\", \"plane\" or \"frame\"}")
       ->type_name("FILE")
       ->required();
   addSeries(app, options->series);

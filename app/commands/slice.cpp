@@ -149,8 +149,8 @@ Status writeSlice(const SliceValues& slice, const SlicePlane& plane, const Opene
                   const Options& options, const Asked& asked) {
   if (isFloatPicture(options.output)) return writeMapNrrd(slice.size, slice.values, options.output);
   const Volume& volume = *opened.loaded.drawn;
-  const GreyMapping grey =
-      windowGrey(volume, opened.series.format == "DICOM", asked.window ? *asked.window : firstWindow(volume));
+  const GreyMapping grey = windowGrey(volume, opened.series.format == "DICOM",
+                                      asked.window ? *asked.window : firstWindow(volume, opened.series.unit));
   const PictureText text{{"Software", "volumen " VOLUMEN_VERSION},
                          {"Comment", "Not for clinical use"},
                          {"volumen-plane", planeJson(plane).dump()},

@@ -125,6 +125,8 @@ Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Sh
   frame.pixel = readPixelSize(data, at, header.modality);
   frame.place = placeOf(sliceOf(header, n), frame.pixel);
   readSides(data, frame);
+  // A picture of ultrasound has mm in its regions alone: what PixelSpacing says there is no promise.
+  if (header.modality == "US" && !frame.place) frame.pixel.kind = PixelSizeKind::unknown;
   frame.overlays = readOverlays(data, *pixels, header, n, frame.warnings);
   const Shutter shutter = shown ? shown->presentation.shutter : readShutter(data, at, frame.warnings);
   frame.shutter = hiddenBy(shutter, frame.size, frame.pixel.mm);

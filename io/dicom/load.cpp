@@ -224,11 +224,18 @@ Status checkMemory(const Series& series, std::size_t slices, std::uint64_t slice
                " GiB, more than this machine has."};
 }
 
-VolumeAttributes attributesOf(const Series& series, const Slice& first) {
+// Each slice may have windows of its own: those of the one that is looked at first, the middle.
+std::vector<Window> windowsOf(const std::vector<Incoming>& slices) {
+  const std::vector<Window>& middle = slices[slices.size() / 2].placed.slice.windows;
+  return middle.empty() ? slices[0].placed.slice.windows : middle;
+}
+
+VolumeAttributes attributesOf(const Series& series, const std::vector<Incoming>& slices) {
+  const Slice& first = slices[0].placed.slice;
   VolumeAttributes a;
   a.name = series.description.empty() ? fileName(series.path) : series.description;
   a.modality = series.modality;
-  a.windows = first.windows;
+  a.windows = windowsOf(slices);
   if (first.padding) {
     const double low = first.slope * first.padding->low + first.intercept;
     const double high = first.slope * first.padding->high + first.intercept;
@@ -245,7 +252,7 @@ Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slice
   for (const Warning& warning : stack.warnings)
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
   VolumeParts parts;
-  parts.attributes = attributesOf(series, first);
+  parts.attributes = attributesOf(series, slices);
   if (!plan.rescaled) parts.slope = first.slope, parts.intercept = first.intercept;
   VolumeParts drawn = parts;
   if (stack.regular) drawn.values = resampleSlices(decoder.values(), decoder.sliceVoxels(), stack.sources);

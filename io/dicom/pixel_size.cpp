@@ -36,8 +36,26 @@ PixelSize projectionSize(const DataSet& data, const FrameScopes& at, std::option
                          glm::dvec2 detector) {
   const std::string type = data.text(0x00280a02, data.root());
   if (spacing && type == "GEOMETRY") return {*spacing, PixelSizeKind::magnified};
-  if (spacing && (type == "FIDUCIAL" || *spacing != detector)) return {*spacing, PixelSizeKind::calibrated};
+  if (spacing && type == "FIDUCIAL") return {*spacing, PixelSizeKind::calibrated};
+  if (spacing && *spacing != detector) return {*spacing, PixelSizeKind::unstated};
   return atDetector(detector, magnification(data, at));
+}
+
+/// Where the numbers of a region begin and which way they go. A reference pixel counts from the region's
+/// corner; its value is 0 where none is given.
+void readZeros(const DataSet& data, DataSet::Scope item, UltrasoundRegion& region) {
+  struct Axis {
+    std::uint32_t delta, pixel, value;
+  };
+  constexpr Axis axes[] = {{0x0018602c, 0x00186020, 0x00186028}, {0x0018602e, 0x00186022, 0x0018602a}};
+  for (int a = 0; a < 2; ++a) {
+    if (data.real(axes[a].delta, item).value_or(0) < 0) region.sign[a] = -1;
+    const auto pixel = data.dword(axes[a].pixel, item);
+    const double value = data.real(axes[a].value, item).value_or(0);
+    if (!pixel || !(region.delta[a] > 0) || !std::isfinite(value)) continue;
+    // Signed (PS3.3 C.8.5.5.1): it may lie outside the region.
+    region.zero[a] = region.from[a] + double(std::int32_t(*pixel)) - region.sign[a] * value / region.delta[a];
+  }
 }
 
 }  // namespace
@@ -76,6 +94,7 @@ std::vector<UltrasoundRegion> readRegions(const DataSet& data) {
     region.unitX = data.word(0x00186024, item).value_or(0);
     region.unitY = data.word(0x00186026, item).value_or(0);
     region.delta = {delta(0x0018602c), delta(0x0018602e)};
+    readZeros(data, item, region);
     regions.push_back(region);
   }
   return regions;

@@ -4,6 +4,7 @@
 
 #include "viewer/plan/default_window.h"
 #include "viewer/scene/automatic.h"
+#include "viewer/slice/first_window.h"
 
 namespace volumen {
 
@@ -17,6 +18,7 @@ void setWindow(ShownSeries& shown) {
   const std::vector<Window>& files = shown.volume->attributes().windows;
   if (!files.empty()) facts.fileWindow = files.front();
   shown.window = defaultWindow(facts);
+  if (files.empty()) shown.flatWindow = firstWindow(*shown.volume, shown.series.unit);
   shown.valueSpread = p[1] > p[0] ? double(p[1]) - p[0] : 1;
 }
 }  // namespace

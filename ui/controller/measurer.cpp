@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "ui/workspace/measurements.h"
 #include "viewer/measure/outline.h"
 
 namespace volumen {
@@ -21,11 +22,18 @@ double stepsOf(const Shape& shape, const VoxelGeometry& geometry) {
 }
 
 constexpr double mostStepsAtOnce = 2e5;  // well below 2 ms
+constexpr ViewId reader = -1;            // as which frames are asked for: no view has it
 
 }  // namespace
 
-Measurer::Measurer(const Session& session, QObject* parent) : QObject(parent), session_(session) {
+Measurer::Measurer(const Session& session, FrameService& frames, QObject* parent)
+    : QObject(parent), session_(session), frames_(frames) {
   pool_.setMaxThreadCount(1);
+  connect(&frames_, &FrameService::ready, this, [this](int view) { endRead(view); });
+  connect(&frames_, &FrameService::failed, this, [this](int view, const FrameKey& key, const QString& why) {
+    if (view == reader) unread_[key] = why.toStdString();
+    endRead(view);
+  });
 }
 
 Measurer::~Measurer() {
@@ -37,6 +45,10 @@ Measurer::~Measurer() {
 // The pool is asked only where something changed: being asked for counts as use there.
 MeasuredPtr Measurer::numbersOf(const Measurement& measurement) {
   const Known& known = known_[measurement.id];
+  if (measurement.shape.frame) {
+    if (known.series != measurement.series || known.shape != measurement.shape) requestOnFrame(measurement);
+    return known.series == measurement.series ? known.numbers : nullptr;
+  }
   const VolumePtr volume = known.volume.lock();
   const auto& all = session_.workspace().series;
   const auto state = all.find(measurement.series);
@@ -57,17 +69,59 @@ MeasuredPtr Measurer::exactNumbersOf(const Measurement& measurement) {
   return known.shape == measurement.shape && known.shown == known.asked ? numbers : nullptr;
 }
 
-void Measurer::request(const Measurement& measurement, const ShownSeriesPtr& series) {
+// A new shape of a measurement; its last numbers stay where they are of the same kind.
+Measurer::Known& Measurer::begin(const Measurement& measurement) {
   Known& known = known_[measurement.id];
   if (known.series != measurement.series || known.shape.kind != measurement.shape.kind)
     known.numbers.reset(), known.shown = jobs_;
   known.series = measurement.series;
   known.shape = measurement.shape;
-  known.volume = series->volume;
   known.asked = ++jobs_;
-  Job job{measurement.id, known.asked, measurement.shape, series->volume, series->series.unit};
-  if (stepsOf(job.shape, job.volume->geometry()) <= mostStepsAtOnce)
-    return take(job, measure(job.shape, *job.volume, job.unit));
+  return known;
+}
+
+void Measurer::request(const Measurement& measurement, const ShownSeriesPtr& series) {
+  Known& known = begin(measurement);
+  known.volume = series->volume;
+  const auto run = [shape = measurement.shape, volume = series->volume, unit = series->series.unit](
+                       const CancelToken& cancel) { return measure(shape, *volume, unit, cancel); };
+  start({measurement.id, known.asked, run}, stepsOf(measurement.shape, series->volume->geometry()));
+}
+
+// A frame that is not in memory is read first, one at a time; then whoever listens asks again.
+void Measurer::requestOnFrame(const Measurement& measurement) {
+  const auto& all = session_.workspace().series;
+  const auto state = all.find(measurement.series);
+  if (state == all.end() || state->second.missing) return;
+  const auto index = frameMeant(*state->second.series, *measurement.shape.frame);
+  const FrameKey key{measurement.series, index.value_or(-1)};
+  const ShownFramePtr frame = index ? frames_.find(key) : nullptr;
+  std::optional<Error> problem;
+  if (!index) problem = Error{"The series does not hold its picture."};
+  if (const auto why = unread_.find(key); why != unread_.end()) problem = Error{why->second};
+  if (!frame && !problem) {
+    if (read_) return;
+    read_ = key;
+    return frames_.request(reader, state->second.series, *index, 1);
+  }
+  const Known& known = begin(measurement);
+  if (problem) return take({measurement.id, known.asked, {}}, *problem);
+  const auto run = [shape = measurement.shape, frame](const CancelToken&) {
+    return measureOnFrame(shape, pixelsOf(*frame), frame->slice->series.unit);
+  };
+  start({measurement.id, known.asked, run},
+        stepsOf(inSliceSpace(measurement.shape, frame->geometry()), frame->geometry()));
+}
+
+void Measurer::endRead(int view) {
+  if (view != reader) return;
+  frames_.drop(reader);
+  read_.reset();
+  Q_EMIT measured();
+}
+
+void Measurer::start(Job job, double steps) {
+  if (steps <= mostStepsAtOnce) return take(job, job.measure(closing_));
   {
     const std::lock_guard lock(mutex_);
     std::erase_if(waiting_, [&](const Job& other) { return other.id == job.id; });
@@ -84,7 +138,7 @@ void Measurer::runNext() {
     job = std::move(waiting_.front());
     waiting_.erase(waiting_.begin());
   }
-  Result<Measured> result = measure(job.shape, *job.volume, job.unit, closing_);
+  Result<Measured> result = job.measure(closing_);
   QMetaObject::invokeMethod(
       this,
       [this, job = std::move(job), result = std::move(result)] {

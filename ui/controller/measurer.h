@@ -2,10 +2,12 @@
 
 #include <QObject>
 #include <QThreadPool>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 
+#include "ui/controller/frame_service.h"
 #include "ui/workspace/session.h"
 #include "viewer/measure/measure.h"
 
@@ -18,11 +20,11 @@ using MeasuredPtr = std::shared_ptr<const Result<Measured>>;
 class Measurer : public QObject {
   Q_OBJECT
  public:
-  explicit Measurer(const Session& session, QObject* parent = nullptr);
+  Measurer(const Session& session, FrameService& frames, QObject* parent = nullptr);
   ~Measurer() override;
 
   /// The latest numbers of a measurement; null: none yet. Those of its shape are asked for where they are
-  /// missing and its series is in memory.
+  /// missing and its series is in memory; frames are read for it.
   MeasuredPtr numbersOf(const Measurement& measurement);
   /// Likewise, but null where they are of another shape.
   MeasuredPtr exactNumbersOf(const Measurement& measurement);
@@ -34,9 +36,7 @@ class Measurer : public QObject {
  private:
   struct Job {
     int id = 0, number = 0;
-    Shape shape;
-    VolumePtr volume;
-    std::string unit;
+    std::function<Result<Measured>(const CancelToken&)> measure;
   };
   struct Known {
     SeriesKey series;
@@ -46,10 +46,17 @@ class Measurer : public QObject {
     MeasuredPtr numbers;
   };
   void request(const Measurement& measurement, const ShownSeriesPtr& series);
+  void requestOnFrame(const Measurement& measurement);
+  Known& begin(const Measurement& measurement);
+  void start(Job job, double steps);
+  void endRead(int view);
   void runNext();
   void take(const Job& job, Result<Measured> result);
 
   const Session& session_;
+  FrameService& frames_;
+  std::optional<FrameKey> read_;            // the frame that is being read to be measured on
+  std::map<FrameKey, std::string> unread_;  // why frames cannot be
   std::map<int, Known> known_;
   int jobs_ = 0;
   CancelToken closing_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QImage>
+#include <optional>
 #include <vector>
 
 #include "viewer/slice/colour_map.h"
@@ -9,6 +10,13 @@
 
 namespace volumen {
 
+/// Values of a volume that are tinted in one colour, voxel by voxel.
+struct TintedRange {
+  ValueRange range;  ///< ends included
+  QRgb colour = 0;
+  bool operator==(const TintedRange&) const = default;
+};
+
 /// A volume in a flat picture: how its values are shown, and how much is seen of what lies under it.
 struct SliceLayer {
   VolumePtr volume;
@@ -16,6 +24,7 @@ struct SliceLayer {
   ColourMap colours = ColourMap::grey;
   double opacity = 1;  ///< of layers above the first
   Rigid fromPlane{};   ///< from the plane's patient space to the volume's
+  std::optional<TintedRange> tinted{};  ///< of layers above the first: in place of its greys and colours
   bool operator==(const SliceLayer&) const = default;
 };
 

@@ -18,11 +18,13 @@ VoxelGeometry geometryOf(const Frame& frame) {
   return geometry;
 }
 
-Result<VolumePtr> volumeOf(const VoxelGeometry& geometry, VoxelValues values) {
+Result<VolumePtr> volumeOf(const VoxelGeometry& geometry, VoxelValues values,
+                           const std::optional<ValueRange>& padding) {
   std::vector<std::string> warnings;
   VolumeParts parts;
   parts.geometry = geometry;
   parts.values = std::move(values);
+  parts.attributes.padding = padding;
   return Volume::make(std::move(parts), warnings);
 }
 
@@ -83,7 +85,9 @@ Result<ShownFramePtr> shownFrame(const Series& series, const FrameKey& key, Fram
   if (!frame.overlays.empty()) parts.emplace_back(&shown->overlays, allOverlays(frame));
   if (!frame.shutter.empty()) parts.emplace_back(&shown->shutter, frame.shutter);
   for (auto& [volume, voxels] : parts) {
-    Result<VolumePtr> made = volumeOf(geometry, std::move(voxels));
+    const bool isGrey = volume == &values && !frame.colour();
+    Result<VolumePtr> made =
+        volumeOf(geometry, std::move(voxels), isGrey ? frame.padding : std::optional<ValueRange>());
     if (!made) return made.error();
     *volume = *made;
   }

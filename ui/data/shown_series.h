@@ -17,10 +17,11 @@ struct ShownSeries {
   VolumePtr volume;               ///< the drawn grid
   std::vector<Warning> warnings;  ///< the series' and those of loading
   Histogram histogram;
-  Window window;           ///< where the scene has none: the file's, else P0.1 .. P99.9 (picture.md 8)
-  double valueSpread = 1;  ///< P99.9 - P0.1, > 0
-  std::optional<ValueRange> usual;  ///< usualRange(), of values without a unit
-  Scene firstScene;                 ///< the automatic preset's
+  Window window;  ///< where the scene has none: the file's, else P0.1 .. P99.9 (picture.md 8)
+  std::optional<Window> flatWindow;  ///< of planes, where files have none (slices.md 1); none: `window`
+  double valueSpread = 1;            ///< P99.9 - P0.1, > 0
+  std::optional<ValueRange> usual;   ///< usualRange(), of values without a unit
+  Scene firstScene;                  ///< the automatic preset's
 };
 
 using ShownSeriesPtr = std::shared_ptr<const ShownSeries>;

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "ui/workspace/camera_moves.h"
+#include "ui/workspace/clip_box.h"
 
 namespace volumen {
 
@@ -57,12 +58,7 @@ void ClipPanel::connectRow(int axis, bool high) {
   connect(row, &NumberRow::valueEdited, this, [this, axis, high](double percent) {
     const QString what = tr("Clip");
     session_.edit(
-        what,
-        [&](Scene& s) {
-          double &low = s.clip.boxLow[axis], &top = s.clip.boxHigh[axis];
-          (high ? top : low) = percent / 100;
-          if (low > top) (high ? low : top) = percent / 100;  // pushes the other side along
-        },
+        what, [&](Scene& s) { moveClipFace(s.clip, axis, high, percent / 100); },
         what + QString::number(2 * axis + high));
   });
   connect(row, &NumberRow::gestureFinished, this, [this] { session_.endGesture(); });

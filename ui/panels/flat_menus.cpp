@@ -26,12 +26,6 @@ QString textOf(ColourMap map) {
   return {};
 }
 
-// The flat view that the menus work on: the one in focus, else the first of its group.
-ViewId flatView(const Workspace& workspace) {
-  const bool flat = workspace.view(workspace.focus).kind != ViewKind::volume;
-  return flat ? workspace.focus : planesOf(workspace, workspace.focus).front();
-}
-
 void addColours(QMenu* menu, const char* prefix, ColourMap now,
                 const std::function<void(ColourMap)>& choose) {
   auto* group = new QActionGroup(menu);
@@ -66,7 +60,7 @@ void addOpacity(QMenu* menu, Session& session, ViewId view, double now) {
 }
 
 void fillOverlays(QMenu* menu, Session& session, const std::vector<const Series*>& all) {
-  const ViewId view = flatView(session.workspace());
+  const ViewId view = flatViewInFocus(session.workspace());
   const ViewState& state = session.workspace().view(view);
   const FlatLook look = flatLookOf(state);
   const auto under = session.workspace().series.find(state.series);
@@ -100,6 +94,11 @@ void fillOverlays(QMenu* menu, Session& session, const std::vector<const Series*
 
 }  // namespace
 
+ViewId flatViewInFocus(const Workspace& workspace) {
+  const bool flat = workspace.view(workspace.focus).kind != ViewKind::volume;
+  return flat ? workspace.focus : planesOf(workspace, workspace.focus).front();
+}
+
 QString whyNotOverlaid(const Workspace& workspace, const Series& under, const Series& over) {
   if (!under.acquired.calibrated || !over.acquired.calibrated) return tr("not calibrated");
   if (!relationOf(workspace, frameOfReference(under), frameOfReference(over)))
@@ -112,7 +111,7 @@ QMenu* makeColourMenu(Session& session, QWidget* parent) {
   menu->setObjectName(QStringLiteral("colourMenu"));
   QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, &session] {
     menu->clear();
-    const SeriesKey shown = session.workspace().view(flatView(session.workspace())).series;
+    const SeriesKey shown = session.workspace().view(flatViewInFocus(session.workspace())).series;
     const auto state = session.workspace().series.find(shown);
     if (state == session.workspace().series.end()) {
       menu->addAction(tr("Open a series first."))->setEnabled(false);

@@ -6,6 +6,9 @@
 
 namespace volumen {
 
+/// The flat view that the menus work on: the one in focus, else the first of its group.
+ViewId flatViewInFocus(const Workspace& workspace);
+
 /// Colours of the series that the flat view in focus shows.
 QMenu* makeColourMenu(Session& session, QWidget* parent);
 

@@ -163,7 +163,7 @@ void MeasurementsPanel::showRow(QTreeWidgetItem* item, const Measurement& measur
   item->setText(numberColumn, number);
   item->setToolTip(numberColumn, number);
   if (state == session_.workspace().series.end()) return;
-  item->setText(seriesColumn, seriesText(*state->second.series));
+  item->setText(seriesColumn, sourceText(measurement, *state->second.series));
   item->setToolTip(seriesColumn, item->text(seriesColumn));
 }
 

@@ -62,6 +62,9 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
   makeLayout();
   connect(spans_, &QComboBox::activated, this, &SegmentPanel::takeSpan);
   connect(only_, &QCheckBox::clicked, this, &SegmentPanel::showOnly);
+  connect(only_, &QCheckBox::toggled, this, [this](bool on) {
+    Q_EMIT previewChanged(on ? segmentation_ : std::shared_ptr<const RangeSegment>());
+  });
   connect(segment_, &QPushButton::clicked, this, [this] {
     result_->setText(tr("Segmenting..."));
     Q_EMIT segmentRequested(session_.series()->volume, range());

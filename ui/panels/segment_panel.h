@@ -27,6 +27,8 @@ class SegmentPanel : public QWidget {
   void segmentRequested(const volumen::VolumePtr& volume, const volumen::ValueRange& range);
   void saveRequested(const std::shared_ptr<const volumen::RangeSegment>& segmentation,
                      const volumen::SegmentFile& file);
+  /// The segment that is looked at alone; null: none is.
+  void previewChanged(const std::shared_ptr<const volumen::RangeSegment>& segmentation);
 
  private:
   void makeLayout();

@@ -14,15 +14,15 @@ class MeasurementDrag : public Drag {
       : press_(press), hit_(hit), atPress_(*findMeasurement(press.session.workspace(), hit.id)) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
-    const glm::dvec3 mm = press_.patientAt(p) - press_.patientAt(press_.at);
+    const glm::dvec3 way = press_.shapePointAt(p) - press_.shapePointAt(press_.at);
     editMeasurement(press_.session, hit_.id, text(), [&](Measurement& m) {
       m = atPress_;
       if (hit_.part == MeasurementPart::text)
-        m.textOffset = hit_.textOffset + mm;
+        m.textOffset = hit_.textOffset + way;
       else if (hit_.part == MeasurementPart::handle)
-        m.shape = withHandleAt(m.shape, hit_.handle, handlesOf(m.shape)[hit_.handle] + mm);
+        m.shape = withHandleAt(m.shape, hit_.handle, handlesOf(m.shape)[hit_.handle] + way);
       else
-        m.shape = movedBy(m.shape, mm);
+        m.shape = movedBy(m.shape, way);
     });
   }
 

@@ -6,6 +6,7 @@
 
 #include "ui/tools/drag.h"
 #include "ui/workspace/session.h"
+#include "viewer/measure/shape.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {
@@ -15,10 +16,11 @@ struct FlatPress {
   Session& session;
   ViewId view;
   ShownSeriesPtr series;
-  SlicePlane plane;   ///< in device pixels
-  double pixelRatio;  ///< device pixels a logical one
-  QPointF at;         ///< logical pixels
-  Window window{};    ///< in use
+  SlicePlane plane;                   ///< in device pixels
+  double pixelRatio;                  ///< device pixels a logical one
+  QPointF at;                         ///< logical pixels
+  Window window{};                    ///< in use
+  std::optional<ShapeFrame> frame{};  ///< of frames: which; shapes are drawn on it
 
   glm::dvec3 patientAt(QPointF p) const {
     return plane.patientFromPixel({p.x() * pixelRatio, p.y() * pixelRatio});
@@ -26,6 +28,12 @@ struct FlatPress {
   QPointF pixelAt(glm::dvec3 pPatient) const {
     const glm::dvec2 p = plane.pixelFromPatient(pPatient) / pixelRatio;
     return {p.x, p.y};
+  }
+  /// Where shapes have a point: in the patient, or in pixels of the frame.
+  glm::dvec3 shapePointAt(QPointF p) const {
+    if (!frame) return patientAt(p);
+    const glm::dvec3 pixel = series->volume->geometry().voxelFromPatient(patientAt(p));
+    return {pixel.x, pixel.y, 0};
   }
 };
 

@@ -1,5 +1,5 @@
 #include <QCoreApplication>
-#include <glm/geometric.hpp>
+#include <cmath>
 
 #include "ui/tools/flat_tool.h"
 #include "ui/workspace/measurement_text.h"
@@ -20,16 +20,18 @@ class ShapeDrag : public Drag {
     drawn_.id = -1 - press.view;  // none of the workspace's
     drawn_.series = keyOf(press.series->series);
     drawn_.shape.kind = kind;
+    drawn_.shape.frame = press.frame;
     if (rule_.region)
-      drawn_.shape.plane = ShapePlane{press.plane.centre, press.plane.right, press.plane.down};
+      drawn_.shape.plane =
+          press.frame ? ShapePlane{} : ShapePlane{press.plane.centre, press.plane.right, press.plane.down};
     beginLine(press.at);
   }
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
     if (!following_) return;
-    points().back() = press_.patientAt(p);
+    setLast(p);
     if (rule_.kind == ShapeKind::freehand && points().size() < rule_.most && lastSegment() >= freehandPixels)
-      points().push_back(points().back());
+      addPoint(p);
   }
 
   void press(QPointF p) override { following_ ? moveTo(p, {}) : beginLine(p); }
@@ -40,13 +42,14 @@ class ShapeDrag : public Drag {
     if (rule_.most > 1 && lastSegment() < clickPixels) return false;
     if (points().size() == rule_.most) return complete();
     following_ = rule_.kind != ShapeKind::cobb;  // its second line begins with a press of its own
-    if (following_) points().push_back(points().back());
+    if (following_) addPoint(places_.back());
     return false;
   }
 
   bool finish() override {
     if (rule_.kind != ShapeKind::polyline) return false;
     points().pop_back();
+    places_.pop_back();
     return points().size() < rule_.fewest || complete();
   }
 
@@ -57,15 +60,25 @@ class ShapeDrag : public Drag {
 
   // Both its ends, the second one to follow the pointer.
   void beginLine(QPointF p) {
-    points().push_back(press_.patientAt(p));
-    if (rule_.most > 1) points().push_back(points().back());
+    addPoint(p);
+    if (rule_.most > 1) addPoint(p);
     following_ = true;
   }
 
+  void addPoint(QPointF p) {
+    points().push_back(press_.shapePointAt(p));
+    places_.push_back(p);
+  }
+
+  void setLast(QPointF p) {
+    points().back() = press_.shapePointAt(p);
+    places_.back() = p;
+  }
+
   // Logical pixels from the last point but one to the last.
-  double lastSegment() {
-    const auto last = points().end() - 1;
-    return glm::length(*last - *(last - 1)) / (press_.plane.mmPerPixel * press_.pixelRatio);
+  double lastSegment() const {
+    const QPointF way = places_.back() - places_[places_.size() - 2];
+    return std::hypot(way.x(), way.y());
   }
 
   bool complete() {
@@ -77,7 +90,8 @@ class ShapeDrag : public Drag {
   const FlatPress press_;
   const ShapeRule& rule_;
   Measurement drawn_;
-  bool following_ = false;  // the last point follows the pointer
+  std::vector<QPointF> places_;  // of its points
+  bool following_ = false;       // the last point follows the pointer
 };
 
 template <ShapeKind kind>

@@ -112,10 +112,18 @@ QSizeF sizeOf(const QStringList& text, const QFontMetricsF& metrics) {
   return {std::ceil(width) + 2 * textFrame, double(text.size()) * metrics.height() + 2 * textFrame};
 }
 
+// One of a frame in the space of the slice that shows it.
+Measurement inSlice(Measurement m, const VoxelGeometry& slice) {
+  m.shape = inSliceSpace(m.shape, slice);
+  if (m.textOffset) m.textOffset = slice.patientFromVoxelStep * *m.textOffset;
+  return m;
+}
+
 }  // namespace
 
-DrawnMeasurement drawnMeasurement(const Measurement& measurement, const SlicePlane& plane,
+DrawnMeasurement drawnMeasurement(const Measurement& ofDocument, const SlicePlane& plane,
                                   const VoxelGeometry& geometry, double pixelRatio, bool selected) {
+  const Measurement measurement = ofDocument.shape.frame ? inSlice(ofDocument, geometry) : ofDocument;
   DrawnMeasurement drawn;
   drawn.id = measurement.id;
   drawn.kind = measurement.shape.kind;

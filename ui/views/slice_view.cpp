@@ -9,6 +9,7 @@
 #include "ui/controller/measurer.h"
 #include "ui/controller/references.h"
 #include "ui/views/cine_player.h"
+#include "ui/views/clip_lines.h"
 #include "ui/views/cross_lines.h"
 #include "ui/views/time_bar.h"
 #include "ui/widgets/warning_badge.h"
@@ -21,6 +22,9 @@
 namespace volumen {
 
 namespace {
+
+constexpr QRgb segmentColour = 0xffff6a3d;
+constexpr double segmentOpacity = 0.5;
 
 using Showed = std::optional<std::pair<SeriesKey, ViewKind>>;
 
@@ -96,6 +100,8 @@ std::vector<SliceLayer> SliceView::layers() const {
       layers.push_back({over->volume,
                         greyMapping(overlayWindow(workspace.series.at(look.overlay), *over), *over),
                         look.overlayColours, look.overlayOpacity, relation->toFromFrom});
+  if (segment_ && segment_->volume == shown()->volume)
+    layers.push_back({segment_->volume, {}, {}, segmentOpacity, TintedRange{segment_->range, segmentColour}});
   return layers;
 }
 
@@ -164,6 +170,16 @@ void SliceView::setTool(const FlatTool& tool) {
   setCursor(tool.cursor);
 }
 
+void SliceView::showSegment(const std::shared_ptr<const RangeSegment>& segment) {
+  segment_ = segment;
+  askForPicture();
+}
+
+void SliceView::setClipShown(bool shown) {
+  clipShown_ = shown;
+  update();
+}
+
 void SliceView::scroll(int steps) {
   if (steps == 0) return;
   if (showsFrames()) {
@@ -196,7 +212,7 @@ std::optional<FlatPress> SliceView::pressAt(QPointF p) const {
   const ShownSeriesPtr shown = this->shown();
   const Window window =
       showsFrames() ? seriesState().window.value_or(grey().window) : flatWindow(seriesState(), *shown);
-  return FlatPress{session_, id(), shown, *now, devicePixelRatioF(), p, window};
+  return FlatPress{session_, id(), shown, *now, devicePixelRatioF(), p, window, shapeFrame()};
 }
 
 // Whether its places are those of the patient.
@@ -207,9 +223,7 @@ const FlatTool* SliceView::toolFor(const QMouseEvent& event) const {
     case Qt::LeftButton:
       if (event.modifiers() & Qt::ShiftModifier && !tool_->measuring && hasCursor())
         return &flatTool("crosshair");
-      // Frames are not measured on; colours have no window, and what has no place in the patient no
-      // crosshair.
-      if (showsFrames() && tool_->measuring) return nullptr;
+      // Colours have no window, and what has no place in the patient no crosshair.
       if (showsFrames() && frame_ && frame_->colour() && tool_ == &flatTool("window")) return nullptr;
       return !hasCursor() && tool_ == &flatTool("crosshair") ? nullptr : tool_;
     case Qt::MiddleButton:
@@ -224,14 +238,17 @@ const FlatTool* SliceView::toolFor(const QMouseEvent& event) const {
 void SliceView::mousePressEvent(QMouseEvent* event) {
   View::mousePressEvent(event);
   const FlatTool* tool = toolFor(*event);
+  if (tool && tool->measuring) stop();
   const auto press = pressAt(event->position());
   if (drag_ && event->button() == Qt::LeftButton) drag_->press(event->position());
   if (!tool || !press || drag_) return;
   session_.endGesture();
+  if (tool == tool_ && !tool->measuring && windowRect().contains(event->position())) return typeWindow();
   pressedAt_ = event->position();
   stepsAtPress_ = session_.undoStack().index();
   if (tool == tool_) drag_ = pressMeasurement(*press);
   if (!drag_ && tool == tool_ && !tool->measuring && !showsFrames()) drag_ = beginOnLines(*press);
+  if (!drag_ && tool == tool_ && !tool->measuring) drag_ = beginOnClip(*press, clipShown_);
   if (!drag_) drag_ = tool->begin(*press);
   if (drag_->drawing()) update();
 }
@@ -282,22 +299,6 @@ void SliceView::makeSlabThicker(int steps) {
   const double step = wheelStep(shown->volume->geometry(), plane()->normal());
   editFlat(session_, id(), tr("Slab"), [&](FlatLook& look) {
     look.slabMm = std::clamp(std::round(look.slabMm / step + steps) * step, 0.0, 500.0);
-  });
-}
-
-// 0: as the series says; 1 and on: those of the menu.
-void SliceView::chooseWindow(int number) {
-  const ShownSeriesPtr shown = this->shown();
-  if (!shown) return;
-  if (showsFrames()) {
-    const std::vector<GreyChoice> choices = greyChoices(*frame_);
-    if (number < int(choices.size())) chooseGrey(choices[std::size_t(number)]);
-    return;
-  }
-  const std::vector<NamedWindow> choices = windowChoices(*shown);
-  if (number >= int(choices.size())) return;
-  session_.change(tr("Window"), [&](Workspace& w) {
-    w.series.at(keyOf(shown->series)).window = choices[std::size_t(number)].window;
   });
 }
 

@@ -12,6 +12,7 @@
 #include "ui/views/view.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/frame_look.h"
+#include "ui/workspace/range_segment.h"
 
 namespace volumen {
 
@@ -36,6 +37,10 @@ class SliceView : public View {
   /// The plane on screen, device pixels; none without a series.
   std::optional<SlicePlane> plane() const;
   void setTool(const FlatTool& tool);
+  /// Tints a segment in slices of its volume; null: none.
+  void showSegment(const std::shared_ptr<const RangeSegment>& segment);
+  /// Whether the clip box of the 3D scene is seen where it is the whole volume, too.
+  void setClipShown(bool shown);
   /// So many slices down the patient.
   void scroll(int steps);
   /// Whole again, and thin.
@@ -95,6 +100,8 @@ class SliceView : public View {
   void askForPicture();
   void showPicture(const SlicePicture& picture);
   void chooseWindow(int number);
+  QRectF windowRect() const;
+  void typeWindow();
   const SeriesState& seriesState() const;
   StackPlace place() const;
   bool hasCursor() const;
@@ -118,6 +125,7 @@ class SliceView : public View {
   std::vector<SegmentLayer> segmentLayers() const;
   std::string frameOfReferenceShown() const;
   QStringList referenceTexts() const;
+  std::optional<ShapeFrame> shapeFrame() const;
   std::optional<MeasurementHit> measurementAt(QPointF p) const;
   std::unique_ptr<Drag> pressMeasurement(const FlatPress& press);
   void endDrag(Qt::KeyboardModifiers keys);
@@ -142,6 +150,8 @@ class SliceView : public View {
   std::unique_ptr<Drag> drag_;
   int stepsAtPress_ = 0;  // of the undo stack
   QPointF pressedAt_;
+  bool clipShown_ = false;
+  std::shared_ptr<const RangeSegment> segment_;  // that is looked at alone
   QTimer wheelEnd_;
   double wheelRest_ = 0;  // notches not yet scrolled
 };

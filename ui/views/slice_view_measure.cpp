@@ -3,6 +3,7 @@
 #include <QPainter>
 
 #include "ui/controller/measurer.h"
+#include "ui/views/clip_lines.h"
 #include "ui/views/cross_lines.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/slice_view.h"
@@ -28,9 +29,9 @@ QStringList textOf(const Measurement& m, Measurer& measurer) {
 
 std::vector<DrawnMeasurement> SliceView::drawnMeasurements() const {
   std::vector<DrawnMeasurement> drawn;
-  const ShownSeriesPtr shown = series();
+  const ShownSeriesPtr shown = this->shown();
   const std::optional<SlicePlane> now = plane();
-  if (!shown || !now || showsFrames()) return drawn;
+  if (!shown || !now) return drawn;
   const Workspace& workspace = session_.workspace();
   const auto add = [&](const Measurement& m, bool selected) {
     DrawnMeasurement one =
@@ -40,9 +41,12 @@ std::vector<DrawnMeasurement> SliceView::drawnMeasurements() const {
     drawn.push_back(std::move(one));
   };
   if (workspace.measurementsShown)
-    for (const Measurement* m : measurementsIn(workspace, frameOfReference(shown->series)))
+    for (const Measurement* m : showsFrames()
+                                    ? measurementsOn(workspace, *seriesState().series, frame_->key.index)
+                                    : measurementsIn(workspace, frameOfReference(shown->series)))
       add(*m, m->id == workspace.selected);
-  if (const Measurement* m = drag_ ? drag_->drawing() : nullptr) add(*m, true);
+  if (const Measurement* m = drag_ ? drag_->drawing() : nullptr; m && m->shape.frame == shapeFrame())
+    add(*m, true);
   if (drawn.empty()) return drawn;
   const PlacedOverlays placed = placeOverlays(overlays(), overlayArea(), font());
   std::vector<QRectF> taken{placed.scaleBar};
@@ -51,12 +55,18 @@ std::vector<DrawnMeasurement> SliceView::drawnMeasurements() const {
   return drawn;
 }
 
+// What shapes that are drawn now belong to; none: to the patient.
+std::optional<ShapeFrame> SliceView::shapeFrame() const {
+  if (!showsFrames() || !frame_) return {};
+  return frameNamed(*seriesState().series, frame_->key.index);
+}
+
 std::optional<MeasurementHit> SliceView::measurementAt(QPointF p) const {
   const std::vector<DrawnMeasurement> drawn = drawnMeasurements();
   const auto hit = hitAt(drawn, p);
   const Measurement* m = hit ? findMeasurement(session_.workspace(), hit->drawn->id) : nullptr;
   if (!m) return {};
-  const glm::dvec3 text = pressAt(p)->patientAt(hit->drawn->textRect.center());
+  const glm::dvec3 text = pressAt(p)->shapePointAt(hit->drawn->textRect.center());
   return MeasurementHit{m->id, hit->part, hit->handle, text - middleOf(m->shape), hit->drawn->whole};
 }
 
@@ -118,8 +128,10 @@ void SliceView::showCursorAt(QPointF p) {
   const auto hit = tool_->measuring ? std::nullopt : measurementAt(p);
   if (hit)
     return setCursor(hit->part == MeasurementPart::handle ? Qt::PointingHandCursor : Qt::SizeAllCursor);
+  if (!tool_->measuring && windowRect().contains(p)) return setCursor(Qt::IBeamCursor);
   const auto press = tool_->measuring || showsFrames() ? std::nullopt : pressAt(p);
-  setCursor(press && isOnLines(*press) ? Qt::PointingHandCursor : tool_->cursor);
+  const bool isOnOne = press && (isOnLines(*press) || isOnClip(*press, clipShown_));
+  setCursor(isOnOne ? Qt::PointingHandCursor : tool_->cursor);
 }
 
 // The keys of the tools, of deleting and of ending a line; false: the key means nothing here.

@@ -1,6 +1,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/views/clip_lines.h"
 #include "ui/views/colour_bar.h"
 #include "ui/views/cross_lines.h"
 #include "ui/views/drawn_measurement.h"
@@ -141,10 +142,11 @@ void SliceView::paintEvent(QPaintEvent*) {
     paintReferences(painter);
     if (!showsFrames()) {
       const FlatPress here = *pressAt({});
+      paintClipLines(painter, clipLines(here, clipShown_));
       paintCrossLines(painter, crossLines(here),
                       here.pixelAt(crosshairOf(session_.workspace(), id(), *series()).at), rect());
-      paintMeasurements(painter, drawnMeasurements());
     }
+    paintMeasurements(painter, drawnMeasurements());
     paintOverlays(painter, overlays(), overlayArea());
     paintStackBar(painter);
     if (!showsFrames()) paintColours(painter);

@@ -64,6 +64,8 @@ View* ViewGrid::viewOf(ViewId id) {
   if (!views_.contains(id)) {
     auto* made = new SliceView(session_, slices_, frames_, measurer_, references_, id, this);
     made->setTool(*tool_);
+    made->setClipShown(clipShown_);
+    made->showSegment(segment_);
     connect(made, &SliceView::toolWanted, this, &ViewGrid::setTool);
     connect(made, &SliceView::toolDone, this, &ViewGrid::restoreTool);
     add(id, made);
@@ -77,6 +79,18 @@ void ViewGrid::setTool(const FlatTool& tool) {
   for (const auto& [id, view] : views_)
     if (auto* slice = qobject_cast<SliceView*>(view)) slice->setTool(tool);
   Q_EMIT toolChanged();
+}
+
+void ViewGrid::setClipShown(bool shown) {
+  clipShown_ = shown;
+  for (const auto& [id, view] : views_)
+    if (auto* slice = qobject_cast<SliceView*>(view)) slice->setClipShown(shown);
+}
+
+void ViewGrid::showSegment(const std::shared_ptr<const RangeSegment>& segment) {
+  segment_ = segment;
+  for (const auto& [id, view] : views_)
+    if (auto* slice = qobject_cast<SliceView*>(view)) slice->showSegment(segment);
 }
 
 void ViewGrid::add(ViewId id, View* view) {

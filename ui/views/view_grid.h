@@ -24,6 +24,10 @@ class ViewGrid : public QWidget {
   /// What the left button does in flat views.
   void setTool(const FlatTool& tool);
   const FlatTool& tool() const { return *tool_; }
+  /// Whether flat views show the clip box of the 3D scene where it is the whole volume, too.
+  void setClipShown(bool shown);
+  /// Tints a segment in slices of its volume; null: none.
+  void showSegment(const std::shared_ptr<const RangeSegment>& segment);
   /// The one before the last that measures.
   void restoreTool() { setTool(*toolBefore_); }
 
@@ -50,6 +54,8 @@ class ViewGrid : public QWidget {
   VolumeView* scene_;
   const FlatTool *tool_, *toolBefore_;
   std::map<ViewId, View*> views_;
+  bool clipShown_ = false;
+  std::shared_ptr<const RangeSegment> segment_;
   std::optional<ViewId> alone_;
 };
 

@@ -11,24 +11,8 @@ namespace {
 
 constexpr int centimetres = 3;  // of UltrasoundRegion's units
 
-// The word that stands beside mm; empty for those of the patient as they are.
-QString kindText(PixelSizeKind kind) {
-  switch (kind) {
-    case PixelSizeKind::calibrated:
-      return tr("calibrated");
-    case PixelSizeKind::atDetector:
-      return tr("at detector");
-    case PixelSizeKind::magnified:
-      return tr("magnification corrected");
-    case PixelSizeKind::filmScan:
-      return tr("film scan");
-    default:
-      return {};
-  }
-}
-
 QString withKind(const QString& text, PixelSizeKind kind) {
-  const QString word = kindText(kind);
+  const QString word = QLatin1String(pixelSizeWord(kind));
   return word.isEmpty() ? text : QStringLiteral("%1, %2").arg(text, word);
 }
 

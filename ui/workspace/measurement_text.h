@@ -29,6 +29,9 @@ QString measuredText(const Shape& shape, const Result<Measured>& measured);
 /// How sure the number is and what it was taken from: "23.4 ± 0.6 mm, from CT Chest (3)".
 QString detailText(const Measurement& measurement, const Result<Measured>& measured, const Series& series);
 
+/// The series that it was taken from, and which frame of it: "CR Chest, frame 1".
+QString sourceText(const Measurement& measurement, const Series& series);
+
 /// A measurement and its numbers, as far as they are known.
 struct MeasuredRow {
   Measurement measurement;
@@ -38,7 +41,7 @@ struct MeasuredRow {
 
 /// Name, numbers and series, a line each.
 QString measurementsAsText(const std::vector<MeasuredRow>& rows);
-/// RFC 4180, with a line of headings; numbers in full, positions in patient mm.
+/// RFC 4180, with a line of headings; numbers in full, positions in patient mm, of frames in pixels.
 QString measurementsAsCsv(const std::vector<MeasuredRow>& rows);
 
 }  // namespace volumen

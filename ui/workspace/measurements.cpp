@@ -49,10 +49,34 @@ std::vector<const Measurement*> measurementsIn(const Workspace& workspace, const
   std::vector<const Measurement*> found;
   for (const Measurement& m : workspace.measurements) {
     const auto state = workspace.series.find(m.series);
-    if (state != workspace.series.end() && frameOfReference(*state->second.series) == frame)
+    if (!m.shape.frame && state != workspace.series.end() && frameOfReference(*state->second.series) == frame)
       found.push_back(&m);
   }
   return found;
+}
+
+std::vector<const Measurement*> measurementsOn(const Workspace& workspace, const Series& series, int frame) {
+  std::vector<const Measurement*> found;
+  for (const Measurement& m : workspace.measurements)
+    if (m.shape.frame && m.series == keyOf(series) && frameMeant(series, *m.shape.frame) == frame)
+      found.push_back(&m);
+  return found;
+}
+
+ShapeFrame frameNamed(const Series& series, int frame) {
+  const auto n = std::size_t(frame);
+  return {n < series.sopInstanceUids.size() ? series.sopInstanceUids[n] : std::string(),
+          n < series.frames.size() ? series.frames[n] : frame};
+}
+
+std::optional<int> frameMeant(const Series& series, const ShapeFrame& name) {
+  for (int n = 0; n < int(series.files.size()); ++n)
+    if (frameNamed(series, n) == name) return n;
+  return {};
+}
+
+FramePixels pixelsOf(const ShownFrame& frame) {
+  return {frame.slice->volume, frame.green, frame.blue, frame.pixel, frame.regions};
 }
 
 int addMeasurement(Session& session, const SeriesKey& series, const Shape& shape) {
@@ -107,9 +131,9 @@ void showMeasurements(Session& session, bool shown) {
                  [&](Workspace& w) { w.measurementsShown = shown; });
 }
 
-Shape movedBy(Shape shape, glm::dvec3 mm) {
-  for (glm::dvec3& p : shape.points) p += mm;
-  if (shape.plane) shape.plane->centre += mm;
+Shape movedBy(Shape shape, glm::dvec3 way) {
+  for (glm::dvec3& p : shape.points) p += way;
+  if (shape.plane && !shape.frame) shape.plane->centre += way;
   return shape;
 }
 

@@ -3,15 +3,28 @@
 #include <QString>
 #include <span>
 
+#include "ui/data/shown_frame.h"
 #include "ui/workspace/session.h"
+#include "viewer/measure/frame_measure.h"
 
 namespace volumen {
 
 /// Null: there is none of this id.
 const Measurement* findMeasurement(const Workspace& workspace, int id);
 
-/// The measurements whose series has this frame of reference, in their order.
+/// The measurements of the patient whose series has this frame of reference, in their order.
 std::vector<const Measurement*> measurementsIn(const Workspace& workspace, const std::string& frame);
+
+/// Those that were drawn on a frame of a series, in their order.
+std::vector<const Measurement*> measurementsOn(const Workspace& workspace, const Series& series, int frame);
+
+/// What names a frame of a series (from 0) whatever else the series holds.
+ShapeFrame frameNamed(const Series& series, int frame);
+/// Which one that is; none: the series does not hold it.
+std::optional<int> frameMeant(const Series& series, const ShapeFrame& name);
+
+/// A frame as it is measured on.
+FramePixels pixelsOf(const ShownFrame& frame);
 
 /// Adds one to a series of the workspace and selects it: one step. The id it got.
 int addMeasurement(Session& session, const SeriesKey& series, const Shape& shape);
@@ -27,11 +40,11 @@ void deleteMeasurement(Session& session, int id);
 void deleteAllMeasurements(Session& session);
 void showMeasurements(Session& session, bool shown);
 
-/// The shape moved by so many mm, with its plane.
-Shape movedBy(Shape shape, glm::dvec3 mm);
+/// The shape moved by so many mm, with its plane; of frames by so many pixels.
+Shape movedBy(Shape shape, glm::dvec3 way);
 
-/// The places by which a shape is edited, patient mm: its points; of ellipses and rectangles the corners of
-/// the box; of freehand outlines twelve points evenly along it, or all where it has fewer.
+/// The places by which a shape is edited, where its points are: its points; of ellipses and rectangles the
+/// corners of the box; of freehand outlines twelve points evenly along it, or all where it has fewer.
 std::vector<glm::dvec3> handlesOf(const Shape& shape);
 
 /// The shape with a handle moved to a place (its foot on the plane, where it has one). A corner takes its

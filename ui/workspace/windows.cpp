@@ -26,7 +26,7 @@ Window windowInUse(const Scene& scene, const ShownSeries& series) {
 }
 
 Window flatWindow(const SeriesState& state, const ShownSeries& series) {
-  const Window own{series.window.centre, std::abs(series.window.width)};
+  const Window first = series.flatWindow.value_or(series.window), own{first.centre, std::abs(first.width)};
   const bool inverted = series.series.modality == "PT";
   return state.window.value_or(inverted ? Window{own.centre, -own.width} : own);
 }

@@ -36,4 +36,8 @@ Result<double> cobbAngle(glm::dvec3 a, glm::dvec3 b) {
   return angle;
 }
 
+Result<double> angleOf(std::span<const glm::dvec3> p, bool cobb) {
+  return cobb ? cobbAngle(p[1] - p[0], p[3] - p[2]) : angleBetween(p[0] - p[1], p[2] - p[1]);
+}
+
 }  // namespace volumen

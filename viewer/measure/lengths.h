@@ -24,4 +24,7 @@ Result<double> angleBetween(glm::dvec3 a, glm::dvec3 b);
 /// Cobb's: the smaller angle between two lines, 0 to 90 degrees; likewise.
 Result<double> cobbAngle(glm::dvec3 a, glm::dvec3 b);
 
+/// The angle of a shape of these points (ShapeRule), Cobb's or between arms; likewise.
+Result<double> angleOf(std::span<const glm::dvec3> points, bool cobb);
+
 }  // namespace volumen

@@ -28,9 +28,7 @@ Result<Measured> measureLength(const Shape& shape, const VoxelGeometry& geometry
 }
 
 Result<Measured> measureAngle(const Shape& shape) {
-  const auto& p = shape.points;
-  const Result<double> angle = shape.kind == ShapeKind::cobb ? cobbAngle(p[1] - p[0], p[3] - p[2])
-                                                             : angleBetween(p[0] - p[1], p[2] - p[1]);
+  const Result<double> angle = angleOf(shape.points, shape.kind == ShapeKind::cobb);
   if (!angle) return angle.error();
   Measured measured;
   measured.number = *angle;
@@ -109,6 +107,7 @@ Result<Measured> measureByKind(const Shape& shape, const Volume& volume, const s
 Result<Measured> measure(const Shape& shape, const Volume& volume, const std::string& valueUnit,
                          const CancelToken& cancel) {
   if (const Status valid = checkShape(shape); !valid) return valid.error();
+  if (shape.frame) return Error{"It is drawn on a frame, not in the volume."};
   Result<Measured> measured = measureByKind(shape, volume, valueUnit, cancel);
   if (measured) measured->valueUnit = valueUnit;
   return measured;

@@ -17,9 +17,24 @@ struct ProbedVoxel {
   bool padding = false;  ///< its value stands for no value
 };
 
+/// A place or a distance along an axis of an ultrasound region.
+struct AxisReading {
+  double number = 0;
+  std::string unit;  ///< "s", "cm/s", ...
+};
+
+/// What is said of a frame beside the number (slices.md 4).
+struct FrameReading {
+  std::string calibration;        ///< what is true of the mm: "at detector"; empty: the patient's, or px
+  bool colour = false;            ///< it has no values, only colours
+  std::optional<glm::ivec3> rgb;  ///< of probes of colours, 0 to 255
+  std::optional<AxisReading> across, down;  ///< in a region of other units than cm: of probes where the point
+                                            ///< lies, of lengths from end to end, never below 0
+};
+
 /// What a shape measures (slices.md 4).
 struct Measured {
-  double number = 0;  ///< length, angle, area, the probe's value, the voxels' volume
+  double number = 0;  ///< length, angle, area, the probe's value (of colours none), the voxels' volume
   std::string unit;   ///< "mm", "degrees", "mm^2", "ml", the probe's own; where the grid is not calibrated
                       ///< "px", "px^2" and "voxels" stand for what has mm in it; empty: none
   std::optional<double> plusMinus;        ///< of lengths, in their unit
@@ -28,13 +43,13 @@ struct Measured {
   std::optional<RangeVolume> segment;     ///< of volumes, in voxels
   std::optional<double> drawn;            ///< of volumes: as drawn, in `unit`
   std::string valueUnit;                  ///< of the volume's values
+  std::optional<FrameReading> frame;      ///< of shapes on frames
 };
 
 /// Measures one shape on the voxels of a volume; `valueUnit` is that of its values (Series::unit). An Error
 /// where checkShape() refuses it, a region's point lies further off its plane than half a voxel along the
 /// normal, an arm of an angle has no length, an arrow is asked for its
-/// number, a probe lies outside the volume's box, or `cancel` was asked
-/// to.
+/// number, a probe lies outside the volume's box, the shape is a frame's, or `cancel` was asked to.
 Result<Measured> measure(const Shape& shape, const Volume& volume, const std::string& valueUnit,
                          const CancelToken& cancel = {});
 

@@ -44,6 +44,13 @@ Status checkPlane(const ShapePlane& plane) {
   return {};
 }
 
+Status checkFrame(const Shape& shape) {
+  if (shape.frame->number < 0) return Error{"frame.number must not be below 0."};
+  if (shape.kind == ShapeKind::volume) return Error{"frame: a volume is not measured on a frame."};
+  if (shape.plane && *shape.plane != ShapePlane{}) return Error{"plane: a frame is its own plane."};
+  return {};
+}
+
 }  // namespace
 
 glm::dvec3 ShapePlane::normal() const { return glm::cross(right, down); }
@@ -68,6 +75,8 @@ Status checkShape(const Shape& shape) {
     return Error{std::string("plane is missing; kind \"") + rule.name + "\" is drawn on one."};
   if (shape.plane)
     if (const Status valid = checkPlane(*shape.plane); !valid) return valid;
+  if (shape.frame)
+    if (const Status valid = checkFrame(shape); !valid) return valid;
   if (!(shape.range.low <= shape.range.high)) return Error{"range must be [low, high], low not above high."};
   return {};
 }

@@ -23,13 +23,21 @@ struct ShapePlane {
   glm::dvec3 normal() const;
 };
 
+/// A picture as acquired that a shape is drawn on.
+struct ShapeFrame {
+  std::string instance;  ///< SOPInstanceUID; empty where the file has none
+  int number = 0;        ///< its frame, from 0
+  bool operator==(const ShapeFrame&) const = default;
+};
+
 /// What a tool draws: a plain value, to be kept, written and measured again.
 struct Shape {
   ShapeKind kind = ShapeKind::length;
   std::string name;                 ///< of the user's own; may be empty
-  std::vector<glm::dvec3> points;   ///< patient mm; which: ShapeRule
-  std::optional<ShapePlane> plane;  ///< regions need one
+  std::vector<glm::dvec3> points;   ///< patient mm; on a frame its pixels, z 0; which: ShapeRule
+  std::optional<ShapePlane> plane;  ///< regions need one; on a frame the plane of its rows and columns
   ValueRange range;  ///< of `volume`: the segment's values, ends included; they may be infinite
+  std::optional<ShapeFrame> frame;  ///< none: it is drawn in the patient
   bool operator==(const Shape&) const = default;
 };
 
@@ -47,8 +55,8 @@ std::span<const ShapeRule> shapeRules();
 const ShapeRule& ruleOf(ShapeKind kind);
 
 /// An Error that names the field where the number of points is not the kind's, a number is not finite, a
-/// region has no plane, directions are not orthogonal unit vectors (within 1e-6), or the range is upside
-/// down.
+/// region has no plane, directions are not orthogonal unit vectors (within 1e-6), the range is upside down,
+/// or a shape of a frame has a number below 0, a plane other than ShapePlane{} or is a volume.
 Status checkShape(const Shape& shape);
 
 }  // namespace volumen

@@ -21,14 +21,26 @@ ShapeKind readKind(JsonFields& fields) {
   return kind;
 }
 
-void readPoints(JsonFields& fields, std::vector<glm::dvec3>& points) {
+// [x, y, z] in mm, or of frames [x, y] in pixels.
+void readPoints(JsonFields& fields, std::vector<glm::dvec3>& points, bool ofFrame) {
   const json* list = fields.raw("points");
   if (!list) return;
-  if (!list->is_array()) return fields.refuse(fields.pathOf("points"), "must be a list of [x, y, z] in mm");
+  if (!list->is_array())
+    return fields.refuse(fields.pathOf("points"), ofFrame ? "must be a list of [x, y] in pixels"
+                                                          : "must be a list of [x, y, z] in mm");
   for (const json& point : *list) {
     const std::string path = fields.pathOf("points", points.size());
-    fields.readNumbers(point, path, &points.emplace_back()[0], 3);
+    fields.readNumbers(point, path, &points.emplace_back(0)[0], ofFrame ? 2 : 3);
   }
+}
+
+ShapeFrame readFrame(JsonFields fields) {
+  ShapeFrame frame;
+  if (!fields.raw("instance")) fields.refuse(fields.pathOf("instance"), "is missing");
+  fields.read("instance", frame.instance);
+  fields.read("number", frame.number);
+  fields.refuseOthers();
+  return frame;
 }
 
 ShapePlane readPlane(JsonFields fields) {
@@ -61,6 +73,10 @@ void readRange(JsonFields& fields, ValueRange& range) {
 
 ordered_json numbers(glm::dvec3 v) { return {v.x, v.y, v.z}; }
 
+ordered_json placeOn(const Shape& shape, glm::dvec3 p) {
+  return shape.frame ? ordered_json{p.x, p.y} : numbers(p);
+}
+
 ordered_json unitText(const std::string& unit) { return unit.empty() ? ordered_json() : ordered_json(unit); }
 
 ordered_json rangeToJson(const ValueRange& range) {
@@ -69,7 +85,12 @@ ordered_json rangeToJson(const ValueRange& range) {
 }
 
 void addRegion(ordered_json& out, const Measured& m) {
-  out["voxels"] = m.values ? m.values->n : 0;
+  if (m.frame && m.frame->colour) return;
+  out[m.frame ? "pixels" : "voxels"] = m.values ? m.values->n : 0;
+  if (!m.values && m.frame) {
+    out["problem"] = "no pixel inside";
+    return;
+  }
   if (!m.values) {
     out["problem"] = "no voxel inside";
     return;
@@ -82,10 +103,30 @@ void addRegion(ordered_json& out, const Measured& m) {
 }
 
 void addProbe(ordered_json& out, const Shape& shape, const Measured& m) {
-  out["point"] = numbers(shape.points[0]);
+  out["point"] = placeOn(shape, shape.points[0]);
+  if (m.frame) {
+    out["index"] = {m.voxel->index.x, m.voxel->index.y};
+    if (m.frame->rgb) out["rgb"] = {m.frame->rgb->x, m.frame->rgb->y, m.frame->rgb->z};
+    if (!m.frame->colour) out["padding"] = m.voxel->padding;
+    return;
+  }
   out["index"] = {m.voxel->index.x, m.voxel->index.y, m.voxel->index.z};
   out["voxelCentre"] = numbers(m.voxel->centre);
   out["padding"] = m.voxel->padding;
+}
+
+void addReading(ordered_json& out, const char* name, const std::optional<AxisReading>& reading) {
+  if (reading) out[name] = {{"number", reading->number}, {"unit", reading->unit}};
+}
+
+void addFrame(ordered_json& out, const FrameReading& frame) {
+  if (!frame.calibration.empty()) out["calibration"] = frame.calibration;
+  addReading(out, "across", frame.across);
+  addReading(out, "down", frame.down);
+}
+
+ordered_json frameToJson(const ShapeFrame& frame) {
+  return {{"instance", frame.instance}, {"number", frame.number}};
 }
 
 void addVolume(ordered_json& out, const Shape& shape, const Measured& m) {
@@ -105,7 +146,10 @@ Shape readShape(JsonFields fields) {
   if (shape.kind == ShapeKind::volume) {
     readRange(fields, shape.range);
   } else {
-    readPoints(fields, shape.points);
+    if (auto frame = fields.object("frame")) shape.frame = readFrame(*frame);
+    readPoints(fields, shape.points, shape.frame.has_value());
+    if (shape.frame && ruleOf(shape.kind).region) shape.plane.emplace();
+    if (shape.frame) return fields.refuseOthers(), shape;
     if (auto plane = fields.object("plane")) shape.plane = readPlane(*plane);
   }
   fields.refuseOthers();
@@ -119,8 +163,9 @@ ordered_json shapeToJson(const Shape& shape) {
     out["range"] = rangeToJson(shape.range);
     return out;
   }
-  for (const glm::dvec3 p : shape.points) out["points"].push_back(numbers(p));
-  if (shape.plane)
+  if (shape.frame) out["frame"] = frameToJson(*shape.frame);
+  for (const glm::dvec3 p : shape.points) out["points"].push_back(placeOn(shape, p));
+  if (shape.plane && !shape.frame)
     out["plane"] = {{"centre", numbers(shape.plane->centre)},
                     {"right", numbers(shape.plane->right)},
                     {"down", numbers(shape.plane->down)}};
@@ -153,12 +198,15 @@ Result<std::vector<Shape>> shapesFromJson(const std::string& text) {
 ordered_json measuredToJson(const Shape& shape, const Result<Measured>& measured) {
   ordered_json out{{"kind", ruleOf(shape.kind).name}};
   if (!shape.name.empty()) out["name"] = shape.name;
+  if (shape.frame) out["frame"] = frameToJson(*shape.frame);
   if (!measured) {
     out["problem"] = measured.message();
     return out;
   }
-  out["number"] = measured->number;
+  const bool isColour = measured->frame && measured->frame->rgb;
+  out["number"] = isColour ? ordered_json() : ordered_json(measured->number);
   out["unit"] = unitText(measured->unit);
+  if (measured->frame) addFrame(out, *measured->frame);
   if (measured->plusMinus) out["plusMinus"] = *measured->plusMinus;
   if (ruleOf(shape.kind).region) addRegion(out, *measured);
   if (measured->voxel) addProbe(out, shape, *measured);

@@ -6,6 +6,9 @@ namespace volumen {
 
 namespace {
 
+// From air to metal HU are so far apart that nearly all of them at once look flat.
+constexpr Window softTissue{.centre = 40, .width = 400};
+
 ValueRange mostValues(const Volume& volume) {
   if (!volume.attributes().padding) {
     const std::vector<float> ends = percentiles(volume, {1, 999});
@@ -17,9 +20,10 @@ ValueRange mostValues(const Volume& volume) {
 
 }  // namespace
 
-Window firstWindow(const Volume& volume) {
+Window firstWindow(const Volume& volume, const std::string& unit) {
   for (const Window& window : volume.attributes().windows)
     if (window.width > 0) return window;
+  if (unit == "HU") return softTissue;
   const ValueRange range = mostValues(volume);
   const double width = range.high - range.low;
   return {.centre = (range.low + range.high) / 2, .width = width > 0 ? width : 1};

@@ -4,9 +4,9 @@
 
 namespace volumen {
 
-/// The window that a flat view of a volume begins with: the file's first, else P0.1 .. P99.9 without padding
-/// (slices.md 2).
-Window firstWindow(const Volume& volume);
+/// The window that planes through a volume begin with: the file's first, else 40 / 400 of HU (`unit` of the
+/// values), else P0.1 .. P99.9 without padding (slices.md 1).
+Window firstWindow(const Volume& volume, const std::string& unit);
 
 /// A window of a volume's values: LINEAR for integers that DICOM stored (`fromDicom`), of a width of 1 or
 /// more, else LINEAR_EXACT (slices.md 3).

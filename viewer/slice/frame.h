@@ -14,7 +14,8 @@ namespace volumen {
 enum class PixelSizeKind {
   unknown,     ///< pixels only; `mm` is the shape of a pixel, no length
   patient,     ///< PixelSpacing of CT, MR, PET: mm in the patient
-  calibrated,  ///< of a projection, calibrated by an object of known size, or said to be without how
+  calibrated,  ///< of a projection, calibrated by an object of known size
+  unstated,    ///< of a projection, calibrated, the file does not say how
   atDetector,  ///< of a projection: mm at the detector
   magnified,   ///< at the detector, divided by the magnification
   filmScan     ///< NominalScannedPixelSpacing
@@ -26,6 +27,10 @@ struct PixelSize {
   bool operator==(const PixelSize&) const = default;
 };
 
+/// The word that stands beside lengths of it: "at detector"; empty: none, they are the patient's, or there
+/// are none.
+const char* pixelSizeWord(PixelSizeKind kind);
+
 /// A layer over a frame: 60xx overlay planes. One byte a pixel of the frame, 1 where it draws.
 struct FrameOverlay {
   std::string label;
@@ -36,7 +41,10 @@ struct FrameOverlay {
 struct UltrasoundRegion {
   glm::ivec2 from{0}, to{0};
   int unitX = 0, unitY = 0;  ///< 3 = cm, 4 = s, 7 = cm/s
-  glm::dvec2 delta{0};       ///< per pixel, in that unit
+  glm::dvec2 delta{0};       ///< per pixel, in that unit; never below 0
+  /// Along x and along y: the pixel of the frame that stands for 0 of its unit; none: the file does not say.
+  std::optional<double> zero[2]{};
+  glm::dvec2 sign{1};  ///< -1 where numbers fall from pixel to pixel
 };
 
 /// A named way from value to grey that the file offers.

@@ -251,7 +251,7 @@ void TestFrameGreys::sizesOfPixels_data() {
   row("CT: in the patient, rows first", "CT", "0.5\\0.7", {}, K::patient, {0.7, 0.5});
   row("geometry", "DX", "0.2\\0.2", {{imager, "0.3\\0.3"}, {type, "GEOMETRY"}}, K::magnified, {0.2, 0.2});
   row("fiducial", "DX", "0.2\\0.2", {{imager, "0.2\\0.2"}, {type, "FIDUCIAL"}}, K::calibrated, {0.2, 0.2});
-  row("both, different", "DX", "0.2\\0.2", {{imager, "0.3\\0.3"}}, K::calibrated, {0.2, 0.2});
+  row("both, different", "DX", "0.2\\0.2", {{imager, "0.3\\0.3"}}, K::unstated, {0.2, 0.2});
   row("both, equal", "CR", "0.2\\0.2", {{imager, "0.2\\0.2"}}, K::atDetector, {0.2, 0.2});
   row("detector alone", "MG", "", {{imager, "0.1\\0.2"}}, K::atDetector, {0.2, 0.1});
   row("detector and factor", "MG", "", {{imager, "0.1\\0.2"}, {factor, "2"}}, K::magnified, {0.1, 0.05});
@@ -264,6 +264,7 @@ void TestFrameGreys::sizesOfPixels_data() {
       K::atDetector, {0.3, 0.3});
   row("film", "OT", "", {{DCM_NominalScannedPixelSpacing, "0.1\\0.1"}}, K::filmScan, {0.1, 0.1});
   row("shape alone", "US", "", {{DCM_PixelAspectRatio, "2\\1"}}, K::unknown, {1, 2});
+  row("no mm of a whole ultrasound picture", "US", "0.5\\0.7", {}, K::unknown, {0.7, 0.5});
   row("no numbers", "US", "", {{DCM_PixelAspectRatio, "0\\0"}}, K::unknown, {1, 1});
   row("nothing", "US", "", {}, K::unknown, {1, 1});
   row("shape beside a size does not count", "CT", "0.5\\0.5", {{DCM_PixelAspectRatio, "2\\1"}}, K::patient,

@@ -33,15 +33,20 @@ VolumePtr volumeOf8000(VolumeAttributes attributes, double slope = 1) {
 void TestFirstWindow::theFilesFirstElseNearlyAllValues_data() {
   QTest::addColumn<std::vector<Window>>("windows");
   QTest::addColumn<bool>("padded");
+  QTest::addColumn<QString>("unit");
   QTest::addColumn<double>("centre");
   QTest::addColumn<double>("width");
-  QTest::newRow("the first of two") << std::vector<Window>{{40, 400}, {300, 1500}} << true << 40. << 400.;
+  QTest::newRow("the first of two") << std::vector<Window>{{40, 400}, {300, 1500}} << true << QString() << 40.
+                                    << 400.;
   QTest::newRow("the first that is one")
-      << std::vector<Window>{{40, 0}, {300, 1500}} << false << 300. << 1500.;
+      << std::vector<Window>{{40, 0}, {300, 1500}} << false << QStringLiteral("HU") << 300. << 1500.;
   // Ranks 8 and 7992 of 8000: -2000 and 5991.
-  QTest::newRow("none: nearly all") << std::vector<Window>{} << false << 1995.5 << 7991.;
+  QTest::newRow("none: nearly all") << std::vector<Window>{} << false << QString() << 1995.5 << 7991.;
   // Ranks 6 and 5994 of 6000.
-  QTest::newRow("none: nearly all but padding") << std::vector<Window>{} << true << 2999. << 5988.;
+  QTest::newRow("none: nearly all but padding")
+      << std::vector<Window>{} << true << QStringLiteral("SUV") << 2999. << 5988.;
+  QTest::newRow("none, of HU: soft tissue")
+      << std::vector<Window>{} << false << QStringLiteral("HU") << 40. << 400.;
 }
 
 void TestFirstWindow::theFilesFirstElseNearlyAllValues() {
@@ -49,8 +54,9 @@ void TestFirstWindow::theFilesFirstElseNearlyAllValues() {
   QFETCH(bool, padded);
   VolumeAttributes attributes;
   attributes.windows = windows;
+  QFETCH(QString, unit);
   if (padded) attributes.padding = {-2000, -2000};
-  const Window window = firstWindow(*volumeOf8000<std::int16_t>(attributes));
+  const Window window = firstWindow(*volumeOf8000<std::int16_t>(attributes), unit.toStdString());
   QTEST(window.centre, "centre");
   QTEST(window.width, "width");
 }

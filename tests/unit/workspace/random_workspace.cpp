@@ -94,6 +94,11 @@ Measurement anyMeasurement(Chance& chance, int id, const SeriesKey& series) {
   m.shape.name = anyText(chance);
   m.shape.points = {anyPlace(chance), anyPlace(chance)};
   if (m.shape.kind == ShapeKind::rectangle) m.shape.plane = ShapePlane{anyPlace(chance)};
+  if (chance.oneIn(4)) {
+    m.shape.frame = ShapeFrame{"1.2.3", 7};
+    for (glm::dvec3& p : m.shape.points) p.z = 0;
+    if (m.shape.plane) m.shape.plane = ShapePlane();
+  }
   if (chance.oneIn(2)) m.textOffset = anyPlace(chance);
   return m;
 }

@@ -143,14 +143,14 @@ void TestMeasurementText::asCsv() {
                                                {arrow, nullptr, &series}})
                                 .split(QStringLiteral("\r\n"));
   QCOMPARE(lines.size(), 7);
-  QCOMPARE(lines[0].count(QLatin1Char(',')), 13);
-  QCOMPARE(
-      lines[1],
-      QStringLiteral("\"a \"\"big\"\", one\",length,0.3333333333333333,mm,0.5,,,,,,,,CT,0.1 -2 3; 4 5 6"));
-  QCOMPARE(lines[2], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,1.5,0.5,1,2,3,HU,,CT,0 0 0"));
-  QCOMPARE(lines[3], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,,,,,,,no voxel inside,CT,0 0 0"));
-  QCOMPARE(lines[4], QStringLiteral("Ellipse 2,ellipse,,,,,,,,,,not measured yet,,0 0 0"));
-  QCOMPARE(lines[5], QStringLiteral("Arrow 3,arrow,,,,,,,,,,,CT,0 0 0"));
+  QCOMPARE(lines[0].count(QLatin1Char(',')), 17);
+  QCOMPARE(lines[1],
+           QStringLiteral(
+               "\"a \"\"big\"\", one\",length,0.3333333333333333,mm,0.5,,,,,,,,CT,0.1 -2 3; 4 5 6,,,,"));
+  QCOMPARE(lines[2], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,1.5,0.5,1,2,3,HU,,CT,0 0 0,,,,"));
+  QCOMPARE(lines[3], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,,,,,,,no voxel inside,CT,0 0 0,,,,"));
+  QCOMPARE(lines[4], QStringLiteral("Ellipse 2,ellipse,,,,,,,,,,not measured yet,,0 0 0,,,,"));
+  QCOMPARE(lines[5], QStringLiteral("Arrow 3,arrow,,,,,,,,,,,CT,0 0 0,,,,"));
 }
 
 void TestMeasurementText::handlesKeepBoxes() {

@@ -1,0 +1,267 @@
+// Guards slices.md 4 on frames as acquired in the window: what a hand draws with real mouse and key events,
+// the millimetres and the word beside them, and where a measurement is seen. Figures of the data's README.
+#include <QClipboard>
+#include <QDir>
+#include <QDockWidget>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include "tests/fixtures/fixtures.h"
+#include "tests/ui/measure_window.h"
+#include "tests/unit/suite.h"
+#include "ui/workspace/session_json.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+using enum ShapeKind;
+
+namespace {
+
+QString pictureFile(const char* name) {
+  return QString::fromStdString(dataPath("dicom-2d")) + QLatin1Char('/') + QLatin1String(name);
+}
+
+// A window on one file of the data, shown as frames.
+struct FrameWindow : Journey {
+  explicit FrameWindow(const char* file) {
+    window.resize(1440, 900);
+    window.open({pictureFile(file)});
+  }
+
+  Session& session() { return window.session(); }
+  SliceView* view() { return window.views()->sliceView(axialViewId); }
+  const std::vector<Measurement>& all() { return session().workspace().measurements; }
+
+  bool shows(int frame = 0) {
+    return QTest::qWaitFor(
+        [&] {
+          auto* asFrames = child<QAction>("showAsFrames");
+          if (asFrames->isEnabled() && !asFrames->isChecked()) asFrames->trigger();
+          SliceView* v = view();
+          return v && v->frame() && v->frame()->key.index == frame && !v->picture().isNull();
+        },
+        longest);
+  }
+  // Where a pixel of the frame is in the view.
+  QPointF at(glm::dvec2 pixel) {
+    const glm::dvec3 p = view()->frame()->geometry().patientFromVoxel({pixel, 0});
+    const glm::dvec2 on = view()->plane()->pixelFromPatient(p) / view()->devicePixelRatioF();
+    return {on.x, on.y};
+  }
+  // Draws with the tool of a key, or of the menu; whole logical pixels, as a hand does.
+  void draw(ShapeKind kind, const std::vector<glm::dvec2>& pixels) {
+    child<QAction>((std::string(ruleOf(kind).name) + "Tool").c_str())->trigger();
+    std::vector<QPointF> p;
+    for (const glm::dvec2 pixel : pixels) p.push_back(at(pixel));
+    if (kind == probe) return QTest::mouseClick(view(), Qt::LeftButton, {}, p[0].toPoint());
+    drag(view(), p[0], p[1]);
+    if (p.size() == 3) QTest::mouseClick(view(), Qt::LeftButton, {}, p[2].toPoint());
+  }
+  // What stands beside the shape that was drawn last.
+  QString text() {
+    for (const DrawnMeasurement& d : view()->drawnMeasurements())
+      if (!all().empty() && d.id == all().back().id) return d.text.join(QStringLiteral("; "));
+    return {};
+  }
+  Shape& exact(Workspace& w, const std::vector<glm::dvec2>& pixels) {
+    Shape& shape = w.measurements.back().shape;
+    shape.points.clear();
+    for (const glm::dvec2 p : pixels) shape.points.emplace_back(p, 0);
+    return shape;
+  }
+};
+
+#define NEED_PICTURES()                   \
+  NEED_DATA(tests::dataPath("dicom-2d")); \
+  QVERIFY(QDir(pictureFile("")).exists())
+
+}  // namespace
+
+class TestFrameMeasurements : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void numbersWithTheirWord_data();
+  void numbersWithTheirWord();
+  void everyToolDraws_data();
+  void everyToolDraws();
+  void onlyOnItsFrame();
+  void thePanelGoesThere();
+  void asSessionAndJson();
+  void aSessionMeasuresFramesThatAreNotOnScreen();
+};
+
+void TestFrameMeasurements::numbersWithTheirWord_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<int>("kind");
+  QTest::addColumn<std::vector<glm::dvec2>>("pixels");
+  QTest::addColumn<QString>("text");
+  using Pixels = std::vector<glm::dvec2>;
+  const auto row = [](const char* name, const char* file, ShapeKind kind, Pixels pixels, const char* text) {
+    QTest::newRow(name) << QString::fromLatin1(file) << int(kind) << pixels << QString::fromUtf8(text);
+  };
+  row("at the detector", "cr-chest-mono1-jpeg8.dcm", length, {{500, 900}, {1500, 900}},
+      "175 mm (at detector)");
+  row("magnification", "mg-ermf-overlay-shutter.dcm", length, {{100, 100}, {100, 700}},
+      "48.9 mm (magnification corrected)");
+  row("no size", "xa-96frames.dcm", length, {{100, 100}, {130, 140}}, "50 px");
+  row("in the patient", "ct-two-windows.dcm", length, {{100, 100}, {400, 500}}, "143.6 mm");
+  row("ultrasound, across", "us-cine-aspect-regions.dcm", length, {{100, 200}, {200, 200}}, "28.6 mm");
+  row("ultrasound, down", "us-cine-aspect-regions.dcm", length, {{100, 200}, {100, 300}}, "22.9 mm");
+  row("ultrasound, time", "us-cine-aspect-regions.dcm", length, {{100, 390}, {200, 390}}, "100 px; 0.502 s");
+  row("ultrasound, outside", "us-cine-aspect-regions.dcm", length, {{100, 360}, {200, 360}}, "100 px");
+  row("colour", "us-cine-aspect-regions.dcm", rectangle, {{100, 200}, {200, 300}}, "Area 653.1 mm\u00b2");
+  row("values", "ct-two-windows.dcm", rectangle, {{159.5, 189.5}, {160.5, 190.5}},
+      "Area 0.0824 mm\u00b2; Mean 141, SD 0 HU; Min 141, max 141 HU; 1 pixel");
+  row("a probe", "ct-two-windows.dcm", probe, {{256, 256}}, "202 HU");
+}
+
+// Drawn by hand, to a pixel of the screen; then with the README's own pixels, to the digit.
+void TestFrameMeasurements::numbersWithTheirWord() {
+  NEED_PICTURES();
+  QFETCH(QString, file);
+  QFETCH(int, kind);
+  QFETCH(std::vector<glm::dvec2>, pixels);
+  FrameWindow w(file.toLatin1());
+  QVERIFY(w.shows());
+  std::vector<glm::dvec2> far = pixels;
+  if (ShapeKind(kind) == rectangle) far = {pixels[0], pixels[0] + glm::dvec2(60, 60)};
+  w.draw(ShapeKind(kind), far);
+  QCOMPARE(w.all().size(), std::size_t(1));
+  const Shape drawn = w.all()[0].shape;
+  QVERIFY(drawn.frame && drawn.frame->number == 0 && !drawn.frame->instance.empty());
+  const double screenPixel = w.view()->plane()->mmPerPixel / w.view()->frame()->geometry().spacing().y;
+  for (std::size_t n = 0; n < far.size(); ++n)
+    QVERIFY(glm::length(glm::dvec2(drawn.points[n]) - far[n]) <= screenPixel);
+  w.session().change(QStringLiteral("test"), [&](Workspace& now) { w.exact(now, pixels); });
+  QTEST(w.text(), "text");
+  w.shot((std::string("frame-") + QTest::currentDataTag()).c_str());
+}
+
+void TestFrameMeasurements::everyToolDraws_data() {
+  QTest::addColumn<int>("kind");
+  for (const ShapeKind kind : {length, angle, ellipse, rectangle, probe, arrow})
+    QTest::newRow(ruleOf(kind).name) << int(kind);
+}
+
+// One step each; the tool before is back, and there is a number.
+void TestFrameMeasurements::everyToolDraws() {
+  NEED_PICTURES();
+  QFETCH(int, kind);
+  FrameWindow w("mg-ermf-overlay-shutter.dcm");
+  QVERIFY(w.shows());
+  std::vector<glm::dvec2> pixels{{300, 500}, {400, 600}};
+  if (ShapeKind(kind) == angle) pixels.emplace_back(300, 600);
+  if (ShapeKind(kind) == probe) pixels.pop_back();
+  const int steps = w.session().undoStack().index();
+  w.draw(ShapeKind(kind), pixels);
+  QCOMPARE(w.all().size(), std::size_t(1));
+  QCOMPARE(w.session().undoStack().index(), steps + 1);
+  if (ShapeKind(kind) == arrow) {
+    auto* field = w.child<QLineEdit>("measurementName");
+    QVERIFY(field && field->isVisible());
+    QTest::keyClicks(field, QStringLiteral("here"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(w.text(), QStringLiteral("here"));
+  } else {
+    QVERIFY(!w.text().isEmpty());
+  }
+  QCOMPARE(&w.window.views()->tool(), &flatTool("window"));
+}
+
+void TestFrameMeasurements::onlyOnItsFrame() {
+  NEED_PICTURES();
+  FrameWindow w("us-cine-aspect-regions.dcm");
+  QVERIFY(w.shows());
+  QTest::keyClick(w.view(), Qt::Key_Down);
+  QVERIFY(w.shows(1));
+  w.draw(length, {{100, 200}, {200, 200}});
+  QCOMPARE(w.all()[0].shape.frame->number, 1);
+  QCOMPARE(w.view()->drawnMeasurements().size(), std::size_t(1));
+  QTest::keyClick(w.view(), Qt::Key_Down);
+  QVERIFY(w.shows(2));
+  QVERIFY(w.view()->drawnMeasurements().empty());
+  QTest::keyClick(w.view(), Qt::Key_Up);
+  QVERIFY(w.shows(1));
+  QCOMPARE(w.view()->drawnMeasurements().size(), std::size_t(1));
+}
+
+void TestFrameMeasurements::thePanelGoesThere() {
+  NEED_PICTURES();
+  FrameWindow w("us-cine-aspect-regions.dcm");
+  QVERIFY(w.shows());
+  QTest::keyClick(w.view(), Qt::Key_Down);
+  QVERIFY(w.shows(1));
+  w.draw(length, {{100, 200}, {200, 200}});
+  QTest::keyClick(w.view(), Qt::Key_End);
+  QVERIFY(w.shows(33));
+  auto* list = w.child<QTreeWidget>("measurementList");
+  auto* dock = w.child<QDockWidget>("measurementsDock");
+  dock->show();
+  dock->raise();
+  QCoreApplication::processEvents();
+  QVERIFY(list->topLevelItem(0)->text(2).endsWith(QStringLiteral("frame 2")));
+  const QPoint row = list->visualItemRect(list->topLevelItem(0)).center();
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, row);
+  QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, row);
+  QVERIFY(w.shows(1));
+  QCOMPARE(w.view()->drawnMeasurements().size(), std::size_t(1));
+  w.child<QAction>("copyMeasurementsCsv")->trigger();
+  const QStringList lines = QGuiApplication::clipboard()->text().split(QStringLiteral("\r\n"));
+  const QStringList names = lines[0].split(u','), fields = lines[1].split(u',');
+  // From the end: the name of the series holds a comma.
+  const auto field = [&](const char* name) {
+    return fields.value(fields.size() - names.size() + names.indexOf(QLatin1String(name)));
+  };
+  QCOMPARE(field("frame_number"), QStringLiteral("1"));
+  QVERIFY(field("points_mm").isEmpty() && field("points_px").contains(QStringLiteral("; ")));
+}
+
+// What the panel saves is what `volumen measure` reads, and what a session keeps.
+void TestFrameMeasurements::asSessionAndJson() {
+  NEED_PICTURES();
+  FrameWindow w("us-cine-aspect-regions.dcm");
+  QVERIFY(w.shows());
+  w.draw(ellipse, {{100, 200}, {200, 300}});
+  const Workspace& now = w.session().workspace();
+  const auto text = sessionToJson(now, {}, {});
+  QVERIFY(text.ok());
+  const auto series = now.series.begin()->second.series;
+  const auto again = sessionFromJson(*text, [&](const SavedSeries&) { return series; });
+  QVERIFY2(again.ok(), again.ok() ? "" : again.message().c_str());
+  QVERIFY(again->workspace.measurements == now.measurements);
+  const QTemporaryDir folder;
+  w.child<QAction>("saveShapes")->trigger();
+  answer(w, "measurementSaveDialog", folder.filePath(QStringLiteral("shapes.json")));
+  QTRY_VERIFY(QFile::exists(folder.filePath(QStringLiteral("shapes.json"))));
+  const Measurement drawn = w.all()[0];
+  w.child<QToolButton>("measurementDeleteAll")->click();
+  w.child<QToolButton>("measurementOpen")->click();
+  answer(w, "measurementOpenDialog", folder.filePath(QStringLiteral("shapes.json")));
+  QTRY_COMPARE(w.all().size(), std::size_t(1));
+  QVERIFY(w.all()[0].shape == drawn.shape);
+}
+
+void TestFrameMeasurements::aSessionMeasuresFramesThatAreNotOnScreen() {
+  NEED_PICTURES();
+  FrameWindow w("us-cine-aspect-regions.dcm");
+  QVERIFY(w.shows());
+  w.draw(length, {{100, 200}, {200, 200}});
+  // Two frames that nobody has shown; one that there is not.
+  w.session().change(QStringLiteral("test"), [&](Workspace& now) {
+    for (const int frame : {30, 20, 99}) {
+      Measurement m = now.measurements[0];
+      m.id = frame;
+      m.shape.frame->number = frame;
+      now.measurements.push_back(m);
+    }
+  });
+  auto* list = w.child<QTreeWidget>("measurementList");
+  QTRY_VERIFY_WITH_TIMEOUT(list->topLevelItem(1)->text(1) == list->topLevelItem(0)->text(1) &&
+                               list->topLevelItem(2)->text(1) == list->topLevelItem(0)->text(1),
+                           longest);
+  QCOMPARE(list->topLevelItem(3)->text(1), QStringLiteral("The series does not hold its picture."));
+}
+
+VOLUMEN_TEST(TestFrameMeasurements);
+#include "tst_frame_measurements.moc"

@@ -1,0 +1,108 @@
+#include "ui/panels/slab_menu.h"
+
+#include <QActionGroup>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QWidgetAction>
+
+#include "ui/panels/flat_menus.h"
+#include "ui/tools/flat_tool.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr double thickestMm = 500, firstSlabMm = 10;
+
+void addThickness(QMenu* menu, Session& session, ViewId view) {
+  auto* field = new QDoubleSpinBox;
+  field->setObjectName(QStringLiteral("slabThickness"));
+  field->setAccessibleName(tr("Thickness of the slab"));
+  field->setRange(0, thickestMm);
+  field->setDecimals(1);
+  field->setSuffix(tr(" mm"));
+  field->setKeyboardTracking(false);
+  field->setValue(flatLookOf(session.workspace().view(view)).slabMm);
+  QObject::connect(field, &QDoubleSpinBox::valueChanged, menu, [&session, view](double mm) {
+    editFlat(session, view, tr("Slab"), [mm](FlatLook& look) { look.slabMm = mm; });
+  });
+  QObject::connect(field, &QDoubleSpinBox::editingFinished, menu, [&session] { session.endGesture(); });
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(12, 4, 12, 4);
+  line->addWidget(new QLabel(tr("Thickness")));
+  line->addWidget(field, 1);
+  auto* action = new QWidgetAction(menu);
+  action->setDefaultWidget(row);
+  menu->addAction(action);
+}
+
+// Chosen where there is no slab yet, a mode makes one.
+void addModes(QMenu* menu, Session& session, ViewId view) {
+  auto* group = new QActionGroup(menu);
+  const FlatLook look = flatLookOf(session.workspace().view(view));
+  for (const auto& [mode, name, text] : {std::tuple(SlabMode::max, "slabMax", tr("Maximum (MIP)")),
+                                         std::tuple(SlabMode::min, "slabMin", tr("Minimum (MinIP)")),
+                                         std::tuple(SlabMode::mean, "slabMean", tr("Mean"))}) {
+    QAction* action = menu->addAction(text);
+    action->setObjectName(QLatin1String(name));
+    action->setCheckable(true);
+    action->setChecked(look.slabMm > 0 && look.slabMode == mode);
+    group->addAction(action);
+    QObject::connect(action, &QAction::triggered, menu, [&session, view, mode = mode] {
+      session.endGesture();
+      editFlat(session, view, tr("Slab"), [mode](FlatLook& l) {
+        l.slabMode = mode;
+        if (l.slabMm == 0) l.slabMm = firstSlabMm;
+      });
+      session.endGesture();
+    });
+  }
+}
+
+void fillSlabMenu(QMenu* menu, Session& session) {
+  menu->clear();
+  const Workspace& workspace = session.workspace();
+  const ViewId view = flatViewInFocus(workspace);
+  const bool isPlane = !workspace.view(view).series.empty() && workspace.view(view).kind != ViewKind::frames;
+  if (!isPlane) {
+    menu->addAction(tr("A slab is made of planes through a volume."))->setEnabled(false);
+    return;
+  }
+  addThickness(menu, session, view);
+  menu->addSeparator();
+  addModes(menu, session, view);
+}
+
+}  // namespace
+
+QMenu* makeSlabMenu(Session& session, QWidget* parent) {
+  auto* menu = new QMenu(tr("Slab"), parent);
+  menu->setObjectName(QStringLiteral("slabMenu"));
+  QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, &session] { fillSlabMenu(menu, session); });
+  return menu;
+}
+
+QAction* makeInterpolationAction(Session& session, QObject* parent) {
+  auto* action = new QAction(tr("Interpolate between voxels"), parent);
+  action->setObjectName(QStringLiteral("interpolate"));
+  action->setCheckable(true);
+  const auto show = [action, &session] {
+    const ViewState& view = session.workspace().view(flatViewInFocus(session.workspace()));
+    action->setEnabled(!view.series.empty());
+    action->setChecked(!flatLookOf(view).nearest);
+  };
+  QObject::connect(&session, &Session::workspaceChanged, action, show);
+  QObject::connect(action, &QAction::triggered, action, [&session](bool on) {
+    const ViewId view = flatViewInFocus(session.workspace());
+    session.endGesture();
+    session.change(tr("Interpolation"),
+                   withFlatLooks(session.workspace(), view, [on](FlatLook& look) { look.nearest = !on; }));
+  });
+  show();
+  return action;
+}
+
+}  // namespace volumen

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QLineF>
+#include <QPainter>
+#include <vector>
+
+#include "ui/tools/flat_tool.h"
+
+namespace volumen {
+
+/// An edge of the clip box of the 3D scene in a flat view of the same series, logical pixels.
+struct ClipLine {
+  int axis = 0;
+  bool high = false;
+  QLineF line;
+};
+
+/// Those that are seen: none where the box is the whole volume, unless it is asked for (`whole`).
+std::vector<ClipLine> clipLines(const FlatPress& press, bool whole);
+
+void paintClipLines(QPainter& painter, const std::vector<ClipLine>& lines);
+
+/// Moves the edge that is under the press; null: none is.
+std::unique_ptr<Drag> beginOnClip(const FlatPress& press, bool whole);
+bool isOnClip(const FlatPress& press, bool whole);
+
+}  // namespace volumen

@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ui/views/slice_view.h"
+#include "ui/widgets/window_edit.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/windows.h"
+
+namespace volumen {
+
+// 0: as the series says; 1 and on: those of the menu.
+void SliceView::chooseWindow(int number) {
+  const ShownSeriesPtr shown = this->shown();
+  if (!shown) return;
+  if (showsFrames()) {
+    const std::vector<GreyChoice> choices = greyChoices(*frame_);
+    if (number < int(choices.size())) chooseGrey(choices[std::size_t(number)]);
+    return;
+  }
+  const std::vector<NamedWindow> choices = windowChoices(*shown);
+  if (number >= int(choices.size())) return;
+  session_.change(tr("Window"), [&](Workspace& w) {
+    w.series.at(keyOf(shown->series)).window = choices[std::size_t(number)].window;
+  });
+}
+
+// Where the numbers of the window stand; empty: nowhere, there are none.
+QRectF SliceView::windowRect() const {
+  if (!shown() || (frame_ && showsFrames() && frame_->colour())) return {};
+  const Overlays over = overlays();
+  const PlacedOverlays placed = placeOverlays(over, overlayArea(), font());
+  const auto text = std::ranges::find(placed.texts, over.bottomRight, &PlacedText::text);
+  return text == placed.texts.end() ? QRectF() : text->rect;
+}
+
+// Two fields where the numbers stand: one step where they are set.
+void SliceView::typeWindow() {
+  const Window now = pressAt({})->window;
+  auto* edit = new WindowEdit({now.centre, std::abs(now.width)}, this);
+  edit->setObjectName(QStringLiteral("windowEdit"));
+  edit->adjustSize();
+  edit->move(std::max(0, width() - 8 - edit->width()), std::max(0, height() - 4 - edit->height()));
+  connect(edit, &WindowEdit::chosen, this, [this, sign = now.width < 0 ? -1 : 1](const Window& typed) {
+    session_.endGesture();
+    session_.change(tr("Window"), [&](Workspace& w) {
+      w.series.at(state().series).window = Window{typed.centre, sign * typed.width};
+    });
+  });
+  connect(edit, &WindowEdit::closed, this, [this] { setFocus(); });
+  edit->show();
+  auto* field = edit->findChild<QLineEdit*>();
+  field->setFocus();
+  field->selectAll();
+}
+
+}  // namespace volumen
