@@ -34,8 +34,12 @@ void MainWindow::makeFrameActions() {
 }
 
 void MainWindow::connectFrames() {
-  connect(grid_, &ViewGrid::menuRequested, this,
-          [this](SliceView* view, QPoint global) { showFlatMenu(*view, global); });
+  connect(grid_, &ViewGrid::menuRequested, this, [this](View* view, QPoint global) {
+    if (auto* flat = qobject_cast<SliceView*>(view))
+      showFlatMenu(*flat, global);
+    else
+      showVolumeMenu(global);
+  });
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
             const auto shown = [](const Workspace& w) {
@@ -117,6 +121,8 @@ void MainWindow::showFlatMenu(SliceView& view, QPoint global) {
     if (!choices.empty()) menu->addAction(tr("Invert") + QStringLiteral("\tI"), &view, &SliceView::invert);
     menu->addSeparator();
   }
+  addKinds(menu);
+  menu->addSeparator();
   if (!view.showsFrames())
     for (const char* name : {"colourMenu", "overlayMenu"})
       menu->addMenu(findChild<QMenu*>(QLatin1String(name)));

@@ -26,7 +26,6 @@ SliceView::SliceView(Session& session, SliceService& service, FrameService& fram
       tool_(&flatTool("window")) {
   setObjectName(QStringLiteral("sliceView%1").arg(id));
   setAccessibleName(tr("Slice view"));
-  setMinimumSize(100, 100);
   setAttribute(Qt::WA_OpaquePaintEvent);
   wheelEnd_.setSingleShot(true);
   wheelEnd_.setInterval(500);
@@ -114,7 +113,10 @@ void SliceView::tellWarnings() {
 
 void SliceView::workspaceChanged(const Workspace&) {
   const std::pair now(state().series, state().kind);
-  if (std::exchange(showed_, now) != now) forgetFrame();
+  if (std::exchange(showed_, now) != now) {
+    drag_.reset();  // it is about what was shown
+    forgetFrame();
+  }
   askForFrame();
   askForPicture();
   update();
