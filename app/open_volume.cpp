@@ -6,7 +6,6 @@
 #include "app/progress.h"
 #include "ui/workspace/text.h"
 #include "viewer/scene/automatic.h"
-#include "viewer/segment/table.h"
 
 namespace volumen {
 
@@ -71,12 +70,12 @@ Result<Opened> openSeries(const Series& series, const CancelToken& cancel) {
   return opened;
 }
 
-Status removeTable(Opened& opened, const CancelToken& cancel) {
+Status takeAway(const Mask& mask, Opened& opened, const CancelToken& cancel) {
   const Volume& volume = *opened.loaded.drawn;
-  if (!inHounsfield(volume, histogram(volume, 1 << 16)))
+  if (mask.tableRemoved && !inHounsfield(volume, histogram(volume, 1 << 16)))
     return Error{"--remove-table is for CT alone: the values of " + opened.series.id +
                  " are not Hounsfield units."};
-  Result<VolumePtr> without = withoutTable(volume, cancel);
+  Result<VolumePtr> without = masked(volume, mask, cancel);
   if (!without) return without.error();
   if (opened.loaded.acquired == opened.loaded.drawn) opened.loaded.acquired = *without;
   opened.loaded.drawn = *without;

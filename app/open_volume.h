@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/study.h"
+#include "viewer/segment/mask.h"
 
 namespace volumen {
 
@@ -24,9 +25,9 @@ Result<Opened> openVolume(const std::string& path, const std::string& series, co
 /// The same for a series that was found before.
 Result<Opened> openSeries(const Series& series, const CancelToken& cancel);
 
-/// Takes away from what is drawn all that lies outside the patient (withoutTable). An Error where values are
+/// Takes away from what is drawn what a mask says (masked). An Error where the table is to go and values are
 /// not HU.
-Status removeTable(Opened& opened, const CancelToken& cancel);
+Status takeAway(const Mask& mask, Opened& opened, const CancelToken& cancel);
 
 /// Writes the notes to stderr, one line each.
 void printNotes(const std::vector<std::string>& notes);

@@ -14,7 +14,7 @@ Result<SessionView> viewOf(const std::string& path, const OpenedSession& session
   if (look == view.scenes.end()) return Error{path + " shows no series in 3D."};
   const SeriesState& shown = workspace.series.at(view.series);
   if (shown.missing) return Error{path + ": " + session.problems.join(QLatin1Char(' ')).toStdString()};
-  SessionView read{*shown.series, shown.tableRemoved, look->second.scene, {}};
+  SessionView read{*shown.series, shown.mask, look->second.scene, {}};
   if (workspace.goal.aim == Aim::level) read.quality = workspace.goal.level.quality;
   return read;
 }

@@ -6,13 +6,14 @@
 #include "io/study.h"
 #include "viewer/plan/options.h"
 #include "viewer/scene/scene.h"
+#include "viewer/segment/mask.h"
 
 namespace volumen {
 
 /// What the 3D view in focus of a session shows.
 struct SessionView {
   Series series;
-  bool tableRemoved = false;
+  Mask mask;
   Scene scene;
   std::optional<Quality> quality;  ///< none: the window chose it by time or error
 };

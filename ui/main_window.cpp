@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 
 #include "io/files/session_file.h"
+#include "ui/controller/masker.h"
 #include "ui/controller/qt_gl_context.h"
-#include "ui/controller/table_remover.h"
 #include "ui/data/frame_series.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/effects_panel.h"
@@ -48,14 +48,16 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   makeActions();
   makeLayoutActions();
   makeFrameActions();
+  makeKindActions();
   makeMeasureActions();
   makeMenus();
   makeToolBar();
   connectSession();
   connectLoader();
   connectDrawing();
+  connectVolumeViews();
   connectSegmenter();
-  connectTableRemover();
+  connectMasker();
   connectAccuracy();
   connectSnapshots();
   connectScenes();
@@ -78,7 +80,6 @@ MainWindow::~MainWindow() {
 
 void MainWindow::makeCentre() {
   grid_ = new ViewGrid(session_, slices_, frames_, measurer_, references_);
-  view_ = grid_->sceneView();
   banner_ = new Banner;
   offer_ = new OfferBar;
   start_ = new StartPage;
@@ -109,9 +110,7 @@ void MainWindow::connectSession() {
     if (before.goal != after.goal) applyLevel();
     if (before.series == after.series && before.scene == after.scene) return;
     meter_.forget();
-    requestFrame();
   });
-  connect(view_, &VolumeView::pixelsChanged, this, &MainWindow::requestFrame);
 }
 
 void MainWindow::connectLoader() {
@@ -137,7 +136,7 @@ void MainWindow::connectLoader() {
   connect(status_, &StatusLine::cancelRequested, this, [this] {
     loader_.cancel();
     snapshot_.cancel();
-    tableRemover_->cancel();
+    masker_->cancel();
   });
   connect(studies_, &StudiesPanel::seriesChosen, this, &MainWindow::showInFocus);
   connect(grid_, &ViewGrid::dropped, this, [this](const QMimeData& what) {
@@ -166,7 +165,6 @@ void MainWindow::showInFocus(const Series& series) {
 }
 
 void MainWindow::connectDrawing() {
-  connect(&drawService_, &DrawService::screenPictureReady, this, &MainWindow::showFrame);
   connect(&drawService_, &DrawService::failed, this,
           [this](ViewId, const QString& sentence) { banner_->tell(sentence); });
 }
@@ -182,12 +180,11 @@ void MainWindow::connectSegmenter() {
           [this](const QString& sentence) { banner_->tell(sentence); });
 }
 
-void MainWindow::connectTableRemover() {
-  segment_->setTableAction(tableRemover_);
-  connect(tableRemover_, &TableRemover::begun, this, [this] { status_->begin(tr("Removing table")); });
-  connect(tableRemover_, &TableRemover::ended, status_, &StatusLine::end);
-  connect(tableRemover_, &TableRemover::failed, this,
-          [this](const QString& sentence) { banner_->tell(sentence); });
+void MainWindow::connectMasker() {
+  segment_->setTableAction(masker_->tableAction());
+  connect(masker_, &Masker::begun, status_, &StatusLine::begin);
+  connect(masker_, &Masker::ended, status_, &StatusLine::end);
+  connect(masker_, &Masker::failed, this, [this](const QString& sentence) { banner_->tell(sentence); });
 }
 
 void MainWindow::connectAccuracy() {
@@ -201,16 +198,16 @@ void MainWindow::connectAccuracy() {
   QAction* showError = actions_.at(QStringLiteral("showError"));
   connect(accuracy_, &AccuracyPanel::errorWanted, showError, &QAction::setChecked);
   connect(showError, &QAction::toggled, accuracy_, &AccuracyPanel::setErrorWanted);
-  connect(showError, &QAction::toggled, view_, &VolumeView::setErrorShown);
+  connect(showError, &QAction::toggled, grid_, &ViewGrid::setErrorShown);
 }
 
 void MainWindow::applyLevel() {
   meter_.setNeeded(session_.goal().aim != Aim::level);
   const auto level = levelFor(session_.goal(), meter_.measured().levels);
   if (!level || *level == drawService_.level(sceneViewId)) return;
-  drawService_.setLevel(sceneViewId, *level);
+  for (ViewId id = 0; id < viewCount; ++id) drawService_.setLevel(id, *level);
   accuracy_->showLevel(*level);
-  requestFrame();
+  requestFrames();
 }
 
 void MainWindow::open(const QStringList& paths, const std::optional<Scene>& scene) {
@@ -259,7 +256,6 @@ void MainWindow::showVolume() {
   const ShownSeriesPtr& series = session_.series();
   thumbnails_.stop();
   thumbnailsOf_.reset();
-  drawService_.show(sceneViewId, series && !view_->isHidden() ? series->volume : nullptr);
   QStringList warnings;
   if (series)
     for (const Warning& w : series->warnings)
@@ -272,39 +268,12 @@ void MainWindow::showSeries() {
   showPage();
 }
 
-void MainWindow::requestFrame() {
-  if (!session_.series() || pages_->currentWidget() != grid_ || view_->isHidden()) return;
-  snapshotPanel_->setViewSize(view_->pixels());
-  drawService_.request(sceneViewId, session_.scene(), view_->pixels());
-}
-
 void MainWindow::setResampler(Resampler resampler) {
   // Where Qt has no OpenGL without a window, EGL is tried when the picture is drawn.
   if (resampler == Resampler::gl) makeOffscreenGlSurface();
   drawService_.setResampler(resampler);
   meter_.forget();
-  requestFrame();
-}
-
-void MainWindow::showFrame(const ScreenPicture& frame) {
-  const QString ms = QString::number(frame.ms, 'f', frame.ms < 10 ? 1 : 0);
-  QString level = QLatin1String(qualityName(frame.quality));
-  if (frame.factor > 1) level += QStringLiteral(" 1/%1").arg(frame.factor);
-  view_->setPicture(frame.image, tr("%1 - %2 ms").arg(level, ms), frame.error);
-  accuracy_->showEstimate(frame);
-  if (frame.draft()) return;
-  effects_->showPlan(*frame.plan, frame.stats);
-  Scene now = session_.scene();
-  if (!now.camera) now.camera = frame.scene.camera;
-  if (now != frame.scene) return;
-  // The plan's camera sees a little more where a ray stands for several pixels.
-  Scene complete = frame.plan->scene;
-  const auto target = complete.camera->target;
-  complete.camera = frame.scene.camera;
-  if (!complete.camera->target) complete.camera->target = target;
-  meter_.show(session_.series()->volume, complete, frame.image.size());
-  drawThumbnails();
-  Q_EMIT settled();
+  requestFrames();
 }
 
 // Once the first picture of a series is there.

@@ -20,6 +20,7 @@
 #include "ui/workspace/own_presets.h"
 #include "ui/workspace/session.h"
 
+class QActionGroup;
 class QStackedWidget;
 
 namespace volumen {
@@ -37,7 +38,7 @@ class SnapshotPanel;
 class StartPage;
 class StatusLine;
 class StudiesPanel;
-class TableRemover;
+class Masker;
 class SliceView;
 class ViewGrid;
 class VolumeView;
@@ -63,7 +64,8 @@ class MainWindow : public QMainWindow {
   /// the scene where one is given.
   void open(const QStringList& paths, const std::optional<Scene>& scene = {});
   Session& session() { return session_; }
-  VolumeView* view() const { return view_; }
+  /// The 3D view that the panels work on.
+  VolumeView* view() const;
   ViewGrid* views() const { return grid_; }
   const DrawService& drawService() const { return drawService_; }
   const AccuracyMeter& meter() const { return meter_; }
@@ -90,13 +92,18 @@ class MainWindow : public QMainWindow {
   void connectLoader();
   void connectDrawing();
   void connectSegmenter();
-  void connectTableRemover();
+  void connectMasker();
   void connectAccuracy();
   void connectSnapshots();
   void connectViews();
   void makeLayoutActions();
   void makeFrameActions();
   void connectFrames();
+  void connectVolumeViews();
+  void makeKindActions();
+  void showKindActions();
+  void addKinds(QMenu* menu) const;
+  void showVolumeMenu(QPoint global);
   SliceView* framesInFocus() const;
   void setShowAsFrames(bool asFrames);
   void showFrameActions();
@@ -144,7 +151,8 @@ class MainWindow : public QMainWindow {
   void restoreLayout();
   void keepLayout();
 
-  void requestFrame();
+  void requestFrame(const VolumeView& view);
+  void requestFrames();
   void applyLevel();
   void showFrame(const ScreenPicture& frame);
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study);
@@ -186,7 +194,6 @@ class MainWindow : public QMainWindow {
   PresetThumbnails thumbnails_;
 
   ViewGrid* grid_;
-  VolumeView* view_;  // of grid_: the 3D one
   QStackedWidget* pages_;
   StartPage* start_;
   Banner* banner_;
@@ -197,7 +204,7 @@ class MainWindow : public QMainWindow {
   EffectsPanel* effects_;
   AccuracyPanel* accuracy_;
   SegmentPanel* segment_;
-  TableRemover* tableRemover_;
+  Masker* masker_;
   Registrar* registrar_;
   SnapshotPanel* snapshotPanel_;
   PresetBar* presets_;
@@ -212,6 +219,7 @@ class MainWindow : public QMainWindow {
   QMenu* layoutMenu_;
   QMenu* measureMenu_;
   QMenu* linkMenu_;
+  QActionGroup* kinds_;
   std::map<QString, Layout> layoutsChosen_;  // by modality, since the program began
   VolumePtr thumbnailsOf_;                   // the volume whose presets have thumbnails
 };

@@ -9,7 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/controller/table_remover.h"
+#include "ui/controller/masker.h"
 #include "ui/main_window.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/camera_panel.h"
@@ -26,7 +26,7 @@
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/transfer_panel.h"
-#include "ui/views/volume_view.h"
+#include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/documents_window.h"
 #include "ui/widgets/fold_title.h"
@@ -99,9 +99,9 @@ void MainWindow::makeDocks() {
   accuracy_ = new AccuracyPanel(session_);
   snapshotPanel_ = new SnapshotPanel;
   segment_ = new SegmentPanel(session_);
-  auto* camera = new CameraPanel(session_, [this] { return view_->camera(); });
-  connect(camera, &CameraPanel::viewRequested, view_, &VolumeView::showView);
-  connect(camera, &CameraPanel::resetRequested, view_, &VolumeView::resetView);
+  auto* camera = new CameraPanel(session_, [this] { return view()->camera(); });
+  connect(camera, &CameraPanel::viewRequested, this, [this](const QString& name) { view()->showView(name); });
+  connect(camera, &CameraPanel::resetRequested, this, [this] { view()->resetView(); });
   const auto left = Qt::LeftDockWidgetArea, right = Qt::RightDockWidgetArea;
   addDock(QStringLiteral("studies"), tr("Studies"), studies_, left);
   addDock(QStringLiteral("transfer"), tr("Opacity and colour"), new TransferPanel(session_), right);
@@ -121,7 +121,7 @@ void MainWindow::makeDocks() {
 
 void MainWindow::makeActions() {
   const auto view = [this](const char* name) {
-    return [this, name](bool) { view_->showView(QLatin1String(name)); };
+    return [this, name](bool) { this->view()->showView(QLatin1String(name)); };
   };
   const std::vector<ActionEntry> table{
       {"openFolder",
@@ -165,13 +165,19 @@ void MainWindow::makeActions() {
        {tr("T")},
        "orbit",
        true,
-       [this](bool) { view_->setTool(ViewTool::orbit); }},
+       [this](bool) { grid_->setTool(ViewTool::orbit); }},
       {"curveTool",
        tr("Adjust curve (W/L)"),
        {tr("W")},
        "curve",
        true,
-       [this](bool) { view_->setTool(ViewTool::curve); }},
+       [this](bool) { grid_->setTool(ViewTool::curve); }},
+      {"scissorsTool",
+       tr("Scissors"),
+       {tr("X")},
+       "scissors",
+       true,
+       [this](bool) { grid_->setTool(ViewTool::scissors); }},
       {"resetView", tr("Reset view"), {tr("F")}, "reset", false, [this](bool) { resetViewInFocus(); }},
       {"viewAnterior", tr("Anterior view"), {tr("A")}, "view", false, view("anterior")},
       {"viewPosterior", tr("Posterior view"), {tr("P")}, "", false, view("posterior")},
@@ -237,7 +243,8 @@ void MainWindow::makeActions() {
     actions_[action->objectName()] = action;
   }
   auto* tools = new QActionGroup(this);
-  for (const char* tool : {"orbitTool", "curveTool"}) tools->addAction(actions_[QLatin1String(tool)]);
+  for (const char* tool : {"orbitTool", "curveTool", "scissorsTool"})
+    tools->addAction(actions_[QLatin1String(tool)]);
   actions_[QStringLiteral("orbitTool")]->setChecked(true);
   actions_[QStringLiteral("leaveMaximised")]->setEnabled(false);
   for (auto [name, action, key] :
@@ -248,8 +255,9 @@ void MainWindow::makeActions() {
     action->setProperty("iconName", QLatin1String(name));
     actions_[action->objectName()] = action;
   }
-  tableRemover_ = new TableRemover(session_, this);
-  actions_[tableRemover_->objectName()] = tableRemover_;
+  masker_ = new Masker(session_, this);
+  for (QAction* action : {masker_->tableAction(), masker_->resetAction()})
+    actions_[action->objectName()] = action;
 }
 
 void MainWindow::makeMenus() {
@@ -267,15 +275,18 @@ void MainWindow::makeMenus() {
   recentMenu_ = new QMenu(tr("Open recent"), file);
   file->insertMenu(actions_.at(QStringLiteral("openSample")), recentMenu_);
   connect(file, &QMenu::aboutToShow, &recent_, &RecentFiles::look);
-  fill(menuBar()->addMenu(tr("&Edit")), "undo redo | removeTable | preferences");
+  fill(menuBar()->addMenu(tr("&Edit")), "undo redo | removeTable resetScissors | preferences");
   auto* view = menuBar()->addMenu(tr("&View"));
   fill(view,
-       "orbitTool curveTool resetView | viewAnterior viewPosterior viewLeft viewRight viewSuperior "
+       "orbitTool curveTool scissorsTool resetView | viewAnterior viewPosterior viewLeft viewRight "
+       "viewSuperior "
        "viewInferior | "
        "showAsFrames overlaysAndShutters playFrames | "
        "keyImage previousKeyImage nextKeyImage | "
        "openGlResampler showError | maximise fullScreen lightTheme hideNames");
   layoutMenu_ = view->addMenu(tr("Layout"));
+  auto* shown = view->addMenu(tr("Show in this view"));
+  shown->addActions(kinds_->actions());
   fill(layoutMenu_, "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour | alignPlanes");
   linkMenu_ = makeLinkMenu(
       session_, [this] { registerViews(); }, view);
@@ -301,7 +312,7 @@ void MainWindow::makeToolBar() {
   const auto add = [&](const char* name) { bar->addAction(actions_.at(QLatin1String(name))); };
   for (const char* name : {"openFolder", "undo", "redo"}) add(name);
   bar->addSeparator();
-  for (const char* name : {"orbitTool", "curveTool", "resetView"}) add(name);
+  for (const char* name : {"orbitTool", "curveTool", "scissorsTool", "resetView"}) add(name);
   bar->addSeparator();
   makePresetBar(bar);
   auto* layouts = new QToolButton;

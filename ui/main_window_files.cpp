@@ -24,7 +24,7 @@ QString leftText(double seconds) {
 // The scene as it is seen, whatever size the view has.
 Scene MainWindow::sceneInView() const {
   Scene scene = session_.scene();
-  scene.camera = view_->camera();
+  scene.camera = view()->camera();
   return scene;
 }
 

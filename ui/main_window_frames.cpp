@@ -41,8 +41,12 @@ void MainWindow::makeFrameActions() {
 }
 
 void MainWindow::connectFrames() {
-  connect(grid_, &ViewGrid::menuRequested, this,
-          [this](SliceView* view, QPoint global) { showFlatMenu(*view, global); });
+  connect(grid_, &ViewGrid::menuRequested, this, [this](View* view, QPoint global) {
+    if (auto* flat = qobject_cast<SliceView*>(view))
+      showFlatMenu(*flat, global);
+    else
+      showVolumeMenu(global);
+  });
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
             const auto shown = [](const Workspace& w) {
@@ -128,6 +132,7 @@ void MainWindow::showFlatMenu(SliceView& view, QPoint global) {
   menu->addAction(actions_.at(QStringLiteral("interpolate")));
   fillPresentations(menu, view);
   menu->addAction(actions_.at(QStringLiteral("keyImage")));
+  addKinds(menu);
   menu->addSeparator();
   if (!view.showsFrames())
     for (const char* name : {"slabMenu", "colourMenu", "overlayMenu"})

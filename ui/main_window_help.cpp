@@ -13,7 +13,7 @@ void MainWindow::showAbout() {
          "<p><b>Not for clinical use.</b></p>"
          "<p>Free software under the GNU General Public License, version 3 or later.</p>"
          "<p>Qt %2. Pictures are shown through: %3.</p>")
-          .arg(QStringLiteral(VOLUMEN_VERSION), QLatin1String(qVersion()), canvasKind(view_->canvas())),
+          .arg(QStringLiteral(VOLUMEN_VERSION), QLatin1String(qVersion()), canvasKind(view()->canvas())),
       QMessageBox::Close, this);
   box->setObjectName(QStringLiteral("aboutBox"));
   box->setAttribute(Qt::WA_DeleteOnClose);
@@ -42,6 +42,10 @@ void MainWindow::showShortcuts() {
       tr("reset the view"),
       tr("T, W"),
       tr("tools: rotate, adjust curve (W/L; in projections the window, Shift: fine, Ctrl: fast)"),
+      tr("X"),
+      tr("scissors: draw around what is cut away (Ctrl: around what stays), Esc gives up"),
+      tr("Right click in a 3D view"),
+      tr("tools, and in the layouts of two and four what the view shows"),
       tr("In the curve"),
       tr("double-click adds a point, right-click or Delete removes it, arrow keys nudge it, Tab goes to the "
          "next, the wheel zooms the value axis, Home shows all of it"),

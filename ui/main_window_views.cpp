@@ -78,14 +78,6 @@ void MainWindow::connectViews() {
           [this] { actions_[QStringLiteral("maximise")]->toggle(); });
   connect(&slices_, &SliceService::failed, this,
           [this](int, const QString& sentence) { banner_->tell(sentence); });
-  // Whatever brings the 3D view on screen: it has to be drawn.
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (viewsOnScreen(before) == viewsOnScreen(after)) return;
-            const ShownSeriesPtr& series = session_.series();
-            drawService_.show(sceneViewId, series && !view_->isHidden() ? series->volume : nullptr);
-            requestFrame();
-          });
 }
 
 // The CT that a PET is read over: of its study and frame of reference, the one with most voxels.
@@ -124,7 +116,7 @@ void MainWindow::resetViewInFocus() {
   if (SliceView* slice = grid_->sliceView(session_.workspace().focus))
     slice->resetView();
   else
-    view_->resetView();
+    view()->resetView();
 }
 
 }  // namespace volumen

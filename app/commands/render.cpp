@@ -132,8 +132,9 @@ class Run {
         session ? openSeries(session->series, cancel_) : openVolume(options_.path, options_.series, cancel_);
     if (!opened) return fail(opened.message(), cancel_);
     printNotes(opened->notes);
-    if (options_.removeTable || (session && session->tableRemoved))
-      if (Status removed = removeTable(*opened, cancel_); !removed) return stopped(removed.message());
+    const Mask mask = session ? session->mask : Mask{options_.removeTable, {}};
+    if (!mask.empty())
+      if (Status taken = takeAway(mask, *opened, cancel_); !taken) return stopped(taken.message());
     volume_ = opened->loaded.drawn;
     warnings_ = opened->loaded.warnings;
     times_.loadMs = wallMs() - begin;

@@ -87,7 +87,8 @@ int run(const SegmentOptions& options, const CancelToken& cancel) {
   Result<Opened> opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
   if (options.removeTable)
-    if (Status removed = removeTable(*opened, cancel); !removed) return fail(removed.message(), cancel);
+    if (Status removed = takeAway({true, {}}, *opened, cancel); !removed)
+      return fail(removed.message(), cancel);
   const Volume& volume = *opened->loaded.drawn;
   const LabelMap map = labelRange(volume, *range);
   const LabelStatistics statistics = labelStatistics(map, volume);

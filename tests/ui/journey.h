@@ -26,10 +26,11 @@ inline void openAlone(bool alone = true) {
 
 /// A window; pictures are waited for, and kept where $VOLUMEN_SHOTS names a folder.
 struct Journey {
-  MainWindow window{realServices()};
+  MainWindow window;
   QSignalSpy settled{&window, &MainWindow::settled};
 
-  explicit Journey(const QStringList& paths = {}) {
+  explicit Journey(const QStringList& paths = {}, const Services& services = realServices())
+      : window(services) {
     window.resize(1040, 680);
     window.show();
     // Without a window manager nobody else makes it active, and shortcuts wait for that.

@@ -8,6 +8,7 @@
 #include "tests/unit/suite.h"
 #include "ui/views/slice_view.h"
 #include "ui/views/view_grid.h"
+#include "ui/workspace/camera_moves.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -29,6 +30,8 @@ void TestSessionPictures::theProgramDrawsTheSnapshot_data() {
   QTest::newRow("turned") << 1 << QSize(230, 170);
   QTest::newRow("without its table, by level") << 2 << QSize(200, 200);
   QTest::newRow("from the planes beside it") << 3 << QSize(160, 120);
+  QTest::newRow("cut with the scissors, without its table") << 4 << QSize(200, 160);
+  QTest::newRow("cut, in perspective") << 5 << QSize(200, 160);
 }
 
 void TestSessionPictures::theProgramDrawsTheSnapshot() {
@@ -48,6 +51,25 @@ void TestSessionPictures::theProgramDrawsTheSnapshot() {
     w.child<QAction>("layoutPlanes")->trigger();
     QTRY_VERIFY(w.window.views()->sliceView(coronalViewId));
     QTest::mouseClick(w.window.views()->sliceView(coronalViewId), Qt::LeftButton, {}, {50, 50});
+  }
+  if (what >= 4) {
+    if (what == 4) QVERIFY(!w.after("removeTable").isNull());
+    if (what == 5)
+      QVERIFY(settles(w, [&] {
+        w.window.session().edit(QStringLiteral("Perspective"), [&](Scene& s) {
+          s.camera = withProjection(w.window.view()->camera(), Projection::perspective);
+        });
+      }));
+    const QImage whole = w.window.view()->picture();
+    w.child<QAction>("scissorsTool")->trigger();
+    const QPoint centre = w.window.view()->rect().center();
+    const QImage cut = w.after([&] {
+      QTest::mousePress(w.window.view(), Qt::LeftButton, {}, centre);
+      for (const QPoint by : {QPoint(50, 0), QPoint(50, 60), QPoint(-10, 40)})
+        QTest::mouseEvent(QTest::MouseMove, w.window.view(), Qt::LeftButton, {}, centre + by);
+      QTest::mouseRelease(w.window.view(), Qt::LeftButton, {}, centre);
+    });
+    QVERIFY(!cut.isNull() && cut != whole);
   }
   if (size.isNull()) size = w.window.view()->pixels();
   QVERIFY(folder.save(w));

@@ -84,7 +84,7 @@ void TestSessions::theTableIsRemovedAgain() {
   QVERIFY(folder.save(w));
   Journey again;
   QVERIFY(folder.open(again));
-  QVERIFY(again.window.session().tableRemoved());
+  QVERIFY(again.window.session().maskOf(keyOf(again.window.session().series()->series)).tableRemoved);
   QVERIFY(again.child<QAction>("removeTable")->isChecked());
   QVERIFY(again.window.session().state().series->volume->attributes().tableRemoved);
   QVERIFY(again.after("removeTable") != without);

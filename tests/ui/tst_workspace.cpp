@@ -8,6 +8,7 @@
 #include "tests/unit/suite.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/session.h"
+#include "ui/workspace/session_json.h"
 
 using namespace volumen;
 
@@ -140,8 +141,9 @@ void TestWorkspace::randomStepsAreUndoneToTheByte() {
   const std::vector<ShownSeriesPtr> series{tests::ballSeries(), tests::ballSeries(), tests::ballSeries()};
   session.show(series[0]);
   std::vector<Workspace> history{session.workspace()};
+  std::vector<std::string> files;
   while (history.size() <= 200) {
-    switch (below(5)) {
+    switch (below(7)) {
       case 0:
         session.show(series[std::size_t(below(3))], below(viewCount));
         break;
@@ -157,6 +159,23 @@ void TestWorkspace::randomStepsAreUndoneToTheByte() {
           view.flats[view.series].zoom = 1 + below(9);
         });
         break;
+      case 4:
+        session.showAs(below(viewCount), ViewKind(below(4)));
+        break;
+      case 5: {
+        const SeriesKey key = keyOf(series[std::size_t(below(3))]->series);
+        if (!session.workspace().series.contains(key)) break;
+        Mask mask = session.maskOf(key);
+        if (below(4) == 0) mask.tableRemoved = !mask.tableRemoved;
+        if (below(6) == 0) mask.lassos.clear();
+        Lasso lasso;
+        lasso.perspective = below(2);
+        lasso.inside = below(2);
+        for (int n = below(9); n > 0; --n) lasso.points.emplace_back(below(99) / 7.0, below(99) / 3.0);
+        mask.lassos.push_back(std::make_shared<const Lasso>(lasso));
+        session.setMask(QStringLiteral("Cut"), key, mask);
+        break;
+      }
       default:
         session.change(QStringLiteral("Crosshair"),
                        [&](Workspace& w) { w.crosshairs["f"].at.x = below(99); });
@@ -164,9 +183,11 @@ void TestWorkspace::randomStepsAreUndoneToTheByte() {
     session.endGesture();
     if (session.undoStack().index() == int(history.size())) history.push_back(session.workspace());
   }
+  for (const Workspace& workspace : history) files.push_back(*sessionToJson(workspace, "/"));
   for (std::size_t n = history.size() - 1; n-- > 0;) {
     session.undoStack().undo();
     QVERIFY2(session.workspace() == history[n], qPrintable(QString::number(n)));
+    QVERIFY2(*sessionToJson(session.workspace(), "/") == files[n], qPrintable(QString::number(n)));
   }
   for (std::size_t n = 1; n < history.size(); ++n) {
     session.undoStack().redo();
@@ -178,26 +199,27 @@ void TestWorkspace::theOldestSeriesGoFirst() {
   const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries(), c = tests::ballSeries();
   const std::size_t one = a->volume->bytes();
   SeriesPool pool(2 * one);
-  pool.put({keyOf(a->series)}, a);
-  pool.put({keyOf(b->series)}, b);
-  QVERIFY(pool.find({keyOf(a->series)}) == a);
-  pool.put({keyOf(c->series)}, c);
-  QVERIFY2(!pool.find({keyOf(b->series)}), "used longest ago");
-  QVERIFY(pool.find({keyOf(a->series)}) && pool.find({keyOf(c->series)}));
+  pool.put({keyOf(a->series), {}}, a);
+  pool.put({keyOf(b->series), {}}, b);
+  QVERIFY(pool.find({keyOf(a->series), {}}) == a);
+  pool.put({keyOf(c->series), {}}, c);
+  QVERIFY2(!pool.find({keyOf(b->series), {}}), "used longest ago");
+  QVERIFY(pool.find({keyOf(a->series), {}}) && pool.find({keyOf(c->series), {}}));
   QCOMPARE(pool.bytes(), 2 * one);
 }
 
 void TestWorkspace::whatIsOnScreenStays() {
   const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries(), c = tests::ballSeries();
   SeriesPool pool(1);
-  pool.setOnScreen({{keyOf(a->series)}});
-  pool.put({keyOf(a->series)}, a);
-  pool.put({keyOf(b->series), true}, b);
-  pool.put({keyOf(c->series)}, c);
-  QVERIFY2(pool.find({keyOf(a->series)}), "on screen");
-  QVERIFY2(pool.find({keyOf(b->series), true}), "no file gives it back");
+  pool.setOnScreen({{keyOf(a->series), {}}});
+  pool.put({keyOf(a->series), {}}, a);
+  pool.put({keyOf(b->series), {true, {}}}, b);
+  pool.put({keyOf(c->series), {}}, c);
+  QVERIFY2(pool.find({keyOf(a->series), {}}), "on screen");
+  QVERIFY2(!pool.find({keyOf(b->series), {true, {}}}), "made again where it is wanted");
+  pool.put({keyOf(c->series), {}}, c);
   pool.setOnScreen({});
-  QVERIFY(!pool.find({keyOf(a->series)}));
+  QVERIFY(!pool.find({keyOf(a->series), {}}));
 }
 
 void TestWorkspace::aSeriesThatWentIsAskedForAgain() {
@@ -208,7 +230,7 @@ void TestWorkspace::aSeriesThatWentIsAskedForAgain() {
   session.show(a);
   brighten(session, 0.25);
   session.show(b);
-  QVERIFY(!session.pool().find({keyOf(a->series)}));
+  QVERIFY(!session.pool().find({keyOf(a->series), {}}));
   session.undoStack().undo();
   QCOMPARE(needed.count(), 1);
   QCOMPARE(needed[0][0].value<Series>().id, a->series.id);
@@ -238,11 +260,15 @@ void TestWorkspace::theTableComesBackWithUndo() {
   const ShownSeriesPtr a = tests::ballSeries();
   const auto masked = std::make_shared<const ShownSeries>(*a);
   session.show(a);
-  session.removeTable(QStringLiteral("Remove table"), masked);
-  QVERIFY(session.series() == masked && session.tableRemoved());
+  const SeriesKey key = keyOf(a->series);
+  const Mask mask{true, {}};
+  session.takeMasked(mask, masked);
+  QVERIFY(session.series() == a);
+  session.setMask(QStringLiteral("Remove table"), key, mask);
+  QVERIFY(session.series() == masked && session.maskOf(key) == mask);
   session.undoStack().undo();
-  QVERIFY(session.series() == a && !session.tableRemoved());
-  QVERIFY(session.withoutTable() == masked);
+  QVERIFY(session.series() == a && session.maskOf(key).empty());
+  QVERIFY(session.seriesWith(key, mask) == masked);
 }
 
 void TestWorkspace::planesLieOnAcquiredSlices() {

@@ -53,7 +53,7 @@ MeasuredPtr Measurer::numbersOf(const Measurement& measurement) {
   const auto& all = session_.workspace().series;
   const auto state = all.find(measurement.series);
   const bool current = known.series == measurement.series && known.shape == measurement.shape && volume &&
-                       state != all.end() && volume->attributes().tableRemoved == state->second.tableRemoved;
+                       state != all.end() && known.mask == state->second.mask;
   if (!current) {
     const ShownSeriesPtr series = session_.seriesNamed(measurement.series);
     if (series &&
@@ -76,6 +76,7 @@ Measurer::Known& Measurer::begin(const Measurement& measurement) {
     known.numbers.reset(), known.shown = jobs_;
   known.series = measurement.series;
   known.shape = measurement.shape;
+  known.mask = session_.maskOf(measurement.series);
   known.asked = ++jobs_;
   return known;
 }

@@ -41,6 +41,7 @@ class Measurer : public QObject {
   struct Known {
     SeriesKey series;
     Shape shape;
+    Mask mask;  // of the series then
     std::weak_ptr<const Volume> volume;
     int asked = 0, shown = 0;  // numbers of jobs
     MeasuredPtr numbers;

@@ -27,7 +27,7 @@ void SeriesPool::put(const PoolKey& key, ShownSeriesPtr series) {
   dropBeyondBudget();
 }
 
-void SeriesPool::setOnScreen(std::set<PoolKey> keys) {
+void SeriesPool::setOnScreen(std::vector<PoolKey> keys) {
   onScreen_ = std::move(keys);
   dropBeyondBudget();
 }
@@ -58,7 +58,7 @@ void SeriesPool::dropBeyondBudget() {
   std::size_t held = bytes();
   // The first was asked for just now.
   for (auto h = held_.end(); held > budget_ && h != held_.begin();) {
-    if (--h == held_.begin() || h->key.tableRemoved || onScreen_.contains(h->key)) continue;
+    if (--h == held_.begin() || std::ranges::find(onScreen_, h->key) != onScreen_.end()) continue;
     held -= h->series->volume->bytes();
     h = held_.erase(h);
   }

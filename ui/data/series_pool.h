@@ -2,22 +2,22 @@
 
 #include <cstdint>
 #include <list>
-#include <set>
+#include <vector>
 
 #include "ui/data/series_key.h"
 #include "ui/data/shown_series.h"
+#include "viewer/segment/mask.h"
 
 namespace volumen {
 
-/// Which volume of a series: as it is, or without its table.
+/// Which volume of a series: as it is, or without what a mask takes away.
 struct PoolKey {
   SeriesKey series;
-  bool tableRemoved = false;
-  auto operator<=>(const PoolKey&) const = default;
+  Mask mask;
+  bool operator==(const PoolKey&) const = default;
 };
 
-/// The series in memory. Beyond a budget those that were used longest ago go first; never what is on screen,
-/// nor what was computed (without a table), which no file gives back.
+/// The series in memory. Beyond a budget those that were used longest ago go first; never what is on screen.
 class SeriesPool {
  public:
   /// `budget`: bytes of voxels to keep, those on screen included.
@@ -27,7 +27,7 @@ class SeriesPool {
   ShownSeriesPtr find(const PoolKey& key);
   void put(const PoolKey& key, ShownSeriesPtr series);
   /// What is on screen from now on; drops what is beyond the budget.
-  void setOnScreen(std::set<PoolKey> keys);
+  void setOnScreen(std::vector<PoolKey> keys);
   void setBudget(std::size_t bytes);
   void forget(const SeriesKey& key);
   /// Whether a volume of so many bytes has room beside what is on screen.
@@ -47,7 +47,7 @@ class SeriesPool {
   void dropBeyondBudget();
 
   std::list<Held> held_;  // the last used first
-  std::set<PoolKey> onScreen_;
+  std::vector<PoolKey> onScreen_;
   std::size_t budget_;
 };
 

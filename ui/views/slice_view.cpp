@@ -50,7 +50,6 @@ SliceView::SliceView(Session& session, SliceService& service, FrameService& fram
       tool_(&flatTool("window")) {
   setObjectName(QStringLiteral("sliceView%1").arg(id));
   setAccessibleName(tr("Slice view"));
-  setMinimumSize(100, 100);
   setAttribute(Qt::WA_OpaquePaintEvent);
   wheelEnd_.setSingleShot(true);
   wheelEnd_.setInterval(500);
@@ -152,7 +151,10 @@ void SliceView::tellWarnings() {
 void SliceView::workspaceChanged(const Workspace&) {
   const std::pair now(state().series, state().kind);
   const Showed last = std::exchange(showed_, now);
-  if (last != now && !isTimeStep(session_.workspace(), last, state())) forgetFrame();
+  if (last != now) {
+    drag_.reset();  // it is about what was shown
+    if (!isTimeStep(session_.workspace(), last, state())) forgetFrame();
+  }
   askForFrame();
   askForPicture();
   update();

@@ -50,7 +50,10 @@ class SliceView : public View {
   /// Why the frame that is wanted cannot be shown; empty: it can.
   const QString& failure() const { return frameFailure_; }
   /// What is on screen, as a series: the frame as one of one slice; null: nothing is in memory yet.
-  ShownSeriesPtr shown() const { return showsFrames() ? frame_ ? frame_->slice : nullptr : series(); }
+  ShownSeriesPtr shown() const {
+    if (state().kind == ViewKind::volume) return nullptr;
+    return showsFrames() ? frame_ ? frame_->slice : nullptr : series();
+  }
   bool showsFrames() const { return state().kind == ViewKind::frames; }
   /// The frames as a clip, or still again at the frame on screen; of slices the time points.
   void togglePlay();

@@ -12,6 +12,7 @@
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/link_text.h"
+#include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/windows.h"
 
@@ -86,6 +87,7 @@ Overlays SliceView::overlays() const {
   o.topRight << kindText(state().kind) << QStringLiteral("%1 / %2").arg(place.index + 1).arg(place.count);
   o.bottomRight = tr("W %1 L %2").arg(std::abs(window.width), 0, 'g', 4).arg(window.centre, 0, 'g', 4);
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
+  o.topRight << maskTexts(session_.maskOf(keyOf(shown->series)));
   o.topRight << referenceTexts();
   if (!geometry.calibrated) return o;
   o.topRight << (crosshair.turned() ? tr("oblique") : positionText(state().kind, now.centre));

@@ -7,7 +7,8 @@
 
 namespace volumen {
 
-View::View(Session& session, ViewId id, QWidget* parent) : QWidget(parent), session_(session), id_(id) {
+View::View(Session& session, ViewId id, QWidget* parent)
+    : QWidget(parent), session_(session), id_(id), seen_(series()) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAcceptDrops(true);

@@ -40,67 +40,92 @@ ViewGrid::ViewGrid(Session& session, SliceService& slices, FrameService& frames,
       frames_(frames),
       measurer_(measurer),
       references_(references),
-      scene_(new VolumeView(session)),
       tool_(&flatTool("window")),
       toolBefore_(tool_) {
   setObjectName(QStringLiteral("viewGrid"));
-  scene_->setParent(this);
-  add(sceneViewId, scene_);
+  setMinimumSize(200, 200);
+  volumeView(sceneViewId);
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
-            if (viewsOnScreen(before) != viewsOnScreen(after) || before.layout != after.layout ||
-                before.focus != after.focus)
+            const auto kinds = [](const Workspace& w) {
+              std::vector<std::pair<ViewId, bool>> are3d;
+              for (const ViewId id : viewsOnScreen(w))
+                are3d.emplace_back(id, w.view(id).kind == ViewKind::volume);
+              return are3d;
+            };
+            if (kinds(before) != kinds(after) || before.layout != after.layout || before.focus != after.focus)
               arrange();
           });
   arrange();
 }
 
 SliceView* ViewGrid::sliceView(ViewId id) const {
-  const auto view = views_.find(id);
-  return view == views_.end() ? nullptr : qobject_cast<SliceView*>(view->second);
+  const auto view = flats_.find(id);
+  const bool isFlat = session_.workspace().view(id).kind != ViewKind::volume;
+  return view == flats_.end() || !isFlat ? nullptr : view->second;
+}
+
+VolumeView* ViewGrid::volumeView(ViewId id) {
+  VolumeView*& view = volumes_[id];
+  if (view) return view;
+  view = new VolumeView(session_, id, this);
+  view->hide();
+  view->setTool(sceneTool_);
+  view->setErrorShown(errorShown_);
+  connect(view, &VolumeView::menuRequested, this,
+          [this, view = view](QPoint global) { Q_EMIT menuRequested(view, global); });
+  add(view);
+  Q_EMIT volumeViewMade(view);
+  return view;
 }
 
 View* ViewGrid::viewOf(ViewId id) {
-  if (!views_.contains(id)) {
-    auto* made = new SliceView(session_, slices_, frames_, measurer_, references_, id, this);
-    made->setTool(*tool_);
-    made->setClipShown(clipShown_);
-    made->showSegment(segment_);
-    connect(made, &SliceView::toolWanted, this, &ViewGrid::setTool);
-    connect(made, &SliceView::toolDone, this, &ViewGrid::restoreTool);
-    add(id, made);
-  }
-  return views_.at(id);
+  if (session_.workspace().view(id).kind == ViewKind::volume) return volumeView(id);
+  SliceView*& view = flats_[id];
+  if (view) return view;
+  view = new SliceView(session_, slices_, frames_, measurer_, references_, id, this);
+  view->setTool(*tool_);
+  view->setClipShown(clipShown_);
+  view->showSegment(segment_);
+  connect(view, &SliceView::toolWanted, this, qOverload<const FlatTool&>(&ViewGrid::setTool));
+  connect(view, &SliceView::toolDone, this, &ViewGrid::restoreTool);
+  connect(view, &SliceView::menuRequested, this,
+          [this, view = view](QPoint global) { Q_EMIT menuRequested(view, global); });
+  add(view);
+  return view;
+}
+
+void ViewGrid::setTool(ViewTool tool) {
+  sceneTool_ = tool;
+  for (const auto& [id, view] : volumes_) view->setTool(tool);
+}
+
+void ViewGrid::setErrorShown(bool shown) {
+  errorShown_ = shown;
+  for (const auto& [id, view] : volumes_) view->setErrorShown(shown);
 }
 
 void ViewGrid::setTool(const FlatTool& tool) {
   tool_ = &tool;
   if (!tool.measuring) toolBefore_ = tool_;
-  for (const auto& [id, view] : views_)
-    if (auto* slice = qobject_cast<SliceView*>(view)) slice->setTool(tool);
+  for (const auto& [id, view] : flats_) view->setTool(tool);
   Q_EMIT toolChanged();
 }
 
 void ViewGrid::setClipShown(bool shown) {
   clipShown_ = shown;
-  for (const auto& [id, view] : views_)
-    if (auto* slice = qobject_cast<SliceView*>(view)) slice->setClipShown(shown);
+  for (const auto& [id, view] : flats_) view->setClipShown(shown);
 }
 
 void ViewGrid::showSegment(const std::shared_ptr<const RangeSegment>& segment) {
   segment_ = segment;
-  for (const auto& [id, view] : views_)
-    if (auto* slice = qobject_cast<SliceView*>(view)) slice->showSegment(segment);
+  for (const auto& [id, view] : flats_) view->showSegment(segment);
 }
 
-void ViewGrid::add(ViewId id, View* view) {
-  views_[id] = view;
+void ViewGrid::add(View* view) {
   connect(view, &View::maximiseRequested, this, &ViewGrid::maximiseRequested);
   connect(view, &View::hovered, this, &ViewGrid::hovered);
   connect(view, &View::dropped, this, &ViewGrid::dropped);
-  if (auto* flat = qobject_cast<SliceView*>(view))
-    connect(flat, &SliceView::menuRequested, this,
-            [this, flat](QPoint global) { Q_EMIT menuRequested(flat, global); });
 }
 
 void ViewGrid::setAlone(bool alone) {
@@ -112,8 +137,14 @@ void ViewGrid::arrange() {
   std::vector<ViewId> ids = viewsOnScreen(session_.workspace());
   if (alone_ && std::ranges::find(ids, *alone_) != ids.end()) ids = {*alone_};
   const std::vector<QRect> places = placesOf(session_.workspace().layout, ids.size(), size());
-  for (const auto& [id, view] : views_)
-    if (std::ranges::find(ids, id) == ids.end()) view->hide();
+  const auto hideOthers = [&](const auto& views, bool are3d) {
+    for (const auto& [id, view] : views) {
+      const bool is3d = session_.workspace().view(id).kind == ViewKind::volume;
+      if (std::ranges::find(ids, id) == ids.end() || is3d != are3d) view->hide();
+    }
+  };
+  hideOthers(volumes_, true);
+  hideOthers(flats_, false);
   for (std::size_t n = 0; n < ids.size(); ++n) {
     View* view = viewOf(ids[n]);
     view->setGeometry(places[n]);

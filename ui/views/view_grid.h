@@ -16,11 +16,17 @@ class ViewGrid : public QWidget {
   ViewGrid(Session& session, SliceService& slices, FrameService& frames, Measurer& measurer,
            References& references, QWidget* parent = nullptr);
 
-  VolumeView* sceneView() const { return scene_; }
-  /// Null where it was never shown, or is the 3D one.
+  /// The 3D view of this id; where the workspace shows something else in it, it is hidden.
+  VolumeView* volumeView(ViewId id);
+  /// The flat view of this id where that is what is shown; null: it was never shown, or is a 3D one.
   SliceView* sliceView(ViewId id) const;
+  /// The view of this id that is shown.
+  View* viewOf(ViewId id);
   /// Shows the view in focus alone, or all of the layout again.
   void setAlone(bool alone);
+  /// What the left button does in 3D views.
+  void setTool(ViewTool tool);
+  void setErrorShown(bool shown);
   /// What the left button does in flat views.
   void setTool(const FlatTool& tool);
   const FlatTool& tool() const { return *tool_; }
@@ -35,15 +41,16 @@ class ViewGrid : public QWidget {
   void maximiseRequested();
   void hovered(const QString& text);
   void dropped(const QMimeData& data);
-  void menuRequested(volumen::SliceView* view, QPoint global);
+  void menuRequested(volumen::View* view, QPoint global);
   void toolChanged();
+  /// A 3D view was made: it wants to be drawn.
+  void volumeViewMade(volumen::VolumeView* view);
 
  protected:
   void resizeEvent(QResizeEvent*) override;
 
  private:
-  View* viewOf(ViewId id);
-  void add(ViewId id, View* view);
+  void add(View* view);
   void arrange();
 
   Session& session_;
@@ -51,9 +58,11 @@ class ViewGrid : public QWidget {
   FrameService& frames_;
   Measurer& measurer_;
   References& references_;
-  VolumeView* scene_;
+  ViewTool sceneTool_ = ViewTool::orbit;
+  bool errorShown_ = false;
   const FlatTool *tool_, *toolBefore_;
-  std::map<ViewId, View*> views_;
+  std::map<ViewId, VolumeView*> volumes_;
+  std::map<ViewId, SliceView*> flats_;
   bool clipShown_ = false;
   std::shared_ptr<const RangeSegment> segment_;
   std::optional<ViewId> alone_;

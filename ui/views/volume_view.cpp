@@ -27,14 +27,15 @@ VolumeView::VolumeView(Session& session, ViewId id, QWidget* parent)
       canvas_(makeCanvas([this](QPainter& p) { paint(p); }, [this] { replaceCanvas(); }, this)),
       cube_(new OrientationCube(this)),
       badge_(new WarningBadge(this)) {
-  setObjectName(QStringLiteral("volumeView"));
+  setObjectName(id == sceneViewId ? QStringLiteral("volumeView") : QStringLiteral("volumeView%1").arg(id));
   setAccessibleName(tr("Volume view"));
-  setMinimumSize(200, 200);
   wheelEnd_.setSingleShot(true);
   wheelEnd_.setInterval(500);
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(cube_, &OrientationCube::viewRequested, this, &VolumeView::showView);
+  connect(this, &View::pixelsChanged, this, &VolumeView::pictureNeeded);
   connect(&session_, &Session::preferencesChanged, this, [this] { canvas_->update(); });
+  showWarnings();
   showState();
 }
 
@@ -42,6 +43,7 @@ void VolumeView::seriesExchanged(bool another) {
   if (another) {
     fitMm_.clear();
     setPicture({}, {});
+    letGo();
   }
   showWarnings();
   showState();
@@ -53,7 +55,14 @@ void VolumeView::workspaceChanged(const Workspace& before) {
     canvas_->update();
   const ViewState& then = before.view(id());
   const auto look = then.scenes.find(state().series);
-  if (look == then.scenes.end() || look->second.scene.camera != scene().camera) showState();
+  const bool isNew = look == then.scenes.end();
+  if (isNew || look->second.scene.camera != scene().camera) {
+    if (hand_ == Hand::lasso) letGo();
+    showState();
+  }
+  const VolumePtr volume = series() ? series()->volume : nullptr;
+  const bool isAnother = std::exchange(drawn_, volume) != volume;
+  if (isAnother || (volume && (isNew || look->second.scene != scene()))) Q_EMIT pictureNeeded();
 }
 
 void VolumeView::showWarnings() {
@@ -118,7 +127,10 @@ void VolumeView::setPicture(const QImage& image, const QString& caption,
 
 void VolumeView::setTool(ViewTool tool) {
   tool_ = tool;
-  setCursor(tool == ViewTool::curve ? Qt::SizeAllCursor : Qt::ArrowCursor);
+  letGo();
+  setCursor(tool == ViewTool::curve      ? Qt::SizeAllCursor
+            : tool == ViewTool::scissors ? Qt::CrossCursor
+                                         : Qt::ArrowCursor);
 }
 
 Camera VolumeView::camera() const { return cameraInUse(scene(), series()->volume->geometry(), size()); }
@@ -197,6 +209,7 @@ VolumeView::Hand VolumeView::handFor(const QMouseEvent& event) const {
     case Qt::LeftButton:
       if (tool_ == ViewTool::curve && scene().mode != Mode::composite) return Hand::window;
       if (shift) return handOf(wanted.shiftDrag, control);
+      if (tool_ == ViewTool::scissors) return Hand::lasso;
       return handOf(tool_ == ViewTool::curve ? DragAction::curve : DragAction::rotate, control);
     default:
       return Hand::none;
@@ -208,6 +221,8 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   if (!series() || hand_ != Hand::none) return;
   hand_ = handFor(*event);
   pressedAt_ = event->position();
+  stepsAtPress_ = session_.undoStack().index();
+  if (hand_ == Hand::lasso) outline_ = {toVec(pressedAt_)};
   cameraAtPress_ = camera();
   curveAtPress_ = scene().transferFunction;
   windowAtPress_ = windowInUse(scene(), *series());
@@ -268,6 +283,8 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
     }
     case Hand::window:
       return moveWindow(*event);
+    case Hand::lasso:
+      return moveLasso(*event);
     case Hand::orbit:
     case Hand::roll:
       return editCamera(tr("Rotate"), movedCamera(event->position()));
@@ -279,24 +296,17 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
-  const bool clicked = hand_ == Hand::orbit && (event->position() - pressedAt_).manhattanLength() < 3;
-  hand_ = Hand::none;
-  session_.endGesture();
+  const bool isStill = (event->position() - pressedAt_).manhattanLength() < 3;
+  const bool clicked = hand_ == Hand::orbit && isStill;
+  const bool wantsMenu = hand_ != Hand::none && event->button() == Qt::RightButton && isStill;
+  if (hand_ == Hand::lasso) endLasso(*event);
+  letGo();
+  if (wantsMenu) Q_EMIT menuRequested(event->globalPosition().toPoint());
   if (!clicked || !planesOnScreen()) return;
   const std::optional<Pick> hit = pickAt(event->position());
   if (!hit || !hit->pPatient) return;
   moveCrosshair(session_, id(), *series(), tr("Crosshair"), *hit->pPatient);
   session_.endGesture();
-}
-
-bool VolumeView::planesOnScreen() const {
-  const Workspace& workspace = session_.workspace();
-  return series() && std::ranges::any_of(viewsOnScreen(workspace), [&](ViewId other) {
-           const ViewState& view = workspace.view(other);
-           const auto shown = workspace.series.find(view.series);
-           return view.kind != ViewKind::volume && shown != workspace.series.end() &&
-                  frameOfReference(*shown->second.series) == frameOfReference(series()->series);
-         });
 }
 
 void VolumeView::wheelEvent(QWheelEvent* event) {
@@ -314,6 +324,7 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
 }
 
 void VolumeView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && hand_ != Hand::none) return giveUp();
   const int right = (event->key() == Qt::Key_Right) - (event->key() == Qt::Key_Left);
   const int down = (event->key() == Qt::Key_Down) - (event->key() == Qt::Key_Up);
   if (!series() || (right == 0 && down == 0)) return QWidget::keyPressEvent(event);
@@ -323,7 +334,24 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
   if (!event->isAutoRepeat()) session_.endGesture();
 }
 
+void VolumeView::showEvent(QShowEvent* event) {
+  View::showEvent(event);
+  Q_EMIT pictureNeeded();
+}
+
+void VolumeView::hideEvent(QHideEvent* event) {
+  View::hideEvent(event);
+  letGo();
+  Q_EMIT pictureNeeded();
+}
+
+void VolumeView::enterEvent(QEnterEvent* event) {
+  View::enterEvent(event);
+  Q_EMIT entered();
+}
+
 void VolumeView::resizeEvent(QResizeEvent* event) {
+  if (hand_ == Hand::lasso) letGo();
   placeChildren();
   showState();
   View::resizeEvent(event);

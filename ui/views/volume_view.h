@@ -16,9 +16,10 @@ class WarningBadge;
 
 /// What a left-drag does.
 enum class ViewTool {
-  orbit,  ///< turns about the point under the cursor; Ctrl rolls
-  curve   ///< shifts (up: to lower values) and widens (right) the curve, in projections the window; Ctrl:
-          ///< overall opacity
+  orbit,    ///< turns about the point under the cursor; Ctrl rolls
+  curve,    ///< shifts (up: to lower values) and widens (right) the curve, in projections the window; Ctrl:
+            ///< overall opacity
+  scissors  ///< draws around what is cut away; Ctrl: around what stays
 };
 
 /// The picture of the session's scene at device pixels, with the hands on it: left-drag as the tool says, the
@@ -53,10 +54,22 @@ class VolumeView : public View {
   void resetView();
   const QWidget* canvas() const { return canvas_; }
 
+ Q_SIGNALS:
+  /// The picture is out of date, or the view came on screen or left it.
+  void pictureNeeded();
+  void entered();
+  /// Something was drawn around with the scissors.
+  void lassoDrawn(const volumen::SeriesKey& series, const volumen::Lasso& lasso);
+  /// A right click: a menu is to be opened here.
+  void menuRequested(QPoint global);
+
  protected:
   void seriesExchanged(bool another) override;
   void workspaceChanged(const Workspace& before) override;
   void resizeEvent(QResizeEvent*) override;
+  void showEvent(QShowEvent*) override;
+  void hideEvent(QHideEvent*) override;
+  void enterEvent(QEnterEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
   void mouseMoveEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
@@ -64,13 +77,20 @@ class VolumeView : public View {
   void keyPressEvent(QKeyEvent*) override;
 
  private:
-  enum class Hand { none, orbit, roll, pan, zoom, curve, opacity, window };
+  enum class Hand { none, orbit, roll, pan, zoom, curve, opacity, window, lasso };
 
   Hand handFor(const QMouseEvent& event) const;
   Hand handOf(DragAction action, bool control) const;
   Camera movedCamera(QPointF to) const;
   TransferFunction movedCurve(QPointF to) const;
   void moveWindow(const QMouseEvent& event);
+  void moveLasso(const QMouseEvent& event);
+  void endLasso(const QMouseEvent& event);
+  void paintLasso(QPainter& painter) const;
+  /// Ends a drag; what it did stays, but for an outline.
+  void letGo();
+  /// Ends a drag as if it had not been.
+  void giveUp();
   void editCamera(const QString& what, const Camera& camera);
   void rememberFit(const Camera& fitted);
   const Scene& scene() const { return session_.sceneOf(id()); }
@@ -90,6 +110,7 @@ class VolumeView : public View {
   QWidget* canvas_;
   OrientationCube* cube_;
   WarningBadge* badge_;
+  VolumePtr drawn_;  // the one that a picture was asked for
   QImage picture_;
   QString caption_;
   std::shared_ptr<const std::vector<float>> error_;
@@ -106,6 +127,9 @@ class VolumeView : public View {
   TransferFunction curveAtPress_;
   Window windowAtPress_;
   glm::dvec3 pivot_{0};
+  int stepsAtPress_ = 0;             // of the undo stack
+  std::vector<glm::dvec2> outline_;  // drawn with the scissors, logical pixels
+  bool cutsInside_ = true;
 };
 
 }  // namespace volumen

@@ -1,4 +1,5 @@
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -7,6 +8,7 @@
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -29,9 +31,10 @@ Overlays VolumeView::overlays() const {
   o.bottomRight = caption_;
   for (const QWidget* child : {static_cast<const QWidget*>(cube_), static_cast<const QWidget*>(badge_)})
     if (child->isVisibleTo(this)) o.taken.push_back(child->geometry());
+  const QStringList taken = maskTexts(session_.maskOf(state().series));
   const QString zoomText = tr("Zoom %1 %").arg(std::lround(100 * zoom()));
   if (!shown->volume->geometry().calibrated) {
-    o.topRight << zoomText;
+    o.topRight << zoomText << taken;
     return o;
   }
   const std::string name = viewName(seen);
@@ -40,7 +43,18 @@ Overlays VolumeView::overlays() const {
                      : viewText(QString::fromStdString(name)))
              << zoomText;
   if (seen.projection == Projection::perspective) o.topRight << tr("Perspective");
+  o.topRight << taken;
   return o;
+}
+
+bool VolumeView::planesOnScreen() const {
+  const Workspace& workspace = session_.workspace();
+  return series() && std::ranges::any_of(viewsOnScreen(workspace), [&](ViewId other) {
+           const ViewState& view = workspace.view(other);
+           const auto shown = workspace.series.find(view.series);
+           return view.kind != ViewKind::volume && shown != workspace.series.end() &&
+                  frameOfReference(*shown->second.series) == frameOfReference(series()->series);
+         });
 }
 
 // Where the planes on screen meet.
@@ -79,6 +93,7 @@ void VolumeView::paint(QPainter& painter) const {
   Overlays over = overlays();
   if (errorShown_) over.topRight << errorImage_.legend;
   paintCrosshair(painter);
+  paintLasso(painter);
   paintOverlays(painter, over, rect());
   paintFocus(painter);
 }

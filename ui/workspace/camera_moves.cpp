@@ -49,6 +49,18 @@ SightLine sightLine(const Camera& camera, glm::dvec2 size, glm::dvec2 position) 
   return {eye, glm::normalize(q - eye)};
 }
 
+Lasso lassoOf(const Camera& camera, glm::dvec2 size, const std::vector<glm::dvec2>& outline) {
+  const CameraAxes axes = cameraAxes(camera);
+  Lasso lasso;
+  lasso.perspective = camera.projection == Projection::perspective;
+  lasso.origin = lasso.perspective ? eyeOf(camera) : *camera.target;
+  lasso.right = axes.right;
+  lasso.down = -axes.up;
+  const double mm = heightAtTarget(camera) / size.y / (lasso.perspective ? camera.distance : 1);
+  for (const glm::dvec2 p : outline) lasso.points.push_back((p - size / 2.0) * mm);
+  return lasso;
+}
+
 double mmPerPixel(const Camera& camera, glm::dvec2 size, glm::dvec3 pPatient) {
   if (camera.projection == Projection::parallel) return camera.height / size.y;
   const double depth = glm::dot(pPatient - eyeOf(camera), glm::normalize(camera.direction));

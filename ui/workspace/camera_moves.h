@@ -4,6 +4,7 @@
 #include <string>
 
 #include "viewer/scene/scene.h"
+#include "viewer/segment/mask.h"
 
 namespace volumen {
 
@@ -21,6 +22,8 @@ SightLine sightLine(const Camera& camera, glm::dvec2 size, glm::dvec2 position);
 
 /// Where a point in patient space is seen. For perspective it must lie in front of the eye.
 glm::dvec2 seenAt(const Camera& camera, glm::dvec2 size, glm::dvec3 pPatient);
+/// An outline in the picture as what it cuts; what is inside goes.
+Lasso lassoOf(const Camera& camera, glm::dvec2 size, const std::vector<glm::dvec2>& outline);
 /// Millimetres a pixel covers at that point.
 double mmPerPixel(const Camera& camera, glm::dvec2 size, glm::dvec3 pPatient);
 

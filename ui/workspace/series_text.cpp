@@ -80,4 +80,11 @@ QStringList everythingOf(const Series& series) {
   return lines;
 }
 
+QStringList maskTexts(const Mask& mask) {
+  QStringList texts;
+  if (mask.tableRemoved) texts << tr("table removed");
+  if (!mask.lassos.empty()) texts << tr("parts cut away");
+  return texts;
+}
+
 }  // namespace volumen

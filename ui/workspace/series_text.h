@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/study.h"
+#include "viewer/segment/mask.h"
 
 namespace volumen {
 
@@ -22,5 +23,8 @@ QStringList tellingApart(const Series& series, const std::vector<const Series*>&
 /// All that is known of a series, one thing a line, warnings last: patient, study, values, place of its
 /// files.
 QStringList everythingOf(const Series& series);
+
+/// What was taken away from a series, each in two words: "table removed".
+QStringList maskTexts(const Mask& mask);
 
 }  // namespace volumen

@@ -9,12 +9,17 @@
 
 namespace volumen {
 
+namespace {
+
+SceneLook firstLook(const ShownSeries& series) {
+  return {series.firstScene, std::make_shared<ChosenPreset>(ChosenPreset{"auto", series.firstScene})};
+}
+
+}  // namespace
+
 Session::Session(QObject* parent) : QObject(parent) {}
 
-PoolKey Session::poolKeyOf(const SeriesKey& series) const {
-  const auto known = workspace_.series.find(series);
-  return {series, known != workspace_.series.end() && known->second.tableRemoved};
-}
+PoolKey Session::poolKeyOf(const SeriesKey& series) const { return {series, maskOf(series)}; }
 
 ShownSeriesPtr Session::seriesNamed(const SeriesKey& key) const {
   return key.empty() ? nullptr : pool_.find(poolKeyOf(key));
@@ -41,9 +46,8 @@ void Session::show(ShownSeriesPtr series) {
 
 void Session::show(ShownSeriesPtr series, ViewId view, const Arrange& arrange) {
   const SeriesKey key = keyOf(series->series);
-  pool_.put({key, false}, series);
-  const SceneLook first{series->firstScene,
-                        std::make_shared<ChosenPreset>(ChosenPreset{"auto", series->firstScene})};
+  pool_.put({key, {}}, series);
+  const SceneLook first = firstLook(*series);
   const bool isNew = !workspace_.series.contains(key);
   Workspace after = withSeries(workspace_, view, series->series, first);
   begin(tr("Show %1").arg(seriesText(series->series)),
@@ -52,6 +56,19 @@ void Session::show(ShownSeriesPtr series, ViewId view, const Arrange& arrange) {
 
 void Session::showFrames(const Series& series, ViewId view) {
   begin(tr("Show %1").arg(seriesText(series)), withFrames(workspace_, view, series));
+}
+
+void Session::showAs(ViewId view, ViewKind kind) {
+  const ShownSeriesPtr series = seriesOf(view);
+  if (!series) return;
+  const ViewState& scenes = workspace_.view(sceneViewOf(workspace_));
+  const auto look = scenes.scenes.find(keyOf(series->series));
+  endGesture();
+  change(
+      kind == ViewKind::volume ? tr("Show in 3D") : tr("Show plane"),
+      withKind(workspace_, view, kind,
+               scenes.series == keyOf(series->series) && look != scenes.scenes.end() ? look->second
+                                                                                     : firstLook(*series)));
 }
 
 // A step, but for the first series of a workspace.
@@ -64,7 +81,7 @@ void Session::begin(const QString& text, Workspace after) {
 }
 
 bool Session::showAgain(const Series& series, ViewId view) {
-  const ShownSeriesPtr held = pool_.find({keyOf(series), false});
+  const ShownSeriesPtr held = pool_.find({keyOf(series), {}});
   if (held) show(held, view);
   return held != nullptr;
 }
@@ -82,14 +99,14 @@ void Session::take(ShownSeriesPtr series, const Arrange& arrange) {
 }
 
 void Session::keep(ShownSeriesPtr series) {
-  pool_.put({keyOf(series->series), false}, series);
+  pool_.put({keyOf(series->series), {}}, series);
   setWorkspace(withFound(workspace_, series->series));
 }
 
-void Session::takeWithoutTable(ShownSeriesPtr without) {
-  const SeriesKey key = keyOf(without->series);
+void Session::takeMasked(const Mask& mask, ShownSeriesPtr masked) {
+  const SeriesKey key = keyOf(masked->series);
   if (!workspace_.series.contains(key)) return;
-  pool_.put({key, true}, std::move(without));
+  pool_.put({key, mask}, std::move(masked));
   setWorkspace(workspace_);
 }
 
@@ -143,19 +160,18 @@ void Session::edit(const QString& text, Scene after, const QString& mergeKey) {
       text, [&](Scene& scene) { scene = std::move(after); }, mergeKey);
 }
 
-void Session::removeTable(const QString& text, ShownSeriesPtr without) {
-  const SeriesKey key = keyOf(state_.series->series);
-  const bool removed = without != nullptr;
-  if (without) pool_.put({key, true}, std::move(without));
-  change(text, [&](Workspace& w) { w.series.at(key).tableRemoved = removed; });
+void Session::setMask(const QString& text, const SeriesKey& series, const Mask& mask) {
+  endGesture();
+  change(text, [&](Workspace& w) { w.series.at(series).mask = mask; });
 }
 
-bool Session::tableRemoved() const {
-  return state_.series && poolKeyOf(keyOf(state_.series->series)).tableRemoved;
+Mask Session::maskOf(const SeriesKey& series) const {
+  const auto known = workspace_.series.find(series);
+  return known == workspace_.series.end() ? Mask{} : known->second.mask;
 }
 
-ShownSeriesPtr Session::withoutTable() const {
-  return state_.series ? pool_.find({keyOf(state_.series->series), true}) : nullptr;
+ShownSeriesPtr Session::seriesWith(const SeriesKey& series, const Mask& mask) const {
+  return pool_.find({series, mask});
 }
 
 void Session::setGoal(const QString& text, const QualityGoal& after, const QString& mergeKey) {
@@ -221,9 +237,8 @@ SessionState Session::stateInFocus() const {
 void Session::askFor(const PoolKey& key) {
   const auto known = workspace_.series.find(key.series);
   if (known == workspace_.series.end() || known->second.missing || pool_.find(key)) return;
-  const ShownSeriesPtr withTable = key.tableRemoved ? pool_.find({key.series, false}) : nullptr;
-  if (withTable)
-    Q_EMIT withoutTableNeeded(withTable);
+  if (!key.mask.empty() && pool_.find({key.series, {}}))
+    Q_EMIT maskedNeeded(key.series);
   else
     Q_EMIT seriesNeeded(*known->second.series);
 }
@@ -231,19 +246,22 @@ void Session::askFor(const PoolKey& key) {
 void Session::setWorkspace(const Workspace& workspace) {
   Workspace after = workspace;  // a copy: it may be the one in use
   const Workspace before = std::exchange(workspace_, std::move(after));
-  std::set<PoolKey> onScreen;
+  std::vector<PoolKey> wanted;
   for (const ViewId id : viewsOnScreen(workspace_)) {
     const ViewState& view = workspace_.view(id);
     if (view.kind == ViewKind::frames) continue;
     const SeriesKey overlay = view.kind == ViewKind::volume ? SeriesKey{} : flatLookOf(view).overlay;
     for (const SeriesKey& key : {view.series, overlay})
-      if (!key.empty()) onScreen.insert(poolKeyOf(key));
+      if (!key.empty() && std::ranges::find(wanted, key, &PoolKey::series) == wanted.end())
+        wanted.push_back(poolKeyOf(key));
   }
+  std::vector<PoolKey> onScreen = wanted;
+  for (const PoolKey& key : wanted) onScreen.push_back({key.series, {}});  // for the next mask
   pool_.setOnScreen(onScreen);
   const SessionState stateBefore = std::exchange(state_, stateInFocus());
   Q_EMIT workspaceChanged(before, workspace_);
   if (stateBefore != state_) Q_EMIT changed(stateBefore, state_);
-  for (const PoolKey& key : onScreen) askFor(key);
+  for (const PoolKey& key : wanted) askFor(key);
 }
 
 }  // namespace volumen

@@ -51,14 +51,18 @@ class Session : public QObject {
   void show(ShownSeriesPtr series, ViewId view, const Arrange& arrange = {});
   /// Puts the frames of a series into a view, as withFrames() does; one undo step, but for the first series.
   void showFrames(const Series& series, ViewId view);
+  /// Shows the series of a view to compare in another plane, or in 3D: at first as the 3D view does that the
+  /// panels work on, where it shows the same series. One undo step; nothing where the series is not in
+  /// memory.
+  void showAs(ViewId view, ViewKind kind);
   /// The same as show() for a series that is still in memory; false where it is not.
   bool showAgain(const Series& series, ViewId view);
   /// Keeps a series that views on screen wait for; shows any other.
   void take(ShownSeriesPtr series, const Arrange& arrange = {});
   /// Keeps a series in memory, for views that wait for it now or later.
   void keep(ShownSeriesPtr series);
-  /// The same for its volume without the table.
-  void takeWithoutTable(ShownSeriesPtr without);
+  /// Keeps a series without what a mask takes away.
+  void takeMasked(const Mask& mask, ShownSeriesPtr masked);
   /// Makes a workspace that was read the one in use; one undo step, but for the first of a window.
   void open(const QString& text, const Workspace& workspace);
   /// Drops a series from views and memory, and forgets all steps.
@@ -82,11 +86,12 @@ class Session : public QObject {
   void choosePreset(const QString& text, const std::string& name, const Scene& look);
   /// Whether the look was changed since.
   bool presetModified() const;
-  /// Shows the series in focus without its table, which is `without`, or with it again (null); one undo step.
-  void removeTable(const QString& text, ShownSeriesPtr without);
-  bool tableRemoved() const;
-  /// The series in focus without its table, where that was made before.
-  ShownSeriesPtr withoutTable() const;
+  /// Shows a series of the workspace without what this mask takes away; one undo step.
+  void setMask(const QString& text, const SeriesKey& series, const Mask& mask);
+  /// That of a series; empty where the workspace does not know it.
+  Mask maskOf(const SeriesKey& series) const;
+  /// A series without what this mask takes away; null: it is not in memory.
+  ShownSeriesPtr seriesWith(const SeriesKey& series, const Mask& mask) const;
 
   /// The same for what is asked of the picture beside the scene.
   void setGoal(const QString& text, const QualityGoal& after, const QString& mergeKey = {});
@@ -113,8 +118,8 @@ class Session : public QObject {
   void workspaceChanged(const volumen::Workspace& before, const volumen::Workspace& after);
   /// A view shows a series that is not in memory: take() it.
   void seriesNeeded(const volumen::Series& series);
-  /// A view shows this series without its table, and that volume is not in memory: takeWithoutTable() it.
-  void withoutTableNeeded(const volumen::ShownSeriesPtr& series);
+  /// A view shows this series with its mask, and that volume is not in memory: takeMasked() it.
+  void maskedNeeded(const volumen::SeriesKey& series);
 
   void preferencesChanged(const volumen::Preferences& before, const volumen::Preferences& after);
 

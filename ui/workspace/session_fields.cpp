@@ -61,6 +61,12 @@ void FieldWriter::operator()(const char* name, glm::dvec3& value, Limits limits)
   json_[name] = listOf(name, &value[0], 3, limits);
 }
 
+void FieldWriter::operator()(const char* name, std::vector<glm::dvec2>& points, Limits limits) {
+  std::vector<double> numbers;
+  for (const glm::dvec2 p : points) numbers.insert(numbers.end(), {p.x, p.y});
+  json_[name] = listOf(name, numbers.data(), int(numbers.size()), limits);
+}
+
 void FieldWriter::operator()(const char* name, Scene& scene) {
   const Status valid = validateScene(scene);
   if (valid)
@@ -115,6 +121,18 @@ void FieldReader::operator()(const char* name, glm::dvec2& value, Limits limits)
 
 void FieldReader::operator()(const char* name, glm::dvec3& value, Limits limits) {
   readNumbers(name, &value[0], 3, limits);
+}
+
+void FieldReader::operator()(const char* name, std::vector<glm::dvec2>& points, Limits limits) {
+  const nlohmann::json* list = json_.raw(name);
+  if (!list) return;
+  const std::size_t count = list->is_array() ? list->size() : 0;
+  if (!list->is_array() || count % 2)
+    return json_.refuse(json_.pathOf(name), "must be a list of x, y, x, y ...");
+  std::vector<double> numbers(count);
+  readNumbers(name, numbers.data(), int(count), limits);
+  points.clear();
+  for (std::size_t n = 0; n < count; n += 2) points.emplace_back(numbers[n], numbers[n + 1]);
 }
 
 void FieldReader::operator()(const char* name, Scene& scene) {

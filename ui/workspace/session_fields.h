@@ -49,6 +49,8 @@ class FieldWriter {
   void operator()(const char* name, double& value, Limits limits);
   void operator()(const char* name, glm::dvec2& value, Limits limits);
   void operator()(const char* name, glm::dvec3& value, Limits limits);
+  /// x and y of each in turn.
+  void operator()(const char* name, std::vector<glm::dvec2>& points, Limits limits);
   void require(const char* name, bool kept, const char* sentence) {
     if (!kept && problem_.empty()) problem_ = pathOf(name) + " " + sentence + ".";
   }
@@ -127,6 +129,7 @@ class FieldReader {
   void operator()(const char* name, double& value, Limits limits);
   void operator()(const char* name, glm::dvec2& value, Limits limits);
   void operator()(const char* name, glm::dvec3& value, Limits limits);
+  void operator()(const char* name, std::vector<glm::dvec2>& points, Limits limits);
   void require(const char* name, bool kept, const char* sentence) {
     if (!kept) json_.refuse(json_.pathOf(name), sentence);
   }

@@ -82,9 +82,36 @@ void fields(Fields& f, VoxelGeometry& g) {
   f("calibrated", g.calibrated);
 }
 
+// How a picture lies in the patient. Rounding may take a cosine a little beyond 1.
+template <class Fields>
+void directions(Fields& f, glm::dvec3& right, glm::dvec3& down) {
+  constexpr double within = 1e-6;
+  constexpr Limits cosines{-1 - within, 1 + within};
+  f("right", right, cosines);
+  f("down", down, cosines);
+  f.require("right",
+            std::abs(glm::length(right) - 1) < within && std::abs(glm::length(down) - 1) < within &&
+                std::abs(glm::dot(right, down)) < within,
+            "and down must be orthogonal unit vectors");
+}
+
+template <class Fields>
+void fields(Fields& f, Lasso& lasso) {
+  f("origin", lasso.origin, lengths);
+  directions(f, lasso.right, lasso.down);
+  f("perspective", lasso.perspective);
+  f("inside", lasso.inside);
+  f("points", lasso.points, lengths);
+}
+
 template <class Fields>
 void fields(Fields& f, SeriesState& s) {
-  f("tableRemoved", s.tableRemoved);
+  std::vector<Lasso> lassos;
+  for (const auto& lasso : s.mask.lassos) lassos.push_back(*lasso);
+  f("tableRemoved", s.mask.tableRemoved);
+  f("lassos", lassos);
+  s.mask.lassos.clear();
+  for (Lasso& lasso : lassos) s.mask.lassos.push_back(std::make_shared<const Lasso>(std::move(lasso)));
   f("window", s.window);
   f("namedGrey", s.namedGrey, {0, 1e6});
   f("colours", s.colours, colourWords);
@@ -157,14 +184,7 @@ void fields(Fields& f, FlatLook& look) {
 
 template <class Fields>
 void fields(Fields& f, PlaneDirections& plane) {
-  constexpr double within = 1e-6;
-  f("right", plane.right, {-1, 1});
-  f("down", plane.down, {-1, 1});
-  const double r = glm::length(plane.right), d = glm::length(plane.down);
-  f.require("right",
-            std::abs(r - 1) < within && std::abs(d - 1) < within &&
-                std::abs(glm::dot(plane.right, plane.down)) < within,
-            "and down must be orthogonal unit vectors");
+  directions(f, plane.right, plane.down);
 }
 
 template <class Fields>
@@ -302,7 +322,7 @@ void checkViews(JsonFields& json, const Workspace& workspace) {
     return json.refuse(
         "views", "must be " + std::to_string(viewCount) + ", not " + std::to_string(workspace.views.size()));
   const Workspace usual;
-  for (ViewId id = 0; id < viewCount; ++id) {
+  for (ViewId id = 0; id < firstComparedId; ++id) {
     const bool isVolume = usual.view(id).kind == ViewKind::volume;
     if ((workspace.view(id).kind == ViewKind::volume) != isVolume)
       json.refuse(json.pathOf("views", std::size_t(id)) + ".kind",

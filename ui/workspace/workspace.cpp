@@ -150,8 +150,9 @@ Workspace withSeries(Workspace workspace, ViewId view, const Series& series, con
 }
 
 std::vector<ViewId> planesOf(const Workspace& workspace, ViewId view) {
-  if (!inGroup(view)) return {view};
   std::vector<ViewId> planes;
+  if (!inGroup(view) && workspace.view(view).kind != ViewKind::volume) planes.push_back(view);
+  if (!inGroup(view)) return planes;
   for (ViewId id = 0; id < firstComparedId; ++id)
     if (workspace.view(id).kind != ViewKind::volume) planes.push_back(id);
   return planes;
@@ -212,8 +213,23 @@ Workspace withLayout(Workspace workspace, Layout layout) {
   if (first.series.empty()) {
     first.series = shown;
     first.flats.try_emplace(shown);
+    first.kind = firstKind(views.front());
     if (asFrames) first.kind = ViewKind::frames;
   }
+  return workspace;
+}
+
+bool canChangeKind(ViewId view) { return !inGroup(view); }
+
+Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneLook& first) {
+  ViewState& state = workspace.view(view);
+  if (!canChangeKind(view) || state.series.empty()) return workspace;
+  leaveFrames(workspace, view);
+  state.kind = kind;
+  if (kind == ViewKind::volume)
+    state.scenes.try_emplace(state.series, first);
+  else
+    state.flats.try_emplace(state.series);
   return workspace;
 }
 
@@ -224,6 +240,7 @@ Workspace without(Workspace workspace, const SeriesKey& key) {
     ViewState& view = workspace.view(id);
     if (view.series == key) {
       leaveFrames(workspace, id);
+      view.kind = firstKind(id);
       view.series = {};
     }
     view.scenes.erase(key);

@@ -17,6 +17,7 @@
 #include "ui/workspace/regions_look.h"
 #include "ui/workspace/view_id.h"
 #include "viewer/scene/scene.h"
+#include "viewer/segment/mask.h"
 #include "viewer/slice/colour_map.h"
 #include "viewer/slice/plane.h"
 #include "viewer/volume/rigid.h"
@@ -69,15 +70,15 @@ void makeWhole(FlatLook& look);
 /// What holds for a series in every view.
 struct SeriesState {
   std::shared_ptr<const Series> series;
-  bool tableRemoved = false;
+  Mask mask;                     ///< what was taken away from it
   std::optional<Window> window;  ///< of flat views; a negative width is inverted; none: the series' own
   int namedGrey = 0;             ///< of frames without such a window: which of the file's own
   ColourMap colours = ColourMap::grey;
   /// What a session knows of a series that was not found again: it is not loaded, `series` only names it.
   std::optional<SeriesProof> missing;
   bool operator==(const SeriesState& o) const {
-    return sameValue(series, o.series) && tableRemoved == o.tableRemoved && window == o.window &&
-           namedGrey == o.namedGrey && colours == o.colours && missing == o.missing;
+    return sameValue(series, o.series) && mask == o.mask && window == o.window && namedGrey == o.namedGrey &&
+           colours == o.colours && missing == o.missing;
   }
 };
 
@@ -196,7 +197,8 @@ std::string frameOfReference(const Series& series);
 Workspace withSeries(Workspace workspace, ViewId view, const Series& series, const SceneLook& first);
 /// With a series at hand that was missing.
 Workspace withFound(Workspace workspace, const Series& series);
-/// The views that show slices of the same series as this one does: of a group all, of views to compare one.
+/// The views that show slices of the same series as this one does: of a group all, of views to compare one,
+/// none where it shows 3D.
 std::vector<ViewId> planesOf(const Workspace& workspace, ViewId view);
 /// With this change in each of them.
 Workspace withFlatLooks(Workspace workspace, ViewId view, const std::function<void(FlatLook&)>& change);
@@ -214,6 +216,10 @@ ViewId framesViewOf(ViewId view);
 bool showsFrames(const Workspace& workspace, ViewId view);
 /// In another layout; the first view to compare, where it is empty, gets the series of the focus.
 Workspace withLayout(Workspace workspace, Layout layout);
+/// With a view to compare showing another plane, or 3D; `first` where it has not shown its series so yet.
+/// Views of the group stay as they are.
+Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneLook& first);
+bool canChangeKind(ViewId view);
 /// Without this series and what was measured on it: views that show it are empty.
 Workspace without(Workspace workspace, const SeriesKey& key);
 

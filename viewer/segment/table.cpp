@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <utility>
 
 #include "viewer/segment/components.h"
@@ -14,7 +13,7 @@ namespace volumen {
 
 namespace {
 
-constexpr double grownMm = 3, airHu = -1000;
+constexpr double grownMm = 3;
 
 // The axis of the grid that runs most along the patient.
 int axisAlongPatient(const VoxelGeometry& geometry) {
@@ -73,29 +72,6 @@ void growAlong(LabelMap& map, int axis, int reach) {
   });
 }
 
-// The stored value that means `value` best, within what its type and the volume hold.
-template <class T>
-T storedNear(double value, const Volume& volume, const std::vector<T>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double stored = (value - volume.intercept()) / volume.slope();
-  const double within = std::clamp(stored, double(*low), double(*high));
-  return std::is_floating_point_v<T> ? T(within) : T(std::lround(within));
-}
-
-VoxelValues maskedValues(const Volume& volume, const LabelMap& mask) {
-  VoxelValues copy = volume.stored();
-  std::visit(
-      [&](auto& values) {
-        const auto air = storedNear(airHu, volume, values);
-        parallelFor(std::int64_t(values.size()), 0, [&](std::int64_t begin, std::int64_t end) {
-          for (std::int64_t n = begin; n < end; ++n)
-            if (!mask.labels[std::size_t(n)]) values[std::size_t(n)] = air;
-        });
-      },
-      copy);
-  return copy;
-}
-
 }  // namespace
 
 LabelMap patientMask(const Volume& volume, const CancelToken& cancel) {
@@ -106,19 +82,6 @@ LabelMap patientMask(const Volume& volume, const CancelToken& cancel) {
   for (int axis = 0; axis < 3 && !cancel.cancelled(); ++axis)
     growAlong(map, axis, int(std::lround(grownMm / spacing[axis])));
   return map;
-}
-
-Result<VolumePtr> withoutTable(const Volume& volume, const CancelToken& cancel) try {
-  const LabelMap mask = patientMask(volume, cancel);
-  if (cancel.cancelled()) return Error{"The table was not removed: cancelled."};
-  if (!labelBox(mask)) return Error{"The table cannot be removed: nothing in this series is above -300 HU."};
-  VolumeParts parts{volume.geometry(), maskedValues(volume, mask), volume.slope(), volume.intercept(),
-                    volume.attributes()};
-  parts.attributes.tableRemoved = true;
-  std::vector<std::string> warnings;  // its values were looked at when the volume was made
-  return Volume::make(std::move(parts), warnings);
-} catch (const std::bad_alloc&) {
-  return Error{"The table cannot be removed: there is not enough memory for a second volume."};
 }
 
 }  // namespace volumen

@@ -15,8 +15,4 @@ inline constexpr double notAirHu = -300;
 /// edge. Empty where nothing is above notAirHu. Values must be HU.
 LabelMap patientMask(const Volume& volume, const CancelToken& cancel = {});
 
-/// A copy of a CT with air (-1000 HU, or the nearest value that there is) outside patientMask(), which its
-/// attributes say. The Error: it was cancelled, there is no patient in it, or too little memory.
-Result<VolumePtr> withoutTable(const Volume& volume, const CancelToken& cancel = {});
-
 }  // namespace volumen

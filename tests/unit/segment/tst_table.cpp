@@ -5,7 +5,7 @@
 #include "tests/fixtures/ct_with_table.h"
 #include "tests/unit/suite.h"
 #include "viewer/segment/components.h"
-#include "viewer/segment/table.h"
+#include "viewer/segment/mask.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -97,7 +97,7 @@ void TestTable::theTableBecomesAir_data() {
 void TestTable::theTableBecomesAir() {
   QFETCH(Make, make);
   const VolumePtr with = make(true), alone = make(false);
-  const Result<VolumePtr> removed = withoutTable(*with);
+  const Result<VolumePtr> removed = masked(*with, {true, {}});
   QVERIFY(removed.ok());
   QVERIFY((*removed)->stored() == alone->stored());
   QVERIFY((*removed)->geometry() == with->geometry());
@@ -112,7 +112,7 @@ void TestTable::theSkinKeepsItsEdge() {
     return x.x >= 19 ? -700.0 : x.x >= 18 ? -900.0 : x.x < 4 ? 0.0 : -1000.0;
   };
   const VolumePtr volume = volumeOf<std::int16_t>({40, 10, 10}, glm::dmat3(1.5), value);
-  const Result<VolumePtr> removed = withoutTable(*volume);
+  const Result<VolumePtr> removed = masked(*volume, {true, {}});
   QVERIFY(removed.ok());
   QCOMPARE((*removed)->value(19, 5, 5), -700.f);
   QCOMPARE((*removed)->value(18, 5, 5), -900.f);
@@ -123,20 +123,22 @@ void TestTable::onlyWhatTheFileHoldsIsWritten() {
   // No air in it: the nearest there is.
   const auto value = [](glm::dvec3 x) { return x.x < 5 ? 200.0 : x.x < 12 ? -400.0 : 40.0; };
   const VolumePtr volume = volumeOf<std::int16_t>({40, 10, 10}, glm::dmat3(1), value);
-  const Result<VolumePtr> removed = withoutTable(*volume);
+  const Result<VolumePtr> removed = masked(*volume, {true, {}});
   QVERIFY(removed.ok());
   QCOMPARE((*removed)->value(0, 5, 5), -400.f);
 }
 
 void TestTable::whatHoldsNoPatientIsRefused() {
   const VolumePtr air = volumeOf<std::int16_t>({8, 8, 8}, glm::dmat3(1), [](glm::dvec3) { return -1000; });
-  QVERIFY(withoutTable(*air).message().find("nothing in this series is above -300 HU") != std::string::npos);
+  QVERIFY(masked(*air, {true, {}}).message().find("nothing in this series is above -300 HU") !=
+          std::string::npos);
 }
 
 void TestTable::cancelledIsToldSo() {
   const CancelToken cancel;
   cancel.cancel();
-  QVERIFY(withoutTable(*CtWithTable::volume(true), cancel).message().find("cancelled") != std::string::npos);
+  QVERIFY(masked(*CtWithTable::volume(true), {true, {}}, cancel).message().find("cancelled") !=
+          std::string::npos);
 }
 
 VOLUMEN_TEST(TestTable);

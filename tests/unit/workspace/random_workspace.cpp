@@ -34,6 +34,19 @@ VoxelGeometry anyGeometry(Chance& chance) {
   return geometry;
 }
 
+Mask anyMask(Chance& chance) {
+  Mask mask{chance.oneIn(3), {}};
+  for (int n = chance.oneIn(2) ? chance.below(4) : 0; n > 0; --n) {
+    const Camera camera = randomScene(std::uint64_t(chance.below(1 << 30))).scene.camera.value_or(Camera{});
+    const CameraAxes axes = cameraAxes(camera);
+    Lasso lasso{anyPlace(chance), axes.right, -axes.up, chance.oneIn(2), {}, chance.oneIn(2)};
+    for (int points = chance.below(30); points > 0; --points)
+      lasso.points.emplace_back(anyNumber(chance), anyNumber(chance));
+    mask.lassos.push_back(std::make_shared<const Lasso>(std::move(lasso)));
+  }
+  return mask;
+}
+
 // What a session says of a series.
 Series namedSeries(Chance& chance, int n) {
   Series series;
@@ -64,7 +77,7 @@ SeriesState anySeries(Chance& chance, int n) {
     }
   }
   state.series = std::make_shared<const Series>(std::move(series));
-  state.tableRemoved = chance.oneIn(3);
+  state.mask = anyMask(chance);
   state.namedGrey = chance.below(4);
   state.colours = ColourMap(chance.below(4));
   if (chance.oneIn(2)) state.window = Window{anyNumber(chance), chance.power(-3, 5)};
@@ -143,9 +156,13 @@ Workspace randomWorkspace(std::uint64_t seed) {
     if (chance.oneIn(2)) w.crosshairs[frameOfReference(*state.series)] = anyCrosshair(chance);
   }
   if (chance.oneIn(4)) w.crosshairs["2.25.77"] = anyCrosshair(chance);  // of a series that was closed
-  for (ViewState& view : w.views) {
+  for (ViewId id = 0; id < viewCount; ++id) {
+    ViewState& view = w.view(id);
     view.series = keys[std::size_t(chance.below(int(keys.size())))];
-    if (view.kind != ViewKind::volume) view.kind = ViewKind(1 + chance.below(3));
+    if (canChangeKind(id))
+      view.kind = ViewKind(chance.below(5));
+    else if (view.kind != ViewKind::volume)
+      view.kind = ViewKind(1 + chance.below(3));
     for (const SeriesKey& key : keys) {
       if (chance.oneIn(3)) view.scenes[key] = anyScene(chance);
       if (chance.oneIn(3))

@@ -190,6 +190,14 @@ void TestSessionJson::refusalsNameTheField_data() {
       "crosshairs[0].at must be a list of 3 numbers");
   row("a cursor in no series", "/crosshairs/-", "{\"frame\": 7}", "crosshairs[0].frame must be the number");
   row("pixels of a million rays", "/goal/level/edge", "1e6", "goal.level.edge must be in");
+  row("an outline of half a point", "/series/0/lassos/-", "{\"points\": [0, 0, 1]}",
+      "series[0].lassos[0].points must be a list of x, y, x, y");
+  row("an outline without end", "/series/0/lassos/-", "{\"points\": [0, 1e300]}",
+      "series[0].lassos[0].points[1] must be in");
+  row("an outline that is no list", "/series/0/lassos/-", "{\"points\": 7}",
+      "series[0].lassos[0].points must be");
+  row("a lasso askew", "/series/0/lassos/-", "{\"down\": [1, 0, 0]}",
+      "series[0].lassos[0].right and down must be orthogonal unit vectors");
   row("an unknown level", "/goal/level/quality", "\"best\"", "goal.level.quality must be \"draft\"");
 }
 
