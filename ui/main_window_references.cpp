@@ -160,7 +160,8 @@ void MainWindow::showPicture(const Series& shown, int index) {
     session_.setFocus(*view);
     const ShownSeriesPtr held = session_.seriesOf(*view);
     if (held) {
-      glm::dvec3 pVoxel = series.acquired.voxelFromPatient(crosshairOf(session_.workspace(), *view, *held).at);
+      glm::dvec3 pVoxel =
+          series.acquired.voxelFromPatient(crosshairOf(session_.workspace(), *view, *held).at);
       pVoxel.z = index;
       moveCrosshair(session_, *view, *held, text, series.acquired.patientFromVoxel(pVoxel));
       return session_.endGesture();

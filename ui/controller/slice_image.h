@@ -22,8 +22,8 @@ struct SliceLayer {
   VolumePtr volume;
   GreyMapping grey;
   ColourMap colours = ColourMap::grey;
-  double opacity = 1;  ///< of layers above the first
-  Rigid fromPlane{};   ///< from the plane's patient space to the volume's
+  double opacity = 1;                   ///< of layers above the first
+  Rigid fromPlane{};                    ///< from the plane's patient space to the volume's
   std::optional<TintedRange> tinted{};  ///< of layers above the first: in place of its greys and colours
   bool operator==(const SliceLayer&) const = default;
 };

@@ -44,7 +44,7 @@ void SeriesPool::forget(const SeriesKey& key) {
 bool SeriesPool::hasRoomFor(std::size_t bytes) const {
   std::size_t sum = bytes;
   for (const Held& h : held_)
-    if (onScreen_.contains(h.key)) sum += h.series->volume->bytes();
+    if (std::ranges::find(onScreen_, h.key) != onScreen_.end()) sum += h.series->volume->bytes();
   return sum <= budget_;
 }
 

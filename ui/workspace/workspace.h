@@ -163,10 +163,10 @@ struct Workspace {
   std::map<std::string, Crosshair> crosshairs;  ///< by frame of reference
   Links links;
   std::vector<FrameLink> frameLinks;
-  std::vector<Measurement> measurements;  ///< in the order in which they were made
-  bool measurementsShown = true;          ///< in flat views
-  int selected = 0;                       ///< the measurement with handles; 0: none
-  std::vector<KeyImage> keyImages;         ///< in the order in which they were marked
+  std::vector<Measurement> measurements;        ///< in the order in which they were made
+  bool measurementsShown = true;                ///< in flat views
+  int selected = 0;                             ///< the measurement with handles; 0: none
+  std::vector<KeyImage> keyImages;              ///< in the order in which they were marked
   std::map<ReferenceKey, RegionsLook> regions;  ///< structure sets and segmentations over flat views
   bool operator==(const Workspace&) const = default;
 

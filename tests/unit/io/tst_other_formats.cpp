@@ -284,8 +284,7 @@ void TestOtherFormats::isRefused_data() {
   row("Analyze without an axis", "a.hdr", analyzeHeader([](QByteArray& h) { put<std::int16_t>(h, 46, 0); }),
       "axis of 0");
   row("MGH of another version", "a.mgh", mgh([](QByteArray& h) { put<std::int32_t>(h, 0, 2); }), "version 1");
-  row("MGH of 2^31 columns", "a.mgh", mgh([](QByteArray& h) { put<std::int32_t>(h, 4, 0x7fffffff); }),
-      "MiB");
+  row("MGH of 2^31 columns", "a.mgh", mgh([](QByteArray& h) { put<std::int32_t>(h, 4, 0x7fffffff); }), "MiB");
   row("MGH of a negative size", "a.mgh", mgh([](QByteArray& h) { put<std::int32_t>(h, 8, -3); }),
       "axis of -3");
   row("MGH of another type", "a.mgh", mgh([](QByteArray& h) { put<std::int32_t>(h, 20, 6); }), "type 6");
