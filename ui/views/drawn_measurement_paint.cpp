@@ -10,16 +10,17 @@ namespace volumen {
 namespace {
 
 const QColor lineColour(0xff, 0xbf, 0x69), accent(0x4a, 0xa3, 0xff), shadow(0, 0, 0, 190);
-constexpr double lineWidth = 1.3, shadowWidth = 3.4;              // logical pixels
-constexpr double arm = 7, crossGap = 2.5, head = 11, corner = 4;  // of a probe's cross, an arrow, a handle
-constexpr double longestGap = 18;                                 // from a shape to its text without a leader
+constexpr double lineWidth = 1.3, shadowWidth = 3.4;  // logical pixels
+constexpr double crossArm = 7, crossGap = 2.5, head = 11,
+                 corner = 4;       // of a probe's cross, an arrow, a handle
+constexpr double longestGap = 18;  // from a shape to its text without a leader
 
 QColor colourOf(const DrawnMeasurement& d) { return d.selected ? accent : lineColour; }
 
 void addCross(QPainterPath& path, QPointF at) {
   for (const QPointF way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
     path.moveTo(at + crossGap * way);
-    path.lineTo(at + arm * way);
+    path.lineTo(at + crossArm * way);
   }
 }
 

@@ -100,7 +100,8 @@ std::vector<SliceLayer> SliceView::layers() const {
                         greyMapping(overlayWindow(workspace.series.at(look.overlay), *over), *over),
                         look.overlayColours, look.overlayOpacity, relation->toFromFrom});
   if (segment_ && segment_->volume == shown()->volume)
-    layers.push_back({segment_->volume, {}, {}, segmentOpacity, TintedRange{segment_->range, segmentColour}});
+    layers.push_back(
+        {segment_->volume, {}, {}, segmentOpacity, {}, TintedRange{segment_->range, segmentColour}});
   return layers;
 }
 
