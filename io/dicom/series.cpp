@@ -1,12 +1,12 @@
 #include "io/dicom/series.h"
 
-#include "io/dicom/parts.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
+
+#include "io/dicom/parts.h"
 
 namespace volumen::dicom {
 namespace {

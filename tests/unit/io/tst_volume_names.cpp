@@ -1,12 +1,15 @@
 // Guards import.md: the volumes of one file are named by what varies between them.
 #include <QFile>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <map>
 
 #include "io/files/image_file.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
+using namespace volumen::tests;
 
 class TestVolumeNames : public QObject {
   Q_OBJECT
