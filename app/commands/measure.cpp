@@ -50,7 +50,8 @@ Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape) 
                  " and a frame " + std::to_string(shape.frame->number) + "."};
   Result<Frame> frame = loadFrame(*found->series, found->index);
   if (!frame) return frame.error();
-  const Result<ShownFramePtr> shown = shownFrame(*found->series, found->index, std::move(*frame));
+  const Result<ShownFramePtr> shown =
+      shownFrame(*found->series, {keyOf(*found->series), found->index}, std::move(*frame));
   if (!shown) return shown.error();
   return measureOnFrame(shape, pixelsOf(**shown), (*shown)->slice->series.unit);
 }

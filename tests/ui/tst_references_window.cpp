@@ -385,8 +385,9 @@ void TestReferencesWindow::contoursLieOnTheirSlices() {
     const ShownSeriesPtr shown = w.session().seriesOf(axialViewId);
     Crosshair crosshair = crosshairOf(w.workspace(), *shown);
     crosshair.at.z = z;
-    w.session().change(QStringLiteral("test"),
-                       withCrosshair(w.workspace(), shown->series, crosshair, crosshair));
+    w.session().change(
+        QStringLiteral("test"),
+        withCrosshair(w.workspace(), axialViewId, frameOfReference(shown->series), crosshair, crosshair));
   };
   goTo(-150.42);
   const int lines = red(axialViewId);  // of the crosshair, which is none of them

@@ -161,9 +161,9 @@ void TestTimePoints::memoryWithoutRoomLoadsNothingAhead() {
     series->volume = *Volume::make(std::move(parts), warnings);
     return series;
   };
-  pool.put({{"a", "1"}, false}, volume());
-  pool.put({{"a", "2"}, false}, volume());
-  pool.setOnScreen({{{"a", "1"}, false}});
+  pool.put({{"a", "1"}, {}}, volume());
+  pool.put({{"a", "2"}, {}}, volume());
+  pool.setOnScreen({{{"a", "1"}, {}}});
   QVERIFY(pool.hasRoomFor(60));
   QVERIFY(!pool.hasRoomFor(61));
 }

@@ -16,7 +16,7 @@ SlicePlane axialAt(double z) { return {.centre = {7, -3, z}}; }
 SlicePlane sagittalAt(double x) { return {.centre = {x, 1, 2}, .right = {0, 1, 0}, .down = {0, 0, -1}}; }
 
 Shape shapeOf(ShapeKind kind, std::vector<dvec3> points) {
-  Shape shape{kind, "", std::move(points), {}, {}};
+  Shape shape{kind, "", std::move(points), {}, {}, {}};
   if (ruleOf(kind).region) shape.plane = ShapePlane{shape.points[0], {1, 0, 0}, {0, 1, 0}};
   return shape;
 }

@@ -20,14 +20,14 @@ void TestShapeJson::whatIsWrittenIsRead_data() {
   QTest::addColumn<Shape>("shape");
   const double third = 1.0 / 3, infinity = std::numeric_limits<double>::infinity();
   for (const ShapeRule& rule : shapeRules()) {
-    Shape shape{rule.kind, "a \"name\", \xc3\xa9", {}, {}, {}};
+    Shape shape{rule.kind, "a \"name\", \xc3\xa9", {}, {}, {}, {}};
     for (std::size_t n = 0; n < rule.fewest; ++n)
       shape.points.push_back({third * double(n), -1e-300, 123456.789 + double(n * n)});
     if (rule.region) shape.plane = ShapePlane{{third, 2, 3}, {0.6, 0.8, 0}, {0, 0, -1}};
     if (rule.kind == ShapeKind::volume) shape.range = {-infinity, third};
     QTest::newRow(rule.name) << shape;
   }
-  QTest::newRow("no name") << Shape{ShapeKind::probe, "", {{0, 0, 0}}, {}, {}};
+  QTest::newRow("no name") << Shape{ShapeKind::probe, "", {{0, 0, 0}}, {}, {}, {}};
 }
 
 void TestShapeJson::whatIsWrittenIsRead() {
@@ -41,13 +41,13 @@ void TestShapeJson::whatIsWrittenIsRead() {
 void TestShapeJson::aListKeepsItsOrder() {
   std::vector<Shape> shapes;
   for (int n = 0; n < 5; ++n)
-    shapes.push_back({ShapeKind::length, std::to_string(n), {{n, 0, 0}, {0, 1, 2}}, {}, {}});
+    shapes.push_back({ShapeKind::length, std::to_string(n), {{n, 0, 0}, {0, 1, 2}}, {}, {}, {}});
   QVERIFY(*shapesFromJson(shapesToJson(shapes)) == shapes);
   QVERIFY(shapesFromJson(shapesToJson({}))->empty());
 }
 
 void TestShapeJson::anArrowHasNoNumber() {
-  const Shape arrow{ShapeKind::arrow, "here", {{0, 0, 0}, {1, 0, 0}}, {}, {}};
+  const Shape arrow{ShapeKind::arrow, "here", {{0, 0, 0}, {1, 0, 0}}, {}, {}, {}};
   std::vector<std::string> warnings;
   VolumeParts parts;
   parts.values = std::vector<float>(1);

@@ -24,7 +24,7 @@ Measured regionOf(double area, std::optional<ValueStatistics> values) {
 }
 
 Shape shapeOf(ShapeKind kind, std::vector<glm::dvec3> points = {{0, 0, 0}}) {
-  Shape shape{kind, "", std::move(points), {}, {}};
+  Shape shape{kind, "", std::move(points), {}, {}, {}};
   if (ruleOf(kind).region) shape.plane = ShapePlane{};
   return shape;
 }
