@@ -4,6 +4,7 @@
 
 #include "ui/data/frame_series.h"
 #include "ui/main_window.h"
+#include "ui/panels/flat_menus.h"
 #include "ui/panels/slab_menu.h"
 #include "ui/tools/flat_tool.h"
 #include "ui/views/view_grid.h"
@@ -33,9 +34,8 @@ void MainWindow::makeFrameActions() {
   QAction* interpolate = makeInterpolationAction(session_, this);
   actions_[interpolate->objectName()] = interpolate;
   connect(add("playFrames", tr("Play or stop"), tr("C"), false), &QAction::triggered, this, [this] {
-    const ViewId focus = session_.workspace().focus;
     SliceView* view = framesInFocus();
-    if (!view) view = grid_->sliceView(planesOf(session_.workspace(), focus).front());
+    if (!view) view = grid_->sliceView(volumen::flatViewInFocus(session_.workspace()));
     if (view) view->togglePlay();
   });
 }

@@ -95,8 +95,9 @@ void fillOverlays(QMenu* menu, Session& session, const std::vector<const Series*
 }  // namespace
 
 ViewId flatViewInFocus(const Workspace& workspace) {
-  const bool flat = workspace.view(workspace.focus).kind != ViewKind::volume;
-  return flat ? workspace.focus : planesOf(workspace, workspace.focus).front();
+  if (workspace.view(workspace.focus).kind != ViewKind::volume) return workspace.focus;
+  const std::vector<ViewId> planes = planesOf(workspace, workspace.focus);
+  return planes.empty() ? workspace.focus : planes.front();
 }
 
 QString whyNotOverlaid(const Workspace& workspace, const Series& under, const Series& over) {

@@ -6,7 +6,8 @@
 
 namespace volumen {
 
-/// The flat view that the menus work on: the one in focus, else the first of its group.
+/// The flat view that the menus work on: the one in focus, else the first of its group; a view to compare
+/// that shows 3D has none and is returned itself.
 ViewId flatViewInFocus(const Workspace& workspace);
 
 /// Colours of the series that the flat view in focus shows.

@@ -66,7 +66,9 @@ void fillSlabMenu(QMenu* menu, Session& session) {
   menu->clear();
   const Workspace& workspace = session.workspace();
   const ViewId view = flatViewInFocus(workspace);
-  const bool isPlane = !workspace.view(view).series.empty() && workspace.view(view).kind != ViewKind::frames;
+  const bool isPlane = !workspace.view(view).series.empty() &&
+                       workspace.view(view).kind != ViewKind::frames &&
+                       workspace.view(view).kind != ViewKind::volume;
   if (!isPlane) {
     menu->addAction(tr("A slab is made of planes through a volume."))->setEnabled(false);
     return;
@@ -91,7 +93,7 @@ QAction* makeInterpolationAction(Session& session, QObject* parent) {
   action->setCheckable(true);
   const auto show = [action, &session] {
     const ViewState& view = session.workspace().view(flatViewInFocus(session.workspace()));
-    action->setEnabled(!view.series.empty());
+    action->setEnabled(!view.series.empty() && view.kind != ViewKind::volume);
     action->setChecked(!flatLookOf(view).nearest);
   };
   QObject::connect(&session, &Session::workspaceChanged, action, show);
