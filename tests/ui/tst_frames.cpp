@@ -263,7 +263,8 @@ void TestFrames::viewsSayWhatTheyShow() {
   QCOMPARE(over.topRight, (QStringList{title, pixels}));
   QCOMPARE(over.bottomRight, window);
   QCOMPARE(over.mmPerPixel > 0, hasBar);
-  QVERIFY2((over.left + over.right + over.top + over.bottom).isEmpty(), "no file says where its sides are");
+  // Of these, mammograms alone say where their sides are (TestReferencesWindow::lettersOfProjections).
+  QCOMPARE((over.left + over.right + over.top + over.bottom).isEmpty(), !file.startsWith(u"mg-"));
   // The values of what is compressed with a loss may be 1 or 2 off.
   const QString text = w.said(pixel.x(), pixel.y());
   QCOMPARE(text.section(QStringLiteral(" at "), 1), said.section(QStringLiteral(" at "), 1));

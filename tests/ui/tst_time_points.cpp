@@ -119,7 +119,7 @@ void TestTimePoints::keysStepInAllViewsOfTheGroup() {
     return of.crosshairs.at(frameOfReference(*of.series.at(key).series));
   };
   QVERIFY(crosshair(after, second) == crosshair(before, first));
-  QCOMPARE(w.corner().section(QLatin1Char('\n'), -1), QStringLiteral("volume 2 of 4"));
+  QCOMPARE(w.corner().section(QLatin1Char('\n'), -1), QStringLiteral("time point 2 of 4"));
   w.key(Qt::Key_Left);
   w.key(Qt::Key_Left);
   QVERIFY(w.shows(100));
