@@ -39,7 +39,8 @@ std::string gridText(const Series& s) {
   }
   if (s.regular) out << " (in 3D: " << s.regular->geometry.size.z << " even slices)";
   out << ", " << s.valueType << ", " << s.format;
-  if (s.files.size() > 1) out << ", " << s.files.size() << " files";
+  const std::set<std::string> files(s.files.begin(), s.files.end());  // one may hold several slices
+  if (files.size() > 1) out << ", " << files.size() << " files";
   return out.str();
 }
 

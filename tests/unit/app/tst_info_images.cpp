@@ -16,6 +16,7 @@ class TestInfoImages : public QObject {
   void imagesStandBesideVolumes();
   void textNamesThem();
   void renderSaysWhyNot();
+  void aMosaicIsOneFile();
 };
 
 namespace {
@@ -56,6 +57,15 @@ void TestInfoImages::renderSaysWhyNot() {
   const Outcome a = runProgram(QStringLiteral("render %1 -o /tmp/never.png").arg(clip()));
   QCOMPARE(a.status, 1);
   QVERIFY2(a.err.contains("colour image (PALETTE COLOR): cannot be shown in 3D."), a.err);
+}
+
+void TestInfoImages::aMosaicIsOneFile() {
+  NEED_DATA(dataPath());
+  const QString mosaics = QString::fromStdString(dataPath("dicom-geometry/mr-mosaic-siemens"));
+  const Outcome a = runProgram(QStringLiteral("info ") + mosaics);
+  QCOMPARE(a.status, 0);
+  QCOMPARE(a.out.count("64 x 64 x 35 voxels"), 3);
+  QVERIFY2(!a.out.contains(" files"), a.out);
 }
 
 VOLUMEN_TEST(TestInfoImages);
