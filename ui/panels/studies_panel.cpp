@@ -8,6 +8,7 @@
 #include <QTreeWidgetItemIterator>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -248,6 +249,11 @@ void StudiesPanel::addStudy(const QString& path, const std::shared_ptr<const Stu
   showReferences();
   filter(search_->text());
   Q_EMIT listChanged();
+}
+
+std::shared_ptr<const Study> StudiesPanel::studyOf(const QString& path) const {
+  const auto opened = std::ranges::find(studies_, path, &Opened::path);
+  return opened == studies_.end() ? nullptr : opened->study;
 }
 
 // Those that were removed from the list stay away.
