@@ -92,9 +92,12 @@ class Index {
 
   /// Remembers that a study was opened now.
   Status opened(std::int64_t study);
-  /// Takes studies out of the index (never files of their own places), until `undoForget`.
+  /// Takes studies out of the index, never files from their places: until `undoForget`, or until their files
+  /// are imported again. For good after a day.
   Status forget(const std::vector<std::int64_t>& studies);
   Status undoForget(const std::vector<std::int64_t>& studies);
+  /// The studies that the last `forget` took out and that can still come back.
+  Result<std::vector<std::int64_t>> lastForgotten() const;
 
  private:
   struct Private;
