@@ -1,11 +1,14 @@
 // Guards the index behind the study browser: import in the window, cancelled and while the window closes;
 // files refused or not there; an index that is damaged or cannot be opened; other programs; many series.
 #include <QDropEvent>
+#include <QHeaderView>
 #include <QMimeData>
 #include <QToolButton>
 #include <fstream>
 
+#include "tests/fixtures/filled_index.h"
 #include "tests/ui/browser_window.h"
+#include "tests/ui/watchdog.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/index_service.h"
 #include "ui/views/view_grid.h"
@@ -232,7 +235,30 @@ void TestBrowserImport::theNewestSearchIsAnswered() {
   QCOMPARE(QString::fromStdString(lists[0]->patients[0].studies[0].patientId), QStringLiteral("B222"));
 }
 
-void TestBrowserImport::tenThousandSeriesAreSearched() { QSKIP("no fixture yet"); }
+// 500 patients with 1,000 studies: the list and each key of a search are answered beside the UI thread.
+void TestBrowserImport::tenThousandSeriesAreSearched() {
+  const Studies studies;
+  const FilledIndex size{.patients = 500, .studies = 2, .series = 10, .files = 2};
+  QVERIFY(fillIndex(studies.home.toStdString(), size));
+  auto* watched = dynamic_cast<WatchedApplication*>(qApp);
+  QVERIFY(watched);
+  BrowserWindow w(studies);
+  const auto count = [&] { return w.patients().size(); };
+  QTRY_COMPARE_WITH_TIMEOUT(count(), qsizetype(500), longest);
+  w.shot("browser-many");
+  watched->takeMostMs();
+  w.search()->setFocus();
+  QTest::keyClicks(w.search(), QStringLiteral("muller8"));
+  QVERIFY(w.shows({QStringLiteral("Müller88, Anna"), QStringLiteral("Müller84, Anna"),
+                   QStringLiteral("Müller80, Anna"), QStringLiteral("Müller8, Anna")}));
+  QTest::keyClick(w.search(), Qt::Key_Escape);
+  QTRY_COMPARE_WITH_TIMEOUT(count(), qsizetype(500), longest);
+  w.tree()->header()->setSortIndicator(int(StudyColumn::id), Qt::AscendingOrder);
+  QTRY_COMPARE_WITH_TIMEOUT(w.patients(1).front(), QStringLiteral("P10000"), longest);
+  const double most = watched->takeMostMs();
+  std::printf("10,000 series: the longest event took %.1f ms of the UI thread\n", most);
+  QVERIFY2(most < 100, "the UI thread lists, but does not search or sort");
+}
 
 VOLUMEN_TEST(TestBrowserImport);
 #include "tst_browser_import.moc"
