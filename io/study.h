@@ -141,7 +141,7 @@ using Progress = std::function<void(const char* what, std::size_t done, std::siz
 Result<Study> openStudy(const std::string& path, const Progress& progress = {},
                         const CancelToken& cancel = {});
 
-/// What these files hold, as if they were all that is in a folder.
+/// What these files hold, as if they were all that is in a folder. An Error only where it was cancelled.
 Result<Study> openFiles(const std::vector<std::string>& files, const Progress& progress = {},
                         const CancelToken& cancel = {});
 
