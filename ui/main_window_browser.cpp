@@ -89,7 +89,9 @@ void MainWindow::makeBrowserActions() {
     connect(action, &QAction::triggered, this, run);
     return actions_[action->objectName()] = action;
   };
-  add("showBrowser", tr("Studies"), tr("Ctrl+B"), [this](bool on) { showBrowser(on); })->setCheckable(true);
+  add("showBrowser", tr("Study list"), tr("Ctrl+B"), [this](bool on) {
+    showBrowser(on);
+  })->setCheckable(true);
   add("findStudy", tr("Find study..."), QKeySequence::Find, [this] {
     showBrowser(true);
     browser_->startSearch();
@@ -140,7 +142,9 @@ void MainWindow::showBrowser(bool on) {
   QAction* action = actions_.at(QStringLiteral("showBrowser"));
   action->setChecked(on);
   arrangeBrowser();
-  if (on) browser_->refresh();
+  if (!on) return;
+  browser_->refresh();
+  browser_->setFocus();
 }
 
 void MainWindow::arrangeBrowser() {
@@ -150,7 +154,7 @@ void MainWindow::arrangeBrowser() {
   const bool wereBoth = browser_->isVisibleTo(split_) && pages_->isVisibleTo(split_);
   browser_->setVisible(isShown);
   pages_->setVisible(any || !isShown);
-  if (isShown && any && !wereBoth) split_->setSizes({split_->height() * 9 / 20, split_->height() * 11 / 20});
+  if (isShown && any && !wereBoth) split_->setSizes({split_->height() * 11 / 20, split_->height() * 9 / 20});
 }
 
 void MainWindow::showPatients() {

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTreeView>
+#include <optional>
 
 #include "io/export/dicom_series.h"
 #include "io/index/index.h"
@@ -13,6 +14,12 @@
 #include "viewer/phantoms/phantoms.h"
 
 namespace volumen::tests {
+
+inline QStringList texts(std::initializer_list<const char*> utf8) {
+  QStringList all;
+  for (const char* text : utf8) all << QString::fromUtf8(text);
+  return all;
+}
 
 /// A series to be written: whose, and what it says of itself.
 struct WrittenSeries {
@@ -103,16 +110,16 @@ struct BrowserWindow : Journey {
     click(index);
     QTest::mouseDClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualRect(index).center());
   }
-  /// Waits until a view shows a series of this description.
-  bool isShown(const char* description, ViewId view) {
+  /// Waits until a view, or the one in focus, shows a series of this description.
+  bool isShown(const char* description, std::optional<ViewId> view = {}) {
     return QTest::qWaitFor(
         [&] {
-          const ShownSeriesPtr shown = window.session().seriesOf(view);
+          const Session& session = window.session();
+          const ShownSeriesPtr shown = session.seriesOf(view.value_or(session.workspace().focus));
           return shown && shown->series.description == description;
         },
         longest);
   }
-  bool isShown(const char* description) { return isShown(description, window.session().workspace().focus); }
 };
 
 }  // namespace volumen::tests

@@ -65,9 +65,9 @@ void TestBrowser::theListStandsInPlaceOfAnEmptyWindow() {
   QVERIFY(w.shows({doe, mueller, yamada}));
   QVERIFY(w.child<QWidget>("studyBrowser")->isVisible());
   QVERIFY(!w.child<QWidget>("startPage")->isVisible());
-  QCOMPARE(w.patients(1), QStringList({"A111", "B222", "C333"}));
-  QCOMPARE(w.patients(2), QStringList({"2024-03-10", "2023-01-05", "2022-06-02"}));
-  QCOMPARE(w.patients(4), QStringList({"2 studies", "Abdomen", "Knee"}));
+  QCOMPARE(w.patients(1), texts({"A111", "B222", "C333"}));
+  QCOMPARE(w.patients(2), texts({"2024-03-10", "2023-01-05", "2022-06-02"}));
+  QCOMPARE(w.patients(4), texts({"2 studies", "Abdomen", "Knee"}));
   QCOMPARE(w.patients(5)[2], QStringLiteral("20"));
   // Studies below their patient, series below their study once it is opened there.
   const QModelIndex head = w.row("Head", 4);
@@ -85,7 +85,9 @@ void TestBrowser::oneSearchesWhileTyping_data() {
   QTest::newRow("in another script") << QStringLiteral("山田") << QStringList{yamada};
   QTest::newRow("ID") << QStringLiteral("b222") << QStringList{mueller};
   QTest::newRow("date") << QStringLiteral("2022-06") << QStringList{yamada};
-  QTest::newRow("modality") << QStringLiteral("ct") << QStringList({doe, mueller, yamada});
+  QTest::newRow("modality") << QStringLiteral("ct ja") << QStringList{doe};
+  // Of Doe's studies only the older one has it.
+  QTest::newRow("another modality") << QStringLiteral("ot") << QStringList({mueller, yamada, doe});
   QTest::newRow("description of the study") << QStringLiteral("abdomen") << QStringList{mueller};
   QTest::newRow("description of a series") << QStringLiteral("tissue") << QStringList{doe};
   QTest::newRow("all words") << QStringLiteral("jane follow") << QStringList{doe};
@@ -103,11 +105,11 @@ void TestBrowser::oneSearchesWhileTyping() {
   QVERIFY(w.shows({}));
   QCOMPARE(w.notice(), QStringLiteral("No study has all of these words."));
   w.search()->selectAll();
-  if (words.toLatin1() == words)
+  if (QString::fromLatin1(words.toLatin1()) == words)
     QTest::keyClicks(w.search(), words);
   else
     w.search()->insert(words);  // no key has these
-  QVERIFY(w.shows(found));
+  QVERIFY2(w.shows(found), qPrintable(w.patients().join(QLatin1Char('|'))));
   QTest::keyClick(w.search(), Qt::Key_Escape);
   QVERIFY(w.search()->text().isEmpty());
   QVERIFY(w.shows({doe, mueller, yamada}));
@@ -119,7 +121,7 @@ void TestBrowser::everyColumnSorts_data() {
   QTest::newRow("name") << 0 << QStringList({doe, mueller, yamada});
   QTest::newRow("ID") << 1 << QStringList({doe, mueller, yamada});
   QTest::newRow("date of the latest study") << 2 << QStringList({yamada, mueller, doe});
-  QTest::newRow("modality: all alike, as they were") << 3 << QStringList({doe, mueller, yamada});
+  QTest::newRow("modality, those alike by date") << 3 << QStringList({doe, mueller, yamada});
   QTest::newRow("description") << 4 << QStringList({mueller, doe, yamada});
   QTest::newRow("images") << 5 << QStringList({mueller, yamada, doe});
 }
@@ -138,7 +140,10 @@ void TestBrowser::everyColumnSorts() {
     click();
   QVERIFY2(w.shows(ascending), qPrintable(w.patients().join(QLatin1Char('|'))));
   click();
-  if (column != 3) std::ranges::reverse(ascending);
+  if (column == 3)
+    ascending = {mueller, yamada, doe};
+  else
+    std::ranges::reverse(ascending);
   QVERIFY2(w.shows(ascending), qPrintable(w.patients().join(QLatin1Char('|'))));
 }
 
@@ -169,12 +174,15 @@ void TestBrowser::theSeriesOfAStudyHaveThumbnails() {
 void TestBrowser::aStudyIsOpened_data() {
   QTest::addColumn<QString>("how");
   QTest::addColumn<QByteArray>("shown");
-  QTest::newRow("double-click on a study: the largest series") << "study" << QByteArray("Bone");
-  QTest::newRow("double-click on a series in the tree") << "series" << QByteArray("Soft tissue");
-  QTest::newRow("double-click on a thumbnail") << "thumbnail" << QByteArray("Soft tissue");
-  QTest::newRow("Enter in the list") << "enter" << QByteArray("Bone");
-  QTest::newRow("Enter in the search field") << "search" << QByteArray("Venous");
-  QTest::newRow("double-click on a patient with one study") << "patient" << QByteArray("Venous");
+  QTest::newRow("double-click on a study: the largest series")
+      << QStringLiteral("study") << QByteArray("Bone");
+  QTest::newRow("double-click on a series in the tree")
+      << QStringLiteral("series") << QByteArray("Soft tissue");
+  QTest::newRow("double-click on a thumbnail") << QStringLiteral("thumbnail") << QByteArray("Soft tissue");
+  QTest::newRow("Enter in the list") << QStringLiteral("enter") << QByteArray("Bone");
+  QTest::newRow("Enter in the search field") << QStringLiteral("search") << QByteArray("Venous");
+  QTest::newRow("double-click on a patient with one study")
+      << QStringLiteral("patient") << QByteArray("Venous");
 }
 
 void TestBrowser::aStudyIsOpened() {

@@ -67,6 +67,7 @@ SortKey studyKey(const IndexedStudy& study, StudyColumn by, const SortKeys& keys
 }
 
 SortKey patientKey(const ListedPatient& patient, StudyColumn by, const SortKeys& keys) {
+  if (by == StudyColumn::date) return keys(patient.date);
   if (by == StudyColumn::modality) return keys(patient.modalities);
   if (by == StudyColumn::images) return keys({}, patient.images);
   return studyKey(patient.studies.front(), by, keys);

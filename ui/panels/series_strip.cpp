@@ -16,7 +16,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int stripIconEdge = 72, stripItemWidth = 132;
+constexpr int stripIconEdge = 64, stripItemWidth = 132;
 
 QString captionOf(const IndexedSeries& series) {
   QStringList name{shownText(series.modality), shownText(series.number), contentText(series)};

@@ -65,6 +65,7 @@ StudyBrowser::StudyBrowser(IndexService& service, QWidget* parent)
   connect(&ask_, &QTimer::timeout, this, &StudyBrowser::ask);
   connect(search_, &QLineEdit::textChanged, &ask_, qOverload<>(&QTimer::start));
   connectService();
+  setFocusProxy(tree_);
   setTabOrder(search_, tree_);
   setTabOrder(tree_, strip_);
 }
@@ -121,13 +122,14 @@ void StudyBrowser::showList(const StudyListPtr& list) {
   model_->setList(list, sort_);
   expand(expanded, collapsed);
   QModelIndex now = model_->indexOf(current);
-  if (!now.isValid()) now = model_->firstStudy();
+  if (!now.isValid()) now = model_->firstPatient();
   tree_->selectionModel()->setCurrentIndex(now, QItemSelectionModel::NoUpdate);
   for (const StudyRowKey& key : selected)
     if (const QModelIndex index = model_->indexOf(key); index.isValid())
       tree_->selectionModel()->select(index, QItemSelectionModel::Select | QItemSelectionModel::Rows);
   if (!tree_->selectionModel()->hasSelection() && now.isValid())
     tree_->selectionModel()->select(now, QItemSelectionModel::Select | QItemSelectionModel::Rows);
+  tree_->visualRect(now);  // lays the rows out, so that there is something to scroll
   tree_->verticalScrollBar()->setValue(scrolled);
   showSeriesOf(now);
   if (!list->patients.empty())
@@ -191,8 +193,10 @@ void StudyBrowser::open(const IndexedChoice& choice, bool isOffline, bool beside
   Q_EMIT openRequested(choice, beside);
 }
 
+// Of a patient the study that stands first.
 void StudyBrowser::openCurrent(bool beside) {
-  const QModelIndex index = tree_->currentIndex().siblingAtColumn(0);
+  QModelIndex index = tree_->currentIndex().siblingAtColumn(0);
+  if (!model_->studyAt(index) && index.isValid()) index = model_->index(0, 0, index);
   if (const IndexedStudy* study = model_->studyAt(index)) {
     const IndexedSeries* series = model_->seriesAt(index);
     open(model_->choiceAt(index), series ? series->offline : study->offline, beside);

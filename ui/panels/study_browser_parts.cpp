@@ -22,7 +22,7 @@ void StudyBrowser::makeSearchRow() {
   auto* hide = new QToolButton;
   hide->setObjectName(QStringLiteral("browserHide"));
   hide->setText(tr("Hide"));
-  hide->setToolTip(tr("Hide the studies (Ctrl+B)"));
+  hide->setToolTip(tr("Hide the study list (Ctrl+B)"));
   connect(import, &QPushButton::clicked, this, &StudyBrowser::importRequested);
   connect(hide, &QToolButton::clicked, this, &StudyBrowser::hideRequested);
   auto* row = new QHBoxLayout;
@@ -54,13 +54,13 @@ void StudyBrowser::makeTree() {
   QHeaderView* header = tree_->header();
   header->setStretchLastSection(false);
   header->setSectionResizeMode(int(StudyColumn::description), QHeaderView::Stretch);
-  const int letter = fontMetrics().averageCharWidth();
-  const std::pair<StudyColumn, int> widths[] = {{StudyColumn::name, 26},
-                                                {StudyColumn::id, 12},
-                                                {StudyColumn::date, 12},
-                                                {StudyColumn::modality, 10},
-                                                {StudyColumn::images, 9}};
-  for (const auto& [column, letters] : widths) header->resizeSection(int(column), letters * letter);
+  const std::pair<StudyColumn, const char*> widest[] = {{StudyColumn::name, "Somebody, Anybody Von"},
+                                                        {StudyColumn::id, "0123456789"},
+                                                        {StudyColumn::date, "0000-00-00"},
+                                                        {StudyColumn::modality, "Modality"},
+                                                        {StudyColumn::images, "10,000"}};
+  for (const auto& [column, text] : widest)
+    header->resizeSection(int(column), fontMetrics().horizontalAdvance(QLatin1String(text)) + 16);
   header->setSectionsClickable(true);
   header->setSortIndicatorShown(true);
   header->setSortIndicator(int(sort_.by), Qt::DescendingOrder);

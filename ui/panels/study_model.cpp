@@ -165,9 +165,7 @@ std::vector<std::int64_t> StudyModel::studiesOf(const QModelIndex& index) const 
   return studies;
 }
 
-QModelIndex StudyModel::firstStudy() const {
-  return list_->patients.empty() ? QModelIndex() : index(0, 0, index(hasRecent() ? 1 : 0, 0));
-}
+QModelIndex StudyModel::firstPatient() const { return index(hasRecent(), 0); }
 
 StudyRowKey StudyModel::keyOf(const QModelIndex& index) const {
   if (!index.isValid()) return {};

@@ -48,8 +48,8 @@ class StudyModel : public QAbstractItemModel {
   /// All studies of a patient; else the one of the row. None of a series.
   std::vector<std::int64_t> studiesOf(const QModelIndex& index) const;
   bool isRecentGroup(const QModelIndex& index) const;
-  /// The first row that stands for a study, but not in the group of those opened last.
-  QModelIndex firstStudy() const;
+  /// The first one below the group of those opened last.
+  QModelIndex firstPatient() const;
   StudyRowKey keyOf(const QModelIndex& index) const;
   /// Invalid: it is not in the list.
   QModelIndex indexOf(const StudyRowKey& key) const;

@@ -20,6 +20,12 @@ Series seriesOf(const char* name, const char* id, const char* format = "DICOM") 
   return series;
 }
 
+QStringList texts(std::initializer_list<const char*> utf8) {
+  QStringList all;
+  for (const char* text : utf8) all << QString::fromUtf8(text);
+  return all;
+}
+
 QStringList idsOnScreen(const Workspace& workspace) {
   QStringList ids;
   for (const Series* series : patientsOnScreen(workspace)) ids << QString::fromStdString(series->patientId);
@@ -43,13 +49,13 @@ void TestPatients::patientsOnScreenAreCounted_data() {
   QTest::addColumn<QStringList>("first");  // name, ID, format
   QTest::addColumn<QStringList>("second");
   QTest::addColumn<int>("patients");
-  const QStringList doe{"Doe^Jane", "1", "DICOM"};
+  const QStringList doe = texts({"Doe^Jane", "1", "DICOM"});
   QTest::newRow("one patient twice") << doe << doe << 1;
-  QTest::newRow("of another ID") << doe << QStringList{"Doe^Jane", "2", "DICOM"} << 2;
-  QTest::newRow("of another name") << doe << QStringList{"Doe^John", "1", "DICOM"} << 2;
-  QTest::newRow("DICOM without a name is somebody else") << doe << QStringList{"", "", "DICOM"} << 2;
-  QTest::newRow("a file that names nobody is nobody") << doe << QStringList{"", "", "NRRD"} << 1;
-  QTest::newRow("a file that names somebody") << doe << QStringList{"Roe", "", "NRRD"} << 2;
+  QTest::newRow("of another ID") << doe << texts({"Doe^Jane", "2", "DICOM"}) << 2;
+  QTest::newRow("of another name") << doe << texts({"Doe^John", "1", "DICOM"}) << 2;
+  QTest::newRow("DICOM without a name is somebody else") << doe << texts({"", "", "DICOM"}) << 2;
+  QTest::newRow("a file that names nobody is nobody") << doe << texts({"", "", "NRRD"}) << 1;
+  QTest::newRow("a file that names somebody") << doe << texts({"Roe", "", "NRRD"}) << 2;
 }
 
 void TestPatients::patientsOnScreenAreCounted() {
@@ -69,8 +75,8 @@ void TestPatients::patientsOnScreenAreCounted() {
 void TestPatients::anOverlayCounts() {
   Workspace workspace = withLayout(withSeries({}, left, seriesOf("Doe", "1"), {}), Layout::two);
   const Series over = seriesOf("Roe", "2");
-  QCOMPARE(idsOnScreen(workspace), QStringList{"1"});
-  QCOMPARE(idsOnScreen(withOverlay(workspace, left, &over)), QStringList({"1", "2"}));
+  QCOMPARE(idsOnScreen(workspace), texts({"1"});
+  QCOMPARE(idsOnScreen(withOverlay(workspace, left, &over)), texts({"1", "2"}));
 }
 
 void TestPatients::otherPatientsLeaveTheirViews() {

@@ -23,6 +23,12 @@ std::vector<IndexedStudy> four() {
           study(4, "Adams", "11", "20210101", "US", 90, "2026-01-01")};
 }
 
+QStringList texts(std::initializer_list<const char*> utf8) {
+  QStringList all;
+  for (const char* text : utf8) all << QString::fromUtf8(text);
+  return all;
+}
+
 QStringList idsOf(const StudyList& list) {
   QStringList ids;
   for (const ListedPatient& patient : list.patients)
@@ -59,13 +65,11 @@ void TestStudyList::patientsAreSorted_data() {
   QTest::addColumn<int>("by");
   QTest::addColumn<bool>("ascending");
   QTest::addColumn<QStringList>("ids");
-  QTest::newRow("name, without regard to case")
-      << int(StudyColumn::name) << true << QStringList{"11", "10", "9"};
-  QTest::newRow("name, descending") << int(StudyColumn::name) << false << QStringList{"9", "10", "11"};
-  QTest::newRow("date of the latest study")
-      << int(StudyColumn::date) << false << QStringList{"10", "9", "11"};
-  QTest::newRow("modality") << int(StudyColumn::modality) << true << QStringList{"10", "9", "11"};
-  QTest::newRow("images, as numbers") << int(StudyColumn::images) << true << QStringList{"10", "11", "9"};
+  QTest::newRow("name, without regard to case") << int(StudyColumn::name) << true << texts({"11", "10", "9"});
+  QTest::newRow("name, descending") << int(StudyColumn::name) << false << texts({"9", "10", "11"});
+  QTest::newRow("date of the latest study") << int(StudyColumn::date) << false << texts({"10", "9", "11"});
+  QTest::newRow("modality") << int(StudyColumn::modality) << true << texts({"10", "9", "11"});
+  QTest::newRow("images, as numbers") << int(StudyColumn::images) << true << texts({"10", "11", "9"});
 }
 
 void TestStudyList::patientsAreSorted() {
