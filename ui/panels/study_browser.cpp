@@ -123,7 +123,9 @@ void StudyBrowser::showList(const StudyListPtr& list) {
   expand(expanded, collapsed);
   QModelIndex now = model_->indexOf(current);
   if (!now.isValid()) now = model_->firstPatient();
+  tree_->setAutoScroll(false);  // the list stays where it was
   tree_->selectionModel()->setCurrentIndex(now, QItemSelectionModel::NoUpdate);
+  tree_->setAutoScroll(true);
   for (const StudyRowKey& key : selected)
     if (const QModelIndex index = model_->indexOf(key); index.isValid())
       tree_->selectionModel()->select(index, QItemSelectionModel::Select | QItemSelectionModel::Rows);

@@ -54,8 +54,8 @@ void StudyBrowser::makeTree() {
   QHeaderView* header = tree_->header();
   header->setStretchLastSection(false);
   header->setSectionResizeMode(int(StudyColumn::description), QHeaderView::Stretch);
-  const std::pair<StudyColumn, const char*> widest[] = {{StudyColumn::name, "Somebody, Anybody Von"},
-                                                        {StudyColumn::id, "0123456789"},
+  const std::pair<StudyColumn, const char*> widest[] = {{StudyColumn::name, "Somebody, Anyone"},
+                                                        {StudyColumn::id, "01234567"},
                                                         {StudyColumn::date, "0000-00-00"},
                                                         {StudyColumn::modality, "Modality"},
                                                         {StudyColumn::images, "10,000"}};

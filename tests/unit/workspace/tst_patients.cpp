@@ -75,7 +75,7 @@ void TestPatients::patientsOnScreenAreCounted() {
 void TestPatients::anOverlayCounts() {
   Workspace workspace = withLayout(withSeries({}, left, seriesOf("Doe", "1"), {}), Layout::two);
   const Series over = seriesOf("Roe", "2");
-  QCOMPARE(idsOnScreen(workspace), texts({"1"});
+  QCOMPARE(idsOnScreen(workspace), texts({"1"}));
   QCOMPARE(idsOnScreen(withOverlay(workspace, left, &over)), texts({"1", "2"}));
 }
 
