@@ -145,7 +145,7 @@ void MainWindow::connectLoader() {
   connect(studies_, &StudiesPanel::seriesChosen, this, &MainWindow::showInFocus);
   connect(grid_, &ViewGrid::dropped, this, [this](const QMimeData& what) {
     if (const Series* series = studies_->seriesOf(what)) showInFocus(*series);
-    if (const auto choice = choiceIn(what)) index_.open(*choice);
+    if (const auto choice = choiceIn(what)) openHow_ = OpenHow::here, index_.open(*choice);
   });
   connect(&session_, &Session::seriesNeeded, &loader_, &Loader::load);
   connect(studies_, &StudiesPanel::seriesRemoved, this,

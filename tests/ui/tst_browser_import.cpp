@@ -3,14 +3,15 @@
 #include <QDropEvent>
 #include <QHeaderView>
 #include <QMimeData>
+#include <QScrollBar>
 #include <QToolButton>
-#include <fstream>
 
 #include "tests/fixtures/filled_index.h"
 #include "tests/ui/browser_window.h"
 #include "tests/ui/watchdog.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/index_service.h"
+#include "ui/panels/series_strip.h"
 #include "ui/views/view_grid.h"
 
 using namespace volumen;
@@ -24,8 +25,7 @@ void write(const QString& path, const QByteArray& bytes) {
   file.write(bytes);
 }
 
-// The files of a written series again and again, each time as other ones: bytes behind the pixels do not
-// count.
+// The files of a written series again and again, each time in a folder of their own.
 bool copyOften(const QString& from, const QString& to, int times) {
   const QStringList names = QDir(from).entryList(QDir::Files);
   for (int n = 0; n < times; ++n) {
@@ -52,6 +52,8 @@ class TestBrowserImport : public QObject {
   void aDamagedIndexIsToldOnce();
   void withoutAnIndexTheRestWorks();
   void otherProgramsAreSeen();
+  void warningsAreSaid();
+  void thumbnailsAreMadeForWhatIsSeen();
   void theNewestSearchIsAnswered();
   void tenThousandSeriesAreSearched();
 };
@@ -221,6 +223,43 @@ void TestBrowserImport::otherProgramsAreSeen() {
   two.child<QAction>("showBrowser")->trigger();
   two.child<QAction>("showBrowser")->trigger();
   QVERIFY(two.shows({QStringLiteral("Doe, Jane"), QStringLiteral("Yamada, Tarou  山田 太郎")}));
+}
+
+void TestBrowserImport::warningsAreSaid() {
+  const Studies studies;
+  QVERIFY(fillIndex(studies.home.toStdString(), {.patients = 1, .studies = 1, .series = 5, .files = 1}));
+  BrowserWindow w(studies);
+  QVERIFY(w.has("Chest0", 4));
+  const QModelIndex patient = w.row("Chest0", 4);
+  QVERIFY(patient.data().toString().startsWith(QStringLiteral("! ")));
+  QVERIFY(patient.data(Qt::ToolTipRole).toString().contains(QStringLiteral("! 1 warning")));
+  w.tree()->setExpanded(w.tree()->model()->index(0, 0, patient), true);
+  QVERIFY(w.has("Series 4", 4));
+  const QString sentence = QStringLiteral("2 slices are missing and are interpolated.");
+  QVERIFY(w.row("Series 4", 4).data().toString().startsWith(QStringLiteral("! ")));
+  QVERIFY(w.row("Series 4", 4).data(Qt::ToolTipRole).toString().contains(sentence));
+  QVERIFY(!w.row("Series 3", 4).data().toString().startsWith(QLatin1Char('!')));
+  QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 5, longest);
+  const QListWidgetItem* item = w.strip()->findItems(QStringLiteral("Series 4"), Qt::MatchContains).value(0);
+  QVERIFY(item && item->text().startsWith(QStringLiteral("! ")) && item->toolTip().contains(sentence));
+}
+
+void TestBrowserImport::thumbnailsAreMadeForWhatIsSeen() {
+  SeriesStrip strip;
+  strip.resize(400, strip.height());
+  strip.show();
+  std::vector<IndexedSeries> series(40);
+  for (std::size_t n = 0; n < series.size(); ++n) series[n].id = std::int64_t(n) + 1;
+  std::vector<std::int64_t> wanted;
+  connect(&strip, &SeriesStrip::thumbnailsWanted, this, [&](const auto& ids) { wanted = ids; });
+  strip.showStudy(7, std::make_shared<const std::vector<IndexedSeries>>(series));
+  QTRY_VERIFY_WITH_TIMEOUT(!wanted.empty(), longest);
+  QCOMPARE(wanted.front(), std::int64_t(1));
+  QVERIFY2(wanted.size() <= 5, "those on the right are not seen yet");
+  for (const std::int64_t id : std::vector(wanted)) strip.setThumbnail(id, {});
+  strip.horizontalScrollBar()->setValue(strip.horizontalScrollBar()->maximum());
+  QTRY_VERIFY_WITH_TIMEOUT(!wanted.empty() && wanted.back() == 40, longest);
+  QVERIFY(wanted.front() > 34 && wanted.size() <= 5);
 }
 
 void TestBrowserImport::theNewestSearchIsAnswered() {

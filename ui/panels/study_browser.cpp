@@ -74,9 +74,7 @@ void StudyBrowser::connectService() {
   connect(&service_, &IndexService::listed, this, &StudyBrowser::showList);
   connect(&service_, &IndexService::changed, &ask_, qOverload<>(&QTimer::start));
   connect(&service_, &IndexService::unavailable, this, [this](const QString& sentence) {
-    for (QWidget* part :
-         {static_cast<QWidget*>(search_), static_cast<QWidget*>(tree_), static_cast<QWidget*>(strip_)})
-      part->setEnabled(false);
+    setUsable(false);
     showNotice(tr("The list of studies cannot be used: %1").arg(sentence));
   });
   connect(&service_, &IndexService::seriesListed, this, [this](qint64 study, const SeriesListPtr& series) {
@@ -98,42 +96,11 @@ void StudyBrowser::ask() {
 
 // What was chosen and open stays so; the studies of a short list are shown.
 void StudyBrowser::showList(const StudyListPtr& list) {
-  for (QWidget* part :
-       {static_cast<QWidget*>(search_), static_cast<QWidget*>(tree_), static_cast<QWidget*>(strip_)})
-    part->setEnabled(true);
-  const bool isSameSearch = shownWords_ == askedWords_;
-  shownWords_ = askedWords_;
-  std::set<StudyRowKey> expanded, collapsed, selected;
-  const bool wasShort = model_->list().patients.size() <= shortList;
-  for (int top = 0; isSameSearch && top < model_->rowCount(); ++top) {
-    const QModelIndex index = model_->index(top, 0);
-    const bool isOpen = tree_->isExpanded(index);
-    if (!isOpen && wasShort) collapsed.insert(model_->keyOf(index));
-    if (!isOpen) continue;
-    expanded.insert(model_->keyOf(index));
-    for (int n = 0; n < model_->rowCount(index); ++n)
-      if (tree_->isExpanded(model_->index(n, 0, index)))
-        expanded.insert(model_->keyOf(model_->index(n, 0, index)));
-  }
-  for (const QModelIndex& index : tree_->selectionModel()->selectedRows())
-    selected.insert(model_->keyOf(index));
-  const StudyRowKey current = model_->keyOf(tree_->currentIndex());
-  const int scrolled = isSameSearch ? tree_->verticalScrollBar()->value() : 0;
+  setUsable(true);
+  const TreeState before = treeState(std::exchange(shownWords_, askedWords_) == askedWords_);
   model_->setList(list, sort_);
-  expand(expanded, collapsed);
-  QModelIndex now = model_->indexOf(current);
-  if (!now.isValid()) now = model_->firstPatient();
-  tree_->setAutoScroll(false);  // the list stays where it was
-  tree_->selectionModel()->setCurrentIndex(now, QItemSelectionModel::NoUpdate);
-  tree_->setAutoScroll(true);
-  for (const StudyRowKey& key : selected)
-    if (const QModelIndex index = model_->indexOf(key); index.isValid())
-      tree_->selectionModel()->select(index, QItemSelectionModel::Select | QItemSelectionModel::Rows);
-  if (!tree_->selectionModel()->hasSelection() && now.isValid())
-    tree_->selectionModel()->select(now, QItemSelectionModel::Select | QItemSelectionModel::Rows);
-  tree_->visualRect(now);  // lays the rows out, so that there is something to scroll
-  tree_->verticalScrollBar()->setValue(scrolled);
-  showSeriesOf(now);
+  restore(before);
+  showSeriesOf(tree_->currentIndex());
   if (!list->patients.empty())
     showNotice({});
   else if (shownWords_.empty())
@@ -145,16 +112,54 @@ void StudyBrowser::showList(const StudyListPtr& list) {
   Q_EMIT listChanged();
 }
 
-void StudyBrowser::expand(const std::set<StudyRowKey>& expanded, const std::set<StudyRowKey>& collapsed) {
+void StudyBrowser::setUsable(bool usable) {
+  search_->setEnabled(usable);
+  tree_->setEnabled(usable);
+  strip_->setEnabled(usable);
+}
+
+StudyBrowser::TreeState StudyBrowser::treeState(bool isSameSearch) const {
+  TreeState state;
+  state.current = model_->keyOf(tree_->currentIndex());
+  for (const QModelIndex& index : tree_->selectionModel()->selectedRows())
+    state.selected.insert(model_->keyOf(index));
+  if (!isSameSearch) return state;
+  state.scrolled = tree_->verticalScrollBar()->value();
   const bool isShort = model_->list().patients.size() <= shortList;
-  if (isShort)
-    for (int top = 0; top < model_->rowCount(); ++top)
-      if (!collapsed.contains(model_->keyOf(model_->index(top, 0))))
-        tree_->setExpanded(model_->index(top, 0), true);
-  for (const StudyRowKey& key : expanded) tree_->setExpanded(model_->indexOf(key), true);
-  const QModelIndex first = model_->index(0, 0);
-  if (model_->isRecentGroup(first) && !collapsed.contains(model_->keyOf(first)))
-    tree_->setExpanded(first, true);
+  for (int top = 0; top < model_->rowCount(); ++top) {
+    const QModelIndex index = model_->index(top, 0);
+    const bool isOpen = tree_->isExpanded(index);
+    if (!isOpen && (isShort || model_->isRecentGroup(index))) state.collapsed.insert(model_->keyOf(index));
+    if (!isOpen) continue;
+    state.expanded.insert(model_->keyOf(index));
+    for (int n = 0; n < model_->rowCount(index); ++n)
+      if (tree_->isExpanded(model_->index(n, 0, index)))
+        state.expanded.insert(model_->keyOf(model_->index(n, 0, index)));
+  }
+  return state;
+}
+
+void StudyBrowser::restore(const TreeState& state) {
+  const bool isShort = model_->list().patients.size() <= shortList;
+  for (int top = 0; top < (isShort ? model_->rowCount() : 1); ++top) {
+    const QModelIndex index = model_->index(top, 0);
+    if ((isShort || model_->isRecentGroup(index)) && !state.collapsed.contains(model_->keyOf(index)))
+      tree_->setExpanded(index, true);
+  }
+  for (const StudyRowKey& key : state.expanded) tree_->setExpanded(model_->indexOf(key), true);
+  QItemSelectionModel* selection = tree_->selectionModel();
+  QModelIndex current = model_->indexOf(state.current);
+  if (!current.isValid()) current = model_->firstPatient();
+  tree_->setAutoScroll(false);  // the list stays where it was
+  selection->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
+  tree_->setAutoScroll(true);
+  const auto select = [&](const QModelIndex& index) {
+    if (index.isValid()) selection->select(index, QItemSelectionModel::Select | QItemSelectionModel::Rows);
+  };
+  for (const StudyRowKey& key : state.selected) select(model_->indexOf(key));
+  if (!selection->hasSelection()) select(current);
+  tree_->visualRect(current);  // lays the rows out, so that there is something to scroll
+  tree_->verticalScrollBar()->setValue(state.scrolled);
 }
 
 // Of a patient those of the study that stands first.

@@ -50,6 +50,13 @@ class StudyBrowser : public QWidget {
   void dropEvent(QDropEvent*) override;
 
  private:
+  // What of the tree stays when the list is read again.
+  struct TreeState {
+    std::set<StudyRowKey> expanded, collapsed, selected;
+    StudyRowKey current;
+    int scrolled = 0;
+  };
+
   void makeSearchRow();
   void makeTree();
   void makeRemovedBar();
@@ -57,7 +64,9 @@ class StudyBrowser : public QWidget {
   void connectService();
   void ask();
   void showList(const StudyListPtr& list);
-  void expand(const std::set<StudyRowKey>& expanded, const std::set<StudyRowKey>& collapsed);
+  void setUsable(bool usable);
+  TreeState treeState(bool isSameSearch) const;
+  void restore(const TreeState& state);
   void showSeriesOf(const QModelIndex& index);
   void showNotice(const QString& sentence);
   void activate(const QModelIndex& index);
