@@ -153,7 +153,7 @@ void IndexService::import(const QStringList& paths) {
   for (const QString& path : paths) all.push_back(path.toStdString());
   if (imports_++ == 0) Q_EMIT importingChanged(true);
   importer_.pool.start([this, all, cancel = cancelImport_] {
-    if (Index* index = cancel.cancelled() ? nullptr : indexOf(importer_)) runImport(*index, all, cancel);
+    if (Index* index = indexOf(importer_)) runImport(*index, all, cancel);
     tell([this] {
       if (--imports_ == 0) Q_EMIT importingChanged(false);
     });

@@ -19,10 +19,8 @@ struct SortKey {
 
 class SortKeys {
  public:
-  SortKeys() { collator_.setCaseSensitivity(Qt::CaseInsensitive); }
-
   SortKey operator()(const std::string& text, std::int64_t number = 0) const {
-    return {number, collator_.sortKey(QString::fromStdString(text))};
+    return {number, collator_.sortKey(QString::fromStdString(text).toCaseFolded())};
   }
 
  private:
