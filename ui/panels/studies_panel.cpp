@@ -8,7 +8,6 @@
 #include <QTreeWidgetItemIterator>
 #include <QUrl>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -252,8 +251,9 @@ void StudiesPanel::addStudy(const QString& path, const std::shared_ptr<const Stu
 }
 
 std::shared_ptr<const Study> StudiesPanel::studyOf(const QString& path) const {
-  const auto opened = std::ranges::find(studies_, path, &Opened::path);
-  return opened == studies_.end() ? nullptr : opened->study;
+  for (const Opened& opened : studies_)
+    if (opened.path == path) return opened.study;
+  return nullptr;
 }
 
 // Those that were removed from the list stay away.
