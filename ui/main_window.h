@@ -123,7 +123,7 @@ class MainWindow : public QMainWindow {
   void toggleKeyImage();
   void goToKeyImage(int step);
   void fillPresentations(QMenu* menu, SliceView& view);
-  SliceView* flatViewInFocus() const;
+  SliceView* sliceViewInFocus() const;
   void showPage();
   void showFirst(const Study& study);
   void makeMeasureActions();

@@ -35,7 +35,7 @@ void MainWindow::makeFrameActions() {
   actions_[interpolate->objectName()] = interpolate;
   connect(add("playFrames", tr("Play or stop"), tr("C"), false), &QAction::triggered, this, [this] {
     SliceView* view = framesInFocus();
-    if (!view) view = grid_->sliceView(volumen::flatViewInFocus(session_.workspace()));
+    if (!view) view = grid_->sliceView(flatViewInFocus(session_.workspace()));
     if (view) view->togglePlay();
   });
 }

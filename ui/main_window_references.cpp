@@ -196,13 +196,13 @@ void MainWindow::showPlace(const std::string& frameOfReferenceUid, glm::dvec3 pP
 }
 
 // The flat view that keys are for; null: there is none.
-SliceView* MainWindow::flatViewInFocus() const {
+SliceView* MainWindow::sliceViewInFocus() const {
   const Workspace& workspace = session_.workspace();
   return showsFrames(workspace, workspace.focus) ? framesInFocus() : grid_->sliceView(workspace.focus);
 }
 
 void MainWindow::toggleKeyImage() {
-  SliceView* view = flatViewInFocus();
+  SliceView* view = sliceViewInFocus();
   const std::optional<int> picture = view ? view->acquiredPicture() : std::nullopt;
   if (!picture)
     return status_->tell(
@@ -219,7 +219,7 @@ void MainWindow::toggleKeyImage() {
 }
 
 void MainWindow::goToKeyImage(int step) {
-  SliceView* view = flatViewInFocus();
+  SliceView* view = sliceViewInFocus();
   const std::optional<int> picture = view ? view->acquiredPicture() : std::nullopt;
   const SeriesKey series = view ? view->state().series : SeriesKey{};
   const std::optional<PicturePlace> next = keyImages_->next(series, picture.value_or(-1), step);

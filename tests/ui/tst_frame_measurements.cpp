@@ -85,6 +85,8 @@ class TestFrameMeasurements : public QObject {
   void numbersWithTheirWord();
   void everyToolDraws_data();
   void everyToolDraws();
+  void anEndFollowsThePointer_data();
+  void anEndFollowsThePointer();
   void onlyOnItsFrame();
   void thePanelGoesThere();
   void asSessionAndJson();
@@ -167,6 +169,33 @@ void TestFrameMeasurements::everyToolDraws() {
     QVERIFY(!w.text().isEmpty());
   }
   QCOMPARE(&w.window.views()->tool(), &flatTool("window"));
+}
+
+void TestFrameMeasurements::anEndFollowsThePointer_data() {
+  QTest::addColumn<QString>("file");
+  QTest::newRow("square pixels") << QStringLiteral("cr-chest-mono1-jpeg8.dcm");
+  QTest::newRow("colour, drawn 0.8 times as high") << QStringLiteral("us-cine-aspect-regions.dcm");
+}
+
+// By as many pixels of the frame as the pointer moves on screen, each direction by its own size.
+void TestFrameMeasurements::anEndFollowsThePointer() {
+  NEED_PICTURES();
+  QFETCH(QString, file);
+  FrameWindow w(file.toLatin1().constData());
+  QVERIFY(w.shows());
+  w.draw(length, {{100, 200}, {200, 200}});
+  const std::vector<glm::dvec3> before = w.all()[0].shape.points;
+  const QPoint end = w.at(before[1]).toPoint(), way(30, 45);
+  drag(w.view(), end, end + way);
+  const VoxelGeometry& g = w.view()->frame()->geometry();
+  const double mm = w.view()->plane()->mmPerPixel * w.view()->devicePixelRatioF();
+  const glm::dvec2 moved(way.x() * mm / g.spacing().x, way.y() * mm / g.spacing().y);
+  const std::vector<glm::dvec3> after = w.all()[0].shape.points;
+  QVERIFY(after[0] == before[0]);
+  const glm::dvec3 off = after[1] - before[1] - glm::dvec3(moved, 0);
+  QVERIFY2(glm::length(off) < 1e-9, qPrintable(QStringLiteral("%1, %2 px").arg(off.x).arg(off.y)));
+  w.child<QAction>("undo")->trigger();
+  QVERIFY(w.all()[0].shape.points == before);
 }
 
 void TestFrameMeasurements::onlyOnItsFrame() {

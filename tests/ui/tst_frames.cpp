@@ -1,122 +1,16 @@
 // Guards slices.md 2 in the window: frames as acquired, by real events on real files; pixels on screen are
 // those that the data's README states.
-#include <QDir>
-#include <QDragEnterEvent>
-#include <QElapsedTimer>
 #include <QMenu>
-#include <QMimeData>
-#include <QTemporaryDir>
-#include <QTreeWidgetItemIterator>
-#include <QWheelEvent>
-#include <cmath>
-#include <set>
 
-#include "tests/fixtures/fixtures.h"
-#include "tests/ui/gestures.h"
-#include "tests/ui/journey.h"
-#include "tests/unit/suite.h"
-#include "ui/panels/studies_panel.h"
-#include "ui/views/cine_player.h"
-#include "ui/views/view_grid.h"
+#include "tests/ui/frames_window.h"
 #include "ui/widgets/banner.h"
-#include "ui/workspace/cine.h"
 
 using namespace volumen;
-using volumen::tests::Journey;
+using volumen::tests::clipFile;
+using volumen::tests::Frames;
 using volumen::tests::longest;
 
 namespace {
-
-QString dataFile(const char* name) {
-  return QString::fromStdString(tests::dataPath("dicom-2d") + "/" + name);
-}
-
-const char* const clipFile = "us-cine-aspect-regions.dcm";
-
-void wheel(QWidget* on, int notches, Qt::KeyboardModifiers keys = {}) {
-  const QPointF middle(on->width() / 2.0, on->height() / 2.0);
-  QWheelEvent event(middle, on->mapToGlobal(middle), {}, {0, 120 * notches}, Qt::NoButton, keys,
-                    Qt::NoScrollPhase, false);
-  QCoreApplication::sendEvent(on, &event);
-}
-
-// A window on files of the data.
-struct Frames : Journey {
-  explicit Frames(const std::vector<const char*>& files) {
-    window.resize(1440, 900);
-    QStringList paths;
-    for (const char* file : files) paths << dataFile(file);
-    window.open(paths);
-  }
-
-  Session& session() { return window.session(); }
-  const Workspace& workspace() { return session().workspace(); }
-  SliceView* view(ViewId id = axialViewId) { return window.views()->sliceView(id); }
-  QTreeWidget* tree() { return child<QTreeWidget>("studyTree"); }
-  QTreeWidgetItem* item(const char* text) {
-    return tree()->findItems(QLatin1String(text), Qt::MatchContains | Qt::MatchRecursive).value(0);
-  }
-  FlatLook look(ViewId id = axialViewId) { return flatLookOf(workspace().view(id)); }
-
-  // Whether the frame of the workspace comes on screen.
-  bool shows(ViewId id = axialViewId) {
-    const auto isThere = [&] {
-      const SliceView* v = view(id);
-      return v && v->isVisible() && v->frame() && v->frame()->key.series == v->state().series &&
-             v->frame()->key.index == look(id).frame && !v->picture().isNull();
-    };
-    return QTest::qWaitFor(isThere, longest);
-  }
-  // Waits for the picture after something was done.
-  bool after(const std::function<void()>& act, ViewId id = axialViewId) {
-    QSignalSpy shown(view(id), &SliceView::settled);
-    act();
-    return !shown.isEmpty() || shown.wait(longest);
-  }
-  bool press(Qt::Key key, ViewId id = axialViewId) {
-    return after([&] { QTest::keyClick(view(id), key); }, id);
-  }
-  // What is on screen of a pixel, which is put in the middle of the view, as large as a pixel of the screen.
-  QRgb seen(int column, int row, ViewId id = axialViewId) {
-    SliceView* v = view(id);
-    const VoxelGeometry& geometry = v->frame()->geometry();
-    const SlicePlane whole = *v->plane();
-    const glm::dvec3 p = geometry.patientFromVoxel({column, row, 0}), from = p - geometry.centre();
-    const glm::dvec3 spacing = geometry.spacing();
-    const double mm = std::min(spacing.x, spacing.y);
-    const glm::dvec2 half = glm::dvec2(whole.size) / 2.0;
-    const glm::dvec2 toCentre = half - glm::floor(half) - 0.5;
-    FlatLook now = look(id);
-    now.zoom *= whole.mmPerPixel / mm;
-    now.panMm = glm::dvec2(glm::dot(from, whole.right), glm::dot(from, whole.down)) + toCentre * mm;
-    const auto zoomed = [&] {
-      session().change(QStringLiteral("test"),
-                       [&](Workspace& w) { w.view(id).flats[v->state().series] = now; });
-    };
-    const bool isThere = std::abs(now.zoom / look(id).zoom - 1) < 1e-12 && now.panMm == look(id).panMm;
-    if (!isThere && !after(zoomed, id)) return 0;
-    const glm::dvec2 at = v->plane()->pixelFromPatient(p);
-    return v->picture().pixel(int(at.x), int(at.y));
-  }
-  // What the status line says of a pixel under the cursor.
-  QString said(int column, int row) {
-    SliceView* v = view();
-    QString text;
-    const auto listening = QObject::connect(v, &View::hovered, v, [&](const QString& t) { text = t; });
-    const glm::dvec2 at =
-        v->plane()->pixelFromPatient(v->frame()->geometry().patientFromVoxel({column, row, 0}));
-    tests::hover(v, QPointF(at.x, at.y) / v->devicePixelRatioF());
-    QObject::disconnect(listening);
-    return text;
-  }
-  void choose(const char* text) {
-    QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualItemRect(item(text)).center());
-  }
-};
-
-#define NEED_FILES()                      \
-  NEED_DATA(tests::dataPath("dicom-2d")); \
-  QVERIFY(QDir(QString::fromStdString(tests::dataPath("dicom-2d"))).exists())
 
 bool areNear(QRgb a, QRgb b, int within) {
   return std::abs(qRed(a) - qRed(b)) <= within && std::abs(qGreen(a) - qGreen(b)) <= within &&
@@ -124,6 +18,13 @@ bool areNear(QRgb a, QRgb b, int within) {
 }
 
 QRgb grey(int value) { return qRgb(value, value, value); }
+
+// What README.md of the data says of a pixel.
+struct Probe {
+  int frame;
+  QPoint pixel;
+  QRgb colour;
+};
 
 }  // namespace
 
@@ -137,36 +38,12 @@ class TestFrames : public QObject {
   void theShapeIsTheFiles();
   void overlaysAreWhiteAndCanGo_data();
   void overlaysAreWhiteAndCanGo();
-  void framesAreScrolled();
-  void theScrollToolGoesThroughFrames();
   void digitsChooseWindowsAndTables();
   void aDragMakesItALinearWindow();
   void coloursHaveNoWindow();
   void invertedAndBack();
   void theMenuOffersWindows();
-  void aClipIsPlayedByTheClock();
-  void playingEndsWithAScroll();
-  void aClipThatIsTooSlowIsRed();
-  void aClipIsDraggedIntoAComparedView();
-  void aVolumeAndAClipInTurn();
-  void aVolumeIsShownAsFramesAndBack();
-  void aPictureIsShownAsASliceAndBack();
-  void theListTellsFrames();
-  void layoutsSayWhyNothingComes();
-  void namesAreHidden();
-  void aFileThatWentIsASentence();
 };
-
-namespace {
-
-// What README.md of the data says of a pixel.
-struct Probe {
-  int frame;
-  QPoint pixel;
-  QRgb colour;
-};
-
-}  // namespace
 
 void TestFrames::pixelsAreThoseOfTheFile_data() {
   QTest::addColumn<QString>("file");
@@ -325,37 +202,6 @@ void TestFrames::overlaysAreWhiteAndCanGo() {
   QVERIFY(w.look().layers);
 }
 
-void TestFrames::framesAreScrolled() {
-  NEED_FILES();
-  Frames w({clipFile});
-  QVERIFY(w.shows());
-  QVERIFY(w.press(Qt::Key_Down));
-  QCOMPARE(w.look().frame, 1);
-  QVERIFY(w.after([&] { wheel(w.view(), -3); }));
-  QCOMPARE(w.look().frame, 4);
-  QVERIFY(w.press(Qt::Key_End));
-  QCOMPARE(w.view()->overlays().topRight.front(), QStringLiteral("Frame 34 / 34"));
-  QTest::keyClick(w.view(), Qt::Key_Down);
-  QCOMPARE(w.look().frame, 33);
-  w.child<QAction>("undo")->trigger();
-  QCOMPARE(w.look().frame, 0);
-  w.child<QAction>("redo")->trigger();
-  QVERIFY(w.shows());
-  QVERIFY(w.press(Qt::Key_Home));
-  QCOMPARE(w.look().frame, 0);
-}
-
-void TestFrames::theScrollToolGoesThroughFrames() {
-  NEED_FILES();
-  Frames w({clipFile});
-  QVERIFY(w.shows());
-  w.view()->setTool(flatTool("scroll"));
-  QVERIFY(w.after([&] { tests::drag(w.view(), {50, 50}, {50, 50.0 + w.view()->height() / 2.0}); }));
-  QVERIFY2(std::abs(w.look().frame - 17) <= 1, qPrintable(QString::number(w.look().frame)));
-  w.child<QAction>("undo")->trigger();
-  QCOMPARE(w.look().frame, 0);
-}
-
 void TestFrames::digitsChooseWindowsAndTables() {
   NEED_FILES();
   Frames w({"mg-sigmoid-voilut3.dcm"});
@@ -423,215 +269,6 @@ void TestFrames::theMenuOffersWindows() {
     if (action->text().startsWith(QStringLiteral("HARDER, LUT")))
       QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
   QCOMPARE(w.view()->overlays().bottomRight, QStringLiteral("LUT HARDER"));
-}
-
-// 33 frames a second; frames are dropped rather than time, so that the clock says which one is on screen.
-void TestFrames::aClipIsPlayedByTheClock() {
-  NEED_FILES();
-  Frames w({clipFile});
-  QVERIFY(w.shows());
-  std::set<int> seen;
-  const int steps = w.session().undoStack().count();
-  // Before the player's own, so that what is due by it is never a frame behind what is shown.
-  QElapsedTimer clock;
-  clock.start();
-  QTest::keyClick(w.view(), Qt::Key_C);
-  QVERIFY(w.view()->isPlaying());
-  const auto hasRun = [&] {
-    seen.insert(w.view()->frame()->key.index);
-    const bool saysRate = w.view()->overlays().topRight.front().endsWith(QStringLiteral(" a second"));
-    return clock.elapsed() > 2000 && seen.size() > 20 && saysRate;
-  };
-  QVERIFY(QTest::qWaitFor(hasRun, longest));
-  qInfo("%s", qPrintable(w.view()->overlays().topRight.front()));
-  const int due = cineFrame({33, {}, false}, 34, 0, double(clock.elapsed()));
-  QTest::keyClick(w.view(), Qt::Key_C);
-  QVERIFY(!w.view()->isPlaying());
-  // Half a second late at most on a machine that is busy with other tests.
-  const int late = (due - w.look().frame + 34) % 34;
-  QVERIFY2(late <= 16, qPrintable(QStringLiteral("%1 is due, %2 is shown").arg(due).arg(w.look().frame)));
-  QCOMPARE(w.session().undoStack().count(), steps + 1);
-  w.child<QAction>("undo")->trigger();
-  QCOMPARE(w.look().frame, 0);
-}
-
-void TestFrames::playingEndsWithAScroll() {
-  NEED_FILES();
-  Frames w({"us-palette-cine-10.dcm"});
-  QVERIFY(w.shows());
-  w.child<QAction>("playFrames")->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(w.view()->frame()->key.index >= 3, longest);
-  const int shown = w.view()->frame()->key.index;
-  wheel(w.view(), 1);
-  QVERIFY(!w.view()->isPlaying());
-  QCOMPARE(w.look().frame, shown - 1);
-}
-
-void TestFrames::aClipThatIsTooSlowIsRed() {
-  CinePlayer player({20, {}, false}, 100, 0);
-  for (int frame = 0; frame < 16; ++frame) {
-    player.tellShown(frame);
-    QTest::qWait(100);
-  }
-  QVERIFY2(player.rate() > 0 && player.rate() < 10.5, qPrintable(QString::number(player.rate())));
-  QVERIFY(player.isLate());
-  Overlays over;
-  over.topRight = {QStringLiteral("Frame 1 / 2"), QStringLiteral("px")};
-  over.isLate = true;
-  for (const PlacedText& text : placeOverlays(over, QRectF(0, 0, 400, 300), QFont()).texts)
-    QCOMPARE(text.late, text.text.startsWith(QStringLiteral("Frame")));
-}
-
-void TestFrames::aClipIsDraggedIntoAComparedView() {
-  NEED_FILES();
-  Frames w({clipFile, "cr-hip-mono2-jpeg12.dcm"});
-  QVERIFY(w.shows());
-  QTRY_VERIFY_WITH_TIMEOUT(w.item("(hidden)") || w.tree()->topLevelItemCount() >= 2, longest);
-  w.child<QAction>("layoutTwo")->trigger();
-  QVERIFY(w.shows(firstComparedId));
-  QTreeWidgetItem* hip = nullptr;
-  for (QTreeWidgetItemIterator it(w.tree()); *it; ++it)
-    if ((*it)->toolTip(0).contains(QStringLiteral("cr-hip"))) hip = *it;
-  QVERIFY(hip);
-  const std::unique_ptr<QMimeData> dragged(
-      w.tree()->model()->mimeData({w.tree()->indexAt(w.tree()->visualItemRect(hip).center())}));
-  SliceView* second = w.view(firstComparedId + 1);
-  QDragEnterEvent enter({50, 50}, Qt::CopyAction, dragged.get(), Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(second, &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent drop(QPointF(50, 50), Qt::CopyAction, dragged.get(), Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(second, &drop);
-  QVERIFY(w.shows(firstComparedId + 1));
-  QVERIFY(!w.view(firstComparedId + 1)->frame()->colour());
-  QVERIFY(w.view(firstComparedId)->frame()->colour());
-  w.shot("frames-compared");
-  w.child<QAction>("undo")->trigger();
-  QVERIFY(w.workspace().view(firstComparedId + 1).series.empty());
-}
-
-void TestFrames::aVolumeAndAClipInTurn() {
-  NEED_FILES();
-  Frames w({"../pet-ct/sts019-ct", clipFile});
-  QVERIFY(w.settle());
-  w.child<QAction>("layoutPlanes")->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(w.item("34 frames") != nullptr, longest);
-  for (int turn = 0; turn < 3; ++turn) {
-    w.choose("34 frames");
-    QVERIFY(w.shows());
-    QVERIFY(!w.window.view()->isVisible());
-    QVERIFY(w.view()->hasFocus());
-    QVERIFY(w.window.windowTitle().contains(QStringLiteral("US")));
-    w.choose("47 slices");
-    QTRY_VERIFY_WITH_TIMEOUT(!w.view()->showsFrames() && !w.view()->picture().isNull(), longest);
-    QVERIFY(w.window.view()->isVisible());
-    QVERIFY(w.session().series());
-  }
-  for (int step = 0; step < 5; ++step) w.child<QAction>("undo")->trigger();
-  QVERIFY(w.shows());
-  w.child<QAction>("undo")->trigger();
-  QVERIFY(w.window.view()->isVisible());
-}
-
-void TestFrames::aVolumeIsShownAsFramesAndBack() {
-  NEED_FILES();
-  Frames w({"ct-two-windows.dcm"});
-  QVERIFY(w.settle());
-  QAction* asFrames = w.child<QAction>("showAsFrames");
-  QVERIFY(asFrames->isEnabled() && !asFrames->isChecked());
-  asFrames->trigger();
-  QVERIFY(w.shows());
-  QVERIFY(asFrames->isChecked());
-  QCOMPARE(qGray(w.seen(256, 256)), 246);
-  QVERIFY(w.press(Qt::Key_2));
-  QCOMPARE(qGray(w.seen(256, 256)), 85);
-  QCOMPARE(w.said(256, 256).section(QLatin1Char(' '), 0, 1), QStringLiteral("202 HU"));
-  QVERIFY2(!w.view()->overlays().left.isEmpty(), "it lies somewhere in the patient");
-  asFrames->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(w.window.view()->isVisible(), longest);
-  QVERIFY(!asFrames->isChecked());
-  QVERIFY(w.session().series());
-}
-
-// It was never in memory as a volume.
-void TestFrames::aPictureIsShownAsASliceAndBack() {
-  NEED_FILES();
-  Frames w({"us-palette-cine-10.dcm", "mg-ermf-overlay-shutter.dcm"});
-  QVERIFY(w.shows());
-  QTRY_VERIFY_WITH_TIMEOUT(w.item("1 frame") != nullptr, longest);
-  w.choose("1 frame");
-  QVERIFY(w.shows());
-  QAction* asFrames = w.child<QAction>("showAsFrames");
-  QVERIFY(asFrames->isChecked());
-  asFrames->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(w.session().series() && !asFrames->isChecked(), longest);
-  QVERIFY(w.window.view()->isVisible());
-  w.child<QAction>("undo")->trigger();
-  QVERIFY(w.shows());
-  QVERIFY(asFrames->isChecked());
-  w.child<QAction>("undo")->trigger();
-  QVERIFY(w.shows());
-  QVERIFY(w.view()->frame()->colour());
-}
-
-void TestFrames::theListTellsFrames() {
-  NEED_FILES();
-  Frames w({clipFile});
-  QVERIFY(w.shows());
-  QTreeWidgetItem* clip = w.item("34 frames");
-  QVERIFY(clip);
-  QVERIFY(clip->toolTip(0).contains(QStringLiteral("cannot be shown in 3D")));
-  const auto hasThumbnail = [&] {
-    const QImage icon = clip->icon(0).pixmap(44, 44).toImage();
-    for (int y = 0; y < icon.height(); ++y)
-      for (int x = 0; x < icon.width(); ++x)
-        if (qAlpha(icon.pixel(x, y)) && qGray(icon.pixel(x, y)) > 60) return true;
-    return false;
-  };
-  QTRY_VERIFY_WITH_TIMEOUT(hasThumbnail(), longest);
-  QVERIFY2(!w.item("Could not be read"), "what is shown is not listed as unread");
-}
-
-void TestFrames::layoutsSayWhyNothingComes() {
-  NEED_FILES();
-  Frames w({clipFile});
-  QVERIFY(w.shows());
-  w.child<QAction>("layoutPlanes")->trigger();
-  QVERIFY(!w.window.view()->isVisible());
-  const auto labels = w.window.findChildren<QLabel*>();
-  QVERIFY(std::ranges::any_of(labels, [](QLabel* label) {
-    return label->isVisible() && label->text().startsWith(QStringLiteral("Shown as frames alone"));
-  }));
-  QVERIFY(!w.child<QAction>("showAsFrames")->isEnabled());
-}
-
-void TestFrames::namesAreHidden() {
-  NEED_FILES();
-  Frames w({"cr-hip-mono2-jpeg12.dcm"});
-  QVERIFY(w.shows());
-  QVERIFY(w.view()->overlays().topLeft.front().contains(QStringLiteral("CompressedSamples")));
-  QVERIFY(w.window.windowTitle().contains(QStringLiteral("CompressedSamples")));
-  w.child<QAction>("hideNames")->trigger();
-  QVERIFY(!w.view()->overlays().topLeft.join(QString()).contains(QStringLiteral("Compressed")));
-  QVERIFY(!w.window.windowTitle().contains(QStringLiteral("Compressed")));
-  w.child<QAction>("hideNames")->trigger();
-}
-
-void TestFrames::aFileThatWentIsASentence() {
-  NEED_FILES();
-  const QTemporaryDir folder;
-  const QString copy = folder.filePath(QStringLiteral("clip.dcm"));
-  QVERIFY(QFile::copy(dataFile("us-palette-cine-10.dcm"), copy));
-  Frames w({});
-  w.window.open({dataFile("sc-rgb-41.dcm"), copy});
-  QVERIFY(w.shows());
-  QTRY_VERIFY_WITH_TIMEOUT(w.item("10 frames") != nullptr, longest);
-  QVERIFY(QFile::remove(copy));
-  w.choose("10 frames");
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->failure().isEmpty(), longest);
-  QVERIFY(w.view()->failure().contains(QStringLiteral("clip.dcm")));
-  w.choose("1 frame");
-  QVERIFY(w.shows());
-  QVERIFY(w.view()->failure().isEmpty());
 }
 
 VOLUMEN_TEST(TestFrames);

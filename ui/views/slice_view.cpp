@@ -226,8 +226,7 @@ const FlatTool* SliceView::toolFor(const QMouseEvent& event) const {
     case Qt::LeftButton:
       if (event.modifiers() & Qt::ShiftModifier && !tool_->measuring && hasCursor())
         return &flatTool("crosshair");
-      // Colours have no window, and what has no place in the patient no crosshair.
-      if (showsFrames() && frame_ && frame_->colour() && tool_ == &flatTool("window")) return nullptr;
+      // What has no place in the patient has no crosshair.
       return !hasCursor() && tool_ == &flatTool("crosshair") ? nullptr : tool_;
     case Qt::MiddleButton:
       return &flatTool("pan");
@@ -252,6 +251,8 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
   if (tool == tool_) drag_ = pressMeasurement(*press);
   if (!drag_ && tool == tool_ && !tool->measuring && !showsFrames()) drag_ = beginOnLines(*press);
   if (!drag_ && tool == tool_ && !tool->measuring) drag_ = beginOnClip(*press, clipShown_);
+  const bool isColour = showsFrames() && frame_ && frame_->colour();
+  if (!drag_ && isColour && tool == &flatTool("window")) return;  // colours have no window
   if (!drag_) drag_ = tool->begin(*press);
   if (drag_->drawing()) update();
 }

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <QDir>
+#include <QTreeWidget>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "tests/fixtures/fixtures.h"
+#include "tests/ui/gestures.h"
+#include "tests/ui/journey.h"
+#include "tests/unit/suite.h"
+#include "ui/views/view_grid.h"
+
+namespace volumen::tests {
+
+inline QString dataFile(const char* name) {
+  return QString::fromStdString(dataPath("dicom-2d") + "/" + name);
+}
+
+inline constexpr const char* clipFile = "us-cine-aspect-regions.dcm";
+
+inline void wheel(QWidget* on, int notches, Qt::KeyboardModifiers keys = {}) {
+  const QPointF middle(on->width() / 2.0, on->height() / 2.0);
+  QWheelEvent event(middle, on->mapToGlobal(middle), {}, {0, 120 * notches}, Qt::NoButton, keys,
+                    Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(on, &event);
+}
+
+// A window on files of the data.
+struct Frames : Journey {
+  explicit Frames(const std::vector<const char*>& files) {
+    window.resize(1440, 900);
+    QStringList paths;
+    for (const char* file : files) paths << dataFile(file);
+    window.open(paths);
+  }
+
+  Session& session() { return window.session(); }
+  const Workspace& workspace() { return session().workspace(); }
+  SliceView* view(ViewId id = axialViewId) { return window.views()->sliceView(id); }
+  QTreeWidget* tree() { return child<QTreeWidget>("studyTree"); }
+  QTreeWidgetItem* item(const char* text) {
+    return tree()->findItems(QLatin1String(text), Qt::MatchContains | Qt::MatchRecursive).value(0);
+  }
+  FlatLook look(ViewId id = axialViewId) { return flatLookOf(workspace().view(id)); }
+
+  // Whether the frame of the workspace comes on screen.
+  bool shows(ViewId id = axialViewId) {
+    const auto isThere = [&] {
+      const SliceView* v = view(id);
+      return v && v->isVisible() && v->frame() && v->frame()->key.series == v->state().series &&
+             v->frame()->key.index == look(id).frame && !v->picture().isNull();
+    };
+    return QTest::qWaitFor(isThere, longest);
+  }
+  // Waits for the picture after something was done.
+  bool after(const std::function<void()>& act, ViewId id = axialViewId) {
+    QSignalSpy shown(view(id), &SliceView::settled);
+    act();
+    return !shown.isEmpty() || shown.wait(longest);
+  }
+  bool press(Qt::Key key, ViewId id = axialViewId) {
+    return after([&] { QTest::keyClick(view(id), key); }, id);
+  }
+  // What is on screen of a pixel, which is put in the middle of the view, as large as a pixel of the screen.
+  QRgb seen(int column, int row, ViewId id = axialViewId) {
+    SliceView* v = view(id);
+    const VoxelGeometry& geometry = v->frame()->geometry();
+    const SlicePlane whole = *v->plane();
+    const glm::dvec3 p = geometry.patientFromVoxel({column, row, 0}), from = p - geometry.centre();
+    const glm::dvec3 spacing = geometry.spacing();
+    const double mm = std::min(spacing.x, spacing.y);
+    const glm::dvec2 half = glm::dvec2(whole.size) / 2.0;
+    const glm::dvec2 toCentre = half - glm::floor(half) - 0.5;
+    FlatLook now = look(id);
+    now.zoom *= whole.mmPerPixel / mm;
+    now.panMm = glm::dvec2(glm::dot(from, whole.right), glm::dot(from, whole.down)) + toCentre * mm;
+    const auto zoomed = [&] {
+      session().change(QStringLiteral("test"),
+                       [&](Workspace& w) { w.view(id).flats[v->state().series] = now; });
+    };
+    const bool isThere = std::abs(now.zoom / look(id).zoom - 1) < 1e-12 && now.panMm == look(id).panMm;
+    if (!isThere && !after(zoomed, id)) return 0;
+    const glm::dvec2 at = v->plane()->pixelFromPatient(p);
+    return v->picture().pixel(int(at.x), int(at.y));
+  }
+  // What the status line says of a pixel under the cursor.
+  QString said(int column, int row) {
+    SliceView* v = view();
+    QString text;
+    const auto listening = QObject::connect(v, &View::hovered, v, [&](const QString& t) { text = t; });
+    const glm::dvec2 at =
+        v->plane()->pixelFromPatient(v->frame()->geometry().patientFromVoxel({column, row, 0}));
+    hover(v, QPointF(at.x, at.y) / v->devicePixelRatioF());
+    QObject::disconnect(listening);
+    return text;
+  }
+  void choose(const char* text) {
+    QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualItemRect(item(text)).center());
+  }
+};
+
+}  // namespace volumen::tests
+
+#define NEED_FILES()                               \
+  NEED_DATA(volumen::tests::dataPath("dicom-2d")); \
+  QVERIFY(QDir(QString::fromStdString(volumen::tests::dataPath("dicom-2d"))).exists())
