@@ -83,7 +83,7 @@ bool standsAlone(const std::string& path) {
 void copySeries(const FoundSeries& series, const std::string& managed, const CancelToken& cancel,
                 Copies& copies) {
   const std::string folder = folderFor(managed, series);
-  copies.status = makeFolder(folder);
+  copies.status = makePrivateFolder(folder);
   for (const FoundFile& file : series.files) {
     if (!copies.status || cancel.cancelled()) return;
     Result<std::string> copy = copyFile(file.path, folder);

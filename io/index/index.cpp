@@ -80,7 +80,7 @@ Result<ImportReport> Index::importCopies(const std::vector<std::string>& paths,
                                          const CancelToken& cancel) {
   const Result<std::vector<ImportRoot>> roots = rootsOf(paths);
   if (!roots) return roots.error();
-  if (Status made = makeFolder(managedFolder); !made) return made.error();
+  if (Status made = makePrivateFolder(managedFolder); !made) return made.error();
   const Copies copies = copyStudies(*roots, managedFolder, progress, cancel);
   // What was copied is in the index, too, where the copying ended early.
   std::set<std::string> folders;

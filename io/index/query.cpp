@@ -75,40 +75,68 @@ std::vector<IndexedStudy> matching(Database& db, const std::string& words) {
   return studies;
 }
 
-/// Adds what the series of a study say together.
+/// What the series of studies say together.
 class Summary {
  public:
-  explicit Summary(Database& db) : db_(db), folders_(db) {
+  /// Of many studies all series are read at once, of few those of each.
+  Summary(Database& db, const std::vector<IndexedStudy>& studies) : folders_(db) {
     for (const auto& [folder, refused] : refusedBySeries(db)) refused_[refused.first] += refused.second;
-  }
-  void addTo(IndexedStudy& study) {
-    std::set<std::string> modalities;
-    for (Rows rows = db_.run(
-             "SELECT id, modality, images, (SELECT COUNT(*) FROM warning WHERE series_id = series.id) FROM"
-             " series WHERE study_id = ?",
-             study.id);
-         rows.next();) {
-      ++study.series;
-      if (const std::string modality = rows.text(1); !modality.empty()) modalities.insert(modality);
-      study.images += int(rows.number(2));
-      study.warnings += int(rows.number(3));
-      if (const auto refused = refused_.find(rows.number(0)); refused != refused_.end())
-        study.warnings += refused->second;
+    constexpr std::size_t few = 50;
+    if (studies.size() > few) {
+      addSeries(
+          db.run("SELECT study_id, id, modality, images, (SELECT COUNT(*) FROM warning WHERE series_id ="
+                 " series.id) FROM series"));
+      addFolders(
+          db.run("SELECT DISTINCT s.study_id, f.folder_id FROM series s JOIN series_folder f ON"
+                 " f.series_id = s.id"));
+      return;
     }
-    for (const std::string& modality : modalities)
+    for (const IndexedStudy& study : studies) {
+      addSeries(
+          db.run("SELECT study_id, id, modality, images, (SELECT COUNT(*) FROM warning WHERE series_id ="
+                 " series.id) FROM series WHERE study_id = ?",
+                 study.id));
+      addFolders(
+          db.run("SELECT DISTINCT s.study_id, f.folder_id FROM series s JOIN series_folder f ON"
+                 " f.series_id = s.id WHERE s.study_id = ?",
+                 study.id));
+    }
+  }
+
+  void addTo(IndexedStudy& study) {
+    const Facts& facts = facts_[study.id];
+    study.series = facts.series, study.images = facts.images, study.warnings = facts.warnings;
+    for (const std::string& modality : facts.modalities)
       study.modalities += (study.modalities.empty() ? "" : ", ") + modality;
-    study.offline = true;
-    for (Rows rows = db_.run("SELECT DISTINCT folder_id FROM series_folder WHERE series_id IN (SELECT id FROM"
-                             " series WHERE study_id = ?)",
-                             study.id);
-         study.offline && rows.next();)
-      study.offline = !folders_.online(rows.number(0));
+    study.offline = std::ranges::none_of(facts.folders, [&](std::int64_t id) { return folders_.online(id); });
   }
 
  private:
-  Database& db_;
+  struct Facts {
+    int series = 0, images = 0, warnings = 0;
+    std::set<std::string> modalities;
+    std::vector<std::int64_t> folders;
+  };
+
+  void addSeries(Rows rows) {
+    while (rows.next()) {
+      Facts& facts = facts_[rows.number(0)];
+      ++facts.series;
+      if (std::string modality = rows.text(2); !modality.empty())
+        facts.modalities.insert(std::move(modality));
+      facts.images += int(rows.number(3));
+      facts.warnings += int(rows.number(4));
+      if (const auto refused = refused_.find(rows.number(1)); refused != refused_.end())
+        facts.warnings += refused->second;
+    }
+  }
+  void addFolders(Rows rows) {
+    while (rows.next()) facts_[rows.number(0)].folders.push_back(rows.number(1));
+  }
+
   Folders folders_;
   std::unordered_map<std::int64_t, int> refused_;  // of a series
+  std::unordered_map<std::int64_t, Facts> facts_;  // of a study
 };
 
 /// What studies are sorted by; the date tells those apart that are alike.
@@ -171,8 +199,8 @@ std::vector<IndexedStudy> findStudies(Database& db, const StudyQuery& query) {
   std::vector<IndexedStudy> studies = matching(db, query.words);
   // Modalities are known once the series were looked at; else only those that are asked for need be.
   const bool byModality = query.order == StudyOrder::modality;
-  Summary summary(db);
   if (!byModality) sortStudies(studies, query);
+  Summary summary(db, studies);
   for (IndexedStudy& study : studies) summary.addTo(study);
   if (byModality) sortStudies(studies, query);
   return studies;

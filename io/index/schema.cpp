@@ -52,6 +52,16 @@ const std::array<SchemaStep, 2> indexSchema{
 const std::array<SchemaStep, 1> thumbnailSchema{SchemaStep{
     "CREATE TABLE thumbnail(key BLOB PRIMARY KEY, made_of BLOB NOT NULL, png BLOB NOT NULL) WITHOUT ROWID"}};
 
+/// Whether the last page is cut off, which SQLite takes for zeros. (While there is a log, it may hold the
+/// rest.)
+bool isCutOff(Database& db) {
+  std::error_code error, noLog;
+  const std::int64_t page = db.number("PRAGMA page_size");
+  const std::uintmax_t size = std::filesystem::file_size(db.path(), error);
+  const std::uintmax_t log = std::filesystem::file_size(db.path() + "-wal", noLog);
+  return !error && page > 0 && size % std::uintmax_t(page) != 0 && (noLog || log == 0);
+}
+
 enum class Health { good, outdated, newer, damaged, unknown };
 
 /// unknown: the database has failed for a reason that is no fault of the file's.
@@ -62,7 +72,7 @@ Health examine(Database& db, std::size_t newest) {
   bool whole = false;
   if (Rows check = db.run("PRAGMA quick_check(1)"); check.next()) whole = check.text(0) == "ok";
   if (db.failed()) return db.damaged() ? Health::damaged : Health::unknown;
-  if (!whole) return Health::damaged;
+  if (!whole || isCutOff(db)) return Health::damaged;
   if (id == 0 && version == 0 && tables == 0) return Health::outdated;
   if (id != applicationId) return Health::damaged;
   if (version > std::int64_t(newest)) return Health::newer;
@@ -161,7 +171,7 @@ Result<OpenedDatabase> repaired(const std::string& folder, const std::string& pa
 
 Result<OpenedDatabase> openDatabase(const std::string& folder, const char* name,
                                     std::span<const SchemaStep> steps) {
-  if (Status made = makeFolder(folder); !made) return made.error();
+  if (Status made = makePrivateFolder(folder); !made) return made.error();
   const std::string path = folder + "/" + name;
   Result<Examined> found = openAndExamine(path, steps.size());
   if (!found) return found.error();
@@ -180,7 +190,7 @@ Result<OpenedDatabase> openDatabase(const std::string& folder, const char* name,
 
 std::span<const SchemaStep> indexSteps() { return indexSchema; }
 
-Status makeFolder(const std::string& folder) {
+Status makePrivateFolder(const std::string& folder) {
   std::error_code error;
   const bool made = std::filesystem::create_directories(folder, error);
   if (made) std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);

@@ -30,6 +30,6 @@ Result<OpenedDatabase> openIndexDatabase(const std::string& folder);
 Result<OpenedDatabase> openThumbnailDatabase(const std::string& folder);
 
 /// Makes `folder`, for its owner alone, where it is not there.
-Status makeFolder(const std::string& folder);
+Status makePrivateFolder(const std::string& folder);
 
 }  // namespace volumen

@@ -75,8 +75,11 @@ std::int64_t Writer::studyId(const ReadSeries& series, std::int64_t known) {
   const std::int64_t id = db_.number(
       "INSERT INTO study(key, uid, patient_name, patient_id, birth_date, sex, date, time, description,"
       " accession, imported_at) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT(key) DO UPDATE SET"
-      " birth_date = excluded.birth_date, sex = excluded.sex, date = excluded.date, time = excluded.time,"
-      " description = excluded.description, accession = excluded.accession, forgotten_at = '' RETURNING id",
+      " birth_date = IFNULL(NULLIF(excluded.birth_date, ''), birth_date),"
+      " sex = IFNULL(NULLIF(excluded.sex, ''), sex), date = IFNULL(NULLIF(excluded.date, ''), date),"
+      " time = IFNULL(NULLIF(excluded.time, ''), time),"
+      " description = IFNULL(NULLIF(excluded.description, ''), description),"
+      " accession = IFNULL(NULLIF(excluded.accession, ''), accession), forgotten_at = '' RETURNING id",
       Blob{key}, s.studyUid, s.patientName, s.patientId, series.further.birthDate, series.further.sex,
       s.studyDate, series.further.studyTime, description, series.further.accessionNumber, timeNow());
   studies_.insert(id);

@@ -1,0 +1,52 @@
+// Anything as a DICOM file: headers, volumes, frames, objects that refer to pictures, lists of attributes.
+#include "io/contours.h"
+#include "io/dicom/attribute_list.h"
+#include "io/frames.h"
+#include "io/presentation.h"
+#include "io/report.h"
+#include "io/segmentation.h"
+#include "tests/fuzz/input_file.h"
+
+using namespace volumen;
+
+namespace {
+
+void readFrames(const Image& image) {
+  if (std::int64_t(image.rows) * image.columns > fuzz::mostPixels) return;
+  for (int frame = 0; frame < std::min(image.frames, 3); ++frame) (void)loadFrame(image, frame);
+}
+
+void readVolume(const Series& series) {
+  if (std::int64_t(series.acquired.voxelCount()) > fuzz::mostPixels) return;
+  (void)loadSeries(series);
+  (void)loadFrame(series, 0);
+}
+
+void readObject(const Reference& object) {
+  switch (object.kind) {
+    case ReferenceKind::presentation:
+      return void(loadPresentation(object.path));
+    case ReferenceKind::keyObjects:
+      return void(loadKeyObjects(object.path));
+    case ReferenceKind::report:
+      return void(loadReport(object.path));
+    case ReferenceKind::contours:
+      return void(loadContours(object.path));
+    case ReferenceKind::segmentation:
+      return void(loadSegmentation(object.path));
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  static fuzz::InputFile file(".dcm");
+  const std::string& path = file.holding(bytes, size);
+  const Result<Study> study = openStudy(path);
+  if (!study) return 0;
+  for (const Series& series : study->volumes) readVolume(series);
+  for (const Image& image : study->images) readFrames(image);
+  for (const Reference& object : study->references) readObject(object);
+  (void)dicom::listAttributes(path);
+  return 0;
+}
