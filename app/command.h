@@ -19,7 +19,10 @@ using MakeCommand = std::function<int()> (*)(CLI::App& app, const CancelToken& c
 std::function<int()> makeAccuracy(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeBench(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeConvert(CLI::App& app, const CancelToken& cancel);
+std::function<int()> makeForget(CLI::App& app, const CancelToken& cancel);
+std::function<int()> makeImport(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeInfo(CLI::App& app, const CancelToken& cancel);
+std::function<int()> makeList(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeMeasure(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeOpen(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel);

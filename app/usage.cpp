@@ -69,6 +69,14 @@ std::string unexpected(const CLI::App& app) {
   return "Unknown option " + typed + "." + (similar ? " Did you mean " + *similar + "?" : "");
 }
 
+// An empty path is a variable of a script that was not set.
+CLI::Validator notEmpty() {
+  return {[](const std::string& text) {
+            return text.empty() ? std::string("\"\" is not a file or folder.") : std::string();
+          },
+          ""};
+}
+
 }  // namespace
 
 HelpFormatter::HelpFormatter() {
@@ -110,13 +118,13 @@ void addExamples(CLI::App& app, const std::vector<std::string>& lines) {
 }
 
 CLI::Option* addPath(CLI::App& app, std::string& path) {
-  // An empty one is a variable of a script that was not set.
-  const auto check = [](const std::string& text) {
-    return text.empty() ? std::string("\"\" is not a file or folder.") : std::string();
-  };
   return app.add_option("PATH", path, "A file, a folder or phantom:NAME[:SIZE]")
-      ->check(CLI::Validator(check, ""))
+      ->check(notEmpty())
       ->type_name("");
+}
+
+CLI::Option* addPaths(CLI::App& app, std::vector<std::string>& paths) {
+  return app.add_option("PATH", paths, "Files and folders")->check(notEmpty())->type_name("");
 }
 
 void addSeries(CLI::App& app, std::string& series) {

@@ -25,8 +25,9 @@ CLI::Option* wholeNumber(CLI::Option* option, long low, long high);
 /// "Examples:" and one line each, below a command's help.
 void addExamples(CLI::App& app, const std::vector<std::string>& lines);
 
-/// PATH and --series, which most commands take.
+/// PATH (or several) and --series, which most commands take.
 CLI::Option* addPath(CLI::App& app, std::string& path);
+CLI::Option* addPaths(CLI::App& app, std::vector<std::string>& paths);
 void addSeries(CLI::App& app, std::string& series);
 
 /// What is wrong with a command line that could not be parsed, in one sentence.

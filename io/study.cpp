@@ -144,10 +144,19 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
     return Error{path + " is a session, not a volume: `volumen open` and `volumen render` take it."};
   const Result<FoundFiles> found = filesOf(path, cancel);
   if (!found) return found.error();
+  Result<Study> study = openFiles(found->files, progress, cancel);
+  if (!study) return Error{path + ": interrupted."};
+  std::vector<Refused> refused;
+  for (const auto& [file, reason] : found->unreadable) refused.push_back({file, reason + "."});
+  study->refused.insert(study->refused.begin(), refused.begin(), refused.end());
+  return study;
+}
+
+Result<Study> openFiles(const std::vector<std::string>& files, const Progress& progress,
+                        const CancelToken& cancel) {
   Study study;
-  for (const auto& [file, reason] : found->unreadable) study.refused.push_back({file, reason + "."});
   std::vector<std::string> others;
-  for (const std::string& file : found->files) {
+  for (const std::string& file : files) {
     if (cancel.cancelled()) break;
     if (looksLikeImageFile(file))
       addImageFile(file, study);
@@ -155,7 +164,7 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
       others.push_back(file);
   }
   dicom::findSeries(others, study, progress, cancel);
-  if (cancel.cancelled()) return Error{path + ": interrupted."};
+  if (cancel.cancelled()) return Error{"Interrupted."};
   sortVolumes(study.volumes);
   numberParts(study.volumes);
   sortFiles(study.images);

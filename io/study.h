@@ -141,6 +141,10 @@ using Progress = std::function<void(const char* what, std::size_t done, std::siz
 Result<Study> openStudy(const std::string& path, const Progress& progress = {},
                         const CancelToken& cancel = {});
 
+/// What these files hold, as if they were all that is in a folder. An Error only where it was cancelled.
+Result<Study> openFiles(const std::vector<std::string>& files, const Progress& progress = {},
+                        const CancelToken& cancel = {});
+
 /// A loaded series. `acquired` holds the slices as acquired (what `info --values` describes); `drawn` the
 /// regular grid (the same pointer where they do not differ). `warnings`: the series' and those of loading.
 struct Loaded {

@@ -270,7 +270,8 @@ void MainWindow::makeMenus() {
   };
   auto* file = menuBar()->addMenu(tr("&File"));
   fill(file,
-       "openFolder openFile openSample | openSession saveSession saveSessionAs | openScene saveScene | "
+       "openFolder openFile openSample | showBrowser findStudy importFolder | openSession saveSession "
+       "saveSessionAs | openScene saveScene | "
        "snapshot copySnapshot | quit");
   recentMenu_ = new QMenu(tr("Open recent"), file);
   file->insertMenu(actions_.at(QStringLiteral("openSample")), recentMenu_);
@@ -310,7 +311,7 @@ void MainWindow::makeToolBar() {
   bar->setMovable(false);
   bar->setIconSize({22, 22});
   const auto add = [&](const char* name) { bar->addAction(actions_.at(QLatin1String(name))); };
-  for (const char* name : {"openFolder", "undo", "redo"}) add(name);
+  for (const char* name : {"openFolder", "showBrowser", "undo", "redo"}) add(name);
   bar->addSeparator();
   for (const char* name : {"orbitTool", "curveTool", "scissorsTool", "resetView"}) add(name);
   bar->addSeparator();

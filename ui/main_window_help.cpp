@@ -70,6 +70,9 @@ void MainWindow::showShortcuts() {
       tr("layouts: one view, planes and 3D, large 3D beside planes, two or four series"),
       tr("Ctrl+Z, Ctrl+Shift+Z"),
       tr("undo, redo"),
+      tr("Ctrl+B, Ctrl+F, Ctrl+I"),
+      tr("the studies on this computer: show or hide them, search them, import a folder (in the list: Enter "
+         "opens, Ctrl+Enter opens beside, Delete removes from the list)"),
       tr("Ctrl+O, Ctrl+S, Ctrl+E, Ctrl+C"),
       tr("open a folder, save the session, save a snapshot, copy it"),
   };

@@ -85,6 +85,16 @@ void Loader::open(const QString& path) {
   });
 }
 
+void Loader::openFiles(const QString& name, const std::vector<std::string>& files) {
+  start(openPool_, cancel_, [this, name, files](const CancelToken& cancel, const Progress& progress) {
+    Result<Study> study = volumen::openFiles(files, progress, cancel);
+    if (!study)
+      return tell(cancel, [this, text = QString::fromStdString(study.message())] { Q_EMIT failed(text); });
+    const auto shared = std::make_shared<const Study>(std::move(*study));
+    tell(cancel, [this, name, shared] { Q_EMIT filesOpened(name, shared); });
+  });
+}
+
 void Loader::openSession(const QString& path) {
   start(openPool_, cancel_, [this, path](const CancelToken& cancel, const Progress& progress) {
     const Result<OpenedSession> session = volumen::openSession(path.toStdString(), progress, cancel);

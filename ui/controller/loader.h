@@ -26,6 +26,8 @@ class Loader : public QObject {
   ~Loader() override;
 
   void open(const QString& path);
+  /// The same for files that are not one path: ends in filesOpened() by the name given.
+  void openFiles(const QString& name, const std::vector<std::string>& files);
   void openSession(const QString& path);
   /// Gives up a load of another series that is under way.
   void load(const Series& series);
@@ -39,6 +41,7 @@ class Loader : public QObject {
 
  Q_SIGNALS:
   void studyOpened(const QString& path, const std::shared_ptr<const volumen::Study>& study);
+  void filesOpened(const QString& name, const std::shared_ptr<const volumen::Study>& study);
   void sessionOpened(const QString& path, const volumen::OpenedSession& session);
   void seriesLoaded(const volumen::ShownSeriesPtr& series);
   void loadedAhead(const volumen::ShownSeriesPtr& series);

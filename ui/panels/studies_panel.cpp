@@ -250,6 +250,12 @@ void StudiesPanel::addStudy(const QString& path, const std::shared_ptr<const Stu
   Q_EMIT listChanged();
 }
 
+std::shared_ptr<const Study> StudiesPanel::studyOf(const QString& path) const {
+  for (const Opened& opened : studies_)
+    if (opened.path == path) return opened.study;
+  return nullptr;
+}
+
 // Those that were removed from the list stay away.
 void StudiesPanel::showNames() {
   using Place = std::tuple<QString, QString, QString>;

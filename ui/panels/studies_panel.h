@@ -25,6 +25,8 @@ class StudiesPanel : public QWidget {
 
   /// Adds what a path holds, instead of what it held when it was opened before.
   void addStudy(const QString& path, const std::shared_ptr<const Study>& study);
+  /// What was added by this path; null: nothing.
+  std::shared_ptr<const Study> studyOf(const QString& path) const;
   /// Writes all again, after names were hidden or shown.
   void showNames();
   /// Marks the series on screen; its volume, where it is in memory, has the thumbnail at once.

@@ -16,8 +16,8 @@ using namespace volumen::tests;
 
 namespace {
 
-const char* const commands[] = {"open",    "render",  "slice",    "info", "convert",
-                                "segment", "measure", "accuracy", "bench"};
+const char* const commands[] = {"open",   "render",  "slice",   "info",    "import",   "list",
+                                "forget", "convert", "segment", "measure", "accuracy", "bench"};
 
 /// The manual page without its markup.
 QString manual() {
@@ -76,8 +76,8 @@ class TestManual : public QObject {
   QTemporaryDir folder_;
 };
 
-/// What the examples speak of: a study in scans/, scene.json, shapes.json, and bone.png, a picture that holds
-/// a scene.
+/// What the examples speak of: a study in scans/, scene.json, shapes.json, bone.png, a picture that holds a
+/// scene, and an index of two studies, the second of which is forgotten.
 void TestManual::initTestCase() {
   const auto made = [&](const char* line) {
     return runProgram(QString::fromLatin1(line).replace(QLatin1String("IN"), folder_.path())).status;
@@ -85,6 +85,10 @@ void TestManual::initTestCase() {
   QCOMPARE(made("convert phantom:ct-head:24 -o IN/scans/"), 0);
   QCOMPARE(made("render phantom:ct-head:24 --size 16x16 -o IN/bone.png"), 0);
   QCOMPARE(made("convert phantom:ct-head:24 -o IN/chest.nii.gz"), 0);
+  qputenv("XDG_DATA_HOME", folder_.filePath(QStringLiteral("data")).toUtf8());
+  QCOMPARE(made("import IN/scans/"), 0);
+  QCOMPARE(made("import IN/chest.nii.gz"), 0);
+  QCOMPARE(made("forget 2"), 0);
   for (const auto& [name, text] : {std::pair("scene.json", "{}"), {"shapes.json", "[]"}}) {
     QFile file(folder_.filePath(QLatin1String(name)));
     QVERIFY(file.open(QIODevice::WriteOnly));

@@ -53,8 +53,8 @@ void TestUsage::whatIsMistypedIsToldAtOnce_data() {
     QTest::newRow(line) << QString::fromLatin1(line) << status << QString::fromLatin1(sentence);
   };
   row("rendre x", 2,
-      "Unknown command \"rendre\". Did you mean render? Commands: open, render, slice, info, convert, "
-      "segment, measure, accuracy, bench (plain `volumen` opens the window).");
+      "Unknown command \"rendre\". Did you mean render? Commands: open, render, slice, info, import, list, "
+      "forget, convert, segment, measure, accuracy, bench (plain `volumen` opens the window).");
   row("draw", 2, "Unknown command \"draw\". Commands: open");
   // There is no PATH /nowhere: what is complained about was looked at before it.
   row("render /nowhere --preset CT-bone -o a.png", 2,
@@ -84,6 +84,12 @@ void TestUsage::whatIsMistypedIsToldAtOnce_data() {
   row("info nowhere", 1, "Cannot open nowhere: no such file or folder.");
   row("render phantom:sphere:8", 2, "Missing output file: use -o PICTURE (.png or .nrrd).");
   row("render", 2, "Missing PATH: a file, a folder or phantom:NAME[:SIZE].");
+  row("improt x", 2, "Unknown command \"improt\". Did you mean import?");
+  row("import", 2, "Missing PATH: files and folders.");
+  row("import /nowhere --index /proc/x", 1, "Cannot make the folder /proc/x");
+  row("list --studies --series", 2, "does not go with");
+  row("forget --index /nowhere", 2, "Missing STUDY: its number in `volumen list`, or its UID.");
+  row("forget 1 --undo", 2, "--undo takes no studies.");
   row("convert phantom:sphere:8", 2, "Missing -o FILE: the file to write, .nrrd");
   row("render phantom:sphere:8 --presets CT-Bone", 2, "Unknown option --presets. Did you mean --preset?");
   row("render phantom:sphere:8 other third -o a.png", 2, "Unexpected argument \"other\".");

@@ -1,0 +1,39 @@
+#include "app/index_option.h"
+
+#include <QCoreApplication>
+
+#include "app/command.h"
+
+namespace volumen {
+
+namespace {
+
+std::string folderOr(const std::string& folder) { return folder.empty() ? userIndexFolder() : folder; }
+
+// Qt looks for its driver of SQLite only where there is an application.
+void makeQtApplication() {
+  static int argc = 1;
+  static char name[] = "volumen";
+  static char* argv[] = {name, nullptr};
+  static const QCoreApplication application(argc, argv);
+}
+
+}  // namespace
+
+void addIndex(CLI::App& app, std::string& folder) {
+  app.add_option("--index", folder, "The folder of the index; else $XDG_DATA_HOME/volumen")
+      ->type_name("FOLDER");
+}
+
+Result<Index> openIndex(const std::string& folder) {
+  makeQtApplication();
+  const std::string at = folderOr(folder);
+  if (at.empty()) return Error{"There is no home folder to keep the index in: name one with --index FOLDER."};
+  Result<Index> index = Index::open(at);
+  if (index && !index->notice().empty()) fail(index->notice());
+  return index;
+}
+
+std::string copiesFolder(const std::string& indexFolder) { return folderOr(indexFolder) + "/studies"; }
+
+}  // namespace volumen

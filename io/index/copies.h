@@ -1,0 +1,20 @@
+#pragma once
+
+#include "io/index/files_below.h"
+#include "io/index/index.h"
+
+namespace volumen {
+
+/// Which files were copied to where, and what was not copied.
+struct Copies {
+  std::vector<std::string> files;  ///< in the managed folder, those that were there before, too
+  std::vector<Refused> refused;
+  Status status;  ///< why it ended early
+};
+
+/// Copies every file below the roots that is part of a series to `managedFolder`/PATIENT/STUDY/SERIES/. A
+/// file whose bytes are there already is not copied again.
+Copies copyStudies(const std::vector<ImportRoot>& roots, const std::string& managedFolder,
+                   const Progress& progress, const CancelToken& cancel);
+
+}  // namespace volumen

@@ -1,0 +1,125 @@
+#include "io/index/database.h"
+
+#include <QFile>
+#include <QSqlError>
+#include <atomic>
+
+namespace volumen {
+namespace {
+
+/// SQLite's result codes (sqlite.org/rescode.html), without their extensions.
+enum Code {
+  busy = 5,
+  locked = 6,
+  readOnly = 8,
+  ioError = 10,
+  corrupt = 11,
+  full = 13,
+  cannotOpen = 14,
+  notADatabase = 26
+};
+
+Code codeOf(const QSqlError& error) { return Code(error.nativeErrorCode().toInt() & 0xff); }
+
+std::string reasonOf(const QSqlError& error) {
+  switch (codeOf(error)) {
+    case full:
+      return "the disk is full; what was written before is kept";
+    case busy:
+    case locked:
+      return "another program keeps writing to it; try again";
+    case readOnly:
+    case cannotOpen:
+      return "it cannot be written; check the rights of its folder";
+    case corrupt:
+    case notADatabase:
+      return "it is damaged; it is made anew when it is opened again";
+    case ioError:
+      return "the disk is full or fails; what was written before is kept";
+  }
+  return error.text().toStdString();
+}
+
+QString newConnectionName() {
+  static std::atomic<int> next{0};
+  return QStringLiteral("volumen index %1").arg(++next);
+}
+
+}  // namespace
+
+bool Rows::next() {
+  if (!query_) return false;
+  if (query_->next()) return true;
+  if (query_->lastError().isValid()) database_->noteFailure(*query_);
+  return false;
+}
+
+Result<std::unique_ptr<Database>> Database::open(const std::string& path) {
+  if (!QSqlDatabase::isDriverAvailable(QStringLiteral("QSQLITE")))
+    return Error{"Cannot open the index: Qt's driver for SQLite is missing; install libqt6sql6-sqlite."};
+  std::unique_ptr<Database> database(new Database(path, newConnectionName()));
+  QSqlDatabase connection = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), database->name_);
+  connection.setDatabaseName(QFile::decodeName(path.c_str()));
+  connection.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000"));
+  if (!connection.open())
+    return Error{"Cannot open the index " + path + ": " + reasonOf(connection.lastError()) + "."};
+  return database;
+}
+
+Database::~Database() {
+  statements_.clear();
+  QSqlDatabase::database(name_, false).close();
+  QSqlDatabase::removeDatabase(name_);
+}
+
+QSqlQuery* Database::prepared(const char* sql) {
+  if (failed()) return nullptr;
+  const auto known = statements_.find(sql);
+  if (known != statements_.end()) return &known->second;
+  QSqlQuery query(QSqlDatabase::database(name_, false));
+  query.setForwardOnly(true);
+  if (!query.prepare(QString::fromUtf8(sql))) {
+    noteFailure(query);
+    return nullptr;
+  }
+  return &statements_.emplace(sql, std::move(query)).first->second;
+}
+
+Rows Database::executed(QSqlQuery* query) {
+  if (query->exec()) return {*this, query};
+  noteFailure(*query);
+  return {*this, nullptr};
+}
+
+void Database::runOnce(const std::string& sql) {
+  if (failed()) return;
+  QSqlQuery query(QSqlDatabase::database(name_, false));
+  if (!query.exec(QString::fromStdString(sql))) noteFailure(query);
+}
+
+void Database::noteFailure(const QSqlQuery& query) {
+  if (failed()) return;
+  const Code code = codeOf(query.lastError());
+  failure_ = code == corrupt || code == notADatabase ? Failure::damaged : Failure::other;
+  sentence_ = "The index " + path_ + " failed: " + reasonOf(query.lastError()) + ".";
+}
+
+Status Database::takeStatus() {
+  if (!failed()) return {};
+  failure_ = Failure::none;
+  return Error{std::move(sentence_)};
+}
+
+void Database::begin() { run("BEGIN IMMEDIATE"); }
+
+Status Database::commit() {
+  run("COMMIT");
+  const Status status = takeStatus();
+  if (status) return {};
+  // SQLite has rolled back already after some failures; then this one fails, which is of no matter.
+  run("ROLLBACK");
+  (void)takeStatus().ok();
+  return status;
+}
+
+}  // namespace volumen

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <QSqlDatabase>
+#include <QSqlQuery>
+#include <QVariant>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "viewer/volume/result.h"
+
+namespace volumen {
+
+/// Bytes that are no text: paths, pictures.
+struct Blob {
+  const std::string& bytes;
+};
+
+/// A row's number in another table; 0 is NULL.
+struct RowId {
+  std::int64_t id = 0;
+};
+
+class Database;
+
+/// The rows that a statement gives, one at a time. Only one of a statement at a time.
+class Rows {
+ public:
+  Rows(Database& database, QSqlQuery* query) : database_(&database), query_(query) {}
+  Rows(Rows&& other) noexcept : database_(other.database_), query_(std::exchange(other.query_, nullptr)) {}
+  Rows& operator=(Rows&&) = delete;
+  ~Rows() {
+    if (query_) query_->finish();
+  }
+
+  /// Goes to the next row. False behind the last one, and where the statement failed.
+  bool next();
+  std::int64_t number(int column) const { return query_->value(column).toLongLong(); }
+  std::string text(int column) const { return query_->value(column).toString().toStdString(); }
+  std::string bytes(int column) const { return query_->value(column).toByteArray().toStdString(); }
+
+ private:
+  Database* database_;
+  QSqlQuery* query_;  // none: the statement failed
+};
+
+/// A connection to an SQLite file, of one thread. The first failure is kept: what is run after it does
+/// nothing and gives no rows, until takeStatus().
+class Database {
+ public:
+  /// Opens the file, or makes it. Nothing is read yet.
+  static Result<std::unique_ptr<Database>> open(const std::string& path);
+  ~Database();
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
+
+  const std::string& path() const { return path_; }
+
+  /// Runs a statement; `sql` must live as long as the connection (it is prepared once).
+  template <class... Values>
+  Rows run(const char* sql, const Values&... values) {
+    QSqlQuery* query = prepared(sql);
+    if (!query) return {*this, nullptr};
+    int position = 0;
+    (query->bindValue(position++, variant(values)), ...);
+    return executed(query);
+  }
+  /// Runs a statement that is made of text: pragmas take no values.
+  void runOnce(const std::string& sql);
+  /// The first number that a statement gives; 0 where it gives none.
+  template <class... Values>
+  std::int64_t number(const char* sql, const Values&... values) {
+    Rows rows = run(sql, values...);
+    return rows.next() ? rows.number(0) : 0;
+  }
+
+  bool failed() const { return failure_ != Failure::none; }
+  /// Whether the failure is that the file is no database or a damaged one.
+  bool damaged() const { return failure_ == Failure::damaged; }
+  /// Whether all went well since the last call; forgets the failure.
+  Status takeStatus();
+
+  /// What begin() began becomes lasting, or what failed in between is undone.
+  void begin();
+  Status commit();
+
+  /// Called by Rows.
+  void noteFailure(const QSqlQuery& query);
+
+ private:
+  enum class Failure { none, damaged, other };
+
+  Database(std::string path, QString name) : path_(std::move(path)), name_(std::move(name)) {}
+  QSqlQuery* prepared(const char* sql);
+  Rows executed(QSqlQuery* query);
+
+  static QVariant variant(std::int64_t value) { return QVariant::fromValue<qlonglong>(value); }
+  static QVariant variant(int value) { return value; }
+  static QVariant variant(bool value) { return int(value); }
+  static QVariant variant(const std::string& text) { return QString::fromStdString(text); }
+  static QVariant variant(const char* text) { return QString::fromUtf8(text); }
+  static QVariant variant(Blob blob) { return QByteArray(blob.bytes.data(), qsizetype(blob.bytes.size())); }
+  static QVariant variant(RowId row) {
+    return row.id ? QVariant::fromValue<qlonglong>(row.id) : QVariant(QMetaType::fromType<qlonglong>());
+  }
+
+  std::string path_;
+  QString name_;  // of the connection
+  std::map<const char*, QSqlQuery> statements_;
+  Failure failure_ = Failure::none;
+  std::string sentence_;
+};
+
+}  // namespace volumen

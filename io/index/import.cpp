@@ -1,0 +1,238 @@
+#include "io/index/import.h"
+
+#include <QDateTime>
+
+namespace volumen {
+namespace {
+
+/// How many files are read before they are written: whole folders up to the first number are put together,
+/// larger ones are cut at the second.
+constexpr std::size_t smallBatch = 512, largeBatch = 4096;
+
+using Batch = std::vector<FileOnDisk>;
+
+std::vector<Batch> batches(const std::vector<FileOnDisk>& files) {
+  std::vector<Batch> all;
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    const bool newFolder = n == 0 || files[n].folder != files[n - 1].folder;
+    if (all.empty() || all.back().size() >= largeBatch || (newFolder && all.back().size() >= smallBatch))
+      all.emplace_back();
+    all.back().push_back(files[n]);
+  }
+  return all;
+}
+
+std::vector<std::string> pathsOf(const Batch& batch) {
+  std::vector<std::string> paths;
+  for (const FileOnDisk& file : batch) paths.push_back(file.path());
+  return paths;
+}
+
+}  // namespace
+
+Result<ImportReport> Import::run(const std::vector<ImportRoot>& roots) {
+  if (Status done = purge(); !done) return done.error();
+  for (const ImportRoot& root : roots)
+    if (Status done = importBelow(root); !done) return done.error();
+  if (Status done = readStale(); !done) return done.error();
+  report_.cancelled = cancel_.cancelled();
+  return std::move(report_);
+}
+
+Status Import::importBelow(const ImportRoot& root) {
+  if (cancel_.cancelled()) return {};
+  if (progress_) progress_("looking for files", 0, 0);
+  // Known first: what another program adds in the meantime is not taken for gone.
+  learn(root.path);
+  Result<FilesBelow> below = filesBelow(root, cancel_);
+  if (!below) return below.error();
+  if (cancel_.cancelled()) return db_.takeStatus();
+  report_.files += int(below->files.size());
+  report_.refused.insert(report_.refused.end(), below->unreadable.begin(), below->unreadable.end());
+  const Compared compared = compare(below->files);
+  if (Status written = writeCompared(compared); !written) return written;
+  if (Status read = readNew(compared.toRead); !read) return read;
+  if (cancel_.cancelled()) return {};
+  return writeGone();
+}
+
+void Import::learn(const std::string& root) {
+  known_.clear();
+  const std::size_t slash = root.find_last_of('/');
+  const std::string folder = slash == 0 ? "/" : root.substr(0, slash), name = root.substr(slash + 1);
+  // What is below a folder begins with it and "/"; "0" is the character behind that.
+  const std::string below = root == "/" ? root : root + "/", behind = root == "/" ? "0" : root + "0";
+  for (Rows rows = db_.run(
+           "SELECT d.path, f.name, f.id, f.series_id, s.study_id, d.device, f.size, f.mtime_ns, f.ctime_ns,"
+           " f.inode, f.device, f.reason, f.program, t.forgotten_at <> '' FROM folder d JOIN file f ON"
+           " f.folder_id = d.id LEFT JOIN series s ON s.id = f.series_id LEFT JOIN study t ON t.id ="
+           " s.study_id WHERE d.path = ? OR (d.path >= ? AND d.path < ?) OR (d.path = ? AND f.name = ?)",
+           Blob{root}, Blob{below}, Blob{behind}, Blob{folder}, Blob{name});
+       rows.next();) {
+    Known known{rows.number(2),
+                rows.number(3),
+                rows.number(4),
+                rows.number(5),
+                {rows.number(6), rows.number(7), rows.number(8), rows.number(9), rows.number(10)},
+                rows.text(11),
+                rows.text(12),
+                rows.number(13) != 0,
+                false,
+                rows.bytes(0)};
+    const FileOnDisk file{known.folder, rows.bytes(1), {}};
+    known_.emplace(file.path(), std::move(known));
+  }
+}
+
+/// What the files are to the index: new ones and changed ones are read, moved ones only noted.
+Import::Compared Import::compare(const std::vector<FileOnDisk>& files) {
+  Compared compared;
+  for (const FileOnDisk& file : files) {
+    const auto known = known_.find(file.path());
+    if (known == known_.end()) {
+      if (const std::int64_t moved = movedFrom(file))
+        compared.moved.emplace_back(moved, file);
+      else
+        compared.toRead.push_back(file);
+      continue;
+    }
+    known->second.seen = true;
+    const Known& was = known->second;
+    if (was.state != file.state || (!was.reason.empty() && was.program != VOLUMEN_VERSION)) {
+      compared.toRead.push_back(file);
+      continue;
+    }
+    if (!was.reason.empty()) report_.refused.push_back({file.path(), was.reason});
+    if (was.forgotten) compared.comeBack.insert(was.study);
+    if (was.series) ++(was.forgotten ? report_.added : report_.unchanged);
+  }
+  return compared;
+}
+
+/// The file of the index that is this new one: it was elsewhere and is no longer there. 0: none.
+std::int64_t Import::movedFrom(const FileOnDisk& file) {
+  for (Rows rows = db_.run("SELECT f.id, d.path, f.name FROM file f JOIN folder d ON d.id = f.folder_id JOIN "
+                           "series s ON s.id ="
+                           " f.series_id JOIN study t ON t.id = s.study_id WHERE f.inode = ? AND f.device = "
+                           "? AND f.size = ? AND"
+                           " f.mtime_ns = ? AND t.forgotten_at = ''",
+                           file.state.inode, file.state.device, file.state.size, file.state.mtimeNs);
+       rows.next();) {
+    const std::string before = FileOnDisk{rows.bytes(1), rows.bytes(2), {}}.path();
+    if (exists(before)) continue;  // a second name of it
+    if (const auto known = known_.find(before); known != known_.end()) known->second.seen = true;
+    return rows.number(0);
+  }
+  return 0;
+}
+
+Status Import::writeCompared(const Compared& compared) {
+  if (compared.moved.empty() && compared.comeBack.empty()) return db_.takeStatus();
+  db_.begin();
+  for (const std::int64_t study : compared.comeBack)
+    db_.run("UPDATE study SET forgotten_at = '', imported_at = ? WHERE id = ?", timeNow(), study);
+  for (const auto& [id, file] : compared.moved) writer_.move(id, file);
+  writer_.finish();
+  report_.unchanged += int(compared.moved.size());
+  return db_.commit();
+}
+
+Status Import::readNew(const std::vector<FileOnDisk>& files) {
+  std::size_t done = 0;
+  for (const Batch& batch : batches(files)) {
+    if (cancel_.cancelled()) return {};
+    if (Status read = readBatch(batch, done, files.size()); !read) return read;
+    done += batch.size();
+  }
+  return {};
+}
+
+Status Import::readBatch(const Batch& batch, std::size_t done, std::size_t total) {
+  const Progress progress = [&](const char* what, std::size_t n, std::size_t) {
+    if (progress_) progress_(what, done + n, total);
+  };
+  const Result<ReadFiles> read = readFiles(pathsOf(batch), progress, cancel_);
+  if (!read) return {};  // it was cancelled: nothing of the batch is written
+  db_.begin();
+  writer_.write(batch, *read);
+  writer_.finish();
+  if (Status written = db_.commit(); !written) return written;
+  count(*read);
+  return {};
+}
+
+void Import::count(const ReadFiles& read) {
+  for (const ReadSeries& series : read.series)
+    for (const FoundFile& file : series.files) {
+      const auto known = known_.find(file.path);
+      const bool isNew = known == known_.end() || known->second.series == 0;
+      ++(isNew ? report_.added : report_.changed);
+    }
+  report_.refused.insert(report_.refused.end(), read.refused.begin(), read.refused.end());
+}
+
+/// Takes out the files that are no longer in their folder. Where the folder itself is not there, a disk may
+/// have been removed: its files stay, offline.
+Status Import::writeGone() {
+  db_.begin();
+  for (const auto& [path, known] : known_) {
+    if (known.seen || exists(path) || !isOnline(known.folder, known.folderDevice)) continue;
+    writer_.remove(known.id);
+    if (known.series && !known.forgotten) ++report_.gone;
+  }
+  writer_.finish();
+  return db_.commit();
+}
+
+std::vector<FileOnDisk> Import::filesOf(std::int64_t series) {
+  std::vector<FileOnDisk> files;
+  for (Rows rows = db_.run("SELECT d.path, f.name, f.size, f.mtime_ns, f.ctime_ns, f.inode, f.device FROM "
+                           "file f JOIN folder d ON"
+                           " d.id = f.folder_id WHERE f.series_id = ? ORDER BY d.path, f.name",
+                           series);
+       rows.next();) {
+    FileOnDisk file{rows.bytes(0),
+                    rows.bytes(1),
+                    {rows.number(2), rows.number(3), rows.number(4), rows.number(5), rows.number(6)}};
+    if (exists(file.path())) files.push_back(std::move(file));
+  }
+  return files;
+}
+
+/// Reads series as a whole that were written in parts, now or by an import that was stopped.
+Status Import::readStale() {
+  std::vector<std::int64_t> stale;
+  for (Rows rows = db_.run("SELECT s.id FROM series s JOIN study t ON t.id = s.study_id WHERE s.stale = 1 AND"
+                           " t.forgotten_at = ''");
+       rows.next();)
+    stale.push_back(rows.number(0));
+  Batch batch;
+  for (std::size_t n = 0; n < stale.size() && !cancel_.cancelled(); ++n) {
+    const Batch files = filesOf(stale[n]);
+    batch.insert(batch.end(), files.begin(), files.end());
+    if (batch.empty() || (batch.size() < smallBatch && n + 1 < stale.size())) continue;
+    const Result<ReadFiles> read = readFiles(pathsOf(batch), progress_, cancel_);
+    if (!read) return db_.takeStatus();
+    db_.begin();
+    writer_.write(batch, *read);
+    writer_.finish();
+    if (Status written = db_.commit(); !written) return written;
+    batch.clear();
+  }
+  return db_.takeStatus();
+}
+
+/// What was forgotten, or has had no files, for more than a day goes for good.
+Status Import::purge() {
+  const std::string yesterday =
+      QDateTime::currentDateTimeUtc().addDays(-1).toString(Qt::ISODateWithMs).toStdString();
+  db_.begin();
+  db_.run(
+      "DELETE FROM study WHERE (forgotten_at <> '' AND forgotten_at < ?) OR (empty_at <> '' AND empty_at < "
+      "?)",
+      yesterday, yesterday);
+  db_.run("DELETE FROM folder WHERE NOT EXISTS (SELECT * FROM file WHERE file.folder_id = folder.id)");
+  return db_.commit();
+}
+
+}  // namespace volumen

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "io/index/files_below.h"
+#include "io/index/index.h"
+#include "io/index/writer.h"
+
+namespace volumen {
+
+/// One import into the index: looks at what is below paths, reads what is new or was changed, and notes what
+/// is gone. What is read is written batch by batch, so that it can be stopped at any moment; series that were
+/// written in parts are marked, and read as a whole in the end (or by the next import).
+class Import {
+ public:
+  Import(Database& db, const Progress& progress, const CancelToken& cancel)
+      : db_(db), progress_(progress), cancel_(cancel), writer_(db) {}
+
+  Result<ImportReport> run(const std::vector<ImportRoot>& roots);
+
+ private:
+  /// What the index knows of a file.
+  struct Known {
+    std::int64_t id = 0, series = 0, study = 0, folderDevice = 0;
+    FileState state;
+    std::string reason, program;  // of a refusal
+    bool forgotten = false, seen = false;
+    std::string folder;
+  };
+
+  struct Compared {
+    std::vector<FileOnDisk> toRead;
+    std::vector<std::pair<std::int64_t, FileOnDisk>> moved;  // with the file's number
+    std::set<std::int64_t> comeBack;                         // forgotten studies whose files are there
+  };
+
+  Status importBelow(const ImportRoot& root);
+  void learn(const std::string& root);
+  Compared compare(const std::vector<FileOnDisk>& files);
+  std::int64_t movedFrom(const FileOnDisk& file);
+  Status writeCompared(const Compared& compared);
+  Status readNew(const std::vector<FileOnDisk>& files);
+  Status readBatch(const std::vector<FileOnDisk>& files, std::size_t done, std::size_t total);
+  void count(const ReadFiles& read);
+  Status writeGone();
+  Status readStale();
+  std::vector<FileOnDisk> filesOf(std::int64_t series);
+  Status purge();
+
+  Database& db_;
+  const Progress& progress_;
+  const CancelToken& cancel_;
+  Writer writer_;
+  ImportReport report_;
+  std::unordered_map<std::string, Known> known_;  // below the root that is being imported
+};
+
+}  // namespace volumen

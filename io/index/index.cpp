@@ -1,0 +1,175 @@
+#include "io/index/index.h"
+
+#include <QByteArray>
+#include <QCryptographicHash>
+#include <QFile>
+#include <QStandardPaths>
+#include <set>
+
+#include "io/index/copies.h"
+#include "io/index/import.h"
+#include "io/index/query.h"
+#include "io/index/schema.h"
+#include "io/index/thumbnail.h"
+
+namespace volumen {
+
+struct Index::Private {
+  std::string folder, notice;
+  std::unique_ptr<Database> db, thumbnails;  // thumbnails: opened when it is first asked for
+};
+
+namespace {
+
+Result<std::vector<ImportRoot>> rootsOf(const std::vector<std::string>& paths) {
+  std::vector<ImportRoot> roots;
+  for (const std::string& path : paths) {
+    Result<ImportRoot> root = importRoot(path);
+    if (!root) return root.error();
+    roots.push_back(std::move(*root));
+  }
+  return roots;
+}
+
+/// What a series' thumbnail is made of: other files, another thumbnail.
+std::string fingerprint(Database& db, std::int64_t series) {
+  QCryptographicHash hash(QCryptographicHash::Sha1);
+  hash.addData(QByteArray(VOLUMEN_VERSION));
+  for (Rows rows = db.run(
+           "SELECT size, mtime_ns FROM file WHERE series_id = ? ORDER BY position, size, mtime_ns", series);
+       rows.next();)
+    hash.addData(QByteArray::number(qlonglong(rows.number(0))) + ' ' +
+                 QByteArray::number(qlonglong(rows.number(1))));
+  return hash.result().toStdString();
+}
+
+/// The key of a series that stays where the index is made anew.
+std::string lastingKey(Database& db, std::int64_t series) {
+  Rows rows =
+      db.run("SELECT t.key, s.key FROM series s JOIN study t ON t.id = s.study_id WHERE s.id = ?", series);
+  return rows.next() ? rows.bytes(0) + rows.bytes(1) : std::string();
+}
+
+}  // namespace
+
+Index::Index(std::unique_ptr<Private> p) : p_(std::move(p)) {}
+Index::Index(Index&&) noexcept = default;
+Index::~Index() = default;
+
+Result<Index> Index::open(const std::string& folder) {
+  Result<OpenedDatabase> opened = openIndexDatabase(folder);
+  if (!opened) return opened.error();
+  auto p = std::make_unique<Private>();
+  p->folder = folder;
+  p->notice = std::move(opened->notice);
+  p->db = std::move(opened->database);
+  return Index(std::move(p));
+}
+
+const std::string& Index::notice() const { return p_->notice; }
+
+Result<ImportReport> Index::import(const std::vector<std::string>& paths, const Progress& progress,
+                                   const CancelToken& cancel) {
+  const Result<std::vector<ImportRoot>> roots = rootsOf(paths);
+  if (!roots) return roots.error();
+  return Import(*p_->db, progress, cancel).run(*roots);
+}
+
+Result<ImportReport> Index::importCopies(const std::vector<std::string>& paths,
+                                         const std::string& managedFolder, const Progress& progress,
+                                         const CancelToken& cancel) {
+  const Result<std::vector<ImportRoot>> roots = rootsOf(paths);
+  if (!roots) return roots.error();
+  if (Status made = makePrivateFolder(managedFolder); !made) return made.error();
+  const Copies copies = copyStudies(*roots, managedFolder, progress, cancel);
+  // What was copied is in the index, too, where the copying ended early.
+  std::set<std::string> folders;
+  for (const std::string& file : copies.files) folders.insert(file.substr(0, file.find_last_of('/')));
+  const Result<std::vector<ImportRoot>> copied = rootsOf({folders.begin(), folders.end()});
+  if (!copied) return copied.error();
+  Result<ImportReport> report = Import(*p_->db, progress, cancel).run(*copied);
+  if (!copies.status) return copies.status.error();
+  if (!report) return report;
+  report->refused.insert(report->refused.end(), copies.refused.begin(), copies.refused.end());
+  return report;
+}
+
+Result<std::vector<IndexedStudy>> Index::studies(const StudyQuery& query) const {
+  std::vector<IndexedStudy> found = findStudies(*p_->db, query);
+  if (Status read = p_->db->takeStatus(); !read) return read.error();
+  return found;
+}
+
+Result<std::vector<IndexedSeries>> Index::series(std::int64_t study) const {
+  std::vector<IndexedSeries> found = findSeriesOf(*p_->db, study);
+  if (Status read = p_->db->takeStatus(); !read) return read.error();
+  return found;
+}
+
+Result<std::vector<std::string>> Index::files(std::int64_t study, std::int64_t series) const {
+  std::vector<std::string> found = findFilesOf(*p_->db, study, series);
+  if (Status read = p_->db->takeStatus(); !read) return read.error();
+  return found;
+}
+
+Result<Thumbnail> Index::thumbnail(std::int64_t series) {
+  if (!p_->thumbnails) {
+    Result<OpenedDatabase> opened = openThumbnailDatabase(p_->folder);
+    if (!opened) return opened.error();
+    p_->thumbnails = std::move(opened->database);
+  }
+  const std::string key = lastingKey(*p_->db, series), madeOf = fingerprint(*p_->db, series);
+  const std::string file = middleFile(*p_->db, series);
+  if (Status read = p_->db->takeStatus(); !read) return read.error();
+  if (file.empty()) return Thumbnail{};
+  if (Rows rows = p_->thumbnails->run("SELECT png FROM thumbnail WHERE key = ? AND made_of = ?", Blob{key},
+                                      Blob{madeOf});
+      rows.next()) {
+    const std::string png = rows.bytes(0);
+    return Thumbnail(png.begin(), png.end());
+  }
+  if (!exists(file)) return Thumbnail{};  // offline: perhaps the next time
+  const Result<Thumbnail> made = makeThumbnail(file);
+  const Thumbnail thumbnail = made ? *made : Thumbnail{};  // damaged pixels are not read again and again
+  p_->thumbnails->run("INSERT OR REPLACE INTO thumbnail(key, made_of, png) VALUES(?, ?, ?)", Blob{key},
+                      Blob{madeOf}, Blob{std::string(thumbnail.begin(), thumbnail.end())});
+  (void)p_->thumbnails->takeStatus().ok();  // where it cannot be kept it is made again
+  return thumbnail;
+}
+
+Status Index::opened(std::int64_t study) {
+  p_->db->run("UPDATE study SET opened_at = ? WHERE id = ?", timeNow(), study);
+  return p_->db->takeStatus();
+}
+
+Status Index::forget(const std::vector<std::int64_t>& studies) {
+  const std::string now = timeNow();
+  p_->db->begin();
+  for (const std::int64_t study : studies)
+    p_->db->run("UPDATE study SET forgotten_at = ? WHERE id = ?", now, study);
+  return p_->db->commit();
+}
+
+Status Index::undoForget(const std::vector<std::int64_t>& studies) {
+  p_->db->begin();
+  for (const std::int64_t study : studies)
+    p_->db->run("UPDATE study SET forgotten_at = '' WHERE id = ?", study);
+  return p_->db->commit();
+}
+
+Result<std::vector<std::int64_t>> Index::lastForgotten() const {
+  std::vector<std::int64_t> studies;
+  for (Rows rows = p_->db->run("SELECT id FROM study WHERE forgotten_at <> '' AND forgotten_at = (SELECT"
+                               " MAX(forgotten_at) FROM study) ORDER BY id");
+       rows.next();)
+    studies.push_back(rows.number(0));
+  if (Status read = p_->db->takeStatus(); !read) return read.error();
+  return studies;
+}
+
+std::string userIndexFolder() {
+  const QString all = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+  return all.isEmpty() ? std::string() : QFile::encodeName(all + QStringLiteral("/volumen")).toStdString();
+}
+
+}  // namespace volumen

@@ -1,0 +1,260 @@
+#include "io/index/query.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+#include "io/index/files_below.h"
+#include "io/index/fold.h"
+
+namespace volumen {
+namespace {
+
+std::string pathOf(const std::string& folder, const std::string& name) {
+  return FileOnDisk{folder, name, {}}.path();
+}
+
+/// Which folders are there, each looked at once.
+class Folders {
+ public:
+  explicit Folders(Database& db) : db_(db) {}
+  bool online(std::int64_t id) {
+    const auto known = online_.find(id);
+    if (known != online_.end()) return known->second;
+    bool there = false;
+    if (Rows rows = db_.run("SELECT path, device FROM folder WHERE id = ?", id); rows.next())
+      there = isOnline(rows.bytes(0), rows.number(1));
+    return online_[id] = there;
+  }
+
+ private:
+  Database& db_;
+  std::unordered_map<std::int64_t, bool> online_;
+};
+
+/// Folders in which files were refused, with how many; only those that hold one series alone.
+std::map<std::int64_t, std::pair<std::int64_t, int>> refusedBySeries(Database& db) {
+  std::map<std::int64_t, std::pair<std::int64_t, int>> found;  // of a folder: its series, how many
+  for (Rows rows = db.run(
+           "SELECT r.folder_id, MIN(sf.series_id), r.n FROM (SELECT folder_id, COUNT(*) AS n FROM file WHERE"
+           " reason <> '' GROUP BY folder_id) r JOIN series_folder sf ON sf.folder_id = r.folder_id GROUP BY"
+           " r.folder_id HAVING COUNT(*) = 1");
+       rows.next();)
+    found[rows.number(0)] = {rows.number(1), int(rows.number(2))};
+  return found;
+}
+
+/// The studies that have all words: their numbers in the index, in no order.
+std::vector<IndexedStudy> matching(Database& db, const std::string& words) {
+  std::vector<std::string> patterns;
+  for (const std::string& word : foldedWords(words)) patterns.push_back(likePattern(word));
+  std::vector<IndexedStudy> studies;
+  // The longest word is looked for by SQLite, the others in what it finds.
+  std::ranges::sort(patterns, {}, [](const std::string& p) { return -std::ptrdiff_t(p.size()); });
+  const std::string first = patterns.empty() ? "%" : patterns[0];
+  for (Rows rows = db.run(
+           "SELECT id, patient_name, patient_id, birth_date, sex, uid, date, time, description, accession,"
+           " imported_at, opened_at FROM study WHERE words LIKE ? ESCAPE '\\' AND forgotten_at = '' AND "
+           "empty_at = ''",
+           first);
+       rows.next();) {
+    IndexedStudy s;
+    s.id = rows.number(0);
+    s.patientName = rows.text(1), s.patientId = rows.text(2), s.birthDate = rows.text(3),
+    s.sex = rows.text(4);
+    s.studyUid = rows.text(5), s.date = rows.text(6), s.time = rows.text(7), s.description = rows.text(8);
+    s.accessionNumber = rows.text(9), s.importedAt = rows.text(10), s.openedAt = rows.text(11);
+    studies.push_back(std::move(s));
+  }
+  for (std::size_t n = 1; n < patterns.size(); ++n)
+    std::erase_if(studies, [&](const IndexedStudy& s) {
+      return db.number("SELECT COUNT(*) FROM study WHERE id = ? AND words LIKE ? ESCAPE '\\'", s.id,
+                       patterns[n]) == 0;
+    });
+  return studies;
+}
+
+/// What the series of studies say together.
+class Summary {
+ public:
+  /// Of many studies all series are read at once, of few those of each.
+  Summary(Database& db, const std::vector<IndexedStudy>& studies) : folders_(db) {
+    for (const auto& [folder, refused] : refusedBySeries(db)) refused_[refused.first] += refused.second;
+    constexpr std::size_t few = 50;
+    if (studies.size() > few) {
+      addSeries(
+          db.run("SELECT study_id, id, modality, images, (SELECT COUNT(*) FROM warning WHERE series_id ="
+                 " series.id) FROM series"));
+      addFolders(
+          db.run("SELECT DISTINCT s.study_id, f.folder_id FROM series s JOIN series_folder f ON"
+                 " f.series_id = s.id"));
+      return;
+    }
+    for (const IndexedStudy& study : studies) {
+      addSeries(
+          db.run("SELECT study_id, id, modality, images, (SELECT COUNT(*) FROM warning WHERE series_id ="
+                 " series.id) FROM series WHERE study_id = ?",
+                 study.id));
+      addFolders(
+          db.run("SELECT DISTINCT s.study_id, f.folder_id FROM series s JOIN series_folder f ON"
+                 " f.series_id = s.id WHERE s.study_id = ?",
+                 study.id));
+    }
+  }
+
+  void addTo(IndexedStudy& study) {
+    const Facts& facts = facts_[study.id];
+    study.series = facts.series, study.images = facts.images, study.warnings = facts.warnings;
+    for (const std::string& modality : facts.modalities)
+      study.modalities += (study.modalities.empty() ? "" : ", ") + modality;
+    study.offline = std::ranges::none_of(facts.folders, [&](std::int64_t id) { return folders_.online(id); });
+  }
+
+ private:
+  struct Facts {
+    int series = 0, images = 0, warnings = 0;
+    std::set<std::string> modalities;
+    std::vector<std::int64_t> folders;
+  };
+
+  void addSeries(Rows rows) {
+    while (rows.next()) {
+      Facts& facts = facts_[rows.number(0)];
+      ++facts.series;
+      if (std::string modality = rows.text(2); !modality.empty())
+        facts.modalities.insert(std::move(modality));
+      facts.images += int(rows.number(3));
+      facts.warnings += int(rows.number(4));
+      if (const auto refused = refused_.find(rows.number(1)); refused != refused_.end())
+        facts.warnings += refused->second;
+    }
+  }
+  void addFolders(Rows rows) {
+    while (rows.next()) facts_[rows.number(0)].folders.push_back(rows.number(1));
+  }
+
+  Folders folders_;
+  std::unordered_map<std::int64_t, int> refused_;  // of a series
+  std::unordered_map<std::int64_t, Facts> facts_;  // of a study
+};
+
+/// What studies are sorted by; the date tells those apart that are alike.
+std::string sortKey(const IndexedStudy& s, StudyOrder order) {
+  const std::string when = s.date + s.time;
+  switch (order) {
+    case StudyOrder::date:
+      return when;
+    case StudyOrder::patient:
+      return folded(s.patientName) + '\0' + s.patientId + '\0' + when;
+    case StudyOrder::modality:
+      return s.modalities + '\0' + when;
+    case StudyOrder::imported:
+      return s.importedAt;
+    case StudyOrder::opened:
+      return s.openedAt;
+  }
+  return {};
+}
+
+void sortStudies(std::vector<IndexedStudy>& studies, const StudyQuery& query) {
+  std::vector<std::pair<std::string, std::size_t>> keys;
+  for (std::size_t n = 0; n < studies.size(); ++n) keys.emplace_back(sortKey(studies[n], query.order), n);
+  const auto before = [&](const auto& a, const auto& b) {
+    if (a.first != b.first) return query.ascending ? a.first < b.first : a.first > b.first;
+    return studies[a.second].id < studies[b.second].id;
+  };
+  std::ranges::sort(keys, before);
+  if (query.limit > 0 && keys.size() > std::size_t(query.limit)) keys.resize(std::size_t(query.limit));
+  std::vector<IndexedStudy> sorted;
+  for (const auto& [key, n] : keys) sorted.push_back(std::move(studies[n]));
+  studies = std::move(sorted);
+}
+
+std::vector<std::string> warningsOf(Database& db, std::int64_t series) {
+  std::vector<std::string> warnings;
+  for (Rows rows = db.run("SELECT sentence FROM warning WHERE series_id = ? ORDER BY position", series);
+       rows.next();)
+    warnings.push_back(rows.text(0));
+  // Files that were refused belong to it where its folder holds nothing else.
+  for (Rows rows = db.run(
+           "SELECT f.name, f.reason FROM series_folder sf JOIN file f ON f.folder_id = sf.folder_id WHERE"
+           " sf.series_id = ? AND f.reason <> '' AND (SELECT COUNT(*) FROM series_folder other WHERE"
+           " other.folder_id = sf.folder_id) = 1 ORDER BY f.name",
+           series);
+       rows.next();)
+    warnings.push_back(rows.bytes(0) + ": " + rows.text(1));
+  return warnings;
+}
+
+/// By series number, then as they were found.
+bool before(const IndexedSeries& a, const IndexedSeries& b) {
+  const long x = std::atol(a.number.c_str()), y = std::atol(b.number.c_str());
+  return x != y ? x < y : a.id < b.id;
+}
+
+}  // namespace
+
+std::vector<IndexedStudy> findStudies(Database& db, const StudyQuery& query) {
+  std::vector<IndexedStudy> studies = matching(db, query.words);
+  // Modalities are known once the series were looked at; else only those that are asked for need be.
+  const bool byModality = query.order == StudyOrder::modality;
+  if (!byModality) sortStudies(studies, query);
+  Summary summary(db, studies);
+  for (IndexedStudy& study : studies) summary.addTo(study);
+  if (byModality) sortStudies(studies, query);
+  return studies;
+}
+
+std::vector<IndexedSeries> findSeriesOf(Database& db, std::int64_t study) {
+  std::vector<IndexedSeries> all;
+  Folders folders(db);
+  for (Rows rows = db.run("SELECT id, uid, number, modality, description, date, time, label, images, frames,"
+                          " is_volume FROM series WHERE study_id = ?",
+                          study);
+       rows.next();) {
+    IndexedSeries s;
+    s.id = rows.number(0);
+    s.seriesUid = rows.text(1), s.number = rows.text(2), s.modality = rows.text(3),
+    s.description = rows.text(4);
+    s.date = rows.text(5), s.time = rows.text(6), s.label = rows.text(7);
+    s.images = int(rows.number(8)), s.frames = int(rows.number(9)), s.isVolume = rows.number(10) != 0;
+    all.push_back(std::move(s));
+  }
+  for (IndexedSeries& s : all) {
+    s.warnings = warningsOf(db, s.id);
+    s.offline = true;
+    for (Rows rows = db.run("SELECT folder_id FROM series_folder WHERE series_id = ?", s.id);
+         s.offline && rows.next();)
+      s.offline = !folders.online(rows.number(0));
+  }
+  std::ranges::sort(all, before);
+  return all;
+}
+
+std::string middleFile(Database& db, std::int64_t series) {
+  const std::int64_t volume =
+      db.number("SELECT MIN(volume) FROM file WHERE series_id = ? AND volume > 0", series);
+  const std::int64_t count = db.number(
+      "SELECT COUNT(*) FROM file WHERE series_id = ? AND volume = ? AND frames > 0", series, volume);
+  Rows rows = db.run(
+      "SELECT d.path, f.name FROM file f JOIN folder d ON d.id = f.folder_id WHERE f.series_id = ? AND "
+      "f.volume"
+      " = ? AND f.frames > 0 ORDER BY f.position LIMIT 1 OFFSET ?",
+      series, volume, count / 2);
+  return rows.next() ? pathOf(rows.bytes(0), rows.bytes(1)) : std::string();
+}
+
+std::vector<std::string> findFilesOf(Database& db, std::int64_t study, std::int64_t series) {
+  std::vector<std::string> paths;
+  for (Rows rows = db.run(
+           "SELECT d.path, f.name FROM file f JOIN folder d ON d.id = f.folder_id JOIN series s ON s.id ="
+           " f.series_id WHERE s.study_id = ? AND (? = 0 OR s.id = ?) ORDER BY s.id, f.position, d.path, "
+           "f.name",
+           study, series, series);
+       rows.next();)
+    paths.push_back(pathOf(rows.bytes(0), rows.bytes(1)));
+  return paths;
+}
+
+}  // namespace volumen

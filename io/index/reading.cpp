@@ -1,0 +1,66 @@
+#include "io/index/reading.h"
+
+#include <unordered_set>
+
+#include "io/dicom/attribute_list.h"
+
+namespace volumen {
+namespace {
+
+FurtherIdentity furtherIdentity(const std::string& path) {
+  FurtherIdentity further;
+  const Result<std::vector<dicom::AttributeLine>> lines = dicom::listAttributes(path);
+  if (!lines) return further;
+  const std::pair<const char*, std::string FurtherIdentity::*> wanted[] = {
+      {"(0008,0021)", &FurtherIdentity::seriesDate}, {"(0008,0030)", &FurtherIdentity::studyTime},
+      {"(0008,0031)", &FurtherIdentity::seriesTime}, {"(0008,0050)", &FurtherIdentity::accessionNumber},
+      {"(0010,0030)", &FurtherIdentity::birthDate},  {"(0010,0040)", &FurtherIdentity::sex}};
+  for (const dicom::AttributeLine& line : *lines)
+    for (const auto& [tag, field] : wanted)
+      if (line.depth == 0 && line.tag == tag) further.*field = line.value;
+  return further;
+}
+
+/// The files that nothing of a study names: copies of pictures that it left out.
+std::vector<std::string> unnamed(const std::vector<std::string>& paths, const Study& study,
+                                 const std::vector<FoundSeries>& series) {
+  std::unordered_set<std::string> named;
+  for (const FoundSeries& s : series)
+    for (const FoundFile& file : s.files) named.insert(file.path);
+  for (const Refused& file : study.refused) named.insert(file.path);
+  for (const Other& file : study.other) named.insert(file.path);
+  std::vector<std::string> rest;
+  for (const std::string& path : paths)
+    if (!named.contains(path)) rest.push_back(path);
+  return rest;
+}
+
+}  // namespace
+
+Result<ReadFiles> readFiles(const std::vector<std::string>& paths, const Progress& progress,
+                            const CancelToken& cancel) {
+  Result<Study> study = openFiles(paths, progress, cancel);
+  if (!study) return study.error();
+  std::vector<FoundSeries> series = seriesOf(*study);
+  // Of several copies of one picture each round finds one.
+  std::vector<std::string> left = unnamed(paths, *study, series);
+  while (!left.empty()) {
+    const Result<Study> copies = openFiles(left, {}, cancel);
+    if (!copies) return copies.error();
+    addCopies(*copies, series);
+    const std::vector<std::string> still = unnamed(left, *copies, series);
+    if (still.size() == left.size()) break;
+    left = still;
+  }
+  ReadFiles read;
+  for (FoundSeries& s : series) {
+    if (cancel.cancelled()) return Error{"Interrupted."};
+    warnOfOtherBytes(s);
+    const FurtherIdentity further = s.isDicom ? furtherIdentity(s.files[0].path) : FurtherIdentity{};
+    read.series.push_back({std::move(s), further});
+  }
+  read.refused = std::move(study->refused);
+  return read;
+}
+
+}  // namespace volumen

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/index/found_series.h"
+
+namespace volumen {
+
+/// What tells whether a file is the one that the index read: it is where all are equal. (A time of change
+/// alone lies after copies.)
+struct FileState {
+  std::int64_t size = 0, mtimeNs = 0, ctimeNs = 0, inode = 0, device = 0;
+  bool operator==(const FileState&) const = default;
+};
+
+/// A file on disk: its folder without symbolic links in its path, its name there.
+struct FileOnDisk {
+  std::string folder, name;
+  FileState state;
+  std::string path() const { return folder == "/" ? folder + name : folder + "/" + name; }
+};
+
+/// What a study says beside SeriesIdentity: of the first file of a series, raw text.
+struct FurtherIdentity {
+  std::string birthDate, sex, accessionNumber, studyTime, seriesDate, seriesTime;
+};
+
+/// A series that was read, ready to be written.
+struct ReadSeries : FoundSeries {
+  FurtherIdentity further;
+};
+
+/// What files hold, in the words of the index.
+struct ReadFiles {
+  std::vector<ReadSeries> series;
+  std::vector<Refused> refused;
+};
+
+/// Opens files as openFiles does. An Error only where it was cancelled.
+Result<ReadFiles> readFiles(const std::vector<std::string>& paths, const Progress& progress,
+                            const CancelToken& cancel);
+
+}  // namespace volumen

@@ -1,0 +1,199 @@
+// Guards design.md 4 and import.md: the commands of the index, as a user types them.
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+
+#include "tests/fixtures/program.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen::tests;
+
+class TestIndexCommands : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void init();
+  void importSaysWhatItDid();
+  void importIsJson();
+  void listShowsStudies();
+  void listShowsSeries();
+  void listIsJson();
+  void listIsSafeForATerminal();
+  void forgetAndUndo();
+  void copiesAreManaged();
+  void copiesOfTwoFilesAreRefused();
+  void failures_data();
+  void failures();
+  void damagedIndexIsTold();
+
+ private:
+  QString at(const char* name) const { return folder_->filePath(QString::fromLatin1(name)); }
+  Outcome run(const char* line) const {
+    QStringList words;
+    for (const QString& word : QString::fromUtf8(line).split(QLatin1Char(' ')))
+      words << (word.startsWith(QLatin1String("IN/")) ? at(qPrintable(word.mid(3))) : word);
+    return runProgram(words << QStringLiteral("--index") << at("index"));
+  }
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+// A study of DICOM files in scans/, and a volume of another format.
+void TestIndexCommands::init() {
+  folder_ = std::make_unique<QTemporaryDir>();
+  QCOMPARE(runProgram({QStringLiteral("convert"), QStringLiteral("phantom:sphere:8"), QStringLiteral("-o"),
+                       at("scans/")})
+               .status,
+           0);
+  QCOMPARE(runProgram({QStringLiteral("convert"), QStringLiteral("phantom:sphere:8"), QStringLiteral("-o"),
+                       at("ball.nrrd")})
+               .status,
+           0);
+}
+
+void TestIndexCommands::importSaysWhatItDid() {
+  const Outcome first = run("import IN/scans IN/ball.nrrd");
+  QVERIFY2(first.status == 0, first.err);
+  QCOMPARE(first.out, QByteArray("9 files: 9 new, 0 changed, 0 unchanged, 0 gone, 0 refused\n"));
+  QCOMPARE(first.err, QByteArray());
+  const QDir scans(at("scans"));
+  QVERIFY(QFile::copy(scans.filePath(scans.entryList(QDir::Files)[0]), at("scans/bad.dcm")));
+  QVERIFY(QFile::resize(at("scans/bad.dcm"), QFile(at("scans/bad.dcm")).size() - 9));
+  const Outcome again = run("import IN/scans");
+  QCOMPARE(again.status, 0);
+  QVERIFY2(again.out.startsWith("9 files: 0 new, 0 changed, 8 unchanged, 0 gone, 1 refused\n  " +
+                                at("scans/bad.dcm").toUtf8() + ": "),
+           again.out);
+}
+
+void TestIndexCommands::importIsJson() {
+  const QJsonObject report = QJsonDocument::fromJson(run("import IN/scans --json").out).object();
+  QCOMPARE(report[QStringLiteral("new")].toInt(), 8);
+  QCOMPARE(report[QStringLiteral("files")].toInt(), 8);
+  QCOMPARE(report[QStringLiteral("refused")].toArray().size(), 0);
+  QCOMPARE(report[QStringLiteral("cancelled")].toBool(true), false);
+}
+
+void TestIndexCommands::listShowsStudies() {
+  const Outcome none = run("list");
+  QCOMPARE(none.status, 0);
+  QVERIFY(none.out.isEmpty() && none.err.contains("The index is empty"));
+  run("import IN/scans IN/ball.nrrd");
+  const QList<QByteArray> lines = run("list").out.split('\n');
+  QCOMPARE(lines.size(), 4);  // heads, two studies, the end
+  QVERIFY(lines[0].startsWith("No.  Patient"));
+  QCOMPARE(lines[0].indexOf("Modality"),
+           lines[1].indexOf("OT") >= 0 ? lines[1].indexOf("OT") : lines[2].indexOf("OT"));
+  QVERIFY(run("list ball").out.contains("ball.nrrd"));
+  QCOMPARE(run("list BALL nothing").out, QByteArray());
+}
+
+void TestIndexCommands::listShowsSeries() {
+  run("import IN/scans");
+  const QList<QByteArray> lines = run("list --series").out.split('\n');
+  QCOMPARE(lines.size(), 3);
+  QVERIFY(lines[0].contains("Frames"));
+}
+
+void TestIndexCommands::listIsJson() {
+  run("import IN/scans");
+  const QJsonObject all = QJsonDocument::fromJson(run("list --series --json").out).object();
+  const QJsonObject study = all[QStringLiteral("studies")].toArray()[0].toObject();
+  QCOMPARE(study[QStringLiteral("images")].toInt(), 8);
+  QCOMPARE(study[QStringLiteral("patient")].toObject()[QStringLiteral("name")].toString(),
+           QStringLiteral("Volumen^Sample"));
+  const QJsonObject series = study[QStringLiteral("series")].toArray()[0].toObject();
+  QCOMPARE(series[QStringLiteral("frames")].toInt(), 8);
+  QCOMPARE(series[QStringLiteral("isVolume")].toBool(), true);
+}
+
+void TestIndexCommands::listIsSafeForATerminal() {
+  const QString odd = QDir(folder_->path()).filePath(QStringLiteral("a\x1b[31m.nrrd"));
+  QVERIFY(QFile::rename(at("ball.nrrd"), odd));
+  QCOMPARE(runProgram({QStringLiteral("import"), odd, QStringLiteral("--index"), at("index")}).status, 0);
+  const Outcome list = run("list");
+  QVERIFY2(list.out.contains("a\\x1b[31m.nrrd") && !list.out.contains('\x1b'), list.out);
+}
+
+void TestIndexCommands::forgetAndUndo() {
+  run("import IN/scans IN/ball.nrrd");
+  const QByteArray before = run("list").out;
+  const Outcome forgot = run("forget 1");
+  QCOMPARE(forgot.out, QByteArray("Forgot 1 study\n"));
+  QCOMPARE(run("list").out.count('\n'), 2);
+  QCOMPARE(run("forget 1").status, 1);
+  QCOMPARE(run("forget --undo").out, QByteArray("Brought back 1 study\n"));
+  QCOMPARE(run("list").out, before);
+  QCOMPARE(run("forget --undo").status, 1);
+  const QJsonObject all = QJsonDocument::fromJson(run("list --json").out).object();
+  for (const QJsonValue& study : all[QStringLiteral("studies")].toArray())
+    if (const QString uid = study[QStringLiteral("studyUid")].toString(); !uid.isEmpty())
+      QCOMPARE(run(qPrintable(QStringLiteral("forget ") + uid)).status, 0);
+  QCOMPARE(run("list").out.count('\n'), 2);
+  QVERIFY(QDir(at("scans")).count() > 8);  // no file went
+}
+
+void TestIndexCommands::copiesAreManaged() {
+  const Outcome copied = run("import IN/scans IN/ball.nrrd --copy");
+  QVERIFY2(copied.status == 0 && copied.out.contains(" 9 new"), copied.out + copied.err);
+  QVERIFY(QDir(at("scans")).removeRecursively());
+  const QJsonObject all = QJsonDocument::fromJson(run("list --json").out).object();
+  QCOMPARE(all[QStringLiteral("studies")].toArray().size(), 2);
+  for (const QJsonValue& study : all[QStringLiteral("studies")].toArray())
+    QCOMPARE(study[QStringLiteral("offline")].toBool(true), false);
+  // What is there is not copied again.
+  QVERIFY(run("import IN/ball.nrrd --copy").out.contains(" 0 new, 0 changed, 1 unchanged"));
+  const Outcome info = runProgram({QStringLiteral("info"), at("index/studies"), QStringLiteral("--json")});
+  QCOMPARE(QJsonDocument::fromJson(info.out).object()[QStringLiteral("volumes")].toArray().size(), 2);
+}
+
+void TestIndexCommands::copiesOfTwoFilesAreRefused() {
+  QFile header(at("two.nhdr"));
+  QVERIFY(header.open(QIODevice::WriteOnly));
+  header.write(
+      "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 1\nspacings: 1 1 1\nencoding: raw\ndata file: "
+      "v.raw\n\n");
+  header.close();
+  QFile data(at("v.raw"));
+  QVERIFY(data.open(QIODevice::WriteOnly));
+  data.write("abcd");
+  data.close();
+  const Outcome copied = run("import IN/two.nhdr --copy");
+  QVERIFY2(copied.out.contains("another file: import it without copying"), copied.out);
+  QVERIFY(run("import IN/two.nhdr").out.contains(" 1 new"));
+}
+
+void TestIndexCommands::failures_data() {
+  QTest::addColumn<QString>("line");
+  QTest::addColumn<QString>("says");
+  const auto row = [](const char* line, const char* says) {
+    QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(says);
+  };
+  row("import IN/nowhere", "no such file or folder.");
+  row("import phantom:cube", "phantom:cube: phantoms are made, not imported.");
+  row("forget 77", "There is no study \"77\" in the index");
+}
+
+void TestIndexCommands::failures() {
+  QFETCH(QString, line);
+  QFETCH(QString, says);
+  const Outcome a = run(qPrintable(line));
+  QCOMPARE(a.status, 1);
+  QVERIFY2(a.err.startsWith("volumen: ") && a.err.contains(says.toUtf8()), a.err);
+  QCOMPARE(a.err.count('\n'), 1);
+}
+
+void TestIndexCommands::damagedIndexIsTold() {
+  run("import IN/scans");
+  QFile database(at("index/index.sqlite"));
+  QVERIFY(database.open(QIODevice::WriteOnly));
+  database.write(QByteArray(5000, 'x'));
+  database.close();
+  const Outcome a = run("list");
+  QCOMPARE(a.status, 0);
+  QVERIFY2(a.err.startsWith("volumen: The index was damaged"), a.err);
+}
+
+VOLUMEN_TEST(TestIndexCommands);
+#include "tst_index_commands.moc"
