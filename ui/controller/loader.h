@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "io/study.h"
+#include "ui/controller/locate.h"
 #include "ui/controller/open_session.h"
 #include "ui/data/shown_series.h"
 #include "viewer/volume/cancel.h"
@@ -27,6 +28,8 @@ class Loader : public QObject {
 
   void open(const QString& path);
   void openSession(const QString& path);
+  /// Looks for what a workspace misses in a folder.
+  void locate(const MissingObjects& missing, const QString& folder);
   /// Gives up a load of another series that is under way.
   void load(const Series& series);
   /// The same for one that is not shown yet, told by loadedAhead().
@@ -40,8 +43,11 @@ class Loader : public QObject {
  Q_SIGNALS:
   void studyOpened(const QString& path, const std::shared_ptr<const volumen::Study>& study);
   void sessionOpened(const QString& path, const volumen::OpenedSession& session);
+  void located(const volumen::Located& located);
   void seriesLoaded(const volumen::ShownSeriesPtr& series);
   void loadedAhead(const volumen::ShownSeriesPtr& series);
+  /// It failed or was cancelled; not for what another series took the place of.
+  void notLoaded(const volumen::SeriesKey& series);
   void presetReady(const QString& name, const volumen::Scene& scene, const volumen::VolumePtr& volume);
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
