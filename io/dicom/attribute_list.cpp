@@ -124,6 +124,7 @@ std::vector<AttributeLine> linesOf(Bytes bytes, const std::vector<Element>& elem
 }
 
 Result<std::vector<AttributeLine>> listAttributesHere(const std::string& path) {
+  worker::needAll();
   const Result<RegularFile> file = RegularFile::open(path);
   if (!file) return file.error();
   ScannedFile s;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "io/dicom/data_set.h"
+#include "io/worker/serve.h"
 
 namespace volumen::dicom {
 namespace {
@@ -78,8 +79,14 @@ std::string encoded(std::string_view bytes, CharacterSet::Bytes how) {
 
 constexpr const char* replacement = "\xef\xbf\xbd";
 
+/// What workers (io/worker) can convert without being prepared for all.
+bool isUsual(std::string_view encoding) {
+  return encoding == "ASCII" || encoding == "ISO-8859-1" || encoding == "UTF-8";
+}
+
 /// `bytes` in UTF-8; each byte that has no meaning becomes U+FFFD.
 std::string converted(std::string bytes, const char* encoding) {
+  if (!isUsual(encoding)) worker::needAll();
   const iconv_t converter = iconv_open("UTF-8", encoding);
   if (converter == iconv_t(-1)) return replacement;
   std::string out;
@@ -136,9 +143,10 @@ std::string toUtf8(const std::string& text, const std::string& specificCharacter
   return out;
 }
 
-void loadCharacterSets() {
+void loadCharacterSets(bool all) {
   // What is closed may be unloaded.
-  for (const CharacterSet& set : sets) (void)iconv_open("UTF-8", set.encoding);
+  for (const CharacterSet& set : sets)
+    if (all || isUsual(set.encoding)) (void)iconv_open("UTF-8", set.encoding);
 }
 
 }  // namespace volumen::dicom

@@ -77,7 +77,8 @@ std::optional<double> parseNumber(std::string_view text);
 /// becomes U+FFFD.
 std::string toUtf8(const std::string& text, const std::string& specificCharacterSet);
 
-/// Loads all character sets, and keeps them, for a process that will not be able to open files.
-void loadCharacterSets();
+/// Loads character sets (`all`, or ISO 8859-1 alone), and keeps them, for a process that will not be able to
+/// open files.
+void loadCharacterSets(bool all);
 
 }  // namespace volumen::dicom

@@ -11,6 +11,7 @@
 
 #include "io/dicom/codestream.h"
 #include "io/dicom/decode.h"
+#include "io/worker/serve.h"
 
 namespace volumen::dicom {
 namespace {
@@ -103,6 +104,7 @@ Result<std::vector<std::uint8_t>> decodeJpeg(const PixelFormat& format, const Tr
   if (!info) return info.error();
   if (Status s = checkStream(*info, format, bytes.size()); !s) return s.error();
   if (bytes.size() >= undefinedLength) return Error{"its compressed picture is larger than 4 GiB"};
+  worker::needAll();
   registerDecoders();
   lastWarning.clear();
   DcmDataset data;

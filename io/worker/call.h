@@ -38,6 +38,9 @@ const char* reasonOf(Failure failure);
 
 struct Process;
 
+/// From now on workers are prepared for all (prepareToServe).
+void prepareForAll();
+
 /// One request that a worker is at; its answer is read from it as it comes. A worker that ends, does not
 /// answer in time or says what makes no sense is killed; one that has answered serves again.
 class Call : public Wire {
@@ -93,9 +96,9 @@ template <class... P>
 struct Signature<void (*)(Wire&, P...)> : Signature<bool (*)(P...)> {};
 
 /// What comes first in an answer.
-enum class Outcome { value, error, noMemory };
+enum class Outcome { value, error, noMemory, unprepared };
 template <>
-inline constexpr Outcome lastOf<Outcome> = Outcome::noMemory;
+inline constexpr Outcome lastOf<Outcome> = Outcome::unprepared;
 
 /// In a worker: `function` and its answer.
 template <auto function>
@@ -112,6 +115,8 @@ void answerWith(Wire& arguments, Wire& answer) {
       answer.write(result.message());
   } catch (const std::bad_alloc&) {
     answer.write(Outcome::noMemory);
+  } catch (const Unprepared&) {
+    answer.write(Outcome::unprepared);
   }
 }
 
@@ -130,20 +135,23 @@ auto isolated(Request& request, Failure& failure, const Arguments&... arguments)
   using S = Signature<decltype(function)>;
   failure = Failure::none;
   if (!isolating()) return function(arguments...);
-  Call call(request, &answerWith<function>, S::written(arguments...));
-  Outcome outcome{};
+  Outcome outcome = Outcome::unprepared;
   typename S::Value value{};
   std::string message;
-  call(outcome);
-  if (outcome == Outcome::noMemory) call.fail(Failure::memory);
-  if (outcome == Outcome::value)
-    call(value);
-  else
-    call(message);
-  if (call.finish())
-    return outcome == Outcome::value ? Result<typename S::Value>(std::move(value)) : Error{message};
-  failure = call.failure();
-  return Error{reasonOf(failure)};
+  for (int tries = 0; tries < 2 && outcome == Outcome::unprepared; ++tries) {
+    if (tries > 0) prepareForAll();
+    Call call(request, &answerWith<function>, S::written(arguments...));
+    call(outcome);
+    if (outcome == Outcome::noMemory) call.fail(Failure::memory);
+    if (outcome == Outcome::value) call(value);
+    if (outcome == Outcome::error) call(message);
+    if (!call.finish()) {
+      failure = call.failure();
+      return Error{reasonOf(failure)};
+    }
+  }
+  if (outcome == Outcome::unprepared) failure = Failure::wrong, message = reasonOf(failure);
+  return outcome == Outcome::value ? Result<typename S::Value>(std::move(value)) : Error{message};
 }
 
 /// function(answer, arguments...) in a worker, which writes to its answer as it goes on; it is read from the

@@ -28,7 +28,7 @@ class Descriptor {
 
 /// What a message is about, and what its two numbers and its text mean.
 enum class Topic : std::uint32_t {
-  fork,  ///< to the zygote, with a socket and a buffer; answer: process id
+  fork,  ///< to the zygote, with a socket and a buffer; 1: prepared for all; answer: process id
   end,   ///< to the zygote: process id; answer when it is reaped
   run,   ///< to a worker: address of what is to be run, size of the request; text: the request, else with it
   more,  ///< to a worker: it may use one more slot
@@ -47,7 +47,7 @@ struct Message {
   std::vector<Descriptor> files;
 };
 
-inline constexpr std::size_t mostText = 48 << 10, mostDescriptors = 16;
+inline constexpr std::size_t mostText = 48 << 10, mostDescriptors = 33;
 
 /// How a transfer ended.
 enum class Transfer { done, later, broken };

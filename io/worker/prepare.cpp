@@ -9,13 +9,14 @@
 
 namespace volumen::worker {
 
-void prepareToServe() {
+void prepareToServe(bool all) {
+  std::setlocale(LC_CTYPE, "C.UTF-8");  // libarchive converts names to it
+  tzset();
+  dicom::loadCharacterSets(all);
+  if (!all) return;
   dcmDataDict.rdlock();
   dcmDataDict.rdunlock();
   dicom::registerDecoders();
-  dicom::loadCharacterSets();
-  std::setlocale(LC_CTYPE, "C.UTF-8");  // libarchive converts names to it
-  tzset();
 }
 
 }  // namespace volumen::worker

@@ -6,11 +6,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <mutex>
 #include <thread>
 #include <vector>
 
+#include "io/worker/call.h"
 #include "io/worker/sandbox.h"
 #include "io/worker/zygote.h"
 
@@ -25,6 +27,8 @@ struct Idle {
   std::mutex mutex;
   std::vector<std::unique_ptr<Process>> workers;
 };
+
+std::atomic<bool> allWanted = false;
 
 Idle& idle() {
   static Idle all;
@@ -80,20 +84,25 @@ std::unique_ptr<Process> makeWorker() {
   Descriptor theirs(ends[1]), memory;
   worker->buffer = SharedBuffer::make(memory);
   if (!worker->buffer) return {};
-  worker->pid = Zygote::instance().fork(std::move(theirs), std::move(memory));
+  worker->forAll = allWanted;
+  worker->pid = Zygote::instance().fork(std::move(theirs), std::move(memory), worker->forAll);
   if (worker->pid <= 0) return {};
   worker->bytesAtStart = addressSpaceOf(worker->pid) + (std::uint64_t(8) << 20);
   return worker;
 }
 
+void prepareForAll() { allWanted = true; }
+
 std::unique_ptr<Process> takeWorker() {
-  {
-    const std::scoped_lock one(idle().mutex);
-    if (auto& workers = idle().workers; !workers.empty()) {
-      auto worker = std::move(workers.back());
-      workers.pop_back();
-      return worker;
+  while (true) {
+    std::unique_ptr<Process> worker;
+    {
+      const std::scoped_lock one(idle().mutex);
+      if (idle().workers.empty()) break;
+      worker = std::move(idle().workers.back());
+      idle().workers.pop_back();
     }
+    if (worker->forAll || !allWanted) return worker;
   }
   return makeWorker();
 }

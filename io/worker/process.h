@@ -17,6 +17,7 @@ struct Process {
   std::uint64_t bytesAtStart = 0;  ///< its address space before it has done anything
   std::uint64_t mostBytes = 0;     ///< that its address space may grow by now
   std::size_t files = 0;           ///< that it has been given
+  bool forAll = false;             ///< prepared for all (prepareToServe)
 
   Process() = default;
   Process(const Process&) = delete;

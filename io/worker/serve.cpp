@@ -42,6 +42,7 @@ class Server {
 };
 
 Server* server = nullptr;
+bool preparedForAll = false;
 
 /// The answer of one request, piece by piece through the slots.
 class AnswerWriter : public Wire {
@@ -131,7 +132,8 @@ Result<OpenedFile> Server::open(const std::string& path) {
 
 bool inside() { return server != nullptr; }
 
-void serve(int socket, SharedBuffer buffer) {
+void serve(int socket, SharedBuffer buffer, bool forAll) {
+  preparedForAll = forAll;
   Server only(socket, std::move(buffer));
   server = &only;
   only.run();
@@ -146,6 +148,10 @@ Result<std::string> resolveInside(const std::string& headerPath, const std::stri
   Message answer = server->hear(Topic::resolved);
   if (answer.first != 1) return Error{answer.text};
   return answer.text;
+}
+
+void needAll() {
+  if (server && !preparedForAll) throw Unprepared();
 }
 
 void finishStep() {

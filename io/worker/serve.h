@@ -11,12 +11,18 @@ namespace volumen::worker {
 /// What a worker is asked to run: reads its arguments, runs, writes what came of it.
 using Handler = void (*)(Wire& arguments, Wire& answer);
 
-/// Touches what libraries load when they are first used: tables, decoders, character sets. Done once, in the
-/// zygote: workers cannot open files.
-void prepareToServe();
+/// Touches what libraries load when they are first used: tables, decoders, character sets (`all` of it, or
+/// the little that most headers need). Done once, in the zygote: workers cannot open files.
+void prepareToServe(bool all);
+
+/// Thrown by needAll(): the request is to be served by a worker that was prepared for all.
+struct Unprepared {};
+
+/// In a worker: to be called before what only prepareToServe(true) prepares is used. Elsewhere nothing.
+void needAll();
 
 /// Serves requests until the program ends the worker or is gone.
-[[noreturn]] void serve(int socket, SharedBuffer buffer);
+[[noreturn]] void serve(int socket, SharedBuffer buffer, bool preparedForAll);
 
 /// Whether this process is a worker.
 bool inside();

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -25,25 +26,29 @@ void endWith(pid_t maker) {
   if (getppid() != maker) _exit(0);
 }
 
-[[noreturn]] void becomeWorker(pid_t maker, int socket, int buffer) {
+/// What prepareToServe() was called for.
+enum class Prepared { nothing, headers, all };
+
+[[noreturn]] void becomeWorker(pid_t maker, int socket, int buffer, Prepared prepared) {
   endWith(maker);
   SharedBuffer shared = SharedBuffer::of(buffer);
   if (!shared || !enterSandbox(socket)) _exit(1);
-  serve(socket, std::move(shared));
+  serve(socket, std::move(shared), prepared == Prepared::all);
 }
 
 /// One order of the program's.
-void obey(Message& order, pid_t self, bool& prepared) {
+void obey(Message& order, pid_t self, Prepared& prepared) {
   if (order.topic == Topic::end) {
     const auto worker = pid_t(order.first);
     ::kill(worker, SIGKILL);
     while (waitpid(worker, nullptr, 0) < 0 && errno == EINTR) {
     }
   } else if (order.topic == Topic::fork && order.files.size() == 2) {
-    if (!prepared) prepareToServe();
-    prepared = true;
+    const Prepared wanted = order.first == 1 ? Prepared::all : Prepared::headers;
+    if (prepared < wanted) prepareToServe(wanted == Prepared::all);
+    prepared = std::max(prepared, wanted);
     const pid_t worker = ::fork();
-    if (worker == 0) becomeWorker(self, order.files[0].get(), order.files[1].get());
+    if (worker == 0) becomeWorker(self, order.files[0].get(), order.files[1].get(), prepared);
     order.first = std::uint64_t(worker);
   }
 }
@@ -54,7 +59,7 @@ void obey(Message& order, pid_t self, bool& prepared) {
   clearenv();
   setenv("TZ", "UTC0", 1);  // without it every conversion of a time looks at a file
   const pid_t self = getpid();
-  bool prepared = false;
+  Prepared prepared{};
   Message order;
   while (receiveMessage(socket, order, true) == Transfer::done) {
     obey(order, self, prepared);
@@ -106,8 +111,8 @@ bool Zygote::ask(const Message& question, Message& answer) {
          receiveMessage(socket_.get(), answer, true) == Transfer::done;
 }
 
-pid_t Zygote::fork(Descriptor socket, Descriptor buffer) {
-  Message question{Topic::fork, 0, 0, {}, {}}, answer;
+pid_t Zygote::fork(Descriptor socket, Descriptor buffer, bool forAll) {
+  Message question{Topic::fork, forAll, 0, {}, {}}, answer;
   question.files.push_back(std::move(socket));
   question.files.push_back(std::move(buffer));
   return ask(question, answer) ? pid_t(answer.first) : -1;

@@ -20,8 +20,9 @@ class Zygote {
   void stop();
   bool runs() const { return bool(socket_); }
 
-  /// A new worker that serves the other end of `socket` and answers through `buffer`; -1 where there is none.
-  pid_t fork(Descriptor socket, Descriptor buffer);
+  /// A new worker that serves the other end of `socket` and answers through `buffer`, prepared for all or for
+  /// headers (prepareToServe); -1 where there is none.
+  pid_t fork(Descriptor socket, Descriptor buffer, bool forAll);
   /// Kills a worker and waits until it is gone.
   void end(pid_t worker);
 
