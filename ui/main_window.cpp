@@ -20,6 +20,7 @@
 #include "ui/panels/segment_panel.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
+#include "ui/panels/study_model.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/offer_bar.h"
@@ -33,6 +34,7 @@ namespace volumen {
 MainWindow::MainWindow(const Services& services, QWidget* parent)
     : QMainWindow(parent),
       services_(services),
+      index_(services.indexFolder),
       drawService_(services.makeDraw),
       loader_(services.makeScene),
       meter_(drawService_),
@@ -50,6 +52,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   makeFrameActions();
   makeKindActions();
   makeMeasureActions();
+  makeBrowserActions();
   makeMenus();
   makeToolBar();
   connectSession();
@@ -67,6 +70,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   connectFrames();
   connectLinks();
   connectReferences();
+  connectBrowser();
   restoreLayout();
   showTheme();
   session_.prefer(storedPreferences());
@@ -92,7 +96,7 @@ void MainWindow::makeCentre() {
   column->setSpacing(0);
   column->addWidget(offer_);
   column->addWidget(banner_);
-  column->addWidget(pages_, 1);
+  column->addWidget(makeBrowser(), 1);
   setCentralWidget(centre);
   status_ = new StatusLine;
   statusBar()->addWidget(status_, 1);
@@ -126,6 +130,7 @@ void MainWindow::connectLoader() {
               session_.choosePreset(tr("Preset %1").arg(name), name.toStdString(), scene);
           });
   connect(&loader_, &Loader::failed, this, [this](const QString& sentence) { banner_->add(sentence); });
+  connect(&loader_, &Loader::notLoaded, grid_, &ViewGrid::giveUpWaiting);
   connect(&loader_, &Loader::progressed, status_, &StatusLine::progress);
   connect(&loader_, &Loader::busyChanged, this, [this](bool busy) {
     if (busy)
@@ -141,10 +146,10 @@ void MainWindow::connectLoader() {
   connect(studies_, &StudiesPanel::seriesChosen, this, &MainWindow::showInFocus);
   connect(grid_, &ViewGrid::dropped, this, [this](const QMimeData& what) {
     if (const Series* series = studies_->seriesOf(what)) showInFocus(*series);
+    if (const auto choice = choiceIn(what)) openHow_ = OpenHow::here, index_.open(*choice);
   });
   connect(&session_, &Session::seriesNeeded, &loader_, &Loader::load);
-  connect(studies_, &StudiesPanel::seriesRemoved, this,
-          [this](const Series& gone) { session_.close(keyOf(gone)); });
+  connect(studies_, &StudiesPanel::seriesRemoved, &session_, &Session::close);
   connect(studies_, &StudiesPanel::allClosed, this, [this] {
     loader_.cancel();
     banner_->hide();

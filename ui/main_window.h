@@ -7,6 +7,7 @@
 #include "ui/controller/autosave.h"
 #include "ui/controller/draw_service.h"
 #include "ui/controller/frame_service.h"
+#include "ui/controller/index_service.h"
 #include "ui/controller/loader.h"
 #include "ui/controller/measurer.h"
 #include "ui/controller/preset_thumbnails.h"
@@ -21,6 +22,8 @@
 #include "ui/workspace/session.h"
 
 class QActionGroup;
+class QLabel;
+class QSplitter;
 class QStackedWidget;
 
 namespace volumen {
@@ -28,6 +31,7 @@ namespace volumen {
 class AccuracyPanel;
 class Banner;
 class EffectsPanel;
+class ImportBar;
 class KeyImagesPanel;
 class MeasurementsPanel;
 class OfferBar;
@@ -38,6 +42,7 @@ class SnapshotPanel;
 class StartPage;
 class StatusLine;
 class StudiesPanel;
+class StudyBrowser;
 class Masker;
 class SliceView;
 class ViewGrid;
@@ -48,7 +53,12 @@ struct Services {
   MakeDraw makeDraw;
   MakeScene makeScene;
   std::function<std::vector<PresetEntry>()> presets;
+  std::string indexFolder = userIndexFolder();  ///< of the list of studies
 };
+
+/// Where a study of the index is shown: in the view in focus, there and in place of other patients, or in the
+/// view beside.
+enum class OpenHow { here, instead, beside };
 
 /// The real ones: render() and presetScene().
 Services realServices();
@@ -126,6 +136,21 @@ class MainWindow : public QMainWindow {
   SliceView* sliceViewInFocus() const;
   void showPage();
   void showFirst(const Study& study);
+  QWidget* makeBrowser();
+  void makeBrowserActions();
+  void connectBrowser();
+  void showBrowser(bool on);
+  void arrangeBrowser();
+  void showPatients();
+  void askForImport();
+  void showImport(const ImportReport& report);
+  void openIndexed(const IndexedChoice& choice, bool beside);
+  void openFound(const IndexedChoice& choice, const std::string& seriesUid,
+                 const std::vector<std::string>& files);
+  void showIndexed(const QString& place, const std::shared_ptr<const Study>& study);
+  void showChosen(const Study& study);
+  void showOpened(const Series& series);
+  void focusNextView();
   void makeMeasureActions();
   void connectLinks();
   void registerViews();
@@ -135,12 +160,16 @@ class MainWindow : public QMainWindow {
   void showOnFrame(const Measurement& m);
   void resetViewInFocus();
   Workspace arranged(Workspace workspace, const Series& series, bool isFirst) const;
+  Layout layoutOf(const Series& series) const;
   const Series* ctUnder(const Series& pet) const;
   void keepLayouts() const;
   void showInFocus(const Series& series);
   void connectScenes();
   void connectSessions();
   void showSession(const QString& path, const OpenedSession& opened);
+  void offerToLocate();
+  void askWhereMissing();
+  void showLocated(const Located& located);
   void saveSession();
   void askForSession();
   void askForSessionFile();
@@ -178,6 +207,7 @@ class MainWindow : public QMainWindow {
 
   Services services_;
   Session session_;
+  IndexService index_;
   DrawService drawService_;
   SliceService slices_;
   FrameService frames_;
@@ -200,6 +230,10 @@ class MainWindow : public QMainWindow {
   OfferBar* offer_;
   StatusLine* status_;
   StudiesPanel* studies_;
+  StudyBrowser* browser_;
+  QSplitter* split_;  // the browser above the views
+  QLabel* patients_;
+  ImportBar* importBar_;
   KeyImagesPanel* keyImages_;
   EffectsPanel* effects_;
   AccuracyPanel* accuracy_;
@@ -222,6 +256,11 @@ class MainWindow : public QMainWindow {
   QActionGroup* kinds_;
   std::map<QString, Layout> layoutsChosen_;  // by modality, since the program began
   VolumePtr thumbnailsOf_;                   // the volume whose presets have thumbnails
+  bool listedOnce_ = false;                  // the studies of the index, since the program began
+  OpenHow openHow_ = OpenHow::here;          // the study that is being opened from the index
+  std::string seriesToShow_;                 // of it
+  std::map<QString, std::vector<std::string>>
+      filesOf_;  // what studies of the index that are open were made of
 };
 
 }  // namespace volumen

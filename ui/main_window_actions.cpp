@@ -270,7 +270,8 @@ void MainWindow::makeMenus() {
   };
   auto* file = menuBar()->addMenu(tr("&File"));
   fill(file,
-       "openFolder openFile openSample | openSession saveSession saveSessionAs | openScene saveScene | "
+       "openFolder openFile openSample | showBrowser findStudy importFolder | openSession saveSession "
+       "saveSessionAs | openScene saveScene | "
        "snapshot copySnapshot | quit");
   recentMenu_ = new QMenu(tr("Open recent"), file);
   file->insertMenu(actions_.at(QStringLiteral("openSample")), recentMenu_);
@@ -296,7 +297,7 @@ void MainWindow::makeMenus() {
   view->addMenu(makeSlabMenu(session_, view));
   view->addMenu(makeColourMenu(session_, view));
   view->addMenu(makeOverlayMenu(
-      session_, [this] { return studies_->allSeries(); }, view));
+      session_, [this] { return studies_->listedSeries(); }, view));
   auto* docks = view->addMenu(tr("Panels"));
   for (const auto& [name, dock] : docks_) docks->addAction(dock->toggleViewAction());
   docks->addSeparator();
@@ -310,7 +311,7 @@ void MainWindow::makeToolBar() {
   bar->setMovable(false);
   bar->setIconSize({22, 22});
   const auto add = [&](const char* name) { bar->addAction(actions_.at(QLatin1String(name))); };
-  for (const char* name : {"openFolder", "undo", "redo"}) add(name);
+  for (const char* name : {"openFolder", "showBrowser", "undo", "redo"}) add(name);
   bar->addSeparator();
   for (const char* name : {"orbitTool", "curveTool", "scissorsTool", "resetView"}) add(name);
   bar->addSeparator();

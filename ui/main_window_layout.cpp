@@ -10,6 +10,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
+#include "ui/panels/study_browser.h"
 #include "ui/preferences_dialog.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/fold_title.h"
@@ -100,6 +101,8 @@ void MainWindow::applyPreferences(const Preferences& before, const Preferences& 
   actions_.at(QStringLiteral("hideNames"))->setChecked(after.hideNames);
   if (before.hideNames == after.hideNames) return;
   studies_->showNames();
+  browser_->showNames();
+  showPatients();
   showNames();
 }
 

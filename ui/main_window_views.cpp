@@ -94,14 +94,16 @@ const Series* MainWindow::ctUnder(const Series& pet) const {
   return found;
 }
 
+// The one that was chosen last for its modality, else the usual one.
+Layout MainWindow::layoutOf(const Series& series) const {
+  const QString kept = QSettings().value(layoutKey(series)).toString();
+  return layoutNamed(kept.toStdString()).value_or(usualLayout(series));
+}
+
 // What a series that was never shown before brings with it: the layout of its modality, its time points, the
 // CT under a PET.
 Workspace MainWindow::arranged(Workspace workspace, const Series& series, bool isFirst) const {
-  if (isFirst) {
-    const QString kept = QSettings().value(layoutKey(series)).toString();
-    workspace =
-        withLayout(std::move(workspace), layoutNamed(kept.toStdString()).value_or(usualLayout(series)));
-  }
+  if (isFirst) workspace = withLayout(std::move(workspace), layoutOf(series));
   workspace = withTimePointsOf(std::move(workspace), series, studies_->allSeries());
   const Series* ct = series.modality == "PT" && workspace.focus < firstComparedId ? ctUnder(series) : nullptr;
   return ct ? fusedWith(std::move(workspace), *ct) : workspace;

@@ -7,7 +7,7 @@ Services realServices() {
   const auto makeScene = [](const std::string& preset, const Volume& volume) {
     return presetScene(preset, volume, ownPresets().presets);
   };
-  return {drawWithCaches, makeScene, presetEntries};
+  return {drawWithCaches, makeScene, presetEntries, userIndexFolder()};
 }
 
 }  // namespace volumen

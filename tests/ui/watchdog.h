@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <utility>
 
 namespace volumen::tests {
 
@@ -17,6 +18,9 @@ class WatchedApplication : public QApplication {
  public:
   using QApplication::QApplication;
   ~WatchedApplication() override { report(); }
+
+  /// The longest event since the last call, in ms of processor time.
+  double takeMostMs() { return std::exchange(mostMs_, 0); }
 
   bool notify(QObject* receiver, QEvent* event) override {
     if (depth_ > 0) return QApplication::notify(receiver, event);
@@ -31,6 +35,7 @@ class WatchedApplication : public QApplication {
     const bool done = QApplication::notify(receiver, event);
     const double ms = cpuMs() - before;
     --depth_;
+    mostMs_ = std::max(mostMs_, ms);
     double& most = longest_[what];
     most = std::max(most, ms);
     return done;
@@ -51,6 +56,7 @@ class WatchedApplication : public QApplication {
   }
 
   int depth_ = 0;
+  double mostMs_ = 0;
   std::map<QString, double> longest_;
 };
 

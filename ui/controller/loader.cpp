@@ -1,6 +1,7 @@
 #include "ui/controller/loader.h"
 
 #include <QElapsedTimer>
+#include <utility>
 
 #include "viewer/plan/default_window.h"
 #include "viewer/scene/automatic.h"
@@ -37,7 +38,7 @@ void Loader::cancel() {
     token->cancel();
     *token = CancelToken();
   }
-  loading_.reset();
+  if (const auto given = std::exchange(loading_, {})) Q_EMIT notLoaded(*given);
 }
 
 // Runs a function on the thread of this object, unless the job was cancelled by then.
@@ -85,6 +86,16 @@ void Loader::open(const QString& path) {
   });
 }
 
+void Loader::openFiles(const QString& name, const std::vector<std::string>& files) {
+  start(openPool_, cancel_, [this, name, files](const CancelToken& cancel, const Progress& progress) {
+    Result<Study> study = volumen::openFiles(files, progress, cancel);
+    if (!study)
+      return tell(cancel, [this, text = QString::fromStdString(study.message())] { Q_EMIT failed(text); });
+    const auto shared = std::make_shared<const Study>(std::move(*study));
+    tell(cancel, [this, name, shared] { Q_EMIT filesOpened(name, shared); });
+  });
+}
+
 void Loader::openSession(const QString& path) {
   start(openPool_, cancel_, [this, path](const CancelToken& cancel, const Progress& progress) {
     const Result<OpenedSession> session = volumen::openSession(path.toStdString(), progress, cancel);
@@ -93,6 +104,18 @@ void Loader::openSession(const QString& path) {
         Q_EMIT sessionOpened(path, *session);
       else
         Q_EMIT failed(QString::fromStdString(session.message()));
+    });
+  });
+}
+
+void Loader::locate(const MissingObjects& missing, const QString& folder) {
+  start(openPool_, cancel_, [this, missing, folder](const CancelToken& cancel, const Progress& progress) {
+    const Result<Located> found = volumen::locate(missing, folder.toStdString(), progress, cancel);
+    tell(cancel, [this, found] {
+      if (found)
+        Q_EMIT located(*found);
+      else
+        Q_EMIT failed(QString::fromStdString(found.message()));
     });
   });
 }
@@ -117,8 +140,9 @@ void Loader::begin(const Series& series, bool isAhead) {
   isAhead_ = isAhead;
   start(loadPool_, loadCancel_, [this, series](const CancelToken& cancel, const Progress& progress) {
     const auto fail = [&](const std::string& sentence) {
-      tell(cancel, [this, text = QString::fromStdString(sentence)] {
+      tell(cancel, [this, key = keyOf(series), text = QString::fromStdString(sentence)] {
         loading_.reset();
+        Q_EMIT notLoaded(key);
         Q_EMIT failed(text);
       });
     };

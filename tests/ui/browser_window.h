@@ -1,0 +1,125 @@
+#pragma once
+
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTreeView>
+#include <optional>
+
+#include "io/export/dicom_series.h"
+#include "io/index/index.h"
+#include "tests/ui/journey.h"
+#include "ui/widgets/banner.h"
+#include "viewer/phantoms/phantoms.h"
+
+namespace volumen::tests {
+
+inline QStringList texts(std::initializer_list<const char*> utf8) {
+  QStringList all;
+  for (const char* text : utf8) all << QString::fromUtf8(text);
+  return all;
+}
+
+/// A series to be written: whose, and what it says of itself.
+struct WrittenSeries {
+  const char *folder, *phantom, *name, *id, *studyUid, *date, *study, *series;
+};
+
+/// Three patients: Doe with two studies, one of two series; Müller; a name in two scripts.
+inline const std::vector<WrittenSeries>& writtenSeries() {
+  static const std::vector<WrittenSeries> all{
+      {"doe/bone", "ct-head:24", "Doe^Jane", "A111", "1.2.3.1", "20240310", "Head", "Bone"},
+      {"doe/soft", "ct-head:20", "Doe^Jane", "A111", "1.2.3.1", "20240310", "Head", "Soft tissue"},
+      {"doe/old", "sphere:16", "Doe^Jane", "A111", "1.2.3.2", "20190511", "Follow-up", "Scout"},
+      {"mueller", "cube:16", "Müller^Jörg", "B222", "1.2.3.3", "20230105", "Abdomen", "Venous"},
+      {"yamada", "sphere:20", "Yamada^Tarou=山田^太郎", "C333", "1.2.3.4", "20220602", "Knee", "Sagittal"}};
+  return all;
+}
+
+/// Folders of studies, an index in a folder of its own, and windows that use it.
+struct Studies {
+  QTemporaryDir dir;
+  QString data = dir.filePath(QStringLiteral("data")), home = dir.filePath(QStringLiteral("home"));
+
+  bool write() const {
+    for (const WrittenSeries& s : writtenSeries()) {
+      const QString folder = data + QLatin1Char('/') + QString::fromUtf8(s.folder);
+      QDir().mkpath(QFileInfo(folder).path());
+      DicomSeriesTags tags;
+      tags.patientName = s.name, tags.patientId = s.id, tags.studyUid = s.studyUid;
+      tags.studyDate = s.date, tags.studyDescription = s.study, tags.seriesDescription = s.series;
+      const Result<VolumePtr> volume = makePhantom(s.phantom);
+      if (!volume || !writeDicomSeries(**volume, tags, folder.toStdString())) return false;
+    }
+    return true;
+  }
+  bool import() const {
+    if (!write()) return false;
+    Result<Index> index = Index::open(home.toStdString());
+    return index && index->import({data.toStdString()});
+  }
+  Services services() const {
+    Services real = realServices();
+    real.indexFolder = home.toStdString();
+    return real;
+  }
+};
+
+/// A window that shows the list of studies.
+struct BrowserWindow : Journey {
+  explicit BrowserWindow(const Studies& studies, const QStringList& paths = {})
+      : Journey(paths, studies.services()) {}
+
+  QTreeView* tree() { return child<QTreeView>("browserTree"); }
+  QListWidget* strip() { return child<QListWidget>("browserSeries"); }
+  QLineEdit* search() { return child<QLineEdit>("browserSearch"); }
+  QString notice() { return child<QLabel>("browserNotice")->text(); }
+  Banner* banner() { return child<Banner>("banner"); }
+
+  /// The first row whose cell in a column has this text, at any level that is in the tree.
+  QModelIndex row(const char* text, int column = 0) {
+    return tree()
+        ->model()
+        ->match(tree()->model()->index(0, column), Qt::DisplayRole, QString::fromUtf8(text), 1,
+                Qt::MatchContains | Qt::MatchRecursive)
+        .value(0)
+        .siblingAtColumn(0);
+  }
+  bool has(const char* text, int column = 0) {
+    return QTest::qWaitFor([&] { return row(text, column).isValid(); }, longest);
+  }
+  /// The texts of a column of all patients, from the top down.
+  QStringList patients(int column = 0) {
+    QStringList texts;
+    const QAbstractItemModel* model = tree()->model();
+    for (int n = 0; n < model->rowCount(); ++n)
+      if (model->index(n, 0).data().toString() != QStringLiteral("Opened last"))
+        texts << model->index(n, column).data().toString();
+    return texts;
+  }
+  bool shows(const QStringList& names) {
+    return QTest::qWaitFor([&] { return patients() == names; }, longest);
+  }
+
+  void click(const QModelIndex& index, Qt::KeyboardModifiers modifiers = {}) {
+    tree()->scrollTo(index);
+    QTest::mouseClick(tree()->viewport(), Qt::LeftButton, modifiers, tree()->visualRect(index).center());
+  }
+  void doubleClick(const QModelIndex& index) {
+    click(index);
+    QTest::mouseDClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualRect(index).center());
+  }
+  /// Waits until a view, or the one in focus, shows a series of this description.
+  bool isShown(const char* description, std::optional<ViewId> view = {}) {
+    return QTest::qWaitFor(
+        [&] {
+          const Session& session = window.session();
+          const ShownSeriesPtr shown = session.seriesOf(view.value_or(session.workspace().focus));
+          return shown && shown->series.description == description;
+        },
+        longest);
+  }
+};
+
+}  // namespace volumen::tests

@@ -1,0 +1,430 @@
+// Guards the study browser of the window, by real events: list, search, order, thumbnails, opening, patients
+// apart, removing, keys, hidden names.
+#include <QDropEvent>
+#include <QHeaderView>
+#include <QMenu>
+#include <QMimeData>
+#include <QUndoStack>
+
+#include "tests/ui/browser_window.h"
+#include "tests/unit/suite.h"
+#include "ui/views/slice_view.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/text.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+const QString doe = QStringLiteral("Doe, Jane"), mueller = QStringLiteral("Müller, Jörg"),
+              yamada = QStringLiteral("Yamada, Tarou  山田 太郎");
+
+}  // namespace
+
+class TestBrowser : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase();
+  void init();
+  void cleanup();
+  void theListStandsInPlaceOfAnEmptyWindow();
+  void oneSearchesWhileTyping_data();
+  void oneSearchesWhileTyping();
+  void everyColumnSorts_data();
+  void everyColumnSorts();
+  void theSeriesOfAStudyHaveThumbnails();
+  void aStudyIsOpened_data();
+  void aStudyIsOpened();
+  void aSeriesIsDraggedIntoAView_data();
+  void aSeriesIsDraggedIntoAView();
+  void anotherPatientTakesThePlace();
+  void patientsBesideEachOtherAreNamed();
+  void whatWasOpenedLastStandsFirst();
+  void studiesAreRemovedAndComeBack();
+  void typingInTheListSearches();
+  void theMenuOpensAndRemoves();
+  void hiddenNamesAreHiddenHereToo();
+  void theListIsHiddenAndShown();
+
+ private:
+  std::unique_ptr<Studies> studies_;
+};
+
+void TestBrowser::initTestCase() { openAlone(); }
+
+void TestBrowser::init() {
+  studies_ = std::make_unique<Studies>();
+  QVERIFY(studies_->import());
+}
+
+void TestBrowser::cleanup() { hideNames(false); }
+
+void TestBrowser::theListStandsInPlaceOfAnEmptyWindow() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.shows({doe, mueller, yamada}));
+  QVERIFY(w.child<QWidget>("studyBrowser")->isVisible());
+  QVERIFY(!w.child<QWidget>("startPage")->isVisible());
+  QCOMPARE(w.patients(1), texts({"A111", "B222", "C333"}));
+  QCOMPARE(w.patients(2), texts({"2024-03-10", "2023-01-05", "2022-06-02"}));
+  QCOMPARE(w.patients(4), texts({"2 studies", "Abdomen", "Knee"}));
+  QCOMPARE(w.patients(5)[2], QStringLiteral("20"));
+  // Studies below their patient, series below their study once it is opened there.
+  const QModelIndex head = w.row("Head", 4);
+  QVERIFY(head.parent().isValid());
+  w.tree()->setExpanded(head, true);
+  QVERIFY(w.has("Soft tissue", 4));
+  QCOMPARE(w.row("Soft tissue", 4).parent(), w.row("Head", 4));
+}
+
+void TestBrowser::oneSearchesWhileTyping_data() {
+  QTest::addColumn<QString>("words");
+  QTest::addColumn<QStringList>("found");
+  QTest::newRow("part of a name") << QStringLiteral("jan") << QStringList{doe};
+  QTest::newRow("without accents") << QStringLiteral("muller") << QStringList{mueller};
+  QTest::newRow("in another script") << QStringLiteral("山田") << QStringList{yamada};
+  QTest::newRow("ID") << QStringLiteral("b222") << QStringList{mueller};
+  QTest::newRow("date") << QStringLiteral("2022-06") << QStringList{yamada};
+  QTest::newRow("modality") << QStringLiteral("ct ja") << QStringList{doe};
+  // Of Doe's studies only the older one has it.
+  QTest::newRow("another modality") << QStringLiteral("ot") << QStringList({mueller, yamada, doe});
+  QTest::newRow("description of the study") << QStringLiteral("abdomen") << QStringList{mueller};
+  QTest::newRow("description of a series") << QStringLiteral("tissue") << QStringList{doe};
+  QTest::newRow("all words") << QStringLiteral("jane follow") << QStringList{doe};
+  QTest::newRow("not all words") << QStringLiteral("jane abdomen") << QStringList();
+}
+
+void TestBrowser::oneSearchesWhileTyping() {
+  QFETCH(QString, words);
+  QFETCH(QStringList, found);
+  BrowserWindow w(*studies_);
+  QVERIFY(w.shows({doe, mueller, yamada}));
+  w.search()->setFocus();
+  // Something else first, so that all of them is an answer, too.
+  QTest::keyClicks(w.search(), QStringLiteral("zzz"));
+  QVERIFY(w.shows({}));
+  QCOMPARE(w.notice(), QStringLiteral("No study has all of these words."));
+  w.search()->selectAll();
+  if (QString::fromLatin1(words.toLatin1()) == words)
+    QTest::keyClicks(w.search(), words);
+  else
+    w.search()->insert(words);  // no key has these
+  QVERIFY2(w.shows(found), qPrintable(w.patients().join(QLatin1Char('|'))));
+  QTest::keyClick(w.search(), Qt::Key_Escape);
+  QVERIFY(w.search()->text().isEmpty());
+  QVERIFY(w.shows({doe, mueller, yamada}));
+}
+
+void TestBrowser::everyColumnSorts_data() {
+  QTest::addColumn<int>("column");
+  QTest::addColumn<QStringList>("ascending");
+  QTest::newRow("name") << 0 << QStringList({doe, mueller, yamada});
+  QTest::newRow("ID") << 1 << QStringList({doe, mueller, yamada});
+  QTest::newRow("date of the latest study") << 2 << QStringList({yamada, mueller, doe});
+  QTest::newRow("modality, those alike by date") << 3 << QStringList({doe, mueller, yamada});
+  QTest::newRow("description") << 4 << QStringList({mueller, doe, yamada});
+  QTest::newRow("images") << 5 << QStringList({mueller, yamada, doe});
+}
+
+void TestBrowser::everyColumnSorts() {
+  QFETCH(int, column);
+  QFETCH(QStringList, ascending);
+  BrowserWindow w(*studies_);
+  QVERIFY(w.shows({doe, mueller, yamada}));
+  QHeaderView* header = w.tree()->header();
+  const auto click = [&] {
+    QTest::mouseClick(header->viewport(), Qt::LeftButton, {},
+                      {header->sectionViewportPosition(column) + 10, header->height() / 2});
+  };
+  while (header->sortIndicatorSection() != column || header->sortIndicatorOrder() != Qt::AscendingOrder)
+    click();
+  QVERIFY2(w.shows(ascending), qPrintable(w.patients().join(QLatin1Char('|'))));
+  click();
+  if (column == 3)
+    ascending = {mueller, yamada, doe};
+  else
+    std::ranges::reverse(ascending);
+  QVERIFY2(w.shows(ascending), qPrintable(w.patients().join(QLatin1Char('|'))));
+}
+
+void TestBrowser::theSeriesOfAStudyHaveThumbnails() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.has("Head", 4));
+  w.click(w.row("Head", 4));
+  QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 2, longest);
+  const auto isLit = [&](int n) {
+    const QImage icon = w.strip()->item(n)->icon().pixmap(72, 72).toImage();
+    int lit = 0;
+    for (int y = 0; y < icon.height(); ++y)
+      for (int x = 0; x < icon.width(); ++x)
+        lit += qAlpha(icon.pixel(x, y)) > 128 && qGray(icon.pixel(x, y)) > 60;
+    return lit > 200;
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(isLit(0) && isLit(1), longest);
+  const QStringList texts{w.strip()->item(0)->text(), w.strip()->item(1)->text()};
+  QVERIFY2(texts.filter(QStringLiteral("Soft tissue")).size() == 1, qPrintable(texts.join(QLatin1Char('|'))));
+  QVERIFY(texts[0].contains(QStringLiteral("images")));
+  // Of another study those of that one.
+  w.click(w.row("Abdomen", 4));
+  QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 1, longest);
+  QVERIFY(w.strip()->item(0)->text().contains(QStringLiteral("Venous")));
+  w.shot("browser");
+}
+
+void TestBrowser::aStudyIsOpened_data() {
+  QTest::addColumn<QString>("how");
+  QTest::addColumn<QByteArray>("shown");
+  QTest::newRow("double-click on a study: the largest series")
+      << QStringLiteral("study") << QByteArray("Bone");
+  QTest::newRow("double-click on a series in the tree")
+      << QStringLiteral("series") << QByteArray("Soft tissue");
+  QTest::newRow("double-click on a thumbnail") << QStringLiteral("thumbnail") << QByteArray("Soft tissue");
+  QTest::newRow("Enter in the list") << QStringLiteral("enter") << QByteArray("Bone");
+  QTest::newRow("Enter in the search field") << QStringLiteral("search") << QByteArray("Venous");
+  QTest::newRow("double-click on a patient with one study")
+      << QStringLiteral("patient") << QByteArray("Venous");
+}
+
+void TestBrowser::aStudyIsOpened() {
+  QFETCH(QString, how);
+  QFETCH(QByteArray, shown);
+  BrowserWindow w(*studies_);
+  QVERIFY(w.has("Head", 4));
+  w.click(w.row("Head", 4));
+  QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 2, longest);
+  if (how == QStringLiteral("study")) w.doubleClick(w.row("Head", 4));
+  if (how == QStringLiteral("patient")) w.doubleClick(w.row("Müller"));
+  if (how == QStringLiteral("enter")) QTest::keyClick(w.tree(), Qt::Key_Return);
+  if (how == QStringLiteral("series")) {
+    w.tree()->setExpanded(w.row("Head", 4), true);
+    QVERIFY(w.has("Soft tissue", 4));
+    w.doubleClick(w.row("Soft tissue", 4));
+  }
+  if (how == QStringLiteral("thumbnail")) {
+    QListWidgetItem* item = w.strip()->findItems(QStringLiteral("Soft"), Qt::MatchContains).value(0);
+    const QPoint at = w.strip()->visualItemRect(item).center();
+    QTest::mouseClick(w.strip()->viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(w.strip()->viewport(), Qt::LeftButton, {}, at);
+  }
+  if (how == QStringLiteral("search")) {
+    QTest::keyClicks(w.search(), QStringLiteral("abdomen"));
+    QVERIFY(w.shows({mueller}));
+    QTest::keyClick(w.search(), Qt::Key_Return);
+  }
+  QVERIFY(w.isShown(shown.constData()));
+  QVERIFY(!w.child<QWidget>("studyBrowser")->isVisible());
+  QVERIFY(w.window.views()->isVisible());
+}
+
+void TestBrowser::aSeriesIsDraggedIntoAView_data() {
+  QTest::addColumn<bool>("fromTree");
+  QTest::newRow("from the tree") << true;
+  QTest::newRow("from the thumbnails") << false;
+}
+
+void TestBrowser::aSeriesIsDraggedIntoAView() {
+  QFETCH(bool, fromTree);
+  BrowserWindow w(*studies_);
+  QVERIFY(w.has("Head", 4));
+  w.doubleClick(w.row("Head", 4));
+  QVERIFY(w.isShown("Bone"));
+  w.child<QAction>("layoutTwo")->trigger();
+  w.child<QAction>("showBrowser")->trigger();
+  QVERIFY(w.tree()->isVisible() && w.window.views()->isVisible());
+  w.click(w.row("Head", 4));
+  QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 2, longest);
+  w.tree()->setExpanded(w.row("Head", 4), true);
+  QVERIFY(w.has("Soft tissue", 4));
+  QListWidgetItem* item = w.strip()->findItems(QStringLiteral("Soft"), Qt::MatchContains).value(0);
+  const QModelIndex dragged =
+      fromTree ? w.row("Soft tissue", 4) : w.strip()->model()->index(w.strip()->row(item), 0);
+  const QAbstractItemModel* model = dragged.model();
+  QVERIFY(model->flags(dragged) & Qt::ItemIsDragEnabled);
+  const std::unique_ptr<QMimeData> data(model->mimeData({dragged}));
+  QVERIFY(data);
+  View* right = w.window.views()->viewOf(firstComparedId + 1);
+  QDragEnterEvent enter({20, 20}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+  QCoreApplication::sendEvent(right, &enter);
+  QVERIFY(enter.isAccepted());
+  QDropEvent drop({20, 20}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+  QCoreApplication::sendEvent(right, &drop);
+  QVERIFY(w.isShown("Soft tissue", firstComparedId + 1));
+  QVERIFY(w.isShown("Bone", firstComparedId));
+  QVERIFY2(w.tree()->isVisible(), "the list stays for the next one");
+  w.shot("browser-above");
+}
+
+void TestBrowser::anotherPatientTakesThePlace() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.has("Head", 4));
+  w.doubleClick(w.row("Head", 4));
+  QVERIFY(w.isShown("Bone"));
+  w.child<QAction>("layoutTwo")->trigger();
+  w.child<QAction>("showBrowser")->trigger();
+  w.doubleClick(w.row("Müller"));
+  QVERIFY(w.isShown("Venous"));
+  for (ViewId id = 0; id < viewCount; ++id) {
+    const Series* series = seriesIn(w.window.session().workspace(), id);
+    QVERIFY(!series || series->patientId == "B222");
+  }
+  QVERIFY(!w.child<QWidget>("patientsBar")->isVisible());
+  // Nothing is lost: it stands in the list of what is open, and undo shows it again.
+  QUndoStack& steps = w.window.session().undoStack();
+  while (steps.canUndo() && !seriesIn(w.window.session().workspace(), firstComparedId))
+    w.child<QAction>("undo")->trigger();
+  QVERIFY(w.isShown("Bone", firstComparedId));
+}
+
+void TestBrowser::patientsBesideEachOtherAreNamed() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.has("Head", 4));
+  w.doubleClick(w.row("Head", 4));
+  QVERIFY(w.isShown("Bone"));
+  w.child<QAction>("showBrowser")->trigger();
+  w.click(w.row("Müller"));
+  QTest::keyClick(w.tree(), Qt::Key_Return, Qt::ControlModifier);
+  QVERIFY(w.isShown("Venous", firstComparedId + 1));
+  QVERIFY(w.isShown("Bone", firstComparedId));
+  auto* bar = w.child<QLabel>("patientsBar");
+  QTRY_VERIFY(bar->isVisible());
+  QCOMPARE(bar->text(),
+           QStringLiteral("The views show different patients: Doe, Jane (A111) and Müller, Jörg (B222)."));
+  w.shot("browser-patients");
+  w.child<QAction>("hideNames")->trigger();
+  QCOMPARE(bar->text(), QStringLiteral("The views show 2 different patients."));
+  w.child<QAction>("hideNames")->trigger();
+  w.child<QAction>("layoutOne")->trigger();
+  QVERIFY2(!bar->isVisible(), "what is not on screen is not mixed");
+}
+
+void TestBrowser::whatWasOpenedLastStandsFirst() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.has("Head", 4));
+  w.doubleClick(w.row("Knee", 4));
+  QVERIFY(w.isShown("Sagittal"));
+  w.child<QAction>("showBrowser")->trigger();
+  QVERIFY(w.has("Opened last"));
+  const QModelIndex group = w.row("Opened last");
+  QCOMPARE(group.row(), 0);
+  QCOMPARE(w.tree()->model()->rowCount(group), 1);
+  QCOMPARE(w.tree()->model()->index(0, 0, group).data().toString(), yamada);
+  QVERIFY(w.tree()->isExpanded(group));
+  // A search is for all of them.
+  QTest::keyClicks(w.search(), QStringLiteral("knee"));
+  QTRY_COMPARE_WITH_TIMEOUT(w.tree()->model()->rowCount(), 1, longest);
+  QCOMPARE(w.patients(), QStringList{yamada});
+}
+
+void TestBrowser::studiesAreRemovedAndComeBack() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.shows({doe, mueller, yamada}));
+  w.click(w.row("Müller"));
+  w.click(w.row("Yamada"), Qt::ControlModifier);
+  QTest::keyClick(w.tree(), Qt::Key_Delete);
+  QVERIFY(w.shows({doe}));
+  QCOMPARE(w.child<QLabel>("removedText")->text(),
+           QStringLiteral("2 studies removed from the list. Their files stay where they are."));
+  w.shot("browser-removed");
+  QVERIFY(QFileInfo::exists(studies_->data + QStringLiteral("/mueller")));
+  QTest::mouseClick(w.child<QPushButton>("undoRemove"), Qt::LeftButton);
+  QVERIFY(w.shows({doe, mueller, yamada}));
+  QVERIFY(!w.child<QWidget>("removedBar")->isVisible());
+  // A patient with all studies.
+  w.click(w.row("Doe"));
+  QTest::keyClick(w.tree(), Qt::Key_Delete);
+  QVERIFY(w.shows({mueller, yamada}));
+  QVERIFY(w.child<QLabel>("removedText")->text().startsWith(QStringLiteral("2 studies removed")));
+}
+
+void TestBrowser::typingInTheListSearches() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.shows({doe, mueller, yamada}));
+  w.click(w.row("Doe"));
+  QVERIFY(w.tree()->hasFocus());
+  // A would choose the anterior view.
+  QTest::keyClicks(w.tree(), QStringLiteral("a"));
+  QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("bdo"));
+  QCOMPARE(w.search()->text(), QStringLiteral("abdo"));
+  QVERIFY(w.shows({mueller}));
+  QTest::keyClick(w.search(), Qt::Key_Down);
+  QVERIFY(w.tree()->hasFocus());
+  QVERIFY(w.tree()->currentIndex().isValid());
+  QTest::keyClick(w.tree(), Qt::Key_Escape);
+  QVERIFY(w.search()->text().isEmpty());
+  QVERIFY(w.shows({doe, mueller, yamada}));
+  w.child<QAction>("findStudy")->trigger();
+  QVERIFY(w.search()->hasFocus());
+}
+
+void TestBrowser::theMenuOpensAndRemoves() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.shows({doe, mueller, yamada}));
+  const auto choose = [&](const char* entry) {
+    const QPoint at = w.tree()->visualRect(w.row("Müller")).center();
+    QTest::mouseClick(w.tree()->viewport(), Qt::RightButton, {}, at);
+    QContextMenuEvent event(QContextMenuEvent::Mouse, at, w.tree()->viewport()->mapToGlobal(at));
+    QCoreApplication::sendEvent(w.tree()->viewport(), &event);
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    QVERIFY(menu && menu->objectName() == QStringLiteral("browserMenu"));
+    for (QAction* action : menu->actions())
+      if (action->text() == QLatin1String(entry))
+        return QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+    QFAIL(entry);
+  };
+  choose("Remove from list");
+  QVERIFY(w.shows({doe, yamada}));
+  QTest::mouseClick(w.child<QPushButton>("undoRemove"), Qt::LeftButton);
+  QVERIFY(w.shows({doe, mueller, yamada}));
+  choose("Open");
+  QVERIFY(w.isShown("Venous"));
+}
+
+void TestBrowser::hiddenNamesAreHiddenHereToo() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.shows({doe, mueller, yamada}));
+  w.tree()->expandAll();
+  QVERIFY(w.has("Soft tissue", 4));
+  w.child<QAction>("hideNames")->trigger();
+  w.shot("browser-hidden");
+  const QAbstractItemModel* model = w.tree()->model();
+  QStringList seen;
+  const std::function<void(const QModelIndex&)> read = [&](const QModelIndex& parent) {
+    for (int n = 0; n < model->rowCount(parent); ++n) {
+      for (int column = 0; column < model->columnCount(); ++column)
+        for (const int role : {int(Qt::DisplayRole), int(Qt::ToolTipRole)})
+          seen << model->index(n, column, parent).data(role).toString();
+      read(model->index(n, 0, parent));
+    }
+  };
+  read({});
+  for (int n = 0; n < w.strip()->count(); ++n)
+    seen << w.strip()->item(n)->text() << w.strip()->item(n)->toolTip();
+  const QString all = seen.join(QLatin1Char('\n'));
+  QVERIFY(all.contains(QStringLiteral("(name hidden)")) && all.contains(QStringLiteral("(ID hidden)")));
+  QVERIFY(all.contains(QStringLiteral("(date hidden)")));
+  for (const char* secret : {"Doe", "Jane", "山田", "A111", "B222", "2024", "2019"})
+    QVERIFY2(!all.contains(QString::fromUtf8(secret)), secret);
+  w.child<QAction>("hideNames")->trigger();
+  QCOMPARE(w.patients(), QStringList({doe, mueller, yamada}));
+}
+
+void TestBrowser::theListIsHiddenAndShown() {
+  BrowserWindow w(*studies_, {QStringLiteral("phantom:sphere:16")});
+  QVERIFY(w.settle());
+  auto* browser = w.child<QWidget>("studyBrowser");
+  QVERIFY(!browser->isVisible());
+  QTest::keyClick(&w.window, Qt::Key_B, Qt::ControlModifier);
+  QTRY_VERIFY(browser->isVisible());
+  QVERIFY(w.window.views()->isVisible());
+  QVERIFY(w.shows({doe, mueller, yamada}));
+  QTest::mouseClick(w.child<QWidget>("browserHide"), Qt::LeftButton);
+  QVERIFY(!browser->isVisible());
+  w.child<QAction>("showBrowser")->trigger();
+  w.child<QAction>("maximise")->trigger();
+  QVERIFY2(!browser->isVisible(), "one view alone is alone");
+  w.child<QAction>("maximise")->trigger();
+  QVERIFY(browser->isVisible());
+}
+
+VOLUMEN_TEST(TestBrowser);
+#include "tst_browser.moc"

@@ -1,0 +1,307 @@
+#include "ui/panels/study_browser.h"
+
+#include <QDragEnterEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTreeView>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/panels/series_strip.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int askAfterMs = 60;          // the last key
+constexpr std::size_t shortList = 100;  // patients whose studies are shown without a click
+
+QStringList localFiles(const QMimeData& data) {
+  QStringList paths;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  return paths;
+}
+
+bool isReturn(const QKeyEvent& event) {
+  return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+}
+
+}  // namespace
+
+StudyBrowser::StudyBrowser(IndexService& service, QWidget* parent)
+    : QWidget(parent),
+      service_(service),
+      model_(new StudyModel(this)),
+      search_(new QLineEdit),
+      tree_(new QTreeView),
+      strip_(new SeriesStrip),
+      notice_(new QLabel),
+      removedBar_(new QFrame),
+      removedText_(new QLabel),
+      undo_(new QPushButton(tr("Undo"))) {
+  setObjectName(QStringLiteral("studyBrowser"));
+  setAcceptDrops(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(6);
+  makeSearchRow();
+  makeNotice();
+  makeTree();
+  makeRemovedBar();
+  column->addWidget(tree_, 1);
+  column->addWidget(strip_);
+  column->addWidget(removedBar_);
+  for (QWidget* watched :
+       {static_cast<QWidget*>(search_), static_cast<QWidget*>(tree_), static_cast<QWidget*>(strip_)})
+    watched->installEventFilter(this);
+  ask_.setSingleShot(true);
+  ask_.setInterval(askAfterMs);
+  connect(&ask_, &QTimer::timeout, this, &StudyBrowser::ask);
+  connect(search_, &QLineEdit::textChanged, &ask_, qOverload<>(&QTimer::start));
+  connectService();
+  setFocusProxy(tree_);
+  setTabOrder(search_, tree_);
+  setTabOrder(tree_, strip_);
+}
+
+void StudyBrowser::connectService() {
+  connect(&service_, &IndexService::listed, this, &StudyBrowser::showList);
+  connect(&service_, &IndexService::changed, &ask_, qOverload<>(&QTimer::start));
+  connect(&service_, &IndexService::unavailable, this, [this](const QString& sentence) {
+    setUsable(false);
+    showNotice(tr("The list of studies cannot be used: %1").arg(sentence));
+  });
+  connect(&service_, &IndexService::seriesListed, this, [this](qint64 study, const SeriesListPtr& series) {
+    model_->setSeries(study, series);
+    if (study == strip_->study()) strip_->showStudy(study, series);
+  });
+  connect(model_, &StudyModel::seriesWanted, &service_, &IndexService::series);
+  connect(strip_, &SeriesStrip::thumbnailsWanted, &service_, &IndexService::wantThumbnails);
+  connect(&service_, &IndexService::thumbnailMade, strip_, &SeriesStrip::setThumbnail);
+}
+
+void StudyBrowser::refresh() { ask(); }
+
+void StudyBrowser::ask() {
+  ask_.stop();
+  askedWords_ = search_->text().trimmed().toStdString();
+  service_.list({askedWords_, sort_});
+}
+
+// What was chosen and open stays so; the studies of a short list are shown.
+void StudyBrowser::showList(const StudyListPtr& list) {
+  setUsable(true);
+  const TreeState before = treeState(std::exchange(shownWords_, askedWords_) == askedWords_);
+  model_->setList(list, sort_);
+  restore(before);
+  showSeriesOf(tree_->currentIndex());
+  if (!list->patients.empty())
+    showNotice({});
+  else if (shownWords_.empty())
+    showNotice(
+        tr("No studies yet. Import a folder, or drop one here: it is read into this list, and the files "
+           "stay where they are."));
+  else
+    showNotice(tr("No study has all of these words."));
+  Q_EMIT listChanged();
+}
+
+void StudyBrowser::setUsable(bool usable) {
+  search_->setEnabled(usable);
+  tree_->setEnabled(usable);
+  strip_->setEnabled(usable);
+}
+
+StudyBrowser::TreeState StudyBrowser::treeState(bool isSameSearch) const {
+  TreeState state;
+  state.current = model_->keyOf(tree_->currentIndex());
+  for (const QModelIndex& index : tree_->selectionModel()->selectedRows())
+    state.selected.insert(model_->keyOf(index));
+  if (!isSameSearch) return state;
+  state.scrolled = tree_->verticalScrollBar()->value();
+  const bool isShort = model_->list().patients.size() <= shortList;
+  for (int top = 0; top < model_->rowCount(); ++top) {
+    const QModelIndex index = model_->index(top, 0);
+    const bool isOpen = tree_->isExpanded(index);
+    if (!isOpen && (isShort || model_->isRecentGroup(index))) state.collapsed.insert(model_->keyOf(index));
+    if (!isOpen) continue;
+    state.expanded.insert(model_->keyOf(index));
+    for (int n = 0; n < model_->rowCount(index); ++n)
+      if (tree_->isExpanded(model_->index(n, 0, index)))
+        state.expanded.insert(model_->keyOf(model_->index(n, 0, index)));
+  }
+  return state;
+}
+
+void StudyBrowser::restore(const TreeState& state) {
+  const bool isShort = model_->list().patients.size() <= shortList;
+  for (int top = 0; top < (isShort ? model_->rowCount() : 1); ++top) {
+    const QModelIndex index = model_->index(top, 0);
+    if ((isShort || model_->isRecentGroup(index)) && !state.collapsed.contains(model_->keyOf(index)))
+      tree_->setExpanded(index, true);
+  }
+  for (const StudyRowKey& key : state.expanded) tree_->setExpanded(model_->indexOf(key), true);
+  QItemSelectionModel* selection = tree_->selectionModel();
+  QModelIndex current = model_->indexOf(state.current);
+  if (!current.isValid()) current = model_->firstPatient();
+  tree_->setAutoScroll(false);  // the list stays where it was
+  selection->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
+  tree_->setAutoScroll(true);
+  const auto select = [&](const QModelIndex& index) {
+    if (index.isValid()) selection->select(index, QItemSelectionModel::Select | QItemSelectionModel::Rows);
+  };
+  for (const StudyRowKey& key : state.selected) select(model_->indexOf(key));
+  if (!selection->hasSelection()) select(current);
+  tree_->visualRect(current);  // lays the rows out, so that there is something to scroll
+  tree_->verticalScrollBar()->setValue(state.scrolled);
+}
+
+// Of a patient those of the study that stands first.
+void StudyBrowser::showSeriesOf(const QModelIndex& index) {
+  const IndexedStudy* study = model_->studyAt(index);
+  if (!study && index.isValid()) study = model_->studyAt(model_->index(0, 0, index.siblingAtColumn(0)));
+  if (!study) return strip_->showStudy(0, nullptr);
+  if (study->id == strip_->study()) return;
+  strip_->showStudy(study->id, nullptr);
+  service_.series(study->id);
+}
+
+void StudyBrowser::showNotice(const QString& sentence) {
+  notice_->setText(sentence);
+  notice_->setVisible(!sentence.isEmpty());
+}
+
+void StudyBrowser::showNames() {
+  model_->showNames();
+  strip_->showNames();
+}
+
+void StudyBrowser::startSearch() {
+  search_->setFocus();
+  search_->selectAll();
+}
+
+// A patient of several studies, or a group, is opened in the tree alone.
+void StudyBrowser::activate(const QModelIndex& index) {
+  if (!model_->studyAt(index)) return tree_->setExpanded(index, !tree_->isExpanded(index));
+  const IndexedSeries* series = model_->seriesAt(index);
+  open(model_->choiceAt(index), series ? series->offline : model_->studyAt(index)->offline, false);
+}
+
+void StudyBrowser::open(const IndexedChoice& choice, bool isOffline, bool beside) {
+  if (choice.study == 0) return;
+  if (isOffline) return Q_EMIT offlineRequested();
+  Q_EMIT openRequested(choice, beside);
+}
+
+// Of a patient the study that stands first.
+void StudyBrowser::openCurrent(bool beside) {
+  QModelIndex index = tree_->currentIndex().siblingAtColumn(0);
+  if (!model_->studyAt(index) && index.isValid()) index = model_->index(0, 0, index);
+  if (const IndexedStudy* study = model_->studyAt(index)) {
+    const IndexedSeries* series = model_->seriesAt(index);
+    open(model_->choiceAt(index), series ? series->offline : study->offline, beside);
+  }
+}
+
+void StudyBrowser::removeChosen() {
+  std::vector<std::int64_t> studies;
+  for (const QModelIndex& index : tree_->selectionModel()->selectedRows())
+    for (const std::int64_t study : model_->studiesOf(index))
+      if (std::ranges::find(studies, study) == studies.end()) studies.push_back(study);
+  undo_->setVisible(!studies.empty());
+  removedBar_->show();
+  if (studies.empty())
+    return removedText_->setText(tr("Choose a study or a patient to remove from the list."));
+  removedText_->setText(
+      studies.size() == 1
+          ? tr("1 study removed from the list. Its files stay where they are.")
+          : tr("%1 studies removed from the list. Their files stay where they are.").arg(studies.size()));
+  removed_ = studies;
+  service_.remove(studies);
+}
+
+void StudyBrowser::showMenu(QWidget* from, QPoint position) {
+  const QListWidgetItem* item = from == strip_ ? strip_->itemAt(position) : nullptr;
+  const QModelIndex index = from == tree_ ? tree_->indexAt(position).siblingAtColumn(0) : QModelIndex();
+  const IndexedSeries* series = item ? strip_->seriesOf(item) : model_->seriesAt(index);
+  const IndexedChoice choice = item ? strip_->choiceOf(item) : model_->choiceAt(index);
+  if (!item && !index.isValid()) return;
+  const IndexedStudy* study = model_->studyAt(index);
+  const bool isOffline = series ? series->offline : study && study->offline;
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("browserMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (choice.study != 0)
+    for (const bool beside : {false, true})
+      menu->addAction(beside ? tr("Open beside") : tr("Open"), this,
+                      [this, choice, isOffline, beside] { open(choice, isOffline, beside); });
+  if (!model_->studiesOf(index).empty())
+    menu->addAction(tr("Remove from list"), this, &StudyBrowser::removeChosen);
+  if (menu->isEmpty()) return menu->deleteLater();
+  menu->popup(from->mapToGlobal(position));
+}
+
+bool StudyBrowser::eventFilter(QObject* watched, QEvent* event) {
+  const bool isPress = event->type() == QEvent::KeyPress;
+  if (!isPress && event->type() != QEvent::ShortcutOverride) return QWidget::eventFilter(watched, event);
+  auto* key = static_cast<QKeyEvent*>(event);
+  return watched == search_ ? isPress && searchKey(key) : listKey(watched, key, isPress);
+}
+
+bool StudyBrowser::searchKey(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && !search_->text().isEmpty()) {
+    search_->clear();
+    return true;
+  }
+  if (event->key() == Qt::Key_Down) {
+    tree_->setFocus();
+    return true;
+  }
+  if (!isReturn(*event)) return false;
+  openCurrent(event->modifiers() & Qt::ControlModifier);
+  return true;
+}
+
+// What is typed in a list is searched for; as a shortcut of the window it means nothing there.
+bool StudyBrowser::listKey(QObject* watched, QKeyEvent* event, bool isPress) {
+  const bool hasModifier = event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
+  const bool isTyped = !hasModifier && !event->text().isEmpty() && event->text().front().isPrint() &&
+                       !event->text().front().isSpace();
+  const bool isBeside = isReturn(*event) && event->modifiers() & Qt::ControlModifier;
+  const bool isOwn = isTyped || isBeside || event->key() == Qt::Key_Escape || event->key() == Qt::Key_Delete;
+  if (!isOwn) return false;
+  event->accept();
+  if (!isPress) return true;
+  if (event->key() == Qt::Key_Escape)
+    search_->clear();
+  else if (event->key() == Qt::Key_Delete && watched == tree_)
+    removeChosen();
+  else if (isBeside && watched == strip_)
+    open(strip_->choiceOf(strip_->currentItem()), false, true);
+  else if (isBeside)
+    openCurrent(true);
+  else if (isTyped) {
+    search_->setFocus();
+    search_->insert(event->text());
+  }
+  return true;
+}
+
+// What is dropped on the list is imported; anywhere else it is opened.
+void StudyBrowser::dragEnterEvent(QDragEnterEvent* event) {
+  if (!localFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void StudyBrowser::dropEvent(QDropEvent* event) {
+  service_.import(localFiles(*event->mimeData()));
+  event->acceptProposedAction();
+}
+
+}  // namespace volumen

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <set>
+
+#include "ui/controller/index_service.h"
+#include "ui/panels/study_model.h"
+
+class QFrame;
+class QLabel;
+class QLineEdit;
+class QListWidgetItem;
+class QPushButton;
+class QTreeView;
+
+namespace volumen {
+
+class SeriesStrip;
+
+/// The studies of the index: patients, studies and series in a tree that is searched as one types and sorted
+/// by its columns, and the series of the chosen study as thumbnails. Asks the service for everything; what it
+/// knows is the last answer.
+class StudyBrowser : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StudyBrowser(IndexService& service, QWidget* parent = nullptr);
+
+  /// Reads the list again: other programs may have changed it.
+  void refresh();
+  /// Writes all again, after names were hidden or shown.
+  void showNames();
+  /// Puts the cursor into the search field.
+  void startSearch();
+  bool isEmpty() const { return model_->list().patients.empty() && shownWords_.empty(); }
+
+ Q_SIGNALS:
+  /// `beside`: what is on screen stays.
+  void openRequested(const volumen::IndexedChoice& choice, bool beside);
+  /// A study or series that cannot be opened, as its files are not there.
+  void offlineRequested();
+  void importRequested();
+  void hideRequested();
+  /// The list was read.
+  void listChanged();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent*) override;
+  void dropEvent(QDropEvent*) override;
+
+ private:
+  // What of the tree stays when the list is read again.
+  struct TreeState {
+    std::set<StudyRowKey> expanded, collapsed, selected;
+    StudyRowKey current;
+    int scrolled = 0;
+  };
+
+  void makeSearchRow();
+  void makeTree();
+  void makeRemovedBar();
+  void makeNotice();
+  void connectService();
+  void ask();
+  void showList(const StudyListPtr& list);
+  void setUsable(bool usable);
+  TreeState treeState(bool isSameSearch) const;
+  void restore(const TreeState& state);
+  void showSeriesOf(const QModelIndex& index);
+  void showNotice(const QString& sentence);
+  void activate(const QModelIndex& index);
+  void open(const IndexedChoice& choice, bool isOffline, bool beside);
+  void openCurrent(bool beside);
+  void removeChosen();
+  void showMenu(QWidget* from, QPoint position);
+  bool searchKey(QKeyEvent* event);
+  bool listKey(QObject* watched, QKeyEvent* event, bool isPress);
+
+  IndexService& service_;
+  StudyModel* model_;
+  QLineEdit* search_;
+  QTreeView* tree_;
+  SeriesStrip* strip_;
+  QLabel* notice_;
+  QFrame* removedBar_;
+  QLabel* removedText_;
+  QPushButton* undo_;
+  QTimer ask_;
+  StudySort sort_;
+  std::string askedWords_, shownWords_;
+  std::vector<std::int64_t> removed_;  // by the last step
+};
+
+}  // namespace volumen

@@ -1,0 +1,325 @@
+#include "ui/panels/study_model.h"
+
+#include <QGuiApplication>
+#include <QLocale>
+#include <QMimeData>
+#include <QPalette>
+#include <algorithm>
+
+#include "ui/panels/studies_panel.h"
+#include "ui/workspace/indexed_text.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+// Where a row stands: of a group or patient `top`, of a study `study` below it. In the 64 bits of an index.
+enum class RowKind : quintptr { top, study, series };
+
+quintptr packed(RowKind kind, int top = 0, int study = 0) {
+  return quintptr(kind) | quintptr(top) << 2 | quintptr(study) << 34;
+}
+RowKind kindOf(const QModelIndex& index) { return RowKind(index.internalId() & 3); }
+int topOf(const QModelIndex& index) { return int(index.internalId() >> 2 & 0xffffffffu); }
+int studyOf(const QModelIndex& index) { return int(index.internalId() >> 34); }
+
+constexpr const char* choicePrefix = "index:";
+
+QString marked(bool hasWarnings, const QString& text) {
+  return hasWarnings ? QStringLiteral("! ") + text : text;
+}
+
+QString studyCell(const IndexedStudy& study, StudyColumn column) {
+  switch (column) {
+    case StudyColumn::name:
+      return marked(study.warnings > 0, nameText(study.patientName));
+    case StudyColumn::id:
+      return idText(study.patientId);
+    case StudyColumn::date:
+      return dateText(study.date);
+    case StudyColumn::modality:
+      return shownText(study.modalities);
+    case StudyColumn::description:
+      return shownText(study.description);
+    case StudyColumn::images:
+      break;
+  }
+  return QLocale().toString(study.images);
+}
+
+QString seriesCell(const IndexedSeries& series, StudyColumn column) {
+  switch (column) {
+    case StudyColumn::name:
+      return marked(!series.warnings.empty(), seriesNameText(series));
+    case StudyColumn::id:
+      return {};
+    case StudyColumn::date:
+      return dateText(series.date);
+    case StudyColumn::modality:
+      return shownText(series.modality);
+    case StudyColumn::description:
+      return contentText(series);
+    case StudyColumn::images:
+      break;
+  }
+  return QLocale().toString(std::max(series.images, series.frames));
+}
+
+}  // namespace
+
+QMimeData* draggedChoice(const IndexedChoice& choice) {
+  auto* dragged = new QMimeData;
+  dragged->setData(StudiesPanel::draggedSeries, choicePrefix + QByteArray::number(qint64(choice.study)) +
+                                                    ':' + QByteArray::number(qint64(choice.series)));
+  return dragged;
+}
+
+std::optional<IndexedChoice> choiceIn(const QMimeData& dragged) {
+  const QByteArray said = dragged.data(StudiesPanel::draggedSeries);
+  const QList<QByteArray> parts = said.split(':');
+  if (!said.startsWith(choicePrefix) || parts.size() != 3) return {};
+  return IndexedChoice{parts[1].toLongLong(), parts[2].toLongLong()};
+}
+
+StudyModel::StudyModel(QObject* parent) : QAbstractItemModel(parent) {}
+
+void StudyModel::setList(const StudyListPtr& list, const StudySort& sort) {
+  beginResetModel();
+  list_ = list;
+  const bool isOther = std::exchange(sort_, sort) != sort;
+  if (isOther)
+    for (auto& [study, series] : series_)
+      series = std::make_shared<const std::vector<IndexedSeries>>(sortedSeries(*series, sort_));
+  wanted_.clear();
+  std::erase_if(series_, [&](const auto& known) {
+    const auto holds = [&](const std::vector<IndexedStudy>& studies) {
+      return std::ranges::find(studies, known.first, &IndexedStudy::id) != studies.end();
+    };
+    return std::ranges::none_of(list_->patients, [&](const auto& patient) { return holds(patient.studies); });
+  });
+  endResetModel();
+  for (const auto& [study, series] : series_) Q_EMIT seriesWanted(study);
+}
+
+void StudyModel::setSeries(std::int64_t study, const SeriesListPtr& series) {
+  auto sorted = std::make_shared<const std::vector<IndexedSeries>>(sortedSeries(*series, sort_));
+  SeriesListPtr& known = series_[study];
+  if (known && *known == *sorted) return;
+  // Of the study where it stands below its patient, and among those opened last.
+  Q_EMIT layoutAboutToBeChanged();
+  known = std::move(sorted);
+  for (const QModelIndex& index : persistentIndexList()) {
+    const bool isGone = kindOf(index) == RowKind::series && !seriesAt(index);
+    if (isGone) changePersistentIndex(index, {});
+  }
+  Q_EMIT layoutChanged();
+}
+
+void StudyModel::showNames() {
+  Q_EMIT layoutAboutToBeChanged();
+  Q_EMIT layoutChanged();
+}
+
+const std::vector<IndexedStudy>& StudyModel::studiesBelow(int top) const {
+  if (hasRecent() && top == 0) return list_->recent;
+  return list_->patients[std::size_t(top - hasRecent())].studies;
+}
+
+const ListedPatient* StudyModel::patientAt(const QModelIndex& index) const {
+  if (!index.isValid() || kindOf(index) != RowKind::top || isRecentGroup(index)) return nullptr;
+  return &list_->patients[std::size_t(index.row() - hasRecent())];
+}
+
+bool StudyModel::isRecentGroup(const QModelIndex& index) const {
+  return index.isValid() && kindOf(index) == RowKind::top && hasRecent() && index.row() == 0;
+}
+
+const IndexedStudy* StudyModel::studyAt(const QModelIndex& index) const {
+  if (!index.isValid()) return nullptr;
+  if (const ListedPatient* patient = patientAt(index))
+    return patient->studies.size() == 1 ? &patient->studies.front() : nullptr;
+  if (kindOf(index) == RowKind::top) return nullptr;
+  const std::size_t n = std::size_t(kindOf(index) == RowKind::study ? index.row() : studyOf(index));
+  return &studiesBelow(topOf(index))[n];
+}
+
+const IndexedSeries* StudyModel::seriesAt(const QModelIndex& index) const {
+  if (!index.isValid() || kindOf(index) != RowKind::series) return nullptr;
+  const auto known = series_.find(studyAt(index)->id);
+  if (known == series_.end() || std::size_t(index.row()) >= known->second->size()) return nullptr;
+  return &(*known->second)[std::size_t(index.row())];
+}
+
+IndexedChoice StudyModel::choiceAt(const QModelIndex& index) const {
+  const IndexedStudy* study = studyAt(index);
+  const IndexedSeries* series = seriesAt(index);
+  return study ? IndexedChoice{study->id, series ? series->id : 0} : IndexedChoice{};
+}
+
+std::vector<std::int64_t> StudyModel::studiesOf(const QModelIndex& index) const {
+  if (!index.isValid() || isRecentGroup(index) || kindOf(index) == RowKind::series) return {};
+  if (kindOf(index) == RowKind::study) return {studyAt(index)->id};
+  std::vector<std::int64_t> studies;
+  for (const IndexedStudy& study : patientAt(index)->studies) studies.push_back(study.id);
+  return studies;
+}
+
+QModelIndex StudyModel::firstPatient() const { return index(hasRecent(), 0); }
+
+StudyRowKey StudyModel::keyOf(const QModelIndex& index) const {
+  if (!index.isValid()) return {};
+  if (isRecentGroup(index)) return {.recent = true};
+  const bool recent = hasRecent() && topOf(index) == 0 && kindOf(index) != RowKind::top;
+  const ListedPatient* patient = patientAt(index);
+  const IndexedStudy& study = patient ? patient->studies.front() : *studyAt(index);
+  const IndexedSeries* series = seriesAt(index);
+  return {recent, study.patientId, study.patientName, patient ? 0 : study.id, series ? series->id : 0};
+}
+
+QModelIndex StudyModel::indexOf(const StudyRowKey& key) const {
+  if (key == StudyRowKey{}) return {};
+  if (key == StudyRowKey{.recent = true}) return hasRecent() ? index(0, 0) : QModelIndex();
+  const int begin = key.recent ? 0 : hasRecent(), end = key.recent ? hasRecent() : rowCount();
+  for (int top = begin; top < end; ++top) {
+    const std::vector<IndexedStudy>& studies = studiesBelow(top);
+    if (!key.recent &&
+        (studies.front().patientId != key.patientId || studies.front().patientName != key.patientName))
+      continue;
+    if (key.study == 0) return index(top, 0);
+    const auto study = std::ranges::find(studies, key.study, &IndexedStudy::id);
+    if (study == studies.end()) return {};
+    const QModelIndex found = index(int(study - studies.begin()), 0, index(top, 0));
+    for (int n = 0; key.series != 0 && n < rowCount(found); ++n)
+      if (seriesAt(index(n, 0, found))->id == key.series) return index(n, 0, found);
+    return key.series == 0 ? found : QModelIndex();
+  }
+  return {};
+}
+
+QModelIndex StudyModel::index(int row, int column, const QModelIndex& parent) const {
+  if (row < 0 || column < 0 || column >= columnCount() || row >= rowCount(parent)) return {};
+  if (!parent.isValid()) return createIndex(row, column, packed(RowKind::top));
+  if (kindOf(parent) == RowKind::top) return createIndex(row, column, packed(RowKind::study, parent.row()));
+  return createIndex(row, column, packed(RowKind::series, topOf(parent), parent.row()));
+}
+
+QModelIndex StudyModel::parent(const QModelIndex& child) const {
+  if (!child.isValid() || kindOf(child) == RowKind::top) return {};
+  if (kindOf(child) == RowKind::study) return createIndex(topOf(child), 0, packed(RowKind::top));
+  return createIndex(studyOf(child), 0, packed(RowKind::study, topOf(child)));
+}
+
+int StudyModel::rowCount(const QModelIndex& parent) const {
+  if (!parent.isValid()) return int(list_->patients.size()) + hasRecent();
+  if (parent.column() != 0 || kindOf(parent) == RowKind::series) return 0;
+  if (kindOf(parent) == RowKind::top) return int(studiesBelow(parent.row()).size());
+  const auto known = series_.find(studyAt(parent)->id);
+  return known == series_.end() ? 0 : int(known->second->size());
+}
+
+int StudyModel::columnCount(const QModelIndex&) const { return 6; }
+
+bool StudyModel::hasChildren(const QModelIndex& parent) const {
+  if (parent.isValid() && parent.column() == 0 && kindOf(parent) == RowKind::study)
+    return studyAt(parent)->series > 0;
+  return rowCount(parent) > 0;
+}
+
+bool StudyModel::canFetchMore(const QModelIndex& parent) const {
+  return parent.isValid() && kindOf(parent) == RowKind::study && !series_.contains(studyAt(parent)->id) &&
+         !wanted_.contains(studyAt(parent)->id);
+}
+
+void StudyModel::fetchMore(const QModelIndex& parent) {
+  if (!canFetchMore(parent)) return;
+  const std::int64_t study = studyAt(parent)->id;
+  wanted_.insert(study);
+  Q_EMIT seriesWanted(study);
+}
+
+QString StudyModel::patientCell(const ListedPatient& patient, StudyColumn column) const {
+  const IndexedStudy& first = patient.studies.front();
+  switch (column) {
+    case StudyColumn::name:
+      return marked(patient.warnings > 0, nameText(first.patientName));
+    case StudyColumn::id:
+      return studyCell(first, column);
+    case StudyColumn::date:
+      return dateText(patient.date);
+    case StudyColumn::modality:
+      return shownText(patient.modalities);
+    case StudyColumn::description:
+      return patient.studies.size() == 1 ? studyCell(first, column)
+                                         : tr("%1 studies").arg(QLocale().toString(patient.studies.size()));
+    case StudyColumn::images:
+      break;
+  }
+  return QLocale().toString(patient.images);
+}
+
+QString StudyModel::cell(const QModelIndex& index) const {
+  const auto column = StudyColumn(index.column());
+  if (isRecentGroup(index)) return column == StudyColumn::name ? tr("Opened last") : QString();
+  if (const ListedPatient* patient = patientAt(index)) return patientCell(*patient, column);
+  if (const IndexedSeries* series = seriesAt(index)) return seriesCell(*series, column);
+  const IndexedStudy* study = kindOf(index) == RowKind::study ? studyAt(index) : nullptr;
+  return study ? studyCell(*study, column) : QString();
+}
+
+QString StudyModel::toolTip(const QModelIndex& index) const {
+  if (const IndexedSeries* series = seriesAt(index)) return toolTipOf(everythingOf(*series));
+  if (const IndexedStudy* study = studyAt(index)) return toolTipOf(everythingOf(*study));
+  const ListedPatient* patient = patientAt(index);
+  if (!patient) return {};
+  const IndexedStudy& first = patient->studies.front();
+  return toolTipOf({nameText(first.patientName), idText(first.patientId), warningsText(patient->warnings)});
+}
+
+bool StudyModel::isOffline(const QModelIndex& index) const {
+  if (const IndexedSeries* series = seriesAt(index)) return series->offline;
+  if (const ListedPatient* patient = patientAt(index)) return patient->offline;
+  const IndexedStudy* study = studyAt(index);
+  return study && study->offline;
+}
+
+QVariant StudyModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const bool isNumber = StudyColumn(index.column()) == StudyColumn::images;
+  switch (role) {
+    case Qt::DisplayRole:
+      return cell(index);
+    case Qt::ToolTipRole:
+      return toolTip(index);
+    case Qt::ForegroundRole:
+      return isOffline(index) ? QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text)
+                              : QVariant();
+    case Qt::TextAlignmentRole:
+      return isNumber ? int(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+    default:
+      return {};
+  }
+}
+
+QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return int((StudyColumn(section) == StudyColumn::images ? Qt::AlignRight : Qt::AlignLeft) |
+               Qt::AlignVCenter);
+  const QString names[] = {tr("Name"), tr("ID"), tr("Date"), tr("Modality"), tr("Description"), tr("Images")};
+  return role == Qt::DisplayRole ? names[section] : QVariant();
+}
+
+Qt::ItemFlags StudyModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return {};
+  const Qt::ItemFlags shown = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+  return choiceAt(index).study != 0 ? shown | Qt::ItemIsDragEnabled : shown;
+}
+
+QStringList StudyModel::mimeTypes() const { return {StudiesPanel::draggedSeries}; }
+
+QMimeData* StudyModel::mimeData(const QModelIndexList& indexes) const {
+  return indexes.isEmpty() ? nullptr : draggedChoice(choiceAt(indexes.front()));
+}
+
+}  // namespace volumen

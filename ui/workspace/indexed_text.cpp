@@ -1,0 +1,103 @@
+#include "ui/workspace/indexed_text.h"
+
+#include <QLocale>
+
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+QString counted(int count) { return QLocale().toString(count); }
+
+QString offlineText() {
+  return tr(
+      "Not there now: connect the disk or network folder that holds its files, or import the folder "
+      "from where they are.");
+}
+
+// What stands in one group of a DICOM name.
+QString groupText(const std::string& name, int group) {
+  const QString text = shownText(name).section(QLatin1Char('='), group, group);
+  return text.split(QLatin1Char('^'), Qt::SkipEmptyParts).join(QLatin1Char(' ')).simplified();
+}
+
+}  // namespace
+
+QString nameText(const std::string& name) {
+  Series series;
+  series.format = "DICOM";
+  series.patientName = name;
+  const QString text = patientText(series), second = groupText(name, 1);
+  return namesHidden() || second.isEmpty() ? text : QStringLiteral("%1  %2").arg(text, second);
+}
+
+QString idText(const std::string& id) {
+  return namesHidden() && !id.empty() ? tr("(ID hidden)") : shownText(id);
+}
+
+QString seriesNameText(const IndexedSeries& series) {
+  const QString number = shownText(series.number);
+  return number.isEmpty() ? tr("Series") : tr("Series %1").arg(number);
+}
+
+QString contentText(const IndexedSeries& series) {
+  QStringList parts{shownText(series.description), shownText(series.label)};
+  parts.removeAll(QString());
+  return parts.join(QStringLiteral(", "));
+}
+
+QString imagesText(const IndexedSeries& series) {
+  const QString images = series.images == 1 ? tr("1 image") : tr("%1 images").arg(counted(series.images));
+  return series.frames > series.images ? tr("%1, %2 frames").arg(images, counted(series.frames)) : images;
+}
+
+QStringList everythingOf(const IndexedSeries& series) {
+  QStringList lines{seriesNameText(series) + QLatin1Char(' ') + shownText(series.modality),
+                    contentText(series), imagesText(series),
+                    series.isVolume ? QString() : tr("Shown as frames, not in 3D"), dateText(series.date)};
+  if (!namesHidden()) lines << timeText(series.time);
+  for (const std::string& warning : series.warnings) lines << QStringLiteral("! ") + shownText(warning);
+  if (series.offline) lines << offlineText();
+  lines.removeAll(QString());
+  return lines;
+}
+
+QStringList everythingOf(const IndexedStudy& study) {
+  QStringList lines{nameText(study.patientName), idText(study.patientId)};
+  if (!namesHidden()) {
+    if (!study.birthDate.empty()) lines << tr("Born %1").arg(dateText(study.birthDate));
+    lines << shownText(study.sex);
+  }
+  lines << dateText(study.date) + QLatin1Char(' ') + shownText(study.description);
+  if (!namesHidden() && !study.accessionNumber.empty())
+    lines << tr("Accession number %1").arg(shownText(study.accessionNumber));
+  lines << (study.series == 1 ? tr("1 series") : tr("%1 series").arg(counted(study.series)));
+  lines << warningsText(study.warnings);
+  if (study.offline) lines << offlineText();
+  lines.removeAll(QString());
+  return lines;
+}
+
+QString warningsText(int warnings) {
+  if (warnings == 0) return {};
+  return warnings == 1 ? tr("! 1 warning: hover over the series to read it")
+                       : tr("! %1 warnings: hover over the series to read them").arg(counted(warnings));
+}
+
+QString toolTipOf(QStringList lines) {
+  lines.removeAll(QString());
+  return QStringLiteral("<p>%1</p>")
+      .arg(lines.join(QLatin1Char('\n')).toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
+}
+
+QString importText(const ImportReport& report) {
+  const int read = report.added + report.changed;
+  QStringList parts{read == 1 ? tr("1 image imported") : tr("%1 images imported").arg(counted(read))};
+  if (report.unchanged > 0) parts << tr("%1 were in the list already").arg(counted(report.unchanged));
+  if (report.gone > 0) parts << tr("%1 are no longer there and left the list").arg(counted(report.gone));
+  const QString text = parts.join(QStringLiteral("; ")) + QLatin1Char('.');
+  return report.cancelled ? tr("Import cancelled. %1 Import the folder again to go on.").arg(text) : text;
+}
+
+}  // namespace volumen

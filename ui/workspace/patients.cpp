@@ -1,0 +1,53 @@
+#include "ui/workspace/patients.h"
+
+#include <algorithm>
+
+namespace volumen {
+
+namespace {
+
+bool namesPatient(const Series& series) {
+  return series.format == "DICOM" || !series.patientName.empty() || !series.patientId.empty();
+}
+
+// Those of a view: what it shows, and what lies over it.
+std::vector<const Series*> picturesIn(const Workspace& workspace, ViewId view) {
+  std::vector<const Series*> found{seriesIn(workspace, view)};
+  const auto overlay = workspace.series.find(flatLookOf(workspace.view(view)).overlay);
+  if (overlay != workspace.series.end()) found.push_back(overlay->second.series.get());
+  std::erase(found, nullptr);
+  return found;
+}
+
+}  // namespace
+
+bool areOfOnePatient(const Series& a, const Series& b) {
+  return a.patientId == b.patientId && a.patientName == b.patientName;
+}
+
+std::vector<const Series*> patientsOnScreen(const Workspace& workspace) {
+  std::vector<const Series*> patients;
+  for (const ViewId view : viewsOnScreen(workspace))
+    for (const Series* series : picturesIn(workspace, view)) {
+      const auto isSame = [&](const Series* other) { return areOfOnePatient(*series, *other); };
+      if (namesPatient(*series) && std::ranges::none_of(patients, isSame)) patients.push_back(series);
+    }
+  return patients;
+}
+
+Workspace withoutOtherPatients(Workspace workspace, const Series& series) {
+  const Workspace fresh;
+  for (ViewId id = 0; id < viewCount; ++id) {
+    const std::vector<const Series*> shown = picturesIn(workspace, id);
+    if (std::ranges::all_of(shown, [&](const Series* other) { return areOfOnePatient(*other, series); }))
+      continue;
+    ViewState& view = workspace.view(id);
+    view.series = {};
+    if (view.kind == ViewKind::frames) view.kind = fresh.view(id).kind;
+  }
+  const bool isGroup = workspace.focus < firstComparedId;
+  if (isGroup && workspace.view(workspace.focus).series.empty()) workspace.focus = sceneViewId;
+  return workspace;
+}
+
+}  // namespace volumen
