@@ -32,14 +32,18 @@ bool isNumber(const std::string& text) {
 
 std::string TextTable::text() const {
   std::vector<std::size_t> widths(rows_[0].size());
+  std::vector<bool> ofNumbers(rows_[0].size(), true);
   for (const auto& row : rows_)
-    for (std::size_t n = 0; n < row.size(); ++n) widths[n] = std::max(widths[n], places(row[n]));
+    for (std::size_t n = 0; n < row.size(); ++n) {
+      widths[n] = std::max(widths[n], places(row[n]));
+      if (&row != &rows_[0] && !isNumber(row[n])) ofNumbers[n] = false;
+    }
   std::string out;
   for (const auto& row : rows_) {
     std::string line;
     for (std::size_t n = 0; n < row.size(); ++n) {
       const std::string space(widths[n] - places(row[n]), ' ');
-      line += (n ? "  " : "") + (isNumber(row[n]) ? space + row[n] : row[n] + space);
+      line += (n ? "  " : "") + (ofNumbers[n] ? space + row[n] : row[n] + space);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     out += line + "\n";

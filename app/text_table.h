@@ -13,7 +13,8 @@ class TextTable {
 
   /// Adds a row of as many cells as there are heads; UTF-8 without control characters.
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-  /// All rows, one a line; two spaces between columns, none at the ends of lines. Numbers stand to the right.
+  /// All rows, one a line; two spaces between columns, none at the ends of lines. Columns of numbers
+  /// alone stand to the right.
   std::string text() const;
 
  private:

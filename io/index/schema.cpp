@@ -1,5 +1,6 @@
 #include "io/index/schema.h"
 
+#include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
 
@@ -165,6 +166,7 @@ Result<OpenedDatabase> repaired(const std::string& folder, const std::string& pa
   if (!found) return found.error();
   if (found->health == Health::outdated)
     if (Status updated = update(*found->database, steps); !updated) return updated.error();
+  chmod(path.c_str(), S_IRUSR | S_IWUSR);  // it names patients; its log takes the same rights
   out.database = std::move(found->database);
   return out;
 }

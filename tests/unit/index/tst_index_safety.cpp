@@ -70,6 +70,7 @@ class TestIndexSafety : public QObject {
   void threadsReadWhileOneWrites();
   void diskFull();
   void folderThatCannotBeWritten();
+  void othersCannotRead();
   void readOnlyData();
 };
 
@@ -301,6 +302,16 @@ void TestIndexSafety::folderThatCannotBeWritten() {
   QCOMPARE(umount(folder.index().c_str()), 0);
   QVERIFY(!readOnly.ok());
   QVERIFY2(readOnly.message().find("Cannot write") != std::string::npos, readOnly.message().c_str());
+}
+
+// Also where the folder was there before, open to all.
+void TestIndexSafety::othersCannotRead() {
+  const IndexFolder folder;
+  fs::create_directories(folder.index());
+  const Index index = folder.open();
+  for (const auto& entry : fs::directory_iterator(folder.index()))
+    if (entry.path().filename().string().starts_with("index.sqlite"))
+      QCOMPARE(int(entry.status().permissions()), 0600);
 }
 
 void TestIndexSafety::readOnlyData() {
