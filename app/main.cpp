@@ -8,6 +8,7 @@
 #include "app/command.h"
 #include "app/list_presets.h"
 #include "app/usage.h"
+#include "io/worker/worker.h"
 
 namespace {
 
@@ -90,6 +91,7 @@ int run(std::vector<std::string> words, CLI::App& app, std::function<int()>& com
 }  // namespace
 
 int main(int argc, char** argv) {
+  volumen::worker::start();
   forgetForeignSettings();
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
@@ -108,6 +110,7 @@ int main(int argc, char** argv) {
     sub->group("Commands");
     sub->set_help_flag("-h,--help", "Show this help");
     auto runThis = entry.make(*sub, cancelled);
+    sub->add_flag_callback("--in-process", volumen::worker::stop)->group("");
     sub->callback([runThis, &command] { command = runThis; });
   }
   return run({argv + 1, argv + argc}, app, command);

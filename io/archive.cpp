@@ -1,7 +1,5 @@
 #include "io/archive.h"
 
-#include <archive.h>
-#include <archive_entry.h>
 #include <sys/stat.h>
 
 #include <filesystem>
@@ -11,6 +9,7 @@
 #include <mutex>
 #include <optional>
 
+#include "io/archive_entries.h"
 #include "io/files/lock_file.h"
 #include "io/regular_file.h"
 
@@ -61,8 +60,8 @@ void removeLeftovers(const std::string& base) {
 }
 
 /// The place of an entry below `root`; nothing where its name leads out of it or cannot be a file's.
-std::optional<fs::path> placeOf(const char* name, const fs::path& root) {
-  if (!name || *name == '/' || *name == '\0') return {};
+std::optional<fs::path> placeOf(const std::string& name, const fs::path& root) {
+  if (name.empty() || name[0] == '/' || name.find('\0') != std::string::npos) return {};
   fs::path place = root;
   std::size_t depth = 0;
   for (const fs::path& component : fs::path(name)) {
@@ -76,15 +75,14 @@ std::optional<fs::path> placeOf(const char* name, const fs::path& root) {
   return place;
 }
 
-struct ArchiveCloser {
-  void operator()(archive* a) const { archive_read_free(a); }
-};
-
 /// Unpacks the entries of one archive.
 class Unpacker {
  public:
-  Unpacker(std::string path, std::uint64_t size, fs::path root)
-      : path_(std::move(path)), root_(std::move(root)), reader_(archive_read_new()) {
+  Unpacker(std::string path, std::uint64_t size, fs::path root, const CancelToken& cancel)
+      : path_(std::move(path)),
+        root_(std::move(root)),
+        cancel_(cancel),
+        entries_(readArchive(path_, cancel)) {
     std::error_code error;
     const fs::space_info disk = fs::space(root_, error);
     limit_ = std::min(mostBytes, error ? mostBytes : std::uint64_t(disk.available) / 2);
@@ -92,39 +90,29 @@ class Unpacker {
     size_ = size;
   }
 
-  Result<std::vector<std::pair<std::string, std::string>>> run(const CancelToken& cancel) {
-    constexpr std::size_t blockBytes = 1 << 16;
-    archive* a = reader_.get();
-    if (!a || archive_read_support_format_zip(a) != ARCHIVE_OK ||
-        archive_read_open_filename(a, path_.c_str(), blockBytes) != ARCHIVE_OK)
-      return damaged();
-    archive_entry* entry = nullptr;
+  Result<std::vector<std::pair<std::string, std::string>>> run() {
     for (std::size_t files = 0;;) {
-      if (cancel.cancelled()) return Error{path_ + ": interrupted."};
-      const int code = archive_read_next_header(a, &entry);
-      if (code == ARCHIVE_EOF) return std::move(leftOut_);
-      if (code != ARCHIVE_OK && code != ARCHIVE_WARN) return damaged();
+      if (cancel_.cancelled()) return interrupted();
+      const auto entry = entries_->next();
+      if (!entry) return problem(entry.message());
+      if (!*entry) return std::move(leftOut_);
       if (++files > mostFiles)
         return Error{path_ + " holds more than " + std::to_string(mostFiles) + " files: it is not unpacked."};
-      if (archive_entry_filetype(entry) == AE_IFDIR) continue;
-      if (Status s = unpack(entry, cancel); !s) return s.error();
+      if ((*entry)->kind == ArchiveEntry::Kind::folder) continue;
+      if (Status s = unpack(**entry); !s) return s.error();
     }
   }
 
  private:
-  Error damaged() const {
-    const char* why = reader_ ? archive_error_string(reader_.get()) : nullptr;
-    return Error{path_ + " cannot be unpacked" + (why ? std::string(": ") + why : std::string()) + "."};
+  Error problem(const std::string& reason) const {
+    return cancel_.cancelled() ? interrupted() : Error{path_ + " " + reason + "."};
   }
+  Error interrupted() const { return Error{path_ + ": interrupted."}; }
 
-  Status unpack(archive_entry* entry, const CancelToken& cancel) {
-    const char* name = archive_entry_pathname(entry);
-    const std::string shown = name ? name : "?";
-    if (archive_entry_is_encrypted(entry))
-      return Error{path_ + " is encrypted: unpack it with its password."};
-    if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry))
-      return leaveOut(shown, "a link or no file");
-    const auto place = placeOf(name, root_);
+  Status unpack(const ArchiveEntry& entry) {
+    const std::string shown = entry.name.empty() ? "?" : entry.name;
+    if (entry.kind != ArchiveEntry::Kind::file) return leaveOut(shown, "a link or no file");
+    const auto place = placeOf(entry.name, root_);
     if (!place) return leaveOut(shown, "its name leads out of the archive or cannot be a file's");
     std::error_code error;
     fs::create_directories(place->parent_path(), error);
@@ -132,13 +120,13 @@ class Unpacker {
     std::ofstream out(*place, std::ios::binary);
     std::vector<char> block(1 << 18);
     while (true) {
-      if (cancel.cancelled()) return Error{path_ + ": interrupted."};
-      const la_ssize_t got = archive_read_data(reader_.get(), block.data(), block.size());
-      if (got == 0) break;
-      if (got < 0) return damaged();
-      written_ += std::uint64_t(got);
+      if (cancel_.cancelled()) return interrupted();
+      const Result<std::size_t> got = entries_->read(block.data(), block.size());
+      if (!got) return problem(got.message());
+      if (*got == 0) break;
+      written_ += *got;
       if (written_ > limit_) return tooLarge();
-      out.write(block.data(), got);
+      out.write(block.data(), std::streamsize(*got));
     }
     out.close();
     if (!out) return Error{path_ + " cannot be unpacked: the disk is full."};
@@ -157,7 +145,8 @@ class Unpacker {
 
   std::string path_;
   fs::path root_;
-  std::unique_ptr<archive, ArchiveCloser> reader_;
+  const CancelToken& cancel_;
+  std::unique_ptr<ArchiveEntries> entries_;
   std::uint64_t limit_ = 0, size_ = 0, written_ = 0;
   std::vector<std::pair<std::string, std::string>> leftOut_;
 };
@@ -200,7 +189,7 @@ Result<UnpackedArchive> unpackZip(const std::string& path, const std::string& ca
     return Error{path + " cannot be unpacked: " + base + " cannot be written."};
   const std::uint64_t size = fs::file_size(path, error);
   if (error) return Error{path + " cannot be opened: " + error.message() + "."};
-  auto leftOut = Unpacker(path, size, folder->files()).run(cancel);
+  auto leftOut = Unpacker(path, size, folder->files(), cancel).run();
   if (!leftOut) return leftOut.error();
   UnpackedArchive archive{folder->files(), std::move(*leftOut)};
   known.emplace(identity, Unpacked{std::move(*folder), archive});

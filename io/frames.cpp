@@ -24,12 +24,22 @@ Status checkArea(const FramePresentation& how, glm::ivec2 size) {
   return {};
 }
 
-Result<PresentedFrame> presented(const std::string& path, const std::string& sopInstanceUid, int frame,
+std::uint64_t pixelsOf(const Image& image) {
+  return std::uint64_t(image.rows) * std::uint64_t(image.columns);
+}
+
+std::uint64_t pixelsOf(const Series& series) {
+  return std::uint64_t(series.acquired.size.x) * std::uint64_t(series.acquired.size.y);
+}
+
+Result<PresentedFrame> presented(const std::string& path, std::uint64_t pixels,
+                                 const std::string& sopInstanceUid, int frame,
                                  const Presentation& presentation) {
   if (!namesFrame(presentation.pictures, sopInstanceUid, frame))
     return Error{path + ": the presentation state refers to other pictures."};
-  Result<Frame> loaded = dicom::loadFrame(
-      path, frame, dicom::Shown{presentation, greysFor(presentation, sopInstanceUid, frame)});
+  dicom::Shown shown{presentation.values, presentation.inverted, presentation.shutter, {}};
+  if (const auto* greys = greysFor(presentation, sopInstanceUid, frame)) shown.greys = *greys;
+  Result<Frame> loaded = dicom::loadFrame(path, frame, pixels, shown);
   if (!loaded) return loaded.error();
   FramePresentation how = presentationOf(presentation, sopInstanceUid, frame, loaded->size);
   if (const Status area = checkArea(how, loaded->size); !area)
@@ -39,21 +49,25 @@ Result<PresentedFrame> presented(const std::string& path, const std::string& sop
 
 }  // namespace
 
-Result<Frame> loadFrame(const Image& image, int index) { return dicom::loadFrame(image.path, index); }
+Result<Frame> loadFrame(const Image& image, int index) {
+  return dicom::loadFrame(image.path, index, pixelsOf(image));
+}
 
 Result<Frame> loadFrame(const Series& series, int index) {
   if (const Status there = checkIndex(series, index); !there) return there.error();
-  return dicom::loadFrame(series.files[std::size_t(index)], series.frames[std::size_t(index)]);
+  return dicom::loadFrame(series.files[std::size_t(index)], series.frames[std::size_t(index)],
+                          pixelsOf(series));
 }
 
 Result<PresentedFrame> loadFrame(const Image& image, int index, const Presentation& presentation) {
-  return presented(image.path, image.sopInstanceUid, index, presentation);
+  return presented(image.path, pixelsOf(image), image.sopInstanceUid, index, presentation);
 }
 
 Result<PresentedFrame> loadFrame(const Series& series, int index, const Presentation& presentation) {
   if (const Status there = checkIndex(series, index); !there) return there.error();
   const auto n = std::size_t(index);
-  return presented(series.files[n], series.sopInstanceUids[n], series.frames[n], presentation);
+  return presented(series.files[n], pixelsOf(series), series.sopInstanceUids[n], series.frames[n],
+                   presentation);
 }
 
 }  // namespace volumen

@@ -8,9 +8,16 @@
 #include <cerrno>
 #include <cstring>
 
+#include "io/worker/serve.h"
+
 namespace volumen {
 
 Result<RegularFile> RegularFile::open(const std::string& path) {
+  if (worker::inside()) {
+    Result<worker::OpenedFile> opened = worker::openInside(path);
+    if (!opened) return opened.error();
+    return RegularFile(opened->file.release(), opened->size);
+  }
   const int fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
   if (fd < 0) return Error{errno == ENOENT ? "no such file" : std::strerror(errno)};
   RegularFile file(fd, 0);

@@ -13,13 +13,16 @@ namespace volumen {
 /// An open regular file that is read at given places. Errors give the reason alone: who opened it names it.
 class RegularFile {
  public:
-  /// Opens without ever blocking (FIFO, device) and checks that it is a regular file.
+  /// Opens without ever blocking (FIFO, device) and checks that it is a regular file. In a worker
+  /// (io/worker) the program opens it.
   static Result<RegularFile> open(const std::string& path);
   RegularFile(RegularFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)), size_(other.size_) {}
   RegularFile& operator=(RegularFile&&) = delete;
   ~RegularFile();
 
   std::uint64_t size() const { return size_; }
+  /// Its descriptor, which whoever asks for it closes.
+  int release() && { return std::exchange(fd_, -1); }
   /// Reads up to `count` bytes from byte `offset` on; returns how many: fewer only at the end of the file.
   Result<std::size_t> readAt(std::uint64_t offset, void* to, std::size_t count) const;
   /// The `length` bytes at `offset`, exactly.

@@ -13,6 +13,7 @@
 #include "io/files/image_file.h"
 #include "io/files/sample_cache.h"
 #include "io/files/session_file.h"
+#include "io/look.h"
 #include "io/walk.h"
 #include "viewer/phantoms/phantoms.h"
 
@@ -123,12 +124,23 @@ Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
   return findFiles(path, cancel);
 }
 
-void addImageFile(const std::string& file, Study& study) {
-  Result<std::vector<Series>> volumes = readImageFileHeaders(file);
-  if (volumes)
-    std::move(volumes->begin(), volumes->end(), std::back_inserter(study.volumes));
-  else
-    study.refused.push_back({file, reasonWithout(file, volumes.message())});
+/// What the headers of all files say, not in order.
+void addFiles(const std::vector<std::string>& files, const Progress& progress, const CancelToken& cancel,
+              Study& study) {
+  std::vector<LookedAt> looked = lookAtFiles(files, progress, cancel);
+  std::vector<std::string> others;
+  std::vector<dicom::Inspection> inspections;
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    if (!looked[n].isImageFile) {
+      others.push_back(files[n]);
+      inspections.push_back(std::move(looked[n].dicom));
+    } else if (!looked[n].problem.empty()) {
+      study.refused.push_back({files[n], reasonWithout(files[n], looked[n].problem)});
+    } else {
+      std::move(looked[n].volumes.begin(), looked[n].volumes.end(), std::back_inserter(study.volumes));
+    }
+  }
+  if (!cancel.cancelled()) dicom::findSeries(others, inspections, study);
 }
 
 }  // namespace
@@ -155,15 +167,7 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
 Result<Study> openFiles(const std::vector<std::string>& files, const Progress& progress,
                         const CancelToken& cancel) {
   Study study;
-  std::vector<std::string> others;
-  for (const std::string& file : files) {
-    if (cancel.cancelled()) break;
-    if (looksLikeImageFile(file))
-      addImageFile(file, study);
-    else
-      others.push_back(file);
-  }
-  dicom::findSeries(others, study, progress, cancel);
+  addFiles(files, progress, cancel, study);
   if (cancel.cancelled()) return Error{"Interrupted."};
   sortVolumes(study.volumes);
   numberParts(study.volumes);

@@ -53,6 +53,7 @@ struct Series : SeriesIdentity {
   struct Regular {
     VoxelGeometry geometry;
     int interpolatedSlices = 0;
+    std::vector<int> copies;  ///< of each slice: the one as acquired that it is; -1: interpolated
     bool operator==(const Regular&) const = default;
   };
   std::optional<Regular> regular;

@@ -130,6 +130,7 @@ void MainWindow::connectLoader() {
               session_.choosePreset(tr("Preset %1").arg(name), name.toStdString(), scene);
           });
   connect(&loader_, &Loader::failed, this, [this](const QString& sentence) { banner_->add(sentence); });
+  connect(&loader_, &Loader::notLoaded, grid_, &ViewGrid::giveUpWaiting);
   connect(&loader_, &Loader::progressed, status_, &StatusLine::progress);
   connect(&loader_, &Loader::busyChanged, this, [this](bool busy) {
     if (busy)
@@ -148,8 +149,7 @@ void MainWindow::connectLoader() {
     if (const auto choice = choiceIn(what)) openHow_ = OpenHow::here, index_.open(*choice);
   });
   connect(&session_, &Session::seriesNeeded, &loader_, &Loader::load);
-  connect(studies_, &StudiesPanel::seriesRemoved, this,
-          [this](const Series& gone) { session_.close(keyOf(gone)); });
+  connect(studies_, &StudiesPanel::seriesRemoved, &session_, &Session::close);
   connect(studies_, &StudiesPanel::allClosed, this, [this] {
     loader_.cancel();
     banner_->hide();

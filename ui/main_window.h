@@ -167,6 +167,9 @@ class MainWindow : public QMainWindow {
   void connectScenes();
   void connectSessions();
   void showSession(const QString& path, const OpenedSession& opened);
+  void offerToLocate();
+  void askWhereMissing();
+  void showLocated(const Located& located);
   void saveSession();
   void askForSession();
   void askForSessionFile();

@@ -297,7 +297,7 @@ void MainWindow::makeMenus() {
   view->addMenu(makeSlabMenu(session_, view));
   view->addMenu(makeColourMenu(session_, view));
   view->addMenu(makeOverlayMenu(
-      session_, [this] { return studies_->allSeries(); }, view));
+      session_, [this] { return studies_->listedSeries(); }, view));
   auto* docks = view->addMenu(tr("Panels"));
   for (const auto& [name, dock] : docks_) docks->addAction(dock->toggleViewAction());
   docks->addSeparator();

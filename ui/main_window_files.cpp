@@ -54,7 +54,9 @@ void MainWindow::connectSnapshots() {
 
 void MainWindow::takeSnapshot(const SnapshotRequest& request) {
   if (!session_.series()) return banner_->tell(tr("Open a series first."));
-  snapshot_.take(session_.series(), sceneInView(), request);
+  SnapshotRequest named = request;
+  named.cut = cutText(session_.maskOf(keyOf(session_.series()->series)));
+  snapshot_.take(session_.series(), sceneInView(), named);
 }
 
 void MainWindow::connectScenes() {

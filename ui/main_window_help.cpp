@@ -1,5 +1,6 @@
 #include <QMessageBox>
 
+#include "io/worker/worker.h"
 #include "ui/main_window.h"
 #include "ui/views/canvas.h"
 #include "ui/views/volume_view.h"
@@ -7,14 +8,22 @@
 namespace volumen {
 
 void MainWindow::showAbout() {
-  auto* box = new QMessageBox(
-      QMessageBox::NoIcon, tr("About volumen"),
-      tr("<h3>volumen %1</h3><p>A DICOM workstation without a GPU.</p>"
-         "<p><b>Not for clinical use.</b></p>"
-         "<p>Free software under the GNU General Public License, version 3 or later.</p>"
-         "<p>Qt %2. Pictures are shown through: %3.</p>")
-          .arg(QStringLiteral(VOLUMEN_VERSION), QLatin1String(qVersion()), canvasKind(view()->canvas())),
-      QMessageBox::Close, this);
+  const QString reading =
+      worker::isolating() ? tr("Files are read in separate processes: no network, no writing, memory and "
+                               "time limited. Only samples "
+                               "that are not compressed, scenes and sessions are read by the program itself.")
+                          : tr("Files are read by the program itself: separate processes for that are not "
+                               "possible here, or not "
+                               "wanted (--in-process).");
+  auto* box =
+      new QMessageBox(QMessageBox::NoIcon, tr("About volumen"),
+                      tr("<h3>volumen %1</h3><p>A DICOM workstation without a GPU.</p>"
+                         "<p><b>Not for clinical use.</b></p>"
+                         "<p>Free software under the GNU General Public License, version 3 or later.</p>"
+                         "<p>Qt %2. Pictures are shown through: %3.</p><p>%4</p>")
+                          .arg(QStringLiteral(VOLUMEN_VERSION), QLatin1String(qVersion()),
+                               canvasKind(view()->canvas()), reading),
+                      QMessageBox::Close, this);
   box->setObjectName(QStringLiteral("aboutBox"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setModal(false);

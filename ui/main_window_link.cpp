@@ -1,7 +1,8 @@
+#include <algorithm>
 #include <cmath>
 
-#include "ui/controller/next_time_point.h"
 #include "ui/controller/registrar.h"
+#include "ui/controller/time_points_ahead.h"
 #include "ui/main_window.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/status_line.h"
@@ -9,8 +10,18 @@
 
 namespace volumen {
 
+namespace {
+
+// Whether a series of this frame of reference is open.
+bool holdsFrame(const Workspace& workspace, const std::string& frame) {
+  return std::ranges::any_of(workspace.series,
+                             [&](const auto& s) { return frameOfReference(*s.second.series) == frame; });
+}
+
+}  // namespace
+
 void MainWindow::connectLinks() {
-  new NextTimePoint(session_, loader_, this);
+  new TimePointsAhead(session_, loader_, this);
   registrar_ = new Registrar(this);
   connect(registrar_, &Registrar::begun, this, [this] { status_->begin(tr("Registering")); });
   connect(registrar_, &Registrar::progressed, this, [this](double part) {
@@ -24,6 +35,12 @@ void MainWindow::connectLinks() {
             session_.change(tr("Register"), withRegistration(session_.workspace(), from, to, toFromFrom));
           });
   connect(status_, &StatusLine::cancelRequested, registrar_, &Registrar::cancel);
+  connect(&session_, &Session::workspaceChanged, registrar_,
+          [this](const Workspace&, const Workspace& after) {
+            const auto pair = registrar_->pair();
+            if (pair && !(holdsFrame(after, pair->first) && holdsFrame(after, pair->second)))
+              registrar_->cancel();
+          });
 }
 
 // The view in focus and the first one beside it that lies elsewhere.

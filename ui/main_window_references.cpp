@@ -156,14 +156,15 @@ void MainWindow::showPicture(const Series& shown, int index) {
   const Series series = shown;
   session_.endGesture();
   const QString text = tr("Go to picture");
-  if (const auto view = slicesViewOf(session_.workspace(), keyOf(series)); view && !series.regular) {
+  const auto view = slicesViewOf(session_.workspace(), keyOf(series));
+  if (const std::optional<int> slice = drawnSlice(series, index); view && slice) {
     session_.setFocus(*view);
     const ShownSeriesPtr held = session_.seriesOf(*view);
     if (held) {
-      glm::dvec3 pVoxel =
-          series.acquired.voxelFromPatient(crosshairOf(session_.workspace(), *view, *held).at);
-      pVoxel.z = index;
-      moveCrosshair(session_, *view, *held, text, series.acquired.patientFromVoxel(pVoxel));
+      const VoxelGeometry& geometry = drawnGeometry(series);
+      glm::dvec3 pVoxel = geometry.voxelFromPatient(crosshairOf(session_.workspace(), *view, *held).at);
+      pVoxel.z = *slice;
+      moveCrosshair(session_, *view, *held, text, geometry.patientFromVoxel(pVoxel));
       return session_.endGesture();
     }
   }
@@ -203,7 +204,11 @@ SliceView* MainWindow::sliceViewInFocus() const {
 
 void MainWindow::toggleKeyImage() {
   SliceView* view = sliceViewInFocus();
-  const std::optional<int> picture = view ? view->acquiredPicture() : std::nullopt;
+  const auto [picture, interpolated] = view ? view->pictureSeen() : PictureSeen();
+  if (interpolated)
+    return status_->tell(
+        tr("This slice is interpolated between those that were acquired: scroll to one of these, "
+           "or choose View > Show as frames."));
   if (!picture)
     return status_->tell(
         tr("Only pictures as acquired can be key images: choose a view along the slices, or View > "
@@ -220,7 +225,7 @@ void MainWindow::toggleKeyImage() {
 
 void MainWindow::goToKeyImage(int step) {
   SliceView* view = sliceViewInFocus();
-  const std::optional<int> picture = view ? view->acquiredPicture() : std::nullopt;
+  const std::optional<int> picture = view ? view->pictureSeen().index : std::nullopt;
   const SeriesKey series = view ? view->state().series : SeriesKey{};
   const std::optional<PicturePlace> next = keyImages_->next(series, picture.value_or(-1), step);
   if (!next) return status_->tell(tr("There are no key images: K marks the picture that is shown."));

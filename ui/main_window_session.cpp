@@ -1,3 +1,4 @@
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
@@ -27,6 +28,8 @@ QString lostText(const LostSession& lost) {
 
 void MainWindow::connectSessions() {
   connect(&loader_, &Loader::sessionOpened, this, &MainWindow::showSession);
+  connect(&loader_, &Loader::located, this, &MainWindow::showLocated);
+  connect(banner_, &Banner::accepted, this, &MainWindow::askWhereMissing);
   connect(&sessionFiles_, &SessionFiles::saved, this, [this](const QString& path) {
     status_->tell(tr("Saved %1").arg(path));
     recent_.add(path);
@@ -49,6 +52,7 @@ void MainWindow::showSession(const QString& path, const OpenedSession& opened) {
   for (const auto& [place, study] : opened.studies) studies_->addStudy(QString::fromStdString(place), study);
   session_.open(restores ? tr("Restore") : tr("Open session"), opened.workspace);
   for (const QString& problem : opened.problems) banner_->add(problem);
+  offerToLocate();
   if (restores) {
     sessionFiles_.restored(QString::fromStdString(opened.savedAs));
     autosave_.forget(*std::exchange(lost_, {}), true);
@@ -56,6 +60,36 @@ void MainWindow::showSession(const QString& path, const OpenedSession& opened) {
   }
   sessionFiles_.opened(path);
   recent_.add(path);
+}
+
+// Where the workspace misses something.
+void MainWindow::offerToLocate() {
+  if (!missingOf(session_.workspace(), studies_->references()).empty() && !banner_->isHidden())
+    banner_->offer(tr("Locate..."));
+}
+
+void MainWindow::askWhereMissing() {
+  auto* dialog = new QFileDialog(this, tr("The folder that it lies in by now"));
+  dialog->setObjectName(QStringLiteral("locateDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+    loader_.locate(missingOf(session_.workspace(), studies_->references()),
+                   QDir::cleanPath(QFileInfo(folder).absoluteFilePath()));
+  });
+  dialog->open();
+}
+
+void MainWindow::showLocated(const Located& located) {
+  banner_->hide();
+  if (!located.series.empty() || !located.references.empty()) {
+    studies_->addStudy(QString::fromStdString(located.folder), located.study);
+    session_.endGesture();
+    session_.change(tr("Locate"), withLocated(session_.workspace(), located));
+    session_.endGesture();
+  }
+  for (const QString& problem : located.problems) banner_->add(problem);
+  offerToLocate();
 }
 
 void MainWindow::offerLost(const LostSession& lost) {

@@ -9,6 +9,8 @@
 
 #include "io/dicom/data_set.h"
 #include "io/dicom/scanned_file.h"
+#include "io/worker/batches.h"
+#include "io/worker/object_fields.h"
 
 namespace volumen::dicom {
 
@@ -121,9 +123,7 @@ std::vector<AttributeLine> linesOf(Bytes bytes, const std::vector<Element>& elem
   return Lister(bytes, elements, data.text(charset, data.root())).list();
 }
 
-}  // namespace
-
-Result<std::vector<AttributeLine>> listAttributes(const std::string& path) {
+Result<std::vector<AttributeLine>> listAttributesHere(const std::string& path) {
   const Result<RegularFile> file = RegularFile::open(path);
   if (!file) return file.error();
   ScannedFile s;
@@ -149,6 +149,15 @@ Result<std::vector<AttributeLine>> listAttributes(const std::string& path) {
                          ? "fragments"
                          : std::to_string(s.dataSet.pixels->length) + " bytes"});
   return lines;
+}
+
+}  // namespace
+
+Result<std::vector<AttributeLine>> listAttributes(const std::string& path) {
+  const CancelToken never;
+  worker::Request request = worker::headersOf({path}, never);
+  worker::Failure failure{};
+  return worker::isolated<listAttributesHere>(request, failure, path);
 }
 
 }  // namespace volumen::dicom

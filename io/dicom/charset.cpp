@@ -136,4 +136,9 @@ std::string toUtf8(const std::string& text, const std::string& specificCharacter
   return out;
 }
 
+void loadCharacterSets() {
+  // What is closed may be unloaded.
+  for (const CharacterSet& set : sets) (void)iconv_open("UTF-8", set.encoding);
+}
+
 }  // namespace volumen::dicom

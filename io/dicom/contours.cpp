@@ -5,7 +5,9 @@
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
+#include "io/dicom/isolated_file.h"
 #include "io/dicom/reference.h"
+#include "io/worker/object_fields.h"
 
 namespace volumen {
 namespace dicom {
@@ -113,11 +115,19 @@ class Reader {
 }  // namespace
 }  // namespace dicom
 
-Result<StructureSet> loadContours(const std::string& path) {
+namespace {
+
+Result<StructureSet> loadContoursHere(const std::string& path) {
   return dicom::loadObject<StructureSet>(path, ReferenceKind::contours,
                                          [](const dicom::InspectedFile&, const dicom::DataSet& data) {
                                            return Result<StructureSet>(dicom::Reader(data).run());
                                          });
+}
+
+}  // namespace
+
+Result<StructureSet> loadContours(const std::string& path) {
+  return dicom::isolatedFile<loadContoursHere>(path, 0);
 }
 
 double areaOf(const Contour& contour) {

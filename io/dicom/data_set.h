@@ -77,4 +77,7 @@ std::optional<double> parseNumber(std::string_view text);
 /// becomes U+FFFD.
 std::string toUtf8(const std::string& text, const std::string& specificCharacterSet);
 
+/// Loads all character sets, and keeps them, for a process that will not be able to open files.
+void loadCharacterSets();
+
 }  // namespace volumen::dicom

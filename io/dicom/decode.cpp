@@ -3,6 +3,8 @@
 #include "io/dicom/codestream.h"
 #include "io/dicom/inflate.h"
 #include "io/dicom/mosaic.h"
+#include "io/worker/call.h"
+#include "io/worker/dicom_fields.h"
 
 namespace volumen::dicom {
 namespace {
@@ -86,6 +88,56 @@ Samples unpackNative(const PixelFormat& format, Bytes bytes) {
       samples);
 }
 
+/// All fragments of a frame.
+template <class Read>
+Result<std::vector<std::uint8_t>> joined(const FrameRanges& ranges, const Read& read) {
+  std::vector<std::uint8_t> all;
+  for (const Range& range : ranges) {
+    auto part = read(range);
+    if (!part) return part.error();
+    if (all.empty())
+      all = std::move(*part);
+    else
+      all.insert(all.end(), part->begin(), part->end());
+  }
+  return all;
+}
+
+/// What workers do.
+Result<DecodedFrame> decodeRanges(const std::string& path, const PixelFormat& format,
+                                  const TransferSyntax& syntax, const FrameRanges& ranges) {
+  const Result<RegularFile> file = RegularFile::open(path);
+  if (!file) return file.error();
+  const auto bytes = joined(ranges, [&](Range r) { return file->read(r.offset, r.length); });
+  if (!bytes) return bytes.error();
+  return decodeFrame(format, syntax, *bytes);
+}
+
+Result<std::vector<std::uint8_t>> inflateFrom(const std::string& path, std::uint64_t offset) {
+  const Result<RegularFile> file = RegularFile::open(path);
+  if (!file) return file.error();
+  const std::uint64_t size = file->size();
+  const auto deflated = file->read(offset, size - std::min(size, offset));
+  if (!deflated) return deflated.error();
+  return inflateRaw(*deflated);
+}
+
+Result<DecodedFrame> decodeIsolated(const std::string& path, const PixelFormat& format,
+                                    const TransferSyntax& syntax, const FrameRanges& ranges,
+                                    const CancelToken& cancel) {
+  constexpr std::uint64_t widest = 8, besides = 1 << 20;
+  const std::uint64_t samples = format.framePixels() * std::uint64_t(format.samples);
+  worker::Request request{.files = {path}, .needBytes = samples * std::uint64_t(format.bitsAllocated / 8)};
+  request.mostBytes = samples * widest + besides;
+  request.cancel = &cancel;
+  worker::Failure failure{};
+  auto frame = worker::isolated<decodeRanges>(request, failure, path, format, syntax, ranges);
+  if (!frame) return frame;
+  const auto count = std::visit([](const auto& values) { return values.size(); }, frame->samples);
+  if (count != samples) return Error{worker::reasonOf(worker::Failure::wrong)};
+  return frame;
+}
+
 }  // namespace
 
 Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax& syntax, Bytes bytes) {
@@ -110,10 +162,10 @@ Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax
   return Error{"its transfer syntax \"" + std::string(syntax.name) + "\" is not supported"};
 }
 
-Result<PixelSource> PixelSource::open(const FileHeader& header) {
+Result<PixelSource> PixelSource::open(const FileHeader& header, const CancelToken& cancel) {
   Result<RegularFile> file = RegularFile::open(header.path);
   if (!file) return file.error();
-  PixelSource source(header, std::move(*file));
+  PixelSource source(header, std::move(*file), cancel);
   if (Status inflated = source.inflate(); !inflated) return inflated.error();
   if (!header.mosaic) return source;
   auto whole = source.decoded(0, wholeMosaic(header.format, *header.mosaic));
@@ -124,10 +176,12 @@ Result<PixelSource> PixelSource::open(const FileHeader& header) {
 
 Status PixelSource::inflate() {
   if (!header_.inflatedFrom) return {};
-  const std::uint64_t size = file_.size();
-  const auto deflated = file_.read(header_.inflatedFrom, size - std::min(size, header_.inflatedFrom));
-  if (!deflated) return deflated.error();
-  auto inflated = inflateRaw(*deflated);
+  constexpr std::uint64_t besides = 1 << 20;
+  worker::Request request{.files = {header_.path}, .needBytes = mostInflated(file_.size())};
+  request.mostBytes = request.needBytes + besides;
+  request.cancel = &cancel_;
+  worker::Failure failure{};
+  auto inflated = worker::isolated<inflateFrom>(request, failure, header_.path, header_.inflatedFrom);
   if (!inflated) return inflated.error();
   inflated_ = std::move(*inflated);
   return {};
@@ -153,17 +207,14 @@ Result<DecodedFrame> PixelSource::frame(int n, const PixelFormat& format) const 
   return tileOf(*whole, n, format, *header_.mosaic);
 }
 
+// Native samples meet no decoder: they are moved and masked here, wherever this is.
 Result<DecodedFrame> PixelSource::decoded(int n, const PixelFormat& format) const {
-  std::vector<std::uint8_t> joined;
-  for (const Range& range : header_.frames[std::size_t(n)]) {
-    auto part = bytes(range);
-    if (!part) return part.error();
-    if (joined.empty())
-      joined = std::move(*part);
-    else
-      joined.insert(joined.end(), part->begin(), part->end());
-  }
-  return decodeFrame(format, header_.syntax, joined);
+  const FrameRanges& ranges = header_.frames[std::size_t(n)];
+  if (worker::isolating() && header_.syntax.coding != Coding::native)
+    return decodeIsolated(header_.path, format, header_.syntax, ranges, cancel_);
+  const auto joinedBytes = joined(ranges, [&](Range r) { return bytes(r); });
+  if (!joinedBytes) return joinedBytes.error();
+  return decodeFrame(format, header_.syntax, *joinedBytes);
 }
 
 }  // namespace volumen::dicom

@@ -26,24 +26,30 @@ Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax
 /// The pixel data of a file, read frame by frame.
 class PixelSource {
  public:
-  /// Opens the file, and inflates a deflated one. `header` must outlive it.
-  static Result<PixelSource> open(const FileHeader& header);
+  /// Opens the file, and inflates a deflated one. `header` must outlive it. What is compressed is inflated
+  /// and decoded in workers, where there are any (io/worker), whose answers nobody waits for after `cancel`.
+  static Result<PixelSource> open(const FileHeader& header, const CancelToken& cancel = {});
   /// Reads and decodes frame `n` (from 0). May be called from several threads at once.
   Result<DecodedFrame> frame(int n) const;
   /// The same of other bits of the samples than those of the picture (overlays in unused bits).
   Result<DecodedFrame> frame(int n, const PixelFormat& format) const;
 
  private:
-  PixelSource(const FileHeader& header, RegularFile file) : header_(header), file_(std::move(file)) {}
+  PixelSource(const FileHeader& header, RegularFile file, CancelToken cancel)
+      : header_(header), cancel_(std::move(cancel)), file_(std::move(file)) {}
   Status inflate();
   Result<std::vector<std::uint8_t>> bytes(Range range) const;
   Result<DecodedFrame> decoded(int n, const PixelFormat& format) const;
 
   const FileHeader& header_;
+  CancelToken cancel_;
   RegularFile file_;
   std::vector<std::uint8_t> inflated_;
   std::optional<DecodedFrame> mosaic_;  // the whole picture
 };
+
+/// What DCMTK's decoders need, set up once; decodeJpeg does it by itself.
+void registerDecoders();
 
 /// The decoders behind decodeFrame. The first three give samples as native ones would stand in a little
 /// endian file.

@@ -5,15 +5,22 @@
 #include "io/dicom/colour.h"
 #include "io/dicom/greys.h"
 #include "io/dicom/import.h"
+#include "io/dicom/isolated_file.h"
 #include "io/dicom/lookup_table.h"
 #include "io/dicom/overlays.h"
 #include "io/dicom/pixel_size.h"
 #include "io/dicom/shutter.h"
+#include "io/worker/object_fields.h"
 
-namespace volumen::dicom {
+namespace volumen {
+namespace worker {
+
+void fields(Wire& w, dicom::Shown& s) { w(s.values, s.inverted, s.shutter, s.greys); }
+
+}  // namespace worker
+
+namespace dicom {
 namespace {
-
-constexpr std::uint64_t pixelLimit = std::uint64_t(1) << 28;
 
 /// What the file itself says: the Modality LUT Sequence, which stands in for the rescale, or the rescale of
 /// one frame (PS3.3 C.11.1).
@@ -79,18 +86,16 @@ GreyMapping allValues(const PixelFormat& format, const ValueMapping& mapping) {
 
 /// The greys of a presentation state, turned over by its shape alone.
 std::vector<NamedGrey> shownGreys(const Shown& shown, const PixelFormat& format) {
-  std::vector<NamedGrey> greys;
-  if (shown.greys) greys = *shown.greys;
-  if (greys.empty()) greys.push_back({{}, allValues(format, shown.presentation.values), true});
-  for (NamedGrey& grey : greys) grey.mapping.inverted = shown.presentation.inverted;
+  std::vector<NamedGrey> greys = shown.greys;
+  if (greys.empty()) greys.push_back({{}, allValues(format, shown.values), true});
+  for (NamedGrey& grey : greys) grey.mapping.inverted = shown.inverted;
   return greys;
 }
 
 Status addGreys(const DataSet& data, const FileHeader& header, const DecodedFrame& decoded, int n,
                 const std::optional<Shown>& shown, Frame& frame) {
   const Slice& slice = sliceOf(header, n);
-  const auto mapping =
-      shown ? Result<ValueMapping>(shown->presentation.values) : readValueMapping(data, header, slice);
+  const auto mapping = shown ? Result<ValueMapping>(shown->values) : readValueMapping(data, header, slice);
   if (!mapping) return mapping.error();
   frame.values = valuesOf(decoded.samples, *mapping);
   frame.padding = paddingValues(slice, *mapping);
@@ -105,7 +110,6 @@ Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Sh
   const PixelFormat& format = header.format;
   if (n < 0 || n >= format.frames)
     return Error{"there is no frame " + std::to_string(n) + ": it holds " + std::to_string(format.frames)};
-  if (format.framePixels() > pixelLimit) return Error{"a frame of it has more than 2^28 pixels"};
   const auto pixels = PixelSource::open(header);
   if (!pixels) return pixels.error();
   const auto decoded = pixels->frame(n);
@@ -128,16 +132,14 @@ Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Sh
   // A picture of ultrasound has mm in its regions alone: what PixelSpacing says there is no promise.
   if (header.modality == "US" && !frame.place) frame.pixel.kind = PixelSizeKind::unknown;
   frame.overlays = readOverlays(data, *pixels, header, n, frame.warnings);
-  const Shutter shutter = shown ? shown->presentation.shutter : readShutter(data, at, frame.warnings);
+  const Shutter shutter = shown ? shown->shutter : readShutter(data, at, frame.warnings);
   frame.shutter = hiddenBy(shutter, frame.size, frame.pixel.mm);
   frame.shutterGrey = shutter.grey;
   frame.regions = readRegions(data);
   return frame;
 }
 
-}  // namespace
-
-Result<Frame> loadFrame(const std::string& path, int n, const std::optional<Shown>& shown) {
+Result<Frame> loadFrameHere(const std::string& path, int n, const std::optional<Shown>& shown) {
   try {
     const InspectedFile file = inspectFile(path);
     if (file.found.kind != Inspection::Kind::picture)
@@ -150,4 +152,12 @@ Result<Frame> loadFrame(const std::string& path, int n, const std::optional<Show
   }
 }
 
-}  // namespace volumen::dicom
+}  // namespace
+
+Result<Frame> loadFrame(const std::string& path, int n, std::uint64_t pixels,
+                        const std::optional<Shown>& shown) {
+  return isolatedFile<loadFrameHere>(path, pixels, n, shown);
+}
+
+}  // namespace dicom
+}  // namespace volumen

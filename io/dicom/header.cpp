@@ -12,7 +12,7 @@
 namespace volumen::dicom {
 namespace {
 
-constexpr std::uint64_t sizeLimit = std::uint64_t(16) << 30;
+constexpr std::uint64_t sizeLimit = std::uint64_t(16) << 30, pixelLimit = std::uint64_t(1) << 28;
 
 Inspection refused(const std::string& reason) {
   std::string sentence = reason + ".";
@@ -108,6 +108,7 @@ Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet&
     return Error{"its rows are odd, and YBR_FULL_422 stores two pixels at a time"};
   if (s.syntax.coding == Coding::unsupported)
     return Error{"its transfer syntax \"" + std::string(s.syntax.name) + "\" is not supported"};
+  if (format->framePixels() > pixelLimit) return Error{"a frame of it has more than 2^28 pixels"};
   if (header.format.frameBytes() * std::uint64_t(format->frames) > sizeLimit)
     return Error{"it claims more than 16 GiB of pixels"};
   if (Status slices = readSlices(data, header); !slices) return slices;

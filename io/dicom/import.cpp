@@ -4,7 +4,6 @@
 
 #include "io/archive.h"
 #include "io/dicom/directory.h"
-#include "io/dicom/parallel.h"
 #include "io/dicom/series.h"
 
 namespace volumen::dicom {
@@ -29,11 +28,7 @@ Image imageOf(const FileHeader& file) {
 
 }  // namespace
 
-void findSeries(const std::vector<std::string>& files, Study& study, const Progress& progress,
-                const CancelToken& cancel) {
-  std::vector<Inspection> inspections(files.size());
-  forEachParallel(files.size(), "reading headers", progress, cancel,
-                  [&](std::size_t n) { inspections[n] = inspect(files[n]); });
+void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& inspections, Study& study) {
   std::vector<FileHeader> pictures;
   for (std::size_t n = 0; n < files.size(); ++n) {
     Inspection& i = inspections[n];

@@ -5,10 +5,11 @@
 
 namespace volumen::dicom {
 
-/// Sorts files that are no image files of another kind into `study`: volumes and images (not in order, ids
-/// not numbered), refusals, and what is no picture.
-void findSeries(const std::vector<std::string>& files, Study& study, const Progress& progress,
-                const CancelToken& cancel);
+struct Inspection;
+
+/// Sorts files by what each turned out to be into `study`: volumes and images (not in order, ids not
+/// numbered), refusals, and what is no picture.
+void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& inspections, Study& study);
 
 /// Decodes the slices of a DICOM series on all cores. A slice that cannot be decoded counts as missing and is
 /// named in a warning.
@@ -17,12 +18,15 @@ Result<Loaded> loadSeries(const Series& series, const Progress& progress, const 
 /// What a presentation state says of the values of a frame: its own mapping, inversion and shutter, and its
 /// greys (none: all values).
 struct Shown {
-  const Presentation& presentation;
-  const std::vector<NamedGrey>* greys;
+  ValueMapping values;
+  bool inverted = false;
+  Shutter shutter;
+  std::vector<NamedGrey> greys;
 };
 
 /// Frame `n` (from 0) of a file as acquired, as io/frames.h says; as a presentation state has it shown, where
-/// there is one.
-Result<Frame> loadFrame(const std::string& path, int n, const std::optional<Shown>& shown = {});
+/// there is one. `pixels`: of a frame, as far as that is known; memory is given for so many.
+Result<Frame> loadFrame(const std::string& path, int n, std::uint64_t pixels,
+                        const std::optional<Shown>& shown = {});
 
 }  // namespace volumen::dicom

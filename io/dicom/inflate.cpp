@@ -22,8 +22,13 @@ struct Inflater {
 
 }  // namespace
 
+std::size_t mostInflated(std::size_t deflatedBytes) {
+  if (deflatedBytes > 512 * mebibyte) return 512 * mebibyte;
+  return std::min(512 * mebibyte, std::max(16 * mebibyte, 200 * deflatedBytes));
+}
+
 Result<std::vector<std::uint8_t>> inflateRaw(Bytes deflated) {
-  const std::size_t limit = std::min(512 * mebibyte, std::max(16 * mebibyte, 200 * deflated.size()));
+  const std::size_t limit = mostInflated(deflated.size());
   if (deflated.size() > 512 * mebibyte) return Error{"the deflated data set is larger than 512 MiB"};
   Inflater inflater;
   if (!inflater.ready) return Error{"zlib could not be started"};

@@ -7,8 +7,10 @@
 
 namespace volumen::dicom {
 
-/// Inflates a raw deflate stream (PS3.5 A.5). Refused: damaged streams, more than 512 MiB, and more than 200
-/// times the input beyond 16 MiB.
+/// What so many deflated bytes may become: 200 times as many, 16 MiB of few, 512 MiB at most.
+std::size_t mostInflated(std::size_t deflatedBytes);
+
+/// Inflates a raw deflate stream (PS3.5 A.5). Refused: damaged streams, and more than mostInflated.
 Result<std::vector<std::uint8_t>> inflateRaw(Bytes deflated);
 
 }  // namespace volumen::dicom

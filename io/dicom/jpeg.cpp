@@ -33,6 +33,8 @@ class WarningCollector : public dcmtk::log4cplus::Appender {
   }
 };
 
+}  // namespace
+
 void registerDecoders() {
   static std::once_flag once;
   std::call_once(once, [] {
@@ -45,6 +47,8 @@ void registerDecoders() {
     DJLSDecoderRegistration::registerCodecs();
   });
 }
+
+namespace {
 
 /// A data set of nothing but one compressed picture. Colours are called RGB, so that they stay as they are.
 void fill(DcmDataset& data, const PixelFormat& format, E_TransferSyntax syntax, Bytes bytes) {

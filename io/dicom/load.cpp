@@ -8,6 +8,7 @@
 
 #include "io/dicom/decode.h"
 #include "io/dicom/import.h"
+#include "io/dicom/inspect_files.h"
 #include "io/dicom/parallel.h"
 #include "io/dicom/resample.h"
 #include "io/dicom/series.h"
@@ -32,9 +33,7 @@ class Files {
     for (const std::string& path : series.files) index_.emplace(path, 0);
     std::vector<std::string> paths;
     for (auto& [path, n] : index_) n = paths.size(), paths.push_back(path);
-    inspections_.resize(paths.size());
-    forEachParallel(paths.size(), "reading headers", progress, cancel,
-                    [&](std::size_t n) { inspections_[n] = inspect(paths[n]); });
+    inspections_ = inspectFiles(paths, progress, cancel);
   }
   Incoming slice(const std::string& path, int frame) const {
     const Inspection& i = inspections_[index_.at(path)];
@@ -153,7 +152,7 @@ class SliceDecoder {
 
  private:
   void decodeFile(const FileHeader& file, const std::vector<std::size_t>& slices, bool showFrames) {
-    const Result<PixelSource> source = PixelSource::open(file);
+    const Result<PixelSource> source = PixelSource::open(file, cancel_);
     forEachParallel(slices.size(), "decoding", showFrames ? progress_ : Progress{}, cancel_,
                     [&](std::size_t n) {
                       Incoming& in = slices_[slices[n]];

@@ -7,14 +7,19 @@
 #include <thread>
 
 #include "io/study.h"
+#include "io/worker/serve.h"
 
 namespace volumen::dicom {
 
-/// Runs work(0) .. work(count - 1) on all cores; stops early when cancelled. Progress is told on the calling
-/// thread, which takes part in the work.
+/// Runs work(0) .. work(count - 1) on all cores, in a worker (io/worker) on its only thread; stops early when
+/// cancelled. Progress is told on the calling thread, which takes part in the work.
 template <class Work>
 void forEachParallel(std::size_t count, const char* what, const Progress& progress, const CancelToken& cancel,
                      const Work& work) {
+  if (worker::inside()) {
+    for (std::size_t n = 0; n < count; ++n) work(n);
+    return;
+  }
   const std::thread::id caller = std::this_thread::get_id();
   std::atomic<std::size_t> done{0};
   tbb::parallel_for(std::size_t(0), count, [&](std::size_t n) {

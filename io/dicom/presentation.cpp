@@ -4,8 +4,10 @@
 
 #include "io/dicom/cielab.h"
 #include "io/dicom/greys.h"
+#include "io/dicom/isolated_file.h"
 #include "io/dicom/reference.h"
 #include "io/dicom/shutter.h"
+#include "io/worker/object_fields.h"
 
 namespace volumen {
 namespace dicom {
@@ -197,7 +199,9 @@ class Reader {
 }  // namespace
 }  // namespace dicom
 
-Result<Presentation> loadPresentation(const std::string& path) {
+namespace {
+
+Result<Presentation> loadPresentationHere(const std::string& path) {
   constexpr auto kind = ReferenceKind::presentation;
   return dicom::loadObject<Presentation>(
       path, kind, [](const dicom::InspectedFile& file, const dicom::DataSet& data) -> Result<Presentation> {
@@ -207,6 +211,12 @@ Result<Presentation> loadPresentation(const std::string& path) {
           return Error{"only grayscale presentation states are read; this one is of another kind"};
         return dicom::Reader(data).run(object);
       });
+}
+
+}  // namespace
+
+Result<Presentation> loadPresentation(const std::string& path) {
+  return dicom::isolatedFile<loadPresentationHere>(path, 0);
 }
 
 }  // namespace volumen

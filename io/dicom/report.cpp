@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/dicom/isolated_file.h"
 #include "io/dicom/reference.h"
+#include "io/worker/object_fields.h"
 
 namespace volumen {
 namespace dicom {
@@ -142,20 +144,34 @@ class Reader {
 }  // namespace
 }  // namespace dicom
 
-Result<Report> loadReport(const std::string& path) {
+namespace {
+
+Result<Report> loadReportHere(const std::string& path) {
   return dicom::loadObject<Report>(path, ReferenceKind::report,
                                    [](const dicom::InspectedFile&, const dicom::DataSet& data) {
                                      return Result<Report>(dicom::Reader(data).run());
                                    });
 }
 
-Result<KeyObjects> loadKeyObjects(const std::string& path) {
+}  // namespace
+
+Result<Report> loadReport(const std::string& path) { return dicom::isolatedFile<loadReportHere>(path, 0); }
+
+namespace {
+
+Result<KeyObjects> loadKeyObjectsHere(const std::string& path) {
   return dicom::loadObject<KeyObjects>(
       path, ReferenceKind::keyObjects, [](const dicom::InspectedFile& file, const dicom::DataSet& data) {
         return Result<KeyObjects>(
             KeyObjects{dicom::nameOf(data, data.root()), file.found.reference->text,
                        dicom::readPictures(data, data.contents(dicom::content, data.root()))});
       });
+}
+
+}  // namespace
+
+Result<KeyObjects> loadKeyObjects(const std::string& path) {
+  return dicom::isolatedFile<loadKeyObjectsHere>(path, 0);
 }
 
 const char* typeName(ReportShape::Type type) {

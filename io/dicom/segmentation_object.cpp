@@ -7,9 +7,11 @@
 #include "io/dicom/cielab.h"
 #include "io/dicom/decode.h"
 #include "io/dicom/frame_scopes.h"
+#include "io/dicom/isolated_file.h"
 #include "io/dicom/pixel_size.h"
 #include "io/dicom/reference.h"
 #include "io/segmentation.h"
+#include "io/worker/object_fields.h"
 
 namespace volumen {
 namespace dicom {
@@ -197,11 +199,19 @@ class Reader {
 }  // namespace
 }  // namespace dicom
 
-Result<Segmentation> loadSegmentation(const std::string& path) {
+namespace {
+
+Result<Segmentation> loadSegmentationHere(const std::string& path) {
   return dicom::loadObject<Segmentation>(path, ReferenceKind::segmentation,
                                          [&](const dicom::InspectedFile& file, const dicom::DataSet& data) {
                                            return dicom::Reader(file, data, path).run();
                                          });
+}
+
+}  // namespace
+
+Result<Segmentation> loadSegmentation(const std::string& path) {
+  return dicom::isolatedFile<loadSegmentationHere>(path, 0);
 }
 
 }  // namespace volumen

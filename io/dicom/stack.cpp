@@ -158,12 +158,14 @@ void addRegularGrid(std::span<const PlacedSlice> slices, const std::vector<doubl
     tolerance = 2 * mostJitterMm(distance);  // the first slice is off as well
   }
   const int count = int(std::floor(along.back() / distance + gridTolerance)) + 1;
-  Series::Regular regular{stack.acquired, 0};
+  Series::Regular regular{stack.acquired, 0, {}};
   regular.geometry.size.z = count;
   regular.geometry.patientFromVoxelStep[2] = distance * lineDirection(slices);
   for (int k = 0; k < count; ++k) {
     stack.sources.push_back(sourceAt(along, k * distance, tolerance));
-    if (stack.sources.back().weight > 0) ++regular.interpolatedSlices;
+    const auto& [below, weight] = stack.sources.back();
+    if (weight > 0) ++regular.interpolatedSlices;
+    regular.copies.push_back(weight > 0 ? -1 : below);
   }
   stack.regular = regular;
   stack.warnings.push_back(

@@ -7,6 +7,8 @@
 #include "io/dicom/data_set.h"
 #include "io/dicom/header.h"
 #include "io/dicom/parallel.h"
+#include "io/worker/batches.h"
+#include "io/worker/study_fields.h"
 
 namespace volumen {
 namespace {
@@ -70,6 +72,7 @@ std::optional<double> earliestAcquisition(const Series& series) {
   dicom::forEachParallel(files.size(), "", {}, {}, [&](std::size_t n) {
     const InspectedFile file = dicom::inspectFile(files[n]);
     times[n] = moment(dataOf(file), 0x00080022, 0x00080032);
+    worker::finishStep();
   });
   return *std::min_element(times.begin(), times.end());  // nothing counts as the least
 }
@@ -155,14 +158,23 @@ Result<double> factorOf(const DataSet& data, const Series& series) {
   return Error{"Units (0054,1001) is " + dicom::toUtf8(units, {})};
 }
 
+Result<double> suvFactorHere(const Series& series) {
+  const InspectedFile file = dicom::inspectFile(series.files[0]);
+  const Result<double> factor = factorOf(dataOf(file), series);
+  if (!factor) return Error{series.path + ": no SUV: " + factor.message() + "."};
+  return factor;
+}
+
 }  // namespace
 
 Result<double> suvFactor(const Series& series) {
   if (series.modality != "PT" || series.files.empty())
     return Error{series.path + ": no SUV: it is no PET series."};
-  const InspectedFile file = dicom::inspectFile(series.files[0]);
-  const Result<double> factor = factorOf(dataOf(file), series);
-  if (!factor) return Error{series.path + ": no SUV: " + factor.message() + "."};
+  const CancelToken never;
+  worker::Request request = worker::headersOf(series.files, never);
+  worker::Failure failure{};
+  const Result<double> factor = worker::isolated<suvFactorHere>(request, failure, series);
+  if (failure != worker::Failure::none) return Error{series.path + ": no SUV: " + factor.message() + "."};
   return factor;
 }
 

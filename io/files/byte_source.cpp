@@ -7,6 +7,9 @@
 #include <array>
 #include <vector>
 
+#include "io/files/isolated_source.h"
+#include "io/worker/worker.h"
+
 namespace volumen {
 
 namespace {
@@ -209,7 +212,10 @@ Status ByteSource::skip(std::uint64_t count, const std::string& path) {
   return {};
 }
 
-std::unique_ptr<ByteSource> decode(DataFile file, std::uint64_t offset, Encoding encoding) {
+std::unique_ptr<ByteSource> decode(DataFile file, std::uint64_t offset, Encoding encoding,
+                                   const CancelToken& cancel) {
+  if (worker::isolating() && encoding != Encoding::raw)
+    return decodeIsolated(file.path(), offset, encoding, {}, cancel);
   switch (encoding) {
     case Encoding::deflate:
       return std::make_unique<DeflateSource>(std::move(file), offset);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/files/data_file.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
 
@@ -29,8 +30,10 @@ class ByteSource {
 };
 
 /// The decoded bytes of `file` from byte `offset` on. Deflate: gzip (several members too) or zlib, whichever
-/// the data are.
-std::unique_ptr<ByteSource> decode(DataFile file, std::uint64_t offset, Encoding encoding);
+/// the data are. What is encoded is decoded in a worker where there are any (io/worker), whose bytes nobody
+/// waits for after `cancel`.
+std::unique_ptr<ByteSource> decode(DataFile file, std::uint64_t offset, Encoding encoding,
+                                   const CancelToken& cancel = {});
 
 /// The fewest bytes that can encode `decodedBytes`: what a file must hold before memory is set aside for it.
 std::uint64_t leastEncodedBytes(Encoding encoding, std::uint64_t decodedBytes);

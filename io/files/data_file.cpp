@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "io/worker/serve.h"
+
 namespace volumen {
 
 namespace fs = std::filesystem;
@@ -31,6 +33,7 @@ Result<std::string> readHead(const std::string& path, std::size_t count) {
 }
 
 Result<std::string> resolveBeside(const std::string& headerPath, const std::string& name) {
+  if (worker::inside()) return worker::resolveInside(headerPath, name);
   const std::string refers = headerPath + " refers to the data file '" + name.substr(0, 200) + "'";
   const Error outside{refers + "; only files in or below its own folder are read."};
   const fs::path relative(name);

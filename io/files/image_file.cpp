@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "io/files/header_text.h"
 #include "io/files/meta_image.h"
 #include "io/files/nifti.h"
 #include "io/files/nrrd.h"
 #include "io/files/other_formats.h"
+#include "io/worker/batches.h"
+#include "io/worker/file_fields.h"
 
 namespace volumen {
 
@@ -67,6 +70,30 @@ Result<ImageHeader> readHeader(const std::string& path) {
     return Error{path + " is a " + format +
                  " file, which volumen does not read; convert it to NIfTI or NRRD."};
   return Error{path + " is not a NRRD, NIfTI or MetaImage file."};
+}
+
+// Whether a header that came from a worker agrees with itself, and names no other files than that worker was
+// given.
+bool isConsistent(const ImageHeader& header, const worker::Request& request) {
+  constexpr std::uint64_t farthest = std::uint64_t(1) << 48;
+  const SampleData& d = header.data;
+  SampleData counted = d;
+  if (d.files.empty() || d.files.size() > mostDataFiles || d.lineSkip < 0 || d.offset > farthest ||
+      d.byteSkip < -1 || d.byteSkip > std::int64_t(farthest) ||
+      !setCounts(counted, {d.leading}, {d.voxels}, {d.trailing}, "").ok())
+    return false;
+  std::set<std::string> given(request.files.begin(), request.files.end());
+  given.insert(request.found.begin(), request.found.end());
+  return std::ranges::all_of(d.files, [&](const std::string& file) { return given.contains(file); });
+}
+
+Result<ImageHeader> readHeaderIsolated(const std::string& path, const CancelToken& cancel) {
+  worker::Request request = worker::headersOf({path}, cancel);
+  worker::Failure failure{};
+  auto header = worker::isolated<readHeader>(request, failure, path);
+  if (header && worker::isolating() && !isConsistent(*header, request)) failure = worker::Failure::wrong;
+  if (failure != worker::Failure::none) return Error{path + ": " + reasonOf(failure) + "."};
+  return header;
 }
 
 // Raw data that go on by a row or more: the header may mean other sizes or another type.
@@ -144,7 +171,7 @@ Result<std::vector<Series>> readImageFileHeaders(const std::string& path) {
 }
 
 Result<Loaded> loadImageFile(const Series& series, const Progress& progress, const CancelToken& cancel) {
-  auto header = readHeader(series.path);
+  auto header = readHeaderIsolated(series.path, cancel);
   if (!header) return header.error();
   auto number = volumeNumber(series, *header);
   if (!number) return number.error();

@@ -57,15 +57,17 @@ Result<std::uint64_t> skipLines(const DataFile& file, std::uint64_t offset, int 
   return Error{file.path() + " has fewer lines than its header says are to be skipped."};
 }
 
-std::unique_ptr<ByteSource> decodePart(const SampleData& data, DataFile file, std::uint64_t offset) {
-  if (data.text) return decodeText(std::move(file), offset, data.type);
-  return decode(std::move(file), offset, data.encoding);
+std::unique_ptr<ByteSource> decodePart(const SampleData& data, DataFile file, std::uint64_t offset,
+                                       const CancelToken& cancel) {
+  if (data.text) return decodeText(std::move(file), offset, data.type, cancel);
+  return decode(std::move(file), offset, data.encoding, cancel);
 }
 
 // Decoded bytes between `offset` and the end.
-Result<std::uint64_t> decodedBytes(const SampleData& data, const DataFile& file, std::uint64_t offset) {
+Result<std::uint64_t> decodedBytes(const SampleData& data, const DataFile& file, std::uint64_t offset,
+                                   const CancelToken& cancel) {
   if (data.encoding == Encoding::raw) return file.size() - std::min(file.size(), offset);
-  auto source = decode(file, offset, data.encoding);
+  auto source = decode(file, offset, data.encoding, cancel);
   std::vector<std::uint8_t> waste(1 << 18);
   for (std::uint64_t all = 0;;) {
     auto got = source->read(waste.data(), waste.size());
@@ -78,8 +80,8 @@ Result<std::uint64_t> decodedBytes(const SampleData& data, const DataFile& file,
 // All parts of the data as one row of bytes.
 class Parts {
  public:
-  explicit Parts(const SampleData& data)
-      : data_(data), partBytes_(data.samples() / data.files.size() * bytesOf(data.type)) {}
+  Parts(const SampleData& data, const CancelToken& cancel)
+      : data_(data), cancel_(cancel), partBytes_(data.samples() / data.files.size() * bytesOf(data.type)) {}
 
   Status skip(std::uint64_t count) {
     return forParts(count, [&](std::uint64_t n) { return source_->skip(n, path()); });
@@ -124,7 +126,7 @@ class Parts {
     if (!offset) return offset.error();
     std::uint64_t skipped = std::uint64_t(std::max<std::int64_t>(0, data_.byteSkip));
     if (data_.byteSkip < 0) {
-      auto all = decodedBytes(data_, *file, *offset);
+      auto all = decodedBytes(data_, *file, *offset, cancel_);
       if (!all) return all.error();
       if (*all < partBytes_)
         return Error{path() + " holds fewer samples than its header promises: " + std::to_string(*all) +
@@ -132,12 +134,13 @@ class Parts {
       skipped = *all - partBytes_;
     }
     if (data_.text) *offset += skipped, skipped = 0;
-    source_ = decodePart(data_, std::move(*file), *offset);
+    source_ = decodePart(data_, std::move(*file), *offset, cancel_);
     left_ = partBytes_;
     return source_->skip(skipped, path());
   }
 
   const SampleData& data_;
+  const CancelToken& cancel_;
   std::uint64_t partBytes_, left_ = 0;
   std::size_t next_ = 0;
   std::unique_ptr<ByteSource> source_;
@@ -159,9 +162,9 @@ struct ToFloat {
 
 // bzip2 packs so tightly that the size of a file says nothing: its bytes are counted before memory is asked
 // for.
-Status checkBzip2(const SampleData& data) {
+Status checkBzip2(const SampleData& data, const CancelToken& cancel) {
   if (data.encoding != Encoding::bzip2 || data.text) return {};
-  Parts parts(data);
+  Parts parts(data, cancel);
   return parts.skip(data.samples() * bytesOf(data.type));
 }
 
@@ -172,8 +175,8 @@ Result<Samples> readType(const SampleData& data, std::uint64_t volume, Samples i
   constexpr bool toReal = std::is_same_v<Kept, float> && !std::is_same_v<T, float>;
   const bool swap = !data.text && data.bigEndian != (std::endian::native == std::endian::big);
   const std::uint64_t lead = volume % data.leading;
-  if (Status s = checkBzip2(data); !s) return s.error();
-  Parts parts(data);
+  if (Status s = checkBzip2(data, cancel); !s) return s.error();
+  Parts parts(data, cancel);
   if (Status s = parts.skip(volume / data.leading * data.voxels * data.leading * sizeof(T)); !s)
     return s.error();
 

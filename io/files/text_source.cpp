@@ -7,6 +7,8 @@
 #include <type_traits>
 
 #include "io/files/header_text.h"
+#include "io/files/isolated_source.h"
+#include "io/worker/worker.h"
 
 namespace volumen {
 
@@ -81,7 +83,9 @@ class TextSource : public ByteSource {
 
 }  // namespace
 
-std::unique_ptr<ByteSource> decodeText(DataFile file, std::uint64_t offset, SampleType type) {
+std::unique_ptr<ByteSource> decodeText(DataFile file, std::uint64_t offset, SampleType type,
+                                       const CancelToken& cancel) {
+  if (worker::isolating()) return decodeIsolated(file.path(), offset, Encoding::raw, type, cancel);
   return std::make_unique<TextSource>(std::move(file), offset, type);
 }
 

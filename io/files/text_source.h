@@ -9,6 +9,8 @@ namespace volumen {
 
 /// The samples that `file` spells out as decimal numbers from byte `offset` on, as bytes of `type` in this
 /// machine's order. Reads must ask for whole samples. What is no number, or does not fit `type`, is an Error.
-std::unique_ptr<ByteSource> decodeText(DataFile file, std::uint64_t offset, SampleType type);
+/// Read in a worker where there are any (io/worker).
+std::unique_ptr<ByteSource> decodeText(DataFile file, std::uint64_t offset, SampleType type,
+                                       const CancelToken& cancel = {});
 
 }  // namespace volumen

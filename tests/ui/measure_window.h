@@ -42,6 +42,27 @@ inline const std::vector<ShapeKind> drawnKinds{ShapeKind::length,   ShapeKind::p
                                                ShapeKind::cobb,     ShapeKind::ellipse,  ShapeKind::rectangle,
                                                ShapeKind::freehand, ShapeKind::probe,    ShapeKind::arrow};
 
+/// As radiologists draw it: lines and boxes by drags, the rest of an angle and of a polyline by clicks. The
+/// tool is in hand.
+inline void drawShape(SliceView* on, ShapeKind kind, const std::vector<QPointF>& p,
+                      Qt::KeyboardModifiers keys = {}) {
+  const auto click = [&](QPointF at) { QTest::mouseClick(on, Qt::LeftButton, keys, at.toPoint()); };
+  if (kind == ShapeKind::freehand) {
+    QTest::mousePress(on, Qt::LeftButton, keys, p[0].toPoint());
+    for (const QPointF at : p) QTest::mouseEvent(QTest::MouseMove, on, Qt::LeftButton, keys, at.toPoint());
+    QTest::mouseRelease(on, Qt::LeftButton, keys, p.back().toPoint());
+    return;
+  }
+  if (kind == ShapeKind::probe || kind == ShapeKind::polyline) {
+    for (const QPointF at : p) click(at);
+    if (kind == ShapeKind::polyline) QTest::keyClick(on, Qt::Key_Return, keys);
+    return;
+  }
+  drag(on, p[0], p[1], Qt::LeftButton, keys);
+  if (p.size() == 3) click(p[2]);
+  if (p.size() == 4) drag(on, p[2], p[3], Qt::LeftButton, keys);
+}
+
 /// A window that shows a series in planes, and what a hand measures in them.
 struct MeasureWindow : Journey {
   explicit MeasureWindow(const ShownSeriesPtr& series = ballSeries(32, 10, {3, -2, 4})) {
@@ -62,30 +83,11 @@ struct MeasureWindow : Journey {
     child<QAction>((std::string(ruleOf(kind).name) + "Tool").c_str())->trigger();
   }
 
-  /// As radiologists draw it: lines and boxes by drags, the rest of an angle and of a polyline by clicks.
+  /// drawShape() with its tool.
   void draw(ShapeKind kind, const std::vector<QPointF>& p, ViewId id = axialViewId,
             Qt::KeyboardModifiers keys = {}) {
     choose(kind);
-    drawOn(kind, p, id, keys);
-  }
-
-  void drawOn(ShapeKind kind, const std::vector<QPointF>& p, ViewId id, Qt::KeyboardModifiers keys) {
-    SliceView* on = view(id);
-    const auto click = [&](QPointF at) { QTest::mouseClick(on, Qt::LeftButton, keys, at.toPoint()); };
-    if (kind == ShapeKind::freehand) {
-      QTest::mousePress(on, Qt::LeftButton, keys, p[0].toPoint());
-      for (const QPointF at : p) QTest::mouseEvent(QTest::MouseMove, on, Qt::LeftButton, keys, at.toPoint());
-      QTest::mouseRelease(on, Qt::LeftButton, keys, p.back().toPoint());
-      return;
-    }
-    if (kind == ShapeKind::probe || kind == ShapeKind::polyline) {
-      for (const QPointF at : p) click(at);
-      if (kind == ShapeKind::polyline) QTest::keyClick(on, Qt::Key_Return, keys);
-      return;
-    }
-    drag(on, p[0], p[1], Qt::LeftButton, keys);
-    if (p.size() == 3) click(p[2]);
-    if (p.size() == 4) drag(on, p[2], p[3], Qt::LeftButton, keys);
+    drawShape(view(id), kind, p, keys);
   }
 
   /// What is seen of a measurement in a view; without lines where nothing is.

@@ -58,7 +58,7 @@ void TestAttacks::whatGoesInTheMiddleOfADrag_data() {
        [](MeasureWindow& w, const ShownSeriesPtr& other) { w.session().show(other, axialViewId); }},
       {"it is closed",
        [](MeasureWindow& w, const ShownSeriesPtr&) {
-         w.session().close(w.session().workspace().view(axialViewId).series);
+         w.session().close({w.session().workspace().view(axialViewId).series});
        }},
       {"all is closed", [](MeasureWindow& w, const ShownSeriesPtr&) { w.session().show(nullptr); }},
       {"another layout",
@@ -254,7 +254,7 @@ void TestAttacks::closedWhileItIsComputed() {
   Journey w({folder.ct()});
   QVERIFY(w.settle());
   begin(w);
-  w.window.session().close(keyOf(w.window.session().series()->series));
+  w.window.session().close({keyOf(w.window.session().series()->series)});
   QVERIFY(w.window.session().workspace().series.empty());
   QVERIFY(settles(w, [&] { w.window.open({QStringLiteral("phantom:sphere:32")}); }));
   QCOMPARE(w.window.session().workspace().series.size(), std::size_t(1));

@@ -54,9 +54,7 @@ struct FrameWindow : Journey {
     child<QAction>((std::string(ruleOf(kind).name) + "Tool").c_str())->trigger();
     std::vector<QPointF> p;
     for (const glm::dvec2 pixel : pixels) p.push_back(at(pixel));
-    if (kind == probe) return QTest::mouseClick(view(), Qt::LeftButton, {}, p[0].toPoint());
-    drag(view(), p[0], p[1]);
-    if (p.size() == 3) QTest::mouseClick(view(), Qt::LeftButton, {}, p[2].toPoint());
+    drawShape(view(), kind, p);
   }
   // What stands beside the shape that was drawn last.
   QString text() {
@@ -83,6 +81,8 @@ class TestFrameMeasurements : public QObject {
  private Q_SLOTS:
   void numbersWithTheirWord_data();
   void numbersWithTheirWord();
+  void closedForms_data();
+  void closedForms();
   void everyToolDraws_data();
   void everyToolDraws();
   void anEndFollowsThePointer_data();
@@ -140,10 +140,76 @@ void TestFrameMeasurements::numbersWithTheirWord() {
   w.shot((std::string("frame-") + QTest::currentDataTag()).c_str());
 }
 
+void TestFrameMeasurements::closedForms_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<int>("kind");
+  QTest::addColumn<std::vector<glm::dvec2>>("pixels");
+  QTest::addColumn<double>("number");
+  QTest::addColumn<QString>("unit");
+  using Pixels = std::vector<glm::dvec2>;
+  const auto row = [](const char* name, const char* file, ShapeKind kind, Pixels pixels, double number,
+                      const char* unit) {
+    QTest::newRow(name) << QString::fromLatin1(file) << int(kind) << pixels << number
+                        << QString::fromUtf8(unit);
+  };
+  const double pi = 3.14159265358979, degrees = 180 / pi;
+  // In its region a pixel is so many mm across and down: the pixels are no squares.
+  const char* const us = "us-cine-aspect-regions.dcm";
+  const double x = 0.285714, y = 0.228571;
+  const Pixels triangle{{100, 200}, {200, 200}, {200, 300}};
+  row("ultrasound, polyline", us, polyline, triangle, 100 * x + 100 * y, "mm");
+  row("ultrasound, slanting polyline", us, polyline, {{100, 200}, {200, 300}, {300, 200}},
+      200 * std::hypot(x, y), "mm");
+  row("ultrasound, angle", us, angle, {{200, 200}, {100, 200}, {200, 300}}, degrees * std::atan2(y, x),
+      "degrees");
+  row("ultrasound, Cobb angle", us, cobb, {{100, 200}, {200, 200}, {100, 250}, {200, 300}},
+      degrees * std::atan2(50 * y, 100 * x), "degrees");
+  row("ultrasound, freehand", us, freehand, triangle, 5000 * x * y, "mm^2");
+  row("ultrasound, ellipse", us, ellipse, {{100, 200}, {200, 300}}, pi / 4 * 1e4 * x * y, "mm^2");
+  const char* const mammogram = "mg-ermf-overlay-shutter.dcm";
+  const double breast = 0.085 / 1.0433386837881;
+  row("magnification, polyline", mammogram, polyline, {{100, 100}, {100, 700}, {500, 700}}, 1000 * breast,
+      "mm");
+  row("magnification, freehand", mammogram, freehand, {{100, 100}, {500, 100}, {500, 400}, {100, 400}},
+      12e4 * breast * breast, "mm^2");
+  row("magnification, Cobb angle", mammogram, cobb, {{100, 100}, {400, 100}, {100, 200}, {400, 500}}, 45,
+      "degrees");
+  const char* const chest = "cr-chest-mono1-jpeg8.dcm";
+  row("at the detector, polyline", chest, polyline, {{500, 900}, {800, 1300}, {800, 900}}, 900 * 0.175, "mm");
+  row("at the detector, ellipse", chest, ellipse, {{500, 900}, {1500, 1300}}, pi * 500 * 200 * 0.175 * 0.175,
+      "mm^2");
+  const char* const unknown = "xa-96frames.dcm";
+  row("no size, polyline", unknown, polyline, {{100, 100}, {130, 140}, {130, 240}}, 150, "px");
+  row("no size, freehand", unknown, freehand, {{100, 100}, {300, 100}, {100, 200}}, 1e4, "px^2");
+  row("no size, angle", unknown, angle, {{200, 100}, {100, 100}, {200, 200}}, 45, "degrees");
+}
+
+// The same for all tools, to the digits that files give: the numbers that are copied as CSV.
+void TestFrameMeasurements::closedForms() {
+  NEED_PICTURES();
+  QFETCH(QString, file);
+  QFETCH(int, kind);
+  QFETCH(std::vector<glm::dvec2>, pixels);
+  FrameWindow w(file.toLatin1());
+  QVERIFY(w.shows());
+  w.draw(ShapeKind(kind), pixels);
+  QCOMPARE(w.all().size(), std::size_t(1));
+  const double screenPixel = w.view()->plane()->mmPerPixel / w.view()->frame()->geometry().spacing().y;
+  QVERIFY(glm::length(glm::dvec2(w.all()[0].shape.points[0]) - pixels[0]) <= screenPixel);
+  w.session().change(QStringLiteral("test"), [&](Workspace& now) { w.exact(now, pixels); });
+  QTRY_VERIFY_WITH_TIMEOUT(!w.text().isEmpty(), longest);
+  w.child<QAction>("copyMeasurementsCsv")->trigger();
+  const QStringList lines = QGuiApplication::clipboard()->text().split(QStringLiteral("\r\n"));
+  const QStringList names = lines[0].split(u','), fields = lines[1].split(u',');
+  const auto field = [&](const char* name) { return fields.value(names.indexOf(QLatin1String(name))); };
+  QTEST(field("unit"), "unit");
+  QFETCH(double, number);
+  QVERIFY2(std::abs(field("number").toDouble() - number) < 1e-5 * number, qPrintable(field("number")));
+}
+
 void TestFrameMeasurements::everyToolDraws_data() {
   QTest::addColumn<int>("kind");
-  for (const ShapeKind kind : {length, angle, ellipse, rectangle, probe, arrow})
-    QTest::newRow(ruleOf(kind).name) << int(kind);
+  for (const ShapeKind kind : drawnKinds) QTest::newRow(ruleOf(kind).name) << int(kind);
 }
 
 // One step each; the tool before is back, and there is a number.
@@ -153,7 +219,8 @@ void TestFrameMeasurements::everyToolDraws() {
   FrameWindow w("mg-ermf-overlay-shutter.dcm");
   QVERIFY(w.shows());
   std::vector<glm::dvec2> pixels{{300, 500}, {400, 600}};
-  if (ShapeKind(kind) == angle) pixels.emplace_back(300, 600);
+  if (ruleOf(ShapeKind(kind)).fewest > 2) pixels.emplace_back(300, 600);
+  if (ShapeKind(kind) == cobb) pixels.emplace_back(420, 640);
   if (ShapeKind(kind) == probe) pixels.pop_back();
   const int steps = w.session().undoStack().index();
   w.draw(ShapeKind(kind), pixels);

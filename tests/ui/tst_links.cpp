@@ -1,92 +1,15 @@
 // Guards how views to compare follow each other: through frames of reference, by hand, and in zoom, pan and
 // window where that is wanted. Real events.
 #include <QMenu>
-#include <QToolButton>
 
-#include "tests/ui/gestures.h"
-#include "tests/ui/journey.h"
-#include "tests/ui/test_series.h"
+#include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
-#include "ui/controller/registrar.h"
-#include "ui/panels/flat_menus.h"
-#include "ui/views/slice_view.h"
-#include "ui/views/view_grid.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/link_text.h"
 #include "ui/workspace/session_json.h"
 
 using namespace volumen;
 using namespace volumen::tests;
-
-namespace {
-
-constexpr ViewId left = firstComparedId, right = firstComparedId + 1;
-
-ShownSeriesPtr ballIn(const char* frame, double spacing = 1, const char* modality = "CT") {
-  auto series = std::make_shared<ShownSeries>(*ballSeries(32, 10, {0, 0, 0}, glm::dvec3(spacing)));
-  series->series.acquired = series->volume->geometry();
-  series->series.frameOfReferenceUid = frame;
-  series->series.modality = modality;
-  series->window = {500, 1000};
-  return series;
-}
-
-// Three balls of different size that no turn maps onto each other, all of them moved.
-ShownSeriesPtr lumpsIn(const char* frame, glm::dvec3 moved) {
-  constexpr int n = 40;
-  VolumeParts parts;
-  parts.geometry.size = glm::ivec3(n);
-  parts.geometry.patientFromVoxelStep *= 3.0;
-  parts.geometry.origin = glm::dvec3(-1.5 * (n - 1));
-  std::vector<std::int16_t> values;
-  for (int k = 0; k < n; ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) {
-        const glm::dvec3 p = parts.geometry.patientFromVoxel({i, j, k}) - moved;
-        const auto near = [&](glm::dvec3 centre, double mm) {
-          return std::clamp((mm - glm::length(p - centre)) / 3 + 0.5, 0.0, 1.0);
-        };
-        values.push_back(std::int16_t(1000 * near({-15, 5, 0}, 20) + 600 * near({20, 12, 8}, 12) +
-                                      800 * near({4, -18, 20}, 9)));
-      }
-  parts.values = std::move(values);
-  std::vector<std::string> warnings;
-  auto series = std::make_shared<ShownSeries>(*ballIn(frame));
-  series->volume = *Volume::make(std::move(parts), warnings);
-  series->series.acquired = series->volume->geometry();
-  return series;
-}
-
-// Two series side by side.
-struct TwoSeries : Journey {
-  TwoSeries(const ShownSeriesPtr& a, const ShownSeriesPtr& b) {
-    session().show(a);
-    child<QAction>("layoutTwo")->trigger();
-    session().show(a, left);
-    session().show(b, right);
-    session().setFocus(left);
-    QCoreApplication::processEvents();
-  }
-  Session& session() { return window.session(); }
-  const Workspace& workspace() { return session().workspace(); }
-  SliceView* view(ViewId id) { return window.views()->sliceView(id); }
-  SlicePlane plane(ViewId id) { return *view(id)->plane(); }
-  double z(ViewId id) { return plane(id).centre.z; }
-  void press(const char* action) { child<QAction>(action)->trigger(); }
-  void scroll(ViewId id, int notches) {
-    const QPointF at = view(id)->rect().center();
-    QWheelEvent wheel(at, view(id)->mapToGlobal(at), {}, {0, -120 * notches}, Qt::NoButton, Qt::NoModifier,
-                      Qt::NoScrollPhase, false);
-    QCoreApplication::sendEvent(view(id), &wheel);
-    session().endGesture();
-  }
-  void zoom(ViewId id) { drag(view(id), {100, 200}, {100, 150}, Qt::RightButton); }
-  void pan(ViewId id) { drag(view(id), {100, 100}, {120, 130}, Qt::MiddleButton); }
-  QString corner(ViewId id) { return view(id)->overlays().topRight.join(QLatin1Char('\n')); }
-  QString tip() { return child<QToolButton>("linkButton")->toolTip(); }
-};
-
-}  // namespace
 
 class TestLinks : public QObject {
   Q_OBJECT
@@ -102,10 +25,6 @@ class TestLinks : public QObject {
   void panIsThePatientsPoint();
   void windowsAreOfOneModalityAndUnit_data();
   void windowsAreOfOneModalityAndUnit();
-  void registrationLinksTwoFrames();
-  void registrationIsCancelled();
-  void registrationThatFailsIsASentence();
-  void anOverlayGoesThroughTheLink();
   void allOfItIsKeptInTheSession();
 };
 
@@ -244,99 +163,6 @@ void TestLinks::windowsAreOfOneModalityAndUnit() {
   };
   QVERIFY(windowIn(left));
   QCOMPARE(windowIn(right) == windowIn(left), follows);
-}
-
-void TestLinks::registrationLinksTwoFrames() {
-  const glm::dvec3 moved(9, -6, 12);
-  TwoSeries w(lumpsIn("A", {0, 0, 0}), lumpsIn("B", moved));
-  w.scroll(left, 1);
-  w.press("register");
-  QTRY_VERIFY_WITH_TIMEOUT(!w.workspace().frameLinks.empty(), longest);
-  QCOMPARE(w.corner(right).section(QLatin1Char('\n'), -1), QStringLiteral("linked by registration"));
-  const Rigid rigid = w.workspace().frameLinks.front().toFromFrom;
-  for (const glm::dvec3 p : {glm::dvec3(0), glm::dvec3(30, 0, 0), glm::dvec3(0, -20, 30)})
-    QVERIFY2(glm::length(rigid(p) - p - moved) < 1, "within 1 mm");
-  const auto atRight = [&] { return w.workspace().crosshairs.at("B").at; };
-  const auto expected = [&] { return rigid(w.workspace().crosshairs.at("A").at); };
-  QVERIFY(glm::length(atRight() - expected()) < 1e-9);
-  w.scroll(left, 3);
-  QVERIFY(glm::length(atRight() - expected()) < 1e-9);
-  w.scroll(right, -2);
-  QVERIFY(glm::length(atRight() - expected()) < 1e-9);
-  w.shot("registered");
-  w.press("unlock");
-  QVERIFY(w.workspace().frameLinks.empty());
-  w.press("undo");
-  QCOMPARE(w.workspace().frameLinks.size(), std::size_t(1));
-}
-
-void TestLinks::registrationIsCancelled() {
-  TwoSeries w(lumpsIn("A", {0, 0, 0}), lumpsIn("B", {9, -6, 12}));
-  QSignalSpy ended(w.window.findChild<Registrar*>(), &Registrar::ended);
-  w.press("register");
-  w.child<QToolButton>("cancelTask")->click();
-  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longest);
-  QCoreApplication::processEvents();
-  QVERIFY(w.workspace().frameLinks.empty());
-  QVERIFY(w.child<QAction>("register")->isEnabled());
-}
-
-void TestLinks::registrationThatFailsIsASentence() {
-  auto empty = std::make_shared<ShownSeries>(*lumpsIn("B", {0, 0, 0}));
-  const VoxelGeometry geometry = empty->volume->geometry();
-  std::vector<std::string> warnings;
-  empty->volume = *Volume::make(
-      {geometry, std::vector<std::int16_t>(std::size_t(geometry.voxelCount())), 1, 0, {}}, warnings);
-  TwoSeries w(lumpsIn("A", {0, 0, 0}), empty);
-  QSignalSpy failed(w.window.findChild<Registrar*>(), &Registrar::failed);
-  w.press("register");
-  QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, longest);
-  QCOMPARE(failed.front().front().toString(),
-           QStringLiteral("Cannot register: the second series has the same value everywhere."));
-  QVERIFY(w.workspace().frameLinks.empty());
-}
-
-void TestLinks::anOverlayGoesThroughTheLink() {
-  const glm::dvec3 moved(9, -6, 12);
-  const ShownSeriesPtr under = lumpsIn("A", {0, 0, 0}), over = lumpsIn("B", moved);
-  TwoSeries w(under, over);
-  QVERIFY(!whyNotOverlaid(w.workspace(), under->series, over->series).isEmpty());
-  w.session().change({}, withRegistration(w.workspace(), "A", "B", {glm::dmat3(1), moved}));
-  QVERIFY(whyNotOverlaid(w.workspace(), under->series, over->series).isEmpty());
-  // The same series moved back lies over itself: all of it in the overlay's colours.
-  QSignalSpy settled(w.view(left), &SliceView::settled);
-  w.session().change({}, withOverlay(w.workspace(), left, &over->series));
-  w.session().change({}, withFlatLooks(w.workspace(), left, [](FlatLook& look) {
-                       look.overlayOpacity = 1;
-                       look.overlayColours = ColourMap::grey;
-                     }));
-  QTRY_VERIFY_WITH_TIMEOUT(settled.count() > 0, longest);
-  QCoreApplication::processEvents();
-  const SlicePlane plane = w.plane(left);
-  const QImage picture = w.view(left)->picture();
-  int compared = 0;
-  for (int y = 2; y < picture.height(); y += 7)
-    for (int x = 2; x < picture.width(); x += 7) {
-      const glm::dvec3 p = plane.patientFromPixel({x + 0.5, y + 0.5});
-      const glm::dvec3 voxel = over->volume->geometry().voxelFromPatient(p + moved);
-      const glm::ivec3 nearest(glm::round(voxel));
-      if (glm::any(glm::lessThan(nearest, glm::ivec3(1))) ||
-          glm::any(glm::greaterThan(nearest, glm::ivec3(38))))
-        continue;
-      float low = 1e9f, high = -1e9f;
-      for (int n = 0; n < 27; ++n) {
-        const glm::ivec3 at = nearest + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
-        low = std::min(low, over->volume->value(at.x, at.y, at.z));
-        high = std::max(high, over->volume->value(at.x, at.y, at.z));
-      }
-      const int grey = qRed(picture.pixel(x, y));
-      QVERIFY2(grey >= int(255 * low / 1000) - 2 && grey <= int(255 * high / 1000) + 2,
-               qPrintable(QStringLiteral("%1 at %2, %3").arg(grey).arg(x).arg(y)));
-      ++compared;
-    }
-  QVERIFY(compared > 200);
-  w.press("unlock");
-  QVERIFY(flatLookOf(w.workspace().view(left)).overlay.empty());
 }
 
 void TestLinks::allOfItIsKeptInTheSession() {

@@ -158,9 +158,9 @@ void TestMeasureTools::shiftKeepsTheTool() {
   w.choose(length);
   QAction* action = w.child<QAction>("lengthTool");
   QVERIFY(action->isChecked());
-  w.drawOn(length, {{50, 50}, {90, 70}}, axialViewId, Qt::ShiftModifier);
+  drawShape(w.view(), length, {{50, 50}, {90, 70}}, Qt::ShiftModifier);
   QVERIFY(action->isChecked());
-  w.drawOn(length, {{50, 90}, {90, 110}}, coronalViewId, {});
+  drawShape(w.view(coronalViewId), length, {{50, 90}, {90, 110}});
   QVERIFY(!action->isChecked());
   QCOMPARE(w.all().size(), std::size_t(2));
   action->trigger();

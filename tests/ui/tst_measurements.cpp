@@ -247,7 +247,7 @@ void TestMeasurements::seriesOfOneFrameShareThem() {
   QVERIFY(w.drawn(id).lines.empty());
   w.session().show(first);
   QVERIFY(w.drawn(id).whole);
-  w.session().close(keyOf(first->series));
+  w.session().close({keyOf(first->series)});
   QVERIFY(w.all().empty());
 }
 

@@ -152,7 +152,10 @@ void TestScissors::twoInARowAreTwoSteps() {
   QCOMPARE(t.session().undoStack().index(), steps);
   QTRY_COMPARE_WITH_TIMEOUT(t.session().undoStack().index(), steps + 2, longest);
   const SeriesKey key = keyOf(t.session().series()->series);
-  QCOMPARE(t.session().maskOf(key).lassos.size(), std::size_t(2));
+  const Mask both = t.session().maskOf(key);
+  QCOMPARE(both.lassos.size(), std::size_t(2));
+  const VolumePtr whole = t.session().seriesWith(key, {})->volume;
+  QVERIFY2(t.volume()->stored() == (*masked(*whole, both))->stored(), "the same as of both at once");
   t.w.child<QAction>("undo")->trigger();
   QCOMPARE(t.session().maskOf(key).lassos.size(), std::size_t(1));
 }

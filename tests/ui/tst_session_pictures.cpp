@@ -25,13 +25,16 @@ class TestSessionPictures : public QObject {
 void TestSessionPictures::theProgramDrawsTheSnapshot_data() {
   QTest::addColumn<int>("what");
   QTest::addColumn<QSize>("size");
+  QTest::addColumn<QString>("cut");
+  const QString no;
   const QSize view(0, 0);  // of the window's view
-  QTest::newRow("as it is opened") << 0 << view;
-  QTest::newRow("turned") << 1 << QSize(230, 170);
-  QTest::newRow("without its table, by level") << 2 << QSize(200, 200);
-  QTest::newRow("from the planes beside it") << 3 << QSize(160, 120);
-  QTest::newRow("cut with the scissors, without its table") << 4 << QSize(200, 160);
-  QTest::newRow("cut, in perspective") << 5 << QSize(200, 160);
+  QTest::newRow("as it is opened") << 0 << view << no;
+  QTest::newRow("turned") << 1 << QSize(230, 170) << no;
+  QTest::newRow("without its table, by level") << 2 << QSize(200, 200) << QStringLiteral("table removed");
+  QTest::newRow("from the planes beside it") << 3 << QSize(160, 120) << no;
+  QTest::newRow("cut with the scissors, without its table")
+      << 4 << QSize(200, 160) << QStringLiteral("1 outline, table removed");
+  QTest::newRow("cut, in perspective") << 5 << QSize(200, 160) << QStringLiteral("1 outline");
 }
 
 void TestSessionPictures::theProgramDrawsTheSnapshot() {
@@ -89,6 +92,11 @@ void TestSessionPictures::theProgramDrawsTheSnapshot() {
   QCOMPARE(window.size(), size);
   QVERIFY(window == program);
   QCOMPARE(contentsOf(folder.at("window.png")), contentsOf(folder.at("program.png")));
+  const QString cut = window.text(QStringLiteral("volumen-cut"));
+  QTEST(cut, "cut");
+  const Outcome b = runProgram(QStringLiteral("render %1 --explain").arg(folder.at("s.volumen")));
+  QVERIFY2(b.status == 0, b.err);
+  QCOMPARE(b.out.contains("on   cut: " + cut.toUtf8() + '\n'), !cut.isEmpty());
 }
 
 void TestSessionPictures::theProgramRefusesWhatContradicts_data() {

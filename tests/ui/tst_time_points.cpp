@@ -1,15 +1,23 @@
 // Guards the steps in time of a view: slider, keys and clip go through the volumes of one file, and nothing
 // but the volume changes. Real events on a file of several volumes.
+#include <QAbstractButton>
+#include <QContextMenuEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMimeData>
 #include <QSlider>
 #include <QTemporaryDir>
+#include <QTreeWidget>
 #include <fstream>
 
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
+#include "ui/panels/studies_panel.h"
 #include "ui/views/slice_view.h"
 #include "ui/views/time_bar.h"
 #include "ui/views/view_grid.h"
+#include "ui/widgets/banner.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/time_points.h"
 
@@ -65,16 +73,6 @@ struct Perfusion : Journey {
   QString corner() { return view()->overlays().topRight.join(QLatin1Char('\n')); }
 };
 
-ShownSeriesPtr named(const char* id, std::string Series::*axis, const char* value) {
-  auto series = std::make_shared<ShownSeries>();
-  series->series.format = "DICOM";
-  series->series.path = "folder";
-  series->series.seriesUid = "1.2.3";
-  series->series.id = id;
-  series->series.*axis = value;
-  return series;
-}
-
 }  // namespace
 
 class TestTimePoints : public QObject {
@@ -86,8 +84,12 @@ class TestTimePoints : public QObject {
   void memoryWithoutRoomLoadsNothingAhead();
   void theSliderIsThereWhereThereAreSeveral();
   void aClipRunsInTime();
-  void theAxisIsNamedByWhatVaries_data();
-  void theAxisIsNamedByWhatVaries();
+  void theListHasOneRow();
+  void theSliderIsIn3dToo();
+  void bothNeighboursAreLoadedAhead();
+  void theLastPictureStaysUntilTheNextIsThere();
+  void whatDoesNotComeLeavesNoOldPicture();
+  void aFileThatIsGoneIsGivenUp();
 
  private:
   QTemporaryDir folder_;
@@ -119,7 +121,7 @@ void TestTimePoints::keysStepInAllViewsOfTheGroup() {
     return of.crosshairs.at(frameOfReference(*of.series.at(key).series));
   };
   QVERIFY(crosshair(after, second) == crosshair(before, first));
-  QCOMPARE(w.corner().section(QLatin1Char('\n'), -1), QStringLiteral("time point 2 of 4"));
+  QCOMPARE(w.corner().section(QLatin1Char('\n'), 2, 2), QStringLiteral("time point 2 of 4"));
   w.key(Qt::Key_Left);
   w.key(Qt::Key_Left);
   QVERIFY(w.shows(100));
@@ -196,42 +198,148 @@ void TestTimePoints::aClipRunsInTime() {
   QCOMPARE(w.session().undoStack().count(), before + 1);
 }
 
-void TestTimePoints::theAxisIsNamedByWhatVaries_data() {
-  QTest::addColumn<int>("axis");
-  QTest::addColumn<QStringList>("values");
-  QTest::addColumn<QString>("second");
-  QTest::addColumn<QString>("all");
-  QTest::newRow("b-values") << 0
-                            << QStringList{QStringLiteral("800"), QStringLiteral("0"), QStringLiteral("50")}
-                            << QStringLiteral("b 50 (2 of 3)") << QStringLiteral("b = 0, 50, 800");
-  QTest::newRow("echoes") << 1 << QStringList{QStringLiteral("9.5"), QStringLiteral("31")}
-                          << QStringLiteral("echo 2 of 2: 31 ms") << QStringLiteral("echo times 9.5, 31 ms");
-  QTest::newRow("times, not as text")
-      << 2 << QStringList{QStringLiteral("10"), QStringLiteral("9"), QStringLiteral("8")}
-      << QStringLiteral("time point 2 of 3") << QStringLiteral("time points 8, 9, 10");
-  QTest::newRow("one alone") << 2 << QStringList{QStringLiteral("1")} << QString() << QString();
+// One row says how many there are, whichever is shown; what is listed elsewhere follows.
+void TestTimePoints::theListHasOneRow() {
+  Perfusion w(path_);
+  QVERIFY(w.opened());
+  auto* tree = w.child<QTreeWidget>("studyTree");
+  const auto rows = [&] {
+    return tree->findItems(QStringLiteral("slices, axial"), Qt::MatchContains | Qt::MatchRecursive);
+  };
+  QCOMPARE(rows().size(), 1);
+  QTreeWidgetItem* const row = rows().front();
+  QVERIFY2(row->text(0).contains(QStringLiteral("4 time points")), qPrintable(row->text(0)));
+  QVERIFY2(!row->text(0).contains(QLatin1Char('!')), "that the file holds several is no warning");
+  QVERIFY2(row->toolTip(0).contains(QStringLiteral("time points 1, 2, 3, 4")), qPrintable(row->toolTip(0)));
+  w.shot("time-points-row");
+  w.key(Qt::Key_Right);
+  w.key(Qt::Key_Right);
+  QVERIFY(w.shows(300));
+  const SeriesKey third = w.workspace().view(axialViewId).series;
+  QVERIFY(row->font(0).bold());
+  // Dragged it is the one that is shown, in another view.
+  const std::unique_ptr<QMimeData> dragged(
+      tree->model()->mimeData(tree->selectionModel()->selectedIndexes()));
+  QVERIFY(dragged);
+  const Series* meant = w.window.findChild<StudiesPanel*>()->seriesOf(*dragged);
+  QVERIFY(meant && keyOf(*meant) == third);
+  const int steps = w.session().undoStack().index();
+  QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualItemRect(row).center());
+  QVERIFY(w.workspace().view(axialViewId).series == third);
+  QCOMPARE(w.session().undoStack().index(), steps);
+  // Another series lies over all of them, or none; they do not lie over each other.
+  QMenu* overlays = w.child<QMenu>("overlayMenu");
+  Q_EMIT overlays->aboutToShow();
+  QCOMPARE(overlays->actions().size(), 1);
+  // All are gone together.
+  const QPoint at = tree->visualItemRect(row).center();
+  QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree->viewport()->mapToGlobal(at));
+  QCoreApplication::sendEvent(tree->viewport(), &event);
+  auto* menu = w.child<QMenu>("studyMenu");
+  QVERIFY(menu);
+  menu->actions().front()->trigger();
+  QVERIFY(w.workspace().series.empty());
+  QCOMPARE(rows().size(), 0);
 }
 
-void TestTimePoints::theAxisIsNamedByWhatVaries() {
-  QFETCH(int, axis);
-  QFETCH(QStringList, values);
-  QFETCH(QString, second);
-  QFETCH(QString, all);
-  std::string Series::*const axes[] = {&Series::bValue, &Series::echoTime, &Series::timePoint};
-  Workspace workspace;
-  for (const QString& value : values) {
-    const QByteArray text = value.toUtf8();
-    const ShownSeriesPtr step = named(text.constData(), axes[axis], text.constData());
-    workspace.series[keyOf(step->series)].series = std::make_shared<const Series>(step->series);
+void TestTimePoints::theSliderIsIn3dToo() {
+  openAlone();
+  Journey w({path_});
+  QVERIFY(w.settle());
+  auto* slider = w.window.view()->findChild<QSlider*>();
+  QVERIFY(slider && slider->isVisible());
+  const QImage first = w.window.view()->grab().toImage();
+  const QImage last = w.after([&] {
+    QTest::mouseClick(slider, Qt::LeftButton, {}, {slider->width() - 3, slider->height() / 2});
+  });
+  QVERIFY(!last.isNull() && slider->value() > 0);
+  w.shot("time-points-3d");
+  const ShownSeriesPtr shown = w.window.session().series();
+  QCOMPARE(shown->volume->value(edge / 2, edge / 2, edge / 2), 100.f * float(slider->value() + 1));
+}
+
+void TestTimePoints::bothNeighboursAreLoadedAhead() {
+  Perfusion w(path_);
+  QVERIFY(w.opened());
+  const auto isHeld = [&](int n) {
+    const auto all = timePointsOf(w.workspace(), w.workspace().view(axialViewId).series);
+    return w.session().seriesNamed(keyOf(*all[std::size_t(n)])) != nullptr;
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(isHeld(1), longest);
+  QVERIFY(!isHeld(2));
+  // From the first to the last, past two that nobody has asked for.
+  w.slider()->setValue(3);
+  QVERIFY(w.shows(400));
+  QTRY_VERIFY_WITH_TIMEOUT(isHeld(2), longest);
+}
+
+namespace {
+
+// The grey of the middle, where the volume is.
+int middleOf(SliceView* view) {
+  const QImage seen = view->grab().toImage();
+  return qGray(seen.pixel(seen.width() / 2 + 9, seen.height() / 2 + 9));
+}
+
+// A window whose second step is no longer in memory, though it was; nothing is loaded any more.
+struct StepAwaited : Perfusion {
+  using Perfusion::Perfusion;
+  ShownSeriesPtr second;
+
+  bool wait() {
+    const auto next = [&] {
+      return session().seriesNamed(
+          keyOf(*timePointsOf(workspace(), workspace().view(axialViewId).series)[1]));
+    };
+    if (!opened() || !QTest::qWaitFor([&] { return next() && middleOf(view()) > 100; }, longest))
+      return false;
+    second = next();
+    QObject::disconnect(&session(), &Session::seriesNeeded, nullptr, nullptr);
+    session().pool().forget(keyOf(second->series));
+    key(Qt::Key_Right);
+    return !session().seriesOf(axialViewId);
   }
-  Series other = named("other", axes[axis], "77")->series;
-  other.seriesUid = "1.2.4";
-  workspace.series[keyOf(other)].series = std::make_shared<const Series>(other);
-  const SeriesKey any = keyOf(named(values[0].toUtf8().constData(), axes[axis], "")->series);
-  const auto steps = timePointsOf(workspace, any);
-  QCOMPARE(steps.size(), std::size_t(values.size()));
-  if (steps.size() > 1) QCOMPARE(timePointText(workspace, keyOf(*steps[1])), second);
-  QCOMPARE(timeAxisText(workspace, any), all);
+  QLabel* mark() { return view()->findChild<QLabel*>(QStringLiteral("loadingMark")); }
+};
+
+}  // namespace
+
+void TestTimePoints::theLastPictureStaysUntilTheNextIsThere() {
+  StepAwaited w(path_);
+  QVERIFY(w.wait());
+  QVERIFY2(middleOf(w.view()) > 100, "no flash of black");
+  QVERIFY2(!w.mark()->isVisible(), "not at once");
+  QTRY_VERIFY_WITH_TIMEOUT(w.mark()->isVisible(), longest);
+  QVERIFY(middleOf(w.view()) > 100);
+  w.shot("time-points-loading");
+  w.session().keep(w.second);
+  QVERIFY(w.shows(200));
+  QVERIFY(!w.mark()->isVisible());
+}
+
+// What will not come is not awaited under its name.
+void TestTimePoints::whatDoesNotComeLeavesNoOldPicture() {
+  StepAwaited w(path_);
+  QVERIFY(w.wait());
+  w.window.views()->giveUpWaiting(keyOf(w.second->series));
+  QVERIFY(middleOf(w.view()) < 10);
+  w.session().keep(w.second);
+  QVERIFY(w.shows(200));
+  QTRY_VERIFY_WITH_TIMEOUT(middleOf(w.view()) > 100, longest);
+}
+
+void TestTimePoints::aFileThatIsGoneIsGivenUp() {
+  const QTemporaryDir folder;
+  const QString path = fourVolumes(folder);
+  Perfusion w(path);
+  QVERIFY(w.opened());
+  QTRY_VERIFY_WITH_TIMEOUT(middleOf(w.view()) > 100, longest);
+  QTRY_VERIFY_WITH_TIMEOUT(!w.child<QAbstractButton>("cancelTask")->isVisible(), longest);
+  QVERIFY(QFile::remove(path));
+  w.slider()->setValue(3);
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<Banner>("banner")->isVisible(), longest);
+  QVERIFY(middleOf(w.view()) < 10);
+  QVERIFY(!w.view()->findChild<QLabel*>(QStringLiteral("loadingMark"))->isVisible());
 }
 
 VOLUMEN_TEST(TestTimePoints);

@@ -185,7 +185,7 @@ void TestVolumeViews::viewsOfTheGroupStayAsTheyAre() {
 void TestVolumeViews::closingTheSeriesMakesThemPlanesAgain() {
   TwoVolumes t;
   QVERIFY(t.open());
-  t.session().close(keyOf(*seriesIn(t.session().workspace(), left)));
+  t.session().close({keyOf(*seriesIn(t.session().workspace(), left))});
   for (const ViewId id : {left, right}) QVERIFY(t.session().workspace().view(id).kind == ViewKind::axial);
   QVERIFY(t.session().workspace().series.empty());
 }

@@ -246,7 +246,7 @@ void TestWorkspace::closingForgetsTheSteps() {
   const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
   session.show(a);
   session.show(b);
-  session.close(keyOf(b->series));
+  session.close({keyOf(b->series)});
   QVERIFY(!session.series());
   QVERIFY(!session.undoStack().canUndo());
   QVERIFY(session.showAgain(a->series, sceneViewId));

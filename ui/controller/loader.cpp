@@ -1,6 +1,7 @@
 #include "ui/controller/loader.h"
 
 #include <QElapsedTimer>
+#include <utility>
 
 #include "viewer/plan/default_window.h"
 #include "viewer/scene/automatic.h"
@@ -37,7 +38,7 @@ void Loader::cancel() {
     token->cancel();
     *token = CancelToken();
   }
-  loading_.reset();
+  if (const auto given = std::exchange(loading_, {})) Q_EMIT notLoaded(*given);
 }
 
 // Runs a function on the thread of this object, unless the job was cancelled by then.
@@ -107,6 +108,18 @@ void Loader::openSession(const QString& path) {
   });
 }
 
+void Loader::locate(const MissingObjects& missing, const QString& folder) {
+  start(openPool_, cancel_, [this, missing, folder](const CancelToken& cancel, const Progress& progress) {
+    const Result<Located> found = volumen::locate(missing, folder.toStdString(), progress, cancel);
+    tell(cancel, [this, found] {
+      if (found)
+        Q_EMIT located(*found);
+      else
+        Q_EMIT failed(QString::fromStdString(found.message()));
+    });
+  });
+}
+
 void Loader::cancelLoad() {
   loadCancel_.cancel();
   loadCancel_ = CancelToken();
@@ -127,8 +140,9 @@ void Loader::begin(const Series& series, bool isAhead) {
   isAhead_ = isAhead;
   start(loadPool_, loadCancel_, [this, series](const CancelToken& cancel, const Progress& progress) {
     const auto fail = [&](const std::string& sentence) {
-      tell(cancel, [this, text = QString::fromStdString(sentence)] {
+      tell(cancel, [this, key = keyOf(series), text = QString::fromStdString(sentence)] {
         loading_.reset();
+        Q_EMIT notLoaded(key);
         Q_EMIT failed(text);
       });
     };

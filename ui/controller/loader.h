@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "io/study.h"
+#include "ui/controller/locate.h"
 #include "ui/controller/open_session.h"
 #include "ui/data/shown_series.h"
 #include "viewer/volume/cancel.h"
@@ -29,6 +30,8 @@ class Loader : public QObject {
   /// The same for files that are not one path: ends in filesOpened() by the name given.
   void openFiles(const QString& name, const std::vector<std::string>& files);
   void openSession(const QString& path);
+  /// Looks for what a workspace misses in a folder.
+  void locate(const MissingObjects& missing, const QString& folder);
   /// Gives up a load of another series that is under way.
   void load(const Series& series);
   /// The same for one that is not shown yet, told by loadedAhead().
@@ -43,8 +46,11 @@ class Loader : public QObject {
   void studyOpened(const QString& path, const std::shared_ptr<const volumen::Study>& study);
   void filesOpened(const QString& name, const std::shared_ptr<const volumen::Study>& study);
   void sessionOpened(const QString& path, const volumen::OpenedSession& session);
+  void located(const volumen::Located& located);
   void seriesLoaded(const volumen::ShownSeriesPtr& series);
   void loadedAhead(const volumen::ShownSeriesPtr& series);
+  /// It failed or was cancelled; not for what another series took the place of.
+  void notLoaded(const volumen::SeriesKey& series);
   void presetReady(const QString& name, const volumen::Scene& scene, const volumen::VolumePtr& volume);
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);

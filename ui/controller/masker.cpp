@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <algorithm>
+#include <span>
 
 #include "viewer/scene/automatic.h"
 #include "viewer/segment/mask.h"
@@ -10,8 +11,28 @@ namespace volumen {
 
 namespace {
 
-Result<ShownSeriesPtr> maskedSeries(const ShownSeries& whole, const Mask& mask, const CancelToken& cancel) {
-  Result<VolumePtr> volume = masked(*whole.volume, mask, cancel);
+// A volume that lacks a part of what a mask takes away: the table, and so many of its outlines.
+struct CutVolume {
+  VolumePtr volume;
+  std::size_t outlines = 0;
+};
+
+// The one in memory that lacks most of it; none: only the whole one is.
+std::optional<CutVolume> beforeLast(const Session& session, const SeriesKey& series, Mask mask) {
+  while (!mask.lassos.empty()) {
+    mask.lassos.pop_back();
+    if (mask.empty()) break;
+    if (const ShownSeriesPtr held = session.seriesWith(series, mask))
+      return CutVolume{held->volume, mask.lassos.size()};
+  }
+  return {};
+}
+
+Result<ShownSeriesPtr> maskedSeries(const ShownSeries& whole, const std::optional<CutVolume>& before,
+                                    const Mask& mask, const CancelToken& cancel) {
+  Result<VolumePtr> volume =
+      before ? cutFurther(*before->volume, std::span(mask.lassos).subspan(before->outlines), cancel)
+             : masked(*whole.volume, mask, cancel);
   if (!volume) return volume.error();
   auto without = std::make_shared<ShownSeries>(whole);
   without->volume = *volume;
@@ -116,8 +137,9 @@ void Masker::begin(const Mask& mask, const ShownSeriesPtr& whole) {
   cancel_ = CancelToken();
   const Mask before = session_.maskOf(jobs_.front().series);
   Q_EMIT begun(mask.lassos.empty() ? tr("Removing table") : tr("Cutting"));
-  pool_.start([this, before, mask, whole, cancel = cancel_] {
-    const Result<ShownSeriesPtr> made = maskedSeries(*whole, mask, cancel);
+  const std::optional<CutVolume> last = beforeLast(session_, jobs_.front().series, mask);
+  pool_.start([this, before, last, mask, whole, cancel = cancel_] {
+    const Result<ShownSeriesPtr> made = maskedSeries(*whole, last, mask, cancel);
     QMetaObject::invokeMethod(
         this, [this, before, mask, made] { take(before, mask, made); }, Qt::QueuedConnection);
   });

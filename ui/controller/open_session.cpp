@@ -2,13 +2,11 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <algorithm>
-#include <iterator>
 #include <map>
 
 #include "io/files/output_file.h"
 #include "io/files/session_file.h"
-#include "ui/data/frame_series.h"
+#include "ui/controller/find_saved.h"
 #include "ui/workspace/session_json.h"
 #include "ui/workspace/text.h"
 
@@ -20,28 +18,7 @@ std::string folderOf(const std::string& path) {
   return QFileInfo(QString::fromStdString(path)).absolutePath().toStdString();
 }
 
-bool hasName(const Series& series, const Series& name) {
-  return series.id == name.id || (!name.seriesUid.empty() && series.seriesUid == name.seriesUid);
-}
-
-// The series that is what it was; ids may have changed with what lies beside it. Null: none is.
-const Series* sameSeries(const std::vector<Series>& all, const SavedSeries& saved) {
-  const Series* found = nullptr;
-  for (const Series& series : all) {
-    if (!hasName(series, saved.series) || proofOf(series) != saved.proof) continue;
-    if (series.id == saved.series.id) return &series;
-    if (!found) found = &series;
-  }
-  return found;
-}
-
-const Series* namesake(const std::vector<Series>& all, const SavedSeries& saved) {
-  for (const Series& series : all)
-    if (hasName(series, saved.series)) return &series;
-  return nullptr;
-}
-
-// Looks for series, opening each path once.
+// Looks for series and objects that refer to pictures, opening each path once.
 class Search {
  public:
   Search(std::string folder, const Progress& progress, const CancelToken& cancel)
@@ -49,19 +26,34 @@ class Search {
 
   std::shared_ptr<const Series> operator()(const SavedSeries& saved) {
     const Series* changed = nullptr;
-    for (const std::string& place : placesOf(saved)) {
-      const std::vector<Series>& all = seriesAt(place);
-      if (const Series* found = sameSeries(all, saved)) return std::make_shared<const Series>(*found);
-      if (!changed) changed = namesake(all, saved);
+    for (const std::string& path : placesOf(saved.relativePath, saved.series.path)) {
+      const std::vector<Series>& all = placeAt(path).series;
+      if (const Series* found = findSaved(all, saved)) return std::make_shared<const Series>(*found);
+      if (!changed) changed = namesakeOf(all, saved);
     }
-    problems.push_back(problemOf(saved, changed));
+    tell(problemOf(saved, changed));
     return nullptr;
+  }
+
+  std::optional<ReferenceKey> findObject(const SavedReference& saved) {
+    const std::vector<std::string> paths = placesOf(saved.relativePath, saved.key.path);
+    // It may lie in a folder that is open already.
+    for (const std::string& path : paths)
+      for (const auto& [opened, place] : places_)
+        if (const Reference* found = place.study ? findSaved(*place.study, saved) : nullptr)
+          if (found->path == path) return keyOf(*found);
+    for (const std::string& path : paths)
+      if (const Place& place = placeAt(path); place.study)
+        if (const Reference* found = findSaved(*place.study, saved)) return keyOf(*found);
+    tell(problemOf(saved));
+    return {};
   }
 
   std::vector<std::pair<std::string, std::shared_ptr<const Study>>> studies() const {
     std::vector<std::pair<std::string, std::shared_ptr<const Study>>> opened;
     for (const auto& [path, place] : places_)
-      if (!place.series.empty()) opened.emplace_back(path, place.study);
+      if (!place.series.empty() || (place.study && !place.study->references.empty()))
+        opened.emplace_back(path, place.study);
     return opened;
   }
 
@@ -73,26 +65,29 @@ class Search {
     std::vector<Series> series;
   };
 
-  std::vector<std::string> placesOf(const SavedSeries& saved) const {
+  std::vector<std::string> placesOf(const std::string& relativePath, const std::string& path) const {
     std::vector<std::string> places;
-    if (!saved.relativePath.empty())
-      places.push_back(
-          QDir::cleanPath(QString::fromStdString(folder_ + "/" + saved.relativePath)).toStdString());
-    if (places.empty() || places.front() != saved.series.path) places.push_back(saved.series.path);
+    if (!relativePath.empty())
+      places.push_back(QDir::cleanPath(QString::fromStdString(folder_ + "/" + relativePath)).toStdString());
+    if (places.empty() || places.front() != path) places.push_back(path);
     return places;
   }
 
-  // Volumes, and frames of what is none; empty: nothing is there.
-  const std::vector<Series>& seriesAt(const std::string& path) {
+  // Nothing in it: nothing is there.
+  const Place& placeAt(const std::string& path) {
     const auto [at, isNew] = places_.try_emplace(path);
     Place& place = at->second;
-    if (!isNew || cancel_.cancelled()) return place.series;
+    if (!isNew || cancel_.cancelled()) return place;
     if (Result<Study> study = openStudy(path, progress_, cancel_)) {
-      place.series = study->volumes;
-      std::ranges::move(frameSeries(*study), std::back_inserter(place.series));
+      place.series = allSeriesOf(*study);
       place.study = std::make_shared<const Study>(std::move(*study));
     }
-    return place.series;
+    return place;
+  }
+
+  // The volumes of one series would be told once each.
+  void tell(const QString& problem) {
+    if (!problems.contains(problem)) problems << problem;
   }
 
   static QString problemOf(const SavedSeries& saved, const Series* changed) {
@@ -101,6 +96,18 @@ class Search {
     const QString how = QString::fromStdString(changeText(saved.proof, proofOf(*changed)));
     return tr("%1 has changed since the session was saved, %2: its views stay empty until it is opened.")
         .arg(name, how);
+  }
+
+  static QString problemOf(const SavedReference& saved) {
+    const QString path = pathText(saved.key.path);
+    switch (saved.kind) {
+      case ReferenceKind::contours:
+        return tr("The contours of %1 were not found: they are not shown until it is opened.").arg(path);
+      case ReferenceKind::segmentation:
+        return tr("The segmentation %1 was not found: it is not shown until it is opened.").arg(path);
+      default:
+        return tr("The presentation state %1 was not found: its pictures are shown without it.").arg(path);
+    }
   }
 
   const std::string folder_;
@@ -118,7 +125,8 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
   // Nothing is looked for before all of it is known to be right.
   if (const auto right = sessionFromJson(*text, {}); !right) return Error{path + ": " + right.message()};
   Search search(folderOf(path), progress, cancel);
-  auto session = sessionFromJson(*text, std::ref(search));
+  auto session = sessionFromJson(*text, std::ref(search),
+                                 [&](const SavedReference& saved) { return search.findObject(saved); });
   if (cancel.cancelled()) return Error{path + ": interrupted."};
   if (!session) return Error{path + ": " + session.message()};
   return OpenedSession{std::move(session->workspace), session->savedAs, search.studies(), search.problems};

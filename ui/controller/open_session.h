@@ -14,12 +14,12 @@ struct OpenedSession {
   Workspace workspace;
   std::string savedAs;  ///< of what was kept on the way: the session file it belongs to; empty: none yet
   std::vector<std::pair<std::string, std::shared_ptr<const Study>>> studies;  ///< by path
-  QStringList problems;  ///< a sentence for each series that is missing or has changed
+  QStringList problems;  ///< a sentence for each series or object that is missing or has changed
 };
 
-/// Reads a session file and looks for its series: beside it as they lay then, else at their old place. Where
-/// one is missing, or is not what it was, its views stay empty and keep their state. The Error names the
-/// file.
+/// Reads a session file and looks for its series, and for the presentation states, structure sets and
+/// segmentations that it shows: beside it as they lay then, else at their old place. Where a series is
+/// missing, or is not what it was, its views stay empty and keep their state. The Error names the file.
 Result<OpenedSession> openSession(const std::string& path, const Progress& progress = {},
                                   const CancelToken& cancel = {});
 

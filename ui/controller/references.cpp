@@ -1,5 +1,7 @@
 #include "ui/controller/references.h"
 
+#include <algorithm>
+
 #include "io/segmentation.h"
 #include "ui/data/picture_index.h"
 
@@ -46,7 +48,8 @@ void References::fail(const std::string& sentence) {
 
 std::shared_ptr<const LoadedRegions> References::regions(const ReferenceKey& key, ReferenceKind kind) {
   if (const auto held = regions_.find(key); held != regions_.end()) return held->second;
-  if (!asked_.insert(key).second) return nullptr;
+  const auto isIt = [&](const ReferencePtr& object) { return keyOf(*object) == key; };
+  if (std::ranges::none_of(all_, isIt) || !asked_.insert(key).second) return nullptr;
   pool_.start([this, key, kind] {
     Result<LoadedRegions> loaded = loadRegions(key.path, kind);
     if (!loaded) return fail(loaded.message());

@@ -34,7 +34,8 @@ class References : public QObject {
   /// Those of a kind that name picture `index` (from 0) of a series.
   std::vector<ReferencePtr> naming(ReferenceKind kind, const Series& series, int index) const;
 
-  /// Null: it is not read yet and changed() will tell, or it cannot be read and failed() told once.
+  /// Null: it is not open, or not read yet and changed() will tell, or it cannot be read and failed() told
+  /// once.
   std::shared_ptr<const LoadedRegions> regions(const ReferenceKey& key, ReferenceKind kind);
   /// Ends in reportRead() or failed().
   void readReport(const ReferencePtr& report);

@@ -18,10 +18,12 @@ Registrar::~Registrar() {
 void Registrar::cancel() {
   cancel_.cancel();
   cancel_ = CancelToken();
+  pair_.reset();
 }
 
 void Registrar::start(const PlacedVolume& fixed, const PlacedVolume& moving) {
   cancel();
+  pair_.emplace(fixed.frame, moving.frame);
   if (underWay_++ == 0) Q_EMIT begun();
   watch_.start();
   pool_.start([this, fixed, moving, token = cancel_] {
@@ -34,6 +36,7 @@ void Registrar::start(const PlacedVolume& fixed, const PlacedVolume& moving) {
             Q_EMIT ended();
           }
           if (token.cancelled()) return;
+          pair_.reset();
           if (rigid)
             Q_EMIT found(fixed.frame, moving.frame, *rigid);
           else

@@ -3,7 +3,9 @@
 #include <QObject>
 #include <QThreadPool>
 #include <QTimer>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/rigid.h"
@@ -28,6 +30,8 @@ class Registrar : public QObject {
   /// Gives up another pair that is under way.
   void start(const PlacedVolume& fixed, const PlacedVolume& moving);
   void cancel();
+  /// The frames of reference of the pair under way; none: nothing is.
+  const std::optional<std::pair<std::string, std::string>>& pair() const { return pair_; }
 
  Q_SIGNALS:
   void begun();
@@ -42,6 +46,7 @@ class Registrar : public QObject {
  private:
   QThreadPool pool_;
   CancelToken cancel_;
+  std::optional<std::pair<std::string, std::string>> pair_;
   QTimer watch_;
   int underWay_ = 0;
 };

@@ -7,6 +7,7 @@
 
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
 
 namespace volumen {
 
@@ -72,14 +73,16 @@ void fillOverlays(QMenu* menu, Session& session, const std::vector<const Series*
   none->setCheckable(true);
   none->setChecked(look.overlay.empty());
   if (under == session.workspace().series.end()) return;
+  const auto shown = session.workspace().series.find(look.overlay);
   for (const Series* over : all) {
-    if (keyOf(*over) == state.series) continue;
+    if (areTimePoints(*over, *under->second.series)) continue;
     const QString why = whyNotOverlaid(session.workspace(), *under->second.series, *over);
     const QString name = seriesText(*over).replace(QLatin1Char('&'), QStringLiteral("&&"));
     QAction* action = menu->addAction(why.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, why), menu,
                                       [set, series = *over] { set(&series); });
     action->setCheckable(true);
-    action->setChecked(look.overlay == keyOf(*over));
+    action->setChecked(shown != session.workspace().series.end() &&
+                       areTimePoints(*over, *shown->second.series));
     action->setEnabled(why.isEmpty());
   }
   if (look.overlay.empty()) return;

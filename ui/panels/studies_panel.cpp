@@ -8,7 +8,9 @@
 #include <QTreeWidgetItemIterator>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include "ui/data/frame_series.h"
@@ -16,6 +18,8 @@
 #include "ui/panels/studies_panel_roles.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/time_point_text.h"
+#include "ui/workspace/time_points.h"
 
 namespace volumen {
 
@@ -24,9 +28,13 @@ namespace {
 constexpr int thumbnailEdge = 44;
 
 // Rich text, so that long sentences wrap.
-QString toolTipOf(const Series& series) {
+QString toolTipOf(const Series& series, const std::vector<const Series*>& steps) {
   QStringList lines;
   for (const QString& line : everythingOf(series)) lines << line.toHtmlEscaped();
+  QStringList several{stepsText(steps), timeAxisText(steps)};
+  several.removeAll(QString());
+  several.removeDuplicates();
+  for (const QString& line : several) lines << line.toHtmlEscaped();
   return QStringLiteral("<p>%1</p>").arg(lines.join(QStringLiteral("<br>")));
 }
 
@@ -35,21 +43,24 @@ std::vector<const Series*> namesakes(const Study& study, const Series& series) {
   std::vector<const Series*> found;
   for (const Series& other : study.volumes)
     if (other.studyUid == series.studyUid && other.modality == series.modality &&
-        other.description == series.description)
+        other.description == series.description && !areTimePoints(other, series))
       found.push_back(&other);
   return found;
 }
 
-bool sameSeries(const Series& a, const Series& b) { return a.id == b.id && a.path == b.path; }
+// Whether a row that stands for one series stands for another one, too.
+bool standsFor(const Series& listed, const Series& series) {
+  return keyOf(listed) == keyOf(series) || (!opensAsFrames(listed) && areTimePoints(listed, series));
+}
 
 // A tree whose series can be dragged: by the path that was opened and their number in it.
 class StudyTree : public QTreeWidget {
  protected:
   QStringList mimeTypes() const override { return {StudiesPanel::draggedSeries}; }
   QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
-    if (items.isEmpty() || !items.front()->data(0, indexRole).isValid()) return nullptr;
+    if (items.isEmpty() || !items.front()->data(0, stepRole).isValid()) return nullptr;
     auto* dragged = new QMimeData;
-    dragged->setData(StudiesPanel::draggedSeries, items.front()->data(0, indexRole).toByteArray() + ' ' +
+    dragged->setData(StudiesPanel::draggedSeries, items.front()->data(0, stepRole).toByteArray() + ' ' +
                                                       items.front()->data(0, pathRole).toString().toUtf8());
     return dragged;
   }
@@ -101,13 +112,59 @@ const Series* StudiesPanel::Opened::seriesAt(std::size_t n) const {
   return n < volumes + frames.size() ? &frames[n - volumes] : nullptr;
 }
 
+std::vector<std::vector<std::size_t>> StudiesPanel::Opened::rows() const {
+  std::vector<std::vector<const Series*>> volumes;
+  std::map<std::string_view, std::vector<std::size_t>> ofSeries;  // the rows of each series
+  for (const Series& series : study->volumes) {
+    std::vector<std::size_t>& known = ofSeries[series.seriesUid];
+    const auto row = std::ranges::find_if(
+        known, [&](std::size_t n) { return areTimePoints(*volumes[n].front(), series); });
+    if (row != known.end() && !opensAsFrames(series)) {
+      volumes[*row].push_back(&series);
+      continue;
+    }
+    known.push_back(volumes.size());
+    volumes.push_back({&series});
+  }
+  std::vector<std::vector<std::size_t>> all;
+  for (std::vector<const Series*>& row : volumes) {
+    sortTimePoints(row);
+    all.emplace_back();
+    for (const Series* series : row) all.back().push_back(numberOf(*series));
+  }
+  for (std::size_t n = 0; n < frames.size(); ++n) all.push_back({study->volumes.size() + n});
+  return all;
+}
+
+// Null for what was not opened.
+const StudiesPanel::Opened* StudiesPanel::openedOf(const QTreeWidgetItem* item) const {
+  const auto opened = std::ranges::find(studies_, item->data(0, pathRole).toString(), &Opened::path);
+  return opened == studies_.end() ? nullptr : &*opened;
+}
+
 // Null for patients, studies and what could not be read.
 const Series* StudiesPanel::seriesOf(const QTreeWidgetItem* item) const {
-  const QVariant index = item->data(0, indexRole);
-  if (!index.isValid()) return nullptr;
-  for (const Opened& opened : studies_)
-    if (opened.path == item->data(0, pathRole).toString()) return opened.seriesAt(index.toULongLong());
-  return nullptr;
+  const QVariant step = item->data(0, stepRole);
+  const Opened* opened = step.isValid() ? openedOf(item) : nullptr;
+  return opened ? opened->seriesAt(step.toULongLong()) : nullptr;
+}
+
+// All that a row stands for.
+std::vector<const Series*> StudiesPanel::stepsOf(const QTreeWidgetItem* item) const {
+  const Series* shown = seriesOf(item);
+  if (!shown) return {};
+  std::vector<const Series*> steps;
+  const Opened& opened = *openedOf(item);
+  for (std::size_t n = 0; const Series* series = opened.seriesAt(n); ++n)
+    if (standsFor(*shown, *series)) steps.push_back(series);
+  return steps;
+}
+
+std::vector<const Series*> StudiesPanel::listedSeries() const {
+  std::vector<const Series*> listed;
+  for (QTreeWidgetItemIterator it(tree_); *it; ++it)
+    if (const Series* series = seriesOf(*it); series && series->notVolume.empty()) listed.push_back(series);
+  return listed;
 }
 
 std::vector<const Series*> StudiesPanel::allSeries() const {
@@ -147,27 +204,31 @@ QTreeWidgetItem* StudiesPanel::studyItem(const Series& series) {
   return childNamed(patient, QString::fromStdString(series.studyUid), studyText(series));
 }
 
-void StudiesPanel::addSeries(const Opened& opened, std::size_t n) {
-  const Series& series = *opened.seriesAt(n);
+void StudiesPanel::addSeries(const Opened& opened, const std::vector<std::size_t>& row) {
+  std::vector<const Series*> steps;
+  for (const std::size_t n : row) steps.push_back(opened.seriesAt(n));
+  const Series series = commonOf(steps);
   QTreeWidgetItem* parent = studyItem(series);
-  const QStringList details =
-      QStringList(slicesText(series)) + tellingApart(series, namesakes(*opened.study, series));
+  QStringList details{stepsText(steps), slicesText(series)};
+  details.removeAll(QString());
+  details << tellingApart(series, namesakes(*opened.study, *steps.front()));
   // What is said of one slice as a volume does not hold of it as a frame.
   const QString mark = series.warnings.empty() || opensAsFrames(series) ? QString() : QStringLiteral("! ");
   auto* item = new QTreeWidgetItem(
       parent, {mark + seriesText(series) + QLatin1Char('\n') + details.join(QStringLiteral(", "))});
-  item->setToolTip(0, toolTipOf(series));
+  item->setToolTip(0, toolTipOf(series, steps));
   item->setData(0, pathRole, opened.path);
-  item->setData(0, indexRole, qulonglong(n));
+  item->setData(0, indexRole, qulonglong(row.front()));
+  item->setData(0, stepRole, qulonglong(row.front()));
   QPixmap none(thumbnailEdge, thumbnailEdge);  // so that nothing moves when the thumbnail comes
   none.fill(Qt::transparent);
   item->setIcon(0, none);
-  thumbnails_.request(series);
+  thumbnails_.request(*steps.front());
 }
 
 void StudiesPanel::setThumbnail(const Series& series, const QImage& thumbnail) {
   for (QTreeWidgetItemIterator it(tree_); *it; ++it)
-    if (const Series* listed = seriesOf(*it); listed && sameSeries(*listed, series))
+    if (const Series* listed = seriesOf(*it); listed && standsFor(*listed, series))
       (*it)->setIcon(0, QPixmap::fromImage(thumbnail));
 }
 
@@ -200,14 +261,14 @@ void StudiesPanel::showMenu(QPoint position) {
 
 // With all below it, and what holds nothing else.
 void StudiesPanel::remove(QTreeWidgetItem* item) {
-  std::vector<Series> gone;
+  std::vector<SeriesKey> gone;
   const std::function<void(QTreeWidgetItem*)> collect = [&](QTreeWidgetItem* from) {
-    if (const Series* series = seriesOf(from)) gone.push_back(*series);
+    for (const Series* series : stepsOf(from)) gone.push_back(keyOf(*series));
     for (int n = 0; n < from->childCount(); ++n) collect(from->child(n));
   };
   collect(item);
   removeItem(item);
-  for (const Series& series : gone) Q_EMIT seriesRemoved(series);
+  if (!gone.empty()) Q_EMIT seriesRemoved(gone);
 }
 
 void StudiesPanel::closeAll() {
@@ -242,7 +303,7 @@ void StudiesPanel::removePath(const QString& path) {
 void StudiesPanel::addStudy(const QString& path, const std::shared_ptr<const Study>& study) {
   removePath(path);
   const Opened& opened = studies_.emplace_back(Opened{path, study, frameSeries(*study)});
-  for (std::size_t n = 0; opened.seriesAt(n); ++n) addSeries(opened, n);
+  for (const std::vector<std::size_t>& row : opened.rows()) addSeries(opened, row);
   for (std::size_t n = 0; n < study->references.size(); ++n) addReference(opened, n);
   addRefused(path, *study);
   showReferences();
@@ -278,11 +339,14 @@ void StudiesPanel::showNames() {
 void StudiesPanel::markShown(const Series& shown, const VolumePtr& volume) {
   for (QTreeWidgetItemIterator it(tree_); *it; ++it) {
     const Series* listed = seriesOf(*it);
-    const bool is = listed && sameSeries(*listed, shown);
+    const bool is = listed && standsFor(*listed, shown);
     QFont font = (*it)->font(0);
     font.setBold(is);
     (*it)->setFont(0, font);
     if (!is) continue;
+    for (const Series* step : stepsOf(*it))
+      if (keyOf(*step) == keyOf(shown) && shown.notVolume.empty())
+        (*it)->setData(0, stepRole, qulonglong(openedOf(*it)->numberOf(*step)));
     tree_->setCurrentItem(*it);
     if (volume && !opensAsFrames(shown))
       (*it)->setIcon(0, QPixmap::fromImage(thumbnailOf(*volume, thumbnailEdge)));

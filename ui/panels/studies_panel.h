@@ -7,6 +7,7 @@
 
 #include "ui/controller/thumbnails.h"
 #include "ui/data/reference_key.h"
+#include "ui/data/series_key.h"
 #include "ui/data/shown_series.h"
 
 class QMenu;
@@ -14,10 +15,11 @@ class QMimeData;
 
 namespace volumen {
 
-/// What was opened: patients, studies, series of slices or frames with a thumbnail; "!" where there is a
-/// warning, all that is known in the tooltip. Below them the objects that refer to pictures, with how many of
-/// these are not in the list. A click asks for a series or an object, a right click for what else can be done
-/// with it. What could not be read is named below with its reason.
+/// What was opened: patients, studies, series of slices or frames with a thumbnail, the steps of one series
+/// (in time, by direction) in one row; "!" where there is a warning, all that is known in the tooltip. Below
+/// them the objects that refer to pictures, with how many of these are not in the list. A click asks for a
+/// series or an object, a right click for what else can be done with it. What could not be read is named
+/// below with its reason.
 class StudiesPanel : public QWidget {
   Q_OBJECT
  public:
@@ -33,6 +35,8 @@ class StudiesPanel : public QWidget {
   void markShown(const Series& shown, const VolumePtr& volume);
   /// All volumes that are in the list.
   std::vector<const Series*> allSeries() const;
+  /// Those that rows stand for: of the steps of a series the one that a click shows.
+  std::vector<const Series*> listedSeries() const;
   /// The same and the frames of what is no volume.
   std::vector<const Series*> allPictures() const;
   /// All objects that refer to pictures.
@@ -51,8 +55,8 @@ class StudiesPanel : public QWidget {
   void referenceChosen(const volumen::ReferencePtr& object);
   /// Of what is open.
   void listChanged();
-  /// It is no longer in the list.
-  void seriesRemoved(const volumen::Series& series);
+  /// They are no longer in the list.
+  void seriesRemoved(const std::vector<volumen::SeriesKey>& series);
   /// The list is empty.
   void allClosed();
 
@@ -64,13 +68,19 @@ class StudiesPanel : public QWidget {
 
     // First the volumes, then the frames; null beyond them.
     const Series* seriesAt(std::size_t n) const;
+    // The number of a volume.
+    std::size_t numberOf(const Series& volume) const { return std::size_t(&volume - study->volumes.data()); }
+    // The numbers of all, the steps of one series together and in their order.
+    std::vector<std::vector<std::size_t>> rows() const;
   };
 
+  const Opened* openedOf(const QTreeWidgetItem* item) const;
   const Series* seriesOf(const QTreeWidgetItem* item) const;
+  std::vector<const Series*> stepsOf(const QTreeWidgetItem* item) const;
   ReferencePtr referenceOf(const QTreeWidgetItem* item) const;
   QTreeWidgetItem* studyItem(const Series& series);
   QTreeWidgetItem* childNamed(QTreeWidgetItem* parent, const QString& key, const QString& text);
-  void addSeries(const Opened& opened, std::size_t n);
+  void addSeries(const Opened& opened, const std::vector<std::size_t>& row);
   void addReference(const Opened& opened, std::size_t n);
   void showReferences();
   void addRefused(const QString& path, const Study& study);

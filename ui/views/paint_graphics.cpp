@@ -3,6 +3,7 @@
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace volumen {
 
@@ -11,8 +12,9 @@ namespace {
 /// Paints one layer after the other.
 class LayerPainter {
  public:
-  LayerPainter(QPainter& painter, const FramePresentation& how, const AnnotationPlaces& places)
-      : painter_(painter), how_(how), at_(places) {}
+  LayerPainter(QPainter& painter, const FramePresentation& how, const AnnotationPlaces& places,
+               std::vector<QRectF> taken)
+      : painter_(painter), how_(how), at_(places), taken_(std::move(taken)) {}
 
   void paint(const std::string& layer, const QColor& colour) {
     painter_.setPen(colour);
@@ -46,6 +48,21 @@ class LayerPainter {
     painter_.drawLine(p - QPointF(0, arm), p + QPointF(0, arm));
   }
 
+  // Below all that it would touch.
+  QRectF freePlace(QRectF place, int flags, const QString& words) {
+    constexpr double gap = 4;
+    QRectF lines = painter_.boundingRect(place, flags, words);
+    const auto touches = [&](const QRectF& other) { return lines.intersects(other); };
+    for (auto other = std::ranges::find_if(taken_, touches); other != taken_.end();
+         other = std::ranges::find_if(taken_, touches)) {
+      const double down = other->bottom() + gap - lines.top();
+      place.translate(0, down);
+      lines.translate(0, down);
+    }
+    if (!taken_.empty()) taken_.push_back(lines);
+    return place;
+  }
+
   void paint(const GraphicText& text) {
     constexpr qsizetype mostLetters = 4096;
     const QString words = QString::fromStdString(text.text).left(mostLetters);
@@ -61,14 +78,19 @@ class LayerPainter {
       flags |= text.box->justified == Justified::right    ? Qt::AlignRight
                : text.box->justified == Justified::centre ? Qt::AlignHCenter
                                                           : Qt::AlignLeft;
-      if (text.anchor && text.anchor->visible) painter_.drawLine(place.center(), anchor);
     }
+    const bool ofDisplay = text.box      ? text.box->units == AnnotationUnits::display
+                           : text.anchor ? text.anchor->units == AnnotationUnits::display
+                                         : false;
+    if (ofDisplay) place = freePlace(place, flags, words);
+    if (text.box && text.anchor && text.anchor->visible) painter_.drawLine(place.center(), anchor);
     painter_.drawText(place, flags, words);
   }
 
   QPainter& painter_;
   const FramePresentation& how_;
   const AnnotationPlaces& at_;
+  std::vector<QRectF> taken_;
 };
 
 QColor layerColour(const GraphicLayer& layer) {
@@ -78,9 +100,10 @@ QColor layerColour(const GraphicLayer& layer) {
 
 }  // namespace
 
-void paintGraphics(QPainter& painter, const FramePresentation& how, const AnnotationPlaces& places) {
+void paintGraphics(QPainter& painter, const FramePresentation& how, const AnnotationPlaces& places,
+                   std::vector<QRectF> taken) {
   painter.setRenderHint(QPainter::Antialiasing);
-  LayerPainter layers(painter, how, places);
+  LayerPainter layers(painter, how, places, std::move(taken));
   for (const GraphicLayer& layer : how.layers) layers.paint(layer.name, layerColour(layer));
   painter.setBrush(Qt::NoBrush);
 }

@@ -131,7 +131,7 @@ void SliceView::showPicture(const SlicePicture& picture) {
 
 void SliceView::seriesExchanged(bool another) {
   if (showsFrames()) return;
-  if (another && !isTimeStep(session_.workspace(), showed_, state())) picture_ = {}, asked_.reset();
+  if (another) picture_ = {}, asked_.reset();
   tellWarnings();
 }
 

@@ -12,6 +12,7 @@
 #include "ui/views/view.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/frame_look.h"
+#include "ui/workspace/key_images.h"
 #include "ui/workspace/range_segment.h"
 
 namespace volumen {
@@ -63,9 +64,8 @@ class SliceView : public View {
   Overlays overlays() const;
   bool isPlaying() const { return player_ != nullptr; }
   void invert();
-  /// The acquired picture that is seen, by its number in the series; none where the plane is not that of an
-  /// acquired slice.
-  std::optional<int> acquiredPicture() const;
+  /// The picture as acquired that is seen.
+  PictureSeen pictureSeen() const;
   /// The measurements that are seen, the one that is being drawn last.
   std::vector<DrawnMeasurement> drawnMeasurements() const;
 

@@ -87,12 +87,11 @@ Overlays SliceView::overlays() const {
   o.topRight << kindText(state().kind) << QStringLiteral("%1 / %2").arg(place.index + 1).arg(place.count);
   o.bottomRight = tr("W %1 L %2").arg(std::abs(window.width), 0, 'g', 4).arg(window.centre, 0, 'g', 4);
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
-  o.topRight << maskTexts(session_.maskOf(keyOf(shown->series)));
-  o.topRight << referenceTexts();
+  o.topRight << time_->text() << maskTexts(session_.maskOf(keyOf(shown->series))) << referenceTexts();
+  o.topRight.removeAll(QString());
   if (!geometry.calibrated) return o;
   o.topRight << (crosshair.turned() ? tr("oblique") : positionText(state().kind, now.centre));
   if (look.slabMm > 0) o.topRight << slabText(look);
-  o.topRight << time_->text();
   o.topRight << linkText(session_.workspace(), id());
   o.topRight.removeAll(QString());
   const auto letters = [](glm::dvec3 d) { return QString::fromStdString(sideLetters(d)); };
@@ -152,6 +151,9 @@ void SliceView::paintEvent(QPaintEvent*) {
     paintOverlays(painter, overlays(), overlayArea());
     paintStackBar(painter);
     if (!showsFrames()) paintColours(painter);
+  } else if (isWaiting()) {
+    painter.drawImage(QPointF(0, 0), picture_);
+    paintOverlays(painter, waitingOverlays(), overlayArea());
   } else if (!frameFailure_.isEmpty()) {
     Overlays only;
     only.warning = frameFailure_;

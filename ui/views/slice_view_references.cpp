@@ -80,32 +80,31 @@ void SliceView::paintReferences(QPainter& painter) const {
   painter.restore();
   if (!showsFrames() || !frame_->how || !look.layers) return;
   painter.save();
-  paintGraphics(painter, *frame_->how, [&](glm::dvec2 position, AnnotationUnits units) {
-    const glm::dvec2 p = now.pixelFromPatient(annotationPlace(*frame_, position, units)) / ratio;
-    return QPointF(p.x, p.y);
-  });
+  const Overlays corners = overlays();
+  const PlacedOverlays placed = placeOverlays(corners, overlayArea(), painter.font());
+  std::vector<QRectF> taken = corners.taken;
+  for (const PlacedText& text : placed.texts) taken.push_back(text.rect);
+  if (!placed.scaleBar.isEmpty()) taken.push_back(placed.scaleBar);
+  paintGraphics(
+      painter, *frame_->how,
+      [&](glm::dvec2 position, AnnotationUnits units) {
+        const glm::dvec2 p = now.pixelFromPatient(annotationPlace(*frame_, position, units)) / ratio;
+        return QPointF(p.x, p.y);
+      },
+      std::move(taken));
   painter.restore();
 }
 
-std::optional<int> SliceView::acquiredPicture() const {
-  constexpr double along = 0.999, onSlice = 0.1;  // of a step
-  if (showsFrames()) return frame_ ? std::optional(frame_->key.index) : std::nullopt;
+PictureSeen SliceView::pictureSeen() const {
+  if (showsFrames()) return {frame_ ? std::optional(frame_->key.index) : std::nullopt, false};
   const ShownSeriesPtr shown = series();
-  if (!shown || shown->series.regular) return {};
-  const VoxelGeometry& geometry = shown->series.acquired;
-  const SlicePlane now = *plane();
-  const auto& step = geometry.patientFromVoxelStep;
-  const glm::dvec3 normal = glm::normalize(glm::cross(step[0], step[1]));
-  const double k = geometry.voxelFromPatient(now.centre).z;
-  const bool isThere = std::abs(glm::dot(normal, now.normal())) > along &&
-                       std::abs(k - std::round(k)) < onSlice && k > -0.5 && k < geometry.size.z - 0.5;
-  return isThere ? std::optional(int(std::round(k))) : std::nullopt;
+  return shown ? volumen::pictureSeen(shown->series, shown->volume->geometry(), *plane()) : PictureSeen();
 }
 
 // What is to be said of the picture beside its own facts.
 QStringList SliceView::referenceTexts() const {
   QStringList texts;
-  const std::optional<int> picture = acquiredPicture();
+  const std::optional<int> picture = pictureSeen().index;
   const Series& series = *seriesState().series;
   if (showsFrames() && frame_->how) {
     const auto states = references_.naming(ReferenceKind::presentation, series, frame_->key.index);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/workspace/time_point_text.h"
 #include "ui/workspace/time_points.h"
 
 namespace volumen {
@@ -40,10 +41,11 @@ void TimeBar::showSteps() {
   const QSignalBlocker quiet(this);
   setMaximum(std::max(0, int(steps.size()) - 1));
   setValue(int(at - steps.begin()));
-  text_ = hasSteps() ? timePointText(workspace, state.series) : QString();
-  setToolTip(timeAxisText(workspace, state.series));
+  text_ = steps.empty() ? QString() : timePointText(workspace, state.series);
+  setToolTip(hasSteps() ? timeAxisText(steps) : QString());
   setVisible(hasSteps());
   if (!hasSteps()) timer_.stop();
+  Q_EMIT stepsChanged();
 }
 
 void TimeBar::goTo(int index) {

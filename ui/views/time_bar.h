@@ -7,19 +7,23 @@
 
 namespace volumen {
 
-/// The steps in time, echo or diffusion weight of what a view shows; hidden where there is one.
+/// The steps in time, echo, diffusion weight or direction of what a view shows; hidden where there is one.
 class TimeBar : public QSlider {
   Q_OBJECT
  public:
   TimeBar(Session& session, ViewId view, QWidget* parent);
 
   bool hasSteps() const { return maximum() > 0; }
-  /// Which of them is shown: "b 50 (2 of 3)"; empty where there is one.
+  /// Which of them is shown: "b 50 (2 of 3)"; of the only one its label, mostly empty.
   const QString& text() const { return text_; }
   /// So many steps on; stays within them.
   void step(int steps);
   /// Shows one after the other, from the first again after the last; or stops.
   void togglePlay();
+
+ Q_SIGNALS:
+  /// Of hasSteps() or text().
+  void stepsChanged();
 
  private:
   void showSteps();

@@ -5,19 +5,102 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/workspace/text.h"
+#include "ui/workspace/time_point_text.h"
+#include "ui/workspace/time_points.h"
+
 namespace volumen {
 
+namespace {
+
+constexpr int momentMs = 300;  // of waiting without a word
+
+QLabel* makeLoadingMark(QWidget* parent) {
+  auto* mark = new QLabel(View::tr("Loading"), parent);
+  mark->setObjectName(QStringLiteral("loadingMark"));
+  // The same on both themes: it lies on the picture.
+  mark->setStyleSheet(
+      QStringLiteral("#loadingMark { color: #f2f4f6; background: rgba(27,30,34,210); border-radius: 3px; "
+                     "padding: 2px 8px; }"));
+  mark->setAttribute(Qt::WA_TransparentForMouseEvents);
+  mark->adjustSize();
+  mark->hide();
+  return mark;
+}
+
+std::shared_ptr<const Series> knownSeries(const Workspace& workspace, const SeriesKey& key) {
+  const auto known = workspace.series.find(key);
+  return known == workspace.series.end() ? nullptr : known->second.series;
+}
+
+}  // namespace
+
 View::View(Session& session, ViewId id, QWidget* parent)
-    : QWidget(parent), session_(session), id_(id), seen_(series()) {
+    : QWidget(parent),
+      session_(session),
+      id_(id),
+      seen_(series()),
+      shownLast_(knownSeries(session.workspace(), state().series)),
+      loading_(makeLoadingMark(this)) {
+  loadingSoon_.setSingleShot(true);
+  loadingSoon_.setInterval(momentMs);
+  connect(&loadingSoon_, &QTimer::timeout, this, [this] {
+    loading_->raise();
+    loading_->show();
+  });
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAcceptDrops(true);
   session_.setViewSize(id_, {pixels().width(), pixels().height()});
   connect(&session_, &Session::workspaceChanged, this, [this](const Workspace& before) {
     const ShownSeriesPtr last = std::exchange(seen_, series());
-    if (last != seen_) seriesExchanged(!areOneSeries(last, seen_));
+    const bool another = !followSeries();
+    if (last != seen_ || another) seriesExchanged(another);
+    showWaiting();
     workspaceChanged(before);
   });
+  showWaiting();
+}
+
+// Whether it is the series of before, or another step of it.
+bool View::followSeries() {
+  const std::shared_ptr<const Series> now = knownSeries(session_.workspace(), state().series);
+  const std::shared_ptr<const Series> last = std::exchange(shownLast_, now);
+  return last == now || (last && now && areTimePoints(*last, *now));
+}
+
+bool View::isWaiting() const {
+  const auto known = session_.workspace().series.find(state().series);
+  return state().kind != ViewKind::frames && known != session_.workspace().series.end() &&
+         !known->second.missing && givenUp_ != state().series && !series();
+}
+
+void View::giveUpWaiting(const SeriesKey& series) {
+  if (!isWaiting() || state().series != series) return;
+  givenUp_ = series;
+  seriesExchanged(true);
+  showWaiting();
+  update();
+}
+
+void View::showWaiting() {
+  if (givenUp_ != state().series || seen_) givenUp_ = {};
+  if (isWaiting()) {
+    if (!loading_->isVisible() && !loadingSoon_.isActive()) loadingSoon_.start();
+    return;
+  }
+  loadingSoon_.stop();
+  loading_->hide();
+}
+
+Overlays View::waitingOverlays() const {
+  const Series& series = *seriesIn(session_.workspace(), id_);
+  Overlays o;
+  o.topLeft << patientText(series) << seriesText(series);
+  o.topLeft.removeAll(QString());
+  o.topRight << timePointText(session_.workspace(), state().series);
+  o.topRight.removeAll(QString());
+  return o;
 }
 
 QSize View::pixels() const {
@@ -56,6 +139,7 @@ void View::mouseDoubleClickEvent(QMouseEvent* event) {
 void View::leaveEvent(QEvent*) { Q_EMIT hovered({}); }
 
 void View::resizeEvent(QResizeEvent*) {
+  loading_->move((width() - loading_->width()) / 2, height() / 4);
   session_.setViewSize(id_, {pixels().width(), pixels().height()});
   Q_EMIT pixelsChanged();
 }

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <QLabel>
 #include <QMimeData>
+#include <QTimer>
 #include <QWidget>
 
+#include "ui/views/overlays.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {
@@ -21,6 +24,11 @@ class View : public QWidget {
   ShownSeriesPtr series() const { return session_.seriesOf(id_); }
   /// How many device pixels the picture should have.
   QSize pixels() const;
+  /// Whether its volume is being read or cut. The last picture of the series, or of another step of it, stays
+  /// until then, with a mark where that takes longer than a moment.
+  bool isWaiting() const;
+  /// What is being read of this series will not come.
+  void giveUpWaiting(const SeriesKey& series);
 
  Q_SIGNALS:
   void pixelsChanged();
@@ -31,11 +39,14 @@ class View : public QWidget {
   void hovered(const QString& text);
 
  protected:
-  /// The series that is shown was exchanged, or what is known of it.
+  /// The series that is shown was exchanged, or what is known of it. `another`: it is not the one of before,
+  /// nor another step of it.
   virtual void seriesExchanged(bool another) = 0;
   /// Something of the workspace changed.
   virtual void workspaceChanged(const Workspace& before) = 0;
 
+  /// What is written over the last picture while isWaiting(): whose, and which step is awaited.
+  Overlays waitingOverlays() const;
   /// A thin frame where this is the view in focus of several.
   void paintFocus(QPainter& painter) const;
 
@@ -49,8 +60,15 @@ class View : public QWidget {
   Session& session_;
 
  private:
+  bool followSeries();
+  void showWaiting();
+
   const ViewId id_;
   ShownSeriesPtr seen_;
+  std::shared_ptr<const Series> shownLast_;
+  SeriesKey givenUp_;  // will not come
+  QLabel* loading_;
+  QTimer loadingSoon_;
 };
 
 }  // namespace volumen

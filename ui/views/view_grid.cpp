@@ -122,6 +122,11 @@ void ViewGrid::showSegment(const std::shared_ptr<const RangeSegment>& segment) {
   for (const auto& [id, view] : flats_) view->showSegment(segment);
 }
 
+void ViewGrid::giveUpWaiting(const SeriesKey& series) {
+  for (const auto& [id, view] : volumes_) view->giveUpWaiting(series);
+  for (const auto& [id, view] : flats_) view->giveUpWaiting(series);
+}
+
 void ViewGrid::add(View* view) {
   connect(view, &View::maximiseRequested, this, &ViewGrid::maximiseRequested);
   connect(view, &View::hovered, this, &ViewGrid::hovered);

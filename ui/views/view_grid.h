@@ -34,6 +34,8 @@ class ViewGrid : public QWidget {
   void setClipShown(bool shown);
   /// Tints a segment in slices of its volume; null: none.
   void showSegment(const std::shared_ptr<const RangeSegment>& segment);
+  /// A series that views wait for will not come.
+  void giveUpWaiting(const SeriesKey& series);
   /// The one before the last that measures.
   void restoreTool() { setTool(*toolBefore_); }
 

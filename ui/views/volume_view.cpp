@@ -8,6 +8,7 @@
 
 #include "ui/tools/flat_tool.h"
 #include "ui/views/canvas.h"
+#include "ui/views/time_bar.h"
 #include "ui/widgets/curve_edits.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
@@ -26,7 +27,8 @@ VolumeView::VolumeView(Session& session, ViewId id, QWidget* parent)
     : View(session, id, parent),
       canvas_(makeCanvas([this](QPainter& p) { paint(p); }, [this] { replaceCanvas(); }, this)),
       cube_(new OrientationCube(this)),
-      badge_(new WarningBadge(this)) {
+      badge_(new WarningBadge(this)),
+      time_(new TimeBar(session, id, this)) {
   setObjectName(id == sceneViewId ? QStringLiteral("volumeView") : QStringLiteral("volumeView%1").arg(id));
   setAccessibleName(tr("Volume view"));
   wheelEnd_.setSingleShot(true);
@@ -35,6 +37,10 @@ VolumeView::VolumeView(Session& session, ViewId id, QWidget* parent)
   connect(cube_, &OrientationCube::viewRequested, this, &VolumeView::showView);
   connect(this, &View::pixelsChanged, this, &VolumeView::pictureNeeded);
   connect(&session_, &Session::preferencesChanged, this, [this] { canvas_->update(); });
+  connect(time_, &TimeBar::stepsChanged, this, [this] {
+    placeChildren();
+    canvas_->update();
+  });
   showWarnings();
   showState();
 }
@@ -43,8 +49,8 @@ void VolumeView::seriesExchanged(bool another) {
   if (another) {
     fitMm_.clear();
     setPicture({}, {});
-    letGo();
   }
+  if (another || !series()) letGo();
   showWarnings();
   showState();
 }
@@ -91,8 +97,10 @@ void VolumeView::replaceCanvas() {
 }
 
 void VolumeView::placeChildren() {
+  constexpr int barHeight = 20;
   canvas_->setGeometry(rect());
-  cube_->move(8, height() - cube_->height() - 8);
+  time_->setGeometry(8, height() - barHeight, width() - 16, barHeight);
+  cube_->move(8, int(overlayArea().bottom()) - cube_->height() - 8);
   // Under the lines about patient and series.
   const auto lines = series() ? overlays().topLeft.size() : 0;
   badge_->move(8, 12 + int(lines) * (fontMetrics().height() + 1) + 4);

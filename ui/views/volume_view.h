@@ -12,6 +12,7 @@
 namespace volumen {
 
 class OrientationCube;
+class TimeBar;
 class WarningBadge;
 
 /// What a left-drag does.
@@ -96,6 +97,7 @@ class VolumeView : public View {
   const Scene& scene() const { return session_.sceneOf(id()); }
   glm::dvec2 size() const { return {double(width()), double(height())}; }
   Overlays overlays() const;
+  QRectF overlayArea() const;
   QString hoverText(QPointF position) const;
   void paint(QPainter& painter) const;
   void paintCrosshair(QPainter& painter) const;
@@ -110,6 +112,7 @@ class VolumeView : public View {
   QWidget* canvas_;
   OrientationCube* cube_;
   WarningBadge* badge_;
+  TimeBar* time_;
   VolumePtr drawn_;  // the one that a picture was asked for
   QImage picture_;
   QString caption_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ui/views/time_bar.h"
 #include "ui/views/view_overlays.h"
 #include "ui/views/volume_view.h"
 #include "ui/widgets/orientation_cube.h"
@@ -24,6 +25,11 @@ QString VolumeView::hoverText(QPointF position) const {
   return text + tr(" at %1").arg(placeText(*hit->pPatient));
 }
 
+// What is written stands above the bar of the time points.
+QRectF VolumeView::overlayArea() const {
+  return QRectF(rect()).adjusted(0, 0, 0, time_->hasSteps() ? -time_->height() : 0);
+}
+
 Overlays VolumeView::overlays() const {
   const ShownSeriesPtr shown = series();
   const Camera seen = camera();
@@ -31,10 +37,12 @@ Overlays VolumeView::overlays() const {
   o.bottomRight = caption_;
   for (const QWidget* child : {static_cast<const QWidget*>(cube_), static_cast<const QWidget*>(badge_)})
     if (child->isVisibleTo(this)) o.taken.push_back(child->geometry());
-  const QStringList taken = maskTexts(session_.maskOf(state().series));
+  QStringList more{time_->text()};
+  more << maskTexts(session_.maskOf(state().series));
+  more.removeAll(QString());
   const QString zoomText = tr("Zoom %1 %").arg(std::lround(100 * zoom()));
   if (!shown->volume->geometry().calibrated) {
-    o.topRight << zoomText << taken;
+    o.topRight << zoomText << more;
     return o;
   }
   const std::string name = viewName(seen);
@@ -43,7 +51,7 @@ Overlays VolumeView::overlays() const {
                      : viewText(QString::fromStdString(name)))
              << zoomText;
   if (seen.projection == Projection::perspective) o.topRight << tr("Perspective");
-  o.topRight << taken;
+  o.topRight << more;
   return o;
 }
 
@@ -77,7 +85,7 @@ void VolumeView::paintCrosshair(QPainter& painter) const {
 
 void VolumeView::paint(QPainter& painter) const {
   painter.fillRect(rect(), QColor(0x10, 0x12, 0x14));
-  if (!series()) return;
+  if (!series() && !isWaiting()) return;
   if (const QImage& picture = shown(); !picture.isNull()) {
     const QSizeF shown = picture.deviceIndependentSize();
     if (picture.size() == pixels()) {
@@ -90,11 +98,15 @@ void VolumeView::paint(QPainter& painter) const {
       painter.drawImage(QRectF(QPointF((width() - fitted.width()) / 2, 0), fitted), picture);
     }
   }
+  if (!series()) {
+    paintOverlays(painter, waitingOverlays(), overlayArea());
+    return paintFocus(painter);
+  }
   Overlays over = overlays();
   if (errorShown_) over.topRight << errorImage_.legend;
   paintCrosshair(painter);
   paintLasso(painter);
-  paintOverlays(painter, over, rect());
+  paintOverlays(painter, over, overlayArea());
   paintFocus(painter);
 }
 

@@ -5,7 +5,11 @@
 namespace volumen {
 
 Banner::Banner(QWidget* parent)
-    : QFrame(parent), sentence_(new QLabel), details_(new QPlainTextEdit), more_(new QToolButton) {
+    : QFrame(parent),
+      sentence_(new QLabel),
+      details_(new QPlainTextEdit),
+      more_(new QToolButton),
+      offer_(new QToolButton) {
   setObjectName(QStringLiteral("banner"));
   setStyleSheet(
       QStringLiteral("#banner { background: #4a3312; border-bottom: 1px solid #c98a2b; }"
@@ -20,11 +24,13 @@ Banner::Banner(QWidget* parent)
   details_->setFixedHeight(7 * fontMetrics().lineSpacing());  // scrolled where there are more
   more_->setText(tr("Details"));
   more_->setCheckable(true);
+  offer_->setObjectName(QStringLiteral("bannerOffer"));
   auto* close = new QToolButton;
   close->setObjectName(QStringLiteral("bannerClose"));
   close->setText(tr("Close"));
   auto* row = new QHBoxLayout;
   row->addWidget(sentence_, 1);
+  row->addWidget(offer_);
   row->addWidget(more_);
   row->addWidget(close);
   auto* column = new QVBoxLayout(this);
@@ -32,6 +38,7 @@ Banner::Banner(QWidget* parent)
   column->addLayout(row);
   column->addWidget(details_);
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  connect(offer_, &QToolButton::clicked, this, &Banner::accepted);
   connect(more_, &QToolButton::toggled, details_, &QWidget::setVisible);
   hide();
 }
@@ -41,6 +48,7 @@ void Banner::tell(const QString& sentence, const QStringList& details) {
   details_->setPlainText(details.join(QLatin1Char('\n')));
   more_->setVisible(!details.isEmpty());
   more_->setChecked(false);
+  offer_->hide();
   details_->hide();
   show();
 }
@@ -49,7 +57,14 @@ void Banner::add(const QString& sentence, const QStringList& details) {
   if (isHidden()) return tell(sentence, details);
   if (sentence_->text().contains(sentence)) return;
   const QStringList before = details_->toPlainText().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  const bool isOffered = !offer_->isHidden();
   tell(sentence_->text() + QLatin1Char('\n') + sentence, before + details);
+  offer_->setVisible(isOffered);
+}
+
+void Banner::offer(const QString& text) {
+  offer_->setText(text);
+  offer_->show();
 }
 
 }  // namespace volumen

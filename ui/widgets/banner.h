@@ -16,12 +16,18 @@ class Banner : public QFrame {
   /// The same, below what the banner already says while it is open: each of several paths is complained
   /// about.
   void add(const QString& sentence, const QStringList& details = {});
+  /// With a button for something to do about what it says, until it says something else.
+  void offer(const QString& text);
   QString sentence() const { return sentence_->text(); }
+
+ Q_SIGNALS:
+  /// The button of offer() was pressed.
+  void accepted();
 
  private:
   QLabel* sentence_;
   QPlainTextEdit* details_;
-  QToolButton* more_;
+  QToolButton *more_, *offer_;
 };
 
 }  // namespace volumen

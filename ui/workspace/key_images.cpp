@@ -1,8 +1,30 @@
 #include "ui/workspace/key_images.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 namespace volumen {
+
+PictureSeen pictureSeen(const Series& series, const VoxelGeometry& drawn, const SlicePlane& plane) {
+  constexpr double along = 0.999, onSlice = 0.1;  // of a step
+  const auto& step = drawn.patientFromVoxelStep;
+  const glm::dvec3 normal = glm::normalize(glm::cross(step[0], step[1]));
+  const double k = drawn.voxelFromPatient(plane.centre).z, nearest = std::round(k);
+  if (!(std::abs(glm::dot(normal, plane.normal())) > along && std::abs(k - nearest) < onSlice &&
+        nearest >= 0 && nearest < drawn.size.z))
+    return {};
+  if (!series.regular) return {int(nearest), false};
+  const int copy = series.regular->copies[std::size_t(nearest)];
+  return copy < 0 ? PictureSeen{{}, true} : PictureSeen{copy, false};
+}
+
+std::optional<int> drawnSlice(const Series& series, int index) {
+  if (!series.regular) return index;
+  const auto copy = std::ranges::find(series.regular->copies, index);
+  if (copy == series.regular->copies.end()) return {};
+  return int(copy - series.regular->copies.begin());
+}
 
 std::optional<KeyImage> keyImageOf(const Series& series, int index) {
   const auto n = std::size_t(index);

@@ -19,6 +19,7 @@ const Attribute attributes[] = {
     {&Series::echoTime, [](const std::string& v) { return tr("TE %1 ms").arg(shownText(v)); }},
     {&Series::bValue, [](const std::string& v) { return tr("b %1").arg(shownText(v)); }},
     {&Series::timePoint, [](const std::string& v) { return tr("time point %1").arg(shownText(v)); }},
+    {&Series::label, [](const std::string& v) { return shownText(v); }},
     {&Series::time, timeText},
 };
 

@@ -15,9 +15,9 @@ QString planeText(const VoxelGeometry& geometry);
 /// "28 slices, axial", "34 frames".
 QString slicesText(const Series& series);
 
-/// What tells a series apart from others of its name: the first of echo time, b-value, time point and time of
-/// day that differ, "TE 20 ms", "b 1000", "time point 3", "10:22:31"; several where none alone is enough,
-/// none where nothing does. `others`: of its name, itself included or not.
+/// What tells a series apart from others of its name: the first of echo time, b-value, time point, label and
+/// time of day that differ, "TE 20 ms", "b 1000", "time point 3", "direction 12", "10:22:31"; several where
+/// none alone is enough, none where nothing does. `others`: of its name, itself included or not.
 QStringList tellingApart(const Series& series, const std::vector<const Series*>& others);
 
 /// All that is known of a series, one thing a line, warnings last: patient, study, values, place of its

@@ -120,11 +120,14 @@ void Session::open(const QString& text, const Workspace& workspace) {
   setWorkspace(workspace);
 }
 
-void Session::close(const SeriesKey& key) {
-  if (!workspace_.series.contains(key)) return;
+void Session::close(const std::vector<SeriesKey>& series) {
+  Workspace after = workspace_;
+  for (const SeriesKey& key : series)
+    if (after.series.contains(key)) after = without(std::move(after), key);
+  if (after.series.size() == workspace_.series.size()) return;
   undoStack_.clear();
-  pool_.forget(key);
-  setWorkspace(without(workspace_, key));
+  for (const SeriesKey& key : series) pool_.forget(key);
+  setWorkspace(after);
 }
 
 void Session::change(const QString& text, Workspace after, const QString& mergeKey) {

@@ -65,8 +65,8 @@ class Session : public QObject {
   void takeMasked(const Mask& mask, ShownSeriesPtr masked);
   /// Makes a workspace that was read the one in use; one undo step, but for the first of a window.
   void open(const QString& text, const Workspace& workspace);
-  /// Drops a series from views and memory, and forgets all steps.
-  void close(const SeriesKey& key);
+  /// Drops series from views and memory, and forgets all steps.
+  void close(const std::vector<SeriesKey>& series);
 
   /// How large the picture of a view is, device pixels: what links of zoom are reckoned with.
   void setViewSize(ViewId view, glm::ivec2 pixels) { viewSizes_[view] = pixels; }

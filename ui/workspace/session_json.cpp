@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 #include <set>
 
+#include "ui/workspace/moved.h"
 #include "ui/workspace/session_fields.h"
 
 namespace volumen {
@@ -27,6 +28,9 @@ const Words<ViewKind> kindWords{{"volume", ViewKind::volume},
 const Words<SlabMode> slabWords{{"max", SlabMode::max}, {"min", SlabMode::min}, {"mean", SlabMode::mean}};
 const Words<ReferenceKind> regionWords{{"contours", ReferenceKind::contours},
                                        {"segmentation", ReferenceKind::segmentation}};
+const Words<ReferenceKind> referenceWords{{"presentation", ReferenceKind::presentation},
+                                          {"contours", ReferenceKind::contours},
+                                          {"segmentation", ReferenceKind::segmentation}};
 const Words<Aim> aimWords{{"level", Aim::level}, {"time", Aim::time}, {"error", Aim::error}};
 
 Words<Layout> namedLayouts() {
@@ -145,6 +149,13 @@ template <class Fields>
 void fields(Fields& f, ReferenceKey& object) {
   f("path", object.path);
   f("id", object.id);
+}
+
+template <class Fields>
+void fields(Fields& f, SavedReference& saved) {
+  fields(f, saved.key);
+  f("relativePath", saved.relativePath);
+  f("kind", saved.kind, referenceWords);
 }
 
 template <class Fields>
@@ -296,14 +307,27 @@ void fields(Fields& f, Workspace& w) {
 
 namespace {
 
-std::string relativeTo(const std::string& folder, const Series& series) {
-  if (series.format == "phantom") return {};
-  return std::filesystem::path(series.path).lexically_relative(folder).string();
+std::string relativeTo(const std::string& folder, const std::string& path) {
+  return std::filesystem::path(path).lexically_relative(folder).string();
 }
 
 SeriesEntry entryOf(const SeriesState& state, const std::string& folder) {
   const SeriesProof proof = state.missing ? *state.missing : proofOf(*state.series);
-  return {{*state.series, relativeTo(folder, *state.series), proof}, state};
+  const bool isFile = state.series->format != "phantom";
+  return {{*state.series, isFile ? relativeTo(folder, state.series->path) : std::string(), proof}, state};
+}
+
+// Those that a list names by their place beside the session, too.
+Workspace withReferencesFound(Workspace workspace, const std::vector<SavedReference>& listed,
+                              const FindReference& find) {
+  for (const UsedReference& used : referencesOf(workspace)) {
+    SavedReference saved{used.key, {}, used.kind};
+    const auto entry = std::ranges::find(listed, used.key, &SavedReference::key);
+    if (entry != listed.end()) saved.relativePath = entry->relativePath;
+    if (const auto found = find(saved))
+      workspace = withReferenceMoved(std::move(workspace), used.key, *found);
+  }
+  return workspace;
 }
 
 SeriesState stateOf(SeriesEntry entry, const FindSeries& find) {
@@ -348,7 +372,8 @@ void checkViews(JsonFields& json, const Workspace& workspace) {
 
 }  // namespace
 
-Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& find) {
+Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& find,
+                                     const FindReference& findReference) {
   const auto parsed = parseJson(text, mostMiB);
   if (!parsed) return parsed.error();
   std::string problem;
@@ -372,9 +397,13 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
   }
   fields(read, session.workspace);
   read("savedAs", session.savedAs);
+  std::vector<SavedReference> references;
+  read("references", references);
   json.refuseOthers();
   if (problem.empty()) checkViews(json, session.workspace);
   if (!problem.empty()) return Error{problem};
+  if (findReference)
+    session.workspace = withReferencesFound(std::move(session.workspace), references, findReference);
   return session;
 }
 
@@ -394,6 +423,10 @@ Result<std::string> sessionToJson(const Workspace& workspace, const std::string&
   write("volumenSession", written, {version, version});
   write("series", entries);
   fields(write, copy);
+  std::vector<SavedReference> references;
+  for (const UsedReference& used : referencesOf(workspace))
+    references.push_back({used.key, relativeTo(folder, used.key.path), used.kind});
+  if (!references.empty()) write("references", references);
   if (!savedAs.empty()) write("savedAs", of);
   if (!problem.empty()) return Error{problem};
   // A name that is no UTF-8 is written with marks in its place; such a series is told as missing later.

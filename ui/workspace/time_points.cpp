@@ -1,25 +1,21 @@
 #include "ui/workspace/time_points.h"
 
-#include <QStringList>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <iterator>
-#include <set>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 
 namespace {
 
-// What may vary from step to step, the first that does names the axis.
 using Axis = std::string Series::*;
-constexpr Axis axes[] = {&Series::bValue, &Series::echoTime, &Series::timePoint};
+constexpr Axis axes[] = {&Series::bValue, &Series::echoTime, &Series::timePoint, &Series::label};
 
 double numberIn(const std::string& text) {
   double number = 0;
@@ -47,22 +43,10 @@ auto orderOf(const Series& series) {
                     volumeNumber(series), std::string_view(series.id));
 }
 
-bool varies(const std::vector<const Series*>& steps, Axis axis) {
-  std::set<std::string> values;
-  for (const Series* step : steps) values.insert(step->*axis);
-  return values.size() > 1 && !values.contains({});
-}
-
-// Null: none of them is given.
-const Axis* axisOf(const std::vector<const Series*>& steps) {
-  const auto axis = std::ranges::find_if(axes, [&](Axis a) { return varies(steps, a); });
-  return axis == std::end(axes) ? nullptr : axis;
-}
-
 }  // namespace
 
 bool areTimePoints(const Series& a, const Series& b) {
-  if (keyOf(a) == keyOf(b)) return true;
+  if (a.id == b.id && a.path == b.path) return true;
   if (!a.notVolume.empty() || !b.notVolume.empty() || a.format != b.format || a.path != b.path ||
       a.seriesUid != b.seriesUid || a.studyUid != b.studyUid || !onOneGrid(a.acquired, b.acquired))
     return false;
@@ -71,13 +55,20 @@ bool areTimePoints(const Series& a, const Series& b) {
   return volumeNumber(a) > 0 && volumeNumber(b) > 0;
 }
 
+void sortTimePoints(std::vector<const Series*>& steps) {
+  std::vector<std::pair<decltype(orderOf(*steps[0])), const Series*>> ordered;
+  for (const Series* step : steps) ordered.emplace_back(orderOf(*step), step);
+  std::ranges::sort(ordered);
+  std::ranges::transform(ordered, steps.begin(), [](const auto& step) { return step.second; });
+}
+
 std::vector<const Series*> timePointsOf(const Workspace& workspace, const SeriesKey& series) {
   const auto shown = workspace.series.find(series);
   if (shown == workspace.series.end()) return {};
   std::vector<const Series*> steps;
   for (const auto& [key, state] : workspace.series)
     if (areTimePoints(*shown->second.series, *state.series)) steps.push_back(state.series.get());
-  std::ranges::sort(steps, {}, [](const Series* s) { return orderOf(*s); });
+  sortTimePoints(steps);
   return steps;
 }
 
@@ -86,31 +77,6 @@ bool hasTimePoints(const Workspace& workspace, const SeriesKey& series) {
   return shown != workspace.series.end() && std::ranges::any_of(workspace.series, [&](const auto& other) {
            return other.first != series && areTimePoints(*shown->second.series, *other.second.series);
          });
-}
-
-QString timePointText(const Workspace& workspace, const SeriesKey& series) {
-  const std::vector<const Series*> steps = timePointsOf(workspace, series);
-  if (steps.size() < 2) return {};
-  const auto at = std::ranges::find(steps, series, [](const Series* s) { return keyOf(*s); });
-  const QString number = tr("%1 of %2").arg(at - steps.begin() + 1).arg(steps.size());
-  const Axis* axis = axisOf(steps);
-  if (!axis) return tr("volume %1").arg(number);
-  const QString value = shownText((**at).*(*axis));
-  if (*axis == &Series::bValue) return tr("b %1 (%2)").arg(value, number);
-  if (*axis == &Series::echoTime) return tr("echo %1: %2 ms").arg(number, value);
-  return tr("time point %1").arg(number);
-}
-
-QString timeAxisText(const Workspace& workspace, const SeriesKey& series) {
-  const std::vector<const Series*> steps = timePointsOf(workspace, series);
-  const Axis* axis = steps.size() < 2 ? nullptr : axisOf(steps);
-  if (!axis) return {};
-  QStringList values;
-  for (const Series* step : steps) values << shownText(step->*(*axis));
-  values.removeDuplicates();
-  const QString all = values.join(QStringLiteral(", "));
-  if (*axis == &Series::bValue) return tr("b = %1").arg(all);
-  return *axis == &Series::echoTime ? tr("echo times %1 ms").arg(all) : tr("time points %1").arg(all);
 }
 
 Workspace withTimePointsOf(Workspace workspace, const Series& series,

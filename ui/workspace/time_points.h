@@ -1,27 +1,23 @@
 #pragma once
 
-#include <QString>
 #include <vector>
 
 #include "ui/workspace/workspace.h"
 
 namespace volumen {
 
-/// Whether two volumes are steps of one series: of one series and one grid, at different times, echoes or
-/// diffusion weights, or the volumes of one file.
+/// Whether two volumes are steps of one series: of one series and one grid, at different times, echoes,
+/// diffusion weights or directions, or the volumes of one file.
 bool areTimePoints(const Series& a, const Series& b);
+
+/// Brings steps into their order: that of what varies.
+void sortTimePoints(std::vector<const Series*>& steps);
 
 /// The steps of a series that the workspace knows, itself included, in the order of what varies.
 std::vector<const Series*> timePointsOf(const Workspace& workspace, const SeriesKey& series);
 
 /// Whether there are several.
 bool hasTimePoints(const Workspace& workspace, const SeriesKey& series);
-
-/// Which step it is, by the name of what varies: "b 50 (2 of 3)", "echo 2 of 7: 31 ms"; empty where it is the
-/// only one.
-QString timePointText(const Workspace& workspace, const SeriesKey& series);
-/// All of them: "b = 0, 50, 800"; empty where nothing is given that varies.
-QString timeAxisText(const Workspace& workspace, const SeriesKey& series);
 
 /// With the steps of a series known, of all that are open.
 Workspace withTimePointsOf(Workspace workspace, const Series& series, const std::vector<const Series*>& open);

@@ -57,9 +57,10 @@ class Outline {
   std::vector<std::vector<Edge>> bands_;
 };
 
-// Takes the label away from what one lasso cuts.
-void cut(LabelMap& map, const Lasso& lasso, const CancelToken& cancel) {
-  const VoxelGeometry& geometry = map.geometry;
+// Sets to `empty` what one lasso cuts; values that are so already are not looked at.
+template <class T>
+void cut(std::vector<T>& values, T empty, const VoxelGeometry& geometry, const Lasso& lasso,
+         const CancelToken& cancel) {
   const Outline outline(lasso.points);
   const glm::dvec3 forward = lasso.forward();
   const auto cutsAway = [&](glm::dvec3 pPatient) {
@@ -72,9 +73,10 @@ void cut(LabelMap& map, const Lasso& lasso, const CancelToken& cancel) {
   parallelFor(geometry.voxelCount() / rowLength, 0, [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t row = begin; row < end && !cancel.cancelled(); ++row) {
       const glm::dvec3 first(0, double(row % geometry.size.y), double(row / geometry.size.y));
-      std::uint8_t* const labels = map.labels.data() + row * rowLength;
+      T* const inRow = values.data() + row * rowLength;
       for (int i = 0; i < rowLength; ++i)
-        if (labels[i] && cutsAway(geometry.patientFromVoxel({double(i), first.y, first.z}))) labels[i] = 0;
+        if (inRow[i] != empty && cutsAway(geometry.patientFromVoxel({double(i), first.y, first.z})))
+          inRow[i] = empty;
     }
   });
 }
@@ -86,7 +88,7 @@ LabelMap beforeLassos(const Volume& volume, const Mask& mask, const CancelToken&
 
 void cutAll(LabelMap& kept, const Mask& mask, const CancelToken& cancel) {
   for (const auto& lasso : mask.lassos)
-    if (!cancel.cancelled()) cut(kept, *lasso, cancel);
+    if (!cancel.cancelled()) cut(kept.labels, std::uint8_t(0), kept.geometry, *lasso, cancel);
 }
 
 // The stored value that means `value` best, within what its type and the volume hold.
@@ -112,12 +114,23 @@ VoxelValues maskedValues(const Volume& volume, const LabelMap& kept) {
   return copy;
 }
 
+Error cancelled() { return {"Nothing was cut away: cancelled."}; }
+
+Error noMemory() { return {"Nothing can be cut away: there is not enough memory for a second volume."}; }
+
 }  // namespace
 
 bool Mask::operator==(const Mask& other) const {
   return tableRemoved == other.tableRemoved &&
          std::equal(lassos.begin(), lassos.end(), other.lassos.begin(), other.lassos.end(),
                     [](const auto& a, const auto& b) { return a == b || *a == *b; });
+}
+
+std::string cutText(const Mask& mask) {
+  const std::size_t count = mask.lassos.size();
+  if (count == 0) return mask.tableRemoved ? "table removed" : "";
+  return std::to_string(count) + (count == 1 ? " outline" : " outlines") +
+         (mask.tableRemoved ? ", table removed" : "");
 }
 
 LabelMap keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& cancel) {
@@ -131,14 +144,33 @@ Result<VolumePtr> masked(const Volume& volume, const Mask& mask, const CancelTok
   if (mask.tableRemoved && !cancel.cancelled() && !labelBox(kept))
     return Error{"The table cannot be removed: nothing in this series is above -300 HU."};
   cutAll(kept, mask, cancel);
-  if (cancel.cancelled()) return Error{"Nothing was cut away: cancelled."};
+  if (cancel.cancelled()) return cancelled();
   VolumeParts parts{volume.geometry(), maskedValues(volume, kept), volume.slope(), volume.intercept(),
                     volume.attributes()};
   parts.attributes.tableRemoved = mask.tableRemoved;
   std::vector<std::string> warnings;  // its values were looked at when the volume was made
   return Volume::make(std::move(parts), warnings);
 } catch (const std::bad_alloc&) {
-  return Error{"Nothing can be cut away: there is not enough memory for a second volume."};
+  return noMemory();
+}
+
+Result<VolumePtr> cutFurther(const Volume& volume, std::span<const std::shared_ptr<const Lasso>> lassos,
+                             const CancelToken& cancel) try {
+  VoxelValues copy = volume.stored();
+  std::visit(
+      [&](auto& values) {
+        const auto empty = storedNear(air, volume, values);
+        for (const auto& lasso : lassos)
+          if (!cancel.cancelled()) cut(values, empty, volume.geometry(), *lasso, cancel);
+      },
+      copy);
+  if (cancel.cancelled()) return cancelled();
+  VolumeParts parts{volume.geometry(), std::move(copy), volume.slope(), volume.intercept(),
+                    volume.attributes()};
+  std::vector<std::string> warnings;
+  return Volume::make(std::move(parts), warnings);
+} catch (const std::bad_alloc&) {
+  return noMemory();
 }
 
 }  // namespace volumen

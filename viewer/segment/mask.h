@@ -4,6 +4,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "viewer/segment/label_map.h"
@@ -33,6 +35,9 @@ struct Mask {
   bool empty() const { return !tableRemoved && lassos.empty(); }
 };
 
+/// What was taken away, for texts of pictures: "2 outlines, table removed"; empty: nothing.
+std::string cutText(const Mask& mask);
+
 /// Label 1: what stays. A voxel is cut away where its centre is; where an outline crosses itself, all that it
 /// goes around is inside (non-zero winding number). Of a mask without its table values must be HU.
 LabelMap keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& cancel = {});
@@ -41,5 +46,10 @@ LabelMap keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& c
 /// its attributes say. The Error: it was cancelled, the table was to go and there is no patient, or too
 /// little memory.
 Result<VolumePtr> masked(const Volume& volume, const Mask& mask, const CancelToken& cancel = {});
+
+/// The same as masked() with these outlines behind those of the mask that `cut` was made with; costs what
+/// they cost. The Error: it was cancelled, or too little memory.
+Result<VolumePtr> cutFurther(const Volume& cut, std::span<const std::shared_ptr<const Lasso>> lassos,
+                             const CancelToken& cancel = {});
 
 }  // namespace volumen

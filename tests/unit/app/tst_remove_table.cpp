@@ -63,6 +63,8 @@ void TestRemoveTable::thePictureSaysSo() {
   QCOMPARE(done.status, 0);
   QVERIFY(done.out.contains("on   table removed: "));
   QVERIFY(contentsOf(png).contains("volumen-table"));
+  QVERIFY(done.out.contains("on   cut: table removed\n"));
+  QVERIFY(contentsOf(png).contains("volumen-cut"));
   QVERIFY(!runProgram(QStringLiteral("render %1 --explain").arg(f.with)).out.contains("table removed"));
 }
 

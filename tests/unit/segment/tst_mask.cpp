@@ -25,6 +25,9 @@ class TestMask : public QObject {
   void anOutlineOfNoAreaCutsNothing();
   void valuesBecomeAir_data();
   void valuesBecomeAir();
+  void textsNameWhatWasCut();
+  void cuttingFurtherIsTheSameAsAnew_data();
+  void cuttingFurtherIsTheSameAsAnew();
   void cancelledIsToldSo();
 };
 
@@ -215,6 +218,54 @@ void TestMask::valuesBecomeAir() {
     QCOMPARE((*cut)->valueAt(n), kept.labels[n] ? volume->valueAt(n) : float(air));
   QVERIFY((*cut)->geometry() == volume->geometry());
   QVERIFY(!(*cut)->attributes().tableRemoved);
+}
+
+void TestMask::textsNameWhatWasCut() {
+  QCOMPARE(cutText({}), std::string());
+  QCOMPARE(cutText(maskOf({}, true)), std::string("table removed"));
+  QCOMPARE(cutText(maskOf({square(1)})), std::string("1 outline"));
+  QCOMPARE(cutText(maskOf({square(1), square(2)}, true)), std::string("2 outlines, table removed"));
+}
+
+void TestMask::cuttingFurtherIsTheSameAsAnew_data() {
+  QTest::addColumn<bool>("table");
+  QTest::addColumn<double>("low");
+  for (const bool table : {false, true})
+    for (const double low : {-1024.0, -400.0, 3.0}) {
+      if (table && low > -1000) continue;
+      QTest::addRow("%s, values from %g", table ? "without its table" : "outlines alone", low)
+          << table << low;
+    }
+}
+
+// By chance, a first part of up to three outlines and a second of one or two.
+void TestMask::cuttingFurtherIsTheSameAsAnew() {
+  QFETCH(bool, table);
+  QFETCH(double, low);
+  std::mt19937 random(8);
+  const auto value = [low](glm::dvec3 x) { return low + std::abs(x.x) * 37 + std::abs(x.y * x.z); };
+  const VolumePtr volume =
+      table ? CtWithTable::volume(true) : volumeOf<std::int16_t>({19, 14, 11}, glm::dmat3(1.1), value);
+  int different = 0;
+  for (int n = 0; n < (table ? 6 : 40); ++n) {
+    std::vector<Lasso> lassos(1 + random() % 5);
+    for (Lasso& lasso : lassos) {
+      lasso = anyLasso(random, random() % 2, random() % 2);
+      lasso.origin += volume->geometry().centre();
+    }
+    Mask mask = maskOf(lassos);
+    mask.tableRemoved = table;
+    Mask first = mask;
+    first.lassos.resize(lassos.size() - 1 - (lassos.size() > 1 ? random() % 2 : 0));
+    const Result<VolumePtr> anew = masked(*volume, mask), before = masked(*volume, first);
+    QVERIFY(anew.ok() && before.ok());
+    const auto further = cutFurther(**before, std::span(mask.lassos).subspan(first.lassos.size()));
+    QVERIFY(further.ok());
+    QVERIFY((*further)->stored() == (*anew)->stored());
+    different += (*before)->stored() != (*anew)->stored();
+    QCOMPARE((*further)->attributes().tableRemoved, table);
+  }
+  QVERIFY2(different > 3, "the outlines cut nothing");
 }
 
 void TestMask::cancelledIsToldSo() {

@@ -89,6 +89,9 @@ void TestSeriesText::namesakesAreToldApart_data() {
                             << QStringList{QStringLiteral("b 1000")};
   QTest::newRow("time points") << All{with("", "", "3", "10"), with("", "", "4", "10")}
                                << QStringList{QStringLiteral("time point 3")};
+  All labelled{with("20", "", "", "10"), with("20", "", "", "10")};
+  labelled[0].label = "direction 12", labelled[1].label = "direction 13";
+  QTest::newRow("a label") << labelled << QStringList{QStringLiteral("direction 12")};
   QTest::newRow("time of day") << All{with("", "", "", "102231.5"), with("", "", "", "112231.5")}
                                << QStringList{QStringLiteral("10:22:31")};
   QTest::newRow("two together") << All{with("20", "0", "", ""), with("40", "0", "", ""),
@@ -107,6 +110,7 @@ void TestSeriesText::namesakesAreToldApart() {
 
 void TestSeriesText::everythingIsSaid() {
   Series series = with("20", "1000", "3", "102231");
+  series.label = "direction 12";
   series.format = "DICOM";
   series.patientName = "Doe^Jane";
   series.studyDate = "20260314";
@@ -116,13 +120,13 @@ void TestSeriesText::everythingIsSaid() {
   series.valueType = "uint16";
   series.path = "/data/a";
   series.acquired = turned(0, {1, 0, 0});
-  series.regular = Series::Regular{series.acquired, 3};
+  series.regular = Series::Regular{series.acquired, 3, {}};
   series.warnings = {{"A slice is missing.", WarningKind::missingSlices}};
   const QString all = everythingOf(series).join(QLatin1Char('\n'));
   for (const char* part :
        {"Doe, Jane", "2026-03-14 Head", "MR T2", "28 slices, axial", "64 x 64 x 28, 1 x 1 x 4 mm",
-        "in 3D 28 even slices, 3 of them interpolated", "TE 20 ms", "b 1000", "time point 3", "10:22:31",
-        "DICOM, uint16", "/data/a", "! A slice is missing."})
+        "in 3D 28 even slices, 3 of them interpolated", "TE 20 ms", "b 1000", "time point 3", "direction 12",
+        "10:22:31", "DICOM, uint16", "/data/a", "! A slice is missing."})
     QVERIFY2(all.contains(QString::fromLatin1(part)), part);
 }
 

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "io/dicom/object_check.h"
+#include "io/worker/batches.h"
+
+namespace volumen::dicom {
+
+/// read(path, more...) in a worker where there are any (io/worker): what a DICOM file holds beside its
+/// pixels, or a frame of `pixels`. An Error is read's own, or names the file and what became of the worker.
+template <auto read, class... More>
+auto isolatedFile(const std::string& path, std::uint64_t pixels, const More&... more) {
+  constexpr std::uint64_t bytesAPixel = 4, bytesAnswered = 24;
+  const CancelToken never;
+  worker::Request request = worker::headersOf({path}, never);
+  request.needBytes += bytesAPixel * pixels;
+  request.mostBytes += bytesAnswered * pixels;
+  worker::Failure failure{};
+  auto result = worker::isolated<read>(request, failure, path, more...);
+  if (result && worker::isolating() && !isConsistent(*result)) failure = worker::Failure::wrong;
+  if (failure != worker::Failure::none) result = Error{path + ": " + reasonOf(failure) + "."};
+  return result;
+}
+
+}  // namespace volumen::dicom

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+
+#include "io/dicom/parallel.h"
+#include "io/worker/call.h"
+
+namespace volumen::worker {
+
+/// What may be needed to read the headers of these files, one after the other.
+Request headersOf(std::vector<std::string> files, const CancelToken& cancel);
+
+/// Files begin .. end - 1 in one request: workers answer faster than they are asked. A file that costs a
+/// worker is refused, and the others are asked for again.
+template <auto function, class Values, class Refuse>
+void askFor(const std::vector<std::string>& paths, std::size_t begin, std::size_t end,
+            const CancelToken& cancel, const Refuse& refuse, Values& all) {
+  if (begin == end || cancel.cancelled()) return;
+  const std::vector<std::string> some(paths.begin() + std::ptrdiff_t(begin),
+                                      paths.begin() + std::ptrdiff_t(end));
+  Request request = headersOf(some, cancel);
+  Failure failure{};
+  Result<Values> values = isolated<function>(request, failure, some);
+  if (values && values->size() == some.size()) {
+    std::ranges::move(*values, all.begin() + std::ptrdiff_t(begin));
+    return;
+  }
+  const std::size_t costly = begin + std::min<std::size_t>(request.stepsDone, some.size() - 1);
+  all[costly] = refuse(values ? reasonOf(Failure::wrong) : values.message());
+  askFor<function>(paths, begin, costly, cancel, refuse, all);
+  askFor<function>(paths, costly + 1, end, cancel, refuse, all);
+}
+
+/// function(paths), which gives one value a file and calls finishStep() behind each, on all cores and in
+/// workers where there are any. refuse(reason) is the value of a file that ended one.
+template <auto function, class Refuse>
+auto forFiles(const std::vector<std::string>& paths, const char* what, const Progress& progress,
+              const CancelToken& cancel, const Refuse& refuse) {
+  constexpr std::size_t most = mostDescriptors - 1;
+  typename Signature<decltype(function)>::Value all(paths.size());
+  const auto files = [&](const char* doing, std::size_t done, std::size_t) {
+    progress(doing, std::min(done * most, paths.size()), paths.size());
+  };
+  dicom::forEachParallel((paths.size() + most - 1) / most, what, progress ? Progress(files) : Progress(),
+                         cancel, [&](std::size_t n) {
+                           askFor<function>(paths, n * most, std::min(paths.size(), (n + 1) * most), cancel,
+                                            refuse, all);
+                         });
+  return all;
+}
+
+}  // namespace volumen::worker

@@ -1,0 +1,201 @@
+#include "io/worker/call.h"
+
+#include <poll.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "io/files/data_file.h"
+#include "io/regular_file.h"
+#include "io/worker/process.h"
+
+namespace volumen::worker {
+namespace {
+
+constexpr double patienceSeconds = 5;
+constexpr double leastBytesPerSecond = 4e6;  // of an answer, on a slow machine
+constexpr double busyMachine = 4;            // so much longer, where the worker gets little of the processor
+constexpr std::size_t mostQuestions = 50'000;  // of a worker about one request, and 4 about each file
+constexpr std::uint64_t memoryBytes = std::uint64_t(512) << 20;
+
+/// A request that does not fit a message.
+Descriptor inMemory(const std::vector<std::uint8_t>& bytes) {
+  Descriptor memory(memfd_create("volumen request", MFD_CLOEXEC));
+  std::size_t done = 0;
+  while (memory && done < bytes.size()) {
+    const ssize_t n = ::write(memory.get(), bytes.data() + done, bytes.size() - done);
+    if (n <= 0) return {};
+    done += std::size_t(n);
+  }
+  return memory;
+}
+
+/// Opens the files of a request, where they are few.
+std::vector<GivenFile> openAll(const std::vector<std::string>& paths, std::vector<Descriptor>& open) {
+  std::vector<GivenFile> given;
+  if (paths.size() >= mostDescriptors) return given;
+  for (const std::string& path : paths) {
+    Result<RegularFile> file = RegularFile::open(path);
+    given.push_back({path, file ? file->size() : 0, file ? std::string() : file.message()});
+    if (file) open.emplace_back(std::move(*file).release());
+  }
+  return given;
+}
+
+}  // namespace
+
+const char* reasonOf(Failure failure) {
+  switch (failure) {
+    case Failure::none:
+      break;
+    case Failure::ended:
+      return "it ended the process that was to read it: it is damaged, or made to do harm";
+    case Failure::slow:
+      return "reading it took more than 5 s and came to nothing";
+    case Failure::wrong:
+      return "the process that was to read it gave a wrong answer";
+    case Failure::memory:
+      return "reading it needs more memory than its size allows for";
+    case Failure::cancelled:
+      return "interrupted";
+    case Failure::noWorker:
+      return "no process could be started to read it: start volumen again";
+  }
+  return "";
+}
+
+Call::Call(Request& request, Handler handler, const std::vector<std::uint8_t>& arguments)
+    : Wire(true), request_(request), known_(request.files) {
+  std::ranges::sort(known_);
+  request_.found.clear();
+  request_.stepsDone = 0;
+  worker_ = takeWorker();
+  // One that waited may have been killed.
+  if (worker_ && !begin(handler, arguments)) {
+    worker_ = makeWorker();
+    if (worker_ && !begin(handler, arguments)) worker_.reset();
+  }
+  if (!worker_) fail(Failure::noWorker);
+}
+
+Call::~Call() {
+  if (worker_ && last_ && failure() == Failure::none) giveBack(std::move(worker_));
+}
+
+void Call::fail(Failure why) {
+  if (failure_ == Failure::none) failure_ = why;
+  Wire::fail();
+}
+
+bool Call::finish() {
+  if (ok() && (!last_ || at_ != end_)) {
+    // An answer may end where a slot does.
+    if (at_ != end_ || nextPiece()) fail(Failure::wrong);
+  }
+  return ok() && failure_ == Failure::none;
+}
+
+bool Call::begin(Handler handler, const std::vector<std::uint8_t>& arguments) {
+  Message order{Topic::run, reinterpret_cast<std::uint64_t>(handler), 0, {}, {}};
+  MemoryWriter writer;
+  writer.write(openAll(request_.files, order.files));
+  std::vector<std::uint8_t> bytes = std::move(writer).take();
+  bytes.insert(bytes.end(), arguments.begin(), arguments.end());
+  order.second = bytes.size();
+  if (bytes.size() <= mostText)
+    order.text.assign(bytes.begin(), bytes.end());
+  else
+    order.files.push_back(inMemory(bytes));
+  worker_->limitMemory(memoryBytes + 4 * request_.needBytes);
+  worker_->buffer.steps().store(0, std::memory_order_relaxed);
+  worker_->files += std::max<std::size_t>(1, request_.files.size());
+  cpuAtStart_ = worker_->cpuSeconds();
+  return sendMessage(worker_->socket.get(), order, false) == Transfer::done;
+}
+
+bool Call::nextPiece() {
+  if (!worker_ || last_ || failure_ != Failure::none) return false;
+  if (pieces_ > 0 &&
+      sendMessage(worker_->socket.get(), {Topic::more, 0, 0, {}, {}}, false) != Transfer::done) {
+    fail(Failure::ended);
+    return false;
+  }
+  Message message;
+  do {
+    if (!await(message)) return false;
+  } while (message.topic != Topic::piece && serveFiles(message));
+  if (failure_ != Failure::none) return false;
+  const std::uint64_t count = message.first;
+  last_ = message.second == 1;
+  received_ += count;
+  if (count > SharedBuffer::slotBytes || (!last_ && count < SharedBuffer::slotBytes) ||
+      received_ > request_.mostBytes) {
+    fail(Failure::wrong);
+    return false;
+  }
+  at_ = worker_->buffer.slot(pieces_++);
+  end_ = at_ + count;
+  return count > 0;
+}
+
+bool Call::await(Message& message) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int lookUpMs = 20;
+  while (true) {
+    const Transfer got = receiveMessage(worker_->socket.get(), message, false);
+    if (got == Transfer::done) return true;
+    const Clock::time_point from = Clock::now();
+    pollfd ready{worker_->socket.get(), POLLIN, 0};
+    if (got == Transfer::later) ::poll(&ready, 1, lookUpMs);
+    waited_ += std::chrono::duration<double>(Clock::now() - from).count();
+    request_.stepsDone = std::min(request_.steps, worker_->buffer.steps().load(std::memory_order_relaxed));
+    if (got == Transfer::broken) fail(Failure::ended);
+    if (request_.cancel && request_.cancel->cancelled()) fail(Failure::cancelled);
+    if (waited_ > patienceSeconds && outOfPatience()) fail(Failure::slow);
+    if (failure_ != Failure::none) return false;
+  }
+}
+
+bool Call::outOfPatience() const {
+  const double allowed = patienceSeconds * (1 + request_.stepsDone) +
+                         double(received_ + request_.needBytes) / leastBytesPerSecond;
+  if (waited_ <= allowed) return false;
+  return worker_->sleeps() || worker_->cpuSeconds() - cpuAtStart_ > allowed ||
+         waited_ > busyMachine * allowed;
+}
+
+/// A worker asks for a file; false where it has no business with it.
+bool Call::serveFiles(const Message& message) {
+  if (++questions_ > mostQuestions + 4 * known_.size()) fail(Failure::wrong);
+  if (failure_ != Failure::none) return false;
+  const auto isKnown = [&](const std::string& path) { return std::ranges::binary_search(known_, path); };
+  Message answer{Topic::opened, 0, 0, {}, {}};
+  if (message.topic == Topic::open && isKnown(message.text)) {
+    Result<RegularFile> file = RegularFile::open(message.text);
+    if (file) {
+      answer.first = file->size();
+      answer.files.emplace_back(std::move(*file).release());
+    } else {
+      answer.text = file.message();
+    }
+  } else if (const std::size_t end = message.text.find('\0'); message.topic == Topic::resolve &&
+                                                              end != std::string::npos &&
+                                                              isKnown(message.text.substr(0, end))) {
+    const Result<std::string> path = resolveBeside(message.text.substr(0, end), message.text.substr(end + 1));
+    answer = {Topic::resolved, path.ok(), 0, path ? *path : path.message(), {}};
+    if (path && !isKnown(*path)) {
+      known_.insert(std::ranges::upper_bound(known_, *path), *path);
+      request_.found.push_back(*path);
+    }
+  } else {
+    fail(Failure::wrong);
+    return false;
+  }
+  if (sendMessage(worker_->socket.get(), answer, false) == Transfer::done) return true;
+  fail(Failure::ended);
+  return false;
+}
+
+}  // namespace volumen::worker

@@ -1,0 +1,157 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/worker/serve.h"
+#include "io/worker/worker.h"
+#include "viewer/volume/cancel.h"
+
+namespace volumen::worker {
+
+/// What a worker is given for one request, and what it may take.
+struct Request {
+  std::vector<std::string> files;  ///< it may open these, and what headers among them refer to beside them
+  std::uint64_t needBytes = 0;     ///< memory that what it makes needs; it gets 4 times that and 512 MiB
+  std::uint64_t mostBytes = 64 << 20;  ///< of its answer
+  std::uint32_t steps = 0;             ///< that it may tell of (finishStep); each gives it its time again
+  const CancelToken* cancel = nullptr;
+
+  std::vector<std::string> found = {};  ///< set by the call: what headers refer to, resolved
+  std::uint32_t stepsDone = 0;          ///< set by the call
+};
+
+/// A file that comes with a request, open; or why it could not be opened.
+struct GivenFile {
+  std::string path;
+  std::uint64_t size = 0;
+  std::string problem;
+};
+inline void fields(Wire& w, GivenFile& f) { w(f.path, f.size, f.problem); }
+
+/// Why a call gave no answer.
+enum class Failure { none, ended, slow, wrong, memory, cancelled, noWorker };
+
+/// The reason behind a file's name, without full stop: "reading it took more than 5 s".
+const char* reasonOf(Failure failure);
+
+struct Process;
+
+/// One request that a worker is at; its answer is read from it as it comes. A worker that ends, does not
+/// answer in time or says what makes no sense is killed; one that has answered serves again.
+class Call : public Wire {
+ public:
+  Call(Request& request, Handler handler, const std::vector<std::uint8_t>& arguments);
+  ~Call() override;
+
+  Failure failure() const { return failure_ == Failure::none && !ok() ? Failure::wrong : failure_; }
+  /// Whether all of the answer was read, and nothing is left of it.
+  bool finish();
+  void fail(Failure why);
+
+ private:
+  bool nextPiece() override;
+  bool begin(Handler handler, const std::vector<std::uint8_t>& arguments);
+  bool await(Message& message);
+  bool serveFiles(const Message& message);
+  bool outOfPatience() const;
+
+  Request& request_;
+  std::unique_ptr<Process> worker_;
+  std::vector<std::string> known_;
+  Failure failure_ = Failure::none;
+  std::uint64_t pieces_ = 0, received_ = 0;
+  std::size_t questions_ = 0;
+  bool last_ = false;
+  double waited_ = 0, cpuAtStart_ = 0;  // seconds
+};
+
+/// What a function gives, without the Result around it.
+template <class T>
+struct ValueOf {
+  using type = T;
+};
+template <class T>
+struct ValueOf<Result<T>> {
+  using type = T;
+};
+
+template <class F>
+struct Signature;
+template <class R, class... P>
+struct Signature<R (*)(P...)> {
+  using Value = typename ValueOf<R>::type;
+  using Arguments = std::tuple<std::decay_t<P>...>;
+  static std::vector<std::uint8_t> written(const std::decay_t<P>&... arguments) {
+    MemoryWriter writer;
+    writer.write(arguments...);
+    return std::move(writer).take();
+  }
+};
+template <class... P>
+struct Signature<void (*)(Wire&, P...)> : Signature<bool (*)(P...)> {};
+
+/// What comes first in an answer.
+enum class Outcome { value, error, noMemory };
+template <>
+inline constexpr Outcome lastOf<Outcome> = Outcome::noMemory;
+
+/// In a worker: `function` and its answer.
+template <auto function>
+void answerWith(Wire& arguments, Wire& answer) {
+  using S = Signature<decltype(function)>;
+  try {
+    typename S::Arguments read;
+    arguments(read);
+    Result<typename S::Value> result = std::apply(function, read);
+    answer.write(result ? Outcome::value : Outcome::error);
+    if (result)
+      answer.write(*result);
+    else
+      answer.write(result.message());
+  } catch (const std::bad_alloc&) {
+    answer.write(Outcome::noMemory);
+  }
+}
+
+template <auto function>
+void streamWith(Wire& arguments, Wire& answer) {
+  typename Signature<decltype(function)>::Arguments read;
+  arguments(read);
+  std::apply([&](auto&... each) { function(answer, each...); }, read);
+}
+
+/// function(arguments...), a function that only reads files and computes, in a worker where there are any;
+/// else here. An Error is the function's own, or a reason without full stop: `failure` tells which.
+template <auto function, class... Arguments>
+auto isolated(Request& request, Failure& failure, const Arguments&... arguments)
+    -> Result<typename Signature<decltype(function)>::Value> {
+  using S = Signature<decltype(function)>;
+  failure = Failure::none;
+  if (!isolating()) return function(arguments...);
+  Call call(request, &answerWith<function>, S::written(arguments...));
+  Outcome outcome{};
+  typename S::Value value{};
+  std::string message;
+  call(outcome);
+  if (outcome == Outcome::noMemory) call.fail(Failure::memory);
+  if (outcome == Outcome::value)
+    call(value);
+  else
+    call(message);
+  if (call.finish())
+    return outcome == Outcome::value ? Result<typename S::Value>(std::move(value)) : Error{message};
+  failure = call.failure();
+  return Error{reasonOf(failure)};
+}
+
+/// function(answer, arguments...) in a worker, which writes to its answer as it goes on; it is read from the
+/// Call. Only where isolating().
+template <auto function, class... Arguments>
+std::unique_ptr<Call> isolatedStream(Request& request, const Arguments&... arguments) {
+  using S = Signature<decltype(function)>;
+  return std::make_unique<Call>(request, &streamWith<function>, S::written(arguments...));
+}
+
+}  // namespace volumen::worker

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "io/dicom/decode.h"
+#include "io/worker/study_fields.h"
+
+// The structs of io/dicom on the wire.
+namespace volumen::worker {
+
+template <>
+inline constexpr dicom::PixelFormat::Kind lastOf<dicom::PixelFormat::Kind> =
+    dicom::PixelFormat::Kind::float64;
+template <>
+inline constexpr dicom::Inspection::Kind lastOf<dicom::Inspection::Kind> = dicom::Inspection::Kind::picture;
+
+inline void fields(Wire& w, dicom::PixelFormat& f) {
+  w(f.kind, f.columns, f.rows, f.frames, f.bitsAllocated, f.bitsStored, f.highBit, f.isSigned, f.bigEndian,
+    f.bytesInWords, f.photometric, f.samples, f.planar, f.subsampled);
+}
+
+/// By its UID: its texts are those of the table.
+inline void fields(Wire& w, dicom::TransferSyntax& syntax) {
+  std::string uid = w.reading() ? "" : syntax.uid;
+  dicom::Encoding encoding = syntax.encoding;
+  w(uid, encoding.explicitVr, encoding.bigEndian);
+  if (!w.reading()) return;
+  syntax = dicom::transferSyntax(uid);
+  syntax.encoding = encoding;
+}
+
+inline void fields(Wire& w, dicom::Range& r) { w(r.offset, r.length); }
+inline void fields(Wire& w, dicom::Orientation& o) { w(o.row, o.column); }
+inline void fields(Wire& w, dicom::Mosaic& m) { w(m.columns, m.rows, m.tilesAcross); }
+inline void fields(Wire& w, dicom::Concatenation& c) { w(c.uid, c.part, c.parts, c.firstFrame); }
+
+inline void fields(Wire& w, dicom::Slice& s) {
+  w(s.frame, s.position, s.orientation, s.spacing, s.thickness, s.slope, s.intercept, s.padding, s.windows,
+    s.instance, s.echo, s.echoTime, s.bValue, s.timePoint, s.inStack, s.parts);
+}
+
+inline void fields(Wire& w, dicom::FileHeader& h) {
+  fields(w, static_cast<SeriesIdentity&>(h));
+  w(h.path, h.sopClassUid, h.sopInstanceUid, h.unit, h.time, h.syntax, h.format, h.mosaic, h.concatenation,
+    h.frames, h.inflatedFrom, h.slices, h.notVolume, h.cine, h.warnings);
+}
+
+inline void fields(Wire& w, dicom::Inspection& i) {
+  w(i.kind, i.text, i.reference, i.listed);
+  if (i.kind == dicom::Inspection::Kind::picture) w(i.header);
+}
+
+inline void fields(Wire& w, dicom::DecodedFrame& f) { w(f.samples, f.note, f.ybr); }
+
+}  // namespace volumen::worker

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "io/files/image_header.h"
+#include "io/worker/study_fields.h"
+
+// The structs of io/files on the wire.
+namespace volumen::worker {
+
+template <>
+inline constexpr SampleType lastOf<SampleType> = SampleType::float64;
+template <>
+inline constexpr Encoding lastOf<Encoding> = Encoding::hex;
+
+inline void fields(Wire& w, VolumeName& n) { w(n.timePoint, n.bValue, n.label); }
+
+inline void fields(Wire& w, SampleData& d) {
+  w(d.type, d.bigEndian, d.text, d.encoding, d.files, d.offset, d.lineSkip, d.byteSkip, d.leading, d.voxels,
+    d.trailing);
+}
+
+inline void fields(Wire& w, ImageHeader& h) {
+  w(h.format, h.description, h.modality, h.data, h.geometry, h.slope, h.intercept, h.names, h.warnings);
+}
+
+}  // namespace volumen::worker

@@ -1,0 +1,108 @@
+#include "io/worker/process.h"
+
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "io/worker/sandbox.h"
+#include "io/worker/zygote.h"
+
+namespace volumen::worker {
+namespace {
+
+constexpr std::size_t mostFiles = 500;
+constexpr std::uint64_t usualBytes = std::uint64_t(1) << 30;  // of address space, for whoever is used again
+
+/// Those that wait for a request.
+struct Idle {
+  std::mutex mutex;
+  std::vector<std::unique_ptr<Process>> workers;
+};
+
+Idle& idle() {
+  static Idle all;
+  return all;
+}
+
+std::uint64_t addressSpaceOf(pid_t pid) {
+  const std::string path = "/proc/" + std::to_string(pid) + "/statm";
+  unsigned long pages = 0;
+  if (FILE* file = std::fopen(path.c_str(), "re")) {
+    if (std::fscanf(file, "%lu", &pages) != 1) pages = 0;
+    std::fclose(file);
+  }
+  return std::uint64_t(pages) * std::uint64_t(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+Process::~Process() {
+  if (pid > 0) Zygote::instance().end(pid);
+}
+
+void Process::limitMemory(std::uint64_t bytes) {
+  if (sanitized || bytes == mostBytes) return;
+  rlimit limit{};
+  if (prlimit(pid, RLIMIT_AS, nullptr, &limit) != 0) return;
+  limit.rlim_cur = std::min(rlim_t(bytesAtStart + bytes), limit.rlim_max);
+  if (prlimit(pid, RLIMIT_AS, &limit, nullptr) == 0) mostBytes = bytes;
+}
+
+double Process::cpuSeconds() const {
+  clockid_t clock;
+  timespec t{};
+  if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &t) != 0) return 0;
+  return double(t.tv_sec) + double(t.tv_nsec) * 1e-9;
+}
+
+bool Process::sleeps() const {
+  const std::string path = "/proc/" + std::to_string(pid) + "/stat";
+  char state = 0;
+  if (FILE* file = std::fopen(path.c_str(), "re")) {
+    if (std::fscanf(file, "%*d (%*[^)]) %c", &state) != 1) state = 0;
+    std::fclose(file);
+  }
+  return state == 'S';
+}
+
+std::unique_ptr<Process> makeWorker() {
+  int ends[2] = {-1, -1};
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return {};
+  auto worker = std::make_unique<Process>();
+  worker->socket = Descriptor(ends[0]);
+  Descriptor theirs(ends[1]), memory;
+  worker->buffer = SharedBuffer::make(memory);
+  if (!worker->buffer) return {};
+  worker->pid = Zygote::instance().fork(std::move(theirs), std::move(memory));
+  if (worker->pid <= 0) return {};
+  worker->bytesAtStart = addressSpaceOf(worker->pid) + (std::uint64_t(8) << 20);
+  return worker;
+}
+
+std::unique_ptr<Process> takeWorker() {
+  {
+    const std::scoped_lock one(idle().mutex);
+    if (auto& workers = idle().workers; !workers.empty()) {
+      auto worker = std::move(workers.back());
+      workers.pop_back();
+      return worker;
+    }
+  }
+  return makeWorker();
+}
+
+void giveBack(std::unique_ptr<Process> worker) {
+  if (worker->files >= mostFiles || worker->mostBytes > usualBytes) return;
+  const std::scoped_lock one(idle().mutex);
+  if (idle().workers.size() < std::thread::hardware_concurrency())
+    idle().workers.push_back(std::move(worker));
+}
+
+}  // namespace volumen::worker

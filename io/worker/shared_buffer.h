@@ -1,0 +1,45 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "io/worker/channel.h"
+
+namespace volumen::worker {
+
+/// Memory that this program and one worker share: two slots that answers go through by turns, and how many
+/// steps of a request the worker has finished. The worker may write to it at any time, so whoever reads
+/// copies first and checks the copy.
+class SharedBuffer {
+ public:
+  static constexpr std::size_t slotBytes = 512 << 10, slots = 2;
+
+  /// New memory of a size that nobody can change any more; invalid where there is none. `descriptor` is for
+  /// the worker.
+  static SharedBuffer make(Descriptor& descriptor);
+  /// That of the other process.
+  static SharedBuffer of(int descriptor);
+
+  SharedBuffer() = default;
+  SharedBuffer(SharedBuffer&& other) noexcept : memory_(std::exchange(other.memory_, nullptr)) {}
+  SharedBuffer& operator=(SharedBuffer&& other) noexcept {
+    std::swap(memory_, other.memory_);
+    return *this;
+  }
+  ~SharedBuffer();
+
+  explicit operator bool() const { return memory_ != nullptr; }
+  std::uint8_t* slot(std::uint64_t n) const { return memory_ + headBytes + n % slots * slotBytes; }
+  std::atomic<std::uint32_t>& steps() const {
+    return *reinterpret_cast<std::atomic<std::uint32_t>*>(memory_);
+  }
+
+ private:
+  static constexpr std::size_t headBytes = 4096;
+  static constexpr std::size_t allBytes = headBytes + slots * slotBytes;
+  std::uint8_t* memory_ = nullptr;
+};
+
+}  // namespace volumen::worker

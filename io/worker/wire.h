@@ -1,0 +1,190 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "viewer/volume/result.h"
+
+namespace volumen::worker {
+
+/// The last enumerator of an enumeration that crosses the wire; every such enumeration says it beside its
+/// fields.
+template <class Enum>
+inline constexpr Enum lastOf = Enum{};
+
+/// Plain values on their way between two processes of one program: one function `fields(Wire&, T&)` a struct
+/// names its members and serves both directions. What is read is never trusted: numbers of elements are
+/// believed only as far as their bytes have come; enumerators, flags and that single numbers are finite are
+/// checked. After the first fault ok() is false, and all that is read is zero or empty.
+class Wire {
+ public:
+  virtual ~Wire() = default;
+  Wire(const Wire&) = delete;
+  Wire& operator=(const Wire&) = delete;
+
+  bool reading() const { return reading_; }
+  bool ok() const { return ok_; }
+  void fail() { ok_ = false; }
+
+  /// Exactly `count` bytes at `data`, to or from.
+  void bytes(void* data, std::size_t count);
+
+  template <class... T>
+  void operator()(T&... values) {
+    (value(values), ...);
+  }
+  /// Writes what cannot be changed.
+  template <class... T>
+  void write(const T&... values) {
+    (value(const_cast<T&>(values)), ...);
+  }
+
+ protected:
+  explicit Wire(bool reading) : reading_(reading) {}
+  /// The next piece to read from or write to, which is not empty; false: there is none.
+  virtual bool nextPiece() = 0;
+  std::uint8_t *at_ = nullptr, *end_ = nullptr;
+
+ private:
+  template <class T>
+  void value(T& v) {
+    if constexpr (std::is_same_v<T, bool>) {
+      std::uint8_t byte = v;
+      bytes(&byte, 1);
+      if (byte > 1) fail();
+      v = byte == 1;
+    } else if constexpr (std::is_enum_v<T>) {
+      static_assert(lastOf<T> != T{}, "say lastOf of this enumeration");
+      auto number = std::int32_t(v);
+      bytes(&number, sizeof number);
+      if (number < 0 || number > std::int32_t(lastOf<T>)) fail(), number = 0;
+      v = T(number);
+    } else if constexpr (std::is_floating_point_v<T>) {
+      bytes(&v, sizeof v);
+      if (reading_ && !std::isfinite(v)) fail(), v = 0;
+    } else if constexpr (std::is_arithmetic_v<T>) {
+      bytes(&v, sizeof v);
+    } else {
+      fields(*this, v);
+    }
+  }
+
+  const bool reading_;
+  bool ok_ = true;
+};
+
+/// Writes to memory that grows.
+class MemoryWriter : public Wire {
+ public:
+  MemoryWriter() : Wire(false) {}
+  std::vector<std::uint8_t> take() &&;
+
+ private:
+  bool nextPiece() override;
+  std::vector<std::uint8_t> bytes_;
+};
+
+/// Reads from memory that outlives it.
+class MemoryReader : public Wire {
+ public:
+  explicit MemoryReader(std::span<const std::uint8_t> bytes);
+
+ private:
+  bool nextPiece() override { return false; }
+};
+
+template <class T>
+inline constexpr bool isBulk = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+
+/// Elements one behind the other: memory grows with what has come, by pieces of at most `step` elements.
+template <class Container>
+void bulk(Wire& w, Container& v) {
+  constexpr std::size_t size = sizeof(typename Container::value_type), step = (std::size_t(4) << 20) / size;
+  std::uint64_t count = v.size();
+  w(count);
+  if (!w.reading()) return w.bytes(v.data(), v.size() * size);
+  v.clear();
+  while (w.ok() && v.size() < count) {
+    const std::size_t have = v.size(), more = std::min<std::uint64_t>(count - have, std::max(step, have));
+    v.resize(have + more);
+    w.bytes(v.data() + have, more * size);
+  }
+  if (!w.ok()) v.clear();
+}
+
+inline void fields(Wire& w, std::string& text) { bulk(w, text); }
+
+template <class T>
+void fields(Wire& w, std::vector<T>& v) {
+  if constexpr (isBulk<T>) return bulk(w, v);
+  std::uint64_t count = v.size();
+  w(count);
+  if (!w.reading()) {
+    for (T& element : v) w(element);
+    return;
+  }
+  v.clear();
+  while (w.ok() && v.size() < count) w(v.emplace_back());
+  if (!w.ok()) v.clear();
+}
+
+template <class T>
+void fields(Wire& w, std::optional<T>& v) {
+  bool there = v.has_value();
+  w(there);
+  if (w.reading()) there ? void(v.emplace()) : v.reset();
+  if (v) w(*v);
+}
+
+template <class A, class B>
+void fields(Wire& w, std::pair<A, B>& v) {
+  w(v.first, v.second);
+}
+
+template <class T, std::size_t n>
+void fields(Wire& w, std::array<T, n>& v) {
+  for (T& element : v) w(element);
+}
+
+template <class T, std::size_t n>
+void fields(Wire& w, T (&v)[n]) {
+  for (T& element : v) w(element);
+}
+
+template <class... T>
+void fields(Wire& w, std::tuple<T...>& v) {
+  std::apply([&](T&... elements) { w(elements...); }, v);
+}
+
+template <class... T>
+void fields(Wire& w, std::variant<T...>& v) {
+  auto index = std::uint8_t(v.index());
+  w(index);
+  if (index >= sizeof...(T)) return w.fail();
+  if (w.reading()) {
+    std::uint8_t n = 0;
+    ((n++ == index ? void(v.template emplace<T>()) : void()), ...);
+  }
+  std::visit([&](auto& held) { w(held); }, v);
+}
+
+template <int n, class T, glm::qualifier q>
+void fields(Wire& w, glm::vec<n, T, q>& v) {
+  for (int a = 0; a < n; ++a) w(v[a]);
+}
+
+inline void fields(Wire& w, glm::dmat3& m) { w(m[0], m[1], m[2]); }
+
+}  // namespace volumen::worker

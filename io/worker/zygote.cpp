@@ -1,0 +1,121 @@
+#include "io/worker/zygote.h"
+
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+
+#include "io/worker/sandbox.h"
+#include "io/worker/serve.h"
+#include "io/worker/worker.h"
+
+namespace volumen::worker {
+namespace {
+
+bool hasSeccomp() { return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr) != 0 && errno == EFAULT; }
+
+/// Ends with the process that made it, whatever ends that.
+void endWith(pid_t maker) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != maker) _exit(0);
+}
+
+[[noreturn]] void becomeWorker(pid_t maker, int socket, int buffer) {
+  endWith(maker);
+  SharedBuffer shared = SharedBuffer::of(buffer);
+  if (!shared || !enterSandbox(socket)) _exit(1);
+  serve(socket, std::move(shared));
+}
+
+/// One order of the program's.
+void obey(Message& order, pid_t self, bool& prepared) {
+  if (order.topic == Topic::end) {
+    const auto worker = pid_t(order.first);
+    ::kill(worker, SIGKILL);
+    while (waitpid(worker, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  } else if (order.topic == Topic::fork && order.files.size() == 2) {
+    if (!prepared) prepareToServe();
+    prepared = true;
+    const pid_t worker = ::fork();
+    if (worker == 0) becomeWorker(self, order.files[0].get(), order.files[1].get());
+    order.first = std::uint64_t(worker);
+  }
+}
+
+[[noreturn]] void runZygote(int socket) {
+  // What these are for is the program's business, at whose end this process ends too.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(signal, SIG_IGN);
+  clearenv();
+  setenv("TZ", "UTC0", 1);  // without it every conversion of a time looks at a file
+  const pid_t self = getpid();
+  bool prepared = false;
+  Message order;
+  while (receiveMessage(socket, order, true) == Transfer::done) {
+    obey(order, self, prepared);
+    order.files.clear();
+    if (sendMessage(socket, {order.topic, order.first, 0, {}, {}}, true) != Transfer::done) break;
+  }
+  _exit(0);
+}
+
+}  // namespace
+
+bool start() { return Zygote::instance().start(); }
+void stop() { Zygote::instance().stop(); }
+bool isolating() { return Zygote::instance().runs(); }
+
+Zygote& Zygote::instance() {
+  static Zygote zygote;
+  return zygote;
+}
+
+bool Zygote::start() {
+  int ends[2] = {-1, -1};
+  if (runs() || !hasSeccomp() || socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
+    return runs();
+  Descriptor ours(ends[0]), theirs(ends[1]);
+  const pid_t maker = getpid();
+  pid_ = ::fork();
+  if (pid_ < 0) return false;
+  if (pid_ == 0) {
+    ours = {};
+    endWith(maker);
+    runZygote(theirs.get());
+  }
+  socket_ = std::move(ours);
+  return true;
+}
+
+void Zygote::stop() {
+  const std::scoped_lock one(mutex_);
+  if (!runs()) return;
+  socket_ = {};
+  ::kill(pid_, SIGKILL);
+  waitpid(pid_, nullptr, 0);
+}
+
+bool Zygote::ask(const Message& question, Message& answer) {
+  const std::scoped_lock one(mutex_);
+  return runs() && sendMessage(socket_.get(), question, true) == Transfer::done &&
+         receiveMessage(socket_.get(), answer, true) == Transfer::done;
+}
+
+pid_t Zygote::fork(Descriptor socket, Descriptor buffer) {
+  Message question{Topic::fork, 0, 0, {}, {}}, answer;
+  question.files.push_back(std::move(socket));
+  question.files.push_back(std::move(buffer));
+  return ask(question, answer) ? pid_t(answer.first) : -1;
+}
+
+void Zygote::end(pid_t worker) {
+  Message answer;
+  (void)ask({Topic::end, std::uint64_t(worker), 0, {}, {}}, answer);
+}
+
+}  // namespace volumen::worker

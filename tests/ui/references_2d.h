@@ -1,0 +1,105 @@
+#pragma once
+
+#include <QMenu>
+#include <QSlider>
+#include <QTreeWidget>
+
+#include "tests/fixtures/fixtures.h"
+#include "tests/ui/gestures.h"
+#include "tests/ui/journey.h"
+#include "ui/views/view_grid.h"
+
+namespace volumen::tests {
+
+inline const char* const ct = "dicom-pydicom/test_files/CT_small.dcm";
+inline const char* const presentation = "dicom-2d/made-here/pr-on-CT_small.dcm";
+inline const char* const keyObjects = "dicom-2d/made-here/ko-on-CT_small.dcm";
+
+/// A window on files of the data.
+struct References2d : Journey {
+  explicit References2d(const std::vector<const char*>& files) {
+    window.resize(1440, 900);
+    QStringList paths;
+    for (const char* file : files) paths << QString::fromStdString(dataPath(file));
+    window.open(paths);
+  }
+
+  Session& session() { return window.session(); }
+  const Workspace& workspace() { return session().workspace(); }
+  SliceView* view(ViewId id = axialViewId) { return window.views()->sliceView(id); }
+  QTreeWidget* tree(const char* name = "studyTree") { return child<QTreeWidget>(name); }
+  QTreeWidgetItem* item(const char* text, const char* list = "studyTree") {
+    return tree(list)->findItems(QLatin1String(text), Qt::MatchContains | Qt::MatchRecursive).value(0);
+  }
+  bool has(const char* text, const char* list = "studyTree") {
+    return QTest::qWaitFor([&] { return item(text, list) != nullptr; }, longest);
+  }
+  void click(const char* text, const char* list = "studyTree") {
+    tree(list)->scrollToItem(item(text, list));
+    QTest::mouseClick(tree(list)->viewport(), Qt::LeftButton, {},
+                      tree(list)->visualItemRect(item(text, list)).center());
+  }
+  // On the box before it.
+  void tick(const char* text, const char* list) {
+    tree(list)->setCurrentItem(item(text, list));
+    QTest::keyClick(tree(list), Qt::Key_Space);
+  }
+  bool shows(const std::function<bool(const SliceView&)>& what, ViewId id = axialViewId) {
+    return QTest::qWaitFor(
+        [&] {
+          const SliceView* v = view(id);
+          return v && v->isVisible() && v->shown() && !v->picture().isNull() && what(*v);
+        },
+        longest);
+  }
+  bool showsFrame() {
+    return shows([](const SliceView& v) { return v.frame() != nullptr; });
+  }
+  bool isPresented(bool wanted = true) {
+    return shows([&](const SliceView& v) { return v.frame() && v.frame()->how.has_value() == wanted; });
+  }
+  // On screen once the picture is that of the workspace.
+  QRgb seen(int column, int row) {
+    SliceView* v = view();
+    const auto isWhole = [&] { return v->picture().size() == v->pixels(); };
+    if (!QTest::qWaitFor(isWhole, longest)) return 0;
+    const glm::dvec2 at =
+        v->plane()->pixelFromPatient(v->frame()->geometry().patientFromVoxel({column, row, 0}));
+    return v->picture().pixel(int(at.x), int(at.y));
+  }
+  // Waits for the picture after something was done.
+  bool after(const std::function<void()>& act, ViewId id = axialViewId) {
+    QSignalSpy shown(view(id), &SliceView::settled);
+    act();
+    return !shown.isEmpty() || shown.wait(longest);
+  }
+  bool looksAtPixels() {
+    return after([&] {
+      session().change(QStringLiteral("test"), [&](Workspace& w) {
+        w.view(axialViewId).flats[view()->state().series].nearest = true;
+      });
+    });
+  }
+  // A right click's menu.
+  QMenu* menu(SliceView* on) {
+    QTest::mouseClick(on, Qt::RightButton, {}, {200, 300});
+    return QTest::qWaitFor([&] { return child<QMenu>("flatMenu") != nullptr; }, longest)
+               ? child<QMenu>("flatMenu")
+               : nullptr;
+  }
+  bool saysOnView(const char* text, ViewId id = axialViewId) {
+    const Overlays o = view(id)->overlays();
+    return (o.topRight + o.topLeft).join(QLatin1Char('\n')).contains(QString::fromUtf8(text));
+  }
+};
+
+/// Null: there is none.
+inline QAction* actionNamed(QMenu* menu, const char* text) {
+  for (QAction* action : menu->actions())
+    if (action->text().contains(QLatin1String(text))) return action;
+  return nullptr;
+}
+
+#define NEED_REFERENCES() NEED_DATA(dataPath("dicom-2d"))
+
+}  // namespace volumen::tests

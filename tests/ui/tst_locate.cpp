@@ -1,0 +1,110 @@
+// Guards window.md "Sessions": series that were moved are found again in a folder that is named, all at once.
+#include <QAbstractButton>
+#include <QDir>
+
+#include "tests/ui/session_folder.h"
+#include "tests/ui/test_series.h"
+#include "tests/unit/suite.h"
+#include "ui/views/slice_view.h"
+#include "ui/views/view_grid.h"
+#include "ui/widgets/banner.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+// A session of two series, of which both files were moved since.
+struct Moved {
+  SessionFolder folder;
+  QTemporaryDir elsewhere;
+  Workspace saved;
+  QImage picture;
+
+  QString ball() const { return folder.at("ball.nrrd"); }
+  QString there(const char* name) const { return elsewhere.filePath(QLatin1String(name)); }
+  bool make() {
+    if (!writeVolume(*ballSeries()->volume, ball().toStdString())) return false;
+    Journey w({folder.ct()});
+    if (!w.settle() || !settles(w, [&] { w.window.open({ball()}); })) return false;
+    picture = w.after("viewLeft");
+    saved = w.window.session().workspace();
+    return folder.save(w) && QDir(elsewhere.path()).mkpath(QStringLiteral("deep")) &&
+           QFile::rename(folder.ct(), there("deep/ct.nrrd")) && QFile::rename(ball(), there("ball.nrrd"));
+  }
+};
+
+Banner* banner(Journey& w) { return w.child<Banner>("banner"); }
+QAbstractButton* locate(Journey& w) { return w.child<QAbstractButton>("bannerOffer"); }
+
+bool opened(Journey& w, const Moved& moved) {
+  w.window.open({moved.folder.at("s.volumen")});
+  return QTest::qWaitFor([&] { return banner(w)->isVisible(); }, longest);
+}
+
+}  // namespace
+
+class TestLocate : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void allThatLiesThereIsFoundAtOnce();
+  void whatIsNotThereIsNamedAndOfferedAgain();
+  void otherMessagesOfferNothing();
+};
+
+void TestLocate::allThatLiesThereIsFoundAtOnce() {
+  Moved moved;
+  QVERIFY(moved.make());
+  Journey w;
+  QVERIFY(opened(w, moved));
+  QCOMPARE(banner(w)->sentence().count(QStringLiteral("not found")), 2);
+  QVERIFY(locate(w)->isVisible());
+  w.shot("locate");
+  locate(w)->click();
+  QVERIFY(settles(w, [&] { answer(w, "locateDialog", moved.elsewhere.path()); }));
+  QVERIFY(banner(w)->isHidden());
+  // Once more where the banner was.
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.view()->picture() == moved.picture, longest);
+  const Workspace& now = w.window.session().workspace();
+  QCOMPARE(now.series.size(), moved.saved.series.size());
+  for (const auto& [key, state] : now.series) {
+    QVERIFY(!state.missing);
+    QVERIFY(key.path.starts_with(moved.elsewhere.path().toStdString()));
+  }
+  QCOMPARE(now.view(sceneViewId).scenes.size(), moved.saved.view(sceneViewId).scenes.size());
+  // One step, and what is missing again is not looked for.
+  w.child<QAction>("undo")->trigger();
+  QVERIFY(w.window.session().workspace().series.begin()->second.missing);
+  w.child<QAction>("redo")->trigger();
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series(), longest);
+}
+
+void TestLocate::whatIsNotThereIsNamedAndOfferedAgain() {
+  Moved moved;
+  QVERIFY(moved.make());
+  Journey w;
+  QVERIFY(opened(w, moved));
+  locate(w)->click();
+  answer(w, "locateDialog", moved.there("deep"));
+  QTRY_VERIFY_WITH_TIMEOUT(banner(w)->sentence().contains(QStringLiteral("was not found in")), longest);
+  QCOMPARE(banner(w)->sentence().count(QStringLiteral("not found")), 1);
+  QVERIFY(banner(w)->sentence().contains(QStringLiteral("ball")));
+  QVERIFY(locate(w)->isVisible());
+  locate(w)->click();
+  answer(w, "locateDialog", moved.elsewhere.path());
+  QTRY_VERIFY_WITH_TIMEOUT(banner(w)->isHidden(), longest);
+  for (const auto& [key, state] : w.window.session().workspace().series) QVERIFY(!state.missing);
+}
+
+void TestLocate::otherMessagesOfferNothing() {
+  Moved moved;
+  QVERIFY(moved.make());
+  Journey w;
+  QVERIFY(opened(w, moved));
+  w.window.open({moved.there("nothing.nrrd")});
+  QTRY_VERIFY_WITH_TIMEOUT(banner(w)->sentence().contains(QStringLiteral("nothing.nrrd")), longest);
+  QVERIFY(!locate(w)->isVisible());
+}
+
+VOLUMEN_TEST(TestLocate);
+#include "tst_locate.moc"

@@ -1,0 +1,120 @@
+// Guards window.md "Objects that refer to pictures": contours and segments lie over slices, by real events on
+// real files.
+#include <cmath>
+
+#include "tests/ui/references_2d.h"
+#include "tests/unit/suite.h"
+#include "ui/workspace/flat_plane.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestRegionsWindow : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void contoursLieOnTheirSlices();
+  void contoursAreCutByOtherPlanes();
+  void segmentsAreTinted();
+};
+
+void TestRegionsWindow::contoursLieOnTheirSlices() {
+  NEED_DATA(dataPath("pet-ct"));
+  openAlone(false);
+  References2d w({"pet-ct/sts019-ct", "pet-ct/sts019-rtstruct-ct.dcm"});
+  QVERIFY(w.has("Contours: RTstruct"));
+  QVERIFY(w.shows([](const SliceView&) { return true; }));
+  const auto red = [&](ViewId id) {
+    const QImage screen = w.view(id)->grab().toImage();
+    int count = 0;
+    for (int y = 0; y < screen.height(); ++y)
+      for (int x = 0; x < screen.width(); ++x) {
+        const QRgb c = screen.pixel(x, y);
+        count += qRed(c) > 180 && qGreen(c) < 60 && qBlue(c) < 60;
+      }
+    return count;
+  };
+  const auto goTo = [&](double z) {
+    const ShownSeriesPtr shown = w.session().seriesOf(axialViewId);
+    Crosshair crosshair = crosshairOf(w.workspace(), *shown);
+    crosshair.at.z = z;
+    w.session().change(
+        QStringLiteral("test"),
+        withCrosshair(w.workspace(), axialViewId, frameOfReference(shown->series), crosshair, crosshair));
+  };
+  goTo(-150.42);
+  const int lines = red(axialViewId);  // of the crosshair, which is none of them
+  w.click("Contours: RTstruct");
+  QTRY_VERIFY_WITH_TIMEOUT(w.item("GTV_Mass_CT", "regionList"), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(red(axialViewId) > lines + 100, longest);
+  w.shot("contours");
+  // Beyond the last contour, at z -127.53, there is none.
+  goTo(-127.53 + 3.27);
+  QVERIFY(red(axialViewId) <= lines);
+  goTo(-127.53 + 0.4 * 3.27);
+  QVERIFY2(red(axialViewId) > lines + 50, "within half a spacing it is still the contour's");
+  goTo(-150.42);
+  w.tick("GTV_Mass_CT", "regionList");
+  QTRY_VERIFY_WITH_TIMEOUT(red(axialViewId) <= lines, longest);
+  w.child<QAction>("undo")->trigger();
+  QVERIFY(red(axialViewId) > lines + 100);
+  openAlone();
+}
+
+void TestRegionsWindow::contoursAreCutByOtherPlanes() {
+  NEED_DATA(dataPath("pet-ct"));
+  openAlone(false);
+  References2d w({"pet-ct/sts019-ct", "pet-ct/sts019-rtstruct-ct.dcm"});
+  QVERIFY(w.has("Contours: RTstruct"));
+  QVERIFY(w.shows([](const SliceView&) { return true; }, coronalViewId));
+  w.click("Contours: RTstruct");
+  QTRY_VERIFY_WITH_TIMEOUT(w.item("GTV_Mass_CT", "regionList"), longest);
+  const auto row = w.item("GTV_Mass_CT", "regionList");
+  w.tree("regionList")->scrollToItem(row);
+  const QPoint middle = w.tree("regionList")->visualItemRect(row).center();
+  QTest::mouseClick(w.tree("regionList")->viewport(), Qt::LeftButton, {}, middle);
+  QTest::mouseDClick(w.tree("regionList")->viewport(), Qt::LeftButton, {}, middle);
+  const ShownSeriesPtr shown = w.session().seriesOf(axialViewId);
+  // The contour at z -150.42, x -35.400 .. -6.104, y -89.356 .. -64.941, is the middle one.
+  const glm::dvec3 at = crosshairOf(w.workspace(), *shown).at;
+  QVERIFY2(std::abs(at.z + 150.42) < 1e-2 && at.x > -35.4 && at.x < -6.1 && at.y > -89.36 && at.y < -64.94,
+           qPrintable(QStringLiteral("%1 %2 %3").arg(at.x).arg(at.y).arg(at.z)));
+  QVERIFY(w.shows([](const SliceView&) { return true; }, sagittalViewId));
+  w.shot("contours-cut");
+  openAlone();
+}
+
+void TestRegionsWindow::segmentsAreTinted() {
+  NEED_REFERENCES();
+  References2d w({ct, "dicom-2d/seg-on-CT_small.dcm"});
+  QVERIFY(w.has("Segmentation") && w.has("CT (1)"));
+  w.child<QAction>("showAsFrames")->trigger();
+  if (!w.view() || !w.view()->isVisible()) w.click("CT (1)");
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<QAction>("showAsFrames")->isEnabled(), longest);
+  if (!w.child<QAction>("showAsFrames")->isChecked()) w.child<QAction>("showAsFrames")->trigger();
+  QVERIFY(w.showsFrame() && w.looksAtPixels());
+  const auto tinted = [&] {
+    int count = 0;
+    for (int y = 0; y < 128; ++y)
+      for (int x = 0; x < 128; ++x) {
+        const QRgb c = w.seen(x, y);
+        count += qRed(c) != qGreen(c) || qGreen(c) != qBlue(c);
+      }
+    return count;
+  };
+  QCOMPARE(tinted(), 0);
+  w.click("Segmentation");
+  QTRY_COMPARE_WITH_TIMEOUT(tinted(), 1832, longest);
+  w.shot("segments");
+  auto* slider = w.child<QSlider>("segmentOpacity");
+  slider->setFocus();
+  QVERIFY(w.after([&] { QTest::keyClick(slider, Qt::Key_End); }));
+  const RegionsLook look = w.workspace().regions.begin()->second;
+  QCOMPARE(look.opacity, 1.0);
+  w.tick("first segment", "regionList");
+  QTRY_COMPARE_WITH_TIMEOUT(tinted(), 0, longest);
+  w.child<QAction>("undo")->trigger();
+  QTRY_COMPARE_WITH_TIMEOUT(tinted(), 1832, longest);
+}
+
+VOLUMEN_TEST(TestRegionsWindow);
+#include "tst_regions_window.moc"

@@ -1,0 +1,115 @@
+// Guards import.md, "Safety", through the command line: a file that takes too much costs itself alone, is
+// named, and takes no memory of the program's.
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <fstream>
+
+#include "tests/fixtures/program.h"
+#include "tests/unit/io/dicom_bytes.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen::tests;
+
+extern char** environ;
+
+namespace {
+
+void write(const std::string& path, const Buffer& bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+}
+
+/// Two elements of 250 MiB in front of a picture; the file has hardly any blocks on disk.
+void writeLongHeader(const std::string& path) {
+  constexpr std::uint32_t length = 250u << 20;
+  std::ofstream out(path, std::ios::binary);
+  Builder b = Builder::file();
+  for (const std::uint32_t tag : {0x00091010u, 0x00091011u}) {
+    b.longElement(tag, "OB", length);
+    out.write(reinterpret_cast<const char*>(b.bytes.data()), std::streamsize(b.bytes.size()));
+    out.seekp(length, std::ios::cur);
+    b.bytes.clear();
+  }
+  const Buffer whole = native(picture("1.2.840.10008.1.2.1"));
+  const std::size_t head = Builder::file().bytes.size();
+  out.write(reinterpret_cast<const char*>(whole.data() + head), std::streamsize(whole.size() - head));
+}
+
+struct Run {
+  int status;
+  double peakMebibytes;
+  QByteArray out;
+};
+
+/// A run of the program, and the most memory that it alone had at once.
+Run runMeasured(const QString& folder, std::vector<std::string> words) {
+  const std::string out = folder.toStdString() + "/out";
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  words.insert(words.begin(), VOLUMEN_PROGRAM);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t pid = -1;
+  int status = -1;
+  rusage usage{};
+  if (posix_spawn(&pid, VOLUMEN_PROGRAM, &actions, nullptr, arguments.data(), environ) == 0)
+    wait4(pid, &status, 0, &usage);
+  posix_spawn_file_actions_destroy(&actions);
+  return {status, double(usage.ru_maxrss) / 1024, contentsOf(QString::fromStdString(out))};
+}
+
+}  // namespace
+
+class TestWorkers : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void costsItselfAlone();
+  void sameWithoutWorkers();
+};
+
+void TestWorkers::costsItselfAlone() {
+  QTemporaryDir folder;
+  const std::string study = folder.filePath(QStringLiteral("study")).toStdString();
+  QVERIFY(QDir().mkpath(QString::fromStdString(study)));
+  write(study + "/good", native(picture("1.2.840.10008.1.2.1")));
+  writeLongHeader(study + "/long");
+  const Run run = runMeasured(folder.path(), {"info", study, "--json", "--values"});
+  QCOMPARE(run.status, 0);
+  QVERIFY2(run.peakMebibytes < 512, qPrintable(QString::number(run.peakMebibytes)));
+  const QJsonObject found = QJsonDocument::fromJson(run.out).object();
+  QCOMPARE(found[QLatin1String("volumes")].toArray().size(), 1);
+  const QJsonArray refused = found[QLatin1String("refused")].toArray();
+  QCOMPARE(refused.size(), 1);
+  QVERIFY(refused[0].toObject()[QLatin1String("path")].toString().endsWith(QLatin1String("/long")));
+  QVERIFY(refused[0].toObject()[QLatin1String("reason")].toString().contains(QLatin1String("more memory")));
+  const Run drawn = runMeasured(folder.path(), {"render", study, "--size", "16x16", "-o",
+                                                folder.filePath(QStringLiteral("a.png")).toStdString()});
+  QCOMPARE(drawn.status, 0);
+}
+
+void TestWorkers::sameWithoutWorkers() {
+  QTemporaryDir folder;
+  const std::string good = folder.filePath(QStringLiteral("good")).toStdString();
+  write(good, native(picture("1.2.840.10008.1.2.1")));
+  write(folder.filePath(QStringLiteral("bomb")).toStdString(), deflateBomb());
+  const QStringList words{QStringLiteral("info"), folder.path(), QStringLiteral("--json"),
+                          QStringLiteral("--values")};
+  const Outcome inWorkers = runProgram(words),
+                here = runProgram(words + QStringList{QStringLiteral("--in-process")});
+  QCOMPARE(inWorkers.status, 0);
+  QVERIFY(inWorkers.out.contains("good") && inWorkers.out.contains("16 MiB"));
+  QCOMPARE(inWorkers.out, here.out);
+}
+
+VOLUMEN_TEST(TestWorkers);
+#include "tst_workers.moc"

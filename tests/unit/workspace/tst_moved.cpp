@@ -1,0 +1,117 @@
+// Guards design.md 8: what was found elsewhere takes the place of what was missing, with all that was made of
+// it.
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/suite.h"
+#include "tests/unit/workspace/random_workspace.h"
+#include "ui/workspace/moved.h"
+#include "ui/workspace/session_json.h"
+
+using namespace volumen;
+using volumen::tests::randomWorkspace;
+
+class TestMoved : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void allThatNamesASeriesFollowsIt();
+  void allThatNamesAnObjectFollowsIt();
+  void objectsAreNamedBesideTheSession();
+  void oldSessionsFindTheirObjects();
+};
+
+namespace {
+
+Series elsewhere(const Series& series) {
+  Series moved = series;
+  moved.path = "/moved" + series.path;
+  return moved;
+}
+
+}  // namespace
+
+// The other way: a session that is opened where all series lie elsewhere.
+void TestMoved::allThatNamesASeriesFollowsIt() {
+  int missing = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const Workspace w = randomWorkspace(seed);
+    const auto opened = sessionFromJson(*sessionToJson(w, "/data"), [&](const SavedSeries& saved) {
+      return std::make_shared<const Series>(elsewhere(*w.series.at(keyOf(saved.series)).series));
+    });
+    QVERIFY(opened);
+    Workspace moved = w;
+    for (const auto& [key, state] : w.series) {
+      missing += state.missing.has_value();
+      moved = withSeriesMoved(std::move(moved), key, elsewhere(*state.series));
+    }
+    QVERIFY2(moved == opened->workspace, qPrintable(QStringLiteral("seed %1").arg(seed)));
+  }
+  QVERIFY(missing > 20);
+}
+
+void TestMoved::allThatNamesAnObjectFollowsIt() {
+  int used = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const Workspace w = randomWorkspace(seed);
+    Workspace moved = w;
+    for (const UsedReference& object : referencesOf(w)) {
+      moved = withReferenceMoved(std::move(moved), object.key, {"/moved" + object.key.path, object.key.id});
+      ++used;
+    }
+    for (const UsedReference& object : referencesOf(moved)) QVERIFY(object.key.path.starts_with("/moved"));
+    QCOMPARE(referencesOf(moved).size(), referencesOf(w).size());
+    for (const UsedReference& object : referencesOf(w))
+      moved = withReferenceMoved(std::move(moved), {"/moved" + object.key.path, object.key.id}, object.key);
+    QVERIFY2(moved == w, qPrintable(QStringLiteral("seed %1").arg(seed)));
+  }
+  QVERIFY(used > 100);
+}
+
+namespace {
+
+// Two views show a picture by one state, and a segmentation lies over all.
+Workspace withObjects() {
+  Series series;
+  series.path = "/data/ct", series.id = "1.2.3";
+  Workspace w = withSeries({}, sceneViewId, series, {});
+  for (const ViewId id : {axialViewId, coronalViewId})
+    w.view(id).flats[keyOf(series)].presentation = {"/data/more/pr.dcm", "1.2.4"};
+  w.regions[{"/other/seg.dcm", "1.2.5#1"}].kind = ReferenceKind::segmentation;
+  return w;
+}
+
+}  // namespace
+
+void TestMoved::objectsAreNamedBesideTheSession() {
+  const std::string text = *sessionToJson(withObjects(), "/data");
+  std::vector<SavedReference> asked;
+  const auto back =
+      sessionFromJson(text, {}, [&](const SavedReference& saved) -> std::optional<ReferenceKey> {
+        asked.push_back(saved);
+        if (saved.kind == ReferenceKind::segmentation) return {};
+        return ReferenceKey{"/new/" + saved.relativePath, saved.key.id};
+      });
+  QVERIFY(back);
+  QCOMPARE(asked.size(), std::size_t(2));
+  QCOMPARE(asked[0].relativePath, std::string("more/pr.dcm"));
+  QCOMPARE(asked[1].relativePath, std::string("../other/seg.dcm"));
+  for (const ViewId id : {axialViewId, coronalViewId})
+    QCOMPARE(flatLookOf(back->workspace.view(id)).presentation.path, std::string("/new/more/pr.dcm"));
+  QVERIFY2(back->workspace.regions == withObjects().regions, "what is missing stays as it was");
+}
+
+// They name each object where it is used alone.
+void TestMoved::oldSessionsFindTheirObjects() {
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(*sessionToJson(withObjects(), "/data"));
+  QVERIFY(json.erase("references") == 1);
+  int asked = 0;
+  const auto back = sessionFromJson(json.dump(), {}, [&](const SavedReference& saved) {
+    ++asked;
+    return std::optional(saved.key);
+  });
+  QVERIFY(back);
+  QCOMPARE(asked, 2);
+  QVERIFY(back->workspace.views == withObjects().views);
+}
+
+VOLUMEN_TEST(TestMoved);
+#include "tst_moved.moc"

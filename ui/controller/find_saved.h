@@ -1,0 +1,20 @@
+#pragma once
+
+#include "ui/workspace/session_json.h"
+
+namespace volumen {
+
+/// The series of a study, and the frames of what is none.
+std::vector<Series> allSeriesOf(const Study& study);
+
+/// The series that is what it was, by its UID or id and what tells that it is the same; ids may have changed
+/// with what lies beside it. Null: none is.
+const Series* findSaved(const std::vector<Series>& all, const SavedSeries& saved);
+
+/// One of its name, whatever it holds by now; null: there is none.
+const Series* namesakeOf(const std::vector<Series>& all, const SavedSeries& saved);
+
+/// The object of this UID; null: there is none.
+const Reference* findSaved(const Study& study, const SavedReference& saved);
+
+}  // namespace volumen

@@ -1,0 +1,53 @@
+#include "ui/controller/locate.h"
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "ui/controller/find_saved.h"
+#include "ui/workspace/moved.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+MissingObjects missingOf(const Workspace& workspace, const std::vector<ReferencePtr>& open) {
+  MissingObjects missing;
+  for (const auto& [key, state] : workspace.series)
+    if (state.missing) missing.series.push_back({*state.series, {}, *state.missing});
+  for (const UsedReference& used : referencesOf(workspace)) {
+    const auto isIt = [&](const ReferencePtr& object) { return keyOf(*object) == used.key; };
+    if (std::ranges::none_of(open, isIt)) missing.references.push_back({used.key, {}, used.kind});
+  }
+  return missing;
+}
+
+Result<Located> locate(const MissingObjects& missing, const std::string& folder, const Progress& progress,
+                       const CancelToken& cancel) {
+  Result<Study> study = openStudy(folder, progress, cancel);
+  if (!study) return study.error();
+  Located located{folder, std::make_shared<const Study>(std::move(*study)), {}, {}, {}};
+  const std::vector<Series> all = allSeriesOf(*located.study);
+  const auto tellMissing = [&](const QString& name) {
+    located.problems << tr("%1 was not found in %2.").arg(name, pathText(folder));
+  };
+  for (const SavedSeries& saved : missing.series)
+    if (const Series* found = findSaved(all, saved))
+      located.series.emplace_back(keyOf(saved.series), *found);
+    else
+      tellMissing(seriesText(saved.series));
+  for (const SavedReference& saved : missing.references)
+    if (const Reference* found = findSaved(*located.study, saved))
+      located.references.emplace_back(saved.key, keyOf(*found));
+    else
+      tellMissing(QFileInfo(pathText(saved.key.path)).fileName());
+  located.problems.removeDuplicates();
+  return located;
+}
+
+Workspace withLocated(Workspace workspace, const Located& located) {
+  for (const auto& [from, to] : located.series) workspace = withSeriesMoved(std::move(workspace), from, to);
+  for (const auto& [from, to] : located.references)
+    workspace = withReferenceMoved(std::move(workspace), from, to);
+  return workspace;
+}
+
+}  // namespace volumen

@@ -1,0 +1,109 @@
+#include "ui/workspace/time_point_text.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "ui/workspace/series_text.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
+
+namespace volumen {
+
+namespace {
+
+using Steps = std::vector<const Series*>;
+using Named = std::string Series::*;
+
+// The first that varies names the steps.
+constexpr Named namedBy[] = {&Series::bValue, &Series::echoTime, &Series::timePoint, &Series::label};
+
+std::set<std::string> valuesOf(const Steps& steps, Named by) {
+  std::set<std::string> values;
+  for (const Series* step : steps) values.insert(step->*by);
+  return values;
+}
+
+// Labels may be given to some alone: an image without diffusion weight has no direction.
+bool varies(const Steps& steps, Named by) {
+  const std::set<std::string> values = valuesOf(steps, by);
+  return values.size() > 1 && (by == &Series::label || !values.contains({}));
+}
+
+bool tellsAll(const Steps& steps, Named by) {
+  const std::set<std::string> values = valuesOf(steps, by);
+  return values.size() == steps.size() && !values.contains({});
+}
+
+// Null: nothing is given that varies.
+const Named* firstVarying(const Steps& steps) {
+  const auto found = std::ranges::find_if(namedBy, [&](Named a) { return varies(steps, a); });
+  return found == std::end(namedBy) ? nullptr : found;
+}
+
+bool allAreCalled(const Steps& steps, const char* noun) {
+  return std::ranges::all_of(steps, [&](const Series* s) { return s->label.starts_with(noun); });
+}
+
+}  // namespace
+
+QString stepsText(const std::vector<const Series*>& steps) {
+  if (steps.size() < 2) return {};
+  const QString text = tellsAll(steps, &Series::bValue)      ? tr("%1 b-values")
+                       : tellsAll(steps, &Series::echoTime)  ? tr("%1 echoes")
+                       : tellsAll(steps, &Series::timePoint) ? tr("%1 time points")
+                       : allAreCalled(steps, "direction")    ? tr("%1 directions")
+                       : allAreCalled(steps, "component")    ? tr("%1 components")
+                                                             : tr("%1 volumes");
+  return text.arg(steps.size());
+}
+
+Series commonOf(const std::vector<const Series*>& steps) {
+  Series common = *steps.front();
+  for (const Named by :
+       {&Series::bValue, &Series::echoTime, &Series::timePoint, &Series::label, &Series::time})
+    if (valuesOf(steps, by).size() > 1) (common.*by).clear();
+  std::erase_if(common.warnings, [&](const Warning& warning) {
+    return !std::ranges::all_of(steps, [&](const Series* step) {
+      return std::ranges::find(step->warnings, warning) != step->warnings.end();
+    });
+  });
+  return common;
+}
+
+QString timePointText(const Workspace& workspace, const SeriesKey& series) {
+  const Steps steps = timePointsOf(workspace, series);
+  if (steps.empty()) return {};
+  const auto at = std::ranges::find(steps, series, [](const Series* s) { return keyOf(*s); });
+  const Series& step = **at;
+  const QString label = shownText(step.label);
+  if (steps.size() < 2) return label;
+  const QString number = tr("%1 of %2").arg(at - steps.begin() + 1).arg(steps.size());
+  const Named* varying = firstVarying(steps);
+  if (varying && !tellsAll(steps, *varying))
+    if (const QStringList parts = tellingApart(step, steps); !parts.isEmpty())
+      return tr("%1 (%2)").arg(parts.join(QStringLiteral(", ")), number);
+  if (!varying || (*varying == &Series::label && (label.isEmpty() || label == number)))
+    return tr("volume %1").arg(number);
+  const QString value = shownText(step.*(*varying));
+  if (*varying == &Series::bValue) return tr("b %1 (%2)").arg(value, number);
+  if (*varying == &Series::echoTime) return tr("echo %1: %2 ms").arg(number, value);
+  if (*varying == &Series::label) return tr("%1 (%2)").arg(label, number);
+  return tr("time point %1").arg(number);
+}
+
+QString timeAxisText(const std::vector<const Series*>& steps) {
+  const Named* varying = firstVarying(steps);
+  if (!varying) return {};
+  constexpr int most = 20;
+  QStringList values;
+  for (const Series* step : steps) values << shownText(step->*(*varying));
+  values.removeDuplicates();
+  if (values.size() > most || *varying == &Series::label) return stepsText(steps);
+  const QString all = values.join(QStringLiteral(", "));
+  if (*varying == &Series::bValue) return tr("b = %1").arg(all);
+  return *varying == &Series::echoTime ? tr("echo times %1 ms").arg(all) : tr("time points %1").arg(all);
+}
+
+}  // namespace volumen
