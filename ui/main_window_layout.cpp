@@ -2,6 +2,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QKeyEvent>
+#include <QLayout>
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
@@ -81,7 +82,9 @@ void MainWindow::keepLayout() {
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   // Only now its size is known.
-  if (!std::exchange(layoutKept_, true)) shareRoom();
+  if (std::exchange(layoutKept_, true)) return;
+  shareRoom();
+  layout()->activate();  // at once, whatever else waits to be laid out
 }
 
 void MainWindow::setMaximised(bool alone) {
