@@ -30,8 +30,8 @@ Banner::Banner(QWidget* parent)
   close->setText(tr("Close"));
   auto* row = new QHBoxLayout;
   row->addWidget(sentence_, 1);
-  row->addWidget(offer_);
   row->addWidget(more_);
+  row->addWidget(offer_);
   row->addWidget(close);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 6, 8, 6);
