@@ -370,7 +370,7 @@ void TestIndexImport::cancelledAndResumed() {
   QVERIFY(undisturbed->import({folder.data()}).ok());
   Index index = folder.open();
   int added = 0, imports = 0;
-  for (int stopAt = 3;; stopAt += 97, ++imports) {
+  for (int stopAt = 2;; stopAt += 3, ++imports) {
     const CancelToken cancel;
     int reports = 0;
     const auto report = index.import(

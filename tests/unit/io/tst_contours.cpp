@@ -2,10 +2,10 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
-#include <QElapsedTimer>
 #include <algorithm>
 
 #include "io/contours.h"
+#include "tests/fixtures/cpu_timer.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/io/dicom_objects.h"
@@ -141,8 +141,7 @@ void TestContours::aMillionPointsAreRead() {
   writeObject(
       folder.path("rt"), structureSetClass,
       [&](DcmItem& data) { addContour(addRegion(data, "1"), "OPEN_NONPLANAR", points); }, true);
-  QElapsedTimer timer;
-  timer.start();
+  const CpuTimer timer;
   const Result<StructureSet> set = loadContours(folder.path("rt"));
   QVERIFY2(set, set ? "" : set.message().c_str());
   QCOMPARE(set->regions.at(0).contours.at(0).points.size(), std::size_t(1000000));

@@ -1,13 +1,13 @@
 // Guards design.md 7 (walls a and b): no file ends the program, hangs it or shows an invented picture.
 #include <sys/stat.h>
 
-#include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <algorithm>
 #include <filesystem>
 #include <random>
 
 #include "io/study.h"
+#include "tests/fixtures/cpu_timer.h"
 #include "tests/unit/io/dicom_bytes.h"
 #include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/suite.h"
@@ -89,8 +89,7 @@ void TestDicomHostile::refusedWithAReason() {
   QTemporaryDir folder;
   const std::string path = folder.filePath(QStringLiteral("a")).toStdString();
   writeAll(path, Buffer(bytes.begin(), bytes.end()));
-  QElapsedTimer timer;
-  timer.start();
+  const CpuTimer timer;
   const Result<Study> study = openStudy(path);
   QVERIFY(study.ok());
   std::string reason = study->refused.empty() ? "" : study->refused[0].reason;
@@ -110,8 +109,7 @@ void TestDicomHostile::sparseZerosTakeNoTime() {
   writeAll(plain, Buffer(1));
   writeAll(magic, Builder::file().bytes);
   for (const std::string& path : {plain, magic}) std::filesystem::resize_file(path, std::uintmax_t(1) << 30);
-  QElapsedTimer timer;
-  timer.start();
+  const CpuTimer timer;
   const Result<Study> study = openStudy(folder.path().toStdString());
   QVERIFY(study.ok() && study->volumes.empty());
   QCOMPARE(study->refused.size(), std::size_t(1));

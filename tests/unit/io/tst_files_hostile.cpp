@@ -6,7 +6,6 @@
 #include <zlib.h>
 
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include <limits>
 
 #include "io/files/image_file.h"
+#include "tests/fixtures/cpu_timer.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
@@ -280,8 +280,7 @@ void TestFilesHostile::isRefused() {
   struct rusage before {
   }, after{};
   getrusage(RUSAGE_SELF, &before);
-  QElapsedTimer timer;
-  timer.start();
+  const tests::CpuTimer timer;
   const Result<Loaded> loaded = load(path);
   getrusage(RUSAGE_SELF, &after);
   QVERIFY2(!loaded.ok(), "was loaded");

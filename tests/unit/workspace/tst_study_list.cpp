@@ -17,10 +17,12 @@ IndexedStudy study(std::int64_t id, const char* name, const char* patient, const
 }
 
 std::vector<IndexedStudy> four() {
-  return {study(1, "doe^jane", "10", "20200101", "CT, PT", 5, "2026-01-02"),
-          study(2, "Roe^Rick", "9", "20230101", "MR", 1000),
-          study(3, "doe^jane", "10", "20240101", "CT, MR", 7, "2026-01-03"),
-          study(4, "Adams", "11", "20210101", "US", 90, "2026-01-01")};
+  std::vector<IndexedStudy> all;  // one by one: GCC 12 takes a list of them for uninitialised
+  all.push_back(study(1, "doe^jane", "10", "20200101", "CT, PT", 5, "2026-01-02"));
+  all.push_back(study(2, "Roe^Rick", "9", "20230101", "MR", 1000));
+  all.push_back(study(3, "doe^jane", "10", "20240101", "CT, MR", 7, "2026-01-03"));
+  all.push_back(study(4, "Adams", "11", "20210101", "US", 90, "2026-01-01"));
+  return all;
 }
 
 QStringList texts(std::initializer_list<const char*> utf8) {
