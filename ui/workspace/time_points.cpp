@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/patients.h"
 
 namespace volumen {
 
@@ -46,6 +47,7 @@ auto orderOf(const Series& series) {
 }  // namespace
 
 bool areTimePoints(const Series& a, const Series& b) {
+  if (!areOfOnePatient(a, b)) return false;
   if (a.id == b.id && a.path == b.path) return true;
   if (!a.notVolume.empty() || !b.notVolume.empty() || a.format != b.format || a.path != b.path ||
       a.seriesUid != b.seriesUid || a.studyUid != b.studyUid || !onOneGrid(a.acquired, b.acquired))

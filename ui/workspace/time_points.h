@@ -6,7 +6,7 @@
 
 namespace volumen {
 
-/// Whether two volumes are steps of one series: of one series and one grid, at different times, echoes,
+/// Whether two volumes are steps of one series: of one patient, series and grid, at different times, echoes,
 /// diffusion weights or directions, or the volumes of one file.
 bool areTimePoints(const Series& a, const Series& b);
 
