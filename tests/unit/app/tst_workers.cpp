@@ -1,10 +1,5 @@
 // Guards import.md, "Safety", through the command line: a file that takes too much costs itself alone, is
 // named, and takes no memory of the program's.
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -17,8 +12,6 @@
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
-
-extern char** environ;
 
 namespace {
 
@@ -43,31 +36,6 @@ void writeLongHeader(const std::string& path) {
   out.write(reinterpret_cast<const char*>(whole.data() + head), std::streamsize(whole.size() - head));
 }
 
-struct Run {
-  int status;
-  double peakMebibytes;
-  QByteArray out;
-};
-
-/// A run of the program, and the most memory that it alone had at once.
-Run runMeasured(const QString& folder, std::vector<std::string> words) {
-  const std::string out = folder.toStdString() + "/out";
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  words.insert(words.begin(), VOLUMEN_PROGRAM);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t pid = -1;
-  int status = -1;
-  rusage usage{};
-  if (posix_spawn(&pid, VOLUMEN_PROGRAM, &actions, nullptr, arguments.data(), environ) == 0)
-    wait4(pid, &status, 0, &usage);
-  posix_spawn_file_actions_destroy(&actions);
-  return {status, double(usage.ru_maxrss) / 1024, contentsOf(QString::fromStdString(out))};
-}
-
 }  // namespace
 
 class TestWorkers : public QObject {
@@ -83,7 +51,7 @@ void TestWorkers::costsItselfAlone() {
   QVERIFY(QDir().mkpath(QString::fromStdString(study)));
   write(study + "/good", native(picture("1.2.840.10008.1.2.1")));
   writeLongHeader(study + "/long");
-  const Run run = runMeasured(folder.path(), {"info", study, "--json", "--values"});
+  const MeasuredOutcome run = runMeasured({"info", study, "--json", "--values"});
   QCOMPARE(run.status, 0);
   QVERIFY2(run.peakMebibytes < 512, qPrintable(QString::number(run.peakMebibytes)));
   const QJsonObject found = QJsonDocument::fromJson(run.out).object();
@@ -92,8 +60,8 @@ void TestWorkers::costsItselfAlone() {
   QCOMPARE(refused.size(), 1);
   QVERIFY(refused[0].toObject()[QLatin1String("path")].toString().endsWith(QLatin1String("/long")));
   QVERIFY(refused[0].toObject()[QLatin1String("reason")].toString().contains(QLatin1String("more memory")));
-  const Run drawn = runMeasured(folder.path(), {"render", study, "--size", "16x16", "-o",
-                                                folder.filePath(QStringLiteral("a.png")).toStdString()});
+  const MeasuredOutcome drawn = runMeasured(
+      {"render", study, "--size", "16x16", "-o", folder.filePath(QStringLiteral("a.png")).toStdString()});
   QCOMPARE(drawn.status, 0);
 }
 
