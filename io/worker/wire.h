@@ -144,7 +144,7 @@ template <class T>
 void fields(Wire& w, std::optional<T>& v) {
   bool there = v.has_value();
   w(there);
-  if (w.reading()) there ? void(v.emplace()) : v.reset();
+  if (w.reading()) v = there ? std::optional<T>(T{}) : std::nullopt;
   if (v) w(*v);
 }
 
