@@ -6,6 +6,7 @@
 #include "app/index_option.h"
 #include "app/text_table.h"
 #include "app/usage.h"
+#include "io/index/fold.h"
 
 namespace volumen {
 
@@ -57,10 +58,7 @@ Json toJson(const Listed& listed, bool withSeries) {
   return out;
 }
 
-std::string dateOf(const std::string& dicom) {
-  if (dicom.size() != 8) return printable(dicom);
-  return printable(dicom.substr(0, 4) + "-" + dicom.substr(4, 2) + "-" + dicom.substr(6));
-}
+std::string dateOf(const std::string& dicom) { return printable(withDashes(dicom)); }
 
 std::string marks(int warnings, bool offline) {
   std::string text = warnings == 0   ? ""

@@ -29,11 +29,6 @@ std::string newKey() { return "file " + std::to_string(QRandomGenerator::global(
 
 std::string orElse(const std::string& text, const std::string& other) { return text.empty() ? other : text; }
 
-/// "2026-11-24" for "20261124", which people type.
-std::string withDashes(const std::string& date) {
-  return date.size() == 8 ? date.substr(0, 4) + "-" + date.substr(4, 2) + "-" + date.substr(6) : date;
-}
-
 bool isThere(const std::string& path) {
   struct stat status {};
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);

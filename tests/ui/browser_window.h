@@ -110,6 +110,12 @@ struct BrowserWindow : Journey {
     click(index);
     QTest::mouseDClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualRect(index).center());
   }
+  /// Opens the study Head, whose first series is Bone.
+  bool openHead() {
+    if (!has("Head", 4)) return false;
+    doubleClick(row("Head", 4));
+    return isShown("Bone");
+  }
   /// Waits until a view, or the one in focus, shows a series of this description.
   bool isShown(const char* description, std::optional<ViewId> view = {}) {
     return QTest::qWaitFor(

@@ -2,7 +2,6 @@
 
 #include <QDir>
 #include <QTreeWidget>
-#include <QWheelEvent>
 #include <cmath>
 
 #include "tests/fixtures/fixtures.h"
@@ -18,13 +17,6 @@ inline QString dataFile(const char* name) {
 }
 
 inline constexpr const char* clipFile = "us-cine-aspect-regions.dcm";
-
-inline void wheel(QWidget* on, int notches, Qt::KeyboardModifiers keys = {}) {
-  const QPointF middle(on->width() / 2.0, on->height() / 2.0);
-  QWheelEvent event(middle, on->mapToGlobal(middle), {}, {0, 120 * notches}, Qt::NoButton, keys,
-                    Qt::NoScrollPhase, false);
-  QCoreApplication::sendEvent(on, &event);
-}
 
 // A window on files of the data.
 struct Frames : Journey {

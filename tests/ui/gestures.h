@@ -1,9 +1,12 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QDropEvent>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QPointF>
 #include <QTest>
+#include <QWheelEvent>
 #include <QWidget>
 
 namespace volumen::tests {
@@ -23,6 +26,25 @@ inline void drag(QWidget* widget, QPointF from, QPointF to, Qt::MouseButton butt
 inline void hover(QWidget* widget, QPointF at) {
   QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
   QCoreApplication::sendEvent(widget, &move);
+}
+
+/// Turns the wheel in the middle of a widget; notches: up is positive.
+inline void wheel(QWidget* on, int notches, Qt::KeyboardModifiers keys = {}) {
+  const QPointF middle(on->width() / 2.0, on->height() / 2.0);
+  QWheelEvent event(middle, on->mapToGlobal(middle), {}, {0, 120 * notches}, Qt::NoButton, keys,
+                    Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(on, &event);
+}
+
+/// Drops what is dragged on a widget, where it takes it; returns whether it does.
+inline bool drop(const QMimeData& what, QWidget* on) {
+  constexpr QPoint at(20, 20);
+  QDragEnterEvent enter(at, Qt::CopyAction, &what, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(on, &enter);
+  if (!enter.isAccepted()) return false;
+  QDropEvent drop(at, Qt::CopyAction, &what, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(on, &drop);
+  return true;
 }
 
 }  // namespace volumen::tests

@@ -1,10 +1,7 @@
-// Guards the study browser of the window, by real events: list, search, order, thumbnails, opening, patients
-// apart, removing, keys, hidden names.
-#include <QDropEvent>
+// Guards the study browser of the window, by real events: list, search, order, thumbnails,
+// removing, keys, hidden names.
 #include <QHeaderView>
 #include <QMenu>
-#include <QMimeData>
-#include <QUndoStack>
 
 #include "tests/ui/browser_window.h"
 #include "tests/unit/suite.h"
@@ -34,13 +31,6 @@ class TestBrowser : public QObject {
   void everyColumnSorts_data();
   void everyColumnSorts();
   void theSeriesOfAStudyHaveThumbnails();
-  void aStudyIsOpened_data();
-  void aStudyIsOpened();
-  void aSeriesIsDraggedIntoAView_data();
-  void aSeriesIsDraggedIntoAView();
-  void anotherPatientTakesThePlace();
-  void patientsBesideEachOtherAreNamed();
-  void whatWasOpenedLastStandsFirst();
   void studiesAreRemovedAndComeBack();
   void typingInTheListSearches();
   void theMenuOpensAndRemoves();
@@ -169,150 +159,6 @@ void TestBrowser::theSeriesOfAStudyHaveThumbnails() {
   QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 1, longest);
   QVERIFY(w.strip()->item(0)->text().contains(QStringLiteral("Venous")));
   w.shot("browser");
-}
-
-void TestBrowser::aStudyIsOpened_data() {
-  QTest::addColumn<QString>("how");
-  QTest::addColumn<QByteArray>("shown");
-  QTest::newRow("double-click on a study: the largest series")
-      << QStringLiteral("study") << QByteArray("Bone");
-  QTest::newRow("double-click on a series in the tree")
-      << QStringLiteral("series") << QByteArray("Soft tissue");
-  QTest::newRow("double-click on a thumbnail") << QStringLiteral("thumbnail") << QByteArray("Soft tissue");
-  QTest::newRow("Enter in the list") << QStringLiteral("enter") << QByteArray("Bone");
-  QTest::newRow("Enter in the search field") << QStringLiteral("search") << QByteArray("Venous");
-  QTest::newRow("double-click on a patient with one study")
-      << QStringLiteral("patient") << QByteArray("Venous");
-}
-
-void TestBrowser::aStudyIsOpened() {
-  QFETCH(QString, how);
-  QFETCH(QByteArray, shown);
-  BrowserWindow w(*studies_);
-  QVERIFY(w.has("Head", 4));
-  w.click(w.row("Head", 4));
-  QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 2, longest);
-  if (how == QStringLiteral("study")) w.doubleClick(w.row("Head", 4));
-  if (how == QStringLiteral("patient")) w.doubleClick(w.row("Müller"));
-  if (how == QStringLiteral("enter")) QTest::keyClick(w.tree(), Qt::Key_Return);
-  if (how == QStringLiteral("series")) {
-    w.tree()->setExpanded(w.row("Head", 4), true);
-    QVERIFY(w.has("Soft tissue", 4));
-    w.doubleClick(w.row("Soft tissue", 4));
-  }
-  if (how == QStringLiteral("thumbnail")) {
-    QListWidgetItem* item = w.strip()->findItems(QStringLiteral("Soft"), Qt::MatchContains).value(0);
-    const QPoint at = w.strip()->visualItemRect(item).center();
-    QTest::mouseClick(w.strip()->viewport(), Qt::LeftButton, {}, at);
-    QTest::mouseDClick(w.strip()->viewport(), Qt::LeftButton, {}, at);
-  }
-  if (how == QStringLiteral("search")) {
-    QTest::keyClicks(w.search(), QStringLiteral("abdomen"));
-    QVERIFY(w.shows({mueller}));
-    QTest::keyClick(w.search(), Qt::Key_Return);
-  }
-  QVERIFY(w.isShown(shown.constData()));
-  QVERIFY(!w.child<QWidget>("studyBrowser")->isVisible());
-  QVERIFY(w.window.views()->isVisible());
-}
-
-void TestBrowser::aSeriesIsDraggedIntoAView_data() {
-  QTest::addColumn<bool>("fromTree");
-  QTest::newRow("from the tree") << true;
-  QTest::newRow("from the thumbnails") << false;
-}
-
-void TestBrowser::aSeriesIsDraggedIntoAView() {
-  QFETCH(bool, fromTree);
-  BrowserWindow w(*studies_);
-  QVERIFY(w.has("Head", 4));
-  w.doubleClick(w.row("Head", 4));
-  QVERIFY(w.isShown("Bone"));
-  w.child<QAction>("layoutTwo")->trigger();
-  w.child<QAction>("showBrowser")->trigger();
-  QVERIFY(w.tree()->isVisible() && w.window.views()->isVisible());
-  w.click(w.row("Head", 4));
-  QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 2, longest);
-  w.tree()->setExpanded(w.row("Head", 4), true);
-  QVERIFY(w.has("Soft tissue", 4));
-  QListWidgetItem* item = w.strip()->findItems(QStringLiteral("Soft"), Qt::MatchContains).value(0);
-  const QModelIndex dragged =
-      fromTree ? w.row("Soft tissue", 4) : w.strip()->model()->index(w.strip()->row(item), 0);
-  const QAbstractItemModel* model = dragged.model();
-  QVERIFY(model->flags(dragged) & Qt::ItemIsDragEnabled);
-  const std::unique_ptr<QMimeData> data(model->mimeData({dragged}));
-  QVERIFY(data);
-  View* right = w.window.views()->viewOf(firstComparedId + 1);
-  QDragEnterEvent enter({20, 20}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QCoreApplication::sendEvent(right, &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent drop({20, 20}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QCoreApplication::sendEvent(right, &drop);
-  QVERIFY(w.isShown("Soft tissue", firstComparedId + 1));
-  QVERIFY(w.isShown("Bone", firstComparedId));
-  QVERIFY2(w.tree()->isVisible(), "the list stays for the next one");
-  w.shot("browser-above");
-}
-
-void TestBrowser::anotherPatientTakesThePlace() {
-  BrowserWindow w(*studies_);
-  QVERIFY(w.has("Head", 4));
-  w.doubleClick(w.row("Head", 4));
-  QVERIFY(w.isShown("Bone"));
-  w.child<QAction>("layoutTwo")->trigger();
-  w.child<QAction>("showBrowser")->trigger();
-  w.doubleClick(w.row("Müller"));
-  QVERIFY(w.isShown("Venous"));
-  for (ViewId id = 0; id < viewCount; ++id) {
-    const Series* series = seriesIn(w.window.session().workspace(), id);
-    QVERIFY(!series || series->patientId == "B222");
-  }
-  QVERIFY(!w.child<QWidget>("patientsBar")->isVisible());
-  // Nothing is lost: it stands in the list of what is open, and undo shows it again.
-  QUndoStack& steps = w.window.session().undoStack();
-  while (steps.canUndo() && !seriesIn(w.window.session().workspace(), firstComparedId))
-    w.child<QAction>("undo")->trigger();
-  QVERIFY(w.isShown("Bone", firstComparedId));
-}
-
-void TestBrowser::patientsBesideEachOtherAreNamed() {
-  BrowserWindow w(*studies_);
-  QVERIFY(w.has("Head", 4));
-  w.doubleClick(w.row("Head", 4));
-  QVERIFY(w.isShown("Bone"));
-  w.child<QAction>("showBrowser")->trigger();
-  w.click(w.row("Müller"));
-  QTest::keyClick(w.tree(), Qt::Key_Return, Qt::ControlModifier);
-  QVERIFY(w.isShown("Venous", firstComparedId + 1));
-  QVERIFY(w.isShown("Bone", firstComparedId));
-  auto* bar = w.child<QLabel>("patientsBar");
-  QTRY_VERIFY(bar->isVisible());
-  QCOMPARE(bar->text(),
-           QStringLiteral("The views show different patients: Doe, Jane (A111) and Müller, Jörg (B222)."));
-  w.shot("browser-patients");
-  w.child<QAction>("hideNames")->trigger();
-  QCOMPARE(bar->text(), QStringLiteral("The views show 2 different patients."));
-  w.child<QAction>("hideNames")->trigger();
-  w.child<QAction>("layoutOne")->trigger();
-  QVERIFY2(!bar->isVisible(), "what is not on screen is not mixed");
-}
-
-void TestBrowser::whatWasOpenedLastStandsFirst() {
-  BrowserWindow w(*studies_);
-  QVERIFY(w.has("Head", 4));
-  w.doubleClick(w.row("Knee", 4));
-  QVERIFY(w.isShown("Sagittal"));
-  w.child<QAction>("showBrowser")->trigger();
-  QVERIFY(w.has("Opened last"));
-  const QModelIndex group = w.row("Opened last");
-  QCOMPARE(group.row(), 0);
-  QCOMPARE(w.tree()->model()->rowCount(group), 1);
-  QCOMPARE(w.tree()->model()->index(0, 0, group).data().toString(), yamada);
-  QVERIFY(w.tree()->isExpanded(group));
-  // A search is for all of them.
-  QTest::keyClicks(w.search(), QStringLiteral("knee"));
-  QTRY_COMPARE_WITH_TIMEOUT(w.tree()->model()->rowCount(), 1, longest);
-  QCOMPARE(w.patients(), QStringList{yamada});
 }
 
 void TestBrowser::studiesAreRemovedAndComeBack() {

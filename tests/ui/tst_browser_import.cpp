@@ -1,6 +1,5 @@
 // Guards the index behind the study browser: import in the window, cancelled and while the window closes;
 // files refused or not there; an index that is damaged or cannot be opened; other programs; many series.
-#include <QDropEvent>
 #include <QHeaderView>
 #include <QMimeData>
 #include <QScrollBar>
@@ -8,6 +7,7 @@
 
 #include "tests/fixtures/filled_index.h"
 #include "tests/ui/browser_window.h"
+#include "tests/ui/gestures.h"
 #include "tests/ui/watchdog.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/index_service.h"
@@ -78,11 +78,7 @@ void TestBrowserImport::aFolderIsImported() {
     w.shot("browser-empty");
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(studies.data)});
-    QDragEnterEvent enter({30, 30}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(browser, &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent drop(QPointF(30, 30), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(browser, &drop);
+    QVERIFY(tests::drop(data, browser));
   } else {
     w.child<QAction>("importFolder")->trigger();
     answer(w, "importFolderDialog", studies.data);

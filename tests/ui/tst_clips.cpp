@@ -1,5 +1,4 @@
 // Guards slices.md 2 in the window: the frames of clips, scrolled and played.
-#include <QDragEnterEvent>
 #include <QElapsedTimer>
 #include <QMimeData>
 #include <QTreeWidgetItemIterator>
@@ -128,11 +127,7 @@ void TestClips::aClipIsDraggedIntoAComparedView() {
   const std::unique_ptr<QMimeData> dragged(
       w.tree()->model()->mimeData({w.tree()->indexAt(w.tree()->visualItemRect(hip).center())}));
   SliceView* second = w.view(firstComparedId + 1);
-  QDragEnterEvent enter({50, 50}, Qt::CopyAction, dragged.get(), Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(second, &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent drop(QPointF(50, 50), Qt::CopyAction, dragged.get(), Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(second, &drop);
+  QVERIFY(tests::drop(*dragged, second));
   QVERIFY(w.shows(firstComparedId + 1));
   QVERIFY(!w.view(firstComparedId + 1)->frame()->colour());
   QVERIFY(w.view(firstComparedId)->frame()->colour());

@@ -2,7 +2,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -240,11 +239,7 @@ void TestJourneys::droppedFilesAreOpened() {
   Journey w;
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(folder.path())});
-  QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&w.window, &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&w.window, &drop);
+  QVERIFY(tests::drop(data, &w.window));
   auto* banner = w.child<Banner>("banner");
   QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
   QVERIFY(banner->sentence().contains(folder.path()));

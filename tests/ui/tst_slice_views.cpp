@@ -1,8 +1,6 @@
 // Guards the flat views as a hand meets them: real mouse and key events in a real window.
-#include <QDragEnterEvent>
 #include <QMimeData>
 #include <QTreeWidget>
-#include <QWheelEvent>
 
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
@@ -14,6 +12,7 @@
 using namespace volumen;
 using volumen::tests::Journey;
 using volumen::tests::longest;
+using volumen::tests::wheel;
 
 namespace {
 
@@ -54,13 +53,6 @@ struct Planes : Journey {
   }
   FlatLook look(ViewId id) { return flatLookOf(session().workspace().view(id)); }
 };
-
-void wheel(QWidget* on, int notches, Qt::KeyboardModifiers keys = {}) {
-  const QPointF middle(on->width() / 2.0, on->height() / 2.0);
-  QWheelEvent event(middle, on->mapToGlobal(middle), {}, {0, 120 * notches}, Qt::NoButton, keys,
-                    Qt::NoScrollPhase, false);
-  QCoreApplication::sendEvent(on, &event);
-}
 
 }  // namespace
 
@@ -366,11 +358,7 @@ void TestSliceViews::aSeriesIsDraggedIntoAView() {
   const std::unique_ptr<QMimeData> data(tree->model()->mimeData({tree->indexFromItem(cube)}));
   QVERIFY(data);
   SliceView* right = w.window.views()->sliceView(firstComparedId + 1);
-  QDragEnterEvent enter({20, 20}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QCoreApplication::sendEvent(right, &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent drop({20, 20}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-  QCoreApplication::sendEvent(right, &drop);
+  QVERIFY(tests::drop(*data, right));
   QTRY_VERIFY_WITH_TIMEOUT(w.window.session().seriesOf(firstComparedId + 1), longest);
   QVERIFY(w.window.session().seriesOf(firstComparedId + 1)->series.path.find("cube") != std::string::npos);
   QVERIFY(w.window.session().seriesOf(firstComparedId)->series.path.find("sphere") != std::string::npos);

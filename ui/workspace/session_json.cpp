@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <set>
 
 #include "ui/workspace/moved.h"
+#include "ui/workspace/session_entries.h"
 #include "ui/workspace/session_fields.h"
 
 namespace volumen {
@@ -56,11 +56,6 @@ Words<ColourMap> namedColourMaps() {
 const Words<ColourMap> colourWords = namedColourMaps();
 const Words<Layout> layoutWords = namedLayouts();
 const Words<Quality> qualityWords = namedQualities();
-
-struct SeriesEntry {
-  SavedSeries saved;
-  SeriesState state;
-};
 
 }  // namespace
 
@@ -306,39 +301,6 @@ void fields(Fields& f, Workspace& w) {
 }
 
 namespace {
-
-std::string relativeTo(const std::string& folder, const std::string& path) {
-  return std::filesystem::path(path).lexically_relative(folder).string();
-}
-
-SeriesEntry entryOf(const SeriesState& state, const std::string& folder) {
-  const SeriesProof proof = state.missing ? *state.missing : proofOf(*state.series);
-  const bool isFile = state.series->format != "phantom";
-  return {{*state.series, isFile ? relativeTo(folder, state.series->path) : std::string(), proof}, state};
-}
-
-// Those that a list names by their place beside the session, too.
-Workspace withReferencesFound(Workspace workspace, const std::vector<SavedReference>& listed,
-                              const FindReference& find) {
-  for (const UsedReference& used : referencesOf(workspace)) {
-    SavedReference saved{used.key, {}, used.kind};
-    const auto entry = std::ranges::find(listed, used.key, &SavedReference::key);
-    if (entry != listed.end()) saved.relativePath = entry->relativePath;
-    if (const auto found = find(saved))
-      workspace = withReferenceMoved(std::move(workspace), used.key, *found);
-  }
-  return workspace;
-}
-
-SeriesState stateOf(SeriesEntry entry, const FindSeries& find) {
-  entry.saved.series.acquired = entry.saved.proof.geometry;
-  entry.saved.series.valueType = entry.saved.proof.valueType;
-  entry.state.series = find ? find(entry.saved) : nullptr;
-  if (entry.state.series) return entry.state;
-  entry.state.missing = entry.saved.proof;
-  entry.state.series = std::make_shared<const Series>(std::move(entry.saved.series));
-  return entry.state;
-}
 
 // What the window relies on beyond what each field may be.
 void checkViews(JsonFields& json, const Workspace& workspace) {

@@ -1,7 +1,6 @@
 // Guards the rigid registration on real pictures: two that belong together, one of them moved by a known
-// motion, are brought together again. What is reached is printed.
+// motion, are brought together again. What is reached is printed. The data hold no CT and MR of one patient.
 #include <algorithm>
-#include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
@@ -51,17 +50,13 @@ void TestRealPairs::theyAreBroughtTogether_data() {
     QTest::newRow(name) << QString::fromLatin1(fixed) << QString::fromLatin1(moving) << within;
   };
   row("MR of a head and itself", "mr-head-siemens-gap-175", "mr-head-siemens-gap-175", 0.5);
-  // One table, but minutes of breath in the one and seconds in the other: nearer than before is what is
-  // asked.
-  row("CT and PET of one patient", "pet-ct/sts019-ct", "pet-ct/sts019-pet", 1e9);
-  row("CT and MR of one patient", "", "", 0);
+  row("CT and PET of one patient", "pet-ct/sts019-ct", "pet-ct/sts019-pet", 8);
 }
 
 void TestRealPairs::theyAreBroughtTogether() {
   QFETCH(QString, fixed);
   QFETCH(QString, moving);
   QFETCH(double, within);
-  if (fixed.isEmpty()) QSKIP("NO SUCH PAIR IN ../shared/data: a CT and an MR of one patient.");
   NEED_DATA(dataPath(fixed.toStdString()));
   NEED_DATA(dataPath(moving.toStdString()));
   const VolumePtr still = loaded(dataPath(fixed.toStdString())),
@@ -82,7 +77,9 @@ void TestRealPairs::theyAreBroughtTogether() {
     after = std::max(after, glm::length((*found)(p)-truth(p)));
   }
   qInfo("%s: %.1f mm apart at most before, %.2f mm after", QTest::currentDataTag(), before, after);
-  QVERIFY2(after < std::min(within, before), qPrintable(QString::number(after)));
+  QVERIFY2(after < before, qPrintable(QString::number(after)));
+  QEXPECT_FAIL("CT and PET of one patient", "8.8 mm: they are brought nearer, not together", Abort);
+  QVERIFY2(after < within, qPrintable(QString::number(after)));
 }
 
 VOLUMEN_TEST(TestRealPairs);

@@ -1,0 +1,181 @@
+// Guards the study browser of the window, by real events: what is opened from it, where, and that patients
+// stay apart.
+#include <QMimeData>
+#include <QUndoStack>
+
+#include "tests/ui/browser_window.h"
+#include "tests/ui/gestures.h"
+#include "tests/unit/suite.h"
+#include "ui/views/slice_view.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/text.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+const QString mueller = QStringLiteral("Müller, Jörg"), yamada = QStringLiteral("Yamada, Tarou  山田 太郎");
+
+}  // namespace
+
+class TestBrowserOpening : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase();
+  void init();
+  void aStudyIsOpened_data();
+  void aStudyIsOpened();
+  void aSeriesIsDraggedIntoAView_data();
+  void aSeriesIsDraggedIntoAView();
+  void anotherPatientTakesThePlace();
+  void patientsBesideEachOtherAreNamed();
+  void whatWasOpenedLastStandsFirst();
+
+ private:
+  std::unique_ptr<Studies> studies_;
+};
+
+void TestBrowserOpening::initTestCase() { openAlone(); }
+
+void TestBrowserOpening::init() {
+  studies_ = std::make_unique<Studies>();
+  QVERIFY(studies_->import());
+}
+
+void TestBrowserOpening::aStudyIsOpened_data() {
+  QTest::addColumn<QString>("how");
+  QTest::addColumn<QByteArray>("shown");
+  QTest::newRow("double-click on a study: the largest series")
+      << QStringLiteral("study") << QByteArray("Bone");
+  QTest::newRow("double-click on a series in the tree")
+      << QStringLiteral("series") << QByteArray("Soft tissue");
+  QTest::newRow("double-click on a thumbnail") << QStringLiteral("thumbnail") << QByteArray("Soft tissue");
+  QTest::newRow("Enter in the list") << QStringLiteral("enter") << QByteArray("Bone");
+  QTest::newRow("Enter in the search field") << QStringLiteral("search") << QByteArray("Venous");
+  QTest::newRow("double-click on a patient with one study")
+      << QStringLiteral("patient") << QByteArray("Venous");
+}
+
+void TestBrowserOpening::aStudyIsOpened() {
+  QFETCH(QString, how);
+  QFETCH(QByteArray, shown);
+  BrowserWindow w(*studies_);
+  QVERIFY(w.has("Head", 4));
+  w.click(w.row("Head", 4));
+  QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 2, longest);
+  if (how == QStringLiteral("study")) w.doubleClick(w.row("Head", 4));
+  if (how == QStringLiteral("patient")) w.doubleClick(w.row("Müller"));
+  if (how == QStringLiteral("enter")) QTest::keyClick(w.tree(), Qt::Key_Return);
+  if (how == QStringLiteral("series")) {
+    w.tree()->setExpanded(w.row("Head", 4), true);
+    QVERIFY(w.has("Soft tissue", 4));
+    w.doubleClick(w.row("Soft tissue", 4));
+  }
+  if (how == QStringLiteral("thumbnail")) {
+    QListWidgetItem* item = w.strip()->findItems(QStringLiteral("Soft"), Qt::MatchContains).value(0);
+    const QPoint at = w.strip()->visualItemRect(item).center();
+    QTest::mouseClick(w.strip()->viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(w.strip()->viewport(), Qt::LeftButton, {}, at);
+  }
+  if (how == QStringLiteral("search")) {
+    QTest::keyClicks(w.search(), QStringLiteral("abdomen"));
+    QVERIFY(w.shows({mueller}));
+    QTest::keyClick(w.search(), Qt::Key_Return);
+  }
+  QVERIFY(w.isShown(shown.constData()));
+  QVERIFY(!w.child<QWidget>("studyBrowser")->isVisible());
+  QVERIFY(w.window.views()->isVisible());
+}
+
+void TestBrowserOpening::aSeriesIsDraggedIntoAView_data() {
+  QTest::addColumn<bool>("fromTree");
+  QTest::newRow("from the tree") << true;
+  QTest::newRow("from the thumbnails") << false;
+}
+
+void TestBrowserOpening::aSeriesIsDraggedIntoAView() {
+  QFETCH(bool, fromTree);
+  BrowserWindow w(*studies_);
+  QVERIFY(w.openHead());
+  w.child<QAction>("layoutTwo")->trigger();
+  w.child<QAction>("showBrowser")->trigger();
+  QVERIFY(w.tree()->isVisible() && w.window.views()->isVisible());
+  w.click(w.row("Head", 4));
+  QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 2, longest);
+  w.tree()->setExpanded(w.row("Head", 4), true);
+  QVERIFY(w.has("Soft tissue", 4));
+  QListWidgetItem* item = w.strip()->findItems(QStringLiteral("Soft"), Qt::MatchContains).value(0);
+  const QModelIndex dragged =
+      fromTree ? w.row("Soft tissue", 4) : w.strip()->model()->index(w.strip()->row(item), 0);
+  const QAbstractItemModel* model = dragged.model();
+  QVERIFY(model->flags(dragged) & Qt::ItemIsDragEnabled);
+  const std::unique_ptr<QMimeData> data(model->mimeData({dragged}));
+  QVERIFY(data);
+  View* right = w.window.views()->viewOf(firstComparedId + 1);
+  QVERIFY(tests::drop(*data, right));
+  QVERIFY(w.isShown("Soft tissue", firstComparedId + 1));
+  QVERIFY(w.isShown("Bone", firstComparedId));
+  QVERIFY2(w.tree()->isVisible(), "the list stays for the next one");
+  w.shot("browser-above");
+}
+
+void TestBrowserOpening::anotherPatientTakesThePlace() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.openHead());
+  w.child<QAction>("layoutTwo")->trigger();
+  w.child<QAction>("showBrowser")->trigger();
+  w.doubleClick(w.row("Müller"));
+  QVERIFY(w.isShown("Venous"));
+  for (ViewId id = 0; id < viewCount; ++id) {
+    const Series* series = seriesIn(w.window.session().workspace(), id);
+    QVERIFY(!series || series->patientId == "B222");
+  }
+  QVERIFY(!w.child<QWidget>("patientsBar")->isVisible());
+  // Nothing is lost: it stands in the list of what is open, and undo shows it again.
+  QUndoStack& steps = w.window.session().undoStack();
+  while (steps.canUndo() && !seriesIn(w.window.session().workspace(), firstComparedId))
+    w.child<QAction>("undo")->trigger();
+  QVERIFY(w.isShown("Bone", firstComparedId));
+}
+
+void TestBrowserOpening::patientsBesideEachOtherAreNamed() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.openHead());
+  w.child<QAction>("showBrowser")->trigger();
+  w.click(w.row("Müller"));
+  QTest::keyClick(w.tree(), Qt::Key_Return, Qt::ControlModifier);
+  QVERIFY(w.isShown("Venous", firstComparedId + 1));
+  QVERIFY(w.isShown("Bone", firstComparedId));
+  auto* bar = w.child<QLabel>("patientsBar");
+  QTRY_VERIFY(bar->isVisible());
+  QCOMPARE(bar->text(),
+           QStringLiteral("The views show different patients: Doe, Jane (A111) and Müller, Jörg (B222)."));
+  w.shot("browser-patients");
+  w.child<QAction>("hideNames")->trigger();
+  QCOMPARE(bar->text(), QStringLiteral("The views show 2 different patients."));
+  w.child<QAction>("hideNames")->trigger();
+  w.child<QAction>("layoutOne")->trigger();
+  QVERIFY2(!bar->isVisible(), "what is not on screen is not mixed");
+}
+
+void TestBrowserOpening::whatWasOpenedLastStandsFirst() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.has("Head", 4));
+  w.doubleClick(w.row("Knee", 4));
+  QVERIFY(w.isShown("Sagittal"));
+  w.child<QAction>("showBrowser")->trigger();
+  QVERIFY(w.has("Opened last"));
+  const QModelIndex group = w.row("Opened last");
+  QCOMPARE(group.row(), 0);
+  QCOMPARE(w.tree()->model()->rowCount(group), 1);
+  QCOMPARE(w.tree()->model()->index(0, 0, group).data().toString(), yamada);
+  QVERIFY(w.tree()->isExpanded(group));
+  // A search is for all of them.
+  QTest::keyClicks(w.search(), QStringLiteral("knee"));
+  QTRY_COMPARE_WITH_TIMEOUT(w.tree()->model()->rowCount(), 1, longest);
+  QCOMPARE(w.patients(), QStringList{yamada});
+}
+
+VOLUMEN_TEST(TestBrowserOpening);
+#include "tst_browser_opening.moc"

@@ -1,0 +1,42 @@
+#include "ui/workspace/session_entries.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "ui/workspace/moved.h"
+
+namespace volumen {
+
+std::string relativeTo(const std::string& folder, const std::string& path) {
+  return std::filesystem::path(path).lexically_relative(folder).string();
+}
+
+SeriesEntry entryOf(const SeriesState& state, const std::string& folder) {
+  const SeriesProof proof = state.missing ? *state.missing : proofOf(*state.series);
+  const bool isFile = state.series->format != "phantom";
+  return {{*state.series, isFile ? relativeTo(folder, state.series->path) : std::string(), proof}, state};
+}
+
+Workspace withReferencesFound(Workspace workspace, const std::vector<SavedReference>& listed,
+                              const FindReference& find) {
+  for (const UsedReference& used : referencesOf(workspace)) {
+    SavedReference saved{used.key, {}, used.kind};
+    const auto entry = std::ranges::find(listed, used.key, &SavedReference::key);
+    if (entry != listed.end()) saved.relativePath = entry->relativePath;
+    if (const auto found = find(saved))
+      workspace = withReferenceMoved(std::move(workspace), used.key, *found);
+  }
+  return workspace;
+}
+
+SeriesState stateOf(SeriesEntry entry, const FindSeries& find) {
+  entry.saved.series.acquired = entry.saved.proof.geometry;
+  entry.saved.series.valueType = entry.saved.proof.valueType;
+  entry.state.series = find ? find(entry.saved) : nullptr;
+  if (entry.state.series) return entry.state;
+  entry.state.missing = entry.saved.proof;
+  entry.state.series = std::make_shared<const Series>(std::move(entry.saved.series));
+  return entry.state;
+}
+
+}  // namespace volumen

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/workspace/session_json.h"
+
+namespace volumen {
+
+/// A series of a session: what finds it again, and its state.
+struct SeriesEntry {
+  SavedSeries saved;
+  SeriesState state;
+};
+
+/// A path as it is told from a folder.
+std::string relativeTo(const std::string& folder, const std::string& path);
+
+/// How a session that is to lie in `folder` names a series.
+SeriesEntry entryOf(const SeriesState& state, const std::string& folder);
+
+/// The state of a series that a session names: of the one that is found, else as missing.
+SeriesState stateOf(SeriesEntry entry, const FindSeries& find);
+
+/// With the objects in use that are found where they are now. `listed`: what the session says of their places
+/// beside it.
+Workspace withReferencesFound(Workspace workspace, const std::vector<SavedReference>& listed,
+                              const FindReference& find);
+
+}  // namespace volumen
