@@ -6,7 +6,7 @@ top=$(cd "$(dirname "$0")/.." && pwd)
 . "$top/app/setup.sh"
 preset=${1:-ci}
 
-install_packages "${build_packages[@]}" "${run_packages[@]}" xvfb xauth
+install_packages "${build_packages[@]}" "${run_packages[@]}" xvfb xauth libxtst6
 build "$preset"
 
 [ -e "${VOLUMEN_DATA:-$top/../shared/data}/MANIFEST.tsv" ] ||

@@ -5,6 +5,8 @@
 
 #include <QtGlobal>
 
+#include "tests/unit/io/dicom_writer.h"
+
 namespace volumen::tests {
 
 namespace {
@@ -17,9 +19,8 @@ void writeObject(const std::string& path, const char* sopClassUid, const std::fu
                  bool implicitVr) {
   DcmFileFormat file;
   DcmDataset& data = *file.getDataset();
-  char uid[100];
   put(data, 0x0008, 0x0016, sopClassUid);
-  put(data, 0x0008, 0x0018, dcmGenerateUniqueIdentifier(uid));
+  put(data, 0x0008, 0x0018, newUid().c_str());
   edit(data);
   const E_TransferSyntax syntax = implicitVr ? EXS_LittleEndianImplicit : EXS_LittleEndianExplicit;
   if (file.saveFile(path.c_str(), syntax).bad()) qFatal("cannot write %s", path.c_str());

@@ -7,6 +7,7 @@
 #include <dcmtk/dcmjpls/djencode.h>
 
 #include <QString>
+#include <atomic>
 #include <fstream>
 #include <iterator>
 #include <mutex>
@@ -31,13 +32,17 @@ void put(DcmDataset& data, const DcmTagKey& tag, const std::string& value) {
 
 }  // namespace
 
+std::string newUid() {
+  static std::atomic<int> given = 0;
+  return "1.2.3.4.6." + std::to_string(++given);
+}
+
 void writeDicom(const std::string& path, const DicomPicture& p, const char* transferSyntaxUid) {
   registerEncoders();
   DcmFileFormat file;
   DcmDataset& data = *file.getDataset();
-  char uid[100];
   put(data, DCM_SOPClassUID, UID_CTImageStorage);
-  put(data, DCM_SOPInstanceUID, dcmGenerateUniqueIdentifier(uid));
+  put(data, DCM_SOPInstanceUID, newUid());
   put(data, DCM_StudyInstanceUID, "1.2.3.4");
   put(data, DCM_SeriesInstanceUID, p.seriesUid);
   put(data, DCM_Modality, "CT");

@@ -10,6 +10,9 @@ class DcmDataset;
 
 namespace volumen::tests {
 
+/// A UID that no other call has given. DCMTK's own would ask for the host's name over the network.
+std::string newUid();
+
 /// A small grey DICOM picture to be written with DCMTK: what tests vary has a field, the rest `edit`.
 struct DicomPicture {
   std::string seriesUid = "1.2.3.4.5";
