@@ -54,9 +54,7 @@ void MainWindow::connectSnapshots() {
 
 void MainWindow::takeSnapshot(const SnapshotRequest& request) {
   if (!session_.series()) return banner_->tell(tr("Open a series first."));
-  SnapshotRequest named = request;
-  named.cut = cutText(session_.maskOf(keyOf(session_.series()->series)));
-  snapshot_.take(session_.series(), sceneInView(), named);
+  snapshot_.take(session_.series(), sceneInView(), request);
 }
 
 void MainWindow::connectScenes() {

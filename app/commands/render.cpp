@@ -35,11 +35,9 @@ struct Times {
   std::vector<double> framesMs;
 };
 
-// What the picture's PNG says of itself. `cut`: what was taken away from the volume; empty: nothing.
-PictureText textOf(const Rendered& done, const std::string& cut) {
-  PictureText text = pictureText(done.plan, {.estimated = estimateOf(done.error)});
-  if (!cut.empty()) text.emplace_back("volumen-cut", cut);
-  return text;
+// What the picture's PNG says of itself.
+PictureText textOf(const Rendered& done) {
+  return pictureText(done.plan, {.estimated = estimateOf(done.error)});
 }
 
 nlohmann::ordered_json pictureJson(const PictureText& text) {
@@ -59,8 +57,7 @@ nlohmann::ordered_json errorJson(const Rendered& done) {
   return out;
 }
 
-nlohmann::ordered_json statsJson(const Rendered& done, const std::string& cut, const Times& t,
-                                 const Volume& volume) {
+nlohmann::ordered_json statsJson(const Rendered& done, const Times& t, const Volume& volume) {
   const Plan& plan = done.plan;
   const RenderStats& s = done.stats;
   nlohmann::ordered_json out{
@@ -88,7 +85,7 @@ nlohmann::ordered_json statsJson(const Rendered& done, const std::string& cut, c
       {"error", errorJson(done)}};
   if (done.error.empty()) out["errorUnknown"] = whyNoEstimate(plan);
   out["plan"] = nlohmann::ordered_json::parse(explainJson(plan, effectCosts(plan, s)));
-  out["picture"] = pictureJson(textOf(done, cut));
+  out["picture"] = pictureJson(textOf(done));
   return out;
 }
 
@@ -140,7 +137,6 @@ class Run {
     const Mask mask = session ? session->mask : Mask{options_.removeTable, {}};
     if (!mask.empty())
       if (Status taken = takeAway(mask, *opened, cancel_); !taken) return stopped(taken.message());
-    cut_ = cutText(mask);
     volume_ = opened->loaded.drawn;
     warnings_ = opened->loaded.warnings;
     times_.loadMs = wallMs() - begin;
@@ -200,8 +196,7 @@ class Run {
       if (const int failed = drawFrames(*plan, caches)) return failed;
       if (options_.output.empty()) continue;
       const std::string path = options_.turntable ? numbered(options_.output, n) : options_.output;
-      const Status written =
-          writePicture(done_, textOf(done_, cut_), warnings_, !options_.noWarningLine, path);
+      const Status written = writePicture(done_, textOf(done_), warnings_, !options_.noWarningLine, path);
       if (!written) return fail(written.message());
       told() << printable(path) << '\n';
       ++written_;
@@ -251,13 +246,12 @@ class Run {
   }
 
   int finish() {
-    if (options_.explain && !cut_.empty()) told() << "on   cut: " << cut_ << '\n';
     if (options_.explain)
       told() << (times_.framesMs.empty() ? explain(done_.plan)
                                          : explain(done_.plan, effectCosts(done_.plan, done_.stats)));
     if (options_.printScene) std::cout << sceneToJson(done_.plan.scene);
     if (options_.statsFile.empty()) return exitDone;
-    const std::string text = statsJson(done_, cut_, times_, *volume_).dump(2) + "\n";
+    const std::string text = statsJson(done_, times_, *volume_).dump(2) + "\n";
     const Status written = writeText(options_.statsFile, text);
     return written.ok() ? exitDone : fail(written.message());
   }
@@ -268,7 +262,6 @@ class Run {
   const Options& options_;
   const CancelToken& cancel_;
   VolumePtr volume_;
-  std::string cut_;  // what was taken away from it
   std::vector<Warning> warnings_;
   Times times_;
   Rendered done_;

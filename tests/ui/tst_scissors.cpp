@@ -138,7 +138,7 @@ void TestScissors::stepsAreUndoneAndMadeAgain() {
   QCOMPARE(t.session().undoStack().undoText(), QStringLiteral("Cut inside"));
   // The table is of the same mask.
   QVERIFY(!t.w.after("removeTable").isNull());
-  QVERIFY(t.volume()->attributes().tableRemoved);
+  QVERIFY(t.volume()->attributes().cut.table);
   QVERIFY(t.w.after("undo") == twice);
 }
 

@@ -86,7 +86,7 @@ void TestSessions::theTableIsRemovedAgain() {
   QVERIFY(folder.open(again));
   QVERIFY(again.window.session().maskOf(keyOf(again.window.session().series()->series)).tableRemoved);
   QVERIFY(again.child<QAction>("removeTable")->isChecked());
-  QVERIFY(again.window.session().state().series->volume->attributes().tableRemoved);
+  QVERIFY(again.window.session().state().series->volume->attributes().cut.table);
   QVERIFY(again.after("removeTable") != without);
 }
 

@@ -87,7 +87,6 @@ void Snapshot::write(const std::shared_ptr<Drawn>& drawn) {
   const Job& job = jobs_.front();
   PictureText text =
       pictureText(drawn->plan, {estimateOf(drawn->error), measured_ ? measured_(drawn->plan) : std::nullopt});
-  if (!job.request.cut.empty()) text.emplace_back("volumen-cut", job.request.cut);
   const PictureText warnings = warningText(job.series->warnings);
   text.insert(text.end(), warnings.begin(), warnings.end());
   const glm::ivec2 size = drawn->picture.size;

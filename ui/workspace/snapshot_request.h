@@ -3,7 +3,6 @@
 #include <QSize>
 #include <QString>
 #include <optional>
-#include <string>
 
 #include "viewer/plan/options.h"
 #include "viewer/scene/scene.h"
@@ -26,8 +25,7 @@ struct SnapshotRequest {
   Quality quality = Quality::high;
   std::optional<Background> background;  ///< nothing: the scene's
   Annotations shown;
-  int pictures = 1;   ///< of a full turn about the camera's up axis
-  std::string cut{};  ///< what was taken away from the series (cutText), for the file's text; empty: nothing
+  int pictures = 1;  ///< of a full turn about the camera's up axis
 };
 
 }  // namespace volumen

@@ -33,7 +33,7 @@ VolumeFacts factsOf(const Volume& volume) {
   if (!volume.attributes().windows.empty()) facts.fileWindow = volume.attributes().windows.front();
   facts.blockRanges = std::make_shared<const BlockRanges>(blockRanges(volume));
   facts.gradientBounds = gradientBoundsOf(volume, *facts.blockRanges, facts.range);
-  facts.tableRemoved = volume.attributes().tableRemoved;
+  facts.cut = volume.attributes().cut;
   return facts;
 }
 

@@ -17,7 +17,7 @@ struct VolumeFacts {
   std::optional<Window> fileWindow;
   std::shared_ptr<const BlockRanges> blockRanges;  ///< null: unknown, every block counts
   std::vector<float> gradientBounds;               ///< gradientBoundsOf the volume; empty: unknown
-  bool tableRemoved = false;                       ///< VolumeAttributes::tableRemoved
+  Cut cut;                                         ///< VolumeAttributes::cut
 };
 
 /// Reads the facts off a volume (one pass over it each for blockRanges, slopes and percentiles, on all

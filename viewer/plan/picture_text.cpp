@@ -116,8 +116,7 @@ std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan, c
                                                         {"volumen-method", methodName(plan.method)},
                                                         {"volumen-level", levelText(plan)},
                                                         {"volumen-error", errorText(plan)}};
-  if (plan.tableRemoved)
-    text.push_back({"volumen-table", "removed: what lies outside the patient is taken as air"});
+  if (const std::string cut = cutText(plan.cut); !cut.empty()) text.push_back({"volumen-cut", cut});
   if (plan.pilot && plan.pilot->kept) text.push_back({"volumen-error-pilot", toldBy(*plan.pilot)});
   if (known.estimated) text.push_back({"volumen-error-estimated", estimateText(plan, *known.estimated)});
   if (known.measured) text.push_back({"volumen-error-measured", errorText(*known.measured)});

@@ -11,9 +11,9 @@ namespace {
 
 // What was done to the volume before it is drawn.
 void sayWhatWasDone(const VolumeFacts& facts, Plan& plan) {
-  plan.tableRemoved = facts.tableRemoved;
-  if (facts.tableRemoved)
-    plan.effects.push_back({"table removed", true, false, "what lies outside the patient is taken as air"});
+  plan.cut = facts.cut;
+  if (const std::string text = cutText(facts.cut); !text.empty())
+    plan.effects.push_back({"cut", true, false, text + "; what is cut away is taken as air"});
 }
 
 // The scene with everything set that picture.md 8 lets out: camera, window, gradientFloor.

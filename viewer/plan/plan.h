@@ -75,7 +75,7 @@ struct Plan {
   double visibleShare = 1;       ///< share of blocks that hold any visible value
   bool skipCells = false;        ///< plain steps: samples are taken only in cells that can show something
 
-  bool tableRemoved = false;  ///< of the volume that is drawn (withoutTable)
+  Cut cut;  ///< what was taken away from the volume that is drawn
 
   std::vector<Effect> effects;
   bool operator==(const Plan&) const = default;

@@ -126,13 +126,6 @@ bool Mask::operator==(const Mask& other) const {
                     [](const auto& a, const auto& b) { return a == b || *a == *b; });
 }
 
-std::string cutText(const Mask& mask) {
-  const std::size_t count = mask.lassos.size();
-  if (count == 0) return mask.tableRemoved ? "table removed" : "";
-  return std::to_string(count) + (count == 1 ? " outline" : " outlines") +
-         (mask.tableRemoved ? ", table removed" : "");
-}
-
 LabelMap keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& cancel) {
   LabelMap kept = beforeLassos(volume, mask, cancel);
   cutAll(kept, mask, cancel);
@@ -147,7 +140,7 @@ Result<VolumePtr> masked(const Volume& volume, const Mask& mask, const CancelTok
   if (cancel.cancelled()) return cancelled();
   VolumeParts parts{volume.geometry(), maskedValues(volume, kept), volume.slope(), volume.intercept(),
                     volume.attributes()};
-  parts.attributes.tableRemoved = mask.tableRemoved;
+  parts.attributes.cut = {mask.tableRemoved, int(mask.lassos.size())};
   std::vector<std::string> warnings;  // its values were looked at when the volume was made
   return Volume::make(std::move(parts), warnings);
 } catch (const std::bad_alloc&) {
@@ -167,6 +160,7 @@ Result<VolumePtr> cutFurther(const Volume& volume, std::span<const std::shared_p
   if (cancel.cancelled()) return cancelled();
   VolumeParts parts{volume.geometry(), std::move(copy), volume.slope(), volume.intercept(),
                     volume.attributes()};
+  parts.attributes.cut.outlines += int(lassos.size());
   std::vector<std::string> warnings;
   return Volume::make(std::move(parts), warnings);
 } catch (const std::bad_alloc&) {

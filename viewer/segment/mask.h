@@ -27,16 +27,13 @@ struct Lasso {
   glm::dvec3 forward() const { return glm::cross(right, down); }
 };
 
-/// What was taken away from a volume.
+/// What is to be taken away from a volume.
 struct Mask {
   bool tableRemoved = false;                         ///< what lies outside patientMask()
   std::vector<std::shared_ptr<const Lasso>> lassos;  ///< none is null; in the order in which they were drawn
   bool operator==(const Mask& other) const;
   bool empty() const { return !tableRemoved && lassos.empty(); }
 };
-
-/// What was taken away, for texts of pictures: "2 outlines, table removed"; empty: nothing.
-std::string cutText(const Mask& mask);
 
 /// Label 1: what stays. A voxel is cut away where its centre is; where an outline crosses itself, all that it
 /// goes around is inside (non-zero winding number). Of a mask without its table values must be HU.

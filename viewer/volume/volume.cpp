@@ -34,6 +34,13 @@ std::vector<glm::dvec3> VoxelGeometry::boxCorners() const {
 
 double VoxelGeometry::voxelVolume() const { return std::abs(glm::determinant(patientFromVoxelStep)); }
 
+std::string cutText(const Cut& cut) {
+  const std::string table = cut.table ? "table removed" : "";
+  if (cut.outlines == 0) return table;
+  const std::string outlines = std::to_string(cut.outlines) + (cut.outlines == 1 ? " outline" : " outlines");
+  return table.empty() ? outlines : outlines + ", " + table;
+}
+
 namespace {
 
 // Values beyond this are limited (design.md 10), so that sums and products of values stay finite in float32.

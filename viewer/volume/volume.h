@@ -61,6 +61,16 @@ struct Window {
   bool operator==(const Window&) const = default;
 };
 
+/// What was taken away from a volume (masked) before it is drawn or measured.
+struct Cut {
+  bool table = false;  ///< what lies outside the patient was made air
+  int outlines = 0;    ///< how many outlines cut
+  bool operator==(const Cut&) const = default;
+};
+
+/// "2 outlines, table removed"; empty: nothing.
+std::string cutText(const Cut& cut);
+
 /// What titles, presets and histograms want to know and the picture does not.
 struct VolumeAttributes {
   std::string name;             ///< for titles: file name or series description
@@ -68,7 +78,7 @@ struct VolumeAttributes {
   std::vector<Window> windows;  ///< the file's own windows, first is the default
   std::optional<ValueRange>
       padding;  ///< values left out of histogram and automatic presets (design.md 10), real units
-  bool tableRemoved = false;  ///< what lies outside the patient was made air (withoutTable)
+  Cut cut;
 };
 
 /// All that a Volume is made from.

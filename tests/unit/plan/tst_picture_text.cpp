@@ -39,8 +39,8 @@ class TestPictureText : public QObject {
   void saysItsMethodAndError();
   void promisesOnlyWhatThePathKeeps_data();
   void promisesOnlyWhatThePathKeeps();
-  void saysThatTheTableWasRemoved_data();
-  void saysThatTheTableWasRemoved();
+  void saysWhatWasCutAway_data();
+  void saysWhatWasCutAway();
   void saysWhatWasMeasured();
   void saysWhatIsEstimated_data();
   void saysWhatIsEstimated();
@@ -123,28 +123,36 @@ void TestPictureText::promisesOnlyWhatThePathKeeps() {
   }
 }
 
-void TestPictureText::saysThatTheTableWasRemoved_data() {
-  QTest::addColumn<bool>("removed");
+void TestPictureText::saysWhatWasCutAway_data() {
+  QTest::addColumn<int>("outlines");
+  QTest::addColumn<bool>("table");
   QTest::addColumn<bool>("reference");
-  for (const bool removed : {false, true})
-    for (const bool reference : {false, true})
-      QTest::addRow("%s, %s", removed ? "without its table" : "as it is", reference ? "reference" : "planes")
-          << removed << reference;
+  QTest::addColumn<QString>("cut");
+  for (const bool reference : {false, true}) {
+    const char* const by = reference ? "reference" : "planes";
+    QTest::addRow("nothing, %s", by) << 0 << false << reference << QString();
+    QTest::addRow("table, %s", by) << 0 << true << reference << QStringLiteral("table removed");
+    QTest::addRow("an outline, %s", by) << 1 << false << reference << QStringLiteral("1 outline");
+    QTest::addRow("both, %s", by) << 2 << true << reference << QStringLiteral("2 outlines, table removed");
+  }
 }
 
-void TestPictureText::saysThatTheTableWasRemoved() {
-  QFETCH(bool, removed);
+void TestPictureText::saysWhatWasCutAway() {
+  QFETCH(int, outlines);
+  QFETCH(bool, table);
   QFETCH(bool, reference);
   VolumeFacts facts = someFacts();
-  facts.tableRemoved = removed;
+  facts.cut = {table, outlines};
   RenderOptions options;
   if (reference) options.method = Method::reference;
   const auto plan = makePlan(Scene(), facts, options);
   QVERIFY(plan.ok());
-  const auto text = pictureText(*plan);
-  QCOMPARE(std::any_of(text.begin(), text.end(), [](const auto& t) { return t.first == "volumen-table"; }),
-           removed);
-  QCOMPARE(explain(*plan).find("on   table removed: ") != std::string::npos, removed);
+  QString cut;
+  for (const auto& [key, value] : pictureText(*plan))
+    if (key == "volumen-cut") cut = QString::fromStdString(value);
+  QTEST(cut, "cut");
+  const QString line = QStringLiteral("on   cut: ") + cut;
+  QCOMPARE(QString::fromStdString(explain(*plan)).contains(line), !cut.isEmpty());
 }
 
 void TestPictureText::saysWhatWasMeasured() {

@@ -217,14 +217,14 @@ void TestMask::valuesBecomeAir() {
   for (std::size_t n = 0; n < kept.labels.size(); ++n)
     QCOMPARE((*cut)->valueAt(n), kept.labels[n] ? volume->valueAt(n) : float(air));
   QVERIFY((*cut)->geometry() == volume->geometry());
-  QVERIFY(!(*cut)->attributes().tableRemoved);
+  QVERIFY((*cut)->attributes().cut == (Cut{false, 1}));
 }
 
 void TestMask::textsNameWhatWasCut() {
   QCOMPARE(cutText({}), std::string());
-  QCOMPARE(cutText(maskOf({}, true)), std::string("table removed"));
-  QCOMPARE(cutText(maskOf({square(1)})), std::string("1 outline"));
-  QCOMPARE(cutText(maskOf({square(1), square(2)}, true)), std::string("2 outlines, table removed"));
+  QCOMPARE(cutText({true, 0}), std::string("table removed"));
+  QCOMPARE(cutText({false, 1}), std::string("1 outline"));
+  QCOMPARE(cutText({true, 2}), std::string("2 outlines, table removed"));
 }
 
 void TestMask::cuttingFurtherIsTheSameAsAnew_data() {
@@ -263,7 +263,7 @@ void TestMask::cuttingFurtherIsTheSameAsAnew() {
     QVERIFY(further.ok());
     QVERIFY((*further)->stored() == (*anew)->stored());
     different += (*before)->stored() != (*anew)->stored();
-    QCOMPARE((*further)->attributes().tableRemoved, table);
+    QVERIFY((*further)->attributes().cut == (Cut{table, int(lassos.size())}));
   }
   QVERIFY2(different > 3, "the outlines cut nothing");
 }

@@ -101,8 +101,8 @@ void TestTable::theTableBecomesAir() {
   QVERIFY(removed.ok());
   QVERIFY((*removed)->stored() == alone->stored());
   QVERIFY((*removed)->geometry() == with->geometry());
-  QVERIFY((*removed)->attributes().tableRemoved);
-  QVERIFY(!with->attributes().tableRemoved);
+  QVERIFY((*removed)->attributes().cut.table);
+  QVERIFY(!with->attributes().cut.table);
 }
 
 void TestTable::theSkinKeepsItsEdge() {
