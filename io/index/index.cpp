@@ -1,5 +1,6 @@
 #include "io/index/index.h"
 
+#include <QBuffer>
 #include <QByteArray>
 #include <QCryptographicHash>
 #include <QFile>
@@ -10,7 +11,7 @@
 #include "io/index/import.h"
 #include "io/index/query.h"
 #include "io/index/schema.h"
-#include "io/index/thumbnail.h"
+#include "io/thumbnail.h"
 
 namespace volumen {
 
@@ -20,6 +21,8 @@ struct Index::Private {
 };
 
 namespace {
+
+constexpr int thumbnailEdge = 128;  // pixels of the longer side
 
 Result<std::vector<ImportRoot>> rootsOf(const std::vector<std::string>& paths) {
   std::vector<ImportRoot> roots;
@@ -48,6 +51,21 @@ std::string lastingKey(Database& db, std::int64_t series) {
   Rows rows =
       db.run("SELECT t.key, s.key FROM series s JOIN study t ON t.id = s.study_id WHERE s.id = ?", series);
   return rows.next() ? rows.bytes(0) + rows.bytes(1) : std::string();
+}
+
+// Of what a file holds. An Error where that is no picture or cannot be read.
+Result<Thumbnail> makeThumbnail(const std::string& file) {
+  const Result<Study> study = openFiles({file});
+  if (!study) return study.error();
+  if (study->volumes.empty() && study->images.empty()) return Error{file + ": it holds no picture."};
+  const Result<QImage> image = study->volumes.empty() ? thumbnailOf(study->images[0], thumbnailEdge)
+                                                      : thumbnailOf(study->volumes[0], thumbnailEdge);
+  if (!image) return image.error();
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  if (!image->save(&buffer, "PNG")) return Error{"The thumbnail cannot be written as PNG."};
+  return Thumbnail(bytes.begin(), bytes.end());
 }
 
 }  // namespace

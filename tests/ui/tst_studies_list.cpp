@@ -9,6 +9,7 @@
 #include <QTreeWidget>
 
 #include "io/export/dicom_series.h"
+#include "io/thumbnail.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/thumbnails.h"
@@ -116,7 +117,7 @@ void TestStudiesList::theThumbnailIsTheRightWayUp() {
       }
   parts.values = values;
   std::vector<std::string> warnings;
-  const QImage image = thumbnailOf(**Volume::make(parts, warnings), 40);
+  const QImage image = thumbnailOf(**Volume::make(parts, warnings), {}, 40);
   QCOMPARE(image.size(), QSize(40, 40));
   QVERIFY(qGray(image.pixel(30, 10)) > 200);
   for (const QPoint dark : {QPoint(10, 10), QPoint(10, 30), QPoint(30, 30)})

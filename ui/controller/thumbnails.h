@@ -9,12 +9,10 @@
 
 namespace volumen {
 
-/// The slice in the middle of a volume by its window, as it is usually looked at: anterior or superior on
-/// top, in a square of `edge` pixels, transparent where the slice does not fill it.
-QImage thumbnailOf(const Volume& volume, int edge);
+/// In the middle of a square of `edge` pixels, transparent where the thumbnail does not fill it.
+QImage squareThumbnail(const QImage& thumbnail, int edge);
 
-/// Makes thumbnails of series on a thread of its own, one after the other: of those that open as frames the
-/// frame in the middle as it is shown.
+/// Makes square thumbnails of series on a thread of its own, one after the other.
 class Thumbnails : public QObject {
   Q_OBJECT
  public:

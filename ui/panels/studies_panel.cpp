@@ -13,6 +13,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "io/thumbnail.h"
 #include "ui/data/frame_series.h"
 #include "ui/panels/attributes_dialog.h"
 #include "ui/panels/studies_panel_roles.h"
@@ -349,7 +350,8 @@ void StudiesPanel::markShown(const Series& shown, const VolumePtr& volume) {
         (*it)->setData(0, stepRole, qulonglong(openedOf(*it)->numberOf(*step)));
     tree_->setCurrentItem(*it);
     if (volume && !opensAsFrames(shown))
-      (*it)->setIcon(0, QPixmap::fromImage(thumbnailOf(*volume, thumbnailEdge)));
+      (*it)->setIcon(0, QPixmap::fromImage(
+                            squareThumbnail(thumbnailOf(*volume, shown.unit, thumbnailEdge), thumbnailEdge)));
   }
 }
 
