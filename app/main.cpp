@@ -8,6 +8,7 @@
 #include "app/command.h"
 #include "app/list_presets.h"
 #include "app/usage.h"
+#include "io/frame_limit.h"
 #include "io/worker/worker.h"
 
 namespace {
@@ -88,6 +89,14 @@ int run(std::vector<std::string> words, CLI::App& app, std::function<int()>& com
   return endBySignal(command());
 }
 
+// Workers that are there already would not know.
+void readFramesUpTo(double megapixels) {
+  volumen::setFramePixelLimit(std::uint64_t(megapixels * 1e6));
+  if (!volumen::worker::isolating()) return;
+  volumen::worker::stop();
+  volumen::worker::start();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -111,6 +120,10 @@ int main(int argc, char** argv) {
     sub->set_help_flag("-h,--help", "Show this help");
     auto runThis = entry.make(*sub, cancelled);
     sub->add_flag_callback("--in-process", volumen::worker::stop)->group("");
+    volumen::number(
+        sub->add_option_function<double>("--largest-frame", readFramesUpTo,
+                                         "Read frames of up to so many million pixels (default: 268)"),
+        1, 4295);
     sub->callback([runThis, &command] { command = runThis; });
   }
   return run({argv + 1, argv + argc}, app, command);

@@ -8,15 +8,22 @@
 #include "io/dicom/mosaic.h"
 #include "io/dicom/reference.h"
 #include "io/dicom/stack.h"
+#include "io/frame_limit.h"
 
 namespace volumen::dicom {
 namespace {
 
-constexpr std::uint64_t sizeLimit = std::uint64_t(16) << 30, pixelLimit = std::uint64_t(1) << 28;
+constexpr std::uint64_t sizeLimit = std::uint64_t(16) << 30;
 
 Inspection refused(const std::string& reason) {
   std::string sentence = reason + ".";
   return {Inspection::Kind::refused, sentence, {}, {}, {}};
+}
+
+Error tooLarge(std::uint64_t framePixels) {
+  const auto millions = [](std::uint64_t pixels) { return std::to_string((pixels + 999'999) / 1'000'000); };
+  return {"a frame of it has " + millions(framePixels) + " million pixels, more than the " +
+          millions(framePixelLimit()) + " million that are read without --largest-frame"};
 }
 
 /// "DICOM file without pixel data (SR)".
@@ -108,7 +115,7 @@ Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet&
     return Error{"its rows are odd, and YBR_FULL_422 stores two pixels at a time"};
   if (s.syntax.coding == Coding::unsupported)
     return Error{"its transfer syntax \"" + std::string(s.syntax.name) + "\" is not supported"};
-  if (format->framePixels() > pixelLimit) return Error{"a frame of it has more than 2^28 pixels"};
+  if (format->framePixels() > framePixelLimit()) return tooLarge(format->framePixels());
   if (header.format.frameBytes() * std::uint64_t(format->frames) > sizeLimit)
     return Error{"it claims more than 16 GiB of pixels"};
   if (Status slices = readSlices(data, header); !slices) return slices;

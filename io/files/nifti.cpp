@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
+#include "io/files/b_values.h"
 #include "io/files/header_numbers.h"
 #include "io/files/header_text.h"
 
@@ -239,13 +240,16 @@ Status findSamples(const Fields& f, bool compressed, SampleData& data, const std
   return {};
 }
 
-// Axis 4 is time, axis 5 the components of what stands at one place.
-std::vector<VolumeName> namesOf(const std::vector<std::uint64_t>& trailing) {
+// Axis 4 is time, or the directions of diffusion; axis 5 the components of what stands at one place.
+void nameVolumes(const std::vector<std::uint64_t>& trailing, ImageHeader& image, const std::string& path) {
   using enum OuterAxis::Kind;
+  std::vector<double> bValues;
+  if (trailing.size() == 1 && trailing[0] > 1) bValues = bValuesBeside(path, trailing[0], image.warnings);
   std::vector<OuterAxis> axes;
   for (std::size_t a = 0; a < trailing.size(); ++a)
-    axes.push_back({a == 0 ? time : a == 1 ? component : other, trailing[a]});
-  return volumeNames(axes);
+    axes.push_back({a > 1 ? other : a == 1 ? component : bValues.empty() ? time : direction, trailing[a]});
+  image.names = volumeNames(axes);
+  for (std::size_t n = 0; n < bValues.size(); ++n) image.names[n].bValue = exactText(bValues[n]);
 }
 
 }  // namespace
@@ -290,7 +294,7 @@ Result<ImageHeader> readNiftiHeader(const std::string& path) {
     (a <= 3 ? grid : trailing).push_back(std::uint64_t(f->dim[a]));
   }
   if (Status s = setCounts(image.data, {}, grid, trailing, path); !s) return s.error();
-  image.names = namesOf(trailing);
+  nameVolumes(trailing, image, path);
   if (Status s = setNiftiGeometry(*f, grid, image, path); !s) return s.error();
   if (f->slope != 0 && std::isfinite(f->slope)) {
     if (!std::isfinite(f->intercept)) return Error{path + " has a scl_inter that is not finite."};

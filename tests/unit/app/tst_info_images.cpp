@@ -17,6 +17,7 @@ class TestInfoImages : public QObject {
   void textNamesThem();
   void renderSaysWhyNot();
   void aMosaicIsOneFile();
+  void whatVariesIsTold();
 };
 
 namespace {
@@ -66,6 +67,19 @@ void TestInfoImages::aMosaicIsOneFile() {
   QCOMPARE(a.status, 0);
   QCOMPARE(a.out.count("64 x 64 x 35 voxels"), 3);
   QVERIFY2(!a.out.contains(" files"), a.out);
+}
+
+void TestInfoImages::whatVariesIsTold() {
+  NEED_DATA(dataPath());
+  const auto told = [](const char* path) {
+    return runProgram(QStringLiteral("info ") + QString::fromStdString(dataPath(path))).out;
+  };
+  const QByteArray echoes = told("dicom-geometry/mr-qt2-multiecho-7");
+  for (const char* line : {"1  MR 2D 16Echo qT2 (3), TE 20 ms\n", "3  MR 2D 16Echo qT2 (3), TE 60 ms\n"})
+    QVERIFY2(echoes.contains(line), echoes);
+  const QByteArray directions = told("nrrd-format-tests/slicer/multishell-DWI-451dir.nhdr");
+  QVERIFY(directions.contains(", direction 451\n"));
+  QVERIFY(directions.contains(".nhdr, b 0, direction 1\n"));
 }
 
 VOLUMEN_TEST(TestInfoImages);

@@ -113,7 +113,8 @@ void TestManual::manualHasEveryOption() {
 
 void TestManual::manualHasNoOtherOption() {
   // That one is for whoever looks for a fault in the program; no help shows it.
-  QString helps = QStringLiteral("--in-process") + QString::fromUtf8(runProgram(QStringLiteral("--help")).out);
+  QString helps =
+      QStringLiteral("--in-process") + QString::fromUtf8(runProgram(QStringLiteral("--help")).out);
   for (const char* command : commands) {
     helps += helpOf(QString::fromLatin1(command));
     QVERIFY2(manual().contains(QStringLiteral(".SS ") + QLatin1String(command)), command);

@@ -5,6 +5,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 #include "tests/fixtures/program.h"
@@ -36,6 +38,20 @@ void writeLongHeader(const std::string& path) {
   out.write(reinterpret_cast<const char*>(whole.data() + head), std::streamsize(whole.size() - head));
 }
 
+/// A picture of 16,500 x 16,500 pixels, 272 million; the file has hardly any blocks on disk.
+void writeLargeFrame(const std::string& path) {
+  constexpr unsigned edge = 16500;
+  constexpr std::uint32_t length = edge * edge * 2;
+  Buffer bytes = native(picture("1.2.840.10008.1.2.1"), length, 0);
+  for (const std::uint8_t element : {std::uint8_t(0x10), std::uint8_t(0x11)}) {
+    const Buffer tag{0x28, 0, element, 0, 'U', 'S', 2, 0};
+    const auto at = std::search(bytes.begin(), bytes.end(), tag.begin(), tag.end());
+    at[8] = std::uint8_t(edge & 0xff), at[9] = std::uint8_t(edge >> 8);
+  }
+  write(path, bytes);
+  std::filesystem::resize_file(path, bytes.size() + length);
+}
+
 }  // namespace
 
 class TestWorkers : public QObject {
@@ -43,6 +59,7 @@ class TestWorkers : public QObject {
  private Q_SLOTS:
   void costsItselfAlone();
   void sameWithoutWorkers();
+  void largeFramesAreReadWhereThatIsAskedFor();
 };
 
 void TestWorkers::costsItselfAlone() {
@@ -77,6 +94,31 @@ void TestWorkers::sameWithoutWorkers() {
   QCOMPARE(inWorkers.status, 0);
   QVERIFY(inWorkers.out.contains("good") && inWorkers.out.contains("16 MiB"));
   QCOMPARE(inWorkers.out, here.out);
+}
+
+void TestWorkers::largeFramesAreReadWhereThatIsAskedFor() {
+  QTemporaryDir folder;
+  writeLargeFrame(folder.filePath(QStringLiteral("large")).toStdString());
+  const QString info = QStringLiteral("info %1 --json ").arg(folder.path());
+  const auto found = [](const Outcome& run) { return QJsonDocument::fromJson(run.out).object(); };
+  const QJsonObject refused = found(runProgram(info));
+  QVERIFY(refused[QLatin1String("images")].toArray().isEmpty());
+  const QString reason = refused[QLatin1String("refused")].toArray()[0][QLatin1String("reason")].toString();
+  QVERIFY2(reason.contains(QLatin1String("273 million pixels")) &&
+               reason.contains(QLatin1String("--largest-frame")),
+           qPrintable(reason));
+  for (const char* where : {"--largest-frame 300", "--largest-frame 300 --in-process"}) {
+    const QJsonArray images =
+        found(runProgram(info + QLatin1String(where)))[QLatin1String("images")].toArray();
+    QCOMPARE(images.size(), 1);
+    QCOMPARE(images[0][QLatin1String("rows")].toInt(), 16500);
+  }
+  QVERIFY(found(runProgram(info + QStringLiteral("--largest-frame 272")))[QLatin1String("images")]
+              .toArray()
+              .isEmpty());
+  const Outcome wrong = runProgram(info + QStringLiteral("--largest-frame 0"));
+  QCOMPARE(wrong.status, 2);
+  QVERIFY2(wrong.err.contains("--largest-frame: \"0\" is not a number from 1 to 4295"), wrong.err);
 }
 
 VOLUMEN_TEST(TestWorkers);

@@ -2,6 +2,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <algorithm>
+#include <cstring>
 #include <map>
 
 #include "io/files/image_file.h"
@@ -17,6 +18,8 @@ class TestVolumeNames : public QObject {
   void namesSayWhatVaries_data();
   void namesSayWhatVaries();
   void realDiffusionHasItsShells();
+  void weightsStandBesideNifti_data();
+  void weightsStandBesideNifti();
   void surplusIsWarnedOf();
 };
 
@@ -30,6 +33,21 @@ std::vector<Series> volumesOf(const QString& path, const QByteArray& content) {
   const auto found = readImageFileHeaders(path.toStdString());
   if (!found) qWarning("%s", found.message().c_str());
   return found ? *found : std::vector<Series>();
+}
+
+/// A NIfTI file of three volumes of 2 x 2 x 2 bytes.
+QByteArray threeNiftiVolumes() {
+  QByteArray bytes(352 + 24, '\0');
+  const auto put = [&](int at, auto value) { std::memcpy(bytes.data() + at, &value, sizeof value); };
+  put(0, std::int32_t(348));
+  for (const auto& [axis, size] : {std::pair(0, 4), {1, 2}, {2, 2}, {3, 2}, {4, 3}})
+    put(40 + 2 * axis, std::int16_t(size));
+  put(70, std::int16_t(2));  // unsigned bytes
+  put(72, std::int16_t(8));
+  for (int axis = 0; axis < 5; ++axis) put(76 + 4 * axis, 1.0f);
+  put(108, 352.0f);
+  std::memcpy(bytes.data() + 344, "n+1", 3);
+  return bytes;
 }
 
 }  // namespace
@@ -95,6 +113,51 @@ void TestVolumeNames::realDiffusionHasItsShells() {
   QVERIFY(shells.size() > 2);
   QVERIFY(shells.contains("0"));
   QCOMPARE((*found)[450].label, std::string("direction 451"));
+}
+
+void TestVolumeNames::weightsStandBesideNifti_data() {
+  QTest::addColumn<QString>("beside");
+  QTest::addColumn<QByteArray>("weights");
+  QTest::addColumn<QStringList>("names");
+  QTest::addColumn<bool>("warned");
+  const auto row = [](const char* name, const char* beside, const char* weights, const QStringList& names,
+                      bool warned = false) {
+    QTest::newRow(name) << QString::fromLatin1(beside) << QByteArray(weights) << names << warned;
+  };
+  const QStringList times{QStringLiteral("1||"), QStringLiteral("2||"), QStringLiteral("3||")};
+  const QStringList directions{QStringLiteral("|0|direction 1"), QStringLiteral("|1000|direction 2"),
+                               QStringLiteral("|995.5|direction 3")};
+  row("one line", "a.bval", "0 1000 995.5\n", directions);
+  row("a line each", "a.bval", "0\r\n1000\r\n995.5", directions);
+  row("of another file", "b.bval", "0 1000 995.5", times);
+  row("one too few", "a.bval", "0 1000", times, true);
+  row("one too many", "a.bval", "0 1000 1000 1000", times, true);
+  row("no numbers", "a.bval", "0 1000 x", times, true);
+  row("negative", "a.bval", "0 1000 -1", times, true);
+  row("not finite", "a.bval", "0 1000 inf", times, true);
+  row("empty", "a.bval", "", times, true);
+}
+
+void TestVolumeNames::weightsStandBesideNifti() {
+  QFETCH(QString, beside);
+  QFETCH(QByteArray, weights);
+  QFETCH(QStringList, names);
+  QFETCH(bool, warned);
+  const QTemporaryDir folder;
+  QFile file(folder.filePath(beside));
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(weights);
+  file.close();
+  QStringList found;
+  bool told = false;
+  for (const Series& s : volumesOf(folder.filePath(QStringLiteral("a.nii")), threeNiftiVolumes())) {
+    found << QString::fromStdString(s.timePoint + "|" + s.bValue + "|" + s.label);
+    told = told || std::ranges::any_of(s.warnings, [](const Warning& w) {
+             return w.sentence.starts_with("a.bval is not used");
+           });
+  }
+  QCOMPARE(found, names);
+  QCOMPARE(told, warned);
 }
 
 // A row or more behind what the header promises: told, with the number.

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdint>
+
+namespace volumen {
+
+/// The most pixels that a frame may have to be read: 2^28, or what setFramePixelLimit() said.
+std::uint64_t framePixelLimit();
+
+/// For all that is read from now on, in this process and in workers that are started behind it.
+void setFramePixelLimit(std::uint64_t pixels);
+
+}  // namespace volumen
