@@ -40,7 +40,8 @@ std::string numbersIn(Bytes bytes, bool bigEndian) {
   for (std::size_t n = 0; n + sizeof(T) <= bytes.size() && n < mostNumbers * sizeof(T); n += sizeof(T)) {
     char digits[32];
     const auto end = std::to_chars(digits, digits + sizeof digits, numberAt<T>(bytes, n, bigEndian)).ptr;
-    text += (text.empty() ? "" : "\\") + std::string(digits, end);
+    if (!text.empty()) text += '\\';
+    text.append(digits, end);
   }
   return text;
 }

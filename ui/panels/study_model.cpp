@@ -33,7 +33,7 @@ QString marked(bool hasWarnings, const QString& text) {
 QString studyCell(const IndexedStudy& study, StudyColumn column) {
   switch (column) {
     case StudyColumn::name:
-      return marked(study.warnings > 0, nameText(study.patientName));
+      return marked(study.warnings > 0, patientNameText(study.patientName));
     case StudyColumn::id:
       return idText(study.patientId);
     case StudyColumn::date:
@@ -242,7 +242,7 @@ QString StudyModel::patientCell(const ListedPatient& patient, StudyColumn column
   const IndexedStudy& first = patient.studies.front();
   switch (column) {
     case StudyColumn::name:
-      return marked(patient.warnings > 0, nameText(first.patientName));
+      return marked(patient.warnings > 0, patientNameText(first.patientName));
     case StudyColumn::id:
       return studyCell(first, column);
     case StudyColumn::date:
@@ -273,7 +273,8 @@ QString StudyModel::toolTip(const QModelIndex& index) const {
   const ListedPatient* patient = patientAt(index);
   if (!patient) return {};
   const IndexedStudy& first = patient->studies.front();
-  return toolTipOf({nameText(first.patientName), idText(first.patientId), warningsText(patient->warnings)});
+  return toolTipOf(
+      {patientNameText(first.patientName), idText(first.patientId), warningsText(patient->warnings)});
 }
 
 bool StudyModel::isOffline(const QModelIndex& index) const {

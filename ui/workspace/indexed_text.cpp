@@ -24,12 +24,11 @@ QString groupText(const std::string& name, int group) {
 
 }  // namespace
 
-QString nameText(const std::string& name) {
-  Series series;
-  series.format = "DICOM";
-  series.patientName = name;
-  const QString text = patientText(series), second = groupText(name, 1);
-  return namesHidden() || second.isEmpty() ? text : QStringLiteral("%1  %2").arg(text, second);
+QString patientNameText(const std::string& name) {
+  if (namesHidden()) return tr("(name hidden)");
+  const QString first = personText(name), second = groupText(name, 1);
+  if (first.isEmpty()) return tr("(no name)");
+  return second.isEmpty() ? first : QStringLiteral("%1  %2").arg(first, second);
 }
 
 QString idText(const std::string& id) {
@@ -64,7 +63,7 @@ QStringList everythingOf(const IndexedSeries& series) {
 }
 
 QStringList everythingOf(const IndexedStudy& study) {
-  QStringList lines{nameText(study.patientName), idText(study.patientId)};
+  QStringList lines{patientNameText(study.patientName), idText(study.patientId)};
   if (!namesHidden()) {
     if (!study.birthDate.empty()) lines << tr("Born %1").arg(dateText(study.birthDate));
     lines << shownText(study.sex);

@@ -8,7 +8,7 @@ namespace volumen {
 
 /// "Doe, Jane" of a DICOM name; "(no name)", "(name hidden)". What it says in a second script stands behind
 /// it.
-QString nameText(const std::string& name);
+QString patientNameText(const std::string& name);
 
 /// An ID as a person may read it; "(ID hidden)".
 QString idText(const std::string& id);

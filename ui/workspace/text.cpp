@@ -37,13 +37,16 @@ QString shownText(const std::string& utf8) {
   return text.simplified();
 }
 
+QString personText(const std::string& name) {
+  const QString text = shownText(name);
+  const QStringList parts = text.section(QLatin1Char('='), 0, 0).split(QLatin1Char('^'), Qt::SkipEmptyParts);
+  if (parts.isEmpty()) return text;
+  if (parts.size() == 1) return parts[0];
+  return parts[0] + QStringLiteral(", ") + parts.mid(1).join(QLatin1Char(' '));
+}
+
 QString patientText(const Series& series) {
-  QString name = shownText(series.patientName);
-  const QStringList parts = name.section(QLatin1Char('='), 0, 0).split(QLatin1Char('^'), Qt::SkipEmptyParts);
-  if (parts.size() > 1)
-    name = parts[0] + QStringLiteral(", ") + parts.mid(1).join(QLatin1Char(' '));
-  else if (!parts.isEmpty())
-    name = parts[0];
+  const QString name = personText(series.patientName);
   const QString id = shownText(series.patientId);
   if (hidden && (series.format == "DICOM" || !name.isEmpty() || !id.isEmpty())) return tr("(name hidden)");
   if (name.isEmpty() && id.isEmpty()) return series.format == "DICOM" ? tr("(no name)") : QString();

@@ -19,6 +19,9 @@ QString shownText(const std::string& utf8);
 void hideNames(bool hidden);
 bool namesHidden();
 
+/// "Doe, Jane" of "Doe^Jane=...": the first group of a DICOM name (PS3.5 6.2.1.1), its carets read as a name.
+QString personText(const std::string& name);
+
 /// "Doe, Jane (12345)": DICOM's carets read as a name; "(no name)" where a DICOM file names none; empty
 /// for what has no patients.
 QString patientText(const Series& series);
