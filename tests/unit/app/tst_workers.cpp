@@ -101,21 +101,19 @@ void TestWorkers::largeFramesAreReadWhereThatIsAskedFor() {
   writeLargeFrame(folder.filePath(QStringLiteral("large")).toStdString());
   const QString info = QStringLiteral("info %1 --json ").arg(folder.path());
   const auto found = [](const Outcome& run) { return QJsonDocument::fromJson(run.out).object(); };
-  const QJsonObject refused = found(runProgram(info));
-  QVERIFY(refused[QLatin1String("images")].toArray().isEmpty());
-  const QString reason = refused[QLatin1String("refused")].toArray()[0][QLatin1String("reason")].toString();
+  const auto volumes = [&](const char* more) {
+    return found(runProgram(info + QLatin1String(more)))[QLatin1String("volumes")].toArray();
+  };
+  const QJsonArray refused = found(runProgram(info))[QLatin1String("refused")].toArray();
+  const QString reason = refused[0][QLatin1String("reason")].toString();
   QVERIFY2(reason.contains(QLatin1String("273 million pixels")) &&
                reason.contains(QLatin1String("--largest-frame")),
            qPrintable(reason));
-  for (const char* where : {"--largest-frame 300", "--largest-frame 300 --in-process"}) {
-    const QJsonArray images =
-        found(runProgram(info + QLatin1String(where)))[QLatin1String("images")].toArray();
-    QCOMPARE(images.size(), 1);
-    QCOMPARE(images[0][QLatin1String("rows")].toInt(), 16500);
+  for (const char* more : {"--largest-frame 300", "--largest-frame 300 --in-process"}) {
+    QCOMPARE(volumes(more).size(), 1);
+    QCOMPARE(volumes(more)[0][QLatin1String("dims")], QJsonValue(QJsonArray{16500, 16500, 1}));
   }
-  QVERIFY(found(runProgram(info + QStringLiteral("--largest-frame 272")))[QLatin1String("images")]
-              .toArray()
-              .isEmpty());
+  QVERIFY(volumes("--largest-frame 272").isEmpty());
   const Outcome wrong = runProgram(info + QStringLiteral("--largest-frame 0"));
   QCOMPARE(wrong.status, 2);
   QVERIFY2(wrong.err.contains("--largest-frame: \"0\" is not a number from 1 to 4295"), wrong.err);
