@@ -1,6 +1,5 @@
 #include "app/info_text.h"
 
-#include <map>
 #include <set>
 #include <sstream>
 
@@ -46,20 +45,17 @@ std::string gridText(const Series& s) {
   return out.str();
 }
 
-// Series of one name, by patient, study and that name.
-using Namesakes = std::map<std::string, std::vector<const Series*>>;
-
-std::string nameOf(const Series& s) {
-  return patientLine(s) + '\n' + studyLine(s) + '\n' + seriesText(s).toStdString();
+std::string nameLine(const Series& s, const std::vector<InfoSeries>& all) {
+  std::vector<const Series*> namesakes;
+  for (const InfoSeries& other : all)
+    if (areNamesakes(*other.series, s)) namesakes.push_back(other.series);
+  return (QStringList{seriesText(s)} + tellingApart(s, namesakes)).join(QStringLiteral(", ")).toStdString();
 }
 
-void addSeries(std::ostream& out, std::size_t number, const InfoSeries& found, const Namesakes& namesakes,
-               bool verbose) {
-  const Series& s = *found.series;
-  const auto& json = found.json;
-  const QStringList name = QStringList{seriesText(s)} + tellingApart(s, namesakes.at(nameOf(s)));
-  out << "    " << number << "  " << name.join(QStringLiteral(", ")).toStdString() << '\n'
-      << indent << gridText(s) << '\n';
+void addSeries(std::ostream& out, std::size_t n, const std::vector<InfoSeries>& all, bool verbose) {
+  const Series& s = *all[n].series;
+  const auto& json = all[n].json;
+  out << "    " << n + 1 << "  " << nameLine(s, all) << '\n' << indent << gridText(s) << '\n';
   if (json.contains("min"))
     out << indent << "values " << numberText(json["min"], 7) << " to " << numberText(json["max"], 7)
         << ", mean " << numberText(json["mean"], 7) << '\n';
@@ -125,8 +121,6 @@ std::string imageLine(const Image& image) {
 
 std::string infoText(const Study& study, const std::vector<InfoSeries>& series, bool verbose) {
   std::ostringstream out;
-  Namesakes namesakes;
-  for (const InfoSeries& found : series) namesakes[nameOf(*found.series)].push_back(found.series);
   std::string patient, when;
   for (std::size_t n = 0; n < series.size(); ++n) {
     const Series& s = *series[n].series;
@@ -135,7 +129,7 @@ std::string infoText(const Study& study, const std::vector<InfoSeries>& series, 
     if (!samePatient || studyLine(s) != when)
       if (!studyLine(s).empty()) out << studyLine(s) << '\n';
     patient = patientLine(s), when = studyLine(s);
-    addSeries(out, n + 1, series[n], namesakes, verbose);
+    addSeries(out, n, series, verbose);
   }
   addReferences(out, study.references);
   const Study rest = unshown(study);

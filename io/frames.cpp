@@ -1,6 +1,7 @@
 #include "io/frames.h"
 
 #include "io/dicom/import.h"
+#include "io/frame_limit.h"
 
 namespace volumen {
 namespace {
@@ -14,13 +15,13 @@ Status checkIndex(const Series& series, int index) {
 }
 
 Status checkArea(const FramePresentation& how, glm::ivec2 size) {
-  constexpr std::int64_t pixelLimit = std::int64_t(1) << 28;
+  const auto pixelLimit = std::int64_t(framePixelLimit());
   if (!how.area) return {};
   const glm::i64vec2 from(how.area->from), to(how.area->to), count = to - from + std::int64_t(1);
   if (from.x >= size.x || from.y >= size.y || to.x < 0 || to.y < 0)
     return Error{"the presentation state displays no part of it"};
   if (count.x > pixelLimit || count.y > pixelLimit || count.x * count.y > pixelLimit)
-    return Error{"the presentation state displays an area of more than 2^28 pixels"};
+    return Error{"the presentation state displays an area of more than " + framePixelLimitText()};
   return {};
 }
 

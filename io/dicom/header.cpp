@@ -21,9 +21,8 @@ Inspection refused(const std::string& reason) {
 }
 
 Error tooLarge(std::uint64_t framePixels) {
-  const auto millions = [](std::uint64_t pixels) { return std::to_string((pixels + 999'999) / 1'000'000); };
-  return {"a frame of it has " + millions(framePixels) + " million pixels, more than the " +
-          millions(framePixelLimit()) + " million that are read without --largest-frame"};
+  return {"a frame of it has " + std::to_string(framePixels / 1'000'000) + " million pixels; more than " +
+          framePixelLimitText() + " are only read with --largest-frame"};
 }
 
 /// "DICOM file without pixel data (SR)".

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "io/files/volume_names.h"
 #include "io/warning.h"
 
 namespace volumen {

@@ -43,9 +43,7 @@ QString toolTipOf(const Series& series, const std::vector<const Series*>& steps)
 std::vector<const Series*> namesakes(const Study& study, const Series& series) {
   std::vector<const Series*> found;
   for (const Series& other : study.volumes)
-    if (other.studyUid == series.studyUid && other.modality == series.modality &&
-        other.description == series.description && !areTimePoints(other, series))
-      found.push_back(&other);
+    if (areNamesakes(other, series) && !areTimePoints(other, series)) found.push_back(&other);
   return found;
 }
 

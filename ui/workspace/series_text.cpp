@@ -51,6 +51,11 @@ QString slicesText(const Series& series) {
   return parts.join(QStringLiteral(", "));
 }
 
+bool areNamesakes(const Series& a, const Series& b) {
+  return a.studyUid == b.studyUid && a.modality == b.modality && a.description == b.description &&
+         (a.format == "DICOM" || a.path == b.path);
+}
+
 QStringList tellingApart(const Series& series, const std::vector<const Series*>& others) {
   QStringList found;
   std::vector<const Series*> alike = others;

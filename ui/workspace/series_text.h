@@ -15,6 +15,9 @@ QString planeText(const VoxelGeometry& geometry);
 /// "28 slices, axial", "34 frames".
 QString slicesText(const Series& series);
 
+/// Whether two series of a study have the same name: those of a file by that file.
+bool areNamesakes(const Series& a, const Series& b);
+
 /// What tells a series apart from others of its name: the first of echo time, b-value, time point, label and
 /// time of day that differ, "TE 20 ms", "b 1000", "time point 3", "direction 12", "10:22:31"; several where
 /// none alone is enough, none where nothing does. `others`: of its name, itself included or not.

@@ -1,12 +1,11 @@
 #include "ui/workspace/session_json.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <set>
 
 #include "ui/workspace/moved.h"
+#include "ui/workspace/session_check.h"
 #include "ui/workspace/session_entries.h"
 #include "ui/workspace/session_fields.h"
 
@@ -299,40 +298,6 @@ void fields(Fields& f, Workspace& w) {
     fields(item, look);
   });
 }
-
-namespace {
-
-// What the window relies on beyond what each field may be.
-void checkViews(JsonFields& json, const Workspace& workspace) {
-  if (workspace.views.size() != std::size_t(viewCount))
-    return json.refuse(
-        "views", "must be " + std::to_string(viewCount) + ", not " + std::to_string(workspace.views.size()));
-  const Workspace usual;
-  for (ViewId id = 0; id < firstComparedId; ++id) {
-    const bool isVolume = usual.view(id).kind == ViewKind::volume;
-    if ((workspace.view(id).kind == ViewKind::volume) != isVolume)
-      json.refuse(json.pathOf("views", std::size_t(id)) + ".kind",
-                  isVolume ? "must be \"volume\"" : "must not be \"volume\"");
-  }
-  for (const ViewId id : {coronalViewId, sagittalViewId})
-    if (workspace.view(id).kind == ViewKind::frames)
-      json.refuse(json.pathOf("views", std::size_t(id)) + ".kind", "must not be \"frames\"");
-  std::set<int> ids;
-  for (std::size_t n = 0; n < workspace.measurements.size(); ++n) {
-    const Measurement& m = workspace.measurements[n];
-    if (!workspace.series.contains(m.series))
-      json.refuse(json.pathOf("measurements", n) + ".series", "must be the number of a series");
-    if (!ids.insert(m.id).second) json.refuse(json.pathOf("measurements", n) + ".id", "is there twice");
-  }
-  for (std::size_t n = 0; n < workspace.keyImages.size(); ++n)
-    if (!workspace.series.contains(workspace.keyImages[n].series))
-      json.refuse(json.pathOf("keyImages", n) + ".series", "must be the number of a series");
-  const std::vector<ViewId> shown = viewsOnScreen(workspace);
-  if (std::ranges::find(shown, workspace.focus) == shown.end())
-    json.refuse("focus", "must be a view of the layout");
-}
-
-}  // namespace
 
 Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& find,
                                      const FindReference& findReference) {

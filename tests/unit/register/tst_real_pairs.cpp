@@ -78,7 +78,8 @@ void TestRealPairs::theyAreBroughtTogether() {
   }
   qInfo("%s: %.1f mm apart at most before, %.2f mm after", QTest::currentDataTag(), before, after);
   QVERIFY2(after < before, qPrintable(QString::number(after)));
-  QEXPECT_FAIL("CT and PET of one patient", "8.8 mm: they are brought nearer, not together", Abort);
+  QEXPECT_FAIL("CT and PET of one patient",
+               "8.8 mm: mutual information is larger there (0.512) than where they belong (0.454)", Abort);
   QVERIFY2(after < within, qPrintable(QString::number(after)));
 }
 
