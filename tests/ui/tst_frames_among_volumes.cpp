@@ -1,5 +1,6 @@
 // Guards slices.md 2 in the window: frames beside volumes, in the list and in layouts.
 #include <QLabel>
+#include <QSlider>
 #include <QTemporaryDir>
 
 #include "tests/ui/frames_window.h"
@@ -20,6 +21,7 @@ class TestFramesAmongVolumes : public QObject {
   void layoutsSayWhyNothingComes();
   void namesAreHidden();
   void aFileThatWentIsASentence();
+  void theSliderChoosesStepsInFramesToo();
 };
 
 void TestFramesAmongVolumes::aVolumeAndAClipInTurn() {
@@ -145,6 +147,37 @@ void TestFramesAmongVolumes::aFileThatWentIsASentence() {
   w.choose("1 frame");
   QVERIFY(w.shows());
   QVERIFY(w.view()->failure().isEmpty());
+}
+
+void TestFramesAmongVolumes::theSliderChoosesStepsInFramesToo() {
+  NEED_FILES();
+  Frames w({"../dicom-geometry/mr-qt2-multiecho-7"});
+  QVERIFY(w.settle());
+  QTRY_VERIFY_WITH_TIMEOUT(w.item("2 echoes") != nullptr, longest);
+  w.choose("2 echoes");
+  const auto echo = [&] { return seriesIn(w.workspace(), axialViewId)->echoTime; };
+  QTRY_COMPARE_WITH_TIMEOUT(echo(), std::string("40"), longest);
+  w.child<QAction>("showAsFrames")->trigger();
+  QVERIFY(w.shows());
+  QVERIFY(w.press(Qt::Key_Down));
+  const SeriesKey first = w.view()->frame()->key.series;
+  const QImage picture = w.view()->picture();
+  auto* slider = w.view()->findChild<QSlider*>();
+  QVERIFY(slider && slider->isVisible());
+  QCOMPARE(slider->maximum(), 1);
+  const auto corner = [&] { return w.view()->overlays().topRight.join(QLatin1Char(' ')); };
+  QVERIFY2(corner().contains(QStringLiteral("40 ms")), qPrintable(corner()));
+  QVERIFY(w.press(Qt::Key_Right));
+  QVERIFY(w.shows());
+  QVERIFY(w.view()->frame()->key.series != first);
+  QCOMPARE(w.view()->frame()->key.index, 1);
+  QCOMPARE(slider->value(), 1);
+  QVERIFY2(corner().contains(QStringLiteral("60 ms")), qPrintable(corner()));
+  QVERIFY(w.view()->picture() != picture);
+  slider->setValue(0);
+  QVERIFY(w.shows());
+  QCOMPARE(w.view()->frame()->key.series, first);
+  QVERIFY(w.view()->picture() == picture);
 }
 
 VOLUMEN_TEST(TestFramesAmongVolumes);

@@ -323,7 +323,7 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
       return scroll(place().count);
     case Qt::Key_Left:
     case Qt::Key_Right:
-      if (showsFrames() || !time_->hasSteps()) break;
+      if (!time_->hasSteps()) break;
       return time_->step(event->key() == Qt::Key_Left ? -1 : 1);
     case Qt::Key_I:
       return invert();

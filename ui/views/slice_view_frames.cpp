@@ -129,6 +129,7 @@ Overlays SliceView::frameOverlays() const {
     o.topRight.front() += tr(", %1 a second").arg(player_->rate(), 0, 'f', 1);
     o.isLate = player_->isLate();
   }
+  if (time_->hasSteps()) o.topRight << time_->text();
   o.topRight << pixelSizeText(*frame_) << referenceTexts();
   o.bottomRight = greyText(seriesState(), look, *frame_);
   o.warning = frameFailure_;

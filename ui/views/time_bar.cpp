@@ -35,8 +35,7 @@ TimeBar::TimeBar(Session& session, ViewId view, QWidget* parent)
 void TimeBar::showSteps() {
   const Workspace& workspace = session_.workspace();
   const ViewState& state = workspace.view(view_);
-  std::vector<const Series*> steps;
-  if (state.kind != ViewKind::frames) steps = timePointsOf(workspace, state.series);
+  const std::vector<const Series*> steps = timePointsOf(workspace, state.series);
   const auto at = std::ranges::find(steps, state.series, [](const Series* s) { return keyOf(*s); });
   const QSignalBlocker quiet(this);
   setMaximum(std::max(0, int(steps.size()) - 1));
