@@ -118,7 +118,7 @@ void TestFrames::viewsSayWhatTheyShow_data() {
       "W 4096 L 2048", {659, 394}, "1436 at 659, 394 px (53.7, 32.1 mm, magnification corrected)", true);
   row("mg-sigmoid-voilut3.dcm", "Frame 1 / 1", "0.09409 mm a pixel, at detector", "W 900 L 2653, sigmoid",
       {2000, 1500}, "2608 at 2000, 1500 px (188.2, 141.1 mm, at detector)", true);
-  row(clipFile, "Frame 1 / 34", "not calibrated: px", "", {142, 104},
+  row(clipFile, "Frame 1 / 34", "mm in regions, else px", "", {142, 104},
       "R 0 G 0 B 0 at 142, 104 px (28.6, 22.9 mm in its region)", false);
   row("us-palette-cine-10.dcm", "Frame 1 / 10", "not calibrated: px", "", {290, 200},
       "R 21 G 170 B 153 at 290, 200 px", false);

@@ -18,10 +18,14 @@ QString withKind(const QString& text, PixelSizeKind kind) {
 
 QString mmText(glm::dvec2 mm) { return tr("%1, %2 mm").arg(mm.x, 0, 'f', 1).arg(mm.y, 0, 'f', 1); }
 
+bool measuresLengths(const UltrasoundRegion& r) {
+  return r.unitX == centimetres && r.unitY == centimetres && r.delta.x > 0 && r.delta.y > 0;
+}
+
 const UltrasoundRegion* regionAt(const ShownFrame& frame, glm::ivec2 pixel) {
   const auto holds = [&](const UltrasoundRegion& r) {
     return glm::all(glm::greaterThanEqual(pixel, r.from)) && glm::all(glm::lessThanEqual(pixel, r.to)) &&
-           r.unitX == centimetres && r.unitY == centimetres && r.delta.x > 0 && r.delta.y > 0;
+           measuresLengths(r);
   };
   const auto found = std::ranges::find_if(frame.regions, holds);
   return found == frame.regions.end() ? nullptr : &*found;
@@ -30,7 +34,9 @@ const UltrasoundRegion* regionAt(const ShownFrame& frame, glm::ivec2 pixel) {
 }  // namespace
 
 QString pixelSizeText(const ShownFrame& frame) {
-  if (!hasMm(frame)) return tr("not calibrated: px");
+  if (!hasMm(frame))
+    return std::ranges::any_of(frame.regions, measuresLengths) ? tr("mm in regions, else px")
+                                                               : tr("not calibrated: px");
   const glm::dvec2 mm = frame.pixel.mm;
   const QString text = mm.x == mm.y ? tr("%1 mm a pixel").arg(mm.x, 0, 'g', 4)
                                     : tr("%1 x %2 mm a pixel").arg(mm.x, 0, 'g', 4).arg(mm.y, 0, 'g', 4);

@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// What the pixels of a frame measure: "0.175 mm a pixel, at detector", "0.5 x 0.4 mm a pixel"; "not
-/// calibrated: px" where they measure nothing.
+/// What the pixels of a frame measure: "0.175 mm a pixel, at detector", "0.5 x 0.4 mm a pixel"; "mm in
+/// regions, else px" of an ultrasound; "not calibrated: px" where they measure nothing.
 QString pixelSizeText(const ShownFrame& frame);
 
 /// Whether lengths in a frame are mm of anything.
