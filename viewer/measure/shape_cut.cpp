@@ -43,10 +43,10 @@ std::optional<std::vector<dvec3>> clipped(dvec3 a, dvec3 b, const Layer& layer) 
   return std::vector{a + first * (b - a), a + last * (b - a)};
 }
 
-// The lines that a shape without an inside is made of.
+// The lines that a shape without an inside is made of; of one that is still being drawn as far as it goes.
 std::vector<std::vector<dvec3>> linesOf(const Shape& shape) {
   const auto& p = shape.points;
-  if (shape.kind == ShapeKind::cobb) return {{p[0], p[1]}, {p[2], p[3]}};
+  if (shape.kind == ShapeKind::cobb && p.size() > 2) return {{p[0], p[1]}, {p.begin() + 2, p.end()}};
   return {p};
 }
 

@@ -28,6 +28,8 @@ class TestShapeCut : public QObject {
  private Q_SLOTS:
   void seenOnItsSlice_data();
   void seenOnItsSlice();
+  void goesAsFarAsItIsDrawn_data();
+  void goesAsFarAsItIsDrawn();
   void cutByAnotherPlane_data();
   void cutByAnotherPlane();
   void anEllipsesEdge();
@@ -58,6 +60,29 @@ void TestShapeCut::seenOnItsSlice() {
     QVERIFY2(cut.lines.empty() != seen, rule.name);
     QCOMPARE(cut.lines.size(), std::size_t(!seen ? 0 : rule.kind == ShapeKind::cobb ? 2 : 1));
   }
+}
+
+void TestShapeCut::goesAsFarAsItIsDrawn_data() {
+  QTest::addColumn<int>("kind");
+  QTest::addColumn<int>("count");
+  for (const ShapeRule& rule : shapeRules())
+    for (std::size_t n = 1; n <= rule.fewest; ++n)
+      QTest::addRow("%s, %zu of %zu", rule.name, n, rule.fewest) << int(rule.kind) << int(n);
+}
+
+// While the hand draws a shape, it has fewer points than its rule asks for.
+void TestShapeCut::goesAsFarAsItIsDrawn() {
+  QFETCH(int, kind);
+  QFETCH(int, count);
+  const std::vector<dvec3> places{{1, 2, 4}, {5, 2, 4}, {5, 6, 4}, {7, 7, 4}};
+  const Shape shape = shapeOf(ShapeKind(kind), {places.begin(), places.begin() + count});
+  const ShapeCut cut = cutOf(shape, axialAt(4), 1);
+  QVERIFY(cut.whole);
+  if (ruleOf(shape.kind).region) return;
+  std::vector<dvec3> drawn;
+  for (const std::vector<dvec3>& line : cut.lines) drawn.insert(drawn.end(), line.begin(), line.end());
+  QVERIFY(drawn == shape.points);
+  QCOMPARE(cut.lines.size(), std::size_t(shape.kind == ShapeKind::cobb && count > 2 ? 2 : 1));
 }
 
 void TestShapeCut::cutByAnotherPlane_data() {
