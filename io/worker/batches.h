@@ -11,11 +11,20 @@ namespace volumen::worker {
 Request headersOf(std::vector<std::string> files, const CancelToken& cancel);
 
 /// Files begin .. end - 1 in one request: workers answer faster than they are asked. A file that costs a
-/// worker is refused, and the others are asked for again.
+/// worker is refused, and the others are asked for again; one that has cost one before is not asked for.
 template <auto function, class Values, class Refuse>
 void askFor(const std::vector<std::string>& paths, std::size_t begin, std::size_t end,
             const CancelToken& cancel, const Refuse& refuse, Values& all) {
   if (begin == end || cancel.cancelled()) return;
+  const auto leaveOut = [&](std::size_t costly, Failure why) {
+    all[costly] = refuse(reasonOf(why));
+    askFor<function>(paths, begin, costly, cancel, refuse, all);
+    askFor<function>(paths, costly + 1, end, cancel, refuse, all);
+  };
+  if (isolating())
+    for (std::size_t n = begin; n < end; ++n)
+      if (const Failure why = costBefore(&answerWith<function>, paths[n]); why != Failure::none)
+        return leaveOut(n, why);
   const std::vector<std::string> some(paths.begin() + std::ptrdiff_t(begin),
                                       paths.begin() + std::ptrdiff_t(end));
   Request request = headersOf(some, cancel);
@@ -25,10 +34,10 @@ void askFor(const std::vector<std::string>& paths, std::size_t begin, std::size_
     std::ranges::move(*values, all.begin() + std::ptrdiff_t(begin));
     return;
   }
+  if (values) failure = Failure::wrong;
   const std::size_t costly = begin + std::min<std::size_t>(request.stepsDone, some.size() - 1);
-  all[costly] = refuse(values ? reasonOf(Failure::wrong) : values.message());
-  askFor<function>(paths, begin, costly, cancel, refuse, all);
-  askFor<function>(paths, costly + 1, end, cancel, refuse, all);
+  rememberCost(&answerWith<function>, paths[costly], failure);
+  leaveOut(costly, failure);
 }
 
 /// function(paths), which gives one value a file and calls finishStep() behind each, on all cores and in

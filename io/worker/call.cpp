@@ -67,10 +67,15 @@ const char* reasonOf(Failure failure) {
 }
 
 Call::Call(Request& request, Handler handler, const std::vector<std::uint8_t>& arguments)
-    : Wire(true), request_(request), known_(request.files) {
+    : Wire(true), request_(request), handler_(handler), known_(request.files) {
   std::ranges::sort(known_);
   request_.found.clear();
   request_.stepsDone = 0;
+  if (request_.files.size() == 1) failure_ = costBefore(handler_, request_.files[0]);
+  if (failure_ != Failure::none) {
+    Wire::fail();
+    return;
+  }
   worker_ = takeWorker();
   // One that waited may have been killed.
   if (worker_ && !begin(handler, arguments)) {
@@ -85,7 +90,10 @@ Call::~Call() {
 }
 
 void Call::fail(Failure why) {
-  if (failure_ == Failure::none) failure_ = why;
+  if (failure_ == Failure::none) {
+    failure_ = why;
+    if (request_.files.size() == 1) rememberCost(handler_, request_.files[0], why);
+  }
   Wire::fail();
 }
 
@@ -94,6 +102,7 @@ bool Call::finish() {
     // An answer may end where a slot does.
     if (at_ != end_ || nextPiece()) fail(Failure::wrong);
   }
+  if (!ok()) fail(Failure::wrong);
   return ok() && failure_ == Failure::none;
 }
 

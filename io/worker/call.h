@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/worker/serve.h"
+#include "io/worker/costly_files.h"
 #include "io/worker/worker.h"
 #include "viewer/volume/cancel.h"
 
@@ -30,9 +30,6 @@ struct GivenFile {
 };
 inline void fields(Wire& w, GivenFile& f) { w(f.path, f.size, f.problem); }
 
-/// Why a call gave no answer.
-enum class Failure { none, ended, slow, wrong, memory, cancelled, noWorker };
-
 /// The reason behind a file's name, without full stop: "reading it took more than 5 s".
 const char* reasonOf(Failure failure);
 
@@ -42,7 +39,8 @@ struct Process;
 void prepareForAll();
 
 /// One request that a worker is at; its answer is read from it as it comes. A worker that ends, does not
-/// answer in time or says what makes no sense is killed; one that has answered serves again.
+/// answer in time or says what makes no sense is killed; one that has answered serves again. A request about
+/// one file that has cost a worker before fails at once, for the same reason (costBefore).
 class Call : public Wire {
  public:
   Call(Request& request, Handler handler, const std::vector<std::uint8_t>& arguments);
@@ -61,6 +59,7 @@ class Call : public Wire {
   bool outOfPatience() const;
 
   Request& request_;
+  Handler handler_;
   std::unique_ptr<Process> worker_;
   std::vector<std::string> known_;
   Failure failure_ = Failure::none;

@@ -1,0 +1,56 @@
+#include "io/worker/costly_files.h"
+
+#include <sys/stat.h>
+
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <tuple>
+
+namespace volumen::worker {
+namespace {
+
+using FileState = std::tuple<dev_t, ino_t, off_t, time_t, long, time_t, long>;
+
+std::optional<FileState> stateOf(const std::string& path) {
+  struct stat s {};
+  if (::stat(path.c_str(), &s) != 0) return {};
+  return FileState{s.st_dev,          s.st_ino,         s.st_size,        s.st_mtim.tv_sec,
+                   s.st_mtim.tv_nsec, s.st_ctim.tv_sec, s.st_ctim.tv_nsec};
+}
+
+struct CostlyFiles {
+  std::mutex mutex;
+  std::map<std::pair<Handler, FileState>, Failure> all;
+  std::atomic<bool> any = false;
+};
+
+CostlyFiles& costlyFiles() {
+  static CostlyFiles files;
+  return files;
+}
+
+}  // namespace
+
+void rememberCost(Handler what, const std::string& path, Failure why) {
+  if (why == Failure::none || why == Failure::cancelled || why == Failure::noWorker) return;
+  const std::optional<FileState> state = stateOf(path);
+  if (!state) return;
+  CostlyFiles& files = costlyFiles();
+  const std::scoped_lock one(files.mutex);
+  files.all.insert_or_assign({what, *state}, why);
+  files.any = true;
+}
+
+Failure costBefore(Handler what, const std::string& path) {
+  CostlyFiles& files = costlyFiles();
+  if (!files.any) return Failure::none;
+  const std::optional<FileState> state = stateOf(path);
+  if (!state) return Failure::none;
+  const std::scoped_lock one(files.mutex);
+  const auto found = files.all.find({what, *state});
+  return found == files.all.end() ? Failure::none : found->second;
+}
+
+}  // namespace volumen::worker
