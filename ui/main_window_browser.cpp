@@ -231,9 +231,8 @@ void MainWindow::showOpened(const Series& series) {
   const auto isOther = [&](const Series* other) { return !areOfOnePatient(*other, series); };
   const std::vector<const Series*> patients = patientsOnScreen(session_.workspace());
   if (how == OpenHow::instead && std::ranges::any_of(patients, isOther)) {
-    session_.endGesture();
-    session_.change(tr("Close %1").arg(patientText(*patients.front())),
-                    withLayout(withoutOtherPatients(session_.workspace(), series), layoutOf(series)));
+    session_.makeRoom(tr("Close %1").arg(patientText(*patients.front())),
+                      withLayout(withoutOtherPatients(session_.workspace(), series), layoutOf(series)));
   }
   showInFocus(series);
   if (how == OpenHow::instead && showsAnything(session_.workspace())) showBrowser(false);

@@ -17,7 +17,13 @@ void EditWorkspace::redo() { session_.setWorkspace(after_); }
 
 bool EditWorkspace::mergeWith(const QUndoCommand* later) {
   const auto& next = static_cast<const EditWorkspace&>(*later);
-  if (mergeKey_.isEmpty() || next.mergeKey_ != mergeKey_ || next.gesture_ != gesture_) return false;
+  const bool fillsRoom = mergeKey_ == roomMadeKey && next.mergeKey_ == seriesShownKey;
+  const bool continues = !mergeKey_.isEmpty() && next.mergeKey_ == mergeKey_ && next.gesture_ == gesture_;
+  if (!fillsRoom && !continues) return false;
+  if (fillsRoom) {
+    setText(next.text());
+    mergeKey_.clear();
+  }
   after_ = next.after_;
   setObsolete(before_ == after_);
   return true;

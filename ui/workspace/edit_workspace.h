@@ -6,6 +6,10 @@
 
 namespace volumen {
 
+/// The merge key of a step that empties views for a series that is on its way, and that of a step that shows
+/// a series: the second makes the first its own, in whatever gesture it comes.
+inline const QString roomMadeKey = QStringLiteral("room made"), seriesShownKey = QStringLiteral("shown");
+
 /// The one undo command: the workspace before and after. It is a small value, so no property needs a class of
 /// its own.
 class EditWorkspace : public QUndoCommand {

@@ -77,7 +77,12 @@ void Session::begin(const QString& text, Workspace after) {
   if (workspace_.series.empty() || after == workspace_)
     setWorkspace(after);
   else
-    change(text, std::move(after));
+    change(text, std::move(after), seriesShownKey);
+}
+
+void Session::makeRoom(const QString& text, const Workspace& after) {
+  endGesture();
+  change(text, after, roomMadeKey);
 }
 
 bool Session::showAgain(const Series& series, ViewId view) {

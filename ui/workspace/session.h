@@ -57,6 +57,9 @@ class Session : public QObject {
   void showAs(ViewId view, ViewKind kind);
   /// The same as show() for a series that is still in memory; false where it is not.
   bool showAgain(const Series& series, ViewId view);
+  /// Makes `after` the workspace, whose views are empty for a series that will be shown next: one undo step
+  /// together with that.
+  void makeRoom(const QString& text, const Workspace& after);
   /// Keeps a series that views on screen wait for; shows any other.
   void take(ShownSeriesPtr series, const Arrange& arrange = {});
   /// Keeps a series in memory, for views that wait for it now or later.
