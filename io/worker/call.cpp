@@ -152,13 +152,14 @@ bool Call::nextPiece() {
 bool Call::await(Message& message) {
   using Clock = std::chrono::steady_clock;
   constexpr int lookUpMs = 20;
+  constexpr double mostAtOnce = 0.2;  // seconds: it was the program itself that was stopped, if it was more
   while (true) {
     const Transfer got = receiveMessage(worker_->socket.get(), message, false);
     if (got == Transfer::done) return true;
     const Clock::time_point from = Clock::now();
     pollfd ready{worker_->socket.get(), POLLIN, 0};
     if (got == Transfer::later) ::poll(&ready, 1, lookUpMs);
-    waited_ += std::chrono::duration<double>(Clock::now() - from).count();
+    waited_ += std::min(mostAtOnce, std::chrono::duration<double>(Clock::now() - from).count());
     request_.stepsDone = std::min(request_.steps, worker_->buffer.steps().load(std::memory_order_relaxed));
     if (got == Transfer::broken) fail(Failure::ended);
     if (request_.cancel && request_.cancel->cancelled()) fail(Failure::cancelled);

@@ -73,7 +73,7 @@ bool Process::sleeps() const {
     if (std::fscanf(file, "%*d (%*[^)]) %c", &state) != 1) state = 0;
     std::fclose(file);
   }
-  return state == 'S';
+  return state == 'S' || state == 'T';
 }
 
 std::unique_ptr<Process> makeWorker() {

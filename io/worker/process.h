@@ -28,7 +28,7 @@ struct Process {
   void limitMemory(std::uint64_t bytes);
   /// Seconds that it has computed for.
   double cpuSeconds() const;
-  /// Whether it waits for something, while everybody waits for it.
+  /// Whether it waits for something, or was stopped, while everybody waits for it.
   bool sleeps() const;
 };
 

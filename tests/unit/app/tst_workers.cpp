@@ -4,14 +4,17 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
 #include "tests/fixtures/program.h"
 #include "tests/unit/io/dicom_bytes.h"
 #include "tests/unit/suite.h"
+#include "tests/unit/worker/processes.h"
 
 using namespace volumen::tests;
 
@@ -52,12 +55,22 @@ void writeLargeFrame(const std::string& path) {
   std::filesystem::resize_file(path, bytes.size() + length);
 }
 
+/// The first worker of a program that is at work; 0: it ended without one.
+pid_t workerOf(const QProcess& program) {
+  while (program.state() == QProcess::Running && activityOf(pid_t(program.processId())).state != 'Z')
+    for (const pid_t zygote : childrenOf(pid_t(program.processId())))
+      for (const pid_t worker : childrenOf(zygote)) return worker;
+  return 0;
+}
+
 }  // namespace
 
 class TestWorkers : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void costsItselfAlone();
+  void hangsForItselfAlone_data();
+  void hangsForItselfAlone();
   void sameWithoutWorkers();
   void largeFramesAreReadWhereThatIsAskedFor();
 };
@@ -80,6 +93,42 @@ void TestWorkers::costsItselfAlone() {
   const MeasuredOutcome drawn = runMeasured(
       {"render", study, "--size", "16x16", "-o", folder.filePath(QStringLiteral("a.png")).toStdString()});
   QCOMPARE(drawn.status, 0);
+}
+
+void TestWorkers::hangsForItselfAlone_data() {
+  QTest::addColumn<bool>("killed");
+  QTest::addColumn<QString>("reason");
+  QTest::newRow("hangs") << false << QStringLiteral("took more than 5 s");
+  QTest::newRow("is killed while it hangs") << true << QStringLiteral("ended the process");
+}
+
+// A worker is stopped while it reads one of many headers.
+void TestWorkers::hangsForItselfAlone() {
+  QFETCH(bool, killed);
+  QFETCH(QString, reason);
+  constexpr int count = 4000;
+  QTemporaryDir folder;
+  const Buffer bytes = native(picture("1.2.840.10008.1.2.1"));
+  for (int n = 0; n < count; ++n) write(folder.filePath(QString::number(n)).toStdString(), bytes);
+  QProcess program;
+  program.start(QStringLiteral(VOLUMEN_PROGRAM),
+                {QStringLiteral("info"), folder.path(), QStringLiteral("--json")});
+  QVERIFY(program.waitForStarted());
+  const pid_t worker = workerOf(program);
+  QVERIFY(worker > 0);
+  kill(worker, SIGSTOP);
+  if (killed) {
+    QTest::qSleep(1000);
+    kill(worker, SIGKILL);
+  }
+  QVERIFY(program.waitForFinished(120'000));
+  QCOMPARE(program.exitCode(), 0);
+  const QJsonObject found = QJsonDocument::fromJson(program.readAllStandardOutput()).object();
+  const QJsonArray refused = found[QLatin1String("refused")].toArray();
+  QCOMPARE(refused.size(), 1);
+  const QString said = refused[0].toObject()[QLatin1String("reason")].toString();
+  QVERIFY2(said.contains(reason), qPrintable(said));
+  QVERIFY(!found[QLatin1String("volumes")].toArray().isEmpty());
 }
 
 void TestWorkers::sameWithoutWorkers() {
