@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/command.h"
+#include "io/archive.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 
@@ -60,7 +61,8 @@ void addSeries(std::ostream& out, std::size_t n, const std::vector<InfoSeries>& 
     out << indent << "values " << numberText(json["min"], 7) << " to " << numberText(json["max"], 7)
         << ", mean " << numberText(json["mean"], 7) << '\n';
   if (verbose)
-    out << indent << "id " << printable(s.id) << '\n' << indent << "in " << printable(s.path) << '\n';
+    out << indent << "id " << printable(s.id) << '\n'
+        << indent << "in " << printable(lastingPath(s.path)) << '\n';
   for (const auto& warning : json["warnings"])
     out << indent << "! " << printable(warning.get<std::string>()) << '\n';
 }
@@ -73,7 +75,7 @@ void addFiles(std::ostream& out, const Files& files, bool verbose, Why why) {
       out << "  ... and " << files.size() - n << " more (--verbose lists all)\n";
       return;
     }
-    out << "  " << printable(files[n].path) << ": " << printable(why(files[n])) << '\n';
+    out << "  " << printable(lastingPath(files[n].path)) << ": " << printable(why(files[n])) << '\n';
   }
 }
 
@@ -93,7 +95,7 @@ std::string referenceLine(const Reference& object) {
 void addReferences(std::ostream& out, const std::vector<Reference>& references) {
   if (!references.empty()) out << "Objects that refer to pictures\n";
   for (std::size_t n = 0; n < references.size(); ++n)
-    out << "    " << n + 1 << "  " << printable(references[n].path) << ": "
+    out << "    " << n + 1 << "  " << printable(lastingPath(references[n].path)) << ": "
         << printable(referenceLine(references[n])) << '\n';
 }
 

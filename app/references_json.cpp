@@ -1,5 +1,6 @@
 #include "app/references_json.h"
 
+#include "io/archive.h"
 #include "io/contours.h"
 #include "io/presentation.h"
 #include "io/report.h"
@@ -209,7 +210,7 @@ Result<Json> toJson(const Result<Value>& loaded) {
 
 Json referenceToJson(const Reference& object) {
   return {{"id", object.id},
-          {"path", object.path},
+          {"path", lastingPath(object.path)},
           {"kind", kindName(object.kind)},
           {"patient", {{"name", object.patientName}, {"id", object.patientId}}},
           {"studyUid", object.studyUid},

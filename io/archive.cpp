@@ -151,11 +151,30 @@ class Unpacker {
   std::vector<std::pair<std::string, std::string>> leftOut_;
 };
 
-/// What this program has unpacked; removed when it ends.
 struct Unpacked {
+  std::string path;  ///< of the archive, absolute
   PrivateFolder folder;
   UnpackedArchive archive;
 };
+
+/// What this program has unpacked, by what its file was; removed when the program ends.
+struct AllUnpacked {
+  std::mutex unpacking;  ///< one at a time
+  std::mutex listed;
+  std::map<std::string, Unpacked> byIdentity;
+};
+
+AllUnpacked& allUnpacked() {
+  static AllUnpacked all;
+  return all;
+}
+
+std::optional<UnpackedArchive> unpackedBefore(const std::string& identity) {
+  const std::scoped_lock one(allUnpacked().listed);
+  const auto found = allUnpacked().byIdentity.find(identity);
+  if (found == allUnpacked().byIdentity.end()) return {};
+  return found->second.archive;
+}
 
 /// What says that a file is still the same one.
 std::string identityOf(const std::string& path) {
@@ -176,11 +195,9 @@ bool isZipArchive(const std::string& path) {
 
 Result<UnpackedArchive> unpackZip(const std::string& path, const std::string& cacheFolder,
                                   const CancelToken& cancel) {
-  static std::mutex mutex;
-  static std::map<std::string, Unpacked> known;
-  const std::scoped_lock one(mutex);
+  const std::scoped_lock one(allUnpacked().unpacking);
   const std::string identity = identityOf(path);
-  if (const auto found = known.find(identity); found != known.end()) return found->second.archive;
+  if (const auto before = unpackedBefore(identity)) return *before;
   const std::string base = cacheFolder + "/archives";
   removeLeftovers(base);
   auto folder = PrivateFolder::make(base);
@@ -192,8 +209,34 @@ Result<UnpackedArchive> unpackZip(const std::string& path, const std::string& ca
   auto leftOut = Unpacker(path, size, folder->files(), cancel).run();
   if (!leftOut) return leftOut.error();
   UnpackedArchive archive{folder->files(), std::move(*leftOut)};
-  known.emplace(identity, Unpacked{std::move(*folder), archive});
+  const std::scoped_lock now(allUnpacked().listed);
+  allUnpacked().byIdentity.emplace(identity,
+                                   Unpacked{fs::absolute(path).string(), std::move(*folder), archive});
   return archive;
+}
+
+std::string lastingPath(const std::string& path) {
+  const std::scoped_lock one(allUnpacked().listed);
+  for (const auto& [identity, unpacked] : allUnpacked().byIdentity) {
+    const std::string& folder = unpacked.archive.folder;
+    if (path == folder || path.starts_with(folder + "/")) return unpacked.path + path.substr(folder.size());
+  }
+  return path;
+}
+
+Result<std::string> pathOnDisk(const std::string& path, const std::string& cacheFolder,
+                               const CancelToken& cancel) {
+  std::error_code error;
+  fs::path archive = path;
+  while (archive.has_relative_path() && !fs::exists(archive, error)) archive = archive.parent_path();
+  if (archive == path || !isZipArchive(archive.string())) return path;
+  if (path == archive.string() + "/") return archive.string();
+  const Result<UnpackedArchive> unpacked = unpackZip(archive.string(), cacheFolder, cancel);
+  if (!unpacked) return unpacked.error();
+  const std::string name = path.substr(archive.string().size() + 1);
+  const auto place = placeOf(name, unpacked->folder);
+  if (!place || !fs::exists(*place, error)) return Error{archive.string() + " holds no " + name + "."};
+  return place->string();
 }
 
 }  // namespace volumen

@@ -25,4 +25,13 @@ bool isZipArchive(const std::string& path);
 Result<UnpackedArchive> unpackZip(const std::string& path, const std::string& cacheFolder,
                                   const CancelToken& cancel);
 
+/// How a path is told so that it can be opened another day: what this program has unpacked lies for others in
+/// its archive, "/home/ann/study.zip/CT/1.dcm". Any other path as it is.
+std::string lastingPath(const std::string& path);
+
+/// Where a path lies on disk: one that leads into an archive (lastingPath) where that is unpacked, which is
+/// done here; any other as it is. An Error as of unpackZip(), or where the archive holds no such file.
+Result<std::string> pathOnDisk(const std::string& path, const std::string& cacheFolder,
+                               const CancelToken& cancel);
+
 }  // namespace volumen

@@ -10,6 +10,7 @@
 #include "app/progress.h"
 #include "app/references_json.h"
 #include "app/usage.h"
+#include "io/archive.h"
 #include "io/study.h"
 
 namespace volumen {
@@ -99,7 +100,7 @@ void addIdentity(Json& out, const SeriesIdentity& s) {
 }
 
 Json seriesJson(const Series& s) {
-  Json out{{"id", s.id}, {"path", s.path}, {"format", s.format}};
+  Json out{{"id", s.id}, {"path", lastingPath(s.path)}, {"format", s.format}};
   addIdentity(out, s);
   out["series"] = {{"number", s.seriesNumber}, {"description", s.description}, {"files", s.files.size()}};
   addGeometry(out, s.acquired);
@@ -116,7 +117,7 @@ Json seriesJson(const Series& s) {
 }
 
 Json imageJson(const Image& image) {
-  Json out{{"id", image.id}, {"path", image.path}};
+  Json out{{"id", image.id}, {"path", lastingPath(image.path)}};
   addIdentity(out, image);
   out["sopInstanceUid"] = image.sopInstanceUid;
   out["frames"] = image.frames;
@@ -177,8 +178,10 @@ Json studyJson(const Study& study, const std::vector<InfoSeries>& series, bool v
            {"references", Json::array()}};
   for (const InfoSeries& s : series) out["volumes"].push_back(s.json);
   for (const Image& image : study.images) out["images"].push_back(imageJson(image));
-  for (const Refused& r : study.refused) out["refused"].push_back({{"path", r.path}, {"reason", r.reason}});
-  for (const Other& o : study.other) out["other"].push_back({{"path", o.path}, {"kind", o.kind}});
+  for (const Refused& r : study.refused)
+    out["refused"].push_back({{"path", lastingPath(r.path)}, {"reason", r.reason}});
+  for (const Other& o : study.other)
+    out["other"].push_back({{"path", lastingPath(o.path)}, {"kind", o.kind}});
   for (const Reference& object : study.references)
     out["references"].push_back(describeReference(object, values));
   return out;

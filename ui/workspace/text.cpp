@@ -7,6 +7,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "io/archive.h"
+
 namespace volumen {
 
 QString tr(const char* text) { return QCoreApplication::translate("volumen", text); }
@@ -109,7 +111,9 @@ int valueDecimals(const Histogram& histogram) {
   return std::clamp(int(std::ceil(4 - std::log10(range))), 1, 6);
 }
 
-QString pathText(const std::string& path) { return hidden ? tr("(path hidden)") : shownText(path); }
+QString pathText(const std::string& path) {
+  return hidden ? tr("(path hidden)") : shownText(lastingPath(path));
+}
 
 QString dateText(const std::string& dicomDate) {
   if (hidden) return dicomDate.empty() ? QString() : tr("(date hidden)");

@@ -62,6 +62,8 @@ class TestArchive : public QObject {
   void init();
   void cleanup();
   void isOpenedLikeAFolder();
+  void aPartOfItIsOpened_data();
+  void aPartOfItIsOpened();
   void hostileEntriesAreLeftOut_data();
   void hostileEntriesAreLeftOut();
   void bombIsRefused();
@@ -100,6 +102,40 @@ void TestArchive::isOpenedLikeAFolder() {
   const Result<Study> again = openStudy(path("a.zip"));
   QVERIFY(again.ok());
   QCOMPARE(again->volumes[0].path, study->volumes[0].path);
+}
+
+void TestArchive::aPartOfItIsOpened_data() {
+  QTest::addColumn<QByteArray>("name");
+  QTest::addColumn<int>("files");  // of the one series; 0: it is not opened
+  QTest::newRow("all") << QByteArray("/") << 3;
+  QTest::newRow("a folder") << QByteArray("/study/series") << 3;
+  QTest::newRow("a file") << QByteArray("/study/series/s1") << 1;
+  QTest::newRow("what it does not hold") << QByteArray("/study/s1") << 0;
+  QTest::newRow("what lies outside") << QByteArray("/../outside") << 0;
+  QTest::newRow("what lies outside, further in") << QByteArray("/study/../../../outside") << 0;
+}
+
+// By the path that is told of what was unpacked.
+void TestArchive::aPartOfItIsOpened() {
+  QFETCH(QByteArray, name);
+  QFETCH(int, files);
+  writeZip(path("a.zip"), slices(3));
+  writeAll(path("outside"), slices(1)[0].bytes);
+  const Result<Study> study = openStudy(path("a.zip") + name.toStdString());
+  if (files == 0) {
+    QVERIFY(!study.ok());
+    QVERIFY2(study.message().find("a.zip holds no ") != std::string::npos, study.message().c_str());
+    return;
+  }
+  QVERIFY2(study.ok(), study.ok() ? "" : study.message().c_str());
+  QCOMPARE(study->volumes.size(), std::size_t(1));
+  QCOMPARE(study->volumes[0].files.size(), std::size_t(files));
+  const std::string told = lastingPath(study->volumes[0].path);
+  QCOMPARE(told, path(files == 1 ? "a.zip/study/series/s1" : "a.zip/study/series"));
+  const Result<Study> again = openStudy(told);
+  QVERIFY(again.ok());
+  QCOMPARE(again->volumes[0].files, study->volumes[0].files);
+  QCOMPARE(lastingPath(path("outside")), path("outside"));
 }
 
 void TestArchive::hostileEntriesAreLeftOut_data() {
