@@ -1,115 +1,15 @@
 // Guards import.md: Analyze, MGH, GIPL, VTK and MRC are read as their definitions say, what they leave open
 // is said, and no mutation of their bytes ends otherwise than in a volume or a sentence.
-#include <zlib.h>
-
 #include <QFile>
 #include <QTemporaryDir>
-#include <QtEndian>
-#include <cstring>
-#include <functional>
 #include <random>
 
 #include "io/files/image_file.h"
+#include "tests/unit/io/other_formats.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
-
-namespace {
-
-template <class T>
-void put(QByteArray& header, int place, T value, bool bigEndian = true) {
-  QByteArray bytes(reinterpret_cast<const char*>(&value), sizeof value);
-  if (bigEndian) std::reverse(bytes.begin(), bytes.end());
-  header.replace(place, sizeof value, bytes);
-}
-
-// 4 x 3 x 2 samples from 1 on, of 16 bits.
-QByteArray samples(bool bigEndian = true, int count = 24) {
-  QByteArray data(2 * count, '\0');
-  for (int n = 0; n < count; ++n) put(data, 2 * n, std::int16_t(n + 1), bigEndian);
-  return data;
-}
-
-using Change = std::function<void(QByteArray&)>;
-
-QByteArray changed(QByteArray header, const Change& change) {
-  if (change) change(header);
-  return header;
-}
-
-QByteArray analyzeHeader(const Change& change = {}) {
-  QByteArray h(348, '\0');
-  put<std::int32_t>(h, 0, 348);
-  const std::int16_t dims[] = {3, 4, 3, 2};
-  for (int n = 0; n < 4; ++n) put(h, 40 + 2 * n, dims[n]);
-  put<std::int16_t>(h, 70, 4);
-  put<std::int16_t>(h, 72, 16);
-  for (int n = 0; n < 3; ++n) put(h, 80 + 4 * n, float(n + 1));
-  return changed(h, change);
-}
-
-QByteArray mgh(const Change& change = {}) {
-  QByteArray h(284, '\0');
-  const std::int32_t numbers[] = {1, 4, 3, 2, 1, 4};
-  for (int n = 0; n < 6; ++n) put(h, 4 * n, numbers[n]);
-  put<std::int16_t>(h, 28, 1);
-  for (int n = 0; n < 3; ++n) put(h, 30 + 4 * n, float(n + 1));
-  // Columns to the left, rows down, slices to the front: RAS (-1, 0, 0), (0, 0, -1), (0, 1, 0).
-  put(h, 42, -1.f), put(h, 62, -1.f), put(h, 70, 1.f);
-  put(h, 78, 10.f), put(h, 82, 20.f), put(h, 86, 30.f);
-  return changed(h, change) + samples();
-}
-
-QByteArray gipl(const Change& change = {}) {
-  QByteArray h(256, '\0');
-  const std::uint16_t dims[] = {4, 3, 2, 1, 15};
-  for (int n = 0; n < 5; ++n) put(h, 2 * n, dims[n]);
-  for (int n = 0; n < 3; ++n) put(h, 10 + 4 * n, float(n + 1)), put(h, 204 + 8 * n, double(10 * n));
-  put(h, 252, 719555000u);
-  return changed(h, change) + samples();
-}
-
-QByteArray mrc(bool bigEndian = false, const Change& change = {}) {
-  QByteArray h(1024, '\0');
-  const auto number = [&](int place, std::int32_t value) { put(h, place, value, bigEndian); };
-  const std::int32_t sizes[] = {4, 3, 2};
-  for (int n = 0; n < 3; ++n) {
-    number(4 * n, sizes[n]);
-    number(28 + 4 * n, sizes[n]);
-    put(h, 40 + 4 * n, float(sizes[n]) * float(n + 1) * 1e7f, bigEndian);
-    number(64 + 4 * n, n + 1);
-  }
-  number(12, 1);
-  h.replace(208, 4, "MAP ");
-  h.replace(212, 2, bigEndian ? QByteArray(2, '\x11') : QByteArray(2, '\x44'));
-  return changed(h, change) + samples(bigEndian);
-}
-
-QByteArray vtk(const QByteArray& replace = {}, const QByteArray& by = {}) {
-  QByteArray h =
-      "# vtk DataFile Version 3.0\na title\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS 4 3 2\nSPACING 1 2 "
-      "3\n"
-      "ORIGIN 0 10 20\nPOINT_DATA 24\nSCALARS s short 1\nLOOKUP_TABLE default\n";
-  if (!replace.isEmpty()) h.replace(replace, by);
-  return h + samples();
-}
-
-QByteArray gzipped(const QByteArray& plain) {
-  QByteArray packed(qsizetype(compressBound(uLong(plain.size())) + 64), '\0');
-  z_stream stream{};
-  constexpr int gzipWindow = 15 + 16;
-  deflateInit2(&stream, 9, Z_DEFLATED, gzipWindow, 8, Z_DEFAULT_STRATEGY);
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(plain.data()));
-  stream.avail_in = uInt(plain.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = uInt(packed.size());
-  deflate(&stream, Z_FINISH);
-  packed.resize(qsizetype(stream.total_out));
-  deflateEnd(&stream);
-  return packed;
-}
-
-}  // namespace
+using namespace volumen::tests;
 
 class TestOtherFormats : public QObject {
   Q_OBJECT
