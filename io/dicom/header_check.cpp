@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/dicom/attributes.h"
+#include "io/dicom/parts.h"
 
 namespace volumen::dicom {
 namespace {
@@ -43,8 +44,9 @@ bool isConsistent(const FileHeader& header, const std::string& path) {
   if (header.frames.size() != (header.mosaic ? 1 : frames)) return false;
   if (header.slices.size() != frames && header.slices.size() != 1) return false;
   if (header.notVolume.empty() && (!f.isGrey() || header.syntax.coding == Coding::unsupported)) return false;
-  return std::ranges::all_of(header.slices,
-                             [&](const Slice& s) { return s.frame >= 0 && s.frame < f.frames; });
+  return std::ranges::all_of(header.slices, [&](const Slice& s) {
+    return s.frame >= 0 && s.frame < f.frames && s.parts.size() == partCount;
+  });
 }
 
 }  // namespace volumen::dicom

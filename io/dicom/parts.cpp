@@ -102,6 +102,8 @@ std::string Dimensions::others(const DataSet& data, DataSet::Scope frameContent)
   return text;
 }
 
+const std::size_t partCount = dimensionPart + 1;
+
 std::vector<std::string> readParts(const DataSet& data, const FrameScopes& at, const Dimensions& dimensions) {
   std::vector<std::string> parts;
   for (const auto& a : attributes) parts.push_back(valueText(data, a.tag, at.of(a.group), a.value));
@@ -127,11 +129,14 @@ PartName partName(std::size_t part, const std::vector<std::string>& values, std:
   return {};
 }
 
+std::string realText(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
 std::string realText(const DataSet& data, std::uint32_t tag, DataSet::Scope scope) {
   const auto value = data.real(tag, scope);
-  if (!value) return {};
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, *value).ptr};
+  return value ? realText(*value) : std::string();
 }
 
 }  // namespace volumen::dicom

@@ -19,8 +19,12 @@ struct Dimensions {
   std::string others(const DataSet& data, DataSet::Scope frameContent) const;
 };
 
-/// What may tell apart the pictures of one place, as text, in the order in which it is tried: time point,
-/// kind of picture, acquisition, diffusion weight, trigger time, diffusion direction, other dimensions.
+/// How many attributes may tell apart the pictures of one place.
+extern const std::size_t partCount;
+
+/// What may tell apart the pictures of one place, `partCount` of them, as text, in the order in which it is
+/// tried: time point, kind of picture, acquisition, diffusion weight, trigger time, diffusion direction,
+/// other dimensions.
 std::vector<std::string> readParts(const DataSet& data, const FrameScopes& at, const Dimensions& dimensions);
 
 /// How a volume is named that one of these parts tells from others.
@@ -31,7 +35,9 @@ struct PartName {
 /// The name of value `n` of the different values that part `part` has.
 PartName partName(std::size_t part, const std::vector<std::string>& values, std::size_t n);
 
-/// The number in an FD, in the fewest digits; empty where there is none.
+/// A number in the fewest digits.
+std::string realText(double value);
+/// That in an FD; empty where there is none.
 std::string realText(const DataSet& data, std::uint32_t tag, DataSet::Scope scope);
 
 /// Functional groups that say what a frame shows.

@@ -178,7 +178,7 @@ Workspace withScrollLinked(Workspace workspace, bool linked) {
   if (workspace.links.scroll == linked) return workspace;
   std::vector<ViewId> views = slicesOnScreen(workspace);
   // The last one says where a frame of reference is: the view in focus.
-  std::ranges::stable_partition(views, [&](ViewId id) { return id != workspace.focus; });
+  std::stable_partition(views.begin(), views.end(), [&](ViewId id) { return id != workspace.focus; });
   std::map<ViewId, Crosshair> now;
   for (const ViewId id : views) now[id] = crosshairOf(workspace, id, *seriesIn(workspace, id));
   workspace.links.scroll = linked;

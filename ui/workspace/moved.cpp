@@ -59,8 +59,8 @@ std::vector<UsedReference> referencesOf(const Workspace& workspace) {
       if (!look.presentation.empty()) used.push_back({look.presentation, ReferenceKind::presentation});
   for (const auto& [key, look] : workspace.regions) used.push_back({key, look.kind});
   std::ranges::sort(used, {}, &UsedReference::key);
-  const auto twice = std::ranges::unique(used, {}, &UsedReference::key);
-  used.erase(twice.begin(), twice.end());
+  const auto isSame = [](const UsedReference& a, const UsedReference& b) { return a.key == b.key; };
+  used.erase(std::unique(used.begin(), used.end(), isSame), used.end());
   return used;
 }
 

@@ -1,0 +1,22 @@
+// Anything as what a worker that a file has taken over says of three files: what passes the checks of the
+// program becomes series, images and objects, and these are loaded as far as that goes without their pixels.
+#include "io/dicom/import.h"
+#include "io/dicom/inspect_files.h"
+#include "io/worker/dicom_fields.h"
+
+using namespace volumen;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  const std::vector<std::string> paths{"/no/1", "/no/2", "/no/3"};
+  worker::MemoryReader answer({bytes, size});
+  std::vector<dicom::Inspection> said(paths.size());
+  for (dicom::Inspection& inspection : said) answer(inspection);
+  if (!answer.ok()) return 0;
+  for (std::size_t n = 0; n < paths.size(); ++n) dicom::checkInspection(paths[n], said[n]);
+  Study study;
+  dicom::findSeries(paths, said, study);
+  constexpr std::int64_t mostVoxels = 1 << 20;
+  for (const Series& series : study.volumes)
+    if (series.acquired.voxelCount() <= mostVoxels) (void)loadSeries(series);
+  return 0;
+}
