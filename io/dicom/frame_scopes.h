@@ -1,11 +1,14 @@
 #pragma once
 
+#include <optional>
+
 #include "io/dicom/data_set.h"
 
 namespace volumen::dicom {
 
 /// Where the attributes of one frame stand: all in the data set itself, or, in enhanced pictures, each in a
-/// functional group of the frame or of all frames (PS3.3 C.7.6.16).
+/// functional group of the frame or of all frames (PS3.3 C.7.6.16), and in the data set where there is no
+/// such group (multi-frame secondary captures have their rescale and pixel spacing there, PS3.3 C.8.6.3).
 class FrameScopes {
  public:
   explicit FrameScopes(DataSet::Scope root) : root_(root), isEnhanced_(false) {}
@@ -24,17 +27,27 @@ class FrameScopes {
     return data.find(sharedGroups, data.root()) || data.find(perFrameGroups, data.root());
   }
 
-  /// The scope that holds the attributes of this functional group; an empty one where there is none.
+  /// The scope that holds the attributes of this functional group.
   DataSet::Scope of(std::uint32_t group) const {
     if (!isEnhanced_) return root_;
-    for (DataSet::Scope scope : {root_, ofAll_})
-      if (const auto items = data_->items(group, scope); !items.empty()) return items[0];
-    return {};
+    const std::optional<DataSet::Scope> item = itemOf(group);
+    return item ? *item : data_->root();
+  }
+  /// The same of what the data set itself cannot say of each frame; an empty scope where there is no such
+  /// group.
+  DataSet::Scope ofGroupAlone(std::uint32_t group) const {
+    return isEnhanced_ ? itemOf(group).value_or(DataSet::Scope{}) : root_;
   }
 
   static constexpr std::uint32_t sharedGroups = 0x52009229, perFrameGroups = 0x52009230;
 
  private:
+  std::optional<DataSet::Scope> itemOf(std::uint32_t group) const {
+    for (DataSet::Scope scope : {root_, ofAll_})
+      if (const auto items = data_->items(group, scope); !items.empty()) return items[0];
+    return {};
+  }
+
   const DataSet* data_ = nullptr;
   DataSet::Scope root_, ofAll_;
   bool isEnhanced_;

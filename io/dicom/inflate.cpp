@@ -24,7 +24,7 @@ struct Inflater {
 
 std::size_t mostInflated(std::size_t deflatedBytes) {
   if (deflatedBytes > 512 * mebibyte) return 512 * mebibyte;
-  return std::min(512 * mebibyte, std::max(16 * mebibyte, 200 * deflatedBytes));
+  return std::min(512 * mebibyte, std::max(64 * mebibyte, 200 * deflatedBytes));
 }
 
 Result<std::vector<std::uint8_t>> inflateRaw(Bytes deflated) {

@@ -93,7 +93,7 @@ class Reader {
   Status readFrame(const FrameScopes& at) {
     const auto segment = byNumber_.find(data_.word(0x0062000b, at.of(segmentOfFrame)).value_or(0));
     if (segment == byNumber_.end()) return Error{"its segment is not one of those of the file"};
-    const auto position = data_.numbers(0x00200032, at.of(0x00209113));
+    const auto position = data_.numbers(0x00200032, at.ofGroupAlone(0x00209113));
     const auto directions = data_.numbers(0x00200037, at.of(0x00209116));
     const auto mm = readSpacing(data_, 0x00280030, at.of(pixelMeasures));
     if (!position || position->size() < 3 || !directions || directions->size() < 6 || !mm)

@@ -104,14 +104,15 @@ std::size_t mostAtOnePlace(const Entries& entries) {
   return most;
 }
 
-/// Drops pictures that are in the study twice (same SOPInstanceUID, frame and place).
+/// Drops pictures that are in the study twice (same SOPInstanceUID, frame, place and rescale).
 std::vector<std::string> dropCopies(Entries& entries) {
   std::vector<std::string> warnings;
-  std::map<std::tuple<std::string, int, double>, const FileHeader*> seen;
+  std::map<std::tuple<std::string, int, double, double, double>, const FileHeader*> seen;
   std::size_t copies = 0;
   Entries kept;
   for (const Entry& e : entries) {
-    const auto key = std::make_tuple(e.file->sopInstanceUid, e.slice().frame, e.placed.alongNormal);
+    const auto key = std::make_tuple(e.file->sopInstanceUid, e.slice().frame, e.placed.alongNormal,
+                                     e.slice().slope, e.slice().intercept);
     const auto [it, isNew] = seen.emplace(key, e.file);
     if (isNew || e.file->sopInstanceUid.empty()) {
       kept.push_back(e);

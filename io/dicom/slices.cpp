@@ -16,6 +16,7 @@ constexpr std::uint32_t planePosition = 0x00209113, planeOrientation = 0x0020911
                         realWorldValueMapping = 0x00409096, spacingBetweenSlices = 0x00180088;
 
 std::string readEchoTime(const DataSet& data, DataSet::Scope scope) {
+  if (const auto ms = data.number(0x00180081, scope)) return realText(*ms);  // "22.0000" is "22"
   const std::string time = data.text(0x00180081, scope);
   return time.empty() ? realText(data, 0x00189082, scope) : time;
 }
@@ -125,15 +126,14 @@ std::optional<ValueRange> readPadding(const DataSet& data, const PixelFormat& fo
 Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, const Dimensions& dimensions,
                         FileHeader& header) {
   Slice slice;
-  slice.position = readPosition(data, at.of(planePosition));
+  slice.position = readPosition(data, at.ofGroupAlone(planePosition));
   slice.orientation = readOrientation(data, at.of(planeOrientation), header);
   slice.spacing = readSpacing(data, 0x00280030, at.of(pixelMeasures));
   slice.thickness = data.number(0x00180050, at.of(pixelMeasures)).value_or(0);
   for (const NamedGrey& grey : readWindows(data, at.of(frameVoiLut)))
     slice.windows.push_back(grey.mapping.window);
-  slice.echo = data.text(0x00180086, at.of(mrEchoGroup)) + "/" + data.text(0x00180081, at.of(mrEchoGroup)) +
-               "/" + data.raw(0x00189082, at.of(mrEchoGroup));
   slice.echoTime = readEchoTime(data, at.of(mrEchoGroup));
+  slice.echo = data.text(0x00180086, at.of(mrEchoGroup)) + "/" + slice.echoTime;
   slice.bValue = readBValue(data, at.of(mrDiffusionGroup));
   slice.timePoint = readTimePoint(data, at);
   slice.inStack = dimensions.inStack(data, at.of(frameContentGroup));

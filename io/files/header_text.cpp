@@ -46,6 +46,13 @@ std::string lowerCase(std::string_view text) {
   return lower;
 }
 
+std::string upperCase(std::string_view text) {
+  std::string upper(text);
+  for (char& c : upper)
+    if (c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
+  return upper;
+}
+
 std::optional<double> toNumber(std::string_view text) { return parsed<double>(text); }
 std::optional<std::int64_t> toInteger(std::string_view text) { return parsed<std::int64_t>(text); }
 

@@ -17,6 +17,7 @@ std::string_view trimmed(std::string_view text);
 std::vector<std::string> words(std::string_view text);
 
 std::string lowerCase(std::string_view text);
+std::string upperCase(std::string_view text);
 
 /// The number that the whole of `text` is, in any locale; NaN and infinities count as numbers.
 std::optional<double> toNumber(std::string_view text);

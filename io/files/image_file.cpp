@@ -39,6 +39,7 @@ std::optional<Reader> readerOf(const std::string& path) {
   if (head->starts_with("ObjectType = Image") || head->starts_with("NDims = ")) return metaImage;
   if (head->starts_with("\x1f\x8b"))
     if (auto inside = readDecompressedHead(path, enough)) *head = *inside;
+  if (isDicom(*head)) return {};
   const std::string name = lowerCase(path);
   constexpr struct {
     bool (*claims)(const FileClaim& file);
@@ -59,16 +60,21 @@ std::optional<Reader> readerOf(const std::string& path) {
 
 // A format that is known and not read; empty where it is none.
 std::string unreadFormatOf(const std::string& path) {
-  const auto head = readHead(path, 132);
-  return head && !isDicom(*head) ? unreadFormat({*head, lowerCase(path)}) : std::string();
+  constexpr std::size_t enough = 132;
+  const auto head = readHead(path, enough);
+  if (!head || isDicom(*head)) return {};
+  if (head->starts_with("\x1f\x8b"))
+    if (const auto inside = readDecompressedHead(path, enough); inside && isDicom(*inside))
+      return "gzipped DICOM";
+  return unreadFormat({*head, lowerCase(path)});
 }
 
 Result<ImageHeader> readHeader(const std::string& path) {
   if (const auto reader = readerOf(path)) return reader->read(path);
   if (auto file = DataFile::open(path); !file) return file.error();
   if (const std::string format = unreadFormatOf(path); !format.empty())
-    return Error{path + " is a " + format +
-                 " file, which volumen does not read; convert it to NIfTI or NRRD."};
+    return Error{path + " is a " + format + " file, which volumen does not read; " +
+                 (format == "gzipped DICOM" ? "unpack it." : "convert it to NIfTI or NRRD.")};
   return Error{path + " is not a NRRD, NIfTI or MetaImage file."};
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t wrong = std::numeric_limits<std::uint64_t>::max();
 
 void writeDecoded(worker::Wire& answer, const std::string& path, std::uint64_t offset, Encoding encoding,
-                  std::optional<SampleType> text) {
+                  const std::optional<TextSamples>& text) {
   auto file = DataFile::open(path);
   if (!file) return answer.write(wrong, file.message());
   const auto source =
@@ -33,7 +33,7 @@ void writeDecoded(worker::Wire& answer, const std::string& path, std::uint64_t o
 class IsolatedSource : public ByteSource {
  public:
   IsolatedSource(const std::string& path, std::uint64_t offset, Encoding encoding,
-                 std::optional<SampleType> text, const CancelToken& cancel)
+                 const std::optional<TextSamples>& text, const CancelToken& cancel)
       : cancel_(cancel),
         request_{.files = {path}, .mostBytes = wrong, .cancel = &cancel_},
         call_(worker::isolatedStream<writeDecoded>(request_, path, offset, encoding, text)) {}
@@ -77,7 +77,8 @@ class IsolatedSource : public ByteSource {
 }  // namespace
 
 std::unique_ptr<ByteSource> decodeIsolated(const std::string& path, std::uint64_t offset, Encoding encoding,
-                                           std::optional<SampleType> text, const CancelToken& cancel) {
+                                           const std::optional<TextSamples>& text,
+                                           const CancelToken& cancel) {
   return std::make_unique<IsolatedSource>(path, offset, encoding, text, cancel);
 }
 

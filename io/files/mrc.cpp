@@ -10,10 +10,20 @@ namespace {
 
 constexpr std::size_t headerBytes = 1024, magicPlace = 208, byteOrderPlace = 212;
 
-Result<SampleType> mrcType(int mode, const std::string& path) {
+// Bytes are signed (MRC2014), but not where IMOD wrote the file and says so (its stamp and flags), nor where
+// the largest value that the header gives is none of a signed byte.
+bool hasUnsignedBytes(const HeaderNumbers& n) {
+  constexpr std::int32_t imod = 1146047817, signedFlag = 1;
+  if (n.at<std::int32_t>(152) == imod) return (n.at<std::int32_t>(156) & signedFlag) == 0;
+  const float least = n.at<float>(76), most = n.at<float>(80);
+  return least >= 0 && most > 127 && most <= 255;
+}
+
+Result<SampleType> mrcType(const HeaderNumbers& n, const std::string& path) {
+  const int mode = n.at<std::int32_t>(12);
   switch (mode) {
     case 0:
-      return SampleType::int8;
+      return hasUnsignedBytes(n) ? SampleType::uint8 : SampleType::int8;
     case 1:
       return SampleType::int16;
     case 2:
@@ -76,7 +86,7 @@ Result<ImageHeader> readMrcHeader(const std::string& path) {
   image.format = "MRC";
   image.description = fieldText(std::string_view(header->head).substr(224, 80));
   image.data.bigEndian = n.bigEndian;
-  const auto type = mrcType(n.at<std::int32_t>(12), path);
+  const auto type = mrcType(n, path);
   if (!type) return type.error();
   image.data.type = *type;
   std::vector<std::int64_t> sizes;

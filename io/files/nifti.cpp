@@ -163,7 +163,8 @@ Affine affineOfQform(const Fields& f) {
 }
 
 Affine affineOfPixdim(const Fields& f, const std::vector<std::uint64_t>& sizes) {
-  Affine affine{{glm::dvec3(-f.pixdim[1], 0, 0), {0, f.pixdim[2], 0}, {0, 0, f.pixdim[3]}}, glm::dvec3(0)};
+  const glm::dvec3 mm(std::abs(f.pixdim[1]), std::abs(f.pixdim[2]), std::abs(f.pixdim[3]));
+  Affine affine{{glm::dvec3(-mm.x, 0, 0), {0, mm.y, 0}, {0, 0, mm.z}}, glm::dvec3(0)};
   for (std::size_t a = 0; a < sizes.size(); ++a)
     affine.origin -= affine.steps[a] * (double(sizes[a]) - 1) / 2.0;
   return affine;
@@ -199,7 +200,8 @@ Status setNiftiGeometry(const Fields& f, const std::vector<std::uint64_t>& sizes
                                exactText(std::round(apart * 100) / 100) + " mm; the sform is taken.");
   } else if (f.sformCode <= 0) {
     for (std::size_t a = 0; a < sizes.size(); ++a)
-      if (!(f.pixdim[a + 1] > 0)) return setNominalGeometry(image, sizes, path);
+      if (f.pixdim[a + 1] == 0 || !std::isfinite(f.pixdim[a + 1]))
+        return setNominalGeometry(image, sizes, path);
     affine = affineOfPixdim(f, sizes);
     image.warnings.push_back(
         {"The header gives spacings but no directions: which side is left or top is not known.",

@@ -117,9 +117,10 @@ bool isVolumeKind(const std::string& kind) {
 }
 
 Status refuseKind(const std::string& kind, const std::string& path) {
-  static const std::set<std::string> colours{"rgb-color", "rgba-color", "hsv-color",
-                                             "xyz-color", "3-color",    "4-color"};
-  if (colours.count(kind)) return Error{path + " is a colour image: it cannot be shown in 3D."};
+  static const std::set<std::string> colours{"rgb", "rgba", "hsv", "xyz", "3", "4"};
+  std::string name = kind.substr(0, kind.rfind("color"));  // "RGB-color", "RGBcolor", "RGB"
+  if (name.ends_with('-')) name.pop_back();
+  if (colours.contains(name)) return Error{path + " is a colour image: it cannot be shown in 3D."};
   if (kind == "complex") return Error{path + " holds complex numbers, which cannot be shown."};
   return {};
 }

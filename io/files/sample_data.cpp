@@ -59,7 +59,8 @@ Result<std::uint64_t> skipLines(const DataFile& file, std::uint64_t offset, int 
 
 std::unique_ptr<ByteSource> decodePart(const SampleData& data, DataFile file, std::uint64_t offset,
                                        const CancelToken& cancel) {
-  if (data.text) return decodeText(std::move(file), offset, data.type, cancel);
+  if (data.text)
+    return decodeText(std::move(file), offset, {data.type, data.samples() / data.files.size()}, cancel);
   return decode(std::move(file), offset, data.encoding, cancel);
 }
 

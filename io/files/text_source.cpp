@@ -35,12 +35,16 @@ bool parse(const std::string& word, T& sample) {
 
 class TextSource : public ByteSource {
  public:
-  TextSource(DataFile file, std::uint64_t offset, SampleType type)
-      : path_(file.path()), encoded_(decode(std::move(file), offset, Encoding::raw)), type_(type) {}
+  TextSource(DataFile file, std::uint64_t offset, const TextSamples& samples)
+      : path_(file.path()),
+        encoded_(decode(std::move(file), offset, Encoding::raw)),
+        type_(samples.type),
+        left_(samples.count) {}
 
   Result<std::size_t> read(void* to, std::size_t count) override {
     return withSampleType(type_, [&](auto sample) -> Result<std::size_t> {
-      for (std::size_t done = 0; done + sizeof sample <= count; done += sizeof sample) {
+      for (std::size_t done = 0; done + sizeof sample <= count; done += sizeof sample, --left_) {
+        if (left_ == 0) return done;
         auto word = nextWord();
         if (!word) return word.error();
         if (word->empty()) return done;
@@ -77,16 +81,17 @@ class TextSource : public ByteSource {
   std::string path_;
   std::unique_ptr<ByteSource> encoded_;
   SampleType type_;
+  std::uint64_t left_;
   char buffer_[1 << 16];
   std::size_t at_ = 0, filled_ = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<ByteSource> decodeText(DataFile file, std::uint64_t offset, SampleType type,
+std::unique_ptr<ByteSource> decodeText(DataFile file, std::uint64_t offset, const TextSamples& samples,
                                        const CancelToken& cancel) {
-  if (worker::isolating()) return decodeIsolated(file.path(), offset, Encoding::raw, type, cancel);
-  return std::make_unique<TextSource>(std::move(file), offset, type);
+  if (worker::isolating()) return decodeIsolated(file.path(), offset, Encoding::raw, samples, cancel);
+  return std::make_unique<TextSource>(std::move(file), offset, samples);
 }
 
 }  // namespace volumen

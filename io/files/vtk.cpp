@@ -21,13 +21,29 @@ struct VtkHeader {
 
 std::optional<SampleType> vtkType(const std::string& name) {
   using enum SampleType;
-  static const std::map<std::string, SampleType> types{
-      {"char", int8},          {"unsigned_char", uint8}, {"short", int16},   {"unsigned_short", uint16},
-      {"int", int32},          {"unsigned_int", uint32}, {"long", int64},    {"unsigned_long", uint64},
-      {"vtktypeint64", int64}, {"float", float32},       {"double", float64}};
+  static const std::map<std::string, SampleType> types{{"char", int8},
+                                                       {"signed_char", int8},
+                                                       {"unsigned_char", uint8},
+                                                       {"short", int16},
+                                                       {"unsigned_short", uint16},
+                                                       {"int", int32},
+                                                       {"unsigned_int", uint32},
+                                                       {"vtkidtype", int32},
+                                                       {"long", int64},
+                                                       {"unsigned_long", uint64},
+                                                       {"vtktypeint64", int64},
+                                                       {"float", float32},
+                                                       {"double", float64}};
   const auto found = types.find(lowerCase(name));
   if (found == types.end()) return {};
   return found->second;
+}
+
+// The words of a line, the first of them in capitals: keywords are written either way.
+std::vector<std::string> wordsOf(std::string_view line) {
+  std::vector<std::string> all = words(line);
+  if (!all.empty()) all[0] = upperCase(all[0]);
+  return all;
 }
 
 // The line that says how the samples are written: "SCALARS name type [components]", "VECTORS name type".
@@ -43,7 +59,7 @@ Status parseArray(const std::vector<std::string>& line, std::string_view& rest, 
     header.components = std::uint64_t(*count);
   }
   std::string_view ahead = rest;
-  const auto next = words(takeLine(ahead));
+  const auto next = wordsOf(takeLine(ahead));
   if (!next.empty() && next[0] == "LOOKUP_TABLE") rest = ahead;
   return {};
 }
@@ -53,14 +69,15 @@ Result<VtkHeader> parseVtk(const std::string& head, const std::string& path) {
   std::string_view rest = head;
   takeLine(rest);
   header.title = fieldText(takeLine(rest));
-  const std::string coding(trimmed(takeLine(rest)));
+  std::string coding;
+  while (coding.empty() && !rest.empty()) coding = upperCase(trimmed(takeLine(rest)));
   if (coding != "ASCII" && coding != "BINARY")
     return Error{path + " is '" + fieldText(coding) + "' where ASCII or BINARY is meant."};
   header.text = coding == "ASCII";
   while (!rest.empty()) {
-    const auto line = words(takeLine(rest));
+    const auto line = wordsOf(takeLine(rest));
     if (line.empty()) continue;
-    if (line[0] == "DATASET" && (line.size() < 2 || line[1] != "STRUCTURED_POINTS"))
+    if (line[0] == "DATASET" && (line.size() < 2 || upperCase(line[1]) != "STRUCTURED_POINTS"))
       return Error{path + " is a VTK file of " + (line.size() < 2 ? "nothing" : fieldText(line[1])) +
                    "; volumen reads STRUCTURED_POINTS."};
     if (line[0] == "SCALARS" || line[0] == "VECTORS" || line[0] == "NORMALS") {

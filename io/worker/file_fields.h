@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/files/image_header.h"
+#include "io/files/text_source.h"
 #include "io/worker/study_fields.h"
 
 // The structs of io/files on the wire.
@@ -11,6 +12,7 @@ inline constexpr SampleType lastOf<SampleType> = SampleType::float64;
 template <>
 inline constexpr Encoding lastOf<Encoding> = Encoding::hex;
 
+inline void fields(Wire& w, TextSamples& s) { w(s.type, s.count); }
 inline void fields(Wire& w, VolumeName& n) { w(n.timePoint, n.bValue, n.label); }
 
 inline void fields(Wire& w, SampleData& d) {

@@ -141,7 +141,7 @@ void TestWorkers::sameWithoutWorkers() {
   const Outcome inWorkers = runProgram(words),
                 here = runProgram(words + QStringList{QStringLiteral("--in-process")});
   QCOMPARE(inWorkers.status, 0);
-  QVERIFY(inWorkers.out.contains("good") && inWorkers.out.contains("16 MiB"));
+  QVERIFY(inWorkers.out.contains("good") && inWorkers.out.contains("64 MiB"));
   QCOMPARE(inWorkers.out, here.out);
 }
 

@@ -102,7 +102,7 @@ inline Buffer nested(const char* vr, bool explicitVr, int levels) {
 }
 
 inline Buffer deflateBomb() {
-  const Buffer zeros(64 << 20);
+  const Buffer zeros(128 << 20);
   Buffer packed(1 << 20);
   z_stream z{};
   deflateInit2(&z, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);

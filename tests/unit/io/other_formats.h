@@ -90,6 +90,14 @@ inline QByteArray vtk(const QByteArray& replace = {}, const QByteArray& by = {})
   return h + samples();
 }
 
+/// The same as text.
+inline QByteArray vtkText() {
+  QByteArray text = vtk("BINARY", "ASCII");
+  text.truncate(text.indexOf("default\n") + 8);
+  for (int n = 1; n <= 24; ++n) text += QByteArray::number(n) + (n % 9 == 0 ? '\n' : ' ');
+  return text;
+}
+
 inline QByteArray gzipped(const QByteArray& plain) {
   QByteArray packed(qsizetype(compressBound(uLong(plain.size())) + 64), '\0');
   z_stream stream{};

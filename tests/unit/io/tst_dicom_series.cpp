@@ -24,6 +24,8 @@ class TestDicomSeries : public QObject {
   void largeGapsSplit();
   void shearIsKept();
   void copiesAreLeftOut();
+  void otherValuesAreNoCopy();
+  void echoTimesAreNumbers();
   void picturesOfOnePlaceAreSplit_data();
   void picturesOfOnePlaceAreSplit();
   void orientationsAreSplit();
@@ -197,6 +199,38 @@ void TestDicomSeries::copiesAreLeftOut() {
   QCOMPARE(study.volumes.size(), std::size_t(1));
   QCOMPARE(study.volumes[0].acquired.size.z, 3);
   QVERIFY(warns(study.volumes[0].warnings, "copy"));
+}
+
+// One of them was rescaled by another program.
+void TestDicomSeries::otherValuesAreNoCopy() {
+  const DicomFolder folder;
+  for (const char* slope : {"1", "2"}) {
+    DicomPicture picture = sliceAt(0, 7);
+    picture.edit = [slope](DcmDataset& data) {
+      data.putAndInsertString(DCM_SOPInstanceUID, "1.2.3.4");
+      data.putAndInsertString(DCM_RescaleSlope, slope);
+      data.putAndInsertString(DCM_RescaleIntercept, "0");
+    };
+    folder.add(std::string("slope") + slope, picture);
+  }
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(2));
+  for (const Series& series : study.volumes) QVERIFY(!warns(series.warnings, "copy"));
+}
+
+// The same number with other digits is the same echo.
+void TestDicomSeries::echoTimesAreNumbers() {
+  const DicomFolder folder;
+  const char* times[] = {"22", "22.0000", "22.0", "+22"};
+  for (int n = 0; n < 4; ++n) {
+    DicomPicture picture = sliceAt(n, n);
+    picture.edit = [&](DcmDataset& data) { data.putAndInsertString(DCM_EchoTime, times[n]); };
+    folder.add(numbered("s", n), picture);
+  }
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  QCOMPARE(study.volumes[0].acquired.size.z, 4);
+  QCOMPARE(study.volumes[0].echoTime, std::string("22"));
 }
 
 void TestDicomSeries::picturesOfOnePlaceAreSplit_data() {

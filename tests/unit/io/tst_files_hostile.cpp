@@ -210,6 +210,12 @@ void TestFilesHostile::isRefused_data() {
            "sizes: 3 3 2\nkinds: RGB-color domain domain\nspace directions: none"),
       "colour image");
 
+  for (const char* kind : {"RGBA", "RGBAcolor", "rgbcolor", "RGB", "HSV-color", "XYZ", "3-color", "4color"})
+    row((std::string("nrrd: ") + kind).c_str(), "a.nrrd",
+        nrrd(samples(18), "sizes: 4 3 2\nspace directions: (1,0,0)",
+             QByteArray("sizes: 3 3 2\nkinds: ") + kind + " domain domain\nspace directions: none"),
+        "colour image");
+
   row("meta: local data short", "a.mha", meta(samples(23)), "too short");
   row("meta: broken zlib", "a.mha", meta(samples(24), "ElementType", "CompressedData = True\nElementType"),
       "damaged");

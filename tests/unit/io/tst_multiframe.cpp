@@ -1,5 +1,6 @@
 // Guards design.md 7 and import.md: multi-frame pictures whose geometry is shared, numbered or missing,
 // mapped to real world values, spread over files; and how volumes of one place are named.
+#include "io/frames.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/io/dicom_frames.h"
 #include "tests/unit/suite.h"
@@ -64,6 +65,8 @@ class TestMultiframe : public QObject {
   void framesAreStacked();
   void framesWithoutOrderAreAnImage_data();
   void framesWithoutOrderAreAnImage();
+  void whatNoGroupSaysTheDataSetSays_data();
+  void whatNoGroupSaysTheDataSetSays();
   void dimensionsTellVolumesApart();
   void realWorldValuesStandInForARescale_data();
   void realWorldValuesStandInForARescale();
@@ -148,6 +151,59 @@ void TestMultiframe::framesWithoutOrderAreAnImage() {
   QCOMPARE(study.images[0].notVolume,
            std::string("several frames without a position each: cannot be shown in 3D."));
   QCOMPARE(study.images[0].frames, frames);
+}
+
+void TestMultiframe::whatNoGroupSaysTheDataSetSays_data() {
+  QTest::addColumn<Edit>("edit");
+  QTest::addColumn<QList<float>>("values");
+  const QList<float> stored{0, 1, 2, 3};
+  const auto groups = [](DcmDataset& d) {
+    sharePlane(d);
+    for (int n = 0; n < frames; ++n) placeAt(d, n, 2 * n);
+  };
+  QTest::newRow("rescale") << Edit([groups](DcmDataset& d) {
+    groups(d);
+    d.putAndInsertString(DCM_RescaleSlope, "10");
+    d.putAndInsertString(DCM_RescaleIntercept, "-5");
+  }) << QList<float>{-5, 5, 15, 25};
+  QTest::newRow("rescale, which a group says otherwise") << Edit([groups](DcmDataset& d) {
+    groups(d);
+    d.putAndInsertString(DCM_RescaleSlope, "10");
+    DcmItem& item = group(d, -1, DCM_PixelValueTransformationSequence);
+    item.putAndInsertString(DCM_RescaleSlope, "2");
+    item.putAndInsertString(DCM_RescaleIntercept, "0");
+  }) << QList<float>{0, 2, 4, 6};
+  QTest::newRow("pixel spacing") << Edit([](DcmDataset& d) {
+    group(d, -1, DCM_PlaneOrientationSequence)
+        .putAndInsertString(DCM_ImageOrientationPatient, "1\\0\\0\\0\\1\\0");
+    for (int n = 0; n < frames; ++n) placeAt(d, n, 2 * n);
+    d.putAndInsertString(DCM_PixelSpacing, "0.5\\0.7");
+  }) << stored;
+  QTest::newRow("orientation") << Edit([](DcmDataset& d) {
+    group(d, -1, DCM_PixelMeasuresSequence).putAndInsertString(DCM_PixelSpacing, "0.5\\0.7");
+    for (int n = 0; n < frames; ++n) placeAt(d, n, 2 * n);
+    d.putAndInsertString(DCM_ImageOrientationPatient, "1\\0\\0\\0\\1\\0");
+  }) << stored;
+}
+
+// As in multi-frame secondary captures (PS3.3 C.8.6.3); in the volume and in the frame as acquired.
+void TestMultiframe::whatNoGroupSaysTheDataSetSays() {
+  QFETCH(Edit, edit);
+  QFETCH(QList<float>, values);
+  const DicomFolder folder;
+  folder.add("f", enhanced(edit));
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  const Series& series = study.volumes[0];
+  QCOMPARE(series.acquired.size, glm::ivec3(4, 3, 4));
+  QCOMPARE(series.acquired.spacing(), glm::dvec3(0.7, 0.5, 2));
+  const auto loaded = loadSeries(series);
+  QVERIFY2(loaded.ok(), loaded.ok() ? "" : loaded.message().c_str());
+  const std::vector<float> first = firstOfEachSlice(*loaded->acquired);
+  QCOMPARE(QList<float>(first.begin(), first.end()), values);
+  const auto frame = loadFrame(series, 3);
+  QVERIFY2(frame.ok(), frame.ok() ? "" : frame.message().c_str());
+  QCOMPARE(frame->values.at(0), values[3]);
 }
 
 // Two places, at each two pictures that only a dimension tells apart.

@@ -16,6 +16,8 @@ class TestOtherFormats : public QObject {
  private Q_SLOTS:
   void isRead_data();
   void isRead();
+  void bytesAreSignedOrNot_data();
+  void bytesAreSignedOrNot();
   void directionsOfMgh();
   void missingSpacingIsNotCalibrated_data();
   void missingSpacingIsNotCalibrated();
@@ -25,6 +27,7 @@ class TestOtherFormats : public QObject {
   void isRefused();
   void otherFormatsAreNamed_data();
   void otherFormatsAreNamed();
+  void gzippedDicomIsNamed();
   void everyCutIsRefused_data();
   void everyCutIsRefused();
   void everyMutationEndsWell_data();
@@ -69,6 +72,12 @@ void TestOtherFormats::isRead_data() {
   row("VTK", "a.vtk", vtk(), "VTK");
   row("VTK without a lookup table", "a.vtk", vtk("LOOKUP_TABLE default\n", ""), "VTK");
   row("VTK with an aspect ratio", "a.vtk", vtk("SPACING", "ASPECT_RATIO"), "VTK");
+  row("VTK with a blank line", "a.vtk", vtk("BINARY", "\nBINARY"), "VTK");
+  row("VTK in small letters", "a.vtk",
+      vtk().replace("DIMENSIONS", "dimensions").replace("SCALARS", "scalars"), "VTK");
+  row("VTK as text", "a.vtk", vtkText(), "VTK");
+  row("VTK as text with more behind it", "a.vtk",
+      vtkText() + "\nMETADATA\nINFORMATION 0\n\nSCALARS other short 1\nLOOKUP_TABLE default\n1 2 3\n", "VTK");
   row("MRC", "a.mrc", mrc(), "MRC");
   row("MRC, big endian", "a.map", mrc(true), "MRC");
   row("MRC with an extended header", "a.mrc",
@@ -95,6 +104,39 @@ void TestOtherFormats::isRead() {
   const auto loaded = loadImageFile(series);
   QVERIFY2(loaded.ok(), loaded.ok() ? "" : loaded.message().c_str());
   for (std::size_t n = 0; n < 24; ++n) QCOMPARE(loaded->acquired->valueAt(n), float(n + 1));
+}
+
+void TestOtherFormats::bytesAreSignedOrNot_data() {
+  QTest::addColumn<QByteArray>("content");
+  QTest::addColumn<float>("value");  // of a byte 0xf0
+  const auto bytes = [](const Change& change) {
+    QByteArray file = mrc(false, change).left(1024);
+    put<std::int32_t>(file, 12, 0, false);
+    return file + QByteArray(24, char(0xf0));
+  };
+  const auto imod = [&](std::int32_t flags) {
+    return bytes([flags](QByteArray& h) {
+      put<std::int32_t>(h, 152, 1146047817, false), put<std::int32_t>(h, 156, flags, false);
+    });
+  };
+  const auto range = [&](float least, float most) {
+    return bytes([least, most](QByteArray& h) { put(h, 76, least, false), put(h, 80, most, false); });
+  };
+  QTest::newRow("MRC2014") << bytes({}) << -16.f;
+  QTest::newRow("IMOD says signed") << imod(1) << -16.f;
+  QTest::newRow("IMOD says unsigned") << imod(0) << 240.f;
+  QTest::newRow("0 to 255") << range(0, 255) << 240.f;
+  QTest::newRow("0 to 100") << range(0, 100) << -16.f;
+  QTest::newRow("-16 to 127") << range(-16, 127) << -16.f;
+  QTest::newRow("a largest value of no byte") << range(0, 1000) << -16.f;
+}
+
+void TestOtherFormats::bytesAreSignedOrNot() {
+  QFETCH(QByteArray, content);
+  QFETCH(float, value);
+  const auto loaded = load(QStringLiteral("a.mrc"), content);
+  QVERIFY2(loaded.ok(), loaded.ok() ? "" : loaded.message().c_str());
+  QCOMPARE(loaded->acquired->valueAt(0), value);
 }
 
 void TestOtherFormats::directionsOfMgh() {
@@ -248,6 +290,17 @@ void TestOtherFormats::otherFormatsAreNamed() {
   QVERIFY(!found.ok());
   QVERIFY2(found.message().find(says.toStdString() + " file, which volumen does not read; convert it to") !=
                std::string::npos,
+           found.message().c_str());
+}
+
+void TestOtherFormats::gzippedDicomIsNamed() {
+  QByteArray dicom(128, '\0');
+  put<std::int32_t>(dicom, 0, 348, false);  // Siemens' preamble begins as a NIfTI header does
+  const std::string path = write(QStringLiteral("a.dcm.gz"), gzipped(dicom + "DICM" + QByteArray(600, '\0')));
+  QVERIFY(looksLikeImageFile(path));
+  const auto found = readImageFileHeaders(path);
+  QVERIFY(!found.ok());
+  QVERIFY2(found.message().ends_with("is a gzipped DICOM file, which volumen does not read; unpack it."),
            found.message().c_str());
 }
 
