@@ -1,6 +1,7 @@
 #include "io/dicom/scan.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace volumen::dicom {
@@ -39,7 +40,7 @@ struct Open {
 class Pass {
  public:
   Pass(Bytes head, std::uint64_t offset, std::uint64_t fileSize, Encoding encoding)
-      : head_(head), at_(offset), begin_(offset), fileSize_(fileSize), encoding_(encoding) {}
+      : head_(head), at_(offset), fileSize_(fileSize), encoding_(encoding) {}
 
   Result<DataSetScan> run() {
     while (!finished()) {
@@ -105,16 +106,8 @@ class Pass {
     lastTag_ = tagAt(head_, at_, encoding().bigEndian);
     if (lastTag_ >> 16 == 0xfffe) return delimiter();
     if (!open_.empty() && open_.back().kind != Open::item) return fail("stands where an item must stand");
-    if (isPadding()) return skip(8);
     if (lastTag_ >> 16 == 0) return fail("belongs to group 0000, which no data set may hold");
     return element();
-  }
-
-  /// An empty (0000,0000) in front of all: pydicom puts one there where zeros stood behind the last element.
-  bool isPadding() const {
-    const auto bytes = head_.subspan(std::size_t(at_), 8);
-    return scan_.elements.empty() && at_ == begin_ &&
-           std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; });
   }
 
   Status delimiter() {
@@ -198,7 +191,7 @@ class Pass {
   }
 
   Bytes head_;
-  std::uint64_t at_, begin_, fileSize_;
+  std::uint64_t at_, fileSize_;
   Encoding encoding_;
   std::uint32_t lastTag_ = 0;
   std::vector<Open> open_;
@@ -238,6 +231,11 @@ Result<MetaHeader> scanMeta(Bytes head, std::uint64_t fileSize) {
     }
     at = begin + length;
   }
+  // pydicom puts an empty (0000,0000) in front where zeros stood behind the last element.
+  constexpr std::array<std::uint8_t, 8> empty{};
+  if (meta.magic && at + 8 <= end &&
+      std::equal(empty.begin(), empty.end(), head.begin() + std::ptrdiff_t(at)))
+    at += 8;
   meta.dataSet = at;
   return meta;
 }

@@ -26,6 +26,7 @@ class TestDicomSeries : public QObject {
   void copiesAreLeftOut();
   void otherValuesAreNoCopy();
   void echoTimesAreNumbers();
+  void anEmptyElementInFrontIsPassedOver();
   void picturesOfOnePlaceAreSplit_data();
   void picturesOfOnePlaceAreSplit();
   void orientationsAreSplit();
@@ -231,6 +232,19 @@ void TestDicomSeries::echoTimesAreNumbers() {
   QCOMPARE(study.volumes.size(), std::size_t(1));
   QCOMPARE(study.volumes[0].acquired.size.z, 4);
   QCOMPARE(study.volumes[0].echoTime, std::string("22"));
+}
+
+// As pydicom writes a file again behind whose last element zeros stood.
+void TestDicomSeries::anEmptyElementInFrontIsPassedOver() {
+  const DicomFolder folder;
+  folder.add("a", sliceAt(0, 7));
+  std::vector<std::uint8_t> bytes = readAll(folder.path("a"));
+  const std::size_t meta = bytes[140] + 256u * bytes[141];  // (0002,0000), the length of all behind it
+  bytes.insert(bytes.begin() + std::ptrdiff_t(144 + meta), 8, 0);
+  writeAll(folder.path("a"), bytes);
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  QCOMPARE(firstOfEachSlice(*loadSeries(study.volumes[0])->acquired), (std::vector<float>{7}));
 }
 
 void TestDicomSeries::picturesOfOnePlaceAreSplit_data() {
