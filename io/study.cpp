@@ -170,7 +170,11 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
 
 Result<Study> openFolders(const std::string& path, const std::vector<std::string>& folders,
                           const Progress& progress, const CancelToken& cancel) {
-  const Result<std::string> place = pathOnDisk(path, userCacheFolder(), cancel);
+  Result<std::string> place = pathOnDisk(path, userCacheFolder(), cancel);
+  if (place && isZipArchive(*place)) {
+    const Result<UnpackedArchive> archive = unpackZip(*place, userCacheFolder(), cancel);
+    place = archive ? Result<std::string>(archive->folder) : archive.error();
+  }
   if (!place) return place.error();
   std::set<std::string> files;
   for (const std::string& folder : folders) {

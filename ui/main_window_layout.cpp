@@ -14,6 +14,7 @@
 #include "ui/panels/study_browser.h"
 #include "ui/preferences_dialog.h"
 #include "ui/views/view_grid.h"
+#include "ui/widgets/banner.h"
 #include "ui/widgets/fold_title.h"
 #include "ui/workspace/text.h"
 
@@ -105,6 +106,7 @@ void MainWindow::applyPreferences(const Preferences& before, const Preferences& 
   if (before.hideNames == after.hideNames) return;
   studies_->showNames();
   browser_->showNames();
+  banner_->refresh();
   showPatients();
   showNames();
 }

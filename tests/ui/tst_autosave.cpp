@@ -257,7 +257,7 @@ void TestAutosave::theWindowNeverWaitsForIt() {
     series.path = "/nowhere/" + std::to_string(n);
     w = withSeries(std::move(w), n % 2 ? sceneViewId : firstComparedId, series, {});
   }
-  for (auto& [key, state] : w.series) state.missing = SeriesProof{};
+  for (auto& [key, state] : w.series) state.missing = MissingSeries{};
   session.open({}, w);
   QVERIFY(isKept(1));
   const Gap usual = longestGap();

@@ -12,7 +12,8 @@ namespace volumen {
 MissingObjects missingOf(const Workspace& workspace, const std::vector<ReferencePtr>& open) {
   MissingObjects missing;
   for (const auto& [key, state] : workspace.series)
-    if (state.missing) missing.series.push_back({*state.series, {}, *state.missing});
+    if (state.missing)
+      missing.series.push_back({*state.series, {}, state.missing->folders, state.missing->proof});
   for (const UsedReference& used : referencesOf(workspace)) {
     const auto isIt = [&](const ReferencePtr& object) { return keyOf(*object) == used.key; };
     if (std::ranges::none_of(open, isIt)) missing.references.push_back({used.key, {}, used.kind});

@@ -3,7 +3,9 @@
 #include <QDir>
 #include <QFileInfo>
 #include <map>
+#include <set>
 
+#include "io/archive.h"
 #include "io/files/output_file.h"
 #include "io/files/session_file.h"
 #include "ui/controller/find_saved.h"
@@ -21,8 +23,16 @@ std::string folderOf(const std::string& path) {
 // Looks for series and objects that refer to pictures, opening each path once.
 class Search {
  public:
-  Search(std::string folder, const Progress& progress, const CancelToken& cancel)
-      : folder_(std::move(folder)), progress_(progress), cancel_(cancel) {}
+  Search(std::string folder, const std::vector<SavedSeries>& all, const Progress& progress,
+         const CancelToken& cancel)
+      : folder_(std::move(folder)), progress_(progress), cancel_(cancel) {
+    for (const SavedSeries& saved : all)
+      for (const std::string& path : placesOf(saved.relativePath, saved.series.path)) {
+        Wanted& wanted = wanted_[path];
+        wanted.whole |= saved.folders.empty();
+        for (const SavedFolder& part : saved.folders) wanted.folders.insert(part.path);
+      }
+  }
 
   std::shared_ptr<const Series> operator()(const SavedSeries& saved) {
     const Series* changed = nullptr;
@@ -41,7 +51,7 @@ class Search {
     for (const std::string& path : paths)
       for (const auto& [opened, place] : places_)
         if (const Reference* found = place.study ? findSaved(*place.study, saved) : nullptr)
-          if (found->path == path) return keyOf(*found);
+          if (lastingPath(found->path) == path) return keyOf(*found);
     for (const std::string& path : paths)
       if (const Place& place = placeAt(path); place.study)
         if (const Reference* found = findSaved(*place.study, saved)) return keyOf(*found);
@@ -65,6 +75,12 @@ class Search {
     std::vector<Series> series;
   };
 
+  // What of a path is searched: all that is below it, or files directly in folders.
+  struct Wanted {
+    bool whole = false;
+    std::set<std::string> folders;
+  };
+
   std::vector<std::string> placesOf(const std::string& relativePath, const std::string& path) const {
     std::vector<std::string> places;
     if (!relativePath.empty())
@@ -78,11 +94,18 @@ class Search {
     const auto [at, isNew] = places_.try_emplace(path);
     Place& place = at->second;
     if (!isNew || cancel_.cancelled()) return place;
-    if (Result<Study> study = openStudy(path, progress_, cancel_)) {
+    if (Result<Study> study = opened(path)) {
       place.series = allSeriesOf(*study);
       place.study = std::make_shared<const Study>(std::move(*study));
     }
     return place;
+  }
+
+  Result<Study> opened(const std::string& path) const {
+    const auto wanted = wanted_.find(path);
+    if (wanted == wanted_.end() || wanted->second.whole) return openStudy(path, progress_, cancel_);
+    const std::set<std::string>& folders = wanted->second.folders;
+    return openFolders(path, {folders.begin(), folders.end()}, progress_, cancel_);
   }
 
   // The volumes of one series would be told once each.
@@ -113,6 +136,7 @@ class Search {
   const std::string folder_;
   const Progress& progress_;
   const CancelToken& cancel_;
+  std::map<std::string, Wanted> wanted_;
   std::map<std::string, Place> places_;
 };
 
@@ -123,8 +147,13 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
   const auto text = sessionText(path);
   if (!text) return text.error();
   // Nothing is looked for before all of it is known to be right.
-  if (const auto right = sessionFromJson(*text, {}); !right) return Error{path + ": " + right.message()};
-  Search search(folderOf(path), progress, cancel);
+  std::vector<SavedSeries> all;
+  const auto list = [&](const SavedSeries& saved) {
+    all.push_back(saved);
+    return std::shared_ptr<const Series>();
+  };
+  if (const auto right = sessionFromJson(*text, list); !right) return Error{path + ": " + right.message()};
+  Search search(folderOf(path), all, progress, cancel);
   auto session = sessionFromJson(*text, std::ref(search),
                                  [&](const SavedReference& saved) { return search.findObject(saved); });
   if (cancel.cancelled()) return Error{path + ": interrupted."};

@@ -1,6 +1,8 @@
 #include "ui/data/series_proof.h"
 
 #include <QCryptographicHash>
+#include <filesystem>
+#include <set>
 
 namespace volumen {
 
@@ -24,6 +26,19 @@ std::string sizeText(glm::ivec3 size) {
 
 SeriesProof proofOf(const Series& series) {
   return {series.acquired, series.valueType, int(series.files.size()), hashOf(series.sopInstanceUids)};
+}
+
+std::vector<SavedFolder> foldersOf(const Series& series) {
+  namespace fs = std::filesystem;
+  constexpr std::size_t most = 1000;
+  std::set<std::string> names;
+  for (const std::string& file : series.files)
+    if (file != series.path)
+      names.insert(fs::path(file).parent_path().lexically_relative(series.path).string());
+  if (names.size() > most || names == std::set<std::string>{"."}) return {};
+  std::vector<SavedFolder> folders;
+  for (const std::string& name : names) folders.push_back({name});
+  return folders;
 }
 
 std::string changeText(const SeriesProof& before, const SeriesProof& now) {

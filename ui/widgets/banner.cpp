@@ -2,6 +2,8 @@
 
 #include <QHBoxLayout>
 
+#include "ui/workspace/hidden_paths.h"
+
 namespace volumen {
 
 Banner::Banner(QWidget* parent)
@@ -44,8 +46,9 @@ Banner::Banner(QWidget* parent)
 }
 
 void Banner::tell(const QString& sentence, const QStringList& details) {
-  sentence_->setText(sentence);
-  details_->setPlainText(details.join(QLatin1Char('\n')));
+  told_ = sentence;
+  toldDetails_ = details;
+  refresh();
   more_->setVisible(!details.isEmpty());
   more_->setChecked(false);
   offer_->hide();
@@ -53,12 +56,16 @@ void Banner::tell(const QString& sentence, const QStringList& details) {
   show();
 }
 
+void Banner::refresh() {
+  sentence_->setText(withoutPaths(told_));
+  details_->setPlainText(withoutPaths(toldDetails_.join(QLatin1Char('\n'))));
+}
+
 void Banner::add(const QString& sentence, const QStringList& details) {
   if (isHidden()) return tell(sentence, details);
-  if (sentence_->text().contains(sentence)) return;
-  const QStringList before = details_->toPlainText().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  if (told_.contains(sentence)) return;
   const bool isOffered = !offer_->isHidden();
-  tell(sentence_->text() + QLatin1Char('\n') + sentence, before + details);
+  tell(told_ + QLatin1Char('\n') + sentence, toldDetails_ + details);
   offer_->setVisible(isOffered);
 }
 

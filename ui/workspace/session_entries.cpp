@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/archive.h"
 #include "ui/workspace/moved.h"
 
 namespace volumen {
@@ -12,9 +13,23 @@ std::string relativeTo(const std::string& folder, const std::string& path) {
 }
 
 SeriesEntry entryOf(const SeriesState& state, const std::string& folder) {
-  const SeriesProof proof = state.missing ? *state.missing : proofOf(*state.series);
-  const bool isFile = state.series->format != "phantom";
-  return {{*state.series, isFile ? relativeTo(folder, state.series->path) : std::string(), proof}, state};
+  const Series& series = *state.series;
+  const MissingSeries known = state.missing.value_or(MissingSeries{proofOf(series), foldersOf(series)});
+  SeriesEntry entry{{series, {}, known.folders, known.proof}, state};
+  if (series.format == "phantom") return entry;
+  std::string& path = entry.saved.series.path;
+  path = lastingPath(path);
+  entry.saved.relativePath = relativeTo(folder, path);
+  return entry;
+}
+
+Workspace withLastingReferences(Workspace workspace) {
+  for (const UsedReference& used : referencesOf(workspace)) {
+    const std::string path = lastingPath(used.key.path);
+    if (path != used.key.path)
+      workspace = withReferenceMoved(std::move(workspace), used.key, {path, used.key.id});
+  }
+  return workspace;
 }
 
 Workspace withReferencesFound(Workspace workspace, const std::vector<SavedReference>& listed,
@@ -34,7 +49,7 @@ SeriesState stateOf(SeriesEntry entry, const FindSeries& find) {
   entry.saved.series.valueType = entry.saved.proof.valueType;
   entry.state.series = find ? find(entry.saved) : nullptr;
   if (entry.state.series) return entry.state;
-  entry.state.missing = entry.saved.proof;
+  entry.state.missing = {entry.saved.proof, entry.saved.folders};
   entry.state.series = std::make_shared<const Series>(std::move(entry.saved.series));
   return entry.state;
 }

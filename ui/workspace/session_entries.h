@@ -16,6 +16,9 @@ struct SeriesEntry {
 /// A path as it is told from a folder.
 std::string relativeTo(const std::string& folder, const std::string& path);
 
+/// With the objects in use named by paths under which they are found another day (lastingPath).
+Workspace withLastingReferences(Workspace workspace);
+
 /// How a session that is to lie in `folder` names a series.
 SeriesEntry entryOf(const SeriesState& state, const std::string& folder);
 

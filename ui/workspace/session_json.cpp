@@ -8,6 +8,7 @@
 #include "ui/workspace/session_check.h"
 #include "ui/workspace/session_entries.h"
 #include "ui/workspace/session_fields.h"
+#include "ui/workspace/session_words.h"
 
 namespace volumen {
 
@@ -18,43 +19,6 @@ constexpr std::size_t mostMiB = 8;
 
 constexpr Limits lengths{-1e9, 1e9};   // mm
 constexpr Limits values{-1e33, 1e33};  // volumes hold up to 1e30
-
-const Words<ViewKind> kindWords{{"volume", ViewKind::volume},
-                                {"axial", ViewKind::axial},
-                                {"coronal", ViewKind::coronal},
-                                {"sagittal", ViewKind::sagittal},
-                                {"frames", ViewKind::frames}};
-const Words<SlabMode> slabWords{{"max", SlabMode::max}, {"min", SlabMode::min}, {"mean", SlabMode::mean}};
-const Words<ReferenceKind> regionWords{{"contours", ReferenceKind::contours},
-                                       {"segmentation", ReferenceKind::segmentation}};
-const Words<ReferenceKind> referenceWords{{"presentation", ReferenceKind::presentation},
-                                          {"contours", ReferenceKind::contours},
-                                          {"segmentation", ReferenceKind::segmentation}};
-const Words<Aim> aimWords{{"level", Aim::level}, {"time", Aim::time}, {"error", Aim::error}};
-
-Words<Layout> namedLayouts() {
-  Words<Layout> words;
-  for (const Layout layout : {Layout::one, Layout::planes, Layout::besidePlanes, Layout::two, Layout::four})
-    words.emplace_back(layoutName(layout), layout);
-  return words;
-}
-
-Words<Quality> namedQualities() {
-  Words<Quality> words;
-  for (const Quality q : {Quality::draft, Quality::standard, Quality::high, Quality::exact})
-    words.emplace_back(qualityName(q), q);
-  return words;
-}
-
-Words<ColourMap> namedColourMaps() {
-  Words<ColourMap> words;
-  for (const ColourMap map : colourMaps()) words.emplace_back(colourMapName(map), map);
-  return words;
-}
-
-const Words<ColourMap> colourWords = namedColourMaps();
-const Words<Layout> layoutWords = namedLayouts();
-const Words<Quality> qualityWords = namedQualities();
 
 }  // namespace
 
@@ -116,9 +80,15 @@ void fields(Fields& f, SeriesState& s) {
 }
 
 template <class Fields>
+void fields(Fields& f, SavedFolder& folder) {
+  f("path", folder.path);
+}
+
+template <class Fields>
 void fields(Fields& f, SeriesEntry& s) {
   f("path", s.saved.series.path);
   f("relativePath", s.saved.relativePath);
+  f("folders", s.saved.folders);
   f("id", s.saved.series.id);
   f("format", s.saved.series.format);
   f("seriesUid", s.saved.series.seriesUid);
@@ -345,13 +315,13 @@ Result<std::string> sessionToJson(const Workspace& workspace, const std::string&
     numbers.add(*state.series);
   }
   int written = version;
-  Workspace copy = workspace;
+  Workspace copy = withLastingReferences(workspace);
   std::string of = savedAs;
   write("volumenSession", written, {version, version});
   write("series", entries);
   fields(write, copy);
   std::vector<SavedReference> references;
-  for (const UsedReference& used : referencesOf(workspace))
+  for (const UsedReference& used : referencesOf(copy))
     references.push_back({used.key, relativeTo(folder, used.key.path), used.kind});
   if (!references.empty()) write("references", references);
   if (!savedAs.empty()) write("savedAs", of);

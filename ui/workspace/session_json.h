@@ -10,8 +10,9 @@ namespace volumen {
 
 /// What a session says of one of its series, to find it again.
 struct SavedSeries {
-  Series series;             ///< what names it; path as it was
-  std::string relativePath;  ///< from the session's folder; empty: of what is no file (phantoms)
+  Series series;  ///< what names it; path as it was, where it lay in an archive below that (lastingPath)
+  std::string relativePath;          ///< from the session's folder; empty: of what is no file (phantoms)
+  std::vector<SavedFolder> folders;  ///< that hold its files, where these do not lie directly in `path`
   SeriesProof proof;
 };
 

@@ -75,7 +75,7 @@ struct SeriesState {
   int namedGrey = 0;             ///< of frames without such a window: which of the file's own
   ColourMap colours = ColourMap::grey;
   /// What a session knows of a series that was not found again: it is not loaded, `series` only names it.
-  std::optional<SeriesProof> missing;
+  std::optional<MissingSeries> missing;
   bool operator==(const SeriesState& o) const {
     return sameValue(series, o.series) && mask == o.mask && window == o.window && namedGrey == o.namedGrey &&
            colours == o.colours && missing == o.missing;

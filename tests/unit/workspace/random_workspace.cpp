@@ -67,12 +67,14 @@ SeriesState anySeries(Chance& chance, int n) {
   SeriesState state;
   Series series = namedSeries(chance, n);
   if (chance.oneIn(3)) {
-    state.missing = SeriesProof{series.acquired, series.valueType, chance.below(900), anyText(chance)};
+    state.missing = {{series.acquired, series.valueType, chance.below(900), anyText(chance)}, {}};
+    for (int folder = chance.below(3); folder > 0; --folder)
+      state.missing->folders.push_back({anyText(chance)});
   } else {
     series.patientName = "Doe^Jane";
     series.warnings.emplace_back("Gantry tilt.", WarningKind::sheared);
     for (int file = chance.below(4); file > 0; --file) {
-      series.files.push_back(series.path + "/" + std::to_string(file));
+      series.files.push_back(series.path + (chance.oneIn(3) ? "/part/" : "/") + std::to_string(file));
       series.sopInstanceUids.push_back("2.25.9." + std::to_string(chance.below(1000)));
     }
   }

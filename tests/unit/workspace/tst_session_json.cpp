@@ -121,7 +121,8 @@ void TestSessionJson::seriesThatAreNotFoundAreKeptAsMissing() {
   for (const auto& [key, state] : back->workspace.series) {
     QVERIFY(state.missing);
     const SeriesState& was = w.series.at(key);
-    QVERIFY(*state.missing == (was.missing ? *was.missing : proofOf(*was.series)));
+    QVERIFY(*state.missing ==
+            was.missing.value_or(MissingSeries{proofOf(*was.series), foldersOf(*was.series)}));
   }
   // Saved again, nothing of what proves it is lost.
   QVERIFY(*sessionToJson(back->workspace, folder, "/data/s.volumen") == text);

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "ui/workspace/session_fields.h"
+#include "ui/workspace/workspace.h"
+
+// The words that stand for enumerators in a session.
+namespace volumen {
+
+inline const Words<ViewKind> kindWords{{"volume", ViewKind::volume},
+                                       {"axial", ViewKind::axial},
+                                       {"coronal", ViewKind::coronal},
+                                       {"sagittal", ViewKind::sagittal},
+                                       {"frames", ViewKind::frames}};
+inline const Words<SlabMode> slabWords{
+    {"max", SlabMode::max}, {"min", SlabMode::min}, {"mean", SlabMode::mean}};
+inline const Words<ReferenceKind> regionWords{{"contours", ReferenceKind::contours},
+                                              {"segmentation", ReferenceKind::segmentation}};
+inline const Words<ReferenceKind> referenceWords{{"presentation", ReferenceKind::presentation},
+                                                 {"contours", ReferenceKind::contours},
+                                                 {"segmentation", ReferenceKind::segmentation}};
+inline const Words<Aim> aimWords{{"level", Aim::level}, {"time", Aim::time}, {"error", Aim::error}};
+
+inline Words<Layout> namedLayouts() {
+  Words<Layout> words;
+  for (const Layout layout : {Layout::one, Layout::planes, Layout::besidePlanes, Layout::two, Layout::four})
+    words.emplace_back(layoutName(layout), layout);
+  return words;
+}
+
+inline Words<Quality> namedQualities() {
+  Words<Quality> words;
+  for (const Quality q : {Quality::draft, Quality::standard, Quality::high, Quality::exact})
+    words.emplace_back(qualityName(q), q);
+  return words;
+}
+
+inline Words<ColourMap> namedColourMaps() {
+  Words<ColourMap> words;
+  for (const ColourMap map : colourMaps()) words.emplace_back(colourMapName(map), map);
+  return words;
+}
+
+inline const Words<ColourMap> colourWords = namedColourMaps();
+inline const Words<Layout> layoutWords = namedLayouts();
+inline const Words<Quality> qualityWords = namedQualities();
+
+}  // namespace volumen
