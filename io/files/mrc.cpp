@@ -53,6 +53,7 @@ Status setMrcGeometry(const HeaderNumbers& n, const std::vector<std::uint64_t>& 
     seen |= 1 << axis;
     const std::size_t at = 4 * std::size_t(axis - 1);
     const double length = n.at<float>(40 + at), intervals = n.at<std::int32_t>(28 + at);
+    if (a == 2 && sizes[2] == 1 && length == 0) continue;  // setGeometry() gives it a thickness and says so
     if (!(length > 0) || !(intervals > 0)) return setNominalGeometry(image, sizes, path);
     glm::dvec3 step(0);
     step[axis - 1] = length / intervals * mm;

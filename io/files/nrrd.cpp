@@ -138,7 +138,11 @@ Result<GridAxes> gridAxes(const NrrdHeader& header, const std::optional<std::vec
     const auto timeOnly = [](const std::vector<double>& v) {
       return v.size() == 4 && v[0] == 0 && v[1] == 0 && v[2] == 0;
     };
-    isGrid[a] = directions ? (*directions)[a] && !timeOnly(*(*directions)[a]) : isVolumeKind(kinds[a]);
+    const auto nothing = [&](const std::vector<double>& v) {  // in place of "none", in files that ITK wrote
+      return !isVolumeKind(kinds[a]) && std::ranges::all_of(v, [](double x) { return std::abs(x) < 1e-30; });
+    };
+    const auto inSpace = [&](const std::vector<double>& v) { return !timeOnly(v) && !nothing(v); };
+    isGrid[a] = directions ? (*directions)[a] && inSpace(*(*directions)[a]) : isVolumeKind(kinds[a]);
     if (!isGrid[a] && header.sizes[a] > 1)
       if (Status s = refuseKind(kinds[a], path); !s) return s.error();
   }

@@ -312,6 +312,11 @@ void TestFilesFormats::axesOfTimeAreVolumes_data() {
   QTest::newRow("last, by nothing") << QByteArray("sizes: 2 2 2 3\n") << 1;
   QTest::newRow("last, none")
       << QByteArray("sizes: 2 2 2 3\nspace: LPS\nspace directions: (1,0,0) (0,1,0) (0,0,1) none\n") << 1;
+  QTest::newRow("first, with a direction of nothing")
+      << QByteArray(
+             "sizes: 3 2 2 2\nspace: LPS\nspace directions: (2e-303,2e-303,2e-303) (1,0,0) (0,1,0) (0,0,1)\n"
+             "kinds: vector domain domain domain\n")
+      << 3;
   QTest::newRow("first, by its direction in time")
       << QByteArray(
              "sizes: 3 2 2 2\nspace: LPST\nspace directions: (0,0,0,1) (1,0,0,0) (0,1,0,0) (0,0,1,0)\n")

@@ -19,6 +19,7 @@ class TestOtherFormats : public QObject {
   void bytesAreSignedOrNot_data();
   void bytesAreSignedOrNot();
   void directionsOfMgh();
+  void aSectionWithoutThickness();
   void missingSpacingIsNotCalibrated_data();
   void missingSpacingIsNotCalibrated();
   void furtherAxesAreVolumes_data();
@@ -149,6 +150,22 @@ void TestOtherFormats::directionsOfMgh() {
   QCOMPARE(g.patientFromVoxelStep[2], glm::dvec3(0, -3, 0));
   // Voxel (2, 1.5, 1), half of each size, lies at the centre (10, 20, 30) RAS.
   QCOMPARE(g.patientFromVoxel(glm::dvec3(2, 1.5, 1)), glm::dvec3(-10, -20, 30));
+}
+
+// One section that has no length of its own.
+void TestOtherFormats::aSectionWithoutThickness() {
+  const QByteArray file = mrc(false, [](QByteArray& h) {
+                            put<std::int32_t>(h, 8, 1, false), put(h, 48, 0.f, false);
+                          }).left(1024 + 24);
+  const auto loaded = load(QStringLiteral("a.mrc"), file);
+  QVERIFY2(loaded.ok(), loaded.ok() ? "" : loaded.message().c_str());
+  const VoxelGeometry& g = loaded->acquired->geometry();
+  QCOMPARE(g.size, glm::ivec3(4, 3, 1));
+  QVERIFY(g.calibrated);
+  QVERIFY(std::abs(g.spacing().x - 1) < 1e-5 && std::abs(g.spacing().y - 2) < 1e-5);
+  QVERIFY(std::ranges::any_of(loaded->warnings, [](const Warning& w) {
+    return w.sentence.find("unknown thickness") != std::string::npos;
+  }));
 }
 
 void TestOtherFormats::missingSpacingIsNotCalibrated_data() {
