@@ -26,6 +26,7 @@
 #include "ui/widgets/offer_bar.h"
 #include "ui/widgets/start_page.h"
 #include "ui/widgets/status_line.h"
+#include "ui/workspace/hidden_paths.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 
@@ -85,6 +86,7 @@ MainWindow::~MainWindow() {
 void MainWindow::makeCentre() {
   grid_ = new ViewGrid(session_, slices_, frames_, measurer_, references_);
   banner_ = new Banner;
+  banner_->setWriting(withoutPaths);
   offer_ = new OfferBar;
   start_ = new StartPage;
   pages_ = new QStackedWidget;

@@ -2,8 +2,6 @@
 
 #include <QHBoxLayout>
 
-#include "ui/workspace/hidden_paths.h"
-
 namespace volumen {
 
 Banner::Banner(QWidget* parent)
@@ -57,8 +55,8 @@ void Banner::tell(const QString& sentence, const QStringList& details) {
 }
 
 void Banner::refresh() {
-  sentence_->setText(withoutPaths(told_));
-  details_->setPlainText(withoutPaths(toldDetails_.join(QLatin1Char('\n'))));
+  sentence_->setText(writing_(told_));
+  details_->setPlainText(writing_(toldDetails_.join(QLatin1Char('\n'))));
 }
 
 void Banner::add(const QString& sentence, const QStringList& details) {

@@ -4,11 +4,11 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QToolButton>
+#include <functional>
 
 namespace volumen {
 
-/// A sentence over the view, with all its details on demand; stays until it is closed or replaced. While names
-/// are hidden (hideNames) the paths in it are, too.
+/// A sentence over the view, with all its details on demand; stays until it is closed or replaced.
 class Banner : public QFrame {
   Q_OBJECT
  public:
@@ -20,7 +20,9 @@ class Banner : public QFrame {
   /// With a button for something to do about what it says, until it says something else.
   void offer(const QString& text);
   QString sentence() const { return sentence_->text(); }
-  /// After names were hidden or shown.
+  /// How what is told is written, such as without the paths in it. Asked whenever it is told, and by
+  /// refresh().
+  void setWriting(std::function<QString(const QString&)> writing) { writing_ = std::move(writing); }
   void refresh();
 
  Q_SIGNALS:
@@ -28,6 +30,7 @@ class Banner : public QFrame {
   void accepted();
 
  private:
+  std::function<QString(const QString&)> writing_ = [](const QString& told) { return told; };
   QString told_;
   QStringList toldDetails_;
   QLabel* sentence_;
