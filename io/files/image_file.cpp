@@ -35,7 +35,7 @@ std::optional<Reader> readerOf(const std::string& path) {
   constexpr std::size_t enough = 540;
   auto head = readHead(path, enough);
   if (!head || isDicom(*head)) return {};
-  if (head->starts_with("NRRD000")) return nrrd;
+  if (isNrrdHead(*head)) return nrrd;
   if (head->starts_with("ObjectType = Image") || head->starts_with("NDims = ")) return metaImage;
   if (head->starts_with("\x1f\x8b"))
     if (auto inside = readDecompressedHead(path, enough)) *head = *inside;

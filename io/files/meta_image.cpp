@@ -31,7 +31,7 @@ Result<MetaHeader> parse(const std::string& head, const std::string& path) {
   header.rest = head;
   while (!header.rest.empty()) {
     const std::string_view line = takeLine(header.rest);
-    const std::size_t equals = line.find('=');
+    const std::size_t equals = line.find_first_of("=:");
     if (trimmed(line).empty()) continue;
     if (equals == std::string_view::npos)
       return Error{path + " has a header line that is not 'Name = value': '" + fieldText(line) + "'."};
@@ -54,7 +54,10 @@ std::optional<SampleType> sampleType(const std::string& name) {
       {"MET_CHAR", int8},       {"MET_UCHAR", uint8},       {"MET_SHORT", int16},   {"MET_USHORT", uint16},
       {"MET_INT", int32},       {"MET_UINT", uint32},       {"MET_LONG", int32},    {"MET_ULONG", uint32},
       {"MET_LONG_LONG", int64}, {"MET_ULONG_LONG", uint64}, {"MET_FLOAT", float32}, {"MET_DOUBLE", float64}};
-  const auto found = types.find(name);
+  // Vectors of several channels.
+  constexpr std::string_view array = "_ARRAY";
+  const bool isArray = name.ends_with(array);
+  const auto found = types.find(isArray ? name.substr(0, name.size() - array.size()) : name);
   if (found == types.end()) return {};
   return found->second;
 }

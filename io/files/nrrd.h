@@ -19,6 +19,9 @@ struct NrrdHeader {
   std::string field(const std::string& name) const;
 };
 
+/// Whether a file begins as a NRRD file does.
+bool isNrrdHead(const std::string& head);
+
 /// Parses the header of `path` (attached or detached) and finds its data files.
 Result<NrrdHeader> readNrrdFields(const std::string& path);
 

@@ -72,10 +72,18 @@ struct HeaderText {
   bool ended = false;        // by an empty line
 };
 
+}  // namespace
+
+bool isNrrdHead(const std::string& head) {
+  return head.starts_with("NRRD000") || head.starts_with("NRRD00.01");  // the second: of the first version
+}
+
+namespace {
+
 Result<HeaderText> readText(const std::string& path) {
   auto head = readHead(path, mostHeaderBytes);
   if (!head) return head.error();
-  if (head->rfind("NRRD000", 0) != 0)
+  if (!isNrrdHead(*head))
     return Error{path + " is not a NRRD file: it does not begin with NRRD000 and a version."};
   std::size_t end = head->find("\n\n"), blank = 2;
   if (const std::size_t crlf = head->find("\n\r\n"); crlf < end) end = crlf, blank = 3;

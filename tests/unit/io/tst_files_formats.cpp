@@ -89,6 +89,8 @@ void TestFilesFormats::samplesAreFound_data() {
   row("nrrd text", "a.nrrd", nrrd + "encoding: text\n\n" + text);
   row("nrrd hex", "a.nrrd", nrrd + "encoding: hex\n\n" + hex);
   row("nrrd hex, capitals", "a.nrrd", nrrd + "encoding: hex\n\n" + hex.toUpper());
+  row("nrrd of the first version", "a.nrrd",
+      QByteArray(nrrd + "encoding: hex\n\n" + hex).replace(0, nrrd.indexOf('\n'), "NRRD00.01"));
   row("nrrd gzip", "a.nrrd", nrrd + "encoding: gz\n\n" + zlibbed(data));
   row("nrrd bzip2", "a.nrrd", nrrd + "encoding: bzip2\n\n" + bzipped(data));
   write(QStringLiteral("packed.bz2"), bzipped("xyz" + data));
@@ -105,6 +107,10 @@ void TestFilesFormats::samplesAreFound_data() {
   row("nrrd pattern", "a.nhdr", nrrd + "encoding: raw\ndata file: part.%02d 9 10 1\n");
   row("meta local", "a.mha", meta + "ElementDataFile = LOCAL\n" + data);
   row("meta, CRLF", "a.mha", QByteArray(meta + "ElementDataFile = LOCAL\n").replace("\n", "\r\n") + data);
+  row("meta with colons", "a.mha",
+      QByteArray(meta + "ElementDataFile = LOCAL\n").replace(" = ", ": ") + data);
+  row("meta of an array", "a.mha",
+      QByteArray(meta + "ElementDataFile = LOCAL\n").replace("UCHAR", "UCHAR_ARRAY") + data);
   row("meta zlib", "a.mha", meta + "CompressedData = True\nElementDataFile = LOCAL\n" + zlibbed(data));
   row("meta text", "a.mha", meta + "BinaryData = False\nElementDataFile = LOCAL\n" + text);
   row("meta file", "a.mhd", meta + "ElementDataFile = whole.raw\n");
