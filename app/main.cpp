@@ -100,7 +100,7 @@ void readFramesUpTo(double megapixels) {
 }
 
 // Slices come and go by the hundred, in workers, too, which inherit this. Given back to the system in
-// between, their memory costs more than a third of the time that a compressed series takes (performance.md).
+// between, their memory costs a fifth of the time that a compressed series takes (performance.md).
 void keepFreedMemory() {
   constexpr int mebibyte = 1 << 20;
   mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);

@@ -224,19 +224,21 @@ std::string lastingPath(const std::string& path) {
   return path;
 }
 
-Result<std::string> pathOnDisk(const std::string& path, const std::string& cacheFolder,
-                               const CancelToken& cancel) {
+Result<PathOnDisk> pathOnDisk(const std::string& path, const std::string& cacheFolder,
+                              const CancelToken& cancel) {
   std::error_code error;
   fs::path archive = path;
   while (archive.has_relative_path() && !fs::exists(archive, error)) archive = archive.parent_path();
-  if (archive == path || !isZipArchive(archive.string())) return path;
-  if (path == archive.string() + "/") return archive.string();
-  const Result<UnpackedArchive> unpacked = unpackZip(archive.string(), cacheFolder, cancel);
+  if (!isZipArchive(archive.string())) return PathOnDisk{path, false, {}};
+  Result<UnpackedArchive> unpacked = unpackZip(archive.string(), cacheFolder, cancel);
   if (!unpacked) return unpacked.error();
-  const std::string name = path.substr(archive.string().size() + 1);
+  const std::string behind = path.substr(archive.string().size());
+  if (behind.empty() || behind == "/")
+    return PathOnDisk{unpacked->folder, true, std::move(unpacked->leftOut)};
+  const std::string name = behind.substr(1);
   const auto place = placeOf(name, unpacked->folder);
   if (!place || !fs::exists(*place, error)) return Error{archive.string() + " holds no " + name + "."};
-  return place->string();
+  return PathOnDisk{place->string(), true, {}};
 }
 
 }  // namespace volumen

@@ -29,9 +29,16 @@ Result<UnpackedArchive> unpackZip(const std::string& path, const std::string& ca
 /// its archive, "/home/ann/study.zip/CT/1.dcm". Any other path as it is.
 std::string lastingPath(const std::string& path);
 
-/// Where a path lies on disk: one that leads into an archive (lastingPath) where that is unpacked, which is
-/// done here; any other as it is. An Error as of unpackZip(), or where the archive holds no such file.
-Result<std::string> pathOnDisk(const std::string& path, const std::string& cacheFolder,
-                               const CancelToken& cancel);
+/// Where a path lies on disk.
+struct PathOnDisk {
+  std::string path;
+  bool unpacked = false;                                     ///< it is an archive, or leads into one
+  std::vector<std::pair<std::string, std::string>> leftOut;  ///< of a whole archive, as of UnpackedArchive
+};
+
+/// Of an archive, and of a path that leads into one (lastingPath), where it is unpacked, which is done here;
+/// of any other path itself. An Error as of unpackZip(), or where the archive holds no such file.
+Result<PathOnDisk> pathOnDisk(const std::string& path, const std::string& cacheFolder,
+                              const CancelToken& cancel);
 
 }  // namespace volumen

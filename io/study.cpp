@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <set>
 #include <tuple>
 #include <unordered_set>
 
@@ -114,18 +113,14 @@ std::string folderOf(const std::string& path) {
 /// The files that a path stands for: itself or what is below it; all below its folder where it is a DICOMDIR;
 /// what is in it where it is a zip archive, or the part of one that it leads into.
 Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
-  const Result<std::string> place = pathOnDisk(path, userCacheFolder(), cancel);
+  const Result<PathOnDisk> place = pathOnDisk(path, userCacheFolder(), cancel);
   if (!place) return place.error();
-  if (isZipArchive(*place)) {
-    const Result<UnpackedArchive> archive = unpackZip(*place, userCacheFolder(), cancel);
-    if (!archive) return archive.error();
-    Result<FoundFiles> found = findFiles(archive->folder, cancel, Links::inside);
-    for (const auto& [name, reason] : archive->leftOut)
-      if (found) found->unreadable.emplace_back(path + "/" + name, reason);
-    return found;
-  }
-  if (dicom::isDirectoryFile(*place)) return findFiles(folderOf(*place), cancel, Links::inside);
-  return findFiles(*place, cancel, *place == path ? Links::all : Links::inside);
+  const bool listed = dicom::isDirectoryFile(place->path);
+  Result<FoundFiles> found = findFiles(listed ? folderOf(place->path) : place->path, cancel,
+                                       listed || place->unpacked ? Links::inside : Links::all);
+  for (const auto& [name, reason] : place->leftOut)
+    if (found) found->unreadable.emplace_back(path + "/" + name, reason);
+  return found;
 }
 
 /// What the headers of all files say, not in order.
@@ -170,20 +165,12 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
 
 Result<Study> openFolders(const std::string& path, const std::vector<std::string>& folders,
                           const Progress& progress, const CancelToken& cancel) {
-  Result<std::string> place = pathOnDisk(path, userCacheFolder(), cancel);
-  if (place && isZipArchive(*place)) {
-    const Result<UnpackedArchive> archive = unpackZip(*place, userCacheFolder(), cancel);
-    place = archive ? Result<std::string>(archive->folder) : archive.error();
-  }
+  const Result<PathOnDisk> place = pathOnDisk(path, userCacheFolder(), cancel);
   if (!place) return place.error();
-  std::set<std::string> files;
-  for (const std::string& folder : folders) {
-    std::error_code error;
-    const std::filesystem::path at = (std::filesystem::path(*place) / folder).lexically_normal();
-    for (std::filesystem::directory_iterator it(at, error), end; !error && it != end; it.increment(error))
-      if (std::error_code unknown; it->is_regular_file(unknown)) files.insert(it->path().string());
-  }
-  return openFiles({files.begin(), files.end()}, progress, cancel);
+  std::vector<std::string> there;
+  for (const std::string& folder : folders)
+    there.push_back((std::filesystem::path(place->path) / folder).lexically_normal().string());
+  return openFiles(filesDirectlyIn(there), progress, cancel);
 }
 
 Result<Study> openFiles(const std::vector<std::string>& files, const Progress& progress,

@@ -136,10 +136,9 @@ struct Study {
 using Progress = std::function<void(const char* what, std::size_t done, std::size_t total)>;
 
 /// What is under `path`: a file, a folder (nested; links followed, each file once), a DICOMDIR (all below its
-/// folder; no links out of it), a zip archive (unpacked until the program ends) or what is in one ("a.zip/CT"),
-/// or "phantom:NAME[:SIZE]".
-/// Reads headers only. An Error where there is no such path; what cannot be loaded is in `refused` with its
-/// reason.
+/// folder; no links out of it), a zip archive (unpacked until the program ends) or what is in one
+/// ("a.zip/CT"), or "phantom:NAME[:SIZE]". Reads headers only. An Error where there is no such path; what
+/// cannot be loaded is in `refused` with its reason.
 Result<Study> openStudy(const std::string& path, const Progress& progress = {},
                         const CancelToken& cancel = {});
 

@@ -69,4 +69,16 @@ Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel,
   return found;
 }
 
+std::vector<std::string> filesDirectlyIn(const std::vector<std::string>& folders) {
+  std::vector<std::string> files;
+  Visited visited;
+  struct stat status {};
+  std::error_code unreadable;
+  for (const std::string& folder : folders)
+    for (const std::string& path : entries(folder, unreadable))
+      if (::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && visited.firstTime(status))
+        files.push_back(path);
+  return files;
+}
+
 }  // namespace volumen

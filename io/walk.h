@@ -24,4 +24,8 @@ enum class Links { all, inside };  ///< inside: those that stay below its path
 /// An Error where there is no such path.
 Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel, Links links = Links::all);
 
+/// The regular files that lie directly in these folders, each once; links are followed. Folders that cannot
+/// be read hold none.
+std::vector<std::string> filesDirectlyIn(const std::vector<std::string>& folders);
+
 }  // namespace volumen

@@ -29,9 +29,7 @@ class FrameScopes {
 
   /// The scope that holds the attributes of this functional group.
   DataSet::Scope of(std::uint32_t group) const {
-    if (!isEnhanced_) return root_;
-    const std::optional<DataSet::Scope> item = itemOf(group);
-    return item ? *item : data_->root();
+    return isEnhanced_ ? itemOf(group).value_or(data_->root()) : root_;
   }
   /// The same of what the data set itself cannot say of each frame; an empty scope where there is no such
   /// group.

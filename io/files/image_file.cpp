@@ -58,23 +58,23 @@ std::optional<Reader> readerOf(const std::string& path) {
   return {};
 }
 
-// A format that is known and not read; empty where it is none.
+// A format that is known and not read, and what to do: the rest of a sentence; empty where it is none.
 std::string unreadFormatOf(const std::string& path) {
   constexpr std::size_t enough = 132;
   const auto head = readHead(path, enough);
   if (!head || isDicom(*head)) return {};
   if (head->starts_with("\x1f\x8b"))
     if (const auto inside = readDecompressedHead(path, enough); inside && isDicom(*inside))
-      return "gzipped DICOM";
-  return unreadFormat({*head, lowerCase(path)});
+      return "gzipped DICOM file, which volumen does not read; unpack it";
+  const std::string format = unreadFormat({*head, lowerCase(path)});
+  return format.empty() ? format : format + " file, which volumen does not read; convert it to NIfTI or NRRD";
 }
 
 Result<ImageHeader> readHeader(const std::string& path) {
   if (const auto reader = readerOf(path)) return reader->read(path);
   if (auto file = DataFile::open(path); !file) return file.error();
   if (const std::string format = unreadFormatOf(path); !format.empty())
-    return Error{path + " is a " + format + " file, which volumen does not read; " +
-                 (format == "gzipped DICOM" ? "unpack it." : "convert it to NIfTI or NRRD.")};
+    return Error{path + " is a " + format + "."};
   return Error{path + " is not a NRRD, NIfTI or MetaImage file."};
 }
 

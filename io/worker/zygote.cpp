@@ -27,7 +27,7 @@ void endWith(pid_t maker) {
 }
 
 /// What prepareToServe() was called for.
-enum class Prepared { headers, all };
+enum class Prepared { nothing, headers, all };
 
 [[noreturn]] void becomeWorker(pid_t maker, int socket, int buffer, Prepared prepared) {
   endWith(maker);
@@ -45,7 +45,7 @@ void obey(Message& order, pid_t self, Prepared& prepared) {
     }
   } else if (order.topic == Topic::fork && order.files.size() == 2) {
     const Prepared wanted = order.first == 1 ? Prepared::all : Prepared::headers;
-    if (prepared < wanted) prepareToServe(true);
+    if (prepared < wanted) prepareToServe(wanted == Prepared::all);
     prepared = std::max(prepared, wanted);
     const pid_t worker = ::fork();
     if (worker == 0) becomeWorker(self, order.files[0].get(), order.files[1].get(), prepared);
@@ -59,8 +59,7 @@ void obey(Message& order, pid_t self, Prepared& prepared) {
   clearenv();
   setenv("TZ", "UTC0", 1);  // without it every conversion of a time looks at a file
   const pid_t self = getpid();
-  prepareToServe(false);  // while the program starts
-  Prepared prepared = Prepared::headers;
+  Prepared prepared{};
   Message order;
   while (receiveMessage(socket, order, true) == Transfer::done) {
     obey(order, self, prepared);

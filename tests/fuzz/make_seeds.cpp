@@ -9,6 +9,7 @@
 #include "io/worker/dicom_fields.h"
 #include "tests/unit/io/dicom_objects.h"
 #include "tests/unit/io/dicom_writer.h"
+#include "tests/unit/io/gzipped.h"
 #include "tests/unit/io/other_formats.h"
 #include "tests/unit/render/random_scenes.h"
 #include "tests/unit/workspace/random_workspace.h"

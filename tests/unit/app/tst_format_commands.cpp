@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 
 #include "tests/fixtures/program.h"
+#include "tests/unit/io/gzipped.h"
 #include "tests/unit/io/other_formats.h"
 #include "tests/unit/suite.h"
 

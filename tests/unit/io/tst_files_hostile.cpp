@@ -3,7 +3,6 @@
 #include <bzlib.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <zlib.h>
 
 #include <QDir>
 #include <QFile>
@@ -14,26 +13,13 @@
 
 #include "io/files/image_file.h"
 #include "tests/fixtures/cpu_timer.h"
+#include "tests/unit/io/gzipped.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
+using tests::gzipped;
 
 namespace {
-
-QByteArray gzip(const QByteArray& plain) {
-  QByteArray packed(qsizetype(compressBound(uLong(plain.size())) + 64), '\0');
-  z_stream stream{};
-  constexpr int gzipWindow = 15 + 16;
-  deflateInit2(&stream, 9, Z_DEFLATED, gzipWindow, 8, Z_DEFAULT_STRATEGY);
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(plain.data()));
-  stream.avail_in = uInt(plain.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = uInt(packed.size());
-  deflate(&stream, Z_FINISH);
-  packed.resize(qsizetype(stream.total_out));
-  deflateEnd(&stream);
-  return packed;
-}
 
 QByteArray bzip2(QByteArray plain) {
   QByteArray packed(plain.size() / 100 + 1000, '\0');
@@ -138,8 +124,8 @@ void TestFilesHostile::isRefused_data() {
     QTest::newRow(title) << QString::fromLatin1(name) << content << QString::fromLatin1(says);
   };
   row("nrrd: raw data short by one", "a.nrrd", nrrd(samples(23)), "too short");
-  row("nrrd: gzip cut off", "a.nrrd", nrrd(gzip(samples(24)).chopped(10), "raw", "gzip"), "cut off");
-  row("nrrd: gzip without its checksum", "a.nrrd", nrrd(gzip(samples(24)).chopped(8), "raw", "gzip"),
+  row("nrrd: gzip cut off", "a.nrrd", nrrd(gzipped(samples(24)).chopped(10), "raw", "gzip"), "cut off");
+  row("nrrd: gzip without its checksum", "a.nrrd", nrrd(gzipped(samples(24)).chopped(8), "raw", "gzip"),
       "cut off");
   row("nrrd: bzip2 cut off", "a.nrrd", nrrd(bzip2(samples(24)).chopped(10), "raw", "bzip2"), "cut off");
   row("nrrd: bzip2 holds less", "a.nrrd", nrrd(bzip2(samples(23)), "raw", "bzip2"), "end after 23 bytes");
@@ -149,14 +135,14 @@ void TestFilesHostile::isRefused_data() {
   row("nrrd: its own data file", "a.nhdr", nrrd({}, "encoding", "data file: a.nhdr\nencoding"),
       "the header itself");
   row("meta: its own data file", "a.mhd", meta({}, "LOCAL", "a.mhd"), "the header itself");
-  row("nrrd: gzip holds less", "a.nrrd", nrrd(gzip(samples(23)), "raw", "gzip"), "fewer samples");
+  row("nrrd: gzip holds less", "a.nrrd", nrrd(gzipped(samples(23)), "raw", "gzip"), "fewer samples");
   row("nrrd: gzip that is none", "a.nrrd", nrrd(samples(24), "raw", "gzip"), "damaged");
   row("nrrd: sizes beyond 64 bits", "a.nrrd", nrrd(samples(24), "4 3 2", "4294967296 4294967296 4294967296"),
       "axis of 4294967296");
   row("nrrd: 10^18 samples", "a.nrrd", nrrd(samples(24), "4 3 2", "1000000 1000000 1000000"), "MiB");
   row("nrrd: large sizes, little data", "a.nrrd", nrrd(samples(24), "4 3 2", "1000 1000 500"), "too short");
   row("nrrd: large sizes, little gzip", "a.nrrd",
-      nrrd(gzip(samples(24)), "4 3 2\n", "1000 1000 500\n").replace("raw", "gzip"), "too short");
+      nrrd(gzipped(samples(24)), "4 3 2\n", "1000 1000 500\n").replace("raw", "gzip"), "too short");
   row("nrrd: size 0", "a.nrrd", nrrd(samples(24), "4 3 2", "4 0 2"), "sizes");
   row("nrrd: size negative", "a.nrrd", nrrd(samples(24), "4 3 2", "4 -3 2"), "sizes");
   row("nrrd: dimension 100", "a.nrrd", nrrd(samples(24), "dimension: 3", "dimension: 100"), "dimension");
@@ -248,7 +234,7 @@ void TestFilesHostile::isRefused_data() {
     row(title, "a.nii", nifti(24, [=](QByteArray& h) { put(h, place, value); }), says);
   };
   row("nifti: data short by one", "a.nii", nifti(23), "too short");
-  row("nifti: gzip cut off", "a.nii.gz", gzip(nifti(24)).chopped(12), "cut off");
+  row("nifti: gzip cut off", "a.nii.gz", gzipped(nifti(24)).chopped(12), "cut off");
   spoiled("nifti: vox_offset NaN", 108, notANumber, "vox_offset");
   spoiled("nifti: vox_offset infinite", 108, std::numeric_limits<float>::infinity(), "vox_offset");
   spoiled("nifti: vox_offset 1e30", 108, 1e30f, "vox_offset");
@@ -303,13 +289,13 @@ void TestFilesHostile::soundFileIsNot_data() {
   QTest::addColumn<QString>("name");
   QTest::addColumn<QByteArray>("content");
   QTest::newRow("nrrd") << QStringLiteral("s.nrrd") << nrrd(samples(24));
-  QTest::newRow("nrrd gzip") << QStringLiteral("s.nrrd") << nrrd(gzip(samples(24)), "raw", "gzip");
+  QTest::newRow("nrrd gzip") << QStringLiteral("s.nrrd") << nrrd(gzipped(samples(24)), "raw", "gzip");
   QTest::newRow("nrrd bzip2") << QStringLiteral("s.nrrd") << nrrd(bzip2(samples(24)), "raw", "bzip2");
   QTest::newRow("nrrd text") << QStringLiteral("s.nrrd") << nrrd(repeated("7 ", 24), "raw", "text");
   QTest::newRow("nrrd hex") << QStringLiteral("s.nrrd") << nrrd(repeated("07", 24), "raw", "hex");
   QTest::newRow("meta") << QStringLiteral("s.mha") << meta(samples(24));
   QTest::newRow("nifti") << QStringLiteral("s.nii") << nifti(24);
-  QTest::newRow("nifti gzip") << QStringLiteral("s.nii.gz") << gzip(nifti(24));
+  QTest::newRow("nifti gzip") << QStringLiteral("s.nii.gz") << gzipped(nifti(24));
 }
 
 void TestFilesHostile::soundFileIsNot() {

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "io/regular_file.h"
-#include "io/worker/batches.h"
+#include "io/worker/call.h"
 #include "io/worker/sandbox.h"
 #include "tests/unit/suite.h"
 #include "tests/unit/worker/processes.h"
@@ -52,30 +52,6 @@ bool bloat(int) {
   while (true) all.emplace_back(std::size_t(16) << 20, 'x');
 }
 bool readsAnother(const std::string& path) { return RegularFile::open(path).ok(); }
-
-/// How often a worker was asked for a file, in memory that workers share with the test.
-std::atomic<int>& timesRead() {
-  static void* const shared =
-      mmap(nullptr, sizeof(std::atomic<int>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  return *static_cast<std::atomic<int>*>(shared);
-}
-const bool isShared = timesRead() == 0;  // before there is a zygote
-
-/// What files hold; "crash" and "loop" are done.
-std::vector<std::string> contents(const std::vector<std::string>& paths) {
-  std::vector<std::string> all;
-  for (const std::string& path : paths) {
-    ++timesRead();
-    const Result<RegularFile> file = RegularFile::open(path);
-    std::vector<std::uint8_t> bytes;
-    if (!file || !file->readUpTo(bytes, 100)) return all;
-    all.emplace_back(bytes.begin(), bytes.end());
-    if (all.back() == "crash") std::abort();
-    if (all.back() == "loop") loop(0);
-    finishStep();
-  }
-  return all;
-}
 
 /// An answer that goes on for ever.
 void flood(Wire& answer, int) {
@@ -210,8 +186,6 @@ class TestWorker : public QObject {
   void killedFromOutside();
   void waitingWorkerKilled();
   void cancelledWhileItHangs();
-  void isNotTriedAgain_data();
-  void isNotTriedAgain();
   void leavesNothingBehind();
 };
 
@@ -354,43 +328,6 @@ void TestWorker::cancelledWhileItHangs() {
   cancel.cancel();
   waiting.join();
   QCOMPARE(failure.load(), Failure::cancelled);
-}
-
-void TestWorker::isNotTriedAgain_data() {
-  QTest::addColumn<QByteArray>("does");
-  QTest::addColumn<QString>("reason");
-  QTest::newRow("crashes") << QByteArray("crash") << QString::fromLatin1(reasonOf(Failure::ended));
-  QTest::newRow("computes for ever") << QByteArray("loop") << QString::fromLatin1(reasonOf(Failure::slow));
-}
-
-// Two of five files cost a worker each, once: then they are refused for the same reason without being read,
-// until they change; and what else is asked of them is done.
-void TestWorker::isNotTriedAgain() {
-  QVERIFY(isShared);
-  QFETCH(QByteArray, does);
-  QFETCH(QString, reason);
-  QTemporaryDir folder;
-  std::vector<std::string> paths;
-  const auto write = [&](std::size_t n, const std::string& text) { std::ofstream(paths[n]) << text; };
-  for (std::size_t n = 0; n < 5; ++n) {
-    paths.push_back(folder.filePath(QString::number(n)).toStdString());
-    write(n, n % 2 == 1 ? does.toStdString() : "good");
-  }
-  const auto refuse = [](const std::string& why) { return why; };
-  const auto readAll = [&] { return forFiles<contents>(paths, "reading", {}, CancelToken(), refuse); };
-  const std::string why = reason.toStdString();
-  const std::vector<std::string> expected{"good", why, "good", why, "good"};
-  QCOMPARE(readAll(), expected);
-  timesRead() = 0;
-  QCOMPARE(readAll(), expected);
-  QCOMPARE(timesRead().load(), 3);
-  Request one{.files = {paths[1]}};
-  Failure failure{};
-  QVERIFY(!isolated<contents>(one, failure, std::vector{paths[1]}).ok());
-  QCOMPARE(timesRead().load(), 3);
-  QCOMPARE(outcomeOf<readsAnother>(paths[1], {.files = {paths[1]}}), Failure::none);
-  write(1, "repaired");
-  QCOMPARE(readAll(), (std::vector<std::string>{"good", "repaired", "good", why, "good"}));
 }
 
 void TestWorker::leavesNothingBehind() {
