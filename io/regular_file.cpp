@@ -66,4 +66,6 @@ Status RegularFile::readUpTo(std::vector<std::uint8_t>& bytes, std::uint64_t len
   return readAll(have, std::span(bytes).subspan(have));
 }
 
+std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
 }  // namespace volumen

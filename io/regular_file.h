@@ -37,4 +37,7 @@ class RegularFile {
   std::uint64_t size_;
 };
 
+/// The last part of a path.
+std::string fileName(const std::string& path);
+
 }  // namespace volumen

@@ -12,6 +12,7 @@
 #include "io/dicom/directory.h"
 #include "io/dicom/import.h"
 #include "io/files/image_file.h"
+#include "io/files/image_pair.h"
 #include "io/files/sample_cache.h"
 #include "io/files/session_file.h"
 #include "io/look.h"
@@ -111,15 +112,18 @@ std::string folderOf(const std::string& path) {
 }
 
 /// The files that a path stands for: itself or what is below it; all below its folder where it is a DICOMDIR;
-/// what is in it where it is a zip archive, or the part of one that it leads into.
+/// what is in it where it is a zip archive, or the part of one that it leads into; the header, too, of
+/// samples that are one half of a pair.
 Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
   const Result<PathOnDisk> place = pathOnDisk(path, userCacheFolder(), cancel);
   if (!place) return place.error();
   const bool listed = dicom::isDirectoryFile(place->path);
   Result<FoundFiles> found = findFiles(listed ? folderOf(place->path) : place->path, cancel,
                                        listed || place->unpacked ? Links::inside : Links::all);
-  for (const auto& [name, reason] : place->leftOut)
-    if (found) found->unreadable.emplace_back(path + "/" + name, reason);
+  if (!found) return found;
+  if (found->files == std::vector{place->path})
+    if (const auto header = headerOfPair(place->path)) found->files.push_back(*header);
+  for (const auto& [name, reason] : place->leftOut) found->unreadable.emplace_back(path + "/" + name, reason);
   return found;
 }
 

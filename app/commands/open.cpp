@@ -32,7 +32,7 @@ bool displayAnswers() {
   const pid_t child = fork();
   if (child < 0) return true;
   if (child == 0) {
-    const int nowhere = open("/dev/null", O_WRONLY);
+    const int nowhere = ::open("/dev/null", O_WRONLY);
     dup2(nowhere, STDERR_FILENO);
     int argc = 1;
     char name[] = "volumen", *argv[] = {name, nullptr};

@@ -21,7 +21,7 @@ namespace volumen {
 
 namespace {
 
-struct Options {
+struct RenderArguments {
   std::string path, series, output, statsFile, errorMap;
   SceneOptions scene;
   MethodOptions method;
@@ -112,7 +112,7 @@ std::string numbered(const std::string& path, int n) {
 
 class Run {
  public:
-  Run(const Options& options, const CancelToken& cancel) : options_(options), cancel_(cancel) {}
+  Run(const RenderArguments& options, const CancelToken& cancel) : options_(options), cancel_(cancel) {}
 
   int operator()() {
     const double begin = wallMs();
@@ -259,7 +259,7 @@ class Run {
   // Beside a scene nothing else is written to stdout, so that a file of it can be read again.
   std::ostream& told() const { return options_.printScene ? std::cerr : std::cout; }
 
-  const Options& options_;
+  const RenderArguments& options_;
   const CancelToken& cancel_;
   VolumePtr volume_;
   std::vector<Warning> warnings_;
@@ -271,7 +271,7 @@ class Run {
 }  // namespace
 
 std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<RenderArguments>();
   addPath(app, o->path)->required();
   addPictureOutput(app, o->output, "The picture: .png (8 bits) or .nrrd (floats, for comparison)");
   addSeries(app, o->series);

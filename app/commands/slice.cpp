@@ -29,7 +29,7 @@ const OptionWords<Interpolation> interpolations{
     {"linear", Interpolation::linear}, {"nearest", Interpolation::nearest}, {"cubic", Interpolation::cubic}};
 
 // As typed.
-struct Options {
+struct SliceOptions {
   std::string path, series, output, plane = "axial", centre, right, down, size, slabMode = "max",
                                     interpolation = "linear", window, presentation;
   std::optional<double> at, mmPerPixel;
@@ -52,7 +52,7 @@ Result<glm::dvec3> readVector(const std::string& option, const std::string& text
   return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
 }
 
-Status readDirections(const Options& options, Asked& asked) {
+Status readDirections(const SliceOptions& options, Asked& asked) {
   if (options.right.empty()) return {};
   const auto right = readVector("--right", options.right), down = readVector("--down", options.down);
   if (!right) return right.error();
@@ -65,7 +65,7 @@ Status readDirections(const Options& options, Asked& asked) {
   return {};
 }
 
-Result<Asked> readOptions(const Options& options) {
+Result<Asked> readOptions(const SliceOptions& options) {
   Asked asked;
   if (!options.centre.empty()) {
     const auto centre = readVector("--centre", options.centre);
@@ -101,7 +101,7 @@ Result<SlicePlane> onIndex(const SlicePlane& plane, const VoxelGeometry& geometr
   return *on;
 }
 
-Result<SlicePlane> makePlane(const Options& options, const Asked& asked, const VoxelGeometry& geometry) {
+Result<SlicePlane> makePlane(const SliceOptions& options, const Asked& asked, const VoxelGeometry& geometry) {
   const NamedPlane name = meaning(planes, options.plane);
   SlicePlane plane = asked.rightAndDown
                          ? planeAlong(geometry, asked.rightAndDown->first, asked.rightAndDown->second)
@@ -146,7 +146,7 @@ QImage greyImage(const SliceValues& slice, const GreyMapping& grey) {
 }
 
 Status writeSlice(const SliceValues& slice, const SlicePlane& plane, const Opened& opened,
-                  const Options& options, const Asked& asked) {
+                  const SliceOptions& options, const Asked& asked) {
   if (isFloatPicture(options.output)) return writeMapNrrd(slice.size, slice.values, options.output);
   const Volume& volume = *opened.loaded.drawn;
   const GreyMapping grey = windowGrey(volume, opened.series.format == "DICOM",
@@ -160,7 +160,7 @@ Status writeSlice(const SliceValues& slice, const SlicePlane& plane, const Opene
 }
 
 // What of the command line cannot be meant, whatever the volume.
-Status checkUsage(const Options& options, const Asked& asked) {
+Status checkUsage(const SliceOptions& options, const Asked& asked) {
   if (options.output.empty() && !options.printPlane)
     return Error{"Missing output file: use -o PICTURE (.png or .nrrd)."};
   if (!options.output.empty())
@@ -178,7 +178,7 @@ Status checkUsage(const Options& options, const Asked& asked) {
   return checkPlane(plane);
 }
 
-int draw(const Options& options, const Asked& asked, const SlicePlane& plane, const Opened& opened,
+int draw(const SliceOptions& options, const Asked& asked, const SlicePlane& plane, const Opened& opened,
          const CancelToken& cancel) {
   if (options.output.empty()) return exitDone;
   const auto slice = resampleSlice(*opened.loaded.drawn, plane, 0, cancel);
@@ -189,7 +189,7 @@ int draw(const Options& options, const Asked& asked, const SlicePlane& plane, co
   return exitDone;
 }
 
-int run(const Options& options, const CancelToken& cancel) {
+int run(const SliceOptions& options, const CancelToken& cancel) {
   const auto asked = readOptions(options);
   if (!asked) return failUsage(asked.message());
   if (Status s = checkUsage(options, *asked); !s) return failUsage(s.message());
@@ -213,7 +213,7 @@ int run(const Options& options, const CancelToken& cancel) {
 }
 
 // Adds what says where the plane lies.
-void addPlane(CLI::App& app, Options& o) {
+void addPlane(CLI::App& app, SliceOptions& o) {
   constexpr double farMm = 1e6;
   std::vector<std::string> names = keys(planes);
   names.emplace_back(framePlane);
@@ -243,7 +243,7 @@ void addPlane(CLI::App& app, Options& o) {
 }  // namespace
 
 std::function<int()> makeSlice(CLI::App& app, const CancelToken& cancel) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<SliceOptions>();
   addPath(app, o->path)->required();
   addPictureOutput(app, o->output, "The picture: .png (8 bits) or .nrrd (floats, before the window)");
   addSeries(app, o->series);

@@ -17,7 +17,7 @@ namespace volumen::dicom {
 namespace {
 
 constexpr std::size_t longestValue = 400, mostNumbers = 64;
-constexpr std::uint32_t itemTag = 0xfffee000, charset = 0x00080005;
+constexpr std::uint32_t charset = 0x00080005;
 
 struct Known {
   std::string name, vr;

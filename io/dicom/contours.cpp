@@ -23,9 +23,9 @@ constexpr std::pair<const char*, Contour::Type> types[] = {
     {"CLOSEDPLANAR_XOR", Contour::Type::closedPlanarXor}};
 
 /// Reads one structure set.
-class Reader {
+class ContourReader {
  public:
-  explicit Reader(const DataSet& data) : data_(data) {}
+  explicit ContourReader(const DataSet& data) : data_(data) {}
 
   StructureSet run() {
     const Scope root = data_.root();
@@ -120,7 +120,7 @@ namespace {
 Result<StructureSet> loadContoursHere(const std::string& path) {
   return dicom::loadObject<StructureSet>(path, ReferenceKind::contours,
                                          [](const dicom::InspectedFile&, const dicom::DataSet& data) {
-                                           return Result<StructureSet>(dicom::Reader(data).run());
+                                           return Result<StructureSet>(dicom::ContourReader(data).run());
                                          });
 }
 

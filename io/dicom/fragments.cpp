@@ -6,7 +6,6 @@ namespace volumen::dicom {
 namespace {
 
 constexpr std::size_t fragmentLimit = 1'000'000;
-constexpr std::uint32_t itemTag = 0xfffee000, sequenceEndTag = 0xfffee0dd;
 
 /// All items of the pixel data; the first is the basic offset table.
 Result<std::vector<Range>> allItems(const RegularFile& file, const Element& pixels) {

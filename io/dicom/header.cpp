@@ -9,6 +9,7 @@
 #include "io/dicom/reference.h"
 #include "io/dicom/stack.h"
 #include "io/frame_limit.h"
+#include "io/regular_file.h"
 
 namespace volumen::dicom {
 namespace {

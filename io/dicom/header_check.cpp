@@ -10,10 +10,6 @@ namespace {
 
 constexpr int mostSide = 65535;
 
-bool isSize(int columns, int rows) {
-  return columns >= 1 && columns <= mostSide && rows >= 1 && rows <= mostSide;
-}
-
 bool areBits(const PixelFormat& f) {
   if (f.kind != PixelFormat::Kind::integer)
     return f.bitsAllocated == (f.kind == PixelFormat::Kind::float32 ? 32 : 64);
@@ -23,19 +19,23 @@ bool areBits(const PixelFormat& f) {
 
 bool isFormat(const PixelFormat& f) {
   const bool pairs = !f.subsampled || (f.samples == 3 && f.columns % 2 == 0);
-  return isSize(f.columns, f.rows) && f.frames >= 1 && f.frames <= frameLimit && areBits(f) &&
+  return isPictureSize(f.columns, f.rows) && f.frames >= 1 && f.frames <= frameLimit && areBits(f) &&
          (f.samples == 1 || f.samples == 3) && (!f.isGrey() || f.samples == 1) && pairs &&
          (!f.bytesInWords || f.bitsAllocated == 8);
 }
 
 bool isMosaic(const Mosaic& m, const PixelFormat& tile) {
   const int across = m.tilesAcross;
-  return isSize(m.columns, m.rows) && across >= 1 && across <= mostSide &&
+  return isPictureSize(m.columns, m.rows) && across >= 1 && across <= mostSide &&
          tile.columns <= m.columns / across && tile.rows <= m.rows / across &&
          tile.frames <= std::int64_t(across) * across && tile.samples == 1;
 }
 
 }  // namespace
+
+bool isPictureSize(int columns, int rows) {
+  return columns >= 1 && columns <= mostSide && rows >= 1 && rows <= mostSide;
+}
 
 bool isConsistent(const FileHeader& header, const std::string& path) {
   const PixelFormat& f = header.format;

@@ -10,7 +10,7 @@ namespace volumen::dicom {
 namespace {
 
 /// A place in the bytes, for OpenJPEG's callbacks.
-struct Reader {
+struct ByteCursor {
   Bytes bytes;
   std::size_t at = 0;
 };
@@ -18,26 +18,26 @@ struct Reader {
 constexpr OPJ_SIZE_T endOfData = OPJ_SIZE_T(-1);
 
 OPJ_SIZE_T readBytes(void* buffer, OPJ_SIZE_T size, void* user) {
-  Reader& reader = *static_cast<Reader*>(user);
-  const std::size_t count = std::min<std::size_t>(size, reader.bytes.size() - reader.at);
+  ByteCursor& cursor = *static_cast<ByteCursor*>(user);
+  const std::size_t count = std::min<std::size_t>(size, cursor.bytes.size() - cursor.at);
   if (count == 0) return endOfData;
-  std::memcpy(buffer, reader.bytes.data() + reader.at, count);
-  reader.at += count;
+  std::memcpy(buffer, cursor.bytes.data() + cursor.at, count);
+  cursor.at += count;
   return count;
 }
 
 OPJ_OFF_T skipBytes(OPJ_OFF_T size, void* user) {
-  Reader& reader = *static_cast<Reader*>(user);
+  ByteCursor& cursor = *static_cast<ByteCursor*>(user);
   if (size < 0) return -1;
-  const std::size_t count = std::min<std::size_t>(std::size_t(size), reader.bytes.size() - reader.at);
-  reader.at += count;
+  const std::size_t count = std::min<std::size_t>(std::size_t(size), cursor.bytes.size() - cursor.at);
+  cursor.at += count;
   return count == 0 && size != 0 ? -1 : OPJ_OFF_T(count);
 }
 
 OPJ_BOOL seekBytes(OPJ_OFF_T position, void* user) {
-  Reader& reader = *static_cast<Reader*>(user);
-  if (position < 0 || std::size_t(position) > reader.bytes.size()) return OPJ_FALSE;
-  reader.at = std::size_t(position);
+  ByteCursor& cursor = *static_cast<ByteCursor*>(user);
+  if (position < 0 || std::size_t(position) > cursor.bytes.size()) return OPJ_FALSE;
+  cursor.at = std::size_t(position);
   return OPJ_TRUE;
 }
 
@@ -45,10 +45,10 @@ using Codec = std::unique_ptr<opj_codec_t, decltype(&opj_destroy_codec)>;
 using Stream = std::unique_ptr<opj_stream_t, decltype(&opj_stream_destroy)>;
 using Image = std::unique_ptr<opj_image_t, decltype(&opj_image_destroy)>;
 
-Stream openStream(Reader& reader) {
+Stream openStream(ByteCursor& cursor) {
   Stream stream(opj_stream_default_create(OPJ_TRUE), &opj_stream_destroy);
-  opj_stream_set_user_data(stream.get(), &reader, nullptr);
-  opj_stream_set_user_data_length(stream.get(), reader.bytes.size());
+  opj_stream_set_user_data(stream.get(), &cursor, nullptr);
+  opj_stream_set_user_data_length(stream.get(), cursor.bytes.size());
   opj_stream_set_read_function(stream.get(), readBytes);
   opj_stream_set_skip_function(stream.get(), skipBytes);
   opj_stream_set_seek_function(stream.get(), seekBytes);
@@ -56,8 +56,8 @@ Stream openStream(Reader& reader) {
 }
 
 Image decodeImage(Bytes bytes) {
-  Reader reader{bytes};
-  const Stream stream = openStream(reader);
+  ByteCursor cursor{bytes};
+  const Stream stream = openStream(cursor);
   const Codec codec(opj_create_decompress(OPJ_CODEC_J2K), &opj_destroy_codec);
   opj_dparameters_t parameters;
   opj_set_default_decoder_parameters(&parameters);

@@ -12,6 +12,8 @@
 #include "io/dicom/parallel.h"
 #include "io/dicom/resample.h"
 #include "io/dicom/series.h"
+#include "io/regular_file.h"
+#include "viewer/volume/buffer.h"
 
 namespace volumen::dicom {
 namespace {
@@ -118,7 +120,7 @@ class SliceDecoder {
     plan_ = plan;
     sliceVoxels_ = slices_[0].file->format.frameSamples();
     values_ = plan.type;
-    std::visit([&](auto& v) { v.resize(sliceVoxels_ * slices_.size()); }, values_);
+    std::visit([&]<class T>(std::vector<T>& v) { v = zeros<T>(sliceVoxels_ * slices_.size()); }, values_);
     std::map<const FileHeader*, std::vector<std::size_t>> byFile;
     for (std::size_t n = 0; n < slices_.size(); ++n) byFile[slices_[n].file].push_back(n);
     const std::vector<std::pair<const FileHeader*, std::vector<std::size_t>>> files(byFile.begin(),

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "io/dicom/header_check.h"
+
 namespace volumen::dicom {
 namespace {
-
-constexpr int mostSide = 65535;
 
 bool isMapping(const NamedGrey& grey) { return grey.mapping.window.width > 0; }
 
@@ -32,7 +32,7 @@ bool isGraphic(const Graphic& g) {
 }  // namespace
 
 bool isConsistent(const Frame& f) {
-  if (std::min(f.size.x, f.size.y) < 1 || std::max(f.size.x, f.size.y) > mostSide) return false;
+  if (!isPictureSize(f.size.x, f.size.y)) return false;
   const std::size_t pixels = std::size_t(f.size.x) * std::size_t(f.size.y);
   const bool grey = f.values.size() == pixels && f.rgb.empty() && !f.greys.empty();
   const bool colour = f.rgb.size() == 3 * pixels && f.values.empty();
@@ -53,7 +53,7 @@ bool isConsistent(const Presentation& p) {
 }
 
 bool isConsistent(const Segmentation& s) {
-  if (std::min(s.size.x, s.size.y) < 1 || std::max(s.size.x, s.size.y) > mostSide) return false;
+  if (!isPictureSize(s.size.x, s.size.y)) return false;
   const std::uint64_t bits = std::uint64_t(s.size.x) * std::uint64_t(s.size.y) * s.frames.size();
   return s.bits.size() >= (bits + 7) / 8 && s.mm.x > 0 && s.mm.y > 0 && s.thickness > 0 &&
          std::ranges::all_of(s.frames, [&](const SegmentFrame& f) { return f.segment < s.segments.size(); });

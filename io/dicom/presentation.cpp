@@ -19,9 +19,9 @@ constexpr const char* grayscaleClasses[] = {"1.2.840.10008.5.1.4.1.1.11.1", "1.2
 constexpr std::size_t mostPoints = 1'000'000;
 
 /// Reads one presentation state.
-class Reader {
+class PresentationReader {
  public:
-  explicit Reader(const DataSet& data) : data_(data) {}
+  explicit PresentationReader(const DataSet& data) : data_(data) {}
 
   Result<Presentation> run(const Reference& object) {
     out_.label = object.label;
@@ -209,7 +209,7 @@ Result<Presentation> loadPresentationHere(const std::string& path) {
         if (std::ranges::find(dicom::grayscaleClasses, object.sopClassUid) ==
             std::end(dicom::grayscaleClasses))
           return Error{"only grayscale presentation states are read; this one is of another kind"};
-        return dicom::Reader(data).run(object);
+        return dicom::PresentationReader(data).run(object);
       });
 }
 

@@ -6,7 +6,7 @@
 namespace volumen::dicom {
 namespace {
 
-constexpr std::uint32_t itemTag = 0xfffee000, instanceUid = 0x00081155;
+constexpr std::uint32_t instanceUid = 0x00081155;
 constexpr int mostFrames = 1'000'000;
 
 /// The series that the items around an element name, the innermost first.

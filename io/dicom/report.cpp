@@ -28,9 +28,9 @@ Code codeAt(const DataSet& data, std::uint32_t tag, Scope item) {
 Code nameOf(const DataSet& data, Scope item) { return codeAt(data, conceptName, item); }
 
 /// Reads one report; content items are walked without recursion.
-class Reader {
+class ReportReader {
  public:
-  explicit Reader(const DataSet& data) : data_(data) {}
+  explicit ReportReader(const DataSet& data) : data_(data) {}
 
   Report run() {
     out_.title = nameOf(data_, data_.root());
@@ -149,7 +149,7 @@ namespace {
 Result<Report> loadReportHere(const std::string& path) {
   return dicom::loadObject<Report>(path, ReferenceKind::report,
                                    [](const dicom::InspectedFile&, const dicom::DataSet& data) {
-                                     return Result<Report>(dicom::Reader(data).run());
+                                     return Result<Report>(dicom::ReportReader(data).run());
                                    });
 }
 

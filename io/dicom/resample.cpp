@@ -6,6 +6,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "viewer/volume/buffer.h"
+
 namespace volumen::dicom {
 namespace {
 
@@ -26,7 +28,7 @@ VoxelValues resampleSlices(const VoxelValues& acquired, std::size_t sliceVoxels,
                            const std::vector<Stack::Source>& sources) {
   return std::visit(
       [&](const auto& values) -> VoxelValues {
-        std::decay_t<decltype(values)> out(sliceVoxels * sources.size());
+        auto out = zeros<typename std::decay_t<decltype(values)>::value_type>(sliceVoxels * sources.size());
         tbb::parallel_for(std::size_t(0), sources.size(), [&](std::size_t k) {
           const auto* below = values.data() + std::size_t(sources[k].below) * sliceVoxels;
           auto* slice = out.data() + k * sliceVoxels;

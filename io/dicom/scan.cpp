@@ -9,7 +9,6 @@ namespace {
 
 constexpr std::size_t depthLimit = 64, elementLimit = 1'000'000;
 constexpr std::uint64_t metaLimit = 1 << 20;
-constexpr std::uint32_t itemTag = 0xfffee000, itemEndTag = 0xfffee00d, sequenceEndTag = 0xfffee0dd;
 
 bool isLetter(std::uint8_t c) { return c >= 'A' && c <= 'Z'; }
 

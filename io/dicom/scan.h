@@ -34,6 +34,8 @@ struct Element {
 };
 
 inline constexpr std::uint64_t undefinedLength = 0xffffffff;
+/// What delimits items and sequences (PS3.5 7.5).
+inline constexpr std::uint32_t itemTag = 0xfffee000, itemEndTag = 0xfffee00d, sequenceEndTag = 0xfffee0dd;
 inline constexpr std::uint16_t vrOf(char a, char b) { return std::uint16_t(a << 8 | b); }
 
 /// What a pass over a data set found.

@@ -27,9 +27,9 @@ std::string meaningAt(const DataSet& data, std::uint32_t tag, Scope item) {
 }
 
 /// Reads one segmentation object.
-class Reader {
+class SegmentationReader {
  public:
-  Reader(const InspectedFile& file, const DataSet& data, const std::string& path)
+  SegmentationReader(const InspectedFile& file, const DataSet& data, const std::string& path)
       : file_(file), data_(data), path_(path) {}
 
   Result<Segmentation> run() {
@@ -204,7 +204,7 @@ namespace {
 Result<Segmentation> loadSegmentationHere(const std::string& path) {
   return dicom::loadObject<Segmentation>(path, ReferenceKind::segmentation,
                                          [&](const dicom::InspectedFile& file, const dicom::DataSet& data) {
-                                           return dicom::Reader(file, data, path).run();
+                                           return dicom::SegmentationReader(file, data, path).run();
                                          });
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "io/dicom/parts.h"
+#include "io/regular_file.h"
 
 namespace volumen::dicom {
 namespace {

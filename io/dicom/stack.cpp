@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "io/regular_file.h"
+
 namespace volumen::dicom {
 namespace {
 
@@ -221,8 +223,6 @@ double lowerMedian(std::vector<double> values) {
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
-
-std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 std::string millimetres(double mm) {
   char text[64];

@@ -39,9 +39,6 @@ std::vector<double> stepsMm(std::span<const PlacedSlice> slices);
 /// The median; the lower of the two in the middle, so that it is a distance that occurs.
 double lowerMedian(std::vector<double> values);
 
-/// The last part of a path.
-std::string fileName(const std::string& path);
-
 /// "1.5", three decimals at most.
 std::string millimetres(double mm);
 

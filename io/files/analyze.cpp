@@ -1,11 +1,10 @@
 // Analyze 7.5: a header of 348 bytes in NAME.hdr, samples in NAME.img.
 #include <cmath>
-#include <filesystem>
 
 #include "io/files/binary_header.h"
-#include "io/files/data_file.h"
 #include "io/files/header_numbers.h"
 #include "io/files/header_text.h"
+#include "io/files/image_pair.h"
 #include "io/files/nifti.h"
 #include "io/files/other_formats.h"
 
@@ -13,7 +12,7 @@ namespace volumen {
 
 namespace {
 
-constexpr std::size_t headerBytes = 348;
+constexpr std::size_t bytesOfAnalyze = 348;
 
 Result<SampleType> analyzeType(int code, const std::string& path) {
   switch (code) {
@@ -37,17 +36,12 @@ Result<SampleType> analyzeType(int code, const std::string& path) {
   }
 }
 
-// The samples stand beside the header, under the same name; compressed or not.
 Status findImage(SampleData& data, double offset, const std::string& path) {
   if (!(offset >= 0 && offset <= 1e12) || offset != std::floor(offset))
     return Error{path + " has the vox_offset " + exactText(offset) + ", which is no place for samples."};
-  std::filesystem::path name = std::filesystem::path(path).filename();
-  if (name.extension() == ".gz") name.replace_extension();
-  name.replace_extension(name.extension() == ".HDR" ? ".IMG" : ".img");
-  auto file = resolveBeside(path, name.string());
-  const auto packed = file ? file : resolveBeside(path, name.string() + ".gz");
-  if (!file && !packed) return file.error();
-  setDataAt(data, *packed, std::uint64_t(offset), !file);
+  const auto samples = samplesOfPair(path);
+  if (!samples) return samples.error();
+  setDataAt(data, samples->path, std::uint64_t(offset), samples->compressed);
   return {};
 }
 
@@ -61,9 +55,10 @@ bool isAnalyze(const FileClaim& file) {
 }
 
 Result<ImageHeader> readAnalyzeHeader(const std::string& path) {
-  const auto header = readBinaryHeader(path, headerBytes);
+  const auto header = readBinaryHeader(path, bytesOfAnalyze);
   if (!header) return header.error();
-  const bool bigEndian = HeaderNumbers{header->head, true}.at<std::int32_t>(0) == std::int32_t(headerBytes);
+  const bool bigEndian =
+      HeaderNumbers{header->head, true}.at<std::int32_t>(0) == std::int32_t(bytesOfAnalyze);
   const HeaderNumbers n{header->head, bigEndian};
   ImageHeader image;
   image.format = "Analyze";

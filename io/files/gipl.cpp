@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-constexpr std::size_t headerBytes = 256, magicPlace = 252;
+constexpr std::size_t bytesOfGipl = 256, giplMagicPlace = 252;
 constexpr std::uint32_t magics[] = {719555000u, 4026526128u};
 
 Result<SampleType> giplType(int code, const std::string& path) {
@@ -39,16 +39,16 @@ Result<SampleType> giplType(int code, const std::string& path) {
 
 bool isGipl(const FileClaim& file) {
   if (file.name.ends_with(".gipl") || file.name.ends_with(".gipl.gz")) return true;
-  if (file.head.size() < headerBytes) return false;
-  const std::uint32_t magic = HeaderNumbers{file.head, true}.at<std::uint32_t>(magicPlace);
+  if (file.head.size() < bytesOfGipl) return false;
+  const std::uint32_t magic = HeaderNumbers{file.head, true}.at<std::uint32_t>(giplMagicPlace);
   return magic == magics[0] || magic == magics[1];
 }
 
 Result<ImageHeader> readGiplHeader(const std::string& path) {
-  const auto header = readBinaryHeader(path, headerBytes);
+  const auto header = readBinaryHeader(path, bytesOfGipl);
   if (!header) return header.error();
   const HeaderNumbers n{header->head, true};
-  const std::uint32_t magic = n.at<std::uint32_t>(magicPlace);
+  const std::uint32_t magic = n.at<std::uint32_t>(giplMagicPlace);
   if (magic != magics[0] && magic != magics[1])
     return Error{path + " is not a GIPL file: its header does not end with GIPL's number."};
   ImageHeader image;
@@ -70,7 +70,7 @@ Result<ImageHeader> readGiplHeader(const std::string& path) {
     origin[int(a)] = n.at<double>(204 + 8 * a);
   }
   if (Status s = setUnorientedGrid(image, *grid, spacings, origin, path); !s) return s.error();
-  setDataAt(image.data, path, headerBytes, header->compressed);
+  setDataAt(image.data, path, bytesOfGipl, header->compressed);
   if (Status s = checkFiles(image.data); !s) return s.error();
   return image;
 }

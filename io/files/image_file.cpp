@@ -1,7 +1,6 @@
 #include "io/files/image_file.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <set>
 
@@ -10,14 +9,13 @@
 #include "io/files/nifti.h"
 #include "io/files/nrrd.h"
 #include "io/files/other_formats.h"
+#include "io/regular_file.h"
 #include "io/worker/batches.h"
 #include "io/worker/file_fields.h"
 
 namespace volumen {
 
 namespace {
-
-std::string fileName(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 struct Reader {
   Result<ImageHeader> (*read)(const std::string& path);

@@ -48,7 +48,7 @@ Result<MetaHeader> parse(const std::string& head, const std::string& path) {
       (head.size() == mostHeaderBytes ? " within its first MiB." : "; it is cut off or no MetaImage.")};
 }
 
-std::optional<SampleType> sampleType(const std::string& name) {
+std::optional<SampleType> metaImageType(const std::string& name) {
   using enum SampleType;
   static const std::map<std::string, SampleType> types{
       {"MET_CHAR", int8},       {"MET_UCHAR", uint8},       {"MET_SHORT", int16},   {"MET_USHORT", uint16},
@@ -107,7 +107,7 @@ Status setMetaGeometry(const MetaHeader& header, const std::vector<std::uint64_t
 }
 
 Status parseSamples(const MetaHeader& header, SampleData& data, const std::string& path) {
-  const auto type = sampleType(header.field({"ElementType"}));
+  const auto type = metaImageType(header.field({"ElementType"}));
   if (!type)
     return Error{path + " has samples of type '" + fieldText(header.field({"ElementType"})) +
                  "', which volumen does not read."};

@@ -7,7 +7,7 @@ namespace volumen {
 
 namespace {
 
-constexpr std::size_t headerBytes = 284;
+constexpr std::size_t bytesOfMgh = 284;
 
 Result<SampleType> mghType(int code, const std::string& path) {
   switch (code) {
@@ -50,7 +50,7 @@ bool isMgh(const FileClaim& file) {
 }
 
 Result<ImageHeader> readMghHeader(const std::string& path) {
-  const auto header = readBinaryHeader(path, headerBytes);
+  const auto header = readBinaryHeader(path, bytesOfMgh);
   if (!header) return header.error();
   const HeaderNumbers n{header->head, true};
   if (n.at<std::int32_t>(0) != 1)
@@ -69,7 +69,7 @@ Result<ImageHeader> readMghHeader(const std::string& path) {
   const Status placed =
       hasGeometry ? setMghGeometry(n, *grid, image, path) : setNominalGeometry(image, *grid, path);
   if (!placed) return placed.error();
-  setDataAt(image.data, path, headerBytes, header->compressed);
+  setDataAt(image.data, path, bytesOfMgh, header->compressed);
   if (Status s = checkFiles(image.data); !s) return s.error();
   return image;
 }

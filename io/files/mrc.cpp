@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-constexpr std::size_t headerBytes = 1024, magicPlace = 208, byteOrderPlace = 212;
+constexpr std::size_t bytesOfMrc = 1024, mapPlace = 208, byteOrderPlace = 212;
 
 // Bytes are signed (MRC2014), but not where IMOD wrote the file and says so (its stamp and flags), nor where
 // the largest value that the header gives is none of a signed byte.
@@ -74,13 +74,13 @@ Status setMrcGeometry(const HeaderNumbers& n, const std::vector<std::uint64_t>& 
 bool isMrc(const FileClaim& file) {
   if (file.head.size() < byteOrderPlace + 4)
     return file.name.ends_with(".mrc") || file.name.ends_with(".mrc.gz");
-  return file.head.compare(magicPlace, 3, "MAP") == 0 || file.name.ends_with(".mrc");
+  return file.head.compare(mapPlace, 3, "MAP") == 0 || file.name.ends_with(".mrc");
 }
 
 Result<ImageHeader> readMrcHeader(const std::string& path) {
-  const auto header = readBinaryHeader(path, headerBytes);
+  const auto header = readBinaryHeader(path, bytesOfMrc);
   if (!header) return header.error();
-  if (header->head.compare(magicPlace, 3, "MAP") != 0)
+  if (header->head.compare(mapPlace, 3, "MAP") != 0)
     return Error{path + " is not an MRC file of 2000 or later: MAP does not stand at byte 208."};
   const HeaderNumbers n{header->head, header->head[byteOrderPlace] == 0x11};
   ImageHeader image;
@@ -101,7 +101,7 @@ Result<ImageHeader> readMrcHeader(const std::string& path) {
   if (Status s = setMrcGeometry(n, *grid, image, path); !s) return s.error();
   const std::int64_t extended = n.at<std::int32_t>(92);
   if (extended < 0) return Error{path + " has an extended header of " + std::to_string(extended) + " bytes."};
-  setDataAt(image.data, path, headerBytes + std::uint64_t(extended), header->compressed);
+  setDataAt(image.data, path, bytesOfMrc + std::uint64_t(extended), header->compressed);
   if (Status s = checkFiles(image.data); !s) return s.error();
   return image;
 }

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <glm/geometric.hpp>
 
 #include "io/files/b_values.h"
+#include "io/files/binary_header.h"
 #include "io/files/header_numbers.h"
 #include "io/files/header_text.h"
+#include "io/files/image_pair.h"
 
 namespace volumen {
 
@@ -100,7 +101,7 @@ Result<Fields> readFields(const std::string& path, bool& compressed) {
   return f;
 }
 
-Result<SampleType> sampleType(const Fields& f, const std::string& path) {
+Result<SampleType> niftiType(const Fields& f, const std::string& path) {
   switch (f.datatype) {
     case 2:
       return SampleType::uint8;
@@ -220,25 +221,16 @@ Status findSamples(const Fields& f, bool compressed, SampleData& data, const std
   const double offset = !f.pair && f.voxOffset == 0 ? first + 4 : f.voxOffset;
   if (!(offset >= first && offset <= 1e12) || offset != std::floor(offset))
     return Error{path + " has the vox_offset " + exactText(f.voxOffset) + ", which is no place for samples."};
-  data.files = {path};
-  if (f.pair) {
-    namespace fs = std::filesystem;
-    fs::path name = fs::path(path).filename();
-    if (name.extension() == ".gz") name.replace_extension();
-    if (lowerCase(name.extension().string()) != ".hdr")
-      return Error{path + " says that it is the .hdr of a pair, but its name does not end in .hdr."};
-    name.replace_extension(name.extension() == ".HDR" ? ".IMG" : ".img");
-    auto file = resolveBeside(path, name.string());
-    compressed = false;
-    if (!file)
-      if (auto packed = resolveBeside(path, name.string() + ".gz"); packed) file = packed, compressed = true;
-    if (!file) return file.error();
-    data.files = {*file};
+  if (!f.pair) {
+    setDataAt(data, path, std::uint64_t(offset), compressed);
+    return {};
   }
-  if (compressed)
-    data.encoding = Encoding::deflate, data.byteSkip = std::int64_t(offset);
-  else
-    data.offset = std::uint64_t(offset);
+  const std::string name = lowerCase(path);
+  if (!name.ends_with(".hdr") && !name.ends_with(".hdr.gz"))
+    return Error{path + " says that it is the .hdr of a pair, but its name does not end in .hdr."};
+  const auto samples = samplesOfPair(path);
+  if (!samples) return samples.error();
+  setDataAt(data, samples->path, std::uint64_t(offset), samples->compressed);
   return {};
 }
 
@@ -281,7 +273,7 @@ Result<ImageHeader> readNiftiHeader(const std::string& path) {
   ImageHeader image;
   image.format = "NIfTI";
   image.description = f->description;
-  auto type = sampleType(*f, path);
+  auto type = niftiType(*f, path);
   if (!type) return type.error();
   image.data.type = *type;
   image.data.bigEndian = f->bigEndian;

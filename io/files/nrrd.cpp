@@ -88,7 +88,7 @@ std::optional<double> millimetres(const std::string& unit) {
 }
 
 // The quoted texts of a field such as `units: "mm" "" "s"`.
-std::vector<std::string> quoted(std::string_view text) {
+std::vector<std::string> quotedParts(std::string_view text) {
   std::vector<std::string> all;
   for (std::size_t at = 0; (at = text.find('"', at)) != std::string_view::npos;) {
     const std::size_t end = text.find('"', at + 1);
@@ -101,7 +101,7 @@ std::vector<std::string> quoted(std::string_view text) {
 
 // mm per unit of the lengths in field `name`, entry `axis`; says so where they are not mm.
 double unitMm(const NrrdHeader& header, const char* name, std::size_t axis, std::vector<Warning>& warnings) {
-  const auto units = quoted(header.field(name));
+  const auto units = quotedParts(header.field(name));
   if (axis >= units.size() || units[axis].empty()) return 1;
   const auto mm = millimetres(units[axis]);
   const Warning warning(

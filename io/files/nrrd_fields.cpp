@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-std::optional<SampleType> sampleType(const std::string& name) {
+std::optional<SampleType> nrrdType(const std::string& name) {
   static const std::map<std::string, SampleType> types = [] {
     using enum SampleType;
     std::map<std::string, SampleType> all{{"signed char", int8},
@@ -210,7 +210,7 @@ Result<NrrdHeader> readNrrdFields(const std::string& path) {
                  std::to_string(*dimension) + " whole numbers from 1 on."};
   header.sizes = *sizes;
 
-  const auto type = sampleType(lowerCase(header.field("type")));
+  const auto type = nrrdType(lowerCase(header.field("type")));
   if (!type)
     return Error{path + " has samples of type '" + fieldText(header.field("type")) +
                  "', which volumen does not read."};

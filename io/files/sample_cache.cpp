@@ -11,6 +11,7 @@
 #include "io/files/output_file.h"
 #include "io/regular_file.h"
 #include "viewer/phantoms/phantoms.h"
+#include "viewer/volume/buffer.h"
 
 namespace volumen {
 
@@ -32,7 +33,7 @@ std::vector<std::int16_t> keptValues(const std::string& path) {
   if (!file || file->size() <= sizeof(Head)) return {};
   const auto head = file->read(0, sizeof(Head)), body = file->read(sizeof(Head), file->size() - sizeof(Head));
   if (!head || !body || body->size() % sizeof(std::int16_t) != 0) return {};
-  std::vector<std::int16_t> values(body->size() / sizeof(std::int16_t));
+  auto values = zeros<std::int16_t>(body->size() / sizeof(std::int16_t));
   std::memcpy(values.data(), body->data(), body->size());
   const Head expected{.checksum = checksumOf(values)};
   return std::memcmp(head->data(), &expected, sizeof(Head)) == 0 ? values : std::vector<std::int16_t>{};

@@ -11,12 +11,13 @@
 #include <type_traits>
 
 #include "io/files/text_source.h"
+#include "viewer/volume/buffer.h"
 
 namespace volumen {
 
 namespace {
 
-constexpr std::uint64_t mostBytes = std::uint64_t(16) << 30;
+constexpr std::uint64_t mostVolumeBytes = std::uint64_t(16) << 30;
 constexpr std::uint64_t mostVolumes = 10000;
 
 // The product, or nothing where it exceeds `most`.
@@ -181,7 +182,7 @@ Result<Samples> readType(const SampleData& data, std::uint64_t volume, Samples i
   if (Status s = parts.skip(volume / data.leading * data.voxels * data.leading * sizeof(T)); !s)
     return s.error();
 
-  std::vector<Kept> values(data.voxels);
+  auto values = zeros<Kept>(data.voxels);
   ToFloat toFloat{into.slope, into.intercept};
   const std::uint64_t chunkVoxels = std::max<std::uint64_t>(1, (1 << 18) / data.leading);
   std::vector<T> chunk(chunkVoxels * data.leading);
@@ -221,7 +222,7 @@ Status setCounts(SampleData& data, const std::vector<std::uint64_t>& leading,
   if (!lead || !trail || *lead * *trail > mostVolumes)
     return Error{path + " promises more than " + std::to_string(mostVolumes) +
                  " volumes, which is more than volumen reads from one file."};
-  const std::uint64_t most = std::min(mostBytes, machineBytes());
+  const std::uint64_t most = std::min(mostVolumeBytes, machineBytes());
   const auto voxels = product(grid, most / std::max<std::size_t>(bytesOf(data.type), 4));
   if (!voxels)
     return Error{path + " promises a volume of more than " + std::to_string(most >> 20) +

@@ -7,7 +7,7 @@
 namespace volumen {
 
 namespace {
-constexpr std::uint64_t mostBytes = 8 << 20;
+constexpr std::uint64_t mostSessionBytes = 8 << 20;
 }
 
 bool isSessionFile(const std::string& path) {
@@ -18,7 +18,7 @@ bool isSessionFile(const std::string& path) {
 Result<std::string> sessionText(const std::string& path) {
   const auto file = RegularFile::open(path);
   if (!file) return Error{"Cannot read the session " + path + ": " + file.message() + "."};
-  if (file->size() > mostBytes) return Error{path + " is no session: it is larger than 8 MiB."};
+  if (file->size() > mostSessionBytes) return Error{path + " is no session: it is larger than 8 MiB."};
   const auto bytes = file->read(0, file->size());
   if (!bytes) return Error{"Cannot read the session " + path + ": " + bytes.message() + "."};
   return std::string(bytes->begin(), bytes->end());

@@ -7,11 +7,10 @@
 #include <unordered_map>
 
 #include "io/index/same_bytes.h"
+#include "io/regular_file.h"
 
 namespace volumen {
 namespace {
-
-std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 /// What series of a study are told apart by.
 using Key = std::tuple<std::string, std::string, std::string, std::string, std::string>;

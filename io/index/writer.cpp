@@ -6,11 +6,10 @@
 #include <QRandomGenerator>
 
 #include "io/index/fold.h"
+#include "io/regular_file.h"
 
 namespace volumen {
 namespace {
-
-std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 std::string joined(std::initializer_list<std::string> parts) {
   std::string key;

@@ -11,8 +11,8 @@ namespace volumen {
 
 namespace {
 
-enum Unit {
-  rayUnit = VolumeTextures::freeUnit,
+enum CastUnit {
+  castRayUnit = VolumeTextures::freeUnit,
   curveUnit,
   bucketUnit,
   factorUnit,
@@ -108,8 +108,8 @@ Status Caster::uploadTables(const Plan& plan, const TraceFrame& frame) {
 
 void Caster::setUniforms(const Plan& plan, const TraceFrame& f, const VolumeTextures& textures) {
   textures.use(program_, plan);
-  const std::pair<const char*, Unit> units[] = {
-      {"rays", rayUnit},     {"curve", curveUnit},  {"buckets", bucketUnit}, {"factors", factorUnit},
+  const std::pair<const char*, CastUnit> units[] = {
+      {"rays", castRayUnit}, {"curve", curveUnit},  {"buckets", bucketUnit}, {"factors", factorUnit},
       {"lights", lightUnit}, {"shades", shadeUnit}, {"before", beforeUnit}};
   for (const auto& [name, unit] : units) glUniform1i(uniform(name), unit);
   glUniform1f(uniform("stopTransmittance"), f.stopTransmittance);
@@ -141,9 +141,9 @@ bool Caster::makeTarget(glm::ivec2 size) { return target_.size() == size || targ
 
 Status Caster::draw(const RayBand& band, float inverseUnitMm) {
   if (Status s = uploadRays(band, inverseUnitMm, rays_); !s) return s;
-  const std::pair<const BufferTexture*, Unit> buffers[] = {{&rays_, rayUnit},       {&curve_, curveUnit},
-                                                           {&buckets_, bucketUnit}, {&factors_, factorUnit},
-                                                           {&lights_, lightUnit},   {&shades_, shadeUnit}};
+  const std::pair<const BufferTexture*, CastUnit> buffers[] = {
+      {&rays_, castRayUnit},   {&curve_, curveUnit},  {&buckets_, bucketUnit},
+      {&factors_, factorUnit}, {&lights_, lightUnit}, {&shades_, shadeUnit}};
   for (const auto& [buffer, unit] : buffers) buffer->bind(unit);
   glUseProgram(program_);
   glBindVertexArray(vertices_);

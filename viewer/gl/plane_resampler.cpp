@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int rayUnit = VolumeTextures::freeUnit;
+constexpr int planeRayUnit = VolumeTextures::freeUnit;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ Status PlaneResampler::prepare(const Plan& plan, const VolumeTextures& textures,
   program_ = *program;
   textures.use(program_, plan);
   const auto uniform = [&](const char* name) { return glGetUniformLocation(program_, name); };
-  glUniform1i(uniform("rays"), rayUnit);
+  glUniform1i(uniform("rays"), planeRayUnit);
   glUniform1i(uniform("lineShift"), Batch::lineLog2);
   glUniform1f(uniform("lines"), float(lines_));
   glBindVertexArray(vertices_);
@@ -69,7 +69,7 @@ Status PlaneResampler::draw(const Batch& batch, int slot) {
     texels.insert(texels.end(), 8 * (s.stride() - r.steps.size()), 0.0f);
   }
   if (Status s = rays_.upload(GL_RGBA32F, 16, texels); !s) return s;
-  rays_.bind(rayUnit);
+  rays_.bind(planeRayUnit);
   slots_[slot].use();
   timer_.begin(slot);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(batch.strips.size()));

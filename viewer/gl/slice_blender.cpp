@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-enum Unit { rayUnit = VolumeTextures::freeUnit, sliceUnit };
+enum SliceUnit { sliceRayUnit = VolumeTextures::freeUnit, sliceUnit };
 
 }  // namespace
 
@@ -27,7 +27,7 @@ Status SliceBlender::prepare(const Plan& plan, const VolumeTextures& textures) {
   blending_ = mode_ == Mode::composite ? plan.blending : Blending::floats;
   gradients_ = plan.gradients;
   textures.use(sliceProgram_, plan);
-  glUniform1i(glGetUniformLocation(sliceProgram_, "rays"), rayUnit);
+  glUniform1i(glGetUniformLocation(sliceProgram_, "rays"), sliceRayUnit);
   glUseProgram(blendProgram_);
   glUniform1i(glGetUniformLocation(blendProgram_, "shaded"), sliceUnit);
   glBindVertexArray(vertices_);
@@ -60,7 +60,7 @@ Status SliceBlender::begin(const RayBand& band, float inverseUnitMm) {
   if (!makeTargets()) return Error{"OpenGL has no room for slices of the picture; use --resampler cpu."};
   clearFrame();
   if (Status s = uploadRays(band, inverseUnitMm, rays_); !s) return s;
-  rays_.bind(rayUnit);
+  rays_.bind(sliceRayUnit);
   glUseProgram(sliceProgram_);
   glUniform1i(glGetUniformLocation(sliceProgram_, "width"), size_.x);
   return {};

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "viewer/phantoms/head/anatomy.h"
+#include "viewer/volume/buffer.h"
 
 namespace volumen {
 namespace {
@@ -236,7 +237,7 @@ VoxelGeometry headGeometry(int sizeInPlane) {
 
 VolumeParts headPhantom(int sizeInPlane) {
   const VoxelGeometry g = headGeometry(sizeInPlane);
-  std::vector<std::int16_t> values(std::size_t(g.voxelCount()));
+  auto values = zeros<std::int16_t>(std::size_t(g.voxelCount()));
   const glm::ivec3 blocks = (g.size + blockSize - 1) / blockSize;
   tbb::parallel_for(0, blocks.z * blocks.y, [&](int n) {
     for (int i = 0; i < blocks.x; ++i)

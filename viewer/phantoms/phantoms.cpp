@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "viewer/phantoms/phantom_head.h"
+#include "viewer/volume/buffer.h"
 
 namespace volumen {
 namespace {
@@ -25,7 +26,7 @@ template <class T, class ValueAt>
 VolumeParts sampled(int edge, ValueAt valueAt) {
   VolumeParts parts;
   parts.geometry = cubeOf(edge);
-  std::vector<T> values(std::size_t(parts.geometry.voxelCount()));
+  auto values = zeros<T>(std::size_t(parts.geometry.voxelCount()));
   tbb::parallel_for(0, edge, [&](int k) {
     T* out = values.data() + std::size_t(k) * edge * edge;
     for (int j = 0; j < edge; ++j)

@@ -22,8 +22,6 @@ constexpr double largestDepth = 2;
 constexpr double shortestPiece = 1e-13;
 constexpr int mostSplits = 50;
 
-double largest(glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
-
 }  // namespace
 
 Classifier::Classifier(const TransferFunction& function, const VoxelGeometry& geometry)

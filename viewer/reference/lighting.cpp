@@ -11,7 +11,6 @@ constexpr double viewerBand = 0.1;  // w of picture.md 5 runs from 0 to 1 over |
 constexpr double lightBand = 0.1;   // clamp(10 n.l) runs from 0 to 1 over 0 <= n.l <= 0.1
 // Strengths are limited to this, so that no product of them is infinite; the picture has long been white.
 double limited(double strength) { return std::min(strength, 1e30); }
-double largest(glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
 }  // namespace
 
 Lighting::Lighting(const Scene& scene, const CameraAxes& axes)

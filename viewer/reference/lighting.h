@@ -1,11 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "viewer/reference/polynomial.h"
 #include "viewer/scene/scene.h"
 
 namespace volumen::reference {
+
+/// The largest component.
+inline double largest(glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
 
 /// picture.md 5 for one direction of view.
 class Lighting {

@@ -58,10 +58,10 @@ const std::vector<std::string>& presetNames() {
 }
 
 Result<Preset> presetFromJson(const std::string& text) {
-  const auto json = parseJson(text);
-  if (!json) return json.error();
+  const auto parsed = parseJson(text);
+  if (!parsed) return parsed.error();
   std::string problem;
-  JsonFields fields(*json, "", problem);
+  JsonFields fields(*parsed, "", problem);
   Preset preset;
   fields.read("name", preset.name);
   fields.read("modality", preset.modality);

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "viewer/segment/table.h"
+#include "viewer/volume/buffer.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -100,8 +101,20 @@ T storedNear(double value, const Volume& volume, const std::vector<T>& values) {
   return std::is_floating_point_v<T> ? T(within) : T(std::lround(within));
 }
 
+VoxelValues copyOf(const VoxelValues& stored) {
+  return std::visit(
+      []<class T>(const std::vector<T>& values) -> VoxelValues {
+        std::vector<T> copy = zeros<T>(values.size());
+        parallelFor(std::int64_t(values.size()), 0, [&](std::int64_t begin, std::int64_t end) {
+          std::copy(values.begin() + begin, values.begin() + end, copy.begin() + begin);
+        });
+        return copy;
+      },
+      stored);
+}
+
 VoxelValues maskedValues(const Volume& volume, const LabelMap& kept) {
-  VoxelValues copy = volume.stored();
+  VoxelValues copy = copyOf(volume.stored());
   std::visit(
       [&](auto& values) {
         const auto empty = storedNear(air, volume, values);
@@ -149,7 +162,7 @@ Result<VolumePtr> masked(const Volume& volume, const Mask& mask, const CancelTok
 
 Result<VolumePtr> cutFurther(const Volume& volume, std::span<const std::shared_ptr<const Lasso>> lassos,
                              const CancelToken& cancel) try {
-  VoxelValues copy = volume.stored();
+  VoxelValues copy = copyOf(volume.stored());
   std::visit(
       [&](auto& values) {
         const auto empty = storedNear(air, volume, values);

@@ -1,11 +1,12 @@
 #include "viewer/segment/range.h"
 
+#include "viewer/volume/buffer.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
 
 LabelMap labelRange(const Volume& volume, ValueRange range) {
-  LabelMap map{volume.geometry(), std::vector<std::uint8_t>(std::size_t(volume.geometry().voxelCount()))};
+  LabelMap map{volume.geometry(), zeros<std::uint8_t>(std::size_t(volume.geometry().voxelCount()))};
   std::visit(
       [&](const auto& stored) {
         parallelFor(std::int64_t(stored.size()), 0, [&](std::int64_t begin, std::int64_t end) {

@@ -2,20 +2,29 @@
 
 #include <sys/mman.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 
 namespace volumen {
 
+namespace {
+constexpr std::size_t hugePage = std::size_t(2) << 20;
+}
+
+void wantHugePages(void* memory, std::size_t bytes) {
+  const auto begin = reinterpret_cast<std::uintptr_t>(memory);
+  const std::uintptr_t first = (begin + hugePage - 1) / hugePage * hugePage;
+  const std::uintptr_t last = (begin + bytes) / hugePage * hugePage;
+  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+}
+
 void* allocateLarge(std::size_t bytes) {
-  constexpr std::size_t hugePage = std::size_t(2) << 20;
-  const bool large = bytes >= 2 * hugePage;
-  const std::size_t alignment = large ? hugePage : 64;
+  const std::size_t alignment = bytes >= 2 * hugePage ? hugePage : 64;
   const std::size_t rounded = (bytes + alignment - 1) / alignment * alignment;
   void* memory = std::aligned_alloc(alignment, rounded);
   if (!memory) throw std::bad_alloc();
-  // Only a wish: without huge pages the memory is as good, only slower to touch.
-  if (large) madvise(memory, rounded, MADV_HUGEPAGE);
+  wantHugePages(memory, rounded);
   std::memset(static_cast<char*>(memory) + bytes - 64, 0, 64);
   return memory;
 }

@@ -3,13 +3,27 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <vector>
 
 namespace volumen {
 
-/// Asks the system for huge pages behind large memory; first touch of small pages costs more than the work on
-/// them.
+/// Asks the system for huge pages behind memory that nothing has touched yet: first touch of small pages
+/// costs more than the work on them. Only a wish: without them the memory is as good.
+void wantHugePages(void* memory, std::size_t bytes);
+
+/// Memory behind huge pages where it is large.
 void* allocateLarge(std::size_t bytes);
 void freeLarge(void* memory) noexcept;
+
+/// So many zeros, behind huge pages where they are many: for the values of a volume.
+template <class T>
+std::vector<T> zeros(std::size_t count) {
+  std::vector<T> values;
+  values.reserve(count);
+  wantHugePages(values.data(), count * sizeof(T));
+  values.resize(count);
+  return values;
+}
 
 /// How many elements apart rows of `count` elements begin, each of so many bytes. Rows of a multiple of 2048
 /// bytes get 32 more: those next to each other would fall into one or two sets of a cache and push one

@@ -6,6 +6,8 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
+#include "viewer/volume/buffer.h"
+
 namespace volumen {
 
 glm::dmat3 VoxelGeometry::voxelFromPatientStep() const { return glm::inverse(patientFromVoxelStep); }
@@ -101,7 +103,7 @@ void makeReal(VolumeParts& parts) {
   std::vector<float> real;
   std::visit(
       [&](const auto& v) {
-        real.resize(v.size());
+        real = zeros<float>(v.size());
         for (std::size_t n = 0; n < v.size(); ++n)
           real[n] = float(parts.slope * double(v[n]) + parts.intercept);
       },

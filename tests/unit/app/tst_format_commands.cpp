@@ -1,6 +1,6 @@
 // Guards import.md through the command line: every format beside DICOM, NRRD, NIfTI and MetaImage is listed,
 // drawn, shown in slices and converted, alone and in a folder; cut short, it is refused with its name and the
-// numbers.
+// numbers. Pairs of files are opened by either name.
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -22,6 +22,9 @@ class TestFormatCommands : public QObject {
   void isOpenedByEveryCommand();
   void cutShortItIsRefused_data() { rows(); }
   void cutShortItIsRefused();
+  void pairsAreOpenedByEitherName_data();
+  void pairsAreOpenedByEitherName();
+  void samplesWithoutHeaderAreRefused();
   void whatIsNotReadIsNamed_data();
   void whatIsNotReadIsNamed();
 
@@ -29,8 +32,20 @@ class TestFormatCommands : public QObject {
   static void rows();
   QString at(const char* name) const { return folder_->filePath(QLatin1String(name)); }
   void write(const QString& name, const QByteArray& content, int cut = 0) const;
+  void writeFile(const QString& name, const QByteArray& bytes) const;
   std::unique_ptr<QTemporaryDir> folder_;
 };
+
+namespace {
+
+// The only volume at a path, as `info` lists it.
+QJsonObject volumeAt(const QString& path) {
+  const Outcome info = runProgram(QStringLiteral("info %1 --json --values").arg(path));
+  const QJsonArray all = QJsonDocument::fromJson(info.out).object()[QStringLiteral("volumes")].toArray();
+  return info.status == 0 && all.size() == 1 ? all[0].toObject() : QJsonObject();
+}
+
+}  // namespace
 
 void TestFormatCommands::rows() {
   QTest::addColumn<QString>("name");
@@ -51,12 +66,13 @@ void TestFormatCommands::rows() {
 // Of Analyze the .img, too; `cut`: bytes that its data lack.
 void TestFormatCommands::write(const QString& name, const QByteArray& content, int cut) const {
   const bool isPair = name.endsWith(QLatin1String(".hdr"));
-  const auto writeFile = [&](const QString& path, const QByteArray& bytes) {
-    QFile file(folder_->filePath(path));
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("no temporary file");
-  };
   writeFile(name, isPair ? content : content.chopped(cut));
   if (isPair) writeFile(QStringLiteral("a.img"), samples().chopped(cut));
+}
+
+void TestFormatCommands::writeFile(const QString& name, const QByteArray& bytes) const {
+  QFile file(folder_->filePath(name));
+  if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("no temporary file");
 }
 
 void TestFormatCommands::isOpenedByEveryCommand() {
@@ -64,11 +80,6 @@ void TestFormatCommands::isOpenedByEveryCommand() {
   QFETCH(QByteArray, content);
   QFETCH(QString, format);
   write(name, content);
-  const auto volumeAt = [](const QString& path) {
-    const Outcome info = runProgram(QStringLiteral("info %1 --json --values").arg(path));
-    const QJsonArray all = QJsonDocument::fromJson(info.out).object()[QStringLiteral("volumes")].toArray();
-    return info.status == 0 && all.size() == 1 ? all[0].toObject() : QJsonObject();
-  };
   const QString file = folder_->filePath(name);
   const QJsonObject volume = volumeAt(file);
   QCOMPARE(volume[QStringLiteral("format")].toString(), format);
@@ -104,6 +115,43 @@ void TestFormatCommands::cutShortItIsRefused() {
     QVERIFY2(done.err.contains(name.toUtf8()), done.err);
     QVERIFY(!QFile::exists(out));
   }
+}
+
+void TestFormatCommands::pairsAreOpenedByEitherName_data() {
+  QTest::addColumn<QString>("header");
+  QTest::addColumn<QString>("image");
+  const auto row = [](const char* name, const char* header, const char* image) {
+    QTest::newRow(name) << QString::fromLatin1(header) << QString::fromLatin1(image);
+  };
+  row("plain", "a.hdr", "a.img");
+  row("capitals", "A.HDR", "A.IMG");
+  row("packed samples", "a.hdr", "a.img.gz");
+  row("both packed", "a.hdr.gz", "a.img.gz");
+  row("packed header", "a.hdr.gz", "a.img");
+  row("dots in the name", "scan.2.hdr", "scan.2.img");
+}
+
+void TestFormatCommands::pairsAreOpenedByEitherName() {
+  QFETCH(QString, header);
+  QFETCH(QString, image);
+  const auto inside = [](const QString& name, const QByteArray& bytes) {
+    return name.endsWith(QLatin1String(".gz")) ? gzipped(bytes) : bytes;
+  };
+  writeFile(header, inside(header, analyzeHeader()));
+  writeFile(image, inside(image, samples()));
+  for (const QString& name : {header, image}) {
+    const QJsonObject volume = volumeAt(folder_->filePath(name));
+    QCOMPARE(volume[QStringLiteral("dims")].toArray(), (QJsonArray{4, 3, 2}));
+    QCOMPARE(volume[QStringLiteral("max")].toDouble(), 24.0);
+  }
+}
+
+void TestFormatCommands::samplesWithoutHeaderAreRefused() {
+  writeFile(QStringLiteral("a.img"), samples());
+  writeFile(QStringLiteral("b.hdr"), analyzeHeader());
+  const Outcome info = runProgram(QStringLiteral("info %1").arg(at("a.img")));
+  QCOMPARE(info.status, 1);
+  QVERIFY2(info.out.contains("a.img"), info.out);
 }
 
 void TestFormatCommands::whatIsNotReadIsNamed_data() {

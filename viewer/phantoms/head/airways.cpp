@@ -21,7 +21,7 @@ float turbinates(Vec p) {
   return d;
 }
 
-float nose(Vec p) {
+float nasalAirway(Vec p) {
   const float widest = 11.5f - 8.5f * rise(-34, 6, p.z);
   float d = std::max(std::abs(p.x) - widest, std::abs(p.z + 19) - 20);
   d = both(d, std::abs(p.y + 54) - 32, 4);
@@ -57,7 +57,7 @@ float cells(Vec p, float s) {
 
 float airways(Vec p) {
   const Vec q = mirrored(p);
-  float d = std::max(nose(p), -turbinates(p));
+  float d = std::max(nasalAirway(p), -turbinates(p));
   d = join(d, throat(p), 2);
   d = std::min(d, tube(q, {86, 13, -12}, {52, 15, -11}, 3, 2.8f));
   const float mouth = ellipsoid(p, {0, -58, -57}, {17, 20, 2.2f});
