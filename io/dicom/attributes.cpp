@@ -87,7 +87,7 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   header.patientName = text(0x00100010);
   header.patientId = text(0x00100020);
   header.studyUid = text(0x0020000d);
-  header.studyDate = text(0x00080020);
+  header.studyDate = dateOrTime(text(0x00080020));
   header.studyDescription = text(0x00081030);
   header.seriesUid = text(0x0020000e);
   header.seriesNumber = text(0x00200011);
@@ -95,8 +95,8 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   header.description = text(0x0008103e);
   header.frameOfReferenceUid = text(0x00200052);
   header.unit = unitOf(header.modality, text(0x00281054), text(0x00541001));
-  header.time = text(0x00080032);
-  if (header.time.empty()) header.time = text(0x00080031);
+  header.time = dateOrTime(text(0x00080032));
+  if (header.time.empty()) header.time = dateOrTime(text(0x00080031));
 }
 
 Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels) {

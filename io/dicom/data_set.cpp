@@ -161,4 +161,13 @@ std::optional<double> parseNumber(std::string_view text) {
   return value;
 }
 
+std::string dateOrTime(std::string text) {
+  std::string form = text;
+  std::ranges::replace_if(
+      form, [](char c) { return c >= '0' && c <= '9'; }, '9');
+  if (form == "9999.99.99" || form == "9999-99-99") text.erase(7, 1).erase(4, 1);
+  if (form.starts_with("99:99:99")) text.erase(5, 1).erase(2, 1);
+  return text;
+}
+
 }  // namespace volumen::dicom

@@ -73,6 +73,10 @@ class DataSet {
 /// A finite number that takes up all of `text` (PS3.5 6.2, DS and IS), else nothing.
 std::optional<double> parseNumber(std::string_view text);
 
+/// A DA or TM as yyyymmdd or hhmmss.ffffff, which older files write as yyyy.mm.dd and hh:mm:ss (PS3.5 6.2)
+/// and careless ones as yyyy-mm-dd; other text as it is.
+std::string dateOrTime(std::string text);
+
 /// `text` in UTF-8, by SpecificCharacterSet (0008,0005), code extensions included. What cannot be converted
 /// becomes U+FFFD.
 std::string toUtf8(const std::string& text, const std::string& specificCharacterSet);

@@ -103,7 +103,7 @@ void readLabel(const DataSet& data, Reference& object) {
       break;
   }
   for (const std::uint32_t date : {0x00080023u, 0x00700082u, 0x30060008u})
-    if (object.date.empty()) object.date = text(date);
+    if (object.date.empty()) object.date = dateOrTime(text(date));
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ std::optional<double> digits(const std::string& text, std::size_t at, std::size_
 }
 
 /// Seconds since 1970 of a DA ("20260314"); nothing where it is none.
-std::optional<double> dateSeconds(const std::string& text) {
+std::optional<double> dateSeconds(const std::string& written) {
+  const std::string text = dicom::dateOrTime(written);
   const auto year = digits(text, 0, 4), month = digits(text, 4, 2), day = digits(text, 6, 2);
   if (!year || !month || !day) return {};
   using namespace std::chrono;
@@ -37,13 +38,14 @@ std::optional<double> dateSeconds(const std::string& text) {
 }
 
 /// Seconds since midnight of a TM ("101112.5"); nothing where it is none.
-std::optional<double> timeSeconds(const std::string& text) {
-  const auto hours = digits(text, 0, 2);
-  if (!hours) return {};
-  const double minutes = digits(text, 2, 2).value_or(0), seconds = digits(text, 4, 2).value_or(0);
+std::optional<double> timeSeconds(const std::string& written) {
+  const std::string text = dicom::dateOrTime(written);
+  const auto part = [&](std::size_t at) { return text.size() <= at ? 0 : digits(text, at, 2); };
+  const auto hours = digits(text, 0, 2), minutes = part(2), seconds = part(4);
+  if (!hours || !minutes || !seconds) return {};
   const double fraction =
       text.size() > 7 && text[6] == '.' ? dicom::parseNumber("0" + text.substr(6)).value_or(0) : 0;
-  return *hours * 3600 + minutes * 60 + seconds + fraction;
+  return *hours * 3600 + *minutes * 60 + *seconds + fraction;
 }
 
 std::optional<double> moment(const DataSet& data, std::uint32_t dateTag, std::uint32_t timeTag) {
@@ -93,11 +95,12 @@ Result<double> decaySeconds(const DataSet& data, DataSet::Scope dose, const Seri
   const Result<double> scan = scanStart(data, series);
   if (!scan) return scan.error();
   const std::string dateTime = data.text(0x00181078, dose);
-  if (const auto zone = dateTime.find_first_of("+-");
-      zone != std::string::npos && dateTime.substr(zone) != data.text(0x00080201, data.root()))
+  const std::size_t zone = dateTime.find_first_of("+-");
+  if (zone != std::string::npos && dateTime.substr(zone) != data.text(0x00080201, data.root()))
     return Error{"RadiopharmaceuticalStartDateTime (0018,1078) has a time zone of its own"};
-  const auto date = dateSeconds(dateTime),
-             time = timeSeconds(dateTime.substr(std::min<std::size_t>(8, dateTime.size())));
+  const std::string local = dateTime.substr(0, zone);
+  const auto date = dateSeconds(local),
+             time = timeSeconds(local.substr(std::min<std::size_t>(8, local.size())));
   double seconds = 0;
   if (date && time) {
     seconds = *scan - *date - *time;

@@ -3,6 +3,7 @@
 #include <unordered_set>
 
 #include "io/dicom/attribute_list.h"
+#include "io/dicom/data_set.h"
 
 namespace volumen {
 namespace {
@@ -18,6 +19,9 @@ FurtherIdentity furtherIdentity(const std::string& path) {
   for (const dicom::AttributeLine& line : *lines)
     for (const auto& [tag, field] : wanted)
       if (line.depth == 0 && line.tag == tag) further.*field = line.value;
+  for (std::string FurtherIdentity::*field : {&FurtherIdentity::studyTime, &FurtherIdentity::seriesDate,
+                                              &FurtherIdentity::seriesTime, &FurtherIdentity::birthDate})
+    further.*field = dicom::dateOrTime(further.*field);
   return further;
 }
 

@@ -67,6 +67,16 @@ void TestSeriesFacts::whatTellsSeriesApartIsRead_data() {
     d.putAndInsertString(DCM_AcquisitionTime, "102231.25");
     d.putAndInsertString(DCM_SeriesTime, "090000");
   });
+  row("time in the old form", &Series::time, "102231.25",
+      [](DcmDataset& d) { d.putAndInsertString(DCM_AcquisitionTime, "10:22:31.25"); });
+  row("date", &Series::studyDate, "20040119",
+      [](DcmDataset& d) { d.putAndInsertString(DCM_StudyDate, "20040119"); });
+  row("date in the old form", &Series::studyDate, "19940130",
+      [](DcmDataset& d) { d.putAndInsertString(DCM_StudyDate, "1994.01.30"); });
+  row("date with dashes", &Series::studyDate, "19940130",
+      [](DcmDataset& d) { d.putAndInsertString(DCM_StudyDate, "1994-01-30"); });
+  row("what is no date", &Series::studyDate, "1994.1.30",
+      [](DcmDataset& d) { d.putAndInsertString(DCM_StudyDate, "1994.1.30"); });
   row("time of the series", &Series::time, "090000",
       [](DcmDataset& d) { d.putAndInsertString(DCM_SeriesTime, "090000"); });
 }

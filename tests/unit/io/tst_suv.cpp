@@ -143,6 +143,11 @@ void TestSuv::factors_data() {
   constexpr double whole = 80000 / 100e6;  // g/Bq, nothing decayed
   const auto row = [](const char* name, double factor, Edit edit) { QTest::newRow(name) << edit << factor; };
   row("START: from injection to series", 2 * whole, [](DcmDataset&) {});
+  row("times in the old form, hh:mm:ss", 2 * whole, [](DcmDataset& d) {
+    d.putAndInsertString(DCM_SeriesTime, "11:40:00");
+    d.putAndInsertString(DCM_AcquisitionTime, "11:40:00.0");
+    doseOf(d).putAndInsertString(DCM_RadiopharmaceuticalStartTime, "10:00:00.000");
+  });
   row("ADMIN: not decayed again", whole,
       [](DcmDataset& d) { d.putAndInsertString(DCM_DecayCorrection, "ADMIN"); });
   row("series later than its pictures: the first picture counts", 2 * whole,
