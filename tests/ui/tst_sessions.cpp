@@ -79,15 +79,15 @@ void TestSessions::theTableIsRemovedAgain() {
   QVERIFY(w.settle());
   QVERIFY(!w.after("viewPosterior").isNull());
   const QImage with = w.window.view()->picture();
-  const QImage without = w.after("removeTable");
-  QVERIFY(without != with);
+  QVERIFY(w.after("removeTable") != with);
   QVERIFY(folder.save(w));
   Journey again;
   QVERIFY(folder.open(again));
   QVERIFY(again.window.session().maskOf(keyOf(again.window.session().series()->series)).tableRemoved);
   QVERIFY(again.child<QAction>("removeTable")->isChecked());
   QVERIFY(again.window.session().state().series->volume->attributes().cut.table);
-  QVERIFY(again.after("removeTable") != without);
+  const QImage opened = again.window.view()->picture();
+  QVERIFY(again.after("removeTable") != opened);
 }
 
 void TestSessions::openingIsAStepThatCanBeUndone() {
@@ -208,8 +208,11 @@ void TestSessions::aFolderThatWasMovedIsFound() {
   {
     Journey w({folder.ct()});
     QVERIFY(w.settle());
-    picture = w.after("viewLeft");
+    QVERIFY(!w.after("viewLeft").isNull());
     QVERIFY(folder.save(w));
+    // Alone on screen the view has one size in both windows; beside panels it has what their texts leave.
+    picture = w.after("maximise");
+    QVERIFY(!picture.isNull());
   }
   const QTemporaryDir elsewhere;
   for (const char* name : {"s.volumen", "ct.nrrd"})
@@ -217,7 +220,7 @@ void TestSessions::aFolderThatWasMovedIsFound() {
   Journey w;
   QVERIFY(settles(w, [&] { w.window.open({elsewhere.filePath(QStringLiteral("s.volumen"))}); }));
   QVERIFY(banner(w)->isHidden());
-  QVERIFY(w.window.view()->picture() == picture);
+  QCOMPARE(w.after("maximise"), picture);
 }
 
 void TestSessions::whatIsNoSessionIsASentence_data() {
