@@ -50,9 +50,10 @@ Status readBits(const DataSet& data, const Element& pixels, PixelFormat& format)
   const auto allocated = wordField(data, 0x00280100, "BitsAllocated", {}, 1, 64);
   if (!allocated) return allocated.error();
   format.bitsAllocated = *allocated;
-  if (format.bitsAllocated == 1) return Error{"image of one bit per pixel: not supported yet"};
-  if (format.bitsAllocated != 8 && format.bitsAllocated != 16 && format.bitsAllocated != 32)
-    return Error{"BitsAllocated is " + std::to_string(format.bitsAllocated) + "; 8, 16 and 32 are read"};
+  const int bits = format.bitsAllocated;
+  if (bits != 1 && bits != 8 && bits != 16 && bits != 32)
+    return Error{"BitsAllocated is " + std::to_string(bits) + "; 1, 8, 16 and 32 are read"};
+  if (bits == 1 && format.samples > 1) return Error{"its colours are of one bit a sample"};
   const auto stored =
       wordField(data, 0x00280101, "BitsStored", format.bitsAllocated, 1, format.bitsAllocated);
   if (!stored) return stored.error();
@@ -63,8 +64,8 @@ Status readBits(const DataSet& data, const Element& pixels, PixelFormat& format)
   if (!sign) return sign.error();
   format.bitsStored = *stored;
   format.highBit = *high;
-  format.isSigned = *sign == 1;
-  format.bytesInWords = pixels.bigEndian && pixels.vr == vrOf('O', 'W') && format.bitsAllocated == 8;
+  format.isSigned = *sign == 1 && bits > 1;
+  format.bytesInWords = pixels.bigEndian && pixels.vr == vrOf('O', 'W') && bits <= 8;
   return {};
 }
 

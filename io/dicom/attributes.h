@@ -12,7 +12,7 @@ inline constexpr int frameLimit = 1'000'000;
 void readIdentity(const DataSet& data, FileHeader& header);
 
 /// The Image Pixel Module of a data set whose pixels stand in `pixels`. An Error says which attribute is
-/// missing, wrong or of a kind that is not read (one bit a pixel, colours that are not in use).
+/// missing, wrong or of a kind that is not read (colours of one bit or of a kind that is not in use).
 Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels);
 
 /// How the frames are to be played.

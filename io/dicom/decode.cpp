@@ -46,6 +46,20 @@ Samples unpack(const PixelFormat& format, Bytes bytes) {
   return unpackIntegers<std::uint32_t, std::int32_t>(format, bytes);
 }
 
+/// Frame `n` of a picture of one bit a pixel: `bytes` are the words that its bits lie in, lowest bits first
+/// (PS3.5 8.1.1).
+Result<DecodedFrame> unpackBits(const PixelFormat& format, int n, Bytes bytes) {
+  const std::uint64_t first = std::uint64_t(n) * format.frameSamples() % 16;
+  std::vector<std::uint8_t> values(format.frameSamples());
+  const bool isOdd = format.bytesInWords && bytes.size() % 2 == 1;
+  if (bytes.size() * 8 < first + values.size() || isOdd) return Error{"its pixel data is cut off"};
+  for (std::uint64_t m = 0; m < values.size(); ++m) {
+    const std::uint64_t bit = first + m, at = bit / 8;
+    values[m] = bytes[format.bytesInWords ? at ^ 1 : at] >> bit % 8 & 1;
+  }
+  return DecodedFrame{std::move(values), {}, false};
+}
+
 bool isYbr(const PixelFormat& format) { return format.photometric.starts_with("YBR_FULL"); }
 
 /// Samples of a decoder that delivers little endian bytes.
@@ -140,9 +154,12 @@ Result<DecodedFrame> decodeIsolated(const std::string& path, const PixelFormat& 
 
 }  // namespace
 
-Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax& syntax, Bytes bytes) {
+Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax& syntax, Bytes bytes,
+                                 int n) {
+  if (format.isBits() && syntax.coding != Coding::native) return Error{"only native pixels have one bit"};
   switch (syntax.coding) {
     case Coding::native:
+      if (format.isBits()) return unpackBits(format, n, bytes);
       if (bytes.size() != format.frameBytes() + (format.bytesInWords ? format.frameBytes() % 2 : 0))
         return Error{"its pixel data is cut off"};
       return DecodedFrame{unpackNative(format, bytes), {}, isYbr(format)};
@@ -214,7 +231,7 @@ Result<DecodedFrame> PixelSource::decoded(int n, const PixelFormat& format) cons
     return decodeIsolated(header_.path, format, header_.syntax, ranges, cancel_);
   const auto joinedBytes = joined(ranges, [&](Range r) { return bytes(r); });
   if (!joinedBytes) return joinedBytes.error();
-  return decodeFrame(format, header_.syntax, *joinedBytes);
+  return decodeFrame(format, header_.syntax, *joinedBytes, n);
 }
 
 }  // namespace volumen::dicom

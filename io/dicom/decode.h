@@ -20,8 +20,10 @@ struct DecodedFrame {
 };
 
 /// Decodes one frame from its bytes (all fragments joined). The only place where pixel data meets a decoder:
-/// bytes in, a value or a reason out.
-Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax& syntax, Bytes bytes);
+/// bytes in, a value or a reason out. Of pictures of one bit a pixel they are the 16-bit words in which the
+/// bits of frame `n` lie.
+Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax& syntax, Bytes bytes,
+                                 int n = 0);
 
 /// The pixel data of a file, read frame by frame.
 class PixelSource {

@@ -33,14 +33,29 @@ std::string kindOf(const FileHeader& header) {
   return "DICOM file without pixel data" + (known.empty() ? "" : " (" + known + ")");
 }
 
+/// The 16-bit words in which each frame's bits lie; frames share those at their ends.
+Result<std::vector<FrameRanges>> bitFrames(std::uint64_t offset, const PixelFormat& format,
+                                           std::uint64_t have) {
+  if (format.bytesInWords && have % 2 == 1 && have == format.allBytes())
+    return Error{"its bits end within a big endian word"};
+  std::vector<FrameRanges> frames;
+  for (std::uint64_t n = 0; n < std::uint64_t(format.frames); ++n) {
+    const std::uint64_t begin = n * format.frameSamples() / 16 * 2;
+    const std::uint64_t end = std::min(((n + 1) * format.frameSamples() + 15) / 16 * 2, have);
+    frames.push_back({{offset + begin, end - begin}});
+  }
+  return frames;
+}
+
 Result<std::vector<FrameRanges>> nativeFrames(const Element& pixels, const PixelFormat& format,
                                               std::uint64_t size) {
-  const std::uint64_t needed = format.frameBytes() * std::uint64_t(format.frames);
+  const std::uint64_t needed = format.allBytes();
   const std::uint64_t have = std::min(pixels.length, size - std::min(size, pixels.offset));
   if (pixels.length == undefinedLength) return Error{"its pixel data has no length"};
   if (have < needed)
     return Error{"its pixel data is cut off: " + std::to_string(have) + " of " + std::to_string(needed) +
                  " bytes are there"};
+  if (format.isBits()) return bitFrames(pixels.offset, format, have);
   // The last byte of an odd number stands behind its padding.
   const bool oddWords = format.bytesInWords && format.frameBytes() % 2 == 1;
   if (oddWords && (format.frames > 1 || have == needed))
@@ -116,15 +131,16 @@ Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet&
   if (s.syntax.coding == Coding::unsupported)
     return Error{"its transfer syntax \"" + std::string(s.syntax.name) + "\" is not supported"};
   if (format->framePixels() > framePixelLimit()) return tooLarge(format->framePixels());
-  if (header.format.frameBytes() * std::uint64_t(format->frames) > sizeLimit)
-    return Error{"it claims more than 16 GiB of pixels"};
+  if (header.format.isBits() && s.syntax.coding != Coding::native)
+    return Error{"its bits are compressed (" + std::string(s.syntax.name) + "), which is not read"};
+  if (header.format.allBytes() > sizeLimit) return Error{"it claims more than 16 GiB of pixels"};
   if (Status slices = readSlices(data, header); !slices) return slices;
   if (s.syntax.coding != Coding::native && pixels.length != undefinedLength)
     return Error{"its pixel data is not in fragments, as \"" + std::string(s.syntax.name) + "\" wants it"};
   auto frames = s.syntax.coding == Coding::native ? nativeFrames(pixels, header.format, s.size)
                                                   : encapsulatedFrames(file, pixels, format->frames);
   if (!frames) return frames.error();
-  if (const std::uint64_t needed = header.format.frameBytes() * std::uint64_t(format->frames);
+  if (const std::uint64_t needed = header.format.allBytes();
       s.syntax.coding == Coding::native && pixels.length >= needed + header.format.frameBytes())
     header.warnings.push_back("its pixel data has " + std::to_string(pixels.length) + " bytes, and its " +
                               std::to_string(format->frames) + (format->frames == 1 ? " frame" : " frames") +

@@ -21,7 +21,7 @@ struct PixelFormat {
   int bitsAllocated = 0, bitsStored = 0, highBit = 0;
   bool isSigned = false;
   bool bigEndian = false;     ///< of native samples
-  bool bytesInWords = false;  ///< 8-bit samples in big endian 16-bit words (OW)
+  bool bytesInWords = false;  ///< bits or bytes in big endian 16-bit words (OW)
   std::string photometric = "MONOCHROME2";
   int samples = 1;          ///< a pixel: 3 for colour that is no palette
   bool planar = false;      ///< native samples: all of one colour after all of another
@@ -30,7 +30,16 @@ struct PixelFormat {
   bool isGrey() const { return photometric.starts_with("MONOCHROME"); }
   std::uint64_t framePixels() const { return std::uint64_t(columns) * std::uint64_t(rows); }
   std::uint64_t frameSamples() const { return framePixels() * std::uint64_t(subsampled ? 2 : samples); }
-  std::uint64_t frameBytes() const { return frameSamples() * std::uint64_t(bitsAllocated / 8); }
+  std::uint64_t frameBytes() const { return bytesOf(1); }
+  /// Bits run on from one frame to the next (PS3.5 8.1.1): what all take, not a number of frameBytes().
+  std::uint64_t allBytes() const { return bytesOf(frames); }
+  bool isBits() const { return bitsAllocated == 1; }
+
+ private:
+  std::uint64_t bytesOf(int count) const {
+    const std::uint64_t all = frameSamples() * std::uint64_t(count);
+    return isBits() ? all / 8 + (all % 8 > 0) : all * std::uint64_t(bitsAllocated / 8);
+  }
 };
 
 /// Unit vectors along a picture's rows (i) and down its columns (j), LPS.

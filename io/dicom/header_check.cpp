@@ -13,7 +13,8 @@ constexpr int mostSide = 65535;
 bool areBits(const PixelFormat& f) {
   if (f.kind != PixelFormat::Kind::integer)
     return f.bitsAllocated == (f.kind == PixelFormat::Kind::float32 ? 32 : 64);
-  const bool whole = f.bitsAllocated == 8 || f.bitsAllocated == 16 || f.bitsAllocated == 32;
+  const bool whole = (f.isBits() && f.samples == 1) || f.bitsAllocated == 8 || f.bitsAllocated == 16 ||
+                     f.bitsAllocated == 32;
   return whole && f.bitsStored >= 1 && f.bitsStored <= f.highBit + 1 && f.highBit < f.bitsAllocated;
 }
 
@@ -21,7 +22,7 @@ bool isFormat(const PixelFormat& f) {
   const bool pairs = !f.subsampled || (f.samples == 3 && f.columns % 2 == 0);
   return isPictureSize(f.columns, f.rows) && f.frames >= 1 && f.frames <= frameLimit && areBits(f) &&
          (f.samples == 1 || f.samples == 3) && (!f.isGrey() || f.samples == 1) && pairs &&
-         (!f.bytesInWords || f.bitsAllocated == 8);
+         (!f.bytesInWords || f.bitsAllocated <= 8);
 }
 
 bool isMosaic(const Mosaic& m, const PixelFormat& tile) {
@@ -40,6 +41,7 @@ bool isPictureSize(int columns, int rows) {
 bool isConsistent(const FileHeader& header, const std::string& path) {
   const PixelFormat& f = header.format;
   if (header.path != path || !isFormat(f) || (header.mosaic && !isMosaic(*header.mosaic, f))) return false;
+  if (f.isBits() && header.syntax.coding != Coding::native) return false;
   const auto frames = std::size_t(f.frames);
   if (header.frames.size() != (header.mosaic ? 1 : frames)) return false;
   if (header.slices.size() != frames && header.slices.size() != 1) return false;

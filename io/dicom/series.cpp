@@ -308,7 +308,7 @@ Series describe(const Part& part) {
 VoxelValues typeOf(const PixelFormat& format) {
   if (format.kind != PixelFormat::Kind::integer || format.bitsAllocated > 16) return std::vector<float>{};
   if (format.isSigned) return std::vector<std::int16_t>{};
-  if (format.bitsAllocated == 8) return std::vector<std::uint8_t>{};
+  if (format.bitsAllocated <= 8) return std::vector<std::uint8_t>{};
   return std::vector<std::uint16_t>{};
 }
 

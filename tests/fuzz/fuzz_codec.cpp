@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   format.photometric = input.PickValueInArray(photometrics);
   format.columns = input.ConsumeIntegralInRange(1, 300);
   format.rows = input.ConsumeIntegralInRange(1, 300);
-  format.bitsAllocated = input.PickValueInArray({8, 16, 32});
+  format.bitsAllocated = input.PickValueInArray({1, 8, 16, 32});
   format.bitsStored = input.ConsumeIntegralInRange(1, format.bitsAllocated);
   format.highBit = format.bitsStored - 1;
   format.isSigned = input.ConsumeBool();

@@ -20,6 +20,13 @@ constexpr std::pair<const char*, Lie> lies[] = {
     {"no columns", [](FileHeader& h) { h.format.columns = 0; }},
     {"more rows than DICOM can say", [](FileHeader& h) { h.format.rows = 70000; }},
     {"bits that do not fit", [](FileHeader& h) { h.format.bitsStored = 17; }},
+    {"a bit of two", [](FileHeader& h) { h.format.bitsAllocated = 1; }},
+    {"bits that are compressed",
+     [](FileHeader& h) {
+       h.format.bitsAllocated = h.format.bitsStored = 1;
+       h.format.highBit = 0;
+       h.syntax = dicom::transferSyntax("1.2.840.10008.1.2.5");
+     }},
     {"two samples", [](FileHeader& h) { h.format.samples = 2; }},
     {"more frames than pieces of data", [](FileHeader& h) { h.format.frames = 2; }},
     {"more frames than any picture has", [](FileHeader& h) { h.format.frames = 0x7fffffff; }},
