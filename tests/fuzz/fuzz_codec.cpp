@@ -25,7 +25,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   format.bigEndian = syntax.encoding.bigEndian;
   format.samples = format.isGrey() || format.photometric == "PALETTE COLOR" ? 1 : 3;
   format.planar = input.ConsumeBool();
+  format.bytesInWords = format.bigEndian && format.bitsAllocated <= 8;
+  const int frame = format.isBits() ? input.ConsumeIntegralInRange(0, 99) : 0;
   const std::vector<std::uint8_t> coded = input.ConsumeRemainingBytes<std::uint8_t>();
-  (void)dicom::decodeFrame(format, syntax, coded);
+  (void)dicom::decodeFrame(format, syntax, coded, frame);
   return 0;
 }
