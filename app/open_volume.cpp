@@ -14,9 +14,10 @@ Error nothingToShow(const std::string& path, const Study& study) {
   for (const Image& image : study.images) unread.push_back({image.path, image.notVolume});
   if (unread.empty()) return Error{"No images found in " + path + "."};
   const std::string why = unread[0].path + ": " + unread[0].reason;
-  if (unread.size() == 1) return Error{why};
+  const std::string frames = study.images.empty() ? "" : "\n`volumen slice --plane frame` draws its frames.";
+  if (unread.size() == 1) return Error{why + frames};
   return Error{"No images found in " + path + ": " + noVolumesText(study).toStdString() +
-               " The first: " + why + "\n`volumen info` lists them."};
+               " The first: " + why + "\n`volumen info` lists them." + frames};
 }
 
 namespace {

@@ -58,6 +58,7 @@ void TestInfoImages::renderSaysWhyNot() {
   const Outcome a = runProgram(QStringLiteral("render %1 -o /tmp/never.png").arg(clip()));
   QCOMPARE(a.status, 1);
   QVERIFY2(a.err.contains("colour image (PALETTE COLOR): cannot be shown in 3D."), a.err);
+  QVERIFY2(a.err.contains("slice --plane frame` draws its frames."), a.err);
 }
 
 void TestInfoImages::aMosaicIsOneFile() {
