@@ -18,7 +18,7 @@ rm -rf "$seeds" && mkdir -p "$seeds" "$built/found"
 QT_QPA_PLATFORM=offscreen "$built/tests/fuzz/make_seeds" "$seeds"
 data=${VOLUMEN_DATA:-$top/../shared/data}
 if [ -d "$data" ]; then
-  find "$data" -type f -size -48k \( -name '*.dcm' -o -path '*dicom*' \) | head -300 | while read -r file; do
+  find "$data" -type f -size -48k \( -name '*.dcm' -o -path '*dicom*' \) | sed -n 1,300p | while read -r file; do
     cp "$file" "$seeds/dicom/$(echo "$file" | md5sum | cut -c1-12)"
   done
 fi
