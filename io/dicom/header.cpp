@@ -141,7 +141,8 @@ Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet&
                                                   : encapsulatedFrames(file, pixels, format->frames);
   if (!frames) return frames.error();
   if (const std::uint64_t needed = header.format.allBytes();
-      s.syntax.coding == Coding::native && pixels.length >= needed + header.format.frameBytes())
+      s.syntax.coding == Coding::native && pixels.length > needed + needed % 2 &&
+      pixels.length >= needed + header.format.frameBytes())
     header.warnings.push_back("its pixel data has " + std::to_string(pixels.length) + " bytes, and its " +
                               std::to_string(format->frames) + (format->frames == 1 ? " frame" : " frames") +
                               " take " + std::to_string(needed) + ": the rest is not shown");
