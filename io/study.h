@@ -16,9 +16,16 @@ namespace volumen {
 /// Whose pictures these are and which series they belong to. Text is UTF-8, exactly as in the file; whoever
 /// shows it escapes control characters.
 struct SeriesIdentity {
-  std::string patientName, patientId, studyUid, studyDate, studyDescription;
+  std::string patientName, patientId;
+  std::string patientIdIssuer;   ///< whose number patientId is; empty: not given
+  std::string patientBirthDate;  ///< as DICOM writes it, YYYYMMDD
+  std::string patientSex;        ///< "F", "M", "O"
+  std::string patientAge;        ///< at the study, as DICOM writes it: "045Y"
+  std::string studyUid, studyDate, studyTime, studyId, accessionNumber, studyDescription;
   std::string seriesUid, seriesNumber, modality, description;
-  std::string frameOfReferenceUid;  ///< positions of one frame of reference are comparable; empty: not given
+  std::string bodyPart, laterality;  ///< as in the file: "BREAST", "L"
+  std::string viewPosition;          ///< of projections, as in the file: "MLO", "PA"
+  std::string frameOfReferenceUid;   ///< positions of one frame of reference are comparable; empty: not given
   bool operator==(const SeriesIdentity&) const = default;
 };
 
@@ -28,6 +35,14 @@ struct Cine {
   std::vector<double> frameTimesMs;  ///< from the frame before to each frame; empty: always the same
   bool backAndForth = false;         ///< PreferredPlaybackSequencing 1
   bool operator==(const Cine&) const = default;
+};
+
+/// An attribute by which the volumes of one series were told apart, and what it is in one of them.
+struct SplitBy {
+  std::string attribute;  ///< its DICOM keyword: "ConvolutionKernel"; "rank" where none told them apart
+  std::string value;      ///< as in the file
+  std::string words;      ///< for people, with the unit: "kernel B70f", "phase 40 %"
+  bool operator==(const SplitBy&) const = default;
 };
 
 /// One volume that was found, or pictures that are none: plain values that the rest of the program sees, and
@@ -43,6 +58,9 @@ struct Series : SeriesIdentity {
   std::string timePoint;  ///< of a series in time, as in the file; empty where it is not given
   std::string label;      ///< what else tells it from the other volumes of its series or file, in a few
                           ///< words: "direction 12", "component x", "2 of 5"; empty where nothing does
+
+  std::vector<SplitBy> splitBy;  ///< what tells it from the other volumes of its series, first things first
+  double sliceThickness = 0;     ///< SliceThickness, mm; 0: not given, or not the same of all slices
 
   VoxelGeometry
       acquired;  ///< the slices as acquired; spacing along k: mean distance along the step between slices

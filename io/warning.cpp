@@ -6,8 +6,8 @@
 namespace volumen {
 
 const char* kindName(WarningKind kind) {
-  static constexpr const char* names[] = {"other",   "missingSlices", "unevenSlices", "sheared",
-                                          "offLine", "noDirections",  "notCalibrated"};
+  static constexpr const char* names[] = {"other",   "missingSlices", "unevenSlices",  "sheared",
+                                          "offLine", "noDirections",  "notCalibrated", "notSeparated"};
   return names[int(kind)];
 }
 
@@ -25,7 +25,8 @@ std::vector<std::string> shortWarnings(const std::vector<Warning>& warnings) {
                                           "Gantry tilt",
                                           "Slice displaced",
                                           "Directions not known",
-                                          "Not calibrated"};
+                                          "Not calibrated",
+                                          "Volumes told apart by order alone"};
   std::vector<std::string> texts;
   for (const Warning& w : changingPicture(warnings))
     if (std::ranges::find(texts, words[int(w.kind)]) == texts.end()) texts.push_back(words[int(w.kind)]);

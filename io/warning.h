@@ -13,7 +13,8 @@ enum class WarningKind {
   sheared,        ///< the slices are not stacked along their normal (gantry tilt)
   offLine,        ///< a slice is drawn beside its place
   noDirections,   ///< left and right, front and back are a guess
-  notCalibrated   ///< lengths and directions are not known
+  notCalibrated,  ///< lengths and directions are not known
+  notSeparated    ///< several pictures at one place, and nothing in the files tells which belong together
 };
 
 /// What is to be known of a series: one sentence, mm and file names.

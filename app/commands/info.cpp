@@ -92,9 +92,18 @@ void addWarnings(Json& out, const std::vector<Warning>& warnings) {
 }
 
 void addIdentity(Json& out, const SeriesIdentity& s) {
-  out["patient"] = {{"name", s.patientName}, {"id", s.patientId}};
-  out["study"] = {{"uid", s.studyUid}, {"date", s.studyDate}, {"description", s.studyDescription}};
+  out["patient"] = {{"name", s.patientName},
+                    {"id", s.patientId},
+                    {"issuer", s.patientIdIssuer},
+                    {"birthDate", s.patientBirthDate},
+                    {"sex", s.patientSex}};
+  out["study"] = {{"uid", s.studyUid},
+                  {"date", s.studyDate},
+                  {"time", s.studyTime},
+                  {"accessionNumber", s.accessionNumber},
+                  {"description", s.studyDescription}};
   out["seriesUid"] = s.seriesUid;
+  out["frameOfReferenceUid"] = s.frameOfReferenceUid;
   out["modality"] = s.modality;
   out["description"] = s.description;
 }
@@ -108,6 +117,10 @@ Json seriesJson(const Series& s) {
   for (const auto& [key, text] : {std::pair("echoTime", &s.echoTime), std::pair("bValue", &s.bValue),
                                   std::pair("timePoint", &s.timePoint), std::pair("label", &s.label)})
     if (!text->empty()) out[key] = *text;
+  out["unit"] = s.unit;
+  out["splitBy"] = Json::array();
+  for (const SplitBy& by : s.splitBy)
+    out["splitBy"].push_back({{"attribute", by.attribute}, {"value", by.value}, {"words", by.words}});
   if (s.regular)
     out["regular"] = {{"dims", toJson(s.regular->geometry.size)},
                       {"spacing", toJson(s.regular->geometry.spacing())},

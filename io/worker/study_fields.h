@@ -7,13 +7,14 @@
 namespace volumen::worker {
 
 template <>
-inline constexpr WarningKind lastOf<WarningKind> = WarningKind::notCalibrated;
+inline constexpr WarningKind lastOf<WarningKind> = WarningKind::notSeparated;
 template <>
 inline constexpr ReferenceKind lastOf<ReferenceKind> = ReferenceKind::segmentation;
 
 inline void fields(Wire& w, SeriesIdentity& s) {
-  w(s.patientName, s.patientId, s.studyUid, s.studyDate, s.studyDescription, s.seriesUid, s.seriesNumber,
-    s.modality, s.description, s.frameOfReferenceUid);
+  w(s.patientName, s.patientId, s.patientIdIssuer, s.patientBirthDate, s.patientSex, s.patientAge, s.studyUid,
+    s.studyDate, s.studyTime, s.studyId, s.accessionNumber, s.studyDescription, s.seriesUid, s.seriesNumber,
+    s.modality, s.description, s.bodyPart, s.laterality, s.viewPosition, s.frameOfReferenceUid);
 }
 inline void fields(Wire& w, Cine& c) { w(c.framesPerSecond, c.frameTimesMs, c.backAndForth); }
 inline void fields(Wire& w, ReferencedPicture& p) { w(p.sopInstanceUid, p.seriesUid, p.frames, p.segments); }
@@ -44,10 +45,12 @@ inline void fields(Wire& w, std::vector<Warning>& warnings) {
 }
 
 inline void fields(Wire& w, Series::Regular& r) { w(r.geometry, r.interpolatedSlices); }
+inline void fields(Wire& w, SplitBy& s) { w(s.attribute, s.value, s.words); }
 inline void fields(Wire& w, Series& s) {
   fields(w, static_cast<SeriesIdentity&>(s));
-  w(s.id, s.path, s.format, s.unit, s.time, s.echoTime, s.bValue, s.timePoint, s.label, s.acquired,
-    s.valueType, s.warnings, s.regular, s.files, s.frames, s.sopInstanceUids, s.notVolume, s.cine);
+  w(s.id, s.path, s.format, s.unit, s.time, s.echoTime, s.bValue, s.timePoint, s.label, s.splitBy,
+    s.sliceThickness, s.acquired, s.valueType, s.warnings, s.regular, s.files, s.frames, s.sopInstanceUids,
+    s.notVolume, s.cine);
 }
 
 }  // namespace volumen::worker
