@@ -27,6 +27,7 @@
 #include "ui/widgets/start_page.h"
 #include "ui/widgets/status_line.h"
 #include "ui/workspace/hidden_paths.h"
+#include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 
@@ -117,13 +118,13 @@ void MainWindow::connectSession() {
     if (before.series == after.series && before.scene == after.scene) return;
     meter_.forget();
   });
+  connect(&session_, &Session::workspaceChanged, this, &MainWindow::showWarnings);
 }
 
 void MainWindow::connectLoader() {
   connect(&loader_, &Loader::studyOpened, this, &MainWindow::showStudy);
   connect(&loader_, &Loader::seriesLoaded, this, [this](const ShownSeriesPtr& series) {
-    const bool isFirst = session_.workspace().series.empty();
-    session_.take(series, [&](Workspace w) { return arranged(std::move(w), series->series, isFirst); });
+    session_.take(series, arrangedFor(series->series));
     if (const auto scene = std::exchange(sceneToShow_, {})) session_.edit(tr("Open scene"), *scene);
   });
   connect(&loader_, &Loader::presetReady, this,
@@ -160,7 +161,7 @@ void MainWindow::connectLoader() {
 }
 
 void MainWindow::showInFocus(const Series& series) {
-  if (opensAsFrames(series)) return showFramesInFocus(series);
+  if (opensAsPictures(series)) return showFramesInFocus(series);
   const Workspace& workspace = session_.workspace();
   const Series* shown = seriesIn(workspace, workspace.focus);
   if (shown && !showsFrames(workspace, workspace.focus) && keyOf(*shown) != keyOf(series) &&
@@ -168,7 +169,8 @@ void MainWindow::showInFocus(const Series& series) {
     session_.endGesture();
     return session_.change(tr("Time point"), withTimePoint(workspace, workspace.focus, keyOf(series)));
   }
-  if (!session_.showAgain(series, session_.workspace().focus)) loader_.load(series);
+  const Session::Arrange arrange = arrangedFor(series);
+  if (!session_.showAgain(series, session_.workspace().focus, arrange)) loader_.load(series);
 }
 
 void MainWindow::connectDrawing() {
@@ -252,22 +254,26 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
 void MainWindow::showFirst(const Study& study) {
   if (const Result<std::size_t> largest = chooseSeries(study, {}); largest && !study.volumes.empty()) {
     const Series& series = study.volumes[*largest];
-    return opensAsFrames(series) && !sceneToShow_ ? showFramesInFocus(series) : loader_.load(series);
+    return opensAsPictures(series) && !sceneToShow_ ? showFramesInFocus(series) : loader_.load(series);
   }
   if (const std::vector<Series> frames = frameSeries(study); !frames.empty())
     showFramesInFocus(frames.front());
 }
 
-// The volume of the series on screen and what is to be known of it.
 void MainWindow::showVolume() {
-  const ShownSeriesPtr& series = session_.series();
   thumbnails_.stop();
   thumbnailsOf_.reset();
-  QStringList warnings;
-  if (series)
-    for (const Warning& w : series->warnings)
-      if (w.kind == WarningKind::other) warnings << shownText(w.sentence);  // the others stand on the picture
-  status_->showWarnings(warnings);
+}
+
+// What is to be known of the series in focus; of frames and of what is still being read, by its headers.
+void MainWindow::showWarnings() {
+  const Workspace& workspace = session_.workspace();
+  const Series* series = seriesIn(workspace, workspace.focus);
+  const ShownSeriesPtr read =
+      showsFrames(workspace, workspace.focus) ? nullptr : session_.seriesOf(workspace.focus);
+  status_->showWarnings(read     ? warningSentences(read->warnings)
+                        : series ? warningSentences(series->warnings)
+                                 : QStringList());
 }
 
 void MainWindow::showSeries() {

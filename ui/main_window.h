@@ -159,8 +159,9 @@ class MainWindow : public QMainWindow {
   void showMeasurement(int id);
   void showOnFrame(const Measurement& m);
   void resetViewInFocus();
-  Workspace arranged(Workspace workspace, const Series& series, bool isFirst) const;
-  Layout layoutOf(const Series& series) const;
+  Workspace arranged(Workspace workspace, const Series& series, bool isNew) const;
+  Session::Arrange arrangedFor(const Series& series) const;
+  Workspace inLayoutOf(Workspace workspace, const Series& series) const;
   const Series* ctUnder(const Series& pet) const;
   void keepLayouts() const;
   void showInFocus(const Series& series);
@@ -187,6 +188,7 @@ class MainWindow : public QMainWindow {
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study);
   void showSeries();
   void showVolume();
+  void showWarnings();
   void makePresetBar(QToolBar* bar);
   void drawThumbnails();
   Scene sceneInView() const;

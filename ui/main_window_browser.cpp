@@ -232,7 +232,7 @@ void MainWindow::showOpened(const Series& series) {
   const std::vector<const Series*> patients = patientsOnScreen(session_.workspace());
   if (how == OpenHow::instead && std::ranges::any_of(patients, isOther)) {
     session_.makeRoom(tr("Close %1").arg(patientText(*patients.front())),
-                      withLayout(withoutOtherPatients(session_.workspace(), series), layoutOf(series)));
+                      inLayoutOf(withoutOtherPatients(session_.workspace(), series), series));
   }
   showInFocus(series);
   if (how == OpenHow::instead && showsAnything(session_.workspace())) showBrowser(false);

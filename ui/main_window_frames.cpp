@@ -6,9 +6,11 @@
 #include "ui/main_window.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/panels/slab_menu.h"
+#include "ui/panels/studies_panel.h"
 #include "ui/tools/flat_tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/status_line.h"
+#include "ui/workspace/frame_look.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 
@@ -30,6 +32,16 @@ void MainWindow::makeFrameActions() {
             session_.endGesture();
             editFlat(session_, framesViewOf(session_.workspace().focus), tr("Overlays and shutters"),
                      [on](FlatLook& look) { look.layers = on; });
+          });
+  connect(add("ownWindows", tr("Each image its own window"), {}, true), &QAction::triggered, this,
+          [this](bool on) {
+            session_.endGesture();
+            session_.change(tr("Each image its own window"), [&](Workspace& w) {
+              SeriesState& state = w.series.at(w.view(framesViewOf(w.focus)).series);
+              state.frameWindow = on ? FrameWindow::ofEach : FrameWindow::ofSeries;
+              state.window.reset();
+              state.namedGrey = 0;
+            });
           });
   QAction* interpolate = makeInterpolationAction(session_, this);
   actions_[interpolate->objectName()] = interpolate;
@@ -74,7 +86,9 @@ SliceView* MainWindow::framesInFocus() const {
 void MainWindow::showFramesInFocus(const Series& series) {
   loader_.cancelLoad();
   sceneToShow_.reset();
-  session_.showFrames(series, session_.workspace().focus);
+  session_.showFrames(series, session_.workspace().focus, [&](Workspace w, bool isNew) {
+    return isNew ? withTimePointsOf(std::move(w), series, studies_->allSeries()) : std::move(w);
+  });
 }
 
 void MainWindow::setShowAsFrames(bool asFrames) {
@@ -98,6 +112,9 @@ void MainWindow::showFrameActions() {
   QAction* layers = actions_.at(QStringLiteral("overlaysAndShutters"));
   layers->setEnabled(asFrames);
   layers->setChecked(flatLookOf(workspace.view(framesViewOf(workspace.focus))).layers);
+  QAction* own = actions_.at(QStringLiteral("ownWindows"));
+  own->setEnabled(asFrames && frameCount(*series) > 1);
+  own->setChecked(asFrames && hasOwnWindows(workspace.series.at(keyOf(*series)), *series));
   actions_.at(QStringLiteral("playFrames"))
       ->setEnabled(asFrames ? frameCount(*series) > 1 : series && hasTimePoints(workspace, keyOf(*series)));
 }
@@ -117,8 +134,8 @@ void MainWindow::showFlatMenu(SliceView& view, QPoint global) {
   menu->setObjectName(QStringLiteral("flatMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (view.showsFrames() && view.frame()) {
-    const std::vector<GreyChoice> choices = greyChoices(*view.frame());
     const SeriesState& state = session_.workspace().series.at(view.state().series);
+    const std::vector<GreyChoice> choices = greyChoices(*view.frame(), state);
     for (std::size_t n = 0; n < choices.size(); ++n) {
       const QString digit = n < 10 ? QStringLiteral("\t%1").arg(n) : QString();
       QAction* action = menu->addAction(choices[n].name + digit, &view,
@@ -137,7 +154,7 @@ void MainWindow::showFlatMenu(SliceView& view, QPoint global) {
   if (!view.showsFrames())
     for (const char* name : {"slabMenu", "colourMenu", "overlayMenu"})
       menu->addMenu(findChild<QMenu*>(QLatin1String(name)));
-  for (const char* name : {"showAsFrames", "overlaysAndShutters", "playFrames"})
+  for (const char* name : {"showAsFrames", "ownWindows", "overlaysAndShutters", "playFrames"})
     menu->addAction(actions_.at(QLatin1String(name)));
   menu->popup(global);
 }

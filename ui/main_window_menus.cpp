@@ -37,13 +37,14 @@ void MainWindow::makeMenus() {
        "orbitTool curveTool scissorsTool resetView | viewAnterior viewPosterior viewLeft viewRight "
        "viewSuperior "
        "viewInferior | "
-       "showAsFrames overlaysAndShutters playFrames | "
+       "showAsFrames ownWindows overlaysAndShutters playFrames | "
        "keyImage previousKeyImage nextKeyImage | "
        "openGlResampler showError | maximise fullScreen lightTheme hideNames");
   layoutMenu_ = view->addMenu(tr("Layout"));
   auto* shown = view->addMenu(tr("Show in this view"));
   shown->addActions(kinds_->actions());
-  fill(layoutMenu_, "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour | alignPlanes");
+  fill(layoutMenu_,
+       "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour | alignPlanes straightenPlanes");
   linkMenu_ = makeLinkMenu(
       session_, [this] { registerViews(); }, view);
   view->addMenu(linkMenu_);

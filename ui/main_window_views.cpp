@@ -4,6 +4,7 @@
 #include <QStackedWidget>
 #include <algorithm>
 
+#include "ui/data/frame_series.h"
 #include "ui/main_window.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/panels/studies_panel.h"
@@ -52,18 +53,28 @@ void MainWindow::makeLayoutActions() {
     addAction(action);
     actions_[action->objectName()] = action;
   }
-  auto* align = new QAction(tr("Planes along the slices"), this);
-  align->setObjectName(QStringLiteral("alignPlanes"));
-  connect(align, &QAction::triggered, this, [this] {
-    const ViewId focus = session_.workspace().focus;
-    const ShownSeriesPtr shown = session_.seriesOf(focus);
-    if (!shown) return banner_->tell(tr("Open a series first."));
-    const glm::dvec3 at = crosshairOf(session_.workspace(), focus, *shown).at;
-    setCrosshair(session_, focus, *shown, tr("Planes along the slices"),
-                 alongSlices(at, shown->volume->geometry()));
-    session_.endGesture();
-  });
-  actions_[align->objectName()] = align;
+  using Turned = Crosshair (*)(glm::dvec3, const VoxelGeometry&);
+  const Turned alongPatient = [](glm::dvec3 at, const VoxelGeometry&) {
+    Crosshair straight{at};
+    straight.byHand = true;
+    return straight;
+  };
+  const std::tuple<const char*, QString, Turned> turns[] = {
+      {"alignPlanes", tr("Planes along the slices"), alongSlices},
+      {"straightenPlanes", tr("Planes along the patient"), alongPatient}};
+  for (const auto& [name, text, turned] : turns) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(QLatin1String(name));
+    connect(action, &QAction::triggered, this, [this, text = text, turned = turned] {
+      const ViewId focus = session_.workspace().focus;
+      const ShownSeriesPtr shown = session_.seriesOf(focus);
+      if (!shown) return banner_->tell(tr("Open a series first."));
+      const glm::dvec3 at = crosshairOf(session_.workspace(), focus, *shown).at;
+      setCrosshair(session_, focus, *shown, text, turned(at, shown->volume->geometry()));
+      session_.endGesture();
+    });
+    actions_[action->objectName()] = action;
+  }
 }
 
 void MainWindow::connectViews() {
@@ -95,18 +106,27 @@ const Series* MainWindow::ctUnder(const Series& pet) const {
 }
 
 // The one that was chosen last for its modality, else the usual one.
-Layout MainWindow::layoutOf(const Series& series) const {
+Workspace MainWindow::inLayoutOf(Workspace workspace, const Series& series) const {
+  const auto chosen = layoutsChosen_.find(layoutKey(series));
   const QString kept = QSettings().value(layoutKey(series)).toString();
-  return layoutNamed(kept.toStdString()).value_or(usualLayout(series));
+  const auto layout =
+      chosen == layoutsChosen_.end() ? layoutNamed(kept.toStdString()) : std::optional(chosen->second);
+  if (!layout || !isUsefulVolume(series)) return withUsualLayout(std::move(workspace), series);
+  return *layout == workspace.layout ? workspace : withLayout(std::move(workspace), *layout);
 }
 
-// What a series that was never shown before brings with it: the layout of its modality, its time points, the
-// CT under a PET.
-Workspace MainWindow::arranged(Workspace workspace, const Series& series, bool isFirst) const {
-  if (isFirst) workspace = withLayout(std::move(workspace), layoutOf(series));
+// What a series brings with it: the layout of its modality, unless series are being compared; where it was
+// never shown before its time points, and the CT under a PET.
+Workspace MainWindow::arranged(Workspace workspace, const Series& series, bool isNew) const {
+  if (!comparesSeries(workspace.layout)) workspace = inLayoutOf(std::move(workspace), series);
+  if (!isNew) return workspace;
   workspace = withTimePointsOf(std::move(workspace), series, studies_->allSeries());
   const Series* ct = series.modality == "PT" && workspace.focus < firstComparedId ? ctUnder(series) : nullptr;
   return ct ? fusedWith(std::move(workspace), *ct) : workspace;
+}
+
+Session::Arrange MainWindow::arrangedFor(const Series& series) const {
+  return [this, series](Workspace w, bool isNew) { return arranged(std::move(w), series, isNew); };
 }
 
 void MainWindow::keepLayouts() const {

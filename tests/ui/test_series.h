@@ -32,6 +32,7 @@ inline ShownSeriesPtr ballSeries(int n = 32, double radius = 10, glm::dvec3 cent
   series->series.modality = "CT";
   series->series.unit = "HU";
   series->series.description = "Ball";
+  series->series.acquired = series->volume->geometry();
   series->histogram = {.low = 0, .high = 1000, .counts = std::vector<std::int64_t>(100, 5)};
   series->firstScene.transferFunction.points = {{400, {1, 1, 1}, 0.0}, {600, {1, 1, 1}, 1.0}};
   return series;

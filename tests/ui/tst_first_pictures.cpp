@@ -46,6 +46,14 @@ void TestFirstPictures::aSeriesOpensAsItIsRead() {
   const std::string data = tests::dataPath(path.toStdString());
   NEED_DATA(data);
   Journey w({QString::fromStdString(data)});
+  Session& session = w.window.session();
+  QTRY_VERIFY_WITH_TIMEOUT(!session.workspace().series.empty(), longest);
+  // What opens as pictures has a 3D picture, too.
+  if (QAction* asFrames = w.child<QAction>("showAsFrames"); asFrames->isChecked()) {
+    asFrames->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(session.series() != nullptr, longest);
+    session.setFocus(sceneViewId);
+  }
   QVERIFY(w.settle());
   w.shot(QTest::currentDataTag());
   QCOMPARE(int(w.window.session().scene().mode), mode);

@@ -50,21 +50,21 @@ void TestFramesAmongVolumes::aVolumeAndAClipInTurn() {
 void TestFramesAmongVolumes::aVolumeIsShownAsFramesAndBack() {
   NEED_FILES();
   Frames w({"ct-two-windows.dcm"});
-  QVERIFY(w.settle());
-  QAction* asFrames = w.child<QAction>("showAsFrames");
-  QVERIFY(asFrames->isEnabled() && !asFrames->isChecked());
-  asFrames->trigger();
   QVERIFY(w.shows());
-  QVERIFY(asFrames->isChecked());
+  QAction* asFrames = w.child<QAction>("showAsFrames");
+  QVERIFY2(asFrames->isEnabled() && asFrames->isChecked(), "one slice opens as a picture");
   QCOMPARE(qGray(w.seen(256, 256)), 246);
   QVERIFY(w.press(Qt::Key_2));
   QCOMPARE(qGray(w.seen(256, 256)), 85);
   QCOMPARE(w.said(256, 256).section(QLatin1Char(' '), 0, 1), QStringLiteral("202 HU"));
   QVERIFY2(!w.view()->overlays().left.isEmpty(), "it lies somewhere in the patient");
   asFrames->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(w.window.view()->isVisible(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(w.session().series() != nullptr, longest);
   QVERIFY(!asFrames->isChecked());
-  QVERIFY(w.session().series());
+  QVERIFY2(w.view()->isVisible() && !w.view()->showsFrames(), "the slice as a plane");
+  asFrames->trigger();
+  QVERIFY(w.shows());
+  QVERIFY(asFrames->isChecked());
 }
 
 // It was never in memory as a volume.
@@ -79,7 +79,7 @@ void TestFramesAmongVolumes::aPictureIsShownAsASliceAndBack() {
   QVERIFY(asFrames->isChecked());
   asFrames->trigger();
   QTRY_VERIFY_WITH_TIMEOUT(w.session().series() && !asFrames->isChecked(), longest);
-  QVERIFY(w.window.view()->isVisible());
+  QVERIFY(w.view()->isVisible() && !w.view()->showsFrames());
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.shows());
   QVERIFY(asFrames->isChecked());
@@ -152,12 +152,10 @@ void TestFramesAmongVolumes::aFileThatWentIsASentence() {
 void TestFramesAmongVolumes::theSliderChoosesStepsInFramesToo() {
   NEED_FILES();
   Frames w({"../dicom-geometry/mr-qt2-multiecho-7"});
-  QVERIFY(w.settle());
   QTRY_VERIFY_WITH_TIMEOUT(w.item("2 echoes") != nullptr, longest);
   w.choose("2 echoes");
   const auto echo = [&] { return seriesIn(w.workspace(), axialViewId)->echoTime; };
   QTRY_COMPARE_WITH_TIMEOUT(echo(), std::string("40"), longest);
-  w.child<QAction>("showAsFrames")->trigger();
   QVERIFY(w.shows());
   QVERIFY(w.press(Qt::Key_Down));
   const SeriesKey first = w.view()->frame()->key.series;

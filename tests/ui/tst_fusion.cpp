@@ -79,7 +79,8 @@ void TestFusion::seriesOpenInTheirUsualLayout_data() {
   QTest::addColumn<int>("layout");
   QTest::newRow("CT: planes and 3D") << QStringLiteral("ct-chest-lidc0314-138") << int(Layout::planes);
   QTest::newRow("MR: planes and 3D") << QStringLiteral("mr-head-ge-mprage-130") << int(Layout::planes);
-  QTest::newRow("one slice: one view") << QStringLiteral("dicom-2d/ct-two-windows.dcm") << int(Layout::one);
+  QTest::newRow("six slices: one view")
+      << QStringLiteral("dicom-geometry/mr-enh-siemens-xa10") << int(Layout::one);
 }
 
 void TestFusion::seriesOpenInTheirUsualLayout() {

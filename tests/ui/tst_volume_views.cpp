@@ -83,7 +83,7 @@ void TestVolumeViews::aViewShowsWhatItsMenuSays() {
   auto* flat = qobject_cast<SliceView*>(t.view(left));
   QVERIFY(flat && flat->isVisible());
   QTRY_VERIFY_WITH_TIMEOUT(flat->picture().size() == flat->pixels(), longest);
-  QVERIFY(flat->overlays().topRight.contains(QStringLiteral("Coronal")));
+  QVERIFY(flat->overlays().topRight.contains(QStringLiteral("Coronal, reformatted")));
   t.w.shot("plane-and-volume");
   t.w.child<QAction>("undo")->trigger();
   QVERIFY(t.session().workspace().view(left).kind == ViewKind::volume);

@@ -155,9 +155,20 @@ Result<ShownFramePtr> FrameService::readAcquired(const Job& job, const std::stri
   Result<Frame> frame = loadFrame(*job.series, job.key.index);
   if (!frame) return frame.error();
   if (!warning.empty()) frame->warnings.push_back(warning);
-  if (!frame->greys.empty() && frame->greys.front().ofValues && frameCount(*job.series) > 1)
-    frame->greys.front().mapping.window = windowOf(*job.series);
-  return shownFrame(*job.series, job.key, std::move(*frame));
+  if (frame->greys.empty() || frameCount(*job.series) < 2)
+    return shownFrame(*job.series, job.key, std::move(*frame));
+  if (frame->greys.front().ofValues) frame->greys.front().mapping.window = windowOf(*job.series);
+  return shownFrame(*job.series, job.key, std::move(*frame), {}, middleGreys(*job.series));
+}
+
+// Empty where the middle frame cannot be read, or is colour.
+const std::vector<NamedGrey>& FrameService::middleGreys(const Series& series) {
+  const auto known = middleGreys_.find(keyOf(series));
+  if (known != middleGreys_.end()) return known->second;
+  std::vector<NamedGrey> greys;
+  if (Result<Frame> middle = loadFrame(series, frameCount(series) / 2)) greys = std::move(middle->greys);
+  if (!greys.empty() && greys.front().ofValues) greys.front().mapping.window = windowOf(series);
+  return middleGreys_[keyOf(series)] = std::move(greys);
 }
 
 Window FrameService::windowOf(const Series& series) {

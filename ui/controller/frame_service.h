@@ -69,8 +69,10 @@ class FrameService : public QObject {
   Result<ShownFramePtr> readAcquired(const Job& job, const std::string& warning);
   const Result<Presentation>& presentationOf(const std::string& path);
   Window windowOf(const Series& series);
+  const std::vector<NamedGrey>& middleGreys(const Series& series);
 
-  std::map<SeriesKey, Window> windows_;  // of series without one; of the thread alone, as the next
+  std::map<SeriesKey, Window> windows_;  // of series without one; of the thread alone, as the next two
+  std::map<SeriesKey, std::vector<NamedGrey>> middleGreys_;
   std::map<std::string, Result<Presentation>> presentations_;  // by file
   std::mutex mutex_;                                           // guards from here ...
   std::condition_variable wake_;

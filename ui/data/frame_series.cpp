@@ -1,7 +1,9 @@
 #include "ui/data/frame_series.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
 
 namespace volumen {
 
@@ -64,6 +66,20 @@ int frameCount(const Series& series) { return series.format == "DICOM" ? int(ser
 bool opensAsFrames(const Series& series) {
   const bool isPlaceless = series.acquired.size.z == 1 && !series.acquired.calibrated;
   return !series.notVolume.empty() || (isPlaceless && frameCount(series) > 0);
+}
+
+bool isUsefulVolume(const Series& series) {
+  constexpr int fewest = 4;
+  constexpr double mostThicknesses = 2, mostMm = 10;  // from slice to slice; mm where no thickness is given
+  if (!series.notVolume.empty() || series.acquired.size.z < fewest) return false;
+  if (!series.acquired.calibrated) return true;
+  const glm::dmat3& L = series.acquired.patientFromVoxelStep;
+  const double apart = std::abs(glm::dot(L[2], glm::normalize(glm::cross(L[0], L[1]))));
+  return apart <= (series.sliceThickness > 0 ? mostThicknesses * series.sliceThickness : mostMm);
+}
+
+bool opensAsPictures(const Series& series) {
+  return opensAsFrames(series) || (!isUsefulVolume(series) && frameCount(series) > 0);
 }
 
 }  // namespace volumen

@@ -13,7 +13,14 @@ std::vector<Series> frameSeries(const Study& study);
 /// How many frames can be shown as acquired; 0 where the format has none.
 int frameCount(const Series& series);
 
-/// Whether the first view of it is its frames: it is no volume, or one slice without a place.
+/// Whether it has no other view than its frames: it is no volume, or one slice without a place.
 bool opensAsFrames(const Series& series);
+
+/// Whether planes across the slices and 3D pictures show something of it: four slices or more that fill the
+/// space between them. Of localizers and single slices they do not.
+bool isUsefulVolume(const Series& series);
+
+/// Whether the first view of it is its frames: opensAsFrames(), or it is no useful volume and has frames.
+bool opensAsPictures(const Series& series);
 
 }  // namespace volumen

@@ -68,7 +68,7 @@ std::size_t ShownFrame::bytes() const {
 }
 
 Result<ShownFramePtr> shownFrame(const Series& series, const FrameKey& key, Frame frame,
-                                 std::optional<FramePresentation> how) {
+                                 std::optional<FramePresentation> how, std::vector<NamedGrey> seriesGreys) {
   const VoxelGeometry geometry = geometryOf(frame);
   auto shown = std::make_shared<ShownFrame>();
   shown->key = key;
@@ -93,6 +93,7 @@ Result<ShownFramePtr> shownFrame(const Series& series, const FrameKey& key, Fram
   }
   shown->slice = sliceOf(series, frame, values);
   shown->greys = std::move(frame.greys);
+  shown->seriesGreys = std::move(seriesGreys);
   shown->pixel = frame.pixel;
   shown->shutterGrey = frame.shutterGrey;
   shown->rowSide = std::move(frame.rowSide);

@@ -24,11 +24,12 @@ struct FrameKey {
 /// along y, and a pixel is as large as PixelSize says.
 struct ShownFrame {
   FrameKey key;
-  ShownSeriesPtr slice;         ///< its values; of colour its red
-  VolumePtr green, blue;        ///< null: grey
-  VolumePtr overlays, shutter;  ///< 1 where they draw or hide, else 0; null: none
-  float shutterGrey = 0;        ///< what the shutter hides behind, 0 black .. 1 white
-  std::vector<NamedGrey> greys;
+  ShownSeriesPtr slice;                ///< its values; of colour its red
+  VolumePtr green, blue;               ///< null: grey
+  VolumePtr overlays, shutter;         ///< 1 where they draw or hide, else 0; null: none
+  float shutterGrey = 0;               ///< what the shutter hides behind, 0 black .. 1 white
+  std::vector<NamedGrey> greys;        ///< its own
+  std::vector<NamedGrey> seriesGreys;  ///< those of the middle frame of its series; empty: it has its own
   PixelSize pixel;
   std::vector<UltrasoundRegion> regions;
   std::string rowSide, columnSide;       ///< as Frame has them
@@ -45,7 +46,8 @@ using ShownFramePtr = std::shared_ptr<const ShownFrame>;
 
 /// Makes a frame of a series ready to be shown. `key` names it. An Error where its geometry makes no sense.
 Result<ShownFramePtr> shownFrame(const Series& series, const FrameKey& key, Frame frame,
-                                 std::optional<FramePresentation> how = {});
+                                 std::optional<FramePresentation> how = {},
+                                 std::vector<NamedGrey> seriesGreys = {});
 
 /// The plane that shows a slice as it was acquired: its rows to the right, its columns downwards; else as
 /// planeAlong().

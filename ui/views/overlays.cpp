@@ -139,6 +139,11 @@ double scaleBarMm(double mmPerPixel, double mostPixels) {
   return power;
 }
 
+int cornerLines(const QRectF& area, const QFont& font) {
+  constexpr int fewest = 2;
+  return std::max(fewest, int((area.height() / 2 - margin) / (QFontMetricsF(font).height() + 1)));
+}
+
 PlacedOverlays placeOverlays(const Overlays& o, const QRectF& area, const QFont& font) {
   Placer placer(o, area, font);
   const QRectF inside = placer.inside();

@@ -42,6 +42,9 @@ struct PlacedOverlays {
 };
 PlacedOverlays placeOverlays(const Overlays& overlays, const QRectF& area, const QFont& font);
 
+/// How many lines of each corner may stand in the upper half of an area.
+int cornerLines(const QRectF& area, const QFont& font);
+
 /// A round length (1, 2 or 5 times a power of ten, mm) of at most so many pixels.
 double scaleBarMm(double mmPerPixel, double mostPixels);
 

@@ -57,7 +57,10 @@ SliceView::SliceView(Session& session, SliceService& service, FrameService& fram
   connect(&service_, &SliceService::ready, this, &SliceView::showPicture);
   connect(&frames_, &FrameService::ready, this, &SliceView::takeFrame);
   connect(&frames_, &FrameService::failed, this, &SliceView::tellFrameFailure);
-  connect(&measurer_, &Measurer::measured, this, qOverload<>(&QWidget::update));
+  connect(&measurer_, &Measurer::measured, this, [this] {
+    update();
+    tellPointed();
+  });
   connect(&references_, &References::changed, this, [this] {
     askForPicture();
     update();
@@ -158,6 +161,7 @@ void SliceView::workspaceChanged(const Workspace&) {
   }
   askForFrame();
   askForPicture();
+  placeBadge();
   update();
 }
 
@@ -201,7 +205,7 @@ void SliceView::resetView() {
   Workspace after = session_.workspace();
   if (const ShownSeriesPtr shown = series(); shown && !showsFrames()) {
     const Crosshair before = crosshairOf(after, id(), *shown);
-    if (before.turned())
+    if (before.byHand)
       after = withCrosshair(std::move(after), id(), frameOfReference(shown->series), before, {before.at});
   }
   makeWhole(after.view(id()).flats[state().series]);
@@ -261,13 +265,17 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_) {
     drag_->moveTo(event->position(), event->modifiers());
     if (drag_->drawing()) update();
-    return;
+    return pointAt(event->position());
   }
   if (event->modifiers() & Qt::ShiftModifier && !tool_->measuring && hasCursor())
     if (const auto press = pressAt(event->position())) beginCrosshair(*press);
   showCursorAt(event->position());
-  const QString measured = measurementText(event->position());
-  Q_EMIT hovered(measured.isEmpty() ? hoverText(event->position()) : measured);
+  pointAt(event->position());
+}
+
+QString SliceView::textAt(QPointF position) const {
+  const QString measured = measurementText(position);
+  return measured.isEmpty() ? hoverText(position) : measured;
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
@@ -280,6 +288,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
+  pointAt(event->position());
   const auto press = pressAt(event->position());
   if (!press || drag_) return;
   // Alt makes a wheel horizontal on some systems.

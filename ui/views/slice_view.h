@@ -119,6 +119,7 @@ class SliceView : public View {
   void tellWarnings();
   void makeSlabThicker(int steps);
   void placeBadge();
+  QString textAt(QPointF position) const override;
   QString hoverText(QPointF position) const;
   QRectF overlayArea() const;
   void placeTimeBar();

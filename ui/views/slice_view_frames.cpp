@@ -5,6 +5,7 @@
 #include "ui/views/view_overlays.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/camera_moves.h"
+#include "ui/workspace/corner_text.h"
 #include "ui/workspace/frame_text.h"
 #include "ui/workspace/presented_frame.h"
 #include "ui/workspace/text.h"
@@ -52,6 +53,7 @@ void SliceView::takeFrame(int view, const ShownFramePtr& frame) {
   frameFailure_.clear();
   tellWarnings();
   askForPicture();
+  tellPointed();
 }
 
 void SliceView::tellFrameFailure(int view, const FrameKey& key, const QString& sentence) {
@@ -60,6 +62,7 @@ void SliceView::tellFrameFailure(int view, const FrameKey& key, const QString& s
   forgetFrame();
   frameFailure_ = shownText(sentence.toStdString());
   update();
+  tellPointed();
 }
 
 StackPlace SliceView::place() const {
@@ -121,16 +124,21 @@ Overlays SliceView::frameOverlays() const {
   const Series& series = *seriesState().series;
   const SlicePlane now = *plane();
   const FlatLook look = flatLookOf(state());
+  CornerTexts texts = seriesCorner(series);
   Overlays o;
-  o.topLeft << patientText(series) << seriesText(series);
-  o.topLeft.removeAll(QString());
-  o.topRight << tr("Frame %1 / %2").arg(place().index + 1).arg(place().count);
+  QString title = tr("Frame %1 / %2").arg(place().index + 1).arg(place().count);
   if (player_ && player_->rate() > 0) {
-    o.topRight.front() += tr(", %1 a second").arg(player_->rate(), 0, 'f', 1);
+    title += tr(", %1 a second").arg(player_->rate(), 0, 'f', 1);
     o.isLate = player_->isLate();
   }
-  if (time_->hasSteps()) o.topRight << time_->text();
-  o.topRight << pixelSizeText(*frame_) << referenceTexts();
+  texts.add(CornerItem::plane, title);
+  if (series.notVolume.empty()) texts.add(CornerItem::thickness, thicknessText(series));
+  texts.add(CornerItem::step, stepText(session_.workspace(), state().series));
+  texts.add(CornerItem::pixelSize, pixelSizeText(*frame_));
+  texts.add(CornerItem::mark, referenceTexts());
+  const int lines = cornerLines(overlayArea(), font());
+  o.topLeft = texts.left(lines);
+  o.topRight = texts.right(lines);
   o.bottomRight = greyText(seriesState(), look, *frame_);
   o.warning = frameFailure_;
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());

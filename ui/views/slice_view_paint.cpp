@@ -10,36 +10,14 @@
 #include "ui/views/view_overlays.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/camera_moves.h"
+#include "ui/workspace/corner_text.h"
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/link_text.h"
-#include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
 
 namespace {
-
-QString kindText(ViewKind kind) {
-  return kind == ViewKind::coronal    ? SliceView::tr("Coronal")
-         : kind == ViewKind::sagittal ? SliceView::tr("Sagittal")
-                                      : SliceView::tr("Axial");
-}
-
-QString slabText(const FlatLook& look) {
-  const char* mode = look.slabMode == SlabMode::max   ? "MIP"
-                     : look.slabMode == SlabMode::min ? "MinIP"
-                                                      : "Mean";
-  return QStringLiteral("%1 %2 mm").arg(QLatin1String(mode)).arg(look.slabMm, 0, 'f', 1);
-}
-
-// "S 12.5 mm": where along its axis a plane lies.
-QString positionText(ViewKind kind, glm::dvec3 p) {
-  const auto [mm, plus, minus] = kind == ViewKind::coronal    ? std::tuple(p.y, "P", "A")
-                                 : kind == ViewKind::sagittal ? std::tuple(p.x, "L", "R")
-                                                              : std::tuple(p.z, "S", "I");
-  return QStringLiteral("%1 %2 mm").arg(QLatin1String(mm < 0 ? minus : plus)).arg(std::abs(mm), 0, 'f', 1);
-}
 
 // The value of the voxel at a point, with its unit; empty outside the volume.
 QString valueText(const ShownSeries& shown, glm::dvec3 p) {
@@ -72,28 +50,22 @@ QString SliceView::hoverText(QPointF position) const {
 Overlays SliceView::overlays() const {
   if (showsFrames()) return frameOverlays();
   const ShownSeriesPtr shown = series();
-  const VoxelGeometry& geometry = shown->volume->geometry();
   const SlicePlane now = *plane();
+  const Workspace& workspace = session_.workspace();
   const FlatLook look = flatLookOf(state());
-  const Crosshair crosshair = crosshairOf(session_.workspace(), id(), *shown);
-  const StackPlace place = this->place();
-  const Window window = flatWindow(session_.workspace().series.at(keyOf(shown->series)), *shown);
-  Overlays o;
-  o.topLeft << patientText(shown->series) << seriesText(shown->series);
+  const Window window = flatWindow(seriesState(), *shown);
+  CornerTexts texts = slicesCorner(workspace, id(), *shown, now);
   if (const ShownSeriesPtr over = session_.seriesNamed(look.overlay))
-    o.topLeft
-        << tr("with %1, %2 %").arg(seriesText(over->series)).arg(std::lround(100 * look.overlayOpacity));
-  o.topLeft.removeAll(QString());
-  o.topRight << kindText(state().kind) << QStringLiteral("%1 / %2").arg(place.index + 1).arg(place.count);
+    texts.add(CornerItem::overlay,
+              tr("with %1, %2 %").arg(seriesText(over->series)).arg(std::lround(100 * look.overlayOpacity)));
+  texts.add(CornerItem::mark, referenceTexts());
+  const int lines = cornerLines(overlayArea(), font());
+  Overlays o;
+  o.topLeft = texts.left(lines);
+  o.topRight = texts.right(lines);
   o.bottomRight = tr("W %1 L %2").arg(std::abs(window.width), 0, 'g', 4).arg(window.centre, 0, 'g', 4);
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
-  o.topRight << time_->text() << maskTexts(session_.maskOf(keyOf(shown->series))) << referenceTexts();
-  o.topRight.removeAll(QString());
-  if (!geometry.calibrated) return o;
-  o.topRight << (crosshair.turned() ? tr("oblique") : positionText(state().kind, now.centre));
-  if (look.slabMm > 0) o.topRight << slabText(look);
-  o.topRight << linkText(session_.workspace(), id());
-  o.topRight.removeAll(QString());
+  if (!shown->volume->geometry().calibrated) return o;
   const auto letters = [](glm::dvec3 d) { return QString::fromStdString(sideLetters(d)); };
   o.right = letters(now.right);
   o.left = letters(-now.right);

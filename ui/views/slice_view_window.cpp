@@ -13,7 +13,7 @@ void SliceView::chooseWindow(int number) {
   const ShownSeriesPtr shown = this->shown();
   if (!shown) return;
   if (showsFrames()) {
-    const std::vector<GreyChoice> choices = greyChoices(*frame_);
+    const std::vector<GreyChoice> choices = greyChoices(*frame_, seriesState());
     if (number < int(choices.size())) chooseGrey(choices[std::size_t(number)]);
     return;
   }

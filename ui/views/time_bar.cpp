@@ -40,11 +40,14 @@ void TimeBar::showSteps() {
   const QSignalBlocker quiet(this);
   setMaximum(std::max(0, int(steps.size()) - 1));
   setValue(int(at - steps.begin()));
-  text_ = steps.empty() ? QString() : timePointText(workspace, state.series);
   setToolTip(hasSteps() ? timeAxisText(steps) : QString());
   setVisible(hasSteps());
   if (!hasSteps()) timer_.stop();
   Q_EMIT stepsChanged();
+}
+
+QString TimeBar::text() const {
+  return timePointText(session_.workspace(), session_.workspace().view(view_).series);
 }
 
 void TimeBar::goTo(int index) {

@@ -15,7 +15,7 @@ class TimeBar : public QSlider {
 
   bool hasSteps() const { return maximum() > 0; }
   /// Which of them is shown: "b 50 (2 of 3)"; of the only one its label, mostly empty.
-  const QString& text() const { return text_; }
+  QString text() const;
   /// So many steps on; stays within them.
   void step(int steps);
   /// Shows one after the other, from the first again after the last; or stops.
@@ -32,7 +32,6 @@ class TimeBar : public QSlider {
 
   Session& session_;
   const ViewId view_;
-  QString text_;
   QTimer timer_;
 };
 

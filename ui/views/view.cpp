@@ -5,8 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
-#include "ui/workspace/text.h"
-#include "ui/workspace/time_point_text.h"
+#include "ui/workspace/corner_text.h"
 #include "ui/workspace/time_points.h"
 
 namespace volumen {
@@ -58,6 +57,11 @@ View::View(Session& session, ViewId id, QWidget* parent)
     if (last != seen_ || another) seriesExchanged(another);
     showWaiting();
     workspaceChanged(before);
+    tellPointed();
+  });
+  connect(&session_, &Session::preferencesChanged, this, [this] {
+    update();
+    tellPointed();
   });
   showWaiting();
 }
@@ -95,11 +99,12 @@ void View::showWaiting() {
 
 Overlays View::waitingOverlays() const {
   const Series& series = *seriesIn(session_.workspace(), id_);
+  CornerTexts texts = seriesCorner(series);
+  texts.add(CornerItem::step, stepText(session_.workspace(), state().series));
+  const int lines = cornerLines(rect(), font());
   Overlays o;
-  o.topLeft << patientText(series) << seriesText(series);
-  o.topLeft.removeAll(QString());
-  o.topRight << timePointText(session_.workspace(), state().series);
-  o.topRight.removeAll(QString());
+  o.topLeft = texts.left(lines);
+  o.topRight = texts.right(lines);
   return o;
 }
 
@@ -136,12 +141,29 @@ void View::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton) Q_EMIT maximiseRequested();
 }
 
-void View::leaveEvent(QEvent*) { Q_EMIT hovered({}); }
+void View::pointAt(QPointF position) {
+  pointedAt_ = position;
+  tellPointed();
+}
+
+void View::tellPointed() {
+  if (pointedAt_) Q_EMIT hovered(textAt(*pointedAt_));
+}
+
+void View::leaveEvent(QEvent*) {
+  pointedAt_.reset();
+  Q_EMIT hovered({});
+}
+
+void View::hideEvent(QHideEvent*) {
+  if (std::exchange(pointedAt_, {})) Q_EMIT hovered({});
+}
 
 void View::resizeEvent(QResizeEvent*) {
   loading_->move((width() - loading_->width()) / 2, height() / 4);
   session_.setViewSize(id_, {pixels().width(), pixels().height()});
   Q_EMIT pixelsChanged();
+  tellPointed();
 }
 
 }  // namespace volumen

@@ -45,6 +45,13 @@ class View : public QWidget {
   /// Something of the workspace changed.
   virtual void workspaceChanged(const Workspace& before) = 0;
 
+  /// What is to be said of a place of the view, logical pixels; empty: nothing.
+  virtual QString textAt(QPointF position) const = 0;
+  /// The cursor is here: hovered() tells what is under it, now and whenever that changes beneath it.
+  void pointAt(QPointF position);
+  /// What is under the cursor may be something else now.
+  void tellPointed();
+
   /// What is written over the last picture while isWaiting(): whose, and which step is awaited.
   Overlays waitingOverlays() const;
   /// A thin frame where this is the view in focus of several.
@@ -55,6 +62,7 @@ class View : public QWidget {
   void mousePressEvent(QMouseEvent*) override;
   void mouseDoubleClickEvent(QMouseEvent*) override;
   void leaveEvent(QEvent*) override;
+  void hideEvent(QHideEvent*) override;
   void resizeEvent(QResizeEvent*) override;
 
   Session& session_;
@@ -66,7 +74,8 @@ class View : public QWidget {
   const ViewId id_;
   ShownSeriesPtr seen_;
   std::shared_ptr<const Series> shownLast_;
-  SeriesKey givenUp_;  // will not come
+  SeriesKey givenUp_;                 // will not come
+  std::optional<QPointF> pointedAt_;  // while the cursor is over the view
   QLabel* loading_;
   QTimer loadingSoon_;
 };

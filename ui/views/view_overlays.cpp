@@ -1,14 +1,13 @@
 #include "ui/views/view_overlays.h"
 
 #include "ui/workspace/camera_moves.h"
-#include "ui/workspace/text.h"
+#include "ui/workspace/corner_text.h"
 
 namespace volumen {
 
 Overlays viewOverlays(const ShownSeries& series, const Camera& camera, glm::dvec2 size) {
   Overlays o;
-  o.topLeft << patientText(series.series) << seriesText(series.series);
-  o.topLeft.removeAll(QString());
+  o.topLeft = seriesCorner(series.series).left();
   if (!series.volume->geometry().calibrated) return o;
   const CameraAxes axes = cameraAxes(camera);
   const auto letters = [](glm::dvec3 d) { return QString::fromStdString(sideLetters(d)); };

@@ -84,6 +84,7 @@ class VolumeView : public View {
   Hand handOf(DragAction action, bool control) const;
   Camera movedCamera(QPointF to) const;
   TransferFunction movedCurve(QPointF to) const;
+  void moveHand(const QMouseEvent& event);
   void moveWindow(const QMouseEvent& event);
   void moveLasso(const QMouseEvent& event);
   void endLasso(const QMouseEvent& event);
@@ -98,7 +99,7 @@ class VolumeView : public View {
   glm::dvec2 size() const { return {double(width()), double(height())}; }
   Overlays overlays() const;
   QRectF overlayArea() const;
-  QString hoverText(QPointF position) const;
+  QString textAt(QPointF position) const override;
   void paint(QPainter& painter) const;
   void paintCrosshair(QPainter& painter) const;
   /// Of the same frame of reference.

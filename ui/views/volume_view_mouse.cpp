@@ -105,26 +105,31 @@ void VolumeView::moveWindow(const QMouseEvent& event) {
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
+  moveHand(*event);
+  pointAt(event->position());
+}
+
+void VolumeView::moveHand(const QMouseEvent& event) {
   switch (hand_) {
     case Hand::none:
-      return Q_EMIT hovered(hoverText(event->position()));
+      return;
     case Hand::curve:
     case Hand::opacity: {
       const QString what = hand_ == Hand::curve ? tr("Adjust curve") : tr("Adjust opacity");
       return session_.edit(
-          id(), what, [&](Scene& s) { s.transferFunction = movedCurve(event->position()); }, what);
+          id(), what, [&](Scene& s) { s.transferFunction = movedCurve(event.position()); }, what);
     }
     case Hand::window:
-      return moveWindow(*event);
+      return moveWindow(event);
     case Hand::lasso:
-      return moveLasso(*event);
+      return moveLasso(event);
     case Hand::orbit:
     case Hand::roll:
-      return editCamera(tr("Rotate"), movedCamera(event->position()));
+      return editCamera(tr("Rotate"), movedCamera(event.position()));
     case Hand::pan:
-      return editCamera(tr("Pan"), movedCamera(event->position()));
+      return editCamera(tr("Pan"), movedCamera(event.position()));
     case Hand::zoom:
-      return editCamera(tr("Zoom"), movedCamera(event->position()));
+      return editCamera(tr("Zoom"), movedCamera(event.position()));
   }
 }
 
@@ -143,6 +148,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void VolumeView::wheelEvent(QWheelEvent* event) {
+  pointAt(event->position());
   if (!series() || hand_ != Hand::none) return;
   const Camera now = camera();
   const std::optional<Pick> hit = pickAt(event->position());

@@ -8,13 +8,14 @@
 #include "ui/views/volume_view.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
+#include "ui/workspace/corner_text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
 
-QString VolumeView::hoverText(QPointF position) const {
+QString VolumeView::textAt(QPointF position) const {
   const std::optional<Pick> hit = pickAt(position);
   if (!hit) return {};
   const ShownSeriesPtr shown = series();
@@ -34,10 +35,11 @@ Overlays VolumeView::overlays() const {
   const ShownSeriesPtr shown = series();
   const Camera seen = camera();
   Overlays o = viewOverlays(*shown, seen, size());
+  o.topLeft = seriesCorner(shown->series).left(cornerLines(overlayArea(), font()));
   o.bottomRight = caption_;
   for (const QWidget* child : {static_cast<const QWidget*>(cube_), static_cast<const QWidget*>(badge_)})
     if (child->isVisibleTo(this)) o.taken.push_back(child->geometry());
-  QStringList more{time_->text()};
+  QStringList more{stepText(session_.workspace(), state().series)};
   more << maskTexts(session_.maskOf(state().series));
   more.removeAll(QString());
   const QString zoomText = tr("Zoom %1 %").arg(std::lround(100 * zoom()));

@@ -11,10 +11,9 @@ namespace volumen {
 
 namespace {
 
-NamedPlane namedPlaneOf(ViewKind kind) {
-  return kind == ViewKind::coronal    ? NamedPlane::coronal
-         : kind == ViewKind::sagittal ? NamedPlane::sagittal
-                                      : NamedPlane::axial;
+// How a crosshair lies for a series.
+Crosshair lyingFor(const Crosshair& crosshair, const VoxelGeometry& geometry) {
+  return crosshair.byHand ? crosshair : alongSlices(crosshair.at, geometry);
 }
 
 // The direction that the wheel moves along; unturned: caudal, posterior, left.
@@ -68,7 +67,8 @@ const VoxelGeometry& drawnGeometry(const Series& series) {
 SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry,
                      const Crosshair& crosshair, glm::ivec2 pixels) {
   const bool ofFrames = view.kind == ViewKind::frames;
-  SlicePlane plane = ofFrames ? framePlane(geometry) : namedPlane(geometry, namedPlaneOf(view.kind));
+  const PlaneDirections unturned = alongSlices({}, geometry).plane(view.kind);
+  SlicePlane plane = ofFrames ? framePlane(geometry) : planeAlong(geometry, unturned.right, unturned.down);
   const glm::dvec2 whole = glm::dvec2(plane.size) * plane.mmPerPixel;
   const double fittedMm = std::max(whole.x / pixels.x, whole.y / pixels.y);
   plane.size = pixels;
@@ -101,7 +101,7 @@ glm::dvec3 onSlice(const VoxelGeometry& geometry, ViewKind kind, const Crosshair
 }
 
 Crosshair firstCrosshair(const VoxelGeometry& geometry) {
-  Crosshair crosshair{geometry.centre()};
+  Crosshair crosshair = alongSlices(geometry.centre(), geometry);
   for (const ViewKind kind : {ViewKind::axial, ViewKind::coronal, ViewKind::sagittal})
     crosshair.at = onSlice(geometry, kind, crosshair);
   return crosshair;
@@ -113,18 +113,21 @@ Crosshair crosshairOf(const Workspace& workspace, const ShownSeries& series) {
 
 Crosshair crosshairOf(const Workspace& workspace, ViewId view, const ShownSeries& series) {
   const Crosshair* known = findCrosshair(workspace, view, frameOfReference(series.series));
-  return known ? *known : firstCrosshair(series.volume->geometry());
+  const VoxelGeometry& geometry = series.volume->geometry();
+  return known ? lyingFor(*known, geometry) : firstCrosshair(geometry);
 }
 
 Crosshair crosshairOf(const Workspace& workspace, ViewId view, const Series& series) {
   const Crosshair* known = findCrosshair(workspace, view, frameOfReference(series));
-  return known ? *known : firstCrosshair(drawnGeometry(series));
+  const VoxelGeometry& geometry = drawnGeometry(series);
+  return known ? lyingFor(*known, geometry) : firstCrosshair(geometry);
 }
 
 Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& frame, const Crosshair& before,
                         const Crosshair& after) {
   const bool alone = scrollsAlone(workspace, view);
-  (alone ? workspace.view(view).crosshairs : workspace.crosshairs)[frame] = after;
+  (alone ? workspace.view(view).crosshairs : workspace.crosshairs)[frame] =
+      after.byHand ? after : Crosshair{after.at};
   Crosshair moved = before;
   moved.at = after.at;
   if (moved == after) return workspace;
@@ -139,7 +142,7 @@ Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& fra
     FlatLook& look = state.flats[state.series];
     // Where the crosshair stands from the volume's centre in the picture, before and after.
     const auto place = [&](const Crosshair& crosshair) {
-      const SlicePlane plane = flatPlane(state, {}, geometry, crosshair, {1, 1});
+      const SlicePlane plane = flatPlane(state, {}, geometry, lyingFor(crosshair, geometry), {1, 1});
       const glm::dvec3 from = after.at - geometry.centre();
       return glm::dvec2(glm::dot(from, plane.right), glm::dot(from, plane.down));
     };
@@ -149,6 +152,7 @@ Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& fra
 }
 
 Crosshair turnedIn(Crosshair crosshair, ViewKind kind, double angle) {
+  crosshair.byHand = true;
   const glm::dmat3 rotation(glm::rotate(glm::dmat4(1), angle, crosshair.plane(kind).normal()));
   const std::pair<ViewKind, PlaneDirections*> planes[] = {{ViewKind::axial, &crosshair.axial},
                                                           {ViewKind::coronal, &crosshair.coronal},
@@ -178,6 +182,15 @@ Crosshair alongSlices(glm::dvec3 at, const VoxelGeometry& geometry) {
   for (PlaneDirections* plane : {&crosshair.axial, &crosshair.coronal, &crosshair.sagittal})
     *plane = {best * plane->right, best * plane->down};
   return crosshair;
+}
+
+ViewKind acquiredKind(const VoxelGeometry& geometry) {
+  const auto& L = geometry.patientFromVoxelStep;
+  const glm::dvec3 normal = glm::normalize(glm::cross(L[0], L[1]));
+  const Crosshair along = alongSlices({}, geometry);
+  for (const ViewKind kind : {ViewKind::coronal, ViewKind::sagittal})
+    if (std::abs(glm::dot(along.plane(kind).normal(), normal)) > 0.5) return kind;
+  return ViewKind::axial;
 }
 
 std::optional<PixelLine> referenceLine(const SlicePlane& view, const SlicePlane& other) {

@@ -18,7 +18,7 @@ SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeo
 /// land: on an acquired slice where the plane is parallel to them.
 glm::dvec3 onSlice(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair);
 
-/// Where it starts: in the middle, on slices of all three planes, not turned.
+/// Where it starts: in the middle, on slices of all three planes, which lie along the slices as acquired.
 Crosshair firstCrosshair(const VoxelGeometry& geometry);
 
 /// Whether a view has positions of its own: it is one of those to compare, and they are not linked.
@@ -27,7 +27,8 @@ bool scrollsAlone(const Workspace& workspace, ViewId view);
 /// The grid of a series that is drawn.
 const VoxelGeometry& drawnGeometry(const Series& series);
 
-/// The crosshair of the series' frame of reference; where none was set yet, firstCrosshair().
+/// The crosshair of the series' frame of reference, as it lies for this series; where none was set yet,
+/// firstCrosshair().
 Crosshair crosshairOf(const Workspace& workspace, const ShownSeries& series);
 /// The same in a view, which may scroll alone.
 Crosshair crosshairOf(const Workspace& workspace, ViewId view, const ShownSeries& series);
@@ -48,6 +49,9 @@ StackPlace stackPlace(const VoxelGeometry& geometry, ViewKind kind, const Crossh
 /// picture.
 Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& frame, const Crosshair& before,
                         const Crosshair& after);
+
+/// The kind of plane that lies along the slices as acquired where no plane was turned by hand.
+ViewKind acquiredKind(const VoxelGeometry& geometry);
 
 /// With the planes of the two other kinds turned about the normal of this one, radians, clockwise in its
 /// picture.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "ui/workspace/text.h"
 
@@ -9,8 +10,14 @@ namespace volumen {
 
 namespace {
 
+const std::vector<NamedGrey>& greysOf(const SeriesState& state, const ShownFrame& frame) {
+  const bool own = frame.seriesGreys.empty() || hasOwnWindows(state, frame.slice->series);
+  return own ? frame.greys : frame.seriesGreys;
+}
+
 const NamedGrey& chosenOf(const SeriesState& state, const ShownFrame& frame) {
-  return frame.greys[std::min(std::size_t(std::max(0, state.namedGrey)), frame.greys.size() - 1)];
+  const std::vector<NamedGrey>& greys = greysOf(state, frame);
+  return greys[std::min(std::size_t(std::max(0, state.namedGrey)), greys.size() - 1)];
 }
 
 // Whether LINEAR of DICOM is right for these values.
@@ -32,9 +39,17 @@ QString nameOf(const NamedGrey& grey, std::size_t number, std::size_t count) {
 
 }  // namespace
 
+// Pictures of one projection each: what suits a hand does not suit a chest.
+bool hasOwnWindows(const SeriesState& state, const Series& series) {
+  static const std::set<std::string> projections{"CR", "DX", "IO", "MG", "PX", "RG"};
+  return state.frameWindow == FrameWindow::ofEach ||
+         (state.frameWindow == FrameWindow::usual && projections.contains(series.modality));
+}
+
 GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const ShownFrame& frame) {
   if (frame.greys.empty()) return {};
   GreyMapping grey = chosenOf(state, frame).mapping;
+  grey.inverted = frame.greys.front().mapping.inverted;  // a matter of its pixels, not of the window
   if (const std::optional<Window>& window = state.window) {
     const double width = std::abs(window->width);
     const bool isLinear = areIntegers(frame) && width >= 1;
@@ -47,12 +62,12 @@ GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const Show
   return grey;
 }
 
-std::vector<GreyChoice> greyChoices(const ShownFrame& frame) {
+std::vector<GreyChoice> greyChoices(const ShownFrame& frame, const SeriesState& state) {
   if (frame.greys.empty()) return {};
   std::vector<GreyChoice> all{{tr("Automatic"), 0, {}}};
-  const std::size_t count = frame.greys.size();
-  for (std::size_t n = 0; n < count; ++n)
-    if (!frame.greys[n].ofValues) all.push_back({nameOf(frame.greys[n], n, count), int(n), {}});
+  const std::vector<NamedGrey>& greys = greysOf(state, frame);
+  for (std::size_t n = 0; n < greys.size(); ++n)
+    if (!greys[n].ofValues) all.push_back({nameOf(greys[n], n, greys.size()), int(n), {}});
   for (const NamedWindow& tissue : tissueWindows(frame.slice->series))
     all.push_back({tissue.name, 0, tissue.window});
   return all;

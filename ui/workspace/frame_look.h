@@ -5,6 +5,9 @@
 
 namespace volumen {
 
+/// Whether each frame of a series has the window of its own file, and not all that of the middle one.
+bool hasOwnWindows(const SeriesState& state, const Series& series);
+
 /// How a frame is turned into grey: by the window that was set, LINEAR for integers of DICOM, else by the one
 /// of the file's windows and VOI LUTs that was chosen.
 GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const ShownFrame& frame);
@@ -18,7 +21,7 @@ struct GreyChoice {
 
 /// The first of the file's, then all of these by name, then those of tissues where values are HU. Empty for
 /// colour.
-std::vector<GreyChoice> greyChoices(const ShownFrame& frame);
+std::vector<GreyChoice> greyChoices(const ShownFrame& frame, const SeriesState& state = {});
 
 /// The state after a choice.
 SeriesState withGrey(SeriesState state, const GreyChoice& choice);

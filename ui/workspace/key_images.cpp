@@ -7,12 +7,12 @@
 namespace volumen {
 
 PictureSeen pictureSeen(const Series& series, const VoxelGeometry& drawn, const SlicePlane& plane) {
-  constexpr double along = 0.999, onSlice = 0.1;  // of a step
+  constexpr double parallel = 1e-3, onSlice = 1e-3;  // of an angle, and of a step
   const auto& step = drawn.patientFromVoxelStep;
   const glm::dvec3 normal = glm::normalize(glm::cross(step[0], step[1]));
   const double k = drawn.voxelFromPatient(plane.centre).z, nearest = std::round(k);
-  if (!(std::abs(glm::dot(normal, plane.normal())) > along && std::abs(k - nearest) < onSlice &&
-        nearest >= 0 && nearest < drawn.size.z))
+  if (!(plane.slabMm == 0 && glm::length(glm::cross(normal, plane.normal())) <= parallel &&
+        std::abs(k - nearest) <= onSlice && nearest >= 0 && nearest < drawn.size.z))
     return {};
   if (!series.regular) return {int(nearest), false};
   const int copy = series.regular->copies[std::size_t(nearest)];

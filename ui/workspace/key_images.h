@@ -5,7 +5,7 @@
 namespace volumen {
 
 /// Which picture as acquired a plane shows, by its number in the series; none where it is not along the
-/// slices, on none of them, or, with `interpolated`, on a slice that was made of its neighbours.
+/// slices, on none of them, a slab, or, with `interpolated`, on a slice that was made of its neighbours.
 struct PictureSeen {
   std::optional<int> index;
   bool interpolated = false;

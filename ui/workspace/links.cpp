@@ -51,8 +51,17 @@ Workspace withPositionFollowed(Workspace workspace, const std::string& to, const
   after.at = rigid(source.at);
   if (turns)
     after = {after.at, turned(source.axial, rigid.rotation), turned(source.coronal, rigid.rotation),
-             turned(source.sagittal, rigid.rotation)};
+             turned(source.sagittal, rigid.rotation), source.byHand || rigid.rotation != glm::dmat3(1)};
   return withCrosshair(std::move(workspace), sceneViewId, to, now, after);
+}
+
+// The crosshair of a frame of reference as the series that is shown of it has it, the one in focus first.
+Crosshair crosshairSeen(const Workspace& workspace, const std::string& frame) {
+  std::vector<ViewId> views = slicesOnScreen(workspace);
+  std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace.focus; });
+  for (const ViewId id : views)
+    if (frameIn(workspace, id) == frame) return crosshairOf(workspace, id, *seriesIn(workspace, id));
+  return workspace.crosshairs.at(frame);
 }
 
 Workspace withPositionsFollowed(const Workspace& before, Workspace after) {
@@ -70,11 +79,11 @@ Workspace withPositionsFollowed(const Workspace& before, Workspace after) {
     const auto was = before.crosshairs.find(from);
     Crosshair unturned = source;
     if (was != before.crosshairs.end()) unturned = was->second, unturned.at = source.at;
+    const Crosshair seen = crosshairSeen(after, from);
     for (const std::string& to : frames)
       if (!moved.contains(to))
         if (const auto relation = relationOf(after, from, to))
-          after =
-              withPositionFollowed(std::move(after), to, relation->toFromFrom, source, unturned != source);
+          after = withPositionFollowed(std::move(after), to, relation->toFromFrom, seen, unturned != source);
   }
   return after;
 }
@@ -217,12 +226,12 @@ Workspace lockedHere(Workspace workspace) {
   if (others.empty()) return workspace;
   const std::string own = frameIn(workspace, focus);
   const Crosshair from = crosshairOf(workspace, focus, *seriesIn(workspace, focus));
-  workspace.crosshairs[own] = from;
+  workspace = withCrosshair(std::move(workspace), focus, own, from, from);
   for (const ViewId id : others) {
     const std::string frame = frameIn(workspace, id);
     if (relationOf(workspace, own, frame)) continue;
     const Crosshair to = crosshairOf(workspace, id, *seriesIn(workspace, id));
-    workspace.crosshairs[frame] = to;
+    workspace = withCrosshair(std::move(workspace), id, frame, to, to);
     workspace.frameLinks.push_back({own, frame, {glm::dmat3(1), to.at - from.at}, false});
   }
   return workspace;
@@ -236,9 +245,8 @@ Workspace withRegistration(Workspace workspace, const std::string& from, const s
     std::erase_if(workspace.frameLinks,
                   [&](const FrameLink& link) { return link.from == to || link.to == to; });
   workspace.frameLinks.push_back({from, to, toFromFrom, true});
-  const auto source = workspace.crosshairs.find(from);
-  if (source == workspace.crosshairs.end()) return workspace;
-  const Crosshair crosshair = source->second;
+  if (!workspace.crosshairs.contains(from)) return workspace;
+  const Crosshair crosshair = crosshairSeen(workspace, from);
   return withPositionFollowed(std::move(workspace), to, toFromFrom, crosshair, true);
 }
 

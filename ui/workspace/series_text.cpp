@@ -86,6 +86,13 @@ QStringList everythingOf(const Series& series) {
   return lines;
 }
 
+QStringList warningSentences(const std::vector<Warning>& warnings) {
+  QStringList sentences;
+  for (const Warning& warning : warnings)
+    if (warning.kind == WarningKind::other) sentences << shownText(warning.sentence);
+  return sentences;
+}
+
 QStringList maskTexts(const Mask& mask) {
   QStringList texts;
   if (mask.tableRemoved) texts << tr("table removed");

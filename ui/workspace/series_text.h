@@ -27,6 +27,10 @@ QStringList tellingApart(const Series& series, const std::vector<const Series*>&
 /// files.
 QStringList everythingOf(const Series& series);
 
+/// What is to be known of a series beside what its picture says by itself: a sentence for each warning that
+/// stands on no picture.
+QStringList warningSentences(const std::vector<Warning>& warnings);
+
 /// What was taken away from a series, each in two words: "table removed".
 QStringList maskTexts(const Mask& mask);
 

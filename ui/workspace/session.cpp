@@ -51,11 +51,13 @@ void Session::show(ShownSeriesPtr series, ViewId view, const Arrange& arrange) {
   const bool isNew = !workspace_.series.contains(key);
   Workspace after = withSeries(workspace_, view, series->series, first);
   begin(tr("Show %1").arg(seriesText(series->series)),
-        isNew && arrange ? arrange(std::move(after)) : std::move(after));
+        arrange ? arrange(std::move(after), isNew) : std::move(after));
 }
 
-void Session::showFrames(const Series& series, ViewId view) {
-  begin(tr("Show %1").arg(seriesText(series)), withFrames(workspace_, view, series));
+void Session::showFrames(const Series& series, ViewId view, const Arrange& arrange) {
+  const bool isNew = !workspace_.series.contains(keyOf(series));
+  Workspace after = withFrames(workspace_, view, series);
+  begin(tr("Show %1").arg(seriesText(series)), arrange ? arrange(std::move(after), isNew) : std::move(after));
 }
 
 void Session::showAs(ViewId view, ViewKind kind) {
@@ -85,9 +87,9 @@ void Session::makeRoom(const QString& text, const Workspace& after) {
   change(text, after, roomMadeKey);
 }
 
-bool Session::showAgain(const Series& series, ViewId view) {
+bool Session::showAgain(const Series& series, ViewId view, const Arrange& arrange) {
   const ShownSeriesPtr held = pool_.find({keyOf(series), {}});
-  if (held) show(held, view);
+  if (held) show(held, view, arrange);
   return held != nullptr;
 }
 

@@ -43,20 +43,20 @@ class Session : public QObject {
   /// The series of a view; null: none, or it is not in memory.
   ShownSeriesPtr seriesOf(ViewId view) const;
 
-  /// What is done to the workspace in the same step where a series was never shown before.
-  using Arrange = std::function<Workspace(Workspace)>;
+  /// What else is done to the workspace in the step that shows a series; `isNew`: it was never shown before.
+  using Arrange = std::function<Workspace(Workspace, bool isNew)>;
   /// Puts a series into the view in focus (and its group), as it was left there, else by its first scene; one
   /// undo step, but for the first series of a workspace. Null: closes all, and forgets all steps.
   void show(ShownSeriesPtr series);
   void show(ShownSeriesPtr series, ViewId view, const Arrange& arrange = {});
   /// Puts the frames of a series into a view, as withFrames() does; one undo step, but for the first series.
-  void showFrames(const Series& series, ViewId view);
+  void showFrames(const Series& series, ViewId view, const Arrange& arrange = {});
   /// Shows the series of a view to compare in another plane, or in 3D: at first as the 3D view does that the
   /// panels work on, where it shows the same series. One undo step; nothing where the series is not in
   /// memory.
   void showAs(ViewId view, ViewKind kind);
   /// The same as show() for a series that is still in memory; false where it is not.
-  bool showAgain(const Series& series, ViewId view);
+  bool showAgain(const Series& series, ViewId view, const Arrange& arrange = {});
   /// Makes `after` the workspace, whose views are empty for a series that will be shown next: one undo step
   /// together with that.
   void makeRoom(const QString& text, const Workspace& after);

@@ -76,6 +76,7 @@ void fields(Fields& f, SeriesState& s) {
   for (Lasso& lasso : lassos) s.mask.lassos.push_back(std::make_shared<const Lasso>(std::move(lasso)));
   f("window", s.window);
   f("namedGrey", s.namedGrey, {0, 1e6});
+  f("frameWindow", s.frameWindow, frameWindowWords);
   f("colours", s.colours, colourWords);
 }
 
@@ -168,6 +169,8 @@ void fields(Fields& f, Crosshair& crosshair) {
   f("axial", crosshair.axial);
   f("coronal", crosshair.coronal);
   f("sagittal", crosshair.sagittal);
+  f("byHand", crosshair.byHand);
+  crosshair.byHand = crosshair.byHand || crosshair.turned();  // sessions of before do not say it
 }
 
 template <class Fields>

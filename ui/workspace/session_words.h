@@ -11,6 +11,8 @@ inline const Words<ViewKind> kindWords{{"volume", ViewKind::volume},
                                        {"coronal", ViewKind::coronal},
                                        {"sagittal", ViewKind::sagittal},
                                        {"frames", ViewKind::frames}};
+inline const Words<FrameWindow> frameWindowWords{
+    {"usual", FrameWindow::usual}, {"ofSeries", FrameWindow::ofSeries}, {"ofEach", FrameWindow::ofEach}};
 inline const Words<SlabMode> slabWords{
     {"max", SlabMode::max}, {"min", SlabMode::min}, {"mean", SlabMode::mean}};
 inline const Words<ReferenceKind> regionWords{{"contours", ReferenceKind::contours},

@@ -97,6 +97,7 @@ Workspace withTimePoint(Workspace workspace, ViewId view, const SeriesKey& step)
   if (last == step || from == workspace.series.end() || to == workspace.series.end()) return workspace;
   to->second.window = from->second.window;
   to->second.namedGrey = from->second.namedGrey;
+  to->second.frameWindow = from->second.frameWindow;
   to->second.colours = from->second.colours;
   // Volumes without a frame of reference have one each.
   const std::string frame = frameOfReference(*from->second.series),

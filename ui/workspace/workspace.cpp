@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "ui/workspace/flat_plane.h"
+
 namespace volumen {
 
 namespace {
@@ -28,6 +30,17 @@ const std::vector<LayoutEntry>& layouts() {
 }
 
 bool inGroup(ViewId view) { return view < firstComparedId; }
+
+bool isOfSlices(ViewKind kind) { return kind != ViewKind::volume && kind != ViewKind::frames; }
+
+// The group's view of the plane that its slices were acquired in.
+ViewId acquiredViewOf(const Workspace& workspace) {
+  const Series* series = seriesIn(workspace, axialViewId);
+  const ViewKind kind = series ? acquiredKind(series->acquired) : ViewKind::axial;
+  return kind == ViewKind::coronal    ? coronalViewId
+         : kind == ViewKind::sagittal ? sagittalViewId
+                                      : axialViewId;
+}
 
 ViewKind firstKind(ViewId id) {
   return id == sceneViewId      ? ViewKind::volume
@@ -70,8 +83,10 @@ void remember(Workspace& workspace, const Series& series) {
 void put(Workspace& workspace, ViewId id, const Series& series, const SceneLook& first) {
   ViewState& view = workspace.view(id);
   const bool wereFrames = view.kind == ViewKind::frames && view.series == keyOf(series);
+  const bool another = view.series != keyOf(series) || wereFrames;
   leaveFrames(workspace, id);
   view.series = keyOf(series);
+  if (another && !inGroup(id) && isOfSlices(view.kind)) view.kind = acquiredKind(series.acquired);
   if (wereFrames) makeWhole(view.flats[view.series]);
   if (view.kind == ViewKind::volume)
     view.scenes.try_emplace(view.series, first);
@@ -99,7 +114,12 @@ std::vector<ViewId> viewsOnScreen(const Workspace& workspace) {
   const auto& views = std::ranges::find(layouts(), workspace.layout, &LayoutEntry::layout)->views;
   const ViewId first = views.empty() ? workspace.focus : views.front();
   if (inGroup(first) && showsFrames(workspace, first)) return {axialViewId};
-  return views.empty() ? std::vector{workspace.focus} : views;
+  if (views.empty()) return {workspace.focus};
+  // Acquired slices come first.
+  std::vector<ViewId> ordered = views;
+  const auto flat = std::ranges::find(ordered, axialViewId);
+  if (flat != ordered.end()) std::swap(*flat, *std::ranges::find(ordered, acquiredViewOf(workspace)));
+  return ordered;
 }
 
 ViewId sceneViewOf(const Workspace& workspace) {
@@ -185,6 +205,15 @@ Layout usualLayout(const Series& series) {
   return std::min({n.x, n.y, n.z}) < fewest ? Layout::one : Layout::planes;
 }
 
+Workspace withUsualLayout(Workspace workspace, const Series& series) {
+  workspace = withLayout(std::move(workspace), usualLayout(series));
+  if (workspace.layout == Layout::one && inGroup(workspace.focus))
+    workspace.focus = acquiredViewOf(workspace);
+  return workspace;
+}
+
+bool comparesSeries(Layout layout) { return layout == Layout::two || layout == Layout::four; }
+
 void makeWhole(FlatLook& look) { look.panMm = {0, 0}, look.zoom = 1, look.slabMm = 0; }
 
 Workspace withFrames(Workspace workspace, ViewId view, const Series& series) {
@@ -213,7 +242,9 @@ Workspace withLayout(Workspace workspace, Layout layout) {
   if (first.series.empty()) {
     first.series = shown;
     first.flats.try_emplace(shown);
-    first.kind = firstKind(views.front());
+    const Series* series = seriesIn(workspace, views.front());
+    first.kind =
+        series && !inGroup(views.front()) ? acquiredKind(series->acquired) : firstKind(views.front());
     if (asFrames) first.kind = ViewKind::frames;
   }
   return workspace;

@@ -67,18 +67,23 @@ inline constexpr double leastZoom = 0.05, mostZoom = 200;
 /// All of it in the view, and no slab.
 void makeWhole(FlatLook& look);
 
+/// Whose window frames of a series are shown by where none was set: by default that of the series, of
+/// projections that of each frame.
+enum class FrameWindow { usual, ofSeries, ofEach };
+
 /// What holds for a series in every view.
 struct SeriesState {
   std::shared_ptr<const Series> series;
   Mask mask;                     ///< what was taken away from it
   std::optional<Window> window;  ///< of flat views; a negative width is inverted; none: the series' own
   int namedGrey = 0;             ///< of frames without such a window: which of the file's own
+  FrameWindow frameWindow = FrameWindow::usual;
   ColourMap colours = ColourMap::grey;
   /// What a session knows of a series that was not found again: it is not loaded, `series` only names it.
   std::optional<MissingSeries> missing;
   bool operator==(const SeriesState& o) const {
     return sameValue(series, o.series) && mask == o.mask && window == o.window && namedGrey == o.namedGrey &&
-           colours == o.colours && missing == o.missing;
+           frameWindow == o.frameWindow && colours == o.colours && missing == o.missing;
   }
 };
 
@@ -97,6 +102,7 @@ struct PlaneDirections {
 struct Crosshair {
   glm::dvec3 at{0};  ///< patient mm
   PlaneDirections axial{}, coronal{{1, 0, 0}, {0, 0, -1}}, sagittal{{0, 1, 0}, {0, 0, -1}};
+  bool byHand = false;  ///< they lie so for every series; else for each along its slices
   bool operator==(const Crosshair&) const = default;
 
   const PlaneDirections& plane(ViewKind kind) const {
@@ -208,6 +214,10 @@ Workspace withOverlay(Workspace workspace, ViewId view, const Series* overlay);
 Workspace fusedWith(Workspace workspace, const Series& under);
 /// The layout that readers of a modality expect: planes and 3D; one view where there are few slices.
 Layout usualLayout(const Series& series);
+/// In that layout; where it is one view, in that of the slices as acquired.
+Workspace withUsualLayout(Workspace workspace, const Series& series);
+/// Whether a layout shows several series side by side.
+bool comparesSeries(Layout layout);
 /// With the frames of this series in a view, or in the axial one of its group; where the view showed slices
 /// of it, from the one at the cursor on.
 Workspace withFrames(Workspace workspace, ViewId view, const Series& series);

@@ -1,5 +1,8 @@
 #include "viewer/slice/first_window.h"
 
+#include <numeric>
+#include <optional>
+
 #include "viewer/volume/histogram.h"
 
 namespace volumen {
@@ -9,7 +12,22 @@ namespace {
 // From air to metal HU are so far apart that nearly all of them at once look flat.
 constexpr Window softTissue{.centre = 40, .width = 400};
 
-ValueRange mostValues(const Volume& volume) {
+// Of pictures whose background is exactly 0, such as diffusion and its maps, the few brightest voxels would
+// leave the rest nearly black.
+std::optional<ValueRange> aboveBackground(const Volume& volume) {
+  constexpr double least = 0.25;  // of the values
+  Histogram values = histogram(volume, 1 << 16);
+  if (values.counts.empty() || values.low != 0 || values.high <= 0) return {};
+  const double all = double(std::accumulate(values.counts.begin(), values.counts.end(), std::int64_t(0)));
+  if (double(values.counts.front()) < least * all) return {};
+  values.counts.front() = 0;
+  return ValueRange{valueOfRank(values, 0.01), valueOfRank(values, 0.99)};
+}
+
+ValueRange mostValues(const Volume& volume, const std::string& unit) {
+  // What is counted in a unit, as activity is, has its meaning in the brightest, too.
+  if (unit.empty())
+    if (const auto range = aboveBackground(volume)) return *range;
   if (!volume.attributes().padding) {
     const std::vector<float> ends = percentiles(volume, {1, 999});
     return {ends[0], ends[1]};
@@ -24,7 +42,7 @@ Window firstWindow(const Volume& volume, const std::string& unit) {
   for (const Window& window : volume.attributes().windows)
     if (window.width > 0) return window;
   if (unit == "HU") return softTissue;
-  const ValueRange range = mostValues(volume);
+  const ValueRange range = mostValues(volume, unit);
   const double width = range.high - range.low;
   return {.centre = (range.low + range.high) / 2, .width = width > 0 ? width : 1};
 }

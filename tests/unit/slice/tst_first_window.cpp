@@ -1,4 +1,6 @@
 // Guards slices.md 2 and 3: the window that a view begins with, and which of DICOM's functions it is.
+#include <cmath>
+
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
 #include "viewer/slice/first_window.h"
@@ -11,6 +13,8 @@ class TestFirstWindow : public QObject {
  private Q_SLOTS:
   void theFilesFirstElseNearlyAllValues_data();
   void theFilesFirstElseNearlyAllValues();
+  void aBackgroundOfZeroDoesNotCount_data();
+  void aBackgroundOfZeroDoesNotCount();
   void linearForIntegersOfDicom_data();
   void linearForIntegersOfDicom();
 };
@@ -59,6 +63,31 @@ void TestFirstWindow::theFilesFirstElseNearlyAllValues() {
   const Window window = firstWindow(*volumeOf8000<std::int16_t>(attributes), unit.toStdString());
   QTEST(window.centre, "centre");
   QTEST(window.width, "width");
+}
+
+void TestFirstWindow::aBackgroundOfZeroDoesNotCount_data() {
+  QTest::addColumn<int>("zeros");
+  QTest::addColumn<QString>("unit");
+  QTest::addColumn<double>("brightest");
+  // Tissue is 100 to 199, and 39 voxels are 30000.
+  QTest::newRow("half of it") << 4000 << QString() << 198.;
+  QTest::newRow("a few") << 400 << QString() << 30000.;
+  QTest::newRow("activity") << 4000 << QStringLiteral("Bq/ml") << 30000.;
+}
+
+void TestFirstWindow::aBackgroundOfZeroDoesNotCount() {
+  QFETCH(int, zeros);
+  QFETCH(QString, unit);
+  VolumeParts parts;
+  parts.geometry.size = {20, 20, 20};
+  std::vector<std::int16_t> values(std::size_t(zeros), 0);
+  values.resize(std::size_t(zeros) + 39, 30000);
+  while (values.size() < 8000) values.push_back(std::int16_t(100 + values.size() % 100));
+  parts.values = std::move(values);
+  const Window window = firstWindow(*volumeFrom(std::move(parts)), unit.toStdString());
+  QFETCH(double, brightest);
+  const double bright = window.centre + window.width / 2;
+  QVERIFY2(std::abs(bright - brightest) <= 2, qPrintable(QString::number(bright)));
 }
 
 void TestFirstWindow::linearForIntegersOfDicom_data() {

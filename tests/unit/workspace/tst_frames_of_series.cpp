@@ -24,6 +24,8 @@ class TestFramesOfSeries : public QObject {
   void rates();
   void windowsAndTablesHaveNames();
   void aWindowStandsInForATable();
+  void aSeriesHasOneWindow_data();
+  void aSeriesHasOneWindow();
   void onlyTrueMmAreSaid_data();
   void onlyTrueMmAreSaid();
   void regionsHaveMmOfTheirOwn();
@@ -229,6 +231,38 @@ void TestFramesOfSeries::aWindowStandsInForATable() {
   QVERIFY(grey == (GreyMapping{{100, 50}, WindowFunction::linear, {}, true}));
   state.window = {100, -50};
   QVERIFY2(!frameGrey(state, {}, *negative).inverted, "an inverted window of an inverted picture");
+}
+
+void TestFramesOfSeries::aSeriesHasOneWindow_data() {
+  QTest::addColumn<QByteArray>("modality");
+  QTest::addColumn<int>("choice");
+  QTest::addColumn<QString>("text");
+  const QString ofSeries = QStringLiteral("W 200 L 100"), own = QStringLiteral("W 5 L 2");
+  QTest::newRow("MR") << QByteArray("MR") << int(FrameWindow::usual) << ofSeries;
+  QTest::newRow("MR, each its own") << QByteArray("MR") << int(FrameWindow::ofEach) << own;
+  QTest::newRow("projections") << QByteArray("MG") << int(FrameWindow::usual) << own;
+  QTest::newRow("projections, one for all") << QByteArray("MG") << int(FrameWindow::ofSeries) << ofSeries;
+}
+
+void TestFramesOfSeries::aSeriesHasOneWindow() {
+  QFETCH(QByteArray, modality);
+  QFETCH(int, choice);
+  QFETCH(QString, text);
+  Series series = ct(7);
+  series.modality = modality.toStdString();
+  Frame frame;
+  frame.size = {3, 2};
+  frame.values = {0, 1, 2, 3, 4, 5};
+  frame.greys = {named("", {2, 5}, WindowFunction::linear)};
+  frame.greys[0].mapping.inverted = true;
+  const ShownFramePtr shown =
+      *shownFrame(series, {keyOf(series), 0}, frame, {}, {named("", {100, 200}, WindowFunction::linear)});
+  SeriesState state;
+  state.frameWindow = FrameWindow(choice);
+  QCOMPARE(greyText(state, {}, *shown), text);
+  QVERIFY2(frameGrey(state, {}, *shown).inverted, "its pixels say so");
+  state.window = {50, 60};
+  QCOMPARE(greyText(state, {}, *shown), QStringLiteral("W 60 L 50"));
 }
 
 void TestFramesOfSeries::onlyTrueMmAreSaid_data() {

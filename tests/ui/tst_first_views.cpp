@@ -1,0 +1,226 @@
+// Guards what a series opens as: the first view, its plane, and the number that it says; and that windows of
+// frames do not jump, and a layout stays with what it was chosen for. Real files in a real window.
+#include <cstdio>
+#include <fstream>
+#include <set>
+
+#include "tests/fixtures/fixtures.h"
+#include "tests/ui/gestures.h"
+#include "tests/ui/journey.h"
+#include "tests/ui/test_series.h"
+#include "tests/unit/suite.h"
+#include "ui/data/frame_series.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/corner_text.h"
+#include "ui/workspace/key_images.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+// With the layouts that a new user has.
+struct Usual {
+  Usual() { openAlone(false); }
+  ~Usual() { openAlone(); }
+};
+
+struct Opened : Usual, Journey {
+  explicit Opened(const QString& path) : Journey() {
+    window.resize(1440, 900);
+    window.open({path});
+  }
+  Session& session() { return window.session(); }
+  const Workspace& workspace() { return session().workspace(); }
+  // The first view on screen that is no 3D, once its picture is there.
+  SliceView* first() {
+    SliceView* found = nullptr;
+    const auto isThere = [&] {
+      found = nullptr;
+      for (const ViewId id : viewsOnScreen(workspace()))
+        if (!found) found = window.views()->sliceView(id);
+      return found && found->isVisible() && found->shown() && !found->picture().isNull();
+    };
+    return QTest::qWaitFor(isThere, longest) ? found : nullptr;
+  }
+  QStringList corner() { return first()->overlays().topRight; }
+};
+
+// What a study opens as, by its headers: modality, layout or "pictures", plane, number.
+QString firstView(const std::string& path) {
+  const Result<Study> study = openStudy(dataPath(path));
+  if (!study) return QStringLiteral("nothing");
+  const Result<std::size_t> largest = chooseSeries(*study, {});
+  const bool isVolume = largest && !study->volumes.empty();
+  const std::vector<Series> frames = frameSeries(*study);
+  if (!isVolume && frames.empty()) return QStringLiteral("nothing");
+  const Series& series = isVolume ? study->volumes[*largest] : frames.front();
+  QStringList said{QString::fromStdString(series.modality.empty() ? "-" : series.modality)};
+  if (opensAsPictures(series))
+    return (said << QStringLiteral("pictures") << QStringLiteral("1 / %1").arg(frameCount(series)))
+        .join(QLatin1Char('\t'));
+  const Crosshair crosshair = firstCrosshair(drawnGeometry(series));
+  ViewState view;
+  view.kind = acquiredKind(series.acquired);
+  const SlicePlane plane = flatPlane(view, {}, drawnGeometry(series), crosshair, {100, 100});
+  const PlaneNumber number = planeNumber(series, drawnGeometry(series), view.kind, crosshair, plane);
+  const char* names[] = {"", "axial", "coronal", "sagittal"};
+  said << QLatin1String(layoutName(usualLayout(series))) << QLatin1String(names[int(view.kind)]);
+  if (number.reformatted) said << QStringLiteral("reformatted");
+  return (said << number.text).join(QLatin1Char('\t'));
+}
+
+}  // namespace
+
+class TestFirstViews : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void seriesOpenAsAcquired_data();
+  void seriesOpenAsAcquired();
+  void everyStudyOfTheDataHasItsFirstView();
+  void whatIsNoVolumeForcesNoLayout();
+  void acquiredSlicesOfAnObliqueSeriesAreMarked();
+  void framesOfASeriesHaveOneWindow();
+};
+
+void TestFirstViews::seriesOpenAsAcquired_data() {
+  QTest::addColumn<QString>("path");
+  QTest::addColumn<int>("views");
+  QTest::addColumn<QString>("title");
+  QTest::addColumn<QString>("number");
+  const auto add = [](const char* path, int views, const char* title, const char* number) {
+    QTest::newRow(path) << QString::fromLatin1(path) << views << QString::fromLatin1(title)
+                        << QString::fromLatin1(number);
+  };
+  add("ct-chest-lidc0314-138", 4, "Axial", "70 / 138");
+  add("mr-head-ge-mprage-130", 4, "Axial", "66 / 130");
+  add("mr-head-siemens-gap-175", 4, "Sagittal", "");
+  add("dicom-geometry/ct-ge-tilt-varspacing-28", 4, "Axial", "");
+  add("dicom-geometry/mr-mosaic-siemens", 4, "Axial", "18 / 35");
+  add("dicom-geometry/mr-localizer-ge-3plane-21", 1, "Frame 1 / 7", "");
+  add("dicom-geometry/ct-tiny-23x38x3", 1, "Frame 1 / 3", "");
+  add("dicom-geometry/mr-frag", 1, "Frame 1 / 1", "");
+  add("dicom-geometry/mr-enh-siemens-xa10", 1, "Axial", "4 / 6");
+  add("pet-ct/sts019-pet", 4, "Axial", "24 / 47");
+  add("pet-ct/pet-bqml-fdg.dcm", 1, "Frame 1 / 1", "");
+  add("dicom-2d/ct-two-windows.dcm", 1, "Frame 1 / 1", "");
+  add("dicom-2d/us-cine-aspect-regions.dcm", 1, "", "");
+  add("nifti-meta/HeadMRVolume.mhd", 4, "", "");
+}
+
+void TestFirstViews::seriesOpenAsAcquired() {
+  QFETCH(QString, path);
+  QFETCH(int, views);
+  QFETCH(QString, title);
+  QFETCH(QString, number);
+  const std::string data = dataPath(path.toStdString());
+  NEED_DATA(data);
+  Opened w(QString::fromStdString(data));
+  QVERIFY(w.first());
+  w.shot(qPrintable(QString(path).replace(QLatin1Char('/'), QLatin1Char('_'))));
+  QCOMPARE(int(viewsOnScreen(w.workspace()).size()), views);
+  const QStringList corner = w.corner();
+  qInfo("%s", qPrintable(corner.join(QStringLiteral(" | "))));
+  if (!title.isEmpty()) QCOMPARE(corner[0], title);
+  if (!number.isEmpty()) QCOMPARE(corner[1], number);
+  QVERIFY2(!corner[0].contains(QStringLiteral("reformatted")), "as acquired");
+}
+
+// tests/ui/first_views.tsv, by the headers alone. With VOLUMEN_FIGURES set it is printed anew.
+void TestFirstViews::everyStudyOfTheDataHasItsFirstView() {
+  const std::string data = dataPath("MANIFEST.tsv");
+  NEED_DATA(data);
+  std::map<std::string, QString> expected;
+  std::ifstream table(VOLUMEN_SOURCE_DIR "/tests/ui/first_views.tsv");
+  for (std::string line; std::getline(table, line);)
+    if (const std::size_t tab = line.find('\t'); tab != std::string::npos)
+      expected[line.substr(0, tab)] = QString::fromStdString(line.substr(tab + 1));
+  std::ifstream manifest(data);
+  std::string line;
+  std::getline(manifest, line);
+  QStringList wrong;
+  std::set<std::string> seen;
+  while (std::getline(manifest, line)) {
+    const QStringList columns = QString::fromStdString(line).split(QLatin1Char('\t'));
+    const std::string path = columns[1].toStdString();
+    if (columns[3] != QStringLiteral("load") || !seen.insert(path).second) continue;
+    const QString view = firstView(path);
+    if (qEnvironmentVariableIsSet("VOLUMEN_FIGURES")) std::printf("%s\t%s\n", path.c_str(), qPrintable(view));
+    if (view != expected[path]) wrong << QStringLiteral("%1: %2").arg(QString::fromStdString(path), view);
+  }
+  QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+  QVERIFY(seen.size() > 100);
+}
+
+void TestFirstViews::whatIsNoVolumeForcesNoLayout() {
+  const std::string slice = dataPath("dicom-2d/ct-two-windows.dcm");
+  NEED_DATA(slice);
+  Opened w(QString::fromStdString(slice));
+  QVERIFY(w.first());
+  QVERIFY(w.first()->showsFrames());
+  w.window.open({QStringLiteral("phantom:ct-head:32")});
+  QTRY_VERIFY_WITH_TIMEOUT(w.session().series() != nullptr, longest);
+  QCOMPARE(w.workspace().layout, Layout::planes);
+  QCOMPARE(int(viewsOnScreen(w.workspace()).size()), 4);
+  // What was chosen for CT is not what MR opens in.
+  w.child<QAction>("layoutBesidePlanes")->trigger();
+  const std::string mr = dataPath("dicom-geometry/mr-mosaic-siemens");
+  NEED_DATA(mr);
+  w.window.open({QString::fromStdString(mr)});
+  QTRY_VERIFY_WITH_TIMEOUT(w.session().series() && w.session().series()->series.modality == "MR", longest);
+  QCOMPARE(w.workspace().layout, Layout::planes);
+}
+
+void TestFirstViews::acquiredSlicesOfAnObliqueSeriesAreMarked() {
+  const std::string head = dataPath("mr-head-ge-mprage-130");
+  NEED_DATA(head);
+  Opened w(QString::fromStdString(head));
+  SliceView* view = w.first();
+  QVERIFY(view);
+  w.session().setFocus(view->id());
+  wheel(view, -3);
+  const std::optional<int> seen = view->pictureSeen().index;
+  QVERIFY(seen);
+  QCOMPARE(w.corner()[1], QStringLiteral("%1 / 130").arg(*seen + 1));
+  w.child<QAction>("keyImage")->trigger();
+  QCOMPARE(w.workspace().keyImages.size(), std::size_t(1));
+  QCOMPARE(w.workspace().keyImages[0], *keyImageOf(view->series()->series, *seen));
+  w.child<QAction>("straightenPlanes")->trigger();
+  QVERIFY2(w.corner()[0].contains(QStringLiteral("reformatted")), "along the patient");
+  w.child<QAction>("keyImage")->trigger();
+  QCOMPARE(w.workspace().keyImages.size(), std::size_t(1));
+  w.child<QAction>("alignPlanes")->trigger();
+  QCOMPARE(w.corner()[0], QStringLiteral("Axial"));
+  // A slab is no picture as acquired.
+  wheel(view, 3, Qt::AltModifier);
+  QVERIFY(flatLookOf(view->state()).slabMm > 0 && !view->pictureSeen().index);
+}
+
+void TestFirstViews::framesOfASeriesHaveOneWindow() {
+  const std::string series = dataPath("dicom-geometry/mr-localizer-ge-3plane-21");
+  NEED_DATA(series);
+  Opened w(QString::fromStdString(series));
+  QVERIFY(w.first() && w.first()->showsFrames());
+  const auto windows = [&] {
+    QStringList all;
+    for (int n = 0; n < 7; ++n) {
+      const auto isThere = [&] { return w.first()->frame() && w.first()->frame()->key.index == n; };
+      if (n == 0) QTest::keyClick(w.first(), Qt::Key_Home);
+      if (!QTest::qWaitFor(isThere, longest)) return QStringList();
+      all << w.first()->overlays().bottomRight;
+      QTest::keyClick(w.first(), Qt::Key_Down);
+    }
+    all.removeDuplicates();
+    return all;
+  };
+  QCOMPARE(windows().size(), 1);
+  QAction* own = w.child<QAction>("ownWindows");
+  QVERIFY(own->isEnabled() && !own->isChecked());
+  own->trigger();
+  QVERIFY2(windows().size() > 1, "each its own");
+  w.child<QAction>("undo")->trigger();
+  QVERIFY(!own->isChecked());
+}
+
+VOLUMEN_TEST(TestFirstViews);
+#include "tst_first_views.moc"

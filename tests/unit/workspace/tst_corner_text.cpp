@@ -1,0 +1,188 @@
+// Guards what the corners of a view say of whose pictures these are and which of the slices as acquired a
+// plane shows, and what of it stays where there is little room.
+#include <cmath>
+
+#include "tests/unit/suite.h"
+#include "ui/data/frame_series.h"
+#include "ui/workspace/corner_text.h"
+#include "ui/workspace/text.h"
+
+using namespace volumen;
+
+namespace {
+
+Series stack(glm::dvec3 i, glm::dvec3 j, int slices, double apart) {
+  Series series;
+  series.path = "/data/mr", series.id = "1.2";
+  series.format = "DICOM", series.modality = "MR", series.description = "T1";
+  series.patientName = "Doe^Jane", series.patientId = "7";
+  series.studyDate = "20260314", series.studyTime = "102231.25";
+  series.acquired.size = {64, 64, slices};
+  series.acquired.patientFromVoxelStep = glm::dmat3(i, j, apart * glm::cross(i, j));
+  for (int n = 0; n < slices; ++n) series.files.push_back(std::to_string(n));
+  return series;
+}
+
+Series axial(int slices = 20, double apart = 3) { return stack({1, 0, 0}, {0, 1, 0}, slices, apart); }
+
+}  // namespace
+
+class TestCornerText : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void factsOfASeries_data();
+  void factsOfASeries();
+  void namesAreHidden();
+  void whatMattersMostStays();
+  void planesSaySliceNumbers_data();
+  void planesSaySliceNumbers();
+  void interpolatedSlicesLieBetweenAcquiredOnes();
+  void usefulVolumes_data();
+  void usefulVolumes();
+};
+
+void TestCornerText::factsOfASeries_data() {
+  QTest::addColumn<Series>("series");
+  QTest::addColumn<QStringList>("left");
+  Series woman = axial(), born = axial(), breast = axial(), undated = axial(), file = axial();
+  woman.patientSex = "F", woman.patientAge = "045Y";
+  born.patientBirthDate = "19800315";
+  breast.laterality = "L", breast.viewPosition = "MLO";
+  undated.studyDate.clear();
+  file.format = "NRRD", file.path = "/data/head.nrrd", file.patientName.clear(), file.patientId.clear();
+  file.studyDate.clear(), file.modality.clear(), file.description.clear();
+  const QString jane = QStringLiteral("Doe, Jane (7)"), at = QStringLiteral("2026-03-14 10:22:31"),
+                t1 = QStringLiteral("MR T1");
+  QTest::newRow("date and time") << axial() << QStringList{jane, at, t1};
+  QTest::newRow("sex and age") << woman << QStringList{jane, at, QStringLiteral("F, 45 y"), t1};
+  QTest::newRow("the day before a birthday") << born << QStringList{jane, at, QStringLiteral("45 y"), t1};
+  QTest::newRow("side and view") << breast << QStringList{jane, at, t1, QStringLiteral("L MLO")};
+  QTest::newRow("no date") << undated << QStringList{jane, QStringLiteral("(no date)"), t1};
+  QTest::newRow("a file without patients") << file << QStringList{QStringLiteral("head.nrrd")};
+}
+
+void TestCornerText::factsOfASeries() {
+  QFETCH(Series, series);
+  QFETCH(QStringList, left);
+  QCOMPARE(seriesCorner(series).left(), left);
+}
+
+void TestCornerText::namesAreHidden() {
+  hideNames(true);
+  const QStringList left = seriesCorner(axial()).left();
+  hideNames(false);
+  QCOMPARE(left.mid(0, 2), (QStringList{QStringLiteral("(name hidden)"), QStringLiteral("(date hidden)")}));
+}
+
+void TestCornerText::whatMattersMostStays() {
+  Series woman = axial();
+  woman.patientSex = "F";
+  CornerTexts texts = seriesCorner(woman);
+  texts.add(CornerItem::thickness, thicknessText(woman));
+  texts.add(CornerItem::plane, QStringLiteral("Axial"));
+  texts.add(CornerItem::position, QStringLiteral("S 3 mm"));
+  texts.add(CornerItem::number, QStringLiteral("3 / 20"));
+  texts.add(CornerItem::link, QString());
+  QCOMPARE(texts.left().size(), 5);
+  QCOMPARE(texts.left(3), (QStringList{QStringLiteral("Doe, Jane (7)"), QStringLiteral("2026-03-14 10:22:31"),
+                                       QStringLiteral("MR T1")}));
+  QCOMPARE(texts.right(),
+           (QStringList{QStringLiteral("Axial"), QStringLiteral("3 / 20"), QStringLiteral("S 3 mm")}));
+  QCOMPARE(texts.right(2), (QStringList{QStringLiteral("Axial"), QStringLiteral("3 / 20")}));
+  QCOMPARE(texts.right(0), QStringList());
+  woman.sliceThickness = 3;
+  QCOMPARE(thicknessText(woman), QStringLiteral("3 mm thick"));
+  woman.sliceThickness = 2;
+  QCOMPARE(thicknessText(woman), QStringLiteral("2 mm thick, 3 mm apart"));
+}
+
+void TestCornerText::planesSaySliceNumbers_data() {
+  QTest::addColumn<Series>("series");
+  QTest::addColumn<int>("acquired");
+  const double c = std::cos(0.5), s = std::sin(0.5);
+  QTest::newRow("axial") << axial() << int(ViewKind::axial);
+  QTest::newRow("sagittal") << stack({0, 1, 0}, {0, 0, -1}, 20, 3) << int(ViewKind::sagittal);
+  QTest::newRow("coronal, oblique") << stack({c, s, 0}, {0, 0, -1}, 20, 3) << int(ViewKind::coronal);
+  QTest::newRow("axial, oblique, feet first") << stack({-1, 0, 0}, {0, c, s}, 20, 3) << int(ViewKind::axial);
+}
+
+void TestCornerText::planesSaySliceNumbers() {
+  QFETCH(Series, series);
+  QFETCH(int, acquired);
+  const VoxelGeometry& geometry = series.acquired;
+  QCOMPARE(int(acquiredKind(geometry)), acquired);
+  Crosshair crosshair = firstCrosshair(geometry);
+  for (const ViewKind kind : {ViewKind::axial, ViewKind::coronal, ViewKind::sagittal}) {
+    ViewState view;
+    view.kind = kind;
+    const auto number = [&](const Crosshair& at) {
+      return planeNumber(series, geometry, kind, at, flatPlane(view, {}, geometry, at, {100, 100}));
+    };
+    if (int(kind) != acquired) {
+      QVERIFY(number(crosshair).reformatted);
+      continue;
+    }
+    for (const int slice : {0, 6, 19}) {
+      Crosshair at = crosshair;
+      at.at = geometry.patientFromVoxel({31, 30, slice});
+      QVERIFY(!number(at).reformatted);
+      QCOMPARE(number(at).text, QStringLiteral("%1 / 20").arg(slice + 1));
+    }
+    Crosshair between = crosshair;
+    between.at = geometry.patientFromVoxel({31, 30, 6.5});
+    QVERIFY(number(between).reformatted);
+    QCOMPARE(number(between).text, QStringLiteral("between 7 and 8 / 20"));
+    QVERIFY2(number(turnedIn(crosshair, kind == ViewKind::axial ? ViewKind::coronal : ViewKind::axial, 0.01))
+                 .reformatted,
+             "half a degree off");
+  }
+}
+
+void TestCornerText::interpolatedSlicesLieBetweenAcquiredOnes() {
+  Series series = axial(4);
+  series.regular = Series::Regular{series.acquired, 2, {0, 1, -1, -1, 2, 3}};
+  series.regular->geometry.size.z = 6;
+  const VoxelGeometry& drawn = series.regular->geometry;
+  ViewState view;
+  view.kind = ViewKind::axial;
+  const QStringList texts{QStringLiteral("1 / 4"),
+                          QStringLiteral("2 / 4"),
+                          QStringLiteral("between 2 and 3 / 4"),
+                          QStringLiteral("between 2 and 3 / 4"),
+                          QStringLiteral("3 / 4"),
+                          QStringLiteral("4 / 4")};
+  for (int k = 0; k < 6; ++k) {
+    const Crosshair at{drawn.patientFromVoxel({31, 30, k})};
+    const PlaneNumber number =
+        planeNumber(series, drawn, view.kind, at, flatPlane(view, {}, drawn, at, {100, 100}));
+    QCOMPARE(number.text, texts[k]);
+    QCOMPARE(number.reformatted, k == 2 || k == 3);
+  }
+}
+
+void TestCornerText::usefulVolumes_data() {
+  QTest::addColumn<Series>("series");
+  QTest::addColumn<bool>("useful");
+  Series thin = axial(40, 10), picture = axial(20), placeless = axial(20, 30), file = axial(1);
+  thin.sliceThickness = 1;
+  picture.notVolume = "Colour.";
+  placeless.acquired.calibrated = false;
+  QTest::newRow("a stack") << axial() << true;
+  QTest::newRow("four slices") << axial(4) << true;
+  QTest::newRow("three slices") << axial(3) << false;
+  QTest::newRow("one slice") << axial(1) << false;
+  QTest::newRow("a localizer of seven") << axial(7, 15) << false;
+  QTest::newRow("1 mm of every 10") << thin << false;
+  QTest::newRow("pictures") << picture << false;
+  QTest::newRow("without a place") << placeless << true;
+}
+
+void TestCornerText::usefulVolumes() {
+  QFETCH(Series, series);
+  QFETCH(bool, useful);
+  QCOMPARE(isUsefulVolume(series), useful);
+  QCOMPARE(opensAsPictures(series), !useful);
+}
+
+VOLUMEN_TEST(TestCornerText);
+#include "tst_corner_text.moc"

@@ -1,0 +1,217 @@
+#include "ui/workspace/corner_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "ui/workspace/key_images.h"
+#include "ui/workspace/link_text.h"
+#include "ui/workspace/series_text.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/time_point_text.h"
+
+namespace volumen {
+
+namespace {
+
+// In the order in which they are read; what has the lowest rank stays longest.
+struct CornerRow {
+  CornerItem item;
+  bool right;
+  int rank;
+};
+constexpr CornerRow cornerTable[] = {
+    {CornerItem::patient, false, 1},   {CornerItem::study, false, 2},   {CornerItem::sexAge, false, 6},
+    {CornerItem::series, false, 3},    {CornerItem::overlay, false, 5}, {CornerItem::projection, false, 4},
+    {CornerItem::thickness, false, 7}, {CornerItem::plane, true, 1},    {CornerItem::number, true, 2},
+    {CornerItem::step, true, 3},       {CornerItem::position, true, 8}, {CornerItem::slab, true, 5},
+    {CornerItem::pixelSize, true, 9},  {CornerItem::mask, true, 6},     {CornerItem::link, true, 4},
+    {CornerItem::mark, true, 7}};
+
+QString kindText(ViewKind kind) {
+  return kind == ViewKind::coronal    ? tr("Coronal")
+         : kind == ViewKind::sagittal ? tr("Sagittal")
+                                      : tr("Axial");
+}
+
+QString slabText(const FlatLook& look) {
+  const char* mode = look.slabMode == SlabMode::max   ? "MIP"
+                     : look.slabMode == SlabMode::min ? "MinIP"
+                                                      : "Mean";
+  return QStringLiteral("%1 %2 mm").arg(QLatin1String(mode)).arg(look.slabMm, 0, 'f', 1);
+}
+
+// "S 12.5 mm": where along its axis a plane lies; of one that is turned "oblique".
+QString positionText(ViewKind kind, const SlicePlane& plane) {
+  constexpr double parallel = 1e-3;
+  const Crosshair straight;
+  if (glm::length(glm::cross(plane.normal(), straight.plane(kind).normal())) > parallel) return tr("oblique");
+  const glm::dvec3 p = plane.centre;
+  const auto [mm, plus, minus] = kind == ViewKind::coronal    ? std::tuple(p.y, "P", "A")
+                                 : kind == ViewKind::sagittal ? std::tuple(p.x, "L", "R")
+                                                              : std::tuple(p.z, "S", "I");
+  return QStringLiteral("%1 %2 mm").arg(QLatin1String(mm < 0 ? minus : plus)).arg(std::abs(mm), 0, 'f', 1);
+}
+
+int numberIn(const std::string& text, std::size_t from, std::size_t count) {
+  int number = 0;
+  if (text.size() >= from + count) std::from_chars(text.data() + from, text.data() + from + count, number);
+  return number;
+}
+
+// "45 y" of "045Y"; of a birth date and a study date where no age is given.
+QString ageText(const Series& series) {
+  const std::string& age = series.patientAge;
+  if (age.size() == 4 && std::string("YMWD").find(age[3]) != std::string::npos)
+    return QStringLiteral("%1 %2").arg(numberIn(age, 0, 3)).arg(QChar::fromLatin1(age[3]).toLower());
+  const std::string &born = series.patientBirthDate, &studied = series.studyDate;
+  if (born.size() != 8 || studied.size() != 8) return {};
+  const int years = numberIn(studied, 0, 4) - numberIn(born, 0, 4);
+  const int whole = years - (numberIn(studied, 4, 4) < numberIn(born, 4, 4) ? 1 : 0);
+  return whole < 0 || whole > 150 ? QString() : tr("%1 y").arg(whole);
+}
+
+QString joined(QStringList parts, const QString& with) {
+  parts.removeAll(QString());
+  return parts.join(with);
+}
+
+// Along the normal of the slices.
+double sliceDistance(const VoxelGeometry& geometry) {
+  const auto& L = geometry.patientFromVoxelStep;
+  return std::abs(glm::dot(L[2], glm::normalize(glm::cross(L[0], L[1]))));
+}
+
+QString mmText(double mm) { return tr("%1 mm").arg(mm, 0, 'g', 3); }
+
+// The slices as acquired between which a place along k of the drawn grid lies, from 1.
+std::pair<int, int> neighbours(const Series& series, double k) {
+  const int below = int(std::floor(k + 1e-3)), last = series.acquired.size.z;
+  if (!series.regular) return {std::clamp(below + 1, 1, last), std::clamp(below + 2, 1, last)};
+  const std::vector<int>& copies = series.regular->copies;
+  int from = 1, to = last;
+  for (int n = 0; n < int(copies.size()); ++n) {
+    if (copies[std::size_t(n)] < 0) continue;
+    if (n <= k + 1e-3) from = copies[std::size_t(n)] + 1;
+    if (n > k + 1e-3) return {from, copies[std::size_t(n)] + 1};
+  }
+  return {from, to};
+}
+
+}  // namespace
+
+void CornerTexts::add(CornerItem item, const QString& text) {
+  if (!text.isEmpty()) items_.emplace_back(item, text);
+}
+
+void CornerTexts::add(CornerItem item, const QStringList& texts) {
+  for (const QString& text : texts) add(item, text);
+}
+
+QStringList CornerTexts::corner(bool right, int lines) const {
+  std::vector<std::pair<int, int>> kept;  // rank and place
+  std::vector<QString> texts;
+  for (const CornerRow& row : cornerTable)
+    for (const auto& [item, text] : items_)
+      if (row.right == right && row.item == item) {
+        kept.emplace_back(row.rank, int(texts.size()));
+        texts.push_back(text);
+      }
+  std::ranges::sort(kept);
+  kept.resize(std::min(kept.size(), std::size_t(std::max(0, lines))));
+  std::ranges::sort(kept, {}, &std::pair<int, int>::second);
+  QStringList corner;
+  for (const auto& [rank, place] : kept) corner << texts[std::size_t(place)];
+  return corner;
+}
+
+QString studyTimeText(const Series& series) {
+  const QString date = dateText(series.studyDate);
+  if (date.isEmpty()) return series.format == "DICOM" ? tr("(no date)") : QString();
+  return namesHidden() ? date : joined({date, timeText(series.studyTime)}, QStringLiteral(" "));
+}
+
+QString sexAgeText(const Series& series) {
+  return joined({shownText(series.patientSex), ageText(series)}, QStringLiteral(", "));
+}
+
+QString projectionText(const Series& series) {
+  return joined({shownText(series.laterality), shownText(series.viewPosition)}, QStringLiteral(" "));
+}
+
+QString thicknessText(const Series& series) {
+  if (!series.acquired.calibrated || series.acquired.size.z < 2)
+    return series.sliceThickness > 0 ? tr("%1 thick").arg(mmText(series.sliceThickness)) : QString();
+  const double apart = sliceDistance(series.acquired), thick = series.sliceThickness;
+  const QString distance = tr("%1 apart").arg(mmText(apart));
+  if (thick <= 0) return distance;
+  const QString thickness = tr("%1 thick").arg(mmText(thick));
+  return std::abs(apart - thick) <= 0.01 * thick ? thickness : joined({thickness, distance}, tr(", "));
+}
+
+QString stepText(const Workspace& workspace, const SeriesKey& series) {
+  const QString step = timePointText(workspace, series);
+  const auto state = workspace.series.find(series);
+  if (!step.isEmpty() || state == workspace.series.end()) return step;
+  QStringList words;
+  for (const SplitBy& by : state->second.series->splitBy) words << shownText(by.words);
+  if (words.isEmpty() && !state->second.series->bValue.empty())
+    words << tr("b %1").arg(shownText(state->second.series->bValue));
+  return joined(words, tr(", "));
+}
+
+CornerTexts seriesCorner(const Series& series) {
+  CornerTexts texts;
+  texts.add(CornerItem::patient, patientText(series));
+  texts.add(CornerItem::study, studyTimeText(series));
+  texts.add(CornerItem::sexAge, sexAgeText(series));
+  texts.add(CornerItem::series, seriesText(series));
+  texts.add(CornerItem::projection, projectionText(series));
+  return texts;
+}
+
+PlaneNumber planeNumber(const Series& series, const VoxelGeometry& drawn, ViewKind kind,
+                        const Crosshair& crosshair, const SlicePlane& plane) {
+  SlicePlane thin = plane;
+  thin.slabMm = 0;
+  const PictureSeen seen = pictureSeen(series, drawn, thin);
+  const int count = series.acquired.size.z;
+  if (seen.index) return {false, QStringLiteral("%1 / %2").arg(*seen.index + 1).arg(count)};
+  const double k = drawn.voxelFromPatient(plane.centre).z;
+  if (onSlice(thin, drawn, 0) && k > -0.5 && k < drawn.size.z - 0.5) {
+    const auto [from, to] = neighbours(series, k);
+    return {true, from == to ? tr("beside %1 / %2").arg(from).arg(count)
+                             : tr("between %1 and %2 / %3").arg(from).arg(to).arg(count)};
+  }
+  const StackPlace place = stackPlace(drawn, kind, crosshair);
+  return {true, QStringLiteral("%1 / %2").arg(place.index + 1).arg(place.count)};
+}
+
+CornerTexts slicesCorner(const Workspace& workspace, ViewId view, const ShownSeries& shown,
+                         const SlicePlane& plane) {
+  const ViewState& state = workspace.view(view);
+  const FlatLook look = flatLookOf(state);
+  const VoxelGeometry& geometry = shown.volume->geometry();
+  const SeriesState& series = workspace.series.at(keyOf(shown.series));
+  const PlaneNumber number =
+      planeNumber(shown.series, geometry, state.kind, crosshairOf(workspace, view, shown), plane);
+  CornerTexts texts = seriesCorner(shown.series);
+  const QString thickness = thicknessText(shown.series);
+  const QString acquired = number.reformatted ? planeText(shown.series.acquired) : QString();
+  texts.add(CornerItem::thickness, thickness.isEmpty()  ? thickness
+                                   : acquired.isEmpty() ? thickness
+                                                        : tr("of %1 slices, %2").arg(acquired, thickness));
+  const QString kind = kindText(state.kind);
+  texts.add(CornerItem::plane, number.reformatted ? tr("%1, reformatted").arg(kind) : kind);
+  texts.add(CornerItem::number, number.text);
+  texts.add(CornerItem::step, stepText(workspace, keyOf(shown.series)));
+  texts.add(CornerItem::mask, maskTexts(series.mask));
+  if (!geometry.calibrated) return texts;
+  texts.add(CornerItem::position, positionText(state.kind, plane));
+  if (look.slabMm > 0) texts.add(CornerItem::slab, slabText(look));
+  texts.add(CornerItem::link, linkText(workspace, view));
+  return texts;
+}
+
+}  // namespace volumen
