@@ -174,6 +174,7 @@ void SliceView::setTool(const FlatTool& tool) {
   if (drag_ && drag_->drawing()) drag_.reset();
   tool_ = &tool;
   update();
+  tellPointed();
   setCursor(tool.cursor);
 }
 
@@ -341,6 +342,7 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
       drag_.reset();
       update();
       while (session_.undoStack().index() > stepsAtPress_) session_.undoStack().undo();
+      tellPointed();
       return session_.endGesture();
     default:
       if (event->key() < Qt::Key_0 || event->key() > Qt::Key_9 || event->modifiers() != Qt::NoModifier) break;

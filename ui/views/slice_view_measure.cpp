@@ -82,6 +82,7 @@ void SliceView::endDrag(Qt::KeyboardModifiers keys) {
   const bool kept = drew && session_.undoStack().index() > stepsAtPress_;
   drag_.reset();
   session_.endGesture();
+  tellPointed();
   if (!drew) return;
   update();
   if (!kept) return;

@@ -107,6 +107,23 @@ Crosshair firstCrosshair(const VoxelGeometry& geometry) {
   return crosshair;
 }
 
+Crosshair firstCrosshair(const Series& series) {
+  const VoxelGeometry& geometry = drawnGeometry(series);
+  Crosshair crosshair = firstCrosshair(geometry);
+  if (!series.regular) return crosshair;
+  const int middle = int(std::lround(geometry.voxelFromPatient(crosshair.at).z));
+  const std::vector<int>& copies = series.regular->copies;
+  std::optional<int> nearest;
+  for (int k = 0; k < int(copies.size()); ++k)
+    if (copies[std::size_t(k)] >= 0 && (!nearest || std::abs(k - middle) < std::abs(*nearest - middle)))
+      nearest = k;
+  // Across the slices alone, so that it stays on those of the other planes.
+  const auto& L = geometry.patientFromVoxelStep;
+  const glm::dvec3 normal = glm::normalize(glm::cross(L[0], L[1]));
+  if (nearest) crosshair.at += double(*nearest - middle) * glm::dot(L[2], normal) * normal;
+  return crosshair;
+}
+
 Crosshair crosshairOf(const Workspace& workspace, const ShownSeries& series) {
   return crosshairOf(workspace, sceneViewId, series);
 }
@@ -114,13 +131,13 @@ Crosshair crosshairOf(const Workspace& workspace, const ShownSeries& series) {
 Crosshair crosshairOf(const Workspace& workspace, ViewId view, const ShownSeries& series) {
   const Crosshair* known = findCrosshair(workspace, view, frameOfReference(series.series));
   const VoxelGeometry& geometry = series.volume->geometry();
-  return known ? lyingFor(*known, geometry) : firstCrosshair(geometry);
+  if (known) return lyingFor(*known, geometry);
+  return series.series.regular ? firstCrosshair(series.series) : firstCrosshair(geometry);
 }
 
 Crosshair crosshairOf(const Workspace& workspace, ViewId view, const Series& series) {
   const Crosshair* known = findCrosshair(workspace, view, frameOfReference(series));
-  const VoxelGeometry& geometry = drawnGeometry(series);
-  return known ? lyingFor(*known, geometry) : firstCrosshair(geometry);
+  return known ? lyingFor(*known, drawnGeometry(series)) : firstCrosshair(series);
 }
 
 Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& frame, const Crosshair& before,

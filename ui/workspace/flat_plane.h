@@ -20,6 +20,8 @@ glm::dvec3 onSlice(const VoxelGeometry& geometry, ViewKind kind, const Crosshair
 
 /// Where it starts: in the middle, on slices of all three planes, which lie along the slices as acquired.
 Crosshair firstCrosshair(const VoxelGeometry& geometry);
+/// The same on the grid that is drawn of a series, of whose slices it is on one as acquired.
+Crosshair firstCrosshair(const Series& series);
 
 /// Whether a view has positions of its own: it is one of those to compare, and they are not linked.
 bool scrollsAlone(const Workspace& workspace, ViewId view);
