@@ -66,12 +66,10 @@ auto orderKey(const SeriesIdentity& s) {
                          numberOf(s.seriesNumber));
 }
 
-/// ... position.
+/// ... and within a series as its reader has them: by position, then by what tells them apart.
 void sortVolumes(std::vector<Series>& volumes) {
   const auto key = [](const Series& s) {
-    const glm::dvec3 o = s.acquired.origin;
-    return std::make_tuple(orderKey(s), s.seriesUid.empty() ? s.path : s.seriesUid, o.z, o.y, o.x,
-                           s.id.size(), std::tie(s.id));  // "#2" before "#10"
+    return std::make_tuple(orderKey(s), s.seriesUid.empty() ? s.path : s.seriesUid);
   };
   std::stable_sort(volumes.begin(), volumes.end(),
                    [&](const Series& a, const Series& b) { return key(a) < key(b); });

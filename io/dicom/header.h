@@ -57,11 +57,11 @@ struct Slice {
   double slope = 1, intercept = 0;
   std::optional<ValueRange> padding;  ///< stored values that stand for no picture
   std::vector<Window> windows;
-  long instance = 0;  ///< InstanceNumber; order of slices that nothing else orders
-  std::string echo;   ///< echo number and time: slices of different echoes are different volumes
+  long instance = 0;                        ///< InstanceNumber; order of slices that nothing else orders
   std::string echoTime, bValue, timePoint;  ///< as Series has them
   std::uint32_t inStack = 0;                ///< InStackPositionNumber, from 1; 0: not given
-  std::vector<std::string> parts;           ///< what may tell apart pictures of one place (io/dicom/parts.h)
+  std::vector<std::string> separators;      ///< what may tell apart pictures of one place: a value for each
+                                            ///< of separators() (io/dicom/separators.h)
 };
 
 /// Whether it is known where in the patient a slice lies.

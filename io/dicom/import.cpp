@@ -52,8 +52,14 @@ void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& 
         break;
     }
   }
-  std::vector<Series> volumes = sortIntoSeries(pictures);
-  std::move(volumes.begin(), volumes.end(), std::back_inserter(study.volumes));
+  Sorted sorted = sortIntoSeries(pictures);
+  std::move(sorted.volumes.begin(), sorted.volumes.end(), std::back_inserter(study.volumes));
+  for (const FileHeader* file : sorted.frames) {
+    study.images.push_back(imageOf(*file));
+    study.images.back().notVolume =
+        "Several pictures lie at one place, have one image number, and nothing tells which belong together: "
+        "they cannot be shown in 3D.";
+  }
 }
 
 }  // namespace volumen::dicom

@@ -5,8 +5,8 @@
 #include "io/dicom/attributes.h"
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/greys.h"
-#include "io/dicom/parts.h"
 #include "io/dicom/pixel_size.h"
+#include "io/dicom/separators.h"
 #include "io/dicom/stack.h"
 
 namespace volumen::dicom {
@@ -14,21 +14,6 @@ namespace {
 
 constexpr std::uint32_t planePosition = 0x00209113, planeOrientation = 0x00209116,
                         realWorldValueMapping = 0x00409096, spacingBetweenSlices = 0x00180088;
-
-std::string readEchoTime(const DataSet& data, DataSet::Scope scope) {
-  if (const auto ms = data.number(0x00180081, scope)) return realText(*ms);  // "22.0000" is "22"
-  const std::string time = data.text(0x00180081, scope);
-  return time.empty() ? realText(data, 0x00189082, scope) : time;
-}
-
-/// The diffusion weight: DICOM's, or the private one of Siemens or GE, which adds multiples of 100000.
-std::string readBValue(const DataSet& data, DataSet::Scope scope) {
-  if (const std::string b = realText(data, 0x00189087, scope); !b.empty()) return b;
-  if (data.text(0x00190010, data.root()) == "SIEMENS MR HEADER") return data.text(0x0019100c, data.root());
-  if (data.text(0x00430010, data.root()) != "GEMS_PARM_01") return {};
-  const auto numbers = data.numbers(0x00431039, data.root());
-  return numbers ? std::to_string(long(std::fmod((*numbers)[0], 100000))) : std::string();
-}
 
 /// Number of the time point, where the file counts them.
 std::string readTimePoint(const DataSet& data, const FrameScopes& at) {
@@ -132,12 +117,11 @@ Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, const Dimens
   slice.thickness = data.number(0x00180050, at.of(pixelMeasures)).value_or(0);
   for (const NamedGrey& grey : readWindows(data, at.of(frameVoiLut)))
     slice.windows.push_back(grey.mapping.window);
-  slice.echoTime = readEchoTime(data, at.of(mrEchoGroup));
-  slice.echo = data.text(0x00180086, at.of(mrEchoGroup)) + "/" + slice.echoTime;
-  slice.bValue = readBValue(data, at.of(mrDiffusionGroup));
+  slice.echoTime = readEchoTime(data, at);
+  slice.bValue = readBValue(data, at);
   slice.timePoint = readTimePoint(data, at);
   slice.inStack = dimensions.inStack(data, at.of(frameContentGroup));
-  slice.parts = readParts(data, at, dimensions);
+  slice.separators = readSeparators(data, at, dimensions);
   if (Status s = readRescale(data, at.of(pixelValueTransformation), slice); !s) return s.error();
   readRealWorldValues(data, at, slice, header);
   return slice;

@@ -34,7 +34,7 @@ inline void fields(Wire& w, dicom::Concatenation& c) { w(c.uid, c.part, c.parts,
 
 inline void fields(Wire& w, dicom::Slice& s) {
   w(s.frame, s.position, s.orientation, s.spacing, s.thickness, s.slope, s.intercept, s.padding, s.windows,
-    s.instance, s.echo, s.echoTime, s.bValue, s.timePoint, s.inStack, s.parts);
+    s.instance, s.echoTime, s.bValue, s.timePoint, s.inStack, s.separators);
 }
 
 inline void fields(Wire& w, dicom::FileHeader& h) {
