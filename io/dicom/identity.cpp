@@ -86,7 +86,7 @@ std::vector<Files> byFrameOfReference(const Files& files, std::vector<std::strin
   if (frames.size() < 2) return {files};
   const bool singlePictures =
       std::ranges::all_of(files, [](const FileHeader* f) { return f->slices.size() == 1; });
-  if (frames.size() > 2 && frames.size() == files.size() && singlePictures) {
+  if (frames.size() > 3 && frames.size() == files.size() && singlePictures) {
     warnings.push_back(
         "Each of its " + std::to_string(files.size()) +
         " files names a frame of reference of its own, as careless de-identification does: they "

@@ -76,15 +76,27 @@ std::vector<Entries> byOrder(const Entries& entries, Before before) {
   return ranks;
 }
 
-/// Whether each place has as many pictures, all with a number of their own.
+/// Whether each place has as many pictures, all with a number of their own, and the numbers really change
+/// from place to place: what several places have, all have, and as the same one in order. Else some are
+/// missing.
 bool countsEverywhere(const Entries& entries, std::size_t separator) {
+  const std::vector<Entries> places = byPlace(entries);
   const std::size_t most = mostAtOnePlace(entries);
-  return std::ranges::all_of(byPlace(entries), [&](const Entries& place) {
+  std::map<double, std::pair<std::size_t, std::size_t>> ranks;  // of a number: its rank, at how many places
+  for (const Entries& place : places) {
     std::set<double> numbers;
     for (const Entry& e : place)
       if (const auto number = parseNumber(valueOf(e, separator))) numbers.insert(*number);
-    return place.size() == most && numbers.size() == most;
-  });
+    if (place.size() != most || numbers.size() != most) return false;
+    std::size_t rank = 0;
+    for (const double number : numbers) {
+      const auto [it, isNew] = ranks.emplace(number, std::pair(rank, std::size_t(0)));
+      if (it->second.first != rank++) return false;
+      ++it->second.second;
+    }
+  }
+  return std::ranges::all_of(
+      ranks, [&](const auto& of) { return of.second.second == 1 || of.second.second == places.size(); });
 }
 
 std::vector<Split> byCount(const Split& split, std::size_t n) {
@@ -182,22 +194,23 @@ std::vector<Split> splitTheRest(const Split& split) {
   return byNumber(split);
 }
 
-/// The separators that were there to tell pictures apart, and do so no more where files are missing.
-std::vector<std::size_t> mayBeMixed(const Entries& entries) {
-  std::vector<std::size_t> all;
-  for (std::size_t n = 0; n < separators().size(); ++n)
-    if (separators()[n].trust == Trust::needed && valuesOf(entries, n).size() <= mostAtOnePlace(entries) &&
-        differsAtOnePlace(entries, n))
-      all.push_back(n);
-  return all;
+/// Whether pictures of one volume that differ in a separator may not belong together, as files are missing:
+/// `most` lie at one place of their stack. Image types and times differ within volumes, too.
+bool wouldBeMixed(const Entries& entries, std::size_t n, std::size_t most) {
+  const Separator& separator = separators()[n];
+  if (separator.words == Separator::Words::imageType) return false;
+  if (separator.trust == Trust::certain) return true;
+  if (most == 1 || separator.trust == Trust::always) return false;
+  return separator.trust == Trust::likely ||
+         (valuesOf(entries, n).size() <= most && differsAtOnePlace(entries, n));
 }
 
-void warnOfMixture(const std::vector<std::size_t>& mayBe, Split& split) {
+void warnOfMixture(const std::vector<std::size_t>& mixing, Split& split) {
   if (!split.warning.empty() || split.isGuess) return;
-  for (const std::size_t n : mayBe)
+  for (const std::size_t n : mixing)
     if (valuesOf(split.entries, n).size() > 1)
       split.warning = std::string("Its pictures differ in ") + separators()[n].keyword +
-                      ", by which others of their series are told apart: they may not belong together.";
+                      ": they may not belong together, and others may be missing.";
 }
 
 /// By all that surely tells pictures apart.
@@ -218,15 +231,18 @@ std::vector<Split> splitSurely(const Entries& entries) {
 
 std::vector<Split> splitRepeats(const Entries& entries) {
   std::vector<Split> splits = splitSurely(entries);
-  if (std::ranges::none_of(splits, repeats)) return splits;
   while (splitByOneMore(splits)) {
   }
-  const std::vector<std::size_t> mayBe = mayBeMixed(entries);
+  std::vector<std::size_t> mixing;
+  const std::size_t most = mostAtOnePlace(entries);
+  for (std::size_t n = 0; n < separators().size(); ++n)
+    if (wouldBeMixed(entries, n, most)) mixing.push_back(n);
   std::vector<Split> all;
   for (const Split& split : splits) {
     std::vector<Split> parts = repeats(split) ? splitTheRest(split) : std::vector{split};
     for (Split& part : parts) {
-      warnOfMixture(mayBe, part);
+      const bool isCounted = repeats(split) && part.warning.empty();
+      if (!isCounted) warnOfMixture(mixing, part);
       all.push_back(std::move(part));
     }
   }

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -29,6 +31,7 @@ namespace {
 struct Attribute {
   const char* name;
   void (*write)(DcmDataset&, int n);
+  bool mayVary = false;  // within a volume, from place to place
 };
 
 void text(DcmDataset& data, const DcmTagKey& tag, const QByteArray& value) {
@@ -62,30 +65,44 @@ const Attribute attributes[] = {
        constexpr const char* types[] = {"ORIGINAL\\PRIMARY\\M", "ORIGINAL\\PRIMARY\\P", "DERIVED\\PRIMARY\\W",
                                         "DERIVED\\PRIMARY\\F"};
        text(d, DCM_ImageType, types[n]);
-     }},
+     },
+     true},
     {"kernel", [](DcmDataset& d,
                   int n) { text(d, DCM_ConvolutionKernel, "B" + QByteArray::number(30 + 20 * n) + "f"); }},
     {"kVp", [](DcmDataset& d, int n) { text(d, DCM_KVP, QByteArray::number(80 + 20 * n)); }},
     {"flip angle", [](DcmDataset& d, int n) { text(d, DCM_FlipAngle, QByteArray::number(3 + 9 * n)); }},
     {"inversion time",
-     [](DcmDataset& d, int n) { text(d, DCM_InversionTime, QByteArray::number(100 + 80 * n)); }},
+     [](DcmDataset& d, int n) { text(d, DCM_InversionTime, QByteArray::number(100 + 80 * n)); }, true},
     {"repetition time",
-     [](DcmDataset& d, int n) { text(d, DCM_RepetitionTime, QByteArray::number(500 + 150 * n)); }},
-    {"acquisition", [](DcmDataset& d, int n) { text(d, DCM_AcquisitionNumber, QByteArray::number(n + 1)); }},
-    {"trigger time", [](DcmDataset& d, int n) { text(d, DCM_TriggerTime, QByteArray::number(33.5 * n)); }},
+     [](DcmDataset& d, int n) { text(d, DCM_RepetitionTime, QByteArray::number(500 + 150 * n)); }, true},
+    {"acquisition", [](DcmDataset& d, int n) { text(d, DCM_AcquisitionNumber, QByteArray::number(n + 1)); },
+     true},
+    {"trigger time", [](DcmDataset& d, int n) { text(d, DCM_TriggerTime, QByteArray::number(33.5 * n)); },
+     true},
     {"frame reference time",
-     [](DcmDataset& d, int n) { text(d, DCM_FrameReferenceTime, QByteArray::number(1000 + 20000 * n)); }},
+     [](DcmDataset& d, int n) { text(d, DCM_FrameReferenceTime, QByteArray::number(1000 + 20000 * n)); },
+     true},
     {"acquisition time",
-     [](DcmDataset& d, int n) { text(d, DCM_AcquisitionTime, "1000" + QByteArray::number(10 + 5 * n)); }},
+     [](DcmDataset& d, int n) { text(d, DCM_AcquisitionTime, "1000" + QByteArray::number(10 + 5 * n)); },
+     true},
     {"content time",
-     [](DcmDataset& d, int n) { text(d, DCM_ContentTime, "1105" + QByteArray::number(10 + 7 * n) + ".25"); }},
+     [](DcmDataset& d, int n) { text(d, DCM_ContentTime, "1105" + QByteArray::number(10 + 7 * n) + ".25"); },
+     true},
 };
 
 /// What a picture is of: two pictures of one volume have it alike.
 using Origin = std::vector<int>;
 
+/// How many there are along each dimension: patients, studies, frames of reference, attributes, places.
+struct Dimensions {
+  std::vector<int> sizes;
+  std::vector<const Attribute*> of;  // of the fourth to the last but one
+};
+
 struct Case {
   std::vector<Origin> originOf;  // of a value
+  Dimensions dimensions;
+  std::map<std::pair<Origin, int>, int> atPlace;  // how many pictures: whose they are, where
   QString words;
 };
 
@@ -95,12 +112,6 @@ std::vector<int> permutation(int count, std::mt19937& random) {
   std::shuffle(all.begin(), all.end(), random);
   return all;
 }
-
-/// How many there are along each dimension: patients, studies, frames of reference, attributes, places.
-struct Dimensions {
-  std::vector<int> sizes;
-  std::vector<const Attribute*> of;  // of the fourth to the last but one
-};
 
 Dimensions randomDimensions(std::mt19937& random) {
   const auto pick = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
@@ -133,6 +144,22 @@ DicomPicture picture(const Dimensions& d, const Origin& origin, int place, int v
   return p;
 }
 
+/// Patient, study and frame of reference.
+Origin whose(const Origin& origin) { return {origin.begin(), origin.begin() + 3}; }
+
+/// Whether nobody can tell that these do not belong together: what they differ in may vary in a volume, and
+/// no place holds two pictures.
+bool cannotBeTold(const Case& made, const std::set<Origin>& origins) {
+  const Origin& first = *origins.begin();
+  for (const Origin& other : origins) {
+    if (whose(other) != whose(first)) return false;
+    for (std::size_t n = 3; n < other.size(); ++n)
+      if (other[n] != first[n] && !made.dimensions.of[n - 3]->mayVary) return false;
+  }
+  return std::ranges::none_of(
+      made.atPlace, [&](const auto& place) { return place.first.first == whose(first) && place.second > 1; });
+}
+
 /// Writes a random series.
 Case write(const DicomFolder& folder, unsigned seed) {
   std::mt19937 random(seed);
@@ -143,6 +170,7 @@ Case write(const DicomFolder& folder, unsigned seed) {
   const std::vector<int> numbers = permutation(count, random);
   const int missing = chance(50) ? 0 : 12, perVolume = chance(30) ? d.sizes.back() : count;
   Case made;
+  made.dimensions = d;
   made.words = QStringLiteral("sizes");
   for (const int size : d.sizes) made.words += QStringLiteral(" %1").arg(size);
   for (const Attribute* a : d.of) made.words += QStringLiteral(", ") + QString::fromLatin1(a->name);
@@ -154,6 +182,7 @@ Case write(const DicomFolder& folder, unsigned seed) {
     origin.pop_back();
     made.originOf.push_back(origin);
     if (chance(missing)) continue;
+    ++made.atPlace[{whose(origin), place}];
     const std::string name = "f" + std::to_string(numbers[std::size_t(value)]);
     folder.add(name, picture(d, origin, place, value, numbers[std::size_t(value)] % perVolume + 1));
     if (chance(3)) std::filesystem::copy_file(folder.path(name), folder.path(name + "copy"));
@@ -191,9 +220,8 @@ void TestSeriesRandom::volumesArePure() {
     ++mixed;
     const bool told =
         std::ranges::any_of(s.warnings, [](const Warning& w) { return w.kind == WarningKind::notSeparated; });
-    QVERIFY2(told, qPrintable(made.words));
+    QVERIFY2(told || cannotBeTold(made, origins), qPrintable(made.words));
   }
-  // Where no file is missing nothing needs to be guessed.
   if (qEnvironmentVariableIsSet("VOLUMEN_FIGURES"))
     qInfo("%s: %zu volumes, %zu images, %zu mixed", qPrintable(made.words), study.volumes.size(),
           study.images.size(), mixed);
