@@ -34,8 +34,8 @@ struct Attribute {
   bool mayVary = false;  // within a volume, from place to place
 };
 
-void text(DcmDataset& data, const DcmTagKey& tag, const QByteArray& value) {
-  data.putAndInsertString(tag, value.constData());
+void text(DcmDataset& data, const DcmTag& tag, const QByteArray& value) {
+  QVERIFY(data.putAndInsertString(tag, value.constData()).good());
 }
 
 const Attribute attributes[] = {
@@ -220,7 +220,13 @@ void TestSeriesRandom::volumesArePure() {
     ++mixed;
     const bool told =
         std::ranges::any_of(s.warnings, [](const Warning& w) { return w.kind == WarningKind::notSeparated; });
-    QVERIFY2(told || cannotBeTold(made, origins), qPrintable(made.words));
+    QString found = made.words;
+    for (const SplitBy& by : s.splitBy) found += QStringLiteral("; ") + QString::fromStdString(by.words);
+    for (const Origin& origin : origins) {
+      found += QStringLiteral(" |");
+      for (const int n : origin) found += QStringLiteral(" %1").arg(n);
+    }
+    QVERIFY2(told || cannotBeTold(made, origins), qPrintable(found));
   }
   if (qEnvironmentVariableIsSet("VOLUMEN_FIGURES"))
     qInfo("%s: %zu volumes, %zu images, %zu mixed", qPrintable(made.words), study.volumes.size(),
