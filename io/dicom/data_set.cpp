@@ -97,6 +97,10 @@ std::vector<T> DataSet::allOf(std::uint32_t tag, Scope scope, std::uint16_t vr) 
   return all;
 }
 
+std::vector<double> DataSet::reals(std::uint32_t tag, Scope scope) const {
+  return allOf<double>(tag, scope, vrOf('F', 'D'));
+}
+
 std::vector<float> DataSet::floats(std::uint32_t tag, Scope scope) const {
   return allOf<float>(tag, scope, vrOf('F', 'L'));
 }

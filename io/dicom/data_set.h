@@ -46,7 +46,8 @@ class DataSet {
   /// A UL, and an FD.
   std::optional<std::uint32_t> dword(std::uint32_t tag, Scope scope) const;
   std::optional<double> real(std::uint32_t tag, Scope scope) const;
-  /// All numbers of an FL, of an SL and of a UL; none where it is of another kind.
+  /// All numbers of an FD, of an FL, of an SL and of a UL; none where it is of another kind.
+  std::vector<double> reals(std::uint32_t tag, Scope scope) const;
   std::vector<float> floats(std::uint32_t tag, Scope scope) const;
   std::vector<std::int32_t> longs(std::uint32_t tag, Scope scope) const;
   std::vector<std::uint32_t> dwords(std::uint32_t tag, Scope scope) const;

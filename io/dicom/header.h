@@ -52,6 +52,7 @@ struct Slice {
   int frame = 0;                       ///< in its file, from 0
   std::optional<glm::dvec3> position;  ///< ImagePositionPatient, mm: the centre of its first voxel
   std::optional<Orientation> orientation;
+  bool ofTransducer = false;          ///< they are those of an ultrasound transducer, not of the patient
   std::optional<glm::dvec2> spacing;  ///< mm along i (between columns) and j (between rows)
   double thickness = 0;               ///< SliceThickness, mm; 0: not given
   double slope = 1, intercept = 0;
@@ -62,6 +63,8 @@ struct Slice {
   std::string echoTime, bValue, timePoint;  ///< as Series has them
   std::uint32_t inStack = 0;                ///< InStackPositionNumber, from 1; 0: not given
   std::vector<std::string> parts;           ///< what may tell apart pictures of one place (io/dicom/parts.h)
+  /// Of nuclear medicine, numbers from 1 as text (PS3.3 C.8.4.8); empty where frames are not told by it.
+  std::string timeSlot, rrInterval, energyWindow, detector;
 };
 
 /// Whether it is known where in the patient a slice lies.

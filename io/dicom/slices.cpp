@@ -5,15 +5,16 @@
 #include "io/dicom/attributes.h"
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/greys.h"
+#include "io/dicom/nuclear.h"
 #include "io/dicom/parts.h"
 #include "io/dicom/pixel_size.h"
+#include "io/dicom/slice_place.h"
 #include "io/dicom/stack.h"
 
 namespace volumen::dicom {
 namespace {
 
-constexpr std::uint32_t planePosition = 0x00209113, planeOrientation = 0x00209116,
-                        realWorldValueMapping = 0x00409096, spacingBetweenSlices = 0x00180088;
+constexpr std::uint32_t realWorldValueMapping = 0x00409096, spacingBetweenSlices = 0x00180088;
 
 std::string readEchoTime(const DataSet& data, DataSet::Scope scope) {
   if (const auto ms = data.number(0x00180081, scope)) return realText(*ms);  // "22.0000" is "22"
@@ -36,39 +37,6 @@ std::string readTimePoint(const DataSet& data, const FrameScopes& at) {
   if (!identifier.empty()) return identifier;
   const auto index = data.dword(0x00209128, at.of(frameContentGroup));
   return index ? std::to_string(*index) : std::string();
-}
-
-std::optional<glm::dvec3> vectorAt(const std::vector<double>& v, std::size_t at) {
-  if (v.size() < at + 3) return {};
-  return glm::dvec3(v[at], v[at + 1], v[at + 2]);
-}
-
-std::optional<glm::dvec3> readPosition(const DataSet& data, DataSet::Scope scope) {
-  const auto v = data.numbers(0x00200032, scope);
-  return v ? vectorAt(*v, 0) : std::nullopt;
-}
-
-void warnOnce(FileHeader& header, const std::string& sentence) {
-  if (std::ranges::find(header.warnings, sentence) == header.warnings.end())
-    header.warnings.push_back(sentence);
-}
-
-/// Unit vectors at right angles; nothing where the file's are neither (by more than 1 %).
-std::optional<Orientation> readOrientation(const DataSet& data, DataSet::Scope scope, FileHeader& header) {
-  const auto v = data.numbers(0x00200037, scope);
-  if (!v || v->size() < 6) return {};
-  const glm::dvec3 row = *vectorAt(*v, 0), column = *vectorAt(*v, 3);
-  const double off = std::max(
-      {std::abs(glm::length(row) - 1), std::abs(glm::length(column) - 1), std::abs(glm::dot(row, column))});
-  if (!(off <= 0.01)) {
-    warnOnce(header,
-             "its ImageOrientationPatient is not a pair of unit vectors at right angles and is not used");
-    return {};
-  }
-  if (off > 1e-3) warnOnce(header, "its ImageOrientationPatient was made exactly orthonormal");
-  Orientation o{glm::normalize(row), {}};
-  o.column = glm::normalize(column - glm::dot(column, o.row) * o.row);
-  return o;
 }
 
 Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice) {
@@ -126,8 +94,7 @@ std::optional<ValueRange> readPadding(const DataSet& data, const PixelFormat& fo
 Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, const Dimensions& dimensions,
                         FileHeader& header) {
   Slice slice;
-  slice.position = readPosition(data, at.ofGroupAlone(planePosition));
-  slice.orientation = readOrientation(data, at.of(planeOrientation), header);
+  readPlace(data, at, slice, header);
   slice.spacing = readSpacing(data, 0x00280030, at.of(pixelMeasures));
   slice.thickness = data.number(0x00180050, at.of(pixelMeasures)).value_or(0);
   for (const NamedGrey& grey : readWindows(data, at.of(frameVoiLut)))
@@ -170,6 +137,13 @@ void framesWithoutPlace(const DataSet& data, const FrameScopes& at, FileHeader& 
 void repeatSlice(FileHeader& header) {
   header.slices.assign(std::size_t(header.format.frames), Slice(header.slices.front()));
   for (std::size_t n = 0; n < header.slices.size(); ++n) header.slices[n].frame = int(n);
+}
+
+void placeReconstructedNuclear(const DataSet& data, FileHeader& header) {
+  repeatSlice(header);
+  placeNuclearFrames(data, header);
+  if (header.format.frames > 1 && !std::ranges::all_of(header.slices, isPlaced))
+    framesWithoutPlace(data, FrameScopes(data.root()), header);
 }
 
 /// The frames of a dose grid: along the normal by GridFrameOffsetVector (PS3.3 C.8.8.3.2).
@@ -223,7 +197,7 @@ Status readEnhancedFrames(const DataSet& data, FileHeader& header) {
     const auto slice = readSlice(data, FrameScopes(data, own, all), dimensions, header);
     if (!slice) return slice.error();
     placed = placed && isPlaced(*slice);
-    ownPlaces = ownPlaces || data.find(planePosition, own);
+    ownPlaces = ownPlaces || data.find(planePosition, own) || data.find(planePositionInVolume, own);
     header.slices.push_back(*slice);
     header.slices.back().frame = int(n);
   }
@@ -265,7 +239,10 @@ Status readSlices(const DataSet& data, FileHeader& header) {
     const auto slice = readSlice(data, FrameScopes(data.root()), Dimensions(data), header);
     if (!slice) return slice.error();
     header.slices = {*slice};
-    if (header.format.frames > 1 && header.notVolume.empty()) placeDoseFrames(data, header);
+    if (header.notVolume.empty() && isReconstructedNuclear(data))
+      placeReconstructedNuclear(data, header);
+    else if (header.notVolume.empty() && header.format.frames > 1)
+      placeDoseFrames(data, header);
   }
   const auto padding = readPadding(data, header.format);
   for (Slice& slice : header.slices) slice.padding = padding;
