@@ -56,10 +56,12 @@ struct Slice {
   std::optional<glm::dvec2> spacing;  ///< mm along i (between columns) and j (between rows)
   double thickness = 0;               ///< SliceThickness, mm; 0: not given
   double slope = 1, intercept = 0;
+  std::string unit;                   ///< of its values
+  bool isMapped = false;              ///< slope and intercept are those of a real world value mapping
   std::optional<ValueRange> padding;  ///< stored values that stand for no picture
-  std::vector<Window> windows;
-  long instance = 0;  ///< InstanceNumber; order of slices that nothing else orders
-  std::string echo;   ///< echo number and time: slices of different echoes are different volumes
+  std::vector<Window> windows;        ///< of its values, also where those are mapped
+  long instance = 0;                  ///< InstanceNumber; order of slices that nothing else orders
+  std::string echo;  ///< echo number and time: slices of different echoes are different volumes
   std::string echoTime, bValue, timePoint;  ///< as Series has them
   std::uint32_t inStack = 0;                ///< InStackPositionNumber, from 1; 0: not given
   std::vector<std::string> parts;           ///< what may tell apart pictures of one place (io/dicom/parts.h)

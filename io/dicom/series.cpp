@@ -334,9 +334,11 @@ ValuePlan planValues(const std::vector<const FileHeader*>& files, std::span<cons
   constexpr std::size_t u8 = 0, floats = 3;
   ValuePlan plan{typeOf(files[0]->format), false};
   for (std::size_t n = 0; n < slices.size(); ++n) {
+    const Slice& slice = slices[n].slice;
     const VoxelValues type = typeOf(files[n]->format);
-    if (slices[n].slice.slope != slices[0].slice.slope ||
-        slices[n].slice.intercept != slices[0].slice.intercept)
+    const bool isOther = slice.slope != slices[0].slice.slope || slice.intercept != slices[0].slice.intercept;
+    // Windows of mapped values are no LINEAR ones, as those of integers are (slices.md 3).
+    if (isOther || (slice.isMapped && slice.slope != 1))
       plan.type = std::vector<float>{};
     else if (plan.type.index() == u8)
       plan.type = type;
