@@ -125,7 +125,8 @@ void TestFieldCommands::tiltIsKeptInWhatIsWritten() {
   NEED_DATA(dataPath());
   QFETCH(QString, command);
   QFETCH(bool, kept);
-  const Outcome done = runProgram(command.arg(caseAt("c42-tilt-written"), folder_.path()));
+  command.replace(QStringLiteral("%1"), caseAt("c42-tilt-written"));
+  const Outcome done = runProgram(command.replace(QStringLiteral("%2"), folder_.path()));
   QVERIFY2(done.status == 0, done.err);
   const QByteArray said = done.out + done.err;
   QCOMPARE(said.count("Gantry tilt of 18.0 degrees, kept in the file."), kept ? 1 : 0);
