@@ -59,7 +59,8 @@ void addSeries(std::ostream& out, std::size_t n, const std::vector<InfoSeries>& 
   out << "    " << n + 1 << "  " << nameLine(s, all) << '\n' << indent << gridText(s) << '\n';
   if (json.contains("min"))
     out << indent << "values " << numberText(json["min"], 7) << " to " << numberText(json["max"], 7)
-        << ", mean " << numberText(json["mean"], 7) << '\n';
+        << (s.unit.empty() ? "" : ' ' + printable(s.unit)) << ", mean " << numberText(json["mean"], 7)
+        << '\n';
   if (verbose)
     out << indent << "id " << printable(s.id) << '\n'
         << indent << "in " << printable(lastingPath(s.path)) << '\n';

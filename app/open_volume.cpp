@@ -1,5 +1,6 @@
 #include "app/open_volume.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/command.h"
@@ -81,6 +82,14 @@ Status takeAway(const Mask& mask, Opened& opened, const CancelToken& cancel) {
   if (opened.loaded.acquired == opened.loaded.drawn) opened.loaded.acquired = *without;
   opened.loaded.drawn = *without;
   return {};
+}
+
+void noteKeptTilt(Opened& opened) {
+  for (const Warning& warning : opened.loaded.warnings) {
+    if (warning.kind != WarningKind::sheared) continue;
+    const std::string tilt = warning.sentence.substr(0, warning.sentence.find(','));
+    std::ranges::replace(opened.notes, warning.sentence, tilt + ", kept in the file.");
+  }
 }
 
 void printNotes(const std::vector<std::string>& notes) {

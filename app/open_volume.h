@@ -29,6 +29,9 @@ Result<Opened> openSeries(const Series& series, const CancelToken& cancel);
 /// not HU.
 Status takeAway(const Mask& mask, Opened& opened, const CancelToken& cancel);
 
+/// For commands that write a volume as it lies: a tilt is kept in the file, nothing is corrected there.
+void noteKeptTilt(Opened& opened);
+
 /// Writes the notes to stderr, one line each.
 void printNotes(const std::vector<std::string>& notes);
 

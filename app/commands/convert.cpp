@@ -60,6 +60,7 @@ int run(const ConvertOptions& options, const CancelToken& cancel) {
       write(*opened->loaded.drawn, opened->series, options.output, terminalProgress(), cancel);
   endTerminalProgress();
   if (!written) return fail(written.message(), cancel);
+  noteKeptTilt(*opened);
   addNotes(opened->notes, *opened, options.output);
   printNotes(opened->notes);
   std::cout << printable(options.output) << '\n';

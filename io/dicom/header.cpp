@@ -3,6 +3,9 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcuid.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "io/dicom/attributes.h"
 #include "io/dicom/directory.h"
 #include "io/dicom/mosaic.h"
@@ -112,6 +115,7 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
   const bool isSegmentation = referenceKind(found.header.sopClassUid) == ReferenceKind::segmentation;
   if (!s.dataSet.pixels || isSegmentation) return withoutPicture(data, found.header);
   if (Status picture = readPicture(*file, s, data, found.header); !picture) return refused(picture.message());
+  std::ranges::copy(data.remarks(), std::back_inserter(found.header.warnings));
   return found;
 }
 

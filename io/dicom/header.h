@@ -52,11 +52,14 @@ struct Slice {
   int frame = 0;                       ///< in its file, from 0
   std::optional<glm::dvec3> position;  ///< ImagePositionPatient, mm: the centre of its first voxel
   std::optional<Orientation> orientation;
+  bool ofTransducer = false;          ///< they are those of an ultrasound transducer, not of the patient
   std::optional<glm::dvec2> spacing;  ///< mm along i (between columns) and j (between rows)
   double thickness = 0;               ///< SliceThickness, mm; 0: not given
   double slope = 1, intercept = 0;
-  std::optional<ValueRange> padding;  ///< stored values that stand for no picture
-  std::vector<Window> windows;
+  std::string unit;                         ///< of its values
+  bool isMapped = false;                    ///< slope and intercept are those of a real world value mapping
+  std::optional<ValueRange> padding;        ///< stored values that stand for no picture
+  std::vector<Window> windows;              ///< of its values, also where those are mapped
   long instance = 0;                        ///< InstanceNumber; order of slices that nothing else orders
   std::string echoTime, bValue, timePoint;  ///< as Series has them
   std::uint32_t inStack = 0;                ///< InStackPositionNumber, from 1; 0: not given

@@ -54,7 +54,10 @@ std::string valueOf(const DataSet& data, const Source& source, DataSet::Scope sc
 /// The first source that says something.
 std::string firstOf(const DataSet& data, const FrameScopes& at, std::span<const Source> sources) {
   for (const Source& source : sources)
-    if (std::string value = valueOf(data, source, at.of(source.group)); !value.empty()) return value;
+    if (source.tag == 0)
+      break;
+    else if (std::string value = valueOf(data, source, at.of(source.group)); !value.empty())
+      return value;
   return {};
 }
 
@@ -140,6 +143,11 @@ const Row rows[] = {
      {{{ctXRayGroup, 0x00180060, Kind::number}, {0, 0x00180060, Kind::number}}}},
     {{"FlipAngle", Trust::certain, "flip angle ", " degrees"},
      {{{mrTimingGroup, 0x00181314, Kind::number}, {0, 0x00181314, Kind::number}}}},
+    // Of nuclear medicine (PS3.3 C.8.4.8), frame by frame: io/dicom/nuclear.h.
+    {{"TimeSlotVector", Trust::certain, "time slot ", ""}, {}},
+    {{"RRIntervalVector", Trust::certain, "R-R interval ", ""}, {}},
+    {{"EnergyWindowVector", Trust::certain, "energy window ", ""}, {}},
+    {{"DetectorVector", Trust::certain, "detector ", ""}, {}},
     {{"SequenceName", Trust::likely, "sequence ", ""}, {{{0, 0x00180024, Kind::text}}}},
     {{"InversionTime", Trust::likely, "TI ", " ms", Words::plain, true},
      {{{mrModifierGroup, 0x00189079, Kind::real}, {0, 0x00180082, Kind::number}}}},
@@ -220,6 +228,12 @@ std::vector<std::string> readSeparators(const DataSet& data, const FrameScopes& 
     values.push_back(row.read ? row.read(data, at) : firstOf(data, at, row.sources));
   values.push_back(dimensions.others(data, at.of(frameContentGroup)));
   return values;
+}
+
+void setSeparator(Slice& slice, std::string_view keyword, const std::string& value) {
+  const auto all = separators();
+  const auto at = std::ranges::find_if(all, [&](const Separator& s) { return s.keyword == keyword; });
+  slice.separators.at(std::size_t(at - all.begin())) = value;
 }
 
 std::string wordsOf(const Separator& separator, const std::vector<std::string>& values, std::size_t n) {

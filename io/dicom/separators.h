@@ -6,6 +6,7 @@
 
 #include "io/dicom/dimensions.h"
 #include "io/dicom/frame_scopes.h"
+#include "io/dicom/header.h"
 
 namespace volumen::dicom {
 
@@ -37,6 +38,9 @@ std::span<const Separator> separators();
 /// The values of one frame, as text, one a separator; empty where it does not say.
 std::vector<std::string> readSeparators(const DataSet& data, const FrameScopes& at,
                                         const Dimensions& dimensions);
+
+/// Sets the value of the separator of this keyword, which is in the table.
+void setSeparator(Slice& slice, std::string_view keyword, const std::string& value);
 
 /// What is said of value `n` of the different values of a separator: "kernel B70f", "phase 40 %".
 std::string wordsOf(const Separator& separator, const std::vector<std::string>& values, std::size_t n);

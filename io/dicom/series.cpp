@@ -22,7 +22,7 @@ bool fit(const Entry& a, const Entry& b) {
   const Slice &s = a.slice(), &t = b.slice();
   if (a.file->format.columns != b.file->format.columns || a.file->format.rows != b.file->format.rows)
     return false;
-  if (a.file->unit != b.file->unit) return false;
+  if (s.unit != t.unit) return false;
   if (isPlaced(s) != isPlaced(t)) return false;
   if (!isPlaced(s)) return true;
   // Orientations are given with six digits or so; 1e-3 is 0.25 mm at the edge of a 500 mm picture.
@@ -177,7 +177,7 @@ Series describe(const Part& part, const Split& split) {
   s.id = first.seriesUid.empty() ? fileName(first.path) : first.seriesUid;
   s.format = "DICOM";
   static_cast<SeriesIdentity&>(s) = first;
-  s.unit = first.unit;
+  s.unit = part.entries[0].slice().unit;
   s.time = first.time;
   s.echoTime = common(part.entries, &Slice::echoTime);
   s.bValue = common(part.entries, &Slice::bValue);
@@ -276,9 +276,11 @@ ValuePlan planValues(const std::vector<const FileHeader*>& files, std::span<cons
   constexpr std::size_t u8 = 0, floats = 3;
   ValuePlan plan{typeOf(files[0]->format), false};
   for (std::size_t n = 0; n < slices.size(); ++n) {
+    const Slice& slice = slices[n].slice;
     const VoxelValues type = typeOf(files[n]->format);
-    if (slices[n].slice.slope != slices[0].slice.slope ||
-        slices[n].slice.intercept != slices[0].slice.intercept)
+    const bool isOther = slice.slope != slices[0].slice.slope || slice.intercept != slices[0].slice.intercept;
+    // Windows of mapped values are no LINEAR ones, as those of integers are (slices.md 3).
+    if (isOther || (slice.isMapped && slice.slope != 1))
       plan.type = std::vector<float>{};
     else if (plan.type.index() == u8)
       plan.type = type;

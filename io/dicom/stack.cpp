@@ -193,6 +193,11 @@ Stack layOut(std::span<const PlacedSlice> slices, int columns, int rows) {
     return stack;
   }
   const Slice& first = slices[0].slice;
+  if (first.ofTransducer)
+    stack.warnings.push_back(
+        {"It lies in the space of its transducer: which side of the patient is left, front "
+         "or top is not known.",
+         WarningKind::noDirections});
   stack.acquired.origin = *first.position;
   stack.acquired.patientFromVoxelStep[0] = first.orientation->row * first.spacing->x;
   stack.acquired.patientFromVoxelStep[1] = first.orientation->column * first.spacing->y;

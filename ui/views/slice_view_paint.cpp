@@ -66,7 +66,8 @@ QString SliceView::hoverText(QPointF position) const {
     const QString second = relation ? valueText(*over, relation->toFromFrom(p)) : QString();
     if (!second.isEmpty()) text += QStringLiteral(" | ") + second;
   }
-  return press->series->volume->geometry().calibrated ? text + tr(" at %1").arg(placeText(p)) : text;
+  return press->series->volume->geometry().calibrated ? text + tr(" at %1").arg(placeText(*press->series, p))
+                                                      : text;
 }
 
 Overlays SliceView::overlays() const {
@@ -94,7 +95,9 @@ Overlays SliceView::overlays() const {
   if (look.slabMm > 0) o.topRight << slabText(look);
   o.topRight << linkText(session_.workspace(), id());
   o.topRight.removeAll(QString());
-  const auto letters = [](glm::dvec3 d) { return QString::fromStdString(sideLetters(d)); };
+  const auto letters = [known = knowsSides(*shown)](glm::dvec3 d) {
+    return known ? QString::fromStdString(sideLetters(d)) : QString();
+  };
   o.right = letters(now.right);
   o.left = letters(-now.right);
   o.bottom = letters(now.down);

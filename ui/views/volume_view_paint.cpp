@@ -22,7 +22,7 @@ QString VolumeView::hoverText(QPointF position) const {
       QString::number(hit->value, 'f', valueDecimals(shown->histogram) - 1) + unitSuffix(shown->series);
   if (!hit->pPatient) return tr("mean %1 along the line of sight").arg(text);
   if (!shown->volume->geometry().calibrated) return text;
-  return text + tr(" at %1").arg(placeText(*hit->pPatient));
+  return text + tr(" at %1").arg(placeText(*shown, *hit->pPatient));
 }
 
 // What is written stands above the bar of the time points.
