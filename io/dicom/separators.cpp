@@ -119,7 +119,7 @@ struct Row {
   std::string (*read)(const DataSet&, const FrameScopes&) = nullptr;  // in place of sources
 };
 
-const Row rows[] = {
+const Row separatorRows[] = {
     {{"EchoTime", Trust::always, "TE ", " ms", Words::plain, false, &Series::echoTime}, {}, readEchoTime},
     {{"EchoNumbers", Trust::always, "echo ", ""}, {{{0, 0x00180086, Kind::number}}}},
     {{"TemporalPositionIdentifier", Trust::certain, "time point ", "", Words::plain, false,
@@ -167,11 +167,11 @@ const Row rows[] = {
 /// The indices of the dimensions that no attribute of the table explains.
 constexpr Separator dimensionIndices{"DimensionIndexValues", Trust::needed, "dimension ", ""};
 
-constexpr std::size_t count = std::size(rows) + 1;
+constexpr std::size_t separatorCount = std::size(separatorRows) + 1;
 
-std::array<Separator, count> table() {
-  std::array<Separator, count> all{};
-  std::ranges::transform(rows, all.begin(), &Row::separator);
+std::array<Separator, separatorCount> table() {
+  std::array<Separator, separatorCount> all{};
+  std::ranges::transform(separatorRows, all.begin(), &Row::separator);
   all.back() = dimensionIndices;
   return all;
 }
@@ -208,15 +208,15 @@ std::string secondsText(const std::string& milliseconds) {
 }  // namespace
 
 std::span<const Separator> separators() {
-  static const std::array<Separator, count> all = table();
+  static const std::array<Separator, separatorCount> all = table();
   return all;
 }
 
 std::vector<std::string> readSeparators(const DataSet& data, const FrameScopes& at,
                                         const Dimensions& dimensions) {
   std::vector<std::string> values;
-  values.reserve(count);
-  for (const Row& row : rows)
+  values.reserve(separatorCount);
+  for (const Row& row : separatorRows)
     values.push_back(row.read ? row.read(data, at) : firstOf(data, at, row.sources));
   values.push_back(dimensions.others(data, at.of(frameContentGroup)));
   return values;
