@@ -10,7 +10,7 @@ struct Sorted {
   std::vector<const FileHeader*> frames;  ///< pictures of one place that nothing tells apart: no volume
 };
 
-/// Sorts the pictures of many files into volumes (design.md 7 and 12): by whose they are
+/// Sorts the pictures of many files into volumes (design.md 7): by whose they are
 /// (io/dicom/identity.h), by size, orientation, pixel spacing and unit, by the line along which they are
 /// stacked (io/dicom/lines.h), then by what tells apart pictures of one place (io/dicom/split.h), then at
 /// large gaps. In the order of places, and of the values that tell them apart. Ids are not numbered yet.

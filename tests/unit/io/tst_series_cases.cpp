@@ -1,4 +1,4 @@
-// Guards design.md 7 and 12 on inputs made after public reports (../shared/data/field-cases): which pictures
+// Guards design.md 7 on inputs made after public reports (../shared/data/field-cases): which pictures
 // make one volume, in which order, and what each is called.
 #include <algorithm>
 

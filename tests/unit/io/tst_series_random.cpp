@@ -1,4 +1,4 @@
-// Guards design.md 12: random series of one to four dimensions (place and up to three attributes), of several
+// Guards design.md 7: random series of one to four dimensions (place and up to three attributes), of several
 // patients, studies and frames of reference, shuffled, with files missing and copied. Every voxel's value
 // names the picture it comes from, so that a volume that mixes two is seen: it must say so.
 // VOLUMEN_RANDOM_CASES=5000 for more, VOLUMEN_RANDOM_SEED for others.
