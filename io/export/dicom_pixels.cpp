@@ -60,7 +60,7 @@ std::optional<StoredSlice> wholeSlice(std::span<const float> values, const Volum
 
 std::optional<StoredSlice> realSlice(std::span<const float> values, const std::optional<StoredAs>& source,
                                      bool mayRound) {
-  if (source)
+  if (source && source->slope != 0)
     if (StoredSlice exact = rescaled(values, *source); exact.largestError == 0) return exact;
   if (StoredSlice whole = rescaled(values, {1, 0, true}); whole.largestError == 0) return whole;
   if (mayRound) return rounded(values);
