@@ -64,8 +64,8 @@ void forgetForeignSettings() {
 
 bool isPath(const std::string& word) {
   std::error_code ignored;
-  return word.empty() || word.starts_with("phantom:") || word.find_first_of("/.") != std::string::npos ||
-         std::filesystem::exists(word, ignored);
+  return word.empty() || word.starts_with("phantom:") || word.starts_with("index:") ||
+         word.find_first_of("/.") != std::string::npos || std::filesystem::exists(word, ignored);
 }
 
 bool isCommand(const std::string& word) {

@@ -42,6 +42,30 @@ Result<Opened> load(const Series& series, const Progress& progress, const Cancel
   return opened;
 }
 
+// What tells a volume from the others of its series, else what the series is called.
+std::string distinction(const Series& series) {
+  std::string words;
+  for (const SplitBy& by : series.splitBy) words += (words.empty() ? "" : ", ") + by.words;
+  if (words.empty()) words = series.label;
+  return words.empty() ? seriesText(series).toStdString() : words;
+}
+
+// Which of several was chosen, where that was not said in full; else empty.
+std::string choiceNote(const std::string& path, const Study& study, const std::string& wanted,
+                       std::size_t chosen) {
+  const std::size_t volumes = volumesOfUid(study, wanted).size();
+  std::string held;
+  if (wanted.empty() && study.volumes.size() > 1)
+    held = path + " holds " + std::to_string(study.volumes.size()) + " series";
+  if (volumes > 1) held = "Series " + wanted + " holds " + std::to_string(volumes) + " volumes";
+  if (held.empty()) return {};
+  const Series& series = study.volumes[chosen];
+  return held + "; using number " + std::to_string(chosen + 1) + ", \"" +
+         (wanted.empty() ? seriesText(series).toStdString() + "\" (the largest)"
+                         : distinction(series) + '"') +
+         ". Choose another with --series.";
+}
+
 Result<Opened> open(const std::string& path, const std::string& wanted, const Progress& progress,
                     const CancelToken& cancel) {
   const Result<Study> study = openStudy(path, progress, cancel);
@@ -50,15 +74,22 @@ Result<Opened> open(const std::string& path, const std::string& wanted, const Pr
   const Result<std::size_t> chosen = chooseSeries(*study, wanted);
   if (!chosen) return Error{chosen.message() + " " + printable(path) + " holds:" + listOf(*study)};
   Result<Opened> opened = load(study->volumes[*chosen], progress, cancel);
-  if (opened && wanted.empty() && study->volumes.size() > 1)
-    opened->notes.insert(opened->notes.begin(), path + " holds " + std::to_string(study->volumes.size()) +
-                                                    " series; using number " + std::to_string(*chosen + 1) +
-                                                    ", \"" + seriesText(opened->series).toStdString() +
-                                                    "\" (the largest). Choose another with --series.");
+  if (!opened) return opened;
+  if (const std::string note = choiceNote(path, *study, wanted, *chosen); !note.empty())
+    opened->notes.insert(opened->notes.begin(), note);
   return opened;
 }
 
 }  // namespace
+
+std::vector<std::size_t> volumesOfUid(const Study& study, const std::string& series) {
+  std::vector<std::size_t> volumes;
+  for (std::size_t n = 0; n < study.volumes.size(); ++n) {
+    if (!series.empty() && study.volumes[n].id == series) return {};
+    if (!series.empty() && study.volumes[n].seriesUid == series) volumes.push_back(n);
+  }
+  return volumes.size() > 1 ? volumes : std::vector<std::size_t>();
+}
 
 Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel) {
   auto opened = open(path, series, terminalProgress(), cancel);

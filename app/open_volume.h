@@ -18,9 +18,14 @@ struct Opened {
 /// Why nothing of a study can be shown: a sentence for the user.
 Error nothingToShow(const std::string& path, const Study& study);
 
-/// Opens PATH, chooses the series that `--series` means (empty: the one with most voxels, which is noted) and
-/// loads it, with progress on a terminal. The Error is a sentence for the user.
+/// Opens PATH, chooses the series that `--series` means (empty: the one with most voxels, which is noted, as
+/// is which one of several volumes of a UID) and loads it, with progress on a terminal. The Error is a
+/// sentence for the user.
 Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel);
+
+/// The volumes of a study that a series' UID means, where `--series` names a UID and it holds several; else
+/// none.
+std::vector<std::size_t> volumesOfUid(const Study& study, const std::string& series);
 
 /// The same for a series that was found before.
 Result<Opened> openSeries(const Series& series, const CancelToken& cancel);

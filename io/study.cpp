@@ -15,6 +15,7 @@
 #include "io/files/image_pair.h"
 #include "io/files/sample_cache.h"
 #include "io/files/session_file.h"
+#include "io/index/index_path.h"
 #include "io/look.h"
 #include "io/walk.h"
 #include "viewer/phantoms/phantoms.h"
@@ -125,6 +126,15 @@ Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
   return found;
 }
 
+/// Those that the index knows of a study or series.
+Result<FoundFiles> indexedFiles(const std::string& path) {
+  Result<std::vector<std::string>> files = filesOfIndexPath(path);
+  if (!files) return files.error();
+  FoundFiles found;
+  found.files = std::move(*files);
+  return found;
+}
+
 /// What the headers of all files say, not in order.
 void addFiles(const std::vector<std::string>& files, const Progress& progress, const CancelToken& cancel,
               Study& study) {
@@ -155,7 +165,7 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
   if (isPhantom(path)) return openPhantom(path);
   if (isSessionFile(path))
     return Error{path + " is a session, not a volume: `volumen open` and `volumen render` take it."};
-  const Result<FoundFiles> found = filesOf(path, cancel);
+  const Result<FoundFiles> found = isIndexPath(path) ? indexedFiles(path) : filesOf(path, cancel);
   if (!found) return found.error();
   Result<Study> study = openFiles(found->files, progress, cancel);
   if (!study) return Error{path + ": interrupted."};

@@ -155,8 +155,8 @@ using Progress = std::function<void(const char* what, std::size_t done, std::siz
 
 /// What is under `path`: a file, a folder (nested; links followed, each file once), a DICOMDIR (all below its
 /// folder; no links out of it), a zip archive (unpacked until the program ends) or what is in one
-/// ("a.zip/CT"), or "phantom:NAME[:SIZE]". Reads headers only. An Error where there is no such path; what
-/// cannot be loaded is in `refused` with its reason.
+/// ("a.zip/CT"), "index:STUDY[/SERIES]" (io/index/index_path.h), or "phantom:NAME[:SIZE]". Reads headers
+/// only. An Error where there is no such path; what cannot be loaded is in `refused` with its reason.
 Result<Study> openStudy(const std::string& path, const Progress& progress = {},
                         const CancelToken& cancel = {});
 
@@ -169,11 +169,19 @@ Result<Study> openFolders(const std::string& path, const std::vector<std::string
 Result<Study> openFiles(const std::vector<std::string>& files, const Progress& progress = {},
                         const CancelToken& cancel = {});
 
+/// What a drawn slice of a DICOM series was made of: entries of Series::files. Two that differ: it lies
+/// between them and is interpolated.
+struct SliceOrigin {
+  int below = 0, above = 0;
+  bool isInterpolated() const { return below != above; }
+};
+
 /// A loaded series. `acquired` holds the slices as acquired (what `info --values` describes); `drawn` the
 /// regular grid (the same pointer where they do not differ). `warnings`: the series' and those of loading.
 struct Loaded {
   VolumePtr acquired, drawn;
   std::vector<Warning> warnings;
+  std::vector<SliceOrigin> origins = {};  ///< DICOM: of each drawn slice
 };
 
 /// Reads and decodes a series. An Error names the file and why.

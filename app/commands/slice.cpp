@@ -145,10 +145,18 @@ QImage greyImage(const SliceValues& slice, const GreyMapping& grey) {
   return image;
 }
 
+// Nothing where lengths and directions are not known.
+std::optional<PicturePlane> placeOf(const SlicePlane& plane, const VoxelGeometry& geometry) {
+  if (!geometry.calibrated) return {};
+  return PicturePlane{plane.patientFromPixel({0.5, 0.5}), plane.right * plane.mmPerPixel,
+                      plane.down * plane.mmPerPixel};
+}
+
 Status writeSlice(const SliceValues& slice, const SlicePlane& plane, const Opened& opened,
                   const SliceOptions& options, const Asked& asked) {
-  if (isFloatPicture(options.output)) return writeMapNrrd(slice.size, slice.values, options.output);
   const Volume& volume = *opened.loaded.drawn;
+  if (isFloatPicture(options.output))
+    return writeMapNrrd(slice.size, slice.values, options.output, placeOf(plane, volume.geometry()));
   const GreyMapping grey = windowGrey(volume, opened.series.format == "DICOM",
                                       asked.window ? *asked.window : firstWindow(volume, opened.series.unit));
   const PictureText text{{"Software", "volumen " VOLUMEN_VERSION},

@@ -21,6 +21,7 @@ namespace {
 /// One slice on its way in.
 struct Incoming {
   const FileHeader* file = nullptr;
+  int number = 0;  ///< among those of the series
   PlacedSlice placed;
   std::string failure;  ///< why it is missing; empty: it is there
   std::string note;
@@ -245,6 +246,16 @@ VolumeAttributes attributesOf(const Series& series, const std::vector<Incoming>&
   return a;
 }
 
+std::vector<SliceOrigin> originsOf(const std::vector<Incoming>& slices, const Stack& stack) {
+  std::vector<SliceOrigin> origins;
+  if (!stack.regular)
+    for (const Incoming& in : slices) origins.push_back({in.number, in.number});
+  for (const auto& [below, weight] : stack.sources)
+    origins.push_back(
+        {slices[std::size_t(below)].number, slices[std::size_t(below + (weight > 0 ? 1 : 0))].number});
+  return origins;
+}
+
 Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slices, SliceDecoder& decoder,
                         const ValuePlan& plan, std::vector<Warning> warnings) {
   const PixelFormat& format = slices[0].file->format;
@@ -263,19 +274,21 @@ Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slice
   const auto acquired = Volume::make(std::move(parts), changed);
   if (!acquired) return Error{series.path + ": " + acquired.message()};
   addSentences(warnings, changed);
-  if (!stack.regular) return Loaded{*acquired, *acquired, warnings};
+  if (!stack.regular) return Loaded{*acquired, *acquired, warnings, originsOf(slices, stack)};
   drawn.geometry = stack.regular->geometry;
   std::vector<std::string> repeated;  // what was said of the acquired slices holds for these
   const auto regular = Volume::make(std::move(drawn), repeated);
   if (!regular) return Error{series.path + ": " + regular.message()};
-  return Loaded{*acquired, *regular, warnings};
+  return Loaded{*acquired, *regular, warnings, originsOf(slices, stack)};
 }
 
 Result<Loaded> load(const Series& series, const Progress& progress, const CancelToken& cancel) {
   const Files files(series, progress, cancel);
   std::vector<Incoming> slices;
-  for (std::size_t n = 0; n < series.files.size(); ++n)
+  for (std::size_t n = 0; n < series.files.size(); ++n) {
     slices.push_back(files.slice(series.files[n], series.frames[n]));
+    slices.back().number = int(n);
+  }
   std::vector<Warning> warnings = series.warnings;
   reportFailures(slices, warnings);
   const std::string reason = slices[0].failure;

@@ -109,6 +109,10 @@ void TestSliceCommand::writesTheValues() {
   QVERIFY2(a.status == 0, a.err);
   QCOMPARE(a.out, file.toUtf8() + '\n');
   QVERIFY(contentsOf(file).contains("\nsizes: 6 2\n"));
+  // Its place in the patient: the centre of the first pixel, the steps to the next ones.
+  QVERIFY(contentsOf(file).contains("\nspace: left-posterior-superior\n"));
+  QVERIFY(contentsOf(file).contains("\nspace directions: (2,0,0) (0,2,0)\n"));
+  QVERIFY(contentsOf(file).contains("\nspace origin: (98,200,305)\n"));
   // Two pixels of six lie outside; rows at j = 0 and j = 2.
   const std::vector<float> values = floatsOf(file);
   QCOMPARE(values.size(), std::size_t(12));
