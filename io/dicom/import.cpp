@@ -53,6 +53,7 @@ void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& 
     }
   }
   std::vector<Series> volumes = sortIntoSeries(pictures);
+  addSuvFactors(pictures, volumes);
   std::move(volumes.begin(), volumes.end(), std::back_inserter(study.volumes));
 }
 
