@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/suv.h"
 #include "io/warning.h"
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/volume.h"
@@ -52,6 +53,7 @@ struct Series : SeriesIdentity {
   std::string path;       ///< the file, or the folder that holds the files
   std::string format;     ///< "DICOM", "phantom" or that of the file: "NRRD", "NIfTI", "MetaImage", ...
   std::string unit;       ///< of the values: "HU", "Bq/ml", "SUV"; empty where they have none
+  SuvFactors suv;         ///< of PET
   std::string time;       ///< of day, as DICOM writes it: of the acquisition, else of the series
   std::string echoTime;   ///< ms, as in the file; empty where it is not given
   std::string bValue;     ///< diffusion weight, s/mm^2, as in the file; empty where it is not given

@@ -137,6 +137,8 @@ void MainWindow::showFlatMenu(SliceView& view, QPoint global) {
   if (!view.showsFrames())
     for (const char* name : {"slabMenu", "colourMenu", "overlayMenu"})
       menu->addMenu(findChild<QMenu*>(QLatin1String(name)));
+  if (const Series* series = seriesIn(session_.workspace(), view.id()); series && series->modality == "PT")
+    menu->addMenu(findChild<QMenu*>(QStringLiteral("petUnitMenu")));
   for (const char* name : {"showAsFrames", "overlaysAndShutters", "playFrames"})
     menu->addAction(actions_.at(QLatin1String(name)));
   menu->popup(global);

@@ -7,6 +7,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/panels/link_menu.h"
+#include "ui/panels/pet_unit_menu.h"
 #include "ui/panels/preset_bar.h"
 #include "ui/panels/slab_menu.h"
 #include "ui/panels/studies_panel.h"
@@ -51,6 +52,7 @@ void MainWindow::makeMenus() {
   view->addAction(actions_.at(QStringLiteral("interpolate")));
   view->addMenu(makeSlabMenu(session_, view));
   view->addMenu(makeColourMenu(session_, view));
+  view->addMenu(makePetUnitMenu(session_, view));
   view->addMenu(makeOverlayMenu(
       session_, [this] { return studies_->listedSeries(); }, view));
   auto* docks = view->addMenu(tr("Panels"));

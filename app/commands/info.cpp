@@ -108,6 +108,17 @@ void addIdentity(Json& out, const SeriesIdentity& s) {
   out["description"] = s.description;
 }
 
+// The factors to SUV that can be had, and why others cannot; empty where it is no PET.
+Json suvJson(const SuvFactors& suv) {
+  Json out;
+  for (const auto& [key, factor] : {std::pair("bodyWeight", &suv.bodyWeight),
+                                    {"leanBodyMass", &suv.leanBodyMass},
+                                    {"bodySurface", &suv.bodySurface}})
+    if (*factor) out[key] = **factor;
+  if (!suv.why.empty()) out["why"] = suv.why;
+  return out;
+}
+
 Json seriesJson(const Series& s) {
   Json out{{"id", s.id}, {"path", lastingPath(s.path)}, {"format", s.format}};
   addIdentity(out, s);
@@ -118,6 +129,7 @@ Json seriesJson(const Series& s) {
                                   std::pair("timePoint", &s.timePoint), std::pair("label", &s.label)})
     if (!text->empty()) out[key] = *text;
   out["unit"] = s.unit;
+  if (const Json suv = suvJson(s.suv); !suv.empty()) out["suv"] = suv;
   out["splitBy"] = Json::array();
   for (const SplitBy& by : s.splitBy)
     out["splitBy"].push_back({{"attribute", by.attribute}, {"value", by.value}, {"words", by.words}});

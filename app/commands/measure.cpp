@@ -4,11 +4,13 @@
 
 #include "app/command.h"
 #include "app/open_volume.h"
+#include "app/option_words.h"
 #include "app/usage.h"
 #include "io/frames.h"
 #include "io/regular_file.h"
 #include "ui/data/frame_series.h"
 #include "ui/workspace/measurements.h"
+#include "viewer/measure/scaled.h"
 #include "viewer/measure/shape_json.h"
 
 namespace volumen {
@@ -16,8 +18,29 @@ namespace volumen {
 namespace {
 
 struct MeasureOptions {
-  std::string path, shapes, series;
+  std::string path, shapes, series, unit;
 };
+
+const OptionWords<PetUnit> unitWords{{"SUVbw", PetUnit::suvBodyWeight},
+                                     {"SUVlbm", PetUnit::suvLeanBodyMass},
+                                     {"SUVbsa", PetUnit::suvBodySurface},
+                                     {"file", PetUnit::file}};
+
+/// What the values of a series are given in: SUVbw where none was asked for and it can be had; an Error where
+/// what was asked for cannot be.
+Result<ValueScale> scaleFor(const Series& series, const MeasureOptions& options) {
+  if (options.unit.empty()) return valueScale(series, PetUnit::suvBodyWeight);
+  const PetUnit wanted = meaning(unitWords, options.unit);
+  ValueScale scale = valueScale(series, wanted);
+  if (wanted == PetUnit::file || scale.unit == options.unit) return scale;
+  return Error{series.path + ": " + (scale.why.empty() ? "no SUV: it is no PET series" : scale.why) + "."};
+}
+
+// The range of a volume in the unit that its other numbers have.
+nlohmann::ordered_json jsonOf(Shape shape, const Result<Measured>& measured, double factor) {
+  shape.range.low *= factor, shape.range.high *= factor;
+  return measuredToJson(shape, measured);
+}
 
 Result<std::vector<Shape>> readShapes(const std::string& path) {
   constexpr std::uint64_t mostBytes = 16 << 20;
@@ -43,7 +66,8 @@ std::optional<FrameOfStudy> findFrame(const std::vector<Series>& all, const Shap
   return {};
 }
 
-Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape) {
+Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape,
+                            const MeasureOptions& options) {
   const auto found = findFrame(all, *shape.frame);
   if (!found)
     return Error{"No picture here has the instance " + JsonFields::quoted(shape.frame->instance) +
@@ -53,7 +77,9 @@ Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape) 
   const Result<ShownFramePtr> shown =
       shownFrame(*found->series, {keyOf(*found->series), found->index}, std::move(*frame));
   if (!shown) return shown.error();
-  return measureOnFrame(shape, pixelsOf(**shown), (*shown)->slice->series.unit);
+  const auto scale = scaleFor((*shown)->slice->series, options);
+  if (!scale) return scale.error();
+  return scaled(measureOnFrame(shape, pixelsOf(**shown), scale->unit), scale->factor);
 }
 
 /// What shapes are measured on; of the two what they need.
@@ -79,13 +105,16 @@ Result<Sources> open(const MeasureOptions& options, const std::vector<Shape>& sh
   return sources;
 }
 
-void noteOf(Opened& opened) {
+void noteOf(Opened& opened, const ValueScale& scale) {
   const Volume& volume = *opened.loaded.drawn;
   if (opened.loaded.drawn != opened.loaded.acquired)
     opened.notes.push_back("Measured on the evenly spaced slices that are shown in 3D: " +
                            std::to_string(volume.size().z) + ".");
   if (!volume.geometry().calibrated)
     opened.notes.push_back("Not calibrated: lengths are in pixels, volumes in voxels.");
+  if (!scale.why.empty())
+    opened.notes.push_back("Values are in " + (scale.unit.empty() ? "no known unit" : scale.unit) + ", " +
+                           scale.why + ".");
   printNotes(opened.notes);
 }
 
@@ -96,15 +125,18 @@ int run(const MeasureOptions& options, const CancelToken& cancel) {
   if (!sources) return fail(sources.message(), cancel);
   std::optional<Opened>& opened = sources->volume;
   nlohmann::ordered_json all, numbers = nlohmann::ordered_json::array();
+  const Result<ValueScale> scale = opened ? scaleFor(opened->series, options) : ValueScale{};
+  if (!scale) return fail(scale.message());
   if (opened) all["series"] = opened->series.id;
+  if (!scale->why.empty()) all["noSuv"] = scale->why;
   for (const Shape& shape : *shapes) {
     const Result<Measured> measured =
-        shape.frame ? measuredOn(sources->frames, shape)
-                    : measure(shape, *opened->loaded.drawn, opened->series.unit, cancel);
+        shape.frame ? measuredOn(sources->frames, shape, options)
+                    : scaled(measure(shape, *opened->loaded.drawn, scale->unit, cancel), scale->factor);
     if (cancel.cancelled()) return fail({}, cancel);
-    numbers.push_back(measuredToJson(shape, measured));
+    numbers.push_back(jsonOf(shape, measured, scale->factor));
   }
-  if (opened) noteOf(*opened);
+  if (opened) noteOf(*opened, *scale);
   all["measurements"] = std::move(numbers);
   std::cout << all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
   return exitDone;
@@ -121,8 +153,12 @@ std::function<int()> makeMeasure(CLI::App& app, const CancelToken& cancel) {
       ->type_name("FILE")
       ->required();
   addSeries(app, options->series);
-  addExamples(app, {"volumen measure scans/ --roi shapes.json",
-                    "volumen measure scans/ --series 1 --roi shapes.json"});
+  app.add_option("--unit", options->unit,
+                 "What values of PET are given in (default: SUVbw, else the unit of the file)")
+      ->check(CLI::IsMember(keys(unitWords)));
+  addExamples(
+      app, {"volumen measure scans/ --roi shapes.json", "volumen measure scans/ --series 1 --roi shapes.json",
+            "volumen measure pet/ --roi shapes.json --unit SUVlbm"});
   return [options, &cancel] { return run(*options, cancel); };
 }
 

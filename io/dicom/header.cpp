@@ -112,6 +112,7 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
   found.header.syntax = s.syntax;
   found.header.inflatedFrom = s.inflatedFrom;
   readIdentity(data, found.header);
+  if (found.header.modality == "PT") found.header.pet = readPetFacts(data);
   const bool isSegmentation = referenceKind(found.header.sopClassUid) == ReferenceKind::segmentation;
   if (!s.dataSet.pixels || isSegmentation) return withoutPicture(data, found.header);
   if (Status picture = readPicture(*file, s, data, found.header); !picture) return refused(picture.message());

@@ -9,6 +9,7 @@
 #include "io/dicom/data_set.h"
 #include "io/dicom/fragments.h"
 #include "io/dicom/scanned_file.h"
+#include "io/dicom/suv.h"
 #include "io/study.h"
 #include "viewer/volume/volume.h"
 
@@ -99,6 +100,7 @@ struct FileHeader : SeriesIdentity {
   std::vector<Slice> slices;        ///< one a frame; only one where all frames are alike
   std::string notVolume;            ///< why its frames can only be shown as acquired; empty: they are slices
   Cine cine;
+  std::optional<PetFacts> pet;        ///< of PET
   std::vector<std::string> warnings;  ///< sentences without the file's name
 };
 

@@ -53,6 +53,7 @@ void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& 
     }
   }
   Sorted sorted = sortIntoSeries(pictures);
+  addSuvFactors(pictures, sorted.volumes);
   std::move(sorted.volumes.begin(), sorted.volumes.end(), std::back_inserter(study.volumes));
   for (const FileHeader* file : sorted.frames) {
     study.images.push_back(imageOf(*file));

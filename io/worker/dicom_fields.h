@@ -37,10 +37,17 @@ inline void fields(Wire& w, dicom::Slice& s) {
     s.isMapped, s.padding, s.windows, s.instance, s.echoTime, s.bValue, s.timePoint, s.inStack, s.separators);
 }
 
+inline void fields(Wire& w, dicom::PetFacts& p) {
+  w(p.units, p.suvType, p.decayCorrection, p.weight, p.size, p.dose, p.halfLife, p.injectionDateTime,
+    p.injectionTime, p.zone, p.seriesDate, p.seriesTime, p.acquisitionDate, p.acquisitionTime, p.geScanStart,
+    p.philipsSuvFactor, p.philipsBqFactor, p.injections, p.attenuationCorrected, p.decayCorrected);
+}
+
 inline void fields(Wire& w, dicom::FileHeader& h) {
   fields(w, static_cast<SeriesIdentity&>(h));
   w(h.path, h.sopClassUid, h.sopInstanceUid, h.unit, h.time, h.syntax, h.format, h.mosaic, h.concatenation,
     h.frames, h.inflatedFrom, h.slices, h.notVolume, h.cine, h.warnings);
+  w(h.pet);
 }
 
 inline void fields(Wire& w, dicom::Inspection& i) {

@@ -8,6 +8,7 @@
 
 #include "ui/widgets/curve_edits.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 #include "viewer/scene/visible_range.h"
 
 namespace volumen {
@@ -79,8 +80,21 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
     showSpans();
     only_->setChecked(only_->isChecked() && after.scene.transferFunction == alone_);
   });
+  connect(&session_, &Session::preferencesChanged, this,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.petUnit != after.petUnit) showInOtherUnit();
+          });
   showSpans();
   showSegmentation(nullptr);
+}
+
+// What was typed stays what it is.
+void SegmentPanel::showInOtherUnit() {
+  const ValueRange typed = range();
+  showSpans();
+  low_->setValue(typed.low * factor_);
+  high_->setValue(typed.high * factor_);
+  showResult();
 }
 
 void SegmentPanel::makeLayout() {
@@ -117,7 +131,8 @@ void SegmentPanel::setTableAction(QAction* action) {
 }
 
 ValueRange SegmentPanel::range() const {
-  return {std::min(low_->value(), high_->value()), std::max(low_->value(), high_->value())};
+  return {std::min(low_->value(), high_->value()) / factor_,
+          std::max(low_->value(), high_->value()) / factor_};
 }
 
 void SegmentPanel::showSpans() {
@@ -128,10 +143,11 @@ void SegmentPanel::showSpans() {
   const QString unit = unitSuffix(series->series);
   for (QDoubleSpinBox* field : {low_, high_}) {
     field->setSuffix(unit);
-    field->setDecimals(valueDecimals(series->histogram));
+    field->setDecimals(valueDecimals(*series));
   }
+  factor_ = shownScale(series->series).factor;
   for (const ValueRange& span : visibleSpans(session_.scene().transferFunction))
-    spans_->addItem(spanText(span, valueDecimals(series->histogram) - 1, unit));
+    spans_->addItem(spanText({span.low * factor_, span.high * factor_}, valueDecimals(*series) - 1, unit));
   if (spans_->count() == 0) spans_->addItem(tr("Nothing is visible"));
   // Typed numbers stay; where there are none yet, the first span is offered.
   if (!segmentation_ && !low_->hasFocus() && !high_->hasFocus()) takeSpan(0);
@@ -143,8 +159,8 @@ void SegmentPanel::takeSpan(int n) {
   const Histogram& histogram = session_.series()->histogram;
   // Rounded inwards to what the fields show: the curve's foot itself is not visible, what is next to it is.
   const double steps = std::pow(10.0, low_->decimals());
-  low_->setValue(std::ceil(steps * std::max(spans[n].low, histogram.low)) / steps);
-  high_->setValue(std::floor(steps * std::min(spans[n].high, histogram.high)) / steps);
+  low_->setValue(std::ceil(steps * factor_ * std::max(spans[n].low, histogram.low)) / steps);
+  high_->setValue(std::floor(steps * factor_ * std::min(spans[n].high, histogram.high)) / steps);
 }
 
 void SegmentPanel::showSegmentation(const std::shared_ptr<const RangeSegment>& segmentation) {
@@ -153,14 +169,19 @@ void SegmentPanel::showSegmentation(const std::shared_ptr<const RangeSegment>& s
   save_->setEnabled(segmentation != nullptr);
   only_->setEnabled(segmentation != nullptr);
   only_->setChecked(false);
-  if (!segmentation) return result_->clear();
-  const LabelStatistics& s = segmentation->statistics;
-  const QString unit = shownText(session_.series()->series.unit),
-                voxels = QLocale().toString(qlonglong(s.voxels));
+  showResult();
+}
+
+void SegmentPanel::showResult() {
+  if (!segmentation_) return result_->clear();
+  const LabelStatistics& s = segmentation_->statistics;
+  const ValueScale scale = shownScale(session_.series()->series);
+  const QString unit = shownText(scale.unit), voxels = QLocale().toString(qlonglong(s.voxels));
   QStringList parts;
   if (s.millilitres) parts << tr("%1 ml").arg(*s.millilitres, 0, 'f', *s.millilitres < 100 ? 2 : 0);
-  const int decimals = valueDecimals(session_.series()->histogram) - 1;
-  if (s.voxels > 0) parts << tr("mean %1 %2").arg(s.mean, 0, 'f', decimals).arg(unit).trimmed();
+  const int decimals = valueDecimals(*session_.series()) - 1;
+  if (s.voxels > 0)
+    parts << tr("mean %1 %2").arg(s.mean * scale.factor, 0, 'f', decimals).arg(unit).trimmed();
   const QString text = parts.join(QStringLiteral(", ")) + tr(" (%1 voxels)").arg(voxels);
   result_->setText(s.millilitres ? text.trimmed()
                                  : tr("Not calibrated, no volume in ml: %1").arg(text.trimmed()));
@@ -186,7 +207,10 @@ void SegmentPanel::askWhere() {
   dialog->selectFile(QStringLiteral("segmentation.seg.nrrd"));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     const ValueRange r = segmentation_->range;
-    const QString name = tr("%1 to %2%3").arg(r.low).arg(r.high).arg(unitSuffix(session_.series()->series));
+    const QString name = tr("%1 to %2%3")
+                             .arg(r.low * factor_)
+                             .arg(r.high * factor_)
+                             .arg(unitSuffix(session_.series()->series));
     const glm::dvec3 colour = curveAt(session_.scene().transferFunction, (r.low + r.high) / 2).colour;
     Q_EMIT saveRequested(segmentation_, {path, name.trimmed(), colour});
   });

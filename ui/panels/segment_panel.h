@@ -33,6 +33,8 @@ class SegmentPanel : public QWidget {
  private:
   void makeLayout();
   void showSpans();
+  void showInOtherUnit();
+  void showResult();
   void takeSpan(int n);
   ValueRange range() const;
   void showOnly(bool on);
@@ -45,6 +47,7 @@ class SegmentPanel : public QWidget {
   QPushButton *segment_, *save_;
   QLabel* result_;
   QCheckBox* only_;
+  double factor_ = 1;  // from values to the numbers in the fields
   std::shared_ptr<const RangeSegment> segmentation_;
   TransferFunction before_, alone_;  // the curve without and with "show only"
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
@@ -56,6 +57,12 @@ WindowFields::WindowFields(Session& session, QWidget* parent)
     if (before.series != after.series) fillChoices();
     if (before.series != after.series || before.scene.window != after.scene.window) showWindow();
   });
+  connect(&session_, &Session::preferencesChanged, this,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.petUnit == after.petUnit) return;
+            fillChoices();
+            showWindow();
+          });
   fillChoices();
   showWindow();
 }
@@ -80,14 +87,15 @@ void WindowFields::fillChoices() {
   for (QDoubleSpinBox* field : {centre_, width_}) {
     const QSignalBlocker quiet(field);
     field->setSuffix(unitSuffix(series.series));
-    field->setDecimals(valueDecimals(series.histogram));
+    field->setDecimals(valueDecimals(series));
   }
 }
 
 void WindowFields::showWindow() {
   if (!session_.series()) return;
   const std::optional<Window>& own = session_.scene().window;
-  const Window window = windowInUse(session_.scene(), *session_.series());
+  const Series& series = session_.series()->series;
+  const Window window = shownWindow(windowInUse(session_.scene(), *session_.series()), series);
   const QSignalBlocker quietCentre(centre_), quietWidth(width_);
   centre_->setValue(window.centre);
   width_->setValue(std::abs(window.width));
@@ -108,7 +116,8 @@ void WindowFields::setWindow(const std::optional<Window>& window) {
 void WindowFields::typed() {
   if (!session_.series()) return;
   const double width = std::max(width_->value(), 1e-9);
-  setWindow(Window{centre_->value(), inverted_->isChecked() ? -width : width});
+  setWindow(
+      storedWindow({centre_->value(), inverted_->isChecked() ? -width : width}, session_.series()->series));
 }
 
 }  // namespace volumen

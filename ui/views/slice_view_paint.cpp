@@ -14,6 +14,7 @@
 #include "ui/workspace/link_text.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
@@ -42,13 +43,12 @@ QString positionText(ViewKind kind, glm::dvec3 p) {
 }
 
 // The value of the voxel at a point, with its unit; empty outside the volume.
-QString valueText(const ShownSeries& shown, glm::dvec3 p) {
+QString valueAt(const ShownSeries& shown, glm::dvec3 p) {
   const Volume& volume = *shown.volume;
   const glm::ivec3 voxel(glm::floor(volume.geometry().voxelFromPatient(p) + 0.5));
   if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, volume.size())))
     return {};
-  return QString::number(volume.value(voxel.x, voxel.y, voxel.z), 'f', valueDecimals(shown.histogram) - 1) +
-         unitSuffix(shown.series);
+  return valueText(shown, volume.value(voxel.x, voxel.y, voxel.z));
 }
 
 }  // namespace
@@ -58,12 +58,12 @@ QString SliceView::hoverText(QPointF position) const {
   if (!press) return {};
   if (showsFrames()) return frameHoverText(position);
   const glm::dvec3 p = press->patientAt(position);
-  QString text = valueText(*press->series, p);
+  QString text = valueAt(*press->series, p);
   if (text.isEmpty()) return {};
   if (const ShownSeriesPtr over = session_.seriesNamed(flatLookOf(state()).overlay)) {
     const auto relation = relationOf(session_.workspace(), frameOfReference(press->series->series),
                                      frameOfReference(over->series));
-    const QString second = relation ? valueText(*over, relation->toFromFrom(p)) : QString();
+    const QString second = relation ? valueAt(*over, relation->toFromFrom(p)) : QString();
     if (!second.isEmpty()) text += QStringLiteral(" | ") + second;
   }
   return press->series->volume->geometry().calibrated ? text + tr(" at %1").arg(placeText(*press->series, p))
@@ -86,7 +86,7 @@ Overlays SliceView::overlays() const {
         << tr("with %1, %2 %").arg(seriesText(over->series)).arg(std::lround(100 * look.overlayOpacity));
   o.topLeft.removeAll(QString());
   o.topRight << kindText(state().kind) << QStringLiteral("%1 / %2").arg(place.index + 1).arg(place.count);
-  o.bottomRight = tr("W %1 L %2").arg(std::abs(window.width), 0, 'g', 4).arg(window.centre, 0, 'g', 4);
+  o.bottomRight = windowText(window, shown->series);
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
   o.topRight << time_->text() << maskTexts(session_.maskOf(keyOf(shown->series))) << referenceTexts();
   o.topRight.removeAll(QString());
@@ -131,11 +131,13 @@ void SliceView::paintColours(QPainter& painter) const {
   const FlatLook look = flatLookOf(state());
   const auto& all = session_.workspace().series;
   if (const ShownSeriesPtr over = session_.seriesNamed(look.overlay))
-    return paintColourBar(painter, rect(), look.overlayColours, overlayWindow(all.at(look.overlay), *over),
+    return paintColourBar(painter, rect(), look.overlayColours,
+                          shownWindow(overlayWindow(all.at(look.overlay), *over), over->series),
                           unitSuffix(over->series));
   const SeriesState& own = all.at(state().series);
   if (own.colours != ColourMap::grey)
-    paintColourBar(painter, rect(), own.colours, flatWindow(own, *series()), unitSuffix(series()->series));
+    paintColourBar(painter, rect(), own.colours, shownWindow(flatWindow(own, *series()), series()->series),
+                   unitSuffix(series()->series));
 }
 
 void SliceView::paintEvent(QPaintEvent*) {

@@ -5,6 +5,7 @@
 #include "ui/workspace/edit_workspace.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 #include "viewer/scene/presets.h"
 
 namespace volumen {
@@ -222,6 +223,7 @@ void Session::prefer(const Preferences& preferences) {
   if (preferences == preferences_) return;
   const Preferences before = std::exchange(preferences_, preferences);
   hideNames(preferences.hideNames);
+  showPetIn(preferences.petUnit);
   pool_.setBudget(SeriesPool::partOfMemory(preferences.memoryPercent));
   Q_EMIT preferencesChanged(before, preferences_);
 }
