@@ -1,5 +1,6 @@
 // Guards issue 51 "Names and paths are no rich text": what a file calls its patient, series, regions and
 // folders is shown as it is written, and no name makes the program open a file.
+#include <dcmtk/dcmdata/dcpath.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <fcntl.h>
 #include <sys/inotify.h>

@@ -70,7 +70,7 @@ void TestScreens::theThirdDimensionIsSeen() {
   QVERIFY(w.settle());
   if (QApplication::platformName() != QLatin1String("xcb"))
     QSKIP("only an X server tells what is on its screen");
-  const QScreen* screen = w.window.screen();
+  QScreen* screen = w.window.screen();
   qInfo("%d bits a pixel, %s", screen->depth(), qPrintable(canvasKind(w.window.view()->canvas())));
   const auto middle = [&] {
     const QPoint at = w.window.view()->mapToGlobal(w.window.view()->rect().center());
