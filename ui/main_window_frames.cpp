@@ -8,6 +8,7 @@
 #include "ui/panels/slab_menu.h"
 #include "ui/tools/flat_tool.h"
 #include "ui/views/view_grid.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/widgets/status_line.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
@@ -73,7 +74,6 @@ SliceView* MainWindow::framesInFocus() const {
 
 void MainWindow::showFramesInFocus(const Series& series) {
   loader_.cancelLoad();
-  sceneToShow_.reset();
   session_.showFrames(series, session_.workspace().focus);
 }
 
@@ -94,7 +94,8 @@ void MainWindow::showFrameActions() {
   QAction* kind = actions_.at(QStringLiteral("showAsFrames"));
   kind->setChecked(asFrames);
   kind->setEnabled(series && frameCount(*series) > 0 && series->notVolume.empty());
-  kind->setToolTip(series && !series->notVolume.empty() ? shownText(series->notVolume) : kind->text());
+  kind->setToolTip(
+      toolTipOf(series && !series->notVolume.empty() ? shownText(series->notVolume) : kind->text()));
   QAction* layers = actions_.at(QStringLiteral("overlaysAndShutters"));
   layers->setEnabled(asFrames);
   layers->setChecked(flatLookOf(workspace.view(framesViewOf(workspace.focus))).layers);

@@ -31,6 +31,9 @@ void MainWindow::makeMenus() {
        "snapshot copySnapshot | quit");
   recentMenu_ = new QMenu(tr("Open recent"), file);
   file->insertMenu(actions_.at(QStringLiteral("openSample")), recentMenu_);
+  earlierMenu_ = new QMenu(tr("Restore earlier work"), file);
+  earlierMenu_->setObjectName(QStringLiteral("earlierMenu"));
+  file->insertMenu(actions_.at(QStringLiteral("openScene")), earlierMenu_);
   connect(file, &QMenu::aboutToShow, &recent_, &RecentFiles::look);
   fill(menuBar()->addMenu(tr("&Edit")), "undo redo | removeTable resetScissors | preferences");
   auto* view = menuBar()->addMenu(tr("&View"));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/widgets/curve_edits.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 #include "viewer/scene/visible_range.h"
@@ -49,7 +50,9 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
       high_(valueField("segmentHigh", tr("Highest value"))),
       segment_(new QPushButton(tr("Segment"))),
       save_(new QPushButton(tr("Save .seg.nrrd..."))),
-      result_(new QLabel),
+      result_(plainLabel()),
+      unsaved_(plainLabel(tr("In no session: save it as a file, or it is lost with another series and with "
+                             "the window."))),
       only_(new QCheckBox(tr("Show only the segment"))) {
   table_->setObjectName(QStringLiteral("segmentTable"));
   spans_->setObjectName(QStringLiteral("segmentSpans"));
@@ -60,6 +63,8 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
   result_->setObjectName(QStringLiteral("segmentResult"));
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  unsaved_->setObjectName(QStringLiteral("segmentUnsaved"));
+  unsaved_->setWordWrap(true);
   makeLayout();
   connect(spans_, &QComboBox::activated, this, &SegmentPanel::takeSpan);
   connect(only_, &QCheckBox::clicked, this, &SegmentPanel::showOnly);
@@ -99,9 +104,9 @@ void SegmentPanel::showInOtherUnit() {
 
 void SegmentPanel::makeLayout() {
   auto* fields = new QHBoxLayout;
-  fields->addWidget(new QLabel(tr("From")));
+  fields->addWidget(plainLabel(tr("From")));
   fields->addWidget(low_, 1);
-  fields->addWidget(new QLabel(tr("to")));
+  fields->addWidget(plainLabel(tr("to")));
   fields->addWidget(high_, 1);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(only_, 1);
@@ -114,6 +119,7 @@ void SegmentPanel::makeLayout() {
   column->addLayout(fields);
   column->addWidget(segment_);
   column->addWidget(result_);
+  column->addWidget(unsaved_);
   column->addLayout(buttons);
   column->addStretch();
 }
@@ -166,6 +172,7 @@ void SegmentPanel::takeSpan(int n) {
 void SegmentPanel::showSegmentation(const std::shared_ptr<const RangeSegment>& segmentation) {
   if (segmentation && (!session_.series() || segmentation->volume != session_.series()->volume)) return;
   segmentation_ = segmentation;
+  unsaved_->setVisible(segmentation != nullptr);
   save_->setEnabled(segmentation != nullptr);
   only_->setEnabled(segmentation != nullptr);
   only_->setChecked(false);
@@ -185,6 +192,14 @@ void SegmentPanel::showResult() {
   const QString text = parts.join(QStringLiteral(", ")) + tr(" (%1 voxels)").arg(voxels);
   result_->setText(s.millilitres ? text.trimmed()
                                  : tr("Not calibrated, no volume in ml: %1").arg(text.trimmed()));
+}
+
+void SegmentPanel::noteSaved(const std::shared_ptr<const RangeSegment>& segmentation) {
+  if (segmentation == segmentation_) unsaved_->hide();
+}
+
+QString SegmentPanel::unsavedText() const {
+  return segmentation_ && !unsaved_->isHidden() ? tr("the segment") : QString();
 }
 
 void SegmentPanel::showOnly(bool on) {

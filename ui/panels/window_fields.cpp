@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 #include "ui/workspace/windows.h"
@@ -32,7 +33,7 @@ WindowFields::WindowFields(Session& session, QWidget* parent)
   grid->setVerticalSpacing(4);
   grid->setColumnStretch(1, 1);
   const auto add = [&](const QString& label, QWidget* field, int row) {
-    auto* caption = new QLabel(label);
+    auto* caption = plainLabel(label);
     caption->setBuddy(field);
     grid->addWidget(caption, row, 0);
     grid->addWidget(field, row, 1);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/time_point_text.h"
 #include "ui/workspace/time_points.h"
 
@@ -41,7 +42,7 @@ void TimeBar::showSteps() {
   setMaximum(std::max(0, int(steps.size()) - 1));
   setValue(int(at - steps.begin()));
   text_ = steps.empty() ? QString() : timePointText(workspace, state.series);
-  setToolTip(hasSteps() ? timeAxisText(steps) : QString());
+  setToolTip(toolTipOf(hasSteps() ? timeAxisText(steps) : QString()));
   setVisible(hasSteps());
   if (!hasSteps()) timer_.stop();
   Q_EMIT stepsChanged();
