@@ -17,12 +17,12 @@ constexpr std::uint32_t cardiacGroup = 0x00189118, respiratoryGroup = 0x00209253
                         ctReconstructionGroup = 0x00189314, ctXRayGroup = 0x00189325,
                         ctExposureGroup = 0x00189321;
 
-enum class Kind { text, number, real, single, word, dword };
+enum class SourceKind { text, number, real, single, word, dword };
 
 /// Where a value may stand: an attribute in a functional group, 0: in the data set itself.
-struct Source {
+struct ValueSource {
   std::uint32_t group, tag;
-  Kind kind;
+  SourceKind kind;
 };
 
 std::string numberText(const DataSet& data, std::uint32_t tag, DataSet::Scope scope) {
@@ -30,21 +30,21 @@ std::string numberText(const DataSet& data, std::uint32_t tag, DataSet::Scope sc
   return number ? realText(*number) : data.text(tag, scope);
 }
 
-std::string valueOf(const DataSet& data, const Source& source, DataSet::Scope scope) {
+std::string valueOf(const DataSet& data, const ValueSource& source, DataSet::Scope scope) {
   switch (source.kind) {
-    case Kind::text:
+    case SourceKind::text:
       return data.text(source.tag, scope);
-    case Kind::number:
+    case SourceKind::number:
       return numberText(data, source.tag, scope);
-    case Kind::real:
+    case SourceKind::real:
       return realText(data, source.tag, scope);
-    case Kind::single:
+    case SourceKind::single:
       if (const auto numbers = data.floats(source.tag, scope); !numbers.empty()) return realText(numbers[0]);
       return {};
-    case Kind::word:
+    case SourceKind::word:
       if (const auto word = data.word(source.tag, scope)) return std::to_string(*word);
       return {};
-    case Kind::dword:
+    case SourceKind::dword:
       if (const auto dword = data.dword(source.tag, scope)) return std::to_string(*dword);
       return {};
   }
@@ -52,8 +52,8 @@ std::string valueOf(const DataSet& data, const Source& source, DataSet::Scope sc
 }
 
 /// The first source that says something.
-std::string firstOf(const DataSet& data, const FrameScopes& at, std::span<const Source> sources) {
-  for (const Source& source : sources)
+std::string firstOf(const DataSet& data, const FrameScopes& at, std::span<const ValueSource> sources) {
+  for (const ValueSource& source : sources)
     if (source.tag == 0)
       break;
     else if (std::string value = valueOf(data, source, at.of(source.group)); !value.empty())
@@ -116,60 +116,60 @@ std::string clockText(const std::string& time) {
 using Words = Separator::Words;
 using Trust = Separator::Trust;
 
-struct Row {
+struct SeparatorRow {
   Separator separator;
-  std::array<Source, 4> sources;
+  std::array<ValueSource, 4> sources;
   std::string (*read)(const DataSet&, const FrameScopes&) = nullptr;  // in place of sources
 };
 
-const Row separatorRows[] = {
+const SeparatorRow separatorRows[] = {
     {{"EchoTime", Trust::always, "TE ", " ms", Words::plain, false, &Series::echoTime}, {}, readEchoTime},
-    {{"EchoNumbers", Trust::always, "echo ", ""}, {{{0, 0x00180086, Kind::number}}}},
+    {{"EchoNumbers", Trust::always, "echo ", ""}, {{{0, 0x00180086, SourceKind::number}}}},
     {{"TemporalPositionIdentifier", Trust::certain, "time point ", "", Words::plain, false,
       &Series::timePoint},
-     {{{0, 0x00200100, Kind::number}, {frameContentGroup, 0x00209128, Kind::dword}}}},
+     {{{0, 0x00200100, SourceKind::number}, {frameContentGroup, 0x00209128, SourceKind::dword}}}},
     {{"NominalPercentageOfCardiacPhase", Trust::certain, "phase ", " %"},
-     {{{cardiacGroup, 0x00209241, Kind::single}, {0, 0x00209241, Kind::number}}}},
+     {{{cardiacGroup, 0x00209241, SourceKind::single}, {0, 0x00209241, SourceKind::number}}}},
     {{"NominalPercentageOfRespiratoryPhase", Trust::certain, "respiratory phase ", " %"},
-     {{{respiratoryGroup, 0x00209245, Kind::single}, {0, 0x00209245, Kind::number}}}},
+     {{{respiratoryGroup, 0x00209245, SourceKind::single}, {0, 0x00209245, SourceKind::number}}}},
     {{"DiffusionBValue", Trust::certain, "b ", "", Words::plain, false, &Series::bValue}, {}, readBValue},
     {{"ImageType", Trust::certain, "", "", Words::imageType},
-     {{{mrFrameTypeGroup, 0x00089007, Kind::text},
-       {ctFrameTypeGroup, 0x00089007, Kind::text},
-       {petFrameTypeGroup, 0x00089007, Kind::text},
-       {0, 0x00080008, Kind::text}}}},
+     {{{mrFrameTypeGroup, 0x00089007, SourceKind::text},
+       {ctFrameTypeGroup, 0x00089007, SourceKind::text},
+       {petFrameTypeGroup, 0x00089007, SourceKind::text},
+       {0, 0x00080008, SourceKind::text}}}},
     {{"ConvolutionKernel", Trust::certain, "kernel ", ""}, {}, readKernel},
     {{"KVP", Trust::certain, "", " kV"},
-     {{{ctXRayGroup, 0x00180060, Kind::number}, {0, 0x00180060, Kind::number}}}},
+     {{{ctXRayGroup, 0x00180060, SourceKind::number}, {0, 0x00180060, SourceKind::number}}}},
     {{"FlipAngle", Trust::certain, "flip angle ", " degrees"},
-     {{{mrTimingGroup, 0x00181314, Kind::number}, {0, 0x00181314, Kind::number}}}},
+     {{{mrTimingGroup, 0x00181314, SourceKind::number}, {0, 0x00181314, SourceKind::number}}}},
     // Of nuclear medicine (PS3.3 C.8.4.8), frame by frame: io/dicom/nuclear.h.
     {{"TimeSlotVector", Trust::certain, "time slot ", ""}, {}},
     {{"RRIntervalVector", Trust::certain, "R-R interval ", ""}, {}},
     {{"EnergyWindowVector", Trust::certain, "energy window ", ""}, {}},
     {{"DetectorVector", Trust::certain, "detector ", ""}, {}},
-    {{"SequenceName", Trust::likely, "sequence ", ""}, {{{0, 0x00180024, Kind::text}}}},
+    {{"SequenceName", Trust::likely, "sequence ", ""}, {{{0, 0x00180024, SourceKind::text}}}},
     {{"InversionTime", Trust::likely, "TI ", " ms", Words::plain, true},
-     {{{mrModifierGroup, 0x00189079, Kind::real}, {0, 0x00180082, Kind::number}}}},
+     {{{mrModifierGroup, 0x00189079, SourceKind::real}, {0, 0x00180082, SourceKind::number}}}},
     {{"RepetitionTime", Trust::likely, "TR ", " ms"},
-     {{{mrTimingGroup, 0x00180080, Kind::number}, {0, 0x00180080, Kind::number}}}},
+     {{{mrTimingGroup, 0x00180080, SourceKind::number}, {0, 0x00180080, SourceKind::number}}}},
     {{"AcquisitionNumber", Trust::needed, "acquisition ", "", Words::plain, false, &Series::timePoint},
-     {{{frameContentGroup, 0x00209156, Kind::word}, {0, 0x00200012, Kind::number}}}},
+     {{{frameContentGroup, 0x00209156, SourceKind::word}, {0, 0x00200012, SourceKind::number}}}},
     {{"DiffusionGradientOrientation", Trust::certain, "direction ", "", Words::direction}, {}, readDirection},
     {{"TriggerTime", Trust::needed, "trigger ", " ms", Words::plain, true},
-     {{{cardiacGroup, 0x00209153, Kind::real}, {0, 0x00181060, Kind::number}}}},
+     {{{cardiacGroup, 0x00209153, SourceKind::real}, {0, 0x00181060, SourceKind::number}}}},
     {{"FrameReferenceTime", Trust::needed, "", " s", Words::seconds, true},
-     {{{0, 0x00541300, Kind::number}}}},
+     {{{0, 0x00541300, SourceKind::number}}}},
     {{"ActualFrameDuration", Trust::needed, "frame of ", " s", Words::seconds},
-     {{{0, 0x00181242, Kind::number}}}},
+     {{{0, 0x00181242, SourceKind::number}}}},
     {{"AcquisitionTime", Trust::needed, "", "", Words::clock, true},
-     {{{frameContentGroup, 0x00189074, Kind::text},
-       {0, 0x0008002a, Kind::text},
-       {0, 0x00080032, Kind::text}}}},
-    {{"ContentTime", Trust::needed, "", "", Words::clock}, {{{0, 0x00080033, Kind::text}}}},
-    {{"ContrastBolusAgent", Trust::needed, "", ""}, {{{0, 0x00180010, Kind::text}}}},
+     {{{frameContentGroup, 0x00189074, SourceKind::text},
+       {0, 0x0008002a, SourceKind::text},
+       {0, 0x00080032, SourceKind::text}}}},
+    {{"ContentTime", Trust::needed, "", "", Words::clock}, {{{0, 0x00080033, SourceKind::text}}}},
+    {{"ContrastBolusAgent", Trust::needed, "", ""}, {{{0, 0x00180010, SourceKind::text}}}},
     {{"RescaleSlope", Trust::needed, "rescale slope ", ""},
-     {{{pixelValueTransformation, 0x00281053, Kind::number}}}},
+     {{{pixelValueTransformation, 0x00281053, SourceKind::number}}}},
 };
 
 /// The indices of the dimensions that no attribute of the table explains.
@@ -179,7 +179,7 @@ constexpr std::size_t separatorCount = std::size(separatorRows) + 1;
 
 std::array<Separator, separatorCount> table() {
   std::array<Separator, separatorCount> all{};
-  std::ranges::transform(separatorRows, all.begin(), &Row::separator);
+  std::ranges::transform(separatorRows, all.begin(), &SeparatorRow::separator);
   all.back() = dimensionIndices;
   return all;
 }
@@ -224,7 +224,7 @@ std::vector<std::string> readSeparators(const DataSet& data, const FrameScopes& 
                                         const Dimensions& dimensions) {
   std::vector<std::string> values;
   values.reserve(separatorCount);
-  for (const Row& row : separatorRows)
+  for (const SeparatorRow& row : separatorRows)
     values.push_back(row.read ? row.read(data, at) : firstOf(data, at, row.sources));
   values.push_back(dimensions.others(data, at.of(frameContentGroup)));
   return values;
