@@ -22,7 +22,7 @@ bool fit(const Entry& a, const Entry& b) {
   const Slice &s = a.slice(), &t = b.slice();
   if (a.file->format.columns != b.file->format.columns || a.file->format.rows != b.file->format.rows)
     return false;
-  if (s.unit != t.unit) return false;
+  if (a.file->unit != b.file->unit) return false;
   if (isPlaced(s) != isPlaced(t)) return false;
   if (!isPlaced(s)) return true;
   // Orientations are given with six digits or so; 1e-3 is 0.25 mm at the edge of a 500 mm picture.
@@ -177,7 +177,7 @@ Series describe(const Part& part, const Split& split) {
   s.id = first.seriesUid.empty() ? fileName(first.path) : first.seriesUid;
   s.format = "DICOM";
   static_cast<SeriesIdentity&>(s) = first;
-  s.unit = part.entries[0].slice().unit;
+  s.unit = first.unit;
   s.time = first.time;
   s.echoTime = common(part.entries, &Slice::echoTime);
   s.bValue = common(part.entries, &Slice::bValue);

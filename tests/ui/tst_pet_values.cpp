@@ -201,8 +201,9 @@ void TestPetValues::whyThereIsNoSuv() {
            qPrintable(text));
   auto* menu = w.child<QMenu>("petUnitMenu");
   menu->popup(w.window.mapToGlobal(QPoint(60, 60)));
-  QCOMPARE(menu->findChild<QAction*>(QStringLiteral("petUnitSUVbw"))->toolTip(),
-           QStringLiteral("no SUV: PatientWeight (0010,1030) is missing"));
+  QVERIFY(menu->findChild<QAction*>(QStringLiteral("petUnitSUVbw"))
+              ->toolTip()
+              .contains(QStringLiteral("no SUV: PatientWeight (0010,1030) is missing")));
   menu->close();
   QVERIFY(w.view()->overlays().bottomRight.endsWith(QStringLiteral(" Bq/ml")));
 }

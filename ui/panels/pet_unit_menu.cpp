@@ -2,6 +2,7 @@
 
 #include <QActionGroup>
 
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -40,7 +41,7 @@ QMenu* makePetUnitMenu(Session& session, QWidget* parent) {
     QObject::connect(menu, &QMenu::aboutToShow, action, [&session, action, unit] {
       const Series* series = seriesIn(session.workspace(), session.workspace().focus);
       action->setChecked(session.preferences().petUnit == unit);
-      action->setToolTip(series ? shownText(valueScale(*series, unit).why) : QString());
+      action->setToolTip(series ? toolTipOf(shownText(valueScale(*series, unit).why)) : QString());
     });
   }
   return menu;
