@@ -41,7 +41,7 @@ QMenu* makePetUnitMenu(Session& session, QWidget* parent) {
     QObject::connect(menu, &QMenu::aboutToShow, action, [&session, action, unit] {
       const Series* series = seriesIn(session.workspace(), session.workspace().focus);
       action->setChecked(session.preferences().petUnit == unit);
-      action->setToolTip(series ? toolTipOf(shownText(valueScale(*series, unit).why)) : QString());
+      action->setToolTip(toolTipOf(series ? shownText(valueScale(*series, unit).why) : QString()));
     });
   }
   return menu;
