@@ -153,12 +153,11 @@ std::function<int()> makeMeasure(CLI::App& app, const CancelToken& cancel) {
       ->type_name("FILE")
       ->required();
   addSeries(app, options->series);
-  app.add_option("--unit", options->unit,
-                 "What values of PET are given in (default: SUVbw, else the unit of the file)")
-      ->check(CLI::IsMember(keys(unitWords)));
-  addExamples(
-      app, {"volumen measure scans/ --roi shapes.json", "volumen measure scans/ --series 1 --roi shapes.json",
-            "volumen measure pet/ --roi shapes.json --unit SUVlbm"});
+  oneOf(app.add_option("--unit", options->unit,
+                       "What values of PET are given in (default: SUVbw, else the unit of the file)"),
+        keys(unitWords));
+  addExamples(app, {"volumen measure scans/ --roi shapes.json",
+                    "volumen measure scans/ --series 1 --roi shapes.json"});
   return [options, &cancel] { return run(*options, cancel); };
 }
 
