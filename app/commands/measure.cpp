@@ -153,9 +153,11 @@ std::function<int()> makeMeasure(CLI::App& app, const CancelToken& cancel) {
       ->type_name("FILE")
       ->required();
   addSeries(app, options->series);
-  oneOf(app.add_option("--unit", options->unit,
-                       "What values of PET are given in (default: SUVbw, else the unit of the file)"),
-        keys(unitWords));
+  oneOf(app.add_option(
+            "--unit", options->unit,
+            "Values of PET in SUVbw, SUVlbm, SUVbsa or file, that of the file (default: SUVbw, else file)"),
+        keys(unitWords))
+      ->type_name("UNIT");
   addExamples(app, {"volumen measure scans/ --roi shapes.json",
                     "volumen measure scans/ --series 1 --roi shapes.json"});
   return [options, &cancel] { return run(*options, cancel); };

@@ -46,7 +46,7 @@ void TestOverlays::noLettersWhereSidesAreNotKnown() {
   const ShownSeriesPtr known = tests::ballSeries();
   auto unknown = std::make_shared<ShownSeries>(*known);
   unknown->warnings = {{"Of a transducer.", WarningKind::noDirections}};
-  const Camera camera{.projection = Projection::parallel};
+  const Camera camera;
   QVERIFY(!viewOverlays(*known, camera, {100, 100}).left.isEmpty());
   const Overlays o = viewOverlays(*unknown, camera, {100, 100});
   QCOMPARE(o.left + o.right + o.top + o.bottom, QString());
