@@ -283,6 +283,7 @@ Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slice
 }
 
 Result<Loaded> load(const Series& series, const Progress& progress, const CancelToken& cancel) {
+  if (series.files.empty()) return Error{series.path + ": it has no files to load it from."};
   const Files files(series, progress, cancel);
   std::vector<Incoming> slices;
   for (std::size_t n = 0; n < series.files.size(); ++n) {
