@@ -108,11 +108,9 @@ void MainWindow::showPage() {
   const Workspace& workspace = session_.workspace();
   const bool isAny = std::ranges::any_of(viewsOnScreen(workspace),
                                          [&](ViewId id) { return !workspace.view(id).series.empty(); });
-  const bool appears = isAny && pages_->currentWidget() != grid_;
   pages_->setCurrentWidget(isAny ? static_cast<QWidget*>(grid_) : pages_->widget(0));
   showNames();
-  // A page that appears gives the keys to its first child, whatever view has the focus.
-  if (isAny && (appears || !grid_->isAncestorOf(focusWidget()))) grid_->setFocus();
+  if (isAny && !grid_->isAncestorOf(focusWidget())) grid_->setFocus();
 }
 
 void MainWindow::showFlatMenu(SliceView& view, QPoint global) {

@@ -103,7 +103,7 @@ Layout MainWindow::layoutOf(const Series& series) const {
 // What a series that was never shown before brings with it: the layout of its modality, its time points, the
 // CT under a PET.
 Workspace MainWindow::arranged(Workspace workspace, const Series& series, bool isFirst) const {
-  if (isFirst) workspace = withFocusToMeasure(withLayout(std::move(workspace), layoutOf(series)));
+  if (isFirst) workspace = withLayout(std::move(workspace), layoutOf(series));
   workspace = withTimePointsOf(std::move(workspace), series, studies_->allSeries());
   const Series* ct = series.modality == "PT" && workspace.focus < firstComparedId ? ctUnder(series) : nullptr;
   return ct ? fusedWith(std::move(workspace), *ct) : workspace;

@@ -248,15 +248,6 @@ Workspace withLayout(Workspace workspace, Layout layout) {
   return workspace;
 }
 
-Workspace withFocusToMeasure(Workspace workspace) {
-  for (const ViewId id : viewsOnScreen(workspace)) {
-    if (workspace.view(id).kind == ViewKind::volume) continue;
-    workspace.focus = id;
-    break;
-  }
-  return workspace;
-}
-
 bool canChangeKind(ViewId view) { return !inGroup(view); }
 
 Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneLook& first) {
