@@ -213,4 +213,39 @@ FlatLook flatLookOf(const ViewState& view);
 /// What positions of a series are relative to: views of one frame share the cursor.
 std::string frameOfReference(const Series& series);
 
+/// With this series in a view, and in those of its group; by `first` where a 3D view has not shown it yet.
+Workspace withSeries(Workspace workspace, ViewId view, const Series& series, const SceneLook& first);
+/// With a series at hand that was missing.
+Workspace withFound(Workspace workspace, const Series& series);
+/// The views that show slices of the same series as this one does: of a group all, of views to compare one,
+/// none where it shows 3D.
+std::vector<ViewId> planesOf(const Workspace& workspace, ViewId view);
+/// With this change in each of them.
+Workspace withFlatLooks(Workspace workspace, ViewId view, const std::function<void(FlatLook&)>& change);
+/// With a second series over what planesOf() shows; null: with none.
+Workspace withOverlay(Workspace workspace, ViewId view, const Series* overlay);
+/// With the planes of the group showing `under` and over it the group's series.
+Workspace fusedWith(Workspace workspace, const Series& under);
+/// The layout that readers of a modality expect: planes and 3D; one view where there are few slices.
+Layout usualLayout(const Series& series);
+/// With the frames of this series in a view, or in the axial one of its group; where the view showed slices
+/// of it, from the one at the cursor on.
+Workspace withFrames(Workspace workspace, ViewId view, const Series& series);
+/// The view that shows frames where this one is asked to: itself, or the axial one of its group.
+ViewId framesViewOf(ViewId view);
+bool showsFrames(const Workspace& workspace, ViewId view);
+/// In another layout; the first view to compare, where it is empty, gets the series of the focus.
+Workspace withLayout(Workspace workspace, Layout layout);
+/// With a view to compare showing another plane, or 3D; `first` where it has not shown its series so yet.
+/// Views of the group stay as they are.
+Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneLook& first);
+bool canChangeKind(ViewId view);
+/// Without this series: views that show it are empty, and what was measured on it comes back with it.
+Workspace without(Workspace workspace, const SeriesKey& key);
+/// With the closed series that something was made on, in no view.
+Workspace withClosed(Workspace workspace);
+/// Another workspace in place of this one: what was made on series that it does not know comes back with
+/// them.
+Workspace replacedBy(Workspace workspace, Workspace next);
+
 }  // namespace volumen
