@@ -57,7 +57,8 @@ Status writeReport(const std::string& folder, const char* name, const std::strin
 
 Status writeReport(const std::string& folder, const char* name, const QImage& picture) {
   return writeWhole(folder, name, [&](OutputFile& file) -> Status {
-    if (picture.save(&file.device(), "PNG")) return {};
+    const bool written = picture.save(&file.device(), "PNG");
+    if (Status s = file.status(); !s || written) return s;
     return Error{"Cannot write " + folder + "/" + name + "."};
   });
 }

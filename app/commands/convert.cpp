@@ -41,9 +41,8 @@ Status write(const Volume& volume, const Series& series, const std::string& outp
 void addNotes(std::vector<std::string>& notes, const Opened& opened, const std::string& output) {
   const Loaded& loaded = opened.loaded;
   if (loaded.drawn != loaded.acquired) {
-    const int made = opened.series.regular ? opened.series.regular->interpolatedSlices : 0;
     notes.push_back("Evenly spaced slices were written: " + std::to_string(loaded.drawn->size().z) + ", " +
-                    std::to_string(made) + " of them interpolated.");
+                    std::to_string(loaded.interpolatedSlices) + " of them interpolated.");
   }
   if (!loaded.drawn->geometry().calibrated)
     notes.push_back("Not calibrated: " + output + " gives no size of its voxels, or 1 mm.");
@@ -63,7 +62,7 @@ int run(const ConvertOptions& options, const CancelToken& cancel) {
   addNotes(opened->notes, *opened, options.output);
   printNotes(opened->notes);
   std::cout << printable(options.output) << '\n';
-  return exitDone;
+  return opened->status();
 }
 
 }  // namespace

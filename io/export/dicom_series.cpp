@@ -2,16 +2,21 @@
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <span>
 
 #include "io/export/dicom_uid.h"
+#include "io/files/aside.h"
 #include "io/files/output_file.h"
 
 namespace volumen {
@@ -254,6 +259,23 @@ fs::path parentOf(const fs::path& target) {
   return target.has_parent_path() ? target.parent_path() : fs::path(".");
 }
 
+// As long as this lives nobody takes the folder for one that was left behind.
+class Claimed {
+ public:
+  explicit Claimed(const std::string& folder)
+      : fd_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    claimAside(fd_);
+  }
+  ~Claimed() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Claimed(const Claimed&) = delete;
+  Claimed& operator=(const Claimed&) = delete;
+
+ private:
+  int fd_;
+};
+
 bool isEmptyOrMissing(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(folder, error)) return true;
@@ -303,15 +325,15 @@ Status writeDicomSeries(const Volume& volume, const DicomSeriesTags& tags, const
   if (Status s = checkRepresentable(volume); !s) return s;
   if (Status s = checkDicomFolder(folder); !s) return s;
   const fs::path target = targetOf(folder), parent = parentOf(target);
-  fs::path aside = parent / ".";
-  aside += target.filename();
-  aside += std::to_string(getpid());
-  std::error_code error;
-  if (!fs::create_directory(aside, error))
-    return Error{"Cannot make the folder " + folder + ": " +
-                 (error ? error.message() : aside.string() + " is in the way") + "."};
+  sweepAside(parent.string());
+  std::string aside = (parent / asideName).string();
+  if (!::mkdtemp(aside.data()))
+    return Error{"Cannot make the folder " + folder + ": " + std::strerror(errno) + "."};
+  const Claimed claimed(aside);
   Status status = writeSlices(volume, tags, aside, progress, cancel);
+  std::error_code error;
   if (status) {
+    fs::permissions(aside, fs::perms(0777 & ~rightsKept()), error);
     fs::rename(aside, target, error);
     if (error) status = Error{"Cannot make the folder " + folder + ": " + error.message() + "."};
   }

@@ -1,30 +1,45 @@
 #include "io/files/output_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <QFile>
-#include <QFileInfo>
-#include <QSaveFile>
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "io/files/aside.h"
 
 namespace volumen {
 
+// Names are bytes: Qt would write those that are no UTF-8 as others.
 struct OutputFile::State {
   std::string path;
-  QSaveFile file;
+  std::string target;  // what is replaced: of a link what it leads to
+  std::string aside;   // empty: nothing is there
+  QFile file;
   bool gzip = false;
   z_stream stream{};
   std::array<Bytef, 1 << 16> packed{};
 
-  explicit State(const std::string& name)
-      : path(name), file(QFile::decodeName(QByteArray::fromStdString(name))) {}
+  explicit State(const std::string& name) : path(name) {
+    std::error_code none;
+    const std::filesystem::path real = std::filesystem::canonical(name, none);
+    target = none ? name : real.string();
+  }
   ~State() {
     if (gzip) deflateEnd(&stream);
+    file.close();
+    if (!aside.empty()) ::unlink(aside.c_str());
   }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
+
+  std::string whyNotWritten() const { return file.errorString().toStdString(); }
 };
 
 OutputFile::OutputFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -37,21 +52,53 @@ Status OutputFile::fail(const std::string& why) const {
 
 namespace {
 
-// Why Qt could not make a file aside of `path`.
-std::string whyNot(const QString& path, const QString& error) {
-  const QFileInfo file(path), folder(file.absolutePath());
-  if (file.isDir()) return "it is a folder";
-  if (!folder.isDir() || error == qt_error_string(ENOENT)) return "no such folder";
-  if (!folder.isWritable() || (file.exists() && !file.isWritable())) return "no permission to write there";
-  return error.left(1).toLower().toStdString() + error.mid(1).toStdString();
+// Why nothing can be written in place of what is there; empty: it can.
+std::string obstacle(const std::string& target) {
+  struct stat there {};
+  if (::stat(target.c_str(), &there) != 0) return {};
+  if (S_ISDIR(there.st_mode)) return "it is a folder";
+  if (!S_ISREG(there.st_mode)) return "it is a pipe or a device, and only files are written";
+  return ::access(target.c_str(), W_OK) == 0 ? "" : "no permission to write there";
+}
+
+// Why no file could be made in a folder.
+std::string whyNotMade(int error) {
+  if (error == ENOENT || error == ENOTDIR) return "no such folder";
+  if (error == EACCES || error == EPERM) return "no permission to write there";
+  return std::strerror(error);
+}
+
+// Some disks tell only now that they are full, and some cannot tell.
+bool isOnDisk(int fd) { return ::fdatasync(fd) == 0 || errno == EINVAL || errno == EROFS || errno == ENOSYS; }
+
+// As a new file has them, or the one that is replaced.
+mode_t rightsFor(const std::string& target) {
+  struct stat there {};
+  if (::stat(target.c_str(), &there) == 0) return there.st_mode & 0777;
+  return 0666 & ~rightsKept();
 }
 
 }  // namespace
 
 Result<OutputFile> OutputFile::create(const std::string& path) {
   OutputFile out(std::make_unique<State>(path));
-  QSaveFile& file = out.state_->file;
-  if (!file.open(QIODevice::WriteOnly)) return out.fail(whyNot(file.fileName(), file.errorString())).error();
+  State& s = *out.state_;
+  if (const std::string why = obstacle(s.target); !why.empty()) return out.fail(why).error();
+  const std::size_t name = s.target.find_last_of('/') + 1;
+  sweepAside(s.target.substr(0, name));
+  s.aside = s.target.substr(0, name) + asideName;
+  const int fd = ::mkostemp(s.aside.data(), O_CLOEXEC);
+  if (fd < 0) {
+    const int error = errno;
+    s.aside.clear();
+    return out.fail(whyNotMade(error)).error();
+  }
+  claimAside(fd);
+  ::fchmod(fd, rightsFor(s.target));
+  if (!s.file.open(fd, QIODevice::WriteOnly | QIODevice::Unbuffered, QFileDevice::AutoCloseHandle)) {
+    ::close(fd);
+    return out.fail(s.file.errorString().toStdString()).error();
+  }
   return out;
 }
 
@@ -74,7 +121,7 @@ Status OutputFile::deflateAll(int flush) {
     code = deflate(&stream, flush);
     const qint64 count = qint64(state_->packed.size() - stream.avail_out);
     if (state_->file.write(reinterpret_cast<const char*>(state_->packed.data()), count) != count)
-      return fail(state_->file.errorString().toStdString());
+      return fail(state_->whyNotWritten());
   } while (stream.avail_out == 0 || (flush == Z_FINISH && code == Z_OK));
   return {};
 }
@@ -82,7 +129,7 @@ Status OutputFile::deflateAll(int flush) {
 Status OutputFile::write(const void* bytes, std::size_t count) {
   if (!state_->gzip) {
     if (state_->file.write(static_cast<const char*>(bytes), qint64(count)) != qint64(count))
-      return fail(state_->file.errorString().toStdString());
+      return fail(state_->whyNotWritten());
     return {};
   }
   const auto* next = static_cast<const Bytef*>(bytes);
@@ -101,8 +148,16 @@ Status OutputFile::write(const void* bytes, std::size_t count) {
 Status OutputFile::commit() {
   if (state_->gzip)
     if (Status s = deflateAll(Z_FINISH); !s) return s;
-  if (!state_->file.commit()) return fail(state_->file.errorString().toStdString());
+  if (Status s = status(); !s) return s;
+  if (!isOnDisk(state_->file.handle())) return fail(std::strerror(errno));
+  state_->file.close();
+  if (::rename(state_->aside.c_str(), state_->target.c_str()) != 0) return fail(std::strerror(errno));
+  state_->aside.clear();
   return {};
+}
+
+Status OutputFile::status() const {
+  return state_->file.error() == QFileDevice::NoError ? Status() : fail(state_->whyNotWritten());
 }
 
 QIODevice& OutputFile::device() { return state_->file; }

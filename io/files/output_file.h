@@ -11,7 +11,8 @@ class QIODevice;
 namespace volumen {
 
 /// A file that appears whole or not at all: written aside in the same folder, renamed by commit(). Without
-/// commit() (an error, a cancelled command) nothing is left.
+/// commit() (an error, a cancelled command) nothing is left. Its name may be any bytes; what stands there
+/// already is replaced where it is a file.
 class OutputFile {
  public:
   /// The Error, "Cannot write PATH: no such folder.", also says where it cannot be made at all; whoever asks
@@ -27,8 +28,9 @@ class OutputFile {
   /// Ends the file and gives it its name.
   Status commit();
 
-  /// For writers of Qt's; not while gzip is on.
+  /// For writers of Qt's; not while gzip is on. status() tells what went wrong with it.
   QIODevice& device();
+  Status status() const;
 
  private:
   struct State;

@@ -19,8 +19,9 @@ Status writeAs(const char* format, const QImage& image, const std::string& path,
   if (qstrcmp(format, "jpeg") == 0) writer.setQuality(jpegQuality);
   for (const auto& [key, value] : text)
     writer.setText(QString::fromStdString(key), QString::fromStdString(value));
-  if (!writer.write(image))
-    return Error{"Cannot write " + path + ": " + writer.errorString().toStdString() + "."};
+  const bool written = writer.write(image);
+  if (Status s = out->status(); !s) return s;
+  if (!written) return Error{"Cannot write " + path + ": " + writer.errorString().toStdString() + "."};
   return out->commit();
 }
 

@@ -61,6 +61,7 @@ class TestIndexImport : public QObject {
   void patientsOfOneUidStayApart();
   void refusedFileIsReadOnce();
   void refusedFileIsTold();
+  void whatIsToldFollowsTheFiles();
   void whatIsNoFolderIsRefused_data();
   void whatIsNoFolderIsRefused();
   void linksAreFollowedOnce();
@@ -296,7 +297,7 @@ void TestIndexImport::refusedFileIsReadOnce() {
   QCOMPARE(studiesIn(index).at(0).warnings, 0);
 }
 
-// A refused file is told with the one series of its folder.
+// A refused file is told with the series that it is of.
 void TestIndexImport::refusedFileIsTold() {
   const IndexFolder folder;
   for (int n = 0; n < 3; ++n) folder.add({"a/i" + std::to_string(n), "A", "1.1", "1.1.1", n});
@@ -307,7 +308,31 @@ void TestIndexImport::refusedFileIsTold() {
   QCOMPARE(study.warnings, 1);
   const std::vector<std::string> warnings = seriesIn(index, study.id).at(0).warnings;
   QCOMPARE(warnings.size(), std::size_t(1));
-  QVERIFY2(warnings[0].starts_with("i2: "), warnings[0].c_str());
+  QVERIFY2(warnings[0].starts_with("Slice i2 could not be read"), warnings[0].c_str());
+  fs::remove(folder.data("a/i2"));
+  folder.import();
+  QCOMPARE(studiesIn(folder.open()).at(0).warnings, 0);
+}
+
+// One that comes later, one that goes on being refused, and one that is repaired.
+void TestIndexImport::whatIsToldFollowsTheFiles() {
+  const IndexFolder folder;
+  for (int n = 0; n < 3; ++n) folder.add({"a/i" + std::to_string(n), "A", "1.1", "1.1.1", n});
+  folder.import();
+  folder.add({"a/i3", "A", "1.1", "1.1.1", 3});
+  const std::vector<std::uint8_t> whole = readAll(folder.data("a/i3"));
+  fs::resize_file(folder.data("a/i3"), 200);
+  for (int times = 0; times < 2; ++times) {
+    folder.import();
+    QCOMPARE(studiesIn(folder.open()).at(0).warnings, 1);
+  }
+  folder.add({"a/i4", "A", "1.1", "1.1.1", 4});
+  folder.import();
+  QCOMPARE(studiesIn(folder.open()).at(0).warnings, 1);
+  writeAll(folder.data("a/i3"), whole);
+  folder.import();
+  QCOMPARE(studiesIn(folder.open()).at(0).warnings, 0);
+  QCOMPARE(studiesIn(folder.open()).at(0).images, 5);
 }
 
 void TestIndexImport::whatIsNoFolderIsRefused_data() {

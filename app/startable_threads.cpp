@@ -1,0 +1,29 @@
+#include "app/startable_threads.h"
+
+#include <tbb/global_control.h>
+
+#include <future>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "viewer/volume/parallel.h"
+
+namespace volumen {
+
+void keepToStartableThreads() {
+  const std::size_t wanted = std::size_t(allowedThreads()) - 1;
+  std::vector<std::thread> started;
+  std::promise<void> counted;
+  const std::shared_future<void> end = counted.get_future().share();
+  try {
+    while (started.size() < wanted) started.emplace_back([end] { end.wait(); });
+  } catch (const std::system_error&) {
+    static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                           started.size() / 2 + 1);
+  }
+  counted.set_value();
+  for (std::thread& thread : started) thread.join();
+}
+
+}  // namespace volumen
