@@ -105,26 +105,6 @@ Result<SlicePlane> onIndex(const SlicePlane& plane, const VoxelGeometry& geometr
   return *on;
 }
 
-Result<SlicePlane> makePlane(const SliceOptions& options, const Asked& asked, const VoxelGeometry& geometry) {
-  const NamedPlane name = meaning(planes, options.plane);
-  SlicePlane plane = asked.rightAndDown
-                         ? planeAlong(geometry, asked.rightAndDown->first, asked.rightAndDown->second)
-                         : namedPlane(geometry, name);
-  if (asked.centre) plane.centre = *asked.centre;
-  if (options.at) plane.centre[axisOf(name)] = *options.at;
-  if (options.mmPerPixel) plane.mmPerPixel = *options.mmPerPixel;
-  plane.size = asked.size ? *asked.size : sizeToCover(geometry, plane);
-  plane.slabMm = options.slabMm;
-  plane.slabMode = meaning(slabModes, options.slabMode);
-  plane.interpolation = meaning(interpolations, options.interpolation);
-  plane.average = options.average;
-  if (!options.index) {
-    if (Status meets = checkMeets(plane, geometry); !meets) return meets.error();
-    return plane;
-  }
-  return onIndex(plane, geometry, *options.index);
-}
-
 // Refused where nothing of the volume lies in the plane or its slab: the picture would be empty.
 Status checkMeets(const SlicePlane& plane, const VoxelGeometry& geometry) {
   glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
@@ -143,6 +123,26 @@ Status checkMeets(const SlicePlane& plane, const VoxelGeometry& geometry) {
   std::snprintf(text, sizeof text, "x %.1f to %.1f, y %.1f to %.1f, z %.1f to %.1f mm.", low.x, high.x, low.y,
                 high.y, low.z, high.z);
   return Error{std::string("The plane lies outside of the volume, which reaches from ") + text};
+}
+
+Result<SlicePlane> makePlane(const SliceOptions& options, const Asked& asked, const VoxelGeometry& geometry) {
+  const NamedPlane name = meaning(planes, options.plane);
+  SlicePlane plane = asked.rightAndDown
+                         ? planeAlong(geometry, asked.rightAndDown->first, asked.rightAndDown->second)
+                         : namedPlane(geometry, name);
+  if (asked.centre) plane.centre = *asked.centre;
+  if (options.at) plane.centre[axisOf(name)] = *options.at;
+  if (options.mmPerPixel) plane.mmPerPixel = *options.mmPerPixel;
+  plane.size = asked.size ? *asked.size : sizeToCover(geometry, plane);
+  plane.slabMm = options.slabMm;
+  plane.slabMode = meaning(slabModes, options.slabMode);
+  plane.interpolation = meaning(interpolations, options.interpolation);
+  plane.average = options.average;
+  if (!options.index) {
+    if (Status meets = checkMeets(plane, geometry); !meets) return meets.error();
+    return plane;
+  }
+  return onIndex(plane, geometry, *options.index);
 }
 
 nlohmann::ordered_json planeJson(const SlicePlane& plane) {

@@ -4,6 +4,8 @@
 #include <dcmtk/dcmdata/dcuid.h>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 
 #include "io/dicom/attributes.h"
 #include "io/dicom/directory.h"
@@ -93,10 +95,11 @@ Inspection refused(const std::string& reason, const DataSet& data) {
   return found;
 }
 
-/// Whether a file is too short for a header and holds nothing: what is left where a copy broke off.
+/// Whether a file holds the beginning of an empty preamble: what is left where a copy broke off.
 bool isBrokenOff(Bytes head) {
-  constexpr std::size_t preamble = 132;
-  return head.size() < preamble && std::ranges::all_of(head, [](std::uint8_t byte) { return byte == 0; });
+  std::array<std::uint8_t, 132> preamble{};
+  std::memcpy(preamble.data() + 128, "DICM", 4);
+  return head.size() < preamble.size() && std::equal(head.begin(), head.end(), preamble.begin());
 }
 
 /// What has no picture of its own, and what it refers to.

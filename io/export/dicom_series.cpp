@@ -243,8 +243,11 @@ Status writeSlices(const Volume& volume, const DicomSeriesTags& tags, const fs::
     char name[32];
     std::snprintf(name, sizeof name, "slice-%05d.dcm", k + 1);
     const std::string path = (folder / name).string();
+    errno = 0;
     if (done.good()) done = file.saveFile(OFFilename(path.c_str()), EXS_LittleEndianExplicit);
-    if (done.bad()) return Error{"Cannot write " + path + ": " + done.text() + "."};
+    if (done.bad())
+      return Error{"Cannot write " + std::string(name) +
+                   " of the series: " + (errno ? std::strerror(errno) : done.text()) + "."};
   }
   return {};
 }

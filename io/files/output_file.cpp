@@ -5,7 +5,6 @@
 #include <unistd.h>
 #include <zlib.h>
 
-#include <QFile>
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -16,12 +15,11 @@
 
 namespace volumen {
 
-// Names are bytes: Qt would write those that are no UTF-8 as others.
 struct OutputFile::State {
   std::string path;
   std::string target;  // what is replaced: of a link what it leads to
   std::string aside;   // empty: nothing is there
-  QFile file;
+  int fd = -1;
   bool gzip = false;
   z_stream stream{};
   std::array<Bytef, 1 << 16> packed{};
@@ -33,13 +31,23 @@ struct OutputFile::State {
   }
   ~State() {
     if (gzip) deflateEnd(&stream);
-    file.close();
+    if (fd >= 0) ::close(fd);
     if (!aside.empty()) ::unlink(aside.c_str());
   }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
-  std::string whyNotWritten() const { return file.errorString().toStdString(); }
+  // False, with errno, where not all of it was written.
+  bool put(const void* bytes, std::size_t count) const {
+    const auto* next = static_cast<const char*>(bytes);
+    while (count > 0) {
+      const ssize_t n = ::write(fd, next, count);
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0) return false;
+      next += n, count -= std::size_t(n);
+    }
+    return true;
+  }
 };
 
 OutputFile::OutputFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -87,18 +95,14 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   const std::size_t name = s.target.find_last_of('/') + 1;
   sweepAside(s.target.substr(0, name));
   s.aside = s.target.substr(0, name) + asideName;
-  const int fd = ::mkostemp(s.aside.data(), O_CLOEXEC);
-  if (fd < 0) {
+  s.fd = ::mkostemp(s.aside.data(), O_CLOEXEC);
+  if (s.fd < 0) {
     const int error = errno;
     s.aside.clear();
     return out.fail(whyNotMade(error)).error();
   }
-  claimAside(fd);
-  ::fchmod(fd, rightsFor(s.target));
-  if (!s.file.open(fd, QIODevice::WriteOnly | QIODevice::Unbuffered, QFileDevice::AutoCloseHandle)) {
-    ::close(fd);
-    return out.fail(s.file.errorString().toStdString()).error();
-  }
+  claimAside(s.fd);
+  ::fchmod(s.fd, rightsFor(s.target));
   return out;
 }
 
@@ -119,19 +123,14 @@ Status OutputFile::deflateAll(int flush) {
     stream.next_out = state_->packed.data();
     stream.avail_out = uInt(state_->packed.size());
     code = deflate(&stream, flush);
-    const qint64 count = qint64(state_->packed.size() - stream.avail_out);
-    if (state_->file.write(reinterpret_cast<const char*>(state_->packed.data()), count) != count)
-      return fail(state_->whyNotWritten());
+    if (!state_->put(state_->packed.data(), state_->packed.size() - stream.avail_out))
+      return fail(std::strerror(errno));
   } while (stream.avail_out == 0 || (flush == Z_FINISH && code == Z_OK));
   return {};
 }
 
 Status OutputFile::write(const void* bytes, std::size_t count) {
-  if (!state_->gzip) {
-    if (state_->file.write(static_cast<const char*>(bytes), qint64(count)) != qint64(count))
-      return fail(state_->whyNotWritten());
-    return {};
-  }
+  if (!state_->gzip) return state_->put(bytes, count) ? Status() : fail(std::strerror(errno));
   const auto* next = static_cast<const Bytef*>(bytes);
   while (count > 0) {
     constexpr std::size_t most = 1u << 30;  // zlib counts in unsigned int
@@ -148,18 +147,10 @@ Status OutputFile::write(const void* bytes, std::size_t count) {
 Status OutputFile::commit() {
   if (state_->gzip)
     if (Status s = deflateAll(Z_FINISH); !s) return s;
-  if (Status s = status(); !s) return s;
-  if (!isOnDisk(state_->file.handle())) return fail(std::strerror(errno));
-  state_->file.close();
+  if (!isOnDisk(state_->fd)) return fail(std::strerror(errno));
   if (::rename(state_->aside.c_str(), state_->target.c_str()) != 0) return fail(std::strerror(errno));
   state_->aside.clear();
   return {};
 }
-
-Status OutputFile::status() const {
-  return state_->file.error() == QFileDevice::NoError ? Status() : fail(state_->whyNotWritten());
-}
-
-QIODevice& OutputFile::device() { return state_->file; }
 
 }  // namespace volumen

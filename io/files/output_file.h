@@ -6,8 +6,6 @@
 
 #include "viewer/volume/result.h"
 
-class QIODevice;
-
 namespace volumen {
 
 /// A file that appears whole or not at all: written aside in the same folder, renamed by commit(). Without
@@ -27,10 +25,6 @@ class OutputFile {
   Status startGzip();
   /// Ends the file and gives it its name.
   Status commit();
-
-  /// For writers of Qt's; not while gzip is on. status() tells what went wrong with it.
-  QIODevice& device();
-  Status status() const;
 
  private:
   struct State;

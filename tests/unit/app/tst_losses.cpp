@@ -16,7 +16,7 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr int slices = 24;
+constexpr int slices = 26;
 
 QString sliceName(int n) { return QStringLiteral("slice-%1.dcm").arg(n, 5, 10, QLatin1Char('0')); }
 
@@ -63,7 +63,7 @@ class TestLosses : public QObject {
 };
 
 void TestLosses::initTestCase() {
-  const QStringList made{QStringLiteral("convert"), QStringLiteral("phantom:ct-head:%1").arg(slices),
+  const QStringList made{QStringLiteral("convert"), QStringLiteral("phantom:ct-head:24"),
                          QStringLiteral("-o"), whole_.filePath(QStringLiteral("scans/"))};
   QCOMPARE(runProgram(made).status, 0);
 }
@@ -97,14 +97,14 @@ void TestLosses::everyCommandNamesThem_data() {
 void TestLosses::everyCommandNamesThem() {
   QFETCH(QString, line);
   QFETCH(QString, written);
-  for (const int slice : {1, 5, 6, 12, 24}) cut(slice, 1100);
+  for (const int slice : {1, 5, 6, 12, slices}) cut(slice, 1100);
   const Outcome strict = runProgram(words(qPrintable(line + QStringLiteral(" --strict"))));
   QCOMPARE(strict.status, 1);
   QVERIFY2(strict.err.contains("--strict") && strict.out.isEmpty(), strict.err);
   QVERIFY(written.isEmpty() || !QFileInfo::exists(at(written)));
   const Outcome a = runProgram(words(qPrintable(line)));
   QVERIFY2(a.status == 3, a.err);
-  for (const int slice : {1, 5, 6, 12, 24}) {
+  for (const int slice : {1, 5, 6, 12, slices}) {
     QVERIFY2(a.err.contains(sliceName(slice).toUtf8()), a.err);
     QVERIFY2(strict.err.contains(sliceName(slice).toUtf8()), strict.err);
   }
@@ -115,7 +115,7 @@ void TestLosses::everyCommandNamesThem() {
 void TestLosses::atEveryPlace_data() {
   QTest::addColumn<int>("slice");
   QTest::addColumn<int>("bytes");
-  for (const int slice : {1, 2, 12, 23, 24})
+  for (const int slice : {1, 2, 12, slices - 1, slices})
     for (const int bytes : {0, 60, 131, 140, 300, 500, 700, 900, 1100})
       QTest::addRow("slice %d of %d bytes", slice, bytes) << slice << bytes;
 }

@@ -20,6 +20,7 @@ class TestPaths : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void init();
+  void cleanup();
   void whatIsNoFileIsASentence_data();
   void whatIsNoFileIsASentence();
   void linksOutAreToldNotFollowed();
@@ -42,6 +43,11 @@ void TestPaths::init() {
   folder_ = std::make_unique<QTemporaryDir>();
   QCOMPARE(runProgram(QStringLiteral("convert phantom:sphere:8 -o %1/scans/").arg(folder_->path())).status,
            0);
+}
+
+// QTemporaryDir cannot remove names that are no UTF-8.
+void TestPaths::cleanup() {
+  for (const auto& entry : fs::directory_iterator(at(""))) fs::remove_all(entry.path());
 }
 
 void TestPaths::whatIsNoFileIsASentence_data() {

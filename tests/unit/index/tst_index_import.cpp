@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 
+#include "io/index/database.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/index/index_folder.h"
 #include "tests/unit/suite.h"
@@ -62,6 +63,7 @@ class TestIndexImport : public QObject {
   void refusedFileIsReadOnce();
   void refusedFileIsTold();
   void whatIsToldFollowsTheFiles();
+  void whatWasRefusedIsReadAgainWhereAsked();
   void whatIsNoFolderIsRefused_data();
   void whatIsNoFolderIsRefused();
   void linksAreFollowedOnce();
@@ -333,6 +335,25 @@ void TestIndexImport::whatIsToldFollowsTheFiles() {
   folder.import();
   QCOMPARE(studiesIn(folder.open()).at(0).warnings, 0);
   QCOMPARE(studiesIn(folder.open()).at(0).images, 5);
+}
+
+// As an index has it in which the machine's failure was taken for the file's.
+void TestIndexImport::whatWasRefusedIsReadAgainWhereAsked() {
+  const IndexFolder folder;
+  for (int n = 0; n < 3; ++n) folder.add({"a/i" + std::to_string(n), "A", "1.1", "1.1.1", n});
+  folder.import();
+  {
+    const auto db = Database::open(folder.index() + "/index.sqlite");
+    (*db)->run("UPDATE file SET series_id = NULL, reason = 'made to do harm', program = ? WHERE name = ?",
+               VOLUMEN_VERSION, Blob{"i1"});
+    QVERIFY((*db)->takeStatus().ok());
+  }
+  QCOMPARE(folder.import().refused.size(), std::size_t(1));
+  Index index = folder.open();
+  const auto again = index.import({folder.data()}, {}, {}, true);
+  QCOMPARE(again->refused.size(), std::size_t(0));
+  QCOMPARE(again->added, 1);
+  QCOMPARE(studiesIn(index).at(0).images, 3);
 }
 
 void TestIndexImport::whatIsNoFolderIsRefused_data() {
