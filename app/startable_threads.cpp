@@ -19,8 +19,10 @@ void keepToStartableThreads() {
   try {
     while (started.size() < wanted) started.emplace_back([end] { end.wait(); });
   } catch (const std::system_error&) {
-    static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                           started.size() / 2 + 1);
+    // Never destroyed: with its end oneTBB would start the threads that it held back.
+    static const auto* limit =
+        new tbb::global_control(tbb::global_control::max_allowed_parallelism, started.size() / 2 + 1);
+    (void)limit;
   }
   counted.set_value();
   for (std::thread& thread : started) thread.join();
