@@ -5,6 +5,7 @@
 
 #include "app/command.h"
 #include "app/progress.h"
+#include "io/archive.h"
 #include "ui/workspace/text.h"
 #include "viewer/scene/automatic.h"
 
@@ -23,6 +24,8 @@ Error nothingToShow(const std::string& path, const Study& study) {
 
 namespace {
 
+bool strict = false;
+
 // One a line, as `info` numbers and names them.
 std::string listOf(const Study& study) {
   std::string list;
@@ -37,8 +40,9 @@ std::string listOf(const Study& study) {
 Result<Opened> load(const Series& series, const Progress& progress, const CancelToken& cancel) {
   Result<Loaded> loaded = loadSeries(series, progress, cancel);
   if (!loaded) return loaded.error();
+  if (Status whole = checkLosses(series.path, loaded->unread); !whole) return whole.error();
   Opened opened{series, std::move(*loaded), {}};
-  for (const Warning& w : opened.loaded.warnings) opened.notes.push_back(w.sentence);
+  opened.notes = sentences(opened.loaded.warnings);
   return opened;
 }
 
@@ -89,6 +93,39 @@ std::vector<std::size_t> volumesOfUid(const Study& study, const std::string& ser
     if (!series.empty() && study.volumes[n].seriesUid == series) volumes.push_back(n);
   }
   return volumes.size() > 1 ? volumes : std::vector<std::size_t>();
+}
+
+int Opened::status() const { return loaded.unread.empty() ? exitDone : exitLosses; }
+
+void refuseLosses() { strict = true; }
+
+Status checkLosses(const std::string& what, const std::vector<Unread>& unread) {
+  if (!strict || unread.empty()) return {};
+  std::string list;
+  for (const Unread& file : unread) list += "\n  " + printable(lastingPath(file.path)) + ": " + file.reason;
+  return Error{"Nothing was written (--strict): of " + what + " could not be read:" + list};
+}
+
+std::vector<std::string> sentences(const std::vector<Warning>& warnings) {
+  std::vector<std::string> all;
+  for (const Warning& w : warnings) all.push_back(w.sentence);
+  return all;
+}
+
+std::vector<std::string> unreadSentences(const std::vector<const Series*>& all) {
+  std::vector<std::string> said;
+  for (const Series* series : all)
+    for (const Warning& w : series->warnings)
+      if (w.kind == WarningKind::unread && std::ranges::find(said, w.sentence) == said.end())
+        said.push_back(w.sentence);
+  return said;
+}
+
+nlohmann::ordered_json unreadJson(const std::vector<Unread>& unread) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Unread& file : unread)
+    list.push_back({{"path", lastingPath(file.path)}, {"reason", file.reason}, {"beside", file.beside}});
+  return list;
 }
 
 Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,21 @@ struct Opened {
   Series series;
   Loaded loaded;
   std::vector<std::string> notes;  ///< sentences for stderr
+
+  /// How a command ends that did its work on it: with losses where something could not be read.
+  int status() const;
 };
+
+/// From now on a series with losses is refused (--strict).
+void refuseLosses();
+/// An Error where that is so and these are losses; `what`: of what.
+Status checkLosses(const std::string& what, const std::vector<Unread>& unread);
+/// The sentences of warnings.
+std::vector<std::string> sentences(const std::vector<Warning>& warnings);
+/// What is said of the losses of series of which frames are shown, each once.
+std::vector<std::string> unreadSentences(const std::vector<const Series*>& all);
+/// What could not be read, for JSON: a list of path and reason.
+nlohmann::ordered_json unreadJson(const std::vector<Unread>& unread);
 
 /// Why nothing of a study can be shown: a sentence for the user.
 Error nothingToShow(const std::string& path, const Study& study);

@@ -118,7 +118,7 @@ Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
   if (!place) return place.error();
   const bool listed = dicom::isDirectoryFile(place->path);
   Result<FoundFiles> found = findFiles(listed ? folderOf(place->path) : place->path, cancel,
-                                       listed || place->unpacked ? Links::inside : Links::all);
+                                       listed || place->unpacked ? Links::inside : Links::files);
   if (!found) return found;
   if (found->files == std::vector{place->path})
     if (const auto header = headerOfPair(place->path)) found->files.push_back(*header);
@@ -211,6 +211,10 @@ Result<Loaded> loadSeries(const Series& series, const Progress& progress, const 
     return Loaded{*volume, *volume, {}};
   }
   return loadImageFile(series, progress, cancel);
+}
+
+int Loaded::interpolatedSlices() const {
+  return int(std::ranges::count_if(origins, &SliceOrigin::isInterpolated));
 }
 
 Result<std::size_t> chooseSeries(const Study& study, const std::string& text) {

@@ -59,7 +59,7 @@ int run(const BenchOptions& options, const CancelToken& cancel) {
   endTerminalProgress();
   if (!orbit) return fail(orbit.message(), cancel);
   std::cout << (options.json ? orbitJson(*orbit) : orbitText(*orbit));
-  return exitDone;
+  return opened->status();
 }
 
 }  // namespace

@@ -54,18 +54,18 @@ Result<std::vector<std::string>> write(const Opened& opened, const std::string& 
 
 // Of the grid that was written, where it is not that of the slices as acquired.
 std::string gridNote(const Loaded& loaded) {
-  const auto made = std::ranges::count_if(loaded.origins, &SliceOrigin::isInterpolated);
+  const int made = loaded.interpolatedSlices();
   const std::string slices = std::to_string(loaded.drawn->size().z) + " evenly spaced slices were written";
   return slices + (made ? ", " + std::to_string(made) + " of them interpolated." : ".");
 }
 
 int runVolumes(const std::vector<Series>& volumes, const std::string& output, const CancelToken& cancel) {
-  const auto notes = writeVolumes(volumes, output, terminalProgress(), cancel);
+  const auto written = writeVolumes(volumes, output, terminalProgress(), cancel);
   endTerminalProgress();
-  if (!notes) return fail(notes.message(), cancel);
-  printNotes(*notes);
+  if (!written) return fail(written.message(), cancel);
+  printNotes(written->notes);
   std::cout << printable(output) << '\n';
-  return exitDone;
+  return written->unread.empty() ? exitDone : exitLosses;
 }
 
 int run(const ConvertOptions& options, const CancelToken& cancel) {
@@ -87,7 +87,7 @@ int run(const ConvertOptions& options, const CancelToken& cancel) {
   opened->notes.insert(opened->notes.end(), written->begin(), written->end());
   printNotes(opened->notes);
   std::cout << printable(options.output) << '\n';
-  return exitDone;
+  return opened->status();
 }
 
 }  // namespace

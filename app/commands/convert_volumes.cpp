@@ -140,16 +140,22 @@ Result<std::vector<Series>> severalVolumes(const std::string& path, const std::s
   return volumes;
 }
 
-Result<std::vector<std::string>> writeVolumes(const std::vector<Series>& volumes, const std::string& output,
-                                              const Progress& progress, const CancelToken& cancel) {
+Result<WrittenVolumes> writeVolumes(const std::vector<Series>& volumes, const std::string& output,
+                                    const Progress& progress, const CancelToken& cancel) {
   std::vector<Said> said;
   for (const Series& series : volumes) said.push_back(saidBy(series, cancel));
   const NiftiTime time{int(volumes.size()), stepSeconds(said)};
-  std::vector<std::string> notes;
+  WrittenVolumes written;
+  std::vector<std::string>& notes = written.notes;
   glm::dmat3 L(1);
   const auto volumeAt = [&](int n) -> Result<VolumePtr> {
     const Result<Loaded> loaded = loadSeries(volumes[std::size_t(n)], {}, cancel);
     if (!loaded) return loaded.error();
+    if (Status whole = checkLosses(volumes[std::size_t(n)].path, loaded->unread); !whole)
+      return whole.error();
+    for (const Unread& file : loaded->unread)
+      if (std::ranges::find(written.unread, file.path, &Unread::path) == written.unread.end())
+        written.unread.push_back(file);
     for (const Warning& w : loaded->warnings)
       if (std::ranges::find(notes, w.sentence) == notes.end()) notes.push_back(w.sentence);
     L = loaded->drawn->geometry().patientFromVoxelStep;
@@ -161,7 +167,7 @@ Result<std::vector<std::string>> writeVolumes(const std::vector<Series>& volumes
   notes.push_back(std::to_string(volumes.size()) + " volumes of series " + volumes[0].seriesUid +
                   " were written.");
   notes.insert(notes.end(), diffusion->begin(), diffusion->end());
-  return notes;
+  return written;
 }
 
 }  // namespace volumen

@@ -121,14 +121,14 @@ Result<std::vector<Listed>> find(const Index& index, const ListOptions& options)
 }
 
 int run(const ListOptions& options) {
-  const Result<Index> index = openIndex(options.index);
+  const Result<Index> index = openExistingIndex(options.index);
   if (!index) return fail(index.message());
   const Result<std::vector<Listed>> all = find(*index, options);
   if (!all) return fail(all.message());
   if (options.json) {
     Json studies = Json::array();
     for (const Listed& listed : *all) studies.push_back(toJson(listed, options.series));
-    std::cout << Json{{"studies", studies}}.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << jsonText({{"studies", studies}});
   } else if (all->empty()) {
     std::cerr << (options.words.empty() ? "The index is empty: `volumen import PATH` fills it.\n"
                                         : "No study has all of these words.\n");

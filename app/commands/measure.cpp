@@ -60,18 +60,29 @@ struct FrameOfStudy {
   int index = 0;
 };
 
+/// What is lost of what shapes are measured on.
+std::vector<Unread> unreadOf(const std::optional<Opened>& opened, const std::vector<const Series*>& frames) {
+  std::vector<Unread> all;
+  if (opened) all = opened->loaded.unread;
+  for (const Series* series : frames)
+    for (const Unread& file : series->unread)
+      if (std::ranges::find(all, file) == all.end()) all.push_back(file);
+  return all;
+}
+
 std::optional<FrameOfStudy> findFrame(const std::vector<Series>& all, const ShapeFrame& name) {
   for (const Series& series : all)
     if (const auto index = frameMeant(series, name)) return FrameOfStudy{&series, *index};
   return {};
 }
 
-Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape,
-                            const MeasureOptions& options) {
+Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape, const MeasureOptions& options,
+                            std::vector<const Series*>& used) {
   const auto found = findFrame(all, *shape.frame);
   if (!found)
     return Error{"No picture here has the instance " + JsonFields::quoted(shape.frame->instance) +
                  " and a frame " + std::to_string(shape.frame->number) + "."};
+  used.push_back(found->series);
   Result<Frame> frame = loadFrame(*found->series, found->index);
   if (!frame) return frame.error();
   const Result<ShownFramePtr> shown =
@@ -129,17 +140,23 @@ int run(const MeasureOptions& options, const CancelToken& cancel) {
   if (!scale) return fail(scale.message());
   if (opened) all["series"] = opened->series.id;
   if (!scale->why.empty()) all["noSuv"] = scale->why;
+  std::vector<const Series*> used;
   for (const Shape& shape : *shapes) {
     const Result<Measured> measured =
-        shape.frame ? measuredOn(sources->frames, shape, options)
+        shape.frame ? measuredOn(sources->frames, shape, options, used)
                     : scaled(measure(shape, *opened->loaded.drawn, scale->unit, cancel), scale->factor);
     if (cancel.cancelled()) return fail({}, cancel);
     numbers.push_back(jsonOf(shape, measured, scale->factor));
   }
+  const std::vector<Unread> unread = unreadOf(opened, used);
+  if (Status whole = checkLosses(options.path, unread); !whole) return fail(whole.message());
   if (opened) noteOf(*opened, *scale);
+  if (!opened) printNotes(unreadSentences(used));
   all["measurements"] = std::move(numbers);
-  std::cout << all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
-  return exitDone;
+  if (opened) all["warnings"] = sentences(opened->loaded.warnings);
+  all["unread"] = unreadJson(unread);
+  std::cout << jsonText(all);
+  return unread.empty() ? exitDone : exitLosses;
 }
 
 }  // namespace

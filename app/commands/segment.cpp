@@ -54,20 +54,22 @@ void printText(const LabelStatistics& s, const std::string& unit, const std::str
   std::cout << "file: " << printable(output) << '\n';
 }
 
-void printJson(const LabelStatistics& s, const Series& series, const ValueRange& range,
+void printJson(const LabelStatistics& s, const Opened& opened, const ValueRange& range,
                const std::string& output) {
   const auto known = [](bool is, double value) { return is ? nlohmann::ordered_json(value) : nullptr; };
   const nlohmann::ordered_json all{
-      {"series", series.id},
+      {"series", opened.series.id},
       {"range", {known(std::isfinite(range.low), range.low), known(std::isfinite(range.high), range.high)}},
       {"voxels", s.voxels},
       {"millilitres", known(s.millilitres.has_value(), s.millilitres.value_or(0))},
       {"mean", known(s.voxels, s.mean)},
       {"min", known(s.voxels, s.min)},
       {"max", known(s.voxels, s.max)},
-      {"unit", series.unit},
-      {"file", output}};
-  std::cout << all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+      {"unit", opened.series.unit},
+      {"file", output},
+      {"warnings", sentences(opened.loaded.warnings)},
+      {"unread", unreadJson(opened.loaded.unread)}};
+  std::cout << jsonText(all);
 }
 
 void addNotes(std::vector<std::string>& notes, const Opened& opened, const LabelStatistics& s,
@@ -101,10 +103,10 @@ int run(const SegmentOptions& options, const CancelToken& cancel) {
   addNotes(opened->notes, *opened, statistics, options.range);
   printNotes(opened->notes);
   if (options.json)
-    printJson(statistics, opened->series, *range, options.output);
+    printJson(statistics, *opened, *range, options.output);
   else
     printText(statistics, opened->series.unit, options.output);
-  return exitDone;
+  return opened->status();
 }
 
 }  // namespace

@@ -115,10 +115,12 @@ std::string instanceId(const FileHeader& file);
 /// What a file turned out to be.
 struct Inspection {
   enum class Kind { notDicom, noPicture, refused, picture } kind = Kind::notDicom;
-  std::string text;                                     ///< noPicture: what it is; refused: why, a sentence
-  FileHeader header;                                    ///< picture
-  std::optional<Reference> reference;                   ///< noPicture that refers to pictures
+  std::string text;                    ///< noPicture: what it is; refused: why, a sentence
+  FileHeader header;                   ///< picture; of others its identity and class, where known
+  std::optional<Reference> reference;  ///< noPicture that refers to pictures
   std::optional<std::vector<std::string>> listed = {};  ///< the files that a DICOMDIR names
+  std::optional<glm::dvec3> position = {};              ///< not picture: ImagePositionPatient, mm
+  bool again = false;                                   ///< refused, as Refused has it
 };
 
 /// Reads a file up to its pixel data and says what it is. Never trusts it: this is the first of the two

@@ -12,6 +12,7 @@
 #include "io/dicom/parallel.h"
 #include "io/dicom/resample.h"
 #include "io/dicom/series.h"
+#include "io/dicom/unread.h"
 #include "io/regular_file.h"
 #include "viewer/volume/buffer.h"
 
@@ -26,6 +27,7 @@ struct Incoming {
   std::string failure;  ///< why it is missing; empty: it is there
   std::string note;
   bool inexact = false, doesNotFit = false;
+  bool again = false;  ///< as Refused has it
 };
 
 /// The files of a series, each inspected once.
@@ -42,6 +44,8 @@ class Files {
     const Inspection& i = inspections_[index_.at(path)];
     Incoming in;
     in.placed.path = path;
+    in.again = i.again;
+    in.placed.slice.position = i.position;
     if (i.kind != Inspection::Kind::picture)
       in.failure = i.text.empty() ? "it is no DICOM picture any more." : i.text;
     else if (!i.header.notVolume.empty())
@@ -188,11 +192,19 @@ class SliceDecoder {
   std::size_t sliceVoxels_ = 0;
 };
 
-/// Names the slices that failed and takes those away that never came to decoding.
-void reportFailures(const std::vector<Incoming>& slices, std::vector<Warning>& warnings) {
+/// Adds the slices that failed.
+void addFailures(const std::vector<Incoming>& slices, std::vector<Unread>& unread) {
   for (const Incoming& in : slices)
     if (!in.failure.empty())
-      warnings.push_back("Slice " + fileName(in.placed.path) + " is left out: " + in.failure);
+      unread.push_back({{in.placed.path, in.failure, in.again}, false, in.placed.slice.position});
+}
+
+/// What was said of where slices lie when all of them seemed to be there.
+void forgetLayout(std::vector<Warning>& warnings) {
+  std::erase_if(warnings, [](const Warning& w) {
+    return w.kind == WarningKind::missingSlices || w.kind == WarningKind::unevenSlices ||
+           w.kind == WarningKind::sheared || w.kind == WarningKind::offLine || w.kind == WarningKind::unread;
+  });
 }
 
 /// One sentence for each kind of note.
@@ -257,10 +269,11 @@ std::vector<SliceOrigin> originsOf(const std::vector<Incoming>& slices, const St
 }
 
 Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slices, SliceDecoder& decoder,
-                        const ValuePlan& plan, std::vector<Warning> warnings) {
+                        const ValuePlan& plan, std::vector<Warning> warnings, std::vector<Unread> unread) {
   const PixelFormat& format = slices[0].file->format;
   const Slice& first = slices[0].placed.slice;
-  const Stack stack = layOut(placedOf(slices), format.columns, format.rows);
+  Stack stack = layOut(placedOf(slices), format.columns, format.rows);
+  warnOfUnread(unread, stack.regular, stack.warnings);
   for (const Warning& warning : stack.warnings)
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
   VolumeParts parts;
@@ -274,12 +287,12 @@ Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slice
   const auto acquired = Volume::make(std::move(parts), changed);
   if (!acquired) return Error{series.path + ": " + acquired.message()};
   addSentences(warnings, changed);
-  if (!stack.regular) return Loaded{*acquired, *acquired, warnings, originsOf(slices, stack)};
+  if (!stack.regular) return Loaded{*acquired, *acquired, warnings, unread, originsOf(slices, stack)};
   drawn.geometry = stack.regular->geometry;
   std::vector<std::string> repeated;  // what was said of the acquired slices holds for these
   const auto regular = Volume::make(std::move(drawn), repeated);
   if (!regular) return Error{series.path + ": " + regular.message()};
-  return Loaded{*acquired, *regular, warnings, originsOf(slices, stack)};
+  return Loaded{*acquired, *regular, warnings, unread, originsOf(slices, stack)};
 }
 
 Result<Loaded> load(const Series& series, const Progress& progress, const CancelToken& cancel) {
@@ -291,7 +304,8 @@ Result<Loaded> load(const Series& series, const Progress& progress, const Cancel
     slices.back().number = int(n);
   }
   std::vector<Warning> warnings = series.warnings;
-  reportFailures(slices, warnings);
+  std::vector<Unread> unread = series.unread;
+  addFailures(slices, unread);
   const std::string reason = slices[0].failure;
   std::erase_if(slices, [](const Incoming& in) { return !in.failure.empty(); });
   if (cancel.cancelled()) return Error{series.path + ": interrupted."};
@@ -307,12 +321,13 @@ Result<Loaded> load(const Series& series, const Progress& progress, const Cancel
     decoder.run(plan);
   }
   if (cancel.cancelled()) return Error{series.path + ": interrupted."};
-  reportFailures(slices, warnings);
+  addFailures(slices, unread);
+  if (unread.size() != series.unread.size()) forgetLayout(warnings);
   const Incoming firstSlice = slices[0];
   decoder.compact();
   if (slices.empty()) return Error{firstSlice.placed.path + ": " + firstSlice.failure};
   reportNotes(slices, warnings);
-  return assemble(series, slices, decoder, plan, std::move(warnings));
+  return assemble(series, slices, decoder, plan, std::move(warnings), std::move(unread));
 }
 
 }  // namespace

@@ -5,12 +5,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <glm/geometric.hpp>
 
 #include "io/export/dicom_slice.h"
+#include "io/files/aside.h"
 #include "io/files/output_file.h"
 
 namespace volumen {
@@ -63,8 +67,11 @@ Status writeSlice(const DicomSliceWriter& writer, int k, const StoredSlice& pixe
   char name[32];
   std::snprintf(name, sizeof name, "slice-%05d.dcm", k + 1);
   const std::string path = (folder / name).string();
+  errno = 0;
   if (done.good()) done = file.saveFile(OFFilename(path.c_str()), EXS_LittleEndianExplicit);
-  if (done.bad()) return Error{"Cannot write " + path + ": " + done.text() + "."};
+  if (done.bad())
+    return Error{"Cannot write " + std::string(name) +
+                 " of the series: " + (errno ? std::strerror(errno) : done.text()) + "."};
   return {};
 }
 
@@ -106,6 +113,23 @@ fs::path targetOf(const std::string& folder) {
 fs::path parentOf(const fs::path& target) {
   return target.has_parent_path() ? target.parent_path() : fs::path(".");
 }
+
+// As long as this lives nobody takes the folder for one that was left behind.
+class Claimed {
+ public:
+  explicit Claimed(const std::string& folder)
+      : fd_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    claimAside(fd_);
+  }
+  ~Claimed() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Claimed(const Claimed&) = delete;
+  Claimed& operator=(const Claimed&) = delete;
+
+ private:
+  int fd_;
+};
 
 bool isEmptyOrMissing(const fs::path& folder) {
   std::error_code error;
@@ -162,16 +186,16 @@ Result<std::vector<std::string>> writeDicomSeries(const Volume& volume, const Di
   if (Status s = checkRepresentable(volume); !s) return s.error();
   if (Status s = checkDicomFolder(folder); !s) return s.error();
   const fs::path target = targetOf(folder), parent = parentOf(target);
-  fs::path aside = parent / ".";
-  aside += target.filename();
-  aside += std::to_string(getpid());
-  std::error_code error;
-  if (!fs::create_directory(aside, error))
-    return Error{"Cannot make the folder " + folder + ": " +
-                 (error ? error.message() : aside.string() + " is in the way") + "."};
+  sweepAside(parent.string());
+  std::string aside = (parent / asideName).string();
+  if (!::mkdtemp(aside.data()))
+    return Error{"Cannot make the folder " + folder + ": " + std::strerror(errno) + "."};
+  const Claimed claimed(aside);
   const DicomSliceWriter writer(volume, tags);
   Result<double> largestError = writeSlices(volume, writer, aside, progress, cancel);
+  std::error_code error;
   if (largestError) {
+    fs::permissions(aside, fs::perms(0777 & ~rightsKept()), error);
     fs::rename(aside, target, error);
     if (error) largestError = Error{"Cannot make the folder " + folder + ": " + error.message() + "."};
   }

@@ -1,5 +1,6 @@
 #include "io/files/picture_file.h"
 
+#include <QBuffer>
 #include <QImage>
 #include <QImageWriter>
 
@@ -14,14 +15,17 @@ namespace {
 constexpr int jpegQuality = 95;
 
 Status writeAs(const char* format, const QImage& image, const std::string& path, const PictureText& text) {
-  auto out = OutputFile::create(path);
-  if (!out) return out.error();
-  QImageWriter writer(&out->device(), format);
+  QBuffer bytes;
+  bytes.open(QIODevice::WriteOnly);
+  QImageWriter writer(&bytes, format);
   if (qstrcmp(format, "jpeg") == 0) writer.setQuality(jpegQuality);
   for (const auto& [key, value] : text)
     writer.setText(QString::fromStdString(key), QString::fromStdString(value));
   if (!writer.write(image))
     return Error{"Cannot write " + path + ": " + writer.errorString().toStdString() + "."};
+  auto out = OutputFile::create(path);
+  if (!out) return out.error();
+  if (Status s = out->write(bytes.data().constData(), std::size_t(bytes.data().size())); !s) return s;
   return out->commit();
 }
 

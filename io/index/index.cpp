@@ -116,10 +116,10 @@ Result<Index> Index::open(const std::string& folder) {
 const std::string& Index::notice() const { return p_->notice; }
 
 Result<ImportReport> Index::import(const std::vector<std::string>& paths, const Progress& progress,
-                                   const CancelToken& cancel) {
+                                   const CancelToken& cancel, bool again) {
   const Result<std::vector<ImportRoot>> roots = rootsOf(paths);
   if (!roots) return roots.error();
-  return Import(*p_->db, progress, cancel).run(*roots);
+  return Import(*p_->db, progress, cancel, again).run(*roots);
 }
 
 Result<ImportReport> Index::importCopies(const std::vector<std::string>& paths,
@@ -134,7 +134,7 @@ Result<ImportReport> Index::importCopies(const std::vector<std::string>& paths,
   for (const std::string& file : copies.files) folders.insert(file.substr(0, file.find_last_of('/')));
   const Result<std::vector<ImportRoot>> copied = rootsOf({folders.begin(), folders.end()});
   if (!copied) return copied.error();
-  Result<ImportReport> report = Import(*p_->db, progress, cancel).run(*copied);
+  Result<ImportReport> report = Import(*p_->db, progress, cancel, false).run(*copied);
   if (!copies.status) return copies.status.error();
   if (!report) return report;
   report->refused.insert(report->refused.end(), copies.refused.begin(), copies.refused.end());

@@ -52,7 +52,9 @@ inline void fields(Wire& w, dicom::FileHeader& h) {
 
 inline void fields(Wire& w, dicom::Inspection& i) {
   w(i.kind, i.text, i.reference, i.listed);
-  if (i.kind == dicom::Inspection::Kind::picture) w(i.header);
+  if (i.kind == dicom::Inspection::Kind::picture) return w(i.header);
+  fields(w, static_cast<SeriesIdentity&>(i.header));
+  w(i.header.sopClassUid, i.position);
 }
 
 inline void fields(Wire& w, dicom::DecodedFrame& f) { w(f.samples, f.note, f.ybr); }
