@@ -2,6 +2,7 @@
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -286,9 +286,9 @@ std::vector<DicomSourceFile> readEach(const std::vector<std::string>& paths) {
   return all;
 }
 
-DicomSourceFile refused(const std::string& reason) {
+DicomSourceFile refused(worker::Failure why) {
   DicomSourceFile file;
-  file.problem = reason + ".";
+  file.problem = std::string(worker::reasonOf(why)) + ".";
   return file;
 }
 
