@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "viewer/volume/cancel.h"
@@ -9,7 +10,7 @@
 namespace volumen {
 
 /// Exit statuses of the program (design.md 4).
-enum ExitStatus { exitDone = 0, exitFailed = 1, exitUsage = 2 };
+enum ExitStatus { exitDone = 0, exitFailed = 1, exitUsage = 2, exitLosses = 3 };
 
 /// One command: adds its options to `app` and returns what runs it. `app` and what the function captured live
 /// until it has run.
@@ -38,5 +39,8 @@ int failUsage(const std::string& sentence);
 /// Text from files and folders, safe for a terminal: C0, C1, DEL and bidirectional controls become \xNN or
 /// \u{NNNN}.
 std::string printable(const std::string& utf8);
+/// A JSON value as the text that goes to stdout or a file, with its line end: what printable() escapes is
+/// \uNNNN.
+std::string jsonText(const nlohmann::ordered_json& json);
 
 }  // namespace volumen

@@ -1,6 +1,7 @@
 #include "app/index_option.h"
 
 #include <QCoreApplication>
+#include <filesystem>
 
 #include "app/command.h"
 
@@ -32,6 +33,14 @@ Result<Index> openIndex(const std::string& folder) {
   Result<Index> index = Index::open(at);
   if (index && !index->notice().empty()) fail(index->notice());
   return index;
+}
+
+Result<Index> openExistingIndex(const std::string& folder) {
+  std::error_code ignored;
+  if (!folder.empty() && !std::filesystem::exists(folder + "/index.sqlite", ignored))
+    return Error{"There is no index in " + folder + ": `volumen import PATH --index " + folder +
+                 "` makes one."};
+  return openIndex(folder);
 }
 
 std::string copiesFolder(const std::string& indexFolder) { return folderOr(indexFolder) + "/studies"; }

@@ -59,7 +59,16 @@ void addSeries(std::ostream& out, std::size_t n, const std::vector<InfoSeries>& 
   out << "    " << n + 1 << "  " << nameLine(s, all) << '\n' << indent << gridText(s) << '\n';
   if (json.contains("min"))
     out << indent << "values " << numberText(json["min"], 7) << " to " << numberText(json["max"], 7)
-        << ", mean " << numberText(json["mean"], 7) << '\n';
+        << (s.unit.empty() ? "" : ' ' + printable(s.unit)) << ", mean " << numberText(json["mean"], 7)
+        << '\n';
+  if (const ValueScale scale = valueScale(s, PetUnit::suvBodyWeight); s.modality == "PT") {
+    out << indent << "unit " << printable(s.unit.empty() ? "not known" : s.unit);
+    if (!scale.why.empty())
+      out << " (" << printable(scale.why) << ")";
+    else if (s.suv.bodyWeight)
+      out << ", times " << numberText(scale.factor, 6) << " " << scale.unit;
+    out << '\n';
+  }
   if (verbose)
     out << indent << "id " << printable(s.id) << '\n'
         << indent << "in " << printable(lastingPath(s.path)) << '\n';

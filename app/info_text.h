@@ -12,6 +12,7 @@ namespace volumen {
 struct InfoSeries {
   const Series* series;
   nlohmann::ordered_json json;
+  std::vector<Unread> unread = {};  ///< what is lost of it
 };
 
 /// What PATH holds in the words of the window: patients, studies, series with their warnings, and what could

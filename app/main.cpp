@@ -1,14 +1,20 @@
+#include <fcntl.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 
 #include "app/command.h"
 #include "app/list_presets.h"
+#include "app/open_volume.h"
+#include "app/startable_threads.h"
 #include "app/usage.h"
 #include "io/frame_limit.h"
 #include "io/worker/worker.h"
@@ -25,34 +31,51 @@ void onInterrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
+// What is written to stdout arrives, or it is said: a script must not take half of it for all.
+int flushOutput(int status) {
+  const bool flushed = std::cout.flush() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (flushed) return status;
+  constexpr int reasons[] = {ENOSPC, EDQUOT, EFBIG, EIO, EBADF};
+  const bool known = std::ranges::find(reasons, errno) != std::end(reasons);
+  return volumen::fail("Not all of the output could be written" +
+                       (known ? std::string(": ") + std::strerror(errno) + "." : std::string(".")));
+}
+
 // Ends as the signal would have ended it, once everything is cleaned up: a shell then ends its loop, too.
 int endBySignal(int status) {
   if (!caught) return status;
-  std::cout.flush();
-  std::fflush(nullptr);
+  volumen::worker::stop();
   std::raise(caught);
   return status;
+}
+
+// Whatever is opened first would else pass for what was closed: files for output, sockets for input.
+void openStandardDescriptors() {
+  int fd = open("/dev/null", O_RDWR);
+  while (fd >= 0 && fd <= 2) fd = open("/dev/null", O_RDWR);
+  if (fd > 2) close(fd);
 }
 
 struct Entry {
   const char* name;
   const char* text;
   volumen::MakeCommand make;
+  bool readsSeries = false;
 };
 
 constexpr Entry commands[] = {
     {"open", "Open the window", volumen::makeOpen},
-    {"render", "Render a picture without a window", volumen::makeRender},
-    {"slice", "Draw a plane through a volume, or a slab", volumen::makeSlice},
-    {"info", "List patients, studies and series, with geometry and warnings", volumen::makeInfo},
+    {"render", "Render a picture without a window", volumen::makeRender, true},
+    {"slice", "Draw a plane through a volume, or a slab", volumen::makeSlice, true},
+    {"info", "List patients, studies and series, with geometry and warnings", volumen::makeInfo, true},
     {"import", "Read studies into the index", volumen::makeImport},
     {"list", "List the studies of the index", volumen::makeList},
     {"forget", "Take studies out of the index; their files stay", volumen::makeForget},
-    {"convert", "Write a series as .nrrd, .nii.gz, .mha or DICOM", volumen::makeConvert},
-    {"segment", "Segment a value range (writes .seg.nrrd)", volumen::makeSegment},
-    {"measure", "Measure lengths, angles, regions and volumes", volumen::makeMeasure},
-    {"accuracy", "Measure what every setting costs in time and accuracy", volumen::makeAccuracy},
-    {"bench", "Measure how fast a scene is drawn from all around", volumen::makeBench},
+    {"convert", "Write a series as .nrrd, .nii.gz, .mha or DICOM", volumen::makeConvert, true},
+    {"segment", "Segment a value range (writes .seg.nrrd)", volumen::makeSegment, true},
+    {"measure", "Measure lengths, angles, regions and volumes", volumen::makeMeasure, true},
+    {"accuracy", "Measure what every setting costs in time and accuracy", volumen::makeAccuracy, true},
+    {"bench", "Measure how fast a scene is drawn from all around", volumen::makeBench, true},
 };
 
 // ITK takes its threads and even libraries to load from the environment: not from ours.
@@ -64,8 +87,8 @@ void forgetForeignSettings() {
 
 bool isPath(const std::string& word) {
   std::error_code ignored;
-  return word.empty() || word.starts_with("phantom:") || word.find_first_of("/.") != std::string::npos ||
-         std::filesystem::exists(word, ignored);
+  return word.empty() || word.starts_with("phantom:") || word.starts_with("index:") ||
+         word.find_first_of("/.") != std::string::npos || std::filesystem::exists(word, ignored);
 }
 
 bool isCommand(const std::string& word) {
@@ -81,14 +104,15 @@ int run(std::vector<std::string> words, CLI::App& app, std::function<int()>& com
     std::reverse(words.begin(), words.end());
     app.parse(words);
   } catch (const CLI::Success& e) {
-    return app.exit(e);
+    return flushOutput(app.exit(e));
   } catch (const CLI::ParseError& e) {
     const auto chosen = app.get_subcommands();
     const CLI::App& at = chosen.empty() ? app : *chosen.front();
     return volumen::failUsage(volumen::usageProblem(e, at) + "\nSee `volumen " +
                               (chosen.empty() ? "" : at.get_name() + " ") + "--help`.");
   }
-  return endBySignal(command());
+  volumen::keepToStartableThreads();
+  return endBySignal(flushOutput(command()));
 }
 
 // Workers that are there already would not know.
@@ -110,11 +134,14 @@ void keepFreedMemory() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  openStandardDescriptors();
   keepFreedMemory();
   volumen::worker::start();
   forgetForeignSettings();
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
+  if (std::signal(SIGHUP, onInterrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told by who writes it
   CLI::App app{
       "volumen shows CT, MR and other scans in 3D, without a GPU. Not for clinical use.\n"
       "PATH is a file, a folder or phantom:NAME[:SIZE], a volume that the program makes."};
@@ -124,6 +151,9 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "volumen " VOLUMEN_VERSION, "Show the version");
   volumen::addListPresets(app);
   volumen::addExamples(app, {"volumen scans/", "volumen render scans/ --preset CT-Bone -o bone.png"});
+  app.footer(
+      "Exit status: 0 done; 1 failed; 2 wrong usage; 3 done, but files of the series could not be read.\n\n" +
+      app.get_footer());
   std::function<int()> command;
   for (const Entry& entry : commands) {
     CLI::App* sub = app.add_subcommand(entry.name, entry.text);
@@ -135,6 +165,9 @@ int main(int argc, char** argv) {
         sub->add_option_function<double>("--largest-frame", readFramesUpTo,
                                          "Read frames of up to so many million pixels (default: 268)"),
         1, 4295);
+    if (entry.readsSeries)
+      sub->add_flag_callback("--strict", volumen::refuseLosses,
+                             "Write nothing where a file of the series cannot be read (else exit status 3)");
     sub->callback([runThis, &command] { command = runThis; });
   }
   return run({argv + 1, argv + argc}, app, command);

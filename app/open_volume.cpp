@@ -1,9 +1,11 @@
 #include "app/open_volume.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/command.h"
 #include "app/progress.h"
+#include "io/archive.h"
 #include "ui/workspace/text.h"
 #include "viewer/scene/automatic.h"
 
@@ -22,6 +24,8 @@ Error nothingToShow(const std::string& path, const Study& study) {
 
 namespace {
 
+bool strict = false;
+
 // One a line, as `info` numbers and names them.
 std::string listOf(const Study& study) {
   std::string list;
@@ -36,9 +40,34 @@ std::string listOf(const Study& study) {
 Result<Opened> load(const Series& series, const Progress& progress, const CancelToken& cancel) {
   Result<Loaded> loaded = loadSeries(series, progress, cancel);
   if (!loaded) return loaded.error();
+  if (Status whole = checkLosses(series.path, loaded->unread); !whole) return whole.error();
   Opened opened{series, std::move(*loaded), {}};
-  for (const Warning& w : opened.loaded.warnings) opened.notes.push_back(w.sentence);
+  opened.notes = sentences(opened.loaded.warnings);
   return opened;
+}
+
+// What tells a volume from the others of its series, else what the series is called.
+std::string distinction(const Series& series) {
+  std::string words;
+  for (const SplitBy& by : series.splitBy) words += (words.empty() ? "" : ", ") + by.words;
+  if (words.empty()) words = series.label;
+  return words.empty() ? seriesText(series).toStdString() : words;
+}
+
+// Which of several was chosen, where that was not said in full; else empty.
+std::string choiceNote(const std::string& path, const Study& study, const std::string& wanted,
+                       std::size_t chosen) {
+  const std::size_t volumes = volumesOfUid(study, wanted).size();
+  std::string held;
+  if (wanted.empty() && study.volumes.size() > 1)
+    held = path + " holds " + std::to_string(study.volumes.size()) + " series";
+  if (volumes > 1) held = "Series " + wanted + " holds " + std::to_string(volumes) + " volumes";
+  if (held.empty()) return {};
+  const Series& series = study.volumes[chosen];
+  return held + "; using number " + std::to_string(chosen + 1) + ", \"" +
+         (wanted.empty() ? seriesText(series).toStdString() + "\" (the largest)"
+                         : distinction(series) + '"') +
+         ". Choose another with --series.";
 }
 
 Result<Opened> open(const std::string& path, const std::string& wanted, const Progress& progress,
@@ -49,15 +78,55 @@ Result<Opened> open(const std::string& path, const std::string& wanted, const Pr
   const Result<std::size_t> chosen = chooseSeries(*study, wanted);
   if (!chosen) return Error{chosen.message() + " " + printable(path) + " holds:" + listOf(*study)};
   Result<Opened> opened = load(study->volumes[*chosen], progress, cancel);
-  if (opened && wanted.empty() && study->volumes.size() > 1)
-    opened->notes.insert(opened->notes.begin(), path + " holds " + std::to_string(study->volumes.size()) +
-                                                    " series; using number " + std::to_string(*chosen + 1) +
-                                                    ", \"" + seriesText(opened->series).toStdString() +
-                                                    "\" (the largest). Choose another with --series.");
+  if (!opened) return opened;
+  if (const std::string note = choiceNote(path, *study, wanted, *chosen); !note.empty())
+    opened->notes.insert(opened->notes.begin(), note);
   return opened;
 }
 
 }  // namespace
+
+std::vector<std::size_t> volumesOfUid(const Study& study, const std::string& series) {
+  std::vector<std::size_t> volumes;
+  for (std::size_t n = 0; n < study.volumes.size(); ++n) {
+    if (!series.empty() && study.volumes[n].id == series) return {};
+    if (!series.empty() && study.volumes[n].seriesUid == series) volumes.push_back(n);
+  }
+  return volumes.size() > 1 ? volumes : std::vector<std::size_t>();
+}
+
+int Opened::status() const { return loaded.unread.empty() ? exitDone : exitLosses; }
+
+void refuseLosses() { strict = true; }
+
+Status checkLosses(const std::string& what, const std::vector<Unread>& unread) {
+  if (!strict || unread.empty()) return {};
+  std::string list;
+  for (const Unread& file : unread) list += "\n  " + printable(lastingPath(file.path)) + ": " + file.reason;
+  return Error{"Nothing was written (--strict): of " + what + " could not be read:" + list};
+}
+
+std::vector<std::string> sentences(const std::vector<Warning>& warnings) {
+  std::vector<std::string> all;
+  for (const Warning& w : warnings) all.push_back(w.sentence);
+  return all;
+}
+
+std::vector<std::string> unreadSentences(const std::vector<const Series*>& all) {
+  std::vector<std::string> said;
+  for (const Series* series : all)
+    for (const Warning& w : series->warnings)
+      if (w.kind == WarningKind::unread && std::ranges::find(said, w.sentence) == said.end())
+        said.push_back(w.sentence);
+  return said;
+}
+
+nlohmann::ordered_json unreadJson(const std::vector<Unread>& unread) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Unread& file : unread)
+    list.push_back({{"path", lastingPath(file.path)}, {"reason", file.reason}, {"beside", file.beside}});
+  return list;
+}
 
 Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel) {
   auto opened = open(path, series, terminalProgress(), cancel);
@@ -81,6 +150,14 @@ Status takeAway(const Mask& mask, Opened& opened, const CancelToken& cancel) {
   if (opened.loaded.acquired == opened.loaded.drawn) opened.loaded.acquired = *without;
   opened.loaded.drawn = *without;
   return {};
+}
+
+void noteKeptTilt(Opened& opened) {
+  for (const Warning& warning : opened.loaded.warnings) {
+    if (warning.kind != WarningKind::sheared) continue;
+    const std::string tilt = warning.sentence.substr(0, warning.sentence.find(','));
+    std::ranges::replace(opened.notes, warning.sentence, tilt + ", kept in the file.");
+  }
 }
 
 void printNotes(const std::vector<std::string>& notes) {

@@ -1,5 +1,6 @@
 #include "app/report_files.h"
 
+#include <QBuffer>
 #include <QDate>
 #include <QGuiApplication>
 #include <filesystem>
@@ -56,10 +57,10 @@ Status writeReport(const std::string& folder, const char* name, const std::strin
 }
 
 Status writeReport(const std::string& folder, const char* name, const QImage& picture) {
-  return writeWhole(folder, name, [&](OutputFile& file) -> Status {
-    if (picture.save(&file.device(), "PNG")) return {};
-    return Error{"Cannot write " + folder + "/" + name + "."};
-  });
+  QBuffer bytes;
+  bytes.open(QIODevice::WriteOnly);
+  if (!picture.save(&bytes, "PNG")) return Error{"Cannot write " + folder + "/" + name + "."};
+  return writeReport(folder, name, bytes.data().toStdString());
 }
 
 StudyTitle titleOf(const std::string& volume, const std::string& scene) {

@@ -40,9 +40,9 @@ std::vector<LookedAt> lookAtEach(const std::vector<std::string>& paths) {
   return all;
 }
 
-LookedAt refuse(const std::string& reason) {
+LookedAt refuse(worker::Failure why) {
   LookedAt looked;
-  looked.dicom = dicom::refusal(reason);
+  looked.dicom = dicom::refusal(why);
   return looked;
 }
 
@@ -68,7 +68,7 @@ std::vector<LookedAt> lookAtFiles(const std::vector<std::string>& paths, const P
     dicom::checkInspection(paths[n], all[n].dicom);
     const bool consistent = std::ranges::all_of(
         all[n].volumes, [&](const Series& series) { return isConsistent(series, paths[n]); });
-    if (!consistent) all[n] = refuse(worker::reasonOf(worker::Failure::wrong));
+    if (!consistent) all[n] = refuse(worker::Failure::wrong);
   }
   return all;
 }

@@ -12,13 +12,32 @@
 
 namespace volumen {
 
+namespace {
+
+bool isFull(int error) { return error == EMFILE || error == ENFILE; }
+
+/// Other threads may soon be done with theirs.
+int openWhenThereIsRoom(const std::string& path) {
+  constexpr int patienceMs = 2000, lookMs = 5;
+  int fd = -1;
+  for (int ms = 0; ms < patienceMs; ms += lookMs) {
+    fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (fd >= 0 || !isFull(errno)) break;
+    ::usleep(1000 * lookMs);
+  }
+  return fd;
+}
+
+}  // namespace
+
 Result<RegularFile> RegularFile::open(const std::string& path) {
   if (worker::inside()) {
     Result<worker::OpenedFile> opened = worker::openInside(path);
     if (!opened) return opened.error();
     return RegularFile(opened->file.release(), opened->size);
   }
-  const int fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+  const int fd = openWhenThereIsRoom(path);
+  if (fd < 0 && isFull(errno)) return Error{tooManyOpen};
   if (fd < 0) return Error{errno == ENOENT ? "no such file" : std::strerror(errno)};
   RegularFile file(fd, 0);
   struct stat status {};

@@ -10,6 +10,9 @@
 
 namespace volumen {
 
+/// Why RegularFile::open() opens nothing where this process, or the system, has no descriptor left.
+inline constexpr const char* tooManyOpen = "too many files are open at once: allow more (ulimit -n)";
+
 /// An open regular file that is read at given places. Errors give the reason alone: who opened it names it.
 class RegularFile {
  public:

@@ -15,6 +15,7 @@
 #include "io/files/image_pair.h"
 #include "io/files/sample_cache.h"
 #include "io/files/session_file.h"
+#include "io/index/index_path.h"
 #include "io/look.h"
 #include "io/walk.h"
 #include "viewer/phantoms/phantoms.h"
@@ -66,12 +67,10 @@ auto orderKey(const SeriesIdentity& s) {
                          numberOf(s.seriesNumber));
 }
 
-/// ... position.
+/// ... and within a series as its reader has them: by position, then by what tells them apart.
 void sortVolumes(std::vector<Series>& volumes) {
   const auto key = [](const Series& s) {
-    const glm::dvec3 o = s.acquired.origin;
-    return std::make_tuple(orderKey(s), s.seriesUid.empty() ? s.path : s.seriesUid, o.z, o.y, o.x,
-                           s.id.size(), std::tie(s.id));  // "#2" before "#10"
+    return std::make_tuple(orderKey(s), s.seriesUid.empty() ? s.path : s.seriesUid);
   };
   std::stable_sort(volumes.begin(), volumes.end(),
                    [&](const Series& a, const Series& b) { return key(a) < key(b); });
@@ -119,11 +118,20 @@ Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
   if (!place) return place.error();
   const bool listed = dicom::isDirectoryFile(place->path);
   Result<FoundFiles> found = findFiles(listed ? folderOf(place->path) : place->path, cancel,
-                                       listed || place->unpacked ? Links::inside : Links::all);
+                                       listed || place->unpacked ? Links::inside : Links::files);
   if (!found) return found;
   if (found->files == std::vector{place->path})
     if (const auto header = headerOfPair(place->path)) found->files.push_back(*header);
   for (const auto& [name, reason] : place->leftOut) found->unreadable.emplace_back(path + "/" + name, reason);
+  return found;
+}
+
+/// Those that the index knows of a study or series.
+Result<FoundFiles> indexedFiles(const std::string& path) {
+  Result<std::vector<std::string>> files = filesOfIndexPath(path);
+  if (!files) return files.error();
+  FoundFiles found;
+  found.files = std::move(*files);
   return found;
 }
 
@@ -157,7 +165,7 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
   if (isPhantom(path)) return openPhantom(path);
   if (isSessionFile(path))
     return Error{path + " is a session, not a volume: `volumen open` and `volumen render` take it."};
-  const Result<FoundFiles> found = filesOf(path, cancel);
+  const Result<FoundFiles> found = isIndexPath(path) ? indexedFiles(path) : filesOf(path, cancel);
   if (!found) return found.error();
   Result<Study> study = openFiles(found->files, progress, cancel);
   if (!study) return Error{path + ": interrupted."};
@@ -203,6 +211,10 @@ Result<Loaded> loadSeries(const Series& series, const Progress& progress, const 
     return Loaded{*volume, *volume, {}};
   }
   return loadImageFile(series, progress, cancel);
+}
+
+int Loaded::interpolatedSlices() const {
+  return int(std::ranges::count_if(origins, &SliceOrigin::isInterpolated));
 }
 
 Result<std::size_t> chooseSeries(const Study& study, const std::string& text) {

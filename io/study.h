@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/suv.h"
 #include "io/warning.h"
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/volume.h"
@@ -45,6 +46,20 @@ struct SplitBy {
   bool operator==(const SplitBy&) const = default;
 };
 
+/// A file that could not be read; the reason stands behind its name: "F: compressed with bzip2, ...".
+struct Refused {
+  std::string path, reason;
+  bool again = false;  ///< what failed was the machine, not the file: it is worth another try
+  bool operator==(const Refused&) const = default;
+};
+
+/// A file of a series that could not be read, or one beside its files that does not say whose it is.
+struct Unread : Refused {
+  bool beside = false;                 ///< its header could not be read: it may be of another series
+  std::optional<glm::dvec3> position;  ///< of its slice, mm (LPS); empty: not known
+  bool operator==(const Unread&) const = default;
+};
+
 /// One volume that was found, or pictures that are none: plain values that the rest of the program sees, and
 /// how to load it.
 struct Series : SeriesIdentity {
@@ -52,6 +67,7 @@ struct Series : SeriesIdentity {
   std::string path;       ///< the file, or the folder that holds the files
   std::string format;     ///< "DICOM", "phantom" or that of the file: "NRRD", "NIfTI", "MetaImage", ...
   std::string unit;       ///< of the values: "HU", "Bq/ml", "SUV"; empty where they have none
+  SuvFactors suv;         ///< of PET
   std::string time;       ///< of day, as DICOM writes it: of the acquisition, else of the series
   std::string echoTime;   ///< ms, as in the file; empty where it is not given
   std::string bValue;     ///< diffusion weight, s/mm^2, as in the file; empty where it is not given
@@ -79,6 +95,7 @@ struct Series : SeriesIdentity {
   std::vector<std::string> files;  ///< every file it is made of, in slice order (one file for NRRD etc.)
   std::vector<int> frames;         ///< DICOM: the frame (from 0) of each of `files` that is the slice
   std::vector<std::string> sopInstanceUids;  ///< DICOM: of each of `files`
+  std::vector<Unread> unread;                ///< DICOM: what is lost of it; also told in `warnings`
 
   std::string notVolume;  ///< why these are only frames: a sentence; empty: it is a volume
   Cine cine;              ///< of frames
@@ -129,11 +146,6 @@ struct Reference : SeriesIdentity {
   std::size_t notHere = 0;                  ///< how many of `pictures` the study does not hold
 };
 
-/// A file that could not be read; the reason stands behind its name: "F: compressed with bzip2, ...".
-struct Refused {
-  std::string path, reason;
-};
-
 /// Valid, but no volume: SR, RT, DICOMDIR, a text file. What refers to pictures is in Study::references, too.
 struct Other {
   std::string path, kind;
@@ -153,10 +165,11 @@ struct Study {
 /// thread.
 using Progress = std::function<void(const char* what, std::size_t done, std::size_t total)>;
 
-/// What is under `path`: a file, a folder (nested; links followed, each file once), a DICOMDIR (all below its
-/// folder; no links out of it), a zip archive (unpacked until the program ends) or what is in one
-/// ("a.zip/CT"), or "phantom:NAME[:SIZE]". Reads headers only. An Error where there is no such path; what
-/// cannot be loaded is in `refused` with its reason.
+/// What is under `path`: a file, a folder (nested; links followed, to folders only below it, each file once),
+/// a DICOMDIR (all below its folder; no links out of it), a zip archive (unpacked until the program ends) or
+/// what is in one ("a.zip/CT"), "index:STUDY[/SERIES]" (io/index/index_path.h), or "phantom:NAME[:SIZE]".
+/// Reads headers only. An Error where there is no such path; what cannot be loaded is in `refused` with its
+/// reason.
 Result<Study> openStudy(const std::string& path, const Progress& progress = {},
                         const CancelToken& cancel = {});
 
@@ -169,11 +182,23 @@ Result<Study> openFolders(const std::string& path, const std::vector<std::string
 Result<Study> openFiles(const std::vector<std::string>& files, const Progress& progress = {},
                         const CancelToken& cancel = {});
 
+/// What a drawn slice of a DICOM series was made of: entries of Series::files. Two that differ: it lies
+/// between them and is interpolated.
+struct SliceOrigin {
+  int below = 0, above = 0;
+  bool isInterpolated() const { return below != above; }
+};
+
 /// A loaded series. `acquired` holds the slices as acquired (what `info --values` describes); `drawn` the
 /// regular grid (the same pointer where they do not differ). `warnings`: the series' and those of loading.
 struct Loaded {
   VolumePtr acquired, drawn;
   std::vector<Warning> warnings;
+  std::vector<Unread> unread = {};        ///< the series' and those of loading
+  std::vector<SliceOrigin> origins = {};  ///< DICOM: of each drawn slice
+
+  /// How many slices of `drawn` are not as acquired.
+  int interpolatedSlices() const;
 };
 
 /// Reads and decodes a series. An Error names the file and why.

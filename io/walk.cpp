@@ -20,6 +20,12 @@ class Visited {
   std::set<std::pair<dev_t, ino_t>> seen_;
 };
 
+/// What is neither a file nor a folder.
+const char* kindOf(const struct stat& s) {
+  if (S_ISFIFO(s.st_mode)) return "a pipe";
+  return S_ISSOCK(s.st_mode) ? "a socket" : "a device";
+}
+
 /// The entries of a folder, sorted by name.
 std::vector<std::string> entries(const std::string& folder, std::error_code& error) {
   std::vector<std::string> paths;
@@ -30,10 +36,11 @@ std::vector<std::string> entries(const std::string& folder, std::error_code& err
   return paths;
 }
 
-/// Whether `path` is a link that leads out of `root`, which is canonical.
-bool leadsOut(const std::string& path, const std::filesystem::path& root) {
+/// Whether `path` is a link that leads out of `root`, which is canonical; `links`: which of them count.
+bool leadsOut(const std::string& path, const std::filesystem::path& root, Links links) {
   std::error_code error;
   if (!std::filesystem::is_symlink(path, error)) return false;
+  if (links == Links::files && !std::filesystem::is_directory(path, error)) return false;
   const std::filesystem::path target = std::filesystem::canonical(path, error);
   return error || std::mismatch(root.begin(), root.end(), target.begin(), target.end()).first != root.end();
 }
@@ -45,6 +52,8 @@ Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel,
   if (::stat(path.c_str(), &status) != 0)
     return Error{"Cannot open " + path + ": " +
                  (errno == ENOENT ? "no such file or folder" : std::strerror(errno)) + "."};
+  if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))
+    return Error{path + " is " + kindOf(status) + ": name a file or a folder."};
   FoundFiles found;
   Visited visited;
   std::error_code unknown;
@@ -53,7 +62,7 @@ Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel,
   while (!open.empty() && !cancel.cancelled()) {
     const std::string at = std::move(open.back());
     open.pop_back();
-    if (links == Links::inside && at != path && leadsOut(at, root)) {
+    if (at != path && leadsOut(at, root, links)) {
       found.unreadable.emplace_back(at, "is a link out of the folder and is not followed");
     } else if (::stat(at.c_str(), &status) != 0) {
       found.unreadable.emplace_back(at, std::strerror(errno));

@@ -16,13 +16,14 @@ struct FoundFiles {
   std::vector<std::pair<std::string, std::string>> unreadable;  ///< path, reason
 };
 
-/// Which symbolic links a search follows.
-enum class Links { all, inside };  ///< inside: those that stay below its path
+/// Which symbolic links that lead out of its path a search follows.
+enum class Links { files, inside };  ///< files: those to files; inside: none
 
-/// Finds all regular files under `path` (itself, where it is one). Symbolic links are followed as `links`
-/// says, loops end (each folder and file once, by device and inode); FIFOs, sockets and devices are left out.
-/// An Error where there is no such path.
-Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel, Links links = Links::all);
+/// Finds all regular files under `path` (itself, where it is one). Symbolic links are followed where they
+/// stay below it, else as `links` says; loops end (each folder and file once, by device and inode); FIFOs,
+/// sockets and devices are left out. An Error where there is no such path, or it is neither a file nor a
+/// folder.
+Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel, Links links = Links::files);
 
 /// The regular files that lie directly in these folders, each once; links are followed. Folders that cannot
 /// be read hold none.

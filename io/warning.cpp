@@ -6,8 +6,9 @@
 namespace volumen {
 
 const char* kindName(WarningKind kind) {
-  static constexpr const char* names[] = {"other",   "missingSlices", "unevenSlices",  "sheared",
-                                          "offLine", "noDirections",  "notCalibrated", "notSeparated"};
+  static constexpr const char* names[] = {"other",         "missingSlices", "unevenSlices",
+                                          "sheared",       "offLine",       "noDirections",
+                                          "notCalibrated", "unread",        "notSeparated"};
   return names[int(kind)];
 }
 
@@ -26,6 +27,7 @@ std::vector<std::string> shortWarnings(const std::vector<Warning>& warnings) {
                                           "Slice displaced",
                                           "Directions not known",
                                           "Not calibrated",
+                                          "Slices not read",
                                           "Volumes told apart by order alone"};
   std::vector<std::string> texts;
   for (const Warning& w : changingPicture(warnings))

@@ -14,6 +14,7 @@ enum class WarningKind {
   offLine,        ///< a slice is drawn beside its place
   noDirections,   ///< left and right, front and back are a guess
   notCalibrated,  ///< lengths and directions are not known
+  unread,         ///< files of it could not be read
   notSeparated    ///< several pictures at one place, and nothing in the files tells which belong together
 };
 

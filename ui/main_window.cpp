@@ -5,12 +5,14 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
 #include "io/files/session_file.h"
+#include "ui/controller/find_saved.h"
 #include "ui/controller/masker.h"
 #include "ui/controller/qt_gl_context.h"
 #include "ui/data/frame_series.h"
@@ -123,10 +125,11 @@ void MainWindow::connectSession() {
 
 void MainWindow::connectLoader() {
   connect(&loader_, &Loader::studyOpened, this, &MainWindow::showStudy);
-  connect(&loader_, &Loader::seriesLoaded, this, [this](const ShownSeriesPtr& series) {
-    session_.take(series, arrangedFor(series->series));
-    if (const auto scene = std::exchange(sceneToShow_, {})) session_.edit(tr("Open scene"), *scene);
-  });
+  connect(&loader_, &Loader::seriesLoaded, this,
+          [this](const ShownSeriesPtr& series, const std::optional<Scene>& scene) {
+            session_.take(series, arrangedFor(series->series));
+            if (scene) session_.edit(tr("Open scene"), *scene);
+          });
   connect(&loader_, &Loader::presetReady, this,
           [this](const QString& name, const Scene& scene, const VolumePtr& v) {
             if (session_.series() && session_.series()->volume == v)
@@ -149,15 +152,18 @@ void MainWindow::connectLoader() {
   connect(studies_, &StudiesPanel::seriesChosen, this, &MainWindow::showInFocus);
   connect(grid_, &ViewGrid::dropped, this, [this](const QMimeData& what) {
     if (const Series* series = studies_->seriesOf(what)) showInFocus(*series);
-    if (const auto choice = choiceIn(what)) openHow_ = OpenHow::here, index_.open(*choice);
+    if (const auto choice = choiceIn(what)) index_.open(*choice, OpenHow::here);
   });
-  connect(&session_, &Session::seriesNeeded, &loader_, &Loader::load);
-  connect(studies_, &StudiesPanel::seriesRemoved, &session_, &Session::close);
-  connect(studies_, &StudiesPanel::allClosed, this, [this] {
+  connect(&session_, &Session::seriesNeeded, &loader_,
+          [this](const Series& series) { loader_.load(series); });
+  connect(studies_, &StudiesPanel::removeRequested, &session_, &Session::close);
+  connect(studies_, &StudiesPanel::closeAllRequested, this, [this](const Unlisted& listed) {
     loader_.cancel();
     banner_->hide();
-    session_.show(nullptr);
+    session_.closeAll(listed);
   });
+  connect(&session_, &Session::workspaceChanged, studies_,
+          [this](const Workspace&, const Workspace& after) { studies_->setUnlisted(after.unlisted); });
 }
 
 void MainWindow::showInFocus(const Series& series) {
@@ -184,7 +190,10 @@ void MainWindow::connectSegmenter() {
   connect(&segmenter_, &Segmenter::segmented, segment_, &SegmentPanel::showSegmentation);
   connect(segment_, &SegmentPanel::previewChanged, grid_, &ViewGrid::showSegment);
   connect(&segmenter_, &Segmenter::saved, this,
-          [this](const QString& path) { status_->tell(tr("Saved %1").arg(path)); });
+          [this](const QString& path, const std::shared_ptr<const RangeSegment>& segmentation) {
+            status_->tell(tr("Saved %1").arg(path));
+            segment_->noteSaved(segmentation);
+          });
   connect(&segmenter_, &Segmenter::failed, this,
           [this](const QString& sentence) { banner_->tell(sentence); });
 }
@@ -221,20 +230,32 @@ void MainWindow::applyLevel() {
 
 void MainWindow::open(const QStringList& paths, const std::optional<Scene>& scene) {
   banner_->hide();
-  sceneToShow_ = scene;
-  showFirst_ = true;
+  OpenIntent intent;
+  intent.scene = scene;
+  intent.isShown = std::make_shared<bool>(false);
   for (const QString& given : paths) {
     const bool isFile = QFileInfo::exists(given);  // a phantom is none
     const QString path = isFile ? QDir::cleanPath(QFileInfo(given).absoluteFilePath()) : given;
     if (isSessionFile(path.toStdString()))
       loader_.openSession(path);
     else
-      loader_.open(path);
+      loader_.open(path, intent);
   }
 }
 
-void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Study>& study) {
+// What was taken off the list stands there again.
+void MainWindow::addStudy(const QString& path, const std::shared_ptr<const Study>& study) {
+  std::vector<SeriesKey> series;
+  std::vector<ReferenceKey> references;
+  for (const Series& s : allSeriesOf(*study)) series.push_back(keyOf(s));
+  for (const Reference& object : study->references) references.push_back(keyOf(object));
+  session_.list(series, references);
   studies_->addStudy(path, study);
+}
+
+void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Study>& study,
+                           const OpenIntent& intent) {
+  addStudy(path, study);
   QStringList details;
   for (const Refused& refused : study->refused)
     details << pathText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
@@ -246,15 +267,14 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
     return banner_->add(tr("No images found in %1.").arg(pathText(path.toStdString())), details);
   if (!study->refused.empty()) banner_->add(unreadText(*study), details);
   recent_.add(path);
-  if (!std::exchange(showFirst_, false)) return;
-  showFirst(*study);
+  if (intent.isShown && !std::exchange(*intent.isShown, true)) showFirst(*study, intent.scene);
 }
 
 // The largest volume, else the first pictures.
-void MainWindow::showFirst(const Study& study) {
+void MainWindow::showFirst(const Study& study, const std::optional<Scene>& scene) {
   if (const Result<std::size_t> largest = chooseSeries(study, {}); largest && !study.volumes.empty()) {
     const Series& series = study.volumes[*largest];
-    return opensAsPictures(series) && !sceneToShow_ ? showFramesInFocus(series) : loader_.load(series);
+    return opensAsPictures(series) && !scene ? showFramesInFocus(series) : loader_.load(series, scene);
   }
   if (const std::vector<Series> frames = frameSeries(study); !frames.empty())
     showFramesInFocus(frames.front());
@@ -309,6 +329,12 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  const QString lost = unsavedText();
+  if (!closesUnasked_ && !lost.isEmpty()) {
+    event->ignore();
+    if (!findChild<QMessageBox*>(QStringLiteral("closeBox"))) askBeforeClosing(lost);
+    return;
+  }
   actions_[QStringLiteral("maximise")]->setChecked(false);
   keepLayout();
   event->accept();

@@ -10,6 +10,7 @@
 #include "ui/controller/index_service.h"
 #include "ui/controller/loader.h"
 #include "ui/controller/measurer.h"
+#include "ui/controller/open_intent.h"
 #include "ui/controller/preset_thumbnails.h"
 #include "ui/controller/recent_files.h"
 #include "ui/controller/references.h"
@@ -56,10 +57,6 @@ struct Services {
   std::string indexFolder = userIndexFolder();  ///< of the list of studies
 };
 
-/// Where a study of the index is shown: in the view in focus, there and in place of other patients, or in the
-/// view beside.
-enum class OpenHow { here, instead, beside };
-
 /// The real ones: render() and presetScene().
 Services realServices();
 
@@ -73,6 +70,8 @@ class MainWindow : public QMainWindow {
   /// Opens files, folders, phantoms or sessions; the largest series of the first that holds any is shown, by
   /// the scene where one is given.
   void open(const QStringList& paths, const std::optional<Scene>& scene = {});
+  /// Closes the window without asking; what is not saved is offered at the next start.
+  void end();
   Session& session() { return session_; }
   /// The 3D view that the panels work on.
   VolumeView* view() const;
@@ -135,7 +134,8 @@ class MainWindow : public QMainWindow {
   void fillPresentations(QMenu* menu, SliceView& view);
   SliceView* sliceViewInFocus() const;
   void showPage();
-  void showFirst(const Study& study);
+  void showFirst(const Study& study, const std::optional<Scene>& scene);
+  void addStudy(const QString& path, const std::shared_ptr<const Study>& study);
   QWidget* makeBrowser();
   void makeBrowserActions();
   void connectBrowser();
@@ -145,11 +145,11 @@ class MainWindow : public QMainWindow {
   void askForImport();
   void showImport(const ImportReport& report);
   void openIndexed(const IndexedChoice& choice, bool beside);
-  void openFound(const IndexedChoice& choice, const std::string& seriesUid,
-                 const std::vector<std::string>& files);
-  void showIndexed(const QString& place, const std::shared_ptr<const Study>& study);
-  void showChosen(const Study& study);
-  void showOpened(const Series& series);
+  void openFound(const IndexedChoice& choice, const std::vector<std::string>& files,
+                 const OpenIntent& intent);
+  void showIndexed(const QString& place, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
+  void showChosen(const Study& study, const OpenIntent& intent);
+  void showOpened(const Series& series, OpenHow how);
   void focusNextView();
   void makeMeasureActions();
   void connectLinks();
@@ -175,6 +175,10 @@ class MainWindow : public QMainWindow {
   void askForSession();
   void askForSessionFile();
   void offerLost(const LostSession& lost);
+  void showEarlier(const std::vector<LostSession>& discarded);
+  QString unsavedText() const;
+  void askBeforeClosing(const QString& lost);
+  void saveAndClose();
   void connectRecent();
   void resetLayout();
   void shareRoom();
@@ -185,7 +189,7 @@ class MainWindow : public QMainWindow {
   void requestFrames();
   void applyLevel();
   void showFrame(const ScreenPicture& frame);
-  void showStudy(const QString& path, const std::shared_ptr<const Study>& study);
+  void showStudy(const QString& path, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
   void showSeries();
   void showVolume();
   void showWarnings();
@@ -204,6 +208,7 @@ class MainWindow : public QMainWindow {
   void showTheme();
   void showNames();
   void showPreferences();
+  bool triggerByPlace(const QKeyEvent& event);
   void showAbout();
   void showShortcuts();
 
@@ -248,10 +253,12 @@ class MainWindow : public QMainWindow {
   std::map<QString, QDockWidget*> docks_;
   QByteArray layoutBefore_;           // of the docks, while the view is alone
   bool layoutKept_ = false;           // from an earlier start
-  bool showFirst_ = false;            // the next study opened is shown
-  std::optional<Scene> sceneToShow_;  // by this scene
   std::optional<LostSession> lost_;   // offered, or being restored
+  std::vector<LostSession> earlier_;  // discarded within a week
+  bool closesWhenSaved_ = false;      // the window, once the session is
+  bool closesUnasked_ = false;
   QMenu* recentMenu_;
+  QMenu* earlierMenu_;
   QMenu* layoutMenu_;
   QMenu* measureMenu_;
   QMenu* linkMenu_;
@@ -259,8 +266,6 @@ class MainWindow : public QMainWindow {
   std::map<QString, Layout> layoutsChosen_;  // by modality, since the program began
   VolumePtr thumbnailsOf_;                   // the volume whose presets have thumbnails
   bool listedOnce_ = false;                  // the studies of the index, since the program began
-  OpenHow openHow_ = OpenHow::here;          // the study that is being opened from the index
-  std::string seriesToShow_;                 // of it
   std::map<QString, std::vector<std::string>>
       filesOf_;  // what studies of the index that are open were made of
 };

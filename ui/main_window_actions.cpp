@@ -22,6 +22,7 @@
 #include "ui/views/view_grid.h"
 #include "ui/widgets/documents_window.h"
 #include "ui/widgets/fold_title.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -246,6 +247,10 @@ void MainWindow::makeActions() {
     action->setShortcuts(key);
     action->setProperty("iconName", QLatin1String(name));
     actions_[action->objectName()] = action;
+    // Its text, which else is its tool tip, names what was done to what.
+    connect(action, &QAction::changed, action, [action = action] {
+      if (action->toolTip() != toolTipOf(action->text())) action->setToolTip(toolTipOf(action->text()));
+    });
   }
   masker_ = new Masker(session_, this);
   for (QAction* action : {masker_->tableAction(), masker_->resetAction()})

@@ -13,6 +13,7 @@
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/import_bar.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/widgets/status_line.h"
 #include "ui/workspace/indexed_text.h"
 #include "ui/workspace/patients.h"
@@ -63,9 +64,8 @@ QWidget* MainWindow::makeBrowser() {
   split_->addWidget(browser_);
   split_->addWidget(pages_);
   split_->setStretchFactor(1, 1);
-  patients_ = new QLabel;
+  patients_ = plainLabel();
   patients_->setObjectName(QStringLiteral("patientsBar"));
-  patients_->setTextFormat(Qt::PlainText);
   patients_->setWordWrap(true);
   patients_->setStyleSheet(
       QStringLiteral("#patientsBar { background: #4a1720; border-bottom: 2px solid #ff6b6b; color: #ffd9dc;"
@@ -185,32 +185,31 @@ void MainWindow::showImport(const ImportReport& report) {
 
 // Where it is open already, it is not read again.
 void MainWindow::openIndexed(const IndexedChoice& choice, bool beside) {
-  openHow_ = beside ? OpenHow::beside : OpenHow::instead;
-  index_.open(choice);
+  index_.open(choice, beside ? OpenHow::beside : OpenHow::instead);
 }
 
-void MainWindow::openFound(const IndexedChoice& choice, const std::string& seriesUid,
-                           const std::vector<std::string>& files) {
+void MainWindow::openFound(const IndexedChoice& choice, const std::vector<std::string>& files,
+                           const OpenIntent& intent) {
   const QString place = placeOf(choice.study);
   const std::shared_ptr<const Study> open = studies_->studyOf(place);
-  seriesToShow_ = seriesUid;
-  if (open && std::exchange(filesOf_[place], files) == files) return showIndexed(place, open);
+  if (open && std::exchange(filesOf_[place], files) == files) return showIndexed(place, open, intent);
   filesOf_[place] = files;
-  loader_.openFiles(place, files);
+  loader_.openFiles(place, files, intent);
 }
 
-void MainWindow::showIndexed(const QString& place, const std::shared_ptr<const Study>& study) {
-  studies_->addStudy(place, study);
+void MainWindow::showIndexed(const QString& place, const std::shared_ptr<const Study>& study,
+                             const OpenIntent& intent) {
+  addStudy(place, study);
   QStringList details;
   for (const Refused& refused : study->refused)
     details << pathText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
   if (!study->refused.empty()) banner_->add(unreadText(*study), details);
-  showChosen(*study);
+  showChosen(*study, intent);
 }
 
 // The series that was chosen, else the largest volume, else the first pictures.
-void MainWindow::showChosen(const Study& study) {
-  const std::string uid = std::exchange(seriesToShow_, {});
+void MainWindow::showChosen(const Study& study, const OpenIntent& intent) {
+  const std::string& uid = intent.seriesUid;
   const auto isChosen = [&](const SeriesIdentity& s) { return uid.empty() || s.seriesUid == uid; };
   const Series* chosen = nullptr;
   for (const Series& series : study.volumes)
@@ -218,15 +217,14 @@ void MainWindow::showChosen(const Study& study) {
   const std::vector<Series> frames = frameSeries(study);
   if (!chosen)
     if (const auto found = std::ranges::find_if(frames, isChosen); found != frames.end()) chosen = &*found;
-  if (chosen) return showOpened(Series(*chosen));
+  if (chosen) return showOpened(Series(*chosen), intent.how);
   for (const ReferencePtr& object : studies_->references())
     if (!uid.empty() && object->seriesUid == uid) return showReference(object);
   banner_->add(tr("There is nothing to show in this study."));
 }
 
 // In place of other patients, beside what is shown, or in the view in focus.
-void MainWindow::showOpened(const Series& series) {
-  const OpenHow how = std::exchange(openHow_, OpenHow::here);
+void MainWindow::showOpened(const Series& series, OpenHow how) {
   if (how == OpenHow::beside) focusNextView();
   const auto isOther = [&](const Series* other) { return !areOfOnePatient(*other, series); };
   const std::vector<const Series*> patients = patientsOnScreen(session_.workspace());

@@ -9,6 +9,7 @@
 #include "ui/panels/studies_panel.h"
 #include "ui/tools/flat_tool.h"
 #include "ui/views/view_grid.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/widgets/status_line.h"
 #include "ui/workspace/frame_look.h"
 #include "ui/workspace/text.h"
@@ -85,7 +86,6 @@ SliceView* MainWindow::framesInFocus() const {
 
 void MainWindow::showFramesInFocus(const Series& series) {
   loader_.cancelLoad();
-  sceneToShow_.reset();
   session_.showFrames(series, session_.workspace().focus, [&](Workspace w, bool isNew) {
     return isNew ? withTimePointsOf(std::move(w), series, studies_->allSeries()) : std::move(w);
   });
@@ -108,7 +108,8 @@ void MainWindow::showFrameActions() {
   QAction* kind = actions_.at(QStringLiteral("showAsFrames"));
   kind->setChecked(asFrames);
   kind->setEnabled(series && frameCount(*series) > 0 && series->notVolume.empty());
-  kind->setToolTip(series && !series->notVolume.empty() ? shownText(series->notVolume) : kind->text());
+  kind->setToolTip(
+      toolTipOf(series && !series->notVolume.empty() ? shownText(series->notVolume) : kind->text()));
   QAction* layers = actions_.at(QStringLiteral("overlaysAndShutters"));
   layers->setEnabled(asFrames);
   layers->setChecked(flatLookOf(workspace.view(framesViewOf(workspace.focus))).layers);
@@ -154,6 +155,8 @@ void MainWindow::showFlatMenu(SliceView& view, QPoint global) {
   if (!view.showsFrames())
     for (const char* name : {"slabMenu", "colourMenu", "overlayMenu"})
       menu->addMenu(findChild<QMenu*>(QLatin1String(name)));
+  if (const Series* series = seriesIn(session_.workspace(), view.id()); series && series->modality == "PT")
+    menu->addMenu(findChild<QMenu*>(QStringLiteral("petUnitMenu")));
   for (const char* name : {"showAsFrames", "ownWindows", "overlaysAndShutters", "playFrames"})
     menu->addAction(actions_.at(QLatin1String(name)));
   menu->popup(global);

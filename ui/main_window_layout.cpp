@@ -6,6 +6,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
+#include <QStyle>
 #include <QToolBar>
 
 #include "ui/main_window.h"
@@ -13,9 +14,11 @@
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/study_browser.h"
 #include "ui/preferences_dialog.h"
+#include "ui/views/latin_key.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/fold_title.h"
+#include "ui/widgets/on_screen.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -62,7 +65,13 @@ void MainWindow::restoreLayout() {
   const QRect screen = QApplication::primaryScreen()->availableGeometry();
   resize(std::min(1440, screen.width()), std::min(900, screen.height()));
   resetLayout();
-  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+  const bool isKept = restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+  QList<QRect> screens;
+  const int title = style()->pixelMetric(QStyle::PM_TitleBarHeight);
+  for (const QScreen* each : QApplication::screens())
+    screens << each->availableGeometry().adjusted(0, title, 0, 0);
+  // It may have been kept on another screen.
+  if (isKept && !isMaximized() && !isFullScreen()) setGeometry(onScreen(geometry(), screens));
   layoutKept_ = restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), layoutVersion);
   const QStringList folded = settings.value(QStringLiteral("window/folded")).toStringList();
   if (layoutKept_)
@@ -107,6 +116,7 @@ void MainWindow::applyPreferences(const Preferences& before, const Preferences& 
   studies_->showNames();
   browser_->showNames();
   banner_->refresh();
+  showEarlier(std::vector(earlier_));
   showPatients();
   showNames();
 }
@@ -147,6 +157,20 @@ void MainWindow::showPreferences() {
   dialog->activateWindow();
 }
 
+// The action whose key lies where a letter of another script was pressed: Qt itself finds those that a
+// second, Latin layout of the keyboard has. True: there is one.
+bool MainWindow::triggerByPlace(const QKeyEvent& event) {
+  const int key = latinKey(event);
+  if (key == event.key()) return false;
+  const QKeySequence wanted(QKeyCombination(event.modifiers(), Qt::Key(key)));
+  for (QAction* action : actions())
+    if (action->isEnabled() && action->shortcuts().contains(wanted)) {
+      action->trigger();
+      return true;
+    }
+  return false;
+}
+
 // The keypad's keys as they come with and without NumLock. Under X11 no shortcut can tell them from the keys
 // of the other blocks, and with NumLock on none fires at all.
 void MainWindow::keyPressEvent(QKeyEvent* event) {
@@ -157,6 +181,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
       {Qt::Key_0, {"resetView", "resetView"}},        {Qt::Key_Insert, {"resetView", "resetView"}}};
   const auto view = views.find(event->key());
   const bool typing = focusWidget() && focusWidget()->testAttribute(Qt::WA_InputMethodEnabled);
+  if (!typing && triggerByPlace(*event)) return;
   if (view == views.end() || typing || !(event->modifiers() & Qt::KeypadModifier))
     return QMainWindow::keyPressEvent(event);
   const bool opposite = event->modifiers() & Qt::ControlModifier;

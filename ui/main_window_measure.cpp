@@ -9,6 +9,7 @@
 #include "ui/theme.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/widgets/status_line.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/measurements.h"
@@ -48,7 +49,7 @@ void MainWindow::makeMeasureActions() {
     auto* action = new QAction(tool.text + key, group);
     action->setObjectName(name + QStringLiteral("Tool"));
     action->setCheckable(true);
-    action->setToolTip(tool.text);
+    action->setToolTip(toolTipOf(tool.text));
     action->setProperty("iconName", QStringLiteral("measure-") + name);
     connect(action, &QAction::triggered, this, [this, &tool](bool on) {
       if (!on) return grid_->restoreTool();

@@ -7,6 +7,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/panels/link_menu.h"
+#include "ui/panels/pet_unit_menu.h"
 #include "ui/panels/preset_bar.h"
 #include "ui/panels/slab_menu.h"
 #include "ui/panels/studies_panel.h"
@@ -30,6 +31,9 @@ void MainWindow::makeMenus() {
        "snapshot copySnapshot | quit");
   recentMenu_ = new QMenu(tr("Open recent"), file);
   file->insertMenu(actions_.at(QStringLiteral("openSample")), recentMenu_);
+  earlierMenu_ = new QMenu(tr("Restore earlier work"), file);
+  earlierMenu_->setObjectName(QStringLiteral("earlierMenu"));
+  file->insertMenu(actions_.at(QStringLiteral("openScene")), earlierMenu_);
   connect(file, &QMenu::aboutToShow, &recent_, &RecentFiles::look);
   fill(menuBar()->addMenu(tr("&Edit")), "undo redo | removeTable resetScissors | preferences");
   auto* view = menuBar()->addMenu(tr("&View"));
@@ -52,6 +56,7 @@ void MainWindow::makeMenus() {
   view->addAction(actions_.at(QStringLiteral("interpolate")));
   view->addMenu(makeSlabMenu(session_, view));
   view->addMenu(makeColourMenu(session_, view));
+  view->addMenu(makePetUnitMenu(session_, view));
   view->addMenu(makeOverlayMenu(
       session_, [this] { return studies_->listedSeries(); }, view));
   auto* docks = view->addMenu(tr("Panels"));

@@ -175,7 +175,6 @@ void MainWindow::showPicture(const Series& shown, int index) {
 void MainWindow::showAsFrame(const QString& text, const Series& series, int index,
                              const ReferenceKey& presentation) {
   loader_.cancelLoad();
-  sceneToShow_.reset();
   const ViewId view = framesViewOf(session_.workspace().focus);
   if (session_.workspace().series.empty()) session_.showFrames(series, view);
   Workspace after = withFrames(session_.workspace(), view, series);

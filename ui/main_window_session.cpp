@@ -2,8 +2,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <algorithm>
 
 #include "ui/main_window.h"
+#include "ui/panels/segment_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/offer_bar.h"
@@ -41,21 +46,43 @@ void MainWindow::connectSessions() {
   connect(&autosave_, &Autosave::found, this, &MainWindow::offerLost);
   connect(offer_, &OfferBar::accepted, this, [this] { loader_.openSession(lost_->path); });
   connect(offer_, &OfferBar::refused, this, [this] {
-    autosave_.forget(*std::exchange(lost_, {}), false);
-    autosave_.look();
+    autosave_.discard(*std::exchange(lost_, {}));
+    status_->tell(tr("Kept for a week: File > Restore earlier work"));
   });
+  connect(&autosave_, &Autosave::listed, this, &MainWindow::showEarlier);
+  connect(&sessionFiles_, &SessionFiles::saved, this, [this] {
+    if (std::exchange(closesWhenSaved_, false)) close();
+  });
+  connect(&sessionFiles_, &SessionFiles::failed, this, [this] { closesWhenSaved_ = false; });
+  showEarlier({});
   autosave_.look();
 }
 
+// What was discarded; a menu of dates and of the names of session files.
+void MainWindow::showEarlier(const std::vector<LostSession>& discarded) {
+  earlier_ = discarded;
+  earlierMenu_->clear();
+  earlierMenu_->setEnabled(!discarded.empty());
+  for (const LostSession& each : discarded) {
+    const QString at = QLocale().toString(each.at, QLocale::ShortFormat),
+                  file = QFileInfo(each.savedAs).fileName();
+    const QString text = file.isEmpty() || namesHidden() ? at : tr("%1, changes of %2").arg(at, file);
+    earlierMenu_->addAction(QString(text).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                            [this, path = each.path] { loader_.openSession(path); });
+  }
+}
+
 void MainWindow::showSession(const QString& path, const OpenedSession& opened) {
-  const bool restores = lost_ && lost_->path == path;
-  for (const auto& [place, study] : opened.studies) studies_->addStudy(QString::fromStdString(place), study);
+  const bool isLost = lost_ && lost_->path == path;
+  const auto earlier = std::ranges::find(earlier_, path, &LostSession::path);
+  const bool restores = isLost || earlier != earlier_.end();
+  for (const auto& [place, study] : opened.studies) addStudy(QString::fromStdString(place), study);
   session_.open(restores ? tr("Restore") : tr("Open session"), opened.workspace);
   for (const QString& problem : opened.problems) banner_->add(problem);
   offerToLocate();
   if (restores) {
     sessionFiles_.restored(QString::fromStdString(opened.savedAs));
-    autosave_.forget(*std::exchange(lost_, {}), true);
+    autosave_.replace(isLost ? *std::exchange(lost_, {}) : *earlier);
     return autosave_.look();
   }
   sessionFiles_.opened(path);
@@ -83,7 +110,7 @@ void MainWindow::askWhereMissing() {
 void MainWindow::showLocated(const Located& located) {
   banner_->hide();
   if (!located.series.empty() || !located.references.empty()) {
-    studies_->addStudy(QString::fromStdString(located.folder), located.study);
+    addStudy(QString::fromStdString(located.folder), located.study);
     session_.endGesture();
     session_.change(tr("Locate"), withLocated(session_.workspace(), located));
     session_.endGesture();
@@ -95,6 +122,51 @@ void MainWindow::showLocated(const Located& located) {
 void MainWindow::offerLost(const LostSession& lost) {
   lost_ = lost;
   offer_->offer(lostText(lost), tr("Restore"), tr("Discard"));
+}
+
+// What closing the window would lose; empty: nothing.
+QString MainWindow::unsavedText() const {
+  QStringList parts{workText(sessionFiles_.unsavedWork()), segment_->unsavedText()};
+  parts.removeAll(QString());
+  return parts.join(QStringLiteral(", "));
+}
+
+// Once, where something that was made by hand would be lost.
+void MainWindow::askBeforeClosing(const QString& lost) {
+  auto* box = new QMessageBox(QMessageBox::Question, QStringLiteral("volumen"),
+                              tr("Not saved: %1.").arg(lost), QMessageBox::Cancel, this);
+  box->setObjectName(QStringLiteral("closeBox"));
+  box->setTextFormat(Qt::PlainText);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setDefaultButton(QMessageBox::Cancel);
+  if (!sessionFiles_.unsavedWork().empty()) {
+    QPushButton* save = box->addButton(tr("Save session..."), QMessageBox::AcceptRole);
+    connect(save, &QPushButton::clicked, this, &MainWindow::saveAndClose);
+    box->setDefaultButton(save);
+    box->setInformativeText(tr("What is not saved is kept for a week: File > Restore earlier work."));
+  }
+  connect(box->addButton(tr("Close without saving"), QMessageBox::DestructiveRole), &QPushButton::clicked,
+          this, [this] {
+            autosave_.setAtEnd(AtEnd::aside);
+            closesUnasked_ = true;
+            close();
+          });
+  box->open();
+}
+
+void MainWindow::saveAndClose() {
+  session_.endGesture();
+  session_.change(tr("Bring back what was measured"), withClosed(session_.workspace()));
+  closesWhenSaved_ = true;
+  saveSession();
+  for (const auto* dialog : findChildren<QFileDialog*>(QStringLiteral("saveSessionDialog")))
+    connect(dialog, &QDialog::rejected, this, [this] { closesWhenSaved_ = false; });
+}
+
+void MainWindow::end() {
+  if (!sessionFiles_.unsavedWork().empty()) autosave_.setAtEnd(AtEnd::keep);
+  closesUnasked_ = true;
+  close();
 }
 
 void MainWindow::saveSession() {

@@ -5,7 +5,10 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
+
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 
@@ -18,7 +21,7 @@ PreferencesDialog::PreferencesDialog(Session& session, QWidget* parent)
                    {{tr("Dark"), Theme::dark}, {tr("Light"), Theme::light}});
   addChoice<int>("textSize", tr("Text size"), &Preferences::textPercent,
                  {{tr("Normal"), 100}, {tr("Large"), 120}, {tr("Very large"), 140}});
-  form_->addRow(tr("Left drag"), new QLabel(tr("The chosen tool")));
+  form_->addRow(tr("Left drag"), plainLabel(tr("The chosen tool")));
   const std::vector<std::pair<QString, DragAction>> actions{{tr("Rotate"), DragAction::rotate},
                                                             {tr("Pan"), DragAction::pan},
                                                             {tr("Zoom"), DragAction::zoom},
@@ -39,8 +42,23 @@ PreferencesDialog::PreferencesDialog(Session& session, QWidget* parent)
   form_->addRow(buttons);
   buttons->button(QDialogButtonBox::RestoreDefaults)->setText(tr("Restore defaults"));
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
-  connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
+  QPushButton *restore = buttons->button(QDialogButtonBox::RestoreDefaults),
+              *close = buttons->button(QDialogButtonBox::Close);
+  restore->setAutoDefault(false);  // else Enter means it
+  close->setDefault(true);
+  connect(restore, &QPushButton::clicked, this, &PreferencesDialog::askToRestore);
+}
+
+void PreferencesDialog::askToRestore() {
+  auto* box = new QMessageBox(QMessageBox::Question, windowTitle(),
+                              tr("Set all preferences back to their defaults?"), QMessageBox::Cancel, this);
+  box->setObjectName(QStringLiteral("restoreBox"));
+  box->setTextFormat(Qt::PlainText);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  connect(box->addButton(tr("Restore defaults"), QMessageBox::AcceptRole), &QPushButton::clicked, this,
           [this] { session_.prefer(Preferences{}); });
+  box->setDefaultButton(QMessageBox::Cancel);
+  box->open();
 }
 
 void PreferencesDialog::follow(const std::function<void()>& show) {

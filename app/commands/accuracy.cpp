@@ -89,7 +89,7 @@ int run(const AccuracyOptions& options, const CancelToken& cancel) {
   printNotes(leftOutNote(study->leftOut));
   const std::string name = volume->attributes().name.empty() ? opened->series.id : volume->attributes().name;
   const Status written = writeAll(*study, titleOf(name, sceneName(options.scene)), options.folder);
-  return written.ok() ? exitDone : fail(written.message());
+  return written.ok() ? opened->status() : fail(written.message());
 }
 
 }  // namespace

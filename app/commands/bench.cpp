@@ -40,7 +40,8 @@ int run(const BenchOptions& options, const CancelToken& cancel) {
                       cancel);
   if (!options.folder.empty())
     return failUsage("-o FOLDER goes with --paper alone; other results are written to stdout.");
-  if (options.path.empty()) return failUsage("Missing PATH: a file, a folder or phantom:NAME[:SIZE].");
+  if (options.path.empty())
+    return failUsage("Missing PATH: a file, a folder, index:STUDY[/SERIES] or phantom:NAME[:SIZE].");
   const auto asked = renderOptions(options.scene, options.method);
   if (!asked) return failUsage(asked.message());
   const auto file = readScene(options.scene);
@@ -58,7 +59,7 @@ int run(const BenchOptions& options, const CancelToken& cancel) {
   endTerminalProgress();
   if (!orbit) return fail(orbit.message(), cancel);
   std::cout << (options.json ? orbitJson(*orbit) : orbitText(*orbit));
-  return exitDone;
+  return opened->status();
 }
 
 }  // namespace

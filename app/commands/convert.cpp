@@ -1,13 +1,16 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <vector>
 
 #include "app/command.h"
+#include "app/commands/convert_volumes.h"
 #include "app/open_volume.h"
 #include "app/progress.h"
 #include "app/usage.h"
 #include "io/export/dicom_series.h"
+#include "io/files/header_text.h"
 #include "io/files/output_file.h"
 #include "io/files/write_volume.h"
 
@@ -25,28 +28,44 @@ bool isFolder(const std::string& output) {
   return output.ends_with('/') || std::filesystem::is_directory(output, ignored);
 }
 
+bool isNifti(const std::string& output) { return lowerCase(output).ends_with(".nii.gz"); }
+
 Status checkOutput(const std::string& output) {
   if (isFolder(output)) return checkDicomFolder(output);
   const auto file = OutputFile::create(output);
   return file ? Status() : Status(file.error());
 }
 
-Status write(const Volume& volume, const Series& series, const std::string& output, const Progress& progress,
-             const CancelToken& cancel) {
-  if (isFolder(output)) return writeDicomSeries(volume, dicomTags(series), output, progress, cancel);
-  return writeVolume(volume, output, progress, cancel);
+// Gives what the user is to be told of what was written.
+Result<std::vector<std::string>> write(const Opened& opened, const std::string& output,
+                                       const Progress& progress, const CancelToken& cancel) {
+  const Volume& volume = *opened.loaded.drawn;
+  if (isFolder(output)) {
+    const auto tags = readDicomTags(opened.series, opened.loaded, progress, cancel);
+    if (!tags) return tags.error();
+    return writeDicomSeries(volume, *tags, output, progress, cancel);
+  }
+  if (const Status written = writeVolume(volume, output, progress, cancel); !written) return written.error();
+  std::vector<std::string> notes;
+  if (!volume.geometry().calibrated)
+    notes.push_back("Not calibrated: " + output + " gives no size of its voxels, or 1 mm.");
+  return notes;
 }
 
-// What the user is to be told of the grid that was written.
-void addNotes(std::vector<std::string>& notes, const Opened& opened, const std::string& output) {
-  const Loaded& loaded = opened.loaded;
-  if (loaded.drawn != loaded.acquired) {
-    const int made = opened.series.regular ? opened.series.regular->interpolatedSlices : 0;
-    notes.push_back("Evenly spaced slices were written: " + std::to_string(loaded.drawn->size().z) + ", " +
-                    std::to_string(made) + " of them interpolated.");
-  }
-  if (!loaded.drawn->geometry().calibrated)
-    notes.push_back("Not calibrated: " + output + " gives no size of its voxels, or 1 mm.");
+// Of the grid that was written, where it is not that of the slices as acquired.
+std::string gridNote(const Loaded& loaded) {
+  const int made = loaded.interpolatedSlices();
+  const std::string slices = std::to_string(loaded.drawn->size().z) + " evenly spaced slices were written";
+  return slices + (made ? ", " + std::to_string(made) + " of them interpolated." : ".");
+}
+
+int runVolumes(const std::vector<Series>& volumes, const std::string& output, const CancelToken& cancel) {
+  const auto written = writeVolumes(volumes, output, terminalProgress(), cancel);
+  endTerminalProgress();
+  if (!written) return fail(written.message(), cancel);
+  printNotes(written->notes);
+  std::cout << printable(output) << '\n';
+  return written->unread.empty() ? exitDone : exitLosses;
 }
 
 int run(const ConvertOptions& options, const CancelToken& cancel) {
@@ -54,16 +73,21 @@ int run(const ConvertOptions& options, const CancelToken& cancel) {
     return failUsage(options.output +
                      ": volumes are written as .nrrd, .nii.gz or .mha, or as DICOM to FOLDER/.");
   if (Status s = checkOutput(options.output); !s) return fail(s.message());
+  if (isNifti(options.output)) {
+    const auto several = severalVolumes(options.path, options.series, terminalProgress(), cancel);
+    if (several && !several->empty()) return runVolumes(*several, options.output, cancel);
+  }
   Result<Opened> opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
-  const Status written =
-      write(*opened->loaded.drawn, opened->series, options.output, terminalProgress(), cancel);
+  const auto written = write(*opened, options.output, terminalProgress(), cancel);
   endTerminalProgress();
   if (!written) return fail(written.message(), cancel);
-  addNotes(opened->notes, *opened, options.output);
+  noteKeptTilt(*opened);
+  if (opened->loaded.drawn != opened->loaded.acquired) opened->notes.push_back(gridNote(opened->loaded));
+  opened->notes.insert(opened->notes.end(), written->begin(), written->end());
   printNotes(opened->notes);
   std::cout << printable(options.output) << '\n';
-  return exitDone;
+  return opened->status();
 }
 
 }  // namespace

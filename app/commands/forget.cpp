@@ -53,7 +53,7 @@ int run(const ForgetOptions& options) {
   if (options.undo && !options.studies.empty()) return failUsage("--undo takes no studies.");
   if (!options.undo && options.studies.empty())
     return failUsage("Missing STUDY: its number in `volumen list`, or its UID.");
-  Result<Index> index = openIndex(options.index);
+  Result<Index> index = openExistingIndex(options.index);
   if (!index) return fail(index.message());
   if (options.undo) return undo(*index);
   const Result<std::vector<std::int64_t>> ids = meantBy(*index, options.studies);

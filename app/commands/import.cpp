@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 struct ImportOptions {
   std::vector<std::string> paths;
   std::string index;
-  bool copy = false, json = false;
+  bool copy = false, again = false, json = false;
 };
 
 Json toJson(const ImportReport& report) {
@@ -36,22 +36,28 @@ void print(const ImportReport& report) {
     std::cout << "  " << printable(file.path) << ": " << printable(file.reason) << '\n';
 }
 
+int statusOf(const ImportReport& report) {
+  if (report.refused.empty()) return exitDone;
+  if (report.added + report.changed + report.unchanged > 0) return exitLosses;
+  return fail("Nothing was imported: " + report.refused[0].path + ": " + report.refused[0].reason);
+}
+
 int run(const ImportOptions& options, const CancelToken& cancel) {
   Result<Index> index = openIndex(options.index);
   if (!index) return fail(index.message());
   const Result<ImportReport> report =
       options.copy
           ? index->importCopies(options.paths, copiesFolder(options.index), terminalProgress(), cancel)
-          : index->import(options.paths, terminalProgress(), cancel);
+          : index->import(options.paths, terminalProgress(), cancel, options.again);
   endTerminalProgress();
   if (!report) return fail(report.message());
   if (options.json)
-    std::cout << toJson(*report).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << jsonText(toJson(*report));
   else
     print(*report);
   if (report->cancelled)
     return fail("Interrupted; what was read is kept, and the next import goes on from there.");
-  return exitDone;
+  return statusOf(*report);
 }
 
 }  // namespace
@@ -59,8 +65,9 @@ int run(const ImportOptions& options, const CancelToken& cancel) {
 std::function<int()> makeImport(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<ImportOptions>();
   addPaths(app, options->paths)->required();
-  app.add_flag("--copy", options->copy,
-               "Copy the files into the index's folder first; else they stay where they are");
+  auto* copy = app.add_flag("--copy", options->copy,
+                            "Copy the files into the index's folder first; else they stay where they are");
+  app.add_flag("--again", options->again, "Read files again that could not be read before")->excludes(copy);
   addIndex(app, options->index);
   app.add_flag("--json", options->json, "Write one JSON object to stdout");
   addExamples(app, {"volumen import scans/", "volumen import scans/ --copy"});

@@ -7,6 +7,7 @@
 
 #include "app/command.h"
 #include "app/info_text.h"
+#include "app/open_volume.h"
 #include "app/progress.h"
 #include "app/references_json.h"
 #include "app/usage.h"
@@ -108,6 +109,22 @@ void addIdentity(Json& out, const SeriesIdentity& s) {
   out["description"] = s.description;
 }
 
+// The factors to SUV that can be had, and why others cannot; empty where it is no PET.
+Json suvJson(const SuvFactors& suv) {
+  Json out;
+  for (const auto& [key, factor] : {std::pair("bodyWeight", &suv.bodyWeight),
+                                    {"leanBodyMass", &suv.leanBodyMass},
+                                    {"bodySurface", &suv.bodySurface}})
+    if (*factor) out[key] = **factor;
+  if (!suv.why.empty()) out["why"] = suv.why;
+  return out;
+}
+
+void addRegular(Json& out, const VoxelGeometry& grid, int interpolated) {
+  out["regular"] = {
+      {"dims", toJson(grid.size)}, {"spacing", toJson(grid.spacing())}, {"interpolatedSlices", interpolated}};
+}
+
 Json seriesJson(const Series& s) {
   Json out{{"id", s.id}, {"path", lastingPath(s.path)}, {"format", s.format}};
   addIdentity(out, s);
@@ -118,14 +135,13 @@ Json seriesJson(const Series& s) {
                                   std::pair("timePoint", &s.timePoint), std::pair("label", &s.label)})
     if (!text->empty()) out[key] = *text;
   out["unit"] = s.unit;
+  if (const Json suv = suvJson(s.suv); !suv.empty()) out["suv"] = suv;
   out["splitBy"] = Json::array();
   for (const SplitBy& by : s.splitBy)
     out["splitBy"].push_back({{"attribute", by.attribute}, {"value", by.value}, {"words", by.words}});
-  if (s.regular)
-    out["regular"] = {{"dims", toJson(s.regular->geometry.size)},
-                      {"spacing", toJson(s.regular->geometry.spacing())},
-                      {"interpolatedSlices", s.regular->interpolatedSlices}};
+  if (s.regular) addRegular(out, s.regular->geometry, s.regular->interpolatedSlices);
   addWarnings(out, s.warnings);
+  out["unread"] = unreadJson(s.unread);
   return out;
 }
 
@@ -143,13 +159,18 @@ Json imageJson(const Image& image) {
 
 // Loads the series and adds min .. crc32Values; a volume whose values cannot be read is refused with its
 // reason.
-Status addValues(Json& out, const Series& series, const CancelToken& cancel) {
+Status addValues(InfoSeries& entry, const Series& series, const CancelToken& cancel) {
+  Json& out = entry.json;
   auto loaded = loadSeries(series, terminalProgress(), cancel);
   if (!loaded) return loaded.error();
   const Values v = valuesOf(*loaded->acquired);
   out["dims"] = toJson(loaded->acquired->size());
   out["valueType"] = loaded->acquired->typeName();
   addWarnings(out, loaded->warnings);
+  entry.unread = loaded->unread;
+  out["unread"] = unreadJson(entry.unread);
+  if (loaded->drawn != loaded->acquired)
+    addRegular(out, loaded->drawn->geometry(), loaded->interpolatedSlices());
   out["min"] = v.low;
   out["max"] = v.high;
   out["mean"] = v.mean;
@@ -161,9 +182,9 @@ Status addValues(Json& out, const Series& series, const CancelToken& cancel) {
 std::vector<InfoSeries> describe(Study& study, bool values, const CancelToken& cancel) {
   std::vector<InfoSeries> all;
   for (const Series& s : study.volumes) {
-    InfoSeries entry{&s, seriesJson(s)};
+    InfoSeries entry{&s, seriesJson(s), s.unread};
     if (values) {
-      if (Status added = addValues(entry.json, s, cancel); !added) {
+      if (Status added = addValues(entry, s, cancel); !added) {
         study.refused.push_back({s.path, added.message()});
         continue;
       }
@@ -206,14 +227,14 @@ int run(const InfoOptions& options, const CancelToken& cancel) {
   if (!study) return fail(study.message(), cancel);
   const std::vector<InfoSeries> series = describe(*study, options.values, cancel);
   if (cancel.cancelled()) return fail({}, cancel);
+  for (const InfoSeries& s : series)
+    if (Status whole = checkLosses(s.series->path, s.unread); !whole) return fail(whole.message());
   if (options.json)
-    std::cout << studyJson(*study, series, options.values).dump(2, ' ', false, Json::error_handler_t::replace)
-              << '\n';
+    std::cout << jsonText(studyJson(*study, series, options.values));
   else
     std::cout << infoText(*study, series, options.verbose);
   if (!series.empty() || !study->images.empty()) return exitDone;
-  if (!options.json) fail("No images found in " + options.path + ".");
-  return exitFailed;
+  return fail("No images found in " + options.path + ".");
 }
 
 }  // namespace

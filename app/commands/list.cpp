@@ -20,19 +20,25 @@ struct ListOptions {
   bool studies = false, series = false, json = false;
 };
 
+/// A series, with its files, where they are wanted.
+struct ListedSeries : IndexedSeries {
+  std::vector<std::string> files;
+};
+
 /// A study with its series, where they are wanted.
 struct Listed {
   IndexedStudy study;
-  std::vector<IndexedSeries> series;
+  std::vector<ListedSeries> series;
 };
 
-Json toJson(const IndexedSeries& s) {
+Json toJson(const ListedSeries& s) {
   return {{"seriesUid", s.seriesUid}, {"number", s.number},
           {"modality", s.modality},   {"description", s.description},
           {"date", s.date},           {"time", s.time},
           {"label", s.label},         {"images", s.images},
           {"frames", s.frames},       {"isVolume", s.isVolume},
-          {"offline", s.offline},     {"warnings", s.warnings}};
+          {"offline", s.offline},     {"warnings", s.warnings},
+          {"files", s.files}};
 }
 
 Json toJson(const Listed& listed, bool withSeries) {
@@ -54,7 +60,7 @@ Json toJson(const Listed& listed, bool withSeries) {
       {"openedAt", s.openedAt}};
   if (!withSeries) return out;
   out["series"] = Json::array();
-  for (const IndexedSeries& series : listed.series) out["series"].push_back(toJson(series));
+  for (const ListedSeries& series : listed.series) out["series"].push_back(toJson(series));
   return out;
 }
 
@@ -82,7 +88,7 @@ TextTable studyTable(const std::vector<Listed>& all) {
 TextTable seriesTable(const std::vector<Listed>& all) {
   TextTable table({"No.", "Patient", "Date", "Series", "Modality", "Description", "Images", "Frames", ""});
   for (const Listed& listed : all)
-    for (const IndexedSeries& s : listed.series) {
+    for (const ListedSeries& s : listed.series) {
       const std::string label = s.label.empty() ? "" : " (" + printable(s.label) + ")";
       table.add({std::to_string(listed.study.id), printable(listed.study.patientName),
                  dateOf(listed.study.date), printable(s.number), printable(s.modality),
@@ -103,7 +109,11 @@ Result<std::vector<Listed>> find(const Index& index, const ListOptions& options)
     if (options.series) {
       Result<std::vector<IndexedSeries>> series = index.series(study.id);
       if (!series) return series.error();
-      listed.series = std::move(*series);
+      for (IndexedSeries& s : *series) {
+        Result<std::vector<std::string>> files = index.files(study.id, s.id);
+        if (!files) return files.error();
+        listed.series.push_back({std::move(s), std::move(*files)});
+      }
     }
     all.push_back(std::move(listed));
   }
@@ -111,14 +121,14 @@ Result<std::vector<Listed>> find(const Index& index, const ListOptions& options)
 }
 
 int run(const ListOptions& options) {
-  const Result<Index> index = openIndex(options.index);
+  const Result<Index> index = openExistingIndex(options.index);
   if (!index) return fail(index.message());
   const Result<std::vector<Listed>> all = find(*index, options);
   if (!all) return fail(all.message());
   if (options.json) {
     Json studies = Json::array();
     for (const Listed& listed : *all) studies.push_back(toJson(listed, options.series));
-    std::cout << Json{{"studies", studies}}.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << jsonText({{"studies", studies}});
   } else if (all->empty()) {
     std::cerr << (options.words.empty() ? "The index is empty: `volumen import PATH` fills it.\n"
                                         : "No study has all of these words.\n");

@@ -4,11 +4,13 @@
 
 #include "app/command.h"
 #include "app/open_volume.h"
+#include "app/option_words.h"
 #include "app/usage.h"
 #include "io/frames.h"
 #include "io/regular_file.h"
 #include "ui/data/frame_series.h"
 #include "ui/workspace/measurements.h"
+#include "viewer/measure/scaled.h"
 #include "viewer/measure/shape_json.h"
 
 namespace volumen {
@@ -16,8 +18,29 @@ namespace volumen {
 namespace {
 
 struct MeasureOptions {
-  std::string path, shapes, series;
+  std::string path, shapes, series, unit;
 };
+
+const OptionWords<PetUnit> unitWords{{"SUVbw", PetUnit::suvBodyWeight},
+                                     {"SUVlbm", PetUnit::suvLeanBodyMass},
+                                     {"SUVbsa", PetUnit::suvBodySurface},
+                                     {"file", PetUnit::file}};
+
+/// What the values of a series are given in: SUVbw where none was asked for and it can be had; an Error where
+/// what was asked for cannot be.
+Result<ValueScale> scaleFor(const Series& series, const MeasureOptions& options) {
+  if (options.unit.empty()) return valueScale(series, PetUnit::suvBodyWeight);
+  const PetUnit wanted = meaning(unitWords, options.unit);
+  ValueScale scale = valueScale(series, wanted);
+  if (wanted == PetUnit::file || scale.unit == options.unit) return scale;
+  return Error{series.path + ": " + (scale.why.empty() ? "no SUV: it is no PET series" : scale.why) + "."};
+}
+
+// The range of a volume in the unit that its other numbers have.
+nlohmann::ordered_json jsonOf(Shape shape, const Result<Measured>& measured, double factor) {
+  shape.range.low *= factor, shape.range.high *= factor;
+  return measuredToJson(shape, measured);
+}
 
 Result<std::vector<Shape>> readShapes(const std::string& path) {
   constexpr std::uint64_t mostBytes = 16 << 20;
@@ -37,23 +60,37 @@ struct FrameOfStudy {
   int index = 0;
 };
 
+/// What is lost of what shapes are measured on.
+std::vector<Unread> unreadOf(const std::optional<Opened>& opened, const std::vector<const Series*>& frames) {
+  std::vector<Unread> all;
+  if (opened) all = opened->loaded.unread;
+  for (const Series* series : frames)
+    for (const Unread& file : series->unread)
+      if (std::ranges::find(all, file) == all.end()) all.push_back(file);
+  return all;
+}
+
 std::optional<FrameOfStudy> findFrame(const std::vector<Series>& all, const ShapeFrame& name) {
   for (const Series& series : all)
     if (const auto index = frameMeant(series, name)) return FrameOfStudy{&series, *index};
   return {};
 }
 
-Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape) {
+Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape, const MeasureOptions& options,
+                            std::vector<const Series*>& used) {
   const auto found = findFrame(all, *shape.frame);
   if (!found)
     return Error{"No picture here has the instance " + JsonFields::quoted(shape.frame->instance) +
                  " and a frame " + std::to_string(shape.frame->number) + "."};
+  used.push_back(found->series);
   Result<Frame> frame = loadFrame(*found->series, found->index);
   if (!frame) return frame.error();
   const Result<ShownFramePtr> shown =
       shownFrame(*found->series, {keyOf(*found->series), found->index}, std::move(*frame));
   if (!shown) return shown.error();
-  return measureOnFrame(shape, pixelsOf(**shown), (*shown)->slice->series.unit);
+  const auto scale = scaleFor((*shown)->slice->series, options);
+  if (!scale) return scale.error();
+  return scaled(measureOnFrame(shape, pixelsOf(**shown), scale->unit), scale->factor);
 }
 
 /// What shapes are measured on; of the two what they need.
@@ -79,13 +116,16 @@ Result<Sources> open(const MeasureOptions& options, const std::vector<Shape>& sh
   return sources;
 }
 
-void noteOf(Opened& opened) {
+void noteOf(Opened& opened, const ValueScale& scale) {
   const Volume& volume = *opened.loaded.drawn;
   if (opened.loaded.drawn != opened.loaded.acquired)
     opened.notes.push_back("Measured on the evenly spaced slices that are shown in 3D: " +
                            std::to_string(volume.size().z) + ".");
   if (!volume.geometry().calibrated)
     opened.notes.push_back("Not calibrated: lengths are in pixels, volumes in voxels.");
+  if (!scale.why.empty())
+    opened.notes.push_back("Values are in " + (scale.unit.empty() ? "no known unit" : scale.unit) + ", " +
+                           scale.why + ".");
   printNotes(opened.notes);
 }
 
@@ -96,18 +136,27 @@ int run(const MeasureOptions& options, const CancelToken& cancel) {
   if (!sources) return fail(sources.message(), cancel);
   std::optional<Opened>& opened = sources->volume;
   nlohmann::ordered_json all, numbers = nlohmann::ordered_json::array();
+  const Result<ValueScale> scale = opened ? scaleFor(opened->series, options) : ValueScale{};
+  if (!scale) return fail(scale.message());
   if (opened) all["series"] = opened->series.id;
+  if (!scale->why.empty()) all["noSuv"] = scale->why;
+  std::vector<const Series*> used;
   for (const Shape& shape : *shapes) {
     const Result<Measured> measured =
-        shape.frame ? measuredOn(sources->frames, shape)
-                    : measure(shape, *opened->loaded.drawn, opened->series.unit, cancel);
+        shape.frame ? measuredOn(sources->frames, shape, options, used)
+                    : scaled(measure(shape, *opened->loaded.drawn, scale->unit, cancel), scale->factor);
     if (cancel.cancelled()) return fail({}, cancel);
-    numbers.push_back(measuredToJson(shape, measured));
+    numbers.push_back(jsonOf(shape, measured, scale->factor));
   }
-  if (opened) noteOf(*opened);
+  const std::vector<Unread> unread = unreadOf(opened, used);
+  if (Status whole = checkLosses(options.path, unread); !whole) return fail(whole.message());
+  if (opened) noteOf(*opened, *scale);
+  if (!opened) printNotes(unreadSentences(used));
   all["measurements"] = std::move(numbers);
-  std::cout << all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
-  return exitDone;
+  if (opened) all["warnings"] = sentences(opened->loaded.warnings);
+  all["unread"] = unreadJson(unread);
+  std::cout << jsonText(all);
+  return unread.empty() ? exitDone : exitLosses;
 }
 
 }  // namespace
@@ -121,6 +170,11 @@ std::function<int()> makeMeasure(CLI::App& app, const CancelToken& cancel) {
       ->type_name("FILE")
       ->required();
   addSeries(app, options->series);
+  oneOf(app.add_option(
+            "--unit", options->unit,
+            "Values of PET in SUVbw, SUVlbm, SUVbsa or file, that of the file (default: SUVbw, else file)"),
+        keys(unitWords))
+      ->type_name("UNIT");
   addExamples(app, {"volumen measure scans/ --roi shapes.json",
                     "volumen measure scans/ --series 1 --roi shapes.json"});
   return [options, &cancel] { return run(*options, cancel); };

@@ -87,7 +87,7 @@ int run(const OpenOptions& options, const CancelToken& cancel) {
   // Ctrl-C in the terminal closes the window.
   QTimer interrupted;
   QObject::connect(&interrupted, &QTimer::timeout, &window, [&] {
-    if (cancel.cancelled()) window.close();
+    if (cancel.cancelled()) window.end();
   });
   interrupted.start(200);
   return QApplication::exec();

@@ -139,13 +139,14 @@ class Run {
       if (Status taken = takeAway(mask, *opened, cancel_); !taken) return stopped(taken.message());
     volume_ = opened->loaded.drawn;
     warnings_ = opened->loaded.warnings;
+    unread_ = opened->loaded.unread;
     times_.loadMs = wallMs() - begin;
     auto scene = makeScene(options_.scene, *file, *volume_);
     if (!scene) return fail(scene.message());
     RenderCaches caches(volume_);
     const int status = draw(*scene, *asked, caches);
     times_.totalMs = wallMs() - begin;
-    return status == exitDone ? finish() : status;
+    return status == exitDone ? finish(opened->status()) : status;
   }
 
  private:
@@ -245,15 +246,17 @@ class Run {
     return fail(why, cancel_);
   }
 
-  int finish() {
+  int finish(int status) {
     if (options_.explain)
       told() << (times_.framesMs.empty() ? explain(done_.plan)
                                          : explain(done_.plan, effectCosts(done_.plan, done_.stats)));
     if (options_.printScene) std::cout << sceneToJson(done_.plan.scene);
-    if (options_.statsFile.empty()) return exitDone;
-    const std::string text = statsJson(done_, times_, *volume_).dump(2) + "\n";
-    const Status written = writeText(options_.statsFile, text);
-    return written.ok() ? exitDone : fail(written.message());
+    if (options_.statsFile.empty()) return status;
+    nlohmann::ordered_json stats = statsJson(done_, times_, *volume_);
+    stats["warnings"] = sentences(warnings_);
+    stats["unread"] = unreadJson(unread_);
+    const Status written = writeText(options_.statsFile, jsonText(stats));
+    return written.ok() ? status : fail(written.message());
   }
 
   // Beside a scene nothing else is written to stdout, so that a file of it can be read again.
@@ -263,6 +266,7 @@ class Run {
   const CancelToken& cancel_;
   VolumePtr volume_;
   std::vector<Warning> warnings_;
+  std::vector<Unread> unread_;
   Times times_;
   Rendered done_;
   int written_ = 0;

@@ -45,26 +45,31 @@ std::optional<ValueRange> readRange(const std::string& text) {
   return ValueRange{*low, *high};
 }
 
-void printText(const LabelStatistics& s, const std::string& output) {
+void printText(const LabelStatistics& s, const std::string& unit, const std::string& output) {
+  const std::string behind = unit.empty() ? "" : ' ' + printable(unit);
   std::cout << std::setprecision(10) << "voxels: " << s.voxels << '\n';
   if (s.millilitres) std::cout << "millilitres: " << *s.millilitres << '\n';
-  if (s.voxels) std::cout << "mean: " << s.mean << "\nmin: " << s.min << "\nmax: " << s.max << '\n';
+  for (const auto& [name, value] : {std::pair("mean", s.mean), {"min", s.min}, {"max", s.max}})
+    if (s.voxels) std::cout << name << ": " << value << behind << '\n';
   std::cout << "file: " << printable(output) << '\n';
 }
 
-void printJson(const LabelStatistics& s, const std::string& series, const ValueRange& range,
+void printJson(const LabelStatistics& s, const Opened& opened, const ValueRange& range,
                const std::string& output) {
   const auto known = [](bool is, double value) { return is ? nlohmann::ordered_json(value) : nullptr; };
   const nlohmann::ordered_json all{
-      {"series", series},
+      {"series", opened.series.id},
       {"range", {known(std::isfinite(range.low), range.low), known(std::isfinite(range.high), range.high)}},
       {"voxels", s.voxels},
       {"millilitres", known(s.millilitres.has_value(), s.millilitres.value_or(0))},
       {"mean", known(s.voxels, s.mean)},
       {"min", known(s.voxels, s.min)},
       {"max", known(s.voxels, s.max)},
-      {"file", output}};
-  std::cout << all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+      {"unit", opened.series.unit},
+      {"file", output},
+      {"warnings", sentences(opened.loaded.warnings)},
+      {"unread", unreadJson(opened.loaded.unread)}};
+  std::cout << jsonText(all);
 }
 
 void addNotes(std::vector<std::string>& notes, const Opened& opened, const LabelStatistics& s,
@@ -94,13 +99,14 @@ int run(const SegmentOptions& options, const CancelToken& cancel) {
   const LabelStatistics statistics = labelStatistics(map, volume);
   if (const Status s = writeSegNrrd(map, "Range " + options.range, boneIvory, options.output, cancel); !s)
     return fail(s.message(), cancel);
+  noteKeptTilt(*opened);
   addNotes(opened->notes, *opened, statistics, options.range);
   printNotes(opened->notes);
   if (options.json)
-    printJson(statistics, opened->series.id, *range, options.output);
+    printJson(statistics, *opened, *range, options.output);
   else
-    printText(statistics, options.output);
-  return exitDone;
+    printText(statistics, opened->series.unit, options.output);
+  return opened->status();
 }
 
 }  // namespace

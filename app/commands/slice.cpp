@@ -1,5 +1,9 @@
 #include <QImage>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <memory>
@@ -101,6 +105,26 @@ Result<SlicePlane> onIndex(const SlicePlane& plane, const VoxelGeometry& geometr
   return *on;
 }
 
+// Refused where nothing of the volume lies in the plane or its slab: the picture would be empty.
+Status checkMeets(const SlicePlane& plane, const VoxelGeometry& geometry) {
+  glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
+  double nearest = HUGE_VAL, farthest = -HUGE_VAL;  // along the normal, from the plane
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 far = geometry.size;
+    const glm::dvec3 at(corner & 1 ? far.x : 0, corner & 2 ? far.y : 0, corner & 4 ? far.z : 0);
+    const glm::dvec3 place = geometry.patientFromVoxel(at - 0.5);
+    const double along = glm::dot(place - plane.centre, plane.normal());
+    low = glm::min(low, place), high = glm::max(high, place);
+    nearest = std::min(nearest, along), farthest = std::max(farthest, along);
+  }
+  const double reach = 0.5 * plane.slabMm + 1e-6;
+  if (nearest <= reach && farthest >= -reach) return {};
+  char text[160];
+  std::snprintf(text, sizeof text, "x %.1f to %.1f, y %.1f to %.1f, z %.1f to %.1f mm.", low.x, high.x, low.y,
+                high.y, low.z, high.z);
+  return Error{std::string("The plane lies outside of the volume, which reaches from ") + text};
+}
+
 Result<SlicePlane> makePlane(const SliceOptions& options, const Asked& asked, const VoxelGeometry& geometry) {
   const NamedPlane name = meaning(planes, options.plane);
   SlicePlane plane = asked.rightAndDown
@@ -114,7 +138,10 @@ Result<SlicePlane> makePlane(const SliceOptions& options, const Asked& asked, co
   plane.slabMode = meaning(slabModes, options.slabMode);
   plane.interpolation = meaning(interpolations, options.interpolation);
   plane.average = options.average;
-  if (!options.index) return plane;
+  if (!options.index) {
+    if (Status meets = checkMeets(plane, geometry); !meets) return meets.error();
+    return plane;
+  }
   return onIndex(plane, geometry, *options.index);
 }
 
@@ -145,10 +172,18 @@ QImage greyImage(const SliceValues& slice, const GreyMapping& grey) {
   return image;
 }
 
+// Nothing where lengths and directions are not known.
+std::optional<PicturePlane> placeOf(const SlicePlane& plane, const VoxelGeometry& geometry) {
+  if (!geometry.calibrated) return {};
+  return PicturePlane{plane.patientFromPixel({0.5, 0.5}), plane.right * plane.mmPerPixel,
+                      plane.down * plane.mmPerPixel};
+}
+
 Status writeSlice(const SliceValues& slice, const SlicePlane& plane, const Opened& opened,
                   const SliceOptions& options, const Asked& asked) {
-  if (isFloatPicture(options.output)) return writeMapNrrd(slice.size, slice.values, options.output);
   const Volume& volume = *opened.loaded.drawn;
+  if (isFloatPicture(options.output))
+    return writeMapNrrd(slice.size, slice.values, options.output, placeOf(plane, volume.geometry()));
   const GreyMapping grey = windowGrey(volume, opened.series.format == "DICOM",
                                       asked.window ? *asked.window : firstWindow(volume, opened.series.unit));
   const PictureText text{{"Software", "volumen " VOLUMEN_VERSION},
@@ -208,8 +243,8 @@ int run(const SliceOptions& options, const CancelToken& cancel) {
   const auto plane = makePlane(options, *asked, opened->loaded.drawn->geometry());
   if (!plane) return fail(plane.message());
   if (const int failed = draw(options, *asked, *plane, *opened, cancel)) return failed;
-  if (options.printPlane) std::cout << planeJson(*plane).dump(2) << '\n';
-  return exitDone;
+  if (options.printPlane) std::cout << jsonText(planeJson(*plane));
+  return opened->status();
 }
 
 // Adds what says where the plane lies.

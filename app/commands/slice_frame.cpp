@@ -6,6 +6,7 @@
 #include <cstring>
 #include <iostream>
 #include <limits>
+#include <utility>
 
 #include "app/command.h"
 #include "app/open_volume.h"
@@ -85,13 +86,13 @@ Error namesNothing(const Study& study, const std::string& path) {
 }
 
 /// The picture that is asked for, else the first one that a presentation state refers to.
-Result<PresentedFrame> presentedFrame(const Study& study, const FrameOptions& options,
-                                      const Presentation& presentation) {
+Result<std::pair<Source, int>> presentedSource(const Study& study, const FrameOptions& options,
+                                               const Presentation& presentation) {
   std::vector<Source> sources;
   if (options.index || !options.series.empty()) {
     const Result<Source> source = sourceOf(study, options);
     if (!source) return source.error();
-    if (options.index) return source->load(*options.index, presentation);
+    if (options.index) return std::pair(*source, *options.index);
     sources.push_back(*source);
   } else {
     for (const Series& series : study.volumes)
@@ -100,7 +101,7 @@ Result<PresentedFrame> presentedFrame(const Study& study, const FrameOptions& op
   }
   const auto named = firstNamed(sources, presentation);
   if (!named) return namesNothing(study, options.path);
-  return named->first.load(named->second, presentation);
+  return *named;
 }
 
 QImage imageOf(const std::vector<std::uint8_t>& bytes, glm::ivec2 size, bool colour) {
@@ -170,19 +171,32 @@ Status finish(const Result<Shown>& shown, const std::vector<std::string>& warnin
   return write(*shown, options);
 }
 
-Status drawPresented(const Study& study, const FrameOptions& options) {
+/// Says what is lost of the series that a frame is of, or refuses it for that.
+Status tellLosses(const Source& source, int& status) {
+  if (!source.series || source.series->unread.empty()) return {};
+  if (Status whole = checkLosses(source.series->path, source.series->unread); !whole) return whole;
+  printNotes(unreadSentences({source.series}));
+  status = exitLosses;
+  return {};
+}
+
+Status drawPresented(const Study& study, const FrameOptions& options, int& status) {
   const Result<std::string> file = presentationFile(study, options.presentation);
   if (!file) return file.error();
   const Result<Presentation> presentation = loadPresentation(*file);
   if (!presentation) return presentation.error();
   printNotes(presentation->warnings);
-  const Result<PresentedFrame> shown = presentedFrame(study, options, *presentation);
+  const auto source = presentedSource(study, options, *presentation);
+  if (!source) return source.error();
+  if (Status told = tellLosses(source->first, status); !told) return told;
+  const Result<PresentedFrame> shown = source->first.load(source->second, *presentation);
   return finish(shown, shown ? shown->frame.warnings : std::vector<std::string>(), options);
 }
 
-Status drawAcquired(const Study& study, const FrameOptions& options) {
+Status drawAcquired(const Study& study, const FrameOptions& options, int& status) {
   const Result<Source> source = sourceOf(study, options);
   if (!source) return source.error();
+  if (Status told = tellLosses(*source, status); !told) return told;
   const Result<Frame> frame = source->load(options.index.value_or(0));
   return finish(frame, frame ? frame->warnings : std::vector<std::string>(), options);
 }
@@ -192,11 +206,12 @@ Status drawAcquired(const Study& study, const FrameOptions& options) {
 int sliceFrame(const FrameOptions& options, const CancelToken& cancel) {
   const Result<Study> study = openStudy(options.path, {}, cancel);
   if (!study) return fail(study.message(), cancel);
-  const Status drawn =
-      options.presentation.empty() ? drawAcquired(*study, options) : drawPresented(*study, options);
+  int status = exitDone;
+  const Status drawn = options.presentation.empty() ? drawAcquired(*study, options, status)
+                                                    : drawPresented(*study, options, status);
   if (!drawn) return fail(drawn.message());
   std::cout << printable(options.output) << '\n';
-  return exitDone;
+  return status;
 }
 
 }  // namespace volumen

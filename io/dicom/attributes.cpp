@@ -69,15 +69,6 @@ Status readBits(const DataSet& data, const Element& pixels, PixelFormat& format)
   return {};
 }
 
-// CT means HU where it does not say otherwise (Rescale Type); PET says it in Units.
-std::string unitOf(const std::string& modality, const std::string& rescaleType, const std::string& units) {
-  if (modality == "CT") return rescaleType.empty() || rescaleType == "HU" ? "HU" : "";
-  if (modality != "PT") return "";
-  if (units == "BQML") return "Bq/ml";
-  // Standardised uptake by body weight, surface or lean mass: g/ml, cm2/ml.
-  return units == "GML" || units == "CM2ML" ? "SUV" : "";
-}
-
 }  // namespace
 
 void readIdentity(const DataSet& data, FileHeader& header) {
@@ -106,7 +97,6 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   if (header.laterality.empty()) header.laterality = text(0x00200060);
   header.viewPosition = text(0x00185101);
   header.frameOfReferenceUid = text(0x00200052);
-  header.unit = unitOf(header.modality, text(0x00281054), text(0x00541001));
   header.time = dateOrTime(text(0x00080032));
   if (header.time.empty()) header.time = dateOrTime(text(0x00080031));
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
+#include <utility>
 
 #include "io/dicom/data_set.h"
 #include "io/worker/serve.h"
@@ -45,15 +47,105 @@ constexpr CharacterSet sets[] = {
 };
 constexpr const CharacterSet& ascii = sets[0];
 
-/// The character set that text begins in: the first value of SpecificCharacterSet.
-const CharacterSet& initialSet(const std::string& specificCharacterSet) {
-  std::string term = specificCharacterSet.substr(0, specificCharacterSet.find('\\'));
-  term.erase(term.find_last_not_of(' ') + 1);
-  for (const char* prefix : {"ISO_IR ", "ISO 2022 IR "})
-    if (term.starts_with(prefix)) term.erase(0, std::string_view(prefix).size());
-  for (const CharacterSet& set : sets)
-    if (term == set.term) return set;
-  return ascii;
+/// What is often written for a defined term: its letters and digits alone, in capitals.
+constexpr std::pair<std::string_view, const char*> otherNames[] = {
+    {"UTF8", "192"},     {"ISO10646", "192"}, {"ASCII", "6"},      {"USASCII", "6"},    {"LATIN1", "100"},
+    {"ISO88591", "100"}, {"ISO88592", "101"}, {"ISO88593", "109"}, {"ISO88594", "110"}, {"ISO88595", "144"},
+    {"ISO88596", "127"}, {"ISO88597", "126"}, {"ISO88598", "138"}, {"ISO88599", "148"}, {"ISO885915", "203"},
+    {"TIS620", "166"},   {"SHIFTJIS", "13"},  {"SJIS", "13"},      {"EUCKR", "149"},    {"GB2312", "GBK"}};
+
+const CharacterSet* setOf(std::string_view name) {
+  const auto it = std::ranges::find(sets, name, [](const CharacterSet& set) { return set.term; });
+  return it == std::end(sets) ? nullptr : it;
+}
+
+std::string withoutPrefix(std::string term, std::initializer_list<std::string_view> prefixes) {
+  for (const std::string_view prefix : prefixes)
+    if (term.starts_with(prefix)) return term.substr(prefix.size());
+  return term;
+}
+
+/// The set that a value of SpecificCharacterSet means; null: it is not known. `exact`: it is the standard's
+/// term; none at all is ASCII.
+const CharacterSet* meantBy(const std::string& value, bool& exact) {
+  exact = true;
+  if (value.empty()) return &ascii;
+  if (const CharacterSet* set = setOf(withoutPrefix(value, {"ISO_IR ", "ISO 2022 IR "}));
+      set && (value != set->term || value.starts_with("GB")))
+    return set;
+  exact = false;
+  std::string name;
+  for (const char c : value)
+    if (std::isalnum(std::uint8_t(c))) name += char(std::toupper(std::uint8_t(c)));
+  for (const auto& [other, term] : otherNames)
+    if (name == other) return setOf(term);
+  return setOf(withoutPrefix(name, {"ISO2022IR", "ISOIR", "IR", "ISO"}));
+}
+
+/// SpecificCharacterSet as it is meant.
+struct Characters {
+  const CharacterSet* initial = &ascii;  ///< which text begins in
+  bool extensions = false;
+  bool undeclared = true;     ///< nothing is said of bytes above 7F
+  std::string misspelt;       ///< a value that is no term of the standard
+  bool ofLaterValue = false;  ///< the first value has nothing above 7F, a later one has
+};
+
+/// Whether a set's bytes above 7F can be told from ASCII without an escape sequence.
+bool isUpperHalf(const CharacterSet& set) {
+  const std::string_view escape = set.escape ? set.escape : "-";
+  return escape.starts_with('-') || escape.starts_with(')') || escape.starts_with("$)");
+}
+
+Characters charactersOf(const std::string& specificCharacterSet) {
+  Characters characters;
+  std::size_t begin = 0;
+  for (int number = 0; begin <= specificCharacterSet.size(); ++number) {
+    const std::size_t end = std::min(specificCharacterSet.find('\\', begin), specificCharacterSet.size());
+    std::string value = specificCharacterSet.substr(begin, end - begin);
+    value.erase(value.find_last_not_of(' ') + 1);
+    value.erase(0, std::min(value.find_first_not_of(' '), value.size()));
+    begin = end + 1;
+    bool exact = true;
+    const CharacterSet* set = meantBy(value, exact);
+    if (!exact && characters.misspelt.empty()) characters.misspelt = value;
+    characters.extensions = number > 0;
+    if (!set || set->term == std::string_view("6") || !characters.undeclared) continue;
+    if (number > 0 && !isUpperHalf(*set)) continue;
+    characters.initial = set;
+    characters.undeclared = false;
+    characters.ofLaterValue = number > 0;
+  }
+  return characters;
+}
+
+bool isPlain(const std::string& text) {
+  return std::ranges::all_of(text, [](char c) { return std::uint8_t(c) < 0x80 && c != 0x1b; });
+}
+
+/// Whether all of it is UTF-8 of the shortest form.
+bool isUtf8(const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto first = std::uint8_t(text[at++]);
+    const int more = first < 0x80   ? 0
+                     : first < 0xc2 ? -1
+                     : first < 0xe0 ? 1
+                     : first < 0xf0 ? 2
+                     : first < 0xf5 ? 3
+                                    : -1;
+    if (more < 0 || text.size() - at < std::size_t(more)) return false;
+    const auto second = more ? std::uint8_t(text[at]) : 0;
+    const bool tooLong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+    if (tooLong || (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90)) return false;
+    for (const std::size_t end = at + std::size_t(more); at < end; ++at)
+      if ((std::uint8_t(text[at]) & 0xc0) != 0x80) return false;
+  }
+  return true;
+}
+
+/// Whether text has bytes above 7F that no set is declared for, and they are UTF-8.
+bool isUndeclaredUtf8(const std::string& text, const Characters& characters) {
+  return characters.undeclared && text.find('\x1b') == std::string::npos && isUtf8(text);
 }
 
 /// The set that the escape sequence at `at` selects, and the sequence's length; nothing where it is unknown.
@@ -111,12 +203,10 @@ bool isDelimiter(char c) { return c == '^' || c == '=' || c == '\\' || c == '\r'
 }  // namespace
 
 std::string toUtf8(const std::string& text, const std::string& specificCharacterSet) {
-  const bool plain =
-      std::all_of(text.begin(), text.end(), [](char c) { return std::uint8_t(c) < 0x80 && c != 0x1b; });
-  if (plain) return text;
-  const CharacterSet& initial = initialSet(specificCharacterSet);
-  const bool extensions = specificCharacterSet.find('\\') != std::string::npos;
-  const CharacterSet* current = &initial;
+  if (isPlain(text)) return text;
+  const Characters characters = charactersOf(specificCharacterSet);
+  if (isUndeclaredUtf8(text, characters)) return text;
+  const CharacterSet* current = characters.initial;
   std::string out, run;
   const auto flush = [&] {
     out += converted(encoded(run, current->bytes), current->encoding);
@@ -127,9 +217,10 @@ std::string toUtf8(const std::string& text, const std::string& specificCharacter
     const CharacterSet* next = text[at] == 0x1b ? escapedSet(text, at, length) : nullptr;
     // A delimiter ends what escape sequences have selected (PS3.5 6.1.2.5.3); as a byte of a multi-byte
     // character it can only stand in sets without code extensions.
-    if (!next && extensions && isDelimiter(text[at]) && current->bytes == CharacterSet::asTheyAre) {
+    if (!next && characters.extensions && isDelimiter(text[at]) &&
+        current->bytes == CharacterSet::asTheyAre) {
       flush();
-      current = &initial;
+      current = characters.initial;
     }
     if (next) {
       flush();
@@ -141,6 +232,22 @@ std::string toUtf8(const std::string& text, const std::string& specificCharacter
   }
   flush();
   return out;
+}
+
+std::string characterRemark(const std::string& text, const std::string& specificCharacterSet) {
+  if (isPlain(text)) return {};
+  const Characters characters = charactersOf(specificCharacterSet);
+  const std::string set = "SpecificCharacterSet \"" + toUtf8(specificCharacterSet, {}) + "\"";
+  const std::string term = std::string("ISO_IR ") + characters.initial->term;
+  if (isUndeclaredUtf8(text, characters))
+    return characters.misspelt.empty() ? "it has texts in UTF-8 and does not say so: they were read as UTF-8"
+                                       : "its " + set + " is not known: its texts were read as UTF-8";
+  if (!characters.misspelt.empty())
+    return "its " + set + " is no term of the standard" +
+           (characters.undeclared ? " and is not known" : ": it was read as " + term);
+  if (characters.ofLaterValue && text.find('\x1b') == std::string::npos)
+    return "its " + set + " says nothing of letters above 7F in its first value: they were read as " + term;
+  return {};
 }
 
 void loadCharacterSets(bool all) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string_view>
 
 namespace volumen::dicom {
 namespace {
@@ -38,6 +40,17 @@ std::size_t nextMarker(Bytes stream, std::size_t at) {
 StreamInfo frameHeader(Bytes segment) {
   return {numberAt<std::uint16_t>(segment, 3, true), numberAt<std::uint16_t>(segment, 1, true), segment[5],
           segment[0], false};
+}
+
+/// What the components of a frame header say: their names, and how each is sampled.
+JpegColours coloursOf(Bytes frameHeader) {
+  constexpr std::size_t first = 6, each = 3;
+  if (frameHeader.size() < first + 3 * each || frameHeader[first - 1] != 3) return JpegColours::unsaid;
+  const auto name = [&](std::size_t n) { return frameHeader[first + n * each]; };
+  const auto sampling = [&](std::size_t n) { return frameHeader[first + n * each + 1]; };
+  if (name(0) == 'R' && name(1) == 'G' && name(2) == 'B') return JpegColours::rgb;
+  const bool alike = sampling(0) == sampling(1) && sampling(0) == sampling(2);
+  return alike ? JpegColours::unsaid : JpegColours::ybr;
 }
 
 }  // namespace
@@ -78,25 +91,30 @@ Result<StreamInfo> jpegInfo(Bytes stream) {
   return info;
 }
 
-bool jpegSaysYbr(Bytes stream) {
+JpegColours jpegColours(Bytes stream) {
   constexpr std::uint8_t jfif = 0xe0, adobe = 0xee;
-  bool ybr = false;
+  bool isJfif = false;
+  std::optional<int> transform;
   for (std::size_t at = 2; at + 4 <= stream.size() && stream[at] == 0xff;) {
     const std::uint8_t marker = stream[at + 1];
     const std::size_t length = numberAt<std::uint16_t>(stream, at + 2, true);
-    if (length < 2 || length > stream.size() - at - 2) return false;
+    if (length < 2 || length > stream.size() - at - 2) break;
     const Bytes segment = stream.subspan(at + 4, length - 2);
     const auto begins = [&](std::string_view text) {
       return segment.size() >= text.size() && std::equal(text.begin(), text.end(), segment.begin());
     };
     constexpr std::size_t adobeTransform = 11;
-    if (marker == jfif && begins("JFIF")) ybr = true;
+    if (marker == jfif && begins("JFIF")) isJfif = true;
     if (marker == adobe && begins("Adobe") && segment.size() > adobeTransform)
-      ybr = segment[adobeTransform] == 1;
-    if (isFrameHeader(marker)) return ybr && (marker & 3) != 3;
+      transform = segment[adobeTransform];
+    if (isFrameHeader(marker)) {
+      if ((marker & 3) == 3) break;
+      if (transform == 0) return JpegColours::rgb;
+      return transform == 1 || isJfif ? JpegColours::ybr : coloursOf(segment);
+    }
     at += 2 + length;
   }
-  return false;
+  return JpegColours::unsaid;
 }
 
 Bytes jpeg2000Stream(Bytes frame) {

@@ -14,9 +14,11 @@ struct StreamInfo {
 /// no picture, damaged markers, more than 100 scans, fewer bytes than the coding can possibly need.
 Result<StreamInfo> jpegInfo(Bytes stream);
 
-/// Whether a JPEG stream of three colours says that they are luminance and colour differences: by the mark
-/// of JFIF or of Adobe, where its coding is not lossless.
-bool jpegSaysYbr(Bytes stream);
+/// What a JPEG stream of three colours that is not lossless says of them itself: by Adobe's mark, else that
+/// of JFIF (luminance and colour differences), else components that are called R, G and B, or of which some
+/// are subsampled (colour differences).
+enum class JpegColours { unsaid, rgb, ybr };
+JpegColours jpegColours(Bytes stream);
 
 /// The SIZ marker of a JPEG 2000 code stream (ISO 15444-1 A.5.1). Refused: subsampling, colours that differ
 /// in precision, more than 4096 tiles.

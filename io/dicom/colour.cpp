@@ -27,15 +27,22 @@ void ybrToRgb(std::vector<std::uint8_t>& pixels) {
 }
 
 /// The bytes that stand for each entry of the three tables of a palette.
-Result<std::array<LookupTable, 3>> readPalette(const DataSet& data, bool isSigned) {
+Result<std::array<LookupTable, 3>> readPalette(const DataSet& data, bool isSigned,
+                                               std::vector<std::string>& warnings) {
   std::array<LookupTable, 3> palette;
+  int used = 0;
   for (std::uint32_t colour = 0; colour < 3; ++colour) {
     const LookupTags tags{0x00281101 + colour, 0x00281201 + colour, 0x00281221 + colour};
     auto table = readLookupTable(data, data.root(), tags, isSigned);
     if (!table) return table.error();
-    for (std::uint16_t& entry : table->entries) entry = toByte(entry, table->bits);
+    used = std::max(used, table->usedBits());
     palette[colour] = std::move(*table);
   }
+  const bool narrow = used <= 8 && std::ranges::all_of(palette, [](auto& table) { return table.bits == 16; });
+  if (narrow && used > 0)
+    warnings.emplace_back("Its palette says that it has 16 bits, and uses 8: it is shown by those.");
+  for (LookupTable& table : palette)
+    for (std::uint16_t& entry : table.entries) entry = toByte(entry, narrow ? 8 : table.bits);
   return palette;
 }
 
@@ -54,9 +61,9 @@ std::vector<std::uint8_t> throughPalette(const Samples& samples, const std::arra
 }  // namespace
 
 Result<std::vector<std::uint8_t>> toRgb(const DecodedFrame& decoded, const PixelFormat& format,
-                                        const DataSet& data) {
+                                        const DataSet& data, std::vector<std::string>& warnings) {
   if (format.samples == 1) {
-    const auto palette = readPalette(data, format.isSigned);
+    const auto palette = readPalette(data, format.isSigned, warnings);
     if (!palette) return palette.error();
     return throughPalette(decoded.samples, *palette);
   }

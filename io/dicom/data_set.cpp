@@ -16,7 +16,19 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(padding) - begin + 1);
 }
 
+/// "0,143", which can only mean one number.
+std::optional<double> numberWithComma(std::string_view text) {
+  std::string pointed(text);
+  if (std::ranges::count(pointed, ',') != 1) return {};
+  pointed[pointed.find(',')] = '.';
+  return parseNumber(pointed);
+}
+
 }  // namespace
+
+void DataSet::remark(const std::string& sentence) const {
+  if (std::ranges::find(remarks_, sentence) == remarks_.end()) remarks_.push_back(sentence);
+}
 
 const Element* DataSet::find(std::uint32_t tag, Scope scope) const {
   for (std::uint32_t n = scope.begin; n < scope.end; n = elements_[n].end)
@@ -50,7 +62,9 @@ std::string DataSet::text(std::uint32_t tag, Scope scope) const {
 std::string DataSet::utf8(std::uint32_t tag, Scope scope) const {
   const std::string found = text(tag, scope);
   const std::string own = found.empty() ? found : text(specificCharacterSet, scope);
-  return toUtf8(found, own.empty() ? characters_ : own);
+  const std::string& characters = own.empty() ? characters_ : own;
+  if (const std::string unusual = characterRemark(found, characters); !unusual.empty()) remark(unusual);
+  return toUtf8(found, characters);
 }
 
 std::vector<std::string> DataSet::values(std::uint32_t tag, Scope scope) const {
@@ -72,7 +86,11 @@ std::optional<std::vector<double>> DataSet::numbers(std::uint32_t tag, Scope sco
   std::vector<double> found;
   for (std::size_t begin = 0; begin <= all.size();) {
     const std::size_t end = std::min(all.find('\\', begin), all.size());
-    const std::optional<double> number = parseNumber(all.substr(begin, end - begin));
+    std::optional<double> number = parseNumber(all.substr(begin, end - begin));
+    if (!number) {
+      number = numberWithComma(all.substr(begin, end - begin));
+      if (number) remark("its numbers have decimal commas: they were read as decimal points");
+    }
     if (!number) return {};
     found.push_back(*number);
     begin = end + 1;
@@ -95,6 +113,10 @@ std::vector<T> DataSet::allOf(std::uint32_t tag, Scope scope, std::uint16_t vr) 
   for (std::size_t n = 0; n < all.size(); ++n)
     all[n] = numberAt<T>(bytes_, e->offset + sizeof(T) * n, e->bigEndian);
   return all;
+}
+
+std::vector<double> DataSet::reals(std::uint32_t tag, Scope scope) const {
+  return allOf<double>(tag, scope, vrOf('F', 'D'));
 }
 
 std::vector<float> DataSet::floats(std::uint32_t tag, Scope scope) const {

@@ -37,8 +37,8 @@ class DataSet {
   std::string raw(std::uint32_t tag, Scope scope) const;
   /// The values of a text between backslashes, each without padding.
   std::vector<std::string> values(std::uint32_t tag, Scope scope) const;
-  /// The numbers of a DS or IS; nothing where it is absent, empty or longer than 64 MiB, or one of them is no
-  /// finite number.
+  /// The numbers of a DS or IS, with a decimal comma as with a point; nothing where it is absent, empty or
+  /// longer than 64 MiB, or one of them is no finite number.
   std::optional<std::vector<double>> numbers(std::uint32_t tag, Scope scope) const;
   std::optional<double> number(std::uint32_t tag, Scope scope) const;
   /// The first 16-bit word of a US, SS or OW.
@@ -46,7 +46,8 @@ class DataSet {
   /// A UL, and an FD.
   std::optional<std::uint32_t> dword(std::uint32_t tag, Scope scope) const;
   std::optional<double> real(std::uint32_t tag, Scope scope) const;
-  /// All numbers of an FL, of an SL and of a UL; none where it is of another kind.
+  /// All numbers of an FD, of an FL, of an SL and of a UL; none where it is of another kind.
+  std::vector<double> reals(std::uint32_t tag, Scope scope) const;
   std::vector<float> floats(std::uint32_t tag, Scope scope) const;
   std::vector<std::int32_t> longs(std::uint32_t tag, Scope scope) const;
   std::vector<std::uint32_t> dwords(std::uint32_t tag, Scope scope) const;
@@ -57,9 +58,13 @@ class DataSet {
   /// An element that is there and not empty.
   bool has(std::uint32_t tag, Scope scope) const;
 
+  /// What was read otherwise than it is written, so far: sentences without the file's name, each once.
+  const std::vector<std::string>& remarks() const { return remarks_; }
+
  private:
   static constexpr std::uint32_t specificCharacterSet = 0x00080005;
 
+  void remark(const std::string& sentence) const;
   template <class T>
   std::optional<T> numberOf(std::uint32_t tag, Scope scope) const;
   template <class T>
@@ -68,6 +73,7 @@ class DataSet {
   Bytes bytes_;
   const std::vector<Element>& elements_;
   std::string characters_;  // SpecificCharacterSet of the data set
+  mutable std::vector<std::string> remarks_;
 };
 
 /// A finite number that takes up all of `text` (PS3.5 6.2, DS and IS), else nothing.
@@ -80,6 +86,10 @@ std::string dateOrTime(std::string text);
 /// `text` in UTF-8, by SpecificCharacterSet (0008,0005), code extensions included. What cannot be converted
 /// becomes U+FFFD.
 std::string toUtf8(const std::string& text, const std::string& specificCharacterSet);
+
+/// What is unusual in how the character set of `text` is declared: a sentence without a file's name, for
+/// toUtf8() reads what is meant; empty where all is as the standard has it, or text is plain.
+std::string characterRemark(const std::string& text, const std::string& specificCharacterSet);
 
 /// Loads character sets (`all`, or ISO 8859-1 alone), and keeps them, for a process that will not be able to
 /// open files.

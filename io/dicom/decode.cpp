@@ -70,6 +70,16 @@ Result<DecodedFrame> unpackDecoded(PixelFormat format, const Result<std::vector<
   return DecodedFrame{unpack(format, *decoded), {}, isYbr(format)};
 }
 
+/// Where label and stream contradict each other the stream is right: it was there first.
+void colourAsStreamSays(JpegColours said, const PixelFormat& format, DecodedFrame& frame) {
+  const bool ybr = said == JpegColours::ybr;
+  if (said == JpegColours::unsaid || ybr == frame.ybr) return;
+  frame.ybr = ybr;
+  frame.note = "its PhotometricInterpretation is " + format.photometric +
+               ", and its JPEG stream says that it is " + (ybr ? "YBR" : "RGB") +
+               ": it is shown as the stream says";
+}
+
 /// Samples of one colour after those of another, side by side.
 template <class Value>
 std::vector<Value> interleaved(const std::vector<Value>& planes, std::size_t colours) {
@@ -168,7 +178,7 @@ Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax
     case Coding::jpeg:
     case Coding::jpegLs: {
       auto decoded = unpackDecoded(format, decodeJpeg(format, syntax, bytes));
-      if (decoded && format.samples > 1 && jpegSaysYbr(bytes)) decoded->ybr = true;
+      if (decoded && format.samples > 1) colourAsStreamSays(jpegColours(bytes), format, *decoded);
       return decoded;
     }
     case Coding::jpeg2000:

@@ -22,11 +22,12 @@ bool staysInside(const std::string& id) {
   return true;
 }
 
-/// As ISO 9660 file systems may show it: in any case, with a version or a dot behind.
+/// As ISO 9660 file systems, and those that copy from them, may show it: in any case, with a version, a dot
+/// or an extension for pictures behind.
 std::string comparable(std::string path) {
   std::ranges::transform(path, path.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  if (path.ends_with(";1")) path.resize(path.size() - 2);
-  if (path.ends_with('.')) path.pop_back();
+  for (const std::string_view end : {";1", ".", ".dcm", ".ima"})
+    if (path.ends_with(end)) path.resize(path.size() - end.size());
   return path;
 }
 

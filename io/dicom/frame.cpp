@@ -25,7 +25,7 @@ namespace {
 /// What the file itself says: the Modality LUT Sequence, which stands in for the rescale, or the rescale of
 /// one frame (PS3.3 C.11.1).
 Result<ValueMapping> readValueMapping(const DataSet& data, const FileHeader& header, const Slice& slice) {
-  ValueMapping mapping{slice.slope, slice.intercept, 0, {}, header.unit};
+  ValueMapping mapping{slice.slope, slice.intercept, 0, {}, slice.unit};
   if (header.format.kind != PixelFormat::Kind::integer) return mapping;
   if (Status s = readModalityLut(data, header.format.isSigned, mapping); !s) return s.error();
   return mapping;
@@ -53,7 +53,7 @@ const Slice& sliceOf(const FileHeader& header, int n) {
 }
 
 std::optional<FramePlace> placeOf(const Slice& slice, const PixelSize& pixel) {
-  if (!isPlaced(slice) || pixel.kind != PixelSizeKind::patient) return {};
+  if (!isPlaced(slice) || slice.ofTransducer || pixel.kind != PixelSizeKind::patient) return {};
   return FramePlace{*slice.position, slice.orientation->row, slice.orientation->column};
 }
 
@@ -101,7 +101,8 @@ Status addGreys(const DataSet& data, const FileHeader& header, const DecodedFram
   frame.padding = paddingValues(slice, *mapping);
   frame.unit = mapping->unit;
   frame.greys = shown ? shownGreys(*shown, header.format)
-                      : readGreys(data, FrameScopes(data, n), header, frame, frame.warnings);
+                      : readGreys(data, FrameScopes(data, n), header, slice, frame, frame.warnings);
+  if (!shown && slice.isMapped) frame.warnings.push_back("Its " + realWorldSentence + ".");
   return {};
 }
 
@@ -122,7 +123,7 @@ Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Sh
   if (format.isGrey()) {
     if (Status s = addGreys(data, header, *decoded, n, shown, frame); !s) return s.error();
   } else {
-    auto rgb = toRgb(*decoded, format, data);
+    auto rgb = toRgb(*decoded, format, data, frame.warnings);
     if (!rgb) return rgb.error();
     frame.rgb = std::move(*rgb);
   }
@@ -130,7 +131,7 @@ Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Sh
   frame.place = placeOf(sliceOf(header, n), frame.pixel);
   readSides(data, frame);
   // A picture of ultrasound has mm in its regions alone: what PixelSpacing says there is no promise.
-  if (header.modality == "US" && !frame.place) frame.pixel.kind = PixelSizeKind::unknown;
+  if (header.modality == "US" && !isPlaced(sliceOf(header, n))) frame.pixel.kind = PixelSizeKind::unknown;
   frame.overlays = readOverlays(data, *pixels, header, n, frame.warnings);
   const Shutter shutter = shown ? shown->shutter : readShutter(data, at, frame.warnings);
   frame.shutter = hiddenBy(shutter, frame.size, frame.pixel.mm);

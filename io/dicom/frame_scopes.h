@@ -23,6 +23,9 @@ class FrameScopes {
                         ofAll.empty() ? DataSet::Scope{} : ofAll[0]);
   }
 
+  /// Whether this functional group is there.
+  bool hasGroup(std::uint32_t group) const { return isEnhanced_ && itemOf(group).has_value(); }
+
   static bool isEnhanced(const DataSet& data) {
     return data.find(sharedGroups, data.root()) || data.find(perFrameGroups, data.root());
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/dicom/lookup_table.h"
+#include "io/dicom/units.h"
 
 namespace volumen::dicom {
 namespace {
@@ -22,6 +23,15 @@ NamedGrey greyOf(const LookupTable& table, const std::string& name) {
     grey.mapping.table.grey.push_back(float(std::min(1.0, entry / table.top())));
   grey.mapping.window = {table.first + double(table.entries.size()) / 2, double(table.entries.size())};
   return grey;
+}
+
+/// A table whose values need fewer bits by two or more than it says would be nearly black.
+void useOwnRange(LookupTable& table, std::vector<std::string>& warnings) {
+  const int used = table.usedBits();
+  if (used == 0 || used > table.bits - 2) return;
+  warnings.push_back("A VOI LUT says that it has " + std::to_string(table.bits) +
+                     " bits, and its values use " + std::to_string(used) + ": it is shown by their range.");
+  table.bits = used;
 }
 
 /// picture.md 5's percentiles 0.1 and 99.9 of what is no padding.
@@ -68,11 +78,13 @@ std::vector<NamedGrey> readMappings(const DataSet& data, DataSet::Scope scope, b
                                     std::vector<std::string>& warnings) {
   std::vector<NamedGrey> greys = readWindows(data, scope);
   for (const DataSet::Scope item : data.items(0x00283010, scope)) {
-    const auto table = readLookupTable(data, item, {0x00283002, 0x00283006}, signedInput);
-    if (table)
-      greys.push_back(greyOf(*table, data.utf8(0x00283003, item)));
-    else
+    auto table = readLookupTable(data, item, {0x00283002, 0x00283006}, signedInput);
+    if (!table) {
       warnings.push_back("A VOI LUT is left out: " + table.message() + ".");
+      continue;
+    }
+    useOwnRange(*table, warnings);
+    greys.push_back(greyOf(*table, data.utf8(0x00283003, item)));
   }
   return greys;
 }
@@ -84,21 +96,45 @@ Status readModalityLut(const DataSet& data, bool isSigned, ValueMapping& mapping
   if (!table) return table.error();
   mapping.first = table->first;
   mapping.table = std::move(table->entries);
-  mapping.unit = data.text(0x00283004, items[0]) == "HU" ? "HU" : "";
+  mapping.unit = unitOfRescaleType(data.utf8(0x00283004, items[0]));
   return {};
 }
 
+const std::string realWorldSentence =
+    "values are those of its Real World Value Mapping, not the stored ones; its windows go with them";
+
+NamedGrey greyOfSlice(NamedGrey grey, const Slice& slice) {
+  if (!slice.isMapped) return grey;
+  GreyMapping& m = grey.mapping;
+  m.table.first += slice.intercept;
+  // LINEAR counts in steps of 1.
+  if (m.function == WindowFunction::linear && slice.slope != 1) {
+    constexpr double narrowest = 1e-3;  // of a step from black to white
+    m.window = {m.window.centre - 0.5, std::max(narrowest, m.window.width - 1)};
+    m.function = WindowFunction::linearExact;
+  }
+  m.window.centre = slice.slope * m.window.centre + slice.intercept;
+  m.window.width *= std::abs(slice.slope);
+  if (slice.slope < 0) m.inverted = !m.inverted;
+  return grey;
+}
+
 std::vector<NamedGrey> readGreys(const DataSet& data, const FrameScopes& at, const FileHeader& header,
-                                 const Frame& frame, std::vector<std::string>& warnings) {
-  const bool signedInput = header.format.isSigned || std::any_of(frame.values.begin(), frame.values.end(),
-                                                                 [](float v) { return v < 0; });
+                                 const Slice& slice, const Frame& frame, std::vector<std::string>& warnings) {
+  const auto isNegative = [](float v) { return v < 0; };
+  const bool signedInput =
+      header.format.isSigned || (!slice.isMapped && std::ranges::any_of(frame.values, isNegative));
   std::vector<NamedGrey> greys = readMappings(data, at.of(frameVoiLut), signedInput, warnings);
+  const auto isTable = [](const NamedGrey& grey) { return !grey.mapping.table.grey.empty(); };
+  if (slice.isMapped && slice.slope != 1 && std::erase_if(greys, isTable) > 0)
+    warnings.emplace_back("Its VOI LUTs are left out: they are of stored values, and it has mapped ones.");
   if (greys.empty()) greys.push_back({{}, {ownWindow(frame), WindowFunction::linearExact, {}, false}, true});
   const bool inverted =
       header.format.photometric == "MONOCHROME1" || data.text(0x20500020, data.root()) == "INVERSE";
   const bool floats = header.format.kind != PixelFormat::Kind::integer;
   for (NamedGrey& grey : greys) {
     grey.mapping.inverted = inverted;
+    if (!grey.ofValues) grey = greyOfSlice(std::move(grey), slice);
     // LINEAR is for integers (slices.md 3).
     if (floats && grey.mapping.function == WindowFunction::linear)
       grey.mapping.function = WindowFunction::linearExact;

@@ -19,9 +19,16 @@ std::vector<NamedGrey> readMappings(const DataSet& data, DataSet::Scope scope, b
 /// Takes over the Modality LUT Sequence of a data set, where there is one. An Error says what is wrong in it.
 Status readModalityLut(const DataSet& data, bool isSigned, ValueMapping& mapping);
 
+/// A grey of the values after the modality LUT as one of the slice's values: those of a real world value
+/// mapping are others, and windows go with them (LINEAR as what it is exactly).
+NamedGrey greyOfSlice(NamedGrey grey, const Slice& slice);
+
+/// What is said of mapped values, behind "its".
+extern const std::string realWorldSentence;
+
 /// All ways from value to grey that the file offers for a frame of these values: windows, then VOI LUTs;
 /// where there are none, the values' own range (P0.1 .. P99.9). `warnings`: LUTs that are left out.
 std::vector<NamedGrey> readGreys(const DataSet& data, const FrameScopes& at, const FileHeader& header,
-                                 const Frame& frame, std::vector<std::string>& warnings);
+                                 const Slice& slice, const Frame& frame, std::vector<std::string>& warnings);
 
 }  // namespace volumen::dicom

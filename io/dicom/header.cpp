@@ -3,6 +3,11 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcuid.h>
 
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <iterator>
+
 #include "io/dicom/attributes.h"
 #include "io/dicom/directory.h"
 #include "io/dicom/mosaic.h"
@@ -74,9 +79,34 @@ bool beginsAsDicom(Bytes head) {
   return group == 0x0002 || group == 0x0004 || group == 0x0008 || group == 0x0800;
 }
 
+/// Whose a file without a picture is, and where that would lie.
+void keepIdentity(const DataSet& data, const FileHeader& header, Inspection& found) {
+  static_cast<SeriesIdentity&>(found.header) = header;
+  found.header.sopClassUid = header.sopClassUid;
+  const auto at = data.numbers(0x00200032, data.root());
+  if (at && at->size() == 3) found.position = glm::dvec3((*at)[0], (*at)[1], (*at)[2]);
+}
+
+/// A refusal that keeps what is known of the file.
+Inspection refused(const std::string& reason, const DataSet& data) {
+  Inspection found = refused(reason);
+  FileHeader header;
+  readIdentity(data, header);
+  keepIdentity(data, header, found);
+  return found;
+}
+
+/// Whether a file holds the beginning of an empty preamble: what is left where a copy broke off.
+bool isBrokenOff(Bytes head) {
+  std::array<std::uint8_t, 132> preamble{};
+  std::memcpy(preamble.data() + 128, "DICM", 4);
+  return head.size() < preamble.size() && std::equal(head.begin(), head.end(), preamble.begin());
+}
+
 /// What has no picture of its own, and what it refers to.
 Inspection withoutPicture(const DataSet& data, const FileHeader& header) {
   Inspection found{Inspection::Kind::noPicture, kindOf(header), {}, {}, {}};
+  keepIdentity(data, header, found);
   if (data.find(directoryRecords, data.root())) found.listed = listedFiles(data);
   if (const auto kind = referenceKind(header.sopClassUid)) {
     found.reference = readReference(data, header, *kind);
@@ -88,8 +118,14 @@ Inspection withoutPicture(const DataSet& data, const FileHeader& header) {
 /// Reads the file and says what it is; leaves its elements in `s`.
 Inspection inspectInto(const std::string& path, ScannedFile& s) {
   const Result<RegularFile> file = RegularFile::open(path);
-  if (!file) return refused(file.message());
+  if (!file) {
+    Inspection found = refused(file.message());
+    found.again = file.message() == tooManyOpen;
+    return found;
+  }
   if (Status read = s.begin(*file); !read) return refused(read.message());
+  if (isBrokenOff(s.head))
+    return refused(s.head.empty() ? "it is empty" : "it is cut off in front of its header");
   const Result<MetaHeader> meta = scanMeta(s.head, file->size());
   const bool magic = hasMagic(s.head);
   if (!magic && !beginsAsDicom(s.head)) return {};
@@ -98,9 +134,8 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
   if (Status named = s.findSyntax(); !named) return refused(named.message());
   const Status scanned = s.scan(*file);
   const bool looksLikeDicom = magic || !s.meta.transferSyntaxUid.empty();
-  if (!scanned) return looksLikeDicom ? refused(scanned.message()) : Inspection{};
-
   const DataSet data(s.head, s.dataSet.elements);
+  if (!scanned) return looksLikeDicom ? refused(scanned.message(), data) : Inspection{};
   // Without preamble only what says which class or kind it is passes for DICOM.
   const bool named = data.has(0x00080016, data.root()) || data.has(0x00080060, data.root());
   if (!looksLikeDicom && !named) return {};
@@ -109,9 +144,12 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
   found.header.syntax = s.syntax;
   found.header.inflatedFrom = s.inflatedFrom;
   readIdentity(data, found.header);
+  if (found.header.modality == "PT") found.header.pet = readPetFacts(data);
   const bool isSegmentation = referenceKind(found.header.sopClassUid) == ReferenceKind::segmentation;
   if (!s.dataSet.pixels || isSegmentation) return withoutPicture(data, found.header);
-  if (Status picture = readPicture(*file, s, data, found.header); !picture) return refused(picture.message());
+  if (Status picture = readPicture(*file, s, data, found.header); !picture)
+    return refused(picture.message(), data);
+  std::ranges::copy(data.remarks(), std::back_inserter(found.header.warnings));
   return found;
 }
 

@@ -9,6 +9,7 @@
 #include "io/dicom/data_set.h"
 #include "io/dicom/fragments.h"
 #include "io/dicom/scanned_file.h"
+#include "io/dicom/suv.h"
 #include "io/study.h"
 #include "viewer/volume/volume.h"
 
@@ -52,16 +53,19 @@ struct Slice {
   int frame = 0;                       ///< in its file, from 0
   std::optional<glm::dvec3> position;  ///< ImagePositionPatient, mm: the centre of its first voxel
   std::optional<Orientation> orientation;
+  bool ofTransducer = false;          ///< they are those of an ultrasound transducer, not of the patient
   std::optional<glm::dvec2> spacing;  ///< mm along i (between columns) and j (between rows)
   double thickness = 0;               ///< SliceThickness, mm; 0: not given
   double slope = 1, intercept = 0;
-  std::optional<ValueRange> padding;  ///< stored values that stand for no picture
-  std::vector<Window> windows;
-  long instance = 0;  ///< InstanceNumber; order of slices that nothing else orders
-  std::string echo;   ///< echo number and time: slices of different echoes are different volumes
+  std::string unit;                         ///< of its values
+  bool isMapped = false;                    ///< slope and intercept are those of a real world value mapping
+  std::optional<ValueRange> padding;        ///< stored values that stand for no picture
+  std::vector<Window> windows;              ///< of its values, also where those are mapped
+  long instance = 0;                        ///< InstanceNumber; order of slices that nothing else orders
   std::string echoTime, bValue, timePoint;  ///< as Series has them
   std::uint32_t inStack = 0;                ///< InStackPositionNumber, from 1; 0: not given
-  std::vector<std::string> parts;           ///< what may tell apart pictures of one place (io/dicom/parts.h)
+  std::vector<std::string> separators;      ///< what may tell apart pictures of one place: a value for each
+                                            ///< of separators() (io/dicom/separators.h)
 };
 
 /// Whether it is known where in the patient a slice lies.
@@ -96,6 +100,7 @@ struct FileHeader : SeriesIdentity {
   std::vector<Slice> slices;        ///< one a frame; only one where all frames are alike
   std::string notVolume;            ///< why its frames can only be shown as acquired; empty: they are slices
   Cine cine;
+  std::optional<PetFacts> pet;        ///< of PET
   std::vector<std::string> warnings;  ///< sentences without the file's name
 };
 
@@ -110,10 +115,12 @@ std::string instanceId(const FileHeader& file);
 /// What a file turned out to be.
 struct Inspection {
   enum class Kind { notDicom, noPicture, refused, picture } kind = Kind::notDicom;
-  std::string text;                                     ///< noPicture: what it is; refused: why, a sentence
-  FileHeader header;                                    ///< picture
-  std::optional<Reference> reference;                   ///< noPicture that refers to pictures
+  std::string text;                    ///< noPicture: what it is; refused: why, a sentence
+  FileHeader header;                   ///< picture; of others its identity and class, where known
+  std::optional<Reference> reference;  ///< noPicture that refers to pictures
   std::optional<std::vector<std::string>> listed = {};  ///< the files that a DICOMDIR names
+  std::optional<glm::dvec3> position = {};              ///< not picture: ImagePositionPatient, mm
+  bool again = false;                                   ///< refused, as Refused has it
 };
 
 /// Reads a file up to its pixel data and says what it is. Never trusts it: this is the first of the two

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "io/dicom/attributes.h"
-#include "io/dicom/parts.h"
+#include "io/dicom/separators.h"
 
 namespace volumen::dicom {
 namespace {
@@ -47,7 +47,7 @@ bool isConsistent(const FileHeader& header, const std::string& path) {
   if (header.slices.size() != frames && header.slices.size() != 1) return false;
   if (header.notVolume.empty() && (!f.isGrey() || header.syntax.coding == Coding::unsupported)) return false;
   return std::ranges::all_of(header.slices, [&](const Slice& s) {
-    return s.frame >= 0 && s.frame < f.frames && s.parts.size() == partCount;
+    return s.frame >= 0 && s.frame < f.frames && s.separators.size() == separators().size();
   });
 }
 

@@ -1,10 +1,12 @@
 #include "io/dicom/import.h"
 
 #include <iterator>
+#include <set>
 
 #include "io/archive.h"
 #include "io/dicom/directory.h"
 #include "io/dicom/series.h"
+#include "io/dicom/unread.h"
 
 namespace volumen::dicom {
 
@@ -26,10 +28,18 @@ Image imageOf(const FileHeader& file) {
   return image;
 }
 
+/// Takes away what has no pixels by its class, not because it was cut off in front of them.
+void keepPictures(std::vector<LostFile>& files, const std::vector<FileHeader>& pictures) {
+  std::set<std::string> classes{{}};
+  for (const FileHeader& picture : pictures) classes.insert(picture.sopClassUid);
+  std::erase_if(files, [&](const LostFile& file) { return !classes.contains(file.sopClassUid); });
+}
+
 }  // namespace
 
 void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& inspections, Study& study) {
   std::vector<FileHeader> pictures;
+  std::vector<LostFile> lost, withoutPixels;
   for (std::size_t n = 0; n < files.size(); ++n) {
     Inspection& i = inspections[n];
     switch (i.kind) {
@@ -39,10 +49,16 @@ void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& 
         break;
       case Inspection::Kind::noPicture:
         study.other.push_back({files[n], i.listed ? directoryText(files[n], *i.listed, files) : i.text});
+        if (!i.reference && !i.listed)
+          withoutPixels.push_back(
+              {{{files[n], "it is a " + i.text + "."}, i.header.seriesUid.empty(), i.position},
+               i.header,
+               i.header.sopClassUid});
         if (i.reference) study.references.push_back(std::move(*i.reference));
         break;
       case Inspection::Kind::refused:
-        study.refused.push_back({files[n], i.text});
+        study.refused.push_back({files[n], i.text, i.again});
+        lost.push_back({{study.refused.back(), i.header.seriesUid.empty(), i.position}, i.header, {}});
         break;
       case Inspection::Kind::picture:
         if (i.header.notVolume.empty())
@@ -52,8 +68,18 @@ void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& 
         break;
     }
   }
-  std::vector<Series> volumes = sortIntoSeries(pictures);
-  std::move(volumes.begin(), volumes.end(), std::back_inserter(study.volumes));
+  keepPictures(withoutPixels, pictures);
+  lost.insert(lost.end(), withoutPixels.begin(), withoutPixels.end());
+  Sorted sorted = sortIntoSeries(pictures);
+  addSuvFactors(pictures, sorted.volumes);
+  addUnread(lost, sorted.volumes);
+  std::move(sorted.volumes.begin(), sorted.volumes.end(), std::back_inserter(study.volumes));
+  for (const FileHeader* file : sorted.frames) {
+    study.images.push_back(imageOf(*file));
+    study.images.back().notVolume =
+        "Several pictures lie at one place, have one image number, and nothing tells which belong together: "
+        "they cannot be shown in 3D.";
+  }
 }
 
 }  // namespace volumen::dicom

@@ -18,13 +18,15 @@ std::vector<Inspection> inspectEach(const std::vector<std::string>& paths) {
 
 }  // namespace
 
-Inspection refusal(const std::string& reason) {
-  return {Inspection::Kind::refused, reason + ".", {}, {}, {}};
+Inspection refusal(worker::Failure why) {
+  Inspection refused{Inspection::Kind::refused, std::string(worker::reasonOf(why)) + ".", {}, {}, {}};
+  refused.again = worker::isOfMachine(why);
+  return refused;
 }
 
 void checkInspection(const std::string& path, Inspection& i) {
   if (i.kind == Inspection::Kind::picture && !isConsistent(i.header, path))
-    i = refusal(worker::reasonOf(worker::Failure::wrong));
+    i = refusal(worker::Failure::wrong);
   if (i.reference) i.reference->path = path;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/dicom/header.h"
+#include "io/worker/costly_files.h"
 
 namespace volumen::dicom {
 
@@ -9,8 +10,8 @@ namespace volumen::dicom {
 std::vector<Inspection> inspectFiles(const std::vector<std::string>& paths, const Progress& progress,
                                      const CancelToken& cancel);
 
-/// That a file is refused for a reason without full stop.
-Inspection refusal(const std::string& reason);
+/// That a file is refused for what became of the worker that was to read it.
+Inspection refusal(worker::Failure why);
 
 /// Makes what came from a worker a refusal where it is not what inspect(path) can give.
 void checkInspection(const std::string& path, Inspection& inspection);

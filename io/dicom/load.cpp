@@ -12,6 +12,7 @@
 #include "io/dicom/parallel.h"
 #include "io/dicom/resample.h"
 #include "io/dicom/series.h"
+#include "io/dicom/unread.h"
 #include "io/regular_file.h"
 #include "viewer/volume/buffer.h"
 
@@ -21,10 +22,12 @@ namespace {
 /// One slice on its way in.
 struct Incoming {
   const FileHeader* file = nullptr;
+  int number = 0;  ///< among those of the series
   PlacedSlice placed;
   std::string failure;  ///< why it is missing; empty: it is there
   std::string note;
   bool inexact = false, doesNotFit = false;
+  bool again = false;  ///< as Refused has it
 };
 
 /// The files of a series, each inspected once.
@@ -41,6 +44,8 @@ class Files {
     const Inspection& i = inspections_[index_.at(path)];
     Incoming in;
     in.placed.path = path;
+    in.again = i.again;
+    in.placed.slice.position = i.position;
     if (i.kind != Inspection::Kind::picture)
       in.failure = i.text.empty() ? "it is no DICOM picture any more." : i.text;
     else if (!i.header.notVolume.empty())
@@ -187,11 +192,19 @@ class SliceDecoder {
   std::size_t sliceVoxels_ = 0;
 };
 
-/// Names the slices that failed and takes those away that never came to decoding.
-void reportFailures(const std::vector<Incoming>& slices, std::vector<Warning>& warnings) {
+/// Adds the slices that failed.
+void addFailures(const std::vector<Incoming>& slices, std::vector<Unread>& unread) {
   for (const Incoming& in : slices)
     if (!in.failure.empty())
-      warnings.push_back("Slice " + fileName(in.placed.path) + " is left out: " + in.failure);
+      unread.push_back({{in.placed.path, in.failure, in.again}, false, in.placed.slice.position});
+}
+
+/// What was said of where slices lie when all of them seemed to be there.
+void forgetLayout(std::vector<Warning>& warnings) {
+  std::erase_if(warnings, [](const Warning& w) {
+    return w.kind == WarningKind::missingSlices || w.kind == WarningKind::unevenSlices ||
+           w.kind == WarningKind::sheared || w.kind == WarningKind::offLine || w.kind == WarningKind::unread;
+  });
 }
 
 /// One sentence for each kind of note.
@@ -245,11 +258,22 @@ VolumeAttributes attributesOf(const Series& series, const std::vector<Incoming>&
   return a;
 }
 
+std::vector<SliceOrigin> originsOf(const std::vector<Incoming>& slices, const Stack& stack) {
+  std::vector<SliceOrigin> origins;
+  if (!stack.regular)
+    for (const Incoming& in : slices) origins.push_back({in.number, in.number});
+  for (const auto& [below, weight] : stack.sources)
+    origins.push_back(
+        {slices[std::size_t(below)].number, slices[std::size_t(below + (weight > 0 ? 1 : 0))].number});
+  return origins;
+}
+
 Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slices, SliceDecoder& decoder,
-                        const ValuePlan& plan, std::vector<Warning> warnings) {
+                        const ValuePlan& plan, std::vector<Warning> warnings, std::vector<Unread> unread) {
   const PixelFormat& format = slices[0].file->format;
   const Slice& first = slices[0].placed.slice;
-  const Stack stack = layOut(placedOf(slices), format.columns, format.rows);
+  Stack stack = layOut(placedOf(slices), format.columns, format.rows);
+  warnOfUnread(unread, stack.regular, stack.warnings);
   for (const Warning& warning : stack.warnings)
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
   VolumeParts parts;
@@ -263,21 +287,25 @@ Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slice
   const auto acquired = Volume::make(std::move(parts), changed);
   if (!acquired) return Error{series.path + ": " + acquired.message()};
   addSentences(warnings, changed);
-  if (!stack.regular) return Loaded{*acquired, *acquired, warnings};
+  if (!stack.regular) return Loaded{*acquired, *acquired, warnings, unread, originsOf(slices, stack)};
   drawn.geometry = stack.regular->geometry;
   std::vector<std::string> repeated;  // what was said of the acquired slices holds for these
   const auto regular = Volume::make(std::move(drawn), repeated);
   if (!regular) return Error{series.path + ": " + regular.message()};
-  return Loaded{*acquired, *regular, warnings};
+  return Loaded{*acquired, *regular, warnings, unread, originsOf(slices, stack)};
 }
 
 Result<Loaded> load(const Series& series, const Progress& progress, const CancelToken& cancel) {
+  if (series.files.empty()) return Error{series.path + ": it has no files to load it from."};
   const Files files(series, progress, cancel);
   std::vector<Incoming> slices;
-  for (std::size_t n = 0; n < series.files.size(); ++n)
+  for (std::size_t n = 0; n < series.files.size(); ++n) {
     slices.push_back(files.slice(series.files[n], series.frames[n]));
+    slices.back().number = int(n);
+  }
   std::vector<Warning> warnings = series.warnings;
-  reportFailures(slices, warnings);
+  std::vector<Unread> unread = series.unread;
+  addFailures(slices, unread);
   const std::string reason = slices[0].failure;
   std::erase_if(slices, [](const Incoming& in) { return !in.failure.empty(); });
   if (cancel.cancelled()) return Error{series.path + ": interrupted."};
@@ -293,12 +321,13 @@ Result<Loaded> load(const Series& series, const Progress& progress, const Cancel
     decoder.run(plan);
   }
   if (cancel.cancelled()) return Error{series.path + ": interrupted."};
-  reportFailures(slices, warnings);
+  addFailures(slices, unread);
+  if (unread.size() != series.unread.size()) forgetLayout(warnings);
   const Incoming firstSlice = slices[0];
   decoder.compact();
   if (slices.empty()) return Error{firstSlice.placed.path + ": " + firstSlice.failure};
   reportNotes(slices, warnings);
-  return assemble(series, slices, decoder, plan, std::move(warnings));
+  return assemble(series, slices, decoder, plan, std::move(warnings), std::move(unread));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "io/dicom/lookup_table.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace volumen::dicom {
@@ -90,6 +91,8 @@ std::vector<std::uint16_t> plainEntries(const DataSet& data, DataSet::Scope scop
 std::uint16_t LookupTable::at(double input) const {
   return entries[std::size_t(std::clamp(input - first, 0.0, double(entries.size() - 1)))];
 }
+
+int LookupTable::usedBits() const { return int(std::bit_width(unsigned(std::ranges::max(entries)))); }
 
 Result<LookupTable> readLookupTable(const DataSet& data, DataSet::Scope scope, LookupTags tags,
                                     bool isSigned) {

@@ -15,6 +15,8 @@ struct LookupTable {
   std::vector<std::uint16_t> entries;
 
   std::uint16_t at(double input) const;
+  /// The bits that its largest entry needs.
+  int usedBits() const;
   /// The largest entry that `bits` can hold.
   double top() const { return double((1u << bits) - 1); }
 };

@@ -68,6 +68,8 @@ std::optional<glm::dvec2> readSpacing(const DataSet& data, std::uint32_t tag, Da
 
 PixelSize readPixelSize(const DataSet& data, const FrameScopes& at, const std::string& modality) {
   const auto spacing = readSpacing(data, 0x00280030, at.of(pixelMeasures));
+  // Pixel measures lie in the patient, of what was reconstructed from projections too (tomosynthesis).
+  if (spacing && at.hasGroup(pixelMeasures)) return {*spacing, PixelSizeKind::patient};
   auto detector = readSpacing(data, 0x00181164, data.root());
   if (!detector) detector = readSpacing(data, 0x00181164, at.of(framePixelData));
   if (detector || (spacing && isProjection(modality)))

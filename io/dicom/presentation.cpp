@@ -7,6 +7,7 @@
 #include "io/dicom/isolated_file.h"
 #include "io/dicom/reference.h"
 #include "io/dicom/shutter.h"
+#include "io/dicom/units.h"
 #include "io/worker/object_fields.h"
 
 namespace volumen {
@@ -57,7 +58,7 @@ class PresentationReader {
       *value = *number;
     }
     if (out_.values.slope == 0) return Error{"its RescaleSlope is 0"};
-    if (data_.text(0x00281054, root) == "HU") out_.values.unit = "HU";
+    out_.values.unit = unitOfRescaleType(data_.utf8(0x00281054, root));
     return readModalityLut(data_, false, out_.values);
   }
 

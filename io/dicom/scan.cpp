@@ -49,9 +49,18 @@ class Pass {
       if (Status s = step(); !s) return s.error();
       if (scan_.needsUpTo || scan_.pixels) break;
     }
-    if (!scan_.needsUpTo) {
-      for (const Open& open : open_) scan_.elements[open.index].end = std::uint32_t(scan_.elements.size());
-    }
+    if (!scan_.needsUpTo) endAll();
+    return std::move(scan_);
+  }
+  /// What stands in front of where run() failed.
+  DataSetScan before() && {
+    endAll();
+    // Sequences may claim more than was looked at.
+    for (Element& e : scan_.elements)
+      if (e.length != undefinedLength) {
+        e.offset = std::min<std::uint64_t>(e.offset, head_.size());
+        e.length = std::min<std::uint64_t>(e.length, head_.size() - e.offset);
+      }
     return std::move(scan_);
   }
 
@@ -63,6 +72,9 @@ class Pass {
     return fileSize_;
   }
   bool available(std::uint64_t end) const { return end <= head_.size(); }
+  void endAll() {
+    for (const Open& open : open_) scan_.elements[open.index].end = std::uint32_t(scan_.elements.size());
+  }
   // Fewer than eight bytes behind the last element are padding.
   bool finished() const { return scan_.pixels || (open_.empty() && at_ + 8 > fileSize_); }
 
@@ -250,8 +262,12 @@ Encoding encodingFound(Bytes head, std::uint64_t offset, Encoding expected) {
   return found;
 }
 
-Result<DataSetScan> scanDataSet(Bytes head, std::uint64_t offset, std::uint64_t fileSize, Encoding encoding) {
-  return Pass(head, offset, fileSize, encoding).run();
+Result<DataSetScan> scanDataSet(Bytes head, std::uint64_t offset, std::uint64_t fileSize, Encoding encoding,
+                                DataSetScan* before) {
+  Pass pass(head, offset, fileSize, encoding);
+  Result<DataSetScan> found = pass.run();
+  if (!found && before) *before = std::move(pass).before();
+  return found;
 }
 
 }  // namespace volumen::dicom

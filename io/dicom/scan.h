@@ -58,8 +58,10 @@ Encoding encodingFound(Bytes head, std::uint64_t offset, Encoding expected);
 
 /// One pass over a data set up to its pixel data, without recursion and without trusting a length: every
 /// value ends inside its parent, depth <= 64, at most 1,000,000 elements and items, no group 0000. `head`:
-/// the first bytes of `fileSize`. An Error says what is wrong and where.
-Result<DataSetScan> scanDataSet(Bytes head, std::uint64_t offset, std::uint64_t fileSize, Encoding encoding);
+/// the first bytes of `fileSize`. An Error says what is wrong and where; `before` is then what stands in
+/// front.
+Result<DataSetScan> scanDataSet(Bytes head, std::uint64_t offset, std::uint64_t fileSize, Encoding encoding,
+                                DataSetScan* before = nullptr);
 
 /// "(0028,0010)".
 std::string tagText(std::uint32_t tag);

@@ -34,7 +34,7 @@ Status ScannedFile::scanInflated(const RegularFile& file) {
   inflatedFrom = meta.dataSet;
   head = std::move(*inflated);
   size = head.size();
-  auto found = scanDataSet(head, 0, size, syntax.encoding);
+  auto found = scanDataSet(head, 0, size, syntax.encoding, &dataSet);
   if (!found) return found.error();
   dataSet = std::move(*found);
   return {};
@@ -43,7 +43,7 @@ Status ScannedFile::scanInflated(const RegularFile& file) {
 Status ScannedFile::scanPlain(const RegularFile& file) {
   size = file.size();
   while (true) {
-    auto found = scanDataSet(head, meta.dataSet, size, syntax.encoding);
+    auto found = scanDataSet(head, meta.dataSet, size, syntax.encoding, &dataSet);
     if (!found) return found.error();
     dataSet = std::move(*found);
     if (!dataSet.needsUpTo) return {};

@@ -1,24 +1,19 @@
 #include "io/dicom/series.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
 
-#include "io/dicom/parts.h"
+#include "io/dicom/identity.h"
+#include "io/dicom/lines.h"
+#include "io/dicom/split.h"
 #include "io/regular_file.h"
 
 namespace volumen::dicom {
 namespace {
-
-/// A picture with the file it comes from.
-struct Entry {
-  const FileHeader* file;
-  PlacedSlice placed;
-  const Slice& slice() const { return placed.slice; }
-};
-using Entries = std::vector<Entry>;
 
 bool near(glm::dvec3 a, glm::dvec3 b, double tolerance) { return glm::length(a - b) <= tolerance; }
 
@@ -27,7 +22,7 @@ bool fit(const Entry& a, const Entry& b) {
   const Slice &s = a.slice(), &t = b.slice();
   if (a.file->format.columns != b.file->format.columns || a.file->format.rows != b.file->format.rows)
     return false;
-  if (s.echo != t.echo) return false;
+  if (a.file->unit != b.file->unit) return false;
   if (isPlaced(s) != isPlaced(t)) return false;
   if (!isPlaced(s)) return true;
   // Orientations are given with six digits or so; 1e-3 is 0.25 mm at the edge of a 500 mm picture.
@@ -36,17 +31,12 @@ bool fit(const Entry& a, const Entry& b) {
          glm::length(*s.spacing - *t.spacing) <= 1e-3 * glm::length(*s.spacing);
 }
 
-std::string seriesKey(const FileHeader& file) {
-  if (file.seriesUid.empty()) return "file " + file.path;
-  return "series " + file.studyUid + "/" + file.seriesUid;
-}
-
-std::vector<Entries> groups(const std::vector<FileHeader>& files) {
-  std::map<std::string, std::vector<Entries>> bySeries;
-  for (const FileHeader& file : files) {
-    std::vector<Entries>& known = bySeries[seriesKey(file)];
-    for (const Slice& slice : file.slices) {
-      Entry entry{&file, {slice, file.path, 0}};
+/// Pictures that can be slices of one volume, place aside.
+std::vector<Entries> groups(const std::vector<const FileHeader*>& files) {
+  std::vector<Entries> known;
+  for (const FileHeader* file : files) {
+    for (const Slice& slice : file->slices) {
+      Entry entry{file, {slice, file->path, 0}};
       // Only the last groups are tried, so that a file of a hundred thousand directions takes no minutes.
       const auto first = known.end() - std::min<std::ptrdiff_t>(256, known.end() - known.begin());
       const auto it = std::find_if(first, known.end(), [&](const Entries& g) { return fit(g[0], entry); });
@@ -56,10 +46,7 @@ std::vector<Entries> groups(const std::vector<FileHeader>& files) {
         it->push_back(entry);
     }
   }
-  std::vector<Entries> all;
-  for (auto& [key, parts] : bySeries)
-    for (Entries& part : parts) all.push_back(std::move(part));
-  return all;
+  return known;
 }
 
 /// Along row x column where slices have a place, else by InstanceNumber and name.
@@ -81,39 +68,17 @@ void order(Entries& entries) {
   std::ranges::stable_sort(entries, {}, [](const Entry& e) { return e.placed.alongNormal; });
 }
 
-/// Distances below this are none, mm.
-double samePlaceMm(const Entries& entries) {
-  const Slice& s = entries[0].slice();
-  return isPlaced(s) ? 0.01 * std::min(s.spacing->x, s.spacing->y) : 0.5;
-}
-
-/// Sorted entries by place: each a run of pictures at one place.
-std::vector<Entries> byPlace(const Entries& entries) {
-  std::vector<Entries> places;
-  const double same = samePlaceMm(entries);
-  for (const Entry& e : entries) {
-    if (places.empty() || e.placed.alongNormal - places.back()[0].placed.alongNormal > same)
-      places.emplace_back();
-    places.back().push_back(e);
-  }
-  return places;
-}
-
-std::size_t mostAtOnePlace(const Entries& entries) {
-  std::size_t most = 0;
-  for (const Entries& place : byPlace(entries)) most = std::max(most, place.size());
-  return most;
-}
-
-/// Drops pictures that are in the study twice (same SOPInstanceUID, frame, place and rescale).
+/// Drops pictures that are in the study twice (same SOPInstanceUID, frame, place, rescale and
+/// attributes).
 std::vector<std::string> dropCopies(Entries& entries) {
   std::vector<std::string> warnings;
-  std::map<std::tuple<std::string, int, double, double, double>, const FileHeader*> seen;
+  using Key = std::tuple<std::string, int, double, double, double, std::vector<std::string>>;
+  std::map<Key, const FileHeader*> seen;
   std::size_t copies = 0;
   Entries kept;
   for (const Entry& e : entries) {
-    const auto key = std::make_tuple(e.file->sopInstanceUid, e.slice().frame, e.placed.alongNormal,
-                                     e.slice().slope, e.slice().intercept);
+    const Key key{e.file->sopInstanceUid, e.slice().frame,     e.placed.alongNormal,
+                  e.slice().slope,        e.slice().intercept, e.slice().separators};
     const auto [it, isNew] = seen.emplace(key, e.file);
     if (isNew || e.file->sopInstanceUid.empty()) {
       kept.push_back(e);
@@ -128,88 +93,16 @@ std::vector<std::string> dropCopies(Entries& entries) {
   return warnings;
 }
 
-/// Pictures of which none lies where another does, and what tells them from those that do.
-struct Split {
-  Entries entries;
-  PartName name;
-};
-
-/// Splits by one attribute, in order of first occurrence.
-std::vector<Split> byPart(const Entries& entries, std::size_t part) {
-  std::map<std::string, std::size_t> index;
-  std::vector<std::string> values;
-  std::vector<Split> splits;
-  for (const Entry& e : entries) {
-    const auto [it, isNew] = index.emplace(e.slice().parts[part], splits.size());
-    if (isNew) splits.emplace_back(), values.push_back(it->first);
-    splits[it->second].entries.push_back(e);
-  }
-  for (std::size_t n = 0; n < splits.size(); ++n) splits[n].name = partName(part, values, n);
-  return splits;
-}
-
-/// Pictures of one place by their order there: the first of each place, the second of each place, ...
-std::vector<Split> byRank(const Entries& entries) {
-  std::vector<Split> ranks;
-  for (const Entries& place : byPlace(entries)) {
-    Entries inOrder = place;
-    std::stable_sort(inOrder.begin(), inOrder.end(),
-                     [](const Entry& a, const Entry& b) { return a.slice().instance < b.slice().instance; });
-    ranks.resize(std::max(ranks.size(), inOrder.size()));
-    for (std::size_t n = 0; n < inOrder.size(); ++n) ranks[n].entries.push_back(inOrder[n]);
-  }
-  for (std::size_t n = 0; n < ranks.size(); ++n)
-    ranks[n].name.label = std::to_string(n + 1) + " of " + std::to_string(ranks.size());
-  return ranks;
-}
-
-std::vector<Split> splitRepeats(const Entries& entries);
-
-/// Splits what is split already once more; names follow each other.
-std::vector<Split> splitFurther(const std::vector<Split>& splits) {
-  std::vector<Split> all;
-  for (const Split& split : splits)
-    for (Split& inner : splitRepeats(split.entries)) {
-      if (inner.name.timePoint.empty()) inner.name.timePoint = split.name.timePoint;
-      const bool both = !split.name.label.empty() && !inner.name.label.empty();
-      inner.name.label = split.name.label + (both ? ", " : "") + inner.name.label;
-      all.push_back(std::move(inner));
-    }
-  return all;
-}
-
-/// Parts of which none holds two pictures of one place.
-std::vector<Split> splitRepeats(const Entries& entries) {
-  const std::size_t most = mostAtOnePlace(entries);
-  if (most == 1) return {{entries, {}}};
-  for (std::size_t part = 0; part < entries[0].slice().parts.size(); ++part) {
-    const std::vector<Split> splits = byPart(entries, part);
-    // An attribute explains the repetition where it makes no more parts than there are pictures at a place.
-    const bool explains = splits.size() > 1 && splits.size() <= most &&
-                          std::all_of(splits.begin(), splits.end(),
-                                      [&](const Split& s) { return mostAtOnePlace(s.entries) < most; });
-    if (explains) return splitFurther(splits);
-  }
-  return byRank(entries);
-}
-
-std::vector<PlacedSlice> placedSlices(const Entries& entries) {
-  std::vector<PlacedSlice> slices;
-  for (const Entry& e : entries) slices.push_back(e.placed);
-  return slices;
-}
-
 /// A volume to be: its slices and what was noticed on the way.
 struct Part {
   Entries entries;
   std::vector<std::string> warnings;
-  PartName name = {};
 };
 
 /// Cuts at gaps of more than 4 usual distances, or more than 20 mm beyond the usual one (design.md 10).
 std::vector<Part> splitGaps(const Entries& entries) {
   std::vector<Part> parts(1);
-  if (!isPlaced(entries[0].slice()) || entries.size() < 3) return {{entries, {}, {}}};
+  if (!isPlaced(entries[0].slice()) || entries.size() < 3) return {{entries, {}}};
   const std::vector<double> steps = stepsMm(placedSlices(entries));
   const double median = lowerMedian(steps);
   for (std::size_t n = 0; n < entries.size(); ++n) {
@@ -219,7 +112,7 @@ std::vector<Part> splitGaps(const Entries& entries) {
                             fileName(entries[n].file->path) + " and " + fileName(entries[n + 1].file->path) +
                             ": the slices on either side are series of their own.";
     parts.back().warnings.push_back(gap);
-    parts.push_back({{}, {gap}, {}});
+    parts.push_back({{}, {gap}});
   }
   return parts;
 }
@@ -270,7 +163,15 @@ std::string common(const Entries& entries, std::string Slice::*what) {
   return alike ? first : std::string();
 }
 
-Series describe(const Part& part) {
+/// That of all slices; 0 where they do not agree.
+double commonThickness(const Entries& entries) {
+  const double first = entries[0].slice().thickness;
+  const bool alike =
+      std::ranges::all_of(entries, [&](const Entry& e) { return e.slice().thickness == first; });
+  return alike ? first : 0;
+}
+
+Series describe(const Part& part, const Split& split) {
   const FileHeader& first = *part.entries[0].file;
   Series s;
   s.id = first.seriesUid.empty() ? fileName(first.path) : first.seriesUid;
@@ -281,8 +182,10 @@ Series describe(const Part& part) {
   s.echoTime = common(part.entries, &Slice::echoTime);
   s.bValue = common(part.entries, &Slice::bValue);
   s.timePoint = common(part.entries, &Slice::timePoint);
-  if (s.timePoint.empty()) s.timePoint = part.name.timePoint;
-  s.label = part.name.label;
+  if (s.timePoint.empty()) s.timePoint = split.timePoint;
+  s.label = split.label;
+  s.splitBy = split.by;
+  s.sliceThickness = commonThickness(part.entries);
   std::vector<const FileHeader*> headers;
   for (const Entry& e : part.entries) {
     s.files.push_back(e.file->path);
@@ -298,10 +201,54 @@ Series describe(const Part& part) {
   constexpr const char* names[] = {"uint8", "int16", "uint16", "float32"};
   s.valueType = names[planValues(headers, slices).type.index()];
   addSentences(s.warnings, part.warnings);
+  if (!split.warning.empty()) s.warnings.emplace_back(split.warning, WarningKind::notSeparated);
   s.warnings.insert(s.warnings.end(), stack.warnings.begin(), stack.warnings.end());
   addRemarks(part.entries, s.warnings);
   warnOfMissingParts(part.entries, s.warnings);
   return s;
+}
+
+/// Pictures along one line, and what is to be told of them.
+struct ToldStack {
+  Entries entries;
+  std::vector<std::string> warnings;
+};
+
+/// The stacks of pictures that fit each other.
+void addStacks(Entries& group, const std::vector<std::string>& told, std::vector<ToldStack>& stacks) {
+  order(group);
+  std::vector<std::string> warnings = dropCopies(group);
+  warnings.insert(warnings.begin(), told.begin(), told.end());
+  double apartMm = 0;
+  std::vector<Entries> lines = byLine(group, apartMm);
+  if (lines.size() > 1)
+    warnings.push_back("Its slices lie along " + std::to_string(lines.size()) + " lines, up to " +
+                       millimetres(apartMm) + " mm beside each other: each is a volume of its own.");
+  for (Entries& line : lines) stacks.push_back({std::move(line), warnings});
+}
+
+/// z, y, x, mm, of the first slice; 0 without a place.
+std::array<double, 3> firstPlace(const ToldStack& stack) {
+  const glm::dvec3 p = stack.entries[0].slice().position.value_or(glm::dvec3(0));
+  return {p.z, p.y, p.x};
+}
+
+void addFrames(const Split& split, Sorted& all) {
+  for (const Entry& e : split.entries)
+    if (std::ranges::find(all.frames, e.file) == all.frames.end()) all.frames.push_back(e.file);
+}
+
+void addVolumes(const ToldStack& stack, Sorted& all) {
+  for (const Split& split : splitRepeats(stack.entries)) {
+    if (split.isGuess) {
+      addFrames(split, all);
+      continue;
+    }
+    for (Part& part : splitGaps(split.entries)) {
+      part.warnings.insert(part.warnings.begin(), stack.warnings.begin(), stack.warnings.end());
+      all.volumes.push_back(describe(part, split));
+    }
+  }
 }
 
 /// The narrowest type for the integers of a file; float for all else.
@@ -314,18 +261,13 @@ VoxelValues typeOf(const PixelFormat& format) {
 
 }  // namespace
 
-std::vector<Series> sortIntoSeries(const std::vector<FileHeader>& files) {
-  std::vector<Series> all;
-  for (Entries& group : groups(files)) {
-    order(group);
-    const std::vector<std::string> copies = dropCopies(group);
-    for (const Split& split : splitRepeats(group)) {
-      for (Part& part : splitGaps(split.entries)) {
-        part.name = split.name;
-        part.warnings.insert(part.warnings.begin(), copies.begin(), copies.end());
-        all.push_back(describe(part));
-      }
-    }
+Sorted sortIntoSeries(const std::vector<FileHeader>& files) {
+  Sorted all;
+  for (const SameIdentity& same : byIdentity(files)) {
+    std::vector<ToldStack> stacks;
+    for (Entries& group : groups(same.files)) addStacks(group, same.warnings, stacks);
+    std::ranges::stable_sort(stacks, {}, firstPlace);
+    for (const ToldStack& stack : stacks) addVolumes(stack, all);
   }
   return all;
 }
@@ -334,9 +276,11 @@ ValuePlan planValues(const std::vector<const FileHeader*>& files, std::span<cons
   constexpr std::size_t u8 = 0, floats = 3;
   ValuePlan plan{typeOf(files[0]->format), false};
   for (std::size_t n = 0; n < slices.size(); ++n) {
+    const Slice& slice = slices[n].slice;
     const VoxelValues type = typeOf(files[n]->format);
-    if (slices[n].slice.slope != slices[0].slice.slope ||
-        slices[n].slice.intercept != slices[0].slice.intercept)
+    const bool isOther = slice.slope != slices[0].slice.slope || slice.intercept != slices[0].slice.intercept;
+    // Windows of mapped values are no LINEAR ones, as those of integers are (slices.md 3).
+    if (isOther || (slice.isMapped && slice.slope != 1))
       plan.type = std::vector<float>{};
     else if (plan.type.index() == u8)
       plan.type = type;

@@ -4,11 +4,18 @@
 
 namespace volumen::dicom {
 
-/// Sorts the pictures of many files into volumes (design.md 7): by series, then by what makes different
-/// volumes of one series (size, orientation, pixel spacing, echo), then by what tells apart pictures of one
-/// place (time point, image type, acquisition, ..., else their order), then at large gaps. Ids are not
-/// numbered yet. Copies of one picture are left out with a warning.
-std::vector<Series> sortIntoSeries(const std::vector<FileHeader>& files);
+/// What many files hold together.
+struct Sorted {
+  std::vector<Series> volumes;
+  std::vector<const FileHeader*> frames;  ///< pictures of one place that nothing tells apart: no volume
+};
+
+/// Sorts the pictures of many files into volumes (design.md 7): by whose they are
+/// (io/dicom/identity.h), by size, orientation, pixel spacing and unit, by the line along which they are
+/// stacked (io/dicom/lines.h), then by what tells apart pictures of one place (io/dicom/split.h), then at
+/// large gaps. In the order of places, and of the values that tell them apart. Ids are not numbered yet.
+/// Copies of one picture are left out with a warning.
+Sorted sortIntoSeries(const std::vector<FileHeader>& files);
 
 /// How the values of slices are kept: the smallest of VoxelValues' types that holds them all exactly, with
 /// one rescale; float32 with the rescale applied where they differ or are wider.

@@ -5,30 +5,18 @@
 #include "io/dicom/attributes.h"
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/greys.h"
-#include "io/dicom/parts.h"
+#include "io/dicom/nuclear.h"
 #include "io/dicom/pixel_size.h"
+#include "io/dicom/separators.h"
+#include "io/dicom/slice_place.h"
 #include "io/dicom/stack.h"
+#include "io/dicom/units.h"
 
 namespace volumen::dicom {
 namespace {
 
-constexpr std::uint32_t planePosition = 0x00209113, planeOrientation = 0x00209116,
-                        realWorldValueMapping = 0x00409096, spacingBetweenSlices = 0x00180088;
-
-std::string readEchoTime(const DataSet& data, DataSet::Scope scope) {
-  if (const auto ms = data.number(0x00180081, scope)) return realText(*ms);  // "22.0000" is "22"
-  const std::string time = data.text(0x00180081, scope);
-  return time.empty() ? realText(data, 0x00189082, scope) : time;
-}
-
-/// The diffusion weight: DICOM's, or the private one of Siemens or GE, which adds multiples of 100000.
-std::string readBValue(const DataSet& data, DataSet::Scope scope) {
-  if (const std::string b = realText(data, 0x00189087, scope); !b.empty()) return b;
-  if (data.text(0x00190010, data.root()) == "SIEMENS MR HEADER") return data.text(0x0019100c, data.root());
-  if (data.text(0x00430010, data.root()) != "GEMS_PARM_01") return {};
-  const auto numbers = data.numbers(0x00431039, data.root());
-  return numbers ? std::to_string(long(std::fmod((*numbers)[0], 100000))) : std::string();
-}
+constexpr std::uint32_t modalityLut = 0x00283000, realWorldValueMapping = 0x00409096,
+                        spacingBetweenSlices = 0x00180088;
 
 /// Number of the time point, where the file counts them.
 std::string readTimePoint(const DataSet& data, const FrameScopes& at) {
@@ -36,39 +24,6 @@ std::string readTimePoint(const DataSet& data, const FrameScopes& at) {
   if (!identifier.empty()) return identifier;
   const auto index = data.dword(0x00209128, at.of(frameContentGroup));
   return index ? std::to_string(*index) : std::string();
-}
-
-std::optional<glm::dvec3> vectorAt(const std::vector<double>& v, std::size_t at) {
-  if (v.size() < at + 3) return {};
-  return glm::dvec3(v[at], v[at + 1], v[at + 2]);
-}
-
-std::optional<glm::dvec3> readPosition(const DataSet& data, DataSet::Scope scope) {
-  const auto v = data.numbers(0x00200032, scope);
-  return v ? vectorAt(*v, 0) : std::nullopt;
-}
-
-void warnOnce(FileHeader& header, const std::string& sentence) {
-  if (std::ranges::find(header.warnings, sentence) == header.warnings.end())
-    header.warnings.push_back(sentence);
-}
-
-/// Unit vectors at right angles; nothing where the file's are neither (by more than 1 %).
-std::optional<Orientation> readOrientation(const DataSet& data, DataSet::Scope scope, FileHeader& header) {
-  const auto v = data.numbers(0x00200037, scope);
-  if (!v || v->size() < 6) return {};
-  const glm::dvec3 row = *vectorAt(*v, 0), column = *vectorAt(*v, 3);
-  const double off = std::max(
-      {std::abs(glm::length(row) - 1), std::abs(glm::length(column) - 1), std::abs(glm::dot(row, column))});
-  if (!(off <= 0.01)) {
-    warnOnce(header,
-             "its ImageOrientationPatient is not a pair of unit vectors at right angles and is not used");
-    return {};
-  }
-  if (off > 1e-3) warnOnce(header, "its ImageOrientationPatient was made exactly orthonormal");
-  Orientation o{glm::normalize(row), {}};
-  o.column = glm::normalize(column - glm::dot(column, o.row) * o.row);
-  return o;
 }
 
 Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice) {
@@ -87,28 +42,55 @@ Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice) {
   return {};
 }
 
-/// What "real world value mapping" (PS3.3 C.7.6.16.2.11) means values in; empty where it is another unit.
-std::string unitOfMapping(const DataSet& data, DataSet::Scope mapping) {
-  const auto codes = data.items(0x004008ea, mapping);
-  const std::string code = codes.empty() ? std::string() : data.text(0x00080100, codes[0]);
-  if (code == "[hnsf'U]") return "HU";
-  if (code == "Bq/ml") return code;
-  return code.starts_with("{SUV") || code == "g/ml{SUVbw}" ? "SUV" : "";
+/// The values of a real world value mapping (PS3.3 C.7.6.16.2.11).
+struct RealWorldValues {
+  double slope = 1, intercept = 0;
+  std::string unit;
+};
+
+DataSet::Scope mappingScope(const DataSet& data, const FrameScopes& at) {
+  const DataSet::Scope outer = at.of(realWorldValueMapping);
+  const auto items = data.items(realWorldValueMapping, outer);
+  return items.empty() ? outer : items[0];
 }
 
-/// A linear real world value mapping, where there is no rescale.
-void readRealWorldValues(const DataSet& data, const FrameScopes& at, Slice& slice, FileHeader& header) {
-  DataSet::Scope mapping = at.of(realWorldValueMapping);
-  if (const auto items = data.items(realWorldValueMapping, mapping); !items.empty()) mapping = items[0];
-  const DataSet::Scope rescale = at.of(pixelValueTransformation);
-  if (data.has(0x00281053, rescale) || data.has(0x3004000e, rescale)) return;
+/// A linear mapping, where the file has one.
+std::optional<RealWorldValues> readRealWorldValues(const DataSet& data, const FrameScopes& at) {
+  const DataSet::Scope mapping = mappingScope(data, at);
   const auto slope = data.real(0x00409225, mapping), intercept = data.real(0x00409224, mapping);
-  if (slope && intercept && *slope != 0 && std::isfinite(*slope) && std::isfinite(*intercept)) {
-    slice.slope = *slope, slice.intercept = *intercept;
-    if (header.unit.empty()) header.unit = unitOfMapping(data, mapping);
-  } else if (data.has(0x00409212, mapping)) {
+  constexpr double largest = 1e30;
+  if (!slope || !intercept || *slope == 0) return {};
+  if (!(std::abs(*slope) <= largest) || !(std::abs(*intercept) <= largest)) return {};
+  return RealWorldValues{*slope, *intercept, unitOfMapping(data, mapping)};
+}
+
+/// What the values are. A mapping stands in for a rescale that is not there.
+void readMeaning(const DataSet& data, const FrameScopes& at, Slice& slice, FileHeader& header) {
+  const auto mapping = readRealWorldValues(data, at);
+  const DataSet::Scope rescale = at.of(pixelValueTransformation);
+  slice.unit = unitOfRescaled(data, at, header);
+  if (data.has(0x00281053, rescale) || data.has(0x3004000e, rescale) || data.has(modalityLut, data.root())) {
+    const bool same = mapping && mapping->slope == slice.slope && mapping->intercept == slice.intercept;
+    if (same && slice.unit.empty()) slice.unit = mapping->unit;
+  } else if (mapping) {
+    slice.slope = mapping->slope, slice.intercept = mapping->intercept;
+    slice.unit = mapping->unit;
+    slice.isMapped = slice.slope != 1 || slice.intercept != 0;
+    if (slice.isMapped) warnOnce(header, "its " + realWorldSentence);
+  } else if (data.has(0x00409212, mappingScope(data, at))) {
     warnOnce(header, "its Real World Value Mapping is a table and is not applied");
   }
+}
+
+/// The unit that all slices have.
+void agreeOnUnit(FileHeader& header) {
+  header.unit = header.slices[0].unit;
+  const bool agree =
+      std::ranges::all_of(header.slices, [&](const Slice& s) { return s.unit == header.unit; });
+  if (agree) return;
+  header.unit.clear();
+  warnOnce(header,
+           "the values of its frames have different units, and none is shown beside those of a volume");
 }
 
 /// PixelPaddingValue and PixelPaddingRangeLimit, in stored values.
@@ -126,20 +108,18 @@ std::optional<ValueRange> readPadding(const DataSet& data, const PixelFormat& fo
 Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, const Dimensions& dimensions,
                         FileHeader& header) {
   Slice slice;
-  slice.position = readPosition(data, at.ofGroupAlone(planePosition));
-  slice.orientation = readOrientation(data, at.of(planeOrientation), header);
+  readPlace(data, at, slice, header);
   slice.spacing = readSpacing(data, 0x00280030, at.of(pixelMeasures));
   slice.thickness = data.number(0x00180050, at.of(pixelMeasures)).value_or(0);
-  for (const NamedGrey& grey : readWindows(data, at.of(frameVoiLut)))
-    slice.windows.push_back(grey.mapping.window);
-  slice.echoTime = readEchoTime(data, at.of(mrEchoGroup));
-  slice.echo = data.text(0x00180086, at.of(mrEchoGroup)) + "/" + slice.echoTime;
-  slice.bValue = readBValue(data, at.of(mrDiffusionGroup));
+  slice.echoTime = readEchoTime(data, at);
+  slice.bValue = readBValue(data, at);
   slice.timePoint = readTimePoint(data, at);
   slice.inStack = dimensions.inStack(data, at.of(frameContentGroup));
-  slice.parts = readParts(data, at, dimensions);
+  slice.separators = readSeparators(data, at, dimensions);
   if (Status s = readRescale(data, at.of(pixelValueTransformation), slice); !s) return s.error();
-  readRealWorldValues(data, at, slice, header);
+  readMeaning(data, at, slice, header);
+  for (const NamedGrey& grey : readWindows(data, at.of(frameVoiLut)))
+    slice.windows.push_back(greyOfSlice(grey, slice).mapping.window);
   return slice;
 }
 
@@ -172,13 +152,33 @@ void repeatSlice(FileHeader& header) {
   for (std::size_t n = 0; n < header.slices.size(); ++n) header.slices[n].frame = int(n);
 }
 
-/// The frames of a dose grid: along the normal by GridFrameOffsetVector (PS3.3 C.8.8.3.2).
+void placeReconstructedNuclear(const DataSet& data, FileHeader& header) {
+  repeatSlice(header);
+  placeNuclearFrames(data, header);
+  if (header.format.frames > 1 && !std::ranges::all_of(header.slices, isPlaced))
+    framesWithoutPlace(data, FrameScopes(data.root()), header);
+}
+
+/// Where the frames of a dose grid lie along its normal from the first one, mm: GridFrameOffsetVector says it
+/// (a), or where each lies along the patient's z, of grids across that (b; PS3.3 C.8.8.3.2). Nothing where it
+/// is neither.
+std::optional<std::vector<double>> doseOffsets(const DataSet& data, const Slice& first, int frames) {
+  constexpr double rounding = 0.01;  // mm, of z; of a cosine a tenth
+  auto offsets = data.numbers(0x3004000c, data.root());
+  if (!offsets || offsets->size() != std::size_t(frames) || !isPlaced(first)) return {};
+  if (offsets->front() == 0) return offsets;
+  const double z = first.position->z,
+               normal = glm::cross(first.orientation->row, first.orientation->column).z;
+  if (std::abs(offsets->front() - z) > rounding || std::abs(normal) < 1 - rounding / 10) return {};
+  for (double& offset : *offsets) offset = (offset - z) / normal;
+  return offsets;
+}
+
+/// The frames of a dose grid.
 void placeDoseFrames(const DataSet& data, FileHeader& header) {
-  const auto offsets = data.numbers(0x3004000c, data.root());
   const Slice first = header.slices.front();
-  // Offsets that do not begin with 0 are positions of some other kind.
-  if (!offsets || offsets->size() != std::size_t(header.format.frames) || (*offsets)[0] != 0 ||
-      !isPlaced(first)) {
+  const auto offsets = doseOffsets(data, first, header.format.frames);
+  if (!offsets) {
     const FrameScopes root(data.root());
     if (isVolumeInOrder(data, root)) repeatSlice(header);
     return framesWithoutPlace(data, root, header);
@@ -223,7 +223,7 @@ Status readEnhancedFrames(const DataSet& data, FileHeader& header) {
     const auto slice = readSlice(data, FrameScopes(data, own, all), dimensions, header);
     if (!slice) return slice.error();
     placed = placed && isPlaced(*slice);
-    ownPlaces = ownPlaces || data.find(planePosition, own);
+    ownPlaces = ownPlaces || data.find(planePosition, own) || data.find(planePositionInVolume, own);
     header.slices.push_back(*slice);
     header.slices.back().frame = int(n);
   }
@@ -257,7 +257,7 @@ Status readSlices(const DataSet& data, FileHeader& header) {
   readConcatenation(data, header.concatenation);
   if (!header.format.isGrey())
     header.notVolume = "colour image (" + header.format.photometric + "): cannot be shown in 3D";
-  if (data.has(0x00283000, data.root()))
+  if (data.has(modalityLut, data.root()))
     header.warnings.push_back("its Modality LUT Sequence is not applied: values are those before it");
   if (FrameScopes::isEnhanced(data)) {
     if (Status s = readEnhancedFrames(data, header); !s) return s;
@@ -265,10 +265,14 @@ Status readSlices(const DataSet& data, FileHeader& header) {
     const auto slice = readSlice(data, FrameScopes(data.root()), Dimensions(data), header);
     if (!slice) return slice.error();
     header.slices = {*slice};
-    if (header.format.frames > 1 && header.notVolume.empty()) placeDoseFrames(data, header);
+    if (header.notVolume.empty() && isReconstructedNuclear(data))
+      placeReconstructedNuclear(data, header);
+    else if (header.notVolume.empty() && header.format.frames > 1)
+      placeDoseFrames(data, header);
   }
   const auto padding = readPadding(data, header.format);
   for (Slice& slice : header.slices) slice.padding = padding;
+  agreeOnUnit(header);
   numberSlices(data, header);
   return {};
 }

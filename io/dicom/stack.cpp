@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "io/dicom/lines.h"
 #include "io/regular_file.h"
 
 namespace volumen::dicom {
@@ -32,23 +33,19 @@ std::string missingPlace(const Slice& slice) {
   return missing;
 }
 
-/// Unit direction from the first slice to the last; the normal for a single one.
-glm::dvec3 lineDirection(std::span<const PlacedSlice> slices) {
-  if (slices.size() < 2) return normalOf(slices[0].slice);
-  return glm::normalize(*slices.back().slice.position - *slices.front().slice.position);
-}
-
 /// Distances of all slices from the first, mm along the line: by their planes, so that they always increase.
 std::vector<double> alongLine(std::span<const PlacedSlice> slices) {
   const glm::dvec3 normal = normalOf(slices[0].slice), first = *slices[0].slice.position;
-  const double cosine = glm::dot(lineDirection(slices), normal);
+  const double cosine = glm::dot(stackDirection(slices).unit, normal);
   std::vector<double> along;
   for (const PlacedSlice& s : slices) along.push_back(glm::dot(*s.slice.position - first, normal) / cosine);
   return along;
 }
 
 void warnOfShear(std::span<const PlacedSlice> slices, Stack& stack) {
-  const double cosine = std::min(1.0, std::abs(glm::dot(lineDirection(slices), normalOf(slices[0].slice))));
+  const StackDirection line = stackDirection(slices);
+  if (!line.tilted) return;
+  const double cosine = std::min(1.0, std::abs(glm::dot(line.unit, normalOf(slices[0].slice))));
   const double degrees = std::acos(cosine) * 180 / 3.14159265358979323846;
   if (degrees < 0.05) return;
   char text[80];
@@ -57,7 +54,7 @@ void warnOfShear(std::span<const PlacedSlice> slices, Stack& stack) {
 }
 
 void warnOffLine(std::span<const PlacedSlice> slices, const std::vector<double>& along, Stack& stack) {
-  const glm::dvec3 line = lineDirection(slices), first = *slices[0].slice.position;
+  const glm::dvec3 line = stackDirection(slices).unit, first = *slices[0].slice.position;
   double worst = 0;
   std::size_t at = 0;
   for (std::size_t n = 0; n < slices.size(); ++n) {
@@ -162,7 +159,7 @@ void addRegularGrid(std::span<const PlacedSlice> slices, const std::vector<doubl
   const int count = int(std::floor(along.back() / distance + gridTolerance)) + 1;
   Series::Regular regular{stack.acquired, 0, {}};
   regular.geometry.size.z = count;
-  regular.geometry.patientFromVoxelStep[2] = distance * lineDirection(slices);
+  regular.geometry.patientFromVoxelStep[2] = distance * stackDirection(slices).unit;
   for (int k = 0; k < count; ++k) {
     stack.sources.push_back(sourceAt(along, k * distance, tolerance));
     const auto& [below, weight] = stack.sources.back();
@@ -196,6 +193,11 @@ Stack layOut(std::span<const PlacedSlice> slices, int columns, int rows) {
     return stack;
   }
   const Slice& first = slices[0].slice;
+  if (first.ofTransducer)
+    stack.warnings.push_back(
+        {"It lies in the space of its transducer: which side of the patient is left, front "
+         "or top is not known.",
+         WarningKind::noDirections});
   stack.acquired.origin = *first.position;
   stack.acquired.patientFromVoxelStep[0] = first.orientation->row * first.spacing->x;
   stack.acquired.patientFromVoxelStep[1] = first.orientation->column * first.spacing->y;
@@ -204,7 +206,8 @@ Stack layOut(std::span<const PlacedSlice> slices, int columns, int rows) {
     return stack;
   }
   const std::vector<double> along = alongLine(slices);
-  stack.acquired.patientFromVoxelStep[2] = lineDirection(slices) * (along.back() / double(slices.size() - 1));
+  stack.acquired.patientFromVoxelStep[2] =
+      stackDirection(slices).unit * (along.back() / double(slices.size() - 1));
   warnOfShear(slices, stack);
   warnOffLine(slices, along, stack);
   if (!isEven(along)) addRegularGrid(slices, along, stack);

@@ -1,33 +1,50 @@
-#include "io/suv.h"
+#include "io/dicom/suv.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
 
-#include "io/dicom/data_set.h"
 #include "io/dicom/header.h"
-#include "io/dicom/parallel.h"
-#include "io/worker/batches.h"
-#include "io/worker/study_fields.h"
 
-namespace volumen {
+namespace volumen::dicom {
 namespace {
 
-using dicom::DataSet;
-using dicom::InspectedFile;
+constexpr std::uint32_t tagUnits = 0x00541001, tagSuvType = 0x00541006, tagDecayCorrection = 0x00541102,
+                        tagWeight = 0x00101030, tagSize = 0x00101020, tagSex = 0x00100040,
+                        tagTracer = 0x00540016, tagDose = 0x00181074, tagHalfLife = 0x00181075,
+                        tagInjectionDateTime = 0x00181078, tagInjectionTime = 0x00181072,
+                        tagCorrected = 0x00280051, tagZone = 0x00080201, tagSeriesDate = 0x00080021,
+                        tagSeriesTime = 0x00080031;
 
-DataSet dataOf(const InspectedFile& file) { return {file.scanned.head, file.scanned.dataSet.elements}; }
+/// Text of a VR that is ASCII and no markup; whatever else stands there shows as '?'.
+std::string plain(std::string text) {
+  text.resize(std::min<std::size_t>(text.size(), 64));
+  for (char& c : text)
+    if (c < ' ' || c > '~' || c == '<' || c == '>' || c == '&') c = '?';
+  return text;
+}
+
+/// A private attribute, in whichever block its creator has.
+std::string privateText(const DataSet& data, std::uint32_t group, const char* creator,
+                        std::uint32_t element) {
+  for (std::uint32_t block = 0x10; block <= 0xff; ++block)
+    if (data.text(group << 16 | block, data.root()) == creator)
+      return data.text(group << 16 | block << 8 | element, data.root());
+  return {};
+}
 
 std::optional<double> digits(const std::string& text, std::size_t at, std::size_t count) {
   if (text.size() < at + count) return {};
   const std::string part = text.substr(at, count);
   if (part.find_first_not_of("0123456789") != std::string::npos) return {};
-  return dicom::parseNumber(part);
+  return parseNumber(part);
 }
 
 /// Seconds since 1970 of a DA ("20260314"); nothing where it is none.
 std::optional<double> dateSeconds(const std::string& written) {
-  const std::string text = dicom::dateOrTime(written);
+  const std::string text = dateOrTime(written);
   const auto year = digits(text, 0, 4), month = digits(text, 4, 2), day = digits(text, 6, 2);
   if (!year || !month || !day) return {};
   using namespace std::chrono;
@@ -39,146 +56,299 @@ std::optional<double> dateSeconds(const std::string& written) {
 
 /// Seconds since midnight of a TM ("101112.5"); nothing where it is none.
 std::optional<double> timeSeconds(const std::string& written) {
-  const std::string text = dicom::dateOrTime(written);
+  const std::string text = dateOrTime(written);
   const auto part = [&](std::size_t at) { return text.size() <= at ? 0 : digits(text, at, 2); };
   const auto hours = digits(text, 0, 2), minutes = part(2), seconds = part(4);
-  if (!hours || !minutes || !seconds) return {};
+  if (!hours || !minutes || !seconds || *hours > 23 || *minutes > 59 || *seconds > 60) return {};
   const double fraction =
-      text.size() > 7 && text[6] == '.' ? dicom::parseNumber("0" + text.substr(6)).value_or(0) : 0;
+      text.size() > 7 && text[6] == '.' ? parseNumber("0" + text.substr(6)).value_or(0) : 0;
   return *hours * 3600 + *minutes * 60 + *seconds + fraction;
 }
 
-std::optional<double> moment(const DataSet& data, std::uint32_t dateTag, std::uint32_t timeTag) {
-  const auto date = dateSeconds(data.text(dateTag, data.root()));
-  const auto time = timeSeconds(data.text(timeTag, data.root()));
-  if (!date || !time) return {};
-  return *date + *time;
+std::optional<double> moment(const std::string& date, const std::string& time) {
+  const auto day = dateSeconds(date), ofDay = timeSeconds(time);
+  if (!day || !ofDay) return {};
+  return *day + *ofDay;
+}
+
+/// Seconds of a zone as a DT writes it, "+0130".
+std::optional<double> zoneSeconds(const std::string& text) {
+  const auto hours = digits(text, 1, 2), minutes = digits(text, 3, 2);
+  if (text.size() != 5 || !hours || !minutes || (text[0] != '+' && text[0] != '-')) return {};
+  return (text[0] == '-' ? -60 : 60) * (*hours * 60 + *minutes);
+}
+
+/// Date and time of a DT, and the zone behind them.
+struct DateTime {
+  std::string date, time, zone;
+};
+DateTime partsOf(const std::string& text) {
+  const std::size_t zone = std::min(text.find_first_of("+-"), text.size());
+  const std::string local = text.substr(0, zone);
+  const std::size_t day = std::min<std::size_t>(8, local.size());
+  return {local.substr(0, day), local.substr(day), text.substr(zone)};
 }
 
 Error missing(const char* name, std::uint32_t tag) {
-  return Error{std::string(name) + " " + dicom::tagText(tag) + " is missing"};
+  return Error{std::string(name) + " " + tagText(tag) + " is missing"};
 }
 
-/// A number above 0, or the sentence that it is missing.
-Result<double> positive(const DataSet& data, DataSet::Scope scope, const char* name, std::uint32_t tag) {
-  const auto value = data.number(tag, scope);
-  if (!value || !(*value > 0)) return missing(name, tag);
+Error wrong(const char* name, std::uint32_t tag, const std::string& value) {
+  return Error{std::string(name) + " " + tagText(tag) + " is " + value};
+}
+
+/// A number above 0, and within what it can be; 0 says as little as nothing.
+Result<double> positive(const std::string& text, const char* name, std::uint32_t tag, const char* unit,
+                        double least, double most) {
+  const auto value = parseNumber(text);
+  if (text.empty() || value == 0.0) return missing(name, tag);
+  if (!value || *value < least || *value > most) return wrong(name, tag, text + unit);
   return *value;
 }
 
-/// When the earliest picture of the series was acquired; nothing where one does not say.
-std::optional<double> earliestAcquisition(const Series& series) {
-  std::vector<std::string> files = series.files;
-  files.erase(std::unique(files.begin(), files.end()), files.end());
-  std::vector<std::optional<double>> times(files.size());
-  dicom::forEachParallel(files.size(), "", {}, {}, [&](std::size_t n) {
-    const InspectedFile file = dicom::inspectFile(files[n]);
-    times[n] = moment(dataOf(file), 0x00080022, 0x00080032);
-    worker::finishStep();
-  });
-  return *std::min_element(times.begin(), times.end());  // nothing counts as the least
+/// When the scan began, to which the values are corrected: the time of the series, unless it is later than
+/// the first picture, as of series that were made later. Then GE's own says it, else the first picture does.
+Result<double> scanStart(const PetFacts& facts, const std::optional<double>& earliest) {
+  const auto ofSeries = moment(facts.seriesDate, facts.seriesTime);
+  if (ofSeries && (!earliest || *ofSeries <= *earliest)) return *ofSeries;
+  const DateTime ge = partsOf(facts.geScanStart);
+  if (const auto began = moment(ge.date, ge.time)) return *began;
+  if (earliest) return *earliest;
+  if (facts.seriesTime.empty()) return missing("SeriesTime", tagSeriesTime);
+  if (!timeSeconds(facts.seriesTime)) return wrong("SeriesTime", tagSeriesTime, facts.seriesTime);
+  if (facts.seriesDate.empty()) return missing("SeriesDate", tagSeriesDate);
+  return wrong("SeriesDate", tagSeriesDate, facts.seriesDate);
 }
 
-/// When the scan began, which the values are corrected to: the time of the series, unless it is later than
-/// the first picture.
-Result<double> scanStart(const DataSet& data, const Series& series) {
-  const auto ofSeries = moment(data, 0x00080021, 0x00080031), acquired = earliestAcquisition(series);
-  if (ofSeries && acquired) return std::min(*ofSeries, *acquired);
-  if (ofSeries) return *ofSeries;
-  if (acquired) return *acquired;
-  return missing("SeriesTime", 0x00080031);
+/// Seconds from the injection, whose day is not known, to the start of the scan: midnight may lie between.
+Result<double> secondsOfDay(const PetFacts& facts, double scan) {
+  constexpr double day = 86400;
+  if (facts.injectionTime.empty()) return missing("RadiopharmaceuticalStartTime", tagInjectionTime);
+  const auto ofDay = timeSeconds(facts.injectionTime);
+  if (!ofDay) return wrong("RadiopharmaceuticalStartTime", tagInjectionTime, facts.injectionTime);
+  const double seconds = std::fmod(scan, day) - *ofDay;
+  return seconds < -day / 2 ? seconds + day : seconds;
 }
 
 /// Seconds from the injection to the start of the scan.
-Result<double> decaySeconds(const DataSet& data, DataSet::Scope dose, const Series& series) {
-  constexpr double day = 86400;
-  const Result<double> scan = scanStart(data, series);
+Result<double> decaySeconds(const PetFacts& facts, const std::optional<double>& earliest) {
+  const Result<double> scan = scanStart(facts, earliest);
   if (!scan) return scan.error();
-  const std::string dateTime = data.text(0x00181078, dose);
-  const std::size_t zone = dateTime.find_first_of("+-");
-  if (zone != std::string::npos && dateTime.substr(zone) != data.text(0x00080201, data.root()))
-    return Error{"RadiopharmaceuticalStartDateTime (0018,1078) has a time zone of its own"};
-  const std::string local = dateTime.substr(0, zone);
-  const auto date = dateSeconds(local),
-             time = timeSeconds(local.substr(std::min<std::size_t>(8, local.size())));
+  const DateTime injection = partsOf(facts.injectionDateTime);
+  const auto injected = moment(injection.date, injection.time);
   double seconds = 0;
-  if (date && time) {
-    seconds = *scan - *date - *time;
+  if (injected) {
+    seconds = *scan - *injected;
+    if (!injection.zone.empty() && injection.zone != facts.zone) {
+      const auto there = zoneSeconds(injection.zone), here = zoneSeconds(facts.zone);
+      if (!there || !here)
+        return Error{"RadiopharmaceuticalStartDateTime (0018,1078) has a time zone of its own"};
+      seconds += *there - *here;
+    }
   } else {
-    const auto ofDay = timeSeconds(data.text(0x00181072, dose));
-    if (!ofDay) return missing("RadiopharmaceuticalStartTime", 0x00181072);
-    seconds = std::fmod(*scan, day) - *ofDay;
-    if (seconds < 0) seconds += day;  // over midnight
+    const Result<double> found = secondsOfDay(facts, *scan);
+    if (!found) return found.error();
+    seconds = *found;
   }
   if (seconds < 0) return Error{"its scan begins before the injection"};
   return seconds;
 }
 
-/// How much is left of the dose at the time that the values are corrected to.
-Result<double> remainingDose(const DataSet& data, DataSet::Scope dose, const Series& series) {
-  const auto total = positive(data, dose, "RadionuclideTotalDose", 0x00181074);
+/// How much is left of the dose at the time that the values are corrected to, Bq.
+Result<double> remainingDose(const PetFacts& facts, const std::optional<double>& earliest) {
+  constexpr double leastBq = 1e5, mostBq = 1e12;  // below it was given in MBq
+  constexpr double mostHalfLives = 20;            // a millionth is left: one of the two is in another unit
+  if (facts.injections == 0) return missing("RadiopharmaceuticalInformationSequence", tagTracer);
+  if (facts.injections > 1)
+    return wrong("RadiopharmaceuticalInformationSequence", tagTracer,
+                 "of " + std::to_string(facts.injections) + " injections");
+  const auto total = positive(facts.dose, "RadionuclideTotalDose", tagDose, " Bq", leastBq, mostBq);
   if (!total) return total.error();
-  const std::string correction = data.text(0x00541102, data.root());
-  if (correction == "ADMIN") return *total;
-  if (correction.empty()) return missing("DecayCorrection", 0x00541102);
-  if (correction != "START") return Error{"DecayCorrection (0054,1102) is " + dicom::toUtf8(correction, {})};
-  const auto halfLife = positive(data, dose, "RadionuclideHalfLife", 0x00181075);
+  if (facts.decayCorrection == "ADMIN") return *total;
+  if (facts.decayCorrection.empty()) return missing("DecayCorrection", tagDecayCorrection);
+  if (facts.decayCorrection != "START")
+    return wrong("DecayCorrection", tagDecayCorrection, facts.decayCorrection);
+  const auto halfLife = positive(facts.halfLife, "RadionuclideHalfLife", tagHalfLife, " s", 1, 1e10);
   if (!halfLife) return halfLife.error();
-  const auto seconds = decaySeconds(data, dose, series);
+  const auto seconds = decaySeconds(facts, earliest);
   if (!seconds) return seconds.error();
+  if (*seconds > mostHalfLives * *halfLife)
+    return Error{"its scan begins " + std::to_string(std::llround(*seconds / *halfLife)) +
+                 " half-lives after the injection"};
   return *total * std::exp2(-*seconds / *halfLife);
 }
 
-Result<double> factorOfBqml(const DataSet& data, const Series& series) {
-  const auto corrected = data.values(0x00280051, data.root());
-  for (const char* needed : {"ATTN", "DECY"})
-    if (std::find(corrected.begin(), corrected.end(), needed) == corrected.end())
-      return Error{std::string("CorrectedImage (0028,0051) does not name ") + needed};
-  const auto weight = positive(data, data.root(), "PatientWeight", 0x00101030);
-  if (!weight) return weight.error();
-  const auto items = data.items(0x00540016, data.root());
-  if (items.empty()) return missing("RadiopharmaceuticalInformationSequence", 0x00540016);
-  const auto dose = remainingDose(data, items[0], series);
+/// By James (1976), which DICOM calls LBMJAMES128, or by Janmahasatian et al. (2005); kg of kg and m.
+Result<double> leanMass(const std::string& sex, double weight, double size, bool james) {
+  const bool female = sex == "F";
+  if (sex.empty()) return missing("PatientSex", tagSex);
+  if (!female && sex != "M") return wrong("PatientSex", tagSex, plain(sex));
+  const double index = weight / (size * size);
+  const double lean = !james   ? 9270 * weight / (female ? 8780 + 244 * index : 6680 + 216 * index)
+                      : female ? 1.07 * weight - 148e-4 * weight * index
+                               : 1.10 * weight - 128e-4 * weight * index;
+  if (!(lean > 0)) return Error{"the lean body mass of this weight and size is not defined"};
+  return lean;
+}
+
+enum Kind : std::size_t { bodyWeight, leanBodyMass, bodySurface, kinds };
+
+/// What an uptake is referred to: g, g, cm^2, or why it is not known.
+using Norms = std::vector<Result<double>>;
+
+Norms normsOf(const PetFacts& facts, const std::string& sex, bool james) {
+  const auto weight = positive(facts.weight, "PatientWeight", tagWeight, " kg", 0.001, 700);
+  const auto size = positive(facts.size, "PatientSize", tagSize, " m", 0.05, 2.8);
+  if (!weight) return Norms(kinds, weight);
+  if (!size) return {*weight * 1000, size.error(), size.error()};
+  const auto lean = leanMass(sex, *weight, *size, james);
+  // Du Bois and Du Bois (1916): m^2 of kg and cm.
+  const double surface = 0.007184 * std::pow(*weight, 0.425) * std::pow(*size * 100, 0.725);
+  return {*weight * 1000, lean ? Result<double>(*lean * 1000) : lean, surface * 1e4};
+}
+
+/// What the values are already, and what they are multiplied by to be that.
+struct Known {
+  std::optional<Kind> kind;  ///< none: Bq/ml for each Bq that is left of the dose
+  double factor = 1;
+  bool james = true;     ///< of lean body mass, by which formula
+  std::string unstated;  ///< why the kind cannot be turned into others
+};
+
+Result<Known> knownOfDose(const PetFacts& facts, double toBqml, const std::optional<double>& earliest) {
+  const auto dose = remainingDose(facts, earliest);
   if (!dose) return dose.error();
-  return *weight * 1000 / *dose;
+  return Known{{}, toBqml / *dose, true, {}};
 }
 
-/// Counts of Philips come with a factor of their own.
-Result<double> factorOfCounts(const DataSet& data) {
-  constexpr std::uint32_t creator = 0x70530010, factor = 0x70531000;
-  if (data.text(creator, data.root()) != "Philips PET Private Group")
-    return Error{"Units (0054,1001) is CNTS"};
-  return positive(data, data.root(), "the factor from counts to SUV", factor);
+/// Counts of Philips come with factors of their own.
+Result<Known> knownOfCounts(const PetFacts& facts, const std::optional<double>& earliest) {
+  if (facts.decayCorrection == "NONE")
+    return wrong("DecayCorrection", tagDecayCorrection, facts.decayCorrection);
+  const auto suv = parseNumber(facts.philipsSuvFactor), bq = parseNumber(facts.philipsBqFactor);
+  if (suv && *suv > 0) return Known{bodyWeight, *suv, true, {}};
+  if (bq && *bq > 0) return knownOfDose(facts, *bq, earliest);
+  return wrong("Units", tagUnits, "CNTS");
 }
 
-Result<double> factorOf(const DataSet& data, const Series& series) {
-  const std::string units = data.text(0x00541001, data.root()), type = data.text(0x00541006, data.root());
-  if (units.empty()) return missing("Units", 0x00541001);
-  if (units == "BQML") return factorOfBqml(data, series);
-  if (units == "CNTS") return factorOfCounts(data);
-  if (units == "GML" && (type.empty() || type == "BW")) return 1.0;
-  if (units == "GML") return Error{"SUVType (0054,1006) is " + dicom::toUtf8(type, {})};
-  return Error{"Units (0054,1001) is " + dicom::toUtf8(units, {})};
+/// Values that are an SUV already.
+Result<Known> knownOfSuv(const PetFacts& facts) {
+  const std::string& type = facts.suvType;
+  if (facts.units == "CM2ML" && (type.empty() || type == "BSA")) return Known{bodySurface, 1, true, {}};
+  const bool grams = facts.units == "GML";
+  if (grams && (type.empty() || type == "BW")) return Known{bodyWeight, 1, true, {}};
+  if (!grams || !type.starts_with("LBM")) return wrong("SUVType", tagSuvType, type);
+  const bool stated = type == "LBMJAMES128" || type == "LBMJANMA";
+  const std::string why = wrong("SUVType", tagSuvType, type).message;
+  return Known{leanBodyMass, 1, type != "LBMJANMA", stated ? std::string() : why};
 }
 
-Result<double> suvFactorHere(const Series& series) {
-  const InspectedFile file = dicom::inspectFile(series.files[0]);
-  const Result<double> factor = factorOf(dataOf(file), series);
-  if (!factor) return Error{series.path + ": no SUV: " + factor.message() + "."};
-  return factor;
+Result<Known> knownOf(const PetFacts& facts, const std::optional<double>& earliest) {
+  if (facts.units.empty()) return missing("Units", tagUnits);
+  if (facts.units == "GML" || facts.units == "CM2ML") return knownOfSuv(facts);
+  if (facts.units != "BQML" && facts.units != "CNTS") return wrong("Units", tagUnits, facts.units);
+  for (const auto& [name, done] :
+       {std::pair("ATTN", facts.attenuationCorrected), std::pair("DECY", facts.decayCorrected)})
+    if (!done) return Error{"CorrectedImage " + tagText(tagCorrected) + " does not name " + name};
+  return facts.units == "BQML" ? knownOfDose(facts, 1, earliest) : knownOfCounts(facts, earliest);
+}
+
+/// Where weight is what is wrong, that is said before all else.
+SuvFactors factorsOf(const PetFacts& facts, const std::string& sex, const std::optional<double>& earliest) {
+  SuvFactors out;
+  const auto known = knownOf(facts, earliest);
+  if (!known) {
+    out.why = known.message();
+    return out;
+  }
+  Norms norms = normsOf(facts, sex, known->james);
+  if (known->kind && !known->unstated.empty()) norms[*known->kind] = Error{known->unstated};
+  std::optional<double>* const to[] = {&out.bodyWeight, &out.leanBodyMass, &out.bodySurface};
+  const auto without = [&](const Result<double>& norm) {
+    if (out.why.empty()) out.why = norm.message();
+  };
+  for (std::size_t n = 0; n < kinds; ++n) {
+    const Result<double> from = known->kind ? norms[*known->kind] : Result<double>(1.0);
+    if (known->kind == n)
+      *to[n] = known->factor;
+    else if (!from)
+      without(from);
+    else if (!norms[n])
+      without(norms[n]);
+    else
+      *to[n] = known->factor * *norms[n] / *from;
+  }
+  return out;
+}
+
+/// Files of one series: patients and studies may share a UID by mistake.
+std::array<std::string, 3> seriesOf(const SeriesIdentity& s) {
+  return {s.patientId, s.studyUid, s.seriesUid};
+}
+
+/// What is the same of all files of a volume.
+PetFacts withoutPlace(PetFacts facts) {
+  facts.acquisitionDate.clear(), facts.acquisitionTime.clear();
+  return facts;
 }
 
 }  // namespace
 
-Result<double> suvFactor(const Series& series) {
-  if (series.modality != "PT" || series.files.empty())
-    return Error{series.path + ": no SUV: it is no PET series."};
-  const CancelToken never;
-  worker::Request request = worker::headersOf(series.files, never);
-  worker::Failure failure{};
-  const Result<double> factor = worker::isolated<suvFactorHere>(request, failure, series);
-  if (failure != worker::Failure::none) return Error{series.path + ": no SUV: " + factor.message() + "."};
-  return factor;
+PetFacts readPetFacts(const DataSet& data) {
+  const DataSet::Scope root = data.root();
+  const auto text = [&](std::uint32_t tag, DataSet::Scope scope) { return plain(data.text(tag, scope)); };
+  PetFacts facts;
+  for (const auto& [field, tag] :
+       {std::pair(&facts.units, tagUnits), std::pair(&facts.suvType, tagSuvType),
+        std::pair(&facts.decayCorrection, tagDecayCorrection), std::pair(&facts.weight, tagWeight),
+        std::pair(&facts.size, tagSize), std::pair(&facts.zone, tagZone),
+        std::pair(&facts.seriesDate, tagSeriesDate), std::pair(&facts.seriesTime, tagSeriesTime),
+        std::pair(&facts.acquisitionDate, 0x00080022u), std::pair(&facts.acquisitionTime, 0x00080032u)})
+    *field = text(tag, root);
+  if (facts.acquisitionDate.empty() && facts.acquisitionTime.empty()) {
+    const DateTime acquired = partsOf(text(0x0008002a, root));
+    facts.acquisitionDate = acquired.date, facts.acquisitionTime = acquired.time;
+  }
+  const auto items = data.items(tagTracer, root);
+  facts.injections = int(std::min<std::size_t>(items.size(), 1000));
+  if (!items.empty()) {
+    facts.dose = text(tagDose, items[0]), facts.halfLife = text(tagHalfLife, items[0]);
+    facts.injectionDateTime = text(tagInjectionDateTime, items[0]);
+    facts.injectionTime = text(tagInjectionTime, items[0]);
+  }
+  const auto corrected = data.values(tagCorrected, root);
+  facts.attenuationCorrected = std::ranges::find(corrected, "ATTN") != corrected.end();
+  facts.decayCorrected = std::ranges::find(corrected, "DECY") != corrected.end();
+  facts.geScanStart = plain(privateText(data, 0x0009, "GEMS_PETD_01", 0x0d));
+  facts.philipsSuvFactor = plain(privateText(data, 0x7053, "Philips PET Private Group", 0x00));
+  facts.philipsBqFactor = plain(privateText(data, 0x7053, "Philips PET Private Group", 0x09));
+  return facts;
 }
 
-}  // namespace volumen
+void addSuvFactors(std::span<const FileHeader> files, std::vector<Series>& volumes) {
+  std::map<std::string, const FileHeader*> byPath;
+  std::map<std::array<std::string, 3>, std::optional<double>> earliest;  // nothing where one does not say
+  for (const FileHeader& file : files) {
+    if (!file.pet) continue;
+    byPath[file.path] = &file;
+    const auto acquired = moment(file.pet->acquisitionDate, file.pet->acquisitionTime);
+    const auto [known, isNew] = earliest.emplace(seriesOf(file), acquired);
+    if (!isNew) known->second = std::min(known->second, acquired);
+  }
+  for (Series& volume : volumes) {
+    const auto first = volume.files.empty() ? byPath.end() : byPath.find(volume.files[0]);
+    if (first == byPath.end()) continue;
+    const FileHeader& file = *first->second;
+    const PetFacts facts = withoutPlace(*file.pet);
+    const bool alike = std::ranges::all_of(volume.files, [&](const std::string& path) {
+      const auto other = byPath.find(path);
+      return other != byPath.end() && withoutPlace(*other->second->pet) == facts;
+    });
+    if (alike)
+      volume.suv = factorsOf(facts, file.patientSex, earliest.at(seriesOf(file)));
+    else
+      volume.suv.why = "its files differ in units, weight, dose or times";
+  }
+}
+
+}  // namespace volumen::dicom

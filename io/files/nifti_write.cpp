@@ -23,13 +23,15 @@ int niftiType(SampleType type) {
 }
 
 // The rotation of the axes of `L`, the third turned round where they are left-handed (`qfac` is then -1).
-// Nothing where they are not at right angles.
+// Nothing where they are not at right angles; the decimals of files leave some 1e-5 between them.
 std::optional<glm::dquat> rotation(const glm::dmat3& L, double& qfac) {
   glm::dmat3 R(glm::normalize(L[0]), glm::normalize(L[1]), glm::normalize(L[2]));
   const double skew = std::max(
       {std::abs(glm::dot(R[0], R[1])), std::abs(glm::dot(R[1], R[2])), std::abs(glm::dot(R[2], R[0]))});
-  constexpr double float32Noise = 1e-6;
-  if (skew > float32Noise) return {};
+  constexpr double roundingOfFiles = 1e-4;
+  if (skew > roundingOfFiles) return {};
+  R[1] = glm::normalize(R[1] - glm::dot(R[1], R[0]) * R[0]);
+  R[2] = glm::cross(R[0], R[1]) * (glm::determinant(R) < 0 ? -1.0 : 1.0);
   qfac = glm::determinant(R) < 0 ? -1 : 1;
   R[2] *= qfac;
   glm::dquat q = glm::normalize(glm::quat_cast(R));
@@ -55,24 +57,27 @@ void putGeometry(std::string& header, const VoxelGeometry& g) {
     put(header, 280 + 4 * std::size_t(4 * row + 3), float(origin[row]));
   }
   constexpr char mm = 2;
-  header[123] = mm;
+  header[123] |= mm;
 }
 
 }  // namespace
 
-Result<std::string> niftiHeader(const VoxelGeometry& g, SampleType type, double slope, double intercept) {
+Result<std::string> niftiHeader(const VoxelGeometry& g, SampleType type, double slope, double intercept,
+                                const NiftiTime& time) {
   constexpr int mostVoxels = std::numeric_limits<std::int16_t>::max();
-  if (std::max({g.size.x, g.size.y, g.size.z}) > mostVoxels)
+  if (std::max({g.size.x, g.size.y, g.size.z, time.volumes}) > mostVoxels)
     return Error{"NIfTI holds at most 32767 voxels along an axis; write .nrrd or .mha."};
   constexpr std::size_t firstSample = 352;
   std::string header(firstSample, '\0');
   put<std::int32_t>(header, 0, 348);
   header[38] = 'r';  // "regular", which old readers ask for
-  const int dims[] = {3, g.size.x, g.size.y, g.size.z, 1, 1, 1, 1};
+  const int dims[] = {time.volumes > 1 ? 4 : 3, g.size.x, g.size.y, g.size.z, time.volumes, 1, 1, 1};
   for (std::size_t n = 0; n < 8; ++n) {
     put(header, 40 + 2 * n, std::int16_t(dims[n]));
     put(header, 76 + 4 * n, 1.0f);
   }
+  constexpr char seconds = 8;
+  if (time.stepSeconds > 0) header[123] = seconds, put(header, 92, float(time.stepSeconds));
   put(header, 70, std::int16_t(niftiType(type)));
   put(header, 72, std::int16_t(8 * bytesOf(type)));
   put(header, 108, float(firstSample));

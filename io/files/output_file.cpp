@@ -1,30 +1,53 @@
 #include "io/files/output_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <zlib.h>
 
-#include <QFile>
-#include <QFileInfo>
-#include <QSaveFile>
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "io/files/aside.h"
 
 namespace volumen {
 
 struct OutputFile::State {
   std::string path;
-  QSaveFile file;
+  std::string target;  // what is replaced: of a link what it leads to
+  std::string aside;   // empty: nothing is there
+  int fd = -1;
   bool gzip = false;
   z_stream stream{};
   std::array<Bytef, 1 << 16> packed{};
 
-  explicit State(const std::string& name)
-      : path(name), file(QFile::decodeName(QByteArray::fromStdString(name))) {}
+  explicit State(const std::string& name) : path(name) {
+    std::error_code none;
+    const std::filesystem::path real = std::filesystem::canonical(name, none);
+    target = none ? name : real.string();
+  }
   ~State() {
     if (gzip) deflateEnd(&stream);
+    if (fd >= 0) ::close(fd);
+    if (!aside.empty()) ::unlink(aside.c_str());
   }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
+
+  // False, with errno, where not all of it was written.
+  bool put(const void* bytes, std::size_t count) const {
+    const auto* next = static_cast<const char*>(bytes);
+    while (count > 0) {
+      const ssize_t n = ::write(fd, next, count);
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0) return false;
+      next += n, count -= std::size_t(n);
+    }
+    return true;
+  }
 };
 
 OutputFile::OutputFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -37,21 +60,49 @@ Status OutputFile::fail(const std::string& why) const {
 
 namespace {
 
-// Why Qt could not make a file aside of `path`.
-std::string whyNot(const QString& path, const QString& error) {
-  const QFileInfo file(path), folder(file.absolutePath());
-  if (file.isDir()) return "it is a folder";
-  if (!folder.isDir() || error == qt_error_string(ENOENT)) return "no such folder";
-  if (!folder.isWritable() || (file.exists() && !file.isWritable())) return "no permission to write there";
-  return error.left(1).toLower().toStdString() + error.mid(1).toStdString();
+// Why nothing can be written in place of what is there; empty: it can.
+std::string obstacle(const std::string& target) {
+  struct stat there {};
+  if (::stat(target.c_str(), &there) != 0) return {};
+  if (S_ISDIR(there.st_mode)) return "it is a folder";
+  if (!S_ISREG(there.st_mode)) return "it is a pipe or a device, and only files are written";
+  return ::access(target.c_str(), W_OK) == 0 ? "" : "no permission to write there";
+}
+
+// Why no file could be made in a folder.
+std::string whyNotMade(int error) {
+  if (error == ENOENT || error == ENOTDIR) return "no such folder";
+  if (error == EACCES || error == EPERM) return "no permission to write there";
+  return std::strerror(error);
+}
+
+// Some disks tell only now that they are full, and some cannot tell.
+bool isOnDisk(int fd) { return ::fdatasync(fd) == 0 || errno == EINVAL || errno == EROFS || errno == ENOSYS; }
+
+// As a new file has them, or the one that is replaced.
+mode_t rightsFor(const std::string& target) {
+  struct stat there {};
+  if (::stat(target.c_str(), &there) == 0) return there.st_mode & 0777;
+  return 0666 & ~rightsKept();
 }
 
 }  // namespace
 
 Result<OutputFile> OutputFile::create(const std::string& path) {
   OutputFile out(std::make_unique<State>(path));
-  QSaveFile& file = out.state_->file;
-  if (!file.open(QIODevice::WriteOnly)) return out.fail(whyNot(file.fileName(), file.errorString())).error();
+  State& s = *out.state_;
+  if (const std::string why = obstacle(s.target); !why.empty()) return out.fail(why).error();
+  const std::size_t name = s.target.find_last_of('/') + 1;
+  sweepAside(s.target.substr(0, name));
+  s.aside = s.target.substr(0, name) + asideName;
+  s.fd = ::mkostemp(s.aside.data(), O_CLOEXEC);
+  if (s.fd < 0) {
+    const int error = errno;
+    s.aside.clear();
+    return out.fail(whyNotMade(error)).error();
+  }
+  claimAside(s.fd);
+  ::fchmod(s.fd, rightsFor(s.target));
   return out;
 }
 
@@ -72,19 +123,14 @@ Status OutputFile::deflateAll(int flush) {
     stream.next_out = state_->packed.data();
     stream.avail_out = uInt(state_->packed.size());
     code = deflate(&stream, flush);
-    const qint64 count = qint64(state_->packed.size() - stream.avail_out);
-    if (state_->file.write(reinterpret_cast<const char*>(state_->packed.data()), count) != count)
-      return fail(state_->file.errorString().toStdString());
+    if (!state_->put(state_->packed.data(), state_->packed.size() - stream.avail_out))
+      return fail(std::strerror(errno));
   } while (stream.avail_out == 0 || (flush == Z_FINISH && code == Z_OK));
   return {};
 }
 
 Status OutputFile::write(const void* bytes, std::size_t count) {
-  if (!state_->gzip) {
-    if (state_->file.write(static_cast<const char*>(bytes), qint64(count)) != qint64(count))
-      return fail(state_->file.errorString().toStdString());
-    return {};
-  }
+  if (!state_->gzip) return state_->put(bytes, count) ? Status() : fail(std::strerror(errno));
   const auto* next = static_cast<const Bytef*>(bytes);
   while (count > 0) {
     constexpr std::size_t most = 1u << 30;  // zlib counts in unsigned int
@@ -101,10 +147,10 @@ Status OutputFile::write(const void* bytes, std::size_t count) {
 Status OutputFile::commit() {
   if (state_->gzip)
     if (Status s = deflateAll(Z_FINISH); !s) return s;
-  if (!state_->file.commit()) return fail(state_->file.errorString().toStdString());
+  if (!isOnDisk(state_->fd)) return fail(std::strerror(errno));
+  if (::rename(state_->aside.c_str(), state_->target.c_str()) != 0) return fail(std::strerror(errno));
+  state_->aside.clear();
   return {};
 }
-
-QIODevice& OutputFile::device() { return state_->file; }
 
 }  // namespace volumen

@@ -1,8 +1,10 @@
 #include "io/files/picture_file.h"
 
+#include <QBuffer>
 #include <QImage>
 #include <QImageWriter>
 
+#include "io/files/header_text.h"
 #include "io/files/nrrd.h"
 #include "io/files/output_file.h"
 
@@ -13,14 +15,17 @@ namespace {
 constexpr int jpegQuality = 95;
 
 Status writeAs(const char* format, const QImage& image, const std::string& path, const PictureText& text) {
-  auto out = OutputFile::create(path);
-  if (!out) return out.error();
-  QImageWriter writer(&out->device(), format);
+  QBuffer bytes;
+  bytes.open(QIODevice::WriteOnly);
+  QImageWriter writer(&bytes, format);
   if (qstrcmp(format, "jpeg") == 0) writer.setQuality(jpegQuality);
   for (const auto& [key, value] : text)
     writer.setText(QString::fromStdString(key), QString::fromStdString(value));
   if (!writer.write(image))
     return Error{"Cannot write " + path + ": " + writer.errorString().toStdString() + "."};
+  auto out = OutputFile::create(path);
+  if (!out) return out.error();
+  if (Status s = out->write(bytes.data().constData(), std::size_t(bytes.data().size())); !s) return s;
   return out->commit();
 }
 
@@ -82,10 +87,18 @@ Status writePictureNrrd(const Picture& picture, const std::string& path) {
                      picture.rgba, path);
 }
 
-Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std::string& path) {
-  return writeValues(
-      "dimension: 2\nsizes: " + sizeText(size) + "\nkinds: domain domain\nendian: little\nencoding: raw",
-      values, path);
+Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std::string& path,
+                    const std::optional<PicturePlane>& plane) {
+  const auto vector = [](glm::dvec3 v) {
+    return '(' + exactText(v.x) + ',' + exactText(v.y) + ',' + exactText(v.z) + ')';
+  };
+  std::string header = "dimension: 2\n";
+  if (plane) header += "space: left-posterior-superior\n";
+  header += "sizes: " + sizeText(size) + "\n";
+  if (plane) header += "space directions: " + vector(plane->right) + ' ' + vector(plane->down) + "\n";
+  header += "kinds: domain domain\nendian: little\nencoding: raw";
+  if (plane) header += "\nspace origin: " + vector(plane->origin);
+  return writeValues(header, values, path);
 }
 
 Status writeColourNrrd(glm::ivec2 size, const std::vector<std::uint8_t>& rgb, const std::string& path) {

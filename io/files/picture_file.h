@@ -1,5 +1,8 @@
 #pragma once
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,8 +37,15 @@ PictureText warningText(const std::vector<Warning>& warnings);
 /// key "background" says "opaque" or "transparent".
 Status writePictureNrrd(const Picture& picture, const std::string& path);
 
-/// One float a pixel: sizes W H, first row on top.
-Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std::string& path);
+/// Where a picture lies in the patient (LPS): the centre of its first pixel and the steps from one to the
+/// next, mm.
+struct PicturePlane {
+  glm::dvec3 origin{0}, right{1, 0, 0}, down{0, 1, 0};
+};
+
+/// One float a pixel: sizes W H, first row on top; with its place in space, where that is given.
+Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std::string& path,
+                    const std::optional<PicturePlane>& plane = {});
 
 /// Three bytes a pixel, red, green, blue: sizes 3 W H, first row on top.
 Status writeColourNrrd(glm::ivec2 size, const std::vector<std::uint8_t>& rgb, const std::string& path);

@@ -4,10 +4,11 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 
 #include "io/files/header_text.h"
-#include "io/files/nifti_write.h"
 #include "io/files/nrrd.h"
 #include "io/files/output_file.h"
 #include "io/files/sample_type.h"
@@ -159,19 +160,82 @@ Status writeMeta(const Volume& volume, const std::string& path, const Progress& 
   return out->commit();
 }
 
+// Opens a NIfTI file and writes all in front of the samples.
+Result<OutputFile> startNifti(const Volume& volume, const Form& form, const NiftiTime& time,
+                              const std::string& path) {
+  const bool scaled = form.slope == 1 && form.intercept == 0;
+  auto header = niftiHeader(volume.geometry(), form.type, scaled ? volume.slope() : 1,
+                            scaled ? volume.intercept() : 0, time);
+  if (!header) return Error{path + ": " + header.message()};
+  auto out = OutputFile::create(path);
+  if (!out) return out;
+  if (Status s = out->startGzip(); !s) return s.error();
+  if (Status s = out->write(*header); !s) return s.error();
+  return out;
+}
+
 Status writeNifti(const Volume& volume, const std::string& path, const Progress& progress,
                   const CancelToken& cancel) {
   const Form form = niftiForm(volume);
-  const bool scaled = form.slope == 1 && form.intercept == 0;
-  auto header =
-      niftiHeader(volume.geometry(), form.type, scaled ? volume.slope() : 1, scaled ? volume.intercept() : 0);
-  if (!header) return Error{path + ": " + header.message()};
-  auto out = OutputFile::create(path);
+  auto out = startNifti(volume, form, {}, path);
   if (!out) return out.error();
-  if (Status s = out->startGzip(); !s) return s;
-  if (Status s = out->write(*header); !s) return s;
   if (Status s = writeSamples(volume, form, *out, progress, cancel); !s) return s;
   return out->commit();
+}
+
+bool sameGrid(const VoxelGeometry& a, const VoxelGeometry& b) {
+  constexpr double ofAVoxel = 1e-3;
+  const double mm = ofAVoxel * std::min({a.spacing().x, a.spacing().y, a.spacing().z});
+  if (a.size != b.size || a.calibrated != b.calibrated) return false;
+  const std::vector<glm::dvec3> p = a.boxCorners(), q = b.boxCorners();
+  for (std::size_t n = 0; n < p.size(); ++n)
+    if (glm::length(p[n] - q[n]) > mm) return false;
+  return true;
+}
+
+std::string gridText(const VoxelGeometry& g) {
+  return std::to_string(g.size.x) + " x " + std::to_string(g.size.y) + " x " + std::to_string(g.size.z);
+}
+
+// What all volumes can be written as: stored integers where the first volume's rescale is that of all.
+struct CommonForm {
+  SampleType type = SampleType::float32;
+  double slope = 1, intercept = 0;
+  bool operator==(const CommonForm&) const = default;
+};
+
+CommonForm commonForm(const Volume& volume) {
+  return {storedType(volume), volume.slope(), volume.intercept()};
+}
+
+// The volumes one behind the other; nothing where one is not of the form of the first, unless `asReals`.
+Result<bool> writeVolumes(const NiftiTime& time, const VolumeAt& volumeAt, bool asReals,
+                          const std::string& path, const Progress& progress, const CancelToken& cancel) {
+  std::optional<OutputFile> out;
+  std::optional<VoxelGeometry> grid;
+  CommonForm first;
+  for (int n = 0; n < time.volumes; ++n) {
+    if (progress) progress("writing volumes", std::size_t(n), std::size_t(time.volumes));
+    const Result<VolumePtr> volume = volumeAt(n);
+    if (!volume) return volume.error();
+    const VoxelGeometry& g = (*volume)->geometry();
+    if (!out) grid = g, first = commonForm(**volume);
+    if (!sameGrid(*grid, g))
+      return Error{"Volume " + std::to_string(n + 1) + " (" + gridText(g) +
+                   ") does not lie on the grid of the first (" + gridText(*grid) +
+                   "): NIfTI holds volumes of one grid; write them one by one with --series."};
+    if (!asReals && commonForm(**volume) != first) return false;
+    const Form form =
+        asReals ? Form{SampleType::float32, (*volume)->slope(), (*volume)->intercept()} : niftiForm(**volume);
+    if (!out) {
+      auto started = startNifti(**volume, form, time, path);
+      if (!started) return started.error();
+      out.emplace(std::move(*started));
+    }
+    if (Status s = writeSamples(**volume, form, *out, {}, cancel); !s) return s.error();
+  }
+  if (Status s = out->commit(); !s) return s.error();
+  return true;
 }
 
 }  // namespace
@@ -185,6 +249,13 @@ Status writeNrrd(const Volume& volume, const std::string& path, const NrrdKeyVal
   if (Status s = out->startGzip(); !s) return s;
   if (Status s = writeSamples(volume, form, *out, progress, cancel); !s) return s;
   return out->commit();
+}
+
+Status writeNiftiVolumes(const NiftiTime& time, const VolumeAt& volumeAt, const std::string& path,
+                         const Progress& progress, const CancelToken& cancel) {
+  Result<bool> written = writeVolumes(time, volumeAt, false, path, progress, cancel);
+  if (written && !*written) written = writeVolumes(time, volumeAt, true, path, progress, cancel);
+  return written ? Status() : Status(written.error());
 }
 
 bool isVolumeFileName(const std::string& path) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "io/files/nifti_write.h"
 #include "io/study.h"
 #include "viewer/volume/volume.h"
 
@@ -24,6 +26,14 @@ Status writeVolume(const Volume& volume, const std::string& path, const Progress
 /// end.
 Status writeNrrd(const Volume& volume, const std::string& path, const NrrdKeyValues& keyValues,
                  const Progress& progress = {}, const CancelToken& cancel = {});
+
+/// A volume of several, from 0; asked for in order, and perhaps all once more.
+using VolumeAt = std::function<Result<VolumePtr>(int)>;
+
+/// Writes the volumes of one grid as one 4-D NIfTI-1 file (gzip): stored integers where all have one rescale,
+/// else float32. An Error where a volume lies on another grid.
+Status writeNiftiVolumes(const NiftiTime& time, const VolumeAt& volumeAt, const std::string& path,
+                         const Progress& progress = {}, const CancelToken& cancel = {});
 
 /// Whether writeVolume knows the ending of `path`.
 bool isVolumeFileName(const std::string& path);

@@ -49,7 +49,7 @@ Result<ImportRoot> importRoot(const std::string& path) {
 }
 
 Result<FilesBelow> filesBelow(const ImportRoot& root, const CancelToken& cancel) {
-  Result<FoundFiles> found = findFiles(root.path, cancel, root.inside ? Links::inside : Links::all);
+  Result<FoundFiles> found = findFiles(root.path, cancel, root.inside ? Links::inside : Links::files);
   if (!found) return found.error();
   FilesBelow below;
   for (const auto& [path, reason] : found->unreadable) below.unreadable.push_back({path, reason + "."});

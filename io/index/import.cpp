@@ -98,7 +98,7 @@ Import::Compared Import::compare(const std::vector<FileOnDisk>& files) {
     }
     known->second.seen = true;
     const Known& was = known->second;
-    if (was.state != file.state || (!was.reason.empty() && was.program != VOLUMEN_VERSION)) {
+    if (was.state != file.state || (!was.reason.empty() && (again_ || was.program != VOLUMEN_VERSION))) {
       compared.toRead.push_back(file);
       continue;
     }
@@ -184,12 +184,15 @@ Status Import::writeGone() {
   return db_.commit();
 }
 
+/// The files of a series, and those that were refused beside them: what is told of it may name these.
 std::vector<FileOnDisk> Import::filesOf(std::int64_t series) {
   std::vector<FileOnDisk> files;
-  for (Rows rows = db_.run("SELECT d.path, f.name, f.size, f.mtime_ns, f.ctime_ns, f.inode, f.device FROM "
-                           "file f JOIN folder d ON"
-                           " d.id = f.folder_id WHERE f.series_id = ? ORDER BY d.path, f.name",
-                           series);
+  for (Rows rows =
+           db_.run("SELECT d.path, f.name, f.size, f.mtime_ns, f.ctime_ns, f.inode, f.device FROM "
+                   "file f JOIN folder d ON"
+                   " d.id = f.folder_id WHERE f.series_id = ? OR (f.reason <> '' AND f.folder_id IN"
+                   " (SELECT folder_id FROM series_folder WHERE series_id = ?)) ORDER BY d.path, f.name",
+                   series, series);
        rows.next();) {
     FileOnDisk file{rows.bytes(0),
                     rows.bytes(1),
@@ -207,9 +210,10 @@ Status Import::readStale() {
        rows.next();)
     stale.push_back(rows.number(0));
   Batch batch;
+  std::set<std::string> taken;
   for (std::size_t n = 0; n < stale.size() && !cancel_.cancelled(); ++n) {
-    const Batch files = filesOf(stale[n]);
-    batch.insert(batch.end(), files.begin(), files.end());
+    for (const FileOnDisk& file : filesOf(stale[n]))
+      if (taken.insert(file.path()).second) batch.push_back(file);
     if (batch.empty() || (batch.size() < smallBatch && n + 1 < stale.size())) continue;
     const Result<ReadFiles> read = readFiles(pathsOf(batch), progress_, cancel_);
     if (!read) return db_.takeStatus();
@@ -218,6 +222,7 @@ Status Import::readStale() {
     writer_.finish();
     if (Status written = db_.commit(); !written) return written;
     batch.clear();
+    taken.clear();
   }
   return db_.takeStatus();
 }

@@ -16,8 +16,9 @@ namespace volumen {
 /// written in parts are marked, and read as a whole in the end (or by the next import).
 class Import {
  public:
-  Import(Database& db, const Progress& progress, const CancelToken& cancel)
-      : db_(db), progress_(progress), cancel_(cancel), writer_(db) {}
+  /// `again`: files that were refused are read again.
+  Import(Database& db, const Progress& progress, const CancelToken& cancel, bool again)
+      : db_(db), progress_(progress), cancel_(cancel), again_(again), writer_(db) {}
 
   Result<ImportReport> run(const std::vector<ImportRoot>& roots);
 
@@ -53,6 +54,7 @@ class Import {
   Database& db_;
   const Progress& progress_;
   const CancelToken& cancel_;
+  bool again_;
   Writer writer_;
   ImportReport report_;
   std::unordered_map<std::string, Known> known_;  // below the root that is being imported

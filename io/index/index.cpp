@@ -1,10 +1,13 @@
 #include "io/index/index.h"
 
+#include <sys/stat.h>
+
 #include <QBuffer>
 #include <QByteArray>
 #include <QCryptographicHash>
 #include <QFile>
 #include <QStandardPaths>
+#include <filesystem>
 #include <set>
 
 #include "io/index/copies.h"
@@ -53,6 +56,31 @@ std::string lastingKey(Database& db, std::int64_t series) {
   return rows.next() ? rows.bytes(0) + rows.bytes(1) : std::string();
 }
 
+/// Finds copies again that moved together with their index: folders below its "studies" that are no longer
+/// where they were.
+Status findMovedCopies(Database& db, const std::string& folder) {
+  const std::string below = "/studies/";
+  std::error_code ignored;
+  const std::string here = std::filesystem::canonical(folder, ignored).string();
+  std::vector<std::pair<std::int64_t, std::string>> moved;
+  for (Rows rows = db.run("SELECT id, path FROM folder"); rows.next();) {
+    const std::string path = rows.bytes(1);
+    const std::size_t at = path.rfind(below);
+    if (at == std::string::npos || path.starts_with(here + below) || exists(path)) continue;
+    const std::string now = here + path.substr(at);
+    if (exists(now)) moved.emplace_back(rows.number(0), now);
+  }
+  if (moved.empty()) return {};
+  db.begin();
+  for (const auto& [id, path] : moved) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0) continue;
+    db.run("UPDATE OR IGNORE folder SET path = ?, device = ? WHERE id = ?", Blob{path},
+           std::int64_t(status.st_dev), id);
+  }
+  return db.commit();
+}
+
 // Of what a file holds. An Error where that is no picture or cannot be read.
 Result<Thumbnail> makeThumbnail(const std::string& file) {
   const Result<Study> study = openFiles({file});
@@ -81,16 +109,17 @@ Result<Index> Index::open(const std::string& folder) {
   p->folder = folder;
   p->notice = std::move(opened->notice);
   p->db = std::move(opened->database);
+  if (Status found = findMovedCopies(*p->db, folder); !found) return found.error();
   return Index(std::move(p));
 }
 
 const std::string& Index::notice() const { return p_->notice; }
 
 Result<ImportReport> Index::import(const std::vector<std::string>& paths, const Progress& progress,
-                                   const CancelToken& cancel) {
+                                   const CancelToken& cancel, bool again) {
   const Result<std::vector<ImportRoot>> roots = rootsOf(paths);
   if (!roots) return roots.error();
-  return Import(*p_->db, progress, cancel).run(*roots);
+  return Import(*p_->db, progress, cancel, again).run(*roots);
 }
 
 Result<ImportReport> Index::importCopies(const std::vector<std::string>& paths,
@@ -105,7 +134,7 @@ Result<ImportReport> Index::importCopies(const std::vector<std::string>& paths,
   for (const std::string& file : copies.files) folders.insert(file.substr(0, file.find_last_of('/')));
   const Result<std::vector<ImportRoot>> copied = rootsOf({folders.begin(), folders.end()});
   if (!copied) return copied.error();
-  Result<ImportReport> report = Import(*p_->db, progress, cancel).run(*copied);
+  Result<ImportReport> report = Import(*p_->db, progress, cancel, false).run(*copied);
   if (!copies.status) return copies.status.error();
   if (!report) return report;
   report->refused.insert(report->refused.end(), copies.refused.begin(), copies.refused.end());

@@ -77,8 +77,9 @@ class Index {
   const std::string& notice() const;
 
   /// Reads all below each of `paths` into the index, by reference; a folder's files that are gone leave it.
+  /// `again`: also files that were refused before.
   Result<ImportReport> import(const std::vector<std::string>& paths, const Progress& progress = {},
-                              const CancelToken& cancel = {});
+                              const CancelToken& cancel = {}, bool again = false);
   /// The same after copying them to `managedFolder`/PATIENT/STUDY/SERIES/.
   Result<ImportReport> importCopies(const std::vector<std::string>& paths, const std::string& managedFolder,
                                     const Progress& progress = {}, const CancelToken& cancel = {});

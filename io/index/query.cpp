@@ -33,18 +33,6 @@ class Folders {
   std::unordered_map<std::int64_t, bool> online_;
 };
 
-/// Folders in which files were refused, with how many; only those that hold one series alone.
-std::map<std::int64_t, std::pair<std::int64_t, int>> refusedBySeries(Database& db) {
-  std::map<std::int64_t, std::pair<std::int64_t, int>> found;  // of a folder: its series, how many
-  for (Rows rows = db.run(
-           "SELECT r.folder_id, MIN(sf.series_id), r.n FROM (SELECT folder_id, COUNT(*) AS n FROM file WHERE"
-           " reason <> '' GROUP BY folder_id) r JOIN series_folder sf ON sf.folder_id = r.folder_id GROUP BY"
-           " r.folder_id HAVING COUNT(*) = 1");
-       rows.next();)
-    found[rows.number(0)] = {rows.number(1), int(rows.number(2))};
-  return found;
-}
-
 /// The studies that have all words: their numbers in the index, in no order.
 std::vector<IndexedStudy> matching(Database& db, const std::string& words) {
   std::vector<std::string> patterns;
@@ -80,7 +68,6 @@ class Summary {
  public:
   /// Of many studies all series are read at once, of few those of each.
   Summary(Database& db, const std::vector<IndexedStudy>& studies) : folders_(db) {
-    for (const auto& [folder, refused] : refusedBySeries(db)) refused_[refused.first] += refused.second;
     constexpr std::size_t few = 50;
     if (studies.size() > few) {
       addSeries(
@@ -126,8 +113,6 @@ class Summary {
         facts.modalities.insert(std::move(modality));
       facts.images += int(rows.number(3));
       facts.warnings += int(rows.number(4));
-      if (const auto refused = refused_.find(rows.number(1)); refused != refused_.end())
-        facts.warnings += refused->second;
     }
   }
   void addFolders(Rows rows) {
@@ -135,7 +120,6 @@ class Summary {
   }
 
   Folders folders_;
-  std::unordered_map<std::int64_t, int> refused_;  // of a series
   std::unordered_map<std::int64_t, Facts> facts_;  // of a study
 };
 
@@ -176,14 +160,6 @@ std::vector<std::string> warningsOf(Database& db, std::int64_t series) {
   for (Rows rows = db.run("SELECT sentence FROM warning WHERE series_id = ? ORDER BY position", series);
        rows.next();)
     warnings.push_back(rows.text(0));
-  // Files that were refused belong to it where its folder holds nothing else.
-  for (Rows rows = db.run(
-           "SELECT f.name, f.reason FROM series_folder sf JOIN file f ON f.folder_id = sf.folder_id WHERE"
-           " sf.series_id = ? AND f.reason <> '' AND (SELECT COUNT(*) FROM series_folder other WHERE"
-           " other.folder_id = sf.folder_id) = 1 ORDER BY f.name",
-           series);
-       rows.next();)
-    warnings.push_back(rows.bytes(0) + ": " + rows.text(1));
   return warnings;
 }
 

@@ -120,10 +120,19 @@ void Writer::writeFile(const FileOnDisk& file, std::int64_t series, const FoundF
 
 /// A file that is in no series: refused, with its reason, or no image.
 void Writer::writeOther(const FileOnDisk& file, const std::string& reason) {
+  const std::int64_t folder = folderId(file.folder);
+  const bool known = db_.number("SELECT COUNT(*) FROM file WHERE folder_id = ? AND name = ? AND reason = ?",
+                                folder, Blob{file.name}, reason) > 0;
   writeFile(file, 0, {}, 0);
-  if (!reason.empty())
-    db_.run("UPDATE file SET reason = ?, program = ? WHERE folder_id = ? AND name = ?", reason,
-            VOLUMEN_VERSION, folderId(file.folder), Blob{file.name});
+  if (reason.empty()) return;
+  db_.run("UPDATE file SET reason = ?, program = ? WHERE folder_id = ? AND name = ?", reason, VOLUMEN_VERSION,
+          folder, Blob{file.name});
+  if (!known) tellAnew(folder);
+}
+
+void Writer::tellAnew(std::int64_t folder) {
+  db_.run("UPDATE series SET stale = 1 WHERE id IN (SELECT series_id FROM series_folder WHERE folder_id = ?)",
+          folder);
 }
 
 void Writer::writeSeries(const ReadSeries& series, const std::map<std::string, const FileOnDisk*>& onDisk) {
@@ -150,7 +159,10 @@ void Writer::write(const std::vector<FileOnDisk>& files, const ReadFiles& read) 
     for (const FoundFile& file : series.files) others.erase(file.path);
   }
   std::map<std::string, std::string> reasons;
-  for (const Refused& file : read.refused) reasons[file.path] = file.reason;
+  for (const Refused& file : read.refused) {
+    reasons[file.path] = file.reason;
+    if (file.again) others.erase(file.path);  // nothing is known of it: the next import reads it
+  }
   for (const auto& [path, file] : others) writeOther(*file, reasons[path]);
 }
 
@@ -172,6 +184,8 @@ void Writer::move(std::int64_t file, const FileOnDisk& to) {
 
 void Writer::remove(std::int64_t file) {
   const std::int64_t series = db_.number("SELECT series_id FROM file WHERE id = ?", file);
+  if (Rows rows = db_.run("SELECT folder_id FROM file WHERE id = ? AND reason <> ''", file); rows.next())
+    tellAnew(rows.number(0));
   db_.run("DELETE FROM file WHERE id = ?", file);
   if (series) lose(series);
 }

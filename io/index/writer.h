@@ -32,6 +32,8 @@ class Writer {
   void writeSeries(const ReadSeries& series, const std::map<std::string, const FileOnDisk*>& onDisk);
   void writeFile(const FileOnDisk& file, std::int64_t series, const FoundFile& found, int position);
   void writeOther(const FileOnDisk& file, const std::string& reason);
+  /// The series of a folder are read anew: what is told of them may name its files.
+  void tellAnew(std::int64_t folder);
   void lose(std::int64_t series);
   void dropMoved(std::int64_t series);
   void finishSeries(std::int64_t series);

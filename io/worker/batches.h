@@ -12,12 +12,13 @@ Request headersOf(std::vector<std::string> files, const CancelToken& cancel);
 
 /// Files begin .. end - 1 in one request: workers answer faster than they are asked. A file that costs a
 /// worker is refused, and the others are asked for again; one that has cost one before is not asked for.
+/// Where no worker can be had, none of them is read.
 template <auto function, class Values, class Refuse>
 void askFor(const std::vector<std::string>& paths, std::size_t begin, std::size_t end,
             const CancelToken& cancel, const Refuse& refuse, Values& all) {
   if (begin == end || cancel.cancelled()) return;
   const auto leaveOut = [&](std::size_t costly, Failure why) {
-    all[costly] = refuse(reasonOf(why));
+    all[costly] = refuse(why);
     askFor<function>(paths, begin, costly, cancel, refuse, all);
     askFor<function>(paths, costly + 1, end, cancel, refuse, all);
   };
@@ -35,13 +36,18 @@ void askFor(const std::vector<std::string>& paths, std::size_t begin, std::size_
     return;
   }
   if (values) failure = Failure::wrong;
+  if (failure == Failure::cancelled) return;
+  if (isOfMachine(failure) && failure != Failure::killed) {
+    for (std::size_t n = begin; n < end; ++n) all[n] = refuse(failure);
+    return;
+  }
   const std::size_t costly = begin + std::min<std::size_t>(request.stepsDone, some.size() - 1);
   rememberCost(&answerWith<function>, paths[costly], failure);
   leaveOut(costly, failure);
 }
 
 /// function(paths), which gives one value a file and calls finishStep() behind each, on all cores and in
-/// workers where there are any. refuse(reason) is the value of a file that ended one.
+/// workers where there are any. refuse(why) is the value of a file that was not read.
 template <auto function, class Refuse>
 auto forFiles(const std::vector<std::string>& paths, const char* what, const Progress& progress,
               const CancelToken& cancel, const Refuse& refuse) {

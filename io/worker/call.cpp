@@ -2,6 +2,7 @@
 
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,12 +33,21 @@ Descriptor inMemory(const std::vector<std::uint8_t>& bytes) {
   return memory;
 }
 
-/// Opens the files of a request, where they are few.
+/// How many files are given at once, where a process may hold only so many open.
+std::size_t mostGiven() {
+  rlimit open{};
+  return getrlimit(RLIMIT_NOFILE, &open) == 0 ? std::size_t(open.rlim_cur / 8) : 0;
+}
+
+/// Opens the files of a request, where they are few; those that are left out are asked for.
 std::vector<GivenFile> openAll(const std::vector<std::string>& paths, std::vector<Descriptor>& open) {
   std::vector<GivenFile> given;
   if (paths.size() >= mostDescriptors) return given;
+  const std::size_t most = mostGiven();
   for (const std::string& path : paths) {
+    if (given.size() == most) break;
     Result<RegularFile> file = RegularFile::open(path);
+    if (!file && file.message() == tooManyOpen) break;
     given.push_back({path, file ? file->size() : 0, file ? std::string() : file.message()});
     if (file) open.emplace_back(std::move(*file).release());
   }
@@ -61,12 +71,19 @@ const char* reasonOf(Failure failure) {
     case Failure::cancelled:
       return "interrupted";
     case Failure::noWorker:
-      return "no process could be started to read it: start volumen again";
+      return "no process could be started to read it: end others, or allow more (ulimit -u), and try again";
+    case Failure::noOpening:
+      return tooManyOpen;
+    case Failure::stopped:
+      return "the processes that were to read it were stopped from outside: try again";
+    case Failure::killed:
+      return "the processes that were to read it were killed from outside (is there enough memory?): try "
+             "again";
   }
   return "";
 }
 
-Call::Call(Request& request, Handler handler, const std::vector<std::uint8_t>& arguments)
+Call::Call(Request& request, Handler handler, const std::vector<std::uint8_t>& arguments, bool inNew)
     : Wire(true), request_(request), handler_(handler), known_(request.files) {
   std::ranges::sort(known_);
   request_.found.clear();
@@ -76,7 +93,7 @@ Call::Call(Request& request, Handler handler, const std::vector<std::uint8_t>& a
     Wire::fail();
     return;
   }
-  worker_ = takeWorker();
+  worker_ = inNew ? makeWorker() : takeWorker();
   // One that waited may have been killed.
   if (worker_ && !begin(handler, arguments)) {
     worker_ = makeWorker();
@@ -91,6 +108,7 @@ Call::~Call() {
 
 void Call::fail(Failure why) {
   if (failure_ == Failure::none) {
+    if (why == Failure::ended && worker_->endsKilled()) why = Failure::killed;
     failure_ = why;
     if (request_.files.size() == 1) rememberCost(handler_, request_.files[0], why);
   }
@@ -163,7 +181,8 @@ bool Call::await(Message& message) {
     request_.stepsDone = std::min(request_.steps, worker_->buffer.steps().load(std::memory_order_relaxed));
     if (got == Transfer::broken) fail(Failure::ended);
     if (request_.cancel && request_.cancel->cancelled()) fail(Failure::cancelled);
-    if (waited_ > patienceSeconds && outOfPatience()) fail(Failure::slow);
+    if (waited_ > patienceSeconds && outOfPatience())
+      fail(worker_->isStopped() ? Failure::stopped : Failure::slow);
     if (failure_ != Failure::none) return false;
   }
 }
@@ -172,7 +191,7 @@ bool Call::outOfPatience() const {
   const double allowed = patienceSeconds * (1 + request_.stepsDone) +
                          double(received_ + request_.needBytes) / leastBytesPerSecond;
   if (waited_ <= allowed) return false;
-  return worker_->sleeps() || worker_->cpuSeconds() - cpuAtStart_ > allowed ||
+  return worker_->sleeps() || worker_->isStopped() || worker_->cpuSeconds() - cpuAtStart_ > allowed ||
          waited_ > busyMachine * allowed;
 }
 
@@ -187,6 +206,9 @@ bool Call::serveFiles(const Message& message) {
     if (file) {
       answer.first = file->size();
       answer.files.emplace_back(std::move(*file).release());
+    } else if (file.message() == tooManyOpen) {
+      fail(Failure::noOpening);
+      return false;
     } else {
       answer.text = file.message();
     }

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/worker/costly_files.h"
@@ -43,7 +44,8 @@ void prepareForAll();
 /// one file that has cost a worker before fails at once, for the same reason (costBefore).
 class Call : public Wire {
  public:
-  Call(Request& request, Handler handler, const std::vector<std::uint8_t>& arguments);
+  /// `inNew`: in a worker that is made for it.
+  Call(Request& request, Handler handler, const std::vector<std::uint8_t>& arguments, bool inNew = false);
   ~Call() override;
 
   Failure failure() const { return failure_ == Failure::none && !ok() ? Failure::wrong : failure_; }
@@ -126,8 +128,9 @@ void streamWith(Wire& arguments, Wire& answer) {
   std::apply([&](auto&... each) { function(answer, each...); }, read);
 }
 
-/// function(arguments...), a function that only reads files and computes, in a worker where there are any;
-/// else here. An Error is the function's own, or a reason without full stop: `failure` tells which.
+/// function(arguments...), a function that only reads files and computes, in a worker where there are any
+/// (in a new one once more where that was stopped or killed from outside); else here. An Error is the
+/// function's own, or a reason without full stop: `failure` tells which.
 template <auto function, class... Arguments>
 auto isolated(Request& request, Failure& failure, const Arguments&... arguments)
     -> Result<typename Signature<decltype(function)>::Value> {
@@ -137,17 +140,22 @@ auto isolated(Request& request, Failure& failure, const Arguments&... arguments)
   Outcome outcome = Outcome::unprepared;
   typename S::Value value{};
   std::string message;
-  for (int tries = 0; tries < 2 && outcome == Outcome::unprepared; ++tries) {
-    if (tries > 0) prepareForAll();
-    Call call(request, &answerWith<function>, S::written(arguments...));
+  bool disturbed = false;
+  for (int tries = 0; tries < 3 && outcome == Outcome::unprepared; ++tries) {
+    Call call(request, &answerWith<function>, S::written(arguments...), disturbed);
     call(outcome);
     if (outcome == Outcome::noMemory) call.fail(Failure::memory);
     if (outcome == Outcome::value) call(value);
     if (outcome == Outcome::error) call(message);
-    if (!call.finish()) {
-      failure = call.failure();
-      return Error{reasonOf(failure)};
+    if (call.finish()) {
+      if (outcome == Outcome::unprepared) prepareForAll();
+      continue;
     }
+    failure = call.failure();
+    const bool wasDisturbed = std::exchange(disturbed, true);
+    if (wasDisturbed || (failure != Failure::stopped && failure != Failure::killed))
+      return Error{reasonOf(failure)};
+    failure = Failure::none, outcome = Outcome::unprepared;
   }
   if (outcome == Outcome::unprepared) failure = Failure::wrong, message = reasonOf(failure);
   return outcome == Outcome::value ? Result<typename S::Value>(std::move(value)) : Error{message};

@@ -28,10 +28,12 @@ class Descriptor {
 
 /// What a message is about, and what its two numbers and its text mean.
 enum class Topic : std::uint32_t {
-  fork,  ///< to the zygote, with a socket and a buffer; 1: prepared for all; answer: process id
-  end,   ///< to the zygote: process id; answer when it is reaped
-  run,   ///< to a worker: address of what is to be run, size of the request; text: the request, else with it
-  more,  ///< to a worker: it may use one more slot
+  fork,   ///< to the zygote, with a socket and a buffer; 1: prepared for all; answer: process id
+  end,    ///< to the zygote: process id, and for how many ms it may end by itself; answer when it is reaped:
+          ///< its status as wait() gives it, and 1 where it ended by itself
+  ready,  ///< from a worker or the zygote: it waits for its first order
+  run,    ///< to a worker: address of what is to be run, size of the request; text: the request, else with it
+  more,   ///< to a worker: it may use one more slot
   opened,    ///< to a worker: the size of a file, with its descriptor; without one text says why not
   resolved,  ///< to a worker: 1 and a path, or 0 and why not
   piece,     ///< from a worker: bytes in the next slot; 1: the last

@@ -34,7 +34,7 @@ CostlyFiles& costlyFiles() {
 }  // namespace
 
 void rememberCost(Handler what, const std::string& path, Failure why) {
-  if (why == Failure::none || why == Failure::cancelled || why == Failure::noWorker) return;
+  if (why == Failure::none || isOfMachine(why)) return;
   const std::optional<FileState> state = stateOf(path);
   if (!state) return;
   CostlyFiles& files = costlyFiles();

@@ -7,10 +7,24 @@
 namespace volumen::worker {
 
 /// Why a call gave no answer.
-enum class Failure { none, ended, slow, wrong, memory, cancelled, noWorker };
+enum class Failure {
+  none,
+  ended,  ///< the worker ended by what it did
+  slow,
+  wrong,  ///< it said what makes no sense
+  memory,
+  cancelled,
+  noWorker,   ///< there was none, and none could be made
+  noOpening,  ///< the program may not open more files
+  stopped,    ///< from outside
+  killed      ///< from outside
+};
 
-/// Remembers, while the program runs, that a file cost a worker that ran `what` of it. Failures that are not
-/// the file's (cancelled, noWorker) are not kept.
+/// Whether a failure says nothing of the file: in a healthy worker, another time, it may be read.
+inline bool isOfMachine(Failure failure) { return failure >= Failure::cancelled; }
+
+/// Remembers, while the program runs, that a file cost a worker that ran `what` of it. Failures of the
+/// machine are not kept.
 void rememberCost(Handler what, const std::string& path, Failure why);
 
 /// What `what` of the file, as it is now (device, inode, size, times), has cost before; else none. One that

@@ -33,19 +33,28 @@ inline void fields(Wire& w, dicom::Mosaic& m) { w(m.columns, m.rows, m.tilesAcro
 inline void fields(Wire& w, dicom::Concatenation& c) { w(c.uid, c.part, c.parts, c.firstFrame); }
 
 inline void fields(Wire& w, dicom::Slice& s) {
-  w(s.frame, s.position, s.orientation, s.spacing, s.thickness, s.slope, s.intercept, s.padding, s.windows,
-    s.instance, s.echo, s.echoTime, s.bValue, s.timePoint, s.inStack, s.parts);
+  w(s.frame, s.position, s.orientation, s.ofTransducer, s.spacing, s.thickness, s.slope, s.intercept, s.unit,
+    s.isMapped, s.padding, s.windows, s.instance, s.echoTime, s.bValue, s.timePoint, s.inStack, s.separators);
+}
+
+inline void fields(Wire& w, dicom::PetFacts& p) {
+  w(p.units, p.suvType, p.decayCorrection, p.weight, p.size, p.dose, p.halfLife, p.injectionDateTime,
+    p.injectionTime, p.zone, p.seriesDate, p.seriesTime, p.acquisitionDate, p.acquisitionTime, p.geScanStart,
+    p.philipsSuvFactor, p.philipsBqFactor, p.injections, p.attenuationCorrected, p.decayCorrected);
 }
 
 inline void fields(Wire& w, dicom::FileHeader& h) {
   fields(w, static_cast<SeriesIdentity&>(h));
   w(h.path, h.sopClassUid, h.sopInstanceUid, h.unit, h.time, h.syntax, h.format, h.mosaic, h.concatenation,
     h.frames, h.inflatedFrom, h.slices, h.notVolume, h.cine, h.warnings);
+  w(h.pet);
 }
 
 inline void fields(Wire& w, dicom::Inspection& i) {
   w(i.kind, i.text, i.reference, i.listed);
-  if (i.kind == dicom::Inspection::Kind::picture) w(i.header);
+  if (i.kind == dicom::Inspection::Kind::picture) return w(i.header);
+  fields(w, static_cast<SeriesIdentity&>(i.header));
+  w(i.header.sopClassUid, i.position);
 }
 
 inline void fields(Wire& w, dicom::DecodedFrame& f) { w(f.samples, f.note, f.ybr); }

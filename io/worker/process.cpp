@@ -1,12 +1,17 @@
 #include "io/worker/process.h"
 
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <mutex>
 #include <thread>
@@ -29,6 +34,7 @@ struct Idle {
 };
 
 std::atomic<bool> allWanted = false;
+std::atomic<int> alive = 0;  // workers, of which some wait
 
 Idle& idle() {
   static Idle all;
@@ -45,10 +51,56 @@ std::uint64_t addressSpaceOf(pid_t pid) {
   return std::uint64_t(pages) * std::uint64_t(sysconf(_SC_PAGESIZE));
 }
 
+/// As ps shows it.
+char stateOf(pid_t pid) {
+  const std::string path = "/proc/" + std::to_string(pid) + "/stat";
+  char state = 0;
+  if (FILE* file = std::fopen(path.c_str(), "re")) {
+    if (std::fscanf(file, "%*d (%*[^)]) %c", &state) != 1) state = 0;
+    std::fclose(file);
+  }
+  return state;
+}
+
+bool isReady(const Process& worker) {
+  constexpr int patienceMs = 5000;
+  pollfd socket{worker.socket.get(), POLLIN, 0};
+  Message message;
+  while (::poll(&socket, 1, patienceMs) < 0)
+    if (errno != EINTR) return false;
+  return socket.revents != 0 && receiveMessage(worker.socket.get(), message, false) == Transfer::done &&
+         message.topic == Topic::ready;
+}
+
+/// One that waits for a request.
+std::unique_ptr<Process> takeIdle() {
+  while (true) {
+    std::unique_ptr<Process> worker;
+    {
+      const std::scoped_lock one(idle().mutex);
+      if (idle().workers.empty()) return {};
+      worker = std::move(idle().workers.back());
+      idle().workers.pop_back();
+    }
+    if (worker->forAll || !allWanted) return worker;
+  }
+}
+
 }  // namespace
 
 Process::~Process() {
-  if (pid > 0) Zygote::instance().end(pid);
+  if (pid <= 0) return;
+  (void)Zygote::instance().end(pid, 0);
+  --alive;
+}
+
+bool Process::endsKilled() {
+  constexpr int graceMs = 200;  // it has closed its socket: nearly always that is its end
+  constexpr int byItself[] = {SIGSYS, SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP};
+  const std::optional<int> status = Zygote::instance().end(std::exchange(pid, -1), graceMs);
+  --alive;
+  if (!status) return !Zygote::instance().isWell();
+  return WIFSIGNALED(*status) && std::ranges::find(byItself, WTERMSIG(*status)) == std::end(byItself);
 }
 
 void Process::limitMemory(std::uint64_t bytes) {
@@ -66,15 +118,9 @@ double Process::cpuSeconds() const {
   return double(t.tv_sec) + double(t.tv_nsec) * 1e-9;
 }
 
-bool Process::sleeps() const {
-  const std::string path = "/proc/" + std::to_string(pid) + "/stat";
-  char state = 0;
-  if (FILE* file = std::fopen(path.c_str(), "re")) {
-    if (std::fscanf(file, "%*d (%*[^)]) %c", &state) != 1) state = 0;
-    std::fclose(file);
-  }
-  return state == 'S' || state == 'T';
-}
+bool Process::sleeps() const { return stateOf(pid) == 'S'; }
+
+bool Process::isStopped() const { return stateOf(pid) == 'T'; }
 
 std::unique_ptr<Process> makeWorker() {
   int ends[2] = {-1, -1};
@@ -87,6 +133,8 @@ std::unique_ptr<Process> makeWorker() {
   worker->forAll = allWanted;
   worker->pid = Zygote::instance().fork(std::move(theirs), std::move(memory), worker->forAll);
   if (worker->pid <= 0) return {};
+  ++alive;
+  if (!isReady(*worker)) return {};
   worker->bytesAtStart = addressSpaceOf(worker->pid) + (std::uint64_t(8) << 20);
   return worker;
 }
@@ -94,17 +142,13 @@ std::unique_ptr<Process> makeWorker() {
 void prepareForAll() { allWanted = true; }
 
 std::unique_ptr<Process> takeWorker() {
-  while (true) {
-    std::unique_ptr<Process> worker;
-    {
-      const std::scoped_lock one(idle().mutex);
-      if (idle().workers.empty()) break;
-      worker = std::move(idle().workers.back());
-      idle().workers.pop_back();
-    }
-    if (worker->forAll || !allWanted) return worker;
+  constexpr int patienceMs = 10'000, lookMs = 10;
+  std::unique_ptr<Process> worker;
+  for (int ms = 0; ms < patienceMs; ms += lookMs) {
+    if ((worker = takeIdle()) || (worker = makeWorker()) || alive == 0) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(lookMs));
   }
-  return makeWorker();
+  return worker;
 }
 
 void giveBack(std::unique_ptr<Process> worker) {

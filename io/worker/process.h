@@ -28,13 +28,18 @@ struct Process {
   void limitMemory(std::uint64_t bytes);
   /// Seconds that it has computed for.
   double cpuSeconds() const;
-  /// Whether it waits for something, or was stopped, while everybody waits for it.
+  /// Whether it waits for something, while everybody waits for it.
   bool sleeps() const;
+  /// Whether somebody stopped it from outside.
+  bool isStopped() const;
+  /// Ends it; whether it was killed from outside, by what a worker cannot do to itself.
+  bool endsKilled();
 };
 
-/// A worker that waits for a request, or a new one; nothing where none can be made.
+/// A worker that waits for a request, or a new one; where none can be made, one that another request is done
+/// with; nothing where there is none.
 std::unique_ptr<Process> takeWorker();
-/// A new one.
+/// A new one, that has told that it is ready.
 std::unique_ptr<Process> makeWorker();
 /// For the next request, unless it has served long enough or there are enough that wait.
 void giveBack(std::unique_ptr<Process> worker);

@@ -97,6 +97,7 @@ std::map<std::string, Server::Given> Server::receiveFiles(Wire& request, std::ve
 }
 
 void Server::run() {
+  say({Topic::ready, 0, 0, {}, {}});
   while (true) {
     Message message = hear(Topic::run);
     // A request that is too long for a message comes in the last of its files.

@@ -51,6 +51,7 @@ inline void fields(Wire& w, Series& s) {
   w(s.id, s.path, s.format, s.unit, s.time, s.echoTime, s.bValue, s.timePoint, s.label, s.splitBy,
     s.sliceThickness, s.acquired, s.valueType, s.warnings, s.regular, s.files, s.frames, s.sopInstanceUids,
     s.notVolume, s.cine);
+  w(s.suv.bodyWeight, s.suv.leanBodyMass, s.suv.bodySurface, s.suv.why);
 }
 
 }  // namespace volumen::worker

@@ -1,6 +1,7 @@
 #include "io/worker/zygote.h"
 
 #include <linux/seccomp.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -10,6 +11,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 
 #include "io/worker/sandbox.h"
 #include "io/worker/serve.h"
@@ -36,13 +38,28 @@ enum class Prepared { nothing, headers, all };
   serve(socket, std::move(shared), prepared == Prepared::all);
 }
 
+void endWorker(Message& order) {
+  const auto worker = pid_t(order.first);
+  int status = 0;
+  bool byItself = waitpid(worker, &status, WNOHANG) == worker;
+  for (std::uint64_t ms = 0; !byItself && ms < order.second; ++ms) {
+    constexpr timespec millisecond{0, 1'000'000};
+    nanosleep(&millisecond, nullptr);
+    byItself = waitpid(worker, &status, WNOHANG) == worker;
+  }
+  if (!byItself) {
+    ::kill(worker, SIGKILL);
+    while (waitpid(worker, &status, 0) < 0 && errno == EINTR) {
+    }
+  }
+  order.first = std::uint64_t(status);
+  order.second = byItself;
+}
+
 /// One order of the program's.
 void obey(Message& order, pid_t self, Prepared& prepared) {
   if (order.topic == Topic::end) {
-    const auto worker = pid_t(order.first);
-    ::kill(worker, SIGKILL);
-    while (waitpid(worker, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    endWorker(order);
   } else if (order.topic == Topic::fork && order.files.size() == 2) {
     const Prepared wanted = order.first == 1 ? Prepared::all : Prepared::headers;
     if (prepared < wanted) prepareToServe(wanted == Prepared::all);
@@ -53,7 +70,10 @@ void obey(Message& order, pid_t self, Prepared& prepared) {
   }
 }
 
-[[noreturn]] void runZygote(int socket) {
+[[noreturn]] void runZygote(pid_t maker, int socket) {
+  if (!becomeZygote(socket)) _exit(1);
+  endWith(maker);
+  if (sendMessage(socket, {Topic::ready, 0, 0, {}, {}}, true) != Transfer::done) _exit(1);
   // What these are for is the program's business, at whose end this process ends too.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(signal, SIG_IGN);
   clearenv();
@@ -64,9 +84,18 @@ void obey(Message& order, pid_t self, Prepared& prepared) {
   while (receiveMessage(socket, order, true) == Transfer::done) {
     obey(order, self, prepared);
     order.files.clear();
-    if (sendMessage(socket, {order.topic, order.first, 0, {}, {}}, true) != Transfer::done) break;
+    if (sendMessage(socket, {order.topic, order.first, order.second, {}, {}}, true) != Transfer::done) break;
   }
   _exit(0);
+}
+
+/// An answer of the zygote's; false where it does not come.
+bool hears(int socket, Message& answer) {
+  constexpr int patienceMs = 20'000;
+  pollfd ready{socket, POLLIN, 0};
+  while (::poll(&ready, 1, patienceMs) < 0)
+    if (errno != EINTR) return false;
+  return ready.revents != 0 && receiveMessage(socket, answer, false) == Transfer::done;
 }
 
 }  // namespace
@@ -90,8 +119,12 @@ bool Zygote::start() {
   if (pid_ < 0) return false;
   if (pid_ == 0) {
     ours = {};
-    endWith(maker);
-    runZygote(theirs.get());
+    runZygote(maker, theirs.get());
+  }
+  Message ready;
+  if (!hears(ours.get(), ready)) {
+    reap();
+    return false;
   }
   socket_ = std::move(ours);
   return true;
@@ -101,14 +134,28 @@ void Zygote::stop() {
   const std::scoped_lock one(mutex_);
   if (!runs()) return;
   socket_ = {};
-  ::kill(pid_, SIGKILL);
-  waitpid(pid_, nullptr, 0);
+  if (pid_ > 0) reap();
+}
+
+bool Zygote::isWell() {
+  const std::scoped_lock one(mutex_);
+  return runs() && pid_ > 0;
 }
 
 bool Zygote::ask(const Message& question, Message& answer) {
   const std::scoped_lock one(mutex_);
-  return runs() && sendMessage(socket_.get(), question, true) == Transfer::done &&
-         receiveMessage(socket_.get(), answer, true) == Transfer::done;
+  if (!runs() || pid_ < 0) return false;
+  if (sendMessage(socket_.get(), question, false) == Transfer::done && hears(socket_.get(), answer))
+    return true;
+  reap();  // it was killed or stopped: nothing is asked of it again, and nothing is read without workers
+  return false;
+}
+
+void Zygote::reap() {
+  ::kill(pid_, SIGKILL);
+  while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
 }
 
 pid_t Zygote::fork(Descriptor socket, Descriptor buffer, bool forAll) {
@@ -118,9 +165,10 @@ pid_t Zygote::fork(Descriptor socket, Descriptor buffer, bool forAll) {
   return ask(question, answer) ? pid_t(answer.first) : -1;
 }
 
-void Zygote::end(pid_t worker) {
+std::optional<int> Zygote::end(pid_t worker, int graceMs) {
   Message answer;
-  (void)ask({Topic::end, std::uint64_t(worker), 0, {}, {}}, answer);
+  if (!ask({Topic::end, std::uint64_t(worker), std::uint64_t(graceMs), {}, {}}, answer)) return {};
+  return answer.second == 1 ? std::optional(int(answer.first)) : std::nullopt;
 }
 
 }  // namespace volumen::worker

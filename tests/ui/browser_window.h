@@ -48,7 +48,7 @@ struct Studies {
       QDir().mkpath(QFileInfo(folder).path());
       DicomSeriesTags tags;
       tags.patientName = s.name, tags.patientId = s.id, tags.studyUid = s.studyUid;
-      tags.studyDate = s.date, tags.studyDescription = s.study, tags.seriesDescription = s.series;
+      tags.studyDate = s.date, tags.studyDescription = s.study, tags.description = s.series;
       const Result<VolumePtr> volume = makePhantom(s.phantom);
       if (!volume || !writeDicomSeries(**volume, tags, folder.toStdString())) return false;
     }

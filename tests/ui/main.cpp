@@ -1,10 +1,12 @@
 #include <QApplication>
+#include <QDir>
 #include <QTemporaryDir>
 
 #include "tests/ui/journey.h"
 #include "tests/ui/watchdog.h"
 #include "tests/unit/suite.h"
 #include "ui/british.h"
+#include "ui/controller/autosave.h"
 
 int main(int argc, char** argv) {
   // Settings and caches stay away from the user's own, and from those of tests that run at the same time; a
@@ -16,5 +18,7 @@ int main(int argc, char** argv) {
   volumen::tests::WatchedApplication app(argc, argv);
   volumen::tests::openAlone();
   volumen::speakBritish(app);
-  return volumen::tests::runSuite(argc, argv);
+  return volumen::tests::runSuite(argc, argv, [&] {
+    if (shared.isEmpty()) QDir(volumen::Autosave::folder()).removeRecursively();
+  });
 }

@@ -362,7 +362,7 @@ void TestAutosave::itCanBeDiscardedOrLeft() {
   Journey w;
   QTRY_VERIFY_WITH_TIMEOUT(offer(w)->isVisible(), longest);
   click(w, "offerRefuse");
-  QTRY_VERIFY_WITH_TIMEOUT(QDir(Autosave::folder()).isEmpty(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(kept().isEmpty(), longest);
   QVERIFY(offer(w)->isHidden());
 }
 

@@ -148,7 +148,8 @@ void TestFilesOfTheWindow::recentFilesAreOffered() {
   Journey w;
   const auto buttons = [&] { return w.window.findChildren<QPushButton*>(QStringLiteral("recent")); };
   QTRY_VERIFY_WITH_TIMEOUT(buttons().size() == 2 && !buttons()[1]->isEnabled(), longest);
-  QVERIFY2(buttons()[0]->toolTip() == kept && buttons()[1]->toolTip() == gone, "the latest first");
+  QVERIFY2(buttons()[0]->toolTip().contains(kept) && buttons()[1]->toolTip().contains(gone),
+           "the latest first");
   QTRY_VERIFY(buttons()[0]->isVisible());
   QVERIFY(buttons()[0]->isEnabled());
   w.shot("recent");

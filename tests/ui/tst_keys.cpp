@@ -7,6 +7,7 @@
 #include <QSettings>
 
 #include "tests/ui/journey.h"
+#include "tests/ui/measure_window.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/camera_moves.h"
@@ -85,6 +86,10 @@ class TestKeys : public QObject {
   void nothingFiresWhileOneTypes_data();
   void nothingFiresWhileOneTypes();
   void escapeLeavesTheMaximisedView();
+  void lettersOfOtherScriptsMeasure_data();
+  void lettersOfOtherScriptsMeasure();
+  void lettersOfOtherScriptsChooseViews();
+  void otherLettersAndOtherPlacesMeanNothing();
 };
 
 void TestKeys::keysChooseViews_data() {
@@ -233,6 +238,58 @@ void TestKeys::escapeLeavesTheMaximisedView() {
   QTest::keyClick(window.view(), Qt::Key_Escape);
   QTRY_COMPARE(window.view()->width(), width);
   QVERIFY(!window.findChild<QAction*>(QStringLiteral("maximise"))->isChecked());
+}
+
+// As Qt sends a key whose letter is none of a shortcut; whether the widget wants it before shortcuts do.
+bool pressAt(QWidget* on, int key, quint32 scanCode) {
+  const QString text{QChar(char16_t(key))};
+  QKeyEvent wanted(QEvent::ShortcutOverride, key, Qt::NoModifier, scanCode, 0, 0, text);
+  wanted.ignore();
+  QCoreApplication::sendEvent(on, &wanted);
+  QKeyEvent press(QEvent::KeyPress, key, Qt::NoModifier, scanCode, 0, 0, text);
+  QCoreApplication::sendEvent(on, &press);
+  return wanted.isAccepted();
+}
+
+void TestKeys::lettersOfOtherScriptsMeasure_data() {
+  QTest::addColumn<int>("letter");
+  QTest::addColumn<int>("scanCode");
+  QTest::addColumn<QByteArray>("tool");
+  QTest::newRow("Cyrillic, D") << 0x0412 << 40 << QByteArray("lengthTool");
+  QTest::newRow("Cyrillic, A") << 0x0424 << 38 << QByteArray("angleTool");
+  QTest::newRow("Cyrillic, E") << 0x0423 << 26 << QByteArray("ellipseTool");
+  QTest::newRow("Cyrillic, P") << 0x0417 << 33 << QByteArray("probeTool");
+  QTest::newRow("Greek, D") << 0x0394 << 40 << QByteArray("lengthTool");
+  QTest::newRow("Hebrew, D") << 0x05d2 << 40 << QByteArray("lengthTool");
+}
+
+void TestKeys::lettersOfOtherScriptsMeasure() {
+  QFETCH(int, letter);
+  QFETCH(int, scanCode);
+  QFETCH(QByteArray, tool);
+  tests::MeasureWindow w;
+  const Camera before = w.window.view()->camera();
+  QVERIFY2(pressAt(w.view(), letter, quint32(scanCode)), "no shortcut may take it");
+  QVERIFY(w.child<QAction>(tool.constData())->isChecked());
+  QVERIFY(w.window.view()->camera() == before);
+}
+
+// Where no second layout of the keyboard is Latin, Qt knows no shortcut of these.
+void TestKeys::lettersOfOtherScriptsChooseViews() {
+  Shown window;
+  window.view()->showView(QStringLiteral("left"));
+  pressAt(window.view(), 0x0424, 38);
+  QCOMPARE(window.seen(), QStringLiteral("anterior"));
+  pressAt(window.view(), 0x0417, 33);
+  QCOMPARE(window.seen(), QStringLiteral("posterior"));
+}
+
+void TestKeys::otherLettersAndOtherPlacesMeanNothing() {
+  Shown window;
+  window.view()->showView(QStringLiteral("left"));
+  pressAt(window.view(), 0x0424, 100);
+  pressAt(window.view(), 0x00c4, 38);  // A with dots: Latin, on a German keyboard elsewhere
+  QCOMPARE(window.seen(), QStringLiteral("left"));
 }
 
 VOLUMEN_TEST(TestKeys);

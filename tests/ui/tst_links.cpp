@@ -25,6 +25,7 @@ class TestLinks : public QObject {
   void panIsThePatientsPoint();
   void windowsAreOfOneModalityAndUnit_data();
   void windowsAreOfOneModalityAndUnit();
+  void windowsOfPetAreOneUptake();
   void allOfItIsKeptInTheSession();
 };
 
@@ -163,6 +164,24 @@ void TestLinks::windowsAreOfOneModalityAndUnit() {
   };
   QVERIFY(windowIn(left));
   QCOMPARE(windowIn(right) == windowIn(left), follows);
+}
+
+// What is 5 SUVbw in one is 5 in the other, whatever it is in Bq/ml.
+void TestLinks::windowsOfPetAreOneUptake() {
+  const auto pet = [](const char* frame, double factor) {
+    auto series = std::make_shared<ShownSeries>(*ballIn(frame, 1, "PT"));
+    series->series.unit = "Bq/ml";
+    series->series.suv.bodyWeight = factor;
+    return series;
+  };
+  TwoSeries w(pet("A", 0.01), pet("B", 0.02));
+  w.press("linkWindow");
+  QTest::keyClick(w.view(left), Qt::Key_1);
+  const auto windowIn = [&](ViewId id) {
+    return *w.workspace().series.at(w.workspace().view(id).series).window;
+  };
+  QVERIFY(std::abs(windowIn(left).width + 500) < 1e-9);
+  QVERIFY(std::abs(windowIn(right).width + 250) < 1e-9);
 }
 
 void TestLinks::allOfItIsKeptInTheSession() {

@@ -2,6 +2,7 @@
 // costs a sentence).
 #include <QSignalSpy>
 
+#include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/loader.h"
 #include "ui/main_window.h"
@@ -11,7 +12,7 @@ using namespace volumen;
 
 namespace {
 
-constexpr int longest = 60000;  // ms, for a loaded machine
+using tests::longest;
 
 Series phantom(const char* name) {
   const Result<Study> study = openStudy(std::string("phantom:") + name);
@@ -39,6 +40,9 @@ class TestLoader : public QObject {
   void aSeriesComesWithWhatThePanelsNeed();
   void theLaterLoadWins();
   void whatIsCancelledIsNotTold();
+  void intentsComeBackWithTheirAnswers();
+  void twoAreOpenedAtOnce_data();
+  void twoAreOpenedAtOnce();
   void aBadPathIsASentence();
   void closingWhileLoadingIsClean();
   void theStatusLineShowsWhatLastsAndCancels();
@@ -74,6 +78,53 @@ void TestLoader::whatIsCancelledIsNotTold() {
   QVERIFY(w.finish());
   QCOMPARE(w.loaded.count(), 0);
   QCOMPARE(w.failed.count(), 0);
+}
+
+void TestLoader::intentsComeBackWithTheirAnswers() {
+  Watched w;
+  QSignalSpy opened(&w.loader, &Loader::studyOpened);
+  std::vector<OpenIntent> asked(3);
+  asked[0].seriesUid = "1.2", asked[0].how = OpenHow::beside;
+  asked[1].scene.emplace();
+  asked[2].isShown = std::make_shared<bool>(false);
+  for (int n = 0; n < 3; ++n)
+    w.loader.open(QStringLiteral("phantom:sphere:%1").arg(16 + n), asked[std::size_t(n)]);
+  QVERIFY(w.finish());
+  QCOMPARE(opened.count(), 3);
+  for (int n = 0; n < 3; ++n) {
+    const auto came = opened[n][2].value<OpenIntent>();
+    const OpenIntent& sent = asked[std::size_t(n)];
+    QVERIFY(opened[n][0].toString().endsWith(QString::number(16 + n)));
+    QVERIFY(came.how == sent.how && came.seriesUid == sent.seriesUid && came.scene == sent.scene &&
+            came.isShown == sent.isShown);
+  }
+}
+
+void TestLoader::twoAreOpenedAtOnce_data() {
+  QTest::addColumn<bool>("firstHasScene");
+  QTest::newRow("by a scene, then as usual") << true;
+  QTest::newRow("as usual, then by a scene") << false;
+}
+
+// Each is shown, in the order in which they were opened, and each by its own scene.
+void TestLoader::twoAreOpenedAtOnce() {
+  QFETCH(bool, firstHasScene);
+  tests::openAlone();
+  Scene scene;
+  scene.camera = Camera{.target = glm::dvec3(1, 2, 3), .height = 77};
+  tests::Journey w;
+  const auto open = [&](const char* path, bool byScene) {
+    w.window.open({QLatin1String(path)}, byScene ? std::optional(scene) : std::nullopt);
+  };
+  open("phantom:sphere:16", firstHasScene);
+  open("phantom:cube:20", !firstHasScene);
+  const auto shows = [&](const char* name) {
+    const ShownSeriesPtr shown = w.window.session().series();
+    return shown && shown->series.path.find(name) != std::string::npos;
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(shows("cube"), longest);
+  QVERIFY(w.settle());
+  QCOMPARE(w.window.session().scene() == scene, !firstHasScene);
 }
 
 void TestLoader::aBadPathIsASentence() {

@@ -1,7 +1,9 @@
 // Guards the texts on the picture and on the curve's axis: readable on anything, never over each other, and
 // none where it would mislead.
+#include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/views/overlays.h"
+#include "ui/views/view_overlays.h"
 #include "ui/widgets/tissues.h"
 
 using namespace volumen;
@@ -30,6 +32,7 @@ class TestOverlays : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void eachWarningHasItsLine();
+  void noLettersWhereSidesAreNotKnown();
   void nothingTouchesAnythingElse_data();
   void nothingTouchesAnythingElse();
   void allOfItFindsRoomInAUsualView();
@@ -38,6 +41,19 @@ class TestOverlays : public QObject {
   void tissuesAreNamedWhereTheyAre_data();
   void tissuesAreNamedWhereTheyAre();
 };
+
+void TestOverlays::noLettersWhereSidesAreNotKnown() {
+  const ShownSeriesPtr known = tests::ballSeries();
+  auto unknown = std::make_shared<ShownSeries>(*known);
+  unknown->warnings = {{"Of a transducer.", WarningKind::noDirections}};
+  const Camera camera;
+  QVERIFY(!viewOverlays(*known, camera, {100, 100}).left.isEmpty());
+  const Overlays o = viewOverlays(*unknown, camera, {100, 100});
+  QCOMPARE(o.left + o.right + o.top + o.bottom, QString());
+  QVERIFY(o.mmPerPixel > 0);
+  QCOMPARE(placeText(*known, {12, 3.5, 100}), QStringLiteral("L 12.0, P 3.5, S 100.0 mm"));
+  QCOMPARE(placeText(*unknown, {12, 3.5, -100}), QStringLiteral("x 12.0, y 3.5, z -100.0 mm"));
+}
 
 void TestOverlays::nothingTouchesAnythingElse_data() {
   QTest::addColumn<QSize>("size");

@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QTreeWidget>
@@ -62,6 +63,7 @@ class TestPreferences : public QObject {
   void opacityAxis();
   void namesAreHiddenEverywhere();
   void choicesAreKeptAndReset();
+  void enterClosesAndRestoresNothing();
   void nonsenseInTheFileIsPassedOver();
 };
 
@@ -226,9 +228,28 @@ void TestPreferences::choicesAreKeptAndReset() {
   QVERIFY(window.windowTitle().contains(QStringLiteral("hidden")));
   auto* buttons = window.dialog()->findChild<QDialogButtonBox*>();
   QTest::mouseClick(buttons->button(QDialogButtonBox::RestoreDefaults), Qt::LeftButton);
+  QVERIFY2(window.session().preferences() == expected, "it asks");
+  auto* box = window.dialog()->findChild<QMessageBox*>(QStringLiteral("restoreBox"));
+  QVERIFY(box);
+  QTest::keyClick(box, Qt::Key_Return);
+  QVERIFY2(window.session().preferences() == expected, "Enter is no answer to that");
+  QTRY_VERIFY(!window.dialog()->findChild<QMessageBox*>(QStringLiteral("restoreBox")));
+  QTest::mouseClick(buttons->button(QDialogButtonBox::RestoreDefaults), Qt::LeftButton);
+  for (QAbstractButton* button :
+       window.dialog()->findChild<QMessageBox*>(QStringLiteral("restoreBox"))->buttons())
+    if (button->text() == QStringLiteral("Restore defaults")) QTest::mouseClick(button, Qt::LeftButton);
   QVERIFY(window.session().preferences() == Preferences{});
   QVERIFY(storedPreferences() == Preferences{});
   QCOMPARE(window.dialog()->findChild<QComboBox*>(QStringLiteral("textSize"))->currentIndex(), 0);
+}
+
+void TestPreferences::enterClosesAndRestoresNothing() {
+  Opened window;
+  window.session().prefer([](Preferences& p) { p.textPercent = 120; });
+  auto* dialog = window.dialog();
+  QTest::keyClick(dialog, Qt::Key_Return);
+  QTRY_VERIFY(!dialog->isVisible());
+  QCOMPARE(window.session().preferences().textPercent, 120);
 }
 
 void TestPreferences::nonsenseInTheFileIsPassedOver() {

@@ -45,7 +45,7 @@ class TestWorkspace : public QObject {
   void theOldestSeriesGoFirst();
   void whatIsOnScreenStays();
   void aSeriesThatWentIsAskedForAgain();
-  void closingForgetsTheSteps();
+  void closingIsAStep();
   void theTableComesBackWithUndo();
   void planesLieOnAcquiredSlices();
   void theWheelGoesDownThePatient_data();
@@ -241,18 +241,28 @@ void TestWorkspace::aSeriesThatWentIsAskedForAgain() {
   QVERIFY2(session.undoStack().canRedo(), "what came back is no step");
 }
 
-void TestWorkspace::closingForgetsTheSteps() {
+void TestWorkspace::closingIsAStep() {
   Session session;
   const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
   session.show(a);
   session.show(b);
+  const Workspace before = session.workspace();
   session.close({keyOf(b->series)});
   QVERIFY(!session.series());
-  QVERIFY(!session.undoStack().canUndo());
   QVERIFY(session.showAgain(a->series, sceneViewId));
   session.show(nullptr);
   QVERIFY(!session.showAgain(a->series, sceneViewId));
-  QVERIFY(session.workspace() == Workspace());
+  Workspace empty = session.workspace();
+  QCOMPARE(empty.unlisted.series.size(), std::size_t(2));
+  empty.unlisted = {};
+  QVERIFY(empty == Workspace());
+  // What is shown next is a step, or undo would bring the first ones back in its place.
+  const ShownSeriesPtr c = tests::ballSeries();
+  session.show(c);
+  session.undoStack().undo();
+  QVERIFY(session.workspace().series.empty());
+  for (int n = 0; n < 3; ++n) session.undoStack().undo();
+  QVERIFY(session.workspace() == before);
 }
 
 void TestWorkspace::theTableComesBackWithUndo() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTextDocumentFragment>
 #include <QToolButton>
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -76,7 +77,9 @@ struct TwoSeries : Journey {
   void zoom(ViewId id) { drag(view(id), {100, 200}, {100, 150}, Qt::RightButton); }
   void pan(ViewId id) { drag(view(id), {100, 100}, {120, 130}, Qt::MiddleButton); }
   QString corner(ViewId id) { return view(id)->overlays().topRight.join(QLatin1Char('\n')); }
-  QString tip() { return child<QToolButton>("linkButton")->toolTip(); }
+  QString tip() {
+    return QTextDocumentFragment::fromHtml(child<QToolButton>("linkButton")->toolTip()).toPlainText();
+  }
 };
 
 }  // namespace volumen::tests

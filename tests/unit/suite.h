@@ -21,15 +21,16 @@ struct Registered {
   }
 };
 
-/// Runs every registered class, or the one that VOLUMEN_ONLY names, with the arguments of the command line;
-/// returns how many test functions failed.
-inline int runSuite(int argc, char** argv) {
+/// Runs every registered class, or the one that VOLUMEN_ONLY names, with the arguments of the command line,
+/// and `before` ahead of each; returns how many test functions failed.
+inline int runSuite(int argc, char** argv, const std::function<void()>& before = {}) {
   const QByteArray only = qgetenv("VOLUMEN_ONLY");
   int failures = 0;
   for (const auto& make : suite()) {
     const std::unique_ptr<QObject> test = make();
-    if (only.isEmpty() || only == test->metaObject()->className())
-      failures += QTest::qExec(test.get(), argc, argv);
+    if (!only.isEmpty() && only != test->metaObject()->className()) continue;
+    if (before) before();
+    failures += QTest::qExec(test.get(), argc, argv);
   }
   return failures;
 }

@@ -15,6 +15,17 @@ namespace volumen {
 namespace {
 
 constexpr int keepWithinMs = 1000;  // and the time to write it, on a slow disk
+constexpr int keepAsideDays = 7;
+const QString asideTime =
+    QStringLiteral("yyyyMMddHHmmss");  // UTC, what the name of a discarded one begins with
+
+QString asideFolder() { return Autosave::folder() + QStringLiteral("/discarded"); }
+
+// Paths may name patients.
+void makePrivate(const QString& folder) {
+  QDir().mkpath(folder);
+  QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+}
 
 QString lockOf(const QString& path) { return path + QStringLiteral(".lock"); }
 
@@ -30,6 +41,30 @@ QString savedAsOf(const QString& path) {
   if (!text) return {};
   const auto session = sessionFromJson(*text, {});
   return session ? QString::fromStdString(session->savedAs) : QString();
+}
+
+void moveAside(const QString& path) {
+  makePrivate(asideFolder());
+  const QString name =
+      QDateTime::currentDateTimeUtc().toString(asideTime) + QLatin1Char('-') + QFileInfo(path).fileName();
+  if (QFile::rename(path, asideFolder() + QLatin1Char('/') + name)) removeKept(path);
+}
+
+// The latest first; those that are too old go.
+std::vector<LostSession> discarded() {
+  std::vector<LostSession> all;
+  const QDir dir(asideFolder());
+  const QDateTime now = QDateTime::currentDateTimeUtc();
+  for (const QFileInfo& file :
+       dir.entryInfoList({QStringLiteral("*.volumen")}, QDir::Files, QDir::Name | QDir::Reversed)) {
+    QDateTime at = QDateTime::fromString(file.fileName().left(asideTime.size()), asideTime);
+    at.setTimeSpec(Qt::UTC);
+    if (!at.isValid() || at.daysTo(now) > keepAsideDays)
+      removeKept(file.filePath());
+    else
+      all.push_back({file.filePath(), savedAsOf(file.filePath()), file.lastModified(), nullptr});
+  }
+  return all;
 }
 
 // The latest that no running program holds.
@@ -51,12 +86,16 @@ class Autosave::File {
  public:
   Status write(const Workspace& workspace, const std::string& savedAs) {
     if (!lock_) {
-      QDir().mkpath(folder());
-      // Paths may name patients.
-      QFile::setPermissions(folder(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+      makePrivate(folder());
       lock_ = LockFile::take(lockOf(path_).toStdString());
     }
-    return saveSession(path_.toStdString(), workspace, savedAs);
+    return saveSession(path_.toStdString(), withClosed(workspace), savedAs);
+  }
+
+  void putAside() {
+    if (!lock_) return;
+    moveAside(path_);
+    lock_.reset();
   }
 
   void remove() {
@@ -93,13 +132,16 @@ Autosave::Autosave(const Session& session, const SessionFiles& files, QObject* p
 
 Autosave::~Autosave() {
   pool_.waitForDone();
-  if (!files_.path().isEmpty() && wanted())
-    (void)file_->write(session_.workspace(), files_.path().toStdString());
-  else
+  const bool stays = atEnd_ != AtEnd::usual || !files_.path().isEmpty();
+  if (!stays || !wanted()) {
     file_->remove();
+    return;
+  }
+  (void)file_->write(session_.workspace(), files_.path().toStdString());
+  if (atEnd_ == AtEnd::aside) file_->putAside();
 }
 
-bool Autosave::wanted() const { return files_.modified(); }
+bool Autosave::wanted() const { return files_.modified() || !files_.unsavedWork().empty(); }
 
 void Autosave::write() {
   if (writing_) return timer_.start();
@@ -121,7 +163,9 @@ void Autosave::written(const Status& status) {
   writing_ = false;
   if (!status && !failing_) Q_EMIT failed(QString::fromStdString(status.message()));
   failing_ = !status;
-  if (status && replaced_) forget(*std::exchange(replaced_, {}), false);
+  if (!status || !replaced_) return;
+  pool_.start([lost = *std::exchange(replaced_, {})] { removeKept(lost.path); });
+  list();
 }
 
 void Autosave::look() {
@@ -130,15 +174,24 @@ void Autosave::look() {
       QMetaObject::invokeMethod(
           this, [this, lost] { Q_EMIT found(*lost); }, Qt::QueuedConnection);
   });
+  list();
 }
 
-void Autosave::forget(const LostSession& lost, bool replaced) {
-  if (replaced) {
-    replaced_ = lost;
-    if (!timer_.isActive()) timer_.start();
-    return;
-  }
-  pool_.start([lost] { removeKept(lost.path); });
+void Autosave::discard(const LostSession& lost) {
+  pool_.start([lost] { moveAside(lost.path); });
+  look();
+}
+
+void Autosave::replace(const LostSession& lost) {
+  replaced_ = lost;
+  if (!timer_.isActive()) timer_.start();
+}
+
+void Autosave::list() {
+  pool_.start([this] {
+    QMetaObject::invokeMethod(
+        this, [this, all = discarded()] { Q_EMIT listed(all); }, Qt::QueuedConnection);
+  });
 }
 
 }  // namespace volumen

@@ -20,30 +20,44 @@ struct LostSession {
   std::shared_ptr<LockFile> lock;
 };
 
+/// What becomes of what is not saved when the program ends in order.
+enum class AtEnd {
+  usual,  ///< it goes; changes of a session file stay
+  keep,   ///< it stays: nobody could be asked
+  aside   ///< it goes aside: nobody wanted it
+};
+
 /// Keeps what is not saved: one file a running program in the user's data folder, written on a worker thread
-/// within 2 s of every change. It goes when all is saved and when the program ends in order; changes of a
-/// session file that were not saved stay.
+/// within 2 s of every change. It goes when all is saved, and when the program ends as AtEnd says. What is
+/// discarded lies aside for a week.
 class Autosave : public QObject {
   Q_OBJECT
  public:
   Autosave(const Session& session, const SessionFiles& files, QObject* parent = nullptr);
   ~Autosave() override;
 
-  /// Looks on the worker thread for what other runs left; the latest is told by found().
+  /// Looks on the worker thread for what other runs left, and for what lies aside; the latest of the first is
+  /// told by found(), all of the second by listed().
   void look();
-  /// Deletes it; where `replaced`, only once the workspace is kept instead.
-  void forget(const LostSession& lost, bool replaced);
+  /// Puts it aside.
+  void discard(const LostSession& lost);
+  /// Deletes it once the workspace is kept instead.
+  void replace(const LostSession& lost);
+  void setAtEnd(AtEnd atEnd) { atEnd_ = atEnd; }
 
   /// $XDG_DATA_HOME/volumen/autosave.
   static QString folder();
 
  Q_SIGNALS:
   void found(const volumen::LostSession& lost);
+  /// What was discarded within a week, the latest first; nobody holds it.
+  void listed(const std::vector<volumen::LostSession>& discarded);
   /// A sentence; once until it could be written again.
   void failed(const QString& sentence);
 
  private:
   class File;
+  void list();
   void write();
   void written(const Status& status);
   bool wanted() const;
@@ -55,6 +69,7 @@ class Autosave : public QObject {
   std::unique_ptr<File> file_;  // for the pool's thread
   bool writing_ = false, failing_ = false;
   std::optional<LostSession> replaced_;
+  AtEnd atEnd_ = AtEnd::usual;
 };
 
 }  // namespace volumen

@@ -90,21 +90,22 @@ void IndexService::series(std::int64_t study) {
   });
 }
 
-void IndexService::open(const IndexedChoice& choice) {
-  start(queries_, [this, choice](Index& index) {
+void IndexService::open(const IndexedChoice& choice, OpenHow how) {
+  start(queries_, [this, choice, how](Index& index) {
     if (closing_) return;
     const Result<std::vector<std::string>> files = index.files(choice.study);
     if (!files) return failWith(files.message());
-    std::string seriesUid;
+    OpenIntent intent;
+    intent.how = how;
     if (choice.series != 0) {
       const Result<std::vector<IndexedSeries>> all = index.series(choice.study);
       if (!all) return failWith(all.message());
       const auto chosen = std::ranges::find(*all, choice.series, &IndexedSeries::id);
-      if (chosen != all->end()) seriesUid = chosen->seriesUid;
+      if (chosen != all->end()) intent.seriesUid = chosen->seriesUid;
     }
     if (const Status remembered = index.opened(choice.study); !remembered) failWith(remembered.message());
-    tell([this, choice, seriesUid, files = *files] {
-      Q_EMIT filesFound(choice, seriesUid, files);
+    tell([this, choice, intent, files = *files] {
+      Q_EMIT filesFound(choice, files, intent);
       Q_EMIT changed();
     });
   });

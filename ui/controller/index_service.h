@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/index/index.h"
+#include "ui/controller/open_intent.h"
 #include "ui/data/study_list.h"
 #include "viewer/volume/cancel.h"
 
@@ -40,7 +41,7 @@ class IndexService : public QObject {
   /// Ends in thumbnailMade() for each; those wanted before and not begun are given up.
   void wantThumbnails(const std::vector<std::int64_t>& series);
   /// Ends in filesFound(); remembers that the study was opened.
-  void open(const IndexedChoice& choice);
+  void open(const IndexedChoice& choice, OpenHow how);
   /// Takes studies out of the index, and back into it; never deletes files. Ends in changed().
   void remove(const std::vector<std::int64_t>& studies);
   void undoRemove(const std::vector<std::int64_t>& studies);
@@ -54,9 +55,9 @@ class IndexService : public QObject {
   void seriesListed(qint64 study, const volumen::SeriesListPtr& series);
   /// Null: there is none.
   void thumbnailMade(qint64 series, const QImage& thumbnail);
-  /// The files of the study of a choice, and the SeriesInstanceUID of its series (empty: none in particular).
-  void filesFound(const volumen::IndexedChoice& choice, const std::string& seriesUid,
-                  const std::vector<std::string>& files);
+  /// The files of the study of a choice, and what was asked for, with the series of the choice.
+  void filesFound(const volumen::IndexedChoice& choice, const std::vector<std::string>& files,
+                  const volumen::OpenIntent& intent);
   /// The index holds something else now.
   void changed();
   /// Whether anything is being imported.

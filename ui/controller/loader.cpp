@@ -38,6 +38,7 @@ void Loader::cancel() {
     token->cancel();
     *token = CancelToken();
   }
+  scene_.reset();
   if (const auto given = std::exchange(loading_, {})) Q_EMIT notLoaded(*given);
 }
 
@@ -76,23 +77,23 @@ void Loader::start(QThreadPool& pool, const CancelToken& cancel, Job job) {
   });
 }
 
-void Loader::open(const QString& path) {
-  start(openPool_, cancel_, [this, path](const CancelToken& cancel, const Progress& progress) {
+void Loader::open(const QString& path, const OpenIntent& intent) {
+  start(openPool_, cancel_, [this, path, intent](const CancelToken& cancel, const Progress& progress) {
     Result<Study> study = openStudy(path.toStdString(), progress, cancel);
     if (!study)
       return tell(cancel, [this, text = QString::fromStdString(study.message())] { Q_EMIT failed(text); });
     const auto shared = std::make_shared<const Study>(std::move(*study));
-    tell(cancel, [this, path, shared] { Q_EMIT studyOpened(path, shared); });
+    tell(cancel, [this, path, shared, intent] { Q_EMIT studyOpened(path, shared, intent); });
   });
 }
 
-void Loader::openFiles(const QString& name, const std::vector<std::string>& files) {
-  start(openPool_, cancel_, [this, name, files](const CancelToken& cancel, const Progress& progress) {
+void Loader::openFiles(const QString& name, const std::vector<std::string>& files, const OpenIntent& intent) {
+  start(openPool_, cancel_, [this, name, files, intent](const CancelToken& cancel, const Progress& progress) {
     Result<Study> study = volumen::openFiles(files, progress, cancel);
     if (!study)
       return tell(cancel, [this, text = QString::fromStdString(study.message())] { Q_EMIT failed(text); });
     const auto shared = std::make_shared<const Study>(std::move(*study));
-    tell(cancel, [this, name, shared] { Q_EMIT filesOpened(name, shared); });
+    tell(cancel, [this, name, shared, intent] { Q_EMIT filesOpened(name, shared, intent); });
   });
 }
 
@@ -124,9 +125,13 @@ void Loader::cancelLoad() {
   loadCancel_.cancel();
   loadCancel_ = CancelToken();
   loading_.reset();
+  scene_.reset();
 }
 
-void Loader::load(const Series& series) { begin(series, false); }
+void Loader::load(const Series& series, const std::optional<Scene>& scene) {
+  begin(series, false);
+  if (scene) scene_ = scene;
+}
 
 void Loader::loadAhead(const Series& series) { begin(series, true); }
 
@@ -164,7 +169,7 @@ void Loader::begin(const Series& series, bool isAhead) {
       if (isAhead_)
         Q_EMIT loadedAhead(shown);
       else
-        Q_EMIT seriesLoaded(shown);
+        Q_EMIT seriesLoaded(shown, std::exchange(scene_, {}));
     });
   });
 }

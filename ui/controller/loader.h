@@ -8,6 +8,7 @@
 
 #include "io/study.h"
 #include "ui/controller/locate.h"
+#include "ui/controller/open_intent.h"
 #include "ui/controller/open_session.h"
 #include "ui/data/shown_series.h"
 #include "viewer/volume/cancel.h"
@@ -26,14 +27,14 @@ class Loader : public QObject {
   /// Gives up what is under way.
   ~Loader() override;
 
-  void open(const QString& path);
+  void open(const QString& path, const OpenIntent& intent = {});
   /// The same for files that are not one path: ends in filesOpened() by the name given.
-  void openFiles(const QString& name, const std::vector<std::string>& files);
+  void openFiles(const QString& name, const std::vector<std::string>& files, const OpenIntent& intent = {});
   void openSession(const QString& path);
   /// Looks for what a workspace misses in a folder.
   void locate(const MissingObjects& missing, const QString& folder);
-  /// Gives up a load of another series that is under way.
-  void load(const Series& series);
+  /// Gives up a load of another series that is under way. The scene is the one to show it by.
+  void load(const Series& series, const std::optional<Scene>& scene = {});
   /// The same for one that is not shown yet, told by loadedAhead().
   void loadAhead(const Series& series);
   void makePreset(const QString& name, VolumePtr volume);
@@ -43,11 +44,13 @@ class Loader : public QObject {
   void cancelLoad();
 
  Q_SIGNALS:
-  void studyOpened(const QString& path, const std::shared_ptr<const volumen::Study>& study);
-  void filesOpened(const QString& name, const std::shared_ptr<const volumen::Study>& study);
+  void studyOpened(const QString& path, const std::shared_ptr<const volumen::Study>& study,
+                   const volumen::OpenIntent& intent);
+  void filesOpened(const QString& name, const std::shared_ptr<const volumen::Study>& study,
+                   const volumen::OpenIntent& intent);
   void sessionOpened(const QString& path, const volumen::OpenedSession& session);
   void located(const volumen::Located& located);
-  void seriesLoaded(const volumen::ShownSeriesPtr& series);
+  void seriesLoaded(const volumen::ShownSeriesPtr& series, const std::optional<volumen::Scene>& scene);
   void loadedAhead(const volumen::ShownSeriesPtr& series);
   /// It failed or was cancelled; not for what another series took the place of.
   void notLoaded(const volumen::SeriesKey& series);
@@ -73,7 +76,8 @@ class Loader : public QObject {
   CancelToken cancel_, loadCancel_;  // of everything else, and of the series being loaded
   int underWay_ = 0;
   std::optional<SeriesKey> loading_;
-  bool isAhead_ = false;  // nobody waits for what is being loaded
+  std::optional<Scene> scene_;  // to show what is being loaded by
+  bool isAhead_ = false;        // nobody waits for what is being loaded
 };
 
 }  // namespace volumen

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "ui/widgets/plain_text.h"
 #include "viewer/scene/automatic.h"
 #include "viewer/segment/mask.h"
 
@@ -100,10 +101,11 @@ void Masker::showState() {
   const bool offered = canLoseTable(series);
   table_->setEnabled(offered);
   table_->setChecked(series && session_.maskOf(keyOf(series->series)).tableRemoved);
-  table_->setToolTip(!series ? tr("Open a CT series first.")
-                     : !offered
-                         ? tr("Only for CT: the values of this series are not Hounsfield units.")
-                         : tr("Hide what is not connected with the patient: table, cushions, cables."));
+  const QString tip = !series ? tr("Open a CT series first.")
+                      : !offered
+                          ? tr("Only for CT: the values of this series are not Hounsfield units.")
+                          : tr("Hide what is not connected with the patient: table, cushions, cables.");
+  table_->setToolTip(toolTipOf(tip));
   reset_->setEnabled(!session_.maskOf(workspace.view(workspace.focus).series).lassos.empty());
 }
 

@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "ui/workspace/measurements.h"
+#include "ui/workspace/value_text.h"
 #include "viewer/measure/outline.h"
+#include "viewer/measure/scaled.h"
 
 namespace volumen {
 
@@ -29,6 +31,10 @@ constexpr ViewId reader = -1;            // as which frames are asked for: no vi
 Measurer::Measurer(const Session& session, FrameService& frames, QObject* parent)
     : QObject(parent), session_(session), frames_(frames) {
   pool_.setMaxThreadCount(1);
+  connect(&session_, &Session::preferencesChanged, this,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.petUnit != after.petUnit) Q_EMIT measured();
+          });
   connect(&frames_, &FrameService::ready, this, [this](int view) { endRead(view); });
   connect(&frames_, &FrameService::failed, this, [this](int view, const FrameKey& key, const QString& why) {
     if (view == reader) unread_[key] = why.toStdString();
@@ -46,18 +52,21 @@ Measurer::~Measurer() {
 MeasuredPtr Measurer::numbersOf(const Measurement& measurement) {
   const Known& known = known_[measurement.id];
   if (measurement.shape.frame) {
-    if (known.series != measurement.series || known.shape != measurement.shape) requestOnFrame(measurement);
+    if (known.series != measurement.series || known.shape != measurement.shape ||
+        known.petUnit != shownPetUnit())
+      requestOnFrame(measurement);
     return known.series == measurement.series ? known.numbers : nullptr;
   }
   const VolumePtr volume = known.volume.lock();
   const auto& all = session_.workspace().series;
   const auto state = all.find(measurement.series);
   const bool current = known.series == measurement.series && known.shape == measurement.shape && volume &&
-                       state != all.end() && known.mask == state->second.mask;
+                       known.petUnit == shownPetUnit() && state != all.end() &&
+                       known.mask == state->second.mask;
   if (!current) {
     const ShownSeriesPtr series = session_.seriesNamed(measurement.series);
-    if (series &&
-        (known.series != measurement.series || known.shape != measurement.shape || volume != series->volume))
+    if (series && (known.series != measurement.series || known.shape != measurement.shape ||
+                   volume != series->volume || known.petUnit != shownPetUnit()))
       request(measurement, series);
   }
   return known.series == measurement.series ? known.numbers : nullptr;
@@ -77,6 +86,7 @@ Measurer::Known& Measurer::begin(const Measurement& measurement) {
   known.series = measurement.series;
   known.shape = measurement.shape;
   known.mask = session_.maskOf(measurement.series);
+  known.petUnit = shownPetUnit();
   known.asked = ++jobs_;
   return known;
 }
@@ -84,8 +94,10 @@ Measurer::Known& Measurer::begin(const Measurement& measurement) {
 void Measurer::request(const Measurement& measurement, const ShownSeriesPtr& series) {
   Known& known = begin(measurement);
   known.volume = series->volume;
-  const auto run = [shape = measurement.shape, volume = series->volume, unit = series->series.unit](
-                       const CancelToken& cancel) { return measure(shape, *volume, unit, cancel); };
+  const auto run = [shape = measurement.shape, volume = series->volume,
+                    scale = shownScale(series->series)](const CancelToken& cancel) {
+    return scaled(measure(shape, *volume, scale.unit, cancel), scale.factor);
+  };
   start({measurement.id, known.asked, run}, stepsOf(measurement.shape, series->volume->geometry()));
 }
 
@@ -107,8 +119,9 @@ void Measurer::requestOnFrame(const Measurement& measurement) {
   }
   const Known& known = begin(measurement);
   if (problem) return take({measurement.id, known.asked, {}}, *problem);
-  const auto run = [shape = measurement.shape, frame](const CancelToken&) {
-    return measureOnFrame(shape, pixelsOf(*frame), frame->slice->series.unit);
+  const auto run = [shape = measurement.shape, frame,
+                    scale = shownScale(frame->slice->series)](const CancelToken&) {
+    return scaled(measureOnFrame(shape, pixelsOf(*frame), scale.unit), scale.factor);
   };
   start({measurement.id, known.asked, run},
         stepsOf(inSliceSpace(measurement.shape, frame->geometry()), frame->geometry()));

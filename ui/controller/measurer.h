@@ -42,6 +42,7 @@ class Measurer : public QObject {
     SeriesKey series;
     Shape shape;
     Mask mask;  // of the series then
+    PetUnit petUnit = PetUnit::file;
     std::weak_ptr<const Volume> volume;
     int asked = 0, shown = 0;  // numbers of jobs
     MeasuredPtr numbers;

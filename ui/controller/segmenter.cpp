@@ -35,9 +35,9 @@ void Segmenter::save(std::shared_ptr<const RangeSegment> segmentation, const Seg
     const QString sentence = status ? QString() : QString::fromStdString(status.message());
     QMetaObject::invokeMethod(
         this,
-        [this, sentence, path = file.path] {
+        [this, sentence, path = file.path, segmentation] {
           if (sentence.isEmpty())
-            Q_EMIT saved(path);
+            Q_EMIT saved(path, segmentation);
           else
             Q_EMIT failed(sentence);
         },

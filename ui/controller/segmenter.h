@@ -21,7 +21,7 @@ class Segmenter : public QObject {
 
  Q_SIGNALS:
   void segmented(const std::shared_ptr<const volumen::RangeSegment>& segmentation);
-  void saved(const QString& path);
+  void saved(const QString& path, const std::shared_ptr<const volumen::RangeSegment>& segmentation);
   void failed(const QString& sentence);
 
  private:

@@ -8,7 +8,10 @@ SessionFiles::SessionFiles(Session& session, QObject* parent) : QObject(parent),
   pool_.setMaxThreadCount(1);
   connect(&session_.undoStack(), &QUndoStack::indexChanged, this, &SessionFiles::followUndo);
   connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
-    if (after.series.empty() && !path_.isEmpty()) return become({}, {});
+    if (after.series.empty() && !path_.isEmpty()) {
+      closed_ = Closed{session_.undoStack().index(), path_, written_};
+      return become({}, {});
+    }
     if (modified() != modifiedTold_) tellModified();
   });
 }
@@ -17,11 +20,12 @@ SessionFiles::~SessionFiles() { pool_.waitForDone(); }
 
 bool SessionFiles::modified() const {
   if (!written_) return !session_.workspace().series.empty();
-  const Workspace& now = session_.workspace();
-  if (now.focus == written_->focus) return now != *written_;
-  Workspace inFocus = now;
-  inFocus.focus = written_->focus;
-  return inFocus != *written_;
+  if (session_.workspace() == *written_) return false;
+  Workspace now = session_.workspace();
+  now.focus = written_->focus;
+  now.closed = written_->closed;
+  now.unlisted = written_->unlisted;
+  return now != *written_;
 }
 
 void SessionFiles::become(const QString& path, const std::optional<Workspace>& written) {
@@ -32,6 +36,7 @@ void SessionFiles::become(const QString& path, const std::optional<Workspace>& w
 void SessionFiles::set(const QString& path, const std::optional<Workspace>& written) {
   path_ = path;
   written_ = written;
+  if (written) saved_ = saved_ + without(workIn(*written), saved_);
   tellModified();
 }
 
@@ -42,6 +47,10 @@ void SessionFiles::tellModified() {
 
 // Before the step that opened it the workspace was another one, which must not be written over it.
 void SessionFiles::followUndo(int step) {
+  if (closed_ && step <= closed_->step) {
+    const Closed closed = *std::exchange(closed_, {});
+    if (step == closed.step) become(closed.path, closed.written);
+  }
   if (step >= openedAt_) return;
   openedAt_ = 0;
   if (session_.undoStack().count() > 0) become({}, {});

@@ -4,6 +4,7 @@
 #include <QThreadPool>
 #include <optional>
 
+#include "ui/workspace/hand_work.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {
@@ -19,8 +20,11 @@ class SessionFiles : public QObject {
 
   /// Empty: it is in none.
   const QString& path() const { return path_; }
-  /// Whether the workspace is not, or not as it is, in a file. The focus counts for nothing.
+  /// Whether the workspace is not, or not as it is, in a file. The focus and what is closed count for
+  /// nothing.
   bool modified() const;
+  /// What was made by hand, on closed series, too, and is in no file that was written or read.
+  HandWork unsavedWork() const { return without(workIn(session_.workspace()), saved_); }
 
   /// Ends in saved() or failed().
   void save(const QString& path);
@@ -45,8 +49,16 @@ class SessionFiles : public QObject {
   QThreadPool pool_;
   QString path_;
   std::optional<Workspace> written_;  // what the file holds
-  int openedAt_ = 0;                  // the undo step from which on it is that file's
-  int became_ = 0;                    // how often it became another file's, but by saving
+  HandWork saved_;                    // what any file of this run holds
+  // The file whose workspace was closed by the step from this one on: undo brings it back.
+  struct Closed {
+    int step;
+    QString path;
+    std::optional<Workspace> written;
+  };
+  std::optional<Closed> closed_;
+  int openedAt_ = 0;  // the undo step from which on it is that file's
+  int became_ = 0;    // how often it became another file's, but by saving
   bool modifiedTold_ = false;
 };
 

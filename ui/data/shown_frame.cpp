@@ -49,6 +49,7 @@ ShownSeriesPtr sliceOf(const Series& series, const Frame& frame, VolumePtr volum
   slice->series.path = series.path;
   slice->series.format = series.format;
   slice->series.unit = frame.unit;
+  if (frame.unit == series.unit) slice->series.suv = series.suv;  // else a presentation made other values
   slice->volume = std::move(volume);
   if (frame.colour()) return slice;
   const std::vector<float> ends = percentiles(*slice->volume, {1, 999});

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/plots/picture_image.h"
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 
@@ -67,10 +68,10 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
       showError_(new QCheckBox(tr("Show error map"))),
       frameMs_(new QDoubleSpinBox),
       error_(new QDoubleSpinBox),
-      difference_(new QLabel),
-      caption_(new QLabel),
-      state_(new QLabel),
-      estimate_(new QLabel) {
+      difference_(plainLabel()),
+      caption_(plainLabel()),
+      state_(plainLabel()),
+      estimate_(plainLabel()) {
   makeTable();
   frameMs_->setRange(1, 100000);
   frameMs_->setDecimals(0);
@@ -162,9 +163,9 @@ QLayout* AccuracyPanel::sliderRow() {
   connect(slider_, &QSlider::sliderReleased, this, [this] { session_.endGesture(); });
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
-  row->addWidget(new QLabel(tr("Faster")));
+  row->addWidget(plainLabel(tr("Faster")));
   row->addWidget(slider_, 1);
-  row->addWidget(new QLabel(tr("More accurate")));
+  row->addWidget(plainLabel(tr("More accurate")));
   return row;
 }
 
@@ -222,7 +223,7 @@ void AccuracyPanel::showLevel(PictureLevel level) {
   const QSignalBlocker quietSlider(slider_), quietTable(table_);
   const int row = rowOf(level);
   if (!slider_->isSliderDown()) slider_->setValue(row);
-  slider_->setToolTip(nameOf(level));
+  slider_->setToolTip(toolTipOf(nameOf(level)));
   table_->setCurrentItem(table_->topLevelItem(row));
   showDifference();
 }
@@ -254,7 +255,7 @@ void AccuracyPanel::showRow(int row) {
   font.setItalic(beaten);
   for (int c = 0; c < columns; ++c) {
     item->setFont(c, font);
-    item->setToolTip(c, tip);
+    item->setToolTip(c, toolTipOf(tip));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "io/dicom/attribute_list.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -58,7 +59,7 @@ AttributesDialog::AttributesDialog(const Series& series, QWidget* parent)
       slice_(new QSpinBox),
       search_(new QLineEdit),
       tree_(new QTreeWidget),
-      file_(new QLabel) {
+      file_(plainLabel()) {
   setObjectName(QStringLiteral("attributesDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("DICOM attributes - %1").arg(seriesText(series)));
@@ -76,7 +77,6 @@ AttributesDialog::AttributesDialog(const Series& series, QWidget* parent)
   tree_->setHeaderLabels({tr("Tag"), tr("Name"), tr("VR"), tr("Value")});
   tree_->setUniformRowHeights(true);
   tree_->setAlternatingRowColors(true);
-  file_->setTextFormat(Qt::PlainText);
   file_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   makeLayout();
   connect(slice_, &QSpinBox::valueChanged, this, &AttributesDialog::read);
@@ -92,7 +92,7 @@ AttributesDialog::~AttributesDialog() {
 
 void AttributesDialog::makeLayout() {
   auto* row = new QHBoxLayout;
-  auto* label = new QLabel(tr("Slice"));
+  auto* label = plainLabel(tr("Slice"));
   label->setBuddy(slice_);
   row->addWidget(label);
   row->addWidget(slice_);

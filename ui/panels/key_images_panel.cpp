@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/data/frame_series.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/reference_text.h"
 #include "ui/workspace/text.h"
 
@@ -18,7 +19,7 @@ constexpr int entryRole = Qt::UserRole;
 
 QTreeWidgetItem* headingIn(QTreeWidget* list, const QString& text, const QString& tip) {
   auto* item = new QTreeWidgetItem(list, {text});
-  item->setToolTip(0, tip);
+  item->setToolTip(0, toolTipOf(tip));
   item->setFlags(Qt::ItemIsEnabled);
   item->setExpanded(true);
   return item;
@@ -32,7 +33,7 @@ KeyImagesPanel::KeyImagesPanel(Session& session, References& references, OpenPic
       session_(session),
       references_(references),
       pictures_(std::move(pictures)),
-      empty_(new QLabel(tr("K marks the picture that is shown."))),
+      empty_(plainLabel(tr("K marks the picture that is shown."))),
       list_(new QTreeWidget) {
   empty_->setObjectName(QStringLiteral("keyImagesEmpty"));
   empty_->setWordWrap(true);
@@ -97,7 +98,7 @@ void KeyImagesPanel::addPicture(QTreeWidgetItem* parent, const std::shared_ptr<c
   const QString which =
       opensAsFrames(*series) ? tr("frame %1").arg(index + 1) : tr("slice %1").arg(index + 1);
   auto* item = new QTreeWidgetItem(parent, {QStringLiteral("%1, %2").arg(seriesText(*series), which)});
-  item->setToolTip(0, item->text(0));
+  item->setToolTip(0, toolTipOf(item->text(0)));
   item->setData(0, entryRole, qulonglong(entries_.size()));
   entries_.push_back({series, index});
 }

@@ -1,5 +1,6 @@
 #include "ui/panels/link_menu.h"
 
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/link_text.h"
 #include "ui/workspace/text.h"
 
@@ -55,7 +56,7 @@ QMenu* makeLinkMenu(Session& session, std::function<void()> registerThem, QWidge
   });
   QAction* title = menu->menuAction();
   title->setObjectName(QStringLiteral("link"));
-  const auto tell = [title, &session] { title->setToolTip(linkSentence(session.workspace())); };
+  const auto tell = [title, &session] { title->setToolTip(toolTipOf(linkSentence(session.workspace()))); };
   QObject::connect(&session, &Session::workspaceChanged, title, tell);
   tell();
   return menu;

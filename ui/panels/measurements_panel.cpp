@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/text.h"
 #include "viewer/measure/shape_json.h"
@@ -35,7 +36,7 @@ MeasurementsPanel::MeasurementsPanel(Session& session, Measurer& measurer, QWidg
     : QWidget(parent),
       session_(session),
       measurer_(measurer),
-      empty_(new QLabel(tr("Choose a tool under Measure (D: length, E: ellipse), then drag in a slice."))),
+      empty_(plainLabel(tr("Choose a tool under Measure (D: length, E: ellipse), then drag in a slice."))),
       list_(new QTreeWidget),
       shown_(new QCheckBox(tr("Show"))),
       rename_(button("measurementRename", tr("Rename"))),
@@ -159,12 +160,12 @@ void MeasurementsPanel::showRow(QTreeWidgetItem* item, const Measurement& measur
   item->setFlags(item->flags() | Qt::ItemIsEditable);
   item->setData(nameColumn, Qt::UserRole, measurement.id);
   item->setText(nameColumn, nameText(measurement));
-  item->setToolTip(nameColumn, nameText(measurement));
+  item->setToolTip(nameColumn, toolTipOf(nameText(measurement)));
   item->setText(numberColumn, number);
-  item->setToolTip(numberColumn, number);
+  item->setToolTip(numberColumn, toolTipOf(number));
   if (state == session_.workspace().series.end()) return;
   item->setText(seriesColumn, sourceText(measurement, *state->second.series));
-  item->setToolTip(seriesColumn, item->text(seriesColumn));
+  item->setToolTip(seriesColumn, toolTipOf(item->text(seriesColumn)));
 }
 
 int MeasurementsPanel::selectedId() const {

@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -65,7 +66,7 @@ PresetBar::PresetBar(Session& session, Entries entries, QWidget* parent)
   box_->view()->setMinimumWidth(widestRow);
   // A list below the box, which scrolls, in place of a menu over it.
   box_->setStyleSheet(QStringLiteral("combobox-popup: 0;"));
-  auto* label = new QLabel(tr("Preset"));
+  auto* label = plainLabel(tr("Preset"));
   label->setBuddy(box_);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

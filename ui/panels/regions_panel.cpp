@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/widgets/plain_text.h"
 #include "ui/widgets/region_colours.h"
 #include "ui/workspace/reference_text.h"
 #include "ui/workspace/text.h"
@@ -67,7 +68,7 @@ RegionsPanel::RegionsPanel(Session& session, References& references, QWidget* pa
     : QWidget(parent),
       session_(session),
       references_(references),
-      empty_(new QLabel(tr("Contours (RTSTRUCT) and segmentations (SEG) of what is open stand here."))),
+      empty_(plainLabel(tr("Contours (RTSTRUCT) and segmentations (SEG) of what is open stand here."))),
       list_(new QTreeWidget),
       opacity_(new QSlider(Qt::Horizontal)) {
   empty_->setObjectName(QStringLiteral("regionsEmpty"));
@@ -82,7 +83,7 @@ RegionsPanel::RegionsPanel(Session& session, References& references, QWidget* pa
   opacity_->setToolTip(tr("Opacity of segments"));
   opacity_->setRange(0, 100);
   auto* row = new QHBoxLayout;
-  row->addWidget(new QLabel(tr("Opacity of segments")));
+  row->addWidget(plainLabel(tr("Opacity of segments")));
   row->addWidget(opacity_, 1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
@@ -139,7 +140,7 @@ QTreeWidgetItem* RegionsPanel::addObject(const ReferenceKey& key, const RegionsL
   named.kind = look.kind;
   named.label = look.label;
   auto* item = new QTreeWidgetItem(list_, {referenceName(named)});
-  item->setToolTip(0, pathText(key.path));
+  item->setToolTip(0, toolTipOf(pathText(key.path)));
   item->setData(0, pathOfRegion, QString::fromStdString(key.path));
   item->setData(0, idOfRegion, QString::fromStdString(key.id));
   item->setCheckState(0, shown ? Qt::Checked : Qt::Unchecked);
@@ -152,7 +153,7 @@ void RegionsPanel::addRegion(QTreeWidgetItem* parent, const RegionsLook& look, i
   const QString name = text.isEmpty() ? tr("Region %1").arg(number) : text;
   auto* item = new QTreeWidgetItem(parent, {name});
   item->setIcon(0, swatch(colour));
-  item->setToolTip(0, tr("%1: a double-click goes to it").arg(name));
+  item->setToolTip(0, toolTipOf(tr("%1: a double-click goes to it").arg(name)));
   for (const int role : {pathOfRegion, idOfRegion}) item->setData(0, role, parent->data(0, role));
   item->setData(0, numberOfRegion, number);
   item->setCheckState(0, look.shows(number) ? Qt::Checked : Qt::Unchecked);

@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "ui/widgets/curve_edits.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 #include "viewer/scene/visible_range.h"
 
 namespace volumen {
@@ -48,7 +50,9 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
       high_(valueField("segmentHigh", tr("Highest value"))),
       segment_(new QPushButton(tr("Segment"))),
       save_(new QPushButton(tr("Save .seg.nrrd..."))),
-      result_(new QLabel),
+      result_(plainLabel()),
+      unsaved_(plainLabel(tr("In no session: save it as a file, or it is lost with another series and with "
+                             "the window."))),
       only_(new QCheckBox(tr("Show only the segment"))) {
   table_->setObjectName(QStringLiteral("segmentTable"));
   spans_->setObjectName(QStringLiteral("segmentSpans"));
@@ -59,6 +63,8 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
   result_->setObjectName(QStringLiteral("segmentResult"));
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  unsaved_->setObjectName(QStringLiteral("segmentUnsaved"));
+  unsaved_->setWordWrap(true);
   makeLayout();
   connect(spans_, &QComboBox::activated, this, &SegmentPanel::takeSpan);
   connect(only_, &QCheckBox::clicked, this, &SegmentPanel::showOnly);
@@ -79,15 +85,28 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
     showSpans();
     only_->setChecked(only_->isChecked() && after.scene.transferFunction == alone_);
   });
+  connect(&session_, &Session::preferencesChanged, this,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.petUnit != after.petUnit) showInOtherUnit();
+          });
   showSpans();
   showSegmentation(nullptr);
 }
 
+// What was typed stays what it is.
+void SegmentPanel::showInOtherUnit() {
+  const ValueRange typed = range();
+  showSpans();
+  low_->setValue(typed.low * factor_);
+  high_->setValue(typed.high * factor_);
+  showResult();
+}
+
 void SegmentPanel::makeLayout() {
   auto* fields = new QHBoxLayout;
-  fields->addWidget(new QLabel(tr("From")));
+  fields->addWidget(plainLabel(tr("From")));
   fields->addWidget(low_, 1);
-  fields->addWidget(new QLabel(tr("to")));
+  fields->addWidget(plainLabel(tr("to")));
   fields->addWidget(high_, 1);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(only_, 1);
@@ -100,6 +119,7 @@ void SegmentPanel::makeLayout() {
   column->addLayout(fields);
   column->addWidget(segment_);
   column->addWidget(result_);
+  column->addWidget(unsaved_);
   column->addLayout(buttons);
   column->addStretch();
 }
@@ -117,7 +137,8 @@ void SegmentPanel::setTableAction(QAction* action) {
 }
 
 ValueRange SegmentPanel::range() const {
-  return {std::min(low_->value(), high_->value()), std::max(low_->value(), high_->value())};
+  return {std::min(low_->value(), high_->value()) / factor_,
+          std::max(low_->value(), high_->value()) / factor_};
 }
 
 void SegmentPanel::showSpans() {
@@ -128,10 +149,11 @@ void SegmentPanel::showSpans() {
   const QString unit = unitSuffix(series->series);
   for (QDoubleSpinBox* field : {low_, high_}) {
     field->setSuffix(unit);
-    field->setDecimals(valueDecimals(series->histogram));
+    field->setDecimals(valueDecimals(*series));
   }
+  factor_ = shownScale(series->series).factor;
   for (const ValueRange& span : visibleSpans(session_.scene().transferFunction))
-    spans_->addItem(spanText(span, valueDecimals(series->histogram) - 1, unit));
+    spans_->addItem(spanText({span.low * factor_, span.high * factor_}, valueDecimals(*series) - 1, unit));
   if (spans_->count() == 0) spans_->addItem(tr("Nothing is visible"));
   // Typed numbers stay; where there are none yet, the first span is offered.
   if (!segmentation_ && !low_->hasFocus() && !high_->hasFocus()) takeSpan(0);
@@ -143,27 +165,41 @@ void SegmentPanel::takeSpan(int n) {
   const Histogram& histogram = session_.series()->histogram;
   // Rounded inwards to what the fields show: the curve's foot itself is not visible, what is next to it is.
   const double steps = std::pow(10.0, low_->decimals());
-  low_->setValue(std::ceil(steps * std::max(spans[n].low, histogram.low)) / steps);
-  high_->setValue(std::floor(steps * std::min(spans[n].high, histogram.high)) / steps);
+  low_->setValue(std::ceil(steps * factor_ * std::max(spans[n].low, histogram.low)) / steps);
+  high_->setValue(std::floor(steps * factor_ * std::min(spans[n].high, histogram.high)) / steps);
 }
 
 void SegmentPanel::showSegmentation(const std::shared_ptr<const RangeSegment>& segmentation) {
   if (segmentation && (!session_.series() || segmentation->volume != session_.series()->volume)) return;
   segmentation_ = segmentation;
+  unsaved_->setVisible(segmentation != nullptr);
   save_->setEnabled(segmentation != nullptr);
   only_->setEnabled(segmentation != nullptr);
   only_->setChecked(false);
-  if (!segmentation) return result_->clear();
-  const LabelStatistics& s = segmentation->statistics;
-  const QString unit = shownText(session_.series()->series.unit),
-                voxels = QLocale().toString(qlonglong(s.voxels));
+  showResult();
+}
+
+void SegmentPanel::showResult() {
+  if (!segmentation_) return result_->clear();
+  const LabelStatistics& s = segmentation_->statistics;
+  const ValueScale scale = shownScale(session_.series()->series);
+  const QString unit = shownText(scale.unit), voxels = QLocale().toString(qlonglong(s.voxels));
   QStringList parts;
   if (s.millilitres) parts << tr("%1 ml").arg(*s.millilitres, 0, 'f', *s.millilitres < 100 ? 2 : 0);
-  const int decimals = valueDecimals(session_.series()->histogram) - 1;
-  if (s.voxels > 0) parts << tr("mean %1 %2").arg(s.mean, 0, 'f', decimals).arg(unit).trimmed();
+  const int decimals = valueDecimals(*session_.series()) - 1;
+  if (s.voxels > 0)
+    parts << tr("mean %1 %2").arg(s.mean * scale.factor, 0, 'f', decimals).arg(unit).trimmed();
   const QString text = parts.join(QStringLiteral(", ")) + tr(" (%1 voxels)").arg(voxels);
   result_->setText(s.millilitres ? text.trimmed()
                                  : tr("Not calibrated, no volume in ml: %1").arg(text.trimmed()));
+}
+
+void SegmentPanel::noteSaved(const std::shared_ptr<const RangeSegment>& segmentation) {
+  if (segmentation == segmentation_) unsaved_->hide();
+}
+
+QString SegmentPanel::unsavedText() const {
+  return segmentation_ && !unsaved_->isHidden() ? tr("the segment") : QString();
 }
 
 void SegmentPanel::showOnly(bool on) {
@@ -186,7 +222,10 @@ void SegmentPanel::askWhere() {
   dialog->selectFile(QStringLiteral("segmentation.seg.nrrd"));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     const ValueRange r = segmentation_->range;
-    const QString name = tr("%1 to %2%3").arg(r.low).arg(r.high).arg(unitSuffix(session_.series()->series));
+    const QString name = tr("%1 to %2%3")
+                             .arg(r.low * factor_)
+                             .arg(r.high * factor_)
+                             .arg(unitSuffix(session_.series()->series));
     const glm::dvec3 colour = curveAt(session_.scene().transferFunction, (r.low + r.high) / 2).colour;
     Q_EMIT saveRequested(segmentation_, {path, name.trimmed(), colour});
   });

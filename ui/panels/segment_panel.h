@@ -20,6 +20,10 @@ class SegmentPanel : public QWidget {
 
   /// Shows what a request came to; null: nothing yet.
   void showSegmentation(const std::shared_ptr<const RangeSegment>& segmentation);
+  /// It is in a file now.
+  void noteSaved(const std::shared_ptr<const RangeSegment>& segmentation);
+  /// "the segment" that is in no file; empty: there is none.
+  QString unsavedText() const;
   /// Puts a switchable action on top.
   void setTableAction(QAction* action);
 
@@ -33,6 +37,8 @@ class SegmentPanel : public QWidget {
  private:
   void makeLayout();
   void showSpans();
+  void showInOtherUnit();
+  void showResult();
   void takeSpan(int n);
   ValueRange range() const;
   void showOnly(bool on);
@@ -43,8 +49,9 @@ class SegmentPanel : public QWidget {
   QComboBox* spans_;
   QDoubleSpinBox *low_, *high_;
   QPushButton *segment_, *save_;
-  QLabel* result_;
+  QLabel *result_, *unsaved_;
   QCheckBox* only_;
+  double factor_ = 1;  // from values to the numbers in the fields
   std::shared_ptr<const RangeSegment> segmentation_;
   TransferFunction before_, alone_;  // the curve without and with "show only"
 };

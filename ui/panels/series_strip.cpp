@@ -9,6 +9,7 @@
 
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/study_model.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/indexed_text.h"
 #include "ui/workspace/text.h"
 

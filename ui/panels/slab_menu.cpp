@@ -8,6 +8,7 @@
 
 #include "ui/panels/flat_menus.h"
 #include "ui/tools/flat_tool.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -32,7 +33,7 @@ void addThickness(QMenu* menu, Session& session, ViewId view) {
   auto* row = new QWidget;
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(12, 4, 12, 4);
-  line->addWidget(new QLabel(tr("Thickness")));
+  line->addWidget(plainLabel(tr("Thickness")));
   line->addWidget(field, 1);
   auto* action = new QWidgetAction(menu);
   action->setDefaultWidget(row);

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "ui/widgets/colour_button.h"
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 
@@ -56,7 +57,7 @@ void SnapshotPanel::addSize(QVBoxLayout* column) {
   auto* match = named(new QPushButton(tr("Match view size")), "snapshotMatch", tr("Match view size"));
   auto* row = new QHBoxLayout;
   row->addWidget(width_, 1);
-  row->addWidget(new QLabel(QStringLiteral("x")));
+  row->addWidget(plainLabel(QStringLiteral("x")));
   row->addWidget(height_, 1);
   column->addLayout(row);
   column->addWidget(match);
@@ -101,7 +102,7 @@ void SnapshotPanel::addAnnotations(QVBoxLayout* column) {
   const auto box = [](const char* name, const QString& text, const QString& tip) {
     auto* made = new QCheckBox(text);
     made->setObjectName(QLatin1String(name));
-    made->setToolTip(tip);
+    made->setToolTip(toolTipOf(tip));
     return made;
   };
   letters_ = box("snapshotLetters", tr("Orientation"), tr("Letters of the patient's sides at the edges"));

@@ -8,15 +8,16 @@
 #include <QTreeWidgetItemIterator>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <map>
-#include <set>
 #include <string_view>
-#include <tuple>
+#include <utility>
 
 #include "io/thumbnail.h"
 #include "ui/data/frame_series.h"
 #include "ui/panels/attributes_dialog.h"
 #include "ui/panels/studies_panel_roles.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_point_text.h"
@@ -28,15 +29,10 @@ namespace {
 
 constexpr int thumbnailEdge = 44;
 
-// Rich text, so that long sentences wrap.
-QString toolTipOf(const Series& series, const std::vector<const Series*>& steps) {
-  QStringList lines;
-  for (const QString& line : everythingOf(series)) lines << line.toHtmlEscaped();
+QStringList linesOf(const Series& series, const std::vector<const Series*>& steps) {
   QStringList several{stepsText(steps), timeAxisText(steps)};
-  several.removeAll(QString());
   several.removeDuplicates();
-  for (const QString& line : several) lines << line.toHtmlEscaped();
-  return QStringLiteral("<p>%1</p>").arg(lines.join(QStringLiteral("<br>")));
+  return everythingOf(series) + several;
 }
 
 // Others of a study with the same name.
@@ -169,7 +165,8 @@ std::vector<const Series*> StudiesPanel::listedSeries() const {
 std::vector<const Series*> StudiesPanel::allSeries() const {
   std::vector<const Series*> all;
   for (const Opened& opened : studies_)
-    for (const Series& series : opened.study->volumes) all.push_back(&series);
+    for (const Series& series : opened.study->volumes)
+      if (isListed(series)) all.push_back(&series);
   return all;
 }
 
@@ -203,7 +200,9 @@ QTreeWidgetItem* StudiesPanel::studyItem(const Series& series) {
   return childNamed(patient, QString::fromStdString(series.studyUid), studyText(series));
 }
 
-void StudiesPanel::addSeries(const Opened& opened, const std::vector<std::size_t>& row) {
+void StudiesPanel::addSeries(const Opened& opened, std::vector<std::size_t> row) {
+  std::erase_if(row, [&](std::size_t n) { return !isListed(*opened.seriesAt(n)); });
+  if (row.empty()) return;
   std::vector<const Series*> steps;
   for (const std::size_t n : row) steps.push_back(opened.seriesAt(n));
   const Series series = commonOf(steps);
@@ -215,9 +214,8 @@ void StudiesPanel::addSeries(const Opened& opened, const std::vector<std::size_t
   const QString mark = series.warnings.empty() || opensAsFrames(series) ? QString() : QStringLiteral("! ");
   auto* item = new QTreeWidgetItem(
       parent, {mark + seriesText(series) + QLatin1Char('\n') + details.join(QStringLiteral(", "))});
-  item->setToolTip(0, toolTipOf(series, steps));
+  item->setToolTip(0, toolTipOf(linesOf(series, steps)));
   item->setData(0, pathRole, opened.path);
-  item->setData(0, indexRole, qulonglong(row.front()));
   item->setData(0, stepRole, qulonglong(row.front()));
   QPixmap none(thumbnailEdge, thumbnailEdge);  // so that nothing moves when the thumbnail comes
   none.fill(Qt::transparent);
@@ -243,7 +241,7 @@ void StudiesPanel::showMenu(QPoint position) {
     menu->addAction(tr("Remove from list"), this, [this, index] {
       if (QTreeWidgetItem* chosen = tree_->itemFromIndex(index)) remove(chosen);
     });
-  if (!studies_.empty()) menu->addAction(tr("Close all"), this, &StudiesPanel::closeAll);
+  if (tree_->topLevelItemCount() > 0) menu->addAction(tr("Close all"), this, &StudiesPanel::closeAll);
   if (series && series->format != "phantom") {
     menu->addSeparator();
     const QFileInfo place(QString::fromStdString(series->path));
@@ -260,22 +258,45 @@ void StudiesPanel::showMenu(QPoint position) {
 
 // With all below it, and what holds nothing else.
 void StudiesPanel::remove(QTreeWidgetItem* item) {
-  std::vector<SeriesKey> gone;
+  std::vector<SeriesKey> series;
+  std::vector<ReferenceKey> references;
   const std::function<void(QTreeWidgetItem*)> collect = [&](QTreeWidgetItem* from) {
-    for (const Series* series : stepsOf(from)) gone.push_back(keyOf(*series));
+    for (const Series* step : stepsOf(from)) series.push_back(keyOf(*step));
+    if (const ReferencePtr object = referenceOf(from)) references.push_back(keyOf(*object));
     for (int n = 0; n < from->childCount(); ++n) collect(from->child(n));
   };
   collect(item);
-  removeItem(item);
-  if (!gone.empty()) Q_EMIT seriesRemoved(gone);
+  if (series.empty() && references.empty()) return removeItem(item);  // of what could not be read
+  Q_EMIT removeRequested(series, references);
 }
 
 void StudiesPanel::closeAll() {
   thumbnails_.cancel();
   tree_->clear();
-  studies_.clear();
+  Unlisted all;
+  std::erase_if(studies_, [](const Opened& o) { return !o.seriesAt(0) && o.study->references.empty(); });
+  for (const Opened& opened : studies_) {
+    for (std::size_t n = 0; const Series* series = opened.seriesAt(n); ++n) all.series.insert(keyOf(*series));
+    for (const Reference& object : opened.study->references) all.references.insert(keyOf(object));
+  }
+  Q_EMIT closeAllRequested(all);
+}
+
+void StudiesPanel::setUnlisted(const Unlisted& unlisted) {
+  if (unlisted == unlisted_) return;
+  const Unlisted before = std::exchange(unlisted_, unlisted);
+  const auto comesBack = [](const auto& were, const auto& are) { return !std::ranges::includes(are, were); };
+  if (comesBack(before.series, unlisted.series) || comesBack(before.references, unlisted.references))
+    return showNames();
+  std::vector<QTreeWidgetItem*> gone;
+  for (QTreeWidgetItemIterator it(tree_); *it; ++it) {
+    const Series* series = seriesOf(*it);
+    const ReferencePtr object = referenceOf(*it);
+    if ((series && !isListed(*series)) || (object && !isListed(*object))) gone.push_back(*it);
+  }
+  for (QTreeWidgetItem* item : gone) removeItem(item);
+  showReferences();
   Q_EMIT listChanged();
-  Q_EMIT allClosed();
 }
 
 void StudiesPanel::addRefused(const QString& path, const Study& study) {
@@ -285,7 +306,7 @@ void StudiesPanel::addRefused(const QString& path, const Study& study) {
   for (const Refused& refused : study.refused) {
     const QString name = pathText(refused.path), reason = shownText(refused.reason);
     auto* item = new QTreeWidgetItem(parent, {QFileInfo(name).fileName()});
-    item->setToolTip(0, QStringLiteral("<p>%1<br>%2</p>").arg(name.toHtmlEscaped(), reason.toHtmlEscaped()));
+    item->setToolTip(0, toolTipOf({name, reason}));
     item->setData(0, pathRole, path);
     item->setFlags(Qt::ItemIsEnabled);
   }
@@ -304,35 +325,29 @@ void StudiesPanel::addStudy(const QString& path, const std::shared_ptr<const Stu
   const Opened& opened = studies_.emplace_back(Opened{path, study, frameSeries(*study)});
   for (const std::vector<std::size_t>& row : opened.rows()) addSeries(opened, row);
   for (std::size_t n = 0; n < study->references.size(); ++n) addReference(opened, n);
-  addRefused(path, *study);
+  if (isListed(opened)) addRefused(path, *study);
   showReferences();
   filter(search_->text());
   Q_EMIT listChanged();
 }
 
 std::shared_ptr<const Study> StudiesPanel::studyOf(const QString& path) const {
-  for (const Opened& opened : studies_)
-    if (opened.path == path) return opened.study;
-  return nullptr;
+  const auto opened = std::ranges::find(studies_, path, &Opened::path);
+  return opened != studies_.end() && isListed(*opened) ? opened->study : nullptr;
 }
 
-// Those that were removed from the list stay away.
+// Any of it, or there is nothing in it to be listed.
+bool StudiesPanel::isListed(const Opened& opened) const {
+  for (std::size_t n = 0; const Series* series = opened.seriesAt(n); ++n)
+    if (isListed(*series)) return true;
+  const std::vector<Reference>& objects = opened.study->references;
+  return std::ranges::any_of(objects, [this](const Reference& object) { return isListed(object); }) ||
+         (!opened.seriesAt(0) && objects.empty());
+}
+
 void StudiesPanel::showNames() {
-  using Place = std::tuple<QString, QString, QString>;
-  const auto placeOf = [](const QTreeWidgetItem* item) {
-    return Place(item->data(0, pathRole).toString(), item->data(0, indexRole).toString(),
-                 item->data(0, referenceRole).toString());
-  };
-  const auto isListed = [this](const QTreeWidgetItem* item) { return seriesOf(item) || referenceOf(item); };
-  std::set<Place> listed;
-  for (QTreeWidgetItemIterator it(tree_); *it; ++it)
-    if (isListed(*it)) listed.insert(placeOf(*it));
   const auto opened = studies_;
   for (const Opened& again : opened) addStudy(again.path, again.study);
-  std::vector<QTreeWidgetItem*> gone;
-  for (QTreeWidgetItemIterator it(tree_); *it; ++it)
-    if (isListed(*it) && !listed.contains(placeOf(*it))) gone.push_back(*it);
-  for (QTreeWidgetItem* item : gone) removeItem(item);
 }
 
 void StudiesPanel::markShown(const Series& shown, const VolumePtr& volume) {

@@ -9,6 +9,7 @@
 #include "ui/data/reference_key.h"
 #include "ui/data/series_key.h"
 #include "ui/data/shown_series.h"
+#include "ui/workspace/workspace.h"
 
 class QMenu;
 class QMimeData;
@@ -27,8 +28,10 @@ class StudiesPanel : public QWidget {
 
   /// Adds what a path holds, instead of what it held when it was opened before.
   void addStudy(const QString& path, const std::shared_ptr<const Study>& study);
-  /// What was added by this path; null: nothing.
+  /// What was added by this path; null: nothing that is in the list.
   std::shared_ptr<const Study> studyOf(const QString& path) const;
+  /// What of it is not in the list.
+  void setUnlisted(const Unlisted& unlisted);
   /// Writes all again, after names were hidden or shown.
   void showNames();
   /// Marks the series on screen; its volume, where it is in memory, has the thumbnail at once.
@@ -55,10 +58,11 @@ class StudiesPanel : public QWidget {
   void referenceChosen(const volumen::ReferencePtr& object);
   /// Of what is open.
   void listChanged();
-  /// They are no longer in the list.
-  void seriesRemoved(const std::vector<volumen::SeriesKey>& series);
-  /// The list is empty.
-  void allClosed();
+  /// They are to be taken off the list.
+  void removeRequested(const std::vector<volumen::SeriesKey>& series,
+                       const std::vector<volumen::ReferenceKey>& references);
+  /// All that is listed is to be closed.
+  void closeAllRequested(const volumen::Unlisted& listed);
 
  private:
   struct Opened {
@@ -78,9 +82,12 @@ class StudiesPanel : public QWidget {
   const Series* seriesOf(const QTreeWidgetItem* item) const;
   std::vector<const Series*> stepsOf(const QTreeWidgetItem* item) const;
   ReferencePtr referenceOf(const QTreeWidgetItem* item) const;
+  bool isListed(const Series& series) const { return !unlisted_.series.contains(keyOf(series)); }
+  bool isListed(const Opened& opened) const;
+  bool isListed(const Reference& object) const { return !unlisted_.references.contains(keyOf(object)); }
   QTreeWidgetItem* studyItem(const Series& series);
   QTreeWidgetItem* childNamed(QTreeWidgetItem* parent, const QString& key, const QString& text);
-  void addSeries(const Opened& opened, const std::vector<std::size_t>& row);
+  void addSeries(const Opened& opened, std::vector<std::size_t> row);
   void addReference(const Opened& opened, std::size_t n);
   void showReferences();
   void addRefused(const QString& path, const Study& study);
@@ -94,7 +101,8 @@ class StudiesPanel : public QWidget {
   QLineEdit* search_;
   QTreeWidget* tree_;
   Thumbnails thumbnails_;
-  std::vector<Opened> studies_;
+  std::vector<Opened> studies_;  // those that are closed, too: undo brings them back
+  Unlisted unlisted_;
 };
 
 }  // namespace volumen

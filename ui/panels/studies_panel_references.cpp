@@ -5,6 +5,7 @@
 
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/studies_panel_roles.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/reference_text.h"
 #include "ui/workspace/text.h"
 
@@ -24,30 +25,35 @@ ReferencePtr StudiesPanel::referenceOf(const QTreeWidgetItem* item) const {
 std::vector<const Series*> StudiesPanel::allPictures() const {
   std::vector<const Series*> all = allSeries();
   for (const Opened& opened : studies_)
-    for (const Series& frames : opened.frames) all.push_back(&frames);
+    for (const Series& frames : opened.frames)
+      if (isListed(frames)) all.push_back(&frames);
   return all;
 }
 
 std::vector<ReferencePtr> StudiesPanel::references() const {
   std::vector<ReferencePtr> all;
   for (const Opened& opened : studies_)
-    for (const Reference& object : opened.study->references) all.emplace_back(opened.study, &object);
+    for (const Reference& object : opened.study->references)
+      if (isListed(object)) all.emplace_back(opened.study, &object);
   return all;
 }
 
 QStringList StudiesPanel::filesWithoutPixels() const {
   QStringList files;
-  for (const Opened& opened : studies_)
+  for (const Opened& opened : studies_) {
+    if (!isListed(opened)) continue;
     for (const Other& other : opened.study->other) {
       const bool isReference = std::ranges::find(opened.study->references, other.path, &Reference::path) !=
                                opened.study->references.end();
       if (!isReference && other.kind.find("without pixel data") != std::string::npos)
         files << QStringLiteral("%1: %2.").arg(pathText(other.path), shownText(other.kind));
     }
+  }
   return files;
 }
 
 void StudiesPanel::addReference(const Opened& opened, std::size_t n) {
+  if (!isListed(opened.study->references[n])) return;
   Series study;
   static_cast<SeriesIdentity&>(study) = opened.study->references[n];
   study.format = "DICOM";
@@ -70,13 +76,8 @@ void StudiesPanel::showReferences() {
         object->pictures, [&](const ReferencedPicture& p) { return !here.contains(p.sopInstanceUid); }));
     const QStringList lines = referenceLines(*object, notHere);
     (*it)->setText(0, lines.join(QLatin1Char('\n')));
-    QStringList tip = lines;
-    tip << shownText(object->text) << pathText(object->path);
-    tip.removeAll(QString());
-    (*it)->setToolTip(0, QStringLiteral("<p>%1</p>")
-                             .arg(tip.join(QLatin1Char('\n'))
-                                      .toHtmlEscaped()
-                                      .replace(QLatin1Char('\n'), QStringLiteral("<br>"))));
+    const QStringList tip = lines + QStringList{shownText(object->text), pathText(object->path)};
+    (*it)->setToolTip(0, toolTipOf(tip));
   }
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "ui/panels/series_strip.h"
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 
@@ -41,9 +42,9 @@ StudyBrowser::StudyBrowser(IndexService& service, QWidget* parent)
       search_(new QLineEdit),
       tree_(new QTreeView),
       strip_(new SeriesStrip),
-      notice_(new QLabel),
+      notice_(plainLabel()),
       removedBar_(new QFrame),
-      removedText_(new QLabel),
+      removedText_(plainLabel()),
       undo_(new QPushButton(tr("Undo"))) {
   setObjectName(QStringLiteral("studyBrowser"));
   setAcceptDrops(true);

@@ -34,7 +34,6 @@ void StudyBrowser::makeSearchRow() {
 
 void StudyBrowser::makeNotice() {
   notice_->setObjectName(QStringLiteral("browserNotice"));
-  notice_->setTextFormat(Qt::PlainText);
   notice_->setWordWrap(true);
   notice_->hide();
   layout()->addWidget(notice_);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/panels/studies_panel.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/indexed_text.h"
 #include "ui/workspace/text.h"
 

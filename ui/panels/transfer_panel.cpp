@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "ui/panels/window_fields.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/windows.h"
 
@@ -79,7 +80,7 @@ QWidget* TransferPanel::makeModeRow() {
   auto* row = new QWidget;
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(0, 0, 0, 0);
-  auto* label = new QLabel(tr("Mode"));
+  auto* label = plainLabel(tr("Mode"));
   label->setBuddy(mode_);
   line->addWidget(label);
   line->addWidget(mode_, 1);
@@ -145,7 +146,7 @@ void TransferPanel::makeFields() {
       addField(QStringLiteral("pointHalving"), tr("Half-value\ndepth"), 2, shortestHalving, longestHalving);
   colour_ = new ColourButton(tr("Point colour"));
   colour_->setObjectName(QStringLiteral("pointColour"));
-  grid->addWidget(new QLabel(tr("Colour")), 0, 3, Qt::AlignBottom);
+  grid->addWidget(plainLabel(tr("Colour")), 0, 3, Qt::AlignBottom);
   grid->addWidget(colour_, 1, 3);
   for (int column = 0; column < 3; ++column) grid->setColumnStretch(column, 1);
 }
@@ -191,7 +192,7 @@ QDoubleSpinBox* TransferPanel::addField(const QString& name, const QString& labe
   field->setMinimumWidth(64);
   connect(field, &QDoubleSpinBox::editingFinished, this, [this] { session_.endGesture(); });
   const int column = grid->columnCount() - (grid->count() == 0 ? 1 : 0);
-  auto* caption = new QLabel(label);
+  auto* caption = plainLabel(label);
   caption->setBuddy(field);
   grid->addWidget(caption, 0, column, Qt::AlignBottom);
   grid->addWidget(field, 1, column);

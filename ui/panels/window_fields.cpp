@@ -5,7 +5,9 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
@@ -31,7 +33,7 @@ WindowFields::WindowFields(Session& session, QWidget* parent)
   grid->setVerticalSpacing(4);
   grid->setColumnStretch(1, 1);
   const auto add = [&](const QString& label, QWidget* field, int row) {
-    auto* caption = new QLabel(label);
+    auto* caption = plainLabel(label);
     caption->setBuddy(field);
     grid->addWidget(caption, row, 0);
     grid->addWidget(field, row, 1);
@@ -56,6 +58,12 @@ WindowFields::WindowFields(Session& session, QWidget* parent)
     if (before.series != after.series) fillChoices();
     if (before.series != after.series || before.scene.window != after.scene.window) showWindow();
   });
+  connect(&session_, &Session::preferencesChanged, this,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.petUnit == after.petUnit) return;
+            fillChoices();
+            showWindow();
+          });
   fillChoices();
   showWindow();
 }
@@ -80,14 +88,15 @@ void WindowFields::fillChoices() {
   for (QDoubleSpinBox* field : {centre_, width_}) {
     const QSignalBlocker quiet(field);
     field->setSuffix(unitSuffix(series.series));
-    field->setDecimals(valueDecimals(series.histogram));
+    field->setDecimals(valueDecimals(series));
   }
 }
 
 void WindowFields::showWindow() {
   if (!session_.series()) return;
   const std::optional<Window>& own = session_.scene().window;
-  const Window window = windowInUse(session_.scene(), *session_.series());
+  const Series& series = session_.series()->series;
+  const Window window = shownWindow(windowInUse(session_.scene(), *session_.series()), series);
   const QSignalBlocker quietCentre(centre_), quietWidth(width_);
   centre_->setValue(window.centre);
   width_->setValue(std::abs(window.width));
@@ -108,7 +117,8 @@ void WindowFields::setWindow(const std::optional<Window>& window) {
 void WindowFields::typed() {
   if (!session_.series()) return;
   const double width = std::max(width_->value(), 1e-9);
-  setWindow(Window{centre_->value(), inverted_->isChecked() ? -width : width});
+  setWindow(
+      storedWindow({centre_->value(), inverted_->isChecked() ? -width : width}, session_.series()->series));
 }
 
 }  // namespace volumen

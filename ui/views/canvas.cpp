@@ -1,9 +1,11 @@
 #include "ui/views/canvas.h"
 
+#include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QOpenGLWidget>
+#include <QScreen>
 #include <QTimer>
 
 namespace volumen {
@@ -59,7 +61,10 @@ class GlCanvas : public QOpenGLWidget {
 };
 
 // QOpenGLWidget shows nothing at all, or the program ends, where no context can be made: tried out first.
+// Where the screen has fewer than 24 bits a pixel, it is black, and nothing tells.
 bool openGlWorks() {
+  const QScreen* screen = QGuiApplication::primaryScreen();
+  if (!screen || screen->depth() < 24) return false;
   QOpenGLContext context;
   if (!context.create()) return false;
   QOffscreenSurface surface;

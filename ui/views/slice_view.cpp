@@ -11,6 +11,7 @@
 #include "ui/views/cine_player.h"
 #include "ui/views/clip_lines.h"
 #include "ui/views/cross_lines.h"
+#include "ui/views/latin_key.h"
 #include "ui/views/time_bar.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/flat_plane.h"
@@ -318,7 +319,7 @@ void SliceView::makeSlabThicker(int steps) {
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
   if (pressMeasuringKey(*event)) return;
-  switch (event->key()) {
+  switch (latinKey(*event)) {
     case Qt::Key_Up:
       return scroll(-1);
     case Qt::Key_Down:

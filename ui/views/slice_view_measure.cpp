@@ -6,6 +6,7 @@
 #include "ui/views/clip_lines.h"
 #include "ui/views/cross_lines.h"
 #include "ui/views/drawn_measurement.h"
+#include "ui/views/latin_key.h"
 #include "ui/views/slice_view.h"
 #include "ui/workspace/measurement_text.h"
 #include "ui/workspace/measurements.h"
@@ -157,7 +158,7 @@ bool SliceView::pressMeasuringKey(const QKeyEvent& event) {
     Q_EMIT toolDone();
     return true;
   }
-  const FlatTool* tool = event.modifiers() & ~Qt::ShiftModifier ? nullptr : flatToolOfKey(event.key());
+  const FlatTool* tool = event.modifiers() & ~Qt::ShiftModifier ? nullptr : flatToolOfKey(latinKey(event));
   if (tool) Q_EMIT toolWanted(*tool);
   return tool != nullptr;
 }
@@ -166,7 +167,8 @@ bool SliceView::pressMeasuringKey(const QKeyEvent& event) {
 bool SliceView::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto& key = static_cast<QKeyEvent&>(*event);
-    if (!(key.modifiers() & ~Qt::ShiftModifier) && (flatToolOfKey(key.key()) || key.key() == Qt::Key_I)) {
+    if (!(key.modifiers() & ~Qt::ShiftModifier) &&
+        (flatToolOfKey(latinKey(key)) || latinKey(key) == Qt::Key_I)) {
       event->accept();
       return true;
     }

@@ -13,6 +13,7 @@
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
@@ -20,13 +21,12 @@ namespace volumen {
 namespace {
 
 // The value of the voxel at a point, with its unit; empty outside the volume.
-QString valueText(const ShownSeries& shown, glm::dvec3 p) {
+QString valueAt(const ShownSeries& shown, glm::dvec3 p) {
   const Volume& volume = *shown.volume;
   const glm::ivec3 voxel(glm::floor(volume.geometry().voxelFromPatient(p) + 0.5));
   if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, volume.size())))
     return {};
-  return QString::number(volume.value(voxel.x, voxel.y, voxel.z), 'f', valueDecimals(shown.histogram) - 1) +
-         unitSuffix(shown.series);
+  return valueText(shown, volume.value(voxel.x, voxel.y, voxel.z));
 }
 
 }  // namespace
@@ -36,15 +36,16 @@ QString SliceView::hoverText(QPointF position) const {
   if (!press) return {};
   if (showsFrames()) return frameHoverText(position);
   const glm::dvec3 p = press->patientAt(position);
-  QString text = valueText(*press->series, p);
+  QString text = valueAt(*press->series, p);
   if (text.isEmpty()) return {};
   if (const ShownSeriesPtr over = session_.seriesNamed(flatLookOf(state()).overlay)) {
     const auto relation = relationOf(session_.workspace(), frameOfReference(press->series->series),
                                      frameOfReference(over->series));
-    const QString second = relation ? valueText(*over, relation->toFromFrom(p)) : QString();
+    const QString second = relation ? valueAt(*over, relation->toFromFrom(p)) : QString();
     if (!second.isEmpty()) text += QStringLiteral(" | ") + second;
   }
-  return press->series->volume->geometry().calibrated ? text + tr(" at %1").arg(placeText(p)) : text;
+  return press->series->volume->geometry().calibrated ? text + tr(" at %1").arg(placeText(*press->series, p))
+                                                      : text;
 }
 
 Overlays SliceView::overlays() const {
@@ -63,10 +64,12 @@ Overlays SliceView::overlays() const {
   Overlays o;
   o.topLeft = texts.left(lines);
   o.topRight = texts.right(lines);
-  o.bottomRight = tr("W %1 L %2").arg(std::abs(window.width), 0, 'g', 4).arg(window.centre, 0, 'g', 4);
+  o.bottomRight = windowText(window, shown->series);
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
   if (!shown->volume->geometry().calibrated) return o;
-  const auto letters = [](glm::dvec3 d) { return QString::fromStdString(sideLetters(d)); };
+  const auto letters = [known = knowsSides(*shown)](glm::dvec3 d) {
+    return known ? QString::fromStdString(sideLetters(d)) : QString();
+  };
   o.right = letters(now.right);
   o.left = letters(-now.right);
   o.bottom = letters(now.down);
@@ -100,11 +103,13 @@ void SliceView::paintColours(QPainter& painter) const {
   const FlatLook look = flatLookOf(state());
   const auto& all = session_.workspace().series;
   if (const ShownSeriesPtr over = session_.seriesNamed(look.overlay))
-    return paintColourBar(painter, rect(), look.overlayColours, overlayWindow(all.at(look.overlay), *over),
+    return paintColourBar(painter, rect(), look.overlayColours,
+                          shownWindow(overlayWindow(all.at(look.overlay), *over), over->series),
                           unitSuffix(over->series));
   const SeriesState& own = all.at(state().series);
   if (own.colours != ColourMap::grey)
-    paintColourBar(painter, rect(), own.colours, flatWindow(own, *series()), unitSuffix(series()->series));
+    paintColourBar(painter, rect(), own.colours, shownWindow(flatWindow(own, *series()), series()->series),
+                   unitSuffix(series()->series));
 }
 
 void SliceView::paintEvent(QPaintEvent*) {

@@ -4,6 +4,7 @@
 #include "ui/views/slice_view.h"
 #include "ui/widgets/window_edit.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
@@ -35,15 +36,16 @@ QRectF SliceView::windowRect() const {
 
 // Two fields where the numbers stand: one step where they are set.
 void SliceView::typeWindow() {
-  const Window now = pressAt({})->window;
+  const ShownSeriesPtr shown = this->shown();
+  const Window now = shownWindow(pressAt({})->window, shown->series);
   auto* edit = new WindowEdit({now.centre, std::abs(now.width)}, this);
   edit->setObjectName(QStringLiteral("windowEdit"));
   edit->adjustSize();
   edit->move(std::max(0, width() - 8 - edit->width()), std::max(0, height() - 4 - edit->height()));
-  connect(edit, &WindowEdit::chosen, this, [this, sign = now.width < 0 ? -1 : 1](const Window& typed) {
+  connect(edit, &WindowEdit::chosen, this, [this, shown, sign = now.width < 0 ? -1 : 1](const Window& typed) {
     session_.endGesture();
     session_.change(tr("Window"), [&](Workspace& w) {
-      w.series.at(state().series).window = Window{typed.centre, sign * typed.width};
+      w.series.at(state().series).window = storedWindow({typed.centre, sign * typed.width}, shown->series);
     });
   });
   connect(edit, &WindowEdit::closed, this, [this] { setFocus(); });

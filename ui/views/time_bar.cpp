@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/time_point_text.h"
 #include "ui/workspace/time_points.h"
 
@@ -40,7 +41,7 @@ void TimeBar::showSteps() {
   const QSignalBlocker quiet(this);
   setMaximum(std::max(0, int(steps.size()) - 1));
   setValue(int(at - steps.begin()));
-  setToolTip(hasSteps() ? timeAxisText(steps) : QString());
+  setToolTip(toolTipOf(hasSteps() ? timeAxisText(steps) : QString()));
   setVisible(hasSteps());
   if (!hasSteps()) timer_.stop();
   Q_EMIT stepsChanged();

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/time_points.h"
 
@@ -15,7 +16,8 @@ namespace {
 constexpr int momentMs = 300;  // of waiting without a word
 
 QLabel* makeLoadingMark(QWidget* parent) {
-  auto* mark = new QLabel(View::tr("Loading"), parent);
+  auto* mark = plainLabel(View::tr("Loading"));
+  mark->setParent(parent);
   mark->setObjectName(QStringLiteral("loadingMark"));
   // The same on both themes: it lies on the picture.
   mark->setStyleSheet(

@@ -1,5 +1,7 @@
 #include "ui/views/view_overlays.h"
 
+#include <algorithm>
+
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/corner_text.h"
 
@@ -10,13 +12,25 @@ Overlays viewOverlays(const ShownSeries& series, const Camera& camera, glm::dvec
   o.topLeft = seriesCorner(series.series).left();
   if (!series.volume->geometry().calibrated) return o;
   const CameraAxes axes = cameraAxes(camera);
-  const auto letters = [](glm::dvec3 d) { return QString::fromStdString(sideLetters(d)); };
+  const auto letters = [known = knowsSides(series)](glm::dvec3 d) {
+    return known ? QString::fromStdString(sideLetters(d)) : QString();
+  };
   o.right = letters(axes.right);
   o.left = letters(-axes.right);
   o.top = letters(axes.up);
   o.bottom = letters(-axes.up);
   if (camera.projection == Projection::parallel) o.mmPerPixel = camera.height / size.y;
   return o;
+}
+
+bool knowsSides(const ShownSeries& series) {
+  const auto isUnknown = [](const Warning& w) { return w.kind == WarningKind::noDirections; };
+  return series.volume->geometry().calibrated && std::ranges::none_of(series.warnings, isUnknown);
+}
+
+QString placeText(const ShownSeries& series, glm::dvec3 p) {
+  if (knowsSides(series)) return placeText(p);
+  return QStringLiteral("x %1, y %2, z %3 mm").arg(p.x, 0, 'f', 1).arg(p.y, 0, 'f', 1).arg(p.z, 0, 'f', 1);
 }
 
 QString placeText(glm::dvec3 pPatient) {

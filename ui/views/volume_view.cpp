@@ -2,6 +2,7 @@
 
 #include "ui/views/canvas.h"
 #include "ui/views/time_bar.h"
+#include "ui/views/view_overlays.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/text.h"
@@ -71,7 +72,7 @@ void VolumeView::showWarnings() {
 }
 
 void VolumeView::showState() {
-  const bool directions = series() && series()->volume->geometry().calibrated;
+  const bool directions = series() && knowsSides(*series());
   cube_->setVisible(directions && width() >= leastForCube && height() >= leastForCube);
   if (series()) cube_->setAxes(cameraAxes(camera()));
   canvas_->update();

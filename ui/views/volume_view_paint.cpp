@@ -12,6 +12,7 @@
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 
 namespace volumen {
 
@@ -19,11 +20,10 @@ QString VolumeView::textAt(QPointF position) const {
   const std::optional<Pick> hit = pickAt(position);
   if (!hit) return {};
   const ShownSeriesPtr shown = series();
-  const QString text =
-      QString::number(hit->value, 'f', valueDecimals(shown->histogram) - 1) + unitSuffix(shown->series);
+  const QString text = valueText(*shown, hit->value);
   if (!hit->pPatient) return tr("mean %1 along the line of sight").arg(text);
   if (!shown->volume->geometry().calibrated) return text;
-  return text + tr(" at %1").arg(placeText(*hit->pPatient));
+  return text + tr(" at %1").arg(placeText(*shown, *hit->pPatient));
 }
 
 // What is written stands above the bar of the time points.

@@ -2,11 +2,13 @@
 
 #include <QHBoxLayout>
 
+#include "ui/widgets/plain_text.h"
+
 namespace volumen {
 
 Banner::Banner(QWidget* parent)
     : QFrame(parent),
-      sentence_(new QLabel),
+      sentence_(plainLabel()),
       details_(new QPlainTextEdit),
       more_(new QToolButton),
       offer_(new QToolButton) {
@@ -15,7 +17,6 @@ Banner::Banner(QWidget* parent)
       QStringLiteral("#banner { background: #4a3312; border-bottom: 1px solid #c98a2b; }"
                      "#banner QLabel, #banner QPlainTextEdit { background: transparent; color: #ffe2b0; }"));
   sentence_->setObjectName(QStringLiteral("bannerText"));
-  sentence_->setTextFormat(Qt::PlainText);
   sentence_->setWordWrap(true);
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   details_->setObjectName(QStringLiteral("bannerDetails"));

@@ -3,6 +3,7 @@
 #include <QPainter>
 
 #include "ui/widgets/colours.h"
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 
@@ -24,7 +25,7 @@ void chooseColour(QWidget* owner, const QString& title, glm::dvec3 start,
 
 ColourButton::ColourButton(const QString& title, QWidget* parent) : QToolButton(parent) {
   setAccessibleName(title);
-  setToolTip(title);
+  setToolTip(toolTipOf(title));
   setFixedSize(28, 22);
   connect(this, &QToolButton::clicked, this, [this, title] {
     chooseColour(

@@ -7,6 +7,8 @@
 #include <QMouseEvent>
 #include <QTimer>
 
+#include "ui/widgets/plain_text.h"
+
 namespace volumen {
 
 FoldTitle::FoldTitle(QDockWidget* dock) : QWidget(dock), dock_(dock), arrow_(new QToolButton) {
@@ -23,7 +25,7 @@ FoldTitle::FoldTitle(QDockWidget* dock) : QWidget(dock), dock_(dock), arrow_(new
   row->setContentsMargins(2, 1, 2, 1);
   row->setSpacing(2);
   row->addWidget(arrow_);
-  row->addWidget(new QLabel(dock->windowTitle()), 1);
+  row->addWidget(plainLabel(dock->windowTitle()), 1);
   row->addWidget(close);
   connect(arrow_, &QToolButton::clicked, this, [this] { foldWithTabs(!folded_); });
   connect(close, &QToolButton::clicked, dock, &QDockWidget::close);
@@ -34,8 +36,8 @@ FoldTitle::FoldTitle(QDockWidget* dock) : QWidget(dock), dock_(dock), arrow_(new
 void FoldTitle::setFolded(bool folded) {
   folded_ = folded;
   arrow_->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
-  arrow_->setToolTip(folded ? tr("Unfold this panel") : tr("Fold this panel to its title"));
-  arrow_->setAccessibleName(arrow_->toolTip());
+  arrow_->setAccessibleName(folded ? tr("Unfold this panel") : tr("Fold this panel to its title"));
+  arrow_->setToolTip(toolTipOf(arrow_->accessibleName()));
   dock_->widget()->setVisible(!folded);
   dock_->setMaximumHeight(folded ? sizeHint().height() : QWIDGETSIZE_MAX);
 }

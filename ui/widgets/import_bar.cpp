@@ -3,9 +3,11 @@
 #include <QHBoxLayout>
 #include <QLocale>
 
+#include "ui/widgets/plain_text.h"
+
 namespace volumen {
 
-ImportBar::ImportBar(QWidget* parent) : QWidget(parent), text_(new QLabel), bar_(new QProgressBar) {
+ImportBar::ImportBar(QWidget* parent) : QWidget(parent), text_(plainLabel()), bar_(new QProgressBar) {
   setObjectName(QStringLiteral("importBar"));
   text_->setObjectName(QStringLiteral("importText"));
   bar_->setFixedSize(120, 12);

@@ -6,6 +6,8 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "ui/widgets/plain_text.h"
+
 namespace volumen {
 
 namespace {
@@ -15,7 +17,7 @@ constexpr int sliderSteps = 1000;
 NumberRow::NumberRow(const QString& name, const NumberFormat& format, QWidget* parent)
     : QWidget(parent),
       format_(format),
-      label_(new QLabel),
+      label_(plainLabel()),
       slider_(new QSlider(Qt::Horizontal)),
       field_(new QDoubleSpinBox) {
   slider_->setRange(0, sliderSteps);

@@ -3,16 +3,17 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include "ui/widgets/plain_text.h"
+
 namespace volumen {
 
 OfferBar::OfferBar(QWidget* parent)
-    : QFrame(parent), sentence_(new QLabel), accept_(new QPushButton), refuse_(new QPushButton) {
+    : QFrame(parent), sentence_(plainLabel()), accept_(new QPushButton), refuse_(new QPushButton) {
   setObjectName(QStringLiteral("offerBar"));
   setStyleSheet(
       QStringLiteral("#offerBar { background: #16324a; border-bottom: 1px solid #4aa3ff; }"
                      "#offerBar QLabel { background: transparent; color: #d7e9ff; }"));
   sentence_->setObjectName(QStringLiteral("offerText"));
-  sentence_->setTextFormat(Qt::PlainText);
   sentence_->setWordWrap(true);
   accept_->setObjectName(QStringLiteral("offerAccept"));
   refuse_->setObjectName(QStringLiteral("offerRefuse"));

@@ -6,6 +6,8 @@
 #include <QToolButton>
 #include <glm/geometric.hpp>
 
+#include "ui/widgets/plain_text.h"
+
 namespace volumen {
 
 namespace {
@@ -40,7 +42,7 @@ OrientationCube::OrientationCube(QWidget* parent) : QWidget(parent) {
     button->setObjectName(QStringLiteral("view-") + view);
     button->setProperty("onPicture", true);
     const QString name = tr("%1 view").arg(view.left(1).toUpper() + view.mid(1));
-    button->setToolTip(tr("%1 (%2)").arg(name, button->text()));
+    button->setToolTip(toolTipOf(tr("%1 (%2)").arg(name, button->text())));
     button->setAccessibleName(name);
     button->setFixedSize(22, 22);
     button->setFocusPolicy(Qt::TabFocus);

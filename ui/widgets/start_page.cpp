@@ -4,6 +4,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/widgets/plain_text.h"
+
 namespace volumen {
 
 namespace {
@@ -14,12 +16,12 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("startPage"));
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Base);
-  auto* title = new QLabel(QStringLiteral("volumen"));
+  auto* title = plainLabel(QStringLiteral("volumen"));
   QFont large = title->font();
   large.setPointSizeF(large.pointSizeF() * 2);
   title->setFont(large);
-  auto* hint = new QLabel(tr("or drop a folder or files onto this window"));
-  auto* notice = new QLabel(tr("Not for clinical use."));
+  auto* hint = plainLabel(tr("or drop a folder or files onto this window"));
+  auto* notice = plainLabel(tr("Not for clinical use."));
   auto* column = new QVBoxLayout(this);
   column->addStretch(2);
   column->addWidget(title, 0, Qt::AlignHCenter);
@@ -55,7 +57,7 @@ void StartPage::showRecent(const QStringList& paths, const QSet<QString>& gone) 
   }
   recent_->setVisible(!paths.isEmpty());
   if (paths.isEmpty()) return;
-  recentColumn_->addWidget(new QLabel(tr("Opened last")), 0, Qt::AlignHCenter);
+  recentColumn_->addWidget(plainLabel(tr("Opened last")), 0, Qt::AlignHCenter);
   for (const QString& path : paths.mid(0, mostRecent)) addRecent(path, gone.contains(path));
   auto* clear = new QPushButton(tr("Clear list"));
   clear->setObjectName(QStringLiteral("clearRecent"));
@@ -72,7 +74,7 @@ void StartPage::addRecent(const QString& path, bool gone) {
   const QString text = gone ? tr("%1 (not there)").arg(path) : path;
   button->setText(fontMetrics().elidedText(text, Qt::ElideMiddle, buttonWidth - 24));
   button->setAccessibleName(text);
-  button->setToolTip(path);
+  button->setToolTip(toolTipOf(path));
   button->setEnabled(!gone);
   connect(
       button, &QPushButton::clicked, this, [this, path] { Q_EMIT recentRequested(path); },

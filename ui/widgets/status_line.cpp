@@ -3,6 +3,8 @@
 #include <QEvent>
 #include <QHBoxLayout>
 
+#include "ui/widgets/plain_text.h"
+
 namespace volumen {
 
 namespace {
@@ -11,9 +13,9 @@ constexpr int appearAfterMs = 300, fadeAfterMs = 8000;
 
 StatusLine::StatusLine(QWidget* parent)
     : QWidget(parent),
-      hover_(new QLabel),
-      task_(new QLabel),
-      warning_(new QLabel),
+      hover_(plainLabel()),
+      task_(plainLabel()),
+      warning_(plainLabel()),
       bar_(new QProgressBar),
       cancel_(new QToolButton) {
   hover_->setObjectName(QStringLiteral("hoverText"));
@@ -21,7 +23,6 @@ StatusLine::StatusLine(QWidget* parent)
   warning_->setObjectName(QStringLiteral("warningText"));
   cancel_->setObjectName(QStringLiteral("cancelTask"));
   cancel_->setText(tr("Cancel"));
-  for (QLabel* label : {hover_, task_, warning_}) label->setTextFormat(Qt::PlainText);
   hover_->setMinimumWidth(300);
   warning_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   warning_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -83,9 +84,8 @@ void StatusLine::end() {
 void StatusLine::showWarnings(const QStringList& sentences) {
   warnings_ = sentences;
   QStringList lines;
-  for (const QString& sentence : sentences) lines << QStringLiteral("! ") + sentence.toHtmlEscaped();
-  warning_->setToolTip(lines.isEmpty() ? QString()
-                                       : QStringLiteral("<p>%1</p>").arg(lines.join(QStringLiteral("<br>"))));
+  for (const QString& sentence : sentences) lines << QStringLiteral("! ") + sentence;
+  warning_->setToolTip(toolTipOf(lines));
   elideWarning();
 }
 

@@ -1,5 +1,7 @@
 #include "ui/widgets/warning_badge.h"
 
+#include "ui/widgets/plain_text.h"
+
 namespace volumen {
 
 WarningBadge::WarningBadge(QWidget* parent) : QLabel(parent) {
@@ -13,12 +15,10 @@ WarningBadge::WarningBadge(QWidget* parent) : QLabel(parent) {
 }
 
 void WarningBadge::tell(const QStringList& words, const QStringList& sentences) {
-  QStringList lines, paragraphs;
+  QStringList lines;
   for (const QString& word : words) lines << QStringLiteral("! ") + word;
-  for (const QString& sentence : sentences)
-    paragraphs << QStringLiteral("<p>%1</p>").arg(sentence.toHtmlEscaped());
   setText(lines.join(QLatin1Char('\n')));
-  setToolTip(paragraphs.join(QString()));
+  setToolTip(toolTipOf(sentences));
   setAccessibleName(tr("Warnings"));
   setAccessibleDescription(sentences.join(QLatin1Char(' ')));
   adjustSize();

@@ -7,6 +7,8 @@
 #include <QMouseEvent>
 #include <cmath>
 
+#include "ui/widgets/plain_text.h"
+
 namespace volumen {
 
 namespace {
@@ -36,10 +38,10 @@ WindowEdit::WindowEdit(const Window& window, QWidget* parent)
        {std::tuple(width_, tr("W"), tr("Width of the window"), window.width),
         std::tuple(centre_, tr("L"), tr("Centre of the window"), window.centre)}) {
     field->setAccessibleName(name);
-    field->setToolTip(name);
+    field->setToolTip(toolTipOf(name));
     field->setText(QString::number(number, 'g', 6));
     field->setFixedWidth(fieldWidth);
-    row->addWidget(new QLabel(letter));
+    row->addWidget(plainLabel(letter));
     row->addWidget(field);
   }
   width_->setObjectName(QStringLiteral("flatWindowWidth"));

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 
 namespace volumen {
 
@@ -26,12 +27,12 @@ bool areIntegers(const ShownFrame& frame) {
   return first.ofValues || first.mapping.function != WindowFunction::linearExact;
 }
 
-QString nameOf(const NamedGrey& grey, std::size_t number, std::size_t count) {
+QString nameOf(const NamedGrey& grey, std::size_t number, std::size_t count, const Series& series) {
   QString name = shownText(grey.name);
   const bool isTable = !grey.mapping.table.grey.empty();
   if (name.isEmpty()) name = count == 1 ? tr("From file") : tr("From file, %1").arg(number + 1);
   if (isTable) return tr("%1, LUT").arg(name);
-  const Window& w = grey.mapping.window;
+  const Window w = shownWindow(grey.mapping.window, series);
   const QString numbers =
       QStringLiteral("%1 (%2 / %3)").arg(name).arg(w.width, 0, 'g', 4).arg(w.centre, 0, 'g', 4);
   return grey.mapping.function == WindowFunction::sigmoid ? tr("%1, sigmoid").arg(numbers) : numbers;
@@ -67,7 +68,8 @@ std::vector<GreyChoice> greyChoices(const ShownFrame& frame, const SeriesState& 
   std::vector<GreyChoice> all{{tr("Automatic"), 0, {}}};
   const std::vector<NamedGrey>& greys = greysOf(state, frame);
   for (std::size_t n = 0; n < greys.size(); ++n)
-    if (!greys[n].ofValues) all.push_back({nameOf(greys[n], n, greys.size()), int(n), {}});
+    if (!greys[n].ofValues)
+      all.push_back({nameOf(greys[n], n, greys.size(), frame.slice->series), int(n), {}});
   for (const NamedWindow& tissue : tissueWindows(frame.slice->series))
     all.push_back({tissue.name, 0, tissue.window});
   return all;
@@ -83,7 +85,7 @@ QString greyText(const SeriesState& state, const FlatLook& look, const ShownFram
   if (frame.greys.empty()) return {};
   const GreyMapping grey = frameGrey(state, look, frame);
   if (!grey.table.grey.empty()) return tr("LUT %1").arg(shownText(chosenOf(state, frame).name)).trimmed();
-  const QString text = tr("W %1 L %2").arg(grey.window.width, 0, 'g', 4).arg(grey.window.centre, 0, 'g', 4);
+  const QString text = windowText(grey.window, frame.slice->series);
   return grey.function == WindowFunction::sigmoid ? tr("%1, sigmoid").arg(text) : text;
 }
 

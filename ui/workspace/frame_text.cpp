@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 
 namespace volumen {
 
@@ -62,8 +63,10 @@ QString pixelValueText(const ShownFrame& frame, glm::ivec2 pixel) {
         .arg(value(frame.green))
         .arg(value(frame.blue));
   const double v = value(frame.slice->volume);
-  const int decimals = v == std::round(v) ? 0 : valueDecimals(frame.slice->histogram);
-  return QString::number(v, 'f', decimals) + unitSuffix(frame.slice->series);
+  const Series& series = frame.slice->series;
+  const double scaled = v * shownScale(series).factor;
+  const int decimals = scaled == std::round(scaled) ? 0 : valueDecimals(*frame.slice);
+  return QString::number(scaled, 'f', decimals) + unitSuffix(series) + unitNote(series);
 }
 
 }  // namespace volumen

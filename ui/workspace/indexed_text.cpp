@@ -84,12 +84,6 @@ QString warningsText(int warnings) {
                        : tr("! %1 warnings: hover over the series to read them").arg(counted(warnings));
 }
 
-QString toolTipOf(QStringList lines) {
-  lines.removeAll(QString());
-  return QStringLiteral("<p>%1</p>")
-      .arg(lines.join(QLatin1Char('\n')).toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
-}
-
 QString importText(const ImportReport& report) {
   const int read = report.added + report.changed;
   QStringList parts{read == 1 ? tr("1 image imported") : tr("%1 images imported").arg(counted(read))};

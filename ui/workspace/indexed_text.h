@@ -29,9 +29,6 @@ QStringList everythingOf(const IndexedStudy& study);
 /// "! 3 warnings: hover over the series to read them"; empty where there are none.
 QString warningsText(int warnings);
 
-/// Lines as rich text for a tooltip, so that long sentences wrap; empty ones are left out.
-QString toolTipOf(QStringList lines);
-
 /// How an import went, in a sentence: "312 images imported; 20 were in the list already."
 QString importText(const ImportReport& report);
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/value_text.h"
 
 namespace volumen {
 
@@ -149,8 +150,11 @@ Workspace withWindowsFollowed(const Workspace& before, Workspace after) {
   const SeriesState from = after.series.at(*source);
   for (const SeriesKey& key : shown) {
     SeriesState& to = after.series.at(key);
-    if (to.series->modality == from.series->modality && to.series->unit == from.series->unit)
-      to.window = from.window;
+    const ValueScale scale = shownScale(*to.series);
+    if (to.series->modality != from.series->modality || scale.unit != shownScale(*from.series).unit) continue;
+    to.window = from.window;
+    if (to.window && scale.factor != shownScale(*from.series).factor)
+      to.window = storedWindow(shownWindow(*from.window, *from.series), *to.series);
   }
   return after;
 }

@@ -5,6 +5,7 @@
 
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 
 namespace volumen {
 
@@ -181,6 +182,7 @@ QString detailText(const Measurement& measurement, const Result<Measured>& measu
                 .arg(measured->voxel->index.y)
                 .arg(measured->voxel->index.z);
   if (measured && (measured->unit == "px" || measured->unit == "px^2")) text += tr(", not calibrated");
+  if (measured && (measured->values || measured->voxel)) text += unitNote(series);
   return measurement.shape.kind == ShapeKind::arrow
              ? text
              : tr("%1, from %2").arg(text, sourceText(measurement, series));

@@ -13,6 +13,9 @@ constexpr std::pair<DragAction, const char*> dragNames[] = {{DragAction::rotate,
                                                             {DragAction::zoom, "zoom"},
                                                             {DragAction::curve, "curve"}};
 
+constexpr PetUnit petUnits[] = {PetUnit::suvBodyWeight, PetUnit::suvLeanBodyMass, PetUnit::suvBodySurface,
+                                PetUnit::file};
+
 // Goes through all preferences: one list for reading and writing.
 template <class Visit>
 void visit(Preferences& p, const Visit& each) {
@@ -26,6 +29,7 @@ void visit(Preferences& p, const Visit& each) {
   each("curveDragInverted", p.curveDragInverted);
   each("logarithmicOpacity", p.logarithmicOpacity);
   each("hideNames", p.hideNames);
+  each("petUnit", p.petUnit);
   each("memoryPercent", p.memoryPercent);
 }
 
@@ -39,6 +43,7 @@ QVariant toVariant(DragAction action) {
     if (known == action) return QLatin1String(name);
   return {};
 }
+QVariant toVariant(PetUnit unit) { return QLatin1String(petUnitName(unit)); }
 
 void fromVariant(const QVariant& kept, bool& value) { value = kept.toBool(); }
 void fromVariant(const QVariant& kept, int& percent) {
@@ -51,6 +56,10 @@ void fromVariant(const QVariant& kept, Theme& theme) {
 void fromVariant(const QVariant& kept, DragAction& action) {
   for (const auto& [known, name] : dragNames)
     if (kept.toString() == QLatin1String(name)) action = known;
+}
+void fromVariant(const QVariant& kept, PetUnit& unit) {
+  for (const PetUnit known : petUnits)
+    if (kept.toString() == QLatin1String(petUnitName(known))) unit = known;
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/suv.h"
+
 namespace volumen {
 
 enum class Theme { dark, light };
@@ -18,7 +20,8 @@ struct Preferences {
   bool curveDragInverted = false;  ///< dragging up shifts the curve to higher values
   bool logarithmicOpacity = false;
   bool hideNames = false;
-  int memoryPercent = 25;  ///< of the machine's memory, for series that are not on screen
+  PetUnit petUnit = PetUnit::suvBodyWeight;  ///< where it can be had
+  int memoryPercent = 25;                    ///< of the machine's memory, for series that are not on screen
   bool operator==(const Preferences&) const = default;
 };
 

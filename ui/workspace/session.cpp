@@ -5,6 +5,7 @@
 #include "ui/workspace/edit_workspace.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 #include "viewer/scene/presets.h"
 
 namespace volumen {
@@ -36,12 +37,7 @@ const Scene& Session::sceneOf(ViewId view) const {
 
 void Session::show(ShownSeriesPtr series) {
   if (series) return show(std::move(series), workspace_.focus);
-  undoStack_.clear();
-  pool_.clear();
-  Workspace empty;
-  empty.layout = workspace_.layout;
-  empty.goal = workspace_.goal;
-  setWorkspace(empty);
+  closeAll({});
 }
 
 void Session::show(ShownSeriesPtr series, ViewId view, const Arrange& arrange) {
@@ -73,10 +69,13 @@ void Session::showAs(ViewId view, ViewKind kind) {
                                                                                      : firstLook(*series)));
 }
 
-// A step, but for the first series of a workspace.
+// Nothing was shown in this window yet.
+bool Session::isFresh() const { return workspace_.series.empty() && undoStack_.count() == 0; }
+
+// A step, but for the first series of a window.
 void Session::begin(const QString& text, Workspace after) {
   endGesture();
-  if (workspace_.series.empty() || after == workspace_)
+  if (isFresh() || after == workspace_)
     setWorkspace(after);
   else
     change(text, std::move(after), seriesShownKey);
@@ -119,22 +118,41 @@ void Session::takeMasked(const Mask& mask, ShownSeriesPtr masked) {
 
 void Session::open(const QString& text, const Workspace& workspace) {
   endGesture();
-  if (!workspace_.series.empty()) {
-    if (workspace != workspace_) push(text, workspace, {});
-    return;
-  }
-  undoStack_.clear();
-  setWorkspace(workspace);
+  const Workspace after = replacedBy(workspace_, workspace);
+  if (isFresh()) return setWorkspace(after);
+  if (after != workspace_) push(text, after, {});
 }
 
-void Session::close(const std::vector<SeriesKey>& series) {
+void Session::close(const std::vector<SeriesKey>& series, const std::vector<ReferenceKey>& references) {
   Workspace after = workspace_;
   for (const SeriesKey& key : series)
     if (after.series.contains(key)) after = without(std::move(after), key);
-  if (after.series.size() == workspace_.series.size()) return;
-  undoStack_.clear();
+  after.unlisted.series.insert(series.begin(), series.end());
+  after.unlisted.references.insert(references.begin(), references.end());
+  if (after == workspace_) return;
+  endGesture();
   for (const SeriesKey& key : series) pool_.forget(key);
-  setWorkspace(after);
+  push(tr("Remove from list"), after, {});
+}
+
+void Session::closeAll(const Unlisted& listed) {
+  Workspace empty;
+  empty.layout = workspace_.layout;
+  empty.goal = workspace_.goal;
+  Workspace after = replacedBy(workspace_, empty);
+  for (const auto& [key, state] : workspace_.series) after.unlisted.series.insert(key);
+  after.unlisted.series.insert(listed.series.begin(), listed.series.end());
+  after.unlisted.references.insert(listed.references.begin(), listed.references.end());
+  endGesture();
+  pool_.clear();
+  if (after != workspace_) push(tr("Close all"), after, {});
+}
+
+void Session::list(const std::vector<SeriesKey>& series, const std::vector<ReferenceKey>& references) {
+  Workspace after = workspace_;
+  for (const SeriesKey& key : series) after.unlisted.series.erase(key);
+  for (const ReferenceKey& key : references) after.unlisted.references.erase(key);
+  if (after != workspace_) setWorkspace(after);
 }
 
 void Session::change(const QString& text, Workspace after, const QString& mergeKey) {
@@ -224,6 +242,7 @@ void Session::prefer(const Preferences& preferences) {
   if (preferences == preferences_) return;
   const Preferences before = std::exchange(preferences_, preferences);
   hideNames(preferences.hideNames);
+  showPetIn(preferences.petUnit);
   pool_.setBudget(SeriesPool::partOfMemory(preferences.memoryPercent));
   Q_EMIT preferencesChanged(before, preferences_);
 }

@@ -46,7 +46,7 @@ class Session : public QObject {
   /// What else is done to the workspace in the step that shows a series; `isNew`: it was never shown before.
   using Arrange = std::function<Workspace(Workspace, bool isNew)>;
   /// Puts a series into the view in focus (and its group), as it was left there, else by its first scene; one
-  /// undo step, but for the first series of a workspace. Null: closes all, and forgets all steps.
+  /// undo step, but for the first series of a window. Null: closes all, in one step, too.
   void show(ShownSeriesPtr series);
   void show(ShownSeriesPtr series, ViewId view, const Arrange& arrange = {});
   /// Puts the frames of a series into a view, as withFrames() does; one undo step, but for the first series.
@@ -66,10 +66,16 @@ class Session : public QObject {
   void keep(ShownSeriesPtr series);
   /// Keeps a series without what a mask takes away.
   void takeMasked(const Mask& mask, ShownSeriesPtr masked);
-  /// Makes a workspace that was read the one in use; one undo step, but for the first of a window.
+  /// Makes a workspace that was read the one in use; one undo step, but for the first of a window; what was
+  /// made on series that it does not know comes back with them.
   void open(const QString& text, const Workspace& workspace);
-  /// Drops series from views and memory, and forgets all steps.
-  void close(const std::vector<SeriesKey>& series);
+  /// Takes series off views, list and memory, and objects off the list: one undo step. What was made on a
+  /// series comes back with it.
+  void close(const std::vector<SeriesKey>& series, const std::vector<ReferenceKey>& references = {});
+  /// The same for all of the workspace and for what else is in the list.
+  void closeAll(const Unlisted& listed);
+  /// Puts series and objects that were opened again back into the list: no step.
+  void list(const std::vector<SeriesKey>& series, const std::vector<ReferenceKey>& references);
 
   /// How large the picture of a view is, device pixels: what links of zoom are reckoned with.
   void setViewSize(ViewId view, glm::ivec2 pixels) { viewSizes_[view] = pixels; }
@@ -129,6 +135,7 @@ class Session : public QObject {
  private:
   friend class EditWorkspace;
   PoolKey poolKeyOf(const SeriesKey& series) const;
+  bool isFresh() const;
   void begin(const QString& text, Workspace after);
   void push(const QString& text, Workspace after, const QString& mergeKey);
   SessionState stateInFocus() const;

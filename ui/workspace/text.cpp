@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "io/archive.h"
+#include "ui/workspace/value_text.h"
 
 namespace volumen {
 
@@ -102,7 +103,7 @@ QString noVolumesText(const Study& study) {
 QString viewText(const QString& name) { return tr("%1 view").arg(name.left(1).toUpper() + name.mid(1)); }
 
 QString unitSuffix(const Series& series) {
-  const QString unit = shownText(series.unit);
+  const QString unit = shownText(shownScale(series).unit);
   return unit.isEmpty() ? unit : QLatin1Char(' ') + unit;
 }
 

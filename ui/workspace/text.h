@@ -42,7 +42,7 @@ QString noVolumesText(const Study& study);
 /// "Anterior view" of the standard view "anterior".
 QString viewText(const QString& name);
 
-/// A number with a unit behind it: " HU"; empty where the values have no unit.
+/// The unit of the numbers on screen, as it stands behind one: " HU"; empty where the values have none.
 QString unitSuffix(const Series& series);
 
 /// How many decimals tell values of this range apart: 1 for CT, more for what lies between 0 and 1.

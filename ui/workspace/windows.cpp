@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 #include "viewer/slice/first_window.h"
 
 namespace volumen {
@@ -12,7 +13,8 @@ namespace {
 
 bool isHounsfield(const Series& series) { return series.unit == "HU"; }
 
-QString withNumbers(const QString& name, const Window& window) {
+QString withNumbers(const QString& name, const Window& stored, const Series& series) {
+  const Window window = shownWindow(stored, series);
   return QStringLiteral("%1 (%2 / %3)").arg(name).arg(window.width, 0, 'g', 4).arg(window.centre, 0, 'g', 4);
 }
 
@@ -45,6 +47,10 @@ GreyMapping greyMapping(const Window& window, const ShownSeries& series) {
 
 std::vector<NamedWindow> tissueWindows(const Series& series) {
   std::vector<NamedWindow> all;
+  if (const ValueScale scale = shownScale(series); scale.unit.starts_with("SUV"))
+    for (const double most : {5, 7, 10, 15})
+      all.push_back(
+          {tr("%1 0 to %2").arg(shownText(scale.unit)).arg(most), storedWindow({most / 2, -most}, series)});
   if (!isHounsfield(series)) return all;
   const std::pair<QString, Window> tissues[] = {{tr("Brain"), {40, 80}},
                                                 {tr("Abdomen"), {40, 400}},
@@ -54,7 +60,7 @@ std::vector<NamedWindow> tissueWindows(const Series& series) {
                                                 {tr("Lung"), {-600, 1500}},
                                                 {tr("CT angiography"), {170, 600}},
                                                 {tr("Bone MIP"), {700, 1800}}};
-  for (const auto& [name, window] : tissues) all.push_back({withNumbers(name, window), window});
+  for (const auto& [name, window] : tissues) all.push_back({withNumbers(name, window, series), window});
   return all;
 }
 
@@ -63,7 +69,7 @@ std::vector<NamedWindow> windowChoices(const ShownSeries& series) {
   const std::vector<Window>& files = series.volume->attributes().windows;
   for (std::size_t n = 0; n < files.size(); ++n) {
     const QString name = files.size() == 1 ? tr("From file") : tr("From file, %1").arg(n + 1);
-    all.push_back({withNumbers(name, files[n]), files[n]});
+    all.push_back({withNumbers(name, files[n], series.series), files[n]});
   }
   for (const NamedWindow& tissue : tissueWindows(series.series)) all.push_back(tissue);
   return all;

@@ -29,10 +29,10 @@ struct NamedWindow {
   std::optional<Window> window;  ///< none: automatic
 };
 
-/// Automatic, the file's own, and for HU those of tissues.
+/// Automatic, the file's own, and for HU those of tissues, for SUV those from 0 on.
 std::vector<NamedWindow> windowChoices(const ShownSeries& series);
 
-/// Those of tissues, for HU; else none.
+/// Those of tissues, for HU; from 0 to 5, 7, 10 and 15 of SUV, inverted as PET is; else none.
 std::vector<NamedWindow> tissueWindows(const Series& series);
 
 /// The scene drawn in another mode; a projection without a window gets one that suits its values.

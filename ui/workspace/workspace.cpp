@@ -75,9 +75,38 @@ void leaveFrames(Workspace& workspace, ViewId id) {
   if (workspace.layout == Layout::one && workspace.focus == axialViewId) workspace.focus = sceneViewId;
 }
 
+// Whether it is the series that was closed, opened by whatever path.
+bool isSame(const Series& closed, const Series& opened) {
+  if (keyOf(closed) == keyOf(opened)) return true;
+  return !opened.seriesUid.empty() && closed.seriesUid == opened.seriesUid &&
+         !opened.sopInstanceUids.empty() && closed.sopInstanceUids == opened.sopInstanceUids;
+}
+
+// What was made on it before it was closed, where it was.
+void takeBack(Workspace& workspace, const Series& series) {
+  const auto closed = std::ranges::find_if(workspace.closed,
+                                           [&](const ClosedSeries& c) { return isSame(*c.series, series); });
+  if (closed == workspace.closed.end()) return;
+  std::set<int> ids{0};
+  for (const Measurement& m : workspace.measurements) ids.insert(m.id);
+  for (Measurement& m : closed->measurements) {
+    m.series = keyOf(series);
+    if (ids.contains(m.id)) m.id = *ids.rbegin() + 1;
+    ids.insert(m.id);
+    workspace.measurements.push_back(std::move(m));
+  }
+  for (KeyImage& image : closed->keyImages) {
+    image.series = keyOf(series);
+    workspace.keyImages.push_back(std::move(image));
+  }
+  workspace.closed.erase(closed);
+}
+
 void remember(Workspace& workspace, const Series& series) {
   const auto [state, isNew] = workspace.series.try_emplace(keyOf(series));
-  if (isNew) state->second.series = std::make_shared<const Series>(series);
+  if (!isNew) return;
+  state->second.series = std::make_shared<const Series>(series);
+  takeBack(workspace, series);
 }
 
 void put(Workspace& workspace, ViewId id, const Series& series, const SceneLook& first) {
@@ -265,8 +294,21 @@ Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneL
 }
 
 Workspace without(Workspace workspace, const SeriesKey& key) {
-  std::erase_if(workspace.measurements, [&](const Measurement& m) { return m.series == key; });
-  std::erase_if(workspace.keyImages, [&](const KeyImage& image) { return image.series == key; });
+  ClosedSeries closed;
+  if (const auto state = workspace.series.find(key); state != workspace.series.end())
+    closed.series = state->second.series;
+  const auto move = [&](auto& from, auto& to) {
+    for (const auto& made : from)
+      if (made.series == key) to.push_back(made);
+    std::erase_if(from, [&](const auto& made) { return made.series == key; });
+  };
+  move(workspace.measurements, closed.measurements);
+  move(workspace.keyImages, closed.keyImages);
+  if (std::ranges::find(closed.measurements, workspace.selected, &Measurement::id) !=
+      closed.measurements.end())
+    workspace.selected = 0;
+  if (closed.series && (!closed.measurements.empty() || !closed.keyImages.empty()))
+    workspace.closed.push_back(std::move(closed));
   for (ViewId id = 0; id < viewCount; ++id) {
     ViewState& view = workspace.view(id);
     if (view.series == key) {
@@ -281,6 +323,28 @@ Workspace without(Workspace workspace, const SeriesKey& key) {
   }
   workspace.series.erase(key);
   return workspace;
+}
+
+Workspace withClosed(Workspace workspace) {
+  while (!workspace.closed.empty()) {
+    const Series series = *workspace.closed.front().series;
+    workspace.unlisted.series.erase(keyOf(series));
+    if (workspace.series.contains(keyOf(series)))
+      takeBack(workspace, series);
+    else
+      remember(workspace, series);
+  }
+  return workspace;
+}
+
+Workspace replacedBy(Workspace workspace, Workspace next) {
+  const std::map<SeriesKey, SeriesState> before = workspace.series;
+  for (const auto& [key, state] : before)
+    if (!next.series.contains(key)) workspace = without(std::move(workspace), key);
+  next.closed = std::move(workspace.closed);
+  next.unlisted = std::move(workspace.unlisted);
+  for (const auto& [key, state] : next.series) next.unlisted.series.erase(key);
+  return next;
 }
 
 }  // namespace volumen

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -156,6 +157,23 @@ struct FrameLink {
   bool operator==(const FrameLink&) const = default;
 };
 
+/// What was made on a series that was taken off the list, for when it is shown again.
+struct ClosedSeries {
+  std::shared_ptr<const Series> series;
+  std::vector<Measurement> measurements;
+  std::vector<KeyImage> keyImages;
+  bool operator==(const ClosedSeries& o) const {
+    return sameValue(series, o.series) && measurements == o.measurements && keyImages == o.keyImages;
+  }
+};
+
+/// What of all that was opened is not in the list.
+struct Unlisted {
+  std::set<SeriesKey> series;
+  std::set<ReferenceKey> references;
+  bool operator==(const Unlisted&) const = default;
+};
+
 /// All that the user made: what the window shows and how. A plain value; every change of it is a step that
 /// can be undone.
 struct Workspace {
@@ -174,6 +192,8 @@ struct Workspace {
   int selected = 0;                             ///< the measurement with handles; 0: none
   std::vector<KeyImage> keyImages;              ///< in the order in which they were marked
   std::map<ReferenceKey, RegionsLook> regions;  ///< structure sets and segmentations over flat views
+  std::vector<ClosedSeries> closed;             ///< in no session file
+  Unlisted unlisted;                            ///< in no session file
   bool operator==(const Workspace&) const = default;
 
   const ViewState& view(ViewId id) const { return views[std::size_t(id)]; }
@@ -230,7 +250,12 @@ Workspace withLayout(Workspace workspace, Layout layout);
 /// Views of the group stay as they are.
 Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneLook& first);
 bool canChangeKind(ViewId view);
-/// Without this series and what was measured on it: views that show it are empty.
+/// Without this series: views that show it are empty, and what was measured on it comes back with it.
 Workspace without(Workspace workspace, const SeriesKey& key);
+/// With the closed series that something was made on, in no view.
+Workspace withClosed(Workspace workspace);
+/// Another workspace in place of this one: what was made on series that it does not know comes back with
+/// them.
+Workspace replacedBy(Workspace workspace, Workspace next);
 
 }  // namespace volumen

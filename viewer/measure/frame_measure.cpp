@@ -23,11 +23,9 @@ const char* unitText(int unit) {
 }
 
 // Bounds are whole pixels, so that half a pixel more belongs to it.
-bool holds(const UltrasoundRegion& region, const Shape& shape) {
-  return std::ranges::all_of(shape.points, [&](glm::dvec3 p) {
-    return p.x >= region.from.x - 0.5 && p.x <= region.to.x + 0.5 && p.y >= region.from.y - 0.5 &&
-           p.y <= region.to.y + 0.5;
-  });
+bool holds(const UltrasoundRegion& region, glm::dvec3 p) {
+  return p.x >= region.from.x - 0.5 && p.x <= region.to.x + 0.5 && p.y >= region.from.y - 0.5 &&
+         p.y <= region.to.y + 0.5;
 }
 
 bool isLength(const UltrasoundRegion& region) {
@@ -35,15 +33,35 @@ bool isLength(const UltrasoundRegion& region) {
          region.delta.y > 0;
 }
 
-// The region that all points lie in, one in cm before others; null: none.
-const UltrasoundRegion* regionOf(const Shape& shape, const std::vector<UltrasoundRegion>& regions) {
+std::int64_t pixelsOf(const UltrasoundRegion& region) {
+  const glm::i64vec2 size = glm::i64vec2(region.to) - glm::i64vec2(region.from) + std::int64_t(1);
+  return size.x * size.y;
+}
+
+// The innermost region that a point lies in: an inset has a scale of its own. Of regions of one size one in
+// cm; null: none.
+const UltrasoundRegion* regionAt(glm::dvec3 p, const std::vector<UltrasoundRegion>& regions) {
   const UltrasoundRegion* found = nullptr;
   for (const UltrasoundRegion& region : regions) {
-    if (!holds(region, shape)) continue;
-    if (isLength(region)) return &region;
-    if (!found) found = &region;
+    if (!holds(region, p)) continue;
+    const std::int64_t more = found ? pixelsOf(region) - pixelsOf(*found) : -1;
+    if (more < 0 || (more == 0 && isLength(region) && !isLength(*found))) found = &region;
   }
   return found;
+}
+
+bool areOfOneScale(const UltrasoundRegion& a, const UltrasoundRegion& b) {
+  return &a == &b || (isLength(a) && isLength(b) && a.delta == b.delta);
+}
+
+// The region of a shape, where all its points lie in regions of one scale; null: none.
+const UltrasoundRegion* regionOf(const Shape& shape, const std::vector<UltrasoundRegion>& regions) {
+  const UltrasoundRegion* first = shape.points.empty() ? nullptr : regionAt(shape.points[0], regions);
+  const bool one = first && std::ranges::all_of(shape.points, [&](glm::dvec3 p) {
+                     const UltrasoundRegion* region = regionAt(p, regions);
+                     return region && areOfOneScale(*region, *first);
+                   });
+  return one ? first : nullptr;
 }
 
 // How large a pixel is, of lengths and areas.

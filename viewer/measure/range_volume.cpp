@@ -33,7 +33,18 @@ class Slice {
 // The box ends half a voxel beyond the outermost centres: cells there are half as wide.
 double width(int cell, int count) { return cell < 0 || cell == count - 1 ? 0.5 : 1; }
 
-Part cellPart(const std::array<float, 8>& corners, ValueRange range, double tolerance) {
+bool holds(ValueRange range, double value) { return value >= range.low && value <= range.high; }
+
+// Beside padding there is nothing to interpolate with: each corner stands for its eighth.
+Part eighthsInRange(const std::array<float, 8>& corners, ValueRange range, ValueRange padding) {
+  const auto counts = [&](float v) { return holds(range, double(v)) && !holds(padding, double(v)); };
+  return {double(std::ranges::count_if(corners, counts)) / 8, 0};
+}
+
+Part cellPart(const std::array<float, 8>& corners, ValueRange range, const std::optional<ValueRange>& padding,
+              double tolerance) {
+  if (padding && std::ranges::any_of(corners, [&](float v) { return holds(*padding, double(v)); }))
+    return eighthsInRange(corners, range, *padding);
   const auto [low, high] = std::minmax_element(corners.begin(), corners.end());
   if (double(*low) >= range.low && double(*high) <= range.high) return {1, 0};
   if (double(*high) < range.low || double(*low) > range.high) return {};
@@ -51,8 +62,8 @@ Part layerPart(const Volume& volume, int k, ValueRange range, double tolerance) 
     const float *a = below.row(j), *b = below.row(j + 1), *c = above.row(j), *d = above.row(j + 1);
     Part row;
     for (int i = -1; i < size.x; ++i) {
-      Part cell =
-          cellPart({a[i], a[i + 1], b[i], b[i + 1], c[i], c[i + 1], d[i], d[i + 1]}, range, tolerance);
+      const Part cell = cellPart({a[i], a[i + 1], b[i], b[i + 1], c[i], c[i + 1], d[i], d[i + 1]}, range,
+                                 volume.attributes().padding, tolerance);
       const double share = width(i, size.x);
       row += {cell.part * share, cell.error * share};
     }
@@ -75,13 +86,14 @@ Part drawnPart(const Volume& volume, ValueRange range, double tolerance, const C
 }
 
 std::int64_t voxelsInRange(const Volume& volume, ValueRange range) {
+  const std::optional<ValueRange>& padding = volume.attributes().padding;
   std::vector<std::int64_t> slices(std::size_t(volume.size().z));
   const std::size_t slice = std::size_t(volume.size().x) * std::size_t(volume.size().y);
   parallelFor(volume.size().z, 0, [&](std::int64_t begin, std::int64_t end) {
     for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k)
       for (std::size_t n = k * slice; n < (k + 1) * slice; ++n) {
         const double value = double(volume.valueAt(n));
-        slices[k] += value >= range.low && value <= range.high;
+        slices[k] += holds(range, value) && !(padding && holds(*padding, value));
       }
   });
   std::int64_t voxels = 0;

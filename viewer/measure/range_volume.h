@@ -15,8 +15,9 @@ struct RangeVolume {
       0;  ///< where the trilinear value (picture.md 2) itself lies in it, inside the volume's box
 };
 
-/// Both for the values range.low .. range.high, ends included; they may be infinite. On all cores, the same
-/// for any number of them.
+/// Both for the values range.low .. range.high, ends included; they may be infinite. Padding is left out: of
+/// a cell beside it each corner that is none stands for its eighth. On all cores, the same for any number of
+/// them.
 ///
 /// As drawn: the volume is cut into the cells between voxel centres. A cell whose eight corners all lie in
 /// the range, or all on one side of it, is known. In any other the value is linear along each line parallel

@@ -4,7 +4,8 @@
 
 namespace volumen {
 
-/// Label 1 where range.low <= value <= range.high, real units; ends may be infinite. On all cores.
+/// Label 1 where range.low <= value <= range.high, real units, and the value is no padding; ends may be
+/// infinite. On all cores.
 LabelMap labelRange(const Volume& volume, ValueRange range);
 
 }  // namespace volumen

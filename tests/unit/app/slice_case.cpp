@@ -119,6 +119,10 @@ QStringList planeOptions(const TwinPlane& plane) {
 }
 
 QString faultsOf(const SliceFile& slice, const Volume& volume, const TwinPlane& plane) {
+  if (slice.failure.contains(QLatin1String("lies outside of the volume"))) {
+    const auto isOutside = [](float value) { return std::isnan(value); };
+    if (std::ranges::all_of(twinSlice(volume, plane), isOutside)) return {};
+  }
   if (!slice.failure.isEmpty()) return slice.failure;
   if (!isToldAs(slice.plane, plane))
     return QStringLiteral("--print-plane: ") + QString::fromUtf8(slice.plane);

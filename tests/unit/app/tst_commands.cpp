@@ -34,6 +34,7 @@ class TestCommands : public QObject {
   void sameBytes();
   void turntableWritesOnePictureAView();
   void infoIsOneJsonObject();
+  void infoHasFactorsToSuv();
   void convertKeepsValuesAndGeometry();
   void controlCharactersDoNotReachTheTerminal();
 
@@ -287,6 +288,21 @@ void TestCommands::infoIsOneJsonObject() {
   QCOMPARE(v[QStringLiteral("mean")].toDouble(), 7.5);
   QCOMPARE(v[QStringLiteral("origin")].toArray(), (QJsonArray{-7.5, -7.5, -7.5}));
   QCOMPARE(v[QStringLiteral("crc32Values")].toString().size(), 8);
+}
+
+void TestCommands::infoHasFactorsToSuv() {
+  const std::string path = dataPath("field-cases/c28-suv-bqml");
+  NEED_DATA(path);
+  const QString command = QStringLiteral("info %1").arg(QString::fromStdString(path));
+  const QJsonObject suv =
+      QJsonDocument::fromJson(runProgram(command + QStringLiteral(" --json"))
+                                  .out)[QStringLiteral("volumes")][0][QStringLiteral("suv")]
+          .toObject();
+  QVERIFY(std::abs(suv[QStringLiteral("bodyWeight")].toDouble() * 2000 - 0.584255) < 1e-6);
+  QVERIFY(!suv.contains(QStringLiteral("leanBodyMass")));
+  QCOMPARE(suv[QStringLiteral("why")].toString(), QStringLiteral("PatientSize (0010,1020) is missing"));
+  const QByteArray text = runProgram(command).out;
+  QVERIFY2(text.contains("unit Bq/ml, times 0.000292127 SUVbw"), text.constData());
 }
 
 void TestCommands::convertKeepsValuesAndGeometry() {

@@ -24,6 +24,8 @@ class TestIndexCommands : public QObject {
   void forgetAndUndo();
   void copiesAreManaged();
   void copiesOfTwoFilesAreRefused();
+  void studiesAreOpenedByTheirNames();
+  void copiesMoveWithTheirIndex();
   void failures_data();
   void failures();
   void damagedIndexIsTold();
@@ -61,7 +63,7 @@ void TestIndexCommands::importSaysWhatItDid() {
   QVERIFY(QFile::copy(scans.filePath(scans.entryList(QDir::Files)[0]), at("scans/bad.dcm")));
   QVERIFY(QFile::resize(at("scans/bad.dcm"), QFile(at("scans/bad.dcm")).size() - 9));
   const Outcome again = run("import IN/scans");
-  QCOMPARE(again.status, 0);
+  QCOMPARE(again.status, 3);
   QVERIFY2(again.out.startsWith("9 files: 0 new, 0 changed, 8 unchanged, 0 gone, 1 refused\n  " +
                                 at("scans/bad.dcm").toUtf8() + ": "),
            again.out);
@@ -77,8 +79,9 @@ void TestIndexCommands::importIsJson() {
 
 void TestIndexCommands::listShowsStudies() {
   const Outcome none = run("list");
-  QCOMPARE(none.status, 0);
-  QVERIFY(none.out.isEmpty() && none.err.contains("The index is empty"));
+  QCOMPARE(none.status, 1);
+  QVERIFY2(none.out.isEmpty() && none.err.contains("There is no index in"), none.err);
+  QVERIFY2(!QDir(at("index")).exists(), "looking makes none");
   run("import IN/scans IN/ball.nrrd");
   const QList<QByteArray> lines = run("list").out.split('\n');
   QCOMPARE(lines.size(), 4);  // heads, two studies, the end
@@ -164,6 +167,63 @@ void TestIndexCommands::copiesOfTwoFilesAreRefused() {
   QVERIFY(run("import IN/two.nhdr").out.contains(" 1 new"));
 }
 
+// index:STUDY[/SERIES], in the index of the user, by UIDs and numbers.
+void TestIndexCommands::studiesAreOpenedByTheirNames() {
+  qputenv("XDG_DATA_HOME", folder_->path().toUtf8());
+  const QStringList index{QStringLiteral("--index"), at("volumen")};
+  const Outcome none = runProgram({QStringLiteral("info"), QStringLiteral("index:1")});
+  QVERIFY2(none.status == 1 && none.err.contains("There is no index yet"), none.err);
+  QVERIFY(!QDir(at("volumen")).exists());
+  QCOMPARE(runProgram(QStringList{QStringLiteral("import"), at("scans"), at("ball.nrrd")} + index).status, 0);
+  const Outcome list = runProgram(
+      QStringList{QStringLiteral("list"), QStringLiteral("--series"), QStringLiteral("--json")} + index);
+  QString study, series, number;
+  for (const QJsonValue& s :
+       QJsonDocument::fromJson(list.out).object()[QStringLiteral("studies")].toArray()) {
+    const QJsonObject first = s[QStringLiteral("series")].toArray()[0].toObject();
+    if (first[QStringLiteral("files")].toArray().size() != 8) continue;
+    QVERIFY(first[QStringLiteral("files")].toArray()[0].toString().contains(QLatin1String("/scans/slice-")));
+    study = s[QStringLiteral("studyUid")].toString();
+    series = first[QStringLiteral("seriesUid")].toString();
+    number = QString::number(s[QStringLiteral("number")].toInt());
+  }
+  QVERIFY(!study.isEmpty());
+  for (const QString& path :
+       {study, number, study + QLatin1Char('/') + series, number + QStringLiteral("/1")}) {
+    const Outcome info =
+        runProgram({QStringLiteral("info"), QStringLiteral("index:") + path, QStringLiteral("--json")});
+    QVERIFY2(info.status == 0, info.err);
+    const QJsonArray volumes =
+        QJsonDocument::fromJson(info.out).object()[QStringLiteral("volumes")].toArray();
+    QCOMPARE(volumes.size(), 1);
+  }
+  const Outcome slice = runProgram(
+      {QStringLiteral("slice"), QStringLiteral("index:") + study, QStringLiteral("-o"), at("s.png")});
+  QVERIFY2(slice.status == 0, slice.err);
+  const Outcome wrong = runProgram({QStringLiteral("info"), QStringLiteral("index:77")});
+  QVERIFY2(wrong.status == 1 && wrong.err.contains("holds no study \"77\""), wrong.err);
+  const Outcome noSeries = runProgram({QStringLiteral("info"), QStringLiteral("index:%1/99").arg(study)});
+  QVERIFY2(noSeries.status == 1 && noSeries.err.contains(series.toUtf8()), noSeries.err);
+}
+
+void TestIndexCommands::copiesMoveWithTheirIndex() {
+  QCOMPARE(run("import IN/scans --copy").status, 0);
+  QVERIFY(QDir(at("scans")).removeRecursively());
+  QVERIFY(QDir().rename(at("index"), at("elsewhere")));
+  const Outcome list = runProgram({QStringLiteral("list"), QStringLiteral("--series"),
+                                   QStringLiteral("--json"), QStringLiteral("--index"), at("elsewhere")});
+  const QJsonObject study =
+      QJsonDocument::fromJson(list.out).object()[QStringLiteral("studies")].toArray()[0].toObject();
+  QCOMPARE(study[QStringLiteral("offline")].toBool(true), false);
+  const QJsonArray files =
+      study[QStringLiteral("series")].toArray()[0].toObject()[QStringLiteral("files")].toArray();
+  QCOMPARE(files.size(), 8);
+  for (const QJsonValue& file : files) {
+    QVERIFY2(file.toString().startsWith(at("elsewhere/studies/")), qPrintable(file.toString()));
+    QVERIFY(QFile::exists(file.toString()));
+  }
+}
+
 void TestIndexCommands::failures_data() {
   QTest::addColumn<QString>("line");
   QTest::addColumn<QString>("says");
@@ -178,6 +238,7 @@ void TestIndexCommands::failures_data() {
 void TestIndexCommands::failures() {
   QFETCH(QString, line);
   QFETCH(QString, says);
+  run("import IN/ball.nrrd");
   const Outcome a = run(qPrintable(line));
   QCOMPARE(a.status, 1);
   QVERIFY2(a.err.startsWith("volumen: ") && a.err.contains(says.toUtf8()), a.err);

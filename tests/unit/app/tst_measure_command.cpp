@@ -21,6 +21,11 @@ class TestMeasureCommand : public QObject {
   void numbersOfEveryKind();
   void shapesKeepTheirOrderAndNames();
   void unitsAreTheStudys();
+  void petIsSuv_data();
+  void petIsSuv();
+  void petOnFramesIsSuv();
+  void anSuvThatCannotBeHadIsRefused();
+  void whyThereIsNoSuvIsTold();
   void drawnVolumeOfBone();
   void refused_data();
   void refused();
@@ -29,12 +34,13 @@ class TestMeasureCommand : public QObject {
   void documentHasEveryKindAndField();
 
  private:
-  Outcome measured(const QString& path, const QByteArray& shapes) {
+  Outcome measured(const QString& path, const QByteArray& shapes, const QStringList& more = {}) {
     QFile file(folder_.filePath(QStringLiteral("shapes.json")));
     if (!file.open(QIODevice::WriteOnly)) return {-1, {}, "no file"};
     file.write(shapes);
     file.close();
-    return runProgram({QStringLiteral("measure"), path, QStringLiteral("--roi"), file.fileName()});
+    return runProgram(QStringList{QStringLiteral("measure"), path, QStringLiteral("--roi"), file.fileName()} +
+                      more);
   }
   QJsonObject only(const QString& path, const QByteArray& shapes) {
     return QJsonDocument::fromJson(measured(path, shapes).out)[QStringLiteral("measurements")][0].toObject();
@@ -128,6 +134,85 @@ void TestMeasureCommand::unitsAreTheStudys() {
       only(QString::fromStdString(chest), R"([{"kind": "probe", "points": [[-200.9, -58.9, -679.5]]}])");
   QCOMPARE(probe[QStringLiteral("unit")].toString(), QStringLiteral("HU"));
   QCOMPARE(probe[QStringLiteral("index")].toArray(), (QJsonArray{0, 0, 0}));
+}
+
+void TestMeasureCommand::petIsSuv_data() {
+  QTest::addColumn<QString>("path");
+  QTest::addColumn<QString>("option");  // of --unit; empty: none
+  QTest::addColumn<QString>("unit");
+  QTest::addColumn<double>("mean");
+  const auto row = [](const char* path, const char* option, const char* unit, double mean) {
+    QTest::addRow("%s %s", path, option)
+        << QString::fromLatin1(path) << QString::fromLatin1(option) << QString::fromLatin1(unit) << mean;
+  };
+  row("c28-suv-bqml", "", "SUVbw", 0.584255);
+  row("c28-suv-bqml", "SUVbw", "SUVbw", 0.584255);
+  row("c28-suv-bqml", "file", "Bq/ml", 2000);
+  row("c28-suv-cnts-factor", "", "SUVbw", 1);
+}
+
+void TestMeasureCommand::petIsSuv() {
+  const std::string cases = dataPath("field-cases");
+  NEED_DATA(cases);
+  QFETCH(QString, path);
+  QFETCH(QString, option);
+  QFETCH(QString, unit);
+  QFETCH(double, mean);
+  const QStringList more = option.isEmpty() ? QStringList() : QStringList{QStringLiteral("--unit"), option};
+  const Outcome done = measured(QString::fromStdString(cases) + QLatin1Char('/') + path, R"([
+      {"kind": "rectangle", "points": [[0.5, 0.5, 1], [5.5, 5.5, 1]],
+       "plane": {"centre": [3, 3, 1], "right": [1, 0, 0], "down": [0, 1, 0]}},
+      {"kind": "probe", "points": [[2, 2, 1]]}, {"kind": "volume", "range": [1000, null]}])",
+                                more);
+  QVERIFY2(done.status == 0, done.err.constData());
+  const QJsonArray all = QJsonDocument::fromJson(done.out)[QStringLiteral("measurements")].toArray();
+  const auto near = [](const QJsonValue& value, double x) {
+    return std::abs(value.toDouble() / x - 1) < 1e-6;
+  };
+  for (const char* key : {"mean", "min", "max"}) QVERIFY2(near(all[0][QLatin1String(key)], mean), key);
+  QCOMPARE(all[0][QStringLiteral("unit")].toString(), QStringLiteral("mm^2"));
+  QCOMPARE(all[0][QStringLiteral("valueUnit")].toString(), unit);
+  QVERIFY(near(all[1][QStringLiteral("number")], mean));
+  QCOMPARE(all[1][QStringLiteral("unit")].toString(), unit);
+  // Ranges are given in the unit of the file and told in the other numbers' unit.
+  QCOMPARE(all[2][QStringLiteral("valueUnit")].toString(), unit);
+  QVERIFY(near(all[2][QStringLiteral("range")][0], mean / 2));
+}
+
+void TestMeasureCommand::petOnFramesIsSuv() {
+  const std::string path = dataPath("field-cases/c28-suv-bqml");
+  NEED_DATA(path);
+  const volumen::Result<volumen::Study> study = volumen::openStudy(path);
+  QVERIFY(study.ok());
+  const QByteArray shape = R"([{"kind": "probe", "points": [[2, 2]], "frame": {"instance": ")" +
+                           QByteArray::fromStdString(study->volumes.at(0).sopInstanceUids[1]) +
+                           R"(", "number": 0}}])";
+  const QJsonObject probe = only(QString::fromStdString(path), shape);
+  QVERIFY(std::abs(probe[QStringLiteral("number")].toDouble() - 0.584255) < 1e-6);
+  QCOMPARE(probe[QStringLiteral("unit")].toString(), QStringLiteral("SUVbw"));
+}
+
+void TestMeasureCommand::anSuvThatCannotBeHadIsRefused() {
+  const std::string path = dataPath("field-cases/c28-suv-bqml");
+  NEED_DATA(path);
+  const QByteArray probe = R"([{"kind": "probe", "points": [[2, 2, 1]]}])";
+  const Outcome lean =
+      measured(QString::fromStdString(path), probe, {QStringLiteral("--unit"), QStringLiteral("SUVlbm")});
+  QCOMPARE(lean.status, 1);
+  QVERIFY2(lean.err.contains("no SUVlbm: PatientSize (0010,1020) is missing."), lean.err.constData());
+  const Outcome ct = measured(ramp, probe, {QStringLiteral("--unit"), QStringLiteral("SUVbw")});
+  QCOMPARE(ct.status, 1);
+  QVERIFY2(ct.err.contains("it is no PET series."), ct.err.constData());
+}
+
+void TestMeasureCommand::whyThereIsNoSuvIsTold() {
+  const std::string path = dataPath("field-cases/c66q-frame-reference-time");
+  NEED_DATA(path);
+  const Outcome done = measured(QString::fromStdString(path), R"([{"kind": "volume", "range": [0, null]}])");
+  QVERIFY2(done.status == 0, done.err.constData());
+  const QString why = QJsonDocument::fromJson(done.out)[QStringLiteral("noSuv")].toString();
+  QVERIFY2(why.startsWith(QStringLiteral("no SUV: ")) && why.contains(QStringLiteral("(0")), qPrintable(why));
+  QVERIFY2(done.err.contains(why.toUtf8() + "."), done.err.constData());
 }
 
 // By voxels and as drawn, a study's bone agrees within what its surface is rough by.

@@ -75,11 +75,11 @@ void TestSliceCommand::printsThePlane_data() {
   row("sagittal", "--plane sagittal", R"({"right": [0, 1, 0], "down": [0, 0, -1], "size": [3, 10]})");
   row("at z", "--at 299.5", R"({"centre": [103, 201, 299.5]})");
   row("at y", "--plane coronal --at 200", R"({"centre": [103, 200, 302.5]})");
-  row("at x", "--plane sagittal --at -1e2", R"({"centre": [-100, 201, 302.5]})");
+  row("at x", "--plane sagittal --at 1e2", R"({"centre": [100, 201, 302.5]})");
   row("slice 0", "--index 0", R"({"centre": [103, 201, 300]})");
   row("slice 1", "--index 1", R"({"centre": [103, 201, 305]})");
-  row("a picture about another centre still covers the box", "--centre 1,-2,3.5",
-      R"({"centre": [1, -2, 3.5], "size": [212, 409]})");
+  row("a picture about another centre still covers the box", "--centre 1,-2,303.5",
+      R"({"centre": [1, -2, 303.5], "size": [212, 409]})");
   row("directions are made unit vectors", "--right 0,3,0 --down 0,0,-0.1",
       R"({"right": [0, 1, 0], "down": [0, 0, -1], "size": [3, 10]})");
   row("larger pixels cover it, too", "--mm-per-pixel 2", R"({"mmPerPixel": 2, "size": [4, 2]})");
@@ -109,6 +109,10 @@ void TestSliceCommand::writesTheValues() {
   QVERIFY2(a.status == 0, a.err);
   QCOMPARE(a.out, file.toUtf8() + '\n');
   QVERIFY(contentsOf(file).contains("\nsizes: 6 2\n"));
+  // Its place in the patient: the centre of the first pixel, the steps to the next ones.
+  QVERIFY(contentsOf(file).contains("\nspace: left-posterior-superior\n"));
+  QVERIFY(contentsOf(file).contains("\nspace directions: (2,0,0) (0,2,0)\n"));
+  QVERIFY(contentsOf(file).contains("\nspace origin: (98,200,305)\n"));
   // Two pixels of six lie outside; rows at j = 0 and j = 2.
   const std::vector<float> values = floatsOf(file);
   QCOMPARE(values.size(), std::size_t(12));

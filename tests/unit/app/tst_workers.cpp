@@ -1,5 +1,7 @@
 // Guards import.md, "Safety", through the command line: a file that takes too much costs itself alone, is
 // named, and takes no memory of the program's.
+#include <sys/wait.h>
+
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -69,8 +71,8 @@ class TestWorkers : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void costsItselfAlone();
-  void hangsForItselfAlone_data();
-  void hangsForItselfAlone();
+  void stoppedFromOutsideItCostsNothing_data();
+  void stoppedFromOutsideItCostsNothing();
   void sameWithoutWorkers();
   void largeFramesAreReadWhereThatIsAskedFor();
 };
@@ -92,20 +94,18 @@ void TestWorkers::costsItselfAlone() {
   QVERIFY(refused[0].toObject()[QLatin1String("reason")].toString().contains(QLatin1String("more memory")));
   const MeasuredOutcome drawn = runMeasured(
       {"render", study, "--size", "16x16", "-o", folder.filePath(QStringLiteral("a.png")).toStdString()});
-  QCOMPARE(drawn.status, 0);
+  QCOMPARE(WEXITSTATUS(drawn.status), 3);
 }
 
-void TestWorkers::hangsForItselfAlone_data() {
+void TestWorkers::stoppedFromOutsideItCostsNothing_data() {
   QTest::addColumn<bool>("killed");
-  QTest::addColumn<QString>("reason");
-  QTest::newRow("hangs") << false << QStringLiteral("took more than 5 s");
-  QTest::newRow("is killed while it hangs") << true << QStringLiteral("ended the process");
+  QTest::newRow("is stopped") << false;
+  QTest::newRow("is killed while it is stopped") << true;
 }
 
-// A worker is stopped while it reads one of many headers.
-void TestWorkers::hangsForItselfAlone() {
+// A worker is stopped while it reads one of many headers: another reads them.
+void TestWorkers::stoppedFromOutsideItCostsNothing() {
   QFETCH(bool, killed);
-  QFETCH(QString, reason);
   constexpr int count = 4000;
   QTemporaryDir folder;
   const Buffer bytes = native(picture("1.2.840.10008.1.2.1"));
@@ -124,10 +124,7 @@ void TestWorkers::hangsForItselfAlone() {
   QVERIFY(program.waitForFinished(120'000));
   QCOMPARE(program.exitCode(), 0);
   const QJsonObject found = QJsonDocument::fromJson(program.readAllStandardOutput()).object();
-  const QJsonArray refused = found[QLatin1String("refused")].toArray();
-  QCOMPARE(refused.size(), 1);
-  const QString said = refused[0].toObject()[QLatin1String("reason")].toString();
-  QVERIFY2(said.contains(reason), qPrintable(said));
+  QCOMPARE(found[QLatin1String("refused")].toArray().size(), 0);
   QVERIFY(!found[QLatin1String("volumes")].toArray().isEmpty());
 }
 

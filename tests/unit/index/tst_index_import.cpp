@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 
+#include "io/index/database.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/index/index_folder.h"
 #include "tests/unit/suite.h"
@@ -61,6 +62,8 @@ class TestIndexImport : public QObject {
   void patientsOfOneUidStayApart();
   void refusedFileIsReadOnce();
   void refusedFileIsTold();
+  void whatIsToldFollowsTheFiles();
+  void whatWasRefusedIsReadAgainWhereAsked();
   void whatIsNoFolderIsRefused_data();
   void whatIsNoFolderIsRefused();
   void linksAreFollowedOnce();
@@ -296,7 +299,7 @@ void TestIndexImport::refusedFileIsReadOnce() {
   QCOMPARE(studiesIn(index).at(0).warnings, 0);
 }
 
-// A refused file is told with the one series of its folder.
+// A refused file is told with the series that it is of.
 void TestIndexImport::refusedFileIsTold() {
   const IndexFolder folder;
   for (int n = 0; n < 3; ++n) folder.add({"a/i" + std::to_string(n), "A", "1.1", "1.1.1", n});
@@ -307,7 +310,50 @@ void TestIndexImport::refusedFileIsTold() {
   QCOMPARE(study.warnings, 1);
   const std::vector<std::string> warnings = seriesIn(index, study.id).at(0).warnings;
   QCOMPARE(warnings.size(), std::size_t(1));
-  QVERIFY2(warnings[0].starts_with("i2: "), warnings[0].c_str());
+  QVERIFY2(warnings[0].starts_with("Slice i2 could not be read"), warnings[0].c_str());
+  fs::remove(folder.data("a/i2"));
+  folder.import();
+  QCOMPARE(studiesIn(folder.open()).at(0).warnings, 0);
+}
+
+// One that comes later, one that goes on being refused, and one that is repaired.
+void TestIndexImport::whatIsToldFollowsTheFiles() {
+  const IndexFolder folder;
+  for (int n = 0; n < 3; ++n) folder.add({"a/i" + std::to_string(n), "A", "1.1", "1.1.1", n});
+  folder.import();
+  folder.add({"a/i3", "A", "1.1", "1.1.1", 3});
+  const std::vector<std::uint8_t> whole = readAll(folder.data("a/i3"));
+  fs::resize_file(folder.data("a/i3"), 200);
+  for (int times = 0; times < 2; ++times) {
+    folder.import();
+    QCOMPARE(studiesIn(folder.open()).at(0).warnings, 1);
+  }
+  folder.add({"a/i4", "A", "1.1", "1.1.1", 4});
+  folder.import();
+  QCOMPARE(studiesIn(folder.open()).at(0).warnings, 1);
+  writeAll(folder.data("a/i3"), whole);
+  folder.import();
+  QCOMPARE(studiesIn(folder.open()).at(0).warnings, 0);
+  QCOMPARE(studiesIn(folder.open()).at(0).images, 5);
+}
+
+// As an index has it in which the machine's failure was taken for the file's.
+void TestIndexImport::whatWasRefusedIsReadAgainWhereAsked() {
+  const IndexFolder folder;
+  for (int n = 0; n < 3; ++n) folder.add({"a/i" + std::to_string(n), "A", "1.1", "1.1.1", n});
+  folder.import();
+  {
+    const auto db = Database::open(folder.index() + "/index.sqlite");
+    (*db)->run("UPDATE file SET series_id = NULL, reason = 'made to do harm', program = ? WHERE name = ?",
+               VOLUMEN_VERSION, Blob{"i1"});
+    QVERIFY((*db)->takeStatus().ok());
+  }
+  QCOMPARE(folder.import().refused.size(), std::size_t(1));
+  Index index = folder.open();
+  const auto again = index.import({folder.data()}, {}, {}, true);
+  QCOMPARE(again->refused.size(), std::size_t(0));
+  QCOMPARE(again->added, 1);
+  QCOMPARE(studiesIn(index).at(0).images, 3);
 }
 
 void TestIndexImport::whatIsNoFolderIsRefused_data() {

@@ -134,9 +134,11 @@ void TestDicomHostile::folderOfTrapsIsWalked() {
   QVERIFY(study.ok());
   QCOMPARE(study->volumes.size(), std::size_t(1));
   QCOMPARE(study->volumes[0].acquired.size.z, 1);
-  QVERIFY(study->volumes[0].warnings.size() == 1);  // no thickness, and nothing about copies
-  QCOMPARE(study->other.size(), std::size_t(2));
-  QCOMPARE(study->refused.size(), std::size_t(2));  // the two links that lead nowhere
+  QCOMPARE(study->volumes[0].warnings.size(), std::size_t(2));  // no thickness; "empty"; nothing of copies
+  QCOMPARE(study->volumes[0].unread.size(), std::size_t(1));
+  QCOMPARE(study->volumes[0].unread[0].path, (root / "empty").string());
+  QCOMPARE(study->other.size(), std::size_t(1));
+  QCOMPARE(study->refused.size(), std::size_t(3));  // that, and the two links that lead nowhere
   const Result<Study> missing = openStudy(root / "no such file");
   QVERIFY(!missing.ok() && missing.message().ends_with("."));
 }

@@ -158,8 +158,11 @@ void TestDicomSlices::badSliceCostsOnlyItself() {
   QVERIFY(loaded.ok());
   QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 100, 300, 400}));
   QCOMPARE(firstOfEachSlice(*loaded->drawn), (std::vector<float>{0, 100, 200, 300, 400}));
-  QVERIFY(warns(loaded->warnings, "A slice is missing between "));
-  if (!seenAtOpening) QVERIFY(warns(loaded->warnings, "Slice s2 is left out"));
+  QVERIFY(warns(loaded->warnings, "Slice s2 could not be read and was interpolated: "));
+  QVERIFY(!warns(loaded->warnings, "missing"));
+  QCOMPARE(loaded->unread.size(), std::size_t(1));
+  QCOMPARE(loaded->unread[0].path, folder.path("s2"));
+  QCOMPARE(loaded->interpolatedSlices(), 1);
 }
 
 VOLUMEN_TEST(TestDicomSlices);

@@ -38,6 +38,9 @@ class TestDirectory : public QObject {
  private Q_SLOTS:
   void listedFilesAreCounted_data();
   void listedFilesAreCounted();
+  void copiesMissNothing_data();
+  void copiesMissNothing();
+  void aCopyInLowerCaseMissesNothing();
   void unlistedFilesAreFound();
   void linksOutAreNotFollowed();
   void realOnesOpenTheirFolder_data();
@@ -77,6 +80,33 @@ void TestDirectory::listedFilesAreCounted() {
     QCOMPARE(study->other.size(), std::size_t(1));
     QCOMPARE(QString::fromStdString(study->other[0].kind), kind);
   }
+}
+
+void TestDirectory::copiesMissNothing_data() {
+  QTest::addColumn<QString>("name");
+  for (const char* name :
+       {"IM0", "im0", "im0.dcm", "IM0.DCM", "im0.ima", "im0;1", "IM0.;1", "im0.dcm;1", "im0."})
+    QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+// What copying programs make of the file ID IM0.
+void TestDirectory::copiesMissNothing() {
+  QFETCH(QString, name);
+  const DicomFolder folder;
+  folder.add(name.toStdString(), sliceAt(0, 1));
+  writeDirectory(folder.path("dicomdir"), {"IM0"});
+  QCOMPARE(folder.open().other.at(0).kind, std::string("DICOMDIR of 1 file"));
+}
+
+void TestDirectory::aCopyInLowerCaseMissesNothing() {
+  NEED_DATA(dataPath());
+  const Result<Study> study = openStudy(dataPath("field-cases/c34-dicomdir-lower-case/dicomdir"));
+  QVERIFY(study.ok());
+  QCOMPARE(study->volumes.size(), std::size_t(1));
+  QCOMPARE(study->other.at(0).kind, std::string("DICOMDIR of 5 files"));
+  const auto loaded = loadSeries(study->volumes[0]);
+  QVERIFY(loaded.ok());
+  QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 1, 2, 3, 4}));
 }
 
 void TestDirectory::unlistedFilesAreFound() {

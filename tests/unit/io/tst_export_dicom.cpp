@@ -75,7 +75,7 @@ void TestExportDicom::headReadsBackAsWritten() {
   const Result<Study> phantom = openStudy("phantom:ct-head:64");
   QVERIFY(phantom.ok());
   const VolumePtr volume = *makePhantom("ct-head:64");
-  const Status written = writeDicomSeries(*volume, dicomTags(phantom->volumes[0]), folder);
+  const auto written = writeDicomSeries(*volume, dicomTags(phantom->volumes[0]), folder);
   QVERIFY2(written.ok(), written.ok() ? "" : written.message().c_str());
 
   const Result<Study> study = openStudy(folder);
@@ -138,7 +138,7 @@ void TestExportDicom::geometryAndValuesSurvive() {
   const VolumePtr volume = made(parts);
   QTemporaryDir scratch;
   const std::string folder = scratch.filePath(QStringLiteral("series")).toStdString();
-  const Status written = writeDicomSeries(*volume, {}, folder);
+  const auto written = writeDicomSeries(*volume, {}, folder);
   QVERIFY2(written.ok(), written.ok() ? "" : written.message().c_str());
   const Result<Loaded> loaded = readBack(folder);
   QVERIFY2(loaded.ok(), loaded.ok() ? "" : loaded.message().c_str());
@@ -177,7 +177,7 @@ void TestExportDicom::whatDicomCannotKeepIsRefused() {
   if (what == QLatin1String("folder in use")) QVERIFY(QDir().mkpath(folder + QStringLiteral("/old")));
   if (what == QLatin1String("no parent")) folder = scratch.filePath(QStringLiteral("no/such/series"));
   const QStringList before = QDir(scratch.path()).entryList(QDir::AllEntries | QDir::Hidden);
-  const Status status = writeDicomSeries(*made(parts), {}, folder.toStdString());
+  const auto status = writeDicomSeries(*made(parts), {}, folder.toStdString());
   QVERIFY(!status.ok());
   QVERIFY2(status.message().find(mustName.toStdString()) != std::string::npos, status.message().c_str());
   QVERIFY(status.message().ends_with("."));
@@ -210,7 +210,7 @@ void TestExportDicom::cancelledWritingLeavesNothing() {
   const Progress stopAtTheThird = [&](const char*, std::size_t done, std::size_t) {
     if (done == 2) cancel.cancel();
   };
-  const Status status =
+  const auto status =
       writeDicomSeries(*made(smallParts(glm::dmat3(1))), {},
                        scratch.filePath(QStringLiteral("s")).toStdString(), stopAtTheThird, cancel);
   QVERIFY(!status.ok());

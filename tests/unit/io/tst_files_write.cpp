@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QTemporaryDir>
 #include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <random>
@@ -70,6 +71,8 @@ class TestFilesWrite : public QObject {
  private Q_SLOTS:
   void geometryComesBack_data();
   void geometryComesBack();
+  void qformStaysWhereRoundingShears_data();
+  void qformStaysWhereRoundingShears();
   void valuesComeBack_data();
   void valuesComeBack();
   void uncalibratedStaysSo();
@@ -130,6 +133,32 @@ void TestFilesWrite::geometryComesBack() {
   for (int n = 0; n < 3; ++n)
     QVERIFY(glm::length(a.patientFromVoxelStep[n] - b.patientFromVoxelStep[n]) <=
             bound * glm::length(a.patientFromVoxelStep[n]));
+}
+
+void TestFilesWrite::qformStaysWhereRoundingShears_data() {
+  QTest::addColumn<double>("shear");
+  QTest::addColumn<bool>("kept");
+  QTest::newRow("none") << 0.0 << true;
+  QTest::newRow("decimals of a file") << 1e-5 << true;
+  QTest::newRow("a tilt of 0.06 degrees") << 1e-3 << false;
+}
+
+// sform and qform stand beside each other; readers that take the qform see the same to a 10,000th.
+void TestFilesWrite::qformStaysWhereRoundingShears() {
+  QFETCH(double, shear);
+  QFETCH(bool, kept);
+  VoxelGeometry g;
+  g.patientFromVoxelStep = glm::dmat3({1, 0, 0}, {shear, 1, 0}, {0, shear, 2});
+  const Result<std::string> header = niftiHeader(g, SampleType::uint8, 1, 0);
+  QVERIFY(header);
+  std::int16_t qform = 0, sform = 0;
+  std::memcpy(&qform, header->data() + 252, 2);
+  std::memcpy(&sform, header->data() + 254, 2);
+  QCOMPARE(qform > 0, kept);
+  QVERIFY(sform > 0);
+  float x = 0;
+  std::memcpy(&x, header->data() + 280 + 4, 4);
+  QCOMPARE(x, float(-shear));
 }
 
 void TestFilesWrite::valuesComeBack_data() {

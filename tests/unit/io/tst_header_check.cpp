@@ -34,8 +34,9 @@ constexpr std::pair<const char*, Lie> lies[] = {
     {"three slices of one frame", [](FileHeader& h) { h.slices.assign(3, h.slices.front()); }},
     {"a slice of no frame", [](FileHeader& h) { h.slices.front().frame = 1; }},
     {"a slice before the first frame", [](FileHeader& h) { h.slices.front().frame = -1; }},
-    {"parts that are missing", [](FileHeader& h) { h.slices.front().parts.clear(); }},
-    {"parts that nobody knows", [](FileHeader& h) { h.slices.front().parts.emplace_back(); }},
+    {"values of separators that are missing", [](FileHeader& h) { h.slices.front().separators.clear(); }},
+    {"values of separators that nobody knows",
+     [](FileHeader& h) { h.slices.front().separators.emplace_back(); }},
     {"a mosaic without tiles",
      [](FileHeader& h) {
        h.mosaic = dicom::Mosaic{4, 3, 0};

@@ -235,7 +235,7 @@ void TestMultiframe::realWorldValuesStandInForARescale_data() {
   QTest::addColumn<float>("value");
   QTest::addColumn<QByteArray>("unit");
   QTest::newRow("without a rescale") << false << QByteArray("Bq/ml") << 13.f << QByteArray("Bq/ml");
-  QTest::newRow("unit of no meaning here") << false << QByteArray("mm2/s") << 13.f << QByteArray();
+  QTest::newRow("another unit") << false << QByteArray("mm2/s") << 13.f << QByteArray("mm2/s");
   QTest::newRow("the rescale is there") << true << QByteArray("Bq/ml") << 20.f << QByteArray();
 }
 

@@ -1,20 +1,15 @@
-// Guards slices.md 4: the factor to SUVbw of real PET pictures, and what is said where it cannot
-// be known.
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dctk.h>
-
+// Guards slices.md 4: the factors to SUV of real PET pictures and of each rule, and what is said where they
+// cannot be known.
 #include <cmath>
 
-#include "io/suv.h"
 #include "tests/fixtures/fixtures.h"
-#include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/io/frame_of.h"
+#include "tests/unit/io/pet_series.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
 using namespace volumen::tests;
 
-using Edit = std::function<void(DcmDataset&)>;
 Q_DECLARE_METATYPE(Edit)
 
 class TestSuv : public QObject {
@@ -26,51 +21,11 @@ class TestSuv : public QObject {
   void petAndCtShareTheirPlace();
   void factors_data();
   void factors();
+  void leanMassAndSurface_data();
+  void leanMassAndSurface();
   void whatIsMissingIsNamed_data();
   void whatIsMissingIsNamed();
 };
-
-namespace {
-
-/// A PET of 80 kg, 100 MBq at 10:00, half-life 6000 s, series at 11:40: 6000 s later half of it is left.
-void makePet(DcmDataset& data) {
-  data.putAndInsertString(DCM_Modality, "PT");
-  data.putAndInsertString(DCM_Units, "BQML");
-  data.putAndInsertString(DCM_CorrectedImage, "NORM\\DECY\\ATTN");
-  data.putAndInsertString(DCM_DecayCorrection, "START");
-  data.putAndInsertString(DCM_PatientWeight, "80");
-  data.putAndInsertString(DCM_SeriesDate, "20260228");
-  data.putAndInsertString(DCM_SeriesTime, "114000");
-  data.putAndInsertString(DCM_AcquisitionDate, "20260228");
-  data.putAndInsertString(DCM_AcquisitionTime, "114000.0");
-  DcmItem* dose = nullptr;
-  data.findOrCreateSequenceItem(DCM_RadiopharmaceuticalInformationSequence, dose);
-  dose->putAndInsertString(DCM_RadionuclideTotalDose, "100000000");
-  dose->putAndInsertString(DCM_RadionuclideHalfLife, "6000");
-  dose->putAndInsertString(DCM_RadiopharmaceuticalStartTime, "100000.000");
-}
-
-DcmItem& doseOf(DcmDataset& data) {
-  DcmItem* dose = nullptr;
-  data.findOrCreateSequenceItem(DCM_RadiopharmaceuticalInformationSequence, dose);
-  return *dose;
-}
-
-Result<double> factorWith(const Edit& edit) {
-  const DicomFolder folder;
-  for (int n = 0; n < 2; ++n) {
-    DicomPicture slice = sliceAt(3 * n, 100);
-    slice.edit = [&](DcmDataset& data) {
-      makePet(data);
-      edit(data);
-    };
-    folder.add(numbered("s", n), slice);
-  }
-  const Study study = folder.open();
-  return study.volumes.size() == 1 ? suvFactor(study.volumes[0]) : Error{"not one series"};
-}
-
-}  // namespace
 
 void TestSuv::realPictures_data() {
   QTest::addColumn<QString>("file");
@@ -98,8 +53,8 @@ void TestSuv::realPictures() {
   const Result<Study> study = openStudy(path);
   QVERIFY(study.ok() && study->volumes.size() == 1);
   QCOMPARE(study->volumes[0].unit, std::string("Bq/ml"));
-  const Result<double> found = suvFactor(study->volumes[0]);
-  QVERIFY2(found.ok(), found.ok() ? "" : found.message().c_str());
+  const std::optional<double> found = study->volumes[0].suv.bodyWeight;
+  QVERIFY2(found, study->volumes[0].suv.why.c_str());
   QVERIFY(std::abs(*found - factor) < 1e-12);  // the README gives nine digits
   const Result<Frame> frame = frameOf(path);
   QVERIFY(frame.ok());
@@ -111,9 +66,8 @@ void TestSuv::seriesInSuvStaysAsItIs() {
   const Result<Study> study = openStudy(dataPath("pet-ct/sts019-pet"));
   QVERIFY(study.ok() && study->volumes.size() == 1);
   const Series& pet = study->volumes[0];
-  const Result<double> factor = suvFactor(pet);
-  QVERIFY2(factor.ok(), factor.ok() ? "" : factor.message().c_str());
-  QCOMPARE(*factor, 1.0);
+  QVERIFY2(pet.suv.bodyWeight, pet.suv.why.c_str());
+  QCOMPARE(*pet.suv.bodyWeight, 1.0);
   QCOMPARE(pet.sopInstanceUids.size(), pet.files.size());
   // Each slice has a slope of its own.
   const std::tuple<int, int, int, double> voxels[] = {
@@ -134,7 +88,7 @@ void TestSuv::petAndCtShareTheirPlace() {
   QVERIFY(pet.ok() && ct.ok());
   QVERIFY(!pet->volumes.at(0).frameOfReferenceUid.empty());
   QCOMPARE(pet->volumes[0].frameOfReferenceUid, ct->volumes.at(0).frameOfReferenceUid);
-  QVERIFY(!suvFactor(ct->volumes[0]).ok());
+  QVERIFY(ct->volumes[0].suv == SuvFactors{});
 }
 
 void TestSuv::factors_data() {
@@ -159,6 +113,26 @@ void TestSuv::factors_data() {
     d.putAndInsertString(DcmTag(0x7053, 0x0010, EVR_LO), "Philips PET Private Group");
     d.putAndInsertString(DcmTag(0x7053, 0x1000, EVR_DS), "0.25");
   });
+  row("series later, GE's own time of the scan counts, in any block", 2 * whole, [](DcmDataset& d) {
+    d.putAndInsertString(DCM_SeriesTime, "180000");
+    d.putAndInsertString(DCM_AcquisitionTime, "120000");
+    d.putAndInsertString(DcmTag(0x0009, 0x0011, EVR_LO), "GEMS_PETD_01");
+    d.putAndInsertString(DcmTag(0x0009, 0x110d, EVR_DT), "20260228114000.00");
+  });
+  row("series not later: GE's own time does not count", 2 * whole, [](DcmDataset& d) {
+    d.putAndInsertString(DcmTag(0x0009, 0x0010, EVR_LO), "GEMS_PETD_01");
+    d.putAndInsertString(DcmTag(0x0009, 0x100d, EVR_DT), "20260228120000.00");
+  });
+  row("counts with a factor to Bq/ml", 6 * whole, [](DcmDataset& d) {
+    d.putAndInsertString(DCM_Units, "CNTS");
+    d.putAndInsertString(DcmTag(0x7053, 0x0010, EVR_LO), "Philips PET Private Group");
+    d.putAndInsertString(DcmTag(0x7053, 0x1000, EVR_DS), "0");
+    d.putAndInsertString(DcmTag(0x7053, 0x1009, EVR_DS), "3");
+  });
+  row("time zones, that of the injection an hour east", 2 * whole, [](DcmDataset& d) {
+    d.putAndInsertString(DCM_TimezoneOffsetFromUTC, "+0100");
+    doseOf(d).putAndInsertString(DCM_RadiopharmaceuticalStartDateTime, "20260228110000+0200");
+  });
   row("over midnight by date", 2 * whole, [](DcmDataset& d) {
     doseOf(d).putAndInsertString(DCM_RadiopharmaceuticalStartDateTime, "20260228233000");
     d.putAndInsertString(DCM_SeriesDate, "20260301");
@@ -179,9 +153,48 @@ void TestSuv::factors_data() {
 void TestSuv::factors() {
   QFETCH(Edit, edit);
   QFETCH(double, factor);
-  const Result<double> found = factorWith(edit);
-  QVERIFY2(found.ok(), found.ok() ? "" : found.message().c_str());
-  QVERIFY2(std::abs(*found / factor - 1) < 1e-12, qPrintable(QString::number(*found)));
+  const SuvFactors found = petWith(edit).suv;
+  QVERIFY2(found.bodyWeight, found.why.c_str());
+  QVERIFY2(std::abs(*found.bodyWeight / factor - 1) < 1e-12, qPrintable(QString::number(*found.bodyWeight)));
+}
+
+void TestSuv::leanMassAndSurface_data() {
+  QTest::addColumn<Edit>("edit");
+  QTest::addColumn<double>("lean");     // to SUVlbm, of the factor to SUVbw; 0: none
+  QTest::addColumn<double>("surface");  // to SUVbsa likewise
+  QTest::addColumn<QString>("why");
+  const auto row = [](const char* name, const char* sex, const char* size, double lean, double surface,
+                      const char* why) {
+    const Edit edit = [sex, size](DcmDataset& d) {
+      d.putAndInsertString(DCM_PatientSex, sex);
+      d.putAndInsertString(DCM_PatientSize, size);
+    };
+    QTest::newRow(name) << edit << lean << surface << QString::fromLatin1(why);
+  };
+  // 80 kg, 1.8 m: James 1.10 80 - 128 (80 / 180)^2 = 62.716, 1.07 80 - 148 (80 / 180)^2 = 56.365 kg; Du Bois
+  // 0.007184 80^0.425 180^0.725 = 1.99645 m^2, by common logarithms.
+  const double surface =
+      1e4 * 0.007184 * std::pow(10, 0.425 * std::log10(80) + 0.725 * std::log10(180)) / 8e4;
+  row("man", "M", "1.8", 62.716049382716 / 80, surface, "");
+  row("woman", "F", "1.8", 56.365432098765 / 80, surface, "");
+  row("neither", "O", "1.8", 0, surface, "PatientSex (0010,0040) is O");
+  row("not said", "", "1.8", 0, surface, "PatientSex (0010,0040) is missing");
+  row("no size", "M", "", 0, 0, "PatientSize (0010,1020) is missing");
+  row("in cm", "M", "180", 0, 0, "PatientSize (0010,1020) is 180 m");
+}
+
+void TestSuv::leanMassAndSurface() {
+  QFETCH(Edit, edit);
+  QFETCH(double, lean);
+  QFETCH(double, surface);
+  QFETCH(QString, why);
+  const SuvFactors found = petWith(edit).suv;
+  QVERIFY2(found.bodyWeight, found.why.c_str());
+  QCOMPARE(found.leanBodyMass.has_value(), lean > 0);
+  QCOMPARE(found.bodySurface.has_value(), surface > 0);
+  if (lean > 0) QVERIFY(isNear(*found.leanBodyMass / *found.bodyWeight, lean));
+  if (surface > 0) QVERIFY(isNear(*found.bodySurface / *found.bodyWeight, surface));
+  QCOMPARE(QString::fromStdString(found.why), why);
 }
 
 void TestSuv::whatIsMissingIsNamed_data() {
@@ -192,7 +205,7 @@ void TestSuv::whatIsMissingIsNamed_data() {
   };
   row("no SUV: Units (0054,1001) is missing.", [](DcmDataset& d) { d.findAndDeleteElement(DCM_Units); });
   row("no SUV: Units (0054,1001) is CNTS.", [](DcmDataset& d) { d.putAndInsertString(DCM_Units, "CNTS"); });
-  row("no SUV: SUVType (0054,1006) is LBM.", [](DcmDataset& d) {
+  row("no SUVbw: SUVType (0054,1006) is LBM.", [](DcmDataset& d) {
     d.putAndInsertString(DCM_Units, "GML");
     d.putAndInsertString(DCM_SUVType, "LBM");
   });
@@ -221,6 +234,33 @@ void TestSuv::whatIsMissingIsNamed_data() {
   row("no SUV: its scan begins before the injection.", [](DcmDataset& d) {
     doseOf(d).putAndInsertString(DCM_RadiopharmaceuticalStartDateTime, "20260228120000");
   });
+  row("no SUV: PatientWeight (0010,1030) is 70000 kg.",
+      [](DcmDataset& d) { d.putAndInsertString(DCM_PatientWeight, "70000"); });
+  row("no SUV: PatientWeight (0010,1030) is -70 kg.",
+      [](DcmDataset& d) { d.putAndInsertString(DCM_PatientWeight, "-70"); });
+  row("no SUV: RadionuclideTotalDose (0018,1074) is 350 Bq.",
+      [](DcmDataset& d) { doseOf(d).putAndInsertString(DCM_RadionuclideTotalDose, "350"); });
+  row("no SUV: its scan begins 55 half-lives after the injection.",  // min for s
+      [](DcmDataset& d) { doseOf(d).putAndInsertString(DCM_RadionuclideHalfLife, "110"); });
+  row("no SUV: RadiopharmaceuticalStartTime (0018,1072) is noon.",
+      [](DcmDataset& d) { doseOf(d).putAndInsertString(DCM_RadiopharmaceuticalStartTime, "noon"); });
+  row("no SUV: RadiopharmaceuticalInformationSequence (0054,0016) is of 2 injections.", [](DcmDataset& d) {
+    DcmItem* second = nullptr;
+    d.findOrCreateSequenceItem(DCM_RadiopharmaceuticalInformationSequence, second, -2);
+  });
+  row("no SUV: SeriesDate (0008,0021) is missing.", [](DcmDataset& d) {
+    d.findAndDeleteElement(DCM_SeriesDate);
+    d.findAndDeleteElement(DCM_AcquisitionDate);
+  });
+  row("SUV: DecayCorrection (0054,1102) is NONE.", [](DcmDataset& d) {
+    d.putAndInsertString(DCM_Units, "CNTS");
+    d.putAndInsertString(DcmTag(0x7053, 0x0010, EVR_LO), "Philips PET Private Group");
+    d.putAndInsertString(DcmTag(0x7053, 0x1000, EVR_DS), "0.25");
+    d.putAndInsertString(DCM_DecayCorrection, "NONE");
+  });
+  int files = 0;
+  row("no SUV: its files differ in units, weight, dose or times.",
+      [files](DcmDataset& d) mutable { d.putAndInsertString(DCM_PatientWeight, files++ ? "80" : "60"); });
   row("has a time zone of its own.", [](DcmDataset& d) {
     doseOf(d).putAndInsertString(DCM_RadiopharmaceuticalStartDateTime, "20260228100000+0100");
   });
@@ -229,9 +269,12 @@ void TestSuv::whatIsMissingIsNamed_data() {
 void TestSuv::whatIsMissingIsNamed() {
   QFETCH(Edit, edit);
   QFETCH(QString, says);
-  const Result<double> factor = factorWith(edit);
-  QVERIFY2(!factor.ok(), "a factor");
-  QVERIFY2(QString::fromStdString(factor.message()).endsWith(says), factor.message().c_str());
+  const Series pet = petWith(edit);
+  QVERIFY2(!pet.suv.bodyWeight, "a factor");
+  const ValueScale scale = valueScale(pet, PetUnit::suvBodyWeight);
+  QCOMPARE(scale.unit, pet.unit);
+  QCOMPARE(scale.factor, 1.0);
+  QVERIFY2(QString::fromStdString(scale.why + ".").endsWith(says), scale.why.c_str());
 }
 
 VOLUMEN_TEST(TestSuv);

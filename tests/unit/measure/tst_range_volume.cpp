@@ -29,6 +29,7 @@ class TestRangeVolume : public QObject {
   void partsAddUp();
   void emptyAndWhole_data();
   void emptyAndWhole();
+  void paddingHasNoVolume();
 };
 
 namespace {
@@ -213,6 +214,23 @@ void TestRangeVolume::emptyAndWhole() {
   QCOMPARE(whole.drawnVoxels, all);
   QCOMPARE(none.voxels, std::int64_t(0));
   QCOMPARE(none.drawnVoxels, 0.0);
+}
+
+// Half of the slices are padding, far below: no range that leaves tissue out holds anything between them.
+void TestRangeVolume::paddingHasNoVolume() {
+  VolumeParts parts;
+  parts.geometry.size = {4, 4, 4};
+  std::vector<float> values(64, 100.f);
+  std::fill_n(values.begin(), 32, -2000.f);
+  parts.values = std::move(values);
+  parts.attributes.padding = ValueRange{-2000, -2000};
+  const VolumePtr volume = volumeFrom(std::move(parts));
+  const RangeVolume low = volumeOfRange(*volume, -infinity, 0),
+                    all = volumeOfRange(*volume, -infinity, infinity);
+  QCOMPARE(low.voxels, std::int64_t(0));
+  QCOMPARE(low.drawnVoxels, 0.0);
+  QCOMPARE(all.voxels, std::int64_t(32));
+  QCOMPARE(all.drawnVoxels, 32.0);
 }
 
 VOLUMEN_TEST(TestRangeVolume);

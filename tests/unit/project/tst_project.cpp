@@ -1,5 +1,6 @@
 // Guards design.md 1: the rooms include only what the table allows; and that the sections of resources/docs
-// that comments cite are there. Prints the longest files and functions, for a reader to judge.
+// that comments cite are there; and that texts of strangers are shown by what shows them as they are alone
+// (ui/widgets/plain_text.h). Prints the longest files and functions, for a reader to judge.
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
@@ -60,6 +61,44 @@ bool mayInclude(const Room& room, const QString& included) {
          });
 }
 
+// The last argument of each call of a function, its closing bracket left out.
+QStringList lastArguments(const QString& text, const QString& function) {
+  QStringList out;
+  for (qsizetype at = text.indexOf(function + QLatin1Char('(')); at >= 0;
+       at = text.indexOf(function + QLatin1Char('('), at + 1)) {
+    qsizetype begin = at + function.size() + 1, n = begin;
+    bool quoted = false;
+    for (int depth = 1; depth > 0 && n < text.size(); ++n) {
+      const QChar c = text[n];
+      if (c == QLatin1Char('"') && text[n - 1] != QLatin1Char('\\')) quoted = !quoted;
+      if (quoted) continue;
+      depth += (c == QLatin1Char('(')) - (c == QLatin1Char(')'));
+      if (depth == 1 && c == QLatin1Char(',')) begin = n + 1;
+    }
+    out << text.mid(begin, n - 1 - begin).simplified();
+  }
+  return out;
+}
+
+// What of a source file would show a text as Qt likes to; empty: nothing.
+QString richTextIn(const QString& text) {
+  static const QRegularExpression safeTip(
+      QStringLiteral("^(tr\\((\"[^\"]*\" ?)+\\)|toolTipOf\\(.*\\)|\\w+->toolTip\\(\\))$"));
+  for (const char* setter : {"setToolTip", "QToolTip::showText", "setWhatsThis"})
+    for (const QString& argument : lastArguments(text, QLatin1String(setter)))
+      if (!safeTip.match(argument).hasMatch()) return QLatin1String(setter) + QStringLiteral(": ") + argument;
+  static const QRegularExpression safeRole(
+      QStringLiteral("toolTipOf\\(|tr\\(\"[^\"]*\"\\), Qt::ToolTipRole"));
+  if (text.contains(QLatin1String("Qt::ToolTipRole")) && !text.contains(safeRole))
+    return QStringLiteral("Qt::ToolTipRole");
+  static const QRegularExpression shower(
+      QStringLiteral("new QLabel\\b|: public QLabel\\b|\\bQLabel\\(parent\\)|new QMessageBox\\b|"
+                     "QMessageBox::(warning|critical|question|information|about)\\("));
+  const auto shown = shower.match(text);
+  const bool isPlain = text.contains(QLatin1String("setTextFormat(Qt::PlainText)"));
+  return shown.hasMatch() && !isPlain ? shown.captured() : QString();
+}
+
 struct Length {
   qsizetype lines;
   QString what;
@@ -82,6 +121,10 @@ class TestProject : public QObject {
   void roomsIncludeOnlyWhatTheTableAllows();
   void citedSectionsExist_data();
   void citedSectionsExist();
+  void textsOfStrangersAreNoRichText_data();
+  void textsOfStrangersAreNoRichText();
+  void theRulesOfTextsForbidWhatTheyShould_data();
+  void theRulesOfTextsForbidWhatTheyShould();
   void longestFilesAndFunctions();
 };
 
@@ -151,6 +194,46 @@ void TestProject::citedSectionsExist() {
                qPrintable(path + QStringLiteral(" cites section ") + section));
     }
   QVERIFY2(citations > 0, "nobody cites it");
+}
+
+void TestProject::textsOfStrangersAreNoRichText_data() {
+  QTest::addColumn<QString>("path");
+  for (const QString& path : sources())
+    if ((inside(path, QStringLiteral("ui")) || inside(path, QStringLiteral("app"))) &&
+        path.endsWith(QLatin1String(".cpp")))
+      QTest::newRow(qPrintable(path)) << path;
+}
+
+void TestProject::textsOfStrangersAreNoRichText() {
+  QFETCH(QString, path);
+  if (path == QLatin1String("ui/main_window_help.cpp")) return;  // rich text of the program's own words
+  const QString found = richTextIn(textOf(path));
+  QVERIFY2(found.isEmpty(), qPrintable(found + QStringLiteral(": see ui/widgets/plain_text.h")));
+}
+
+void TestProject::theRulesOfTextsForbidWhatTheyShould_data() {
+  QTest::addColumn<QString>("text");
+  QTest::addColumn<bool>("allowed");
+  const auto row = [](const char* text, bool allowed) {
+    QTest::newRow(text) << QString::fromLatin1(text) << allowed;
+  };
+  row("a->setToolTip(tr(\"Close\"));", true);
+  row("a->setToolTip(0, toolTipOf(pathText(path)));", true);
+  row("a->setToolTip(pathText(path));", false);
+  row("a->setToolTip(0, tr(\"%1 goes\").arg(name));", false);
+  row("a->setToolTip(tip);", false);
+  row("auto* label = plainLabel(name);", true);
+  row("auto* label = new QLabel(name);", false);
+  row("class Badge : public QLabel {", false);
+  row("new QMessageBox(QMessageBox::Question, name)", false);
+  row("QMessageBox::warning(this, name)", false);
+  row("QToolTip::showText(at, name);", false);
+}
+
+void TestProject::theRulesOfTextsForbidWhatTheyShould() {
+  QFETCH(QString, text);
+  QFETCH(bool, allowed);
+  QCOMPARE(richTextIn(text).isEmpty(), allowed);
 }
 
 void TestProject::longestFilesAndFunctions() {

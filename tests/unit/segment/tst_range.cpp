@@ -15,6 +15,8 @@ class TestRange : public QObject {
  private Q_SLOTS:
   void labelsExactlyTheClosedRange_data();
   void labelsExactlyTheClosedRange();
+  void paddingIsNoTissue_data();
+  void paddingIsNoTissue();
   void statisticsAreThoseOfTheLabel();
   void millilitresFollowTheGrid_data();
   void millilitresFollowTheGrid();
@@ -79,6 +81,29 @@ void TestRange::labelsExactlyTheClosedRange() {
     const double value = double(volume->valueAt(n));
     QCOMPARE(int(map.labels[n]), int(value >= low && value <= high));
   }
+}
+
+void TestRange::paddingIsNoTissue_data() {
+  QTest::addColumn<double>("low");
+  QTest::addColumn<double>("high");
+  QTest::addColumn<int>("voxels");
+  QTest::newRow("padding alone") << -infinity << -300.0 << 0;
+  QTest::newRow("everything") << -infinity << infinity << 6;
+  QTest::newRow("what lies beside it") << -1999.0 << 0.0 << 4;
+}
+
+void TestRange::paddingIsNoTissue() {
+  QFETCH(double, low);
+  QFETCH(double, high);
+  QFETCH(int, voxels);
+  VolumeParts parts;
+  parts.geometry.size = {2, 2, 2};
+  parts.values = std::vector<std::int16_t>{-1000, -1000, 0, 0, 0, 0, 7, 8};
+  parts.slope = 2;  // padding is -2000
+  parts.attributes.padding = ValueRange{-2000, -2000};
+  const VolumePtr volume = volumeFrom(std::move(parts));
+  const LabelMap map = labelRange(*volume, {low, high});
+  QCOMPARE(labelStatistics(map, *volume).voxels, std::int64_t(voxels));
 }
 
 void TestRange::statisticsAreThoseOfTheLabel() {

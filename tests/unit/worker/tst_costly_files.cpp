@@ -74,7 +74,7 @@ void TestCostlyFiles::isNotTriedAgain() {
     paths.push_back(folder.filePath(QString::number(n)).toStdString());
     write(n, n % 2 == 1 ? does.toStdString() : "good");
   }
-  const auto refuse = [](const std::string& why) { return why; };
+  const auto refuse = [](Failure why) { return std::string(reasonOf(why)); };
   const auto readAll = [&] { return forFiles<contents>(paths, "reading", {}, CancelToken(), refuse); };
   const std::string why = reason.toStdString();
   const std::vector<std::string> expected{"good", why, "good", why, "good"};

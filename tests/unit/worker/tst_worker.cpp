@@ -183,7 +183,8 @@ class TestWorker : public QObject {
   void systemCallsAreRefused_data();
   void systemCallsAreRefused();
   void writesNothing();
-  void killedFromOutside();
+  void disturbedFromOutside_data();
+  void disturbedFromOutside();
   void waitingWorkerKilled();
   void cancelledWhileItHangs();
   void leavesNothingBehind();
@@ -303,12 +304,35 @@ void TestWorker::writesNothing() {
   QCOMPARE(*count, 0);
 }
 
-void TestWorker::killedFromOutside() {
-  std::atomic<Failure> failure = Failure::none;
-  std::thread waiting([&] { failure = outcomeOf<loop>(0); });
-  kill(busyWorker(), SIGKILL);
+void TestWorker::disturbedFromOutside_data() {
+  QTest::addColumn<int>("signal");
+  QTest::addColumn<int>("times");
+  QTest::addColumn<int>("failure");
+  const auto row = [](const char* name, int signal, int times, Failure failure) {
+    QTest::newRow(name) << signal << times << int(failure);
+  };
+  row("killed", SIGKILL, 1, Failure::slow);  // by what it does, in the second worker
+  row("killed twice", SIGKILL, 2, Failure::killed);
+  row("ended by another signal", SIGUSR1, 2, Failure::killed);
+  row("stopped", SIGSTOP, 1, Failure::slow);
+  row("stopped twice", SIGSTOP, 2, Failure::stopped);
+}
+
+// What it was at is tried once more in a new one.
+void TestWorker::disturbedFromOutside() {
+  QFETCH(int, signal);
+  QFETCH(int, times);
+  QFETCH(int, failure);
+  std::atomic<Failure> found = Failure::none;
+  std::thread waiting([&] { found = outcomeOf<loop>(0); });
+  pid_t last = 0;
+  for (int n = 0; n < times; ++n) {
+    pid_t busy = last;
+    while (busy == last) busy = busyWorker();
+    kill(last = busy, signal);
+  }
   waiting.join();
-  QCOMPARE(failure.load(), Failure::ended);
+  QCOMPARE(int(found.load()), failure);
 }
 
 void TestWorker::waitingWorkerKilled() {

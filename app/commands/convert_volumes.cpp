@@ -1,0 +1,173 @@
+#include "app/commands/convert_volumes.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "app/open_volume.h"
+#include "io/dicom/data_set.h"
+#include "io/export/dicom_source.h"
+#include "io/files/header_text.h"
+#include "io/files/output_file.h"
+#include "io/files/write_volume.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr std::uint32_t repetitionTime = 0x00180080, triggerTime = 0x00181060,
+                        frameReferenceTime = 0x00541300, gradientDirection = 0x00189089;
+
+// What the first slice of a series says.
+struct Said {
+  std::optional<double> repetitionMs, referenceMs, triggerMs;
+  std::vector<double> direction;  // patient space; empty: not said
+};
+
+std::vector<double> numbersOf(const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\\', begin), text.size());
+    const auto number = dicom::parseNumber(text.substr(begin, end - begin));
+    if (!number) return {};
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  return numbers;
+}
+
+Said saidBy(const Series& series, const CancelToken& cancel) {
+  if (series.format != "DICOM") return {};
+  Series first = series;
+  first.files.resize(1), first.frames.resize(1);
+  const Result<DicomSource> source = readDicomSource(first, {}, cancel);
+  if (!source) return {};
+  const auto value = [&](std::uint32_t tag) {
+    const std::string ofFrame = valueOf(source->frame(0).elements, tag);
+    return ofFrame.empty() ? valueOf(source->file(0).elements, tag) : ofFrame;
+  };
+  Said said{dicom::parseNumber(value(repetitionTime)), dicom::parseNumber(value(frameReferenceTime)),
+            dicom::parseNumber(value(triggerTime)), numbersOf(value(gradientDirection))};
+  if (said.direction.size() != 3) said.direction.clear();
+  return said;
+}
+
+// From one volume to the next, where it is always the same; 0: it is not, or not known.
+double evenStep(const std::vector<Said>& said, std::optional<double> Said::*ms) {
+  const double step = (said[1].*ms).value_or(0) - (said[0].*ms).value_or(0);
+  for (std::size_t n = 1; n < said.size(); ++n) {
+    const auto &before = said[n - 1].*ms, &after = said[n].*ms;
+    if (!before || !after || std::abs(*after - *before - step) > 1e-3 * step) return 0;
+  }
+  return step;
+}
+
+// By reference times (PET) or trigger times, else the repetition time (MR) of volumes that all have the same
+// one and no times of their own.
+double stepSeconds(const std::vector<Said>& said) {
+  constexpr double second = 1000;  // ms
+  for (const auto ms : {&Said::referenceMs, &Said::triggerMs}) {
+    if (const double step = evenStep(said, ms); step > 0) return step / second;
+    if (said[0].*ms != said[1].*ms) return 0;
+  }
+  const auto alike = [&](const Said& s) { return s.repetitionMs == said[0].repetitionMs; };
+  return std::ranges::all_of(said, alike) ? said[0].repetitionMs.value_or(0) / second : 0;
+}
+
+// FSL's convention: along the axes of the voxels, the first turned round where they are right-handed in RAS
+// (as they are where they are in LPS).
+glm::dvec3 alongVoxels(const std::vector<double>& direction, const glm::dmat3& L) {
+  const glm::dvec3 d(direction[0], direction[1], direction[2]);
+  glm::dvec3 v;
+  for (int a = 0; a < 3; ++a) v[a] = glm::dot(d, glm::normalize(L[a]));
+  if (glm::determinant(L) > 0) v.x = -v.x;
+  return v;
+}
+
+Status writeText(const std::string& path, const std::string& text) {
+  auto out = OutputFile::create(path);
+  if (!out) return out.error();
+  if (Status s = out->write(text); !s) return s;
+  return out->commit();
+}
+
+// The b values; nothing where one is not known, or none is a weight.
+std::vector<double> bValuesOf(const std::vector<Series>& volumes) {
+  std::vector<double> values;
+  for (const Series& series : volumes) {
+    const auto b = dicom::parseNumber(series.bValue);
+    if (!b || !(*b >= 0)) return {};
+    values.push_back(*b);
+  }
+  return std::ranges::max(values) > 0 ? values : std::vector<double>();
+}
+
+// A line for each axis; empty where a weighted volume has no direction.
+std::string directionsText(const std::vector<double>& b, const std::vector<Said>& said, const glm::dmat3& L) {
+  std::string lines[3];
+  for (std::size_t n = 0; n < b.size(); ++n) {
+    if (said[n].direction.empty() && b[n] > 0) return {};
+    const glm::dvec3 v = said[n].direction.empty() ? glm::dvec3(0) : alongVoxels(said[n].direction, L);
+    for (int a = 0; a < 3; ++a) lines[a] += (n ? " " : "") + exactText(v[a] + 0.0);
+  }
+  return lines[0] + '\n' + lines[1] + '\n' + lines[2] + '\n';
+}
+
+Result<std::vector<std::string>> writeDiffusion(const std::vector<Series>& volumes,
+                                                const std::vector<Said>& said, const glm::dmat3& L,
+                                                const std::string& output) {
+  const std::vector<double> b = bValuesOf(volumes);
+  if (b.empty()) return std::vector<std::string>();
+  const std::string stem = output.substr(0, output.size() - std::string(".nii.gz").size());
+  std::string weights;
+  for (std::size_t n = 0; n < b.size(); ++n) weights += (n ? " " : "") + exactText(b[n]);
+  if (Status s = writeText(stem + ".bval", weights + '\n'); !s) return s.error();
+  const std::string directions = directionsText(b, said, L);
+  if (directions.empty())
+    return std::vector{stem + ".bval holds the b values; their directions are not known."};
+  if (Status s = writeText(stem + ".bvec", directions); !s) return s.error();
+  return std::vector{stem + ".bval and .bvec hold the b values and their directions."};
+}
+
+}  // namespace
+
+Result<std::vector<Series>> severalVolumes(const std::string& path, const std::string& series,
+                                           const Progress& progress, const CancelToken& cancel) {
+  std::vector<Series> volumes;
+  if (series.empty()) return volumes;
+  const Result<Study> study = openStudy(path, progress, cancel);
+  if (!study) return study.error();
+  for (const std::size_t n : volumesOfUid(*study, series)) volumes.push_back(study->volumes[n]);
+  return volumes;
+}
+
+Result<WrittenVolumes> writeVolumes(const std::vector<Series>& volumes, const std::string& output,
+                                    const Progress& progress, const CancelToken& cancel) {
+  std::vector<Said> said;
+  for (const Series& series : volumes) said.push_back(saidBy(series, cancel));
+  const NiftiTime time{int(volumes.size()), stepSeconds(said)};
+  WrittenVolumes written;
+  std::vector<std::string>& notes = written.notes;
+  glm::dmat3 L(1);
+  const auto volumeAt = [&](int n) -> Result<VolumePtr> {
+    const Result<Loaded> loaded = loadSeries(volumes[std::size_t(n)], {}, cancel);
+    if (!loaded) return loaded.error();
+    if (Status whole = checkLosses(volumes[std::size_t(n)].path, loaded->unread); !whole)
+      return whole.error();
+    for (const Unread& file : loaded->unread)
+      if (std::ranges::find(written.unread, file.path, &Unread::path) == written.unread.end())
+        written.unread.push_back(file);
+    for (const Warning& w : loaded->warnings)
+      if (std::ranges::find(notes, w.sentence) == notes.end()) notes.push_back(w.sentence);
+    L = loaded->drawn->geometry().patientFromVoxelStep;
+    return loaded->drawn;
+  };
+  if (Status s = writeNiftiVolumes(time, volumeAt, output, progress, cancel); !s) return s.error();
+  const auto diffusion = writeDiffusion(volumes, said, L, output);
+  if (!diffusion) return diffusion.error();
+  notes.push_back(std::to_string(volumes.size()) + " volumes of series " + volumes[0].seriesUid +
+                  " were written.");
+  notes.insert(notes.end(), diffusion->begin(), diffusion->end());
+  return written;
+}
+
+}  // namespace volumen

@@ -1,0 +1,252 @@
+#include "io/dicom/split.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "io/dicom/separators.h"
+
+namespace volumen::dicom {
+namespace {
+
+using Trust = Separator::Trust;
+
+const std::string& valueOf(const Entry& e, std::size_t separator) { return e.slice().separators[separator]; }
+
+/// By number where both are, else by text.
+bool isBefore(const std::string& a, const std::string& b) {
+  const auto x = parseNumber(a), y = parseNumber(b);
+  if (x && y && *x != *y) return *x < *y;
+  if (x.has_value() != y.has_value()) return x.has_value();
+  return a < b;
+}
+
+/// The different values, in order; directions in that of their first occurrence.
+std::vector<std::string> valuesOf(const Entries& entries, std::size_t separator) {
+  std::vector<std::string> values;
+  std::set<std::string> seen;
+  for (const Entry& e : entries)
+    if (seen.insert(valueOf(e, separator)).second) values.push_back(valueOf(e, separator));
+  if (separators()[separator].words != Separator::Words::direction) std::ranges::sort(values, isBefore);
+  return values;
+}
+
+bool differsAtOnePlace(const Entries& entries, std::size_t separator) {
+  return std::ranges::any_of(byPlace(entries), [&](const Entries& place) {
+    return std::ranges::any_of(
+        place, [&](const Entry& e) { return valueOf(e, separator) != valueOf(place[0], separator); });
+  });
+}
+
+void addName(Split& split, const Separator& separator, const std::string& value, const std::string& words) {
+  split.by.push_back({separator.keyword, value, words});
+  if (separator.field == &Series::timePoint && split.timePoint.empty()) split.timePoint = value;
+  if (!separator.field) split.label += (split.label.empty() ? "" : ", ") + words;
+}
+
+/// Splits by the values of one separator. `all`: the values that its words are told from.
+std::vector<Split> byValue(const Split& split, std::size_t n, const std::vector<std::string>& all) {
+  const Separator& separator = separators()[n];
+  const std::vector<std::string> values = valuesOf(split.entries, n);
+  if (values.size() == 1) return {split};
+  std::map<std::string, std::size_t> index;
+  std::vector<Split> splits(values.size(), Split{{}, split.by, split.timePoint, split.label, {}, false});
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    index[values[v]] = v;
+    const auto at = std::size_t(std::ranges::find(all, values[v]) - all.begin());
+    addName(splits[v], separator, values[v], wordsOf(separator, all, at));
+  }
+  for (const Entry& e : split.entries) splits[index[valueOf(e, n)]].entries.push_back(e);
+  return splits;
+}
+
+std::string ordinal(std::size_t n, std::size_t of) {
+  return std::to_string(n + 1) + " of " + std::to_string(of);
+}
+
+/// Hands the n-th picture of each place, by `before`, to the n-th split.
+template <class Before>
+std::vector<Entries> byOrder(const Entries& entries, Before before) {
+  std::vector<Entries> ranks;
+  for (Entries& place : byPlace(entries)) {
+    std::stable_sort(place.begin(), place.end(), before);
+    ranks.resize(std::max(ranks.size(), place.size()));
+    for (std::size_t n = 0; n < place.size(); ++n) ranks[n].push_back(place[n]);
+  }
+  return ranks;
+}
+
+/// Whether each place has as many pictures, all with a number of their own, and the numbers really change
+/// from place to place: what several places have, all have, and as the same one in order. Else some are
+/// missing.
+bool countsEverywhere(const Entries& entries, std::size_t separator) {
+  const std::vector<Entries> places = byPlace(entries);
+  const std::size_t most = mostAtOnePlace(entries);
+  std::map<double, std::pair<std::size_t, std::size_t>> ranks;  // of a number: its rank, at how many places
+  for (const Entries& place : places) {
+    std::set<double> numbers;
+    for (const Entry& e : place)
+      if (const auto number = parseNumber(valueOf(e, separator))) numbers.insert(*number);
+    if (place.size() != most || numbers.size() != most) return false;
+    std::size_t rank = 0;
+    for (const double number : numbers) {
+      const auto [it, isNew] = ranks.emplace(number, std::pair(rank, std::size_t(0)));
+      if (it->second.first != rank++) return false;
+      ++it->second.second;
+    }
+  }
+  return std::ranges::all_of(
+      ranks, [&](const auto& of) { return of.second.second == 1 || of.second.second == places.size(); });
+}
+
+std::vector<Split> byCount(const Split& split, std::size_t n) {
+  const Separator& separator = separators()[n];
+  const std::vector<Entries> ranks = byOrder(
+      split.entries, [n](const Entry& a, const Entry& b) { return isBefore(valueOf(a, n), valueOf(b, n)); });
+  std::vector<Split> splits;
+  for (std::size_t r = 0; r < ranks.size(); ++r) {
+    splits.push_back({ranks[r], split.by, split.timePoint, split.label, {}, false});
+    const std::string number = ordinal(r, ranks.size());
+    addName(splits.back(), separator, number, separator.before + number);
+  }
+  return splits;
+}
+
+/// The last resort: by image number; where two of one place have the same, they stay together as frames.
+std::vector<Split> byNumber(const Split& split) {
+  const auto number = [](const Entry& e) { return e.slice().instance; };
+  const bool tie = std::ranges::any_of(byPlace(split.entries), [&](const Entries& place) {
+    std::set<long> numbers;
+    for (const Entry& e : place) numbers.insert(number(e));
+    return numbers.size() < place.size();
+  });
+  if (tie) {
+    Split frames = split;
+    frames.isGuess = true;
+    return {frames};
+  }
+  const std::vector<Entries> ranks =
+      byOrder(split.entries, [&](const Entry& a, const Entry& b) { return number(a) < number(b); });
+  std::vector<Split> splits;
+  for (std::size_t r = 0; r < ranks.size(); ++r) {
+    const std::string words = ordinal(r, ranks.size());
+    splits.push_back({ranks[r], split.by, split.timePoint, split.label, {}, false});
+    splits.back().by.push_back({"rank", words, words});
+    splits.back().label += (split.label.empty() ? "" : ", ") + words;
+    splits.back().warning = std::to_string(ranks.size()) +
+                            " pictures lie at one place, and nothing in the files tells which belong "
+                            "together: they were taken in the order of their image numbers.";
+  }
+  return splits;
+}
+
+/// Whether a separator explains why pictures repeat: it has no more values than there are pictures at a
+/// place, and each value has fewer.
+bool explains(const Entries& entries, std::size_t separator) {
+  const std::size_t most = mostAtOnePlace(entries);
+  const std::vector<std::string> values = valuesOf(entries, separator);
+  if (values.size() < 2 || values.size() > most) return false;
+  const std::vector<Split> splits = byValue({entries, {}, {}, {}, {}, false}, separator, values);
+  return std::ranges::all_of(splits, [&](const Split& s) { return mostAtOnePlace(s.entries) < most; });
+}
+
+/// Whether pictures of one place are left together.
+bool repeats(const Split& split) { return mostAtOnePlace(split.entries) > 1; }
+
+/// Splits all of these by one separator; those that `is` does not hold for stay.
+template <class Is>
+std::vector<Split> eachByValue(const std::vector<Split>& splits, std::size_t n, Is is) {
+  Entries all;
+  for (const Split& split : splits) std::ranges::copy(split.entries, std::back_inserter(all));
+  const std::vector<std::string> values = valuesOf(all, n);
+  std::vector<Split> inner;
+  for (const Split& split : splits)
+    if (is(split))
+      std::ranges::move(byValue(split, n, values), std::back_inserter(inner));
+    else
+      inner.push_back(split);
+  return inner;
+}
+
+/// Splits further by a separator that explains why pictures repeat in one of these: there, and where the same
+/// values occur. False where there is none.
+bool splitByOneMore(std::vector<Split>& splits) {
+  for (std::size_t n = 0; n < separators().size(); ++n) {
+    const auto isExplained = [&](const Split& s) { return repeats(s) && explains(s.entries, n); };
+    const auto first = std::ranges::find_if(splits, isExplained);
+    if (first == splits.end()) continue;
+    const std::vector<std::string> explained = valuesOf(first->entries, n);
+    splits = eachByValue(splits, n, [&](const Split& s) {
+      const std::vector<std::string> own = valuesOf(s.entries, n);
+      return isExplained(s) || std::ranges::all_of(own, [&](const std::string& value) {
+               return std::ranges::find(explained, value) != explained.end();
+             });
+    });
+    return true;
+  }
+  return false;
+}
+
+/// By the order of a separator's values at each place, else by that of the numbers.
+std::vector<Split> splitTheRest(const Split& split) {
+  for (std::size_t n = 0; n < separators().size(); ++n)
+    if (separators()[n].countsAtEachPlace && countsEverywhere(split.entries, n)) return byCount(split, n);
+  return byNumber(split);
+}
+
+/// Whether pictures of one volume that differ in a separator may not belong together, as files are missing:
+/// `most` lie at one place of their stack. Image types and times differ within volumes, too.
+bool wouldBeMixed(const Entries& entries, std::size_t n, std::size_t most) {
+  const Separator& separator = separators()[n];
+  if (separator.words == Separator::Words::imageType) return false;
+  if (separator.trust == Trust::certain) return true;
+  if (most == 1 || separator.trust == Trust::always) return false;
+  return separator.trust == Trust::likely ||
+         (valuesOf(entries, n).size() <= most && differsAtOnePlace(entries, n));
+}
+
+void warnOfMixture(const std::vector<std::size_t>& mixing, Split& split) {
+  if (!split.warning.empty() || split.isGuess) return;
+  for (const std::size_t n : mixing)
+    if (valuesOf(split.entries, n).size() > 1)
+      split.warning = std::string("Its pictures differ in ") + separators()[n].keyword +
+                      ": they may not belong together, and others may be missing.";
+}
+
+/// By all that surely tells pictures apart.
+std::vector<Split> splitSurely(const Entries& entries) {
+  std::vector<Split> splits{{entries, {}, {}, {}, {}, false}};
+  const std::size_t most = mostAtOnePlace(entries);
+  for (std::size_t n = 0; n < separators().size(); ++n) {
+    const Trust trust = separators()[n].trust;
+    if (trust == Trust::needed || (trust != Trust::always && most == 1)) continue;
+    if (trust != Trust::always && !differsAtOnePlace(entries, n)) continue;
+    if (trust == Trust::likely && valuesOf(entries, n).size() > most) continue;
+    splits = eachByValue(splits, n, [](const Split&) { return true; });
+  }
+  return splits;
+}
+
+}  // namespace
+
+std::vector<Split> splitRepeats(const Entries& entries) {
+  std::vector<Split> splits = splitSurely(entries);
+  while (splitByOneMore(splits)) {
+  }
+  std::vector<std::size_t> mixing;
+  const std::size_t most = mostAtOnePlace(entries);
+  for (std::size_t n = 0; n < separators().size(); ++n)
+    if (wouldBeMixed(entries, n, most)) mixing.push_back(n);
+  std::vector<Split> all;
+  for (const Split& split : splits) {
+    std::vector<Split> parts = repeats(split) ? splitTheRest(split) : std::vector{split};
+    for (Split& part : parts) {
+      const bool isCounted = repeats(split) && part.warning.empty();
+      if (!isCounted) warnOfMixture(mixing, part);
+      all.push_back(std::move(part));
+    }
+  }
+  return all;
+}
+
+}  // namespace volumen::dicom

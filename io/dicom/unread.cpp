@@ -1,0 +1,110 @@
+#include "io/dicom/unread.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <set>
+
+#include "io/regular_file.h"
+
+namespace volumen::dicom {
+namespace {
+
+std::string folderOf(const std::string& path) { return path.substr(0, path.find_last_of('/') + 1); }
+
+bool isOf(const LostFile& lost, const Series& series, const std::set<std::string>& folders) {
+  if (lost.file.beside) return folders.contains(folderOf(lost.file.path));
+  return lost.identity.seriesUid == series.seriesUid && lost.identity.studyUid == series.studyUid;
+}
+
+/// How many interpolated slices lie where one could not be read.
+int countInPlace(const std::vector<Unread>& unread, const Series::Regular& regular) {
+  const VoxelGeometry& g = regular.geometry;
+  const glm::dvec3 step = g.patientFromVoxelStep[2];
+  int count = 0;
+  for (std::size_t k = 0; k < regular.copies.size(); ++k)
+    if (regular.copies[k] < 0)
+      count += std::ranges::any_of(unread, [&](const Unread& file) {
+        if (!file.position) return false;
+        const double off = glm::dot(*file.position - g.patientFromVoxel(glm::dvec3(0, 0, double(k))), step);
+        return std::abs(off) < 0.5 * glm::dot(step, step);
+      });
+  return count;
+}
+
+std::string namesOf(const std::vector<const Unread*>& files) {
+  constexpr std::size_t most = 20;
+  std::vector<std::string> names;  // a file may hold several slices
+  for (const Unread* file : files)
+    if (std::ranges::find(names, fileName(file->path)) == names.end()) names.push_back(fileName(file->path));
+  std::string text;
+  for (std::size_t n = 0; n < std::min(most, names.size()); ++n) text += (n ? ", " : "") + names[n];
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
+  return text;
+}
+
+/// Of files of the series, of which `interpolated` slices were made up.
+std::string sentenceOf(const std::vector<const Unread*>& files, int interpolated) {
+  const std::string& reason = files[0]->reason;
+  if (files.size() == 1)
+    return "Slice " + namesOf(files) + " could not be read and " +
+           (interpolated ? "was interpolated: " : "is left out: ") + reason;
+  const std::string some = std::to_string(interpolated) + " of them " + (interpolated == 1 ? "was" : "were") +
+                           " interpolated, the others are left out";
+  const std::string became = interpolated == 0                   ? "they are left out"
+                             : interpolated >= int(files.size()) ? "they were interpolated"
+                                                                 : some;
+  return std::to_string(files.size()) + " slices could not be read: " + namesOf(files) + "; " + became +
+         ". The first: " + reason;
+}
+
+/// Of files that may be of the series.
+std::string besideSentenceOf(const std::vector<const Unread*>& files, int interpolated) {
+  const std::string made =
+      interpolated == 1 ? "the slice that was interpolated" : "the slices that were interpolated";
+  const std::string became = interpolated ? " It may have held " + made + "." : "";
+  if (files.size() == 1)
+    return namesOf(files) + ", beside the files of this series, could not be read: " + files[0]->reason +
+           became;
+  return std::to_string(files.size()) +
+         " files beside those of this series could not be read: " + namesOf(files) +
+         ". The first: " + files[0]->reason + (interpolated ? " They may have held " + made + "." : "");
+}
+
+}  // namespace
+
+void addUnread(const std::vector<LostFile>& lost, std::vector<Series>& volumes) {
+  if (lost.empty()) return;
+  for (Series& series : volumes) {
+    std::set<std::string> folders;
+    for (const std::string& file : series.files) folders.insert(folderOf(file));
+    for (const LostFile& file : lost)
+      if (isOf(file, series, folders)) series.unread.push_back(file.file);
+    warnOfUnread(series.unread, series.regular, series.warnings);
+  }
+}
+
+void warnOfUnread(const std::vector<Unread>& unread, const std::optional<Series::Regular>& regular,
+                  std::vector<Warning>& warnings) {
+  if (unread.empty()) return;
+  std::vector<const Unread*> own, beside;
+  int unplaced = 0;
+  for (const Unread& file : unread) {
+    (file.beside ? beside : own).push_back(&file);
+    unplaced += file.position ? 0 : 1;
+  }
+  const bool someMissing =
+      std::ranges::find(warnings, WarningKind::missingSlices, &Warning::kind) != warnings.end();
+  const int missing = regular && someMissing ? regular->interpolatedSlices : 0;
+  int inPlace = regular ? countInPlace(unread, *regular) : 0, guessed = 0;
+  if (const int rest = missing - inPlace; rest > 0 && unplaced >= rest) guessed = rest;
+  if (someMissing && inPlace + guessed >= missing)
+    std::erase_if(warnings, [](const Warning& w) { return w.kind == WarningKind::missingSlices; });
+  if (!own.empty()) {
+    const int more = std::min(guessed, int(own.size()) - inPlace);
+    inPlace += std::max(0, more), guessed -= std::max(0, more);
+    warnings.emplace_back(sentenceOf(own, inPlace), WarningKind::unread);
+  }
+  if (!beside.empty()) warnings.emplace_back(besideSentenceOf(beside, guessed), WarningKind::unread);
+}
+
+}  // namespace volumen::dicom

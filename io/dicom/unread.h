@@ -1,0 +1,23 @@
+#pragma once
+
+#include "io/study.h"
+
+namespace volumen::dicom {
+
+/// A file that gives no slice, and whose it is as far as its header could be read.
+struct LostFile {
+  Unread file;
+  SeriesIdentity identity;
+  std::string sopClassUid;
+};
+
+/// Adds to each series what is lost of it, and says so in its warnings: files whose header names it, and
+/// those beside its files whose header could not be read.
+void addUnread(const std::vector<LostFile>& lost, std::vector<Series>& volumes);
+
+/// Says in the warnings of how slices lie (Stack) what could not be read: slices that were interpolated for
+/// that are not called missing.
+void warnOfUnread(const std::vector<Unread>& unread, const std::optional<Series::Regular>& regular,
+                  std::vector<Warning>& warnings);
+
+}  // namespace volumen::dicom

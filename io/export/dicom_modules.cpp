@@ -1,0 +1,78 @@
+#include "io/export/dicom_modules.h"
+
+namespace volumen {
+
+namespace {
+
+void addIfKnown(DicomElements& all, std::uint32_t tag, const std::string& value) {
+  if (!value.empty()) all.push_back({tag, value});
+}
+
+}  // namespace
+
+DicomElements patientModule(const SeriesIdentity& who) {
+  DicomElements all = {{0x00100010, who.patientName},
+                       {0x00100020, who.patientId},
+                       {0x00100030, who.patientBirthDate},
+                       {0x00100040, who.patientSex}};
+  addIfKnown(all, 0x00100021, who.patientIdIssuer);
+  return all;
+}
+
+DicomElements studyModule(const SeriesIdentity& who, const std::string& studyUid) {
+  DicomElements all = {{0x0020000d, studyUid},
+                       {0x00080020, who.studyDate},
+                       {0x00080030, who.studyTime},
+                       {0x00080050, who.accessionNumber},
+                       {0x00080090, ""},
+                       {0x00200010, who.studyId}};
+  addIfKnown(all, 0x00081030, who.studyDescription);
+  addIfKnown(all, 0x00101010, who.patientAge);
+  return all;
+}
+
+DicomElements equipmentModule() {
+  return {{0x00080070, "volumen"}, {0x00181020, "volumen " VOLUMEN_VERSION}};
+}
+
+DicomElements contributingEquipment(std::span<const DicomElement> before) {
+  constexpr std::uint32_t contributors = 0x0018a001;
+  DicomElements all = {{contributors, {}}};
+  bool inside = false;
+  for (const DicomElement& e : before) {
+    if (e.depth == 0) inside = e.tag == contributors;
+    if (inside && e.depth > 0) all.push_back(e);
+  }
+  all.push_back({dicomItem, {}, 0, 1});
+  all.push_back({0x00080070, "volumen", 0, 1});
+  all.push_back({0x00181020, "volumen " VOLUMEN_VERSION, 0, 1});
+  all.push_back({0x0040a170, {}, 0, 1});
+  append(all, codeItem("109103", "DCM", "Modifying Equipment", 2));
+  return all;
+}
+
+DicomElements frameOfReferenceModule(const std::string& uid) { return {{0x00200052, uid}, {0x00201040, ""}}; }
+
+DicomElements derivation(const std::string& words, std::span<const SourcePicture> sources) {
+  DicomElements all = {{0x00082111, words}};
+  if (!sources.empty()) all.push_back({0x00082112, {}});
+  for (const SourcePicture& picture : sources) {
+    all.push_back({dicomItem, {}, 0, 1});
+    all.push_back({0x00081150, picture.sopClassUid, 0, 1});
+    all.push_back({0x00081155, picture.sopInstanceUid, 0, 1});
+    if (picture.frame > 0) all.push_back({0x00081160, std::to_string(picture.frame), 0, 1});
+    all.push_back({0x0040a170, {}, 0, 1});
+    append(all, codeItem("121322", "DCM", "Source image for image processing operation", 2));
+  }
+  return all;
+}
+
+DicomElements codeItem(const std::string& value, const std::string& scheme, const std::string& meaning,
+                       int depth) {
+  return {{dicomItem, {}, 0, depth},
+          {0x00080100, value, 0, depth},
+          {0x00080102, scheme, 0, depth},
+          {0x00080104, meaning, 0, depth}};
+}
+
+}  // namespace volumen

@@ -1,0 +1,88 @@
+#include "io/export/dicom_pixels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <span>
+
+#include "io/export/dicom_elements.h"
+
+namespace volumen {
+
+namespace {
+
+double asWritten(double value) { return std::strtod(decimal(value).c_str(), nullptr); }
+
+// Values by a rescale, to the nearest stored number; beyond the range to its end.
+StoredSlice rescaled(std::span<const float> values, StoredAs as) {
+  StoredSlice slice;
+  slice.isSigned = as.isSigned;
+  slice.slope = asWritten(as.slope);
+  slice.intercept = asWritten(as.intercept);
+  const double low = as.isSigned ? -32768 : 0, high = as.isSigned ? 32767 : 65535;
+  slice.words.reserve(values.size());
+  for (const float v : values) {
+    const double stored =
+        std::clamp(std::floor((double(v) - slice.intercept) / slice.slope + 0.5), low, high);
+    slice.words.push_back(std::uint16_t(std::int32_t(stored)));
+    const double written = double(float(slice.slope * stored + slice.intercept));
+    slice.largestError = std::max(slice.largestError, std::abs(written - double(v)));
+  }
+  return slice;
+}
+
+StoredSlice rounded(std::span<const float> values) {
+  const auto [low, high] = std::ranges::minmax(values);
+  const bool isSigned = low < 0;
+  const double most = std::max(double(high), -double(low));
+  return rescaled(values, {most > 0 ? most / (isSigned ? 32767 : 65535) : 1, 0, isSigned});
+}
+
+template <class Sample>
+StoredSlice asTheyAre(std::span<const Sample> values, const Volume& volume) {
+  StoredSlice slice;
+  slice.isSigned = std::is_signed_v<Sample>;
+  slice.slope = volume.slope();
+  slice.intercept = volume.intercept();
+  slice.words.reserve(values.size());
+  for (const Sample v : values) slice.words.push_back(std::uint16_t(std::int32_t(v)));
+  return slice;
+}
+
+// Stored values that are whole, though they are kept as real ones.
+std::optional<StoredSlice> wholeSlice(std::span<const float> values, const Volume& volume) {
+  StoredSlice slice = rescaled(values, {1, 0, true});
+  if (slice.largestError > 0) return {};
+  slice.slope = volume.slope();
+  slice.intercept = volume.intercept();
+  return slice;
+}
+
+std::optional<StoredSlice> realSlice(std::span<const float> values, const std::optional<StoredAs>& source,
+                                     bool mayRound) {
+  if (source && source->slope != 0)
+    if (StoredSlice exact = rescaled(values, *source); exact.largestError == 0) return exact;
+  if (StoredSlice whole = rescaled(values, {1, 0, true}); whole.largestError == 0) return whole;
+  if (mayRound) return rounded(values);
+  return {};
+}
+
+}  // namespace
+
+std::optional<StoredSlice> storedSlice(const Volume& volume, int k, const std::optional<StoredAs>& source,
+                                       bool mayRound) {
+  const std::size_t count = std::size_t(volume.size().x) * std::size_t(volume.size().y);
+  return std::visit(
+      [&]<class Sample>(const std::vector<Sample>& all) -> std::optional<StoredSlice> {
+        const std::span<const Sample> values = std::span(all).subspan(std::size_t(k) * count, count);
+        if constexpr (!std::is_same_v<Sample, float>)
+          return asTheyAre(values, volume);
+        else if (volume.slope() == 1 && volume.intercept() == 0)
+          return realSlice(values, source, mayRound);
+        else
+          return wholeSlice(values, volume);
+      },
+      volume.stored());
+}
+
+}  // namespace volumen

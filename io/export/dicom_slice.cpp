@@ -1,0 +1,291 @@
+#include "io/export/dicom_slice.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcuid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "io/export/dicom_modules.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr std::uint32_t imageTypeTag = 0x00080008, units = 0x00541001, rescaleType = 0x00281054,
+                        frameOfReference = 0x00200052;
+
+void appendValue(std::string& values, const std::string& value) {
+  if (!values.empty()) values += '\\';
+  values += value;
+}
+
+// What a source says of one of its slices, the elements of its frame over those of the file.
+std::map<std::uint32_t, DicomElements> byTag(const DicomSource& source, int slice) {
+  std::map<std::uint32_t, DicomElements> all;
+  for (const DicomElements* elements : {&source.file(slice).elements, &source.frame(slice).elements}) {
+    std::uint32_t top = 0;
+    for (const DicomElement& e : *elements) {
+      if (e.depth == 0) top = e.tag, all[top].clear();
+      all[top].push_back(e);
+    }
+  }
+  return all;
+}
+
+// Of an interpolated slice, what the slices on either side both say; times and windows are those of the one
+// below.
+DicomElements common(const std::map<std::uint32_t, DicomElements>& below,
+                     const std::map<std::uint32_t, DicomElements>& above) {
+  constexpr std::uint32_t ofTheOneBelow[] = {0x00080022, 0x00080023, 0x00080032, 0x00080033,
+                                             0x00181242, 0x00281050, 0x00281051, 0x00281055,
+                                             0x00281056, 0x00541300, 0x00541321};
+  DicomElements all;
+  for (const auto& [tag, elements] : below) {
+    const auto other = above.find(tag);
+    const bool alike = other != above.end() && other->second == elements;
+    if (alike || std::ranges::find(ofTheOneBelow, tag) != std::end(ofTheOneBelow)) append(all, elements);
+  }
+  return all;
+}
+
+double betweenSlices(const VoxelGeometry& g) {
+  const glm::dvec3 normal = glm::normalize(glm::cross(g.patientFromVoxelStep[0], g.patientFromVoxelStep[1]));
+  return std::abs(glm::dot(normal, g.patientFromVoxelStep[2]));
+}
+
+DicomElements windows(const Volume& volume, const DicomSeriesTags& tags) {
+  std::string centres, widths, names;
+  for (const Window& w : volume.attributes().windows) {
+    appendValue(centres, decimal(w.centre));
+    appendValue(widths, decimal(w.width));
+  }
+  if (centres.empty()) return {};
+  DicomElements all = {{0x00281050, centres}, {0x00281051, widths}};
+  for (const std::string& name : tags.windowNames) appendValue(names, name);
+  if (tags.windowNames.size() == volume.attributes().windows.size()) all.push_back({0x00281055, names});
+  return all;
+}
+
+// PS3.3 A.3, A.4, A.8, A.21: what an image must have beyond what all have, where no source says it.
+DicomElements modalityDefaults(const std::string& sopClass, const DicomSeriesTags& tags,
+                               const std::string& scanningSequence) {
+  if (sopClass == UID_CTImageStorage) return {{0x00180060, tags.kvp}};
+  if (sopClass == UID_MRImageStorage) {
+    DicomElements all = {{0x00180020, "RM"}, {0x00180021, "NONE"}, {0x00180022, ""}, {0x00180023, ""},
+                         {0x00180080, ""},   {0x00180081, ""},     {0x00180091, ""}};
+    if (scanningSequence.find("IR") != std::string::npos) all.push_back({0x00180082, ""});
+    return all;
+  }
+  if (sopClass == UID_PositronEmissionTomographyImageStorage)
+    return {{0x00080022, ""}, {0x00080032, ""}, {0x00181181, ""}, {0x00181242, ""},
+            {0x00280051, ""}, {0x00540016, {}}, {0x00540414, {}}};
+  return {{0x00080064, "WSD"}};
+}
+
+// Parts of which there are two must say which, if only that it is not known (Laterality); so must what is of
+// no known part.
+bool mayBePaired(const std::string& bodyPart) {
+  static const char* const paired[] = {"",    "ANKLE", "ARM",  "BREAST", "EAR",    "ELBOW", "EXTREMITY",
+                                       "EYE", "FOOT",  "HAND", "HIP",    "KIDNEY", "KNEE",  "SHOULDER",
+                                       "LEG", "THIGH", "LUNG", "FEMUR",  "TIBIA",  "WRIST"};
+  return std::ranges::find(paired, bodyPart) != std::end(paired);
+}
+
+// Padding in stored values, where these are integers.
+DicomElements padding(const Volume& volume, const StoredSlice& pixels) {
+  const auto& range = volume.attributes().padding;
+  if (!range || std::holds_alternative<std::vector<float>>(volume.stored())) return {};
+  const auto stored = [&](double value) {
+    return long(std::lround((value - volume.intercept()) / volume.slope()));
+  };
+  const auto [low, high] = std::minmax({stored(range->low), stored(range->high)});
+  const bool fits = pixels.isSigned ? low >= -32768 && high <= 32767 : low >= 0 && high <= 65535;
+  if (!fits) return {};
+  const auto vr = std::uint16_t(pixels.isSigned ? 'S' << 8 | 'S' : 'U' << 8 | 'S');
+  DicomElements all = {{0x00280120, std::to_string(low), vr}};
+  if (high != low) all.push_back({0x00280121, std::to_string(high), vr});
+  return all;
+}
+
+// DYNAMIC and GATED series: this is one of their volumes.
+DicomElements petCounts(int k, int slices, const std::string& seriesType) {
+  DicomElements all = {{0x00540081, std::to_string(slices)}, {0x00541330, std::to_string(k + 1)}};
+  if (seriesType.starts_with("DYNAMIC")) all.push_back({0x00540101, "1"});
+  if (seriesType.starts_with("GATED"))
+    for (const std::uint32_t count : {0x00540061u, 0x00540071u}) all.push_back({count, "1"});
+  return all;
+}
+
+const char* sopClassOf(const std::string& modality, bool isPet) {
+  if (modality == "CT") return UID_CTImageStorage;
+  if (modality == "MR") return UID_MRImageStorage;
+  return isPet ? UID_PositronEmissionTomographyImageStorage : UID_SecondaryCaptureImageStorage;
+}
+
+// What is the same of all slices of the source.
+std::string commonFrameOfReference(const DicomSource& source) {
+  std::string uid;
+  for (std::size_t n = 0; n < source.slices.size(); ++n) {
+    std::string own = valueOf(source.file(int(n)).elements, frameOfReference);
+    if (n > 0 && own != uid) return {};
+    uid = std::move(own);
+  }
+  return uid;
+}
+
+}  // namespace
+
+DicomSliceWriter::DicomSliceWriter(const Volume& volume, const DicomSeriesTags& tags)
+    : volume_(volume),
+      tags_(tags),
+      uids_(volume, tags.patientId + tags.description + tags.seriesUid + tags.bValue) {
+  if (!tags.source.slices.empty()) first_ = tags.source.file(0).elements;
+  isPet_ = volume.attributes().modality == "PT" && !valueOf(first_, units).empty();
+  series_ = seriesElements();
+}
+
+std::string DicomSliceWriter::withoutClass() const {
+  const std::string& modality = volume_.attributes().modality;
+  const bool isCapture = modality.empty() || modality == "OT" || modality == "CT" || modality == "MR";
+  return isCapture || isPet_ ? std::string() : modality;
+}
+
+const SliceOrigin* DicomSliceWriter::originOf(int k) const {
+  return tags_.source.slices.empty() ? nullptr : &tags_.origins[std::size_t(k)];
+}
+
+std::optional<StoredAs> DicomSliceWriter::storedAs(int k) const {
+  const SliceOrigin* origin = originOf(k);
+  if (!origin || origin->isInterpolated()) return {};
+  const DicomSourceFrame& frame = tags_.source.frame(origin->below);
+  return StoredAs{frame.slope, frame.intercept, tags_.source.file(origin->below).isSigned};
+}
+
+// What all slices share, and what the source says better.
+DicomElements DicomSliceWriter::seriesElements() const {
+  const std::string modality = volume_.attributes().modality;
+  const char* sopClass = sopClassOf(modality, isPet_);
+  DicomElements all = patientModule(tags_);
+  append(all, studyModule(tags_, tags_.studyUid.empty() ? uids_.of("study") : tags_.studyUid));
+  append(all, {{0x0008103e, tags_.description},
+               {0x00200011, tags_.seriesNumber.empty() ? "1" : tags_.seriesNumber},
+               {0x00200012, ""},
+               {0x00185100, tags_.patientPosition},
+               {0x00180050, tags_.synthetic ? decimal(betweenSlices(volume_.geometry())) : std::string()}});
+  append(all, frameOfReferenceModule(uids_.of("frame of reference")));
+  if (mayBePaired(tags_.bodyPart)) all.push_back({0x00200060, ""});
+  append(all, first_.empty() ? equipmentModule() : DicomElements{{0x00080070, ""}});
+  append(all, modalityDefaults(sopClass, tags_, valueOf(first_, 0x00180020)));
+  append(all, windows(volume_, tags_));
+  if (!tags_.bodyPart.empty()) all.push_back({0x00180015, tags_.bodyPart});
+  if (modality == "MR" && !tags_.bValue.empty()) all.push_back({0x00189087, tags_.bValue});
+  if (tags_.synthetic)
+    append(all, {{0x00120062, "YES"},
+                 {0x00120063, "Synthetic: computed, of no patient"},
+                 {0x00081090, "Synthetic phantom"},
+                 {0x00204000, "Synthetic data, computed. Not a patient. Not for clinical use."}});
+  return all;
+}
+
+DicomElements DicomSliceWriter::sourceElements(int k) const {
+  const SliceOrigin* origin = originOf(k);
+  if (!origin) return {};
+  DicomElements all = common(byTag(tags_.source, origin->below), byTag(tags_.source, origin->above));
+  std::erase_if(all, [](const DicomElement& e) { return e.depth == 0 && e.tag == rescaleType; });
+  return all;
+}
+
+// DERIVED\SECONDARY, and from the third value on what the source says.
+std::string DicomSliceWriter::imageType(const std::string& ofSource) const {
+  const std::string& modality = volume_.attributes().modality;
+  // PS3.3 C.8.9.4.1.1 knows no SECONDARY of PET.
+  std::string type = isPet_ ? "DERIVED\\PRIMARY" : "DERIVED\\SECONDARY";
+  std::vector<std::string> more;
+  std::size_t at = 0;
+  for (int n = 0; at != std::string::npos; ++n) {
+    const std::size_t begin = n ? at + 1 : 0;
+    at = ofSource.find('\\', begin);
+    if (n >= 2) more.push_back(ofSource.substr(begin, at == std::string::npos ? at : at - begin));
+  }
+  std::erase(more, "MOSAIC");
+  if (modality == "CT" && (more.empty() || (more[0] != "AXIAL" && more[0] != "LOCALIZER")))
+    more.insert(more.begin(), "AXIAL");
+  if (modality == "MR" && more.empty()) more.emplace_back("OTHER");
+  for (const std::string& value : more) appendValue(type, value);
+  return type;
+}
+
+DicomElements DicomSliceWriter::derivationOf(int k, const StoredSlice& pixels) const {
+  const SliceOrigin* origin = originOf(k);
+  if (!origin) return {};
+  std::string words = origin->isInterpolated() ? "Interpolated between the source images"
+                                               : "Values and place as in the source image";
+  char off[96] = "";
+  if (pixels.largestError > 0)
+    std::snprintf(off, sizeof off, ", rounded to 16 bits (at most %.3g off)", pixels.largestError);
+  words += off;
+  words += "; written by volumen " VOLUMEN_VERSION;
+  std::vector<SourcePicture> pictures;
+  for (const int n : {origin->below, origin->above}) {
+    const DicomSourceFile& file = tags_.source.file(n);
+    const int frame = file.isMultiFrame ? int(tags_.source.slices[std::size_t(n)].frame) + 1 : 0;
+    pictures.push_back({file.sopClassUid, file.sopInstanceUid, frame});
+    if (!origin->isInterpolated()) break;
+  }
+  return derivation(words, pictures);
+}
+
+DicomElements DicomSliceWriter::placeElements(int k) const {
+  const VoxelGeometry& g = volume_.geometry();
+  const glm::dvec3 spacing = g.spacing(), p = g.patientFromVoxel({0, 0, k});
+  const glm::dvec3 row = g.patientFromVoxelStep[0] / spacing.x,
+                   column = g.patientFromVoxelStep[1] / spacing.y;
+  return {{0x00200032, decimals({p.x, p.y, p.z})},
+          {0x00200037, decimals({row.x, row.y, row.z, column.x, column.y, column.z})},
+          {0x00201041, decimal(glm::dot(p, glm::normalize(glm::cross(row, column))))},
+          {0x00280030, decimals({spacing.y, spacing.x})},
+          {0x00180088, decimal(betweenSlices(g))}};
+}
+
+// What is not the source's.
+DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels,
+                                                std::span<const DicomElement> source) const {
+  const std::string& modality = volume_.attributes().modality;
+  DicomElements all = {{0x00080005, "ISO_IR 192"},
+                       {0x00080016, sopClassOf(modality, isPet_)},
+                       {0x00080018, uids_.of(std::to_string(k + 1))},
+                       {0x00080060, modality.empty() ? "OT" : modality},
+                       {imageTypeTag, imageType(valueOf(source, imageTypeTag))},
+                       {0x0020000e, uids_.of("series")},
+                       {0x00200013, std::to_string(k + 1)},
+                       {0x00280004, "MONOCHROME2"}};
+  if (!source.empty()) {
+    append(all, contributingEquipment(source));
+    const std::string uid = commonFrameOfReference(tags_.source);
+    all.push_back({frameOfReference, uid.empty() ? uids_.of("frame of reference") : uid});
+  }
+  append(all, placeElements(k));
+  append(all, derivationOf(k, pixels));
+  append(all, padding(volume_, pixels));
+  if (isPet_) append(all, petCounts(k, volume_.size().z, valueOf(source, 0x00541000)));
+  // MR Image Storage has no rescale of its own; it is written all the same where it does something.
+  if (modality == "MR" && pixels.slope == 1 && pixels.intercept == 0) return all;
+  append(all, {{0x00281053, decimal(pixels.slope)}, {0x00281052, decimal(pixels.intercept)}});
+  if (isPet_) return all;
+  const std::string type = valueOf(first_, rescaleType);
+  all.push_back({rescaleType, !type.empty() ? type : modality == "CT" ? "HU" : "US"});
+  return all;
+}
+
+void DicomSliceWriter::put(int k, const StoredSlice& pixels, DcmItem& into) const {
+  const DicomElements source = sourceElements(k);
+  volumen::put(series_, into);
+  volumen::put(source, into);
+  volumen::put(derivedElements(k, pixels, source), into);
+}
+
+}  // namespace volumen

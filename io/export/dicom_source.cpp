@@ -1,0 +1,317 @@
+#include "io/export/dicom_source.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcdict.h>
+#include <dcmtk/dcmdata/dctag.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include "io/dicom/data_set.h"
+#include "io/dicom/frame_scopes.h"
+#include "io/dicom/header.h"
+#include "io/worker/batches.h"
+#include "io/worker/serve.h"
+
+namespace volumen {
+
+namespace worker {
+inline void fields(Wire& w, DicomElement& e) { w(e.tag, e.value, e.vr, e.depth); }
+inline void fields(Wire& w, DicomSourceFrame& f) { w(f.slope, f.intercept, f.elements); }
+inline void fields(Wire& w, DicomSourceFile& f) {
+  w(f.problem, f.sopClassUid, f.sopInstanceUid, f.isSigned, f.isMultiFrame, f.elements, f.frames);
+}
+}  // namespace worker
+
+namespace {
+
+using dicom::DataSet;
+using dicom::vrOf;
+
+constexpr int deepest = 6;
+constexpr std::size_t longestValue = 64 << 10, mostNumbers = 4096;
+constexpr std::uint32_t characterSet = 0x00080005, imageType = 0x00080008;
+
+struct Tags {
+  std::uint32_t first, last;
+};
+
+// What is copied: PS3.3 C.7.1 to C.7.5 and how pictures were acquired (C.8), as far as it holds for any
+// slice that shows the same.
+constexpr Tags copied[] = {
+    {0x00080008, 0x00080008},  // ImageType
+    {0x00080020, 0x00080023},  // dates of study, series, acquisition, content
+    {0x0008002a, 0x0008002a},  // AcquisitionDateTime
+    {0x00080030, 0x00080033},  // times
+    {0x00080050, 0x00080051},  // AccessionNumber and its issuer
+    {0x00080070, 0x0008009d},  // manufacturer, institution, referring and consulting physicians
+    {0x00080201, 0x00080201},  // TimezoneOffsetFromUTC
+    {0x00081010, 0x00081110},  // station, descriptions, physicians, admission, model, referenced study
+    {0x00081120, 0x00081120},  // ReferencedPatientSequence
+    {0x00082218, 0x00082220},  // anatomic region
+    {0x00100010, 0x0010ffff},  // patient
+    {0x00120010, 0x0012ffff},  // clinical trial, de-identification
+    {0x00180010, 0x00180087},  // contrast agent ... MagneticFieldStrength, SliceThickness
+    {0x00180089, 0x00181163},  // all of acquisition but SpacingBetweenSlices ...
+    {0x00181165, 0x00185fff},  // ... and ImagerPixelSpacing
+    {0x00189087, 0x00189087},  // DiffusionBValue
+    {0x00189089, 0x00189089},  // DiffusionGradientOrientation
+    {0x0018a001, 0x0018a001},  // ContributingEquipmentSequence
+    {0x0020000d, 0x0020000d},  // StudyInstanceUID
+    {0x00200010, 0x00200012},  // StudyID, numbers of series and acquisition
+    {0x00200052, 0x00200052},  // FrameOfReferenceUID
+    {0x00200060, 0x00200062},  // laterality
+    {0x00200100, 0x00200110},  // temporal position
+    {0x00201040, 0x00201040},  // PositionReferenceIndicator
+    {0x00204000, 0x00204000},  // ImageComments
+    {0x00280051, 0x00280051},  // CorrectedImage
+    {0x00280301, 0x00280303},  // burned-in annotation, longitudinal information
+    {0x00281050, 0x00281051},  // windows
+    {0x00281054, 0x00281056},  // RescaleType, explanation and function of windows
+    {0x00282110, 0x00282114},  // lossy compression
+    {0x00321000, 0x003210ff},  // request
+    {0x00380000, 0x0038ffff},  // visit
+    {0x00400241, 0x00400280},  // performed procedure step, RequestAttributesSequence
+    {0x00401012, 0x00401012},  // ReasonForPerformedProcedureCodeSequence
+    {0x00540012, 0x00540018},  // energy windows, RadiopharmaceuticalInformationSequence
+    {0x00540220, 0x00540222},  // view
+    {0x00540300, 0x00540500},  // codes of radionuclide, route, orientation
+    {0x00541000, 0x00541324},  // PET: series type, units, corrections, frame times
+};
+
+bool isCopied(std::uint32_t tag) {
+  return std::ranges::any_of(copied, [&](const Tags& t) { return tag >= t.first && tag <= t.last; });
+}
+
+// What functional groups call by another name than pictures of one frame do.
+struct Renamed {
+  std::uint32_t from, to;
+};
+constexpr Renamed renamed[] = {
+    {0x00089007, imageType},   // FrameType
+    {0x00189074, 0x0008002a},  // FrameAcquisitionDateTime
+    {0x00189079, 0x00180082},  // InversionTimes
+    {0x00189082, 0x00180081},  // EffectiveEchoTime
+    {0x00189241, 0x00180091},  // GradientEchoTrainLength
+    {0x00189240, 0x00180091},  // RFEchoTrainLength
+    {0x00189328, 0x00181150},  // ExposureTimeInms
+    {0x00189330, 0x00181151},  // XRayTubeCurrentInmA
+    {0x00189332, 0x00181152},  // ExposureInmAs
+};
+
+std::uint16_t dictionaryVr(std::uint32_t tag) {
+  const char* name = DcmTag(Uint16(tag >> 16), Uint16(tag & 0xffff)).getVRName();
+  return vrOf(name[0], name[1]);
+}
+
+bool isOneOf(std::uint16_t vr, std::initializer_list<const char*> names) {
+  return std::ranges::any_of(names, [&](const char* n) { return vr == vrOf(n[0], n[1]); });
+}
+
+// The elements of one file that are copied.
+class Copier {
+ public:
+  Copier(const DataSet& data, dicom::Bytes bytes) : data_(data), bytes_(bytes) {}
+
+  DicomElements ofFile() const {
+    DicomElements all;
+    add(data_.root(), 0, all);
+    addScanningSequence(all);
+    addPhilipsFactors(all);
+    addSiemensDirection(all);
+    return all;
+  }
+
+  // Of the functional groups of one frame, or of all frames.
+  DicomElements ofGroups(DataSet::Scope groups) const {
+    DicomElements all;
+    for (std::uint32_t n = groups.begin; n < groups.end; n = data_.element(n).end)
+      for (const DataSet::Scope& item : data_.items(data_.element(n).tag, groups)) {
+        addRenamed(item, all);
+        add(item, 0, all);
+        for (const DataSet::Scope& inner : data_.items(0x00189076, item)) add(inner, 0, all);  // gradient
+        break;
+      }
+    return all;
+  }
+
+ private:
+  void add(DataSet::Scope scope, int depth, DicomElements& out) const {
+    for (std::uint32_t n = scope.begin; n < scope.end; n = data_.element(n).end) {
+      const dicom::Element& e = data_.element(n);
+      const bool isPrivate = e.tag >> 16 & 1;
+      if (isPrivate || e.tag == characterSet || (depth == 0 && !isCopied(e.tag))) continue;
+      const std::uint16_t vr = e.vr && e.vr != vrOf('U', 'N') ? e.vr : dictionaryVr(e.tag);
+      if (vr != vrOf('S', 'Q')) {
+        if (auto value = text(e, vr, scope)) addValue({e.tag, std::move(*value), vr, depth}, out);
+        continue;
+      }
+      const std::vector<DataSet::Scope> items = data_.items(e.tag, scope);
+      if (depth == deepest || (depth == 0 && items.empty())) continue;
+      out.push_back({e.tag, {}, vr, depth});
+      for (const DataSet::Scope& item : items) {
+        out.push_back({dicomItem, {}, 0, depth + 1});
+        add(item, depth + 1, out);
+      }
+    }
+  }
+
+  // As pictures of one frame have it.
+  static void addValue(DicomElement e, DicomElements& out) {
+    constexpr std::uint32_t phaseEncodingDirection = 0x00181312;
+    if (e.depth == 0 && e.value.empty()) return;  // whoever writes knows what must stand there, if empty
+    if (e.tag == phaseEncodingDirection && e.value == "COLUMN") e.value = "COL";
+    out.push_back(std::move(e));
+  }
+
+  // Enhanced MR says in three attributes what pictures of one frame say in ScanningSequence.
+  void addScanningSequence(DicomElements& out) const {
+    const auto says = [&](std::uint32_t tag, const char* what) {
+      return data_.text(tag, data_.root()) == what;
+    };
+    constexpr std::uint32_t pulses = 0x00189008, inversion = 0x00189009, echoPlanar = 0x00189018;
+    std::string value;
+    const auto addIf = [&](bool does, const char* term) {
+      if (does) value += (value.empty() ? "" : "\\") + std::string(term);
+    };
+    addIf(says(pulses, "SPIN") || says(pulses, "BOTH"), "SE");
+    addIf(says(pulses, "GRADIENT") || says(pulses, "BOTH"), "GR");
+    addIf(says(inversion, "YES"), "IR");
+    addIf(says(echoPlanar, "YES"), "EP");
+    if (!value.empty()) out.insert(out.begin(), DicomElement{0x00180020, value, vrOf('C', 'S'), 0});
+  }
+
+  void addRenamed(DataSet::Scope scope, DicomElements& out) const {
+    for (const Renamed& name : renamed) {
+      const dicom::Element* e = data_.find(name.from, scope);
+      if (!e) continue;
+      auto value = text(*e, e->vr ? e->vr : dictionaryVr(e->tag), scope);
+      if (!value || value->empty()) continue;
+      const std::uint16_t vr = dictionaryVr(name.to);
+      const auto number = vr == vrOf('D', 'S') ? dicom::parseNumber(*value) : std::nullopt;
+      out.push_back({name.to, number ? decimal(*number) : *value, vr, 0});
+    }
+  }
+
+  // Counts of Philips have no unit without their factors to SUV and to Bq/ml.
+  void addPhilipsFactors(DicomElements& out) const {
+    constexpr std::uint32_t creator = 0x70530010;
+    const std::string name = data_.text(creator, data_.root());
+    if (name != "Philips PET Private Group") return;
+    out.push_back({creator, name, vrOf('L', 'O'), 0});
+    for (const std::uint32_t factor : {0x70531000u, 0x70531009u})
+      if (const auto number = data_.number(factor, data_.root()))
+        out.push_back({factor, decimal(*number), vrOf('D', 'S'), 0});
+  }
+
+  // The gradient's direction in the patient, which Siemens long gave in an element of its own alone.
+  void addSiemensDirection(DicomElements& out) const {
+    constexpr std::uint32_t direction = 0x00189089;
+    const dicom::Element* e = data_.find(0x0019100e, data_.root());
+    if (!e || e->length != 3 * sizeof(double) || data_.has(direction, data_.root())) return;
+    if (data_.text(0x00190010, data_.root()) != "SIEMENS MR HEADER") return;
+    out.push_back({direction, numbers<double>(*e), vrOf('F', 'D'), 0});
+  }
+
+  // Nothing where it is bytes, or too long.
+  std::optional<std::string> text(const dicom::Element& e, std::uint16_t vr, DataSet::Scope scope) const {
+    if (e.length == dicom::undefinedLength || e.length > longestValue) return {};
+    if (isOneOf(vr, {"LO", "LT", "PN", "SH", "ST", "UC", "UT"})) return data_.utf8(e.tag, scope);
+    if (isOneOf(vr, {"DA", "TM"})) return dicom::dateOrTime(data_.text(e.tag, scope));
+    if (isOneOf(vr, {"AE", "AS", "CS", "DT", "IS", "UI", "UR"})) return data_.text(e.tag, scope);
+    if (vr == vrOf('D', 'S')) {
+      std::string decimals = data_.text(e.tag, scope);
+      std::ranges::replace(decimals, ',', '.');
+      return decimals;
+    }
+    if (vr == vrOf('U', 'S')) return numbers<std::uint16_t>(e);
+    if (vr == vrOf('S', 'S')) return numbers<std::int16_t>(e);
+    if (vr == vrOf('U', 'L')) return numbers<std::uint32_t>(e);
+    if (vr == vrOf('S', 'L')) return numbers<std::int32_t>(e);
+    if (vr == vrOf('F', 'L')) return numbers<float>(e);
+    if (vr == vrOf('F', 'D')) return numbers<double>(e);
+    return {};
+  }
+
+  template <class T>
+  std::string numbers(const dicom::Element& e) const {
+    std::string text;
+    const std::size_t count = std::min<std::size_t>(e.length / sizeof(T), mostNumbers);
+    for (std::size_t n = 0; n < count; ++n) {
+      char digits[32];
+      const T value = dicom::numberAt<T>(bytes_, e.offset + n * sizeof(T), e.bigEndian);
+      if (n) text += '\\';
+      text.append(digits, std::to_chars(digits, std::end(digits), value).ptr);
+    }
+    return text;
+  }
+
+  const DataSet& data_;
+  dicom::Bytes bytes_;
+};
+
+DicomSourceFile sourceOf(const dicom::InspectedFile& file) {
+  DicomSourceFile source;
+  if (file.found.kind != dicom::Inspection::Kind::picture) {
+    source.problem = file.found.text.empty() ? "it is no DICOM picture any more." : file.found.text;
+    return source;
+  }
+  const dicom::FileHeader& header = file.found.header;
+  const DataSet data(file.scanned.head, file.scanned.dataSet.elements);
+  const Copier copier(data, file.scanned.head);
+  source.sopClassUid = header.sopClassUid;
+  source.sopInstanceUid = header.sopInstanceUid;
+  source.isSigned = header.format.isSigned;
+  source.isMultiFrame = header.format.frames > 1 && !header.mosaic;
+  source.elements = copier.ofFile();
+  for (const DataSet::Scope& shared : data.items(dicom::FrameScopes::sharedGroups, data.root()))
+    std::ranges::move(copier.ofGroups(shared), std::back_inserter(source.elements));
+  const auto ofFrames = data.items(dicom::FrameScopes::perFrameGroups, data.root());
+  for (std::size_t n = 0; n < header.slices.size(); ++n) {
+    const dicom::Slice& slice = header.slices[n];
+    source.frames.push_back({slice.slope, slice.intercept, {}});
+    if (n < ofFrames.size()) source.frames.back().elements = copier.ofGroups(ofFrames[n]);
+  }
+  return source;
+}
+
+std::vector<DicomSourceFile> readEach(const std::vector<std::string>& paths) {
+  worker::needAll();
+  std::vector<DicomSourceFile> all;
+  for (const std::string& path : paths) {
+    all.push_back(sourceOf(dicom::inspectFile(path)));
+    worker::finishStep();
+  }
+  return all;
+}
+
+DicomSourceFile refused(worker::Failure why) {
+  DicomSourceFile file;
+  file.problem = std::string(worker::reasonOf(why)) + ".";
+  return file;
+}
+
+}  // namespace
+
+Result<DicomSource> readDicomSource(const Series& series, const Progress& progress,
+                                    const CancelToken& cancel) {
+  std::map<std::string, std::size_t> index;
+  std::vector<std::string> paths;
+  for (const std::string& path : series.files)
+    if (index.emplace(path, paths.size()).second) paths.push_back(path);
+  DicomSource source;
+  source.files = worker::forFiles<readEach>(paths, "reading headers", progress, cancel, refused);
+  if (cancel.cancelled()) return Error{series.path + ": interrupted."};
+  for (std::size_t n = 0; n < series.files.size(); ++n) {
+    const DicomSource::Slice slice{index.at(series.files[n]), std::size_t(series.frames[n])};
+    const DicomSourceFile& file = source.files[slice.file];
+    if (!file.problem.empty()) return Error{series.files[n] + ": " + file.problem};
+    if (slice.frame >= file.frames.size())
+      return Error{series.files[n] + ": it has fewer frames than it had."};
+    source.slices.push_back(slice);
+  }
+  return source;
+}
+
+}  // namespace volumen

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "io/export/dicom_elements.h"
+#include "io/study.h"
+
+namespace volumen {
+
+/// What a frame of a DICOM file says that holds for a copy of it.
+struct DicomSourceFrame {
+  double slope = 1, intercept = 0;
+  DicomElements elements;  ///< of its functional groups, as pictures of one frame have them
+};
+
+/// What a DICOM file says that holds for a copy of it: patient, study, series, frame of reference, equipment,
+/// acquisition, windows. What describes its samples, their places and the file itself is left out.
+struct DicomSourceFile {
+  std::string problem;  ///< a sentence without the file's name, where it cannot be read
+  std::string sopClassUid, sopInstanceUid;
+  bool isSigned = false, isMultiFrame = false;
+  DicomElements elements;
+  std::vector<DicomSourceFrame> frames;
+};
+
+/// What the slices of a series say of themselves.
+struct DicomSource {
+  struct Slice {
+    std::size_t file = 0, frame = 0;
+  };
+  std::vector<DicomSourceFile> files;
+  std::vector<Slice> slices;  ///< one each of Series::files
+
+  const DicomSourceFile& file(int slice) const { return files[slices[std::size_t(slice)].file]; }
+  const DicomSourceFrame& frame(int slice) const {
+    return file(slice).frames[slices[std::size_t(slice)].frame];
+  }
+};
+
+/// Reads the headers of a DICOM series again, in workers where there are any. An Error names a file that is
+/// not what it was.
+Result<DicomSource> readDicomSource(const Series& series, const Progress& progress,
+                                    const CancelToken& cancel);
+
+}  // namespace volumen

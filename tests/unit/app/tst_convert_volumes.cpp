@@ -1,0 +1,152 @@
+// Guards design.md 4: what a UID of several volumes means, by every command; 4-D NIfTI.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include "io/study.h"
+#include "tests/fixtures/fixtures.h"
+#include "tests/fixtures/program.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestConvertVolumes : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void allVolumesOfASeriesAreWritten_data();
+  void allVolumesOfASeriesAreWritten();
+  void everyCommandSaysWhichItUses_data();
+  void everyCommandSaysWhichItUses();
+  void otherGridsAreRefused();
+  void oneOfThemIsWrittenAlone();
+  void diffusionWeightsStandBeside();
+
+ private:
+  QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
+  QTemporaryDir folder_;
+};
+
+namespace {
+
+constexpr const char* timePoints = "dicom-geometry/mr-fmri-ge-50";
+
+Outcome run(const QString& command, const std::string& path, const std::string& series,
+            const QString& output) {
+  return runProgram({command, QString::fromStdString(path), QStringLiteral("--series"),
+                     QString::fromStdString(series), QStringLiteral("-o"), output});
+}
+
+}  // namespace
+
+void TestConvertVolumes::allVolumesOfASeriesAreWritten_data() {
+  QTest::addColumn<QString>("name");
+  QTest::newRow("time points") << QString::fromLatin1(timePoints);
+  QTest::newRow("echoes") << QStringLiteral("field-cases/c66h-echo-time");
+}
+
+void TestConvertVolumes::allVolumesOfASeriesAreWritten() {
+  QFETCH(QString, name);
+  const std::string from = dataPath(name.toStdString());
+  NEED_DATA(from);
+  const auto source = openStudy(from);
+  QVERIFY(source && source->volumes.size() > 1);
+  const QString file = folder_.filePath(QString::number(name.size()) + QStringLiteral(".nii.gz"));
+  const Outcome a = run(QStringLiteral("convert"), from, source->volumes[0].seriesUid, file);
+  QVERIFY2(a.status == 0, a.err);
+  QVERIFY2(a.err.contains(QByteArray::number(int(source->volumes.size())) + " volumes of series"), a.err);
+  const auto copy = openStudy(file.toStdString());
+  QVERIFY(copy);
+  QCOMPARE(copy->volumes.size(), source->volumes.size());
+  for (std::size_t n = 0; n < copy->volumes.size(); ++n) {
+    const auto was = loadSeries(source->volumes[n]), is = loadSeries(copy->volumes[n]);
+    QVERIFY(was && is && was->drawn->size() == is->drawn->size());
+    for (std::size_t v = 0; v < std::size_t(is->drawn->geometry().voxelCount()); v += 7)
+      QCOMPARE(is->drawn->valueAt(v), was->drawn->valueAt(v));
+  }
+}
+
+void TestConvertVolumes::everyCommandSaysWhichItUses_data() {
+  QTest::addColumn<QString>("command");
+  QTest::addColumn<QString>("output");
+  QTest::newRow("convert") << QStringLiteral("convert") << QStringLiteral("one.nrrd");
+  QTest::newRow("slice") << QStringLiteral("slice") << QStringLiteral("one.png");
+  QTest::newRow("render") << QStringLiteral("render") << QStringLiteral("one.png");
+}
+
+void TestConvertVolumes::everyCommandSaysWhichItUses() {
+  QFETCH(QString, command);
+  QFETCH(QString, output);
+  const std::string from = dataPath(timePoints);
+  NEED_DATA(from);
+  const auto study = openStudy(from);
+  QVERIFY(study && study->volumes.size() > 1);
+  const std::string uid = study->volumes[0].seriesUid;
+  const Outcome a = run(command, from, uid, folder_.filePath(output));
+  QVERIFY2(a.status == 0, a.err);
+  const QByteArray said = "Series " + QByteArray::fromStdString(uid) + " holds " +
+                          QByteArray::number(int(study->volumes.size())) + " volumes; using number 1, \"";
+  QVERIFY2(a.err.contains(said) && a.err.contains("Choose another with --series."), a.err);
+  const Outcome byId = run(command, from, study->volumes[1].id, folder_.filePath(output));
+  QVERIFY2(byId.status == 0 && !byId.err.contains("using number"), byId.err);
+}
+
+void TestConvertVolumes::otherGridsAreRefused() {
+  const std::string from = dataPath("dicom-geometry/mr-qt2-multiecho-7");
+  NEED_DATA(from);
+  const auto study = openStudy(from);
+  QVERIFY(study && study->volumes.size() > 1);
+  const Outcome a = run(QStringLiteral("convert"), from, study->volumes[0].seriesUid, at("grids.nii.gz"));
+  QCOMPARE(a.status, 1);
+  QVERIFY2(a.err.contains("does not lie on the grid of the first"), a.err);
+  QVERIFY(!QFile::exists(at("grids.nii.gz")));
+}
+
+void TestConvertVolumes::oneOfThemIsWrittenAlone() {
+  const std::string from = dataPath(timePoints);
+  NEED_DATA(from);
+  const QString file = at("alone.nii.gz");
+  QCOMPARE(run(QStringLiteral("convert"), from, "2", file).status, 0);
+  const auto copy = openStudy(file.toStdString());
+  QVERIFY(copy);
+  QCOMPARE(copy->volumes.size(), std::size_t(1));
+}
+
+// Five slices each of b 0, 500 and 1000, the gradient along x and along z.
+void TestConvertVolumes::diffusionWeightsStandBeside() {
+  QVERIFY(QDir().mkpath(at("dwi")));
+  QCOMPARE(runProgram({QStringLiteral("convert"), QStringLiteral("phantom:sphere:8"), QStringLiteral("-o"),
+                       at("one/")})
+               .status,
+           0);
+  const double directions[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+  for (const QString& name : QDir(at("one")).entryList(QDir::Files))
+    for (int n = 0; n < 3; ++n) {
+      DcmFileFormat file;
+      QVERIFY(file.loadFile(OFFilename(QDir(at("one")).filePath(name).toUtf8().constData())).good());
+      DcmDataset& data = *file.getDataset();
+      data.putAndInsertString(DCM_Modality, "MR");
+      OFString uid;
+      data.findAndGetOFString(DCM_SOPInstanceUID, uid);
+      data.putAndInsertString(DCM_SOPInstanceUID, (uid.substr(0, 50) + "." + char('1' + n)).c_str());
+      data.putAndInsertFloat64(DCM_DiffusionBValue, 500 * n);
+      if (n > 0) data.putAndInsertFloat64Array(DCM_DiffusionGradientOrientation, directions[n], 3);
+      const QString to = at("dwi/") + QString::number(n) + name;
+      QVERIFY(file.saveFile(OFFilename(to.toUtf8().constData()), EXS_LittleEndianExplicit).good());
+    }
+  const auto study = openStudy(at("dwi").toStdString());
+  QVERIFY(study);
+  QCOMPARE(study->volumes.size(), std::size_t(3));
+  const Outcome a =
+      run(QStringLiteral("convert"), at("dwi").toStdString(), study->volumes[0].seriesUid, at("dwi.nii.gz"));
+  QVERIFY2(a.status == 0, a.err);
+  QCOMPARE(contentsOf(at("dwi.bval")), QByteArray("0 500 1000\n"));
+  // Left in DICOM is right in NIfTI; FSL turns the first axis round again where the axes are right-handed.
+  QCOMPARE(contentsOf(at("dwi.bvec")), QByteArray("0 -1 0\n0 0 0\n0 0 1\n"));
+}
+
+VOLUMEN_TEST(TestConvertVolumes);
+#include "tst_convert_volumes.moc"

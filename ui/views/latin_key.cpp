@@ -1,0 +1,36 @@
+#include "ui/views/latin_key.h"
+
+#include <QLatin1String>
+
+namespace volumen {
+
+namespace {
+
+// Three rows of a keyboard, from the scan code on that X11 and Wayland (evdev's and 8) give the first one.
+struct KeyRow {
+  quint32 first;
+  QLatin1String keys;
+};
+constexpr KeyRow keyRows[] = {{24, QLatin1String("QWERTYUIOP[]")},
+                              {38, QLatin1String("ASDFGHJKL;'")},
+                              {52, QLatin1String("ZXCVBNM,./")}};
+
+bool isForeignLetter(int key) {
+  if (key < 0x80 || key > 0xffff) return false;
+  const QChar letter{char16_t(key)};
+  return letter.isLetter() && letter.script() != QChar::Script_Latin;
+}
+
+}  // namespace
+
+int latinKey(const QKeyEvent& event) {
+  if (!isForeignLetter(event.key())) return event.key();
+  for (const KeyRow& row : keyRows) {
+    const quint32 code = event.nativeScanCode();
+    if (code >= row.first && code < row.first + quint32(row.keys.size()))
+      return row.keys[qsizetype(code - row.first)].unicode();
+  }
+  return event.key();
+}
+
+}  // namespace volumen

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QString>
+
+#include "ui/data/shown_series.h"
+
+namespace volumen {
+
+/// What PET is shown in from now on: one switch behind all numbers on screen, as hideNames() is. Volumes,
+/// scenes and sessions stay in the units of the file.
+void showPetIn(PetUnit unit);
+PetUnit shownPetUnit();
+
+/// From the values of a series to the numbers on screen.
+ValueScale shownScale(const Series& series);
+
+/// " (no SUV: PatientWeight (0010,1030) is missing)"; empty where nothing is to be said of the unit.
+QString unitNote(const Series& series);
+
+/// A value as it stands on screen, with its unit and what is to be said of that: "5.23 SUVbw".
+QString valueText(const ShownSeries& shown, double value);
+
+/// How many decimals tell the numbers of a series apart.
+int valueDecimals(const ShownSeries& shown);
+
+/// A window or a range in the numbers on screen, and back.
+Window shownWindow(const Window& window, const Series& series);
+Window storedWindow(const Window& shown, const Series& series);
+
+/// "W 400 L 40"; of PET with the unit.
+QString windowText(const Window& window, const Series& series);
+
+}  // namespace volumen
