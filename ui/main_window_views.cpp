@@ -120,6 +120,7 @@ Workspace MainWindow::inLayoutOf(Workspace workspace, const Series& series) cons
 Workspace MainWindow::arranged(Workspace workspace, const Series& series, bool isNew) const {
   if (!comparesSeries(workspace.layout)) workspace = inLayoutOf(std::move(workspace), series);
   if (!isNew) return workspace;
+  workspace = withSlicesInFocus(std::move(workspace));
   workspace = withTimePointsOf(std::move(workspace), series, studies_->allSeries());
   const Series* ct = series.modality == "PT" && workspace.focus < firstComparedId ? ctUnder(series) : nullptr;
   return ct ? fusedWith(std::move(workspace), *ct) : workspace;

@@ -90,6 +90,7 @@ class TestKeys : public QObject {
   void lettersOfOtherScriptsMeasure();
   void lettersOfOtherScriptsChooseViews();
   void otherLettersAndOtherPlacesMeanNothing();
+  void afterOpeningKeysMeasure();
 };
 
 void TestKeys::keysChooseViews_data() {
@@ -290,6 +291,19 @@ void TestKeys::otherLettersAndOtherPlacesMeanNothing() {
   pressAt(window.view(), 0x0424, 100);
   pressAt(window.view(), 0x00c4, 38);  // A with dots: Latin, on a German keyboard elsewhere
   QCOMPARE(window.seen(), QStringLiteral("left"));
+}
+
+void TestKeys::afterOpeningKeysMeasure() {
+  tests::openAlone(false);
+  tests::Journey w({QStringLiteral("phantom:ct-head:32")});
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series(), tests::longest);
+  QCOMPARE(int(w.window.session().workspace().layout), int(Layout::planes));
+  QTRY_VERIFY(qobject_cast<SliceView*>(w.window.focusWidget()));
+  const Camera before = w.window.view()->camera();
+  QTest::keyClick(w.window.focusWidget(), Qt::Key_D);
+  QVERIFY(w.child<QAction>("lengthTool")->isChecked());
+  QVERIFY(w.window.view()->camera() == before);
+  tests::openAlone();
 }
 
 VOLUMEN_TEST(TestKeys);

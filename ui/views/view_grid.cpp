@@ -1,5 +1,6 @@
 #include "ui/views/view_grid.h"
 
+#include <QApplication>
 #include <algorithm>
 
 namespace volumen {
@@ -157,7 +158,10 @@ void ViewGrid::arrange() {
   }
   // Keys are for what is on screen.
   const ViewId focus = session_.workspace().focus;
-  setFocusProxy(viewOf(std::ranges::find(ids, focus) == ids.end() ? ids.front() : focus));
+  View* const keys = viewOf(std::ranges::find(ids, focus) == ids.end() ? ids.front() : focus);
+  setFocusProxy(keys);
+  if (qobject_cast<View*>(QApplication::focusWidget()) && isAncestorOf(QApplication::focusWidget()))
+    keys->setFocus();
 }
 
 void ViewGrid::resizeEvent(QResizeEvent*) { arrange(); }

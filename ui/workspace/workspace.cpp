@@ -241,6 +241,13 @@ Workspace withUsualLayout(Workspace workspace, const Series& series) {
   return workspace;
 }
 
+Workspace withSlicesInFocus(Workspace workspace) {
+  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  const ViewId slices = acquiredViewOf(workspace);
+  if (inGroup(workspace.focus) && std::ranges::find(views, slices) != views.end()) workspace.focus = slices;
+  return workspace;
+}
+
 bool comparesSeries(Layout layout) { return layout == Layout::two || layout == Layout::four; }
 
 void makeWhole(FlatLook& look) { look.panMm = {0, 0}, look.zoom = 1, look.slabMm = 0; }

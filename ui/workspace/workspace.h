@@ -236,6 +236,8 @@ Workspace fusedWith(Workspace workspace, const Series& under);
 Layout usualLayout(const Series& series);
 /// In that layout; where it is one view, in that of the slices as acquired.
 Workspace withUsualLayout(Workspace workspace, const Series& series);
+/// With the slices as acquired in focus, where they stand beside 3D: keys measure.
+Workspace withSlicesInFocus(Workspace workspace);
 /// Whether a layout shows several series side by side.
 bool comparesSeries(Layout layout);
 /// With the frames of this series in a view, or in the axial one of its group; where the view showed slices
