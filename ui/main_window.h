@@ -133,6 +133,7 @@ class MainWindow : public QMainWindow {
   void goToKeyImage(int step);
   void fillPresentations(QMenu* menu, SliceView& view);
   SliceView* sliceViewInFocus() const;
+  void choosePage();
   void showPage();
   void showFirst(const Study& study, const std::optional<Scene>& scene);
   void addStudy(const QString& path, const std::shared_ptr<const Study>& study);

@@ -120,14 +120,22 @@ void MainWindow::showFrameActions() {
       ->setEnabled(asFrames ? frameCount(*series) > 1 : series && hasTimePoints(workspace, keyOf(*series)));
 }
 
-// Of what is in focus: the views or the start page, title, and mark in the list.
-void MainWindow::showPage() {
+// The views where any of them shows something, else the start page.
+void MainWindow::choosePage() {
   const Workspace& workspace = session_.workspace();
   const bool isAny = std::ranges::any_of(viewsOnScreen(workspace),
                                          [&](ViewId id) { return !workspace.view(id).series.empty(); });
+  const bool appears = isAny && pages_->currentWidget() != grid_;
   pages_->setCurrentWidget(isAny ? static_cast<QWidget*>(grid_) : pages_->widget(0));
+  // A page that appears gives the keys to its first child, whatever view has the focus.
+  if (appears) grid_->setFocus();
+}
+
+// Of what is in focus: page, title, and mark in the list.
+void MainWindow::showPage() {
+  choosePage();
   showNames();
-  if (isAny && !grid_->isAncestorOf(focusWidget())) grid_->setFocus();
+  if (pages_->currentWidget() == grid_ && !grid_->isAncestorOf(focusWidget())) grid_->setFocus();
 }
 
 void MainWindow::showFlatMenu(SliceView& view, QPoint global) {

@@ -78,11 +78,7 @@ void MainWindow::makeLayoutActions() {
 }
 
 void MainWindow::connectViews() {
-  connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
-    const auto shows = [&](ViewId view) { return !after.view(view).series.empty(); };
-    const bool any = std::ranges::any_of(viewsOnScreen(after), shows);
-    pages_->setCurrentWidget(any ? static_cast<QWidget*>(grid_) : pages_->widget(0));
-  });
+  connect(&session_, &Session::workspaceChanged, this, &MainWindow::choosePage);
   connect(docks_.at(QStringLiteral("clip")), &QDockWidget::visibilityChanged, grid_, &ViewGrid::setClipShown);
   connect(grid_, &ViewGrid::hovered, status_, &StatusLine::showHover);
   connect(grid_, &ViewGrid::maximiseRequested, this,

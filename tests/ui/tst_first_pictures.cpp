@@ -47,11 +47,11 @@ void TestFirstPictures::aSeriesOpensAsItIsRead() {
   NEED_DATA(data);
   Journey w({QString::fromStdString(data)});
   Session& session = w.window.session();
-  QTRY_VERIFY_WITH_TIMEOUT(!session.workspace().series.empty(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(!session.workspace().series.empty(), tests::longest);
   // What opens as pictures has a 3D picture, too.
   if (QAction* asFrames = w.child<QAction>("showAsFrames"); asFrames->isChecked()) {
     asFrames->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(session.series() != nullptr, longest);
+    QTRY_VERIFY_WITH_TIMEOUT(session.series() != nullptr, tests::longest);
     session.setFocus(sceneViewId);
   }
   QVERIFY(w.settle());

@@ -23,8 +23,8 @@ QString pictureFile(const char* name) {
 }
 
 // A window on one file of the data, shown as frames.
-struct FrameWindow : Journey {
-  explicit FrameWindow(const char* file) {
+struct MeasuredFrames : Journey {
+  explicit MeasuredFrames(const char* file) {
     window.resize(1440, 900);
     window.open({pictureFile(file)});
   }
@@ -124,7 +124,7 @@ void TestFrameMeasurements::numbersWithTheirWord() {
   QFETCH(QString, file);
   QFETCH(int, kind);
   QFETCH(std::vector<glm::dvec2>, pixels);
-  FrameWindow w(file.toLatin1());
+  MeasuredFrames w(file.toLatin1());
   QVERIFY(w.shows());
   std::vector<glm::dvec2> far = pixels;
   if (ShapeKind(kind) == rectangle) far = {pixels[0], pixels[0] + glm::dvec2(60, 60)};
@@ -190,7 +190,7 @@ void TestFrameMeasurements::closedForms() {
   QFETCH(QString, file);
   QFETCH(int, kind);
   QFETCH(std::vector<glm::dvec2>, pixels);
-  FrameWindow w(file.toLatin1());
+  MeasuredFrames w(file.toLatin1());
   QVERIFY(w.shows());
   w.draw(ShapeKind(kind), pixels);
   QCOMPARE(w.all().size(), std::size_t(1));
@@ -221,7 +221,7 @@ void TestFrameMeasurements::everyToolDraws_data() {
 void TestFrameMeasurements::everyToolDraws() {
   NEED_PICTURES();
   QFETCH(int, kind);
-  FrameWindow w("mg-ermf-overlay-shutter.dcm");
+  MeasuredFrames w("mg-ermf-overlay-shutter.dcm");
   QVERIFY(w.shows());
   std::vector<glm::dvec2> pixels{{300, 500}, {400, 600}};
   if (ruleOf(ShapeKind(kind)).fewest > 2) pixels.emplace_back(300, 600);
@@ -253,7 +253,7 @@ void TestFrameMeasurements::anEndFollowsThePointer_data() {
 void TestFrameMeasurements::anEndFollowsThePointer() {
   NEED_PICTURES();
   QFETCH(QString, file);
-  FrameWindow w(file.toLatin1().constData());
+  MeasuredFrames w(file.toLatin1().constData());
   QVERIFY(w.shows());
   w.draw(length, {{100, 200}, {200, 200}});
   const std::vector<glm::dvec3> before = w.all()[0].shape.points;
@@ -272,7 +272,7 @@ void TestFrameMeasurements::anEndFollowsThePointer() {
 
 void TestFrameMeasurements::onlyOnItsFrame() {
   NEED_PICTURES();
-  FrameWindow w("us-cine-aspect-regions.dcm");
+  MeasuredFrames w("us-cine-aspect-regions.dcm");
   QVERIFY(w.shows());
   QTest::keyClick(w.view(), Qt::Key_Down);
   QVERIFY(w.shows(1));
@@ -289,7 +289,7 @@ void TestFrameMeasurements::onlyOnItsFrame() {
 
 void TestFrameMeasurements::thePanelGoesThere() {
   NEED_PICTURES();
-  FrameWindow w("us-cine-aspect-regions.dcm");
+  MeasuredFrames w("us-cine-aspect-regions.dcm");
   QVERIFY(w.shows());
   QTest::keyClick(w.view(), Qt::Key_Down);
   QVERIFY(w.shows(1));
@@ -321,7 +321,7 @@ void TestFrameMeasurements::thePanelGoesThere() {
 // What the panel saves is what `volumen measure` reads, and what a session keeps.
 void TestFrameMeasurements::asSessionAndJson() {
   NEED_PICTURES();
-  FrameWindow w("us-cine-aspect-regions.dcm");
+  MeasuredFrames w("us-cine-aspect-regions.dcm");
   QVERIFY(w.shows());
   w.draw(ellipse, {{100, 200}, {200, 300}});
   const Workspace& now = w.session().workspace();
@@ -345,7 +345,7 @@ void TestFrameMeasurements::asSessionAndJson() {
 
 void TestFrameMeasurements::aSessionMeasuresFramesThatAreNotOnScreen() {
   NEED_PICTURES();
-  FrameWindow w("us-cine-aspect-regions.dcm");
+  MeasuredFrames w("us-cine-aspect-regions.dcm");
   QVERIFY(w.shows());
   w.draw(length, {{100, 200}, {200, 200}});
   // Two frames that nobody has shown; one that there is not.

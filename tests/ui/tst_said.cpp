@@ -19,6 +19,7 @@
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/view_grid.h"
 #include "ui/views/view_overlays.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/link_text.h"
 #include "ui/workspace/series_text.h"
@@ -113,7 +114,7 @@ class Hand : public Journey {
       }
       case 3:
       case 4:
-        pointed_ = {view, anyPlace(view)};
+        pointAt(view, anyPlace(view));
         hover(view, pointed_->second);
         return "move";
       case 5: {
@@ -127,7 +128,7 @@ class Hand : public Journey {
       case 6: {
         const Qt::MouseButton buttons[] = {Qt::LeftButton, Qt::LeftButton, Qt::MiddleButton, Qt::RightButton};
         const QPointF from = anyPlace(view), to = anyPlace(view);
-        pointed_ = {view, to};
+        pointAt(view, to);
         drag(view, from, to, buttons[below(4)], below(4) ? Qt::NoModifier : Qt::ShiftModifier);
         return "drag";
       }
@@ -199,10 +200,16 @@ class Hand : public Journey {
   QPointF anyPlace(const QWidget* view) {
     return {double(5 + below(view->width() - 10)), double(5 + below(view->height() - 10))};
   }
+  // The pointer goes there, and leaves the view where it was.
+  void pointAt(View* view, QPointF at) {
+    QEvent leave(QEvent::Leave);
+    if (pointed_ && pointed_->first != view) QCoreApplication::sendEvent(pointed_->first, &leave);
+    pointed_ = {view, at};
+  }
   // Where the pointer is; over another view it goes there first.
   void turnWheel(View* view, int notches, Qt::KeyboardModifiers keys) {
     if (!pointed_ || pointed_->first != view) {
-      pointed_ = {view, anyPlace(view)};
+      pointAt(view, anyPlace(view));
       hover(view, pointed_->second);
     }
     QWheelEvent event(pointed_->second, view->mapToGlobal(pointed_->second), {}, {0, 120 * notches},
@@ -213,7 +220,7 @@ class Hand : public Journey {
     if (!qobject_cast<SliceView*>(view)) return;
     QTest::keyClick(view, below(2) ? Qt::Key_D : Qt::Key_E);
     const QPointF from = anyPlace(view), to = anyPlace(view);
-    pointed_ = {view, to};
+    pointAt(view, to);
     drag(view, from, to);
   }
 
@@ -298,7 +305,8 @@ QString wrongPanel(Hand& w) {
   if (!w.window.windowTitle().startsWith(title)) return w.window.windowTitle();
   const QString warning = w.child<QLabel>("warningText")->toolTip();
   if (!warning.contains(shownText(focus.warnings[0].sentence))) return warning;
-  if (w.child<QAction>("link")->toolTip() != linkSentence(now)) return w.child<QAction>("link")->toolTip();
+  if (w.child<QAction>("link")->toolTip() != toolTipOf(linkSentence(now)))
+    return w.child<QAction>("link")->toolTip();
   const auto* list = w.child<QTreeWidget>("measurementList");
   if (list->topLevelItemCount() != int(now.measurements.size())) return QStringLiteral("measurements");
   for (int row = 0; row < list->topLevelItemCount(); ++row) {

@@ -1,6 +1,5 @@
 #include "ui/views/view_grid.h"
 
-#include <QApplication>
 #include <algorithm>
 
 namespace volumen {
@@ -160,8 +159,7 @@ void ViewGrid::arrange() {
   const ViewId focus = session_.workspace().focus;
   View* const keys = viewOf(std::ranges::find(ids, focus) == ids.end() ? ids.front() : focus);
   setFocusProxy(keys);
-  if (qobject_cast<View*>(QApplication::focusWidget()) && isAncestorOf(QApplication::focusWidget()))
-    keys->setFocus();
+  if (const QWidget* now = window()->focusWidget(); now && isAncestorOf(now) && now != keys) keys->setFocus();
 }
 
 void ViewGrid::resizeEvent(QResizeEvent*) { arrange(); }

@@ -156,8 +156,8 @@ QString stepText(const Workspace& workspace, const SeriesKey& series) {
   if (!step.isEmpty() || state == workspace.series.end()) return step;
   QStringList words;
   for (const SplitBy& by : state->second.series->splitBy) words << shownText(by.words);
-  if (words.isEmpty() && !state->second.series->bValue.empty())
-    words << tr("b %1").arg(shownText(state->second.series->bValue));
+  if (const std::string& b = state->second.series->bValue; words.isEmpty() && !b.empty() && b != "0")
+    words << tr("b %1").arg(shownText(b));
   return joined(words, tr(", "));
 }
 

@@ -163,8 +163,9 @@ void TestCornerText::interpolatedSlicesLieBetweenAcquiredOnes() {
 void TestCornerText::usefulVolumes_data() {
   QTest::addColumn<Series>("series");
   QTest::addColumn<bool>("useful");
-  Series thin = axial(40, 10), picture = axial(20), placeless = axial(20, 30), file = axial(1);
+  Series thin = axial(40, 10), picture = axial(20), placeless = axial(20, 30), thick = axial(7, 15);
   thin.sliceThickness = 1;
+  thick.sliceThickness = 10;
   picture.notVolume = "Colour.";
   placeless.acquired.calibrated = false;
   QTest::newRow("a stack") << axial() << true;
@@ -172,6 +173,7 @@ void TestCornerText::usefulVolumes_data() {
   QTest::newRow("three slices") << axial(3) << false;
   QTest::newRow("one slice") << axial(1) << false;
   QTest::newRow("a localizer of seven") << axial(7, 15) << false;
+  QTest::newRow("thick ones of it") << thick << false;
   QTest::newRow("1 mm of every 10") << thin << false;
   QTest::newRow("pictures") << picture << false;
   QTest::newRow("without a place") << placeless << true;
