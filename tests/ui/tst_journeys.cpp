@@ -283,6 +283,7 @@ void TestJourneys::everyPathIsComplainedAbout() {
   for (int n = 0; n < count; ++n) {
     QFile text(texts + QStringLiteral("/%1.txt").arg(n));
     QVERIFY(text.open(QIODevice::WriteOnly));
+    text.write("words");
   }
   const QStringList paths{folder.filePath(QStringLiteral("nowhere")),
                           folder.filePath(QStringLiteral("empty")), texts};
