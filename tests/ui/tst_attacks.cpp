@@ -209,8 +209,9 @@ void TestAttacks::volumesOfNothing() {
     file.write(reinterpret_cast<const char*>(&value), sizeof value);
   file.close();
   Journey w({file.fileName()});
-  QVERIFY(w.settle());
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
   w.child<QAction>("layoutPlanes")->trigger();
+  QVERIFY(w.settle());
   for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId}) {
     SliceView* flat = w.window.views()->sliceView(id);
     QTRY_VERIFY_WITH_TIMEOUT(flat->picture().size() == flat->pixels(), longest);

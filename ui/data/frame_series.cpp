@@ -70,11 +70,12 @@ bool opensAsFrames(const Series& series) {
 
 bool isUsefulVolume(const Series& series) {
   constexpr int fewest = 4;
-  constexpr double mostThicknesses = 2, mostMm = 10;  // from slice to slice
+  constexpr double mostThicknesses = 2, mostMm = 10, mostPixels = 2;  // from slice to slice
   if (!series.notVolume.empty() || series.acquired.size.z < fewest) return false;
   if (!series.acquired.calibrated) return true;
   const glm::dmat3& L = series.acquired.patientFromVoxelStep;
   const double apart = std::abs(glm::dot(L[2], glm::normalize(glm::cross(L[0], L[1]))));
+  if (apart <= mostPixels * std::max(glm::length(L[0]), glm::length(L[1]))) return true;
   return apart <= mostMm && (series.sliceThickness <= 0 || apart <= mostThicknesses * series.sliceThickness);
 }
 

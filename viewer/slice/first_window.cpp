@@ -16,8 +16,9 @@ constexpr Window softTissue{.centre = 40, .width = 400};
 // leave the rest nearly black.
 std::optional<ValueRange> aboveBackground(const Volume& volume) {
   constexpr double least = 0.25;  // of the values
+  if (valueRange(volume).low != 0) return {};
   Histogram values = histogram(volume, 1 << 16);
-  if (values.counts.empty() || values.low != 0 || values.high <= 0) return {};
+  if (values.counts.empty() || values.high <= 0) return {};
   const double all = double(std::accumulate(values.counts.begin(), values.counts.end(), std::int64_t(0)));
   if (double(values.counts.front()) < least * all) return {};
   values.counts.front() = 0;

@@ -166,6 +166,8 @@ void TestCornerText::usefulVolumes_data() {
   Series thin = axial(40, 10), picture = axial(20), placeless = axial(20, 30), thick = axial(7, 15);
   thin.sliceThickness = 1;
   thick.sliceThickness = 10;
+  Series cubes = axial(20, 12);
+  cubes.acquired.patientFromVoxelStep = glm::dmat3(12);
   picture.notVolume = "Colour.";
   placeless.acquired.calibrated = false;
   QTest::newRow("a stack") << axial() << true;
@@ -174,6 +176,7 @@ void TestCornerText::usefulVolumes_data() {
   QTest::newRow("one slice") << axial(1) << false;
   QTest::newRow("a localizer of seven") << axial(7, 15) << false;
   QTest::newRow("thick ones of it") << thick << false;
+  QTest::newRow("cubes of 12 mm") << cubes << true;
   QTest::newRow("1 mm of every 10") << thin << false;
   QTest::newRow("pictures") << picture << false;
   QTest::newRow("without a place") << placeless << true;
