@@ -122,7 +122,9 @@ bool Process::sleeps() const { return stateOf(pid) == 'S'; }
 
 bool Process::isStopped() const { return stateOf(pid) == 'T'; }
 
-std::unique_ptr<Process> makeWorker() {
+namespace {
+
+std::unique_ptr<Process> startWorker() {
   int ends[2] = {-1, -1};
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return {};
   auto worker = std::make_unique<Process>();
@@ -137,6 +139,14 @@ std::unique_ptr<Process> makeWorker() {
   if (!isReady(*worker)) return {};
   worker->bytesAtStart = addressSpaceOf(worker->pid) + (std::uint64_t(8) << 20);
   return worker;
+}
+
+}  // namespace
+
+// One that is killed from outside before it serves costs nothing.
+std::unique_ptr<Process> makeWorker() {
+  std::unique_ptr<Process> worker = startWorker();
+  return worker ? std::move(worker) : startWorker();
 }
 
 void prepareForAll() { allWanted = true; }

@@ -26,6 +26,10 @@ struct Pet : Journey {
       : Journey({QString::fromStdString(dataPath("field-cases/" + name.toStdString()))}) {}
 
   bool opened() {
+    // Two or three slices open as pictures.
+    if (!QTest::qWaitFor([this] { return view() && view()->showsFrames() && view()->frame(); }, longest))
+      return false;
+    child<QAction>("showAsFrames")->trigger();
     if (!QTest::qWaitFor([this] { return session().series() != nullptr; }, longest)) return false;
     child<QAction>("layoutPlanes")->trigger();
     QCoreApplication::processEvents();

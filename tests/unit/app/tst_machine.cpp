@@ -156,18 +156,21 @@ void TestMachine::disturbedWorkersAreNoGuilt() {
 
 // One worker is killed, again and again while headers are read: each time its files are read by another.
 void TestMachine::aKilledWorkerCostsNoSlice() {
-  QProcess program;
-  program.start(QStringLiteral(VOLUMEN_PROGRAM), words("convert IN/scans --strict -o IN/a.nrrd"));
-  QVERIFY(program.waitForStarted());
   pid_t killed = 0;
-  while (!killed && program.state() == QProcess::Running &&
-         activityOf(pid_t(program.processId())).state != 'Z')
-    for (const pid_t zygote : childrenOf(pid_t(program.processId())))
-      for (const pid_t worker : childrenOf(zygote))
-        if (!killed) ::kill(killed = worker, SIGKILL);
-  QVERIFY(program.waitForFinished(120'000));
-  const QByteArray err = program.readAllStandardError();
-  QVERIFY2(killed > 0 && program.exitCode() == 0, err);
+  // On a busy machine it may be done before its workers are found.
+  for (int attempt = 0; !killed && attempt < 50; ++attempt) {
+    QProcess program;
+    program.start(QStringLiteral(VOLUMEN_PROGRAM), words("convert IN/scans --strict -o IN/a.nrrd"));
+    QVERIFY(program.waitForStarted());
+    while (!killed && program.state() == QProcess::Running &&
+           activityOf(pid_t(program.processId())).state != 'Z')
+      for (const pid_t zygote : childrenOf(pid_t(program.processId())))
+        for (const pid_t worker : childrenOf(zygote))
+          if (!killed) ::kill(killed = worker, SIGKILL);
+    QVERIFY(program.waitForFinished(120'000));
+    QVERIFY2(program.exitCode() == 0, program.readAllStandardError());
+  }
+  QVERIFY(killed > 0);
 }
 
 void TestMachine::refusedFilesAreReadAgain() {
