@@ -22,7 +22,7 @@ std::optional<ValueRange> aboveBackground(const Volume& volume) {
   const double all = double(std::accumulate(values.counts.begin(), values.counts.end(), std::int64_t(0)));
   if (double(values.counts.front()) < least * all) return {};
   values.counts.front() = 0;
-  return ValueRange{valueOfRank(values, 0.01), valueOfRank(values, 0.99)};
+  return ValueRange{0, valueOfRank(values, 0.99)};
 }
 
 ValueRange mostValues(const Volume& volume, const std::string& unit) {
