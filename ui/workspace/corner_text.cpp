@@ -144,10 +144,11 @@ QString thicknessText(const Series& series) {
   if (!series.acquired.calibrated || series.acquired.size.z < 2)
     return series.sliceThickness > 0 ? tr("%1 thick").arg(mmText(series.sliceThickness)) : QString();
   const double apart = sliceDistance(series.acquired), thick = series.sliceThickness;
-  const QString distance = tr("%1 apart").arg(mmText(apart));
+  const QString distance = series.regular ? tr("unevenly apart") : tr("%1 apart").arg(mmText(apart));
   if (thick <= 0) return distance;
   const QString thickness = tr("%1 thick").arg(mmText(thick));
-  return std::abs(apart - thick) <= 0.01 * thick ? thickness : joined({thickness, distance}, tr(", "));
+  return !series.regular && std::abs(apart - thick) <= 0.01 * thick ? thickness
+                                                                    : joined({thickness, distance}, tr(", "));
 }
 
 QString stepText(const Workspace& workspace, const SeriesKey& series) {

@@ -53,7 +53,8 @@ QString sexAgeText(const Series& series);
 /// "L MLO": side and view position as in the file.
 QString projectionText(const Series& series);
 
-/// "3 mm thick, 3.3 mm apart"; the distance alone where no thickness is given, and only where it differs.
+/// "3 mm thick, 3.3 mm apart"; the distance alone where no thickness is given, and only where it differs;
+/// "unevenly apart".
 QString thicknessText(const Series& series);
 
 /// Which volume of its series it is: timePointText(), else what separated it from others.

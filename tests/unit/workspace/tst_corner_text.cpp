@@ -32,6 +32,8 @@ class TestCornerText : public QObject {
  private Q_SLOTS:
   void factsOfASeries_data();
   void factsOfASeries();
+  void thicknessOfSlices_data();
+  void thicknessOfSlices();
   void namesAreHidden();
   void whatMattersMostStays();
   void planesSaySliceNumbers_data();
@@ -65,6 +67,24 @@ void TestCornerText::factsOfASeries() {
   QFETCH(Series, series);
   QFETCH(QStringList, left);
   QCOMPARE(seriesCorner(series).left(), left);
+}
+
+void TestCornerText::thicknessOfSlices_data() {
+  QTest::addColumn<Series>("series");
+  QTest::addColumn<QString>("text");
+  Series thick = axial(), thin = axial(), uneven = axial(), one = axial(1);
+  thick.sliceThickness = 3, thin.sliceThickness = 1, one.sliceThickness = 5;
+  uneven.sliceThickness = 3, uneven.regular = Series::Regular{};
+  QTest::newRow("not given") << axial() << QStringLiteral("3 mm apart");
+  QTest::newRow("as the distance") << thick << QStringLiteral("3 mm thick");
+  QTest::newRow("with gaps") << thin << QStringLiteral("1 mm thick, 3 mm apart");
+  QTest::newRow("uneven distances") << uneven << QStringLiteral("3 mm thick, unevenly apart");
+  QTest::newRow("one slice") << one << QStringLiteral("5 mm thick");
+}
+
+void TestCornerText::thicknessOfSlices() {
+  QFETCH(Series, series);
+  QTEST(thicknessText(series), "text");
 }
 
 void TestCornerText::namesAreHidden() {
