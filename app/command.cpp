@@ -14,9 +14,6 @@ bool isUnsafe(char32_t c) {
   return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x061c || (c >= 0x200e && c <= 0x200f) ||
          (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
 }
-}  // namespace
-
-namespace {
 
 /// The character at the beginning of UTF-8 and its length; length 0: it is none.
 struct Character {

@@ -166,8 +166,9 @@ int main(int argc, char** argv) {
                                          "Read frames of up to so many million pixels (default: 268)"),
         1, 4295);
     if (entry.readsSeries)
-      sub->add_flag_callback("--strict", volumen::refuseLosses,
-                             "Write nothing where a file of the series cannot be read (else exit status 3)");
+      sub->add_flag_callback(
+          "--strict", volumen::refuseLosses,
+          "Write nothing, and end with status 1, where a file of the series cannot be read");
     sub->callback([runThis, &command] { command = runThis; });
   }
   return run({argv + 1, argv + argc}, app, command);

@@ -95,7 +95,14 @@ std::vector<std::size_t> volumesOfUid(const Study& study, const std::string& ser
   return volumes.size() > 1 ? volumes : std::vector<std::size_t>();
 }
 
-int Opened::status() const { return loaded.unread.empty() ? exitDone : exitLosses; }
+int Opened::status() const { return statusWith(loaded.unread); }
+
+int statusWith(const std::vector<Unread>& unread) { return unread.empty() ? exitDone : exitLosses; }
+
+void addUnread(std::vector<Unread>& all, const std::vector<Unread>& more) {
+  for (const Unread& file : more)
+    if (std::ranges::find(all, file) == all.end()) all.push_back(file);
+}
 
 void refuseLosses() { strict = true; }
 

@@ -15,10 +15,14 @@ struct Opened {
   Loaded loaded;
   std::vector<std::string> notes;  ///< sentences for stderr
 
-  /// How a command ends that did its work on it: with losses where something could not be read.
+  /// How a command ends that did its work on it.
   int status() const;
 };
 
+/// How a command ends that did its work where these could not be read.
+int statusWith(const std::vector<Unread>& unread);
+/// Adds what is not there yet.
+void addUnread(std::vector<Unread>& all, const std::vector<Unread>& more);
 /// From now on a series with losses is refused (--strict).
 void refuseLosses();
 /// An Error where that is so and these are losses; `what`: of what.

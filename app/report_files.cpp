@@ -1,6 +1,5 @@
 #include "app/report_files.h"
 
-#include <QBuffer>
 #include <QDate>
 #include <QGuiApplication>
 #include <filesystem>
@@ -8,23 +7,13 @@
 
 #include "app/command.h"
 #include "io/files/output_file.h"
+#include "io/files/picture_file.h"
 
 namespace volumen {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-template <class Write>
-Status writeWhole(const std::string& folder, const char* name, Write write) {
-  const std::string path = (fs::path(folder) / name).string();
-  auto file = OutputFile::create(path);
-  if (!file) return file.error();
-  if (Status s = write(*file); !s) return s;
-  if (Status s = file->commit(); !s) return s;
-  std::cout << printable(path) << '\n';
-  return {};
-}
 
 }  // namespace
 
@@ -53,14 +42,20 @@ Status makeFolder(const std::string& folder) {
 }
 
 Status writeReport(const std::string& folder, const char* name, const std::string& text) {
-  return writeWhole(folder, name, [&](OutputFile& file) { return file.write(text); });
+  const std::string path = (fs::path(folder) / name).string();
+  auto file = OutputFile::create(path);
+  if (!file) return file.error();
+  if (Status s = file->write(text); !s) return s;
+  if (Status s = file->commit(); !s) return s;
+  std::cout << printable(path) << '\n';
+  return {};
 }
 
 Status writeReport(const std::string& folder, const char* name, const QImage& picture) {
-  QBuffer bytes;
-  bytes.open(QIODevice::WriteOnly);
-  if (!picture.save(&bytes, "PNG")) return Error{"Cannot write " + folder + "/" + name + "."};
-  return writeReport(folder, name, bytes.data().toStdString());
+  const std::string path = (fs::path(folder) / name).string();
+  if (Status written = writeImage(picture, path, {}); !written) return written;
+  std::cout << printable(path) << '\n';
+  return {};
 }
 
 StudyTitle titleOf(const std::string& volume, const std::string& scene) {

@@ -65,7 +65,7 @@ int runVolumes(const std::vector<Series>& volumes, const std::string& output, co
   if (!written) return fail(written.message(), cancel);
   printNotes(written->notes);
   std::cout << printable(output) << '\n';
-  return written->unread.empty() ? exitDone : exitLosses;
+  return statusWith(written->unread);
 }
 
 int run(const ConvertOptions& options, const CancelToken& cancel) {

@@ -153,9 +153,7 @@ Result<WrittenVolumes> writeVolumes(const std::vector<Series>& volumes, const st
     if (!loaded) return loaded.error();
     if (Status whole = checkLosses(volumes[std::size_t(n)].path, loaded->unread); !whole)
       return whole.error();
-    for (const Unread& file : loaded->unread)
-      if (std::ranges::find(written.unread, file.path, &Unread::path) == written.unread.end())
-        written.unread.push_back(file);
+    addUnread(written.unread, loaded->unread);
     for (const Warning& w : loaded->warnings)
       if (std::ranges::find(notes, w.sentence) == notes.end()) notes.push_back(w.sentence);
     L = loaded->drawn->geometry().patientFromVoxelStep;

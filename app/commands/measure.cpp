@@ -64,9 +64,7 @@ struct FrameOfStudy {
 std::vector<Unread> unreadOf(const std::optional<Opened>& opened, const std::vector<const Series*>& frames) {
   std::vector<Unread> all;
   if (opened) all = opened->loaded.unread;
-  for (const Series* series : frames)
-    for (const Unread& file : series->unread)
-      if (std::ranges::find(all, file) == all.end()) all.push_back(file);
+  for (const Series* series : frames) addUnread(all, series->unread);
   return all;
 }
 
@@ -156,7 +154,7 @@ int run(const MeasureOptions& options, const CancelToken& cancel) {
   if (opened) all["warnings"] = sentences(opened->loaded.warnings);
   all["unread"] = unreadJson(unread);
   std::cout << jsonText(all);
-  return unread.empty() ? exitDone : exitLosses;
+  return statusWith(unread);
 }
 
 }  // namespace

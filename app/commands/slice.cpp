@@ -109,10 +109,7 @@ Result<SlicePlane> onIndex(const SlicePlane& plane, const VoxelGeometry& geometr
 Status checkMeets(const SlicePlane& plane, const VoxelGeometry& geometry) {
   glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
   double nearest = HUGE_VAL, farthest = -HUGE_VAL;  // along the normal, from the plane
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 far = geometry.size;
-    const glm::dvec3 at(corner & 1 ? far.x : 0, corner & 2 ? far.y : 0, corner & 4 ? far.z : 0);
-    const glm::dvec3 place = geometry.patientFromVoxel(at - 0.5);
+  for (const glm::dvec3& place : geometry.boxCorners()) {
     const double along = glm::dot(place - plane.centre, plane.normal());
     low = glm::min(low, place), high = glm::max(high, place);
     nearest = std::min(nearest, along), farthest = std::max(farthest, along);

@@ -17,6 +17,7 @@
 #include "io/export/dicom_slice.h"
 #include "io/files/aside.h"
 #include "io/files/output_file.h"
+#include "io/worker/channel.h"
 
 namespace volumen {
 
@@ -115,23 +116,6 @@ fs::path parentOf(const fs::path& target) {
   return target.has_parent_path() ? target.parent_path() : fs::path(".");
 }
 
-// As long as this lives nobody takes the folder for one that was left behind.
-class Claimed {
- public:
-  explicit Claimed(const std::string& folder)
-      : fd_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    claimAside(fd_);
-  }
-  ~Claimed() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Claimed(const Claimed&) = delete;
-  Claimed& operator=(const Claimed&) = delete;
-
- private:
-  int fd_;
-};
-
 bool isEmptyOrMissing(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(folder, error)) return true;
@@ -191,7 +175,8 @@ Result<std::vector<std::string>> writeDicomSeries(const Volume& volume, const Di
   std::string aside = (parent / asideName).string();
   if (!::mkdtemp(aside.data()))
     return Error{"Cannot make the folder " + folder + ": " + std::strerror(errno) + "."};
-  const Claimed claimed(aside);
+  const worker::Descriptor claimed(::open(aside.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  claimAside(claimed.get());
   const DicomSliceWriter writer(volume, tags);
   Result<double> largestError = writeSlices(volume, writer, aside, progress, cancel);
   std::error_code error;

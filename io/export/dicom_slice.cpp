@@ -10,6 +10,7 @@
 #include <map>
 
 #include "io/export/dicom_modules.h"
+#include "viewer/slice/plane.h"
 
 namespace volumen {
 
@@ -50,11 +51,6 @@ DicomElements common(const std::map<std::uint32_t, DicomElements>& below,
     if (alike || std::ranges::find(ofTheOneBelow, tag) != std::end(ofTheOneBelow)) append(all, elements);
   }
   return all;
-}
-
-double betweenSlices(const VoxelGeometry& g) {
-  const glm::dvec3 normal = glm::normalize(glm::cross(g.patientFromVoxelStep[0], g.patientFromVoxelStep[1]));
-  return std::abs(glm::dot(normal, g.patientFromVoxelStep[2]));
 }
 
 DicomElements windows(const Volume& volume, const DicomSeriesTags& tags) {
@@ -175,7 +171,7 @@ DicomElements DicomSliceWriter::seriesElements() const {
                {0x00200011, tags_.seriesNumber.empty() ? "1" : tags_.seriesNumber},
                {0x00200012, ""},
                {0x00185100, tags_.patientPosition},
-               {0x00180050, tags_.synthetic ? decimal(betweenSlices(volume_.geometry())) : std::string()}});
+               {0x00180050, tags_.synthetic ? decimal(sliceDistance(volume_.geometry())) : std::string()}});
   append(all, frameOfReferenceModule(uids_.of("frame of reference")));
   if (mayBePaired(tags_.bodyPart)) all.push_back({0x00200060, ""});
   append(all, first_.empty() ? equipmentModule() : DicomElements{{0x00080070, ""}});
@@ -248,7 +244,7 @@ DicomElements DicomSliceWriter::placeElements(int k) const {
           {0x00200037, decimals({row.x, row.y, row.z, column.x, column.y, column.z})},
           {0x00201041, decimal(glm::dot(p, glm::normalize(glm::cross(row, column))))},
           {0x00280030, decimals({spacing.y, spacing.x})},
-          {0x00180088, decimal(betweenSlices(g))}};
+          {0x00180088, decimal(sliceDistance(g))}};
 }
 
 // What is not the source's.

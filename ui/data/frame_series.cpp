@@ -1,7 +1,7 @@
 #include "ui/data/frame_series.h"
+#include "viewer/slice/plane.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
 
@@ -74,7 +74,7 @@ bool isUsefulVolume(const Series& series) {
   if (!series.notVolume.empty() || series.acquired.size.z < fewest) return false;
   if (!series.acquired.calibrated) return true;
   const glm::dmat3& L = series.acquired.patientFromVoxelStep;
-  const double apart = std::abs(glm::dot(L[2], glm::normalize(glm::cross(L[0], L[1]))));
+  const double apart = sliceDistance(series.acquired);
   if (apart <= mostPixels * std::max(glm::length(L[0]), glm::length(L[1]))) return true;
   return apart <= mostMm && (series.sliceThickness <= 0 || apart <= mostThicknesses * series.sliceThickness);
 }

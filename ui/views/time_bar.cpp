@@ -47,10 +47,6 @@ void TimeBar::showSteps() {
   Q_EMIT stepsChanged();
 }
 
-QString TimeBar::text() const {
-  return timePointText(session_.workspace(), session_.workspace().view(view_).series);
-}
-
 void TimeBar::goTo(int index) {
   const Workspace& workspace = session_.workspace();
   const std::vector<const Series*> steps = timePointsOf(workspace, workspace.view(view_).series);

@@ -14,15 +14,13 @@ class TimeBar : public QSlider {
   TimeBar(Session& session, ViewId view, QWidget* parent);
 
   bool hasSteps() const { return maximum() > 0; }
-  /// Which of them is shown: "b 50 (2 of 3)"; of the only one its label, mostly empty.
-  QString text() const;
   /// So many steps on; stays within them.
   void step(int steps);
   /// Shows one after the other, from the first again after the last; or stops.
   void togglePlay();
 
  Q_SIGNALS:
-  /// Of hasSteps() or text().
+  /// Of hasSteps() or which of them is shown.
   void stepsChanged();
 
  private:

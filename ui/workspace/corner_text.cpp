@@ -10,6 +10,7 @@
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_point_text.h"
+#include "viewer/slice/plane.h"
 
 namespace volumen {
 
@@ -75,12 +76,6 @@ QString ageText(const Series& series) {
 QString joined(QStringList parts, const QString& with) {
   parts.removeAll(QString());
   return parts.join(with);
-}
-
-// Along the normal of the slices.
-double sliceDistance(const VoxelGeometry& geometry) {
-  const auto& L = geometry.patientFromVoxelStep;
-  return std::abs(glm::dot(L[2], glm::normalize(glm::cross(L[0], L[1]))));
 }
 
 QString mmText(double mm) { return tr("%1 mm").arg(mm, 0, 'g', 3); }

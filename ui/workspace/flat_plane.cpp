@@ -118,9 +118,9 @@ Crosshair firstCrosshair(const Series& series) {
     if (copies[std::size_t(k)] >= 0 && (!nearest || std::abs(k - middle) < std::abs(*nearest - middle)))
       nearest = k;
   // Across the slices alone, so that it stays on those of the other planes.
-  const auto& L = geometry.patientFromVoxelStep;
-  const glm::dvec3 normal = glm::normalize(glm::cross(L[0], L[1]));
-  if (nearest) crosshair.at += double(*nearest - middle) * glm::dot(L[2], normal) * normal;
+  const glm::dvec3 normal = sliceNormal(geometry);
+  const double mm = glm::dot(geometry.patientFromVoxelStep[2], normal);
+  if (nearest) crosshair.at += double(*nearest - middle) * mm * normal;
   return crosshair;
 }
 
@@ -180,8 +180,7 @@ Crosshair turnedIn(Crosshair crosshair, ViewKind kind, double angle) {
 }
 
 Crosshair alongSlices(glm::dvec3 at, const VoxelGeometry& geometry) {
-  const auto& L = geometry.patientFromVoxelStep;
-  const glm::dvec3 i = glm::normalize(L[0]), k = glm::normalize(glm::cross(L[0], L[1]));
+  const glm::dvec3 i = glm::normalize(geometry.patientFromVoxelStep[0]), k = sliceNormal(geometry);
   const glm::dvec3 acquired[] = {i, glm::cross(k, i), k};
   // Of the 24 turns that put these in the place of the patient's axes, the smallest.
   glm::dmat3 best(1);
@@ -202,8 +201,7 @@ Crosshair alongSlices(glm::dvec3 at, const VoxelGeometry& geometry) {
 }
 
 ViewKind acquiredKind(const VoxelGeometry& geometry) {
-  const auto& L = geometry.patientFromVoxelStep;
-  const glm::dvec3 normal = glm::normalize(glm::cross(L[0], L[1]));
+  const glm::dvec3 normal = sliceNormal(geometry);
   const Crosshair along = alongSlices({}, geometry);
   for (const ViewKind kind : {ViewKind::coronal, ViewKind::sagittal})
     if (std::abs(glm::dot(along.plane(kind).normal(), normal)) > 0.5) return kind;

@@ -8,8 +8,7 @@ namespace volumen {
 
 PictureSeen pictureSeen(const Series& series, const VoxelGeometry& drawn, const SlicePlane& plane) {
   constexpr double parallel = 1e-3, onSlice = 1e-3;  // of an angle, and of a step
-  const auto& step = drawn.patientFromVoxelStep;
-  const glm::dvec3 normal = glm::normalize(glm::cross(step[0], step[1]));
+  const glm::dvec3 normal = sliceNormal(drawn);
   const double k = drawn.voxelFromPatient(plane.centre).z, nearest = std::round(k);
   if (!(plane.slabMm == 0 && glm::length(glm::cross(normal, plane.normal())) <= parallel &&
         std::abs(k - nearest) <= onSlice && nearest >= 0 && nearest < drawn.size.z))

@@ -5,6 +5,7 @@
 
 #include "ui/data/frame_series.h"
 #include "ui/workspace/text.h"
+#include "viewer/slice/plane.h"
 
 namespace volumen {
 
@@ -36,8 +37,7 @@ QString sizeText(const VoxelGeometry& g) {
 QString planeText(const VoxelGeometry& geometry) {
   if (!geometry.calibrated) return {};
   constexpr double nearEnough = 0.8;
-  const glm::dmat3& step = geometry.patientFromVoxelStep;
-  const glm::dvec3 normal = glm::abs(glm::normalize(glm::cross(step[0], step[1])));
+  const glm::dvec3 normal = glm::abs(sliceNormal(geometry));
   if (normal.z >= nearEnough) return tr("axial");
   if (normal.y >= nearEnough) return tr("coronal");
   return normal.x >= nearEnough ? tr("sagittal") : tr("oblique");

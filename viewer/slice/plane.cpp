@@ -28,8 +28,7 @@ int largestComponent(glm::dvec3 v) {
 }
 
 bool parallelToSlices(const VoxelGeometry& geometry, glm::dvec3 normal) {
-  const auto& L = geometry.patientFromVoxelStep;
-  return glm::length(glm::cross(normal, glm::normalize(glm::cross(L[0], L[1])))) <= parallelWithin;
+  return glm::length(glm::cross(normal, sliceNormal(geometry))) <= parallelWithin;
 }
 
 }  // namespace
@@ -104,6 +103,15 @@ std::int64_t slabSamples(const SlicePlane& plane, const VoxelGeometry& geometry)
 std::int64_t subSamples(const SlicePlane& plane, const VoxelGeometry& geometry) {
   if (!plane.average) return 1;
   return std::int64_t(std::clamp(roundedUp(plane.mmPerPixel / smallestSpacing(geometry)), 1.0, 0x1p30));
+}
+
+glm::dvec3 sliceNormal(const VoxelGeometry& geometry) {
+  const auto& L = geometry.patientFromVoxelStep;
+  return glm::normalize(glm::cross(L[0], L[1]));
+}
+
+double sliceDistance(const VoxelGeometry& geometry) {
+  return std::abs(glm::dot(geometry.patientFromVoxelStep[2], sliceNormal(geometry)));
 }
 
 double wheelStep(const VoxelGeometry& geometry, glm::dvec3 normal) {

@@ -61,6 +61,12 @@ std::int64_t slabSamples(const SlicePlane& plane, const VoxelGeometry& geometry)
 /// How many sub-samples a pixel are averaged along each of its sides, at least 1.
 std::int64_t subSamples(const SlicePlane& plane, const VoxelGeometry& geometry);
 
+/// The unit vector at right angles to the volume's slices, i x j.
+glm::dvec3 sliceNormal(const VoxelGeometry& geometry);
+
+/// From slice to slice along sliceNormal(), mm.
+double sliceDistance(const VoxelGeometry& geometry);
+
 /// A step of the wheel along `normal`: the spacing of the volume axis that lies closest to it, projected, mm.
 double wheelStep(const VoxelGeometry& geometry, glm::dvec3 normal);
 

@@ -340,8 +340,6 @@ void TestConvertDicom::roundedValuesAreTold() {
 void TestConvertDicom::dosesAreRefused() {
   const std::string from = dataPath("field-cases/c06-dose-absolute-offsets");
   NEED_DATA(from);
-  const auto study = openStudy(from);
-  if (!study || study->volumes.empty()) QSKIP("this grid of doses is no volume yet");
   const Outcome a = runProgram(
       {QStringLiteral("convert"), QString::fromStdString(from), QStringLiteral("-o"), at("dose/")});
   QCOMPARE(a.status, 1);
