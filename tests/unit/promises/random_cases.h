@@ -11,9 +11,10 @@ namespace volumen::tests {
 /// What random cases are made of.
 enum class Family {
   pieces,  ///< boxes out of the real test data, seen as people see them
-  hard     ///< tiny volumes whose values, grids, curves and lights are at the edge of what numbers bear
+  hard,    ///< tiny volumes whose values, grids, curves and lights are at the edge of what numbers bear
+  attack   ///< thirty kinds of scenes that levels were attacked with: lattices, thin things, far numbers
 };
-inline constexpr Family families[] = {Family::pieces, Family::hard};
+inline constexpr Family families[] = {Family::pieces, Family::hard, Family::attack};
 const char* nameOf(Family family);
 
 /// A volume, a scene and a picture size, drawn by chance from a seed.

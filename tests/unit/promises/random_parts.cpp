@@ -7,11 +7,14 @@ namespace volumen::tests {
 
 using glm::dvec3;
 
-const char* nameOf(Family family) { return family == Family::pieces ? "pieces" : "hard"; }
+const char* nameOf(Family family) {
+  constexpr const char* names[] = {"pieces", "hard", "attack"};
+  return names[int(family)];
+}
 
 RandomCase randomCase(Family family, std::uint64_t seed) {
   if (family == Family::pieces) return randomPiece(Chance(seed));
-  return randomHard(Chance(seed));
+  return family == Family::hard ? randomHard(Chance(seed)) : randomAttack(Chance(seed));
 }
 
 double radiusOf(const VoxelGeometry& geometry) {

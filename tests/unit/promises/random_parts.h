@@ -14,6 +14,12 @@ namespace volumen::tests {
 RandomCase randomPiece(Chance chance);
 /// A volume of 1 .. 24 voxels an edge, and a scene for it.
 RandomCase randomHard(Chance chance);
+/// A kind of scene that levels were attacked with, in a volume of 10 .. 64 voxels an edge.
+RandomCase randomAttack(Chance chance);
+/// A lattice under a curve of two points about as steep as plain steps are taken for.
+RandomCase randomLattice(Chance& chance);
+/// A unit vector along up to eight voxels an axis, or fewer.
+glm::dvec3 directionOfSmallNumbers(Chance& chance);
 
 /// Half the diagonal of the volume's box, mm.
 double radiusOf(const VoxelGeometry& geometry);

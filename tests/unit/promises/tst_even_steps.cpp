@@ -1,9 +1,11 @@
 // Guards design.md 2 and 5: where the planner takes plain steps in place of going cell by cell, the levels
 // keep their promises, on the volumes that leave the most between two samples.
+#include <cstdio>
 #include <random>
 
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/promises/promises.h"
+#include "tests/unit/promises/random_parts.h"
 #include "tests/unit/suite.h"
 
 namespace {
@@ -58,6 +60,7 @@ class TestEvenSteps : public QObject {
  private Q_SLOTS:
   void theyKeepTheLevelsPromises_data();
   void theyKeepTheLevelsPromises();
+  void noDirectionResonates();
 };
 
 void TestEvenSteps::theyKeepTheLevelsPromises_data() {
@@ -117,6 +120,38 @@ void TestEvenSteps::theyKeepTheLevelsPromises() {
       }
   QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QStringLiteral("; "))));
   QVERIFY2(even >= 8, "hardly any scene takes plain steps: this row proves nothing");
+}
+
+// Lattices along directions of small whole numbers; VOLUMEN_RANDOM_CASES=N of them.
+void TestEvenSteps::noDirectionResonates() {
+  const int cases = qEnvironmentVariableIsSet("VOLUMEN_RANDOM_CASES")
+                        ? qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES")
+                        : 150;
+  QStringList broken;
+  int even = 0;
+  for (int seed = 1; seed <= cases; ++seed) {
+    Chance chance{std::uint64_t(seed)};
+    const RandomCase c = randomLattice(chance);
+    RenderCaches caches(c.volume);
+    Truth truth(caches, c.scene, c.size);
+    for (const Promise& promise : promises) {
+      RenderOptions options = atLevel(promise.quality);
+      options.size = c.size;
+      const auto plan = makePlan(c.scene, caches.facts(), options);
+      if (plan->cellByCell) continue;
+      ++even;
+      const PictureError e = truth.errorOf(truth.drawn(options), promise);
+      const QString words = QStringLiteral("seed %1, %2, step %3: %4")
+                                .arg(seed)
+                                .arg(QLatin1String(promise.name))
+                                .arg(plan->stepVoxels)
+                                .arg(inWords(e));
+      if (figuresWanted()) std::fprintf(stderr, "%s\n", qPrintable(words));
+      if (!promise.keptBy(e)) broken << words;
+    }
+  }
+  QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QLatin1Char('\n'))));
+  QVERIFY2(even >= cases / 4, "hardly any scene takes plain steps: this proves nothing");
 }
 
 VOLUMEN_TEST(TestEvenSteps);

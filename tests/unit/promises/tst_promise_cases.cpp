@@ -1,6 +1,9 @@
 // Guards design.md 2 (levels): the promises on scenes in which a level missed one on 23 November 2026
-// (../shared/data/promise-cases), and on the other scenes and volumes of that folder. With VOLUMEN_FIGURES
-// set it prints what each row measured.
+// (../shared/data/promise-cases), on the other scenes and volumes of that folder, and where one missed it, or
+// a number was not finite, on 26 November (level-cases). With VOLUMEN_FIGURES set it prints what each row
+// measured.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 
@@ -18,45 +21,64 @@ using namespace volumen::tests;
 
 namespace {
 
-/// Of a file in the folder.
-std::string pathOf(const std::string& file) { return "promise-cases/" + file; }
-
 /// Of cases.tsv. `exact`: that level's promise counts too.
 struct PromiseCase {
-  std::string name = {}, volume = {}, scene = {};
+  std::string name = {}, folder = {}, volume = {}, scene = {};
   glm::ivec2 size{96, 96};
   bool exact = true;
+
+  /// Of a file in the folder.
+  std::string pathOf(const std::string& file) const { return folder + '/' + file; }
 };
 
-/// What cases.tsv says; none where it is not here.
+glm::ivec2 sizeIn(const QByteArray& field) {
+  const QByteArrayList size = field.split('x');
+  return {size[0].toInt(), size[1].toInt()};
+}
+
+std::vector<QByteArrayList> rowsOf(const std::string& table, int columns) {
+  std::vector<QByteArrayList> rows;
+  const QByteArray text = contentsOf(QString::fromStdString(dataPath(table)));
+  for (const QByteArray& line : text.split('\n').mid(1))
+    if (const QByteArrayList fields = line.split('\t'); fields.size() >= columns) rows.push_back(fields);
+  return rows;
+}
+
+/// What promise-cases/cases.tsv says; none where it is not here.
 std::vector<PromiseCase> listedCases() {
   std::vector<PromiseCase> cases;
-  const QByteArray text = contentsOf(QString::fromStdString(dataPath(pathOf("cases.tsv"))));
-  for (const QByteArray& line : text.split('\n').mid(1)) {
-    const QByteArrayList fields = line.split('\t');
-    if (fields.size() < 9) continue;
-    const QByteArrayList size = fields[3].split('x');
-    cases.push_back({fields[0].toStdString(),
-                     fields[1].toStdString(),
-                     fields[2].toStdString(),
-                     {size[0].toInt(), size[1].toInt()},
-                     fields[8].trimmed() != "-"});
+  for (const QByteArrayList& fields : rowsOf("promise-cases/cases.tsv", 9))
+    cases.push_back({fields[0].toStdString(), "promise-cases", fields[1].toStdString(),
+                     fields[2].toStdString(), sizeIn(fields[3]), fields[8].trimmed() != "-"});
+  return cases;
+}
+
+/// What level-cases/cases.tsv says: each volume and scene is called as its case.
+std::vector<PromiseCase> levelCases() {
+  std::vector<PromiseCase> cases;
+  for (const QByteArrayList& fields : rowsOf("level-cases/cases.tsv", 5)) {
+    const std::string name = fields[0].toStdString();
+    cases.push_back({name, "level-cases", name + ".nrrd", name + ".json", sizeIn(fields[1])});
   }
   return cases;
 }
 
-/// Scenes and volumes of the folder that cases.tsv does not name.
+/// Scenes and volumes of promise-cases that its list does not name.
 std::vector<PromiseCase> furtherCases() {
-  return {
-      {"gradient opacity over a flat curve, target given", "phantom:soft-sphere", "go-check.json"},
-      {"gradient opacity over a flat curve, dense", "phantom:soft-sphere", "go-shell-flat-curve-dense.json"},
-      {"gradient opacity over a flat curve, head", "phantom:ct-head:128", "go-flat-curve-head.json"},
-      {"gradient opacity over a flat curve, head, dense", "phantom:ct-head:128",
-       "go-flat-curve-head-dense.json"},
-      {"gradient opacity, Levoy's, head", "phantom:ct-head:64", "gradient-opacity-levoy.json"},
-      {"two colours over 65 HU, small head", "phantom:ct-head:64", "iso-ramp.json"},
-      {"values of 0 and the smallest float", "denormal-1.4e-45.nrrd", "point-at-minimum.json"},
-      {"values of 0 and 1e-36", "range-1e-36.nrrd", "point-at-minimum.json"}};
+  std::vector<PromiseCase> cases;
+  const auto add = [&](const char* name, const char* volume, const char* scene) {
+    cases.push_back({name, "promise-cases", volume, scene});
+  };
+  add("gradient opacity over a flat curve, target given", "phantom:soft-sphere", "go-check.json");
+  add("gradient opacity over a flat curve, dense", "phantom:soft-sphere", "go-shell-flat-curve-dense.json");
+  add("gradient opacity over a flat curve, head", "phantom:ct-head:128", "go-flat-curve-head.json");
+  add("gradient opacity over a flat curve, head, dense", "phantom:ct-head:128",
+      "go-flat-curve-head-dense.json");
+  add("gradient opacity, Levoy's, head", "phantom:ct-head:64", "gradient-opacity-levoy.json");
+  add("two colours over 65 HU, small head", "phantom:ct-head:64", "iso-ramp.json");
+  add("values of 0 and the smallest float", "denormal-1.4e-45.nrrd", "point-at-minimum.json");
+  add("values of 0 and 1e-36", "range-1e-36.nrrd", "point-at-minimum.json");
+  return cases;
 }
 
 /// In these pixels of pilot-stripes.json's picture, 55 x 55, the values of its stripes are seen.
@@ -110,7 +132,8 @@ void TestPromiseCases::everyLevelKeepsItsPromise_data() {
   if (cases.empty())
     cases = {{.name = "cases.tsv"}};  // a row to skip
   else
-    for (const PromiseCase& c : furtherCases()) cases.push_back(c);
+    for (const auto& more : {furtherCases(), levelCases()})
+      cases.insert(cases.end(), more.begin(), more.end());
   for (const PromiseCase& c : cases) QTest::newRow(c.name.c_str()) << c;
 }
 
@@ -118,10 +141,10 @@ void TestPromiseCases::everyLevelKeepsItsPromise() {
   QFETCH(PromiseCase, promiseCase);
   const PromiseCase& c = promiseCase;
   NEED_VOLUME(!c.volume.empty());
-  const std::string name = c.volume.starts_with("phantom:") ? c.volume : pathOf(c.volume);
+  const std::string name = c.volume.starts_with("phantom:") ? c.volume : c.pathOf(c.volume);
   const VolumePtr volume = levelVolume(name);
   const auto scene =
-      sceneFromJson(contentsOf(QString::fromStdString(dataPath(pathOf(c.scene)))).toStdString());
+      sceneFromJson(contentsOf(QString::fromStdString(dataPath(c.pathOf(c.scene)))).toStdString());
   QVERIFY2(scene.ok(), scene.ok() ? "" : scene.message().c_str());
   Truth truth(caches_.try_emplace(name, volume).first->second, *scene, c.size);
   QStringList broken;
@@ -130,6 +153,8 @@ void TestPromiseCases::everyLevelKeepsItsPromise() {
     const Rendered rendered = truth.rendered(atLevel(promise.quality));
     const QString spoilt = whereNotFinite(rendered.picture);
     QVERIFY2(spoilt.isEmpty(), qPrintable(spoilt));
+    QVERIFY2(std::ranges::all_of(rendered.error, [](float told) { return std::isfinite(told); }),
+             "the error map holds what is no number");
     const PictureError e =
         c.size.x > 512 ? sampledError(rendered, *volume) : truth.errorOf(rendered.picture, promise);
     const QString words = QLatin1String(promise.name) + QStringLiteral(": ") + inWords(e);

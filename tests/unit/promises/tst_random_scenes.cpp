@@ -1,8 +1,8 @@
 // Guards design.md 2 (levels, finite, determinism, --full) on scenes drawn by chance: boxes out of real
-// studies, and tiny hard volumes. VOLUMEN_RANDOM_CASES=N: N of the former and half as many of the latter, of
-// the seeds from VOLUMEN_RANDOM_SEED on. VOLUMEN_RANDOM_SAVE=DIR: the cases that fail are written there. With
-// VOLUMEN_RANDOM_BRUTE set, what the brute force says of the reference of those is printed; with
-// VOLUMEN_FIGURES each row's figures.
+// studies, tiny hard volumes, and kinds of attacks. VOLUMEN_RANDOM_CASES=N: N of the first and half as many
+// of the others, of the seeds from VOLUMEN_RANDOM_SEED on; VOLUMEN_RANDOM_FAMILY=NAME: N of that one alone.
+// VOLUMEN_RANDOM_SAVE=DIR: the cases that fail are written there. With VOLUMEN_RANDOM_BRUTE set, what the
+// brute force says of the reference of those is printed; with VOLUMEN_FIGURES each row's figures.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -97,8 +97,13 @@ void TestRandomScenes::everyLevelKeepsItsPromise_data() {
                          ? qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES")
                          : 200;
   const int first = std::max(1, qEnvironmentVariableIntValue("VOLUMEN_RANDOM_SEED"));
+  const QString only = qEnvironmentVariable("VOLUMEN_RANDOM_FAMILY");
+  const auto countOf = [&](Family family) {
+    if (!only.isEmpty()) return only == QLatin1String(nameOf(family)) ? pieces : 0;
+    return family == Family::pieces ? pieces : (pieces + 1) / 2;
+  };
   for (Family family : families)
-    for (int n = 0; n < (family == Family::pieces ? pieces : (pieces + 1) / 2); ++n)
+    for (int n = 0; n < countOf(family); ++n)
       QTest::addRow("%s, seed %d", nameOf(family), first + n) << int(family) << quint64(first + n);
 }
 

@@ -1,0 +1,68 @@
+#include "viewer/plan/resonance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <vector>
+
+namespace volumen {
+
+namespace {
+
+constexpr int finestWave = 20;         // finer ones are weaker than 1/400
+constexpr double samplesOfARay = 200;  // of a long one: they average out what is off by a period over them
+
+// Above this, lattices broke levels whose steps keep their promise on all else (tests/unit/promises,
+// TestEvenSteps::noDirectionResonates).
+constexpr double mostResonance = 0.5;
+
+struct Wave {
+  glm::dvec3 m;
+  double power;
+};
+
+// Half of all: the opposite of each is the same wave.
+std::vector<Wave> makeWaves() {
+  std::vector<Wave> waves;
+  for (int x = -finestWave; x <= finestWave; ++x)
+    for (int y = -finestWave; y <= finestWave; ++y)
+      for (int z = 0; z <= finestWave; ++z) {
+        const int product = std::max(1, std::abs(x)) * std::max(1, std::abs(y)) * std::max(1, z);
+        const bool isOpposite = z == 0 && (y < 0 || (y == 0 && x <= 0));
+        if (product <= finestWave && !isOpposite) waves.push_back({{x, y, z}, 1.0 / (product * product)});
+      }
+  return waves;
+}
+
+// What of a wave is left in the mean of a ray's samples, `periods` a step.
+double leftOf(double periods) {
+  if (std::abs(periods) < 0.5) return 0;  // told from a constant
+  const double off = std::abs(periods - std::round(periods)) * samplesOfARay;
+  return std::min(1.0, 1 / (std::numbers::pi * off));  // the envelope of a sinc
+}
+
+}  // namespace
+
+double resonance(double stepVoxels, glm::dvec3 alongVoxel) {
+  static const std::vector<Wave> waves = makeWaves();
+  double most = 0;
+  for (int period = 2; period <= 4; ++period) {
+    double sum = 0;
+    for (const Wave& wave : waves) {
+      const double left = leftOf(stepVoxels * glm::dot(alongVoxel, wave.m) / period);
+      sum += wave.power * left * left;
+    }
+    most = std::max(most, sum);
+  }
+  return most / (stepVoxels * stepVoxels);
+}
+
+std::optional<double> stepWithoutResonance(glm::dvec3 alongVoxel, double most, double least) {
+  constexpr double shorter = 0.985;
+  for (double step = most; step >= least; step *= shorter)
+    if (resonance(step, alongVoxel) <= mostResonance) return step;
+  return {};
+}
+
+}  // namespace volumen
