@@ -310,7 +310,7 @@ class PartRule {
       const VF change = hn::Abs(hn::Sub(a.factor, b.factor));
       const VF unit = Set(matter_.f.factorUnit);
       const VF kinks = FactorBend(curve, hn::Mul(least, unit), hn::Mul(most, unit));
-      const VF share = hn::Min(hn::Div(hn::Add(sag, leaves), range), Set(1));
+      const VF share = Clamp01(hn::Div(hn::Add(sag, leaves), range));  // sag may be rounded below 0
       const VF bent = hn::Mul(share, hn::Add(change, kinks));
       const VF product = hn::Mul(Set(1.0f / 6), hn::Mul(change, hn::Abs(hn::Sub(a.opacity, b.opacity))));
       const VF opacity = hn::Max(a.opacity, b.opacity);

@@ -24,6 +24,8 @@ VolumeFacts factsOf(const Volume& volume) {
   VolumeFacts facts;
   facts.geometry = volume.geometry();
   facts.rescaleSlope = volume.slope();
+  const bool isUnsigned = std::holds_alternative<std::vector<std::uint16_t>>(volume.stored());
+  facts.densityZero = volume.intercept() + (isUnsigned ? 32768 * volume.slope() : 0);
   facts.range = valueRange(volume);
   facts.integers =
       !std::holds_alternative<std::vector<float>>(volume.stored()) && !isRounded(volume, facts.range);

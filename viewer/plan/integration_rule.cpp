@@ -6,6 +6,7 @@
 
 #include "viewer/plan/check_options.h"
 #include "viewer/plan/cost_model.h"
+#include "viewer/plan/resonance.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/plan/smoothness.h"
 #include "viewer/scene/step_length.h"
@@ -24,9 +25,7 @@ bool isSharp(const TransferFunction& curve, double narrow) {
   return false;
 }
 
-// Plain steps of a level where matter changes little from voxel to voxel: the longest (so short that no
-// pattern of the volume can fall in step with them: of a triangle wave of two voxels they meet no harmonic
-// below the seventh) and the shortest (shorter ones take longer than going cell by cell); how far the change
+// Plain steps of a level where matter changes little from voxel to voxel: the longest and the shortest (shorter ones take longer than going cell by cell); how far the change
 // of extinction a voxel, times the square of the step, may go; and how far the light that a voxel gives,
 // times the step. Noise, plates and stripes of one voxel keep the level's promise at these limits.
 struct EvenSteps {
@@ -42,7 +41,7 @@ EvenSteps evenStepsOf(Quality quality) {
     case Quality::exact:
       break;
   }
-  return {1.0 / 4, 1.0 / 8, 0.008, 0};
+  return {1.0 / 4, 1.0 / 8, 0.006, 0};
 }
 
 // The length of a step of one voxel, mm, on the ray that takes the longest ones: in perspective a bound, the
@@ -72,7 +71,8 @@ bool isWholeLevel(const RenderOptions& o) {
   return !o.step && !o.tolerance && !o.curveTable && !o.opacityThreshold;
 }
 
-// The longest plain step that keeps the level's promise, if there is any.
+// The longest plain step that keeps the level's promise, if there is any: of a lattice, too, so a little less
+// where all samples would meet the same places of its cells.
 std::optional<EvenStep> evenStep(const RuleInput& in) {
   const RenderOptions& o = in.options;
   if (in.facts.gradientBounds.empty() || !isWholeLevel(o)) return {};
@@ -82,10 +82,14 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
   const double voxelMm = longestVoxelMm(*in.scene.camera, in.facts.geometry);
   const double change = s.change * voxelMm * bright, most = s.perMm * voxelMm * bright;
   const EvenSteps even = evenStepsOf(o.quality);
+  const glm::dvec3 alongVoxel = alongVoxelOf(*in.scene.camera, in.facts.geometry);
+  constexpr double little = 0.85;
   for (double step = even.longest; step >= even.shortest; step /= 2) {
     // Light may turn over anywhere within a voxel; the extinction changes along all of it.
     if (in.scene.shading.lit && most * step > even.light) continue;
-    if (change * step * step <= even.extinction) return EvenStep{step, mostOfVoxel(in, s), change};
+    if (change * step * step > even.extinction) continue;
+    if (const auto kept = stepWithoutResonance(alongVoxel, step, little * step))
+      return EvenStep{*kept, mostOfVoxel(in, s), change};
   }
   return {};
 }
@@ -94,9 +98,8 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
 // nothing. `high` promises a third of the error.
 double mostMissed(Quality quality) { return quality == Quality::standard ? 0.25 : 0.08; }
 
-// Near what views of bone in CT come to at `standard`, so that a second try is seldom far off. Of those that
-// a pilot may take: no simple share of a voxel.
-double firstStep(Quality quality) { return quality == Quality::standard ? 0.5607 : 0.2764; }
+// Near what views of bone in CT come to at `standard`, so that a second try is seldom far off.
+double firstStep(Quality quality) { return quality == Quality::standard ? 0.56 : 0.28; }
 
 // What a pilot tries, but for the shortest, where what it misses cannot be far off: thin plates hide what
 // lies behind them.

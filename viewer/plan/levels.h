@@ -34,7 +34,7 @@ struct QualityLevel {
 inline constexpr QualityLevel qualityLevels[] = {{"draft", {}, 32, 1.0 / 2, 0, 0},
                                                  {"standard", {42, 8, 255}, 8, 1.0 / 4, 1.5, 2},
                                                  {"high", {52, 2.5, 255}, 2.5, 1.0 / 8, 2.2, 0},
-                                                 {"exact", {0, 255, 1}, 0.8, 1.0 / 32, 4, 0}};
+                                                 {"exact", {0, 255, 1}, 0.5, 1.0 / 32, 4, 0}};
 
 constexpr const QualityLevel& levelOf(Quality quality) { return qualityLevels[int(quality)]; }
 constexpr const LevelPromise& promiseOf(Quality quality) { return levelOf(quality).promise; }

@@ -58,6 +58,10 @@ double resonance(double stepVoxels, glm::dvec3 alongVoxel) {
   return most / (stepVoxels * stepVoxels);
 }
 
+glm::dvec3 alongVoxelOf(const Camera& camera, const VoxelGeometry& geometry) {
+  return glm::normalize(geometry.voxelFromPatientStep() * glm::normalize(camera.direction));
+}
+
 std::optional<double> stepWithoutResonance(glm::dvec3 alongVoxel, double most, double least) {
   constexpr double shorter = 0.985;
   for (double step = most; step >= least; step *= shorter)

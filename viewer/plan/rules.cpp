@@ -192,6 +192,20 @@ bool packingIsCoarse(const RuleInput& in, GradientOperator by) {
   return composite(in) && step / 2 > smallestPerMm / 256;
 }
 
+// Whether the curve rises within so few of the floats about 16-bit densities that its opacity would be off by
+// more than a thousandth.
+bool densitiesAreCoarse(const RuleInput& in) {
+  constexpr double rounding = 0x1p-24, most = 1.0 / 1024;
+  const auto& points = in.scene.transferFunction.points;
+  for (std::size_t n = 0; n + 1 < points.size(); ++n) {
+    const double low = points[n].value, high = points[n + 1].value;
+    if (!(high > low) || high < in.facts.range.low || low > in.facts.range.high) continue;
+    const double far = std::max(std::abs(low - in.facts.densityZero), std::abs(high - in.facts.densityZero));
+    if (rounding * far > most * (high - low)) return true;
+  }
+  return false;
+}
+
 Effect inBytes(const RuleInput& in, Plan& plan) {
   plan.bits = 8;
   const bool exact = in.facts.integers && bytesHoldExactly(in.facts.range, in.facts.rescaleSlope);
@@ -210,10 +224,12 @@ Effect precision(const RuleInput& in, Plan& plan) {
       resamplerOf(in.options) == Resampler::gl && plan.method != Method::preshaded && !in.options.precision &&
       (in.options.step || in.options.quality == Quality::high || in.options.quality == Quality::exact);
   const bool packed = fits && !in.options.precision && packingIsCoarse(in, plan.gradientOperator);
-  plan.bits = fits && !coarse && !packed ? in.options.precision.value_or(16) : 32;
+  const bool narrow = fits && !in.options.precision && composite(in) && densitiesAreCoarse(in);
+  plan.bits = fits && !coarse && !packed && !narrow ? in.options.precision.value_or(16) : 32;
   if (!fits) return on("32 bits: 16-bit integers with a positive slope do not hold the values");
   if (packed)
     return on("32 bits: gradients packed into 16 bits would be too coarse beside a few extreme values");
+  if (narrow) return on("32 bits: the curve rises within so few values that those of 16 bits would be too coarse");
   if (coarse) return on("32 bits, interpolated in floats: filters of texture hardware are too coarse here");
   return on(std::to_string(plan.bits) +
             (in.options.precision ? " bits, as asked" : " bits hold the stored integers exactly"));

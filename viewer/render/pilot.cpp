@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "viewer/kernels/ray_setup.h"
 #include "viewer/methods/row_painter.h"
+#include "viewer/plan/resonance.h"
 #include "viewer/render/pilot_errors.h"
 #include "viewer/render/pilot_tiles.h"
 #include "viewer/volume/parallel.h"
@@ -28,17 +28,8 @@ constexpr int mostFurtherTries = 2;
 // hundred. That little costs them little, and is added to the error.
 constexpr double shareOfTruth = 1.0 / 32;
 
-// Lengths of steps whose continued fractions end in ones: any number of such steps in a row comes by all
-// places of its cells about as often. Longer ones would be near a whole voxel.
-constexpr double evenlySpread[] = {0.8490, 0.7835, 0.7236, 0.6180, 0.5802, 0.5607, 0.4393, 0.4198, 0.3820,
-                                   0.3593, 0.3052, 0.2764, 0.2282, 0.2165, 0.1780, 0.1513, 0.1315};
-
-// Whether a step along an axis is within 2 % of one that meets all cells in the same few places.
-bool meetsSamePlaces(double step) {
-  for (double few : {1.0, 3.0 / 4, 2.0 / 3, 1.0 / 2, 1.0 / 3, 1.0 / 4})
-    if (std::abs(step / few - 1) <= 0.02) return true;
-  return false;
-}
+// Longer steps would be near a whole voxel, shorter ones take longer than going cell by cell.
+constexpr double longestStep = 0.85, shortestStep = 0.13;
 
 glm::ivec2 sizeOfPilot(glm::ivec2 size) { return glm::ivec2(glm::ceil(glm::dvec2(size) / pixelsApart)); }
 
@@ -81,16 +72,9 @@ class Pilot {
     double off = 0, likely = 0;
   };
 
-  // The longest step from `least` to `most` that meets no axis of the grid in the same few places, on the ray
-  // in the middle of the view.
   std::optional<double> stepUpTo(double most, double least) const {
-    const glm::dvec3 along = glm::normalize(caches_.volume()->geometry().voxelFromPatientStep() *
-                                            glm::normalize(plan_.scene.camera->direction));
-    for (double step : evenlySpread)
-      if (step <= most && step >= least && !meetsSamePlaces(step * std::abs(along.x)) &&
-          !meetsSamePlaces(step * std::abs(along.y)) && !meetsSamePlaces(step * std::abs(along.z)))
-        return step;
-    return {};
+    return stepWithoutResonance(alongVoxelOf(*plan_.scene.camera, caches_.volume()->geometry()),
+                                std::min(most, longestStep), std::max(least, shortestStep));
   }
 
   // What to try after that, if anything: errors grow with the square of the step.

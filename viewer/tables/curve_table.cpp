@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "viewer/volume/float_units.h"
+
 namespace volumen {
 
 namespace {
@@ -17,7 +19,7 @@ float densityOf(float value, const DensityScale& scale) {
   const double density = (double(value) - scale.intercept) / scale.slope;
   const double whole = std::round(density);
   if (float(scale.slope * whole + scale.intercept) == value && std::abs(whole) < 1e7) return float(whole);
-  return float(std::clamp(density, -1e30, 1e30));
+  return nearestFloat(std::clamp(density, -1e30, 1e30));
 }
 
 // Finite for nodes that are next to nothing apart: infinity times a distance of 0 would be no number.
