@@ -25,9 +25,10 @@ bool isSharp(const TransferFunction& curve, double narrow) {
   return false;
 }
 
-// Plain steps of a level where matter changes little from voxel to voxel: the longest and the shortest (shorter ones take longer than going cell by cell); how far the change
-// of extinction a voxel, times the square of the step, may go; and how far the light that a voxel gives,
-// times the step. Noise, plates and stripes of one voxel keep the level's promise at these limits.
+// Plain steps of a level where matter changes little from voxel to voxel: the longest and the shortest
+// (shorter ones take longer than going cell by cell); how far the change of extinction a voxel, times the
+// square of the step, may go; and how far the light that a voxel gives, times the step. Noise, plates and
+// stripes of one voxel keep the level's promise at these limits.
 struct EvenSteps {
   double longest, shortest, extinction, light;
 };

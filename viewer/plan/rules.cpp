@@ -229,7 +229,8 @@ Effect precision(const RuleInput& in, Plan& plan) {
   if (!fits) return on("32 bits: 16-bit integers with a positive slope do not hold the values");
   if (packed)
     return on("32 bits: gradients packed into 16 bits would be too coarse beside a few extreme values");
-  if (narrow) return on("32 bits: the curve rises within so few values that those of 16 bits would be too coarse");
+  if (narrow)
+    return on("32 bits: the curve rises within so few values that those of 16 bits would be too coarse");
   if (coarse) return on("32 bits, interpolated in floats: filters of texture hardware are too coarse here");
   return on(std::to_string(plan.bits) +
             (in.options.precision ? " bits, as asked" : " bits hold the stored integers exactly"));

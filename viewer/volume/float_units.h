@@ -20,10 +20,10 @@ struct FloatUnits {
 /// The units of values of this range; those of ordinary ones are the values themselves.
 FloatUnits floatUnits(ValueRange range);
 
-/// A number of units rounded to the nearest float, none but 0 to one that products would make 0: a curve may
+/// A number of units rounded to the nearest float, none but 0 to one whose square would be 0: a curve may
 /// have a step there.
 inline float nearestFloat(double units) {
-  constexpr double least = 1e-30;
+  constexpr double least = 1e-15;
   return float(units == 0 || std::abs(units) >= least ? units : std::copysign(least, units));
 }
 

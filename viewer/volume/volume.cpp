@@ -47,6 +47,8 @@ namespace {
 
 // Values beyond this are limited (design.md 10), so that sums and products of values stay finite in float32.
 constexpr float largestValue = 1e30f;
+// What is smaller than this share of the largest is set to 0: no float holds the product of both.
+constexpr float smallestShare = 1e-33f;
 
 // Whether the rounding of values to floats can be told beside a step of the stored integers: as such they
 // would be more exact than what the file means by them here (picture.md 2).
@@ -96,6 +98,18 @@ std::size_t limitLarge(std::vector<float>& values) {
   return changed;
 }
 
+std::size_t dropSmall(std::vector<float>& values) {
+  float most = 0;
+  for (float v : values) most = std::max(most, std::abs(v));
+  std::size_t changed = 0;
+  for (float& v : values) {
+    if (v == 0 || std::abs(v) >= smallestShare * most) continue;
+    v = 0;
+    ++changed;
+  }
+  return changed;
+}
+
 // Floats are kept as real values (slope 1), so that limits and replacements speak of what the file means.
 void makeReal(VolumeParts& parts) {
   if (parts.slope == 1 && parts.intercept == 0 && std::holds_alternative<std::vector<float>>(parts.values))
@@ -135,6 +149,8 @@ Result<VolumePtr> Volume::make(VolumeParts parts, std::vector<std::string>& warn
           " values are NaN or infinite; they were replaced by the smallest or largest finite value.");
     if (std::size_t n = limitLarge(values))
       warnings.push_back(std::to_string(n) + " values are beyond 1e30 and were limited to it.");
+    if (std::size_t n = dropSmall(values))
+      warnings.push_back(std::to_string(n) + " values are below 1e-33 of the largest and were set to 0.");
   }
   return VolumePtr(new Volume(std::move(parts)));
 }

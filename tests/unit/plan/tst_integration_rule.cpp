@@ -48,7 +48,7 @@ void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
       [](Asked& a) { a.scene.transferFunction.points[1].value = 151; });
   row("a tolerance as asked", "integration", "on 128/255 cell asked",
       [](Asked& a) { a.options.tolerance = 0.5; });
-  row("slices of blend: plain steps", "integration", "on 0.2462 voxel plain smooth",
+  row("slices of blend: plain steps", "integration", "on 0.25 voxel plain smooth",
       [](Asked& a) { a.options.method = Method::blend; });
   row("planes by OpenGL, a step in the curve: finer plain steps", "integration",
       "on 0.125 voxel plain curve step", [](Asked& a) {
@@ -76,6 +76,12 @@ void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
   row("a step as asked", "integration", "on 2 voxels plain asked", [](Asked& a) { a.options.step = 2; });
   row("little changes from voxel to voxel", "integration", "on 0.3694 voxel 0.011 0.005 plain slope",
       evenMatter);
+  row("along a diagonal no cells are met alike", "integration", "on 0.375 voxel 0.011 0.005 plain slope",
+      [](Asked& a) {
+        evenMatter(a);
+        a.scene.camera = Camera{};
+        a.scene.camera->direction = {1, 1, 1};
+      });
   row("unlit: high too, finer", "integration", "on 0.2462 voxel 0.01 0.0045 plain slope", [](Asked& a) {
     evenMatter(a);
     a.options.quality = Quality::high;

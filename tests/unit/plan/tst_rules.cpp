@@ -6,6 +6,16 @@
 using namespace volumen;
 using namespace volumen::tests;
 
+namespace {
+
+// Of unsigned samples, whose density 0 is far from this rise.
+void narrowRise(Asked& a) {
+  a.facts.densityZero = 32768;
+  a.scene.transferFunction.points = {{100, {}, 0}, {101, {}, 0.5}};
+}
+
+}  // namespace
+
 class TestRules : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -95,6 +105,16 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
         a.facts.p999 = 1;
         a.options.gradient = GradientOperator::zuckerHummel;
       });
+  row("a curve that rises within few roundings of unsigned samples", "precision",
+      "on 32 bits 16 bits curve few coarse", narrowRise);
+  row("near density 0 floats are finer", "precision", "on 16 bits integers exactly", [](Asked& a) {
+    narrowRise(a);
+    a.facts.densityZero = 0;
+  });
+  row("a projection has no curve", "precision", "on 16 bits integers exactly", [](Asked& a) {
+    narrowRise(a);
+    a.scene.mode = Mode::mip;
+  });
   row("bytes of many values", "precision", "on 8 bits 1/255 1/127 asked values rounded gradients",
       [](Asked& a) { a.options.precision = 8; });
   row("bytes of 256 values", "precision", "on 8 bits 1/127 asked values exactly gradients", [](Asked& a) {

@@ -15,6 +15,7 @@ class TestVolume : public QObject {
   void badPartsAreRefusedInASentence_data();
   void badPartsAreRefusedInASentence();
   void nonFiniteValuesAreReplacedAndReported();
+  void valuesTooSmallBesideTheLargestAreZero();
   void valuesAreRoundedOnce();
 };
 
@@ -78,6 +79,20 @@ void TestVolume::nonFiniteValuesAreReplacedAndReported() {
   QVERIFY(v.ok());
   QCOMPARE(std::get<std::vector<float>>((*v)->stored()), (std::vector<float>{-3, -3, 7, -3, 7, 5}));
   QCOMPARE(warnings.size(), std::size_t(1));
+}
+
+void TestVolume::valuesTooSmallBesideTheLargestAreZero() {
+  VolumeParts parts;
+  parts.geometry.size = {4, 1, 1};
+  parts.values = std::vector<float>{-1e29f, 1e-39f, 1e-3f, 0};
+  std::vector<std::string> warnings;
+  const auto v = Volume::make(parts, warnings);
+  QVERIFY(v.ok());
+  QCOMPARE(std::get<std::vector<float>>((*v)->stored()), (std::vector<float>{-1e29f, 0, 1e-3f, 0}));
+  QCOMPARE(warnings.size(), std::size_t(1));
+  // Among their like they stay.
+  parts.values = std::vector<float>{1e-39f, 0, 2e-39f, 1e-44f};
+  QCOMPARE(std::get<std::vector<float>>((*Volume::make(parts, warnings))->stored())[3], 1e-44f);
 }
 
 void TestVolume::valuesAreRoundedOnce() {
