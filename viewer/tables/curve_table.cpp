@@ -5,8 +5,6 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "viewer/volume/float_units.h"
-
 namespace volumen {
 
 namespace {
@@ -19,7 +17,7 @@ float densityOf(float value, const DensityScale& scale) {
   const double density = (double(value) - scale.intercept) / scale.slope;
   const double whole = std::round(density);
   if (float(scale.slope * whole + scale.intercept) == value && std::abs(whole) < 1e7) return float(whole);
-  return nearestFloat(std::clamp(density, -1e30, 1e30));
+  return float(std::clamp(density, -1e30, 1e30));
 }
 
 // Finite for nodes that are next to nothing apart: infinity times a distance of 0 would be no number.
@@ -103,7 +101,13 @@ CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& sca
   CurveTable t;
   const auto& points = curve.points;
   std::vector<float> nodes;
-  for (const CurvePoint& p : points) nodes.push_back(densityOf(p.value, scale));
+  for (const CurvePoint& p : points) {
+    const float node = densityOf(p.value, scale);
+    // What is told apart as a value is told apart as a density.
+    const bool isRoundedAway =
+        !nodes.empty() && node <= nodes.back() && p.value > points[nodes.size() - 1].value;
+    nodes.push_back(isRoundedAway ? std::nextafter(nodes.back(), infinity) : node);
+  }
   SegmentWriter writer(t, points, nodes);
   writer.add(0, 0, nodes.front());
   // No density lies between two nodes at one place.

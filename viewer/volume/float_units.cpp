@@ -12,7 +12,7 @@ FloatUnits floatUnits(ValueRange range) {
   const double size = width > 0 && isFar ? width : most;
   if (size == 0) return {};
   // The smallest are counted from 1 on; the largest are not, as they may be a few beside ordinary ones.
-  const int exponent = std::ilogb(size), counted = exponent < -20 ? 0 : std::min(exponent, 60);
+  const int exponent = std::ilogb(size), counted = exponent < -60 ? 0 : std::min(exponent, 60);
   return {std::exp2(exponent - counted), isFar ? range.low : 0};
 }
 

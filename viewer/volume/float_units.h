@@ -20,16 +20,9 @@ struct FloatUnits {
 /// The units of values of this range; those of ordinary ones are the values themselves.
 FloatUnits floatUnits(ValueRange range);
 
-/// A number of units rounded to the nearest float, none but 0 to one whose square would be 0: a curve may
-/// have a step there.
-inline float nearestFloat(double units) {
-  constexpr double least = 1e-15;
-  return float(units == 0 || std::abs(units) >= least ? units : std::copysign(least, units));
-}
-
 /// A value in these units, rounded once.
 inline float inUnits(float value, const FloatUnits& units) {
-  return nearestFloat((double(value) - units.intercept) / units.slope);
+  return float((double(value) - units.intercept) / units.slope);
 }
 
 /// Calls use(samples, sign) with what gradients in floats are computed from: integers as they are stored,
