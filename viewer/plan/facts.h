@@ -12,7 +12,7 @@ struct VolumeFacts {
   VoxelGeometry geometry;
   bool integers = true;  ///< stored as 8- or 16-bit integers that tell the values apart
   double rescaleSlope = 1;
-  double densityZero = 0;  ///< the value whose 16-bit density is 0 (Density16): near it floats are finest
+  double densityZero = 0;    ///< the value whose 16-bit density is 0 (Density16): near it floats are finest
   ValueRange range;          ///< smallest and largest value
   double p01 = 0, p999 = 0;  ///< P0.1 and P99.9 of picture.md 5
   std::optional<Window> fileWindow;

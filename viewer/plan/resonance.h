@@ -7,8 +7,8 @@
 
 namespace volumen {
 
-/// How far plain steps fall in step with patterns of two to four voxels, as a share of all that such steps have
-/// wrong: 1 and above is the most. `alongVoxel`: the ray's unit direction, voxels.
+/// How far plain steps fall in step with patterns of two to four voxels, as a share of all that such steps
+/// have wrong: 1 and above is the most. `alongVoxel`: the ray's unit direction, voxels.
 ///
 /// A pattern that repeats after p voxels is a sum of waves m / p, m in whole numbers by axis; those of a
 /// trilinear interpolation fall off with the square of m. A wave of which a step is a whole number of periods
