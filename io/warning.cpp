@@ -28,7 +28,7 @@ std::vector<std::string> shortWarnings(const std::vector<Warning>& warnings) {
                                           "Directions not known",
                                           "Not calibrated",
                                           "Slices not read",
-                                          "Volumes told apart by order alone"};
+                                          "Slices may not belong together"};
   std::vector<std::string> texts;
   for (const Warning& w : changingPicture(warnings))
     if (std::ranges::find(texts, words[int(w.kind)]) == texts.end()) texts.push_back(words[int(w.kind)]);

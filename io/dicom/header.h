@@ -57,6 +57,7 @@ struct Slice {
   std::optional<glm::dvec2> spacing;  ///< mm along i (between columns) and j (between rows)
   double thickness = 0;               ///< SliceThickness, mm; 0: not given
   double slope = 1, intercept = 0;
+  bool isRescaled = false;                  ///< the file gives slope and intercept
   std::string unit;                         ///< of its values
   bool isMapped = false;                    ///< slope and intercept are those of a real world value mapping
   std::optional<ValueRange> padding;        ///< stored values that stand for no picture

@@ -1,6 +1,8 @@
 #include "io/dicom/identity.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 #include <set>
 
@@ -75,27 +77,77 @@ bool isPlaced(const FileHeader& file) {
   return std::ranges::any_of(file.slices, [](const Slice& s) { return dicom::isPlaced(s); });
 }
 
+/// Places of slices along the normal of the first, in order, mm.
+std::vector<double> placesOf(const Files& files) {
+  const Slice* first = nullptr;
+  std::vector<double> places;
+  for (const FileHeader* file : files)
+    for (const Slice& s : file->slices) {
+      if (!dicom::isPlaced(s)) continue;
+      if (!first) first = &s;
+      places.push_back(
+          glm::dot(*s.position, glm::cross(first->orientation->row, first->orientation->column)));
+    }
+  std::ranges::sort(places);
+  return places;
+}
+
+/// Whether places are those of a stack of which nothing is missing.
+bool areEven(const std::vector<double>& places) {
+  if (places.size() < 2) return false;
+  const double step = (places.back() - places.front()) / double(places.size() - 1);
+  for (std::size_t n = 1; n < places.size(); ++n)
+    if (std::abs(places[n] - places[n - 1] - step) > 0.05 * step) return false;
+  return step > 0;
+}
+
+/// Files of which some name the one frame of reference that is named. The others are in it, too, unless both
+/// are whole stacks that lie in each other.
+std::vector<Files> withSomeUnnamed(const Files& files, std::vector<Warning>& warnings) {
+  const auto byName = groupedBy(files, [](const FileHeader& file) {
+    return !isPlaced(file) ? "no place" : file.frameOfReferenceUid.empty() ? "none" : "named";
+  });
+  Files named, none;
+  for (const Files& some : byName)
+    if (isPlaced(*some[0])) (some[0]->frameOfReferenceUid.empty() ? none : named) = some;
+  if (none.empty() || named.empty()) return {files};
+  const std::vector<double> a = placesOf(named), b = placesOf(none);
+  const bool interleave = a.front() <= b.back() && b.front() <= a.back();
+  if (interleave && areEven(a) && areEven(b)) {
+    warnings.emplace_back(std::to_string(none.size()) + " of its " + std::to_string(files.size()) +
+                          " files name no frame of reference and lie between the others: positions may not "
+                          "be compared, and each is a volume of its own.");
+    return byName;
+  }
+  warnings.push_back({std::to_string(none.size()) + " of its " + std::to_string(files.size()) +
+                          " files name no frame of reference: they were taken to be in that of the others.",
+                      WarningKind::notSeparated});
+  return {files};
+}
+
 /// By frame of reference, where files have places. A file that names none is in the only one that is named.
-std::vector<Files> byFrameOfReference(const Files& files, std::vector<std::string>& warnings) {
+std::vector<Files> byFrameOfReference(const Files& files, std::vector<Warning>& warnings) {
   const Files placed = [&] {
     Files some;
     std::ranges::copy_if(files, std::back_inserter(some), [](const FileHeader* f) { return isPlaced(*f); });
     return some;
   }();
   const std::vector<std::string> frames = valuesOf(placed, &FileHeader::frameOfReferenceUid);
-  if (frames.size() < 2) return {files};
+  if (frames.empty()) return {files};
+  if (frames.size() == 1) return withSomeUnnamed(files, warnings);
   const bool singlePictures =
       std::ranges::all_of(files, [](const FileHeader* f) { return f->slices.size() == 1; });
   if (frames.size() > 3 && frames.size() == files.size() && singlePictures) {
-    warnings.push_back(
+    warnings.emplace_back(
         "Each of its " + std::to_string(files.size()) +
         " files names a frame of reference of its own, as careless de-identification does: they "
         "are taken as one.");
     return {files};
   }
-  warnings.push_back("This series has " + std::to_string(frames.size()) +
-                     " frames of reference, between which positions cannot be compared: each is a volume of "
-                     "its own.");
+  warnings.emplace_back(
+      "This series has " + std::to_string(frames.size()) +
+      " frames of reference, between which positions cannot be compared: each is a volume of "
+      "its own.");
   return groupedBy(files, [](const FileHeader& file) {
     return isPlaced(file) ? "in " + file.frameOfReferenceUid : std::string();
   });
@@ -121,6 +173,12 @@ std::vector<std::string> contradictions(const Files& files) {
       std::ranges::any_of(files, [](const FileHeader* f) { return f->patientId.empty(); });
   if (someLackId && !files[0]->patientId.empty())
     warnings.push_back("Some files have no PatientID and are taken for those" + whose + " by their name.");
+  const std::size_t withIssuer = std::size_t(
+      std::ranges::count_if(files, [](const FileHeader* f) { return !f->patientIdIssuer.empty(); }));
+  if (withIssuer > 0 && withIssuer < files.size())
+    warnings.push_back("Some files do not say who issued the ID" + whose + " (" +
+                       valuesOf(files, &FileHeader::patientIdIssuer)[0] +
+                       " in the others): they are taken for those of the same patient.");
   return warnings;
 }
 
@@ -150,8 +208,9 @@ void addSeries(const Files& series, std::vector<SameIdentity>& all) {
   const std::vector<std::string> shared = sharedSeries(studies, byPatient(series));
   for (const Files& study : studies)
     for (const Files& patient : byPatient(study)) {
-      std::vector<std::string> warnings = shared;
-      std::ranges::copy(contradictions(patient), std::back_inserter(warnings));
+      std::vector<Warning> warnings;
+      addSentences(warnings, shared);
+      addSentences(warnings, contradictions(patient));
       const std::vector<Files> frames = byFrameOfReference(patient, warnings);
       for (const Files& frame : frames) all.push_back({frame, warnings});
     }

@@ -90,6 +90,90 @@ glm::dvec2 fittedSlope(const std::vector<Place>& places, const Lines& lines) {
   return spread > 0 ? together / spread : glm::dvec2(0);
 }
 
+/// Slices between jumps, and the slope within them.
+struct Runs {
+  std::vector<std::size_t> runOf;  // of each slice
+  std::size_t count = 1;
+  glm::dvec2 slope{0};
+};
+
+/// The usual step sideways, mm per mm along the normal.
+glm::dvec2 usualSlope(const std::vector<Place>& places, double same) {
+  std::vector<double> x, y;
+  for (std::size_t n = 1; n < places.size(); ++n)
+    if (const double along = places[n].along - places[n - 1].along; along > same) {
+      x.push_back((places[n].inPlane.x - places[n - 1].inPlane.x) / along);
+      y.push_back((places[n].inPlane.y - places[n - 1].inPlane.y) / along);
+    }
+  return x.empty() ? glm::dvec2(0) : glm::dvec2(lowerMedian(x), lowerMedian(y));
+}
+
+/// The least-squares slope that all runs have.
+glm::dvec2 slopeWithin(const std::vector<Place>& places, const Runs& runs) {
+  std::vector<Place> sums(runs.count);
+  std::vector<double> counts(runs.count);
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    sums[runs.runOf[n]].along += places[n].along;
+    sums[runs.runOf[n]].inPlane += places[n].inPlane;
+    ++counts[runs.runOf[n]];
+  }
+  glm::dvec2 together(0);
+  double spread = 0;
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    const std::size_t run = runs.runOf[n];
+    const double along = places[n].along - sums[run].along / counts[run];
+    together += along * (places[n].inPlane - sums[run].inPlane / counts[run]);
+    spread += along * along;
+  }
+  return spread > 0 ? together / spread : glm::dvec2(0);
+}
+
+/// Runs of slices between which the stack jumps sideways by more than `most`; one where that is nothing but
+/// tremble: in few places, and by much more than the slices lie beside the lines of their runs.
+Runs runsBetweenJumps(const std::vector<Place>& places, double same, double most) {
+  Runs runs{std::vector<std::size_t>(places.size()), 1, usualSlope(places, same)};
+  double leastJump = 0;
+  for (std::size_t n = 1; n < places.size(); ++n) {
+    const Place &a = places[n - 1], &b = places[n];
+    const double jump = glm::length(b.inPlane - a.inPlane - (b.along - a.along) * runs.slope);
+    if (jump > most) leastJump = runs.count++ == 1 ? jump : std::min(leastJump, jump);
+    runs.runOf[n] = runs.count - 1;
+  }
+  const Runs one{std::vector<std::size_t>(places.size()), 1, {}};
+  if (runs.count == 1 || 4 * (runs.count - 1) > places.size() - 1) return one;
+  runs.slope = slopeWithin(places, runs);
+  constexpr double tremble = 0.25;  // of the least jump
+  std::vector<glm::dvec2> starts(runs.count);
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    const glm::dvec2 intercept = places[n].inPlane - places[n].along * runs.slope;
+    glm::dvec2& start = starts[runs.runOf[n]];
+    if (n == 0 || runs.runOf[n] != runs.runOf[n - 1]) start = intercept;
+    if (glm::length(intercept - start) > 2 * tremble * leastJump) return one;
+  }
+  return runs;
+}
+
+/// One line for each run, and for several that lie on one.
+Lines linesOfRuns(const std::vector<Place>& places, const Runs& runs, double most) {
+  std::vector<glm::dvec2> means(runs.count);
+  std::vector<double> counts(runs.count);
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    means[runs.runOf[n]] += places[n].inPlane - places[n].along * runs.slope;
+    ++counts[runs.runOf[n]];
+  }
+  Lines lines;
+  std::vector<std::size_t> lineOfRun;
+  for (std::size_t run = 0; run < runs.count; ++run) {
+    const glm::dvec2 intercept = means[run] / counts[run];
+    const auto at = std::ranges::find_if(
+        lines.intercepts, [&](glm::dvec2 line) { return glm::length(intercept - line) <= most; });
+    lineOfRun.push_back(std::size_t(at - lines.intercepts.begin()));
+    if (at == lines.intercepts.end()) lines.intercepts.push_back(intercept);
+  }
+  for (const std::size_t run : runs.runOf) lines.lineOf.push_back(lineOfRun[run]);
+  return lines;
+}
+
 /// The fewest lines that hold all slices.
 Lines fewestLines(const std::vector<Place>& places, double same, double most) {
   Lines best;
@@ -134,7 +218,9 @@ std::vector<Entries> byLine(const Entries& entries, double& apartMm) {
   const Slice& first = entries[0].slice();
   if (!isPlaced(first) || entries.size() < 2) return {entries};
   const std::vector<Place> places = placesOf(entries);
-  const Lines lines = fewestLines(places, samePlaceMm(entries), mostOffLineMm(first));
+  const double same = samePlaceMm(entries), most = mostOffLineMm(first);
+  const Runs runs = runsBetweenJumps(places, same, most);
+  const Lines lines = runs.count > 1 ? linesOfRuns(places, runs, most) : fewestLines(places, same, most);
   std::vector<Entries> stacks(lines.intercepts.size());
   for (std::size_t n = 0; n < entries.size(); ++n) stacks[lines.lineOf[n]].push_back(entries[n]);
   for (const glm::dvec2 line : lines.intercepts)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <map>
 #include <new>
 
@@ -13,6 +12,7 @@
 #include "io/dicom/resample.h"
 #include "io/dicom/series.h"
 #include "io/dicom/unread.h"
+#include "io/dicom/voxels.h"
 #include "io/regular_file.h"
 #include "viewer/volume/buffer.h"
 
@@ -65,60 +65,17 @@ class Files {
   std::vector<Inspection> inspections_;
 };
 
-template <class To, class From>
-bool represents(From value) {
-  return double(To(value)) == double(value);
-}
-
-/// Copies samples that are of the wanted type or fit it; false where one does not fit.
-template <class To, class From>
-bool copyExactly(const std::vector<From>& from, To* to) {
-  if constexpr (std::is_same_v<To, From>) {
-    std::copy(from.begin(), from.end(), to);
-    return true;
-  } else {
-    constexpr double low = double(std::numeric_limits<To>::lowest()),
-                     high = double(std::numeric_limits<To>::max());
-    for (std::size_t n = 0; n < from.size(); ++n) {
-      if (!(double(from[n]) >= low && double(from[n]) <= high) || !represents<To>(from[n])) return false;
-      to[n] = To(from[n]);
-    }
-    return true;
-  }
-}
-
-/// Values after rescale; true where a sample is wider than float32 holds exactly.
-template <class From>
-bool rescale(const std::vector<From>& from, const Slice& slice, float* to) {
-  bool inexact = false;
-  for (std::size_t n = 0; n < from.size(); ++n) {
-    inexact =
-        inexact || (sizeof(From) > 2 && double(float(from[n])) != double(from[n]) && from[n] == from[n]);
-    to[n] = float(slice.slope * double(from[n]) + slice.intercept);
-  }
-  return inexact;
-}
-
-void store(const Samples& samples, const ValuePlan& plan, std::size_t offset, VoxelValues& volume,
-           Incoming& in) {
-  std::visit(
-      [&](const auto& from, auto& to) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(to)>, std::vector<float>>) {
-          if (plan.rescaled) {
-            in.inexact = rescale(from, in.placed.slice, to.data() + offset);
-            return;
-          }
-        }
-        in.doesNotFit = !copyExactly(from, to.data() + offset);
-      },
-      samples, volume);
+std::vector<PlacedSlice> placedOf(const std::vector<Incoming>& slices) {
+  std::vector<PlacedSlice> placed;
+  for (const Incoming& in : slices) placed.push_back(in.placed);
+  return placed;
 }
 
 /// All slices of one volume, decoded into one block of memory.
 class SliceDecoder {
  public:
   SliceDecoder(std::vector<Incoming>& slices, const Progress& progress, const CancelToken& cancel)
-      : slices_(slices), progress_(progress), cancel_(cancel) {}
+      : slices_(slices), progress_(progress), cancel_(cancel), padding_(paddingOf(placedOf(slices))) {}
 
   /// Decodes everything as `plan` says; slices that fail are marked.
   void run(const ValuePlan& plan) {
@@ -156,6 +113,7 @@ class SliceDecoder {
 
   VoxelValues& values() { return values_; }
   std::size_t sliceVoxels() const { return sliceVoxels_; }
+  const std::optional<Padding>& padding() const { return padding_; }
 
  private:
   void decodeFile(const FileHeader& file, const std::vector<std::size_t>& slices, bool showFrames) {
@@ -178,7 +136,9 @@ class SliceDecoder {
         return;
       }
       in.note = frame->note;
-      store(frame->samples, plan_, at * sliceVoxels_, values_, in);
+      const Stored noticed =
+          storeSamples(frame->samples, in.placed.slice, plan_, padding_, at * sliceVoxels_, values_);
+      in.inexact = noticed.inexact, in.doesNotFit = noticed.doesNotFit;
     } catch (const std::bad_alloc&) {
       in.failure = "there is not enough memory to decode it.";
     }
@@ -187,6 +147,7 @@ class SliceDecoder {
   std::vector<Incoming>& slices_;
   const Progress& progress_;
   const CancelToken& cancel_;
+  const std::optional<Padding> padding_;
   ValuePlan plan_;
   VoxelValues values_;
   std::size_t sliceVoxels_ = 0;
@@ -223,12 +184,6 @@ std::vector<const FileHeader*> headersOf(const std::vector<Incoming>& slices) {
   return headers;
 }
 
-std::vector<PlacedSlice> placedOf(const std::vector<Incoming>& slices) {
-  std::vector<PlacedSlice> placed;
-  for (const Incoming& in : slices) placed.push_back(in.placed);
-  return placed;
-}
-
 Status checkMemory(const Series& series, std::size_t slices, std::uint64_t sliceVoxels) {
   const std::uint64_t bytes = 4 * sliceVoxels * slices;
   const std::uint64_t machine =
@@ -245,16 +200,10 @@ std::vector<Window> windowsOf(const std::vector<Incoming>& slices) {
 }
 
 VolumeAttributes attributesOf(const Series& series, const std::vector<Incoming>& slices) {
-  const Slice& first = slices[0].placed.slice;
   VolumeAttributes a;
   a.name = series.description.empty() ? fileName(series.path) : series.description;
   a.modality = series.modality;
   a.windows = windowsOf(slices);
-  if (first.padding) {
-    const double low = first.slope * first.padding->low + first.intercept;
-    const double high = first.slope * first.padding->high + first.intercept;
-    a.padding = ValueRange{std::min(low, high), std::max(low, high)};
-  }
   return a;
 }
 
@@ -278,6 +227,7 @@ Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slice
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
   VolumeParts parts;
   parts.attributes = attributesOf(series, slices);
+  if (decoder.padding()) parts.attributes.padding = decoder.padding()->values;
   if (!plan.rescaled) parts.slope = first.slope, parts.intercept = first.intercept;
   VolumeParts drawn = parts;
   if (stack.regular) drawn.values = resampleSlices(decoder.values(), decoder.sliceVoxels(), stack.sources);

@@ -107,10 +107,36 @@ std::string readKernel(const DataSet& data, const FrameScopes& at) {
   return kernel;
 }
 
-std::string clockText(const std::string& time) {
-  if (time.size() < 6) return time;
-  const std::string of = time.size() >= 14 && time.find('.') != 6 ? time.substr(8) : time;  // a date in front
-  return of.substr(0, 2) + ":" + of.substr(2, 2) + ":" + of.substr(4);
+/// A date in front of a time of day.
+std::string withDate(const DataSet& data, std::uint32_t date, std::uint32_t time) {
+  const std::string ofDay = data.text(time, data.root()), day = dateOrTime(data.text(date, data.root()));
+  return ofDay.empty() || day.size() != 8 ? ofDay : day + dateOrTime(ofDay);
+}
+
+std::string readAcquisitionTime(const DataSet& data, const FrameScopes& at) {
+  if (std::string time = data.text(0x00189074, at.of(frameContentGroup)); !time.empty()) return time;
+  if (std::string time = data.text(0x0008002a, data.root()); !time.empty()) return time;
+  return withDate(data, 0x00080022, 0x00080032);
+}
+
+std::string readContentTime(const DataSet& data, const FrameScopes&) {
+  return withDate(data, 0x00080023, 0x00080033);
+}
+
+/// The date in front of a time, "20260314"; empty: there is none.
+std::string dayOf(const std::string& time) {
+  return time.size() >= 14 && time.find('.') != 6 ? time.substr(0, 8) : std::string();
+}
+
+/// The time of day; of several days with the date.
+std::string clockText(const std::vector<std::string>& times, std::size_t n) {
+  const std::string day = dayOf(times[n]), of = times[n].substr(day.size());
+  if (of.size() < 6) return times[n];
+  const std::string clock = of.substr(0, 2) + ":" + of.substr(2, 2) + ":" + of.substr(4);
+  const bool oneDay =
+      std::ranges::all_of(times, [&](const std::string& other) { return dayOf(other) == day; });
+  if (oneDay || day.empty()) return clock;
+  return day.substr(0, 4) + "-" + day.substr(4, 2) + "-" + day.substr(6) + " " + clock;
 }
 
 using Words = Separator::Words;
@@ -162,11 +188,8 @@ const SeparatorRow separatorRows[] = {
      {{{0, 0x00541300, SourceKind::number}}}},
     {{"ActualFrameDuration", Trust::needed, "frame of ", " s", Words::seconds},
      {{{0, 0x00181242, SourceKind::number}}}},
-    {{"AcquisitionTime", Trust::needed, "", "", Words::clock, true},
-     {{{frameContentGroup, 0x00189074, SourceKind::text},
-       {0, 0x0008002a, SourceKind::text},
-       {0, 0x00080032, SourceKind::text}}}},
-    {{"ContentTime", Trust::needed, "", "", Words::clock}, {{{0, 0x00080033, SourceKind::text}}}},
+    {{"AcquisitionTime", Trust::needed, "", "", Words::clock, true}, {}, readAcquisitionTime},
+    {{"ContentTime", Trust::needed, "", "", Words::clock}, {}, readContentTime},
     {{"ContrastBolusAgent", Trust::needed, "", ""}, {{{0, 0x00180010, SourceKind::text}}}},
     {{"RescaleSlope", Trust::needed, "rescale slope ", ""},
      {{{pixelValueTransformation, 0x00281053, SourceKind::number}}}},
@@ -244,7 +267,7 @@ std::string wordsOf(const Separator& separator, const std::vector<std::string>& 
     case Words::imageType:
       return differing(values, n);
     case Words::clock:
-      return clockText(value);
+      return clockText(values, n);
     case Words::seconds:
       return before + secondsText(value) + separator.after;
     default:

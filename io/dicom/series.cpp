@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "io/dicom/copies.h"
 #include "io/dicom/identity.h"
 #include "io/dicom/lines.h"
 #include "io/dicom/split.h"
@@ -68,35 +69,11 @@ void order(Entries& entries) {
   std::ranges::stable_sort(entries, {}, [](const Entry& e) { return e.placed.alongNormal; });
 }
 
-/// Drops pictures that are in the study twice (same SOPInstanceUID, frame, place, rescale and
-/// attributes).
-std::vector<std::string> dropCopies(Entries& entries) {
-  std::vector<std::string> warnings;
-  using Key = std::tuple<std::string, int, double, double, double, std::vector<std::string>>;
-  std::map<Key, const FileHeader*> seen;
-  std::size_t copies = 0;
-  Entries kept;
-  for (const Entry& e : entries) {
-    const Key key{e.file->sopInstanceUid, e.slice().frame,     e.placed.alongNormal,
-                  e.slice().slope,        e.slice().intercept, e.slice().separators};
-    const auto [it, isNew] = seen.emplace(key, e.file);
-    if (isNew || e.file->sopInstanceUid.empty()) {
-      kept.push_back(e);
-    } else if (copies++ == 0) {
-      warnings.push_back(fileName(e.file->path) + " is a copy of " + fileName(it->second->path) +
-                         " and is left out");
-    }
-  }
-  if (copies > 1) warnings.back() += ", and so are " + std::to_string(copies - 1) + " other copies";
-  if (copies) warnings.back() += ".";
-  entries = std::move(kept);
-  return warnings;
-}
-
 /// A volume to be: its slices and what was noticed on the way.
 struct Part {
   Entries entries;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
+  std::vector<Unread> unread = {};
 };
 
 /// Cuts at gaps of more than 4 usual distances, or more than 20 mm beyond the usual one (design.md 10).
@@ -111,8 +88,8 @@ std::vector<Part> splitGaps(const Entries& entries) {
     const std::string gap = "Gap of " + millimetres(steps[n]) + " mm between " +
                             fileName(entries[n].file->path) + " and " + fileName(entries[n + 1].file->path) +
                             ": the slices on either side are series of their own.";
-    parts.back().warnings.push_back(gap);
-    parts.push_back({{}, {gap}});
+    parts.back().warnings.emplace_back(gap);
+    parts.push_back({{}, {Warning(gap)}});
   }
   return parts;
 }
@@ -200,7 +177,8 @@ Series describe(const Part& part, const Split& split) {
   s.regular = stack.regular;
   constexpr const char* names[] = {"uint8", "int16", "uint16", "float32"};
   s.valueType = names[planValues(headers, slices).type.index()];
-  addSentences(s.warnings, part.warnings);
+  s.warnings = part.warnings;
+  s.unread = part.unread;
   if (!split.warning.empty()) s.warnings.emplace_back(split.warning, WarningKind::notSeparated);
   s.warnings.insert(s.warnings.end(), stack.warnings.begin(), stack.warnings.end());
   addRemarks(part.entries, s.warnings);
@@ -211,19 +189,19 @@ Series describe(const Part& part, const Split& split) {
 /// Pictures along one line, and what is to be told of them.
 struct ToldStack {
   Entries entries;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 /// The stacks of pictures that fit each other.
-void addStacks(Entries& group, const std::vector<std::string>& told, std::vector<ToldStack>& stacks) {
+void addStacks(Entries& group, const std::vector<Warning>& told, std::vector<ToldStack>& stacks) {
   order(group);
-  std::vector<std::string> warnings = dropCopies(group);
-  warnings.insert(warnings.begin(), told.begin(), told.end());
+  std::vector<Warning> warnings = told;
+  addSentences(warnings, dropCopies(group));
   double apartMm = 0;
   std::vector<Entries> lines = byLine(group, apartMm);
   if (lines.size() > 1)
-    warnings.push_back("Its slices lie along " + std::to_string(lines.size()) + " lines, up to " +
-                       millimetres(apartMm) + " mm beside each other: each is a volume of its own.");
+    warnings.emplace_back("Its slices lie along " + std::to_string(lines.size()) + " lines, up to " +
+                          millimetres(apartMm) + " mm beside each other: each is a volume of its own.");
   for (Entries& line : lines) stacks.push_back({std::move(line), warnings});
 }
 
@@ -238,13 +216,36 @@ void addFrames(const Split& split, Sorted& all) {
     if (std::ranges::find(all.frames, e.file) == all.frames.end()) all.frames.push_back(e.file);
 }
 
+/// Takes out the slices that give no rescale where others have one that matters: what their values are is
+/// not known.
+std::vector<Unread> withoutRescale(Entries& entries) {
+  std::vector<Unread> unread;
+  const bool matters = std::ranges::any_of(entries, [](const Entry& e) {
+    return e.slice().isRescaled && (e.slice().slope != 1 || e.slice().intercept != 0);
+  });
+  if (!matters) return unread;
+  std::erase_if(entries, [&](const Entry& e) {
+    if (e.slice().isRescaled || e.slice().isMapped) return false;
+    unread.push_back({{e.file->path,
+                       "it gives no rescale (RescaleSlope), as the other slices do: what its values are is "
+                       "not known."},
+                      false,
+                      e.slice().position});
+    return true;
+  });
+  return unread;
+}
+
 void addVolumes(const ToldStack& stack, Sorted& all) {
   for (const Split& split : splitRepeats(stack.entries)) {
     if (split.isGuess) {
       addFrames(split, all);
       continue;
     }
-    for (Part& part : splitGaps(split.entries)) {
+    Entries entries = split.entries;
+    const std::vector<Unread> unread = withoutRescale(entries);
+    for (Part& part : splitGaps(entries)) {
+      part.unread = unread;
       part.warnings.insert(part.warnings.begin(), stack.warnings.begin(), stack.warnings.end());
       all.volumes.push_back(describe(part, split));
     }

@@ -29,6 +29,7 @@ std::string readTimePoint(const DataSet& data, const FrameScopes& at) {
 Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice) {
   const auto field = [&](std::uint32_t tag, const char* name, double& value) -> Status {
     if (!data.has(tag, scope)) return {};
+    slice.isRescaled = true;
     const auto number = data.number(tag, scope);
     if (!number) return Error{std::string(name) + " \"" + data.text(tag, scope) + "\" is no number"};
     value = *number;
@@ -48,15 +49,31 @@ struct RealWorldValues {
   std::string unit;
 };
 
-DataSet::Scope mappingScope(const DataSet& data, const FrameScopes& at) {
+std::vector<DataSet::Scope> mappings(const DataSet& data, const FrameScopes& at) {
   const DataSet::Scope outer = at.of(realWorldValueMapping);
   const auto items = data.items(realWorldValueMapping, outer);
-  return items.empty() ? outer : items[0];
+  return items.empty() ? std::vector{outer} : items;
 }
 
-/// A linear mapping, where the file has one.
-std::optional<RealWorldValues> readRealWorldValues(const DataSet& data, const FrameScopes& at) {
-  const DataSet::Scope mapping = mappingScope(data, at);
+/// Whether a mapping is valid for all that the bits stored can hold. One that does not say for what it is
+/// valid is.
+bool coversAll(const DataSet& data, DataSet::Scope mapping, const PixelFormat& format) {
+  const auto stored = [&](std::uint32_t tag) -> std::optional<double> {
+    const auto word = data.word(tag, mapping);
+    if (!word) return {};
+    return format.isSigned ? double(std::int16_t(*word)) : double(*word);
+  };
+  auto first = data.real(0x00409214, mapping), last = data.real(0x00409213, mapping);
+  if (!first) first = stored(0x00409216);
+  if (!last) last = stored(0x00409211);
+  if (!first || !last) return true;
+  if (format.kind != PixelFormat::Kind::integer) return false;
+  const double count = std::exp2(format.bitsStored), lowest = format.isSigned ? -count / 2 : 0;
+  return *first <= lowest && *last >= lowest + count - 1;
+}
+
+/// The linear mapping of an item, where it has one.
+std::optional<RealWorldValues> linearMapping(const DataSet& data, DataSet::Scope mapping) {
   const auto slope = data.real(0x00409225, mapping), intercept = data.real(0x00409224, mapping);
   constexpr double largest = 1e30;
   if (!slope || !intercept || *slope == 0) return {};
@@ -64,9 +81,20 @@ std::optional<RealWorldValues> readRealWorldValues(const DataSet& data, const Fr
   return RealWorldValues{*slope, *intercept, unitOfMapping(data, mapping)};
 }
 
+/// The first linear mapping that is valid for all stored values.
+std::optional<RealWorldValues> readRealWorldValues(const DataSet& data, const FrameScopes& at,
+                                                   const PixelFormat& format) {
+  for (const DataSet::Scope item : mappings(data, at))
+    if (const auto values = linearMapping(data, item); values && coversAll(data, item, format)) return values;
+  return {};
+}
+
 /// What the values are. A mapping stands in for a rescale that is not there.
 void readMeaning(const DataSet& data, const FrameScopes& at, Slice& slice, FileHeader& header) {
-  const auto mapping = readRealWorldValues(data, at);
+  const auto mapping = readRealWorldValues(data, at, header.format);
+  const auto items = mappings(data, at);
+  const auto isLinear = [&](DataSet::Scope item) { return linearMapping(data, item).has_value(); };
+  const auto isTable = [&](DataSet::Scope item) { return data.has(0x00409212, item); };
   const DataSet::Scope rescale = at.of(pixelValueTransformation);
   slice.unit = unitOfRescaled(data, at, header);
   if (data.has(0x00281053, rescale) || data.has(0x3004000e, rescale) || data.has(modalityLut, data.root())) {
@@ -77,7 +105,11 @@ void readMeaning(const DataSet& data, const FrameScopes& at, Slice& slice, FileH
     slice.unit = mapping->unit;
     slice.isMapped = slice.slope != 1 || slice.intercept != 0;
     if (slice.isMapped) warnOnce(header, "its " + realWorldSentence);
-  } else if (data.has(0x00409212, mappingScope(data, at))) {
+  } else if (std::ranges::any_of(items, isLinear)) {
+    warnOnce(header,
+             "its Real World Value Mapping is not valid for all stored values and is not applied: values are "
+             "the stored ones");
+  } else if (std::ranges::any_of(items, isTable)) {
     warnOnce(header, "its Real World Value Mapping is a table and is not applied");
   }
 }

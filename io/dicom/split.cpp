@@ -227,12 +227,38 @@ std::vector<Split> splitSurely(const Entries& entries) {
   return splits;
 }
 
+/// Echoes that are of different kinds as well, a field map beside a magnitude, are called by these, too.
+void nameKindsOfEchoes(std::vector<Split>& splits) {
+  const auto all = separators();
+  const auto type =
+      std::size_t(std::ranges::find(all, Separator::Words::imageType, &Separator::words) - all.begin());
+  const auto isBy = [](const Split& s, std::string_view keyword) {
+    return std::ranges::any_of(s.by, [&](const SplitBy& by) { return by.attribute == keyword; });
+  };
+  Entries entries;
+  for (const Split& split : splits) {
+    if (!isBy(split, "EchoTime") || isBy(split, all[type].keyword) ||
+        valuesOf(split.entries, type).size() > 1)
+      return;
+    std::ranges::copy(split.entries, std::back_inserter(entries));
+  }
+  const std::vector<std::string> types = valuesOf(entries, type);
+  if (types.size() < 2) return;
+  for (Split& split : splits) {
+    const std::string& own = valueOf(split.entries[0], type);
+    const auto at = std::size_t(std::ranges::find(types, own) - types.begin());
+    if (const std::string words = wordsOf(all[type], types, at); !words.empty())
+      addName(split, all[type], own, words);
+  }
+}
+
 }  // namespace
 
 std::vector<Split> splitRepeats(const Entries& entries) {
   std::vector<Split> splits = splitSurely(entries);
   while (splitByOneMore(splits)) {
   }
+  nameKindsOfEchoes(splits);
   std::vector<std::size_t> mixing;
   const std::size_t most = mostAtOnePlace(entries);
   for (std::size_t n = 0; n < separators().size(); ++n)

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <map>
 
 #include "io/dicom/header.h"
+#include "io/dicom/moments.h"
 
 namespace volumen::dicom {
 namespace {
@@ -33,60 +33,6 @@ std::string privateText(const DataSet& data, std::uint32_t group, const char* cr
     if (data.text(group << 16 | block, data.root()) == creator)
       return data.text(group << 16 | block << 8 | element, data.root());
   return {};
-}
-
-std::optional<double> digits(const std::string& text, std::size_t at, std::size_t count) {
-  if (text.size() < at + count) return {};
-  const std::string part = text.substr(at, count);
-  if (part.find_first_not_of("0123456789") != std::string::npos) return {};
-  return parseNumber(part);
-}
-
-/// Seconds since 1970 of a DA ("20260314"); nothing where it is none.
-std::optional<double> dateSeconds(const std::string& written) {
-  const std::string text = dateOrTime(written);
-  const auto year = digits(text, 0, 4), month = digits(text, 4, 2), day = digits(text, 6, 2);
-  if (!year || !month || !day) return {};
-  using namespace std::chrono;
-  const year_month_day date{std::chrono::year(int(*year)), std::chrono::month(unsigned(*month)),
-                            std::chrono::day(unsigned(*day))};
-  if (!date.ok()) return {};
-  return double(sys_days(date).time_since_epoch().count()) * 86400;
-}
-
-/// Seconds since midnight of a TM ("101112.5"); nothing where it is none.
-std::optional<double> timeSeconds(const std::string& written) {
-  const std::string text = dateOrTime(written);
-  const auto part = [&](std::size_t at) { return text.size() <= at ? 0 : digits(text, at, 2); };
-  const auto hours = digits(text, 0, 2), minutes = part(2), seconds = part(4);
-  if (!hours || !minutes || !seconds || *hours > 23 || *minutes > 59 || *seconds > 60) return {};
-  const double fraction =
-      text.size() > 7 && text[6] == '.' ? parseNumber("0" + text.substr(6)).value_or(0) : 0;
-  return *hours * 3600 + *minutes * 60 + *seconds + fraction;
-}
-
-std::optional<double> moment(const std::string& date, const std::string& time) {
-  const auto day = dateSeconds(date), ofDay = timeSeconds(time);
-  if (!day || !ofDay) return {};
-  return *day + *ofDay;
-}
-
-/// Seconds of a zone as a DT writes it, "+0130".
-std::optional<double> zoneSeconds(const std::string& text) {
-  const auto hours = digits(text, 1, 2), minutes = digits(text, 3, 2);
-  if (text.size() != 5 || !hours || !minutes || (text[0] != '+' && text[0] != '-')) return {};
-  return (text[0] == '-' ? -60 : 60) * (*hours * 60 + *minutes);
-}
-
-/// Date and time of a DT, and the zone behind them.
-struct DateTime {
-  std::string date, time, zone;
-};
-DateTime partsOf(const std::string& text) {
-  const std::size_t zone = std::min(text.find_first_of("+-"), text.size());
-  const std::string local = text.substr(0, zone);
-  const std::size_t day = std::min<std::size_t>(8, local.size());
-  return {local.substr(0, day), local.substr(day), text.substr(zone)};
 }
 
 Error missing(const char* name, std::uint32_t tag) {
@@ -286,9 +232,15 @@ std::array<std::string, 3> seriesOf(const SeriesIdentity& s) {
   return {s.patientId, s.studyUid, s.seriesUid};
 }
 
-/// What is the same of all files of a volume.
+/// What is the same of all files of a volume, in one spelling.
 PetFacts withoutPlace(PetFacts facts) {
   facts.acquisitionDate.clear(), facts.acquisitionTime.clear();
+  for (std::string* number : {&facts.weight, &facts.size, &facts.dose, &facts.halfLife,
+                              &facts.philipsSuvFactor, &facts.philipsBqFactor})
+    *number = numberAsOne(*number);
+  for (std::string* time : {&facts.injectionTime, &facts.seriesTime}) *time = timeAsOne(*time);
+  for (std::string* moment : {&facts.injectionDateTime, &facts.geScanStart}) *moment = momentAsOne(*moment);
+  facts.seriesDate = dateOrTime(facts.seriesDate);
   return facts;
 }
 
@@ -345,7 +297,7 @@ void addSuvFactors(std::span<const FileHeader> files, std::vector<Series>& volum
       return other != byPath.end() && withoutPlace(*other->second->pet) == facts;
     });
     if (alike)
-      volume.suv = factorsOf(facts, file.patientSex, earliest.at(seriesOf(file)));
+      volume.suv = factorsOf(*file.pet, file.patientSex, earliest.at(seriesOf(file)));
     else
       volume.suv.why = "its files differ in units, weight, dose or times";
   }

@@ -73,7 +73,6 @@ std::string besideSentenceOf(const std::vector<const Unread*>& files, int interp
 }  // namespace
 
 void addUnread(const std::vector<LostFile>& lost, std::vector<Series>& volumes) {
-  if (lost.empty()) return;
   for (Series& series : volumes) {
     std::set<std::string> folders;
     for (const std::string& file : series.files) folders.insert(folderOf(file));

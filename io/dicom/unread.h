@@ -11,8 +11,8 @@ struct LostFile {
   std::string sopClassUid;
 };
 
-/// Adds to each series what is lost of it, and says so in its warnings: files whose header names it, and
-/// those beside its files whose header could not be read.
+/// Adds to each series what else is lost of it, and says all of that in its warnings: files whose header
+/// names it, and those beside its files whose header could not be read.
 void addUnread(const std::vector<LostFile>& lost, std::vector<Series>& volumes);
 
 /// Says in the warnings of how slices lie (Stack) what could not be read: slices that were interpolated for

@@ -13,29 +13,57 @@ namespace {
 
 double asWritten(double value) { return std::strtod(decimal(value).c_str(), nullptr); }
 
+using Padding = std::optional<ValueRange>;
+
+bool isIn(const Padding& padding, float v) { return padding && v >= padding->low && v <= padding->high; }
+
+// Gives padding a number that no other value of the slice has; false where neither end is free.
+bool renumberPadding(std::span<const float> values, const Padding& padding, int low, int high,
+                     StoredSlice& slice) {
+  for (const int number : {low, high}) {
+    const auto word = std::uint16_t(number);
+    bool isFree = true;
+    for (std::size_t n = 0; n < values.size() && isFree; ++n)
+      isFree = slice.words[n] != word || isIn(padding, values[n]);
+    if (!isFree) continue;
+    for (std::size_t n = 0; n < values.size(); ++n)
+      if (isIn(padding, values[n])) slice.words[n] = word;
+    slice.padding = number;
+    return true;
+  }
+  return false;
+}
+
 // Values by a rescale, to the nearest stored number; beyond the range to its end.
-StoredSlice rescaled(std::span<const float> values, StoredAs as) {
+StoredSlice rescaled(std::span<const float> values, StoredAs as, const Padding& padding) {
   StoredSlice slice;
   slice.isSigned = as.isSigned;
   slice.slope = asWritten(as.slope);
   slice.intercept = asWritten(as.intercept);
-  const double low = as.isSigned ? -32768 : 0, high = as.isSigned ? 32767 : 65535;
+  const int low = as.isSigned ? -32768 : 0, high = as.isSigned ? 32767 : 65535;
+  double paddingError = 0;
   slice.words.reserve(values.size());
   for (const float v : values) {
     const double stored =
-        std::clamp(std::floor((double(v) - slice.intercept) / slice.slope + 0.5), low, high);
+        std::clamp(std::floor((double(v) - slice.intercept) / slice.slope + 0.5), double(low), double(high));
     slice.words.push_back(std::uint16_t(std::int32_t(stored)));
     const double written = double(float(slice.slope * stored + slice.intercept));
-    slice.largestError = std::max(slice.largestError, std::abs(written - double(v)));
+    double& largest = isIn(padding, v) ? paddingError : slice.largestError;
+    largest = std::max(largest, std::abs(written - double(v)));
+    if (isIn(padding, v) && padding->low == padding->high) slice.padding = int(stored);
+  }
+  if (paddingError > 0 && !renumberPadding(values, padding, low, high, slice)) {
+    slice.largestError = std::max(slice.largestError, paddingError);
+    slice.padding.reset();
   }
   return slice;
 }
 
-StoredSlice rounded(std::span<const float> values) {
+StoredSlice rounded(std::span<const float> values, const Padding& padding) {
   const auto [low, high] = std::ranges::minmax(values);
   const bool isSigned = low < 0;
   const double most = std::max(double(high), -double(low));
-  return rescaled(values, {most > 0 ? most / (isSigned ? 32767 : 65535) : 1, 0, isSigned});
+  return rescaled(values, {most > 0 ? most / (isSigned ? 32767 : 65535) : 1, 0, isSigned}, padding);
 }
 
 template <class Sample>
@@ -51,7 +79,7 @@ StoredSlice asTheyAre(std::span<const Sample> values, const Volume& volume) {
 
 // Stored values that are whole, though they are kept as real ones.
 std::optional<StoredSlice> wholeSlice(std::span<const float> values, const Volume& volume) {
-  StoredSlice slice = rescaled(values, {1, 0, true});
+  StoredSlice slice = rescaled(values, {1, 0, true}, {});
   if (slice.largestError > 0) return {};
   slice.slope = volume.slope();
   slice.intercept = volume.intercept();
@@ -59,11 +87,11 @@ std::optional<StoredSlice> wholeSlice(std::span<const float> values, const Volum
 }
 
 std::optional<StoredSlice> realSlice(std::span<const float> values, const std::optional<StoredAs>& source,
-                                     bool mayRound) {
+                                     const Padding& padding, bool mayRound) {
   if (source && source->slope != 0)
-    if (StoredSlice exact = rescaled(values, *source); exact.largestError == 0) return exact;
-  if (StoredSlice whole = rescaled(values, {1, 0, true}); whole.largestError == 0) return whole;
-  if (mayRound) return rounded(values);
+    if (StoredSlice exact = rescaled(values, *source, padding); exact.largestError == 0) return exact;
+  if (StoredSlice whole = rescaled(values, {1, 0, true}, padding); whole.largestError == 0) return whole;
+  if (mayRound) return rounded(values, padding);
   return {};
 }
 
@@ -78,7 +106,7 @@ std::optional<StoredSlice> storedSlice(const Volume& volume, int k, const std::o
         if constexpr (!std::is_same_v<Sample, float>)
           return asTheyAre(values, volume);
         else if (volume.slope() == 1 && volume.intercept() == 0)
-          return realSlice(values, source, mayRound);
+          return realSlice(values, source, volume.attributes().padding, mayRound);
         else
           return wholeSlice(values, volume);
       },

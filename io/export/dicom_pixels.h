@@ -14,6 +14,7 @@ struct StoredSlice {
   bool isSigned = false;
   double slope = 1, intercept = 0;  ///< exactly as decimal() writes them
   double largestError = 0;          ///< how far a written value is from the volume's, at most
+  std::optional<int> padding = {};  ///< of real values: the number of those that stand for no picture
 };
 
 /// How the samples of a slice are stored in the file that it comes from.
@@ -24,6 +25,7 @@ struct StoredAs {
 
 /// Slice `k` of a volume: integers as they are; real values by the rescale of their source where that gives
 /// them exactly, else as whole numbers, else, where `mayRound`, in 65536 steps from zero to the largest.
+/// Padding that no number is has one of its own, the lowest or highest, where no other value has that.
 /// Nothing where that is not allowed.
 std::optional<StoredSlice> storedSlice(const Volume& volume, int k, const std::optional<StoredAs>& source,
                                        bool mayRound);

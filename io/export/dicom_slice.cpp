@@ -91,17 +91,19 @@ bool mayBePaired(const std::string& bodyPart) {
   return std::ranges::find(paired, bodyPart) != std::end(paired);
 }
 
-// Padding in stored values, where these are integers.
+// Padding in stored values, where these are integers, or one of them stands for it.
 DicomElements padding(const Volume& volume, const StoredSlice& pixels) {
   const auto& range = volume.attributes().padding;
-  if (!range || std::holds_alternative<std::vector<float>>(volume.stored())) return {};
+  if (!range) return {};
+  const auto vr = std::uint16_t(pixels.isSigned ? 'S' << 8 | 'S' : 'U' << 8 | 'S');
+  if (pixels.padding) return {{0x00280120, std::to_string(*pixels.padding), vr}};
+  if (std::holds_alternative<std::vector<float>>(volume.stored())) return {};
   const auto stored = [&](double value) {
     return long(std::lround((value - volume.intercept()) / volume.slope()));
   };
   const auto [low, high] = std::minmax({stored(range->low), stored(range->high)});
   const bool fits = pixels.isSigned ? low >= -32768 && high <= 32767 : low >= 0 && high <= 65535;
   if (!fits) return {};
-  const auto vr = std::uint16_t(pixels.isSigned ? 'S' << 8 | 'S' : 'U' << 8 | 'S');
   DicomElements all = {{0x00280120, std::to_string(low), vr}};
   if (high != low) all.push_back({0x00280121, std::to_string(high), vr});
   return all;

@@ -28,7 +28,7 @@ Result<Space> parseSpace(const NrrdHeader& header, const std::string& path) {
                                                    {"lps", {3, {1, 1, 1}, true}},
                                                    {"scanner-xyz", {3}},
                                                    {"3d-right-handed", {3}},
-                                                   {"3d-left-handed", {3}}};
+                                                   {"3d-left-handed", {3, {1, 1, -1}}}};
   std::string name = lowerCase(header.field("space"));
   const std::string dimension = header.field("spacedimension");
   if (name.empty() && dimension.empty()) return Space{};
@@ -199,9 +199,13 @@ std::vector<VolumeName> namesOf(const NrrdHeader& header, GridAxes grid,
   return names;
 }
 
+// Whether the coordinates of a space that is not anatomical are those of a mirror image.
+bool isLeftHanded(const Space& space) { return !space.anatomical && space.toLps.z < 0; }
+
 // Spacings and axis mins / maxs: a grid along the axes, of no known relation to a patient.
-Result<bool> geometryFromSpacings(const NrrdHeader& header, GridAxes grid, ImageHeader& image,
-                                  const std::vector<std::uint64_t>& sizes, const std::string& path) {
+Result<bool> geometryFromSpacings(const NrrdHeader& header, const Space& space, GridAxes grid,
+                                  ImageHeader& image, const std::vector<std::uint64_t>& sizes,
+                                  const std::string& path) {
   const std::size_t axes = header.sizes.size();
   const auto perAxis = [&](const char* name) -> std::optional<std::vector<double>> {
     const auto numbers = toNumbers(header.field(name));
@@ -227,6 +231,10 @@ Result<bool> geometryFromSpacings(const NrrdHeader& header, GridAxes grid, Image
     steps.push_back(along);
     if (!std::isnan((*mins)[a])) origin[int(n)] = ((*mins)[a] + (cell ? step / 2 : 0)) * mm;
   }
+  if (isLeftHanded(space)) {
+    for (glm::dvec3& step : steps) step *= space.toLps;
+    origin *= space.toLps;
+  }
   if (Status s = setGeometry(image, sizes, steps, origin, path); !s) return s.error();
   return true;
 }
@@ -236,8 +244,11 @@ Status setNrrdGeometry(const NrrdHeader& header, const Space& space,
                        ImageHeader& image, const std::string& path) {
   const auto begin = header.sizes.begin() + grid.first;
   const std::vector<std::uint64_t> sizes(begin, begin + grid.count);
+  if (isLeftHanded(space))
+    image.warnings.emplace_back(
+        "The header's space is left-handed: its third axis is turned round, so that nothing is mirrored.");
   if (!directions) {
-    auto done = geometryFromSpacings(header, grid, image, sizes, path);
+    auto done = geometryFromSpacings(header, space, grid, image, sizes, path);
     if (!done) return done.error();
     if (!*done) return setNominalGeometry(image, sizes, path);
     image.warnings.push_back(

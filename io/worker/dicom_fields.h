@@ -33,8 +33,9 @@ inline void fields(Wire& w, dicom::Mosaic& m) { w(m.columns, m.rows, m.tilesAcro
 inline void fields(Wire& w, dicom::Concatenation& c) { w(c.uid, c.part, c.parts, c.firstFrame); }
 
 inline void fields(Wire& w, dicom::Slice& s) {
-  w(s.frame, s.position, s.orientation, s.ofTransducer, s.spacing, s.thickness, s.slope, s.intercept, s.unit,
-    s.isMapped, s.padding, s.windows, s.instance, s.echoTime, s.bValue, s.timePoint, s.inStack, s.separators);
+  w(s.frame, s.position, s.orientation, s.ofTransducer, s.spacing, s.thickness, s.slope, s.intercept,
+    s.isRescaled, s.unit, s.isMapped, s.padding, s.windows, s.instance, s.echoTime, s.bValue, s.timePoint,
+    s.inStack, s.separators);
 }
 
 inline void fields(Wire& w, dicom::PetFacts& p) {

@@ -88,6 +88,8 @@ QString timePointText(const Workspace& workspace, const SeriesKey& series) {
     return tr("volume %1").arg(number);
   const QString value = shownText(step.*(*varying));
   if (*varying == &Series::bValue) return tr("b %1 (%2)").arg(value, number);
+  if (*varying == &Series::echoTime && varies(steps, &Series::label) && !label.isEmpty())
+    return tr("TE %1 ms, %2 (%3)").arg(value, label, number);
   if (*varying == &Series::echoTime) return tr("echo %1: %2 ms").arg(number, value);
   if (*varying == &Series::label) return tr("%1 (%2)").arg(label, number);
   return tr("time point %1").arg(number);

@@ -23,6 +23,8 @@ class TestSuv : public QObject {
   void factors();
   void leanMassAndSurface_data();
   void leanMassAndSurface();
+  void numbersInTwoSpellingsAreOne_data();
+  void numbersInTwoSpellingsAreOne();
   void whatIsMissingIsNamed_data();
   void whatIsMissingIsNamed();
 };
@@ -195,6 +197,35 @@ void TestSuv::leanMassAndSurface() {
   if (lean > 0) QVERIFY(isNear(*found.leanBodyMass / *found.bodyWeight, lean));
   if (surface > 0) QVERIFY(isNear(*found.bodySurface / *found.bodyWeight, surface));
   QCOMPARE(QString::fromStdString(found.why), why);
+}
+
+void TestSuv::numbersInTwoSpellingsAreOne_data() {
+  QTest::addColumn<Edit>("edit");  // of the second file
+  QTest::addColumn<bool>("same");
+  QTest::newRow("weight") << Edit([](DcmDataset& d) { d.putAndInsertString(DCM_PatientWeight, "80.0"); })
+                          << true;
+  QTest::newRow("another weight") << Edit([](DcmDataset& d) {
+    d.putAndInsertString(DCM_PatientWeight, "81");
+  }) << false;
+  QTest::newRow("dose") << Edit([](DcmDataset& d) {
+    doseOf(d).putAndInsertString(DCM_RadionuclideTotalDose, "1e8");
+  }) << true;
+  QTest::newRow("time") << Edit([](DcmDataset& d) { d.putAndInsertString(DCM_SeriesTime, "114000.000"); })
+                        << true;
+  QTest::newRow("another time") << Edit([](DcmDataset& d) {
+    d.putAndInsertString(DCM_SeriesTime, "114000.5");
+  }) << false;
+}
+
+void TestSuv::numbersInTwoSpellingsAreOne() {
+  QFETCH(Edit, edit);
+  QFETCH(bool, same);
+  int files = 0;
+  const SuvFactors found = petWith([&](DcmDataset& d) {
+                             if (files++ == 1) edit(d);
+                           }).suv;
+  QCOMPARE(found.bodyWeight.has_value(), same);
+  QCOMPARE(found.why.find("its files differ") == std::string::npos, same);
 }
 
 void TestSuv::whatIsMissingIsNamed_data() {

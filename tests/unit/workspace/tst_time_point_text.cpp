@@ -50,6 +50,8 @@ void TestTimePointText::stepsAreNamedByWhatVaries_data() {
   const auto q = [](const char* text) { return QString::fromLatin1(text); };
   row("b-values", {q("800|||"), q("0|||"), q("50|||")}, "3 b-values", "b 50 (2 of 3)", "b = 0, 50, 800");
   row("echoes", {q("|9.5||"), q("|31||")}, "2 echoes", "echo 2 of 2: 31 ms", "echo times 9.5, 31 ms");
+  row("echoes of other kinds", {q("|0||FIELD_MAP"), q("|1.52||M")}, "2 echoes", "TE 1.52 ms, M (2 of 2)",
+      "echo times 0, 1.52 ms");
   row("times, not as text", {q("||10|"), q("||9|"), q("||8|")}, "3 time points", "time point 2 of 3",
       "time points 8, 9, 10");
   row("directions", {q("|||direction 1"), q("|||direction 2"), q("|||direction 3")}, "3 directions",
