@@ -35,8 +35,9 @@ void onInterrupt(int signal) {
 int flushOutput(int status) {
   const bool flushed = std::cout.flush() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (flushed) return status;
-  constexpr int reasons[] = {ENOSPC, EDQUOT, EFBIG, EIO, EBADF};
+  constexpr int reasons[] = {ENOSPC, EDQUOT, EFBIG, EIO};
   const bool known = std::ranges::find(reasons, errno) != std::end(reasons);
+  if (errno == EBADF) return volumen::fail("The output could not be written: stdout is closed.");
   return volumen::fail("Not all of the output could be written" +
                        (known ? std::string(": ") + std::strerror(errno) + "." : std::string(".")));
 }
@@ -49,10 +50,12 @@ int endBySignal(int status) {
   return status;
 }
 
-// Whatever is opened first would else pass for what was closed: files for output, sockets for input.
+// Whatever is opened first would else pass for what was closed: files for output, sockets for input. What
+// is written to a closed stdout still fails.
 void openStandardDescriptors() {
   int fd = open("/dev/null", O_RDWR);
-  while (fd >= 0 && fd <= 2) fd = open("/dev/null", O_RDWR);
+  if (fd == STDOUT_FILENO) close(fd), fd = open("/dev/null", O_RDONLY);
+  while (fd >= 0 && fd <= 2) fd = open("/dev/null", fd == 0 ? O_RDONLY : O_RDWR);
   if (fd > 2) close(fd);
 }
 

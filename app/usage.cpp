@@ -69,10 +69,10 @@ std::string unexpected(const CLI::App& app) {
   return "Unknown option " + typed + "." + (similar ? " Did you mean " + *similar + "?" : "");
 }
 
-// An empty path is a variable of a script that was not set.
-CLI::Validator notEmpty() {
-  return {[](const std::string& text) {
-            return text.empty() ? std::string("\"\" is not a file or folder.") : std::string();
+// An empty word is a variable of a script that was not set.
+CLI::Validator notEmpty(const std::string& what) {
+  return {[what](const std::string& text) {
+            return text.empty() ? "\"\" is not a " + what + "." : std::string();
           },
           ""};
 }
@@ -119,16 +119,17 @@ void addExamples(CLI::App& app, const std::vector<std::string>& lines) {
 
 CLI::Option* addPath(CLI::App& app, std::string& path) {
   return app.add_option("PATH", path, "A file, a folder, index:STUDY[/SERIES] or phantom:NAME[:SIZE]")
-      ->check(notEmpty())
+      ->check(notEmpty("file or folder"))
       ->type_name("");
 }
 
 CLI::Option* addPaths(CLI::App& app, std::vector<std::string>& paths) {
-  return app.add_option("PATH", paths, "Files and folders")->check(notEmpty())->type_name("");
+  return app.add_option("PATH", paths, "Files and folders")->check(notEmpty("file or folder"))->type_name("");
 }
 
 void addSeries(CLI::App& app, std::string& series) {
   app.add_option("--series", series, "The series to use: its number in `volumen info`, its UID or its id")
+      ->check(notEmpty("series: `volumen info` numbers them"))
       ->type_name("SERIES");
 }
 

@@ -134,6 +134,11 @@ void TestUsage::anEmptyPathIsNoPath() {
   const Outcome a = runProgram(QStringList{QStringLiteral("info"), QString()});
   QCOMPARE(a.status, 2);
   QVERIFY2(a.err.startsWith("volumen: PATH: \"\" is not a file or folder."), a.err);
+  const Outcome b =
+      runProgram({QStringLiteral("render"), QStringLiteral("phantom:sphere:8"), QStringLiteral("--series"),
+                  QString(), QStringLiteral("-o"), QStringLiteral("a.png")});
+  QCOMPARE(b.status, 2);
+  QVERIFY2(b.err.startsWith("volumen: --series: \"\" is not a series"), b.err);
 }
 
 // Where there is a display the window stays until it is closed, as SIGINT does.
