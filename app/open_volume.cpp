@@ -106,11 +106,19 @@ void addUnread(std::vector<Unread>& all, const std::vector<Unread>& more) {
 
 void refuseLosses() { strict = true; }
 
-Status checkLosses(const std::string& what, const std::vector<Unread>& unread) {
+Status checkStrict(const std::string& what, const std::vector<Unread>& unread) {
   if (!strict || unread.empty()) return {};
   std::string list;
   for (const Unread& file : unread) list += "\n  " + printable(lastingPath(file.path)) + ": " + file.reason;
   return Error{"Nothing was written (--strict): of " + what + " could not be read:" + list};
+}
+
+Status checkLosses(const std::string& what, const std::vector<Unread>& unread) {
+  const auto ofMachine = std::ranges::find(unread, true, &Unread::again);
+  if (ofMachine != unread.end())
+    return Error{"Nothing was written, as not all of " + what +
+                 " could be read now: " + printable(lastingPath(ofMachine->path)) + ": " + ofMachine->reason};
+  return checkStrict(what, unread);
 }
 
 std::vector<std::string> sentences(const std::vector<Warning>& warnings) {

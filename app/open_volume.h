@@ -26,6 +26,8 @@ void addUnread(std::vector<Unread>& all, const std::vector<Unread>& more);
 /// From now on a series with losses is refused (--strict).
 void refuseLosses();
 /// An Error where that is so and these are losses; `what`: of what.
+Status checkStrict(const std::string& what, const std::vector<Unread>& unread);
+/// The same, and wherever the machine, not a file, is to blame for one: for whoever is to work on them.
 Status checkLosses(const std::string& what, const std::vector<Unread>& unread);
 /// The sentences of warnings.
 std::vector<std::string> sentences(const std::vector<Warning>& warnings);

@@ -228,7 +228,7 @@ int run(const InfoOptions& options, const CancelToken& cancel) {
   const std::vector<InfoSeries> series = describe(*study, options.values, cancel);
   if (cancel.cancelled()) return fail({}, cancel);
   for (const InfoSeries& s : series)
-    if (Status whole = checkLosses(s.series->path, s.unread); !whole) return fail(whole.message());
+    if (Status whole = checkStrict(s.series->path, s.unread); !whole) return fail(whole.message());
   if (options.json)
     std::cout << jsonText(studyJson(*study, series, options.values));
   else

@@ -14,6 +14,7 @@
 #include "io/dicom/unread.h"
 #include "io/dicom/voxels.h"
 #include "io/regular_file.h"
+#include "io/worker/call.h"
 #include "viewer/volume/buffer.h"
 
 namespace volumen::dicom {
@@ -122,7 +123,7 @@ class SliceDecoder {
                     [&](std::size_t n) {
                       Incoming& in = slices_[slices[n]];
                       if (!source)
-                        in.failure = source.message() + ".";
+                        fail(in, source.message());
                       else
                         decodeSlice(*source, slices[n], in);
                     });
@@ -132,7 +133,7 @@ class SliceDecoder {
     try {
       const Result<DecodedFrame> frame = source.frame(in.placed.slice.frame);
       if (!frame) {
-        in.failure = frame.message() + ".";
+        fail(in, frame.message());
         return;
       }
       in.note = frame->note;
@@ -141,7 +142,13 @@ class SliceDecoder {
       in.inexact = noticed.inexact, in.doesNotFit = noticed.doesNotFit;
     } catch (const std::bad_alloc&) {
       in.failure = "there is not enough memory to decode it.";
+      in.again = true;
     }
+  }
+
+  static void fail(Incoming& in, const std::string& reason) {
+    in.failure = reason + ".";
+    in.again = worker::isReasonOfMachine(reason);
   }
 
   std::vector<Incoming>& slices_;

@@ -72,6 +72,9 @@ const char* reasonOf(Failure failure) {
       return "interrupted";
     case Failure::noWorker:
       return "no process could be started to read it: end others, or allow more (ulimit -u), and try again";
+    case Failure::noRoom:
+      return "no memory could be shared with a process that was to read it, as files may not grow so far: "
+             "allow more (ulimit -f)";
     case Failure::noOpening:
       return tooManyOpen;
     case Failure::stopped:
@@ -81,6 +84,12 @@ const char* reasonOf(Failure failure) {
              "again";
   }
   return "";
+}
+
+bool isReasonOfMachine(const std::string& reason) {
+  for (int n = 0; n <= int(Failure::killed); ++n)
+    if (isOfMachine(Failure(n)) && reason == reasonOf(Failure(n))) return true;
+  return false;
 }
 
 Call::Call(Request& request, Handler handler, const std::vector<std::uint8_t>& arguments, bool inNew)
@@ -99,7 +108,7 @@ Call::Call(Request& request, Handler handler, const std::vector<std::uint8_t>& a
     worker_ = makeWorker();
     if (worker_ && !begin(handler, arguments)) worker_.reset();
   }
-  if (!worker_) fail(Failure::noWorker);
+  if (!worker_) fail(whyNoWorker());
 }
 
 Call::~Call() {

@@ -34,6 +34,9 @@ inline void fields(Wire& w, GivenFile& f) { w(f.path, f.size, f.problem); }
 /// The reason behind a file's name, without full stop: "reading it took more than 5 s".
 const char* reasonOf(Failure failure);
 
+/// Whether such a reason says nothing of the file (isOfMachine).
+bool isReasonOfMachine(const std::string& reason);
+
 struct Process;
 
 /// From now on workers are prepared for all (prepareToServe).

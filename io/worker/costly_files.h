@@ -15,7 +15,8 @@ enum class Failure {
   memory,
   cancelled,
   noWorker,   ///< there was none, and none could be made
-  noOpening,  ///< the program may not open more files
+  noRoom,     ///< the same, as this process may write no files of some size, memory among them
+  noOpening,  ///< the program may not open more files, or have more descriptors
   stopped,    ///< from outside
   killed      ///< from outside
 };

@@ -35,6 +35,7 @@ struct Idle {
 
 std::atomic<bool> allWanted = false;
 std::atomic<int> alive = 0;  // workers, of which some wait
+std::atomic<Failure> lastFailure = Failure::noWorker;
 
 Idle& idle() {
   static Idle all;
@@ -124,19 +125,31 @@ bool Process::isStopped() const { return stateOf(pid) == 'T'; }
 
 namespace {
 
+/// What the system's refusal to make a worker means. The process that forks them is closed where it cannot
+/// take what it is sent, with the same limits.
+std::unique_ptr<Process> failed(int error) {
+  constexpr rlim_t enough = 16;  // descriptors: those of a worker, its socket and buffer in both processes
+  rlimit open{};
+  const bool few = getrlimit(RLIMIT_NOFILE, &open) == 0 && open.rlim_cur < enough;
+  lastFailure = error == EMFILE || error == ENFILE || few ? Failure::noOpening
+                : error == EFBIG                          ? Failure::noRoom
+                                                          : Failure::noWorker;
+  return {};
+}
+
 std::unique_ptr<Process> startWorker() {
   int ends[2] = {-1, -1};
-  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return {};
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return failed(errno);
   auto worker = std::make_unique<Process>();
   worker->socket = Descriptor(ends[0]);
   Descriptor theirs(ends[1]), memory;
   worker->buffer = SharedBuffer::make(memory);
-  if (!worker->buffer) return {};
+  if (!worker->buffer) return failed(errno);
   worker->forAll = allWanted;
   worker->pid = Zygote::instance().fork(std::move(theirs), std::move(memory), worker->forAll);
-  if (worker->pid <= 0) return {};
+  if (worker->pid <= 0) return failed(0);
   ++alive;
-  if (!isReady(*worker)) return {};
+  if (!isReady(*worker)) return failed(0);
   worker->bytesAtStart = addressSpaceOf(worker->pid) + (std::uint64_t(8) << 20);
   return worker;
 }
@@ -148,6 +161,8 @@ std::unique_ptr<Process> makeWorker() {
   std::unique_ptr<Process> worker = startWorker();
   return worker ? std::move(worker) : startWorker();
 }
+
+Failure whyNoWorker() { return lastFailure; }
 
 void prepareForAll() { allWanted = true; }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "io/worker/channel.h"
+#include "io/worker/costly_files.h"
 #include "io/worker/shared_buffer.h"
 
 namespace volumen::worker {
@@ -41,6 +42,8 @@ struct Process {
 std::unique_ptr<Process> takeWorker();
 /// A new one, that has told that it is ready.
 std::unique_ptr<Process> makeWorker();
+/// Why there was none the last time that none could be made.
+Failure whyNoWorker();
 /// For the next request, unless it has served long enough or there are enough that wait.
 void giveBack(std::unique_ptr<Process> worker);
 
