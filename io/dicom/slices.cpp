@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <glm/geometric.hpp>
 
 #include "io/dicom/attributes.h"
@@ -150,6 +151,7 @@ Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, const Dimens
   slice.separators = readSeparators(data, at, dimensions);
   if (Status s = readRescale(data, at.of(pixelValueTransformation), slice); !s) return s.error();
   readMeaning(data, at, slice, header);
+  if (data.has(modalityLut, data.root())) return slice;  // windows are of the values behind it
   for (const NamedGrey& grey : readWindows(data, at.of(frameVoiLut)))
     slice.windows.push_back(greyOfSlice(grey, slice).mapping.window);
   return slice;
@@ -275,6 +277,20 @@ void readConcatenation(const DataSet& data, Concatenation& whole) {
   whole.firstFrame = int(std::min<std::uint32_t>(data.dword(0x00209228, root).value_or(0), frameLimit));
 }
 
+/// What is measured in its frames, where a volume of it has no size.
+void tellFrameSize(const DataSet& data, FileHeader& header) {
+  const FrameScopes at(data, 0);
+  const PixelSize size = readPixelSize(data, at, header.modality);
+  const bool isClip = !header.notVolume.empty();
+  if (isClip || header.modality == "US" || size.kind == PixelSizeKind::unknown || isPlaced(header.slices[0]))
+    return;
+  char mm[64];
+  std::snprintf(mm, sizeof mm, "%.4g x %.4g mm", size.mm.x, size.mm.y);
+  const std::string word = pixelSizeWord(size.kind);
+  header.warnings.push_back("its frames are measured in mm: a pixel is " + std::string(mm) +
+                            (word.empty() ? "" : " " + word));
+}
+
 /// InstanceNumber, and within a file the number of the frame.
 void numberSlices(const DataSet& data, FileHeader& header) {
   constexpr double limit = 1e9;
@@ -290,7 +306,8 @@ Status readSlices(const DataSet& data, FileHeader& header) {
   if (!header.format.isGrey())
     header.notVolume = "colour image (" + header.format.photometric + "): cannot be shown in 3D";
   if (data.has(modalityLut, data.root()))
-    header.warnings.push_back("its Modality LUT Sequence is not applied: values are those before it");
+    header.warnings.push_back(
+        "its Modality LUT Sequence is applied to its frames alone: values in 3D are those before it");
   if (FrameScopes::isEnhanced(data)) {
     if (Status s = readEnhancedFrames(data, header); !s) return s;
   } else {
@@ -306,6 +323,7 @@ Status readSlices(const DataSet& data, FileHeader& header) {
   for (Slice& slice : header.slices) slice.padding = padding;
   agreeOnUnit(header);
   numberSlices(data, header);
+  if (!header.slices.empty()) tellFrameSize(data, header);
   return {};
 }
 

@@ -186,7 +186,7 @@ Stack layOut(std::span<const PlacedSlice> slices, int columns, int rows) {
       std::find_if(slices.begin(), slices.end(), [](const PlacedSlice& s) { return !isPlaced(s.slice); });
   if (lost != slices.end()) {
     stack.acquired.calibrated = false;
-    stack.warnings.push_back({"Not calibrated: no measurements in mm, no orientation (" +
+    stack.warnings.push_back({"Not calibrated: no measurements in mm in 3D, no orientation (" +
                                   fileName(lost->path) + " has no valid " + missingPlace(lost->slice) +
                                   "); shown with voxels of 1 mm.",
                               WarningKind::notCalibrated});

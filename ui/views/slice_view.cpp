@@ -144,7 +144,7 @@ void SliceView::tellWarnings() {
   if (showsFrames()) {
     for (const std::string& sentence : frame_ ? frame_->warnings : std::vector<std::string>{})
       sentences << shownText(sentence);
-    if (!sentences.isEmpty()) words << tr("Not all of it shown");
+    if (!sentences.isEmpty()) words << tr("Not all as the file says");
   } else if (const ShownSeriesPtr shown = series()) {
     for (const std::string& text : shortWarnings(shown->warnings)) words << QString::fromStdString(text);
     for (const Warning& w : changingPicture(shown->warnings)) sentences << shownText(w.sentence);
