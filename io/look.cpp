@@ -10,7 +10,7 @@
 namespace volumen {
 namespace worker {
 
-void fields(Wire& w, LookedAt& l) { w(l.isImageFile, l.volumes, l.problem, l.dicom); }
+void fields(Wire& w, LookedAt& l) { w(l.isImageFile, l.volumes, l.problem, l.gzippedDicom, l.dicom); }
 
 }  // namespace worker
 
@@ -27,7 +27,7 @@ LookedAt look(const std::string& path) {
   if (volumes)
     looked.volumes = std::move(*volumes);
   else
-    looked.problem = volumes.message();
+    looked.problem = volumes.message(), looked.gzippedDicom = isGzippedDicom(path);
   return looked;
 }
 

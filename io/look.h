@@ -9,6 +9,7 @@ struct LookedAt {
   bool isImageFile = false;     ///< NRRD, NIfTI, ...: looksLikeImageFile(); then:
   std::vector<Series> volumes;  ///< what it holds
   std::string problem;          ///< or why that cannot be read: a sentence
+  bool gzippedDicom = false;    ///< what cannot be read is a DICOM file in gzip
   dicom::Inspection dicom;      ///< of other files
 };
 

@@ -122,7 +122,7 @@ Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
   if (!found) return found;
   if (found->files == std::vector{place->path})
     if (const auto header = headerOfPair(place->path)) found->files.push_back(*header);
-  for (const auto& [name, reason] : place->leftOut) found->unreadable.emplace_back(path + "/" + name, reason);
+  for (const auto& [name, reason] : place->leftOut) found->unreadable.push_back({path + "/" + name, reason});
   return found;
 }
 
@@ -135,9 +135,15 @@ Result<FoundFiles> indexedFiles(const std::string& path) {
   return found;
 }
 
-/// What the headers of all files say, not in order.
-void addFiles(const std::vector<std::string>& files, const Progress& progress, const CancelToken& cancel,
+/// What the headers of all files say, not in order. `all`: of all that a path holds.
+void addFiles(const FoundFiles& found, bool all, const Progress& progress, const CancelToken& cancel,
               Study& study) {
+  const std::vector<std::string>& files = found.files;
+  std::vector<dicom::LostFile> lost;
+  for (const UnreadableEntry& entry : found.unreadable) {
+    study.refused.push_back({entry.path, entry.reason + "."});
+    if (!entry.elsewhere) lost.push_back({{study.refused.back(), true, {}}, {}, {}});
+  }
   std::vector<LookedAt> looked = lookAtFiles(files, progress, cancel);
   std::vector<std::string> others;
   std::vector<dicom::Inspection> inspections;
@@ -147,11 +153,26 @@ void addFiles(const std::vector<std::string>& files, const Progress& progress, c
       inspections.push_back(std::move(looked[n].dicom));
     } else if (!looked[n].problem.empty()) {
       study.refused.push_back({files[n], reasonWithout(files[n], looked[n].problem)});
+      lost.push_back({{study.refused.back(), true, {}}, {}, {}, !looked[n].gzippedDicom});
     } else {
       std::move(looked[n].volumes.begin(), looked[n].volumes.end(), std::back_inserter(study.volumes));
     }
   }
-  if (!cancel.cancelled()) dicom::findSeries(others, inspections, study);
+  if (!cancel.cancelled()) dicom::findSeries(others, inspections, std::move(lost), all, study);
+}
+
+Result<Study> open(const FoundFiles& found, bool all, const Progress& progress, const CancelToken& cancel) {
+  Study study;
+  addFiles(found, all, progress, cancel, study);
+  if (cancel.cancelled()) return Error{"Interrupted."};
+  sortVolumes(study.volumes);
+  numberParts(study.volumes);
+  sortFiles(study.images);
+  numberParts(study.images);
+  sortFiles(study.references);
+  numberParts(study.references);
+  countNotHere(study);
+  return study;
 }
 
 }  // namespace
@@ -167,12 +188,8 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
     return Error{path + " is a session, not a volume: `volumen open` and `volumen render` take it."};
   const Result<FoundFiles> found = isIndexPath(path) ? indexedFiles(path) : filesOf(path, cancel);
   if (!found) return found.error();
-  Result<Study> study = openFiles(found->files, progress, cancel);
-  if (!study) return Error{path + ": interrupted."};
-  std::vector<Refused> refused;
-  for (const auto& [file, reason] : found->unreadable) refused.push_back({file, reason + "."});
-  study->refused.insert(study->refused.begin(), refused.begin(), refused.end());
-  return study;
+  Result<Study> study = open(*found, !isIndexPath(path), progress, cancel);
+  return study ? std::move(study) : Error{path + ": interrupted."};
 }
 
 Result<Study> openFolders(const std::string& path, const std::vector<std::string>& folders,
@@ -187,17 +204,7 @@ Result<Study> openFolders(const std::string& path, const std::vector<std::string
 
 Result<Study> openFiles(const std::vector<std::string>& files, const Progress& progress,
                         const CancelToken& cancel) {
-  Study study;
-  addFiles(files, progress, cancel, study);
-  if (cancel.cancelled()) return Error{"Interrupted."};
-  sortVolumes(study.volumes);
-  numberParts(study.volumes);
-  sortFiles(study.images);
-  numberParts(study.images);
-  sortFiles(study.references);
-  numberParts(study.references);
-  countNotHere(study);
-  return study;
+  return open({files, {}}, false, progress, cancel);
 }
 
 Result<Loaded> loadSeries(const Series& series, const Progress& progress, const CancelToken& cancel) {

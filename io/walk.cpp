@@ -36,6 +36,13 @@ std::vector<std::string> entries(const std::string& folder, std::error_code& err
   return paths;
 }
 
+/// Why nothing is known of an entry whose stat() failed.
+std::string reasonOf(const std::string& path, int error) {
+  std::error_code none;
+  const bool isLink = std::filesystem::is_symlink(path, none);
+  return isLink && error == ENOENT ? "it is a link to what is not there" : std::strerror(error);
+}
+
 /// Whether `path` is a link that leads out of `root`, which is canonical; `links`: which of them count.
 bool leadsOut(const std::string& path, const std::filesystem::path& root, Links links) {
   std::error_code error;
@@ -63,16 +70,19 @@ Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel,
     const std::string at = std::move(open.back());
     open.pop_back();
     if (at != path && leadsOut(at, root, links)) {
-      found.unreadable.emplace_back(at, "is a link out of the folder and is not followed");
+      const bool elsewhere = ::stat(at.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+      found.unreadable.push_back({at, "it is a link out of the folder and is not followed", elsewhere});
     } else if (::stat(at.c_str(), &status) != 0) {
-      found.unreadable.emplace_back(at, std::strerror(errno));
+      found.unreadable.push_back({at, reasonOf(at, errno)});
     } else if (S_ISREG(status.st_mode)) {
       if (visited.firstTime(status)) found.files.push_back(at);
     } else if (S_ISDIR(status.st_mode) && visited.firstTime(status)) {
       std::error_code error;
       const std::vector<std::string> inside = entries(at, error);
-      if (error) found.unreadable.emplace_back(at, error.message());
+      if (error) found.unreadable.push_back({at, error.message()});
       open.insert(open.end(), inside.rbegin(), inside.rend());
+    } else if (!S_ISDIR(status.st_mode)) {
+      found.unreadable.push_back({at, std::string("it is ") + kindOf(status)});
     }
   }
   return found;

@@ -46,30 +46,41 @@ bool isDirectoryFile(const std::string& path) {
   return std::search(head.begin(), head.end(), directoryClass.begin(), directoryClass.end()) != head.end();
 }
 
-std::vector<std::string> listedFiles(const DataSet& data) {
-  std::vector<std::string> listed;
+std::vector<ListedFile> listedFiles(const DataSet& data) {
+  std::vector<ListedFile> listed;
+  ListedFile at;  // records stand below each other in the order of writing
   for (const DataSet::Scope& record : data.items(directoryRecords, data.root())) {
-    std::string id;
+    const std::string type = data.text(0x00041430, record);
+    if (type == "PATIENT") at = {};
+    if (type == "STUDY") at = {{}, data.text(0x0020000d, record), {}};
+    if (type == "SERIES") at.seriesUid = data.text(0x0020000e, record);
+    at.isPicture = type == "IMAGE";
+    at.id.clear();
     for (const std::string& component : data.values(0x00041500, record))
-      id += (id.empty() ? "" : "/") + component;
-    if (!id.empty()) listed.push_back(id);
+      at.id += (at.id.empty() ? "" : "/") + component;
+    if (!at.id.empty()) listed.push_back(at);
   }
   return listed;
 }
 
-std::string directoryText(const std::string& path, const std::vector<std::string>& listed,
-                          const std::vector<std::string>& found) {
+std::vector<ListedFile> notFound(const std::string& path, const std::vector<ListedFile>& listed,
+                                 const std::vector<std::string>& found) {
   const std::string folder = path.substr(0, path.find_last_of('/') + 1);
   std::unordered_set<std::string> here;
   for (const std::string& file : found)
     if (file.starts_with(folder)) here.insert(comparable(file.substr(folder.size())));
-  std::size_t missing = 0, outside = 0;
-  for (const std::string& id : listed) {
-    if (!staysInside(id))
-      ++outside;
-    else if (!here.contains(comparable(id)))
-      ++missing;
-  }
+  std::vector<ListedFile> missing;
+  for (const ListedFile& file : listed)
+    if (!staysInside(file.id) || !here.contains(comparable(file.id))) missing.push_back(file);
+  return missing;
+}
+
+std::string directoryText(const std::string& path, const std::vector<ListedFile>& listed,
+                          const std::vector<std::string>& found) {
+  const std::vector<ListedFile> gone = notFound(path, listed, found);
+  const auto outside =
+      std::size_t(std::ranges::count_if(gone, [](const ListedFile& file) { return !staysInside(file.id); }));
+  const std::size_t missing = gone.size() - outside;
   std::string text = "DICOMDIR of " + counted(listed.size(), "file", "files");
   if (missing) text += ", " + counted(missing, "is not here", "are not here");
   if (outside) text += ", " + counted(outside, "leads", "lead") + " out of its folder";

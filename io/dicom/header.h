@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/dicom/data_set.h"
+#include "io/dicom/directory.h"
 #include "io/dicom/fragments.h"
 #include "io/dicom/scanned_file.h"
 #include "io/dicom/suv.h"
@@ -119,9 +120,9 @@ struct Inspection {
   std::string text;                    ///< noPicture: what it is; refused: why, a sentence
   FileHeader header;                   ///< picture; of others its identity and class, where known
   std::optional<Reference> reference;  ///< noPicture that refers to pictures
-  std::optional<std::vector<std::string>> listed = {};  ///< the files that a DICOMDIR names
-  std::optional<glm::dvec3> position = {};              ///< not picture: ImagePositionPatient, mm
-  bool again = false;                                   ///< refused, as Refused has it
+  std::optional<std::vector<ListedFile>> listed = {};  ///< the files that a DICOMDIR names
+  std::optional<glm::dvec3> position = {};             ///< not picture: ImagePositionPatient, mm
+  bool again = false;                                  ///< refused, as Refused has it
 };
 
 /// Reads a file up to its pixel data and says what it is. Never trusts it: this is the first of the two

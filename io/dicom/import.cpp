@@ -35,20 +35,39 @@ void keepPictures(std::vector<LostFile>& files, const std::vector<FileHeader>& p
   std::erase_if(files, [&](const LostFile& file) { return !classes.contains(file.sopClassUid); });
 }
 
+/// Adds the pictures that a DICOMDIR lists and that are not there.
+void addNotFound(const std::string& directory, const std::vector<ListedFile>& listed,
+                 const std::vector<std::string>& found, std::vector<LostFile>& lost) {
+  const std::string folder = directory.substr(0, directory.find_last_of('/') + 1);
+  for (const ListedFile& file : notFound(directory, listed, found)) {
+    if (!file.isPicture || file.seriesUid.empty()) continue;
+    LostFile missing;
+    missing.file.path = folder + file.id;
+    missing.file.reason = fileName(directory) + " lists it, and it is not there.";
+    missing.identity.studyUid = file.studyUid;
+    missing.identity.seriesUid = file.seriesUid;
+    lost.push_back(std::move(missing));
+  }
+}
+
 }  // namespace
 
-void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& inspections, Study& study) {
+void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& inspections,
+                std::vector<LostFile> lost, bool all, Study& study) {
   std::vector<FileHeader> pictures;
-  std::vector<LostFile> lost, withoutPixels;
+  std::vector<LostFile> withoutPixels;
   for (std::size_t n = 0; n < files.size(); ++n) {
     Inspection& i = inspections[n];
     switch (i.kind) {
       case Inspection::Kind::notDicom:
         study.other.push_back(
             {files[n], isZipArchive(files[n]) ? "zip archive: open it by itself" : "not an image"});
+        lost.push_back(
+            {{{files[n], "it is no image, but is named as the slices are."}, true, {}}, {}, {}, true});
         break;
       case Inspection::Kind::noPicture:
         study.other.push_back({files[n], i.listed ? directoryText(files[n], *i.listed, files) : i.text});
+        if (i.listed && all) addNotFound(files[n], *i.listed, files, lost);
         if (!i.reference && !i.listed)
           withoutPixels.push_back(
               {{{files[n], "it is a " + i.text + "."}, i.header.seriesUid.empty(), i.position},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/dicom/unread.h"
 #include "io/presentation.h"
 #include "viewer/slice/frame.h"
 
@@ -8,8 +9,10 @@ namespace volumen::dicom {
 struct Inspection;
 
 /// Sorts files by what each turned out to be into `study`: volumes and images (not in order, ids not
-/// numbered), refusals, and what is no picture.
-void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& inspections, Study& study);
+/// numbered), refusals, and what is no picture. `lost`: what else is known to be lost of series, or of those
+/// beside it. `all`: where these are all files that there are: what a DICOMDIR lists beyond them is lost.
+void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& inspections,
+                std::vector<LostFile> lost, bool all, Study& study);
 
 /// Decodes the slices of a DICOM series on all cores. A slice that cannot be decoded counts as missing and is
 /// named in a warning.

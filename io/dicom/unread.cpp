@@ -1,9 +1,11 @@
 #include "io/dicom/unread.h"
 
 #include <algorithm>
+#include <cctype>
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "io/archive.h"
 #include "io/regular_file.h"
 
 namespace volumen::dicom {
@@ -11,8 +13,48 @@ namespace {
 
 std::string folderOf(const std::string& path) { return path.substr(0, path.find_last_of('/') + 1); }
 
-bool isOf(const LostFile& lost, const Series& series, const std::set<std::string>& folders) {
-  if (lost.file.beside) return folders.contains(folderOf(lost.file.path));
+/// What the names of slices have in common: the name with "#" for each number in it.
+std::string patternOf(const std::string& name) {
+  std::string pattern;
+  for (const char c : name) {
+    const bool digit = std::isdigit(static_cast<unsigned char>(c));
+    if (!digit || !pattern.ends_with('#')) pattern += digit ? '#' : c;
+  }
+  return pattern;
+}
+
+/// Where the files of a series lie, and what they are called.
+class Neighbourhood {
+ public:
+  explicit Neighbourhood(const Series& series) {
+    for (const std::string& file : series.files) {
+      const std::string path = lastingPath(file), folder = folderOf(path);
+      folders_.insert(folder);
+      names_.insert(folder + patternOf(fileName(path)));
+      if (const std::string end = dicomSuffix(path); !end.empty()) names_.insert(folder + "/" + end);
+    }
+  }
+  bool holds(const std::string& file) const { return folders_.contains(folderOf(lastingPath(file))); }
+  bool namesAlike(const std::string& file) const {
+    if (!holds(file)) return false;
+    const std::string path = lastingPath(file), name = fileName(path), pattern = patternOf(name);
+    if (name.starts_with('.')) return false;  // what file systems and editors leave beside files
+    return (pattern != name && names_.contains(folderOf(path) + pattern)) ||
+           names_.contains(folderOf(path) + "/" + dicomSuffix(path));
+  }
+
+ private:
+  static std::string dicomSuffix(const std::string& path) {
+    std::string end = path.substr(path.size() - std::min<std::size_t>(path.size(), 4));
+    std::ranges::transform(end, end.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return end == ".dcm" || end == ".dic" || end == ".ima" ? end : std::string();
+  }
+  std::set<std::string> folders_, names_;  // no name begins with "/": those are endings
+};
+
+bool isOf(const LostFile& lost, const Series& series, const Neighbourhood& around) {
+  if (lost.ifNamedAlike) return around.namesAlike(lost.file.path);
+  if (lost.file.beside) return around.holds(lost.file.path);
   return lost.identity.seriesUid == series.seriesUid && lost.identity.studyUid == series.studyUid;
 }
 
@@ -74,10 +116,9 @@ std::string besideSentenceOf(const std::vector<const Unread*>& files, int interp
 
 void addUnread(const std::vector<LostFile>& lost, std::vector<Series>& volumes) {
   for (Series& series : volumes) {
-    std::set<std::string> folders;
-    for (const std::string& file : series.files) folders.insert(folderOf(file));
+    const Neighbourhood around(series);
     for (const LostFile& file : lost)
-      if (isOf(file, series, folders)) series.unread.push_back(file.file);
+      if (isOf(file, series, around)) series.unread.push_back(file.file);
     warnOfUnread(series.unread, series.regular, series.warnings);
   }
 }

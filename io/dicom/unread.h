@@ -9,10 +9,11 @@ struct LostFile {
   Unread file;
   SeriesIdentity identity;
   std::string sopClassUid;
+  bool ifNamedAlike = false;  ///< it counts only where it is named as the files of the series beside it are
 };
 
 /// Adds to each series what else is lost of it, and says all of that in its warnings: files whose header
-/// names it, and those beside its files whose header could not be read.
+/// names it, and those beside its files whose header could not be read, or which are named as these are.
 void addUnread(const std::vector<LostFile>& lost, std::vector<Series>& volumes);
 
 /// Says in the warnings of how slices lie (Stack) what could not be read: slices that were interpolated for

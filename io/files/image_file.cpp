@@ -56,14 +56,19 @@ std::optional<Reader> readerOf(const std::string& path) {
   return {};
 }
 
+bool holdsGzippedDicom(const std::string& path, const std::string& head) {
+  constexpr std::size_t enough = 132;
+  if (!head.starts_with("\x1f\x8b")) return false;
+  const auto inside = readDecompressedHead(path, enough);
+  return inside && isDicom(*inside);
+}
+
 // A format that is known and not read, and what to do: the rest of a sentence; empty where it is none.
 std::string unreadFormatOf(const std::string& path) {
   constexpr std::size_t enough = 132;
   const auto head = readHead(path, enough);
   if (!head || isDicom(*head)) return {};
-  if (head->starts_with("\x1f\x8b"))
-    if (const auto inside = readDecompressedHead(path, enough); inside && isDicom(*inside))
-      return "gzipped DICOM file, which volumen does not read; unpack it";
+  if (holdsGzippedDicom(path, *head)) return "gzipped DICOM file, which volumen does not read; unpack it";
   const std::string format = unreadFormat({*head, lowerCase(path)});
   return format.empty() ? format : format + " file, which volumen does not read; convert it to NIfTI or NRRD";
 }
@@ -137,6 +142,11 @@ Result<std::uint64_t> volumeNumber(const Series& series, const ImageHeader& head
 
 }  // namespace
 
+bool isGzippedDicom(const std::string& path) {
+  const auto head = readHead(path, 2);
+  return head && holdsGzippedDicom(path, *head);
+}
+
 bool looksLikeImageFile(const std::string& path) {
   return readerOf(path).has_value() || !unreadFormatOf(path).empty();
 }
@@ -168,8 +178,6 @@ Result<std::vector<Series>> readImageFileHeaders(const std::string& path) {
       all.back().bValue = name.bValue;
       all.back().label = name.label;
     }
-    all.back().warnings.push_back("This is volume " + std::to_string(n) + " of " + std::to_string(count) +
-                                  " in its file.");
   }
   return all;
 }

@@ -11,6 +11,9 @@ namespace volumen {
 /// those that are refused by name): by its first bytes, or by its name.
 bool looksLikeImageFile(const std::string& path);
 
+/// Whether that is a DICOM file in gzip, which is refused by name.
+bool isGzippedDicom(const std::string& path);
+
 /// The volumes that an image file holds; headers only. Several where it has more than three axes: their ids
 /// end in "#1", "#2" ..., and they are named by what varies: timePoint, bValue, label. The Error names the
 /// file and why there are none: damaged, cut off, a colour picture, data files outside its folder.

@@ -112,7 +112,8 @@ Copies copyStudies(const std::vector<ImportRoot>& roots, const std::string& mana
       return copies;
     }
     for (const FileOnDisk& file : below->files) paths.push_back(file.path());
-    copies.refused.insert(copies.refused.end(), below->unreadable.begin(), below->unreadable.end());
+    for (const UnreadableOnDisk& file : below->unreadable)
+      copies.refused.push_back({file.entry.path(), file.reason});
   }
   for (std::size_t n = 0; n < paths.size() && copies.status && !cancel.cancelled(); n += batchSize) {
     if (progress) progress("copying", n, paths.size());

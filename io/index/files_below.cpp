@@ -52,16 +52,19 @@ Result<FilesBelow> filesBelow(const ImportRoot& root, const CancelToken& cancel)
   Result<FoundFiles> found = findFiles(root.path, cancel, root.inside ? Links::inside : Links::files);
   if (!found) return found.error();
   FilesBelow below;
-  for (const auto& [path, reason] : found->unreadable) below.unreadable.push_back({path, reason + "."});
   RealFolders folders;
+  const auto onDisk = [&](const std::string& path) {
+    const std::size_t slash = path.find_last_of('/');
+    return FileOnDisk{folders.of(slash == 0 ? "/" : path.substr(0, slash)), path.substr(slash + 1), {}};
+  };
+  for (const auto& [path, reason, elsewhere] : found->unreadable)
+    below.unreadable.push_back({onDisk(path), reason + ".", elsewhere});
   for (const std::string& path : found->files) {
     struct stat s {};
     if (stat(path.c_str(), &s) != 0) continue;  // it has just gone
-    const std::size_t slash = path.find_last_of('/');
-    below.files.push_back({folders.of(slash == 0 ? "/" : path.substr(0, slash)),
-                           path.substr(slash + 1),
-                           {std::int64_t(s.st_size), nanoseconds(s.st_mtim), nanoseconds(s.st_ctim),
-                            std::int64_t(s.st_ino), std::int64_t(s.st_dev)}});
+    below.files.push_back(onDisk(path));
+    below.files.back().state = {std::int64_t(s.st_size), nanoseconds(s.st_mtim), nanoseconds(s.st_ctim),
+                                std::int64_t(s.st_ino), std::int64_t(s.st_dev)};
   }
   return below;
 }

@@ -17,10 +17,17 @@ struct ImportRoot {
 /// of its own: a zip archive, a session, a phantom.
 Result<ImportRoot> importRoot(const std::string& path);
 
+/// What could not be looked at, and why: a sentence.
+struct UnreadableOnDisk {
+  FileOnDisk entry;  ///< without state
+  std::string reason;
+  bool elsewhere = false;  ///< as UnreadableEntry has it
+};
+
 /// The files below a root as they are now, and what could not be looked at.
 struct FilesBelow {
   std::vector<FileOnDisk> files;  ///< sorted by folder and name
-  std::vector<Refused> unreadable;
+  std::vector<UnreadableOnDisk> unreadable;
 };
 
 /// Looks at every file below a root once, whatever links lead to it.

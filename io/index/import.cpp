@@ -48,11 +48,13 @@ Status Import::importBelow(const ImportRoot& root) {
   if (!below) return below.error();
   if (cancel_.cancelled()) return db_.takeStatus();
   report_.files += int(below->files.size());
-  report_.refused.insert(report_.refused.end(), below->unreadable.begin(), below->unreadable.end());
+  for (const UnreadableOnDisk& file : below->unreadable)
+    report_.refused.push_back({file.entry.path(), file.reason});
   const Compared compared = compare(below->files);
   if (Status written = writeCompared(compared); !written) return written;
   if (Status read = readNew(compared.toRead); !read) return read;
   if (cancel_.cancelled()) return {};
+  if (Status written = writeUnreadable(*below); !written) return written;
   return writeGone();
 }
 
@@ -171,12 +173,26 @@ void Import::count(const ReadFiles& read) {
   report_.refused.insert(report_.refused.end(), read.refused.begin(), read.refused.end());
 }
 
+/// What beside files could not even be looked at, as long as it is there.
+Status Import::writeUnreadable(const FilesBelow& below) {
+  db_.begin();
+  for (const auto& [entry, reason, elsewhere] : below.unreadable) {
+    if (elsewhere) continue;
+    const auto known = known_.find(entry.path());
+    if (known == known_.end() || known->second.reason.empty()) writer_.writeOther(entry, reason);
+    if (known != known_.end()) known->second.seen = true;
+  }
+  writer_.finish();
+  return db_.commit();
+}
+
 /// Takes out the files that are no longer in their folder. Where the folder itself is not there, a disk may
 /// have been removed: its files stay, offline.
 Status Import::writeGone() {
   db_.begin();
   for (const auto& [path, known] : known_) {
-    if (known.seen || exists(path) || !isOnline(known.folder, known.folderDevice)) continue;
+    const bool stays = known.reason.empty() && exists(path);  // what was refused may be a folder by now
+    if (known.seen || stays || !isOnline(known.folder, known.folderDevice)) continue;
     writer_.remove(known.id);
     if (known.series && !known.forgotten) ++report_.gone;
   }

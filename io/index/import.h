@@ -46,6 +46,7 @@ class Import {
   Status readNew(const std::vector<FileOnDisk>& files);
   Status readBatch(const std::vector<FileOnDisk>& files, std::size_t done, std::size_t total);
   void count(const ReadFiles& read);
+  Status writeUnreadable(const FilesBelow& below);
   Status writeGone();
   Status readStale();
   std::vector<FileOnDisk> filesOf(std::int64_t series);

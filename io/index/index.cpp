@@ -159,6 +159,12 @@ Result<std::vector<std::string>> Index::files(std::int64_t study, std::int64_t s
   return found;
 }
 
+Result<std::vector<std::string>> Index::refusedBeside(std::int64_t study, std::int64_t series) const {
+  std::vector<std::string> found = findRefusedBeside(*p_->db, study, series);
+  if (Status read = p_->db->takeStatus(); !read) return read.error();
+  return found;
+}
+
 Result<Thumbnail> Index::thumbnail(std::int64_t series) {
   if (!p_->thumbnails) {
     Result<OpenedDatabase> opened = openThumbnailDatabase(p_->folder);

@@ -88,6 +88,8 @@ class Index {
   Result<std::vector<IndexedSeries>> series(std::int64_t study) const;
   /// The files of a study, or of one of its series (0: all), that `openFiles` opens.
   Result<std::vector<std::string>> files(std::int64_t study, std::int64_t series = 0) const;
+  /// What beside them could not be read: it may be of them (Series::unread), and `openFiles` says so.
+  Result<std::vector<std::string>> refusedBeside(std::int64_t study, std::int64_t series = 0) const;
   /// Of the middle slice of a series by its window; made on first demand and kept.
   Result<Thumbnail> thumbnail(std::int64_t series);
 

@@ -77,7 +77,11 @@ Result<std::vector<std::string>> filesOf(const std::string& named) {
     if (!found) return found.error();
     series = *found;
   }
-  return index->files(study->id, series);
+  Result<std::vector<std::string>> files = index->files(study->id, series);
+  const Result<std::vector<std::string>> refused = index->refusedBeside(study->id, series);
+  if (!refused) return refused.error();
+  if (files) files->insert(files->end(), refused->begin(), refused->end());
+  return files;
 }
 
 }  // namespace

@@ -39,6 +39,17 @@ std::vector<std::string> unnamed(const std::vector<std::string>& paths, const St
   return rest;
 }
 
+/// What was refused, and what else is lost of series or may be: it is told with them as long as it is there.
+std::vector<Refused> refusedOf(const Study& study) {
+  std::vector<Refused> all = study.refused;
+  std::unordered_set<std::string> known;
+  for (const Refused& file : all) known.insert(file.path);
+  for (const Series& volume : study.volumes)
+    for (const Unread& file : volume.unread)
+      if (known.insert(file.path).second) all.push_back(file);
+  return all;
+}
+
 }  // namespace
 
 Result<ReadFiles> readFiles(const std::vector<std::string>& paths, const Progress& progress,
@@ -63,7 +74,7 @@ Result<ReadFiles> readFiles(const std::vector<std::string>& paths, const Progres
     const FurtherIdentity further = s.isDicom ? furtherIdentity(s.files[0].path) : FurtherIdentity{};
     read.series.push_back({std::move(s), further});
   }
-  read.refused = std::move(study->refused);
+  read.refused = refusedOf(*study);
   return read;
 }
 

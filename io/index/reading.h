@@ -35,7 +35,7 @@ struct ReadSeries : FoundSeries {
 /// What files hold, in the words of the index.
 struct ReadFiles {
   std::vector<ReadSeries> series;
-  std::vector<Refused> refused;
+  std::vector<Refused> refused;  ///< also what is lost of series without being refused (Series::unread)
 };
 
 /// Opens files as openFiles does. An Error only where it was cancelled.

@@ -118,7 +118,6 @@ void Writer::writeFile(const FileOnDisk& file, std::int64_t series, const FoundF
       found.frames);
 }
 
-/// A file that is in no series: refused, with its reason, or no image.
 void Writer::writeOther(const FileOnDisk& file, const std::string& reason) {
   const std::int64_t folder = folderId(file.folder);
   const bool known = db_.number("SELECT COUNT(*) FROM file WHERE folder_id = ? AND name = ? AND reason = ?",

@@ -16,6 +16,8 @@ class Writer {
 
   /// Everything of a batch of files. A series that has more files than these is marked to be read as a whole.
   void write(const std::vector<FileOnDisk>& files, const ReadFiles& read);
+  /// A file that is in no series: refused, with its reason, or no image.
+  void writeOther(const FileOnDisk& file, const std::string& reason);
   /// A file is at another place now; what is known of it stays.
   void move(std::int64_t file, const FileOnDisk& to);
   /// A file is no longer there.
@@ -31,7 +33,6 @@ class Writer {
   std::int64_t knownSeries(const FileOnDisk& file);
   void writeSeries(const ReadSeries& series, const std::map<std::string, const FileOnDisk*>& onDisk);
   void writeFile(const FileOnDisk& file, std::int64_t series, const FoundFile& found, int position);
-  void writeOther(const FileOnDisk& file, const std::string& reason);
   /// The series of a folder are read anew: what is told of them may name its files.
   void tellAnew(std::int64_t folder);
   void lose(std::int64_t series);

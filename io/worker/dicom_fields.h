@@ -51,6 +51,8 @@ inline void fields(Wire& w, dicom::FileHeader& h) {
   w(h.pet);
 }
 
+inline void fields(Wire& w, dicom::ListedFile& f) { w(f.id, f.studyUid, f.seriesUid, f.isPicture); }
+
 inline void fields(Wire& w, dicom::Inspection& i) {
   w(i.kind, i.text, i.reference, i.listed);
   if (i.kind == dicom::Inspection::Kind::picture) return w(i.header);

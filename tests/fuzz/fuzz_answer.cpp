@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (!answer.ok()) return 0;
   for (std::size_t n = 0; n < paths.size(); ++n) dicom::checkInspection(paths[n], said[n]);
   Study study;
-  dicom::findSeries(paths, said, study);
+  dicom::findSeries(paths, said, {}, true, study);
   constexpr std::int64_t mostVoxels = 1 << 20;
   for (const Series& series : study.volumes)
     if (series.acquired.voxelCount() <= mostVoxels) (void)loadSeries(series);

@@ -93,8 +93,11 @@ void IndexService::series(std::int64_t study) {
 void IndexService::open(const IndexedChoice& choice, OpenHow how) {
   start(queries_, [this, choice, how](Index& index) {
     if (closing_) return;
-    const Result<std::vector<std::string>> files = index.files(choice.study);
+    Result<std::vector<std::string>> files = index.files(choice.study);
     if (!files) return failWith(files.message());
+    const Result<std::vector<std::string>> refused = index.refusedBeside(choice.study);
+    if (!refused) return failWith(refused.message());
+    files->insert(files->end(), refused->begin(), refused->end());
     OpenIntent intent;
     intent.how = how;
     if (choice.series != 0) {

@@ -130,7 +130,7 @@ void TestDirectory::linksOutAreNotFollowed() {
   QCOMPARE(study->volumes.size(), std::size_t(1));
   QCOMPARE(study->volumes[0].files.size(), std::size_t(1));
   QCOMPARE(study->other.at(0).kind, std::string("DICOMDIR of 2 files, 1 is not here"));
-  QCOMPARE(study->refused.at(0).reason, std::string("is a link out of the folder and is not followed."));
+  QCOMPARE(study->refused.at(0).reason, std::string("it is a link out of the folder and is not followed."));
 }
 
 void TestDirectory::realOnesOpenTheirFolder_data() {
