@@ -200,10 +200,16 @@ Status checkMemory(const Series& series, std::size_t slices, std::uint64_t slice
                " GiB, more than this machine has."};
 }
 
-// Each slice may have windows of its own: those of the one that is looked at first, the middle.
+// Each slice may have windows of its own, one of them far off: those of the slice whose first is the median.
 std::vector<Window> windowsOf(const std::vector<Incoming>& slices) {
-  const std::vector<Window>& middle = slices[slices.size() / 2].placed.slice.windows;
-  return middle.empty() ? slices[0].placed.slice.windows : middle;
+  std::vector<const std::vector<Window>*> all;
+  for (const Incoming& in : slices)
+    if (!in.placed.slice.windows.empty()) all.push_back(&in.placed.slice.windows);
+  if (all.empty()) return {};
+  std::ranges::stable_sort(all, {}, [](const std::vector<Window>* windows) {
+    return std::pair(windows->front().width, windows->front().centre);
+  });
+  return *all[all.size() / 2];
 }
 
 VolumeAttributes attributesOf(const Series& series, const std::vector<Incoming>& slices) {

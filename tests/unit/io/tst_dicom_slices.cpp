@@ -16,6 +16,8 @@ class TestDicomSlices : public QObject {
  private Q_SLOTS:
   void differentRescaleBecomesFloat();
   void paddingAndWindowsAreKept();
+  void windowsAreThoseOfTheMedianSlice_data();
+  void windowsAreThoseOfTheMedianSlice();
   void framesOfAnEnhancedPictureAreSlices();
   void framesOfADoseAreSlices();
   void framesWithoutPlaceAreAnImage();
@@ -61,6 +63,42 @@ void TestDicomSlices::paddingAndWindowsAreKept() {
   QVERIFY(a.windows == (std::vector<Window>{{40, 400}, {300, 1500}}));
   QCOMPARE(a.modality, std::string("CT"));
   QCOMPARE(loaded->acquired->value(0, 0, 0), -1014.f);
+}
+
+void TestDicomSlices::windowsAreThoseOfTheMedianSlice_data() {
+  QTest::addColumn<QStringList>("windows");  // width and centre of each slice
+  QTest::addColumn<double>("width");
+  QTest::addColumn<double>("centre");
+  const auto row = [](const char* name, const char* windows, double width, double centre) {
+    QTest::newRow(name) << QString::fromLatin1(windows).split(QLatin1Char(' ')) << width << centre;
+  };
+  row("the middle one is odd", "307/153 307/153 6020/3010 307/153 307/153", 307, 153);
+  row("each its own", "98/38 400/200 1164/588 300/150 200/90", 300, 150);
+  row("one width", "400/40 400/60 400/50", 400, 50);
+  row("the first ones have none", "- - 300/100", 300, 100);
+  row("none has", "- - -", 0, 0);
+}
+
+void TestDicomSlices::windowsAreThoseOfTheMedianSlice() {
+  QFETCH(QStringList, windows);
+  QFETCH(double, width);
+  QFETCH(double, centre);
+  const DicomFolder folder;
+  for (int n = 0; n < windows.size(); ++n) {
+    DicomPicture p = sliceAt(n, 10);
+    const QByteArray both = windows[n].toLatin1();
+    p.isSigned = true;
+    p.edit = [both](DcmDataset& data) {
+      if (both == "-") return;
+      data.putAndInsertString(DCM_WindowWidth, both.left(both.indexOf('/')).constData());
+      data.putAndInsertString(DCM_WindowCenter, both.mid(both.indexOf('/') + 1).constData());
+    };
+    folder.add(numbered("s", n), p);
+  }
+  const auto loaded = loadSeries(folder.open().volumes.at(0));
+  QVERIFY(loaded.ok());
+  const std::vector<Window>& found = loaded->acquired->attributes().windows;
+  QVERIFY(found == (width > 0 ? std::vector<Window>{{centre, width}} : std::vector<Window>{}));
 }
 
 void TestDicomSlices::framesOfAnEnhancedPictureAreSlices() {
