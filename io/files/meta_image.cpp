@@ -84,9 +84,15 @@ Status setMetaGeometry(const MetaHeader& header, const std::vector<std::uint64_t
   auto offset = numbers(header, {"Offset", "Position", "Origin"}, axes, path);
   if (!offset) return offset.error();
   if (!*spacing) return setNominalGeometry(image, sizes, path);
+  // As ITK writes of pictures of two axes: their directions are those of no patient.
+  const bool saysUnknown = header.field({"AnatomicalOrientation"}).find('?') != std::string::npos;
   if (!*matrix)
     image.warnings.push_back(
         {"The header gives no directions: its axes are taken as left, posterior, superior.",
+         WarningKind::noDirections});
+  else if (saysUnknown)
+    image.warnings.push_back(
+        {"Its AnatomicalOrientation is not known: its space is taken as left, posterior, superior.",
          WarningKind::noDirections});
   const std::string unit = header.field({"DistanceUnits"});
   const double mm = unit == "um" ? 1e-3 : unit == "cm" ? 10 : 1;
