@@ -27,6 +27,8 @@ struct SeriesIdentity {
   std::string bodyPart, laterality;  ///< as in the file: "BREAST", "L"
   std::string viewPosition;          ///< of projections, as in the file: "MLO", "PA"
   std::string frameOfReferenceUid;   ///< positions of one frame of reference are comparable; empty: not given
+  std::optional<std::string> lossyRatio;  ///< of pictures with losses by compression, as in the file: "20",
+                                          ///< empty where it is not given; none: they have none
   bool operator==(const SeriesIdentity&) const = default;
 };
 

@@ -97,6 +97,11 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   if (header.laterality.empty()) header.laterality = text(0x00200060);
   header.viewPosition = text(0x00185101);
   header.frameOfReferenceUid = text(0x00200052);
+  // JPEG with losses is that, whatever the attribute says.
+  const std::string& syntax = header.syntax.uid;
+  const bool isLossyJpeg =
+      syntax.size() == 22 && syntax.starts_with("1.2.840.10008.1.2.4.5") && syntax[21] < '7';
+  if (isLossyJpeg || text(0x00282110) == "01") header.lossyRatio = text(0x00282112);
   header.time = dateOrTime(text(0x00080032));
   if (header.time.empty()) header.time = dateOrTime(text(0x00080031));
 }

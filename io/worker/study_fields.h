@@ -14,7 +14,7 @@ inline constexpr ReferenceKind lastOf<ReferenceKind> = ReferenceKind::segmentati
 inline void fields(Wire& w, SeriesIdentity& s) {
   w(s.patientName, s.patientId, s.patientIdIssuer, s.patientBirthDate, s.patientSex, s.patientAge, s.studyUid,
     s.studyDate, s.studyTime, s.studyId, s.accessionNumber, s.studyDescription, s.seriesUid, s.seriesNumber,
-    s.modality, s.description, s.bodyPart, s.laterality, s.viewPosition, s.frameOfReferenceUid);
+    s.modality, s.description, s.bodyPart, s.laterality, s.viewPosition, s.frameOfReferenceUid, s.lossyRatio);
 }
 inline void fields(Wire& w, Cine& c) { w(c.framesPerSecond, c.frameTimesMs, c.backAndForth); }
 inline void fields(Wire& w, ReferencedPicture& p) { w(p.sopInstanceUid, p.seriesUid, p.frames, p.segments); }

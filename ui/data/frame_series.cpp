@@ -41,6 +41,7 @@ void addFrames(Series& series, const Image& image) {
   if (!series.files.empty()) series.path = folderOfBoth(series.path, fs::path(image.path).parent_path());
   // How one clip is played says nothing of several.
   if (!series.files.empty()) series.cine.frameTimesMs.clear();
+  if (!series.lossyRatio) series.lossyRatio = image.lossyRatio;
   for (int frame = 0; frame < image.frames; ++frame) {
     series.files.push_back(image.path);
     series.frames.push_back(frame);

@@ -19,6 +19,7 @@ class TestSeriesFacts : public QObject {
  private Q_SLOTS:
   void whatTellsSeriesApartIsRead_data();
   void whatTellsSeriesApartIsRead();
+  void lossesByCompressionAreRead();
   void attributesAreListedInFileOrder();
   void everyAttributeIsListed_data();
   void everyAttributeIsListed();
@@ -94,6 +95,31 @@ void TestSeriesFacts::whatTellsSeriesApartIsRead() {
   const Study study = folder.open();
   QCOMPARE(study.volumes.size(), std::size_t(1));
   QCOMPARE(QString::fromStdString(study.volumes[0].*field), value);
+}
+
+// Of a volume, one of whose slices has them, and of frames.
+void TestSeriesFacts::lossesByCompressionAreRead() {
+  const DicomFolder folder;
+  for (int n = 0; n < 3; ++n) {
+    DicomPicture picture = sliceAt(n, n);
+    if (n == 1)
+      picture.edit = [](DcmDataset& d) {
+        d.putAndInsertString(DCM_LossyImageCompression, "01");
+        d.putAndInsertString(DCM_LossyImageCompressionRatio, "20\\10");
+      };
+    folder.add(numbered("s", n), picture);
+  }
+  QCOMPARE(folder.open().volumes.at(0).lossyRatio, std::optional<std::string>("20\\10"));
+  const DicomFolder others;
+  DicomPicture none = sliceAt(0, 1);
+  none.edit = [](DcmDataset& d) { d.putAndInsertString(DCM_LossyImageCompression, "00"); };
+  others.add("none", none);
+  QVERIFY(!others.open().volumes.at(0).lossyRatio);
+  const std::string jpeg = dataPath("dicom-2d/xa-96frames.dcm");
+  NEED_DATA(jpeg);
+  const Result<Study> study = openStudy(jpeg);
+  QVERIFY(study.ok() && study->images.size() == 1);
+  QVERIFY2(study->images[0].lossyRatio, "its transfer syntax says it");
 }
 
 void TestSeriesFacts::attributesAreListedInFileOrder() {
