@@ -122,7 +122,7 @@ void TestFlatControls::theWindowIsTyped() {
   QTest::keyClicks(centre, QStringLiteral("-12,5"));
   QTest::keyClick(centre, Qt::Key_Return);
   QVERIFY(w.flatWindowSet() == (Window{-12.5, 350}));
-  QCOMPARE(w.view()->overlays().bottomRight, QStringLiteral("W 350 L -12.5"));
+  QCOMPARE(w.view()->overlays().bottomRight, QStringLiteral("W 350.0 L -12.5"));
   QCOMPARE(w.steps(), before + 1);
   QVERIFY(!width->isVisible());
   w.undo();

@@ -3,6 +3,7 @@
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/views/overlays.h"
+#include "ui/views/readable_text.h"
 #include "ui/views/view_overlays.h"
 #include "ui/widgets/tissues.h"
 
@@ -36,6 +37,8 @@ class TestOverlays : public QObject {
   void nothingTouchesAnythingElse_data();
   void nothingTouchesAnythingElse();
   void allOfItFindsRoomInAUsualView();
+  void lettersAndHaloHaveOneOrder_data();
+  void lettersAndHaloHaveOneOrder();
   void textIsReadableOnAnything_data();
   void textIsReadableOnAnything();
   void tissuesAreNamedWhereTheyAre_data();
@@ -45,14 +48,16 @@ class TestOverlays : public QObject {
 void TestOverlays::noLettersWhereSidesAreNotKnown() {
   const ShownSeriesPtr known = tests::ballSeries();
   auto unknown = std::make_shared<ShownSeries>(*known);
-  unknown->warnings = {{"Of a transducer.", WarningKind::noDirections}};
+  unknown->series.warnings = {{"Of a transducer.", WarningKind::noDirections}};
   const Camera camera;
   QVERIFY(!viewOverlays(*known, camera, {100, 100}).left.isEmpty());
   const Overlays o = viewOverlays(*unknown, camera, {100, 100});
   QCOMPARE(o.left + o.right + o.top + o.bottom, QString());
+  QCOMPARE(viewOverlays(*known, camera, {100, 100}).topRight.size(), 1);
+  QCOMPARE(o.topRight, QStringList());
   QVERIFY(o.mmPerPixel > 0);
-  QCOMPARE(placeText(*known, {12, 3.5, 100}), QStringLiteral("L 12.0, P 3.5, S 100.0 mm"));
-  QCOMPARE(placeText(*unknown, {12, 3.5, -100}), QStringLiteral("x 12.0, y 3.5, z -100.0 mm"));
+  QCOMPARE(placeText(known->series, {12, 3.5, 100}), QStringLiteral("L 12.0, P 3.5, S 100.0 mm"));
+  QCOMPARE(placeText(unknown->series, {12, 3.5, -100}), QStringLiteral("x 12.0, y 3.5, z -100.0 mm"));
 }
 
 void TestOverlays::nothingTouchesAnythingElse_data() {
@@ -93,6 +98,42 @@ void TestOverlays::allOfItFindsRoomInAUsualView() {
     QVERIFY2(!text.text.contains(QChar(0x2026)), qPrintable(text.text));
   QVERIFY(!placed.scaleBar.isEmpty());
   QCOMPARE(placed.scaleBarMm, 100.0);
+}
+
+// What is bright of Hebrew beside Latin letters on white is inside what is dark: one order for both.
+void TestOverlays::lettersAndHaloHaveOneOrder_data() {
+  QTest::addColumn<QString>("text");
+  QTest::newRow("Latin") << QStringLiteral("Doe, Jane (12345)");
+  QTest::newRow("Hebrew") << QString::fromUtf8(
+      "\u05e9\u05e8\u05d5\u05df, \u05d3\u05d1\u05d5\u05e8\u05d4 (SCSHBRW)");
+  QTest::newRow("Arabic") << QString::fromUtf8(
+      "\u0642\u0628\u0627\u0646\u064a, \u0644\u0646\u0632\u0627\u0631 (SCSARAB)");
+}
+
+void TestOverlays::lettersAndHaloHaveOneOrder() {
+  QFETCH(QString, text);
+  const auto drawn = [&](const QColor& ground, Qt::LayoutDirection direction) {
+    QImage image(300, 40, QImage::Format_RGB32);
+    image.fill(ground);
+    QPainter painter(&image);
+    painter.setLayoutDirection(direction);
+    paintReadable(painter, {20, 10}, text, Qt::white);
+    painter.end();
+    return image;
+  };
+  const QImage white = drawn(Qt::white, Qt::LeftToRight), black = drawn(Qt::black, Qt::LeftToRight);
+  QCOMPARE(drawn(Qt::white, Qt::RightToLeft), white);
+  int letters = 0;
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 300; ++x) {
+      if (qGray(black.pixel(x, y)) < 250) continue;
+      ++letters;
+      int darkest = 255;  // of the ground near by
+      for (int dy = -2; dy <= 2; ++dy)
+        for (int dx = -2; dx <= 2; ++dx) darkest = std::min(darkest, qGray(white.pixel(x + dx, y + dy)));
+      QVERIFY2(darkest < 110, qPrintable(QStringLiteral("%1, %2: %3").arg(x).arg(y).arg(darkest)));
+    }
+  QVERIFY(letters > 40);
 }
 
 void TestOverlays::textIsReadableOnAnything_data() {

@@ -1,6 +1,7 @@
 // Guards slices.md 4 in the window: numbers of PET are SUVbw where that can be had, in the status line,
 // regions, windows and panels, by real mouse and key events; what is stored stays in the units of the file.
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -154,7 +155,7 @@ void TestPetValues::framesAreSuv() {
   w.drawRegion();
   QTRY_VERIFY_WITH_TIMEOUT(w.listed().contains(QStringLiteral("Mean 0.584, SD 0 SUVbw")), longest);
   QTest::keyClick(w.view(), Qt::Key_1 + int(greyChoices(*w.view()->frame()).size()) - 5);
-  QCOMPARE(w.corner(), QStringLiteral("W 5 L 2.5 SUVbw"));
+  QCOMPARE(w.corner(), QStringLiteral("W 5.0 L 2.5 SUVbw"));
 }
 
 void TestPetValues::windowsAreSuv() {
@@ -168,7 +169,8 @@ void TestPetValues::windowsAreSuv() {
     // Inverted as PET is.
     QVERIFY(std::abs(w.windowSet()->width * bqFactor + most) < 1e-9);
     QVERIFY(std::abs(w.windowSet()->centre * bqFactor - most / 2) < 1e-9);
-    QCOMPARE(w.corner(), QStringLiteral("W %1 L %2 SUVbw").arg(most).arg(most / 2));
+    QCOMPARE(w.corner(),
+             QStringLiteral("W %1 L %2 SUVbw").arg(most, 0, 'f', most == 10 ? 0 : 1).arg(most / 2));
   }
   // Typed where the numbers stand.
   const Overlays over = w.view()->overlays();
@@ -186,8 +188,8 @@ void TestPetValues::windowsAreSuv() {
   QVERIFY(std::abs(w.windowSet()->width * bqFactor + 8) < 1e-9);
   QCOMPARE(w.corner(), QStringLiteral("W 8 L 4 SUVbw"));
   w.choose("file");
-  QCOMPARE(w.corner(),
-           QStringLiteral("W %1 L %2 Bq/ml").arg(8 / bqFactor, 0, 'g', 4).arg(4 / bqFactor, 0, 'g', 4));
+  const auto inFile = windowNumbers({4 / bqFactor, 8 / bqFactor});
+  QCOMPARE(w.corner(), QStringLiteral("W %1 L %2 Bq/ml").arg(inFile.first, inFile.second));
 }
 
 void TestPetValues::whyThereIsNoSuv() {
@@ -233,6 +235,9 @@ void TestPetValues::panelsAreSuv() {
   w.session().edit(QStringLiteral("test"), [](Scene& s) { s.mode = Mode::mip, s.window = Window{400, 800}; });
   auto *centre = w.child<QDoubleSpinBox>("windowCentre"), *width = w.child<QDoubleSpinBox>("windowWidth");
   QCOMPARE(width->value(), 4.0);
+  QCOMPARE(w.child<QComboBox>("windowChoice")->placeholderText(), QStringLiteral("as set"));
+  w.session().choosePreset(QStringLiteral("test"), "test", w.session().scene());
+  QCOMPARE(w.child<QComboBox>("windowChoice")->placeholderText(), QStringLiteral("of the preset"));
   QCOMPARE(centre->text(),
            centre->locale().toString(2.0, 'f', centre->decimals()) + QStringLiteral(" SUVbw"));
   w.session().prefer([](Preferences& p) { p.petUnit = PetUnit::suvLeanBodyMass; });

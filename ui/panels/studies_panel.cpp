@@ -101,6 +101,17 @@ StudiesPanel::StudiesPanel(QWidget* parent)
   connect(&thumbnails_, &Thumbnails::made, this, &StudiesPanel::setThumbnail);
 }
 
+int StudiesPanel::fittingWidth() const {
+  constexpr int levels = 3;   // patient, study, series
+  constexpr int around = 24;  // the gaps beside picture and text, the frame
+  QFont bold = tree_->font();
+  bold.setBold(true);
+  const int text =
+      QFontMetrics(bold).horizontalAdvance(tr("%1 slices").arg(138) + QStringLiteral(", ") + tr("sagittal"));
+  const QMargins margins = layout()->contentsMargins();
+  return margins.left() + margins.right() + levels * tree_->indentation() + thumbnailEdge + around + text;
+}
+
 const Series* StudiesPanel::Opened::seriesAt(std::size_t n) const {
   const std::size_t volumes = study->volumes.size();
   if (n < volumes) return &study->volumes[n];

@@ -26,6 +26,8 @@ class StudiesPanel : public QWidget {
  public:
   explicit StudiesPanel(QWidget* parent = nullptr);
 
+  /// Wide enough for how many slices a series has, and in which plane.
+  int fittingWidth() const;
   /// Adds what a path holds, instead of what it held when it was opened before.
   void addStudy(const QString& path, const std::shared_ptr<const Study>& study);
   /// What was added by this path; null: nothing that is in the list.

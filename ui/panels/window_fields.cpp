@@ -56,7 +56,9 @@ WindowFields::WindowFields(Session& session, QWidget* parent)
   });
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series) fillChoices();
-    if (before.series != after.series || before.scene.window != after.scene.window) showWindow();
+    if (before.series != after.series || before.scene.window != after.scene.window ||
+        before.preset != after.preset)
+      showWindow();
   });
   connect(&session_, &Session::preferencesChanged, this,
           [this](const Preferences& before, const Preferences& after) {
@@ -105,7 +107,8 @@ void WindowFields::showWindow() {
   const auto found = std::find_if(choices.begin(), choices.end(),
                                   [&](const NamedWindow& choice) { return choice.window == own; });
   choices_->setCurrentIndex(found == choices.end() ? -1 : int(found - choices.begin()));
-  choices_->setPlaceholderText(tr("as set"));
+  const auto& preset = session_.state().preset;
+  choices_->setPlaceholderText(preset && preset->scene.window == own ? tr("of the preset") : tr("as set"));
 }
 
 void WindowFields::setWindow(const std::optional<Window>& window) {

@@ -1,7 +1,9 @@
 #include "ui/views/colour_bar.h"
 
-#include <QPainterPath>
 #include <cmath>
+
+#include "ui/views/readable_text.h"
+#include "ui/workspace/value_text.h"
 
 namespace volumen {
 
@@ -15,14 +17,13 @@ void paintColourBar(QPainter& painter, const QRectF& area, ColourMap map, const 
   for (int row = 0; row < int(high); ++row)
     painter.fillRect(QRectF(bar.x(), bar.y() + row, wide, 1),
                      QColor::fromRgb(colours[std::size_t(255.0 * (1 - row / (high - 1)))]));
-  const auto end = [&](double value, double y) {
-    QPainterPath text;
-    text.addText(bar.right() + beside, y, painter.font(), QString::number(value, 'g', 4) + unit);
-    painter.strokePath(text, QPen(Qt::black, 3));
-    painter.fillPath(text, Qt::white);
+  const QFontMetricsF metrics(painter.font());
+  const auto end = [&](double value, double baseline) {
+    paintReadable(painter, {bar.right() + beside, baseline - metrics.ascent()},
+                  windowNumbers({value, window.width}).second + unit, Qt::white);
   };
   const double half = std::abs(window.width) / 2;
-  end(window.centre + (window.width < 0 ? -half : half), bar.top() + painter.fontMetrics().ascent() - 2);
+  end(window.centre + (window.width < 0 ? -half : half), bar.top() + metrics.ascent() - 2);
   end(window.centre - (window.width < 0 ? -half : half), bar.bottom());
 }
 

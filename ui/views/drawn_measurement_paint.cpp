@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/views/drawn_measurement.h"
+#include "ui/views/readable_text.h"
 
 namespace volumen {
 
@@ -100,14 +101,10 @@ void paintLeaders(QPainter& painter, const DrawnMeasurement& d) {
 void paintText(QPainter& painter, const DrawnMeasurement& d) {
   if (d.textRect.isEmpty()) return;
   const QFontMetricsF metrics(painter.font());
-  QPointF baseline(d.textRect.left() + 2, d.textRect.top() + 2 + metrics.ascent());
+  QPointF place = d.textRect.topLeft() + QPointF(2, 2);
   for (const QString& line : d.text) {
-    QPainterPath path;
-    path.addText(baseline, painter.font(), line);
-    painter.strokePath(path, QPen(QColor(0, 0, 0, 230), 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.setPen(colourOf(d));
-    painter.drawText(baseline, line);
-    baseline.ry() += metrics.height();
+    paintReadable(painter, place, line, colourOf(d));
+    place.ry() += metrics.height();
   }
 }
 

@@ -1,8 +1,9 @@
 #include "ui/views/overlays.h"
 
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+
+#include "ui/views/readable_text.h"
 
 namespace volumen {
 
@@ -105,15 +106,11 @@ class Placer {
   std::vector<QRectF> taken_;
 };
 
-// A dark rim around it makes it readable on bone as on black.
 void paintText(QPainter& painter, const PlacedText& placed) {
-  QPainterPath path;
-  const QFontMetricsF metrics(painter.font());
-  const QPointF baseline(placed.rect.left(), placed.rect.top() + metrics.ascent());
-  path.addText(baseline, painter.font(), placed.text);
-  painter.strokePath(path, QPen(rimColour, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setPen(placed.late ? lateColour : placed.warning ? warningColour : textColour);
-  painter.drawText(baseline, placed.text);
+  paintReadable(painter, placed.rect.topLeft(), placed.text,
+                placed.late      ? lateColour
+                : placed.warning ? warningColour
+                                 : textColour);
 }
 
 void paintScaleBar(QPainter& painter, const PlacedOverlays& placed, double mmPerPixel) {

@@ -8,6 +8,7 @@
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/frame_text.h"
 #include "ui/workspace/presented_frame.h"
+#include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -116,7 +117,8 @@ QString SliceView::frameHoverText(QPointF position) const {
   const VoxelGeometry& geometry = frame_->geometry();
   const glm::ivec2 pixel(glm::floor(glm::dvec2(geometry.voxelFromPatient(p)) + 0.5));
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= geometry.size.x || pixel.y >= geometry.size.y) return {};
-  const QString place = geometry.calibrated ? placeText(p) : pixelPlaceText(*frame_, pixel);
+  const QString place =
+      geometry.calibrated ? placeText(*seriesState().series, p) : pixelPlaceText(*frame_, pixel);
   return tr("%1 at %2").arg(pixelValueText(*frame_, pixel), place);
 }
 
@@ -135,6 +137,7 @@ Overlays SliceView::frameOverlays() const {
   if (series.notVolume.empty()) texts.add(CornerItem::thickness, thicknessText(series));
   texts.add(CornerItem::step, stepText(session_.workspace(), state().series));
   texts.add(CornerItem::pixelSize, pixelSizeText(*frame_));
+  texts.add(CornerItem::mark, lossyText(series));
   texts.add(CornerItem::mark, referenceTexts());
   const int lines = cornerLines(overlayArea(), font());
   o.topLeft = texts.left(lines);
@@ -144,8 +147,8 @@ Overlays SliceView::frameOverlays() const {
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
   if (hasMm(*frame_)) o.mmPerPixel = now.mmPerPixel * devicePixelRatioF();
   const auto side = [&](glm::dvec3 direction) {
-    return frame_->geometry().calibrated ? letters(direction)
-                                         : QString::fromStdString(frameSide(*frame_, direction));
+    if (!frame_->geometry().calibrated) return QString::fromStdString(frameSide(*frame_, direction));
+    return knowsSides(series) ? letters(direction) : QString();
   };
   o.right = side(now.right);
   o.left = side(-now.right);

@@ -12,6 +12,7 @@
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 #include "ui/workspace/windows.h"
@@ -44,8 +45,9 @@ QString SliceView::hoverText(QPointF position) const {
     const QString second = relation ? valueAt(*over, relation->toFromFrom(p)) : QString();
     if (!second.isEmpty()) text += QStringLiteral(" | ") + second;
   }
-  return press->series->volume->geometry().calibrated ? text + tr(" at %1").arg(placeText(*press->series, p))
-                                                      : text;
+  return press->series->volume->geometry().calibrated
+             ? text + tr(" at %1").arg(placeText(press->series->series, p))
+             : text;
 }
 
 Overlays SliceView::overlays() const {
@@ -67,7 +69,7 @@ Overlays SliceView::overlays() const {
   o.bottomRight = windowText(window, shown->series);
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
   if (!shown->volume->geometry().calibrated) return o;
-  const auto letters = [known = knowsSides(*shown)](glm::dvec3 d) {
+  const auto letters = [known = knowsSides(shown->series)](glm::dvec3 d) {
     return known ? QString::fromStdString(sideLetters(d)) : QString();
   };
   o.right = letters(now.right);

@@ -1,20 +1,32 @@
 #include "ui/views/view_overlays.h"
 
-#include <algorithm>
-
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/corner_text.h"
+#include "ui/workspace/series_text.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
+
+namespace {
+
+// "Anterior view", "From anterior-right".
+QString sideText(const Camera& camera) {
+  const std::string name = viewName(camera);
+  return name.empty() ? tr("From %1").arg(QString::fromStdString(sideWords(-cameraAxes(camera).direction)))
+                      : viewText(QString::fromStdString(name));
+}
+
+}  // namespace
 
 Overlays viewOverlays(const ShownSeries& series, const Camera& camera, glm::dvec2 size) {
   Overlays o;
   o.topLeft = seriesCorner(series.series).left();
   if (!series.volume->geometry().calibrated) return o;
   const CameraAxes axes = cameraAxes(camera);
-  const auto letters = [known = knowsSides(series)](glm::dvec3 d) {
+  const auto letters = [known = knowsSides(series.series)](glm::dvec3 d) {
     return known ? QString::fromStdString(sideLetters(d)) : QString();
   };
+  if (knowsSides(series.series)) o.topRight << sideText(camera);
   o.right = letters(axes.right);
   o.left = letters(-axes.right);
   o.top = letters(axes.up);
@@ -23,19 +35,16 @@ Overlays viewOverlays(const ShownSeries& series, const Camera& camera, glm::dvec
   return o;
 }
 
-bool knowsSides(const ShownSeries& series) {
-  const auto isUnknown = [](const Warning& w) { return w.kind == WarningKind::noDirections; };
-  return series.volume->geometry().calibrated && std::ranges::none_of(series.warnings, isUnknown);
-}
-
-QString placeText(const ShownSeries& series, glm::dvec3 p) {
+QString placeText(const Series& series, glm::dvec3 p) {
   if (knowsSides(series)) return placeText(p);
   return QStringLiteral("x %1, y %2, z %3 mm").arg(p.x, 0, 'f', 1).arg(p.y, 0, 'f', 1).arg(p.z, 0, 'f', 1);
 }
 
 QString placeText(glm::dvec3 pPatient) {
   const auto side = [](double mm, const char* plus, const char* minus) {
-    return QStringLiteral("%1 %2").arg(QLatin1String(mm < 0 ? minus : plus)).arg(std::abs(mm), 0, 'f', 1);
+    return QStringLiteral("%1 %2")
+        .arg(QLatin1String(mm <= -0.05 ? minus : plus))
+        .arg(std::abs(mm), 0, 'f', 1);
   };
   return QStringLiteral("%1, %2, %3 mm")
       .arg(side(pPatient.x, "L", "R"), side(pPatient.y, "P", "A"), side(pPatient.z, "S", "I"));

@@ -6,15 +6,12 @@
 namespace volumen {
 
 /// What holds of a series seen by a camera in any picture of it: patient and series, and, where they are
-/// known, the patient's sides at the edges and the scale. `size` in pixels.
+/// known, the view's name, the patient's sides at the edges and the scale. `size` in pixels.
 Overlays viewOverlays(const ShownSeries& series, const Camera& camera, glm::dvec2 size);
-
-/// Whether it is known which sides of the patient are left, front and top: letters may stand for them.
-bool knowsSides(const ShownSeries& series);
 
 /// "L 12.0, P 3.5, S 100.2 mm": a patient position.
 QString placeText(glm::dvec3 pPatient);
 /// The same in a series: "x 12.0, y 3.5, z 100.2 mm" where sides are not known.
-QString placeText(const ShownSeries& series, glm::dvec3 p);
+QString placeText(const Series& series, glm::dvec3 p);
 
 }  // namespace volumen

@@ -5,6 +5,7 @@
 #include "ui/views/view_overlays.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
+#include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -72,7 +73,7 @@ void VolumeView::showWarnings() {
 }
 
 void VolumeView::showState() {
-  const bool directions = series() && knowsSides(*series());
+  const bool directions = series() && knowsSides(series()->series);
   cube_->setVisible(directions && width() >= leastForCube && height() >= leastForCube);
   if (series()) cube_->setAxes(cameraAxes(camera()));
   canvas_->update();

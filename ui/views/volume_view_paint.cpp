@@ -13,6 +13,7 @@
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "ui/workspace/windows.h"
 
 namespace volumen {
 
@@ -23,7 +24,7 @@ QString VolumeView::textAt(QPointF position) const {
   const QString text = valueText(*shown, hit->value);
   if (!hit->pPatient) return tr("mean %1 along the line of sight").arg(text);
   if (!shown->volume->geometry().calibrated) return text;
-  return text + tr(" at %1").arg(placeText(*shown, *hit->pPatient));
+  return text + tr(" at %1").arg(placeText(shown->series, *hit->pPatient));
 }
 
 // What is written stands above the bar of the time points.
@@ -40,18 +41,11 @@ Overlays VolumeView::overlays() const {
   for (const QWidget* child : {static_cast<const QWidget*>(cube_), static_cast<const QWidget*>(badge_)})
     if (child->isVisibleTo(this)) o.taken.push_back(child->geometry());
   QStringList more{stepText(session_.workspace(), state().series)};
-  more << maskTexts(session_.maskOf(state().series));
+  more << lossyText(shown->series) << maskTexts(session_.maskOf(state().series));
   more.removeAll(QString());
   const QString zoomText = tr("Zoom %1 %").arg(std::lround(100 * zoom()));
-  if (!shown->volume->geometry().calibrated) {
-    o.topRight << zoomText << more;
-    return o;
-  }
-  const std::string name = viewName(seen);
-  o.topRight << (name.empty()
-                     ? tr("From %1").arg(QString::fromStdString(sideWords(-cameraAxes(seen).direction)))
-                     : viewText(QString::fromStdString(name)))
-             << zoomText;
+  if (scene().mode != Mode::composite) o.topRight << windowText(windowInUse(scene(), *shown), shown->series);
+  o.topRight << zoomText;
   if (seen.projection == Projection::perspective) o.topRight << tr("Perspective");
   o.topRight << more;
   return o;

@@ -7,6 +7,7 @@
 
 #include "ui/workspace/key_images.h"
 #include "ui/workspace/link_text.h"
+#include "ui/workspace/measurement_text.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_point_text.h"
@@ -30,7 +31,12 @@ constexpr CornerRow cornerTable[] = {
     {CornerItem::pixelSize, true, 9},  {CornerItem::mask, true, 6},     {CornerItem::link, true, 4},
     {CornerItem::mark, true, 7}};
 
-QString kindText(ViewKind kind) {
+// Where sides are not known by the axes of the file's space.
+QString kindText(ViewKind kind, bool knownSides) {
+  if (!knownSides)
+    return kind == ViewKind::coronal    ? tr("Plane xz")
+           : kind == ViewKind::sagittal ? tr("Plane yz")
+                                        : tr("Plane xy");
   return kind == ViewKind::coronal    ? tr("Coronal")
          : kind == ViewKind::sagittal ? tr("Sagittal")
                                       : tr("Axial");
@@ -43,16 +49,23 @@ QString slabText(const FlatLook& look) {
   return QStringLiteral("%1 %2 mm").arg(QLatin1String(mode)).arg(look.slabMm, 0, 'f', 1);
 }
 
-// "S 12.5 mm": where along its axis a plane lies; of one that is turned "oblique".
-QString positionText(ViewKind kind, const SlicePlane& plane) {
+QString mmText(double mm) { return tr("%1 mm").arg(mm, 0, 'g', 3); }
+
+// "S 12.5 mm", "z 12.5 mm": where along its axis a plane lies; of one that is turned "oblique".
+QString positionText(ViewKind kind, const SlicePlane& plane, bool knownSides) {
   constexpr double parallel = 1e-3;
   const Crosshair straight;
   if (glm::length(glm::cross(plane.normal(), straight.plane(kind).normal())) > parallel) return tr("oblique");
   const glm::dvec3 p = plane.centre;
-  const auto [mm, plus, minus] = kind == ViewKind::coronal    ? std::tuple(p.y, "P", "A")
-                                 : kind == ViewKind::sagittal ? std::tuple(p.x, "L", "R")
-                                                              : std::tuple(p.z, "S", "I");
-  return QStringLiteral("%1 %2 mm").arg(QLatin1String(mm < 0 ? minus : plus)).arg(std::abs(mm), 0, 'f', 1);
+  const auto [mm, axis, plus, minus] = kind == ViewKind::coronal    ? std::tuple(p.y, "y", "P", "A")
+                                       : kind == ViewKind::sagittal ? std::tuple(p.x, "x", "L", "R")
+                                                                    : std::tuple(p.z, "z", "S", "I");
+  const double shown = std::round(10 * mm) / 10 + 0.0;  // no -0.0
+  if (!knownSides) return QStringLiteral("%1 %2 mm").arg(QLatin1String(axis)).arg(shown, 0, 'f', 1);
+  if (shown == 0) return mmText(0);
+  return QStringLiteral("%1 %2 mm")
+      .arg(QLatin1String(shown < 0 ? minus : plus))
+      .arg(std::abs(shown), 0, 'f', 1);
 }
 
 int numberIn(const std::string& text, std::size_t from, std::size_t count) {
@@ -61,13 +74,15 @@ int numberIn(const std::string& text, std::size_t from, std::size_t count) {
   return number;
 }
 
-// "45 y" of "045Y"; of a birth date and a study date where no age is given.
+// "45 y" of "045Y"; of a birth date and a study date where no age is given. What de-identification leaves, no
+// years or the day of the study as that of birth, is none.
 QString ageText(const Series& series) {
   const std::string& age = series.patientAge;
-  if (age.size() == 4 && std::string("YMWD").find(age[3]) != std::string::npos)
+  if (age.size() == 4 && numberIn(age, 0, 3) + (age[3] == 'D') > 0 &&
+      std::string("YMWD").find(age[3]) != std::string::npos)
     return QStringLiteral("%1 %2").arg(numberIn(age, 0, 3)).arg(QChar::fromLatin1(age[3]).toLower());
   const std::string &born = series.patientBirthDate, &studied = series.studyDate;
-  if (born.size() != 8 || studied.size() != 8) return {};
+  if (born.size() != 8 || studied.size() != 8 || born == studied) return {};
   const int years = numberIn(studied, 0, 4) - numberIn(born, 0, 4);
   const int whole = years - (numberIn(studied, 4, 4) < numberIn(born, 4, 4) ? 1 : 0);
   return whole < 0 || whole > 150 ? QString() : tr("%1 y").arg(whole);
@@ -77,8 +92,6 @@ QString joined(QStringList parts, const QString& with) {
   parts.removeAll(QString());
   return parts.join(with);
 }
-
-QString mmText(double mm) { return tr("%1 mm").arg(mm, 0, 'g', 3); }
 
 // The slices as acquired between which a place along k of the drawn grid lies, from 1.
 std::pair<int, int> neighbours(const Series& series, double k) {
@@ -146,6 +159,14 @@ QString thicknessText(const Series& series) {
                                                                     : joined({thickness, distance}, tr(", "));
 }
 
+QString lossyText(const Series& series) {
+  if (!series.lossyRatio) return {};
+  QStringList ratios;  // of each time that it was compressed
+  for (const QString& text : shownText(*series.lossyRatio).split(QLatin1Char('\\')))
+    if (const double ratio = text.toDouble(); ratio > 0) ratios << tr("%1:1").arg(shortNumberText(ratio));
+  return joined({tr("Lossy"), ratios.join(tr(", "))}, QStringLiteral(" "));
+}
+
 QString stepText(const Workspace& workspace, const SeriesKey& series) {
   const QString step = timePointText(workspace, series);
   const auto state = workspace.series.find(series);
@@ -194,17 +215,19 @@ CornerTexts slicesCorner(const Workspace& workspace, ViewId view, const ShownSer
       planeNumber(shown.series, geometry, state.kind, crosshairOf(workspace, view, shown), plane);
   CornerTexts texts = seriesCorner(shown.series);
   const QString thickness = thicknessText(shown.series);
-  const QString acquired = number.reformatted ? planeText(shown.series.acquired) : QString();
-  texts.add(CornerItem::thickness, thickness.isEmpty()  ? thickness
-                                   : acquired.isEmpty() ? thickness
+  const bool knownSides = knowsSides(shown.series);
+  const QString acquired = number.reformatted && knownSides ? planeText(shown.series.acquired) : QString();
+  texts.add(CornerItem::thickness, thickness.isEmpty() || !number.reformatted ? thickness
+                                   : acquired.isEmpty() ? tr("of slices %1").arg(thickness)
                                                         : tr("of %1 slices, %2").arg(acquired, thickness));
-  const QString kind = kindText(state.kind);
+  const QString kind = kindText(state.kind, knownSides);
   texts.add(CornerItem::plane, number.reformatted ? tr("%1, reformatted").arg(kind) : kind);
   texts.add(CornerItem::number, number.text);
   texts.add(CornerItem::step, stepText(workspace, keyOf(shown.series)));
+  texts.add(CornerItem::mark, lossyText(shown.series));
   texts.add(CornerItem::mask, maskTexts(series.mask));
   if (!geometry.calibrated) return texts;
-  texts.add(CornerItem::position, positionText(state.kind, plane));
+  texts.add(CornerItem::position, positionText(state.kind, plane, knownSides));
   if (look.slabMm > 0) texts.add(CornerItem::slab, slabText(look));
   texts.add(CornerItem::link, linkText(workspace, view));
   return texts;

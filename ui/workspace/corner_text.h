@@ -23,7 +23,7 @@ enum class CornerItem {
   slab,
   link,
   position,
-  mark,  ///< a key image, a presentation state
+  mark,  ///< lossy compression, a key image, a presentation state
   mask,
   pixelSize
 };
@@ -56,6 +56,10 @@ QString projectionText(const Series& series);
 /// "3 mm thick, 3.3 mm apart"; the distance alone where no thickness is given, and only where it differs;
 /// "unevenly apart".
 QString thicknessText(const Series& series);
+
+/// "Lossy 20:1" of pictures with losses by compression, "Lossy" where the file does not say how strong it
+/// was; empty of others. The files of a series may differ: it is said where any has losses.
+QString lossyText(const Series& series);
 
 /// Which volume of its series it is: timePointText(), else what separated it from others.
 QString stepText(const Workspace& workspace, const SeriesKey& series);

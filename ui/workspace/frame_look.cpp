@@ -32,9 +32,8 @@ QString nameOf(const NamedGrey& grey, std::size_t number, std::size_t count, con
   const bool isTable = !grey.mapping.table.grey.empty();
   if (name.isEmpty()) name = count == 1 ? tr("From file") : tr("From file, %1").arg(number + 1);
   if (isTable) return tr("%1, LUT").arg(name);
-  const Window w = shownWindow(grey.mapping.window, series);
-  const QString numbers =
-      QStringLiteral("%1 (%2 / %3)").arg(name).arg(w.width, 0, 'g', 4).arg(w.centre, 0, 'g', 4);
+  const auto [width, centre] = windowNumbers(shownWindow(grey.mapping.window, series));
+  const QString numbers = QStringLiteral("%1 (%2 / %3)").arg(name, width, centre);
   return grey.mapping.function == WindowFunction::sigmoid ? tr("%1, sigmoid").arg(numbers) : numbers;
 }
 

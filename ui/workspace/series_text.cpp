@@ -34,6 +34,11 @@ QString sizeText(const VoxelGeometry& g) {
 
 }  // namespace
 
+bool knowsSides(const Series& series) {
+  const auto isUnknown = [](const Warning& w) { return w.kind == WarningKind::noDirections; };
+  return series.acquired.calibrated && std::ranges::none_of(series.warnings, isUnknown);
+}
+
 QString planeText(const VoxelGeometry& geometry) {
   if (!geometry.calibrated) return {};
   constexpr double nearEnough = 0.8;
@@ -46,7 +51,8 @@ QString planeText(const VoxelGeometry& geometry) {
 QString slicesText(const Series& series) {
   const int count = series.acquired.size.z;
   if (opensAsFrames(series)) return count == 1 ? tr("1 frame") : tr("%1 frames").arg(count);
-  QStringList parts{count == 1 ? tr("1 slice") : tr("%1 slices").arg(count), planeText(series.acquired)};
+  QStringList parts{count == 1 ? tr("1 slice") : tr("%1 slices").arg(count),
+                    knowsSides(series) ? planeText(series.acquired) : QString()};
   parts.removeAll(QString());
   return parts.join(QStringLiteral(", "));
 }
@@ -72,6 +78,8 @@ QStringList tellingApart(const Series& series, const std::vector<const Series*>&
 QStringList everythingOf(const Series& series) {
   QStringList lines{patientText(series), studyText(series), seriesText(series), slicesText(series),
                     sizeText(series.acquired)};
+  if (series.format != "DICOM" && !seriesText(series).contains(shownText(series.description)))
+    lines.insert(3, shownText(series.description));
   if (series.regular)
     lines << tr("in 3D %1 even slices, %2 of them interpolated")
                  .arg(series.regular->geometry.size.z)

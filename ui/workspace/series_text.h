@@ -8,11 +8,15 @@
 
 namespace volumen {
 
+/// Whether it is known which sides of the patient are left, front and top: letters and the names of planes
+/// may stand for them.
+bool knowsSides(const Series& series);
+
 /// "axial", "coronal", "sagittal" or, more than 37 degrees off all of them, "oblique"; empty where the volume
 /// is not calibrated.
 QString planeText(const VoxelGeometry& geometry);
 
-/// "28 slices, axial", "34 frames".
+/// "28 slices, axial", "34 frames"; the plane where sides are known.
 QString slicesText(const Series& series);
 
 /// Whether two series of a study have the same name: those of a file by that file.

@@ -41,11 +41,14 @@ QString shownText(const std::string& utf8) {
 }
 
 QString personText(const std::string& name) {
-  const QString text = shownText(name);
-  const QStringList parts = text.section(QLatin1Char('='), 0, 0).split(QLatin1Char('^'), Qt::SkipEmptyParts);
-  if (parts.isEmpty()) return text;
-  if (parts.size() == 1) return parts[0];
-  return parts[0] + QStringLiteral(", ") + parts.mid(1).join(QLatin1Char(' '));
+  for (const QString& group : shownText(name).split(QLatin1Char('='))) {
+    QStringList parts;
+    for (const QString& part : group.split(QLatin1Char('^')))
+      if (const QString word = part.trimmed(); !word.isEmpty()) parts << word;
+    if (parts.size() == 1) return parts[0];
+    if (!parts.isEmpty()) return parts[0] + QStringLiteral(", ") + parts.mid(1).join(QLatin1Char(' '));
+  }
+  return {};
 }
 
 QString patientText(const Series& series) {
@@ -61,10 +64,11 @@ QString seriesText(const Series& series) {
   QStringList parts;
   if (!series.modality.empty()) parts << shownText(series.modality);
   QString description = shownText(series.description);
-  if (description.isEmpty() && series.format != "DICOM")
-    description = hidden && series.format != "phantom"
-                      ? tr("(file name hidden)")
-                      : QFileInfo(QString::fromStdString(series.path)).fileName();
+  const bool isFile = series.format != "DICOM" && series.format != "phantom";
+  if (isFile && hidden && description.isEmpty()) description = tr("(file name hidden)");
+  // What programs write into the description of a file is seldom its name.
+  if (isFile ? !hidden : description.isEmpty() && series.format == "phantom")
+    description = QFileInfo(QString::fromStdString(series.path)).fileName();
   if (!description.isEmpty()) parts << description;
   if (!series.seriesNumber.empty()) parts << QStringLiteral("(%1)").arg(shownText(series.seriesNumber));
   if (parts.isEmpty()) parts << (hidden ? tr("(ID hidden)") : shownText(series.id));
@@ -125,6 +129,7 @@ QString dateText(const std::string& dicomDate) {
 
 QString timeText(const std::string& dicomTime) {
   const QString t = shownText(dicomTime).section(QLatin1Char('.'), 0, 0);
+  if (t.size() == 4) return QStringLiteral("%1:%2").arg(t.left(2), t.mid(2, 2));
   if (t.size() != 6) return t;
   return QStringLiteral("%1:%2:%3").arg(t.left(2), t.mid(2, 2), t.mid(4, 2));
 }

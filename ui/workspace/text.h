@@ -19,14 +19,15 @@ QString shownText(const std::string& utf8);
 void hideNames(bool hidden);
 bool namesHidden();
 
-/// "Doe, Jane" of "Doe^Jane=...": the first group of a DICOM name (PS3.5 6.2.1.1), its carets read as a name.
+/// "Doe, Jane" of "Doe^Jane=...": the first group of a DICOM name (PS3.5 6.2.1.1) that is not
+/// empty, its carets read as a name; empty where there is none.
 QString personText(const std::string& name);
 
 /// "Doe, Jane (12345)": DICOM's carets read as a name; "(no name)" where a DICOM file names none; empty
 /// for what has no patients.
 QString patientText(const Series& series);
 
-/// "CT Head 1.0 mm (3)": modality, description, number.
+/// "CT Head 1.0 mm (3)": modality, description, number; "head.nii" of other files.
 QString seriesText(const Series& series);
 
 /// "2026-03-14 CT head": date ("(no date)" where a DICOM file has none) and description of the study.
@@ -54,7 +55,7 @@ QString pathText(const std::string& path);
 /// "2026-03-14" of DICOM's 20260314.
 QString dateText(const std::string& dicomDate);
 
-/// "10:22:31" of DICOM's 102231.25.
+/// "10:22:31" of DICOM's 102231.25, "10:22" of its 1022.
 QString timeText(const std::string& dicomTime);
 
 }  // namespace volumen

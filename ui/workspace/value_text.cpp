@@ -46,9 +46,24 @@ Window storedWindow(const Window& shown, const Series& series) {
   return times(shown, 1 / shownScale(series).factor);
 }
 
+std::pair<QString, QString> windowNumbers(const Window& window) {
+  constexpr double most = 1e9, least = 1e-4;  // beyond these only an exponent is readable
+  const double width = std::abs(window.width);
+  if (width < least || width >= most || std::abs(window.centre) >= most)
+    return {QString::number(window.width, 'g', 4), QString::number(window.centre, 'g', 4)};
+  int decimals = std::max(0, 3 - int(std::floor(std::log10(width))));
+  const auto isExact = [&](double value, int places) {
+    return QString::number(value, 'f', places).toDouble() == QString::number(value, 'f', decimals).toDouble();
+  };
+  while (decimals > 0 && isExact(window.width, decimals - 1) && isExact(window.centre, decimals - 1))
+    --decimals;
+  return {QString::number(window.width, 'f', decimals), QString::number(window.centre, 'f', decimals)};
+}
+
 QString windowText(const Window& window, const Series& series) {
   const Window shown = shownWindow(window, series);
-  const QString text = tr("W %1 L %2").arg(std::abs(shown.width), 0, 'g', 4).arg(shown.centre, 0, 'g', 4);
+  const auto [width, centre] = windowNumbers({shown.centre, std::abs(shown.width)});
+  const QString text = tr("W %1 L %2").arg(width, centre);
   return series.modality == "PT" ? text + unitSuffix(series) : text;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <utility>
 
 #include "ui/data/shown_series.h"
 
@@ -26,6 +27,10 @@ int valueDecimals(const ShownSeries& shown);
 /// A window or a range in the numbers on screen, and back.
 Window shownWindow(const Window& window, const Series& series);
 Window storedWindow(const Window& shown, const Series& series);
+
+/// Width and centre as they are read: four digits of the width, as many decimals of the centre, no zeros that
+/// both end with, no exponent up to 1e9.
+std::pair<QString, QString> windowNumbers(const Window& window);
 
 /// "W 400 L 40"; of PET with the unit.
 QString windowText(const Window& window, const Series& series);

@@ -14,8 +14,8 @@ namespace {
 bool isHounsfield(const Series& series) { return series.unit == "HU"; }
 
 QString withNumbers(const QString& name, const Window& stored, const Series& series) {
-  const Window window = shownWindow(stored, series);
-  return QStringLiteral("%1 (%2 / %3)").arg(name).arg(window.width, 0, 'g', 4).arg(window.centre, 0, 'g', 4);
+  const auto [width, centre] = windowNumbers(shownWindow(stored, series));
+  return QStringLiteral("%1 (%2 / %3)").arg(name, width, centre);
 }
 
 // Least width that a drag makes, as a share of the spread of values.

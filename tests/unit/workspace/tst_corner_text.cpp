@@ -34,6 +34,10 @@ class TestCornerText : public QObject {
   void factsOfASeries();
   void thicknessOfSlices_data();
   void thicknessOfSlices();
+  void lossesByCompressionAreSaid_data();
+  void lossesByCompressionAreSaid();
+  void planesOfUnknownSidesClaimNone_data();
+  void planesOfUnknownSidesClaimNone();
   void namesAreHidden();
   void whatMattersMostStays();
   void planesSaySliceNumbers_data();
@@ -46,6 +50,14 @@ class TestCornerText : public QObject {
 void TestCornerText::factsOfASeries_data() {
   QTest::addColumn<Series>("series");
   QTest::addColumn<QStringList>("left");
+  Series noAge = axial(), bornThatDay = axial(), newborn = axial(), minutes = axial(), nameless = axial();
+  noAge.patientAge = "000Y", newborn.patientAge = "000D";
+  bornThatDay.patientBirthDate = bornThatDay.studyDate;
+  minutes.studyTime = "1200";
+  nameless.patientName = "^^^^";
+  Series nifti = axial();
+  nifti.format = "NIfTI", nifti.path = "/data/brain.nii.gz", nifti.description = "FSL3.3";
+  nifti.patientName.clear(), nifti.patientId.clear(), nifti.studyDate.clear(), nifti.modality.clear();
   Series woman = axial(), born = axial(), breast = axial(), undated = axial(), file = axial();
   woman.patientSex = "F", woman.patientAge = "045Y";
   born.patientBirthDate = "19800315";
@@ -60,6 +72,13 @@ void TestCornerText::factsOfASeries_data() {
   QTest::newRow("the day before a birthday") << born << QStringList{jane, at, QStringLiteral("45 y"), t1};
   QTest::newRow("side and view") << breast << QStringList{jane, at, t1, QStringLiteral("L MLO")};
   QTest::newRow("no date") << undated << QStringList{jane, QStringLiteral("(no date)"), t1};
+  QTest::newRow("no age") << noAge << QStringList{jane, at, t1};
+  QTest::newRow("born on the day of the study") << bornThatDay << QStringList{jane, at, t1};
+  QTest::newRow("less than a day old") << newborn << QStringList{jane, at, QStringLiteral("0 d"), t1};
+  QTest::newRow("a time without seconds")
+      << minutes << QStringList{jane, QStringLiteral("2026-03-14 12:00"), t1};
+  QTest::newRow("carets alone are no name") << nameless << QStringList{QStringLiteral("7"), at, t1};
+  QTest::newRow("a file is called by its name") << nifti << QStringList{QStringLiteral("brain.nii.gz")};
   QTest::newRow("a file without patients") << file << QStringList{QStringLiteral("head.nrrd")};
 }
 
@@ -85,6 +104,76 @@ void TestCornerText::thicknessOfSlices_data() {
 void TestCornerText::thicknessOfSlices() {
   QFETCH(Series, series);
   QTEST(thicknessText(series), "text");
+}
+
+void TestCornerText::lossesByCompressionAreSaid_data() {
+  QTest::addColumn<std::optional<std::string>>("ratio");
+  QTest::addColumn<QString>("text");
+  using Ratio = std::optional<std::string>;
+  QTest::newRow("none") << Ratio() << QString();
+  QTest::newRow("a ratio") << Ratio("20") << QStringLiteral("Lossy 20:1");
+  QTest::newRow("many digits") << Ratio("12.702") << QStringLiteral("Lossy 12.7:1");
+  QTest::newRow("strong") << Ratio("2097") << QStringLiteral("Lossy 2097:1");
+  QTest::newRow("two steps") << Ratio("20\\10") << QStringLiteral("Lossy 20:1, 10:1");
+  QTest::newRow("no ratio") << Ratio("") << QStringLiteral("Lossy");
+  QTest::newRow("no number") << Ratio("high") << QStringLiteral("Lossy");
+}
+
+void TestCornerText::lossesByCompressionAreSaid() {
+  QFETCH(std::optional<std::string>, ratio);
+  QFETCH(QString, text);
+  Series series = axial();
+  series.lossyRatio = ratio;
+  QCOMPARE(lossyText(series), text);
+}
+
+void TestCornerText::planesOfUnknownSidesClaimNone_data() {
+  QTest::addColumn<int>("kind");
+  QTest::addColumn<bool>("known");
+  QTest::addColumn<double>("z");
+  QTest::addColumn<QStringList>("right");
+  QTest::addColumn<QString>("thickness");
+  const auto row = [](const char* name, ViewKind kind, bool known, double z, const char* right,
+                      const char* thickness) {
+    QTest::newRow(name) << int(kind) << known << z << QString::fromLatin1(right).split(QLatin1Char('|'))
+                        << QString::fromLatin1(thickness);
+  };
+  row("axial", ViewKind::axial, true, 30, "Axial|11 / 20|S 30.0 mm", "3 mm apart");
+  row("axial at 0", ViewKind::axial, true, 0, "Axial|1 / 20|0 mm", "3 mm apart");
+  row("sagittal", ViewKind::sagittal, true, 30, "Sagittal, reformatted|33 / 64|L 32.0 mm",
+      "of axial slices, 3 mm apart");
+  row("xy", ViewKind::axial, false, 30, "Plane xy|11 / 20|z 30.0 mm", "3 mm apart");
+  row("yz", ViewKind::sagittal, false, 30, "Plane yz, reformatted|33 / 64|x 32.0 mm", "of slices 3 mm apart");
+  row("xz", ViewKind::coronal, false, 30, "Plane xz, reformatted|33 / 64|y 32.0 mm", "of slices 3 mm apart");
+}
+
+void TestCornerText::planesOfUnknownSidesClaimNone() {
+  QFETCH(int, kind);
+  QFETCH(bool, known);
+  QFETCH(double, z);
+  QFETCH(QStringList, right);
+  QFETCH(QString, thickness);
+  Series series = axial();
+  if (!known) series.warnings = {{"The header gives no directions.", WarningKind::noDirections}};
+  VolumeParts parts;
+  parts.geometry = series.acquired;
+  parts.values = std::vector<std::uint8_t>(64 * 64 * 20);
+  std::vector<std::string> changed;
+  ShownSeries shown;
+  shown.series = series;
+  shown.volume = *Volume::make(std::move(parts), changed);
+  Workspace workspace;
+  ViewState& view = workspace.view(0);
+  view.kind = ViewKind(kind);
+  view.series = keyOf(series);
+  workspace.series[view.series].series = std::make_shared<const Series>(series);
+  Crosshair crosshair = firstCrosshair(series);
+  crosshair.at = {32, 32, z};
+  workspace.crosshairs[frameOfReference(series)] = crosshair;
+  const SlicePlane plane = flatPlane(view, {}, series.acquired, crosshair, {100, 100});
+  const CornerTexts texts = slicesCorner(workspace, 0, shown, plane);
+  QCOMPARE(texts.right(), right);
+  QCOMPARE(texts.left().last(), thickness);
 }
 
 void TestCornerText::namesAreHidden() {

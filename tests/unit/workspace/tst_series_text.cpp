@@ -73,6 +73,9 @@ void TestSeriesText::slicesAreCounted() {
   Series series;
   series.acquired = turned(0, {1, 0, 0});
   QCOMPARE(slicesText(series), QStringLiteral("28 slices, axial"));
+  series.warnings = {{"The header gives no directions.", WarningKind::noDirections}};
+  QCOMPARE(slicesText(series), QStringLiteral("28 slices"));
+  series.warnings.clear();
   series.acquired.size.z = 1;
   series.acquired.calibrated = false;
   QCOMPARE(slicesText(series), QStringLiteral("1 slice"));
@@ -128,6 +131,9 @@ void TestSeriesText::everythingIsSaid() {
         "in 3D 28 even slices, 3 of them interpolated", "TE 20 ms", "b 1000", "time point 3", "direction 12",
         "10:22:31", "DICOM, uint16", "/data/a", "! A slice is missing."})
     QVERIFY2(all.contains(QString::fromLatin1(part)), part);
+  series.format = "NIfTI", series.path = "/data/brain.nii.gz", series.description = "FSL3.3";
+  const QStringList file = everythingOf(series);
+  QVERIFY(file.contains(QStringLiteral("MR brain.nii.gz")) && file.contains(QStringLiteral("FSL3.3")));
 }
 
 VOLUMEN_TEST(TestSeriesText);
