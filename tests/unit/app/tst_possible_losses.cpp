@@ -165,7 +165,7 @@ void TestPossibleLosses::theIndexKnowsOfThem() {
   change(slice());
   for (int times = 0; times < 2; ++times) {
     const Outcome in = runProgram({QStringLiteral("import"), at(QStringLiteral("scans"))});
-    QVERIFY2(in.status == 3 && in.err.contains(name.toUtf8()), in.err + in.out);
+    QVERIFY2(in.status == 3 && in.out.contains(name.toUtf8()), in.err + in.out);
     const QString path = QStringLiteral("index:1"), out = at(QStringLiteral("a.nrrd"));
     const Outcome strict = convert(path, out, true);
     QVERIFY2(strict.status == 1 && strict.err.contains(name.toUtf8()), strict.err);
