@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <vector>
@@ -42,8 +43,7 @@ double leftOf(double periods) {
   return std::min(1.0, 1 / (std::numbers::pi * off));  // the envelope of a sinc
 }
 
-}  // namespace
-
+// What patterns of two to four voxels resonate by, as a share of all that such steps have wrong.
 double resonance(double stepVoxels, glm::dvec3 alongVoxel) {
   static const std::vector<Wave> waves = makeWaves();
   double most = 0;
@@ -58,6 +58,21 @@ double resonance(double stepVoxels, glm::dvec3 alongVoxel) {
   return most / (stepVoxels * stepVoxels);
 }
 
+// Whether a step along an axis is within 2 % of one that meets all cells in the same few places.
+bool meetsSamePlaces(double step) {
+  for (double few : {1.0, 3.0 / 4, 2.0 / 3, 1.0 / 2, 1.0 / 3, 1.0 / 4})
+    if (std::abs(step / few - 1) <= 0.02) return true;
+  return false;
+}
+
+}  // namespace
+
+bool resonates(double stepVoxels, glm::dvec3 alongVoxel) {
+  const glm::dvec3 step = stepVoxels * glm::abs(alongVoxel);
+  return meetsSamePlaces(step.x) || meetsSamePlaces(step.y) || meetsSamePlaces(step.z) ||
+         resonance(stepVoxels, alongVoxel) > mostResonance;
+}
+
 glm::dvec3 alongVoxelOf(const Camera& camera, const VoxelGeometry& geometry) {
   return glm::normalize(geometry.voxelFromPatientStep() * glm::normalize(camera.direction));
 }
@@ -65,7 +80,7 @@ glm::dvec3 alongVoxelOf(const Camera& camera, const VoxelGeometry& geometry) {
 std::optional<double> stepWithoutResonance(glm::dvec3 alongVoxel, double most, double least) {
   constexpr double shorter = 0.985;
   for (double step = most; step >= least; step *= shorter)
-    if (resonance(step, alongVoxel) <= mostResonance) return step;
+    if (!resonates(step, alongVoxel)) return step;
   return {};
 }
 

@@ -28,8 +28,10 @@ constexpr int mostFurtherTries = 2;
 // hundred. That little costs them little, and is added to the error.
 constexpr double shareOfTruth = 1.0 / 32;
 
-// Longer steps would be near a whole voxel, shorter ones take longer than going cell by cell.
-constexpr double longestStep = 0.85, shortestStep = 0.13;
+// Lengths of steps whose continued fractions end in ones: any number of such steps in a row comes by all
+// places of its cells about as often. Longer ones would be near a whole voxel.
+constexpr double evenlySpread[] = {0.8490, 0.7835, 0.7236, 0.6180, 0.5802, 0.5607, 0.4393, 0.4198, 0.3820,
+                                   0.3593, 0.3052, 0.2764, 0.2282, 0.2165, 0.1780, 0.1513, 0.1315};
 
 glm::ivec2 sizeOfPilot(glm::ivec2 size) { return glm::ivec2(glm::ceil(glm::dvec2(size) / pixelsApart)); }
 
@@ -72,9 +74,12 @@ class Pilot {
     double off = 0, likely = 0;
   };
 
+  // The longest step from `least` to `most` that does not resonate with the grid.
   std::optional<double> stepUpTo(double most, double least) const {
-    return stepWithoutResonance(alongVoxelOf(*plan_.scene.camera, caches_.volume()->geometry()),
-                                std::min(most, longestStep), std::max(least, shortestStep));
+    const glm::dvec3 alongVoxel = alongVoxelOf(*plan_.scene.camera, caches_.volume()->geometry());
+    for (double step : evenlySpread)
+      if (step <= most && step >= least && !resonates(step, alongVoxel)) return step;
+    return {};
   }
 
   // What to try after that, if anything: errors grow with the square of the step.
