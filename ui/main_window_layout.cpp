@@ -55,7 +55,7 @@ void MainWindow::shareRoom() {
   // The picture is the largest thing in a small window too; in a large one panels need no more than this.
   const int right = std::clamp(width() / 4, 240, 380);
   const int studies = std::min(std::max(std::clamp(width() * 16 / 100, 150, 260), studies_->fittingWidth()),
-                               std::max(150, width() / 4));
+                               std::max(150, (width() - 400) / 4));
   const int curve = std::max(height() * 2 / 5, 330);
   QDockWidget *list = docks_.at(QStringLiteral("studies")), *transfer = docks_.at(QStringLiteral("transfer"));
   resizeDocks({list, transfer}, {studies, right}, Qt::Horizontal);

@@ -50,7 +50,7 @@ float inverseUnitOf(const Plan& plan, const VoxelGeometry& geometry) {
   if (plan.scene.mode != Mode::composite) return 1;
   const double longestMm = glm::dot(geometry.spacing(), glm::dvec3(geometry.size));
   // Over a unit distance that long nothing shows, whatever the curve.
-  const double least = 1e-20 / longestMm;
+  const double least = 1e-12 / longestMm;
   return float(std::max(least, std::min({1 / plan.curve.unitDistance, 1e30 / longestMm, 1e37})));
 }
 

@@ -27,6 +27,11 @@ class Rules {
     finite(path, value);
     require(value > 0, path, "must be > 0, not " + numberText(value));
   }
+  // A length whose square is an ordinary number.
+  void length(const std::string& path, double value) {
+    positive(path, value);
+    within(path, value, 1e-30, 1e30);
+  }
   void notNegative(const std::string& path, double value) {
     finite(path, value);
     require(value >= 0, path, "must be >= 0, not " + numberText(value));
@@ -108,15 +113,17 @@ void check(Rules& rules, const std::vector<Light>& lights) {
 }
 
 void check(Rules& rules, const Camera& camera) {
-  if (camera.target) rules.finite("camera.target", *camera.target);
+  if (camera.target)
+    for (int a = 0; a < 3; ++a)
+      rules.within("camera.target[" + std::to_string(a) + "]", (*camera.target)[a], -1e30, 1e30);
   rules.direction("camera.direction", camera.direction);
   rules.direction("camera.up", camera.up);
   if (!rules.problem.empty()) return;
   const double sine = glm::length(glm::cross(glm::normalize(camera.direction), glm::normalize(camera.up)));
   rules.require(sine > 1e-9, "camera.up", "is parallel to camera.direction");
-  rules.positive("camera.height", camera.height);
+  rules.length("camera.height", camera.height);
   rules.within("camera.fov", camera.fov, 0.1, 170);
-  rules.positive("camera.distance", camera.distance);
+  rules.length("camera.distance", camera.distance);
 }
 
 void check(Rules& rules, const Clip& clip) {

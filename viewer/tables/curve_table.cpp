@@ -23,6 +23,9 @@ float densityOf(float value, const DensityScale& scale) {
 // Finite for nodes that are next to nothing apart: infinity times a distance of 0 would be no number.
 float finiteRise(double rise) { return float(std::clamp(rise, -1e38, 1e38)); }
 
+// Smaller opacities show nothing over 1e30 unit distances, and no float holds what light divides by them.
+double ordinary(double opacity) { return opacity < 1e-30 ? 0 : opacity; }
+
 // Appends segments in the order of their densities.
 class SegmentWriter {
  public:
@@ -48,7 +51,7 @@ class SegmentWriter {
       at.push_back(float(p));
       rise.push_back(finiteRise(from == to ? 0 : (q - p) / width(from, to)));
     };
-    add(t_.opacity, t_.opacityRise, a.opacity, b.opacity);
+    add(t_.opacity, t_.opacityRise, ordinary(a.opacity), ordinary(b.opacity));
     add(t_.red, t_.redRise, a.colour.r, b.colour.r);
     add(t_.green, t_.greenRise, a.colour.g, b.colour.g);
     add(t_.blue, t_.blueRise, a.colour.b, b.colour.b);

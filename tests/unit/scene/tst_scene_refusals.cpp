@@ -154,6 +154,8 @@ void TestSceneRefusals::refusalsNameTheField_data() {
   row("up against direction", R"({"camera": {"direction": [0, 0, -1]}})",
       "camera.up is parallel to camera.direction.");
   row("height 0", R"({"camera": {"height": 0}})", "camera.height must be > 0, not 0.");
+  row("distance next to nothing", R"({"camera": {"distance": 1e-300}})",
+      "camera.distance must be in 1e-30 .. 1e+30, not 1e-300.");
   row("distance -1", R"({"camera": {"distance": -1}})", "camera.distance must be > 0, not -1.");
   row("fov 0.09", R"({"camera": {"fov": 0.09}})", "camera.fov must be in 0.1 .. 170, not 0.09.");
   row("fov 171", R"({"camera": {"fov": 171}})", "camera.fov must be in 0.1 .. 170, not 171.");
