@@ -101,6 +101,7 @@ void TestMeasurementText::linesSayNumbersWithUnits() {
 
 void TestMeasurementText::hoverSaysHowSure() {
   Series series;
+  series.format = "DICOM";
   series.modality = "CT";
   series.description = "Chest";
   Measured m = numberOf(23.44, "px");
