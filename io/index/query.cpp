@@ -221,28 +221,31 @@ std::string middleFile(Database& db, std::int64_t series) {
   return rows.next() ? pathOf(rows.bytes(0), rows.bytes(1)) : std::string();
 }
 
-std::vector<std::string> findFilesOf(Database& db, std::int64_t study, std::int64_t series) {
+namespace {
+
+// Of rows of a folder and a name.
+std::vector<std::string> pathsOf(Rows rows) {
   std::vector<std::string> paths;
-  for (Rows rows = db.run(
-           "SELECT d.path, f.name FROM file f JOIN folder d ON d.id = f.folder_id JOIN series s ON s.id ="
-           " f.series_id WHERE s.study_id = ? AND (? = 0 OR s.id = ?) ORDER BY s.id, f.position, d.path, "
-           "f.name",
-           study, series, series);
-       rows.next();)
-    paths.push_back(pathOf(rows.bytes(0), rows.bytes(1)));
+  while (rows.next()) paths.push_back(pathOf(rows.bytes(0), rows.bytes(1)));
   return paths;
 }
 
+}  // namespace
+
+std::vector<std::string> findFilesOf(Database& db, std::int64_t study, std::int64_t series) {
+  return pathsOf(
+      db.run("SELECT d.path, f.name FROM file f JOIN folder d ON d.id = f.folder_id JOIN series s ON s.id ="
+             " f.series_id WHERE s.study_id = ? AND (? = 0 OR s.id = ?) ORDER BY s.id, f.position, d.path, "
+             "f.name",
+             study, series, series));
+}
+
 std::vector<std::string> findRefusedBeside(Database& db, std::int64_t study, std::int64_t series) {
-  std::vector<std::string> paths;
-  for (Rows rows = db.run(
-           "SELECT d.path, f.name FROM file f JOIN folder d ON d.id = f.folder_id WHERE f.reason <> '' AND"
-           " f.folder_id IN (SELECT sf.folder_id FROM series_folder sf JOIN series s ON s.id = sf.series_id"
-           " WHERE s.study_id = ? AND (? = 0 OR s.id = ?)) ORDER BY d.path, f.name",
-           study, series, series);
-       rows.next();)
-    paths.push_back(pathOf(rows.bytes(0), rows.bytes(1)));
-  return paths;
+  return pathsOf(
+      db.run("SELECT d.path, f.name FROM file f JOIN folder d ON d.id = f.folder_id WHERE f.reason <> '' AND"
+             " f.folder_id IN (SELECT sf.folder_id FROM series_folder sf JOIN series s ON s.id = sf.series_id"
+             " WHERE s.study_id = ? AND (? = 0 OR s.id = ?)) ORDER BY d.path, f.name",
+             study, series, series));
 }
 
 }  // namespace volumen

@@ -32,8 +32,7 @@ QString nameOf(const NamedGrey& grey, std::size_t number, std::size_t count, con
   const bool isTable = !grey.mapping.table.grey.empty();
   if (name.isEmpty()) name = count == 1 ? tr("From file") : tr("From file, %1").arg(number + 1);
   if (isTable) return tr("%1, LUT").arg(name);
-  const auto [width, centre] = windowNumbers(shownWindow(grey.mapping.window, series));
-  const QString numbers = QStringLiteral("%1 (%2 / %3)").arg(name, width, centre);
+  const QString numbers = namedWindowText(name, grey.mapping.window, series);
   return grey.mapping.function == WindowFunction::sigmoid ? tr("%1, sigmoid").arg(numbers) : numbers;
 }
 

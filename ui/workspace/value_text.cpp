@@ -60,6 +60,11 @@ std::pair<QString, QString> windowNumbers(const Window& window) {
   return {QString::number(window.width, 'f', decimals), QString::number(window.centre, 'f', decimals)};
 }
 
+QString namedWindowText(const QString& name, const Window& stored, const Series& series) {
+  const auto [width, centre] = windowNumbers(shownWindow(stored, series));
+  return QStringLiteral("%1 (%2 / %3)").arg(name, width, centre);
+}
+
 QString windowText(const Window& window, const Series& series) {
   const Window shown = shownWindow(window, series);
   const auto [width, centre] = windowNumbers({shown.centre, std::abs(shown.width)});

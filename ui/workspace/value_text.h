@@ -26,6 +26,8 @@ int valueDecimals(const ShownSeries& shown);
 
 /// A window or a range in the numbers on screen, and back.
 Window shownWindow(const Window& window, const Series& series);
+/// "Bone (2000 / 400)": a name, with width and centre as they are shown.
+QString namedWindowText(const QString& name, const Window& stored, const Series& series);
 Window storedWindow(const Window& shown, const Series& series);
 
 /// Width and centre as they are read: four digits of the width, as many decimals of the centre, no zeros that

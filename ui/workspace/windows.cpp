@@ -13,11 +13,6 @@ namespace {
 
 bool isHounsfield(const Series& series) { return series.unit == "HU"; }
 
-QString withNumbers(const QString& name, const Window& stored, const Series& series) {
-  const auto [width, centre] = windowNumbers(shownWindow(stored, series));
-  return QStringLiteral("%1 (%2 / %3)").arg(name, width, centre);
-}
-
 // Least width that a drag makes, as a share of the spread of values.
 constexpr double finest = 1.0 / 4000;
 
@@ -60,7 +55,7 @@ std::vector<NamedWindow> tissueWindows(const Series& series) {
                                                 {tr("Lung"), {-600, 1500}},
                                                 {tr("CT angiography"), {170, 600}},
                                                 {tr("Bone MIP"), {700, 1800}}};
-  for (const auto& [name, window] : tissues) all.push_back({withNumbers(name, window, series), window});
+  for (const auto& [name, window] : tissues) all.push_back({namedWindowText(name, window, series), window});
   return all;
 }
 
@@ -69,7 +64,7 @@ std::vector<NamedWindow> windowChoices(const ShownSeries& series) {
   const std::vector<Window>& files = series.volume->attributes().windows;
   for (std::size_t n = 0; n < files.size(); ++n) {
     const QString name = files.size() == 1 ? tr("From file") : tr("From file, %1").arg(n + 1);
-    all.push_back({withNumbers(name, files[n], series.series), files[n]});
+    all.push_back({namedWindowText(name, files[n], series.series), files[n]});
   }
   for (const NamedWindow& tissue : tissueWindows(series.series)) all.push_back(tissue);
   return all;

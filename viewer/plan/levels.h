@@ -25,7 +25,7 @@ struct QualityLevel {
   const char* name;
   LevelPromise promise;
   /// What a ray that goes cell by cell may be off by, 1/255. Of standard and high what they promise of 99
-  /// pixels of a hundred, of exact a little less than what it promises of all.
+  /// pixels of a hundred, of exact half of what it promises of all.
   double rayBudget;
   double stepVoxels;  ///< plain steps where curve and values are smooth and no ray goes cell by cell
   double timeGoal;    ///< times plain steps of one voxel, median over scenes; 0: the frame time asked for

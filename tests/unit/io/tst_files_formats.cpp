@@ -265,8 +265,8 @@ void TestFilesFormats::geometryIsTurnedToLps_data() {
                          << meta + fields + "ElementDataFile = LOCAL\n" + counted(0, 24) << origin << far
                          << calibrated << warnings;
   };
-  mha("meta", "ElementSpacing = 1 2 3\nOffset = 1 2 3\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n", start, end,
-      true, 0);
+  const QByteArray whole = "ElementSpacing = 1 2 3\nOffset = 1 2 3\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n";
+  mha("meta", whole, start, end, true, 0);
   mha("meta, other names", "ElementSize = 1 2 3\nPosition = 1 2 3\nOrientation = 1 0 0 0 1 0 0 0 1\n", start,
       end, true, 0);
   mha("meta, rows are axes", "ElementSpacing = 1 2 3\nTransformMatrix = 0 1 0 0 0 1 1 0 0\n", {0, 0, 0},
@@ -275,14 +275,8 @@ void TestFilesFormats::geometryIsTurnedToLps_data() {
   mha("meta, um",
       "DistanceUnits = um\nElementSpacing = 1000 2000 3000\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n", {0, 0, 0},
       {1, 4, 9}, true, 1);
-  mha("meta, orientation not known",
-      "ElementSpacing = 1 2 3\nOffset = 1 2 3\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n"
-      "AnatomicalOrientation = ???\n",
-      start, end, true, 1);
-  mha("meta, orientation known",
-      "ElementSpacing = 1 2 3\nOffset = 1 2 3\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n"
-      "AnatomicalOrientation = RAI\n",
-      start, end, true, 0);
+  mha("meta, orientation not known", whole + "AnatomicalOrientation = ???\n", start, end, true, 1);
+  mha("meta, orientation known", whole + "AnatomicalOrientation = RAI\n", start, end, true, 0);
   mha("meta, no spacing", "", {0, 0, 0}, {1, 2, 3}, false, 1);
 
   // Voxel (1, 2, 3) is at RAS (10 - 4, 20 + 1, 30 + 9): i runs along +y, j along -x.
