@@ -8,6 +8,7 @@
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/views/view_grid.h"
+#include "viewer/plan/rule_lines.h"
 
 namespace volumen {
 
@@ -47,11 +48,23 @@ void MainWindow::requestFrames() {
     if (session_.workspace().view(id).kind == ViewKind::volume) requestFrame(*grid_->volumeView(id));
 }
 
+namespace {
+
+// "draft 1/4", "first: steps of 1 voxel", "final: standard".
+QString captionOf(const ScreenPicture& frame) {
+  QString level =
+      frame.step ? MainWindow::tr("first: steps of %1").arg(QString::fromStdString(inVoxels(*frame.step)))
+                 : QString::fromLatin1(qualityName(frame.quality));
+  if (frame.factor > 1) level += QStringLiteral(" 1/%1").arg(frame.factor);
+  return frame.atRest ? MainWindow::tr("final: %1").arg(level) : level;
+}
+
+}  // namespace
+
 void MainWindow::showFrame(const ScreenPicture& frame) {
   const QString ms = QString::number(frame.ms, 'f', frame.ms < 10 ? 1 : 0);
-  QString level = QLatin1String(qualityName(frame.quality));
-  if (frame.factor > 1) level += QStringLiteral(" 1/%1").arg(frame.factor);
-  grid_->volumeView(frame.view)->setPicture(frame.image, tr("%1 - %2 ms").arg(level, ms), frame.error);
+  grid_->volumeView(frame.view)
+      ->setPicture(frame.image, tr("%1 - %2 ms").arg(captionOf(frame), ms), frame.error);
   if (frame.view != sceneViewOf(session_.workspace())) return;
   accuracy_->showEstimate(frame);
   if (frame.draft()) return;

@@ -14,8 +14,8 @@ class TestDrafts : public QObject {
  private Q_SLOTS:
   void paceKeepsTheFrameTime_data();
   void paceKeepsTheFrameTime();
-  void aStepInBetweenWhereTheRestTakesLong_data();
-  void aStepInBetweenWhereTheRestTakesLong();
+  void aFirstPictureWhereTheRestTakesLong_data();
+  void aFirstPictureWhereTheRestTakesLong();
   void theRestIsExpectedAsItWas();
   void draftSeesWhatTheFullPictureSees_data();
   void draftSeesWhatTheFullPictureSees();
@@ -44,37 +44,40 @@ void TestDrafts::paceKeepsTheFrameTime() {
   QCOMPARE(pace.factor(), factor);  // and stays
 }
 
-void TestDrafts::aStepInBetweenWhereTheRestTakesLong_data() {
+void TestDrafts::aFirstPictureWhereTheRestTakesLong_data() {
   QTest::addColumn<double>("draftMs");
   QTest::addColumn<double>("factor");
   QTest::addColumn<int>("edge");
-  QTest::addColumn<double>("between");  // 0: none
-  // At rest a ray takes twice as long, as long as nothing else is known.
-  QTest::newRow("the rest takes 2 s") << 20.0 << 7.0 << 1 << 2.0;
-  QTest::newRow("the rest takes 0.4 s") << 4.0 << 7.0 << 1 << 0.0;
-  QTest::newRow("the first draft was fine already") << 200.0 << 2.0 << 1 << 0.0;
-  QTest::newRow("a coarser rest of 1.5 s") << 62.0 << 7.0 << 2 << 4.0;
+  QTest::addColumn<double>("first");  // 0: none
+  // At rest a ray takes twice as long, by plain steps half, as long as nothing else is known.
+  QTest::newRow("the rest takes 2 s") << 20.0 << 7.0 << 1 << 1.0;
+  QTest::newRow("the rest takes 0.16 s") << 1.7 << 7.0 << 1 << 1.0;
+  QTest::newRow("the rest takes 0.14 s") << 1.4 << 7.0 << 1 << 0.0;
+  QTest::newRow("the draft was as fine already") << 200.0 << 1.0 << 1 << 0.0;
+  QTest::newRow("a coarser rest of 1.5 s") << 62.0 << 7.0 << 2 << 2.0;
 }
 
-void TestDrafts::aStepInBetweenWhereTheRestTakesLong() {
+void TestDrafts::aFirstPictureWhereTheRestTakesLong() {
   QFETCH(double, draftMs);
   QFETCH(double, factor);
   QFETCH(int, edge);
-  QFETCH(double, between);
+  QFETCH(double, first);
   RestCost cost;
   cost.draftTook(draftMs, factor);
-  QCOMPARE(cost.factorBetween(factor, edge).value_or(0), between);
+  QCOMPARE(cost.factorOfFirst(factor, edge).value_or(0), first);
 }
 
 void TestDrafts::theRestIsExpectedAsItWas() {
   RestCost cost;
-  QVERIFY(!cost.factorBetween(7, 1));
+  QVERIFY(!cost.factorOfFirst(7, 1));
   cost.draftTook(10, 7);
   cost.restTook(4900, 1);  // ten times as long a ray
   QCOMPARE(cost.expected(1), 4900.0);
   cost.draftTook(1.5, 7);
   QCOMPARE(cost.expected(1), 735.0);
-  QCOMPARE(*cost.factorBetween(7, 1), 1.5);
+  QCOMPARE(*cost.factorOfFirst(7, 1), 1.0);
+  cost.firstTook(600, 1);  // nearly as long: of fewer rays
+  QCOMPARE(*cost.factorOfFirst(7, 1), 2.0);
 }
 
 void TestDrafts::draftSeesWhatTheFullPictureSees_data() {

@@ -47,10 +47,10 @@ void TestDrawSchedule::whatIsDrawnNext_data() {
       {.views = {waits(1, draft, 10), waits(2, draft, 20), waits(3, draft)}, .hand = {}}, Job{draft, 2});
   row("a draft of another before the picture at rest under the hand",
       {.views = {waits(1, rest), waits(2, draft)}, .hand = 1}, Job{draft, 2});
-  row("a draft of another before the finer one under the hand",
-      {.views = {waits(1, between), waits(2, draft)}, .hand = 1}, Job{draft, 2});
-  row("a finer draft of another before the picture at rest under the hand",
-      {.views = {waits(1, rest), waits(2, between)}, .hand = 1}, Job{between, 2});
+  row("a draft of another before the first picture under the hand",
+      {.views = {waits(1, first), waits(2, draft)}, .hand = 1}, Job{draft, 2});
+  row("a first picture of another before the picture at rest under the hand",
+      {.views = {waits(1, rest), waits(2, first)}, .hand = 1}, Job{first, 2});
   row("pictures at rest: the view under the hand, however long others have waited",
       {.views = {waits(1, rest, 5000), waits(2, rest)}, .hand = 2}, Job{rest, 2});
   row("the hand is over a view that waits for nothing", {.views = {waits(1, rest)}, .hand = 2}, Job{rest, 1});

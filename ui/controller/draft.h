@@ -26,8 +26,8 @@ class DraftPace {
   int step_ = 4;
 };
 
-/// What the picture at rest is expected to take, by what a draft of the same scene took and by what those
-/// before took beside theirs.
+/// What a first picture by plain steps and the picture at rest are expected to take, by what a draft of the
+/// same scene took and by what those before took beside theirs.
 class RestCost {
  public:
   /// A draft took so long.
@@ -36,15 +36,21 @@ class RestCost {
   void restTook(double ms, int edge) {
     if (draftMs_ > 0) timesDraft_ = ms * edge * edge / draftMs_;
   }
-  /// In ms.
+  /// A first picture by plain steps, of one ray for factor x factor pixels, that followed took so long.
+  void firstTook(double ms, double factor) {
+    if (draftMs_ > 0) timesFirst_ = ms * factor * factor / draftMs_;
+  }
+  /// Of the picture at rest, in ms.
   double expected(int edge) const { return timesDraft_ * draftMs_ / (edge * edge); }
-  /// The factor of a draft in between: none where the picture at rest comes soon anyway, or where the first
-  /// draft was about as fine. The finest that takes at most a sixth of the picture at rest.
-  std::optional<double> factorBetween(double first, int edge) const;
+  /// The factor of a first picture: none where the picture at rest comes soon anyway, or where the draft was
+  /// about as fine. The finest that takes at most a third of the picture at rest.
+  std::optional<double> factorOfFirst(double draft, int edge) const;
 
  private:
-  double draftMs_ = 0;     // the last draft, were it as fine as the screen
-  double timesDraft_ = 2;  // how much longer a ray takes at rest; at first as measured on chest and head
+  double draftMs_ = 0;  // the last draft, were it as fine as the screen
+  // How much longer a ray takes; at first as measured on chest and head.
+  double timesDraft_ = 2;    // at rest
+  double timesFirst_ = 0.5;  // by plain steps
 };
 
 /// A picture of a factor less pixels that shows the same: its size, rounded up, and its camera, which sees as

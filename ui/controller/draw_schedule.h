@@ -11,7 +11,7 @@ namespace volumen {
 /// What the render thread does, the first first.
 enum class Work {
   draft,    ///< the first picture of a view, within the frame time
-  between,  ///< a finer draft of a view, where its picture at rest will take long
+  first,    ///< a picture of a view by plain steps, where its picture at rest will take long
   rest,     ///< the picture at rest of a view
   saved,
   trial,
@@ -21,7 +21,7 @@ enum class Work {
 /// A view whose picture at rest is not drawn yet.
 struct WaitingView {
   ViewId view = 0;
-  Work next = Work::draft;              ///< or between, or rest
+  Work next = Work::draft;              ///< or first, or rest
   std::chrono::milliseconds waited{0};  ///< since its last draft was begun, else since it was asked for
 };
 

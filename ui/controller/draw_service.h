@@ -34,9 +34,9 @@ struct Trial {
 /// Draws the 3D pictures of all views on one thread of its own, in the order of nextJob(): of what a view
 /// asks for only the latest, first as a draft of fewer pixels within the frame time, then at the level of
 /// pictures at rest once nothing new was asked for a moment, in which that picture is planned. Where that one
-/// is expected to take long, a finer draft comes in between. Views of one volume share what was computed of
-/// it. Asking never waits. All functions are for the thread of this object; signals come from its event loop,
-/// only the last answers from the destructor.
+/// is expected to take long, a first picture by plain steps comes before it. Views of one volume share what
+/// was computed of it. Asking never waits. All functions are for the thread of this object; signals come from
+/// its event loop, only the last answers from the destructor.
 class DrawService : public QObject {
   Q_OBJECT
  public:
@@ -91,7 +91,7 @@ class DrawService : public QObject {
   struct Pending {
     ScreenRequest request;
     Work next = Work::draft;
-    double between = 1;       // factor of the draft in between
+    double firstFactor = 1;   // of the first picture
     Clock::time_point since;  // WaitingView::waited
   };
   struct View {
@@ -139,7 +139,7 @@ class DrawService : public QObject {
   void dropUnused(std::unique_lock<std::mutex>& lock);
   Waiting waiting() const;
   void drawDraft(ViewId id, std::unique_lock<std::mutex>& lock);
-  void drawBetween(ViewId id, std::unique_lock<std::mutex>& lock);
+  void drawFirst(ViewId id, std::unique_lock<std::mutex>& lock);
   void drawRest(ViewId id, std::unique_lock<std::mutex>& lock);
   void drawSaved(std::unique_lock<std::mutex>& lock);
   void drawTrial(std::unique_lock<std::mutex>& lock);
@@ -149,7 +149,7 @@ class DrawService : public QObject {
   Outcome drawScreen(ViewId id, const ScreenRequest& request, Pass pass, bool atRest,
                      const CancelToken& cancel, const PlannedPass* ahead = nullptr);
   bool staysQuiet(ViewId id, int number, std::unique_lock<std::mutex>& lock);
-  void follow(ViewId id, int number, Outcome outcome, std::optional<Work> next, double between = 1);
+  void follow(ViewId id, int number, Outcome outcome, std::optional<Work> next, double firstFactor = 1);
   void useCpu();
 
   const MakeDraw makeDraw_;

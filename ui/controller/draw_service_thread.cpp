@@ -21,8 +21,8 @@ void DrawService::run() {
       case Work::draft:
         drawDraft(job->view, lock);
         break;
-      case Work::between:
-        drawBetween(job->view, lock);
+      case Work::first:
+        drawFirst(job->view, lock);
         break;
       case Work::rest:
         drawRest(job->view, lock);
@@ -88,19 +88,19 @@ void DrawService::drawDraft(ViewId id, std::unique_lock<std::mutex>& lock) {
   // Another level of what is on screen needs no draft; that may be finer than any.
   const bool seen = drawing.isSeen(request) && !only;
   const Outcome outcome = seen ? Outcome::drawn : drawScreen(id, request, first, only, cancel);
-  const auto between = seen ? std::nullopt : drawing.factorBetween(request.level);
+  const auto firstFactor = seen ? std::nullopt : drawing.factorOfFirst(request.level);
   quietAt_ = Clock::now() + restTime;
   lock.lock();
   if (only)
     follow(id, request.number, outcome, {});
   else
-    follow(id, request.number, outcome, between ? Work::between : Work::rest, between.value_or(1));
+    follow(id, request.number, outcome, firstFactor ? Work::first : Work::rest, firstFactor.value_or(1));
 }
 
-void DrawService::drawBetween(ViewId id, std::unique_lock<std::mutex>& lock) {
+void DrawService::drawFirst(ViewId id, std::unique_lock<std::mutex>& lock) {
   View& view = views_.at(id);
   const ScreenRequest request = view.pending->request;
-  const Pass pass{Quality::draft, view.pending->between};
+  const Pass pass = firstPicturePass(request.level, view.pending->firstFactor);
   if (!staysQuiet(id, request.number, lock)) return;
   const CancelToken cancel = view.restCancel = CancelToken();
   lock.unlock();
@@ -238,12 +238,13 @@ bool DrawService::staysQuiet(ViewId id, int number, std::unique_lock<std::mutex>
 }
 
 // What comes after a picture of a request, unless something else is asked of the view by now.
-void DrawService::follow(ViewId id, int number, Outcome outcome, std::optional<Work> next, double between) {
+void DrawService::follow(ViewId id, int number, Outcome outcome, std::optional<Work> next,
+                         double firstFactor) {
   auto& pending = views_.at(id).pending;
   if (outcome == Outcome::cancelled || !pending || pending->request.number != number) return;
   if (outcome == Outcome::failed || !next) return pending.reset();
   pending->next = *next;
-  pending->between = between;
+  pending->firstFactor = firstFactor;
 }
 
 // OpenGL has failed: what waits for it does so no longer.

@@ -27,6 +27,7 @@ PassView viewOf(const ScreenRequest& request, Pass pass, const VoxelGeometry& ge
   view.scene.camera = draft.camera;
   view.options.size = {draft.size.width(), draft.size.height()};
   view.options.quality = pass.quality;
+  view.options.step = pass.step;
   if (pass.quality != Quality::draft && request.resampler == Resampler::gl)
     view.options.resampler = Resampler::gl;
   return view;
@@ -53,6 +54,7 @@ Result<DrawnPass> drawPass(const Draw& draw, const Volume& volume, const ScreenR
   shown.number = request.number;
   shown.quality = pass.quality;
   shown.factor = pass.factor;
+  shown.step = pass.step;
   shown.scene = std::move(view.shown);
   shown.image =
       pass.factor == 1 ? toImage(drawn->picture) : enlarged(drawn->picture, pass.factor, request.pixels);

@@ -27,8 +27,9 @@ struct ScreenPicture {
   int number = 0;  ///< of the request
   QImage image;    ///< as many pixels as were asked for
   Quality quality = Quality::standard;
-  double factor = 1;    ///< one ray for factor x factor pixels (DraftPace, PictureLevel)
-  bool atRest = false;  ///< no finer picture follows
+  double factor = 1;             ///< one ray for factor x factor pixels (DraftPace, PictureLevel)
+  std::optional<double> step{};  ///< of a first picture: its plain steps, voxels
+  bool atRest = false;           ///< no finer picture follows
   double ms = 0;  ///< wall clock up to the image, from the request taken or, at rest, from the moment that
                   ///< nothing new had been asked for long enough and drafts were done
   Scene scene;    ///< as drawn: with its camera
@@ -42,15 +43,19 @@ struct ScreenPicture {
   bool draft() const { return !atRest; }
 };
 
-/// One drawing of what is asked for, by one ray for factor x factor pixels.
+/// One drawing of what is asked for, by one ray for factor x factor pixels: at a level, or where `step` is
+/// given by plain steps of so many voxels.
 struct Pass {
   Quality quality;
   double factor;
+  std::optional<double> step{};
   bool operator==(const Pass&) const = default;
 };
 
 /// That of the picture at rest.
 inline Pass restPass(PictureLevel level) { return {level.quality, double(level.edge)}; }
+/// That of a first picture, where the one at rest takes long: the steps that most programs take.
+inline Pass firstPicturePass(PictureLevel level, double factor) { return {level.quality, factor, 1.0}; }
 
 /// A pass that was planned before it is to be drawn.
 struct PlannedPass {

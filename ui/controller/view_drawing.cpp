@@ -14,9 +14,12 @@ void ViewDrawing::drew(const ScreenPicture& picture, const ScreenRequest& reques
   // What is made once for the volume says nothing about the next picture, and a full picture at rest nothing
   // about drafts.
   const double ms = std::max(0.0, picture.ms - picture.stats.gradientsMs);
-  const Pass pass{picture.quality, picture.factor};
+  const Pass pass{picture.quality, picture.factor, picture.step};
   if (pass == firstPass(request.level) && pass.factor == pace_.factor()) pace_.measured(ms);
-  if (pass.quality == Quality::draft && !picture.atRest) cost_.draftTook(ms, pass.factor);
+  if (pass.step)
+    cost_.firstTook(ms, pass.factor);
+  else if (pass.quality == Quality::draft && !picture.atRest)
+    cost_.draftTook(ms, pass.factor);
   if (picture.atRest) cost_.restTook(ms, request.level.edge);
   drafted_ = pass.factor;
   seen_ = request;

@@ -17,9 +17,9 @@ class ViewDrawing {
 
   /// A draft, but never finer than the picture at rest.
   Pass firstPass(PictureLevel rest) const;
-  /// The factor of a draft between that one and the picture at rest, where it takes long.
-  std::optional<double> factorBetween(PictureLevel rest) const {
-    return cost_.factorBetween(drafted_, rest.edge);
+  /// The factor of a first picture between that draft and the picture at rest, where that takes long.
+  std::optional<double> factorOfFirst(PictureLevel rest) const {
+    return cost_.factorOfFirst(drafted_, rest.edge);
   }
   /// Whether the same scene is on screen in as many pixels, if only as a draft.
   bool isSeen(const ScreenRequest& request) const {

@@ -31,7 +31,7 @@ class VolumeView : public View {
  public:
   explicit VolumeView(Session& session, ViewId id = sceneViewId, QWidget* parent = nullptr);
 
-  /// The picture drawn last, its name for the corner ("draft 1/4 - 12 ms"), and how far its pixels may be
+  /// The picture drawn last, its name for the corner ("final: standard - 95 ms"), and how far its pixels may be
   /// off, null where that is not known.
   void setPicture(const QImage& image, const QString& caption,
                   std::shared_ptr<const std::vector<float>> error = {});
