@@ -77,7 +77,7 @@ void TestDrawSchedule::allIsDrawnInTheEnd() {
       view->next = Work(int(job->work) + 1);
   }
   std::vector<Job> expected;
-  for (const Work work : {draft, between, rest})
+  for (const Work work : {draft, first, rest})
     for (const ViewId view : {2, 0, 1, 3}) expected.push_back({work, view});
   QVERIFY(done == expected);
 }
