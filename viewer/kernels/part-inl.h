@@ -244,8 +244,14 @@ class PartRule {
     // of a turn from nothing to all of it.
     const auto passes = [&](VI bits) { return hn::RebindMask(DF(), hn::Ne(bits, SetI(0))); };
     const VF sudden = hn::Mul(Set(0.25f), hn::Min(hn::Mul(Set(5), turn), Set(1)));
-    const VF ofLights =
-        hn::Add(hn::Mul(Set(0.125f * light.diffuse), turn), hn::Mul(Set(light.specular), sudden));
+    // Each kink is of one light.
+    const VF kinksPassed = hn::ConvertTo(DF(), hn::BitCast(DI(), hn::PopulationCount(hn::BitCast(hn::RebindToUnsigned<DI>(), hn::AndNot(SetI(3), sides)))));
+    const LightStrength& one = matter_.f.strongestLight;
+    const auto ofKinks = [&](float strongest, float all) {
+      return hn::Min(hn::Mul(kinksPassed, Set(strongest)), Set(all));
+    };
+    const VF ofLights = hn::Add(hn::Mul(hn::Mul(Set(0.125f), ofKinks(one.diffuse, light.diffuse)), turn),
+                                hn::Mul(ofKinks(one.specular, light.specular), sudden));
     const VF ofSides = hn::Mul(Set(light.diffuse + light.specular), sudden);
     const VF kinks =
         hn::IfThenElse(passes(hn::And(sides, SetI(3))), ofSides, hn::IfThenElseZero(passes(sides), ofLights));

@@ -75,6 +75,7 @@ struct TraceFrame {
   float factorUnit = 1, factorUnitsAStored = 0;
   LightStrength lightStrength;
   ErrorBudget budget;  ///< where the kernel goes cell by cell (KernelKey)
+  LightStrength strongestLight;
 };
 
 /// A plane of rays resampled by another resampler: density[step * stride + ray]; gradients four floats a

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
 
 #include "viewer/kernels/ray_setup.h"
 #include "viewer/methods/caches.h"
@@ -26,12 +27,22 @@ int levelsOf(Blending blending) {
   return blending == Blending::floats ? 0 : blending == Blending::bits16 ? 65535 : 255;
 }
 
-LightStrength strengthOf(const Lighting& lighting) {
+// Of these lights together.
+LightStrength strengthOf(const Lighting& lighting, std::span<const ShadingLight> lights) {
   glm::vec3 diffuse(0), specular(0);
-  for (const ShadingLight& light : lighting.lights) diffuse += light.diffuse, specular += light.specular;
+  for (const ShadingLight& light : lights) diffuse += light.diffuse, specular += light.specular;
   const auto largest = [](glm::vec3 v) { return std::max({v.r, v.g, v.b}); };
   return {lighting.ambient, largest(diffuse), lighting.specular ? largest(specular) : 0.0f,
           lighting.shininess};
+}
+
+LightStrength strongestOf(const Lighting& lighting) {
+  LightStrength most;
+  for (const ShadingLight& light : lighting.lights) {
+    const LightStrength s = strengthOf(lighting, {&light, 1});
+    most = {s.ambient, std::max(most.diffuse, s.diffuse), std::max(most.specular, s.specular), s.shininess};
+  }
+  return most;
 }
 
 // How far the box around a packet of rays may reach: its interval, and where samples stand at steps half a
@@ -77,7 +88,8 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   frame_.intervals = makeCorrectionSeries(setup.sharedStepMm() * frame_.inverseUnitMm, mostOpacity);
   frame_.light = lightOf(plan);
   frame_.lighting = &lighting_;
-  frame_.lightStrength = strengthOf(lighting_);
+  frame_.lightStrength = strengthOf(lighting_, lighting_.lights);
+  frame_.strongestLight = strongestOf(lighting_);
   setFactorUnit();
   makeShades(plan, caches);
   frame_.stopTransmittance = float(plan.stopTransmittance);
