@@ -245,7 +245,9 @@ class PartRule {
     const auto passes = [&](VI bits) { return hn::RebindMask(DF(), hn::Ne(bits, SetI(0))); };
     const VF sudden = hn::Mul(Set(0.25f), hn::Min(hn::Mul(Set(5), turn), Set(1)));
     // Each kink is of one light.
-    const VF kinksPassed = hn::ConvertTo(DF(), hn::BitCast(DI(), hn::PopulationCount(hn::BitCast(hn::RebindToUnsigned<DI>(), hn::AndNot(SetI(3), sides)))));
+    const VF kinksPassed =
+        hn::ConvertTo(DF(), hn::BitCast(DI(), hn::PopulationCount(hn::BitCast(hn::RebindToUnsigned<DI>(),
+                                                                              hn::AndNot(SetI(3), sides)))));
     const LightStrength& one = matter_.f.strongestLight;
     const auto ofKinks = [&](float strongest, float all) {
       return hn::Min(hn::Mul(kinksPassed, Set(strongest)), Set(all));

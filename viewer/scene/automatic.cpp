@@ -31,7 +31,9 @@ double share(const Histogram& h, double low, double high, double least) {
 
 ValueRange usualRange(const Volume& volume) {
   const Histogram h = histogram(volume, fineBins);
-  return {valueOfRank(h, 0.01), valueOfRank(h, 0.995)};
+  const ValueRange usual{valueOfRank(h, 0.01), valueOfRank(h, 0.995)};
+  // Of a label map or a small thing in a large background all but a few values are one.
+  return usual.low < usual.high ? usual : ValueRange{h.low, h.high};
 }
 
 bool looksLikeHounsfield(const Histogram& h) {
@@ -39,9 +41,15 @@ bool looksLikeHounsfield(const Histogram& h) {
          countBetween(h, 0, 1e30) > 0;
 }
 
+bool isWithoutRescale(const Histogram& h) {
+  // Fat and muscle, 1024 higher, are most of what is denser than foam; of Hounsfield units that would be
+  // bone.
+  return h.low >= 0 && share(h, 850, 1200, 500) > 0.5;
+}
+
 bool inHounsfield(const Volume& volume, const Histogram& h) {
   const std::string& modality = volume.attributes().modality;
-  return modality == "CT" || (modality.empty() && looksLikeHounsfield(h));
+  return (modality == "CT" && !isWithoutRescale(h)) || (modality.empty() && looksLikeHounsfield(h));
 }
 
 bool hasContrast(const Histogram& h) {

@@ -4,15 +4,19 @@
 
 namespace volumen {
 
-/// The values most voxels have: P1 .. P99.5, padding left out (design.md 10), from a fine histogram.
+/// The values most voxels have: P1 .. P99.5, padding left out (design.md 10), from a fine histogram; all
+/// values where those are one.
 ValueRange usualRange(const Volume& volume);
 
 /// Whether values are Hounsfield units by the look of them: a mode of air between -1100 and -900, nothing
 /// below what scanners write outside their circle, and matter above 0.
 bool looksLikeHounsfield(const Histogram& histogram);
 
-/// Whether the volume's values are Hounsfield units: it is a CT, or no modality is known and they look like
-/// it. `histogram`: the volume's.
+/// Whether CT values lack the rescale that makes Hounsfield units of them: air at 0, water at 1024.
+bool isWithoutRescale(const Histogram& histogram);
+
+/// Whether the volume's values are Hounsfield units: it is a CT with its rescale, or no modality is known and
+/// they look like it. `histogram`: the volume's.
 bool inHounsfield(const Volume& volume, const Histogram& histogram);
 
 /// CT with contrast medium: its blood makes a second hump above soft tissue, so the counts rise again

@@ -4,6 +4,7 @@
 
 #include "tests/unit/scene/preset_volumes.h"
 #include "tests/unit/suite.h"
+#include "viewer/scene/curve_changes.h"
 #include "viewer/scene/presets.h"
 
 using namespace volumen;
@@ -15,6 +16,7 @@ class TestAutoPreset : public QObject {
   void autoChoosesByModalityAndHistogram_data();
   void autoChoosesByModalityAndHistogram();
   void autoLightsOverTheShoulder();
+  void aSmallThingInALargeBackgroundIsSeen();
 };
 
 namespace {
@@ -64,6 +66,11 @@ void TestAutoPreset::autoChoosesByModalityAndHistogram_data() {
   QTest::newRow("no HU, modality unknown") << countingVolume("") << "MR-Default";
   QTest::newRow("HU-like but MR") << patient(chest, "MR") << "MR-MIP";
   QTest::newRow("ultrasound") << countingVolume("US") << "US-Fetal";
+  QTest::newRow("head without rescale: air is 0, water 1024")
+      << patient({{60, 10, 60000}, {924, 25, 20000}, {1074, 25, 50000}, {1924, 400, 15000}}, "CT")
+      << "MR-Default";
+  QTest::newRow("a piece of bone, nothing below 0")
+      << patient({{120, 20, 20000}, {1000, 400, 20000}}, "CT") << "CT-Bone";
   QTest::newRow("CT of one value") << rowOf(std::vector<std::int16_t>(10, 0), "CT") << "CT-Muscle";
 }
 
@@ -75,6 +82,16 @@ void TestAutoPreset::autoChoosesByModalityAndHistogram() {
   Scene automatic = *presetScene("auto", *volume);
   automatic.lights = chosen.lights;
   QVERIFY(automatic == chosen);
+}
+
+// Of 100,000 voxels 60 are not 0: P1 and P99.5 are both 0.
+void TestAutoPreset::aSmallThingInALargeBackgroundIsSeen() {
+  std::vector<std::int16_t> values(100000, 0);
+  for (int n = 0; n < 60; ++n) values[500 + n] = std::int16_t(1 + n % 9);
+  const Scene scene = *presetScene("auto", *rowOf(std::move(values), ""));
+  const TransferFunction& curve = scene.transferFunction;
+  QCOMPARE(opacityAt(curve, 0), 0.0);
+  QVERIFY(opacityAt(curve, 9) > 0.3);
 }
 
 void TestAutoPreset::autoLightsOverTheShoulder() {
