@@ -12,6 +12,7 @@
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
+#include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
@@ -20,12 +21,6 @@ namespace {
 
 constexpr int filesARun = 250;
 constexpr double mostMebibytes = 512;
-
-int fromEnvironment(const char* name, int otherwise) {
-  bool isNumber = false;
-  const int number = qEnvironmentVariableIntValue(name, &isNumber);
-  return isNumber ? number : otherwise;
-}
 
 // Real files of every kind that are small, in an order that is always the same.
 QStringList seeds() {
@@ -79,15 +74,15 @@ void TestMutatedFiles::noneEndsTheProgram() {
   NEED_DATA(dataPath());
   const QStringList files = seeds();
   QVERIFY(files.size() > 100);
-  const int cases = fromEnvironment("VOLUMEN_RANDOM_CASES", 2 * filesARun);
-  Chance chance(std::uint64_t(fromEnvironment("VOLUMEN_RANDOM_SEED", 1)));
+  const auto [seed, cases] = seedsOf(filesARun, 10 * filesARun);
+  Chance chance{std::uint64_t(seed)};
   for (int done = 0; done < cases; done += filesARun) {
     const QTemporaryDir folder;
     for (int n = 0; n < filesARun; ++n) {
-      const QString seed = files[below(chance, files.size())];
+      const QString file = files[below(chance, files.size())];
       const QByteArray other = contentsOf(files[below(chance, files.size())]);
-      const QString name = QString::number(n) + QLatin1Char('-') + QFileInfo(seed).fileName();
-      QVERIFY(write(folder.filePath(name), mutated(contentsOf(seed), other, chance)));
+      const QString name = QString::number(n) + QLatin1Char('-') + QFileInfo(file).fileName();
+      QVERIFY(write(folder.filePath(name), mutated(contentsOf(file), other, chance)));
     }
     const MeasuredOutcome run = runMeasured({"info", folder.path().toStdString(), "--json", "--values"});
     const QString where = QStringLiteral("files %1 to %2").arg(done).arg(done + filesARun);

@@ -7,6 +7,7 @@
 
 #include "io/files/write_volume.h"
 #include "tests/fixtures/chance.h"
+#include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/app/slice_case.h"
 #include "tests/unit/suite.h"
@@ -103,11 +104,8 @@ class TestSliceRandom : public QObject {
 
 void TestSliceRandom::isTheTwins_data() {
   QTest::addColumn<quint64>("seed");
-  const int count = qEnvironmentVariableIsSet("VOLUMEN_RANDOM_CASES")
-                        ? qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES")
-                        : 60;
-  const int first = std::max(1, qEnvironmentVariableIntValue("VOLUMEN_RANDOM_SEED"));
-  for (int n = 0; n < count; ++n) QTest::addRow("seed %d", first + n) << quint64(first + n);
+  const Seeds seeds = seedsOf(20, 60);
+  for (int n = seeds.first; n < seeds.behindLast(); ++n) QTest::addRow("seed %d", n) << quint64(n);
 }
 
 void TestSliceRandom::isTheTwins() {

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "tests/fixtures/chance.h"
+#include "tests/fixtures/seeds.h"
 #include "tests/unit/index/index_folder.h"
 #include "tests/unit/suite.h"
 
@@ -103,11 +104,6 @@ class Model {
   int next_ = 0;
 };
 
-int numberFrom(const char* variable, int otherwise) {
-  const int given = qEnvironmentVariableIntValue(variable);
-  return given > 0 ? given : otherwise;
-}
-
 }  // namespace
 
 class TestIndexRandom : public QObject {
@@ -117,8 +113,7 @@ class TestIndexRandom : public QObject {
 };
 
 void TestIndexRandom::holdsWhatTheFolderHolds() {
-  const int operations = numberFrom("VOLUMEN_RANDOM_CASES", 300);
-  const int seed = numberFrom("VOLUMEN_RANDOM_SEED", 1);
+  const auto [seed, operations] = seedsOf(300, 3000);
   Model model{std::uint64_t(seed)};
   Chance chance{std::uint64_t(seed) + 1000};
   for (int n = 0; n < operations; ++n) {

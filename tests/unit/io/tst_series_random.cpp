@@ -12,6 +12,7 @@
 #include <random>
 #include <set>
 
+#include "tests/fixtures/seeds.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
 
@@ -190,18 +191,12 @@ Case write(const DicomFolder& folder, unsigned seed) {
   return made;
 }
 
-int environment(const char* name, int standard) {
-  bool given = false;
-  const int value = qEnvironmentVariableIntValue(name, &given);
-  return given ? value : standard;
-}
-
 }  // namespace
 
 void TestSeriesRandom::volumesArePure_data() {
   QTest::addColumn<unsigned>("seed");
-  const int first = environment("VOLUMEN_RANDOM_SEED", 1), cases = environment("VOLUMEN_RANDOM_CASES", 150);
-  for (int n = 0; n < cases; ++n) QTest::addRow("seed %d", first + n) << unsigned(first + n);
+  const Seeds seeds = seedsOf(150, 1000);
+  for (int n = seeds.first; n < seeds.behindLast(); ++n) QTest::addRow("seed %d", n) << unsigned(n);
 }
 
 void TestSeriesRandom::volumesArePure() {

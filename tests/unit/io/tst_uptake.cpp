@@ -5,6 +5,7 @@
 
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/fixtures.h"
+#include "tests/fixtures/seeds.h"
 #include "tests/unit/io/pet_series.h"
 #include "tests/unit/suite.h"
 
@@ -195,12 +196,11 @@ struct ChancePet {
 }  // namespace
 
 void TestUptake::byChance() {
-  const int count = qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES"),
-            seed = qEnvironmentVariableIntValue("VOLUMEN_RANDOM_SEED");
-  for (int n = 0; n < std::max(60, count); ++n) {
-    ChancePet pet{Chance(std::uint64_t(seed + n))};
+  const Seeds seeds = seedsOf(60, 1000);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    ChancePet pet{Chance(std::uint64_t(seed))};
     const SuvFactors found = petWith([&](DcmDataset& d) { pet.write(d); }).suv;
-    const QByteArray name = "seed " + QByteArray::number(seed + n) + ": " + found.why.c_str();
+    const QByteArray name = "seed " + QByteArray::number(seed) + ": " + found.why.c_str();
     QVERIFY2(found.bodyWeight && found.leanBodyMass && found.bodySurface, name.constData());
     QVERIFY2(isNear(*found.bodyWeight, pet.ofOnePerKg() * pet.weight), name.constData());
     QVERIFY2(isNear(*found.leanBodyMass, pet.ofOnePerKg() * pet.lean), name.constData());

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <random>
 
+#include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/promises/promises.h"
 #include "tests/unit/promises/random_parts.h"
@@ -124,12 +125,10 @@ void TestEvenSteps::theyKeepTheLevelsPromises() {
 
 // Lattices along directions of small whole numbers; VOLUMEN_RANDOM_CASES=N of them.
 void TestEvenSteps::noDirectionResonates() {
-  const int cases = qEnvironmentVariableIsSet("VOLUMEN_RANDOM_CASES")
-                        ? qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES")
-                        : 150;
+  const Seeds seeds = seedsOf(50, 150);
   QStringList broken;
   int even = 0;
-  for (int seed = 1; seed <= cases; ++seed) {
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
     Chance chance{std::uint64_t(seed)};
     const RandomCase c = randomLattice(chance);
     RenderCaches caches(c.volume);

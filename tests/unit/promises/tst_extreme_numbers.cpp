@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "tests/fixtures/seeds.h"
 #include "tests/unit/promises/promises.h"
 #include "tests/unit/promises/random_parts.h"
 #include "tests/unit/suite.h"
@@ -96,13 +97,10 @@ class TestExtremeNumbers : public QObject {
 };
 
 void TestExtremeNumbers::allThatIsDrawnAndSaidIsANumber() {
-  const int cases = qEnvironmentVariableIsSet("VOLUMEN_RANDOM_CASES")
-                        ? qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES")
-                        : 200;
-  const int first = std::max(1, qEnvironmentVariableIntValue("VOLUMEN_RANDOM_SEED"));
+  const Seeds seeds = seedsOf(70, 200);
   QStringList faults;
   int drawn = 0;
-  for (int seed = first; seed < first + cases; ++seed) {
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
     const RandomCase c = extremeCase(std::uint64_t(seed));
     RenderCaches caches(c.volume);
     RenderOptions options[] = {atLevel(Quality::draft), atLevel(Quality::standard), atLevel(Quality::exact),

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "tests/fixtures/fixtures.h"
+#include "tests/fixtures/seeds.h"
 #include "tests/unit/promises/promises.h"
 #include "tests/unit/promises/random_cases.h"
 #include "tests/unit/suite.h"
@@ -52,11 +53,8 @@ class TestRandomPilots : public QObject {
 
 void TestRandomPilots::thePictureKeepsThePromise_data() {
   QTest::addColumn<quint64>("seed");
-  const int count = qEnvironmentVariableIsSet("VOLUMEN_RANDOM_CASES")
-                        ? qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES")
-                        : 300;
-  const int first = std::max(1, qEnvironmentVariableIntValue("VOLUMEN_RANDOM_SEED"));
-  for (int n = first; n < first + count; ++n) QTest::addRow("seed %d", n) << quint64(n);
+  const Seeds seeds = seedsOf(100, 300);
+  for (int n = seeds.first; n < seeds.behindLast(); ++n) QTest::addRow("seed %d", n) << quint64(n);
 }
 
 void TestRandomPilots::thePictureKeepsThePromise() {

@@ -11,6 +11,7 @@
 #include "io/files/write_volume.h"
 #include "tests/fixtures/brute_force.h"
 #include "tests/fixtures/fixtures.h"
+#include "tests/fixtures/seeds.h"
 #include "tests/unit/promises/random_cases.h"
 #include "tests/unit/promises/random_report.h"
 #include "tests/unit/suite.h"
@@ -93,12 +94,9 @@ class TestRandomScenes : public QObject {
 void TestRandomScenes::everyLevelKeepsItsPromise_data() {
   QTest::addColumn<int>("family");
   QTest::addColumn<quint64>("seed");
-  const int pieces = qEnvironmentVariableIsSet("VOLUMEN_RANDOM_CASES")
-                         ? qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES")
-                         : 200;
-  const int first = std::max(1, qEnvironmentVariableIntValue("VOLUMEN_RANDOM_SEED"));
+  const auto [first, pieces] = seedsOf(70, 200);
   const QString only = qEnvironmentVariable("VOLUMEN_RANDOM_FAMILY");
-  const auto countOf = [&](Family family) {
+  const auto countOf = [&, pieces = pieces](Family family) {
     if (!only.isEmpty()) return only == QLatin1String(nameOf(family)) ? pieces : 0;
     return family == Family::pieces ? pieces : (pieces + 1) / 2;
   };

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/fixtures/chance.h"
+#include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/slice/slow_slice.h"
 #include "tests/unit/suite.h"
@@ -98,11 +99,8 @@ double largestOf(const Volume& volume) {
 
 void TestRandomPlanes::agreeWithASimpleLoop_data() {
   QTest::addColumn<int>("seed");
-  const int cases = qEnvironmentVariableIsSet("VOLUMEN_RANDOM_CASES")
-                        ? qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES")
-                        : 300;
-  const int first = std::max(1, qEnvironmentVariableIntValue("VOLUMEN_RANDOM_SEED"));
-  for (int seed = first; seed < first + cases; ++seed) QTest::addRow("seed %d", seed) << seed;
+  const Seeds seeds = seedsOf(300, 300);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 
 // Within 1e-6 of the largest value: floats hold 6e-8 of it, of which a slice loses some, and positions of

@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
 #include "tests/unit/workspace/random_workspace.h"
 #include "ui/workspace/session_json.h"
@@ -60,10 +61,9 @@ class TestSessionJson : public QObject {
   void whatCannotBeReadIsNotWritten();
 };
 
-// 1,000 by default, VOLUMEN_RANDOM_CASES otherwise.
 void TestSessionJson::workspacesComeBackEqual() {
-  const int asked = qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES");
-  for (int seed = 1; seed <= (asked > 0 ? asked : 1000); ++seed) {
+  const tests::Seeds seeds = tests::seedsOf(330, 1000);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
     const Workspace w = randomWorkspace(std::uint64_t(seed));
     const auto text = sessionToJson(w, folder);
     QVERIFY2(
