@@ -50,6 +50,15 @@ int endBySignal(int status) {
   return status;
 }
 
+// Those that everything is compiled for (CMakeLists.txt).
+bool hasOurInstructions() {
+#ifdef __x86_64__
+  return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
+#else
+  return true;
+#endif
+}
+
 // Whatever is opened first would else pass for what was closed: files for output, sockets for input. What
 // is written to a closed stdout still fails.
 void openStandardDescriptors() {
@@ -138,6 +147,8 @@ void keepFreedMemory() {
 
 int main(int argc, char** argv) {
   openStandardDescriptors();
+  if (!hasOurInstructions())
+    return volumen::fail("volumen needs a processor with SSE4.2 (x86-64-v2, made since 2009).");
   keepFreedMemory();
   volumen::worker::start();
   forgetForeignSettings();
