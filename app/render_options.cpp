@@ -26,8 +26,12 @@ OptionWords<Quality> namedQualities() {
   return words;
 }
 const OptionWords<Quality> qualities = namedQualities();
-const OptionWords<Mode> modes{
-    {"composite", Mode::composite}, {"mip", Mode::mip}, {"minip", Mode::minip}, {"average", Mode::average}};
+OptionWords<Mode> namedModes() {
+  OptionWords<Mode> words;
+  for (const ModeRow& row : modeRows) words.emplace_back(row.name, row.mode);
+  return words;
+}
+const OptionWords<Mode> modes = namedModes();
 const OptionWords<Shader> shaders{
     {"auto", Shader::automatic}, {"phong", Shader::phong}, {"map", Shader::map}, {"table", Shader::table}};
 const OptionWords<Method> methods{{"planes", Method::planes},

@@ -59,9 +59,17 @@ ProjectKernel ChooseWay(bool cellByCell) {
 
 template <class Store>
 ProjectKernel ChooseMode(Mode mode, bool cellByCell) {
-  return mode == Mode::mip     ? ChooseWay<Store, Mode::mip>(cellByCell)
-         : mode == Mode::minip ? ChooseWay<Store, Mode::minip>(cellByCell)
-                               : ChooseWay<Store, Mode::average>(cellByCell);
+  switch (mode) {
+    case Mode::mip:
+      return ChooseWay<Store, Mode::mip>(cellByCell);
+    case Mode::minip:
+      return ChooseWay<Store, Mode::minip>(cellByCell);
+    case Mode::average:
+      return ChooseWay<Store, Mode::average>(cellByCell);
+    case Mode::composite:
+      break;
+  }
+  return nullptr;  // chooseTraceKernel
 }
 
 ProjectKernel ChooseProject(Store store, Mode mode, bool cellByCell) {

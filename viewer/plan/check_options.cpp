@@ -54,9 +54,8 @@ Status checkPrecision(const RenderOptions& o) {
 }
 
 Status checkMethod(const Scene& scene, const RenderOptions& o) {
-  static constexpr const char* modes[] = {"composite", "mip", "minip", "average"};
   if (o.method == Method::preshaded && scene.mode != Mode::composite)
-    return Error{std::string("--method preshaded does not go with --mode ") + modes[int(scene.mode)] +
+    return Error{std::string("--method preshaded does not go with --mode ") + modeName(scene.mode) +
                  ": shaded voxels have no values left to project."};
   if (o.method == Method::gpu && o.resampler == Resampler::cpu)
     return Error{"--resampler cpu does not go with --method gpu, which is OpenGL's alone."};

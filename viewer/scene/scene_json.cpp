@@ -9,8 +9,11 @@ namespace volumen {
 
 namespace {
 
-const Words<Mode> modeWords{
-    {"composite", Mode::composite}, {"mip", Mode::mip}, {"minip", Mode::minip}, {"average", Mode::average}};
+const Words<Mode> modeWords = [] {
+  Words<Mode> words;
+  for (const ModeRow& row : modeRows) words.emplace_back(row.name, row.mode);
+  return words;
+}();
 const Words<Space> spaceWords{{"camera", Space::camera}, {"patient", Space::patient}};
 const Words<Projection> projectionWords{{"parallel", Projection::parallel},
                                         {"perspective", Projection::perspective}};

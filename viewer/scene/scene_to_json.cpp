@@ -40,10 +40,7 @@ std::string text(const std::vector<T>& items, const char* indent) {
   return items.empty() ? "[]" : join("[", all, "\n", indent, "]");
 }
 
-std::string text(Mode mode) {
-  static constexpr const char* words[] = {"composite", "mip", "minip", "average"};
-  return text(words[int(mode)]);
-}
+std::string text(Mode mode) { return text(modeName(mode)); }
 
 std::string text(const Window& w) {
   return join("{\"centre\": ", text(w.centre), ", \"width\": ", text(w.width), "}");
