@@ -64,6 +64,12 @@ void TestLimits::limitsAreTold() {
   QFETCH(int, resource);
   QFETCH(int, most);
   QFETCH(QByteArray, advice);
+#ifdef __SANITIZE_ADDRESS__
+  if (resource == RLIMIT_NOFILE && most < 9)
+    QSKIP(
+        "the sanitizer asks through a pipe of its own whether memory can be read, and takes no answer for an "
+        "error");
+#endif
   const Outcome a = runProgram(words(QStringLiteral("convert IN/scans -o IN/a.nrrd")), [=] {
     const rlimit few{rlim_t(most), rlim_t(most)};
     ::setrlimit(__rlimit_resource(resource), &few);
