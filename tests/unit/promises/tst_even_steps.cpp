@@ -150,7 +150,7 @@ void TestEvenSteps::noDirectionResonates() {
     }
   }
   QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QLatin1Char('\n'))));
-  QVERIFY2(even >= cases / 4, "hardly any scene takes plain steps: this proves nothing");
+  QVERIFY2(even >= seeds.count / 4, "hardly any scene takes plain steps: this proves nothing");
 }
 
 VOLUMEN_TEST(TestEvenSteps);
