@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QSignalSpy>
+#include <algorithm>
 #include <atomic>
 
 #include "tests/fixtures/small_volumes.h"
@@ -80,6 +81,10 @@ struct Watched {
     QObject::connect(&service, &DrawService::failed, &service,
                      [this](ViewId, const QString& sentence) { failures << sentence; });
     service.show(0, volume);
+  }
+  /// But for first pictures by plain steps: those come, too, where a busy machine draws a draft slowly.
+  int ofLevels() const {
+    return int(std::ranges::count_if(pictures, [](const ScreenPicture& p) { return !p.step; }));
   }
   bool atRest() const { return !pictures.empty() && !pictures.back().draft(); }
   /// The only answer to a request.

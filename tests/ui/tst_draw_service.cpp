@@ -34,7 +34,7 @@ void TestDrawService::draftComesFirstThenStandard() {
   Watched w(renderer.make());
   w.service.request(0, greyScene(0.5), {101, 67});
   QTRY_VERIFY(w.atRest());
-  QCOMPARE(w.pictures.size(), std::size_t(2));
+  QCOMPARE(w.ofLevels(), 2);
   QVERIFY(w.pictures[0].draft());
   for (const ScreenPicture& picture : w.pictures) {
     QCOMPARE(picture.image.size(), QSize(101, 67));
@@ -119,7 +119,7 @@ void TestDrawService::theLevelAtRestIsDrawn() {
   w.service.setLevel(0, {Quality(quality), edge});
   w.service.request(0, greyScene(0.5), {64, 64});
   QTRY_VERIFY(w.atRest());
-  QCOMPARE(int(w.pictures.size()), pictures);
+  QCOMPARE(w.ofLevels(), pictures);
   QCOMPARE(int(w.pictures.back().quality), quality);
   QCOMPARE(w.pictures.back().factor, double(edge));
   QCOMPARE(w.pictures.back().image.size(), QSize(64, 64));
