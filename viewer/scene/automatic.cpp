@@ -41,15 +41,16 @@ bool looksLikeHounsfield(const Histogram& h) {
          countBetween(h, 0, 1e30) > 0;
 }
 
-bool isWithoutRescale(const Histogram& h) {
+double waterOf(const Volume& volume, const Histogram& h) {
   // Fat and muscle, 1024 higher, are most of what is denser than foam; of Hounsfield units that would be
   // bone.
-  return h.low >= 0 && share(h, 850, 1200, 500) > 0.5;
+  const bool isRaised = volume.attributes().modality == "CT" && h.low >= 0 && share(h, 850, 1200, 500) > 0.5;
+  return isRaised ? 1024 : 0;
 }
 
 bool inHounsfield(const Volume& volume, const Histogram& h) {
   const std::string& modality = volume.attributes().modality;
-  return (modality == "CT" && !isWithoutRescale(h)) || (modality.empty() && looksLikeHounsfield(h));
+  return (modality == "CT" && waterOf(volume, h) == 0) || (modality.empty() && looksLikeHounsfield(h));
 }
 
 bool hasContrast(const Histogram& h) {
@@ -74,8 +75,10 @@ std::string automaticPreset(const Volume& volume) {
   // Of a head the surface would be its face; the brightest values lie inside.
   if (modality == "MR") return "MR-MIP";
   if (modality == "PT" || modality == "NM") return "PET-MIP";
-  const Histogram h = histogram(volume, fineBins);
-  if (!inHounsfield(volume, h)) return "MR-Default";
+  Histogram h = histogram(volume, fineBins);
+  const double water = waterOf(volume, h);
+  if (water == 0 && !inHounsfield(volume, h)) return "MR-Default";
+  h.low -= water, h.high -= water;
   if (isBony(h)) return "CT-Bone";
   if (isChest(h)) return hasContrast(h) ? "CT-Chest-Contrast-Enhanced" : "CT-Bones";
   return hasContrast(h) ? "CT-AAA" : "CT-Muscle";

