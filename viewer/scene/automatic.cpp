@@ -44,7 +44,7 @@ bool looksLikeHounsfield(const Histogram& h) {
 double waterOf(const Volume& volume, const Histogram& h) {
   // Fat and muscle, 1024 higher, are most of what is denser than foam; of Hounsfield units that would be
   // bone.
-  const bool isRaised = volume.attributes().modality == "CT" && h.low >= 0 && share(h, 850, 1200, 500) > 0.5;
+  const bool isRaised = volume.attributes().modality == "CT" && h.low > -1 && share(h, 850, 1200, 500) > 0.5;
   return isRaised ? 1024 : 0;
 }
 
