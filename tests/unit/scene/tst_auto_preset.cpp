@@ -67,8 +67,7 @@ void TestAutoPreset::autoChoosesByModalityAndHistogram_data() {
   QTest::newRow("HU-like but MR") << patient(chest, "MR") << "MR-MIP";
   QTest::newRow("ultrasound") << countingVolume("US") << "US-Fetal";
   QTest::newRow("head without rescale: air is 0, water 1024")
-      << patient({{5, 1, 60000}, {924, 25, 20000}, {1074, 25, 50000}, {1924, 400, 15000}}, "CT")
-      << "CT-Bone";
+      << patient({{5, 1, 60000}, {924, 25, 20000}, {1074, 25, 50000}, {1924, 400, 15000}}, "CT") << "CT-Bone";
   QTest::newRow("a piece of bone, nothing below 0")
       << patient({{120, 20, 20000}, {1000, 400, 20000}}, "CT") << "CT-Bone";
   QTest::newRow("CT of one value") << rowOf(std::vector<std::int16_t>(10, 0), "CT") << "CT-Muscle";
