@@ -10,9 +10,9 @@ namespace volumen {
 
 /// What the render thread does, the first first.
 enum class Work {
-  draft,    ///< the first picture of a view, within the frame time
-  first,    ///< a picture of a view by plain steps, where its picture at rest will take long
-  rest,     ///< the picture at rest of a view
+  draft,  ///< what a view shows at once, within the frame time
+  first,  ///< a picture of a view by plain steps, where its picture at rest will take long
+  rest,   ///< the picture at rest of a view
   saved,
   trial,
   thumbnail

@@ -83,11 +83,11 @@ void DrawService::drawDraft(ViewId id, std::unique_lock<std::mutex>& lock) {
   const CancelToken cancel = view.cancel;
   lock.unlock();
   ViewDrawing& drawing = drawingOf(id, volume, shownAt);
-  const Pass first = drawing.firstPass(request.level);
-  const bool only = first == restPass(request.level);
+  const Pass draft = drawing.draftPass(request.level);
+  const bool only = draft == restPass(request.level);
   // Another level of what is on screen needs no draft; that may be finer than any.
   const bool seen = drawing.isSeen(request) && !only;
-  const Outcome outcome = seen ? Outcome::drawn : drawScreen(id, request, first, only, cancel);
+  const Outcome outcome = seen ? Outcome::drawn : drawScreen(id, request, draft, only, cancel);
   const auto firstFactor = seen ? std::nullopt : drawing.factorOfFirst(request.level);
   quietAt_ = Clock::now() + restTime;
   lock.lock();

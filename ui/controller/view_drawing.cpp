@@ -4,7 +4,7 @@
 
 namespace volumen {
 
-Pass ViewDrawing::firstPass(PictureLevel rest) const {
+Pass ViewDrawing::draftPass(PictureLevel rest) const {
   const double factor = pace_.factor();
   if (rest.quality == Quality::draft && rest.edge >= factor) return restPass(rest);
   return {factor > 1 ? Quality::draft : Quality::standard, factor};
@@ -15,7 +15,7 @@ void ViewDrawing::drew(const ScreenPicture& picture, const ScreenRequest& reques
   // about drafts.
   const double ms = std::max(0.0, picture.ms - picture.stats.gradientsMs);
   const Pass pass{picture.quality, picture.factor, picture.step};
-  if (pass == firstPass(request.level) && pass.factor == pace_.factor()) pace_.measured(ms);
+  if (pass == draftPass(request.level) && pass.factor == pace_.factor()) pace_.measured(ms);
   if (pass.step)
     cost_.firstTook(ms, pass.factor);
   else if (pass.quality == Quality::draft && !picture.atRest)

@@ -16,7 +16,7 @@ class ViewDrawing {
   const Draw& draw() const { return draw_; }
 
   /// A draft, but never finer than the picture at rest.
-  Pass firstPass(PictureLevel rest) const;
+  Pass draftPass(PictureLevel rest) const;
   /// The factor of a first picture between that draft and the picture at rest, where that takes long.
   std::optional<double> factorOfFirst(PictureLevel rest) const {
     return cost_.factorOfFirst(drafted_, rest.edge);

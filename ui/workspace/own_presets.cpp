@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/files/preset_files.h"
+#include "viewer/scene/automatic.h"
 
 namespace volumen {
 
@@ -30,7 +31,10 @@ Status saveOwnPreset(const std::string& name, const Scene& scene, const ShownSer
   Preset preset{name, series.series.modality, scene, {}};
   preset.scene.camera.reset();
   preset.scene.clip = {};
-  if (series.usual && series.usual->low < series.usual->high) preset.anchor = series.usual;
+  if (series.usual && series.usual->low < series.usual->high)
+    preset.anchor = series.usual;
+  else if (preset.modality == "CT")
+    moveValues(preset.scene, -waterOf(*series.volume));
   return writePresetFile(name, presetToJson(preset));
 }
 

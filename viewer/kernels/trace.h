@@ -74,8 +74,8 @@ struct TraceFrame {
   /// The largest gradient of gradientOpacity's points (value / mm), and how many of these a stored unit is.
   float factorUnit = 1, factorUnitsAStored = 0;
   LightStrength lightStrength;
-  ErrorBudget budget;  ///< where the kernel goes cell by cell (KernelKey)
-  LightStrength strongestLight;
+  ErrorBudget budget;            ///< where the kernel goes cell by cell (KernelKey)
+  LightStrength strongestLight;  ///< the most that a single light has of each
 };
 
 /// A plane of rays resampled by another resampler: density[step * stride + ray]; gradients four floats a

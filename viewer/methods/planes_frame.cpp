@@ -36,11 +36,13 @@ LightStrength strengthOf(const Lighting& lighting, std::span<const ShadingLight>
           lighting.shininess};
 }
 
+// Of each the most that a single one has.
 LightStrength strongestOf(const Lighting& lighting) {
-  LightStrength most;
+  LightStrength most = strengthOf(lighting, {});
   for (const ShadingLight& light : lighting.lights) {
-    const LightStrength s = strengthOf(lighting, {&light, 1});
-    most = {s.ambient, std::max(most.diffuse, s.diffuse), std::max(most.specular, s.specular), s.shininess};
+    const LightStrength one = strengthOf(lighting, {&light, 1});
+    most.diffuse = std::max(most.diffuse, one.diffuse);
+    most.specular = std::max(most.specular, one.specular);
   }
   return most;
 }

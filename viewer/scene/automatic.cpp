@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "viewer/scene/presets.h"
 
@@ -41,16 +42,22 @@ bool looksLikeHounsfield(const Histogram& h) {
          countBetween(h, 0, 1e30) > 0;
 }
 
-double waterOf(const Volume& volume, const Histogram& h) {
+double waterOf(const Volume& volume) {
+  if (volume.attributes().modality != "CT") return 0;
+  const bool hasNegative = std::visit(
+      [&](const auto& stored) {
+        return std::ranges::any_of(stored, [&](auto v) { return volume.realValue(double(v)) < 0; });
+      },
+      volume.stored());
+  if (hasNegative) return 0;
   // Fat and muscle, 1024 higher, are most of what is denser than foam; of Hounsfield units that would be
   // bone.
-  const bool isRaised = volume.attributes().modality == "CT" && h.low > -1 && share(h, 850, 1200, 500) > 0.5;
-  return isRaised ? 1024 : 0;
+  return share(histogram(volume, fineBins), 850, 1200, 500) > 0.5 ? 1024 : 0;
 }
 
 bool inHounsfield(const Volume& volume, const Histogram& h) {
   const std::string& modality = volume.attributes().modality;
-  return (modality == "CT" && waterOf(volume, h) == 0) || (modality.empty() && looksLikeHounsfield(h));
+  return (modality == "CT" && waterOf(volume) == 0) || (modality.empty() && looksLikeHounsfield(h));
 }
 
 bool hasContrast(const Histogram& h) {
@@ -76,7 +83,7 @@ std::string automaticPreset(const Volume& volume) {
   if (modality == "MR") return "MR-MIP";
   if (modality == "PT" || modality == "NM") return "PET-MIP";
   Histogram h = histogram(volume, fineBins);
-  const double water = waterOf(volume, h);
+  const double water = waterOf(volume);
   if (water == 0 && !inHounsfield(volume, h)) return "MR-Default";
   h.low -= water, h.high -= water;
   if (isBony(h)) return "CT-Bone";

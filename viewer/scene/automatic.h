@@ -13,8 +13,8 @@ ValueRange usualRange(const Volume& volume);
 bool looksLikeHounsfield(const Histogram& histogram);
 
 /// The value of water: 1024 of a CT that lacks the rescale which makes Hounsfield units of its values (air is
-/// then at 0), else 0. `histogram`: the volume's.
-double waterOf(const Volume& volume, const Histogram& histogram);
+/// then at 0), else 0.
+double waterOf(const Volume& volume);
 
 /// Whether the volume's values are Hounsfield units: it is a CT with its rescale, or no modality is known and
 /// they look like it. `histogram`: the volume's.

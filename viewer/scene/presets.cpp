@@ -94,9 +94,17 @@ std::string presetToJson(const Preset& preset) {
   return file.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+void moveValues(Scene& scene, double by) {
+  for (CurvePoint& point : scene.transferFunction.points) point.value = float(point.value + by);
+  if (scene.window) scene.window->centre += by;
+}
+
 Scene sceneOf(const Preset& preset, const Volume& volume) {
   Scene scene = preset.scene;
-  if (preset.anchor) anchor(scene, *preset.anchor, usualRange(volume));
+  if (preset.anchor)
+    anchor(scene, *preset.anchor, usualRange(volume));
+  else if (preset.modality == "CT")
+    moveValues(scene, waterOf(volume));
   return scene;
 }
 
@@ -129,11 +137,7 @@ Result<Scene> presetScene(const std::string& name, const Volume& volume, const s
   const Preset* preset = found(builtInPresets(), wanted);
   if (!preset) preset = found(own, wanted);
   Scene scene = sceneOf(*preset, volume);
-  if (automatic) {
-    scene.lights = shoulderLights();
-    const double water = waterOf(volume, histogram(volume, 1 << 16));
-    for (CurvePoint& point : scene.transferFunction.points) point.value += float(water);
-  }
+  if (automatic) scene.lights = shoulderLights();
   return scene;
 }
 

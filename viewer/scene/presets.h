@@ -9,7 +9,7 @@
 namespace volumen {
 
 /// How values are shown: a scene without a view. `anchor`: values without a unit (MR) are moved so that `low`
-/// falls on a volume's P1 and `high` on its P99.5.
+/// falls on a volume's P1 and `high` on its P99.5. Without one those of CT are Hounsfield units.
 struct Preset {
   std::string name, modality;
   Scene scene;
@@ -31,7 +31,10 @@ Result<Preset> presetFromJson(const std::string& text);
 /// The file of a preset; camera and clip are left out.
 std::string presetToJson(const Preset& preset);
 
-/// The preset's scene for this volume. Camera and clip are left at their defaults.
+/// Moves all that stands at values, up by so much.
+void moveValues(Scene& scene, double by);
+/// The preset's scene for this volume; of a CT without its rescale moved to where its water is (waterOf).
+/// Camera and clip are left at their defaults.
 Scene sceneOf(const Preset& preset, const Volume& volume);
 
 /// What a preset is, of two scenes: mode, window, curve, shading, lights and background, but not the view.

@@ -94,7 +94,7 @@ class TestRandomScenes : public QObject {
 void TestRandomScenes::everyLevelKeepsItsPromise_data() {
   QTest::addColumn<int>("family");
   QTest::addColumn<quint64>("seed");
-  const auto [first, pieces] = seedsOf(70, 200);
+  const auto [first, pieces] = seedsOf(70, 600);
   const QString only = qEnvironmentVariable("VOLUMEN_RANDOM_FAMILY");
   const auto countOf = [&, pieces = pieces](Family family) {
     if (!only.isEmpty()) return only == QLatin1String(nameOf(family)) ? pieces : 0;

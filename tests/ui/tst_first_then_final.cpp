@@ -39,13 +39,13 @@ Draw slowDraw(const VoxelsPtr&) {
 
 }  // namespace
 
-class TestFirstPicture : public QObject {
+class TestFirstThenFinal : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void aDragEndsInAFirstPictureAndThenTheFinalOne();
 };
 
-void TestFirstPicture::aDragEndsInAFirstPictureAndThenTheFinalOne() {
+void TestFirstThenFinal::aDragEndsInAFirstPictureAndThenTheFinalOne() {
   Services services = realServices();
   services.makeDraw = slowDraw;
   MainWindow window(services);
@@ -75,5 +75,5 @@ void TestFirstPicture::aDragEndsInAFirstPictureAndThenTheFinalOne() {
   QVERIFY2(draft.scene == first.scene && first.scene == rest.scene, "nothing jumps");
 }
 
-VOLUMEN_TEST(TestFirstPicture);
-#include "tst_first_picture.moc"
+VOLUMEN_TEST(TestFirstThenFinal);
+#include "tst_first_then_final.moc"
