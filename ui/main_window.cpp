@@ -38,11 +38,11 @@ namespace volumen {
 MainWindow::MainWindow(const Services& services, QWidget* parent)
     : QMainWindow(parent),
       services_(services),
-      index_(services.indexFolder),
+      index_(services.indexFolder, jobs_),
       drawService_(services.makeDraw),
-      loader_(services.makeScene),
+      loader_(jobs_, services.makeScene),
       meter_(drawService_),
-      snapshot_(drawService_),
+      snapshot_(drawService_, jobs_),
       thumbnails_(drawService_, services.makeScene) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("volumen"));
@@ -103,7 +103,7 @@ void MainWindow::makeCentre() {
   column->addWidget(banner_);
   column->addWidget(makeBrowser(), 1);
   setCentralWidget(centre);
-  status_ = new StatusLine;
+  status_ = new StatusLine(jobs_);
   statusBar()->addWidget(status_, 1);
   statusBar()->setSizeGripEnabled(false);
   connect(start_, &StartPage::openFolderRequested, this, &MainWindow::askForFolder);
@@ -137,18 +137,6 @@ void MainWindow::connectLoader() {
           });
   connect(&loader_, &Loader::failed, this, [this](const QString& sentence) { banner_->add(sentence); });
   connect(&loader_, &Loader::notLoaded, grid_, &ViewGrid::giveUpWaiting);
-  connect(&loader_, &Loader::progressed, status_, &StatusLine::progress);
-  connect(&loader_, &Loader::busyChanged, this, [this](bool busy) {
-    if (busy)
-      status_->begin(tr("Opening"));
-    else
-      status_->end();
-  });
-  connect(status_, &StatusLine::cancelRequested, this, [this] {
-    loader_.cancel();
-    snapshot_.cancel();
-    masker_->cancel();
-  });
   connect(studies_, &StudiesPanel::seriesChosen, this, &MainWindow::showInFocus);
   connect(grid_, &ViewGrid::dropped, this, [this](const QMimeData& what) {
     if (const Series* series = studies_->seriesOf(what)) showInFocus(*series);
@@ -200,8 +188,6 @@ void MainWindow::connectSegmenter() {
 
 void MainWindow::connectMasker() {
   segment_->setTableAction(masker_->tableAction());
-  connect(masker_, &Masker::begun, status_, &StatusLine::begin);
-  connect(masker_, &Masker::ended, status_, &StatusLine::end);
   connect(masker_, &Masker::failed, this, [this](const QString& sentence) { banner_->tell(sentence); });
 }
 

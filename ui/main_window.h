@@ -32,7 +32,6 @@ namespace volumen {
 class AccuracyPanel;
 class Banner;
 class EffectsPanel;
-class ImportBar;
 class KeyImagesPanel;
 class MeasurementsPanel;
 class OfferBar;
@@ -76,6 +75,7 @@ class MainWindow : public QMainWindow {
   /// The 3D view that the panels work on.
   VolumeView* view() const;
   ViewGrid* views() const { return grid_; }
+  Jobs& jobs() { return jobs_; }
   const DrawService& drawService() const { return drawService_; }
   const AccuracyMeter& meter() const { return meter_; }
 
@@ -215,19 +215,20 @@ class MainWindow : public QMainWindow {
 
   Services services_;
   Session session_;
+  Jobs jobs_;
   IndexService index_;
   DrawService drawService_;
   SliceService slices_;
   FrameService frames_;
-  References references_;
+  References references_{jobs_};
   Measurer measurer_{session_, frames_};
   Loader loader_;
   AccuracyMeter meter_;
   Snapshot snapshot_;
-  Segmenter segmenter_;
-  SceneFiles sceneFiles_;
+  Segmenter segmenter_{jobs_};
+  SceneFiles sceneFiles_{jobs_};
   RecentFiles recent_;
-  SessionFiles sessionFiles_{session_};
+  SessionFiles sessionFiles_{session_, jobs_};
   Autosave autosave_{session_, sessionFiles_};
   PresetThumbnails thumbnails_;
 
@@ -241,7 +242,6 @@ class MainWindow : public QMainWindow {
   StudyBrowser* browser_;
   QSplitter* split_;  // the browser above the views
   QLabel* patients_;
-  ImportBar* importBar_;
   KeyImagesPanel* keyImages_;
   EffectsPanel* effects_;
   AccuracyPanel* accuracy_;

@@ -252,7 +252,7 @@ void MainWindow::makeActions() {
       if (action->toolTip() != toolTipOf(action->text())) action->setToolTip(toolTipOf(action->text()));
     });
   }
-  masker_ = new Masker(session_, this);
+  masker_ = new Masker(session_, jobs_, this);
   for (QAction* action : {masker_->tableAction(), masker_->resetAction()})
     actions_[action->objectName()] = action;
 }

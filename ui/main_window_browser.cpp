@@ -12,7 +12,6 @@
 #include "ui/panels/study_browser.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
-#include "ui/widgets/import_bar.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/status_line.h"
 #include "ui/workspace/indexed_text.h"
@@ -56,8 +55,6 @@ std::int64_t voxels(const Series& s) {
 QWidget* MainWindow::makeBrowser() {
   browser_ = new StudyBrowser(index_);
   browser_->hide();
-  importBar_ = new ImportBar;
-  statusBar()->addPermanentWidget(importBar_);
   split_ = new QSplitter(Qt::Vertical);
   split_->setObjectName(QStringLiteral("browserSplitter"));
   split_->setChildrenCollapsible(false);
@@ -116,13 +113,10 @@ void MainWindow::connectBrowser() {
   connect(&index_, &IndexService::filesFound, this, &MainWindow::openFound);
   connect(&index_, &IndexService::failed, this, [this](const QString& sentence) { banner_->tell(sentence); });
   connect(&index_, &IndexService::noticed, this, [this](const QString& sentence) { banner_->add(sentence); });
-  connect(&index_, &IndexService::importingChanged, importBar_, &ImportBar::setImporting);
-  connect(&index_, &IndexService::importingChanged, this, [this](bool on) {
-    if (on && !showsAnything(session_.workspace())) showBrowser(true);
+  connect(&index_, &IndexService::importBegun, this, [this] {
+    if (!showsAnything(session_.workspace())) showBrowser(true);
   });
-  connect(&index_, &IndexService::importProgressed, importBar_, &ImportBar::progress);
   connect(&index_, &IndexService::importEnded, this, &MainWindow::showImport);
-  connect(importBar_, &ImportBar::cancelRequested, &index_, &IndexService::cancelImport);
   connect(&loader_, &Loader::filesOpened, this, &MainWindow::showIndexed);
   connect(actions_.at(QStringLiteral("maximise")), &QAction::toggled, this, &MainWindow::arrangeBrowser);
   connect(&session_, &Session::workspaceChanged, this,

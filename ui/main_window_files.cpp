@@ -1,7 +1,6 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QStackedWidget>
-#include <cmath>
 
 #include "ui/main_window.h"
 #include "ui/panels/snapshot_panel.h"
@@ -11,15 +10,6 @@
 #include "ui/widgets/status_line.h"
 
 namespace volumen {
-
-namespace {
-
-QString leftText(double seconds) {
-  if (seconds < 60) return MainWindow::tr("%1 s left").arg(std::ceil(seconds));
-  return MainWindow::tr("%1 min left").arg(std::ceil(seconds / 60));
-}
-
-}  // namespace
 
 // The scene as it is seen, whatever size the view has.
 Scene MainWindow::sceneInView() const {
@@ -31,25 +21,12 @@ Scene MainWindow::sceneInView() const {
 void MainWindow::connectSnapshots() {
   snapshot_.setMeasured([this](const Plan& plan) { return measuredError(meter_.measured(), plan); });
   connect(snapshotPanel_, &SnapshotPanel::requested, this, &MainWindow::takeSnapshot);
-  connect(&snapshot_, &Snapshot::begun, this, [this] { status_->begin(tr("Rendering snapshot")); });
-  connect(&snapshot_, &Snapshot::progressed, this, [this](double part, double secondsLeft) {
-    const QString text = tr("Rendering snapshot: %1 %").arg(std::floor(100 * part));
-    status_->progressTo(secondsLeft < 0 ? text : QStringLiteral("%1, %2").arg(text, leftText(secondsLeft)),
-                        part);
-  });
   connect(&snapshot_, &Snapshot::saved, this, [this](const QString& path, int pictures) {
-    status_->end();
     status_->tell(pictures == 1 ? tr("Saved %1").arg(path)
                                 : tr("Saved %1 pictures, the last as %2").arg(pictures).arg(path));
   });
-  connect(&snapshot_, &Snapshot::copied, this, [this] {
-    status_->end();
-    status_->tell(tr("Copied to the clipboard"));
-  });
-  connect(&snapshot_, &Snapshot::failed, this, [this](const QString& sentence) {
-    status_->end();
-    banner_->tell(sentence);
-  });
+  connect(&snapshot_, &Snapshot::copied, this, [this] { status_->tell(tr("Copied to the clipboard")); });
+  connect(&snapshot_, &Snapshot::failed, this, [this](const QString& sentence) { banner_->tell(sentence); });
 }
 
 void MainWindow::takeSnapshot(const SnapshotRequest& request) {

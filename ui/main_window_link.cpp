@@ -1,11 +1,9 @@
 #include <algorithm>
-#include <cmath>
 
 #include "ui/controller/registrar.h"
 #include "ui/controller/time_points_ahead.h"
 #include "ui/main_window.h"
 #include "ui/widgets/banner.h"
-#include "ui/widgets/status_line.h"
 #include "ui/workspace/links.h"
 
 namespace volumen {
@@ -22,19 +20,13 @@ bool holdsFrame(const Workspace& workspace, const std::string& frame) {
 
 void MainWindow::connectLinks() {
   new TimePointsAhead(session_, loader_, this);
-  registrar_ = new Registrar(this);
-  connect(registrar_, &Registrar::begun, this, [this] { status_->begin(tr("Registering")); });
-  connect(registrar_, &Registrar::progressed, this, [this](double part) {
-    status_->progressTo(tr("Registering: %1 %").arg(std::lround(100 * part)), part);
-  });
-  connect(registrar_, &Registrar::ended, status_, &StatusLine::end);
+  registrar_ = new Registrar(jobs_, this);
   connect(registrar_, &Registrar::failed, this, [this](const QString& sentence) { banner_->tell(sentence); });
   connect(registrar_, &Registrar::found, this,
           [this](const std::string& from, const std::string& to, const Rigid& toFromFrom) {
             session_.endGesture();
             session_.change(tr("Register"), withRegistration(session_.workspace(), from, to, toFromFrom));
           });
-  connect(status_, &StatusLine::cancelRequested, registrar_, &Registrar::cancel);
   connect(&session_, &Session::workspaceChanged, registrar_,
           [this](const Workspace&, const Workspace& after) {
             const auto pair = registrar_->pair();

@@ -249,7 +249,8 @@ void TestAutosave::twoWindowsKeepTwo() {
 // 400 series and their looks in every view. This thread may compute for 20 ms at most between two events.
 void TestAutosave::theWindowNeverWaitsForIt() {
   Session session;
-  SessionFiles files(session);
+  Jobs jobs;
+  SessionFiles files(session, jobs);
   Autosave autosave(session, files);
   Workspace w;
   for (int n = 0; n < 400; ++n) {

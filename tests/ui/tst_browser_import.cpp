@@ -86,9 +86,9 @@ void TestBrowserImport::aFolderIsImported() {
   QVERIFY(w.shows({QStringLiteral("Doe, Jane"), QStringLiteral("Müller, Jörg"),
                    QStringLiteral("Yamada, Tarou  山田 太郎")}));
   QVERIFY(browser->isVisible());
-  QTRY_VERIFY_WITH_TIMEOUT(!w.child<QWidget>("importBar")->isVisible(), longest);
-  QVERIFY2(w.child<QLabel>("taskText")->text().contains(QStringLiteral("images imported")),
-           qPrintable(w.child<QLabel>("taskText")->text()));
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.jobs().rows().empty(), longest);
+  QVERIFY2(w.child<QLabel>("toldText")->text().contains(QStringLiteral("images imported")),
+           qPrintable(w.child<QLabel>("toldText")->text()));
   QVERIFY(!w.banner()->isVisible());
 }
 
@@ -115,11 +115,11 @@ void TestBrowserImport::anImportIsCancelledAndGoneOnWith() {
   BrowserWindow w(studies);
   w.child<QAction>("importFolder")->trigger();
   answer(w, "importFolderDialog", studies.data);
-  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("importBar")->isVisible(), longest);
-  QTest::mouseClick(w.child<QToolButton>("cancelImport"), Qt::LeftButton);
-  auto* text = w.child<QLabel>("taskText");
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("cancelTask")->isVisible(), longest);
+  QTest::mouseClick(w.child<QToolButton>("cancelTask"), Qt::LeftButton);
+  auto* text = w.child<QLabel>("toldText");
   QTRY_VERIFY_WITH_TIMEOUT(text->text().startsWith(QStringLiteral("Import cancelled.")), longest);
-  QTRY_VERIFY_WITH_TIMEOUT(!w.child<QWidget>("importBar")->isVisible(), longest);
+  QVERIFY(!w.child<QWidget>("cancelTask")->isVisible());
   // The next one goes on from there.
   w.child<QAction>("importFolder")->trigger();
   answer(w, "importFolderDialog", studies.data);
@@ -142,7 +142,7 @@ void TestBrowserImport::theWindowClosesWhileItImports() {
     BrowserWindow w(studies);
     w.child<QAction>("importFolder")->trigger();
     answer(w, "importFolderDialog", studies.data);
-    QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("importBar")->isVisible(), longest);
+    QTRY_VERIFY_WITH_TIMEOUT(!w.window.jobs().rows().empty(), longest);
     w.window.close();
   }
   Result<Index> index = Index::open(studies.home.toStdString());
@@ -261,7 +261,8 @@ void TestBrowserImport::thumbnailsAreMadeForWhatIsSeen() {
 void TestBrowserImport::theNewestSearchIsAnswered() {
   const Studies studies;
   QVERIFY(studies.import());
-  IndexService service(studies.home.toStdString());
+  Jobs jobs;
+  IndexService service(studies.home.toStdString(), jobs);
   std::vector<StudyListPtr> lists;
   connect(&service, &IndexService::listed, this, [&](const StudyListPtr& list) { lists.push_back(list); });
   for (const char* words : {"d", "do", "doe", "doex", "mull"}) service.list({words, {}});

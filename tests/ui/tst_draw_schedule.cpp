@@ -5,7 +5,7 @@
 using namespace volumen;
 
 Q_DECLARE_METATYPE(volumen::Waiting)
-Q_DECLARE_METATYPE(std::optional<volumen::Job>)
+Q_DECLARE_METATYPE(std::optional<volumen::Turn>)
 
 class TestDrawSchedule : public QObject {
   Q_OBJECT
@@ -23,60 +23,62 @@ WaitingView waits(ViewId view, Work next, int ms = 0) { return {view, next, std:
 
 void TestDrawSchedule::whatIsDrawnNext_data() {
   QTest::addColumn<Waiting>("waiting");
-  QTest::addColumn<std::optional<Job>>("job");
-  const auto row = [](const char* name, const Waiting& waiting, std::optional<Job> job) {
-    QTest::newRow(name) << waiting << job;
+  QTest::addColumn<std::optional<Turn>>("turn");
+  const auto row = [](const char* name, const Waiting& waiting, std::optional<Turn> turn) {
+    QTest::newRow(name) << waiting << turn;
   };
   using enum Work;
   row("nothing", {}, {});
   row("thumbnails, where there is nothing else", {.views = {}, .hand = {}, .thumbnail = true},
-      Job{thumbnail});
-  row("a trial before thumbnails", {.views = {}, .hand = {}, .trial = true, .thumbnail = true}, Job{trial});
+      Turn{thumbnail});
+  row("a trial before thumbnails", {.views = {}, .hand = {}, .trial = true, .thumbnail = true}, Turn{trial});
   row("a picture to be saved before a trial",
-      {.views = {}, .hand = {}, .saved = true, .trial = true, .thumbnail = true}, Job{saved});
+      {.views = {}, .hand = {}, .saved = true, .trial = true, .thumbnail = true}, Turn{saved});
   row("the screen before all of them",
-      {.views = {waits(3, rest)}, .hand = {}, .saved = true, .trial = true, .thumbnail = true}, Job{rest, 3});
-  row("the view under the hand", {.views = {waits(1, draft), waits(2, draft)}, .hand = 2}, Job{draft, 2});
+      {.views = {waits(3, rest)}, .hand = {}, .saved = true, .trial = true, .thumbnail = true},
+      Turn{rest, 3});
+  row("the view under the hand", {.views = {waits(1, draft), waits(2, draft)}, .hand = 2}, Turn{draft, 2});
   row("the view under the hand, although others have waited",
-      {.views = {waits(1, draft, 200), waits(2, draft)}, .hand = 2}, Job{draft, 2});
+      {.views = {waits(1, draft, 200), waits(2, draft)}, .hand = 2}, Turn{draft, 2});
   row("no starving: another has waited for too long",
-      {.views = {waits(1, draft, 300), waits(2, draft)}, .hand = 2}, Job{draft, 1});
+      {.views = {waits(1, draft, 300), waits(2, draft)}, .hand = 2}, Turn{draft, 1});
   row("both have: the one that has waited for longest",
-      {.views = {waits(2, draft, 300), waits(1, draft, 400)}, .hand = 2}, Job{draft, 1});
+      {.views = {waits(2, draft, 300), waits(1, draft, 400)}, .hand = 2}, Turn{draft, 1});
   row("no hand: the one that has waited for longest",
-      {.views = {waits(1, draft, 10), waits(2, draft, 20), waits(3, draft)}, .hand = {}}, Job{draft, 2});
+      {.views = {waits(1, draft, 10), waits(2, draft, 20), waits(3, draft)}, .hand = {}}, Turn{draft, 2});
   row("a draft of another before the picture at rest under the hand",
-      {.views = {waits(1, rest), waits(2, draft)}, .hand = 1}, Job{draft, 2});
+      {.views = {waits(1, rest), waits(2, draft)}, .hand = 1}, Turn{draft, 2});
   row("a draft of another before the first picture under the hand",
-      {.views = {waits(1, first), waits(2, draft)}, .hand = 1}, Job{draft, 2});
+      {.views = {waits(1, first), waits(2, draft)}, .hand = 1}, Turn{draft, 2});
   row("a first picture of another before the picture at rest under the hand",
-      {.views = {waits(1, rest), waits(2, first)}, .hand = 1}, Job{first, 2});
+      {.views = {waits(1, rest), waits(2, first)}, .hand = 1}, Turn{first, 2});
   row("pictures at rest: the view under the hand, however long others have waited",
-      {.views = {waits(1, rest, 5000), waits(2, rest)}, .hand = 2}, Job{rest, 2});
-  row("the hand is over a view that waits for nothing", {.views = {waits(1, rest)}, .hand = 2}, Job{rest, 1});
+      {.views = {waits(1, rest, 5000), waits(2, rest)}, .hand = 2}, Turn{rest, 2});
+  row("the hand is over a view that waits for nothing", {.views = {waits(1, rest)}, .hand = 2},
+      Turn{rest, 1});
 }
 
 void TestDrawSchedule::whatIsDrawnNext() {
   QFETCH(Waiting, waiting);
-  QFETCH(std::optional<Job>, job);
-  QVERIFY(nextJob(waiting) == job);
+  QFETCH(std::optional<Turn>, turn);
+  QVERIFY(nextTurn(waiting) == turn);
 }
 
 // Four views from their drafts to rest: the drafts of all come first, and each step of the hand's first.
 void TestDrawSchedule::allIsDrawnInTheEnd() {
   using enum Work;
   Waiting waiting{.views = {waits(0, draft), waits(1, draft), waits(2, draft), waits(3, draft)}, .hand = 2};
-  std::vector<Job> done;
-  while (const auto job = nextJob(waiting)) {
-    done.push_back(*job);
+  std::vector<Turn> done;
+  while (const auto turn = nextTurn(waiting)) {
+    done.push_back(*turn);
     const auto view = std::find_if(waiting.views.begin(), waiting.views.end(),
-                                   [&](const WaitingView& v) { return v.view == job->view; });
-    if (job->work == rest)
+                                   [&](const WaitingView& v) { return v.view == turn->view; });
+    if (turn->work == rest)
       waiting.views.erase(view);
     else
-      view->next = Work(int(job->work) + 1);
+      view->next = Work(int(turn->work) + 1);
   }
-  std::vector<Job> expected;
+  std::vector<Turn> expected;
   for (const Work work : {draft, first, rest})
     for (const ViewId view : {2, 0, 1, 3}) expected.push_back({work, view});
   QVERIFY(done == expected);

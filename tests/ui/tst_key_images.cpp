@@ -102,7 +102,7 @@ void TestKeyImages::slicesOfAnUnevenStack() {
     const std::size_t before = w.workspace().keyImages.size();
     QTest::keyClick(&w.window, Qt::Key_K);
     if (w.workspace().keyImages.size() == before)
-      said << w.child<QLabel>("taskText")->text();
+      said << w.child<QLabel>("toldText")->text();
     else
       QVERIFY(w.saysOnView("\u2605 Key image"));
     QTest::keyClick(w.view(), Qt::Key_Down);

@@ -20,15 +20,12 @@ Series phantom(const char* name) {
 }
 
 struct Watched {
-  Loader loader{realServices().makeScene};
+  Jobs jobs;
+  Loader loader{jobs, realServices().makeScene};
   QSignalSpy loaded{&loader, &Loader::seriesLoaded}, failed{&loader, &Loader::failed};
-  bool busy = false;
 
-  Watched() {
-    QObject::connect(&loader, &Loader::busyChanged, &loader, [this](bool now) { busy = now; });
-  }
   bool finish() {
-    return QTest::qWaitFor([this] { return !busy; }, longest);
+    return QTest::qWaitFor([this] { return !loader.isBusy(); }, longest);
   }
 };
 
@@ -45,13 +42,15 @@ class TestLoader : public QObject {
   void twoAreOpenedAtOnce();
   void aBadPathIsASentence();
   void closingWhileLoadingIsClean();
+  void aLoadThatTheUserCancelsIsTold();
   void theStatusLineShowsWhatLastsAndCancels();
+  void theStatusLineShowsAllThatRun();
 };
 
 void TestLoader::aSeriesComesWithWhatThePanelsNeed() {
   Watched w;
   w.loader.load(phantom("sphere:32"));
-  QVERIFY(w.busy);
+  QVERIFY(w.loader.isBusy());
   QVERIFY(w.finish());
   QCOMPARE(w.loaded.count(), 1);
   const auto series = w.loaded[0][0].value<ShownSeriesPtr>();
@@ -141,22 +140,74 @@ void TestLoader::closingWhileLoadingIsClean() {
   w.loader.open(QStringLiteral("phantom:sphere"));
 }
 
+void TestLoader::aLoadThatTheUserCancelsIsTold() {
+  Watched w;
+  QSignalSpy notLoaded(&w.loader, &Loader::notLoaded);
+  w.loader.load(phantom("ct-head:64"));
+  w.loader.open(QStringLiteral("phantom:sphere:16"));
+  QSignalSpy opened(&w.loader, &Loader::studyOpened);
+  QCOMPARE(w.jobs.rows().size(), std::size_t(2));
+  w.jobs.cancel(w.jobs.rows().front().id);
+  QCOMPARE(notLoaded.count(), 1);
+  QVERIFY(w.finish());
+  QCOMPARE(opened.count(), 1);
+  QCOMPARE(w.loaded.count(), 0);
+  QCOMPARE(w.failed.count(), 0);
+  QCOMPARE(notLoaded.count(), 1);
+}
+
 void TestLoader::theStatusLineShowsWhatLastsAndCancels() {
-  StatusLine line;
+  Jobs jobs;
+  StatusLine line(jobs);
   line.show();
-  QSignalSpy cancelled(&line, &StatusLine::cancelRequested);
   auto* cancel = line.findChild<QToolButton*>(QStringLiteral("cancelTask"));
   const int height = line.height();
-  line.begin(QStringLiteral("opening"));
+  int cancelled = 0;
+  const Job job(QStringLiteral("opening"));
+  jobs.add(job, [&] { ++cancelled; });
   QVERIFY2(!cancel->isVisible(), "what takes less than 0.3 s shows no progress");
   QTRY_VERIFY(cancel->isVisible());
   QCOMPARE(line.height(), height);
-  line.progress(QStringLiteral("reading"), 3, 10);
-  QCOMPARE(line.findChild<QLabel*>(QStringLiteral("taskText"))->text(), QStringLiteral("reading: 3 of 10"));
+  job.progress()("reading", 3, 10);
+  QTRY_COMPARE(line.findChild<QLabel*>(QStringLiteral("taskText"))->text(),
+               QStringLiteral("reading: 3 of 10"));
   QTest::mouseClick(cancel, Qt::LeftButton);
-  QCOMPARE(cancelled.count(), 1);
-  line.end();
+  QCOMPARE(cancelled, 1);
+  QVERIFY(job.cancelled());
   QVERIFY(!cancel->isVisible());
+}
+
+// What was asked for first stands in the line, and all of it where one asks for more.
+void TestLoader::theStatusLineShowsAllThatRun() {
+  Jobs jobs;
+  StatusLine line(jobs);
+  line.show();
+  std::vector<Job> three;
+  for (const char* name : {"first", "second", "third"}) {
+    three.emplace_back(QString::fromLatin1(name));
+    jobs.add(three.back(), {});
+  }
+  auto* more = line.findChild<QToolButton*>(QStringLiteral("moreTasks"));
+  QTRY_VERIFY(more->isVisible());
+  QCOMPARE(more->text(), QStringLiteral("2 more"));
+  QTest::mouseClick(more, Qt::LeftButton);
+  auto* all = line.findChild<QWidget*>(QStringLiteral("allTasks"));
+  const auto texts = [&] {
+    QStringList found;
+    for (const QLabel* text : all->findChildren<QLabel*>(QStringLiteral("taskText")))
+      if (text->isVisible()) found << text->text();
+    return found;
+  };
+  QTRY_COMPARE(texts(),
+               QStringList({QStringLiteral("first"), QStringLiteral("second"), QStringLiteral("third")}));
+  QTest::mouseClick(all->findChildren<QToolButton*>(QStringLiteral("cancelTask"))[1], Qt::LeftButton);
+  QCOMPARE(texts(), QStringList({QStringLiteral("first"), QStringLiteral("third")}));
+  QVERIFY(three[1].cancelled() && !three[0].cancelled() && !three[2].cancelled());
+  jobs.remove(three[0]);
+  QVERIFY(!more->isVisible());
+  QCOMPARE(line.findChild<QLabel*>(QStringLiteral("taskText"))->text(), QStringLiteral("third"));
+  jobs.remove(three[2]);
+  QVERIFY(!all->isVisible());
 }
 
 VOLUMEN_TEST(TestLoader);

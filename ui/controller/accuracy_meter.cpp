@@ -16,13 +16,7 @@ constexpr double enoughMs = 600;
 
 AccuracyMeter::AccuracyMeter(DrawService& drawService, QObject* parent)
     : QObject(parent), drawService_(drawService) {
-  pool_.setMaxThreadCount(1);
   connect(&drawService_, &DrawService::trialReady, this, &AccuracyMeter::take);
-}
-
-AccuracyMeter::~AccuracyMeter() {
-  cancel_.cancel();
-  pool_.waitForDone();
 }
 
 void AccuracyMeter::show(VolumePtr volume, const Scene& complete, QSize pixels) {
@@ -62,7 +56,6 @@ void AccuracyMeter::start() {
   const auto& levels = measured_.levels;
   if (running_ || (!levels.empty() && levels.back().done())) return;
   running_ = true;
-  cancel_ = CancelToken();
   if (measured_.levels.empty())
     for (const PictureLevel level : pictureLevels()) measured_.levels.emplace_back().level = level;
   Q_EMIT changed();
@@ -75,29 +68,24 @@ void AccuracyMeter::start() {
 void AccuracyMeter::stop() {
   if (!running_) return;
   running_ = false;
-  cancel_.cancel();
+  lane_.giveUpAll();
   drawService_.dropTrial();
   Q_EMIT cancelled();
 }
 
 void AccuracyMeter::computeTruth() {
-  pool_.start([this, shown = *shown_, cancel = cancel_] {
-    const auto tell = [this, &cancel](auto function) {
-      QMetaObject::invokeMethod(
-          this,
-          [cancel, function] {
-            if (!cancel.cancelled()) function();
-          },
-          Qt::QueuedConnection);
-    };
-    const auto progress = [this, &tell](const char*, std::size_t done, std::size_t total) {
-      tell([this, share = double(done) / double(total)] { Q_EMIT progressed(tr("reference"), share); });
-    };
-    Result<Truth> truth = makeTruth(shown.scene, *shown.volume, {shown.pixels.width(), shown.pixels.height()},
-                                    mostPixels, 0, progress, cancel);
-    if (!truth) return;  // cancelled
-    tell([this, made = std::make_shared<const Truth>(std::move(*truth))] { takeTruth(made); });
-  });
+  lane_.run(
+      {},
+      [this, shown = *shown_](const Job& job) {
+        const auto progress = [&](const char*, std::size_t done, std::size_t total) {
+          lane_.tell(job, [this, share = double(done) / double(total)] {
+            Q_EMIT progressed(tr("reference"), share);
+          });
+        };
+        return makeTruth(shown.scene, *shown.volume, {shown.pixels.width(), shown.pixels.height()},
+                         mostPixels, 0, progress, job.cancel());
+      },
+      [this](Result<Truth> truth) { takeTruth(std::make_shared<const Truth>(std::move(*truth))); });
 }
 
 void AccuracyMeter::takeTruth(std::shared_ptr<const Truth> truth) {

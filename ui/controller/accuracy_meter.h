@@ -1,10 +1,8 @@
 #pragma once
 
-#include <QObject>
-#include <QThreadPool>
-
 #include "ui/controller/draw_service.h"
 #include "ui/controller/measured_levels.h"
+#include "ui/document/job_lane.h"
 
 namespace volumen {
 
@@ -15,8 +13,6 @@ class AccuracyMeter : public QObject {
   Q_OBJECT
  public:
   explicit AccuracyMeter(DrawService& drawService, QObject* parent = nullptr);
-  /// Gives up what is under way.
-  ~AccuracyMeter() override;
 
   /// The picture at rest now on screen: a complete scene (a plan's). Measured once it is wanted.
   void show(VolumePtr volume, const Scene& complete, QSize pixels);
@@ -59,14 +55,13 @@ class AccuracyMeter : public QObject {
   void describe(MeasuredLevel& level, const Trial& trial) const;
 
   DrawService& drawService_;
-  QThreadPool pool_;
   std::optional<Shown> shown_;
   MeasuredLevels measured_;
-  CancelToken cancel_;
   bool watched_ = false, needed_ = false, running_ = false;
   std::size_t next_ = 0;          // level
   std::vector<double> framesMs_;  // of it
   int awaited_ = 0;               // number of the trial
+  JobLane lane_;
 };
 
 }  // namespace volumen

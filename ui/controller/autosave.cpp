@@ -119,7 +119,6 @@ QString Autosave::folder() {
 
 Autosave::Autosave(const Session& session, const SessionFiles& files, QObject* parent)
     : QObject(parent), session_(session), files_(files), file_(std::make_unique<File>()) {
-  pool_.setMaxThreadCount(1);
   timer_.setSingleShot(true);
   timer_.setInterval(keepWithinMs);
   connect(&timer_, &QTimer::timeout, this, &Autosave::write);
@@ -131,7 +130,7 @@ Autosave::Autosave(const Session& session, const SessionFiles& files, QObject* p
 }
 
 Autosave::~Autosave() {
-  pool_.waitForDone();
+  lane_.wait();
   const bool stays = atEnd_ != AtEnd::usual || !files_.path().isEmpty();
   if (!stays || !wanted()) {
     file_->remove();
@@ -147,16 +146,14 @@ void Autosave::write() {
   if (writing_) return timer_.start();
   writing_ = true;
   if (!wanted())
-    return pool_.start([this] {
-      file_->remove();
-      QMetaObject::invokeMethod(
-          this, [this] { written({}); }, Qt::QueuedConnection);
-    });
-  pool_.start([this, workspace = session_.workspace(), savedAs = files_.path().toStdString()] {
-    const Status status = file_->write(workspace, savedAs);
-    QMetaObject::invokeMethod(
-        this, [this, status] { written(status); }, Qt::QueuedConnection);
-  });
+    return void(lane_.run(
+        {}, [this](const Job&) { file_->remove(); }, [this] { written({}); }));
+  lane_.run(
+      {},
+      [this, workspace = session_.workspace(), savedAs = files_.path().toStdString()](const Job&) {
+        return file_->write(workspace, savedAs);
+      },
+      [this](const Status& status) { written(status); });
 }
 
 void Autosave::written(const Status& status) {
@@ -164,21 +161,23 @@ void Autosave::written(const Status& status) {
   if (!status && !failing_) Q_EMIT failed(QString::fromStdString(status.message()));
   failing_ = !status;
   if (!status || !replaced_) return;
-  pool_.start([lost = *std::exchange(replaced_, {})] { removeKept(lost.path); });
+  lane_.run(
+      {}, [lost = *std::exchange(replaced_, {})](const Job&) { removeKept(lost.path); }, [] {});
   list();
 }
 
 void Autosave::look() {
-  pool_.start([this] {
-    if (const auto lost = latestLost())
-      QMetaObject::invokeMethod(
-          this, [this, lost] { Q_EMIT found(*lost); }, Qt::QueuedConnection);
-  });
+  lane_.run(
+      {}, [](const Job&) { return latestLost(); },
+      [this](const std::optional<LostSession>& lost) {
+        if (lost) Q_EMIT found(*lost);
+      });
   list();
 }
 
 void Autosave::discard(const LostSession& lost) {
-  pool_.start([lost] { moveAside(lost.path); });
+  lane_.run(
+      {}, [lost](const Job&) { moveAside(lost.path); }, [] {});
   look();
 }
 
@@ -188,10 +187,9 @@ void Autosave::replace(const LostSession& lost) {
 }
 
 void Autosave::list() {
-  pool_.start([this] {
-    QMetaObject::invokeMethod(
-        this, [this, all = discarded()] { Q_EMIT listed(all); }, Qt::QueuedConnection);
-  });
+  lane_.run(
+      {}, [](const Job&) { return discarded(); },
+      [this](const std::vector<LostSession>& all) { Q_EMIT listed(all); });
 }
 
 }  // namespace volumen

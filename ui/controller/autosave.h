@@ -1,8 +1,6 @@
 #pragma once
 
 #include <QDateTime>
-#include <QObject>
-#include <QThreadPool>
 #include <QTimer>
 #include <memory>
 #include <optional>
@@ -64,12 +62,12 @@ class Autosave : public QObject {
 
   const Session& session_;
   const SessionFiles& files_;
-  QThreadPool pool_;
   QTimer timer_;
-  std::unique_ptr<File> file_;  // for the pool's thread
+  std::unique_ptr<File> file_;  // for the lane's thread
   bool writing_ = false, failing_ = false;
   std::optional<LostSession> replaced_;
   AtEnd atEnd_ = AtEnd::usual;
+  JobLane lane_;
 };
 
 }  // namespace volumen

@@ -5,7 +5,7 @@
 
 namespace volumen {
 
-std::optional<Job> nextJob(const Waiting& waiting) {
+std::optional<Turn> nextTurn(const Waiting& waiting) {
   // The smaller, the sooner.
   const auto rank = [&](const WaitingView& v) {
     const bool overdue = v.next == Work::draft && v.waited > longestWait;
@@ -14,10 +14,10 @@ std::optional<Job> nextJob(const Waiting& waiting) {
   const auto first =
       std::min_element(waiting.views.begin(), waiting.views.end(),
                        [&](const WaitingView& a, const WaitingView& b) { return rank(a) < rank(b); });
-  if (first != waiting.views.end()) return Job{first->next, first->view};
-  if (waiting.saved) return Job{Work::saved};
-  if (waiting.trial) return Job{Work::trial};
-  if (waiting.thumbnail) return Job{Work::thumbnail};
+  if (first != waiting.views.end()) return Turn{first->next, first->view};
+  if (waiting.saved) return Turn{Work::saved};
+  if (waiting.trial) return Turn{Work::trial};
+  if (waiting.thumbnail) return Turn{Work::thumbnail};
   return {};
 }
 

@@ -32,10 +32,10 @@ struct Waiting {
   bool saved = false, trial = false, thumbnail = false;
 };
 
-struct Job {
+struct Turn {
   Work work;
   ViewId view = 0;  ///< where it is done for one
-  bool operator==(const Job&) const = default;
+  bool operator==(const Turn&) const = default;
 };
 
 /// A draft that has waited for longer goes before that of the view under the hand, so that views which follow
@@ -44,6 +44,6 @@ inline constexpr std::chrono::milliseconds longestWait{250};
 
 /// What is drawn next, in the order of Work; among views the one under the hand, then the one that has waited
 /// for longest. Nothing where nothing waits.
-std::optional<Job> nextJob(const Waiting& waiting);
+std::optional<Turn> nextTurn(const Waiting& waiting);
 
 }  // namespace volumen

@@ -31,7 +31,7 @@ struct Trial {
   QString failure;
 };
 
-/// Draws the 3D pictures of all views on one thread of its own, in the order of nextJob(): of what a view
+/// Draws the 3D pictures of all views on one thread of its own, in the order of nextTurn(): of what a view
 /// asks for only the latest, first as a draft of fewer pixels within the frame time, then at the level of
 /// pictures at rest once nothing new was asked for a moment, in which that picture is planned. Where that one
 /// is expected to take long, a first picture by plain steps comes before it. Views of one volume share what
@@ -135,7 +135,7 @@ class DrawService : public QObject {
 
   // On the render thread.
   void run();
-  std::optional<Job> waitForJob(std::unique_lock<std::mutex>& lock);
+  std::optional<Turn> waitForTurn(std::unique_lock<std::mutex>& lock);
   void dropUnused(std::unique_lock<std::mutex>& lock);
   Waiting waiting() const;
   void drawDraft(ViewId id, std::unique_lock<std::mutex>& lock);

@@ -16,16 +16,16 @@ constexpr std::chrono::seconds lookTime{1};
 
 void DrawService::run() {
   std::unique_lock lock(mutex_);
-  while (const auto job = waitForJob(lock)) {
-    switch (job->work) {
+  while (const auto turn = waitForTurn(lock)) {
+    switch (turn->work) {
       case Work::draft:
-        drawDraft(job->view, lock);
+        drawDraft(turn->view, lock);
         break;
       case Work::first:
-        drawFirst(job->view, lock);
+        drawFirst(turn->view, lock);
         break;
       case Work::rest:
-        drawRest(job->view, lock);
+        drawRest(turn->view, lock);
         break;
       case Work::saved:
         drawSaved(lock);
@@ -41,11 +41,11 @@ void DrawService::run() {
   drawings_.clear();  // on this thread, which their OpenGL contexts belong to
 }
 
-std::optional<Job> DrawService::waitForJob(std::unique_lock<std::mutex>& lock) {
+std::optional<Turn> DrawService::waitForTurn(std::unique_lock<std::mutex>& lock) {
   while (true) {
     dropUnused(lock);
     if (closing_) return {};
-    if (const auto job = nextJob(waiting())) return job;
+    if (const auto turn = nextTurn(waiting())) return turn;
     if (pool_.hasIdle())
       wake_.wait_for(lock, lookTime);
     else

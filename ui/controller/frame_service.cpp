@@ -99,13 +99,13 @@ int FrameService::reach() const {
   return int(std::min<std::size_t>(room, mostAhead));
 }
 
-std::optional<FrameService::Job> FrameService::nextJob() const {
+std::optional<FrameService::Reading> FrameService::nextReading() const {
   const int most = reach();
   for (int ahead = 0; ahead <= most; ++ahead)
     for (const auto& [view, wanted] : wanted_) {
       const FrameKey key = wanted.key(ahead);
       if (key.index < 0 || key.index >= frameCount(*wanted.series) || isKnown(key)) continue;
-      return Job{wanted.series, key, ahead == 0 ? std::optional(view) : std::nullopt};
+      return Reading{wanted.series, key, ahead == 0 ? std::optional(view) : std::nullopt};
     }
   return {};
 }
@@ -113,20 +113,20 @@ std::optional<FrameService::Job> FrameService::nextJob() const {
 void FrameService::run() {
   std::unique_lock lock(mutex_);
   for (;;) {
-    std::optional<Job> job;
-    wake_.wait(lock, [&] { return closing_ || (job = nextJob()); });
+    std::optional<Reading> reading;
+    wake_.wait(lock, [&] { return closing_ || (reading = nextReading()); });
     if (closing_) return;
     lock.unlock();
-    Result<ShownFramePtr> frame = read(*job);
+    Result<ShownFramePtr> frame = read(*reading);
     lock.lock();
     if (frame) {
       frameBytes_ = std::max<std::size_t>(1, (*frame)->bytes());
       pool_.put(*frame);
       // Who goes on faster than frames are read sees at least this one.
-      if (job->view && wanted_.contains(*job->view) && wanted_[*job->view].key(0) != job->key)
-        tellReady(*job->view, *frame);
+      if (reading->view && wanted_.contains(*reading->view) && wanted_[*reading->view].key(0) != reading->key)
+        tellReady(*reading->view, *frame);
     } else {
-      failures_[job->key] = frame.message();
+      failures_[reading->key] = frame.message();
     }
     tellReady();
   }
@@ -138,27 +138,28 @@ const Result<Presentation>& FrameService::presentationOf(const std::string& path
                                        : presentations_.emplace(path, loadPresentation(path)).first->second;
 }
 
-Result<ShownFramePtr> FrameService::read(const Job& job) {
-  if (job.key.presentation.empty()) return readAcquired(job, {});
-  const Result<Presentation>& presentation = presentationOf(job.key.presentation);
-  if (!presentation) return readAcquired(job, presentation.message());
-  if (!namesPicture(presentation->pictures, *job.series, job.key.index)) return readAcquired(job, {});
-  Result<PresentedFrame> shown = loadFrame(*job.series, job.key.index, *presentation);
-  if (!shown) return readAcquired(job, shown.message());
+Result<ShownFramePtr> FrameService::read(const Reading& reading) {
+  if (reading.key.presentation.empty()) return readAcquired(reading, {});
+  const Result<Presentation>& presentation = presentationOf(reading.key.presentation);
+  if (!presentation) return readAcquired(reading, presentation.message());
+  if (!namesPicture(presentation->pictures, *reading.series, reading.key.index))
+    return readAcquired(reading, {});
+  Result<PresentedFrame> shown = loadFrame(*reading.series, reading.key.index, *presentation);
+  if (!shown) return readAcquired(reading, shown.message());
   std::vector<std::string>& warnings = shown->frame.warnings;
   warnings.insert(warnings.end(), presentation->warnings.begin(), presentation->warnings.end());
-  return shownFrame(*job.series, job.key, std::move(shown->frame), std::move(shown->how));
+  return shownFrame(*reading.series, reading.key, std::move(shown->frame), std::move(shown->how));
 }
 
 // `warning`: why it is not shown otherwise; empty: it should not be.
-Result<ShownFramePtr> FrameService::readAcquired(const Job& job, const std::string& warning) {
-  Result<Frame> frame = loadFrame(*job.series, job.key.index);
+Result<ShownFramePtr> FrameService::readAcquired(const Reading& reading, const std::string& warning) {
+  Result<Frame> frame = loadFrame(*reading.series, reading.key.index);
   if (!frame) return frame.error();
   if (!warning.empty()) frame->warnings.push_back(warning);
-  if (frame->greys.empty() || frameCount(*job.series) < 2)
-    return shownFrame(*job.series, job.key, std::move(*frame));
-  if (frame->greys.front().ofValues) frame->greys.front().mapping.window = windowOf(*job.series);
-  return shownFrame(*job.series, job.key, std::move(*frame), {}, middleGreys(*job.series));
+  if (frame->greys.empty() || frameCount(*reading.series) < 2)
+    return shownFrame(*reading.series, reading.key, std::move(*frame));
+  if (frame->greys.front().ofValues) frame->greys.front().mapping.window = windowOf(*reading.series);
+  return shownFrame(*reading.series, reading.key, std::move(*frame), {}, middleGreys(*reading.series));
 }
 
 // Empty where the middle frame cannot be read, or is colour.

@@ -53,7 +53,7 @@ class FrameService : public QObject {
 
     FrameKey key(int ahead) const { return {keyOf(*series), index + ahead * step, presentation}; }
   };
-  struct Job {
+  struct Reading {
     std::shared_ptr<const Series> series;
     FrameKey key;
     std::optional<ViewId> view;  // that wants it; none: read ahead
@@ -62,11 +62,11 @@ class FrameService : public QObject {
   void run();
   void tellReady();
   void tellReady(ViewId view, const ShownFramePtr& frame);
-  std::optional<Job> nextJob() const;
+  std::optional<Reading> nextReading() const;
   int reach() const;
   bool isKnown(const FrameKey& key) const { return pool_.contains(key) || failures_.contains(key); }
-  Result<ShownFramePtr> read(const Job& job);
-  Result<ShownFramePtr> readAcquired(const Job& job, const std::string& warning);
+  Result<ShownFramePtr> read(const Reading& reading);
+  Result<ShownFramePtr> readAcquired(const Reading& reading, const std::string& warning);
   const Result<Presentation>& presentationOf(const std::string& path);
   Window windowOf(const Series& series);
   const std::vector<NamedGrey>& middleGreys(const Series& series);

@@ -1,19 +1,15 @@
 #pragma once
 
 #include <QImage>
-#include <QObject>
 #include <QStringList>
-#include <QThreadPool>
-#include <atomic>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <vector>
 
 #include "io/index/index.h"
 #include "ui/controller/open_intent.h"
 #include "ui/data/study_list.h"
-#include "viewer/volume/cancel.h"
+#include "ui/document/job_lane.h"
 
 namespace volumen {
 
@@ -24,12 +20,12 @@ struct StudyListRequest {
 };
 
 /// The index of studies on threads of its own: one that answers in order, one that makes thumbnails, one that
-/// imports. Asking never waits.
+/// imports; each import is a job of the list. Asking never waits.
 class IndexService : public QObject {
   Q_OBJECT
  public:
   /// `folder`: of the index; it is opened, or made, when it is first needed.
-  explicit IndexService(const std::string& folder, QObject* parent = nullptr);
+  IndexService(const std::string& folder, Jobs& jobs, QObject* parent = nullptr);
   /// Gives up what is under way; what was imported until then is kept.
   ~IndexService() override;
 
@@ -47,8 +43,6 @@ class IndexService : public QObject {
   void undoRemove(const std::vector<std::int64_t>& studies);
   /// Reads all below these paths into the index, after what is being imported already. Ends in importEnded().
   void import(const QStringList& paths);
-  /// Gives up all imports.
-  void cancelImport();
 
  Q_SIGNALS:
   void listed(const volumen::StudyListPtr& list);
@@ -60,10 +54,7 @@ class IndexService : public QObject {
                   const volumen::OpenIntent& intent);
   /// The index holds something else now.
   void changed();
-  /// Whether anything is being imported.
-  void importingChanged(bool importing);
-  /// total 0: not known.
-  void importProgressed(qint64 done, qint64 total);
+  void importBegun();
   void importEnded(const volumen::ImportReport& report);
   /// A sentence on what was asked last.
   void failed(const QString& sentence);
@@ -75,29 +66,24 @@ class IndexService : public QObject {
  private:
   // A thread, and the index as it has it open.
   struct Worker {
-    QThreadPool pool;
     std::optional<Index> index;
+    JobLane lane;
   };
-  using Job = std::function<void(Index& index)>;
 
-  void start(Worker& worker, Job job);
-  Index* indexOf(Worker& worker);
-  void runImport(Index& index, const std::vector<std::string>& paths, const CancelToken& cancel);
-  void makeNextThumbnail(Index& index);
-  void failWith(const std::string& sentence);
+  template <class Work, class Done>
+  int start(Worker& worker, Work work, Done done);
+  Index* indexOf(Worker& worker, const Job& job);
+  Progress importProgress(const Job& import, const Job& job);
   void change(const std::vector<std::int64_t>& studies,
               Status (Index::*how)(const std::vector<std::int64_t>& studies));
-  template <class Function>
-  void tell(Function function);
 
   const std::string folder_;
-  Worker queries_, thumbnails_, importer_;
-  std::atomic<int> newest_ = 0;  // of the requests to list
-  std::atomic<bool> closing_ = false;
-  CancelToken cancelImport_;
-  int imports_ = 0;
-  std::mutex mutex_;                  // guards what follows
-  std::vector<std::int64_t> wanted_;  // series whose thumbnails are to be made, the next one last
+  Jobs& jobs_;
+  int listing_ = 0;                 // job
+  std::vector<int> thumbnailJobs_;  // in the order in which they were wanted
+  std::vector<Job> imports_;        // in the list; each ends with what was imported until it was cancelled
+  Worker queries_, thumbnails_{{}, JobLane(nullptr, QThread::LowPriority)},
+      importer_{{}, JobLane(nullptr, QThread::LowPriority)};
 };
 
 }  // namespace volumen

@@ -1,6 +1,5 @@
 #include "ui/controller/loader.h"
 
-#include <QElapsedTimer>
 #include <utility>
 
 #include "viewer/plan/default_window.h"
@@ -10,8 +9,6 @@
 namespace volumen {
 
 namespace {
-constexpr int progressEveryMs = 50;
-
 void setWindow(ShownSeries& shown) {
   VolumeFacts facts;
   const std::vector<float> p = percentiles(*shown.volume, {1, 999});
@@ -22,108 +19,94 @@ void setWindow(ShownSeries& shown) {
   if (files.empty()) shown.flatWindow = firstWindow(*shown.volume, shown.series.unit);
   shown.valueSpread = p[1] > p[0] ? double(p[1]) - p[0] : 1;
 }
-}  // namespace
-
-Loader::Loader(MakeScene makeScene, QObject* parent) : QObject(parent), makeScene_(std::move(makeScene)) {
-  for (QThreadPool* pool : {&openPool_, &loadPool_}) pool->setMaxThreadCount(1);
+Result<std::shared_ptr<const Study>> shared(Result<Study> study) {
+  if (!study) return study.error();
+  return std::make_shared<const Study>(std::move(*study));
 }
 
-Loader::~Loader() {
-  cancel();
-  for (QThreadPool* pool : {&openPool_, &loadPool_}) pool->waitForDone();
+Result<ShownSeriesPtr> loadShown(const Series& series, const MakeScene& makeScene, const Job& job) {
+  Result<Loaded> loaded = loadSeries(series, job.progress(), job.cancel());
+  if (!loaded) return loaded.error();
+  job.tell(Loader::tr("preparing the display"), -1);
+  auto shown = std::make_shared<ShownSeries>();
+  shown->series = series;
+  shown->volume = loaded->drawn;
+  shown->warnings = loaded->warnings;
+  shown->histogram = histogram(*loaded->drawn);
+  setWindow(*shown);
+  if (series.unit.empty()) shown->usual = usualRange(*loaded->drawn);
+  Result<Scene> scene = makeScene("auto", *loaded->drawn);
+  if (!scene) return scene.error();
+  shown->firstScene = std::move(*scene);
+  return ShownSeriesPtr(shown);
+}
+
+}  // namespace
+
+Loader::Loader(Jobs& jobs, MakeScene makeScene, QObject* parent)
+    : QObject(parent), makeScene_(std::move(makeScene)), open_(&jobs), load_(&jobs) {
+  for (JobLane* lane : {&open_, &load_})
+    lane->whenIdle([this] {
+      if (!isBusy()) Q_EMIT idle();
+    });
 }
 
 void Loader::cancel() {
-  for (CancelToken* token : {&cancel_, &loadCancel_}) {
-    token->cancel();
-    *token = CancelToken();
-  }
+  open_.giveUpAll();
+  load_.giveUpAll();
+  cancelled();
+}
+
+void Loader::cancelled() {
   scene_.reset();
   if (const auto given = std::exchange(loading_, {})) Q_EMIT notLoaded(*given);
 }
 
-// Runs a function on the thread of this object, unless the job was cancelled by then.
-template <class Function>
-void Loader::tell(const CancelToken& cancel, Function function) {
-  QMetaObject::invokeMethod(
-      this,
-      [cancel, function] {
-        if (!cancel.cancelled()) function();
-      },
-      Qt::QueuedConnection);
-}
-
-Progress Loader::progressTeller(const CancelToken& cancel) {
-  auto clock = std::make_shared<QElapsedTimer>();
-  return [this, cancel, clock](const char* what, std::size_t done, std::size_t total) {
-    if (clock->isValid() && clock->elapsed() < progressEveryMs) return;
-    clock->start();
-    tell(cancel, [this, text = QString::fromUtf8(what), done, total] {
-      Q_EMIT progressed(text, qint64(done), qint64(total));
-    });
+// What a job comes to, told; or why it came to nothing.
+template <class Tell>
+auto Loader::orFailed(Tell tell) {
+  return [this, tell](const auto& made) {
+    if (made)
+      tell(*made);
+    else
+      Q_EMIT failed(QString::fromStdString(made.message()));
   };
 }
 
-void Loader::start(QThreadPool& pool, const CancelToken& cancel, Job job) {
-  if (underWay_++ == 0) Q_EMIT busyChanged(true);
-  pool.start([this, cancel, job = std::move(job)] {
-    if (!cancel.cancelled()) job(cancel, progressTeller(cancel));
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-          if (--underWay_ == 0) Q_EMIT busyChanged(false);
-        },
-        Qt::QueuedConnection);
-  });
-}
-
 void Loader::open(const QString& path, const OpenIntent& intent) {
-  start(openPool_, cancel_, [this, path, intent](const CancelToken& cancel, const Progress& progress) {
-    Result<Study> study = openStudy(path.toStdString(), progress, cancel);
-    if (!study)
-      return tell(cancel, [this, text = QString::fromStdString(study.message())] { Q_EMIT failed(text); });
-    const auto shared = std::make_shared<const Study>(std::move(*study));
-    tell(cancel, [this, path, shared, intent] { Q_EMIT studyOpened(path, shared, intent); });
-  });
+  open_.run(
+      tr("Opening"),
+      [path](const Job& job) { return shared(openStudy(path.toStdString(), job.progress(), job.cancel())); },
+      orFailed([this, path, intent](const auto& study) { Q_EMIT studyOpened(path, study, intent); }));
 }
 
 void Loader::openFiles(const QString& name, const std::vector<std::string>& files, const OpenIntent& intent) {
-  start(openPool_, cancel_, [this, name, files, intent](const CancelToken& cancel, const Progress& progress) {
-    Result<Study> study = volumen::openFiles(files, progress, cancel);
-    if (!study)
-      return tell(cancel, [this, text = QString::fromStdString(study.message())] { Q_EMIT failed(text); });
-    const auto shared = std::make_shared<const Study>(std::move(*study));
-    tell(cancel, [this, name, shared, intent] { Q_EMIT filesOpened(name, shared, intent); });
-  });
+  open_.run(
+      tr("Opening"),
+      [files](const Job& job) { return shared(volumen::openFiles(files, job.progress(), job.cancel())); },
+      orFailed([this, name, intent](const auto& study) { Q_EMIT filesOpened(name, study, intent); }));
 }
 
 void Loader::openSession(const QString& path) {
-  start(openPool_, cancel_, [this, path](const CancelToken& cancel, const Progress& progress) {
-    const Result<OpenedSession> session = volumen::openSession(path.toStdString(), progress, cancel);
-    tell(cancel, [this, path, session] {
-      if (session)
-        Q_EMIT sessionOpened(path, *session);
-      else
-        Q_EMIT failed(QString::fromStdString(session.message()));
-    });
-  });
+  open_.run(
+      tr("Opening"),
+      [path](const Job& job) {
+        return volumen::openSession(path.toStdString(), job.progress(), job.cancel());
+      },
+      orFailed([this, path](const OpenedSession& session) { Q_EMIT sessionOpened(path, session); }));
 }
 
 void Loader::locate(const MissingObjects& missing, const QString& folder) {
-  start(openPool_, cancel_, [this, missing, folder](const CancelToken& cancel, const Progress& progress) {
-    const Result<Located> found = volumen::locate(missing, folder.toStdString(), progress, cancel);
-    tell(cancel, [this, found] {
-      if (found)
-        Q_EMIT located(*found);
-      else
-        Q_EMIT failed(QString::fromStdString(found.message()));
-    });
-  });
+  open_.run(
+      tr("Looking for files"),
+      [missing, folder](const Job& job) {
+        return volumen::locate(missing, folder.toStdString(), job.progress(), job.cancel());
+      },
+      orFailed([this](const Located& found) { Q_EMIT located(found); }));
 }
 
 void Loader::cancelLoad() {
-  loadCancel_.cancel();
-  loadCancel_ = CancelToken();
+  load_.giveUp(loadJob_);
   loading_.reset();
   scene_.reset();
 }
@@ -143,44 +126,30 @@ void Loader::begin(const Series& series, bool isAhead) {
   cancelLoad();
   loading_ = keyOf(series);
   isAhead_ = isAhead;
-  start(loadPool_, loadCancel_, [this, series](const CancelToken& cancel, const Progress& progress) {
-    const auto fail = [&](const std::string& sentence) {
-      tell(cancel, [this, key = keyOf(series), text = QString::fromStdString(sentence)] {
-        loading_.reset();
-        Q_EMIT notLoaded(key);
-        Q_EMIT failed(text);
-      });
-    };
-    Result<Loaded> loaded = loadSeries(series, progress, cancel);
-    if (!loaded) return fail(loaded.message());
-    progress("preparing the display", 0, 0);
-    auto shown = std::make_shared<ShownSeries>();
-    shown->series = series;
-    shown->volume = loaded->drawn;
-    shown->warnings = loaded->warnings;
-    shown->histogram = histogram(*loaded->drawn);
-    setWindow(*shown);
-    if (series.unit.empty()) shown->usual = usualRange(*loaded->drawn);
-    Result<Scene> scene = makeScene_("auto", *loaded->drawn);
-    if (!scene) return fail(scene.message());
-    shown->firstScene = std::move(*scene);
-    tell(cancel, [this, shown] {
-      loading_.reset();
-      if (isAhead_)
-        Q_EMIT loadedAhead(shown);
-      else
-        Q_EMIT seriesLoaded(shown, std::exchange(scene_, {}));
-    });
-  });
+  loadJob_ = load_.run(
+      tr("Opening"),
+      [series, makeScene = makeScene_](const Job& job) { return loadShown(series, makeScene, job); },
+      [this, key = keyOf(series)](const Result<ShownSeriesPtr>& shown) { take(key, shown); },
+      [this] { cancelled(); });
+}
+
+void Loader::take(const SeriesKey& series, const Result<ShownSeriesPtr>& shown) {
+  loading_.reset();
+  if (!shown) {
+    Q_EMIT notLoaded(series);
+    Q_EMIT failed(QString::fromStdString(shown.message()));
+  } else if (isAhead_) {
+    Q_EMIT loadedAhead(*shown);
+  } else {
+    Q_EMIT seriesLoaded(*shown, std::exchange(scene_, {}));
+  }
 }
 
 void Loader::makePreset(const QString& name, VolumePtr volume) {
-  start(loadPool_, cancel_, [this, name, volume](const CancelToken& cancel, const Progress&) {
-    Result<Scene> scene = makeScene_(name.toStdString(), *volume);
-    if (!scene)
-      return tell(cancel, [this, text = QString::fromStdString(scene.message())] { Q_EMIT failed(text); });
-    tell(cancel, [this, name, volume, made = *scene] { Q_EMIT presetReady(name, made, volume); });
-  });
+  load_.run(
+      tr("Making the preset"),
+      [name, volume, makeScene = makeScene_](const Job&) { return makeScene(name.toStdString(), *volume); },
+      orFailed([this, name, volume](const Scene& scene) { Q_EMIT presetReady(name, scene, volume); }));
 }
 
 }  // namespace volumen

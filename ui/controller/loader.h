@@ -1,31 +1,24 @@
 #pragma once
 
-#include <QObject>
-#include <QThreadPool>
-#include <atomic>
 #include <functional>
 #include <memory>
 
-#include "io/study.h"
 #include "ui/controller/locate.h"
 #include "ui/controller/open_intent.h"
 #include "ui/controller/open_session.h"
 #include "ui/data/shown_series.h"
-#include "viewer/volume/cancel.h"
+#include "ui/document/job_lane.h"
 
 namespace volumen {
 
 /// The scene of a named preset for a volume ("auto" chooses).
 using MakeScene = std::function<Result<Scene>(const std::string& preset, const Volume& volume)>;
 
-/// Opens paths, loads series and makes presets on a worker thread, one after the other, and tells the results
-/// on its own thread.
+/// Opens paths and, beside that, loads series and makes presets: jobs, each kind one after the other.
 class Loader : public QObject {
   Q_OBJECT
  public:
-  explicit Loader(MakeScene makeScene, QObject* parent = nullptr);
-  /// Gives up what is under way.
-  ~Loader() override;
+  Loader(Jobs& jobs, MakeScene makeScene, QObject* parent = nullptr);
 
   void open(const QString& path, const OpenIntent& intent = {});
   /// The same for files that are not one path: ends in filesOpened() by the name given.
@@ -38,8 +31,9 @@ class Loader : public QObject {
   /// The same for one that is not shown yet, told by loadedAhead().
   void loadAhead(const Series& series);
   void makePreset(const QString& name, VolumePtr volume);
+  /// Gives up all.
   void cancel();
-  bool isBusy() const { return underWay_ > 0; }
+  bool isBusy() const { return open_.isBusy() || load_.isBusy(); }
   /// Gives up the load that is under way alone.
   void cancelLoad();
 
@@ -57,27 +51,22 @@ class Loader : public QObject {
   void presetReady(const QString& name, const volumen::Scene& scene, const volumen::VolumePtr& volume);
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
-  /// total 0: not known.
-  void progressed(const QString& what, qint64 done, qint64 total);
-  /// Whether anything is under way.
-  void busyChanged(bool busy);
+  /// Nothing is asked for any more.
+  void idle();
 
  private:
-  using Job = std::function<void(const CancelToken& cancel, const Progress& progress)>;
-
-  void start(QThreadPool& pool, const CancelToken& cancel, Job job);
-  Progress progressTeller(const CancelToken& cancel);
+  template <class Tell>
+  auto orFailed(Tell tell);
   void begin(const Series& series, bool isAhead);
-  template <class Function>
-  void tell(const CancelToken& cancel, Function function);
+  void take(const SeriesKey& series, const Result<ShownSeriesPtr>& shown);
+  void cancelled();
 
   const MakeScene makeScene_;
-  QThreadPool openPool_, loadPool_;  // one thread each: paths in order, beside what is made of the volumes
-  CancelToken cancel_, loadCancel_;  // of everything else, and of the series being loaded
-  int underWay_ = 0;
   std::optional<SeriesKey> loading_;
+  int loadJob_ = 0;
   std::optional<Scene> scene_;  // to show what is being loaded by
   bool isAhead_ = false;        // nobody waits for what is being loaded
+  JobLane open_, load_;
 };
 
 }  // namespace volumen

@@ -50,16 +50,16 @@ bool canLoseTable(const ShownSeriesPtr& series) {
 
 }  // namespace
 
-Masker::Masker(Session& session, QObject* parent)
+Masker::Masker(Session& session, Jobs& jobs, QObject* parent)
     : QObject(parent),
       session_(session),
       table_(new QAction(tr("Remove table"), this)),
-      reset_(new QAction(tr("Reset scissors"), this)) {
+      reset_(new QAction(tr("Reset scissors"), this)),
+      lane_(&jobs) {
   table_->setObjectName(QStringLiteral("removeTable"));
   table_->setCheckable(true);
   reset_->setObjectName(QStringLiteral("resetScissors"));
   reset_->setToolTip(tr("Bring back all that was cut away."));
-  pool_.setMaxThreadCount(1);
   connect(table_, &QAction::triggered, this, [this](bool removed) {
     ask({keyOf(session_.series()->series), removed ? table_->text() : tr("Show table"),
          [removed](Mask& mask) { mask.tableRemoved = removed; }});
@@ -69,30 +69,19 @@ Masker::Masker(Session& session, QObject* parent)
     ask({w.view(w.focus).series, reset_->text(), [](Mask& mask) { mask.lassos.clear(); }});
   });
   connect(&session_, &Session::maskedNeeded, this, [this](const SeriesKey& series) {
-    const auto isWaiting = [&](const Job& job) { return job.series == series && !job.change; };
-    if (std::ranges::none_of(jobs_, isWaiting)) ask({series, {}, {}});
+    const auto isWaiting = [&](const Step& step) { return step.series == series && !step.change; };
+    if (std::ranges::none_of(steps_, isWaiting)) ask({series, {}, {}});
   });
   connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
-    if (isRunning_ && !after.series.contains(jobs_.front().series)) cancel_.cancel();
+    if (lane_.isBusy() && !after.series.contains(steps_.front().series)) drop();
     showState();
   });
   showState();
 }
 
-Masker::~Masker() {
-  cancel_.cancel();
-  pool_.waitForDone();
-}
-
 void Masker::cut(const SeriesKey& series, const Lasso& lasso) {
   ask({series, lasso.inside ? tr("Cut inside") : tr("Cut outside"),
        [added = std::make_shared<const Lasso>(lasso)](Mask& mask) { mask.lassos.push_back(added); }});
-}
-
-void Masker::cancel() {
-  cancel_.cancel();
-  jobs_.erase(jobs_.begin() + (isRunning_ ? 1 : 0), jobs_.end());
-  showState();
 }
 
 void Masker::showState() {
@@ -109,68 +98,72 @@ void Masker::showState() {
   reset_->setEnabled(!session_.maskOf(workspace.view(workspace.focus).series).lassos.empty());
 }
 
-void Masker::ask(Job job) {
-  jobs_.push_back(std::move(job));
+void Masker::ask(Step step) {
+  steps_.push_back(std::move(step));
   next();
 }
 
 // Makes the first step for which a volume has to be made first, and all before it that need none.
 void Masker::next() {
-  while (!isRunning_ && !jobs_.empty()) {
-    const Job& job = jobs_.front();
-    const Mask before = session_.maskOf(job.series);
+  while (!lane_.isBusy() && !steps_.empty()) {
+    const Step& step = steps_.front();
+    const Mask before = session_.maskOf(step.series);
     Mask mask = before;
-    if (job.change) job.change(mask);
-    const ShownSeriesPtr whole = session_.seriesWith(job.series, {});
+    if (step.change) step.change(mask);
+    const ShownSeriesPtr whole = session_.seriesWith(step.series, {});
     if (whole && mask.tableRemoved && !canLoseTable(whole)) {
-      giveUp(job, tr("Only for CT: the values of this series are not Hounsfield units."));
-    } else if (whole && !session_.seriesWith(job.series, mask)) {
+      giveUp(step, tr("Only for CT: the values of this series are not Hounsfield units."));
+    } else if (whole && !session_.seriesWith(step.series, mask)) {
       return begin(mask, whole);
     } else if (mask != before) {
-      session_.setMask(job.text, job.series, mask);
+      session_.setMask(step.text, step.series, mask);
     }
-    jobs_.pop_front();
+    steps_.pop_front();
   }
   showState();
 }
 
 void Masker::begin(const Mask& mask, const ShownSeriesPtr& whole) {
-  isRunning_ = true;
-  cancel_ = CancelToken();
-  const Mask before = session_.maskOf(jobs_.front().series);
-  Q_EMIT begun(mask.lassos.empty() ? tr("Removing table") : tr("Cutting"));
-  const std::optional<CutVolume> last = beforeLast(session_, jobs_.front().series, mask);
-  pool_.start([this, before, last, mask, whole, cancel = cancel_] {
-    const Result<ShownSeriesPtr> made = maskedSeries(*whole, last, mask, cancel);
-    QMetaObject::invokeMethod(
-        this, [this, before, mask, made] { take(before, mask, made); }, Qt::QueuedConnection);
-  });
+  const SeriesKey series = steps_.front().series;
+  lane_.run(
+      mask.lassos.empty() ? tr("Removing table") : tr("Cutting"),
+      [whole, mask, last = beforeLast(session_, series, mask)](const Job& job) {
+        return maskedSeries(*whole, last, mask, job.cancel());
+      },
+      [this, mask, before = session_.maskOf(series)](const Result<ShownSeriesPtr>& made) {
+        take(before, mask, made);
+      },
+      [this] { drop(); });
 }
 
 // The step is made where the mask is still the one that it was to change; else it is made anew.
 void Masker::take(const Mask& before, const Mask& mask, const Result<ShownSeriesPtr>& made) {
-  isRunning_ = false;
-  Q_EMIT ended();
-  const Job job = jobs_.front();
-  const bool isKnown = session_.workspace().series.contains(job.series);
-  if (cancel_.cancelled() || !isKnown) {
-    jobs_.pop_front();
-  } else if (!made) {
-    jobs_.pop_front();
-    giveUp(job, QString::fromStdString(made.message()));
+  const Step step = steps_.front();
+  if (!made) {
+    steps_.pop_front();
+    giveUp(step, QString::fromStdString(made.message()));
   } else {
     session_.takeMasked(mask, *made);
-    if (session_.maskOf(job.series) == before) {
-      jobs_.pop_front();
-      if (job.change) session_.setMask(job.text, job.series, mask);
+    if (session_.maskOf(step.series) == before) {
+      steps_.pop_front();
+      if (step.change) session_.setMask(step.text, step.series, mask);
     }
   }
   next();
 }
 
+// Nobody wants the step under way any more. The next one waits for the event loop: the workspace may be
+// telling of a change.
+void Masker::drop() {
+  lane_.giveUpAll();
+  steps_.pop_front();
+  QMetaObject::invokeMethod(
+      this, [this] { next(); }, Qt::QueuedConnection);
+}
+
 // A workspace does not keep a mask that cannot be made.
-void Masker::giveUp(const Job& job, const QString& sentence) {
-  if (!job.change) session_.setMask(tr("Show all"), job.series, {});
+void Masker::giveUp(const Step& step, const QString& sentence) {
+  if (!step.change) session_.setMask(tr("Show all"), step.series, {});
   Q_EMIT failed(sentence);
 }
 

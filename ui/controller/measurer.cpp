@@ -30,7 +30,6 @@ constexpr ViewId reader = -1;            // as which frames are asked for: no vi
 
 Measurer::Measurer(const Session& session, FrameService& frames, QObject* parent)
     : QObject(parent), session_(session), frames_(frames) {
-  pool_.setMaxThreadCount(1);
   connect(&session_, &Session::preferencesChanged, this,
           [this](const Preferences& before, const Preferences& after) {
             if (before.petUnit != after.petUnit) Q_EMIT measured();
@@ -40,12 +39,6 @@ Measurer::Measurer(const Session& session, FrameService& frames, QObject* parent
     if (view == reader) unread_[key] = why.toStdString();
     endRead(view);
   });
-}
-
-Measurer::~Measurer() {
-  closing_.cancel();
-  pool_.clear();
-  pool_.waitForDone();
 }
 
 // The pool is asked only where something changed: being asked for counts as use there.
@@ -82,12 +75,12 @@ MeasuredPtr Measurer::exactNumbersOf(const Measurement& measurement) {
 Measurer::Known& Measurer::begin(const Measurement& measurement) {
   Known& known = known_[measurement.id];
   if (known.series != measurement.series || known.shape.kind != measurement.shape.kind)
-    known.numbers.reset(), known.shown = jobs_;
+    known.numbers.reset(), known.shown = asked_;
   known.series = measurement.series;
   known.shape = measurement.shape;
   known.mask = session_.maskOf(measurement.series);
   known.petUnit = shownPetUnit();
-  known.asked = ++jobs_;
+  known.asked = ++asked_;
   return known;
 }
 
@@ -98,7 +91,7 @@ void Measurer::request(const Measurement& measurement, const ShownSeriesPtr& ser
                     scale = shownScale(series->series)](const CancelToken& cancel) {
     return scaled(measure(shape, *volume, scale.unit, cancel), scale.factor);
   };
-  start({measurement.id, known.asked, run}, stepsOf(measurement.shape, series->volume->geometry()));
+  start(measurement.id, run, stepsOf(measurement.shape, series->volume->geometry()));
 }
 
 // A frame that is not in memory is read first, one at a time; then whoever listens asks again.
@@ -118,13 +111,12 @@ void Measurer::requestOnFrame(const Measurement& measurement) {
     return frames_.request(reader, state->second.series, *index, 1);
   }
   const Known& known = begin(measurement);
-  if (problem) return take({measurement.id, known.asked, {}}, *problem);
+  if (problem) return take(measurement.id, known.asked, *problem);
   const auto run = [shape = measurement.shape, frame,
                     scale = shownScale(frame->slice->series)](const CancelToken&) {
     return scaled(measureOnFrame(shape, pixelsOf(*frame), scale.unit), scale.factor);
   };
-  start({measurement.id, known.asked, run},
-        stepsOf(inSliceSpace(measurement.shape, frame->geometry()), frame->geometry()));
+  start(measurement.id, run, stepsOf(inSliceSpace(measurement.shape, frame->geometry()), frame->geometry()));
 }
 
 void Measurer::endRead(int view) {
@@ -134,38 +126,22 @@ void Measurer::endRead(int view) {
   Q_EMIT measured();
 }
 
-void Measurer::start(Job job, double steps) {
-  if (steps <= mostStepsAtOnce) return take(job, job.measure(closing_));
-  {
-    const std::lock_guard lock(mutex_);
-    std::erase_if(waiting_, [&](const Job& other) { return other.id == job.id; });
-    waiting_.push_back(std::move(job));
-  }
-  pool_.start([this] { runNext(); });
-}
-
-void Measurer::runNext() {
-  Job job;
-  {
-    const std::lock_guard lock(mutex_);
-    if (waiting_.empty()) return;
-    job = std::move(waiting_.front());
-    waiting_.erase(waiting_.begin());
-  }
-  Result<Measured> result = job.measure(closing_);
-  QMetaObject::invokeMethod(
-      this,
-      [this, job = std::move(job), result = std::move(result)] {
-        take(job, result);
+void Measurer::start(int id, const Measure& measure, double steps) {
+  Known& known = known_[id];
+  if (steps <= mostStepsAtOnce) return take(id, known.asked, measure(CancelToken()));
+  lane_.giveUpWaiting(known.job);
+  known.job = lane_.run(
+      {}, [measure](const Job& job) { return measure(job.cancel()); },
+      [this, id, asked = known.asked](Result<Measured> result) {
+        take(id, asked, std::move(result));
         Q_EMIT measured();
-      },
-      Qt::QueuedConnection);
+      });
 }
 
-void Measurer::take(const Job& job, Result<Measured> result) {
-  Known& known = known_[job.id];
-  if (job.number < known.shown) return;
-  known.shown = job.number;
+void Measurer::take(int id, int asked, Result<Measured> result) {
+  Known& known = known_[id];
+  if (asked < known.shown) return;
+  known.shown = asked;
   known.numbers = std::make_shared<const Result<Measured>>(std::move(result));
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <QImage>
-#include <QObject>
-#include <QThreadPool>
 
 #include "ui/controller/draw_service.h"
 #include "ui/controller/loader.h"
@@ -15,7 +13,6 @@ class PresetThumbnails : public QObject {
   Q_OBJECT
  public:
   PresetThumbnails(DrawService& drawService, MakeScene makeScene, QObject* parent = nullptr);
-  /// Gives up what is under way.
   ~PresetThumbnails() override;
 
   /// Makes those of the volume, in this order, so many device pixels wide and high. Gives up the ones before.
@@ -33,10 +30,9 @@ class PresetThumbnails : public QObject {
 
   DrawService& drawService_;
   const MakeScene makeScene_;
-  QThreadPool pool_;
-  CancelToken cancel_;
   std::vector<QString> names_;  // of the batch being drawn
   int batch_ = 0;
+  JobLane lane_{nullptr, QThread::LowPriority};
 };
 
 }  // namespace volumen

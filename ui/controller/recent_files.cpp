@@ -12,11 +12,7 @@ QString key() { return QStringLiteral("recent"); }
 }  // namespace
 
 RecentFiles::RecentFiles(QObject* parent)
-    : QObject(parent), paths_(QSettings().value(key()).toStringList().mid(0, most)) {
-  pool_.setMaxThreadCount(1);
-}
-
-RecentFiles::~RecentFiles() { pool_.waitForDone(); }
+    : QObject(parent), paths_(QSettings().value(key()).toStringList().mid(0, most)) {}
 
 void RecentFiles::add(const QString& path) {
   const QString whole = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
@@ -37,20 +33,20 @@ void RecentFiles::setPaths(const QStringList& paths) {
 }
 
 void RecentFiles::look() {
-  pool_.clear();
-  pool_.start([this, paths = paths_] {
-    QSet<QString> gone;
-    for (const QString& path : paths)
-      if (!QFileInfo::exists(path)) gone.insert(path);
-    QMetaObject::invokeMethod(
-        this,
-        [this, gone] {
-          if (gone == gone_) return;
-          gone_ = gone;
-          Q_EMIT changed();
-        },
-        Qt::QueuedConnection);
-  });
+  lane_.giveUpAll();
+  lane_.run(
+      {},
+      [paths = paths_](const Job&) {
+        QSet<QString> gone;
+        for (const QString& path : paths)
+          if (!QFileInfo::exists(path)) gone.insert(path);
+        return gone;
+      },
+      [this](const QSet<QString>& gone) {
+        if (gone == gone_) return;
+        gone_ = gone;
+        Q_EMIT changed();
+      });
 }
 
 }  // namespace volumen

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <QObject>
 #include <QSet>
 #include <QStringList>
-#include <QThreadPool>
+
+#include "ui/document/job_lane.h"
 
 namespace volumen {
 
@@ -12,7 +12,6 @@ class RecentFiles : public QObject {
   Q_OBJECT
  public:
   explicit RecentFiles(QObject* parent = nullptr);
-  ~RecentFiles() override;
 
   const QStringList& paths() const { return paths_; }
   /// Whether it was not there when it was last looked for.
@@ -31,7 +30,7 @@ class RecentFiles : public QObject {
 
   QStringList paths_;
   QSet<QString> gone_;
-  QThreadPool pool_;
+  JobLane lane_;
 };
 
 }  // namespace volumen

@@ -22,12 +22,7 @@ Result<LoadedRegions> loadRegions(const std::string& path, ReferenceKind kind) {
 
 }  // namespace
 
-References::References(QObject* parent) : QObject(parent) { pool_.setMaxThreadCount(1); }
-
-References::~References() {
-  pool_.clear();
-  pool_.waitForDone();
-}
+References::References(Jobs& jobs, QObject* parent) : QObject(parent), lane_(&jobs) {}
 
 void References::setOpen(std::vector<ReferencePtr> all) {
   all_ = std::move(all);
@@ -41,36 +36,29 @@ std::vector<ReferencePtr> References::naming(ReferenceKind kind, const Series& s
   return found;
 }
 
-void References::fail(const std::string& sentence) {
-  QMetaObject::invokeMethod(
-      this, [this, text = QString::fromStdString(sentence)] { Q_EMIT failed(text); }, Qt::QueuedConnection);
-}
-
 std::shared_ptr<const LoadedRegions> References::regions(const ReferenceKey& key, ReferenceKind kind) {
   if (const auto held = regions_.find(key); held != regions_.end()) return held->second;
   const auto isIt = [&](const ReferencePtr& object) { return keyOf(*object) == key; };
   if (std::ranges::none_of(all_, isIt) || !asked_.insert(key).second) return nullptr;
-  pool_.start([this, key, kind] {
-    Result<LoadedRegions> loaded = loadRegions(key.path, kind);
-    if (!loaded) return fail(loaded.message());
-    QMetaObject::invokeMethod(
-        this,
-        [this, key, regions = std::make_shared<const LoadedRegions>(std::move(*loaded))] {
-          regions_[key] = regions;
-          Q_EMIT changed();
-        },
-        Qt::QueuedConnection);
-  });
+  lane_.run(
+      tr("Reading regions"), [key, kind](const Job&) { return loadRegions(key.path, kind); },
+      [this, key](Result<LoadedRegions> loaded) {
+        if (!loaded) return void(Q_EMIT failed(QString::fromStdString(loaded.message())));
+        regions_[key] = std::make_shared<const LoadedRegions>(std::move(*loaded));
+        Q_EMIT changed();
+      });
   return nullptr;
 }
 
 void References::readReport(const ReferencePtr& object) {
-  pool_.start([this, object] {
-    const Result<Report> report = loadReport(object->path);
-    if (!report) return fail(report.message());
-    QMetaObject::invokeMethod(
-        this, [this, object, report = *report] { Q_EMIT reportRead(object, report); }, Qt::QueuedConnection);
-  });
+  lane_.run(
+      tr("Reading the report"), [object](const Job&) { return loadReport(object->path); },
+      [this, object](const Result<Report>& report) {
+        if (report)
+          Q_EMIT reportRead(object, *report);
+        else
+          Q_EMIT failed(QString::fromStdString(report.message()));
+      });
 }
 
 }  // namespace volumen

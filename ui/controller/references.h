@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QObject>
-#include <QThreadPool>
 #include <map>
 #include <memory>
 #include <set>
@@ -10,6 +8,7 @@
 #include "io/contours.h"
 #include "io/report.h"
 #include "ui/data/reference_key.h"
+#include "ui/document/job_lane.h"
 #include "viewer/segment/segmentation.h"
 
 namespace volumen {
@@ -20,13 +19,12 @@ struct LoadedRegions {
   std::shared_ptr<const Segmentation> segmentation;
 };
 
-/// The objects that refer to pictures: which there are in what is open, and what was read of them, on a
-/// thread of its own. Asking never waits.
+/// The objects that refer to pictures: which there are in what is open, and what was read of them, each a
+/// job. Asking never waits.
 class References : public QObject {
   Q_OBJECT
  public:
-  explicit References(QObject* parent = nullptr);
-  ~References() override;
+  explicit References(Jobs& jobs, QObject* parent = nullptr);
 
   /// Those of all studies that are open.
   void setOpen(std::vector<ReferencePtr> all);
@@ -47,12 +45,10 @@ class References : public QObject {
   void failed(const QString& sentence);
 
  private:
-  void fail(const std::string& sentence);
-
   std::vector<ReferencePtr> all_;
   std::map<ReferenceKey, std::shared_ptr<const LoadedRegions>> regions_;
   std::set<ReferenceKey> asked_;
-  QThreadPool pool_;
+  JobLane lane_;
 };
 
 }  // namespace volumen

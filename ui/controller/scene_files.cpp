@@ -25,38 +25,30 @@ Result<Scene> sceneFromFile(const std::string& path) {
   return scene;
 }
 
-SceneFiles::SceneFiles(QObject* parent) : QObject(parent) { pool_.setMaxThreadCount(1); }
+SceneFiles::SceneFiles(Jobs& jobs, QObject* parent) : QObject(parent), lane_(&jobs) {}
 
-SceneFiles::~SceneFiles() { pool_.waitForDone(); }
+SceneFiles::~SceneFiles() { lane_.wait(); }
 
 void SceneFiles::open(const QString& path) {
-  pool_.start([this, path] {
-    const Result<Scene> scene = sceneFromFile(path.toStdString());
-    QMetaObject::invokeMethod(
-        this,
-        [this, scene] {
-          if (scene)
-            Q_EMIT opened(*scene);
-          else
-            Q_EMIT failed(QString::fromStdString(scene.message()));
-        },
-        Qt::QueuedConnection);
-  });
+  lane_.run(
+      tr("Reading the scene"), [path](const Job&) { return sceneFromFile(path.toStdString()); },
+      [this](const Result<Scene>& scene) {
+        if (scene)
+          Q_EMIT opened(*scene);
+        else
+          Q_EMIT failed(QString::fromStdString(scene.message()));
+      });
 }
 
 void SceneFiles::save(const QString& path, const Scene& scene) {
-  pool_.start([this, path, scene] {
-    const Status status = writeScene(path.toStdString(), scene);
-    QMetaObject::invokeMethod(
-        this,
-        [this, path, status] {
-          if (status)
-            Q_EMIT saved(path);
-          else
-            Q_EMIT failed(QString::fromStdString(status.message()));
-        },
-        Qt::QueuedConnection);
-  });
+  lane_.run(
+      tr("Saving the scene"), [path, scene](const Job&) { return writeScene(path.toStdString(), scene); },
+      [this, path](const Status& status) {
+        if (status)
+          Q_EMIT saved(path);
+        else
+          Q_EMIT failed(QString::fromStdString(status.message()));
+      });
 }
 
 }  // namespace volumen

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <QObject>
-#include <QThreadPool>
-
+#include "ui/document/job_lane.h"
 #include "viewer/scene/scene.h"
 #include "viewer/volume/result.h"
 
@@ -11,11 +9,12 @@ namespace volumen {
 /// The scene of a scene file, or of a picture of ours (PNG or JPEG). The Error names the file.
 Result<Scene> sceneFromFile(const std::string& path);
 
-/// Reads and writes scenes on a worker thread.
+/// Reads and writes scenes; each a job.
 class SceneFiles : public QObject {
   Q_OBJECT
  public:
-  explicit SceneFiles(QObject* parent = nullptr);
+  explicit SceneFiles(Jobs& jobs, QObject* parent = nullptr);
+  /// Waits for what is being written.
   ~SceneFiles() override;
 
   void open(const QString& path);
@@ -27,7 +26,7 @@ class SceneFiles : public QObject {
   void failed(const QString& sentence);
 
  private:
-  QThreadPool pool_;
+  JobLane lane_;
 };
 
 }  // namespace volumen

@@ -5,44 +5,42 @@
 
 namespace volumen {
 
-Segmenter::Segmenter(QObject* parent) : QObject(parent) { pool_.setMaxThreadCount(1); }
+namespace {
 
-Segmenter::~Segmenter() {
-  pool_.clear();
-  pool_.waitForDone();
+std::shared_ptr<const RangeSegment> rangeSegment(const VolumePtr& volume, ValueRange range) {
+  auto made = std::make_shared<RangeSegment>();
+  made->volume = volume;
+  made->range = range;
+  made->map = labelRange(*volume, range);
+  made->statistics = labelStatistics(made->map, *volume);
+  return made;
 }
 
+}  // namespace
+
+Segmenter::Segmenter(Jobs& jobs, QObject* parent) : QObject(parent), segment_(&jobs), save_(&jobs) {}
+
+Segmenter::~Segmenter() { save_.wait(); }
+
 void Segmenter::segment(VolumePtr volume, ValueRange range) {
-  pool_.start([this, volume, range, number = ++latest_] {
-    auto made = std::make_shared<RangeSegment>();
-    made->volume = volume;
-    made->range = range;
-    made->map = labelRange(*volume, range);
-    made->statistics = labelStatistics(made->map, *volume);
-    QMetaObject::invokeMethod(
-        this,
-        [this, made, number] {
-          if (number == latest_) Q_EMIT segmented(made);
-        },
-        Qt::QueuedConnection);
-  });
+  segment_.giveUpAll();
+  segment_.run(
+      tr("Segmenting"), [volume, range](const Job&) { return rangeSegment(volume, range); },
+      [this](const std::shared_ptr<const RangeSegment>& made) { Q_EMIT segmented(made); });
 }
 
 void Segmenter::save(std::shared_ptr<const RangeSegment> segmentation, const SegmentFile& file) {
-  pool_.start([this, segmentation, file] {
-    const Status status =
-        writeSegNrrd(segmentation->map, file.name.toStdString(), file.colour, file.path.toStdString());
-    const QString sentence = status ? QString() : QString::fromStdString(status.message());
-    QMetaObject::invokeMethod(
-        this,
-        [this, sentence, path = file.path, segmentation] {
-          if (sentence.isEmpty())
-            Q_EMIT saved(path, segmentation);
-          else
-            Q_EMIT failed(sentence);
-        },
-        Qt::QueuedConnection);
-  });
+  save_.run(
+      tr("Saving the segment"),
+      [segmentation, file](const Job&) {
+        return writeSegNrrd(segmentation->map, file.name.toStdString(), file.colour, file.path.toStdString());
+      },
+      [this, segmentation, path = file.path](const Status& status) {
+        if (status)
+          Q_EMIT saved(path, segmentation);
+        else
+          Q_EMIT failed(QString::fromStdString(status.message()));
+      });
 }
 
 }  // namespace volumen

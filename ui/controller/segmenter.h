@@ -1,21 +1,21 @@
 #pragma once
 
-#include <QObject>
-#include <QThreadPool>
 #include <memory>
 
+#include "ui/document/job_lane.h"
 #include "ui/workspace/range_segment.h"
 
 namespace volumen {
 
-/// Segments and saves on a worker thread.
+/// Segments and saves; each a job.
 class Segmenter : public QObject {
   Q_OBJECT
  public:
-  explicit Segmenter(QObject* parent = nullptr);
+  explicit Segmenter(Jobs& jobs, QObject* parent = nullptr);
+  /// Waits for what is being written.
   ~Segmenter() override;
 
-  /// Only the result of the latest request is told.
+  /// Gives up what was to be segmented before.
   void segment(VolumePtr volume, ValueRange range);
   void save(std::shared_ptr<const RangeSegment> segmentation, const SegmentFile& file);
 
@@ -25,8 +25,7 @@ class Segmenter : public QObject {
   void failed(const QString& sentence);
 
  private:
-  QThreadPool pool_;
-  int latest_ = 0;
+  JobLane segment_, save_;
 };
 
 }  // namespace volumen

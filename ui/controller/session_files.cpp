@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-SessionFiles::SessionFiles(Session& session, QObject* parent) : QObject(parent), session_(session) {
-  pool_.setMaxThreadCount(1);
+SessionFiles::SessionFiles(Session& session, Jobs& jobs, QObject* parent)
+    : QObject(parent), session_(session), lane_(&jobs) {
   connect(&session_.undoStack(), &QUndoStack::indexChanged, this, &SessionFiles::followUndo);
   connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
     if (after.series.empty() && !path_.isEmpty()) {
@@ -16,7 +16,7 @@ SessionFiles::SessionFiles(Session& session, QObject* parent) : QObject(parent),
   });
 }
 
-SessionFiles::~SessionFiles() { pool_.waitForDone(); }
+SessionFiles::~SessionFiles() { lane_.wait(); }
 
 bool SessionFiles::modified() const {
   if (!written_) return !session_.workspace().series.empty();
@@ -67,17 +67,15 @@ void SessionFiles::restored(const QString& path) {
 }
 
 void SessionFiles::save(const QString& path) {
-  pool_.start([this, path, workspace = session_.workspace(), became = became_] {
-    const Status status = saveSession(path.toStdString(), workspace);
-    QMetaObject::invokeMethod(
-        this,
-        [this, path, workspace, became, status] {
-          if (!status) return void(Q_EMIT failed(QString::fromStdString(status.message())));
-          if (became == became_) set(path, workspace);
-          Q_EMIT saved(path);
-        },
-        Qt::QueuedConnection);
-  });
+  const Workspace workspace = session_.workspace();
+  lane_.run(
+      tr("Saving the session"),
+      [path, workspace](const Job&) { return saveSession(path.toStdString(), workspace); },
+      [this, path, workspace, became = became_](const Status& status) {
+        if (!status) return void(Q_EMIT failed(QString::fromStdString(status.message())));
+        if (became == became_) set(path, workspace);
+        Q_EMIT saved(path);
+      });
 }
 
 }  // namespace volumen

@@ -1,20 +1,18 @@
 #pragma once
 
-#include <QObject>
-#include <QThreadPool>
 #include <optional>
 
+#include "ui/document/job_lane.h"
 #include "ui/workspace/hand_work.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {
 
-/// Which session file the workspace is in, and whether it holds something else by now; writes it on a worker
-/// thread.
+/// Which session file the workspace is in, and whether it holds something else by now; writes it as a job.
 class SessionFiles : public QObject {
   Q_OBJECT
  public:
-  explicit SessionFiles(Session& session, QObject* parent = nullptr);
+  SessionFiles(Session& session, Jobs& jobs, QObject* parent = nullptr);
   /// Waits for what is being written.
   ~SessionFiles() override;
 
@@ -46,7 +44,6 @@ class SessionFiles : public QObject {
   void tellModified();
 
   Session& session_;
-  QThreadPool pool_;
   QString path_;
   std::optional<Workspace> written_;  // what the file holds
   HandWork saved_;                    // what any file of this run holds
@@ -60,6 +57,7 @@ class SessionFiles : public QObject {
   int openedAt_ = 0;  // the undo step from which on it is that file's
   int became_ = 0;    // how often it became another file's, but by saving
   bool modifiedTold_ = false;
+  JobLane lane_;
 };
 
 }  // namespace volumen

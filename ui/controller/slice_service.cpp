@@ -1,7 +1,5 @@
 #include "ui/controller/slice_service.h"
 
-#include <algorithm>
-
 #include "ui/controller/frame_picture.h"
 
 namespace volumen {
@@ -23,58 +21,18 @@ Result<QImage> draw(const SliceRequest& request) {
 
 }  // namespace
 
-SliceService::SliceService(QObject* parent) : QObject(parent), thread_([this] { run(); }) {}
-
-SliceService::~SliceService() {
-  {
-    const std::lock_guard lock(mutex_);
-    closing_ = true;
-  }
-  wake_.notify_one();
-  thread_.join();
-}
-
 void SliceService::request(SliceRequest request) {
-  {
-    const std::lock_guard lock(mutex_);
-    const auto same = std::ranges::find(waiting_, request.view, &SliceRequest::view);
-    if (same != waiting_.end())
-      *same = std::move(request);
-    else
-      waiting_.push_back(std::move(request));
-  }
-  wake_.notify_one();
+  drop(request.view);
+  jobs_[request.view] = lane_.run(
+      {}, [request](const Job&) { return draw(request); },
+      [this, request](const Result<QImage>& image) {
+        if (image)
+          Q_EMIT ready({request, *image});
+        else
+          Q_EMIT failed(request.view, QString::fromStdString(image.message()));
+      });
 }
 
-void SliceService::drop(ViewId view) {
-  const std::lock_guard lock(mutex_);
-  std::erase_if(waiting_, [&](const SliceRequest& r) { return r.view == view; });
-}
-
-void SliceService::run() {
-  std::unique_lock lock(mutex_);
-  for (;;) {
-    wake_.wait(lock, [this] { return closing_ || !waiting_.empty(); });
-    if (closing_) return;
-    SliceRequest request = std::move(waiting_.front());
-    waiting_.pop_front();
-    lock.unlock();
-    const Result<QImage> image = draw(request);
-    if (image) {
-      const SlicePicture picture{request, *image};
-      QMetaObject::invokeMethod(
-          this, [this, picture] { Q_EMIT ready(picture); }, Qt::QueuedConnection);
-    } else {
-      QMetaObject::invokeMethod(
-          this,
-          [this, view = request.view, sentence = QString::fromStdString(image.message())] {
-            Q_EMIT failed(view, sentence);
-          },
-          Qt::QueuedConnection);
-    }
-    request = {};
-    lock.lock();
-  }
-}
+void SliceService::drop(ViewId view) { lane_.giveUpWaiting(jobs_[view]); }
 
 }  // namespace volumen

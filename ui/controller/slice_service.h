@@ -1,16 +1,13 @@
 #pragma once
 
 #include <QImage>
-#include <QObject>
-#include <condition_variable>
-#include <deque>
-#include <mutex>
+#include <map>
 #include <optional>
-#include <thread>
 
 #include "ui/controller/segment_layer.h"
 #include "ui/controller/slice_image.h"
 #include "ui/data/shown_frame.h"
+#include "ui/document/job_lane.h"
 #include "ui/workspace/view_id.h"
 
 namespace volumen {
@@ -37,8 +34,7 @@ struct SlicePicture {
 class SliceService : public QObject {
   Q_OBJECT
  public:
-  explicit SliceService(QObject* parent = nullptr);
-  ~SliceService() override;
+  explicit SliceService(QObject* parent = nullptr) : QObject(parent) {}
 
   void request(SliceRequest request);
   /// Gives up what is asked for of a view.
@@ -50,13 +46,8 @@ class SliceService : public QObject {
   void failed(int view, const QString& sentence);
 
  private:
-  void run();
-
-  std::mutex mutex_;  // guards from here ...
-  std::condition_variable wake_;
-  std::deque<SliceRequest> waiting_;
-  bool closing_ = false;  // ... to here
-  std::thread thread_;
+  std::map<ViewId, int> jobs_;  // the latest of each view
+  JobLane lane_;
 };
 
 }  // namespace volumen

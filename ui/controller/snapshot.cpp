@@ -2,6 +2,8 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
+#include <algorithm>
+#include <cmath>
 
 #include "io/files/picture_file.h"
 #include "ui/views/annotate.h"
@@ -13,6 +15,11 @@ namespace {
 
 constexpr int tellEveryMs = 200;
 constexpr double leastPart = 0.02;  // below, no estimate is made
+
+QString leftText(double seconds) {
+  if (seconds < 60) return Snapshot::tr("%1 s left").arg(std::ceil(seconds));
+  return Snapshot::tr("%1 min left").arg(std::ceil(seconds / 60));
+}
 
 Scene sceneOf(const Scene& scene, const SnapshotRequest& request, int picture) {
   Scene shown = scene;
@@ -28,8 +35,8 @@ QString numberedPath(const QString& path, int number) {
   return path.left(dot) + QStringLiteral("-%1").arg(number, 3, 10, QLatin1Char('0')) + path.mid(dot);
 }
 
-Snapshot::Snapshot(DrawService& drawService, QObject* parent) : QObject(parent), drawService_(drawService) {
-  pool_.setMaxThreadCount(1);
+Snapshot::Snapshot(DrawService& drawService, Jobs& jobs, QObject* parent)
+    : QObject(parent), drawService_(drawService), jobs_(jobs) {
   tick_.setInterval(tellEveryMs);
   connect(&tick_, &QTimer::timeout, this, &Snapshot::tellProgress);
   connect(&drawService_, &DrawService::pictureReady, this,
@@ -42,88 +49,91 @@ Snapshot::Snapshot(DrawService& drawService, QObject* parent) : QObject(parent),
           });
 }
 
-Snapshot::~Snapshot() { pool_.waitForDone(); }
+Snapshot::~Snapshot() { writing_.wait(); }
 
 void Snapshot::take(const ShownSeriesPtr& series, const Scene& scene, const SnapshotRequest& request) {
-  Job job;
-  job.series = series;
-  job.scene = scene;
-  job.request = request;
-  jobs_.push_back(std::move(job));
-  if (jobs_.size() == 1) begin();
+  const Job job(tr("Rendering snapshot"));
+  shots_.push_back({series, scene, request, job, 0, 0, {}});
+  jobs_.add(job, [this, id = job.id()] { cancel(id); });
+  if (shots_.size() == 1) begin();
 }
 
-void Snapshot::cancel() {
-  if (jobs_.empty()) return;
-  for (Job& job : jobs_) job.cancelled = true;
-  drawService_.cancelPictures();
+// One that waits goes at once; the one under way ends as the render thread gives it up.
+void Snapshot::cancel(int job) {
+  if (shots_.front().job.id() == job) return drawService_.cancelPictures();
+  std::erase_if(shots_, [&](const Shot& shot) { return shot.job.id() == job; });
+  Q_EMIT failed(tr("Cancelled."));
 }
 
 void Snapshot::begin() {
-  jobs_.front().clock.start();
+  shots_.front().clock.start();
   tick_.start();
-  Q_EMIT begun();
   draw();
 }
 
 void Snapshot::draw() {
-  const Job& job = jobs_.front();
-  if (job.cancelled) return end(tr("Cancelled."));
+  const Shot& shot = shots_.front();
+  if (shot.job.cancelled()) return end(tr("Cancelled."));
   RenderOptions options;
-  options.size = {job.request.size.width(), job.request.size.height()};
-  options.quality = job.request.quality;
-  number_ =
-      drawService_.requestPicture(job.series->volume, sceneOf(job.scene, job.request, job.drawn), options);
+  options.size = {shot.request.size.width(), shot.request.size.height()};
+  options.quality = shot.request.quality;
+  number_ = drawService_.requestPicture(shot.series->volume, sceneOf(shot.scene, shot.request, shot.drawn),
+                                        options);
 }
 
 void Snapshot::tellProgress() {
-  Job& job = jobs_.front();
-  job.part = std::max(job.part, (job.drawn + drawService_.pictureDone()) / job.request.pictures);
-  const double seconds = double(job.clock.elapsed()) / 1000;
-  Q_EMIT progressed(job.part, job.part < leastPart ? -1 : seconds * (1 - job.part) / job.part);
+  Shot& shot = shots_.front();
+  shot.part = std::max(shot.part, (shot.drawn + drawService_.pictureDone()) / shot.request.pictures);
+  const double seconds = double(shot.clock.elapsed()) / 1000;
+  QString text = tr("%1: %2 %").arg(shot.job.name()).arg(std::floor(100 * shot.part));
+  if (shot.part >= leastPart) text += tr(", %1").arg(leftText(seconds * (1 - shot.part) / shot.part));
+  shot.job.tell(text, shot.part);
 }
 
 void Snapshot::write(const std::shared_ptr<Drawn>& drawn) {
-  const Job& job = jobs_.front();
+  const Shot& shot = shots_.front();
   PictureText text =
       pictureText(drawn->plan, {estimateOf(drawn->error), measured_ ? measured_(drawn->plan) : std::nullopt});
-  const PictureText warnings = warningText(job.series->warnings);
+  const PictureText warnings = warningText(shot.series->warnings);
   text.insert(text.end(), warnings.begin(), warnings.end());
   const glm::ivec2 size = drawn->picture.size;
-  const Overlays over = chosenOverlays(viewOverlays(*job.series, *drawn->plan.scene.camera, size),
-                                       job.request.shown, job.series->warnings);
+  const Overlays over = chosenOverlays(viewOverlays(*shot.series, *drawn->plan.scene.camera, size),
+                                       shot.request.shown, shot.series->warnings);
   const QString path =
-      job.request.pictures > 1 ? numberedPath(job.request.path, job.drawn) : job.request.path;
-  pool_.start([this, drawn, text, over, path] {
-    QImage image = imageForFile(drawn->picture);
-    if (!over.empty()) annotate(image, over);
-    const Status status = path.isEmpty() ? Status() : writeImage(image, path.toStdString(), text);
-    const QString failure = status ? QString() : QString::fromStdString(status.message());
-    QMetaObject::invokeMethod(
-        this,
-        [this, path, failure, image = path.isEmpty() ? image : QImage()] { written(image, path, failure); },
-        Qt::QueuedConnection);
-  });
+      shot.request.pictures > 1 ? numberedPath(shot.request.path, shot.drawn) : shot.request.path;
+  auto image = std::make_shared<QImage>();
+  writing_.run(
+      {},
+      [drawn, text, over, path, image](const Job&) {
+        *image = imageForFile(drawn->picture);
+        if (!over.empty()) annotate(*image, over);
+        return path.isEmpty() ? Status() : writeImage(*image, path.toStdString(), text);
+      },
+      [this, path, image](const Status& status) {
+        written(path.isEmpty() ? *image : QImage(), path,
+                status ? QString() : QString::fromStdString(status.message()));
+      });
 }
 
 void Snapshot::written(const QImage& forClipboard, const QString& path, const QString& failure) {
-  Job& job = jobs_.front();
+  Shot& shot = shots_.front();
   if (!failure.isEmpty()) return end(failure);
-  if (++job.drawn < job.request.pictures) return draw();
+  if (++shot.drawn < shot.request.pictures) return draw();
   if (path.isEmpty()) {
     QGuiApplication::clipboard()->setImage(forClipboard);
     Q_EMIT copied();
   } else {
-    Q_EMIT saved(path, job.request.pictures);
+    Q_EMIT saved(path, shot.request.pictures);
   }
   end({});
 }
 
 void Snapshot::end(const QString& failure) {
   tick_.stop();
-  jobs_.pop_front();
+  jobs_.remove(shots_.front().job);
+  shots_.pop_front();
   if (!failure.isEmpty()) Q_EMIT failed(failure);
-  if (!jobs_.empty()) begin();
+  if (!shots_.empty()) begin();
 }
 
 }  // namespace volumen

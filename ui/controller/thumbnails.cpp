@@ -24,35 +24,21 @@ QImage squareThumbnail(const QImage& thumbnail, int edge) {
   return out;
 }
 
-Thumbnails::Thumbnails(int edge, QObject* parent) : QObject(parent), edge_(edge) {
-  pool_.setMaxThreadCount(1);
-  pool_.setThreadPriority(QThread::LowPriority);
-}
-
-Thumbnails::~Thumbnails() {
-  cancel_.cancel();
-  pool_.clear();
-  pool_.waitForDone();
-}
-
-void Thumbnails::cancel() {
-  cancel_.cancel();
-  cancel_ = CancelToken();
-}
+Thumbnails::Thumbnails(int edge, QObject* parent) : QObject(parent), edge_(edge) {}
 
 void Thumbnails::request(const Series& series) {
   if (!canBeRead(series)) return;
-  pool_.start([this, series, cancel = cancel_] {
-    if (cancel.cancelled()) return;
-    const Result<QImage> image = thumbnailOf(series, edge_, cancel);
-    if (!image) return;  // where the series itself cannot be read, a click on it says why
-    QMetaObject::invokeMethod(
-        this,
-        [this, series, thumbnail = squareThumbnail(*image, edge_), cancel] {
-          if (!cancel.cancelled()) Q_EMIT made(series, thumbnail);
-        },
-        Qt::QueuedConnection);
-  });
+  lane_.run(
+      {},
+      [series, edge = edge_](const Job& job) {
+        Result<QImage> image = thumbnailOf(series, edge, job.cancel());
+        if (image) *image = squareThumbnail(*image, edge);
+        return image;
+      },
+      [this, series](const Result<QImage>& image) {
+        // Where the series itself cannot be read, a click on it says why.
+        if (image) Q_EMIT made(series, *image);
+      });
 }
 
 }  // namespace volumen

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <QImage>
-#include <QObject>
-#include <QThreadPool>
 
-#include "io/study.h"
-#include "viewer/volume/cancel.h"
+#include "ui/document/job_lane.h"
 
 namespace volumen {
 
@@ -17,22 +14,19 @@ class Thumbnails : public QObject {
   Q_OBJECT
  public:
   explicit Thumbnails(int edge, QObject* parent = nullptr);
-  /// Gives up what is under way.
-  ~Thumbnails() override;
 
   /// Ends in made(), but where the series cannot be read or is one large file that would have to be read
   /// whole.
   void request(const Series& series);
   /// Forgets all requests.
-  void cancel();
+  void cancel() { lane_.giveUpAll(); }
 
  Q_SIGNALS:
   void made(const volumen::Series& series, const QImage& thumbnail);
 
  private:
   const int edge_;
-  QThreadPool pool_;
-  CancelToken cancel_;
+  JobLane lane_{nullptr, QThread::LowPriority};
 };
 
 }  // namespace volumen

@@ -25,9 +25,7 @@ TimePointsAhead::TimePointsAhead(Session& session, Loader& loader, QObject* pare
     : QObject(parent), session_(session), loader_(loader) {
   connect(&session_, &Session::workspaceChanged, this, &TimePointsAhead::look);
   connect(&loader_, &Loader::loadedAhead, &session_, &Session::keep);
-  connect(&loader_, &Loader::busyChanged, this, [this](bool busy) {
-    if (!busy) look();
-  });
+  connect(&loader_, &Loader::idle, this, &TimePointsAhead::look);
 }
 
 void TimePointsAhead::look() {

@@ -64,7 +64,6 @@ AttributesDialog::AttributesDialog(const Series& series, QWidget* parent)
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("DICOM attributes - %1").arg(seriesText(series)));
   resize(760, 560);
-  pool_.setMaxThreadCount(1);
   slice_->setObjectName(QStringLiteral("attributesSlice"));
   slice_->setAccessibleName(tr("Slice"));
   slice_->setRange(1, std::max(1, int(series.files.size())));
@@ -83,11 +82,6 @@ AttributesDialog::AttributesDialog(const Series& series, QWidget* parent)
   connect(search_, &QLineEdit::textChanged, this, &AttributesDialog::filter);
   read();
   search_->setFocus();
-}
-
-AttributesDialog::~AttributesDialog() {
-  pool_.clear();
-  pool_.waitForDone();
 }
 
 void AttributesDialog::makeLayout() {
@@ -112,19 +106,14 @@ void AttributesDialog::makeLayout() {
 void AttributesDialog::read() {
   const std::string path = series_.files[std::size_t(slice_->value() - 1)];
   file_->setText(namesHidden() ? pathText(path) : QFileInfo(QString::fromStdString(path)).fileName());
-  pool_.start([this, path, number = ++latest_] {
-    const auto lines = dicom::listAttributes(path);
-    QMetaObject::invokeMethod(
-        this,
-        [this, lines, path, number] {
-          if (number != latest_) return;
-          fill(tree_, lines ? *lines : std::vector<dicom::AttributeLine>{});
-          if (!lines)
-            file_->setText(QStringLiteral("%1: %2.").arg(pathText(path), shownText(lines.message())));
-          filter();
-        },
-        Qt::QueuedConnection);
-  });
+  lane_.giveUpAll();
+  lane_.run(
+      {}, [path](const Job&) { return dicom::listAttributes(path); },
+      [this, path](const auto& lines) {
+        fill(tree_, lines ? *lines : std::vector<dicom::AttributeLine>{});
+        if (!lines) file_->setText(QStringLiteral("%1: %2.").arg(pathText(path), shownText(lines.message())));
+        filter();
+      });
 }
 
 void AttributesDialog::filter() {

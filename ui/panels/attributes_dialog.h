@@ -4,10 +4,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
-#include <QThreadPool>
 #include <QTreeWidget>
 
-#include "io/study.h"
+#include "ui/document/job_lane.h"
 
 namespace volumen {
 
@@ -16,7 +15,6 @@ class AttributesDialog : public QDialog {
   Q_OBJECT
  public:
   explicit AttributesDialog(const Series& series, QWidget* parent = nullptr);
-  ~AttributesDialog() override;
 
  private:
   void makeLayout();
@@ -28,8 +26,7 @@ class AttributesDialog : public QDialog {
   QLineEdit* search_;
   QTreeWidget* tree_;
   QLabel* file_;
-  QThreadPool pool_;
-  int latest_ = 0;
+  JobLane lane_;
 };
 
 }  // namespace volumen

@@ -8,77 +8,36 @@
 namespace volumen {
 
 namespace {
-constexpr int appearAfterMs = 300, fadeAfterMs = 8000;
+constexpr int fadeAfterMs = 8000;
 }
 
-StatusLine::StatusLine(QWidget* parent)
+StatusLine::StatusLine(Jobs& jobs, QWidget* parent)
     : QWidget(parent),
       hover_(plainLabel()),
-      task_(plainLabel()),
+      told_(plainLabel()),
       warning_(plainLabel()),
-      bar_(new QProgressBar),
-      cancel_(new QToolButton) {
+      jobs_(new JobLine(jobs)) {
   hover_->setObjectName(QStringLiteral("hoverText"));
-  task_->setObjectName(QStringLiteral("taskText"));
+  told_->setObjectName(QStringLiteral("toldText"));
   warning_->setObjectName(QStringLiteral("warningText"));
-  cancel_->setObjectName(QStringLiteral("cancelTask"));
-  cancel_->setText(tr("Cancel"));
   hover_->setMinimumWidth(300);
   warning_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   warning_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  bar_->setFixedSize(140, 12);
-  bar_->setTextVisible(false);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 2, 8, 2);
   row->setSpacing(8);
   row->addWidget(hover_);
-  row->addWidget(task_);
-  row->addWidget(bar_);
-  row->addWidget(cancel_);
+  row->addWidget(jobs_);
+  row->addWidget(told_);
   row->addWidget(warning_, 1);
   setHeight();
-  for (QTimer* timer : {&appear_, &fade_}) timer->setSingleShot(true);
-  connect(&appear_, &QTimer::timeout, this, [this] {
-    for (QWidget* part :
-         {static_cast<QWidget*>(task_), static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)})
-      part->show();
-  });
-  connect(&fade_, &QTimer::timeout, task_, [this] { task_->clear(); });
-  connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancelRequested);
-  end();
+  fade_.setSingleShot(true);
+  connect(&fade_, &QTimer::timeout, told_, &QLabel::clear);
 }
 
 void StatusLine::tell(const QString& sentence) {
-  task_->setText(sentence);
-  task_->show();
+  told_->setText(sentence);
   fade_.start(fadeAfterMs);
-}
-
-void StatusLine::begin(const QString& what) {
-  fade_.stop();
-  task_->setText(what);
-  task_->hide();
-  bar_->setRange(0, 0);
-  appear_.start(appearAfterMs);
-}
-
-void StatusLine::progress(const QString& what, qint64 done, qint64 total) {
-  task_->setText(total > 0 ? tr("%1: %2 of %3").arg(what).arg(done).arg(total) : what);
-  bar_->setRange(0, total > 0 ? 1000 : 0);
-  if (total > 0) bar_->setValue(int(1000 * done / total));
-}
-
-void StatusLine::progressTo(const QString& text, double part) {
-  task_->setText(text);
-  bar_->setRange(0, 1000);
-  bar_->setValue(int(1000 * part));
-}
-
-void StatusLine::end() {
-  appear_.stop();
-  task_->clear();
-  bar_->hide();
-  cancel_->hide();
 }
 
 void StatusLine::showWarnings(const QStringList& sentences) {
@@ -100,7 +59,7 @@ void StatusLine::elideWarning() {
 
 // Or the picture above would be resized, and drawn again, whenever something runs.
 void StatusLine::setHeight() {
-  setFixedHeight(std::max(cancel_->sizeHint().height(), hover_->sizeHint().height()) + 4);
+  setFixedHeight(std::max(JobView().sizeHint().height(), hover_->sizeHint().height()) + 4);
 }
 
 void StatusLine::changeEvent(QEvent* event) {

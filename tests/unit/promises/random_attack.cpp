@@ -1,5 +1,6 @@
 // The family "attack": kinds of scenes that an analyst broke levels with, or tried to. Each is one function.
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
@@ -241,6 +242,26 @@ void sharpHighlight(Chance& chance, RandomCase& c) {
   for (Light& light : c.scene.lights) light.intensity = chance.between(1, 20);
 }
 
+/// 8 to 32 lights, around in a ring or close to each other.
+void manyLights(Chance& chance, RandomCase& c) {
+  chance.oneIn(2) ? aroundBall(chance, c, dmat3(1), 1000) : aroundNoise(chance, c);
+  c.scene.shading.lit = true;
+  c.scene.shading.specular = chance.share();
+  c.scene.lights.clear();
+  const int count = 8 + chance.below(25);
+  const double intensity = chance.between(0.2, 3) / count;
+  const bool inARing = chance.oneIn(2);
+  const dvec3 middle = chance.vector();
+  const double apart = chance.power(-3, -1);
+  for (int n = 0; n < count; ++n) {
+    const double turn = 2 * M_PI * n / count;
+    const dvec3 direction =
+        inARing ? dvec3(std::cos(turn), std::sin(turn), chance.share()) : middle + apart * chance.vector();
+    c.scene.lights.push_back(
+        {direction, chance.oneIn(2) ? Space::camera : Space::patient, chance.colour(), intensity, true});
+  }
+}
+
 void lowGradientFloor(Chance& chance, RandomCase& c) {
   aroundBall(chance, c, dmat3(1), 1000);
   c.scene.shading.lit = true;
@@ -313,6 +334,7 @@ constexpr Kind kinds[] = {{"checkers", checkers},
                           {"almost nothing", almostNothing},
                           {"narrow gradient opacity", narrowGradientOpacity},
                           {"sharp highlight", sharpHighlight},
+                          {"many lights", manyLights},
                           {"low gradient floor", lowGradientFloor},
                           {"eye inside", eyeInside},
                           {"nearly along an axis", nearlyAlongAnAxis},

@@ -1,0 +1,106 @@
+#include "ui/document/jobs.h"
+
+#include <QElapsedTimer>
+#include <QLocale>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace volumen {
+
+struct Job::State {
+  int id = 0;
+  QString name;
+  CancelToken cancel;
+  QElapsedTimer since;
+  std::atomic<bool> begun = false;
+  std::mutex mutex;  // guards what follows
+  QString text;
+  double part = -1;
+};
+
+Job::Job(const QString& name) : state_(std::make_shared<State>()) {
+  static std::atomic<int> last = 0;
+  state_->id = ++last;
+  state_->name = state_->text = name;
+  state_->since.start();
+}
+
+int Job::id() const { return state_->id; }
+const QString& Job::name() const { return state_->name; }
+const CancelToken& Job::cancel() const { return state_->cancel; }
+
+bool Job::hasBegun() const { return state_->begun; }
+
+bool Job::begin() const {
+  state_->begun = true;
+  return !cancelled();
+}
+
+void Job::tell(const QString& text, double part) const {
+  const std::lock_guard lock(state_->mutex);
+  state_->text = text;
+  state_->part = part;
+}
+
+Progress Job::progress() const {
+  return [job = *this](const char* what, std::size_t done, std::size_t total) {
+    const QString text = QString::fromUtf8(what);
+    if (total == 0) return job.tell(text, -1);
+    const QLocale locale;
+    job.tell(Jobs::tr("%1: %2 of %3")
+                 .arg(text, locale.toString(qulonglong(done)), locale.toString(qulonglong(total))),
+             double(done) / double(total));
+  };
+}
+
+// Work that knows nothing of files says how far it is by its token.
+JobRow Job::row() const {
+  const std::lock_guard lock(state_->mutex);
+  JobRow row{state_->id, state_->text, state_->part, state_->since.elapsed()};
+  if (const double done = state_->cancel.done(); row.part < 0 && done > 0) {
+    row.part = done;
+    row.text = Jobs::tr("%1: %2 %").arg(row.text).arg(std::floor(100 * done));
+  }
+  return row;
+}
+
+Jobs::Jobs(QObject* parent) : QObject(parent) {
+  tick_.setInterval(100);
+  connect(&tick_, &QTimer::timeout, this, &Jobs::changed);
+}
+
+std::vector<Jobs::Listed>::iterator Jobs::find(int id) {
+  return std::ranges::find_if(listed_, [id](const Listed& listed) { return listed.job.id() == id; });
+}
+
+void Jobs::add(const Job& job, std::function<void()> cancelled) {
+  listed_.push_back({job, std::move(cancelled)});
+  tick_.start();
+  Q_EMIT changed();
+}
+
+void Jobs::remove(const Job& job) {
+  const auto at = find(job.id());
+  if (at == listed_.end()) return;
+  listed_.erase(at);
+  if (listed_.empty()) tick_.stop();
+  Q_EMIT changed();
+}
+
+std::vector<JobRow> Jobs::rows() const {
+  std::vector<JobRow> rows;
+  for (const Listed& listed : listed_) rows.push_back(listed.job.row());
+  return rows;
+}
+
+void Jobs::cancel(int id) {
+  const auto at = find(id);
+  if (at == listed_.end()) return;
+  const Listed listed = *at;
+  listed.job.cancel().cancel();
+  remove(listed.job);
+  if (listed.cancelled) listed.cancelled();
+}
+
+}  // namespace volumen
