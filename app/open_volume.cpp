@@ -6,6 +6,7 @@
 #include "app/command.h"
 #include "app/progress.h"
 #include "io/archive.h"
+#include "io/index/index_path.h"
 #include "ui/workspace/text.h"
 #include "viewer/scene/automatic.h"
 
@@ -72,7 +73,7 @@ std::string choiceNote(const std::string& path, const Study& study, const std::s
 
 Result<Opened> open(const std::string& path, const std::string& wanted, const Progress& progress,
                     const CancelToken& cancel) {
-  const Result<Study> study = openStudy(path, progress, cancel);
+  const Result<Study> study = openPath(path, progress, cancel);
   if (!study) return study.error();
   if (study->volumes.empty()) return nothingToShow(path, *study);
   const Result<std::size_t> chosen = chooseSeries(*study, wanted);

@@ -3,7 +3,7 @@
 #include <QImage>
 
 #include "app/report_files.h"
-#include "ui/views/annotate.h"
+#include "ui/overlays/annotate.h"
 
 namespace volumen {
 

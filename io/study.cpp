@@ -15,7 +15,6 @@
 #include "io/files/image_pair.h"
 #include "io/files/sample_cache.h"
 #include "io/files/session_file.h"
-#include "io/index/index_path.h"
 #include "io/look.h"
 #include "io/walk.h"
 #include "viewer/phantoms/phantoms.h"
@@ -126,15 +125,6 @@ Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
   return found;
 }
 
-/// Those that the index knows of a study or series.
-Result<FoundFiles> indexedFiles(const std::string& path) {
-  Result<std::vector<std::string>> files = filesOfIndexPath(path);
-  if (!files) return files.error();
-  FoundFiles found;
-  found.files = std::move(*files);
-  return found;
-}
-
 /// What the headers of all files say, not in order. `all`: of all that a path holds.
 void addFiles(const FoundFiles& found, bool all, const Progress& progress, const CancelToken& cancel,
               Study& study) {
@@ -186,9 +176,9 @@ Result<Study> openStudy(const std::string& path, const Progress& progress, const
   if (isPhantom(path)) return openPhantom(path);
   if (isSessionFile(path))
     return Error{path + " is a session, not a volume: `volumen open` and `volumen render` take it."};
-  const Result<FoundFiles> found = isIndexPath(path) ? indexedFiles(path) : filesOf(path, cancel);
+  const Result<FoundFiles> found = filesOf(path, cancel);
   if (!found) return found.error();
-  Result<Study> study = open(*found, !isIndexPath(path), progress, cancel);
+  Result<Study> study = open(*found, true, progress, cancel);
   return study ? std::move(study) : Error{path + ": interrupted."};
 }
 

@@ -169,7 +169,7 @@ using Progress = std::function<void(const char* what, std::size_t done, std::siz
 
 /// What is under `path`: a file, a folder (nested; links followed, to folders only below it, each file once),
 /// a DICOMDIR (all below its folder; no links out of it), a zip archive (unpacked until the program ends) or
-/// what is in one ("a.zip/CT"), "index:STUDY[/SERIES]" (io/index/index_path.h), or "phantom:NAME[:SIZE]".
+/// what is in one ("a.zip/CT"), or "phantom:NAME[:SIZE]".
 /// Reads headers only. An Error where there is no such path; what cannot be loaded is in `refused` with its
 /// reason.
 Result<Study> openStudy(const std::string& path, const Progress& progress = {},

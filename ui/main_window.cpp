@@ -87,7 +87,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::makeCentre() {
-  grid_ = new ViewGrid(session_, slices_, frames_, measurer_, references_);
+  grid_ = new ViewGrid(session_, drawService_, slices_, frames_, measurer_, references_);
   banner_ = new Banner;
   banner_->setWriting(withoutPaths);
   offer_ = new OfferBar;
@@ -150,8 +150,8 @@ void MainWindow::connectLoader() {
     banner_->hide();
     session_.closeAll(listed);
   });
-  connect(&session_, &Session::workspaceChanged, studies_,
-          [this](const Workspace&, const Workspace& after) { studies_->setUnlisted(after.unlisted); });
+  connect(&session_, &Session::workspaceChanged, &open_,
+          [this](const Workspace&, const Workspace& after) { open_.setUnlisted(after.unlisted); });
 }
 
 void MainWindow::showInFocus(const Series& series) {
@@ -211,7 +211,7 @@ void MainWindow::applyLevel() {
   if (!level || *level == drawService_.level(sceneViewId)) return;
   for (ViewId id = 0; id < viewCount; ++id) drawService_.setLevel(id, *level);
   accuracy_->showLevel(*level);
-  requestFrames();
+  grid_->requestPictures();
 }
 
 void MainWindow::open(const QStringList& paths, const std::optional<Scene>& scene) {
@@ -236,7 +236,7 @@ void MainWindow::addStudy(const QString& path, const std::shared_ptr<const Study
   for (const Series& s : allSeriesOf(*study)) series.push_back(keyOf(s));
   for (const Reference& object : study->references) references.push_back(keyOf(object));
   session_.list(series, references);
-  studies_->addStudy(path, study);
+  open_.add(path, study);
 }
 
 void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Study>& study,
@@ -292,7 +292,7 @@ void MainWindow::setResampler(Resampler resampler) {
   if (resampler == Resampler::gl) makeOffscreenGlSurface();
   drawService_.setResampler(resampler);
   meter_.forget();
-  requestFrames();
+  grid_->requestPictures();
 }
 
 // Once the first picture of a series is there.

@@ -18,6 +18,7 @@
 #include "ui/controller/segmenter.h"
 #include "ui/controller/slice_service.h"
 #include "ui/controller/snapshot.h"
+#include "ui/document/open_studies.h"
 #include "ui/theme.h"
 #include "ui/workspace/own_presets.h"
 #include "ui/workspace/session.h"
@@ -186,10 +187,8 @@ class MainWindow : public QMainWindow {
   void restoreLayout();
   void keepLayout();
 
-  void requestFrame(const VolumeView& view);
-  void requestFrames();
   void applyLevel();
-  void showFrame(const ScreenPicture& frame);
+  void showDrawn(const ScreenPicture& drawn);
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
   void showSeries();
   void showVolume();
@@ -216,6 +215,7 @@ class MainWindow : public QMainWindow {
   Services services_;
   Session session_;
   Jobs jobs_;
+  OpenStudies open_{this};
   IndexService index_;
   DrawService drawService_;
   SliceService slices_;

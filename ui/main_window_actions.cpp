@@ -87,7 +87,7 @@ void MainWindow::addDock(const QString& name, const QString& title, QWidget* pan
 }
 
 void MainWindow::makeDocks() {
-  studies_ = new StudiesPanel;
+  studies_ = new StudiesPanel(open_);
   effects_ = new EffectsPanel;
   accuracy_ = new AccuracyPanel(session_);
   snapshotPanel_ = new SnapshotPanel;

@@ -185,7 +185,7 @@ void MainWindow::openIndexed(const IndexedChoice& choice, bool beside) {
 void MainWindow::openFound(const IndexedChoice& choice, const std::vector<std::string>& files,
                            const OpenIntent& intent) {
   const QString place = placeOf(choice.study);
-  const std::shared_ptr<const Study> open = studies_->studyOf(place);
+  const std::shared_ptr<const Study> open = open_.studyOf(place);
   if (open && std::exchange(filesOf_[place], files) == files) return showIndexed(place, open, intent);
   filesOf_[place] = files;
   loader_.openFiles(place, files, intent);
@@ -212,7 +212,7 @@ void MainWindow::showChosen(const Study& study, const OpenIntent& intent) {
   if (!chosen)
     if (const auto found = std::ranges::find_if(frames, isChosen); found != frames.end()) chosen = &*found;
   if (chosen) return showOpened(Series(*chosen), intent.how);
-  for (const ReferencePtr& object : studies_->references())
+  for (const ReferencePtr& object : open_.references())
     if (!uid.empty() && object->seriesUid == uid) return showReference(object);
   banner_->add(tr("There is nothing to show in this study."));
 }

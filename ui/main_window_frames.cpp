@@ -87,7 +87,7 @@ SliceView* MainWindow::framesInFocus() const {
 void MainWindow::showFramesInFocus(const Series& series) {
   loader_.cancelLoad();
   session_.showFrames(series, session_.workspace().focus, [&](Workspace w, bool isNew) {
-    return isNew ? withTimePointsOf(std::move(w), series, studies_->allSeries()) : std::move(w);
+    return isNew ? withTimePointsOf(std::move(w), series, open_.volumes()) : std::move(w);
   });
 }
 

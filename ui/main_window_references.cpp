@@ -67,7 +67,7 @@ void MainWindow::makeReferenceDocks() {
   for (const char* name : {"keyImage", "previousKeyImage", "nextKeyImage"})
     actions << actions_.at(QLatin1String(name));
   keyImages_ = new KeyImagesPanel(
-      session_, references_, [this] { return studies_->allPictures(); }, actions);
+      session_, references_, [this] { return open_.pictures(); }, actions);
   addDock(QStringLiteral("keyImages"), tr("Key images"), keyImages_, Qt::RightDockWidgetArea);
   auto* regions = new RegionsPanel(session_, references_);
   addDock(QStringLiteral("regions"), tr("Contours and segments"), regions, Qt::RightDockWidgetArea);
@@ -76,8 +76,7 @@ void MainWindow::makeReferenceDocks() {
 }
 
 void MainWindow::connectReferences() {
-  connect(studies_, &StudiesPanel::listChanged, this,
-          [this] { references_.setOpen(studies_->references()); });
+  connect(&open_, &OpenStudies::changed, this, [this] { references_.setOpen(open_.references()); });
   connect(studies_, &StudiesPanel::referenceChosen, this, &MainWindow::showReference);
   connect(&references_, &References::failed, this,
           [this](const QString& sentence) { banner_->tell(shownText(sentence.toStdString())); });
@@ -96,22 +95,22 @@ void MainWindow::showReference(const ReferencePtr& object) {
     case ReferenceKind::keyObjects:
       break;
   }
-  const std::vector<const Series*> open = studies_->allPictures();
+  const std::vector<const Series*> open = open_.pictures();
   for (const ReferencedPicture& picture : object->pictures)
     if (findPicture(open, picture)) return showPictureNamed(picture);
   banner_->tell(tr("None of the pictures that %1 marks is open.").arg(referenceName(*object)),
-                studies_->filesWithoutPixels());
+                open_.filesWithoutPixels());
 }
 
 void MainWindow::showPresentation(const ReferencePtr& object) {
-  const std::vector<const Series*> open = studies_->allPictures();
+  const std::vector<const Series*> open = open_.pictures();
   for (const ReferencedPicture& picture : object->pictures) {
     const std::optional<PicturePlace> place = findPicture(open, picture);
     if (!place) continue;
     const Series series = *place->series;
     return showAsFrame(referenceName(*object), series, place->index, keyOf(*object));
   }
-  const QStringList without = studies_->filesWithoutPixels();
+  const QStringList without = open_.filesWithoutPixels();
   const QString sentence =
       tr("None of the pictures that %1 is for can be shown.").arg(referenceName(*object));
   banner_->tell(without.isEmpty() ? sentence : sentence + QLatin1Char(' ') + without.join(QLatin1Char(' ')));
@@ -132,7 +131,7 @@ void MainWindow::showRegions(const ReferencePtr& object) {
   for (const ViewId id : viewsOnScreen(session_.workspace()))
     if (const Series* shown = seriesIn(session_.workspace(), id); shown && isIn(*shown)) return;
   const Series* found = nullptr;
-  for (const Series* series : studies_->allSeries())
+  for (const Series* series : open_.volumes())
     if (isIn(*series) && (!found || series->modality == "CT")) found = series;
   if (found) return showInFocus(*found);
   banner_->tell(tr("No series of the frame of reference of %1 is open: it is shown once one is.")
@@ -141,13 +140,13 @@ void MainWindow::showRegions(const ReferencePtr& object) {
 
 void MainWindow::showReport(const ReferencePtr& object, const Report& report) {
   for (ReportDialog* before : findChildren<ReportDialog*>()) before->close();
-  auto* dialog = new ReportDialog(*object, report, studies_->allPictures(), this);
+  auto* dialog = new ReportDialog(*object, report, open_.pictures(), this);
   connect(dialog, &ReportDialog::pictureChosen, this, &MainWindow::showPictureNamed);
   dialog->show();
 }
 
 void MainWindow::showPictureNamed(const ReferencedPicture& picture) {
-  const std::optional<PicturePlace> place = findPicture(studies_->allPictures(), picture);
+  const std::optional<PicturePlace> place = findPicture(open_.pictures(), picture);
   if (place) showPicture(*place->series, place->index);
 }
 

@@ -91,7 +91,7 @@ void MainWindow::showSession(const QString& path, const OpenedSession& opened) {
 
 // Where the workspace misses something.
 void MainWindow::offerToLocate() {
-  if (!missingOf(session_.workspace(), studies_->references()).empty() && !banner_->isHidden())
+  if (!missingOf(session_.workspace(), open_.references()).empty() && !banner_->isHidden())
     banner_->offer(tr("Locate..."));
 }
 
@@ -101,7 +101,7 @@ void MainWindow::askWhereMissing() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
-    loader_.locate(missingOf(session_.workspace(), studies_->references()),
+    loader_.locate(missingOf(session_.workspace(), open_.references()),
                    QDir::cleanPath(QFileInfo(folder).absoluteFilePath()));
   });
   dialog->open();

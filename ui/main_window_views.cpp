@@ -93,7 +93,7 @@ const Series* MainWindow::ctUnder(const Series& pet) const {
     return std::int64_t(s.acquired.size.x) * s.acquired.size.y * s.acquired.size.z;
   };
   const Series* found = nullptr;
-  for (const Series* series : studies_->allSeries())
+  for (const Series* series : open_.volumes())
     if (series->modality == "CT" && series->studyUid == pet.studyUid &&
         whyNotOverlaid(session_.workspace(), *series, pet).isEmpty() &&
         (!found || voxels(*series) > voxels(*found)))
@@ -117,7 +117,7 @@ Workspace MainWindow::arranged(Workspace workspace, const Series& series, bool i
   if (!comparesSeries(workspace.layout)) workspace = inLayoutOf(std::move(workspace), series);
   if (!isNew) return workspace;
   workspace = withSlicesInFocus(std::move(workspace));
-  workspace = withTimePointsOf(std::move(workspace), series, studies_->allSeries());
+  workspace = withTimePointsOf(std::move(workspace), series, open_.volumes());
   const Series* ct = series.modality == "PT" && workspace.focus < firstComparedId ? ctUnder(series) : nullptr;
   return ct ? fusedWith(std::move(workspace), *ct) : workspace;
 }

@@ -8,76 +8,46 @@
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/views/view_grid.h"
-#include "viewer/plan/rule_lines.h"
 
 namespace volumen {
 
 VolumeView* MainWindow::view() const { return grid_->volumeView(sceneViewOf(session_.workspace())); }
 
 void MainWindow::connectVolumeViews() {
-  const auto connectOne = [this](VolumeView* view) {
-    connect(view, &VolumeView::pictureNeeded, this, [this, view] { requestFrame(*view); });
-    connect(view, &VolumeView::entered, this, [this, view] { drawService_.setHand(view->id()); });
-    connect(view, &VolumeView::lassoDrawn, masker_, &Masker::cut);
+  const auto tellSize = [this] { snapshotPanel_->setViewSize(view()->pixels()); };
+  const auto connectOne = [this, tellSize](VolumeView* made) {
+    connect(made, &View::pixelsChanged, this, tellSize);
+    connect(made, &VolumeView::drawn, this, &MainWindow::showDrawn);
+    connect(made, &VolumeView::lassoDrawn, masker_, &Masker::cut);
   };
   connectOne(grid_->volumeView(sceneViewId));
   connect(grid_, &ViewGrid::volumeViewMade, this, connectOne);
-  connect(&drawService_, &DrawService::screenPictureReady, this, &MainWindow::showFrame);
   connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
+          [this, tellSize](const Workspace& before, const Workspace& after) {
             showKindActions();
             if (before.focus == after.focus) return;
             drawService_.setHand(after.focus);
-            // The panels want to know of its picture.
-            if (sceneViewOf(before) != sceneViewOf(after)) requestFrame(*view());
+            if (sceneViewOf(before) == sceneViewOf(after)) return;
+            tellSize();
+            view()->requestPicture();  // the panels want to know of it
           });
 }
 
-// A view that is hidden is not drawn.
-void MainWindow::requestFrame(const VolumeView& view) {
-  const ShownSeriesPtr series = view.series();
-  const bool isShown = series && view.isVisible() && view.state().kind == ViewKind::volume;
-  drawService_.show(view.id(), isShown ? series->volume : nullptr);
-  if (!isShown) return;
-  if (view.id() == sceneViewOf(session_.workspace())) snapshotPanel_->setViewSize(view.pixels());
-  drawService_.request(view.id(), session_.sceneOf(view.id()), view.pixels());
-}
-
-void MainWindow::requestFrames() {
-  for (const ViewId id : viewsOnScreen(session_.workspace()))
-    if (session_.workspace().view(id).kind == ViewKind::volume) requestFrame(*grid_->volumeView(id));
-}
-
-namespace {
-
-// "draft 1/4", "first: steps of 1 voxel", "final: standard".
-QString captionOf(const ScreenPicture& frame) {
-  QString level =
-      frame.step ? MainWindow::tr("first: steps of %1").arg(QString::fromStdString(inVoxels(*frame.step)))
-                 : QString::fromLatin1(qualityName(frame.quality));
-  if (frame.factor > 1) level += QStringLiteral(" 1/%1").arg(frame.factor);
-  return frame.atRest ? MainWindow::tr("final: %1").arg(level) : level;
-}
-
-}  // namespace
-
-void MainWindow::showFrame(const ScreenPicture& frame) {
-  const QString ms = QString::number(frame.ms, 'f', frame.ms < 10 ? 1 : 0);
-  grid_->volumeView(frame.view)
-      ->setPicture(frame.image, tr("%1 - %2 ms").arg(captionOf(frame), ms), frame.error);
-  if (frame.view != sceneViewOf(session_.workspace())) return;
-  accuracy_->showEstimate(frame);
-  if (frame.draft()) return;
-  effects_->showPlan(*frame.plan, frame.stats);
+// Of the view that the panels work on.
+void MainWindow::showDrawn(const ScreenPicture& drawn) {
+  if (drawn.view != sceneViewOf(session_.workspace())) return;
+  accuracy_->showEstimate(drawn);
+  if (drawn.draft()) return;
+  effects_->showPlan(*drawn.plan, drawn.stats);
   Scene now = session_.scene();
-  if (!now.camera) now.camera = frame.scene.camera;
-  if (now != frame.scene) return;
+  if (!now.camera) now.camera = drawn.scene.camera;
+  if (now != drawn.scene) return;
   // The plan's camera sees a little more where a ray stands for several pixels.
-  Scene complete = frame.plan->scene;
+  Scene complete = drawn.plan->scene;
   const auto target = complete.camera->target;
-  complete.camera = frame.scene.camera;
+  complete.camera = drawn.scene.camera;
   if (!complete.camera->target) complete.camera->target = target;
-  meter_.show(session_.series()->volume, complete, frame.image.size());
+  meter_.show(session_.series()->volume, complete, drawn.image.size());
   drawThumbnails();
   Q_EMIT settled();
 }

@@ -9,6 +9,7 @@
 #include "io/files/header_text.h"
 #include "io/files/output_file.h"
 #include "io/files/write_volume.h"
+#include "io/index/index_path.h"
 
 namespace volumen {
 
@@ -134,7 +135,7 @@ Result<std::vector<Series>> severalVolumes(const std::string& path, const std::s
                                            const Progress& progress, const CancelToken& cancel) {
   std::vector<Series> volumes;
   if (series.empty()) return volumes;
-  const Result<Study> study = openStudy(path, progress, cancel);
+  const Result<Study> study = openPath(path, progress, cancel);
   if (!study) return study.error();
   for (const std::size_t n : volumesOfUid(*study, series)) volumes.push_back(study->volumes[n]);
   return volumes;

@@ -12,6 +12,7 @@
 #include "app/references_json.h"
 #include "app/usage.h"
 #include "io/archive.h"
+#include "io/index/index_path.h"
 #include "io/study.h"
 
 namespace volumen {
@@ -222,7 +223,7 @@ Json studyJson(const Study& study, const std::vector<InfoSeries>& series, bool v
 }
 
 int run(const InfoOptions& options, const CancelToken& cancel) {
-  auto study = openStudy(options.path, terminalProgress(), cancel);
+  auto study = openPath(options.path, terminalProgress(), cancel);
   endTerminalProgress();
   if (!study) return fail(study.message(), cancel);
   const std::vector<InfoSeries> series = describe(*study, options.values, cancel);

@@ -7,6 +7,7 @@
 #include "app/option_words.h"
 #include "app/usage.h"
 #include "io/frames.h"
+#include "io/index/index_path.h"
 #include "io/regular_file.h"
 #include "ui/data/frame_series.h"
 #include "ui/workspace/measurements.h"
@@ -107,7 +108,7 @@ Result<Sources> open(const MeasureOptions& options, const std::vector<Shape>& sh
     sources.volume = std::move(*opened);
   }
   if (std::ranges::none_of(shapes, isOnFrame)) return sources;
-  const Result<Study> study = openStudy(options.path, {}, cancel);
+  const Result<Study> study = openPath(options.path, {}, cancel);
   if (!study) return study.error();
   sources.frames = frameSeries(*study);
   sources.frames.insert(sources.frames.end(), study->volumes.begin(), study->volumes.end());

@@ -13,6 +13,7 @@
 #include "app/picture_output.h"
 #include "app/report_files.h"
 #include "io/frames.h"
+#include "io/index/index_path.h"
 #include "ui/views/paint_graphics.h"
 
 namespace volumen {
@@ -204,7 +205,7 @@ Status drawAcquired(const Study& study, const FrameOptions& options, int& status
 }  // namespace
 
 int sliceFrame(const FrameOptions& options, const CancelToken& cancel) {
-  const Result<Study> study = openStudy(options.path, {}, cancel);
+  const Result<Study> study = openPath(options.path, {}, cancel);
   if (!study) return fail(study.message(), cancel);
   int status = exitDone;
   const Status drawn = options.presentation.empty() ? drawAcquired(*study, options, status)

@@ -84,15 +84,21 @@ Result<std::vector<std::string>> filesOf(const std::string& named) {
   return files;
 }
 
-}  // namespace
-
-bool isIndexPath(const std::string& path) { return path.starts_with(prefix); }
-
 Result<std::vector<std::string>> filesOfIndexPath(const std::string& path) {
   const QtApplication application;
   const Result<std::vector<std::string>> files = filesOf(path.substr(prefix.size()));
   if (!files) return Error{path + ": " + files.message()};
   return files;
+}
+
+}  // namespace
+
+Result<Study> openPath(const std::string& path, const Progress& progress, const CancelToken& cancel) {
+  if (!path.starts_with(prefix)) return openStudy(path, progress, cancel);
+  const Result<std::vector<std::string>> files = filesOfIndexPath(path);
+  if (!files) return files.error();
+  Result<Study> study = openFiles(*files, progress, cancel);
+  return study ? std::move(study) : Error{path + ": interrupted."};
 }
 
 }  // namespace volumen

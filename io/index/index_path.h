@@ -1,18 +1,16 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "viewer/volume/result.h"
+#include "io/study.h"
 
 namespace volumen {
 
-/// "index:STUDY[/SERIES]": a study of the user's index, or one of its series, as a path.
-bool isIndexPath(const std::string& path);
-
-/// The files of what such a path names, and what beside them could not be read: STUDY is a StudyInstanceUID
+/// All that a user names by PATH: of "index:STUDY[/SERIES]" what the user's index knows of a study or of one
+/// of its series, and what beside them could not be read; else openStudy() of it. STUDY is a StudyInstanceUID
 /// or a number of `volumen list`, SERIES a SeriesInstanceUID or its number. An Error where nothing is meant
 /// by it, or several are.
-Result<std::vector<std::string>> filesOfIndexPath(const std::string& path);
+Result<Study> openPath(const std::string& path, const Progress& progress = {},
+                       const CancelToken& cancel = {});
 
 }  // namespace volumen

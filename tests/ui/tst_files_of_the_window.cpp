@@ -10,6 +10,7 @@
 
 #include "io/files/picture_file.h"
 #include "tests/fixtures/fixtures.h"
+#include "tests/ui/draws_nothing.h"
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
@@ -183,7 +184,8 @@ void TestFilesOfTheWindow::warningsStandOnThePicture() {
   QFETCH(int, kind);
   QFETCH(QString, words);
   Session session;
-  VolumeView view(session);
+  DrawService drawService{tests::drawsNothing()};
+  VolumeView view(session, drawService);
   view.resize(400, 300);
   view.show();
   auto series = std::make_shared<ShownSeries>(*tests::ballSeries());

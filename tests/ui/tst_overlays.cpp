@@ -2,9 +2,9 @@
 // none where it would mislead.
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/views/overlays.h"
-#include "ui/views/readable_text.h"
-#include "ui/views/view_overlays.h"
+#include "ui/overlays/overlays.h"
+#include "ui/overlays/readable_text.h"
+#include "ui/overlays/view_overlays.h"
 #include "ui/widgets/tissues.h"
 
 using namespace volumen;

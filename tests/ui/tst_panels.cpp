@@ -243,9 +243,10 @@ void TestPanels::studiesAreListedAndSearched() {
   study->volumes = {series("Doe^Jane", "Head"), series("Doe^Jane", "Lung"), series("Roe^Rick", "Knee")};
   study->volumes[1].warnings = {Warning("Slices 34-36 missing: 7.5 mm gap filled by interpolation.")};
   study->refused = {{"/data/broken.dcm", "cut off"}};
-  StudiesPanel panel;
-  panel.addStudy(QStringLiteral("/data"), study);
-  panel.addStudy(QStringLiteral("/data"), study);  // opened again: not listed twice
+  OpenStudies studies;
+  StudiesPanel panel(studies);
+  studies.add(QStringLiteral("/data"), study);
+  studies.add(QStringLiteral("/data"), study);  // opened again: not listed twice
   const auto found = [&](const char* text) {
     return panel.tree()->findItems(QLatin1String(text), Qt::MatchContains | Qt::MatchRecursive);
   };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/fixtures/real_volume.h"
+#include "tests/ui/draws_nothing.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
@@ -175,7 +176,8 @@ void TestPick::whatIsPointedAtIsWrittenOut() {
   auto series = std::make_shared<ShownSeries>(*shownSeries(volume, scene));
   series->series.unit = unit.toStdString();
   Session session;
-  VolumeView view(session);
+  DrawService drawService{tests::drawsNothing()};
+  VolumeView view(session, drawService);
   view.resize(400, 300);
   session.show(series);
   view.show();
@@ -192,7 +194,8 @@ void TestPick::theChestsRibsReadAsBone() {
   NEED_VOLUME(chest);
   const Scene scene = *presetScene("CT-Bones", *chest);
   Session session;
-  VolumeView view(session);
+  DrawService drawService{tests::drawsNothing()};
+  VolumeView view(session, drawService);
   view.resize(600, 450);
   session.show(shownSeries(chest, scene));
   view.show();

@@ -9,6 +9,7 @@
 #include <QTreeWidget>
 #include <QWheelEvent>
 
+#include "tests/ui/draws_nothing.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
@@ -115,7 +116,8 @@ void TestPreferences::draggingDoesWhatIsPreferred() {
   QFETCH(QString, step);
   Session session;
   session.show(tests::ballSeries());
-  VolumeView view(session);
+  DrawService drawService{tests::drawsNothing()};
+  VolumeView view(session, drawService);
   view.resize(400, 300);
   view.show();
   session.prefer([&](Preferences& p) {
@@ -176,7 +178,7 @@ void TestPreferences::namesAreHiddenEverywhere() {
   study->volumes[1].patientName = "Other^Name";
   for (Series& series : study->volumes) series.studyDate = "20260314";
   study->refused = {{"/data/Test_Ball/broken.dcm", "cut off"}};
-  panel->addStudy(QStringLiteral("/data"), study);
+  window.findChild<OpenStudies*>()->add(QStringLiteral("/data"), study);
   const auto listed = [&] {
     QStringList texts;
     for (QTreeWidgetItemIterator it(panel->tree()); *it; ++it) texts << (*it)->text(0) << (*it)->toolTip(0);

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <cmath>
 
+#include "tests/ui/draws_nothing.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
@@ -28,7 +29,8 @@ std::shared_ptr<ShownSeries> seriesOf(const char* modality, const char* unit) {
 
 struct Shown {
   Session session;
-  VolumeView view{session};
+  DrawService drawService{tests::drawsNothing()};
+  VolumeView view{session, drawService};
   TransferPanel panel{session};
 
   explicit Shown(const char* modality = "MR", const char* unit = "", Mode mode = Mode::mip) {

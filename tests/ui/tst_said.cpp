@@ -19,7 +19,7 @@
 #include "ui/controller/measurer.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/view_grid.h"
-#include "ui/views/view_overlays.h"
+#include "ui/overlays/view_overlays.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/link_text.h"

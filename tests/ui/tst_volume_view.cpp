@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "tests/ui/draws_nothing.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
@@ -39,7 +40,8 @@ bool near(glm::dvec2 a, glm::dvec2 b, double pixels = 1e-6) { return glm::length
 
 struct Shown {
   Session session;
-  VolumeView view{session};
+  DrawService drawService{tests::drawsNothing()};
+  VolumeView view{session, drawService};
 
   Shown() {
     session.show(tests::ballSeries());
@@ -299,7 +301,8 @@ void TestVolumeView::cubeAndResetChangeTheView() {
 void TestVolumeView::zoomCountsFromTheFittedView() {
   Session session;
   session.show(tests::ballSeries(32, 10, {}, {1, 1, 3}));
-  VolumeView view(session);
+  DrawService drawService{tests::drawsNothing()};
+  VolumeView view(session, drawService);
   view.resize(400, 300);
   view.show();
   const auto wheel = [&](int notches) {
@@ -350,7 +353,8 @@ void TestVolumeView::theCanvasIsOpenGlWhereItCanBe() {
   QCOMPARE(canvasKind(shown.view.canvas()), xcb ? QStringLiteral("OpenGL") : QStringLiteral("raster"));
   qputenv("VOLUMEN_CANVAS", "raster");
   Session session;
-  const VolumeView other(session);
+  DrawService drawService{tests::drawsNothing()};
+  const VolumeView other(session, drawService);
   qunsetenv("VOLUMEN_CANVAS");
   QCOMPARE(canvasKind(other.canvas()), QStringLiteral("raster"));
 }

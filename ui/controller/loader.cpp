@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "io/index/index_path.h"
 #include "viewer/plan/default_window.h"
 #include "viewer/scene/automatic.h"
 #include "viewer/slice/first_window.h"
@@ -76,7 +77,7 @@ auto Loader::orFailed(Tell tell) {
 void Loader::open(const QString& path, const OpenIntent& intent) {
   open_.run(
       tr("Opening"),
-      [path](const Job& job) { return shared(openStudy(path.toStdString(), job.progress(), job.cancel())); },
+      [path](const Job& job) { return shared(openPath(path.toStdString(), job.progress(), job.cancel())); },
       orFailed([this, path, intent](const auto& study) { Q_EMIT studyOpened(path, study, intent); }));
 }
 

@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "io/index/index_path.h"
 #include "ui/controller/find_saved.h"
 #include "ui/workspace/moved.h"
 #include "ui/workspace/text.h"
@@ -23,7 +24,7 @@ MissingObjects missingOf(const Workspace& workspace, const std::vector<Reference
 
 Result<Located> locate(const MissingObjects& missing, const std::string& folder, const Progress& progress,
                        const CancelToken& cancel) {
-  Result<Study> study = openStudy(folder, progress, cancel);
+  Result<Study> study = openPath(folder, progress, cancel);
   if (!study) return study.error();
   Located located{folder, std::make_shared<const Study>(std::move(*study)), {}, {}, {}};
   const std::vector<Series> all = allSeriesOf(*located.study);

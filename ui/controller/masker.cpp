@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <span>
 
-#include "ui/widgets/plain_text.h"
 #include "viewer/scene/automatic.h"
 #include "viewer/segment/mask.h"
 
@@ -90,11 +89,12 @@ void Masker::showState() {
   const bool offered = canLoseTable(series);
   table_->setEnabled(offered);
   table_->setChecked(series && session_.maskOf(keyOf(series->series)).tableRemoved);
-  const QString tip = !series ? tr("Open a CT series first.")
-                      : !offered
-                          ? tr("Only for CT: the values of this series are not Hounsfield units.")
-                          : tr("Hide what is not connected with the patient: table, cushions, cables.");
-  table_->setToolTip(toolTipOf(tip));
+  if (!series)
+    table_->setToolTip(tr("Open a CT series first."));
+  else if (!offered)
+    table_->setToolTip(tr("Only for CT: the values of this series are not Hounsfield units."));
+  else
+    table_->setToolTip(tr("Hide what is not connected with the patient: table, cushions, cables."));
   reset_->setEnabled(!session_.maskOf(workspace.view(workspace.focus).series).lassos.empty());
 }
 

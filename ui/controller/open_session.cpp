@@ -8,6 +8,7 @@
 #include "io/archive.h"
 #include "io/files/output_file.h"
 #include "io/files/session_file.h"
+#include "io/index/index_path.h"
 #include "ui/controller/find_saved.h"
 #include "ui/workspace/session_json.h"
 #include "ui/workspace/text.h"
@@ -103,7 +104,7 @@ class Search {
 
   Result<Study> opened(const std::string& path) const {
     const auto wanted = wanted_.find(path);
-    if (wanted == wanted_.end() || wanted->second.whole) return openStudy(path, progress_, cancel_);
+    if (wanted == wanted_.end() || wanted->second.whole) return openPath(path, progress_, cancel_);
     const std::set<std::string>& folders = wanted->second.folders;
     return openFolders(path, {folders.begin(), folders.end()}, progress_, cancel_);
   }

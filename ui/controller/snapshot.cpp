@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "io/files/picture_file.h"
-#include "ui/views/annotate.h"
-#include "ui/views/view_overlays.h"
+#include "ui/overlays/annotate.h"
+#include "ui/overlays/view_overlays.h"
 
 namespace volumen {
 

@@ -9,8 +9,6 @@
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <map>
-#include <string_view>
 #include <utility>
 
 #include "io/thumbnail.h"
@@ -72,8 +70,12 @@ void removeItem(QTreeWidgetItem* item) {
 
 }  // namespace
 
-StudiesPanel::StudiesPanel(QWidget* parent)
-    : QWidget(parent), search_(new QLineEdit), tree_(new StudyTree), thumbnails_(thumbnailEdge) {
+StudiesPanel::StudiesPanel(OpenStudies& studies, QWidget* parent)
+    : QWidget(parent),
+      studies_(studies),
+      search_(new QLineEdit),
+      tree_(new StudyTree),
+      thumbnails_(thumbnailEdge) {
   search_->setObjectName(QStringLiteral("studySearch"));
   search_->setPlaceholderText(tr("Search"));
   search_->setAccessibleName(tr("Search patients, studies and series"));
@@ -99,6 +101,8 @@ StudiesPanel::StudiesPanel(QWidget* parent)
   connect(tree_, &QTreeWidget::itemActivated, this, choose);
   connect(tree_, &QTreeWidget::customContextMenuRequested, this, &StudiesPanel::showMenu);
   connect(&thumbnails_, &Thumbnails::made, this, &StudiesPanel::setThumbnail);
+  connect(&studies_, &OpenStudies::added, this, &StudiesPanel::showStudy);
+  connect(&studies_, &OpenStudies::unlistedChanged, this, &StudiesPanel::showUnlisted);
 }
 
 int StudiesPanel::fittingWidth() const {
@@ -112,46 +116,15 @@ int StudiesPanel::fittingWidth() const {
   return margins.left() + margins.right() + levels * tree_->indentation() + thumbnailEdge + around + text;
 }
 
-const Series* StudiesPanel::Opened::seriesAt(std::size_t n) const {
-  const std::size_t volumes = study->volumes.size();
-  if (n < volumes) return &study->volumes[n];
-  return n < volumes + frames.size() ? &frames[n - volumes] : nullptr;
-}
-
-std::vector<std::vector<std::size_t>> StudiesPanel::Opened::rows() const {
-  std::vector<std::vector<const Series*>> volumes;
-  std::map<std::string_view, std::vector<std::size_t>> ofSeries;  // the rows of each series
-  for (const Series& series : study->volumes) {
-    std::vector<std::size_t>& known = ofSeries[series.seriesUid];
-    const auto row = std::ranges::find_if(
-        known, [&](std::size_t n) { return areTimePoints(*volumes[n].front(), series); });
-    if (row != known.end() && !opensAsFrames(series)) {
-      volumes[*row].push_back(&series);
-      continue;
-    }
-    known.push_back(volumes.size());
-    volumes.push_back({&series});
-  }
-  std::vector<std::vector<std::size_t>> all;
-  for (std::vector<const Series*>& row : volumes) {
-    sortTimePoints(row);
-    all.emplace_back();
-    for (const Series* series : row) all.back().push_back(numberOf(*series));
-  }
-  for (std::size_t n = 0; n < frames.size(); ++n) all.push_back({study->volumes.size() + n});
-  return all;
-}
-
 // Null for what was not opened.
-const StudiesPanel::Opened* StudiesPanel::openedOf(const QTreeWidgetItem* item) const {
-  const auto opened = std::ranges::find(studies_, item->data(0, pathRole).toString(), &Opened::path);
-  return opened == studies_.end() ? nullptr : &*opened;
+const OpenStudy* StudiesPanel::openedOf(const QTreeWidgetItem* item) const {
+  return studies_.find(item->data(0, pathRole).toString());
 }
 
 // Null for patients, studies and what could not be read.
 const Series* StudiesPanel::seriesOf(const QTreeWidgetItem* item) const {
   const QVariant step = item->data(0, stepRole);
-  const Opened* opened = step.isValid() ? openedOf(item) : nullptr;
+  const OpenStudy* opened = step.isValid() ? openedOf(item) : nullptr;
   return opened ? opened->seriesAt(step.toULongLong()) : nullptr;
 }
 
@@ -160,7 +133,7 @@ std::vector<const Series*> StudiesPanel::stepsOf(const QTreeWidgetItem* item) co
   const Series* shown = seriesOf(item);
   if (!shown) return {};
   std::vector<const Series*> steps;
-  const Opened& opened = *openedOf(item);
+  const OpenStudy& opened = *openedOf(item);
   for (std::size_t n = 0; const Series* series = opened.seriesAt(n); ++n)
     if (standsFor(*shown, *series)) steps.push_back(series);
   return steps;
@@ -173,19 +146,11 @@ std::vector<const Series*> StudiesPanel::listedSeries() const {
   return listed;
 }
 
-std::vector<const Series*> StudiesPanel::allSeries() const {
-  std::vector<const Series*> all;
-  for (const Opened& opened : studies_)
-    for (const Series& series : opened.study->volumes)
-      if (isListed(series)) all.push_back(&series);
-  return all;
-}
-
 const Series* StudiesPanel::seriesOf(const QMimeData& dragged) const {
   const QByteArray said = dragged.data(draggedSeries);
   const qsizetype space = said.indexOf(' ');
   const std::size_t n = said.left(std::max(qsizetype(0), space)).toULongLong();
-  for (const Opened& opened : studies_)
+  for (const OpenStudy& opened : studies_.all())
     if (opened.path.toUtf8() == said.mid(space + 1)) return opened.seriesAt(n);
   return nullptr;
 }
@@ -211,8 +176,8 @@ QTreeWidgetItem* StudiesPanel::studyItem(const Series& series) {
   return childNamed(patient, QString::fromStdString(series.studyUid), studyText(series));
 }
 
-void StudiesPanel::addSeries(const Opened& opened, std::vector<std::size_t> row) {
-  std::erase_if(row, [&](std::size_t n) { return !isListed(*opened.seriesAt(n)); });
+void StudiesPanel::addSeries(const OpenStudy& opened, std::vector<std::size_t> row) {
+  std::erase_if(row, [&](std::size_t n) { return !studies_.isListed(*opened.seriesAt(n)); });
   if (row.empty()) return;
   std::vector<const Series*> steps;
   for (const std::size_t n : row) steps.push_back(opened.seriesAt(n));
@@ -284,30 +249,21 @@ void StudiesPanel::remove(QTreeWidgetItem* item) {
 void StudiesPanel::closeAll() {
   thumbnails_.cancel();
   tree_->clear();
-  Unlisted all;
-  std::erase_if(studies_, [](const Opened& o) { return !o.seriesAt(0) && o.study->references.empty(); });
-  for (const Opened& opened : studies_) {
-    for (std::size_t n = 0; const Series* series = opened.seriesAt(n); ++n) all.series.insert(keyOf(*series));
-    for (const Reference& object : opened.study->references) all.references.insert(keyOf(object));
-  }
-  Q_EMIT closeAllRequested(all);
+  studies_.forgetEmpty();
+  Q_EMIT closeAllRequested(studies_.everything());
 }
 
-void StudiesPanel::setUnlisted(const Unlisted& unlisted) {
-  if (unlisted == unlisted_) return;
-  const Unlisted before = std::exchange(unlisted_, unlisted);
-  const auto comesBack = [](const auto& were, const auto& are) { return !std::ranges::includes(are, were); };
-  if (comesBack(before.series, unlisted.series) || comesBack(before.references, unlisted.references))
-    return showNames();
+void StudiesPanel::showUnlisted(bool comesBack) {
+  if (comesBack) return showNames();
   std::vector<QTreeWidgetItem*> gone;
   for (QTreeWidgetItemIterator it(tree_); *it; ++it) {
     const Series* series = seriesOf(*it);
     const ReferencePtr object = referenceOf(*it);
-    if ((series && !isListed(*series)) || (object && !isListed(*object))) gone.push_back(*it);
+    if ((series && !studies_.isListed(*series)) || (object && !studies_.isListed(*object)))
+      gone.push_back(*it);
   }
   for (QTreeWidgetItem* item : gone) removeItem(item);
   showReferences();
-  Q_EMIT listChanged();
 }
 
 void StudiesPanel::addRefused(const QString& path, const Study& study) {
@@ -324,41 +280,24 @@ void StudiesPanel::addRefused(const QString& path, const Study& study) {
 }
 
 void StudiesPanel::removePath(const QString& path) {
-  std::erase_if(studies_, [&](const Opened& opened) { return opened.path == path; });
   std::vector<QTreeWidgetItem*> gone;
   for (QTreeWidgetItemIterator it(tree_); *it; ++it)
     if ((*it)->data(0, pathRole).toString() == path) gone.push_back(*it);
   for (QTreeWidgetItem* item : gone) removeItem(item);
 }
 
-void StudiesPanel::addStudy(const QString& path, const std::shared_ptr<const Study>& study) {
+void StudiesPanel::showStudy(const QString& path) {
   removePath(path);
-  const Opened& opened = studies_.emplace_back(Opened{path, study, frameSeries(*study)});
+  const OpenStudy& opened = *studies_.find(path);
   for (const std::vector<std::size_t>& row : opened.rows()) addSeries(opened, row);
-  for (std::size_t n = 0; n < study->references.size(); ++n) addReference(opened, n);
-  if (isListed(opened)) addRefused(path, *study);
+  for (std::size_t n = 0; n < opened.study->references.size(); ++n) addReference(opened, n);
+  if (studies_.isListed(opened)) addRefused(path, *opened.study);
   showReferences();
   filter(search_->text());
-  Q_EMIT listChanged();
-}
-
-std::shared_ptr<const Study> StudiesPanel::studyOf(const QString& path) const {
-  const auto opened = std::ranges::find(studies_, path, &Opened::path);
-  return opened != studies_.end() && isListed(*opened) ? opened->study : nullptr;
-}
-
-// Any of it, or there is nothing in it to be listed.
-bool StudiesPanel::isListed(const Opened& opened) const {
-  for (std::size_t n = 0; const Series* series = opened.seriesAt(n); ++n)
-    if (isListed(*series)) return true;
-  const std::vector<Reference>& objects = opened.study->references;
-  return std::ranges::any_of(objects, [this](const Reference& object) { return isListed(object); }) ||
-         (!opened.seriesAt(0) && objects.empty());
 }
 
 void StudiesPanel::showNames() {
-  const auto opened = studies_;
-  for (const Opened& again : opened) addStudy(again.path, again.study);
+  for (const OpenStudy& opened : studies_.all()) showStudy(opened.path);
 }
 
 void StudiesPanel::markShown(const Series& shown, const VolumePtr& volume) {

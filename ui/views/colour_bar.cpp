@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ui/views/readable_text.h"
+#include "ui/overlays/readable_text.h"
 #include "ui/workspace/value_text.h"
 
 namespace volumen {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/overlays/readable_text.h"
 #include "ui/views/drawn_measurement.h"
-#include "ui/views/readable_text.h"
 
 namespace volumen {
 

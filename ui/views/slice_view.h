@@ -7,8 +7,8 @@
 
 #include "ui/controller/frame_service.h"
 #include "ui/controller/slice_service.h"
+#include "ui/overlays/overlays.h"
 #include "ui/tools/flat_tool.h"
-#include "ui/views/overlays.h"
 #include "ui/views/view.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/frame_look.h"

@@ -1,13 +1,13 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/overlays/view_overlays.h"
 #include "ui/views/clip_lines.h"
 #include "ui/views/colour_bar.h"
 #include "ui/views/cross_lines.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/slice_view.h"
 #include "ui/views/time_bar.h"
-#include "ui/views/view_overlays.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/corner_text.h"

@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "ui/views/overlays.h"
+#include "ui/overlays/overlays.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {

@@ -32,10 +32,11 @@ std::vector<QRect> placesOf(Layout layout, std::size_t count, QSize area) {
 
 }  // namespace
 
-ViewGrid::ViewGrid(Session& session, SliceService& slices, FrameService& frames, Measurer& measurer,
-                   References& references, QWidget* parent)
+ViewGrid::ViewGrid(Session& session, DrawService& drawService, SliceService& slices, FrameService& frames,
+                   Measurer& measurer, References& references, QWidget* parent)
     : QWidget(parent),
       session_(session),
+      drawService_(drawService),
       slices_(slices),
       frames_(frames),
       measurer_(measurer),
@@ -68,7 +69,7 @@ SliceView* ViewGrid::sliceView(ViewId id) const {
 VolumeView* ViewGrid::volumeView(ViewId id) {
   VolumeView*& view = volumes_[id];
   if (view) return view;
-  view = new VolumeView(session_, id, this);
+  view = new VolumeView(session_, drawService_, id, this);
   view->hide();
   view->setTool(sceneTool_);
   view->setErrorShown(errorShown_);
@@ -93,6 +94,11 @@ View* ViewGrid::viewOf(ViewId id) {
           [this, view = view](QPoint global) { Q_EMIT menuRequested(view, global); });
   add(view);
   return view;
+}
+
+void ViewGrid::requestPictures() {
+  for (const ViewId id : viewsOnScreen(session_.workspace()))
+    if (session_.workspace().view(id).kind == ViewKind::volume) volumeView(id)->requestPicture();
 }
 
 void ViewGrid::setTool(ViewTool tool) {

@@ -13,8 +13,8 @@ namespace volumen {
 class ViewGrid : public QWidget {
   Q_OBJECT
  public:
-  ViewGrid(Session& session, SliceService& slices, FrameService& frames, Measurer& measurer,
-           References& references, QWidget* parent = nullptr);
+  ViewGrid(Session& session, DrawService& drawService, SliceService& slices, FrameService& frames,
+           Measurer& measurer, References& references, QWidget* parent = nullptr);
 
   /// The 3D view of this id; where the workspace shows something else in it, it is hidden.
   VolumeView* volumeView(ViewId id);
@@ -24,6 +24,8 @@ class ViewGrid : public QWidget {
   View* viewOf(ViewId id);
   /// Shows the view in focus alone, or all of the layout again.
   void setAlone(bool alone);
+  /// Has the 3D views on screen drawn again, as the draw service does by now.
+  void requestPictures();
   /// What the left button does in 3D views.
   void setTool(ViewTool tool);
   void setErrorShown(bool shown);
@@ -56,6 +58,7 @@ class ViewGrid : public QWidget {
   void arrange();
 
   Session& session_;
+  DrawService& drawService_;
   SliceService& slices_;
   FrameService& frames_;
   Measurer& measurer_;

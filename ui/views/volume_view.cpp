@@ -1,21 +1,33 @@
 #include "ui/views/volume_view.h"
 
+#include "ui/overlays/view_overlays.h"
 #include "ui/views/canvas.h"
 #include "ui/views/time_bar.h"
-#include "ui/views/view_overlays.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
+#include "viewer/plan/rule_lines.h"
 
 namespace volumen {
 
 namespace {
 constexpr int leastForCube = 280;  // pixels of width and height: in less it would hide the picture
+
+// "draft 1/4 - 12 ms", "first: steps of 1 voxel - 80 ms", "final: standard - 223 ms".
+QString captionOf(const ScreenPicture& drawn) {
+  QString level =
+      drawn.step ? VolumeView::tr("first: steps of %1").arg(QString::fromStdString(inVoxels(*drawn.step)))
+                 : QString::fromLatin1(qualityName(drawn.quality));
+  if (drawn.factor > 1) level += QStringLiteral(" 1/%1").arg(drawn.factor);
+  if (drawn.atRest) level = VolumeView::tr("final: %1").arg(level);
+  return VolumeView::tr("%1 - %2 ms").arg(level, QString::number(drawn.ms, 'f', drawn.ms < 10 ? 1 : 0));
+}
 }  // namespace
 
-VolumeView::VolumeView(Session& session, ViewId id, QWidget* parent)
+VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QWidget* parent)
     : View(session, id, parent),
+      drawService_(drawService),
       canvas_(makeCanvas([this](QPainter& p) { paint(p); }, [this] { replaceCanvas(); }, this)),
       cube_(new OrientationCube(this)),
       badge_(new WarningBadge(this)),
@@ -26,7 +38,8 @@ VolumeView::VolumeView(Session& session, ViewId id, QWidget* parent)
   wheelEnd_.setInterval(500);
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(cube_, &OrientationCube::viewRequested, this, &VolumeView::showView);
-  connect(this, &View::pixelsChanged, this, &VolumeView::pictureNeeded);
+  connect(this, &View::pixelsChanged, this, &VolumeView::requestPicture);
+  connect(&drawService_, &DrawService::screenPictureReady, this, &VolumeView::showDrawn);
   connect(&session_, &Session::preferencesChanged, this, [this] { canvas_->update(); });
   connect(time_, &TimeBar::stepsChanged, this, [this] {
     placeChildren();
@@ -59,7 +72,7 @@ void VolumeView::workspaceChanged(const Workspace& before) {
   }
   const VolumePtr volume = series() ? series()->volume : nullptr;
   const bool isAnother = std::exchange(drawn_, volume) != volume;
-  if (isAnother || (volume && (isNew || look->second.scene != scene()))) Q_EMIT pictureNeeded();
+  if (isAnother || (volume && (isNew || look->second.scene != scene()))) requestPicture();
 }
 
 void VolumeView::showWarnings() {
@@ -112,6 +125,19 @@ void VolumeView::makeErrorImage() {
   if (!errorShown_) return;
   errorImage_ = errorImage(error_ ? *error_ : std::vector<float>(), picture_.size());
   errorImage_.image.setDevicePixelRatio(picture_.devicePixelRatio());
+}
+
+void VolumeView::requestPicture() {
+  const ShownSeriesPtr shown = series();
+  const bool isShown = shown && isVisible() && state().kind == ViewKind::volume;
+  drawService_.show(id(), isShown ? shown->volume : nullptr);
+  if (isShown) drawService_.request(id(), scene(), pixels());
+}
+
+void VolumeView::showDrawn(const ScreenPicture& picture) {
+  if (picture.view != id()) return;
+  setPicture(picture.image, captionOf(picture), picture.error);
+  Q_EMIT drawn(picture);
 }
 
 void VolumeView::setPicture(const QImage& image, const QString& caption,
@@ -184,18 +210,18 @@ void VolumeView::resetView() {
 
 void VolumeView::showEvent(QShowEvent* event) {
   View::showEvent(event);
-  Q_EMIT pictureNeeded();
+  requestPicture();
 }
 
 void VolumeView::hideEvent(QHideEvent* event) {
   View::hideEvent(event);
   letGo();
-  Q_EMIT pictureNeeded();
+  requestPicture();
 }
 
 void VolumeView::enterEvent(QEnterEvent* event) {
   View::enterEvent(event);
-  Q_EMIT entered();
+  drawService_.setHand(id());
 }
 
 void VolumeView::resizeEvent(QResizeEvent* event) {

@@ -4,8 +4,9 @@
 #include <QTimer>
 #include <map>
 
+#include "ui/controller/draw_service.h"
+#include "ui/overlays/overlays.h"
 #include "ui/views/error_image.h"
-#include "ui/views/overlays.h"
 #include "ui/views/pick.h"
 #include "ui/views/view.h"
 
@@ -29,10 +30,13 @@ enum class ViewTool {
 class VolumeView : public View {
   Q_OBJECT
  public:
-  explicit VolumeView(Session& session, ViewId id = sceneViewId, QWidget* parent = nullptr);
+  VolumeView(Session& session, DrawService& drawService, ViewId id = sceneViewId, QWidget* parent = nullptr);
 
-  /// The picture drawn last, its name for the corner ("final: standard - 95 ms"), and how far its pixels may be
-  /// off, null where that is not known.
+  /// Asks for the picture again, as the service draws by now; while it is hidden, for none.
+  void requestPicture();
+
+  /// The picture drawn last, its name for the corner ("final: standard - 95 ms"), and how far its pixels may
+  /// be off, null where that is not known.
   void setPicture(const QImage& image, const QString& caption,
                   std::shared_ptr<const std::vector<float>> error = {});
   const QImage& picture() const { return picture_; }
@@ -56,9 +60,8 @@ class VolumeView : public View {
   const QWidget* canvas() const { return canvas_; }
 
  Q_SIGNALS:
-  /// The picture is out of date, or the view came on screen or left it.
-  void pictureNeeded();
-  void entered();
+  /// This picture is on show.
+  void drawn(const volumen::ScreenPicture& picture);
   /// Something was drawn around with the scissors.
   void lassoDrawn(const volumen::SeriesKey& series, const volumen::Lasso& lasso);
   /// A right click: a menu is to be opened here.
@@ -106,10 +109,12 @@ class VolumeView : public View {
   bool planesOnScreen() const;
   void makeErrorImage();
   void replaceCanvas();
+  void showDrawn(const ScreenPicture& picture);
   void placeChildren();
   void showWarnings();
   void showState();
 
+  DrawService& drawService_;
   QWidget* canvas_;
   OrientationCube* cube_;
   WarningBadge* badge_;

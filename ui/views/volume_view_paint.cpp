@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ui/overlays/view_overlays.h"
 #include "ui/views/time_bar.h"
-#include "ui/views/view_overlays.h"
 #include "ui/views/volume_view.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"

@@ -54,6 +54,44 @@ Room roomOf(const QString& path) {
   return best;
 }
 
+// The rooms that each room includes, but itself.
+using Includes = QMap<QString, QStringList>;
+
+Includes includesOfRooms() {
+  static const QRegularExpression include(QStringLiteral("^#include \"([^\"]+)\""),
+                                          QRegularExpression::MultilineOption);
+  Includes all;
+  for (const QString& path : sources()) {
+    const QString room = roomOf(path).name;
+    for (auto found = include.globalMatch(textOf(path)); found.hasNext();) {
+      const QString other = roomOf(found.next().captured(1)).name;
+      if (!other.isEmpty() && other != room && !all[room].contains(other)) all[room] << other;
+    }
+  }
+  return all;
+}
+
+// The first one that is found, "a -> b -> a"; empty: there is none. `way`: rooms gone through; `clear`: those
+// from which no way leads round.
+QString circleIn(const Includes& includes, const QStringList& way, QStringList& clear) {
+  for (const QString& next : includes[way.back()]) {
+    const qsizetype seen = way.indexOf(next);
+    if (seen >= 0) return (way.mid(seen) << next).join(QStringLiteral(" -> "));
+    if (clear.contains(next)) continue;
+    if (const QString circle = circleIn(includes, QStringList(way) << next, clear); !circle.isEmpty())
+      return circle;
+  }
+  clear << way.back();
+  return {};
+}
+
+QString circleIn(const Includes& includes) {
+  QStringList clear;
+  for (const QString& room : includes.keys())
+    if (const QString circle = circleIn(includes, {room}, clear); !circle.isEmpty()) return circle;
+  return {};
+}
+
 bool mayInclude(const Room& room, const QString& included) {
   return inside(included, room.name) ||
          std::any_of(room.allowed.begin(), room.allowed.end(), [&](const QString& allowed) {
@@ -119,6 +157,8 @@ class TestProject : public QObject {
   void theTableForbidsWhatItShould();
   void roomsIncludeOnlyWhatTheTableAllows_data();
   void roomsIncludeOnlyWhatTheTableAllows();
+  void circlesAreFound_data();
+  void circlesAreFound();
   void citedSectionsExist_data();
   void citedSectionsExist();
   void textsOfStrangersAreNoRichText_data();
@@ -173,6 +213,22 @@ void TestProject::roomsIncludeOnlyWhatTheTableAllows() {
     QVERIFY2(mayInclude(room, included),
              qPrintable(room.name + QStringLiteral(" may not include ") + included));
   }
+}
+
+void TestProject::circlesAreFound_data() {
+  QTest::addColumn<Includes>("includes");
+  QTest::addColumn<QString>("circle");
+  const QString a = QStringLiteral("a"), b = QStringLiteral("b"), c = QStringLiteral("c");
+  QTest::newRow("two") << Includes{{a, {b}}, {b, {a}}} << QStringLiteral("a -> b -> a");
+  QTest::newRow("three") << Includes{{a, {b, c}}, {b, {c}}, {c, {b}}} << QStringLiteral("b -> c -> b");
+  QTest::newRow("none") << Includes{{a, {b, c}}, {b, {c}}, {c, {}}} << QString();
+  QTest::newRow("this project") << includesOfRooms() << QString();
+}
+
+void TestProject::circlesAreFound() {
+  QFETCH(Includes, includes);
+  QFETCH(QString, circle);
+  QCOMPARE(circleIn(includes), circle);
 }
 
 void TestProject::citedSectionsExist_data() {

@@ -1,4 +1,4 @@
-#include "ui/views/readable_text.h"
+#include "ui/overlays/readable_text.h"
 
 #include <QStaticText>
 #include <QTextOption>

@@ -1,4 +1,4 @@
-#include "ui/views/view_overlays.h"
+#include "ui/overlays/view_overlays.h"
 
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/corner_text.h"

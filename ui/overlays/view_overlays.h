@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/data/shown_series.h"
-#include "ui/views/overlays.h"
+#include "ui/overlays/overlays.h"
 
 namespace volumen {
 

@@ -3,7 +3,7 @@
 #include <QImage>
 
 #include "io/warning.h"
-#include "ui/views/overlays.h"
+#include "ui/overlays/overlays.h"
 #include "ui/workspace/snapshot_request.h"
 
 namespace volumen {

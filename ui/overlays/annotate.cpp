@@ -1,4 +1,4 @@
-#include "ui/views/annotate.h"
+#include "ui/overlays/annotate.h"
 
 #include <algorithm>
 

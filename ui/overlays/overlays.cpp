@@ -1,9 +1,9 @@
-#include "ui/views/overlays.h"
+#include "ui/overlays/overlays.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ui/views/readable_text.h"
+#include "ui/overlays/readable_text.h"
 
 namespace volumen {
 
