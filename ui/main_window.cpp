@@ -15,6 +15,7 @@
 #include "ui/controller/find_saved.h"
 #include "ui/controller/masker.h"
 #include "ui/controller/qt_gl_context.h"
+#include "ui/controller/registrar.h"
 #include "ui/data/frame_series.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/effects_panel.h"
@@ -84,6 +85,9 @@ MainWindow::~MainWindow() {
   // Panels and view refer to the session: they go first.
   for (const auto& [name, dock] : docks_) delete dock;
   delete takeCentralWidget();
+  // Their jobs stand in the list.
+  delete registrar_;
+  delete masker_;
 }
 
 void MainWindow::makeCentre() {

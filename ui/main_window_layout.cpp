@@ -116,6 +116,7 @@ void MainWindow::applyPreferences(const Preferences& before, const Preferences& 
   actions_.at(QStringLiteral("hideNames"))->setChecked(after.hideNames);
   if (before.hideNames == after.hideNames) return;
   studies_->showNames();
+  references_.setOpen(open_.references());
   browser_->showNames();
   banner_->refresh();
   showEarlier(std::vector(earlier_));

@@ -14,7 +14,9 @@ namespace volumen {
 VolumeView* MainWindow::view() const { return grid_->volumeView(sceneViewOf(session_.workspace())); }
 
 void MainWindow::connectVolumeViews() {
-  const auto tellSize = [this] { snapshotPanel_->setViewSize(view()->pixels()); };
+  const auto tellSize = [this] {
+    if (view()->isVisible()) snapshotPanel_->setViewSize(view()->pixels());
+  };
   const auto connectOne = [this, tellSize](VolumeView* made) {
     connect(made, &View::pixelsChanged, this, tellSize);
     connect(made, &VolumeView::drawn, this, &MainWindow::showDrawn);
@@ -36,6 +38,7 @@ void MainWindow::connectVolumeViews() {
 // Of the view that the panels work on.
 void MainWindow::showDrawn(const ScreenPicture& drawn) {
   if (drawn.view != sceneViewOf(session_.workspace())) return;
+  snapshotPanel_->setViewSize(view()->pixels());
   accuracy_->showEstimate(drawn);
   if (drawn.draft()) return;
   effects_->showPlan(*drawn.plan, drawn.stats);

@@ -16,6 +16,7 @@ class TestRegistration : public QObject {
  private Q_SLOTS:
   void registrationLinksTwoFrames();
   void registrationIsCancelled();
+  void theWindowClosesWhileItRegisters();
   void registrationThatFailsIsASentence();
   void aSeriesThatIsClosedEndsIt();
   void anotherSeriesMayBeChosenMeanwhile();
@@ -60,6 +61,12 @@ void TestRegistration::registrationIsCancelled() {
   QCOMPARE(found.count(), 0);
   QVERIFY(w.workspace().frameLinks.empty());
   QVERIFY(w.child<QAction>("register")->isEnabled());
+}
+
+void TestRegistration::theWindowClosesWhileItRegisters() {
+  TwoSeries w(lumpsIn("A", {0, 0, 0}), lumpsIn("B", {9, -6, 12}));
+  w.press("register");
+  QCOMPARE(w.window.jobs().rows().size(), std::size_t(1));
 }
 
 void TestRegistration::registrationThatFailsIsASentence() {

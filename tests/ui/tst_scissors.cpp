@@ -64,6 +64,8 @@ class TestScissors : public QObject {
   void theOutlineIsSeen();
   void whatIsGivenUpCutsNothing_data();
   void whatIsGivenUpCutsNothing();
+  void oneOfTwoCutsIsCancelled();
+  void theWindowClosesWhileItCuts();
   void aSessionKeepsTheCuts();
   void itsMaskIsComputedOnce();
   void otherValuesCanBeCutToo();
@@ -220,6 +222,28 @@ void TestScissors::whatIsGivenUpCutsNothing_data() {
     Jobs& jobs = t.w.window.jobs();
     jobs.cancel(jobs.rows().back().id);
   });
+}
+
+// The other one waits meanwhile, and is made.
+void TestScissors::oneOfTwoCutsIsCancelled() {
+  Cutting t;
+  QVERIFY(t.open());
+  const SeriesKey series = keyOf(t.session().series()->series);
+  drawAround(t.view(), t.middle());
+  drawAround(t.view(), t.middle());
+  Jobs& jobs = t.w.window.jobs();
+  QCOMPARE(jobs.rows().size(), std::size_t(1));
+  jobs.cancel(jobs.rows().front().id);
+  QTRY_COMPARE_WITH_TIMEOUT(t.session().maskOf(series).lassos.size(), std::size_t(1), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(jobs.rows().empty(), longest);
+  QCOMPARE(t.session().maskOf(series).lassos.size(), std::size_t(1));
+}
+
+void TestScissors::theWindowClosesWhileItCuts() {
+  Cutting t;
+  QVERIFY(t.open());
+  drawAround(t.view(), t.middle());
+  QCOMPARE(t.w.window.jobs().rows().size(), std::size_t(1));
 }
 
 void TestScissors::whatIsGivenUpCutsNothing() {

@@ -60,7 +60,7 @@ IndexService::~IndexService() {
 }
 
 // Null, with the reason told: it cannot be opened.
-Index* IndexService::indexOf(Worker& worker, const Job& job) {
+Index* IndexService::indexOf(Worker& worker) {
   if (worker.index) return &*worker.index;
   Result<Index> opened = folder_.empty() ? Result<Index>(Error{tr("There is no home folder for the list of "
                                                                   "studies: set HOME or XDG_DATA_HOME.")
@@ -68,12 +68,12 @@ Index* IndexService::indexOf(Worker& worker, const Job& job) {
                                          : Index::open(folder_);
   if (!opened) {
     const QString why = QString::fromStdString(opened.message());
-    worker.lane.tell(job, [this, why] { Q_EMIT unavailable(why); });
+    worker.lane.tell([this, why] { Q_EMIT unavailable(why); });
     return nullptr;
   }
   worker.index.emplace(std::move(*opened));
   if (const QString notice = QString::fromStdString(worker.index->notice()); !notice.isEmpty())
-    worker.lane.tell(job, [this, notice] { Q_EMIT noticed(notice); });
+    worker.lane.tell([this, notice] { Q_EMIT noticed(notice); });
   return &*worker.index;
 }
 
@@ -84,7 +84,7 @@ int IndexService::start(Worker& worker, Work work, Done done) {
   return worker.lane.run(
       {},
       [this, &worker, work](const Job& job) -> std::optional<Made> {
-        if (Index* index = indexOf(worker, job)) return work(*index, job);
+        if (Index* index = indexOf(worker)) return work(*index, job);
         return {};
       },
       [this, done](std::optional<Made> made) {
@@ -179,7 +179,7 @@ void IndexService::import(const QStringList& paths) {
   importer_.lane.run(
       {},
       [this, all, import](const Job& job) -> std::optional<Result<ImportReport>> {
-        Index* index = indexOf(importer_, job);
+        Index* index = indexOf(importer_);
         if (!index) return {};
         return index->import(all, importProgress(import, job), import.cancel());
       },

@@ -72,7 +72,7 @@ class IndexService : public QObject {
 
   template <class Work, class Done>
   int start(Worker& worker, Work work, Done done);
-  Index* indexOf(Worker& worker, const Job& job);
+  Index* indexOf(Worker& worker);
   Progress importProgress(const Job& import, const Job& job);
   void change(const std::vector<std::int64_t>& studies,
               Status (Index::*how)(const std::vector<std::int64_t>& studies));

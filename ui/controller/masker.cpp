@@ -105,8 +105,12 @@ void Masker::ask(Step step) {
 
 // Makes the first step for which a volume has to be made first, and all before it that need none.
 void Masker::next() {
-  while (!lane_.isBusy() && !steps_.empty()) {
+  while (!lane_.isBusy() && !isTaking_ && !steps_.empty()) {
     const Step& step = steps_.front();
+    if (!session_.workspace().series.contains(step.series)) {
+      steps_.pop_front();
+      continue;
+    }
     const Mask before = session_.maskOf(step.series);
     Mask mask = before;
     if (step.change) step.change(mask);
@@ -138,10 +142,12 @@ void Masker::begin(const Mask& mask, const ShownSeriesPtr& whole) {
 
 // The step is made where the mask is still the one that it was to change; else it is made anew.
 void Masker::take(const Mask& before, const Mask& mask, const Result<ShownSeriesPtr>& made) {
+  isTaking_ = true;
   const Step step = steps_.front();
-  if (!made) {
+  const bool isKnown = session_.workspace().series.contains(step.series);
+  if (!isKnown || !made) {
     steps_.pop_front();
-    giveUp(step, QString::fromStdString(made.message()));
+    if (isKnown) giveUp(step, QString::fromStdString(made.message()));
   } else {
     session_.takeMasked(mask, *made);
     if (session_.maskOf(step.series) == before) {
@@ -149,6 +155,7 @@ void Masker::take(const Mask& before, const Mask& mask, const Result<ShownSeries
       if (step.change) session_.setMask(step.text, step.series, mask);
     }
   }
+  isTaking_ = false;
   next();
 }
 

@@ -48,6 +48,7 @@ class Masker : public QObject {
   Session& session_;
   QAction *table_, *reset_;
   std::deque<Step> steps_;  // the volume of the first is being made where the lane is busy
+  bool isTaking_ = false;   // what was made: the next step waits
   JobLane lane_;
 };
 

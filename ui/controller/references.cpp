@@ -22,7 +22,9 @@ Result<LoadedRegions> loadRegions(const std::string& path, ReferenceKind kind) {
 
 }  // namespace
 
-References::References(Jobs& jobs, QObject* parent) : QObject(parent), lane_(&jobs) {}
+References::References(Jobs& jobs, QObject* parent) : QObject(parent), lane_(&jobs) {
+  lane_.keepToTheEnd();  // views would ask for it again
+}
 
 void References::setOpen(std::vector<ReferencePtr> all) {
   all_ = std::move(all);

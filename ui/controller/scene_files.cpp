@@ -25,12 +25,14 @@ Result<Scene> sceneFromFile(const std::string& path) {
   return scene;
 }
 
-SceneFiles::SceneFiles(Jobs& jobs, QObject* parent) : QObject(parent), lane_(&jobs) {}
+SceneFiles::SceneFiles(Jobs& jobs, QObject* parent) : QObject(parent), open_(&jobs), save_(&jobs) {
+  save_.keepToTheEnd();
+}
 
-SceneFiles::~SceneFiles() { lane_.wait(); }
+SceneFiles::~SceneFiles() { save_.wait(); }
 
 void SceneFiles::open(const QString& path) {
-  lane_.run(
+  open_.run(
       tr("Reading the scene"), [path](const Job&) { return sceneFromFile(path.toStdString()); },
       [this](const Result<Scene>& scene) {
         if (scene)
@@ -41,7 +43,7 @@ void SceneFiles::open(const QString& path) {
 }
 
 void SceneFiles::save(const QString& path, const Scene& scene) {
-  lane_.run(
+  save_.run(
       tr("Saving the scene"), [path, scene](const Job&) { return writeScene(path.toStdString(), scene); },
       [this, path](const Status& status) {
         if (status)

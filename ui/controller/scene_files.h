@@ -26,7 +26,7 @@ class SceneFiles : public QObject {
   void failed(const QString& sentence);
 
  private:
-  JobLane lane_;
+  JobLane open_, save_;
 };
 
 }  // namespace volumen

@@ -18,7 +18,9 @@ std::shared_ptr<const RangeSegment> rangeSegment(const VolumePtr& volume, ValueR
 
 }  // namespace
 
-Segmenter::Segmenter(Jobs& jobs, QObject* parent) : QObject(parent), segment_(&jobs), save_(&jobs) {}
+Segmenter::Segmenter(Jobs& jobs, QObject* parent) : QObject(parent), segment_(&jobs), save_(&jobs) {
+  save_.keepToTheEnd();
+}
 
 Segmenter::~Segmenter() { save_.wait(); }
 

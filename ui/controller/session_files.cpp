@@ -6,6 +6,7 @@ namespace volumen {
 
 SessionFiles::SessionFiles(Session& session, Jobs& jobs, QObject* parent)
     : QObject(parent), session_(session), lane_(&jobs) {
+  lane_.keepToTheEnd();
   connect(&session_.undoStack(), &QUndoStack::indexChanged, this, &SessionFiles::followUndo);
   connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
     if (after.series.empty() && !path_.isEmpty()) {

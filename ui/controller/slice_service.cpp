@@ -1,5 +1,8 @@
 #include "ui/controller/slice_service.h"
 
+#include <mutex>
+#include <utility>
+
 #include "ui/controller/frame_picture.h"
 
 namespace volumen {
@@ -21,18 +24,44 @@ Result<QImage> draw(const SliceRequest& request) {
 
 }  // namespace
 
-void SliceService::request(SliceRequest request) {
-  drop(request.view);
-  jobs_[request.view] = lane_.run(
-      {}, [request](const Job&) { return draw(request); },
-      [this, request](const Result<QImage>& image) {
+struct SliceService::Waiting {
+  std::mutex mutex;  // guards what follows
+  std::optional<SliceRequest> request;
+};
+
+void SliceService::request(SliceRequest latest) {
+  std::shared_ptr<Waiting>& waiting = waiting_[latest.view];
+  if (!waiting) waiting = std::make_shared<Waiting>();
+  {
+    const std::lock_guard lock(waiting->mutex);
+    if (std::exchange(waiting->request, std::move(latest))) return;
+  }
+  lane_.run(
+      {},
+      [waiting](const Job&) {
+        std::optional<SliceRequest> request;
+        {
+          const std::lock_guard lock(waiting->mutex);
+          request = std::exchange(waiting->request, {});
+        }
+        Result<QImage> image = request ? draw(*request) : Result<QImage>(QImage());
+        return std::pair(std::move(request), std::move(image));
+      },
+      [this](const std::pair<std::optional<SliceRequest>, Result<QImage>>& drawn) {
+        const auto& [request, image] = drawn;
+        if (!request) return;  // it was dropped
         if (image)
-          Q_EMIT ready({request, *image});
+          Q_EMIT ready({*request, *image});
         else
-          Q_EMIT failed(request.view, QString::fromStdString(image.message()));
+          Q_EMIT failed(request->view, QString::fromStdString(image.message()));
       });
 }
 
-void SliceService::drop(ViewId view) { lane_.giveUpWaiting(jobs_[view]); }
+void SliceService::drop(ViewId view) {
+  const auto waiting = waiting_.find(view);
+  if (waiting == waiting_.end()) return;
+  const std::lock_guard lock(waiting->second->mutex);
+  waiting->second->request.reset();
+}
 
 }  // namespace volumen

@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include "ui/controller/segment_layer.h"
@@ -36,7 +37,7 @@ class SliceService : public QObject {
  public:
   explicit SliceService(QObject* parent = nullptr) : QObject(parent) {}
 
-  void request(SliceRequest request);
+  void request(SliceRequest latest);
   /// Gives up what is asked for of a view.
   void drop(ViewId view);
 
@@ -46,7 +47,10 @@ class SliceService : public QObject {
   void failed(int view, const QString& sentence);
 
  private:
-  std::map<ViewId, int> jobs_;  // the latest of each view
+  // The latest request of a view that is not begun; it keeps the turn of the one it replaced.
+  struct Waiting;
+
+  std::map<ViewId, std::shared_ptr<Waiting>> waiting_;
   JobLane lane_;
 };
 

@@ -23,7 +23,9 @@ std::vector<SeriesKey> neighboursOf(const Workspace& workspace, const SeriesKey&
 
 TimePointsAhead::TimePointsAhead(Session& session, Loader& loader, QObject* parent)
     : QObject(parent), session_(session), loader_(loader) {
-  connect(&session_, &Session::workspaceChanged, this, &TimePointsAhead::look);
+  // Afterwards: a change may ask for another series.
+  connect(&session_, &Session::workspaceChanged, this,
+          [this] { QMetaObject::invokeMethod(this, &TimePointsAhead::look, Qt::QueuedConnection); });
   connect(&loader_, &Loader::loadedAhead, &session_, &Session::keep);
   connect(&loader_, &Loader::idle, this, &TimePointsAhead::look);
 }

@@ -17,10 +17,13 @@ Job JobLane::begin(const QString& name, std::function<void()> cancelled) {
   const Job job(name);
   underWay_.emplace(job.id(), job);
   if (list_ && !name.isEmpty())
-    list_->add(job, [this, job, cancelled = std::move(cancelled)] {
-      forget(job);
-      if (cancelled) cancelled();
-    });
+    list_->add(
+        job,
+        [this, job, cancelled = std::move(cancelled)] {
+          forget(job);
+          if (cancelled) cancelled();
+        },
+        canBeCancelled_);
   return job;
 }
 

@@ -48,12 +48,20 @@ class JobLane {
     });
   }
 
+  /// For work: runs a function here, whatever becomes of the job.
+  template <std::invocable Function>
+  void tell(Function function) {
+    QMetaObject::invokeMethod(&here_, std::move(function), Qt::QueuedConnection);
+  }
+
   /// Without a word; what has ended stays so.
   void giveUp(int job);
   void giveUpAll();
   /// Where it only waits as yet.
   void giveUpWaiting(int job);
   bool isBusy() const { return !underWay_.empty(); }
+  /// From now on its jobs cannot be cancelled by the user: what is written is written to its end.
+  void keepToTheEnd() { canBeCancelled_ = false; }
   /// Called, from the event loop, whenever nothing is asked for any more.
   void whenIdle(std::function<void()> idle) { idle_ = std::move(idle); }
   /// Until all that was asked for has been worked on.
@@ -70,15 +78,11 @@ class JobLane {
     done();
   }
 
-  template <class Function>
-  void tell(Function function) {
-    QMetaObject::invokeMethod(&here_, std::move(function), Qt::QueuedConnection);
-  }
-
   Jobs* list_;
   QObject here_;
   std::unordered_map<int, Job> underWay_;
   std::function<void()> idle_;
+  bool canBeCancelled_ = true;
   QThreadPool pool_;
 };
 

@@ -57,7 +57,7 @@ Progress Job::progress() const {
 // Work that knows nothing of files says how far it is by its token.
 JobRow Job::row() const {
   const std::lock_guard lock(state_->mutex);
-  JobRow row{state_->id, state_->text, state_->part, state_->since.elapsed()};
+  JobRow row{state_->id, state_->text, state_->part, state_->since.elapsed(), true};
   if (const double done = state_->cancel.done(); row.part < 0 && done > 0) {
     row.part = done;
     row.text = Jobs::tr("%1: %2 %").arg(row.text).arg(std::floor(100 * done));
@@ -74,8 +74,8 @@ std::vector<Jobs::Listed>::iterator Jobs::find(int id) {
   return std::ranges::find_if(listed_, [id](const Listed& listed) { return listed.job.id() == id; });
 }
 
-void Jobs::add(const Job& job, std::function<void()> cancelled) {
-  listed_.push_back({job, std::move(cancelled)});
+void Jobs::add(const Job& job, std::function<void()> cancelled, bool canBeCancelled) {
+  listed_.push_back({job, std::move(cancelled), canBeCancelled});
   tick_.start();
   Q_EMIT changed();
 }
@@ -90,13 +90,16 @@ void Jobs::remove(const Job& job) {
 
 std::vector<JobRow> Jobs::rows() const {
   std::vector<JobRow> rows;
-  for (const Listed& listed : listed_) rows.push_back(listed.job.row());
+  for (const Listed& listed : listed_) {
+    rows.push_back(listed.job.row());
+    rows.back().canBeCancelled = listed.canBeCancelled;
+  }
   return rows;
 }
 
 void Jobs::cancel(int id) {
   const auto at = find(id);
-  if (at == listed_.end()) return;
+  if (at == listed_.end() || !at->canBeCancelled) return;
   const Listed listed = *at;
   listed.job.cancel().cancel();
   remove(listed.job);

@@ -18,6 +18,7 @@ struct JobRow {
   QString text;        ///< its name, and how far it is
   double part = -1;    ///< 0 to 1; negative: not known
   qint64 sinceMs = 0;  ///< since it was asked for
+  bool canBeCancelled = true;
 };
 
 /// Work that takes its time: how far it is, told from any thread, and whether it was given up. Copies share
@@ -53,13 +54,14 @@ class Jobs : public QObject {
  public:
   explicit Jobs(QObject* parent = nullptr);
 
-  /// `cancelled` is called once where the user cancels the job, after it has left the list.
-  void add(const Job& job, std::function<void()> cancelled);
+  /// `cancelled` is called once where the user cancels the job, after it has left the list. What is being
+  /// written is written to its end: it cannot be cancelled.
+  void add(const Job& job, std::function<void()> cancelled, bool canBeCancelled = true);
   /// It has ended; what is not in the list stays so.
   void remove(const Job& job);
 
   std::vector<JobRow> rows() const;
-  /// As the user asks.
+  /// As the user asks, where that can be.
   void cancel(int id);
 
  Q_SIGNALS:
@@ -70,6 +72,7 @@ class Jobs : public QObject {
   struct Listed {
     Job job;
     std::function<void()> cancelled;
+    bool canBeCancelled;
   };
   std::vector<Listed>::iterator find(int id);
 

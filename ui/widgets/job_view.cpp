@@ -24,7 +24,11 @@ JobView::JobView(QWidget* parent)
   row->addWidget(text_, 1);
   row->addWidget(bar_);
   row->addWidget(cancel_);
-  connect(cancel_, &QToolButton::clicked, this, [this] { Q_EMIT cancelRequested(job_); });
+  // Another job may take the place of the one that the button was pressed for.
+  connect(cancel_, &QToolButton::pressed, this, [this] { pressedFor_ = job_; });
+  connect(cancel_, &QToolButton::clicked, this, [this] {
+    if (pressedFor_ == job_) Q_EMIT cancelRequested(job_);
+  });
 }
 
 void JobView::showJob(const JobRow& job) {
@@ -34,6 +38,7 @@ void JobView::showJob(const JobRow& job) {
   if (job.part >= 0) bar_->setValue(int(std::lround(1000 * job.part)));
   bar_->setAccessibleName(job.text);
   cancel_->setAccessibleName(tr("Cancel: %1").arg(job.text));
+  cancel_->setVisible(job.canBeCancelled);
 }
 
 JobLine::JobLine(Jobs& jobs, QWidget* parent)

@@ -22,7 +22,7 @@ class JobView : public QWidget {
   QLabel* text_;
   QProgressBar* bar_;
   QToolButton* cancel_;
-  int job_ = 0;
+  int job_ = 0, pressedFor_ = 0;
 };
 
 /// The jobs that have run for a moment: the first in a line, all of them where the button beside it is

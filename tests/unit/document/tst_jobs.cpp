@@ -42,6 +42,7 @@ class TestJobs : public QObject {
   void whatIsToldOfProgress();
   void oneOfThreeIsCancelled();
   void whatWaitsIsNeverBegun();
+  void whatIsWrittenIsWrittenToItsEnd();
   void whatIsGivenUpSaysNothing();
   void aLaneThatGoesWaitsAndSaysNothing();
   void whatMayBeTellsWhileItRuns();
@@ -164,6 +165,21 @@ void TestJobs::whatWaitsIsNeverBegun() {
   QTRY_COMPARE_WITH_TIMEOUT(ended, 1, longest);
   lane.wait();
   QCOMPARE(begun, 0);
+}
+
+void TestJobs::whatIsWrittenIsWrittenToItsEnd() {
+  Jobs jobs;
+  JobLane lane(&jobs);
+  lane.keepToTheEnd();
+  const Gate gate;
+  int ended = 0;
+  lane.run(QStringLiteral("Saving"), gate, [&](int) { ++ended; });
+  const JobRow row = jobs.rows().at(0);
+  QVERIFY(!row.canBeCancelled);
+  jobs.cancel(row.id);
+  QCOMPARE(jobs.rows().size(), std::size_t(1));
+  gate.letGo();
+  QTRY_COMPARE_WITH_TIMEOUT(ended, 1, longest);
 }
 
 void TestJobs::whatIsGivenUpSaysNothing() {
