@@ -150,9 +150,8 @@ const Series* StudiesPanel::seriesOf(const QMimeData& dragged) const {
   const QByteArray said = dragged.data(draggedSeries);
   const qsizetype space = said.indexOf(' ');
   const std::size_t n = said.left(std::max(qsizetype(0), space)).toULongLong();
-  for (const OpenStudy& opened : studies_.all())
-    if (opened.path.toUtf8() == said.mid(space + 1)) return opened.seriesAt(n);
-  return nullptr;
+  const OpenStudy* opened = studies_.find(QString::fromUtf8(said.mid(space + 1)));
+  return opened ? opened->seriesAt(n) : nullptr;
 }
 
 QTreeWidgetItem* StudiesPanel::childNamed(QTreeWidgetItem* parent, const QString& key, const QString& text) {

@@ -14,12 +14,9 @@ namespace volumen {
 // Null for all other items.
 ReferencePtr StudiesPanel::referenceOf(const QTreeWidgetItem* item) const {
   const QVariant index = item->data(0, referenceRole);
-  if (!index.isValid()) return nullptr;
-  for (const OpenStudy& opened : studies_.all())
-    if (opened.path == item->data(0, pathRole).toString() &&
-        index.toULongLong() < opened.study->references.size())
-      return {opened.study, &opened.study->references[index.toULongLong()]};
-  return nullptr;
+  const OpenStudy* opened = index.isValid() ? openedOf(item) : nullptr;
+  if (!opened || index.toULongLong() >= opened->study->references.size()) return nullptr;
+  return {opened->study, &opened->study->references[index.toULongLong()]};
 }
 
 void StudiesPanel::addReference(const OpenStudy& opened, std::size_t n) {
