@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/dicom/inspect_files.h"
+#include "io/dicom/kept_headers.h"
 #include "io/files/image_file.h"
 #include "io/worker/batches.h"
 #include "io/worker/dicom_fields.h"
@@ -57,18 +58,27 @@ bool isConsistent(const Series& series, const std::string& path) {
          series.format != "phantom" && isGrid(series.acquired) && !series.regular;
 }
 
+/// Refuses what came from a worker and is not what look(path) can give.
+void check(const std::string& path, LookedAt& looked) {
+  dicom::checkInspection(path, looked.dicom);
+  const bool consistent =
+      std::ranges::all_of(looked.volumes, [&](const Series& series) { return isConsistent(series, path); });
+  if (!consistent) looked = refuse(worker::Failure::wrong);
+}
+
 }  // namespace
 
 std::vector<LookedAt> lookAtFiles(const std::vector<std::string>& paths, const Progress& progress,
                                   const CancelToken& cancel) {
+  std::vector<std::optional<FileState>> states;
+  for (const std::string& path : paths) states.push_back(fileState(path));
   std::vector<LookedAt> all =
       worker::forFiles<lookAtEach>(paths, "reading headers", progress, cancel, refuse);
-  if (!worker::isolating()) return all;
   for (std::size_t n = 0; n < paths.size(); ++n) {
-    dicom::checkInspection(paths[n], all[n].dicom);
-    const bool consistent = std::ranges::all_of(
-        all[n].volumes, [&](const Series& series) { return isConsistent(series, paths[n]); });
-    if (!consistent) all[n] = refuse(worker::Failure::wrong);
+    if (worker::isolating()) check(paths[n], all[n]);
+    const dicom::Inspection& found = all[n].dicom;
+    if (states[n] && found.kind == dicom::Inspection::Kind::picture)
+      dicom::keepHeader(paths[n], *states[n], found.header);
   }
   return all;
 }

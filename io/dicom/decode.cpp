@@ -190,10 +190,8 @@ Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax
 }
 
 Result<PixelSource> PixelSource::open(const FileHeader& header, const CancelToken& cancel) {
-  Result<RegularFile> file = RegularFile::open(header.path);
-  if (!file) return file.error();
-  PixelSource source(header, std::move(*file), cancel);
-  if (Status inflated = source.inflate(); !inflated) return inflated.error();
+  PixelSource source(header, cancel);
+  if (Status opened = source.openFile(); !opened) return opened.error();
   if (!header.mosaic) return source;
   auto whole = source.decoded(0, wholeMosaic(header.format, *header.mosaic));
   if (!whole) return whole.error();
@@ -201,10 +199,22 @@ Result<PixelSource> PixelSource::open(const FileHeader& header, const CancelToke
   return source;
 }
 
-Status PixelSource::inflate() {
-  if (!header_.inflatedFrom) return {};
+Status PixelSource::openFile() {
+  if (isDecodedInWorkers()) return {};
+  Result<RegularFile> file = RegularFile::open(header_.path);
+  if (!file) return file.error();
+  if (header_.inflatedFrom) return inflate(file->size());
+  file_.emplace(std::move(*file));
+  return {};
+}
+
+bool PixelSource::isDecodedInWorkers() const {
+  return worker::isolating() && header_.syntax.coding != Coding::native;
+}
+
+Status PixelSource::inflate(std::uint64_t fileSize) {
   constexpr std::uint64_t besides = 1 << 20;
-  worker::Request request{.files = {header_.path}, .needBytes = mostInflated(file_.size())};
+  worker::Request request{.files = {header_.path}, .needBytes = mostInflated(fileSize)};
   request.mostBytes = request.needBytes + besides;
   request.cancel = &cancel_;
   worker::Failure failure{};
@@ -215,7 +225,7 @@ Status PixelSource::inflate() {
 }
 
 Result<std::vector<std::uint8_t>> PixelSource::bytes(Range range) const {
-  if (!header_.inflatedFrom) return file_.read(range.offset, range.length);
+  if (!header_.inflatedFrom) return file_->read(range.offset, range.length);
   if (range.offset > inflated_.size() || range.length > inflated_.size() - range.offset)
     return Error{"its pixel data is cut off"};
   const auto begin = inflated_.begin() + std::ptrdiff_t(range.offset);
@@ -237,8 +247,7 @@ Result<DecodedFrame> PixelSource::frame(int n, const PixelFormat& format) const 
 // Native samples meet no decoder: they are moved and masked here, wherever this is.
 Result<DecodedFrame> PixelSource::decoded(int n, const PixelFormat& format) const {
   const FrameRanges& ranges = header_.frames[std::size_t(n)];
-  if (worker::isolating() && header_.syntax.coding != Coding::native)
-    return decodeIsolated(header_.path, format, header_.syntax, ranges, cancel_);
+  if (isDecodedInWorkers()) return decodeIsolated(header_.path, format, header_.syntax, ranges, cancel_);
   const auto joinedBytes = joined(ranges, [&](Range r) { return bytes(r); });
   if (!joinedBytes) return joinedBytes.error();
   return decodeFrame(format, header_.syntax, *joinedBytes, n);

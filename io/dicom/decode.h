@@ -29,7 +29,8 @@ Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax
 class PixelSource {
  public:
   /// Opens the file, and inflates a deflated one. `header` must outlive it. What is compressed is inflated
-  /// and decoded in workers, where there are any (io/worker), whose answers nobody waits for after `cancel`.
+  /// and decoded in workers, where there are any (io/worker): they open the file, and nobody waits for their
+  /// answers after `cancel`.
   static Result<PixelSource> open(const FileHeader& header, const CancelToken& cancel = {});
   /// Reads and decodes frame `n` (from 0). May be called from several threads at once.
   Result<DecodedFrame> frame(int n) const;
@@ -37,15 +38,16 @@ class PixelSource {
   Result<DecodedFrame> frame(int n, const PixelFormat& format) const;
 
  private:
-  PixelSource(const FileHeader& header, RegularFile file, CancelToken cancel)
-      : header_(header), cancel_(std::move(cancel)), file_(std::move(file)) {}
-  Status inflate();
+  PixelSource(const FileHeader& header, CancelToken cancel) : header_(header), cancel_(std::move(cancel)) {}
+  Status openFile();
+  Status inflate(std::uint64_t fileSize);
+  bool isDecodedInWorkers() const;
   Result<std::vector<std::uint8_t>> bytes(Range range) const;
   Result<DecodedFrame> decoded(int n, const PixelFormat& format) const;
 
   const FileHeader& header_;
   CancelToken cancel_;
-  RegularFile file_;
+  std::optional<RegularFile> file_;  // where its bytes are read here
   std::vector<std::uint8_t> inflated_;
   std::optional<DecodedFrame> mosaic_;  // the whole picture
 };

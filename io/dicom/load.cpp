@@ -8,6 +8,7 @@
 #include "io/dicom/decode.h"
 #include "io/dicom/import.h"
 #include "io/dicom/inspect_files.h"
+#include "io/dicom/kept_headers.h"
 #include "io/dicom/parallel.h"
 #include "io/dicom/resample.h"
 #include "io/dicom/series.h"
@@ -31,39 +32,62 @@ struct Incoming {
   bool again = false;  ///< as Refused has it
 };
 
-/// The files of a series, each inspected once.
+/// The files of a series: what was found of them as the study was opened, or is found now.
 class Files {
  public:
   Files(const Series& series, const Progress& progress, const CancelToken& cancel)
       : size_(series.acquired.size) {
-    for (const std::string& path : series.files) index_.emplace(path, 0);
-    std::vector<std::string> paths;
-    for (auto& [path, n] : index_) n = paths.size(), paths.push_back(path);
-    inspections_ = inspectFiles(paths, progress, cancel);
+    for (const std::string& path : series.files) files_[path];
+    std::vector<std::string> unknown;
+    for (auto& [path, file] : files_) {
+      file.header = keptHeader(path);
+      if (!file.header) unknown.push_back(path);
+    }
+    std::vector<Inspection> inspections = inspectFiles(unknown, progress, cancel);
+    for (std::size_t n = 0; n < unknown.size(); ++n) set(files_[unknown[n]], std::move(inspections[n]));
   }
   Incoming slice(const std::string& path, int frame) const {
-    const Inspection& i = inspections_[index_.at(path)];
+    const File& file = files_.at(path);
     Incoming in;
     in.placed.path = path;
-    in.again = i.again;
-    in.placed.slice.position = i.position;
-    if (i.kind != Inspection::Kind::picture)
-      in.failure = i.text.empty() ? "it is no DICOM picture any more." : i.text;
-    else if (!i.header.notVolume.empty())
-      in.failure = i.header.notVolume + ".";
-    else if (frame >= int(i.header.slices.size()))
+    in.again = file.again;
+    in.placed.slice.position = file.position;
+    if (!file.header) {
+      in.failure = file.failure;
+      return in;
+    }
+    const FileHeader& header = *file.header;
+    if (!header.notVolume.empty())
+      in.failure = header.notVolume + ".";
+    else if (frame >= int(header.slices.size()))
       in.failure = "it has fewer frames than it had.";
-    else if (i.header.format.columns != size_.x || i.header.format.rows != size_.y)
+    else if (header.format.columns != size_.x || header.format.rows != size_.y)
       in.failure = "its size is not that of the series.";
     else
-      in.file = &i.header, in.placed.slice = i.header.slices[std::size_t(frame)];
+      in.file = &header, in.placed.slice = header.slices[std::size_t(frame)];
     return in;
   }
 
  private:
+  /// What an inspection found: a header, or why there is none.
+  struct File {
+    std::shared_ptr<const FileHeader> header;
+    std::string failure;
+    std::optional<glm::dvec3> position;
+    bool again = false;
+  };
+
+  static void set(File& file, Inspection&& i) {
+    file.again = i.again;
+    file.position = i.position;
+    if (i.kind == Inspection::Kind::picture)
+      file.header = std::make_shared<FileHeader>(std::move(i.header));
+    else
+      file.failure = i.text.empty() ? "it is no DICOM picture any more." : i.text;
+  }
+
   glm::ivec3 size_;
-  std::map<std::string, std::size_t> index_;
-  std::vector<Inspection> inspections_;
+  std::map<std::string, File> files_;
 };
 
 std::vector<PlacedSlice> placedOf(const std::vector<Incoming>& slices) {

@@ -1,24 +1,14 @@
 #include "io/worker/costly_files.h"
 
-#include <sys/stat.h>
-
 #include <atomic>
 #include <map>
 #include <mutex>
 #include <optional>
-#include <tuple>
+
+#include "io/file_state.h"
 
 namespace volumen::worker {
 namespace {
-
-using FileState = std::tuple<dev_t, ino_t, off_t, time_t, long, time_t, long>;
-
-std::optional<FileState> stateOf(const std::string& path) {
-  struct stat s {};
-  if (::stat(path.c_str(), &s) != 0) return {};
-  return FileState{s.st_dev,          s.st_ino,         s.st_size,        s.st_mtim.tv_sec,
-                   s.st_mtim.tv_nsec, s.st_ctim.tv_sec, s.st_ctim.tv_nsec};
-}
 
 struct CostlyFiles {
   std::mutex mutex;
@@ -35,7 +25,7 @@ CostlyFiles& costlyFiles() {
 
 void rememberCost(Handler what, const std::string& path, Failure why) {
   if (why == Failure::none || isOfMachine(why)) return;
-  const std::optional<FileState> state = stateOf(path);
+  const std::optional<FileState> state = fileState(path);
   if (!state) return;
   CostlyFiles& files = costlyFiles();
   const std::scoped_lock one(files.mutex);
@@ -46,7 +36,7 @@ void rememberCost(Handler what, const std::string& path, Failure why) {
 Failure costBefore(Handler what, const std::string& path) {
   CostlyFiles& files = costlyFiles();
   if (!files.any) return Failure::none;
-  const std::optional<FileState> state = stateOf(path);
+  const std::optional<FileState> state = fileState(path);
   if (!state) return Failure::none;
   const std::scoped_lock one(files.mutex);
   const auto found = files.all.find({what, *state});

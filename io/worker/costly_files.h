@@ -28,7 +28,7 @@ inline bool isOfMachine(Failure failure) { return failure >= Failure::cancelled;
 /// machine are not kept.
 void rememberCost(Handler what, const std::string& path, Failure why);
 
-/// What `what` of the file, as it is now (device, inode, size, times), has cost before; else none. One that
+/// What `what` of the file, as it is now (FileState), has cost before; else none. One that
 /// has changed is tried again.
 Failure costBefore(Handler what, const std::string& path);
 
