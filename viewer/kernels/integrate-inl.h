@@ -123,13 +123,21 @@ class PassageIntegrator {
     PassageSum& sum = lanes.sum;
     for (VF* value : {&sum.colour.x, &sum.colour.y, &sum.colour.z, &sum.error})
       *value = hn::IfThenElseZero(hn::Not(begins), *value);
-    SetTurns(lanes.r.density, lanes.piece);
-    const DI di;
-    const auto first = hn::RebindMask(di, begins);
-    lanes.piece.index =
-        hn::IfThenElse(first, SegmentOf(*f_.curve, lanes.r.density.At(Set(-1))), lanes.piece.index);
+    SetTurns(lanes.r.density.along, lanes.piece);
+    const auto first = hn::RebindMask(DI(), begins);
+    lanes.piece.index = hn::IfThenElse(first, FirstSegment(lanes.r.density), lanes.piece.index);
     lanes.piece.step = hn::IfThenElseZero(hn::Not(first), lanes.piece.step);
     return begins;
+  }
+
+  /// The segment of the curve that a passage begins in.
+  HWY_INLINE VI FirstSegment(const DensityInCell& density) const {
+    const VF front = density.At(Set(-1));
+    const VI segment = SegmentOf(*f_.curve, hn::Add(density.base, front));
+    // The sum may be rounded up to the point of the curve where the segment begins.
+    const CurveSegment exact = CountedFrom(density.base, SegmentAt(*f_.curve, segment));
+    const auto isBefore = hn::RebindMask(DI(), hn::Lt(front, exact.low));
+    return hn::Sub(segment, hn::IfThenElseZero(isBefore, SetI(1)));
   }
 
   /// A rule that is off by the cube of a part's length: how long one may be.
@@ -171,7 +179,7 @@ class PassageIntegrator {
     const DF df;
     const DI di;
     const VF one = Set(1);
-    p.segment = SegmentAt(*f_.curve, p.index);
+    p.segment = CountedFrom(r.density.base, SegmentAt(*f_.curve, p.index));
     const VF turn = hn::IfThenElse(hn::Lt(s, p.turn1), p.turn1, p.turn2);
     const VF monotone = hn::IfThenElse(hn::Lt(s, turn), hn::Min(turn, one), one);
     const VF atEnd = r.density.At(monotone);
@@ -181,7 +189,7 @@ class PassageIntegrator {
     VF end = monotone;
     if (!hn::AllFalse(df, crosses)) {
       const VF node = hn::IfThenElse(up, p.segment.high, p.segment.low);
-      end = hn::IfThenElse(crosses, CrossingOf(r.density, s, monotone, node, up, crosses), end);
+      end = hn::IfThenElse(crosses, CrossingOf(r.density.along, s, monotone, node, up, crosses), end);
     }
     const VI step = hn::IfThenElse(hn::RebindMask(di, up), SetI(1),
                                    hn::IfThenElseZero(hn::RebindMask(di, down), SetI(-1)));

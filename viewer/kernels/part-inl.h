@@ -15,9 +15,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// A ray inside one cell: density and stored gradient along it (Cubic), and how long it is there.
+/// A ray inside one cell: density and stored gradient along it, and how long it is there.
 struct RayInCell {
-  Cubic density;
+  DensityInCell density;
   CubicVector gradient;  ///< where the material asks for gradients
   VF unitDistances;      ///< from -1 to 1, in unit distances
   VI ray;
@@ -30,7 +30,8 @@ HWY_INLINE RayInCell Chosen(MF which, const RayInCell& a, const RayInCell& b) {
           hn::IfThenElse(hn::RebindMask(DI(), which), a.ray, b.ray)};
 }
 
-/// A part of it, from `a` to `b`, on which the density rises or falls along one segment of the curve.
+/// A part of it, from `a` to `b`, on which the density rises or falls along one segment of the curve; that
+/// counts from the density's base, too.
 struct Part {
   VF a, b;
   CurveSegment segment;

@@ -22,10 +22,7 @@ struct Extreme {
   static HWY_INLINE VF Nearer(VF a, VF b) { return kMode == Mode::mip ? hn::Min(a, b) : hn::Max(a, b); }
   static HWY_INLINE MF Exceeds(VF a, VF b) { return kMode == Mode::mip ? hn::Gt(a, b) : hn::Lt(a, b); }
 
-  static HWY_INLINE VF Of(const Corners& v) {
-    const auto ofRow = [&](int r) { return Of(v.first[r], v.second[r]); };
-    return Of(Of(ofRow(0), ofRow(1)), Of(ofRow(2), ofRow(3)));
-  }
+  static HWY_INLINE VF Of(const Corners& v) { return kMode == Mode::mip ? v.Highest() : v.Lowest(); }
 
   /// Of the two a - b and a + b.
   static HWY_INLINE VF Widest(VF a, VF b) {

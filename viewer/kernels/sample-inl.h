@@ -22,6 +22,16 @@ struct Sample {
 /// The densities of a cell's eight voxels: rows as Grid::Offset has them, each from first to second along x.
 struct Corners {
   VF first[4], second[4];
+
+  /// The range that trilinear interpolation between them stays within.
+  HWY_INLINE VF Lowest() const {
+    const auto ofRow = [&](int r) { return hn::Min(first[r], second[r]); };
+    return hn::Min(hn::Min(ofRow(0), ofRow(1)), hn::Min(ofRow(2), ofRow(3)));
+  }
+  HWY_INLINE VF Highest() const {
+    const auto ofRow = [&](int r) { return hn::Max(first[r], second[r]); };
+    return hn::Max(hn::Max(ofRow(0), ofRow(1)), hn::Max(ofRow(2), ofRow(3)));
+  }
 };
 
 /// The stored gradients at a cell's eight voxels.

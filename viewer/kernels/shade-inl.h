@@ -109,6 +109,12 @@ HWY_INLINE V3 ColourOn(const CurveSegment& s, VF density) {
   return {Clamp01(c.x), Clamp01(c.y), Clamp01(c.z)};
 }
 
+/// The same for densities that are counted from `base`.
+HWY_INLINE CurveSegment CountedFrom(VF base, CurveSegment s) {
+  for (VF* density : {&s.low, &s.high, &s.start}) *density = hn::Sub(*density, base);
+  return s;
+}
+
 /// The factor of picture.md 4's gradientOpacity at |g_p|; few points, so a walk over them.
 HWY_INLINE VF GradientFactor(const TransferFunction& curve, VF length) {
   const auto& points = curve.gradientOpacity;
