@@ -154,6 +154,7 @@ class MainWindow : public QMainWindow {
   void showOpened(const Series& series, OpenHow how);
   void focusNextView();
   void makeMeasureActions();
+  void makeSceneToolActions();
   void connectLinks();
   void registerViews();
   QWidget* makeMeasureButton();
@@ -251,6 +252,7 @@ class MainWindow : public QMainWindow {
   SnapshotPanel* snapshotPanel_;
   PresetBar* presets_;
   std::map<QString, QAction*> actions_;
+  QActionGroup* sceneTools_ = nullptr;  // of 3D views
   std::map<QString, QDockWidget*> docks_;
   QByteArray layoutBefore_;           // of the docks, while the view is alone
   bool layoutKept_ = false;           // from an earlier start

@@ -153,24 +153,6 @@ void MainWindow::makeActions() {
       {"openScene", tr("Open scene..."), {}, "", false, [this](bool) { askForScene(); }},
       {"saveScene", tr("Save scene..."), {}, "", false, [this](bool) { askForSceneFile(); }},
       {"quit", tr("Quit"), {QKeySequence::Quit}, "", false, [this](bool) { close(); }},
-      {"orbitTool",
-       tr("Rotate"),
-       {tr("T")},
-       "orbit",
-       true,
-       [this](bool) { grid_->setTool(ViewTool::orbit); }},
-      {"curveTool",
-       tr("Adjust curve (W/L)"),
-       {tr("W")},
-       "curve",
-       true,
-       [this](bool) { grid_->setTool(ViewTool::curve); }},
-      {"scissorsTool",
-       tr("Scissors"),
-       {tr("X")},
-       "scissors",
-       true,
-       [this](bool) { grid_->setTool(ViewTool::scissors); }},
       {"resetView", tr("Reset view"), {tr("F")}, "reset", false, [this](bool) { resetViewInFocus(); }},
       {"viewAnterior", tr("Anterior view"), {tr("A")}, "view", false, view("anterior")},
       {"viewPosterior", tr("Posterior view"), {tr("P")}, "", false, view("posterior")},
@@ -235,10 +217,7 @@ void MainWindow::makeActions() {
     addAction(action);
     actions_[action->objectName()] = action;
   }
-  auto* tools = new QActionGroup(this);
-  for (const char* tool : {"orbitTool", "curveTool", "scissorsTool"})
-    tools->addAction(actions_[QLatin1String(tool)]);
-  actions_[QStringLiteral("orbitTool")]->setChecked(true);
+  makeSceneToolActions();
   actions_[QStringLiteral("leaveMaximised")]->setEnabled(false);
   for (auto [name, action, key] :
        {std::tuple("undo", session_.undoStack().createUndoAction(this, tr("Undo")), QKeySequence::Undo),
@@ -255,6 +234,21 @@ void MainWindow::makeActions() {
   masker_ = new Masker(session_, jobs_, this);
   for (QAction* action : {masker_->tableAction(), masker_->resetAction()})
     actions_[action->objectName()] = action;
+}
+
+void MainWindow::makeSceneToolActions() {
+  sceneTools_ = new QActionGroup(this);
+  for (const Tool* tool : chosenSceneTools()) {
+    auto* action = new QAction(tool->text, sceneTools_);
+    action->setObjectName(QLatin1String(tool->name) + QStringLiteral("Tool"));
+    action->setShortcut(tool->key);
+    action->setCheckable(true);
+    action->setChecked(tool == &toolNamed("rotate"));
+    action->setProperty("iconName", QLatin1String(tool->name));
+    connect(action, &QAction::triggered, this, [this, tool] { grid_->setSceneTool(*tool); });
+    addAction(action);
+    actions_[action->objectName()] = action;
+  }
 }
 
 void MainWindow::askForFolder() {

@@ -7,7 +7,7 @@
 #include "ui/panels/flat_menus.h"
 #include "ui/panels/slab_menu.h"
 #include "ui/panels/studies_panel.h"
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/status_line.h"

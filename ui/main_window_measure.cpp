@@ -42,7 +42,7 @@ void MainWindow::makeMeasureActions() {
   measureMenu_ = new QMenu(tr("Measure"), this);
   auto* group = new QActionGroup(this);
   group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
-  for (const FlatTool& tool : flatTools()) {
+  for (const Tool& tool : tools()) {
     if (!tool.measuring) continue;
     const QString name = QLatin1String(tool.name);
     const QString key = tool.key ? QLatin1Char('\t') + QKeySequence(tool.key).toString() : QString();
@@ -69,7 +69,7 @@ void MainWindow::makeMeasureActions() {
   menu->setObjectName(QStringLiteral("measure"));
   const auto showTool = [this, menu] {
     const QString name = QStringLiteral("measure");
-    const FlatTool& tool = grid_->tool();
+    const Tool& tool = grid_->tool();
     menu->setProperty("iconName", tool.measuring ? name + QLatin1Char('-') + QLatin1String(tool.name) : name);
     menu->setIcon(icon(menu->property("iconName").toString()));
   };

@@ -37,8 +37,9 @@ void MainWindow::makeMenus() {
   connect(file, &QMenu::aboutToShow, &recent_, &RecentFiles::look);
   fill(menuBar()->addMenu(tr("&Edit")), "undo redo | removeTable resetScissors | preferences");
   auto* view = menuBar()->addMenu(tr("&View"));
+  view->addActions(sceneTools_->actions());
   fill(view,
-       "orbitTool curveTool scissorsTool resetView | viewAnterior viewPosterior viewLeft viewRight "
+       "resetView | viewAnterior viewPosterior viewLeft viewRight "
        "viewSuperior "
        "viewInferior | "
        "showAsFrames ownWindows overlaysAndShutters playFrames | "
@@ -74,7 +75,8 @@ void MainWindow::makeToolBar() {
   const auto add = [&](const char* name) { bar->addAction(actions_.at(QLatin1String(name))); };
   for (const char* name : {"openFolder", "showBrowser", "undo", "redo"}) add(name);
   bar->addSeparator();
-  for (const char* name : {"orbitTool", "curveTool", "scissorsTool", "resetView"}) add(name);
+  bar->addActions(sceneTools_->actions());
+  add("resetView");
   bar->addSeparator();
   makePresetBar(bar);
   auto* layouts = new QToolButton;

@@ -9,7 +9,7 @@
 #include "ui/panels/regions_panel.h"
 #include "ui/panels/report_dialog.h"
 #include "ui/panels/studies_panel.h"
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/status_line.h"

@@ -8,7 +8,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/panels/studies_panel.h"
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/status_line.h"

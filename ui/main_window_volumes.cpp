@@ -95,8 +95,7 @@ void MainWindow::showVolumeMenu(QPoint global) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   addKinds(menu);
   menu->addSeparator();
-  for (const char* name : {"orbitTool", "curveTool", "scissorsTool"})
-    menu->addAction(actions_.at(QLatin1String(name)));
+  menu->addActions(sceneTools_->actions());
   menu->addSeparator();
   for (const char* name : {"removeTable", "resetScissors", "resetView"})
     menu->addAction(actions_.at(QLatin1String(name)));

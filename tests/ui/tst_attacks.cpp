@@ -68,16 +68,17 @@ void TestAttacks::whatGoesInTheMiddleOfADrag_data() {
     for (const auto& [when, act] : acts)
       QTest::addRow("%s: %s", what, when) << QByteArray(tool) << int(button) << keys << act;
   };
-  for (const FlatTool& tool : flatTools()) row(tool.name, tool.name, Qt::LeftButton, Qt::NoModifier);
+  for (const Tool& tool : tools())
+    if (tool.inSlices) row(tool.name, tool.name, Qt::LeftButton, Qt::NoModifier);
   row("flat, middle", "window", Qt::MiddleButton, Qt::NoModifier);
   row("flat, right", "window", Qt::RightButton, Qt::NoModifier);
   row("flat, Shift", "window", Qt::LeftButton, Qt::ShiftModifier);
-  for (const char* tool : {"orbitTool", "curveTool", "scissorsTool"}) {
+  for (const char* tool : {"rotateTool", "curveTool", "scissorsTool"}) {
     row(tool, tool, Qt::LeftButton, Qt::NoModifier);
     row((QByteArray(tool) + ", Ctrl").constData(), tool, Qt::LeftButton, Qt::ControlModifier);
   }
-  row("3D, middle", "orbitTool", Qt::MiddleButton, Qt::NoModifier);
-  row("3D, right", "orbitTool", Qt::RightButton, Qt::NoModifier);
+  row("3D, middle", "rotateTool", Qt::MiddleButton, Qt::NoModifier);
+  row("3D, right", "rotateTool", Qt::RightButton, Qt::NoModifier);
 }
 
 // What is shown instead stays as it was, and the window goes on.
@@ -92,7 +93,7 @@ void TestAttacks::whatGoesInTheMiddleOfADrag() {
   if (in3d)
     w.child<QAction>(tool.constData())->trigger();
   else
-    w.window.views()->setTool(flatTool(tool.constData()));
+    w.window.views()->setTool(toolNamed(tool.constData()));
   QWidget* view = in3d ? static_cast<QWidget*>(w.window.view()) : w.view();
   const Qt::MouseButton held = Qt::MouseButton(button);
   const Qt::KeyboardModifiers with(keys);
@@ -168,7 +169,7 @@ void TestAttacks::aToolIsForTheSeriesOfItsView() {
   drag(w.view(right), {70, 60}, {120, 90});
   QVERIFY(stateOf(b).window.has_value());
   w.session().setFocus(left);
-  w.window.views()->setTool(flatTool("length"));
+  w.window.views()->setTool(toolNamed("length"));
   drag(w.view(right), {70, 60}, {120, 90});
   QVERIFY(w.last().series == keyOf(b->series));
   w.session().showAs(right, ViewKind::volume);
@@ -215,7 +216,8 @@ void TestAttacks::volumesOfNothing() {
   for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId}) {
     SliceView* flat = w.window.views()->sliceView(id);
     QTRY_VERIFY_WITH_TIMEOUT(flat->picture().size() == flat->pixels(), longest);
-    for (const FlatTool& tool : flatTools()) {
+    for (const Tool& tool : tools()) {
+      if (!tool.inSlices) continue;
       w.window.views()->setTool(tool);
       drag(flat, {60, 60}, {110, 90});
       QTest::keyClick(flat, Qt::Key_Escape);
@@ -223,7 +225,7 @@ void TestAttacks::volumesOfNothing() {
     QTest::keyClick(flat, Qt::Key_End);
     hover(flat, {50, 50});
   }
-  for (const char* tool : {"orbitTool", "curveTool", "scissorsTool"}) {
+  for (const char* tool : {"rotateTool", "curveTool", "scissorsTool"}) {
     w.child<QAction>(tool)->trigger();
     drag(w.window.view(), {60, 60}, {110, 90});
   }

@@ -49,7 +49,7 @@ void TestClips::theScrollToolGoesThroughFrames() {
   NEED_FILES();
   Frames w({clipFile});
   QVERIFY(w.shows());
-  w.view()->setTool(flatTool("scroll"));
+  w.view()->setTool(toolNamed("scroll"));
   QVERIFY(w.after([&] { tests::drag(w.view(), {50, 50}, {50, 50.0 + w.view()->height() / 2.0}); }));
   QVERIFY2(std::abs(w.look().frame - 17) <= 1, qPrintable(QString::number(w.look().frame)));
   w.child<QAction>("undo")->trigger();

@@ -7,7 +7,7 @@
 #include "tests/unit/suite.h"
 #include "ui/widgets/axes.h"
 #include "ui/widgets/curve_editor.h"
-#include "ui/widgets/curve_edits.h"
+#include "viewer/scene/curve_edits.h"
 
 using namespace volumen;
 

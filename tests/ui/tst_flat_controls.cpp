@@ -45,7 +45,7 @@ struct FlatWindow : MeasureWindow {
   Clip clip() { return session().scene().clip; }
   std::vector<ClipLine> lines(bool whole, ViewId id = axialViewId) {
     SliceView* v = view(id);
-    const FlatPress press{session(), id, v->shown(), *v->plane(), v->devicePixelRatioF(), {}};
+    const SlicePress press{session(), id, v->shown(), *v->plane(), v->devicePixelRatioF(), {}};
     return clipLines(press, whole);
   }
 };

@@ -240,7 +240,7 @@ void TestFrameMeasurements::everyToolDraws() {
   } else {
     QVERIFY(!w.text().isEmpty());
   }
-  QCOMPARE(&w.window.views()->tool(), &flatTool("window"));
+  QCOMPARE(&w.window.views()->tool(), &toolNamed("window"));
 }
 
 void TestFrameMeasurements::anEndFollowsThePointer_data() {

@@ -9,7 +9,7 @@
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/flat_plane.h"

@@ -224,7 +224,7 @@ void TestKeys::nothingFiresWhileOneTypes() {
        {Qt::Key_1, Qt::Key_3, Qt::Key_7, Qt::Key_0, Qt::Key_End, Qt::Key_Home, Qt::Key_PageDown})
     QTest::keyClick(widget, key, Qt::KeypadModifier);
   QVERIFY(window.session().state() == before);
-  QCOMPARE(window.view()->tool(), ViewTool::orbit);
+  QCOMPARE(&window.view()->tool(), &toolNamed("rotate"));
   if (auto* line = qobject_cast<QLineEdit*>(widget))
     QVERIFY(line->text().contains(QStringLiteral("aplrsifwt1370?")));
 }

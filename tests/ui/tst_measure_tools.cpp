@@ -190,7 +190,7 @@ void TestMeasureTools::keysChooseTools() {
   QTest::keyClick(w.view(), Qt::Key(key));
   QCOMPARE(QString::fromLatin1(w.window.views()->tool().name), tool);
   QCOMPARE(viewName(w.window.view()->camera()), seen);
-  w.window.views()->setTool(flatTool("window"));
+  w.window.views()->setTool(toolNamed("window"));
   w.window.view()->setFocus();
   QTest::keyClick(w.window.view(), Qt::Key_P);
   QCOMPARE(viewName(w.window.view()->camera()), std::string("posterior"));

@@ -10,8 +10,8 @@
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/views/volume_view.h"
-#include "ui/widgets/curve_edits.h"
 #include "ui/workspace/text.h"
+#include "viewer/scene/curve_edits.h"
 #include "viewer/scene/presets.h"
 
 using namespace volumen;

@@ -150,7 +150,7 @@ void TestPreferences::directions() {
     tests::drag(window.view(), {300, 300}, {300, 260});
     return window.session().scene().transferFunction.points[0].value - before;
   };
-  window.view()->setTool(ViewTool::curve);
+  window.view()->setTool(toolNamed("curve"));
   QVERIFY(shift() < 0);
   window.tick("curveDragInverted");
   QVERIFY(shift() > 0);

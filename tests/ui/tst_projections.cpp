@@ -117,7 +117,7 @@ void TestProjections::aDragMovesTheWindow() {
   QFETCH(double, centre);
   QFETCH(double, width);
   Shown w(modality.toLatin1().constData());
-  w.view.setTool(ViewTool::curve);
+  w.view.setTool(toolNamed("curve"));
   const QPointF from(200, 150);
   tests::drag(&w.view, from, from + QPointF(by), Qt::LeftButton, Qt::KeyboardModifiers(keys));
   QVERIFY2(near(w.window(), {centre, width}),
@@ -178,7 +178,7 @@ void TestProjections::invertedEndsStayInverted() {
   QCOMPARE(editor->curve().points[0].opacity, 1.0);
   tests::drag(editor, editor->positionOf(1), {editor->valueAxis().pixelOf(700), editor->positionOf(1).y()});
   QVERIFY(w.window().width < -590 && w.window().width > -610);
-  w.view.setTool(ViewTool::curve);
+  w.view.setTool(toolNamed("curve"));
   tests::drag(&w.view, {200, 150}, {220, 150});
   QVERIFY(w.window().width < -700);
 }

@@ -208,7 +208,7 @@ void TestScissors::whatIsGivenUpCutsNothing_data() {
   });
   QTest::newRow("another tool") << Act([](Cutting& t) {
     drawAround(t.view(), t.middle(), {}, false);
-    t.w.child<QAction>("orbitTool")->trigger();
+    t.w.child<QAction>("rotateTool")->trigger();
     QTest::mouseRelease(t.view(), Qt::LeftButton, {}, {50, 50});
   });
   QTest::newRow("the camera moved") << Act([](Cutting& t) {

@@ -271,7 +271,7 @@ void TestVolumeView::wheelZoomsAtTheCursor() {
 
 void TestVolumeView::curveToolShiftsAndWidens() {
   Shown shown;
-  shown.view.setTool(ViewTool::curve);
+  shown.view.setTool(toolNamed("curve"));
   const auto points = [&] { return shown.session.scene().transferFunction.points; };
   tests::drag(&shown.view, shown.middle(), shown.middle() + QPointF(0, -60));
   QVERIFY2(points()[0].value < 400 && points()[1].value < 600, "up: lower values become visible");

@@ -6,10 +6,10 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "ui/widgets/curve_edits.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "viewer/scene/curve_edits.h"
 #include "viewer/scene/visible_range.h"
 
 namespace volumen {

@@ -7,7 +7,7 @@
 #include <QWidgetAction>
 
 #include "ui/panels/flat_menus.h"
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 

@@ -1,6 +1,6 @@
 #include <QCoreApplication>
 
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 
 namespace volumen {
 
@@ -8,7 +8,7 @@ namespace {
 
 class CrosshairDrag : public Drag {
  public:
-  explicit CrosshairDrag(const FlatPress& press) : press_(press) { moveTo(press.at, {}); }
+  explicit CrosshairDrag(const SlicePress& press) : press_(press) { moveTo(press.at, {}); }
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
     moveCrosshair(press_.session, press_.view, *press_.series,
@@ -16,12 +16,12 @@ class CrosshairDrag : public Drag {
   }
 
  private:
-  const FlatPress press_;
+  const SlicePress press_;
 };
 
 }  // namespace
 
-std::unique_ptr<Drag> beginCrosshair(const FlatPress& press) {
+std::unique_ptr<Drag> beginCrosshair(const SlicePress& press) {
   return std::make_unique<CrosshairDrag>(press);
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <QPointF>
+#include <QSizeF>
+
+class QPainter;
 
 namespace volumen {
 
@@ -16,11 +19,23 @@ class Drag {
   /// Another press, of a drag that goes on.
   virtual void press(QPointF) {}
   /// The button was released; whether that ends it.
-  virtual bool release(QPointF) { return true; }
+  virtual bool release(QPointF, Qt::KeyboardModifiers) { return true; }
   /// Enter or a double-click; whether that ends it.
   virtual bool finish() { return true; }
   /// What it draws that is no part of the workspace yet; null: nothing.
   virtual const Measurement* drawing() const { return nullptr; }
+};
+
+/// The same in a 3D view.
+class SceneDrag : public Drag {
+ public:
+  /// Whether it draws over the picture what is no part of the workspace yet. It is given up where the view is
+  /// resized, or its camera moved by something else: it would lie over another place.
+  virtual bool drawsOver() const { return false; }
+  /// Draws that over a picture of `size` logical pixels.
+  virtual void paint(QPainter&, QSizeF) const {}
+  /// Whether a press that did not move points at a place.
+  virtual bool pointsWhereStill() const { return false; }
 };
 
 }  // namespace volumen

@@ -1,6 +1,6 @@
 #include <QCoreApplication>
 
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/workspace/measurements.h"
 
 namespace volumen {
@@ -10,7 +10,7 @@ namespace {
 // Moves a part of a measurement by as much as the pointer, from where it was at the press.
 class MeasurementDrag : public Drag {
  public:
-  MeasurementDrag(const FlatPress& press, const MeasurementHit& hit)
+  MeasurementDrag(const SlicePress& press, const MeasurementHit& hit)
       : press_(press), hit_(hit), atPress_(*findMeasurement(press.session.workspace(), hit.id)) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
@@ -34,14 +34,14 @@ class MeasurementDrag : public Drag {
                : QCoreApplication::translate("volumen", "Move measurement");
   }
 
-  const FlatPress press_;
+  const SlicePress press_;
   const MeasurementHit hit_;
   const Measurement atPress_;
 };
 
 }  // namespace
 
-std::unique_ptr<Drag> beginMeasurementEdit(const FlatPress& press, const MeasurementHit& hit) {
+std::unique_ptr<Drag> beginMeasurementEdit(const SlicePress& press, const MeasurementHit& hit) {
   return std::make_unique<MeasurementDrag>(press, hit);
 }
 

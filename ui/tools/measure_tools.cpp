@@ -1,7 +1,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/workspace/measurement_text.h"
 #include "ui/workspace/measurements.h"
 
@@ -16,7 +16,7 @@ constexpr double freehandPixels = 3;  // logical, from one point of an outline t
 // before, so that a line is made by a drag as by two clicks.
 class ShapeDrag : public Drag {
  public:
-  ShapeDrag(const FlatPress& press, ShapeKind kind) : press_(press), rule_(ruleOf(kind)) {
+  ShapeDrag(const SlicePress& press, ShapeKind kind) : press_(press), rule_(ruleOf(kind)) {
     drawn_.id = -1 - press.view;  // none of the workspace's
     drawn_.series = keyOf(press.series->series);
     drawn_.shape.kind = kind;
@@ -36,7 +36,7 @@ class ShapeDrag : public Drag {
 
   void press(QPointF p) override { following_ ? moveTo(p, {}) : beginLine(p); }
 
-  bool release(QPointF p) override {
+  bool release(QPointF p, Qt::KeyboardModifiers) override {
     moveTo(p, {});
     if (rule_.kind == ShapeKind::freehand) return points().size() < rule_.fewest || complete();
     if (rule_.most > 1 && lastSegment() < clickPixels) return false;
@@ -87,7 +87,7 @@ class ShapeDrag : public Drag {
     return true;
   }
 
-  const FlatPress press_;
+  const SlicePress press_;
   const ShapeRule& rule_;
   Measurement drawn_;
   std::vector<QPointF> places_;  // of its points
@@ -95,18 +95,18 @@ class ShapeDrag : public Drag {
 };
 
 template <ShapeKind kind>
-std::unique_ptr<Drag> beginShape(const FlatPress& press) {
+std::unique_ptr<Drag> beginShape(const SlicePress& press) {
   return std::make_unique<ShapeDrag>(press, kind);
 }
 
 template <ShapeKind kind>
-FlatTool measuringTool(int key) {
-  return {ruleOf(kind).name, kindText(kind), Qt::CrossCursor, beginShape<kind>, key, true};
+Tool measuringTool(int key) {
+  return {ruleOf(kind).name, kindText(kind), Qt::CrossCursor, beginShape<kind>, nullptr, key, true};
 }
 
 }  // namespace
 
-std::vector<FlatTool> measuringTools() {
+std::vector<Tool> measuringTools() {
   using enum ShapeKind;
   return {
       measuringTool<length>(Qt::Key_D), measuringTool<polyline>(0),        measuringTool<angle>(Qt::Key_A),

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ui/data/frame_series.h"
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/workspace/flat_plane.h"
 
 namespace volumen {
@@ -13,7 +13,7 @@ namespace {
 // The whole stack over the height of the view, but at least two pixels a slice.
 class ScrollDrag : public Drag {
  public:
-  explicit ScrollDrag(const FlatPress& press)
+  explicit ScrollDrag(const SlicePress& press)
       : press_(press),
         kind_(press.session.workspace().view(press.view).kind),
         atPress_(crosshairOf(press.session.workspace(), press.view, *press.series)),
@@ -33,7 +33,7 @@ class ScrollDrag : public Drag {
   }
 
  private:
-  const FlatPress press_;
+  const SlicePress press_;
   const ViewKind kind_;
   const Crosshair atPress_;
   const int frameAtPress_;
@@ -41,6 +41,6 @@ class ScrollDrag : public Drag {
 
 }  // namespace
 
-std::unique_ptr<Drag> beginScroll(const FlatPress& press) { return std::make_unique<ScrollDrag>(press); }
+std::unique_ptr<Drag> beginScroll(const SlicePress& press) { return std::make_unique<ScrollDrag>(press); }
 
 }  // namespace volumen

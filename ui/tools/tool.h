@@ -1,18 +1,21 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "ui/tools/drag.h"
 #include "ui/workspace/session.h"
 #include "viewer/measure/shape.h"
+#include "viewer/segment/mask.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {
 
-/// A flat view when the mouse was pressed, as far as tools know it.
-struct FlatPress {
+/// A view of slices or frames when the mouse was pressed, as far as tools know it.
+struct SlicePress {
   Session& session;
   ViewId view;
   ShownSeriesPtr series;
@@ -37,13 +40,34 @@ struct FlatPress {
   }
 };
 
-/// What a drag in a flat view does.
-struct FlatTool {
+/// A 3D view when the mouse was pressed, as far as tools know it.
+struct ScenePress {
+  Session& session;
+  ViewId view;
+  ShownSeriesPtr series;
+  Scene scene;  ///< its camera is the one in use
+  QPointF at;   ///< logical pixels, as are
+  glm::dvec2 size;
+  Qt::KeyboardModifiers keys;
+  std::optional<glm::dvec3> seen;  ///< patient mm: what is seen there; none: nothing
+  /// Makes this the camera of the view; steps of one name in a gesture are one.
+  std::function<void(const QString& text, const Camera& camera)> moveCamera;
+  /// Takes away what was drawn around.
+  std::function<void(const Lasso& lasso)> cut;
+
+  const Camera& camera() const { return *scene.camera; }
+  /// What turns and moves go about.
+  glm::dvec3 pivot() const { return seen.value_or(*camera().target); }
+};
+
+/// What a drag does: in slices and frames, in 3D, or in both.
+struct Tool {
   const char* name;
   QString text;
   Qt::CursorShape cursor;
-  std::unique_ptr<Drag> (*begin)(const FlatPress& press);
-  int key = 0;             ///< chooses it in a flat view; 0: none
+  std::unique_ptr<Drag> (*inSlices)(const SlicePress& press) = nullptr;      ///< null: nothing there
+  std::unique_ptr<SceneDrag> (*inScene)(const ScenePress& press) = nullptr;  ///< the same
+  int key = 0;             ///< chooses it in a view in which it does something; 0: none
   bool measuring = false;  ///< draws a measurement; its icon is "measure-NAME"
 };
 
@@ -58,29 +82,38 @@ struct MeasurementHit {
 };
 
 /// All of them; each is a file of this folder, those that measure are one.
-const std::vector<FlatTool>& flatTools();
+const std::vector<Tool>& tools();
 /// The tool of this name; there must be one.
-const FlatTool& flatTool(const char* name);
-/// The tool of a key; null: it is none's.
-const FlatTool* flatToolOfKey(int key);
+const Tool& toolNamed(std::string_view name);
+/// The tool of a key in slices; null: it is none's.
+const Tool* sliceToolOfKey(int key);
+/// Those of 3D that have a key: they are chosen for the left button.
+std::vector<const Tool*> chosenSceneTools();
 
-std::unique_ptr<Drag> beginWindow(const FlatPress& press);
-std::unique_ptr<Drag> beginPan(const FlatPress& press);
-std::unique_ptr<Drag> beginFlatZoom(const FlatPress& press);
-std::unique_ptr<Drag> beginScroll(const FlatPress& press);
-std::unique_ptr<Drag> beginCrosshair(const FlatPress& press);
+std::unique_ptr<SceneDrag> beginRotate(const ScenePress& press);
+std::unique_ptr<SceneDrag> beginCurve(const ScenePress& press);
+std::unique_ptr<SceneDrag> beginScissors(const ScenePress& press);
+std::unique_ptr<SceneDrag> beginScenePan(const ScenePress& press);
+std::unique_ptr<SceneDrag> beginSceneZoom(const ScenePress& press);
+std::unique_ptr<Drag> beginWindow(const SlicePress& press);
+std::unique_ptr<Drag> beginSlicePan(const SlicePress& press);
+std::unique_ptr<Drag> beginSliceZoom(const SlicePress& press);
+std::unique_ptr<Drag> beginScroll(const SlicePress& press);
+std::unique_ptr<Drag> beginCrosshair(const SlicePress& press);
 
 /// Turns the other planes about the crosshair as the pointer goes around it.
-std::unique_ptr<Drag> beginTurn(const FlatPress& press);
+std::unique_ptr<Drag> beginTurn(const SlicePress& press);
 /// Moves a plane across its line; `across`: a unit vector, logical pixels.
-std::unique_ptr<Drag> beginMovePlane(const FlatPress& press, QPointF across);
+std::unique_ptr<Drag> beginMovePlane(const SlicePress& press, QPointF across);
 /// Those that draw a measurement, one a kind that is drawn.
-std::vector<FlatTool> measuringTools();
+std::vector<Tool> measuringTools();
 /// Moves the part of a measurement that was pressed.
-std::unique_ptr<Drag> beginMeasurementEdit(const FlatPress& press, const MeasurementHit& hit);
+std::unique_ptr<Drag> beginMeasurementEdit(const SlicePress& press, const MeasurementHit& hit);
 
+/// How much faster than the pointer a window follows it: Shift: fine, Ctrl: fast.
+double windowDragSpeed(Qt::KeyboardModifiers keys);
 /// How the view shows its series.
-FlatLook lookOf(const FlatPress& press);
+FlatLook lookOf(const SlicePress& press);
 /// Changes how a flat view shows its series; steps of one name in a gesture are one.
 void editFlat(Session& session, ViewId view, const QString& text,
               const std::function<void(FlatLook&)>& change);

@@ -1,22 +1,24 @@
 #include <algorithm>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <iterator>
 
 #include "ui/data/frame_series.h"
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
 
-const std::vector<FlatTool>& flatTools() {
-  static const std::vector<FlatTool> table = [] {
-    std::vector<FlatTool> all{
-        {"window", tr("Window"), Qt::ArrowCursor, beginWindow, Qt::Key_W},
+const std::vector<Tool>& tools() {
+  static const std::vector<Tool> table = [] {
+    std::vector<Tool> all{
+        {"rotate", tr("Rotate"), Qt::ArrowCursor, nullptr, beginRotate, Qt::Key_T},
+        {"curve", tr("Adjust curve (W/L)"), Qt::SizeAllCursor, nullptr, beginCurve, Qt::Key_W},
+        {"scissors", tr("Scissors"), Qt::CrossCursor, nullptr, beginScissors, Qt::Key_X},
+        {"window", tr("Window"), Qt::ArrowCursor, beginWindow, nullptr, Qt::Key_W},
         {"scroll", tr("Scroll"), Qt::SizeVerCursor, beginScroll},
-        {"pan", tr("Pan"), Qt::SizeAllCursor, beginPan},
-        {"zoom", tr("Zoom"), Qt::ArrowCursor, beginFlatZoom},
+        {"pan", tr("Pan"), Qt::SizeAllCursor, beginSlicePan, beginScenePan},
+        {"zoom", tr("Zoom"), Qt::ArrowCursor, beginSliceZoom, beginSceneZoom},
         {"crosshair", tr("Crosshair"), Qt::CrossCursor, beginCrosshair},
     };
     std::ranges::move(measuringTools(), std::back_inserter(all));
@@ -25,16 +27,24 @@ const std::vector<FlatTool>& flatTools() {
   return table;
 }
 
-const FlatTool& flatTool(const char* name) {
-  return *std::ranges::find_if(flatTools(), [&](const FlatTool& t) { return !std::strcmp(t.name, name); });
+const Tool& toolNamed(std::string_view name) {
+  return *std::ranges::find_if(tools(), [&](const Tool& t) { return t.name == name; });
 }
 
-const FlatTool* flatToolOfKey(int key) {
-  const auto found = key == 0 ? flatTools().end() : std::ranges::find(flatTools(), key, &FlatTool::key);
-  return found == flatTools().end() ? nullptr : &*found;
+const Tool* sliceToolOfKey(int key) {
+  const auto found =
+      std::ranges::find_if(tools(), [&](const Tool& t) { return t.inSlices && key != 0 && t.key == key; });
+  return found == tools().end() ? nullptr : &*found;
 }
 
-FlatLook lookOf(const FlatPress& press) { return flatLookOf(press.session.workspace().view(press.view)); }
+std::vector<const Tool*> chosenSceneTools() {
+  std::vector<const Tool*> chosen;
+  for (const Tool& tool : tools())
+    if (tool.inScene && tool.key) chosen.push_back(&tool);
+  return chosen;
+}
+
+FlatLook lookOf(const SlicePress& press) { return flatLookOf(press.session.workspace().view(press.view)); }
 
 void editFlat(Session& session, ViewId view, const QString& text,
               const std::function<void(FlatLook&)>& change) {

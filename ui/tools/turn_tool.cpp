@@ -1,7 +1,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/workspace/flat_plane.h"
 
 namespace volumen {
@@ -11,7 +11,7 @@ namespace {
 // Turns the other planes of the frame of reference about the crosshair, in the plane of the view.
 class TurnDrag : public Drag {
  public:
-  explicit TurnDrag(const FlatPress& press)
+  explicit TurnDrag(const SlicePress& press)
       : press_(press), atPress_(crosshairOf(press.session.workspace(), press.view, *press.series)) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
@@ -27,14 +27,14 @@ class TurnDrag : public Drag {
     return std::atan2(from.y(), from.x());
   }
 
-  const FlatPress press_;
+  const SlicePress press_;
   const Crosshair atPress_;
 };
 
 // Moves the crosshair across a line: the plane that the line stands for.
 class MovePlaneDrag : public Drag {
  public:
-  MovePlaneDrag(const FlatPress& press, QPointF across)
+  MovePlaneDrag(const SlicePress& press, QPointF across)
       : press_(press),
         atPress_(crosshairOf(press.session.workspace(), press.view, *press.series)),
         across_(across) {}
@@ -47,16 +47,16 @@ class MovePlaneDrag : public Drag {
   }
 
  private:
-  const FlatPress press_;
+  const SlicePress press_;
   const Crosshair atPress_;
   const QPointF across_;
 };
 
 }  // namespace
 
-std::unique_ptr<Drag> beginTurn(const FlatPress& press) { return std::make_unique<TurnDrag>(press); }
+std::unique_ptr<Drag> beginTurn(const SlicePress& press) { return std::make_unique<TurnDrag>(press); }
 
-std::unique_ptr<Drag> beginMovePlane(const FlatPress& press, QPointF across) {
+std::unique_ptr<Drag> beginMovePlane(const SlicePress& press, QPointF across) {
   return std::make_unique<MovePlaneDrag>(press, across);
 }
 

@@ -1,20 +1,19 @@
 #include <QCoreApplication>
 
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
 
 namespace {
 
-// Right widens, up brightens; a step is a share of the width at the press. Shift: fine, Ctrl: fast.
+// Right widens, up brightens; a step is a share of the width at the press.
 class WindowDrag : public Drag {
  public:
-  explicit WindowDrag(const FlatPress& press) : press_(press) {}
+  explicit WindowDrag(const SlicePress& press) : press_(press) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers keys) override {
-    const double speed = keys & Qt::ControlModifier ? 5 : keys & Qt::ShiftModifier ? 0.2 : 1;
-    const QPointF moved = speed * (p - press_.at);
+    const QPointF moved = windowDragSpeed(keys) * (p - press_.at);
     const Window window = draggedWindow(press_.window, {moved.x(), moved.y()}, *press_.series);
     const QString text = QCoreApplication::translate("volumen", "Window");
     press_.session.change(
@@ -22,11 +21,15 @@ class WindowDrag : public Drag {
   }
 
  private:
-  const FlatPress press_;
+  const SlicePress press_;
 };
 
 }  // namespace
 
-std::unique_ptr<Drag> beginWindow(const FlatPress& press) { return std::make_unique<WindowDrag>(press); }
+double windowDragSpeed(Qt::KeyboardModifiers keys) {
+  return keys & Qt::ControlModifier ? 5 : keys & Qt::ShiftModifier ? 0.2 : 1;
+}
+
+std::unique_ptr<Drag> beginWindow(const SlicePress& press) { return std::make_unique<WindowDrag>(press); }
 
 }  // namespace volumen

@@ -1,30 +1,61 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
+#include "ui/workspace/camera_moves.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 
 namespace {
 
-// Up enlarges about the point pressed, as in 3D.
-class ZoomDrag : public Drag {
+// Up enlarges about the point pressed.
+double zoomFactor(const Session& session, double down) {
+  return std::exp((session.preferences().zoomDragInverted ? -0.008 : 0.008) * down);
+}
+
+class SliceZoomDrag : public Drag {
  public:
-  explicit ZoomDrag(const FlatPress& press) : press_(press), atPress_(lookOf(press)) {}
+  explicit SliceZoomDrag(const SlicePress& press) : press_(press), atPress_(lookOf(press)) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
-    const double sign = press_.session.preferences().zoomDragInverted ? 1 : -1;
     zoomFlat(press_.session, press_.view, atPress_, press_.plane, press_.patientAt(press_.at),
-             std::exp(sign * 0.008 * (p.y() - press_.at.y())));
+             1 / zoomFactor(press_.session, p.y() - press_.at.y()));
   }
 
  private:
-  const FlatPress press_;
+  const SlicePress press_;
   const FlatLook atPress_;
+};
+
+class SceneZoomDrag : public SceneDrag {
+ public:
+  explicit SceneZoomDrag(const ScenePress& press) : press_(press), fixed_(fixedPlace(press)) {}
+
+  void moveTo(QPointF p, Qt::KeyboardModifiers) override {
+    press_.moveCamera(tr("Zoom"),
+                      zoomedAt(press_.camera(), fixed_, zoomFactor(press_.session, p.y() - press_.at.y())));
+  }
+
+ private:
+  // Where nothing is seen, the place at the target's depth.
+  static glm::dvec3 fixedPlace(const ScenePress& press) {
+    if (press.seen || press.camera().projection != Projection::parallel) return press.pivot();
+    return sightLine(press.camera(), press.size, {press.at.x(), press.at.y()}).origin;
+  }
+
+  const ScenePress press_;
+  const glm::dvec3 fixed_;
 };
 
 }  // namespace
 
-std::unique_ptr<Drag> beginFlatZoom(const FlatPress& press) { return std::make_unique<ZoomDrag>(press); }
+std::unique_ptr<Drag> beginSliceZoom(const SlicePress& press) {
+  return std::make_unique<SliceZoomDrag>(press);
+}
+
+std::unique_ptr<SceneDrag> beginSceneZoom(const ScenePress& press) {
+  return std::make_unique<SceneZoomDrag>(press);
+}
 
 }  // namespace volumen

@@ -13,7 +13,7 @@ namespace {
 constexpr double clipReach = 4;  // logical pixels, for a press
 
 // The scene of the 3D view in focus where it is of this series; null: it is not.
-const Scene* sceneOf(const FlatPress& press) {
+const Scene* sceneOf(const SlicePress& press) {
   const Workspace& workspace = press.session.workspace();
   const ViewState& view = workspace.view(sceneViewOf(workspace));
   const auto look = view.scenes.find(view.series);
@@ -38,7 +38,7 @@ const ClipLine* clipLineAt(const std::vector<ClipLine>& lines, QPointF p) {
 // Moves a face of the box to where the pointer has dragged its edge.
 class ClipDrag : public Drag {
  public:
-  ClipDrag(const FlatPress& press, const ClipLine& line)
+  ClipDrag(const SlicePress& press, const ClipLine& line)
       : press_(press), line_(line), atPress_(sceneOf(press)->clip) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
@@ -61,14 +61,14 @@ class ClipDrag : public Drag {
     return (geometry.voxelFromPatient(press_.patientAt(p))[line_.axis] + 0.5) / geometry.size[line_.axis];
   }
 
-  const FlatPress press_;
+  const SlicePress press_;
   const ClipLine line_;
   const Clip atPress_;
 };
 
 }  // namespace
 
-std::vector<ClipLine> clipLines(const FlatPress& press, bool whole) {
+std::vector<ClipLine> clipLines(const SlicePress& press, bool whole) {
   std::vector<ClipLine> lines;
   const Scene* scene = press.frame ? nullptr : sceneOf(press);
   const Clip none;
@@ -90,11 +90,11 @@ void paintClipLines(QPainter& painter, const std::vector<ClipLine>& lines) {
   painter.restore();
 }
 
-bool isOnClip(const FlatPress& press, bool whole) {
+bool isOnClip(const SlicePress& press, bool whole) {
   return clipLineAt(clipLines(press, whole), press.at) != nullptr;
 }
 
-std::unique_ptr<Drag> beginOnClip(const FlatPress& press, bool whole) {
+std::unique_ptr<Drag> beginOnClip(const SlicePress& press, bool whole) {
   const std::vector<ClipLine> lines = clipLines(press, whole);
   const ClipLine* line = clipLineAt(lines, press.at);
   return line ? std::make_unique<ClipDrag>(press, *line) : nullptr;

@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <vector>
 
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 
 namespace volumen {
 
@@ -16,12 +16,12 @@ struct ClipLine {
 };
 
 /// Those that are seen: none where the box is the whole volume, unless it is asked for (`whole`).
-std::vector<ClipLine> clipLines(const FlatPress& press, bool whole);
+std::vector<ClipLine> clipLines(const SlicePress& press, bool whole);
 
 void paintClipLines(QPainter& painter, const std::vector<ClipLine>& lines);
 
 /// Moves the edge that is under the press; null: none is.
-std::unique_ptr<Drag> beginOnClip(const FlatPress& press, bool whole);
-bool isOnClip(const FlatPress& press, bool whole);
+std::unique_ptr<Drag> beginOnClip(const SlicePress& press, bool whole);
+bool isOnClip(const SlicePress& press, bool whole);
 
 }  // namespace volumen

@@ -28,7 +28,7 @@ QColor colourOfPlane(ViewKind kind) {
   }
 }
 
-QPointF middleOf(const FlatPress& press) {
+QPointF middleOf(const SlicePress& press) {
   return press.pixelAt(crosshairOf(press.session.workspace(), press.view, *press.series).at);
 }
 
@@ -53,7 +53,7 @@ const CrossLine* lineAt(const std::vector<CrossLine>& lines, QPointF p, QPointF 
 
 }  // namespace
 
-std::vector<CrossLine> crossLines(const FlatPress& press) {
+std::vector<CrossLine> crossLines(const SlicePress& press) {
   const Workspace& workspace = press.session.workspace();
   const Crosshair crosshair = crosshairOf(workspace, press.view, *press.series);
   const QPointF middle = middleOf(press);
@@ -95,13 +95,13 @@ void paintCrossLines(QPainter& painter, const std::vector<CrossLine>& lines, QPo
   painter.restore();
 }
 
-bool isOnLines(const FlatPress& press) {
+bool isOnLines(const SlicePress& press) {
   const std::vector<CrossLine> lines = crossLines(press);
   const auto onHandle = [&](const CrossLine& line) { return isOnHandle(line, press.at); };
   return std::ranges::any_of(lines, onHandle) || lineAt(lines, press.at, middleOf(press));
 }
 
-std::unique_ptr<Drag> beginOnLines(const FlatPress& press) {
+std::unique_ptr<Drag> beginOnLines(const SlicePress& press) {
   const std::vector<CrossLine> lines = crossLines(press);
   for (const CrossLine& line : lines)
     if (isOnHandle(line, press.at)) return beginTurn(press);

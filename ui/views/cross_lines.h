@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <vector>
 
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 
 namespace volumen {
 
@@ -15,15 +15,15 @@ struct CrossLine {
 };
 
 /// Where the other planes on screen of the same series cut this one.
-std::vector<CrossLine> crossLines(const FlatPress& press);
+std::vector<CrossLine> crossLines(const SlicePress& press);
 
 /// Draws them with a gap about the crosshair's point.
 void paintCrossLines(QPainter& painter, const std::vector<CrossLine>& lines, QPointF middle, QRect view);
 
 /// What a press on the lines does: turns all planes by a handle, moves a plane by its line; null where none
 /// of them is under the press.
-std::unique_ptr<Drag> beginOnLines(const FlatPress& press);
+std::unique_ptr<Drag> beginOnLines(const SlicePress& press);
 /// Whether there is one.
-bool isOnLines(const FlatPress& press);
+bool isOnLines(const SlicePress& press);
 
 }  // namespace volumen

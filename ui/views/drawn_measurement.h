@@ -6,7 +6,7 @@
 #include <QStringList>
 #include <vector>
 
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/workspace/measurement.h"
 
 namespace volumen {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ui/widgets/axes.h"
-#include "ui/widgets/curve_edits.h"
+#include "viewer/scene/curve_edits.h"
 #include "viewer/volume/gradients.h"
 
 namespace volumen {

@@ -48,7 +48,7 @@ SliceView::SliceView(Session& session, SliceService& service, FrameService& fram
       references_(references),
       badge_(new WarningBadge(this)),
       time_(new TimeBar(session, id, this)),
-      tool_(&flatTool("window")) {
+      tool_(&toolNamed("window")) {
   setObjectName(QStringLiteral("sliceView%1").arg(id));
   setAccessibleName(tr("Slice view"));
   setAttribute(Qt::WA_OpaquePaintEvent);
@@ -171,7 +171,7 @@ void SliceView::placeBadge() {
   badge_->move(8, 12 + int(lines) * (fontMetrics().height() + 1) + 4);
 }
 
-void SliceView::setTool(const FlatTool& tool) {
+void SliceView::setTool(const Tool& tool) {
   if (drag_ && drag_->drawing()) drag_.reset();
   tool_ = &tool;
   update();
@@ -215,29 +215,29 @@ void SliceView::resetView() {
   session_.endGesture();
 }
 
-std::optional<FlatPress> SliceView::pressAt(QPointF p) const {
+std::optional<SlicePress> SliceView::pressAt(QPointF p) const {
   const std::optional<SlicePlane> now = plane();
   if (!now) return {};
   const ShownSeriesPtr shown = this->shown();
   const Window window =
       showsFrames() ? seriesState().window.value_or(grey().window) : flatWindow(seriesState(), *shown);
-  return FlatPress{session_, id(), shown, *now, devicePixelRatioF(), p, window, shapeFrame()};
+  return SlicePress{session_, id(), shown, *now, devicePixelRatioF(), p, window, shapeFrame()};
 }
 
 // Whether its places are those of the patient.
 bool SliceView::hasCursor() const { return !showsFrames() || (frame_ && frame_->geometry().calibrated); }
 
-const FlatTool* SliceView::toolFor(const QMouseEvent& event) const {
+const Tool* SliceView::toolFor(const QMouseEvent& event) const {
   switch (event.button()) {
     case Qt::LeftButton:
       if (event.modifiers() & Qt::ShiftModifier && !tool_->measuring && hasCursor())
-        return &flatTool("crosshair");
+        return &toolNamed("crosshair");
       // What has no place in the patient has no crosshair.
-      return !hasCursor() && tool_ == &flatTool("crosshair") ? nullptr : tool_;
+      return !hasCursor() && tool_ == &toolNamed("crosshair") ? nullptr : tool_;
     case Qt::MiddleButton:
-      return &flatTool("pan");
+      return &toolNamed("pan");
     case Qt::RightButton:
-      return &flatTool("zoom");
+      return &toolNamed("zoom");
     default:
       return nullptr;
   }
@@ -245,7 +245,7 @@ const FlatTool* SliceView::toolFor(const QMouseEvent& event) const {
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
   View::mousePressEvent(event);
-  const FlatTool* tool = toolFor(*event);
+  const Tool* tool = toolFor(*event);
   if (tool && tool->measuring) stop();
   const auto press = pressAt(event->position());
   if (drag_ && event->button() == Qt::LeftButton) drag_->press(event->position());
@@ -258,8 +258,8 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
   if (!drag_ && tool == tool_ && !tool->measuring && !showsFrames()) drag_ = beginOnLines(*press);
   if (!drag_ && tool == tool_ && !tool->measuring) drag_ = beginOnClip(*press, clipShown_);
   const bool isColour = showsFrames() && frame_ && frame_->colour();
-  if (!drag_ && isColour && tool == &flatTool("window")) return;  // colours have no window
-  if (!drag_) drag_ = tool->begin(*press);
+  if (!drag_ && isColour && tool == &toolNamed("window")) return;  // colours have no window
+  if (!drag_) drag_ = tool->inSlices(*press);
   if (drag_->drawing()) update();
 }
 
@@ -281,7 +281,8 @@ QString SliceView::textAt(QPointF position) const {
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
-  if (drag_ && drag_->drawing() && (event->button() != Qt::LeftButton || !drag_->release(event->position())))
+  if (drag_ && drag_->drawing() &&
+      (event->button() != Qt::LeftButton || !drag_->release(event->position(), event->modifiers())))
     return update();
   const bool isClick = (event->position() - pressedAt_).manhattanLength() < QApplication::startDragDistance();
   const bool wantsMenu = drag_ && event->button() == Qt::RightButton && isClick;

@@ -8,7 +8,7 @@
 #include "ui/controller/frame_service.h"
 #include "ui/controller/slice_service.h"
 #include "ui/overlays/overlays.h"
-#include "ui/tools/flat_tool.h"
+#include "ui/tools/tool.h"
 #include "ui/views/view.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/frame_look.h"
@@ -37,7 +37,7 @@ class SliceView : public View {
   const QImage& picture() const { return picture_; }
   /// The plane on screen, device pixels; none without a series.
   std::optional<SlicePlane> plane() const;
-  void setTool(const FlatTool& tool);
+  void setTool(const Tool& tool);
   /// Tints a segment in slices of its volume; null: none.
   void showSegment(const std::shared_ptr<const RangeSegment>& segment);
   /// Whether the clip box of the 3D scene is seen where it is the whole volume, too.
@@ -75,7 +75,7 @@ class SliceView : public View {
   /// A right click: a menu is to be opened here.
   void menuRequested(QPoint global);
   /// The key of a tool was pressed.
-  void toolWanted(const volumen::FlatTool& tool);
+  void toolWanted(const volumen::Tool& tool);
   /// A measurement was drawn, and no other is wanted.
   void toolDone();
 
@@ -96,8 +96,8 @@ class SliceView : public View {
   void hideEvent(QHideEvent*) override;
 
  private:
-  std::optional<FlatPress> pressAt(QPointF p) const;
-  const FlatTool* toolFor(const QMouseEvent& event) const;
+  std::optional<SlicePress> pressAt(QPointF p) const;
+  const Tool* toolFor(const QMouseEvent& event) const;
   GreyMapping grey() const;
   std::vector<SliceLayer> layers() const;
   void askForPicture();
@@ -131,7 +131,7 @@ class SliceView : public View {
   QStringList referenceTexts() const;
   std::optional<ShapeFrame> shapeFrame() const;
   std::optional<MeasurementHit> measurementAt(QPointF p) const;
-  std::unique_ptr<Drag> pressMeasurement(const FlatPress& press);
+  std::unique_ptr<Drag> pressMeasurement(const SlicePress& press);
   void endDrag(Qt::KeyboardModifiers keys);
   void askForName(int id);
   QString measurementText(QPointF p) const;
@@ -148,7 +148,7 @@ class SliceView : public View {
   std::unique_ptr<CinePlayer> player_;  // while a clip is played
   WarningBadge* badge_;
   TimeBar* time_;
-  const FlatTool* tool_;
+  const Tool* tool_;
   QImage picture_;
   std::optional<SliceRequest> asked_;  // the last
   std::unique_ptr<Drag> drag_;

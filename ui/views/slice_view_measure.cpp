@@ -71,7 +71,7 @@ std::optional<MeasurementHit> SliceView::measurementAt(QPointF p) const {
   return MeasurementHit{m->id, hit->part, hit->handle, text - middleOf(m->shape), hit->drawn->whole};
 }
 
-std::unique_ptr<Drag> SliceView::pressMeasurement(const FlatPress& press) {
+std::unique_ptr<Drag> SliceView::pressMeasurement(const SlicePress& press) {
   if (tool_->measuring) return nullptr;
   const auto hit = measurementAt(press.at);
   session_.select(hit ? hit->id : 0);
@@ -158,7 +158,7 @@ bool SliceView::pressMeasuringKey(const QKeyEvent& event) {
     Q_EMIT toolDone();
     return true;
   }
-  const FlatTool* tool = event.modifiers() & ~Qt::ShiftModifier ? nullptr : flatToolOfKey(latinKey(event));
+  const Tool* tool = event.modifiers() & ~Qt::ShiftModifier ? nullptr : sliceToolOfKey(latinKey(event));
   if (tool) Q_EMIT toolWanted(*tool);
   return tool != nullptr;
 }
@@ -168,7 +168,7 @@ bool SliceView::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto& key = static_cast<QKeyEvent&>(*event);
     if (!(key.modifiers() & ~Qt::ShiftModifier) &&
-        (flatToolOfKey(latinKey(key)) || latinKey(key) == Qt::Key_I)) {
+        (sliceToolOfKey(latinKey(key)) || latinKey(key) == Qt::Key_I)) {
       event->accept();
       return true;
     }

@@ -121,7 +121,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     if (!picture_.isNull()) painter.drawImage(QPointF(0, 0), picture_);
     paintReferences(painter);
     if (!showsFrames()) {
-      const FlatPress here = *pressAt({});
+      const SlicePress here = *pressAt({});
       paintClipLines(painter, clipLines(here, clipShown_));
       paintCrossLines(painter, crossLines(here),
                       here.pixelAt(crosshairOf(session_.workspace(), id(), *series()).at), rect());

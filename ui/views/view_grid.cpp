@@ -41,7 +41,7 @@ ViewGrid::ViewGrid(Session& session, DrawService& drawService, SliceService& sli
       frames_(frames),
       measurer_(measurer),
       references_(references),
-      tool_(&flatTool("window")),
+      tool_(&toolNamed("window")),
       toolBefore_(tool_) {
   setObjectName(QStringLiteral("viewGrid"));
   setMinimumSize(200, 200);
@@ -71,7 +71,7 @@ VolumeView* ViewGrid::volumeView(ViewId id) {
   if (view) return view;
   view = new VolumeView(session_, drawService_, id, this);
   view->hide();
-  view->setTool(sceneTool_);
+  view->setTool(*sceneTool_);
   view->setErrorShown(errorShown_);
   connect(view, &VolumeView::menuRequested, this,
           [this, view = view](QPoint global) { Q_EMIT menuRequested(view, global); });
@@ -88,7 +88,7 @@ View* ViewGrid::viewOf(ViewId id) {
   view->setTool(*tool_);
   view->setClipShown(clipShown_);
   view->showSegment(segment_);
-  connect(view, &SliceView::toolWanted, this, qOverload<const FlatTool&>(&ViewGrid::setTool));
+  connect(view, &SliceView::toolWanted, this, &ViewGrid::setTool);
   connect(view, &SliceView::toolDone, this, &ViewGrid::restoreTool);
   connect(view, &SliceView::menuRequested, this,
           [this, view = view](QPoint global) { Q_EMIT menuRequested(view, global); });
@@ -101,8 +101,8 @@ void ViewGrid::requestPictures() {
     if (session_.workspace().view(id).kind == ViewKind::volume) volumeView(id)->requestPicture();
 }
 
-void ViewGrid::setTool(ViewTool tool) {
-  sceneTool_ = tool;
+void ViewGrid::setSceneTool(const Tool& tool) {
+  sceneTool_ = &tool;
   for (const auto& [id, view] : volumes_) view->setTool(tool);
 }
 
@@ -111,7 +111,7 @@ void ViewGrid::setErrorShown(bool shown) {
   for (const auto& [id, view] : volumes_) view->setErrorShown(shown);
 }
 
-void ViewGrid::setTool(const FlatTool& tool) {
+void ViewGrid::setTool(const Tool& tool) {
   tool_ = &tool;
   if (!tool.measuring) toolBefore_ = tool_;
   for (const auto& [id, view] : flats_) view->setTool(tool);

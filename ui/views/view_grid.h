@@ -27,11 +27,11 @@ class ViewGrid : public QWidget {
   /// Has the 3D views on screen drawn again, as the draw service does by now.
   void requestPictures();
   /// What the left button does in 3D views.
-  void setTool(ViewTool tool);
+  void setSceneTool(const Tool& tool);
   void setErrorShown(bool shown);
   /// What the left button does in flat views.
-  void setTool(const FlatTool& tool);
-  const FlatTool& tool() const { return *tool_; }
+  void setTool(const Tool& tool);
+  const Tool& tool() const { return *tool_; }
   /// Whether flat views show the clip box of the 3D scene where it is the whole volume, too.
   void setClipShown(bool shown);
   /// Tints a segment in slices of its volume; null: none.
@@ -63,9 +63,9 @@ class ViewGrid : public QWidget {
   FrameService& frames_;
   Measurer& measurer_;
   References& references_;
-  ViewTool sceneTool_ = ViewTool::orbit;
+  const Tool* sceneTool_ = &toolNamed("rotate");
   bool errorShown_ = false;
-  const FlatTool *tool_, *toolBefore_;
+  const Tool *tool_, *toolBefore_;
   std::map<ViewId, VolumeView*> volumes_;
   std::map<ViewId, SliceView*> flats_;
   bool clipShown_ = false;

@@ -67,7 +67,7 @@ void VolumeView::workspaceChanged(const Workspace& before) {
   const auto look = then.scenes.find(state().series);
   const bool isNew = look == then.scenes.end();
   if (isNew || look->second.scene.camera != scene().camera) {
-    if (hand_ == Hand::lasso) letGo();
+    if (drag_ && drag_->drawsOver()) letGo();
     showState();
   }
   const VolumePtr volume = series() ? series()->volume : nullptr;
@@ -150,12 +150,10 @@ void VolumeView::setPicture(const QImage& image, const QString& caption,
   canvas_->update();
 }
 
-void VolumeView::setTool(ViewTool tool) {
-  tool_ = tool;
+void VolumeView::setTool(const Tool& tool) {
+  tool_ = &tool;
   letGo();
-  setCursor(tool == ViewTool::curve      ? Qt::SizeAllCursor
-            : tool == ViewTool::scissors ? Qt::CrossCursor
-                                         : Qt::ArrowCursor);
+  setCursor(tool.cursor);
 }
 
 Camera VolumeView::camera() const { return cameraInUse(scene(), series()->volume->geometry(), size()); }
@@ -225,7 +223,7 @@ void VolumeView::enterEvent(QEnterEvent* event) {
 }
 
 void VolumeView::resizeEvent(QResizeEvent* event) {
-  if (hand_ == Hand::lasso) letGo();
+  if (drag_ && drag_->drawsOver()) letGo();
   placeChildren();
   showState();
   View::resizeEvent(event);

@@ -6,6 +6,7 @@
 
 #include "ui/controller/draw_service.h"
 #include "ui/overlays/overlays.h"
+#include "ui/tools/tool.h"
 #include "ui/views/error_image.h"
 #include "ui/views/pick.h"
 #include "ui/views/view.h"
@@ -16,17 +17,9 @@ class OrientationCube;
 class TimeBar;
 class WarningBadge;
 
-/// What a left-drag does.
-enum class ViewTool {
-  orbit,    ///< turns about the point under the cursor; Ctrl rolls
-  curve,    ///< shifts (up: to lower values) and widens (right) the curve, in projections the window; Ctrl:
-            ///< overall opacity
-  scissors  ///< draws around what is cut away; Ctrl: around what stays
-};
-
-/// The picture of the session's scene at device pixels, with the hands on it: left-drag as the tool says, the
-/// other drags as the preferences do, the wheel zooms at the cursor, arrows turn, double-click asks to be
-/// alone.
+/// The picture of the session's scene at device pixels, and what the mouse does with it: left-drag as the
+/// tool says, the other drags as the preferences do, the wheel zooms at the cursor, arrows turn, double-click
+/// asks to be alone.
 class VolumeView : public View {
   Q_OBJECT
  public:
@@ -44,8 +37,8 @@ class VolumeView : public View {
   void setErrorShown(bool shown);
   /// What is on show: the picture, or its error.
   const QImage& shown() const;
-  void setTool(ViewTool tool);
-  ViewTool tool() const { return tool_; }
+  void setTool(const Tool& tool);
+  const Tool& tool() const { return *tool_; }
 
   /// The camera in use: the scene's, or the one fitted to this view.
   Camera camera() const;
@@ -81,18 +74,9 @@ class VolumeView : public View {
   void keyPressEvent(QKeyEvent*) override;
 
  private:
-  enum class Hand { none, orbit, roll, pan, zoom, curve, opacity, window, lasso };
-
-  Hand handFor(const QMouseEvent& event) const;
-  Hand handOf(DragAction action, bool control) const;
-  Camera movedCamera(QPointF to) const;
-  TransferFunction movedCurve(QPointF to) const;
-  void moveHand(const QMouseEvent& event);
-  void moveWindow(const QMouseEvent& event);
-  void moveLasso(const QMouseEvent& event);
-  void endLasso(const QMouseEvent& event);
-  void paintLasso(QPainter& painter) const;
-  /// Ends a drag; what it did stays, but for an outline.
+  const Tool* toolFor(const QMouseEvent& event) const;
+  ScenePress pressAt(const QMouseEvent& event);
+  /// Ends a drag; what it did to the workspace stays.
   void letGo();
   /// Ends a drag as if it had not been.
   void giveUp();
@@ -125,20 +109,14 @@ class VolumeView : public View {
   std::shared_ptr<const std::vector<float>> error_;
   ErrorImage errorImage_;  // of it, where errorShown_
   bool errorShown_ = false;
-  ViewTool tool_ = ViewTool::orbit;
+  const Tool* tool_ = &toolNamed("rotate");
   QTimer wheelEnd_;
   std::map<int, double> fitMm_;  // height of fitted cameras, by the number of undo steps when they came
 
   // Of the gesture under way.
-  Hand hand_ = Hand::none;
+  std::unique_ptr<SceneDrag> drag_;
   QPointF pressedAt_;
-  Camera cameraAtPress_;
-  TransferFunction curveAtPress_;
-  Window windowAtPress_;
-  glm::dvec3 pivot_{0};
-  int stepsAtPress_ = 0;             // of the undo stack
-  std::vector<glm::dvec2> outline_;  // drawn with the scissors, logical pixels
-  bool cutsInside_ = true;
+  int stepsAtPress_ = 0;  // of the undo stack
 };
 
 }  // namespace volumen

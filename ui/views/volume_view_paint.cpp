@@ -101,7 +101,7 @@ void VolumeView::paint(QPainter& painter) const {
   Overlays over = overlays();
   if (errorShown_) over.topRight << errorImage_.legend;
   paintCrosshair(painter);
-  paintLasso(painter);
+  if (drag_ && drag_->drawsOver()) drag_->paint(painter, QWidget::size());
   paintOverlays(painter, over, overlayArea());
   paintFocus(painter);
 }

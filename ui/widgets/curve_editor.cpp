@@ -5,8 +5,8 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "ui/widgets/curve_edits.h"
 #include "ui/widgets/tissues.h"
+#include "viewer/scene/curve_edits.h"
 
 namespace volumen {
 

@@ -5,8 +5,8 @@
 
 #include "ui/widgets/colours.h"
 #include "ui/widgets/curve_editor.h"
-#include "ui/widgets/curve_edits.h"
 #include "ui/widgets/tissues.h"
+#include "viewer/scene/curve_edits.h"
 
 namespace volumen {
 

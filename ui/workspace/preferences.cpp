@@ -38,11 +38,7 @@ QVariant toVariant(int value) { return value; }
 QVariant toVariant(Theme theme) {
   return theme == Theme::light ? QStringLiteral("light") : QStringLiteral("dark");
 }
-QVariant toVariant(DragAction action) {
-  for (const auto& [known, name] : dragNames)
-    if (known == action) return QLatin1String(name);
-  return {};
-}
+QVariant toVariant(DragAction action) { return QLatin1String(nameOf(action)); }
 QVariant toVariant(PetUnit unit) { return QLatin1String(petUnitName(unit)); }
 
 void fromVariant(const QVariant& kept, bool& value) { value = kept.toBool(); }
@@ -63,6 +59,10 @@ void fromVariant(const QVariant& kept, PetUnit& unit) {
 }
 
 }  // namespace
+
+const char* nameOf(DragAction action) {
+  return std::ranges::find(dragNames, action, &std::pair<DragAction, const char*>::first)->second;
+}
 
 Preferences storedPreferences() {
   Preferences preferences;

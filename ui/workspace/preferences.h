@@ -9,6 +9,9 @@ enum class Theme { dark, light };
 /// What dragging with a mouse button does in the view.
 enum class DragAction { rotate, pan, zoom, curve };
 
+/// The name of its tool (ui/tools), and in settings.
+const char* nameOf(DragAction action);
+
 /// How one person wants the window; kept from one start to the next.
 struct Preferences {
   Theme theme = Theme::dark;

@@ -1,4 +1,4 @@
-#include "ui/widgets/curve_edits.h"
+#include "viewer/scene/curve_edits.h"
 
 #include <algorithm>
 #include <cmath>
