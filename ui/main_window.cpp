@@ -155,7 +155,9 @@ void MainWindow::connectLoader() {
     session_.closeAll(listed);
   });
   connect(&session_, &Session::workspaceChanged, &open_,
-          [this](const Workspace&, const Workspace& after) { open_.setUnlisted(after.unlisted); });
+          [this](const Workspace& before, const Workspace& after) {
+            if (before.unlisted != after.unlisted) open_.setUnlisted(*after.unlisted);
+          });
 }
 
 void MainWindow::showInFocus(const Series& series) {

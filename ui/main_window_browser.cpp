@@ -121,6 +121,7 @@ void MainWindow::connectBrowser() {
   connect(actions_.at(QStringLiteral("maximise")), &QAction::toggled, this, &MainWindow::arrangeBrowser);
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
+            if (!showsOther(before, after)) return;
             showPatients();
             if (showsAnything(before) != showsAnything(after))
               showBrowser(!showsAnything(after) && !browser_->isEmpty());

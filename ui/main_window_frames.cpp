@@ -38,7 +38,7 @@ void MainWindow::makeFrameActions() {
           [this](bool on) {
             session_.endGesture();
             session_.change(tr("Each image its own window"), [&](Workspace& w) {
-              SeriesState& state = w.series.at(w.view(framesViewOf(w.focus)).series);
+              SeriesState& state = w.series.edit(w.view(framesViewOf(w.focus)).series);
               state.frameWindow = on ? FrameWindow::ofEach : FrameWindow::ofSeries;
               state.window.reset();
               state.namedGrey = 0;
@@ -62,6 +62,7 @@ void MainWindow::connectFrames() {
   });
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
+            if (!showsOther(before, after)) return;
             const auto shown = [](const Workspace& w) {
               return std::pair(w.view(w.focus).series, showsFrames(w, w.focus));
             };

@@ -108,7 +108,7 @@ void MainWindow::showOnFrame(const Measurement& m) {
   const auto found = std::ranges::find_if(onScreen, shows);
   Workspace after = withFrames(now, found == onScreen.end() ? now.focus : *found, *series);
   const ViewId view = found == onScreen.end() ? framesViewOf(now.focus) : *found;
-  after.view(view).flats[m.series].frame = *frame;
+  after.editView(view).flats.editOrAdd(m.series).frame = *frame;
   after.focus = view;
   after.measurementsShown = true;
   after.selected = m.id;
@@ -130,7 +130,8 @@ void MainWindow::showMeasurement(int id) {
   if (session_.workspace().view(view).series != m.series) showInFocus(series);
   session_.change(tr("Go to measurement"), [&](Workspace& w) {
     const std::string frame = frameOfReference(series);
-    (scrollsAlone(w, view) ? w.view(view).crosshairs[frame] : w.crosshairs[frame]).at = middleOf(m.shape);
+    auto& crosshairs = scrollsAlone(w, view) ? w.editView(view).crosshairs : w.crosshairs;
+    crosshairs.editOrAdd(frame).at = middleOf(m.shape);
     w.measurementsShown = true;
     w.selected = m.id;
   });

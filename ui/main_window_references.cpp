@@ -32,13 +32,13 @@ std::optional<ViewId> slicesViewOf(const Workspace& workspace, const SeriesKey& 
 
 // Shown by a presentation state, or, where that is empty, as acquired; windows of before do not hold.
 Workspace withPresentation(Workspace workspace, ViewId view, const ReferenceKey& presentation) {
-  ViewState& state = workspace.view(view);
-  FlatLook& look = state.flats[state.series];
+  ViewState& state = workspace.editView(view);
+  FlatLook& look = state.flats.editOrAdd(state.series);
   if (look.presentation == presentation) return workspace;
   look.presentation = presentation;
   look.inverted = false;
   makeWhole(look);
-  SeriesState& series = workspace.series.at(state.series);
+  SeriesState& series = workspace.series.edit(state.series);
   series.window.reset();
   series.namedGrey = 0;
   return workspace;
@@ -123,7 +123,7 @@ void MainWindow::showRegions(const ReferencePtr& object) {
   dock->raise();
   const RegionsLook look = firstLook(*object);
   session_.change(tr("Show %1").arg(referenceName(*object)),
-                  [&](Workspace& w) { w.regions.try_emplace(keyOf(*object), look); });
+                  [&](Workspace& w) { w.regions.add(keyOf(*object), look); });
   session_.endGesture();
   const auto isIn = [&](const Series& series) {
     return !look.frameOfReferenceUid.empty() && series.frameOfReferenceUid == look.frameOfReferenceUid;
@@ -177,7 +177,7 @@ void MainWindow::showAsFrame(const QString& text, const Series& series, int inde
   const ViewId view = framesViewOf(session_.workspace().focus);
   if (session_.workspace().series.empty()) session_.showFrames(series, view);
   Workspace after = withFrames(session_.workspace(), view, series);
-  after.view(view).flats[keyOf(series)].frame = index;
+  after.editView(view).flats.editOrAdd(keyOf(series)).frame = index;
   if (!presentation.empty()) after = withPresentation(std::move(after), view, presentation);
   session_.change(text, std::move(after));
   session_.endGesture();

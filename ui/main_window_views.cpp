@@ -78,7 +78,10 @@ void MainWindow::makeLayoutActions() {
 }
 
 void MainWindow::connectViews() {
-  connect(&session_, &Session::workspaceChanged, this, &MainWindow::choosePage);
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (showsOther(before, after)) choosePage();
+          });
   connect(docks_.at(QStringLiteral("clip")), &QDockWidget::visibilityChanged, grid_, &ViewGrid::setClipShown);
   connect(grid_, &ViewGrid::hovered, status_, &StatusLine::showHover);
   connect(grid_, &ViewGrid::maximiseRequested, this,

@@ -26,7 +26,7 @@ void MainWindow::connectVolumeViews() {
   connect(grid_, &ViewGrid::volumeViewMade, this, connectOne);
   connect(&session_, &Session::workspaceChanged, this,
           [this, tellSize](const Workspace& before, const Workspace& after) {
-            showKindActions();
+            if (showsOther(before, after)) showKindActions();
             if (before.focus == after.focus) return;
             drawService_.setHand(after.focus);
             if (sceneViewOf(before) == sceneViewOf(after)) return;

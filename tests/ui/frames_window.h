@@ -69,7 +69,7 @@ struct Frames : Journey {
     now.panMm = glm::dvec2(glm::dot(from, whole.right), glm::dot(from, whole.down)) + toCentre * mm;
     const auto zoomed = [&] {
       session().change(QStringLiteral("test"),
-                       [&](Workspace& w) { w.view(id).flats[v->state().series] = now; });
+                       [&](Workspace& w) { w.editView(id).flats.editOrAdd(v->state().series) = now; });
     };
     const bool isThere = std::abs(now.zoom / look(id).zoom - 1) < 1e-12 && now.panMm == look(id).panMm;
     if (!isThere && !after(zoomed, id)) return 0;

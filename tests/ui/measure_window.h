@@ -74,7 +74,7 @@ struct MeasureWindow : Journey {
 
   Session& session() { return window.session(); }
   SliceView* view(ViewId id = axialViewId) { return window.views()->sliceView(id); }
-  const std::vector<Measurement>& all() { return session().workspace().measurements; }
+  const SharedList<Measurement>& all() { return session().workspace().measurements; }
   const Measurement& last() { return all().back(); }
   glm::dvec3 patient(QPointF p, ViewId id = axialViewId) {
     return view(id)->plane()->patientFromPixel({p.x(), p.y()});

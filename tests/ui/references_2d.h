@@ -76,7 +76,7 @@ struct References2d : Journey {
   bool looksAtPixels() {
     return after([&] {
       session().change(QStringLiteral("test"), [&](Workspace& w) {
-        w.view(axialViewId).flats[view()->state().series].nearest = true;
+        w.editView(axialViewId).flats.editOrAdd(view()->state().series).nearest = true;
       });
     });
   }

@@ -258,13 +258,13 @@ void TestAutosave::theWindowNeverWaitsForIt() {
     series.path = "/nowhere/" + std::to_string(n);
     w = withSeries(std::move(w), n % 2 ? sceneViewId : firstComparedId, series, {});
   }
-  for (auto& [key, state] : w.series) state.missing = MissingSeries{};
+  w.series.editIf([](const auto&) { return true; }, [](SeriesState& state) { state.missing.emplace(); });
   session.open({}, w);
   QVERIFY(isKept(1));
   const Gap usual = longestGap();
   Gap gap{1e9, 1e9};
   for (int n = 1; n <= 3; ++n) {
-    session.change({}, [&](Workspace& after) { after.crosshairs["1.2"].at.x = n; });
+    session.change({}, [&](Workspace& after) { after.crosshairs.editOrAdd("1.2").at.x = n; });
     const Gap now = longestGap();
     gap = {std::min(gap.ms, now.ms), std::min(gap.computedMs, now.computedMs)};
   }

@@ -31,7 +31,7 @@ struct MeasuredFrames : Journey {
 
   Session& session() { return window.session(); }
   SliceView* view() { return window.views()->sliceView(axialViewId); }
-  const std::vector<Measurement>& all() { return session().workspace().measurements; }
+  const SharedList<Measurement>& all() { return session().workspace().measurements; }
 
   bool shows(int frame = 0) {
     return QTest::qWaitFor(
@@ -63,7 +63,7 @@ struct MeasuredFrames : Journey {
     return {};
   }
   Shape& exact(Workspace& w, const std::vector<glm::dvec2>& pixels) {
-    Shape& shape = w.measurements.back().shape;
+    Shape& shape = w.measurements.edit(w.measurements.size() - 1).shape;
     shape.points.clear();
     for (const glm::dvec2 p : pixels) shape.points.emplace_back(p, 0);
     return shape;

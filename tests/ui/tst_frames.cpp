@@ -84,7 +84,7 @@ void TestFrames::pixelsAreThoseOfTheFile() {
   if (window > 0)  // LINEAR from black at 0 to white at this value
     QVERIFY(w.after([&] {
       w.session().change(QStringLiteral("test"), [&](Workspace& after) {
-        after.series.begin()->second.window = Window{(window + 1) / 2, window + 1};
+        after.series.edit(after.series.begin()->first).window = Window{(window + 1) / 2, window + 1};
       });
     }));
   for (const Probe& probe : probes) {
@@ -184,7 +184,7 @@ void TestFrames::overlaysAreWhiteAndCanGo() {
   // Nothing white below them.
   QVERIFY(w.after([&] {
     w.session().change(QStringLiteral("test"), [&](Workspace& after) {
-      after.series.begin()->second.window = Window{10000, 20000};
+      after.series.edit(after.series.begin()->first).window = Window{10000, 20000};
     });
   }));
   const QImage with = w.view()->picture();

@@ -56,7 +56,7 @@ void TestKeyImages::oneAfterTheOther() {
   };
   for (const int index : {2, 7, 4}) {
     w.session().change(QStringLiteral("test"), [&](Workspace& workspace) {
-      workspace.view(axialViewId).flats[w.view()->state().series].frame = index;
+      workspace.editView(axialViewId).flats.editOrAdd(w.view()->state().series).frame = index;
     });
     QVERIFY(frameIs(index));
     QTest::keyClick(&w.window, Qt::Key_K);

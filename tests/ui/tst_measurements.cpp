@@ -142,7 +142,7 @@ void TestMeasurements::deleteRemovesTheSelected() {
   MeasureWindow w;
   w.draw(length, {{50, 50}, {130, 90}});
   w.draw(probe, {{100, 130}});
-  const std::vector<Measurement> before = w.all();
+  const SharedList<Measurement> before = w.all();
   QTest::mouseClick(w.view(), Qt::LeftButton, {}, {90, 70});
   QCOMPARE(w.session().workspace().selected, before[0].id);
   QTest::keyClick(w.view(), Qt::Key_Delete);

@@ -120,7 +120,7 @@ void TestMeasurementsPanel::aRowIsRenamed() {
 void TestMeasurementsPanel::rowsAreDeleted() {
   PanelWindow w;
   for (int n = 0; n < 3; ++n) w.draw(length, {{50, 50.0 + 30 * n}, {130, 60.0 + 30 * n}});
-  const std::vector<Measurement> three = w.all();
+  const SharedList<Measurement> three = w.all();
   w.raise();
   QTest::mouseClick(w.list()->viewport(), Qt::LeftButton, {}, w.rowMiddle(1));
   w.press("measurementDelete");
@@ -220,7 +220,7 @@ void TestMeasurementsPanel::shapesAreOpened() {
   PanelWindow w;
   w.draw(length, {{50, 50}, {130, 90}});
   w.draw(rectangle, {{60, 60}, {120, 110}});
-  const std::vector<Measurement> before = w.all();
+  const SharedList<Measurement> before = w.all();
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("shapes.json"));
   w.child<QAction>("saveShapes")->trigger();

@@ -146,7 +146,7 @@ void TestNothingIsLost::measurementsComeBackWithTheirSeries() {
   QVERIFY(w.isMeasured());
   const Measurement& back = w.workspace().measurements.at(0);
   QVERIFY(back.shape == made.shape && back.id == made.id && back.series == w.key());
-  QVERIFY(w.workspace().closed.empty() && w.workspace().unlisted.series.empty() == !byFile);
+  QVERIFY(w.workspace().closed.empty() && w.workspace().unlisted->series.empty() == !byFile);
   // The step before was that of closing.
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.workspace().measurements.empty());

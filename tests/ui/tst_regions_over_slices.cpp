@@ -91,9 +91,9 @@ void TestRegionsOverSlices::onlyWhatIsShownInItsFrame() {
   RegionsLook look;
   QVERIFY2(linesIn(planeAt({0, 0, 5}), look, "1.3").empty(), "another frame of reference");
   QVERIFY2(linesIn(planeAt({0, 0, 5}), look, "").empty(), "none");
-  look.shown[3] = false;
+  look.shown.editOrAdd(3) = false;
   QVERIFY(linesIn(planeAt({0, 0, 5}), look).empty());
-  look.shown[3] = true;
+  look.shown.editOrAdd(3) = true;
   QCOMPARE(linesIn(planeAt({0, 0, 5}), look).size(), std::size_t(1));
 }
 

@@ -155,8 +155,8 @@ void TestWorkspace::randomStepsAreUndoneToTheByte() {
         break;
       case 3:
         session.change(QStringLiteral("Zoom"), [&](Workspace& w) {
-          ViewState& view = w.view(below(viewCount));
-          view.flats[view.series].zoom = 1 + below(9);
+          ViewState& view = w.editView(below(viewCount));
+          view.flats.editOrAdd(view.series).zoom = 1 + below(9);
         });
         break;
       case 4:
@@ -178,7 +178,7 @@ void TestWorkspace::randomStepsAreUndoneToTheByte() {
       }
       default:
         session.change(QStringLiteral("Crosshair"),
-                       [&](Workspace& w) { w.crosshairs["f"].at.x = below(99); });
+                       [&](Workspace& w) { w.crosshairs.editOrAdd("f").at.x = below(99); });
     }
     session.endGesture();
     if (session.undoStack().index() == int(history.size())) history.push_back(session.workspace());
@@ -253,7 +253,7 @@ void TestWorkspace::closingIsAStep() {
   session.show(nullptr);
   QVERIFY(!session.showAgain(a->series, sceneViewId));
   Workspace empty = session.workspace();
-  QCOMPARE(empty.unlisted.series.size(), std::size_t(2));
+  QCOMPARE(empty.unlisted->series.size(), std::size_t(2));
   empty.unlisted = {};
   QVERIFY(empty == Workspace());
   // What is shown next is a step, or undo would bring the first ones back in its place.

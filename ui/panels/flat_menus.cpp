@@ -122,7 +122,7 @@ QMenu* makeColourMenu(Session& session, QWidget* parent) {
       return;
     }
     addColours(menu, "colours_", state->second.colours, [&session, shown](ColourMap map) {
-      session.change(tr("Colour map"), [&](Workspace& w) { w.series.at(shown).colours = map; });
+      session.change(tr("Colour map"), [&](Workspace& w) { w.series.edit(shown).colours = map; });
     });
   });
   return menu;

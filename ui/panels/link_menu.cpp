@@ -8,12 +8,21 @@ namespace volumen {
 
 namespace {
 
+// `show` where what is linked, or could be, may be different.
+void connectLinks(Session& session, QAction* action, const std::function<void()>& show) {
+  QObject::connect(
+      &session, &Session::workspaceChanged, action, [show](const Workspace& before, const Workspace& after) {
+        if (showsOther(before, after) || before.links != after.links || before.frameLinks != after.frameLinks)
+          show();
+      });
+}
+
 void addLink(QMenu* menu, Session& session, const char* name, const QString& text, bool Links::*link) {
   QAction* action = menu->addAction(text);
   action->setObjectName(QLatin1String(name));
   action->setCheckable(true);
   const auto show = [action, &session, link] { action->setChecked(session.workspace().links.*link); };
-  QObject::connect(&session, &Session::workspaceChanged, action, show);
+  connectLinks(session, action, show);
   QObject::connect(action, &QAction::triggered, menu, [&session, text, link](bool on) {
     session.endGesture();
     Workspace after = session.workspace();
@@ -31,7 +40,7 @@ void addAct(QMenu* menu, Session& session, const char* name, const QString& text
   QAction* action = menu->addAction(text, menu, act);
   action->setObjectName(QLatin1String(name));
   const auto show = [action, &session, can] { action->setEnabled(can(session.workspace())); };
-  QObject::connect(&session, &Session::workspaceChanged, action, show);
+  connectLinks(session, action, show);
   show();
 }
 
@@ -57,7 +66,7 @@ QMenu* makeLinkMenu(Session& session, std::function<void()> registerThem, QWidge
   QAction* title = menu->menuAction();
   title->setObjectName(QStringLiteral("link"));
   const auto tell = [title, &session] { title->setToolTip(toolTipOf(linkSentence(session.workspace()))); };
-  QObject::connect(&session, &Session::workspaceChanged, title, tell);
+  connectLinks(session, title, tell);
   tell();
   return menu;
 }

@@ -47,7 +47,14 @@ MeasurementsPanel::MeasurementsPanel(Session& session, Measurer& measurer, QWidg
       open_(button("measurementOpen", tr("Open..."))) {
   makeLayout();
   fillMenus();
-  connect(&session_, &Session::workspaceChanged, this, &MeasurementsPanel::showAll);
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            // Where nothing is different a series came into memory, and can be measured.
+            if (showsOther(before, after) || before.measurements != after.measurements ||
+                before.selected != after.selected || before.measurementsShown != after.measurementsShown ||
+                before == after)
+              showAll();
+          });
   connect(&session_, &Session::preferencesChanged, this, &MeasurementsPanel::showAll);
   connect(&measurer_, &Measurer::measured, this, &MeasurementsPanel::showAll);
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {

@@ -106,10 +106,10 @@ RegionsPanel::RegionsPanel(Session& session, References& references, QWidget* pa
 void RegionsPanel::showAll() {
   const QSignalBlocker quietList(list_), quietSlider(opacity_);
   const auto& shown = session_.workspace().regions;
-  std::map<ReferenceKey, RegionsLook> all = shown;
+  SharedMap<ReferenceKey, RegionsLook> all = shown;
   for (const ReferencePtr& object : references_.all())
     if (object->kind == ReferenceKind::contours || object->kind == ReferenceKind::segmentation)
-      all.try_emplace(keyOf(*object), firstLook(*object));
+      all.add(keyOf(*object), firstLook(*object));
   const int scrolled = list_->verticalScrollBar()->value();
   list_->clear();
   bool anySegments = false;
@@ -164,10 +164,10 @@ void RegionsPanel::toggle(QTreeWidgetItem* item) {
   const bool on = item->checkState(0) == Qt::Checked;
   const QVariant number = item->data(0, numberOfRegion);
   const auto edit = [this, key, on, number](Workspace& w) {
-    if (number.isValid()) return void(w.regions[key].shown[number.toInt()] = on);
+    if (number.isValid()) return void(w.regions.editOrAdd(key).shown.editOrAdd(number.toInt()) = on);
     if (!on) return void(w.regions.erase(key));
     for (const ReferencePtr& object : references_.all())
-      if (keyOf(*object) == key) w.regions[key] = firstLook(*object);
+      if (keyOf(*object) == key) w.regions.editOrAdd(key) = firstLook(*object);
   };
   // Afterwards: the list, which is in the middle of telling, is filled anew.
   QMetaObject::invokeMethod(
@@ -198,8 +198,8 @@ void RegionsPanel::setOpacity(int percent) {
   session_.change(
       what,
       [&](Workspace& w) {
-        for (auto& [key, look] : w.regions)
-          if (look.kind == ReferenceKind::segmentation) look.opacity = percent / 100.0;
+        w.regions.editIf([](const auto& entry) { return entry.second.kind == ReferenceKind::segmentation; },
+                         [percent](RegionsLook& look) { look.opacity = percent / 100.0; });
       },
       what);
 }

@@ -97,7 +97,10 @@ QAction* makeInterpolationAction(Session& session, QObject* parent) {
     action->setEnabled(!view.series.empty() && view.kind != ViewKind::volume);
     action->setChecked(!flatLookOf(view).nearest);
   };
-  QObject::connect(&session, &Session::workspaceChanged, action, show);
+  QObject::connect(&session, &Session::workspaceChanged, action,
+                   [show](const Workspace& before, const Workspace& after) {
+                     if (showsOther(before, after)) show();
+                   });
   QObject::connect(action, &QAction::triggered, action, [&session](bool on) {
     const ViewId view = flatViewInFocus(session.workspace());
     session.endGesture();

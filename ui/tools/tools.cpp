@@ -51,8 +51,8 @@ void editFlat(Session& session, ViewId view, const QString& text,
   session.change(
       text,
       [&](Workspace& w) {
-        ViewState& state = w.view(view);
-        change(state.flats[state.series]);
+        ViewState& state = w.editView(view);
+        change(state.flats.editOrAdd(state.series));
       },
       text);
 }

@@ -17,7 +17,7 @@ class WindowDrag : public Drag {
     const Window window = draggedWindow(press_.window, {moved.x(), moved.y()}, *press_.series);
     const QString text = QCoreApplication::translate("volumen", "Window");
     press_.session.change(
-        text, [&](Workspace& w) { w.series.at(keyOf(press_.series->series)).window = window; }, text);
+        text, [&](Workspace& w) { w.series.edit(keyOf(press_.series->series)).window = window; }, text);
   }
 
  private:

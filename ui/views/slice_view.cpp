@@ -167,6 +167,7 @@ void SliceView::workspaceChanged(const Workspace&) {
 }
 
 void SliceView::placeBadge() {
+  if (badge_->isHidden()) return;  // nothing to warn of
   const auto lines = shown() ? overlays().topLeft.size() : 0;
   badge_->move(8, 12 + int(lines) * (fontMetrics().height() + 1) + 4);
 }
@@ -210,7 +211,7 @@ void SliceView::resetView() {
     if (before.byHand)
       after = withCrosshair(std::move(after), id(), frameOfReference(shown->series), before, {before.at});
   }
-  makeWhole(after.view(id()).flats[state().series]);
+  makeWhole(after.editView(id()).flats.editOrAdd(state().series));
   session_.change(tr("Reset view"), after);
   session_.endGesture();
 }

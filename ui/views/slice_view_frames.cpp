@@ -101,7 +101,7 @@ void SliceView::invert() {
 
 void SliceView::chooseGrey(const GreyChoice& choice) {
   session_.change(tr("Window"), [&](Workspace& w) {
-    SeriesState& state = w.series.at(this->state().series);
+    SeriesState& state = w.series.edit(this->state().series);
     state = withGrey(state, choice);
   });
 }

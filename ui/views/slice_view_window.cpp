@@ -21,7 +21,7 @@ void SliceView::chooseWindow(int number) {
   const std::vector<NamedWindow> choices = windowChoices(*shown);
   if (number >= int(choices.size())) return;
   session_.change(tr("Window"), [&](Workspace& w) {
-    w.series.at(keyOf(shown->series)).window = choices[std::size_t(number)].window;
+    w.series.edit(keyOf(shown->series)).window = choices[std::size_t(number)].window;
   });
 }
 
@@ -45,7 +45,7 @@ void SliceView::typeWindow() {
   connect(edit, &WindowEdit::chosen, this, [this, shown, sign = now.width < 0 ? -1 : 1](const Window& typed) {
     session_.endGesture();
     session_.change(tr("Window"), [&](Workspace& w) {
-      w.series.at(state().series).window = storedWindow({typed.centre, sign * typed.width}, shown->series);
+      w.series.edit(state().series).window = storedWindow({typed.centre, sign * typed.width}, shown->series);
     });
   });
   connect(edit, &WindowEdit::closed, this, [this] { setFocus(); });

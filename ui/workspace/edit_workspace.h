@@ -10,8 +10,8 @@ namespace volumen {
 /// a series: the second makes the first its own, in whatever gesture it comes.
 inline const QString roomMadeKey = QStringLiteral("room made"), seriesShownKey = QStringLiteral("shown");
 
-/// The one undo command: the workspace before and after. It is a small value, so no property needs a class of
-/// its own.
+/// The one undo command: the workspace before and after. They share what is the same in both, so no property
+/// needs a class of its own.
 class EditWorkspace : public QUndoCommand {
  public:
   /// `mergeKey`: commands of one non-empty key in one gesture merge.

@@ -46,7 +46,7 @@ Stack stackOf(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& cro
 
 // The crosshair of a view in a frame of reference; null: none was set yet.
 const Crosshair* findCrosshair(const Workspace& workspace, ViewId view, const std::string& frame) {
-  const auto find = [&](const std::map<std::string, Crosshair>& in) {
+  const auto find = [&](const SharedMap<std::string, Crosshair>& in) {
     const auto found = in.find(frame);
     return found == in.end() ? nullptr : &found->second;
   };
@@ -143,27 +143,28 @@ Crosshair crosshairOf(const Workspace& workspace, ViewId view, const Series& ser
 Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& frame, const Crosshair& before,
                         const Crosshair& after) {
   const bool alone = scrollsAlone(workspace, view);
-  (alone ? workspace.view(view).crosshairs : workspace.crosshairs)[frame] =
-      after.byHand ? after : Crosshair{after.at};
+  auto& crosshairs = alone ? workspace.editView(view).crosshairs : workspace.crosshairs;
+  crosshairs.editOrAdd(frame) = after.byHand ? after : Crosshair{after.at};
   Crosshair moved = before;
   moved.at = after.at;
   if (moved == after) return workspace;
   for (ViewId id = 0; id < viewCount; ++id) {
-    ViewState& state = workspace.view(id);
+    const ViewState& state = workspace.view(id);
     const Series* series = seriesIn(workspace, id);
     if (state.kind == ViewKind::volume || state.kind == ViewKind::frames || !series ||
         frameOfReference(*series) != frame)
       continue;
     if (id != view && (alone || (scrollsAlone(workspace, id) && state.crosshairs.contains(frame)))) continue;
     const VoxelGeometry& geometry = drawnGeometry(*series);
-    FlatLook& look = state.flats[state.series];
     // Where the crosshair stands from the volume's centre in the picture, before and after.
     const auto place = [&](const Crosshair& crosshair) {
       const SlicePlane plane = flatPlane(state, {}, geometry, lyingFor(crosshair, geometry), {1, 1});
       const glm::dvec3 from = after.at - geometry.centre();
       return glm::dvec2(glm::dot(from, plane.right), glm::dot(from, plane.down));
     };
-    look.panMm += place(after) - place(before);
+    const glm::dvec2 way = place(after) - place(before);
+    ViewState& now = workspace.editView(id);
+    now.flats.editOrAdd(now.series).panMm += way;
   }
   return workspace;
 }

@@ -9,8 +9,8 @@ namespace volumen {
 
 namespace {
 
-template <class Made>
-void append(std::vector<Made>& to, const std::vector<Made>& from) {
+template <class Made, class From>
+void append(std::vector<Made>& to, const From& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
@@ -21,7 +21,9 @@ bool areOne(const Measurement& a, const Measurement& b) {
 }  // namespace
 
 HandWork workIn(const Workspace& workspace) {
-  HandWork work{workspace.measurements, workspace.keyImages, {}};
+  HandWork work;
+  append(work.measurements, workspace.measurements);
+  append(work.keyImages, workspace.keyImages);
   for (const ClosedSeries& closed : workspace.closed) {
     append(work.measurements, closed.measurements);
     append(work.keyImages, closed.keyImages);

@@ -36,7 +36,8 @@ bool isKeyImage(const Workspace& workspace, const KeyImage& image) {
 }
 
 Workspace withKeyImageToggled(Workspace workspace, const KeyImage& image) {
-  if (std::erase(workspace.keyImages, image) == 0) workspace.keyImages.push_back(image);
+  if (!workspace.keyImages.eraseIf([&](const KeyImage& k) { return k == image; }))
+    workspace.keyImages.push_back(image);
   return workspace;
 }
 

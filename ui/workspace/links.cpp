@@ -108,8 +108,8 @@ void followLook(Workspace& workspace, ViewId from, ViewId to, const ViewSizes& s
   const auto relation = relationOf(workspace, frameIn(workspace, from), frameIn(workspace, to));
   const glm::dvec3 normal = relation ? relation->toFromFrom.rotation * source.normal() : source.normal();
   if (std::abs(glm::dot(normal, target.normal())) < nearlyParallel) return;
-  ViewState& state = workspace.view(to);
-  FlatLook& look = state.flats[state.series];
+  ViewState& state = workspace.editView(to);
+  FlatLook& look = state.flats.editOrAdd(state.series);
   if (workspace.links.zoom)
     look.zoom = std::clamp(look.zoom * target.mmPerPixel / source.mmPerPixel, leastZoom, mostZoom);
   if (!workspace.links.pan || !relation) return;
@@ -149,12 +149,13 @@ Workspace withWindowsFollowed(const Workspace& before, Workspace after) {
   if (source == shown.end()) return after;
   const SeriesState from = after.series.at(*source);
   for (const SeriesKey& key : shown) {
-    SeriesState& to = after.series.at(key);
+    const SeriesState& to = after.series.at(key);
     const ValueScale scale = shownScale(*to.series);
     if (to.series->modality != from.series->modality || scale.unit != shownScale(*from.series).unit) continue;
-    to.window = from.window;
-    if (to.window && scale.factor != shownScale(*from.series).factor)
-      to.window = storedWindow(shownWindow(*from.window, *from.series), *to.series);
+    std::optional<Window> window = from.window;
+    if (window && scale.factor != shownScale(*from.series).factor)
+      window = storedWindow(shownWindow(*from.window, *from.series), *to.series);
+    after.series.edit(key).window = window;
   }
   return after;
 }
@@ -195,7 +196,7 @@ Workspace withScrollLinked(Workspace workspace, bool linked) {
   std::map<ViewId, Crosshair> now;
   for (const ViewId id : views) now[id] = crosshairOf(workspace, id, *seriesIn(workspace, id));
   workspace.links.scroll = linked;
-  for (ViewState& view : workspace.views) view.crosshairs.clear();
+  for (ViewId id = 0; id < viewCount; ++id) workspace.editView(id).crosshairs.clear();
   for (const ViewId id : views)
     workspace = withCrosshair(std::move(workspace), id, frameIn(workspace, id), now[id], now[id]);
   return workspace;
@@ -246,8 +247,7 @@ Workspace withRegistration(Workspace workspace, const std::string& from, const s
   workspace = withScrollLinked(std::move(workspace), true);
   // What links them otherwise would contradict it.
   if (relationOf(workspace, from, to))
-    std::erase_if(workspace.frameLinks,
-                  [&](const FrameLink& link) { return link.from == to || link.to == to; });
+    workspace.frameLinks.eraseIf([&](const FrameLink& link) { return link.from == to || link.to == to; });
   workspace.frameLinks.push_back({from, to, toFromFrom, true});
   if (!workspace.crosshairs.contains(from)) return workspace;
   const Crosshair crosshair = crosshairSeen(workspace, from);
@@ -258,16 +258,18 @@ Workspace unlocked(Workspace workspace) {
   if (!canUnlock(workspace)) return workspace;
   std::set<std::string> shown;
   for (const ViewId id : slicesOnScreen(workspace)) shown.insert(frameIn(workspace, id));
-  std::erase_if(workspace.frameLinks,
-                [&](const FrameLink& link) { return shown.contains(link.from) || shown.contains(link.to); });
+  workspace.frameLinks.eraseIf(
+      [&](const FrameLink& link) { return shown.contains(link.from) || shown.contains(link.to); });
   const auto frameOf = [&](const SeriesKey& key) {
     const auto state = workspace.series.find(key);
     return state == workspace.series.end() ? std::string() : frameOfReference(*state->second.series);
   };
-  for (ViewState& view : workspace.views)
-    for (auto& [series, look] : view.flats)
-      if (!look.overlay.empty() && !relationOf(workspace, frameOf(series), frameOf(look.overlay)))
-        look.overlay = {};
+  const auto isLost = [&](const auto& entry) {
+    const auto& [series, look] = entry;
+    return !look.overlay.empty() && !relationOf(workspace, frameOf(series), frameOf(look.overlay));
+  };
+  for (ViewId id = 0; id < viewCount; ++id)
+    workspace.editView(id).flats.editIf(isLost, [](FlatLook& look) { look.overlay = {}; });
   return workspace;
 }
 

@@ -25,11 +25,6 @@ glm::dvec3 footOn(const ShapePlane& plane, glm::dvec3 p) {
 // How many points of a freehand outline lie from one handle to the next.
 std::size_t strideOf(const Shape& shape) { return (shape.points.size() + mostHandles - 1) / mostHandles; }
 
-Measurement* find(Workspace& workspace, int id) {
-  const auto found = std::ranges::find(workspace.measurements, id, &Measurement::id);
-  return found == workspace.measurements.end() ? nullptr : &*found;
-}
-
 void dragOutline(std::vector<glm::dvec3>& points, std::size_t at, std::size_t stride, glm::dvec3 mm) {
   const auto count = std::ptrdiff_t(points.size()), reach = std::ptrdiff_t(stride);
   for (std::ptrdiff_t n = 1 - reach; n < reach; ++n) {
@@ -100,9 +95,7 @@ void editMeasurement(Session& session, int id, const QString& text,
                      const std::function<void(Measurement&)>& change) {
   session.change(
       text,
-      [&](Workspace& w) {
-        if (Measurement* m = find(w, id)) change(*m);
-      },
+      [&](Workspace& w) { w.measurements.editIf([id](const Measurement& m) { return m.id == id; }, change); },
       text + QString::number(id));
 }
 
@@ -114,7 +107,7 @@ void renameMeasurement(Session& session, int id, const QString& name) {
 
 void deleteMeasurement(Session& session, int id) {
   session.change(tr("Delete measurement"), [&](Workspace& w) {
-    std::erase_if(w.measurements, [&](const Measurement& m) { return m.id == id; });
+    w.measurements.eraseIf([&](const Measurement& m) { return m.id == id; });
     if (w.selected == id) w.selected = 0;
   });
 }

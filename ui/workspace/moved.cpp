@@ -7,12 +7,12 @@ namespace volumen {
 namespace {
 
 template <class Key, class T>
-void renameKey(std::map<Key, T>& map, const Key& from, const Key& to) {
-  if (from == to) return;
-  auto node = map.extract(from);
-  if (node.empty()) return;
-  node.key() = to;
-  map.insert(std::move(node));
+void renameKey(SharedMap<Key, T>& map, const Key& from, const Key& to) {
+  const auto known = map.find(from);
+  if (from == to || known == map.end()) return;
+  const T value = known->second;
+  map.erase(from);
+  map.add(to, value);
 }
 
 }  // namespace
@@ -22,33 +22,36 @@ Workspace withSeriesMoved(Workspace w, const SeriesKey& from, const Series& to) 
   if (known == w.series.end()) return w;
   const std::string frameBefore = frameOfReference(*known->second.series), frame = frameOfReference(to);
   const SeriesKey key = keyOf(to);
-  known->second.series = std::make_shared<const Series>(to);
-  known->second.missing.reset();
+  SeriesState& state = w.series.edit(from);
+  state.series = std::make_shared<const Series>(to);
+  state.missing.reset();
   renameKey(w.series, from, key);
-  const auto rename = [&](SeriesKey& named) {
-    if (named == from) named = key;
-  };
-  for (ViewState& view : w.views) {
-    rename(view.series);
+  for (ViewId id = 0; id < viewCount; ++id) {
+    ViewState& view = w.editView(id);
+    if (view.series == from) view.series = key;
     renameKey(view.scenes, from, key);
     renameKey(view.flats, from, key);
-    for (auto& [series, look] : view.flats) rename(look.overlay);
+    view.flats.editIf([&](const auto& entry) { return entry.second.overlay == from; },
+                      [&](FlatLook& look) { look.overlay = key; });
     renameKey(view.crosshairs, frameBefore, frame);
   }
   renameKey(w.crosshairs, frameBefore, frame);
-  for (FrameLink& link : w.frameLinks)
-    for (std::string* end : {&link.from, &link.to})
-      if (*end == frameBefore) *end = frame;
-  for (Measurement& m : w.measurements) rename(m.series);
-  for (KeyImage& image : w.keyImages) rename(image.series);
+  w.frameLinks.editIf([&](const FrameLink& link) { return link.from == frameBefore; },
+                      [&](FrameLink& link) { link.from = frame; });
+  w.frameLinks.editIf([&](const FrameLink& link) { return link.to == frameBefore; },
+                      [&](FrameLink& link) { link.to = frame; });
+  const auto isOfIt = [&](const auto& made) { return made.series == from; };
+  const auto rename = [&](auto& made) { made.series = key; };
+  w.measurements.editIf(isOfIt, rename);
+  w.keyImages.editIf(isOfIt, rename);
   return w;
 }
 
 Workspace withReferenceMoved(Workspace w, const ReferenceKey& from, const ReferenceKey& to) {
   renameKey(w.regions, from, to);
-  for (ViewState& view : w.views)
-    for (auto& [series, look] : view.flats)
-      if (look.presentation == from) look.presentation = to;
+  for (ViewId id = 0; id < viewCount; ++id)
+    w.editView(id).flats.editIf([&](const auto& entry) { return entry.second.presentation == from; },
+                                [&](FlatLook& look) { look.presentation = to; });
   return w;
 }
 

@@ -41,7 +41,7 @@ Workspace withoutOtherPatients(Workspace workspace, const Series& series) {
     const std::vector<const Series*> shown = picturesIn(workspace, id);
     if (std::ranges::all_of(shown, [&](const Series* other) { return areOfOnePatient(*other, series); }))
       continue;
-    ViewState& view = workspace.view(id);
+    ViewState& view = workspace.editView(id);
     view.series = {};
     if (view.kind == ViewKind::frames) view.kind = fresh.view(id).kind;
   }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "io/study.h"
+#include "ui/workspace/shared_map.h"
 
 namespace volumen {
 
@@ -13,7 +13,7 @@ struct RegionsLook {
   std::string label;
   std::string frameOfReferenceUid;  ///< of a segmentation; views of others do not show it
   double opacity = 0.4;             ///< of segments
-  std::map<int, bool> shown;        ///< by number; those that are not there are shown
+  SharedMap<int, bool> shown;       ///< by number; those that are not there are shown
   bool operator==(const RegionsLook&) const = default;
 
   bool shows(int number) const {

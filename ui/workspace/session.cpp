@@ -127,8 +127,9 @@ void Session::close(const std::vector<SeriesKey>& series, const std::vector<Refe
   Workspace after = workspace_;
   for (const SeriesKey& key : series)
     if (after.series.contains(key)) after = without(std::move(after), key);
-  after.unlisted.series.insert(series.begin(), series.end());
-  after.unlisted.references.insert(references.begin(), references.end());
+  Unlisted& unlisted = after.unlisted.edit();
+  unlisted.series.insert(series.begin(), series.end());
+  unlisted.references.insert(references.begin(), references.end());
   if (after == workspace_) return;
   endGesture();
   for (const SeriesKey& key : series) pool_.forget(key);
@@ -140,9 +141,10 @@ void Session::closeAll(const Unlisted& listed) {
   empty.layout = workspace_.layout;
   empty.goal = workspace_.goal;
   Workspace after = replacedBy(workspace_, empty);
-  for (const auto& [key, state] : workspace_.series) after.unlisted.series.insert(key);
-  after.unlisted.series.insert(listed.series.begin(), listed.series.end());
-  after.unlisted.references.insert(listed.references.begin(), listed.references.end());
+  Unlisted& unlisted = after.unlisted.edit();
+  for (const auto& [key, state] : workspace_.series) unlisted.series.insert(key);
+  unlisted.series.insert(listed.series.begin(), listed.series.end());
+  unlisted.references.insert(listed.references.begin(), listed.references.end());
   endGesture();
   pool_.clear();
   if (after != workspace_) push(tr("Close all"), after, {});
@@ -150,8 +152,9 @@ void Session::closeAll(const Unlisted& listed) {
 
 void Session::list(const std::vector<SeriesKey>& series, const std::vector<ReferenceKey>& references) {
   Workspace after = workspace_;
-  for (const SeriesKey& key : series) after.unlisted.series.erase(key);
-  for (const ReferenceKey& key : references) after.unlisted.references.erase(key);
+  Unlisted& unlisted = after.unlisted.edit();
+  for (const SeriesKey& key : series) unlisted.series.erase(key);
+  for (const ReferenceKey& key : references) unlisted.references.erase(key);
   if (after != workspace_) setWorkspace(after);
 }
 
@@ -176,7 +179,7 @@ void Session::edit(ViewId view, const QString& text, const std::function<void(Sc
   const ViewState& shown = workspace_.view(view);
   if (!shown.scenes.contains(shown.series)) return;
   change(
-      text, [&](Workspace& w) { edit(w.view(view).scenes.at(shown.series).scene); }, mergeKey);
+      text, [&](Workspace& w) { edit(w.editView(view).scenes.edit(shown.series).scene); }, mergeKey);
 }
 
 void Session::edit(const QString& text, const std::function<void(Scene&)>& change, const QString& mergeKey) {
@@ -190,7 +193,7 @@ void Session::edit(const QString& text, Scene after, const QString& mergeKey) {
 
 void Session::setMask(const QString& text, const SeriesKey& series, const Mask& mask) {
   endGesture();
-  change(text, [&](Workspace& w) { w.series.at(series).mask = mask; });
+  change(text, [&](Workspace& w) { w.series.edit(series).mask = mask; });
 }
 
 Mask Session::maskOf(const SeriesKey& series) const {
@@ -211,11 +214,11 @@ void Session::choosePreset(const QString& text, const std::string& name, const S
   if (state_.preset && state_.preset->name == name && sameLook(state_.scene, look) && !presetModified())
     return;
   change(text, [&](Workspace& w) {
-    ViewState& view = w.view(sceneViewOf(w));
-    const auto shown = view.scenes.find(view.series);
-    if (shown == view.scenes.end()) return;
-    shown->second.scene = withLook(shown->second.scene, look);
-    shown->second.preset = std::make_shared<ChosenPreset>(ChosenPreset{name, look});
+    ViewState& view = w.editView(sceneViewOf(w));
+    if (!view.scenes.contains(view.series)) return;
+    SceneLook& shown = view.scenes.edit(view.series);
+    shown.scene = withLook(shown.scene, look);
+    shown.preset = std::make_shared<ChosenPreset>(ChosenPreset{name, look});
   });
 }
 

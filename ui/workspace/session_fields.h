@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <glm/vec2.hpp>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +10,8 @@
 
 #include "io/study.h"
 #include "ui/data/series_key.h"
+#include "ui/workspace/shared_list.h"
+#include "ui/workspace/shared_map.h"
 #include "viewer/measure/shape.h"
 #include "viewer/scene/json_fields.h"
 #include "viewer/scene/scene.h"
@@ -84,14 +85,20 @@ class FieldWriter {
     Json& list = json_[name] = Json::array();
     for (T& item : items) list.push_back(objectOf(item, pathOf(name, list.size())));
   }
+  template <class T>
+  void operator()(const char* name, SharedList<T>& items) {
+    std::vector<T> copy(items.begin(), items.end());
+    (*this)(name, copy);
+  }
   /// A map as a list of objects, each of the fields that `item(writer, key, value)` names.
   template <class Key, class T, class Item>
-  void map(const char* name, std::map<Key, T>& items, Item item) {
+  void map(const char* name, SharedMap<Key, T>& items, Item item) {
     Json& list = json_[name] = Json::array();
-    for (auto& [key, value] : items) {
+    for (const auto& [key, value] : items) {
       FieldWriter writer(pathOf(name, list.size()), series_, problem_);
-      Key copy = key;
-      item(writer, copy, value);
+      Key keyCopy = key;
+      T copy = value;
+      item(writer, keyCopy, copy);
       list.push_back(std::move(writer.json_));
     }
   }
@@ -168,8 +175,14 @@ class FieldReader {
       return item;
     });
   }
+  template <class T>
+  void operator()(const char* name, SharedList<T>& items) {
+    std::vector<T> list(items.begin(), items.end());
+    (*this)(name, list);
+    items.assign(list);
+  }
   template <class Key, class T, class Item>
-  void map(const char* name, std::map<Key, T>& items, Item item) {
+  void map(const char* name, SharedMap<Key, T>& items, Item item) {
     std::vector<std::pair<Key, T>> list;
     json_.readList(name, list, [&](JsonFields object) {
       std::pair<Key, T> entry;
@@ -179,7 +192,7 @@ class FieldReader {
       return entry;
     });
     for (std::size_t n = 0; n < list.size(); ++n)
-      if (!items.insert(std::move(list[n])).second) json_.refuse(json_.pathOf(name, n), "is there twice");
+      if (!items.add(list[n].first, list[n].second)) json_.refuse(json_.pathOf(name, n), "is there twice");
   }
 
  private:

@@ -174,7 +174,7 @@ void fields(Fields& f, Crosshair& crosshair) {
 }
 
 template <class Fields>
-void crosshairsField(Fields& f, std::map<std::string, Crosshair>& crosshairs) {
+void crosshairsField(Fields& f, SharedMap<std::string, Crosshair>& crosshairs) {
   f.map("crosshairs", crosshairs, [](auto& item, std::string& frame, Crosshair& crosshair) {
     item.frame("frame", frame);
     fields(item, crosshair);
@@ -292,7 +292,7 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
   for (SeriesEntry& entry : entries) {
     const SeriesState state = stateOf(std::move(entry), find);
     numbers.add(*state.series);
-    if (!session.workspace.series.emplace(numbers.keys.back(), state).second)
+    if (!session.workspace.series.add(numbers.keys.back(), state))
       return Error{json.pathOf("series", numbers.keys.size() - 1) + " is there twice."};
   }
   fields(read, session.workspace);

@@ -85,43 +85,36 @@ Workspace withTimePointsOf(Workspace workspace, const Series& series,
                            const std::vector<const Series*>& open) {
   for (const Series* other : open)
     if (areTimePoints(series, *other))
-      if (const auto [state, isNew] = workspace.series.try_emplace(keyOf(*other)); isNew)
-        state->second.series = std::make_shared<const Series>(*other);
+      if (!workspace.series.contains(keyOf(*other)))
+        workspace.series.editOrAdd(keyOf(*other)).series = std::make_shared<const Series>(*other);
   return workspace;
 }
 
 Workspace withTimePoint(Workspace workspace, ViewId view, const SeriesKey& step) {
   const SeriesKey last = workspace.view(view).series;
-  const auto from = workspace.series.find(last);
-  const auto to = workspace.series.find(step);
-  if (last == step || from == workspace.series.end() || to == workspace.series.end()) return workspace;
-  to->second.window = from->second.window;
-  to->second.namedGrey = from->second.namedGrey;
-  to->second.frameWindow = from->second.frameWindow;
-  to->second.colours = from->second.colours;
+  if (last == step || !workspace.series.contains(last) || !workspace.series.contains(step)) return workspace;
+  const SeriesState from = workspace.series.at(last);
+  SeriesState& to = workspace.series.edit(step);
+  to.window = from.window;
+  to.namedGrey = from.namedGrey;
+  to.frameWindow = from.frameWindow;
+  to.colours = from.colours;
   // Volumes without a frame of reference have one each.
-  const std::string frame = frameOfReference(*from->second.series),
-                    next = frameOfReference(*to->second.series);
-  const auto follow = [&](std::map<std::string, Crosshair>& crosshairs) {
-    if (const auto known = crosshairs.find(frame); known != crosshairs.end()) {
-      const Crosshair crosshair = known->second;
-      crosshairs[next] = crosshair;
-    }
+  const std::string frame = frameOfReference(*from.series), next = frameOfReference(*to.series);
+  const auto follow = [](auto& map, const auto& before, const auto& now) {
+    const auto known = map.find(before);
+    if (known == map.end() || before == now) return;
+    const auto value = known->second;
+    map.editOrAdd(now) = value;
   };
-  follow(workspace.crosshairs);
+  follow(workspace.crosshairs, frame, next);
   const bool isOfGroup = view < firstComparedId;
   for (ViewId id = isOfGroup ? 0 : view; id <= (isOfGroup ? firstComparedId - 1 : view); ++id) {
-    ViewState& state = workspace.view(id);
-    if (state.series != last) continue;
-    follow(state.crosshairs);
-    if (const auto scene = state.scenes.find(last); scene != state.scenes.end()) {
-      const SceneLook look = scene->second;
-      state.scenes[step] = look;
-    }
-    if (const auto flat = state.flats.find(last); flat != state.flats.end()) {
-      const FlatLook look = flat->second;
-      state.flats[step] = look;
-    }
+    if (workspace.view(id).series != last) continue;
+    ViewState& state = workspace.editView(id);
+    follow(state.crosshairs, frame, next);
+    follow(state.scenes, last, step);
+    follow(state.flats, last, step);
     state.series = step;
   }
   return workspace;

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <glm/geometric.hpp>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -16,6 +15,8 @@
 #include "ui/workspace/measurement.h"
 #include "ui/workspace/quality_goal.h"
 #include "ui/workspace/regions_look.h"
+#include "ui/workspace/shared_list.h"
+#include "ui/workspace/shared_map.h"
 #include "ui/workspace/view_id.h"
 #include "viewer/scene/scene.h"
 #include "viewer/segment/mask.h"
@@ -120,9 +121,9 @@ struct Crosshair {
 struct ViewState {
   ViewKind kind = ViewKind::volume;
   SeriesKey series;  ///< empty: none
-  std::map<SeriesKey, SceneLook> scenes;
-  std::map<SeriesKey, FlatLook> flats;
-  std::map<std::string, Crosshair> crosshairs;  ///< its own, by frame of reference, while it scrolls alone
+  SharedMap<SeriesKey, SceneLook> scenes;
+  SharedMap<SeriesKey, FlatLook> flats;
+  SharedMap<std::string, Crosshair> crosshairs;  ///< its own, by frame of reference, while it scrolls alone
   bool operator==(const ViewState&) const = default;
 };
 
@@ -160,8 +161,8 @@ struct FrameLink {
 /// What was made on a series that was taken off the list, for when it is shown again.
 struct ClosedSeries {
   std::shared_ptr<const Series> series;
-  std::vector<Measurement> measurements;
-  std::vector<KeyImage> keyImages;
+  SharedList<Measurement> measurements;
+  SharedList<KeyImage> keyImages;
   bool operator==(const ClosedSeries& o) const {
     return sameValue(series, o.series) && measurements == o.measurements && keyImages == o.keyImages;
   }
@@ -175,29 +176,30 @@ struct Unlisted {
 };
 
 /// All that the user made: what the window shows and how. A plain value; every change of it is a step that
-/// can be undone.
+/// can be undone. Copies share what none of them changed, so that a step costs what it changes.
 struct Workspace {
   Workspace();
 
-  std::map<SeriesKey, SeriesState> series;  ///< those that were shown
+  SharedMap<SeriesKey, SeriesState> series;  ///< those that were shown
   Layout layout = Layout::one;
-  std::vector<ViewState> views;                 ///< viewCount of them
-  ViewId focus = sceneViewId;                   ///< the view that the panels work on
-  QualityGoal goal;                             ///< of 3D pictures at rest
-  std::map<std::string, Crosshair> crosshairs;  ///< by frame of reference
+  SharedList<ViewState> views;                   ///< viewCount of them
+  ViewId focus = sceneViewId;                    ///< the view that the panels work on
+  QualityGoal goal;                              ///< of 3D pictures at rest
+  SharedMap<std::string, Crosshair> crosshairs;  ///< by frame of reference
   Links links;
-  std::vector<FrameLink> frameLinks;
-  std::vector<Measurement> measurements;        ///< in the order in which they were made
-  bool measurementsShown = true;                ///< in flat views
-  int selected = 0;                             ///< the measurement with handles; 0: none
-  std::vector<KeyImage> keyImages;              ///< in the order in which they were marked
-  std::map<ReferenceKey, RegionsLook> regions;  ///< structure sets and segmentations over flat views
-  std::vector<ClosedSeries> closed;             ///< in no session file
-  Unlisted unlisted;                            ///< in no session file
+  SharedList<FrameLink> frameLinks;
+  SharedList<Measurement> measurements;          ///< in the order in which they were made
+  bool measurementsShown = true;                 ///< in flat views
+  int selected = 0;                              ///< the measurement with handles; 0: none
+  SharedList<KeyImage> keyImages;                ///< in the order in which they were marked
+  SharedMap<ReferenceKey, RegionsLook> regions;  ///< structure sets and segmentations over flat views
+  SharedList<ClosedSeries> closed;               ///< in no session file
+  Shared<Unlisted> unlisted;                     ///< in no session file
   bool operator==(const Workspace&) const = default;
 
   const ViewState& view(ViewId id) const { return views[std::size_t(id)]; }
-  ViewState& view(ViewId id) { return views[std::size_t(id)]; }
+  /// To write into; valid until the workspace is copied.
+  ViewState& editView(ViewId id) { return views.edit(std::size_t(id)); }
 };
 
 /// Lower-case word for settings and session files: "planes".
@@ -209,6 +211,10 @@ std::vector<ViewId> viewsOnScreen(const Workspace& workspace);
 
 /// The 3D view that the panels work on: the one in focus, else the one of the same group.
 ViewId sceneViewOf(const Workspace& workspace);
+
+/// Whether anything but cursors and what was made by hand is different: which views and series there are, and
+/// how they are shown.
+bool showsOther(const Workspace& before, const Workspace& after);
 
 /// The series of a view; null: none.
 const Series* seriesIn(const Workspace& workspace, ViewId view);

@@ -124,7 +124,7 @@ RegionsLook anyRegions(Chance& chance) {
   look.label = anyText(chance);
   look.frameOfReferenceUid = anyText(chance);
   look.opacity = chance.below(101) / 100.0;
-  for (int n = chance.below(4); n > 0; --n) look.shown[chance.below(100) - 10] = chance.oneIn(2);
+  for (int n = chance.below(4); n > 0; --n) look.shown.editOrAdd(chance.below(100) - 10) = chance.oneIn(2);
   return look;
 }
 
@@ -154,21 +154,22 @@ Workspace randomWorkspace(std::uint64_t seed) {
   for (int n = chance.below(6); n > 0; --n) {
     const SeriesState state = anySeries(chance, n);
     keys.push_back(keyOf(*state.series));
-    w.series[keys.back()] = state;
-    if (chance.oneIn(2)) w.crosshairs[frameOfReference(*state.series)] = anyCrosshair(chance);
+    w.series.editOrAdd(keys.back()) = state;
+    if (chance.oneIn(2)) w.crosshairs.editOrAdd(frameOfReference(*state.series)) = anyCrosshair(chance);
   }
-  if (chance.oneIn(4)) w.crosshairs["2.25.77"] = anyCrosshair(chance);  // of a series that was closed
+  if (chance.oneIn(4))
+    w.crosshairs.editOrAdd("2.25.77") = anyCrosshair(chance);  // of a series that was closed
   for (ViewId id = 0; id < viewCount; ++id) {
-    ViewState& view = w.view(id);
+    ViewState& view = w.editView(id);
     view.series = keys[std::size_t(chance.below(int(keys.size())))];
     if (canChangeKind(id))
       view.kind = ViewKind(chance.below(5));
     else if (view.kind != ViewKind::volume)
       view.kind = ViewKind(1 + chance.below(3));
     for (const SeriesKey& key : keys) {
-      if (chance.oneIn(3)) view.scenes[key] = anyScene(chance);
+      if (chance.oneIn(3)) view.scenes.editOrAdd(key) = anyScene(chance);
       if (chance.oneIn(3))
-        view.flats[key] = anyFlat(chance, keys[std::size_t(chance.below(int(keys.size())))]);
+        view.flats.editOrAdd(key) = anyFlat(chance, keys[std::size_t(chance.below(int(keys.size())))]);
     }
   }
   for (std::size_t n = 1; n < keys.size(); ++n)
@@ -180,12 +181,12 @@ Workspace randomWorkspace(std::uint64_t seed) {
     const PlaneDirections plane = crosshair.coronal;
     const glm::dmat3 rotation(plane.right, plane.down, plane.normal());
     w.frameLinks.push_back({frame, "2.25.78", {rotation, anyPlace(chance)}, chance.oneIn(2)});
-    w.views[std::size_t(chance.below(viewCount))].crosshairs[frame] = crosshair;
+    w.editView(chance.below(viewCount)).crosshairs.editOrAdd(frame) = crosshair;
   }
   for (std::size_t n = 1; n < keys.size(); ++n)
     if (chance.oneIn(2)) w.keyImages.push_back({keys[n], anyText(chance), chance.below(50)});
   for (int n = chance.below(3); n > 0; --n)
-    w.regions[{"/data/rt" + std::to_string(n), anyText(chance)}] = anyRegions(chance);
+    w.regions.editOrAdd({"/data/rt" + std::to_string(n), anyText(chance)}) = anyRegions(chance);
   w.layout = Layout(chance.below(5));
   const std::vector<ViewId> shown = viewsOnScreen(w);
   w.focus =

@@ -163,13 +163,13 @@ void TestCornerText::planesOfUnknownSidesClaimNone() {
   shown.series = series;
   shown.volume = *Volume::make(std::move(parts), changed);
   Workspace workspace;
-  ViewState& view = workspace.view(0);
+  ViewState& view = workspace.editView(0);
   view.kind = ViewKind(kind);
   view.series = keyOf(series);
-  workspace.series[view.series].series = std::make_shared<const Series>(series);
+  workspace.series.editOrAdd(view.series).series = std::make_shared<const Series>(series);
   Crosshair crosshair = firstCrosshair(series);
   crosshair.at = {32, 32, z};
-  workspace.crosshairs[frameOfReference(series)] = crosshair;
+  workspace.crosshairs.editOrAdd(frameOfReference(series)) = crosshair;
   const SlicePlane plane = flatPlane(view, {}, series.acquired, crosshair, {100, 100});
   const CornerTexts texts = slicesCorner(workspace, 0, shown, plane);
   QCOMPARE(texts.right(), right);

@@ -139,12 +139,12 @@ void TestFramesOfSeries::framesAreAloneInTheirGroup() {
 void TestFramesOfSeries::slicesComeBackToTheFrame() {
   const Series volume = ct(9);
   Workspace workspace = withSeries({}, sceneViewId, volume, {});
-  workspace.crosshairs["ct"].at = {1, 2, 6.2};  // the slices lie 2 mm apart
+  workspace.crosshairs.editOrAdd("ct").at = {1, 2, 6.2};  // the slices lie 2 mm apart
   workspace = withFrames(workspace, sceneViewId, volume);
   QCOMPARE(flatLookOf(workspace.view(axialViewId)).frame, 3);
-  workspace.view(axialViewId).flats[keyOf(volume)].frame = 7;
+  workspace.editView(axialViewId).flats.editOrAdd(keyOf(volume)).frame = 7;
   workspace = withSeries(workspace, axialViewId, volume, {});
-  QCOMPARE(workspace.crosshairs["ct"].at, glm::dvec3(1, 2, 14));
+  QCOMPARE(workspace.crosshairs.at("ct").at, glm::dvec3(1, 2, 14));
 }
 
 void TestFramesOfSeries::clipsGoByTheClock_data() {

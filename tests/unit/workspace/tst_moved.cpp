@@ -74,8 +74,8 @@ Workspace withObjects() {
   series.path = "/data/ct", series.id = "1.2.3";
   Workspace w = withSeries({}, sceneViewId, series, {});
   for (const ViewId id : {axialViewId, coronalViewId})
-    w.view(id).flats[keyOf(series)].presentation = {"/data/more/pr.dcm", "1.2.4"};
-  w.regions[{"/other/seg.dcm", "1.2.5#1"}].kind = ReferenceKind::segmentation;
+    w.editView(id).flats.editOrAdd(keyOf(series)).presentation = {"/data/more/pr.dcm", "1.2.4"};
+  w.regions.editOrAdd({"/other/seg.dcm", "1.2.5#1"}).kind = ReferenceKind::segmentation;
   return w;
 }
 

@@ -88,7 +88,7 @@ void TestSessionJson::valuesAreComparedNotPlaces() {
   Workspace changed = w;
   Series series = *changed.series.begin()->second.series;
   series.description += "x";
-  changed.series.begin()->second.series = std::make_shared<const Series>(series);
+  changed.series.edit(changed.series.begin()->first).series = std::make_shared<const Series>(series);
   QVERIFY(!(w == changed));
 }
 
@@ -98,7 +98,7 @@ void TestSessionJson::aSeriesElsewhereTakesAllThatWasMadeOfIt() {
   series.id = moved.id = "ct.nrrd";
   const auto shown = [](const Series& s) {
     Workspace w = withSeries({}, sceneViewId, s, {});
-    w.crosshairs[frameOfReference(s)].at = {1, 2, 3};
+    w.crosshairs.editOrAdd(frameOfReference(s)).at = {1, 2, 3};
     return w;
   };
   const auto back = sessionFromJson(*sessionToJson(shown(series), "/old"), [&](const SavedSeries& saved) {
@@ -284,10 +284,11 @@ void TestSessionJson::whatCannotBeReadIsNotWritten() {
   Series series;
   series.path = "/data/ct";
   Workspace w = withSeries({}, sceneViewId, series, {});
+  const SeriesKey key = keyOf(series);
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
-  if (which == 0) w.view(axialViewId).flats.begin()->second.zoom = infinity;
-  if (which == 1) w.view(sceneViewId).scenes.begin()->second.scene.camera.emplace().height = nan;
-  if (which == 2) w.crosshairs["1.2"].at = {0, nan, 0};
+  if (which == 0) w.editView(axialViewId).flats.edit(key).zoom = infinity;
+  if (which == 1) w.editView(sceneViewId).scenes.edit(key).scene.camera.emplace().height = nan;
+  if (which == 2) w.crosshairs.editOrAdd("1.2").at = {0, nan, 0};
   const auto text = sessionToJson(w, folder);
   QVERIFY(!text);
   QVERIFY2(QString::fromStdString(text.message()).startsWith(sentence), text.message().c_str());

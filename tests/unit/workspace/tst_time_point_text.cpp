@@ -71,10 +71,10 @@ void TestTimePointText::stepsAreNamedByWhatVaries() {
   const std::vector<Series> all = seriesNamed(names);
   Workspace workspace;
   for (const Series& series : all)
-    workspace.series[keyOf(series)].series = std::make_shared<const Series>(series);
+    workspace.series.editOrAdd(keyOf(series)).series = std::make_shared<const Series>(series);
   Series other = all.front();
   other.id = other.seriesUid = "1.2.4";
-  workspace.series[keyOf(other)].series = std::make_shared<const Series>(other);
+  workspace.series.editOrAdd(keyOf(other)).series = std::make_shared<const Series>(other);
   const auto steps = timePointsOf(workspace, keyOf(all.back()));
   QCOMPARE(steps.size(), all.size());
   QTEST(stepsText(steps), "count");

@@ -1,0 +1,85 @@
+#include <algorithm>
+
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/workspace.h"
+
+namespace volumen {
+
+namespace {
+
+struct LayoutEntry {
+  Layout layout;
+  const char* name;
+  std::vector<ViewId> views;  // empty: the one in focus
+};
+
+const std::vector<LayoutEntry>& layouts() {
+  static const std::vector<LayoutEntry> table{
+      {Layout::one, "one", {}},
+      {Layout::planes, "planes", {axialViewId, sagittalViewId, coronalViewId, sceneViewId}},
+      {Layout::besidePlanes, "besidePlanes", {sceneViewId, axialViewId, coronalViewId, sagittalViewId}},
+      {Layout::two, "two", {firstComparedId, firstComparedId + 1}},
+      {Layout::four,
+       "four",
+       {firstComparedId, firstComparedId + 1, firstComparedId + 2, firstComparedId + 3}},
+  };
+  return table;
+}
+
+// The group's view of the plane that its slices were acquired in.
+ViewId acquiredViewOf(const Workspace& workspace) {
+  const Series* series = seriesIn(workspace, axialViewId);
+  const ViewKind kind = series ? acquiredKind(series->acquired) : ViewKind::axial;
+  return kind == ViewKind::coronal    ? coronalViewId
+         : kind == ViewKind::sagittal ? sagittalViewId
+                                      : axialViewId;
+}
+
+}  // namespace
+
+const char* layoutName(Layout layout) {
+  return std::ranges::find(layouts(), layout, &LayoutEntry::layout)->name;
+}
+
+std::optional<Layout> layoutNamed(const std::string& name) {
+  for (const LayoutEntry& entry : layouts())
+    if (name == entry.name) return entry.layout;
+  return {};
+}
+
+std::vector<ViewId> viewsOnScreen(const Workspace& workspace) {
+  const auto& views = std::ranges::find(layouts(), workspace.layout, &LayoutEntry::layout)->views;
+  const ViewId first = views.empty() ? workspace.focus : views.front();
+  if (first < firstComparedId && showsFrames(workspace, first)) return {axialViewId};
+  if (views.empty()) return {workspace.focus};
+  // Acquired slices come first.
+  std::vector<ViewId> ordered = views;
+  const auto flat = std::ranges::find(ordered, axialViewId);
+  if (flat != ordered.end()) std::swap(*flat, *std::ranges::find(ordered, acquiredViewOf(workspace)));
+  return ordered;
+}
+
+Layout usualLayout(const Series& series) {
+  constexpr int fewest = 8;  // slices that make planes across them worth a look
+  const glm::ivec3 n = series.acquired.size;
+  return std::min({n.x, n.y, n.z}) < fewest ? Layout::one : Layout::planes;
+}
+
+Workspace withUsualLayout(Workspace workspace, const Series& series) {
+  workspace = withLayout(std::move(workspace), usualLayout(series));
+  if (workspace.layout == Layout::one && workspace.focus < firstComparedId)
+    workspace.focus = acquiredViewOf(workspace);
+  return workspace;
+}
+
+Workspace withSlicesInFocus(Workspace workspace) {
+  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  const ViewId slices = acquiredViewOf(workspace);
+  if (workspace.focus < firstComparedId && std::ranges::find(views, slices) != views.end())
+    workspace.focus = slices;
+  return workspace;
+}
+
+bool comparesSeries(Layout layout) { return layout == Layout::two || layout == Layout::four; }
+
+}  // namespace volumen
