@@ -5,23 +5,16 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
 #include "io/files/session_file.h"
-#include "ui/controller/find_saved.h"
-#include "ui/controller/masker.h"
-#include "ui/controller/qt_gl_context.h"
-#include "ui/controller/registrar.h"
 #include "ui/data/frame_series.h"
-#include "ui/panels/accuracy_panel.h"
-#include "ui/panels/effects_panel.h"
-#include "ui/panels/preset_bar.h"
-#include "ui/panels/segment_panel.h"
-#include "ui/panels/snapshot_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/study_model.h"
 #include "ui/views/view_grid.h"
@@ -32,66 +25,41 @@
 #include "ui/workspace/hidden_paths.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
-#include "ui/workspace/time_points.h"
 
 namespace volumen {
 
 MainWindow::MainWindow(const Services& services, QWidget* parent)
-    : QMainWindow(parent),
-      services_(services),
-      index_(services.indexFolder, jobs_),
-      drawService_(services.makeDraw),
-      loader_(jobs_, services.makeScene),
-      meter_(drawService_),
-      snapshot_(drawService_, jobs_),
-      thumbnails_(drawService_, services.makeScene) {
+    : QMainWindow(parent), services_(services), document_(services_) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("volumen"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
   makeCentre();
-  makeReferenceActions();
   makeDocks();
   makeActions();
-  makeLayoutActions();
-  makeFrameActions();
-  makeKindActions();
-  makeMeasureActions();
-  makeBrowserActions();
-  makeMenus();
-  makeToolBar();
   connectSession();
   connectLoader();
   connectDrawing();
-  connectVolumeViews();
-  connectSegmenter();
-  connectMasker();
-  connectAccuracy();
-  connectSnapshots();
-  connectScenes();
+  makeFeatures();
+  makeMenus();
+  makeToolBar();
   connectRecent();
   connectSessions();
-  connectViews();
-  connectFrames();
-  connectLinks();
-  connectReferences();
-  connectBrowser();
   restoreLayout();
   showTheme();
   session_.prefer(storedPreferences());
 }
 
 MainWindow::~MainWindow() {
-  // Panels and view refer to the session: they go first.
-  for (const auto& [name, dock] : docks_) delete dock;
+  // Panels and views refer to the document, and features' jobs stand in its list: they go first.
+  for (const auto& [name, dock] : bench_->docks) delete dock;
   delete takeCentralWidget();
-  // Their jobs stand in the list.
-  delete registrar_;
-  delete masker_;
+  features_.clear();
 }
 
 void MainWindow::makeCentre() {
-  grid_ = new ViewGrid(session_, drawService_, slices_, frames_, measurer_, references_);
+  grid_ = new ViewGrid(session_, document_.drawService, document_.slices, document_.frames,
+                       document_.measurer, document_.references);
   banner_ = new Banner;
   banner_->setWriting(withoutPaths);
   offer_ = new OfferBar;
@@ -99,52 +67,68 @@ void MainWindow::makeCentre() {
   pages_ = new QStackedWidget;
   pages_->addWidget(start_);
   pages_->addWidget(grid_);
+  auto* split = new QSplitter(Qt::Vertical);
+  split->setObjectName(QStringLiteral("browserSplitter"));
+  split->setChildrenCollapsible(false);
+  split->addWidget(pages_);
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(offer_);
   column->addWidget(banner_);
-  column->addWidget(makeBrowser(), 1);
+  column->addWidget(split, 1);
   setCentralWidget(centre);
-  status_ = new StatusLine(jobs_);
+  status_ = new StatusLine(document_.jobs);
   statusBar()->addWidget(status_, 1);
   statusBar()->setSizeGripEnabled(false);
+  bench_ = std::make_unique<Workbench>(
+      services_, document_, WindowParts{*this, *grid_, *banner_, *status_, *pages_, *split, *column});
   connect(start_, &StartPage::openFolderRequested, this, &MainWindow::askForFolder);
   connect(start_, &StartPage::openFileRequested, this, &MainWindow::askForFile);
   connect(start_, &StartPage::sampleRequested, this, [this] { open({QStringLiteral("phantom:ct-head")}); });
 }
 
+void MainWindow::makeFeatures() {
+  for (const FeatureEntry& entry : features()) features_.push_back(entry.make(*bench_));
+}
+
 void MainWindow::connectSession() {
   connect(&session_, &Session::preferencesChanged, this, &MainWindow::applyPreferences);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series)
-      before.series&& areOneSeries(before.series, after.series) ? showVolume() : showSeries();
-    if (before.goal != after.goal) applyLevel();
-    if (before.series == after.series && before.scene == after.scene) return;
-    meter_.forget();
+    const bool isSame = before.series && areOneSeries(before.series, after.series);
+    if (before.series != after.series && !isSame) showPage();
   });
-  connect(&session_, &Session::workspaceChanged, this, &MainWindow::showWarnings);
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            showWarnings();
+            if (!showsOther(before, after)) return;
+            choosePage();
+            const auto shown = [](const Workspace& w) {
+              return std::pair(w.view(w.focus).series, showsFrames(w, w.focus));
+            };
+            if (shown(before) != shown(after)) showPage();
+          });
+  connect(&session_, &Session::workspaceChanged, &open_,
+          [this](const Workspace& before, const Workspace& after) {
+            if (before.unlisted != after.unlisted) open_.setUnlisted(*after.unlisted);
+          });
 }
 
 void MainWindow::connectLoader() {
   connect(&loader_, &Loader::studyOpened, this, &MainWindow::showStudy);
   connect(&loader_, &Loader::seriesLoaded, this,
           [this](const ShownSeriesPtr& series, const std::optional<Scene>& scene) {
-            session_.take(series, arrangedFor(series->series));
+            session_.take(series, document_.opener.arrangedFor(series->series));
             if (scene) session_.edit(tr("Open scene"), *scene);
-          });
-  connect(&loader_, &Loader::presetReady, this,
-          [this](const QString& name, const Scene& scene, const VolumePtr& v) {
-            if (session_.series() && session_.series()->volume == v)
-              session_.choosePreset(tr("Preset %1").arg(name), name.toStdString(), scene);
           });
   connect(&loader_, &Loader::failed, this, [this](const QString& sentence) { banner_->add(sentence); });
   connect(&loader_, &Loader::notLoaded, grid_, &ViewGrid::giveUpWaiting);
-  connect(studies_, &StudiesPanel::seriesChosen, this, &MainWindow::showInFocus);
+  connect(studies_, &StudiesPanel::seriesChosen, &document_.opener, &Opener::show);
+  connect(studies_, &StudiesPanel::referenceChosen, bench_.get(), &Workbench::referenceChosen);
   connect(grid_, &ViewGrid::dropped, this, [this](const QMimeData& what) {
-    if (const Series* series = studies_->seriesOf(what)) showInFocus(*series);
-    if (const auto choice = choiceIn(what)) index_.open(*choice, OpenHow::here);
+    if (const Series* series = studies_->seriesOf(what)) document_.opener.show(*series);
+    if (const auto choice = choiceIn(what)) document_.index.open(*choice, OpenHow::here);
   });
   connect(&session_, &Session::seriesNeeded, &loader_,
           [this](const Series& series) { loader_.load(series); });
@@ -154,70 +138,61 @@ void MainWindow::connectLoader() {
     banner_->hide();
     session_.closeAll(listed);
   });
-  connect(&session_, &Session::workspaceChanged, &open_,
-          [this](const Workspace& before, const Workspace& after) {
-            if (before.unlisted != after.unlisted) open_.setUnlisted(*after.unlisted);
-          });
-}
-
-void MainWindow::showInFocus(const Series& series) {
-  if (opensAsPictures(series)) return showFramesInFocus(series);
-  const Workspace& workspace = session_.workspace();
-  const Series* shown = seriesIn(workspace, workspace.focus);
-  if (shown && !showsFrames(workspace, workspace.focus) && keyOf(*shown) != keyOf(series) &&
-      workspace.series.contains(keyOf(series)) && areTimePoints(*shown, series)) {
-    session_.endGesture();
-    return session_.change(tr("Time point"), withTimePoint(workspace, workspace.focus, keyOf(series)));
-  }
-  const Session::Arrange arrange = arrangedFor(series);
-  if (!session_.showAgain(series, session_.workspace().focus, arrange)) loader_.load(series);
 }
 
 void MainWindow::connectDrawing() {
-  connect(&drawService_, &DrawService::failed, this,
+  connect(&document_.drawService, &DrawService::failed, this,
           [this](ViewId, const QString& sentence) { banner_->tell(sentence); });
-}
-
-void MainWindow::connectSegmenter() {
-  connect(segment_, &SegmentPanel::segmentRequested, &segmenter_, &Segmenter::segment);
-  connect(segment_, &SegmentPanel::saveRequested, &segmenter_, &Segmenter::save);
-  connect(&segmenter_, &Segmenter::segmented, segment_, &SegmentPanel::showSegmentation);
-  connect(segment_, &SegmentPanel::previewChanged, grid_, &ViewGrid::showSegment);
-  connect(&segmenter_, &Segmenter::saved, this,
-          [this](const QString& path, const std::shared_ptr<const RangeSegment>& segmentation) {
-            status_->tell(tr("Saved %1").arg(path));
-            segment_->noteSaved(segmentation);
+  connect(&document_.slices, &SliceService::failed, this,
+          [this](int, const QString& sentence) { banner_->tell(sentence); });
+  bench_->forEachVolumeView(
+      [this](VolumeView* made) { connect(made, &VolumeView::drawn, this, &MainWindow::showDrawn); });
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (before.focus == after.focus) return;
+            document_.drawService.setHand(after.focus);
+            // The panels want to know of it.
+            if (sceneViewOf(before) != sceneViewOf(after)) view()->requestPicture();
           });
-  connect(&segmenter_, &Segmenter::failed, this,
-          [this](const QString& sentence) { banner_->tell(sentence); });
+  connect(bench_->docks.at(QStringLiteral("clip")), &QDockWidget::visibilityChanged, grid_,
+          &ViewGrid::setClipShown);
+  connect(grid_, &ViewGrid::hovered, status_, &StatusLine::showHover);
+  connect(grid_, &ViewGrid::maximiseRequested, this, [this] { bench_->action("maximise")->toggle(); });
 }
 
-void MainWindow::connectMasker() {
-  segment_->setTableAction(masker_->tableAction());
-  connect(masker_, &Masker::failed, this, [this](const QString& sentence) { banner_->tell(sentence); });
+// Of the view that the panels work on.
+void MainWindow::showDrawn(const ScreenPicture& drawn) {
+  if (drawn.view != sceneViewOf(session_.workspace())) return;
+  bench_->drawn(drawn);
+  if (drawn.draft()) return;
+  Scene now = session_.scene();
+  if (!now.camera) now.camera = drawn.scene.camera;
+  if (now != drawn.scene) return;
+  // The plan's camera sees a little more where a ray stands for several pixels.
+  Scene complete = drawn.plan->scene;
+  const auto target = complete.camera->target;
+  complete.camera = drawn.scene.camera;
+  if (!complete.camera->target) complete.camera->target = target;
+  bench_->drawnAtRest(drawn, complete);
+  Q_EMIT settled();
 }
 
-void MainWindow::connectAccuracy() {
-  connect(&meter_, &AccuracyMeter::changed, this, [this] {
-    accuracy_->showMeasured(meter_.measured());
-    applyLevel();
-  });
-  connect(&meter_, &AccuracyMeter::progressed, accuracy_, &AccuracyPanel::showProgress);
-  connect(docks_.at(QStringLiteral("accuracy")), &QDockWidget::visibilityChanged, &meter_,
-          &AccuracyMeter::setWatched);
-  QAction* showError = actions_.at(QStringLiteral("showError"));
-  connect(accuracy_, &AccuracyPanel::errorWanted, showError, &QAction::setChecked);
-  connect(showError, &QAction::toggled, accuracy_, &AccuracyPanel::setErrorWanted);
-  connect(showError, &QAction::toggled, grid_, &ViewGrid::setErrorShown);
+// The views where any of them shows something, else the start page.
+void MainWindow::choosePage() {
+  const Workspace& workspace = session_.workspace();
+  const bool isAny = std::ranges::any_of(viewsOnScreen(workspace),
+                                         [&](ViewId id) { return !workspace.view(id).series.empty(); });
+  const bool appears = isAny && pages_->currentWidget() != grid_;
+  pages_->setCurrentWidget(isAny ? static_cast<QWidget*>(grid_) : pages_->widget(0));
+  // A page that appears gives the keys to its first child, whatever view has the focus.
+  if (appears) grid_->setFocus();
 }
 
-void MainWindow::applyLevel() {
-  meter_.setNeeded(session_.goal().aim != Aim::level);
-  const auto level = levelFor(session_.goal(), meter_.measured().levels);
-  if (!level || *level == drawService_.level(sceneViewId)) return;
-  for (ViewId id = 0; id < viewCount; ++id) drawService_.setLevel(id, *level);
-  accuracy_->showLevel(*level);
-  grid_->requestPictures();
+// Of what is in focus: page, title, and mark in the list.
+void MainWindow::showPage() {
+  choosePage();
+  showNames();
+  if (pages_->currentWidget() == grid_ && !grid_->isAncestorOf(focusWidget())) grid_->setFocus();
 }
 
 void MainWindow::open(const QStringList& paths, const std::optional<Scene>& scene) {
@@ -235,19 +210,9 @@ void MainWindow::open(const QStringList& paths, const std::optional<Scene>& scen
   }
 }
 
-// What was taken off the list stands there again.
-void MainWindow::addStudy(const QString& path, const std::shared_ptr<const Study>& study) {
-  std::vector<SeriesKey> series;
-  std::vector<ReferenceKey> references;
-  for (const Series& s : allSeriesOf(*study)) series.push_back(keyOf(s));
-  for (const Reference& object : study->references) references.push_back(keyOf(object));
-  session_.list(series, references);
-  open_.add(path, study);
-}
-
 void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Study>& study,
                            const OpenIntent& intent) {
-  addStudy(path, study);
+  document_.opener.list(path, study);
   QStringList details;
   for (const Refused& refused : study->refused)
     details << pathText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
@@ -259,22 +224,8 @@ void MainWindow::showStudy(const QString& path, const std::shared_ptr<const Stud
     return banner_->add(tr("No images found in %1.").arg(pathText(path.toStdString())), details);
   if (!study->refused.empty()) banner_->add(unreadText(*study), details);
   recent_.add(path);
-  if (intent.isShown && !std::exchange(*intent.isShown, true)) showFirst(*study, intent.scene);
-}
-
-// The largest volume, else the first pictures.
-void MainWindow::showFirst(const Study& study, const std::optional<Scene>& scene) {
-  if (const Result<std::size_t> largest = chooseSeries(study, {}); largest && !study.volumes.empty()) {
-    const Series& series = study.volumes[*largest];
-    return opensAsPictures(series) && !scene ? showFramesInFocus(series) : loader_.load(series, scene);
-  }
-  if (const std::vector<Series> frames = frameSeries(study); !frames.empty())
-    showFramesInFocus(frames.front());
-}
-
-void MainWindow::showVolume() {
-  thumbnails_.stop();
-  thumbnailsOf_.reset();
+  if (intent.isShown && !std::exchange(*intent.isShown, true))
+    document_.opener.showFirst(*study, intent.scene);
 }
 
 // What is to be known of the series in focus; of frames and of what is still being read, by its headers.
@@ -288,24 +239,29 @@ void MainWindow::showWarnings() {
                                  : QStringList());
 }
 
-void MainWindow::showSeries() {
-  showVolume();
-  showPage();
+void MainWindow::connectRecent() {
+  connect(start_, &StartPage::recentRequested, this, [this](const QString& path) { open({path}); });
+  connect(start_, &StartPage::clearRecentRequested, &recent_, &RecentFiles::clear, Qt::QueuedConnection);
+  connect(&recent_, &RecentFiles::changed, this, &MainWindow::showRecent);
+  showRecent();
+  recent_.look();
 }
 
-void MainWindow::setResampler(Resampler resampler) {
-  // Where Qt has no OpenGL without a window, EGL is tried when the picture is drawn.
-  if (resampler == Resampler::gl) makeOffscreenGlSurface();
-  drawService_.setResampler(resampler);
-  meter_.forget();
-  grid_->requestPictures();
-}
-
-// Once the first picture of a series is there.
-void MainWindow::drawThumbnails() {
-  const VolumePtr& volume = session_.series()->volume;
-  if (std::exchange(thumbnailsOf_, volume) == volume) return;
-  thumbnails_.start(volume, presets_->names(), int(PresetBar::thumbnailEdge * devicePixelRatioF()));
+void MainWindow::showRecent() {
+  recentMenu_->clear();
+  QSet<QString> gone;
+  for (const QString& path : recent_.paths()) {
+    auto* action = recentMenu_->addAction(QString(path).replace(QLatin1Char('&'), QStringLiteral("&&")));
+    action->setEnabled(!recent_.isGone(path));
+    if (recent_.isGone(path)) gone.insert(path);
+    connect(action, &QAction::triggered, this, [this, path] { open({path}); });
+  }
+  recentMenu_->setEnabled(!recent_.paths().isEmpty());
+  recentMenu_->addSeparator();
+  auto* clear = recentMenu_->addAction(tr("Clear list"));
+  clear->setObjectName(QStringLiteral("clearRecentMenu"));
+  connect(clear, &QAction::triggered, &recent_, &RecentFiles::clear, Qt::QueuedConnection);
+  start_->showRecent(recent_.paths(), gone);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -327,7 +283,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (!findChild<QMessageBox*>(QStringLiteral("closeBox"))) askBeforeClosing(lost);
     return;
   }
-  actions_[QStringLiteral("maximise")]->setChecked(false);
+  bench_->action("maximise")->setChecked(false);
   keepLayout();
   event->accept();
 }

@@ -32,8 +32,8 @@ FoldTitle* titleOf(const QDockWidget* dock) { return static_cast<FoldTitle*>(doc
 }  // namespace
 
 void MainWindow::resetLayout() {
-  const auto dock = [this](const char* name) { return docks_.at(QLatin1String(name)); };
-  for (const auto& [name, each] : docks_) {
+  const auto dock = [this](const char* name) { return bench_->docks.at(QLatin1String(name)); };
+  for (const auto& [name, each] : bench_->docks) {
     each->setFloating(false);
     titleOf(each)->setFolded(false);
   }
@@ -43,7 +43,7 @@ void MainWindow::resetLayout() {
   for (const char* name : {"clip", "segment", "snapshot", "measurements", "keyImages", "regions", "camera",
                            "effects", "accuracy"})
     tabifyDockWidget(dock("lights"), dock(name));
-  for (const auto& [name, each] : docks_)
+  for (const auto& [name, each] : bench_->docks)
     each->setVisible(name != QStringLiteral("camera") && name != QStringLiteral("effects") &&
                      name != QStringLiteral("accuracy") && name != QStringLiteral("keyImages") &&
                      name != QStringLiteral("regions"));
@@ -57,9 +57,11 @@ void MainWindow::shareRoom() {
   const int studies = std::min(std::max(std::clamp(width() * 16 / 100, 150, 260), studies_->fittingWidth()),
                                std::max(150, (width() - 400) / 4));
   const int curve = std::max(height() * 2 / 5, 330);
-  QDockWidget *list = docks_.at(QStringLiteral("studies")), *transfer = docks_.at(QStringLiteral("transfer"));
+  QDockWidget *list = bench_->docks.at(QStringLiteral("studies")),
+              *transfer = bench_->docks.at(QStringLiteral("transfer"));
   resizeDocks({list, transfer}, {studies, right}, Qt::Horizontal);
-  resizeDocks({transfer, docks_.at(QStringLiteral("lights"))}, {curve, height() - curve}, Qt::Vertical);
+  resizeDocks({transfer, bench_->docks.at(QStringLiteral("lights"))}, {curve, height() - curve},
+              Qt::Vertical);
 }
 
 void MainWindow::restoreLayout() {
@@ -77,16 +79,16 @@ void MainWindow::restoreLayout() {
   layoutKept_ = restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), layoutVersion);
   const QStringList folded = settings.value(QStringLiteral("window/folded")).toStringList();
   if (layoutKept_)
-    for (const auto& [name, dock] : docks_) titleOf(dock)->setFolded(folded.contains(name));
+    for (const auto& [name, dock] : bench_->docks) titleOf(dock)->setFolded(folded.contains(name));
 }
 
 void MainWindow::keepLayout() {
-  keepLayouts();
+  document_.opener.keepLayouts();
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
   settings.setValue(QStringLiteral("window/layout"), saveState(layoutVersion));
   QStringList folded;
-  for (const auto& [name, dock] : docks_)
+  for (const auto& [name, dock] : bench_->docks)
     if (titleOf(dock)->folded()) folded << name;
   settings.setValue(QStringLiteral("window/folded"), folded);
 }
@@ -102,31 +104,28 @@ void MainWindow::showEvent(QShowEvent* event) {
 void MainWindow::setMaximised(bool alone) {
   if (alone) layoutBefore_ = saveState();
   grid_->setAlone(alone);
-  for (const auto& [name, dock] : docks_) dock->setVisible(!alone);
+  for (const auto& [name, dock] : bench_->docks) dock->setVisible(!alone);
   for (QToolBar* bar : findChildren<QToolBar*>()) bar->setVisible(!alone);
   statusBar()->setVisible(!alone);
   if (!alone) restoreState(layoutBefore_);
-  actions_.at(QStringLiteral("leaveMaximised"))->setEnabled(alone);
+  bench_->action("leaveMaximised")->setEnabled(alone);
 }
 
 void MainWindow::applyPreferences(const Preferences& before, const Preferences& after) {
   storePreferences(after);
   if (before.theme != after.theme || before.textPercent != after.textPercent) showTheme();
-  actions_.at(QStringLiteral("lightTheme"))->setChecked(after.theme == Theme::light);
-  actions_.at(QStringLiteral("hideNames"))->setChecked(after.hideNames);
+  bench_->action("lightTheme")->setChecked(after.theme == Theme::light);
+  bench_->action("hideNames")->setChecked(after.hideNames);
   if (before.hideNames == after.hideNames) return;
   studies_->showNames();
-  references_.setOpen(open_.references());
-  browser_->showNames();
   banner_->refresh();
   showEarlier(std::vector(earlier_));
-  showPatients();
   showNames();
 }
 
 void MainWindow::showTheme() {
   applyTheme(*qApp, session_.preferences().theme, session_.preferences().textPercent);
-  for (const auto& [name, action] : actions_) {
+  for (const auto& [name, action] : bench_->actions) {
     const QString iconName = action->property("iconName").toString();
     if (!iconName.isEmpty()) action->setIcon(icon(iconName));
   }
@@ -147,7 +146,6 @@ void MainWindow::showNames() {
   setWindowModified(named && sessionFiles_.modified());
   const ShownSeriesPtr inMemory = session_.seriesOf(session_.workspace().focus);
   studies_->markShown(*series, inMemory ? inMemory->volume : nullptr);
-  snapshotPanel_->setName(seriesText(*series).replace(QLatin1Char('/'), QLatin1Char('_')));
 }
 
 void MainWindow::showPreferences() {
@@ -188,7 +186,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (view == views.end() || typing || !(event->modifiers() & Qt::KeypadModifier))
     return QMainWindow::keyPressEvent(event);
   const bool opposite = event->modifiers() & Qt::ControlModifier;
-  actions_.at(QLatin1String(opposite ? view->second.second : view->second.first))->trigger();
+  bench_->action(opposite ? view->second.second : view->second.first)->trigger();
 }
 
 }  // namespace volumen

@@ -22,7 +22,7 @@ void MainWindow::makeMenus() {
       if (name == QStringLiteral("|"))
         menu->addSeparator();
       else
-        menu->addAction(actions_.at(name));
+        menu->addAction(bench_->actions.at(name));
   };
   auto* file = menuBar()->addMenu(tr("&File"));
   fill(file,
@@ -30,14 +30,14 @@ void MainWindow::makeMenus() {
        "saveSessionAs | openScene saveScene | "
        "snapshot copySnapshot | quit");
   recentMenu_ = new QMenu(tr("Open recent"), file);
-  file->insertMenu(actions_.at(QStringLiteral("openSample")), recentMenu_);
+  file->insertMenu(bench_->action("openSample"), recentMenu_);
   earlierMenu_ = new QMenu(tr("Restore earlier work"), file);
   earlierMenu_->setObjectName(QStringLiteral("earlierMenu"));
-  file->insertMenu(actions_.at(QStringLiteral("openScene")), earlierMenu_);
+  file->insertMenu(bench_->action("openScene"), earlierMenu_);
   connect(file, &QMenu::aboutToShow, &recent_, &RecentFiles::look);
   fill(menuBar()->addMenu(tr("&Edit")), "undo redo | removeTable resetScissors | preferences");
   auto* view = menuBar()->addMenu(tr("&View"));
-  view->addActions(sceneTools_->actions());
+  for (const Tool* tool : chosenSceneTools()) view->addAction(bench_->actionOf(*tool));
   fill(view,
        "resetView | viewAnterior viewPosterior viewLeft viewRight "
        "viewSuperior "
@@ -45,25 +45,22 @@ void MainWindow::makeMenus() {
        "showAsFrames ownWindows overlaysAndShutters playFrames | "
        "keyImage previousKeyImage nextKeyImage | "
        "openGlResampler showError | maximise fullScreen lightTheme hideNames");
-  layoutMenu_ = view->addMenu(tr("Layout"));
+  auto* layouts = view->addMenu(tr("Layout"));
+  layouts->setObjectName(QStringLiteral("layoutMenu"));
   auto* shown = view->addMenu(tr("Show in this view"));
-  shown->addActions(kinds_->actions());
-  fill(layoutMenu_,
+  fill(shown, "show3D showAxial showCoronal showSagittal");
+  fill(layouts,
        "layoutOne layoutPlanes layoutBesidePlanes layoutTwo layoutFour | alignPlanes straightenPlanes");
-  linkMenu_ = makeLinkMenu(
-      session_, [this] { registerViews(); }, view);
-  view->addMenu(linkMenu_);
-  view->addMenu(measureMenu_);
-  view->addAction(actions_.at(QStringLiteral("interpolate")));
+  fill(view, "linkMenu measure interpolate");
   view->addMenu(makeSlabMenu(session_, view));
   view->addMenu(makeColourMenu(session_, view));
   view->addMenu(makePetUnitMenu(session_, view));
   view->addMenu(makeOverlayMenu(
       session_, [this] { return studies_->listedSeries(); }, view));
   auto* docks = view->addMenu(tr("Panels"));
-  for (const auto& [name, dock] : docks_) docks->addAction(dock->toggleViewAction());
+  for (const auto& [name, dock] : bench_->docks) docks->addAction(dock->toggleViewAction());
   docks->addSeparator();
-  docks->addAction(actions_.at(QStringLiteral("resetLayout")));
+  docks->addAction(bench_->action("resetLayout"));
   fill(menuBar()->addMenu(tr("&Help")), "documentation shortcuts about");
 }
 
@@ -72,23 +69,28 @@ void MainWindow::makeToolBar() {
   bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);
   bar->setIconSize({22, 22});
-  const auto add = [&](const char* name) { bar->addAction(actions_.at(QLatin1String(name))); };
+  const auto add = [&](const char* name) { bar->addAction(bench_->action(name)); };
   for (const char* name : {"openFolder", "showBrowser", "undo", "redo"}) add(name);
   bar->addSeparator();
-  bar->addActions(sceneTools_->actions());
+  for (const Tool* tool : chosenSceneTools()) bar->addAction(bench_->actionOf(*tool));
   add("resetView");
   bar->addSeparator();
-  makePresetBar(bar);
+  for (QWidget* widget : bench_->toolBarWidgets) bar->addWidget(widget);
   auto* layouts = new QToolButton;
   layouts->setObjectName(QStringLiteral("layoutButton"));
   layouts->setText(tr("Layout"));
   layouts->setPopupMode(QToolButton::InstantPopup);
-  layouts->setMenu(layoutMenu_);
+  layouts->setMenu(findChild<QMenu*>(QStringLiteral("layoutMenu")));
   bar->addWidget(layouts);
-  bar->addWidget(makeMeasureButton());
+  auto* measures = new QToolButton;
+  measures->setObjectName(QStringLiteral("measureButton"));
+  measures->setDefaultAction(bench_->action("measure"));
+  measures->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  measures->setPopupMode(QToolButton::InstantPopup);
+  bar->addWidget(measures);
   auto* links = new QToolButton;
   links->setObjectName(QStringLiteral("linkButton"));
-  links->setDefaultAction(linkMenu_->menuAction());
+  links->setDefaultAction(bench_->action("linkMenu"));
   links->setPopupMode(QToolButton::InstantPopup);
   bar->addWidget(links);
   auto* gap = new QWidget;
@@ -96,22 +98,6 @@ void MainWindow::makeToolBar() {
   bar->addWidget(gap);
   add("snapshot");
   add("shortcuts");
-}
-
-void MainWindow::makePresetBar(QToolBar* bar) {
-  presets_ = new PresetBar(session_, services_.presets);
-  bar->addWidget(presets_);
-  connect(presets_, &PresetBar::presetChosen, this,
-          [this](const QString& name) { loader_.makePreset(name, session_.series()->volume); });
-  connect(presets_, &PresetBar::failed, this, [this](const QString& sentence) { banner_->tell(sentence); });
-  connect(presets_, &PresetBar::listChanged, this, [this] {
-    thumbnailsOf_.reset();
-    drawThumbnails();
-  });
-  QStringList problems;
-  for (const std::string& problem : ownPresets().problems) problems << shownText(problem);
-  if (!problems.isEmpty()) banner_->tell(tr("A preset of yours cannot be read."), problems);
-  connect(&thumbnails_, &PresetThumbnails::ready, presets_, &PresetBar::showThumbnail);
 }
 
 }  // namespace volumen

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "ui/main_window.h"
-#include "ui/panels/segment_panel.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/offer_bar.h"
@@ -76,7 +75,8 @@ void MainWindow::showSession(const QString& path, const OpenedSession& opened) {
   const bool isLost = lost_ && lost_->path == path;
   const auto earlier = std::ranges::find(earlier_, path, &LostSession::path);
   const bool restores = isLost || earlier != earlier_.end();
-  for (const auto& [place, study] : opened.studies) addStudy(QString::fromStdString(place), study);
+  for (const auto& [place, study] : opened.studies)
+    document_.opener.list(QString::fromStdString(place), study);
   session_.open(restores ? tr("Restore") : tr("Open session"), opened.workspace);
   for (const QString& problem : opened.problems) banner_->add(problem);
   offerToLocate();
@@ -110,7 +110,7 @@ void MainWindow::askWhereMissing() {
 void MainWindow::showLocated(const Located& located) {
   banner_->hide();
   if (!located.series.empty() || !located.references.empty()) {
-    addStudy(QString::fromStdString(located.folder), located.study);
+    document_.opener.list(QString::fromStdString(located.folder), located.study);
     session_.endGesture();
     session_.change(tr("Locate"), withLocated(session_.workspace(), located));
     session_.endGesture();
@@ -126,7 +126,8 @@ void MainWindow::offerLost(const LostSession& lost) {
 
 // What closing the window would lose; empty: nothing.
 QString MainWindow::unsavedText() const {
-  QStringList parts{workText(sessionFiles_.unsavedWork()), segment_->unsavedText()};
+  QStringList parts{workText(sessionFiles_.unsavedWork())};
+  for (const auto& feature : features_) parts << feature->unsavedText();
   parts.removeAll(QString());
   return parts.join(QStringLiteral(", "));
 }

@@ -10,6 +10,7 @@
 #include "app/command.h"
 #include "app/usage.h"
 #include "ui/british.h"
+#include "ui/controller/scene_files.h"
 #include "ui/main_window.h"
 
 namespace volumen {

@@ -178,7 +178,7 @@ void TestPreferences::namesAreHiddenEverywhere() {
   study->volumes[1].patientName = "Other^Name";
   for (Series& series : study->volumes) series.studyDate = "20260314";
   study->refused = {{"/data/Test_Ball/broken.dcm", "cut off"}};
-  window.findChild<OpenStudies*>()->add(QStringLiteral("/data"), study);
+  window.document().open.add(QStringLiteral("/data"), study);
   const auto listed = [&] {
     QStringList texts;
     for (QTreeWidgetItemIterator it(panel->tree()); *it; ++it) texts << (*it)->text(0) << (*it)->toolTip(0);

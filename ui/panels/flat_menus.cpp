@@ -5,6 +5,7 @@
 #include <QWidgetAction>
 #include <cmath>
 
+#include "ui/workspace/link_text.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
@@ -101,13 +102,6 @@ ViewId flatViewInFocus(const Workspace& workspace) {
   if (workspace.view(workspace.focus).kind != ViewKind::volume) return workspace.focus;
   const std::vector<ViewId> planes = planesOf(workspace, workspace.focus);
   return planes.empty() ? workspace.focus : planes.front();
-}
-
-QString whyNotOverlaid(const Workspace& workspace, const Series& under, const Series& over) {
-  if (!under.acquired.calibrated || !over.acquired.calibrated) return tr("not calibrated");
-  if (!relationOf(workspace, frameOfReference(under), frameOfReference(over)))
-    return tr("another frame of reference");
-  return {};
 }
 
 QMenu* makeColourMenu(Session& session, QWidget* parent) {

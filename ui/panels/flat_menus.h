@@ -16,8 +16,4 @@ QMenu* makeColourMenu(Session& session, QWidget* parent);
 /// The second series of the flat views in focus, its colours and its opacity. `series` lists what is open.
 QMenu* makeOverlayMenu(Session& session, std::function<std::vector<const Series*>()> series, QWidget* parent);
 
-/// Why two series cannot lie over each other; empty where they can: in one frame of reference or in two that
-/// are linked.
-QString whyNotOverlaid(const Workspace& workspace, const Series& under, const Series& over);
-
 }  // namespace volumen

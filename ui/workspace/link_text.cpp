@@ -51,4 +51,11 @@ QString linkSentence(const Workspace& workspace) {
              : tr("Different frames of reference: not linked. Lock here links them by hand.");
 }
 
+QString whyNotOverlaid(const Workspace& workspace, const Series& under, const Series& over) {
+  if (!under.acquired.calibrated || !over.acquired.calibrated) return tr("not calibrated");
+  if (!relationOf(workspace, frameOfReference(under), frameOfReference(over)))
+    return tr("another frame of reference");
+  return {};
+}
+
 }  // namespace volumen

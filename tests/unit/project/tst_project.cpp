@@ -262,7 +262,7 @@ void TestProject::textsOfStrangersAreNoRichText_data() {
 
 void TestProject::textsOfStrangersAreNoRichText() {
   QFETCH(QString, path);
-  if (path == QLatin1String("ui/main_window_help.cpp")) return;  // rich text of the program's own words
+  if (path == QLatin1String("ui/features/help.cpp")) return;  // rich text of the program's own words
   const QString found = richTextIn(textOf(path));
   QVERIFY2(found.isEmpty(), qPrintable(found + QStringLiteral(": see ui/widgets/plain_text.h")));
 }

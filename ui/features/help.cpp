@@ -1,13 +1,36 @@
 #include <QMessageBox>
 
 #include "io/worker/worker.h"
-#include "ui/main_window.h"
+#include "ui/features/feature.h"
 #include "ui/views/canvas.h"
 #include "ui/views/volume_view.h"
+#include "ui/widgets/documents_window.h"
 
 namespace volumen {
 
-void MainWindow::showAbout() {
+namespace {
+
+// Keys, documents, and what this program is.
+class Help : public Feature {
+ public:
+  explicit Help(Workbench& bench);
+
+ private:
+  void showAbout();
+  void showShortcuts();
+};
+
+Help::Help(Workbench& bench) : Feature(bench) {
+  bench_.addAction(
+      {"shortcuts", tr("Mouse and keys"), {tr("?")}, "help", false, [this](bool) { showShortcuts(); }});
+  bench_.addAction(
+      {"documentation", tr("Documentation"), {QKeySequence::HelpContents}, "", false, [this](bool) {
+         (new DocumentsWindow(&bench_.window))->show();
+       }});
+  bench_.addAction({"about", tr("About volumen"), {}, "", false, [this](bool) { showAbout(); }});
+}
+
+void Help::showAbout() {
   const QString reading =
       worker::isolating() ? tr("Files are read in separate processes: no network, no writing, memory and "
                                "time limited. Only samples "
@@ -22,15 +45,15 @@ void MainWindow::showAbout() {
                          "<p>Free software under the GNU General Public License, version 3 or later.</p>"
                          "<p>Qt %2. Pictures are shown through: %3.</p><p>%4</p>")
                           .arg(QStringLiteral(VOLUMEN_VERSION), QLatin1String(qVersion()),
-                               canvasKind(view()->canvas()), reading),
-                      QMessageBox::Close, this);
+                               canvasKind(bench_.view()->canvas()), reading),
+                      QMessageBox::Close, &bench_.window);
   box->setObjectName(QStringLiteral("aboutBox"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setModal(false);
   box->show();
 }
 
-void MainWindow::showShortcuts() {
+void Help::showShortcuts() {
   const QStringList rows{
       tr("Left drag"),
       tr("the chosen tool: rotate (Ctrl: roll), or adjust the curve: up and down shift it, left and right "
@@ -89,11 +112,15 @@ void MainWindow::showShortcuts() {
   for (int n = 0; n + 1 < rows.size(); n += 2)
     html += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(rows[n], rows[n + 1]);
   auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Mouse and keys"), html + QStringLiteral("</table>"),
-                              QMessageBox::Close, this);
+                              QMessageBox::Close, &bench_.window);
   box->setObjectName(QStringLiteral("shortcutsBox"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setModal(false);
   box->show();
 }
+
+}  // namespace
+
+std::unique_ptr<Feature> makeHelp(Workbench& bench) { return std::make_unique<Help>(bench); }
 
 }  // namespace volumen

@@ -1,16 +1,12 @@
 #include <QActionGroup>
 #include <QMenu>
-#include <QToolButton>
 #include <algorithm>
 
-#include "ui/controller/measurer.h"
-#include "ui/main_window.h"
+#include "ui/features/feature.h"
+#include "ui/features/theme.h"
 #include "ui/panels/measurements_panel.h"
-#include "ui/theme.h"
 #include "ui/views/view_grid.h"
-#include "ui/widgets/banner.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/widgets/status_line.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/measurements.h"
 #include "viewer/measure/shape_cut.h"
@@ -35,12 +31,31 @@ std::optional<ViewId> flatViewFor(const Workspace& workspace, const SeriesKey& s
   return best;
 }
 
-}  // namespace
+// Tools that measure, their menu, and the list of what was measured.
+class Measuring : public Feature {
+ public:
+  explicit Measuring(Workbench& bench);
+
+ private:
+  void makeActions();
+  void showMeasurement(int id);
+  void showOnFrame(const Measurement& m);
+};
+
+Measuring::Measuring(Workbench& bench) : Feature(bench) {
+  makeActions();
+  auto* panel = new MeasurementsPanel(session_, bench_.document.measurer);
+  bench_.addDock(QStringLiteral("measurements"), tr("Measure"), panel);
+  connect(panel, &MeasurementsPanel::jumpRequested, this, &Measuring::showMeasurement);
+  connect(panel, &MeasurementsPanel::saved, this,
+          [this](const QString& path) { tell(tr("Saved %1").arg(path)); });
+  connect(panel, &MeasurementsPanel::failed, this, [this](const QString& sentence) { warn(sentence); });
+}
 
 // Their keys mean views in 3D: flat views hear them themselves, the menu only tells them.
-void MainWindow::makeMeasureActions() {
-  measureMenu_ = new QMenu(tr("Measure"), this);
-  auto* group = new QActionGroup(this);
+void Measuring::makeActions() {
+  auto* measures = new QMenu(tr("Measure"), &bench_.window);
+  auto* group = new QActionGroup(&bench_.window);
   group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
   for (const Tool& tool : tools()) {
     if (!tool.measuring) continue;
@@ -52,51 +67,34 @@ void MainWindow::makeMeasureActions() {
     action->setToolTip(toolTipOf(tool.text));
     action->setProperty("iconName", QStringLiteral("measure-") + name);
     connect(action, &QAction::triggered, this, [this, &tool](bool on) {
-      if (!on) return grid_->restoreTool();
-      grid_->setTool(tool);
+      if (!on) return grid_.restoreTool();
+      grid_.setTool(tool);
       const auto isFlat = [this](ViewId id) {
         return session_.workspace().view(id).kind != ViewKind::volume;
       };
       if (std::ranges::none_of(viewsOnScreen(session_.workspace()), isFlat))
-        status_->tell(tr("Measuring works in slices: choose a layout with planes (Alt+2)."));
+        tell(tr("Measuring works in slices: choose a layout with planes (Alt+2)."));
     });
-    connect(grid_, &ViewGrid::toolChanged, action,
-            [this, action, &tool] { action->setChecked(&grid_->tool() == &tool); });
-    actions_[action->objectName()] = action;
-    measureMenu_->addAction(action);
+    connect(&grid_, &ViewGrid::toolChanged, action,
+            [this, action, &tool] { action->setChecked(&grid_.tool() == &tool); });
+    bench_.actions[action->objectName()] = action;
+    measures->addAction(action);
   }
-  QAction* menu = measureMenu_->menuAction();
+  QAction* menu = measures->menuAction();
   menu->setObjectName(QStringLiteral("measure"));
   const auto showTool = [this, menu] {
     const QString name = QStringLiteral("measure");
-    const Tool& tool = grid_->tool();
+    const Tool& tool = grid_.tool();
     menu->setProperty("iconName", tool.measuring ? name + QLatin1Char('-') + QLatin1String(tool.name) : name);
     menu->setIcon(icon(menu->property("iconName").toString()));
   };
-  connect(grid_, &ViewGrid::toolChanged, menu, showTool);
+  connect(&grid_, &ViewGrid::toolChanged, menu, showTool);
   showTool();
-  actions_[menu->objectName()] = menu;
-}
-
-QWidget* MainWindow::makeMeasureButton() {
-  auto* button = new QToolButton;
-  button->setObjectName(QStringLiteral("measureButton"));
-  button->setDefaultAction(measureMenu_->menuAction());
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  button->setPopupMode(QToolButton::InstantPopup);
-  return button;
-}
-
-void MainWindow::connectMeasurements(MeasurementsPanel* panel) {
-  connect(panel, &MeasurementsPanel::jumpRequested, this, &MainWindow::showMeasurement);
-  connect(panel, &MeasurementsPanel::saved, this,
-          [this](const QString& path) { status_->tell(tr("Saved %1").arg(path)); });
-  connect(panel, &MeasurementsPanel::failed, this,
-          [this](const QString& sentence) { banner_->tell(sentence); });
+  bench_.actions[menu->objectName()] = menu;
 }
 
 // In a view that shows frames of its series, else in the one in focus.
-void MainWindow::showOnFrame(const Measurement& m) {
+void Measuring::showOnFrame(const Measurement& m) {
   const Workspace& now = session_.workspace();
   const auto series = now.series.at(m.series).series;
   const auto frame = frameMeant(*series, *m.shape.frame);
@@ -116,7 +114,7 @@ void MainWindow::showOnFrame(const Measurement& m) {
 }
 
 // In the flat view that shows its series, else in the one in focus.
-void MainWindow::showMeasurement(int id) {
+void Measuring::showMeasurement(int id) {
   const Measurement* found = findMeasurement(session_.workspace(), id);
   if (!found || found->shape.points.empty()) return;
   const Measurement m = *found;
@@ -127,7 +125,7 @@ void MainWindow::showMeasurement(int id) {
     session_.change(tr("Layout"), withLayout(session_.workspace(), Layout::planes));
   const ViewId view = *flatViewFor(session_.workspace(), m.series);
   session_.setFocus(view);
-  if (session_.workspace().view(view).series != m.series) showInFocus(series);
+  if (session_.workspace().view(view).series != m.series) bench_.document.opener.show(series);
   session_.change(tr("Go to measurement"), [&](Workspace& w) {
     const std::string frame = frameOfReference(series);
     auto& crosshairs = scrollsAlone(w, view) ? w.editView(view).crosshairs : w.crosshairs;
@@ -136,5 +134,9 @@ void MainWindow::showMeasurement(int id) {
     w.selected = m.id;
   });
 }
+
+}  // namespace
+
+std::unique_ptr<Feature> makeMeasuring(Workbench& bench) { return std::make_unique<Measuring>(bench); }
 
 }  // namespace volumen

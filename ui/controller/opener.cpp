@@ -1,0 +1,111 @@
+#include "ui/controller/opener.h"
+
+#include <QSettings>
+#include <algorithm>
+
+#include "ui/data/frame_series.h"
+#include "ui/data/study_list.h"
+#include "ui/workspace/link_text.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
+
+namespace volumen {
+
+namespace {
+
+// Where the layout that was chosen for a modality is kept.
+QString layoutKey(const Series& series) {
+  const QString modality = QString::fromStdString(series.modality);
+  return QStringLiteral("layouts/") + (modality.isEmpty() ? QStringLiteral("other") : modality);
+}
+
+}  // namespace
+
+Opener::Opener(Session& session, Loader& loader, OpenStudies& open)
+    : session_(session), loader_(loader), open_(open) {}
+
+void Opener::list(const QString& path, const std::shared_ptr<const Study>& study) {
+  std::vector<SeriesKey> series;
+  std::vector<ReferenceKey> references;
+  for (const Series& s : allSeriesOf(*study)) series.push_back(keyOf(s));
+  for (const Reference& object : study->references) references.push_back(keyOf(object));
+  session_.list(series, references);
+  open_.add(path, study);
+}
+
+void Opener::show(const Series& series) {
+  if (opensAsPictures(series)) return showFrames(series);
+  const Workspace& workspace = session_.workspace();
+  const Series* shown = seriesIn(workspace, workspace.focus);
+  if (shown && !showsFrames(workspace, workspace.focus) && keyOf(*shown) != keyOf(series) &&
+      workspace.series.contains(keyOf(series)) && areTimePoints(*shown, series)) {
+    session_.endGesture();
+    return session_.change(tr("Time point"), withTimePoint(workspace, workspace.focus, keyOf(series)));
+  }
+  const Session::Arrange arrange = arrangedFor(series);
+  if (!session_.showAgain(series, session_.workspace().focus, arrange)) loader_.load(series);
+}
+
+void Opener::showFrames(const Series& series) {
+  loader_.cancelLoad();
+  session_.showFrames(series, session_.workspace().focus, [&](Workspace w, bool isNew) {
+    return isNew ? withTimePointsOf(std::move(w), series, open_.volumes()) : std::move(w);
+  });
+}
+
+void Opener::showFirst(const Study& study, const std::optional<Scene>& scene) {
+  if (const Result<std::size_t> largest = chooseSeries(study, {}); largest && !study.volumes.empty()) {
+    const Series& series = study.volumes[*largest];
+    return opensAsPictures(series) && !scene ? showFrames(series) : loader_.load(series, scene);
+  }
+  if (const std::vector<Series> frames = frameSeries(study); !frames.empty()) showFrames(frames.front());
+}
+
+void Opener::chooseLayout(Layout layout) {
+  if (const ShownSeriesPtr shown = session_.seriesOf(session_.workspace().focus))
+    layoutsChosen_[layoutKey(shown->series)] = layout;
+  session_.change(tr("Layout"), withLayout(session_.workspace(), layout));
+}
+
+// The CT that a PET is read over: of its study and frame of reference, the one with most voxels.
+const Series* Opener::ctUnder(const Series& pet) const {
+  const auto voxels = [](const Series& s) {
+    return std::int64_t(s.acquired.size.x) * s.acquired.size.y * s.acquired.size.z;
+  };
+  const Series* found = nullptr;
+  for (const Series* series : open_.volumes())
+    if (series->modality == "CT" && series->studyUid == pet.studyUid &&
+        whyNotOverlaid(session_.workspace(), *series, pet).isEmpty() &&
+        (!found || voxels(*series) > voxels(*found)))
+      found = series;
+  return found;
+}
+
+Workspace Opener::inLayoutOf(Workspace workspace, const Series& series) const {
+  const auto chosen = layoutsChosen_.find(layoutKey(series));
+  const QString kept = QSettings().value(layoutKey(series)).toString();
+  const auto layout =
+      chosen == layoutsChosen_.end() ? layoutNamed(kept.toStdString()) : std::optional(chosen->second);
+  if (!layout || !isUsefulVolume(series)) return withUsualLayout(std::move(workspace), series);
+  return *layout == workspace.layout ? workspace : withLayout(std::move(workspace), *layout);
+}
+
+Workspace Opener::arranged(Workspace workspace, const Series& series, bool isNew) const {
+  if (!comparesSeries(workspace.layout)) workspace = inLayoutOf(std::move(workspace), series);
+  if (!isNew) return workspace;
+  workspace = withSlicesInFocus(std::move(workspace));
+  workspace = withTimePointsOf(std::move(workspace), series, open_.volumes());
+  const Series* ct = series.modality == "PT" && workspace.focus < firstComparedId ? ctUnder(series) : nullptr;
+  return ct ? fusedWith(std::move(workspace), *ct) : workspace;
+}
+
+Session::Arrange Opener::arrangedFor(const Series& series) const {
+  return [this, series](Workspace w, bool isNew) { return arranged(std::move(w), series, isNew); };
+}
+
+void Opener::keepLayouts() const {
+  QSettings settings;
+  for (const auto& [key, layout] : layoutsChosen_) settings.setValue(key, QLatin1String(layoutName(layout)));
+}
+
+}  // namespace volumen

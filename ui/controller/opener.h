@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QObject>
+#include <map>
+
+#include "ui/controller/loader.h"
+#include "ui/document/open_studies.h"
+#include "ui/workspace/session.h"
+
+namespace volumen {
+
+/// Puts what is open into views: a series in the layout of its modality with what belongs to it, or its
+/// frames.
+class Opener : public QObject {
+  Q_OBJECT
+ public:
+  Opener(Session& session, Loader& loader, OpenStudies& open);
+
+  /// Puts a study into the list; what was taken off it stands there again.
+  void list(const QString& path, const std::shared_ptr<const Study>& study);
+  /// Shows a series in the view in focus: its volume, or its frames where that is how it is read.
+  void show(const Series& series);
+  /// Shows its frames there.
+  void showFrames(const Series& series);
+  /// Shows the largest volume of a study by this scene, else its first pictures.
+  void showFirst(const Study& study, const std::optional<Scene>& scene);
+
+  /// What a series brings with it: the layout of its modality, unless series are being compared; where it was
+  /// never shown before its time points, and the CT under a PET.
+  Session::Arrange arrangedFor(const Series& series) const;
+  /// In the layout that was chosen last for the modality of the series, else in the usual one.
+  Workspace inLayoutOf(Workspace workspace, const Series& series) const;
+  /// Shares the window so from now on, with all of the modality in focus.
+  void chooseLayout(Layout layout);
+  /// Keeps the layouts that were chosen for the next start.
+  void keepLayouts() const;
+
+ private:
+  Workspace arranged(Workspace workspace, const Series& series, bool isNew) const;
+  const Series* ctUnder(const Series& pet) const;
+
+  Session& session_;
+  Loader& loader_;
+  OpenStudies& open_;
+  std::map<QString, Layout> layoutsChosen_;  // by modality, since the program began
+};
+
+}  // namespace volumen

@@ -1,0 +1,92 @@
+#include <QDockWidget>
+
+#include "ui/controller/qt_gl_context.h"
+#include "ui/features/feature.h"
+#include "ui/panels/accuracy_panel.h"
+#include "ui/panels/effects_panel.h"
+#include "ui/views/view_grid.h"
+
+namespace volumen {
+
+namespace {
+
+// How right the picture is, how long it takes, what it is made of, and at what level it is drawn.
+class Accuracy : public Feature {
+ public:
+  explicit Accuracy(Workbench& bench);
+
+ private:
+  void connectMeter();
+  void applyLevel();
+  void setResampler(Resampler resampler);
+
+  DrawService& drawService_;
+  AccuracyMeter& meter_;
+  AccuracyPanel* panel_;
+  EffectsPanel* effects_;
+};
+
+Accuracy::Accuracy(Workbench& bench)
+    : Feature(bench),
+      drawService_(bench.document.drawService),
+      meter_(bench.document.meter),
+      panel_(new AccuracyPanel(session_)),
+      effects_(new EffectsPanel) {
+  bench_.addDock(QStringLiteral("effects"), tr("Effects"), effects_);
+  bench_.addDock(QStringLiteral("accuracy"), tr("Quality and speed"), Workbench::scrolling(panel_));
+  bench_.addAction(
+      {"openGlResampler", tr("Use OpenGL (usually slower without a GPU)"), {}, "", true, [this](bool on) {
+         setResampler(on ? Resampler::gl : Resampler::cpu);
+       }});
+  QAction* showError = bench_.addAction({"showError", tr("Show error map"), {}, "", true, {}});
+  connect(panel_, &AccuracyPanel::errorWanted, showError, &QAction::setChecked);
+  connect(showError, &QAction::toggled, panel_, &AccuracyPanel::setErrorWanted);
+  connect(showError, &QAction::toggled, &grid_, &ViewGrid::setErrorShown);
+  connect(&bench_, &Workbench::drawn, panel_, [this](const ScreenPicture& drawn) {
+    panel_->showEstimate(drawn);
+    if (!drawn.draft()) effects_->showPlan(*drawn.plan, drawn.stats);
+  });
+  connectMeter();
+}
+
+void Accuracy::connectMeter() {
+  connect(&meter_, &AccuracyMeter::changed, panel_, [this] {
+    panel_->showMeasured(meter_.measured());
+    applyLevel();
+  });
+  connect(&meter_, &AccuracyMeter::progressed, panel_, &AccuracyPanel::showProgress);
+  connect(bench_.docks.at(QStringLiteral("accuracy")), &QDockWidget::visibilityChanged, &meter_,
+          &AccuracyMeter::setWatched);
+  connect(&session_, &Session::changed, panel_,
+          [this](const SessionState& before, const SessionState& after) {
+            if (before.goal != after.goal) applyLevel();
+            if (before.series != after.series || before.scene != after.scene) meter_.forget();
+          });
+  connect(&bench_, &Workbench::drawnAtRest, &meter_,
+          [this](const ScreenPicture& drawn, const Scene& complete) {
+            meter_.show(session_.series()->volume, complete, drawn.image.size());
+          });
+}
+
+void Accuracy::applyLevel() {
+  meter_.setNeeded(session_.goal().aim != Aim::level);
+  const auto level = levelFor(session_.goal(), meter_.measured().levels);
+  if (!level || *level == drawService_.level(sceneViewId)) return;
+  for (ViewId id = 0; id < viewCount; ++id) drawService_.setLevel(id, *level);
+  panel_->showLevel(*level);
+  grid_.requestPictures();
+}
+
+void Accuracy::setResampler(Resampler resampler) {
+  // Where Qt has no OpenGL without a window, EGL is tried when the picture is drawn.
+  if (resampler == Resampler::gl) makeOffscreenGlSurface();
+  drawService_.setResampler(resampler);
+  meter_.forget();
+  grid_.requestPictures();
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeAccuracy(Workbench& bench) { return std::make_unique<Accuracy>(bench); }
+
+}  // namespace volumen

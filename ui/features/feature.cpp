@@ -1,0 +1,39 @@
+#include "ui/features/feature.h"
+
+#include "ui/widgets/banner.h"
+#include "ui/widgets/status_line.h"
+
+namespace volumen {
+
+const std::vector<FeatureEntry>& features() {
+  // Menus show what they add in this order, too.
+  static const std::vector<FeatureEntry> table{{"presets", makePresets},
+                                               {"scenes", makeScenes},
+                                               {"accuracy", makeAccuracy},
+                                               {"segmenting", makeSegmenting},
+                                               {"snapshots", makeSnapshots},
+                                               {"measuring", makeMeasuring},
+                                               {"registration", makeRegistration},
+                                               {"references", makeReferences},
+                                               {"key images", makeKeyImages},
+                                               {"frames", makeFrameActions},
+                                               {"views", makeViewActions},
+                                               {"study list", makeStudyListing},
+                                               {"help", makeHelp}};
+  return table;
+}
+
+Feature::Feature(Workbench& bench)
+    : QObject(&bench.window),
+      bench_(bench),
+      session_(bench.document.session),
+      open_(bench.document.open),
+      grid_(bench.grid) {}
+
+void Feature::tell(const QString& sentence) { bench_.status.tell(sentence); }
+
+void Feature::warn(const QString& sentence, const QStringList& details) {
+  bench_.banner.tell(sentence, details);
+}
+
+}  // namespace volumen

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ui/features/workbench.h"
+
+namespace volumen {
+
+/// Something that the window can do: it owns its actions, docks and connections, and adds them to the window
+/// as it is made.
+class Feature : public QObject {
+  Q_OBJECT
+ public:
+  explicit Feature(Workbench& bench);
+
+  /// What closing the window would lose of it, in words; empty: nothing.
+  virtual QString unsavedText() const { return {}; }
+
+ protected:
+  /// Tells of it in the status line; above the views.
+  void tell(const QString& sentence);
+  void warn(const QString& sentence, const QStringList& details = {});
+
+  Workbench& bench_;
+  Session& session_;
+  OpenStudies& open_;
+  ViewGrid& grid_;
+};
+
+struct FeatureEntry {
+  const char* name;
+  std::unique_ptr<Feature> (*make)(Workbench& bench);
+};
+
+/// All of them, each a file of this folder, in the order in which they are made.
+const std::vector<FeatureEntry>& features();
+
+std::unique_ptr<Feature> makeAccuracy(Workbench& bench);
+std::unique_ptr<Feature> makeFrameActions(Workbench& bench);
+std::unique_ptr<Feature> makeHelp(Workbench& bench);
+std::unique_ptr<Feature> makeKeyImages(Workbench& bench);
+std::unique_ptr<Feature> makeMeasuring(Workbench& bench);
+std::unique_ptr<Feature> makePresets(Workbench& bench);
+std::unique_ptr<Feature> makeReferences(Workbench& bench);
+std::unique_ptr<Feature> makeRegistration(Workbench& bench);
+std::unique_ptr<Feature> makeScenes(Workbench& bench);
+std::unique_ptr<Feature> makeSegmenting(Workbench& bench);
+std::unique_ptr<Feature> makeSnapshots(Workbench& bench);
+std::unique_ptr<Feature> makeStudyListing(Workbench& bench);
+std::unique_ptr<Feature> makeViewActions(Workbench& bench);
+
+}  // namespace volumen

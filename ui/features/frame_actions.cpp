@@ -1,0 +1,155 @@
+#include <QMenu>
+
+#include "ui/data/frame_series.h"
+#include "ui/features/feature.h"
+#include "ui/panels/flat_menus.h"
+#include "ui/panels/slab_menu.h"
+#include "ui/tools/tool.h"
+#include "ui/views/view_grid.h"
+#include "ui/widgets/plain_text.h"
+#include "ui/workspace/frame_look.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
+
+namespace volumen {
+
+namespace {
+
+// Series as frames, what is over them, their windows, clips; and the menu over slices and frames.
+class FrameActions : public Feature {
+ public:
+  explicit FrameActions(Workbench& bench);
+
+ private:
+  void makeActions();
+  void connectFrames();
+  void setShowAsFrames(bool asFrames);
+  void showFrameActions();
+  void addGreys(QMenu* menu, SliceView* view) const;
+  void showSliceMenu(SliceView* view, QPoint global);
+};
+
+FrameActions::FrameActions(Workbench& bench) : Feature(bench) {
+  makeActions();
+  connectFrames();
+  showFrameActions();
+}
+
+void FrameActions::makeActions() {
+  // They follow what is shown: only a click does something.
+  const auto add = [this](const char* name, const QString& text) {
+    return bench_.addAction({name, text, {}, "", true, {}});
+  };
+  connect(add("showAsFrames", tr("Show as frames")), &QAction::triggered, this,
+          &FrameActions::setShowAsFrames);
+  connect(add("overlaysAndShutters", tr("Overlays and shutters")), &QAction::triggered, this,
+          [this](bool on) {
+            session_.endGesture();
+            editFlat(session_, framesViewOf(session_.workspace().focus), tr("Overlays and shutters"),
+                     [on](FlatLook& look) { look.layers = on; });
+          });
+  connect(add("ownWindows", tr("Each image its own window")), &QAction::triggered, this, [this](bool on) {
+    session_.endGesture();
+    session_.change(tr("Each image its own window"), [&](Workspace& w) {
+      SeriesState& state = w.series.edit(w.view(framesViewOf(w.focus)).series);
+      state.frameWindow = on ? FrameWindow::ofEach : FrameWindow::ofSeries;
+      state.window.reset();
+      state.namedGrey = 0;
+    });
+  });
+  QAction* interpolate = makeInterpolationAction(session_, &bench_.window);
+  bench_.actions[interpolate->objectName()] = interpolate;
+  bench_.addAction({"playFrames", tr("Play or stop"), {tr("C")}, "", false, [this](bool) {
+                      SliceView* view = bench_.framesInFocus();
+                      if (!view) view = grid_.sliceView(flatViewInFocus(session_.workspace()));
+                      if (view) view->togglePlay();
+                    }});
+}
+
+void FrameActions::connectFrames() {
+  connect(&grid_, &ViewGrid::menuRequested, this, [this](View* view, QPoint global) {
+    if (auto* slices = qobject_cast<SliceView*>(view)) showSliceMenu(slices, global);
+  });
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (!showsOther(before, after)) return;
+            showFrameActions();
+            const bool isAlone = showsFrames(after, after.focus) && viewsOnScreen(after).size() == 1;
+            if (before.layout == after.layout || !isAlone || after.layout == Layout::one) return;
+            const Series* series = seriesIn(after, after.focus);
+            if (!series) return;
+            const QString why =
+                series->notVolume.empty() ? tr("View > Show as frames is on") : shownText(series->notVolume);
+            tell(tr("Shown as frames alone: %1").arg(why));
+          });
+}
+
+void FrameActions::setShowAsFrames(bool asFrames) {
+  const ViewId focus = session_.workspace().focus;
+  const Series* shown = seriesIn(session_.workspace(), focus);
+  if (!shown) return;
+  const Series series = *shown;
+  if (asFrames) return bench_.document.opener.showFrames(series);
+  if (!session_.showAgain(series, focus)) bench_.document.loader.load(series);
+}
+
+// What the actions say of the view in focus.
+void FrameActions::showFrameActions() {
+  const Workspace& workspace = session_.workspace();
+  const Series* series = seriesIn(workspace, workspace.focus);
+  const bool asFrames = series && showsFrames(workspace, workspace.focus);
+  QAction* kind = bench_.actions.at(QStringLiteral("showAsFrames"));
+  kind->setChecked(asFrames);
+  kind->setEnabled(series && frameCount(*series) > 0 && series->notVolume.empty());
+  kind->setToolTip(
+      toolTipOf(series && !series->notVolume.empty() ? shownText(series->notVolume) : kind->text()));
+  QAction* layers = bench_.actions.at(QStringLiteral("overlaysAndShutters"));
+  layers->setEnabled(asFrames);
+  layers->setChecked(flatLookOf(workspace.view(framesViewOf(workspace.focus))).layers);
+  QAction* own = bench_.actions.at(QStringLiteral("ownWindows"));
+  own->setEnabled(asFrames && frameCount(*series) > 1);
+  own->setChecked(asFrames && hasOwnWindows(workspace.series.at(keyOf(*series)), *series));
+  bench_.actions.at(QStringLiteral("playFrames"))
+      ->setEnabled(asFrames ? frameCount(*series) > 1 : series && hasTimePoints(workspace, keyOf(*series)));
+}
+
+// The windows that a frame may be shown by.
+void FrameActions::addGreys(QMenu* menu, SliceView* view) const {
+  const SeriesState& state = session_.workspace().series.at(view->state().series);
+  const std::vector<GreyChoice> choices = greyChoices(*view->frame(), state);
+  for (std::size_t n = 0; n < choices.size(); ++n) {
+    const QString digit = n < 10 ? QStringLiteral("\t%1").arg(n) : QString();
+    QAction* action = menu->addAction(choices[n].name + digit, view,
+                                      [view, choice = choices[n]] { view->chooseGrey(choice); });
+    action->setCheckable(true);
+    action->setChecked(withGrey(state, choices[n]) == state);
+  }
+  if (!choices.empty()) menu->addAction(tr("Invert") + QStringLiteral("\tI"), view, &SliceView::invert);
+  menu->addSeparator();
+}
+
+void FrameActions::showSliceMenu(SliceView* view, QPoint global) {
+  auto* menu = new QMenu(&bench_.window);
+  menu->setObjectName(QStringLiteral("flatMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (view->showsFrames() && view->frame()) addGreys(menu, view);
+  menu->addAction(bench_.action("interpolate"));
+  bench_.sliceMenuOpens(menu, view);
+  menu->addSeparator();
+  const auto add = [&](const char* name) {
+    menu->addMenu(bench_.window.findChild<QMenu*>(QLatin1String(name)));
+  };
+  if (!view->showsFrames())
+    for (const char* name : {"slabMenu", "colourMenu", "overlayMenu"}) add(name);
+  if (const Series* series = seriesIn(session_.workspace(), view->id()); series && series->modality == "PT")
+    add("petUnitMenu");
+  for (const char* name : {"showAsFrames", "ownWindows", "overlaysAndShutters", "playFrames"})
+    menu->addAction(bench_.action(name));
+  menu->popup(global);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeFrameActions(Workbench& bench) { return std::make_unique<FrameActions>(bench); }
+
+}  // namespace volumen

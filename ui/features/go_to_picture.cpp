@@ -1,0 +1,69 @@
+#include "ui/features/go_to_picture.h"
+
+#include "ui/data/frame_series.h"
+#include "ui/tools/tool.h"
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+// The flat view on screen that shows slices of a series; none: there is none.
+std::optional<ViewId> slicesViewOf(const Workspace& workspace, const SeriesKey& series) {
+  for (const ViewId id : viewsOnScreen(workspace)) {
+    const ViewState& view = workspace.view(id);
+    if (view.kind != ViewKind::volume && view.kind != ViewKind::frames && view.series == series) return id;
+  }
+  return {};
+}
+
+}  // namespace
+
+Workspace withPresentation(Workspace workspace, ViewId view, const ReferenceKey& presentation) {
+  ViewState& state = workspace.editView(view);
+  FlatLook& look = state.flats.editOrAdd(state.series);
+  if (look.presentation == presentation) return workspace;
+  look.presentation = presentation;
+  look.inverted = false;
+  makeWhole(look);
+  SeriesState& series = workspace.series.edit(state.series);
+  series.window.reset();
+  series.namedGrey = 0;
+  return workspace;
+}
+
+void showPicture(Workbench& bench, const Series& shown, int index) {
+  Session& session = bench.document.session;
+  const Series series = shown;
+  session.endGesture();
+  const QString text = tr("Go to picture");
+  const auto view = slicesViewOf(session.workspace(), keyOf(series));
+  if (const std::optional<int> slice = drawnSlice(series, index); view && slice) {
+    session.setFocus(*view);
+    const ShownSeriesPtr held = session.seriesOf(*view);
+    if (held) {
+      const VoxelGeometry& geometry = drawnGeometry(series);
+      glm::dvec3 pVoxel = geometry.voxelFromPatient(crosshairOf(session.workspace(), *view, *held).at);
+      pVoxel.z = *slice;
+      moveCrosshair(session, *view, *held, text, geometry.patientFromVoxel(pVoxel));
+      return session.endGesture();
+    }
+  }
+  showAsFrame(bench, text, series, index, {});
+}
+
+void showAsFrame(Workbench& bench, const QString& text, const Series& series, int index,
+                 const ReferenceKey& presentation) {
+  Session& session = bench.document.session;
+  bench.document.loader.cancelLoad();
+  const ViewId view = framesViewOf(session.workspace().focus);
+  if (session.workspace().series.empty()) session.showFrames(series, view);
+  Workspace after = withFrames(session.workspace(), view, series);
+  after.editView(view).flats.editOrAdd(keyOf(series)).frame = index;
+  if (!presentation.empty()) after = withPresentation(std::move(after), view, presentation);
+  session.change(text, std::move(after));
+  session.endGesture();
+}
+
+}  // namespace volumen

@@ -1,0 +1,79 @@
+#include "ui/controller/preset_thumbnails.h"
+#include "ui/features/feature.h"
+#include "ui/panels/preset_bar.h"
+#include "ui/workspace/own_presets.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+// Looks by name, in a bar, each with a small picture of the volume in focus.
+class Presets : public Feature {
+ public:
+  explicit Presets(Workbench& bench);
+
+ private:
+  void connectThumbnails();
+  void drawThumbnails();
+  void forgetThumbnails();
+  void tellProblems();
+
+  PresetThumbnails thumbnails_;
+  PresetBar* bar_;
+  VolumePtr thumbnailsOf_;  // the volume whose presets have thumbnails
+};
+
+Presets::Presets(Workbench& bench)
+    : Feature(bench),
+      thumbnails_(bench.document.drawService, bench.services.makeScene),
+      bar_(new PresetBar(session_, bench.services.presets)) {
+  bench_.addToToolBar(bar_);
+  Loader& loader = bench_.document.loader;
+  connect(bar_, &PresetBar::presetChosen, &loader,
+          [this, &loader](const QString& name) { loader.makePreset(name, session_.series()->volume); });
+  connect(&loader, &Loader::presetReady, this,
+          [this](const QString& name, const Scene& scene, const VolumePtr& volume) {
+            if (session_.series() && session_.series()->volume == volume)
+              session_.choosePreset(tr("Preset %1").arg(name), name.toStdString(), scene);
+          });
+  connect(bar_, &PresetBar::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connectThumbnails();
+  tellProblems();
+}
+
+void Presets::connectThumbnails() {
+  connect(&thumbnails_, &PresetThumbnails::ready, bar_, &PresetBar::showThumbnail);
+  connect(bar_, &PresetBar::listChanged, this, [this] {
+    thumbnailsOf_.reset();
+    drawThumbnails();
+  });
+  connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
+    if (before.series != after.series) forgetThumbnails();
+  });
+  // Once the first picture of a series is there.
+  connect(&bench_, &Workbench::drawnAtRest, bar_, [this] { drawThumbnails(); });
+}
+
+void Presets::drawThumbnails() {
+  const VolumePtr& volume = session_.series()->volume;
+  if (std::exchange(thumbnailsOf_, volume) == volume) return;
+  thumbnails_.start(volume, bar_->names(), int(PresetBar::thumbnailEdge * bar_->devicePixelRatioF()));
+}
+
+void Presets::forgetThumbnails() {
+  thumbnails_.stop();
+  thumbnailsOf_.reset();
+}
+
+void Presets::tellProblems() {
+  QStringList problems;
+  for (const std::string& problem : ownPresets().problems) problems << shownText(problem);
+  if (!problems.isEmpty()) warn(tr("A preset of yours cannot be read."), problems);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makePresets(Workbench& bench) { return std::make_unique<Presets>(bench); }
+
+}  // namespace volumen

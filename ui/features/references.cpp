@@ -1,0 +1,166 @@
+#include "ui/controller/references.h"
+
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenu>
+
+#include "ui/data/frame_series.h"
+#include "ui/features/feature.h"
+#include "ui/features/go_to_picture.h"
+#include "ui/panels/regions_panel.h"
+#include "ui/panels/report_dialog.h"
+#include "ui/tools/tool.h"
+#include "ui/views/slice_view.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+// What refers to pictures: presentation states, key objects, reports, contours and segmentations.
+class ReferenceObjects : public Feature {
+ public:
+  explicit ReferenceObjects(Workbench& bench);
+
+ private:
+  void showReference(const ReferencePtr& object);
+  void showPresentation(const ReferencePtr& object);
+  void showRegions(const ReferencePtr& object);
+  void showReport(const ReferencePtr& object, const Report& report);
+  void showPictureNamed(const ReferencedPicture& picture);
+  void showPlace(const std::string& frameOfReferenceUid, glm::dvec3 pPatient);
+  void fillPresentations(QMenu* menu, SliceView* view);
+};
+
+ReferenceObjects::ReferenceObjects(Workbench& bench) : Feature(bench) {
+  References& references = bench_.document.references;
+  auto* regions = new RegionsPanel(session_, references);
+  bench_.addDock(QStringLiteral("regions"), tr("Contours and segments"), regions);
+  connect(regions, &RegionsPanel::placeChosen, this, &ReferenceObjects::showPlace);
+  const auto setOpen = [this] { bench_.document.references.setOpen(open_.references()); };
+  connect(&open_, &OpenStudies::changed, this, setOpen);
+  connect(&session_, &Session::preferencesChanged, this,
+          [setOpen](const Preferences& before, const Preferences& after) {
+            if (before.hideNames != after.hideNames) setOpen();
+          });
+  connect(&references, &References::failed, this,
+          [this](const QString& sentence) { warn(shownText(sentence.toStdString())); });
+  connect(&references, &References::reportRead, this, &ReferenceObjects::showReport);
+  connect(&bench_, &Workbench::referenceChosen, this, &ReferenceObjects::showReference);
+  connect(&bench_, &Workbench::sliceMenuOpens, this, &ReferenceObjects::fillPresentations);
+}
+
+void ReferenceObjects::showReference(const ReferencePtr& object) {
+  switch (object->kind) {
+    case ReferenceKind::presentation:
+      return showPresentation(object);
+    case ReferenceKind::report:
+      return bench_.document.references.readReport(object);
+    case ReferenceKind::contours:
+    case ReferenceKind::segmentation:
+      return showRegions(object);
+    case ReferenceKind::keyObjects:
+      break;
+  }
+  const std::vector<const Series*> open = open_.pictures();
+  for (const ReferencedPicture& picture : object->pictures)
+    if (findPicture(open, picture)) return showPictureNamed(picture);
+  warn(tr("None of the pictures that %1 marks is open.").arg(referenceName(*object)),
+       open_.filesWithoutPixels());
+}
+
+void ReferenceObjects::showPresentation(const ReferencePtr& object) {
+  const std::vector<const Series*> open = open_.pictures();
+  for (const ReferencedPicture& picture : object->pictures) {
+    const std::optional<PicturePlace> place = findPicture(open, picture);
+    if (!place) continue;
+    const Series series = *place->series;
+    return showAsFrame(bench_, referenceName(*object), series, place->index, keyOf(*object));
+  }
+  const QStringList without = open_.filesWithoutPixels();
+  const QString sentence =
+      tr("None of the pictures that %1 is for can be shown.").arg(referenceName(*object));
+  warn(without.isEmpty() ? sentence : sentence + QLatin1Char(' ') + without.join(QLatin1Char(' ')));
+}
+
+// Over the views of its frame of reference; where there is none, over a series that is opened for it.
+void ReferenceObjects::showRegions(const ReferencePtr& object) {
+  QDockWidget* dock = bench_.docks.at(QStringLiteral("regions"));
+  dock->show();
+  dock->raise();
+  const RegionsLook look = firstLook(*object);
+  session_.change(tr("Show %1").arg(referenceName(*object)),
+                  [&](Workspace& w) { w.regions.add(keyOf(*object), look); });
+  session_.endGesture();
+  const auto isIn = [&](const Series& series) {
+    return !look.frameOfReferenceUid.empty() && series.frameOfReferenceUid == look.frameOfReferenceUid;
+  };
+  for (const ViewId id : viewsOnScreen(session_.workspace()))
+    if (const Series* shown = seriesIn(session_.workspace(), id); shown && isIn(*shown)) return;
+  const Series* found = nullptr;
+  for (const Series* series : open_.volumes())
+    if (isIn(*series) && (!found || series->modality == "CT")) found = series;
+  if (found) return bench_.document.opener.show(*found);
+  warn(tr("No series of the frame of reference of %1 is open: it is shown once one is.")
+           .arg(referenceName(*object)));
+}
+
+void ReferenceObjects::showReport(const ReferencePtr& object, const Report& report) {
+  for (ReportDialog* before : bench_.window.findChildren<ReportDialog*>()) before->close();
+  auto* dialog = new ReportDialog(*object, report, open_.pictures(), &bench_.window);
+  connect(dialog, &ReportDialog::pictureChosen, this, &ReferenceObjects::showPictureNamed);
+  dialog->show();
+}
+
+void ReferenceObjects::showPictureNamed(const ReferencedPicture& picture) {
+  const std::optional<PicturePlace> place = findPicture(open_.pictures(), picture);
+  if (place) showPicture(bench_, *place->series, place->index);
+}
+
+void ReferenceObjects::showPlace(const std::string& frameOfReferenceUid, glm::dvec3 pPatient) {
+  if (frameOfReferenceUid.empty()) return;
+  for (const ViewId id : viewsOnScreen(session_.workspace())) {
+    const ShownSeriesPtr shown = session_.seriesOf(id);
+    if (!shown || shown->series.frameOfReferenceUid != frameOfReferenceUid) continue;
+    moveCrosshair(session_, id, *shown, tr("Go to region"), pPatient);
+    return session_.endGesture();
+  }
+  tell(tr("No slices of its frame of reference are on screen."));
+}
+
+// Those that are for the frame on screen, and none.
+void ReferenceObjects::fillPresentations(QMenu* menu, SliceView* view) {
+  const Series* series = seriesIn(session_.workspace(), view->id());
+  if (!view->showsFrames() || !view->frame() || !series) return;
+  const auto states =
+      bench_.document.references.naming(ReferenceKind::presentation, *series, view->frame()->key.index);
+  const ReferenceKey chosen = flatLookOf(view->state()).presentation;
+  if (states.empty() && chosen.empty()) return;
+  QMenu* choices = menu->addMenu(tr("Presentation state"));
+  choices->setObjectName(QStringLiteral("presentationMenu"));
+  const auto add = [&](const QString& text, const ReferenceKey& key) {
+    QAction* action = choices->addAction(text, this, [this, id = view->id(), key] {
+      session_.endGesture();
+      session_.change(tr("Presentation state"), withPresentation(session_.workspace(), id, key));
+      session_.endGesture();
+    });
+    action->setCheckable(true);
+    action->setChecked(key == chosen);
+  };
+  add(tr("None"), {});
+  for (const ReferencePtr& object : states) {
+    QString name = shownText(object->label);
+    if (name.isEmpty()) name = QFileInfo(pathText(object->path)).fileName();
+    if (const QString text = shownText(object->text); !text.isEmpty())
+      name += QStringLiteral(" (%1)").arg(text);
+    add(name.replace(QLatin1Char('&'), QStringLiteral("&&")), keyOf(*object));
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeReferences(Workbench& bench) {
+  return std::make_unique<ReferenceObjects>(bench);
+}
+
+}  // namespace volumen

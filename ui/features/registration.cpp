@@ -1,0 +1,63 @@
+#include <QMenu>
+#include <algorithm>
+
+#include "ui/controller/registrar.h"
+#include "ui/controller/time_points_ahead.h"
+#include "ui/features/feature.h"
+#include "ui/panels/link_menu.h"
+#include "ui/workspace/links.h"
+
+namespace volumen {
+
+namespace {
+
+// Whether a series of this frame of reference is open.
+bool holdsFrame(const Workspace& workspace, const std::string& frame) {
+  return std::ranges::any_of(workspace.series,
+                             [&](const auto& s) { return frameOfReference(*s.second.series) == frame; });
+}
+
+// Which views follow each other, and how frames of reference lie to each other.
+class Registration : public Feature {
+ public:
+  explicit Registration(Workbench& bench);
+
+ private:
+  void registerViews();
+
+  Registrar registrar_;
+};
+
+Registration::Registration(Workbench& bench) : Feature(bench), registrar_(bench.document.jobs, this) {
+  new TimePointsAhead(session_, bench_.document.loader, this);
+  QMenu* menu = makeLinkMenu(
+      session_, [this] { registerViews(); }, &bench_.window);
+  bench_.actions[QStringLiteral("linkMenu")] = menu->menuAction();
+  connect(&registrar_, &Registrar::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&registrar_, &Registrar::found, this,
+          [this](const std::string& from, const std::string& to, const Rigid& toFromFrom) {
+            session_.endGesture();
+            session_.change(tr("Register"), withRegistration(session_.workspace(), from, to, toFromFrom));
+          });
+  connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
+    const auto pair = registrar_.pair();
+    if (pair && !(holdsFrame(after, pair->first) && holdsFrame(after, pair->second))) registrar_.cancel();
+  });
+}
+
+// The view in focus and the first one beside it that lies elsewhere.
+void Registration::registerViews() {
+  const std::vector<ViewId> others = viewsOfOtherFrames(session_.workspace());
+  if (others.empty()) return;
+  const ShownSeriesPtr fixed = session_.seriesOf(session_.workspace().focus);
+  const ShownSeriesPtr moving = session_.seriesOf(others.front());
+  if (!fixed || !moving) return warn(tr("A series is still being loaded: try again."));
+  registrar_.start({frameOfReference(fixed->series), fixed->volume},
+                   {frameOfReference(moving->series), moving->volume});
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeRegistration(Workbench& bench) { return std::make_unique<Registration>(bench); }
+
+}  // namespace volumen

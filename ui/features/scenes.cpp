@@ -1,0 +1,62 @@
+#include <QFileDialog>
+
+#include "ui/controller/scene_files.h"
+#include "ui/features/feature.h"
+#include "ui/widgets/banner.h"
+
+namespace volumen {
+
+namespace {
+
+// Scene files: what the 3D view draws a series by, for other series and for the command line.
+class Scenes : public Feature {
+ public:
+  explicit Scenes(Workbench& bench);
+
+ private:
+  void askForScene();
+  void askForSceneFile();
+
+  SceneFiles files_;
+};
+
+Scenes::Scenes(Workbench& bench) : Feature(bench), files_(bench.document.jobs) {
+  bench_.addAction({"openScene", tr("Open scene..."), {}, "", false, [this](bool) { askForScene(); }});
+  bench_.addAction({"saveScene", tr("Save scene..."), {}, "", false, [this](bool) { askForSceneFile(); }});
+  connect(&files_, &SceneFiles::opened, this, [this](const Scene& scene) {
+    bench_.banner.hide();
+    session_.edit(tr("Open scene"), scene);
+  });
+  connect(&files_, &SceneFiles::saved, this, [this](const QString& path) { tell(tr("Saved %1").arg(path)); });
+  connect(&files_, &SceneFiles::failed, this, [this](const QString& sentence) { warn(sentence); });
+}
+
+void Scenes::askForScene() {
+  if (!session_.series()) return warn(tr("Open a series first."));
+  auto* dialog = new QFileDialog(&bench_.window, tr("Open a scene"), {},
+                                 tr("Scenes and snapshots (*.json *.png *.jpg *.jpeg);;All files (*)"));
+  dialog->setObjectName(QStringLiteral("openSceneDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, &files_, &SceneFiles::open);
+  dialog->open();
+}
+
+void Scenes::askForSceneFile() {
+  if (!session_.series()) return warn(tr("Open a series first."));
+  auto* dialog = new QFileDialog(&bench_.window, tr("Save the scene"), {}, tr("Scenes (*.json)"));
+  dialog->setObjectName(QStringLiteral("saveSceneDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("json"));
+  dialog->selectFile(QStringLiteral("scene.json"));
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& path) { files_.save(path, bench_.sceneInView()); });
+  dialog->open();
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeScenes(Workbench& bench) { return std::make_unique<Scenes>(bench); }
+
+}  // namespace volumen

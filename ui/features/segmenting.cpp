@@ -1,0 +1,60 @@
+#include "ui/controller/masker.h"
+#include "ui/controller/segmenter.h"
+#include "ui/features/feature.h"
+#include "ui/panels/segment_panel.h"
+#include "ui/views/view_grid.h"
+
+namespace volumen {
+
+namespace {
+
+// Segments by a range of values, and what is taken away from a volume: its table, what the scissors cut.
+class Segmenting : public Feature {
+ public:
+  explicit Segmenting(Workbench& bench);
+
+  QString unsavedText() const override { return panel_->unsavedText(); }
+
+ private:
+  void connectSegmenter();
+
+  Segmenter segmenter_;
+  Masker masker_;
+  SegmentPanel* panel_;
+};
+
+Segmenting::Segmenting(Workbench& bench)
+    : Feature(bench),
+      segmenter_(bench.document.jobs),
+      masker_(session_, bench.document.jobs),
+      panel_(new SegmentPanel(session_)) {
+  bench_.addDock(QStringLiteral("segment"), tr("Segment"), Workbench::scrolling(panel_));
+  for (QAction* action : {masker_.tableAction(), masker_.resetAction()}) {
+    action->setParent(&bench_.window);
+    bench_.actions[action->objectName()] = action;
+  }
+  panel_->setTableAction(masker_.tableAction());
+  connect(&masker_, &Masker::failed, this, [this](const QString& sentence) { warn(sentence); });
+  bench_.forEachVolumeView(
+      [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &Masker::cut); });
+  connectSegmenter();
+}
+
+void Segmenting::connectSegmenter() {
+  connect(panel_, &SegmentPanel::segmentRequested, &segmenter_, &Segmenter::segment);
+  connect(panel_, &SegmentPanel::saveRequested, &segmenter_, &Segmenter::save);
+  connect(panel_, &SegmentPanel::previewChanged, &grid_, &ViewGrid::showSegment);
+  connect(&segmenter_, &Segmenter::segmented, panel_, &SegmentPanel::showSegmentation);
+  connect(&segmenter_, &Segmenter::saved, panel_,
+          [this](const QString& path, const std::shared_ptr<const RangeSegment>& segmentation) {
+            tell(tr("Saved %1").arg(path));
+            panel_->noteSaved(segmentation);
+          });
+  connect(&segmenter_, &Segmenter::failed, this, [this](const QString& sentence) { warn(sentence); });
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeSegmenting(Workbench& bench) { return std::make_unique<Segmenting>(bench); }
+
+}  // namespace volumen

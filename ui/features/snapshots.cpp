@@ -1,0 +1,77 @@
+#include "ui/controller/snapshot.h"
+#include "ui/features/feature.h"
+#include "ui/panels/snapshot_panel.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/series_text.h"
+
+namespace volumen {
+
+namespace {
+
+// Pictures of the 3D view: to files, to the clipboard.
+class Snapshots : public Feature {
+ public:
+  explicit Snapshots(Workbench& bench);
+
+ private:
+  void connectViews();
+  void tellSize();
+  void tellName();
+  void take(const SnapshotRequest& request);
+
+  Snapshot snapshot_;
+  SnapshotPanel* panel_;
+};
+
+Snapshots::Snapshots(Workbench& bench)
+    : Feature(bench), snapshot_(bench.document.drawService, bench.document.jobs), panel_(new SnapshotPanel) {
+  bench_.addDock(QStringLiteral("snapshot"), tr("Snapshot"), Workbench::scrolling(panel_));
+  bench_.addAction({"snapshot", tr("Save snapshot..."), {tr("Ctrl+E")}, "snapshot", false, [this](bool) {
+                      panel_->askWhere();
+                    }});
+  bench_.addAction({"copySnapshot", tr("Copy snapshot"), {QKeySequence::Copy}, "", false, [this](bool) {
+                      panel_->copy();
+                    }});
+  snapshot_.setMeasured(
+      [this](const Plan& plan) { return measuredError(bench_.document.meter.measured(), plan); });
+  connect(panel_, &SnapshotPanel::requested, this, &Snapshots::take);
+  connect(&snapshot_, &Snapshot::saved, this, [this](const QString& path, int pictures) {
+    tell(pictures == 1 ? tr("Saved %1").arg(path)
+                       : tr("Saved %1 pictures, the last as %2").arg(pictures).arg(path));
+  });
+  connect(&snapshot_, &Snapshot::copied, this, [this] { tell(tr("Copied to the clipboard")); });
+  connect(&snapshot_, &Snapshot::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connectViews();
+}
+
+// What the panel offers: the size of the view, the name of the series.
+void Snapshots::connectViews() {
+  bench_.forEachVolumeView(
+      [this](VolumeView* view) { connect(view, &View::pixelsChanged, panel_, [this] { tellSize(); }); });
+  connect(&bench_, &Workbench::drawn, panel_, [this] { tellSize(); });
+  connect(&session_, &Session::workspaceChanged, panel_,
+          [this](const Workspace& before, const Workspace& after) {
+            if (sceneViewOf(before) != sceneViewOf(after)) tellSize();
+            if (showsOther(before, after)) tellName();
+          });
+}
+
+void Snapshots::tellSize() {
+  if (bench_.view()->isVisible()) panel_->setViewSize(bench_.view()->pixels());
+}
+
+void Snapshots::tellName() {
+  if (const Series* series = seriesIn(session_.workspace(), session_.workspace().focus))
+    panel_->setName(seriesText(*series).replace(QLatin1Char('/'), QLatin1Char('_')));
+}
+
+void Snapshots::take(const SnapshotRequest& request) {
+  if (!session_.series()) return warn(tr("Open a series first."));
+  snapshot_.take(session_.series(), bench_.sceneInView(), request);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeSnapshots(Workbench& bench) { return std::make_unique<Snapshots>(bench); }
+
+}  // namespace volumen

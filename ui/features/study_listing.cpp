@@ -1,0 +1,281 @@
+#include <QApplication>
+#include <QFileDialog>
+#include <QLabel>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <algorithm>
+
+#include "ui/data/frame_series.h"
+#include "ui/features/feature.h"
+#include "ui/panels/study_browser.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/plain_text.h"
+#include "ui/workspace/indexed_text.h"
+#include "ui/workspace/patients.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+// Under which a study of the index stands among what is open.
+QString placeOf(std::int64_t study) { return QStringLiteral("index:%1").arg(study); }
+
+bool showsAnything(const Workspace& workspace) {
+  return std::ranges::any_of(viewsOnScreen(workspace),
+                             [&](ViewId id) { return !workspace.view(id).series.empty(); });
+}
+
+// "Doe, Jane (1) and Roe, Rick (2)"
+QString joined(const QStringList& names) {
+  if (names.size() < 2) return names.join(QString());
+  return QObject::tr("%1 and %2")
+      .arg(names.mid(0, names.size() - 1).join(QStringLiteral(", ")), names.back());
+}
+
+QString patientsText(const std::vector<const Series*>& patients) {
+  if (patients.size() < 2) return {};
+  if (namesHidden()) return QObject::tr("The views show %1 different patients.").arg(patients.size());
+  QStringList names;
+  for (const Series* series : patients) names << patientText(*series);
+  return QObject::tr("The views show different patients: %1.").arg(joined(names));
+}
+
+std::int64_t voxels(const Series& s) {
+  return std::int64_t(s.acquired.size.x) * s.acquired.size.y * s.acquired.size.z;
+}
+
+// The studies of the index: they stand above the views, and in place of them while nothing is open; and a
+// line above all where the views show different patients.
+class StudyListing : public Feature {
+ public:
+  explicit StudyListing(Workbench& bench);
+
+ private:
+  void makePatientsBar();
+  void makeActions();
+  void connectBrowser();
+  void connectIndex();
+  void showBrowser(bool on);
+  void arrangeBrowser();
+  void showPatients();
+  void askForImport();
+  void showImport(const ImportReport& report);
+  void openIndexed(const IndexedChoice& choice, bool beside);
+  void openFound(const IndexedChoice& choice, const std::vector<std::string>& files,
+                 const OpenIntent& intent);
+  void showIndexed(const QString& place, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
+  void showChosen(const Study& study, const OpenIntent& intent);
+  void showOpened(const Series& series, OpenHow how);
+  void focusNextView();
+
+  StudyBrowser* browser_;
+  QLabel* patients_;
+  bool listedOnce_ = false;                              // since the program began
+  std::map<QString, std::vector<std::string>> filesOf_;  // what studies that are open were made of
+};
+
+StudyListing::StudyListing(Workbench& bench)
+    : Feature(bench), browser_(new StudyBrowser(bench.document.index)), patients_(plainLabel()) {
+  browser_->hide();
+  bench_.split.insertWidget(0, browser_);
+  bench_.split.setStretchFactor(1, 1);
+  makePatientsBar();
+  makeActions();
+  connectBrowser();
+  connectIndex();
+  browser_->refresh();
+}
+
+void StudyListing::makePatientsBar() {
+  patients_->setObjectName(QStringLiteral("patientsBar"));
+  patients_->setWordWrap(true);
+  patients_->setStyleSheet(
+      QStringLiteral("#patientsBar { background: #4a1720; border-bottom: 2px solid #ff6b6b; color: #ffd9dc;"
+                     " padding: 4px 12px; }"));
+  patients_->hide();
+  bench_.addAboveViews(patients_);
+}
+
+void StudyListing::makeActions() {
+  connect(bench_.addAction({"showBrowser", tr("Study list"), {tr("Ctrl+B")}, "", true, {}}),
+          &QAction::triggered, this, &StudyListing::showBrowser);
+  bench_.addAction({"findStudy", tr("Find study..."), {QKeySequence::Find}, "", false, [this](bool) {
+                      showBrowser(true);
+                      browser_->startSearch();
+                    }});
+  bench_.addAction(
+      {"importFolder", tr("Import folder..."), {tr("Ctrl+I")}, "", false, [this](bool) { askForImport(); }});
+}
+
+void StudyListing::connectBrowser() {
+  connect(browser_, &StudyBrowser::importRequested, this, &StudyListing::askForImport);
+  connect(browser_, &StudyBrowser::hideRequested, this, [this] { showBrowser(false); });
+  connect(browser_, &StudyBrowser::openRequested, this, &StudyListing::openIndexed);
+  connect(browser_, &StudyBrowser::offlineRequested, this, [this] {
+    warn(
+        tr("The files of this study are not there now: connect the disk or network folder that "
+           "holds them, or import the folder from where they are."));
+  });
+  // The first list says whether there is anything to choose from.
+  connect(browser_, &StudyBrowser::listChanged, this, [this] {
+    if (std::exchange(listedOnce_, true) || browser_->isEmpty()) return;
+    if (!bench_.document.loader.isBusy() && !showsAnything(session_.workspace())) showBrowser(true);
+  });
+  connect(bench_.actions.at(QStringLiteral("maximise")), &QAction::toggled, this,
+          &StudyListing::arrangeBrowser);
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (!showsOther(before, after)) return;
+            showPatients();
+            if (showsAnything(before) != showsAnything(after))
+              showBrowser(!showsAnything(after) && !browser_->isEmpty());
+          });
+  connect(&session_, &Session::preferencesChanged, this,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.hideNames == after.hideNames) return;
+            browser_->showNames();
+            showPatients();
+          });
+  // Other programs may have changed the list meanwhile.
+  connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
+    if (state == Qt::ApplicationActive) browser_->refresh();
+  });
+}
+
+void StudyListing::connectIndex() {
+  IndexService& index = bench_.document.index;
+  connect(&index, &IndexService::filesFound, this, &StudyListing::openFound);
+  connect(&index, &IndexService::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&index, &IndexService::noticed, this,
+          [this](const QString& sentence) { bench_.banner.add(sentence); });
+  connect(&index, &IndexService::importBegun, this, [this] {
+    if (!showsAnything(session_.workspace())) showBrowser(true);
+  });
+  connect(&index, &IndexService::importEnded, this, &StudyListing::showImport);
+  connect(&bench_.document.loader, &Loader::filesOpened, this, &StudyListing::showIndexed);
+}
+
+void StudyListing::showBrowser(bool on) {
+  QAction* action = bench_.actions.at(QStringLiteral("showBrowser"));
+  action->setChecked(on);
+  arrangeBrowser();
+  if (!on) return;
+  browser_->refresh();
+  browser_->setFocus();
+}
+
+void StudyListing::arrangeBrowser() {
+  const bool isShown = bench_.actions.at(QStringLiteral("showBrowser"))->isChecked() &&
+                       !bench_.actions.at(QStringLiteral("maximise"))->isChecked();
+  const bool any = showsAnything(session_.workspace());
+  const bool wereBoth = browser_->isVisibleTo(&bench_.split) && bench_.pages.isVisibleTo(&bench_.split);
+  browser_->setVisible(isShown);
+  bench_.pages.setVisible(any || !isShown);
+  if (isShown && any && !wereBoth)
+    bench_.split.setSizes({bench_.split.height() * 11 / 20, bench_.split.height() * 9 / 20});
+}
+
+void StudyListing::showPatients() {
+  const QString text = patientsText(patientsOnScreen(session_.workspace()));
+  patients_->setText(text);
+  patients_->setVisible(!text.isEmpty());
+}
+
+void StudyListing::askForImport() {
+  auto* dialog = new QFileDialog(&bench_.window, tr("Import a folder into the list of studies"));
+  dialog->setObjectName(QStringLiteral("importFolderDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& path) { bench_.document.index.import({path}); });
+  dialog->open();
+}
+
+void StudyListing::showImport(const ImportReport& report) {
+  tell(importText(report));
+  if (report.refused.empty()) return;
+  QStringList details;
+  for (const Refused& refused : report.refused)
+    details << pathText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
+  warn(report.refused.size() == 1 ? tr("1 file could not be imported.")
+                                  : tr("%1 files could not be imported.").arg(report.refused.size()),
+       details);
+}
+
+// Where it is open already, it is not read again.
+void StudyListing::openIndexed(const IndexedChoice& choice, bool beside) {
+  bench_.document.index.open(choice, beside ? OpenHow::beside : OpenHow::instead);
+}
+
+void StudyListing::openFound(const IndexedChoice& choice, const std::vector<std::string>& files,
+                             const OpenIntent& intent) {
+  const QString place = placeOf(choice.study);
+  const std::shared_ptr<const Study> open = open_.studyOf(place);
+  if (open && std::exchange(filesOf_[place], files) == files) return showIndexed(place, open, intent);
+  filesOf_[place] = files;
+  bench_.document.loader.openFiles(place, files, intent);
+}
+
+void StudyListing::showIndexed(const QString& place, const std::shared_ptr<const Study>& study,
+                               const OpenIntent& intent) {
+  bench_.document.opener.list(place, study);
+  QStringList details;
+  for (const Refused& refused : study->refused)
+    details << pathText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
+  if (!study->refused.empty()) bench_.banner.add(unreadText(*study), details);
+  showChosen(*study, intent);
+}
+
+// The series that was chosen, else the largest volume, else the first pictures.
+void StudyListing::showChosen(const Study& study, const OpenIntent& intent) {
+  const std::string& uid = intent.seriesUid;
+  const auto isChosen = [&](const SeriesIdentity& s) { return uid.empty() || s.seriesUid == uid; };
+  const Series* chosen = nullptr;
+  for (const Series& series : study.volumes)
+    if (isChosen(series) && (!chosen || voxels(series) > voxels(*chosen))) chosen = &series;
+  const std::vector<Series> frames = frameSeries(study);
+  if (!chosen)
+    if (const auto found = std::ranges::find_if(frames, isChosen); found != frames.end()) chosen = &*found;
+  if (chosen) return showOpened(Series(*chosen), intent.how);
+  for (const ReferencePtr& object : open_.references())
+    if (!uid.empty() && object->seriesUid == uid) return bench_.referenceChosen(object);
+  bench_.banner.add(tr("There is nothing to show in this study."));
+}
+
+// In place of other patients, beside what is shown, or in the view in focus.
+void StudyListing::showOpened(const Series& series, OpenHow how) {
+  if (how == OpenHow::beside) focusNextView();
+  const auto isOther = [&](const Series* other) { return !areOfOnePatient(*other, series); };
+  const std::vector<const Series*> patients = patientsOnScreen(session_.workspace());
+  if (how == OpenHow::instead && std::ranges::any_of(patients, isOther)) {
+    session_.makeRoom(
+        tr("Close %1").arg(patientText(*patients.front())),
+        bench_.document.opener.inLayoutOf(withoutOtherPatients(session_.workspace(), series), series));
+  }
+  bench_.document.opener.show(series);
+  if (how == OpenHow::instead && showsAnything(session_.workspace())) showBrowser(false);
+}
+
+// The next view to compare: of two, the other one; of four, the first empty one.
+void StudyListing::focusNextView() {
+  const Workspace& workspace = session_.workspace();
+  if (!showsAnything(workspace)) return;
+  const bool compares = workspace.layout == Layout::two || workspace.layout == Layout::four;
+  if (!compares) {
+    session_.endGesture();
+    session_.change(tr("Layout"), withLayout(workspace, Layout::two));
+  }
+  const std::vector<ViewId> views = viewsOnScreen(session_.workspace());
+  const auto isEmpty = [&](ViewId id) { return session_.workspace().view(id).series.empty(); };
+  const auto empty = std::ranges::find_if(views, isEmpty);
+  const auto focus = std::ranges::find(views, session_.workspace().focus);
+  const auto next = focus == views.end() || focus + 1 == views.end() ? views.begin() : focus + 1;
+  session_.setFocus(empty != views.end() ? *empty : *next);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeStudyListing(Workbench& bench) { return std::make_unique<StudyListing>(bench); }
+
+}  // namespace volumen

@@ -1,0 +1,185 @@
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QMenu>
+
+#include "ui/features/feature.h"
+#include "ui/tools/tool.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/flat_plane.h"
+
+namespace volumen {
+
+namespace {
+
+// How views share the window, what each shows and from where, and what a drag does in 3D; and the menu over
+// 3D.
+class ViewActions : public Feature {
+ public:
+  explicit ViewActions(Workbench& bench);
+
+ private:
+  void makeDirections();
+  void makeLayouts();
+  void makePlaneTurns();
+  void makeKinds();
+  void makeTools();
+  void showKinds();
+  void addKinds(QMenu* menu) const;
+  void showVolumeMenu(QPoint global);
+  void resetView();
+
+  QActionGroup *kinds_, *tools_;
+};
+
+ViewActions::ViewActions(Workbench& bench)
+    : Feature(bench), kinds_(new QActionGroup(&bench_.window)), tools_(new QActionGroup(this)) {
+  makeDirections();
+  makeLayouts();
+  makePlaneTurns();
+  makeKinds();
+  makeTools();
+  connect(&grid_, &ViewGrid::menuRequested, this, [this](View* view, QPoint global) {
+    if (qobject_cast<VolumeView*>(view)) showVolumeMenu(global);
+  });
+  connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* menu) { addKinds(menu); });
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (showsOther(before, after)) showKinds();
+          });
+}
+
+void ViewActions::makeDirections() {
+  const auto add = [this](const char* name, const QString& text, const QString& key, const char* icon,
+                          const char* direction) {
+    bench_.addAction({name, text, {key}, icon, false, [this, direction](bool) {
+                        bench_.view()->showView(QLatin1String(direction));
+                      }});
+  };
+  bench_.addAction({"resetView", tr("Reset view"), {tr("F")}, "reset", false, [this](bool) { resetView(); }});
+  add("viewAnterior", tr("Anterior view"), tr("A"), "view", "anterior");
+  add("viewPosterior", tr("Posterior view"), tr("P"), "", "posterior");
+  add("viewLeft", tr("Left view"), tr("L"), "", "left");
+  add("viewRight", tr("Right view"), tr("R"), "", "right");
+  add("viewSuperior", tr("Superior view"), tr("S"), "", "superior");
+  add("viewInferior", tr("Inferior view"), tr("I"), "", "inferior");
+}
+
+void ViewActions::makeLayouts() {
+  const std::tuple<Layout, const char*, QString, QString> table[] = {
+      {Layout::one, "layoutOne", tr("One view"), tr("Alt+1")},
+      {Layout::planes, "layoutPlanes", tr("Planes and 3D"), tr("Alt+2")},
+      {Layout::besidePlanes, "layoutBesidePlanes", tr("Large 3D beside planes"), tr("Alt+3")},
+      {Layout::two, "layoutTwo", tr("Two series"), tr("Alt+4")},
+      {Layout::four, "layoutFour", tr("Four series"), tr("Alt+5")}};
+  auto* group = new QActionGroup(&bench_.window);
+  for (const auto& [layout, name, text, key] : table) {
+    auto* action = group->addAction(text);
+    action->setObjectName(QLatin1String(name));
+    action->setShortcut(key);
+    action->setCheckable(true);
+    action->setChecked(layout == session_.workspace().layout);
+    connect(action, &QAction::triggered, this,
+            [this, layout = layout] { bench_.document.opener.chooseLayout(layout); });
+    connect(&session_, &Session::workspaceChanged, action,
+            [action, layout = layout](const Workspace&, const Workspace& after) {
+              action->setChecked(after.layout == layout);
+            });
+    bench_.window.addAction(action);
+    bench_.actions[action->objectName()] = action;
+  }
+}
+
+void ViewActions::makePlaneTurns() {
+  using Turned = Crosshair (*)(glm::dvec3, const VoxelGeometry&);
+  const Turned alongPatient = [](glm::dvec3 at, const VoxelGeometry&) {
+    Crosshair straight{at};
+    straight.byHand = true;
+    return straight;
+  };
+  const std::tuple<const char*, QString, Turned> turns[] = {
+      {"alignPlanes", tr("Planes along the slices"), alongSlices},
+      {"straightenPlanes", tr("Planes along the patient"), alongPatient}};
+  for (const auto& [name, text, turned] : turns) {
+    bench_.addAction({name, text, {}, "", false, [this, text = text, turned = turned](bool) {
+                        const ViewId focus = session_.workspace().focus;
+                        const ShownSeriesPtr shown = session_.seriesOf(focus);
+                        if (!shown) return warn(tr("Open a series first."));
+                        const glm::dvec3 at = crosshairOf(session_.workspace(), focus, *shown).at;
+                        setCrosshair(session_, focus, *shown, text, turned(at, shown->volume->geometry()));
+                        session_.endGesture();
+                      }});
+  }
+}
+
+void ViewActions::resetView() {
+  if (SliceView* slice = grid_.sliceView(session_.workspace().focus))
+    slice->resetView();
+  else
+    bench_.view()->resetView();
+}
+
+// What a view to compare shows.
+void ViewActions::makeKinds() {
+  const std::tuple<ViewKind, const char*, QString> table[] = {
+      {ViewKind::volume, "show3D", tr("3D")},
+      {ViewKind::axial, "showAxial", tr("Axial")},
+      {ViewKind::coronal, "showCoronal", tr("Coronal")},
+      {ViewKind::sagittal, "showSagittal", tr("Sagittal")}};
+  for (const auto& [kind, name, text] : table) {
+    QAction* action = kinds_->addAction(text);
+    action->setObjectName(QLatin1String(name));
+    action->setCheckable(true);
+    action->setData(int(kind));
+    connect(action, &QAction::triggered, this, [this, kind = kind] {
+      session_.showAs(session_.workspace().focus, kind);
+      showKinds();
+    });
+    bench_.actions[action->objectName()] = action;
+  }
+  showKinds();
+}
+
+void ViewActions::showKinds() {
+  const Workspace& workspace = session_.workspace();
+  const ViewState& view = workspace.view(workspace.focus);
+  const Series* series = seriesIn(workspace, workspace.focus);
+  kinds_->setEnabled(canChangeKind(workspace.focus) && series && series->notVolume.empty());
+  for (QAction* action : kinds_->actions()) action->setChecked(action->data().toInt() == int(view.kind));
+}
+
+void ViewActions::addKinds(QMenu* menu) const {
+  if (kinds_->isEnabled()) menu->addActions(kinds_->actions());
+}
+
+void ViewActions::showVolumeMenu(QPoint global) {
+  auto* menu = new QMenu(&bench_.window);
+  menu->setObjectName(QStringLiteral("volumeMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  addKinds(menu);
+  menu->addSeparator();
+  menu->addActions(tools_->actions());
+  menu->addSeparator();
+  for (const char* name : {"removeTable", "resetScissors", "resetView"})
+    menu->addAction(bench_.actions.at(QLatin1String(name)));
+  menu->popup(global);
+}
+
+void ViewActions::makeTools() {
+  for (const Tool* tool : chosenSceneTools()) {
+    auto* action = new QAction(tool->text, tools_);
+    action->setObjectName(QLatin1String(tool->name) + QStringLiteral("Tool"));
+    action->setShortcut(tool->key);
+    action->setCheckable(true);
+    action->setChecked(tool == &toolNamed("rotate"));
+    action->setProperty("iconName", QLatin1String(tool->name));
+    connect(action, &QAction::triggered, this, [this, tool] { grid_.setSceneTool(*tool); });
+    bench_.window.addAction(action);
+    bench_.actions[action->objectName()] = action;
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeViewActions(Workbench& bench) { return std::make_unique<ViewActions>(bench); }
+
+}  // namespace volumen

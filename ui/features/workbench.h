@@ -1,0 +1,135 @@
+#pragma once
+
+#include <QAction>
+#include <QMainWindow>
+#include <functional>
+#include <map>
+
+#include "ui/controller/accuracy_meter.h"
+#include "ui/controller/draw_service.h"
+#include "ui/controller/frame_service.h"
+#include "ui/controller/index_service.h"
+#include "ui/controller/loader.h"
+#include "ui/controller/measurer.h"
+#include "ui/controller/opener.h"
+#include "ui/controller/recent_files.h"
+#include "ui/controller/references.h"
+#include "ui/controller/slice_service.h"
+#include "ui/document/jobs.h"
+#include "ui/document/open_studies.h"
+#include "ui/workspace/own_presets.h"
+#include "ui/workspace/session.h"
+
+class QDockWidget;
+class QMenu;
+class QSplitter;
+class QVBoxLayout;
+
+namespace volumen {
+
+class Banner;
+class SliceView;
+class StatusLine;
+struct Tool;
+class ViewGrid;
+class VolumeView;
+
+/// What the window has done by others: how volumes are drawn, how presets are made, and which there are.
+struct Services {
+  MakeDraw makeDraw;
+  MakeScene makeScene;
+  std::function<std::vector<PresetEntry>()> presets;
+  std::string indexFolder = userIndexFolder();  ///< of the list of studies
+};
+
+/// The document, and what reads it and draws it.
+struct Document {
+  explicit Document(const Services& services);
+
+  Session session;
+  Jobs jobs;
+  OpenStudies open;
+  IndexService index;
+  DrawService drawService;
+  SliceService slices;
+  FrameService frames;
+  References references{jobs};
+  Measurer measurer{session, frames};
+  Loader loader;
+  Opener opener{session, loader, open};
+  AccuracyMeter meter{drawService};
+  RecentFiles recent;
+};
+
+/// The places of the window that features add to.
+struct WindowParts {
+  QMainWindow& window;
+  ViewGrid& grid;
+  Banner& banner;
+  StatusLine& status;
+  QWidget& pages;       ///< the views, or the start page
+  QSplitter& split;     ///< holds them
+  QVBoxLayout& column;  ///< and that, last
+};
+
+/// What the features of the window share: the document, its views, and the frame that they add actions and
+/// docks to.
+class Workbench : public QObject, public WindowParts {
+  Q_OBJECT
+ public:
+  Workbench(const Services& services, Document& document, const WindowParts& parts);
+
+  const Services& services;
+  Document& document;
+  std::map<QString, QAction*> actions;
+  std::map<QString, QDockWidget*> docks;
+
+  /// One line of a table of actions.
+  struct ActionEntry {
+    const char* name;
+    QString text;
+    QList<QKeySequence> shortcuts;
+    const char* icon;
+    bool checkable;
+    std::function<void(bool)> run;
+  };
+  QAction* addAction(const ActionEntry& entry);
+  QAction* action(const char* name) const { return actions.at(QLatin1String(name)); }
+  /// The one that chooses a tool.
+  QAction* actionOf(const Tool& tool) const;
+  /// In the window as NAMEDock, with a title that folds it.
+  void addDock(const QString& name, const QString& title, QWidget* panel,
+               Qt::DockWidgetArea area = Qt::RightDockWidgetArea);
+  /// A panel that may be given less height than it has, so that the window fits a small screen; never less
+  /// width.
+  static QWidget* scrolling(QWidget* panel);
+
+  /// Between what is told and the views.
+  void addAboveViews(QWidget* widget);
+  /// Into the window's tool bar, in the order in which features are made.
+  void addToToolBar(QWidget* widget) { toolBarWidgets.push_back(widget); }
+  std::vector<QWidget*> toolBarWidgets;
+
+  /// The 3D view that the panels work on.
+  VolumeView* view() const;
+  /// The session's scene as it is seen there, whatever size the view has.
+  Scene sceneInView() const;
+  /// The view of slices or frames that keys are for; null: there is none.
+  SliceView* sliceViewInFocus() const;
+  /// The view of frames that keys and menus are for; null: there is none.
+  SliceView* framesInFocus() const;
+  /// Calls it with each 3D view, also with those that are made later.
+  void forEachVolumeView(const std::function<void(VolumeView*)>& call);
+
+ Q_SIGNALS:
+  /// A picture of view().
+  void drawn(const volumen::ScreenPicture& picture);
+  /// That picture is the one at rest of the session's scene; `complete`: with the camera in use.
+  void drawnAtRest(const volumen::ScreenPicture& picture, const volumen::Scene& complete);
+  /// An object of the list was chosen.
+  void referenceChosen(const volumen::ReferencePtr& object);
+  /// A menu over slices or frames is about to open: features add what they have for it.
+  void sliceMenuOpens(QMenu* menu, volumen::SliceView* view);
+};
+
+}  // namespace volumen
