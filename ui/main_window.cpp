@@ -6,7 +6,6 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -19,7 +18,6 @@
 #include "ui/panels/study_model.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
-#include "ui/widgets/offer_bar.h"
 #include "ui/widgets/start_page.h"
 #include "ui/widgets/status_line.h"
 #include "ui/workspace/hidden_paths.h"
@@ -44,7 +42,6 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
   makeMenus();
   makeToolBar();
   connectRecent();
-  connectSessions();
   restoreLayout();
   showTheme();
   session_.prefer(storedPreferences());
@@ -62,7 +59,6 @@ void MainWindow::makeCentre() {
                        document_.measurer, document_.references);
   banner_ = new Banner;
   banner_->setWriting(withoutPaths);
-  offer_ = new OfferBar;
   start_ = new StartPage;
   pages_ = new QStackedWidget;
   pages_->addWidget(start_);
@@ -75,7 +71,6 @@ void MainWindow::makeCentre() {
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(offer_);
   column->addWidget(banner_);
   column->addWidget(split, 1);
   setCentralWidget(centre);
@@ -156,6 +151,7 @@ void MainWindow::connectDrawing() {
           });
   connect(bench_->docks.at(QStringLiteral("clip")), &QDockWidget::visibilityChanged, grid_,
           &ViewGrid::setClipShown);
+  connect(bench_.get(), &Workbench::openRequested, this, [this](const QStringList& paths) { open(paths); });
   connect(grid_, &ViewGrid::hovered, status_, &StatusLine::showHover);
   connect(grid_, &ViewGrid::maximiseRequested, this, [this] { bench_->action("maximise")->toggle(); });
 }
@@ -188,10 +184,13 @@ void MainWindow::choosePage() {
   if (appears) grid_->setFocus();
 }
 
-// Of what is in focus: page, title, and mark in the list.
+// Of what is in focus: page, and mark in the list.
 void MainWindow::showPage() {
   choosePage();
-  showNames();
+  if (const Series* series = seriesIn(session_.workspace(), session_.workspace().focus)) {
+    const ShownSeriesPtr inMemory = session_.seriesOf(session_.workspace().focus);
+    studies_->markShown(*series, inMemory ? inMemory->volume : nullptr);
+  }
   if (pages_->currentWidget() == grid_ && !grid_->isAncestorOf(focusWidget())) grid_->setFocus();
 }
 
@@ -276,13 +275,19 @@ void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
 }
 
+void MainWindow::end() {
+  for (const auto& feature : features_) feature->closeUnasked();
+  close();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-  const QString lost = unsavedText();
-  if (!closesUnasked_ && !lost.isEmpty()) {
-    event->ignore();
-    if (!findChild<QMessageBox*>(QStringLiteral("closeBox"))) askBeforeClosing(lost);
-    return;
-  }
+  QStringList lost;
+  for (const auto& feature : features_) lost << feature->unsavedText();
+  lost.removeAll(QString());
+  const auto mayClose = [&](const auto& feature) {
+    return feature->mayClose(lost.join(QStringLiteral(", ")));
+  };
+  if (!std::ranges::all_of(features_, mayClose)) return event->ignore();
   bench_->action("maximise")->setChecked(false);
   keepLayout();
   event->accept();

@@ -2,9 +2,7 @@
 
 #include <QMainWindow>
 
-#include "ui/controller/autosave.h"
 #include "ui/controller/open_intent.h"
-#include "ui/controller/session_files.h"
 #include "ui/features/feature.h"
 #include "ui/features/theme.h"
 
@@ -14,7 +12,6 @@ class QVBoxLayout;
 
 namespace volumen {
 
-class OfferBar;
 class StartPage;
 class StudiesPanel;
 
@@ -64,7 +61,6 @@ class MainWindow : public QMainWindow {
   void connectSession();
   void connectLoader();
   void connectDrawing();
-  void connectSessions();
   void connectRecent();
 
   void showStudy(const QString& path, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
@@ -72,23 +68,9 @@ class MainWindow : public QMainWindow {
   void showPage();
   void choosePage();
   void showWarnings();
-  void showNames();
   void showRecent();
   void askForFolder();
   void askForFile();
-
-  void showSession(const QString& path, const OpenedSession& opened);
-  void offerToLocate();
-  void askWhereMissing();
-  void showLocated(const Located& located);
-  void saveSession();
-  void askForSession();
-  void askForSessionFile();
-  void offerLost(const LostSession& lost);
-  void showEarlier(const std::vector<LostSession>& discarded);
-  QString unsavedText() const;
-  void askBeforeClosing(const QString& lost);
-  void saveAndClose();
 
   void resetLayout();
   void shareRoom();
@@ -106,26 +88,18 @@ class MainWindow : public QMainWindow {
   OpenStudies& open_ = document_.open;
   Loader& loader_ = document_.loader;
   RecentFiles& recent_ = document_.recent;
-  SessionFiles sessionFiles_{session_, document_.jobs};
-  Autosave autosave_{session_, sessionFiles_};
 
   ViewGrid* grid_;
   QStackedWidget* pages_;
   StartPage* start_;
   Banner* banner_;
-  OfferBar* offer_;
   StatusLine* status_;
   StudiesPanel* studies_;
   std::unique_ptr<Workbench> bench_;
   std::vector<std::unique_ptr<Feature>> features_;
-  QByteArray layoutBefore_;           // of the docks, while the view is alone
-  bool layoutKept_ = false;           // from an earlier start
-  std::optional<LostSession> lost_;   // offered, or being restored
-  std::vector<LostSession> earlier_;  // discarded within a week
-  bool closesWhenSaved_ = false;      // the window, once the session is
-  bool closesUnasked_ = false;
+  QByteArray layoutBefore_;  // of the docks, while the view is alone
+  bool layoutKept_ = false;  // from an earlier start
   QMenu* recentMenu_;
-  QMenu* earlierMenu_;
 };
 
 }  // namespace volumen

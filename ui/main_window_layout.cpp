@@ -119,8 +119,6 @@ void MainWindow::applyPreferences(const Preferences& before, const Preferences& 
   if (before.hideNames == after.hideNames) return;
   studies_->showNames();
   banner_->refresh();
-  showEarlier(std::vector(earlier_));
-  showNames();
 }
 
 void MainWindow::showTheme() {
@@ -129,23 +127,6 @@ void MainWindow::showTheme() {
     const QString iconName = action->property("iconName").toString();
     if (!iconName.isEmpty()) action->setIcon(icon(iconName));
   }
-}
-
-void MainWindow::showNames() {
-  const Series* series = seriesIn(session_.workspace(), session_.workspace().focus);
-  if (!series) {
-    setWindowModified(false);
-    return setWindowTitle(QStringLiteral("volumen"));
-  }
-  const QString file = QFileInfo(sessionFiles_.path()).fileName();
-  const bool named = !file.isEmpty() && !namesHidden();
-  QStringList parts{patientText(*series), seriesText(*series),
-                    named ? file + QStringLiteral("[*]") : QString(), QStringLiteral("volumen")};
-  parts.removeAll(QString());
-  setWindowTitle(parts.join(QStringLiteral(" - ")));
-  setWindowModified(named && sessionFiles_.modified());
-  const ShownSeriesPtr inMemory = session_.seriesOf(session_.workspace().focus);
-  studies_->markShown(*series, inMemory ? inMemory->volume : nullptr);
 }
 
 void MainWindow::showPreferences() {

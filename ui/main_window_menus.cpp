@@ -31,9 +31,7 @@ void MainWindow::makeMenus() {
        "snapshot copySnapshot | quit");
   recentMenu_ = new QMenu(tr("Open recent"), file);
   file->insertMenu(bench_->action("openSample"), recentMenu_);
-  earlierMenu_ = new QMenu(tr("Restore earlier work"), file);
-  earlierMenu_->setObjectName(QStringLiteral("earlierMenu"));
-  file->insertMenu(bench_->action("openScene"), earlierMenu_);
+  file->insertAction(bench_->action("openScene"), bench_->action("earlierMenu"));
   connect(file, &QMenu::aboutToShow, &recent_, &RecentFiles::look);
   fill(menuBar()->addMenu(tr("&Edit")), "undo redo | removeTable resetScissors | preferences");
   auto* view = menuBar()->addMenu(tr("&View"));

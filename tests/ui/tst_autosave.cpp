@@ -14,6 +14,8 @@
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
+#include "ui/controller/autosave.h"
+#include "ui/controller/session_files.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/offer_bar.h"
 #include "ui/workspace/session_json.h"

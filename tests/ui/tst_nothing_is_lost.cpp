@@ -12,6 +12,8 @@
 #include "io/export/dicom_series.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
+#include "ui/controller/autosave.h"
+#include "ui/controller/session_files.h"
 #include "ui/widgets/offer_bar.h"
 #include "ui/workspace/hand_work.h"
 #include "viewer/phantoms/phantoms.h"

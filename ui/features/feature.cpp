@@ -7,19 +7,14 @@ namespace volumen {
 
 const std::vector<FeatureEntry>& features() {
   // Menus show what they add in this order, too.
-  static const std::vector<FeatureEntry> table{{"presets", makePresets},
-                                               {"scenes", makeScenes},
-                                               {"accuracy", makeAccuracy},
-                                               {"segmenting", makeSegmenting},
-                                               {"snapshots", makeSnapshots},
-                                               {"measuring", makeMeasuring},
-                                               {"registration", makeRegistration},
-                                               {"references", makeReferences},
-                                               {"key images", makeKeyImages},
-                                               {"frames", makeFrameActions},
-                                               {"views", makeViewActions},
-                                               {"study list", makeStudyListing},
-                                               {"help", makeHelp}};
+  static const std::vector<FeatureEntry> table{
+      {"sessions", makeSessions},       {"presets", makePresets},
+      {"scenes", makeScenes},           {"accuracy", makeAccuracy},
+      {"segmenting", makeSegmenting},   {"snapshots", makeSnapshots},
+      {"measuring", makeMeasuring},     {"registration", makeRegistration},
+      {"references", makeReferences},   {"key images", makeKeyImages},
+      {"frames", makeFrameActions},     {"views", makeViewActions},
+      {"study list", makeStudyListing}, {"help", makeHelp}};
   return table;
 }
 
@@ -29,6 +24,8 @@ Feature::Feature(Workbench& bench)
       session_(bench.document.session),
       open_(bench.document.open),
       grid_(bench.grid) {}
+
+bool Feature::mayClose(const QString&) { return true; }
 
 void Feature::tell(const QString& sentence) { bench_.status.tell(sentence); }
 

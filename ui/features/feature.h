@@ -16,6 +16,11 @@ class Feature : public QObject {
 
   /// What closing the window would lose of it, in words; empty: nothing.
   virtual QString unsavedText() const { return {}; }
+  /// Whether the window may close now, which would lose this (empty: nothing); false: it asks, and closes the
+  /// window where that is wanted.
+  virtual bool mayClose(const QString& lost);
+  /// The window is about to close without being asked for; what is not saved is offered at the next start.
+  virtual void closeUnasked() {}
 
  protected:
   /// Tells of it in the status line; above the views.
@@ -46,6 +51,7 @@ std::unique_ptr<Feature> makeReferences(Workbench& bench);
 std::unique_ptr<Feature> makeRegistration(Workbench& bench);
 std::unique_ptr<Feature> makeScenes(Workbench& bench);
 std::unique_ptr<Feature> makeSegmenting(Workbench& bench);
+std::unique_ptr<Feature> makeSessions(Workbench& bench);
 std::unique_ptr<Feature> makeSnapshots(Workbench& bench);
 std::unique_ptr<Feature> makeStudyListing(Workbench& bench);
 std::unique_ptr<Feature> makeViewActions(Workbench& bench);

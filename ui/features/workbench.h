@@ -122,6 +122,8 @@ class Workbench : public QObject, public WindowParts {
   void forEachVolumeView(const std::function<void(VolumeView*)>& call);
 
  Q_SIGNALS:
+  /// Files, folders or sessions are to be opened.
+  void openRequested(const QStringList& paths);
   /// A picture of view().
   void drawn(const volumen::ScreenPicture& picture);
   /// That picture is the one at rest of the session's scene; `complete`: with the camera in use.

@@ -1,0 +1,292 @@
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/controller/autosave.h"
+#include "ui/controller/session_files.h"
+#include "ui/features/feature.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/offer_bar.h"
+#include "ui/workspace/series_text.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+QString filter() { return QObject::tr("Sessions (*.volumen)"); }
+
+QString lostText(const LostSession& lost) {
+  const QString at = QLocale().toString(lost.at, QLocale::ShortFormat);
+  if (!lost.savedAs.isEmpty())
+    return QObject::tr("%1 has changes of %2 that were not saved.")
+        .arg(pathText(lost.savedAs.toStdString()), at);
+  return QObject::tr("volumen was ended before it could save what was open on %1.").arg(at);
+}
+
+// Session files, and work that was not saved: restored after the program was ended, asked for before the
+// window closes. The title of the window names both.
+class Sessions : public Feature {
+ public:
+  explicit Sessions(Workbench& bench);
+
+  QString unsavedText() const override { return workText(files_.unsavedWork()); }
+  bool mayClose(const QString& lost) override;
+  void closeUnasked() override;
+
+ private:
+  void makeActions();
+  void connectFiles();
+  void connectAutosave();
+  void showTitle();
+  void showSession(const QString& path, const OpenedSession& opened);
+  void offerToLocate();
+  void askWhereMissing();
+  void showLocated(const Located& located);
+  void saveSession();
+  void askForSession();
+  void askForSessionFile();
+  void offerLost(const LostSession& lost);
+  void showEarlier(const std::vector<LostSession>& discarded);
+  void askBeforeClosing(const QString& lost);
+  void saveAndClose();
+
+  SessionFiles files_;
+  Autosave autosave_;
+  OfferBar* offer_;
+  QMenu* earlierMenu_;
+  std::optional<LostSession> lost_;   // offered, or being restored
+  std::vector<LostSession> earlier_;  // discarded within a week
+  bool closesWhenSaved_ = false;      // the window, once the session is
+  bool closesUnasked_ = false;
+};
+
+Sessions::Sessions(Workbench& bench)
+    : Feature(bench),
+      files_(session_, bench.document.jobs),
+      autosave_(session_, files_),
+      offer_(new OfferBar),
+      earlierMenu_(new QMenu(tr("Restore earlier work"), &bench.window)) {
+  bench_.column.insertWidget(0, offer_);
+  earlierMenu_->setObjectName(QStringLiteral("earlierMenu"));
+  bench_.actions[earlierMenu_->objectName()] = earlierMenu_->menuAction();
+  makeActions();
+  connectFiles();
+  connectAutosave();
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (showsOther(before, after)) showTitle();
+          });
+  connect(&session_, &Session::preferencesChanged, this,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.hideNames == after.hideNames) return;
+            showEarlier(std::vector(earlier_));
+            showTitle();
+          });
+  showEarlier({});
+  autosave_.look();
+}
+
+void Sessions::makeActions() {
+  bench_.addAction({"openSession", tr("Open session..."), {}, "", false, [this](bool) { askForSession(); }});
+  bench_.addAction(
+      {"saveSession", tr("Save session"), {QKeySequence::Save}, "", false, [this](bool) { saveSession(); }});
+  bench_.addAction({"saveSessionAs", tr("Save session as..."), {tr("Ctrl+Shift+S")}, "", false, [this](bool) {
+                      askForSessionFile();
+                    }});
+}
+
+void Sessions::connectFiles() {
+  connect(&bench_.document.loader, &Loader::sessionOpened, this, &Sessions::showSession);
+  connect(&bench_.document.loader, &Loader::located, this, &Sessions::showLocated);
+  connect(&bench_.banner, &Banner::accepted, this, &Sessions::askWhereMissing);
+  connect(&files_, &SessionFiles::changed, this, &Sessions::showTitle);
+  connect(&files_, &SessionFiles::saved, this, [this](const QString& path) {
+    tell(tr("Saved %1").arg(path));
+    bench_.document.recent.add(path);
+    if (std::exchange(closesWhenSaved_, false)) bench_.window.close();
+  });
+  connect(&files_, &SessionFiles::failed, this, [this](const QString& sentence) {
+    closesWhenSaved_ = false;
+    warn(sentence);
+  });
+}
+
+void Sessions::connectAutosave() {
+  connect(&autosave_, &Autosave::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&autosave_, &Autosave::found, this, &Sessions::offerLost);
+  connect(&autosave_, &Autosave::listed, this, &Sessions::showEarlier);
+  connect(offer_, &OfferBar::accepted, this, [this] { bench_.document.loader.openSession(lost_->path); });
+  connect(offer_, &OfferBar::refused, this, [this] {
+    autosave_.discard(*std::exchange(lost_, {}));
+    tell(tr("Kept for a week: File > Restore earlier work"));
+  });
+}
+
+bool Sessions::mayClose(const QString& lost) {
+  if (closesUnasked_ || lost.isEmpty()) return true;
+  if (!bench_.window.findChild<QMessageBox*>(QStringLiteral("closeBox"))) askBeforeClosing(lost);
+  return false;
+}
+
+void Sessions::closeUnasked() {
+  if (!files_.unsavedWork().empty()) autosave_.setAtEnd(AtEnd::keep);
+  closesUnasked_ = true;
+}
+
+// The patient and the series in focus, and the session file.
+void Sessions::showTitle() {
+  QMainWindow& window = bench_.window;
+  const Series* series = seriesIn(session_.workspace(), session_.workspace().focus);
+  if (!series) {
+    window.setWindowModified(false);
+    return window.setWindowTitle(QStringLiteral("volumen"));
+  }
+  const QString file = QFileInfo(files_.path()).fileName();
+  const bool named = !file.isEmpty() && !namesHidden();
+  QStringList parts{patientText(*series), seriesText(*series),
+                    named ? file + QStringLiteral("[*]") : QString(), QStringLiteral("volumen")};
+  parts.removeAll(QString());
+  window.setWindowTitle(parts.join(QStringLiteral(" - ")));
+  window.setWindowModified(named && files_.modified());
+}
+
+// What was discarded; a menu of dates and of the names of session files.
+void Sessions::showEarlier(const std::vector<LostSession>& discarded) {
+  earlier_ = discarded;
+  earlierMenu_->clear();
+  earlierMenu_->setEnabled(!discarded.empty());
+  for (const LostSession& each : discarded) {
+    const QString at = QLocale().toString(each.at, QLocale::ShortFormat),
+                  file = QFileInfo(each.savedAs).fileName();
+    const QString text = file.isEmpty() || namesHidden() ? at : tr("%1, changes of %2").arg(at, file);
+    earlierMenu_->addAction(QString(text).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                            [this, path = each.path] { bench_.document.loader.openSession(path); });
+  }
+}
+
+void Sessions::showSession(const QString& path, const OpenedSession& opened) {
+  const bool isLost = lost_ && lost_->path == path;
+  const auto earlier = std::ranges::find(earlier_, path, &LostSession::path);
+  const bool restores = isLost || earlier != earlier_.end();
+  for (const auto& [place, study] : opened.studies)
+    bench_.document.opener.list(QString::fromStdString(place), study);
+  session_.open(restores ? tr("Restore") : tr("Open session"), opened.workspace);
+  for (const QString& problem : opened.problems) bench_.banner.add(problem);
+  offerToLocate();
+  if (restores) {
+    files_.restored(QString::fromStdString(opened.savedAs));
+    autosave_.replace(isLost ? *std::exchange(lost_, {}) : *earlier);
+    return autosave_.look();
+  }
+  files_.opened(path);
+  bench_.document.recent.add(path);
+}
+
+// Where the workspace misses something.
+void Sessions::offerToLocate() {
+  if (!missingOf(session_.workspace(), open_.references()).empty() && !bench_.banner.isHidden())
+    bench_.banner.offer(tr("Locate..."));
+}
+
+void Sessions::askWhereMissing() {
+  auto* dialog = new QFileDialog(&bench_.window, tr("The folder that it lies in by now"));
+  dialog->setObjectName(QStringLiteral("locateDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+    bench_.document.loader.locate(missingOf(session_.workspace(), open_.references()),
+                                  QDir::cleanPath(QFileInfo(folder).absoluteFilePath()));
+  });
+  dialog->open();
+}
+
+void Sessions::showLocated(const Located& located) {
+  bench_.banner.hide();
+  if (!located.series.empty() || !located.references.empty()) {
+    bench_.document.opener.list(QString::fromStdString(located.folder), located.study);
+    session_.endGesture();
+    session_.change(tr("Locate"), withLocated(session_.workspace(), located));
+    session_.endGesture();
+  }
+  for (const QString& problem : located.problems) bench_.banner.add(problem);
+  offerToLocate();
+}
+
+void Sessions::offerLost(const LostSession& lost) {
+  lost_ = lost;
+  offer_->offer(lostText(lost), tr("Restore"), tr("Discard"));
+}
+
+// Once, where something that was made by hand would be lost.
+void Sessions::askBeforeClosing(const QString& lost) {
+  auto* box = new QMessageBox(QMessageBox::Question, QStringLiteral("volumen"),
+                              tr("Not saved: %1.").arg(lost), QMessageBox::Cancel, &bench_.window);
+  box->setObjectName(QStringLiteral("closeBox"));
+  box->setTextFormat(Qt::PlainText);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setDefaultButton(QMessageBox::Cancel);
+  if (!files_.unsavedWork().empty()) {
+    QPushButton* save = box->addButton(tr("Save session..."), QMessageBox::AcceptRole);
+    connect(save, &QPushButton::clicked, this, &Sessions::saveAndClose);
+    box->setDefaultButton(save);
+    box->setInformativeText(tr("What is not saved is kept for a week: File > Restore earlier work."));
+  }
+  connect(box->addButton(tr("Close without saving"), QMessageBox::DestructiveRole), &QPushButton::clicked,
+          this, [this] {
+            autosave_.setAtEnd(AtEnd::aside);
+            closesUnasked_ = true;
+            bench_.window.close();
+          });
+  box->open();
+}
+
+void Sessions::saveAndClose() {
+  session_.endGesture();
+  session_.change(tr("Bring back what was measured"), withClosed(session_.workspace()));
+  closesWhenSaved_ = true;
+  saveSession();
+  for (const auto* dialog : bench_.window.findChildren<QFileDialog*>(QStringLiteral("saveSessionDialog")))
+    connect(dialog, &QDialog::rejected, this, [this] { closesWhenSaved_ = false; });
+}
+
+void Sessions::saveSession() {
+  if (files_.path().isEmpty()) return askForSessionFile();
+  files_.save(files_.path());
+}
+
+void Sessions::askForSession() {
+  auto* dialog = new QFileDialog(&bench_.window, tr("Open a session"), {}, filter());
+  dialog->setObjectName(QStringLiteral("openSessionDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& path) { bench_.openRequested({path}); });
+  dialog->open();
+}
+
+void Sessions::askForSessionFile() {
+  if (session_.workspace().series.empty()) return warn(tr("Open a series first."));
+  auto* dialog =
+      new QFileDialog(&bench_.window, tr("Save the session"), QFileInfo(files_.path()).path(), filter());
+  dialog->setObjectName(QStringLiteral("saveSessionDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("volumen"));
+  const QString name = QFileInfo(files_.path()).fileName();
+  dialog->selectFile(name.isEmpty() ? QStringLiteral("session.volumen") : name);
+  connect(dialog, &QFileDialog::fileSelected, &files_, &SessionFiles::save);
+  dialog->open();
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeSessions(Workbench& bench) { return std::make_unique<Sessions>(bench); }
+
+}  // namespace volumen
