@@ -135,9 +135,8 @@ class PassageIntegrator {
     const VF front = density.At(Set(-1));
     const VI segment = SegmentOf(*f_.curve, hn::Add(density.base, front));
     // The sum may be rounded up to the point of the curve where the segment begins.
-    const CurveSegment exact = CountedFrom(density.base, SegmentAt(*f_.curve, segment));
-    const auto isBefore = hn::RebindMask(DI(), hn::Lt(front, exact.low));
-    return hn::Sub(segment, hn::IfThenElseZero(isBefore, SetI(1)));
+    const MF isBefore = hn::Lt(front, hn::Sub(LowOf(*f_.curve, segment), density.base));
+    return hn::Sub(segment, hn::IfThenElseZero(hn::RebindMask(DI(), isBefore), SetI(1)));
   }
 
   /// A rule that is off by the cube of a part's length: how long one may be.

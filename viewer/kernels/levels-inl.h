@@ -23,7 +23,7 @@ struct Passages {
   HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity];                    ///< middle
   HWY_ALIGN float steps[kCapacity];                                            ///< length
   HWY_ALIGN float c0[kCapacity], c1[kCapacity], c2[kCapacity], c3[kCapacity];  ///< density (Cubic)
-  HWY_ALIGN float base[kCapacity], low[kCapacity], high[kCapacity];            ///< (DensityInCell)
+  HWY_ALIGN float lowest[kCapacity], highest[kCapacity];                       ///< of the cell (CellRange)
   HWY_ALIGN std::int32_t ray[kCapacity];
   int size = 0;
 
@@ -104,7 +104,7 @@ class LevelTracer {
 
  private:
   static constexpr int kNoted = 4096 + 64 * kLanes;
-  static constexpr int kInCell = 4, kUnitDistances = 7, kThrough = 8, kRay = 9, kGradient = 10,
+  static constexpr int kRange = 4, kUnitDistances = 6, kThrough = 7, kRay = 8, kGradient = 9,
                        kFields = Material::kGradients ? kGradient + 12 : kGradient;
 
   /// Sets the densities of what was noted and forgets what cannot be seen.
@@ -125,12 +125,17 @@ class LevelTracer {
     const VI ray = hn::Load(DI(), s.ray + n);
     const VF steps = hn::Load(df, s.steps + n);
     const V3 place = PlaceOf(s, n);
-    const DensityInCell density = DensityAlong<Store>(grid_, place, HalfOf(ray, steps));
-    const Cubic& c = density.along;
+    const Passage p = PassageAt(grid_, place, HalfOf(ray, steps));
+    Corners corners = Store::CornersOf(grid_, p.cell);
+    const CellRange range{corners.Lowest(), corners.Highest()};
+    const VF base = range.Base();
+    const Cubic c = InterpolateAlong(corners.CountedFrom(base), p);
     const VF front = c.At(Set(-1)), back = c.At(Set(1)), bend = c.Bend();
-    const VF low = hn::Max(density.low, hn::Sub(hn::Min(c.c0, hn::Min(front, back)), bend)),
-             high = hn::Min(density.high, hn::Add(hn::Max(c.c0, hn::Max(front, back)), bend));
-    const VF least = Rounded(density.base, low, -1), most = Rounded(density.base, high, 1);
+    const VF low = hn::Sub(hn::Min(c.c0, hn::Min(front, back)), bend),
+             high = hn::Add(hn::Max(c.c0, hn::Max(front, back)), bend);
+    // In a cell without a slope nothing is rounded.
+    const VF least = hn::Max(range.lowest, Rounded(base, low, -1)),
+             most = hn::Min(range.highest, Rounded(base, high, 1));
     const MF keep =
         hn::AndNot(IsHiddenBetween(*f_.curve, least, most), hn::FirstN(df, std::size_t(s.size - n)));
     if (hn::AllFalse(df, keep)) return 0;
@@ -140,9 +145,8 @@ class LevelTracer {
     Append(c.c1, keep, s.c1 + kept);
     Append(c.c2, keep, s.c2 + kept);
     Append(c.c3, keep, s.c3 + kept);
-    Append(density.base, keep, s.base + kept);
-    Append(density.low, keep, s.low + kept);
-    Append(density.high, keep, s.high + kept);
+    Append(range.lowest, keep, s.lowest + kept);
+    Append(range.highest, keep, s.highest + kept);
     Append(ray, keep, s.ray + kept);
     return int(hn::CountTrue(df, keep));
   }
@@ -150,8 +154,7 @@ class LevelTracer {
   /// base + density, not less (`side` 1) or not more (-1) than it is.
   static HWY_INLINE VF Rounded(VF base, VF density, float side) {
     const VF sum = hn::Add(base, density);
-    const VF ulp = hn::IfThenZeroElse(hn::Eq(density, hn::Zero(DF())), hn::Mul(hn::Abs(sum), Set(1.2e-7f)));
-    return hn::Add(sum, hn::Mul(ulp, Set(side)));
+    return hn::Add(sum, hn::Mul(hn::Abs(sum), Set(side * 1.2e-7f)));
   }
 
   HWY_INLINE V3 HalfOf(VI ray, VF steps) const {
@@ -208,7 +211,7 @@ class LevelTracer {
         rays_.parallel ? Set(rays_.sharedStepMm) : hn::GatherIndex(df, rays_.stepMm.data(), ray);
     const auto set = [&](int field, VF value) { hn::Store(value, df, wave_[field] + at); };
     set(0, of(s.c0)), set(1, of(s.c1)), set(2, of(s.c2)), set(3, of(s.c3));
-    set(kInCell, of(s.base)), set(kInCell + 1, of(s.low)), set(kInCell + 2, of(s.high));
+    set(kRange, of(s.lowest)), set(kRange + 1, of(s.highest));
     set(kUnitDistances, hn::Mul(hn::Mul(stepMm, Set(f_.inverseUnitMm)), steps));
     set(kThrough, hn::Sub(Set(1), hn::GatherIndex(df, out_.alpha, ray)));
     set(kRay, hn::BitCast(df, ray));
@@ -230,7 +233,7 @@ class LevelTracer {
       return Cubic{of(field), of(field + 1), of(field + 2), of(field + 3)};
     };
     LoadedPassages l;
-    l.r.density = {cubic(0), of(kInCell), of(kInCell + 1), of(kInCell + 2)};
+    l.r.density = {cubic(0), {of(kRange), of(kRange + 1)}};
     l.r.unitDistances = of(kUnitDistances);
     l.r.ray = hn::BitCast(DI(), of(kRay));
     l.through = of(kThrough);

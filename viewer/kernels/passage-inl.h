@@ -92,31 +92,34 @@ HWY_INLINE Cubic InterpolateAlong(const Corners& v, const Passage& p) {
           hn::Add(near.c2, hn::Add(hn::Mul(fz, r2), hn::Mul(d.z, r1))), hn::Mul(d.z, r2)};
 }
 
-/// A density along a passage, counted from `base`, the value next to 0 that the cell has: near a plateau, and
-/// near 0, floats tell values apart that differ by less than an ulp of the plateau's. `low` and `high`: the
-/// range between the cell's corners; only rounding leads out of that, and past a step of the curve.
+/// The lowest and the highest density between the corners of a cell.
+struct CellRange {
+  VF lowest, highest;
+
+  /// The value next to 0 in it.
+  HWY_INLINE VF Base() const { return hn::Min(hn::Max(hn::Zero(DF()), lowest), highest); }
+};
+
+/// A density along a passage, counted from the base of its cell's range: near a plateau, and near 0, floats
+/// tell values apart that differ by less than an ulp of the plateau's. `low` and `high`: that range, counted
+/// so; only rounding leads out of it, and past a step of the curve.
 struct DensityInCell {
   Cubic along;
   VF base, low, high;
 
+  DensityInCell() = default;
+  HWY_INLINE DensityInCell(const Cubic& c, const CellRange& range)
+      : along(c), base(range.Base()), low(hn::Sub(range.lowest, base)), high(hn::Sub(range.highest, base)) {}
+
   HWY_INLINE VF At(VF s) const { return hn::Min(hn::Max(along.At(s), low), high); }
 };
 HWY_INLINE DensityInCell Chosen(MF which, const DensityInCell& a, const DensityInCell& b) {
-  return {Chosen(which, a.along, b.along), hn::IfThenElse(which, a.base, b.base),
-          hn::IfThenElse(which, a.low, b.low), hn::IfThenElse(which, a.high, b.high)};
-}
-
-/// The density along the passage through a cell whose middle lies at `place` (voxels) and that reaches as far
-/// as `half` to either side.
-template <class Store>
-HWY_INLINE DensityInCell DensityAlong(const Grid& grid, const V3& place, const V3& half) {
-  const Passage p = PassageAt(grid, place, half);
-  Corners corners = Store::CornersOf(grid, p.cell);
-  const VF lowest = corners.Lowest(), highest = corners.Highest();
-  const VF base = hn::Min(hn::Max(hn::Zero(DF()), lowest), highest);
-  for (VF* row : {corners.first, corners.second})
-    for (int r = 0; r < 4; ++r) row[r] = hn::Sub(row[r], base);
-  return {InterpolateAlong(corners, p), base, hn::Sub(lowest, base), hn::Sub(highest, base)};
+  DensityInCell chosen;
+  chosen.along = Chosen(which, a.along, b.along);
+  chosen.base = hn::IfThenElse(which, a.base, b.base);
+  chosen.low = hn::IfThenElse(which, a.low, b.low);
+  chosen.high = hn::IfThenElse(which, a.high, b.high);
+  return chosen;
 }
 
 /// The stored gradient along such a passage, component by component.

@@ -23,6 +23,15 @@ struct Sample {
 struct Corners {
   VF first[4], second[4];
 
+  HWY_INLINE Corners CountedFrom(VF base) const {
+    Corners counted;
+    for (int r = 0; r < 4; ++r) {
+      counted.first[r] = hn::Sub(first[r], base);
+      counted.second[r] = hn::Sub(second[r], base);
+    }
+    return counted;
+  }
+
   /// The range that trilinear interpolation between them stays within.
   HWY_INLINE VF Lowest() const {
     const auto ofRow = [&](int r) { return hn::Min(first[r], second[r]); };

@@ -87,12 +87,16 @@ struct CurveSegment {
   V3 colour, colourRise;
 };
 
-HWY_INLINE CurveSegment SegmentAt(const CurveTable& t, VI segment) {
-  const DF df;
-  const auto of = [&](const std::vector<float>& values) { return OfSegment(t, values, segment); };
-  const MF isFirst = hn::RebindMask(df, hn::Eq(segment, hn::Zero(DI())));
+/// The density that a segment begins at.
+HWY_INLINE VF LowOf(const CurveTable& t, VI segment) {
+  const MF isFirst = hn::RebindMask(DF(), hn::Eq(segment, hn::Zero(DI())));
   const VF before = OfSegment(t, t.node, hn::Max(hn::Sub(segment, SetI(1)), hn::Zero(DI())));
-  return {hn::IfThenElse(isFirst, Set(-std::numeric_limits<float>::infinity()), before),
+  return hn::IfThenElse(isFirst, Set(-std::numeric_limits<float>::infinity()), before);
+}
+
+HWY_INLINE CurveSegment SegmentAt(const CurveTable& t, VI segment) {
+  const auto of = [&](const std::vector<float>& values) { return OfSegment(t, values, segment); };
+  return {LowOf(t, segment),
           of(t.node),
           of(t.start),
           of(t.opacity),
