@@ -17,7 +17,8 @@ std::int64_t nanoseconds(const timespec& t) { return t.tv_sec * secondNs + t.tv_
 std::optional<FileState> fileState(const std::string& path) {
   struct stat s {};
   if (::stat(path.c_str(), &s) != 0) return {};
-  return FileState{s.st_dev, s.st_ino, s.st_size, nanoseconds(s.st_mtim), nanoseconds(s.st_ctim)};
+  return FileState{s.st_size, nanoseconds(s.st_mtim), nanoseconds(s.st_ctim), std::int64_t(s.st_ino),
+                   std::int64_t(s.st_dev)};
 }
 
 bool mayChangeUnseen(const FileState& state) {

@@ -9,8 +9,8 @@ namespace volumen {
 
 /// Which bytes a path names: the same as long as nobody wrote to the file or put another in its place.
 struct FileState {
-  std::uint64_t device = 0, inode = 0;
-  std::int64_t size = 0, modifiedNs = 0, changedNs = 0;  ///< since 1970
+  std::int64_t size = 0, modifiedNs = 0, changedNs = 0;  ///< since 1970; the first alone lies after copies
+  std::int64_t inode = 0, device = 0;
   auto operator<=>(const FileState&) const = default;
 };
 

@@ -118,6 +118,7 @@ void MainWindow::applyPreferences(const Preferences& before, const Preferences& 
   bench_->action("hideNames")->setChecked(after.hideNames);
   if (before.hideNames == after.hideNames) return;
   studies_->showNames();
+  showPage();  // it marks what is shown
   banner_->refresh();
 }
 

@@ -14,8 +14,6 @@
 namespace volumen {
 namespace {
 
-std::int64_t nanoseconds(const timespec& t) { return std::int64_t(t.tv_sec) * 1'000'000'000 + t.tv_nsec; }
-
 /// The real paths of folders, each asked for once.
 class RealFolders {
  public:
@@ -60,11 +58,10 @@ Result<FilesBelow> filesBelow(const ImportRoot& root, const CancelToken& cancel)
   for (const auto& [path, reason, elsewhere] : found->unreadable)
     below.unreadable.push_back({onDisk(path), reason + ".", elsewhere});
   for (const std::string& path : found->files) {
-    struct stat s {};
-    if (stat(path.c_str(), &s) != 0) continue;  // it has just gone
+    const std::optional<FileState> state = fileState(path);
+    if (!state) continue;  // it has just gone
     below.files.push_back(onDisk(path));
-    below.files.back().state = {std::int64_t(s.st_size), nanoseconds(s.st_mtim), nanoseconds(s.st_ctim),
-                                std::int64_t(s.st_ino), std::int64_t(s.st_dev)};
+    below.files.back().state = *state;
   }
   return below;
 }

@@ -118,7 +118,7 @@ std::int64_t Import::movedFrom(const FileOnDisk& file) {
                            " f.series_id JOIN study t ON t.id = s.study_id WHERE f.inode = ? AND f.device = "
                            "? AND f.size = ? AND"
                            " f.mtime_ns = ? AND t.forgotten_at = ''",
-                           file.state.inode, file.state.device, file.state.size, file.state.mtimeNs);
+                           file.state.inode, file.state.device, file.state.size, file.state.modifiedNs);
        rows.next();) {
     const std::string before = FileOnDisk{rows.bytes(1), rows.bytes(2), {}}.path();
     if (exists(before)) continue;  // a second name of it

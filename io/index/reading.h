@@ -4,16 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "io/file_state.h"
 #include "io/index/found_series.h"
 
 namespace volumen {
-
-/// What tells whether a file is the one that the index read: it is where all are equal. (A time of change
-/// alone lies after copies.)
-struct FileState {
-  std::int64_t size = 0, mtimeNs = 0, ctimeNs = 0, inode = 0, device = 0;
-  bool operator==(const FileState&) const = default;
-};
 
 /// A file on disk: its folder without symbolic links in its path, its name there.
 struct FileOnDisk {

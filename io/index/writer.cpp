@@ -113,7 +113,7 @@ void Writer::writeFile(const FileOnDisk& file, std::int64_t series, const FoundF
       " excluded.inode, device = excluded.device, series_id = excluded.series_id, sop_uid = excluded.sop_uid,"
       " volume = excluded.volume, position = excluded.position, frames = excluded.frames, reason = '',"
       " program = ''",
-      folderId(file.folder), Blob{file.name}, file.state.size, file.state.mtimeNs, file.state.ctimeNs,
+      folderId(file.folder), Blob{file.name}, file.state.size, file.state.modifiedNs, file.state.changedNs,
       file.state.inode, file.state.device, RowId{series}, found.sopInstanceUid, found.volume, position,
       found.frames);
 }
@@ -170,7 +170,7 @@ void Writer::move(std::int64_t file, const FileOnDisk& to) {
   db_.run("DELETE FROM file WHERE folder_id = ? AND name = ? AND id <> ?", folderId(to.folder), Blob{to.name},
           file);
   db_.run("UPDATE file SET folder_id = ?, name = ?, ctime_ns = ? WHERE id = ?", folderId(to.folder),
-          Blob{to.name}, to.state.ctimeNs, file);
+          Blob{to.name}, to.state.changedNs, file);
   if (!series) return;
   series_.insert(series);
   // What is told of it may name files.

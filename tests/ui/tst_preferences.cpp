@@ -185,7 +185,16 @@ void TestPreferences::namesAreHiddenEverywhere() {
     return texts.join(QLatin1Char('\n'));
   };
   QVERIFY(listed().contains(QStringLiteral("Test, Ball (42)")));
+  const auto marked = [&] {
+    int count = 0;
+    for (QTreeWidgetItemIterator it(panel->tree()); *it; ++it) count += (*it)->font(0).bold();
+    return count;
+  };
+  panel->markShown(study->volumes[0], nullptr);
+  const int shown = marked();
+  QVERIFY(shown > 0);
   window.tick("hideNames");
+  QCOMPARE(marked(), shown);
   QVERIFY(window.findChild<QAction*>(QStringLiteral("hideNames"))->isChecked());
   const QString seen = window.windowTitle() + listed() + patientText(study->volumes[0]);
   for (const char* secret : {"Test", "42", "Other", "2026", "Test_Ball"})

@@ -126,7 +126,7 @@ class LevelTracer {
     const VF steps = hn::Load(df, s.steps + n);
     const V3 place = PlaceOf(s, n);
     const Passage p = PassageAt(grid_, place, HalfOf(ray, steps));
-    Corners corners = Store::CornersOf(grid_, p.cell);
+    const Corners corners = Store::CornersOf(grid_, p.cell);
     const CellRange range{corners.Lowest(), corners.Highest()};
     const VF base = range.Base();
     const Cubic c = InterpolateAlong(corners.CountedFrom(base), p);

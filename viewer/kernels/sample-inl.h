@@ -23,6 +23,7 @@ struct Sample {
 struct Corners {
   VF first[4], second[4];
 
+  /// The same, counted from `base`.
   HWY_INLINE Corners CountedFrom(VF base) const {
     Corners counted;
     for (int r = 0; r < 4; ++r) {

@@ -57,7 +57,7 @@ void TestKeptHeaders::aChangedFileIsReadAgain() {
   const auto now = fileState(path);
   QVERIFY(now);
   FileState before = *now;
-  before.device += std::uint64_t(device), before.inode += std::uint64_t(inode), before.size += size;
+  before.device += device, before.inode += inode, before.size += size;
   before.modifiedNs -= modified, before.changedNs -= changed;
   dicom::FileHeader header;
   header.patientName = "kept";
