@@ -3,6 +3,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
@@ -63,6 +65,7 @@ class TestPreferences : public QObject {
   void directions();
   void opacityAxis();
   void namesAreHiddenEverywhere();
+  void hiddenNamesAreNoFileNames();
   void choicesAreKeptAndReset();
   void enterClosesAndRestoresNothing();
   void nonsenseInTheFileIsPassedOver();
@@ -209,6 +212,25 @@ void TestPreferences::namesAreHiddenEverywhere() {
   QCOMPARE(seriesText(file), QStringLiteral("test_ball.nrrd"));
   hideNames(true);
   QVERIFY(!seriesText(file).contains(QStringLiteral("ball")));
+}
+
+// A snapshot is called after its series, which a file's name may stand for.
+void TestPreferences::hiddenNamesAreNoFileNames() {
+  Opened window;
+  auto file = std::make_shared<ShownSeries>(*tests::ballSeries());
+  file->series.format = "NRRD";
+  file->series.path = "/data/smith.nrrd";
+  file->series.description.clear();
+  window.session().show(file);
+  const auto offered = [&] {
+    window.findChild<QAction*>(QStringLiteral("snapshot"))->trigger();
+    const std::unique_ptr<QFileDialog> dialog(
+        window.findChild<QFileDialog*>(QStringLiteral("snapshotDialog")));
+    return dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->text();
+  };
+  QVERIFY2(offered().contains(QStringLiteral("smith")), qPrintable(offered()));
+  window.tick("hideNames");
+  QVERIFY2(!offered().contains(QStringLiteral("smith")), qPrintable(offered()));
 }
 
 void TestPreferences::choicesAreKeptAndReset() {

@@ -54,6 +54,10 @@ void Snapshots::connectViews() {
             if (sceneViewOf(before) != sceneViewOf(after)) tellSize();
             if (showsOther(before, after)) tellName();
           });
+  connect(&session_, &Session::preferencesChanged, panel_,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.hideNames != after.hideNames) tellName();
+          });
 }
 
 void Snapshots::tellSize() {
