@@ -79,7 +79,8 @@ class PartRule {
     const VF third = hn::Mul(hn::Sub(opacity, OpacityOfDepth(depth)), Set(1.0f / 3));
     PartSum sum{Zero3(), Clamp01(hn::Add(opacity, third)), hn::Abs(third)};
     if constexpr (Material::kFactors) sum.error = hn::Add(sum.error, MissedFactors(r, p, places, halfUnits));
-    const VF per = hn::Div(one, NotZero(opacity));
+    // No float holds what is divided by less; and less shows nothing.
+    const VF per = hn::Div(one, hn::Max(opacity, Set(1e-30f)));
     const VF at1 = hn::Mul(half, first.centroid), at2 = hn::Mul(half, hn::Add(one, second.centroid));
     const VF at = hn::Mul(hn::Add(hn::Mul(first.opacity, at1), hn::Mul(behind, at2)), per);
     const VF d1 = hn::Sub(at1, at), d2 = hn::Sub(at2, at);

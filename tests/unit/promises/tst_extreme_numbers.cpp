@@ -100,7 +100,10 @@ void TestExtremeNumbers::allThatIsDrawnAndSaidIsANumber() {
   const Seeds seeds = seedsOf(70, 200);
   QStringList faults;
   int drawn = 0;
-  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+  std::vector<int> all{1009, 1252,
+                       1553};  // once gave numbers that are none: opacities that floats barely hold
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) all.push_back(seed);
+  for (int seed : all) {
     const RandomCase c = extremeCase(std::uint64_t(seed));
     RenderCaches caches(c.volume);
     RenderOptions options[] = {atLevel(Quality::draft), atLevel(Quality::standard), atLevel(Quality::exact),
