@@ -14,7 +14,7 @@ namespace volumen {
 /// Densities in 16 bits as the kernels read them: the volume's own samples where they serve, else a copy.
 struct Density16 {
   const std::int16_t* data = nullptr;
-  std::uint32_t flip = 0;  ///< TraceFrame::flip16
+  std::uint32_t flip = 0;  ///< RayInputs::flip16
   DensityScale scale;
   Buffer<std::int16_t> copy;
 };

@@ -16,9 +16,9 @@ std::int64_t mostSteps(glm::ivec3 size, double stepVoxels) {
   return std::int64_t(std::ceil(glm::length(glm::dvec3(size)) / stepVoxels)) + 1;
 }
 
-BatchMaker::BatchMaker(const RaySetup& setup, glm::ivec2 size, std::int64_t mostSteps)
+BatchMaker::BatchMaker(const RayGenerator& setup, glm::ivec2 size, std::int64_t mostSteps)
     : setup_(setup), size_(size) {
-  while (widest_ > RaySetup::padding && linesOf(mostSteps * widest_) > lines_) widest_ /= 2;
+  while (widest_ > RayGenerator::padding && linesOf(mostSteps * widest_) > lines_) widest_ /= 2;
   lines_ = std::max(lines_, linesOf(mostSteps * widest_));
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "viewer/kernels/ray_setup.h"
+#include "viewer/kernels/ray_generator.h"
 
 namespace volumen {
 
@@ -32,7 +32,7 @@ std::int64_t mostSteps(glm::ivec3 size, double stepVoxels);
 class BatchMaker {
  public:
   /// `mostSteps`: no ray has more.
-  BatchMaker(const RaySetup& setup, glm::ivec2 size, std::int64_t mostSteps);
+  BatchMaker(const RayGenerator& setup, glm::ivec2 size, std::int64_t mostSteps);
 
   /// Lines that a batch holds at most: about a million samples, or the longest rays' where that is more.
   std::int64_t lines() const { return lines_; }
@@ -42,7 +42,7 @@ class BatchMaker {
  private:
   Strip nextStrip();
 
-  const RaySetup& setup_;
+  const RayGenerator& setup_;
   glm::ivec2 size_, next_{0, 0};  ///< next_: first pixel of the next strip
   int widest_ = 64;               ///< rays a strip
   std::int64_t lines_ = 1024;

@@ -22,7 +22,7 @@ enum CastUnit {
 };
 
 // So many that the loops of a pass, one within the other, take a quarter of the turns that llvmpipe allows.
-int stepsOfPass(const TraceFrame& f) {
+int stepsOfPass(const RayInputs& f) {
   const int turnsOfStep = 1 + f.curve->hops + std::max(1, int(f.transfer->gradientOpacity.size())) +
                           2 * int(f.lighting->lights.size());
   return std::max(1, (1 << 14) / turnsOfStep);
@@ -75,12 +75,12 @@ std::vector<float> factorTexels(const TransferFunction& curve) {
 
 int Caster::uniform(const char* name) const { return glGetUniformLocation(program_, name); }
 
-Status Caster::prepare(const Plan& plan, const TraceFrame& frame, const VolumeTextures& textures) {
+Status Caster::prepare(const Plan& plan, const RayInputs& inputs, const VolumeTextures& textures) {
   if (!vertices_) glGenVertexArrays(1, &vertices_);
   if (Status s = chooseProgram(plan); !s) return s;
-  if (Status s = uploadTables(plan, frame); !s) return s;
-  setUniforms(plan, frame, textures);
-  stepsOfPass_ = stepsOfPass(frame);
+  if (Status s = uploadTables(plan, inputs); !s) return s;
+  setUniforms(plan, inputs, textures);
+  stepsOfPass_ = stepsOfPass(inputs);
   return {};
 }
 
@@ -93,20 +93,20 @@ Status Caster::chooseProgram(const Plan& plan) {
   return {};
 }
 
-Status Caster::uploadTables(const Plan& plan, const TraceFrame& frame) {
-  if (Status s = curve_.upload(GL_RGBA32F, 16, curveTexels(*frame.curve)); !s) return s;
-  const std::vector<float> first(frame.curve->first.begin(), frame.curve->first.end());
+Status Caster::uploadTables(const Plan& plan, const RayInputs& inputs) {
+  if (Status s = curve_.upload(GL_RGBA32F, 16, curveTexels(*inputs.curve)); !s) return s;
+  const std::vector<float> first(inputs.curve->first.begin(), inputs.curve->first.end());
   if (Status s = buckets_.upload(GL_R32F, 4, first); !s) return s;
-  if (Status s = factors_.upload(GL_RG32F, 8, factorTexels(*frame.transfer)); !s) return s;
-  if (Status s = lights_.upload(GL_RGBA32F, 16, lightTexels(*frame.lighting)); !s) return s;
+  if (Status s = factors_.upload(GL_RG32F, 8, factorTexels(*inputs.transfer)); !s) return s;
+  if (Status s = lights_.upload(GL_RGBA32F, 16, lightTexels(*inputs.lighting)); !s) return s;
   if (plan.shader == Shader::map)
-    return frame.map->coloured ? shades_.upload(GL_RGBA32F, 16, frame.map->nodes)
-                               : shades_.upload(GL_RG32F, 8, frame.map->nodes);
-  if (plan.shader == Shader::table) return shades_.upload(GL_R32I, 4, frame.table->bgr);
+    return inputs.map->coloured ? shades_.upload(GL_RGBA32F, 16, inputs.map->nodes)
+                                : shades_.upload(GL_RG32F, 8, inputs.map->nodes);
+  if (plan.shader == Shader::table) return shades_.upload(GL_R32I, 4, inputs.table->bgr);
   return {};
 }
 
-void Caster::setUniforms(const Plan& plan, const TraceFrame& f, const VolumeTextures& textures) {
+void Caster::setUniforms(const Plan& plan, const RayInputs& f, const VolumeTextures& textures) {
   textures.use(program_, plan);
   const std::pair<const char*, CastUnit> units[] = {
       {"rays", castRayUnit}, {"curve", curveUnit},  {"buckets", bucketUnit}, {"factors", factorUnit},

@@ -13,8 +13,8 @@ namespace volumen {
 /// 16 bits the hardware filters (see PlaneResampler). Long rays take several passes. Needs a current context.
 class Caster {
  public:
-  /// Programs, tables and uniforms for a frame.
-  Status prepare(const Plan& plan, const TraceFrame& frame, const VolumeTextures& textures);
+  /// Programs, tables and uniforms for a picture.
+  Status prepare(const Plan& plan, const RayInputs& inputs, const VolumeTextures& textures);
   /// Draws a band. An Error where OpenGL has no room.
   Status draw(const RayBand& band, float inverseUnitMm);
   /// The band, four floats a pixel, row by row, until the next call: premultiplied colour and alpha, or of a
@@ -24,8 +24,8 @@ class Caster {
 
  private:
   Status chooseProgram(const Plan& plan);
-  Status uploadTables(const Plan& plan, const TraceFrame& frame);
-  void setUniforms(const Plan& plan, const TraceFrame& frame, const VolumeTextures& textures);
+  Status uploadTables(const Plan& plan, const RayInputs& inputs);
+  void setUniforms(const Plan& plan, const RayInputs& inputs, const VolumeTextures& textures);
   bool makeTarget(glm::ivec2 size);
   int uniform(const char* name) const;
 

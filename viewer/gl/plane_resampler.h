@@ -19,7 +19,7 @@ namespace volumen {
 /// so each of the three interpolations may be off by 1/512 of the difference between the neighbours.
 class PlaneResampler {
  public:
-  /// Programs, targets and buffers for a frame of this plan with batches of up to `lines` lines. An Error
+  /// Programs, targets and buffers for a picture of this plan with batches of up to `lines` lines. An Error
   /// where OpenGL cannot do it.
   Status prepare(const Plan& plan, const VolumeTextures& textures, std::int64_t lines);
 
@@ -38,7 +38,7 @@ class PlaneResampler {
   void freeSlots();
 
   Programs programs_;
-  unsigned program_ = 0;   ///< the frame's
+  unsigned program_ = 0;   ///< the picture's
   unsigned vertices_ = 0;  ///< vertex array without attributes, which core OpenGL asks for
   BufferTexture rays_;
   std::vector<float> rayTexels_;

@@ -19,7 +19,7 @@ int RayBands::rows() const {
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
   constexpr std::int64_t samples = 1 << 27;
   const std::int64_t pixels = std::min<std::int64_t>({1 << 19, most / texelsARay, samples / drawnSteps_});
-  return int(std::clamp<std::int64_t>(pixels / (size_.x + RaySetup::padding), 1, size_.y));
+  return int(std::clamp<std::int64_t>(pixels / (size_.x + RayGenerator::padding), 1, size_.y));
 }
 
 void RayBands::fill(RayBand& band, int threads) {

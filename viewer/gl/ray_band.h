@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "viewer/gl/program.h"
-#include "viewer/kernels/ray_setup.h"
+#include "viewer/kernels/ray_generator.h"
 
 namespace volumen {
 
@@ -20,7 +20,7 @@ class RayBands {
  public:
   /// `drawnSteps`: the most samples of a ray that are drawn in one go, which must not take a GPU so long that
   /// its driver gives up.
-  RayBands(const RaySetup& setup, glm::ivec2 size, std::int64_t drawnSteps)
+  RayBands(const RayGenerator& setup, glm::ivec2 size, std::int64_t drawnSteps)
       : setup_(setup), size_(size), drawnSteps_(drawnSteps) {}
 
   /// Rows of the largest band. Needs a current context, whose limits it keeps.
@@ -29,7 +29,7 @@ class RayBands {
   void fill(RayBand& band, int threads);
 
  private:
-  const RaySetup& setup_;
+  const RayGenerator& setup_;
   glm::ivec2 size_;
   std::int64_t drawnSteps_;
   int next_ = 0;

@@ -11,12 +11,12 @@
 
 namespace volumen {
 
-/// Resamples slices of a band of rays, brings them back for shading, and blends shaded ones into a frame
+/// Resamples slices of a band of rays, brings them back for shading, and blends shaded ones into a picture
 /// buffer (paper 3.2). Two slots, so that one slice is drawn and on its way back while the CPU shades
 /// another. Needs a current context.
 class SliceBlender {
  public:
-  /// Program and uniforms for a frame.
+  /// Program and uniforms for a picture.
   Status prepare(const Plan& plan, const VolumeTextures& textures);
   /// Targets for a band, the frame buffer empty. An Error where OpenGL has no room.
   Status begin(const RayBand& band, float inverseUnitMm);

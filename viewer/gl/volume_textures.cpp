@@ -46,18 +46,18 @@ GLuint makeTexture(const Format& format, glm::ivec3 n) {
   return name;
 }
 
-// Fills the bound texture in slabs of whole slices, so that the driver's copies stay small. slab(first
+// Fills the bound texture in layers of whole slices, so that the driver's copies stay small. layer(first
 // voxel, voxels): the data of these voxels, whose rows lie `rowVoxels` apart.
-template <class Slab>
+template <class Layer>
 Status upload(const Format& format, glm::ivec3 n, int rowVoxels, const CancelToken& cancel,
-              const Slab& slab) {
+              const Layer& layer) {
   const std::size_t slice = std::size_t(n.x) * n.y;
   const int thickness = int(std::clamp<std::size_t>((16u << 20) / (slice * format.voxelBytes), 1, n.z));
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (int k = 0; k < n.z; k += thickness) {
     if (cancel.cancelled()) return Error{"cancelled"};
     const int slices = std::min(thickness, n.z - k);
-    const void* data = slab(k * slice, slices * slice);
+    const void* data = layer(k * slice, slices * slice);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, rowVoxels);
     glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, k, n.x, n.y, slices, format.layout, format.component, data);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);

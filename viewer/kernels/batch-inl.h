@@ -24,18 +24,18 @@ class BatchTracer {
   using Material = ClassifyAndLight<kIsLit, kGradientOpacity>;
 
  public:
-  static constexpr int kSlab = 16;  ///< steps that all packets take before any goes on
+  static constexpr int kGroupSteps = 16;  ///< steps that all packets take before any goes on
   static constexpr bool kCells = true;
   static constexpr bool kPrefetches = false;
   static constexpr bool kBlends = false;
 
   /// Adds to `out`, which must be 0.
-  BatchTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
+  BatchTracer(const RayInputs& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
               TraceCounts& counts)
       : f_(f),
         grid_(f, Material::kGradients ? f.gradientRow : f.densityRow),
         rays_(rays),
-        matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
+        material_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
         out_(out),
         counts_(counts) {}
 
@@ -45,7 +45,7 @@ class BatchTracer {
     const Packet p = LoadPacket(f_, rays_, first);
     const MF open = hn::Le(hn::LoadU(DF(), out_.alpha + first), Set(1 - f_.stopTransmittance));
     const Windows windows(*f_.cells, skipper, step);
-    if (GoOn(p, open, step, kSlab))
+    if (GoOn(p, open, step, kGroupSteps))
       Place<true>(p, open, windows, first, step, bits);
     else
       Place<false>(p, open, windows, first, step, bits);
@@ -54,8 +54,8 @@ class BatchTracer {
     std::swap(next_, batch_);
     Draw(*next_);
   }
-  void BeginSlab() {}
-  void EndSlab() {
+  void BeginGroup() {}
+  void EndGroup() {
     Locate(*next_);
     Draw(*batch_);
     Draw(*next_);
@@ -64,11 +64,11 @@ class BatchTracer {
 
  private:
   static constexpr int kFull = 8 * kLanes;
-  using Windows = CellWindows<kSlab>;
+  using Windows = CellWindows<kGroupSteps>;
 
   static constexpr bool kRays = Material::kLit;  ///< light may ask which ray a sample is of
 
-  static constexpr int kMost = kFull + (kSlab + 1) * kLanes, kMostSteps = kFull + kSlab;
+  static constexpr int kMost = kFull + (kGroupSteps + 1) * kLanes, kMostSteps = kFull + kGroupSteps;
   /// Samples, and the steps of packets that they are of.
   struct Batch : SampleArrays<kMost> {
     HWY_ALIGN std::int32_t ray[kRays ? kMost : 1];
@@ -108,7 +108,7 @@ class BatchTracer {
     };
     auto& s = *next_;
     // All steps are asked before any is noted, so that none waits for what the one before has found.
-    std::uint32_t masks[kSlab];
+    std::uint32_t masks[kGroupSteps];
     std::uint64_t visible = 0;
     for (; bits; bits &= bits - 1) {
       const int k = int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
@@ -153,10 +153,10 @@ class BatchTracer {
     if (s.noted == 0) return;
     counts_.resampled += s.noted;
     Resample(s);
-    Classify(matter_, s);
+    Classify(material_, s);
     // One batch in 32 is timed; they stand for all.
     const std::int64_t begin = timed_++ % 32 == 0 ? Ticks() : 0;
-    Light(matter_, s, [&](int n) {
+    Light(material_, s, [&](int n) {
       if constexpr (kRays)
         return hn::Load(DI(), s.ray + n);
       else
@@ -180,7 +180,7 @@ class BatchTracer {
       else
         x = {Store::Density(grid_, c), Zero3()};
       const VF unitDistances = hn::Load(df, s.unitDistances + n);
-      const MF seen = hn::And(hn::Gt(unitDistances, hn::Zero(df)), matter_.CanBeSeen(x.density));
+      const MF seen = hn::And(hn::Gt(unitDistances, hn::Zero(df)), material_.CanBeSeen(x.density));
       s.seen[n / kLanes] = BitsOf(seen);
       Append(unitDistances, seen, s.unitDistances + kept);
       Append(x.density, seen, s.density + kept);
@@ -223,10 +223,10 @@ class BatchTracer {
     }
   }
 
-  const TraceFrame& f_;
+  const RayInputs& f_;
   const Grid grid_;
   const RayRow& rays_;
-  Material matter_;
+  Material material_;
   const TraceRow& out_;
   TraceCounts& counts_;
   Batch batches_[2];

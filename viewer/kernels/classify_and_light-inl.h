@@ -20,8 +20,8 @@ HWY_INLINE std::int64_t Ticks() { return std::int64_t(__builtin_ia32_rdtsc()); }
 HWY_INLINE std::int64_t Ticks() { return 0; }
 #endif
 
-/// CorrectedOpacity: most intervals of a frame are as long as each other and few opacities near 1, so that a
-/// short series does in place of a logarithm and an exponential.
+/// CorrectedOpacity: most intervals of a picture are as long as each other and few opacities near 1, so that
+/// a short series does in place of a logarithm and an exponential.
 HWY_INLINE VF CorrectedOpacity(const CorrectionSeries& series, VF opacity, VF unitDistances) {
   const DF df;
   if (series.terms == 0) return CorrectedOpacity(opacity, unitDistances);
@@ -56,12 +56,12 @@ HWY_INLINE Fragment Chosen(MF which, const Fragment& a, const Fragment& b) {
           hn::IfThenElse(hn::RebindMask(DI(), which), a.sides, b.sides)};
 }
 
-/// Classification and light of one frame.
+/// Classification and light of one picture.
 template <bool kIsLit, bool kGradientOpacity>
 struct ClassifyAndLight {
   static constexpr bool kLit = kIsLit, kFactors = kGradientOpacity;
   static constexpr bool kGradients = kLit || kFactors;
-  const TraceFrame& f;
+  const RayInputs& f;
   /// Of each ray, towards the viewer, patient space; looked at with a local viewer only.
   const float *viewerX, *viewerY, *viewerZ;
   int first = 0;  ///< the ray that the others are counted from
@@ -123,7 +123,7 @@ struct ClassifyAndLight {
                shade.s);
   }
 
-  /// D' and S' of picture.md 5, by the frame's model of light.
+  /// D' and S' of picture.md 5, by the picture's model of light.
   HWY_INLINE DS ShadeOf(const V3& n, VI ray) const {
     switch (f.light) {
       case LightModel::map:

@@ -12,29 +12,29 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Density and gradient together, of whole packets, a slab at a time: where its samples are; what they are;
-/// opacities; light; over one another. Each pass is short, so that many samples are on their way through it
-/// at once.
+/// Density and gradient together, of whole packets, a group of steps at a time: where its samples are; what
+/// they are; opacities; light; over one another. Each pass is short, so that many samples are on their way
+/// through it at once.
 template <class Store, bool kIsLit, bool kGradientOpacity>
 class DenseTracer {
   static constexpr bool kPlane = std::is_void_v<Store>;
   using Material = ClassifyAndLight<kIsLit, kGradientOpacity>;
 
  public:
-  static constexpr int kSlab = 8;        ///< steps that all packets take before any goes on
+  static constexpr int kGroupSteps = 8;  ///< steps that all packets take before any goes on
   static constexpr bool kCells = false;  ///< whether single rays ask VisibleCells
   static constexpr bool kPrefetches = !kPlane;
   static constexpr bool kBlends = true;  ///< slices from the back, too
   /// The same without light, which has the same opacities.
   using Unlit = DenseTracer<Store, false, kGradientOpacity>;
 
-  /// Adds to `out`, which must be 0; slabs come in the order of the frame's slices.
-  DenseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
+  /// Adds to `out`, which must be 0; groups come in the order of the picture's slices.
+  DenseTracer(const RayInputs& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
               TraceCounts& counts)
       : f_(f),
         grid_(f, Material::kGradients ? f.gradientRow : f.densityRow),
         rays_(rays),
-        matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
+        material_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
         plane_(plane),
         out_(out),
         counts_(counts) {}
@@ -48,26 +48,26 @@ class DenseTracer {
   /// n by bit n.
   HWY_INLINE void Advance(const EmptySpaceSkipper&, int first, int step, std::uint64_t bits) {
     if (!bits) return;
-    matter_.first = first;
+    material_.first = first;
     const Packet p = LoadPacket(f_, rays_, first);
-    if (!cuts() && GoOn(p, hn::FirstN(DF(), kLanes), step, kSlab))
+    if (!cuts() && GoOn(p, hn::FirstN(DF(), kLanes), step, kGroupSteps))
       Place<true>(p, step, bits);
     else
       Place<false>(p, step, bits);
     Resample();
-    Classify(matter_, samples_);
+    Classify(material_, samples_);
     if (samples_.size == 0) return;
-    // One slab in 32 is timed; they stand for all.
+    // One group of steps in 32 is timed; they stand for all.
     const std::int64_t begin = timed_++ % 32 == 0 ? Ticks() : 0;
-    Light(matter_, samples_, [](int) { return hn::Iota(DI(), 0); });
+    Light(material_, samples_, [](int) { return hn::Iota(DI(), 0); });
     if (f_.slices.fromBack)
       Blend();
     else
       Composite();
     if (begin) counts_.shadeTicks += 32 * (Ticks() - begin);
   }
-  void BeginSlab() {}
-  void EndSlab() {}
+  void BeginGroup() {}
+  void EndGroup() {}
   void Finish() {}
 
  private:
@@ -80,7 +80,7 @@ class DenseTracer {
     const DF df;
     auto& s = samples_;
     const VF shown =
-        cuts() ? hn::LoadU(df, out_.shown + matter_.first) : Set(std::numeric_limits<float>::max());
+        cuts() ? hn::LoadU(df, out_.shown + material_.first) : Set(std::numeric_limits<float>::max());
     const bool notesSteps = kPlane || out_.shown;
     int size = 0;
     for (; bits; bits &= bits - 1, size += kLanes) {
@@ -114,7 +114,7 @@ class DenseTracer {
     const DF df;
     const auto& s = samples_;
     if constexpr (kPlane) {
-      const std::size_t at = std::size_t(s.step[n / kLanes]) * plane_.stride + matter_.first;
+      const std::size_t at = std::size_t(s.step[n / kLanes]) * plane_.stride + material_.first;
       Sample x{hn::LoadU(df, plane_.density + at), Zero3()};
       VF none;
       if constexpr (Material::kGradients)
@@ -139,7 +139,7 @@ class DenseTracer {
     for (int n = 0; n < s.size; n += kLanes) {
       const VF unitDistances = hn::Load(df, s.unitDistances + n);
       const Sample x = ValuesAt(n);
-      const MF seen = hn::And(hn::Gt(unitDistances, hn::Zero(df)), matter_.CanBeSeen(x.density));
+      const MF seen = hn::And(hn::Gt(unitDistances, hn::Zero(df)), material_.CanBeSeen(x.density));
       if (hn::AllFalse(df, seen)) continue;
       hn::Store(x.density, df, s.density + kept);
       if constexpr (Material::kGradients) {
@@ -161,11 +161,11 @@ class DenseTracer {
     VF alpha;
   };
   HWY_INLINE Pixels PixelsSoFar() const {
-    const auto load = [&](const float* values) { return hn::LoadU(DF(), values + matter_.first); };
+    const auto load = [&](const float* values) { return hn::LoadU(DF(), values + material_.first); };
     return {{load(out_.red), load(out_.green), load(out_.blue)}, load(out_.alpha)};
   }
   HWY_INLINE void Keep(const Pixels& p) const {
-    const auto store = [&](VF v, float* values) { hn::StoreU(v, DF(), values + matter_.first); };
+    const auto store = [&](VF v, float* values) { hn::StoreU(v, DF(), values + material_.first); };
     store(p.colour.x, out_.red), store(p.colour.y, out_.green), store(p.colour.z, out_.blue);
     store(p.alpha, out_.alpha);
   }
@@ -185,7 +185,7 @@ class DenseTracer {
       counts_.composited += std::int64_t(hn::CountTrue(df, counts));
       if constexpr (!Material::kLit)
         if (out_.shown) {
-          float* shown = out_.shown + matter_.first;
+          float* shown = out_.shown + material_.first;
           hn::StoreU(hn::IfThenElse(counts, Set(float(s.step[n / kLanes])), hn::LoadU(df, shown)), df, shown);
         }
     }
@@ -218,19 +218,19 @@ class DenseTracer {
     return hn::Div(hn::ConvertTo(DF(), whole), levels);
   }
 
-  /// A slab's samples of a packet, a vector a step.
-  struct Slab : SampleArrays<kSlab * kLanes> {
-    int step[kSlab];
+  /// A group's samples of a packet, a vector a step.
+  struct StepGroup : SampleArrays<kGroupSteps * kLanes> {
+    int step[kGroupSteps];
   };
 
-  const TraceFrame& f_;
+  const RayInputs& f_;
   const Grid grid_;
   const RayRow& rays_;
-  Material matter_;
+  Material material_;
   const PlaneBuffer& plane_;
   const TraceRow& out_;
   TraceCounts& counts_;
-  Slab samples_;
+  StepGroup samples_;
   unsigned timed_ = 0;
 };
 

@@ -51,7 +51,7 @@ inline int StepsALook(const RayRow& rays, float voxels) {
 /// at everywhere.
 class EmptySpaceSkipper {
  public:
-  EmptySpaceSkipper(const TraceFrame& f, const Packet& p, int stepsALook = 1)
+  EmptySpaceSkipper(const RayInputs& f, const Packet& p, int stepsALook = 1)
       : map_(f.skip),
         stepsALook_(stepsALook),
         middleLayer_(map_ ? int(map_->layerAt(1)) : 0),

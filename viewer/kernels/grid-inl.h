@@ -23,12 +23,12 @@ struct Cell {
   VF fx, fy, fz;
 };
 
-/// What every lookup of a frame needs, broadcast once a row.
+/// What every lookup of a picture needs, broadcast once a row.
 class Grid {
  public:
-  /// `rowVoxels`: TraceFrame::densityRow or gradientRow, of what is looked up.
-  Grid(const TraceFrame& f, int rowVoxels)
-      : frame_(f),
+  /// `rowVoxels`: RayInputs::densityRow or gradientRow, of what is looked up.
+  Grid(const RayInputs& f, int rowVoxels)
+      : inputs_(f),
         last_{Set(float(f.size.x - 1)), Set(float(f.size.y - 1)), Set(float(f.size.z - 1))},
         lastCellX_(SetI(f.size.x > 1 ? f.size.x - 2 : 0)),
         lastCellY_(SetI(f.size.y > 1 ? f.size.y - 2 : 0)),
@@ -77,7 +77,7 @@ class Grid {
   /// elements, ahead of time.
   template <class T>
   HWY_INLINE void Prefetch(const T* voxels, int elements, glm::vec3 low, glm::vec3 high) const {
-    const glm::ivec3 from(low), to = glm::min(glm::ivec3(high) + 1, frame_.size - 1);
+    const glm::ivec3 from(low), to = glm::min(glm::ivec3(high) + 1, inputs_.size - 1);
     const int line = 64 / int(sizeof(T)) / elements;
     for (int z = from.z; z <= to.z; ++z)
       for (int y = from.y; y <= to.y; ++y) {
@@ -86,7 +86,7 @@ class Grid {
           __builtin_prefetch(voxels + elements * (row + x), 0, 2);
       }
   }
-  const TraceFrame& frame() const { return frame_; }
+  const RayInputs& inputs() const { return inputs_; }
 
  private:
   HWY_INLINE Cell CellOf(VI x, VI y, VI z, const V3& place) const {
@@ -96,7 +96,7 @@ class Grid {
             hn::Sub(place.z, hn::ConvertTo(df, z))};
   }
 
-  const TraceFrame& frame_;
+  const RayInputs& inputs_;
   V3 last_;
   VI lastCellX_, lastCellY_, lastCellZ_;
   int rowStride_, sliceStride_, nextRow_, nextSlice_, nextColumn_;

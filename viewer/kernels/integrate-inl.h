@@ -33,7 +33,7 @@ struct LoadedPassages {
 template <class Material>
 class PassageIntegrator {
  public:
-  PassageIntegrator(const TraceFrame& f, const Material& matter) : f_(f), rule_(matter) {}
+  PassageIntegrator(const RayInputs& f, const Material& matter) : f_(f), rule_(matter) {}
 
   /// Integrates `count` passages. A lane that has done one takes the next, so that passages of one part need
   /// not wait for those of many. `load(n, lanes)`: the passages from the n-th on, one in each of these lanes
@@ -43,7 +43,7 @@ class PassageIntegrator {
   HWY_INLINE void Integrate(int count, const Load& load, const Take& take, std::int64_t& parts) const {
     const DF df;
     const VF one = Set(1);
-    Lanes lanes;
+    PassageLanes lanes;
     MF active = hn::FirstN(df, 0);
     for (int next = 0;;) {
       MF begins = hn::FirstN(df, 0);
@@ -97,7 +97,7 @@ class PassageIntegrator {
   };
 
   /// A passage in each lane, and how far it has come.
-  struct Lanes {
+  struct PassageLanes {
     RayInCell r{};
     VF through = hn::Zero(DF());     ///< the light that reaches the passage
     VF left = hn::Zero(DF());        ///< and how much of that goes on
@@ -105,12 +105,12 @@ class PassageIntegrator {
     Piece piece;
     Fragment front{};  ///< at s
     PassageSum sum{Zero3(), hn::Zero(DF()), hn::Zero(DF())};
-    HWY_INLINE Lanes() {}
+    HWY_INLINE PassageLanes() {}
   };
 
   /// Gives the lanes that are `idle` the passages from `next` on, as many as there are; which lanes.
   template <class Load>
-  HWY_INLINE MF Refill(int count, const Load& load, MF idle, int& next, Lanes& lanes) const {
+  HWY_INLINE MF Refill(int count, const Load& load, MF idle, int& next, PassageLanes& lanes) const {
     const DF df;
     const VF number = Expanded(hn::Iota(df, float(next)), idle);
     const MF begins = hn::And(idle, hn::Lt(number, Set(float(count))));
@@ -147,7 +147,7 @@ class PassageIntegrator {
   }
 
   /// Begins a piece in the lanes `which`.
-  HWY_INLINE void NextPiece(MF which, Lanes& lanes) const {
+  HWY_INLINE void NextPiece(MF which, PassageLanes& lanes) const {
     Piece& p = lanes.piece;
     p.index = hn::Add(p.index, hn::IfThenElseZero(hn::RebindMask(DI(), which), p.step));
     SetPiece(lanes.r, lanes.s, which, p);
@@ -221,7 +221,7 @@ class PassageIntegrator {
     return s;
   }
 
-  const TraceFrame& f_;
+  const RayInputs& f_;
   const PartRule<Material> rule_;
 };
 

@@ -42,20 +42,21 @@ class LevelTracer {
   using Material = ClassifyAndLight<kIsLit, kGradientOpacity>;
 
  public:
-  static constexpr int kSlab = 4;  ///< steps; in longer slabs more is looked at that the same slab hides
+  static constexpr int kGroupSteps =
+      4;  ///< steps; in longer groups more is looked at that the same group hides
   static constexpr bool kCells = true;
   static constexpr bool kBlends = false;
   static constexpr bool kPrefetches = false;
 
   /// Adds to `out`, which must be 0.
-  LevelTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
+  LevelTracer(const RayInputs& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
               TraceCounts& counts)
       : f_(f),
         grid_(f, f.densityRow),
         gradientGrid_(f, f.gradientRow),
         rays_(rays),
-        matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
-        integrator_(f, matter_),
+        material_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
+        integrator_(f, material_),
         out_(out),
         counts_(counts),
         met_(rays.steps.size()),
@@ -77,13 +78,13 @@ class LevelTracer {
         s.size += int(hn::CountTrue(DF(), seen));
       });
     });
-    if (s.size > kNoted / 2) EndSlab();
+    if (s.size > kNoted / 2) EndGroup();
   }
 
-  void BeginSlab() {}
+  void BeginGroup() {}
 
   /// Draws all that was noted.
-  void EndSlab() {
+  void EndGroup() {
     if (noted_.size == 0) return;
     KeepVisible();
     const std::int64_t begin = Ticks();
@@ -261,10 +262,10 @@ class LevelTracer {
     }
   }
 
-  const TraceFrame& f_;
+  const RayInputs& f_;
   const Grid grid_, gradientGrid_;  ///< of densities; of gradients
   const RayRow& rays_;
-  const Material matter_;
+  const Material material_;
   const PassageIntegrator<Material> integrator_;
   const TraceRow& out_;
   TraceCounts& counts_;

@@ -40,7 +40,7 @@ class LightQueue {
   using Material = ClassifyAndLight<kIsLit, kGradientOpacity>;
 
   LightQueue(const Grid& grid, std::size_t rays, const Material& matter, TraceCounts& counts)
-      : grid_(grid), matter_(matter), counts_(counts), colour_(4 * rays + 4) {}
+      : grid_(grid), material_(matter), counts_(counts), colour_(4 * rays + 4) {}
 
   /// Takes the samples of `s` from n on that have any weight.
   template <int kCapacity>
@@ -85,8 +85,8 @@ class LightQueue {
     for (int n = 0; n < s.size; n += kLanes) {
       V3 stored = Zero3();
       if constexpr (Material::kLit) stored = GradientAt(PlaceOf(s, n));
-      const V3 colour = matter_.ColourAt(hn::Load(DI(), s.segment + n), hn::Load(DF(), s.density + n), stored,
-                                         hn::Load(DI(), s.ray + n));
+      const V3 colour = material_.ColourAt(hn::Load(DI(), s.segment + n), hn::Load(DF(), s.density + n),
+                                           stored, hn::Load(DI(), s.ray + n));
       hn::StoreInterleaved4(colour.x, colour.y, colour.z, hn::Zero(DF()), DF(), lit_ + 4 * n);
     }
     for (int n = 0; n < s.size; ++n) AddToRay(n);
@@ -107,7 +107,7 @@ class LightQueue {
   }
 
   const Grid& grid_;
-  const Material& matter_;
+  const Material& material_;
   TraceCounts& counts_;
   Samples<kWaiting> waiting_;
   HWY_ALIGN float lit_[4 * kWaiting];  ///< colours of those: red, green, blue, 0

@@ -22,7 +22,7 @@ struct Packet {
   int longest = 0;                                  ///< steps of the longest ray
 };
 
-HWY_INLINE Packet LoadPacket(const TraceFrame& f, const RayRow& r, int first) {
+HWY_INLINE Packet LoadPacket(const RayInputs& f, const RayRow& r, int first) {
   const DF df;
   const auto load = [&](const std::vector<float>& v) { return hn::LoadU(df, v.data() + first); };
   Packet p;

@@ -55,12 +55,12 @@ class PartRule {
   static constexpr float kOffOfBent = 0.4f;  ///< what the parabola may be off by, as a share of what it adds
 
  public:
-  explicit PartRule(const Material& matter) : matter_(matter) {}
+  explicit PartRule(const Material& matter) : material_(matter) {}
 
   HWY_INLINE Fragment FragmentAt(const RayInCell& r, const CurveSegment& segment, VF s) const {
     V3 gradient = Zero3();
     if constexpr (Material::kLit) gradient = r.gradient.At(s);
-    return matter_.FragmentOf(ColourOn(segment, DensityOn(r, segment, s)), gradient, r.ray);
+    return material_.FragmentOf(ColourOn(segment, DensityOn(r, segment, s)), gradient, r.ray);
   }
 
   /// `front` and `back`: what is at its ends. `reach`: the light that reaches it.
@@ -73,7 +73,7 @@ class PartRule {
     const VF unitDistances = hn::Mul(hn::Mul(r.unitDistances, half), hn::Sub(p.b, p.a)),
              halfUnits = hn::Mul(unitDistances, half);
     const VF mean = MeanOf(a, b), depth = hn::Mul(unitDistances, mean);
-    const Slab first = SlabOf(a, m, halfUnits), second = SlabOf(m, b, halfUnits);
+    const PartOpacity first = OpacityOfPart(a, m, halfUnits), second = OpacityOfPart(m, b, halfUnits);
     const VF behind = hn::Mul(hn::Sub(one, first.opacity), second.opacity);
     const VF opacity = hn::Add(first.opacity, behind);
     const VF third = hn::Mul(hn::Sub(opacity, OpacityOfDepth(depth)), Set(1.0f / 3));
@@ -93,7 +93,7 @@ class PartRule {
 
   /// What a part of this opacity may be off by, where `reach` reaches it: a share of white.
   HWY_INLINE VF ShareOf(VF reach, VF opacity) const {
-    const ErrorBudget& budget = matter_.f.budget;
+    const ErrorBudget& budget = material_.f.budget;
     return hn::Max(hn::Mul(Set(budget.most), hn::Mul(reach, opacity)), Set(budget.most * budget.leastShare));
   }
 
@@ -110,7 +110,7 @@ class PartRule {
     V3 gradient;
   };
   /// What lies between two places: its opacity; where its light comes from in the mean, 0..1.
-  struct Slab {
+  struct PartOpacity {
     VF opacity, centroid;
   };
   /// Where the light of a part comes from, 0..1 of its length: mean and variance, and how far the mean may be
@@ -129,7 +129,7 @@ class PartRule {
     if constexpr (Material::kFactors) {
       const V3 stored = r.gradient.At(s);
       place.gradient = InFactorUnits(stored);
-      place.factor = matter_.FactorAt(stored);
+      place.factor = material_.FactorAt(stored);
       opacity = hn::Mul(opacity, place.factor);
     }
     const Transparency t = TransparencyOf(opacity);
@@ -163,7 +163,7 @@ class PartRule {
   HWY_INLINE void AddColour(const RayInCell& r, const Spread& light, const Fragment& front,
                             const Fragment& middle, const Fragment& back, VF reach, PartSum& sum) const {
     const BendRule bend(light);
-    V3 colour = matter_.LitColour(middle, r.ray);
+    V3 colour = material_.LitColour(middle, r.ray);
     const VF brightest = hn::Max(Set(1), hn::Max(colour.x, hn::Max(colour.y, colour.z)));
     sum.error = hn::Mul(sum.error, brightest);
     const VF missed = MissedLight(front, middle, back);
@@ -173,7 +173,7 @@ class PartRule {
     if (!hn::AllFalse(DF(), needsEnds)) {
       V3 better = colour;
       const VF offBetter =
-          AddBend(light, bend, matter_.LitColour(front, r.ray), matter_.LitColour(back, r.ray), better);
+          AddBend(light, bend, material_.LitColour(front, r.ray), material_.LitColour(back, r.ray), better);
       colour = IfThenElse3(needsEnds, better, colour);
       off = hn::IfThenElse(needsEnds, hn::Add(missed, offBetter), off);
     }
@@ -200,7 +200,7 @@ class PartRule {
   /// What the light at the mean place may be off by, for what curve and normals do on the way.
   HWY_INLINE VF OffInMiddle(const Spread& light, const BendRule& bend, const Fragment& front,
                             const Fragment& middle, const Fragment& back) const {
-    const LightStrength& strength = matter_.f.lightStrength;
+    const LightStrength& strength = material_.f.lightStrength;
     const auto off = [&](VF a, VF m, VF b) {
       const Bend x = bend(a, m, b);
       return hn::Add(hn::Abs(x.bent), hn::Mul(light.bias, x.rise));
@@ -232,7 +232,7 @@ class PartRule {
     return hn::Max(MissedBetween(a, m), MissedBetween(m, b));
   }
   HWY_INLINE VF MissedBetween(const Fragment& a, const Fragment& b) const {
-    const LightStrength& light = matter_.f.lightStrength;
+    const LightStrength& light = material_.f.lightStrength;
     const V3 change = Add(Scale(a.normal, a.share), Scale(b.normal, hn::Neg(b.share)));
     const VF square = Dot(change, change), turn = hn::Sqrt(square);
     // A highlight is so wide that a turn of 1 / sqrt(shininess) may step over a part of it.
@@ -250,7 +250,7 @@ class PartRule {
     const VF kinksPassed =
         hn::ConvertTo(DF(), hn::BitCast(DI(), hn::PopulationCount(hn::BitCast(hn::RebindToUnsigned<DI>(),
                                                                               hn::AndNot(SetI(3), sides)))));
-    const LightStrength& one = matter_.f.strongestLight;
+    const LightStrength& one = material_.f.strongestLight;
     const auto ofKinks = [&](float strongest, float all) {
       return hn::Min(hn::Mul(kinksPassed, Set(strongest)), Set(all));
     };
@@ -269,7 +269,7 @@ class PartRule {
   /// The centroid is that of Simpson's rule over the transmittance T: (integral of T - T at the back) /
   /// opacity, with the depth of the front half as if the extinction rose straight. Behind what is all but
   /// opaque it is where the depth is 1.
-  static HWY_INLINE Slab SlabOf(const Extinction& a, const Extinction& b, VF unitDistances) {
+  static HWY_INLINE PartOpacity OpacityOfPart(const Extinction& a, const Extinction& b, VF unitDistances) {
     const VF e1 = a.extinction, sum = hn::Add(e1, b.extinction);
     const VF depth = hn::Mul(unitDistances, MeanOf(a, b)), opacity = OpacityOfDepth(depth);
     const VF share = hn::Div(hn::Add(hn::Add(e1, e1), sum), NotZero(hn::Mul(Set(4), sum)));
@@ -300,7 +300,7 @@ class PartRule {
   /// The opacity that factors over the gradient may add or take between the places where they were looked at:
   /// where the factor has points, where |g| is not straight, and by the product of what changes.
   HWY_INLINE VF MissedFactors(const RayInCell& r, const Part& p, const Place (&at)[3], VF halfUnits) const {
-    const TransferFunction& curve = *matter_.f.transfer;
+    const TransferFunction& curve = *material_.f.transfer;
     const VF half = Set(0.5f), length = hn::Mul(half, hn::Sub(p.b, p.a)), zero = hn::Zero(DF());
     // A curve leaves its chord by no more than an eighth of its second derivative times the square of its
     // length.
@@ -318,7 +318,7 @@ class PartRule {
       const VF least = hn::Min(hn::Max(hn::Sub(nearest.length, leaves), zero), beyond);
       const VF range = NotZero(hn::Sub(most, least));
       const VF change = hn::Abs(hn::Sub(a.factor, b.factor));
-      const VF unit = Set(matter_.f.factorUnit);
+      const VF unit = Set(material_.f.factorUnit);
       const VF kinks = FactorBend(curve, hn::Mul(least, unit), hn::Mul(most, unit));
       const VF share = Clamp01(hn::Div(hn::Add(sag, leaves), range));  // sag may be rounded below 0
       const VF bent = hn::Mul(share, hn::Add(change, kinks));
@@ -334,7 +334,7 @@ class PartRule {
 
   /// A stored gradient in factorUnits, limited so that its square is a number.
   HWY_INLINE V3 InFactorUnits(const V3& stored) const {
-    const V3 g = Scale(InPatient(matter_.f, stored), Set(matter_.f.factorUnitsAStored));
+    const V3 g = Scale(InPatient(material_.f, stored), Set(material_.f.factorUnitsAStored));
     const auto limited = [](VF x) { return hn::Min(hn::Max(x, Set(-1e15f)), Set(1e15f)); };
     return {limited(g.x), limited(g.y), limited(g.z)};
   }
@@ -349,7 +349,7 @@ class PartRule {
     return {at, Length(Add(a, Scale(chord, at)))};
   }
 
-  const Material& matter_;
+  const Material& material_;
 };
 
 }  // namespace volumen::HWY_NAMESPACE

@@ -20,7 +20,7 @@ struct PreshadedSum {
 HWY_INLINE PreshadedSum TracePacket(const float* rgba, const Grid& grid, const Packet& p,
                                     TraceCounts& counts) {
   const DF df;
-  const VF zero = hn::Zero(df), one = Set(1), opaque = Set(1 - grid.frame().stopTransmittance);
+  const VF zero = hn::Zero(df), one = Set(1), opaque = Set(1 - grid.inputs().stopTransmittance);
   PreshadedSum sum{Zero3(), zero};
   for (int step = 0; step < p.longest; ++step) {
     const VF n = Set(float(step));
@@ -41,7 +41,7 @@ HWY_INLINE PreshadedSum TracePacket(const float* rgba, const Grid& grid, const P
   return sum;
 }
 
-void TracePreshaded(const float* rgba, const TraceFrame& f, const RayRow& rays, const TraceRow& out,
+void TracePreshaded(const float* rgba, const RayInputs& f, const RayRow& rays, const TraceRow& out,
                     TraceCounts& counts) {
   const DF df;
   const Grid grid(f, f.size.x);

@@ -5,24 +5,24 @@
 
 #include <optional>
 
+#include "viewer/kernels/blocks_along_ray-inl.h"
 #include "viewer/kernels/bytes-inl.h"
 #include "viewer/kernels/projection-inl.h"
-#include "viewer/kernels/stretches-inl.h"
-#include "viewer/kernels/trail-inl.h"
+#include "viewer/kernels/skip_samples-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
 template <class Store, Mode kMode>
-void ProjectSamples(const TraceFrame& f, const BlockValues& blocks, const RayRow& rays,
+void ProjectSamples(const RayInputs& f, const BlockValues& blocks, const RayRow& rays,
                     const PlaneBuffer& plane, float* result, TraceCounts& counts) {
   const Grid grid(f, f.densityRow);
-  std::vector<Stretch> stretches;
+  std::vector<SampleRun> runs;
   for (std::size_t first = 0; first < rays.steps.size(); first += hn::Lanes(DF())) {
     SampleProjection<Store, kMode> packet(f, grid, rays, plane, int(first));
     if constexpr (!std::is_void_v<Store> && kMode != Mode::average)
       if (blocks.blockRanges) {
-        counts.resampled += TakeExtremes(f, blocks, packet, stretches);
+        counts.resampled += TakeExtremes(f, blocks, packet, runs);
         hn::StoreU(packet.Result(), DF(), result + first);
         continue;
       }
@@ -32,16 +32,16 @@ void ProjectSamples(const TraceFrame& f, const BlockValues& blocks, const RayRow
 }
 
 template <class Store, Mode kMode>
-void ProjectCells(const TraceFrame& f, const BlockValues& blocks, const RayRow& rays, const PlaneBuffer&,
+void ProjectCells(const RayInputs& f, const BlockValues& blocks, const RayRow& rays, const PlaneBuffer&,
                   float* result, TraceCounts& counts) {
   const Grid grid(f, f.densityRow);
-  std::optional<BlockTrail<kMode>> trail;
+  std::optional<BlocksAlongRay<kMode>> blocksAlong;
   if (kMode != Mode::average && blocks.blockRanges && blocks.blockRanges->size() >= 4)
-    trail.emplace(blocks, f.size);
+    blocksAlong.emplace(blocks, f.size);
   for (std::size_t first = 0; first < rays.steps.size(); first += hn::Lanes(DF())) {
     CellProjection<Store, kMode> packet(f, grid, rays, int(first));
-    if (trail) {
-      counts.resampled += trail->Take(packet);
+    if (blocksAlong) {
+      counts.resampled += blocksAlong->Take(packet);
     } else {
       VF at = hn::Zero(DF());
       counts.resampled += packet.Take(at, EndOf(packet.Rays()), 0);

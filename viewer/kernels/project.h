@@ -17,8 +17,8 @@ struct BlockValues {
 /// Extremes or the mean of the density along each ray of a row (picture.md 9), in density units; NaN never.
 /// The same bytes with and without `blocks`. `cellByCell`: exact along the rays, whose `ahead` is too (the
 /// store is not Store::plane); else of the samples at their steps.
-using ProjectKernel = void (*)(const TraceFrame&, const BlockValues& blocks, const RayRow&,
-                               const PlaneBuffer&, float* result, TraceCounts&);
+using ProjectKernel = void (*)(const RayInputs&, const BlockValues& blocks, const RayRow&, const PlaneBuffer&,
+                               float* result, TraceCounts&);
 ProjectKernel chooseProjectKernel(Store store, Mode mode, bool cellByCell);
 
 }  // namespace volumen

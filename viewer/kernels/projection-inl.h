@@ -70,7 +70,7 @@ struct LongSum {
 template <class Store, Mode kMode>
 class SampleProjection {
  public:
-  SampleProjection(const TraceFrame& f, const Grid& grid, const RayRow& rays, const PlaneBuffer& plane,
+  SampleProjection(const RayInputs& f, const Grid& grid, const RayRow& rays, const PlaneBuffer& plane,
                    int first)
       : grid_(grid), plane_(plane), packet_(LoadPacket(f, rays, first)), first_(first) {
     packet_.ahead = Set(0);  // each ray from where it begins: no sample waits for another's
@@ -123,7 +123,7 @@ class SampleProjection {
 template <class Store, Mode kMode>
 class CellProjection {
  public:
-  CellProjection(const TraceFrame& f, const Grid& grid, const RayRow& rays, int first)
+  CellProjection(const RayInputs& f, const Grid& grid, const RayRow& rays, int first)
       : grid_(grid), packet_(LoadPacket(f, rays, first)) {}
 
   /// Takes each ray's passages from `at`, its start or a face of a cell, as far as `to` (steps from the ray's

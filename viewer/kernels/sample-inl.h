@@ -256,13 +256,13 @@ struct Int16Store : VoxelPairs<Int16Store> {
   static constexpr int kTimes = 1;
 
   static HWY_INLINE void Densities(const Grid& grid, const std::int32_t* index, VI (&rows)[4]) {
-    LoadEachOfFour(DI(), grid.Rows(grid.frame().density16), index, rows);
-    for (VI& row : rows) row = hn::Xor(row, SetI(int(grid.frame().flip16)));
+    LoadEachOfFour(DI(), grid.Rows(grid.inputs().density16), index, rows);
+    for (VI& row : rows) row = hn::Xor(row, SetI(int(grid.inputs().flip16)));
   }
 
 #if HWY_TARGET == HWY_SCALAR
   static HWY_INLINE int ComponentAt(const Grid& grid, std::size_t voxel, int n) {
-    return grid.frame().voxels16[4 * voxel + n];
+    return grid.inputs().voxels16[4 * voxel + n];
   }
 #else
   template <int b>
@@ -272,7 +272,7 @@ struct Int16Store : VoxelPairs<Int16Store> {
     // (x0 y0 z0 d0 x1 y1 z1 d1) -> (x0 x1 y0 y1 z0 z1 d0 d1)
     alignas(16) static constexpr std::uint8_t pairs[16] = {0, 1, 8,  9,  2, 3, 10, 11,
                                                            4, 5, 12, 13, 6, 7, 14, 15};
-    const auto* row = reinterpret_cast<const Voxel*>(grid.frame().voxels16) + grid.Offset(r);
+    const auto* row = reinterpret_cast<const Voxel*>(grid.inputs().voxels16) + grid.Offset(r);
     const auto both = hn::BitCast(d8, LoadEach<4>(DI(), row, index + b));
     return hn::BitCast(DI(), hn::TableLookupBytes(both, hn::LoadDup128(d8, pairs)));
   }
@@ -281,16 +281,16 @@ struct Int16Store : VoxelPairs<Int16Store> {
   template <bool kGradients>
   static HWY_INLINE void Prefetch(const Grid& grid, const std::int32_t* index, int count, int every = 1) {
     if constexpr (kGradients)
-      PrefetchCells(grid, grid.frame().voxels16, 4, index, count, every);
+      PrefetchCells(grid, grid.inputs().voxels16, 4, index, count, every);
     else
-      PrefetchCells(grid, grid.frame().density16, 1, index, count, every);
+      PrefetchCells(grid, grid.inputs().density16, 1, index, count, every);
   }
   template <bool kGradients>
   static HWY_INLINE void PrefetchBox(const Grid& grid, glm::vec3 low, glm::vec3 high) {
     if constexpr (kGradients)
-      grid.Prefetch(grid.frame().voxels16, 4, low, high);
+      grid.Prefetch(grid.inputs().voxels16, 4, low, high);
     else
-      grid.Prefetch(grid.frame().density16, 1, low, high);
+      grid.Prefetch(grid.inputs().density16, 1, low, high);
   }
 };
 
@@ -299,7 +299,7 @@ struct Float32Store {
 
   static HWY_INLINE VF Row(const Grid& grid, VI index, VF fx) {
     const DF df;
-    const float* base = grid.frame().density32;
+    const float* base = grid.inputs().density32;
     return Lerp(hn::GatherIndex(df, base, index), hn::GatherIndex(df, base + grid.nextColumn(), index), fx);
   }
 
@@ -310,7 +310,7 @@ struct Float32Store {
 
   static HWY_INLINE Corners CornersOf(const Grid& grid, const Cell& c) {
     const DF df;
-    const float* base = grid.frame().density32;
+    const float* base = grid.inputs().density32;
     Corners v;
     for (int r = 0; r < 4; ++r) {
       v.first[r] = hn::GatherIndex(df, base, grid.Row(c, r));
@@ -326,17 +326,17 @@ struct Float32Store {
   static HWY_INLINE void Prefetch(const Grid&, const std::int32_t*, int) {}
   template <bool kGradients>
   static HWY_INLINE void PrefetchBox(const Grid& grid, glm::vec3 low, glm::vec3 high) {
-    grid.Prefetch(grid.frame().density32, 1, low, high);
-    if constexpr (kGradients) grid.Prefetch(grid.frame().gradients32, 4, low, high);
+    grid.Prefetch(grid.inputs().density32, 1, low, high);
+    if constexpr (kGradients) grid.Prefetch(grid.inputs().gradients32, 4, low, high);
   }
 
   static HWY_INLINE V3 Gradient(const Grid& grid, const Cell& c) {
-    return InterpolateFour(grid, c, grid.frame().gradients32).xyz;
+    return InterpolateFour(grid, c, grid.inputs().gradients32).xyz;
   }
 
   static HWY_INLINE GradientCorners GradientCornersOf(const Grid& grid, const Cell& c) {
     using Voxel = float[4];
-    const auto* voxels = reinterpret_cast<const Voxel*>(grid.frame().gradients32);
+    const auto* voxels = reinterpret_cast<const Voxel*>(grid.inputs().gradients32);
     const CellIndices at(c);
     GradientCorners g;
     for (int r = 0; r < 4; ++r) {

@@ -149,7 +149,7 @@ HWY_INLINE VF FactorBend(const TransferFunction& curve, VF least, VF most) {
 }
 
 /// A stored gradient in patient space, in gradientUnits per mm.
-HWY_INLINE V3 InPatient(const TraceFrame& f, const V3& stored) {
+HWY_INLINE V3 InPatient(const RayInputs& f, const V3& stored) {
   const float* m = f.gradientMatrix;
   return {Dot({Set(m[0]), Set(m[1]), Set(m[2])}, stored), Dot({Set(m[3]), Set(m[4]), Set(m[5])}, stored),
           Dot({Set(m[6]), Set(m[7]), Set(m[8])}, stored)};
@@ -160,7 +160,7 @@ struct Normal {
   V3 n;
   VF length;
 };
-HWY_INLINE Normal NormalOf(const TraceFrame& f, const V3& stored) {
+HWY_INLINE Normal NormalOf(const RayInputs& f, const V3& stored) {
   const V3 g = InPatient(f, stored);
   if (f.boundedGradients) {
     const VF square = hn::Max(Dot(g, g), Set(1e-30f));
@@ -308,12 +308,12 @@ HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
 }
 
 /// How much of a normal counts: q of picture.md 5, of |g_p|.
-HWY_INLINE VF ShareOfNormal(const TraceFrame& f, VF length) {
+HWY_INLINE VF ShareOfNormal(const RayInputs& f, VF length) {
   return hn::Min(Set(1), hn::Mul(length, Set(f.inverseFloor)));
 }
 
 /// D'' and S'' (picture.md 5): a gradient too small to have a direction is lit flatly.
-HWY_INLINE DS WithFloor(const TraceFrame& f, const DS& shade, VF q) {
+HWY_INLINE DS WithFloor(const RayInputs& f, const DS& shade, VF q) {
   const glm::vec3& flat = f.lighting->flat;
   if (!f.lighting->coloured) return InGrey(Lerp(Set(flat.r), shade.d.x, q), hn::Mul(shade.s.x, q));
   return {{Lerp(Set(flat.r), shade.d.x, q), Lerp(Set(flat.g), shade.d.y, q), Lerp(Set(flat.b), shade.d.z, q)},

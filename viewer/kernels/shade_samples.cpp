@@ -11,7 +11,7 @@ HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
 template <bool kIsLit, bool kGradientOpacity>
-std::int64_t ShadeSamples(const TraceFrame& f, const SampleRow& s, const TraceRow& out) {
+std::int64_t ShadeSamples(const RayInputs& f, const SampleRow& s, const TraceRow& out) {
   const DF df;
   const VF zero = hn::Zero(df);
   ClassifyAndLight<kIsLit, kGradientOpacity> matter{f, s.viewerX, s.viewerY, s.viewerZ};

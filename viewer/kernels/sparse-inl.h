@@ -22,21 +22,22 @@ class SparseTracer {
   using Material = ClassifyAndLight<kIsLit, kGradientOpacity>;
 
  public:
-  static constexpr int kSlab = 4;  ///< steps; in longer slabs more is looked at that the same slab hides
+  static constexpr int kGroupSteps =
+      4;  ///< steps; in longer groups more is looked at that the same group hides
   static constexpr bool kCells = true;
   static constexpr bool kBlends = false;
   static constexpr bool kPrefetches = false;  ///< LightQueue asks for gradients alone
 
   /// Adds to `out`, which must be 0.
-  SparseTracer(const TraceFrame& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
+  SparseTracer(const RayInputs& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
                TraceCounts& counts)
       : f_(f),
         grid_(f, f.densityRow),
         gradientGrid_(f, f.gradientRow),
         rays_(rays),
-        matter_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
+        material_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
         out_(out),
-        light_(gradientGrid_, rays.steps.size(), matter_, counts),
+        light_(gradientGrid_, rays.steps.size(), material_, counts),
         counts_(counts) {}
 
   /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
@@ -50,13 +51,13 @@ class SparseTracer {
       const int at = step + int(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
       Look(p, first, SampleAt(p, at), alive);
     }
-    if (looked_.size > kLooked / 2) EndSlab();
+    if (looked_.size > kLooked / 2) EndGroup();
   }
 
-  void BeginSlab() {}
+  void BeginGroup() {}
 
   /// Draws all that was noted.
-  void EndSlab() {
+  void EndGroup() {
     if (looked_.size > 0) Draw(looked_);
   }
 
@@ -98,7 +99,7 @@ class SparseTracer {
       const VF unitDistances = hn::Load(df, s.unitDistances + n);
       const VI ray = hn::Load(DI(), s.ray + n);
       const VF density = Store::Density(grid_, grid_.CellAt(place));
-      const MF seen = hn::And(matter_.CanBeSeen(density), hn::FirstN(df, std::size_t(s.size - n)));
+      const MF seen = hn::And(material_.CanBeSeen(density), hn::FirstN(df, std::size_t(s.size - n)));
       AppendPlaces(place, seen, s, kept);
       Append(unitDistances, seen, s.unitDistances + kept);
       Append(ray, seen, s.ray + kept);
@@ -118,7 +119,7 @@ class SparseTracer {
       if constexpr (kGradientOpacity) stored = GradientAt(s, n);
       hn::Store(segment, DI(), s.segment + n);
       const VF opacity =
-          matter_.CorrectedOpacityAt(segment, density, stored, hn::Load(df, s.unitDistances + n));
+          material_.CorrectedOpacityAt(segment, density, stored, hn::Load(df, s.unitDistances + n));
       hn::Store(opacity, df, s.weight + n);
     }
   }
@@ -137,10 +138,10 @@ class SparseTracer {
     return Store::Gradient(gradientGrid_, gradientGrid_.CellAt(PlaceOf(s, n)));
   }
 
-  const TraceFrame& f_;
+  const RayInputs& f_;
   const Grid grid_, gradientGrid_;  ///< of densities; of gradients
   const RayRow& rays_;
-  Material matter_;
+  Material material_;
   const TraceRow& out_;
   LightQueue<Store, kIsLit, kGradientOpacity> light_;
   TraceCounts& counts_;

@@ -7,8 +7,8 @@
 #endif
 
 #include "viewer/kernels/batch-inl.h"
-#include "viewer/kernels/slabs-inl.h"
 #include "viewer/kernels/sparse-inl.h"
+#include "viewer/kernels/step_groups-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {

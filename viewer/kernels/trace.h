@@ -35,7 +35,7 @@ struct LightStrength {
 };
 
 /// Slices from the back to the front in place of rays from the front to the back (paper 3.2); for kernels
-/// that fetch density and gradient together. What lies behind TraceFrame::stopTransmittance is left out:
+/// that fetch density and gradient together. What lies behind RayInputs::stopTransmittance is left out:
 /// rays are first followed from the front, as far as that.
 struct Slices {
   bool fromBack = false;
@@ -43,8 +43,8 @@ struct Slices {
                      ///< leaves is rounded, none above 1; 0: floats
 };
 
-/// What all rays of a frame share. Pointers live as long as the frame.
-struct TraceFrame {
+/// What all rays of a picture share. Pointers live as long as the inputs.
+struct RayInputs {
   glm::ivec3 size{1};  ///< voxels
   const std::int16_t* density16 = nullptr;
   std::uint32_t flip16 = 0;  ///< xor for a pair of 16-bit values: 0x80008000 where they are unsigned
@@ -69,7 +69,7 @@ struct TraceFrame {
   const ReflectanceMap* map = nullptr;
   const ShadeTable* table = nullptr;
   const TransferFunction* transfer = nullptr;  ///< for its gradientOpacity
-  float stopTransmittance = 0;                 ///< 0: no ray ends before its last sample
+  float stopTransmittance = 0;                 ///< early ray termination; 0: none ends before its last sample
   Slices slices;
   /// The largest gradient of gradientOpacity's points (value / mm), and how many of these a stored unit is.
   float factorUnit = 1, factorUnitsAStored = 0;
@@ -79,7 +79,7 @@ struct TraceFrame {
 };
 
 /// A plane of rays resampled by another resampler: density[step * stride + ray]; gradients four floats a
-/// sample, in the units of gradientMatrix. Null pointers where the frame has none.
+/// sample, in the units of gradientMatrix. Null pointers where the picture has none.
 struct PlaneBuffer {
   const float* density = nullptr;
   const float* gradients = nullptr;
@@ -103,7 +103,7 @@ struct TraceCounts {
 
 /// Resamples, classifies, shades and composites one row of rays front to back, or slices of them back to
 /// front (paper 3.1, 3.2, picture.md 9 and 4 .. 6).
-using TraceKernel = void (*)(const TraceFrame&, const RayRow&, const PlaneBuffer&, const TraceRow&,
+using TraceKernel = void (*)(const RayInputs&, const RayRow&, const PlaneBuffer&, const TraceRow&,
                              TraceCounts&);
 TraceKernel chooseTraceKernel(KernelKey key);
 // The same for some; a file each, as each holds many kernels. Those of one store do not look at `key.store`.

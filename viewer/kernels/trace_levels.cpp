@@ -5,7 +5,7 @@
 #include <hwy/highway.h>
 
 #include "viewer/kernels/levels-inl.h"
-#include "viewer/kernels/slabs-inl.h"
+#include "viewer/kernels/step_groups-inl.h"
 #include "viewer/kernels/trace.h"
 
 HWY_BEFORE_NAMESPACE();

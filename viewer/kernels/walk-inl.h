@@ -50,7 +50,7 @@ struct WalkAxis {
 /// length) is called with passages through visible cells (length in steps, middle in voxels), front to back
 /// on each ray.
 template <class Emit>
-HWY_INLINE void WalkCells(const TraceFrame& f, const Packet& p, int from, int to, MF open, const Emit& emit) {
+HWY_INLINE void WalkCells(const RayInputs& f, const Packet& p, int from, int to, MF open, const Emit& emit) {
   const DF df;
   VF at = hn::Max(SampleAt(p, from), hn::Zero(df));
   // The last interval of a ray is shorter.

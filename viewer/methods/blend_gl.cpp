@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "viewer/kernels/shade_samples.h"
-#include "viewer/methods/gl_frame.h"
+#include "viewer/methods/gl_band.h"
 #include "viewer/methods/row_painter.h"
 #include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
@@ -31,8 +31,8 @@ void unitDistancesOfSlice(const RayRow& rays, int n, float inverseUnitMm, std::v
 // Turns a slice's samples into what the frame buffer blends, four floats a pixel, on all cores.
 class SliceShader {
  public:
-  SliceShader(const Plan& plan, const PlanesFrame& frame)
-      : plan_(plan), frame_(frame), shade_(chooseShadeKernel(frame.key())) {}
+  SliceShader(const Plan& plan, const RenderInputs& inputs)
+      : plan_(plan), inputs_(inputs), shade_(chooseShadeKernel(inputs.key())) {}
 
   const float* shade(const RayBand& band, int n, const SampleTarget::Samples& samples) {
     const double begin = wallMs();
@@ -42,7 +42,7 @@ class SliceShader {
         std::int64_t(band.rows.size()), plan_.options.threads, [&](std::int64_t first, std::int64_t last) {
           std::vector<float> unitDistances, values(4 * stride);
           for (std::int64_t row = first; row < last; ++row) {
-            unitDistancesOfSlice(band.rows[row], n, frame_.trace().inverseUnitMm, unitDistances);
+            unitDistancesOfSlice(band.rows[row], n, inputs_.trace().inverseUnitMm, unitDistances);
             const float* density = samples.density + row * stride;
             const float* gradients = samples.gradients ? samples.gradients + 4 * row * stride : nullptr;
             float* out = &rgba_[4 * row * stride];
@@ -66,7 +66,7 @@ class SliceShader {
   void shadeRow(const RayRow& rays, const float* density, const float* gradients,
                 const std::vector<float>& unitDistances, std::vector<float>& values, float* rgba) {
     const TraceRow out = traceRowOf(values);
-    visible_ += shade_(frame_.trace(),
+    visible_ += shade_(inputs_.trace(),
                        {int(unitDistances.size()), density, gradients, unitDistances.data(),
                         rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
                        out);
@@ -88,7 +88,7 @@ class SliceShader {
   }
 
   const Plan& plan_;
-  const PlanesFrame& frame_;
+  const RenderInputs& inputs_;
   ShadeKernel shade_;
   std::vector<float> rgba_;
   std::atomic<std::int64_t> visible_{0};
@@ -115,19 +115,19 @@ Status drawSlices(const RayBand& band, SliceBlender& blender, SliceShader& shade
 Status drawBlend(const Plan& plan, RenderCaches& caches, const CancelToken& cancel, GlState& gl,
                  Rendered& done) {
   RenderStats& stats = done.stats;
-  const PlanesFrame frame(plan, caches, stats);
+  const RenderInputs inputs(plan, caches, stats);
   if (Status s = loadTextures(plan, caches, gl, cancel, stats); !s) return s;
   const double loaded = wallMs();
-  const RaySetup setup(plan, caches.volume()->geometry());
+  const RayGenerator setup(plan, caches.volume()->geometry());
   if (Status s = gl.blender.prepare(plan, gl.textures); !s) return s;
   preparePicture(plan, done.picture);
-  SliceShader shader(plan, frame);
+  SliceShader shader(plan, inputs);
   RayBands bands(setup, plan.options.size, 1);
   RayBand band;
   for (bands.fill(band, plan.options.threads); !band.empty(); bands.fill(band, plan.options.threads)) {
-    if (Status s = gl.blender.begin(band, frame.trace().inverseUnitMm); !s) return s;
+    if (Status s = gl.blender.begin(band, inputs.trace().inverseUnitMm); !s) return s;
     if (Status s = drawSlices(band, gl.blender, shader, cancel); !s) return s;
-    if (Status s = writeBand(plan, frame, band, gl.blender.pixels(), done.picture); !s) return s;
+    if (Status s = writeBand(plan, inputs, band, gl.blender.pixels(), done.picture); !s) return s;
     for (const RayRow& rays : band.rows)
       for (int steps : rays.steps) stats.resampled += steps;
   }

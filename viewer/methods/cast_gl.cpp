@@ -1,6 +1,6 @@
 #include "viewer/methods/cast_gl.h"
 
-#include "viewer/methods/gl_frame.h"
+#include "viewer/methods/gl_band.h"
 #include "viewer/methods/preshaded.h"
 #include "viewer/volume/clock.h"
 
@@ -9,10 +9,10 @@ namespace volumen {
 namespace {
 
 // Shades the voxels and hands them over.
-Status loadShaded(const Plan& plan, const PlanesFrame& frame, const VoxelGeometry& geometry, GlState& gl,
+Status loadShaded(const Plan& plan, const RenderInputs& inputs, const VoxelGeometry& geometry, GlState& gl,
                   const CancelToken& cancel, RenderStats& stats) {
   const double begin = wallMs();
-  const Buffer<float> shaded = shadeVoxels(plan, frame, geometry, cancel);
+  const Buffer<float> shaded = shadeVoxels(plan, inputs, geometry, cancel);
   if (cancel.cancelled()) return Error{"cancelled"};
   const Status loaded = gl.textures.loadShaded(geometry.size, shaded.data(), cancel);
   stats.shadeMs = wallMs() - begin;
@@ -24,20 +24,20 @@ Status drawCast(const Plan& plan, RenderCaches& caches, const CancelToken& cance
                 Rendered& done) {
   RenderStats& stats = done.stats;
   const VoxelGeometry& geometry = caches.volume()->geometry();
-  const PlanesFrame frame(plan, caches, stats);
+  const RenderInputs inputs(plan, caches, stats);
   const Status loaded = plan.method == Method::preshaded
-                            ? loadShaded(plan, frame, geometry, gl, cancel, stats)
+                            ? loadShaded(plan, inputs, geometry, gl, cancel, stats)
                             : loadTextures(plan, caches, gl, cancel, stats);
   if (!loaded) return loaded;
   const double begin = wallMs();
-  const RaySetup setup(plan, geometry);
-  if (Status s = gl.caster.prepare(plan, frame.trace(), gl.textures); !s) return s;
+  const RayGenerator setup(plan, geometry);
+  if (Status s = gl.caster.prepare(plan, inputs.trace(), gl.textures); !s) return s;
   preparePicture(plan, done.picture);
   RayBands bands(setup, plan.options.size, mostSteps(geometry.size, plan.stepVoxels));
   RayBand band;
   for (bands.fill(band, plan.options.threads); !band.empty(); bands.fill(band, plan.options.threads)) {
-    if (Status s = gl.caster.draw(band, frame.trace().inverseUnitMm); !s) return s;
-    if (Status s = writeBand(plan, frame, band, gl.caster.pixels(), done.picture); !s) return s;
+    if (Status s = gl.caster.draw(band, inputs.trace().inverseUnitMm); !s) return s;
+    if (Status s = writeBand(plan, inputs, band, gl.caster.pixels(), done.picture); !s) return s;
     if (cancel.cancelled()) return Error{"cancelled"};
   }
   stats.resampleMs = stats.glMs = wallMs() - begin;

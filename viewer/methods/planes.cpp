@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-#include "viewer/kernels/ray_setup.h"
+#include "viewer/kernels/ray_generator.h"
 #include "viewer/methods/planes_gl.h"
 #include "viewer/methods/row_painter.h"
 #include "viewer/volume/clock.h"
@@ -15,20 +15,20 @@ namespace {
 Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const CancelToken& cancel) {
   Rendered done;
   RenderStats& stats = done.stats;
-  const PlanesFrame frame(plan, caches, stats);
-  const RaySetup setup(plan, caches.volume()->geometry());
-  const RowPainter painter(plan, frame, done.picture, done.error);
+  const RenderInputs inputs(plan, caches, stats);
+  const RayGenerator setup(plan, caches.volume()->geometry());
+  const RowPainter painter(plan, inputs, done.picture, done.error);
 
   TraceTotals totals;
   const double begin = wallMs();
   std::atomic<std::int64_t> finished{0};
-  const glm::ivec2 blocks = (plan.options.size + (RaySetup::block - 1)) / RaySetup::block;
+  const glm::ivec2 blocks = (plan.options.size + (RayGenerator::block - 1)) / RayGenerator::block;
   const std::int64_t count = std::int64_t(blocks.x) * blocks.y;
   parallelFor(count, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
     RayRow rays;
     RowPainter::Task task;
     for (std::int64_t n = first; n < last && !cancel.cancelled(); ++n) {
-      setup.makeBlock(int(n % blocks.x) * RaySetup::block, int(n / blocks.x) * RaySetup::block, rays);
+      setup.makeBlock(int(n % blocks.x) * RayGenerator::block, int(n / blocks.x) * RayGenerator::block, rays);
       painter.paint(rays, {}, task);
       cancel.setDone(double(++finished) / double(count));
     }

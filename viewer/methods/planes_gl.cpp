@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "viewer/methods/gl_frame.h"
+#include "viewer/methods/gl_band.h"
 #include "viewer/methods/row_painter.h"
 #include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
@@ -75,13 +75,13 @@ Status drawBatches(BatchMaker& maker, PlaneResampler& resampler, BatchShader& sh
 Status drawPlanes(const Plan& plan, RenderCaches& caches, const CancelToken& cancel, GlState& gl,
                   Rendered& done) {
   RenderStats& stats = done.stats;
-  const PlanesFrame frame(plan, caches, stats);
+  const RenderInputs inputs(plan, caches, stats);
   if (Status s = loadTextures(plan, caches, gl, cancel, stats); !s) return s;
   const double loaded = wallMs();
-  const RaySetup setup(plan, caches.volume()->geometry());
+  const RayGenerator setup(plan, caches.volume()->geometry());
   BatchMaker maker(setup, plan.options.size, mostSteps(caches.volume()->size(), plan.stepVoxels));
   if (Status s = gl.resampler.prepare(plan, gl.textures, maker.lines()); !s) return s;
-  const RowPainter painter(plan, frame, done.picture, done.error);
+  const RowPainter painter(plan, inputs, done.picture, done.error);
   BatchShader shader(painter, plan.options.threads);
   if (Status s = drawBatches(maker, gl.resampler, shader, cancel); !s) return s;
   shader.report(plan, stats);

@@ -4,7 +4,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "viewer/kernels/preshaded.h"
-#include "viewer/kernels/ray_setup.h"
+#include "viewer/kernels/ray_generator.h"
 #include "viewer/kernels/shade_samples.h"
 #include "viewer/methods/caches.h"
 #include "viewer/methods/row_painter.h"
@@ -19,7 +19,8 @@ namespace {
 struct VoxelRow {
   std::vector<float> density, gradients, unitDistances, viewerX, viewerY, viewerZ, shaded;
   explicit VoxelRow(int count) {
-    const std::size_t n = std::size_t(count + RaySetup::padding - 1) / RaySetup::padding * RaySetup::padding;
+    const std::size_t n =
+        std::size_t(count + RayGenerator::padding - 1) / RayGenerator::padding * RayGenerator::padding;
     for (auto* v : {&density, &unitDistances, &viewerX, &viewerY, &viewerZ}) v->assign(n, 0.0f);
     gradients.assign(4 * n, 0.0f);
     shaded.assign(4 * n, 0.0f);
@@ -29,9 +30,9 @@ struct VoxelRow {
 
 class VoxelShader {
  public:
-  VoxelShader(const Plan& plan, const PlanesFrame& frame, const VoxelGeometry& geometry)
-      : frame_(frame.trace()), geometry_(geometry), bits_(plan.bits), gradients_(plan.gradients) {
-    shade_ = chooseShadeKernel(frame.key());
+  VoxelShader(const Plan& plan, const RenderInputs& inputs, const VoxelGeometry& geometry)
+      : inputs_(inputs.trace()), geometry_(geometry), bits_(plan.bits), gradients_(plan.gradients) {
+    shade_ = chooseShadeKernel(inputs.key());
     const Camera& camera = *plan.scene.camera;
     const glm::dvec3 direction = cameraAxes(camera).direction;
     towardsViewer_ = -direction;
@@ -41,8 +42,8 @@ class VoxelShader {
 
   // Voxels (0 .. n, j, k) into rgba.
   void shadeRow(int j, int k, VoxelRow& row, float* rgba) const {
-    const int n = frame_.size.x;
-    const std::size_t first = (std::size_t(k) * frame_.size.y + j) * n;
+    const int n = inputs_.size.x;
+    const std::size_t first = (std::size_t(k) * inputs_.size.y + j) * n;
     read(first, n, row);
     for (int i = 0; i < n; ++i) {
       const glm::dvec3 p = geometry_.patientFromVoxel({i, j, k});
@@ -50,7 +51,7 @@ class VoxelShader {
       row.viewerX[i] = e.x, row.viewerY[i] = e.y, row.viewerZ[i] = e.z;
     }
     const TraceRow out = traceRowOf(row.shaded);
-    shade_(frame_,
+    shade_(inputs_,
            {int(row.density.size()), row.density.data(), row.gradients.data(), row.unitDistances.data(),
             row.viewerX.data(), row.viewerY.data(), row.viewerZ.data()},
            out);
@@ -62,17 +63,17 @@ class VoxelShader {
  private:
   void read(std::size_t first, int n, VoxelRow& row) const {
     if (bits_ == 16) {
-      const int flip = int(frame_.flip16 & 0xffff);
-      for (int i = 0; i < n; ++i) row.density[i] = float(std::int16_t(frame_.density16[first + i] ^ flip));
+      const int flip = int(inputs_.flip16 & 0xffff);
+      for (int i = 0; i < n; ++i) row.density[i] = float(std::int16_t(inputs_.density16[first + i] ^ flip));
       if (gradients_)
-        std::copy_n(frame_.voxels16 + 4 * (first / n * frame_.gradientRow), 4 * n, row.gradients.begin());
+        std::copy_n(inputs_.voxels16 + 4 * (first / n * inputs_.gradientRow), 4 * n, row.gradients.begin());
       return;
     }
-    std::copy_n(frame_.density32 + first, n, row.density.begin());
-    if (gradients_) std::copy_n(frame_.gradients32 + 4 * first, 4 * n, row.gradients.begin());
+    std::copy_n(inputs_.density32 + first, n, row.density.begin());
+    if (gradients_) std::copy_n(inputs_.gradients32 + 4 * first, 4 * n, row.gradients.begin());
   }
 
-  const TraceFrame& frame_;
+  const RayInputs& inputs_;
   const VoxelGeometry& geometry_;
   ShadeKernel shade_;
   int bits_;
@@ -83,10 +84,10 @@ class VoxelShader {
 
 }  // namespace
 
-Buffer<float> shadeVoxels(const Plan& plan, const PlanesFrame& frame, const VoxelGeometry& geometry,
+Buffer<float> shadeVoxels(const Plan& plan, const RenderInputs& inputs, const VoxelGeometry& geometry,
                           const CancelToken& cancel) {
   Buffer<float> rgba(std::size_t(4) * std::size_t(geometry.voxelCount()));
-  const VoxelShader shader(plan, frame, geometry);
+  const VoxelShader shader(plan, inputs, geometry);
   const glm::ivec3 size = geometry.size;
   parallelFor(std::int64_t(size.y) * size.z, plan.options.threads,
               [&](std::int64_t first, std::int64_t last) {
@@ -101,12 +102,12 @@ Result<Rendered> renderPreshaded(const Plan& plan, RenderCaches& caches, const C
   Rendered done;
   RenderStats& stats = done.stats;
   const VoxelGeometry& geometry = caches.volume()->geometry();
-  const PlanesFrame frame(plan, caches, stats);
+  const RenderInputs inputs(plan, caches, stats);
   const double begin = wallMs();
-  const Buffer<float> shaded = shadeVoxels(plan, frame, geometry, cancel);
+  const Buffer<float> shaded = shadeVoxels(plan, inputs, geometry, cancel);
   if (cancel.cancelled()) return Error{"cancelled"};
   const double shadedAt = wallMs();
-  const RaySetup setup(plan, geometry);
+  const RayGenerator setup(plan, geometry);
   const PreshadedKernel trace = choosePreshadedKernel();
   TraceTotals totals;
   preparePicture(plan, done.picture);
@@ -118,7 +119,7 @@ Result<Rendered> renderPreshaded(const Plan& plan, RenderCaches& caches, const C
       setup.makeRays(0, y, plan.options.size.x, rays);
       values.assign(4 * rays.steps.size(), 0.0f);
       const TraceRow out = traceRowOf(values);
-      trace(shaded.data(), frame.trace(), rays, out, counts);
+      trace(shaded.data(), inputs.trace(), rays, out, counts);
       writePixels(plan.scene.background, rays, out, done.picture);
     }
     totals.add(counts);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "viewer/methods/planes_frame.h"
 #include "viewer/methods/render_caches.h"
+#include "viewer/methods/render_inputs.h"
 #include "viewer/methods/rendered.h"
 #include "viewer/volume/buffer.h"
 #include "viewer/volume/cancel.h"
@@ -15,7 +15,7 @@ namespace volumen {
 Result<Rendered> renderPreshaded(const Plan& plan, RenderCaches& caches, const CancelToken& cancel);
 
 /// The shaded voxels of a picture, four floats each: colour times opacity, opacity per unit distance.
-Buffer<float> shadeVoxels(const Plan& plan, const PlanesFrame& frame, const VoxelGeometry& geometry,
+Buffer<float> shadeVoxels(const Plan& plan, const RenderInputs& inputs, const VoxelGeometry& geometry,
                           const CancelToken& cancel);
 
 }  // namespace volumen

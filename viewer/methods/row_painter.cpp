@@ -5,15 +5,15 @@
 
 namespace volumen {
 
-RowPainter::RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& picture,
+RowPainter::RowPainter(const Plan& plan, const RenderInputs& inputs, Picture& picture,
                        std::vector<float>& error)
-    : plan_(plan), frame_(frame), picture_(picture), error_(error) {
+    : plan_(plan), inputs_(inputs), picture_(picture), error_(error) {
   if (plan.scene.mode == Mode::composite)
-    trace_ = chooseTraceKernel(frame.key());
+    trace_ = chooseTraceKernel(inputs.key());
   else
-    project_ = chooseProjectKernel(frame.key().store, plan.scene.mode, plan.cellByCell);
+    project_ = chooseProjectKernel(inputs.key().store, plan.scene.mode, plan.cellByCell);
   preparePicture(plan, picture);
-  if (frame.key().sampling == Sampling::passages) error.assign(picture.rgba.size() / 4, 0.0f);
+  if (inputs.key().sampling == Sampling::passages) error.assign(picture.rgba.size() / 4, 0.0f);
 }
 
 void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const {
@@ -24,13 +24,13 @@ void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task)
     out.error = task.error.data();
   }
   if (project_) {
-    project_(frame_.trace(), frame_.blocks(), rays, plane, out.red, task.counts);
-    writeProjectedPixels(plan_.scene, frame_.scale(), rays, out.red, picture_);
+    project_(inputs_.trace(), inputs_.blocks(), rays, plane, out.red, task.counts);
+    writeProjectedPixels(plan_.scene, inputs_.scale(), rays, out.red, picture_);
     roundPixels(plan_.blending, rays, picture_);
     if (!error_.empty()) writeRounding(rays);
     return;
   }
-  trace_(frame_.trace(), rays, plane, out, task.counts);
+  trace_(inputs_.trace(), rays, plane, out, task.counts);
   writePixels(plan_.scene.background, rays, out, picture_);
   if (!error_.empty()) writeError(rays, out);
 }
@@ -38,10 +38,10 @@ void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task)
 // Beside what the rules may be off by: what lies where a ray ended, and places rounded to floats.
 void RowPainter::writeError(const RayRow& rays, const TraceRow& row) const {
   constexpr float roundingOf255 = 0.05f;
-  const float stop = frame_.trace().stopTransmittance;
+  const float stop = inputs_.trace().stopTransmittance;
   for (std::size_t ray = 0; ray < rays.pixel.size(); ++ray) {
     if (rays.pixel[ray] < 0) continue;
-    const float left = 1 - row.alpha[ray], unseen = left < stop ? left * frame_.brightest() : 0.0f;
+    const float left = 1 - row.alpha[ray], unseen = left < stop ? left * inputs_.brightest() : 0.0f;
     error_[std::size_t(rays.pixel[ray])] =
         std::min(255.0f, 255 * (row.error[ray] + unseen) + (row.alpha[ray] > 0 ? roundingOf255 : 0.0f));
   }
@@ -50,7 +50,7 @@ void RowPainter::writeError(const RayRow& rays, const TraceRow& row) const {
 // Of extremes and means, which are exact but for the rounding of floats.
 void RowPainter::writeRounding(const RayRow& rays) const {
   constexpr double roundings = 16.0 / (1 << 24);
-  const DensityScale& scale = frame_.scale();
+  const DensityScale& scale = inputs_.scale();
   const double most = scale.slope * std::max(std::abs(scale.low), std::abs(scale.high));
   const double off = 255 * (roundings * most / std::abs(plan_.scene.window->width) + 1e-6);
   for (const int pixel : rays.pixel)

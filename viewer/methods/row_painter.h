@@ -3,7 +3,7 @@
 #include <atomic>
 #include <vector>
 
-#include "viewer/methods/planes_frame.h"
+#include "viewer/methods/render_inputs.h"
 
 namespace volumen {
 
@@ -11,7 +11,7 @@ namespace volumen {
 class RowPainter {
  public:
   /// What it is given must outlive it; picture and error map (Rendered) are made here, in the plan's size.
-  RowPainter(const Plan& plan, const PlanesFrame& frame, Picture& picture, std::vector<float>& error);
+  RowPainter(const Plan& plan, const RenderInputs& inputs, Picture& picture, std::vector<float>& error);
 
   /// Memory of one task, and what it counted.
   struct Task {
@@ -19,7 +19,7 @@ class RowPainter {
     std::vector<float> error;   ///< where the kernel knows it
     TraceCounts counts;
   };
-  /// Paints the pixels of the rays. `plane`: their samples, where the frame's store is Store::plane.
+  /// Paints the pixels of the rays. `plane`: their samples, where the picture's store is Store::plane.
   void paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const;
 
  private:
@@ -27,7 +27,7 @@ class RowPainter {
   void writeError(const RayRow& rays, const TraceRow& row) const;
 
   const Plan& plan_;
-  const PlanesFrame& frame_;
+  const RenderInputs& inputs_;
   Picture& picture_;
   std::vector<float>& error_;
   TraceKernel trace_ = nullptr;      ///< of composite

@@ -21,7 +21,7 @@ enum class Sampling {
 struct KernelKey {
   Store store = Store::int16;
   Sampling sampling = Sampling::dense;
-  bool lit = false;  ///< by TraceFrame::light
+  bool lit = false;  ///< by RayInputs::light
   bool gradientOpacity = false;
 };
 

@@ -101,9 +101,9 @@ void RayIntegral::cutAtFormulaChanges() {
   std::sort(cuts_.begin(), cuts_.end());
 }
 
-void RayIntegral::integrate(double a, double b, const Slab& whole, int splitsLeft) {
+void RayIntegral::integrate(double a, double b, const Interval& whole, int splitsLeft) {
   const double middle = (a + b) / 2;
-  const Slab first = gauss(a, middle), second = gauss(middle, b), halves = over(first, second);
+  const Interval first = gauss(a, middle), second = gauss(middle, b), halves = over(first, second);
   if (splitsLeft == 0 || agree(a, b, whole, halves)) {
     colour_ += transmittance_ * halves.colour;
     transmittance_ *= std::exp(-halves.depth);
@@ -113,7 +113,7 @@ void RayIntegral::integrate(double a, double b, const Slab& whole, int splitsLef
   if (!opaque()) integrate(middle, b, second, splitsLeft - 1);
 }
 
-bool RayIntegral::agree(double a, double b, const Slab& whole, const Slab& halves) const {
+bool RayIntegral::agree(double a, double b, const Interval& whole, const Interval& halves) const {
   const double weight = transmittance_ * -std::expm1(-halves.depth);
   if (weight * lighting_.brightest() <= absoluteTolerance) return true;
   if (halves.depth > largestDepth) return false;
@@ -142,7 +142,7 @@ bool RayIntegral::normalsKeepTogether(double a, double b) const {
 }
 
 // Three Gauss points; the optical depth up to each by the collocation method on the same points.
-RayIntegral::Slab RayIntegral::gauss(double a, double b) const {
+RayIntegral::Interval RayIntegral::gauss(double a, double b) const {
   static const double root = std::sqrt(15.0);
   static const double node[3] = {0.5 - root / 10, 0.5, 0.5 + root / 10};
   static const double weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
@@ -152,14 +152,14 @@ RayIntegral::Slab RayIntegral::gauss(double a, double b) const {
   const double mm = (b - a) * lengthMm_;
   Sample at[3];
   for (int n = 0; n < 3; ++n) at[n] = sample(a + node[n] * (b - a));
-  Slab slab{glm::dvec3(0), 0};
+  Interval interval{glm::dvec3(0), 0};
   for (int n = 0; n < 3; ++n) {
     double depth = 0;
     for (int m = 0; m < 3; ++m) depth += mm * upTo[n][m] * at[m].extinctionPerMm;
-    slab.colour += mm * weight[n] * at[n].extinctionPerMm * std::exp(-depth) * at[n].colour;
-    slab.depth += mm * weight[n] * at[n].extinctionPerMm;
+    interval.colour += mm * weight[n] * at[n].extinctionPerMm * std::exp(-depth) * at[n].colour;
+    interval.depth += mm * weight[n] * at[n].extinctionPerMm;
   }
-  return slab;
+  return interval;
 }
 
 RayIntegral::Sample RayIntegral::sample(double s) const {
@@ -172,7 +172,7 @@ RayIntegral::Sample RayIntegral::sample(double s) const {
   return {lighting_.shade(glm::dvec3(classified), gradient), classifier_.extinction(opacity)};
 }
 
-RayIntegral::Slab RayIntegral::over(const Slab& front, const Slab& back) {
+RayIntegral::Interval RayIntegral::over(const Interval& front, const Interval& back) {
   return {front.colour + std::exp(-front.depth) * back.colour, front.depth + back.depth};
 }
 

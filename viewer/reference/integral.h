@@ -43,7 +43,7 @@ class RayIntegral {
 
  private:
   /// What a stretch of the ray adds (seen through nothing), and its optical depth.
-  struct Slab {
+  struct Interval {
     glm::dvec3 colour;
     double depth;
   };
@@ -56,12 +56,12 @@ class RayIntegral {
   bool visible(const Values& values) const;
   void cutAtFormulaChanges();
   bool opaque() const;
-  void integrate(double a, double b, const Slab& whole, int splitsLeft);
-  bool agree(double a, double b, const Slab& whole, const Slab& halves) const;
+  void integrate(double a, double b, const Interval& whole, int splitsLeft);
+  bool agree(double a, double b, const Interval& whole, const Interval& halves) const;
   bool normalsKeepTogether(double a, double b) const;
-  Slab gauss(double a, double b) const;
+  Interval gauss(double a, double b) const;
   Sample sample(double s) const;
-  static Slab over(const Slab& front, const Slab& back);
+  static Interval over(const Interval& front, const Interval& back);
 
   const Volume& volume_;
   const Classifier& classifier_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "viewer/kernels/ray_setup.h"
+#include "viewer/kernels/ray_generator.h"
 #include "viewer/methods/row_painter.h"
 #include "viewer/plan/resonance.h"
 #include "viewer/render/pilot_errors.h"
@@ -132,11 +132,11 @@ class Pilot {
   std::vector<float> follow(const Plan& plan, std::size_t from, std::size_t to, Picture& picture) const {
     if (from >= to) return {};
     RenderStats stats;
-    const PlanesFrame frame(plan, caches_, stats);
+    const RenderInputs inputs(plan, caches_, stats);
     stats_.gradientsMs += stats.gradientsMs;
-    const RaySetup setup(plan, caches_.volume()->geometry());
+    const RayGenerator setup(plan, caches_.volume()->geometry());
     std::vector<float> error;
-    const RowPainter painter(plan, frame, picture, error);
+    const RowPainter painter(plan, inputs, picture, error);
     const auto count = std::int64_t(to - from), tasks = (count + tilesATask - 1) / tilesATask;
     parallelFor(tasks, plan.options.threads, [&](std::int64_t first, std::int64_t last) {
       RayRow rays;
@@ -182,7 +182,7 @@ class Pilot {
   Found finding(double step, std::size_t count, const Picture& plain) const {
     PilotErrors errors;
     for (std::size_t n = 0; n < count; ++n) {
-      const glm::ivec2 corner = tiles_[n].corner, end = glm::min(corner + RaySetup::tile, size_);
+      const glm::ivec2 corner = tiles_[n].corner, end = glm::min(corner + RayGenerator::tile, size_);
       errors.beginTile(tiles_[n].chance * double(count) / double(tiles_.size()));
       for (int y = corner.y; y < end.y; ++y)
         for (int x = corner.x; x < end.x; ++x) {

@@ -6,7 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 
-#include "viewer/kernels/ray_setup.h"
+#include "viewer/kernels/ray_generator.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/scene/step_length.h"
 #include "viewer/volume/parallel.h"
@@ -15,7 +15,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int tile = RaySetup::tile;
+constexpr int tile = RayGenerator::tile;
 constexpr double shareOfTiles = 1.0 / 4;
 constexpr int fewestTiles = 192;  // or a 99th percentile cannot be known
 
@@ -125,7 +125,7 @@ std::vector<float> changeOfTiles(const Plan& plan, const VolumeFacts& facts, glm
   const int rows = int(std::clamp(blocks, 1.0 * grid.y, 2.0 * size.y));
   const double scale = double(size.y) / rows;  // pixels from ray to ray
   const glm::ivec2 count(int(std::ceil(size.x / scale)), rows);
-  const RaySetup setup(plan.scene, facts.geometry, count, facts.blockRanges->edge, plan.clip);
+  const RayGenerator setup(plan.scene, facts.geometry, count, facts.blockRanges->edge, plan.clip);
   const BlockWalk walk(plan, facts);
   std::vector<float> ofRays(std::size_t(count.x) * count.y);
   parallelFor(count.y, plan.options.threads, [&](std::int64_t begin, std::int64_t end) {

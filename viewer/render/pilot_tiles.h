@@ -7,7 +7,7 @@
 
 namespace volumen {
 
-/// A tile of RaySetup::tile x RaySetup::tile pixels whose rays a pilot follows.
+/// A tile of RayGenerator::tile x RayGenerator::tile pixels whose rays a pilot follows.
 struct PilotTile {
   glm::ivec2 corner{0};
   double chance = 1;  ///< that it is among those chosen: it stands for 1 / chance tiles

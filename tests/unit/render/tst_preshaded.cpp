@@ -9,7 +9,7 @@
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/render/method_cases.h"
 #include "tests/unit/suite.h"
-#include "viewer/kernels/ray_setup.h"
+#include "viewer/kernels/ray_generator.h"
 #include "viewer/reference/reference.h"
 #include "viewer/render/render.h"
 
@@ -39,7 +39,7 @@ class Definition {
 
   Picture picture() const {
     Picture out{size, scene_.background.transparent, std::vector<float>(std::size_t(4) * size.x * size.y)};
-    const RaySetup setup(scene_, volume_->geometry(), size, step, true);
+    const RayGenerator setup(scene_, volume_->geometry(), size, step, true);
     RayRow rays;
     for (int y = 0; y < size.y; ++y) {
       setup.makeRays(0, y, size.x, rays);

@@ -5,7 +5,7 @@
 #include "tests/fixtures/cpu_targets.h"
 #include "tests/unit/render/reference_fixture.h"
 #include "tests/unit/suite.h"
-#include "viewer/kernels/ray_setup.h"
+#include "viewer/kernels/ray_generator.h"
 #include "viewer/reference/ray.h"
 
 using namespace volumen;
@@ -47,8 +47,8 @@ void lookFrom(Case& c, double distance, double fov) {
 RayRow raysOf(const Case& c) {
   RayRow rays;
   const Case other;
-  RaySetup(other.scene, other.geometry, {64, 64}, 0.2, true).makeBlock(0, 0, rays);
-  RaySetup(c.scene, c.geometry, size, stepVoxels, true).makeBlock(0, 0, rays);
+  RayGenerator(other.scene, other.geometry, {64, 64}, 0.2, true).makeBlock(0, 0, rays);
+  RayGenerator(c.scene, c.geometry, size, stepVoxels, true).makeBlock(0, 0, rays);
   return rays;
 }
 

@@ -1,4 +1,4 @@
-#include "viewer/methods/gl_frame.h"
+#include "viewer/methods/gl_band.h"
 
 #include "viewer/methods/caches.h"
 #include "viewer/volume/clock.h"
@@ -29,7 +29,7 @@ Status loadTextures(const Plan& plan, RenderCaches& caches, GlState& gl, const C
   return {};
 }
 
-Status writeBand(const Plan& plan, const PlanesFrame& frame, const RayBand& band,
+Status writeBand(const Plan& plan, const RenderInputs& inputs, const RayBand& band,
                  const std::vector<float>& rgba, Picture& picture) {
   if (rgba.empty()) return glFailed();
   const Mode mode = plan.scene.mode;
@@ -45,7 +45,7 @@ Status writeBand(const Plan& plan, const PlanesFrame& frame, const RayBand& band
     if (mode == Mode::composite) {
       writePixels(plan.scene.background, rays, row, picture);
     } else {
-      writeProjectedPixels(plan.scene, frame.scale(), rays, row.red, picture);
+      writeProjectedPixels(plan.scene, inputs.scale(), rays, row.red, picture);
       roundPixels(plan.blending, rays, picture);
     }
   }

@@ -1,14 +1,14 @@
 // The rays of a picture.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "viewer/kernels/ray_kernel.cpp"
+#define HWY_TARGET_INCLUDE "viewer/kernels/generate_rays.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "viewer/kernels/generate_rays.h"
 #include "viewer/kernels/math-inl.h"
-#include "viewer/kernels/ray_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
@@ -34,7 +34,7 @@ struct PlacesMm {
 
 class RayMaker {
  public:
-  RayMaker(const RayFrame& f, RayRow& row)
+  RayMaker(const ViewRays& f, RayRow& row)
       : f_(f),
         row_(row),
         target_(f.target),
@@ -127,7 +127,7 @@ class RayMaker {
     cutAlong(0, origin.x, lines.along.x);
     cutAlong(1, origin.y, lines.along.y);
     cutAlong(2, origin.z, lines.along.z);
-    for (const RayFrame::Plane& p : f_.planes) {
+    for (const ViewRays::Plane& p : f_.planes) {
       const D3 normal = Broadcast(p.normal);
       const VD slope = Dot(lines.along, normal);
       Cut(hn::Sub(Dot(origin, normal), SetD(p.offset)), slope, hn::Div(SetD(1), slope),
@@ -183,7 +183,7 @@ class RayMaker {
     write(last, row_.lastStepMm);
   }
 
-  const RayFrame& f_;
+  const ViewRays& f_;
   RayRow& row_;
   glm::dvec3 target_, right_, up_, direction_;  ///< voxel space; a mm each
 };
@@ -208,7 +208,7 @@ void CountFromFirst(Ahead ahead, RayRow& row) {
   }
 }
 
-void MakeRays(const RayFrame& f, Ahead ahead, RayRow& row) {
+void MakeRays(const ViewRays& f, Ahead ahead, RayRow& row) {
   RayMaker(f, row).Make();
   if (ahead == Ahead::none)
     std::fill(row.ahead.begin(), row.ahead.end(), 0.0f);
@@ -216,7 +216,7 @@ void MakeRays(const RayFrame& f, Ahead ahead, RayRow& row) {
     CountFromFirst(ahead, row);
 }
 
-RayKernel ChooseRays() { return MakeRays; }
+GenerateRays ChooseRays() { return MakeRays; }
 
 }  // namespace volumen::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -225,7 +225,7 @@ HWY_AFTER_NAMESPACE();
 namespace volumen {
 
 HWY_EXPORT(ChooseRays);
-RayKernel chooseRayKernel() { return HWY_DYNAMIC_DISPATCH(ChooseRays)(); }
+GenerateRays chooseGenerateRays() { return HWY_DYNAMIC_DISPATCH(ChooseRays)(); }
 
 }  // namespace volumen
 #endif  // HWY_ONCE

@@ -1,9 +1,9 @@
 // Passing over blocks that cannot change an extreme, compiled once a CPU target.
-#if defined(VOLUMEN_KERNELS_TRAIL_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef VOLUMEN_KERNELS_TRAIL_INL_H_
-#undef VOLUMEN_KERNELS_TRAIL_INL_H_
+#if defined(VOLUMEN_KERNELS_BLOCKS_ALONG_RAY_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_KERNELS_BLOCKS_ALONG_RAY_INL_H_
+#undef VOLUMEN_KERNELS_BLOCKS_ALONG_RAY_INL_H_
 #else
-#define VOLUMEN_KERNELS_TRAIL_INL_H_
+#define VOLUMEN_KERNELS_BLOCKS_ALONG_RAY_INL_H_
 #endif
 
 #include <cmath>
@@ -19,12 +19,12 @@ namespace volumen::HWY_NAMESPACE {
 /// The blocks that the rays of a packet pass, and what no density there exceeds: those are looked into where
 /// that is more than a ray has met.
 template <Mode kMode>
-class BlockTrail {
+class BlocksAlongRay {
   using E = Extreme<kMode>;
 
  public:
   /// `blocks` must have four or more, and outlive it; `size`: of the volume, voxels.
-  BlockTrail(const BlockValues& blocks, glm::ivec3 size)
+  BlocksAlongRay(const BlockValues& blocks, glm::ivec3 size)
       : blockRanges_(*blocks.blockRanges),
         lastCell_(glm::max(size - 2, 0)),
         bytes_(kMode == Mode::mip ? blockRanges_.highest : blockRanges_.lowest) {
@@ -59,7 +59,7 @@ class BlockTrail {
 
  private:
   /// Where each ray enters a block and leaves it, in steps from its start.
-  struct Part {
+  struct BlockPassage {
     VF most, from, to;
   };
 
@@ -163,7 +163,7 @@ class BlockTrail {
   const std::vector<std::uint8_t>& bytes_;
   float mostOfLevel_[BlockRanges::mostLevels] = {};
   std::vector<float> begin_, most_;  ///< of each part, a vector; one more beginning
-  Part first_;                       ///< that holds the most
+  BlockPassage first_;               ///< that holds the most
   std::size_t listed_ = 0;           ///< of most_
   Queue queues_[kLanes];
   std::int64_t left_ = 0;  ///< in all queues

@@ -3,7 +3,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "viewer/kernels/ray_kernel.h"
+#include "viewer/kernels/generate_rays.h"
 #include "viewer/kernels/ray_row.h"
 #include "viewer/plan/plan.h"
 #include "viewer/scene/scene.h"
@@ -13,21 +13,22 @@ namespace volumen {
 
 /// Makes the rays of a picture: camera, box, clip box and planes (picture.md 6, 7) in double precision,
 /// sampled in steps (picture.md 9).
-class RaySetup {
+class RayGenerator {
  public:
   static constexpr int padding = 16;  ///< rays a row is padded to a multiple of
 
   /// `scene` must be complete. `clip` false: the clip box and planes are not looked at.
-  RaySetup(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, double stepVoxels, bool clip);
+  RayGenerator(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, double stepVoxels,
+               bool clip);
   /// The rays of a plan's picture.
-  RaySetup(const Plan& plan, const VoxelGeometry& geometry)
-      : RaySetup(plan.scene, geometry, plan.options.size, plan.stepVoxels, plan.clip) {
+  RayGenerator(const Plan& plan, const VoxelGeometry& geometry)
+      : RayGenerator(plan.scene, geometry, plan.options.size, plan.stepVoxels, plan.clip) {
     // Between steps stand no samples but those of rays that go from cell to cell.
     if (plan.cellByCell) ahead_ = Ahead::exact;
   }
 
   /// The length of a whole step where all rays have the same: RayRow::stepMm; 0 in perspective.
-  float sharedStepMm() const { return float(frame_.sharedStepMm); }
+  float sharedStepMm() const { return float(view_.sharedStepMm); }
 
   static constexpr int tile = 4;    ///< rows and columns of a tile; a tile's rays fill the widest vector
   static constexpr int block = 32;  ///< rows and columns of a block of tiles
@@ -45,11 +46,11 @@ class RaySetup {
  private:
   static void resize(RayRow& row, int count);
 
-  RayFrame frame_;
+  ViewRays view_;
   VoxelGeometry geometry_;
   glm::dvec3 target_;           ///< patient space
   Ahead ahead_ = Ahead::whole;  ///< of tiles
-  RayKernel makeRays_ = chooseRayKernel();
+  GenerateRays makeRays_ = chooseGenerateRays();
 };
 
 }  // namespace volumen

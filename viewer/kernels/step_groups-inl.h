@@ -1,9 +1,9 @@
-// Taking the rays of a row through slabs of steps, compiled once a CPU target.
-#if defined(VOLUMEN_KERNELS_SLABS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef VOLUMEN_KERNELS_SLABS_INL_H_
-#undef VOLUMEN_KERNELS_SLABS_INL_H_
+// Taking the rays of a row through groups of steps, compiled once a CPU target.
+#if defined(VOLUMEN_KERNELS_STEP_GROUPS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_KERNELS_STEP_GROUPS_INL_H_
+#undef VOLUMEN_KERNELS_STEP_GROUPS_INL_H_
 #else
-#define VOLUMEN_KERNELS_SLABS_INL_H_
+#define VOLUMEN_KERNELS_STEP_GROUPS_INL_H_
 #endif
 
 #include <algorithm>
@@ -29,10 +29,10 @@ inline StepRange StepsOf(const RayRow& rays) {
   return end > 0 ? StepRange{int(begin), int(std::ceil(end))} : StepRange{0, 0};
 }
 
-/// Whether any ray of the packet at ray `first` lets light through, as rays from the front do up to a point,
-/// and is on its way at the steps [step, end).
-HWY_INLINE bool IsPacketOpen(const TraceFrame& f, const RayRow& rays, const TraceRow& out, int first,
-                             int step, int end) {
+/// Early ray termination: whether any ray of the packet at ray `first` lets light through, as rays from the
+/// front do up to a point, and is on its way at the steps [step, end).
+HWY_INLINE bool IsPacketOpen(const RayInputs& f, const RayRow& rays, const TraceRow& out, int first, int step,
+                             int end) {
   const DF df;
   const VF ahead = hn::LoadU(df, rays.ahead.data() + first),
            steps = hn::ConvertTo(df, hn::LoadU(DI(), rays.steps.data() + first));
@@ -42,19 +42,19 @@ HWY_INLINE bool IsPacketOpen(const TraceFrame& f, const RayRow& rays, const Trac
   return !hn::AllFalse(df, hn::And(has, open));
 }
 
-/// Takes all packets of the row through slabs of steps, from the front or from the back (TraceFrame::slices):
+/// Takes all packets of the row through groups of steps, from the front or from the back (RayInputs::slices):
 /// what one brings into the cache the others find there. (A packet alone, marching across rows of 512 voxels,
 /// throws its own lines out again: they are a power of two apart.) `ends`: of each packet, the step from
 /// which on nothing of it is looked at.
 template <class Tracer>
-void TakeSlabs(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
-               TraceCounts& counts, const std::vector<EmptySpaceSkipper>& skippers, StepRange steps,
-               const std::vector<int>& ends) {
+void TakeStepGroups(const RayInputs& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
+                    TraceCounts& counts, const std::vector<EmptySpaceSkipper>& skippers, StepRange steps,
+                    const std::vector<int>& ends) {
   Tracer tracer(f, rays, plane, out, counts);
   const int lanes = int(hn::Lanes(DF())), packets = int(skippers.size());
-  constexpr int slab = Tracer::kSlab;
-  // A look covers the steps of several slabs, or of a part.
-  const int look = lanes * skippers.front().stepsALook(), looked = std::max(look, slab);
+  constexpr int group = Tracer::kGroupSteps;
+  // A look covers the steps of several groups, or of a part.
+  const int look = lanes * skippers.front().stepsALook(), looked = std::max(look, group);
   std::vector<std::uint64_t> looks(packets), bits(packets);
   const auto isOpen = [&](int n, int from, int to) {
     return IsPacketOpen(f, rays, out, n * lanes, from, to);
@@ -66,34 +66,34 @@ void TakeSlabs(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
       for (int more = 0; more < looked; more += look) seen |= skippers[n].LookFrom(step + more) << more;
     return wanted ? seen & ~std::uint64_t(0) >> (64 - wanted) : 0;
   };
-  const int start = steps.begin / looked * looked, slabs = (steps.end - start + slab - 1) / slab;
-  const int ahead = f.slices.fromBack ? -slab : slab;
-  for (int k = 0; k < slabs; ++k) {
-    const int step = start + slab * (f.slices.fromBack ? slabs - 1 - k : k), within = step % looked;
-    const bool isNew = k == 0 || within == (f.slices.fromBack ? looked - slab : 0);
+  const int start = steps.begin / looked * looked, groups = (steps.end - start + group - 1) / group;
+  const int ahead = f.slices.fromBack ? -group : group;
+  for (int k = 0; k < groups; ++k) {
+    const int step = start + group * (f.slices.fromBack ? groups - 1 - k : k), within = step % looked;
+    const bool isNew = k == 0 || within == (f.slices.fromBack ? looked - group : 0);
     Box box;
     for (int n = 0; n < packets; ++n) {
       if (isNew) looks[n] = lookFrom(n, step - within);
-      bits[n] = looks[n] >> within & ((1 << slab) - 1);
-      if (bits[n] && !isOpen(n, step, step + slab)) bits[n] = 0;
-      if (Tracer::kCells && bits[n]) skippers[n].TakeIn(step, slab, box);
+      bits[n] = looks[n] >> within & ((1 << group) - 1);
+      if (bits[n] && !isOpen(n, step, step + group)) bits[n] = 0;
+      if (Tracer::kCells && bits[n]) skippers[n].TakeIn(step, group, box);
     }
     if (Tracer::kCells && box.low.x <= box.high.x) {
       f.cells->lookInto(box.low, box.high);
-      const glm::vec3 next = skippers.front().MoveOf(slab);
+      const glm::vec3 next = skippers.front().MoveOf(group);
       f.cells->prefetch(box.low + next, box.high + next);
     }
-    tracer.BeginSlab();
+    tracer.BeginGroup();
     for (int n = 0; n < packets; ++n) {
       if constexpr (Tracer::kPrefetches)
         if (bits[n]) {
           Box next;
-          skippers[n].TakeIn(step + ahead, slab, next);
+          skippers[n].TakeIn(step + ahead, group, next);
           tracer.Prefetch(next.low, next.high);
         }
       tracer.Advance(skippers[n], n * lanes, step, bits[n]);
     }
-    tracer.EndSlab();
+    tracer.EndGroup();
   }
   tracer.Finish();
 }
@@ -101,10 +101,10 @@ void TakeSlabs(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
 /// The last step that shows on each ray, -1 where none does: all rays are followed from the front, without
 /// light, as far as they can be seen.
 template <class Tracer>
-std::vector<float> ShownSteps(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane,
+std::vector<float> ShownSteps(const RayInputs& f, const RayRow& rays, const PlaneBuffer& plane,
                               const std::vector<EmptySpaceSkipper>& skippers, StepRange steps,
                               TraceCounts& counts) {
-  TraceFrame front = f;
+  RayInputs front = f;
   front.slices = {};
   const std::size_t count = rays.steps.size();
   std::vector<float> shown(count, -1), pixels(4 * count);
@@ -112,14 +112,14 @@ std::vector<float> ShownSteps(const TraceFrame& f, const RayRow& rays, const Pla
   const TraceRow row{p, p + count, p + 2 * count, p + 3 * count, nullptr, shown.data()};
   TraceCounts looked;
   const std::vector<int> ends(skippers.size(), steps.end);
-  TakeSlabs<typename Tracer::Unlit>(front, rays, plane, row, looked, skippers, steps, ends);
+  TakeStepGroups<typename Tracer::Unlit>(front, rays, plane, row, looked, skippers, steps, ends);
   counts.resampled += looked.resampled;
   return shown;
 }
 
 /// One kernel.
 template <class Tracer>
-void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
+void TraceRays(const RayInputs& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
                TraceCounts& counts) {
   const std::int64_t begin = Ticks();
   const int lanes = int(hn::Lanes(DF())), packets = int(rays.steps.size()) / lanes;
@@ -139,7 +139,7 @@ void TraceRays(const TraceFrame& f, const RayRow& rays, const PlaneBuffer& plane
     }
   const TraceRow row{out.red,   out.green, out.blue,
                      out.alpha, out.error, shown.empty() ? nullptr : shown.data()};
-  TakeSlabs<Tracer>(f, rays, plane, row, counts, skippers, steps, ends);
+  TakeStepGroups<Tracer>(f, rays, plane, row, counts, skippers, steps, ends);
   counts.allTicks += Ticks() - begin;
 }
 

@@ -1,9 +1,9 @@
 // Passing over samples that cannot change an extreme, compiled once a CPU target.
-#if defined(VOLUMEN_KERNELS_STRETCHES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef VOLUMEN_KERNELS_STRETCHES_INL_H_
-#undef VOLUMEN_KERNELS_STRETCHES_INL_H_
+#if defined(VOLUMEN_KERNELS_SKIP_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef VOLUMEN_KERNELS_SKIP_SAMPLES_INL_H_
+#undef VOLUMEN_KERNELS_SKIP_SAMPLES_INL_H_
 #else
-#define VOLUMEN_KERNELS_STRETCHES_INL_H_
+#define VOLUMEN_KERNELS_SKIP_SAMPLES_INL_H_
 #endif
 
 #include "viewer/kernels/bytes-inl.h"
@@ -43,7 +43,7 @@ double MostInBlocks(const BlockValues& blocks, const Box& box, int mostBlocks) {
 }
 
 template <class Store>
-float VoxelOf(const TraceFrame& f, std::size_t n) {
+float VoxelOf(const RayInputs& f, std::size_t n) {
   if constexpr (std::is_same_v<Store, Int16Store>)
     return std::int16_t(f.density16[n] ^ std::int16_t(f.flip16));
   else if constexpr (std::is_same_v<Store, Byte1Store>)
@@ -54,7 +54,7 @@ float VoxelOf(const TraceFrame& f, std::size_t n) {
 
 /// What no sample in a box exceeds, if it holds no more than `mostVoxels`.
 template <class Store, Mode kMode>
-double MostInBox(const TraceFrame& f, const BlockValues& blocks, const Box& box, int mostVoxels) {
+double MostInBox(const RayInputs& f, const BlockValues& blocks, const Box& box, int mostVoxels) {
   const glm::ivec3 first(box.low), last = glm::min(glm::ivec3(box.high) + 1, f.size - 1);
   if (CountBetween(first, last) > float(mostVoxels)) return std::numeric_limits<double>::infinity();
   float most = -std::numeric_limits<float>::max();
@@ -69,19 +69,19 @@ double MostInBox(const TraceFrame& f, const BlockValues& blocks, const Box& box,
 }
 
 /// Some steps of a packet, and what none of its samples exceeds.
-struct Stretch {
+struct SampleRun {
   double most;
   int begin, end;
   int middle() const { return (begin + end) / 2; }
-  bool operator<(const Stretch& other) const { return most < other.most; }
+  bool operator<(const SampleRun& other) const { return most < other.most; }
 };
 
-/// Takes samples where they may change the extremes. First one of each stretch; then, from the stretch that
-/// may hold the most on, what may exceed what all rays have met; until no stretch does. In whatever order, an
+/// Takes samples where they may change the extremes. First one of each run; then, from the run that
+/// may hold the most on, what may exceed what all rays have met; until no run does. In whatever order, an
 /// extreme is the same.
 template <class Store, Mode kMode>
-std::int64_t TakeExtremes(const TraceFrame& f, const BlockValues& blocks,
-                          SampleProjection<Store, kMode>& rays, std::vector<Stretch>& stretches) {
+std::int64_t TakeExtremes(const RayInputs& f, const BlockValues& blocks, SampleProjection<Store, kMode>& rays,
+                          std::vector<SampleRun>& runs) {
   const Packet& p = rays.Rays();
   const DF df;
   const VF fastest = hn::Max(hn::Abs(p.move.x), hn::Max(hn::Abs(p.move.y), hn::Abs(p.move.z)));
@@ -99,16 +99,15 @@ std::int64_t TakeExtremes(const TraceFrame& f, const BlockValues& blocks,
   };
   const auto reached = [&] { return kSign<kMode> * double(rays.ReachedByAll()); };
   std::int64_t taken = 0;
-  stretches.clear();
+  runs.clear();
   for (int begin = 0; begin < p.longest; begin += length) {
     const int end = std::min(begin + length, p.longest);
-    stretches.push_back(
-        {MostInBlocks<kMode>(blocks, boxOf(begin, end), blocksAStep * (end - begin)), begin, end});
-    taken += rays.Take(stretches.back().middle());
+    runs.push_back({MostInBlocks<kMode>(blocks, boxOf(begin, end), blocksAStep * (end - begin)), begin, end});
+    taken += rays.Take(runs.back().middle());
   }
-  std::make_heap(stretches.begin(), stretches.end());
-  for (; !stretches.empty() && stretches.front().most > reached(); stretches.pop_back()) {
-    const Stretch most = stretches.front();
+  std::make_heap(runs.begin(), runs.end());
+  for (; !runs.empty() && runs.front().most > reached(); runs.pop_back()) {
+    const SampleRun most = runs.front();
     for (int begin = most.begin; begin < most.end; begin += part) {
       const int end = std::min(begin + part, most.end);
       if (MostInBox<Store, kMode>(f, blocks, boxOf(begin, end), voxelsAStep * (end - begin)) <= reached())
@@ -116,7 +115,7 @@ std::int64_t TakeExtremes(const TraceFrame& f, const BlockValues& blocks,
       for (int step = begin; step < end; ++step)
         if (step != most.middle()) taken += rays.Take(step);
     }
-    std::pop_heap(stretches.begin(), stretches.end());
+    std::pop_heap(runs.begin(), runs.end());
   }
   return taken;
 }

@@ -4,8 +4,8 @@
 
 #include "viewer/gl/gl_state.h"
 #include "viewer/gl/ray_band.h"
-#include "viewer/methods/planes_frame.h"
 #include "viewer/methods/render_caches.h"
+#include "viewer/methods/render_inputs.h"
 #include "viewer/methods/rendered.h"
 
 namespace volumen {
@@ -23,7 +23,7 @@ Status loadTextures(const Plan& plan, RenderCaches& caches, GlState& gl, const C
 
 /// Writes a band's pixels, four floats each: premultiplied colour and alpha; the density of a projection; of
 /// an average, densities times lengths and lengths (0: the mean itself). glFailed() where there are none.
-Status writeBand(const Plan& plan, const PlanesFrame& frame, const RayBand& band,
+Status writeBand(const Plan& plan, const RenderInputs& inputs, const RayBand& band,
                  const std::vector<float>& rgba, Picture& picture);
 
 }  // namespace volumen

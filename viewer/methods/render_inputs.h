@@ -8,16 +8,16 @@
 
 namespace volumen {
 
-/// Everything the kernels read for one frame, made from the plan; keeps what it points to alive.
-class PlanesFrame {
+/// Everything the kernels read for one picture, made from the plan; keeps what it points to alive.
+class RenderInputs {
  public:
   /// Where the plan's resampler is not the CPU, the kernels read planes (Store::plane) in the units of the
   /// plan's store.
-  PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats);
-  PlanesFrame(const PlanesFrame&) = delete;
-  PlanesFrame& operator=(const PlanesFrame&) = delete;
+  RenderInputs(const Plan& plan, RenderCaches& caches, RenderStats& stats);
+  RenderInputs(const RenderInputs&) = delete;
+  RenderInputs& operator=(const RenderInputs&) = delete;
 
-  const TraceFrame& trace() const { return frame_; }
+  const RayInputs& trace() const { return inputs_; }
   const BlockValues& blocks() const { return blocks_; }  ///< of projections
   const DensityScale& scale() const { return scale_; }
   KernelKey key() const { return key_; }
@@ -34,7 +34,7 @@ class PlanesFrame {
   void setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale);
 
   const KernelKey key_;
-  TraceFrame frame_;
+  RayInputs inputs_;
   float brightest_ = 1;
   BlockValues blocks_;
   DensityScale scale_;

@@ -10,7 +10,7 @@
 namespace volumen {
 
 /// What all rays of a picture share (picture.md 6, 7, 9).
-struct RayFrame {
+struct ViewRays {
   struct Plane {
     glm::dvec3 normal;  ///< in voxel space: inside where dot(normal, x) <= offset (mm)
     double offset;
@@ -35,7 +35,7 @@ enum class Ahead { none, whole, exact };
 
 /// Fills in the rays of row.pixel, whose other arrays are as long, in double precision. Rays that miss what
 /// is drawn and those of no pixel have no steps.
-using RayKernel = void (*)(const RayFrame&, Ahead, RayRow&);
-RayKernel chooseRayKernel();
+using GenerateRays = void (*)(const ViewRays&, Ahead, RayRow&);
+GenerateRays chooseGenerateRays();
 
 }  // namespace volumen

@@ -1,4 +1,4 @@
-#include "viewer/methods/planes_frame.h"
+#include "viewer/methods/render_inputs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "viewer/kernels/ray_setup.h"
+#include "viewer/kernels/ray_generator.h"
 #include "viewer/methods/caches.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/volume/clock.h"
@@ -49,7 +49,7 @@ LightStrength strongestOf(const Lighting& lighting) {
 
 // How far the box around a packet of rays may reach: its interval, and where samples stand at steps half a
 // step more to either side (RayRow::ahead), or the steps of a look together.
-int reachBlocks(const Plan& plan, const RaySetup& setup, int edge) {
+int reachBlocks(const Plan& plan, const RayGenerator& setup, int edge) {
   // Of a length for all short steps and cells, so that they share a map.
   const double along =
       plan.cellByCell ? plan.stepVoxels : std::max(double(EmptySpaceMap::longestLook), 2 * plan.stepVoxels);
@@ -69,33 +69,33 @@ float inverseUnitOf(const Plan& plan, const VoxelGeometry& geometry) {
 
 }  // namespace
 
-PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& stats)
+RenderInputs::RenderInputs(const Plan& plan, RenderCaches& caches, RenderStats& stats)
     : key_(kernelKey(plan)),
       brightest_(float(std::max(1.0, volumen::brightest(plan.scene)))),
       lighting_(makeLighting(plan.scene, plan.specular, plan.colouredLight)),
       transfer_(plan.curve) {
   StoredVoxels& voxels = *caches.impl().voxels;
   const double begin = wallMs();
-  frame_.size = voxels.volume()->size();
-  frame_.densityRow = frame_.gradientRow = frame_.size.x;
+  inputs_.size = voxels.volume()->size();
+  inputs_.densityRow = inputs_.gradientRow = inputs_.size.x;
   readStored(plan, caches, stats);
   stats.gradientsMs += wallMs() - begin;
   curve_ = makeCurveTable(transfer_, scale_);
-  frame_.curve = &curve_;
-  frame_.transfer = &transfer_;
-  frame_.inverseUnitMm = inverseUnitOf(plan, voxels.volume()->geometry());
-  const RaySetup setup(plan, voxels.volume()->geometry());
+  inputs_.curve = &curve_;
+  inputs_.transfer = &transfer_;
+  inputs_.inverseUnitMm = inverseUnitOf(plan, voxels.volume()->geometry());
+  const RayGenerator setup(plan, voxels.volume()->geometry());
   double mostOpacity = 0;
   for (const CurvePoint& p : transfer_.points) mostOpacity = std::max(mostOpacity, double(p.opacity));
-  frame_.intervals = makeCorrectionSeries(setup.sharedStepMm() * frame_.inverseUnitMm, mostOpacity);
-  frame_.light = lightOf(plan);
-  frame_.lighting = &lighting_;
-  frame_.lightStrength = strengthOf(lighting_, lighting_.lights);
-  frame_.strongestLight = strongestOf(lighting_);
+  inputs_.intervals = makeCorrectionSeries(setup.sharedStepMm() * inputs_.inverseUnitMm, mostOpacity);
+  inputs_.light = lightOf(plan);
+  inputs_.lighting = &lighting_;
+  inputs_.lightStrength = strengthOf(lighting_, lighting_.lights);
+  inputs_.strongestLight = strongestOf(lighting_);
   setFactorUnit();
   makeShades(plan, caches);
-  frame_.stopTransmittance = float(plan.stopTransmittance);
-  frame_.slices = {plan.method == Method::blend, float(levelsOf(plan.blending))};
+  inputs_.stopTransmittance = float(plan.stopTransmittance);
+  inputs_.slices = {plan.method == Method::blend, float(levelsOf(plan.blending))};
   const VolumeFacts& facts = voxels.facts();
   if (plan.skipBlocks && plan.scene.mode != Mode::composite)
     blocks_ = {facts.blockRanges.get(), scale_.slope, scale_.intercept,
@@ -103,25 +103,25 @@ PlanesFrame::PlanesFrame(const Plan& plan, RenderCaches& caches, RenderStats& st
   else
     readBlocks(plan, reachBlocks(plan, setup, facts.blockRanges->edge), caches, stats);
   stats.tableBytes =
-      curve_.bytes() + (frame_.map ? frame_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
+      curve_.bytes() + (inputs_.map ? inputs_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
   stats.blockBytes += facts.blockRanges->bytes();
 }
 
-void PlanesFrame::setFactorUnit() {
+void RenderInputs::setFactorUnit() {
   const auto& points = transfer_.gradientOpacity;
   if (points.empty() || !(points.back().gradient > 0)) return;
   constexpr double most = std::numeric_limits<float>::max();
   const double unit = std::clamp<double>(points.back().gradient, 1 / most, most / 4);
-  frame_.factorUnit = float(unit);
-  frame_.factorUnitsAStored = float(std::min(frame_.gradientUnit / unit, most));
+  inputs_.factorUnit = float(unit);
+  inputs_.factorUnitsAStored = float(std::min(inputs_.gradientUnit / unit, most));
 }
 
-double PlanesFrame::largestRounded(const Plan& plan, ValueRange range) const {
+double RenderInputs::largestRounded(const Plan& plan, ValueRange range) const {
   if (plan.bits == 32) return std::max(std::abs(scale_.low), std::abs(scale_.high));
   return std::max(std::abs(range.low), std::abs(range.high)) / scale_.slope;
 }
 
-void PlanesFrame::readBlocks(const Plan& plan, int reach, RenderCaches& caches, RenderStats& stats) {
+void RenderInputs::readBlocks(const Plan& plan, int reach, RenderCaches& caches, RenderStats& stats) {
   // Which intervals are passed over is a choice, not a sound rule: it looks at cells even where no block is
   // skipped.
   const bool asksCells = key_.sampling != Sampling::dense;
@@ -129,43 +129,43 @@ void PlanesFrame::readBlocks(const Plan& plan, int reach, RenderCaches& caches, 
     const auto& skip =
         caches.impl().skipOf(transfer_, curve_, {transfer_.points, reach, rounding_, densities_, asksCells});
     stats.blockBytes = skip.bytes();
-    if (plan.skipBlocks) frame_.skip = &skip.map();
-    if (asksCells) frame_.cells = &skip.cells;
-    frame_.budget.most = float(plan.errorBudget);
+    if (plan.skipBlocks) inputs_.skip = &skip.map();
+    if (asksCells) inputs_.cells = &skip.cells;
+    inputs_.budget.most = float(plan.errorBudget);
   }
 }
 
-void PlanesFrame::readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
+void RenderInputs::readStored(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
   if (plan.bits == 8) return readBytes(plan, caches, stats);
   StoredVoxels& voxels = *caches.impl().voxels;
   const VoxelGeometry& geometry = voxels.volume()->geometry();
   if (plan.bits == 16) {
     const Density16& d = voxels.densities16();
     scale_ = d.scale;
-    frame_.density16 = d.data;
-    frame_.flip16 = d.flip;
-    densities_ = {.in16 = d.data, .flip = std::uint16_t(d.flip), .rowVoxels = frame_.densityRow};
+    inputs_.density16 = d.data;
+    inputs_.flip16 = d.flip;
+    densities_ = {.in16 = d.data, .flip = std::uint16_t(d.flip), .rowVoxels = inputs_.densityRow};
     stats.densityBytes = std::size_t(geometry.voxelCount()) * 2;
     if (!plan.gradients) return;
     const Gradients16& g = voxels.gradientsIn16(plan.gradientOperator);
-    frame_.voxels16 = g.xyzd.data();
-    frame_.gradientRow = g.rowVoxels;
+    inputs_.voxels16 = g.xyzd.data();
+    inputs_.gradientRow = g.rowVoxels;
     stats.gradientBytes = g.xyzd.bytes();
     setGradientScale(plan, geometry, g.scale);
     return;
   }
   const Density32& d = voxels.densities32();
   scale_ = d.scale;
-  frame_.density32 = d.data;
+  inputs_.density32 = d.data;
   stats.densityBytes = std::size_t(geometry.voxelCount()) * 4;
   if (!plan.gradients) return;
   const Gradients32& g = voxels.gradientsIn32(plan.gradientOperator);
-  frame_.gradients32 = g.xyz0.data();
+  inputs_.gradients32 = g.xyz0.data();
   stats.gradientBytes = g.xyz0.bytes();
   setGradientScale(plan, geometry, g.scale);
 }
 
-void PlanesFrame::readBytes(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
+void RenderInputs::readBytes(const Plan& plan, RenderCaches& caches, RenderStats& stats) {
   StoredVoxels& voxels = *caches.impl().voxels;
   stats.densityBytes = std::size_t(voxels.volume()->geometry().voxelCount());
   const auto useScale = [&](const ByteScale& s) {
@@ -175,13 +175,13 @@ void PlanesFrame::readBytes(const Plan& plan, RenderCaches& caches, RenderStats&
   };
   if (!plan.gradients) {
     const Density8& d = voxels.densitiesIn8();
-    frame_.density8 = d.bytes.data();
-    densities_ = {.in8 = d.bytes.data(), .rowVoxels = frame_.densityRow};
+    inputs_.density8 = d.bytes.data();
+    densities_ = {.in8 = d.bytes.data(), .rowVoxels = inputs_.densityRow};
     return useScale(d.scale);
   }
   const Voxels8& v = voxels.voxelsIn8(plan.gradientOperator);
-  frame_.voxels8 = v.words.data();
-  frame_.densityRow = frame_.gradientRow = v.rowVoxels;
+  inputs_.voxels8 = v.words.data();
+  inputs_.densityRow = inputs_.gradientRow = v.rowVoxels;
   densities_ = {.in8 = reinterpret_cast<const std::uint8_t*>(v.words.data()) + 3,
                 .stride8 = 4,
                 .rowVoxels = v.rowVoxels};
@@ -190,20 +190,20 @@ void PlanesFrame::readBytes(const Plan& plan, RenderCaches& caches, RenderStats&
   setGradientScale(plan, voxels.volume()->geometry(), v.gradientUnit);
 }
 
-void PlanesFrame::makeShades(const Plan& plan, RenderCaches& caches) {
+void RenderInputs::makeShades(const Plan& plan, RenderCaches& caches) {
   if (plan.shader == Shader::map)
-    frame_.map = &caches.impl().reflectanceMap(lighting_, plan.mapSize, plan.mapLookup);
+    inputs_.map = &caches.impl().reflectanceMap(lighting_, plan.mapSize, plan.mapLookup);
   if (plan.shader != Shader::table) return;
-  ShadeTableInput in{{}, frame_.inverseFloor, 1, scale_};
-  for (int n = 0; n < 9; ++n) in.gradientMatrix[n] = frame_.gradientMatrix[n] * frame_.gradientUnit;
+  ShadeTableInput in{{}, inputs_.inverseFloor, 1, scale_};
+  for (int n = 0; n < 9; ++n) in.gradientMatrix[n] = inputs_.gradientMatrix[n] * inputs_.gradientUnit;
   const ValueRange values = caches.facts().range;
   // A Sobel component is half the difference of two means of values (picture.md 3).
   in.gradientLimit = (values.high - values.low) / 2 / gradientScale_;
   table_ = makeShadeTable(lighting_, curve_, in);
-  frame_.table = &table_;
+  inputs_.table = &table_;
 }
 
-void PlanesFrame::setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale) {
+void RenderInputs::setGradientScale(const Plan& plan, const VoxelGeometry& geometry, double scale) {
   gradientScale_ = scale;
   const glm::dmat3 m = geometry.patientFromVoxelGradient() * scale;
   double largest = 0, smallest = std::numeric_limits<double>::max();
@@ -216,12 +216,12 @@ void PlanesFrame::setGradientScale(const Plan& plan, const VoxelGeometry& geomet
   // floats, so many times as large as `real`.
   const double unit = std::exp2(std::ceil(std::log2(largest))), kept = std::clamp(unit, 0x1p-60, 0x1p60),
                real = unit / kept;
-  frame_.gradientUnit = float(kept);
-  frame_.boundedGradients = plan.bits != 32 && smallest > 1e-8 * largest;
+  inputs_.gradientUnit = float(kept);
+  inputs_.boundedGradients = plan.bits != 32 && smallest > 1e-8 * largest;
   for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) frame_.gradientMatrix[3 * r + c] = float(m[c][r] / unit);
+    for (int c = 0; c < 3; ++c) inputs_.gradientMatrix[3 * r + c] = float(m[c][r] / unit);
   const double floor = *plan.scene.shading.gradientFloor;
-  frame_.inverseFloor = floor > 0 ? float(std::min(real / floor, 1e30)) : 0.0f;
+  inputs_.inverseFloor = floor > 0 ? float(std::min(real / floor, 1e30)) : 0.0f;
   for (GradientOpacityPoint& p : transfer_.gradientOpacity) p.gradient = std::min(p.gradient / real, 1e30);
 }
 
