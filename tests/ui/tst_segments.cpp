@@ -41,7 +41,7 @@ const QString sphere = QStringLiteral("phantom:sphere:64");
 struct Segmented : Journey {
   Segmented() : Journey({sphere}) { settle(); }
 
-  QString result() const { return child<QLabel>("segmentResult")->text(); }
+  QString result() { return child<QLabel>("segmentResult")->text(); }
   bool segment(double low, double high) {
     child<QDockWidget>("segmentDock")->raise();
     child<QDoubleSpinBox>("segmentLow")->setValue(low);

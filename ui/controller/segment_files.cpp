@@ -5,9 +5,9 @@
 #include <QRegularExpression>
 #include <algorithm>
 
-#include "io/archive.h"
 #include "io/export/seg_nrrd.h"
 #include "io/files/session_file.h"
+#include "io/index/index_path.h"
 #include "ui/workspace/session_json.h"
 #include "ui/workspace/text.h"
 

@@ -48,7 +48,9 @@ void Segmenting::connectSegmenter() {
   connect(&segmenter_, &Segmenter::measured, panel_, &SegmentPanel::showMeasured);
   connect(&segmenter_, &Segmenter::saved, this, [this](const QString& path, const SegmentMap& map) {
     tell(tr("Saved %1").arg(path));
-    bench_.document.files.savedApart({.segmentMaps = {map}});
+    HandWork work;
+    work.segmentMaps = {map};
+    bench_.document.files.savedApart(work);
   });
   connect(&segmenter_, &Segmenter::failed, this, [this](const QString& sentence) { warn(sentence); });
 }
