@@ -12,13 +12,14 @@
 #include "app/usage.h"
 #include "io/export/seg_nrrd.h"
 #include "io/files/output_file.h"
+#include "viewer/segment/label_statistics.h"
 #include "viewer/segment/range.h"
 
 namespace volumen {
 
 namespace {
 
-constexpr glm::dvec3 boneIvory{0.94, 0.86, 0.64};
+constexpr glm::u8vec3 boneIvory{240, 219, 163};
 
 struct SegmentOptions {
   std::string path, range, output, series;
@@ -95,9 +96,10 @@ int run(const SegmentOptions& options, const CancelToken& cancel) {
     if (Status removed = takeAway({true, {}}, *opened, cancel); !removed)
       return fail(removed.message(), cancel);
   const Volume& volume = *opened->loaded.drawn;
-  const LabelMap map = labelRange(volume, *range);
+  const LabelMap map(labelRange(volume, *range));
+  const Segment segment{.number = 1, .label = "Range " + options.range, .colour = boneIvory, .range = range};
   const LabelStatistics statistics = labelStatistics(map, volume);
-  if (const Status s = writeSegNrrd(map, "Range " + options.range, boneIvory, options.output, cancel); !s)
+  if (const Status s = writeSegNrrd(map, {&segment, 1}, options.output, cancel); !s)
     return fail(s.message(), cancel);
   noteKeptTilt(*opened);
   addNotes(opened->notes, *opened, statistics, options.range);

@@ -8,6 +8,7 @@
 
 #include "io/files/session_file.h"
 #include "ui/controller/open_session.h"
+#include "ui/controller/segment_files.h"
 #include "ui/workspace/session_json.h"
 
 namespace volumen {
@@ -45,9 +46,13 @@ QString savedAsOf(const QString& path) {
 
 void moveAside(const QString& path) {
   makePrivate(asideFolder());
-  const QString name =
-      QDateTime::currentDateTimeUtc().toString(asideTime) + QLatin1Char('-') + QFileInfo(path).fileName();
-  if (QFile::rename(path, asideFolder() + QLatin1Char('/') + name)) removeKept(path);
+  const QString aside = QStringLiteral("%1/%2-%3")
+                            .arg(asideFolder(), QDateTime::currentDateTimeUtc().toString(asideTime),
+                                 QFileInfo(path).fileName());
+  const QStringList segments = segmentFilesOf(path);
+  if (!QFile::rename(path, aside)) return;
+  for (const QString& file : segments) QFile::rename(file, aside + file.mid(path.size()));
+  removeKept(path);
 }
 
 // The latest first; those that are too old go.

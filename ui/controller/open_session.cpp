@@ -10,6 +10,7 @@
 #include "io/files/session_file.h"
 #include "io/index/index_path.h"
 #include "ui/controller/find_saved.h"
+#include "ui/controller/segment_files.h"
 #include "ui/workspace/session_json.h"
 #include "ui/workspace/text.h"
 
@@ -159,16 +160,22 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
                                  [&](const SavedReference& saved) { return search.findObject(saved); });
   if (cancel.cancelled()) return Error{path + ": interrupted."};
   if (!session) return Error{path + ": " + session.message()};
-  return OpenedSession{std::move(session->workspace), session->savedAs, search.studies(), search.problems};
+  Workspace workspace =
+      withSegmentMaps(std::move(session->workspace), path, search.problems, progress, cancel);
+  return OpenedSession{std::move(workspace), session->savedAs, search.studies(), search.problems};
 }
 
 Status saveSession(const std::string& path, const Workspace& workspace, const std::string& savedAs) {
   const auto text = sessionToJson(workspace, folderOf(path), savedAs);
   if (!text) return Error{"Cannot write " + path + ": " + text.message()};
+  const std::vector<std::string> before = segmentMapsNamedBy(path);
+  if (Status s = writeSegmentMaps(path, workspace); !s) return s;
   auto file = OutputFile::create(path);
   if (!file) return file.error();
   if (Status s = file->write(*text); !s) return s;
-  return file->commit();
+  if (Status s = file->commit(); !s) return s;
+  removeSegmentMaps(path, before, workspace);
+  return {};
 }
 
 }  // namespace volumen

@@ -19,11 +19,12 @@ struct OpenedSession {
 
 /// Reads a session file and looks for its series, and for the presentation states, structure sets and
 /// segmentations that it shows: beside it as they lay then, else at their old place. Where a series is
-/// missing, or is not what it was, its views stay empty and keep their state. The Error names the file.
+/// missing, or is not what it was, its views stay empty and keep their state. The labels of segments are
+/// read, too (segment_files.h). The Error names the file.
 Result<OpenedSession> openSession(const std::string& path, const Progress& progress = {},
                                   const CancelToken& cancel = {});
 
-/// Writes a session file. The Error names the file.
+/// Writes a session file, and the labels of segments beside it. The Error names the file.
 Status saveSession(const std::string& path, const Workspace& workspace, const std::string& savedAs = {});
 
 }  // namespace volumen

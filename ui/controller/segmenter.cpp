@@ -5,41 +5,38 @@
 
 namespace volumen {
 
-namespace {
-
-std::shared_ptr<const RangeSegment> rangeSegment(const VolumePtr& volume, ValueRange range) {
-  auto made = std::make_shared<RangeSegment>();
-  made->volume = volume;
-  made->range = range;
-  made->map = labelRange(*volume, range);
-  made->statistics = labelStatistics(made->map, *volume);
-  return made;
-}
-
-}  // namespace
-
-Segmenter::Segmenter(Jobs& jobs, QObject* parent) : QObject(parent), segment_(&jobs), save_(&jobs) {
+Segmenter::Segmenter(Jobs& jobs, QObject* parent)
+    : QObject(parent), segment_(&jobs), measure_(&jobs), save_(&jobs) {
   save_.keepToTheEnd();
 }
 
 Segmenter::~Segmenter() { save_.wait(); }
 
-void Segmenter::segment(VolumePtr volume, ValueRange range) {
+void Segmenter::segment(const SeriesKey& series, VolumePtr volume, const Segment& segment) {
   segment_.giveUpAll();
   segment_.run(
-      tr("Segmenting"), [volume, range](const Job&) { return rangeSegment(volume, range); },
-      [this](const std::shared_ptr<const RangeSegment>& made) { Q_EMIT segmented(made); });
+      tr("Segmenting"),
+      [series, volume, segment](const Job&) {
+        return SegmentMap{
+            series, {segment}, std::make_shared<const LabelMap>(labelRange(*volume, *segment.range)), {}};
+      },
+      [this](const SegmentMap& made) { Q_EMIT segmented(made); });
 }
 
-void Segmenter::save(std::shared_ptr<const RangeSegment> segmentation, const SegmentFile& file) {
+void Segmenter::measure(const std::shared_ptr<const LabelMap>& labels, VolumePtr volume) {
+  measure_.giveUpAll();
+  measure_.run(
+      tr("Measuring the segment"), [labels, volume](const Job&) { return labelStatistics(*labels, *volume); },
+      [this, labels](const LabelStatistics& statistics) { Q_EMIT measured(labels, statistics); });
+}
+
+void Segmenter::save(const SegmentMap& map, const QString& path) {
   save_.run(
       tr("Saving the segment"),
-      [segmentation, file](const Job&) {
-        return writeSegNrrd(segmentation->map, file.name.toStdString(), file.colour, file.path.toStdString());
-      },
-      [this, segmentation, path = file.path](const Status& status) {
+      [map, path](const Job&) { return writeSegNrrd(*map.labels, map.segments, path.toStdString()); },
+      [this, map, path](const Status& status) {
         if (status)
-          Q_EMIT saved(path, segmentation);
+          Q_EMIT saved(path, map);
         else
           Q_EMIT failed(QString::fromStdString(status.message()));
       });

@@ -3,11 +3,12 @@
 #include <memory>
 
 #include "ui/document/job_lane.h"
-#include "ui/workspace/range_segment.h"
+#include "ui/workspace/segment_map.h"
+#include "viewer/segment/label_statistics.h"
 
 namespace volumen {
 
-/// Segments and saves; each a job.
+/// Makes segments, measures and saves them; each a job.
 class Segmenter : public QObject {
   Q_OBJECT
  public:
@@ -15,17 +16,23 @@ class Segmenter : public QObject {
   /// Waits for what is being written.
   ~Segmenter() override;
 
-  /// Gives up what was to be segmented before.
-  void segment(VolumePtr volume, ValueRange range);
-  void save(std::shared_ptr<const RangeSegment> segmentation, const SegmentFile& file);
+  /// Labels the voxels of the segment's range in a volume of the series; gives up what was to be segmented
+  /// before. Ends in segmented().
+  void segment(const SeriesKey& series, VolumePtr volume, const Segment& segment);
+  /// Of label 1; gives up what was to be measured before. Ends in measured(). Both have one grid.
+  void measure(const std::shared_ptr<const LabelMap>& labels, VolumePtr volume);
+  /// Ends in saved() or failed(). The map has labels.
+  void save(const SegmentMap& map, const QString& path);
 
  Q_SIGNALS:
-  void segmented(const std::shared_ptr<const volumen::RangeSegment>& segmentation);
-  void saved(const QString& path, const std::shared_ptr<const volumen::RangeSegment>& segmentation);
+  void segmented(const volumen::SegmentMap& map);
+  void measured(const std::shared_ptr<const volumen::LabelMap>& labels,
+                const volumen::LabelStatistics& statistics);
+  void saved(const QString& path, const volumen::SegmentMap& map);
   void failed(const QString& sentence);
 
  private:
-  JobLane segment_, save_;
+  JobLane segment_, measure_, save_;
 };
 
 }  // namespace volumen

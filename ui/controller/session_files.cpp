@@ -37,9 +37,11 @@ void SessionFiles::become(const QString& path, const std::optional<Workspace>& w
 void SessionFiles::set(const QString& path, const std::optional<Workspace>& written) {
   path_ = path;
   written_ = written;
-  if (written) saved_ = saved_ + without(workIn(*written), saved_);
+  if (written) savedApart(workIn(*written));
   tellModified();
 }
+
+void SessionFiles::savedApart(const HandWork& work) { saved_ = saved_ + without(work, saved_); }
 
 void SessionFiles::tellModified() {
   modifiedTold_ = modified();

@@ -24,6 +24,9 @@ class SessionFiles : public QObject {
   /// What was made by hand, on closed series, too, and is in no file that was written or read.
   HandWork unsavedWork() const { return without(workIn(session_.workspace()), saved_); }
 
+  /// This was written into a file of its own.
+  void savedApart(const HandWork& work);
+
   /// Ends in saved() or failed().
   void save(const QString& path);
   /// The workspace was read from this file just now.

@@ -17,6 +17,12 @@ struct TintedRange {
   bool operator==(const TintedRange&) const = default;
 };
 
+/// Which values of which volume.
+struct VolumeRange {
+  VolumePtr volume;
+  ValueRange range;
+};
+
 /// A volume in a flat picture: how its values are shown, and how much is seen of what lies under it.
 struct SliceLayer {
   VolumePtr volume;

@@ -13,10 +13,9 @@ class Segmenting : public Feature {
  public:
   explicit Segmenting(Workbench& bench);
 
-  QString unsavedText() const override { return panel_->unsavedText(); }
-
  private:
   void connectSegmenter();
+  void take(const SegmentMap& made);
 
   Segmenter segmenter_;
   Masker masker_;
@@ -44,13 +43,26 @@ void Segmenting::connectSegmenter() {
   connect(panel_, &SegmentPanel::segmentRequested, &segmenter_, &Segmenter::segment);
   connect(panel_, &SegmentPanel::saveRequested, &segmenter_, &Segmenter::save);
   connect(panel_, &SegmentPanel::previewChanged, &grid_, &ViewGrid::showSegment);
-  connect(&segmenter_, &Segmenter::segmented, panel_, &SegmentPanel::showSegmentation);
-  connect(&segmenter_, &Segmenter::saved, panel_,
-          [this](const QString& path, const std::shared_ptr<const RangeSegment>& segmentation) {
-            tell(tr("Saved %1").arg(path));
-            panel_->noteSaved(segmentation);
-          });
+  connect(panel_, &SegmentPanel::measureRequested, &segmenter_, &Segmenter::measure);
+  connect(&segmenter_, &Segmenter::segmented, this, &Segmenting::take);
+  connect(&segmenter_, &Segmenter::measured, panel_, &SegmentPanel::showMeasured);
+  connect(&segmenter_, &Segmenter::saved, this, [this](const QString& path, const SegmentMap& map) {
+    tell(tr("Saved %1").arg(path));
+    HandWork work;
+    work.segmentMaps = {map};
+    bench_.document.files.savedApart(work);
+  });
   connect(&segmenter_, &Segmenter::failed, this, [this](const QString& sentence) { warn(sentence); });
+}
+
+// One step; nothing where the series was closed meanwhile.
+void Segmenting::take(const SegmentMap& made) {
+  const Workspace& workspace = session_.workspace();
+  if (!workspace.series.contains(made.series)) return;
+  session_.endGesture();
+  session_.change(tr("Segment"), withSegmentMap(workspace, made));
+  session_.endGesture();
+  panel_->showSegment();  // it may be what it was
 }
 
 }  // namespace

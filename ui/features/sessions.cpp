@@ -9,7 +9,6 @@
 #include <algorithm>
 
 #include "ui/controller/autosave.h"
-#include "ui/controller/session_files.h"
 #include "ui/features/feature.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/offer_bar.h"
@@ -57,7 +56,7 @@ class Sessions : public Feature {
   void askBeforeClosing(const QString& lost);
   void saveAndClose();
 
-  SessionFiles files_;
+  SessionFiles& files_;
   Autosave autosave_;
   OfferBar* offer_;
   QMenu* earlierMenu_;
@@ -69,7 +68,7 @@ class Sessions : public Feature {
 
 Sessions::Sessions(Workbench& bench)
     : Feature(bench),
-      files_(session_, bench.document.jobs),
+      files_(bench.document.files),
       autosave_(session_, files_),
       offer_(new OfferBar),
       earlierMenu_(new QMenu(tr("Restore earlier work"), &bench.window)) {

@@ -14,6 +14,7 @@
 #include "ui/controller/opener.h"
 #include "ui/controller/recent_files.h"
 #include "ui/controller/references.h"
+#include "ui/controller/session_files.h"
 #include "ui/controller/slice_service.h"
 #include "ui/document/jobs.h"
 #include "ui/document/open_studies.h"
@@ -58,6 +59,7 @@ struct Document {
   Loader loader;
   Opener opener{session, loader, open};
   AccuracyMeter meter{drawService};
+  SessionFiles files{session, jobs};
   RecentFiles recent;
 };
 

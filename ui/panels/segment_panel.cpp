@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QVBoxLayout>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
@@ -51,8 +52,6 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
       segment_(new QPushButton(tr("Segment"))),
       save_(new QPushButton(tr("Save .seg.nrrd..."))),
       result_(plainLabel()),
-      unsaved_(plainLabel(tr("In no session: save it as a file, or it is lost with another series and with "
-                             "the window."))),
       only_(new QCheckBox(tr("Show only the segment"))) {
   table_->setObjectName(QStringLiteral("segmentTable"));
   spans_->setObjectName(QStringLiteral("segmentSpans"));
@@ -63,21 +62,18 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
   result_->setObjectName(QStringLiteral("segmentResult"));
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  unsaved_->setObjectName(QStringLiteral("segmentUnsaved"));
-  unsaved_->setWordWrap(true);
   makeLayout();
   connect(spans_, &QComboBox::activated, this, &SegmentPanel::takeSpan);
   connect(only_, &QCheckBox::clicked, this, &SegmentPanel::showOnly);
-  connect(only_, &QCheckBox::toggled, this, [this](bool on) {
-    Q_EMIT previewChanged(on ? segmentation_ : std::shared_ptr<const RangeSegment>());
-  });
+  connect(only_, &QCheckBox::toggled, this, &SegmentPanel::tellPreview);
   connect(segment_, &QPushButton::clicked, this, [this] {
     result_->setText(tr("Segmenting..."));
-    Q_EMIT segmentRequested(session_.series()->volume, range());
+    const ShownSeriesPtr& series = session_.series();
+    Q_EMIT segmentRequested(keyOf(series->series), series->volume, segmentOf(range()));
   });
   connect(save_, &QPushButton::clicked, this, &SegmentPanel::askWhere);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series) showSegmentation(nullptr);
+    if (before.series != after.series) showSegment(), tellPreview();
     // Typed numbers stay where only the table goes.
     if (areOneSeries(before.series, after.series) &&
         before.scene.transferFunction == after.scene.transferFunction)
@@ -85,12 +81,16 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
     showSpans();
     only_->setChecked(only_->isChecked() && after.scene.transferFunction == alone_);
   });
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (before.segmentMaps != after.segmentMaps) showSegment();
+          });
   connect(&session_, &Session::preferencesChanged, this,
           [this](const Preferences& before, const Preferences& after) {
             if (before.petUnit != after.petUnit) showInOtherUnit();
           });
   showSpans();
-  showSegmentation(nullptr);
+  showSegment();
 }
 
 // What was typed stays what it is.
@@ -119,7 +119,6 @@ void SegmentPanel::makeLayout() {
   column->addLayout(fields);
   column->addWidget(segment_);
   column->addWidget(result_);
-  column->addWidget(unsaved_);
   column->addLayout(buttons);
   column->addStretch();
 }
@@ -141,6 +140,19 @@ ValueRange SegmentPanel::range() const {
           std::max(low_->value(), high_->value()) / factor_};
 }
 
+// Called by its values, in the colour that the curve gives their middle.
+Segment SegmentPanel::segmentOf(const ValueRange& range) const {
+  const QString name = tr("%1 to %2%3")
+                           .arg(range.low * factor_)
+                           .arg(range.high * factor_)
+                           .arg(unitSuffix(session_.series()->series));
+  const glm::dvec3 colour = curveAt(session_.scene().transferFunction, (range.low + range.high) / 2).colour;
+  return {.number = 1,
+          .label = name.trimmed().toStdString(),
+          .colour = glm::u8vec3(glm::round(255.0 * colour)),
+          .range = range};
+}
+
 void SegmentPanel::showSpans() {
   spans_->clear();
   const ShownSeriesPtr& series = session_.series();
@@ -156,7 +168,7 @@ void SegmentPanel::showSpans() {
     spans_->addItem(spanText({span.low * factor_, span.high * factor_}, valueDecimals(*series) - 1, unit));
   if (spans_->count() == 0) spans_->addItem(tr("Nothing is visible"));
   // Typed numbers stay; where there are none yet, the first span is offered.
-  if (!segmentation_ && !low_->hasFocus() && !high_->hasFocus()) takeSpan(0);
+  if (!labels_ && !low_->hasFocus() && !high_->hasFocus()) takeSpan(0);
 }
 
 void SegmentPanel::takeSpan(int n) {
@@ -169,19 +181,52 @@ void SegmentPanel::takeSpan(int n) {
   high_->setValue(std::floor(steps * factor_ * std::min(spans[n].high, histogram.high)) / steps);
 }
 
-void SegmentPanel::showSegmentation(const std::shared_ptr<const RangeSegment>& segmentation) {
-  if (segmentation && (!session_.series() || segmentation->volume != session_.series()->volume)) return;
-  segmentation_ = segmentation;
-  unsaved_->setVisible(segmentation != nullptr);
-  save_->setEnabled(segmentation != nullptr);
-  only_->setEnabled(segmentation != nullptr);
+// Of the series in view; null: it has none that this panel made, or another grid.
+const SegmentMap* SegmentPanel::map() const {
+  const ShownSeriesPtr& series = session_.series();
+  const SegmentMap* map = series ? segmentMapOf(session_.workspace(), keyOf(series->series)) : nullptr;
+  const bool fits = map && map->labels && map->labels->geometry() == series->volume->geometry();
+  return fits && !map->segments.empty() && map->segments.front().range ? map : nullptr;
+}
+
+// What was cut away since it was made belongs to it still: it is measured in the whole volume.
+void SegmentPanel::showSegment() {
+  const SegmentMap* shown = map();
+  const auto labels = shown ? shown->labels : nullptr;
+  VolumePtr volume;
+  if (shown) {
+    const ShownSeriesPtr whole = session_.seriesWith(shown->series, {});
+    volume = (whole ? whole : session_.series())->volume;
+  }
+  if (labels && labels == labels_ && volume == volume_) return showResult();
+  labels_ = labels;
+  volume_ = volume;
+  statistics_.reset();
+  save_->setEnabled(shown != nullptr);
+  only_->setEnabled(shown != nullptr);
   only_->setChecked(false);
+  showResult();
+  if (shown) Q_EMIT measureRequested(labels_, volume_);
+}
+
+void SegmentPanel::tellPreview() {
+  const SegmentMap* shown = only_->isChecked() ? map() : nullptr;
+  if (shown)
+    Q_EMIT previewChanged(VolumeRange{session_.series()->volume, *shown->segments[0].range});
+  else
+    Q_EMIT previewChanged({});
+}
+
+void SegmentPanel::showMeasured(const std::shared_ptr<const LabelMap>& labels,
+                                const LabelStatistics& statistics) {
+  if (labels != labels_) return;
+  statistics_ = statistics;
   showResult();
 }
 
 void SegmentPanel::showResult() {
-  if (!segmentation_) return result_->clear();
-  const LabelStatistics& s = segmentation_->statistics;
+  if (!statistics_) return result_->clear();
+  const LabelStatistics& s = *statistics_;
   const ValueScale scale = shownScale(session_.series()->series);
   const QString unit = shownText(scale.unit), voxels = QLocale().toString(qlonglong(s.voxels));
   QStringList parts;
@@ -194,18 +239,10 @@ void SegmentPanel::showResult() {
                                  : tr("Not calibrated, no volume in ml: %1").arg(text.trimmed()));
 }
 
-void SegmentPanel::noteSaved(const std::shared_ptr<const RangeSegment>& segmentation) {
-  if (segmentation == segmentation_) unsaved_->hide();
-}
-
-QString SegmentPanel::unsavedText() const {
-  return segmentation_ && !unsaved_->isHidden() ? tr("the segment") : QString();
-}
-
 void SegmentPanel::showOnly(bool on) {
   if (on) {
     before_ = session_.scene().transferFunction;
-    alone_ = restrictedTo(before_, segmentation_->range);
+    alone_ = restrictedTo(before_, *map()->segments[0].range);
   }
   const TransferFunction& curve = on ? alone_ : before_;
   session_.edit(on ? tr("Show only the segment") : tr("Show all values"),
@@ -221,13 +258,7 @@ void SegmentPanel::askWhere() {
   dialog->setDefaultSuffix(QStringLiteral("seg.nrrd"));
   dialog->selectFile(QStringLiteral("segmentation.seg.nrrd"));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    const ValueRange r = segmentation_->range;
-    const QString name = tr("%1 to %2%3")
-                             .arg(r.low * factor_)
-                             .arg(r.high * factor_)
-                             .arg(unitSuffix(session_.series()->series));
-    const glm::dvec3 colour = curveAt(session_.scene().transferFunction, (r.low + r.high) / 2).colour;
-    Q_EMIT saveRequested(segmentation_, {path, name.trimmed(), colour});
+    if (const SegmentMap* shown = map()) Q_EMIT saveRequested(*shown, path);
   });
   dialog->open();
 }

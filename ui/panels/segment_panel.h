@@ -6,41 +6,45 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/workspace/range_segment.h"
+#include "ui/controller/slice_image.h"
 #include "ui/workspace/session.h"
+#include "viewer/segment/label_statistics.h"
 
 namespace volumen {
 
-/// RangeSegment what is visible: the value range of a span of the curve, or a typed one, becomes a label map
-/// whose voxels and millilitres are shown, that can be looked at alone, and saved.
+/// Segments what is visible: the value range of a span of the curve, or a typed one, becomes a segment of the
+/// workspace whose voxels and millilitres are shown, that can be looked at alone, and saved.
 class SegmentPanel : public QWidget {
   Q_OBJECT
  public:
   explicit SegmentPanel(Session& session, QWidget* parent = nullptr);
 
-  /// Shows what a request came to; null: nothing yet.
-  void showSegmentation(const std::shared_ptr<const RangeSegment>& segmentation);
-  /// It is in a file now.
-  void noteSaved(const std::shared_ptr<const RangeSegment>& segmentation);
-  /// "the segment" that is in no file; empty: there is none.
-  QString unsavedText() const;
+  /// Shows the segment that the series in view has.
+  void showSegment();
+  /// What measureRequested() came to.
+  void showMeasured(const std::shared_ptr<const LabelMap>& labels, const LabelStatistics& statistics);
   /// Puts a switchable action on top.
   void setTableAction(QAction* action);
 
  Q_SIGNALS:
-  void segmentRequested(const volumen::VolumePtr& volume, const volumen::ValueRange& range);
-  void saveRequested(const std::shared_ptr<const volumen::RangeSegment>& segmentation,
-                     const volumen::SegmentFile& file);
-  /// The segment that is looked at alone; null: none is.
-  void previewChanged(const std::shared_ptr<const volumen::RangeSegment>& segmentation);
+  void segmentRequested(const volumen::SeriesKey& series, const volumen::VolumePtr& volume,
+                        const volumen::Segment& segment);
+  void measureRequested(const std::shared_ptr<const volumen::LabelMap>& labels,
+                        const volumen::VolumePtr& volume);
+  void saveRequested(const volumen::SegmentMap& map, const QString& path);
+  /// What of which volume is looked at alone; none: all is shown.
+  void previewChanged(const std::optional<volumen::VolumeRange>& segment);
 
  private:
   void makeLayout();
   void showSpans();
   void showInOtherUnit();
+  void tellPreview();
   void showResult();
   void takeSpan(int n);
   ValueRange range() const;
+  Segment segmentOf(const ValueRange& range) const;
+  const SegmentMap* map() const;
   void showOnly(bool on);
   void askWhere();
 
@@ -49,10 +53,12 @@ class SegmentPanel : public QWidget {
   QComboBox* spans_;
   QDoubleSpinBox *low_, *high_;
   QPushButton *segment_, *save_;
-  QLabel *result_, *unsaved_;
+  QLabel* result_;
   QCheckBox* only_;
-  double factor_ = 1;  // from values to the numbers in the fields
-  std::shared_ptr<const RangeSegment> segmentation_;
+  double factor_ = 1;                       // from values to the numbers in the fields
+  std::shared_ptr<const LabelMap> labels_;  // that are shown
+  VolumePtr volume_;                        // that they are of
+  std::optional<LabelStatistics> statistics_;
   TransferFunction before_, alone_;  // the curve without and with "show only"
 };
 

@@ -180,7 +180,7 @@ void SliceView::setTool(const Tool& tool) {
   setCursor(tool.cursor);
 }
 
-void SliceView::showSegment(const std::shared_ptr<const RangeSegment>& segment) {
+void SliceView::showSegment(const std::optional<VolumeRange>& segment) {
   segment_ = segment;
   askForPicture();
 }

@@ -13,7 +13,6 @@
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/frame_look.h"
 #include "ui/workspace/key_images.h"
-#include "ui/workspace/range_segment.h"
 
 namespace volumen {
 
@@ -39,7 +38,7 @@ class SliceView : public View {
   std::optional<SlicePlane> plane() const;
   void setTool(const Tool& tool);
   /// Tints a segment in slices of its volume; null: none.
-  void showSegment(const std::shared_ptr<const RangeSegment>& segment);
+  void showSegment(const std::optional<VolumeRange>& segment);
   /// Whether the clip box of the 3D scene is seen where it is the whole volume, too.
   void setClipShown(bool shown);
   /// So many slices down the patient.
@@ -155,7 +154,7 @@ class SliceView : public View {
   int stepsAtPress_ = 0;  // of the undo stack
   QPointF pressedAt_;
   bool clipShown_ = false;
-  std::shared_ptr<const RangeSegment> segment_;  // that is looked at alone
+  std::optional<VolumeRange> segment_;  // that is looked at alone
   QTimer wheelEnd_;
   double wheelRest_ = 0;  // notches not yet scrolled
 };

@@ -123,7 +123,7 @@ void ViewGrid::setClipShown(bool shown) {
   for (const auto& [id, view] : flats_) view->setClipShown(shown);
 }
 
-void ViewGrid::showSegment(const std::shared_ptr<const RangeSegment>& segment) {
+void ViewGrid::showSegment(const std::optional<VolumeRange>& segment) {
   segment_ = segment;
   for (const auto& [id, view] : flats_) view->showSegment(segment);
 }

@@ -35,7 +35,7 @@ class ViewGrid : public QWidget {
   /// Whether flat views show the clip box of the 3D scene where it is the whole volume, too.
   void setClipShown(bool shown);
   /// Tints a segment in slices of its volume; null: none.
-  void showSegment(const std::shared_ptr<const RangeSegment>& segment);
+  void showSegment(const std::optional<VolumeRange>& segment);
   /// A series that views wait for will not come.
   void giveUpWaiting(const SeriesKey& series);
   /// The one before the last that measures.
@@ -69,7 +69,7 @@ class ViewGrid : public QWidget {
   std::map<ViewId, VolumeView*> volumes_;
   std::map<ViewId, SliceView*> flats_;
   bool clipShown_ = false;
-  std::shared_ptr<const RangeSegment> segment_;
+  std::optional<VolumeRange> segment_;
   std::optional<ViewId> alone_;
 };
 

@@ -24,9 +24,11 @@ HandWork workIn(const Workspace& workspace) {
   HandWork work;
   append(work.measurements, workspace.measurements);
   append(work.keyImages, workspace.keyImages);
+  append(work.segmentMaps, workspace.segmentMaps);
   for (const ClosedSeries& closed : workspace.closed) {
     append(work.measurements, closed.measurements);
     append(work.keyImages, closed.keyImages);
+    append(work.segmentMaps, closed.segmentMaps);
   }
   for (const auto& [key, state] : workspace.series)
     if (!state.mask.lassos.empty()) work.cuts.emplace_back(key, state.mask);
@@ -42,6 +44,7 @@ HandWork without(HandWork work, const HandWork& saved) {
   };
   std::erase_if(work.keyImages, isIn(saved.keyImages));
   std::erase_if(work.cuts, isIn(saved.cuts));
+  std::erase_if(work.segmentMaps, isIn(saved.segmentMaps));
   return work;
 }
 
@@ -49,6 +52,7 @@ HandWork operator+(HandWork a, const HandWork& b) {
   append(a.measurements, b.measurements);
   append(a.keyImages, b.keyImages);
   append(a.cuts, b.cuts);
+  append(a.segmentMaps, b.segmentMaps);
   return a;
 }
 
@@ -59,6 +63,9 @@ QString workText(const HandWork& work) {
   if (measurements > 0)
     parts << (measurements == 1 ? tr("1 measurement") : tr("%1 measurements").arg(measurements));
   if (marks > 0) parts << (marks == 1 ? tr("1 key image") : tr("%1 key images").arg(marks));
+  std::size_t segments = 0;
+  for (const SegmentMap& map : work.segmentMaps) segments += map.segments.size();
+  if (segments > 0) parts << (segments == 1 ? tr("1 segment") : tr("%1 segments").arg(segments));
   if (cuts > 0) parts << (cuts == 1 ? tr("the cuts in 1 series") : tr("the cuts in %1 series").arg(cuts));
   return parts.join(QStringLiteral(", "));
 }

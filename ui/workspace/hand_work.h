@@ -13,8 +13,11 @@ struct HandWork {
   std::vector<Measurement> measurements;
   std::vector<KeyImage> keyImages;
   std::vector<std::pair<SeriesKey, Mask>> cuts;
+  std::vector<SegmentMap> segmentMaps;
 
-  bool empty() const { return measurements.empty() && keyImages.empty() && cuts.empty(); }
+  bool empty() const {
+    return measurements.empty() && keyImages.empty() && cuts.empty() && segmentMaps.empty();
+  }
 };
 
 HandWork workIn(const Workspace& workspace);

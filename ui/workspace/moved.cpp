@@ -44,6 +44,7 @@ Workspace withSeriesMoved(Workspace w, const SeriesKey& from, const Series& to) 
   const auto rename = [&](auto& made) { made.series = key; };
   w.measurements.editIf(isOfIt, rename);
   w.keyImages.editIf(isOfIt, rename);
+  w.segmentMaps.editIf(isOfIt, rename);
   return w;
 }
 

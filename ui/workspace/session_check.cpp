@@ -5,6 +5,23 @@
 
 namespace volumen {
 
+namespace {
+
+void checkSegments(JsonFields& json, const Workspace& workspace) {
+  for (std::size_t n = 0; n < workspace.segmentMaps.size(); ++n) {
+    const SegmentMap& map = workspace.segmentMaps[n];
+    const std::string path = json.pathOf("segmentMaps", n);
+    if (!workspace.series.contains(map.series))
+      json.refuse(path + ".series", "must be the number of a series");
+    std::set<int> numbers;
+    for (const Segment& segment : map.segments)
+      if (!numbers.insert(segment.number).second)
+        json.refuse(path + ".segments", "must have numbers of which none is there twice");
+  }
+}
+
+}  // namespace
+
 void checkViews(JsonFields& json, const Workspace& workspace) {
   if (workspace.views.size() != std::size_t(viewCount))
     return json.refuse(
@@ -29,6 +46,7 @@ void checkViews(JsonFields& json, const Workspace& workspace) {
   for (std::size_t n = 0; n < workspace.keyImages.size(); ++n)
     if (!workspace.series.contains(workspace.keyImages[n].series))
       json.refuse(json.pathOf("keyImages", n) + ".series", "must be the number of a series");
+  checkSegments(json, workspace);
   const std::vector<ViewId> shown = viewsOnScreen(workspace);
   if (std::ranges::find(shown, workspace.focus) == shown.end())
     json.refuse("focus", "must be a view of the layout");

@@ -20,6 +20,10 @@ constexpr std::size_t mostMiB = 8;
 constexpr Limits lengths{-1e9, 1e9};   // mm
 constexpr Limits values{-1e33, 1e33};  // volumes hold up to 1e30
 
+bool isChecksum(const std::string& text) {
+  return text.size() == 40 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
 }  // namespace
 
 // One list a struct, for writing and reading (session_fields.h).
@@ -253,6 +257,41 @@ void fields(Fields& f, Measurement& m) {
   if (placed) m.textOffset = offset;
 }
 
+template <class Fields>
+void fields(Fields& f, ValueRange& range) {
+  f("low", range.low, values);
+  f("high", range.high, values);
+}
+
+template <class Fields>
+void fields(Fields& f, Segment& s) {
+  bool coloured = s.colour.has_value();
+  glm::dvec3 colour(s.colour.value_or(glm::u8vec3(0)));
+  f("number", s.number, {1, 255});
+  f("label", s.label);
+  f("description", s.description);
+  f("category", s.category);
+  f("type", s.type);
+  f("algorithm", s.algorithm);
+  f("trackingId", s.trackingId);
+  f("coloured", coloured);
+  f("colour", colour, {0, 255});
+  f("range", s.range);
+  if (coloured) s.colour = glm::u8vec3(colour);
+}
+
+// The labels themselves lie in a file that their checksum names.
+template <class Fields>
+void fields(Fields& f, SegmentMap& map) {
+  SavedLabels saved = savedLabelsOf(map);
+  f("series", map.series);
+  f("labels", saved.checksum);
+  f("geometry", saved.geometry);
+  f("segments", map.segments);
+  f.require("labels", isChecksum(saved.checksum), "must be 40 hexadecimal digits");
+  if (!map.labels) map.missing = saved;
+}
+
 // All but the series, whose list comes first.
 template <class Fields>
 void fields(Fields& f, Workspace& w) {
@@ -296,6 +335,7 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
       return Error{json.pathOf("series", numbers.keys.size() - 1) + " is there twice."};
   }
   fields(read, session.workspace);
+  read("segmentMaps", session.workspace.segmentMaps);
   read("savedAs", session.savedAs);
   std::vector<SavedReference> references;
   read("references", references);
@@ -326,6 +366,7 @@ Result<std::string> sessionToJson(const Workspace& workspace, const std::string&
   std::vector<SavedReference> references;
   for (const UsedReference& used : referencesOf(copy))
     references.push_back({used.key, relativeTo(folder, used.key.path), used.kind});
+  if (!copy.segmentMaps.empty()) write("segmentMaps", copy.segmentMaps);
   if (!references.empty()) write("references", references);
   if (!savedAs.empty()) write("savedAs", of);
   if (!problem.empty()) return Error{problem};

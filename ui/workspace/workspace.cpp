@@ -71,6 +71,10 @@ void takeBack(Workspace& workspace, const Series& series) {
     image.series = keyOf(series);
     workspace.keyImages.push_back(std::move(image));
   }
+  for (SegmentMap map : closed.segmentMaps) {
+    map.series = keyOf(series);
+    workspace.segmentMaps.push_back(std::move(map));
+  }
   workspace.closed.erase(found);
 }
 
@@ -259,14 +263,25 @@ Workspace without(Workspace workspace, const SeriesKey& key) {
   };
   move(workspace.measurements, closed.measurements);
   move(workspace.keyImages, closed.keyImages);
+  move(workspace.segmentMaps, closed.segmentMaps);
   if (std::ranges::find(closed.measurements, workspace.selected, &Measurement::id) !=
       closed.measurements.end())
     workspace.selected = 0;
-  if (closed.series && (!closed.measurements.empty() || !closed.keyImages.empty()))
-    workspace.closed.push_back(std::move(closed));
+  if (closed.series && !closed.holdsNothing()) workspace.closed.push_back(std::move(closed));
   for (ViewId id = 0; id < viewCount; ++id) leaveSeries(workspace, id, key);
   workspace.series.erase(key);
   return workspace;
+}
+
+Workspace withSegmentMap(Workspace workspace, const SegmentMap& map) {
+  workspace.segmentMaps.eraseIf([&](const SegmentMap& other) { return other.series == map.series; });
+  workspace.segmentMaps.push_back(map);
+  return workspace;
+}
+
+const SegmentMap* segmentMapOf(const Workspace& workspace, const SeriesKey& series) {
+  const auto found = std::ranges::find(workspace.segmentMaps, series, &SegmentMap::series);
+  return found == workspace.segmentMaps.end() ? nullptr : &*found;
 }
 
 Workspace withClosed(Workspace workspace) {

@@ -15,6 +15,7 @@
 #include "ui/workspace/measurement.h"
 #include "ui/workspace/quality_goal.h"
 #include "ui/workspace/regions_look.h"
+#include "ui/workspace/segment_map.h"
 #include "ui/workspace/shared_list.h"
 #include "ui/workspace/shared_map.h"
 #include "ui/workspace/view_id.h"
@@ -163,9 +164,12 @@ struct ClosedSeries {
   std::shared_ptr<const Series> series;
   SharedList<Measurement> measurements;
   SharedList<KeyImage> keyImages;
+  SharedList<SegmentMap> segmentMaps;
   bool operator==(const ClosedSeries& o) const {
-    return sameValue(series, o.series) && measurements == o.measurements && keyImages == o.keyImages;
+    return sameValue(series, o.series) && measurements == o.measurements && keyImages == o.keyImages &&
+           segmentMaps == o.segmentMaps;
   }
+  bool holdsNothing() const { return measurements.empty() && keyImages.empty() && segmentMaps.empty(); }
 };
 
 /// What of all that was opened is not in the list.
@@ -192,6 +196,7 @@ struct Workspace {
   bool measurementsShown = true;                 ///< in flat views
   int selected = 0;                              ///< the measurement with handles; 0: none
   SharedList<KeyImage> keyImages;                ///< in the order in which they were marked
+  SharedList<SegmentMap> segmentMaps;            ///< one a series or more
   SharedMap<ReferenceKey, RegionsLook> regions;  ///< structure sets and segmentations over flat views
   SharedList<ClosedSeries> closed;               ///< in no session file
   Shared<Unlisted> unlisted;                     ///< in no session file
@@ -260,6 +265,10 @@ Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneL
 bool canChangeKind(ViewId view);
 /// Without this series: views that show it are empty, and what was measured on it comes back with it.
 Workspace without(Workspace workspace, const SeriesKey& key);
+/// With these segments in place of those that their series has.
+Workspace withSegmentMap(Workspace workspace, const SegmentMap& map);
+/// The segments of a series; null: none.
+const SegmentMap* segmentMapOf(const Workspace& workspace, const SeriesKey& series);
 /// With the closed series that something was made on, in no view.
 Workspace withClosed(Workspace workspace);
 /// Another workspace in place of this one: what was made on series that it does not know comes back with

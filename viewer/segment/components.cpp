@@ -14,7 +14,7 @@ struct Run {
 
 class Runs {
  public:
-  explicit Runs(const LabelMap& map) : size_(map.geometry.size) {
+  explicit Runs(const DenseLabels& map) : size_(map.geometry.size) {
     const std::size_t rows = std::size_t(size_.y) * size_.z;
     firstOfRow_.reserve(rows + 1);
     for (std::size_t row = 0; row < rows; ++row) addRow(map.labels.data() + row * size_.x);
@@ -79,7 +79,7 @@ class Runs {
 
 }  // namespace
 
-LabelMap largestComponent(LabelMap map) {
+DenseLabels largestComponent(DenseLabels map) {
   Runs runs(map);
   runs.write(runs.largest(), map.labels);
   return map;

@@ -2,68 +2,145 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 #include <glm/common.hpp>
 
+#include "viewer/volume/buffer.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
 
 namespace {
 
-struct Sums {
-  std::int64_t voxels = 0;
-  double sum = 0, min = 0, max = 0;
+constexpr int brickEdge = LabelMap::edge;
 
-  void add(double value) {
-    min = voxels ? std::min(min, value) : value;
-    max = voxels ? std::max(max, value) : value;
-    sum += value;
-    ++voxels;
-  }
-  void add(const Sums& other) {
-    if (!other.voxels) return;
-    min = voxels ? std::min(min, other.min) : other.min;
-    max = voxels ? std::max(max, other.max) : other.max;
-    sum += other.sum;
-    voxels += other.voxels;
-  }
-};
+std::size_t placeIn(glm::ivec3 inBrick) {
+  return std::size_t(inBrick.x + brickEdge * (inBrick.y + brickEdge * inBrick.z));
+}
+
+// One label for all where all that lies in the grid has it.
+LabelMap::Brick packed(std::shared_ptr<const LabelMap::Voxels> voxels, glm::ivec3 size) {
+  const std::uint8_t first = (*voxels)[0];
+  for (int k = 0; k < size.z; ++k)
+    for (int j = 0; j < size.y; ++j) {
+      const auto row = voxels->begin() + std::ptrdiff_t(placeIn({0, j, k}));
+      if (std::any_of(row, row + size.x, [&](std::uint8_t label) { return label != first; }))
+        return {0, std::move(voxels)};
+    }
+  return {first, nullptr};
+}
+
+glm::ivec3 cornerOf(std::size_t brick, glm::ivec3 bricks) {
+  const int n = int(brick);
+  return brickEdge * glm::ivec3(n % bricks.x, n / bricks.x % bricks.y, n / bricks.x / bricks.y);
+}
 
 }  // namespace
 
-LabelStatistics labelStatistics(const LabelMap& map, const Volume& volume, std::uint8_t label) {
-  assert(map.geometry == volume.geometry());
-  // Sums a slice, added in order: the same digits however the slices were shared out.
-  const std::size_t slice = std::size_t(map.geometry.size.x) * std::size_t(map.geometry.size.y);
-  std::vector<Sums> slices(std::size_t(map.geometry.size.z));
-  parallelFor(map.geometry.size.z, 0, [&](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t k = begin; k < end; ++k)
-      for (std::size_t n = std::size_t(k) * slice; n < (std::size_t(k) + 1) * slice; ++n)
-        if (map.labels[n] == label) slices[std::size_t(k)].add(double(volume.valueAt(n)));
-  });
-  Sums all;
-  for (const Sums& s : slices) all.add(s);
-  LabelStatistics out{all.voxels, {}, all.voxels ? all.sum / double(all.voxels) : 0, all.min, all.max};
-  if (map.geometry.calibrated) out.millilitres = double(all.voxels) * map.geometry.voxelVolume() / 1000;
-  return out;
+bool LabelMap::Brick::operator==(const Brick& other) const {
+  if (voxels && other.voxels) return voxels == other.voxels || *voxels == *other.voxels;
+  return !voxels && !other.voxels && label == other.label;
 }
 
-std::optional<VoxelBox> labelBox(const LabelMap& map, std::uint8_t label) {
-  const glm::ivec3 size = map.geometry.size;
-  std::optional<VoxelBox> box;
-  for (int k = 0; k < size.z; ++k)
-    for (int j = 0; j < size.y; ++j) {
-      const auto row = map.labels.begin() + (std::ptrdiff_t(k) * size.y + j) * size.x;
-      const auto first = std::find(row, row + size.x, label);
-      if (first == row + size.x) continue;
-      int last = size.x - 1;
-      while (row[last] != label) --last;
-      const VoxelBox here{{int(first - row), j, k}, {last, j, k}};
-      if (!box) box = here;
-      box->low = glm::min(box->low, here.low);
-      box->high = glm::max(box->high, here.high);
+LabelMap::LabelMap(const VoxelGeometry& geometry)
+    : geometry_(geometry),
+      bricks_((geometry.size + brickEdge - 1) / brickEdge),
+      held_(std::size_t(bricks_.x) * bricks_.y * bricks_.z) {}
+
+LabelMap::LabelMap(const DenseLabels& dense) : LabelMap(dense.geometry) {
+  const glm::ivec3 grid = geometry_.size;
+  parallelFor(std::int64_t(held_.size()), 0, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t n = begin; n < end; ++n) {
+      const glm::ivec3 corner = cornerOf(std::size_t(n), bricks_), size = sizeOf(std::size_t(n));
+      auto voxels = std::make_shared<Voxels>();
+      for (int k = 0; k < size.z; ++k)
+        for (int j = 0; j < size.y; ++j) {
+          const std::size_t row = std::size_t(corner.z + k) * grid.y + corner.y + j;
+          std::memcpy(voxels->data() + placeIn({0, j, k}), dense.labels.data() + row * grid.x + corner.x,
+                      std::size_t(size.x));
+        }
+      held_[std::size_t(n)] = packed(std::move(voxels), size);
     }
-  return box;
+  });
+}
+
+std::size_t LabelMap::brickOf(glm::ivec3 voxel) const {
+  const glm::ivec3 b = voxel / brickEdge;
+  return std::size_t(b.x) + std::size_t(bricks_.x) * (std::size_t(b.y) + std::size_t(bricks_.y) * b.z);
+}
+
+glm::ivec3 LabelMap::sizeOf(std::size_t brick) const {
+  return glm::min(glm::ivec3(brickEdge), geometry_.size - cornerOf(brick, bricks_));
+}
+
+std::uint8_t LabelMap::at(glm::ivec3 voxel) const {
+  const Brick& brick = held_[brickOf(voxel)];
+  return brick.voxels ? (*brick.voxels)[placeIn(voxel % brickEdge)] : brick.label;
+}
+
+void LabelMap::readRow(int j, int k, std::uint8_t* labels) const {
+  for (int i = 0; i < geometry_.size.x; i += brickEdge) {
+    const Brick& brick = held_[brickOf({i, j, k})];
+    const auto count = std::size_t(std::min(brickEdge, geometry_.size.x - i));
+    if (brick.voxels)
+      std::memcpy(labels + i, brick.voxels->data() + placeIn({0, j % brickEdge, k % brickEdge}), count);
+    else
+      std::memset(labels + i, brick.label, count);
+  }
+}
+
+DenseLabels LabelMap::dense() const {
+  const glm::ivec3 size = geometry_.size;
+  DenseLabels all{geometry_, zeros<std::uint8_t>(std::size_t(geometry_.voxelCount()))};
+  parallelFor(std::int64_t(size.y) * size.z, 0, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t row = begin; row < end; ++row)
+      readRow(int(row % size.y), int(row / size.y), all.labels.data() + row * size.x);
+  });
+  return all;
+}
+
+std::size_t LabelMap::bytes() const {
+  return sizeof(Voxels) *
+         std::size_t(std::ranges::count_if(held_, [](const Brick& b) { return !!b.voxels; }));
+}
+
+bool LabelMap::operator==(const LabelMap& other) const {
+  return geometry_ == other.geometry_ && held_ == other.held_;
+}
+
+std::uint8_t LabelEdit::at(glm::ivec3 voxel) const {
+  const auto& written = written_[map_.brickOf(voxel)];
+  return written ? (*written)[placeIn(voxel % brickEdge)] : map_.at(voxel);
+}
+
+void LabelEdit::set(glm::ivec3 voxel, std::uint8_t label) {
+  if (at(voxel) == label) return;
+  const std::size_t n = map_.brickOf(voxel);
+  auto& written = written_[n];
+  if (!written) {
+    const LabelMap::Brick& before = map_.held_[n];
+    written = std::make_unique<LabelMap::Voxels>();
+    if (before.voxels)
+      *written = *before.voxels;
+    else if (before.label) {
+      const glm::ivec3 size = map_.sizeOf(n);
+      for (int k = 0; k < size.z; ++k)
+        for (int j = 0; j < size.y; ++j)
+          std::memset(written->data() + placeIn({0, j, k}), before.label, std::size_t(size.x));
+    }
+  }
+  (*written)[placeIn(voxel % brickEdge)] = label;
+}
+
+LabelMap LabelEdit::done() const {
+  LabelMap made = map_;
+  for (std::size_t n = 0; n < written_.size(); ++n) {
+    if (!written_[n]) continue;
+    auto brick = packed(std::make_shared<const LabelMap::Voxels>(*written_[n]), map_.sizeOf(n));
+    // What was set back to what it was is shared as before.
+    if (brick != map_.held_[n]) made.held_[n] = std::move(brick);
+  }
+  return made;
 }
 
 }  // namespace volumen

@@ -82,12 +82,12 @@ void cut(std::vector<T>& values, T empty, const VoxelGeometry& geometry, const L
   });
 }
 
-LabelMap beforeLassos(const Volume& volume, const Mask& mask, const CancelToken& cancel) {
+DenseLabels beforeLassos(const Volume& volume, const Mask& mask, const CancelToken& cancel) {
   if (mask.tableRemoved) return patientMask(volume, cancel);
   return {volume.geometry(), std::vector<std::uint8_t>(std::size_t(volume.geometry().voxelCount()), 1)};
 }
 
-void cutAll(LabelMap& kept, const Mask& mask, const CancelToken& cancel) {
+void cutAll(DenseLabels& kept, const Mask& mask, const CancelToken& cancel) {
   for (const auto& lasso : mask.lassos)
     if (!cancel.cancelled()) cut(kept.labels, std::uint8_t(0), kept.geometry, *lasso, cancel);
 }
@@ -113,7 +113,7 @@ VoxelValues copyOf(const VoxelValues& stored) {
       stored);
 }
 
-VoxelValues maskedValues(const Volume& volume, const LabelMap& kept) {
+VoxelValues maskedValues(const Volume& volume, const DenseLabels& kept) {
   VoxelValues copy = copyOf(volume.stored());
   std::visit(
       [&](auto& values) {
@@ -139,15 +139,15 @@ bool Mask::operator==(const Mask& other) const {
                     [](const auto& a, const auto& b) { return a == b || *a == *b; });
 }
 
-LabelMap keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& cancel) {
-  LabelMap kept = beforeLassos(volume, mask, cancel);
+DenseLabels keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& cancel) {
+  DenseLabels kept = beforeLassos(volume, mask, cancel);
   cutAll(kept, mask, cancel);
   return kept;
 }
 
 Result<VolumePtr> masked(const Volume& volume, const Mask& mask, const CancelToken& cancel) try {
-  LabelMap kept = beforeLassos(volume, mask, cancel);
-  if (mask.tableRemoved && !cancel.cancelled() && !labelBox(kept))
+  DenseLabels kept = beforeLassos(volume, mask, cancel);
+  if (mask.tableRemoved && !cancel.cancelled() && std::ranges::find(kept.labels, 1) == kept.labels.end())
     return Error{"The table cannot be removed: nothing in this series is above -300 HU."};
   cutAll(kept, mask, cancel);
   if (cancel.cancelled()) return cancelled();

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/segment/label_map.h"
+#include "viewer/segment/dense_labels.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
@@ -37,7 +37,7 @@ struct Mask {
 
 /// Label 1: what stays. A voxel is cut away where its centre is; where an outline crosses itself, all that it
 /// goes around is inside (non-zero winding number). Of a mask without its table values must be HU.
-LabelMap keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& cancel = {});
+DenseLabels keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& cancel = {});
 
 /// A copy of a volume with air (-1000, or the nearest value that there is) where the mask takes away, which
 /// its attributes say. The Error: it was cancelled, the table was to go and there is no patient, or too

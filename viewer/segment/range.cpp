@@ -5,9 +5,9 @@
 
 namespace volumen {
 
-LabelMap labelRange(const Volume& volume, ValueRange range) {
+DenseLabels labelRange(const Volume& volume, ValueRange range) {
   const std::optional<ValueRange>& padding = volume.attributes().padding;
-  LabelMap map{volume.geometry(), zeros<std::uint8_t>(std::size_t(volume.geometry().voxelCount()))};
+  DenseLabels map{volume.geometry(), zeros<std::uint8_t>(std::size_t(volume.geometry().voxelCount()))};
   std::visit(
       [&](const auto& stored) {
         parallelFor(std::int64_t(stored.size()), 0, [&](std::int64_t begin, std::int64_t end) {

@@ -93,8 +93,8 @@ std::vector<glm::dvec3> SegmentPlaces::corners() const {
   return corners;
 }
 
-LabelMap labelMapOf(const Segmentation& s, std::size_t segment, const VoxelGeometry& grid) {
-  LabelMap map{grid, std::vector<std::uint8_t>(std::size_t(grid.voxelCount()))};
+DenseLabels labelsOf(const Segmentation& s, std::size_t segment, const VoxelGeometry& grid) {
+  DenseLabels map{grid, std::vector<std::uint8_t>(std::size_t(grid.voxelCount()))};
   const SegmentPlaces places(s, segment);
   const glm::dvec3 step = grid.patientFromVoxelStep[0];
   std::size_t n = 0;

@@ -3,23 +3,13 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "viewer/segment/label_map.h"
+#include "viewer/segment/dense_labels.h"
+#include "viewer/segment/segment.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {
-
-/// One segment of a segmentation.
-struct Segment {
-  int number = 0;                  ///< as the file counts: from 1
-  std::string label, description;  ///< UTF-8
-  std::string category, type;      ///< meanings of their codes: "Tissue", "Bone"
-  std::string algorithm, trackingId;
-  std::optional<glm::u8vec3> colour;  ///< recommended, sRGB
-};
 
 /// The pixels of one segment in one plane.
 struct SegmentFrame {
@@ -76,6 +66,6 @@ class SegmentPlaces {
 
 /// A segment on a grid: 1 at voxels whose centre it holds. Each segment gets a map of its own, for they may
 /// overlap.
-LabelMap labelMapOf(const Segmentation& segmentation, std::size_t segment, const VoxelGeometry& grid);
+DenseLabels labelsOf(const Segmentation& segmentation, std::size_t segment, const VoxelGeometry& grid);
 
 }  // namespace volumen

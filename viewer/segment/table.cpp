@@ -26,7 +26,7 @@ int axisAlongPatient(const VoxelGeometry& geometry) {
 }
 
 // Labels what each slice across the axis encloses: what cannot be reached from the slice's rim.
-void fillSlices(LabelMap& map, int axis, const CancelToken& cancel) {
+void fillSlices(DenseLabels& map, int axis, const CancelToken& cancel) {
   const glm::ivec3 size = map.geometry.size;
   const glm::i64vec3 strides(1, size.x, std::int64_t(size.x) * size.y);
   const int a = axis == 0 ? 1 : 0, b = axis == 2 ? 1 : 2;
@@ -56,7 +56,7 @@ void fillSlices(LabelMap& map, int axis, const CancelToken& cancel) {
 }
 
 // Labels all that lies within `reach` voxels of a label along one axis.
-void growAlong(LabelMap& map, int axis, int reach) {
+void growAlong(DenseLabels& map, int axis, int reach) {
   const glm::ivec3 size = map.geometry.size;
   const std::vector<std::uint8_t> before = map.labels;
   const std::int64_t row = axis == 0 ? 1 : axis == 1 ? size.x : std::int64_t(size.x) * size.y;
@@ -74,9 +74,9 @@ void growAlong(LabelMap& map, int axis, int reach) {
 
 }  // namespace
 
-LabelMap patientMask(const Volume& volume, const CancelToken& cancel) {
-  LabelMap map = largestComponent(labelRange(volume, {notAirHu, std::numeric_limits<double>::infinity()}));
-  if (cancel.cancelled() || !labelBox(map)) return map;
+DenseLabels patientMask(const Volume& volume, const CancelToken& cancel) {
+  DenseLabels map = largestComponent(labelRange(volume, {notAirHu, std::numeric_limits<double>::infinity()}));
+  if (cancel.cancelled() || std::ranges::find(map.labels, 1) == map.labels.end()) return map;
   fillSlices(map, axisAlongPatient(map.geometry), cancel);
   const glm::dvec3 spacing = map.geometry.spacing();
   for (int axis = 0; axis < 3 && !cancel.cancelled(); ++axis)

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "viewer/segment/label_map.h"
+#include "viewer/segment/dense_labels.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
@@ -13,6 +13,6 @@ inline constexpr double notAirHu = -300;
 /// Label 1: the patient in a CT, without the table. The largest connected part of what is above notAirHu,
 /// with all that it encloses in its slice (lungs, bowel) and grown by about 3 mm, so that the skin keeps its
 /// edge. Empty where nothing is above notAirHu. Values must be HU.
-LabelMap patientMask(const Volume& volume, const CancelToken& cancel = {});
+DenseLabels patientMask(const Volume& volume, const CancelToken& cancel = {});
 
 }  // namespace volumen

@@ -8,6 +8,7 @@
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
+#include "viewer/segment/label_statistics.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -160,9 +161,9 @@ void TestFieldCases::objectsLieOnTheirPictures() {
   QCOMPARE(study.volumes[0].acquired.size, glm::ivec3(64, 64, 8));
   const auto segmentation = loadSegmentation(folder + "/seg.dcm");
   QVERIFY2(segmentation.ok(), segmentation.ok() ? "" : segmentation.message().c_str());
-  const LabelMap block = labelMapOf(*segmentation, 0, study.volumes[0].acquired);
+  const DenseLabels block = labelsOf(*segmentation, 0, study.volumes[0].acquired);
   QCOMPARE(std::ranges::count(block.labels, std::uint8_t(1)), 600);
-  const auto box = labelBox(block);
+  const auto box = labelBox(LabelMap(block));
   QVERIFY(box.has_value());
   compareVectors(block.geometry.patientFromVoxel(glm::dvec3(box->low)), {8, -22, 6});
   compareVectors(block.geometry.patientFromVoxel(glm::dvec3(box->high)), {22, -13, 15});

@@ -70,7 +70,7 @@ bool survives(const std::string& path) {
       VoxelGeometry grid;
       grid.size = {16, 16, 4};
       for (std::size_t n = 0; n < segmentation->segments.size(); ++n)
-        if (labelMapOf(*segmentation, n, grid).labels.size() != 1024) return false;
+        if (labelsOf(*segmentation, n, grid).labels.size() != 1024) return false;
       const Result<VoxelGeometry> own = gridOf(*segmentation);
       if (own && own->voxelCount() < 1) return false;
     }

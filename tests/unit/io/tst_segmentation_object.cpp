@@ -13,6 +13,7 @@
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/io/dicom_objects.h"
 #include "tests/unit/suite.h"
+#include "viewer/segment/label_statistics.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -75,7 +76,7 @@ void write(const std::string& path, const Made& made) {
   });
 }
 
-std::int64_t count(const LabelMap& map) { return std::ranges::count(map.labels, std::uint8_t(1)); }
+std::int64_t count(const DenseLabels& map) { return std::ranges::count(map.labels, std::uint8_t(1)); }
 
 }  // namespace
 
@@ -90,9 +91,9 @@ void TestSegmentationObject::aBoneLiesOnItsCt() {
   QCOMPARE(pixelsOf(*s, 0), std::int64_t(1832));
   const Result<Study> ct = openStudy(dataPath("dicom-pydicom/test_files/CT_small.dcm"));
   QVERIFY(ct.ok());
-  const LabelMap map = labelMapOf(*s, 0, ct->volumes.at(0).acquired);
+  const DenseLabels map = labelsOf(*s, 0, ct->volumes.at(0).acquired);
   QCOMPARE(count(map), std::int64_t(1832));
-  QCOMPARE(*labelBox(map), (VoxelBox{{5, 6, 0}, {101, 94, 0}}));
+  QCOMPARE(*labelBox(LabelMap(map)), (VoxelBox{{5, 6, 0}, {101, 94, 0}}));
 }
 
 void TestSegmentationObject::overlappingSegmentsAreKeptApart() {
@@ -105,12 +106,12 @@ void TestSegmentationObject::overlappingSegmentsAreKeptApart() {
   QCOMPARE(s->frames.size(), std::size_t(8));
   std::int64_t slices = 0;
   for (const Series& series : ct->volumes) {
-    const LabelMap bone = labelMapOf(*s, 0, series.acquired), spine = labelMapOf(*s, 1, series.acquired);
+    const DenseLabels bone = labelsOf(*s, 0, series.acquired), spine = labelsOf(*s, 1, series.acquired);
     const int last = series.acquired.size.z - 1;
     QCOMPARE(count(bone), std::int64_t(16 * (last + 1)));
     QCOMPARE(count(spine), std::int64_t(4 * (last + 1)));
-    QCOMPARE(*labelBox(bone), (VoxelBox{{4, 4, 0}, {7, 7, last}}));
-    QCOMPARE(*labelBox(spine), (VoxelBox{{6, 6, 0}, {7, 7, last}}));  // inside the bone
+    QCOMPARE(*labelBox(LabelMap(bone)), (VoxelBox{{4, 4, 0}, {7, 7, last}}));
+    QCOMPARE(*labelBox(LabelMap(spine)), (VoxelBox{{6, 6, 0}, {7, 7, last}}));  // inside the bone
     slices += last + 1;
   }
   QCOMPARE(slices, std::int64_t(4));
@@ -123,8 +124,8 @@ void TestSegmentationObject::ownGridHoldsEmptyPlanes() {
   const Result<VoxelGeometry> grid = gridOf(*s);
   QVERIFY2(grid, grid ? "" : grid.message().c_str());
   QCOMPARE(grid->size, glm::ivec3(16, 16, 165));  // -99.48 .. 105.52 in steps of 1.25
-  QCOMPARE(count(labelMapOf(*s, 0, *grid)), std::int64_t(64));
-  QCOMPARE(count(labelMapOf(*s, 1, *grid)), std::int64_t(16));
+  QCOMPARE(count(labelsOf(*s, 0, *grid)), std::int64_t(64));
+  QCOMPARE(count(labelsOf(*s, 1, *grid)), std::int64_t(16));
 }
 
 void TestSegmentationObject::bitsRunOnFromFrameToFrame_data() {
@@ -153,7 +154,7 @@ void TestSegmentationObject::bitsRunOnFromFrameToFrame() {
   const Result<VoxelGeometry> grid = gridOf(*s);
   QVERIFY2(grid, grid ? "" : grid.message().c_str());
   QCOMPARE(grid->spacing(), glm::dvec3(0.7, 0.5, 2));
-  const LabelMap map = labelMapOf(*s, 0, *grid);
+  const DenseLabels map = labelsOf(*s, 0, *grid);
   for (std::size_t n = 0; n < bits; ++n) QCOMPARE(map.labels[n] == 1, isSet(n));
 }
 

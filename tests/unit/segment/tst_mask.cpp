@@ -6,6 +6,7 @@
 
 #include "tests/fixtures/ct_with_table.h"
 #include "tests/unit/suite.h"
+#include "viewer/segment/label_statistics.h"
 #include "viewer/segment/mask.h"
 #include "viewer/segment/table.h"
 
@@ -124,7 +125,7 @@ void TestMask::theVoxelsAreThoseOfBruteForce() {
   int someCut = 0;
   for (int round = 0; round < 40; ++round) {
     const Lasso lasso = anyLasso(random, perspective, inside);
-    const LabelMap kept = keptVoxels(*volume, maskOf({lasso}));
+    const DenseLabels kept = keptVoxels(*volume, maskOf({lasso}));
     std::int64_t cut = 0;
     for (int k = 0; k < grid.size.z; ++k)
       for (int j = 0; j < grid.size.y; ++j)
@@ -174,8 +175,8 @@ void TestMask::lassosAddUpWithTheTable() {
   const VolumePtr volume = CtWithTable::volume(true);
   std::mt19937 random(5);
   const Lasso a = anyLasso(random, false, true), b = anyLasso(random, true, true);
-  const LabelMap patient = patientMask(*volume), all = keptVoxels(*volume, maskOf({a, b}, true)),
-                 withA = keptVoxels(*volume, maskOf({a})), withB = keptVoxels(*volume, maskOf({b}));
+  const DenseLabels patient = patientMask(*volume), all = keptVoxels(*volume, maskOf({a, b}, true)),
+                    withA = keptVoxels(*volume, maskOf({a})), withB = keptVoxels(*volume, maskOf({b}));
   for (std::size_t n = 0; n < all.labels.size(); ++n)
     QCOMPARE(int(all.labels[n]), patient.labels[n] & withA.labels[n] & withB.labels[n]);
 }
@@ -212,8 +213,8 @@ void TestMask::valuesBecomeAir() {
   lasso.origin = volume->geometry().centre();
   const Result<VolumePtr> cut = masked(*volume, maskOf({lasso}));
   QVERIFY(cut.ok());
-  const LabelMap kept = keptVoxels(*volume, maskOf({lasso}));
-  QVERIFY(labelBox(kept));
+  const DenseLabels kept = keptVoxels(*volume, maskOf({lasso}));
+  QVERIFY(labelBox(LabelMap(kept)));
   for (std::size_t n = 0; n < kept.labels.size(); ++n)
     QCOMPARE((*cut)->valueAt(n), kept.labels[n] ? volume->valueAt(n) : float(air));
   QVERIFY((*cut)->geometry() == volume->geometry());

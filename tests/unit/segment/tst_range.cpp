@@ -5,6 +5,7 @@
 
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
+#include "viewer/segment/label_statistics.h"
 #include "viewer/segment/range.h"
 
 using namespace volumen;
@@ -74,7 +75,7 @@ void TestRange::labelsExactlyTheClosedRange() {
   QFETCH(double, low);
   QFETCH(double, high);
   const VolumePtr volume = randomVolume(type);
-  const LabelMap map = labelRange(*volume, {low, high});
+  const DenseLabels map = labelRange(*volume, {low, high});
   QVERIFY(map.geometry == volume->geometry());
   QCOMPARE(std::int64_t(map.labels.size()), volume->geometry().voxelCount());
   for (std::size_t n = 0; n < map.labels.size(); ++n) {
@@ -102,14 +103,14 @@ void TestRange::paddingIsNoTissue() {
   parts.slope = 2;  // padding is -2000
   parts.attributes.padding = ValueRange{-2000, -2000};
   const VolumePtr volume = volumeFrom(std::move(parts));
-  const LabelMap map = labelRange(*volume, {low, high});
-  QCOMPARE(labelStatistics(map, *volume).voxels, std::int64_t(voxels));
+  const DenseLabels map = labelRange(*volume, {low, high});
+  QCOMPARE(labelStatistics(LabelMap(map), *volume).voxels, std::int64_t(voxels));
 }
 
 void TestRange::statisticsAreThoseOfTheLabel() {
   const VolumePtr volume = randomVolume(QStringLiteral("int16"));
-  const LabelMap map = labelRange(*volume, {-100, 100});
-  const LabelStatistics s = labelStatistics(map, *volume);
+  const DenseLabels map = labelRange(*volume, {-100, 100});
+  const LabelStatistics s = labelStatistics(LabelMap(map), *volume);
   std::int64_t voxels = 0;
   double sum = 0, min = infinity, max = -infinity;
   for (std::size_t n = 0; n < map.labels.size(); ++n) {
@@ -145,19 +146,19 @@ void TestRange::millilitresFollowTheGrid() {
   parts.values = std::vector<std::uint8_t>(1000, 1);
   std::vector<std::string> warnings;
   const VolumePtr volume = *Volume::make(parts, warnings);
-  const auto millilitres = labelStatistics(labelRange(*volume, {1, 1}), *volume).millilitres;
+  const auto millilitres = labelStatistics(LabelMap(labelRange(*volume, {1, 1})), *volume).millilitres;
   QCOMPARE(millilitres.has_value(), calibrated);
   if (calibrated) QVERIFY(std::abs(*millilitres - 1) < 1e-12);  // 1000 voxels of 1 mm^3
 }
 
 void TestRange::emptyLabelHasNoNumbers() {
   const VolumePtr volume = volumeOf({2, 2, 2}, std::vector<std::int16_t>(8, 5));
-  const LabelMap map = labelRange(*volume, {6, 7});
-  const LabelStatistics s = labelStatistics(map, *volume);
+  const DenseLabels map = labelRange(*volume, {6, 7});
+  const LabelStatistics s = labelStatistics(LabelMap(map), *volume);
   QCOMPARE(s.voxels, std::int64_t(0));
   QCOMPARE(*s.millilitres, 0.0);
   QCOMPARE(s.mean, 0.0);
-  QVERIFY(!labelBox(map));
+  QVERIFY(!labelBox(LabelMap(map)));
 }
 
 void TestRange::boxIsTheSmallest_data() {
@@ -172,10 +173,10 @@ void TestRange::boxIsTheSmallest_data() {
 void TestRange::boxIsTheSmallest() {
   QFETCH(std::vector<int>, voxels);
   QFETCH(std::vector<int>, box);
-  LabelMap map{{.size = {10, 10, 10}}, std::vector<std::uint8_t>(1000)};
+  DenseLabels map{{.size = {10, 10, 10}}, std::vector<std::uint8_t>(1000)};
   for (int n : voxels) map.labels[std::size_t(n)] = 1;
   map.labels[555] = 2;
-  const auto found = labelBox(map);
+  const auto found = labelBox(LabelMap(map));
   QVERIFY(found.has_value());
   QVERIFY((*found == VoxelBox{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}}));
 }

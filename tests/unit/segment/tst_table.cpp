@@ -27,7 +27,7 @@ class TestTable : public QObject {
 namespace {
 
 // The same by going from voxel to voxel.
-std::vector<std::uint8_t> byFloodFill(const LabelMap& map) {
+std::vector<std::uint8_t> byFloodFill(const DenseLabels& map) {
   const glm::ivec3 size = map.geometry.size;
   std::vector<std::uint8_t> seen(map.labels.size()), best(map.labels.size());
   std::size_t most = 0;
@@ -70,14 +70,14 @@ void TestTable::largestComponentIsThatOfAFloodFill() {
   QFETCH(int, ofHundred);
   for (unsigned seed = 1; seed <= 20; ++seed) {
     std::mt19937 bits(seed);
-    LabelMap map{{.size = {13, 11, 7}}, std::vector<std::uint8_t>(13 * 11 * 7)};
+    DenseLabels map{{.size = {13, 11, 7}}, std::vector<std::uint8_t>(13 * 11 * 7)};
     for (auto& label : map.labels) label = int(bits() % 100) < ofHundred;
     QVERIFY(largestComponent(map).labels == byFloodFill(map));
   }
 }
 
 void TestTable::nothingLabelledStaysNothing() {
-  const LabelMap map{{.size = {3, 3, 3}}, std::vector<std::uint8_t>(27)};
+  const DenseLabels map{{.size = {3, 3, 3}}, std::vector<std::uint8_t>(27)};
   QVERIFY(largestComponent(map).labels == map.labels);
 }
 

@@ -145,6 +145,23 @@ FlatLook anyFlat(Chance& chance, const SeriesKey& overlay) {
   return look;
 }
 
+// As a session has it: its labels lie in a file.
+SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
+  SegmentMap map{key, {}, nullptr, SavedLabels{std::string(40, "0123456789abcdef"[chance.below(16)]), {}}};
+  map.missing->geometry = anyGeometry(chance);
+  for (int number = 1 + chance.below(3); number < 7; number += 1 + chance.below(4)) {
+    Segment& segment = map.segments.emplace_back();
+    segment.number = number;
+    segment.label = anyText(chance);
+    segment.type = anyText(chance);
+    segment.trackingId = anyText(chance);
+    if (chance.oneIn(2))
+      segment.colour = glm::u8vec3(chance.below(256), chance.below(256), chance.below(256));
+    if (chance.oneIn(2)) segment.range = ValueRange{anyNumber(chance), anyNumber(chance)};
+  }
+  return map;
+}
+
 }  // namespace
 
 Workspace randomWorkspace(std::uint64_t seed) {
@@ -185,6 +202,8 @@ Workspace randomWorkspace(std::uint64_t seed) {
   }
   for (std::size_t n = 1; n < keys.size(); ++n)
     if (chance.oneIn(2)) w.keyImages.push_back({keys[n], anyText(chance), chance.below(50)});
+  for (std::size_t n = 1; n < keys.size(); ++n)
+    if (chance.oneIn(3)) w.segmentMaps.push_back(anySegments(chance, keys[n]));
   for (int n = chance.below(3); n > 0; --n)
     w.regions.editOrAdd({"/data/rt" + std::to_string(n), anyText(chance)}) = anyRegions(chance);
   w.layout = Layout(chance.below(5));

@@ -1,0 +1,227 @@
+// Guards design.md 8 and 11: a segment is part of the workspace: undone, kept with its series, and saved with
+// the session, its labels in a file beside it.
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+
+#include "io/export/seg_nrrd.h"
+#include "tests/ui/journey.h"
+#include "tests/ui/session_folder.h"
+#include "tests/unit/suite.h"
+#include "ui/controller/autosave.h"
+#include "ui/controller/open_session.h"
+#include "ui/controller/segment_files.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestSegments : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void init() { QDir(Autosave::folder()).removeRecursively(); }
+  void aSegmentIsOneStep();
+  void theSameOnceMoreIsNone();
+  void aSegmentStaysWithItsSeries();
+  void sessionsKeepIt_data();
+  void sessionsKeepIt();
+  void whatIsNotBesideTheSessionIsMissing_data();
+  void whatIsNotBesideTheSessionIsMissing();
+  void filesThatNoSessionNamesGo();
+  void theLabelsMoveWithDiscardedWork();
+};
+
+namespace {
+
+const QString sphere = QStringLiteral("phantom:sphere:64");
+
+// A window with a sphere, and what is pressed in the panel of segments.
+struct Segmented : Journey {
+  Segmented() : Journey({sphere}) { settle(); }
+
+  QString result() { return child<QLabel>("segmentResult")->text(); }
+  bool segment(double low, double high) {
+    child<QDockWidget>("segmentDock")->raise();
+    child<QDoubleSpinBox>("segmentLow")->setValue(low);
+    child<QDoubleSpinBox>("segmentHigh")->setValue(high);
+    const QString before = result();
+    QTest::mouseClick(child<QPushButton>("segment"), Qt::LeftButton);
+    return QTest::qWaitFor([&] { return result().contains(QStringLiteral("voxels")) && result() != before; },
+                           longest);
+  }
+  const Workspace& workspace() { return window.session().workspace(); }
+  const SegmentMap& map() { return workspace().segmentMaps.front(); }
+  void undo() { child<QAction>("undo")->trigger(); }
+  QUndoStack& undoStack() { return window.session().undoStack(); }
+};
+
+// What the session file that this makes is called.
+std::string saved(const SessionFolder& folder, const Workspace& workspace, const char* name = "s.volumen") {
+  const std::string path = folder.at(name).toStdString();
+  const Status status = saveSession(path, workspace);
+  return status ? path : std::string();
+}
+
+QStringList labelFiles(const SessionFolder& folder) { return segmentFilesOf(folder.at("s.volumen")); }
+
+}  // namespace
+
+void TestSegments::aSegmentIsOneStep() {
+  Segmented w;
+  QVERIFY(w.segment(0.5, 1));
+  const Workspace with = w.workspace();
+  QCOMPARE(with.segmentMaps.size(), std::size_t(1));
+  QCOMPARE(w.undoStack().count(), 1);
+  QCOMPARE(w.map().segments.front().label, std::string("0.5 to 1"));
+  const QString ball = w.result();
+  QVERIFY(w.segment(0, 0.4));
+  QCOMPARE(w.workspace().segmentMaps.size(), std::size_t(1));  // in place of the first
+  w.undo();
+  QVERIFY(w.workspace() == with);
+  QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
+  w.undo();
+  QVERIFY(w.workspace().segmentMaps.empty());
+  QTRY_COMPARE_WITH_TIMEOUT(w.result(), QString(), longest);
+  QVERIFY(!w.child<QCheckBox>("segmentOnly")->isEnabled());
+  w.child<QAction>("redo")->trigger();
+  QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
+}
+
+void TestSegments::theSameOnceMoreIsNone() {
+  Segmented w;
+  QVERIFY(w.segment(0.5, 1));
+  const QString ball = w.result();
+  QTest::mouseClick(w.child<QPushButton>("segment"), Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
+  QCOMPARE(w.undoStack().count(), 1);
+}
+
+void TestSegments::aSegmentStaysWithItsSeries() {
+  Segmented w;
+  QVERIFY(w.segment(0.5, 1));
+  const QString ball = w.result();
+  const SegmentMap made = w.map();
+  w.window.open({QStringLiteral("phantom:cube:32")});
+  QTRY_VERIFY_WITH_TIMEOUT(w.result().isEmpty(), longest);
+  QVERIFY(w.settle());
+  QVERIFY(w.map() == made);
+  w.undo();
+  QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
+  // Closed and opened again.
+  w.window.session().close({made.series});
+  QVERIFY(w.workspace().segmentMaps.empty());
+  w.window.open({sphere});
+  QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
+  QVERIFY(w.map() == made);
+}
+
+void TestSegments::sessionsKeepIt_data() {
+  QTest::addColumn<QString>("renamed");
+  QTest::newRow("where it was saved") << QString();
+  QTest::newRow("under another name, its labels under the old one") << QStringLiteral("other.volumen");
+}
+
+void TestSegments::sessionsKeepIt() {
+  QFETCH(QString, renamed);
+  const SessionFolder folder;
+  Workspace with;
+  {
+    Segmented w;
+    QVERIFY(w.segment(0.5, 1));
+    with = w.workspace();
+    QVERIFY(!saved(folder, with).empty());
+  }
+  QCOMPARE(labelFiles(folder).size(), 1);
+  QString path = folder.at("s.volumen");
+  if (!renamed.isEmpty()) QVERIFY(QFile::rename(path, folder.at(qPrintable(renamed))));
+  if (!renamed.isEmpty()) path = folder.at(qPrintable(renamed));
+  const auto opened = openSession(path.toStdString());
+  QVERIFY(opened);
+  QCOMPARE(opened->problems, QStringList());
+  QVERIFY(opened->workspace == with);
+  // In a window: the numbers are there again, and nothing is to be saved.
+  Journey again({path});
+  auto* result = again.child<QLabel>("segmentResult");
+  QTRY_VERIFY_WITH_TIMEOUT(result->text().contains(QStringLiteral("voxels")), longest);
+  QVERIFY(again.window.close());
+}
+
+void TestSegments::whatIsNotBesideTheSessionIsMissing_data() {
+  QTest::addColumn<bool>("there");
+  QTest::newRow("no file") << false;
+  QTest::newRow("another volume under its name") << true;
+}
+
+// It is told, nothing else of the session suffers, and what is saved names it still.
+void TestSegments::whatIsNotBesideTheSessionIsMissing() {
+  QFETCH(bool, there);
+  const SessionFolder folder;
+  Segmented w;
+  QVERIFY(w.segment(0.5, 1));
+  const std::string path = saved(folder, w.workspace());
+  const QString file = labelFiles(folder).value(0);
+  QVERIFY(QFile::rename(file, folder.at("kept")));
+  if (there) {
+    LabelEdit edit(*w.map().labels);
+    edit.set({0, 0, 0}, 1);
+    QVERIFY(writeSegNrrd(edit.done(), w.map().segments, file.toStdString()));
+  }
+  const auto opened = openSession(path);
+  QVERIFY(opened);
+  QCOMPARE(opened->problems.size(), 1);
+  QVERIFY(opened->problems.front().contains(QStringLiteral("0.5 to 1")));
+  QVERIFY(!opened->workspace.segmentMaps.front().labels);
+  Workspace without = opened->workspace, with = w.workspace();
+  without.segmentMaps.clear();
+  with.segmentMaps.clear();
+  QVERIFY(without == with);
+  QVERIFY(saveSession(path, opened->workspace));
+  QFile::remove(file);
+  QVERIFY(QFile::rename(folder.at("kept"), file));
+  QVERIFY(openSession(path)->workspace == w.workspace());
+}
+
+void TestSegments::filesThatNoSessionNamesGo() {
+  const SessionFolder folder;
+  Segmented w;
+  QVERIFY(w.segment(0.5, 1));
+  QVERIFY(!saved(folder, w.workspace()).empty());
+  const QStringList first = labelFiles(folder);
+  const QDateTime written = QFileInfo(first.value(0)).lastModified();
+  QVERIFY(!saved(folder, w.workspace()).empty());
+  QCOMPARE(QFileInfo(first.value(0)).lastModified(), written);  // what is there is not written again
+  QVERIFY(!saved(folder, w.workspace(), "copy.volumen").empty());
+  QVERIFY(w.segment(0, 0.4));
+  QVERIFY(!saved(folder, w.workspace()).empty());
+  QCOMPARE(labelFiles(folder).size(), 2);  // the copy still holds the first
+  QVERIFY(QFile::remove(folder.at("copy.volumen")));
+  w.undo();
+  QVERIFY(!saved(folder, w.workspace()).empty());
+  QCOMPARE(labelFiles(folder), first);
+}
+
+void TestSegments::theLabelsMoveWithDiscardedWork() {
+  Workspace with;
+  {
+    Segmented w;
+    QVERIFY(w.segment(0.5, 1));
+    with = w.workspace();
+    w.window.end();
+  }
+  {
+    Journey w;
+    QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("offerBar")->isVisible(), longest);
+    QTest::mouseClick(w.child<QWidget>("offerRefuse"), Qt::LeftButton);
+    auto* earlier = w.child<QMenu>("earlierMenu");
+    QTRY_COMPARE_WITH_TIMEOUT(earlier->actions().size(), 1, longest);
+    earlier->actions().front()->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(w.window.session().workspace().segmentMaps.size(), std::size_t(1), longest);
+    QVERIFY(w.window.session().workspace().segmentMaps == with.segmentMaps);
+    w.window.end();
+  }
+}
+
+VOLUMEN_TEST(TestSegments);
+#include "tst_segments.moc"

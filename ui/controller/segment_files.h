@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QStringList>
+#include <string>
+#include <vector>
+
+#include "io/study.h"
+#include "ui/workspace/workspace.h"
+
+namespace volumen {
+
+/// Beside a session file lie the labels of its segments, each map in a file SESSION.CHECKSUM.seg.nrrd that
+/// other programs read, too. A map that did not change is not written again.
+
+/// Writes those that are not there yet. The Error names the file.
+Status writeSegmentMaps(const std::string& session, const Workspace& workspace);
+
+/// With the maps that lie beside the session file; a map whose file is not there, or does not hold what it
+/// held, stays missing, and `problems` gets a sentence.
+Workspace withSegmentMaps(Workspace workspace, const std::string& session, QStringList& problems,
+                          const Progress& progress, const CancelToken& cancel);
+
+/// The files of a session beside it, whether it names them or not.
+QStringList segmentFilesOf(const QString& session);
+
+/// The checksums of the maps that a session file names; none where it cannot be read.
+std::vector<std::string> segmentMapsNamedBy(const std::string& session);
+
+/// Removes the files of these maps that neither the workspace nor another session in the folder holds.
+void removeSegmentMaps(const std::string& session, const std::vector<std::string>& checksums,
+                       const Workspace& workspace);
+
+}  // namespace volumen

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/data/series_key.h"
+#include "viewer/segment/label_map.h"
+#include "viewer/segment/segment.h"
+
+namespace volumen {
+
+/// What a session says of labels that lie in a file beside it.
+struct SavedLabels {
+  std::string checksum;  ///< checksumOf() them
+  VoxelGeometry geometry;
+  bool operator==(const SavedLabels&) const = default;
+};
+
+/// Segments of a series: the label of each voxel of the grid that is drawn, and what each label is.
+struct SegmentMap {
+  SeriesKey series;
+  std::vector<Segment> segments;           ///< each the voxels of its number
+  std::shared_ptr<const LabelMap> labels;  ///< null: the file that holds them was not read
+  std::optional<SavedLabels> missing;      ///< where they were not: which they are
+  bool operator==(const SegmentMap& other) const;
+};
+
+/// 40 hexadecimal digits (BLAKE2b) of size and labels: the same for equal ones, whatever they share.
+std::string checksumOf(const LabelMap& labels);
+
+/// The labels as a session names them.
+SavedLabels savedLabelsOf(const SegmentMap& map);
+
+}  // namespace volumen

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// One segment of a segmentation (PS3.3 C.8.20.4). Texts are UTF-8.
+struct Segment {
+  int number = 0;                      ///< from 1: as its file counts; of a label map its label
+  std::string label{}, description{};  ///< its name, and what is said of it
+  std::string category{}, type{};      ///< meanings of their codes: "Tissue", "Bone"
+  std::string algorithm{}, trackingId{};
+  std::optional<glm::u8vec3> colour{};  ///< recommended, sRGB
+  std::optional<ValueRange> range{};    ///< the values that it was made of; none: it was not made so
+  bool operator==(const Segment&) const = default;
+};
+
+}  // namespace volumen
