@@ -12,6 +12,7 @@
 #include "io/export/dicom_series.h"
 #include "io/files/header_text.h"
 #include "io/files/output_file.h"
+#include "io/files/volume_writers.h"
 #include "io/files/write_volume.h"
 
 namespace volumen {
@@ -70,8 +71,8 @@ int runVolumes(const std::vector<Series>& volumes, const std::string& output, co
 
 int run(const ConvertOptions& options, const CancelToken& cancel) {
   if (!isFolder(options.output) && !isVolumeFileName(options.output))
-    return failUsage(options.output +
-                     ": volumes are written as .nrrd, .nii.gz or .mha, or as DICOM to FOLDER/.");
+    return failUsage(options.output + ": volumes are written as " + volumeEndings() +
+                     ", or as DICOM to FOLDER/.");
   if (Status s = checkOutput(options.output); !s) return fail(s.message());
   if (isNifti(options.output)) {
     const auto several = severalVolumes(options.path, options.series, terminalProgress(), cancel);

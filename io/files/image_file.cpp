@@ -4,11 +4,9 @@
 #include <memory>
 #include <set>
 
+#include "io/files/formats.h"
 #include "io/files/header_text.h"
-#include "io/files/meta_image.h"
 #include "io/files/nifti.h"
-#include "io/files/nrrd.h"
-#include "io/files/other_formats.h"
 #include "io/regular_file.h"
 #include "io/worker/batches.h"
 #include "io/worker/file_fields.h"
@@ -17,43 +15,25 @@ namespace volumen {
 
 namespace {
 
-struct Reader {
-  Result<ImageHeader> (*read)(const std::string& path);
-};
-constexpr Reader nrrd{readNrrdHeader}, metaImage{readMetaImageHeader}, nifti{readNiftiHeader};
-
 // A DICOM file may begin as another one does (TIFF) in front of its own mark.
 bool isDicom(const std::string& head) {
   constexpr std::size_t preamble = 128;
   return head.size() > preamble && head.compare(preamble, 4, "DICM") == 0;
 }
 
-// By content first, so that a wrong name does no harm.
-std::optional<Reader> readerOf(const std::string& path) {
+// Null: none claims it.
+const FileFormat* formatOf(const std::string& path) {
   constexpr std::size_t enough = 540;
   auto head = readHead(path, enough);
-  if (!head || isDicom(*head)) return {};
-  if (isNrrdHead(*head)) return nrrd;
-  if (head->starts_with("ObjectType = Image") || head->starts_with("NDims = ")) return metaImage;
-  if (head->starts_with("\x1f\x8b"))
+  if (!head || isDicom(*head)) return nullptr;
+  const bool isCompressed = head->starts_with("\x1f\x8b");
+  if (isCompressed)
     if (auto inside = readDecompressedHead(path, enough)) *head = *inside;
-  if (isDicom(*head)) return {};
-  const std::string name = lowerCase(path);
-  constexpr struct {
-    bool (*claims)(const FileClaim& file);
-    Reader reader;
-  } others[] = {{isAnalyze, {readAnalyzeHeader}},
-                {isVtk, {readVtkHeader}},
-                {isMgh, {readMghHeader}},
-                {isGipl, {readGiplHeader}},
-                {isMrc, {readMrcHeader}}};
-  for (const auto& other : others)
-    if (other.claims({*head, name})) return other.reader;
-  const auto ends = [&](const char* end) { return name.ends_with(end); };
-  if (isNiftiHead(*head) || ends(".nii") || ends(".nii.gz")) return nifti;
-  if (ends(".nrrd") || ends(".nhdr")) return nrrd;
-  if (ends(".mha") || ends(".mhd")) return metaImage;
-  return {};
+  if (isDicom(*head)) return nullptr;
+  const FileClaim claim{*head, lowerCase(path), isCompressed};
+  for (const FileFormat& format : fileFormats())
+    if (format.claims(claim)) return &format;
+  return nullptr;
 }
 
 bool holdsGzippedDicom(const std::string& path, const std::string& head) {
@@ -74,7 +54,7 @@ std::string unreadFormatOf(const std::string& path) {
 }
 
 Result<ImageHeader> readHeader(const std::string& path) {
-  if (const auto reader = readerOf(path)) return reader->read(path);
+  if (const FileFormat* format = formatOf(path)) return format->read(path);
   if (auto file = DataFile::open(path); !file) return file.error();
   if (const std::string format = unreadFormatOf(path); !format.empty())
     return Error{path + " is a " + format + "."};
@@ -147,9 +127,7 @@ bool isGzippedDicom(const std::string& path) {
   return head && holdsGzippedDicom(path, *head);
 }
 
-bool looksLikeImageFile(const std::string& path) {
-  return readerOf(path).has_value() || !unreadFormatOf(path).empty();
-}
+bool looksLikeImageFile(const std::string& path) { return formatOf(path) || !unreadFormatOf(path).empty(); }
 
 Result<std::vector<Series>> readImageFileHeaders(const std::string& path) {
   auto header = readHeader(path);

@@ -8,6 +8,7 @@ namespace volumen {
 struct FileClaim {
   const std::string& head;
   const std::string& name;
+  bool isCompressed = false;
 };
 
 /// Whether a file claims to be Analyze 7.5 (the .hdr of a pair), MGH or MGZ (FreeSurfer), GIPL, VTK (legacy),

@@ -12,6 +12,7 @@
 #include "io/files/nrrd.h"
 #include "io/files/output_file.h"
 #include "io/files/sample_type.h"
+#include "io/files/volume_writers.h"
 
 static_assert(std::endian::native == std::endian::little, "samples are written in this machine's order");
 
@@ -150,16 +151,6 @@ std::string metaHeader(const VoxelGeometry& g, SampleType type) {
   return text + "\nElementDataFile = LOCAL\n";
 }
 
-Status writeMeta(const Volume& volume, const std::string& path, const Progress& progress,
-                 const CancelToken& cancel) {
-  const Form form = realForm(volume);
-  auto out = OutputFile::create(path);
-  if (!out) return out.error();
-  if (Status s = out->write(metaHeader(volume.geometry(), form.type)); !s) return s;
-  if (Status s = writeSamples(volume, form, *out, progress, cancel); !s) return s;
-  return out->commit();
-}
-
 // Opens a NIfTI file and writes all in front of the samples.
 Result<OutputFile> startNifti(const Volume& volume, const Form& form, const NiftiTime& time,
                               const std::string& path) {
@@ -174,13 +165,12 @@ Result<OutputFile> startNifti(const Volume& volume, const Form& form, const Nift
   return out;
 }
 
-Status writeNifti(const Volume& volume, const std::string& path, const Progress& progress,
-                  const CancelToken& cancel) {
-  const Form form = niftiForm(volume);
-  auto out = startNifti(volume, form, {}, path);
-  if (!out) return out.error();
-  if (Status s = writeSamples(volume, form, *out, progress, cancel); !s) return s;
-  return out->commit();
+// Null: none is for what the path ends in.
+const VolumeWriter* writerOf(const std::string& path) {
+  const std::string name = lowerCase(path);
+  for (const VolumeWriter& writer : volumeWriters())
+    if (name.ends_with(writer.ending)) return &writer;
+  return nullptr;
 }
 
 bool sameGrid(const VoxelGeometry& a, const VoxelGeometry& b) {
@@ -251,6 +241,30 @@ Status writeNrrd(const Volume& volume, const std::string& path, const NrrdKeyVal
   return out->commit();
 }
 
+Status writePlainNrrd(const Volume& volume, const std::string& path, const Progress& progress,
+                      const CancelToken& cancel) {
+  return writeNrrd(volume, path, {}, progress, cancel);
+}
+
+Status writeNifti(const Volume& volume, const std::string& path, const Progress& progress,
+                  const CancelToken& cancel) {
+  const Form form = niftiForm(volume);
+  auto out = startNifti(volume, form, {}, path);
+  if (!out) return out.error();
+  if (Status s = writeSamples(volume, form, *out, progress, cancel); !s) return s;
+  return out->commit();
+}
+
+Status writeMetaImage(const Volume& volume, const std::string& path, const Progress& progress,
+                      const CancelToken& cancel) {
+  const Form form = realForm(volume);
+  auto out = OutputFile::create(path);
+  if (!out) return out.error();
+  if (Status s = out->write(metaHeader(volume.geometry(), form.type)); !s) return s;
+  if (Status s = writeSamples(volume, form, *out, progress, cancel); !s) return s;
+  return out->commit();
+}
+
 Status writeNiftiVolumes(const NiftiTime& time, const VolumeAt& volumeAt, const std::string& path,
                          const Progress& progress, const CancelToken& cancel) {
   Result<bool> written = writeVolumes(time, volumeAt, false, path, progress, cancel);
@@ -258,18 +272,12 @@ Status writeNiftiVolumes(const NiftiTime& time, const VolumeAt& volumeAt, const 
   return written ? Status() : Status(written.error());
 }
 
-bool isVolumeFileName(const std::string& path) {
-  const std::string name = lowerCase(path);
-  return name.ends_with(".nrrd") || name.ends_with(".nii.gz") || name.ends_with(".mha");
-}
+bool isVolumeFileName(const std::string& path) { return writerOf(path) != nullptr; }
 
 Status writeVolume(const Volume& volume, const std::string& path, const Progress& progress,
                    const CancelToken& cancel) {
-  const std::string name = lowerCase(path);
-  if (name.ends_with(".nrrd")) return writeNrrd(volume, path, {}, progress, cancel);
-  if (name.ends_with(".nii.gz")) return writeNifti(volume, path, progress, cancel);
-  if (name.ends_with(".mha")) return writeMeta(volume, path, progress, cancel);
-  return Error{path + ": volumes are written as .nrrd, .nii.gz or .mha."};
+  if (const VolumeWriter* writer = writerOf(path)) return writer->write(volume, path, progress, cancel);
+  return Error{path + ": volumes are written as " + volumeEndings() + "."};
 }
 
 }  // namespace volumen

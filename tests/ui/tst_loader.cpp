@@ -7,6 +7,7 @@
 #include "ui/controller/loader.h"
 #include "ui/main_window.h"
 #include "ui/widgets/status_line.h"
+#include "ui/workspace/text.h"
 
 using namespace volumen;
 
@@ -43,6 +44,8 @@ class TestLoader : public QObject {
   void aBadPathIsASentence();
   void closingWhileLoadingIsClean();
   void aLoadThatTheUserCancelsIsTold();
+  void whatIsOpenedStandsInTheListByItsName_data();
+  void whatIsOpenedStandsInTheListByItsName();
   void theStatusLineShowsWhatLastsAndCancels();
   void theStatusLineShowsAllThatRun();
 };
@@ -154,6 +157,35 @@ void TestLoader::aLoadThatTheUserCancelsIsTold() {
   QCOMPARE(w.loaded.count(), 0);
   QCOMPARE(w.failed.count(), 0);
   QCOMPARE(notLoaded.count(), 1);
+}
+
+void TestLoader::whatIsOpenedStandsInTheListByItsName_data() {
+  QTest::addColumn<bool>("namesHidden");
+  QTest::addColumn<QStringList>("texts");
+  QTest::newRow("each by its own") << false
+                                   << QStringList{QStringLiteral("Opening CT-chest"),
+                                                  QStringLiteral("Opening head.nii"),
+                                                  QStringLiteral("Opening day.volumen"),
+                                                  QStringLiteral("Opening series 3")};
+  QTest::newRow("none while names are hidden") << true << QStringList(4, QStringLiteral("Opening"));
+}
+
+// Before any of them begins: the first is long.
+void TestLoader::whatIsOpenedStandsInTheListByItsName() {
+  QFETCH(bool, namesHidden);
+  QFETCH(QStringList, texts);
+  Watched w;
+  w.loader.open(QStringLiteral("phantom:ct-head"));
+  w.loader.open(QStringLiteral("/data/Doe/CT-chest"));
+  w.loader.open(QStringLiteral("/data/Doe/head.nii"));
+  w.loader.openSession(QStringLiteral("/data/Doe/day.volumen"));
+  w.loader.openFiles(QStringLiteral("index:1"), {"/data/Doe/series 3/1.dcm", "/data/Doe/series 3/2.dcm"});
+  hideNames(namesHidden);
+  QStringList shown;
+  for (const JobRow& row : w.jobs.rows()) shown << row.text;
+  hideNames(false);
+  w.loader.cancel();
+  QCOMPARE(shown.mid(1), texts);
 }
 
 void TestLoader::theStatusLineShowsWhatLastsAndCancels() {

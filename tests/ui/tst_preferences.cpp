@@ -17,7 +17,7 @@
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/panels/studies_panel.h"
-#include "ui/preferences_dialog.h"
+#include "ui/panels/preferences_dialog.h"
 #include "ui/widgets/curve_editor.h"
 #include "ui/workspace/text.h"
 

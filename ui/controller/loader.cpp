@@ -1,8 +1,11 @@
 #include "ui/controller/loader.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <utility>
 
 #include "io/index/index_path.h"
+#include "ui/workspace/text.h"
 #include "viewer/plan/default_window.h"
 #include "viewer/scene/automatic.h"
 #include "viewer/slice/first_window.h"
@@ -20,6 +23,11 @@ void setWindow(ShownSeries& shown) {
   if (files.empty()) shown.flatWindow = firstWindow(*shown.volume, shown.series.unit);
   shown.valueSpread = p[1] > p[0] ? double(p[1]) - p[0] : 1;
 }
+
+JobName opening(const QString& fileName) {
+  return {Loader::tr("Opening"), shownText(fileName.toStdString())};
+}
+
 Result<std::shared_ptr<const Study>> shared(Result<Study> study) {
   if (!study) return study.error();
   return std::make_shared<const Study>(std::move(*study));
@@ -76,21 +84,23 @@ auto Loader::orFailed(Tell tell) {
 
 void Loader::open(const QString& path, const OpenIntent& intent) {
   open_.run(
-      tr("Opening"),
+      opening(QFileInfo(path).fileName()),
       [path](const Job& job) { return shared(openPath(path.toStdString(), job.progress(), job.cancel())); },
       orFailed([this, path, intent](const auto& study) { Q_EMIT studyOpened(path, study, intent); }));
 }
 
 void Loader::openFiles(const QString& name, const std::vector<std::string>& files, const OpenIntent& intent) {
+  const QString folder =
+      files.empty() ? QString() : QFileInfo(QString::fromStdString(files.front())).dir().dirName();
   open_.run(
-      tr("Opening"),
+      opening(folder),
       [files](const Job& job) { return shared(volumen::openFiles(files, job.progress(), job.cancel())); },
       orFailed([this, name, intent](const auto& study) { Q_EMIT filesOpened(name, study, intent); }));
 }
 
 void Loader::openSession(const QString& path) {
   open_.run(
-      tr("Opening"),
+      opening(QFileInfo(path).fileName()),
       [path](const Job& job) {
         return volumen::openSession(path.toStdString(), job.progress(), job.cancel());
       },
@@ -128,7 +138,7 @@ void Loader::begin(const Series& series, bool isAhead) {
   loading_ = keyOf(series);
   isAhead_ = isAhead;
   loadJob_ = load_.run(
-      tr("Opening"),
+      {tr("Opening"), seriesText(series)},
       [series, makeScene = makeScene_](const Job& job) { return loadShown(series, makeScene, job); },
       [this, key = keyOf(series)](const Result<ShownSeriesPtr>& shown) { take(key, shown); },
       [this] { cancelled(); });

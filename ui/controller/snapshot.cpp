@@ -85,7 +85,7 @@ void Snapshot::tellProgress() {
   Shot& shot = shots_.front();
   shot.part = std::max(shot.part, (shot.drawn + drawService_.pictureDone()) / shot.request.pictures);
   const double seconds = double(shot.clock.elapsed()) / 1000;
-  QString text = tr("%1: %2 %").arg(shot.job.name()).arg(std::floor(100 * shot.part));
+  QString text = tr("%1: %2 %").arg(shot.job.name().text()).arg(std::floor(100 * shot.part));
   if (shot.part >= leastPart) text += tr(", %1").arg(leftText(seconds * (1 - shot.part) / shot.part));
   shot.job.tell(text, shot.part);
 }

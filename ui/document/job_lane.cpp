@@ -13,10 +13,10 @@ JobLane::~JobLane() {
   wait();
 }
 
-Job JobLane::begin(const QString& name, std::function<void()> cancelled) {
+Job JobLane::begin(const JobName& name, std::function<void()> cancelled) {
   const Job job(name);
   underWay_.emplace(job.id(), job);
-  if (list_ && !name.isEmpty())
+  if (list_ && !name.doing.isEmpty())
     list_->add(
         job,
         [this, job, cancelled = std::move(cancelled)] {

@@ -24,7 +24,7 @@ class JobLane {
   /// `done(result)` here, or `done()` where work returns nothing. Neither is called once the job was given
   /// up; where the user did so, `cancelled` is. Returns the job's number.
   template <std::invocable<const Job&> Work, class Done>
-  int run(const QString& name, Work work, Done done, std::function<void()> cancelled = {}) {
+  int run(const JobName& name, Work work, Done done, std::function<void()> cancelled = {}) {
     using Result = std::invoke_result_t<Work, const Job&>;
     const Job job = begin(name, std::move(cancelled));
     pool_.start([this, job, work = std::move(work), done = std::move(done)] {
@@ -68,7 +68,7 @@ class JobLane {
   void wait() { pool_.waitForDone(); }
 
  private:
-  Job begin(const QString& name, std::function<void()> cancelled);
+  Job begin(const JobName& name, std::function<void()> cancelled);
   void forget(const Job& job);
 
   template <class Done>

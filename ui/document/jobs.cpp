@@ -6,11 +6,13 @@
 #include <atomic>
 #include <cmath>
 
+#include "ui/workspace/text.h"
+
 namespace volumen {
 
 struct Job::State {
   int id = 0;
-  QString name;
+  JobName name;
   CancelToken cancel;
   QElapsedTimer since;
   std::atomic<bool> begun = false;
@@ -19,15 +21,24 @@ struct Job::State {
   double part = -1;
 };
 
-Job::Job(const QString& name) : state_(std::make_shared<State>()) {
+JobName::JobName(const QString& d, const QString& o) : doing(d), object(o) {
+  constexpr int longest = 30, kept = (longest - 1) / 2;
+  if (object.size() > longest) object = object.left(kept) + QChar(0x2026) + object.right(kept);
+}
+
+QString JobName::text() const {
+  return object.isEmpty() || namesHidden() ? doing : Jobs::tr("%1 %2").arg(doing, object);
+}
+
+Job::Job(const JobName& name) : state_(std::make_shared<State>()) {
   static std::atomic<int> last = 0;
   state_->id = ++last;
-  state_->name = state_->text = name;
+  state_->name = name;
   state_->since.start();
 }
 
 int Job::id() const { return state_->id; }
-const QString& Job::name() const { return state_->name; }
+const JobName& Job::name() const { return state_->name; }
 const CancelToken& Job::cancel() const { return state_->cancel; }
 
 bool Job::hasBegun() const { return state_->begun; }
@@ -57,7 +68,13 @@ Progress Job::progress() const {
 // Work that knows nothing of files says how far it is by its token.
 JobRow Job::row() const {
   const std::lock_guard lock(state_->mutex);
-  JobRow row{state_->id, state_->text, state_->part, state_->since.elapsed(), true};
+  const JobName& name = state_->name;
+  QString text = state_->text;
+  if (text.isEmpty())
+    text = name.text();
+  else if (name.text() != name.doing)
+    text = Jobs::tr("%1 (%2)").arg(name.text(), text);
+  JobRow row{state_->id, text, state_->part, state_->since.elapsed(), true};
   if (const double done = state_->cancel.done(); row.part < 0 && done > 0) {
     row.part = done;
     row.text = Jobs::tr("%1: %2 %").arg(row.text).arg(std::floor(100 * done));

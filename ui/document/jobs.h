@@ -12,6 +12,17 @@
 
 namespace volumen {
 
+/// What a job does ("Opening"), and the file, folder or series that it does it to: not told while names are
+/// hidden, and shortened where it is long.
+struct JobName {
+  JobName() = default;
+  JobName(const QString& doing, const QString& object = {});
+
+  QString text() const;
+
+  QString doing, object;
+};
+
 /// What is told of a job that runs or waits.
 struct JobRow {
   int id = 0;
@@ -25,18 +36,18 @@ struct JobRow {
 /// one state.
 class Job {
  public:
-  explicit Job(const QString& name);
+  explicit Job(const JobName& name);
 
   /// Of all jobs of a run of the program.
   int id() const;
-  const QString& name() const;
+  const JobName& name() const;
   const CancelToken& cancel() const;
   bool cancelled() const { return cancel().cancelled(); }
   /// Whoever runs it begins; false where it was given up before.
   bool begin() const;
   bool hasBegun() const;
 
-  /// `text` stands in place of the name.
+  /// `text` stands in place of the name; behind it where that has an object.
   void tell(const QString& text, double part) const;
   /// The same for what reads and writes files: "reading slices: 3 of 10".
   Progress progress() const;

@@ -32,13 +32,20 @@ Accuracy::Accuracy(Workbench& bench)
       meter_(bench.document.meter),
       panel_(new AccuracyPanel(session_)),
       effects_(new EffectsPanel) {
-  bench_.addDock(QStringLiteral("effects"), tr("Effects"), effects_);
-  bench_.addDock(QStringLiteral("accuracy"), tr("Quality and speed"), Workbench::scrolling(panel_));
-  bench_.addAction(
-      {"openGlResampler", tr("Use OpenGL (usually slower without a GPU)"), {}, "", true, [this](bool on) {
-         setResampler(on ? Resampler::gl : Resampler::cpu);
-       }});
-  QAction* showError = bench_.addAction({"showError", tr("Show error map"), {}, "", true, {}});
+  bench_.addDock({"effects", tr("Effects"), effects_, {Qt::RightDockWidgetArea, 90, false}});
+  bench_.addDock({"accuracy",
+                  tr("Quality and speed"),
+                  Workbench::scrolling(panel_),
+                  {Qt::RightDockWidgetArea, 100, false}});
+  bench_.addAction({"openGlResampler",
+                    tr("Use OpenGL (usually slower without a GPU)"),
+                    {},
+                    "",
+                    true,
+                    [this](bool on) { setResampler(on ? Resampler::gl : Resampler::cpu); },
+                    {{"viewMenu", 50}}});
+  QAction* showError =
+      bench_.addAction({"showError", tr("Show error map"), {}, "", true, {}, {{"viewMenu", 50, 10}}});
   connect(panel_, &AccuracyPanel::errorWanted, showError, &QAction::setChecked);
   connect(showError, &QAction::toggled, panel_, &AccuracyPanel::setErrorWanted);
   connect(showError, &QAction::toggled, &grid_, &ViewGrid::setErrorShown);
@@ -55,8 +62,7 @@ void Accuracy::connectMeter() {
     applyLevel();
   });
   connect(&meter_, &AccuracyMeter::progressed, panel_, &AccuracyPanel::showProgress);
-  connect(bench_.docks.at(QStringLiteral("accuracy")), &QDockWidget::visibilityChanged, &meter_,
-          &AccuracyMeter::setWatched);
+  connect(bench_.dock("accuracy"), &QDockWidget::visibilityChanged, &meter_, &AccuracyMeter::setWatched);
   connect(&session_, &Session::changed, panel_,
           [this](const SessionState& before, const SessionState& after) {
             if (before.goal != after.goal) applyLevel();

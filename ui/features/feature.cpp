@@ -6,15 +6,33 @@
 namespace volumen {
 
 const std::vector<FeatureEntry>& features() {
-  // Menus show what they add in this order, too.
   static const std::vector<FeatureEntry> table{
-      {"sessions", makeSessions},       {"presets", makePresets},
-      {"scenes", makeScenes},           {"accuracy", makeAccuracy},
-      {"segmenting", makeSegmenting},   {"snapshots", makeSnapshots},
-      {"measuring", makeMeasuring},     {"registration", makeRegistration},
-      {"references", makeReferences},   {"key images", makeKeyImages},
-      {"frames", makeFrameActions},     {"views", makeViewActions},
-      {"study list", makeStudyListing}, {"help", makeHelp}};
+      {"studies", makeStudies},
+      {"panels", makePanels},
+      {"opening", makeOpening},
+      {"dock layout", makeDockLayout},
+      {"undo", makeUndo},
+      {"preferences", makePreferences},
+      {"pages", makePages},
+      {"status", makeStatus},
+      {"loading", makeLoading},
+      {"drawing", makeDrawing},
+      {"keys", makeKeys},
+      {"sessions", makeSessions},
+      {"presets", makePresets},
+      {"scenes", makeScenes},
+      {"accuracy", makeAccuracy},
+      {"segmenting", makeSegmenting},
+      {"snapshots", makeSnapshots},
+      {"measuring", makeMeasuring},
+      {"registration", makeRegistration},
+      {"references", makeReferences},
+      {"key images", makeKeyImages},
+      {"frames", makeFrameActions},
+      {"views", makeViewActions},
+      {"study list", makeStudyListing},
+      {"help", makeHelp},
+  };
   return table;
 }
 

@@ -21,6 +21,8 @@ class Feature : public QObject {
   virtual bool mayClose(const QString& lost);
   /// The window is about to close without being asked for; what is not saved is offered at the next start.
   virtual void closeUnasked() {}
+  /// The window closes: keeps what the next start is to find.
+  virtual void keep() {}
 
  protected:
   /// Tells of it in the status line; above the views.
@@ -42,10 +44,18 @@ struct FeatureEntry {
 const std::vector<FeatureEntry>& features();
 
 std::unique_ptr<Feature> makeAccuracy(Workbench& bench);
+std::unique_ptr<Feature> makeDockLayout(Workbench& bench);
+std::unique_ptr<Feature> makeDrawing(Workbench& bench);
 std::unique_ptr<Feature> makeFrameActions(Workbench& bench);
 std::unique_ptr<Feature> makeHelp(Workbench& bench);
 std::unique_ptr<Feature> makeKeyImages(Workbench& bench);
+std::unique_ptr<Feature> makeKeys(Workbench& bench);
+std::unique_ptr<Feature> makeLoading(Workbench& bench);
 std::unique_ptr<Feature> makeMeasuring(Workbench& bench);
+std::unique_ptr<Feature> makeOpening(Workbench& bench);
+std::unique_ptr<Feature> makePages(Workbench& bench);
+std::unique_ptr<Feature> makePanels(Workbench& bench);
+std::unique_ptr<Feature> makePreferences(Workbench& bench);
 std::unique_ptr<Feature> makePresets(Workbench& bench);
 std::unique_ptr<Feature> makeReferences(Workbench& bench);
 std::unique_ptr<Feature> makeRegistration(Workbench& bench);
@@ -53,7 +63,10 @@ std::unique_ptr<Feature> makeScenes(Workbench& bench);
 std::unique_ptr<Feature> makeSegmenting(Workbench& bench);
 std::unique_ptr<Feature> makeSessions(Workbench& bench);
 std::unique_ptr<Feature> makeSnapshots(Workbench& bench);
+std::unique_ptr<Feature> makeStatus(Workbench& bench);
+std::unique_ptr<Feature> makeStudies(Workbench& bench);
 std::unique_ptr<Feature> makeStudyListing(Workbench& bench);
+std::unique_ptr<Feature> makeUndo(Workbench& bench);
 std::unique_ptr<Feature> makeViewActions(Workbench& bench);
 
 }  // namespace volumen

@@ -3,6 +3,7 @@
 #include "ui/data/frame_series.h"
 #include "ui/features/feature.h"
 #include "ui/panels/flat_menus.h"
+#include "ui/panels/pet_unit_menu.h"
 #include "ui/panels/slab_menu.h"
 #include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
@@ -38,16 +39,10 @@ FrameActions::FrameActions(Workbench& bench) : Feature(bench) {
 void FrameActions::makeActions() {
   // They follow what is shown: only a click does something.
   const auto add = [this](const char* name, const QString& text) {
-    return bench_.addAction({name, text, {}, "", true, {}});
+    return bench_.addAction({name, text, {}, "", true, {}, {{"viewMenu", 30}}});
   };
   connect(add("showAsFrames", tr("Show as frames")), &QAction::triggered, this,
           &FrameActions::setShowAsFrames);
-  connect(add("overlaysAndShutters", tr("Overlays and shutters")), &QAction::triggered, this,
-          [this](bool on) {
-            session_.endGesture();
-            editFlat(session_, framesViewOf(session_.workspace().focus), tr("Overlays and shutters"),
-                     [on](FlatLook& look) { look.layers = on; });
-          });
   connect(add("ownWindows", tr("Each image its own window")), &QAction::triggered, this, [this](bool on) {
     session_.endGesture();
     session_.change(tr("Each image its own window"), [&](Workspace& w) {
@@ -57,13 +52,23 @@ void FrameActions::makeActions() {
       state.namedGrey = 0;
     });
   });
+  connect(add("overlaysAndShutters", tr("Overlays and shutters")), &QAction::triggered, this,
+          [this](bool on) {
+            session_.endGesture();
+            editFlat(session_, framesViewOf(session_.workspace().focus), tr("Overlays and shutters"),
+                     [on](FlatLook& look) { look.layers = on; });
+          });
   QAction* interpolate = makeInterpolationAction(session_, &bench_.window);
-  bench_.actions[interpolate->objectName()] = interpolate;
-  bench_.addAction({"playFrames", tr("Play or stop"), {tr("C")}, "", false, [this](bool) {
-                      SliceView* view = bench_.framesInFocus();
-                      if (!view) view = grid_.sliceView(flatViewInFocus(session_.workspace()));
-                      if (view) view->togglePlay();
-                    }});
+  bench_.addAction(interpolate, {{"viewMenu", 60, 90}});
+  const auto play = [this](bool) {
+    SliceView* view = bench_.framesInFocus();
+    if (!view) view = grid_.sliceView(flatViewInFocus(session_.workspace()));
+    if (view) view->togglePlay();
+  };
+  bench_.addAction({"playFrames", tr("Play or stop"), {tr("C")}, "", false, play, {{"viewMenu", 30}}});
+  bench_.menus.addMenu(makeSlabMenu(session_, &bench_.window), {{"viewMenu", 60, 100}});
+  bench_.menus.addMenu(makeColourMenu(session_, &bench_.window), {{"viewMenu", 60, 110}});
+  bench_.menus.addMenu(makePetUnitMenu(session_, &bench_.window), {{"viewMenu", 60, 120}});
 }
 
 void FrameActions::connectFrames() {

@@ -21,13 +21,23 @@ class Help : public Feature {
 };
 
 Help::Help(Workbench& bench) : Feature(bench) {
-  bench_.addAction(
-      {"shortcuts", tr("Mouse and keys"), {tr("?")}, "help", false, [this](bool) { showShortcuts(); }});
-  bench_.addAction(
-      {"documentation", tr("Documentation"), {QKeySequence::HelpContents}, "", false, [this](bool) {
-         (new DocumentsWindow(&bench_.window))->show();
-       }});
-  bench_.addAction({"about", tr("About volumen"), {}, "", false, [this](bool) { showAbout(); }});
+  const std::vector<Workbench::ActionEntry> table{
+      {"documentation",
+       tr("Documentation"),
+       {QKeySequence::HelpContents},
+       "",
+       false,
+       [this](bool) { (new DocumentsWindow(&bench_.window))->show(); },
+       {{"helpMenu"}}},
+      {"shortcuts",
+       tr("Mouse and keys"),
+       {tr("?")},
+       "help",
+       false,
+       [this](bool) { showShortcuts(); },
+       {{"helpMenu"}, {"toolBar", 30, toolBarGap + 20}}},
+      {"about", tr("About volumen"), {}, "", false, [this](bool) { showAbout(); }, {{"helpMenu"}}}};
+  for (const Workbench::ActionEntry& entry : table) bench_.addAction(entry);
 }
 
 void Help::showAbout() {

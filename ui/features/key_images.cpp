@@ -31,7 +31,7 @@ KeyImages::KeyImages(Workbench& bench) : Feature(bench) {
       add("nextKeyImage", tr("Next key image"), tr("Next"), ".", [this] { goToKeyImage(1); })};
   panel_ = new KeyImagesPanel(
       session_, bench_.document.references, [this] { return open_.pictures(); }, actions);
-  bench_.addDock(QStringLiteral("keyImages"), tr("Key images"), panel_);
+  bench_.addDock({"keyImages", tr("Key images"), panel_, {Qt::RightDockWidgetArea, 60, false}});
   connect(&bench_, &Workbench::sliceMenuOpens, this,
           [this](QMenu* menu) { menu->addAction(bench_.action("keyImage")); });
   connect(panel_, &KeyImagesPanel::pictureChosen, this,
@@ -40,8 +40,13 @@ KeyImages::KeyImages(Workbench& bench) : Feature(bench) {
 
 QAction* KeyImages::add(const char* name, const QString& text, const QString& word, const char* key,
                         std::function<void()> run) {
-  QAction* action = bench_.addAction(
-      {name, text, {QKeySequence(QLatin1String(key))}, "", false, [run = std::move(run)](bool) { run(); }});
+  QAction* action = bench_.addAction({name,
+                                      text,
+                                      {QKeySequence(QLatin1String(key))},
+                                      "",
+                                      false,
+                                      [run = std::move(run)](bool) { run(); },
+                                      {{"viewMenu", 40}}});
   action->setIconText(word);  // of its button
   return action;
 }

@@ -1,5 +1,6 @@
 #include <QActionGroup>
 #include <QMenu>
+#include <QToolButton>
 #include <algorithm>
 
 #include "ui/features/feature.h"
@@ -45,7 +46,7 @@ class Measuring : public Feature {
 Measuring::Measuring(Workbench& bench) : Feature(bench) {
   makeActions();
   auto* panel = new MeasurementsPanel(session_, bench_.document.measurer);
-  bench_.addDock(QStringLiteral("measurements"), tr("Measure"), panel);
+  bench_.addDock({"measurements", tr("Measure"), panel, {Qt::RightDockWidgetArea, 50}});
   connect(panel, &MeasurementsPanel::jumpRequested, this, &Measuring::showMeasurement);
   connect(panel, &MeasurementsPanel::saved, this,
           [this](const QString& path) { tell(tr("Saved %1").arg(path)); });
@@ -54,7 +55,7 @@ Measuring::Measuring(Workbench& bench) : Feature(bench) {
 
 // Their keys mean views in 3D: flat views hear them themselves, the menu only tells them.
 void Measuring::makeActions() {
-  auto* measures = new QMenu(tr("Measure"), &bench_.window);
+  QMenu* measures = bench_.addMenu("measureMenu", tr("Measure"), {});
   auto* group = new QActionGroup(&bench_.window);
   group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
   for (const Tool& tool : tools()) {
@@ -77,8 +78,7 @@ void Measuring::makeActions() {
     });
     connect(&grid_, &ViewGrid::toolChanged, action,
             [this, action, &tool] { action->setChecked(&grid_.tool() == &tool); });
-    bench_.actions[action->objectName()] = action;
-    measures->addAction(action);
+    bench_.addAction(action, {{"measureMenu"}});
   }
   QAction* menu = measures->menuAction();
   menu->setObjectName(QStringLiteral("measure"));
@@ -90,7 +90,10 @@ void Measuring::makeActions() {
   };
   connect(&grid_, &ViewGrid::toolChanged, menu, showTool);
   showTool();
-  bench_.actions[menu->objectName()] = menu;
+  bench_.addAction(menu, {{"viewMenu", 60, 80}});
+  QToolButton* button = bench_.addMenuButton("measureButton", 20);
+  button->setDefaultAction(menu);
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 }
 
 // In a view that shows frames of its series, else in the one in focus.

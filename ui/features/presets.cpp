@@ -28,7 +28,7 @@ Presets::Presets(Workbench& bench)
     : Feature(bench),
       thumbnails_(bench.document.drawService, bench.services.makeScene),
       bar_(new PresetBar(session_, bench.services.presets)) {
-  bench_.addToToolBar(bar_);
+  bench_.menus.addWidget(bar_, {"toolBar", 30});
   Loader& loader = bench_.document.loader;
   connect(bar_, &PresetBar::presetChosen, &loader,
           [this, &loader](const QString& name) { loader.makePreset(name, session_.series()->volume); });

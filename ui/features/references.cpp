@@ -35,7 +35,7 @@ class ReferenceObjects : public Feature {
 ReferenceObjects::ReferenceObjects(Workbench& bench) : Feature(bench) {
   References& references = bench_.document.references;
   auto* regions = new RegionsPanel(session_, references);
-  bench_.addDock(QStringLiteral("regions"), tr("Contours and segments"), regions);
+  bench_.addDock({"regions", tr("Contours and segments"), regions, {Qt::RightDockWidgetArea, 70, false}});
   connect(regions, &RegionsPanel::placeChosen, this, &ReferenceObjects::showPlace);
   const auto setOpen = [this] { bench_.document.references.setOpen(open_.references()); };
   connect(&open_, &OpenStudies::changed, this, setOpen);
@@ -85,7 +85,7 @@ void ReferenceObjects::showPresentation(const ReferencePtr& object) {
 
 // Over the views of its frame of reference; where there is none, over a series that is opened for it.
 void ReferenceObjects::showRegions(const ReferencePtr& object) {
-  QDockWidget* dock = bench_.docks.at(QStringLiteral("regions"));
+  QDockWidget* dock = bench_.dock("regions");
   dock->show();
   dock->raise();
   const RegionsLook look = firstLook(*object);

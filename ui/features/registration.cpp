@@ -1,4 +1,5 @@
 #include <QMenu>
+#include <QToolButton>
 #include <algorithm>
 
 #include "ui/controller/registrar.h"
@@ -32,7 +33,8 @@ Registration::Registration(Workbench& bench) : Feature(bench), registrar_(bench.
   new TimePointsAhead(session_, bench_.document.loader, this);
   QMenu* menu = makeLinkMenu(
       session_, [this] { registerViews(); }, &bench_.window);
-  bench_.actions[QStringLiteral("linkMenu")] = menu->menuAction();
+  bench_.menus.addMenu(menu, {{"viewMenu", 60, 70}});
+  bench_.addMenuButton("linkButton", 30)->setDefaultAction(menu->menuAction());
   connect(&registrar_, &Registrar::failed, this, [this](const QString& sentence) { warn(sentence); });
   connect(&registrar_, &Registrar::found, this,
           [this](const std::string& from, const std::string& to, const Rigid& toFromFrom) {

@@ -21,8 +21,11 @@ class Scenes : public Feature {
 };
 
 Scenes::Scenes(Workbench& bench) : Feature(bench), files_(bench.document.jobs) {
-  bench_.addAction({"openScene", tr("Open scene..."), {}, "", false, [this](bool) { askForScene(); }});
-  bench_.addAction({"saveScene", tr("Save scene..."), {}, "", false, [this](bool) { askForSceneFile(); }});
+  const std::vector<Place> places{{"fileMenu", 40, 10}};
+  bench_.addAction(
+      {"openScene", tr("Open scene..."), {}, "", false, [this](bool) { askForScene(); }, places});
+  bench_.addAction(
+      {"saveScene", tr("Save scene..."), {}, "", false, [this](bool) { askForSceneFile(); }, places});
   connect(&files_, &SceneFiles::opened, this, [this](const Scene& scene) {
     bench_.banner.hide();
     session_.edit(tr("Open scene"), scene);

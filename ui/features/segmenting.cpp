@@ -27,10 +27,10 @@ Segmenting::Segmenting(Workbench& bench)
       segmenter_(bench.document.jobs),
       masker_(session_, bench.document.jobs),
       panel_(new SegmentPanel(session_)) {
-  bench_.addDock(QStringLiteral("segment"), tr("Segment"), Workbench::scrolling(panel_));
+  bench_.addDock({"segment", tr("Segment"), Workbench::scrolling(panel_), {Qt::RightDockWidgetArea, 30}});
   for (QAction* action : {masker_.tableAction(), masker_.resetAction()}) {
     action->setParent(&bench_.window);
-    bench_.actions[action->objectName()] = action;
+    bench_.addAction(action, {{"editMenu", 20}});
   }
   panel_->setTableAction(masker_.tableAction());
   connect(&masker_, &Masker::failed, this, [this](const QString& sentence) { warn(sentence); });

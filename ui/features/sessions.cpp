@@ -55,6 +55,7 @@ class Sessions : public Feature {
   void showEarlier(const std::vector<LostSession>& discarded);
   void askBeforeClosing(const QString& lost);
   void saveAndClose();
+  void quit() { bench_.window.close(); }
 
   SessionFiles& files_;
   Autosave autosave_;
@@ -71,10 +72,8 @@ Sessions::Sessions(Workbench& bench)
       files_(bench.document.files),
       autosave_(session_, files_),
       offer_(new OfferBar),
-      earlierMenu_(new QMenu(tr("Restore earlier work"), &bench.window)) {
+      earlierMenu_(bench.addMenu("earlierMenu", tr("Restore earlier work"), {{"fileMenu", 40}})) {
   bench_.column.insertWidget(0, offer_);
-  earlierMenu_->setObjectName(QStringLiteral("earlierMenu"));
-  bench_.actions[earlierMenu_->objectName()] = earlierMenu_->menuAction();
   makeActions();
   connectFiles();
   connectAutosave();
@@ -93,12 +92,15 @@ Sessions::Sessions(Workbench& bench)
 }
 
 void Sessions::makeActions() {
-  bench_.addAction({"openSession", tr("Open session..."), {}, "", false, [this](bool) { askForSession(); }});
-  bench_.addAction(
-      {"saveSession", tr("Save session"), {QKeySequence::Save}, "", false, [this](bool) { saveSession(); }});
-  bench_.addAction({"saveSessionAs", tr("Save session as..."), {tr("Ctrl+Shift+S")}, "", false, [this](bool) {
-                      askForSessionFile();
-                    }});
+  const auto add = [this](const char* name, const QString& text, const QList<QKeySequence>& keys, int group,
+                          void (Sessions::*run)()) {
+    bench_.addAction(
+        {name, text, keys, "", false, [this, run](bool) { (this->*run)(); }, {{"fileMenu", group}}});
+  };
+  add("openSession", tr("Open session..."), {}, 30, &Sessions::askForSession);
+  add("saveSession", tr("Save session"), {QKeySequence::Save}, 30, &Sessions::saveSession);
+  add("saveSessionAs", tr("Save session as..."), {tr("Ctrl+Shift+S")}, 30, &Sessions::askForSessionFile);
+  add("quit", tr("Quit"), {QKeySequence::Quit}, 60, &Sessions::quit);
 }
 
 void Sessions::connectFiles() {
@@ -266,7 +268,7 @@ void Sessions::askForSession() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& path) { bench_.openRequested({path}); });
+          [this](const QString& path) { Q_EMIT bench_.openRequested({path}); });
   dialog->open();
 }
 

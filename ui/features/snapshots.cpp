@@ -25,13 +25,21 @@ class Snapshots : public Feature {
 
 Snapshots::Snapshots(Workbench& bench)
     : Feature(bench), snapshot_(bench.document.drawService, bench.document.jobs), panel_(new SnapshotPanel) {
-  bench_.addDock(QStringLiteral("snapshot"), tr("Snapshot"), Workbench::scrolling(panel_));
-  bench_.addAction({"snapshot", tr("Save snapshot..."), {tr("Ctrl+E")}, "snapshot", false, [this](bool) {
-                      panel_->askWhere();
-                    }});
-  bench_.addAction({"copySnapshot", tr("Copy snapshot"), {QKeySequence::Copy}, "", false, [this](bool) {
-                      panel_->copy();
-                    }});
+  bench_.addDock({"snapshot", tr("Snapshot"), Workbench::scrolling(panel_), {Qt::RightDockWidgetArea, 40}});
+  bench_.addAction({"snapshot",
+                    tr("Save snapshot..."),
+                    {tr("Ctrl+E")},
+                    "snapshot",
+                    false,
+                    [this](bool) { panel_->askWhere(); },
+                    {{"fileMenu", 50}, {"toolBar", 30, toolBarGap + 10}}});
+  bench_.addAction({"copySnapshot",
+                    tr("Copy snapshot"),
+                    {QKeySequence::Copy},
+                    "",
+                    false,
+                    [this](bool) { panel_->copy(); },
+                    {{"fileMenu", 50}}});
   snapshot_.setMeasured(
       [this](const Plan& plan) { return measuredError(bench_.document.meter.measured(), plan); });
   connect(panel_, &SnapshotPanel::requested, this, &Snapshots::take);

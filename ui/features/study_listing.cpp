@@ -98,14 +98,27 @@ void StudyListing::makePatientsBar() {
 }
 
 void StudyListing::makeActions() {
-  connect(bench_.addAction({"showBrowser", tr("Study list"), {tr("Ctrl+B")}, "", true, {}}),
-          &QAction::triggered, this, &StudyListing::showBrowser);
-  bench_.addAction({"findStudy", tr("Find study..."), {QKeySequence::Find}, "", false, [this](bool) {
-                      showBrowser(true);
-                      browser_->startSearch();
-                    }});
+  QAction* show = bench_.addAction({"showBrowser",
+                                    tr("Study list"),
+                                    {tr("Ctrl+B")},
+                                    "",
+                                    true,
+                                    {},
+                                    {{"fileMenu", 20}, {"toolBar", 10, 10}}});
+  connect(show, &QAction::triggered, this, &StudyListing::showBrowser);
+  const auto find = [this](bool) {
+    showBrowser(true);
+    browser_->startSearch();
+  };
   bench_.addAction(
-      {"importFolder", tr("Import folder..."), {tr("Ctrl+I")}, "", false, [this](bool) { askForImport(); }});
+      {"findStudy", tr("Find study..."), {QKeySequence::Find}, "", false, find, {{"fileMenu", 20}}});
+  bench_.addAction({"importFolder",
+                    tr("Import folder..."),
+                    {tr("Ctrl+I")},
+                    "",
+                    false,
+                    [this](bool) { askForImport(); },
+                    {{"fileMenu", 20}}});
 }
 
 void StudyListing::connectBrowser() {
@@ -195,12 +208,9 @@ void StudyListing::askForImport() {
 void StudyListing::showImport(const ImportReport& report) {
   tell(importText(report));
   if (report.refused.empty()) return;
-  QStringList details;
-  for (const Refused& refused : report.refused)
-    details << pathText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
   warn(report.refused.size() == 1 ? tr("1 file could not be imported.")
                                   : tr("%1 files could not be imported.").arg(report.refused.size()),
-       details);
+       refusedTexts(report.refused));
 }
 
 // Where it is open already, it is not read again.
@@ -220,10 +230,7 @@ void StudyListing::openFound(const IndexedChoice& choice, const std::vector<std:
 void StudyListing::showIndexed(const QString& place, const std::shared_ptr<const Study>& study,
                                const OpenIntent& intent) {
   bench_.document.opener.list(place, study);
-  QStringList details;
-  for (const Refused& refused : study->refused)
-    details << pathText(refused.path) + QStringLiteral(": ") + shownText(refused.reason);
-  if (!study->refused.empty()) bench_.banner.add(unreadText(*study), details);
+  if (!study->refused.empty()) bench_.banner.add(unreadText(*study), refusedTexts(study->refused));
   showChosen(*study, intent);
 }
 

@@ -1,6 +1,6 @@
 #include <QActionGroup>
-#include <QDockWidget>
 #include <QMenu>
+#include <QToolButton>
 
 #include "ui/features/feature.h"
 #include "ui/tools/tool.h"
@@ -16,6 +16,8 @@ namespace {
 class ViewActions : public Feature {
  public:
   explicit ViewActions(Workbench& bench);
+
+  void keep() override { bench_.document.opener.keepLayouts(); }
 
  private:
   void makeDirections();
@@ -51,11 +53,16 @@ ViewActions::ViewActions(Workbench& bench)
 void ViewActions::makeDirections() {
   const auto add = [this](const char* name, const QString& text, const QString& key, const char* icon,
                           const char* direction) {
-    bench_.addAction({name, text, {key}, icon, false, [this, direction](bool) {
-                        bench_.view()->showView(QLatin1String(direction));
-                      }});
+    const auto show = [this, direction](bool) { bench_.view()->showView(QLatin1String(direction)); };
+    bench_.addAction({name, text, {key}, icon, false, show, {{"viewMenu", 20}}});
   };
-  bench_.addAction({"resetView", tr("Reset view"), {tr("F")}, "reset", false, [this](bool) { resetView(); }});
+  bench_.addAction({"resetView",
+                    tr("Reset view"),
+                    {tr("F")},
+                    "reset",
+                    false,
+                    [this](bool) { resetView(); },
+                    {{"viewMenu", 10, 10}, {"toolBar", 20, 10}}});
   add("viewAnterior", tr("Anterior view"), tr("A"), "view", "anterior");
   add("viewPosterior", tr("Posterior view"), tr("P"), "", "posterior");
   add("viewLeft", tr("Left view"), tr("L"), "", "left");
@@ -71,12 +78,14 @@ void ViewActions::makeLayouts() {
       {Layout::besidePlanes, "layoutBesidePlanes", tr("Large 3D beside planes"), tr("Alt+3")},
       {Layout::two, "layoutTwo", tr("Two series"), tr("Alt+4")},
       {Layout::four, "layoutFour", tr("Four series"), tr("Alt+5")}};
+  QMenu* menu = bench_.addMenu("layoutMenu", tr("Layout"), {{"viewMenu", 60, 50}});
+  QToolButton* button = bench_.addMenuButton("layoutButton", 10);
+  button->setText(tr("Layout"));
+  button->setMenu(menu);
   auto* group = new QActionGroup(&bench_.window);
   for (const auto& [layout, name, text, key] : table) {
-    auto* action = group->addAction(text);
-    action->setObjectName(QLatin1String(name));
-    action->setShortcut(key);
-    action->setCheckable(true);
+    QAction* action =
+        group->addAction(bench_.addAction({name, text, {key}, "", true, {}, {{"layoutMenu", 10}}}));
     action->setChecked(layout == session_.workspace().layout);
     connect(action, &QAction::triggered, this,
             [this, layout = layout] { bench_.document.opener.chooseLayout(layout); });
@@ -84,8 +93,6 @@ void ViewActions::makeLayouts() {
             [action, layout = layout](const Workspace&, const Workspace& after) {
               action->setChecked(after.layout == layout);
             });
-    bench_.window.addAction(action);
-    bench_.actions[action->objectName()] = action;
   }
 }
 
@@ -100,14 +107,15 @@ void ViewActions::makePlaneTurns() {
       {"alignPlanes", tr("Planes along the slices"), alongSlices},
       {"straightenPlanes", tr("Planes along the patient"), alongPatient}};
   for (const auto& [name, text, turned] : turns) {
-    bench_.addAction({name, text, {}, "", false, [this, text = text, turned = turned](bool) {
-                        const ViewId focus = session_.workspace().focus;
-                        const ShownSeriesPtr shown = session_.seriesOf(focus);
-                        if (!shown) return warn(tr("Open a series first."));
-                        const glm::dvec3 at = crosshairOf(session_.workspace(), focus, *shown).at;
-                        setCrosshair(session_, focus, *shown, text, turned(at, shown->volume->geometry()));
-                        session_.endGesture();
-                      }});
+    const auto turn = [this, text = text, turned = turned](bool) {
+      const ViewId focus = session_.workspace().focus;
+      const ShownSeriesPtr shown = session_.seriesOf(focus);
+      if (!shown) return warn(tr("Open a series first."));
+      const glm::dvec3 at = crosshairOf(session_.workspace(), focus, *shown).at;
+      setCrosshair(session_, focus, *shown, text, turned(at, shown->volume->geometry()));
+      session_.endGesture();
+    };
+    bench_.addAction({name, text, {}, "", false, turn, {{"layoutMenu", 20}}});
   }
 }
 
@@ -125,16 +133,14 @@ void ViewActions::makeKinds() {
       {ViewKind::axial, "showAxial", tr("Axial")},
       {ViewKind::coronal, "showCoronal", tr("Coronal")},
       {ViewKind::sagittal, "showSagittal", tr("Sagittal")}};
+  bench_.addMenu("kindMenu", tr("Show in this view"), {{"viewMenu", 60, 60}});
   for (const auto& [kind, name, text] : table) {
-    QAction* action = kinds_->addAction(text);
-    action->setObjectName(QLatin1String(name));
-    action->setCheckable(true);
+    QAction* action = kinds_->addAction(bench_.addAction({name, text, {}, "", true, {}, {{"kindMenu"}}}));
     action->setData(int(kind));
     connect(action, &QAction::triggered, this, [this, kind = kind] {
       session_.showAs(session_.workspace().focus, kind);
       showKinds();
     });
-    bench_.actions[action->objectName()] = action;
   }
   showKinds();
 }
@@ -166,15 +172,16 @@ void ViewActions::showVolumeMenu(QPoint global) {
 
 void ViewActions::makeTools() {
   for (const Tool* tool : chosenSceneTools()) {
-    auto* action = new QAction(tool->text, tools_);
-    action->setObjectName(QLatin1String(tool->name) + QStringLiteral("Tool"));
-    action->setShortcut(tool->key);
-    action->setCheckable(true);
+    const std::string name = std::string(tool->name) + "Tool";
+    QAction* action = tools_->addAction(bench_.addAction({name.c_str(),
+                                                          tool->text,
+                                                          {QKeySequence(tool->key)},
+                                                          tool->name,
+                                                          true,
+                                                          {},
+                                                          {{"viewMenu", 10}, {"toolBar", 20}}}));
     action->setChecked(tool == &toolNamed("rotate"));
-    action->setProperty("iconName", QLatin1String(tool->name));
     connect(action, &QAction::triggered, this, [this, tool] { grid_.setSceneTool(*tool); });
-    bench_.window.addAction(action);
-    bench_.actions[action->objectName()] = action;
   }
 }
 

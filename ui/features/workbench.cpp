@@ -2,8 +2,10 @@
 
 #include <QDockWidget>
 #include <QEvent>
+#include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/views/view_grid.h"
@@ -40,7 +42,20 @@ Document::Document(const Services& services)
     : index(services.indexFolder, jobs), drawService(services.makeDraw), loader(jobs, services.makeScene) {}
 
 Workbench::Workbench(const Services& theServices, Document& theDocument, const WindowParts& parts)
-    : WindowParts(parts), services(theServices), document(theDocument) {}
+    : WindowParts(parts), services(theServices), document(theDocument), menus(parts.window) {
+  Session& session = document.session;
+  connect(&session, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
+    const bool isSame = before.series && areOneSeries(before.series, after.series);
+    if (before.series != after.series && !isSame) Q_EMIT otherShown();
+  });
+  connect(&session, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            const auto shown = [](const Workspace& w) {
+              return std::pair(w.view(w.focus).series, showsFrames(w, w.focus));
+            };
+            if (showsOther(before, after) && shown(before) != shown(after)) Q_EMIT otherShown();
+          });
+}
 
 void Workbench::addAboveViews(QWidget* widget) { column.insertWidget(column.count() - 1, widget); }
 
@@ -52,22 +67,45 @@ QAction* Workbench::addAction(const ActionEntry& entry) {
   action->setProperty("iconName", QLatin1String(entry.icon));
   if (entry.run) connect(action, entry.checkable ? &QAction::toggled : &QAction::triggered, this, entry.run);
   window.addAction(action);
-  return actions[action->objectName()] = action;
+  addAction(action, entry.places);
+  return action;
+}
+
+void Workbench::addAction(QAction* action, const std::vector<Place>& places) {
+  actions[action->objectName()] = action;
+  menus.add(action, places);
 }
 
 QAction* Workbench::actionOf(const Tool& tool) const {
   return actions.at(QLatin1String(tool.name) + QStringLiteral("Tool"));
 }
 
-void Workbench::addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title);
+QMenu* Workbench::addMenu(const char* name, const QString& title, const std::vector<Place>& places) {
+  auto* menu = new QMenu(title, &window);
+  menu->setObjectName(QLatin1String(name));
+  menus.addMenu(menu, places);
+  return menu;
+}
+
+QToolButton* Workbench::addMenuButton(const char* name, int order) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(name));
+  button->setPopupMode(QToolButton::InstantPopup);
+  menus.addWidget(button, {"toolBar", 30, order});
+  return button;
+}
+
+QDockWidget* Workbench::addDock(const DockEntry& entry) {
+  const QString name = QLatin1String(entry.name);
+  auto* dock = new QDockWidget(entry.title);
   dock->setObjectName(name + QStringLiteral("Dock"));
-  panel->setObjectName(name + QStringLiteral("Panel"));
-  dock->setWidget(panel);
-  window.addDockWidget(area, dock);
+  entry.panel->setObjectName(name + QStringLiteral("Panel"));
+  dock->setWidget(entry.panel);
+  window.addDockWidget(entry.place.area, dock);
   new FoldTitle(dock);
   connect(dock->toggleViewAction(), &QAction::triggered, dock, &QWidget::raise);
-  docks[name] = dock;
+  docks[name] = {dock, entry.place};
+  return dock;
 }
 
 QWidget* Workbench::scrolling(QWidget* panel) { return new Scrolling(panel); }

@@ -18,12 +18,15 @@
 #include "ui/controller/slice_service.h"
 #include "ui/document/jobs.h"
 #include "ui/document/open_studies.h"
+#include "ui/features/menus.h"
 #include "ui/workspace/own_presets.h"
 #include "ui/workspace/session.h"
 
 class QDockWidget;
 class QMenu;
 class QSplitter;
+class QStackedWidget;
+class QToolButton;
 class QVBoxLayout;
 
 namespace volumen {
@@ -69,9 +72,9 @@ struct WindowParts {
   ViewGrid& grid;
   Banner& banner;
   StatusLine& status;
-  QWidget& pages;       ///< the views, or the start page
-  QSplitter& split;     ///< holds them
-  QVBoxLayout& column;  ///< and that, last
+  QStackedWidget& pages;  ///< the views, or the start page
+  QSplitter& split;       ///< holds them
+  QVBoxLayout& column;    ///< and that, last
 };
 
 /// What the features of the window share: the document, its views, and the frame that they add actions and
@@ -84,7 +87,7 @@ class Workbench : public QObject, public WindowParts {
   const Services& services;
   Document& document;
   std::map<QString, QAction*> actions;
-  std::map<QString, QDockWidget*> docks;
+  Menus menus;
 
   /// One line of a table of actions.
   struct ActionEntry {
@@ -94,23 +97,47 @@ class Workbench : public QObject, public WindowParts {
     const char* icon;
     bool checkable;
     std::function<void(bool)> run;
+    std::vector<Place> places = {};
   };
   QAction* addAction(const ActionEntry& entry);
+  /// One that was made elsewhere, under its object name.
+  void addAction(QAction* action, const std::vector<Place>& places);
   QAction* action(const char* name) const { return actions.at(QLatin1String(name)); }
   /// The one that chooses a tool.
   QAction* actionOf(const Tool& tool) const;
-  /// In the window as NAMEDock, with a title that folds it.
-  void addDock(const QString& name, const QString& title, QWidget* panel,
-               Qt::DockWidgetArea area = Qt::RightDockWidgetArea);
+  /// An empty menu that others may add to by this object name.
+  QMenu* addMenu(const char* name, const QString& title, const std::vector<Place>& places);
+  /// A button of the tool bar, for a menu that opens at once.
+  QToolButton* addMenuButton(const char* name, int order);
+
+  /// Where a panel stands while nobody has moved it: at the left, or at the right, where the first one is
+  /// above and the others are tabs below it; and whether it is open.
+  struct DockPlace {
+    Qt::DockWidgetArea area;
+    int order;
+    bool isOpen = true;
+  };
+  /// One line of a table of panels.
+  struct DockEntry {
+    const char* name;
+    QString title;
+    QWidget* panel;
+    DockPlace place;
+  };
+  struct Dock {
+    QDockWidget* widget;
+    DockPlace place;
+  };
+  std::map<QString, Dock> docks;
+  /// In the window as NAMEDock, with a title that folds it; the panel is called NAMEPanel.
+  QDockWidget* addDock(const DockEntry& entry);
+  QDockWidget* dock(const char* name) const { return docks.at(QLatin1String(name)).widget; }
   /// A panel that may be given less height than it has, so that the window fits a small screen; never less
   /// width.
   static QWidget* scrolling(QWidget* panel);
 
   /// Between what is told and the views.
   void addAboveViews(QWidget* widget);
-  /// Into the window's tool bar, in the order in which features are made.
-  void addToToolBar(QWidget* widget) { toolBarWidgets.push_back(widget); }
-  std::vector<QWidget*> toolBarWidgets;
 
   /// The 3D view that the panels work on.
   VolumeView* view() const;
@@ -124,8 +151,13 @@ class Workbench : public QObject, public WindowParts {
   void forEachVolumeView(const std::function<void(VolumeView*)>& call);
 
  Q_SIGNALS:
-  /// Files, folders or sessions are to be opened.
-  void openRequested(const QStringList& paths);
+  /// All features are made, and the menus are filled.
+  void made();
+  /// Files, folders, phantoms or sessions are to be opened; the largest series of the first that holds any is
+  /// shown, by the scene where one is given.
+  void openRequested(const QStringList& paths, const std::optional<volumen::Scene>& scene = {});
+  /// The view in focus shows another series than before, or shows it in another way.
+  void otherShown();
   /// A picture of view().
   void drawn(const volumen::ScreenPicture& picture);
   /// That picture is the one at rest of the session's scene; `complete`: with the camera in use.

@@ -95,6 +95,13 @@ QString unreadText(const Study& study) {
                        : tr("%1; %2 others are not images.").arg(text).arg(others);
 }
 
+QStringList refusedTexts(const std::vector<Refused>& refused) {
+  QStringList texts;
+  for (const Refused& each : refused)
+    texts << pathText(each.path) + QStringLiteral(": ") + shownText(each.reason);
+  return texts;
+}
+
 QString noVolumesText(const Study& study) {
   const std::size_t images = study.images.size();
   QStringList sentences{unreadText(study)};

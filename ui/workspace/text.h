@@ -37,6 +37,9 @@ QString studyText(const Series& series);
 /// it is.
 QString unreadText(const Study& study);
 
+/// "/data/a.dcm: cut off": each of them.
+QStringList refusedTexts(const std::vector<Refused>& refused);
+
 /// The same where only volumes count: "1 picture is no volume." behind it.
 QString noVolumesText(const Study& study);
 

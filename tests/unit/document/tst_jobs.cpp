@@ -7,6 +7,7 @@
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
 #include "ui/document/job_lane.h"
+#include "ui/workspace/text.h"
 
 using namespace volumen;
 
@@ -40,6 +41,8 @@ class TestJobs : public QObject {
   void theListShowsWhatRunsAndWaits();
   void whatIsToldOfProgress_data();
   void whatIsToldOfProgress();
+  void rowsSayWhatAJobWorksOn_data();
+  void rowsSayWhatAJobWorksOn();
   void oneOfThreeIsCancelled();
   void whatWaitsIsNeverBegun();
   void whatIsWrittenIsWrittenToItsEnd();
@@ -125,6 +128,38 @@ void TestJobs::whatIsToldOfProgress() {
   const JobRow row = jobs.rows().at(0);
   QCOMPARE(row.text, text);
   QCOMPARE(row.part, part);
+}
+
+void TestJobs::rowsSayWhatAJobWorksOn_data() {
+  QTest::addColumn<QString>("object");
+  QTest::addColumn<QString>("told");
+  QTest::addColumn<bool>("namesHidden");
+  QTest::addColumn<QString>("text");
+  const auto row = [](const char* name, const char* object, const char* told, bool hidden, const char* text) {
+    QTest::newRow(name) << QString::fromUtf8(object) << QString::fromUtf8(told) << hidden
+                        << QString::fromUtf8(text);
+  };
+  row("nothing", "", "", false, "Opening");
+  row("nothing, told", "", "reading slices", false, "reading slices");
+  row("a folder", "CT-chest", "", false, "Opening CT-chest");
+  row("a folder, told", "CT-chest", "reading slices", false, "Opening CT-chest (reading slices)");
+  row("a folder, names hidden", "CT-chest", "", true, "Opening");
+  row("a folder, told, names hidden", "CT-chest", "reading slices", true, "reading slices");
+  row("a long name is shortened", "1.2.840.113619.2.55.3.604688119.969", "", false,
+      "Opening 1.2.840.113619….604688119.969");
+}
+
+void TestJobs::rowsSayWhatAJobWorksOn() {
+  QFETCH(QString, object);
+  QFETCH(QString, told);
+  QFETCH(bool, namesHidden);
+  QFETCH(QString, text);
+  const Job job({QStringLiteral("Opening"), object});
+  if (!told.isEmpty()) job.tell(told, -1);
+  hideNames(namesHidden);
+  const QString shown = job.row().text;
+  hideNames(false);
+  QCOMPARE(shown, text);
 }
 
 void TestJobs::oneOfThreeIsCancelled() {

@@ -1,4 +1,4 @@
-#include "ui/preferences_dialog.h"
+#include "ui/panels/preferences_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>

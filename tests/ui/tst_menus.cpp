@@ -1,0 +1,102 @@
+// Guards what stands in the menus and in the tool bar of the window, and in which order: features say it,
+// each of its own actions.
+#include <QMenuBar>
+#include <QSettings>
+#include <QToolBar>
+#include <QWidgetAction>
+
+#include "tests/ui/journey.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+
+namespace {
+
+// Its text, "|" of a line, "NAME >" of a menu; of a widget its name in brackets.
+QString entryText(const QAction* action) {
+  if (action->isSeparator()) return QStringLiteral("|");
+  if (const auto* holder = qobject_cast<const QWidgetAction*>(action))
+    return QStringLiteral("[%1]").arg(holder->defaultWidget()->objectName());
+  return action->menu() ? action->text() + QStringLiteral(" >") : action->text();
+}
+
+QStringList entriesOf(const QWidget* menu) {
+  QStringList entries;
+  for (const QAction* action : menu->actions()) entries << entryText(action);
+  return entries;
+}
+
+QStringList listed(const char* entries) { return QString::fromLatin1(entries).split(QStringLiteral("; ")); }
+
+// The one that titles lead to from the menu bar; none: the bar itself.
+const QWidget* menuAt(const QMainWindow& window, const QString& titles) {
+  const QWidget* at = window.menuBar();
+  for (const QString& title : titles.split(QLatin1Char('/'), Qt::SkipEmptyParts)) {
+    const QWidget* next = nullptr;
+    for (const QAction* action : at->actions())
+      if (action->menu() && action->text() == title) next = action->menu();
+    if (!next) return nullptr;
+    at = next;
+  }
+  return at;
+}
+
+}  // namespace
+
+class TestMenus : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void init() { QSettings().clear(); }
+  void menusHoldWhatTheyShould_data();
+  void menusHoldWhatTheyShould();
+  void theToolBarHoldsWhatItShould();
+};
+
+void TestMenus::menusHoldWhatTheyShould_data() {
+  QTest::addColumn<QStringList>("entries");
+  const auto row = [](const char* titles, const char* entries) { QTest::newRow(titles) << listed(entries); };
+  row("", "&File >; &Edit >; &View >; &Help >");
+  row("&File",
+      "Open folder...; Open file...; Open recent >; Sample study; |; "
+      "Study list; Find study...; Import folder...; |; "
+      "Open session...; Save session; Save session as...; |; "
+      "Restore earlier work >; Open scene...; Save scene...; |; Save snapshot...; Copy snapshot; |; Quit");
+  row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
+  row("&View",
+      "Rotate; Adjust curve (W/L); Scissors; Reset view; |; "
+      "Anterior view; Posterior view; Left view; Right view; Superior view; Inferior view; |; "
+      "Show as frames; Each image its own window; Overlays and shutters; Play or stop; |; "
+      "Key image; Previous key image; Next key image; |; "
+      "Use OpenGL (usually slower without a GPU); Show error map; |; "
+      "Maximise view; Full screen; Light theme; Hide names; Layout >; Show in this view >; Link >; "
+      "Measure >; Interpolate between voxels; Slab >; Colour map >; PET values >; Overlay >; Panels >");
+  row("&View/Layout",
+      "One view; Planes and 3D; Large 3D beside planes; Two series; Four series; |; "
+      "Planes along the slices; Planes along the patient");
+  row("&View/Show in this view", "3D; Axial; Coronal; Sagittal");
+  row("&View/Measure",
+      "Length\tD; Polyline; Angle\tA; Cobb angle; Ellipse\tE; Rectangle; Freehand; Probe\tP; Arrow\tT");
+  row("&View/Panels",
+      "Quality and speed; Camera; Clip; Effects; Key images; Lights; Measure; Contours and segments; "
+      "Segment; Snapshot; Studies; Opacity and colour; |; Reset layout");
+  row("&Help", "Documentation; Mouse and keys; About volumen");
+}
+
+void TestMenus::menusHoldWhatTheyShould() {
+  QFETCH(QStringList, entries);
+  const MainWindow window(realServices());
+  const QWidget* menu = menuAt(window, QString::fromLatin1(QTest::currentDataTag()));
+  QVERIFY(menu);
+  QCOMPARE(entriesOf(menu), entries);
+}
+
+void TestMenus::theToolBarHoldsWhatItShould() {
+  const MainWindow window(realServices());
+  QCOMPARE(entriesOf(window.findChild<QToolBar*>(QStringLiteral("tools"))),
+           listed("Open folder...; Study list; Undo; Redo; |; "
+                  "Rotate; Adjust curve (W/L); Scissors; Reset view; |; "
+                  "[]; [layoutButton]; [measureButton]; [linkButton]; []; Save snapshot...; Mouse and keys"));
+}
+
+VOLUMEN_TEST(TestMenus);
+#include "tst_menus.moc"

@@ -1,0 +1,52 @@
+#include "ui/features/feature.h"
+#include "ui/views/view_grid.h"
+
+namespace volumen {
+
+namespace {
+
+// What is drawn: told to the features where it is of the view that the panels work on; and what could not be.
+class Drawing : public Feature {
+ public:
+  explicit Drawing(Workbench& bench);
+
+ private:
+  void tellDrawn(const ScreenPicture& drawn);
+};
+
+Drawing::Drawing(Workbench& bench) : Feature(bench) {
+  connect(&bench_.document.drawService, &DrawService::failed, this,
+          [this](ViewId, const QString& sentence) { warn(sentence); });
+  connect(&bench_.document.slices, &SliceService::failed, this,
+          [this](int, const QString& sentence) { warn(sentence); });
+  bench_.forEachVolumeView(
+      [this](VolumeView* view) { connect(view, &VolumeView::drawn, this, &Drawing::tellDrawn); });
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (before.focus == after.focus) return;
+            bench_.document.drawService.setHand(after.focus);
+            // The panels want to know of it.
+            if (sceneViewOf(before) != sceneViewOf(after)) bench_.view()->requestPicture();
+          });
+}
+
+void Drawing::tellDrawn(const ScreenPicture& drawn) {
+  if (drawn.view != sceneViewOf(session_.workspace())) return;
+  Q_EMIT bench_.drawn(drawn);
+  if (drawn.draft()) return;
+  Scene now = session_.scene();
+  if (!now.camera) now.camera = drawn.scene.camera;
+  if (now != drawn.scene) return;
+  // The plan's camera sees a little more where a ray stands for several pixels.
+  Scene complete = drawn.plan->scene;
+  const auto target = complete.camera->target;
+  complete.camera = drawn.scene.camera;
+  if (!complete.camera->target) complete.camera->target = target;
+  Q_EMIT bench_.drawnAtRest(drawn, complete);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeDrawing(Workbench& bench) { return std::make_unique<Drawing>(bench); }
+
+}  // namespace volumen

@@ -1,0 +1,127 @@
+#include <QDir>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+
+#include "io/files/session_file.h"
+#include "ui/features/feature.h"
+#include "ui/widgets/banner.h"
+
+namespace volumen {
+
+namespace {
+
+// Files and folders: asked for, dropped, or opened before.
+class Opening : public Feature {
+ public:
+  explicit Opening(Workbench& bench);
+
+  bool eventFilter(QObject* window, QEvent* event) override;
+
+ private:
+  void makeActions();
+  void open(const QStringList& paths, const std::optional<Scene>& scene);
+  void ask(const QString& title, QFileDialog::FileMode mode);
+  void showRecent();
+
+  QMenu* recentMenu_;
+};
+
+Opening::Opening(Workbench& bench) : Feature(bench) {
+  makeActions();
+  RecentFiles& recent = bench_.document.recent;
+  recentMenu_ = bench_.addMenu("recentMenu", tr("Open recent"), {{"fileMenu", 10, 10}});
+  connect(bench_.window.findChild<QMenu*>(QStringLiteral("fileMenu")), &QMenu::aboutToShow, &recent,
+          &RecentFiles::look);
+  connect(&recent, &RecentFiles::changed, this, &Opening::showRecent);
+  showRecent();
+  connect(&bench_, &Workbench::openRequested, this, &Opening::open);
+  bench_.window.setAcceptDrops(true);
+  bench_.window.installEventFilter(this);
+}
+
+void Opening::makeActions() {
+  bench_.addAction({"openFolder",
+                    tr("Open folder..."),
+                    {QKeySequence::Open},
+                    "open",
+                    false,
+                    [this](bool) { ask(tr("Open folder"), QFileDialog::Directory); },
+                    {{"fileMenu", 10}, {"toolBar", 10}}});
+  bench_.addAction({"openFile",
+                    tr("Open file..."),
+                    {tr("Ctrl+Shift+O")},
+                    "",
+                    false,
+                    [this](bool) { ask(tr("Open file"), QFileDialog::ExistingFiles); },
+                    {{"fileMenu", 10}}});
+  bench_.addAction({"openSample",
+                    tr("Sample study"),
+                    {},
+                    "sample",
+                    false,
+                    [this](bool) { open({QStringLiteral("phantom:ct-head")}, {}); },
+                    {{"fileMenu", 10, 20}}});
+}
+
+void Opening::open(const QStringList& paths, const std::optional<Scene>& scene) {
+  bench_.banner.hide();
+  OpenIntent intent;
+  intent.scene = scene;
+  intent.isShown = std::make_shared<bool>(false);
+  for (const QString& given : paths) {
+    const bool isFile = QFileInfo::exists(given);  // a phantom is none
+    const QString path = isFile ? QDir::cleanPath(QFileInfo(given).absoluteFilePath()) : given;
+    if (isSessionFile(path.toStdString()))
+      bench_.document.loader.openSession(path);
+    else
+      bench_.document.loader.open(path, intent);
+  }
+}
+
+void Opening::ask(const QString& title, QFileDialog::FileMode mode) {
+  auto* dialog = new QFileDialog(&bench_.window, title);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(mode);
+  connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) { open(paths, {}); });
+  dialog->open();
+}
+
+void Opening::showRecent() {
+  RecentFiles& recent = bench_.document.recent;
+  recentMenu_->clear();
+  recentMenu_->setEnabled(!recent.paths().isEmpty());
+  for (const QString& path : recent.paths()) {
+    const QString text = QString(path).replace(QLatin1Char('&'), QStringLiteral("&&"));
+    recentMenu_->addAction(text, this, [this, path] { open({path}, {}); })->setEnabled(!recent.isGone(path));
+  }
+  recentMenu_->addSeparator();
+  auto* clear = recentMenu_->addAction(tr("Clear list"));
+  clear->setObjectName(QStringLiteral("clearRecentMenu"));
+  connect(clear, &QAction::triggered, &recent, &RecentFiles::clear, Qt::QueuedConnection);
+}
+
+// What is dropped on the window.
+bool Opening::eventFilter(QObject* window, QEvent* event) {
+  if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop)
+    return Feature::eventFilter(window, event);
+  auto* drop = static_cast<QDropEvent*>(event);
+  if (event->type() == QEvent::DragEnter) {
+    if (drop->mimeData()->hasUrls()) drop->acceptProposedAction();
+    return true;
+  }
+  QStringList paths;
+  for (const QUrl& url : drop->mimeData()->urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  if (!paths.isEmpty()) open(paths, {});
+  drop->acceptProposedAction();
+  return true;
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeOpening(Workbench& bench) { return std::make_unique<Opening>(bench); }
+
+}  // namespace volumen

@@ -1,0 +1,93 @@
+#include <QApplication>
+
+#include "ui/features/feature.h"
+#include "ui/features/theme.h"
+#include "ui/panels/preferences_dialog.h"
+#include "ui/widgets/banner.h"
+
+namespace volumen {
+
+namespace {
+
+// What the user prefers: kept, shown in its dialog and in the actions that switch some of it, and the theme.
+class PreferencesFeature : public Feature {
+ public:
+  explicit PreferencesFeature(Workbench& bench);
+
+ private:
+  void makeActions();
+  void apply(const Preferences& before, const Preferences& after);
+  void showTheme();
+  void showDialog();
+};
+
+PreferencesFeature::PreferencesFeature(Workbench& bench) : Feature(bench) {
+  makeActions();
+  connect(&session_, &Session::preferencesChanged, this, &PreferencesFeature::apply);
+  connect(&bench_, &Workbench::made, this, [this] {
+    showTheme();
+    session_.prefer(storedPreferences());
+  });
+}
+
+void PreferencesFeature::makeActions() {
+  const std::vector<Workbench::ActionEntry> table{
+      {"lightTheme",
+       tr("Light theme"),
+       {},
+       "",
+       true,
+       [this](bool on) {
+         session_.prefer([on](Preferences& p) { p.theme = on ? Theme::light : Theme::dark; });
+       },
+       {{"viewMenu", 60, 30}}},
+      {"hideNames",
+       tr("Hide names"),
+       {},
+       "",
+       true,
+       [this](bool on) { session_.prefer([on](Preferences& p) { p.hideNames = on; }); },
+       {{"viewMenu", 60, 40}}},
+      {"preferences",
+       tr("Preferences..."),
+       {tr("Ctrl+,")},
+       "",
+       false,
+       [this](bool) { showDialog(); },
+       {{"editMenu", 30}}}};
+  for (const Workbench::ActionEntry& entry : table) bench_.addAction(entry);
+}
+
+void PreferencesFeature::apply(const Preferences& before, const Preferences& after) {
+  storePreferences(after);
+  if (before.theme != after.theme || before.textPercent != after.textPercent) showTheme();
+  bench_.action("lightTheme")->setChecked(after.theme == Theme::light);
+  bench_.action("hideNames")->setChecked(after.hideNames);
+  if (before.hideNames != after.hideNames) bench_.banner.refresh();
+}
+
+void PreferencesFeature::showTheme() {
+  applyTheme(*qApp, session_.preferences().theme, session_.preferences().textPercent);
+  for (const auto& [name, action] : bench_.actions) {
+    const QString iconName = action->property("iconName").toString();
+    if (!iconName.isEmpty()) action->setIcon(icon(iconName));
+  }
+}
+
+void PreferencesFeature::showDialog() {
+  auto* dialog = bench_.window.findChild<PreferencesDialog*>();
+  if (!dialog) {
+    dialog = new PreferencesDialog(session_, &bench_.window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  dialog->show();
+  dialog->activateWindow();
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makePreferences(Workbench& bench) {
+  return std::make_unique<PreferencesFeature>(bench);
+}
+
+}  // namespace volumen

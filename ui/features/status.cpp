@@ -1,0 +1,38 @@
+#include "ui/features/feature.h"
+#include "ui/views/view_grid.h"
+#include "ui/widgets/status_line.h"
+
+namespace volumen {
+
+namespace {
+
+// What the status line tells: the place under the pointer, and what is to be known of the series in focus.
+class StatusTexts : public Feature {
+ public:
+  explicit StatusTexts(Workbench& bench);
+
+ private:
+  void showWarnings();
+};
+
+StatusTexts::StatusTexts(Workbench& bench) : Feature(bench) {
+  connect(&grid_, &ViewGrid::hovered, &bench_.status, &StatusLine::showHover);
+  connect(&session_, &Session::workspaceChanged, this, &StatusTexts::showWarnings);
+}
+
+// Of frames and of what is still being read, by its headers.
+void StatusTexts::showWarnings() {
+  const Workspace& workspace = session_.workspace();
+  const Series* series = seriesIn(workspace, workspace.focus);
+  const ShownSeriesPtr read =
+      showsFrames(workspace, workspace.focus) ? nullptr : session_.seriesOf(workspace.focus);
+  bench_.status.showWarnings(read     ? warningSentences(read->warnings)
+                             : series ? warningSentences(series->warnings)
+                                      : QStringList());
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeStatus(Workbench& bench) { return std::make_unique<StatusTexts>(bench); }
+
+}  // namespace volumen

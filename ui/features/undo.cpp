@@ -1,0 +1,40 @@
+#include <QUndoStack>
+
+#include "ui/features/feature.h"
+#include "ui/widgets/plain_text.h"
+
+namespace volumen {
+
+namespace {
+
+// Undo and redo, which name what was done.
+class Undo : public Feature {
+ public:
+  explicit Undo(Workbench& bench);
+
+ private:
+  void add(const char* name, QAction* action, QKeySequence::StandardKey key);
+};
+
+Undo::Undo(Workbench& bench) : Feature(bench) {
+  QUndoStack& stack = session_.undoStack();
+  add("undo", stack.createUndoAction(&bench_.window, tr("Undo")), QKeySequence::Undo);
+  add("redo", stack.createRedoAction(&bench_.window, tr("Redo")), QKeySequence::Redo);
+}
+
+void Undo::add(const char* name, QAction* action, QKeySequence::StandardKey key) {
+  action->setObjectName(QLatin1String(name));
+  action->setShortcuts(key);
+  action->setProperty("iconName", QLatin1String(name));
+  // Its text, which else is its tool tip, names what was done to what.
+  connect(action, &QAction::changed, action, [action] {
+    if (action->toolTip() != toolTipOf(action->text())) action->setToolTip(toolTipOf(action->text()));
+  });
+  bench_.addAction(action, {{"editMenu", 10}, {"toolBar", 10, 20}});
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeUndo(Workbench& bench) { return std::make_unique<Undo>(bench); }
+
+}  // namespace volumen
