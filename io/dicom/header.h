@@ -11,7 +11,10 @@
 #include "io/dicom/fragments.h"
 #include "io/dicom/scanned_file.h"
 #include "io/dicom/suv.h"
-#include "io/study.h"
+#include "io/study/cine.h"
+#include "io/study/identity.h"
+#include "io/study/reference.h"
+#include "io/study/warning.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen::dicom {

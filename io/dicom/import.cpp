@@ -7,6 +7,7 @@
 #include "io/dicom/directory.h"
 #include "io/dicom/series.h"
 #include "io/dicom/unread.h"
+#include "io/study/study.h"
 
 namespace volumen::dicom {
 

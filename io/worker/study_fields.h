@@ -1,6 +1,7 @@
 #pragma once
 
-#include "io/study.h"
+#include "io/study/reference.h"
+#include "io/study/series.h"
 #include "io/worker/wire.h"
 
 // The structs of io/study.h on the wire.

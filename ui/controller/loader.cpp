@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "io/index/index_path.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "viewer/plan/default_window.h"
 #include "viewer/scene/automatic.h"
 #include "viewer/slice/first_window.h"
