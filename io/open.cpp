@@ -54,7 +54,7 @@ void addFiles(const FoundFiles& found, bool all, const Progress& progress, const
   std::vector<dicom::LostFile> lost;
   for (const UnreadableEntry& entry : found.unreadable) {
     study.refused.push_back({entry.path, entry.reason + "."});
-    if (!entry.elsewhere) lost.push_back({{study.refused.back(), true, {}}, {}, {}});
+    if (!entry.elsewhere) lost.push_back({{study.refused.back(), true, {}}, {}});
   }
   std::vector<LookedAt> looked = lookAtFiles(files, progress, cancel);
   std::vector<std::string> others;
@@ -65,7 +65,7 @@ void addFiles(const FoundFiles& found, bool all, const Progress& progress, const
       inspections.push_back(std::move(looked[n].dicom));
     } else if (!looked[n].problem.empty()) {
       study.refused.push_back({files[n], reasonWithout(files[n], looked[n].problem)});
-      lost.push_back({{study.refused.back(), true, {}}, {}, {}, !looked[n].gzippedDicom});
+      lost.push_back({{study.refused.back(), true, {}}, {}, !looked[n].gzippedDicom});
     } else {
       std::move(looked[n].volumes.begin(), looked[n].volumes.end(), std::back_inserter(study.volumes));
     }

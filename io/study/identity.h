@@ -15,6 +15,7 @@ struct SeriesIdentity {
   std::string patientAge;        ///< at the study, as DICOM writes it: "045Y"
   std::string studyUid, studyDate, studyTime, studyId, accessionNumber, studyDescription;
   std::string seriesUid, seriesNumber, modality, description;
+  std::string sopClassUid;  ///< of its pictures, of the first one where they differ; empty: not known
   std::string bodyPart, laterality;  ///< as in the file: "BREAST", "L"
   std::string viewPosition;          ///< of projections, as in the file: "MLO", "PA"
   std::string frameOfReferenceUid;   ///< positions of one frame of reference are comparable; empty: not given

@@ -13,7 +13,7 @@ struct Image : SeriesIdentity {
   std::string id;         ///< SOPInstanceUID or file name, "#n" behind it where several are alike
   std::string path;       ///< of the file
   std::string notVolume;  ///< why it is no volume: a sentence without the file's name
-  std::string sopInstanceUid, sopClassUid;
+  std::string sopInstanceUid;
   int frames = 1, rows = 0, columns = 0;
   std::string photometric;  ///< PhotometricInterpretation
   Cine cine;

@@ -32,7 +32,7 @@ const char* kindName(ReferenceKind kind);
 struct Reference : SeriesIdentity {
   ReferenceKind kind = ReferenceKind::report;
   std::string id;  ///< SOPInstanceUID or file name, "#n" behind it where several are alike
-  std::string path, sopInstanceUid, sopClassUid;
+  std::string path, sopInstanceUid;
   std::string label;  ///< of presentation states, structure sets and segmentations; the title of documents
   std::string text;   ///< the description that goes with it; of key objects what is said of the pictures
   std::string date;   ///< as DICOM writes it: of the content; empty where it is not given
