@@ -5,6 +5,7 @@
 
 #include "app/command.h"
 #include "io/archive.h"
+#include "io/study/study.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 

@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/unread.h"
 
 namespace volumen {
+
+struct Series;
+struct Study;
 
 /// A series of `info`: what was found, and the same as JSON, with its values where they were asked for.
 struct InfoSeries {

@@ -7,6 +7,8 @@
 #include "app/progress.h"
 #include "io/archive.h"
 #include "io/index/index_path.h"
+#include "io/load.h"
+#include "io/study/choose.h"
 #include "ui/workspace/text.h"
 #include "viewer/scene/automatic.h"
 

@@ -4,10 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/loaded.h"
+#include "io/study/series.h"
 #include "viewer/segment/mask.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
+
+struct Study;
 
 /// A volume that a command works on, with what the user is to be told about how it was found and read.
 struct Opened {

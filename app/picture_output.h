@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/files/picture_file.h"
-#include "io/warning.h"
+#include "io/study/warning.h"
 
 namespace volumen {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/study.h"
+#include "io/study/progress.h"
 
 namespace volumen {
 

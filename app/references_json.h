@@ -2,9 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/study.h"
+#include "viewer/volume/result.h"
 
 namespace volumen {
+
+struct Reference;
 
 /// What `info` says of an object that refers to pictures (resources/docs/import.md).
 nlohmann::ordered_json referenceToJson(const Reference& object);

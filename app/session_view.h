@@ -3,10 +3,11 @@
 #include <optional>
 #include <string>
 
-#include "io/study.h"
+#include "io/study/series.h"
 #include "viewer/plan/options.h"
 #include "viewer/scene/scene.h"
 #include "viewer/segment/mask.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
 

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/reference.h"
+#include "viewer/volume/result.h"
 
 namespace volumen {
 

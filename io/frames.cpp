@@ -2,6 +2,7 @@
 
 #include "io/dicom/import.h"
 #include "io/frame_limit.h"
+#include "io/study/image.h"
 
 namespace volumen {
 namespace {

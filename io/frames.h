@@ -1,10 +1,12 @@
 #pragma once
 
 #include "io/presentation.h"
-#include "io/study.h"
 #include "viewer/slice/frame.h"
 
 namespace volumen {
+
+struct Image;
+struct Series;
 
 /// Frame `index` (from 0) of a picture, as acquired (slices.md 2): values or colours, the file's windows,
 /// overlays, shutter, regions. Where the file has no window the default is P0.1 .. P99.9 of this frame

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "io/dicom/header.h"
+#include "io/study/progress.h"
+#include "io/study/series.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
 

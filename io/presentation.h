@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/reference.h"
 #include "viewer/slice/frame.h"
 #include "viewer/slice/presentation.h"
 #include "viewer/slice/shutter.h"
+#include "viewer/volume/result.h"
 
 namespace volumen {
 

@@ -5,6 +5,9 @@
 #include <glm/geometric.hpp>
 
 #include "io/frames.h"
+#include "io/load.h"
+#include "io/study/image.h"
+#include "io/study/series.h"
 #include "viewer/slice/first_window.h"
 
 namespace volumen {

@@ -2,10 +2,14 @@
 
 #include <QImage>
 
-#include "io/study.h"
 #include "viewer/volume/cancel.h"
+#include "viewer/volume/result.h"
+#include "viewer/volume/volume.h"
 
 namespace volumen {
+
+struct Image;
+struct Series;
 
 /// The slice in the middle of a volume by its first window (`unit` of its values), as it is usually looked
 /// at: anterior or superior on top. In square pixels, the longer side of `edge`.

@@ -10,6 +10,7 @@
 #include "io/files/output_file.h"
 #include "io/files/write_volume.h"
 #include "io/index/index_path.h"
+#include "io/load.h"
 
 namespace volumen {
 

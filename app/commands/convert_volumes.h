@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/progress.h"
+#include "io/study/series.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
 

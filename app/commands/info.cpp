@@ -13,7 +13,8 @@
 #include "app/usage.h"
 #include "io/archive.h"
 #include "io/index/index_path.h"
-#include "io/study.h"
+#include "io/load.h"
+#include "io/study/study.h"
 
 namespace volumen {
 

@@ -14,6 +14,7 @@
 #include "app/report_files.h"
 #include "io/frames.h"
 #include "io/index/index_path.h"
+#include "io/study/choose.h"
 #include "ui/views/paint_graphics.h"
 
 namespace volumen {

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "io/dicom/header.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen::dicom {
 

@@ -82,7 +82,6 @@ bool beginsAsDicom(Bytes head) {
 /// Whose a file without a picture is, and where that would lie.
 void keepIdentity(const DataSet& data, const FileHeader& header, Inspection& found) {
   static_cast<SeriesIdentity&>(found.header) = header;
-  found.header.sopClassUid = header.sopClassUid;
   const auto at = data.numbers(0x00200032, data.root());
   if (at && at->size() == 3) found.position = glm::dvec3((*at)[0], (*at)[1], (*at)[2]);
 }

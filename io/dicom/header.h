@@ -11,7 +11,10 @@
 #include "io/dicom/fragments.h"
 #include "io/dicom/scanned_file.h"
 #include "io/dicom/suv.h"
-#include "io/study.h"
+#include "io/study/cine.h"
+#include "io/study/identity.h"
+#include "io/study/reference.h"
+#include "io/study/warning.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen::dicom {
@@ -88,8 +91,7 @@ struct Concatenation {
 
 /// What a file says about itself and its pictures.
 struct FileHeader : SeriesIdentity {
-  std::string path;
-  std::string sopClassUid, sopInstanceUid;
+  std::string path, sopInstanceUid;
   std::string unit;  ///< Series::unit
   std::string time;  ///< as Series has it
   TransferSyntax syntax{"", "", Coding::native, {}, false};
@@ -117,9 +119,9 @@ std::string instanceId(const FileHeader& file);
 /// What a file turned out to be.
 struct Inspection {
   enum class Kind { notDicom, noPicture, refused, picture } kind = Kind::notDicom;
-  std::string text;                    ///< noPicture: what it is; refused: why, a sentence
-  FileHeader header;                   ///< picture; of others its identity and class, where known
-  std::optional<Reference> reference;  ///< noPicture that refers to pictures
+  std::string text;                                    ///< noPicture: what it is; refused: why, a sentence
+  FileHeader header;                                   ///< picture; of others its identity, where known
+  std::optional<Reference> reference;                  ///< noPicture that refers to pictures
   std::optional<std::vector<ListedFile>> listed = {};  ///< the files that a DICOMDIR names
   std::optional<glm::dvec3> position = {};             ///< not picture: ImagePositionPatient, mm
   bool again = false;                                  ///< refused, as Refused has it

@@ -7,6 +7,7 @@
 #include "io/dicom/directory.h"
 #include "io/dicom/series.h"
 #include "io/dicom/unread.h"
+#include "io/study/study.h"
 
 namespace volumen::dicom {
 
@@ -19,7 +20,6 @@ Image imageOf(const FileHeader& file) {
   image.path = file.path;
   image.notVolume = file.notVolume + ".";
   image.sopInstanceUid = file.sopInstanceUid;
-  image.sopClassUid = file.sopClassUid;
   image.frames = file.format.frames;
   image.rows = file.format.rows;
   image.columns = file.format.columns;
@@ -32,7 +32,7 @@ Image imageOf(const FileHeader& file) {
 void keepPictures(std::vector<LostFile>& files, const std::vector<FileHeader>& pictures) {
   std::set<std::string> classes{{}};
   for (const FileHeader& picture : pictures) classes.insert(picture.sopClassUid);
-  std::erase_if(files, [&](const LostFile& file) { return !classes.contains(file.sopClassUid); });
+  std::erase_if(files, [&](const LostFile& file) { return !classes.contains(file.identity.sopClassUid); });
 }
 
 /// Adds the pictures that a DICOMDIR lists and that are not there.
@@ -62,22 +62,19 @@ void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& 
       case Inspection::Kind::notDicom:
         study.other.push_back(
             {files[n], isZipArchive(files[n]) ? "zip archive: open it by itself" : "not an image"});
-        lost.push_back(
-            {{{files[n], "it is no image, but is named as the slices are."}, true, {}}, {}, {}, true});
+        lost.push_back({{{files[n], "it is no image, but is named as the slices are."}, true, {}}, {}, true});
         break;
       case Inspection::Kind::noPicture:
         study.other.push_back({files[n], i.listed ? directoryText(files[n], *i.listed, files) : i.text});
         if (i.listed && all) addNotFound(files[n], *i.listed, files, lost);
         if (!i.reference && !i.listed)
           withoutPixels.push_back(
-              {{{files[n], "it is a " + i.text + "."}, i.header.seriesUid.empty(), i.position},
-               i.header,
-               i.header.sopClassUid});
+              {{{files[n], "it is a " + i.text + "."}, i.header.seriesUid.empty(), i.position}, i.header});
         if (i.reference) study.references.push_back(std::move(*i.reference));
         break;
       case Inspection::Kind::refused:
         study.refused.push_back({files[n], i.text, i.again});
-        lost.push_back({{study.refused.back(), i.header.seriesUid.empty(), i.position}, i.header, {}});
+        lost.push_back({{study.refused.back(), i.header.seriesUid.empty(), i.position}, i.header});
         break;
       case Inspection::Kind::picture:
         if (i.header.notVolume.empty())

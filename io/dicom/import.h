@@ -2,7 +2,14 @@
 
 #include "io/dicom/unread.h"
 #include "io/presentation.h"
+#include "io/study/loaded.h"
+#include "io/study/progress.h"
 #include "viewer/slice/frame.h"
+#include "viewer/volume/cancel.h"
+
+namespace volumen {
+struct Study;
+}
 
 namespace volumen::dicom {
 

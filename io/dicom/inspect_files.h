@@ -1,7 +1,9 @@
 #pragma once
 
 #include "io/dicom/header.h"
+#include "io/study/progress.h"
 #include "io/worker/costly_files.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen::dicom {
 

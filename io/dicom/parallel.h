@@ -6,8 +6,9 @@
 #include <cstddef>
 #include <thread>
 
-#include "io/study.h"
+#include "io/study/progress.h"
 #include "io/worker/serve.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen::dicom {
 

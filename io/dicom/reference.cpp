@@ -150,7 +150,6 @@ Reference readReference(const DataSet& data, const FileHeader& header, Reference
   object.id = instanceId(header);
   object.path = header.path;
   object.sopInstanceUid = header.sopInstanceUid;
-  object.sopClassUid = header.sopClassUid;
   // The annotations of a presentation state name some of its pictures again.
   const bool listed = kind == ReferenceKind::presentation;
   object.pictures = readPictures(data, listed ? data.contents(0x00081115, data.root()) : data.root());

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "io/study.h"
-
 namespace volumen::dicom {
 namespace {
 

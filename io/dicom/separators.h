@@ -7,6 +7,7 @@
 #include "io/dicom/dimensions.h"
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/header.h"
+#include "io/study/series.h"
 
 namespace volumen::dicom {
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "io/dicom/header.h"
-#include "io/study.h"
+#include "io/study/series.h"
 
 namespace volumen::dicom {
 

@@ -7,6 +7,7 @@
 
 #include "io/dicom/header.h"
 #include "io/dicom/moments.h"
+#include "io/study/series.h"
 
 namespace volumen::dicom {
 namespace {

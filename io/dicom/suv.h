@@ -5,7 +5,10 @@
 #include <vector>
 
 #include "io/dicom/data_set.h"
-#include "io/study.h"
+
+namespace volumen {
+struct Series;
+}
 
 namespace volumen::dicom {
 

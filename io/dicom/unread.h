@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/study.h"
+#include "io/study/series.h"
 
 namespace volumen::dicom {
 
@@ -8,7 +8,6 @@ namespace volumen::dicom {
 struct LostFile {
   Unread file;
   SeriesIdentity identity;
-  std::string sopClassUid;
   bool ifNamedAlike = false;  ///< it counts only where it is named as the files of the series beside it are
 };
 

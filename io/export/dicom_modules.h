@@ -3,7 +3,7 @@
 #include <string>
 
 #include "io/export/dicom_elements.h"
-#include "io/study.h"
+#include "io/study/identity.h"
 
 namespace volumen {
 

@@ -17,6 +17,7 @@
 #include "io/export/dicom_slice.h"
 #include "io/files/aside.h"
 #include "io/files/output_file.h"
+#include "io/study/series.h"
 #include "io/worker/channel.h"
 
 namespace volumen {

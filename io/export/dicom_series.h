@@ -4,10 +4,13 @@
 #include <vector>
 
 #include "io/export/dicom_source.h"
-#include "io/study.h"
+#include "io/study/identity.h"
+#include "io/study/loaded.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
+
+struct Series;
 
 /// What a written series says of itself beside its pixels and geometry: whose it is, and what its source
 /// says. Text is UTF-8. An empty studyUid is made from the contents; seriesUid is that of the source.

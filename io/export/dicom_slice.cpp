@@ -143,6 +143,7 @@ DicomSliceWriter::DicomSliceWriter(const Volume& volume, const DicomSeriesTags& 
       uids_(volume, tags.patientId + tags.description + tags.seriesUid + tags.bValue) {
   if (!tags.source.slices.empty()) first_ = tags.source.file(0).elements;
   isPet_ = volume.attributes().modality == "PT" && !valueOf(first_, units).empty();
+  identity_ = identityElements();
   series_ = seriesElements();
 }
 
@@ -163,18 +164,25 @@ std::optional<StoredAs> DicomSliceWriter::storedAs(int k) const {
   return StoredAs{frame.slope, frame.intercept, tags_.source.file(origin->below).isSigned};
 }
 
+// Whose it is, and in which space: the same of all slices, whatever single files of the source say.
+DicomElements DicomSliceWriter::identityElements() const {
+  DicomElements all = patientModule(tags_);
+  append(all, studyModule(tags_, tags_.studyUid.empty() ? uids_.of("study") : tags_.studyUid));
+  const std::string space = commonFrameOfReference(tags_.source);
+  append(all, frameOfReferenceModule(space.empty() ? uids_.of("frame of reference") : space));
+  return all;
+}
+
 // What all slices share, and what the source says better.
 DicomElements DicomSliceWriter::seriesElements() const {
   const std::string modality = volume_.attributes().modality;
   const char* sopClass = sopClassOf(modality, isPet_);
-  DicomElements all = patientModule(tags_);
-  append(all, studyModule(tags_, tags_.studyUid.empty() ? uids_.of("study") : tags_.studyUid));
-  append(all, {{0x0008103e, tags_.description},
-               {0x00200011, tags_.seriesNumber.empty() ? "1" : tags_.seriesNumber},
-               {0x00200012, ""},
-               {0x00185100, tags_.patientPosition},
-               {0x00180050, tags_.synthetic ? decimal(sliceDistance(volume_.geometry())) : std::string()}});
-  append(all, frameOfReferenceModule(uids_.of("frame of reference")));
+  DicomElements all = {
+      {0x0008103e, tags_.description},
+      {0x00200011, tags_.seriesNumber.empty() ? "1" : tags_.seriesNumber},
+      {0x00200012, ""},
+      {0x00185100, tags_.patientPosition},
+      {0x00180050, tags_.synthetic ? decimal(sliceDistance(volume_.geometry())) : std::string()}};
   if (mayBePaired(tags_.bodyPart)) all.push_back({0x00200060, ""});
   append(all, first_.empty() ? equipmentModule() : DicomElements{{0x00080070, ""}});
   append(all, modalityDefaults(sopClass, tags_, valueOf(first_, 0x00180020)));
@@ -193,7 +201,9 @@ DicomElements DicomSliceWriter::sourceElements(int k) const {
   const SliceOrigin* origin = originOf(k);
   if (!origin) return {};
   DicomElements all = common(byTag(tags_.source, origin->below), byTag(tags_.source, origin->above));
-  std::erase_if(all, [](const DicomElement& e) { return e.depth == 0 && e.tag == rescaleType; });
+  std::erase_if(all, [this](const DicomElement& e) {
+    return e.depth == 0 && (e.tag == rescaleType || !valueOf(identity_, e.tag).empty());
+  });
   return all;
 }
 
@@ -261,11 +271,7 @@ DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels
                        {0x0020000e, uids_.of("series")},
                        {0x00200013, std::to_string(k + 1)},
                        {0x00280004, "MONOCHROME2"}};
-  if (!source.empty()) {
-    append(all, contributingEquipment(source));
-    const std::string uid = commonFrameOfReference(tags_.source);
-    all.push_back({frameOfReference, uid.empty() ? uids_.of("frame of reference") : uid});
-  }
+  if (!source.empty()) append(all, contributingEquipment(source));
   append(all, placeElements(k));
   append(all, derivationOf(k, pixels));
   append(all, padding(volume_, pixels));
@@ -281,6 +287,7 @@ DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels
 
 void DicomSliceWriter::put(int k, const StoredSlice& pixels, DcmItem& into) const {
   const DicomElements source = sourceElements(k);
+  volumen::put(identity_, into);
   volumen::put(series_, into);
   volumen::put(source, into);
   volumen::put(derivedElements(k, pixels, source), into);

@@ -25,6 +25,7 @@ class DicomSliceWriter {
   std::string withoutClass() const;
 
  private:
+  DicomElements identityElements() const;
   DicomElements seriesElements() const;
   DicomElements sourceElements(int k) const;
   DicomElements derivedElements(int k, const StoredSlice& pixels, std::span<const DicomElement> source) const;
@@ -38,7 +39,7 @@ class DicomSliceWriter {
   DicomUids uids_;
   DicomElements first_;  // what the first slice of the source says
   bool isPet_ = false;
-  DicomElements series_;
+  DicomElements identity_, series_;
 };
 
 }  // namespace volumen

@@ -11,6 +11,7 @@
 #include "io/dicom/data_set.h"
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/header.h"
+#include "io/study/series.h"
 #include "io/worker/batches.h"
 #include "io/worker/serve.h"
 

@@ -1,9 +1,13 @@
 #pragma once
 
 #include "io/export/dicom_elements.h"
-#include "io/study.h"
+#include "io/study/progress.h"
+#include "viewer/volume/cancel.h"
+#include "viewer/volume/result.h"
 
 namespace volumen {
+
+struct Series;
 
 /// What a frame of a DICOM file says that holds for a copy of it.
 struct DicomSourceFrame {

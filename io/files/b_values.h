@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/warning.h"
+#include "io/study/warning.h"
 
 namespace volumen {
 

@@ -3,9 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/loaded.h"
+#include "io/study/progress.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
+
+struct Series;
 
 /// Whether `path` claims to be an image file that is no DICOM (resources/docs/import.md lists them, also
 /// those that are refused by name): by its first bytes, or by its name.

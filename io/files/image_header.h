@@ -7,7 +7,7 @@
 
 #include "io/files/sample_data.h"
 #include "io/files/volume_names.h"
-#include "io/warning.h"
+#include "io/study/warning.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {

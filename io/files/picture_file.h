@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/warning.h"
+#include "io/study/warning.h"
 #include "viewer/volume/picture.h"
 #include "viewer/volume/result.h"
 

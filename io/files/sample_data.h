@@ -6,7 +6,9 @@
 
 #include "io/files/byte_source.h"
 #include "io/files/sample_type.h"
-#include "io/study.h"
+#include "io/study/progress.h"
+#include "viewer/volume/cancel.h"
+#include "viewer/volume/volume.h"
 
 namespace volumen {
 

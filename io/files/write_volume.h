@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "io/files/nifti_write.h"
-#include "io/study.h"
+#include "io/study/progress.h"
+#include "viewer/volume/cancel.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {

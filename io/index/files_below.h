@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "io/index/reading.h"
+#include "viewer/volume/cancel.h"
+#include "viewer/volume/result.h"
 
 namespace volumen {
 

@@ -8,6 +8,7 @@
 
 #include "io/index/same_bytes.h"
 #include "io/regular_file.h"
+#include "io/study/study.h"
 
 namespace volumen {
 namespace {

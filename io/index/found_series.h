@@ -3,9 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/identity.h"
 
 namespace volumen {
+
+struct Series;
+struct Study;
 
 /// A file as a part of its series.
 struct FoundFile {

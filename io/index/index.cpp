@@ -14,6 +14,7 @@
 #include "io/index/import.h"
 #include "io/index/query.h"
 #include "io/index/schema.h"
+#include "io/open.h"
 #include "io/thumbnail.h"
 
 namespace volumen {

@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/progress.h"
+#include "io/study/unread.h"
+#include "viewer/volume/cancel.h"
+#include "viewer/volume/result.h"
 
 namespace volumen {
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "io/index/index.h"
+#include "io/open.h"
 
 namespace volumen {
 namespace {

@@ -2,7 +2,9 @@
 
 #include <string>
 
-#include "io/study.h"
+#include "io/study/progress.h"
+#include "io/study/study.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
 

@@ -4,6 +4,7 @@
 
 #include "io/dicom/attribute_list.h"
 #include "io/dicom/data_set.h"
+#include "io/open.h"
 
 namespace volumen {
 namespace {

@@ -6,6 +6,10 @@
 
 #include "io/file_state.h"
 #include "io/index/found_series.h"
+#include "io/study/progress.h"
+#include "io/study/unread.h"
+#include "viewer/volume/cancel.h"
+#include "viewer/volume/result.h"
 
 namespace volumen {
 

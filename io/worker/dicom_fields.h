@@ -46,8 +46,8 @@ inline void fields(Wire& w, dicom::PetFacts& p) {
 
 inline void fields(Wire& w, dicom::FileHeader& h) {
   fields(w, static_cast<SeriesIdentity&>(h));
-  w(h.path, h.sopClassUid, h.sopInstanceUid, h.unit, h.time, h.syntax, h.format, h.mosaic, h.concatenation,
-    h.frames, h.inflatedFrom, h.slices, h.notVolume, h.cine, h.warnings);
+  w(h.path, h.sopInstanceUid, h.unit, h.time, h.syntax, h.format, h.mosaic, h.concatenation, h.frames,
+    h.inflatedFrom, h.slices, h.notVolume, h.cine, h.warnings);
   w(h.pet);
 }
 
@@ -57,7 +57,7 @@ inline void fields(Wire& w, dicom::Inspection& i) {
   w(i.kind, i.text, i.reference, i.listed);
   if (i.kind == dicom::Inspection::Kind::picture) return w(i.header);
   fields(w, static_cast<SeriesIdentity&>(i.header));
-  w(i.header.sopClassUid, i.position);
+  w(i.position);
 }
 
 inline void fields(Wire& w, dicom::DecodedFrame& f) { w(f.samples, f.note, f.ybr); }

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "io/study.h"
+#include "io/study/reference.h"
+#include "io/study/series.h"
 #include "io/worker/wire.h"
 
-// The structs of io/study.h on the wire.
+// The structs of io/study on the wire.
 namespace volumen::worker {
 
 template <>
@@ -14,13 +15,14 @@ inline constexpr ReferenceKind lastOf<ReferenceKind> = ReferenceKind::segmentati
 inline void fields(Wire& w, SeriesIdentity& s) {
   w(s.patientName, s.patientId, s.patientIdIssuer, s.patientBirthDate, s.patientSex, s.patientAge, s.studyUid,
     s.studyDate, s.studyTime, s.studyId, s.accessionNumber, s.studyDescription, s.seriesUid, s.seriesNumber,
-    s.modality, s.description, s.bodyPart, s.laterality, s.viewPosition, s.frameOfReferenceUid, s.lossyRatio);
+    s.modality, s.description, s.sopClassUid, s.bodyPart, s.laterality, s.viewPosition, s.frameOfReferenceUid,
+    s.lossyRatio);
 }
 inline void fields(Wire& w, Cine& c) { w(c.framesPerSecond, c.frameTimesMs, c.backAndForth); }
 inline void fields(Wire& w, ReferencedPicture& p) { w(p.sopInstanceUid, p.seriesUid, p.frames, p.segments); }
 inline void fields(Wire& w, Reference& r) {
   fields(w, static_cast<SeriesIdentity&>(r));
-  w(r.kind, r.id, r.path, r.sopInstanceUid, r.sopClassUid, r.label, r.text, r.date, r.pictures);
+  w(r.kind, r.id, r.path, r.sopInstanceUid, r.label, r.text, r.date, r.pictures);
 }
 inline void fields(Wire& w, VoxelGeometry& g) { w(g.size, g.patientFromVoxelStep, g.origin, g.calibrated); }
 inline void fields(Wire& w, ValueRange& r) { w(r.low, r.high); }

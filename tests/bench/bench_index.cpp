@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "io/index/index.h"
+#include "io/open.h"
 #include "tests/fixtures/filled_index.h"
 #include "tests/unit/io/dicom_folder.h"
 

@@ -6,7 +6,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
+#include "io/study/choose.h"
 #include "viewer/evaluation/truth.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/render/render.h"

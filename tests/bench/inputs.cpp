@@ -7,7 +7,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
+#include "io/study/choose.h"
 #include "viewer/scene/scene_json.h"
 
 namespace volumen::bench {

@@ -2,6 +2,8 @@
 // program becomes series, images and objects, and these are loaded as far as that goes without their pixels.
 #include "io/dicom/import.h"
 #include "io/dicom/inspect_files.h"
+#include "io/load.h"
+#include "io/study/study.h"
 #include "io/worker/dicom_fields.h"
 
 using namespace volumen;

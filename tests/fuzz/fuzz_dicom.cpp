@@ -2,6 +2,8 @@
 #include "io/contours.h"
 #include "io/dicom/attribute_list.h"
 #include "io/frames.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "io/presentation.h"
 #include "io/report.h"
 #include "io/segmentation.h"

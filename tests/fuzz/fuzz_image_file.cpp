@@ -1,7 +1,8 @@
 // Anything as an image file; the first byte names its format.
 #include <array>
 
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/fuzz/input_file.h"
 
 using namespace volumen;

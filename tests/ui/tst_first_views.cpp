@@ -5,6 +5,8 @@
 #include <fstream>
 #include <set>
 
+#include "io/open.h"
+#include "io/study/choose.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"

@@ -2,6 +2,7 @@
 // costs a sentence).
 #include <QSignalSpy>
 
+#include "io/open.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/loader.h"

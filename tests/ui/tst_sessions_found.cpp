@@ -7,6 +7,7 @@
 
 #include "io/archive.h"
 #include "io/export/dicom_series.h"
+#include "io/open.h"
 #include "tests/fixtures/program.h"
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"

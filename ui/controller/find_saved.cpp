@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "io/study/study.h"
 #include "ui/data/frame_series.h"
 
 namespace volumen {

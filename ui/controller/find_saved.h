@@ -4,6 +4,8 @@
 
 namespace volumen {
 
+struct Study;
+
 /// The series of a study, and the frames of what is none.
 std::vector<Series> allSeriesOf(const Study& study);
 

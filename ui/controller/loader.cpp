@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "io/index/index_path.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "ui/workspace/text.h"
 #include "viewer/plan/default_window.h"
 #include "viewer/scene/automatic.h"

@@ -11,6 +11,8 @@
 
 namespace volumen {
 
+struct Study;
+
 /// The scene of a named preset for a volume ("auto" chooses).
 using MakeScene = std::function<Result<Scene>(const std::string& preset, const Volume& volume)>;
 

@@ -6,9 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "io/study/progress.h"
 #include "ui/workspace/session_json.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
+
+struct Study;
 
 /// What a workspace shows and that was not found.
 struct MissingObjects {

@@ -9,6 +9,7 @@
 #include "io/files/output_file.h"
 #include "io/files/session_file.h"
 #include "io/index/index_path.h"
+#include "io/open.h"
 #include "ui/controller/find_saved.h"
 #include "ui/controller/segment_files.h"
 #include "ui/workspace/session_json.h"

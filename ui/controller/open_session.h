@@ -5,9 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "io/study/progress.h"
 #include "ui/workspace/workspace.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
+
+struct Study;
 
 /// A session that was read, with its series found again.
 struct OpenedSession {

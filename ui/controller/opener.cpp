@@ -3,6 +3,7 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "io/study/choose.h"
 #include "ui/data/frame_series.h"
 #include "ui/data/study_list.h"
 #include "ui/workspace/link_text.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/segmentation.h"
+#include "io/study/series.h"
 #include "ui/data/picture_index.h"
 
 namespace volumen {

@@ -13,6 +13,8 @@
 
 namespace volumen {
 
+struct Series;
+
 /// What was read of a structure set or of a segmentation; the other one is null.
 struct LoadedRegions {
   std::shared_ptr<const StructureSet> contours;

@@ -8,6 +8,7 @@
 #include "io/export/seg_nrrd.h"
 #include "io/files/session_file.h"
 #include "io/index/index_path.h"
+#include "io/load.h"
 #include "ui/workspace/session_json.h"
 #include "ui/workspace/text.h"
 

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/progress.h"
 #include "ui/workspace/workspace.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
 

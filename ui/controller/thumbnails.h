@@ -2,6 +2,7 @@
 
 #include <QImage>
 
+#include "io/study/series.h"
 #include "ui/document/job_lane.h"
 
 namespace volumen {

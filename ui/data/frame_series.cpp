@@ -1,4 +1,5 @@
 #include "ui/data/frame_series.h"
+#include "io/study/study.h"
 #include "viewer/slice/plane.h"
 
 #include <algorithm>

@@ -2,9 +2,11 @@
 
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/series.h"
 
 namespace volumen {
+
+struct Study;
 
 /// The pictures of a study that are no volumes, as series of frames alone (Series::notVolume): one for each
 /// series of a study, the frames of all its files in order; files without a series each for itself.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/presentation.h"
+#include "io/study/series.h"
 
 namespace volumen {
 

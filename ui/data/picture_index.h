@@ -3,9 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "io/study.h"
-
 namespace volumen {
+
+struct ReferencedPicture;
+struct Series;
 
 /// A picture of a series that is open: its number there, from 0.
 struct PicturePlace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "io/study.h"
+#include "io/study/reference.h"
 
 namespace volumen {
 

@@ -3,7 +3,7 @@
 #include <compare>
 #include <string>
 
-#include "io/study.h"
+#include "io/study/series.h"
 
 namespace volumen {
 

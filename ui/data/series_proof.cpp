@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <set>
 
+#include "io/study/series.h"
+
 namespace volumen {
 
 namespace {

@@ -3,9 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "viewer/volume/volume.h"
 
 namespace volumen {
+
+struct Series;
 
 /// What tells whether a series is the one it was.
 struct SeriesProof {

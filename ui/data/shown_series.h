@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/series.h"
 #include "viewer/scene/scene.h"
 #include "viewer/volume/histogram.h"
 

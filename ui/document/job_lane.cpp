@@ -1,5 +1,7 @@
 #include "ui/document/job_lane.h"
 
+#include <utility>
+
 namespace volumen {
 
 JobLane::JobLane(Jobs* list, QThread::Priority priority) : list_(list) {

@@ -4,6 +4,7 @@
 #include <concepts>
 #include <type_traits>
 #include <unordered_map>
+#include <utility>
 
 #include "ui/document/jobs.h"
 

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/progress.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "io/study/study.h"
 #include "ui/data/reference_key.h"
 #include "ui/data/series_key.h"
 #include "ui/workspace/workspace.h"

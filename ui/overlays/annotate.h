@@ -2,7 +2,7 @@
 
 #include <QImage>
 
-#include "io/warning.h"
+#include "io/study/warning.h"
 #include "ui/overlays/overlays.h"
 #include "ui/workspace/snapshot_request.h"
 

@@ -6,6 +6,7 @@
 #include <QSpinBox>
 #include <QTreeWidget>
 
+#include "io/study/series.h"
 #include "ui/document/job_lane.h"
 
 namespace volumen {

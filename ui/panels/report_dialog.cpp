@@ -5,6 +5,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "io/study/series.h"
+
 namespace volumen {
 
 ReportDialog::ReportDialog(const Reference& object, const Report& report,

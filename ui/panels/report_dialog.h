@@ -7,6 +7,8 @@
 
 namespace volumen {
 
+struct Series;
+
 /// A report to read, with links to its pictures that are open.
 class ReportDialog : public QDialog {
   Q_OBJECT

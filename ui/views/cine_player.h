@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <deque>
 
-#include "io/study.h"
+#include "io/study/cine.h"
 
 namespace volumen {
 

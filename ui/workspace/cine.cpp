@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "io/study/cine.h"
+
 namespace volumen {
 
 namespace {

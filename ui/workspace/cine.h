@@ -1,8 +1,8 @@
 #pragma once
 
-#include "io/study.h"
-
 namespace volumen {
+
+struct Cine;
 
 /// Where a clip of `count` frames that began with frame `first` is after so many ms: as fast as its file
 /// says, from the last frame on to the first one again, or back and forth.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/suv.h"
+#include "io/study/suv.h"
 
 namespace volumen {
 

@@ -3,7 +3,7 @@
 #include <QStringList>
 
 #include "io/report.h"
-#include "io/study.h"
+#include "io/study/reference.h"
 
 namespace volumen {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "io/study.h"
+#include "io/study/reference.h"
 #include "ui/workspace/shared_map.h"
 
 namespace volumen {

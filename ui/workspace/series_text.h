@@ -3,10 +3,12 @@
 #include <QStringList>
 #include <vector>
 
-#include "io/study.h"
 #include "viewer/segment/mask.h"
 
 namespace volumen {
+
+struct Series;
+struct Warning;
 
 /// Whether it is known which sides of the patient are left, front and top: letters and the names of planes
 /// may stand for them.

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
 #include "ui/data/series_key.h"
 #include "ui/workspace/shared_list.h"
 #include "ui/workspace/shared_map.h"
@@ -17,6 +16,8 @@
 #include "viewer/scene/scene.h"
 
 namespace volumen {
+
+struct Series;
 
 /// What a number of a session may be, ends included.
 struct Limits {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "io/archive.h"
+#include "io/study/study.h"
 #include "ui/workspace/value_text.h"
 
 namespace volumen {

@@ -2,10 +2,12 @@
 
 #include <QString>
 
-#include "io/study.h"
 #include "viewer/volume/histogram.h"
 
 namespace volumen {
+
+struct Series;
+struct Study;
 
 /// What the program says, in the language of its user.
 QString tr(const char* text);

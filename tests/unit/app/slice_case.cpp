@@ -11,7 +11,9 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
+#include "io/study/choose.h"
 #include "tests/fixtures/program.h"
 
 namespace volumen::tests {

@@ -13,7 +13,9 @@
 #include <map>
 #include <set>
 
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
+#include "io/study/choose.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"

@@ -6,7 +6,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"

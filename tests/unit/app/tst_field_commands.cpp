@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 #include <cmath>
 
-#include "io/study.h"
+#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"

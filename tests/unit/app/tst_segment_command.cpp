@@ -5,7 +5,8 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"
 

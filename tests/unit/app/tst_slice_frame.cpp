@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "io/frames.h"
+#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/fixtures/real_volume.h"

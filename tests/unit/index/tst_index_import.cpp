@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 
+#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/index/index_folder.h"
 #include "tests/unit/suite.h"

@@ -6,6 +6,7 @@
 
 #include "io/index/database.h"
 #include "io/index/fold.h"
+#include "io/open.h"
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/filled_index.h"
 #include "tests/unit/index/index_folder.h"

@@ -3,6 +3,8 @@
 #include <QString>
 #include <algorithm>
 
+#include "io/open.h"
+
 namespace volumen::tests {
 
 std::string DicomFolder::path(const std::string& name) const {

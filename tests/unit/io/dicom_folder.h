@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/study.h"
 #include "tests/unit/io/dicom_writer.h"
 
 namespace volumen::tests {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "io/frames.h"
+#include "io/open.h"
 
 namespace volumen::tests {
 

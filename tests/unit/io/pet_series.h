@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 
-#include "io/study.h"
 #include "tests/unit/io/dicom_folder.h"
 
 namespace volumen::tests {

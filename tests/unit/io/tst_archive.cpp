@@ -10,6 +10,8 @@
 #include <random>
 
 #include "io/archive.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
 

@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <random>
 
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/io/frame_of.h"
 #include "tests/unit/suite.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/contours.h"
+#include "io/open.h"
 #include "tests/fixtures/cpu_timer.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/dicom_folder.h"

@@ -6,7 +6,8 @@
 #include <filesystem>
 #include <random>
 
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/fixtures/cpu_timer.h"
 #include "tests/unit/io/dicom_bytes.h"
 #include "tests/unit/io/dicom_writer.h"

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <map>
 
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/suite.h"
 

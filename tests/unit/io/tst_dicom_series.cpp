@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
+#include "io/load.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/suite.h"

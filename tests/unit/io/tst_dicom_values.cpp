@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "io/dicom/decode.h"
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/suite.h"
 

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "io/export/dicom_series.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/fixtures/head_facts.h"
 #include "tests/unit/suite.h"
 #include "viewer/phantoms/phantoms.h"

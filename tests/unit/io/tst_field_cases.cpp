@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "io/contours.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "io/segmentation.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/dicom_folder.h"

@@ -12,6 +12,8 @@
 #include <set>
 
 #include "io/files/image_file.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;

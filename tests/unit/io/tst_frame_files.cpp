@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/frame_of.h"
 #include "tests/unit/suite.h"

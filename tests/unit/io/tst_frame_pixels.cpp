@@ -19,6 +19,7 @@
 #include <memory>
 #include <set>
 
+#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/frame_of.h"
 #include "tests/unit/suite.h"

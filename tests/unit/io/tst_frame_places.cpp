@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "io/frames.h"
+#include "io/load.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/io/dicom_frames.h"

@@ -3,6 +3,8 @@
 #include <fstream>
 
 #include "io/dicom/kept_headers.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"

@@ -2,6 +2,7 @@
 // order; what that header does not say is not guessed.
 #include <cstring>
 
+#include "io/load.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/io/dicom_frames.h"
 #include "tests/unit/suite.h"

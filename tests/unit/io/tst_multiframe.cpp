@@ -1,6 +1,7 @@
 // Guards design.md 7 and import.md: multi-frame pictures whose geometry is shared, numbered or missing,
 // mapped to real world values, spread over files; and how volumes of one place are named.
 #include "io/frames.h"
+#include "io/load.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/io/dicom_frames.h"
 #include "tests/unit/suite.h"

@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <glm/geometric.hpp>
 
-#include "io/study.h"
+#include "io/open.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
 

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "io/files/image_file.h"
+#include "io/study/series.h"
 #include "tests/unit/io/gzipped.h"
 #include "tests/unit/io/other_formats.h"
 #include "tests/unit/suite.h"

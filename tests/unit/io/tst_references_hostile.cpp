@@ -7,6 +7,7 @@
 
 #include "io/contours.h"
 #include "io/frames.h"
+#include "io/open.h"
 #include "io/report.h"
 #include "io/segmentation.h"
 #include "tests/fixtures/cpu_timer.h"

@@ -4,7 +4,8 @@
 
 #include "io/export/seg_nrrd.h"
 #include "io/files/nrrd.h"
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/unit/suite.h"
 #include "viewer/segment/range.h"
 

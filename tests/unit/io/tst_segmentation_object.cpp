@@ -7,8 +7,8 @@
 #include <array>
 #include <bit>
 
+#include "io/open.h"
 #include "io/segmentation.h"
-#include "io/study.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/io/dicom_objects.h"

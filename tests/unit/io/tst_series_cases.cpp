@@ -2,6 +2,8 @@
 // make one volume, in which order, and what each is called.
 #include <algorithm>
 
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "io/dicom/attribute_list.h"
+#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"

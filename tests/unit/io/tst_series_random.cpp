@@ -12,6 +12,7 @@
 #include <random>
 #include <set>
 
+#include "io/load.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"

@@ -3,6 +3,8 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include "io/export/dicom_series.h"
+#include "io/load.h"
+#include "io/open.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
 

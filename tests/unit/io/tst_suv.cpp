@@ -2,6 +2,7 @@
 // cannot be known.
 #include <cmath>
 
+#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/frame_of.h"
 #include "tests/unit/io/pet_series.h"

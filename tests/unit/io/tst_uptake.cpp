@@ -3,6 +3,7 @@
 // seed.
 #include <QDateTime>
 
+#include "io/open.h"
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/seeds.h"

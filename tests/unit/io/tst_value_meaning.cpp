@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "io/frames.h"
+#include "io/load.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/io/dicom_frames.h"
 #include "tests/unit/suite.h"

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "io/files/image_file.h"
+#include "io/study/series.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/suite.h"
 

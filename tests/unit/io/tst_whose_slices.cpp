@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "io/load.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
 

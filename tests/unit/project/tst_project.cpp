@@ -177,13 +177,14 @@ void TestProject::theTableForbidsWhatItShould_data() {
   };
   row("volume knows no scene", "viewer/volume/volume.h", "viewer/scene/scene.h", false);
   row("a plan knows no pixels", "viewer/plan/plan.cpp", "viewer/render/render.h", false);
-  row("io knows no rendering", "io/study.cpp", "viewer/render/render.h", false);
+  row("io knows no rendering", "io/open.cpp", "viewer/render/render.h", false);
+  row("what a study is knows no reader", "io/study/series.h", "io/dicom/header.h", false);
   row("nobody includes app", "ui/main_window.cpp", "app/command.h", false);
   row("widgets know no session", "ui/widgets/light_ball.cpp", "ui/workspace/session.h", false);
   row("the reference shares nothing with kernels", "viewer/reference/cell.cpp", "viewer/kernels/trace.h",
       false);
   row("render reads plans", "viewer/render/render.cpp", "viewer/plan/plan.h", true);
-  row("a room includes itself", "io/dicom/scan.cpp", "io/study.h", true);
+  row("a room includes itself", "io/dicom/scan.cpp", "io/study/study.h", true);
 }
 
 void TestProject::theTableForbidsWhatItShould() {

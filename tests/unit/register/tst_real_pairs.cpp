@@ -4,7 +4,9 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
-#include "io/study.h"
+#include "io/load.h"
+#include "io/open.h"
+#include "io/study/choose.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/suite.h"
 #include "viewer/register/rigid_registration.h"

@@ -1,5 +1,6 @@
 // Guards slices.md 2 and 4 in the window: which pictures make a series of frames, in which views they are,
 // how they turn grey, what their pixels measure and when each is on screen.
+#include "io/study/study.h"
 #include "tests/unit/suite.h"
 #include "ui/data/frame_pool.h"
 #include "ui/data/frame_series.h"

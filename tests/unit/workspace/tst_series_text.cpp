@@ -1,6 +1,7 @@
 // Guards design.md 8: what the list of series says of each.
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "io/study/series.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"

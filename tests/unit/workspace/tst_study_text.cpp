@@ -1,6 +1,7 @@
 // Guards the words that the window and `info` share: a study's line, and what of a folder is not shown.
 #include <QTest>
 
+#include "io/study/study.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/text.h"
 

@@ -1,4 +1,4 @@
-#include "io/warning.h"
+#include "io/study/warning.h"
 
 #include <algorithm>
 #include <iterator>

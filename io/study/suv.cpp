@@ -1,6 +1,6 @@
-#include "io/suv.h"
+#include "io/study/suv.h"
 
-#include "io/study.h"
+#include "io/study/series.h"
 
 namespace volumen {
 

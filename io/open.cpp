@@ -1,0 +1,111 @@
+#include "io/open.h"
+
+#include <filesystem>
+#include <iterator>
+
+#include "io/archive.h"
+#include "io/dicom/directory.h"
+#include "io/dicom/import.h"
+#include "io/files/image_pair.h"
+#include "io/files/sample_cache.h"
+#include "io/files/session_file.h"
+#include "io/look.h"
+#include "io/phantom.h"
+#include "io/study/arrange.h"
+#include "io/walk.h"
+
+namespace volumen {
+namespace {
+
+/// A sentence about a file, "F is compressed.", as a reason that stands behind its name: "compressed."
+std::string reasonWithout(const std::string& file, std::string sentence) {
+  for (const std::string& begin : {file + ": ", file + " is ", file + " "})
+    if (sentence.starts_with(begin)) return sentence.substr(begin.size());
+  return sentence;
+}
+
+/// The folder that a path ends in: "." where it names none.
+std::string folderOf(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  if (slash == std::string::npos) return ".";
+  return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+/// The files that a path stands for: itself or what is below it; all below its folder where it is a DICOMDIR;
+/// what is in it where it is a zip archive, or the part of one that it leads into; the header, too, of
+/// samples that are one half of a pair.
+Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
+  const Result<PathOnDisk> place = pathOnDisk(path, userCacheFolder(), cancel);
+  if (!place) return place.error();
+  const bool listed = dicom::isDirectoryFile(place->path);
+  Result<FoundFiles> found = findFiles(listed ? folderOf(place->path) : place->path, cancel,
+                                       listed || place->unpacked ? Links::inside : Links::files);
+  if (!found) return found;
+  if (found->files == std::vector{place->path})
+    if (const auto header = headerOfPair(place->path)) found->files.push_back(*header);
+  for (const auto& [name, reason] : place->leftOut) found->unreadable.push_back({path + "/" + name, reason});
+  return found;
+}
+
+/// What the headers of all files say, not in order. `all`: of all that a path holds.
+void addFiles(const FoundFiles& found, bool all, const Progress& progress, const CancelToken& cancel,
+              Study& study) {
+  const std::vector<std::string>& files = found.files;
+  std::vector<dicom::LostFile> lost;
+  for (const UnreadableEntry& entry : found.unreadable) {
+    study.refused.push_back({entry.path, entry.reason + "."});
+    if (!entry.elsewhere) lost.push_back({{study.refused.back(), true, {}}, {}});
+  }
+  std::vector<LookedAt> looked = lookAtFiles(files, progress, cancel);
+  std::vector<std::string> others;
+  std::vector<dicom::Inspection> inspections;
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    if (!looked[n].isImageFile) {
+      others.push_back(files[n]);
+      inspections.push_back(std::move(looked[n].dicom));
+    } else if (!looked[n].problem.empty()) {
+      study.refused.push_back({files[n], reasonWithout(files[n], looked[n].problem)});
+      lost.push_back({{study.refused.back(), true, {}}, {}, !looked[n].gzippedDicom});
+    } else {
+      std::move(looked[n].volumes.begin(), looked[n].volumes.end(), std::back_inserter(study.volumes));
+    }
+  }
+  if (!cancel.cancelled()) dicom::findSeries(others, inspections, std::move(lost), all, study);
+}
+
+Result<Study> open(const FoundFiles& found, bool all, const Progress& progress, const CancelToken& cancel) {
+  Study study;
+  addFiles(found, all, progress, cancel, study);
+  if (cancel.cancelled()) return Error{"Interrupted."};
+  arrange(study);
+  return study;
+}
+
+}  // namespace
+
+Result<Study> openStudy(const std::string& path, const Progress& progress, const CancelToken& cancel) {
+  if (isPhantom(path)) return openPhantom(path);
+  if (isSessionFile(path))
+    return Error{path + " is a session, not a volume: `volumen open` and `volumen render` take it."};
+  const Result<FoundFiles> found = filesOf(path, cancel);
+  if (!found) return found.error();
+  Result<Study> study = open(*found, true, progress, cancel);
+  return study ? std::move(study) : Error{path + ": interrupted."};
+}
+
+Result<Study> openFolders(const std::string& path, const std::vector<std::string>& folders,
+                          const Progress& progress, const CancelToken& cancel) {
+  const Result<PathOnDisk> place = pathOnDisk(path, userCacheFolder(), cancel);
+  if (!place) return place.error();
+  std::vector<std::string> there;
+  for (const std::string& folder : folders)
+    there.push_back((std::filesystem::path(place->path) / folder).lexically_normal().string());
+  return openFiles(filesDirectlyIn(there), progress, cancel);
+}
+
+Result<Study> openFiles(const std::vector<std::string>& files, const Progress& progress,
+                        const CancelToken& cancel) {
+  return open({files, {}}, false, progress, cancel);
+}
+
+}  // namespace volumen

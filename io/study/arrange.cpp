@@ -1,0 +1,78 @@
+#include "io/study/arrange.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <unordered_set>
+
+#include "io/study/study.h"
+
+namespace volumen {
+namespace {
+
+long numberOf(const std::string& text) {
+  long n = 0;
+  std::from_chars(text.data(), text.data() + text.size(), n);
+  return n;
+}
+
+/// Tells volumes of one series (or files of one name) apart by "#1", "#2", ... behind their ids.
+template <class Found>
+void numberParts(std::vector<Found>& all) {
+  std::map<std::string, int> count, next;
+  for (const Found& found : all) ++count[found.id];
+  for (Found& found : all)
+    if (const std::string id = found.id; count[id] > 1)
+      found.id.append("#").append(std::to_string(++next[id]));
+}
+
+/// `info`'s order: patient, study, series number, ...
+auto orderKey(const SeriesIdentity& s) {
+  return std::make_tuple(std::tie(s.patientName, s.patientId, s.studyDate, s.studyUid),
+                         numberOf(s.seriesNumber));
+}
+
+/// ... and within a series as its reader has them: by position, then by what tells them apart.
+void sortVolumes(std::vector<Series>& volumes) {
+  const auto key = [](const Series& s) {
+    return std::make_tuple(orderKey(s), s.seriesUid.empty() ? s.path : s.seriesUid);
+  };
+  std::stable_sort(volumes.begin(), volumes.end(),
+                   [&](const Series& a, const Series& b) { return key(a) < key(b); });
+}
+
+/// ... path.
+template <class Found>
+void sortFiles(std::vector<Found>& files) {
+  const auto key = [](const Found& f) { return std::make_tuple(orderKey(f), std::tie(f.seriesUid, f.path)); };
+  std::stable_sort(files.begin(), files.end(),
+                   [&](const Found& a, const Found& b) { return key(a) < key(b); });
+}
+
+/// Counts what the objects refer to and the study does not hold.
+void countNotHere(Study& study) {
+  std::unordered_set<std::string_view> here;
+  if (study.references.empty()) return;
+  for (const Series& s : study.volumes) here.insert(s.sopInstanceUids.begin(), s.sopInstanceUids.end());
+  for (const Image& image : study.images) here.insert(image.sopInstanceUid);
+  for (const Reference& object : study.references) here.insert(object.sopInstanceUid);
+  for (Reference& object : study.references)
+    object.notHere = std::size_t(std::ranges::count_if(
+        object.pictures, [&](const ReferencedPicture& p) { return !here.contains(p.sopInstanceUid); }));
+}
+
+}  // namespace
+
+void arrange(Study& study) {
+  sortVolumes(study.volumes);
+  numberParts(study.volumes);
+  sortFiles(study.images);
+  numberParts(study.images);
+  sortFiles(study.references);
+  numberParts(study.references);
+  countNotHere(study);
+}
+
+}  // namespace volumen

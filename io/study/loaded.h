@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "io/study/unread.h"
+#include "io/study/warning.h"
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// What a drawn slice of a DICOM series was made of: entries of Series::files. Two that differ: it lies
+/// between them and is interpolated.
+struct SliceOrigin {
+  int below = 0, above = 0;
+  bool isInterpolated() const { return below != above; }
+};
+
+/// A loaded series. `acquired` holds the slices as acquired (what `info --values` describes); `drawn` the
+/// regular grid (the same pointer where they do not differ). `warnings`: the series' and those of loading.
+struct Loaded {
+  VolumePtr acquired, drawn;
+  std::vector<Warning> warnings;
+  std::vector<Unread> unread = {};        ///< the series' and those of loading
+  std::vector<SliceOrigin> origins = {};  ///< DICOM: of each drawn slice
+
+  /// How many slices of `drawn` are not as acquired.
+  int interpolatedSlices() const;
+};
+
+}  // namespace volumen
