@@ -1,0 +1,91 @@
+// Guards that what a newcomer adds to the program is one file and one row: the files of this folder, by real
+// events through the window, or through the room's function.
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenu>
+#include <QTemporaryDir>
+#include <QToolBar>
+
+#include "io/files/image_file.h"
+#include "io/files/write_volume.h"
+#include "tests/ui/measure_window.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestAdditions : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aFeatureStandsInItsMenuAndActs();
+  void aPanelIsATabThatFollowsTheSession();
+  void aToolOfSlicesGetsTheDrag();
+  void aToolOf3DGetsTheDrag();
+  void aFormatIsReadAndWritten();
+};
+
+void TestAdditions::aFeatureStandsInItsMenuAndActs() {
+  Journey w;
+  const QList<QAction*> help = w.child<QMenu>("helpMenu")->actions();
+  QCOMPARE(help.front()->text(), QStringLiteral("Greet"));
+  QTest::keyClick(&w.window, Qt::Key_G, Qt::ControlModifier);
+  QCOMPARE(w.child<QLabel>("toldText")->text(), QStringLiteral("Good morning"));
+}
+
+void TestAdditions::aPanelIsATabThatFollowsTheSession() {
+  MeasureWindow w;
+  auto* dock = w.child<QDockWidget>("notesDock");
+  QVERIFY(w.window.tabifiedDockWidgets(w.child<QDockWidget>("lightsDock")).contains(dock));
+  QVERIFY(w.child<QMenu>("panelsMenu")->actions().contains(dock->toggleViewAction()));
+  w.child<QAction>("interpolate")->trigger();
+  QCOMPARE(w.child<QLabel>("notesPanel")->text(), QString::number(w.window.session().undoStack().index()));
+}
+
+void TestAdditions::aToolOfSlicesGetsTheDrag() {
+  MeasureWindow w;
+  SliceView* view = w.view();
+  QTest::keyClick(view, Qt::Key_J);
+  const auto window = [&] { return w.session().workspace().series.at(view->state().series).window; };
+  drag(view, {90, 90}, {90, 60});
+  QVERIFY(window());
+  const double before = window()->centre;
+  drag(view, {90, 90}, {90, 70});
+  QCOMPARE(window()->centre, before + 20);
+}
+
+void TestAdditions::aToolOf3DGetsTheDrag() {
+  Journey w;
+  w.window.session().show(ballSeries());
+  QVERIFY(w.settle());
+  const QAction* tool = w.child<QAction>("spinTool");
+  QVERIFY(w.child<QMenu>("viewMenu")->actions().contains(tool));
+  QVERIFY(w.child<QToolBar>("tools")->actions().contains(tool));
+  QTest::keyClick(w.window.view(), Qt::Key_G);
+  QVERIFY(tool->isChecked());
+  const Camera before = w.window.view()->camera();
+  drag(w.window.view(), {200, 200}, {260, 200});
+  QCOMPARE(w.window.session().undoStack().undoText(), QStringLiteral("Spin"));
+  QVERIFY(w.window.view()->camera() != before);
+}
+
+void TestAdditions::aFormatIsReadAndWritten() {
+  VolumeParts parts;
+  parts.geometry.size = {2, 2, 2};
+  const std::vector<std::uint8_t> bytes{1, 2, 3, 4, 5, 6, 7, 250};
+  parts.values = bytes;
+  std::vector<std::string> warnings;
+  const VolumePtr volume = *Volume::make(std::move(parts), warnings);
+  const QTemporaryDir folder;
+  const std::string path = folder.filePath(QStringLiteral("made.cube")).toStdString();
+  QVERIFY(isVolumeFileName(path));
+  QVERIFY(writeVolume(*volume, path).ok());
+  const auto series = readImageFileHeaders(path);
+  QVERIFY(series);
+  QCOMPARE(QString::fromStdString(series->front().format), QStringLiteral("Cube"));
+  const auto loaded = loadImageFile(series->front());
+  QVERIFY(loaded);
+  QVERIFY(std::get<std::vector<std::uint8_t>>(loaded->drawn->stored()) == bytes);
+}
+
+VOLUMEN_TEST(TestAdditions);
+#include "tst_additions.moc"
