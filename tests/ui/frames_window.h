@@ -29,7 +29,7 @@ struct Frames : Journey {
 
   Session& session() { return window.session(); }
   const Workspace& workspace() { return session().workspace(); }
-  SliceView* view(ViewId id = axialViewId) { return window.views()->sliceView(id); }
+  FlatView* view(ViewId id = axialViewId) { return window.views()->viewAs<FlatView>(id); }
   QTreeWidget* tree() { return child<QTreeWidget>("studyTree"); }
   QTreeWidgetItem* item(const char* text) {
     return tree()->findItems(QLatin1String(text), Qt::MatchContains | Qt::MatchRecursive).value(0);
@@ -39,15 +39,15 @@ struct Frames : Journey {
   // Whether the frame of the workspace comes on screen.
   bool shows(ViewId id = axialViewId) {
     const auto isThere = [&] {
-      const SliceView* v = view(id);
-      return v && v->isVisible() && v->frame() && v->frame()->key.series == v->state().series &&
-             v->frame()->key.index == look(id).frame && !v->picture().isNull();
+      const FlatView* v = view(id);
+      return v && v->isVisible() && frameIn(v) && frameIn(v)->key.series == v->state().series &&
+             frameIn(v)->key.index == look(id).frame && !v->picture().isNull();
     };
     return QTest::qWaitFor(isThere, longest);
   }
   // Waits for the picture after something was done.
   bool after(const std::function<void()>& act, ViewId id = axialViewId) {
-    QSignalSpy shown(view(id), &SliceView::settled);
+    QSignalSpy shown(view(id), &FlatView::settled);
     act();
     return !shown.isEmpty() || shown.wait(longest);
   }
@@ -56,8 +56,8 @@ struct Frames : Journey {
   }
   // What is on screen of a pixel, which is put in the middle of the view, as large as a pixel of the screen.
   QRgb seen(int column, int row, ViewId id = axialViewId) {
-    SliceView* v = view(id);
-    const VoxelGeometry& geometry = v->frame()->geometry();
+    FlatView* v = view(id);
+    const VoxelGeometry& geometry = frameIn(v)->geometry();
     const SlicePlane whole = *v->plane();
     const glm::dvec3 p = geometry.patientFromVoxel({column, row, 0}), from = p - geometry.centre();
     const glm::dvec3 spacing = geometry.spacing();
@@ -78,11 +78,11 @@ struct Frames : Journey {
   }
   // What the status line says of a pixel under the cursor.
   QString said(int column, int row) {
-    SliceView* v = view();
+    FlatView* v = view();
     QString text;
     const auto listening = QObject::connect(v, &View::hovered, v, [&](const QString& t) { text = t; });
     const glm::dvec2 at =
-        v->plane()->pixelFromPatient(v->frame()->geometry().patientFromVoxel({column, row, 0}));
+        v->plane()->pixelFromPatient(frameIn(v)->geometry().patientFromVoxel({column, row, 0}));
     hover(v, QPointF(at.x, at.y) / v->devicePixelRatioF());
     QObject::disconnect(listening);
     return text;

@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "ui/main_window.h"
+#include "ui/views/frame_view.h"
 #include "ui/views/volume_view.h"
 
 namespace volumen::tests {
@@ -22,6 +23,12 @@ inline void openAlone(bool alone = true) {
   for (const char* modality : {"CT", "MR", "PT", "other"})
     QSettings().setValue(QStringLiteral("layouts/") + QLatin1String(modality),
                          alone ? QStringLiteral("one") : QString());
+}
+
+/// The frame that a view shows; null: it shows none.
+inline ShownFramePtr frameIn(const View* view) {
+  const auto* frames = qobject_cast<const FrameView*>(view);
+  return frames ? frames->frame() : nullptr;
 }
 
 /// A window; pictures are waited for, and kept where $VOLUMEN_SHOTS names a folder.

@@ -44,7 +44,7 @@ inline const std::vector<ShapeKind> drawnKinds{ShapeKind::length,   ShapeKind::p
 
 /// As radiologists draw it: lines and boxes by drags, the rest of an angle and of a polyline by clicks. The
 /// tool is in hand.
-inline void drawShape(SliceView* on, ShapeKind kind, const std::vector<QPointF>& p,
+inline void drawShape(FlatView* on, ShapeKind kind, const std::vector<QPointF>& p,
                       Qt::KeyboardModifiers keys = {}) {
   const auto click = [&](QPointF at) { QTest::mouseClick(on, Qt::LeftButton, keys, at.toPoint()); };
   if (kind == ShapeKind::freehand) {
@@ -73,7 +73,7 @@ struct MeasureWindow : Journey {
   }
 
   Session& session() { return window.session(); }
-  SliceView* view(ViewId id = axialViewId) { return window.views()->sliceView(id); }
+  FlatView* view(ViewId id = axialViewId) { return window.views()->viewAs<FlatView>(id); }
   const SharedList<Measurement>& all() { return session().workspace().measurements; }
   const Measurement& last() { return all().back(); }
   glm::dvec3 patient(QPointF p, ViewId id = axialViewId) {

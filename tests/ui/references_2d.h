@@ -26,7 +26,7 @@ struct References2d : Journey {
 
   Session& session() { return window.session(); }
   const Workspace& workspace() { return session().workspace(); }
-  SliceView* view(ViewId id = axialViewId) { return window.views()->sliceView(id); }
+  FlatView* view(ViewId id = axialViewId) { return window.views()->viewAs<FlatView>(id); }
   QTreeWidget* tree(const char* name = "studyTree") { return child<QTreeWidget>(name); }
   QTreeWidgetItem* item(const char* text, const char* list = "studyTree") {
     return tree(list)->findItems(QLatin1String(text), Qt::MatchContains | Qt::MatchRecursive).value(0);
@@ -44,32 +44,32 @@ struct References2d : Journey {
     tree(list)->setCurrentItem(item(text, list));
     QTest::keyClick(tree(list), Qt::Key_Space);
   }
-  bool shows(const std::function<bool(const SliceView&)>& what, ViewId id = axialViewId) {
+  bool shows(const std::function<bool(const FlatView&)>& what, ViewId id = axialViewId) {
     return QTest::qWaitFor(
         [&] {
-          const SliceView* v = view(id);
+          const FlatView* v = view(id);
           return v && v->isVisible() && v->shown() && !v->picture().isNull() && what(*v);
         },
         longest);
   }
   bool showsFrame() {
-    return shows([](const SliceView& v) { return v.frame() != nullptr; });
+    return shows([](const FlatView& v) { return frameIn(&v) != nullptr; });
   }
   bool isPresented(bool wanted = true) {
-    return shows([&](const SliceView& v) { return v.frame() && v.frame()->how.has_value() == wanted; });
+    return shows([&](const FlatView& v) { return frameIn(&v) && frameIn(&v)->how.has_value() == wanted; });
   }
   // On screen once the picture is that of the workspace.
   QRgb seen(int column, int row) {
-    SliceView* v = view();
+    FlatView* v = view();
     const auto isWhole = [&] { return v->picture().size() == v->pixels(); };
     if (!QTest::qWaitFor(isWhole, longest)) return 0;
     const glm::dvec2 at =
-        v->plane()->pixelFromPatient(v->frame()->geometry().patientFromVoxel({column, row, 0}));
+        v->plane()->pixelFromPatient(frameIn(v)->geometry().patientFromVoxel({column, row, 0}));
     return v->picture().pixel(int(at.x), int(at.y));
   }
   // Waits for the picture after something was done.
   bool after(const std::function<void()>& act, ViewId id = axialViewId) {
-    QSignalSpy shown(view(id), &SliceView::settled);
+    QSignalSpy shown(view(id), &FlatView::settled);
     act();
     return !shown.isEmpty() || shown.wait(longest);
   }
@@ -81,7 +81,7 @@ struct References2d : Journey {
     });
   }
   // A right click's menu.
-  QMenu* menu(SliceView* on) {
+  QMenu* menu(FlatView* on) {
     QTest::mouseClick(on, Qt::RightButton, {}, {200, 300});
     return QTest::qWaitFor([&] { return child<QMenu>("flatMenu") != nullptr; }, longest)
                ? child<QMenu>("flatMenu")

@@ -8,7 +8,7 @@
 #include "tests/ui/measure_window.h"
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"
-#include "ui/views/slice_view.h"
+#include "ui/views/flat_view.h"
 #include "ui/workspace/session_json.h"
 
 using namespace volumen;
@@ -214,7 +214,7 @@ void TestAttacks::volumesOfNothing() {
   w.child<QAction>("layoutPlanes")->trigger();
   QVERIFY(w.settle());
   for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId}) {
-    SliceView* flat = w.window.views()->sliceView(id);
+    FlatView* flat = w.window.views()->viewAs<FlatView>(id);
     QTRY_VERIFY_WITH_TIMEOUT(flat->picture().size() == flat->pixels(), longest);
     for (const Tool& tool : tools()) {
       if (!tool.inSlices) continue;

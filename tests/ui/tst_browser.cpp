@@ -5,7 +5,7 @@
 
 #include "tests/ui/browser_window.h"
 #include "tests/unit/suite.h"
-#include "ui/views/slice_view.h"
+#include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/text.h"
 

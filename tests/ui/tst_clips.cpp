@@ -67,9 +67,9 @@ void TestClips::aClipIsPlayedByTheClock() {
   QElapsedTimer clock;
   clock.start();
   QTest::keyClick(w.view(), Qt::Key_C);
-  QVERIFY(w.view()->isPlaying());
+  QVERIFY(qobject_cast<FrameView*>(w.view())->isPlaying());
   const auto hasRun = [&] {
-    seen.insert(w.view()->frame()->key.index);
+    seen.insert(tests::frameIn(w.view())->key.index);
     const bool saysRate = w.view()->overlays().topRight.front().endsWith(QStringLiteral(" a second"));
     return clock.elapsed() > 2000 && seen.size() > 20 && saysRate;
   };
@@ -77,7 +77,7 @@ void TestClips::aClipIsPlayedByTheClock() {
   qInfo("%s", qPrintable(w.view()->overlays().topRight.front()));
   const int due = cineFrame({33, {}, false}, 34, 0, double(clock.elapsed()));
   QTest::keyClick(w.view(), Qt::Key_C);
-  QVERIFY(!w.view()->isPlaying());
+  QVERIFY(!qobject_cast<FrameView*>(w.view())->isPlaying());
   // Half a second late at most on a machine that is busy with other tests.
   const int late = (due - w.look().frame + 34) % 34;
   QVERIFY2(late <= 16, qPrintable(QStringLiteral("%1 is due, %2 is shown").arg(due).arg(w.look().frame)));
@@ -91,10 +91,10 @@ void TestClips::playingEndsWithAScroll() {
   Frames w({"us-palette-cine-10.dcm"});
   QVERIFY(w.shows());
   w.child<QAction>("playFrames")->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(w.view()->frame()->key.index >= 3, longest);
-  const int shown = w.view()->frame()->key.index;
+  QTRY_VERIFY_WITH_TIMEOUT(tests::frameIn(w.view())->key.index >= 3, longest);
+  const int shown = tests::frameIn(w.view())->key.index;
   wheel(w.view(), 1);
-  QVERIFY(!w.view()->isPlaying());
+  QVERIFY(!qobject_cast<FrameView*>(w.view())->isPlaying());
   QCOMPARE(w.look().frame, shown - 1);
 }
 
@@ -126,11 +126,11 @@ void TestClips::aClipIsDraggedIntoAComparedView() {
   QVERIFY(hip);
   const std::unique_ptr<QMimeData> dragged(
       w.tree()->model()->mimeData({w.tree()->indexAt(w.tree()->visualItemRect(hip).center())}));
-  SliceView* second = w.view(firstComparedId + 1);
+  FlatView* second = w.view(firstComparedId + 1);
   QVERIFY(tests::drop(*dragged, second));
   QVERIFY(w.shows(firstComparedId + 1));
-  QVERIFY(!w.view(firstComparedId + 1)->frame()->colour());
-  QVERIFY(w.view(firstComparedId)->frame()->colour());
+  QVERIFY(!tests::frameIn(w.view(firstComparedId + 1))->colour());
+  QVERIFY(tests::frameIn(w.view(firstComparedId))->colour());
   w.shot("frames-compared");
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.workspace().view(firstComparedId + 1).series.empty());

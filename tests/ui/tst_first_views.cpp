@@ -36,12 +36,12 @@ struct Opened : Usual, Journey {
   Session& session() { return window.session(); }
   const Workspace& workspace() { return session().workspace(); }
   // The first view on screen that is no 3D, once its picture is there.
-  SliceView* first() {
-    SliceView* found = nullptr;
+  FlatView* first() {
+    FlatView* found = nullptr;
     const auto isThere = [&] {
       found = nullptr;
       for (const ViewId id : viewsOnScreen(workspace()))
-        if (!found) found = window.views()->sliceView(id);
+        if (!found) found = window.views()->viewAs<FlatView>(id);
       return found && found->isVisible() && found->shown() && !found->picture().isNull();
     };
     return QTest::qWaitFor(isThere, longest) ? found : nullptr;
@@ -143,7 +143,7 @@ void TestFirstViews::seriesOpenAsAcquired() {
   QVERIFY(w.first());
   const auto areDrawn = [&] {
     return std::ranges::all_of(viewsOnScreen(w.workspace()), [&](ViewId id) {
-      SliceView* flat = w.window.views()->sliceView(id);
+      FlatView* flat = w.window.views()->viewAs<FlatView>(id);
       return !(flat ? flat->picture() : w.window.view()->picture()).isNull();
     });
   };
@@ -181,7 +181,7 @@ void TestFirstViews::whatIsNoVolumeForcesNoLayout() {
   NEED_DATA(slice);
   Opened w(QString::fromStdString(slice));
   QVERIFY(w.first());
-  QVERIFY(w.first()->showsFrames());
+  QVERIFY(showsFrames(w.first()->state().kind));
   w.window.open({QStringLiteral("phantom:ct-head:32")});
   QTRY_VERIFY_WITH_TIMEOUT(w.session().series() != nullptr, longest);
   QCOMPARE(w.workspace().layout, Layout::planes);
@@ -199,7 +199,7 @@ void TestFirstViews::acquiredSlicesOfAnObliqueSeriesAreMarked() {
   const std::string head = dataPath("mr-head-ge-mprage-130");
   NEED_DATA(head);
   Opened w(QString::fromStdString(head));
-  SliceView* view = w.first();
+  FlatView* view = w.first();
   QVERIFY(view);
   w.session().setFocus(view->id());
   wheel(view, -3);
@@ -224,11 +224,13 @@ void TestFirstViews::framesOfASeriesHaveOneWindow() {
   const std::string series = dataPath("dicom-geometry/mr-localizer-ge-3plane-21");
   NEED_DATA(series);
   Opened w(QString::fromStdString(series));
-  QVERIFY(w.first() && w.first()->showsFrames());
+  QVERIFY(w.first() && showsFrames(w.first()->state().kind));
   const auto windows = [&] {
     QStringList all;
     for (int n = 0; n < 7; ++n) {
-      const auto isThere = [&] { return w.first()->frame() && w.first()->frame()->key.index == n; };
+      const auto isThere = [&] {
+        return tests::frameIn(w.first()) && tests::frameIn(w.first())->key.index == n;
+      };
       if (n == 0) QTest::keyClick(w.first(), Qt::Key_Home);
       if (!QTest::qWaitFor(isThere, longest)) return QStringList();
       all << w.first()->overlays().bottomRight;

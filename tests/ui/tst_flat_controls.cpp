@@ -32,7 +32,7 @@ struct FlatWindow : MeasureWindow {
   }
   // Where the numbers of the window stand.
   QPoint corner(ViewId id = axialViewId) {
-    SliceView* v = view(id);
+    FlatView* v = view(id);
     const Overlays over = v->overlays();
     for (const PlacedText& text :
          placeOverlays(over, QRectF(v->rect()).adjusted(0, 0, -6, 0), v->font()).texts)
@@ -44,7 +44,7 @@ struct FlatWindow : MeasureWindow {
   }
   Clip clip() { return session().scene().clip; }
   std::vector<ClipLine> lines(bool whole, ViewId id = axialViewId) {
-    SliceView* v = view(id);
+    FlatView* v = view(id);
     const SlicePress press{session(), id, v->shown(), *v->plane(), v->devicePixelRatioF(), {}};
     return clipLines(press, whole);
   }
@@ -208,7 +208,7 @@ void TestFlatControls::aSegmentIsTinted() {
   };
   const auto isGrey = [](QRgb c) { return qRed(c) == qGreen(c) && qGreen(c) == qBlue(c); };
   const double z = w.view()->plane()->centre.z;
-  QSignalSpy settled(w.view(), &SliceView::settled);
+  QSignalSpy settled(w.view(), &FlatView::settled);
   only->click();
   QVERIFY(settled.wait(longest));
   QVERIFY(!isGrey(at({3, -2, z})) && qRed(at({3, -2, z})) > qBlue(at({3, -2, z})));

@@ -30,7 +30,7 @@ struct MeasuredFrames : Journey {
   }
 
   Session& session() { return window.session(); }
-  SliceView* view() { return window.views()->sliceView(axialViewId); }
+  FlatView* view() { return window.views()->viewAs<FlatView>(axialViewId); }
   const SharedList<Measurement>& all() { return session().workspace().measurements; }
 
   bool shows(int frame = 0) {
@@ -38,14 +38,14 @@ struct MeasuredFrames : Journey {
         [&] {
           auto* asFrames = child<QAction>("showAsFrames");
           if (asFrames->isEnabled() && !asFrames->isChecked()) asFrames->trigger();
-          SliceView* v = view();
-          return v && v->frame() && v->frame()->key.index == frame && !v->picture().isNull();
+          FlatView* v = view();
+          return v && frameIn(v) && frameIn(v)->key.index == frame && !v->picture().isNull();
         },
         longest);
   }
   // Where a pixel of the frame is in the view.
   QPointF at(glm::dvec2 pixel) {
-    const glm::dvec3 p = view()->frame()->geometry().patientFromVoxel({pixel, 0});
+    const glm::dvec3 p = frameIn(view())->geometry().patientFromVoxel({pixel, 0});
     const glm::dvec2 on = view()->plane()->pixelFromPatient(p) / view()->devicePixelRatioF();
     return {on.x, on.y};
   }
@@ -132,7 +132,7 @@ void TestFrameMeasurements::numbersWithTheirWord() {
   QCOMPARE(w.all().size(), std::size_t(1));
   const Shape drawn = w.all()[0].shape;
   QVERIFY(drawn.frame && drawn.frame->number == 0 && !drawn.frame->instance.empty());
-  const double screenPixel = w.view()->plane()->mmPerPixel / w.view()->frame()->geometry().spacing().y;
+  const double screenPixel = w.view()->plane()->mmPerPixel / frameIn(w.view())->geometry().spacing().y;
   for (std::size_t n = 0; n < far.size(); ++n)
     QVERIFY(glm::length(glm::dvec2(drawn.points[n]) - far[n]) <= screenPixel);
   w.session().change(QStringLiteral("test"), [&](Workspace& now) { w.exact(now, pixels); });
@@ -194,7 +194,7 @@ void TestFrameMeasurements::closedForms() {
   QVERIFY(w.shows());
   w.draw(ShapeKind(kind), pixels);
   QCOMPARE(w.all().size(), std::size_t(1));
-  const double screenPixel = w.view()->plane()->mmPerPixel / w.view()->frame()->geometry().spacing().y;
+  const double screenPixel = w.view()->plane()->mmPerPixel / frameIn(w.view())->geometry().spacing().y;
   QVERIFY(glm::length(glm::dvec2(w.all()[0].shape.points[0]) - pixels[0]) <= screenPixel);
   w.session().change(QStringLiteral("test"), [&](Workspace& now) { w.exact(now, pixels); });
   // Measured again on another thread.
@@ -259,7 +259,7 @@ void TestFrameMeasurements::anEndFollowsThePointer() {
   const std::vector<glm::dvec3> before = w.all()[0].shape.points;
   const QPoint end = w.at(before[1]).toPoint(), way(30, 45);
   drag(w.view(), end, end + way);
-  const VoxelGeometry& g = w.view()->frame()->geometry();
+  const VoxelGeometry& g = frameIn(w.view())->geometry();
   const double mm = w.view()->plane()->mmPerPixel * w.view()->devicePixelRatioF();
   const glm::dvec2 moved(way.x() * mm / g.spacing().x, way.y() * mm / g.spacing().y);
   const std::vector<glm::dvec3> after = w.all()[0].shape.points;

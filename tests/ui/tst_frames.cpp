@@ -90,7 +90,7 @@ void TestFrames::pixelsAreThoseOfTheFile() {
   for (const Probe& probe : probes) {
     const int steps = probe.frame - w.look().frame;
     if (steps != 0) QVERIFY(w.after([&] { w.view()->scroll(steps); }));
-    QCOMPARE(w.view()->frame()->key.index, probe.frame);
+    QCOMPARE(tests::frameIn(w.view())->key.index, probe.frame);
     const QRgb seen = w.seen(probe.pixel.x(), probe.pixel.y());
     QVERIFY2(areNear(seen, probe.colour, within), qPrintable(QColor(seen).name()));
   }
@@ -156,7 +156,7 @@ void TestFrames::theShapeIsTheFiles() {
   Frames w({clipFile});
   QVERIFY(w.shows());
   const SlicePlane plane = *w.view()->plane();
-  const VoxelGeometry& geometry = w.view()->frame()->geometry();
+  const VoxelGeometry& geometry = tests::frameIn(w.view())->geometry();
   const glm::dvec2 across = plane.pixelFromPatient(geometry.patientFromVoxel({479.5, 429.5, 0})) -
                             plane.pixelFromPatient(geometry.patientFromVoxel({-0.5, -0.5, 0}));
   QVERIFY(std::abs(across.y / across.x - 430 * 0.8 / 480) < 1e-9);
@@ -179,7 +179,7 @@ void TestFrames::overlaysAreWhiteAndCanGo() {
   Frames w({name.constData()});
   w.window.resize(1900, 1100);  // the whole picture, pixel for pixel
   QVERIFY(w.shows());
-  const glm::ivec3 size = w.view()->frame()->geometry().size;
+  const glm::ivec3 size = tests::frameIn(w.view())->geometry().size;
   w.seen(size.x / 2, size.y / 2);
   // Nothing white below them.
   QVERIFY(w.after([&] {

@@ -37,7 +37,7 @@ void TestFramesAmongVolumes::aVolumeAndAClipInTurn() {
     QVERIFY(w.view()->hasFocus());
     QVERIFY(w.window.windowTitle().contains(QStringLiteral("US")));
     w.choose("47 slices");
-    QTRY_VERIFY_WITH_TIMEOUT(!w.view()->showsFrames() && !w.view()->picture().isNull(), longest);
+    QTRY_VERIFY_WITH_TIMEOUT(!showsFrames(w.view()->state().kind) && !w.view()->picture().isNull(), longest);
     QVERIFY(w.window.view()->isVisible());
     QVERIFY(w.session().series());
   }
@@ -61,7 +61,7 @@ void TestFramesAmongVolumes::aVolumeIsShownAsFramesAndBack() {
   asFrames->trigger();
   QTRY_VERIFY_WITH_TIMEOUT(w.session().series() != nullptr, longest);
   QVERIFY(!asFrames->isChecked());
-  QVERIFY2(w.view()->isVisible() && !w.view()->showsFrames(), "the slice as a plane");
+  QVERIFY2(w.view()->isVisible() && !showsFrames(w.view()->state().kind), "the slice as a plane");
   asFrames->trigger();
   QVERIFY(w.shows());
   QVERIFY(asFrames->isChecked());
@@ -79,13 +79,13 @@ void TestFramesAmongVolumes::aPictureIsShownAsASliceAndBack() {
   QVERIFY(asFrames->isChecked());
   asFrames->trigger();
   QTRY_VERIFY_WITH_TIMEOUT(w.session().series() && !asFrames->isChecked(), longest);
-  QVERIFY(w.view()->isVisible() && !w.view()->showsFrames());
+  QVERIFY(w.view()->isVisible() && !showsFrames(w.view()->state().kind));
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.shows());
   QVERIFY(asFrames->isChecked());
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.shows());
-  QVERIFY(w.view()->frame()->colour());
+  QVERIFY(tests::frameIn(w.view())->colour());
 }
 
 void TestFramesAmongVolumes::theListTellsFrames() {
@@ -158,7 +158,7 @@ void TestFramesAmongVolumes::theSliderChoosesStepsInFramesToo() {
   QTRY_COMPARE_WITH_TIMEOUT(echo(), std::string("40"), longest);
   QVERIFY(w.shows());
   QVERIFY(w.press(Qt::Key_Down));
-  const SeriesKey first = w.view()->frame()->key.series;
+  const SeriesKey first = tests::frameIn(w.view())->key.series;
   const QImage picture = w.view()->picture();
   auto* slider = w.view()->findChild<QSlider*>();
   QVERIFY(slider && slider->isVisible());
@@ -167,14 +167,14 @@ void TestFramesAmongVolumes::theSliderChoosesStepsInFramesToo() {
   QVERIFY2(corner().contains(QStringLiteral("40 ms")), qPrintable(corner()));
   QVERIFY(w.press(Qt::Key_Right));
   QVERIFY(w.shows());
-  QVERIFY(w.view()->frame()->key.series != first);
-  QCOMPARE(w.view()->frame()->key.index, 1);
+  QVERIFY(tests::frameIn(w.view())->key.series != first);
+  QCOMPARE(tests::frameIn(w.view())->key.index, 1);
   QCOMPARE(slider->value(), 1);
   QVERIFY2(corner().contains(QStringLiteral("60 ms")), qPrintable(corner()));
   QVERIFY(w.view()->picture() != picture);
   slider->setValue(0);
   QVERIFY(w.shows());
-  QCOMPARE(w.view()->frame()->key.series, first);
+  QCOMPARE(tests::frameIn(w.view())->key.series, first);
   QVERIFY(w.view()->picture() == picture);
 }
 

@@ -121,7 +121,7 @@ void TestFusion::petOpensOverItsCt() {
     QCOMPARE(w.modality(w.look(id).overlay), std::string("PT"));
   }
   // The hottest voxel (dicom-2d/README.md) is shown in the colours of hot iron, over the CT.
-  SliceView* axial = w.window.views()->sliceView(axialViewId);
+  FlatView* axial = w.window.views()->viewAs<FlatView>(axialViewId);
   const ShownSeriesPtr ct = w.window.session().seriesOf(axialViewId);
   moveCrosshair(w.window.session(), axialViewId, *ct, {}, {-7.0312, -82.0312, -140.65});
   const auto at = [&] {
@@ -193,11 +193,11 @@ void TestFusion::colourMapsAreShown() {
   Journey w;
   w.window.session().show(tests::ballSeries(32, 10));
   w.child<QAction>("layoutPlanes")->trigger();
-  SliceView* axial = w.window.views()->sliceView(axialViewId);
+  FlatView* axial = w.window.views()->viewAs<FlatView>(axialViewId);
   QTRY_VERIFY_WITH_TIMEOUT(!axial->picture().isNull(), longest);
   auto* menu = w.child<QMenu>("colourMenu");
   Q_EMIT menu->aboutToShow();
-  QSignalSpy shown(axial, &SliceView::settled);
+  QSignalSpy shown(axial, &FlatView::settled);
   w.child<QAction>("colours_hotIron")->trigger();
   QVERIFY(!shown.isEmpty() || shown.wait(longest));
   const glm::dvec2 air = axial->plane()->pixelFromPatient({-14, -14, 0.5});

@@ -42,7 +42,8 @@ void TestKeyImages::keyImagesAreMarkedAndListed() {
   QVERIFY(w.workspace().keyImages.empty());
   w.child<QAction>("redo")->trigger();
   QCOMPARE(w.workspace().keyImages.size(), std::size_t(1));
-  QVERIFY(w.shows([](const SliceView& v) { return v.frame() && v.frame()->key.index == 1; }));
+  QVERIFY(
+      w.shows([](const FlatView& v) { return tests::frameIn(&v) && tests::frameIn(&v)->key.index == 1; }));
   QTest::keyClick(&w.window, Qt::Key_K);
   QVERIFY(w.workspace().keyImages.empty() && !w.item("frame 2", "keyImageList"));
 }
@@ -52,7 +53,8 @@ void TestKeyImages::oneAfterTheOther() {
   References2d w({"dicom-2d/us-palette-cine-10.dcm"});
   QVERIFY(w.showsFrame());
   const auto frameIs = [&](int index) {
-    return w.shows([&](const SliceView& v) { return v.frame() && v.frame()->key.index == index; });
+    return w.shows(
+        [&](const FlatView& v) { return tests::frameIn(&v) && tests::frameIn(&v)->key.index == index; });
   };
   for (const int index : {2, 7, 4}) {
     w.session().change(QStringLiteral("test"), [&](Workspace& workspace) {
@@ -90,7 +92,7 @@ void TestKeyImages::slicesOfAnUnevenStack() {
   w.window.open({folder});
   QVERIFY(w.settle());
   w.child<QAction>("layoutPlanes")->trigger();
-  QVERIFY(w.shows([](const SliceView& v) { return v.series() != nullptr; }));
+  QVERIFY(w.shows([](const FlatView& v) { return v.series() != nullptr; }));
   const Series series = w.session().seriesOf(axialViewId)->series;
   QVERIFY(series.regular && series.regular->interpolatedSlices == 1);
   const int slices = series.regular->geometry.size.z;
@@ -116,7 +118,7 @@ void TestKeyImages::slicesOfAnUnevenStack() {
   QVERIFY2(marked == series.sopInstanceUids, "each slice as acquired, in their order");
   // On to the first of them: in the same planes, not as a frame.
   QTest::keyClick(&w.window, Qt::Key_Period);
-  QVERIFY(!w.view()->showsFrames() && w.saysOnView("\u2605 Key image"));
+  QVERIFY(!showsFrames(w.view()->state().kind) && w.saysOnView("\u2605 Key image"));
 }
 
 VOLUMEN_TEST(TestKeyImages);

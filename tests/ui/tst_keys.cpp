@@ -298,7 +298,7 @@ void TestKeys::afterOpeningKeysMeasure() {
   tests::Journey w({QStringLiteral("phantom:ct-head:32")});
   QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series(), tests::longest);
   QCOMPARE(int(w.window.session().workspace().layout), int(Layout::planes));
-  QTRY_VERIFY(qobject_cast<SliceView*>(w.window.focusWidget()));
+  QTRY_VERIFY(qobject_cast<FlatView*>(w.window.focusWidget()));
   const Camera before = w.window.view()->camera();
   QTest::keyClick(w.window.focusWidget(), Qt::Key_D);
   QVERIFY(w.child<QAction>("lengthTool")->isChecked());

@@ -5,7 +5,7 @@
 #include "tests/ui/session_folder.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/views/slice_view.h"
+#include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 

@@ -16,7 +16,7 @@
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/data/frame_series.h"
-#include "ui/views/slice_view.h"
+#include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 
 using namespace volumen;
@@ -286,7 +286,7 @@ void TestLooks::realStudiesAreShown() {
   };
   QTRY_VERIFY_WITH_TIMEOUT(shown() && shown()->description != "Ball", longest);
   if (opensAsFrames(*shown())) {
-    QTRY_VERIFY_WITH_TIMEOUT(!window.views()->sliceView(axialViewId)->picture().isNull(), longest);
+    QTRY_VERIFY_WITH_TIMEOUT(!window.views()->viewAs<FlatView>(axialViewId)->picture().isNull(), longest);
   } else {
     QTRY_VERIFY_WITH_TIMEOUT(window.session().series()->series.description != "Ball", longest);
     settled.clear();
@@ -320,7 +320,7 @@ void TestLooks::layoutsHaveRoom() {
   window.findChild<QAction*>(layout)->trigger();
   QTRY_VERIFY_WITH_TIMEOUT(settled.count() > 0, longest);
   for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId})
-    QTRY_VERIFY(!window.views()->sliceView(id)->picture().isNull());
+    QTRY_VERIFY(!window.views()->viewAs<FlatView>(id)->picture().isNull());
   if (const QString folder = qEnvironmentVariable("VOLUMEN_SHOTS"); !folder.isEmpty())
     QVERIFY(window.grab().save(QDir(folder).filePath(path.section(QLatin1Char('/'), -1) + QLatin1Char('-') +
                                                      layout + QStringLiteral(".png"))));

@@ -28,7 +28,8 @@ struct Pet : Journey {
 
   bool opened() {
     // Two or three slices open as pictures.
-    if (!QTest::qWaitFor([this] { return view() && view()->showsFrames() && view()->frame(); }, longest))
+    if (!QTest::qWaitFor([this] { return view() && showsFrames(view()->state().kind) && frameIn(view()); },
+                         longest))
       return false;
     child<QAction>("showAsFrames")->trigger();
     if (!QTest::qWaitFor([this] { return session().series() != nullptr; }, longest)) return false;
@@ -38,7 +39,7 @@ struct Pet : Journey {
     return true;
   }
   Session& session() { return window.session(); }
-  SliceView* view() { return window.views()->sliceView(axialViewId); }
+  FlatView* view() { return window.views()->viewAs<FlatView>(axialViewId); }
   // What the status line says of the middle of the view.
   QString said() {
     QString text;
@@ -149,12 +150,12 @@ void TestPetValues::framesAreSuv() {
   Pet w(QStringLiteral("c28-suv-bqml"));
   QVERIFY(w.opened());
   w.child<QAction>("showAsFrames")->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(w.view()->showsFrames() && w.view()->frame(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(showsFrames(w.view()->state().kind) && frameIn(w.view()), longest);
   QVERIFY2(w.said().startsWith(QStringLiteral("0.58425")) && w.said().contains(QStringLiteral(" SUVbw")),
            qPrintable(w.said()));
   w.drawRegion();
   QTRY_VERIFY_WITH_TIMEOUT(w.listed().contains(QStringLiteral("Mean 0.584, SD 0 SUVbw")), longest);
-  QTest::keyClick(w.view(), Qt::Key_1 + int(greyChoices(*w.view()->frame()).size()) - 5);
+  QTest::keyClick(w.view(), Qt::Key_1 + int(greyChoices(*frameIn(w.view())).size()) - 5);
   QCOMPARE(w.corner(), QStringLiteral("W 5.0 L 2.5 SUVbw"));
 }
 

@@ -64,9 +64,10 @@ void TestPresentationStates::pixelsOfAPresentationState() {
   QVERIFY2(isGrey(64, 64, 50), qPrintable(QString::number(w.seen(64, 64), 16)));
   QVERIFY2(isGrey(20, 11, 0), "under the shutter");
   // Pixel (x, y) is drawn at (y, x).
-  SliceView* view = w.view();
+  FlatView* view = w.view();
   const auto at = [&](int column, int row) {
-    return view->plane()->pixelFromPatient(view->frame()->geometry().patientFromVoxel({column, row, 0}));
+    return view->plane()->pixelFromPatient(
+        tests::frameIn(view)->geometry().patientFromVoxel({column, row, 0}));
   };
   QVERIFY(at(10, 100).x > at(10, 20).x && at(100, 10).y > at(20, 10).y);
   QVERIFY(std::abs(at(10, 100).y - at(10, 20).y) < 1e-6);
@@ -81,7 +82,8 @@ void TestPresentationStates::pixelsOfAPresentationState() {
     return most;
   };
   const auto ofCorner = [&](double x, double y) {  // 0, 0 is the corner of the first pixel
-    return view->plane()->pixelFromPatient(view->frame()->geometry().patientFromVoxel({x - 0.5, y - 0.5, 0}));
+    return view->plane()->pixelFromPatient(
+        tests::frameIn(view)->geometry().patientFromVoxel({x - 0.5, y - 0.5, 0}));
   };
   for (const double angle : {0.3, 1.9, 3.5, 5.1}) {
     const glm::dvec2 p = ofCorner(64 + 20 * std::cos(angle), 64 + 20 * std::sin(angle));

@@ -66,9 +66,9 @@ void TestReferencesWindow::aKeyObjectGoesToItsPicture() {
   References2d w({"dicom-2d/sc-rgb-41.dcm", ct, keyObjects});
   QVERIFY(w.has("Key objects: Of Interest") && w.has("CT (1)") && w.showsFrame());
   w.click("Key objects: Of Interest");
-  QVERIFY(w.shows([](const SliceView& v) {
-    return v.frame() && v.frame()->slice->series.modality == "CT" &&
-           v.frame()->key.series == v.state().series;
+  QVERIFY(w.shows([](const FlatView& v) {
+    return tests::frameIn(&v) && tests::frameIn(&v)->slice->series.modality == "CT" &&
+           tests::frameIn(&v)->key.series == v.state().series;
   }));
   QVERIFY(w.saysOnView("\u2605 Key image"));
   QCOMPARE(w.workspace().keyImages.size(), std::size_t(0));
@@ -92,7 +92,9 @@ void TestReferencesWindow::aReportIsRead() {
   text->setFocus();
   QTest::keyClick(text, Qt::Key_Tab);
   QTest::keyClick(text, Qt::Key_Return);
-  QVERIFY(w.shows([](const SliceView& v) { return v.frame() && v.frame()->slice->series.modality == "CT"; }));
+  QVERIFY(w.shows([](const FlatView& v) {
+    return tests::frameIn(&v) && tests::frameIn(&v)->slice->series.modality == "CT";
+  }));
 }
 
 void TestReferencesWindow::aReportSaysWhatIsNotHere() {

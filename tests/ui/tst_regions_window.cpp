@@ -22,7 +22,7 @@ void TestRegionsWindow::contoursLieOnTheirSlices() {
   openAlone(false);
   References2d w({"pet-ct/sts019-ct", "pet-ct/sts019-rtstruct-ct.dcm"});
   QVERIFY(w.has("Contours: RTstruct"));
-  QVERIFY(w.shows([](const SliceView&) { return true; }));
+  QVERIFY(w.shows([](const FlatView&) { return true; }));
   const auto red = [&](ViewId id) {
     const QImage screen = w.view(id)->grab().toImage();
     int count = 0;
@@ -65,7 +65,7 @@ void TestRegionsWindow::contoursAreCutByOtherPlanes() {
   openAlone(false);
   References2d w({"pet-ct/sts019-ct", "pet-ct/sts019-rtstruct-ct.dcm"});
   QVERIFY(w.has("Contours: RTstruct"));
-  QVERIFY(w.shows([](const SliceView&) { return true; }, coronalViewId));
+  QVERIFY(w.shows([](const FlatView&) { return true; }, coronalViewId));
   w.click("Contours: RTstruct");
   QTRY_VERIFY_WITH_TIMEOUT(w.item("GTV_Mass_CT", "regionList"), longest);
   const auto row = w.item("GTV_Mass_CT", "regionList");
@@ -78,7 +78,7 @@ void TestRegionsWindow::contoursAreCutByOtherPlanes() {
   const glm::dvec3 at = crosshairOf(w.workspace(), *shown).at;
   QVERIFY2(std::abs(at.z + 150.42) < 1e-2 && at.x > -35.4 && at.x < -6.1 && at.y > -89.36 && at.y < -64.94,
            qPrintable(QStringLiteral("%1 %2 %3").arg(at.x).arg(at.y).arg(at.z)));
-  QVERIFY(w.shows([](const SliceView&) { return true; }, sagittalViewId));
+  QVERIFY(w.shows([](const FlatView&) { return true; }, sagittalViewId));
   w.shot("contours-cut");
   openAlone();
 }

@@ -125,7 +125,7 @@ void TestRegistration::anOverlayGoesThroughTheLink() {
   w.session().change({}, withRegistration(w.workspace(), "A", "B", {glm::dmat3(1), moved}));
   QVERIFY(whyNotOverlaid(w.workspace(), under->series, over->series).isEmpty());
   // The same series moved back lies over itself: all of it in the overlay's colours.
-  QSignalSpy settled(w.view(left), &SliceView::settled);
+  QSignalSpy settled(w.view(left), &FlatView::settled);
   w.session().change({}, withOverlay(w.workspace(), left, &over->series));
   w.session().change({}, withFlatLooks(w.workspace(), left, [](FlatLook& look) {
                        look.overlayOpacity = 1;

@@ -17,9 +17,9 @@
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/measurer.h"
+#include "ui/overlays/view_overlays.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/view_grid.h"
-#include "ui/overlays/view_overlays.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/link_text.h"
@@ -165,11 +165,11 @@ class Hand : public Journey {
   }
 
   View* viewOf(ViewId id) {
-    View* flat = window.views()->sliceView(id);
+    View* flat = window.views()->viewAs<FlatView>(id);
     return flat ? flat : window.views()->volumeView(id);
   }
-  SliceView* slices(ViewId id) {
-    SliceView* view = window.views()->sliceView(id);
+  FlatView* slices(ViewId id) {
+    FlatView* view = window.views()->viewAs<FlatView>(id);
     return view && view->isVisible() && view->shown() ? view : nullptr;
   }
   QString said() { return child<QLabel>("hoverText")->text(); }
@@ -225,7 +225,7 @@ class Hand : public Journey {
     QCoreApplication::sendEvent(view, &event);
   }
   void measure(View* view) {
-    if (!qobject_cast<SliceView*>(view)) return;
+    if (!qobject_cast<FlatView*>(view)) return;
     QTest::keyClick(view, below(2) ? Qt::Key_D : Qt::Key_E);
     const QPointF from = anyPlace(view), to = anyPlace(view);
     pointAt(view, to);
@@ -270,7 +270,7 @@ QStringList planeSaid(const ShownSeries& shown, ViewKind kind, const SlicePlane&
 QString wrongCorner(Hand& w, int& seen) {
   const Workspace& now = w.workspace();
   for (const ViewId id : viewsOnScreen(now)) {
-    SliceView* view = w.slices(id);
+    FlatView* view = w.slices(id);
     if (!view) continue;
     const ShownSeriesPtr shown = view->series();
     const glm::ivec2 pixels(view->pixels().width(), view->pixels().height());
@@ -293,7 +293,7 @@ QString wrongHover(Hand& w, int& seen) {
   const QString said = w.said();
   const auto pointed = w.pointed();
   if (!pointed) return said;
-  const auto* view = qobject_cast<SliceView*>(pointed->first);
+  const auto* view = qobject_cast<FlatView*>(pointed->first);
   if (!pointed->first->series()) return said;
   if (view && view->drawnMeasurements().empty()) {
     const QPointF at = pointed->second * view->devicePixelRatioF();
@@ -337,7 +337,7 @@ class TestSaid : public QObject {
 
 void TestSaid::theWheelTellsWhatComesUnderTheCursor() {
   Hand w(1);
-  SliceView* view = w.slices(w.slices(axialViewId) ? axialViewId : sagittalViewId);
+  FlatView* view = w.slices(w.slices(axialViewId) ? axialViewId : sagittalViewId);
   QVERIFY(view);
   const QPointF middle(view->width() / 2.0, view->height() / 2.0);
   hover(view, middle);

@@ -4,7 +4,7 @@
 #include "tests/ui/gestures.h"
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"
-#include "ui/views/slice_view.h"
+#include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/camera_moves.h"
 
@@ -166,8 +166,8 @@ void TestScissors::slicesShowWhatWasCut() {
   Cutting t;
   QVERIFY(t.open());
   t.w.child<QAction>("layoutPlanes")->trigger();
-  SliceView* coronal = t.w.window.views()->sliceView(coronalViewId);
-  QSignalSpy drawn(coronal, &SliceView::settled);
+  FlatView* coronal = t.w.window.views()->viewAs<FlatView>(coronalViewId);
+  QSignalSpy drawn(coronal, &FlatView::settled);
   QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > 0, longest);
   const QRgb skin = coronal->picture().pixel(coronal->pixels().width() / 2, coronal->pixels().height() / 2);
   QVERIFY(qRed(skin) > 50);

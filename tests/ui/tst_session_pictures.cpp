@@ -6,7 +6,7 @@
 #include "tests/ui/gestures.h"
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"
-#include "ui/views/slice_view.h"
+#include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/camera_moves.h"
 
@@ -52,8 +52,8 @@ void TestSessionPictures::theProgramDrawsTheSnapshot() {
   }
   if (what == 3) {
     w.child<QAction>("layoutPlanes")->trigger();
-    QTRY_VERIFY(w.window.views()->sliceView(coronalViewId));
-    QTest::mouseClick(w.window.views()->sliceView(coronalViewId), Qt::LeftButton, {}, {50, 50});
+    QTRY_VERIFY(w.window.views()->viewAs<FlatView>(coronalViewId));
+    QTest::mouseClick(w.window.views()->viewAs<FlatView>(coronalViewId), Qt::LeftButton, {}, {50, 50});
   }
   if (what >= 4) {
     if (what == 4) QVERIFY(!w.after("removeTable").isNull());

@@ -6,7 +6,7 @@
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/open_session.h"
-#include "ui/views/slice_view.h"
+#include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 
@@ -45,7 +45,7 @@ void TestSessions::itComesBackAsItWas() {
   QVERIFY(settles(w, [&] { w.window.open({QStringLiteral("phantom:soft-sphere:32")}); }));
   QVERIFY(settles(w, [&] { w.window.open({folder.ct()}); }));
   w.child<QAction>("layoutPlanes")->trigger();
-  SliceView* axial = w.window.views()->sliceView(axialViewId);
+  FlatView* axial = w.window.views()->viewAs<FlatView>(axialViewId);
   QVERIFY(axial);
   drag(axial, {60, 60}, {80, 50});
   drag(axial, {60, 60}, {70, 75}, Qt::MiddleButton);
@@ -270,7 +270,7 @@ void TestSessions::theTitleSaysWhatIsNotSaved() {
   QTRY_VERIFY(w.window.isWindowModified());
   w.child<QAction>("saveSession")->trigger();
   QTRY_VERIFY_WITH_TIMEOUT(!w.window.isWindowModified(), longest);
-  QTest::mouseClick(w.window.views()->sliceView(coronalViewId), Qt::LeftButton, {}, {50, 50});
+  QTest::mouseClick(w.window.views()->viewAs<FlatView>(coronalViewId), Qt::LeftButton, {}, {50, 50});
   QVERIFY2(!w.window.isWindowModified(), "another view in focus is no change");
 }
 

@@ -23,16 +23,16 @@ struct Planes : Journey {
     child<QAction>("layoutPlanes")->trigger();
     for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId}) shows(id);
   }
-  SliceView* view(ViewId id) { return window.views()->sliceView(id); }
+  FlatView* view(ViewId id) { return window.views()->viewAs<FlatView>(id); }
   Session& session() { return window.session(); }
   // Whether the picture of what the workspace says comes on screen.
   bool shows(ViewId id) {
-    QSignalSpy shown(view(id), &SliceView::settled);
+    QSignalSpy shown(view(id), &FlatView::settled);
     return !view(id)->picture().isNull() || shown.wait(longest);
   }
   // Waits for the picture after something was done.
   bool after(ViewId id, const std::function<void()>& act) {
-    QSignalSpy shown(view(id), &SliceView::settled);
+    QSignalSpy shown(view(id), &FlatView::settled);
     act();
     return !shown.isEmpty() || shown.wait(longest);
   }
@@ -162,7 +162,7 @@ void TestSliceViews::aDragChangesTheWindow() {
 void TestSliceViews::escapeGivesUpADrag() {
   Planes w;
   const Workspace before = w.session().workspace();
-  SliceView* view = w.view(axialViewId);
+  FlatView* view = w.view(axialViewId);
   w.session().setFocus(axialViewId);
   const Workspace pressed = w.session().workspace();
   QTest::mousePress(view, Qt::LeftButton, {}, {50, 50});
@@ -186,7 +186,7 @@ void TestSliceViews::digitsChooseWindows() {
 
 void TestSliceViews::theRightButtonZoomsAboutThePress() {
   Planes w;
-  SliceView* view = w.view(axialViewId);
+  FlatView* view = w.view(axialViewId);
   const QPointF at(60, 40);
   const glm::dvec3 under = view->plane()->patientFromPixel({at.x(), at.y()});
   tests::drag(view, at, at - QPointF(0, 50), Qt::RightButton);
@@ -197,7 +197,7 @@ void TestSliceViews::theRightButtonZoomsAboutThePress() {
 
 void TestSliceViews::theMiddleButtonPans() {
   Planes w;
-  SliceView* view = w.view(sagittalViewId);
+  FlatView* view = w.view(sagittalViewId);
   const glm::dvec3 under = view->plane()->patientFromPixel({60, 40});
   tests::drag(view, {60, 40}, {75, 20}, Qt::MiddleButton);
   QVERIFY(glm::length(view->plane()->patientFromPixel({75, 20}) - under) < 1e-9);
@@ -205,7 +205,7 @@ void TestSliceViews::theMiddleButtonPans() {
 
 void TestSliceViews::controlWheelZoomsAtTheCursor() {
   Planes w;
-  SliceView* view = w.view(axialViewId);
+  FlatView* view = w.view(axialViewId);
   const StackPlace place = w.place(axialViewId);
   wheel(view, 2, Qt::ControlModifier);
   QVERIFY(std::abs(w.look(axialViewId).zoom - std::pow(0.85, -2)) < 1e-9);
@@ -222,7 +222,7 @@ void TestSliceViews::altWheelMakesASlab() {
 
 void TestSliceViews::shiftMovesTheCrosshairEverywhere() {
   Planes w;
-  SliceView* view = w.view(axialViewId);
+  FlatView* view = w.view(axialViewId);
   const glm::dvec3 p = view->plane()->patientFromPixel({70.5, 60.5});
   QTest::mousePress(view, Qt::LeftButton, Qt::ShiftModifier, {70, 60});
   QTest::mouseRelease(view, Qt::LeftButton, Qt::ShiftModifier, {70, 60});
@@ -233,7 +233,7 @@ void TestSliceViews::shiftMovesTheCrosshairEverywhere() {
 
 void TestSliceViews::handlesTurnTheOtherPlanes() {
   Planes w;
-  SliceView* axial = w.view(axialViewId);
+  FlatView* axial = w.view(axialViewId);
   const Crosshair before = w.crosshair();
   const QImage coronalBefore = w.view(coronalViewId)->picture();
   const QPointF middle = w.pixel(axialViewId, before.at);
@@ -263,7 +263,7 @@ void TestSliceViews::handlesTurnTheOtherPlanes() {
 
 void TestSliceViews::linesMoveTheirPlane() {
   Planes w;
-  SliceView* axial = w.view(axialViewId);
+  FlatView* axial = w.view(axialViewId);
   const glm::dvec3 before = w.cursor();
   const QPoint on = (w.pixel(axialViewId, before) + QPointF(0, 40)).toPoint();
   tests::drag(axial, on, on + QPoint(30, 5));
@@ -282,7 +282,7 @@ void TestSliceViews::theViewThatIsPressedIsInFocus() {
 
 void TestSliceViews::aDoubleClickShowsOneViewAlone() {
   Planes w;
-  SliceView* view = w.view(coronalViewId);
+  FlatView* view = w.view(coronalViewId);
   const int width = view->width();
   QTest::mouseClick(view, Qt::LeftButton, {}, {30, 30});
   QTest::mouseDClick(view, Qt::LeftButton, {}, {30, 30});
@@ -295,7 +295,7 @@ void TestSliceViews::aDoubleClickShowsOneViewAlone() {
 
 void TestSliceViews::whatIsUnderTheCursorIsRead() {
   Planes w;
-  SliceView* view = w.view(axialViewId);
+  FlatView* view = w.view(axialViewId);
   wheel(view, -6, Qt::ControlModifier);  // so that there is room beside the volume
   QSignalSpy hovered(view, &View::hovered);
   const glm::dvec2 p = view->plane()->pixelFromPatient({3, -2, 4});
@@ -357,7 +357,7 @@ void TestSliceViews::aSeriesIsDraggedIntoAView() {
       tree->findItems(QStringLiteral("cube"), Qt::MatchContains | Qt::MatchRecursive).value(0);
   const std::unique_ptr<QMimeData> data(tree->model()->mimeData({tree->indexFromItem(cube)}));
   QVERIFY(data);
-  SliceView* right = w.window.views()->sliceView(firstComparedId + 1);
+  FlatView* right = w.window.views()->viewAs<FlatView>(firstComparedId + 1);
   QVERIFY(tests::drop(*data, right));
   QTRY_VERIFY_WITH_TIMEOUT(w.window.session().seriesOf(firstComparedId + 1), longest);
   QVERIFY(w.window.session().seriesOf(firstComparedId + 1)->series.path.find("cube") != std::string::npos);

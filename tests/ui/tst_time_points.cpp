@@ -14,7 +14,7 @@
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
 #include "ui/panels/studies_panel.h"
-#include "ui/views/slice_view.h"
+#include "ui/views/flat_view.h"
 #include "ui/views/time_bar.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
@@ -55,7 +55,7 @@ struct Perfusion : Journey {
   ~Perfusion() { openAlone(); }
   Session& session() { return window.session(); }
   const Workspace& workspace() { return session().workspace(); }
-  SliceView* view(ViewId id = axialViewId) { return window.views()->sliceView(id); }
+  FlatView* view(ViewId id = axialViewId) { return window.views()->viewAs<FlatView>(id); }
   bool opened() {
     return QTest::qWaitFor([&] { return session().series() && view() && view()->isVisible(); }, longest);
   }
@@ -126,7 +126,7 @@ void TestTimePoints::keysStepInAllViewsOfTheGroup() {
   w.key(Qt::Key_Left);
   QVERIFY(w.shows(100));
   w.key(Qt::Key_Right);
-  QSignalSpy settled(w.view(), &SliceView::settled);
+  QSignalSpy settled(w.view(), &FlatView::settled);
   w.key(Qt::Key_Right);
   QVERIFY(w.shows(300));
   QTRY_VERIFY_WITH_TIMEOUT(settled.count() > 0, longest);
@@ -276,7 +276,7 @@ void TestTimePoints::bothNeighboursAreLoadedAhead() {
 namespace {
 
 // The grey of the middle, where the volume is.
-int middleOf(SliceView* view) {
+int middleOf(FlatView* view) {
   const QImage seen = view->grab().toImage();
   return qGray(seen.pixel(seen.width() / 2 + 9, seen.height() / 2 + 9));
 }

@@ -5,7 +5,7 @@
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
-#include "ui/views/slice_view.h"
+#include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 
 using namespace volumen;
@@ -80,7 +80,7 @@ void TestVolumeViews::aViewShowsWhatItsMenuSays() {
   t.w.shot("two-volumes");
   QVERIFY(t.choose(left, "showCoronal"));
   QVERIFY(t.session().workspace().view(left).kind == ViewKind::coronal);
-  auto* flat = qobject_cast<SliceView*>(t.view(left));
+  auto* flat = qobject_cast<FlatView*>(t.view(left));
   QVERIFY(flat && flat->isVisible());
   QTRY_VERIFY_WITH_TIMEOUT(flat->picture().size() == flat->pixels(), longest);
   QVERIFY(flat->overlays().topRight.contains(QStringLiteral("Coronal, reformatted")));

@@ -8,7 +8,7 @@
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
-#include "ui/views/slice_view.h"
+#include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 
 namespace volumen::tests {
@@ -63,7 +63,7 @@ struct TwoSeries : Journey {
   }
   Session& session() { return window.session(); }
   const Workspace& workspace() { return session().workspace(); }
-  SliceView* view(ViewId id) { return window.views()->sliceView(id); }
+  FlatView* view(ViewId id) { return window.views()->viewAs<FlatView>(id); }
   SlicePlane plane(ViewId id) { return *view(id)->plane(); }
   double z(ViewId id) { return plane(id).centre.z; }
   void press(const char* action) { child<QAction>(action)->trigger(); }

@@ -34,7 +34,7 @@ void TimePointsAhead::look() {
   const Workspace& workspace = session_.workspace();
   const ViewState& view = workspace.view(workspace.focus);
   const ShownSeriesPtr shown = session_.seriesOf(workspace.focus);
-  if (loader_.isBusy() || !shown || view.kind == ViewKind::frames) return;
+  if (loader_.isBusy() || !shown || showsFrames(view.kind)) return;
   if (seen_.lock() != shown) {
     seen_ = shown;
     wanted_ = neighboursOf(workspace, view.series);

@@ -26,8 +26,8 @@ class FrameActions : public Feature {
   void connectFrames();
   void setShowAsFrames(bool asFrames);
   void showFrameActions();
-  void addGreys(QMenu* menu, SliceView* view) const;
-  void showSliceMenu(SliceView* view, QPoint global);
+  void addGreys(QMenu* menu, FrameView* view) const;
+  void showSliceMenu(FlatView* view, QPoint global);
 };
 
 FrameActions::FrameActions(Workbench& bench) : Feature(bench) {
@@ -61,8 +61,8 @@ void FrameActions::makeActions() {
   QAction* interpolate = makeInterpolationAction(session_, &bench_.window);
   bench_.addAction(interpolate, {{"viewMenu", 60, 90}});
   const auto play = [this](bool) {
-    SliceView* view = bench_.framesInFocus();
-    if (!view) view = grid_.sliceView(flatViewInFocus(session_.workspace()));
+    FlatView* view = bench_.framesInFocus();
+    if (!view) view = grid_.viewAs<FlatView>(flatViewInFocus(session_.workspace()));
     if (view) view->togglePlay();
   };
   bench_.addAction({"playFrames", tr("Play or stop"), {tr("C")}, "", false, play, {{"viewMenu", 30}}});
@@ -73,7 +73,7 @@ void FrameActions::makeActions() {
 
 void FrameActions::connectFrames() {
   connect(&grid_, &ViewGrid::menuRequested, this, [this](View* view, QPoint global) {
-    if (auto* slices = qobject_cast<SliceView*>(view)) showSliceMenu(slices, global);
+    if (auto* flat = qobject_cast<FlatView*>(view)) showSliceMenu(flat, global);
   });
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
@@ -119,7 +119,7 @@ void FrameActions::showFrameActions() {
 }
 
 // The windows that a frame may be shown by.
-void FrameActions::addGreys(QMenu* menu, SliceView* view) const {
+void FrameActions::addGreys(QMenu* menu, FrameView* view) const {
   const SeriesState& state = session_.workspace().series.at(view->state().series);
   const std::vector<GreyChoice> choices = greyChoices(*view->frame(), state);
   for (std::size_t n = 0; n < choices.size(); ++n) {
@@ -129,22 +129,23 @@ void FrameActions::addGreys(QMenu* menu, SliceView* view) const {
     action->setCheckable(true);
     action->setChecked(withGrey(state, choices[n]) == state);
   }
-  if (!choices.empty()) menu->addAction(tr("Invert") + QStringLiteral("\tI"), view, &SliceView::invert);
+  if (!choices.empty()) menu->addAction(tr("Invert") + QStringLiteral("\tI"), view, &FlatView::invert);
   menu->addSeparator();
 }
 
-void FrameActions::showSliceMenu(SliceView* view, QPoint global) {
+void FrameActions::showSliceMenu(FlatView* view, QPoint global) {
   auto* menu = new QMenu(&bench_.window);
   menu->setObjectName(QStringLiteral("flatMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  if (view->showsFrames() && view->frame()) addGreys(menu, view);
+  auto* frames = qobject_cast<FrameView*>(view);
+  if (frames && frames->frame()) addGreys(menu, frames);
   menu->addAction(bench_.action("interpolate"));
   bench_.sliceMenuOpens(menu, view);
   menu->addSeparator();
   const auto add = [&](const char* name) {
     menu->addMenu(bench_.window.findChild<QMenu*>(QLatin1String(name)));
   };
-  if (!view->showsFrames())
+  if (!frames)
     for (const char* name : {"slabMenu", "colourMenu", "overlayMenu"}) add(name);
   if (const Series* series = seriesIn(session_.workspace(), view->id()); series && series->modality == "PT")
     add("petUnitMenu");

@@ -13,7 +13,7 @@ namespace {
 std::optional<ViewId> slicesViewOf(const Workspace& workspace, const SeriesKey& series) {
   for (const ViewId id : viewsOnScreen(workspace)) {
     const ViewState& view = workspace.view(id);
-    if (view.kind != ViewKind::volume && view.kind != ViewKind::frames && view.series == series) return id;
+    if (showsSlices(view.kind) && view.series == series) return id;
   }
   return {};
 }

@@ -3,7 +3,7 @@
 #include "ui/features/feature.h"
 #include "ui/features/go_to_picture.h"
 #include "ui/panels/key_images_panel.h"
-#include "ui/views/slice_view.h"
+#include "ui/views/flat_view.h"
 #include "ui/workspace/key_images.h"
 
 namespace volumen {
@@ -52,7 +52,7 @@ QAction* KeyImages::add(const char* name, const QString& text, const QString& wo
 }
 
 void KeyImages::toggleKeyImage() {
-  SliceView* view = bench_.sliceViewInFocus();
+  FlatView* view = bench_.flatViewInFocus();
   const auto [picture, interpolated] = view ? view->pictureSeen() : PictureSeen();
   if (interpolated)
     return tell(
@@ -73,7 +73,7 @@ void KeyImages::toggleKeyImage() {
 }
 
 void KeyImages::goToKeyImage(int step) {
-  SliceView* view = bench_.sliceViewInFocus();
+  FlatView* view = bench_.flatViewInFocus();
   const std::optional<int> picture = view ? view->pictureSeen().index : std::nullopt;
   const SeriesKey series = view ? view->state().series : SeriesKey{};
   const std::optional<PicturePlace> next = panel_->next(series, picture.value_or(-1), step);

@@ -16,16 +16,11 @@ namespace volumen {
 
 namespace {
 
-bool showsSlices(const Workspace& workspace, ViewId id) {
-  const ViewKind kind = workspace.view(id).kind;
-  return kind != ViewKind::volume && kind != ViewKind::frames;
-}
-
 // The flat view that shows a series, else the one in focus, else the first; none on screen: none.
 std::optional<ViewId> flatViewFor(const Workspace& workspace, const SeriesKey& series) {
   std::optional<ViewId> best;
   for (const ViewId id : viewsOnScreen(workspace)) {
-    if (!showsSlices(workspace, id)) continue;
+    if (!showsSlices(workspace.view(id).kind)) continue;
     if (workspace.view(id).series == series) return id;
     if (!best || id == workspace.focus) best = id;
   }
@@ -70,10 +65,8 @@ void Measuring::makeActions() {
     connect(action, &QAction::triggered, this, [this, &tool](bool on) {
       if (!on) return grid_.restoreTool();
       grid_.setTool(tool);
-      const auto isFlat = [this](ViewId id) {
-        return session_.workspace().view(id).kind != ViewKind::volume;
-      };
-      if (std::ranges::none_of(viewsOnScreen(session_.workspace()), isFlat))
+      const auto hasPlane = [this](ViewId id) { return isFlat(session_.workspace().view(id).kind); };
+      if (std::ranges::none_of(viewsOnScreen(session_.workspace()), hasPlane))
         tell(tr("Measuring works in slices: choose a layout with planes (Alt+2)."));
     });
     connect(&grid_, &ViewGrid::toolChanged, action,
@@ -104,7 +97,7 @@ void Measuring::showOnFrame(const Measurement& m) {
   if (!frame) return;
   const std::vector<ViewId> onScreen = viewsOnScreen(now);
   const auto shows = [&](ViewId id) {
-    return now.view(id).series == m.series && now.view(id).kind == ViewKind::frames;
+    return now.view(id).series == m.series && showsFrames(now.view(id).kind);
   };
   const auto found = std::ranges::find_if(onScreen, shows);
   Workspace after = withFrames(now, found == onScreen.end() ? now.focus : *found, *series);

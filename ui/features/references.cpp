@@ -10,7 +10,7 @@
 #include "ui/panels/regions_panel.h"
 #include "ui/panels/report_dialog.h"
 #include "ui/tools/tool.h"
-#include "ui/views/slice_view.h"
+#include "ui/views/frame_view.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -29,7 +29,7 @@ class ReferenceObjects : public Feature {
   void showReport(const ReferencePtr& object, const Report& report);
   void showPictureNamed(const ReferencedPicture& picture);
   void showPlace(const std::string& frameOfReferenceUid, glm::dvec3 pPatient);
-  void fillPresentations(QMenu* menu, SliceView* view);
+  void fillPresentations(QMenu* menu, FlatView* view);
 };
 
 ReferenceObjects::ReferenceObjects(Workbench& bench) : Feature(bench) {
@@ -129,11 +129,12 @@ void ReferenceObjects::showPlace(const std::string& frameOfReferenceUid, glm::dv
 }
 
 // Those that are for the frame on screen, and none.
-void ReferenceObjects::fillPresentations(QMenu* menu, SliceView* view) {
+void ReferenceObjects::fillPresentations(QMenu* menu, FlatView* view) {
   const Series* series = seriesIn(session_.workspace(), view->id());
-  if (!view->showsFrames() || !view->frame() || !series) return;
+  const auto* frames = qobject_cast<FrameView*>(view);
+  if (!frames || !frames->frame() || !series) return;
   const auto states =
-      bench_.document.references.naming(ReferenceKind::presentation, *series, view->frame()->key.index);
+      bench_.document.references.naming(ReferenceKind::presentation, *series, frames->frame()->key.index);
   const ReferenceKey chosen = flatLookOf(view->state()).presentation;
   if (states.empty() && chosen.empty()) return;
   QMenu* choices = menu->addMenu(tr("Presentation state"));

@@ -120,24 +120,21 @@ void ViewActions::makePlaneTurns() {
 }
 
 void ViewActions::resetView() {
-  if (SliceView* slice = grid_.sliceView(session_.workspace().focus))
-    slice->resetView();
+  if (auto* flat = grid_.viewAs<FlatView>(session_.workspace().focus))
+    flat->resetView();
   else
     bench_.view()->resetView();
 }
 
 // What a view to compare shows.
 void ViewActions::makeKinds() {
-  const std::tuple<ViewKind, const char*, QString> table[] = {
-      {ViewKind::volume, "show3D", tr("3D")},
-      {ViewKind::axial, "showAxial", tr("Axial")},
-      {ViewKind::coronal, "showCoronal", tr("Coronal")},
-      {ViewKind::sagittal, "showSagittal", tr("Sagittal")}};
   bench_.addMenu("kindMenu", tr("Show in this view"), {{"viewMenu", 60, 60}});
-  for (const auto& [kind, name, text] : table) {
-    QAction* action = kinds_->addAction(bench_.addAction({name, text, {}, "", true, {}, {{"kindMenu"}}}));
-    action->setData(int(kind));
-    connect(action, &QAction::triggered, this, [this, kind = kind] {
+  for (const KindRow& row : viewKinds()) {
+    if (!row.action) continue;
+    QAction* action =
+        kinds_->addAction(bench_.addAction({row.action, tr(row.text), {}, "", true, {}, {{"kindMenu"}}}));
+    action->setData(int(row.kind));
+    connect(action, &QAction::triggered, this, [this, kind = row.kind] {
       session_.showAs(session_.workspace().focus, kind);
       showKinds();
     });

@@ -118,14 +118,16 @@ Scene Workbench::sceneInView() const {
   return scene;
 }
 
-SliceView* Workbench::framesInFocus() const {
+FrameView* Workbench::framesInFocus() const {
   const Workspace& workspace = document.session.workspace();
-  return showsFrames(workspace, workspace.focus) ? grid.sliceView(framesViewOf(workspace.focus)) : nullptr;
+  return showsFrames(workspace, workspace.focus) ? grid.viewAs<FrameView>(framesViewOf(workspace.focus))
+                                                 : nullptr;
 }
 
-SliceView* Workbench::sliceViewInFocus() const {
+FlatView* Workbench::flatViewInFocus() const {
   const Workspace& workspace = document.session.workspace();
-  return showsFrames(workspace, workspace.focus) ? framesInFocus() : grid.sliceView(workspace.focus);
+  const bool asFrames = showsFrames(workspace, workspace.focus);
+  return grid.viewAs<FlatView>(asFrames ? framesViewOf(workspace.focus) : workspace.focus);
 }
 
 void Workbench::forEachVolumeView(const std::function<void(VolumeView*)>& call) {

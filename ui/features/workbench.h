@@ -32,7 +32,8 @@ class QVBoxLayout;
 namespace volumen {
 
 class Banner;
-class SliceView;
+class FlatView;
+class FrameView;
 class StatusLine;
 struct Tool;
 class ViewGrid;
@@ -144,9 +145,9 @@ class Workbench : public QObject, public WindowParts {
   /// The session's scene as it is seen there, whatever size the view has.
   Scene sceneInView() const;
   /// The view of slices or frames that keys are for; null: there is none.
-  SliceView* sliceViewInFocus() const;
+  FlatView* flatViewInFocus() const;
   /// The view of frames that keys and menus are for; null: there is none.
-  SliceView* framesInFocus() const;
+  FrameView* framesInFocus() const;
   /// Calls it with each 3D view, also with those that are made later.
   void forEachVolumeView(const std::function<void(VolumeView*)>& call);
 
@@ -165,7 +166,7 @@ class Workbench : public QObject, public WindowParts {
   /// An object of the list was chosen.
   void referenceChosen(const volumen::ReferencePtr& object);
   /// A menu over slices or frames is about to open: features add what they have for it.
-  void sliceMenuOpens(QMenu* menu, volumen::SliceView* view);
+  void sliceMenuOpens(QMenu* menu, volumen::FlatView* view);
 };
 
 }  // namespace volumen

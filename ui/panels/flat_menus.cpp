@@ -99,7 +99,7 @@ void fillOverlays(QMenu* menu, Session& session, const std::vector<const Series*
 }  // namespace
 
 ViewId flatViewInFocus(const Workspace& workspace) {
-  if (workspace.view(workspace.focus).kind != ViewKind::volume) return workspace.focus;
+  if (isFlat(workspace.view(workspace.focus).kind)) return workspace.focus;
   const std::vector<ViewId> planes = planesOf(workspace, workspace.focus);
   return planes.empty() ? workspace.focus : planes.front();
 }

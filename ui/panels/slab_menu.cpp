@@ -67,10 +67,7 @@ void fillSlabMenu(QMenu* menu, Session& session) {
   menu->clear();
   const Workspace& workspace = session.workspace();
   const ViewId view = flatViewInFocus(workspace);
-  const bool isPlane = !workspace.view(view).series.empty() &&
-                       workspace.view(view).kind != ViewKind::frames &&
-                       workspace.view(view).kind != ViewKind::volume;
-  if (!isPlane) {
+  if (workspace.view(view).series.empty() || !showsSlices(workspace.view(view).kind)) {
     menu->addAction(tr("A slab is made of planes through a volume."))->setEnabled(false);
     return;
   }
@@ -94,7 +91,7 @@ QAction* makeInterpolationAction(Session& session, QObject* parent) {
   action->setCheckable(true);
   const auto show = [action, &session] {
     const ViewState& view = session.workspace().view(flatViewInFocus(session.workspace()));
-    action->setEnabled(!view.series.empty() && view.kind != ViewKind::volume);
+    action->setEnabled(!view.series.empty() && isFlat(view.kind));
     action->setChecked(!flatLookOf(view).nearest);
   };
   QObject::connect(&session, &Session::workspaceChanged, action,

@@ -21,12 +21,11 @@ class ScrollDrag : public Drag {
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
     const VoxelGeometry& geometry = press_.series->volume->geometry();
-    const int count = kind_ == ViewKind::frames
-                          ? frameCount(*seriesIn(press_.session.workspace(), press_.view))
-                          : stackPlace(geometry, kind_, atPress_).count;
+    const int count = showsFrames(kind_) ? frameCount(*seriesIn(press_.session.workspace(), press_.view))
+                                         : stackPlace(geometry, kind_, atPress_).count;
     const double height = press_.plane.size.y / press_.pixelRatio;
     const int steps = int(std::lround((p.y() - press_.at.y()) / std::max(2.0, height / std::max(count, 8))));
-    if (kind_ == ViewKind::frames) return showFrame(press_.session, press_.view, frameAtPress_ + steps);
+    if (showsFrames(kind_)) return showFrame(press_.session, press_.view, frameAtPress_ + steps);
     moveCrosshair(press_.session, press_.view, *press_.series,
                   QCoreApplication::translate("volumen", "Scroll"),
                   scrolled(geometry, kind_, atPress_, steps));

@@ -16,18 +16,6 @@ constexpr double turnReach = 9;       // for a press
 constexpr double moveReach = 4;       // likewise
 constexpr double handleShare = 0.36;  // of the view's shorter side, from the crosshair's point
 
-// The colour of a view's line in the others.
-QColor colourOfPlane(ViewKind kind) {
-  switch (kind) {
-    case ViewKind::axial:
-      return QColor(0xff, 0x5c, 0x5c);
-    case ViewKind::coronal:
-      return QColor(0x5c, 0xe0, 0x7a);
-    default:
-      return QColor(0xf5, 0xd9, 0x4a);
-  }
-}
-
 QPointF middleOf(const SlicePress& press) {
   return press.pixelAt(crosshairOf(press.session.workspace(), press.view, *press.series).at);
 }
@@ -62,8 +50,7 @@ std::vector<CrossLine> crossLines(const SlicePress& press) {
   std::vector<CrossLine> lines;
   for (const ViewId other : viewsOnScreen(workspace)) {
     const ViewState& view = workspace.view(other);
-    if (other == press.view || view.kind == ViewKind::volume || view.kind == ViewKind::frames ||
-        view.series != keyOf(press.series->series))
+    if (other == press.view || !showsSlices(view.kind) || view.series != keyOf(press.series->series))
       continue;
     const SlicePlane plane =
         flatPlane(view, flatLookOf(view), press.series->volume->geometry(), crosshair, {100, 100});
@@ -87,7 +74,7 @@ void paintCrossLines(QPainter& painter, const std::vector<CrossLine>& lines, QPo
   const QRect free(middle.toPoint() - QPoint(middleGap, middleGap), QSize(2 * middleGap, 2 * middleGap));
   painter.setClipRegion(QRegion(view) - QRegion(free));
   for (const CrossLine& line : lines) {
-    painter.setPen(QPen(colourOfPlane(line.kind), 1));
+    painter.setPen(QPen(QColor(QRgb(rowOf(line.kind).plane->lineColour)), 1));
     painter.drawLine(line.from, line.to);
     painter.setBrush(Qt::black);
     for (const QPointF handle : line.handles) painter.drawEllipse(handle, handleRadius, handleRadius);

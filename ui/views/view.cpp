@@ -77,8 +77,8 @@ bool View::followSeries() {
 
 bool View::isWaiting() const {
   const auto known = session_.workspace().series.find(state().series);
-  return state().kind != ViewKind::frames && known != session_.workspace().series.end() &&
-         !known->second.missing && givenUp_ != state().series && !series();
+  return !showsFrames(state().kind) && known != session_.workspace().series.end() && !known->second.missing &&
+         givenUp_ != state().series && !series();
 }
 
 void View::giveUpWaiting(const SeriesKey& series) {

@@ -33,6 +33,8 @@ class View : public QWidget {
  Q_SIGNALS:
   void pixelsChanged();
   void maximiseRequested();
+  /// A right click: a menu is to be opened here.
+  void menuRequested(QPoint global);
   /// Something was dropped that is no file.
   void dropped(const QMimeData& data);
   /// What is under the cursor, empty where nothing is.

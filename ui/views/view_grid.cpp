@@ -36,11 +36,7 @@ ViewGrid::ViewGrid(Session& session, DrawService& drawService, SliceService& sli
                    Measurer& measurer, References& references, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      drawService_(drawService),
-      slices_(slices),
-      frames_(frames),
-      measurer_(measurer),
-      references_(references),
+      parts_{session, drawService, slices, frames, measurer, references},
       tool_(&toolNamed("window")),
       toolBefore_(tool_) {
   setObjectName(QStringLiteral("viewGrid"));
@@ -48,95 +44,86 @@ ViewGrid::ViewGrid(Session& session, DrawService& drawService, SliceService& sli
   volumeView(sceneViewId);
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
-            const auto kinds = [](const Workspace& w) {
-              std::vector<std::pair<ViewId, bool>> are3d;
-              for (const ViewId id : viewsOnScreen(w))
-                are3d.emplace_back(id, w.view(id).kind == ViewKind::volume);
-              return are3d;
+            const auto families = [](const Workspace& w) {
+              std::vector<std::pair<ViewId, ViewFamily>> all;
+              for (const ViewId id : viewsOnScreen(w)) all.emplace_back(id, rowOf(w.view(id).kind).family);
+              return all;
             };
-            if (kinds(before) != kinds(after) || before.layout != after.layout || before.focus != after.focus)
+            if (families(before) != families(after) || before.layout != after.layout ||
+                before.focus != after.focus)
               arrange();
           });
   arrange();
 }
 
-SliceView* ViewGrid::sliceView(ViewId id) const {
-  const auto view = flats_.find(id);
-  const bool isFlat = session_.workspace().view(id).kind != ViewKind::volume;
-  return view == flats_.end() || !isFlat ? nullptr : view->second;
-}
-
 VolumeView* ViewGrid::volumeView(ViewId id) {
-  VolumeView*& view = volumes_[id];
-  if (view) return view;
-  view = new VolumeView(session_, drawService_, id, this);
-  view->hide();
-  view->setTool(*sceneTool_);
-  view->setErrorShown(errorShown_);
-  connect(view, &VolumeView::menuRequested, this,
-          [this, view = view](QPoint global) { Q_EMIT menuRequested(view, global); });
-  add(view);
-  Q_EMIT volumeViewMade(view);
-  return view;
+  return static_cast<VolumeView*>(viewOf(id, ViewFamily::scene));
 }
 
-View* ViewGrid::viewOf(ViewId id) {
-  if (session_.workspace().view(id).kind == ViewKind::volume) return volumeView(id);
-  SliceView*& view = flats_[id];
+View* ViewGrid::viewOf(ViewId id, ViewFamily family) {
+  View*& view = views_[{id, family}];
   if (view) return view;
-  view = new SliceView(session_, slices_, frames_, measurer_, references_, id, this);
-  view->setTool(*tool_);
-  view->setClipShown(clipShown_);
-  view->showSegment(segment_);
-  connect(view, &SliceView::toolWanted, this, &ViewGrid::setTool);
-  connect(view, &SliceView::toolDone, this, &ViewGrid::restoreTool);
-  connect(view, &SliceView::menuRequested, this,
-          [this, view = view](QPoint global) { Q_EMIT menuRequested(view, global); });
-  add(view);
+  view = makeView(family, parts_, id, this);
+  connectView(view);
+  if (auto* slices = qobject_cast<SliceView*>(view)) {
+    slices->setClipShown(clipShown_);
+    slices->showSegment(segment_);
+  }
+  if (auto* flat = qobject_cast<FlatView*>(view)) {
+    flat->setTool(*tool_);
+    connect(flat, &FlatView::toolWanted, this, &ViewGrid::setTool);
+    connect(flat, &FlatView::toolDone, this, &ViewGrid::restoreTool);
+  }
+  if (auto* volume = qobject_cast<VolumeView*>(view)) {
+    volume->setTool(*sceneTool_);
+    volume->setErrorShown(errorShown_);
+    Q_EMIT volumeViewMade(volume);
+  }
   return view;
 }
 
 void ViewGrid::requestPictures() {
   for (const ViewId id : viewsOnScreen(session_.workspace()))
-    if (session_.workspace().view(id).kind == ViewKind::volume) volumeView(id)->requestPicture();
+    if (familyOf(id) == ViewFamily::scene) volumeView(id)->requestPicture();
 }
 
 void ViewGrid::setSceneTool(const Tool& tool) {
   sceneTool_ = &tool;
-  for (const auto& [id, view] : volumes_) view->setTool(tool);
+  each<VolumeView>([&](VolumeView& view) { view.setTool(tool); });
 }
 
 void ViewGrid::setErrorShown(bool shown) {
   errorShown_ = shown;
-  for (const auto& [id, view] : volumes_) view->setErrorShown(shown);
+  each<VolumeView>([&](VolumeView& view) { view.setErrorShown(shown); });
 }
 
 void ViewGrid::setTool(const Tool& tool) {
   tool_ = &tool;
   if (!tool.measuring) toolBefore_ = tool_;
-  for (const auto& [id, view] : flats_) view->setTool(tool);
+  each<FlatView>([&](FlatView& view) { view.setTool(tool); });
   Q_EMIT toolChanged();
 }
 
 void ViewGrid::setClipShown(bool shown) {
   clipShown_ = shown;
-  for (const auto& [id, view] : flats_) view->setClipShown(shown);
+  each<SliceView>([&](SliceView& view) { view.setClipShown(shown); });
 }
 
 void ViewGrid::showSegment(const std::optional<VolumeRange>& segment) {
   segment_ = segment;
-  for (const auto& [id, view] : flats_) view->showSegment(segment);
+  each<SliceView>([&](SliceView& view) { view.showSegment(segment); });
 }
 
 void ViewGrid::giveUpWaiting(const SeriesKey& series) {
-  for (const auto& [id, view] : volumes_) view->giveUpWaiting(series);
-  for (const auto& [id, view] : flats_) view->giveUpWaiting(series);
+  each<View>([&](View& view) { view.giveUpWaiting(series); });
 }
 
-void ViewGrid::add(View* view) {
+void ViewGrid::connectView(View* view) {
   connect(view, &View::maximiseRequested, this, &ViewGrid::maximiseRequested);
   connect(view, &View::hovered, this, &ViewGrid::hovered);
   connect(view, &View::dropped, this, &ViewGrid::dropped);
+  connect(view, &View::menuRequested, this,
+          [this, view](QPoint global) { Q_EMIT menuRequested(view, global); });
 }
 
 void ViewGrid::setAlone(bool alone) {
@@ -148,14 +135,6 @@ void ViewGrid::arrange() {
   std::vector<ViewId> ids = viewsOnScreen(session_.workspace());
   if (alone_ && std::ranges::find(ids, *alone_) != ids.end()) ids = {*alone_};
   const std::vector<QRect> places = placesOf(session_.workspace().layout, ids.size(), size());
-  const auto hideOthers = [&](const auto& views, bool are3d) {
-    for (const auto& [id, view] : views) {
-      const bool is3d = session_.workspace().view(id).kind == ViewKind::volume;
-      if (std::ranges::find(ids, id) == ids.end() || is3d != are3d) view->hide();
-    }
-  };
-  hideOthers(volumes_, true);
-  hideOthers(flats_, false);
   for (std::size_t n = 0; n < ids.size(); ++n) {
     View* view = viewOf(ids[n]);
     view->setGeometry(places[n]);
@@ -166,6 +145,10 @@ void ViewGrid::arrange() {
   View* const keys = viewOf(std::ranges::find(ids, focus) == ids.end() ? ids.front() : focus);
   setFocusProxy(keys);
   if (const QWidget* now = window()->focusWidget(); now && isAncestorOf(now) && now != keys) keys->setFocus();
+  // Last: a view that is hidden gives its keys to whatever comes next in the window.
+  for (const auto& [place, view] : views_)
+    if (std::ranges::find(ids, place.first) == ids.end() || place.second != familyOf(place.first))
+      view->hide();
 }
 
 void ViewGrid::resizeEvent(QResizeEvent*) { arrange(); }

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "ui/views/frame_view.h"
 #include "ui/views/slice_view.h"
 #include "ui/views/volume_view.h"
 
@@ -18,10 +19,14 @@ class ViewGrid : public QWidget {
 
   /// The 3D view of this id; where the workspace shows something else in it, it is hidden.
   VolumeView* volumeView(ViewId id);
-  /// The flat view of this id where that is what is shown; null: it was never shown, or is a 3D one.
-  SliceView* sliceView(ViewId id) const;
   /// The view of this id that is shown.
-  View* viewOf(ViewId id);
+  View* viewOf(ViewId id) { return viewOf(id, familyOf(id)); }
+  /// The same where it is one of class V; null: it is another, or was not on screen yet.
+  template <class V>
+  V* viewAs(ViewId id) const {
+    const auto view = views_.find({id, familyOf(id)});
+    return view == views_.end() ? nullptr : qobject_cast<V*>(view->second);
+  }
   /// Shows the view in focus alone, or all of the layout again.
   void setAlone(bool alone);
   /// Has the 3D views on screen drawn again, as the draw service does by now.
@@ -54,20 +59,23 @@ class ViewGrid : public QWidget {
   void resizeEvent(QResizeEvent*) override;
 
  private:
-  void add(View* view);
+  View* viewOf(ViewId id, ViewFamily family);
+  void connectView(View* view);
   void arrange();
+  ViewFamily familyOf(ViewId id) const { return rowOf(session_.workspace().view(id).kind).family; }
+  /// Calls it with all views of class V that were made.
+  template <class V, class Call>
+  void each(const Call& call) const {
+    for (const auto& [place, view] : views_)
+      if (V* found = qobject_cast<V*>(view)) call(*found);
+  }
 
   Session& session_;
-  DrawService& drawService_;
-  SliceService& slices_;
-  FrameService& frames_;
-  Measurer& measurer_;
-  References& references_;
+  const ViewParts parts_;
   const Tool* sceneTool_ = &toolNamed("rotate");
   bool errorShown_ = false;
   const Tool *tool_, *toolBefore_;
-  std::map<ViewId, VolumeView*> volumes_;
-  std::map<ViewId, SliceView*> flats_;
+  std::map<std::pair<ViewId, ViewFamily>, View*> views_;
   bool clipShown_ = false;
   std::optional<VolumeRange> segment_;
   std::optional<ViewId> alone_;

@@ -129,7 +129,7 @@ void VolumeView::makeErrorImage() {
 
 void VolumeView::requestPicture() {
   const ShownSeriesPtr shown = series();
-  const bool isShown = shown && isVisible() && state().kind == ViewKind::volume;
+  const bool isShown = shown && isVisible() && showsScene(state().kind);
   drawService_.show(id(), isShown ? shown->volume : nullptr);
   if (isShown) drawService_.request(id(), scene(), pixels());
 }

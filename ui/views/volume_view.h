@@ -57,8 +57,6 @@ class VolumeView : public View {
   void drawn(const volumen::ScreenPicture& picture);
   /// Something was drawn around with the scissors.
   void lassoDrawn(const volumen::SeriesKey& series, const volumen::Lasso& lasso);
-  /// A right click: a menu is to be opened here.
-  void menuRequested(QPoint global);
 
  protected:
   void seriesExchanged(bool another) override;

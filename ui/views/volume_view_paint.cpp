@@ -56,7 +56,7 @@ bool VolumeView::planesOnScreen() const {
   return series() && std::ranges::any_of(viewsOnScreen(workspace), [&](ViewId other) {
            const ViewState& view = workspace.view(other);
            const auto shown = workspace.series.find(view.series);
-           return view.kind != ViewKind::volume && shown != workspace.series.end() &&
+           return isFlat(view.kind) && shown != workspace.series.end() &&
                   frameOfReference(*shown->second.series) == frameOfReference(series()->series);
          });
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ui/workspace/camera_moves.h"
 #include "ui/workspace/key_images.h"
 #include "ui/workspace/link_text.h"
 #include "ui/workspace/measurement_text.h"
@@ -33,13 +34,8 @@ constexpr CornerRow cornerTable[] = {
 
 // Where sides are not known by the axes of the file's space.
 QString kindText(ViewKind kind, bool knownSides) {
-  if (!knownSides)
-    return kind == ViewKind::coronal    ? tr("Plane xz")
-           : kind == ViewKind::sagittal ? tr("Plane yz")
-                                        : tr("Plane xy");
-  return kind == ViewKind::coronal    ? tr("Coronal")
-         : kind == ViewKind::sagittal ? tr("Sagittal")
-                                      : tr("Axial");
+  const KindRow& row = rowOf(kind);
+  return tr(knownSides ? row.text : row.plane->axesText);
 }
 
 QString slabText(const FlatLook& look) {
@@ -54,17 +50,14 @@ QString mmText(double mm) { return tr("%1 mm").arg(mm, 0, 'g', 3); }
 // "S 12.5 mm", "z 12.5 mm": where along its axis a plane lies; of one that is turned "oblique".
 QString positionText(ViewKind kind, const SlicePlane& plane, bool knownSides) {
   constexpr double parallel = 1e-3;
-  const Crosshair straight;
-  if (glm::length(glm::cross(plane.normal(), straight.plane(kind).normal())) > parallel) return tr("oblique");
-  const glm::dvec3 p = plane.centre;
-  const auto [mm, axis, plus, minus] = kind == ViewKind::coronal    ? std::tuple(p.y, "y", "P", "A")
-                                       : kind == ViewKind::sagittal ? std::tuple(p.x, "x", "L", "R")
-                                                                    : std::tuple(p.z, "z", "S", "I");
-  const double shown = std::round(10 * mm) / 10 + 0.0;  // no -0.0
-  if (!knownSides) return QStringLiteral("%1 %2 mm").arg(QLatin1String(axis)).arg(shown, 0, 'f', 1);
+  const glm::dvec3 along = glm::abs(Crosshair().plane(kind).normal());  // an axis of the patient
+  if (glm::length(glm::cross(plane.normal(), along)) > parallel) return tr("oblique");
+  const int axis = along.x > 0 ? 0 : along.y > 0 ? 1 : 2;
+  const double shown = std::round(10 * plane.centre[axis]) / 10 + 0.0;  // no -0.0
+  if (!knownSides) return QStringLiteral("%1 %2 mm").arg(QLatin1Char("xyz"[axis])).arg(shown, 0, 'f', 1);
   if (shown == 0) return mmText(0);
   return QStringLiteral("%1 %2 mm")
-      .arg(QLatin1String(shown < 0 ? minus : plus))
+      .arg(QString::fromStdString(sideLetters(shown < 0 ? -along : along)))
       .arg(std::abs(shown), 0, 'f', 1);
 }
 

@@ -18,7 +18,7 @@ Crosshair lyingFor(const Crosshair& crosshair, const VoxelGeometry& geometry) {
 
 // The direction that the wheel moves along; unturned: caudal, posterior, left.
 glm::dvec3 wheelDown(ViewKind kind, const Crosshair& crosshair) {
-  return (kind == ViewKind::coronal ? 1.0 : -1.0) * crosshair.plane(kind).normal();
+  return rowOf(kind).plane->wheelSign * crosshair.plane(kind).normal();
 }
 
 // The places along a direction where slices lie: first + index * step, in mm along it.
@@ -44,6 +44,13 @@ Stack stackOf(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& cro
   return stack;
 }
 
+// All of what a view shows where no plane is turned.
+SlicePlane unturned(const VoxelGeometry& geometry, ViewKind kind) {
+  if (showsFrames(kind)) return framePlane(geometry);
+  const PlaneDirections along = alongSlices({}, geometry).plane(kind);
+  return planeAlong(geometry, along.right, along.down);
+}
+
 // The crosshair of a view in a frame of reference; null: none was set yet.
 const Crosshair* findCrosshair(const Workspace& workspace, ViewId view, const std::string& frame) {
   const auto find = [&](const SharedMap<std::string, Crosshair>& in) {
@@ -66,9 +73,8 @@ const VoxelGeometry& drawnGeometry(const Series& series) {
 
 SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry,
                      const Crosshair& crosshair, glm::ivec2 pixels) {
-  const bool ofFrames = view.kind == ViewKind::frames;
-  const PlaneDirections unturned = alongSlices({}, geometry).plane(view.kind);
-  SlicePlane plane = ofFrames ? framePlane(geometry) : planeAlong(geometry, unturned.right, unturned.down);
+  const bool ofFrames = showsFrames(view.kind);
+  SlicePlane plane = unturned(geometry, view.kind);
   const glm::dvec2 whole = glm::dvec2(plane.size) * plane.mmPerPixel;
   const double fittedMm = std::max(whole.x / pixels.x, whole.y / pixels.y);
   plane.size = pixels;
@@ -102,8 +108,8 @@ glm::dvec3 onSlice(const VoxelGeometry& geometry, ViewKind kind, const Crosshair
 
 Crosshair firstCrosshair(const VoxelGeometry& geometry) {
   Crosshair crosshair = alongSlices(geometry.centre(), geometry);
-  for (const ViewKind kind : {ViewKind::axial, ViewKind::coronal, ViewKind::sagittal})
-    crosshair.at = onSlice(geometry, kind, crosshair);
+  for (const KindRow& row : viewKinds())
+    if (row.plane) crosshair.at = onSlice(geometry, row.kind, crosshair);
   return crosshair;
 }
 
@@ -151,9 +157,7 @@ Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& fra
   for (ViewId id = 0; id < viewCount; ++id) {
     const ViewState& state = workspace.view(id);
     const Series* series = seriesIn(workspace, id);
-    if (state.kind == ViewKind::volume || state.kind == ViewKind::frames || !series ||
-        frameOfReference(*series) != frame)
-      continue;
+    if (!showsSlices(state.kind) || !series || frameOfReference(*series) != frame) continue;
     if (id != view && (alone || (scrollsAlone(workspace, id) && state.crosshairs.contains(frame)))) continue;
     const VoxelGeometry& geometry = drawnGeometry(*series);
     // Where the crosshair stands from the volume's centre in the picture, before and after.
@@ -172,11 +176,9 @@ Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& fra
 Crosshair turnedIn(Crosshair crosshair, ViewKind kind, double angle) {
   crosshair.byHand = true;
   const glm::dmat3 rotation(glm::rotate(glm::dmat4(1), angle, crosshair.plane(kind).normal()));
-  const std::pair<ViewKind, PlaneDirections*> planes[] = {{ViewKind::axial, &crosshair.axial},
-                                                          {ViewKind::coronal, &crosshair.coronal},
-                                                          {ViewKind::sagittal, &crosshair.sagittal}};
-  for (const auto& [other, plane] : planes)
-    if (other != kind) *plane = {rotation * plane->right, rotation * plane->down};
+  const PlaneDirections* own = &crosshair.plane(kind);
+  for (PlaneDirections* plane : {&crosshair.axial, &crosshair.coronal, &crosshair.sagittal})
+    if (plane != own) *plane = {rotation * plane->right, rotation * plane->down};
   return crosshair;
 }
 
@@ -204,8 +206,8 @@ Crosshair alongSlices(glm::dvec3 at, const VoxelGeometry& geometry) {
 ViewKind acquiredKind(const VoxelGeometry& geometry) {
   const glm::dvec3 normal = sliceNormal(geometry);
   const Crosshair along = alongSlices({}, geometry);
-  for (const ViewKind kind : {ViewKind::coronal, ViewKind::sagittal})
-    if (std::abs(glm::dot(along.plane(kind).normal(), normal)) > 0.5) return kind;
+  for (const KindRow& row : viewKinds())
+    if (row.plane && std::abs(glm::dot(along.plane(row.kind).normal(), normal)) > 0.5) return row.kind;
   return ViewKind::axial;
 }
 

@@ -30,9 +30,9 @@ const std::vector<LayoutEntry>& layouts() {
 ViewId acquiredViewOf(const Workspace& workspace) {
   const Series* series = seriesIn(workspace, axialViewId);
   const ViewKind kind = series ? acquiredKind(series->acquired) : ViewKind::axial;
-  return kind == ViewKind::coronal    ? coronalViewId
-         : kind == ViewKind::sagittal ? sagittalViewId
-                                      : axialViewId;
+  ViewId id = axialViewId;
+  while (usualKind(id) != kind) ++id;
+  return id;
 }
 
 }  // namespace

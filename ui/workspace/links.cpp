@@ -16,9 +16,8 @@ namespace {
 constexpr double nearlyParallel = 0.9;  // cosine of the angle between two normals
 
 bool isOfSlices(const Workspace& workspace, ViewId view) {
-  const ViewKind kind = workspace.view(view).kind;
   const Series* series = seriesIn(workspace, view);
-  return kind != ViewKind::volume && kind != ViewKind::frames && series && series->acquired.calibrated;
+  return showsSlices(workspace.view(view).kind) && series && series->acquired.calibrated;
 }
 
 std::vector<ViewId> slicesOnScreen(const Workspace& workspace) {

@@ -36,14 +36,13 @@ std::vector<const Series*> patientsOnScreen(const Workspace& workspace) {
 }
 
 Workspace withoutOtherPatients(Workspace workspace, const Series& series) {
-  const Workspace fresh;
   for (ViewId id = 0; id < viewCount; ++id) {
     const std::vector<const Series*> shown = picturesIn(workspace, id);
     if (std::ranges::all_of(shown, [&](const Series* other) { return areOfOnePatient(*other, series); }))
       continue;
     ViewState& view = workspace.editView(id);
     view.series = {};
-    if (view.kind == ViewKind::frames) view.kind = fresh.view(id).kind;
+    if (showsFrames(view.kind)) view.kind = usualKind(id);
   }
   const bool isGroup = workspace.focus < firstComparedId;
   if (isGroup && workspace.view(workspace.focus).series.empty()) workspace.focus = sceneViewId;

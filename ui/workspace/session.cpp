@@ -63,7 +63,7 @@ void Session::showAs(ViewId view, ViewKind kind) {
   const auto look = scenes.scenes.find(keyOf(series->series));
   endGesture();
   change(
-      kind == ViewKind::volume ? tr("Show in 3D") : tr("Show plane"),
+      showsScene(kind) ? tr("Show in 3D") : tr("Show plane"),
       withKind(workspace_, view, kind,
                scenes.series == keyOf(series->series) && look != scenes.scenes.end() ? look->second
                                                                                      : firstLook(*series)));
@@ -96,7 +96,7 @@ void Session::take(ShownSeriesPtr series, const Arrange& arrange) {
   const SeriesKey key = keyOf(series->series);
   const auto waits = [&](ViewId id) {
     const ViewState& view = workspace_.view(id);
-    const bool shows = view.series == key && view.kind != ViewKind::frames;
+    const bool shows = view.series == key && !showsFrames(view.kind);
     return (shows || flatLookOf(view).overlay == key) && !seriesNamed(key);
   };
   if (std::ranges::none_of(viewsOnScreen(workspace_), waits))
@@ -281,8 +281,8 @@ void Session::setWorkspace(const Workspace& workspace) {
   std::vector<PoolKey> wanted;
   for (const ViewId id : viewsOnScreen(workspace_)) {
     const ViewState& view = workspace_.view(id);
-    if (view.kind == ViewKind::frames) continue;
-    const SeriesKey overlay = view.kind == ViewKind::volume ? SeriesKey{} : flatLookOf(view).overlay;
+    if (showsFrames(view.kind)) continue;
+    const SeriesKey overlay = showsScene(view.kind) ? SeriesKey{} : flatLookOf(view).overlay;
     for (const SeriesKey& key : {view.series, overlay})
       if (!key.empty() && std::ranges::find(wanted, key, &PoolKey::series) == wanted.end())
         wanted.push_back(poolKeyOf(key));

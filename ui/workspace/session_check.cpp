@@ -26,15 +26,14 @@ void checkViews(JsonFields& json, const Workspace& workspace) {
   if (workspace.views.size() != std::size_t(viewCount))
     return json.refuse(
         "views", "must be " + std::to_string(viewCount) + ", not " + std::to_string(workspace.views.size()));
-  const Workspace usual;
   for (ViewId id = 0; id < firstComparedId; ++id) {
-    const bool isVolume = usual.view(id).kind == ViewKind::volume;
-    if ((workspace.view(id).kind == ViewKind::volume) != isVolume)
+    const bool isVolume = showsScene(usualKind(id));
+    if (showsScene(workspace.view(id).kind) != isVolume)
       json.refuse(json.pathOf("views", std::size_t(id)) + ".kind",
                   isVolume ? "must be \"volume\"" : "must not be \"volume\"");
   }
   for (const ViewId id : {coronalViewId, sagittalViewId})
-    if (workspace.view(id).kind == ViewKind::frames)
+    if (showsFrames(workspace.view(id).kind))
       json.refuse(json.pathOf("views", std::size_t(id)) + ".kind", "must not be \"frames\"");
   std::set<int> ids;
   for (std::size_t n = 0; n < workspace.measurements.size(); ++n) {

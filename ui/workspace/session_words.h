@@ -6,11 +6,6 @@
 // The words that stand for enumerators in a session.
 namespace volumen {
 
-inline const Words<ViewKind> kindWords{{"volume", ViewKind::volume},
-                                       {"axial", ViewKind::axial},
-                                       {"coronal", ViewKind::coronal},
-                                       {"sagittal", ViewKind::sagittal},
-                                       {"frames", ViewKind::frames}};
 inline const Words<FrameWindow> frameWindowWords{
     {"usual", FrameWindow::usual}, {"ofSeries", FrameWindow::ofSeries}, {"ofEach", FrameWindow::ofEach}};
 inline const Words<SlabMode> slabWords{
@@ -21,6 +16,12 @@ inline const Words<ReferenceKind> referenceWords{{"presentation", ReferenceKind:
                                                  {"contours", ReferenceKind::contours},
                                                  {"segmentation", ReferenceKind::segmentation}};
 inline const Words<Aim> aimWords{{"level", Aim::level}, {"time", Aim::time}, {"error", Aim::error}};
+
+inline Words<ViewKind> namedKinds() {
+  Words<ViewKind> words;
+  for (const KindRow& row : viewKinds()) words.emplace_back(row.word, row.kind);
+  return words;
+}
 
 inline Words<Layout> namedLayouts() {
   Words<Layout> words;
@@ -43,6 +44,7 @@ inline Words<ColourMap> namedColourMaps() {
 }
 
 inline const Words<ColourMap> colourWords = namedColourMaps();
+inline const Words<ViewKind> kindWords = namedKinds();
 inline const Words<Layout> layoutWords = namedLayouts();
 inline const Words<Quality> qualityWords = namedQualities();
 

@@ -11,15 +11,6 @@ namespace {
 
 bool inGroup(ViewId view) { return view < firstComparedId; }
 
-bool isOfSlices(ViewKind kind) { return kind != ViewKind::volume && kind != ViewKind::frames; }
-
-ViewKind firstKind(ViewId id) {
-  return id == sceneViewId      ? ViewKind::volume
-         : id == coronalViewId  ? ViewKind::coronal
-         : id == sagittalViewId ? ViewKind::sagittal
-                                : ViewKind::axial;
-}
-
 // The slice of a series at its cursor; the one in the middle where there is none.
 int sliceAtCursor(const Workspace& workspace, const Series& series) {
   const int last = series.acquired.size.z - 1;
@@ -31,7 +22,7 @@ int sliceAtCursor(const Workspace& workspace, const Series& series) {
 
 // Slices again; the cursor goes to the frame that was shown.
 void leaveFrames(Workspace& workspace, ViewId id) {
-  if (workspace.view(id).kind != ViewKind::frames) return;
+  if (!showsFrames(workspace.view(id).kind)) return;
   ViewState& view = workspace.editView(id);
   const Series* series = seriesIn(workspace, id);
   if (series && series->notVolume.empty() && series->acquired.calibrated) {
@@ -42,7 +33,7 @@ void leaveFrames(Workspace& workspace, ViewId id) {
     pVoxel.z = flatLookOf(view).frame;
     at = series->acquired.patientFromVoxel(pVoxel);
   }
-  view.kind = firstKind(id);
+  view.kind = usualKind(id);
   if (workspace.layout == Layout::one && workspace.focus == axialViewId) workspace.focus = sceneViewId;
 }
 
@@ -89,7 +80,7 @@ void leaveSeries(Workspace& workspace, ViewId id, const SeriesKey& key) {
   ViewState& view = workspace.editView(id);
   if (view.series == key) {
     leaveFrames(workspace, id);
-    view.kind = firstKind(id);
+    view.kind = usualKind(id);
     view.series = {};
   }
   view.scenes.erase(key);
@@ -100,13 +91,13 @@ void leaveSeries(Workspace& workspace, ViewId id, const SeriesKey& key) {
 
 void put(Workspace& workspace, ViewId id, const Series& series, const SceneLook& first) {
   ViewState& view = workspace.editView(id);
-  const bool wereFrames = view.kind == ViewKind::frames && view.series == keyOf(series);
+  const bool wereFrames = showsFrames(view.kind) && view.series == keyOf(series);
   const bool another = view.series != keyOf(series) || wereFrames;
   leaveFrames(workspace, id);
   view.series = keyOf(series);
-  if (another && !inGroup(id) && isOfSlices(view.kind)) view.kind = acquiredKind(series.acquired);
+  if (another && !inGroup(id) && showsSlices(view.kind)) view.kind = acquiredKind(series.acquired);
   if (wereFrames) makeWhole(view.flats.editOrAdd(view.series));
-  if (view.kind == ViewKind::volume)
+  if (showsScene(view.kind))
     view.scenes.add(view.series, first);
   else
     view.flats.add(view.series, {});
@@ -115,14 +106,19 @@ void put(Workspace& workspace, ViewId id, const Series& series, const SceneLook&
 }  // namespace
 
 Workspace::Workspace() : views(std::size_t(viewCount)) {
-  for (ViewId id = 0; id < viewCount; ++id) editView(id).kind = firstKind(id);
+  for (ViewId id = 0; id < viewCount; ++id) editView(id).kind = usualKind(id);
+}
+
+ViewKind usualKind(ViewId view) {
+  constexpr ViewKind ofGroup[] = {ViewKind::volume, ViewKind::axial, ViewKind::coronal, ViewKind::sagittal};
+  return inGroup(view) ? ofGroup[view] : ViewKind::axial;
 }
 
 ViewId sceneViewOf(const Workspace& workspace) {
-  if (workspace.view(workspace.focus).kind == ViewKind::volume) return workspace.focus;
+  if (showsScene(workspace.view(workspace.focus).kind)) return workspace.focus;
   if (inGroup(workspace.focus)) return sceneViewId;
   for (const ViewId id : viewsOnScreen(workspace))
-    if (workspace.view(id).kind == ViewKind::volume) return id;
+    if (showsScene(workspace.view(id).kind)) return id;
   return sceneViewId;
 }
 
@@ -139,7 +135,7 @@ const Series* seriesIn(const Workspace& workspace, ViewId view) {
 ViewId framesViewOf(ViewId view) { return inGroup(view) ? axialViewId : view; }
 
 bool showsFrames(const Workspace& workspace, ViewId view) {
-  return workspace.view(framesViewOf(view)).kind == ViewKind::frames;
+  return showsFrames(workspace.view(framesViewOf(view)).kind);
 }
 
 FlatLook flatLookOf(const ViewState& view) {
@@ -173,10 +169,10 @@ Workspace withSeries(Workspace workspace, ViewId view, const Series& series, con
 
 std::vector<ViewId> planesOf(const Workspace& workspace, ViewId view) {
   std::vector<ViewId> planes;
-  if (!inGroup(view) && workspace.view(view).kind != ViewKind::volume) planes.push_back(view);
+  if (!inGroup(view) && isFlat(workspace.view(view).kind)) planes.push_back(view);
   if (!inGroup(view)) return planes;
   for (ViewId id = 0; id < firstComparedId; ++id)
-    if (workspace.view(id).kind != ViewKind::volume) planes.push_back(id);
+    if (isFlat(workspace.view(id).kind)) planes.push_back(id);
   return planes;
 }
 
@@ -210,7 +206,7 @@ Workspace withFrames(Workspace workspace, ViewId view, const Series& series) {
   const ViewId shown = framesViewOf(view);
   const SeriesKey key = keyOf(series);
   ViewState& frames = workspace.editView(shown);
-  const bool wereSlices = frames.series == key && frames.kind != ViewKind::frames;
+  const bool wereSlices = frames.series == key && !showsFrames(frames.kind);
   for (ViewId id = 0; inGroup(view) && id < firstComparedId; ++id) workspace.editView(id).series = key;
   frames.series = key;
   frames.kind = ViewKind::frames;
@@ -232,7 +228,7 @@ Workspace withLayout(Workspace workspace, Layout layout) {
     first.flats.add(shown, {});
     const Series* series = seriesIn(workspace, views.front());
     first.kind =
-        series && !inGroup(views.front()) ? acquiredKind(series->acquired) : firstKind(views.front());
+        series && !inGroup(views.front()) ? acquiredKind(series->acquired) : usualKind(views.front());
     if (asFrames) first.kind = ViewKind::frames;
   }
   return workspace;
@@ -245,7 +241,7 @@ Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneL
   leaveFrames(workspace, view);
   ViewState& state = workspace.editView(view);
   state.kind = kind;
-  if (kind == ViewKind::volume)
+  if (showsScene(kind))
     state.scenes.add(state.series, first);
   else
     state.flats.add(state.series, {});

@@ -19,6 +19,7 @@
 #include "ui/workspace/shared_list.h"
 #include "ui/workspace/shared_map.h"
 #include "ui/workspace/view_id.h"
+#include "ui/workspace/view_kind.h"
 #include "viewer/scene/scene.h"
 #include "viewer/segment/mask.h"
 #include "viewer/slice/colour_map.h"
@@ -90,8 +91,6 @@ struct SeriesState {
   }
 };
 
-enum class ViewKind { volume, axial, coronal, sagittal, frames };
-
 /// How a picture lies in the patient: orthogonal unit vectors.
 struct PlaneDirections {
   glm::dvec3 right{1, 0, 0}, down{0, 1, 0};
@@ -108,9 +107,8 @@ struct Crosshair {
   bool byHand = false;  ///< they lie so for every series; else for each along its slices
   bool operator==(const Crosshair&) const = default;
 
-  const PlaneDirections& plane(ViewKind kind) const {
-    return kind == ViewKind::coronal ? coronal : kind == ViewKind::sagittal ? sagittal : axial;
-  }
+  /// That of a kind that shows slices.
+  const PlaneDirections& plane(ViewKind kind) const { return this->*rowOf(kind).plane->directions; }
   /// Whether a plane is none of the patient's own.
   bool turned() const {
     const Crosshair own;
@@ -141,6 +139,9 @@ enum class Layout {
 /// does.
 inline constexpr ViewId sceneViewId = 0, axialViewId = 1, coronalViewId = 2, sagittalViewId = 3,
                         firstComparedId = 4, viewCount = 8;
+
+/// What a view shows where nothing else was chosen.
+ViewKind usualKind(ViewId view);
 
 /// What of a view the views beside it follow.
 struct Links {

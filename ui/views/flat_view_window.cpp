@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/views/slice_view.h"
+#include "ui/views/flat_view.h"
 #include "ui/widgets/window_edit.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
@@ -9,25 +9,9 @@
 
 namespace volumen {
 
-// 0: as the series says; 1 and on: those of the menu.
-void SliceView::chooseWindow(int number) {
-  const ShownSeriesPtr shown = this->shown();
-  if (!shown) return;
-  if (showsFrames()) {
-    const std::vector<GreyChoice> choices = greyChoices(*frame_, seriesState());
-    if (number < int(choices.size())) chooseGrey(choices[std::size_t(number)]);
-    return;
-  }
-  const std::vector<NamedWindow> choices = windowChoices(*shown);
-  if (number >= int(choices.size())) return;
-  session_.change(tr("Window"), [&](Workspace& w) {
-    w.series.edit(keyOf(shown->series)).window = choices[std::size_t(number)].window;
-  });
-}
-
 // Where the numbers of the window stand; empty: nowhere, there are none.
-QRectF SliceView::windowRect() const {
-  if (!shown() || (frame_ && showsFrames() && frame_->colour())) return {};
+QRectF FlatView::windowRect() const {
+  if (!shown() || !hasWindow()) return {};
   const Overlays over = overlays();
   const PlacedOverlays placed = placeOverlays(over, overlayArea(), font());
   const auto text = std::ranges::find(placed.texts, over.bottomRight, &PlacedText::text);
@@ -35,9 +19,9 @@ QRectF SliceView::windowRect() const {
 }
 
 // Two fields where the numbers stand: one step where they are set.
-void SliceView::typeWindow() {
+void FlatView::typeWindow() {
   const ShownSeriesPtr shown = this->shown();
-  const Window now = shownWindow(pressAt({})->window, shown->series);
+  const Window now = shownWindow(greyWindow(), shown->series);
   auto* edit = new WindowEdit({now.centre, std::abs(now.width)}, this);
   edit->setObjectName(QStringLiteral("windowEdit"));
   edit->adjustSize();

@@ -3,11 +3,9 @@
 #include <QPainter>
 
 #include "ui/controller/measurer.h"
-#include "ui/views/clip_lines.h"
-#include "ui/views/cross_lines.h"
 #include "ui/views/drawn_measurement.h"
+#include "ui/views/flat_view.h"
 #include "ui/views/latin_key.h"
-#include "ui/views/slice_view.h"
 #include "ui/workspace/measurement_text.h"
 #include "ui/workspace/measurements.h"
 #include "viewer/measure/shape_cut.h"
@@ -28,7 +26,7 @@ QStringList textOf(const Measurement& m, Measurer& measurer) {
 
 }  // namespace
 
-std::vector<DrawnMeasurement> SliceView::drawnMeasurements() const {
+std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
   std::vector<DrawnMeasurement> drawn;
   const ShownSeriesPtr shown = this->shown();
   const std::optional<SlicePlane> now = plane();
@@ -42,10 +40,7 @@ std::vector<DrawnMeasurement> SliceView::drawnMeasurements() const {
     drawn.push_back(std::move(one));
   };
   if (workspace.measurementsShown)
-    for (const Measurement* m : showsFrames()
-                                    ? measurementsOn(workspace, *seriesState().series, frame_->key.index)
-                                    : measurementsIn(workspace, frameOfReference(shown->series)))
-      add(*m, m->id == workspace.selected);
+    for (const Measurement* m : measurements()) add(*m, m->id == workspace.selected);
   if (const Measurement* m = drag_ ? drag_->drawing() : nullptr; m && m->shape.frame == shapeFrame())
     add(*m, true);
   if (drawn.empty()) return drawn;
@@ -56,13 +51,7 @@ std::vector<DrawnMeasurement> SliceView::drawnMeasurements() const {
   return drawn;
 }
 
-// What shapes that are drawn now belong to; none: to the patient.
-std::optional<ShapeFrame> SliceView::shapeFrame() const {
-  if (!showsFrames() || !frame_) return {};
-  return frameNamed(*seriesState().series, frame_->key.index);
-}
-
-std::optional<MeasurementHit> SliceView::measurementAt(QPointF p) const {
+std::optional<MeasurementHit> FlatView::measurementAt(QPointF p) const {
   const std::vector<DrawnMeasurement> drawn = drawnMeasurements();
   const auto hit = hitAt(drawn, p);
   const Measurement* m = hit ? findMeasurement(session_.workspace(), hit->drawn->id) : nullptr;
@@ -71,14 +60,14 @@ std::optional<MeasurementHit> SliceView::measurementAt(QPointF p) const {
   return MeasurementHit{m->id, hit->part, hit->handle, text - middleOf(m->shape), hit->drawn->whole};
 }
 
-std::unique_ptr<Drag> SliceView::pressMeasurement(const SlicePress& press) {
+std::unique_ptr<Drag> FlatView::pressMeasurement(const SlicePress& press) {
   if (tool_->measuring) return nullptr;
   const auto hit = measurementAt(press.at);
   session_.select(hit ? hit->id : 0);
   return hit && hit->movable ? beginMeasurementEdit(press, *hit) : nullptr;
 }
 
-void SliceView::endDrag(Qt::KeyboardModifiers keys) {
+void FlatView::endDrag(Qt::KeyboardModifiers keys) {
   const bool drew = drag_ && drag_->drawing();
   const bool kept = drew && session_.undoStack().index() > stepsAtPress_;
   drag_.reset();
@@ -93,7 +82,7 @@ void SliceView::endDrag(Qt::KeyboardModifiers keys) {
 }
 
 // A field where the text stands; what is typed becomes the name on Enter or when it is left.
-void SliceView::askForName(int id) {
+void FlatView::askForName(int id) {
   const Measurement* m = findMeasurement(session_.workspace(), id);
   if (!m) return;
   auto* field = new QLineEdit(QString::fromStdString(m->shape.name), this);
@@ -117,7 +106,7 @@ void SliceView::askForName(int id) {
   field->setFocus();
 }
 
-QString SliceView::measurementText(QPointF p) const {
+QString FlatView::measurementText(QPointF p) const {
   const auto hit = measurementAt(p);
   if (!hit) return {};
   const Measurement& m = *findMeasurement(session_.workspace(), hit->id);
@@ -126,18 +115,17 @@ QString SliceView::measurementText(QPointF p) const {
   return numbers ? detailText(m, *numbers, *taken) : nameText(m);
 }
 
-void SliceView::showCursorAt(QPointF p) {
+void FlatView::showCursorAt(QPointF p) {
   const auto hit = tool_->measuring ? std::nullopt : measurementAt(p);
   if (hit)
     return setCursor(hit->part == MeasurementPart::handle ? Qt::PointingHandCursor : Qt::SizeAllCursor);
   if (!tool_->measuring && windowRect().contains(p)) return setCursor(Qt::IBeamCursor);
-  const auto press = tool_->measuring || showsFrames() ? std::nullopt : pressAt(p);
-  const bool isOnOne = press && (isOnLines(*press) || isOnClip(*press, clipShown_));
-  setCursor(isOnOne ? Qt::PointingHandCursor : tool_->cursor);
+  const auto press = tool_->measuring ? std::nullopt : pressAt(p);
+  setCursor(press && isOnLine(*press) ? Qt::PointingHandCursor : tool_->cursor);
 }
 
 // The keys of the tools, of deleting and of ending a line; false: the key means nothing here.
-bool SliceView::pressMeasuringKey(const QKeyEvent& event) {
+bool FlatView::pressMeasuringKey(const QKeyEvent& event) {
   if (event.key() == Qt::Key_Delete && session_.workspace().selected > 0) {
     deleteMeasurement(session_, session_.workspace().selected);
     return true;
@@ -164,7 +152,7 @@ bool SliceView::pressMeasuringKey(const QKeyEvent& event) {
 }
 
 // Letters that stand for tools here, and I for inverting, mean views elsewhere in the window.
-bool SliceView::event(QEvent* event) {
+bool FlatView::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto& key = static_cast<QKeyEvent&>(*event);
     if (!(key.modifiers() & ~Qt::ShiftModifier) &&
@@ -176,7 +164,7 @@ bool SliceView::event(QEvent* event) {
   return View::event(event);
 }
 
-void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+void FlatView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   if (drag_) {
     if (drag_->finish()) endDrag(event->modifiers());

@@ -1,0 +1,141 @@
+#include "ui/views/flat_view.h"
+
+#include "ui/controller/measurer.h"
+#include "ui/controller/references.h"
+#include "ui/views/time_bar.h"
+#include "ui/widgets/warning_badge.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+FlatView::FlatView(const ViewParts& parts, ViewId id, QWidget* parent)
+    : View(parts.session, id, parent),
+      service_(parts.slices),
+      references_(parts.references),
+      time_(new TimeBar(parts.session, id, this)),
+      measurer_(parts.measurer),
+      showed_(state().series, state().kind),
+      badge_(new WarningBadge(this)),
+      tool_(&toolNamed("window")) {
+  setAccessibleName(tr("Slice view"));
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  wheelEnd_.setSingleShot(true);
+  wheelEnd_.setInterval(500);
+  connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
+  connect(&service_, &SliceService::ready, this, &FlatView::showPicture);
+  connect(&measurer_, &Measurer::measured, this, [this] {
+    update();
+    tellPointed();
+  });
+  connect(&references_, &References::changed, this, [this] {
+    askForPicture();
+    update();
+  });
+  connect(this, &View::pixelsChanged, this, &FlatView::askForPicture);
+}
+
+FlatView::~FlatView() = default;
+
+std::optional<SlicePlane> FlatView::plane() const {
+  const ShownSeriesPtr shown = this->shown();
+  if (!shown) return {};
+  return planeShown(flatPlane(state(), flatLookOf(state()), shown->volume->geometry(),
+                              crosshairOf(session_.workspace(), id(), *shown),
+                              {pixels().width(), pixels().height()}));
+}
+
+const SeriesState& FlatView::seriesState() const { return session_.workspace().series.at(state().series); }
+
+void FlatView::askForPicture() {
+  const std::optional<SlicePlane> now = plane();
+  if (!now || !isVisible() || now->size.x < 1 || now->size.y < 1) return;
+  SliceRequest request = requestOf(*now);
+  if (asked_ == request) return;
+  asked_ = request;
+  service_.request(std::move(request));
+}
+
+bool FlatView::mayShow(const SliceRequest& request) const {
+  return request.layers.front().volume == asked_->layers.front().volume;
+}
+
+bool FlatView::isWanted(const SliceRequest& request) const { return request == *asked_; }
+
+bool FlatView::showPicture(const SlicePicture& picture) {
+  if (picture.request.view != id() || !asked_ || !mayShow(picture.request)) return false;
+  picture_ = picture.image;
+  picture_.setDevicePixelRatio(devicePixelRatioF());
+  update();
+  if (isWanted(picture.request)) Q_EMIT settled();
+  return true;
+}
+
+void FlatView::forget() {
+  picture_ = {};
+  asked_.reset();
+  tellWarnings();
+}
+
+void FlatView::tellWarnings() {
+  const Warnings now = warnings();
+  badge_->tell(now.words, now.sentences);
+  placeBadge();
+}
+
+void FlatView::workspaceChanged(const Workspace&) {
+  const std::pair now(state().series, state().kind);
+  const auto last = std::exchange(showed_, now);
+  if (last != now) {
+    drag_.reset();  // it is about what was shown
+    if (last.second != now.second || !keepsPictureOf(last.first)) forget();
+  }
+  ask();
+  placeBadge();
+  update();
+}
+
+void FlatView::placeBadge() {
+  if (badge_->isHidden()) return;  // nothing to warn of
+  const auto lines = shown() ? overlays().topLeft.size() : 0;
+  badge_->move(8, 12 + int(lines) * (fontMetrics().height() + 1) + 4);
+}
+
+void FlatView::setTool(const Tool& tool) {
+  if (drag_ && drag_->drawing()) drag_.reset();
+  tool_ = &tool;
+  update();
+  tellPointed();
+  setCursor(tool.cursor);
+}
+
+void FlatView::resetView() {
+  if (state().series.empty()) return;
+  Workspace after = unturned(session_.workspace());
+  makeWhole(after.editView(id()).flats.editOrAdd(state().series));
+  session_.change(tr("Reset view"), after);
+  session_.endGesture();
+}
+
+void FlatView::invert() {
+  editFlat(session_, id(), tr("Invert"), [](FlatLook& look) { look.inverted = !look.inverted; });
+  session_.endGesture();
+}
+
+std::optional<SlicePress> FlatView::pressAt(QPointF p) const {
+  const std::optional<SlicePlane> now = plane();
+  if (!now) return {};
+  return SlicePress{session_, id(), shown(), *now, devicePixelRatioF(), p, greyWindow(), shapeFrame()};
+}
+
+void FlatView::showEvent(QShowEvent* event) {
+  View::showEvent(event);
+  ask();
+}
+
+void FlatView::resizeEvent(QResizeEvent* event) {
+  placeBadge();
+  placeTimeBar();
+  View::resizeEvent(event);
+}
+
+}  // namespace volumen

@@ -1,0 +1,174 @@
+#pragma once
+
+#include <QImage>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "ui/controller/slice_service.h"
+#include "ui/overlays/overlays.h"
+#include "ui/tools/tool.h"
+#include "ui/views/view.h"
+#include "ui/views/view_makers.h"
+#include "ui/workspace/corner_text.h"
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/key_images.h"
+
+namespace volumen {
+
+class TimeBar;
+class WarningBadge;
+struct DrawnMeasurement;
+
+/// A picture in a plane, whole at every step: the left button as the tool says, the wheel scrolls, Ctrl+wheel
+/// zooms, Shift+move moves the crosshair everywhere, a right click opens a menu. What it is a picture of, and
+/// what scrolling and windows mean there, say the classes made of it.
+class FlatView : public View {
+  Q_OBJECT
+ public:
+  ~FlatView() override;
+
+  const QImage& picture() const { return picture_; }
+  /// The plane on screen, device pixels; none without a series.
+  std::optional<SlicePlane> plane() const;
+  void setTool(const Tool& tool);
+  /// So many steps down.
+  virtual void scroll(int steps) = 0;
+  /// Whole again, and thin.
+  void resetView();
+  /// What is on screen, as a series: frames as one of one slice; null: nothing is in memory yet, or the
+  /// workspace has something else in this view's place.
+  virtual ShownSeriesPtr shown() const = 0;
+  /// Why what is wanted cannot be shown; empty: it can.
+  virtual QString failure() const { return {}; }
+  /// As a clip, or still again at what is on screen.
+  virtual void togglePlay() = 0;
+  /// What is written over the picture. Only where shown() is something.
+  virtual Overlays overlays() const = 0;
+  void invert();
+  /// The picture as acquired that is seen.
+  virtual PictureSeen pictureSeen() const = 0;
+  /// The measurements that are seen, the one that is being drawn last.
+  std::vector<DrawnMeasurement> drawnMeasurements() const;
+
+ Q_SIGNALS:
+  /// The picture of what the workspace says is on screen.
+  void settled();
+  /// The key of a tool was pressed.
+  void toolWanted(const volumen::Tool& tool);
+  /// A measurement was drawn, and no other is wanted.
+  void toolDone();
+
+ protected:
+  /// What the badge says: a few words, and whole sentences behind them.
+  struct Warnings {
+    QStringList words, sentences;
+  };
+
+  FlatView(const ViewParts& parts, ViewId id, QWidget* parent);
+
+  /// This plane as what is shown has it.
+  virtual SlicePlane planeShown(const SlicePlane& plane) const { return plane; }
+  /// What its picture is made of.
+  virtual SliceRequest requestOf(const SlicePlane& plane) const = 0;
+  /// Whether a picture may be shown in place of the one asked for last, until that comes.
+  virtual bool mayShow(const SliceRequest& request) const;
+  /// Whether it is the one of what the workspace says.
+  virtual bool isWanted(const SliceRequest& request) const;
+  /// Whether the picture of the series shown before stays until there is one of this series.
+  virtual bool keepsPictureOf(const SeriesKey& before) const = 0;
+  /// Something else is shown: nothing of what was stays.
+  virtual void forget();
+  /// For what the workspace says.
+  virtual void ask() { askForPicture(); }
+  void askForPicture();
+  /// False: it is of something else, or none was asked for.
+  virtual bool showPicture(const SlicePicture& picture);
+
+  /// Where the wheel is, and of how many places.
+  virtual StackPlace place() const = 0;
+  /// The window in use.
+  virtual Window greyWindow() const = 0;
+  /// False of colours.
+  virtual bool hasWindow() const { return true; }
+  /// 0: as the series says; 1 and on: those of the menu.
+  virtual void chooseWindow(int number) = 0;
+  /// Whether its places are those of the patient.
+  virtual bool hasCursor() const { return true; }
+  virtual void makeThicker(int /*steps*/) {}
+  /// A clip ends where it is.
+  virtual void stop() {}
+  /// With its planes as they lie where nobody turned them.
+  virtual Workspace unturned(Workspace workspace) const { return workspace; }
+  virtual Warnings warnings() const = 0;
+  virtual QString hoverText(QPointF position) const = 0;
+  virtual std::vector<const Measurement*> measurements() const = 0;
+  /// What shapes that are drawn now belong to; none: to the patient.
+  virtual std::optional<ShapeFrame> shapeFrame() const { return {}; }
+  /// A drag by one of the lines over the picture; null: none is under the press.
+  virtual std::unique_ptr<Drag> pressLine(const SlicePress& /*press*/) const { return nullptr; }
+  /// Whether there is one.
+  virtual bool isOnLine(const SlicePress& /*press*/) const { return false; }
+  /// Under measurements and texts.
+  virtual void paintLines(QPainter& painter) const;
+  /// Over all.
+  virtual void paintColours(QPainter& /*painter*/) const {}
+
+  const SeriesState& seriesState() const;
+  std::optional<SlicePress> pressAt(QPointF p) const;
+  /// Of the segmentations over the picture.
+  std::vector<SegmentLayer> segmentLayers() const;
+  /// "Key image" with its star, where it is one.
+  QString keyImageText() const;
+  /// The lines of the corners, as many as there is room for, and what else is in their way.
+  Overlays cornersOf(const CornerTexts& texts) const;
+  QRectF overlayArea() const;
+  void tellWarnings();
+
+  void workspaceChanged(const Workspace& before) override;
+  void paintEvent(QPaintEvent*) override;
+  void showEvent(QShowEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void wheelEvent(QWheelEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  bool event(QEvent*) override;
+  void leaveEvent(QEvent*) override;
+
+  SliceService& service_;
+  References& references_;
+  TimeBar* time_;
+
+ private:
+  const Tool* toolFor(const QMouseEvent& event) const;
+  QRectF windowRect() const;
+  void typeWindow();
+  void placeBadge();
+  void placeTimeBar();
+  QString textAt(QPointF position) const override;
+  void paintStackBar(QPainter& painter) const;
+  std::optional<MeasurementHit> measurementAt(QPointF p) const;
+  std::unique_ptr<Drag> pressMeasurement(const SlicePress& press);
+  void endDrag(Qt::KeyboardModifiers keys);
+  void askForName(int id);
+  QString measurementText(QPointF p) const;
+  void showCursorAt(QPointF p);
+  bool pressMeasuringKey(const QKeyEvent& event);
+
+  Measurer& measurer_;
+  std::pair<SeriesKey, ViewKind> showed_;
+  WarningBadge* badge_;
+  const Tool* tool_;
+  QImage picture_;
+  std::optional<SliceRequest> asked_;  // the last
+  std::unique_ptr<Drag> drag_;
+  int stepsAtPress_ = 0;  // of the undo stack
+  QPointF pressedAt_;
+  QTimer wheelEnd_;
+  double wheelRest_ = 0;  // notches not yet scrolled
+};
+
+}  // namespace volumen

@@ -1,0 +1,60 @@
+#include <QPainter>
+
+#include "ui/views/drawn_measurement.h"
+#include "ui/views/flat_view.h"
+#include "ui/views/time_bar.h"
+#include "ui/widgets/warning_badge.h"
+
+namespace volumen {
+
+Overlays FlatView::cornersOf(const CornerTexts& texts) const {
+  const int lines = cornerLines(overlayArea(), font());
+  Overlays o;
+  o.topLeft = texts.left(lines);
+  o.topRight = texts.right(lines);
+  if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
+  return o;
+}
+
+// At the bottom; what is written stands above it.
+void FlatView::placeTimeBar() {
+  constexpr int height = 20;
+  time_->setGeometry(8, this->height() - height, width() - 20, height);
+}
+
+QRectF FlatView::overlayArea() const {
+  return QRectF(rect()).adjusted(0, 0, -6, time_->hasSteps() ? -time_->height() : 0);
+}
+
+void FlatView::paintStackBar(QPainter& painter) const {
+  const StackPlace place = this->place();
+  if (place.count < 2) return;
+  const QRectF bar(width() - 5.0, 0, 3, height());
+  const double part = bar.height() / place.count;
+  painter.fillRect(bar, QColor(255, 255, 255, 30));
+  painter.fillRect(QRectF(bar.x(), place.index * part, bar.width(), std::max(3.0, part)),
+                   QColor(255, 255, 255, 140));
+}
+
+void FlatView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), Qt::black);
+  if (shown()) {
+    if (!picture_.isNull()) painter.drawImage(QPointF(0, 0), picture_);
+    paintLines(painter);
+    paintMeasurements(painter, drawnMeasurements());
+    paintOverlays(painter, overlays(), overlayArea());
+    paintStackBar(painter);
+    paintColours(painter);
+  } else if (isWaiting()) {
+    painter.drawImage(QPointF(0, 0), picture_);
+    paintOverlays(painter, waitingOverlays(), overlayArea());
+  } else if (const QString sentence = failure(); !sentence.isEmpty()) {
+    Overlays only;
+    only.warning = sentence;
+    paintOverlays(painter, only, rect());
+  }
+  paintFocus(painter);
+}
+
+}  // namespace volumen

@@ -1,0 +1,85 @@
+#include <QPainter>
+
+#include "ui/controller/references.h"
+#include "ui/views/contour_lines.h"
+#include "ui/views/flat_view.h"
+#include "ui/widgets/region_colours.h"
+#include "ui/workspace/key_images.h"
+
+namespace volumen {
+
+namespace {
+
+// Empty: its places are comparable with nothing else.
+std::string frameOfReferenceOf(const ShownSeriesPtr& shown) {
+  return shown && shown->volume->geometry().calibrated ? shown->series.frameOfReferenceUid : std::string();
+}
+
+void paintContours(QPainter& painter, const ContourLines& contours, double pixelRatio) {
+  constexpr double arm = 3;  // of a cross, logical pixels
+  painter.setBrush(Qt::NoBrush);
+  // A dark rim keeps them apart from bone.
+  for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 150), 3.0), {contours.colour, 1.5}}) {
+    painter.setPen(QPen(colour, width * pixelRatio));
+    for (const QPolygonF& line : contours.lines) painter.drawPolyline(line);
+    for (const QLineF& cut : contours.cuts) painter.drawLine(cut);
+    const double length = arm * pixelRatio;
+    for (const QPointF& p : contours.points) {
+      painter.drawLine(p - QPointF(length, 0), p + QPointF(length, 0));
+      painter.drawLine(p - QPointF(0, length), p + QPointF(0, length));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<SegmentLayer> FlatView::segmentLayers() const {
+  std::vector<SegmentLayer> layers;
+  const std::string frame = frameOfReferenceOf(shown());
+  for (const auto& [key, look] : session_.workspace().regions) {
+    if (look.kind != ReferenceKind::segmentation || frame.empty() || look.frameOfReferenceUid != frame)
+      continue;
+    const auto regions = references_.regions(key, look.kind);
+    if (!regions || !regions->segmentation) continue;
+    SegmentLayer layer{regions->segmentation, {}, look.opacity};
+    for (std::size_t n = 0; n < regions->segmentation->segments.size(); ++n) {
+      const Segment& segment = regions->segmentation->segments[n];
+      if (look.shows(segment.number))
+        layer.shown.push_back({n, regionColour(segment.colour, segment.number).rgb()});
+    }
+    layers.push_back(std::move(layer));
+  }
+  return layers;
+}
+
+// Contours.
+void FlatView::paintLines(QPainter& painter) const {
+  const double ratio = devicePixelRatioF();
+  const SlicePlane now = *plane();
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(1 / ratio, 1 / ratio);
+  const VoxelGeometry& acquired = seriesState().series->acquired;
+  for (const auto& [key, regions] : session_.workspace().regions) {
+    if (regions.kind != ReferenceKind::contours) continue;
+    const auto loaded = references_.regions(key, regions.kind);
+    if (!loaded || !loaded->contours) continue;
+    const double reachMm = wheelStep(acquired, now.normal()) / 2;
+    for (const ContourLines& lines :
+         contourLines(*loaded->contours, regions, frameOfReferenceOf(shown()), now, reachMm))
+      paintContours(painter, lines, ratio);
+  }
+  painter.restore();
+}
+
+QString FlatView::keyImageText() const {
+  const std::optional<int> picture = pictureSeen().index;
+  if (!picture) return {};
+  const Series& series = *seriesState().series;
+  const std::optional<KeyImage> image = keyImageOf(series, *picture);
+  const bool isOfDocument = !references_.naming(ReferenceKind::keyObjects, series, *picture).empty();
+  const bool isMarked = isOfDocument || (image && isKeyImage(session_.workspace(), *image));
+  return isMarked ? QStringLiteral("\u2605 ") + tr("Key image") : QString();
+}
+
+}  // namespace volumen

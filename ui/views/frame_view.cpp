@@ -1,0 +1,264 @@
+#include "ui/views/frame_view.h"
+
+#include <QPainter>
+
+#include "ui/controller/references.h"
+#include "ui/data/frame_series.h"
+#include "ui/overlays/view_overlays.h"
+#include "ui/views/cine_player.h"
+#include "ui/views/paint_graphics.h"
+#include "ui/workspace/camera_moves.h"
+#include "ui/workspace/corner_text.h"
+#include "ui/workspace/frame_text.h"
+#include "ui/workspace/measurements.h"
+#include "ui/workspace/presented_frame.h"
+#include "ui/workspace/series_text.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+QString letters(glm::dvec3 direction) { return QString::fromStdString(sideLetters(direction)); }
+
+}  // namespace
+
+FrameView::FrameView(const ViewParts& parts, ViewId id, QWidget* parent)
+    : FlatView(parts, id, parent), frames_(parts.frames) {
+  setObjectName(QStringLiteral("frameView%1").arg(id));
+  connect(&frames_, &FrameService::ready, this, &FrameView::takeFrame);
+  connect(&frames_, &FrameService::failed, this, &FrameView::tellFailure);
+  tellWarnings();
+}
+
+FrameView::~FrameView() = default;
+
+FrameKey FrameView::frameKey() const {
+  if (state().series.empty()) return {};
+  const int last = std::max(0, frameCount(*seriesState().series) - 1);
+  const FlatLook look = flatLookOf(state());
+  return {state().series, player_ ? player_->due() : std::min(look.frame, last), look.presentation.path};
+}
+
+void FrameView::forget() {
+  player_.reset();
+  frame_.reset();
+  failure_.clear();
+  if (!isCurrent()) frames_.drop(id());
+  FlatView::forget();
+}
+
+void FrameView::ask() {
+  askForFrame();
+  askForPicture();
+}
+
+void FrameView::askForFrame() {
+  if (!isCurrent() || state().series.empty() || !isVisible()) return;
+  if (frameCount(*seriesState().series) == 0) return;  // of a session whose files are not here
+  const FrameKey key = frameKey();
+  if (frame_ && frame_->key == key) return;
+  const bool isBackwards = frame_ && frame_->key.index > key.index && !player_;
+  frames_.request(id(), seriesState().series, key.index, isBackwards ? -1 : 1, key.presentation);
+  if (const ShownFramePtr held = frames_.find(key)) takeFrame(id(), held);
+}
+
+void FrameView::takeFrame(int view, const ShownFramePtr& frame) {
+  if (view != id() || !isCurrent() || frame->key.series != state().series) return;
+  const FrameKey wanted = frameKey();
+  if (frame_ && frame_->key == wanted && frame->key != wanted) return;
+  frame_ = frame;
+  failure_.clear();
+  tellWarnings();
+  askForPicture();
+  tellPointed();
+}
+
+void FrameView::tellFailure(int view, const FrameKey& key, const QString& sentence) {
+  // A clip goes on with the next one.
+  if (view != id() || !isCurrent() || player_ || key != frameKey()) return;
+  forget();
+  failure_ = shownText(sentence.toStdString());
+  update();
+  tellPointed();
+}
+
+bool FrameView::mayShow(const SliceRequest& request) const {
+  // Of frames that come faster than they are drawn any is better than none.
+  const bool isOfClip = request.frame && request.frame->key.series == state().series;
+  return isOfClip || FlatView::mayShow(request);
+}
+
+bool FrameView::isWanted(const SliceRequest& request) const {
+  return frame_ && frame_->key == frameKey() && FlatView::isWanted(request);
+}
+
+bool FrameView::showPicture(const SlicePicture& picture) {
+  if (!FlatView::showPicture(picture)) return false;
+  if (player_ && picture.request.frame) player_->tellShown(picture.request.frame->key.index);
+  return true;
+}
+
+SlicePlane FrameView::planeShown(const SlicePlane& plane) const {
+  return frame_->how ? presentedPlane(*frame_, flatLookOf(state()), plane) : plane;
+}
+
+SliceRequest FrameView::requestOf(const SlicePlane& plane) const {
+  const FlatLook look = flatLookOf(state());
+  const SliceLayer layer{frame_->slice->volume, frameGrey(seriesState(), look, *frame_),
+                         seriesState().colours};
+  return {id(), {layer}, plane, frame_, look.layers, segmentLayers()};
+}
+
+Window FrameView::greyWindow() const {
+  const SeriesState& series = seriesState();
+  return series.window.value_or(frameGrey(series, flatLookOf(state()), *frame_).window);
+}
+
+FlatView::Warnings FrameView::warnings() const {
+  Warnings warnings;
+  for (const std::string& sentence : frame_ ? frame_->warnings : std::vector<std::string>{})
+    warnings.sentences << shownText(sentence);
+  if (!warnings.sentences.isEmpty()) warnings.words << tr("Not all as the file says");
+  return warnings;
+}
+
+StackPlace FrameView::place() const {
+  if (!shown()) return {};
+  return {frame_->key.index, frameCount(*seriesState().series)};
+}
+
+void FrameView::scroll(int steps) {
+  if (steps == 0) return;
+  stop();
+  showFrame(session_, id(), flatLookOf(state()).frame + steps);
+}
+
+void FrameView::togglePlay() {
+  if (player_) return stop();
+  if (state().series.empty()) return;
+  const Series& series = *seriesState().series;
+  if (frameCount(series) < 2) return;
+  player_ = std::make_unique<CinePlayer>(series.cine, frameCount(series), flatLookOf(state()).frame);
+  connect(player_.get(), &CinePlayer::frameDue, this, &FrameView::askForFrame);
+}
+
+// At the frame on screen: one step, however long the clip was played.
+void FrameView::stop() {
+  if (!player_) return;
+  const int frame = frame_ ? frame_->key.index : player_->due();
+  player_.reset();
+  session_.endGesture();
+  editFlat(session_, id(), tr("Play"), [&](FlatLook& look) { look.frame = frame; });
+  session_.endGesture();
+  update();
+}
+
+void FrameView::chooseGrey(const GreyChoice& choice) {
+  session_.change(tr("Window"), [&](Workspace& w) {
+    SeriesState& state = w.series.edit(this->state().series);
+    state = withGrey(state, choice);
+  });
+}
+
+void FrameView::chooseWindow(int number) {
+  if (!shown()) return;
+  const std::vector<GreyChoice> choices = greyChoices(*frame_, seriesState());
+  if (number < int(choices.size())) chooseGrey(choices[std::size_t(number)]);
+}
+
+PictureSeen FrameView::pictureSeen() const {
+  return {frame_ ? std::optional(frame_->key.index) : std::nullopt, false};
+}
+
+std::vector<const Measurement*> FrameView::measurements() const {
+  return measurementsOn(session_.workspace(), *seriesState().series, frame_->key.index);
+}
+
+std::optional<ShapeFrame> FrameView::shapeFrame() const {
+  if (!frame_) return {};
+  return frameNamed(*seriesState().series, frame_->key.index);
+}
+
+void FrameView::hideEvent(QHideEvent* event) {
+  player_.reset();
+  frames_.drop(id());
+  FlatView::hideEvent(event);
+}
+
+QString FrameView::hoverText(QPointF position) const {
+  const auto press = pressAt(position);
+  if (!press) return {};
+  const glm::dvec3 p = press->patientAt(position);
+  const VoxelGeometry& geometry = frame_->geometry();
+  const glm::ivec2 pixel(glm::floor(glm::dvec2(geometry.voxelFromPatient(p)) + 0.5));
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= geometry.size.x || pixel.y >= geometry.size.y) return {};
+  const QString place =
+      geometry.calibrated ? placeText(*seriesState().series, p) : pixelPlaceText(*frame_, pixel);
+  return tr("%1 at %2").arg(pixelValueText(*frame_, pixel), place);
+}
+
+Overlays FrameView::overlays() const {
+  const Series& series = *seriesState().series;
+  const SlicePlane now = *plane();
+  const FlatLook look = flatLookOf(state());
+  CornerTexts texts = seriesCorner(series);
+  QString title = tr("Frame %1 / %2").arg(place().index + 1).arg(place().count);
+  const bool isPlayed = player_ && player_->rate() > 0;
+  if (isPlayed) title += tr(", %1 a second").arg(player_->rate(), 0, 'f', 1);
+  texts.add(CornerItem::plane, title);
+  if (series.notVolume.empty()) texts.add(CornerItem::thickness, thicknessText(series));
+  texts.add(CornerItem::step, stepText(session_.workspace(), state().series));
+  texts.add(CornerItem::pixelSize, pixelSizeText(*frame_));
+  texts.add(CornerItem::mark, lossyText(series));
+  texts.add(CornerItem::mark, QStringList{presentationText(), keyImageText()});
+  Overlays o = cornersOf(texts);
+  o.isLate = isPlayed && player_->isLate();
+  o.bottomRight = greyText(seriesState(), look, *frame_);
+  o.warning = failure_;
+  if (hasMm(*frame_)) o.mmPerPixel = now.mmPerPixel * devicePixelRatioF();
+  const auto side = [&](glm::dvec3 direction) {
+    if (!frame_->geometry().calibrated) return QString::fromStdString(frameSide(*frame_, direction));
+    return knowsSides(series) ? letters(direction) : QString();
+  };
+  o.right = side(now.right);
+  o.left = side(-now.right);
+  o.bottom = side(now.down);
+  o.top = side(-now.down);
+  return o;
+}
+
+QString FrameView::presentationText() const {
+  if (!frame_->how) return {};
+  const auto states =
+      references_.naming(ReferenceKind::presentation, *seriesState().series, frame_->key.index);
+  const ReferenceKey chosen = flatLookOf(state()).presentation;
+  const auto is = [&](const ReferencePtr& object) { return keyOf(*object) == chosen; };
+  const auto found = std::ranges::find_if(states, is);
+  const QString label = found == states.end() ? QString() : shownText((*found)->label);
+  return label.isEmpty() ? tr("Presentation state") : tr("Presentation %1").arg(label);
+}
+
+// What a presentation state draws.
+void FrameView::paintLines(QPainter& painter) const {
+  FlatView::paintLines(painter);
+  if (!frame_->how || !flatLookOf(state()).layers) return;
+  const double ratio = devicePixelRatioF();
+  const SlicePlane now = *plane();
+  painter.save();
+  const Overlays corners = overlays();
+  const PlacedOverlays placed = placeOverlays(corners, overlayArea(), painter.font());
+  std::vector<QRectF> taken = corners.taken;
+  for (const PlacedText& text : placed.texts) taken.push_back(text.rect);
+  if (!placed.scaleBar.isEmpty()) taken.push_back(placed.scaleBar);
+  paintGraphics(
+      painter, *frame_->how,
+      [&](glm::dvec2 position, AnnotationUnits units) {
+        const glm::dvec2 p = now.pixelFromPatient(annotationPlace(*frame_, position, units)) / ratio;
+        return QPointF(p.x, p.y);
+      },
+      std::move(taken));
+  painter.restore();
+}
+
+}  // namespace volumen

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "ui/controller/frame_service.h"
+#include "ui/views/flat_view.h"
+#include "ui/workspace/frame_look.h"
+
+namespace volumen {
+
+class CinePlayer;
+
+/// The frames of a series as acquired, one at a time: the wheel goes from one to the next, and they are
+/// played as a clip.
+class FrameView : public FlatView {
+  Q_OBJECT
+ public:
+  FrameView(const ViewParts& parts, ViewId id, QWidget* parent);
+  ~FrameView() override;
+
+  /// The frame on screen; null: none is read yet.
+  const ShownFramePtr& frame() const { return frame_; }
+  /// One of greyChoices().
+  void chooseGrey(const GreyChoice& choice);
+  bool isPlaying() const { return player_ != nullptr; }
+  void scroll(int steps) override;
+  ShownSeriesPtr shown() const override { return isCurrent() && frame_ ? frame_->slice : nullptr; }
+  QString failure() const override { return failure_; }
+  void togglePlay() override;
+  Overlays overlays() const override;
+  PictureSeen pictureSeen() const override;
+
+ protected:
+  SlicePlane planeShown(const SlicePlane& plane) const override;
+  SliceRequest requestOf(const SlicePlane& plane) const override;
+  bool mayShow(const SliceRequest& request) const override;
+  bool isWanted(const SliceRequest& request) const override;
+  bool keepsPictureOf(const SeriesKey&) const override { return false; }
+  void forget() override;
+  void ask() override;
+  bool showPicture(const SlicePicture& picture) override;
+  void seriesExchanged(bool) override {}
+  StackPlace place() const override;
+  Window greyWindow() const override;
+  bool hasWindow() const override { return !frame_ || !frame_->colour(); }
+  void chooseWindow(int number) override;
+  bool hasCursor() const override { return frame_ && frame_->geometry().calibrated; }
+  void stop() override;
+  Warnings warnings() const override;
+  QString hoverText(QPointF position) const override;
+  std::vector<const Measurement*> measurements() const override;
+  std::optional<ShapeFrame> shapeFrame() const override;
+  void paintLines(QPainter& painter) const override;
+  void hideEvent(QHideEvent*) override;
+
+ private:
+  /// Whether the workspace has frames in this view's place.
+  bool isCurrent() const { return showsFrames(state().kind); }
+  FrameKey frameKey() const;
+  void askForFrame();
+  void takeFrame(int view, const ShownFramePtr& frame);
+  void tellFailure(int view, const FrameKey& key, const QString& sentence);
+  QString presentationText() const;
+
+  FrameService& frames_;
+  ShownFramePtr frame_;
+  QString failure_;                     // of the frame that is wanted
+  std::unique_ptr<CinePlayer> player_;  // while a clip is played
+};
+
+}  // namespace volumen
