@@ -89,7 +89,7 @@ void addFiles(std::ostream& out, const Files& files, bool verbose, Why why) {
   }
 }
 
-std::string referenceLine(const Reference& object) {
+std::string referenceLine(const DerivedObject& object) {
   std::ostringstream out;
   out << kindName(object.kind);
   for (const std::string& words : {object.label, object.text})
@@ -102,20 +102,20 @@ std::string referenceLine(const Reference& object) {
   return out.str();
 }
 
-void addReferences(std::ostream& out, const std::vector<Reference>& references) {
-  if (!references.empty()) out << "Objects that refer to pictures\n";
-  for (std::size_t n = 0; n < references.size(); ++n)
-    out << "    " << n + 1 << "  " << printable(lastingPath(references[n].path)) << ": "
-        << printable(referenceLine(references[n])) << '\n';
+void addDerivedObjects(std::ostream& out, const std::vector<DerivedObject>& derived) {
+  if (!derived.empty()) out << "Objects that refer to pictures\n";
+  for (std::size_t n = 0; n < derived.size(); ++n)
+    out << "    " << n + 1 << "  " << printable(lastingPath(derived[n].path)) << ": "
+        << printable(referenceLine(derived[n])) << '\n';
 }
 
-// What is left to say of files once its references are told.
+// What is left to say of files once its derived objects are told.
 Study unshown(const Study& study) {
   Study rest;
   rest.images = study.images;
   rest.refused = study.refused;
   std::set<std::string> told;
-  for (const Reference& object : study.references) told.insert(object.path);
+  for (const DerivedObject& object : study.derived) told.insert(object.path);
   for (const Other& other : study.other)
     if (!told.contains(other.path)) rest.other.push_back(other);
   return rest;
@@ -143,7 +143,7 @@ std::string infoText(const Study& study, const std::vector<InfoSeries>& series, 
     patient = patientLine(s), when = studyLine(s);
     addSeries(out, n, series, verbose);
   }
-  addReferences(out, study.references);
+  addDerivedObjects(out, study.derived);
   const Study rest = unshown(study);
   const QString unread = noVolumesText(rest);
   if (unread.isEmpty()) return out.str();

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/study/reference.h"
+#include "io/study/derived_object.h"
 #include "viewer/slice/frame.h"
 #include "viewer/slice/presentation.h"
 #include "viewer/slice/shutter.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/study/reference.h"
+#include "io/study/derived_object.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {

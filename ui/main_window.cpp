@@ -36,7 +36,7 @@ MainWindow::~MainWindow() {
 
 WindowParts MainWindow::makeParts() {
   auto* grid = new ViewGrid(document_.session, document_.drawService, document_.slices, document_.frames,
-                            document_.measurer, document_.references);
+                            document_.measurer, document_.derived);
   auto* banner = new Banner;
   banner->setWriting(withoutPaths);
   auto* pages = new QStackedWidget;

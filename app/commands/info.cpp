@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "app/derived_json.h"
 #include "app/info_text.h"
 #include "app/open_volume.h"
 #include "app/progress.h"
-#include "app/references_json.h"
 #include "app/usage.h"
 #include "io/archive.h"
 #include "io/index/index_path.h"
@@ -198,8 +198,8 @@ std::vector<InfoSeries> describe(Study& study, bool values, const CancelToken& c
 }
 
 // With its contents where they are wanted, or why they cannot be read.
-Json describeReference(const Reference& object, bool values) {
-  Json out = referenceToJson(object);
+Json describeDerivedObject(const DerivedObject& object, bool values) {
+  Json out = derivedToJson(object);
   if (!values) return out;
   Result<Json> contents = contentsToJson(object);
   out[contents ? "contents" : "problem"] = contents ? std::move(*contents) : Json(contents.message());
@@ -218,8 +218,8 @@ Json studyJson(const Study& study, const std::vector<InfoSeries>& series, bool v
     out["refused"].push_back({{"path", lastingPath(r.path)}, {"reason", r.reason}});
   for (const Other& o : study.other)
     out["other"].push_back({{"path", lastingPath(o.path)}, {"kind", o.kind}});
-  for (const Reference& object : study.references)
-    out["references"].push_back(describeReference(object, values));
+  for (const DerivedObject& object : study.derived)
+    out["references"].push_back(describeDerivedObject(object, values));
   return out;
 }
 

@@ -84,7 +84,7 @@ Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape, 
   used.push_back(found->series);
   Result<Frame> frame = loadFrame(*found->series, found->index);
   if (!frame) return frame.error();
-  const Result<ShownFramePtr> shown =
+  const Result<LoadedFramePtr> shown =
       shownFrame(*found->series, {keyOf(*found->series), found->index}, std::move(*frame));
   if (!shown) return shown.error();
   const auto scale = scaleFor((*shown)->slice->series, options);

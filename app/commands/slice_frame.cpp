@@ -58,8 +58,8 @@ Result<std::string> presentationFile(const Study& study, const std::string& text
   const bool isNumber = text.find_first_not_of("0123456789") == std::string::npos && text.size() <= 9;
   if (!isNumber) return text;
   const std::size_t number = std::stoul(text);
-  const std::size_t count = study.references.size();
-  if (number >= 1 && number <= count) return study.references[number - 1].path;
+  const std::size_t count = study.derived.size();
+  if (number >= 1 && number <= count) return study.derived[number - 1].path;
   if (count == 0) return Error{"--presentation " + text + ": no object here refers to pictures."};
   return Error{"--presentation " + text +
                ": \"volumen info\" numbers the objects that refer to pictures from 1 to " +
@@ -79,9 +79,9 @@ std::optional<std::pair<Source, int>> firstNamed(const std::vector<Source>& sour
 Error namesNothing(const Study& study, const std::string& path) {
   std::string why;
   for (const Other& other : study.other) {
-    const bool isReference =
-        std::ranges::find(study.references, other.path, &Reference::path) != study.references.end();
-    if (!isReference && other.kind.find("without pixel data") != std::string::npos)
+    const bool isDerivedObject =
+        std::ranges::find(study.derived, other.path, &DerivedObject::path) != study.derived.end();
+    if (!isDerivedObject && other.kind.find("without pixel data") != std::string::npos)
       why += "\n" + other.path + ": " + other.kind + ".";
   }
   return Error{path + " holds none of the pictures that the presentation state refers to." + why};

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
+#include "io/dicom/derived_object.h"
 #include "io/dicom/isolated_file.h"
-#include "io/dicom/reference.h"
 #include "io/worker/object_fields.h"
 
 namespace volumen {
@@ -118,7 +118,7 @@ class ContourReader {
 namespace {
 
 Result<StructureSet> loadContoursHere(const std::string& path) {
-  return dicom::loadObject<StructureSet>(path, ReferenceKind::contours,
+  return dicom::loadObject<StructureSet>(path, DerivedKind::contours,
                                          [](const dicom::InspectedFile&, const dicom::DataSet& data) {
                                            return Result<StructureSet>(dicom::ContourReader(data).run());
                                          });

@@ -9,9 +9,9 @@
 #include <iterator>
 
 #include "io/dicom/attributes.h"
+#include "io/dicom/derived_object.h"
 #include "io/dicom/directory.h"
 #include "io/dicom/mosaic.h"
-#include "io/dicom/reference.h"
 #include "io/dicom/stack.h"
 #include "io/frame_limit.h"
 #include "io/regular_file.h"
@@ -107,9 +107,9 @@ Inspection withoutPicture(const DataSet& data, const FileHeader& header) {
   Inspection found{Inspection::Kind::noPicture, kindOf(header), {}, {}, {}};
   keepIdentity(data, header, found);
   if (data.find(directoryRecords, data.root())) found.listed = listedFiles(data);
-  if (const auto kind = referenceKind(header.sopClassUid)) {
-    found.reference = readReference(data, header, *kind);
-    if (kind == ReferenceKind::segmentation) found.text = "DICOM segmentation";
+  if (const auto kind = derivedKind(header.sopClassUid)) {
+    found.derivedObject = readDerivedObject(data, header, *kind);
+    if (kind == DerivedKind::segmentation) found.text = "DICOM segmentation";
   }
   return found;
 }
@@ -144,7 +144,7 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
   found.header.inflatedFrom = s.inflatedFrom;
   readIdentity(data, found.header);
   if (found.header.modality == "PT") found.header.pet = readPetFacts(data);
-  const bool isSegmentation = referenceKind(found.header.sopClassUid) == ReferenceKind::segmentation;
+  const bool isSegmentation = derivedKind(found.header.sopClassUid) == DerivedKind::segmentation;
   if (!s.dataSet.pixels || isSegmentation) return withoutPicture(data, found.header);
   if (Status picture = readPicture(*file, s, data, found.header); !picture)
     return refused(picture.message(), data);

@@ -12,8 +12,8 @@
 #include "io/dicom/scanned_file.h"
 #include "io/dicom/suv.h"
 #include "io/study/cine.h"
+#include "io/study/derived_object.h"
 #include "io/study/identity.h"
-#include "io/study/reference.h"
 #include "io/study/warning.h"
 #include "viewer/volume/volume.h"
 
@@ -121,7 +121,7 @@ struct Inspection {
   enum class Kind { notDicom, noPicture, refused, picture } kind = Kind::notDicom;
   std::string text;                                    ///< noPicture: what it is; refused: why, a sentence
   FileHeader header;                                   ///< picture; of others its identity, where known
-  std::optional<Reference> reference;                  ///< noPicture that refers to pictures
+  std::optional<DerivedObject> derivedObject;          ///< noPicture that refers to pictures
   std::optional<std::vector<ListedFile>> listed = {};  ///< the files that a DICOMDIR names
   std::optional<glm::dvec3> position = {};             ///< not picture: ImagePositionPatient, mm
   bool again = false;                                  ///< refused, as Refused has it

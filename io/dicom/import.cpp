@@ -67,10 +67,10 @@ void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& 
       case Inspection::Kind::noPicture:
         study.other.push_back({files[n], i.listed ? directoryText(files[n], *i.listed, files) : i.text});
         if (i.listed && all) addNotFound(files[n], *i.listed, files, lost);
-        if (!i.reference && !i.listed)
+        if (!i.derivedObject && !i.listed)
           withoutPixels.push_back(
               {{{files[n], "it is a " + i.text + "."}, i.header.seriesUid.empty(), i.position}, i.header});
-        if (i.reference) study.references.push_back(std::move(*i.reference));
+        if (i.derivedObject) study.derived.push_back(std::move(*i.derivedObject));
         break;
       case Inspection::Kind::refused:
         study.refused.push_back({files[n], i.text, i.again});

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "io/dicom/cielab.h"
+#include "io/dicom/derived_object.h"
 #include "io/dicom/greys.h"
 #include "io/dicom/isolated_file.h"
-#include "io/dicom/reference.h"
 #include "io/dicom/shutter.h"
 #include "io/dicom/units.h"
 #include "io/worker/object_fields.h"
@@ -24,7 +24,7 @@ class PresentationReader {
  public:
   explicit PresentationReader(const DataSet& data) : data_(data) {}
 
-  Result<Presentation> run(const Reference& object) {
+  Result<Presentation> run(const DerivedObject& object) {
     out_.label = object.label;
     out_.description = object.text;
     out_.creator = data_.utf8(0x00700084, data_.root());
@@ -203,10 +203,10 @@ class PresentationReader {
 namespace {
 
 Result<Presentation> loadPresentationHere(const std::string& path) {
-  constexpr auto kind = ReferenceKind::presentation;
+  constexpr auto kind = DerivedKind::presentation;
   return dicom::loadObject<Presentation>(
       path, kind, [](const dicom::InspectedFile& file, const dicom::DataSet& data) -> Result<Presentation> {
-        const Reference& object = *file.found.reference;
+        const DerivedObject& object = *file.found.derivedObject;
         if (std::ranges::find(dicom::grayscaleClasses, object.sopClassUid) ==
             std::end(dicom::grayscaleClasses))
           return Error{"only grayscale presentation states are read; this one is of another kind"};

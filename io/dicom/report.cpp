@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/dicom/derived_object.h"
 #include "io/dicom/isolated_file.h"
-#include "io/dicom/reference.h"
 #include "io/worker/object_fields.h"
 
 namespace volumen {
@@ -147,7 +147,7 @@ class ReportReader {
 namespace {
 
 Result<Report> loadReportHere(const std::string& path) {
-  return dicom::loadObject<Report>(path, ReferenceKind::report,
+  return dicom::loadObject<Report>(path, DerivedKind::report,
                                    [](const dicom::InspectedFile&, const dicom::DataSet& data) {
                                      return Result<Report>(dicom::ReportReader(data).run());
                                    });
@@ -161,9 +161,9 @@ namespace {
 
 Result<KeyObjects> loadKeyObjectsHere(const std::string& path) {
   return dicom::loadObject<KeyObjects>(
-      path, ReferenceKind::keyObjects, [](const dicom::InspectedFile& file, const dicom::DataSet& data) {
+      path, DerivedKind::keyObjects, [](const dicom::InspectedFile& file, const dicom::DataSet& data) {
         return Result<KeyObjects>(
-            KeyObjects{dicom::nameOf(data, data.root()), file.found.reference->text,
+            KeyObjects{dicom::nameOf(data, data.root()), file.found.derivedObject->text,
                        dicom::readPictures(data, data.contents(dicom::content, data.root()))});
       });
 }

@@ -6,10 +6,10 @@
 #include "io/dicom/attributes.h"
 #include "io/dicom/cielab.h"
 #include "io/dicom/decode.h"
+#include "io/dicom/derived_object.h"
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/isolated_file.h"
 #include "io/dicom/pixel_size.h"
-#include "io/dicom/reference.h"
 #include "io/segmentation.h"
 #include "io/worker/object_fields.h"
 
@@ -202,7 +202,7 @@ class SegmentationReader {
 namespace {
 
 Result<Segmentation> loadSegmentationHere(const std::string& path) {
-  return dicom::loadObject<Segmentation>(path, ReferenceKind::segmentation,
+  return dicom::loadObject<Segmentation>(path, DerivedKind::segmentation,
                                          [&](const dicom::InspectedFile& file, const dicom::DataSet& data) {
                                            return dicom::SegmentationReader(file, data, path).run();
                                          });

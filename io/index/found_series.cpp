@@ -42,7 +42,7 @@ class Collector {
   void add(const Image& image) {
     addFile(seriesFor(image, image.path), image.path, image.sopInstanceUid, 0, image.frames);
   }
-  void add(const Reference& object) {
+  void add(const DerivedObject& object) {
     addFile(seriesFor(object, object.path), object.path, object.sopInstanceUid, 0, 0);
   }
   std::vector<FoundSeries> take() {
@@ -89,7 +89,7 @@ std::vector<FoundSeries> seriesOf(const Study& study) {
   Collector collector;
   for (const Series& volume : study.volumes) collector.add(volume);
   for (const Image& image : study.images) collector.add(image);
-  for (const Reference& object : study.references) collector.add(object);
+  for (const DerivedObject& object : study.derived) collector.add(object);
   return collector.take();
 }
 

@@ -17,7 +17,7 @@ struct FoundFile {
   int frames = 0;  ///< slices and frames in it
 };
 
-/// A series as the index keeps it: what a Study says of its volumes, images and references together.
+/// A series as the index keeps it: what a Study says of its volumes, images and derived objects together.
 struct FoundSeries {
   SeriesIdentity identity;
   bool isDicom = true;

@@ -54,11 +54,11 @@ void sortFiles(std::vector<Found>& files) {
 /// Counts what the objects refer to and the study does not hold.
 void countNotHere(Study& study) {
   std::unordered_set<std::string_view> here;
-  if (study.references.empty()) return;
+  if (study.derived.empty()) return;
   for (const Series& s : study.volumes) here.insert(s.sopInstanceUids.begin(), s.sopInstanceUids.end());
   for (const Image& image : study.images) here.insert(image.sopInstanceUid);
-  for (const Reference& object : study.references) here.insert(object.sopInstanceUid);
-  for (Reference& object : study.references)
+  for (const DerivedObject& object : study.derived) here.insert(object.sopInstanceUid);
+  for (DerivedObject& object : study.derived)
     object.notHere = std::size_t(std::ranges::count_if(
         object.pictures, [&](const ReferencedPicture& p) { return !here.contains(p.sopInstanceUid); }));
 }
@@ -70,8 +70,8 @@ void arrange(Study& study) {
   numberParts(study.volumes);
   sortFiles(study.images);
   numberParts(study.images);
-  sortFiles(study.references);
-  numberParts(study.references);
+  sortFiles(study.derived);
+  numberParts(study.derived);
   countNotHere(study);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/study/reference.h"
+#include "io/study/derived_object.h"
 #include "io/study/series.h"
 #include "io/worker/wire.h"
 
@@ -10,7 +10,7 @@ namespace volumen::worker {
 template <>
 inline constexpr WarningKind lastOf<WarningKind> = WarningKind::notSeparated;
 template <>
-inline constexpr ReferenceKind lastOf<ReferenceKind> = ReferenceKind::segmentation;
+inline constexpr DerivedKind lastOf<DerivedKind> = DerivedKind::segmentation;
 
 inline void fields(Wire& w, SeriesIdentity& s) {
   w(s.patientName, s.patientId, s.patientIdIssuer, s.patientBirthDate, s.patientSex, s.patientAge, s.studyUid,
@@ -20,7 +20,7 @@ inline void fields(Wire& w, SeriesIdentity& s) {
 }
 inline void fields(Wire& w, Cine& c) { w(c.framesPerSecond, c.frameTimesMs, c.backAndForth); }
 inline void fields(Wire& w, ReferencedPicture& p) { w(p.sopInstanceUid, p.seriesUid, p.frames, p.segments); }
-inline void fields(Wire& w, Reference& r) {
+inline void fields(Wire& w, DerivedObject& r) {
   fields(w, static_cast<SeriesIdentity&>(r));
   w(r.kind, r.id, r.path, r.sopInstanceUid, r.label, r.text, r.date, r.pictures);
 }

@@ -24,17 +24,17 @@ void readVolume(const Series& series) {
   (void)loadFrame(series, 0);
 }
 
-void readObject(const Reference& object) {
+void readObject(const DerivedObject& object) {
   switch (object.kind) {
-    case ReferenceKind::presentation:
+    case DerivedKind::presentation:
       return void(loadPresentation(object.path));
-    case ReferenceKind::keyObjects:
+    case DerivedKind::keyObjects:
       return void(loadKeyObjects(object.path));
-    case ReferenceKind::report:
+    case DerivedKind::report:
       return void(loadReport(object.path));
-    case ReferenceKind::contours:
+    case DerivedKind::contours:
       return void(loadContours(object.path));
-    case ReferenceKind::segmentation:
+    case DerivedKind::segmentation:
       return void(loadSegmentation(object.path));
   }
 }
@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (!study) return 0;
   for (const Series& series : study->volumes) readVolume(series);
   for (const Image& image : study->images) readFrames(image);
-  for (const Reference& object : study->references) readObject(object);
+  for (const DerivedObject& object : study->derived) readObject(object);
   (void)dicom::listAttributes(path);
   return 0;
 }

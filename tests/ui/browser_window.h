@@ -121,7 +121,7 @@ struct BrowserWindow : Journey {
     return QTest::qWaitFor(
         [&] {
           const Session& session = window.session();
-          const ShownSeriesPtr shown = session.seriesOf(view.value_or(session.workspace().focus));
+          const LoadedSeriesPtr shown = session.seriesOf(view.value_or(session.workspace().focus));
           return shown && shown->series.description == description;
         },
         longest);

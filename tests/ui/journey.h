@@ -26,7 +26,7 @@ inline void openAlone(bool alone = true) {
 }
 
 /// The frame that a view shows; null: it shows none.
-inline ShownFramePtr frameIn(const View* view) {
+inline LoadedFramePtr frameIn(const View* view) {
   const auto* frames = qobject_cast<const FrameView*>(view);
   return frames ? frames->frame() : nullptr;
 }

@@ -13,8 +13,8 @@
 namespace volumen::tests {
 
 /// A series of its own whose voxels are these.
-inline ShownSeriesPtr seriesOf(VolumePtr volume) {
-  auto series = std::make_shared<ShownSeries>(*ballSeries(2, 1));
+inline LoadedSeriesPtr seriesOf(VolumePtr volume) {
+  auto series = std::make_shared<LoadedSeries>(*ballSeries(2, 1));
   series->volume = std::move(volume);
   return series;
 }
@@ -65,7 +65,7 @@ inline void drawShape(FlatView* on, ShapeKind kind, const std::vector<QPointF>& 
 
 /// A window that shows a series in planes, and what a hand measures in them.
 struct MeasureWindow : Journey {
-  explicit MeasureWindow(const ShownSeriesPtr& series = ballSeries(32, 10, {3, -2, 4})) {
+  explicit MeasureWindow(const LoadedSeriesPtr& series = ballSeries(32, 10, {3, -2, 4})) {
     session().show(series);
     child<QAction>("layoutPlanes")->trigger();
     QCoreApplication::processEvents();
@@ -97,7 +97,7 @@ struct MeasureWindow : Journey {
     return {};
   }
   Result<Measured> measured(const Measurement& m) {
-    const ShownSeriesPtr series = session().seriesNamed(m.series);
+    const LoadedSeriesPtr series = session().seriesNamed(m.series);
     return measure(m.shape, *series->volume, series->series.unit);
   }
   void undo() { child<QAction>("undo")->trigger(); }

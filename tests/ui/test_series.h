@@ -1,13 +1,13 @@
 #pragma once
 
-#include "ui/data/shown_series.h"
+#include "ui/data/loaded_series.h"
 
 namespace volumen::tests {
 
 /// A bright ball of value 1000 in air of 0: `n` voxels of `spacing` mm along each axis, centred on the
 /// origin, radius `radius` mm about `centre`.
-inline ShownSeriesPtr ballSeries(int n = 32, double radius = 10, glm::dvec3 centre = {0, 0, 0},
-                                 glm::dvec3 spacing = {1, 1, 1}) {
+inline LoadedSeriesPtr ballSeries(int n = 32, double radius = 10, glm::dvec3 centre = {0, 0, 0},
+                                  glm::dvec3 spacing = {1, 1, 1}) {
   VolumeParts parts;
   parts.geometry.size = {n, n, n};
   for (int axis = 0; axis < 3; ++axis) parts.geometry.patientFromVoxelStep[axis] *= spacing[axis];
@@ -21,7 +21,7 @@ inline ShownSeriesPtr ballSeries(int n = 32, double radius = 10, glm::dvec3 cent
       }
   parts.values = std::move(values);
   std::vector<std::string> warnings;
-  auto series = std::make_shared<ShownSeries>();
+  auto series = std::make_shared<LoadedSeries>();
   series->volume = *Volume::make(std::move(parts), warnings);
   static int made = 0;  // each is a series of its own
   series->series.path = "ball";

@@ -26,7 +26,7 @@ void moveTo(QWidget* view, QPoint at, Qt::MouseButton button = Qt::LeftButton,
   QTest::mouseEvent(QTest::MouseMove, view, button, keys, at);
 }
 
-using Switch = void (*)(MeasureWindow& w, const ShownSeriesPtr& other);
+using Switch = void (*)(MeasureWindow& w, const LoadedSeriesPtr& other);
 using Close = void (*)(Journey& w);
 
 }  // namespace
@@ -55,15 +55,15 @@ void TestAttacks::whatGoesInTheMiddleOfADrag_data() {
   QTest::addColumn<Switch>("act");
   const std::pair<const char*, Switch> acts[] = {
       {"another series",
-       [](MeasureWindow& w, const ShownSeriesPtr& other) { w.session().show(other, axialViewId); }},
+       [](MeasureWindow& w, const LoadedSeriesPtr& other) { w.session().show(other, axialViewId); }},
       {"it is closed",
-       [](MeasureWindow& w, const ShownSeriesPtr&) {
+       [](MeasureWindow& w, const LoadedSeriesPtr&) {
          w.session().close({w.session().workspace().view(axialViewId).series});
        }},
-      {"all is closed", [](MeasureWindow& w, const ShownSeriesPtr&) { w.session().show(nullptr); }},
+      {"all is closed", [](MeasureWindow& w, const LoadedSeriesPtr&) { w.session().show(nullptr); }},
       {"another layout",
-       [](MeasureWindow& w, const ShownSeriesPtr&) { w.child<QAction>("layoutTwo")->trigger(); }},
-      {"undo", [](MeasureWindow& w, const ShownSeriesPtr&) { w.child<QAction>("undo")->trigger(); }}};
+       [](MeasureWindow& w, const LoadedSeriesPtr&) { w.child<QAction>("layoutTwo")->trigger(); }},
+      {"undo", [](MeasureWindow& w, const LoadedSeriesPtr&) { w.child<QAction>("undo")->trigger(); }}};
   const auto row = [&](const char* what, const char* tool, Qt::MouseButton button, int keys) {
     for (const auto& [when, act] : acts)
       QTest::addRow("%s: %s", what, when) << QByteArray(tool) << int(button) << keys << act;
@@ -87,7 +87,7 @@ void TestAttacks::whatGoesInTheMiddleOfADrag() {
   QFETCH(int, button);
   QFETCH(int, keys);
   QFETCH(Switch, act);
-  const ShownSeriesPtr other = ballSeries(20, 6, {2, 1, 0}, {1.5, 1, 0.7});
+  const LoadedSeriesPtr other = ballSeries(20, 6, {2, 1, 0}, {1.5, 1, 0.7});
   MeasureWindow w;
   const bool in3d = tool.endsWith("Tool");
   if (in3d)
@@ -154,13 +154,13 @@ void TestAttacks::windowsOfAnySize() {
 }
 
 void TestAttacks::aToolIsForTheSeriesOfItsView() {
-  const ShownSeriesPtr a = ballSeries(), b = ballSeries(20, 6);
+  const LoadedSeriesPtr a = ballSeries(), b = ballSeries(20, 6);
   MeasureWindow w(a);
   w.child<QAction>("layoutTwo")->trigger();
   const ViewId left = firstComparedId, right = firstComparedId + 1;
   w.session().show(b, right);
   w.session().setFocus(left);
-  const auto stateOf = [&](const ShownSeriesPtr& s) {
+  const auto stateOf = [&](const LoadedSeriesPtr& s) {
     return w.session().workspace().series.at(keyOf(s->series));
   };
   const SeriesState untouched = stateOf(a);

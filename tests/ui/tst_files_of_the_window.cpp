@@ -188,7 +188,7 @@ void TestFilesOfTheWindow::warningsStandOnThePicture() {
   VolumeView view(session, drawService);
   view.resize(400, 300);
   view.show();
-  auto series = std::make_shared<ShownSeries>(*tests::ballSeries());
+  auto series = std::make_shared<LoadedSeries>(*tests::ballSeries());
   series->warnings = {Warning("a.dcm is a copy of b.dcm and is left out."),
                       {"Something with <mm> in it.", WarningKind(kind)}};
   session.show(series);

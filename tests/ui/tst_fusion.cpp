@@ -122,7 +122,7 @@ void TestFusion::petOpensOverItsCt() {
   }
   // The hottest voxel (dicom-2d/README.md) is shown in the colours of hot iron, over the CT.
   FlatView* axial = w.window.views()->viewAs<FlatView>(axialViewId);
-  const ShownSeriesPtr ct = w.window.session().seriesOf(axialViewId);
+  const LoadedSeriesPtr ct = w.window.session().seriesOf(axialViewId);
   moveCrosshair(w.window.session(), axialViewId, *ct, {}, {-7.0312, -82.0312, -140.65});
   const auto at = [&] {
     const glm::dvec2 p = axial->plane()->pixelFromPatient({-7.0312, -82.0312, -140.65});

@@ -169,7 +169,7 @@ void TestLinks::windowsAreOfOneModalityAndUnit() {
 // What is 5 SUVbw in one is 5 in the other, whatever it is in Bq/ml.
 void TestLinks::windowsOfPetAreOneUptake() {
   const auto pet = [](const char* frame, double factor) {
-    auto series = std::make_shared<ShownSeries>(*ballIn(frame, 1, "PT"));
+    auto series = std::make_shared<LoadedSeries>(*ballIn(frame, 1, "PT"));
     series->series.unit = "Bq/ml";
     series->series.suv.bodyWeight = factor;
     return series;

@@ -57,7 +57,7 @@ void TestLoader::aSeriesComesWithWhatThePanelsNeed() {
   QVERIFY(w.loader.isBusy());
   QVERIFY(w.finish());
   QCOMPARE(w.loaded.count(), 1);
-  const auto series = w.loaded[0][0].value<ShownSeriesPtr>();
+  const auto series = w.loaded[0][0].value<LoadedSeriesPtr>();
   QCOMPARE(series->volume->size().x, 32);
   std::int64_t counted = 0;
   for (const std::int64_t count : series->histogram.counts) counted += count;
@@ -71,7 +71,7 @@ void TestLoader::theLaterLoadWins() {
   w.loader.load(phantom("sphere:32"));
   QVERIFY(w.finish());
   QCOMPARE(w.loaded.count(), 1);
-  QCOMPARE(w.loaded[0][0].value<ShownSeriesPtr>()->volume->size().x, 32);
+  QCOMPARE(w.loaded[0][0].value<LoadedSeriesPtr>()->volume->size().x, 32);
 }
 
 void TestLoader::whatIsCancelledIsNotTold() {
@@ -122,7 +122,7 @@ void TestLoader::twoAreOpenedAtOnce() {
   open("phantom:sphere:16", firstHasScene);
   open("phantom:cube:20", !firstHasScene);
   const auto shows = [&](const char* name) {
-    const ShownSeriesPtr shown = w.window.session().series();
+    const LoadedSeriesPtr shown = w.window.session().series();
     return shown && shown->series.path.find(name) != std::string::npos;
   };
   QTRY_VERIFY_WITH_TIMEOUT(shows("cube"), longest);

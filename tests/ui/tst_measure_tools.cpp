@@ -16,7 +16,7 @@ using enum ShapeKind;
 namespace {
 
 // The value i on voxels of this grid; 40 of them an edge.
-ShownSeriesPtr rampOn(const glm::dmat3& step) {
+LoadedSeriesPtr rampOn(const glm::dmat3& step) {
   return seriesOf(volumeOf<float>({40, 40, 40}, step, [](glm::dvec3 p) { return p.x; }));
 }
 

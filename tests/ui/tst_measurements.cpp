@@ -234,8 +234,8 @@ void TestMeasurements::aShapeStaysOnItsSlice() {
 }
 
 void TestMeasurements::seriesOfOneFrameShareThem() {
-  auto first = std::make_shared<ShownSeries>(*ballSeries()),
-       same = std::make_shared<ShownSeries>(*ballSeries());
+  auto first = std::make_shared<LoadedSeries>(*ballSeries()),
+       same = std::make_shared<LoadedSeries>(*ballSeries());
   first->series.frameOfReferenceUid = same->series.frameOfReferenceUid = "1.2.3";
   MeasureWindow w(first);
   w.draw(length, {{50, 50}, {130, 90}});
@@ -253,7 +253,7 @@ void TestMeasurements::seriesOfOneFrameShareThem() {
 
 void TestMeasurements::theViewsSeriesIsMeasured() {
   MeasureWindow w;
-  const ShownSeriesPtr other = ballSeries(16, 4);
+  const LoadedSeriesPtr other = ballSeries(16, 4);
   w.child<QAction>("layoutTwo")->trigger();
   w.session().show(other, firstComparedId + 1);
   QCoreApplication::processEvents();

@@ -177,7 +177,7 @@ void TestMeasurementsPanel::aDoubleClickGoesThere() {
 void TestMeasurementsPanel::itBringsItsSeriesBack() {
   PanelWindow w;
   w.draw(length, {{50, 50}, {130, 90}});
-  const ShownSeriesPtr first = w.session().series();
+  const LoadedSeriesPtr first = w.session().series();
   w.session().show(ballSeries(16, 4));
   QVERIFY(w.session().series() != first);
   w.raise();

@@ -46,8 +46,8 @@ class TestOverlays : public QObject {
 };
 
 void TestOverlays::noLettersWhereSidesAreNotKnown() {
-  const ShownSeriesPtr known = tests::ballSeries();
-  auto unknown = std::make_shared<ShownSeries>(*known);
+  const LoadedSeriesPtr known = tests::ballSeries();
+  auto unknown = std::make_shared<LoadedSeries>(*known);
   unknown->series.warnings = {{"Of a transducer.", WarningKind::noDirections}};
   const Camera camera;
   QVERIFY(!viewOverlays(*known, camera, {100, 100}).left.isEmpty());

@@ -194,7 +194,7 @@ void TestPetValues::windowsAreSuv() {
 }
 
 void TestPetValues::whyThereIsNoSuv() {
-  auto series = std::make_shared<ShownSeries>(*ballSeries());
+  auto series = std::make_shared<LoadedSeries>(*ballSeries());
   series->series.modality = "PT";
   series->series.unit = "Bq/ml";
   series->series.suv.why = "PatientWeight (0010,1030) is missing";
@@ -218,8 +218,8 @@ void TestPetValues::whyThereIsNoSuv() {
 namespace {
 
 // A ball whose 1000 Bq/ml are 5 SUVbw, and 4 SUVlbm.
-ShownSeriesPtr petBall() {
-  auto series = std::make_shared<ShownSeries>(*ballSeries());
+LoadedSeriesPtr petBall() {
+  auto series = std::make_shared<LoadedSeries>(*ballSeries());
   series->series.modality = "PT";
   series->series.unit = "Bq/ml";
   series->series.suv.bodyWeight = 0.005;

@@ -42,8 +42,8 @@ Scene curveOf(std::vector<CurvePoint> points) {
 
 const SightLine fromTheFront{{0, -500, 0}, {0, 1, 0}};
 
-ShownSeriesPtr shownSeries(const VolumePtr& volume, const Scene& scene) {
-  auto series = std::make_shared<ShownSeries>();
+LoadedSeriesPtr shownSeries(const VolumePtr& volume, const Scene& scene) {
+  auto series = std::make_shared<LoadedSeries>();
   series->volume = volume;
   series->series.id = "volume";
   series->series.modality = volume->attributes().modality;
@@ -115,7 +115,7 @@ void TestPick::anEdgeReadsAValueThatIsVisible_data() {
 void TestPick::anEdgeReadsAValueThatIsVisible() {
   QFETCH(double, threshold);
   QFETCH(double, opacity);
-  const ShownSeriesPtr ball = tests::ballSeries();
+  const LoadedSeriesPtr ball = tests::ballSeries();
   const Scene scene = curveOf({{float(threshold), {1, 1, 1}, 0}, {float(threshold), {1, 1, 1}, opacity}});
   for (double x = -6; x <= 6; x += 0.37) {
     const auto hit = pick(scene, *ball->volume, {{x, -500, 0.2}, {0, 1, 0}}, true);
@@ -125,7 +125,7 @@ void TestPick::anEdgeReadsAValueThatIsVisible() {
 }
 
 void TestPick::gradientOpacityMovesThePlaceToTheEdge() {
-  const ShownSeriesPtr ball = tests::ballSeries();  // of 1000, radius 10
+  const LoadedSeriesPtr ball = tests::ballSeries();  // of 1000, radius 10
   Scene scene = curveOf({{500, {1, 1, 1}, 0.05}});
   const auto y = [&] { return pick(scene, *ball->volume, fromTheFront, true)->pPatient->y; };
   QVERIFY2(y() > -7, "inside, where half of the opacity is reached");
@@ -173,7 +173,7 @@ void TestPick::whatIsPointedAtIsWrittenOut() {
   Scene scene;
   scene.mode = Mode(mode);
   const VolumePtr volume = ramp();
-  auto series = std::make_shared<ShownSeries>(*shownSeries(volume, scene));
+  auto series = std::make_shared<LoadedSeries>(*shownSeries(volume, scene));
   series->series.unit = unit.toStdString();
   Session session;
   DrawService drawService{tests::drawsNothing()};

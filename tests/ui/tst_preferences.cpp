@@ -16,8 +16,8 @@
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/panels/studies_panel.h"
 #include "ui/panels/preferences_dialog.h"
+#include "ui/panels/studies_panel.h"
 #include "ui/widgets/curve_editor.h"
 #include "ui/workspace/text.h"
 
@@ -217,7 +217,7 @@ void TestPreferences::namesAreHiddenEverywhere() {
 // A snapshot is called after its series, which a file's name may stand for.
 void TestPreferences::hiddenNamesAreNoFileNames() {
   Opened window;
-  auto file = std::make_shared<ShownSeries>(*tests::ballSeries());
+  auto file = std::make_shared<LoadedSeries>(*tests::ballSeries());
   file->series.format = "NRRD";
   file->series.path = "/data/smith.nrrd";
   file->series.description.clear();

@@ -93,7 +93,7 @@ void TestPresetBar::thoseOfTheModalityComeFirst() {
   QFETCH(QString, first);
   Session session;
   const PresetBar bar(session, realServices().presets);
-  auto series = std::make_shared<ShownSeries>(*tests::ballSeries());
+  auto series = std::make_shared<LoadedSeries>(*tests::ballSeries());
   series->series.modality = modality.toStdString();
   session.show(series);
   const auto* box = bar.findChild<QComboBox*>(QStringLiteral("presets"));

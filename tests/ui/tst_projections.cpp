@@ -18,8 +18,8 @@ using namespace volumen;
 
 namespace {
 
-std::shared_ptr<ShownSeries> seriesOf(const char* modality, const char* unit) {
-  auto series = std::make_shared<ShownSeries>(*tests::ballSeries());
+std::shared_ptr<LoadedSeries> seriesOf(const char* modality, const char* unit) {
+  auto series = std::make_shared<LoadedSeries>(*tests::ballSeries());
   series->series.modality = modality;
   series->series.unit = unit;
   series->window = {500, 800};

@@ -34,7 +34,7 @@ void TestRegionsWindow::contoursLieOnTheirSlices() {
     return count;
   };
   const auto goTo = [&](double z) {
-    const ShownSeriesPtr shown = w.session().seriesOf(axialViewId);
+    const LoadedSeriesPtr shown = w.session().seriesOf(axialViewId);
     Crosshair crosshair = crosshairOf(w.workspace(), *shown);
     crosshair.at.z = z;
     w.session().change(
@@ -73,7 +73,7 @@ void TestRegionsWindow::contoursAreCutByOtherPlanes() {
   const QPoint middle = w.tree("regionList")->visualItemRect(row).center();
   QTest::mouseClick(w.tree("regionList")->viewport(), Qt::LeftButton, {}, middle);
   QTest::mouseDClick(w.tree("regionList")->viewport(), Qt::LeftButton, {}, middle);
-  const ShownSeriesPtr shown = w.session().seriesOf(axialViewId);
+  const LoadedSeriesPtr shown = w.session().seriesOf(axialViewId);
   // The contour at z -150.42, x -35.400 .. -6.104, y -89.356 .. -64.941, is the middle one.
   const glm::dvec3 at = crosshairOf(w.workspace(), *shown).at;
   QVERIFY2(std::abs(at.z + 150.42) < 1e-2 && at.x > -35.4 && at.x < -6.1 && at.y > -89.36 && at.y < -64.94,

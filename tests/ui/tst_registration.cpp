@@ -2,7 +2,7 @@
 // meanwhile. Real events.
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
-#include "ui/controller/registrar.h"
+#include "ui/controller/registration_jobs.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/widgets/banner.h"
 #include "ui/workspace/flat_plane.h"
@@ -49,8 +49,8 @@ void TestRegistration::registrationLinksTwoFrames() {
 
 void TestRegistration::registrationIsCancelled() {
   TwoSeries w(lumpsIn("A", {0, 0, 0}), lumpsIn("B", {9, -6, 12}));
-  auto* registrar = w.window.findChild<Registrar*>();
-  QSignalSpy found(registrar, &Registrar::found);
+  auto* registrar = w.window.findChild<RegistrationJobs*>();
+  QSignalSpy found(registrar, &RegistrationJobs::found);
   w.press("register");
   const std::vector<JobRow> rows = w.window.jobs().rows();
   QCOMPARE(rows.size(), std::size_t(1));
@@ -70,13 +70,13 @@ void TestRegistration::theWindowClosesWhileItRegisters() {
 }
 
 void TestRegistration::registrationThatFailsIsASentence() {
-  auto empty = std::make_shared<ShownSeries>(*lumpsIn("B", {0, 0, 0}));
+  auto empty = std::make_shared<LoadedSeries>(*lumpsIn("B", {0, 0, 0}));
   const VoxelGeometry geometry = empty->volume->geometry();
   std::vector<std::string> warnings;
   empty->volume = *Volume::make(
       {geometry, std::vector<std::int16_t>(std::size_t(geometry.voxelCount())), 1, 0, {}}, warnings);
   TwoSeries w(lumpsIn("A", {0, 0, 0}), empty);
-  QSignalSpy failed(w.window.findChild<Registrar*>(), &Registrar::failed);
+  QSignalSpy failed(w.window.findChild<RegistrationJobs*>(), &RegistrationJobs::failed);
   w.press("register");
   QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, longest);
   QCOMPARE(failed.front().front().toString(),
@@ -85,10 +85,10 @@ void TestRegistration::registrationThatFailsIsASentence() {
 }
 
 void TestRegistration::aSeriesThatIsClosedEndsIt() {
-  const ShownSeriesPtr moving = lumpsIn("B", {9, -6, 12});
+  const LoadedSeriesPtr moving = lumpsIn("B", {9, -6, 12});
   TwoSeries w(lumpsIn("A", {0, 0, 0}), moving);
-  auto* registrar = w.window.findChild<Registrar*>();
-  QSignalSpy found(registrar, &Registrar::found);
+  auto* registrar = w.window.findChild<RegistrationJobs*>();
+  QSignalSpy found(registrar, &RegistrationJobs::found);
   w.press("register");
   QVERIFY(registrar->pair());
   w.session().close({keyOf(moving->series)});
@@ -102,7 +102,7 @@ void TestRegistration::aSeriesThatIsClosedEndsIt() {
 
 // What was found is of the two that it was asked for, and holds when they are back.
 void TestRegistration::anotherSeriesMayBeChosenMeanwhile() {
-  const ShownSeriesPtr moving = lumpsIn("B", {9, -6, 12}), third = lumpsIn("C", {0, 0, 0});
+  const LoadedSeriesPtr moving = lumpsIn("B", {9, -6, 12}), third = lumpsIn("C", {0, 0, 0});
   TwoSeries w(lumpsIn("A", {0, 0, 0}), moving);
   w.press("register");
   w.session().show(third, right);
@@ -119,7 +119,7 @@ void TestRegistration::anotherSeriesMayBeChosenMeanwhile() {
 
 void TestRegistration::anOverlayGoesThroughTheLink() {
   const glm::dvec3 moved(9, -6, 12);
-  const ShownSeriesPtr under = lumpsIn("A", {0, 0, 0}), over = lumpsIn("B", moved);
+  const LoadedSeriesPtr under = lumpsIn("A", {0, 0, 0}), over = lumpsIn("B", moved);
   TwoSeries w(under, over);
   QVERIFY(!whyNotOverlaid(w.workspace(), under->series, over->series).isEmpty());
   w.session().change({}, withRegistration(w.workspace(), "A", "B", {glm::dmat3(1), moved}));

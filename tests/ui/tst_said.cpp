@@ -16,7 +16,7 @@
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/controller/measurer.h"
+#include "ui/controller/measure_jobs.h"
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/view_grid.h"
@@ -34,9 +34,9 @@ using namespace volumen::tests;
 namespace {
 
 // A DICOM-like series of blocks of values in a grid along i, j and their normal.
-ShownSeriesPtr blocks(const char* name, glm::dvec3 i, glm::dvec3 j, glm::dvec3 spacing, const char* frame) {
+LoadedSeriesPtr blocks(const char* name, glm::dvec3 i, glm::dvec3 j, glm::dvec3 spacing, const char* frame) {
   constexpr int n = 24;
-  auto series = std::make_shared<ShownSeries>(*ballSeries(n));
+  auto series = std::make_shared<LoadedSeries>(*ballSeries(n));
   VolumeParts parts;
   parts.geometry.size = {n, n + 2, n - 6};
   parts.geometry.patientFromVoxelStep =
@@ -94,7 +94,7 @@ class Hand : public Journey {
             blocks("Oblique", {c, s, 0}, {0, 0, -1}, {1, 1.5, 2.5}, "A"),
             blocks("Elsewhere", {1, 0, 0}, {0, c, s}, {2, 2, 2}, "B")};
     window.resize(1100, 760);
-    for (const ShownSeriesPtr& series : all_) session().show(series);
+    for (const LoadedSeriesPtr& series : all_) session().show(series);
     child<QAction>("layoutPlanes")->trigger();
   }
 
@@ -233,17 +233,17 @@ class Hand : public Journey {
   }
 
   std::mt19937 chance_;
-  std::vector<ShownSeriesPtr> all_;
+  std::vector<LoadedSeriesPtr> all_;
   std::optional<std::pair<View*, QPointF>> pointed_;
 };
 
-SlicePlane planeOf(const Workspace& w, ViewId id, const ShownSeries& shown, glm::ivec2 pixels) {
+SlicePlane planeOf(const Workspace& w, ViewId id, const LoadedSeries& shown, glm::ivec2 pixels) {
   return flatPlane(w.view(id), flatLookOf(w.view(id)), shown.volume->geometry(), crosshairOf(w, id, shown),
                    pixels);
 }
 
 // What the status line is to say of a place of a slice: the value of the nearest voxel and where it is.
-QString valueAt(const ShownSeries& shown, glm::dvec3 p) {
+QString valueAt(const LoadedSeries& shown, glm::dvec3 p) {
   const Volume& volume = *shown.volume;
   const glm::ivec3 v(glm::floor(volume.geometry().voxelFromPatient(p) + 0.5));
   if (glm::any(glm::lessThan(v, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(v, volume.size())))
@@ -252,7 +252,7 @@ QString valueAt(const ShownSeries& shown, glm::dvec3 p) {
 }
 
 // What a corner is to say of a plane: its name, and which slice as acquired it is.
-QStringList planeSaid(const ShownSeries& shown, ViewKind kind, const SlicePlane& plane) {
+QStringList planeSaid(const LoadedSeries& shown, ViewKind kind, const SlicePlane& plane) {
   const VoxelGeometry& geometry = shown.volume->geometry();
   const glm::dvec3 k = glm::normalize(geometry.patientFromVoxelStep[2]);
   const double at = geometry.voxelFromPatient(plane.centre).z;
@@ -272,7 +272,7 @@ QString wrongCorner(Hand& w, int& seen) {
   for (const ViewId id : viewsOnScreen(now)) {
     FlatView* view = w.slices(id);
     if (!view) continue;
-    const ShownSeriesPtr shown = view->series();
+    const LoadedSeriesPtr shown = view->series();
     const glm::ivec2 pixels(view->pixels().width(), view->pixels().height());
     const SlicePlane plane = planeOf(now, id, *shown, pixels);
     if (*view->plane() != plane) return QStringLiteral("another plane");

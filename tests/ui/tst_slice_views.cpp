@@ -333,10 +333,10 @@ void TestSliceViews::everythingIsUndone() {
 
 void TestSliceViews::anotherSeriesComesAndGoes() {
   Planes w;
-  const ShownSeriesPtr first = w.session().series();
+  const LoadedSeriesPtr first = w.session().series();
   tests::drag(w.view(axialViewId), {60, 80}, {60, 20}, Qt::RightButton);
   const FlatLook look = w.look(axialViewId);
-  const ShownSeriesPtr other = tests::ballSeries(16, 4);
+  const LoadedSeriesPtr other = tests::ballSeries(16, 4);
   QVERIFY(w.after(axialViewId, [&] { w.session().show(other); }));
   QVERIFY(w.look(axialViewId) == FlatLook());
   QVERIFY(w.after(axialViewId, [&] { w.session().show(first); }));
@@ -383,7 +383,7 @@ void TestSliceViews::notANumberIsShown() {
   parts.geometry.size = {8, 8, 8};
   parts.values = std::vector<float>(512, std::nanf(""));
   std::vector<std::string> warnings;
-  auto series = std::make_shared<ShownSeries>(*tests::ballSeries());
+  auto series = std::make_shared<LoadedSeries>(*tests::ballSeries());
   series->volume = *Volume::make(std::move(parts), warnings);
   QVERIFY(w.after(axialViewId, [&] { w.session().show(series); }));
   wheel(w.view(axialViewId), -1);

@@ -96,7 +96,7 @@ void TestSnapshots::whatIsWrittenOverItIsChosen() {
   Journey w(head);
   QVERIFY(w.settle());
   // A series with a patient and a warning.
-  auto series = std::make_shared<ShownSeries>(*tests::ballSeries());
+  auto series = std::make_shared<LoadedSeries>(*tests::ballSeries());
   series->warnings = {{"Gantry tilt of 18.5 degrees, corrected in 3D.", WarningKind::sheared}};
   w.after([&] { w.window.session().show(series); });
   setSize(w, 400, 400);

@@ -63,7 +63,7 @@ struct Perfusion : Journey {
   bool shows(int value) {
     return QTest::qWaitFor(
         [&] {
-          const ShownSeriesPtr shown = session().seriesOf(axialViewId);
+          const LoadedSeriesPtr shown = session().seriesOf(axialViewId);
           return shown && shown->volume->value(edge / 2, edge / 2, edge / 2) == value;
         },
         longest);
@@ -159,7 +159,7 @@ void TestTimePoints::memoryWithoutRoomLoadsNothingAhead() {
     parts.geometry.size = {40, 1, 1};
     parts.values = std::vector<std::uint8_t>(40);
     std::vector<std::string> warnings;
-    auto series = std::make_shared<ShownSeries>();
+    auto series = std::make_shared<LoadedSeries>();
     series->volume = *Volume::make(std::move(parts), warnings);
     return series;
   };
@@ -254,7 +254,7 @@ void TestTimePoints::theSliderIsIn3dToo() {
   });
   QVERIFY(!last.isNull() && slider->value() > 0);
   w.shot("time-points-3d");
-  const ShownSeriesPtr shown = w.window.session().series();
+  const LoadedSeriesPtr shown = w.window.session().series();
   QCOMPARE(shown->volume->value(edge / 2, edge / 2, edge / 2), 100.f * float(slider->value() + 1));
 }
 
@@ -284,7 +284,7 @@ int middleOf(FlatView* view) {
 // A window whose second step is no longer in memory, though it was; nothing is loaded any more.
 struct StepAwaited : Perfusion {
   using Perfusion::Perfusion;
-  ShownSeriesPtr second;
+  LoadedSeriesPtr second;
 
   bool wait() {
     const auto next = [&] {

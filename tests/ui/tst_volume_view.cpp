@@ -199,7 +199,7 @@ void TestVolumeView::namesReadLikeNames() {
 }
 
 void TestVolumeView::pickFindsTheSurface() {
-  const ShownSeriesPtr series = tests::ballSeries(32, 10, {2, 0, 0});
+  const LoadedSeriesPtr series = tests::ballSeries(32, 10, {2, 0, 0});
   const SightLine line{{2, -500, 0}, {0, 1, 0}};
   const auto hit = pick(series->firstScene, *series->volume, line, true);
   QVERIFY(hit.has_value());
@@ -212,7 +212,7 @@ void TestVolumeView::pickFindsTheSurface() {
 }
 
 void TestVolumeView::pickSeesTheClip() {
-  const ShownSeriesPtr series = tests::ballSeries();
+  const LoadedSeriesPtr series = tests::ballSeries();
   Scene scene = series->firstScene;
   scene.clip.boxLow.y = 0.5;
   auto hit = pick(scene, *series->volume, {{0, -500, 0}, {0, 1, 0}}, true);

@@ -58,7 +58,7 @@ class TestWorkspace : public QObject {
 
 void TestWorkspace::editsSurviveASwitchAndBack() {
   Session session;
-  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
+  const LoadedSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
   session.show(a);
   brighten(session, 0.25);
   session.show(b);
@@ -72,7 +72,7 @@ void TestWorkspace::editsSurviveASwitchAndBack() {
 
 void TestWorkspace::aSwitchIsAStep() {
   Session session;
-  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
+  const LoadedSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
   session.show(a);
   QVERIFY2(!session.undoStack().canUndo(), "the first series is where it begins");
   brighten(session, 0.25);
@@ -92,7 +92,7 @@ void TestWorkspace::aSwitchIsAStep() {
 
 void TestWorkspace::viewsOfAGroupShowOneSeries() {
   Session session;
-  const ShownSeriesPtr a = tests::ballSeries();
+  const LoadedSeriesPtr a = tests::ballSeries();
   session.show(a);
   for (ViewId id = 0; id < firstComparedId; ++id) QVERIFY(session.seriesOf(id) == a);
   for (ViewId id = firstComparedId; id < viewCount; ++id) QVERIFY(!session.seriesOf(id));
@@ -100,7 +100,7 @@ void TestWorkspace::viewsOfAGroupShowOneSeries() {
 
 void TestWorkspace::comparedViewsShowTheirOwn() {
   Session session;
-  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
+  const LoadedSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
   session.show(a);
   session.change(QStringLiteral("Layout"), withLayout(session.workspace(), Layout::two));
   QVERIFY2(session.seriesOf(firstComparedId) == a, "beside what was shown");
@@ -138,7 +138,7 @@ void TestWorkspace::randomStepsAreUndoneToTheByte() {
   std::mt19937 random(7);
   const auto below = [&](int n) { return int(random() % unsigned(n)); };
   Session session;
-  const std::vector<ShownSeriesPtr> series{tests::ballSeries(), tests::ballSeries(), tests::ballSeries()};
+  const std::vector<LoadedSeriesPtr> series{tests::ballSeries(), tests::ballSeries(), tests::ballSeries()};
   session.show(series[0]);
   std::vector<Workspace> history{session.workspace()};
   std::vector<std::string> files;
@@ -196,7 +196,7 @@ void TestWorkspace::randomStepsAreUndoneToTheByte() {
 }
 
 void TestWorkspace::theOldestSeriesGoFirst() {
-  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries(), c = tests::ballSeries();
+  const LoadedSeriesPtr a = tests::ballSeries(), b = tests::ballSeries(), c = tests::ballSeries();
   const std::size_t one = a->volume->bytes();
   SeriesPool pool(2 * one);
   pool.put({keyOf(a->series), {}}, a);
@@ -209,7 +209,7 @@ void TestWorkspace::theOldestSeriesGoFirst() {
 }
 
 void TestWorkspace::whatIsOnScreenStays() {
-  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries(), c = tests::ballSeries();
+  const LoadedSeriesPtr a = tests::ballSeries(), b = tests::ballSeries(), c = tests::ballSeries();
   SeriesPool pool(1);
   pool.setOnScreen({{keyOf(a->series), {}}});
   pool.put({keyOf(a->series), {}}, a);
@@ -224,7 +224,7 @@ void TestWorkspace::whatIsOnScreenStays() {
 
 void TestWorkspace::aSeriesThatWentIsAskedForAgain() {
   Session session;
-  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
+  const LoadedSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
   session.pool().setBudget(1);
   QSignalSpy needed(&session, &Session::seriesNeeded);
   session.show(a);
@@ -243,7 +243,7 @@ void TestWorkspace::aSeriesThatWentIsAskedForAgain() {
 
 void TestWorkspace::closingIsAStep() {
   Session session;
-  const ShownSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
+  const LoadedSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
   session.show(a);
   session.show(b);
   const Workspace before = session.workspace();
@@ -257,7 +257,7 @@ void TestWorkspace::closingIsAStep() {
   empty.unlisted = {};
   QVERIFY(empty == Workspace());
   // What is shown next is a step, or undo would bring the first ones back in its place.
-  const ShownSeriesPtr c = tests::ballSeries();
+  const LoadedSeriesPtr c = tests::ballSeries();
   session.show(c);
   session.undoStack().undo();
   QVERIFY(session.workspace().series.empty());
@@ -267,8 +267,8 @@ void TestWorkspace::closingIsAStep() {
 
 void TestWorkspace::theTableComesBackWithUndo() {
   Session session;
-  const ShownSeriesPtr a = tests::ballSeries();
-  const auto masked = std::make_shared<const ShownSeries>(*a);
+  const LoadedSeriesPtr a = tests::ballSeries();
+  const auto masked = std::make_shared<const LoadedSeries>(*a);
   session.show(a);
   const SeriesKey key = keyOf(a->series);
   const Mask mask{true, {}};

@@ -16,8 +16,8 @@ namespace volumen::tests {
 inline constexpr ViewId left = firstComparedId, right = firstComparedId + 1;
 
 /// A ball in a frame of reference of its own.
-inline ShownSeriesPtr ballIn(const char* frame, double spacing = 1, const char* modality = "CT") {
-  auto series = std::make_shared<ShownSeries>(*ballSeries(32, 10, {0, 0, 0}, glm::dvec3(spacing)));
+inline LoadedSeriesPtr ballIn(const char* frame, double spacing = 1, const char* modality = "CT") {
+  auto series = std::make_shared<LoadedSeries>(*ballSeries(32, 10, {0, 0, 0}, glm::dvec3(spacing)));
   series->series.acquired = series->volume->geometry();
   series->series.frameOfReferenceUid = frame;
   series->series.modality = modality;
@@ -26,7 +26,7 @@ inline ShownSeriesPtr ballIn(const char* frame, double spacing = 1, const char* 
 }
 
 /// Three balls of different size that no turn maps onto each other, all of them moved.
-inline ShownSeriesPtr lumpsIn(const char* frame, glm::dvec3 moved) {
+inline LoadedSeriesPtr lumpsIn(const char* frame, glm::dvec3 moved) {
   constexpr int n = 40;
   VolumeParts parts;
   parts.geometry.size = glm::ivec3(n);
@@ -45,7 +45,7 @@ inline ShownSeriesPtr lumpsIn(const char* frame, glm::dvec3 moved) {
       }
   parts.values = std::move(values);
   std::vector<std::string> warnings;
-  auto series = std::make_shared<ShownSeries>(*ballIn(frame));
+  auto series = std::make_shared<LoadedSeries>(*ballIn(frame));
   series->volume = *Volume::make(std::move(parts), warnings);
   series->series.acquired = series->volume->geometry();
   return series;
@@ -53,7 +53,7 @@ inline ShownSeriesPtr lumpsIn(const char* frame, glm::dvec3 moved) {
 
 /// Two series side by side.
 struct TwoSeries : Journey {
-  TwoSeries(const ShownSeriesPtr& a, const ShownSeriesPtr& b) {
+  TwoSeries(const LoadedSeriesPtr& a, const LoadedSeriesPtr& b) {
     session().show(a);
     child<QAction>("layoutTwo")->trigger();
     session().show(a, left);

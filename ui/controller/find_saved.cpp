@@ -38,13 +38,13 @@ const Series* namesakeOf(const std::vector<Series>& all, const SavedSeries& save
   return found == all.end() ? nullptr : &*found;
 }
 
-const Reference* findSaved(const Study& study, const SavedReference& saved) {
+const DerivedObject* findSaved(const Study& study, const SavedObject& saved) {
   // Behind "#" stands which of several copies it was.
   const std::string uid = saved.key.id.substr(0, saved.key.id.find('#'));
-  const auto found = std::ranges::find_if(study.references, [&](const Reference& object) {
+  const auto found = std::ranges::find_if(study.derived, [&](const DerivedObject& object) {
     return object.kind == saved.kind && (object.sopInstanceUid == uid || object.id == saved.key.id);
   });
-  return found == study.references.end() ? nullptr : &*found;
+  return found == study.derived.end() ? nullptr : &*found;
 }
 
 }  // namespace volumen

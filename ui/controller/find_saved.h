@@ -17,6 +17,6 @@ const Series* findSaved(const std::vector<Series>& all, const SavedSeries& saved
 const Series* namesakeOf(const std::vector<Series>& all, const SavedSeries& saved);
 
 /// The object of this UID; null: there is none.
-const Reference* findSaved(const Study& study, const SavedReference& saved);
+const DerivedObject* findSaved(const Study& study, const SavedObject& saved);
 
 }  // namespace volumen

@@ -52,7 +52,7 @@ QImage colourImage(glm::ivec2 size, const Bytes& red, const Bytes& green, const 
 
 }  // namespace
 
-Result<QImage> drawFrame(const ShownFrame& frame, const SlicePlane& plane, const GreyMapping& grey,
+Result<QImage> drawFrame(const LoadedFrame& frame, const SlicePlane& plane, const GreyMapping& grey,
                          bool withLayers) {
   std::vector<Bytes> channels;
   for (const VolumePtr& volume : {frame.slice->volume, frame.green, frame.blue}) {

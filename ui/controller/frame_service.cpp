@@ -52,7 +52,7 @@ FrameService::~FrameService() {
   thread_.join();
 }
 
-ShownFramePtr FrameService::find(const FrameKey& key) {
+LoadedFramePtr FrameService::find(const FrameKey& key) {
   const std::lock_guard lock(mutex_);
   return pool_.find(key);
 }
@@ -77,7 +77,7 @@ void FrameService::tellReady() {
   for (auto& [view, wanted] : wanted_) {
     if (wanted.told || !isKnown(wanted.key(0))) continue;
     wanted.told = true;
-    if (const ShownFramePtr frame = pool_.find(wanted.key(0))) {
+    if (const LoadedFramePtr frame = pool_.find(wanted.key(0))) {
       tellReady(view, frame);
       continue;
     }
@@ -88,7 +88,7 @@ void FrameService::tellReady() {
   }
 }
 
-void FrameService::tellReady(ViewId view, const ShownFramePtr& frame) {
+void FrameService::tellReady(ViewId view, const LoadedFramePtr& frame) {
   QMetaObject::invokeMethod(
       this, [this, view, frame] { Q_EMIT ready(view, frame); }, Qt::QueuedConnection);
 }
@@ -117,7 +117,7 @@ void FrameService::run() {
     wake_.wait(lock, [&] { return closing_ || (reading = nextReading()); });
     if (closing_) return;
     lock.unlock();
-    Result<ShownFramePtr> frame = read(*reading);
+    Result<LoadedFramePtr> frame = read(*reading);
     lock.lock();
     if (frame) {
       frameBytes_ = std::max<std::size_t>(1, (*frame)->bytes());
@@ -138,7 +138,7 @@ const Result<Presentation>& FrameService::presentationOf(const std::string& path
                                        : presentations_.emplace(path, loadPresentation(path)).first->second;
 }
 
-Result<ShownFramePtr> FrameService::read(const Reading& reading) {
+Result<LoadedFramePtr> FrameService::read(const Reading& reading) {
   if (reading.key.presentation.empty()) return readAcquired(reading, {});
   const Result<Presentation>& presentation = presentationOf(reading.key.presentation);
   if (!presentation) return readAcquired(reading, presentation.message());
@@ -152,7 +152,7 @@ Result<ShownFramePtr> FrameService::read(const Reading& reading) {
 }
 
 // `warning`: why it is not shown otherwise; empty: it should not be.
-Result<ShownFramePtr> FrameService::readAcquired(const Reading& reading, const std::string& warning) {
+Result<LoadedFramePtr> FrameService::readAcquired(const Reading& reading, const std::string& warning) {
   Result<Frame> frame = loadFrame(*reading.series, reading.key.index);
   if (!frame) return frame.error();
   if (!warning.empty()) frame->warnings.push_back(warning);

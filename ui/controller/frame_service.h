@@ -27,7 +27,7 @@ class FrameService : public QObject {
   ~FrameService() override;
 
   /// A frame that is in memory; else null.
-  ShownFramePtr find(const FrameKey& key);
+  LoadedFramePtr find(const FrameKey& key);
   /// Ends in ready() or failed(), unless the view asks for another one before it is begun. `step`: 1 or -1,
   /// where the next ones lie. `presentation`: the file of a presentation state; frames that it does not name,
   /// or that it cannot be applied to, are shown as acquired.
@@ -41,7 +41,7 @@ class FrameService : public QObject {
 
  Q_SIGNALS:
   /// What a view wants, or wanted when it was begun.
-  void ready(int view, const volumen::ShownFramePtr& frame);
+  void ready(int view, const volumen::LoadedFramePtr& frame);
   void failed(int view, const volumen::FrameKey& key, const QString& sentence);
 
  private:
@@ -61,12 +61,12 @@ class FrameService : public QObject {
 
   void run();
   void tellReady();
-  void tellReady(ViewId view, const ShownFramePtr& frame);
+  void tellReady(ViewId view, const LoadedFramePtr& frame);
   std::optional<Reading> nextReading() const;
   int reach() const;
   bool isKnown(const FrameKey& key) const { return pool_.contains(key) || failures_.contains(key); }
-  Result<ShownFramePtr> read(const Reading& reading);
-  Result<ShownFramePtr> readAcquired(const Reading& reading, const std::string& warning);
+  Result<LoadedFramePtr> read(const Reading& reading);
+  Result<LoadedFramePtr> readAcquired(const Reading& reading, const std::string& warning);
   const Result<Presentation>& presentationOf(const std::string& path);
   Window windowOf(const Series& series);
   const std::vector<NamedGrey>& middleGreys(const Series& series);

@@ -15,7 +15,7 @@
 namespace volumen {
 
 namespace {
-void setWindow(ShownSeries& shown) {
+void setWindow(LoadedSeries& shown) {
   VolumeFacts facts;
   const std::vector<float> p = percentiles(*shown.volume, {1, 999});
   facts.p01 = p[0], facts.p999 = p[1];
@@ -35,11 +35,11 @@ Result<std::shared_ptr<const Study>> shared(Result<Study> study) {
   return std::make_shared<const Study>(std::move(*study));
 }
 
-Result<ShownSeriesPtr> loadShown(const Series& series, const MakeScene& makeScene, const Job& job) {
+Result<LoadedSeriesPtr> loadShown(const Series& series, const MakeScene& makeScene, const Job& job) {
   Result<Loaded> loaded = loadSeries(series, job.progress(), job.cancel());
   if (!loaded) return loaded.error();
   job.tell(Loader::tr("preparing the display"), -1);
-  auto shown = std::make_shared<ShownSeries>();
+  auto shown = std::make_shared<LoadedSeries>();
   shown->series = series;
   shown->volume = loaded->drawn;
   shown->warnings = loaded->warnings;
@@ -49,7 +49,7 @@ Result<ShownSeriesPtr> loadShown(const Series& series, const MakeScene& makeScen
   Result<Scene> scene = makeScene("auto", *loaded->drawn);
   if (!scene) return scene.error();
   shown->firstScene = std::move(*scene);
-  return ShownSeriesPtr(shown);
+  return LoadedSeriesPtr(shown);
 }
 
 }  // namespace
@@ -142,11 +142,11 @@ void Loader::begin(const Series& series, bool isAhead) {
   loadJob_ = load_.run(
       {tr("Opening"), seriesText(series)},
       [series, makeScene = makeScene_](const Job& job) { return loadShown(series, makeScene, job); },
-      [this, key = keyOf(series)](const Result<ShownSeriesPtr>& shown) { take(key, shown); },
+      [this, key = keyOf(series)](const Result<LoadedSeriesPtr>& shown) { take(key, shown); },
       [this] { cancelled(); });
 }
 
-void Loader::take(const SeriesKey& series, const Result<ShownSeriesPtr>& shown) {
+void Loader::take(const SeriesKey& series, const Result<LoadedSeriesPtr>& shown) {
   loading_.reset();
   if (!shown) {
     Q_EMIT notLoaded(series);

@@ -6,7 +6,7 @@
 #include "ui/controller/locate.h"
 #include "ui/controller/open_intent.h"
 #include "ui/controller/open_session.h"
-#include "ui/data/shown_series.h"
+#include "ui/data/loaded_series.h"
 #include "ui/document/job_lane.h"
 
 namespace volumen {
@@ -46,8 +46,8 @@ class Loader : public QObject {
                    const volumen::OpenIntent& intent);
   void sessionOpened(const QString& path, const volumen::OpenedSession& session);
   void located(const volumen::Located& located);
-  void seriesLoaded(const volumen::ShownSeriesPtr& series, const std::optional<volumen::Scene>& scene);
-  void loadedAhead(const volumen::ShownSeriesPtr& series);
+  void seriesLoaded(const volumen::LoadedSeriesPtr& series, const std::optional<volumen::Scene>& scene);
+  void loadedAhead(const volumen::LoadedSeriesPtr& series);
   /// It failed or was cancelled; not for what another series took the place of.
   void notLoaded(const volumen::SeriesKey& series);
   void presetReady(const QString& name, const volumen::Scene& scene, const volumen::VolumePtr& volume);
@@ -60,7 +60,7 @@ class Loader : public QObject {
   template <class Tell>
   auto orFailed(Tell tell);
   void begin(const Series& series, bool isAhead);
-  void take(const SeriesKey& series, const Result<ShownSeriesPtr>& shown);
+  void take(const SeriesKey& series, const Result<LoadedSeriesPtr>& shown);
   void cancelled();
 
   const MakeScene makeScene_;

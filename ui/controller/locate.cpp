@@ -10,14 +10,14 @@
 
 namespace volumen {
 
-MissingObjects missingOf(const Workspace& workspace, const std::vector<ReferencePtr>& open) {
+MissingObjects missingOf(const Workspace& workspace, const std::vector<DerivedObjectPtr>& open) {
   MissingObjects missing;
   for (const auto& [key, state] : workspace.series)
     if (state.missing)
       missing.series.push_back({*state.series, {}, state.missing->folders, state.missing->proof});
-  for (const UsedReference& used : referencesOf(workspace)) {
-    const auto isIt = [&](const ReferencePtr& object) { return keyOf(*object) == used.key; };
-    if (std::ranges::none_of(open, isIt)) missing.references.push_back({used.key, {}, used.kind});
+  for (const UsedObject& used : derivedObjectsOf(workspace)) {
+    const auto isIt = [&](const DerivedObjectPtr& object) { return keyOf(*object) == used.key; };
+    if (std::ranges::none_of(open, isIt)) missing.derived.push_back({used.key, {}, used.kind});
   }
   return missing;
 }
@@ -36,9 +36,9 @@ Result<Located> locate(const MissingObjects& missing, const std::string& folder,
       located.series.emplace_back(keyOf(saved.series), *found);
     else
       tellMissing(seriesText(saved.series));
-  for (const SavedReference& saved : missing.references)
-    if (const Reference* found = findSaved(*located.study, saved))
-      located.references.emplace_back(saved.key, keyOf(*found));
+  for (const SavedObject& saved : missing.derived)
+    if (const DerivedObject* found = findSaved(*located.study, saved))
+      located.derived.emplace_back(saved.key, keyOf(*found));
     else
       tellMissing(QFileInfo(pathText(saved.key.path)).fileName());
   located.problems.removeDuplicates();
@@ -47,8 +47,7 @@ Result<Located> locate(const MissingObjects& missing, const std::string& folder,
 
 Workspace withLocated(Workspace workspace, const Located& located) {
   for (const auto& [from, to] : located.series) workspace = withSeriesMoved(std::move(workspace), from, to);
-  for (const auto& [from, to] : located.references)
-    workspace = withReferenceMoved(std::move(workspace), from, to);
+  for (const auto& [from, to] : located.derived) workspace = withObjectMoved(std::move(workspace), from, to);
   return workspace;
 }
 

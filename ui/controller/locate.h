@@ -17,20 +17,20 @@ struct Study;
 /// What a workspace shows and that was not found.
 struct MissingObjects {
   std::vector<SavedSeries> series;
-  std::vector<SavedReference> references;
+  std::vector<SavedObject> derived;
 
-  bool empty() const { return series.empty() && references.empty(); }
+  bool empty() const { return series.empty() && derived.empty(); }
 };
 
 /// `open`: the objects that refer to pictures and are open.
-MissingObjects missingOf(const Workspace& workspace, const std::vector<ReferencePtr>& open);
+MissingObjects missingOf(const Workspace& workspace, const std::vector<DerivedObjectPtr>& open);
 
 /// What was found of it in a folder.
 struct Located {
   std::string folder;
   std::shared_ptr<const Study> study;  ///< all that it holds
   std::vector<std::pair<SeriesKey, Series>> series;
-  std::vector<std::pair<ReferenceKey, ReferenceKey>> references;
+  std::vector<std::pair<DerivedKey, DerivedKey>> derived;
   QStringList problems;  ///< a sentence for each that was not found there
 };
 

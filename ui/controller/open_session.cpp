@@ -48,16 +48,16 @@ class Search {
     return nullptr;
   }
 
-  std::optional<ReferenceKey> findObject(const SavedReference& saved) {
+  std::optional<DerivedKey> findObject(const SavedObject& saved) {
     const std::vector<std::string> paths = placesOf(saved.relativePath, saved.key.path);
     // It may lie in a folder that is open already.
     for (const std::string& path : paths)
       for (const auto& [opened, place] : places_)
-        if (const Reference* found = place.study ? findSaved(*place.study, saved) : nullptr)
+        if (const DerivedObject* found = place.study ? findSaved(*place.study, saved) : nullptr)
           if (lastingPath(found->path) == path) return keyOf(*found);
     for (const std::string& path : paths)
       if (const Place& place = placeAt(path); place.study)
-        if (const Reference* found = findSaved(*place.study, saved)) return keyOf(*found);
+        if (const DerivedObject* found = findSaved(*place.study, saved)) return keyOf(*found);
     tell(problemOf(saved));
     return {};
   }
@@ -65,7 +65,7 @@ class Search {
   std::vector<std::pair<std::string, std::shared_ptr<const Study>>> studies() const {
     std::vector<std::pair<std::string, std::shared_ptr<const Study>>> opened;
     for (const auto& [path, place] : places_)
-      if (!place.series.empty() || (place.study && !place.study->references.empty()))
+      if (!place.series.empty() || (place.study && !place.study->derived.empty()))
         opened.emplace_back(path, place.study);
     return opened;
   }
@@ -124,12 +124,12 @@ class Search {
         .arg(name, how);
   }
 
-  static QString problemOf(const SavedReference& saved) {
+  static QString problemOf(const SavedObject& saved) {
     const QString path = pathText(saved.key.path);
     switch (saved.kind) {
-      case ReferenceKind::contours:
+      case DerivedKind::contours:
         return tr("The contours of %1 were not found: they are not shown until it is opened.").arg(path);
-      case ReferenceKind::segmentation:
+      case DerivedKind::segmentation:
         return tr("The segmentation %1 was not found: it is not shown until it is opened.").arg(path);
       default:
         return tr("The presentation state %1 was not found: its pictures are shown without it.").arg(path);
@@ -158,7 +158,7 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
   if (const auto right = sessionFromJson(*text, list); !right) return Error{path + ": " + right.message()};
   Search search(folderOf(path), all, progress, cancel);
   auto session = sessionFromJson(*text, std::ref(search),
-                                 [&](const SavedReference& saved) { return search.findObject(saved); });
+                                 [&](const SavedObject& saved) { return search.findObject(saved); });
   if (cancel.cancelled()) return Error{path + ": interrupted."};
   if (!session) return Error{path + ": " + session.message()};
   Workspace workspace =

@@ -27,10 +27,10 @@ Opener::Opener(Session& session, Loader& loader, OpenStudies& open)
 
 void Opener::list(const QString& path, const std::shared_ptr<const Study>& study) {
   std::vector<SeriesKey> series;
-  std::vector<ReferenceKey> references;
+  std::vector<DerivedKey> derived;
   for (const Series& s : allSeriesOf(*study)) series.push_back(keyOf(s));
-  for (const Reference& object : study->references) references.push_back(keyOf(object));
-  session_.list(series, references);
+  for (const DerivedObject& object : study->derived) derived.push_back(keyOf(object));
+  session_.list(series, derived);
   open_.add(path, study);
 }
 
@@ -63,7 +63,7 @@ void Opener::showFirst(const Study& study, const std::optional<Scene>& scene) {
 }
 
 void Opener::chooseLayout(Layout layout) {
-  if (const ShownSeriesPtr shown = session_.seriesOf(session_.workspace().focus))
+  if (const LoadedSeriesPtr shown = session_.seriesOf(session_.workspace().focus))
     layoutsChosen_[layoutKey(shown->series)] = layout;
   session_.change(tr("Layout"), withLayout(session_.workspace(), layout));
 }

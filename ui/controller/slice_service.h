@@ -7,7 +7,7 @@
 
 #include "ui/controller/segment_layer.h"
 #include "ui/controller/slice_image.h"
-#include "ui/data/shown_frame.h"
+#include "ui/data/loaded_frame.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/view_id.h"
 
@@ -18,7 +18,7 @@ struct SliceRequest {
   ViewId view = 0;
   std::vector<SliceLayer> layers;  ///< the first at the bottom
   SlicePlane plane;
-  ShownFramePtr frame;     ///< drawn in place of the layers; null: none
+  LoadedFramePtr frame;    ///< drawn in place of the layers; null: none
   bool withLayers = true;  ///< of a frame: overlays and shutters
   std::vector<SegmentLayer> segments{};
   bool operator==(const SliceRequest&) const = default;

@@ -51,7 +51,7 @@ Snapshot::Snapshot(DrawService& drawService, Jobs& jobs, QObject* parent)
 
 Snapshot::~Snapshot() { writing_.wait(); }
 
-void Snapshot::take(const ShownSeriesPtr& series, const Scene& scene, const SnapshotRequest& request) {
+void Snapshot::take(const LoadedSeriesPtr& series, const Scene& scene, const SnapshotRequest& request) {
   const Job job(tr("Rendering snapshot"));
   shots_.push_back({series, scene, request, job, 0, 0, {}});
   jobs_.add(job, [this, id = job.id()] { cancel(id); });

@@ -4,7 +4,7 @@
 #include <QTimer>
 
 #include "ui/controller/draw_service.h"
-#include "ui/data/shown_series.h"
+#include "ui/data/loaded_series.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/snapshot_request.h"
 #include "viewer/plan/picture_text.h"
@@ -24,7 +24,7 @@ class Snapshot : public QObject {
     measured_ = std::move(measured);
   }
   /// Of this series, whatever is on show when it is drawn. The scene has a camera.
-  void take(const ShownSeriesPtr& series, const Scene& scene, const SnapshotRequest& request);
+  void take(const LoadedSeriesPtr& series, const Scene& scene, const SnapshotRequest& request);
 
  Q_SIGNALS:
   /// Of several pictures: the last one's path.
@@ -34,7 +34,7 @@ class Snapshot : public QObject {
 
  private:
   struct Shot {
-    ShownSeriesPtr series;
+    LoadedSeriesPtr series;
     Scene scene;
     SnapshotRequest request;
     Job job;

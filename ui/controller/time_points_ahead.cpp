@@ -33,7 +33,7 @@ TimePointsAhead::TimePointsAhead(Session& session, Loader& loader, QObject* pare
 void TimePointsAhead::look() {
   const Workspace& workspace = session_.workspace();
   const ViewState& view = workspace.view(workspace.focus);
-  const ShownSeriesPtr shown = session_.seriesOf(workspace.focus);
+  const LoadedSeriesPtr shown = session_.seriesOf(workspace.focus);
   if (loader_.isBusy() || !shown || showsFrames(view.kind)) return;
   if (seen_.lock() != shown) {
     seen_ = shown;

@@ -22,8 +22,8 @@ class TimePointsAhead : public QObject {
 
   Session& session_;
   Loader& loader_;
-  std::weak_ptr<const ShownSeries> seen_;  // the one that `wanted_` lie next to
-  std::vector<SeriesKey> wanted_;          // those not looked for yet
+  std::weak_ptr<const LoadedSeries> seen_;  // the one that `wanted_` lie next to
+  std::vector<SeriesKey> wanted_;           // those not looked for yet
 };
 
 }  // namespace volumen

@@ -4,14 +4,14 @@
 
 namespace volumen {
 
-ShownFramePtr FramePool::find(const FrameKey& key) {
+LoadedFramePtr FramePool::find(const FrameKey& key) {
   const auto found = held_.find(key);
   if (found == held_.end()) return nullptr;
   found->second.lastUse = ++uses_;
   return found->second.frame;
 }
 
-void FramePool::put(ShownFramePtr frame) {
+void FramePool::put(LoadedFramePtr frame) {
   const auto lastUse = [](const auto& held) { return held.second.lastUse; };
   if (const auto same = held_.find(frame->key); same != held_.end()) {
     bytes_ -= same->second.frame->bytes();

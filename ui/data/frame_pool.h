@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "ui/data/shown_frame.h"
+#include "ui/data/loaded_frame.h"
 
 namespace volumen {
 
@@ -12,17 +12,17 @@ class FramePool {
   explicit FramePool(std::size_t budget) : budget_(budget) {}
 
   /// Null where it is not in memory. Counts as use.
-  ShownFramePtr find(const FrameKey& key);
+  LoadedFramePtr find(const FrameKey& key);
   bool contains(const FrameKey& key) const { return held_.contains(key); }
   /// Keeps a frame, whatever its size.
-  void put(ShownFramePtr frame);
+  void put(LoadedFramePtr frame);
 
   std::size_t bytes() const { return bytes_; }
   std::size_t budget() const { return budget_; }
 
  private:
   struct Held {
-    ShownFramePtr frame;
+    LoadedFramePtr frame;
     std::size_t lastUse;
   };
 

@@ -14,14 +14,14 @@ std::size_t SeriesPool::partOfMemory(int percent) {
                                 : std::size_t(1) << 30;
 }
 
-ShownSeriesPtr SeriesPool::find(const PoolKey& key) {
+LoadedSeriesPtr SeriesPool::find(const PoolKey& key) {
   const auto found = std::ranges::find(held_, key, &Held::key);
   if (found == held_.end()) return nullptr;
   held_.splice(held_.begin(), held_, found);
   return held_.front().series;
 }
 
-void SeriesPool::put(const PoolKey& key, ShownSeriesPtr series) {
+void SeriesPool::put(const PoolKey& key, LoadedSeriesPtr series) {
   std::erase_if(held_, [&](const Held& h) { return h.key == key; });
   held_.push_front({key, std::move(series)});
   dropBeyondBudget();

@@ -4,8 +4,8 @@
 #include <list>
 #include <vector>
 
+#include "ui/data/loaded_series.h"
 #include "ui/data/series_key.h"
-#include "ui/data/shown_series.h"
 #include "viewer/segment/mask.h"
 
 namespace volumen {
@@ -24,8 +24,8 @@ class SeriesPool {
   explicit SeriesPool(std::size_t budget = partOfMemory(25));
 
   /// Null where it is not in memory. Counts as use.
-  ShownSeriesPtr find(const PoolKey& key);
-  void put(const PoolKey& key, ShownSeriesPtr series);
+  LoadedSeriesPtr find(const PoolKey& key);
+  void put(const PoolKey& key, LoadedSeriesPtr series);
   /// What is on screen from now on; drops what is beyond the budget.
   void setOnScreen(std::vector<PoolKey> keys);
   void setBudget(std::size_t bytes);
@@ -42,7 +42,7 @@ class SeriesPool {
  private:
   struct Held {
     PoolKey key;
-    ShownSeriesPtr series;
+    LoadedSeriesPtr series;
   };
   void dropBeyondBudget();
 

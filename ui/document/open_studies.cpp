@@ -53,12 +53,12 @@ void OpenStudies::setUnlisted(const Unlisted& unlisted) {
   const Unlisted before = std::exchange(unlisted_, unlisted);
   const auto comesBack = [](const auto& were, const auto& are) { return !std::ranges::includes(are, were); };
   Q_EMIT unlistedChanged(comesBack(before.series, unlisted.series) ||
-                         comesBack(before.references, unlisted.references));
+                         comesBack(before.derived, unlisted.derived));
   Q_EMIT changed();
 }
 
 void OpenStudies::forgetEmpty() {
-  std::erase_if(all_, [](const OpenStudy& o) { return !o.seriesAt(0) && o.study->references.empty(); });
+  std::erase_if(all_, [](const OpenStudy& o) { return !o.seriesAt(0) && o.study->derived.empty(); });
 }
 
 const OpenStudy* OpenStudies::find(const QString& path) const {
@@ -74,8 +74,8 @@ std::shared_ptr<const Study> OpenStudies::studyOf(const QString& path) const {
 bool OpenStudies::isListed(const OpenStudy& opened) const {
   for (std::size_t n = 0; const Series* series = opened.seriesAt(n); ++n)
     if (isListed(*series)) return true;
-  const std::vector<Reference>& objects = opened.study->references;
-  return std::ranges::any_of(objects, [this](const Reference& object) { return isListed(object); }) ||
+  const std::vector<DerivedObject>& objects = opened.study->derived;
+  return std::ranges::any_of(objects, [this](const DerivedObject& object) { return isListed(object); }) ||
          (!opened.seriesAt(0) && objects.empty());
 }
 
@@ -95,10 +95,10 @@ std::vector<const Series*> OpenStudies::pictures() const {
   return found;
 }
 
-std::vector<ReferencePtr> OpenStudies::references() const {
-  std::vector<ReferencePtr> found;
+std::vector<DerivedObjectPtr> OpenStudies::derived() const {
+  std::vector<DerivedObjectPtr> found;
   for (const OpenStudy& opened : all_)
-    for (const Reference& object : opened.study->references)
+    for (const DerivedObject& object : opened.study->derived)
       if (isListed(object)) found.emplace_back(opened.study, &object);
   return found;
 }
@@ -108,9 +108,9 @@ QStringList OpenStudies::filesWithoutPixels() const {
   for (const OpenStudy& opened : all_) {
     if (!isListed(opened)) continue;
     for (const Other& other : opened.study->other) {
-      const bool isReference = std::ranges::find(opened.study->references, other.path, &Reference::path) !=
-                               opened.study->references.end();
-      if (!isReference && other.kind.find("without pixel data") != std::string::npos)
+      const bool isDerivedObject = std::ranges::find(opened.study->derived, other.path,
+                                                     &DerivedObject::path) != opened.study->derived.end();
+      if (!isDerivedObject && other.kind.find("without pixel data") != std::string::npos)
         files << QStringLiteral("%1: %2.").arg(pathText(other.path), shownText(other.kind));
     }
   }
@@ -122,7 +122,7 @@ Unlisted OpenStudies::everything() const {
   for (const OpenStudy& opened : all_) {
     for (std::size_t n = 0; const Series* series = opened.seriesAt(n); ++n)
       found.series.insert(keyOf(*series));
-    for (const Reference& object : opened.study->references) found.references.insert(keyOf(object));
+    for (const DerivedObject& object : opened.study->derived) found.derived.insert(keyOf(object));
   }
   return found;
 }

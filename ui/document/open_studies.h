@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/study/study.h"
-#include "ui/data/reference_key.h"
+#include "ui/data/derived_key.h"
 #include "ui/data/series_key.h"
 #include "ui/workspace/workspace.h"
 
@@ -47,7 +47,7 @@ class OpenStudies : public QObject {
   std::shared_ptr<const Study> studyOf(const QString& path) const;
 
   bool isListed(const Series& series) const { return !unlisted_.series.contains(keyOf(series)); }
-  bool isListed(const Reference& object) const { return !unlisted_.references.contains(keyOf(object)); }
+  bool isListed(const DerivedObject& object) const { return !unlisted_.derived.contains(keyOf(object)); }
   /// Whether any of it is, or there is nothing in it to be listed.
   bool isListed(const OpenStudy& opened) const;
 
@@ -56,7 +56,7 @@ class OpenStudies : public QObject {
   /// The same and the frames of what is no volume.
   std::vector<const Series*> pictures() const;
   /// All objects that refer to pictures.
-  std::vector<ReferencePtr> references() const;
+  std::vector<DerivedObjectPtr> derived() const;
   /// The files that have no pictures and are no such objects, each with what it is: "F: DICOM file without
   /// pixel data (CR)".
   QStringList filesWithoutPixels() const;

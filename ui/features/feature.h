@@ -57,7 +57,7 @@ std::unique_ptr<Feature> makePages(Workbench& bench);
 std::unique_ptr<Feature> makePanels(Workbench& bench);
 std::unique_ptr<Feature> makePreferences(Workbench& bench);
 std::unique_ptr<Feature> makePresets(Workbench& bench);
-std::unique_ptr<Feature> makeReferences(Workbench& bench);
+std::unique_ptr<Feature> makeDerivedObjects(Workbench& bench);
 std::unique_ptr<Feature> makeRegistration(Workbench& bench);
 std::unique_ptr<Feature> makeScenes(Workbench& bench);
 std::unique_ptr<Feature> makeSegmenting(Workbench& bench);

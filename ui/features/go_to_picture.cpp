@@ -20,7 +20,7 @@ std::optional<ViewId> slicesViewOf(const Workspace& workspace, const SeriesKey& 
 
 }  // namespace
 
-Workspace withPresentation(Workspace workspace, ViewId view, const ReferenceKey& presentation) {
+Workspace withPresentation(Workspace workspace, ViewId view, const DerivedKey& presentation) {
   ViewState& state = workspace.editView(view);
   FlatLook& look = state.flats.editOrAdd(state.series);
   if (look.presentation == presentation) return workspace;
@@ -41,7 +41,7 @@ void showPicture(Workbench& bench, const Series& shown, int index) {
   const auto view = slicesViewOf(session.workspace(), keyOf(series));
   if (const std::optional<int> slice = drawnSlice(series, index); view && slice) {
     session.setFocus(*view);
-    const ShownSeriesPtr held = session.seriesOf(*view);
+    const LoadedSeriesPtr held = session.seriesOf(*view);
     if (held) {
       const VoxelGeometry& geometry = drawnGeometry(series);
       glm::dvec3 pVoxel = geometry.voxelFromPatient(crosshairOf(session.workspace(), *view, *held).at);
@@ -54,7 +54,7 @@ void showPicture(Workbench& bench, const Series& shown, int index) {
 }
 
 void showAsFrame(Workbench& bench, const QString& text, const Series& series, int index,
-                 const ReferenceKey& presentation) {
+                 const DerivedKey& presentation) {
   Session& session = bench.document.session;
   bench.document.loader.cancelLoad();
   const ViewId view = framesViewOf(session.workspace().focus);

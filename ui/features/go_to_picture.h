@@ -11,9 +11,9 @@ void showPicture(Workbench& bench, const Series& series, int index);
 /// Shows it as a frame in the view in focus, by a presentation state, or, where that is empty, as it was
 /// shown there. One step of this name.
 void showAsFrame(Workbench& bench, const QString& text, const Series& series, int index,
-                 const ReferenceKey& presentation);
+                 const DerivedKey& presentation);
 
 /// Shown by a presentation state, or, where that is empty, as acquired; windows of before do not hold.
-Workspace withPresentation(Workspace workspace, ViewId view, const ReferenceKey& presentation);
+Workspace withPresentation(Workspace workspace, ViewId view, const DerivedKey& presentation);
 
 }  // namespace volumen

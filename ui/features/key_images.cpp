@@ -30,7 +30,7 @@ KeyImages::KeyImages(Workbench& bench) : Feature(bench) {
       add("previousKeyImage", tr("Previous key image"), tr("Previous"), ",", [this] { goToKeyImage(-1); }),
       add("nextKeyImage", tr("Next key image"), tr("Next"), ".", [this] { goToKeyImage(1); })};
   panel_ = new KeyImagesPanel(
-      session_, bench_.document.references, [this] { return open_.pictures(); }, actions);
+      session_, bench_.document.derived, [this] { return open_.pictures(); }, actions);
   bench_.addDock({"keyImages", tr("Key images"), panel_, {Qt::RightDockWidgetArea, 60, false}});
   connect(&bench_, &Workbench::sliceMenuOpens, this,
           [this](QMenu* menu) { menu->addAction(bench_.action("keyImage")); });

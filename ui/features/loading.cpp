@@ -20,7 +20,7 @@ Loading::Loading(Workbench& bench) : Feature(bench) {
   Loader& loader = bench_.document.loader;
   connect(&loader, &Loader::studyOpened, this, &Loading::showStudy);
   connect(&loader, &Loader::seriesLoaded, this,
-          [this](const ShownSeriesPtr& series, const std::optional<Scene>& scene) {
+          [this](const LoadedSeriesPtr& series, const std::optional<Scene>& scene) {
             session_.take(series, bench_.document.opener.arrangedFor(series->series));
             if (scene) session_.edit(tr("Open scene"), *scene);
           });
@@ -37,7 +37,7 @@ void Loading::showStudy(const QString& path, const std::shared_ptr<const Study>&
   for (const Other& other : study->other)
     details << pathText(other.path) + QStringLiteral(": ") + shownText(other.kind);
   const bool hasPictures = !study->volumes.empty() || !study->images.empty();
-  if (!hasPictures && !study->references.empty()) return;  // they stand in the list
+  if (!hasPictures && !study->derived.empty()) return;  // they stand in the list
   if (!hasPictures)
     return bench_.banner.add(tr("No images found in %1.").arg(pathText(path.toStdString())), details);
   if (!study->refused.empty()) bench_.banner.add(unreadText(*study), details);

@@ -2,7 +2,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "ui/controller/registrar.h"
+#include "ui/controller/registration_jobs.h"
 #include "ui/controller/time_points_ahead.h"
 #include "ui/features/feature.h"
 #include "ui/panels/link_menu.h"
@@ -26,7 +26,7 @@ class Registration : public Feature {
  private:
   void registerViews();
 
-  Registrar registrar_;
+  RegistrationJobs registrar_;
 };
 
 Registration::Registration(Workbench& bench) : Feature(bench), registrar_(bench.document.jobs, this) {
@@ -35,8 +35,8 @@ Registration::Registration(Workbench& bench) : Feature(bench), registrar_(bench.
       session_, [this] { registerViews(); }, &bench_.window);
   bench_.menus.addMenu(menu, {{"viewMenu", 60, 70}});
   bench_.addMenuButton("linkButton", 30)->setDefaultAction(menu->menuAction());
-  connect(&registrar_, &Registrar::failed, this, [this](const QString& sentence) { warn(sentence); });
-  connect(&registrar_, &Registrar::found, this,
+  connect(&registrar_, &RegistrationJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&registrar_, &RegistrationJobs::found, this,
           [this](const std::string& from, const std::string& to, const Rigid& toFromFrom) {
             session_.endGesture();
             session_.change(tr("Register"), withRegistration(session_.workspace(), from, to, toFromFrom));
@@ -51,8 +51,8 @@ Registration::Registration(Workbench& bench) : Feature(bench), registrar_(bench.
 void Registration::registerViews() {
   const std::vector<ViewId> others = viewsOfOtherFrames(session_.workspace());
   if (others.empty()) return;
-  const ShownSeriesPtr fixed = session_.seriesOf(session_.workspace().focus);
-  const ShownSeriesPtr moving = session_.seriesOf(others.front());
+  const LoadedSeriesPtr fixed = session_.seriesOf(session_.workspace().focus);
+  const LoadedSeriesPtr moving = session_.seriesOf(others.front());
   if (!fixed || !moving) return warn(tr("A series is still being loaded: try again."));
   registrar_.start({frameOfReference(fixed->series), fixed->volume},
                    {frameOfReference(moving->series), moving->volume});

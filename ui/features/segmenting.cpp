@@ -1,5 +1,5 @@
-#include "ui/controller/masker.h"
-#include "ui/controller/segmenter.h"
+#include "ui/controller/mask_jobs.h"
+#include "ui/controller/segment_jobs.h"
 #include "ui/features/feature.h"
 #include "ui/panels/segment_panel.h"
 #include "ui/views/view_grid.h"
@@ -17,8 +17,8 @@ class Segmenting : public Feature {
   void connectSegmenter();
   void take(const SegmentMap& made);
 
-  Segmenter segmenter_;
-  Masker masker_;
+  SegmentJobs segmenter_;
+  MaskJobs masker_;
   SegmentPanel* panel_;
 };
 
@@ -33,26 +33,26 @@ Segmenting::Segmenting(Workbench& bench)
     bench_.addAction(action, {{"editMenu", 20}});
   }
   panel_->setTableAction(masker_.tableAction());
-  connect(&masker_, &Masker::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   bench_.forEachVolumeView(
-      [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &Masker::cut); });
+      [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
   connectSegmenter();
 }
 
 void Segmenting::connectSegmenter() {
-  connect(panel_, &SegmentPanel::segmentRequested, &segmenter_, &Segmenter::segment);
-  connect(panel_, &SegmentPanel::saveRequested, &segmenter_, &Segmenter::save);
+  connect(panel_, &SegmentPanel::segmentRequested, &segmenter_, &SegmentJobs::segment);
+  connect(panel_, &SegmentPanel::saveRequested, &segmenter_, &SegmentJobs::save);
   connect(panel_, &SegmentPanel::previewChanged, &grid_, &ViewGrid::showSegment);
-  connect(panel_, &SegmentPanel::measureRequested, &segmenter_, &Segmenter::measure);
-  connect(&segmenter_, &Segmenter::segmented, this, &Segmenting::take);
-  connect(&segmenter_, &Segmenter::measured, panel_, &SegmentPanel::showMeasured);
-  connect(&segmenter_, &Segmenter::saved, this, [this](const QString& path, const SegmentMap& map) {
+  connect(panel_, &SegmentPanel::measureRequested, &segmenter_, &SegmentJobs::measure);
+  connect(&segmenter_, &SegmentJobs::segmented, this, &Segmenting::take);
+  connect(&segmenter_, &SegmentJobs::measured, panel_, &SegmentPanel::showMeasured);
+  connect(&segmenter_, &SegmentJobs::saved, this, [this](const QString& path, const SegmentMap& map) {
     tell(tr("Saved %1").arg(path));
     HandWork work;
     work.segmentMaps = {map};
     bench_.document.files.savedApart(work);
   });
-  connect(&segmenter_, &Segmenter::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&segmenter_, &SegmentJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
 }
 
 // One step; nothing where the series was closed meanwhile.

@@ -192,7 +192,7 @@ void Sessions::showSession(const QString& path, const OpenedSession& opened) {
 
 // Where the workspace misses something.
 void Sessions::offerToLocate() {
-  if (!missingOf(session_.workspace(), open_.references()).empty() && !bench_.banner.isHidden())
+  if (!missingOf(session_.workspace(), open_.derived()).empty() && !bench_.banner.isHidden())
     bench_.banner.offer(tr("Locate..."));
 }
 
@@ -202,7 +202,7 @@ void Sessions::askWhereMissing() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
-    bench_.document.loader.locate(missingOf(session_.workspace(), open_.references()),
+    bench_.document.loader.locate(missingOf(session_.workspace(), open_.derived()),
                                   QDir::cleanPath(QFileInfo(folder).absoluteFilePath()));
   });
   dialog->open();
@@ -210,7 +210,7 @@ void Sessions::askWhereMissing() {
 
 void Sessions::showLocated(const Located& located) {
   bench_.banner.hide();
-  if (!located.series.empty() || !located.references.empty()) {
+  if (!located.series.empty() || !located.derived.empty()) {
     bench_.document.opener.list(QString::fromStdString(located.folder), located.study);
     session_.endGesture();
     session_.change(tr("Locate"), withLocated(session_.workspace(), located));

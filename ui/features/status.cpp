@@ -24,7 +24,7 @@ StatusTexts::StatusTexts(Workbench& bench) : Feature(bench) {
 void StatusTexts::showWarnings() {
   const Workspace& workspace = session_.workspace();
   const Series* series = seriesIn(workspace, workspace.focus);
-  const ShownSeriesPtr read =
+  const LoadedSeriesPtr read =
       showsFrames(workspace, workspace.focus) ? nullptr : session_.seriesOf(workspace.focus);
   bench_.status.showWarnings(read     ? warningSentences(read->warnings)
                              : series ? warningSentences(series->warnings)

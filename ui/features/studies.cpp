@@ -30,7 +30,7 @@ Studies::Studies(Workbench& bench) : Feature(bench), panel_(new StudiesPanel(ope
                            session_, [this] { return panel_->listedSeries(); }, &bench_.window),
                        {{"viewMenu", 60, 130}});
   connect(panel_, &StudiesPanel::seriesChosen, &bench_.document.opener, &Opener::show);
-  connect(panel_, &StudiesPanel::referenceChosen, &bench_, &Workbench::referenceChosen);
+  connect(panel_, &StudiesPanel::objectChosen, &bench_, &Workbench::objectChosen);
   connect(panel_, &StudiesPanel::removeRequested, &session_, &Session::close);
   connect(panel_, &StudiesPanel::closeAllRequested, this, &Studies::closeAll);
   connect(&grid_, &ViewGrid::dropped, this, &Studies::showDropped);
@@ -54,7 +54,7 @@ void Studies::connectSession() {
 void Studies::markShown() {
   const Series* series = seriesIn(session_.workspace(), session_.workspace().focus);
   if (!series) return;
-  const ShownSeriesPtr inMemory = session_.seriesOf(session_.workspace().focus);
+  const LoadedSeriesPtr inMemory = session_.seriesOf(session_.workspace().focus);
   panel_->markShown(*series, inMemory ? inMemory->volume : nullptr);
 }
 

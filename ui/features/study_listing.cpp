@@ -245,8 +245,8 @@ void StudyListing::showChosen(const Study& study, const OpenIntent& intent) {
   if (!chosen)
     if (const auto found = std::ranges::find_if(frames, isChosen); found != frames.end()) chosen = &*found;
   if (chosen) return showOpened(Series(*chosen), intent.how);
-  for (const ReferencePtr& object : open_.references())
-    if (!uid.empty() && object->seriesUid == uid) return bench_.referenceChosen(object);
+  for (const DerivedObjectPtr& object : open_.derived())
+    if (!uid.empty() && object->seriesUid == uid) return bench_.objectChosen(object);
   bench_.banner.add(tr("There is nothing to show in this study."));
 }
 

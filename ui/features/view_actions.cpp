@@ -109,7 +109,7 @@ void ViewActions::makePlaneTurns() {
   for (const auto& [name, text, turned] : turns) {
     const auto turn = [this, text = text, turned = turned](bool) {
       const ViewId focus = session_.workspace().focus;
-      const ShownSeriesPtr shown = session_.seriesOf(focus);
+      const LoadedSeriesPtr shown = session_.seriesOf(focus);
       if (!shown) return warn(tr("Open a series first."));
       const glm::dvec3 at = crosshairOf(session_.workspace(), focus, *shown).at;
       setCrosshair(session_, focus, *shown, text, turned(at, shown->volume->geometry()));

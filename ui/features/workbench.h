@@ -6,14 +6,14 @@
 #include <map>
 
 #include "ui/controller/accuracy_meter.h"
+#include "ui/controller/derived_objects.h"
 #include "ui/controller/draw_service.h"
 #include "ui/controller/frame_service.h"
 #include "ui/controller/index_service.h"
 #include "ui/controller/loader.h"
-#include "ui/controller/measurer.h"
+#include "ui/controller/measure_jobs.h"
 #include "ui/controller/opener.h"
 #include "ui/controller/recent_files.h"
-#include "ui/controller/references.h"
 #include "ui/controller/session_files.h"
 #include "ui/controller/slice_service.h"
 #include "ui/document/jobs.h"
@@ -58,8 +58,8 @@ struct Document {
   DrawService drawService;
   SliceService slices;
   FrameService frames;
-  References references{jobs};
-  Measurer measurer{session, frames};
+  DerivedObjects derived{jobs};
+  MeasureJobs measurer{session, frames};
   Loader loader;
   Opener opener{session, loader, open};
   AccuracyMeter meter{drawService};
@@ -164,7 +164,7 @@ class Workbench : public QObject, public WindowParts {
   /// That picture is the one at rest of the session's scene; `complete`: with the camera in use.
   void drawnAtRest(const volumen::ScreenPicture& picture, const volumen::Scene& complete);
   /// An object of the list was chosen.
-  void referenceChosen(const volumen::ReferencePtr& object);
+  void objectChosen(const volumen::DerivedObjectPtr& object);
   /// A menu over slices or frames is about to open: features add what they have for it.
   void sliceMenuOpens(QMenu* menu, volumen::FlatView* view);
 };

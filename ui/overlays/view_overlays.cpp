@@ -18,7 +18,7 @@ QString sideText(const Camera& camera) {
 
 }  // namespace
 
-Overlays viewOverlays(const ShownSeries& series, const Camera& camera, glm::dvec2 size) {
+Overlays viewOverlays(const LoadedSeries& series, const Camera& camera, glm::dvec2 size) {
   Overlays o;
   o.topLeft = seriesCorner(series.series).left();
   if (!series.volume->geometry().calibrated) return o;

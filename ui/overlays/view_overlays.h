@@ -1,13 +1,13 @@
 #pragma once
 
-#include "ui/data/shown_series.h"
+#include "ui/data/loaded_series.h"
 #include "ui/overlays/overlays.h"
 
 namespace volumen {
 
 /// What holds of a series seen by a camera in any picture of it: patient and series, and, where they are
 /// known, the view's name, the patient's sides at the edges and the scale. `size` in pixels.
-Overlays viewOverlays(const ShownSeries& series, const Camera& camera, glm::dvec2 size);
+Overlays viewOverlays(const LoadedSeries& series, const Camera& camera, glm::dvec2 size);
 
 /// "L 12.0, P 3.5, S 100.2 mm": a patient position.
 QString placeText(glm::dvec3 pPatient);

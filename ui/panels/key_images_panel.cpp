@@ -8,7 +8,7 @@
 
 #include "ui/data/frame_series.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/reference_text.h"
+#include "ui/workspace/derived_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -27,11 +27,11 @@ QTreeWidgetItem* headingIn(QTreeWidget* list, const QString& text, const QString
 
 }  // namespace
 
-KeyImagesPanel::KeyImagesPanel(Session& session, References& references, OpenPictures pictures,
+KeyImagesPanel::KeyImagesPanel(Session& session, DerivedObjects& derived, OpenPictures pictures,
                                const QList<QAction*>& actions, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      references_(references),
+      derived_(derived),
       pictures_(std::move(pictures)),
       empty_(plainLabel(tr("K marks the picture that is shown."))),
       list_(new QTreeWidget) {
@@ -62,7 +62,7 @@ KeyImagesPanel::KeyImagesPanel(Session& session, References& references, OpenPic
             if (before.keyImages != after.keyImages || before.series != after.series) showAll();
           });
   connect(&session_, &Session::preferencesChanged, this, &KeyImagesPanel::showAll);
-  connect(&references_, &References::changed, this, &KeyImagesPanel::showAll);
+  connect(&derived_, &DerivedObjects::changed, this, &KeyImagesPanel::showAll);
   connect(list_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
     const QVariant n = item->data(0, entryRole);
     if (!n.isValid()) return;
@@ -87,8 +87,8 @@ void KeyImagesPanel::showAll() {
   entries_.clear();
   addOwn();
   const std::vector<const Series*> open = pictures_();
-  for (const ReferencePtr& object : references_.all())
-    if (object->kind == ReferenceKind::keyObjects) addDocument(*object, open);
+  for (const DerivedObjectPtr& object : derived_.all())
+    if (object->kind == DerivedKind::keyObjects) addDocument(*object, open);
   empty_->setVisible(list_->topLevelItemCount() == 0);
   list_->setVisible(list_->topLevelItemCount() > 0);
 }
@@ -116,8 +116,8 @@ void KeyImagesPanel::addOwn() {
   }
 }
 
-void KeyImagesPanel::addDocument(const Reference& document, const std::vector<const Series*>& open) {
-  QString name = referenceName(document);
+void KeyImagesPanel::addDocument(const DerivedObject& document, const std::vector<const Series*>& open) {
+  QString name = derivedName(document);
   const QString text = shownText(document.text);
   if (!text.isEmpty()) name += QStringLiteral(" (%1)").arg(text);
   QTreeWidgetItem* heading = headingIn(list_, name, name);

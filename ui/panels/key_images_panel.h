@@ -3,7 +3,7 @@
 #include <QLabel>
 #include <QTreeWidget>
 
-#include "ui/controller/references.h"
+#include "ui/controller/derived_objects.h"
 #include "ui/data/picture_index.h"
 #include "ui/workspace/key_images.h"
 #include "ui/workspace/session.h"
@@ -21,7 +21,7 @@ class KeyImagesPanel : public QWidget {
   Q_OBJECT
  public:
   /// `actions` become its buttons.
-  KeyImagesPanel(Session& session, References& references, OpenPictures pictures,
+  KeyImagesPanel(Session& session, DerivedObjects& derived, OpenPictures pictures,
                  const QList<QAction*>& actions, QWidget* parent = nullptr);
 
   /// The one after a picture (step 1) or before it (-1) in the list, from its other end on; the first, or the
@@ -39,11 +39,11 @@ class KeyImagesPanel : public QWidget {
 
   void showAll();
   void addOwn();
-  void addDocument(const Reference& document, const std::vector<const Series*>& open);
+  void addDocument(const DerivedObject& document, const std::vector<const Series*>& open);
   void addPicture(QTreeWidgetItem* parent, const std::shared_ptr<const Series>& series, int index);
 
   Session& session_;
-  References& references_;
+  DerivedObjects& derived_;
   const OpenPictures pictures_;
   QLabel* empty_;
   QTreeWidget* list_;

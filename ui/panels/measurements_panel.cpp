@@ -32,7 +32,7 @@ QToolButton* button(const char* name, const QString& text) {
 
 }  // namespace
 
-MeasurementsPanel::MeasurementsPanel(Session& session, Measurer& measurer, QWidget* parent)
+MeasurementsPanel::MeasurementsPanel(Session& session, MeasureJobs& measurer, QWidget* parent)
     : QWidget(parent),
       session_(session),
       measurer_(measurer),
@@ -56,7 +56,7 @@ MeasurementsPanel::MeasurementsPanel(Session& session, Measurer& measurer, QWidg
               showAll();
           });
   connect(&session_, &Session::preferencesChanged, this, &MeasurementsPanel::showAll);
-  connect(&measurer_, &Measurer::measured, this, &MeasurementsPanel::showAll);
+  connect(&measurer_, &MeasureJobs::measured, this, &MeasurementsPanel::showAll);
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (item) session_.select(item->data(nameColumn, Qt::UserRole).toInt());
   });

@@ -10,7 +10,7 @@
 
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/region_colours.h"
-#include "ui/workspace/reference_text.h"
+#include "ui/workspace/derived_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -19,7 +19,7 @@ namespace {
 
 enum RegionRole { pathOfRegion = Qt::UserRole, idOfRegion, numberOfRegion };
 
-ReferenceKey keyOfItem(const QTreeWidgetItem* item) {
+DerivedKey keyOfItem(const QTreeWidgetItem* item) {
   return {item->data(0, pathOfRegion).toString().toStdString(),
           item->data(0, idOfRegion).toString().toStdString()};
 }
@@ -56,7 +56,7 @@ std::optional<glm::dvec3> middleOfRegion(const LoadedRegions& regions, int numbe
 
 }  // namespace
 
-RegionsLook firstLook(const Reference& object) {
+RegionsLook firstLook(const DerivedObject& object) {
   RegionsLook look;
   look.kind = object.kind;
   look.label = object.label;
@@ -64,10 +64,10 @@ RegionsLook firstLook(const Reference& object) {
   return look;
 }
 
-RegionsPanel::RegionsPanel(Session& session, References& references, QWidget* parent)
+RegionsPanel::RegionsPanel(Session& session, DerivedObjects& derived, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      references_(references),
+      derived_(derived),
       empty_(plainLabel(tr("Contours (RTSTRUCT) and segmentations (SEG) of what is open stand here."))),
       list_(new QTreeWidget),
       opacity_(new QSlider(Qt::Horizontal)) {
@@ -95,7 +95,7 @@ RegionsPanel::RegionsPanel(Session& session, References& references, QWidget* pa
   connect(list_, &QTreeWidget::itemDoubleClicked, this, &RegionsPanel::choose);
   connect(opacity_, &QSlider::valueChanged, this, &RegionsPanel::setOpacity);
   connect(opacity_, &QSlider::sliderReleased, &session_, &Session::endGesture);
-  connect(&references_, &References::changed, this, &RegionsPanel::showAll);
+  connect(&derived_, &DerivedObjects::changed, this, &RegionsPanel::showAll);
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
             if (before.regions != after.regions) showAll();
@@ -106,9 +106,9 @@ RegionsPanel::RegionsPanel(Session& session, References& references, QWidget* pa
 void RegionsPanel::showAll() {
   const QSignalBlocker quietList(list_), quietSlider(opacity_);
   const auto& shown = session_.workspace().regions;
-  SharedMap<ReferenceKey, RegionsLook> all = shown;
-  for (const ReferencePtr& object : references_.all())
-    if (object->kind == ReferenceKind::contours || object->kind == ReferenceKind::segmentation)
+  SharedMap<DerivedKey, RegionsLook> all = shown;
+  for (const DerivedObjectPtr& object : derived_.all())
+    if (object->kind == DerivedKind::contours || object->kind == DerivedKind::segmentation)
       all.add(keyOf(*object), firstLook(*object));
   const int scrolled = list_->verticalScrollBar()->value();
   list_->clear();
@@ -116,7 +116,7 @@ void RegionsPanel::showAll() {
   for (const auto& [key, look] : all) {
     const bool isShown = shown.contains(key);
     QTreeWidgetItem* item = addObject(key, look, isShown);
-    const auto regions = isShown ? references_.regions(key, look.kind) : nullptr;
+    const auto regions = isShown ? derived_.regions(key, look.kind) : nullptr;
     if (!regions) continue;
     if (regions->contours)
       for (const RegionOfInterest& region : regions->contours->regions)
@@ -126,7 +126,7 @@ void RegionsPanel::showAll() {
       for (const Segment& segment : regions->segmentation->segments)
         addRegion(item, look, segment.number, shownText(segment.label),
                   regionColour(segment.colour, segment.number));
-    if (look.kind != ReferenceKind::segmentation) continue;
+    if (look.kind != DerivedKind::segmentation) continue;
     if (!std::exchange(anySegments, true)) opacity_->setValue(int(std::lround(100 * look.opacity)));
   }
   list_->verticalScrollBar()->setValue(scrolled);
@@ -135,11 +135,11 @@ void RegionsPanel::showAll() {
   list_->setVisible(!all.empty());
 }
 
-QTreeWidgetItem* RegionsPanel::addObject(const ReferenceKey& key, const RegionsLook& look, bool shown) {
-  Reference named;
+QTreeWidgetItem* RegionsPanel::addObject(const DerivedKey& key, const RegionsLook& look, bool shown) {
+  DerivedObject named;
   named.kind = look.kind;
   named.label = look.label;
-  auto* item = new QTreeWidgetItem(list_, {referenceName(named)});
+  auto* item = new QTreeWidgetItem(list_, {derivedName(named)});
   item->setToolTip(0, toolTipOf(pathText(key.path)));
   item->setData(0, pathOfRegion, QString::fromStdString(key.path));
   item->setData(0, idOfRegion, QString::fromStdString(key.id));
@@ -160,13 +160,13 @@ void RegionsPanel::addRegion(QTreeWidgetItem* parent, const RegionsLook& look, i
 }
 
 void RegionsPanel::toggle(QTreeWidgetItem* item) {
-  const ReferenceKey key = keyOfItem(item);
+  const DerivedKey key = keyOfItem(item);
   const bool on = item->checkState(0) == Qt::Checked;
   const QVariant number = item->data(0, numberOfRegion);
   const auto edit = [this, key, on, number](Workspace& w) {
     if (number.isValid()) return void(w.regions.editOrAdd(key).shown.editOrAdd(number.toInt()) = on);
     if (!on) return void(w.regions.erase(key));
-    for (const ReferencePtr& object : references_.all())
+    for (const DerivedObjectPtr& object : derived_.all())
       if (keyOf(*object) == key) w.regions.editOrAdd(key) = firstLook(*object);
   };
   // Afterwards: the list, which is in the middle of telling, is filled anew.
@@ -183,7 +183,7 @@ void RegionsPanel::choose(QTreeWidgetItem* item) {
   const QVariant number = item->data(0, numberOfRegion);
   const auto look = session_.workspace().regions.find(keyOfItem(item));
   if (!number.isValid() || look == session_.workspace().regions.end()) return;
-  const auto regions = references_.regions(look->first, look->second.kind);
+  const auto regions = derived_.regions(look->first, look->second.kind);
   if (!regions) return;
   std::string frame = look->second.frameOfReferenceUid;
   if (regions->contours)
@@ -198,7 +198,7 @@ void RegionsPanel::setOpacity(int percent) {
   session_.change(
       what,
       [&](Workspace& w) {
-        w.regions.editIf([](const auto& entry) { return entry.second.kind == ReferenceKind::segmentation; },
+        w.regions.editIf([](const auto& entry) { return entry.second.kind == DerivedKind::segmentation; },
                          [percent](RegionsLook& look) { look.opacity = percent / 100.0; });
       },
       what);

@@ -4,7 +4,7 @@
 #include <QSlider>
 #include <QTreeWidget>
 
-#include "ui/controller/references.h"
+#include "ui/controller/derived_objects.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {
@@ -13,7 +13,7 @@ namespace volumen {
 class RegionsPanel : public QWidget {
   Q_OBJECT
  public:
-  RegionsPanel(Session& session, References& references, QWidget* parent = nullptr);
+  RegionsPanel(Session& session, DerivedObjects& derived, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   /// The middle of a region is to be seen.
@@ -21,7 +21,7 @@ class RegionsPanel : public QWidget {
 
  private:
   void showAll();
-  QTreeWidgetItem* addObject(const ReferenceKey& key, const RegionsLook& look, bool shown);
+  QTreeWidgetItem* addObject(const DerivedKey& key, const RegionsLook& look, bool shown);
   void addRegion(QTreeWidgetItem* parent, const RegionsLook& look, int number, const QString& text,
                  const QColor& colour);
   void toggle(QTreeWidgetItem* item);
@@ -29,13 +29,13 @@ class RegionsPanel : public QWidget {
   void setOpacity(int percent);
 
   Session& session_;
-  References& references_;
+  DerivedObjects& derived_;
   QLabel* empty_;
   QTreeWidget* list_;
   QSlider* opacity_;
 };
 
 /// How a structure set or a segmentation is shown at first.
-RegionsLook firstLook(const Reference& object);
+RegionsLook firstLook(const DerivedObject& object);
 
 }  // namespace volumen

@@ -9,12 +9,12 @@
 
 namespace volumen {
 
-ReportDialog::ReportDialog(const Reference& object, const Report& report,
+ReportDialog::ReportDialog(const DerivedObject& object, const Report& report,
                            const std::vector<const Series*>& open, QWidget* parent)
     : QDialog(parent) {
   setObjectName(QStringLiteral("reportDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
-  setWindowTitle(referenceName(object));
+  setWindowTitle(derivedName(object));
   resize(480, 560);
   const std::vector<ReferencedPicture> pictures = reportPictures(report);
   std::vector<bool> isHere;

@@ -3,7 +3,7 @@
 #include <QDialog>
 
 #include "ui/data/picture_index.h"
-#include "ui/workspace/reference_text.h"
+#include "ui/workspace/derived_text.h"
 
 namespace volumen {
 
@@ -14,7 +14,7 @@ class ReportDialog : public QDialog {
   Q_OBJECT
  public:
   /// `open`: all pictures that are open.
-  ReportDialog(const Reference& object, const Report& report, const std::vector<const Series*>& open,
+  ReportDialog(const DerivedObject& object, const Report& report, const std::vector<const Series*>& open,
                QWidget* parent = nullptr);
 
  Q_SIGNALS:

@@ -68,7 +68,7 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
   connect(only_, &QCheckBox::toggled, this, &SegmentPanel::tellPreview);
   connect(segment_, &QPushButton::clicked, this, [this] {
     result_->setText(tr("Segmenting..."));
-    const ShownSeriesPtr& series = session_.series();
+    const LoadedSeriesPtr& series = session_.series();
     Q_EMIT segmentRequested(keyOf(series->series), series->volume, segmentOf(range()));
   });
   connect(save_, &QPushButton::clicked, this, &SegmentPanel::askWhere);
@@ -155,7 +155,7 @@ Segment SegmentPanel::segmentOf(const ValueRange& range) const {
 
 void SegmentPanel::showSpans() {
   spans_->clear();
-  const ShownSeriesPtr& series = session_.series();
+  const LoadedSeriesPtr& series = session_.series();
   setEnabled(series != nullptr);
   if (!series) return;
   const QString unit = unitSuffix(series->series);
@@ -183,7 +183,7 @@ void SegmentPanel::takeSpan(int n) {
 
 // Of the series in view; null: it has none that this panel made, or another grid.
 const SegmentMap* SegmentPanel::map() const {
-  const ShownSeriesPtr& series = session_.series();
+  const LoadedSeriesPtr& series = session_.series();
   const SegmentMap* map = series ? segmentMapOf(session_.workspace(), keyOf(series->series)) : nullptr;
   const bool fits = map && map->labels && map->labels->geometry() == series->volume->geometry();
   return fits && !map->segments.empty() && map->segments.front().range ? map : nullptr;
@@ -195,7 +195,7 @@ void SegmentPanel::showSegment() {
   const auto labels = shown ? shown->labels : nullptr;
   VolumePtr volume;
   if (shown) {
-    const ShownSeriesPtr whole = session_.seriesWith(shown->series, {});
+    const LoadedSeriesPtr whole = session_.seriesWith(shown->series, {});
     volume = (whole ? whole : session_.series())->volume;
   }
   if (labels && labels == labels_ && volume == volume_) return showResult();

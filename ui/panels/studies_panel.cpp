@@ -95,7 +95,7 @@ StudiesPanel::StudiesPanel(OpenStudies& studies, QWidget* parent)
   connect(search_, &QLineEdit::textChanged, this, &StudiesPanel::filter);
   const auto choose = [this](QTreeWidgetItem* item) {
     if (const Series* series = seriesOf(item)) Q_EMIT seriesChosen(*series);
-    if (const ReferencePtr object = referenceOf(item)) Q_EMIT referenceChosen(object);
+    if (const DerivedObjectPtr object = derivedObjectOf(item)) Q_EMIT objectChosen(object);
   };
   connect(tree_, &QTreeWidget::itemClicked, this, choose);
   connect(tree_, &QTreeWidget::itemActivated, this, choose);
@@ -234,15 +234,15 @@ void StudiesPanel::showMenu(QPoint position) {
 // With all below it, and what holds nothing else.
 void StudiesPanel::remove(QTreeWidgetItem* item) {
   std::vector<SeriesKey> series;
-  std::vector<ReferenceKey> references;
+  std::vector<DerivedKey> derived;
   const std::function<void(QTreeWidgetItem*)> collect = [&](QTreeWidgetItem* from) {
     for (const Series* step : stepsOf(from)) series.push_back(keyOf(*step));
-    if (const ReferencePtr object = referenceOf(from)) references.push_back(keyOf(*object));
+    if (const DerivedObjectPtr object = derivedObjectOf(from)) derived.push_back(keyOf(*object));
     for (int n = 0; n < from->childCount(); ++n) collect(from->child(n));
   };
   collect(item);
-  if (series.empty() && references.empty()) return removeItem(item);  // of what could not be read
-  Q_EMIT removeRequested(series, references);
+  if (series.empty() && derived.empty()) return removeItem(item);  // of what could not be read
+  Q_EMIT removeRequested(series, derived);
 }
 
 void StudiesPanel::closeAll() {
@@ -257,12 +257,12 @@ void StudiesPanel::showUnlisted(bool comesBack) {
   std::vector<QTreeWidgetItem*> gone;
   for (QTreeWidgetItemIterator it(tree_); *it; ++it) {
     const Series* series = seriesOf(*it);
-    const ReferencePtr object = referenceOf(*it);
+    const DerivedObjectPtr object = derivedObjectOf(*it);
     if ((series && !studies_.isListed(*series)) || (object && !studies_.isListed(*object)))
       gone.push_back(*it);
   }
   for (QTreeWidgetItem* item : gone) removeItem(item);
-  showReferences();
+  showDerivedObjects();
 }
 
 void StudiesPanel::addRefused(const QString& path, const Study& study) {
@@ -289,9 +289,9 @@ void StudiesPanel::showStudy(const QString& path) {
   removePath(path);
   const OpenStudy& opened = *studies_.find(path);
   for (const std::vector<std::size_t>& row : opened.rows()) addSeries(opened, row);
-  for (std::size_t n = 0; n < opened.study->references.size(); ++n) addReference(opened, n);
+  for (std::size_t n = 0; n < opened.study->derived.size(); ++n) addDerivedObject(opened, n);
   if (studies_.isListed(opened)) addRefused(path, *opened.study);
-  showReferences();
+  showDerivedObjects();
   filter(search_->text());
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ui/controller/thumbnails.h"
-#include "ui/data/shown_series.h"
+#include "ui/data/loaded_series.h"
 #include "ui/document/open_studies.h"
 
 class QMenu;
@@ -39,10 +39,10 @@ class StudiesPanel : public QWidget {
 
  Q_SIGNALS:
   void seriesChosen(const volumen::Series& series);
-  void referenceChosen(const volumen::ReferencePtr& object);
+  void objectChosen(const volumen::DerivedObjectPtr& object);
   /// They are to be taken off the list.
   void removeRequested(const std::vector<volumen::SeriesKey>& series,
-                       const std::vector<volumen::ReferenceKey>& references);
+                       const std::vector<volumen::DerivedKey>& derived);
   /// All that is listed is to be closed.
   void closeAllRequested(const volumen::Unlisted& listed);
 
@@ -50,14 +50,14 @@ class StudiesPanel : public QWidget {
   const OpenStudy* openedOf(const QTreeWidgetItem* item) const;
   const Series* seriesOf(const QTreeWidgetItem* item) const;
   std::vector<const Series*> stepsOf(const QTreeWidgetItem* item) const;
-  ReferencePtr referenceOf(const QTreeWidgetItem* item) const;
+  DerivedObjectPtr derivedObjectOf(const QTreeWidgetItem* item) const;
   QTreeWidgetItem* studyItem(const Series& series);
   QTreeWidgetItem* childNamed(QTreeWidgetItem* parent, const QString& key, const QString& text);
   void showStudy(const QString& path);
   void showUnlisted(bool comesBack);
   void addSeries(const OpenStudy& opened, std::vector<std::size_t> row);
-  void addReference(const OpenStudy& opened, std::size_t n);
-  void showReferences();
+  void addDerivedObject(const OpenStudy& opened, std::size_t n);
+  void showDerivedObjects();
   void addRefused(const QString& path, const Study& study);
   void setThumbnail(const Series& series, const QImage& thumbnail);
   void showMenu(QPoint position);

@@ -85,7 +85,7 @@ void WindowFields::fillChoices() {
   choices_->clear();
   setEnabled(session_.series() != nullptr);
   if (!session_.series()) return;
-  const ShownSeries& series = *session_.series();
+  const LoadedSeries& series = *session_.series();
   for (const NamedWindow& choice : windowChoices(series)) choices_->addItem(choice.name);
   for (QDoubleSpinBox* field : {centre_, width_}) {
     const QSignalBlocker quiet(field);

@@ -18,7 +18,7 @@ namespace volumen {
 struct SlicePress {
   Session& session;
   ViewId view;
-  ShownSeriesPtr series;
+  LoadedSeriesPtr series;
   SlicePlane plane;                   ///< in device pixels
   double pixelRatio;                  ///< device pixels a logical one
   QPointF at;                         ///< logical pixels
@@ -44,7 +44,7 @@ struct SlicePress {
 struct ScenePress {
   Session& session;
   ViewId view;
-  ShownSeriesPtr series;
+  LoadedSeriesPtr series;
   Scene scene;  ///< its camera is the one in use
   QPointF at;   ///< logical pixels, as are
   glm::dvec2 size;
@@ -120,10 +120,10 @@ void editFlat(Session& session, ViewId view, const QString& text,
 /// Shows another frame of a view that shows frames; as many as there are.
 void showFrame(Session& session, ViewId view, int frame);
 /// Moves the crosshair of a view's series, and turns it.
-void setCrosshair(Session& session, ViewId view, const ShownSeries& series, const QString& text,
+void setCrosshair(Session& session, ViewId view, const LoadedSeries& series, const QString& text,
                   const Crosshair& after);
 /// Moves it alone.
-void moveCrosshair(Session& session, ViewId view, const ShownSeries& series, const QString& text,
+void moveCrosshair(Session& session, ViewId view, const LoadedSeries& series, const QString& text,
                    glm::dvec3 pPatient);
 /// Enlarges a flat view about a point, which stays where it is. `plane` shows `from`.
 void zoomFlat(Session& session, ViewId view, const FlatLook& from, const SlicePlane& plane, glm::dvec3 fixed,

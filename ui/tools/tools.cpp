@@ -64,14 +64,14 @@ void showFrame(Session& session, ViewId view, int frame) {
            [&](FlatLook& look) { look.frame = std::clamp(frame, 0, frameCount(*series) - 1); });
 }
 
-void setCrosshair(Session& session, ViewId view, const ShownSeries& series, const QString& text,
+void setCrosshair(Session& session, ViewId view, const LoadedSeries& series, const QString& text,
                   const Crosshair& after) {
   const Crosshair before = crosshairOf(session.workspace(), view, series);
   session.change(
       text, withCrosshair(session.workspace(), view, frameOfReference(series.series), before, after), text);
 }
 
-void moveCrosshair(Session& session, ViewId view, const ShownSeries& series, const QString& text,
+void moveCrosshair(Session& session, ViewId view, const LoadedSeries& series, const QString& text,
                    glm::dvec3 pPatient) {
   Crosshair after = crosshairOf(session.workspace(), view, series);
   after.at = pPatient;

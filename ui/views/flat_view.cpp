@@ -1,7 +1,7 @@
 #include "ui/views/flat_view.h"
 
-#include "ui/controller/measurer.h"
-#include "ui/controller/references.h"
+#include "ui/controller/derived_objects.h"
+#include "ui/controller/measure_jobs.h"
 #include "ui/views/time_bar.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/text.h"
@@ -11,7 +11,7 @@ namespace volumen {
 FlatView::FlatView(const ViewParts& parts, ViewId id, QWidget* parent)
     : View(parts.session, id, parent),
       service_(parts.slices),
-      references_(parts.references),
+      derived_(parts.derived),
       time_(new TimeBar(parts.session, id, this)),
       measurer_(parts.measurer),
       showed_(state().series, state().kind),
@@ -23,11 +23,11 @@ FlatView::FlatView(const ViewParts& parts, ViewId id, QWidget* parent)
   wheelEnd_.setInterval(500);
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(&service_, &SliceService::ready, this, &FlatView::showPicture);
-  connect(&measurer_, &Measurer::measured, this, [this] {
+  connect(&measurer_, &MeasureJobs::measured, this, [this] {
     update();
     tellPointed();
   });
-  connect(&references_, &References::changed, this, [this] {
+  connect(&derived_, &DerivedObjects::changed, this, [this] {
     askForPicture();
     update();
   });
@@ -37,7 +37,7 @@ FlatView::FlatView(const ViewParts& parts, ViewId id, QWidget* parent)
 FlatView::~FlatView() = default;
 
 std::optional<SlicePlane> FlatView::plane() const {
-  const ShownSeriesPtr shown = this->shown();
+  const LoadedSeriesPtr shown = this->shown();
   if (!shown) return {};
   return planeShown(flatPlane(state(), flatLookOf(state()), shown->volume->geometry(),
                               crosshairOf(session_.workspace(), id(), *shown),

@@ -38,7 +38,7 @@ class FlatView : public View {
   void resetView();
   /// What is on screen, as a series: frames as one of one slice; null: nothing is in memory yet, or the
   /// workspace has something else in this view's place.
-  virtual ShownSeriesPtr shown() const = 0;
+  virtual LoadedSeriesPtr shown() const = 0;
   /// Why what is wanted cannot be shown; empty: it can.
   virtual QString failure() const { return {}; }
   /// As a clip, or still again at what is on screen.
@@ -139,7 +139,7 @@ class FlatView : public View {
   void leaveEvent(QEvent*) override;
 
   SliceService& service_;
-  References& references_;
+  DerivedObjects& derived_;
   TimeBar* time_;
 
  private:
@@ -158,7 +158,7 @@ class FlatView : public View {
   void showCursorAt(QPointF p);
   bool pressMeasuringKey(const QKeyEvent& event);
 
-  Measurer& measurer_;
+  MeasureJobs& measurer_;
   std::pair<SeriesKey, ViewKind> showed_;
   WarningBadge* badge_;
   const Tool* tool_;

@@ -2,7 +2,7 @@
 #include <QLineEdit>
 #include <QPainter>
 
-#include "ui/controller/measurer.h"
+#include "ui/controller/measure_jobs.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/latin_key.h"
@@ -17,7 +17,7 @@ namespace {
 constexpr int nameFieldWidth = 180;
 
 // Of its whole, and of arrows also what they say.
-QStringList textOf(const Measurement& m, Measurer& measurer) {
+QStringList textOf(const Measurement& m, MeasureJobs& measurer) {
   QStringList text;
   if (!m.shape.name.empty()) text << nameText(m);
   if (const MeasuredPtr numbers = measurer.numbersOf(m)) text << measuredLines(m.shape, *numbers);
@@ -28,7 +28,7 @@ QStringList textOf(const Measurement& m, Measurer& measurer) {
 
 std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
   std::vector<DrawnMeasurement> drawn;
-  const ShownSeriesPtr shown = this->shown();
+  const LoadedSeriesPtr shown = this->shown();
   const std::optional<SlicePlane> now = plane();
   if (!shown || !now) return drawn;
   const Workspace& workspace = session_.workspace();

@@ -1,6 +1,6 @@
 #include <QPainter>
 
-#include "ui/controller/references.h"
+#include "ui/controller/derived_objects.h"
 #include "ui/views/contour_lines.h"
 #include "ui/views/flat_view.h"
 #include "ui/widgets/region_colours.h"
@@ -11,7 +11,7 @@ namespace volumen {
 namespace {
 
 // Empty: its places are comparable with nothing else.
-std::string frameOfReferenceOf(const ShownSeriesPtr& shown) {
+std::string frameOfReferenceOf(const LoadedSeriesPtr& shown) {
   return shown && shown->volume->geometry().calibrated ? shown->series.frameOfReferenceUid : std::string();
 }
 
@@ -37,9 +37,9 @@ std::vector<SegmentLayer> FlatView::segmentLayers() const {
   std::vector<SegmentLayer> layers;
   const std::string frame = frameOfReferenceOf(shown());
   for (const auto& [key, look] : session_.workspace().regions) {
-    if (look.kind != ReferenceKind::segmentation || frame.empty() || look.frameOfReferenceUid != frame)
+    if (look.kind != DerivedKind::segmentation || frame.empty() || look.frameOfReferenceUid != frame)
       continue;
-    const auto regions = references_.regions(key, look.kind);
+    const auto regions = derived_.regions(key, look.kind);
     if (!regions || !regions->segmentation) continue;
     SegmentLayer layer{regions->segmentation, {}, look.opacity};
     for (std::size_t n = 0; n < regions->segmentation->segments.size(); ++n) {
@@ -61,8 +61,8 @@ void FlatView::paintLines(QPainter& painter) const {
   painter.scale(1 / ratio, 1 / ratio);
   const VoxelGeometry& acquired = seriesState().series->acquired;
   for (const auto& [key, regions] : session_.workspace().regions) {
-    if (regions.kind != ReferenceKind::contours) continue;
-    const auto loaded = references_.regions(key, regions.kind);
+    if (regions.kind != DerivedKind::contours) continue;
+    const auto loaded = derived_.regions(key, regions.kind);
     if (!loaded || !loaded->contours) continue;
     const double reachMm = wheelStep(acquired, now.normal()) / 2;
     for (const ContourLines& lines :
@@ -77,7 +77,7 @@ QString FlatView::keyImageText() const {
   if (!picture) return {};
   const Series& series = *seriesState().series;
   const std::optional<KeyImage> image = keyImageOf(series, *picture);
-  const bool isOfDocument = !references_.naming(ReferenceKind::keyObjects, series, *picture).empty();
+  const bool isOfDocument = !derived_.naming(DerivedKind::keyObjects, series, *picture).empty();
   const bool isMarked = isOfDocument || (image && isKeyImage(session_.workspace(), *image));
   return isMarked ? QStringLiteral("\u2605 ") + tr("Key image") : QString();
 }

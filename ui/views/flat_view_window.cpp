@@ -20,7 +20,7 @@ QRectF FlatView::windowRect() const {
 
 // Two fields where the numbers stand: one step where they are set.
 void FlatView::typeWindow() {
-  const ShownSeriesPtr shown = this->shown();
+  const LoadedSeriesPtr shown = this->shown();
   const Window now = shownWindow(greyWindow(), shown->series);
   auto* edit = new WindowEdit({now.centre, std::abs(now.width)}, this);
   edit->setObjectName(QStringLiteral("windowEdit"));

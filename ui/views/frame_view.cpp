@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-#include "ui/controller/references.h"
+#include "ui/controller/derived_objects.h"
 #include "ui/data/frame_series.h"
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/cine_player.h"
@@ -60,10 +60,10 @@ void FrameView::askForFrame() {
   if (frame_ && frame_->key == key) return;
   const bool isBackwards = frame_ && frame_->key.index > key.index && !player_;
   frames_.request(id(), seriesState().series, key.index, isBackwards ? -1 : 1, key.presentation);
-  if (const ShownFramePtr held = frames_.find(key)) takeFrame(id(), held);
+  if (const LoadedFramePtr held = frames_.find(key)) takeFrame(id(), held);
 }
 
-void FrameView::takeFrame(int view, const ShownFramePtr& frame) {
+void FrameView::takeFrame(int view, const LoadedFramePtr& frame) {
   if (view != id() || !isCurrent() || frame->key.series != state().series) return;
   const FrameKey wanted = frameKey();
   if (frame_ && frame_->key == wanted && frame->key != wanted) return;
@@ -230,10 +230,9 @@ Overlays FrameView::overlays() const {
 
 QString FrameView::presentationText() const {
   if (!frame_->how) return {};
-  const auto states =
-      references_.naming(ReferenceKind::presentation, *seriesState().series, frame_->key.index);
-  const ReferenceKey chosen = flatLookOf(state()).presentation;
-  const auto is = [&](const ReferencePtr& object) { return keyOf(*object) == chosen; };
+  const auto states = derived_.naming(DerivedKind::presentation, *seriesState().series, frame_->key.index);
+  const DerivedKey chosen = flatLookOf(state()).presentation;
+  const auto is = [&](const DerivedObjectPtr& object) { return keyOf(*object) == chosen; };
   const auto found = std::ranges::find_if(states, is);
   const QString label = found == states.end() ? QString() : shownText((*found)->label);
   return label.isEmpty() ? tr("Presentation state") : tr("Presentation %1").arg(label);

@@ -17,12 +17,12 @@ class FrameView : public FlatView {
   ~FrameView() override;
 
   /// The frame on screen; null: none is read yet.
-  const ShownFramePtr& frame() const { return frame_; }
+  const LoadedFramePtr& frame() const { return frame_; }
   /// One of greyChoices().
   void chooseGrey(const GreyChoice& choice);
   bool isPlaying() const { return player_ != nullptr; }
   void scroll(int steps) override;
-  ShownSeriesPtr shown() const override { return isCurrent() && frame_ ? frame_->slice : nullptr; }
+  LoadedSeriesPtr shown() const override { return isCurrent() && frame_ ? frame_->slice : nullptr; }
   QString failure() const override { return failure_; }
   void togglePlay() override;
   Overlays overlays() const override;
@@ -56,12 +56,12 @@ class FrameView : public FlatView {
   bool isCurrent() const { return showsFrames(state().kind); }
   FrameKey frameKey() const;
   void askForFrame();
-  void takeFrame(int view, const ShownFramePtr& frame);
+  void takeFrame(int view, const LoadedFramePtr& frame);
   void tellFailure(int view, const FrameKey& key, const QString& sentence);
   QString presentationText() const;
 
   FrameService& frames_;
-  ShownFramePtr frame_;
+  LoadedFramePtr frame_;
   QString failure_;                     // of the frame that is wanted
   std::unique_ptr<CinePlayer> player_;  // while a clip is played
 };

@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <cmath>
 
-#include "ui/controller/references.h"
+#include "ui/controller/derived_objects.h"
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/clip_lines.h"
 #include "ui/views/colour_bar.h"
@@ -25,7 +25,7 @@ constexpr QRgb segmentColour = 0xffff6a3d;
 constexpr double segmentOpacity = 0.5;
 
 // The value of the voxel at a point, with its unit; empty outside the volume.
-QString valueAt(const ShownSeries& shown, glm::dvec3 p) {
+QString valueAt(const LoadedSeries& shown, glm::dvec3 p) {
   const Volume& volume = *shown.volume;
   const glm::ivec3 voxel(glm::floor(volume.geometry().voxelFromPatient(p) + 0.5));
   if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, volume.size())))
@@ -40,16 +40,16 @@ SliceView::SliceView(const ViewParts& parts, ViewId id, QWidget* parent) : FlatV
   tellWarnings();
 }
 
-ShownSeriesPtr SliceView::shown() const { return showsSlices(state().kind) ? series() : nullptr; }
+LoadedSeriesPtr SliceView::shown() const { return showsSlices(state().kind) ? series() : nullptr; }
 
 SliceRequest SliceView::requestOf(const SlicePlane& plane) const {
-  const ShownSeriesPtr shown = this->shown();
+  const LoadedSeriesPtr shown = this->shown();
   const FlatLook look = flatLookOf(state());
   GreyMapping grey = greyMapping(greyWindow(), *shown);
   grey.inverted = grey.inverted != look.inverted;
   std::vector<SliceLayer> layers{{shown->volume, grey, seriesState().colours}};
   const Workspace& workspace = session_.workspace();
-  if (const ShownSeriesPtr over = session_.seriesNamed(look.overlay))
+  if (const LoadedSeriesPtr over = session_.seriesNamed(look.overlay))
     if (const auto relation =
             relationOf(workspace, frameOfReference(*seriesState().series), frameOfReference(over->series)))
       layers.push_back({over->volume,
@@ -79,7 +79,7 @@ void SliceView::seriesExchanged(bool another) {
 
 FlatView::Warnings SliceView::warnings() const {
   Warnings warnings;
-  const ShownSeriesPtr shown = this->shown();
+  const LoadedSeriesPtr shown = this->shown();
   if (!shown) return warnings;
   for (const std::string& text : shortWarnings(shown->warnings))
     warnings.words << QString::fromStdString(text);
@@ -98,7 +98,7 @@ void SliceView::setClipShown(bool shown) {
 }
 
 void SliceView::scroll(int steps) {
-  const ShownSeriesPtr shown = this->shown();
+  const LoadedSeriesPtr shown = this->shown();
   if (!shown || steps == 0) return;
   const Crosshair crosshair = crosshairOf(session_.workspace(), id(), *shown);
   moveCrosshair(session_, id(), *shown, tr("Scroll"),
@@ -106,13 +106,13 @@ void SliceView::scroll(int steps) {
 }
 
 StackPlace SliceView::place() const {
-  const ShownSeriesPtr shown = this->shown();
+  const LoadedSeriesPtr shown = this->shown();
   if (!shown) return {};
   return stackPlace(shown->volume->geometry(), state().kind, crosshairOf(session_.workspace(), id(), *shown));
 }
 
 void SliceView::makeThicker(int steps) {
-  const ShownSeriesPtr shown = this->shown();
+  const LoadedSeriesPtr shown = this->shown();
   if (!shown || steps == 0) return;
   const double step = wheelStep(shown->volume->geometry(), plane()->normal());
   editFlat(session_, id(), tr("Slab"), [&](FlatLook& look) {
@@ -121,7 +121,7 @@ void SliceView::makeThicker(int steps) {
 }
 
 Workspace SliceView::unturned(Workspace workspace) const {
-  const ShownSeriesPtr shown = this->shown();
+  const LoadedSeriesPtr shown = this->shown();
   if (!shown) return workspace;
   const Crosshair before = crosshairOf(workspace, id(), *shown);
   if (!before.byHand) return workspace;
@@ -129,7 +129,7 @@ Workspace SliceView::unturned(Workspace workspace) const {
 }
 
 void SliceView::chooseWindow(int number) {
-  const ShownSeriesPtr shown = this->shown();
+  const LoadedSeriesPtr shown = this->shown();
   if (!shown) return;
   const std::vector<NamedWindow> choices = windowChoices(*shown);
   if (number >= int(choices.size())) return;
@@ -142,7 +142,7 @@ void SliceView::chooseWindow(int number) {
 void SliceView::togglePlay() { time_->togglePlay(); }
 
 PictureSeen SliceView::pictureSeen() const {
-  const ShownSeriesPtr shown = this->shown();
+  const LoadedSeriesPtr shown = this->shown();
   return shown ? volumen::pictureSeen(shown->series, shown->volume->geometry(), *plane()) : PictureSeen();
 }
 
@@ -165,7 +165,7 @@ QString SliceView::hoverText(QPointF position) const {
   const glm::dvec3 p = press->patientAt(position);
   QString text = valueAt(*press->series, p);
   if (text.isEmpty()) return {};
-  if (const ShownSeriesPtr over = session_.seriesNamed(flatLookOf(state()).overlay)) {
+  if (const LoadedSeriesPtr over = session_.seriesNamed(flatLookOf(state()).overlay)) {
     const auto relation = relationOf(session_.workspace(), frameOfReference(press->series->series),
                                      frameOfReference(over->series));
     const QString second = relation ? valueAt(*over, relation->toFromFrom(p)) : QString();
@@ -177,13 +177,13 @@ QString SliceView::hoverText(QPointF position) const {
 }
 
 Overlays SliceView::overlays() const {
-  const ShownSeriesPtr shown = this->shown();
+  const LoadedSeriesPtr shown = this->shown();
   const SlicePlane now = *plane();
   const Workspace& workspace = session_.workspace();
   const FlatLook look = flatLookOf(state());
   const Window window = flatWindow(seriesState(), *shown);
   CornerTexts texts = slicesCorner(workspace, id(), *shown, now);
-  if (const ShownSeriesPtr over = session_.seriesNamed(look.overlay))
+  if (const LoadedSeriesPtr over = session_.seriesNamed(look.overlay))
     texts.add(CornerItem::overlay,
               tr("with %1, %2 %").arg(seriesText(over->series)).arg(std::lround(100 * look.overlayOpacity)));
   texts.add(CornerItem::mark, keyImageText());
@@ -214,7 +214,7 @@ void SliceView::paintLines(QPainter& painter) const {
 void SliceView::paintColours(QPainter& painter) const {
   const FlatLook look = flatLookOf(state());
   const auto& all = session_.workspace().series;
-  if (const ShownSeriesPtr over = session_.seriesNamed(look.overlay))
+  if (const LoadedSeriesPtr over = session_.seriesNamed(look.overlay))
     return paintColourBar(painter, rect(), look.overlayColours,
                           shownWindow(overlayWindow(all.at(look.overlay), *over), over->series),
                           unitSuffix(over->series));

@@ -16,7 +16,7 @@ class SliceView : public FlatView {
   /// Whether the clip box of the 3D scene is seen where it is the whole volume, too.
   void setClipShown(bool shown);
   void scroll(int steps) override;
-  ShownSeriesPtr shown() const override;
+  LoadedSeriesPtr shown() const override;
   void togglePlay() override;
   Overlays overlays() const override;
   PictureSeen pictureSeen() const override;

@@ -54,7 +54,7 @@ View::View(Session& session, ViewId id, QWidget* parent)
   setAcceptDrops(true);
   session_.setViewSize(id_, {pixels().width(), pixels().height()});
   connect(&session_, &Session::workspaceChanged, this, [this](const Workspace& before) {
-    const ShownSeriesPtr last = std::exchange(seen_, series());
+    const LoadedSeriesPtr last = std::exchange(seen_, series());
     const bool another = !followSeries();
     if (last != seen_ || another) seriesExchanged(another);
     showWaiting();

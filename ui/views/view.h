@@ -21,7 +21,7 @@ class View : public QWidget {
   Session& session() const { return session_; }
   const ViewState& state() const { return session_.workspace().view(id_); }
   /// Null: none, or it is not in memory yet.
-  ShownSeriesPtr series() const { return session_.seriesOf(id_); }
+  LoadedSeriesPtr series() const { return session_.seriesOf(id_); }
   /// How many device pixels the picture should have.
   QSize pixels() const;
   /// Whether its volume is being read or cut. The last picture of the series, or of another step of it, stays
@@ -74,7 +74,7 @@ class View : public QWidget {
   void showWaiting();
 
   const ViewId id_;
-  ShownSeriesPtr seen_;
+  LoadedSeriesPtr seen_;
   std::shared_ptr<const Series> shownLast_;
   SeriesKey givenUp_;                 // will not come
   std::optional<QPointF> pointedAt_;  // while the cursor is over the view

@@ -33,10 +33,10 @@ std::vector<QRect> placesOf(Layout layout, std::size_t count, QSize area) {
 }  // namespace
 
 ViewGrid::ViewGrid(Session& session, DrawService& drawService, SliceService& slices, FrameService& frames,
-                   Measurer& measurer, References& references, QWidget* parent)
+                   MeasureJobs& measurer, DerivedObjects& derived, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      parts_{session, drawService, slices, frames, measurer, references},
+      parts_{session, drawService, slices, frames, measurer, derived},
       tool_(&toolNamed("window")),
       toolBefore_(tool_) {
   setObjectName(QStringLiteral("viewGrid"));

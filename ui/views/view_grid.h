@@ -15,7 +15,7 @@ class ViewGrid : public QWidget {
   Q_OBJECT
  public:
   ViewGrid(Session& session, DrawService& drawService, SliceService& slices, FrameService& frames,
-           Measurer& measurer, References& references, QWidget* parent = nullptr);
+           MeasureJobs& measurer, DerivedObjects& derived, QWidget* parent = nullptr);
 
   /// The 3D view of this id; where the workspace shows something else in it, it is hidden.
   VolumeView* volumeView(ViewId id);

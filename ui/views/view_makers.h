@@ -7,8 +7,8 @@ namespace volumen {
 
 class DrawService;
 class FrameService;
-class Measurer;
-class References;
+class MeasureJobs;
+class DerivedObjects;
 class SliceService;
 class View;
 
@@ -18,8 +18,8 @@ struct ViewParts {
   DrawService& drawService;
   SliceService& slices;
   FrameService& frames;
-  Measurer& measurer;
-  References& references;
+  MeasureJobs& measurer;
+  DerivedObjects& derived;
 };
 
 /// A hidden view of this id for the kinds of a family. The class for each is a row of one table.

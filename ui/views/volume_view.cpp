@@ -77,7 +77,7 @@ void VolumeView::workspaceChanged(const Workspace& before) {
 
 void VolumeView::showWarnings() {
   QStringList words, sentences;
-  if (const ShownSeriesPtr shown = series()) {
+  if (const LoadedSeriesPtr shown = series()) {
     for (const std::string& text : shortWarnings(shown->warnings)) words << QString::fromStdString(text);
     for (const Warning& w : changingPicture(shown->warnings)) sentences << shownText(w.sentence);
   }
@@ -128,7 +128,7 @@ void VolumeView::makeErrorImage() {
 }
 
 void VolumeView::requestPicture() {
-  const ShownSeriesPtr shown = series();
+  const LoadedSeriesPtr shown = series();
   const bool isShown = shown && isVisible() && showsScene(state().kind);
   drawService_.show(id(), isShown ? shown->volume : nullptr);
   if (isShown) drawService_.request(id(), scene(), pixels());

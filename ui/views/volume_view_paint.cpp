@@ -20,7 +20,7 @@ namespace volumen {
 QString VolumeView::textAt(QPointF position) const {
   const std::optional<Pick> hit = pickAt(position);
   if (!hit) return {};
-  const ShownSeriesPtr shown = series();
+  const LoadedSeriesPtr shown = series();
   const QString text = valueText(*shown, hit->value);
   if (!hit->pPatient) return tr("mean %1 along the line of sight").arg(text);
   if (!shown->volume->geometry().calibrated) return text;
@@ -33,7 +33,7 @@ QRectF VolumeView::overlayArea() const {
 }
 
 Overlays VolumeView::overlays() const {
-  const ShownSeriesPtr shown = series();
+  const LoadedSeriesPtr shown = series();
   const Camera seen = camera();
   Overlays o = viewOverlays(*shown, seen, size());
   o.topLeft = seriesCorner(shown->series).left(cornerLines(overlayArea(), font()));

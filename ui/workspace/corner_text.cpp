@@ -198,7 +198,7 @@ PlaneNumber planeNumber(const Series& series, const VoxelGeometry& drawn, ViewKi
   return {true, QStringLiteral("%1 / %2").arg(place.index + 1).arg(place.count)};
 }
 
-CornerTexts slicesCorner(const Workspace& workspace, ViewId view, const ShownSeries& shown,
+CornerTexts slicesCorner(const Workspace& workspace, ViewId view, const LoadedSeries& shown,
                          const SlicePlane& plane) {
   const ViewState& state = workspace.view(view);
   const FlatLook look = flatLookOf(state);

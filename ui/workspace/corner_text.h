@@ -76,7 +76,7 @@ PlaneNumber planeNumber(const Series& series, const VoxelGeometry& drawn, ViewKi
                         const Crosshair& crosshair, const SlicePlane& plane);
 
 /// All that a flat view says of slices of a series; `plane`: the one that it shows.
-CornerTexts slicesCorner(const Workspace& workspace, ViewId view, const ShownSeries& shown,
+CornerTexts slicesCorner(const Workspace& workspace, ViewId view, const LoadedSeries& shown,
                          const SlicePlane& plane);
 
 }  // namespace volumen

@@ -130,11 +130,11 @@ Crosshair firstCrosshair(const Series& series) {
   return crosshair;
 }
 
-Crosshair crosshairOf(const Workspace& workspace, const ShownSeries& series) {
+Crosshair crosshairOf(const Workspace& workspace, const LoadedSeries& series) {
   return crosshairOf(workspace, sceneViewId, series);
 }
 
-Crosshair crosshairOf(const Workspace& workspace, ViewId view, const ShownSeries& series) {
+Crosshair crosshairOf(const Workspace& workspace, ViewId view, const LoadedSeries& series) {
   const Crosshair* known = findCrosshair(workspace, view, frameOfReference(series.series));
   const VoxelGeometry& geometry = series.volume->geometry();
   if (known) return lyingFor(*known, geometry);

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ui/data/shown_frame.h"
+#include "ui/data/loaded_frame.h"
 #include "ui/workspace/workspace.h"
 #include "viewer/slice/plane.h"
 
@@ -31,9 +31,9 @@ const VoxelGeometry& drawnGeometry(const Series& series);
 
 /// The crosshair of the series' frame of reference, as it lies for this series; where none was set yet,
 /// firstCrosshair().
-Crosshair crosshairOf(const Workspace& workspace, const ShownSeries& series);
+Crosshair crosshairOf(const Workspace& workspace, const LoadedSeries& series);
 /// The same in a view, which may scroll alone.
-Crosshair crosshairOf(const Workspace& workspace, ViewId view, const ShownSeries& series);
+Crosshair crosshairOf(const Workspace& workspace, ViewId view, const LoadedSeries& series);
 Crosshair crosshairOf(const Workspace& workspace, ViewId view, const Series& series);
 
 /// Its point after so many steps of the wheel (unturned down: caudal, posterior, left of the patient), kept

@@ -11,18 +11,18 @@ namespace volumen {
 
 namespace {
 
-const std::vector<NamedGrey>& greysOf(const SeriesState& state, const ShownFrame& frame) {
+const std::vector<NamedGrey>& greysOf(const SeriesState& state, const LoadedFrame& frame) {
   const bool own = frame.seriesGreys.empty() || hasOwnWindows(state, frame.slice->series);
   return own ? frame.greys : frame.seriesGreys;
 }
 
-const NamedGrey& chosenOf(const SeriesState& state, const ShownFrame& frame) {
+const NamedGrey& chosenOf(const SeriesState& state, const LoadedFrame& frame) {
   const std::vector<NamedGrey>& greys = greysOf(state, frame);
   return greys[std::min(std::size_t(std::max(0, state.namedGrey)), greys.size() - 1)];
 }
 
 // Whether LINEAR of DICOM is right for these values.
-bool areIntegers(const ShownFrame& frame) {
+bool areIntegers(const LoadedFrame& frame) {
   const NamedGrey& first = frame.greys.front();
   return first.ofValues || first.mapping.function != WindowFunction::linearExact;
 }
@@ -45,7 +45,7 @@ bool hasOwnWindows(const SeriesState& state, const Series& series) {
          (state.frameWindow == FrameWindow::usual && projections.contains(series.modality));
 }
 
-GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const ShownFrame& frame) {
+GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const LoadedFrame& frame) {
   if (frame.greys.empty()) return {};
   GreyMapping grey = chosenOf(state, frame).mapping;
   grey.inverted = frame.greys.front().mapping.inverted;  // a matter of its pixels, not of the window
@@ -61,7 +61,7 @@ GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const Show
   return grey;
 }
 
-std::vector<GreyChoice> greyChoices(const ShownFrame& frame, const SeriesState& state) {
+std::vector<GreyChoice> greyChoices(const LoadedFrame& frame, const SeriesState& state) {
   if (frame.greys.empty()) return {};
   std::vector<GreyChoice> all{{tr("Automatic"), 0, {}}};
   const std::vector<NamedGrey>& greys = greysOf(state, frame);
@@ -79,7 +79,7 @@ SeriesState withGrey(SeriesState state, const GreyChoice& choice) {
   return state;
 }
 
-QString greyText(const SeriesState& state, const FlatLook& look, const ShownFrame& frame) {
+QString greyText(const SeriesState& state, const FlatLook& look, const LoadedFrame& frame) {
   if (frame.greys.empty()) return {};
   const GreyMapping grey = frameGrey(state, look, frame);
   if (!grey.table.grey.empty()) return tr("LUT %1").arg(shownText(chosenOf(state, frame).name)).trimmed();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/data/shown_frame.h"
+#include "ui/data/loaded_frame.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
@@ -10,7 +10,7 @@ bool hasOwnWindows(const SeriesState& state, const Series& series);
 
 /// How a frame is turned into grey: by the window that was set, LINEAR for integers of DICOM, else by the one
 /// of the file's windows and VOI LUTs that was chosen.
-GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const ShownFrame& frame);
+GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const LoadedFrame& frame);
 
 /// A way from value to grey to choose by name.
 struct GreyChoice {
@@ -21,12 +21,12 @@ struct GreyChoice {
 
 /// The first of the file's, then all of these by name, then those of tissues where values are HU. Empty for
 /// colour.
-std::vector<GreyChoice> greyChoices(const ShownFrame& frame, const SeriesState& state = {});
+std::vector<GreyChoice> greyChoices(const LoadedFrame& frame, const SeriesState& state = {});
 
 /// The state after a choice.
 SeriesState withGrey(SeriesState state, const GreyChoice& choice);
 
 /// "W 900 L 2653", and what is no straight line said behind it: "sigmoid", "LUT SOFTER".
-QString greyText(const SeriesState& state, const FlatLook& look, const ShownFrame& frame);
+QString greyText(const SeriesState& state, const FlatLook& look, const LoadedFrame& frame);
 
 }  // namespace volumen

@@ -23,7 +23,7 @@ bool measuresLengths(const UltrasoundRegion& r) {
   return r.unitX == centimetres && r.unitY == centimetres && r.delta.x > 0 && r.delta.y > 0;
 }
 
-const UltrasoundRegion* regionAt(const ShownFrame& frame, glm::ivec2 pixel) {
+const UltrasoundRegion* regionAt(const LoadedFrame& frame, glm::ivec2 pixel) {
   const auto holds = [&](const UltrasoundRegion& r) {
     return glm::all(glm::greaterThanEqual(pixel, r.from)) && glm::all(glm::lessThanEqual(pixel, r.to)) &&
            measuresLengths(r);
@@ -34,7 +34,7 @@ const UltrasoundRegion* regionAt(const ShownFrame& frame, glm::ivec2 pixel) {
 
 }  // namespace
 
-QString pixelSizeText(const ShownFrame& frame) {
+QString pixelSizeText(const LoadedFrame& frame) {
   if (!hasMm(frame))
     return std::ranges::any_of(frame.regions, measuresLengths) ? tr("mm in regions, else px")
                                                                : tr("not calibrated: px");
@@ -44,7 +44,7 @@ QString pixelSizeText(const ShownFrame& frame) {
   return withKind(text, frame.pixel.kind);
 }
 
-QString pixelPlaceText(const ShownFrame& frame, glm::ivec2 pixel) {
+QString pixelPlaceText(const LoadedFrame& frame, glm::ivec2 pixel) {
   const QString place = tr("%1, %2 px").arg(pixel.x).arg(pixel.y);
   if (hasMm(frame))
     return QStringLiteral("%1 (%2)").arg(
@@ -55,7 +55,7 @@ QString pixelPlaceText(const ShownFrame& frame, glm::ivec2 pixel) {
       .arg(place, mmText(glm::dvec2(pixel - region->from) * region->delta * 10.0));
 }
 
-QString pixelValueText(const ShownFrame& frame, glm::ivec2 pixel) {
+QString pixelValueText(const LoadedFrame& frame, glm::ivec2 pixel) {
   const auto value = [&](const VolumePtr& volume) { return double(volume->value(pixel.x, pixel.y, 0)); };
   if (frame.colour())
     return QStringLiteral("R %1 G %2 B %3")

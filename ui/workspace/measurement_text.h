@@ -3,7 +3,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "ui/data/shown_series.h"
+#include "ui/data/loaded_series.h"
 #include "ui/workspace/measurement.h"
 #include "viewer/measure/measure.h"
 

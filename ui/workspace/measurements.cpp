@@ -70,7 +70,7 @@ std::optional<int> frameMeant(const Series& series, const ShapeFrame& name) {
   return {};
 }
 
-FramePixels pixelsOf(const ShownFrame& frame) {
+FramePixels pixelsOf(const LoadedFrame& frame) {
   return {frame.slice->volume, frame.green, frame.blue, frame.pixel, frame.regions};
 }
 

@@ -3,7 +3,7 @@
 #include <QString>
 #include <span>
 
-#include "ui/data/shown_frame.h"
+#include "ui/data/loaded_frame.h"
 #include "ui/workspace/session.h"
 #include "viewer/measure/frame_measure.h"
 
@@ -24,7 +24,7 @@ ShapeFrame frameNamed(const Series& series, int frame);
 std::optional<int> frameMeant(const Series& series, const ShapeFrame& name);
 
 /// A frame as it is measured on.
-FramePixels pixelsOf(const ShownFrame& frame);
+FramePixels pixelsOf(const LoadedFrame& frame);
 
 /// Adds one to a series of the workspace and selects it: one step. The id it got.
 int addMeasurement(Session& session, const SeriesKey& series, const Shape& shape);

@@ -48,7 +48,7 @@ Workspace withSeriesMoved(Workspace w, const SeriesKey& from, const Series& to) 
   return w;
 }
 
-Workspace withReferenceMoved(Workspace w, const ReferenceKey& from, const ReferenceKey& to) {
+Workspace withObjectMoved(Workspace w, const DerivedKey& from, const DerivedKey& to) {
   renameKey(w.regions, from, to);
   for (ViewId id = 0; id < viewCount; ++id)
     w.editView(id).flats.editIf([&](const auto& entry) { return entry.second.presentation == from; },
@@ -56,14 +56,14 @@ Workspace withReferenceMoved(Workspace w, const ReferenceKey& from, const Refere
   return w;
 }
 
-std::vector<UsedReference> referencesOf(const Workspace& workspace) {
-  std::vector<UsedReference> used;
+std::vector<UsedObject> derivedObjectsOf(const Workspace& workspace) {
+  std::vector<UsedObject> used;
   for (const ViewState& view : workspace.views)
     for (const auto& [series, look] : view.flats)
-      if (!look.presentation.empty()) used.push_back({look.presentation, ReferenceKind::presentation});
+      if (!look.presentation.empty()) used.push_back({look.presentation, DerivedKind::presentation});
   for (const auto& [key, look] : workspace.regions) used.push_back({key, look.kind});
-  std::ranges::sort(used, {}, &UsedReference::key);
-  const auto isSame = [](const UsedReference& a, const UsedReference& b) { return a.key == b.key; };
+  std::ranges::sort(used, {}, &UsedObject::key);
+  const auto isSame = [](const UsedObject& a, const UsedObject& b) { return a.key == b.key; };
   used.erase(std::unique(used.begin(), used.end(), isSame), used.end());
   return used;
 }

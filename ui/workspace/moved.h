@@ -9,17 +9,17 @@ namespace volumen {
 Workspace withSeriesMoved(Workspace workspace, const SeriesKey& from, const Series& to);
 
 /// The same for an object that refers to pictures.
-Workspace withReferenceMoved(Workspace workspace, const ReferenceKey& from, const ReferenceKey& to);
+Workspace withObjectMoved(Workspace workspace, const DerivedKey& from, const DerivedKey& to);
 
 /// An object that refers to pictures and is in use, and what it is.
-struct UsedReference {
-  ReferenceKey key;
-  ReferenceKind kind = ReferenceKind::presentation;
-  bool operator==(const UsedReference&) const = default;
+struct UsedObject {
+  DerivedKey key;
+  DerivedKind kind = DerivedKind::presentation;
+  bool operator==(const UsedObject&) const = default;
 };
 
 /// The presentation states that pictures are shown by, and the structure sets and segmentations over views;
 /// each once.
-std::vector<UsedReference> referencesOf(const Workspace& workspace);
+std::vector<UsedObject> derivedObjectsOf(const Workspace& workspace);
 
 }  // namespace volumen

@@ -24,7 +24,7 @@ std::vector<PresetEntry> presetEntries() {
   return entries;
 }
 
-Status saveOwnPreset(const std::string& name, const Scene& scene, const ShownSeries& series) {
+Status saveOwnPreset(const std::string& name, const Scene& scene, const LoadedSeries& series) {
   const std::vector<std::string>& taken = presetNames();
   if (name == "auto" || std::find(taken.begin(), taken.end(), name) != taken.end())
     return Error{"\"" + name + "\" is a preset of the program; choose another name."};

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/data/shown_series.h"
+#include "ui/data/loaded_series.h"
 #include "viewer/scene/presets.h"
 
 namespace volumen {
@@ -25,7 +25,7 @@ std::vector<PresetEntry> presetEntries();
 
 /// Keeps the look of a scene under a name; values without a unit are kept relative to those of the series. An
 /// Error where the name is one of the program's own, or the file cannot be written.
-Status saveOwnPreset(const std::string& name, const Scene& scene, const ShownSeries& series);
+Status saveOwnPreset(const std::string& name, const Scene& scene, const LoadedSeries& series);
 Status deleteOwnPreset(const std::string& name);
 
 }  // namespace volumen

@@ -16,7 +16,7 @@ struct Displayed {
   glm::dvec2 mm;  ///< of a displayed pixel
 };
 
-Displayed displayedOf(const ShownFrame& frame) {
+Displayed displayedOf(const LoadedFrame& frame) {
   const VoxelGeometry& geometry = frame.geometry();
   const SlicePlane acquired = framePlane(geometry);
   const glm::ivec2 size(geometry.size);
@@ -44,7 +44,7 @@ std::string opposite(std::string letters) {
 
 }  // namespace
 
-SlicePlane presentedPlane(const ShownFrame& frame, const FlatLook& look, SlicePlane plane) {
+SlicePlane presentedPlane(const LoadedFrame& frame, const FlatLook& look, SlicePlane plane) {
   const Displayed shown = displayedOf(frame);
   const glm::dvec2 whole = glm::dvec2(shown.grid.size()) * shown.mm;
   plane.mmPerPixel = std::max(whole.x / plane.size.x, whole.y / plane.size.y) / look.zoom;
@@ -54,13 +54,13 @@ SlicePlane presentedPlane(const ShownFrame& frame, const FlatLook& look, SlicePl
   return plane;
 }
 
-glm::dvec3 annotationPlace(const ShownFrame& frame, glm::dvec2 position, AnnotationUnits units) {
+glm::dvec3 annotationPlace(const LoadedFrame& frame, glm::dvec2 position, AnnotationUnits units) {
   const Displayed shown = displayedOf(frame);
   const glm::dvec2 from = shown.grid.displayed(position, units) - glm::dvec2(shown.grid.size()) / 2.0;
   return shown.centre + from.x * shown.mm.x * shown.right + from.y * shown.mm.y * shown.down;
 }
 
-std::string frameSide(const ShownFrame& frame, glm::dvec3 direction) {
+std::string frameSide(const LoadedFrame& frame, glm::dvec3 direction) {
   constexpr double along = 0.9;  // the cosine from which on it is that direction
   const SlicePlane acquired = framePlane(frame.geometry());
   for (const auto& [axis, side] :

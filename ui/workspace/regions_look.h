@@ -2,14 +2,14 @@
 
 #include <string>
 
-#include "io/study/reference.h"
+#include "io/study/derived_object.h"
 #include "ui/workspace/shared_map.h"
 
 namespace volumen {
 
 /// How flat views show the regions of a structure set or the segments of a segmentation.
 struct RegionsLook {
-  ReferenceKind kind = ReferenceKind::contours;  ///< or segmentation
+  DerivedKind kind = DerivedKind::contours;  ///< or segmentation
   std::string label;
   std::string frameOfReferenceUid;  ///< of a segmentation; views of others do not show it
   double opacity = 0.4;             ///< of segments

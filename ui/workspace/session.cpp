@@ -12,7 +12,7 @@ namespace volumen {
 
 namespace {
 
-SceneLook firstLook(const ShownSeries& series) {
+SceneLook firstLook(const LoadedSeries& series) {
   return {series.firstScene, std::make_shared<ChosenPreset>(ChosenPreset{"auto", series.firstScene})};
 }
 
@@ -22,11 +22,11 @@ Session::Session(QObject* parent) : QObject(parent) {}
 
 PoolKey Session::poolKeyOf(const SeriesKey& series) const { return {series, maskOf(series)}; }
 
-ShownSeriesPtr Session::seriesNamed(const SeriesKey& key) const {
+LoadedSeriesPtr Session::seriesNamed(const SeriesKey& key) const {
   return key.empty() ? nullptr : pool_.find(poolKeyOf(key));
 }
 
-ShownSeriesPtr Session::seriesOf(ViewId view) const { return seriesNamed(workspace_.view(view).series); }
+LoadedSeriesPtr Session::seriesOf(ViewId view) const { return seriesNamed(workspace_.view(view).series); }
 
 const Scene& Session::sceneOf(ViewId view) const {
   static const Scene none;
@@ -35,12 +35,12 @@ const Scene& Session::sceneOf(ViewId view) const {
   return look == shown.scenes.end() ? none : look->second.scene;
 }
 
-void Session::show(ShownSeriesPtr series) {
+void Session::show(LoadedSeriesPtr series) {
   if (series) return show(std::move(series), workspace_.focus);
   closeAll({});
 }
 
-void Session::show(ShownSeriesPtr series, ViewId view, const Arrange& arrange) {
+void Session::show(LoadedSeriesPtr series, ViewId view, const Arrange& arrange) {
   const SeriesKey key = keyOf(series->series);
   pool_.put({key, {}}, series);
   const SceneLook first = firstLook(*series);
@@ -57,7 +57,7 @@ void Session::showFrames(const Series& series, ViewId view, const Arrange& arran
 }
 
 void Session::showAs(ViewId view, ViewKind kind) {
-  const ShownSeriesPtr series = seriesOf(view);
+  const LoadedSeriesPtr series = seriesOf(view);
   if (!series) return;
   const ViewState& scenes = workspace_.view(sceneViewOf(workspace_));
   const auto look = scenes.scenes.find(keyOf(series->series));
@@ -87,12 +87,12 @@ void Session::makeRoom(const QString& text, const Workspace& after) {
 }
 
 bool Session::showAgain(const Series& series, ViewId view, const Arrange& arrange) {
-  const ShownSeriesPtr held = pool_.find({keyOf(series), {}});
+  const LoadedSeriesPtr held = pool_.find({keyOf(series), {}});
   if (held) show(held, view, arrange);
   return held != nullptr;
 }
 
-void Session::take(ShownSeriesPtr series, const Arrange& arrange) {
+void Session::take(LoadedSeriesPtr series, const Arrange& arrange) {
   const SeriesKey key = keyOf(series->series);
   const auto waits = [&](ViewId id) {
     const ViewState& view = workspace_.view(id);
@@ -104,12 +104,12 @@ void Session::take(ShownSeriesPtr series, const Arrange& arrange) {
   keep(std::move(series));
 }
 
-void Session::keep(ShownSeriesPtr series) {
+void Session::keep(LoadedSeriesPtr series) {
   pool_.put({keyOf(series->series), {}}, series);
   setWorkspace(withFound(workspace_, series->series));
 }
 
-void Session::takeMasked(const Mask& mask, ShownSeriesPtr masked) {
+void Session::takeMasked(const Mask& mask, LoadedSeriesPtr masked) {
   const SeriesKey key = keyOf(masked->series);
   if (!workspace_.series.contains(key)) return;
   pool_.put({key, mask}, std::move(masked));
@@ -123,13 +123,13 @@ void Session::open(const QString& text, const Workspace& workspace) {
   if (after != workspace_) push(text, after, {});
 }
 
-void Session::close(const std::vector<SeriesKey>& series, const std::vector<ReferenceKey>& references) {
+void Session::close(const std::vector<SeriesKey>& series, const std::vector<DerivedKey>& derived) {
   Workspace after = workspace_;
   for (const SeriesKey& key : series)
     if (after.series.contains(key)) after = without(std::move(after), key);
   Unlisted& unlisted = after.unlisted.edit();
   unlisted.series.insert(series.begin(), series.end());
-  unlisted.references.insert(references.begin(), references.end());
+  unlisted.derived.insert(derived.begin(), derived.end());
   if (after == workspace_) return;
   endGesture();
   for (const SeriesKey& key : series) pool_.forget(key);
@@ -144,17 +144,17 @@ void Session::closeAll(const Unlisted& listed) {
   Unlisted& unlisted = after.unlisted.edit();
   for (const auto& [key, state] : workspace_.series) unlisted.series.insert(key);
   unlisted.series.insert(listed.series.begin(), listed.series.end());
-  unlisted.references.insert(listed.references.begin(), listed.references.end());
+  unlisted.derived.insert(listed.derived.begin(), listed.derived.end());
   endGesture();
   pool_.clear();
   if (after != workspace_) push(tr("Close all"), after, {});
 }
 
-void Session::list(const std::vector<SeriesKey>& series, const std::vector<ReferenceKey>& references) {
+void Session::list(const std::vector<SeriesKey>& series, const std::vector<DerivedKey>& derived) {
   Workspace after = workspace_;
   Unlisted& unlisted = after.unlisted.edit();
   for (const SeriesKey& key : series) unlisted.series.erase(key);
-  for (const ReferenceKey& key : references) unlisted.references.erase(key);
+  for (const DerivedKey& key : derived) unlisted.derived.erase(key);
   if (after != workspace_) setWorkspace(after);
 }
 
@@ -201,7 +201,7 @@ Mask Session::maskOf(const SeriesKey& series) const {
   return known == workspace_.series.end() ? Mask{} : known->second.mask;
 }
 
-ShownSeriesPtr Session::seriesWith(const SeriesKey& series, const Mask& mask) const {
+LoadedSeriesPtr Session::seriesWith(const SeriesKey& series, const Mask& mask) const {
   return pool_.find({series, mask});
 }
 

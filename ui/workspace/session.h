@@ -13,7 +13,7 @@ namespace volumen {
 
 /// What one 3D view shows, with its data at hand.
 struct SessionState {
-  ShownSeriesPtr series;  ///< null: none, or it is not in memory yet
+  LoadedSeriesPtr series;  ///< null: none, or it is not in memory yet
   Scene scene;
   QualityGoal goal;
   std::shared_ptr<const ChosenPreset> preset;  ///< null: no series
@@ -34,21 +34,21 @@ class Session : public QObject {
   /// Of the 3D view in focus.
   const SessionState& state() const { return state_; }
   const Scene& scene() const { return state_.scene; }
-  const ShownSeriesPtr& series() const { return state_.series; }
+  const LoadedSeriesPtr& series() const { return state_.series; }
   const QualityGoal& goal() const { return state_.goal; }
   /// Of any view; flat ones have an empty one.
   const Scene& sceneOf(ViewId view) const;
   /// A series of the workspace; null: it is not in memory.
-  ShownSeriesPtr seriesNamed(const SeriesKey& key) const;
+  LoadedSeriesPtr seriesNamed(const SeriesKey& key) const;
   /// The series of a view; null: none, or it is not in memory.
-  ShownSeriesPtr seriesOf(ViewId view) const;
+  LoadedSeriesPtr seriesOf(ViewId view) const;
 
   /// What else is done to the workspace in the step that shows a series; `isNew`: it was never shown before.
   using Arrange = std::function<Workspace(Workspace, bool isNew)>;
   /// Puts a series into the view in focus (and its group), as it was left there, else by its first scene; one
   /// undo step, but for the first series of a window. Null: closes all, in one step, too.
-  void show(ShownSeriesPtr series);
-  void show(ShownSeriesPtr series, ViewId view, const Arrange& arrange = {});
+  void show(LoadedSeriesPtr series);
+  void show(LoadedSeriesPtr series, ViewId view, const Arrange& arrange = {});
   /// Puts the frames of a series into a view, as withFrames() does; one undo step, but for the first series.
   void showFrames(const Series& series, ViewId view, const Arrange& arrange = {});
   /// Shows the series of a view to compare in another plane, or in 3D: at first as the 3D view does that the
@@ -61,21 +61,21 @@ class Session : public QObject {
   /// together with that.
   void makeRoom(const QString& text, const Workspace& after);
   /// Keeps a series that views on screen wait for; shows any other.
-  void take(ShownSeriesPtr series, const Arrange& arrange = {});
+  void take(LoadedSeriesPtr series, const Arrange& arrange = {});
   /// Keeps a series in memory, for views that wait for it now or later.
-  void keep(ShownSeriesPtr series);
+  void keep(LoadedSeriesPtr series);
   /// Keeps a series without what a mask takes away.
-  void takeMasked(const Mask& mask, ShownSeriesPtr masked);
+  void takeMasked(const Mask& mask, LoadedSeriesPtr masked);
   /// Makes a workspace that was read the one in use; one undo step, but for the first of a window; what was
   /// made on series that it does not know comes back with them.
   void open(const QString& text, const Workspace& workspace);
   /// Takes series off views, list and memory, and objects off the list: one undo step. What was made on a
   /// series comes back with it.
-  void close(const std::vector<SeriesKey>& series, const std::vector<ReferenceKey>& references = {});
+  void close(const std::vector<SeriesKey>& series, const std::vector<DerivedKey>& derived = {});
   /// The same for all of the workspace and for what else is in the list.
   void closeAll(const Unlisted& listed);
   /// Puts series and objects that were opened again back into the list: no step.
-  void list(const std::vector<SeriesKey>& series, const std::vector<ReferenceKey>& references);
+  void list(const std::vector<SeriesKey>& series, const std::vector<DerivedKey>& derived);
 
   /// How large the picture of a view is, device pixels: what links of zoom are reckoned with.
   void setViewSize(ViewId view, glm::ivec2 pixels) { viewSizes_[view] = pixels; }
@@ -100,7 +100,7 @@ class Session : public QObject {
   /// That of a series; empty where the workspace does not know it.
   Mask maskOf(const SeriesKey& series) const;
   /// A series without what this mask takes away; null: it is not in memory.
-  ShownSeriesPtr seriesWith(const SeriesKey& series, const Mask& mask) const;
+  LoadedSeriesPtr seriesWith(const SeriesKey& series, const Mask& mask) const;
 
   /// The same for what is asked of the picture beside the scene.
   void setGoal(const QString& text, const QualityGoal& after, const QString& mergeKey = {});

@@ -23,23 +23,22 @@ SeriesEntry entryOf(const SeriesState& state, const std::string& folder) {
   return entry;
 }
 
-Workspace withLastingReferences(Workspace workspace) {
-  for (const UsedReference& used : referencesOf(workspace)) {
+Workspace withLastingObjects(Workspace workspace) {
+  for (const UsedObject& used : derivedObjectsOf(workspace)) {
     const std::string path = lastingPath(used.key.path);
     if (path != used.key.path)
-      workspace = withReferenceMoved(std::move(workspace), used.key, {path, used.key.id});
+      workspace = withObjectMoved(std::move(workspace), used.key, {path, used.key.id});
   }
   return workspace;
 }
 
-Workspace withReferencesFound(Workspace workspace, const std::vector<SavedReference>& listed,
-                              const FindReference& find) {
-  for (const UsedReference& used : referencesOf(workspace)) {
-    SavedReference saved{used.key, {}, used.kind};
-    const auto entry = std::ranges::find(listed, used.key, &SavedReference::key);
+Workspace withObjectsFound(Workspace workspace, const std::vector<SavedObject>& listed,
+                           const FindObject& find) {
+  for (const UsedObject& used : derivedObjectsOf(workspace)) {
+    SavedObject saved{used.key, {}, used.kind};
+    const auto entry = std::ranges::find(listed, used.key, &SavedObject::key);
     if (entry != listed.end()) saved.relativePath = entry->relativePath;
-    if (const auto found = find(saved))
-      workspace = withReferenceMoved(std::move(workspace), used.key, *found);
+    if (const auto found = find(saved)) workspace = withObjectMoved(std::move(workspace), used.key, *found);
   }
   return workspace;
 }

@@ -17,7 +17,7 @@ struct SeriesEntry {
 std::string relativeTo(const std::string& folder, const std::string& path);
 
 /// With the objects in use named by paths under which they are found another day (lastingPath).
-Workspace withLastingReferences(Workspace workspace);
+Workspace withLastingObjects(Workspace workspace);
 
 /// How a session that is to lie in `folder` names a series.
 SeriesEntry entryOf(const SeriesState& state, const std::string& folder);
@@ -27,7 +27,7 @@ SeriesState stateOf(SeriesEntry entry, const FindSeries& find);
 
 /// With the objects in use that are found where they are now. `listed`: what the session says of their places
 /// beside it.
-Workspace withReferencesFound(Workspace workspace, const std::vector<SavedReference>& listed,
-                              const FindReference& find);
+Workspace withObjectsFound(Workspace workspace, const std::vector<SavedObject>& listed,
+                           const FindObject& find);
 
 }  // namespace volumen

@@ -115,16 +115,16 @@ void fields(Fields& f, ChosenPreset& p) {
 }
 
 template <class Fields>
-void fields(Fields& f, ReferenceKey& object) {
+void fields(Fields& f, DerivedKey& object) {
   f("path", object.path);
   f("id", object.id);
 }
 
 template <class Fields>
-void fields(Fields& f, SavedReference& saved) {
+void fields(Fields& f, SavedObject& saved) {
   fields(f, saved.key);
   f("relativePath", saved.relativePath);
-  f("kind", saved.kind, referenceWords);
+  f("kind", saved.kind, derivedWords);
 }
 
 template <class Fields>
@@ -305,14 +305,14 @@ void fields(Fields& f, Workspace& w) {
   f("measurements", w.measurements);
   f("measurementsShown", w.measurementsShown);
   f("keyImages", w.keyImages);
-  f.map("regions", w.regions, [](auto& item, ReferenceKey& object, RegionsLook& look) {
+  f.map("regions", w.regions, [](auto& item, DerivedKey& object, RegionsLook& look) {
     fields(item, object);
     fields(item, look);
   });
 }
 
 Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& find,
-                                     const FindReference& findReference) {
+                                     const FindObject& findObject) {
   const auto parsed = parseJson(text, mostMiB);
   if (!parsed) return parsed.error();
   std::string problem;
@@ -337,13 +337,12 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
   fields(read, session.workspace);
   read("segmentMaps", session.workspace.segmentMaps);
   read("savedAs", session.savedAs);
-  std::vector<SavedReference> references;
-  read("references", references);
+  std::vector<SavedObject> derived;
+  read("references", derived);
   json.refuseOthers();
   if (problem.empty()) checkViews(json, session.workspace);
   if (!problem.empty()) return Error{problem};
-  if (findReference)
-    session.workspace = withReferencesFound(std::move(session.workspace), references, findReference);
+  if (findObject) session.workspace = withObjectsFound(std::move(session.workspace), derived, findObject);
   return session;
 }
 
@@ -358,16 +357,16 @@ Result<std::string> sessionToJson(const Workspace& workspace, const std::string&
     numbers.add(*state.series);
   }
   int written = version;
-  Workspace copy = withLastingReferences(workspace);
+  Workspace copy = withLastingObjects(workspace);
   std::string of = savedAs;
   write("volumenSession", written, {version, version});
   write("series", entries);
   fields(write, copy);
-  std::vector<SavedReference> references;
-  for (const UsedReference& used : referencesOf(copy))
-    references.push_back({used.key, relativeTo(folder, used.key.path), used.kind});
+  std::vector<SavedObject> derived;
+  for (const UsedObject& used : derivedObjectsOf(copy))
+    derived.push_back({used.key, relativeTo(folder, used.key.path), used.kind});
   if (!copy.segmentMaps.empty()) write("segmentMaps", copy.segmentMaps);
-  if (!references.empty()) write("references", references);
+  if (!derived.empty()) write("references", derived);
   if (!savedAs.empty()) write("savedAs", of);
   if (!problem.empty()) return Error{problem};
   // A name that is no UTF-8 is written with marks in its place; such a series is told as missing later.

@@ -17,14 +17,14 @@ struct SavedSeries {
 };
 
 /// What a session says of an object that refers to pictures, to find it again.
-struct SavedReference {
-  ReferenceKey key;          ///< as it was; its id is the object's UID
+struct SavedObject {
+  DerivedKey key;            ///< as it was; its id is the object's UID
   std::string relativePath;  ///< from the session's folder; empty: not said
-  ReferenceKind kind = ReferenceKind::presentation;
+  DerivedKind kind = DerivedKind::presentation;
 };
 
 /// Finds an object again, under its own path. Nothing: it is not there.
-using FindReference = std::function<std::optional<ReferenceKey>(const SavedReference& saved)>;
+using FindObject = std::function<std::optional<DerivedKey>(const SavedObject& saved)>;
 
 /// Finds a series again. Null: it is not there, or no longer what it was.
 using FindSeries = std::function<std::shared_ptr<const Series>(const SavedSeries& saved)>;
@@ -35,11 +35,11 @@ struct SavedSession {
 };
 
 /// Reads a session (JSON in UTF-8) that nobody has checked. Where `find` finds a series the workspace holds
-/// that one, under its own path; else what the session says of it, as missing. Where `findReference` finds an
+/// that one, under its own path; else what the session says of it, as missing. Where `findObject` finds an
 /// object that refers to pictures, it is named by its own path; else by the one it had. Every refusal is one
 /// sentence that names the field; unknown fields, texts above 8 MiB and what no window can show are refused.
 Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& find,
-                                     const FindReference& findReference = {});
+                                     const FindObject& findObject = {});
 
 /// The workspace with every field: what is read from it is equal where the series are found. `folder`: where
 /// the session is to lie. An Error names the field that could not be read again, such as a number that is not

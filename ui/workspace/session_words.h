@@ -10,11 +10,11 @@ inline const Words<FrameWindow> frameWindowWords{
     {"usual", FrameWindow::usual}, {"ofSeries", FrameWindow::ofSeries}, {"ofEach", FrameWindow::ofEach}};
 inline const Words<SlabMode> slabWords{
     {"max", SlabMode::max}, {"min", SlabMode::min}, {"mean", SlabMode::mean}};
-inline const Words<ReferenceKind> regionWords{{"contours", ReferenceKind::contours},
-                                              {"segmentation", ReferenceKind::segmentation}};
-inline const Words<ReferenceKind> referenceWords{{"presentation", ReferenceKind::presentation},
-                                                 {"contours", ReferenceKind::contours},
-                                                 {"segmentation", ReferenceKind::segmentation}};
+inline const Words<DerivedKind> regionWords{{"contours", DerivedKind::contours},
+                                            {"segmentation", DerivedKind::segmentation}};
+inline const Words<DerivedKind> derivedWords{{"presentation", DerivedKind::presentation},
+                                             {"contours", DerivedKind::contours},
+                                             {"segmentation", DerivedKind::segmentation}};
 inline const Words<Aim> aimWords{{"level", Aim::level}, {"time", Aim::time}, {"error", Aim::error}};
 
 inline Words<ViewKind> namedKinds() {

@@ -26,12 +26,12 @@ QString unitNote(const Series& series) {
   return why.isEmpty() ? why : QStringLiteral(" (%1)").arg(why);
 }
 
-QString valueText(const ShownSeries& shown, double value) {
+QString valueText(const LoadedSeries& shown, double value) {
   return QString::number(value * shownScale(shown.series).factor, 'f', valueDecimals(shown) - 1) +
          unitSuffix(shown.series) + unitNote(shown.series);
 }
 
-int valueDecimals(const ShownSeries& shown) {
+int valueDecimals(const LoadedSeries& shown) {
   Histogram histogram;
   const double factor = shownScale(shown.series).factor;
   histogram.low = shown.histogram.low * factor, histogram.high = shown.histogram.high * factor;

@@ -3,7 +3,7 @@
 #include <QString>
 #include <utility>
 
-#include "ui/data/shown_series.h"
+#include "ui/data/loaded_series.h"
 
 namespace volumen {
 
@@ -19,10 +19,10 @@ ValueScale shownScale(const Series& series);
 QString unitNote(const Series& series);
 
 /// A value as it stands on screen, with its unit and what is to be said of that: "5.23 SUVbw".
-QString valueText(const ShownSeries& shown, double value);
+QString valueText(const LoadedSeries& shown, double value);
 
 /// How many decimals tell the numbers of a series apart.
-int valueDecimals(const ShownSeries& shown);
+int valueDecimals(const LoadedSeries& shown);
 
 /// A window or a range in the numbers on screen, and back.
 Window shownWindow(const Window& window, const Series& series);

@@ -18,22 +18,22 @@ constexpr double finest = 1.0 / 4000;
 
 }  // namespace
 
-Window windowInUse(const Scene& scene, const ShownSeries& series) {
+Window windowInUse(const Scene& scene, const LoadedSeries& series) {
   return scene.window.value_or(series.window);
 }
 
-Window flatWindow(const SeriesState& state, const ShownSeries& series) {
+Window flatWindow(const SeriesState& state, const LoadedSeries& series) {
   const Window first = series.flatWindow.value_or(series.window), own{first.centre, std::abs(first.width)};
   const bool inverted = series.series.modality == "PT";
   return state.window.value_or(inverted ? Window{own.centre, -own.width} : own);
 }
 
-Window overlayWindow(const SeriesState& state, const ShownSeries& series) {
+Window overlayWindow(const SeriesState& state, const LoadedSeries& series) {
   const Window window = flatWindow(state, series);
   return {window.centre, std::abs(window.width)};
 }
 
-GreyMapping greyMapping(const Window& window, const ShownSeries& series) {
+GreyMapping greyMapping(const Window& window, const LoadedSeries& series) {
   GreyMapping grey =
       windowGrey(*series.volume, series.series.format == "DICOM", {window.centre, std::abs(window.width)});
   grey.inverted = window.width < 0;
@@ -59,7 +59,7 @@ std::vector<NamedWindow> tissueWindows(const Series& series) {
   return all;
 }
 
-std::vector<NamedWindow> windowChoices(const ShownSeries& series) {
+std::vector<NamedWindow> windowChoices(const LoadedSeries& series) {
   std::vector<NamedWindow> all{{tr("Automatic"), {}}};
   const std::vector<Window>& files = series.volume->attributes().windows;
   for (std::size_t n = 0; n < files.size(); ++n) {
@@ -70,7 +70,7 @@ std::vector<NamedWindow> windowChoices(const ShownSeries& series) {
   return all;
 }
 
-Scene withMode(Scene scene, Mode mode, const ShownSeries& series) {
+Scene withMode(Scene scene, Mode mode, const LoadedSeries& series) {
   scene.mode = mode;
   if (scene.window || mode == Mode::composite || !isHounsfield(series.series)) return scene;
   // What a file's window is made for, one slice, leaves a projection all white or all black.
@@ -86,7 +86,7 @@ WindowEnds endsOf(const Window& window) {
 
 Window windowBetween(WindowEnds ends) { return {(ends.dark + ends.bright) / 2, ends.bright - ends.dark}; }
 
-Window draggedWindow(const Window& atPress, glm::dvec2 pixels, const ShownSeries& series) {
+Window draggedWindow(const Window& atPress, glm::dvec2 pixels, const LoadedSeries& series) {
   const double least = finest * series.valueSpread, sign = atPress.width < 0 ? -1 : 1;
   const double width = std::abs(atPress.width), step = std::max(width / 80, least);
   if (series.series.modality == "PT") {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/data/shown_series.h"
+#include "ui/data/loaded_series.h"
 #include "ui/workspace/workspace.h"
 #include "viewer/slice/grey.h"
 
@@ -14,14 +14,14 @@ namespace volumen {
 /// Windows of projections, from value to value; a negative width is an inverted window (picture.md 6).
 
 /// The scene's, or the one that stands for none.
-Window windowInUse(const Scene& scene, const ShownSeries& series);
+Window windowInUse(const Scene& scene, const LoadedSeries& series);
 
 /// Of flat views: the one that was set, else the series' own, inverted for PET.
-Window flatWindow(const SeriesState& state, const ShownSeries& series);
+Window flatWindow(const SeriesState& state, const LoadedSeries& series);
 /// Of a series over another: the same, never inverted.
-Window overlayWindow(const SeriesState& state, const ShownSeries& series);
+Window overlayWindow(const SeriesState& state, const LoadedSeries& series);
 /// The mapping from value to grey that a window of a flat view stands for.
-GreyMapping greyMapping(const Window& window, const ShownSeries& series);
+GreyMapping greyMapping(const Window& window, const LoadedSeries& series);
 
 /// A window to choose by name.
 struct NamedWindow {
@@ -30,13 +30,13 @@ struct NamedWindow {
 };
 
 /// Automatic, the file's own, and for HU those of tissues, for SUV those from 0 on.
-std::vector<NamedWindow> windowChoices(const ShownSeries& series);
+std::vector<NamedWindow> windowChoices(const LoadedSeries& series);
 
 /// Those of tissues, for HU; from 0 to 5, 7, 10 and 15 of SUV, inverted as PET is; else none.
 std::vector<NamedWindow> tissueWindows(const Series& series);
 
 /// The scene drawn in another mode; a projection without a window gets one that suits its values.
-Scene withMode(Scene scene, Mode mode, const ShownSeries& series);
+Scene withMode(Scene scene, Mode mode, const LoadedSeries& series);
 
 /// Its darkest and brightest value: low > high where it is inverted.
 struct WindowEnds {
@@ -49,6 +49,6 @@ Window windowBetween(WindowEnds ends);
 /// The window after a drag by so many pixels to the right (wider) and down (up: lower values): a pixel is
 /// 1/80 of the width at the press, but not less than 1/4000 of the series' spread of values. Of PET the lower
 /// end stays.
-Window draggedWindow(const Window& atPress, glm::dvec2 pixels, const ShownSeries& series);
+Window draggedWindow(const Window& atPress, glm::dvec2 pixels, const LoadedSeries& series);
 
 }  // namespace volumen

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/data/reference_key.h"
+#include "ui/data/derived_key.h"
 #include "ui/data/series_key.h"
 #include "ui/data/series_proof.h"
 #include "ui/workspace/key_image.h"
@@ -61,7 +61,7 @@ struct FlatLook {
   SeriesKey overlay{};    ///< of slices: a second series over the first; empty: none
   ColourMap overlayColours = ColourMap::hotIron;
   double overlayOpacity = 0.5;
-  ReferenceKey presentation{};  ///< of frames: the presentation state that those it names are shown by
+  DerivedKey presentation{};  ///< of frames: the presentation state that those it names are shown by
   bool operator==(const FlatLook&) const = default;
 };
 
@@ -176,7 +176,7 @@ struct ClosedSeries {
 /// What of all that was opened is not in the list.
 struct Unlisted {
   std::set<SeriesKey> series;
-  std::set<ReferenceKey> references;
+  std::set<DerivedKey> derived;
   bool operator==(const Unlisted&) const = default;
 };
 
@@ -193,14 +193,14 @@ struct Workspace {
   SharedMap<std::string, Crosshair> crosshairs;  ///< by frame of reference
   Links links;
   SharedList<FrameLink> frameLinks;
-  SharedList<Measurement> measurements;          ///< in the order in which they were made
-  bool measurementsShown = true;                 ///< in flat views
-  int selected = 0;                              ///< the measurement with handles; 0: none
-  SharedList<KeyImage> keyImages;                ///< in the order in which they were marked
-  SharedList<SegmentMap> segmentMaps;            ///< one a series or more
-  SharedMap<ReferenceKey, RegionsLook> regions;  ///< structure sets and segmentations over flat views
-  SharedList<ClosedSeries> closed;               ///< in no session file
-  Shared<Unlisted> unlisted;                     ///< in no session file
+  SharedList<Measurement> measurements;        ///< in the order in which they were made
+  bool measurementsShown = true;               ///< in flat views
+  int selected = 0;                            ///< the measurement with handles; 0: none
+  SharedList<KeyImage> keyImages;              ///< in the order in which they were marked
+  SharedList<SegmentMap> segmentMaps;          ///< one a series or more
+  SharedMap<DerivedKey, RegionsLook> regions;  ///< structure sets and segmentations over flat views
+  SharedList<ClosedSeries> closed;             ///< in no session file
+  Shared<Unlisted> unlisted;                   ///< in no session file
   bool operator==(const Workspace&) const = default;
 
   const ViewState& view(ViewId id) const { return views[std::size_t(id)]; }

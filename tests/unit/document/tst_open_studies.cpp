@@ -20,7 +20,7 @@ std::shared_ptr<const Study> study(std::vector<Series> volumes, int objects = 0)
   auto made = std::make_shared<Study>();
   made->volumes = std::move(volumes);
   for (int n = 0; n < objects; ++n) {
-    Reference& object = made->references.emplace_back();
+    DerivedObject& object = made->derived.emplace_back();
     object.path = "/object" + std::to_string(n);
     object.sopInstanceUid = std::to_string(n);
     made->other.push_back({object.path, "DICOM file without pixel data (SR)"});
@@ -49,9 +49,9 @@ void TestOpenStudies::theyStandInTheOrderInWhichTheyWereOpened() {
   std::vector<std::string> uids;
   for (const Series* each : studies.volumes()) uids.push_back(each->seriesUid);
   QCOMPARE(uids, (std::vector<std::string>{"2", "1", "3"}));
-  QCOMPARE(studies.references().size(), std::size_t(1));
+  QCOMPARE(studies.derived().size(), std::size_t(1));
   QCOMPARE(studies.everything().series.size(), std::size_t(3));
-  QCOMPARE(studies.everything().references.size(), std::size_t(1));
+  QCOMPARE(studies.everything().derived.size(), std::size_t(1));
 }
 
 void TestOpenStudies::aPathThatIsOpenedAgainIsListedOnce() {
@@ -80,11 +80,11 @@ void TestOpenStudies::whatIsTakenOffComesBack() {
   gone = studies.everything();
   studies.setUnlisted(gone);
   studies.setUnlisted(gone);  // nothing new
-  QVERIFY(studies.volumes().empty() && studies.references().empty());
+  QVERIFY(studies.volumes().empty() && studies.derived().empty());
   QVERIFY(!studies.studyOf(a));
-  gone.references.clear();
+  gone.derived.clear();
   studies.setUnlisted(gone);
-  QCOMPARE(studies.references().size(), std::size_t(1));
+  QCOMPARE(studies.derived().size(), std::size_t(1));
   QVERIFY(studies.studyOf(a));
   QVariantList told;
   for (const QVariantList& each : unlisted) told << each[0];

@@ -97,7 +97,7 @@ void TestIndexImport::saysWhatInfoSays() {
     for (const Warning& warning : volume.warnings) warnings.insert(warning.sentence);
   }
   for (const Image& image : study->images) frames.insert(image.path);
-  for (const Reference& object : study->references) frames.insert(object.path);
+  for (const DerivedObject& object : study->derived) frames.insert(object.path);
   for (const IndexedStudy& s : studiesIn(index))
     for (const IndexedSeries& series : seriesIn(index, s.id)) {
       if (series.isVolume) indexedVolumes.insert(series.seriesUid);

@@ -98,8 +98,8 @@ void TestContours::contoursLieOnTheSlicesOfTheirCt() {
     QVERIFY(std::abs(k - std::round(k)) < 1e-3 && std::round(k) >= 16 && std::round(k) <= 30);
   }
   // The pictures that it names were cropped away: it is placed by its coordinates alone.
-  const auto object = std::ranges::find(study->references, ReferenceKind::contours, &Reference::kind);
-  QVERIFY(object != study->references.end());
+  const auto object = std::ranges::find(study->derived, DerivedKind::contours, &DerivedObject::kind);
+  QVERIFY(object != study->derived.end());
   QCOMPARE(object->notHere, std::size_t(179));
   QCOMPARE(
       object->frameOfReferenceUid.empty() ? set->regions[0].frameOfReferenceUid : object->frameOfReferenceUid,

@@ -74,8 +74,8 @@ void TestReferences::realObjectsAreListed() {
   QFETCH(QString, first);
   const Result<Study> study = openStudy(dataPath(file.toStdString()));
   QVERIFY(study.ok());
-  QCOMPARE(study->references.size(), std::size_t(1));
-  const Reference& object = study->references[0];
+  QCOMPARE(study->derived.size(), std::size_t(1));
+  const DerivedObject& object = study->derived[0];
   QCOMPARE(QString::fromLatin1(kindName(object.kind)), kind);
   QCOMPARE(QString::fromStdString(object.label), label);
   QCOMPARE(QString::fromStdString(object.text), text);
@@ -90,7 +90,7 @@ void TestReferences::theyStayAmongTheOthers() {
   NEED_DATA(dataPath());
   const Result<Study> study = openStudy(dataPath("dicom-2d/made-here"));
   QVERIFY(study.ok() && study->refused.empty());
-  QCOMPARE(study->references.size(), std::size_t(2));
+  QCOMPARE(study->derived.size(), std::size_t(2));
   QCOMPARE(study->other.size(), std::size_t(2));
   const Result<Study> segmentation = openStudy(dataPath("dicom-2d/seg-on-CT_small.dcm"));
   QVERIFY(segmentation.ok() && segmentation->refused.empty() && segmentation->volumes.empty());
@@ -109,10 +109,10 @@ void TestReferences::whatIsNotHereIsCounted() {
       refer(addItem(series, 0x0008, 0x1140), uid);
   });
   const Study study = folder.open();
-  QCOMPARE(study.references.size(), std::size_t(1));
-  QCOMPARE(study.references[0].pictures.size(), std::size_t(3));  // each once
-  QCOMPARE(study.references[0].notHere, std::size_t(2));
-  QCOMPARE(study.references[0].pictures[2].seriesUid, std::string("1.2.3.4.5"));
+  QCOMPARE(study.derived.size(), std::size_t(1));
+  QCOMPARE(study.derived[0].pictures.size(), std::size_t(3));  // each once
+  QCOMPARE(study.derived[0].notHere, std::size_t(2));
+  QCOMPARE(study.derived[0].pictures[2].seriesUid, std::string("1.2.3.4.5"));
 }
 
 void TestReferences::proceduresAreNoPictures() {
@@ -123,8 +123,8 @@ void TestReferences::proceduresAreNoPictures() {
     put(step, 0x0008, 0x1155, "1.2.3.7");
   });
   const Study study = folder.open();
-  QCOMPARE(study.references.size(), std::size_t(1));
-  QVERIFY(study.references[0].pictures.empty());
+  QCOMPARE(study.derived.size(), std::size_t(1));
+  QVERIFY(study.derived[0].pictures.empty());
 }
 
 void TestReferences::framesAreCountedFromZero() {
@@ -137,8 +137,8 @@ void TestReferences::framesAreCountedFromZero() {
     refer(addItem(item, 0x0008, 0x1199), "1.2.3.100");
   });
   const Study study = folder.open();
-  QCOMPARE(study.references.size(), std::size_t(1));
-  const auto& pictures = study.references[0].pictures;
+  QCOMPARE(study.derived.size(), std::size_t(1));
+  const auto& pictures = study.derived[0].pictures;
   QCOMPARE(pictures.size(), std::size_t(2));
   QCOMPARE(pictures[0].frames, (std::vector<int>{0, 2, 6}));
   QVERIFY(pictures[1].frames.empty());  // one mention means all of it
@@ -149,8 +149,8 @@ void TestReferences::orderIsThatOfSeries() {
   for (const char* number : {"10", "9", "11"})
     writeObject(folder.path(number), reportClass, [&](DcmItem& data) { put(data, 0x0020, 0x0011, number); });
   const Study study = folder.open();
-  QCOMPARE(study.references.size(), std::size_t(3));
-  for (int n = 0; n < 3; ++n) QCOMPARE(study.references[std::size_t(n)].seriesNumber, std::to_string(9 + n));
+  QCOMPARE(study.derived.size(), std::size_t(3));
+  for (int n = 0; n < 3; ++n) QCOMPARE(study.derived[std::size_t(n)].seriesNumber, std::to_string(9 + n));
 }
 
 VOLUMEN_TEST(TestReferences);

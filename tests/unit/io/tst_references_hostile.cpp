@@ -53,7 +53,7 @@ bool isReadOrRefused(const Result<Value>& loaded, const std::string& path) {
 bool survives(const std::string& path) {
   const Result<Study> study = openStudy(path);
   if (!study) return false;
-  for (const Reference& object : study->references) {
+  for (const DerivedObject& object : study->derived) {
     const Result<Presentation> state = loadPresentation(path);
     const Result<Segmentation> segmentation = loadSegmentation(path);
     const Result<StructureSet> contours = loadContours(path);

@@ -120,7 +120,7 @@ Measurement anyMeasurement(Chance& chance, int id, const SeriesKey& series) {
 
 RegionsLook anyRegions(Chance& chance) {
   RegionsLook look;
-  look.kind = chance.oneIn(2) ? ReferenceKind::contours : ReferenceKind::segmentation;
+  look.kind = chance.oneIn(2) ? DerivedKind::contours : DerivedKind::segmentation;
   look.label = anyText(chance);
   look.frameOfReferenceUid = anyText(chance);
   look.opacity = chance.below(101) / 100.0;

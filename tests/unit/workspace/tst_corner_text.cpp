@@ -159,7 +159,7 @@ void TestCornerText::planesOfUnknownSidesClaimNone() {
   parts.geometry = series.acquired;
   parts.values = std::vector<std::uint8_t>(64 * 64 * 20);
   std::vector<std::string> changed;
-  ShownSeries shown;
+  LoadedSeries shown;
   shown.series = series;
   shown.volume = *Volume::make(std::move(parts), changed);
   Workspace workspace;

@@ -73,7 +73,7 @@ NamedGrey named(const char* name, Window window, WindowFunction function) {
 }
 
 // 3 x 2 pixels of grey 0 .. 5 or of colour, and whatever else is changed.
-ShownFramePtr frameWith(const std::function<void(Frame&)>& change = {}) {
+LoadedFramePtr frameWith(const std::function<void(Frame&)>& change = {}) {
   Frame frame;
   frame.size = {3, 2};
   frame.values = {0, 1, 2, 3, 4, 5};
@@ -256,7 +256,7 @@ void TestFramesOfSeries::aSeriesHasOneWindow() {
   frame.values = {0, 1, 2, 3, 4, 5};
   frame.greys = {named("", {2, 5}, WindowFunction::linear)};
   frame.greys[0].mapping.inverted = true;
-  const ShownFramePtr shown =
+  const LoadedFramePtr shown =
       *shownFrame(series, {keyOf(series), 0}, frame, {}, {named("", {100, 200}, WindowFunction::linear)});
   SeriesState state;
   state.frameWindow = FrameWindow(choice);

@@ -53,14 +53,14 @@ void TestMoved::allThatNamesAnObjectFollowsIt() {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     const Workspace w = randomWorkspace(seed);
     Workspace moved = w;
-    for (const UsedReference& object : referencesOf(w)) {
-      moved = withReferenceMoved(std::move(moved), object.key, {"/moved" + object.key.path, object.key.id});
+    for (const UsedObject& object : derivedObjectsOf(w)) {
+      moved = withObjectMoved(std::move(moved), object.key, {"/moved" + object.key.path, object.key.id});
       ++used;
     }
-    for (const UsedReference& object : referencesOf(moved)) QVERIFY(object.key.path.starts_with("/moved"));
-    QCOMPARE(referencesOf(moved).size(), referencesOf(w).size());
-    for (const UsedReference& object : referencesOf(w))
-      moved = withReferenceMoved(std::move(moved), {"/moved" + object.key.path, object.key.id}, object.key);
+    for (const UsedObject& object : derivedObjectsOf(moved)) QVERIFY(object.key.path.starts_with("/moved"));
+    QCOMPARE(derivedObjectsOf(moved).size(), derivedObjectsOf(w).size());
+    for (const UsedObject& object : derivedObjectsOf(w))
+      moved = withObjectMoved(std::move(moved), {"/moved" + object.key.path, object.key.id}, object.key);
     QVERIFY2(moved == w, qPrintable(QStringLiteral("seed %1").arg(seed)));
   }
   QVERIFY(used > 100);
@@ -75,7 +75,7 @@ Workspace withObjects() {
   Workspace w = withSeries({}, sceneViewId, series, {});
   for (const ViewId id : {axialViewId, coronalViewId})
     w.editView(id).flats.editOrAdd(keyOf(series)).presentation = {"/data/more/pr.dcm", "1.2.4"};
-  w.regions.editOrAdd({"/other/seg.dcm", "1.2.5#1"}).kind = ReferenceKind::segmentation;
+  w.regions.editOrAdd({"/other/seg.dcm", "1.2.5#1"}).kind = DerivedKind::segmentation;
   return w;
 }
 
@@ -83,13 +83,12 @@ Workspace withObjects() {
 
 void TestMoved::objectsAreNamedBesideTheSession() {
   const std::string text = *sessionToJson(withObjects(), "/data");
-  std::vector<SavedReference> asked;
-  const auto back =
-      sessionFromJson(text, {}, [&](const SavedReference& saved) -> std::optional<ReferenceKey> {
-        asked.push_back(saved);
-        if (saved.kind == ReferenceKind::segmentation) return {};
-        return ReferenceKey{"/new/" + saved.relativePath, saved.key.id};
-      });
+  std::vector<SavedObject> asked;
+  const auto back = sessionFromJson(text, {}, [&](const SavedObject& saved) -> std::optional<DerivedKey> {
+    asked.push_back(saved);
+    if (saved.kind == DerivedKind::segmentation) return {};
+    return DerivedKey{"/new/" + saved.relativePath, saved.key.id};
+  });
   QVERIFY(back);
   QCOMPARE(asked.size(), std::size_t(2));
   QCOMPARE(asked[0].relativePath, std::string("more/pr.dcm"));
@@ -104,7 +103,7 @@ void TestMoved::oldSessionsFindTheirObjects() {
   nlohmann::ordered_json json = nlohmann::ordered_json::parse(*sessionToJson(withObjects(), "/data"));
   QVERIFY(json.erase("references") == 1);
   int asked = 0;
-  const auto back = sessionFromJson(json.dump(), {}, [&](const SavedReference& saved) {
+  const auto back = sessionFromJson(json.dump(), {}, [&](const SavedObject& saved) {
     ++asked;
     return std::optional(saved.key);
   });

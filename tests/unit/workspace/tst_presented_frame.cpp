@@ -20,7 +20,7 @@ class TestPresentedFrame : public QObject {
 namespace {
 
 // 6 x 4 pixels of 2 x 3 mm, whose rows run to the left and columns to posterior-inferior.
-ShownFramePtr turnedFrame(const FramePresentation& how) {
+LoadedFramePtr turnedFrame(const FramePresentation& how) {
   Frame frame;
   frame.size = {6, 4};
   frame.values.assign(24, 0);
@@ -34,7 +34,7 @@ ShownFramePtr turnedFrame(const FramePresentation& how) {
   return *shownFrame(series, {keyOf(series), 0, "pr"}, frame, how);
 }
 
-SlicePlane planeOf(const ShownFrame& frame, glm::ivec2 pixels) {
+SlicePlane planeOf(const LoadedFrame& frame, glm::ivec2 pixels) {
   ViewState view;
   view.kind = ViewKind::frames;
   const FlatLook look;
@@ -66,7 +66,7 @@ void TestPresentedFrame::theDisplayedAreaFillsTheView() {
   QFETCH(bool, mirrored);
   QFETCH(bool, part);
   const auto area = part ? std::optional(PixelBox{{1, 2}, {7, 3}}) : std::nullopt;
-  const ShownFramePtr frame = turnedFrame(turnedBy(quarters, mirrored, area));
+  const LoadedFramePtr frame = turnedFrame(turnedBy(quarters, mirrored, area));
   const PresentedGrid grid(*frame->how, {6, 4});
   const glm::dvec2 mm = quarters % 2 == 0 ? glm::dvec2(2, 3) : glm::dvec2(3, 2);
   const glm::dvec2 wholeMm = glm::dvec2(grid.size()) * mm;
@@ -82,7 +82,7 @@ void TestPresentedFrame::theDisplayedAreaFillsTheView() {
 }
 
 void TestPresentedFrame::annotationsLieOnTheirPixels() {
-  const ShownFramePtr frame = turnedFrame(turnedBy(1, true, PixelBox{{1, 2}, {7, 3}}));
+  const LoadedFramePtr frame = turnedFrame(turnedBy(1, true, PixelBox{{1, 2}, {7, 3}}));
   // The outer corner of the first pixel, before it is turned.
   const glm::dvec3 corner =
       frame->geometry().voxelFromPatient(annotationPlace(*frame, {0, 0}, AnnotationUnits::pixel));
@@ -114,7 +114,7 @@ void TestPresentedFrame::lettersTurn() {
   QFETCH(bool, mirrored);
   QFETCH(QString, right);
   QFETCH(QString, bottom);
-  const ShownFramePtr frame = turnedFrame(turnedBy(quarters, mirrored));
+  const LoadedFramePtr frame = turnedFrame(turnedBy(quarters, mirrored));
   const SlicePlane plane = planeOf(*frame, {600, 600});
   QCOMPARE(QString::fromStdString(frameSide(*frame, plane.right)), right);
   QCOMPARE(QString::fromStdString(frameSide(*frame, plane.down)), bottom);

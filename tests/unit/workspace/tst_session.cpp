@@ -124,7 +124,7 @@ void TestSession::goalsAreStepsBesideTheScene() {
 void TestSession::anotherSeriesIsAStep() {
   Opened session;
   apply(session, {2, ""});
-  auto series = std::make_shared<ShownSeries>(*tests::ballSeries());
+  auto series = std::make_shared<LoadedSeries>(*tests::ballSeries());
   series->firstScene.shading.lit = false;
   session.show(series);
   QCOMPARE(session.series().get(), series.get());

@@ -1,4 +1,4 @@
-#include "ui/data/shown_frame.h"
+#include "ui/data/loaded_frame.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -42,8 +42,8 @@ std::vector<std::uint8_t> allOverlays(const Frame& frame) {
 }
 
 // What tools and texts ask of a series.
-ShownSeriesPtr sliceOf(const Series& series, const Frame& frame, VolumePtr volume) {
-  auto slice = std::make_shared<ShownSeries>();
+LoadedSeriesPtr sliceOf(const Series& series, const Frame& frame, VolumePtr volume) {
+  auto slice = std::make_shared<LoadedSeries>();
   static_cast<SeriesIdentity&>(slice->series) = series;
   slice->series.id = series.id;
   slice->series.path = series.path;
@@ -62,16 +62,16 @@ ShownSeriesPtr sliceOf(const Series& series, const Frame& frame, VolumePtr volum
 
 }  // namespace
 
-std::size_t ShownFrame::bytes() const {
+std::size_t LoadedFrame::bytes() const {
   std::size_t sum = slice->volume->bytes();
   for (const VolumePtr& volume : {green, blue, overlays, shutter}) sum += volume ? volume->bytes() : 0;
   return sum;
 }
 
-Result<ShownFramePtr> shownFrame(const Series& series, const FrameKey& key, Frame frame,
-                                 std::optional<FramePresentation> how, std::vector<NamedGrey> seriesGreys) {
+Result<LoadedFramePtr> shownFrame(const Series& series, const FrameKey& key, Frame frame,
+                                  std::optional<FramePresentation> how, std::vector<NamedGrey> seriesGreys) {
   const VoxelGeometry geometry = geometryOf(frame);
-  auto shown = std::make_shared<ShownFrame>();
+  auto shown = std::make_shared<LoadedFrame>();
   shown->key = key;
   shown->how = std::move(how);
   std::vector<std::pair<VolumePtr*, VoxelValues>> parts;
@@ -101,7 +101,7 @@ Result<ShownFramePtr> shownFrame(const Series& series, const FrameKey& key, Fram
   shown->columnSide = std::move(frame.columnSide);
   shown->regions = std::move(frame.regions);
   shown->warnings = std::move(frame.warnings);
-  return ShownFramePtr(shown);
+  return LoadedFramePtr(shown);
 }
 
 SlicePlane framePlane(const VoxelGeometry& slice) {

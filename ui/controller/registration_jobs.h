@@ -17,10 +17,10 @@ struct PlacedVolume {
 };
 
 /// Registers volumes, one pair at a time, each a job.
-class Registrar : public QObject {
+class RegistrationJobs : public QObject {
   Q_OBJECT
  public:
-  explicit Registrar(Jobs& jobs, QObject* parent = nullptr);
+  explicit RegistrationJobs(Jobs& jobs, QObject* parent = nullptr);
 
   /// Gives up another pair that is under way.
   void start(const PlacedVolume& fixed, const PlacedVolume& moving);

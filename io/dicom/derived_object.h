@@ -6,22 +6,22 @@
 namespace volumen::dicom {
 
 /// The kind of a SOP class; nothing where it is none that refers to pictures.
-std::optional<ReferenceKind> referenceKind(const std::string& sopClassUid);
+std::optional<DerivedKind> derivedKind(const std::string& sopClassUid);
 
 /// The pictures that this part of a data set names, each once, with the series that holds them where it is
 /// said. References to procedures, patients and work lists are left out.
 std::vector<ReferencedPicture> readPictures(const DataSet& data, DataSet::Scope scope);
 
 /// What a file of kind `kind` says of itself.
-Reference readReference(const DataSet& data, const FileHeader& header, ReferenceKind kind);
+DerivedObject readDerivedObject(const DataSet& data, const FileHeader& header, DerivedKind kind);
 
 /// The file of an object of kind `kind`, and its elements. An Error is a sentence that names the file and why
 /// it is not such an object.
-Result<InspectedFile> openObject(const std::string& path, ReferenceKind kind);
+Result<InspectedFile> openObject(const std::string& path, DerivedKind kind);
 
 /// Runs `read` on the data set of such a file. Its Error, a reason without full stop, gets the file's name.
 template <class Value, class Read>
-Result<Value> loadObject(const std::string& path, ReferenceKind kind, const Read& read) {
+Result<Value> loadObject(const std::string& path, DerivedKind kind, const Read& read) {
   try {
     const Result<InspectedFile> file = openObject(path, kind);
     if (!file) return file.error();

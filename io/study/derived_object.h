@@ -17,7 +17,7 @@ struct ReferencedPicture {
 };
 
 /// What kind of object refers to pictures.
-enum class ReferenceKind {
+enum class DerivedKind {
   presentation,  ///< softcopy presentation states: how pictures are to be shown (io/presentation.h)
   keyObjects,    ///< Key Object Selection: pictures that are marked (io/report.h)
   report,        ///< structured reports, among them TID 1500 (io/report.h)
@@ -26,11 +26,11 @@ enum class ReferenceKind {
 };
 
 /// The kind's name for people and scripts: "presentation state".
-const char* kindName(ReferenceKind kind);
+const char* kindName(DerivedKind kind);
 
 /// A DICOM object that refers to pictures and can be read by itself.
-struct Reference : SeriesIdentity {
-  ReferenceKind kind = ReferenceKind::report;
+struct DerivedObject : SeriesIdentity {
+  DerivedKind kind = DerivedKind::report;
   std::string id;  ///< SOPInstanceUID or file name, "#n" behind it where several are alike
   std::string path, sopInstanceUid;
   std::string label;  ///< of presentation states, structure sets and segmentations; the title of documents

@@ -3,8 +3,8 @@
 #include <memory>
 #include <optional>
 
+#include "ui/data/loaded_series.h"
 #include "ui/data/series_key.h"
-#include "ui/data/shown_series.h"
 #include "viewer/slice/frame.h"
 #include "viewer/slice/plane.h"
 #include "viewer/slice/presentation.h"
@@ -22,9 +22,9 @@ struct FrameKey {
 /// A frame in memory, as flat views draw it: a series of one slice, so that it is cut, moved and read like
 /// any other. Where it has no place in the patient its first pixel is the origin, rows run along x, columns
 /// along y, and a pixel is as large as PixelSize says.
-struct ShownFrame {
+struct LoadedFrame {
   FrameKey key;
-  ShownSeriesPtr slice;                ///< its values; of colour its red
+  LoadedSeriesPtr slice;               ///< its values; of colour its red
   VolumePtr green, blue;               ///< null: grey
   VolumePtr overlays, shutter;         ///< 1 where they draw or hide, else 0; null: none
   float shutterGrey = 0;               ///< what the shutter hides behind, 0 black .. 1 white
@@ -42,12 +42,12 @@ struct ShownFrame {
   std::size_t bytes() const;
 };
 
-using ShownFramePtr = std::shared_ptr<const ShownFrame>;
+using LoadedFramePtr = std::shared_ptr<const LoadedFrame>;
 
 /// Makes a frame of a series ready to be shown. `key` names it. An Error where its geometry makes no sense.
-Result<ShownFramePtr> shownFrame(const Series& series, const FrameKey& key, Frame frame,
-                                 std::optional<FramePresentation> how = {},
-                                 std::vector<NamedGrey> seriesGreys = {});
+Result<LoadedFramePtr> shownFrame(const Series& series, const FrameKey& key, Frame frame,
+                                  std::optional<FramePresentation> how = {},
+                                  std::vector<NamedGrey> seriesGreys = {});
 
 /// The plane that shows a slice as it was acquired: its rows to the right, its columns downwards; else as
 /// planeAlong().

@@ -12,7 +12,7 @@
 namespace volumen {
 
 /// A loaded series and what the panels want to know of it: made once by the loader, then only read.
-struct ShownSeries {
+struct LoadedSeries {
   Series series;
   VolumePtr volume;               ///< the drawn grid
   std::vector<Warning> warnings;  ///< the series' and those of loading
@@ -24,10 +24,10 @@ struct ShownSeries {
   Scene firstScene;                  ///< the automatic preset's
 };
 
-using ShownSeriesPtr = std::shared_ptr<const ShownSeries>;
+using LoadedSeriesPtr = std::shared_ptr<const LoadedSeries>;
 
 /// Whether two are one series, with or without its table.
-inline bool areOneSeries(const ShownSeriesPtr& a, const ShownSeriesPtr& b) {
+inline bool areOneSeries(const LoadedSeriesPtr& a, const LoadedSeriesPtr& b) {
   return a == b || (a && b && a->series.path == b->series.path && a->series.id == b->series.id);
 }
 

@@ -9,12 +9,12 @@
 namespace volumen {
 
 /// Makes segments, measures and saves them; each a job.
-class Segmenter : public QObject {
+class SegmentJobs : public QObject {
   Q_OBJECT
  public:
-  explicit Segmenter(Jobs& jobs, QObject* parent = nullptr);
+  explicit SegmentJobs(Jobs& jobs, QObject* parent = nullptr);
   /// Waits for what is being written.
-  ~Segmenter() override;
+  ~SegmentJobs() override;
 
   /// Labels the voxels of the segment's range in a volume of the series; gives up what was to be segmented
   /// before. Ends in segmented().

@@ -1,4 +1,4 @@
-#include "ui/controller/references.h"
+#include "ui/controller/derived_objects.h"
 
 #include <QDockWidget>
 #include <QFileInfo>
@@ -18,78 +18,77 @@ namespace volumen {
 namespace {
 
 // What refers to pictures: presentation states, key objects, reports, contours and segmentations.
-class ReferenceObjects : public Feature {
+class DerivedObjectFiles : public Feature {
  public:
-  explicit ReferenceObjects(Workbench& bench);
+  explicit DerivedObjectFiles(Workbench& bench);
 
  private:
-  void showReference(const ReferencePtr& object);
-  void showPresentation(const ReferencePtr& object);
-  void showRegions(const ReferencePtr& object);
-  void showReport(const ReferencePtr& object, const Report& report);
+  void showDerivedObject(const DerivedObjectPtr& object);
+  void showPresentation(const DerivedObjectPtr& object);
+  void showRegions(const DerivedObjectPtr& object);
+  void showReport(const DerivedObjectPtr& object, const Report& report);
   void showPictureNamed(const ReferencedPicture& picture);
   void showPlace(const std::string& frameOfReferenceUid, glm::dvec3 pPatient);
   void fillPresentations(QMenu* menu, FlatView* view);
 };
 
-ReferenceObjects::ReferenceObjects(Workbench& bench) : Feature(bench) {
-  References& references = bench_.document.references;
-  auto* regions = new RegionsPanel(session_, references);
+DerivedObjectFiles::DerivedObjectFiles(Workbench& bench) : Feature(bench) {
+  DerivedObjects& derived = bench_.document.derived;
+  auto* regions = new RegionsPanel(session_, derived);
   bench_.addDock({"regions", tr("Contours and segments"), regions, {Qt::RightDockWidgetArea, 70, false}});
-  connect(regions, &RegionsPanel::placeChosen, this, &ReferenceObjects::showPlace);
-  const auto setOpen = [this] { bench_.document.references.setOpen(open_.references()); };
+  connect(regions, &RegionsPanel::placeChosen, this, &DerivedObjectFiles::showPlace);
+  const auto setOpen = [this] { bench_.document.derived.setOpen(open_.derived()); };
   connect(&open_, &OpenStudies::changed, this, setOpen);
   connect(&session_, &Session::preferencesChanged, this,
           [setOpen](const Preferences& before, const Preferences& after) {
             if (before.hideNames != after.hideNames) setOpen();
           });
-  connect(&references, &References::failed, this,
+  connect(&derived, &DerivedObjects::failed, this,
           [this](const QString& sentence) { warn(shownText(sentence.toStdString())); });
-  connect(&references, &References::reportRead, this, &ReferenceObjects::showReport);
-  connect(&bench_, &Workbench::referenceChosen, this, &ReferenceObjects::showReference);
-  connect(&bench_, &Workbench::sliceMenuOpens, this, &ReferenceObjects::fillPresentations);
+  connect(&derived, &DerivedObjects::reportRead, this, &DerivedObjectFiles::showReport);
+  connect(&bench_, &Workbench::objectChosen, this, &DerivedObjectFiles::showDerivedObject);
+  connect(&bench_, &Workbench::sliceMenuOpens, this, &DerivedObjectFiles::fillPresentations);
 }
 
-void ReferenceObjects::showReference(const ReferencePtr& object) {
+void DerivedObjectFiles::showDerivedObject(const DerivedObjectPtr& object) {
   switch (object->kind) {
-    case ReferenceKind::presentation:
+    case DerivedKind::presentation:
       return showPresentation(object);
-    case ReferenceKind::report:
-      return bench_.document.references.readReport(object);
-    case ReferenceKind::contours:
-    case ReferenceKind::segmentation:
+    case DerivedKind::report:
+      return bench_.document.derived.readReport(object);
+    case DerivedKind::contours:
+    case DerivedKind::segmentation:
       return showRegions(object);
-    case ReferenceKind::keyObjects:
+    case DerivedKind::keyObjects:
       break;
   }
   const std::vector<const Series*> open = open_.pictures();
   for (const ReferencedPicture& picture : object->pictures)
     if (findPicture(open, picture)) return showPictureNamed(picture);
-  warn(tr("None of the pictures that %1 marks is open.").arg(referenceName(*object)),
+  warn(tr("None of the pictures that %1 marks is open.").arg(derivedName(*object)),
        open_.filesWithoutPixels());
 }
 
-void ReferenceObjects::showPresentation(const ReferencePtr& object) {
+void DerivedObjectFiles::showPresentation(const DerivedObjectPtr& object) {
   const std::vector<const Series*> open = open_.pictures();
   for (const ReferencedPicture& picture : object->pictures) {
     const std::optional<PicturePlace> place = findPicture(open, picture);
     if (!place) continue;
     const Series series = *place->series;
-    return showAsFrame(bench_, referenceName(*object), series, place->index, keyOf(*object));
+    return showAsFrame(bench_, derivedName(*object), series, place->index, keyOf(*object));
   }
   const QStringList without = open_.filesWithoutPixels();
-  const QString sentence =
-      tr("None of the pictures that %1 is for can be shown.").arg(referenceName(*object));
+  const QString sentence = tr("None of the pictures that %1 is for can be shown.").arg(derivedName(*object));
   warn(without.isEmpty() ? sentence : sentence + QLatin1Char(' ') + without.join(QLatin1Char(' ')));
 }
 
 // Over the views of its frame of reference; where there is none, over a series that is opened for it.
-void ReferenceObjects::showRegions(const ReferencePtr& object) {
+void DerivedObjectFiles::showRegions(const DerivedObjectPtr& object) {
   QDockWidget* dock = bench_.dock("regions");
   dock->show();
   dock->raise();
   const RegionsLook look = firstLook(*object);
-  session_.change(tr("Show %1").arg(referenceName(*object)),
+  session_.change(tr("Show %1").arg(derivedName(*object)),
                   [&](Workspace& w) { w.regions.add(keyOf(*object), look); });
   session_.endGesture();
   const auto isIn = [&](const Series& series) {
@@ -102,25 +101,25 @@ void ReferenceObjects::showRegions(const ReferencePtr& object) {
     if (isIn(*series) && (!found || series->modality == "CT")) found = series;
   if (found) return bench_.document.opener.show(*found);
   warn(tr("No series of the frame of reference of %1 is open: it is shown once one is.")
-           .arg(referenceName(*object)));
+           .arg(derivedName(*object)));
 }
 
-void ReferenceObjects::showReport(const ReferencePtr& object, const Report& report) {
+void DerivedObjectFiles::showReport(const DerivedObjectPtr& object, const Report& report) {
   for (ReportDialog* before : bench_.window.findChildren<ReportDialog*>()) before->close();
   auto* dialog = new ReportDialog(*object, report, open_.pictures(), &bench_.window);
-  connect(dialog, &ReportDialog::pictureChosen, this, &ReferenceObjects::showPictureNamed);
+  connect(dialog, &ReportDialog::pictureChosen, this, &DerivedObjectFiles::showPictureNamed);
   dialog->show();
 }
 
-void ReferenceObjects::showPictureNamed(const ReferencedPicture& picture) {
+void DerivedObjectFiles::showPictureNamed(const ReferencedPicture& picture) {
   const std::optional<PicturePlace> place = findPicture(open_.pictures(), picture);
   if (place) showPicture(bench_, *place->series, place->index);
 }
 
-void ReferenceObjects::showPlace(const std::string& frameOfReferenceUid, glm::dvec3 pPatient) {
+void DerivedObjectFiles::showPlace(const std::string& frameOfReferenceUid, glm::dvec3 pPatient) {
   if (frameOfReferenceUid.empty()) return;
   for (const ViewId id : viewsOnScreen(session_.workspace())) {
-    const ShownSeriesPtr shown = session_.seriesOf(id);
+    const LoadedSeriesPtr shown = session_.seriesOf(id);
     if (!shown || shown->series.frameOfReferenceUid != frameOfReferenceUid) continue;
     moveCrosshair(session_, id, *shown, tr("Go to region"), pPatient);
     return session_.endGesture();
@@ -129,17 +128,17 @@ void ReferenceObjects::showPlace(const std::string& frameOfReferenceUid, glm::dv
 }
 
 // Those that are for the frame on screen, and none.
-void ReferenceObjects::fillPresentations(QMenu* menu, FlatView* view) {
+void DerivedObjectFiles::fillPresentations(QMenu* menu, FlatView* view) {
   const Series* series = seriesIn(session_.workspace(), view->id());
   const auto* frames = qobject_cast<FrameView*>(view);
   if (!frames || !frames->frame() || !series) return;
   const auto states =
-      bench_.document.references.naming(ReferenceKind::presentation, *series, frames->frame()->key.index);
-  const ReferenceKey chosen = flatLookOf(view->state()).presentation;
+      bench_.document.derived.naming(DerivedKind::presentation, *series, frames->frame()->key.index);
+  const DerivedKey chosen = flatLookOf(view->state()).presentation;
   if (states.empty() && chosen.empty()) return;
   QMenu* choices = menu->addMenu(tr("Presentation state"));
   choices->setObjectName(QStringLiteral("presentationMenu"));
-  const auto add = [&](const QString& text, const ReferenceKey& key) {
+  const auto add = [&](const QString& text, const DerivedKey& key) {
     QAction* action = choices->addAction(text, this, [this, id = view->id(), key] {
       session_.endGesture();
       session_.change(tr("Presentation state"), withPresentation(session_.workspace(), id, key));
@@ -149,7 +148,7 @@ void ReferenceObjects::fillPresentations(QMenu* menu, FlatView* view) {
     action->setChecked(key == chosen);
   };
   add(tr("None"), {});
-  for (const ReferencePtr& object : states) {
+  for (const DerivedObjectPtr& object : states) {
     QString name = shownText(object->label);
     if (name.isEmpty()) name = QFileInfo(pathText(object->path)).fileName();
     if (const QString text = shownText(object->text); !text.isEmpty())
@@ -160,8 +159,8 @@ void ReferenceObjects::fillPresentations(QMenu* menu, FlatView* view) {
 
 }  // namespace
 
-std::unique_ptr<Feature> makeReferences(Workbench& bench) {
-  return std::make_unique<ReferenceObjects>(bench);
+std::unique_ptr<Feature> makeDerivedObjects(Workbench& bench) {
+  return std::make_unique<DerivedObjectFiles>(bench);
 }
 
 }  // namespace volumen

@@ -1,4 +1,4 @@
-#include "ui/workspace/reference_text.h"
+#include "ui/workspace/derived_text.h"
 
 #include <algorithm>
 
@@ -8,17 +8,17 @@ namespace volumen {
 
 namespace {
 
-QString kindNameOf(ReferenceKind kind) {
+QString kindNameOf(DerivedKind kind) {
   switch (kind) {
-    case ReferenceKind::presentation:
+    case DerivedKind::presentation:
       return tr("Presentation state");
-    case ReferenceKind::keyObjects:
+    case DerivedKind::keyObjects:
       return tr("Key objects");
-    case ReferenceKind::report:
+    case DerivedKind::report:
       return tr("Report");
-    case ReferenceKind::contours:
+    case DerivedKind::contours:
       return tr("Contours");
-    case ReferenceKind::segmentation:
+    case DerivedKind::segmentation:
       return tr("Segmentation");
   }
   return {};
@@ -136,17 +136,17 @@ class ReportWriter {
 
 }  // namespace
 
-QString referenceName(const Reference& object) {
+QString derivedName(const DerivedObject& object) {
   const QString label = shownText(object.label);
   return label.isEmpty() ? kindNameOf(object.kind)
                          : QStringLiteral("%1: %2").arg(kindNameOf(object.kind), label);
 }
 
-QStringList referenceLines(const Reference& object, std::size_t notHere) {
+QStringList referenceLines(const DerivedObject& object, std::size_t notHere) {
   QStringList details{object.date.empty() ? QString() : dateText(object.date),
                       notHereText(notHere, object.pictures.size())};
   details.removeAll(QString());
-  QStringList lines{referenceName(object)};
+  QStringList lines{derivedName(object)};
   if (!details.isEmpty()) lines << details.join(QStringLiteral(", "));
   return lines;
 }
@@ -164,7 +164,7 @@ std::vector<ReferencedPicture> reportPictures(const Report& report) {
   return all;
 }
 
-QString reportHtml(const Reference& object, const Report& report, const std::vector<bool>& isHere) {
+QString reportHtml(const DerivedObject& object, const Report& report, const std::vector<bool>& isHere) {
   const ReportWriter writer(report, isHere);
   const QString title =
       report.title.meaning.empty() ? shownText(object.label) : shownText(report.title.meaning);

@@ -1,4 +1,4 @@
-#include "ui/controller/references.h"
+#include "ui/controller/derived_objects.h"
 
 #include <algorithm>
 
@@ -10,8 +10,8 @@ namespace volumen {
 
 namespace {
 
-Result<LoadedRegions> loadRegions(const std::string& path, ReferenceKind kind) {
-  if (kind == ReferenceKind::segmentation) {
+Result<LoadedRegions> loadRegions(const std::string& path, DerivedKind kind) {
+  if (kind == DerivedKind::segmentation) {
     auto segmentation = loadSegmentation(path);
     if (!segmentation) return segmentation.error();
     return LoadedRegions{nullptr, std::make_shared<const Segmentation>(std::move(*segmentation))};
@@ -23,25 +23,26 @@ Result<LoadedRegions> loadRegions(const std::string& path, ReferenceKind kind) {
 
 }  // namespace
 
-References::References(Jobs& jobs, QObject* parent) : QObject(parent), lane_(&jobs) {
+DerivedObjects::DerivedObjects(Jobs& jobs, QObject* parent) : QObject(parent), lane_(&jobs) {
   lane_.keepToTheEnd();  // views would ask for it again
 }
 
-void References::setOpen(std::vector<ReferencePtr> all) {
+void DerivedObjects::setOpen(std::vector<DerivedObjectPtr> all) {
   all_ = std::move(all);
   Q_EMIT changed();
 }
 
-std::vector<ReferencePtr> References::naming(ReferenceKind kind, const Series& series, int index) const {
-  std::vector<ReferencePtr> found;
-  for (const ReferencePtr& object : all_)
+std::vector<DerivedObjectPtr> DerivedObjects::naming(DerivedKind kind, const Series& series,
+                                                     int index) const {
+  std::vector<DerivedObjectPtr> found;
+  for (const DerivedObjectPtr& object : all_)
     if (object->kind == kind && namesPicture(object->pictures, series, index)) found.push_back(object);
   return found;
 }
 
-std::shared_ptr<const LoadedRegions> References::regions(const ReferenceKey& key, ReferenceKind kind) {
+std::shared_ptr<const LoadedRegions> DerivedObjects::regions(const DerivedKey& key, DerivedKind kind) {
   if (const auto held = regions_.find(key); held != regions_.end()) return held->second;
-  const auto isIt = [&](const ReferencePtr& object) { return keyOf(*object) == key; };
+  const auto isIt = [&](const DerivedObjectPtr& object) { return keyOf(*object) == key; };
   if (std::ranges::none_of(all_, isIt) || !asked_.insert(key).second) return nullptr;
   lane_.run(
       tr("Reading regions"), [key, kind](const Job&) { return loadRegions(key.path, kind); },
@@ -53,7 +54,7 @@ std::shared_ptr<const LoadedRegions> References::regions(const ReferenceKey& key
   return nullptr;
 }
 
-void References::readReport(const ReferencePtr& object) {
+void DerivedObjects::readReport(const DerivedObjectPtr& object) {
   lane_.run(
       tr("Reading the report"), [object](const Job&) { return loadReport(object->path); },
       [this, object](const Result<Report>& report) {

@@ -13,10 +13,10 @@ namespace volumen {
 /// scissors. The volume without them is made as a job, once, then the step is made; what is asked for
 /// meanwhile waits for its turn. It makes those again, too, that a workspace that was read or undone asks
 /// for.
-class Masker : public QObject {
+class MaskJobs : public QObject {
   Q_OBJECT
  public:
-  Masker(Session& session, Jobs& jobs, QObject* parent = nullptr);
+  MaskJobs(Session& session, Jobs& jobs, QObject* parent = nullptr);
 
   /// "Remove table" of the series in focus: greyed, with the reason as tooltip, where values are not HU.
   QAction* tableAction() const { return table_; }
@@ -39,8 +39,8 @@ class Masker : public QObject {
 
   void ask(Step step);
   void next();
-  void begin(const Mask& mask, const ShownSeriesPtr& whole);
-  void take(const Mask& before, const Mask& mask, const Result<ShownSeriesPtr>& made);
+  void begin(const Mask& mask, const LoadedSeriesPtr& whole);
+  void take(const Mask& before, const Mask& mask, const Result<LoadedSeriesPtr>& made);
   void drop();
   void giveUp(const Step& step, const QString& sentence);
   void showState();

@@ -1,17 +1,17 @@
-#include "ui/controller/registrar.h"
+#include "ui/controller/registration_jobs.h"
 
 #include "viewer/register/rigid_registration.h"
 
 namespace volumen {
 
-Registrar::Registrar(Jobs& jobs, QObject* parent) : QObject(parent), lane_(&jobs) {}
+RegistrationJobs::RegistrationJobs(Jobs& jobs, QObject* parent) : QObject(parent), lane_(&jobs) {}
 
-void Registrar::cancel() {
+void RegistrationJobs::cancel() {
   lane_.giveUpAll();
   pair_.reset();
 }
 
-void Registrar::start(const PlacedVolume& fixed, const PlacedVolume& moving) {
+void RegistrationJobs::start(const PlacedVolume& fixed, const PlacedVolume& moving) {
   cancel();
   pair_.emplace(fixed.frame, moving.frame);
   lane_.run(

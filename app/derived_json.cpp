@@ -1,4 +1,4 @@
-#include "app/references_json.h"
+#include "app/derived_json.h"
 
 #include "io/archive.h"
 #include "io/contours.h"
@@ -208,7 +208,7 @@ Result<Json> toJson(const Result<Value>& loaded) {
 
 }  // namespace
 
-Json referenceToJson(const Reference& object) {
+Json derivedToJson(const DerivedObject& object) {
   return {{"id", object.id},
           {"path", lastingPath(object.path)},
           {"kind", kindName(object.kind)},
@@ -223,17 +223,17 @@ Json referenceToJson(const Reference& object) {
           {"pictures", picturesJson(object.pictures)}};
 }
 
-Result<Json> contentsToJson(const Reference& object) {
+Result<Json> contentsToJson(const DerivedObject& object) {
   switch (object.kind) {
-    case ReferenceKind::presentation:
+    case DerivedKind::presentation:
       return toJson(loadPresentation(object.path));
-    case ReferenceKind::keyObjects:
+    case DerivedKind::keyObjects:
       return toJson(loadKeyObjects(object.path));
-    case ReferenceKind::report:
+    case DerivedKind::report:
       return toJson(loadReport(object.path));
-    case ReferenceKind::contours:
+    case DerivedKind::contours:
       return toJson(loadContours(object.path));
-    case ReferenceKind::segmentation:
+    case DerivedKind::segmentation:
       break;
   }
   return toJson(loadSegmentation(object.path));

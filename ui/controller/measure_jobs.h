@@ -15,10 +15,10 @@ using MeasuredPtr = std::shared_ptr<const Result<Measured>>;
 
 /// What measurements come to. What takes no time is measured at once, the rest on a worker thread: of each
 /// measurement the latest shape, so that a drag never waits.
-class Measurer : public QObject {
+class MeasureJobs : public QObject {
   Q_OBJECT
  public:
-  Measurer(const Session& session, FrameService& frames, QObject* parent = nullptr);
+  MeasureJobs(const Session& session, FrameService& frames, QObject* parent = nullptr);
 
   /// The latest numbers of a measurement; null: none yet. Those of its shape are asked for where they are
   /// missing and its series is in memory; frames are read for it.
@@ -42,7 +42,7 @@ class Measurer : public QObject {
     int job = 0;
     MeasuredPtr numbers;
   };
-  void request(const Measurement& measurement, const ShownSeriesPtr& series);
+  void request(const Measurement& measurement, const LoadedSeriesPtr& series);
   void requestOnFrame(const Measurement& measurement);
   Known& begin(const Measurement& measurement);
   void start(int id, const Measure& measure, double steps);

@@ -6,12 +6,12 @@
 
 namespace volumen {
 
-struct Reference;
+struct DerivedObject;
 
 /// What `info` says of an object that refers to pictures (resources/docs/import.md).
-nlohmann::ordered_json referenceToJson(const Reference& object);
+nlohmann::ordered_json derivedToJson(const DerivedObject& object);
 
 /// All that is read of it. The Error is a sentence that names its file.
-Result<nlohmann::ordered_json> contentsToJson(const Reference& object);
+Result<nlohmann::ordered_json> contentsToJson(const DerivedObject& object);
 
 }  // namespace volumen

@@ -1,8 +1,8 @@
-#include "io/study/reference.h"
+#include "io/study/derived_object.h"
 
 namespace volumen {
 
-const char* kindName(ReferenceKind kind) {
+const char* kindName(DerivedKind kind) {
   constexpr const char* names[] = {"presentation state", "key objects", "report", "contours", "segmentation"};
   return names[int(kind)];
 }

@@ -4,19 +4,19 @@
 #include <memory>
 #include <string>
 
-#include "io/study/reference.h"
+#include "io/study/derived_object.h"
 
 namespace volumen {
 
 /// Names an object that refers to pictures: its file and what it is called there.
-struct ReferenceKey {
+struct DerivedKey {
   std::string path, id;
-  auto operator<=>(const ReferenceKey&) const = default;
+  auto operator<=>(const DerivedKey&) const = default;
   bool empty() const { return path.empty() && id.empty(); }
 };
 
-inline ReferenceKey keyOf(const Reference& object) { return {object.path, object.id}; }
+inline DerivedKey keyOf(const DerivedObject& object) { return {object.path, object.id}; }
 
-using ReferencePtr = std::shared_ptr<const Reference>;
+using DerivedObjectPtr = std::shared_ptr<const DerivedObject>;
 
 }  // namespace volumen

@@ -1,4 +1,4 @@
-#include "ui/controller/measurer.h"
+#include "ui/controller/measure_jobs.h"
 
 #include <algorithm>
 #include <limits>
@@ -28,7 +28,7 @@ constexpr ViewId reader = -1;            // as which frames are asked for: no vi
 
 }  // namespace
 
-Measurer::Measurer(const Session& session, FrameService& frames, QObject* parent)
+MeasureJobs::MeasureJobs(const Session& session, FrameService& frames, QObject* parent)
     : QObject(parent), session_(session), frames_(frames) {
   connect(&session_, &Session::preferencesChanged, this,
           [this](const Preferences& before, const Preferences& after) {
@@ -42,7 +42,7 @@ Measurer::Measurer(const Session& session, FrameService& frames, QObject* parent
 }
 
 // The pool is asked only where something changed: being asked for counts as use there.
-MeasuredPtr Measurer::numbersOf(const Measurement& measurement) {
+MeasuredPtr MeasureJobs::numbersOf(const Measurement& measurement) {
   const Known& known = known_[measurement.id];
   if (measurement.shape.frame) {
     if (known.series != measurement.series || known.shape != measurement.shape ||
@@ -57,7 +57,7 @@ MeasuredPtr Measurer::numbersOf(const Measurement& measurement) {
                        known.petUnit == shownPetUnit() && state != all.end() &&
                        known.mask == state->second.mask;
   if (!current) {
-    const ShownSeriesPtr series = session_.seriesNamed(measurement.series);
+    const LoadedSeriesPtr series = session_.seriesNamed(measurement.series);
     if (series && (known.series != measurement.series || known.shape != measurement.shape ||
                    volume != series->volume || known.petUnit != shownPetUnit()))
       request(measurement, series);
@@ -65,14 +65,14 @@ MeasuredPtr Measurer::numbersOf(const Measurement& measurement) {
   return known.series == measurement.series ? known.numbers : nullptr;
 }
 
-MeasuredPtr Measurer::exactNumbersOf(const Measurement& measurement) {
+MeasuredPtr MeasureJobs::exactNumbersOf(const Measurement& measurement) {
   MeasuredPtr numbers = numbersOf(measurement);
   const Known& known = known_[measurement.id];
   return known.shape == measurement.shape && known.shown == known.asked ? numbers : nullptr;
 }
 
 // A new shape of a measurement; its last numbers stay where they are of the same kind.
-Measurer::Known& Measurer::begin(const Measurement& measurement) {
+MeasureJobs::Known& MeasureJobs::begin(const Measurement& measurement) {
   Known& known = known_[measurement.id];
   if (known.series != measurement.series || known.shape.kind != measurement.shape.kind)
     known.numbers.reset(), known.shown = asked_;
@@ -84,7 +84,7 @@ Measurer::Known& Measurer::begin(const Measurement& measurement) {
   return known;
 }
 
-void Measurer::request(const Measurement& measurement, const ShownSeriesPtr& series) {
+void MeasureJobs::request(const Measurement& measurement, const LoadedSeriesPtr& series) {
   Known& known = begin(measurement);
   known.volume = series->volume;
   const auto run = [shape = measurement.shape, volume = series->volume,
@@ -95,13 +95,13 @@ void Measurer::request(const Measurement& measurement, const ShownSeriesPtr& ser
 }
 
 // A frame that is not in memory is read first, one at a time; then whoever listens asks again.
-void Measurer::requestOnFrame(const Measurement& measurement) {
+void MeasureJobs::requestOnFrame(const Measurement& measurement) {
   const auto& all = session_.workspace().series;
   const auto state = all.find(measurement.series);
   if (state == all.end() || state->second.missing) return;
   const auto index = frameMeant(*state->second.series, *measurement.shape.frame);
   const FrameKey key{measurement.series, index.value_or(-1)};
-  const ShownFramePtr frame = index ? frames_.find(key) : nullptr;
+  const LoadedFramePtr frame = index ? frames_.find(key) : nullptr;
   std::optional<Error> problem;
   if (!index) problem = Error{"The series does not hold its picture."};
   if (const auto why = unread_.find(key); why != unread_.end()) problem = Error{why->second};
@@ -119,14 +119,14 @@ void Measurer::requestOnFrame(const Measurement& measurement) {
   start(measurement.id, run, stepsOf(inSliceSpace(measurement.shape, frame->geometry()), frame->geometry()));
 }
 
-void Measurer::endRead(int view) {
+void MeasureJobs::endRead(int view) {
   if (view != reader) return;
   frames_.drop(reader);
   read_.reset();
   Q_EMIT measured();
 }
 
-void Measurer::start(int id, const Measure& measure, double steps) {
+void MeasureJobs::start(int id, const Measure& measure, double steps) {
   Known& known = known_[id];
   if (steps <= mostStepsAtOnce) return take(id, known.asked, measure(CancelToken()));
   lane_.giveUpWaiting(known.job);
@@ -138,7 +138,7 @@ void Measurer::start(int id, const Measure& measure, double steps) {
       });
 }
 
-void Measurer::take(int id, int asked, Result<Measured> result) {
+void MeasureJobs::take(int id, int asked, Result<Measured> result) {
   Known& known = known_[id];
   if (asked < known.shown) return;
   known.shown = asked;

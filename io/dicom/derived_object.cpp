@@ -1,4 +1,4 @@
-#include "io/dicom/reference.h"
+#include "io/dicom/derived_object.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -82,22 +82,22 @@ std::string keyText(const DataSet& data) {
   return {};
 }
 
-void readLabel(const DataSet& data, Reference& object) {
+void readLabel(const DataSet& data, DerivedObject& object) {
   const auto text = [&](std::uint32_t tag) { return data.utf8(tag, data.root()); };
   switch (object.kind) {
-    case ReferenceKind::presentation:
-    case ReferenceKind::segmentation:
+    case DerivedKind::presentation:
+    case DerivedKind::segmentation:
       object.label = text(0x00700080);
       object.text = text(0x00700081);
       break;
-    case ReferenceKind::keyObjects:
+    case DerivedKind::keyObjects:
       object.label = titleOf(data);
       object.text = keyText(data);
       break;
-    case ReferenceKind::report:
+    case DerivedKind::report:
       object.label = titleOf(data);
       break;
-    case ReferenceKind::contours:
+    case DerivedKind::contours:
       object.label = text(0x30060002);
       object.text = data.has(0x30060006, data.root()) ? text(0x30060006) : text(0x30060004);
       break;
@@ -108,15 +108,15 @@ void readLabel(const DataSet& data, Reference& object) {
 
 }  // namespace
 
-std::optional<ReferenceKind> referenceKind(const std::string& sopClassUid) {
+std::optional<DerivedKind> derivedKind(const std::string& sopClassUid) {
   constexpr std::string_view storage = "1.2.840.10008.5.1.4.1.1.";
   if (!sopClassUid.starts_with(storage)) return {};
   const std::string_view name = std::string_view(sopClassUid).substr(storage.size());
-  if (name.starts_with("11.")) return ReferenceKind::presentation;
-  if (name == "88.59") return ReferenceKind::keyObjects;
-  if (name.starts_with("88.")) return ReferenceKind::report;
-  if (name == "481.3") return ReferenceKind::contours;
-  if (name == "66.4") return ReferenceKind::segmentation;
+  if (name.starts_with("11.")) return DerivedKind::presentation;
+  if (name == "88.59") return DerivedKind::keyObjects;
+  if (name.starts_with("88.")) return DerivedKind::report;
+  if (name == "481.3") return DerivedKind::contours;
+  if (name == "66.4") return DerivedKind::segmentation;
   return {};
 }
 
@@ -143,23 +143,23 @@ std::vector<ReferencedPicture> readPictures(const DataSet& data, DataSet::Scope 
   return pictures;
 }
 
-Reference readReference(const DataSet& data, const FileHeader& header, ReferenceKind kind) {
-  Reference object;
+DerivedObject readDerivedObject(const DataSet& data, const FileHeader& header, DerivedKind kind) {
+  DerivedObject object;
   static_cast<SeriesIdentity&>(object) = header;
   object.kind = kind;
   object.id = instanceId(header);
   object.path = header.path;
   object.sopInstanceUid = header.sopInstanceUid;
   // The annotations of a presentation state name some of its pictures again.
-  const bool listed = kind == ReferenceKind::presentation;
+  const bool listed = kind == DerivedKind::presentation;
   object.pictures = readPictures(data, listed ? data.contents(0x00081115, data.root()) : data.root());
   readLabel(data, object);
   return object;
 }
 
-Result<InspectedFile> openObject(const std::string& path, ReferenceKind kind) {
+Result<InspectedFile> openObject(const std::string& path, DerivedKind kind) {
   InspectedFile file = inspectFile(path);
-  if (file.found.reference && file.found.reference->kind == kind) return file;
+  if (file.found.derivedObject && file.found.derivedObject->kind == kind) return file;
   if (file.found.kind == Inspection::Kind::refused) return Error{path + ": " + file.found.text};
   return Error{path + ": it holds no " + kindName(kind) + "."};
 }

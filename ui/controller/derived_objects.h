@@ -7,7 +7,7 @@
 
 #include "io/contours.h"
 #include "io/report.h"
-#include "ui/data/reference_key.h"
+#include "ui/data/derived_key.h"
 #include "ui/document/job_lane.h"
 #include "viewer/segment/segmentation.h"
 
@@ -23,33 +23,33 @@ struct LoadedRegions {
 
 /// The objects that refer to pictures: which there are in what is open, and what was read of them, each a
 /// job. Asking never waits.
-class References : public QObject {
+class DerivedObjects : public QObject {
   Q_OBJECT
  public:
-  explicit References(Jobs& jobs, QObject* parent = nullptr);
+  explicit DerivedObjects(Jobs& jobs, QObject* parent = nullptr);
 
   /// Those of all studies that are open.
-  void setOpen(std::vector<ReferencePtr> all);
-  const std::vector<ReferencePtr>& all() const { return all_; }
+  void setOpen(std::vector<DerivedObjectPtr> all);
+  const std::vector<DerivedObjectPtr>& all() const { return all_; }
   /// Those of a kind that name picture `index` (from 0) of a series.
-  std::vector<ReferencePtr> naming(ReferenceKind kind, const Series& series, int index) const;
+  std::vector<DerivedObjectPtr> naming(DerivedKind kind, const Series& series, int index) const;
 
   /// Null: it is not open, or not read yet and changed() will tell, or it cannot be read and failed() told
   /// once.
-  std::shared_ptr<const LoadedRegions> regions(const ReferenceKey& key, ReferenceKind kind);
+  std::shared_ptr<const LoadedRegions> regions(const DerivedKey& key, DerivedKind kind);
   /// Ends in reportRead() or failed().
-  void readReport(const ReferencePtr& report);
+  void readReport(const DerivedObjectPtr& report);
 
  Q_SIGNALS:
   /// Other studies are open, or regions were read.
   void changed();
-  void reportRead(const volumen::ReferencePtr& object, const volumen::Report& report);
+  void reportRead(const volumen::DerivedObjectPtr& object, const volumen::Report& report);
   void failed(const QString& sentence);
 
  private:
-  std::vector<ReferencePtr> all_;
-  std::map<ReferenceKey, std::shared_ptr<const LoadedRegions>> regions_;
-  std::set<ReferenceKey> asked_;
+  std::vector<DerivedObjectPtr> all_;
+  std::map<DerivedKey, std::shared_ptr<const LoadedRegions>> regions_;
+  std::set<DerivedKey> asked_;
   JobLane lane_;
 };
 

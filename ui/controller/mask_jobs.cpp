@@ -1,4 +1,4 @@
-#include "ui/controller/masker.h"
+#include "ui/controller/mask_jobs.h"
 
 #include <QAction>
 #include <algorithm>
@@ -22,34 +22,34 @@ std::optional<CutVolume> beforeLast(const Session& session, const SeriesKey& ser
   while (!mask.lassos.empty()) {
     mask.lassos.pop_back();
     if (mask.empty()) break;
-    if (const ShownSeriesPtr held = session.seriesWith(series, mask))
+    if (const LoadedSeriesPtr held = session.seriesWith(series, mask))
       return CutVolume{held->volume, mask.lassos.size()};
   }
   return {};
 }
 
-Result<ShownSeriesPtr> maskedSeries(const ShownSeries& whole, const std::optional<CutVolume>& before,
-                                    const Mask& mask, const CancelToken& cancel) {
+Result<LoadedSeriesPtr> maskedSeries(const LoadedSeries& whole, const std::optional<CutVolume>& before,
+                                     const Mask& mask, const CancelToken& cancel) {
   Result<VolumePtr> volume =
       before ? cutFurther(*before->volume, std::span(mask.lassos).subspan(before->outlines), cancel)
              : masked(*whole.volume, mask, cancel);
   if (!volume) return volume.error();
-  auto without = std::make_shared<ShownSeries>(whole);
+  auto without = std::make_shared<LoadedSeries>(whole);
   without->volume = *volume;
   if (mask.tableRemoved)
     without->warnings.emplace_back("The table was removed: what lies outside the patient is shown as air.");
   if (!mask.lassos.empty())
     without->warnings.emplace_back("Parts were cut away with the scissors: they are shown as air.");
-  return ShownSeriesPtr(without);
+  return LoadedSeriesPtr(without);
 }
 
-bool canLoseTable(const ShownSeriesPtr& series) {
+bool canLoseTable(const LoadedSeriesPtr& series) {
   return series && inHounsfield(*series->volume, series->histogram);
 }
 
 }  // namespace
 
-Masker::Masker(Session& session, Jobs& jobs, QObject* parent)
+MaskJobs::MaskJobs(Session& session, Jobs& jobs, QObject* parent)
     : QObject(parent),
       session_(session),
       table_(new QAction(tr("Remove table"), this)),
@@ -78,14 +78,14 @@ Masker::Masker(Session& session, Jobs& jobs, QObject* parent)
   showState();
 }
 
-void Masker::cut(const SeriesKey& series, const Lasso& lasso) {
+void MaskJobs::cut(const SeriesKey& series, const Lasso& lasso) {
   ask({series, lasso.inside ? tr("Cut inside") : tr("Cut outside"),
        [added = std::make_shared<const Lasso>(lasso)](Mask& mask) { mask.lassos.push_back(added); }});
 }
 
-void Masker::showState() {
+void MaskJobs::showState() {
   const Workspace& workspace = session_.workspace();
-  const ShownSeriesPtr& series = session_.series();
+  const LoadedSeriesPtr& series = session_.series();
   const bool offered = canLoseTable(series);
   table_->setEnabled(offered);
   table_->setChecked(series && session_.maskOf(keyOf(series->series)).tableRemoved);
@@ -98,13 +98,13 @@ void Masker::showState() {
   reset_->setEnabled(!session_.maskOf(workspace.view(workspace.focus).series).lassos.empty());
 }
 
-void Masker::ask(Step step) {
+void MaskJobs::ask(Step step) {
   steps_.push_back(std::move(step));
   next();
 }
 
 // Makes the first step for which a volume has to be made first, and all before it that need none.
-void Masker::next() {
+void MaskJobs::next() {
   while (!lane_.isBusy() && !isTaking_ && !steps_.empty()) {
     const Step& step = steps_.front();
     if (!session_.workspace().series.contains(step.series)) {
@@ -114,7 +114,7 @@ void Masker::next() {
     const Mask before = session_.maskOf(step.series);
     Mask mask = before;
     if (step.change) step.change(mask);
-    const ShownSeriesPtr whole = session_.seriesWith(step.series, {});
+    const LoadedSeriesPtr whole = session_.seriesWith(step.series, {});
     if (whole && mask.tableRemoved && !canLoseTable(whole)) {
       giveUp(step, tr("Only for CT: the values of this series are not Hounsfield units."));
     } else if (whole && !session_.seriesWith(step.series, mask)) {
@@ -127,21 +127,21 @@ void Masker::next() {
   showState();
 }
 
-void Masker::begin(const Mask& mask, const ShownSeriesPtr& whole) {
+void MaskJobs::begin(const Mask& mask, const LoadedSeriesPtr& whole) {
   const SeriesKey series = steps_.front().series;
   lane_.run(
       mask.lassos.empty() ? tr("Removing table") : tr("Cutting"),
       [whole, mask, last = beforeLast(session_, series, mask)](const Job& job) {
         return maskedSeries(*whole, last, mask, job.cancel());
       },
-      [this, mask, before = session_.maskOf(series)](const Result<ShownSeriesPtr>& made) {
+      [this, mask, before = session_.maskOf(series)](const Result<LoadedSeriesPtr>& made) {
         take(before, mask, made);
       },
       [this] { drop(); });
 }
 
 // The step is made where the mask is still the one that it was to change; else it is made anew.
-void Masker::take(const Mask& before, const Mask& mask, const Result<ShownSeriesPtr>& made) {
+void MaskJobs::take(const Mask& before, const Mask& mask, const Result<LoadedSeriesPtr>& made) {
   isTaking_ = true;
   const Step step = steps_.front();
   const bool isKnown = session_.workspace().series.contains(step.series);
@@ -161,7 +161,7 @@ void Masker::take(const Mask& before, const Mask& mask, const Result<ShownSeries
 
 // Nobody wants the step under way any more. The next one waits for the event loop: the workspace may be
 // telling of a change.
-void Masker::drop() {
+void MaskJobs::drop() {
   lane_.giveUpAll();
   steps_.pop_front();
   QMetaObject::invokeMethod(
@@ -169,7 +169,7 @@ void Masker::drop() {
 }
 
 // A workspace does not keep a mask that cannot be made.
-void Masker::giveUp(const Step& step, const QString& sentence) {
+void MaskJobs::giveUp(const Step& step, const QString& sentence) {
   if (!step.change) session_.setMask(tr("Show all"), step.series, {});
   Q_EMIT failed(sentence);
 }

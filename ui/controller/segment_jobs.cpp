@@ -1,18 +1,18 @@
-#include "ui/controller/segmenter.h"
+#include "ui/controller/segment_jobs.h"
 
 #include "io/export/seg_nrrd.h"
 #include "viewer/segment/range.h"
 
 namespace volumen {
 
-Segmenter::Segmenter(Jobs& jobs, QObject* parent)
+SegmentJobs::SegmentJobs(Jobs& jobs, QObject* parent)
     : QObject(parent), segment_(&jobs), measure_(&jobs), save_(&jobs) {
   save_.keepToTheEnd();
 }
 
-Segmenter::~Segmenter() { save_.wait(); }
+SegmentJobs::~SegmentJobs() { save_.wait(); }
 
-void Segmenter::segment(const SeriesKey& series, VolumePtr volume, const Segment& segment) {
+void SegmentJobs::segment(const SeriesKey& series, VolumePtr volume, const Segment& segment) {
   segment_.giveUpAll();
   segment_.run(
       tr("Segmenting"),
@@ -23,14 +23,14 @@ void Segmenter::segment(const SeriesKey& series, VolumePtr volume, const Segment
       [this](const SegmentMap& made) { Q_EMIT segmented(made); });
 }
 
-void Segmenter::measure(const std::shared_ptr<const LabelMap>& labels, VolumePtr volume) {
+void SegmentJobs::measure(const std::shared_ptr<const LabelMap>& labels, VolumePtr volume) {
   measure_.giveUpAll();
   measure_.run(
       tr("Measuring the segment"), [labels, volume](const Job&) { return labelStatistics(*labels, *volume); },
       [this, labels](const LabelStatistics& statistics) { Q_EMIT measured(labels, statistics); });
 }
 
-void Segmenter::save(const SegmentMap& map, const QString& path) {
+void SegmentJobs::save(const SegmentMap& map, const QString& path) {
   save_.run(
       tr("Saving the segment"),
       [map, path](const Job&) { return writeSegNrrd(*map.labels, map.segments, path.toStdString()); },
