@@ -74,7 +74,7 @@ QImage contactSheet(const AccuracyStudy& study, const StudyTitle& title) {
           .arg(magnification),
       QStringLiteral("%1  |  %2  |  %3  |  %4")
           .arg(QString::fromStdString(title.volume), QString::fromStdString(title.scene),
-               QString::fromStdString(derivedText(study.truth)), QString::fromStdString(title.date)));
+               QString::fromStdString(referenceText(study.truth)), QString::fromStdString(title.date)));
   sheet.add(imageOf(study.truth.picture), QStringLiteral("the reference"),
             QStringLiteral("%1 s").arg(study.truth.ms / 1000, 0, 'f', 1), false);
   for (const StudyRow* row : shown)

@@ -17,7 +17,7 @@ QString whoAndWhen(const AccuracyStudy& study, const StudyTitle& title) {
       .arg(q(title.volume), q(title.scene))
       .arg(study.truth.size.x)
       .arg(study.truth.size.y)
-      .arg(q(derivedText(study.truth)), q(title.machine), q(study.kernel), q(title.date));
+      .arg(q(referenceText(study.truth)), q(title.machine), q(study.kernel), q(title.date));
 }
 
 constexpr const char* timeAxis = "median ms a frame";
