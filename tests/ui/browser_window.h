@@ -70,6 +70,7 @@ struct Studies {
 struct BrowserWindow : Journey {
   explicit BrowserWindow(const Studies& studies, const QStringList& paths = {})
       : Journey(paths, studies.services()) {}
+  explicit BrowserWindow(const Services& services) : Journey({}, services) {}
 
   QTreeView* tree() { return child<QTreeView>("browserTree"); }
   QListWidget* strip() { return child<QListWidget>("browserSeries"); }

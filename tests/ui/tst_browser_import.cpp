@@ -264,7 +264,8 @@ void TestBrowserImport::theNewestSearchIsAnswered() {
   Jobs jobs;
   IndexService service(studies.home.toStdString(), jobs);
   std::vector<StudyListPtr> lists;
-  connect(&service, &IndexService::listed, this, [&](const StudyListPtr& list) { lists.push_back(list); });
+  connect(&service, &IndexService::listed, this,
+          [&](const StudyListRequest&, const StudyListPtr& list) { lists.push_back(list); });
   for (const char* words : {"d", "do", "doe", "doex", "mull"}) service.list({words, {}});
   QTRY_COMPARE_WITH_TIMEOUT(lists.size(), std::size_t(1), longest);
   QCOMPARE(lists[0]->patients.size(), std::size_t(1));

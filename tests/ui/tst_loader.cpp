@@ -40,6 +40,7 @@ class TestLoader : public QObject {
   void theLaterLoadWins();
   void whatIsCancelledIsNotTold();
   void intentsComeBackWithTheirAnswers();
+  void oneOfThreeOpensIsCancelled();
   void twoAreOpenedAtOnce_data();
   void twoAreOpenedAtOnce();
   void aBadPathIsASentence();
@@ -101,6 +102,30 @@ void TestLoader::intentsComeBackWithTheirAnswers() {
     QVERIFY(came.how == sent.how && came.seriesUid == sent.seriesUid && came.scene == sent.scene &&
             came.isShown == sent.isShown);
   }
+}
+
+// The others come to what they were asked for, and it leaves no trace among what is open.
+void TestLoader::oneOfThreeOpensIsCancelled() {
+  Watched w;
+  OpenStudies open;
+  std::vector<OpenHow> came;
+  connect(&w.loader, &Loader::studyOpened, &open,
+          [&](const QString& path, const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
+            open.add(path, study);
+            came.push_back(intent.how);
+          });
+  const OpenHow asked[] = {OpenHow::here, OpenHow::instead, OpenHow::beside};
+  for (int n = 0; n < 3; ++n)
+    w.loader.open(QStringLiteral("phantom:sphere:%1").arg(16 + n), {.how = asked[n]});
+  const std::vector<JobRow> rows = w.jobs.rows();
+  QCOMPARE(rows.size(), std::size_t(3));
+  w.jobs.cancel(rows[1].id);
+  QVERIFY(w.finish());
+  QStringList paths;
+  for (const OpenStudy& opened : open.all()) paths << opened.path;
+  QCOMPARE(paths, QStringList({QStringLiteral("phantom:sphere:16"), QStringLiteral("phantom:sphere:18")}));
+  QVERIFY(came == std::vector({OpenHow::here, OpenHow::beside}));
+  QCOMPARE(w.failed.count(), 0);
 }
 
 void TestLoader::twoAreOpenedAtOnce_data() {

@@ -46,7 +46,7 @@ Result<QImage> thumbnailImage(Index& index, std::int64_t series) {
 }  // namespace
 
 IndexService::IndexService(const std::string& folder, Jobs& jobs, QObject* parent)
-    : QObject(parent), folder_(folder), jobs_(jobs) {}
+    : StudySource(parent), folder_(folder), jobs_(jobs) {}
 
 // The index goes on the thread that opened it.
 IndexService::~IndexService() {
@@ -106,7 +106,7 @@ void IndexService::list(const StudyListRequest& request) {
         const std::size_t recent = request.words.empty() ? mostRecent : 0;
         return std::make_shared<const StudyList>(listedStudies(std::move(*studies), request.sort, recent));
       },
-      [this](const StudyListPtr& list) { Q_EMIT listed(list); });
+      [this, request](const StudyListPtr& list) { Q_EMIT listed(request, list); });
 }
 
 void IndexService::series(std::int64_t study) {

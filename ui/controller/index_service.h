@@ -1,27 +1,15 @@
 #pragma once
 
-#include <QImage>
-#include <QStringList>
-#include <functional>
 #include <optional>
-#include <vector>
 
-#include "io/index/index.h"
-#include "ui/controller/open_intent.h"
-#include "ui/data/study_list.h"
+#include "ui/controller/study_source.h"
 #include "ui/document/job_lane.h"
 
 namespace volumen {
 
-/// What the study browser wants to list.
-struct StudyListRequest {
-  std::string words;  ///< as typed; empty: all studies, and those opened last
-  StudySort sort;
-};
-
 /// The index of studies on threads of its own: one that answers in order, one that makes thumbnails, one that
-/// imports; each import is a job of the list. Asking never waits.
-class IndexService : public QObject {
+/// imports; each import is a job of the list.
+class IndexService : public StudySource {
   Q_OBJECT
  public:
   /// `folder`: of the index; it is opened, or made, when it is first needed.
@@ -29,39 +17,19 @@ class IndexService : public QObject {
   /// Gives up what is under way; what was imported until then is kept.
   ~IndexService() override;
 
-  /// Ends in listed(), or in unavailable() where the index cannot be opened; the newest request alone is
-  /// answered.
-  void list(const StudyListRequest& request);
-  /// Ends in seriesListed().
-  void series(std::int64_t study);
-  /// Ends in thumbnailMade() for each; those wanted before and not begun are given up.
-  void wantThumbnails(const std::vector<std::int64_t>& series);
-  /// Ends in filesFound(); remembers that the study was opened.
-  void open(const IndexedChoice& choice, OpenHow how);
-  /// Takes studies out of the index, and back into it; never deletes files. Ends in changed().
-  void remove(const std::vector<std::int64_t>& studies);
-  void undoRemove(const std::vector<std::int64_t>& studies);
-  /// Reads all below these paths into the index, after what is being imported already. Ends in importEnded().
-  void import(const QStringList& paths);
+  QString key() const override { return QStringLiteral("index"); }
+  QString name() const override { return tr("This computer"); }
 
- Q_SIGNALS:
-  void listed(const volumen::StudyListPtr& list);
-  void seriesListed(qint64 study, const volumen::SeriesListPtr& series);
-  /// Null: there is none.
-  void thumbnailMade(qint64 series, const QImage& thumbnail);
-  /// The files of the study of a choice, and what was asked for, with the series of the choice.
-  void filesFound(const volumen::IndexedChoice& choice, const std::vector<std::string>& files,
-                  const volumen::OpenIntent& intent);
-  /// The index holds something else now.
-  void changed();
-  void importBegun();
-  void importEnded(const volumen::ImportReport& report);
-  /// A sentence on what was asked last.
-  void failed(const QString& sentence);
-  /// Why there is no index.
-  void unavailable(const QString& sentence);
-  /// What is to be known of the index, told once: a damaged one was put aside.
-  void noticed(const QString& sentence);
+  void list(const StudyListRequest& request) override;
+  void series(std::int64_t study) override;
+  void wantThumbnails(const std::vector<std::int64_t>& series) override;
+  /// Remembers that the study was opened, too.
+  void open(const IndexedChoice& choice, OpenHow how) override;
+  bool canImport() const override { return true; }
+  void import(const QStringList& paths) override;
+  bool canRemove() const override { return true; }
+  void remove(const std::vector<std::int64_t>& studies) override;
+  void undoRemove(const std::vector<std::int64_t>& studies) override;
 
  private:
   // A thread, and the index as it has it open.

@@ -36,6 +36,8 @@ class Loader : public QObject {
   /// Gives up all.
   void cancel();
   bool isBusy() const { return open_.isBusy() || load_.isBusy(); }
+  /// Whether a series is being loaded to be shown.
+  bool isLoading() const { return loading_ && !isAhead_; }
   /// Gives up the load that is under way alone.
   void cancelLoad();
 

@@ -60,7 +60,7 @@ void Studies::markShown() {
 
 void Studies::showDropped(const QMimeData& what) {
   if (const Series* series = panel_->seriesOf(what)) bench_.document.opener.show(*series);
-  if (const auto choice = choiceIn(what)) bench_.document.index.open(*choice, OpenHow::here);
+  if (const auto choice = choiceIn(what)) bench_.document.sources.current().open(*choice, OpenHow::here);
 }
 
 void Studies::closeAll(const Unlisted& listed) {

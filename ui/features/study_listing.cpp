@@ -4,6 +4,7 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <algorithm>
+#include <deque>
 
 #include "ui/data/frame_series.h"
 #include "ui/features/feature.h"
@@ -18,8 +19,10 @@ namespace volumen {
 
 namespace {
 
-// Under which a study of the index stands among what is open.
-QString placeOf(std::int64_t study) { return QStringLiteral("index:%1").arg(study); }
+// Under which a study of a source stands among what is open.
+QString placeOf(const StudySource& source, std::int64_t study) {
+  return QStringLiteral("%1:%2").arg(source.key()).arg(study);
+}
 
 bool showsAnything(const Workspace& workspace) {
   return std::ranges::any_of(viewsOnScreen(workspace),
@@ -45,7 +48,7 @@ std::int64_t voxels(const Series& s) {
   return std::int64_t(s.acquired.size.x) * s.acquired.size.y * s.acquired.size.z;
 }
 
-// The studies of the index: they stand above the views, and in place of them while nothing is open; and a
+// The studies of the sources: they stand above the views, and in place of them while nothing is open; and a
 // line above all where the views show different patients.
 class StudyListing : public Feature {
  public:
@@ -55,35 +58,48 @@ class StudyListing : public Feature {
   void makePatientsBar();
   void makeActions();
   void connectBrowser();
-  void connectIndex();
+  void connectSource(StudySource& source);
   void showBrowser(bool on);
   void arrangeBrowser();
   void showPatients();
   void askForImport();
   void showImport(const ImportReport& report);
-  void openIndexed(const IndexedChoice& choice, bool beside);
-  void openFound(const IndexedChoice& choice, const std::vector<std::string>& files,
-                 const OpenIntent& intent);
-  void showIndexed(const QString& place, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
+  void openFound(const QString& place, const std::vector<std::string>& files, const OpenIntent& intent);
+  void showFound(const QString& place, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
+  void showNext();
   void showChosen(const Study& study, const OpenIntent& intent);
   void showOpened(const Series& series, OpenHow how);
   void focusNextView();
 
+  StudySources& sources_ = bench_.document.sources;
   StudyBrowser* browser_;
   QLabel* patients_;
+  // What was opened while the series of another was being loaded.
+  struct Waiting {
+    QString place;
+    std::shared_ptr<const Study> study;
+    OpenIntent intent;
+  };
+  std::deque<Waiting> waiting_;
   bool listedOnce_ = false;                              // since the program began
   std::map<QString, std::vector<std::string>> filesOf_;  // what studies that are open were made of
 };
 
 StudyListing::StudyListing(Workbench& bench)
-    : Feature(bench), browser_(new StudyBrowser(bench.document.index)), patients_(plainLabel()) {
+    : Feature(bench), browser_(new StudyBrowser(sources_)), patients_(plainLabel()) {
   browser_->hide();
   bench_.split.insertWidget(0, browser_);
   bench_.split.setStretchFactor(1, 1);
   makePatientsBar();
   makeActions();
   connectBrowser();
-  connectIndex();
+  for (const auto& source : sources_.all()) connectSource(*source);
+  const Loader* loader = &bench_.document.loader;
+  connect(loader, &Loader::filesOpened, this, &StudyListing::showFound);
+  // After the session has taken what was loaded.
+  connect(loader, &Loader::idle, this, &StudyListing::showNext, Qt::QueuedConnection);
+  connect(loader, &Loader::seriesLoaded, this, &StudyListing::showNext, Qt::QueuedConnection);
+  connect(loader, &Loader::notLoaded, this, &StudyListing::showNext, Qt::QueuedConnection);
   browser_->refresh();
 }
 
@@ -124,7 +140,9 @@ void StudyListing::makeActions() {
 void StudyListing::connectBrowser() {
   connect(browser_, &StudyBrowser::importRequested, this, &StudyListing::askForImport);
   connect(browser_, &StudyBrowser::hideRequested, this, [this] { showBrowser(false); });
-  connect(browser_, &StudyBrowser::openRequested, this, &StudyListing::openIndexed);
+  connect(browser_, &StudyBrowser::openRequested, this, [this](const IndexedChoice& choice, bool beside) {
+    sources_.current().open(choice, beside ? OpenHow::beside : OpenHow::instead);
+  });
   connect(browser_, &StudyBrowser::offlineRequested, this, [this] {
     warn(
         tr("The files of this study are not there now: connect the disk or network folder that "
@@ -156,17 +174,18 @@ void StudyListing::connectBrowser() {
   });
 }
 
-void StudyListing::connectIndex() {
-  IndexService& index = bench_.document.index;
-  connect(&index, &IndexService::filesFound, this, &StudyListing::openFound);
-  connect(&index, &IndexService::failed, this, [this](const QString& sentence) { warn(sentence); });
-  connect(&index, &IndexService::noticed, this,
+void StudyListing::connectSource(StudySource& source) {
+  connect(
+      &source, &StudySource::filesFound, this,
+      [this, &source](const IndexedChoice& choice, const std::vector<std::string>& files,
+                      const OpenIntent& intent) { openFound(placeOf(source, choice.study), files, intent); });
+  connect(&source, &StudySource::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&source, &StudySource::noticed, this,
           [this](const QString& sentence) { bench_.banner.add(sentence); });
-  connect(&index, &IndexService::importBegun, this, [this] {
+  connect(&source, &StudySource::importBegun, this, [this] {
     if (!showsAnything(session_.workspace())) showBrowser(true);
   });
-  connect(&index, &IndexService::importEnded, this, &StudyListing::showImport);
-  connect(&bench_.document.loader, &Loader::filesOpened, this, &StudyListing::showIndexed);
+  connect(&source, &StudySource::importEnded, this, &StudyListing::showImport);
 }
 
 void StudyListing::showBrowser(bool on) {
@@ -196,12 +215,14 @@ void StudyListing::showPatients() {
 }
 
 void StudyListing::askForImport() {
+  StudySource* importer = sources_.importer();
+  if (!importer) return;
   auto* dialog = new QFileDialog(&bench_.window, tr("Import a folder into the list of studies"));
   dialog->setObjectName(QStringLiteral("importFolderDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& path) { bench_.document.index.import({path}); });
+  connect(dialog, &QFileDialog::fileSelected, importer,
+          [importer](const QString& path) { importer->import({path}); });
   dialog->open();
 }
 
@@ -214,24 +235,30 @@ void StudyListing::showImport(const ImportReport& report) {
 }
 
 // Where it is open already, it is not read again.
-void StudyListing::openIndexed(const IndexedChoice& choice, bool beside) {
-  bench_.document.index.open(choice, beside ? OpenHow::beside : OpenHow::instead);
-}
-
-void StudyListing::openFound(const IndexedChoice& choice, const std::vector<std::string>& files,
+void StudyListing::openFound(const QString& place, const std::vector<std::string>& files,
                              const OpenIntent& intent) {
-  const QString place = placeOf(choice.study);
   const std::shared_ptr<const Study> open = open_.studyOf(place);
-  if (open && std::exchange(filesOf_[place], files) == files) return showIndexed(place, open, intent);
+  if (open && std::exchange(filesOf_[place], files) == files) return showFound(place, open, intent);
   filesOf_[place] = files;
   bench_.document.loader.openFiles(place, files, intent);
 }
 
-void StudyListing::showIndexed(const QString& place, const std::shared_ptr<const Study>& study,
-                               const OpenIntent& intent) {
+void StudyListing::showFound(const QString& place, const std::shared_ptr<const Study>& study,
+                             const OpenIntent& intent) {
   bench_.document.opener.list(place, study);
   if (!study->refused.empty()) bench_.banner.add(unreadText(*study), refusedTexts(study->refused));
-  showChosen(*study, intent);
+  waiting_.push_back({place, study, intent});
+  showNext();
+}
+
+// One after the other: the next load would take the place of the one under way, and nothing be shown of that.
+// What was closed meanwhile is not shown.
+void StudyListing::showNext() {
+  while (!waiting_.empty() && !bench_.document.loader.isLoading()) {
+    const Waiting next = std::move(waiting_.front());
+    waiting_.pop_front();
+    if (open_.studyOf(next.place) == next.study) showChosen(*next.study, next.intent);
+  }
 }
 
 // The series that was chosen, else the largest volume, else the first pictures.

@@ -39,7 +39,9 @@ class Scrolling : public QScrollArea {
 }  // namespace
 
 Document::Document(const Services& services)
-    : index(services.indexFolder, jobs), drawService(services.makeDraw), loader(jobs, services.makeScene) {}
+    : sources(services.makeSources(services.indexFolder, jobs)),
+      drawService(services.makeDraw),
+      loader(jobs, services.makeScene) {}
 
 Workbench::Workbench(const Services& theServices, Document& theDocument, const WindowParts& parts)
     : WindowParts(parts), services(theServices), document(theDocument), menus(parts.window) {

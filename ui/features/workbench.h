@@ -9,13 +9,13 @@
 #include "ui/controller/derived_objects.h"
 #include "ui/controller/draw_service.h"
 #include "ui/controller/frame_service.h"
-#include "ui/controller/index_service.h"
 #include "ui/controller/loader.h"
 #include "ui/controller/measure_jobs.h"
 #include "ui/controller/opener.h"
 #include "ui/controller/recent_files.h"
 #include "ui/controller/session_files.h"
 #include "ui/controller/slice_service.h"
+#include "ui/controller/study_sources.h"
 #include "ui/document/jobs.h"
 #include "ui/document/open_studies.h"
 #include "ui/features/menus.h"
@@ -45,6 +45,7 @@ struct Services {
   MakeScene makeScene;
   std::function<std::vector<PresetEntry>()> presets;
   std::string indexFolder = userIndexFolder();  ///< of the list of studies
+  MakeStudySources makeSources = makeStudySources;
 };
 
 /// The document, and what reads it and draws it.
@@ -54,7 +55,7 @@ struct Document {
   Session session;
   Jobs jobs;
   OpenStudies open;
-  IndexService index;
+  StudySources sources;
   DrawService drawService;
   SliceService slices;
   FrameService frames;

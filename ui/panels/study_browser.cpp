@@ -1,5 +1,6 @@
 #include "ui/panels/study_browser.h"
 
+#include <QComboBox>
 #include <QDragEnterEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -35,11 +36,13 @@ bool isReturn(const QKeyEvent& event) {
 
 }  // namespace
 
-StudyBrowser::StudyBrowser(IndexService& service, QWidget* parent)
+StudyBrowser::StudyBrowser(StudySources& sources, QWidget* parent)
     : QWidget(parent),
-      service_(service),
+      sources_(sources),
       model_(new StudyModel(this)),
+      sourceBox_(new QComboBox),
       search_(new QLineEdit),
+      import_(new QPushButton(tr("Import folder..."))),
       tree_(new QTreeView),
       strip_(new SeriesStrip),
       notice_(plainLabel()),
@@ -51,6 +54,7 @@ StudyBrowser::StudyBrowser(IndexService& service, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(6);
+  makeSourceBox();
   makeSearchRow();
   makeNotice();
   makeTree();
@@ -65,49 +69,73 @@ StudyBrowser::StudyBrowser(IndexService& service, QWidget* parent)
   ask_.setInterval(askAfterMs);
   connect(&ask_, &QTimer::timeout, this, &StudyBrowser::ask);
   connect(search_, &QLineEdit::textChanged, &ask_, qOverload<>(&QTimer::start));
-  connectService();
+  connect(model_, &StudyModel::seriesWanted, this,
+          [this](qint64 study) { sources_.current().series(study); });
+  connect(strip_, &SeriesStrip::thumbnailsWanted, this,
+          [this](const std::vector<std::int64_t>& series) { sources_.current().wantThumbnails(series); });
+  connect(&sources_, &StudySources::chosen, this, &StudyBrowser::showSource);
+  listen();
   setFocusProxy(tree_);
   setTabOrder(search_, tree_);
   setTabOrder(tree_, strip_);
 }
 
-void StudyBrowser::connectService() {
-  connect(&service_, &IndexService::listed, this, &StudyBrowser::showList);
-  connect(&service_, &IndexService::changed, &ask_, qOverload<>(&QTimer::start));
-  connect(&service_, &IndexService::unavailable, this, [this](const QString& sentence) {
+// What another source still says is not listened to.
+void StudyBrowser::listen() {
+  listening_ = std::make_unique<QObject>();
+  StudySource* source = &sources_.current();
+  connect(source, &StudySource::listed, listening_.get(),
+          [this](const StudyListRequest& request, const StudyListPtr& list) { showList(request, list); });
+  connect(source, &StudySource::changed, listening_.get(), [this] { ask_.start(); });
+  connect(source, &StudySource::unavailable, listening_.get(), [this](const QString& sentence) {
     setUsable(false);
     showNotice(tr("The list of studies cannot be used: %1").arg(sentence));
   });
-  connect(&service_, &IndexService::seriesListed, this, [this](qint64 study, const SeriesListPtr& series) {
-    model_->setSeries(study, series);
-    if (study == strip_->study()) strip_->showStudy(study, series);
-  });
-  connect(model_, &StudyModel::seriesWanted, &service_, &IndexService::series);
-  connect(strip_, &SeriesStrip::thumbnailsWanted, &service_, &IndexService::wantThumbnails);
-  connect(&service_, &IndexService::thumbnailMade, strip_, &SeriesStrip::setThumbnail);
+  connect(source, &StudySource::seriesListed, listening_.get(),
+          [this](qint64 study, const SeriesListPtr& series) {
+            model_->setSeries(study, series);
+            if (study == strip_->study()) strip_->showStudy(study, series);
+          });
+  connect(source, &StudySource::thumbnailMade, listening_.get(),
+          [this](qint64 series, const QImage& thumbnail) { strip_->setThumbnail(series, thumbnail); });
+  import_->setVisible(source->canImport());
+}
+
+// Nothing stays of the one that was listed before.
+void StudyBrowser::showSource() {
+  listen();
+  model_->setList(std::make_shared<const StudyList>(), sort_);
+  strip_->showStudy(0, nullptr);
+  showNotice({});
+  removedBar_->hide();
+  removed_.clear();
+  ask();
 }
 
 void StudyBrowser::refresh() { ask(); }
 
 void StudyBrowser::ask() {
   ask_.stop();
-  askedWords_ = search_->text().trimmed().toStdString();
-  service_.list({askedWords_, sort_});
+  asked_ = {search_->text().trimmed().toStdString(), sort_};
+  sources_.current().list(asked_);
 }
 
-// What was chosen and open stays so; the studies of a short list are shown.
-void StudyBrowser::showList(const StudyListPtr& list) {
+// What was chosen and open stays so; the studies of a short list are shown. What answers an older request
+// than the last is dropped.
+void StudyBrowser::showList(const StudyListRequest& request, const StudyListPtr& list) {
+  if (request != asked_) return;
   setUsable(true);
-  const TreeState before = treeState(std::exchange(shownWords_, askedWords_) == askedWords_);
-  model_->setList(list, sort_);
+  const TreeState before = treeState(std::exchange(shown_, request).words == request.words);
+  model_->setList(list, request.sort);
   restore(before);
   showSeriesOf(tree_->currentIndex());
   if (!list->patients.empty())
     showNotice({});
-  else if (shownWords_.empty())
-    showNotice(
-        tr("No studies yet. Import a folder, or drop one here: it is read into this list, and the files "
-           "stay where they are."));
+  else if (shown_.words.empty())
+    showNotice(!sources_.current().canImport() ? tr("There are no studies here.")
+                                               : tr("No studies yet. Import a folder, or drop one here: it "
+                                                    "is read into this list, and the files "
+                                                    "stay where they are."));
   else
     showNotice(tr("No study has all of these words."));
   Q_EMIT listChanged();
@@ -170,7 +198,7 @@ void StudyBrowser::showSeriesOf(const QModelIndex& index) {
   if (!study) return strip_->showStudy(0, nullptr);
   if (study->id == strip_->study()) return;
   strip_->showStudy(study->id, nullptr);
-  service_.series(study->id);
+  sources_.current().series(study->id);
 }
 
 void StudyBrowser::showNotice(const QString& sentence) {
@@ -212,6 +240,7 @@ void StudyBrowser::openCurrent(bool beside) {
 }
 
 void StudyBrowser::removeChosen() {
+  if (!sources_.current().canRemove()) return;
   std::vector<std::int64_t> studies;
   for (const QModelIndex& index : tree_->selectionModel()->selectedRows())
     for (const std::int64_t study : model_->studiesOf(index))
@@ -225,7 +254,7 @@ void StudyBrowser::removeChosen() {
           ? tr("1 study removed from the list. Its files stay where they are.")
           : tr("%1 studies removed from the list. Their files stay where they are.").arg(studies.size()));
   removed_ = studies;
-  service_.remove(studies);
+  sources_.current().remove(studies);
 }
 
 void StudyBrowser::showMenu(QWidget* from, QPoint position) {
@@ -243,7 +272,7 @@ void StudyBrowser::showMenu(QWidget* from, QPoint position) {
     for (const bool beside : {false, true})
       menu->addAction(beside ? tr("Open beside") : tr("Open"), this,
                       [this, choice, isOffline, beside] { open(choice, isOffline, beside); });
-  if (!model_->studiesOf(index).empty())
+  if (sources_.current().canRemove() && !model_->studiesOf(index).empty())
     menu->addAction(tr("Remove from list"), this, &StudyBrowser::removeChosen);
   if (menu->isEmpty()) return menu->deleteLater();
   menu->popup(from->mapToGlobal(position));
@@ -297,11 +326,12 @@ bool StudyBrowser::listKey(QObject* watched, QKeyEvent* event, bool isPress) {
 
 // What is dropped on the list is imported; anywhere else it is opened.
 void StudyBrowser::dragEnterEvent(QDragEnterEvent* event) {
-  if (!localFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+  const bool canImport = sources_.current().canImport();
+  if (canImport && !localFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void StudyBrowser::dropEvent(QDropEvent* event) {
-  service_.import(localFiles(*event->mimeData()));
+  sources_.current().import(localFiles(*event->mimeData()));
   event->acceptProposedAction();
 }
 

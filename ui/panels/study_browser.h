@@ -4,9 +4,10 @@
 #include <QWidget>
 #include <set>
 
-#include "ui/controller/index_service.h"
+#include "ui/controller/study_sources.h"
 #include "ui/panels/study_model.h"
 
+class QComboBox;
 class QFrame;
 class QLabel;
 class QLineEdit;
@@ -18,13 +19,13 @@ namespace volumen {
 
 class SeriesStrip;
 
-/// The studies of the index: patients, studies and series in a tree that is searched as one types and sorted
-/// by its columns, and the series of the chosen study as thumbnails. Asks the service for everything; what it
-/// knows is the last answer.
+/// The studies of a source: patients, studies and series in a tree that is searched as one types and sorted
+/// by its columns, and the series of the chosen study as thumbnails. Asks the source for everything; what it
+/// knows is the last answer. Where there are several sources, one is chosen above.
 class StudyBrowser : public QWidget {
   Q_OBJECT
  public:
-  explicit StudyBrowser(IndexService& service, QWidget* parent = nullptr);
+  explicit StudyBrowser(StudySources& sources, QWidget* parent = nullptr);
 
   /// Reads the list again: other programs may have changed it.
   void refresh();
@@ -32,7 +33,7 @@ class StudyBrowser : public QWidget {
   void showNames();
   /// Puts the cursor into the search field.
   void startSearch();
-  bool isEmpty() const { return model_->list().patients.empty() && shownWords_.empty(); }
+  bool isEmpty() const { return model_->list().patients.empty() && shown_.words.empty(); }
 
  Q_SIGNALS:
   /// `beside`: what is on screen stays.
@@ -61,9 +62,11 @@ class StudyBrowser : public QWidget {
   void makeTree();
   void makeRemovedBar();
   void makeNotice();
-  void connectService();
+  void makeSourceBox();
+  void listen();
+  void showSource();
   void ask();
-  void showList(const StudyListPtr& list);
+  void showList(const StudyListRequest& request, const StudyListPtr& list);
   void setUsable(bool usable);
   TreeState treeState(bool isSameSearch) const;
   void restore(const TreeState& state);
@@ -77,9 +80,11 @@ class StudyBrowser : public QWidget {
   bool searchKey(QKeyEvent* event);
   bool listKey(QObject* watched, QKeyEvent* event, bool isPress);
 
-  IndexService& service_;
+  StudySources& sources_;
   StudyModel* model_;
+  QComboBox* sourceBox_;
   QLineEdit* search_;
+  QPushButton* import_;
   QTreeView* tree_;
   SeriesStrip* strip_;
   QLabel* notice_;
@@ -88,8 +93,9 @@ class StudyBrowser : public QWidget {
   QPushButton* undo_;
   QTimer ask_;
   StudySort sort_;
-  std::string askedWords_, shownWords_;
-  std::vector<std::int64_t> removed_;  // by the last step
+  StudyListRequest asked_, shown_;
+  std::unique_ptr<QObject> listening_;  // of what the source that is listed says
+  std::vector<std::int64_t> removed_;   // by the last step
 };
 
 }  // namespace volumen

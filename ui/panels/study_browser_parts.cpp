@@ -1,3 +1,4 @@
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -12,22 +13,31 @@
 
 namespace volumen {
 
+void StudyBrowser::makeSourceBox() {
+  sourceBox_->setObjectName(QStringLiteral("browserSource"));
+  sourceBox_->setAccessibleName(tr("Where studies are listed from"));
+  for (const auto& source : sources_.all()) sourceBox_->addItem(source->name());
+  if (sources_.all().size() < 2) sourceBox_->hide();
+  connect(sourceBox_, &QComboBox::currentIndexChanged, this,
+          [this](int n) { sources_.choose(std::size_t(n)); });
+}
+
 void StudyBrowser::makeSearchRow() {
   search_->setObjectName(QStringLiteral("browserSearch"));
   search_->setPlaceholderText(tr("Search by name, ID, date, modality or description"));
   search_->setAccessibleName(tr("Search all studies"));
   search_->setClearButtonEnabled(true);
-  auto* import = new QPushButton(tr("Import folder..."));
-  import->setObjectName(QStringLiteral("browserImport"));
+  import_->setObjectName(QStringLiteral("browserImport"));
   auto* hide = new QToolButton;
   hide->setObjectName(QStringLiteral("browserHide"));
   hide->setText(tr("Hide"));
   hide->setToolTip(tr("Hide the study list (Ctrl+B)"));
-  connect(import, &QPushButton::clicked, this, &StudyBrowser::importRequested);
+  connect(import_, &QPushButton::clicked, this, &StudyBrowser::importRequested);
   connect(hide, &QToolButton::clicked, this, &StudyBrowser::hideRequested);
   auto* row = new QHBoxLayout;
+  row->addWidget(sourceBox_);
   row->addWidget(search_, 1);
-  row->addWidget(import);
+  row->addWidget(import_);
   row->addWidget(hide);
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
 }
@@ -96,7 +106,7 @@ void StudyBrowser::makeRemovedBar() {
   connect(undo_, &QPushButton::clicked, this, [this] {
     removedBar_->hide();
     tree_->setFocus();
-    service_.undoRemove(std::exchange(removed_, {}));
+    sources_.current().undoRemove(std::exchange(removed_, {}));
   });
 }
 

@@ -1,5 +1,8 @@
 // Guards design.md 4 (convert to DICOM: values and geometry exact, no half-written study) and design.md 10
 // (ct-head as the sample study).
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -10,6 +13,7 @@
 #include "io/load.h"
 #include "io/open.h"
 #include "tests/fixtures/head_facts.h"
+#include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
 #include "viewer/phantoms/phantoms.h"
 
@@ -24,6 +28,7 @@ class TestExportDicom : public QObject {
   void whatDicomCannotKeepIsRefused_data();
   void whatDicomCannotKeepIsRefused();
   void sameContentsGiveTheSameFiles();
+  void allSlicesSayWhoseTheyAreAlike();
   void cancelledWritingLeavesNothing();
 };
 
@@ -204,6 +209,44 @@ void TestExportDicom::sameContentsGiveTheSameFiles() {
   std::set<std::string> uids;
   for (const QString& folder : {a, c}) uids.insert(openStudy(folder.toStdString())->volumes[0].seriesUid);
   QCOMPARE(uids.size(), std::size_t(2));
+}
+
+// What Series has of patient and study stands in every slice, also where a file of the source spells it in
+// another way or leaves it out.
+void TestExportDicom::allSlicesSayWhoseTheyAreAlike() {
+  const tests::DicomFolder source;
+  for (int n = 0; n < 3; ++n) {
+    tests::DicomPicture picture = tests::sliceAt(n, 100 * n);
+    picture.edit = [n](DcmDataset& d) {
+      d.putAndInsertString(DCM_PatientName, n == 1 ? "DOE^JANE" : "Doe^Jane");
+      d.putAndInsertString(DCM_PatientID, "A111");
+      d.putAndInsertString(DCM_PatientBirthDate, "19450508");
+      if (n != 1) d.putAndInsertString(DCM_AccessionNumber, "4711");
+    };
+    source.add(tests::numbered("s", n), picture);
+  }
+  const Study opened = source.open();
+  QCOMPARE(opened.volumes.size(), std::size_t(1));
+  const Result<Loaded> loaded = loadSeries(opened.volumes[0]);
+  QVERIFY(loaded.ok());
+  const auto tags = readDicomTags(opened.volumes[0], *loaded);
+  QVERIFY(tags.ok());
+  QTemporaryDir scratch;
+  const QString copy = scratch.filePath(QStringLiteral("copy"));
+  QVERIFY(writeDicomSeries(*loaded->drawn, *tags, copy.toStdString()).ok());
+  const QStringList names = QDir(copy).entryList(QDir::Files, QDir::Name);
+  QCOMPARE(names.size(), qsizetype(3));
+  for (const QString& name : names) {
+    DcmFileFormat file;
+    QVERIFY(file.loadFile(OFFilename(QDir(copy).filePath(name).toUtf8().constData())).good());
+    const std::pair<DcmTagKey, const char*> expected[] = {
+        {DCM_PatientName, "Doe^Jane"}, {DCM_PatientBirthDate, "19450508"}, {DCM_AccessionNumber, "4711"}};
+    for (const auto& [tag, value] : expected) {
+      OFString written;
+      QVERIFY(file.getDataset()->findAndGetOFString(tag, written).good());
+      QCOMPARE(QByteArray(written.c_str()), QByteArray(value));
+    }
+  }
 }
 
 void TestExportDicom::cancelledWritingLeavesNothing() {

@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "io/files/image_file.h"
+#include "io/study/series.h"
 #include "tests/fixtures/cpu_timer.h"
 #include "tests/unit/io/gzipped.h"
 #include "tests/unit/suite.h"

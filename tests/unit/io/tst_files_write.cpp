@@ -13,6 +13,7 @@
 #include "io/files/nrrd.h"
 #include "io/files/picture_file.h"
 #include "io/files/write_volume.h"
+#include "io/study/series.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;

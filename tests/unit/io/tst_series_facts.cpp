@@ -48,6 +48,8 @@ void TestSeriesFacts::whatTellsSeriesApartIsRead_data() {
   const auto row = [](const char* name, std::string Series::*field, const char* value, Edit edit) {
     QTest::newRow(name) << edit << field << QString::fromLatin1(value);
   };
+  row("SOP class", &Series::sopClassUid, UID_MRImageStorage,
+      [](DcmDataset& d) { d.putAndInsertString(DCM_SOPClassUID, UID_MRImageStorage); });
   row("echo time", &Series::echoTime, "20.5",
       [](DcmDataset& d) { d.putAndInsertString(DCM_EchoTime, "20.5"); });
   row("no echo time", &Series::echoTime, "", [](DcmDataset&) {});

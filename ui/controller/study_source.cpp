@@ -1,0 +1,9 @@
+#include "ui/controller/study_source.h"
+
+namespace volumen {
+
+void StudySource::wantThumbnails(const std::vector<std::int64_t>& series) {
+  for (const std::int64_t id : series) Q_EMIT thumbnailMade(id, {});
+}
+
+}  // namespace volumen
