@@ -27,7 +27,7 @@ Inspection refusal(worker::Failure why) {
 void checkInspection(const std::string& path, Inspection& i) {
   if (i.kind == Inspection::Kind::picture && !isConsistent(i.header, path))
     i = refusal(worker::Failure::wrong);
-  if (i.reference) i.reference->path = path;
+  if (i.derivedObject) i.derivedObject->path = path;
 }
 
 std::vector<Inspection> inspectFiles(const std::vector<std::string>& paths, const Progress& progress,

@@ -54,7 +54,7 @@ inline void fields(Wire& w, dicom::FileHeader& h) {
 inline void fields(Wire& w, dicom::ListedFile& f) { w(f.id, f.studyUid, f.seriesUid, f.isPicture); }
 
 inline void fields(Wire& w, dicom::Inspection& i) {
-  w(i.kind, i.text, i.reference, i.listed);
+  w(i.kind, i.text, i.derivedObject, i.listed);
   if (i.kind == dicom::Inspection::Kind::picture) return w(i.header);
   fields(w, static_cast<SeriesIdentity&>(i.header));
   w(i.position);

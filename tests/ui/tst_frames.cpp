@@ -140,7 +140,7 @@ void TestFrames::viewsSayWhatTheyShow() {
   QCOMPARE(over.topRight, QStringList(title) + pixels.split(QLatin1Char('|')));
   QCOMPARE(over.bottomRight, window);
   QCOMPARE(over.mmPerPixel > 0, hasBar);
-  // Of these, mammograms alone say where their sides are (TestReferencesWindow::lettersOfProjections).
+  // Of these, mammograms alone say where their sides are (TestDerivedWindow::lettersOfProjections).
   QCOMPARE((over.left + over.right + over.top + over.bottom).isEmpty(), !file.startsWith(u"mg-"));
   // The values of what is compressed with a loss may be 1 or 2 off.
   const QString text = w.said(pixel.x(), pixel.y());

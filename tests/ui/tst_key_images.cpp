@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "io/export/dicom_series.h"
-#include "tests/ui/references_2d.h"
+#include "tests/ui/derived_2d.h"
 #include "tests/unit/suite.h"
 #include "viewer/phantoms/phantoms.h"
 

@@ -15,7 +15,7 @@
 #include <QToolTip>
 #include <QTreeWidget>
 
-#include "tests/ui/references_2d.h"
+#include "tests/ui/derived_2d.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/measurements.h"
 

@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 #include <cmath>
 
-#include "tests/ui/references_2d.h"
+#include "tests/ui/derived_2d.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/open_session.h"
 #include "ui/views/paint_graphics.h"

@@ -2,7 +2,7 @@
 // real files.
 #include <cmath>
 
-#include "tests/ui/references_2d.h"
+#include "tests/ui/derived_2d.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/flat_plane.h"
 

@@ -2,6 +2,7 @@
 
 #include <QString>
 
+#include "io/study/unread.h"
 #include "viewer/volume/histogram.h"
 
 namespace volumen {

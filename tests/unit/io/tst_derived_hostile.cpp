@@ -19,7 +19,7 @@
 using namespace volumen;
 using namespace volumen::tests;
 
-class TestReferencesHostile : public QObject {
+class TestDerivedHostile : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void mutatedOnesAreReadOrRefused_data();
@@ -103,12 +103,12 @@ Buffer manyItems(std::uint32_t sequence, const char* sopClass, int items,
 
 }  // namespace
 
-void TestReferencesHostile::mutatedOnesAreReadOrRefused_data() {
+void TestDerivedHostile::mutatedOnesAreReadOrRefused_data() {
   QTest::addColumn<QString>("file");
   for (const char* file : objects) QTest::newRow(file) << QString::fromLatin1(file);
 }
 
-void TestReferencesHostile::mutatedOnesAreReadOrRefused() {
+void TestDerivedHostile::mutatedOnesAreReadOrRefused() {
   NEED_DATA(dataPath());
   QFETCH(QString, file);
   const std::vector<std::uint8_t> whole = readAll(dataPath(file.toStdString()));
@@ -129,7 +129,7 @@ void TestReferencesHostile::mutatedOnesAreReadOrRefused() {
   }
 }
 
-void TestReferencesHostile::cutOffOnesAreReadOrRefused() {
+void TestDerivedHostile::cutOffOnesAreReadOrRefused() {
   NEED_DATA(dataPath());
   QFETCH(QString, file);
   const std::vector<std::uint8_t> whole = readAll(dataPath(file.toStdString()));
@@ -142,7 +142,7 @@ void TestReferencesHostile::cutOffOnesAreReadOrRefused() {
   }
 }
 
-void TestReferencesHostile::manyItemsTakeLittleTime_data() {
+void TestDerivedHostile::manyItemsTakeLittleTime_data() {
   QTest::addColumn<QByteArray>("bytes");
   const auto row = [](const char* name, const Buffer& bytes) {
     QTest::newRow(name) << QByteArray(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size()));
@@ -171,7 +171,7 @@ void TestReferencesHostile::manyItemsTakeLittleTime_data() {
   row("a tree of 100000 levels", deep.bytes);
 }
 
-void TestReferencesHostile::manyItemsTakeLittleTime() {
+void TestDerivedHostile::manyItemsTakeLittleTime() {
   QFETCH(QByteArray, bytes);
   QTemporaryDir folder;
   const std::string path = folder.filePath(QStringLiteral("many")).toStdString();
@@ -181,7 +181,7 @@ void TestReferencesHostile::manyItemsTakeLittleTime() {
   QVERIFY2(timer.elapsed() < 15000, "slow");  // a quadratic walk would take minutes
 }
 
-void TestReferencesHostile::wrongKindsAreRefused() {
+void TestDerivedHostile::wrongKindsAreRefused() {
   NEED_DATA(dataPath());
   const std::string picture = dataPath("dicom-pydicom/test_files/CT_small.dcm");
   const std::string withoutPixels = dataPath("dicom-2d/pr-without-pixels/cr.dcm");
@@ -194,7 +194,7 @@ void TestReferencesHostile::wrongKindsAreRefused() {
 }
 
 // Points written as text, a rescale of letters, a title that is no sequence.
-void TestReferencesHostile::valuesOfAnotherKindAreNotTaken() {
+void TestDerivedHostile::valuesOfAnotherKindAreNotTaken() {
   QTemporaryDir folder;
   const std::string path = folder.filePath(QStringLiteral("state")).toStdString();
   Builder b = Builder::file();
@@ -212,5 +212,5 @@ void TestReferencesHostile::valuesOfAnotherKindAreNotTaken() {
   QVERIFY(report.ok() && report->title.value.empty() && report->groups.empty());
 }
 
-VOLUMEN_TEST(TestReferencesHostile);
-#include "tst_references_hostile.moc"
+VOLUMEN_TEST(TestDerivedHostile);
+#include "tst_derived_hostile.moc"

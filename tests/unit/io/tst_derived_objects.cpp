@@ -12,7 +12,7 @@
 using namespace volumen;
 using namespace volumen::tests;
 
-class TestReferences : public QObject {
+class TestDerivedObjects : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void realObjectsAreListed_data();
@@ -37,7 +37,7 @@ DcmItem& refer(DcmItem& item, const std::string& uid) {
 
 }  // namespace
 
-void TestReferences::realObjectsAreListed_data() {
+void TestDerivedObjects::realObjectsAreListed_data() {
   QTest::addColumn<QString>("file");
   QTest::addColumn<QString>("kind");
   QTest::addColumn<QString>("label");
@@ -64,7 +64,7 @@ void TestReferences::realObjectsAreListed_data() {
   row("pet-ct/sts019-rtstruct-ct.dcm", "contours", "RTstruct", "RTstruct_CT", 179, "");
 }
 
-void TestReferences::realObjectsAreListed() {
+void TestDerivedObjects::realObjectsAreListed() {
   NEED_DATA(dataPath());
   QFETCH(QString, file);
   QFETCH(QString, kind);
@@ -86,7 +86,7 @@ void TestReferences::realObjectsAreListed() {
   QVERIFY(!object.studyUid.empty() && !object.patientName.empty() && object.id == object.sopInstanceUid);
 }
 
-void TestReferences::theyStayAmongTheOthers() {
+void TestDerivedObjects::theyStayAmongTheOthers() {
   NEED_DATA(dataPath());
   const Result<Study> study = openStudy(dataPath("dicom-2d/made-here"));
   QVERIFY(study.ok() && study->refused.empty());
@@ -97,7 +97,7 @@ void TestReferences::theyStayAmongTheOthers() {
   QCOMPARE(segmentation->other.at(0).kind, std::string("DICOM segmentation"));
 }
 
-void TestReferences::whatIsNotHereIsCounted() {
+void TestDerivedObjects::whatIsNotHereIsCounted() {
   const DicomFolder folder;
   DicomPicture slice = sliceAt(0, 1);
   slice.edit = [](DcmDataset& data) { put(data, 0x0008, 0x0018, "1.2.3.99"); };
@@ -115,7 +115,7 @@ void TestReferences::whatIsNotHereIsCounted() {
   QCOMPARE(study.derived[0].pictures[2].seriesUid, std::string("1.2.3.4.5"));
 }
 
-void TestReferences::proceduresAreNoPictures() {
+void TestDerivedObjects::proceduresAreNoPictures() {
   const DicomFolder folder;
   writeObject(folder.path("sr"), reportClass, [](DcmItem& data) {
     DcmItem& step = addItem(data, 0x0008, 0x1111);
@@ -127,7 +127,7 @@ void TestReferences::proceduresAreNoPictures() {
   QVERIFY(study.derived[0].pictures.empty());
 }
 
-void TestReferences::framesAreCountedFromZero() {
+void TestDerivedObjects::framesAreCountedFromZero() {
   const DicomFolder folder;
   writeObject(folder.path("ko"), keyObjectClass, [](DcmItem& data) {
     DcmItem& item = addItem(data, 0x0040, 0xa730);
@@ -144,7 +144,7 @@ void TestReferences::framesAreCountedFromZero() {
   QVERIFY(pictures[1].frames.empty());  // one mention means all of it
 }
 
-void TestReferences::orderIsThatOfSeries() {
+void TestDerivedObjects::orderIsThatOfSeries() {
   const DicomFolder folder;
   for (const char* number : {"10", "9", "11"})
     writeObject(folder.path(number), reportClass, [&](DcmItem& data) { put(data, 0x0020, 0x0011, number); });
@@ -153,5 +153,5 @@ void TestReferences::orderIsThatOfSeries() {
   for (int n = 0; n < 3; ++n) QCOMPARE(study.derived[std::size_t(n)].seriesNumber, std::to_string(9 + n));
 }
 
-VOLUMEN_TEST(TestReferences);
-#include "tst_references.moc"
+VOLUMEN_TEST(TestDerivedObjects);
+#include "tst_derived_objects.moc"

@@ -2,7 +2,7 @@
 // on real files.
 #include <QTextBrowser>
 
-#include "tests/ui/references_2d.h"
+#include "tests/ui/derived_2d.h"
 #include "tests/unit/suite.h"
 #include "ui/panels/report_dialog.h"
 #include "ui/widgets/banner.h"
@@ -10,7 +10,7 @@
 using namespace volumen;
 using namespace volumen::tests;
 
-class TestReferencesWindow : public QObject {
+class TestDerivedWindow : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void theListTellsThem_data();
@@ -24,7 +24,7 @@ class TestReferencesWindow : public QObject {
   void lettersOfProjections();
 };
 
-void TestReferencesWindow::theListTellsThem_data() {
+void TestDerivedWindow::theListTellsThem_data() {
   QTest::addColumn<QString>("file");
   QTest::addColumn<QString>("name");
   QTest::addColumn<QString>("details");
@@ -39,7 +39,7 @@ void TestReferencesWindow::theListTellsThem_data() {
   row("pet-ct/sts019-rtstruct-ct.dcm", "Contours: RTstruct", "none of its 179 pictures is here");
 }
 
-void TestReferencesWindow::theListTellsThem() {
+void TestDerivedWindow::theListTellsThem() {
   NEED_REFERENCES();
   QFETCH(QString, file);
   QFETCH(QString, name);
@@ -52,7 +52,7 @@ void TestReferencesWindow::theListTellsThem() {
   QVERIFY2(w.item(name.toLatin1().constData())->parent() != nullptr, "it stands under its study");
 }
 
-void TestReferencesWindow::theyAreCountedAgainWhenMoreIsOpen() {
+void TestDerivedWindow::theyAreCountedAgainWhenMoreIsOpen() {
   NEED_REFERENCES();
   References2d w({keyObjects});
   QVERIFY(w.has("its picture is not here"));
@@ -61,7 +61,7 @@ void TestReferencesWindow::theyAreCountedAgainWhenMoreIsOpen() {
   QVERIFY(w.item("Key objects: Of Interest"));
 }
 
-void TestReferencesWindow::aKeyObjectGoesToItsPicture() {
+void TestDerivedWindow::aKeyObjectGoesToItsPicture() {
   NEED_REFERENCES();
   References2d w({"dicom-2d/sc-rgb-41.dcm", ct, keyObjects});
   QVERIFY(w.has("Key objects: Of Interest") && w.has("CT (1)") && w.showsFrame());
@@ -75,7 +75,7 @@ void TestReferencesWindow::aKeyObjectGoesToItsPicture() {
   w.shot("key-object");
 }
 
-void TestReferencesWindow::aReportIsRead() {
+void TestDerivedWindow::aReportIsRead() {
   NEED_REFERENCES();
   References2d w({"dicom-2d/sr-tid1500-groups-on-CT_small.dcm", "dicom-2d/sc-rgb-41.dcm", ct});
   QVERIFY(w.has("Report") && w.has("CT (1)") && w.showsFrame());
@@ -97,7 +97,7 @@ void TestReferencesWindow::aReportIsRead() {
   }));
 }
 
-void TestReferencesWindow::aReportSaysWhatIsNotHere() {
+void TestDerivedWindow::aReportSaysWhatIsNotHere() {
   NEED_REFERENCES();
   References2d w({"dicom-2d/sr-tid1500-on-CT_small.dcm"});
   QVERIFY(w.has("Report"));
@@ -109,7 +109,7 @@ void TestReferencesWindow::aReportSaysWhatIsNotHere() {
   QVERIFY(!text->toHtml().contains(QStringLiteral("href")));
 }
 
-void TestReferencesWindow::aPictureWithoutPixelsIsNamed() {
+void TestDerivedWindow::aPictureWithoutPixelsIsNamed() {
   NEED_REFERENCES();
   References2d w({"dicom-2d/pr-without-pixels"});
   QVERIFY(w.has("Presentation state: PRESENTATION"));
@@ -122,7 +122,7 @@ void TestReferencesWindow::aPictureWithoutPixelsIsNamed() {
   QVERIFY(w.workspace().series.empty());
 }
 
-void TestReferencesWindow::lettersOfProjections_data() {
+void TestDerivedWindow::lettersOfProjections_data() {
   QTest::addColumn<QString>("file");
   QTest::addColumn<QStringList>("letters");  // left, right, top, bottom
   QTest::newRow("MLO, P\\FL") << QStringLiteral("dicom-2d/mg-sigmoid-voilut3.dcm")
@@ -135,7 +135,7 @@ void TestReferencesWindow::lettersOfProjections_data() {
                             << QStringList{QString(), QString(), QString(), QString()};
 }
 
-void TestReferencesWindow::lettersOfProjections() {
+void TestDerivedWindow::lettersOfProjections() {
   NEED_REFERENCES();
   QFETCH(QString, file);
   QFETCH(QStringList, letters);
@@ -146,5 +146,5 @@ void TestReferencesWindow::lettersOfProjections() {
   w.shot(qPrintable(QStringLiteral("letters-") + QString::fromLatin1(QTest::currentDataTag()).left(2)));
 }
 
-VOLUMEN_TEST(TestReferencesWindow);
-#include "tst_references_window.moc"
+VOLUMEN_TEST(TestDerivedWindow);
+#include "tst_derived_window.moc"
