@@ -1,15 +1,18 @@
 // Guards that what a newcomer adds to the program is one file and one row: the files of this folder, by real
 // events through the window, or through the room's function.
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
 #include <QTemporaryDir>
 #include <QToolBar>
+#include <QTreeView>
 
 #include "io/files/image_file.h"
 #include "io/files/write_volume.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
+#include "ui/workspace/session_json.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -22,6 +25,8 @@ class TestAdditions : public QObject {
   void aToolOfSlicesGetsTheDrag();
   void aToolOf3DGetsTheDrag();
   void aFormatIsReadAndWritten();
+  void aKindOfViewIsShownAndSaved();
+  void aSourceOfStudiesIsListed();
 };
 
 void TestAdditions::aFeatureStandsInItsMenuAndActs() {
@@ -85,6 +90,39 @@ void TestAdditions::aFormatIsReadAndWritten() {
   const auto loaded = loadImageFile(series->front());
   QVERIFY(loaded);
   QVERIFY(std::get<std::vector<std::uint8_t>>(loaded->drawn->stored()) == bytes);
+}
+
+void TestAdditions::aKindOfViewIsShownAndSaved() {
+  Journey w;
+  w.window.session().show(ballSeries());
+  QVERIFY(w.settle());
+  w.child<QAction>("layoutTwo")->trigger();
+  w.window.session().setFocus(firstComparedId);
+  auto* action = w.child<QAction>("showFacts");
+  QVERIFY(w.child<QMenu>("kindMenu")->actions().contains(action));
+  action->trigger();
+  const auto* view = w.child<QWidget>("factsView4");
+  QVERIFY(view && view->isVisible());
+  const Workspace shown = w.window.session().workspace();
+  const auto text = sessionToJson(shown, "/");
+  QVERIFY(text && text->find("\"facts\"") != std::string::npos);
+  const auto find = [&](const SavedSeries&) { return shown.series.begin()->second.series; };
+  QVERIFY(sessionFromJson(*text, find)->workspace == shown);
+  w.child<QAction>("showAxial")->trigger();
+  QVERIFY(!view->isVisible());
+}
+
+void TestAdditions::aSourceOfStudiesIsListed() {
+  Journey w;
+  w.child<QAction>("showBrowser")->trigger();
+  auto* source = w.child<QComboBox>("browserSource");
+  QVERIFY(source->isVisible());
+  source->setCurrentText(QStringLiteral("Shelf"));
+  auto* tree = w.child<QTreeView>("browserTree");
+  QTRY_COMPARE_WITH_TIMEOUT(tree->model()->rowCount(), 1, longest);
+  tree->setCurrentIndex(tree->model()->index(0, 0));
+  QTest::keyClick(tree, Qt::Key_Return);
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<QLabel>("bannerText")->text().contains(QStringLiteral("locked")), longest);
 }
 
 VOLUMEN_TEST(TestAdditions);

@@ -26,7 +26,7 @@ const std::vector<FeatureEntry>& features() {
       {"snapshots", makeSnapshots},
       {"measuring", makeMeasuring},
       {"registration", makeRegistration},
-      {"references", makeDerivedObjects},
+      {"derived objects", makeDerivedObjects},
       {"key images", makeKeyImages},
       {"frames", makeFrameActions},
       {"views", makeViewActions},

@@ -1,6 +1,7 @@
 #include "ui/views/view_makers.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/views/frame_view.h"
 #include "ui/views/slice_view.h"
@@ -19,18 +20,19 @@ View* makeFlatView(const ViewParts& parts, ViewId id, QWidget* parent) {
   return new V(parts, id, parent);
 }
 
-struct Maker {
-  ViewFamily family;
-  View* (*make)(const ViewParts& parts, ViewId id, QWidget* parent);
+using Make = View* (*)(const ViewParts& parts, ViewId id, QWidget* parent);
+
+constexpr std::pair<ViewFamily, Make> makers[] = {
+    {ViewFamily::scene, makeVolumeView},
+    {ViewFamily::slices, makeFlatView<SliceView>},
+    {ViewFamily::frames, makeFlatView<FrameView>},
 };
-constexpr Maker makers[] = {{ViewFamily::scene, makeVolumeView},
-                            {ViewFamily::slices, makeFlatView<SliceView>},
-                            {ViewFamily::frames, makeFlatView<FrameView>}};
 
 }  // namespace
 
 View* makeView(ViewFamily family, const ViewParts& parts, ViewId id, QWidget* parent) {
-  View* view = std::ranges::find(makers, family, &Maker::family)->make(parts, id, parent);
+  View* view =
+      std::ranges::find(makers, family, &std::pair<ViewFamily, Make>::first)->second(parts, id, parent);
   view->hide();
   return view;
 }

@@ -9,26 +9,28 @@ namespace volumen {
 namespace {
 
 // Unturned, the wheel moves down to caudal, posterior and left.
-constexpr KindRow kinds[] = {{ViewKind::volume, "volume", "3D", ViewFamily::scene, "show3D"},
-                             {ViewKind::axial,
-                              "axial",
-                              "Axial",
-                              ViewFamily::slices,
-                              "showAxial",
-                              {{&Crosshair::axial, "Plane xy", -1, 0xff5c5c}}},
-                             {ViewKind::coronal,
-                              "coronal",
-                              "Coronal",
-                              ViewFamily::slices,
-                              "showCoronal",
-                              {{&Crosshair::coronal, "Plane xz", 1, 0x5ce07a}}},
-                             {ViewKind::sagittal,
-                              "sagittal",
-                              "Sagittal",
-                              ViewFamily::slices,
-                              "showSagittal",
-                              {{&Crosshair::sagittal, "Plane yz", -1, 0xf5d94a}}},
-                             {ViewKind::frames, "frames", "Frames", ViewFamily::frames, nullptr}};
+constexpr KindRow kinds[] = {
+    {ViewKind::volume, "volume", "3D", ViewFamily::scene, "show3D"},
+    {ViewKind::axial,
+     "axial",
+     "Axial",
+     ViewFamily::slices,
+     "showAxial",
+     {{&Crosshair::axial, "Plane xy", -1, 0xff5c5c}}},
+    {ViewKind::coronal,
+     "coronal",
+     "Coronal",
+     ViewFamily::slices,
+     "showCoronal",
+     {{&Crosshair::coronal, "Plane xz", 1, 0x5ce07a}}},
+    {ViewKind::sagittal,
+     "sagittal",
+     "Sagittal",
+     ViewFamily::slices,
+     "showSagittal",
+     {{&Crosshair::sagittal, "Plane yz", -1, 0xf5d94a}}},
+    {ViewKind::frames, "frames", "Frames", ViewFamily::frames, nullptr},
+};
 
 }  // namespace
 
@@ -42,6 +44,6 @@ bool showsSlices(ViewKind kind) { return rowOf(kind).family == ViewFamily::slice
 
 bool showsFrames(ViewKind kind) { return rowOf(kind).family == ViewFamily::frames; }
 
-bool isFlat(ViewKind kind) { return !showsScene(kind); }
+bool isFlat(ViewKind kind) { return showsSlices(kind) || showsFrames(kind); }
 
 }  // namespace volumen

@@ -1,0 +1,38 @@
+// An addition: a kind of view, of a family of its own; it says what the series is called.
+#include <QPainter>
+
+#include "ui/views/view.h"
+#include "ui/views/view_makers.h"
+#include "ui/workspace/series_text.h"
+
+namespace volumen {
+
+namespace {
+
+class FactsView : public View {
+ public:
+  using View::View;
+
+ protected:
+  void seriesExchanged(bool) override { update(); }
+  void workspaceChanged(const Workspace&) override { update(); }
+  QString textAt(QPointF) const override { return name(); }
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.drawText(rect(), Qt::AlignCenter, name());
+    paintFocus(painter);
+  }
+
+ private:
+  QString name() const { return series() ? seriesText(series()->series) : QString(); }
+};
+
+}  // namespace
+
+View* makeFactsView(const ViewParts& parts, ViewId id, QWidget* parent) {
+  auto* view = new FactsView(parts.session, id, parent);
+  view->setObjectName(QStringLiteral("factsView%1").arg(id));
+  return view;
+}
+
+}  // namespace volumen
