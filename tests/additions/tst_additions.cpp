@@ -48,7 +48,7 @@ void TestAdditions::aPanelIsATabThatFollowsTheSession() {
 
 void TestAdditions::aToolOfSlicesGetsTheDrag() {
   MeasureWindow w;
-  SliceView* view = w.view();
+  FlatView* view = w.view();
   QTest::keyClick(view, Qt::Key_J);
   const auto window = [&] { return w.session().workspace().series.at(view->state().series).window; };
   drag(view, {90, 90}, {90, 60});

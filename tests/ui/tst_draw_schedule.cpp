@@ -1,4 +1,4 @@
-// Guards design.md 11: one scheduler; the view under the hand first, drafts before pictures at rest.
+// Guards design.md 11: one scheduler; the view of the last gesture first, drafts before pictures at rest.
 #include "tests/unit/suite.h"
 #include "ui/controller/draw_schedule.h"
 
@@ -29,32 +29,35 @@ void TestDrawSchedule::whatIsDrawnNext_data() {
   };
   using enum Work;
   row("nothing", {}, {});
-  row("thumbnails, where there is nothing else", {.views = {}, .hand = {}, .thumbnail = true},
+  row("thumbnails, where there is nothing else", {.views = {}, .gestureView = {}, .thumbnail = true},
       Turn{thumbnail});
-  row("a trial before thumbnails", {.views = {}, .hand = {}, .trial = true, .thumbnail = true}, Turn{trial});
+  row("a trial before thumbnails", {.views = {}, .gestureView = {}, .trial = true, .thumbnail = true},
+      Turn{trial});
   row("a picture to be saved before a trial",
-      {.views = {}, .hand = {}, .saved = true, .trial = true, .thumbnail = true}, Turn{saved});
+      {.views = {}, .gestureView = {}, .saved = true, .trial = true, .thumbnail = true}, Turn{saved});
   row("the screen before all of them",
-      {.views = {waits(3, rest)}, .hand = {}, .saved = true, .trial = true, .thumbnail = true},
+      {.views = {waits(3, rest)}, .gestureView = {}, .saved = true, .trial = true, .thumbnail = true},
       Turn{rest, 3});
-  row("the view under the hand", {.views = {waits(1, draft), waits(2, draft)}, .hand = 2}, Turn{draft, 2});
-  row("the view under the hand, although others have waited",
-      {.views = {waits(1, draft, 200), waits(2, draft)}, .hand = 2}, Turn{draft, 2});
+  row("the view of the last gesture", {.views = {waits(1, draft), waits(2, draft)}, .gestureView = 2},
+      Turn{draft, 2});
+  row("the view of the last gesture, although others have waited",
+      {.views = {waits(1, draft, 200), waits(2, draft)}, .gestureView = 2}, Turn{draft, 2});
   row("no starving: another has waited for too long",
-      {.views = {waits(1, draft, 300), waits(2, draft)}, .hand = 2}, Turn{draft, 1});
+      {.views = {waits(1, draft, 300), waits(2, draft)}, .gestureView = 2}, Turn{draft, 1});
   row("both have: the one that has waited for longest",
-      {.views = {waits(2, draft, 300), waits(1, draft, 400)}, .hand = 2}, Turn{draft, 1});
-  row("no hand: the one that has waited for longest",
-      {.views = {waits(1, draft, 10), waits(2, draft, 20), waits(3, draft)}, .hand = {}}, Turn{draft, 2});
+      {.views = {waits(2, draft, 300), waits(1, draft, 400)}, .gestureView = 2}, Turn{draft, 1});
+  row("no gesture: the one that has waited for longest",
+      {.views = {waits(1, draft, 10), waits(2, draft, 20), waits(3, draft)}, .gestureView = {}},
+      Turn{draft, 2});
   row("a draft of another before the picture at rest under the hand",
-      {.views = {waits(1, rest), waits(2, draft)}, .hand = 1}, Turn{draft, 2});
+      {.views = {waits(1, rest), waits(2, draft)}, .gestureView = 1}, Turn{draft, 2});
   row("a draft of another before the first picture under the hand",
-      {.views = {waits(1, first), waits(2, draft)}, .hand = 1}, Turn{draft, 2});
+      {.views = {waits(1, first), waits(2, draft)}, .gestureView = 1}, Turn{draft, 2});
   row("a first picture of another before the picture at rest under the hand",
-      {.views = {waits(1, rest), waits(2, first)}, .hand = 1}, Turn{first, 2});
-  row("pictures at rest: the view under the hand, however long others have waited",
-      {.views = {waits(1, rest, 5000), waits(2, rest)}, .hand = 2}, Turn{rest, 2});
-  row("the hand is over a view that waits for nothing", {.views = {waits(1, rest)}, .hand = 2},
+      {.views = {waits(1, rest), waits(2, first)}, .gestureView = 1}, Turn{first, 2});
+  row("pictures at rest: the view of the last gesture, however long others have waited",
+      {.views = {waits(1, rest, 5000), waits(2, rest)}, .gestureView = 2}, Turn{rest, 2});
+  row("the hand is over a view that waits for nothing", {.views = {waits(1, rest)}, .gestureView = 2},
       Turn{rest, 1});
 }
 
@@ -67,7 +70,8 @@ void TestDrawSchedule::whatIsDrawnNext() {
 // Four views from their drafts to rest: the drafts of all come first, and each step of the hand's first.
 void TestDrawSchedule::allIsDrawnInTheEnd() {
   using enum Work;
-  Waiting waiting{.views = {waits(0, draft), waits(1, draft), waits(2, draft), waits(3, draft)}, .hand = 2};
+  Waiting waiting{.views = {waits(0, draft), waits(1, draft), waits(2, draft), waits(3, draft)},
+                  .gestureView = 2};
   std::vector<Turn> done;
   while (const auto turn = nextTurn(waiting)) {
     done.push_back(*turn);

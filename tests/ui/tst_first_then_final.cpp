@@ -13,7 +13,7 @@ using namespace volumen;
 
 namespace {
 
-constexpr int longest = 60000;  // ms, for a loaded machine
+constexpr int waitMs = 60000;  // ms, for a loaded machine
 
 // Pictures of one grey that take 6 us a pixel.
 Draw slowDraw(const VoxelsPtr&) {
@@ -53,7 +53,7 @@ void TestFirstThenFinal::aDragEndsInAFirstPictureAndThenTheFinalOne() {
   window.resize(1040, 680);
   window.show();
   window.open({QStringLiteral("phantom:sphere:16")});
-  QTRY_VERIFY_WITH_TIMEOUT(!settled.isEmpty(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(!settled.isEmpty(), waitMs);
 
   std::vector<ScreenPicture> pictures;
   bool allShown = true;
@@ -64,7 +64,7 @@ void TestFirstThenFinal::aDragEndsInAFirstPictureAndThenTheFinalOne() {
           });
   settled.clear();
   tests::drag(window.view(), {150, 150}, {190, 170});
-  QTRY_VERIFY_WITH_TIMEOUT(!settled.isEmpty(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(!settled.isEmpty(), waitMs);
   QVERIFY(allShown);
   QVERIFY(pictures.size() >= 3);
   const ScreenPicture &draft = pictures[pictures.size() - 3], &first = pictures[pictures.size() - 2],

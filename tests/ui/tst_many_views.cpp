@@ -33,7 +33,7 @@ void TestManyViews::everyViewGetsItsPictures() {
   const ViewId hand = views - 1;
   SlowRenderer renderer;
   Watched w(renderer.make());
-  w.service.setHand(hand);
+  w.service.setGestureView(hand);
   // Something else keeps the thread busy until all have asked.
   renderer.msPerRow = 2;
   w.service.requestPicture(w.volume, greyScene(0), ofSize(8, 5000));
@@ -121,7 +121,7 @@ void TestManyViews::viewsThatFollowTheHandAreDrawn() {
   renderer.msPerRow = 1;
   Watched w(renderer.make());
   w.service.show(1, w.volume);
-  w.service.setHand(0);
+  w.service.setGestureView(0);
   for (int n = 0; n < 150; ++n) {
     w.service.request(0, greyScene(n / 150.0), {64, 80});
     w.service.request(1, greyScene(n / 150.0), {64, 80});
@@ -187,7 +187,7 @@ class RandomUse {
       case 2:
         return show(view, volumes_[std::size_t(pick(3))]);
       case 3:
-        return service_->setHand(view);
+        return service_->setGestureView(view);
       case 4:
         return service_->setLevel(view, {pick(2) ? Quality::exact : Quality::draft, 1 + pick(4)});
       case 5:

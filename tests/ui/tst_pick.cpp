@@ -18,17 +18,17 @@ using namespace volumen;
 
 namespace {
 
-constexpr int n = 40;  // voxels of 1 mm along each axis, centred on the origin
+constexpr int side = 40;  // voxels of 1 mm along each axis, centred on the origin
 
 // Values that grow along y: 10 a mm, 0 at the origin; or `slope` of it.
 VolumePtr ramp(double slope = 10) {
   VolumeParts parts;
-  parts.geometry.size = {n, n, n};
-  parts.geometry.origin = glm::dvec3(-(n - 1) / 2.0);
+  parts.geometry.size = {side, side, side};
+  parts.geometry.origin = glm::dvec3(-(side - 1) / 2.0);
   std::vector<float> values;
-  for (int k = 0; k < n; ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) values.push_back(float(slope * (j - (n - 1) / 2.0)));
+  for (int k = 0; k < side; ++k)
+    for (int j = 0; j < side; ++j)
+      for (int i = 0; i < side; ++i) values.push_back(float(slope * (j - (side - 1) / 2.0)));
   parts.values = std::move(values);
   std::vector<std::string> warnings;
   return *Volume::make(std::move(parts), warnings);
@@ -84,8 +84,8 @@ void TestPick::halfOfASlabsOpacityIsItsPlace() {
   const auto hit = pick(curveOf({{0, {1, 1, 1}, opacity}}), *ramp(), fromTheFront, true);
   QVERIFY(hit && hit->pPatient);
   const double mu = -std::log1p(-std::min(opacity, 1 - std::ldexp(1.0, -20)));
-  const double whole = -std::expm1(-mu * n), depth = -std::log1p(-whole / 2) / mu;
-  QVERIFY2(std::abs(hit->pPatient->y - (-n / 2.0 + depth)) < 0.01,
+  const double whole = -std::expm1(-mu * side), depth = -std::log1p(-whole / 2) / mu;
+  QVERIFY2(std::abs(hit->pPatient->y - (-side / 2.0 + depth)) < 0.01,
            qPrintable(QString::number(hit->pPatient->y)));
 }
 

@@ -9,7 +9,7 @@ std::optional<Turn> nextTurn(const Waiting& waiting) {
   // The smaller, the sooner.
   const auto rank = [&](const WaitingView& v) {
     const bool overdue = v.next == Work::draft && v.waited > longestWait;
-    return std::tuple(v.next, !overdue, overdue || v.view != waiting.hand, -v.waited, v.view);
+    return std::tuple(v.next, !overdue, overdue || v.view != waiting.gestureView, -v.waited, v.view);
   };
   const auto first =
       std::min_element(waiting.views.begin(), waiting.views.end(),

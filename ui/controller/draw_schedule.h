@@ -28,7 +28,7 @@ struct WaitingView {
 /// All that waits to be drawn.
 struct Waiting {
   std::vector<WaitingView> views;
-  std::optional<ViewId> hand;  ///< the view under the hand
+  std::optional<ViewId> gestureView;  ///< the view of the last gesture
   bool saved = false, trial = false, thumbnail = false;
 };
 
@@ -38,12 +38,12 @@ struct Turn {
   bool operator==(const Turn&) const = default;
 };
 
-/// A draft that has waited for longer goes before that of the view under the hand, so that views which follow
-/// it are drawn, too.
+/// A draft that has waited for longer goes before that of the view of the last gesture, so that views which
+/// follow it are drawn, too.
 inline constexpr std::chrono::milliseconds longestWait{250};
 
-/// What is drawn next, in the order of Work; among views the one under the hand, then the one that has waited
-/// for longest. Nothing where nothing waits.
+/// What is drawn next, in the order of Work; among views that of the last gesture, then the one that has
+/// waited for longest. Nothing where nothing waits.
 std::optional<Turn> nextTurn(const Waiting& waiting);
 
 }  // namespace volumen

@@ -61,9 +61,9 @@ int DrawService::request(ViewId id, const Scene& scene, QSize pixels) {
   return number;
 }
 
-void DrawService::setHand(ViewId view) {
+void DrawService::setGestureView(ViewId view) {
   const std::lock_guard lock(mutex_);
-  hand_ = view;
+  gestureView_ = view;
 }
 
 void DrawService::setResampler(Resampler resampler) {

@@ -51,8 +51,8 @@ class DrawService : public QObject {
   /// Asks for a picture of so many device pixels; a scene without a camera is fitted to the picture. Returns
   /// the number, larger than all before, by which it is answered exactly once.
   int request(ViewId view, const Scene& scene, QSize pixels);
-  /// The view under the hand, which goes first.
-  void setHand(ViewId view);
+  /// The view of the last gesture, which goes first.
+  void setGestureView(ViewId view);
   /// What resamples the full pictures asked for from now on (drafts are the CPU's). Where OpenGL fails,
   /// failed() says why and the CPU does it.
   void setResampler(Resampler resampler);
@@ -160,7 +160,7 @@ class DrawService : public QObject {
   mutable std::mutex mutex_;  // guards from here ...
   std::condition_variable wake_;
   std::map<ViewId, View> views_;
-  std::optional<ViewId> hand_;
+  std::optional<ViewId> gestureView_;
   std::deque<PictureRequest> pictures_;
   int pictureNumber_ = 0;
   std::optional<TrialRequest> trial_;

@@ -65,7 +65,7 @@ void DrawService::dropUnused(std::unique_lock<std::mutex>& lock) {
 }
 
 Waiting DrawService::waiting() const {
-  Waiting all{{}, hand_, !pictures_.empty(), trial_.has_value(), thumbnails_.has_value()};
+  Waiting all{{}, gestureView_, !pictures_.empty(), trial_.has_value(), thumbnails_.has_value()};
   for (const auto& [id, view] : views_)
     if (view.pending)
       all.views.push_back(

@@ -16,10 +16,10 @@ enum class OpenHow { here, instead, beside };
 /// asked for meanwhile.
 struct OpenIntent {
   OpenHow how = OpenHow::here;
-  std::string seriesUid;       ///< the series to show; empty: the largest, or the first pictures
-  std::optional<Scene> scene;  ///< to show it by
+  std::string seriesUid{};       ///< the series to show; empty: the largest, or the first pictures
+  std::optional<Scene> scene{};  ///< to show it by
   std::shared_ptr<bool>
-      isShown;  ///< of what is opened together: whether any of it was shown; null: nothing is
+      isShown{};  ///< of what is opened together: whether any of it was shown; null: nothing is
 };
 
 }  // namespace volumen

@@ -24,7 +24,7 @@ Drawing::Drawing(Workbench& bench) : Feature(bench) {
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
             if (before.focus == after.focus) return;
-            bench_.document.drawService.setHand(after.focus);
+            bench_.document.drawService.setGestureView(after.focus);
             // The panels want to know of it.
             if (sceneViewOf(before) != sceneViewOf(after)) bench_.view()->requestPicture();
           });

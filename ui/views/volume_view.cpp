@@ -219,7 +219,7 @@ void VolumeView::hideEvent(QHideEvent* event) {
 
 void VolumeView::enterEvent(QEnterEvent* event) {
   View::enterEvent(event);
-  drawService_.setHand(id());
+  drawService_.setGestureView(id());
 }
 
 void VolumeView::resizeEvent(QResizeEvent* event) {
