@@ -3,7 +3,7 @@
 
 #include "ui/views/view.h"
 #include "ui/views/view_makers.h"
-#include "ui/workspace/series_text.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 
