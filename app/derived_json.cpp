@@ -1,10 +1,10 @@
 #include "app/derived_json.h"
 
-#include "io/archive.h"
 #include "io/contours.h"
 #include "io/presentation.h"
 #include "io/report.h"
 #include "io/segmentation.h"
+#include "io/zip_archive.h"
 
 namespace volumen {
 

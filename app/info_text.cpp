@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "app/command.h"
-#include "io/archive.h"
 #include "io/study/study.h"
+#include "io/zip_archive.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 

@@ -5,10 +5,10 @@
 
 #include "app/command.h"
 #include "app/progress.h"
-#include "io/archive.h"
 #include "io/index/index_path.h"
 #include "io/load.h"
 #include "io/study/choose.h"
+#include "io/zip_archive.h"
 #include "ui/workspace/text.h"
 #include "viewer/scene/automatic.h"
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <iterator>
 
-#include "io/archive.h"
 #include "io/dicom/directory.h"
 #include "io/dicom/import.h"
 #include "io/files/image_pair.h"
@@ -13,6 +12,7 @@
 #include "io/phantom.h"
 #include "io/study/arrange.h"
 #include "io/walk.h"
+#include "io/zip_archive.h"
 
 namespace volumen {
 namespace {

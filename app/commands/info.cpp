@@ -11,10 +11,10 @@
 #include "app/open_volume.h"
 #include "app/progress.h"
 #include "app/usage.h"
-#include "io/archive.h"
 #include "io/index/index_path.h"
 #include "io/load.h"
 #include "io/study/study.h"
+#include "io/zip_archive.h"
 
 namespace volumen {
 

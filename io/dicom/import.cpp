@@ -3,11 +3,11 @@
 #include <iterator>
 #include <set>
 
-#include "io/archive.h"
 #include "io/dicom/directory.h"
 #include "io/dicom/series.h"
 #include "io/dicom/unread.h"
 #include "io/study/study.h"
+#include "io/zip_archive.h"
 
 namespace volumen::dicom {
 

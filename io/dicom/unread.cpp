@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "io/archive.h"
 #include "io/regular_file.h"
+#include "io/zip_archive.h"
 
 namespace volumen::dicom {
 namespace {

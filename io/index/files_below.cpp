@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <map>
 
-#include "io/archive.h"
 #include "io/dicom/directory.h"
 #include "io/files/session_file.h"
 #include "io/walk.h"
+#include "io/zip_archive.h"
 
 namespace volumen {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <QDirIterator>
 
-#include "io/archive.h"
 #include "io/export/dicom_series.h"
 #include "io/open.h"
+#include "io/zip_archive.h"
 #include "tests/fixtures/program.h"
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"

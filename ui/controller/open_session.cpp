@@ -5,11 +5,11 @@
 #include <map>
 #include <set>
 
-#include "io/archive.h"
 #include "io/files/output_file.h"
 #include "io/files/session_file.h"
 #include "io/index/index_path.h"
 #include "io/open.h"
+#include "io/zip_archive.h"
 #include "ui/controller/find_saved.h"
 #include "ui/controller/segment_files.h"
 #include "ui/workspace/session_json.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "io/archive.h"
+#include "io/zip_archive.h"
 #include "ui/workspace/moved.h"
 
 namespace volumen {

@@ -7,8 +7,8 @@
 #include <atomic>
 #include <cmath>
 
-#include "io/archive.h"
 #include "io/study/study.h"
+#include "io/zip_archive.h"
 #include "ui/workspace/value_text.h"
 
 namespace volumen {

@@ -9,7 +9,8 @@
 
 namespace volumen {
 
-/// One segment of a segmentation (PS3.3 C.8.20.4). Texts are UTF-8.
+/// One segment of a segmentation (PS3.3 C.8.20.4); its voxels are in a LabelMap, or in Segmentation::bits.
+/// Texts are UTF-8.
 struct Segment {
   int number = 0;                      ///< from 1: as its file counts; of a label map its label
   std::string label{}, description{};  ///< its name, and what is said of it

@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <random>
 
-#include "io/archive.h"
 #include "io/load.h"
 #include "io/open.h"
+#include "io/zip_archive.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
 

@@ -1,4 +1,4 @@
-#include "io/archive_entries.h"
+#include "io/zip_entries.h"
 
 #include <archive.h>
 #include <archive_entry.h>

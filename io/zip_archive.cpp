@@ -1,4 +1,4 @@
-#include "io/archive.h"
+#include "io/zip_archive.h"
 
 #include <sys/stat.h>
 
@@ -9,9 +9,9 @@
 #include <mutex>
 #include <optional>
 
-#include "io/archive_entries.h"
 #include "io/files/lock_file.h"
 #include "io/regular_file.h"
+#include "io/zip_entries.h"
 
 namespace volumen {
 namespace {
