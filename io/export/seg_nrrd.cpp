@@ -1,5 +1,7 @@
 #include "io/export/seg_nrrd.h"
 
+#include <new>
+
 #include "io/files/header_text.h"
 #include "io/files/write_volume.h"
 #include "viewer/segment/label_statistics.h"
@@ -47,7 +49,7 @@ NrrdKeyValues fieldsOf(const LabelMap& map, std::span<const Segment> segments) {
 }  // namespace
 
 Status writeSegNrrd(const LabelMap& map, std::span<const Segment> segments, const std::string& path,
-                    const CancelToken& cancel) {
+                    const CancelToken& cancel) try {
   VolumeParts parts;
   parts.geometry = map.geometry();
   parts.values = map.dense().labels;
@@ -55,6 +57,8 @@ Status writeSegNrrd(const LabelMap& map, std::span<const Segment> segments, cons
   const auto volume = Volume::make(std::move(parts), warnings);
   if (!volume) return volume.error();
   return writeNrrd(**volume, path, fieldsOf(map, segments), {}, cancel);
+} catch (const std::bad_alloc&) {
+  return Error{"Cannot write " + path + ": there is not enough memory."};
 }
 
 }  // namespace volumen

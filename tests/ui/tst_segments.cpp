@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 
 #include "io/export/seg_nrrd.h"
@@ -14,6 +15,7 @@
 #include "ui/controller/autosave.h"
 #include "ui/controller/open_session.h"
 #include "ui/controller/segment_files.h"
+#include "viewer/segment/label_statistics.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -30,6 +32,10 @@ class TestSegments : public QObject {
   void whatIsNotBesideTheSessionIsMissing_data();
   void whatIsNotBesideTheSessionIsMissing();
   void filesThatNoSessionNamesGo();
+  void aFileThatWasDamagedIsWrittenAgain();
+  void workThatCannotBeReadIsKept();
+  void closedWorkIsNotSaved();
+  void whatIsCutAwayIsNoSegment();
   void theLabelsMoveWithDiscardedWork();
 };
 
@@ -39,7 +45,7 @@ const QString sphere = QStringLiteral("phantom:sphere:64");
 
 // A window with a sphere, and what is pressed in the panel of segments.
 struct Segmented : Journey {
-  Segmented() : Journey({sphere}) { settle(); }
+  explicit Segmented(const QStringList& paths = {sphere}) : Journey(paths) { settle(); }
 
   QString result() { return child<QLabel>("segmentResult")->text(); }
   bool segment(double low, double high) {
@@ -200,6 +206,64 @@ void TestSegments::filesThatNoSessionNamesGo() {
   w.undo();
   QVERIFY(!saved(folder, w.workspace()).empty());
   QCOMPARE(labelFiles(folder), first);
+}
+
+void TestSegments::aFileThatWasDamagedIsWrittenAgain() {
+  const SessionFolder folder;
+  Segmented w;
+  QVERIFY(w.segment(0.5, 1));
+  const std::string path = saved(folder, w.workspace());
+  QFile file(labelFiles(folder).value(0));
+  QVERIFY(file.resize(100));
+  QVERIFY(openSession(path)->workspace.segmentMaps.front().missing);
+  QVERIFY(!saved(folder, w.workspace()).empty());
+  QVERIFY(openSession(path)->workspace == w.workspace());
+}
+
+// Restored without its labels, which are put aside for another day.
+void TestSegments::workThatCannotBeReadIsKept() {
+  {
+    Segmented w;
+    QVERIFY(w.segment(0.5, 1));
+    w.window.end();
+  }
+  const QDir kept(Autosave::folder());
+  const QString file = kept.filePath(kept.entryList({QStringLiteral("*.seg.nrrd")}).value(0));
+  QVERIFY(QFile(file).resize(100));
+  Journey w;
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("offerBar")->isVisible(), longest);
+  QTest::mouseClick(w.child<QWidget>("offerAccept"), Qt::LeftButton);
+  auto* earlier = w.child<QMenu>("earlierMenu");
+  QTRY_COMPARE_WITH_TIMEOUT(earlier->actions().size(), 1, longest);
+  QCOMPARE(QDir(Autosave::folder() + QStringLiteral("/discarded"))
+               .entryList({QStringLiteral("*.seg.nrrd")})
+               .size(),
+           1);
+  w.window.end();
+}
+
+void TestSegments::closedWorkIsNotSaved() {
+  const SessionFolder folder;
+  Segmented w;
+  QVERIFY(w.segment(0.5, 1));
+  const SeriesKey series = w.map().series;
+  w.window.open({QStringLiteral("phantom:cube:32")});
+  QTRY_VERIFY_WITH_TIMEOUT(w.result().isEmpty(), longest);
+  w.window.session().close({series});
+  QVERIFY(folder.save(w));
+  QVERIFY(!w.window.close());
+  QVERIFY(w.child<QMessageBox>("closeBox")->text().contains(QStringLiteral("1 segment")));
+}
+
+// It shows air, which the range holds; the numbers are those of what is left.
+void TestSegments::whatIsCutAwayIsNoSegment() {
+  const SessionFolder folder;
+  Segmented w({folder.ct()});
+  w.after([&] { w.child<QAction>("removeTable")->trigger(); });
+  QVERIFY(w.segment(-1100, -900));
+  const Volume& whole = *w.window.session().seriesWith(w.map().series, {})->volume;
+  const LabelStatistics air = labelStatistics(*w.map().labels, whole);
+  QVERIFY(air.voxels > 0 && air.max <= -900);
 }
 
 void TestSegments::theLabelsMoveWithDiscardedWork() {

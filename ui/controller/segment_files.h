@@ -16,6 +16,9 @@ namespace volumen {
 /// Writes those that are not there yet. The Error names the file.
 Status writeSegmentMaps(const std::string& session, const Workspace& workspace);
 
+/// With maps that are only named, as if they had not been read.
+Workspace withLabelsApart(Workspace workspace);
+
 /// With the maps that lie beside the session file; a map whose file is not there, or does not hold what it
 /// held, stays missing, and `problems` gets a sentence.
 Workspace withSegmentMaps(Workspace workspace, const std::string& session, QStringList& problems,

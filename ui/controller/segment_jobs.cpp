@@ -1,9 +1,28 @@
 #include "ui/controller/segment_jobs.h"
 
+#include <new>
+
 #include "io/export/seg_nrrd.h"
 #include "viewer/segment/range.h"
 
 namespace volumen {
+
+namespace {
+
+// What is cut away shows air, which a range may hold.
+Result<std::shared_ptr<const LabelMap>> labelsOf(const Volume& volume, const Mask& mask, ValueRange range,
+                                                 const CancelToken& cancel) try {
+  DenseLabels labels = labelRange(volume, range);
+  if (!mask.empty()) {
+    const DenseLabels kept = keptVoxels(volume, mask, cancel);
+    for (std::size_t n = 0; n < labels.labels.size(); ++n) labels.labels[n] &= kept.labels[n];
+  }
+  return std::make_shared<const LabelMap>(labels);
+} catch (const std::bad_alloc&) {
+  return Error{"Nothing was segmented: there is not enough memory."};
+}
+
+}  // namespace
 
 SegmentJobs::SegmentJobs(Jobs& jobs, QObject* parent)
     : QObject(parent), segment_(&jobs), measure_(&jobs), save_(&jobs) {
@@ -12,21 +31,31 @@ SegmentJobs::SegmentJobs(Jobs& jobs, QObject* parent)
 
 SegmentJobs::~SegmentJobs() { save_.wait(); }
 
-void SegmentJobs::segment(const SeriesKey& series, VolumePtr volume, const Segment& segment) {
+void SegmentJobs::segment(const SeriesKey& series, VolumePtr volume, const Mask& mask,
+                          const Segment& segment) {
   segment_.giveUpAll();
   segment_.run(
       tr("Segmenting"),
-      [series, volume, segment](const Job&) {
-        return SegmentMap{
-            series, {segment}, std::make_shared<const LabelMap>(labelRange(*volume, *segment.range)), {}};
+      [series, volume, mask, segment](const Job& job) -> Result<SegmentMap> {
+        const auto labels = labelsOf(*volume, mask, *segment.range, job.cancel());
+        if (!labels) return labels.error();
+        return SegmentMap{series, {segment}, *labels, {}};
       },
-      [this](const SegmentMap& made) { Q_EMIT segmented(made); });
+      [this](const Result<SegmentMap>& made) {
+        if (made)
+          Q_EMIT segmented(*made);
+        else
+          Q_EMIT failed(QString::fromStdString(made.message()));
+      });
 }
 
-void SegmentJobs::measure(const std::shared_ptr<const LabelMap>& labels, VolumePtr volume) {
+void SegmentJobs::measure(const std::shared_ptr<const LabelMap>& labels, int number, VolumePtr volume) {
   measure_.giveUpAll();
   measure_.run(
-      tr("Measuring the segment"), [labels, volume](const Job&) { return labelStatistics(*labels, *volume); },
+      tr("Measuring the segment"),
+      [labels, number, volume](const Job&) {
+        return labelStatistics(*labels, *volume, std::uint8_t(number));
+      },
       [this, labels](const LabelStatistics& statistics) { Q_EMIT measured(labels, statistics); });
 }
 

@@ -5,6 +5,7 @@
 #include "ui/document/job_lane.h"
 #include "ui/workspace/segment_map.h"
 #include "viewer/segment/label_statistics.h"
+#include "viewer/segment/mask.h"
 
 namespace volumen {
 
@@ -16,11 +17,12 @@ class SegmentJobs : public QObject {
   /// Waits for what is being written.
   ~SegmentJobs() override;
 
-  /// Labels the voxels of the segment's range in a volume of the series; gives up what was to be segmented
-  /// before. Ends in segmented().
-  void segment(const SeriesKey& series, VolumePtr volume, const Segment& segment);
-  /// Of label 1; gives up what was to be measured before. Ends in measured(). Both have one grid.
-  void measure(const std::shared_ptr<const LabelMap>& labels, VolumePtr volume);
+  /// Labels the voxels of the segment's range in the volume of the series, but what the mask takes away;
+  /// gives up what was to be segmented before. Ends in segmented() or failed().
+  void segment(const SeriesKey& series, VolumePtr volume, const Mask& mask, const Segment& segment);
+  /// Of the voxels with this number; gives up what was to be measured before. Ends in measured(). Both have
+  /// one grid.
+  void measure(const std::shared_ptr<const LabelMap>& labels, int number, VolumePtr volume);
   /// Ends in saved() or failed(). The map has labels.
   void save(const SegmentMap& map, const QString& path);
 

@@ -37,7 +37,11 @@ void SessionFiles::become(const QString& path, const std::optional<Workspace>& w
 void SessionFiles::set(const QString& path, const std::optional<Workspace>& written) {
   path_ = path;
   written_ = written;
-  if (written) savedApart(workIn(*written));
+  if (written) {
+    Workspace inFile = *written;
+    inFile.closed.clear();
+    savedApart(workIn(inFile));
+  }
   tellModified();
 }
 

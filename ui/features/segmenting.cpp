@@ -52,7 +52,10 @@ void Segmenting::connectSegmenter() {
     work.segmentMaps = {map};
     bench_.document.files.savedApart(work);
   });
-  connect(&segmenter_, &SegmentJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&segmenter_, &SegmentJobs::failed, this, [this](const QString& sentence) {
+    warn(sentence);
+    panel_->showSegment();
+  });
 }
 
 // One step; nothing where the series was closed meanwhile.

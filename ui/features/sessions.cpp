@@ -183,7 +183,13 @@ void Sessions::showSession(const QString& path, const OpenedSession& opened) {
   offerToLocate();
   if (restores) {
     files_.restored(QString::fromStdString(opened.savedAs));
-    autosave_.replace(isLost ? *std::exchange(lost_, {}) : *earlier);
+    const auto wasRead = [](const SegmentMap& map) { return !map.missing; };
+    const bool isWhole = std::ranges::all_of(opened.workspace.segmentMaps, wasRead);
+    // What could not be read of it may be readable another day.
+    if (isWhole)
+      autosave_.replace(isLost ? *std::exchange(lost_, {}) : *earlier);
+    else if (isLost)
+      autosave_.discard(*std::exchange(lost_, {}));
     return autosave_.look();
   }
   files_.opened(path);

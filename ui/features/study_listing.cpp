@@ -83,6 +83,7 @@ class StudyListing : public Feature {
   std::deque<Waiting> waiting_;
   bool listedOnce_ = false;                              // since the program began
   std::map<QString, std::vector<std::string>> filesOf_;  // what studies that are open were made of
+  std::map<QString, std::vector<std::string>> asked_;    // what they are being read from
 };
 
 StudyListing::StudyListing(Workbench& bench)
@@ -238,13 +239,16 @@ void StudyListing::showImport(const ImportReport& report) {
 void StudyListing::openFound(const QString& place, const std::vector<std::string>& files,
                              const OpenIntent& intent) {
   const std::shared_ptr<const Study> open = open_.studyOf(place);
-  if (open && std::exchange(filesOf_[place], files) == files) return showFound(place, open, intent);
-  filesOf_[place] = files;
+  const auto known = filesOf_.find(place);
+  if (open && known != filesOf_.end() && known->second == files) return showFound(place, open, intent);
+  filesOf_.erase(place);
+  asked_[place] = files;
   bench_.document.loader.openFiles(place, files, intent);
 }
 
 void StudyListing::showFound(const QString& place, const std::shared_ptr<const Study>& study,
                              const OpenIntent& intent) {
+  if (const auto asked = asked_.extract(place)) filesOf_[place] = asked.mapped();
   bench_.document.opener.list(place, study);
   if (!study->refused.empty()) bench_.banner.add(unreadText(*study), refusedTexts(study->refused));
   waiting_.push_back({place, study, intent});

@@ -68,8 +68,8 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
   connect(only_, &QCheckBox::toggled, this, &SegmentPanel::tellPreview);
   connect(segment_, &QPushButton::clicked, this, [this] {
     result_->setText(tr("Segmenting..."));
-    const LoadedSeriesPtr& series = session_.series();
-    Q_EMIT segmentRequested(keyOf(series->series), series->volume, segmentOf(range()));
+    const SeriesKey series = keyOf(session_.series()->series);
+    Q_EMIT segmentRequested(series, wholeVolume(), session_.maskOf(series), segmentOf(range()));
   });
   connect(save_, &QPushButton::clicked, this, &SegmentPanel::askWhere);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
@@ -189,15 +189,17 @@ const SegmentMap* SegmentPanel::map() const {
   return fits && !map->segments.empty() && map->segments.front().range ? map : nullptr;
 }
 
+// With what is cut away; without a series it is not asked for.
+VolumePtr SegmentPanel::wholeVolume() const {
+  const LoadedSeriesPtr whole = session_.seriesWith(keyOf(session_.series()->series), {});
+  return (whole ? whole : session_.series())->volume;
+}
+
 // What was cut away since it was made belongs to it still: it is measured in the whole volume.
 void SegmentPanel::showSegment() {
   const SegmentMap* shown = map();
   const auto labels = shown ? shown->labels : nullptr;
-  VolumePtr volume;
-  if (shown) {
-    const LoadedSeriesPtr whole = session_.seriesWith(shown->series, {});
-    volume = (whole ? whole : session_.series())->volume;
-  }
+  const VolumePtr volume = shown ? wholeVolume() : nullptr;
   if (labels && labels == labels_ && volume == volume_) return showResult();
   labels_ = labels;
   volume_ = volume;
@@ -206,7 +208,7 @@ void SegmentPanel::showSegment() {
   only_->setEnabled(shown != nullptr);
   only_->setChecked(false);
   showResult();
-  if (shown) Q_EMIT measureRequested(labels_, volume_);
+  if (shown) Q_EMIT measureRequested(labels_, shown->segments.front().number, volume_);
 }
 
 void SegmentPanel::tellPreview() {

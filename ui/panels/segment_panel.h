@@ -27,9 +27,10 @@ class SegmentPanel : public QWidget {
   void setTableAction(QAction* action);
 
  Q_SIGNALS:
+  /// Of the whole volume of the series, but what the mask takes away.
   void segmentRequested(const volumen::SeriesKey& series, const volumen::VolumePtr& volume,
-                        const volumen::Segment& segment);
-  void measureRequested(const std::shared_ptr<const volumen::LabelMap>& labels,
+                        const volumen::Mask& mask, const volumen::Segment& segment);
+  void measureRequested(const std::shared_ptr<const volumen::LabelMap>& labels, int number,
                         const volumen::VolumePtr& volume);
   void saveRequested(const volumen::SegmentMap& map, const QString& path);
   /// What of which volume is looked at alone; none: all is shown.
@@ -45,6 +46,7 @@ class SegmentPanel : public QWidget {
   ValueRange range() const;
   Segment segmentOf(const ValueRange& range) const;
   const SegmentMap* map() const;
+  VolumePtr wholeVolume() const;
   void showOnly(bool on);
   void askWhere();
 

@@ -144,11 +144,15 @@ void ViewGrid::arrange() {
   const ViewId focus = session_.workspace().focus;
   View* const keys = viewOf(std::ranges::find(ids, focus) == ids.end() ? ids.front() : focus);
   setFocusProxy(keys);
-  if (const QWidget* now = window()->focusWidget(); now && isAncestorOf(now) && now != keys) keys->setFocus();
+  const QWidget* now = window()->focusWidget();
+  const bool hasKeys = now && isAncestorOf(now);
+  if (hasKeys && now != keys) keys->setFocus();
   // Last: a view that is hidden gives its keys to whatever comes next in the window.
   for (const auto& [place, view] : views_)
     if (std::ranges::find(ids, place.first) == ids.end() || place.second != familyOf(place.first))
       view->hide();
+  // One that is hidden while a field in it is open takes them back first.
+  if (hasKeys && window()->focusWidget() != keys) keys->setFocus();
 }
 
 void ViewGrid::resizeEvent(QResizeEvent*) { arrange(); }

@@ -24,6 +24,12 @@ bool isChecksum(const std::string& text) {
   return text.size() == 40 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
+// As Volume::make asks of it.
+bool spansSpace(const VoxelGeometry& geometry) {
+  const glm::dvec3 mm = geometry.spacing();
+  return geometry.voxelVolume() / (mm.x * mm.y * mm.z) > 1e-9;
+}
+
 }  // namespace
 
 // One list a struct, for writing and reading (session_fields.h).
@@ -289,6 +295,7 @@ void fields(Fields& f, SegmentMap& map) {
   f("geometry", saved.geometry);
   f("segments", map.segments);
   f.require("labels", isChecksum(saved.checksum), "must be 40 hexadecimal digits");
+  f.require("geometry", spansSpace(saved.geometry), "must have axes that span space");
   if (!map.labels) map.missing = saved;
 }
 
