@@ -188,10 +188,12 @@ void TestJourneys::whatIsVisibleIsSegmentedShownAloneAndSaved() {
   const Volume& volume = *w.window.session().series()->volume;
   std::int64_t voxels = 0;
   for (std::int64_t n = 0; n < volume.geometry().voxelCount(); ++n) voxels += volume.valueAt(n) == 1;
-  const QString text = w.child<QLabel>("segmentResult")->text();
-  QCOMPARE(text, QStringLiteral("%1 ml, mean 1.000 (%2 voxels)")
-                     .arg(double(voxels) / 1000, 0, 'f', 0)
-                     .arg(QLocale().toString(qlonglong(voxels))));
+  const auto* result = w.child<QLabel>("segmentResult");
+  QTRY_COMPARE_WITH_TIMEOUT(result->text(),
+                            QStringLiteral("%1 ml, mean 1.000 (%2 voxels)")
+                                .arg(double(voxels) / 1000, 0, 'f', 0)
+                                .arg(QLocale().toString(qlonglong(voxels))),
+                            longest);
 
   const QImage alone = w.after([&] { only->click(); });
   QVERIFY(alone != first);
