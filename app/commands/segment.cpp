@@ -13,7 +13,7 @@
 #include "io/export/seg_nrrd.h"
 #include "io/files/output_file.h"
 #include "viewer/segment/label_statistics.h"
-#include "viewer/segment/range.h"
+#include "viewer/segment/mask.h"
 
 namespace volumen {
 
@@ -92,13 +92,13 @@ int run(const SegmentOptions& options, const CancelToken& cancel) {
   if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
   Result<Opened> opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
+  const VolumePtr whole = opened->loaded.drawn;
+  const Mask mask{options.removeTable, {}};
   if (options.removeTable)
-    if (Status removed = takeAway({true, {}}, *opened, cancel); !removed)
-      return fail(removed.message(), cancel);
-  const Volume& volume = *opened->loaded.drawn;
-  const LabelMap map(labelRange(volume, *range));
+    if (Status removed = takeAway(mask, *opened, cancel); !removed) return fail(removed.message(), cancel);
+  const LabelMap map(labelRange(*whole, *range, mask, cancel));
   const Segment segment{.number = 1, .label = "Range " + options.range, .colour = boneIvory, .range = range};
-  const LabelStatistics statistics = labelStatistics(map, volume);
+  const LabelStatistics statistics = labelStatistics(map, *whole);
   if (const Status s = writeSegNrrd(map, {&segment, 1}, options.output, cancel); !s)
     return fail(s.message(), cancel);
   noteKeptTilt(*opened);

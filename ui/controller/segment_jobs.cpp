@@ -3,21 +3,14 @@
 #include <new>
 
 #include "io/export/seg_nrrd.h"
-#include "viewer/segment/range.h"
 
 namespace volumen {
 
 namespace {
 
-// What is cut away shows air, which a range may hold.
 Result<std::shared_ptr<const LabelMap>> labelsOf(const Volume& volume, const Mask& mask, ValueRange range,
                                                  const CancelToken& cancel) try {
-  DenseLabels labels = labelRange(volume, range);
-  if (!mask.empty()) {
-    const DenseLabels kept = keptVoxels(volume, mask, cancel);
-    for (std::size_t n = 0; n < labels.labels.size(); ++n) labels.labels[n] &= kept.labels[n];
-  }
-  return std::make_shared<const LabelMap>(labels);
+  return std::make_shared<const LabelMap>(labelRange(volume, range, mask, cancel));
 } catch (const std::bad_alloc&) {
   return Error{"Nothing was segmented: there is not enough memory."};
 }

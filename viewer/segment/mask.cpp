@@ -4,6 +4,7 @@
 #include <cmath>
 #include <new>
 
+#include "viewer/segment/range.h"
 #include "viewer/segment/table.h"
 #include "viewer/volume/buffer.h"
 #include "viewer/volume/parallel.h"
@@ -143,6 +144,14 @@ DenseLabels keptVoxels(const Volume& volume, const Mask& mask, const CancelToken
   DenseLabels kept = beforeLassos(volume, mask, cancel);
   cutAll(kept, mask, cancel);
   return kept;
+}
+
+DenseLabels labelRange(const Volume& volume, ValueRange range, const Mask& mask, const CancelToken& cancel) {
+  DenseLabels labels = labelRange(volume, range);
+  if (mask.empty()) return labels;
+  const DenseLabels kept = keptVoxels(volume, mask, cancel);
+  for (std::size_t n = 0; n < labels.labels.size(); ++n) labels.labels[n] &= kept.labels[n];
+  return labels;
 }
 
 Result<VolumePtr> masked(const Volume& volume, const Mask& mask, const CancelToken& cancel) try {

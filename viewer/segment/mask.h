@@ -39,6 +39,11 @@ struct Mask {
 /// goes around is inside (non-zero winding number). Of a mask without its table values must be HU.
 DenseLabels keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& cancel = {});
 
+/// The same as labelRange() (range.h) of what the mask leaves: what it takes away shows air elsewhere, and is
+/// in no range.
+DenseLabels labelRange(const Volume& volume, ValueRange range, const Mask& mask,
+                       const CancelToken& cancel = {});
+
 /// A copy of a volume with air (-1000, or the nearest value that there is) where the mask takes away, which
 /// its attributes say. The Error: it was cancelled, the table was to go and there is no patient, or too
 /// little memory.

@@ -68,14 +68,16 @@ void TestRemoveTable::thePictureSaysSo() {
 
 void TestRemoveTable::segmentsAreOfThePatientAlone() {
   const Files f;
-  const auto voxels = [&](const char* more) {
+  const auto voxels = [&](const char* more, const char* range = "390:410") {
     const QString out = f.dir.filePath(QStringLiteral("a.seg.nrrd"));
-    const Outcome done = runProgram(
-        QStringLiteral("segment %1 --range 390:410 --json -o %2 %3").arg(f.with, out, QLatin1String(more)));
+    const Outcome done = runProgram(QStringLiteral("segment %1 --range=%2 --json -o %3 %4")
+                                        .arg(f.with, QLatin1String(range), out, QLatin1String(more)));
     return QJsonDocument::fromJson(done.out).object()[QStringLiteral("voxels")].toInt(-1);
   };
   QCOMPARE(voxels(""), CtWithTable::size.x * 3 * CtWithTable::size.z);
   QCOMPARE(voxels("--remove-table"), 0);
+  // What is removed is shown as air, and is none.
+  QVERIFY(voxels("--remove-table", "-1100:-900") < voxels("", "-1100:-900"));
 }
 
 void TestRemoveTable::otherValuesAreRefused_data() {
