@@ -34,6 +34,15 @@ VoxelGeometry anyGeometry(Chance& chance) {
   return geometry;
 }
 
+// Labels stand on axes that span space, or their session is refused.
+VoxelGeometry anyGeometryOfLabels(Chance& chance) {
+  while (true) {
+    const VoxelGeometry geometry = anyGeometry(chance);
+    const glm::dvec3 mm = geometry.spacing();
+    if (geometry.voxelVolume() > 1e-6 * mm.x * mm.y * mm.z) return geometry;
+  }
+}
+
 Mask anyMask(Chance& chance) {
   Mask mask{chance.oneIn(3), {}};
   for (int n = chance.oneIn(2) ? chance.below(4) : 0; n > 0; --n) {
@@ -148,7 +157,7 @@ FlatLook anyFlat(Chance& chance, const SeriesKey& overlay) {
 // As a session has it: its labels lie in a file.
 SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
   SegmentMap map{key, {}, nullptr, SavedLabels{std::string(40, "0123456789abcdef"[chance.below(16)]), {}}};
-  map.missing->geometry = anyGeometry(chance);
+  map.missing->geometry = anyGeometryOfLabels(chance);
   for (int number = 1 + chance.below(3); number < 7; number += 1 + chance.below(4)) {
     Segment& segment = map.segments.emplace_back();
     segment.number = number;
