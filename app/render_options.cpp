@@ -12,6 +12,7 @@
 #include "viewer/phantoms/phantoms.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/scene/first_camera.h"
+#include "viewer/scene/modes.h"
 #include "viewer/scene/presets.h"
 #include "viewer/scene/scene_json.h"
 
@@ -28,7 +29,7 @@ OptionWords<Quality> namedQualities() {
 const OptionWords<Quality> qualities = namedQualities();
 OptionWords<Mode> namedModes() {
   OptionWords<Mode> words;
-  for (const ModeRow& row : modeRows) words.emplace_back(row.name, row.mode);
+  for (const ModeRow& row : modeRows()) words.emplace_back(row.name, row.mode);
   return words;
 }
 const OptionWords<Mode> modes = namedModes();

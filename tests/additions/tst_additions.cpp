@@ -8,11 +8,16 @@
 #include <QToolBar>
 #include <QTreeView>
 
+#include <cmath>
+
 #include "io/files/image_file.h"
 #include "io/files/write_volume.h"
+#include "tests/fixtures/small_volumes.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/session_json.h"
+#include "viewer/render/render.h"
+#include "viewer/scene/scene_json.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -27,6 +32,8 @@ class TestAdditions : public QObject {
   void aFormatIsReadAndWritten();
   void aKindOfViewIsShownAndSaved();
   void aSourceOfStudiesIsListed();
+  void aProjectionModeIsDrawnRight();
+  void aProjectionModeIsShownAndSaved();
 };
 
 void TestAdditions::aFeatureStandsInItsMenuAndActs() {
@@ -123,6 +130,37 @@ void TestAdditions::aSourceOfStudiesIsListed() {
   tree->setCurrentIndex(tree->model()->index(0, 0));
   QTest::keyClick(tree, Qt::Key_Return);
   QTRY_VERIFY_WITH_TIMEOUT(w.child<QLabel>("bannerText")->text().contains(QStringLiteral("locked")), longest);
+}
+
+// Values rise by 10 a voxel along the view, 11 of them, and stay as they are in the half voxels at both ends.
+void TestAdditions::aProjectionModeIsDrawnRight() {
+  RenderCaches caches(
+      volumeOf<std::int16_t>({3, 11, 3}, glm::dmat3(1), [](glm::dvec3 p) { return 10 * p.y; }));
+  const auto scene = sceneFromJson(R"({"mode": "deviation", "window": {"centre": 50, "width": 100}})");
+  QVERIFY(scene);
+  RenderOptions options;
+  options.size = {9, 9};
+  const auto plan = makePlan(*scene, caches.facts(), options);
+  QVERIFY(plan && explain(*plan).find("mode deviation has no faster method") != std::string::npos);
+  const double deviation = std::sqrt((100 * 1000 / 12.0 + 50 * 50) / 11);
+  QVERIFY(std::abs(render(*plan, caches)->picture.row(4)[4 * 4] - deviation / 100) < 1e-6);
+  options.method = Method::blend;
+  QCOMPARE(QString::fromStdString(makePlan(*scene, caches.facts(), options).message()),
+           QStringLiteral("--mode deviation is drawn by --method reference alone."));
+}
+
+void TestAdditions::aProjectionModeIsShownAndSaved() {
+  Journey w;
+  w.window.session().show(ballSeries());
+  QVERIFY(w.settle());
+  auto* mode = w.child<QComboBox>("mode");
+  mode->setCurrentText(QStringLiteral("Deviation"));
+  emit mode->activated(mode->currentIndex());
+  QVERIFY(w.settle());
+  QCOMPARE(w.window.session().scene().mode, Mode(4));
+  const QImage picture = w.window.view()->picture();
+  QVERIFY(picture.pixelColor(picture.rect().center()).red() > 0);
+  QVERIFY(sceneToJson(w.window.session().scene()).find("\"deviation\"") != std::string::npos);
 }
 
 VOLUMEN_TEST(TestAdditions);

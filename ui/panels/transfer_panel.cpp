@@ -12,6 +12,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/windows.h"
+#include "viewer/scene/modes.h"
 
 namespace volumen {
 
@@ -70,7 +71,7 @@ void TransferPanel::makePages() {
 QWidget* TransferPanel::makeModeRow() {
   mode_->setObjectName(QStringLiteral("mode"));
   mode_->setAccessibleName(tr("Mode"));
-  mode_->addItems({tr("3D"), tr("MIP (maximum)"), tr("MinIP (minimum)"), tr("Average")});
+  for (const ModeRow& row : modeRows()) mode_->addItem(QString::fromUtf8(row.title));
   mode_->setToolTip(tr("What is shown of each line of sight"));
   connect(mode_, &QComboBox::activated, this, [this](int n) {
     if (session_.series())

@@ -8,6 +8,7 @@
 
 #include "ui/widgets/axes.h"
 #include "viewer/scene/curve_edits.h"
+#include "viewer/scene/modes.h"
 #include "viewer/volume/gradients.h"
 
 namespace volumen {
@@ -92,7 +93,7 @@ class Sight {
 
   std::optional<Pick> surface() const;
   std::optional<Pick> extreme() const;
-  std::optional<Pick> mean() const;
+  std::optional<Pick> wholeLine() const;
 
  private:
   // Four, so that a curve's narrow band is met within the edge that it lies on; finer where it is found.
@@ -147,7 +148,7 @@ std::optional<Pick> Sight::surface() const {
 }
 
 std::optional<Pick> Sight::extreme() const {
-  const double sign = scene_.mode == Mode::mip ? 1 : -1;
+  const double sign = rowOf(scene_.mode).shows == Shows::largest ? 1 : -1;
   std::optional<double> at;
   double most = 0;
   const auto look = [&](double first, double last, double step) {
@@ -164,12 +165,15 @@ std::optional<Pick> Sight::extreme() const {
   return pickAt(*at);
 }
 
-std::optional<Pick> Sight::mean() const {
-  double sum = 0;
-  int count = 0;
-  for (double t = seen_.first + step_ / 2; t < seen_.last; t += step_, ++count) sum += valueAt(t);
-  if (count == 0) return {};
-  return Pick{{}, sum / count};
+std::optional<Pick> Sight::wholeLine() const {
+  const auto projection = rowOf(scene_.mode).project();
+  double length = 0;
+  for (double t = seen_.first + step_ / 2; t < seen_.last; t += step_, length += step_) {
+    const double value = valueAt(t);
+    projection->add({{value}, value, value, step_});
+  }
+  if (length == 0) return {};
+  return Pick{{}, projection->value(length)};
 }
 
 }  // namespace
@@ -181,8 +185,9 @@ double valueAtVoxel(const Volume& volume, glm::dvec3 pVoxel) {
 
 std::optional<Pick> pick(const Scene& scene, const Volume& volume, const SightLine& line, bool parallel) {
   const Sight sight(scene, volume, line, parallel);
-  if (scene.mode == Mode::composite) return sight.surface();
-  return scene.mode == Mode::average ? sight.mean() : sight.extreme();
+  const Shows shows = rowOf(scene.mode).shows;
+  if (shows == Shows::surface) return sight.surface();
+  return shows == Shows::wholeLine ? sight.wholeLine() : sight.extreme();
 }
 
 }  // namespace volumen

@@ -10,8 +10,8 @@ namespace volumen {
 
 /// What is seen along a line of sight.
 struct Pick {
-  std::optional<glm::dvec3> pPatient;  ///< where, mm; none for `average`, which shows no place
-  double value = 0;                    ///< there, real units; `average`: the mean along the line
+  std::optional<glm::dvec3> pPatient;  ///< where, mm; none where the whole line is shown, as in `average`
+  double value = 0;                    ///< there, real units; else what is made of the line
 };
 
 /// Looks along the line through box, clip and curve, gradient opacity included, as the picture does. Of a

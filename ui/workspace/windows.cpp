@@ -5,6 +5,7 @@
 
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "viewer/scene/modes.h"
 #include "viewer/slice/first_window.h"
 
 namespace volumen {
@@ -74,9 +75,7 @@ Scene withMode(Scene scene, Mode mode, const LoadedSeries& series) {
   scene.mode = mode;
   if (scene.window || mode == Mode::composite || !isHounsfield(series.series)) return scene;
   // What a file's window is made for, one slice, leaves a projection all white or all black.
-  scene.window = mode == Mode::mip     ? Window{700, 1800}
-                 : mode == Mode::minip ? Window{-700, 800}
-                                       : Window{-300, 1400};
+  scene.window = rowOf(mode).hounsfield;
   return scene;
 }
 

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "viewer/scene/modes.h"
+
 namespace volumen {
 
 namespace {
@@ -29,7 +31,7 @@ Status checkTolerance(const Scene& scene, const RenderOptions& o) {
 }
 
 // What the reference, which draws the picture's definition, has not.
-Status checkKnobs(const RenderOptions& o) {
+Status checkKnobs(const Scene& scene, const RenderOptions& o) {
   if (o.stopAt && !(*o.stopAt >= 0 && *o.stopAt < 1)) return Error{"--stop-at must be 0 to 1, below 1."};
   if (o.stopAt && o.method == Method::blend &&
       (o.resampler == Resampler::gl || o.blending.value_or(Blending::floats) != Blending::floats))
@@ -39,7 +41,7 @@ Status checkKnobs(const RenderOptions& o) {
   if (o.curveTable && (*o.curveTable < 2 || *o.curveTable > 65536))
     return Error{"--curve-table must be 2 to 65536."};
   const bool used = o.stopAt || o.opacityThreshold || o.curveTable || o.gradient != GradientOperator::sobel;
-  if (!used || o.method != Method::reference) return {};
+  if (!used || methodOf(scene, o) != Method::reference) return {};
   return Error{
       "--stop-at, --opacity-threshold, --curve-table and --gradient do not go with --method reference, which "
       "draws the picture's definition."};
@@ -54,6 +56,8 @@ Status checkPrecision(const RenderOptions& o) {
 }
 
 Status checkMethod(const Scene& scene, const RenderOptions& o) {
+  if (o.method != Method::planes && o.method != Method::reference && !rowOf(scene.mode).hasKernels)
+    return Error{std::string("--mode ") + modeName(scene.mode) + " is drawn by --method reference alone."};
   if (o.method == Method::preshaded && scene.mode != Mode::composite)
     return Error{std::string("--method preshaded does not go with --mode ") + modeName(scene.mode) +
                  ": shaded voxels have no values left to project."};
@@ -68,6 +72,10 @@ Status checkMethod(const Scene& scene, const RenderOptions& o) {
 
 }  // namespace
 
+Method methodOf(const Scene& scene, const RenderOptions& o) {
+  return rowOf(scene.mode).hasKernels ? o.method : Method::reference;
+}
+
 bool canIntegrate(const Scene& scene, const RenderOptions& o) {
   return scene.mode == Mode::composite && o.method == Method::planes && o.resampler != Resampler::gl &&
          o.precision != 8 && o.shader != Shader::table && o.mapLookup != MapLookup::nearest;
@@ -81,11 +89,11 @@ Status checkOptions(const Scene& scene, const RenderOptions& o) {
   if (Status s = checkPrecision(o); !s) return s;
   if (o.mapSize && (*o.mapSize < 2 || *o.mapSize > 1024)) return Error{"--map-size must be 2 to 1024."};
   if (o.threads < 0 || o.threads > 1024) return Error{"--threads must be 1 to 1024."};
-  if (o.resampler == Resampler::gl && o.method == Method::reference)
+  if (o.resampler == Resampler::gl && methodOf(scene, o) == Method::reference)
     return Error{
         "--resampler gl does not go with --method reference, which interpolates in double precision."};
   if (Status s = checkTolerance(scene, o); !s) return s;
-  if (Status s = checkKnobs(o); !s) return s;
+  if (Status s = checkKnobs(scene, o); !s) return s;
   if (Status s = checkMethod(scene, o); !s) return s;
   return checkShader(scene, o);
 }

@@ -6,6 +6,9 @@
 
 namespace volumen {
 
+/// The method that draws the scene: as asked, but the reference for a mode without kernels.
+Method methodOf(const Scene& scene, const RenderOptions& options);
+
 /// Whether a level can integrate along intervals, where no step is asked for. Only the CPU's planes know the
 /// values around an interval before they draw it.
 bool canIntegrate(const Scene& scene, const RenderOptions& options);

@@ -4,6 +4,7 @@
 #include "viewer/plan/default_window.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/scene/first_camera.h"
+#include "viewer/scene/modes.h"
 
 namespace volumen {
 
@@ -27,6 +28,12 @@ Scene completed(Scene scene, const VolumeFacts& facts, glm::ivec2 size) {
   return scene;
 }
 
+std::string referenceReason(const Scene& scene, const RenderOptions& options) {
+  const std::string what = "everything, adaptively, cell by cell, in double precision";
+  if (options.method == Method::reference) return what;
+  return "mode " + std::string(modeName(scene.mode)) + " has no faster method: " + what;
+}
+
 }  // namespace
 
 Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const RenderOptions& options,
@@ -36,10 +43,9 @@ Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const Render
   plan.scene = completed(scene, facts, options.size);
   plan.curve = plan.scene.transferFunction;
   plan.options = options;
-  if (options.method == Method::reference) {
+  if (methodOf(scene, options) == Method::reference) {
     plan.method = Method::reference;
-    plan.effects.push_back(
-        {"reference", true, false, "everything, adaptively, cell by cell, in double precision"});
+    plan.effects.push_back({"reference", true, false, referenceReason(scene, options)});
     sayWhatWasDone(facts, plan);
     return plan;
   }

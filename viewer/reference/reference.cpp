@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <optional>
 
 #include "viewer/reference/integral.h"
+#include "viewer/scene/modes.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -13,6 +13,8 @@ namespace volumen {
 namespace {
 
 using namespace reference;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What all rays of a picture share.
 class Caster {
@@ -62,27 +64,23 @@ class Caster {
   }
 
   double projectedGrey(const Ray& ray, Interval interval) const {
-    double largest = -std::numeric_limits<double>::infinity(), smallest = -largest, integral = 0;
-    std::optional<double> first;  // means are counted from it: a constant loses nothing
+    const auto projection = rowOf(scene_.mode).project();
     std::vector<double> places;
     marchCells(volume_.geometry(), ray, interval, [&](const CellPiece& p) {
       const Corners<double> corners = cornerValues(volume_, p.cell);
       const Cubic v = interpolateAlong(corners, p.start, p.move);
+      ValuesInCell values{v.c, infinity, -infinity, p.lengthMm};
       places.assign({0, 1});
       appendExtremes(v, places);
       for (double s : places) {
         const double value = interpolateAt(corners, p.start + s * p.move);
-        largest = std::max(largest, value);
-        smallest = std::min(smallest, value);
+        values.largest = std::max(values.largest, value);
+        values.smallest = std::min(values.smallest, value);
       }
-      if (!first) first = v.c[0];
-      integral += p.lengthMm * ((v.c[0] - *first) + v.c[1] / 2 + v.c[2] / 3 + v.c[3] / 4);
+      projection->add(values);
       return true;
     });
-    const double value = scene_.mode == Mode::mip ? largest
-                         : scene_.mode == Mode::minip
-                             ? smallest
-                             : first.value_or(0) + integral / (interval.t1 - interval.t0);
+    const double value = projection->value(interval.t1 - interval.t0);
     const Window& window = *scene_.window;
     return std::clamp((value - (window.centre - window.width / 2)) / window.width, 0.0, 1.0);
   }

@@ -11,15 +11,8 @@ namespace volumen {
 
 /// The scene of picture.md as a plain value; every default is the one picture.md 8 shows.
 
+/// What a ray shows: the row of this number in the table of modes (modes.h).
 enum class Mode { composite, mip, minip, average };
-/// A row of the table of modes, in the order of Mode.
-struct ModeRow {
-  Mode mode;
-  const char* name;  ///< in scenes and of --mode
-};
-inline constexpr ModeRow modeRows[] = {
-    {Mode::composite, "composite"}, {Mode::mip, "mip"}, {Mode::minip, "minip"}, {Mode::average, "average"}};
-constexpr const char* modeName(Mode mode) { return modeRows[int(mode)].name; }
 
 /// One point of the transfer function (picture.md 4). `value` in real units, colour and opacity 0..1.
 struct CurvePoint {

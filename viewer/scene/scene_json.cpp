@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viewer/scene/json_fields.h"
+#include "viewer/scene/modes.h"
 
 namespace volumen {
 
@@ -11,7 +12,7 @@ namespace {
 
 const Words<Mode> modeWords = [] {
   Words<Mode> words;
-  for (const ModeRow& row : modeRows) words.emplace_back(row.name, row.mode);
+  for (const ModeRow& row : modeRows()) words.emplace_back(row.name, row.mode);
   return words;
 }();
 const Words<Space> spaceWords{{"camera", Space::camera}, {"patient", Space::patient}};

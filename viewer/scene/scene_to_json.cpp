@@ -1,3 +1,4 @@
+#include "viewer/scene/modes.h"
 #include "viewer/scene/number_text.h"
 #include "viewer/scene/scene_json.h"
 
