@@ -17,11 +17,7 @@ class FactsView : public View {
   void seriesExchanged(bool) override { update(); }
   void workspaceChanged(const Workspace&) override { update(); }
   QString textAt(QPointF) const override { return name(); }
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.drawText(rect(), Qt::AlignCenter, name());
-    paintFocus(painter);
-  }
+  void paintShown(QPainter& painter) const override { painter.drawText(rect(), Qt::AlignCenter, name()); }
 
  private:
   QString name() const { return series() ? seriesText(series()->series) : QString(); }

@@ -60,7 +60,9 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Open folder...; Open file...; Open recent >; Sample study; |; "
       "Study list; Find study...; Import folder...; |; "
       "Open session...; Save session; Save session as...; |; "
-      "Restore earlier work >; Open scene...; Save scene...; |; Save snapshot...; Copy snapshot; |; Quit");
+      "Restore earlier work >; Open scene...; Save scene...; |; Save picture...; Copy picture; Save all "
+      "views...; Copy all views; "
+      "Save 3D snapshot...; Copy 3D snapshot; |; Quit");
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
       "Rotate; Adjust curve (W/L); Scissors; Reset view; |; "
@@ -95,7 +97,7 @@ void TestMenus::theToolBarHoldsWhatItShould() {
   QCOMPARE(entriesOf(window.findChild<QToolBar*>(QStringLiteral("tools"))),
            listed("Open folder...; Study list; Undo; Redo; |; "
                   "Rotate; Adjust curve (W/L); Scissors; Reset view; |; "
-                  "[]; [layoutButton]; [measureButton]; [linkButton]; []; Save snapshot...; Mouse and keys"));
+                  "[]; [layoutButton]; [measureButton]; [linkButton]; []; Save picture...; Mouse and keys"));
 }
 
 VOLUMEN_TEST(TestMenus);

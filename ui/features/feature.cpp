@@ -23,6 +23,7 @@ const std::vector<FeatureEntry>& features() {
       {"scenes", makeScenes},
       {"accuracy", makeAccuracy},
       {"segmenting", makeSegmenting},
+      {"view pictures", makeViewPictures},
       {"snapshots", makeSnapshots},
       {"measuring", makeMeasuring},
       {"registration", makeRegistration},

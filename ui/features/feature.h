@@ -68,5 +68,6 @@ std::unique_ptr<Feature> makeStudies(Workbench& bench);
 std::unique_ptr<Feature> makeStudyListing(Workbench& bench);
 std::unique_ptr<Feature> makeUndo(Workbench& bench);
 std::unique_ptr<Feature> makeViewActions(Workbench& bench);
+std::unique_ptr<Feature> makeViewPictures(Workbench& bench);
 
 }  // namespace volumen

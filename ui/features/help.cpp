@@ -115,8 +115,12 @@ void Help::showShortcuts() {
       tr("Ctrl+B, Ctrl+F, Ctrl+I"),
       tr("the studies on this computer: show or hide them, search them, import a folder (in the list: Enter "
          "opens, Ctrl+Enter opens beside, Delete removes from the list)"),
-      tr("Ctrl+O, Ctrl+S, Ctrl+E, Ctrl+C"),
-      tr("open a folder, save the session, save a snapshot, copy it"),
+      tr("Ctrl+O, Ctrl+S"),
+      tr("open a folder, save the session"),
+      tr("Ctrl+E, Ctrl+C, Ctrl+Shift+C"),
+      tr("save the picture of the view in focus as it is seen, copy it; copy all views"),
+      tr("Ctrl+Shift+E"),
+      tr("save a snapshot of the 3D picture at any size and quality"),
   };
   QString html = QStringLiteral("<table cellpadding='3' width='640'>");
   for (int n = 0; n + 1 < rows.size(); n += 2)

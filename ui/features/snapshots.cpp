@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// Pictures of the 3D view: to files, to the clipboard.
+// Pictures of the 3D view at any size and quality: to files, to the clipboard.
 class Snapshots : public Feature {
  public:
   explicit Snapshots(Workbench& bench);
@@ -27,19 +27,19 @@ Snapshots::Snapshots(Workbench& bench)
     : Feature(bench), snapshot_(bench.document.drawService, bench.document.jobs), panel_(new SnapshotPanel) {
   bench_.addDock({"snapshot", tr("Snapshot"), Workbench::scrolling(panel_), {Qt::RightDockWidgetArea, 40}});
   bench_.addAction({"snapshot",
-                    tr("Save snapshot..."),
-                    {tr("Ctrl+E")},
-                    "snapshot",
+                    tr("Save 3D snapshot..."),
+                    {tr("Ctrl+Shift+E")},
+                    "",
                     false,
                     [this](bool) { panel_->askWhere(); },
-                    {{"fileMenu", 50}, {"toolBar", 30, toolBarGap + 10}}});
+                    {{"fileMenu", 50, 50}}});
   bench_.addAction({"copySnapshot",
-                    tr("Copy snapshot"),
-                    {QKeySequence::Copy},
+                    tr("Copy 3D snapshot"),
+                    {},
                     "",
                     false,
                     [this](bool) { panel_->copy(); },
-                    {{"fileMenu", 50}}});
+                    {{"fileMenu", 50, 50}}});
   snapshot_.setMeasured(
       [this](const Plan& plan) { return measuredError(bench_.document.meter.measured(), plan); });
   connect(panel_, &SnapshotPanel::requested, this, &Snapshots::take);

@@ -126,6 +126,8 @@ class FlatView : public View {
   void tellWarnings();
 
   void workspaceChanged(const Workspace& before) override;
+  void paintShown(QPainter& painter) const override;
+  std::vector<QWidget*> badges() const override;
   void paintEvent(QPaintEvent*) override;
   void showEvent(QShowEvent*) override;
   void resizeEvent(QResizeEvent*) override;

@@ -36,15 +36,19 @@ void FlatView::paintStackBar(QPainter& painter) const {
                    QColor(255, 255, 255, 140));
 }
 
-void FlatView::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
+std::vector<QWidget*> FlatView::badges() const {
+  std::vector<QWidget*> all = View::badges();
+  all.push_back(badge_);
+  return all;
+}
+
+void FlatView::paintShown(QPainter& painter) const {
   painter.fillRect(rect(), Qt::black);
   if (shown()) {
     if (!picture_.isNull()) painter.drawImage(QPointF(0, 0), picture_);
     paintLines(painter);
     paintMeasurements(painter, drawnMeasurements());
     paintOverlays(painter, overlays(), overlayArea());
-    paintStackBar(painter);
     paintColours(painter);
   } else if (isWaiting()) {
     painter.drawImage(QPointF(0, 0), picture_);
@@ -54,6 +58,12 @@ void FlatView::paintEvent(QPaintEvent*) {
     only.warning = sentence;
     paintOverlays(painter, only, rect());
   }
+}
+
+void FlatView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  paintShown(painter);
+  if (shown()) paintStackBar(painter);
   paintFocus(painter);
 }
 

@@ -114,6 +114,24 @@ QSize View::pixels() const {
   return {int(std::ceil(width() * devicePixelRatioF())), int(std::ceil(height() * devicePixelRatioF()))};
 }
 
+QImage View::capture() const {
+  QImage image(pixels(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(devicePixelRatioF());
+  image.fill(Qt::black);
+  QPainter painter(&image);
+  painter.setFont(font());
+  paintShown(painter);
+  for (QWidget* badge : badges())
+    if (badge->isVisible()) badge->render(&painter, badge->pos());
+  return image;
+}
+
+void View::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  paintShown(painter);
+  paintFocus(painter);
+}
+
 void View::paintFocus(QPainter& painter) const {
   if (viewsOnScreen(session_.workspace()).size() < 2 || session_.workspace().focus != id_) return;
   painter.setPen(QColor(0x4a, 0xa3, 0xff));

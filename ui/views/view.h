@@ -1,9 +1,11 @@
 #pragma once
 
+#include <QImage>
 #include <QLabel>
 #include <QMimeData>
 #include <QTimer>
 #include <QWidget>
+#include <vector>
 
 #include "ui/overlays/overlays.h"
 #include "ui/workspace/session.h"
@@ -27,6 +29,8 @@ class View : public QWidget {
   /// Whether its volume is being read or cut. The last picture of the series, or of another step of it, stays
   /// until then, with a mark where that takes longer than a moment.
   bool isWaiting() const;
+  /// What is seen of it now, at its pixels(), but for what is there to be used: bars, the frame of the focus.
+  QImage capture() const;
   /// What is being read of this series will not come.
   void giveUpWaiting(const SeriesKey& series);
 
@@ -47,6 +51,10 @@ class View : public QWidget {
   /// Something of the workspace changed.
   virtual void workspaceChanged(const Workspace& before) = 0;
 
+  /// All that capture() holds, but for badges(), in logical pixels.
+  virtual void paintShown(QPainter& painter) const = 0;
+  /// Widgets of its own that say something of the picture.
+  virtual std::vector<QWidget*> badges() const { return {loading_}; }
   /// What is to be said of a place of the view, logical pixels; empty: nothing.
   virtual QString textAt(QPointF position) const = 0;
   /// The cursor is here: hovered() tells what is under it, now and whenever that changes beneath it.
@@ -59,6 +67,7 @@ class View : public QWidget {
   /// A thin frame where this is the view in focus of several.
   void paintFocus(QPainter& painter) const;
 
+  void paintEvent(QPaintEvent*) override;
   void dragEnterEvent(QDragEnterEvent*) override;
   void dropEvent(QDropEvent*) override;
   void mousePressEvent(QMouseEvent*) override;

@@ -1,5 +1,6 @@
 #include "ui/views/view_grid.h"
 
+#include <QPainter>
 #include <algorithm>
 
 namespace volumen {
@@ -124,6 +125,17 @@ void ViewGrid::connectView(View* view) {
   connect(view, &View::dropped, this, &ViewGrid::dropped);
   connect(view, &View::menuRequested, this,
           [this, view](QPoint global) { Q_EMIT menuRequested(view, global); });
+}
+
+QImage ViewGrid::capture() const {
+  const double ratio = devicePixelRatioF();
+  QImage image(QSizeF(QSizeF(size()) * ratio).toSize(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(ratio);
+  image.fill(palette().color(QPalette::Window));
+  QPainter painter(&image);
+  for (const auto& [place, view] : views_)
+    if (view->isVisible()) painter.drawImage(QPointF(view->pos()), view->capture());
+  return image;
 }
 
 void ViewGrid::setAlone(bool alone) {

@@ -27,6 +27,8 @@ class ViewGrid : public QWidget {
     const auto view = views_.find({id, familyOf(id)});
     return view == views_.end() ? nullptr : qobject_cast<V*>(view->second);
   }
+  /// What is seen of all views on screen (View::capture), as they lie beside each other.
+  QImage capture() const;
   /// Shows the view in focus alone, or all of the layout again.
   void setAlone(bool alone);
   /// Has the 3D views on screen drawn again, as the draw service does by now.

@@ -28,7 +28,7 @@ QString captionOf(const ScreenPicture& drawn) {
 VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QWidget* parent)
     : View(session, id, parent),
       drawService_(drawService),
-      canvas_(makeCanvas([this](QPainter& p) { paint(p); }, [this] { replaceCanvas(); }, this)),
+      canvas_(makeCanvas([this](QPainter& p) { paintCanvas(p); }, [this] { replaceCanvas(); }, this)),
       cube_(new OrientationCube(this)),
       badge_(new WarningBadge(this)),
       time_(new TimeBar(session, id, this)) {
@@ -94,7 +94,7 @@ void VolumeView::showState() {
 
 void VolumeView::replaceCanvas() {
   canvas_->deleteLater();
-  canvas_ = makeRasterCanvas([this](QPainter& p) { paint(p); }, this);
+  canvas_ = makeRasterCanvas([this](QPainter& p) { paintCanvas(p); }, this);
   canvas_->lower();
   canvas_->show();
   placeChildren();

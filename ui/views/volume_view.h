@@ -85,7 +85,10 @@ class VolumeView : public View {
   Overlays overlays() const;
   QRectF overlayArea() const;
   QString textAt(QPointF position) const override;
-  void paint(QPainter& painter) const;
+  void paintShown(QPainter& painter) const override;
+  std::vector<QWidget*> badges() const override;
+  void paintEvent(QPaintEvent*) override {}  // its canvas is over all of it
+  void paintCanvas(QPainter& painter) const;
   void paintCrosshair(QPainter& painter) const;
   /// Of the same frame of reference.
   bool planesOnScreen() const;

@@ -79,7 +79,19 @@ void VolumeView::paintCrosshair(QPainter& painter) const {
   }
 }
 
-void VolumeView::paint(QPainter& painter) const {
+std::vector<QWidget*> VolumeView::badges() const {
+  std::vector<QWidget*> all = View::badges();
+  all.push_back(cube_);
+  all.push_back(badge_);
+  return all;
+}
+
+void VolumeView::paintCanvas(QPainter& painter) const {
+  paintShown(painter);
+  if (series() || isWaiting()) paintFocus(painter);
+}
+
+void VolumeView::paintShown(QPainter& painter) const {
   painter.fillRect(rect(), QColor(0x10, 0x12, 0x14));
   if (!series() && !isWaiting()) return;
   if (const QImage& picture = shown(); !picture.isNull()) {
@@ -95,15 +107,13 @@ void VolumeView::paint(QPainter& painter) const {
     }
   }
   if (!series()) {
-    paintOverlays(painter, waitingOverlays(), overlayArea());
-    return paintFocus(painter);
+    return paintOverlays(painter, waitingOverlays(), overlayArea());
   }
   Overlays over = overlays();
   if (errorShown_) over.topRight << errorImage_.legend;
   paintCrosshair(painter);
   if (drag_ && drag_->drawsOver()) drag_->paint(painter, QWidget::size());
   paintOverlays(painter, over, overlayArea());
-  paintFocus(painter);
 }
 
 }  // namespace volumen

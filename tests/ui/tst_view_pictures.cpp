@@ -1,0 +1,157 @@
+// Guards that a picture is what is seen: Ctrl+C and Ctrl+E give the view in focus as it is on screen,
+// whatever it shows, Ctrl+Shift+C all views beside each other; only what is there to be used stays out.
+#include <QClipboard>
+#include <QPainter>
+#include <QTemporaryDir>
+
+#include "tests/ui/frames_window.h"
+#include "tests/ui/measure_window.h"
+#include "ui/widgets/banner.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+// Bars at the right and at the bottom, which scroll and play.
+constexpr int barPixels = 6, timeBarPixels = 20;
+
+QImage copied(Journey& w, Qt::KeyboardModifiers keys = Qt::ControlModifier) {
+  QApplication::clipboard()->clear();
+  QTest::keyClick(&w.window, Qt::Key_C, keys);
+  return QApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32);
+}
+
+QImage onScreen(QWidget* widget) { return widget->grab().toImage().convertToFormat(QImage::Format_RGB32); }
+
+// Without bars and the frame of the focus.
+QImage inner(const QImage& image, int bottom = 1) {
+  return image.copy(QRect(1, 1, image.width() - 1 - barPixels, image.height() - 1 - bottom));
+}
+
+bool hasColours(const QImage& image) {
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (const QColor c = image.pixelColor(x, y); c.value() > 100 && c.saturation() > 100) return true;
+  return false;
+}
+
+}  // namespace
+
+class TestViewPictures : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aSliceIsCopiedWithWhatIsMeasuredInIt();
+  void aFrameIsCopiedAsItIsSeen();
+  void a3DPictureIsCopiedAsItIsSeen();
+  void theViewInFocusIsCopiedAndAllViews();
+  void hiddenNamesStayHidden();
+  void itIsSavedAsItWasAskedFor();
+  void whatCannotBeWrittenIsTold();
+  void withoutASeriesThereIsASentence();
+};
+
+void TestViewPictures::aSliceIsCopiedWithWhatIsMeasuredInIt() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const QImage before = copied(w);
+  QCOMPARE(before.size(), w.view()->pixels());
+  const int steps = w.session().undoStack().count();
+  w.draw(ShapeKind::length, {{60, 60}, {120, 90}});
+  const QImage after = copied(w);
+  QCOMPARE(inner(after), inner(onScreen(w.view())));
+  QVERIFY(after != before && hasColours(after));
+  QCOMPARE(w.session().undoStack().count(), steps + 1);  // the length alone
+}
+
+void TestViewPictures::aFrameIsCopiedAsItIsSeen() {
+  NEED_DATA(dataPath("dicom-2d"));
+  Frames w({clipFile});
+  QVERIFY(w.shows());
+  w.session().setFocus(axialViewId);
+  const QImage picture = copied(w);
+  QCOMPARE(picture.size(), w.view()->pixels());
+  QCOMPARE(inner(picture, timeBarPixels), inner(onScreen(w.view()), timeBarPixels));
+}
+
+void TestViewPictures::a3DPictureIsCopiedAsItIsSeen() {
+  Journey w;
+  w.window.session().show(ballSeries());
+  QVERIFY(w.settle());
+  QCOMPARE(inner(copied(w)), inner(onScreen(w.window.view())));
+}
+
+void TestViewPictures::theViewInFocusIsCopiedAndAllViews() {
+  MeasureWindow w;
+  QVERIFY(w.settle());
+  const QImage all = copied(w, Qt::ControlModifier | Qt::ShiftModifier);
+  QCOMPARE(all.size(), w.window.views()->size());
+  QList<QImage> pictures;
+  for (const ViewId id : viewsOnScreen(w.session().workspace())) {
+    w.session().setFocus(id);
+    const QWidget* view = w.window.views()->viewOf(id);
+    pictures << copied(w);
+    QCOMPARE(pictures.back(), all.copy(view->geometry()));
+    QVERIFY(pictures.indexOf(pictures.back()) == pictures.size() - 1);
+  }
+  QCOMPARE(pictures.size(), 4);
+}
+
+void TestViewPictures::hiddenNamesStayHidden() {
+  auto series = std::make_shared<LoadedSeries>(*ballSeries());
+  series->series.patientName = "Doe^Jane";
+  MeasureWindow w(series);
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const QImage named = copied(w);
+  w.child<QAction>("hideNames")->trigger();
+  const QImage hidden = copied(w);
+  w.child<QAction>("hideNames")->trigger();
+  QVERIFY(hidden != named);
+  QCOMPARE(copied(w), named);
+}
+
+// What is scrolled to while a place is chosen does not count.
+void TestViewPictures::itIsSavedAsItWasAskedFor() {
+  const QTemporaryDir folder;
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const QImage shown = copied(w);
+  QTest::keyClick(&w.window, Qt::Key_E, Qt::ControlModifier);
+  w.view()->scroll(3);
+  QTRY_VERIFY_WITH_TIMEOUT(copied(w) != shown, longest);
+  for (const char* name : {"slice.png", "slice.jpg"}) {
+    const QString path = folder.filePath(QLatin1String(name));
+    if (!w.window.findChild<QFileDialog*>(QStringLiteral("pictureDialog"))) {
+      w.view()->scroll(-3);
+      QTRY_VERIFY_WITH_TIMEOUT(copied(w) == shown, longest);
+      w.child<QAction>("savePicture")->trigger();
+    }
+    answer(w, "pictureDialog", path);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longest);
+    const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB32);
+    QCOMPARE(saved.size(), shown.size());
+    if (path.endsWith(QStringLiteral(".png"))) QCOMPARE(saved, shown);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+}
+
+void TestViewPictures::whatCannotBeWrittenIsTold() {
+  MeasureWindow w;
+  w.child<QAction>("saveAllPictures")->trigger();
+  answer(w, "pictureDialog", QStringLiteral("/proc/no/where.png"));
+  auto* banner = w.child<Banner>("banner");
+  QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
+  QVERIFY(banner->sentence().contains(QStringLiteral("/proc/no/where.png")));
+}
+
+void TestViewPictures::withoutASeriesThereIsASentence() {
+  Journey w;
+  for (const char* action : {"copyPicture", "savePicture", "copyAllPictures", "saveAllPictures"}) {
+    w.child<Banner>("banner")->hide();
+    w.child<QAction>(action)->trigger();
+    QCOMPARE(w.child<Banner>("banner")->sentence(), QStringLiteral("Open a series first."));
+  }
+}
+
+VOLUMEN_TEST(TestViewPictures);
+#include "tst_view_pictures.moc"

@@ -1,0 +1,106 @@
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QStandardPaths>
+
+#include "io/files/picture_file.h"
+#include "ui/features/feature.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/series_text.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+// What is seen, as it is seen: the view in focus or all views, to the clipboard or to a file.
+class ViewPictures : public Feature {
+ public:
+  explicit ViewPictures(Workbench& bench);
+
+ private:
+  void copy(const QImage& picture);
+  void save(const QImage& picture, const QString& title);
+  void write(const QImage& picture, const QString& path, const PictureText& text);
+  QImage viewInFocus() const { return grid_.viewOf(session_.workspace().focus)->capture(); }
+  QString nameOffered() const;
+  PictureText warnings() const;
+
+  JobLane writing_{&bench_.document.jobs};
+};
+
+ViewPictures::ViewPictures(Workbench& bench) : Feature(bench) {
+  writing_.keepToTheEnd();
+  const auto add = [&](const char* name, const QString& text, const QList<QKeySequence>& keys,
+                       const char* icon, const std::function<void()>& run, std::vector<Place> places) {
+    bench_.addAction({name, text, keys, icon, false,
+                      [this, run](bool) {
+                        if (session_.workspace().series.empty()) return warn(tr("Open a series first."));
+                        run();
+                      },
+                      std::move(places)});
+  };
+  add("savePicture", tr("Save picture..."), {tr("Ctrl+E")}, "snapshot",
+      [this] { save(viewInFocus(), tr("Save the picture of the view")); },
+      {{"fileMenu", 50}, {"toolBar", 30, toolBarGap + 10}});
+  add("copyPicture", tr("Copy picture"), {QKeySequence::Copy}, "", [this] { copy(viewInFocus()); },
+      {{"fileMenu", 50}});
+  add("saveAllPictures", tr("Save all views..."), {}, "",
+      [this] { save(grid_.capture(), tr("Save the picture of all views")); }, {{"fileMenu", 50, 10}});
+  add("copyAllPictures", tr("Copy all views"), {tr("Ctrl+Shift+C")}, "", [this] { copy(grid_.capture()); },
+      {{"fileMenu", 50, 10}});
+}
+
+void ViewPictures::copy(const QImage& picture) {
+  QGuiApplication::clipboard()->setImage(picture);
+  tell(tr("Copied to the clipboard"));
+}
+
+QString ViewPictures::nameOffered() const {
+  const Series* series = seriesIn(session_.workspace(), session_.workspace().focus);
+  return series ? seriesText(*series).replace(QLatin1Char('/'), QLatin1Char('_')) : QStringLiteral("volumen");
+}
+
+// Of all that is on screen.
+PictureText ViewPictures::warnings() const {
+  std::vector<Warning> all;
+  for (const ViewId id : viewsOnScreen(session_.workspace())) {
+    const auto* flat = grid_.viewAs<FlatView>(id);
+    if (const LoadedSeriesPtr series = flat ? flat->shown() : session_.seriesOf(id))
+      all.insert(all.end(), series->warnings.begin(), series->warnings.end());
+  }
+  return warningText(all);
+}
+
+// As it was when it was asked for, whatever is scrolled to while a place is chosen.
+void ViewPictures::save(const QImage& picture, const QString& title) {
+  auto* dialog = new QFileDialog(&bench_.window, title,
+                                 QStandardPaths::writableLocation(QStandardPaths::PicturesLocation),
+                                 tr("PNG pictures (*.png);;JPEG pictures (*.jpg *.jpeg)"));
+  dialog->setObjectName(QStringLiteral("pictureDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("png"));
+  dialog->selectFile(nameOffered() + QStringLiteral(".png"));
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, picture, text = warnings()](const QString& path) { write(picture, path, text); });
+  dialog->open();
+}
+
+void ViewPictures::write(const QImage& picture, const QString& path, const PictureText& text) {
+  writing_.run(
+      JobName(tr("Saving"), path),
+      [=](const Job&) {
+        return writeImage(picture.convertToFormat(QImage::Format_RGB888), path.toStdString(), text);
+      },
+      [this, path](const Status& status) {
+        if (!status) return warn(QString::fromStdString(status.message()));
+        tell(tr("Saved %1").arg(path));
+      });
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeViewPictures(Workbench& bench) { return std::make_unique<ViewPictures>(bench); }
+
+}  // namespace volumen
