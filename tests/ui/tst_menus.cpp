@@ -70,12 +70,16 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Show as frames; Each image its own window; Overlays and shutters; Play or stop; |; "
       "Key image; Previous key image; Next key image; |; "
       "Use OpenGL (usually slower without a GPU); Show error map; |; "
-      "Maximise view; Full screen; Light theme; Hide names; Layout >; Show in this view >; Link >; "
+      "Maximise view; Full screen; Light theme; Hide names; Layout >; Show in this view >; Turn and size >; "
+      "Link >; "
       "Measure >; Interpolate between voxels; Slab >; Colour map >; PET values >; Overlay >; Panels >");
   row("&View/Layout",
       "One view; Planes and 3D; Large 3D beside planes; Two series; Four series; |; "
       "Planes along the slices; Planes along the patient");
   row("&View/Show in this view", "3D; Axial; Coronal; Sagittal");
+  row("&View/Turn and size",
+      "Turn right; Turn left; Mirror left to right; Mirror top to bottom; |; "
+      "A pixel of the picture a pixel of the screen; True size");
   row("&View/Measure",
       "Length\tD; Polyline; Angle\tA; Cobb angle; Ellipse\tE; Rectangle; Freehand; Probe\tP; Arrow\tT");
   row("&View/Panels",

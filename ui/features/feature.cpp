@@ -31,6 +31,7 @@ const std::vector<FeatureEntry>& features() {
       {"key images", makeKeyImages},
       {"frames", makeFrameActions},
       {"views", makeViewActions},
+      {"picture turns", makePictureTurns},
       {"study list", makeStudyListing},
       {"help", makeHelp},
   };

@@ -16,9 +16,10 @@ class TurnDrag : public Drag {
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
     const ViewKind kind = press_.session.workspace().view(press_.view).kind;
+    const double sense = lookOf(press_).turn.mirrored ? -1 : 1;
     setCrosshair(press_.session, press_.view, *press_.series,
                  QCoreApplication::translate("volumen", "Turn planes"),
-                 turnedIn(atPress_, kind, angle(p) - angle(press_.at)));
+                 turnedIn(atPress_, kind, sense * (angle(p) - angle(press_.at))));
   }
 
  private:

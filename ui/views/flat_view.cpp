@@ -1,5 +1,7 @@
 #include "ui/views/flat_view.h"
 
+#include <algorithm>
+
 #include "ui/controller/derived_objects.h"
 #include "ui/controller/measure_jobs.h"
 #include "ui/views/time_bar.h"
@@ -111,9 +113,30 @@ void FlatView::setTool(const Tool& tool) {
 void FlatView::resetView() {
   if (state().series.empty()) return;
   Workspace after = unturned(session_.workspace());
-  makeWhole(after.editView(id()).flats.editOrAdd(state().series));
+  FlatLook& look = after.editView(id()).flats.editOrAdd(state().series);
+  makeWhole(look);
+  look.turn = {};
   session_.change(tr("Reset view"), after);
   session_.endGesture();
+}
+
+void FlatView::turnPicture(const QString& text, PictureTurn by) {
+  if (!shown()) return;
+  editFlat(session_, id(), text, [by](FlatLook& look) { turnFurther(look, by); });
+  session_.endGesture();
+}
+
+void FlatView::zoomTo(double mmPerPixel) {
+  const std::optional<SlicePlane> now = plane();
+  if (!now) return;
+  zoomFlat(session_, id(), flatLookOf(state()), *now, now->centre, now->mmPerPixel / mmPerPixel);
+  session_.endGesture();
+}
+
+double FlatView::ownPixelMm() const {
+  const VoxelGeometry& geometry = shown()->volume->geometry();
+  const SlicePlane now = *plane();
+  return std::min(voxelAlong(geometry, now.right), voxelAlong(geometry, now.down));
 }
 
 void FlatView::invert() {

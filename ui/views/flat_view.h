@@ -46,6 +46,12 @@ class FlatView : public View {
   /// What is written over the picture. Only where shown() is something.
   virtual Overlays overlays() const = 0;
   void invert();
+  /// Turned further than it is.
+  void turnPicture(const QString& text, PictureTurn by);
+  /// So many mm a device pixel, about the middle.
+  void zoomTo(double mmPerPixel);
+  /// mm of a pixel of what is shown, the smaller edge. Only where shown() is something.
+  double ownPixelMm() const;
   /// The picture as acquired that is seen.
   virtual PictureSeen pictureSeen() const = 0;
   /// The measurements that are seen, the one that is being drawn last.

@@ -211,6 +211,7 @@ Overlays FrameView::overlays() const {
   texts.add(CornerItem::step, stepText(session_.workspace(), state().series));
   texts.add(CornerItem::pixelSize, pixelSizeText(*frame_));
   texts.add(CornerItem::mark, lossyText(series));
+  texts.add(CornerItem::turn, turnText(look.turn));
   texts.add(CornerItem::mark, QStringList{presentationText(), keyImageText()});
   Overlays o = cornersOf(texts);
   o.isLate = isPlayed && player_->isLate();

@@ -30,7 +30,7 @@ constexpr CornerRow cornerTable[] = {
     {CornerItem::thickness, false, 7}, {CornerItem::plane, true, 1},    {CornerItem::number, true, 2},
     {CornerItem::step, true, 3},       {CornerItem::position, true, 8}, {CornerItem::slab, true, 5},
     {CornerItem::pixelSize, true, 9},  {CornerItem::mask, true, 6},     {CornerItem::link, true, 4},
-    {CornerItem::mark, true, 7}};
+    {CornerItem::mark, true, 7},       {CornerItem::turn, true, 4}};
 
 // Where sides are not known by the axes of the file's space.
 QString kindText(ViewKind kind, bool knownSides) {
@@ -127,6 +127,12 @@ QStringList CornerTexts::corner(bool right, int lines) const {
   return corner;
 }
 
+QString turnText(PictureTurn turn) {
+  const QString turned = turn.quarters ? tr("Turned %1\u00b0").arg(90 * turn.quarters) : QString();
+  if (!turn.mirrored) return turned;
+  return turned.isEmpty() ? tr("Mirrored") : tr("%1, mirrored").arg(turned);
+}
+
 QString studyTimeText(const Series& series) {
   const QString date = dateText(series.studyDate);
   if (date.isEmpty()) return series.format == "DICOM" ? tr("(no date)") : QString();
@@ -219,6 +225,7 @@ CornerTexts slicesCorner(const Workspace& workspace, ViewId view, const LoadedSe
   texts.add(CornerItem::step, stepText(workspace, keyOf(shown.series)));
   texts.add(CornerItem::mark, lossyText(shown.series));
   texts.add(CornerItem::mask, maskTexts(series.mask));
+  texts.add(CornerItem::turn, turnText(look.turn));
   if (!geometry.calibrated) return texts;
   texts.add(CornerItem::position, positionText(state.kind, plane, knownSides));
   if (look.slabMm > 0) texts.add(CornerItem::slab, slabText(look));

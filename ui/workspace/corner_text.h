@@ -23,6 +23,7 @@ enum class CornerItem {
   slab,
   link,
   position,
+  turn,  ///< of the picture
   mark,  ///< lossy compression, a key image, a presentation state
   mask,
   pixelSize
@@ -43,6 +44,9 @@ class CornerTexts {
 
   std::vector<std::pair<CornerItem, QString>> items_;
 };
+
+/// "Turned 90 degrees, mirrored"; empty where nothing is.
+QString turnText(PictureTurn turn);
 
 /// "2026-03-14 10:22:31" of a study; "(no date)" where a DICOM file has none.
 QString studyTimeText(const Series& series);

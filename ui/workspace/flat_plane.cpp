@@ -75,11 +75,13 @@ SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeo
                      const Crosshair& crosshair, glm::ivec2 pixels) {
   const bool ofFrames = showsFrames(view.kind);
   SlicePlane plane = unturned(geometry, view.kind);
-  const glm::dvec2 whole = glm::dvec2(plane.size) * plane.mmPerPixel;
+  glm::dvec2 whole = glm::dvec2(plane.size) * plane.mmPerPixel;
+  if (look.turn.quarters % 2) std::swap(whole.x, whole.y);
   const double fittedMm = std::max(whole.x / pixels.x, whole.y / pixels.y);
   plane.size = pixels;
   plane.mmPerPixel = fittedMm / look.zoom;
   if (!ofFrames) plane.right = crosshair.plane(view.kind).right, plane.down = crosshair.plane(view.kind).down;
+  turnAxes(look.turn, plane.right, plane.down);
   plane.centre = geometry.centre() + look.panMm.x * plane.right + look.panMm.y * plane.down;
   if (!ofFrames) plane.centre += plane.normal() * glm::dot(crosshair.at - plane.centre, plane.normal());
   plane.slabMm = look.slabMm;
@@ -161,8 +163,9 @@ Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& fra
     if (id != view && (alone || (scrollsAlone(workspace, id) && state.crosshairs.contains(frame)))) continue;
     const VoxelGeometry& geometry = drawnGeometry(*series);
     // Where the crosshair stands from the volume's centre in the picture, before and after.
+    const FlatLook turned{.turn = flatLookOf(state).turn};
     const auto place = [&](const Crosshair& crosshair) {
-      const SlicePlane plane = flatPlane(state, {}, geometry, lyingFor(crosshair, geometry), {1, 1});
+      const SlicePlane plane = flatPlane(state, turned, geometry, lyingFor(crosshair, geometry), {1, 1});
       const glm::dvec3 from = after.at - geometry.centre();
       return glm::dvec2(glm::dot(from, plane.right), glm::dot(from, plane.down));
     };

@@ -56,7 +56,7 @@ Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& fra
 ViewKind acquiredKind(const VoxelGeometry& geometry);
 
 /// With the planes of the two other kinds turned about the normal of this one, radians, clockwise in its
-/// picture.
+/// picture where that is not mirrored.
 Crosshair turnedIn(Crosshair crosshair, ViewKind kind, double angle);
 
 /// Planes along the slices as acquired and at right angles to them, each named after the patient's plane that

@@ -28,11 +28,8 @@ Displayed displayedOf(const LoadedFrame& frame) {
                   acquired.down,
                   geometry.patientFromVoxel({middle, 0}),
                   {spacing.x, spacing.y}};
-  for (int n = 0; n < frame.how->turn.quarters; ++n) {
-    std::swap(shown.mm.x, shown.mm.y);
-    shown.right = std::exchange(shown.down, shown.right) * -1.0;
-  }
-  if (frame.how->turn.mirrored) shown.right = -shown.right;
+  if (frame.how->turn.quarters % 2) std::swap(shown.mm.x, shown.mm.y);
+  turnAxes(frame.how->turn, shown.right, shown.down);
   return shown;
 }
 
@@ -46,10 +43,12 @@ std::string opposite(std::string letters) {
 
 SlicePlane presentedPlane(const LoadedFrame& frame, const FlatLook& look, SlicePlane plane) {
   const Displayed shown = displayedOf(frame);
-  const glm::dvec2 whole = glm::dvec2(shown.grid.size()) * shown.mm;
+  glm::dvec2 whole = glm::dvec2(shown.grid.size()) * shown.mm;
+  if (look.turn.quarters % 2) std::swap(whole.x, whole.y);
   plane.mmPerPixel = std::max(whole.x / plane.size.x, whole.y / plane.size.y) / look.zoom;
   plane.right = shown.right;
   plane.down = shown.down;
+  turnAxes(look.turn, plane.right, plane.down);
   plane.centre = shown.centre + look.panMm.x * plane.right + look.panMm.y * plane.down;
   return plane;
 }

@@ -153,9 +153,16 @@ void fields(Fields& f, RegionsLook& look) {
 }
 
 template <class Fields>
+void fields(Fields& f, PictureTurn& turn) {
+  f("quarters", turn.quarters, {0, 3});
+  f("mirrored", turn.mirrored);
+}
+
+template <class Fields>
 void fields(Fields& f, FlatLook& look) {
   f("panMm", look.panMm, lengths);
   f("zoom", look.zoom, {1e-3, 1e4});
+  f("turn", look.turn);
   f("slabMm", look.slabMm, {0, 1e6});
   f("slabMode", look.slabMode, slabWords);
   f("nearest", look.nearest);

@@ -198,6 +198,13 @@ Workspace fusedWith(Workspace workspace, const Series& under) {
   return withFlatLooks(std::move(workspace), axialViewId, [&](FlatLook& look) { look.overlay = over; });
 }
 
+void turnFurther(FlatLook& look, PictureTurn by) {
+  glm::dvec3 right{1, 0, 0}, down{0, 1, 0};
+  turnAxes(by, right, down);
+  look.turn = composed(look.turn, by);
+  look.panMm = {glm::dot(look.panMm, glm::dvec2(right)), glm::dot(look.panMm, glm::dvec2(down))};
+}
+
 void makeWhole(FlatLook& look) { look.panMm = {0, 0}, look.zoom = 1, look.slabMm = 0; }
 
 Workspace withFrames(Workspace workspace, ViewId view, const Series& series) {

@@ -24,6 +24,7 @@
 #include "viewer/segment/mask.h"
 #include "viewer/slice/colour_map.h"
 #include "viewer/slice/plane.h"
+#include "viewer/slice/presentation.h"
 #include "viewer/volume/rigid.h"
 
 namespace volumen {
@@ -54,6 +55,7 @@ struct FlatLook {
   double zoom = 1;      ///< relative to the picture that shows all of the volume
   double slabMm = 0;
   SlabMode slabMode = SlabMode::max;
+  PictureTurn turn{};     ///< of what would be seen without
   bool nearest = false;   ///< voxels as they are, not interpolated
   bool inverted = false;  ///< bright where it would be dark; colours stay
   int frame = 0;          ///< of frames: which, from 0
@@ -70,6 +72,9 @@ inline constexpr double leastZoom = 0.05, mostZoom = 200;
 
 /// All of it in the view, and no slab.
 void makeWhole(FlatLook& look);
+
+/// Turned further, about the middle of the view.
+void turnFurther(FlatLook& look, PictureTurn by);
 
 /// Whose window frames of a series are shown by where none was set: by default that of the series, of
 /// projections that of each frame.

@@ -47,6 +47,17 @@ std::vector<glm::dvec2> smoothLine(const std::vector<glm::dvec2>& p) {
 
 }  // namespace
 
+PictureTurn composed(PictureTurn first, PictureTurn second) {
+  // A mirror image turns the other way round.
+  const int turned = first.quarters + (first.mirrored ? -second.quarters : second.quarters);
+  return {(turned % 4 + 4) % 4, first.mirrored != second.mirrored};
+}
+
+void turnAxes(PictureTurn turn, glm::dvec3& right, glm::dvec3& down) {
+  for (int n = 0; n < turn.quarters; ++n) right = std::exchange(down, right) * -1.0;
+  if (turn.mirrored) right = -right;
+}
+
 PresentedGrid::PresentedGrid(const FramePresentation& how, glm::ivec2 size)
     : area_(how.area.value_or(PixelBox{{0, 0}, size - 1})),
       turn_(how.turn),

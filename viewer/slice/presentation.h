@@ -15,6 +15,12 @@ struct PictureTurn {
   bool operator==(const PictureTurn&) const = default;
 };
 
+/// One turn that does what these two do one after the other.
+PictureTurn composed(PictureTurn first, PictureTurn second);
+
+/// The directions of a picture's right and down once it is turned.
+void turnAxes(PictureTurn turn, glm::dvec3& right, glm::dvec3& down);
+
 /// A rectangle of pixels, both ends inside, counted from 0; it may reach beyond the picture.
 struct PixelBox {
   glm::ivec2 from{0}, to{0};

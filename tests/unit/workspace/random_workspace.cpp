@@ -144,6 +144,7 @@ FlatLook anyFlat(Chance& chance, const SeriesKey& overlay) {
   look.slabMm = chance.oneIn(2) ? 0 : chance.power(-2, 2);
   look.slabMode = SlabMode(chance.below(3));
   look.nearest = chance.oneIn(2);
+  look.turn = {chance.below(4), chance.oneIn(2)};
   look.inverted = chance.oneIn(2);
   look.frame = chance.below(100);
   look.layers = chance.oneIn(2);
