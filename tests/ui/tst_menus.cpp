@@ -72,7 +72,8 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Use OpenGL (usually slower without a GPU); Show error map; |; "
       "Maximise view; Full screen; Light theme; Hide names; Layout >; Show in this view >; Turn and size >; "
       "Link >; "
-      "Measure >; Interpolate between voxels; Slab >; Colour map >; PET values >; Overlay >; Panels >");
+      "Measure >; Window >; Interpolate between voxels; Slab >; Colour map >; PET values >; Overlay >; "
+      "Panels >");
   row("&View/Layout",
       "One view; Planes and 3D; Large 3D beside planes; Two series; Four series; |; "
       "Planes along the slices; Planes along the patient");
@@ -101,7 +102,8 @@ void TestMenus::theToolBarHoldsWhatItShould() {
   QCOMPARE(entriesOf(window.findChild<QToolBar*>(QStringLiteral("tools"))),
            listed("Open folder...; Study list; Undo; Redo; |; "
                   "Rotate; Adjust curve (W/L); Scissors; Reset view; |; "
-                  "[]; [layoutButton]; [measureButton]; [linkButton]; []; Save picture...; Mouse and keys"));
+                  "[]; [layoutButton]; [windowButton]; [measureButton]; [linkButton]; []; Save picture...; "
+                  "Mouse and keys"));
 }
 
 VOLUMEN_TEST(TestMenus);

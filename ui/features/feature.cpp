@@ -32,6 +32,7 @@ const std::vector<FeatureEntry>& features() {
       {"frames", makeFrameActions},
       {"views", makeViewActions},
       {"picture turns", makePictureTurns},
+      {"windows", makeWindowChoices},
       {"study list", makeStudyListing},
       {"help", makeHelp},
   };

@@ -70,5 +70,6 @@ std::unique_ptr<Feature> makeStudyListing(Workbench& bench);
 std::unique_ptr<Feature> makeUndo(Workbench& bench);
 std::unique_ptr<Feature> makeViewActions(Workbench& bench);
 std::unique_ptr<Feature> makeViewPictures(Workbench& bench);
+std::unique_ptr<Feature> makeWindowChoices(Workbench& bench);
 
 }  // namespace volumen

@@ -8,7 +8,6 @@
 #include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/frame_look.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 
@@ -26,7 +25,6 @@ class FrameActions : public Feature {
   void connectFrames();
   void setShowAsFrames(bool asFrames);
   void showFrameActions();
-  void addGreys(QMenu* menu, FrameView* view) const;
   void showSliceMenu(FlatView* view, QPoint global);
 };
 
@@ -118,27 +116,11 @@ void FrameActions::showFrameActions() {
       ->setEnabled(asFrames ? frameCount(*series) > 1 : series && hasTimePoints(workspace, keyOf(*series)));
 }
 
-// The windows that a frame may be shown by.
-void FrameActions::addGreys(QMenu* menu, FrameView* view) const {
-  const SeriesState& state = session_.workspace().series.at(view->state().series);
-  const std::vector<GreyChoice> choices = greyChoices(*view->frame(), state);
-  for (std::size_t n = 0; n < choices.size(); ++n) {
-    const QString digit = n < 10 ? QStringLiteral("\t%1").arg(n) : QString();
-    QAction* action = menu->addAction(choices[n].name + digit, view,
-                                      [view, choice = choices[n]] { view->chooseGrey(choice); });
-    action->setCheckable(true);
-    action->setChecked(withGrey(state, choices[n]) == state);
-  }
-  if (!choices.empty()) menu->addAction(tr("Invert") + QStringLiteral("\tI"), view, &FlatView::invert);
-  menu->addSeparator();
-}
-
 void FrameActions::showSliceMenu(FlatView* view, QPoint global) {
   auto* menu = new QMenu(&bench_.window);
   menu->setObjectName(QStringLiteral("flatMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   auto* frames = qobject_cast<FrameView*>(view);
-  if (frames && frames->frame()) addGreys(menu, frames);
   menu->addAction(bench_.action("interpolate"));
   bench_.sliceMenuOpens(menu, view);
   menu->addSeparator();

@@ -46,6 +46,14 @@ class FlatView : public View {
   /// What is written over the picture. Only where shown() is something.
   virtual Overlays overlays() const = 0;
   void invert();
+  /// A window to choose by name.
+  struct WindowChoice {
+    QString name;
+    bool isChosen;
+  };
+  /// In the order of their digits, from 0: as the series says; empty: there is none to choose.
+  virtual std::vector<WindowChoice> windows() const = 0;
+  virtual void chooseWindow(int number) = 0;
   /// Turned further than it is.
   void turnPicture(const QString& text, PictureTurn by);
   /// So many mm a device pixel, about the middle.
@@ -97,8 +105,6 @@ class FlatView : public View {
   virtual Window greyWindow() const = 0;
   /// False of colours.
   virtual bool hasWindow() const { return true; }
-  /// 0: as the series says; 1 and on: those of the menu.
-  virtual void chooseWindow(int number) = 0;
   /// Whether its places are those of the patient.
   virtual bool hasCursor() const { return true; }
   virtual void makeThicker(int /*steps*/) {}

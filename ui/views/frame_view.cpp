@@ -154,17 +154,22 @@ void FrameView::stop() {
   update();
 }
 
-void FrameView::chooseGrey(const GreyChoice& choice) {
-  session_.change(tr("Window"), [&](Workspace& w) {
-    SeriesState& state = w.series.edit(this->state().series);
-    state = withGrey(state, choice);
-  });
+std::vector<FlatView::WindowChoice> FrameView::windows() const {
+  std::vector<WindowChoice> all;
+  if (!shown()) return all;
+  for (const GreyChoice& choice : greyChoices(*frame_, seriesState()))
+    all.push_back({choice.name, withGrey(seriesState(), choice) == seriesState()});
+  return all;
 }
 
 void FrameView::chooseWindow(int number) {
   if (!shown()) return;
   const std::vector<GreyChoice> choices = greyChoices(*frame_, seriesState());
-  if (number < int(choices.size())) chooseGrey(choices[std::size_t(number)]);
+  if (number >= int(choices.size())) return;
+  session_.change(tr("Window"), [&](Workspace& w) {
+    SeriesState& state = w.series.edit(this->state().series);
+    state = withGrey(state, choices[std::size_t(number)]);
+  });
 }
 
 PictureSeen FrameView::pictureSeen() const {

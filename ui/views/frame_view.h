@@ -26,6 +26,8 @@ class FrameView : public FlatView {
   QString failure() const override { return failure_; }
   void togglePlay() override;
   Overlays overlays() const override;
+  std::vector<WindowChoice> windows() const override;
+  void chooseWindow(int number) override;
   PictureSeen pictureSeen() const override;
 
  protected:
@@ -41,7 +43,6 @@ class FrameView : public FlatView {
   StackPlace place() const override;
   Window greyWindow() const override;
   bool hasWindow() const override { return !frame_ || !frame_->colour(); }
-  void chooseWindow(int number) override;
   bool hasCursor() const override { return frame_ && frame_->geometry().calibrated; }
   void stop() override;
   Warnings warnings() const override;

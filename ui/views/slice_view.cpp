@@ -128,6 +128,15 @@ Workspace SliceView::unturned(Workspace workspace) const {
   return withCrosshair(std::move(workspace), id(), frameOfReference(shown->series), before, {before.at});
 }
 
+std::vector<FlatView::WindowChoice> SliceView::windows() const {
+  const LoadedSeriesPtr shown = this->shown();
+  std::vector<WindowChoice> all;
+  if (!shown) return all;
+  for (const NamedWindow& choice : windowChoices(*shown))
+    all.push_back({choice.name, choice.window == seriesState().window});
+  return all;
+}
+
 void SliceView::chooseWindow(int number) {
   const LoadedSeriesPtr shown = this->shown();
   if (!shown) return;
@@ -188,7 +197,9 @@ Overlays SliceView::overlays() const {
               tr("with %1, %2 %").arg(seriesText(over->series)).arg(std::lround(100 * look.overlayOpacity)));
   texts.add(CornerItem::mark, keyImageText());
   Overlays o = cornersOf(texts);
-  o.bottomRight = windowText(window, shown->series);
+  const QString name = windowName(window, shown->series);
+  o.bottomRight = name.isEmpty() ? windowText(window, shown->series)
+                                 : QStringLiteral("%1  %2").arg(name, windowText(window, shown->series));
   if (!shown->volume->geometry().calibrated) return o;
   const auto letters = [known = knowsSides(shown->series)](glm::dvec3 d) {
     return known ? QString::fromStdString(sideLetters(d)) : QString();

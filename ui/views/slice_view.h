@@ -19,6 +19,8 @@ class SliceView : public FlatView {
   LoadedSeriesPtr shown() const override;
   void togglePlay() override;
   Overlays overlays() const override;
+  std::vector<WindowChoice> windows() const override;
+  void chooseWindow(int number) override;
   PictureSeen pictureSeen() const override;
 
  protected:
@@ -27,7 +29,6 @@ class SliceView : public FlatView {
   void seriesExchanged(bool another) override;
   StackPlace place() const override;
   Window greyWindow() const override;
-  void chooseWindow(int number) override;
   void makeThicker(int steps) override;
   Workspace unturned(Workspace workspace) const override;
   Warnings warnings() const override;

@@ -56,8 +56,15 @@ std::vector<NamedWindow> tissueWindows(const Series& series) {
                                                 {tr("Lung"), {-600, 1500}},
                                                 {tr("CT angiography"), {170, 600}},
                                                 {tr("Bone MIP"), {700, 1800}}};
-  for (const auto& [name, window] : tissues) all.push_back({namedWindowText(name, window, series), window});
+  for (const auto& [name, window] : tissues)
+    all.push_back({namedWindowText(name, window, series), window, name});
   return all;
+}
+
+QString windowName(const Window& window, const Series& series) {
+  const std::vector<NamedWindow> tissues = tissueWindows(series);
+  const auto found = std::ranges::find(tissues, window, &NamedWindow::window);
+  return found == tissues.end() ? QString() : found->word;
 }
 
 std::vector<NamedWindow> windowChoices(const LoadedSeries& series) {

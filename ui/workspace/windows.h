@@ -27,6 +27,7 @@ GreyMapping greyMapping(const Window& window, const LoadedSeries& series);
 struct NamedWindow {
   QString name;                  ///< "Bone (2000 / 400)"
   std::optional<Window> window;  ///< none: automatic
+  QString word{};                ///< "Bone", of tissues
 };
 
 /// Automatic, the file's own, and for HU those of tissues, for SUV those from 0 on.
@@ -34,6 +35,9 @@ std::vector<NamedWindow> windowChoices(const LoadedSeries& series);
 
 /// Those of tissues, for HU; from 0 to 5, 7, 10 and 15 of SUV, inverted as PET is; else none.
 std::vector<NamedWindow> tissueWindows(const Series& series);
+
+/// The word of the tissue that a window is made for; empty: of none.
+QString windowName(const Window& window, const Series& series);
 
 /// The scene drawn in another mode; a projection without a window gets one that suits its values.
 Scene withMode(Scene scene, Mode mode, const LoadedSeries& series);

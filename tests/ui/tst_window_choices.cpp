@@ -1,0 +1,99 @@
+// Guards that windows are chosen by name: at a right click, in the View menu and in the tool bar, with the
+// digits that choose them; the name of a tissue's window stands in the corner while it holds.
+#include <QMenu>
+#include <QToolButton>
+
+#include "tests/ui/measure_window.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+QAction* entry(const QMenu* menu, const char* text) {
+  for (QAction* action : menu->actions())
+    if (action->text().startsWith(QLatin1String(text))) return action;
+  return nullptr;
+}
+
+QString chosenIn(const QMenu* menu) {
+  QStringList chosen;
+  for (const QAction* action : menu->actions())
+    if (action->isChecked()) chosen << action->text();
+  return chosen.join(QLatin1Char('|'));
+}
+
+}  // namespace
+
+class TestWindowChoices : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aRightClickChoosesOne();
+  void theMenuSaysWhichIsChosen();
+  void theNameStandsWhileItHolds();
+  void whatHasNoTissuesHasNone();
+  void withoutASliceItSaysSo();
+};
+
+void TestWindowChoices::aRightClickChoosesOne() {
+  MeasureWindow w;
+  QTest::mouseClick(w.view(), Qt::RightButton, {}, {90, 90});
+  auto* menu = w.child<QMenu>("flatMenu");
+  QVERIFY(menu && menu->isVisible());
+  QCOMPARE(menu->actions().front()->text(), QStringLiteral("Automatic\t0"));
+  QAction* lung = entry(menu, "Lung");
+  QVERIFY(lung);
+  const int digit = lung->text().section(QLatin1Char('\t'), 1).toInt();
+  QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(lung).center());
+  const auto window = [&] { return w.session().workspace().series.at(w.view()->state().series).window; };
+  QCOMPARE(window(), std::optional(Window{-600, 1500}));
+  w.undo();
+  QVERIFY(!window());
+  QTest::keyClick(w.view(), Qt::Key(Qt::Key_0 + digit));
+  QCOMPARE(window(), std::optional(Window{-600, 1500}));
+}
+
+void TestWindowChoices::theMenuSaysWhichIsChosen() {
+  MeasureWindow w;
+  auto* menu = w.child<QMenu>("windowMenu");
+  QCOMPARE(w.child<QToolButton>("windowButton")->menu(), menu);
+  Q_EMIT menu->aboutToShow();
+  QVERIFY(chosenIn(menu).startsWith(QStringLiteral("Automatic")));
+  entry(menu, "Brain")->trigger();
+  Q_EMIT menu->aboutToShow();
+  QVERIFY(chosenIn(menu).startsWith(QStringLiteral("Brain (80 / 40)")));
+  entry(menu, "Invert")->trigger();
+  QVERIFY(flatLookOf(w.view()->state()).inverted);
+}
+
+void TestWindowChoices::theNameStandsWhileItHolds() {
+  MeasureWindow w;
+  QVERIFY(w.view()->overlays().bottomRight.startsWith(QStringLiteral("W ")));
+  Q_EMIT w.child<QMenu>("windowMenu")->aboutToShow();
+  entry(w.child<QMenu>("windowMenu"), "Lung")->trigger();
+  QCOMPARE(w.view()->overlays().bottomRight, QStringLiteral("Lung  W 1500 L -600"));
+  drag(w.view(), {90, 90}, {110, 90});
+  QVERIFY(w.view()->overlays().bottomRight.startsWith(QStringLiteral("W ")));
+}
+
+void TestWindowChoices::whatHasNoTissuesHasNone() {
+  auto series = std::make_shared<LoadedSeries>(*ballSeries());
+  series->series.modality = "MR";
+  series->series.unit.clear();
+  MeasureWindow w(series);
+  Q_EMIT w.child<QMenu>("windowMenu")->aboutToShow();
+  QVERIFY(entry(w.child<QMenu>("windowMenu"), "Automatic"));
+  QVERIFY(!entry(w.child<QMenu>("windowMenu"), "Lung"));
+}
+
+void TestWindowChoices::withoutASliceItSaysSo() {
+  Journey w;
+  Q_EMIT w.child<QMenu>("windowMenu")->aboutToShow();
+  const QList<QAction*> all = w.child<QMenu>("windowMenu")->actions();
+  QCOMPARE(all.size(), 1);
+  QVERIFY(!all.front()->isEnabled() && !all.front()->text().isEmpty());
+}
+
+VOLUMEN_TEST(TestWindowChoices);
+#include "tst_window_choices.moc"

@@ -1,0 +1,64 @@
+#include <QMenu>
+#include <QToolButton>
+
+#include "ui/features/feature.h"
+#include "ui/views/flat_view.h"
+
+namespace volumen {
+
+namespace {
+
+// The windows of the slice or frame in focus by name, with the digits that choose them: in the View menu, in
+// the tool bar, at a right click.
+class WindowChoices : public Feature {
+ public:
+  explicit WindowChoices(Workbench& bench);
+
+ private:
+  QList<QAction*> choicesOf(QMenu* menu, FlatView* view) const;
+};
+
+WindowChoices::WindowChoices(Workbench& bench) : Feature(bench) {
+  QMenu* menu = bench_.addMenu("windowMenu", tr("Window"), {{"viewMenu", 60, 85}});
+  QToolButton* button = bench_.addMenuButton("windowButton", 15);
+  button->setText(tr("Window"));
+  button->setMenu(menu);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+    menu->clear();
+    menu->addActions(choicesOf(menu, bench_.flatViewInFocus()));
+    if (menu->isEmpty()) menu->addAction(tr("Click a slice or a frame first."))->setEnabled(false);
+  });
+  connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* over, FlatView* view) {
+    QAction* first = over->actions().value(0);
+    over->insertActions(first, choicesOf(over, view));
+    over->insertSeparator(first);
+  });
+}
+
+QList<QAction*> WindowChoices::choicesOf(QMenu* menu, FlatView* view) const {
+  QList<QAction*> all;
+  if (!view) return all;
+  const std::vector<FlatView::WindowChoice> windows = view->windows();
+  for (int n = 0; n < int(windows.size()); ++n) {
+    const QString digit = n < 10 ? QStringLiteral("\t%1").arg(n) : QString();
+    QString name = windows[std::size_t(n)].name;
+    name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+    auto* action = new QAction(name + digit, menu);
+    action->setCheckable(true);
+    action->setChecked(windows[std::size_t(n)].isChosen);
+    connect(action, &QAction::triggered, view, [view, n] { view->chooseWindow(n); });
+    all << action;
+  }
+  if (all.isEmpty()) return all;
+  auto* invert = new QAction(tr("Invert") + QStringLiteral("\tI"), menu);
+  connect(invert, &QAction::triggered, view, &FlatView::invert);
+  return all << invert;
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeWindowChoices(Workbench& bench) {
+  return std::make_unique<WindowChoices>(bench);
+}
+
+}  // namespace volumen
