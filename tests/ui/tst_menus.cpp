@@ -65,14 +65,15 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Save 3D snapshot...; Copy 3D snapshot; |; Quit");
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
-      "Rotate; Adjust curve (W/L); Scissors; Reset view; |; "
+      "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window; Scroll; Pan; Zoom; Crosshair; |; "
       "Anterior view; Posterior view; Left view; Right view; Superior view; Inferior view; |; "
       "Show as frames; Each image its own window; Overlays and shutters; Play or stop; |; "
       "Key image; Previous key image; Next key image; |; "
       "Use OpenGL (usually slower without a GPU); Show error map; |; "
       "Maximise view; Full screen; Light theme; Hide names; Layout >; Show in this view >; Turn and size >; "
       "Link >; "
-      "Measure >; Window >; Interpolate between voxels; Slab >; Colour map >; PET values >; Overlay >; "
+      "Measure >; Window presets >; Interpolate between voxels; Slab >; Colour map >; PET values >; Overlay "
+      ">; "
       "Panels >");
   row("&View/Layout",
       "One view; Planes and 3D; Large 3D beside planes; Two series; Four series; |; "
@@ -99,11 +100,12 @@ void TestMenus::menusHoldWhatTheyShould() {
 
 void TestMenus::theToolBarHoldsWhatItShould() {
   const MainWindow window(realServices());
-  QCOMPARE(entriesOf(window.findChild<QToolBar*>(QStringLiteral("tools"))),
-           listed("Open folder...; Study list; Undo; Redo; |; "
-                  "Rotate; Adjust curve (W/L); Scissors; Reset view; |; "
-                  "[]; [layoutButton]; [windowButton]; [measureButton]; [linkButton]; []; Save picture...; "
-                  "Mouse and keys"));
+  QCOMPARE(
+      entriesOf(window.findChild<QToolBar*>(QStringLiteral("tools"))),
+      listed("Open folder...; Study list; Undo; Redo; |; "
+             "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window; Scroll; Pan; Zoom; Crosshair; |; "
+             "[]; [layoutButton]; [windowButton]; [measureButton]; [linkButton]; []; Save picture...; "
+             "Mouse and keys"));
 }
 
 VOLUMEN_TEST(TestMenus);

@@ -31,6 +31,7 @@ const std::vector<FeatureEntry>& features() {
       {"key images", makeKeyImages},
       {"frames", makeFrameActions},
       {"views", makeViewActions},
+      {"flat tools", makeFlatTools},
       {"picture turns", makePictureTurns},
       {"windows", makeWindowChoices},
       {"study list", makeStudyListing},

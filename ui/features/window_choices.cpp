@@ -3,6 +3,7 @@
 
 #include "ui/features/feature.h"
 #include "ui/views/flat_view.h"
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 
@@ -19,9 +20,10 @@ class WindowChoices : public Feature {
 };
 
 WindowChoices::WindowChoices(Workbench& bench) : Feature(bench) {
-  QMenu* menu = bench_.addMenu("windowMenu", tr("Window"), {{"viewMenu", 60, 85}});
+  QMenu* menu = bench_.addMenu("windowMenu", tr("Window presets"), {{"viewMenu", 60, 85}});
   QToolButton* button = bench_.addMenuButton("windowButton", 15);
-  button->setText(tr("Window"));
+  button->setText(tr("W/L"));
+  button->setToolTip(toolTipOf(tr("Windows of the slice or frame in focus, by name")));
   button->setMenu(menu);
   connect(menu, &QMenu::aboutToShow, this, [this, menu] {
     menu->clear();

@@ -1,0 +1,83 @@
+// Guards that what a left drag does in slices is chosen by buttons that are seen, one at a time, beside
+// measuring.
+#include <QToolBar>
+
+#include "tests/ui/measure_window.h"
+#include "tests/unit/suite.h"
+#include "ui/workspace/flat_plane.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+struct Seen {
+  std::optional<Window> window;
+  glm::dvec2 panMm{0};
+  double zoom = 1;
+  glm::dvec3 at{0};
+
+  explicit Seen(MeasureWindow& w) {
+    const ViewState& state = w.view()->state();
+    const FlatLook look = flatLookOf(state);
+    window = w.session().workspace().series.at(state.series).window;
+    panMm = look.panMm;
+    zoom = look.zoom;
+    at = crosshairOf(w.session().workspace(), axialViewId, *w.view()->shown()).at;
+  }
+};
+
+}  // namespace
+
+class TestFlatTools : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aDragDoesWhatTheButtonSays_data();
+  void aDragDoesWhatTheButtonSays();
+  void oneOfThemIsChosen();
+};
+
+void TestFlatTools::aDragDoesWhatTheButtonSays_data() {
+  QTest::addColumn<QByteArray>("changed");
+  for (const char* tool : {"window", "scroll", "pan", "zoom", "crosshair"})
+    QTest::newRow(tool) << QByteArray(tool);
+}
+
+void TestFlatTools::aDragDoesWhatTheButtonSays() {
+  QFETCH(QByteArray, changed);
+  MeasureWindow w;
+  QAction* action = w.child<QAction>((changed + "Tool").constData());
+  QWidget* button = w.child<QToolBar>("tools")->widgetForAction(action);
+  QTest::mouseClick(button, Qt::LeftButton);
+  QVERIFY(action->isChecked());
+  QTest::mouseClick(button, Qt::LeftButton);
+  QVERIFY(action->isChecked());
+  const Seen before(w);
+  drag(w.view(), {90, 90}, {100, 130});
+  const Seen after(w);
+  QCOMPARE(before.window != after.window, changed == "window");
+  QCOMPARE(before.panMm != after.panMm, changed == "pan" || changed == "zoom");
+  QCOMPARE(before.zoom != after.zoom, changed == "zoom");
+  QCOMPARE(before.at != after.at, changed == "scroll" || changed == "crosshair");
+}
+
+void TestFlatTools::oneOfThemIsChosen() {
+  MeasureWindow w;
+  const auto chosen = [&] {
+    QStringList names;
+    for (const QAction* action : w.child<QToolBar>("tools")->actions())
+      if (action->isChecked()) names << action->objectName();
+    names.removeAll(QStringLiteral("rotateTool"));  // of 3D
+    return names.join(QLatin1Char(' '));
+  };
+  QCOMPARE(chosen(), QStringLiteral("windowTool"));
+  w.child<QAction>("scrollTool")->trigger();
+  QCOMPARE(chosen(), QStringLiteral("scrollTool"));
+  QTest::keyClick(w.view(), Qt::Key_D);  // a length
+  QCOMPARE(chosen(), QString());
+  QTest::keyClick(w.view(), Qt::Key_W);
+  QCOMPARE(chosen(), QStringLiteral("windowTool"));
+}
+
+VOLUMEN_TEST(TestFlatTools);
+#include "tst_flat_tools.moc"

@@ -1,0 +1,35 @@
+#include "ui/features/feature.h"
+#include "ui/tools/tool.h"
+#include "ui/views/view_grid.h"
+
+namespace volumen {
+
+namespace {
+
+// What a left drag does in slices and frames, beside measuring: a button each.
+class FlatTools : public Feature {
+ public:
+  explicit FlatTools(Workbench& bench);
+};
+
+FlatTools::FlatTools(Workbench& bench) : Feature(bench) {
+  for (const Tool& tool : tools()) {
+    if (!tool.inSlices || tool.measuring) continue;
+    const std::string name = std::string(tool.name) + "Tool";
+    QAction* action = bench_.addAction(
+        {name.c_str(), tool.text, {}, tool.name, true, {}, {{"viewMenu", 15}, {"toolBar", 25}}});
+    const auto show = [this, action, &tool] { action->setChecked(&grid_.tool() == &tool); };
+    connect(action, &QAction::triggered, this, [this, &tool, show] {
+      grid_.setTool(tool);
+      show();  // a click on the one that is chosen leaves it so
+    });
+    connect(&grid_, &ViewGrid::toolChanged, action, show);
+    show();
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeFlatTools(Workbench& bench) { return std::make_unique<FlatTools>(bench); }
+
+}  // namespace volumen
