@@ -61,7 +61,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Study list; Find study...; Import folder...; |; "
       "Open session...; Save session; Save session as...; |; "
       "Restore earlier work >; Open scene...; Save scene...; |; Save picture...; Copy picture; Save all "
-      "views...; Copy all views; "
+      "views...; Copy all views; Print picture...; "
       "Save 3D snapshot...; Copy 3D snapshot; |; Quit");
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",

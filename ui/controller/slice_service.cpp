@@ -14,15 +14,15 @@ Result<QImage> drawPicture(const SliceRequest& request) {
   return drawFrame(*request.frame, request.plane, request.layers.front().grey, request.withLayers);
 }
 
-Result<QImage> draw(const SliceRequest& request) {
+}  // namespace
+
+Result<QImage> drawSlice(const SliceRequest& request) {
   Result<QImage> picture = drawPicture(request);
   if (!picture) return picture;
   for (const SegmentLayer& layer : request.segments)
     *picture = withSegments(std::move(*picture), request.plane, layer);
   return picture;
 }
-
-}  // namespace
 
 struct SliceService::Waiting {
   std::mutex mutex;  // guards what follows
@@ -44,7 +44,7 @@ void SliceService::request(SliceRequest latest) {
           const std::lock_guard lock(waiting->mutex);
           request = std::exchange(waiting->request, {});
         }
-        Result<QImage> image = request ? draw(*request) : Result<QImage>(QImage());
+        Result<QImage> image = request ? drawSlice(*request) : Result<QImage>(QImage());
         return std::pair(std::move(request), std::move(image));
       },
       [this](const std::pair<std::optional<SliceRequest>, Result<QImage>>& drawn) {

@@ -30,6 +30,9 @@ struct SlicePicture {
   QImage image;
 };
 
+/// The picture of a request, whole. The Error is that of sliceImage() or drawFrame().
+Result<QImage> drawSlice(const SliceRequest& request);
+
 /// Draws flat pictures on a thread of its own, so that they never wait for a 3D one: of each view the latest
 /// request, in the order in which they were asked for. Asking never waits.
 class SliceService : public QObject {

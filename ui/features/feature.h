@@ -59,6 +59,7 @@ std::unique_ptr<Feature> makePanels(Workbench& bench);
 std::unique_ptr<Feature> makePictureTurns(Workbench& bench);
 std::unique_ptr<Feature> makePreferences(Workbench& bench);
 std::unique_ptr<Feature> makePresets(Workbench& bench);
+std::unique_ptr<Feature> makePrinting(Workbench& bench);
 std::unique_ptr<Feature> makeDerivedObjects(Workbench& bench);
 std::unique_ptr<Feature> makeRegistration(Workbench& bench);
 std::unique_ptr<Feature> makeScenes(Workbench& bench);

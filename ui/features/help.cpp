@@ -121,8 +121,8 @@ void Help::showShortcuts() {
          "opens, Ctrl+Enter opens beside, Delete removes from the list)"),
       tr("Ctrl+O, Ctrl+S"),
       tr("open a folder, save the session"),
-      tr("Ctrl+E, Ctrl+C, Ctrl+Shift+C"),
-      tr("save the picture of the view in focus as it is seen, copy it; copy all views"),
+      tr("Ctrl+E, Ctrl+C, Ctrl+P, Ctrl+Shift+C"),
+      tr("save, copy, print the picture of the view in focus as it is seen; copy all views"),
       tr("Ctrl+Shift+E"),
       tr("save a snapshot of the 3D picture at any size and quality"),
   };

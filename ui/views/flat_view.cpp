@@ -57,6 +57,19 @@ void FlatView::askForPicture() {
   service_.request(std::move(request));
 }
 
+std::optional<SliceRequest> FlatView::requestFor(int factor) const {
+  std::optional<SlicePlane> now = plane();
+  if (!now) return {};
+  now->size *= factor;
+  now->mmPerPixel /= factor;
+  return requestOf(*now);
+}
+
+QImage FlatView::captureWith(QImage picture, int factor) const {
+  picture.setDevicePixelRatio(factor * devicePixelRatioF());
+  return captureBy(factor, [&](QPainter& painter) { paintWith(painter, picture); });
+}
+
 bool FlatView::mayShow(const SliceRequest& request) const {
   return request.layers.front().volume == asked_->layers.front().volume;
 }

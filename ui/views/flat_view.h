@@ -31,6 +31,10 @@ class FlatView : public View {
   const QImage& picture() const { return picture_; }
   /// The plane on screen, device pixels; none without a series.
   std::optional<SlicePlane> plane() const;
+  /// What is drawn for a picture of `factor` times as many pixels each way; none without a series.
+  std::optional<SliceRequest> requestFor(int factor) const;
+  /// capture() in as many pixels, with the picture of that request.
+  QImage captureWith(QImage picture, int factor) const;
   void setTool(const Tool& tool);
   /// So many steps down.
   virtual void scroll(int steps) = 0;
@@ -138,7 +142,8 @@ class FlatView : public View {
   void tellWarnings();
 
   void workspaceChanged(const Workspace& before) override;
-  void paintShown(QPainter& painter) const override;
+  void paintShown(QPainter& painter) const override { paintWith(painter, picture_); }
+  void paintWith(QPainter& painter, const QImage& picture) const;
   std::vector<QWidget*> badges() const override;
   void paintEvent(QPaintEvent*) override;
   void showEvent(QShowEvent*) override;

@@ -42,16 +42,16 @@ std::vector<QWidget*> FlatView::badges() const {
   return all;
 }
 
-void FlatView::paintShown(QPainter& painter) const {
+void FlatView::paintWith(QPainter& painter, const QImage& picture) const {
   painter.fillRect(rect(), Qt::black);
   if (shown()) {
-    if (!picture_.isNull()) painter.drawImage(QPointF(0, 0), picture_);
+    if (!picture.isNull()) painter.drawImage(QPointF(0, 0), picture);
     paintLines(painter);
     paintMeasurements(painter, drawnMeasurements());
     paintOverlays(painter, overlays(), overlayArea());
     paintColours(painter);
   } else if (isWaiting()) {
-    painter.drawImage(QPointF(0, 0), picture_);
+    painter.drawImage(QPointF(0, 0), picture);
     paintOverlays(painter, waitingOverlays(), overlayArea());
   } else if (const QString sentence = failure(); !sentence.isEmpty()) {
     Overlays only;

@@ -115,12 +115,16 @@ QSize View::pixels() const {
 }
 
 QImage View::capture() const {
-  QImage image(pixels(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(devicePixelRatioF());
+  return captureBy(1, [this](QPainter& painter) { paintShown(painter); });
+}
+
+QImage View::captureBy(int factor, const std::function<void(QPainter&)>& paint) const {
+  QImage image(factor * pixels(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(factor * devicePixelRatioF());
   image.fill(Qt::black);
   QPainter painter(&image);
   painter.setFont(font());
-  paintShown(painter);
+  paint(painter);
   for (QWidget* badge : badges())
     if (badge->isVisible()) badge->render(&painter, badge->pos());
   return image;
