@@ -1,5 +1,6 @@
 #include <QMenu>
 #include <QScreen>
+#include <cmath>
 
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
@@ -19,6 +20,7 @@ class PictureTurns : public Feature {
   void add(const char* name, const QString& text, const QString& key, const Place& place,
            const std::function<void(FlatView&)>& run);
   void showTrueSize(FlatView& view);
+  void zoom(FlatView& view, double mmPerPixel);
 };
 
 PictureTurns::PictureTurns(Workbench& bench) : Feature(bench) {
@@ -44,17 +46,17 @@ void PictureTurns::makeTurns() {
   const std::tuple<const char*, QString, QString, PictureTurn> turns[] = {
       {"turnRight", tr("Turn right"), tr("Ctrl+R"), {1, false}},
       {"turnLeft", tr("Turn left"), tr("Ctrl+Shift+R"), {3, false}},
-      {"mirror", tr("Mirror left to right"), tr("H"), {0, true}},
-      {"mirrorUpright", tr("Mirror top to bottom"), tr("V"), {2, true}}};
+      {"mirror", tr("Mirror left to right"), tr("Ctrl+H"), {0, true}},
+      {"mirrorUpright", tr("Mirror top to bottom"), tr("Ctrl+Shift+H"), {2, true}}};
   for (const auto& [name, text, key, by] : turns)
     add(name, text, key, {"turnMenu", 10},
         [text = text, by = by](FlatView& view) { view.turnPicture(text, by); });
 }
 
 void PictureTurns::makeSizes() {
-  add("ownPixels", tr("A pixel of the picture a pixel of the screen"), tr("Ctrl+1"), {"turnMenu", 20},
-      [](FlatView& view) { view.zoomTo(view.ownPixelMm()); });
-  add("trueSize", tr("True size"), tr("Ctrl+2"), {"turnMenu", 20},
+  add("ownPixels", tr("A pixel of the picture a pixel of the screen"), tr("O"), {"turnMenu", 20},
+      [this](FlatView& view) { zoom(view, view.ownPixelMm()); });
+  add("trueSize", tr("True size"), tr("Shift+O"), {"turnMenu", 20},
       [this](FlatView& view) { showTrueSize(view); });
 }
 
@@ -62,7 +64,13 @@ void PictureTurns::showTrueSize(FlatView& view) {
   if (view.overlays().mmPerPixel <= 0) return warn(tr("The file does not say how large this picture is."));
   const QScreen* screen = view.screen();
   if (screen->physicalSize().isEmpty()) return warn(tr("The screen does not say how large it is."));
-  view.zoomTo(25.4 / (screen->physicalDotsPerInch() * view.devicePixelRatioF()));
+  zoom(view, 25.4 / (screen->physicalDotsPerInch() * view.devicePixelRatioF()));
+}
+
+void PictureTurns::zoom(FlatView& view, double mmPerPixel) {
+  view.zoomTo(mmPerPixel);
+  if (std::abs(view.plane()->mmPerPixel / mmPerPixel - 1) > 1e-6)
+    warn(tr("The view is too large or too small for that size."));
 }
 
 }  // namespace

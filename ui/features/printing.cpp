@@ -44,7 +44,7 @@ void Printing::ask() {
   const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
   auto* trueSize = new QCheckBox(tr("True size: 1 mm of the patient is 1 mm on paper"));
   trueSize->setObjectName(QStringLiteral("printTrueSize"));
-  const FlatView* flat = grid_.viewAs<FlatView>(session_.workspace().focus);
+  const auto* flat = qobject_cast<FlatView*>(grid_.viewShown());
   trueSize->setEnabled(flat && flat->shown() && flat->overlays().mmPerPixel > 0);
   auto* page = new QWidget;
   page->setWindowTitle(tr("Picture"));
@@ -60,10 +60,10 @@ void Printing::ask() {
 }
 
 void Printing::print(const std::shared_ptr<QPrinter>& printer, bool inTrueSize) {
-  const ViewId focus = session_.workspace().focus;
-  const QPointer<FlatView> flat = grid_.viewAs<FlatView>(focus);
+  View* view = grid_.viewShown();
+  const QPointer<FlatView> flat = qobject_cast<FlatView*>(view);
   const auto request = flat ? flat->requestFor(factor) : std::nullopt;
-  if (!request) return printOn(printer, {grid_.viewOf(focus)->capture(), {}});
+  if (!request) return printOn(printer, {view->capture(), {}});
   drawing_.run(
       tr("Printing"), [request](const Job&) { return drawSlice(*request); },
       [this, flat, printer, inTrueSize, request](const Result<QImage>& drawn) {

@@ -1,6 +1,7 @@
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/status_line.h"
+#include "ui/workspace/series_text.h"
 
 namespace volumen {
 

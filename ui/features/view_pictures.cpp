@@ -20,11 +20,10 @@ class ViewPictures : public Feature {
 
  private:
   void copy(const QImage& picture);
-  void save(const QImage& picture, const QString& title);
+  void save(const QImage& picture, const QStringList& warnings, const QString& title);
   void write(const QImage& picture, const QString& path, const PictureText& text);
-  QImage viewInFocus() const { return grid_.viewOf(session_.workspace().focus)->capture(); }
+  View& view() const { return *grid_.viewShown(); }
   QString nameOffered() const;
-  PictureText warnings() const;
 
   JobLane writing_{&bench_.document.jobs};
 };
@@ -41,12 +40,13 @@ ViewPictures::ViewPictures(Workbench& bench) : Feature(bench) {
                       std::move(places)});
   };
   add("savePicture", tr("Save picture..."), {tr("Ctrl+E")}, "snapshot",
-      [this] { save(viewInFocus(), tr("Save the picture of the view")); },
+      [this] { save(view().capture(), view().warningsShown(), tr("Save the picture of the view")); },
       {{"fileMenu", 50}, {"toolBar", 30, toolBarGap + 10}});
-  add("copyPicture", tr("Copy picture"), {QKeySequence::Copy}, "", [this] { copy(viewInFocus()); },
+  add("copyPicture", tr("Copy picture"), {QKeySequence::Copy}, "", [this] { copy(view().capture()); },
       {{"fileMenu", 50}});
   add("saveAllPictures", tr("Save all views..."), {}, "",
-      [this] { save(grid_.capture(), tr("Save the picture of all views")); }, {{"fileMenu", 50, 10}});
+      [this] { save(grid_.capture(), grid_.warningsShown(), tr("Save the picture of all views")); },
+      {{"fileMenu", 50, 10}});
   add("copyAllPictures", tr("Copy all views"), {tr("Ctrl+Shift+C")}, "", [this] { copy(grid_.capture()); },
       {{"fileMenu", 50, 10}});
 }
@@ -61,19 +61,11 @@ QString ViewPictures::nameOffered() const {
   return series ? seriesText(*series).replace(QLatin1Char('/'), QLatin1Char('_')) : QStringLiteral("volumen");
 }
 
-// Of all that is on screen.
-PictureText ViewPictures::warnings() const {
-  std::vector<Warning> all;
-  for (const ViewId id : viewsOnScreen(session_.workspace())) {
-    const auto* flat = grid_.viewAs<FlatView>(id);
-    if (const LoadedSeriesPtr series = flat ? flat->shown() : session_.seriesOf(id))
-      all.insert(all.end(), series->warnings.begin(), series->warnings.end());
-  }
-  return warningText(all);
-}
-
 // As it was when it was asked for, whatever is scrolled to while a place is chosen.
-void ViewPictures::save(const QImage& picture, const QString& title) {
+void ViewPictures::save(const QImage& picture, const QStringList& warnings, const QString& title) {
+  PictureText text{{"Software", "volumen " VOLUMEN_VERSION}, {"Comment", "Not for clinical use"}};
+  if (!warnings.isEmpty())
+    text.emplace_back("volumen-warnings", warnings.join(QLatin1Char('\n')).toStdString());
   auto* dialog = new QFileDialog(&bench_.window, title,
                                  QStandardPaths::writableLocation(QStandardPaths::PicturesLocation),
                                  tr("PNG pictures (*.png);;JPEG pictures (*.jpg *.jpeg)"));
@@ -83,7 +75,7 @@ void ViewPictures::save(const QImage& picture, const QString& title) {
   dialog->setDefaultSuffix(QStringLiteral("png"));
   dialog->selectFile(nameOffered() + QStringLiteral(".png"));
   connect(dialog, &QFileDialog::fileSelected, this,
-          [this, picture, text = warnings()](const QString& path) { write(picture, path, text); });
+          [this, picture, text](const QString& path) { write(picture, path, text); });
   dialog->open();
 }
 

@@ -48,7 +48,11 @@ QList<QAction*> WindowChoices::choicesOf(QMenu* menu, FlatView* view) const {
     auto* action = new QAction(name + digit, menu);
     action->setCheckable(true);
     action->setChecked(windows[std::size_t(n)].isChosen);
-    connect(action, &QAction::triggered, view, [view, n] { view->chooseWindow(n); });
+    // A clip may play on, and have other windows by then.
+    connect(action, &QAction::triggered, view, [view, n, chosen = windows[std::size_t(n)].name] {
+      const std::vector<FlatView::WindowChoice> now = view->windows();
+      if (n < int(now.size()) && now[std::size_t(n)].name == chosen) view->chooseWindow(n);
+    });
     all << action;
   }
   if (all.isEmpty()) return all;

@@ -65,6 +65,13 @@ std::optional<SliceRequest> FlatView::requestFor(int factor) const {
   return requestOf(*now);
 }
 
+QImage FlatView::capture() const {
+  const std::optional<SliceRequest> wanted = requestFor(1);
+  if (!wanted || drawn_ == wanted) return View::capture();
+  const Result<QImage> drawn = drawSlice(*wanted);
+  return captureWith(drawn ? *drawn : QImage(), 1);
+}
+
 QImage FlatView::captureWith(QImage picture, int factor) const {
   picture.setDevicePixelRatio(factor * devicePixelRatioF());
   return captureBy(factor, [&](QPainter& painter) { paintWith(painter, picture); });
@@ -79,6 +86,7 @@ bool FlatView::isWanted(const SliceRequest& request) const { return request == *
 bool FlatView::showPicture(const SlicePicture& picture) {
   if (picture.request.view != id() || !asked_ || !mayShow(picture.request)) return false;
   picture_ = picture.image;
+  drawn_ = picture.request;
   picture_.setDevicePixelRatio(devicePixelRatioF());
   update();
   if (isWanted(picture.request)) Q_EMIT settled();
@@ -87,6 +95,7 @@ bool FlatView::showPicture(const SlicePicture& picture) {
 
 void FlatView::forget() {
   picture_ = {};
+  drawn_.reset();
   asked_.reset();
   tellWarnings();
 }
@@ -124,24 +133,31 @@ void FlatView::setTool(const Tool& tool) {
 }
 
 void FlatView::resetView() {
-  if (state().series.empty()) return;
+  if (state().series.empty() || !letGo()) return;
   Workspace after = unturned(session_.workspace());
-  FlatLook& look = after.editView(id()).flats.editOrAdd(state().series);
-  makeWhole(look);
-  look.turn = {};
+  makeWhole(after.editView(id()).flats.editOrAdd(state().series));
   session_.change(tr("Reset view"), after);
   session_.endGesture();
 }
 
+// What is being drawn belongs to the plane as it was pressed; nothing else lies otherwise while a button is
+// held.
+bool FlatView::letGo() {
+  if (drag_ && drag_->drawing()) drag_.reset();
+  return !drag_;
+}
+
 void FlatView::turnPicture(const QString& text, PictureTurn by) {
-  if (!shown()) return;
+  if (!shown() || !letGo()) return;
+  session_.endGesture();
   editFlat(session_, id(), text, [by](FlatLook& look) { turnFurther(look, by); });
   session_.endGesture();
 }
 
 void FlatView::zoomTo(double mmPerPixel) {
   const std::optional<SlicePlane> now = plane();
-  if (!now) return;
+  if (!now || !letGo()) return;
+  session_.endGesture();
   zoomFlat(session_, id(), flatLookOf(state()), *now, now->centre, now->mmPerPixel / mmPerPixel);
   session_.endGesture();
 }

@@ -33,7 +33,8 @@ class FlatView : public View {
   std::optional<SlicePlane> plane() const;
   /// What is drawn for a picture of `factor` times as many pixels each way; none without a series.
   std::optional<SliceRequest> requestFor(int factor) const;
-  /// capture() in as many pixels, with the picture of that request.
+  QImage capture() const override;
+  /// The same in as many pixels, with the picture of that request.
   QImage captureWith(QImage picture, int factor) const;
   void setTool(const Tool& tool);
   /// So many steps down.
@@ -142,9 +143,10 @@ class FlatView : public View {
   void tellWarnings();
 
   void workspaceChanged(const Workspace& before) override;
-  void paintShown(QPainter& painter) const override { paintWith(painter, picture_); }
+  void paintShown(QPainter& painter) const override;
   void paintWith(QPainter& painter, const QImage& picture) const;
   std::vector<QWidget*> badges() const override;
+  QStringList warningsShown() const override { return warnings().sentences; }
   void paintEvent(QPaintEvent*) override;
   void showEvent(QShowEvent*) override;
   void resizeEvent(QResizeEvent*) override;
@@ -172,6 +174,8 @@ class FlatView : public View {
   std::optional<MeasurementHit> measurementAt(QPointF p) const;
   std::unique_ptr<Drag> pressMeasurement(const SlicePress& press);
   void endDrag(Qt::KeyboardModifiers keys);
+  bool letGo();
+  bool liesAsDrawn() const;
   void askForName(int id);
   QString measurementText(QPointF p) const;
   void showCursorAt(QPointF p);
@@ -183,6 +187,7 @@ class FlatView : public View {
   const Tool* tool_;
   QImage picture_;
   std::optional<SliceRequest> asked_;  // the last
+  std::optional<SliceRequest> drawn_;  // that of picture_
   std::unique_ptr<Drag> drag_;
   int stepsAtPress_ = 0;  // of the undo stack
   QPointF pressedAt_;

@@ -1,4 +1,5 @@
 #include <QPainter>
+#include <glm/geometric.hpp>
 
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/flat_view.h"
@@ -40,6 +41,17 @@ std::vector<QWidget*> FlatView::badges() const {
   std::vector<QWidget*> all = View::badges();
   all.push_back(badge_);
   return all;
+}
+
+// Beside a picture that is turned otherwise no letter and no measurement would be right.
+bool FlatView::liesAsDrawn() const {
+  const std::optional<SlicePlane> now = plane();
+  if (!now || !drawn_) return true;
+  return glm::dot(now->right, drawn_->plane.right) > 0.5 && glm::dot(now->down, drawn_->plane.down) > 0.5;
+}
+
+void FlatView::paintShown(QPainter& painter) const {
+  paintWith(painter, liesAsDrawn() ? picture_ : QImage());
 }
 
 void FlatView::paintWith(QPainter& painter, const QImage& picture) const {

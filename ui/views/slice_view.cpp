@@ -197,9 +197,7 @@ Overlays SliceView::overlays() const {
               tr("with %1, %2 %").arg(seriesText(over->series)).arg(std::lround(100 * look.overlayOpacity)));
   texts.add(CornerItem::mark, keyImageText());
   Overlays o = cornersOf(texts);
-  const QString name = windowName(window, shown->series);
-  o.bottomRight = name.isEmpty() ? windowText(window, shown->series)
-                                 : QStringLiteral("%1  %2").arg(name, windowText(window, shown->series));
+  o.bottomRight = namedWindow(window, shown->series);
   if (!shown->volume->geometry().calibrated) return o;
   const auto letters = [known = knowsSides(shown->series)](glm::dvec3 d) {
     return known ? QString::fromStdString(sideLetters(d)) : QString();

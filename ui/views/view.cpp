@@ -126,7 +126,7 @@ QImage View::captureBy(int factor, const std::function<void(QPainter&)>& paint) 
   painter.setFont(font());
   paint(painter);
   for (QWidget* badge : badges())
-    if (badge->isVisible()) badge->render(&painter, badge->pos());
+    if (badge->isVisible()) badge->render(&painter, badge->pos(), {}, QWidget::DrawChildren);
   return image;
 }
 

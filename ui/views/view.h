@@ -31,7 +31,9 @@ class View : public QWidget {
   /// until then, with a mark where that takes longer than a moment.
   bool isWaiting() const;
   /// What is seen of it now, at its pixels(), but for what is there to be used: bars, the frame of the focus.
-  QImage capture() const;
+  virtual QImage capture() const;
+  /// What is not as it seems in it, whole sentences.
+  virtual QStringList warningsShown() const { return {}; }
   /// What is being read of this series will not come.
   void giveUpWaiting(const SeriesKey& series);
 

@@ -129,13 +129,26 @@ void ViewGrid::connectView(View* view) {
 
 QImage ViewGrid::capture() const {
   const double ratio = devicePixelRatioF();
-  QImage image(QSizeF(QSizeF(size()) * ratio).toSize(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(ratio);
+  QImage image((QSizeF(size()) * ratio).toSize(), QImage::Format_RGB32);
   image.fill(palette().color(QPalette::Window));
   QPainter painter(&image);
-  for (const auto& [place, view] : views_)
-    if (view->isVisible()) painter.drawImage(QPointF(view->pos()), view->capture());
+  for (const auto& [place, view] : views_) {
+    if (!view->isVisible()) continue;
+    QImage seen = view->capture();
+    seen.setDevicePixelRatio(1);
+    painter.drawImage((QPointF(view->pos()) * ratio).toPoint(), seen);
+  }
+  painter.end();
+  image.setDevicePixelRatio(ratio);
   return image;
+}
+
+QStringList ViewGrid::warningsShown() const {
+  QStringList all;
+  for (const auto& [place, view] : views_)
+    if (view->isVisible()) all << view->warningsShown();
+  all.removeDuplicates();
+  return all;
 }
 
 void ViewGrid::setAlone(bool alone) {

@@ -27,8 +27,12 @@ class ViewGrid : public QWidget {
     const auto view = views_.find({id, familyOf(id)});
     return view == views_.end() ? nullptr : qobject_cast<V*>(view->second);
   }
+  /// The view in focus, or the one that takes all of the place.
+  View* viewShown() const { return static_cast<View*>(focusProxy()); }
   /// What is seen of all views on screen (View::capture), as they lie beside each other.
   QImage capture() const;
+  /// What is not as it seems in any of them, each sentence once.
+  QStringList warningsShown() const;
   /// Shows the view in focus alone, or all of the layout again.
   void setAlone(bool alone);
   /// Has the 3D views on screen drawn again, as the draw service does by now.

@@ -75,13 +75,18 @@ void VolumeView::workspaceChanged(const Workspace& before) {
   if (isAnother || (volume && (isNew || look->second.scene != scene()))) requestPicture();
 }
 
-void VolumeView::showWarnings() {
-  QStringList words, sentences;
-  if (const LoadedSeriesPtr shown = series()) {
-    for (const std::string& text : shortWarnings(shown->warnings)) words << QString::fromStdString(text);
+QStringList VolumeView::warningsShown() const {
+  QStringList sentences;
+  if (const LoadedSeriesPtr shown = series())
     for (const Warning& w : changingPicture(shown->warnings)) sentences << shownText(w.sentence);
-  }
-  badge_->tell(words, sentences);
+  return sentences;
+}
+
+void VolumeView::showWarnings() {
+  QStringList words;
+  if (const LoadedSeriesPtr shown = series())
+    for (const std::string& text : shortWarnings(shown->warnings)) words << QString::fromStdString(text);
+  badge_->tell(words, warningsShown());
   placeChildren();
 }
 

@@ -87,6 +87,7 @@ class VolumeView : public View {
   QString textAt(QPointF position) const override;
   void paintShown(QPainter& painter) const override;
   std::vector<QWidget*> badges() const override;
+  QStringList warningsShown() const override;
   void paintEvent(QPaintEvent*) override {}  // its canvas is over all of it
   void paintCanvas(QPainter& painter) const;
   void paintCrosshair(QPainter& painter) const;

@@ -14,6 +14,7 @@
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 #include "ui/workspace/windows.h"
+#include "viewer/scene/modes.h"
 
 namespace volumen {
 
@@ -22,7 +23,8 @@ QString VolumeView::textAt(QPointF position) const {
   if (!hit) return {};
   const LoadedSeriesPtr shown = series();
   const QString text = valueText(*shown, hit->value);
-  if (!hit->pPatient) return tr("mean %1 along the line of sight").arg(text);
+  if (!hit->pPatient)
+    return tr("%1 %2 along the line of sight").arg(QLatin1String(rowOf(scene().mode).ofLine), text);
   if (!shown->volume->geometry().calibrated) return text;
   return text + tr(" at %1").arg(placeText(shown->series, *hit->pPatient));
 }

@@ -30,7 +30,7 @@ constexpr CornerRow cornerTable[] = {
     {CornerItem::thickness, false, 7}, {CornerItem::plane, true, 1},    {CornerItem::number, true, 2},
     {CornerItem::step, true, 3},       {CornerItem::position, true, 8}, {CornerItem::slab, true, 5},
     {CornerItem::pixelSize, true, 9},  {CornerItem::mask, true, 6},     {CornerItem::link, true, 4},
-    {CornerItem::mark, true, 7},       {CornerItem::turn, true, 4}};
+    {CornerItem::mark, true, 7},       {CornerItem::turn, true, 1}};
 
 // Where sides are not known by the axes of the file's space.
 QString kindText(ViewKind kind, bool knownSides) {

@@ -83,7 +83,7 @@ QString greyText(const SeriesState& state, const FlatLook& look, const LoadedFra
   if (frame.greys.empty()) return {};
   const GreyMapping grey = frameGrey(state, look, frame);
   if (!grey.table.grey.empty()) return tr("LUT %1").arg(shownText(chosenOf(state, frame).name)).trimmed();
-  const QString text = windowText(grey.window, frame.slice->series);
+  const QString text = namedWindow(grey.window, frame.slice->series);
   return grey.function == WindowFunction::sigmoid ? tr("%1, sigmoid").arg(text) : text;
 }
 

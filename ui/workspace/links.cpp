@@ -97,7 +97,8 @@ SlicePlane planeIn(const Workspace& workspace, ViewId view, glm::ivec2 pixels) {
 
 bool keepsLook(const Workspace& before, const Workspace& after, ViewId view) {
   const FlatLook was = flatLookOf(before.view(view)), is = flatLookOf(after.view(view));
-  return before.view(view).series == after.view(view).series && was.zoom == is.zoom && was.panMm == is.panMm;
+  return before.view(view).series == after.view(view).series && was.zoom == is.zoom &&
+         was.panMm == is.panMm && was.turn == is.turn;
 }
 
 // The mm per pixel and the middle of a view, as far as they are linked, for one whose planes are parallel.

@@ -61,10 +61,13 @@ std::vector<NamedWindow> tissueWindows(const Series& series) {
   return all;
 }
 
-QString windowName(const Window& window, const Series& series) {
+QString namedWindow(const Window& window, const Series& series) {
   const std::vector<NamedWindow> tissues = tissueWindows(series);
   const auto found = std::ranges::find(tissues, window, &NamedWindow::window);
-  return found == tissues.end() ? QString() : found->word;
+  const QString numbers = windowText(window, series);
+  // Nothing says that it is of a maximum.
+  if (found == tissues.end() || found->word.isEmpty() || found->word == tr("Bone MIP")) return numbers;
+  return QStringLiteral("%1  %2").arg(found->word, numbers);
 }
 
 std::vector<NamedWindow> windowChoices(const LoadedSeries& series) {

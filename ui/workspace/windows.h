@@ -36,8 +36,8 @@ std::vector<NamedWindow> windowChoices(const LoadedSeries& series);
 /// Those of tissues, for HU; from 0 to 5, 7, 10 and 15 of SUV, inverted as PET is; else none.
 std::vector<NamedWindow> tissueWindows(const Series& series);
 
-/// The word of the tissue that a window is made for; empty: of none.
-QString windowName(const Window& window, const Series& series);
+/// "Bone  W 2000 L 400": the numbers of a window, and before them the tissue that it is made for.
+QString namedWindow(const Window& window, const Series& series);
 
 /// The scene drawn in another mode; a projection without a window gets one that suits its values.
 Scene withMode(Scene scene, Mode mode, const LoadedSeries& series);

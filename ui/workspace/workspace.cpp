@@ -205,7 +205,7 @@ void turnFurther(FlatLook& look, PictureTurn by) {
   look.panMm = {glm::dot(look.panMm, glm::dvec2(right)), glm::dot(look.panMm, glm::dvec2(down))};
 }
 
-void makeWhole(FlatLook& look) { look.panMm = {0, 0}, look.zoom = 1, look.slabMm = 0; }
+void makeWhole(FlatLook& look) { look.panMm = {0, 0}, look.zoom = 1, look.turn = {}, look.slabMm = 0; }
 
 Workspace withFrames(Workspace workspace, ViewId view, const Series& series) {
   remember(workspace, series);
@@ -247,11 +247,11 @@ Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneL
   if (!canChangeKind(view) || workspace.view(view).series.empty()) return workspace;
   leaveFrames(workspace, view);
   ViewState& state = workspace.editView(view);
-  state.kind = kind;
+  const bool another = std::exchange(state.kind, kind) != kind;
   if (showsScene(kind))
     state.scenes.add(state.series, first);
-  else
-    state.flats.add(state.series, {});
+  else if (!state.flats.add(state.series, {}) && another)
+    state.flats.edit(state.series).turn = {};
   return workspace;
 }
 

@@ -70,7 +70,7 @@ struct FlatLook {
 /// Of FlatLook::zoom.
 inline constexpr double leastZoom = 0.05, mostZoom = 200;
 
-/// All of it in the view, and no slab.
+/// All of it in the view, as it lies, and no slab.
 void makeWhole(FlatLook& look);
 
 /// Turned further, about the middle of the view.

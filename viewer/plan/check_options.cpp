@@ -89,7 +89,7 @@ Status checkOptions(const Scene& scene, const RenderOptions& o) {
   if (Status s = checkPrecision(o); !s) return s;
   if (o.mapSize && (*o.mapSize < 2 || *o.mapSize > 1024)) return Error{"--map-size must be 2 to 1024."};
   if (o.threads < 0 || o.threads > 1024) return Error{"--threads must be 1 to 1024."};
-  if (o.resampler == Resampler::gl && methodOf(scene, o) == Method::reference)
+  if (o.resampler == Resampler::gl && o.method == Method::reference)
     return Error{
         "--resampler gl does not go with --method reference, which interpolates in double precision."};
   if (Status s = checkTolerance(scene, o); !s) return s;

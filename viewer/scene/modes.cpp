@@ -49,10 +49,10 @@ std::unique_ptr<RayProjection> make() {
 
 const std::vector<ModeRow>& modeRows() {
   static const std::vector<ModeRow> rows{
-      {Mode::composite, "composite", "3D", Shows::surface, {}, true, nullptr},
-      {Mode::mip, "mip", "MIP (maximum)", Shows::largest, {700, 1800}, true, make<Largest>},
-      {Mode::minip, "minip", "MinIP (minimum)", Shows::smallest, {-700, 800}, true, make<Smallest>},
-      {Mode::average, "average", "Average", Shows::wholeLine, {-300, 1400}, true, make<Mean>},
+      {Mode::composite, "composite", "3D", Shows::surface, "", {}, true, nullptr},
+      {Mode::mip, "mip", "MIP (maximum)", Shows::largest, "", {700, 1800}, true, make<Largest>},
+      {Mode::minip, "minip", "MinIP (minimum)", Shows::smallest, "", {-700, 800}, true, make<Smallest>},
+      {Mode::average, "average", "Average", Shows::wholeLine, "mean", {-300, 1400}, true, make<Mean>},
   };
   return rows;
 }

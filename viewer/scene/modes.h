@@ -35,6 +35,7 @@ struct ModeRow {
   const char* name;   ///< in scenes and of --mode
   const char* title;  ///< in the window
   Shows shows;
+  const char* ofLine;                           ///< what pointing calls the value of a whole line: "mean"
   Window hounsfield;                            ///< that CT is first shown by; composite has none
   bool hasKernels;                              ///< of methods planes, blend and gpu
   std::unique_ptr<RayProjection> (*project)();  ///< of one ray; null of composite, whose rays are integrated
