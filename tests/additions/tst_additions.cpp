@@ -155,7 +155,7 @@ void TestAdditions::aProjectionModeIsShownAndSaved() {
   QVERIFY(w.settle());
   auto* mode = w.child<QComboBox>("mode");
   mode->setCurrentText(QStringLiteral("Deviation"));
-  emit mode->activated(mode->currentIndex());
+  Q_EMIT mode->activated(mode->currentIndex());
   QVERIFY(w.settle());
   QCOMPARE(w.window.session().scene().mode, Mode(4));
   const QImage picture = w.window.view()->picture();
