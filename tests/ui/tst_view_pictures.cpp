@@ -25,8 +25,8 @@ QImage copied(Journey& w, Qt::KeyboardModifiers keys = Qt::ControlModifier) {
 QImage onScreen(QWidget* widget) { return widget->grab().toImage().convertToFormat(QImage::Format_RGB32); }
 
 // Without bars and the frame of the focus.
-QImage inner(const QImage& image, int bottom = 1) {
-  return image.copy(QRect(1, 1, image.width() - 1 - barPixels, image.height() - 1 - bottom));
+QImage inner(const QImage& image, int bottom = 2) {
+  return image.copy(QRect(2, 2, image.width() - 2 - barPixels, image.height() - 2 - bottom));
 }
 
 bool hasColours(const QImage& image) {
