@@ -86,7 +86,6 @@ void Measuring::makeActions() {
   bench_.addAction(menu, {{"viewMenu", 60, 80}});
   QToolButton* button = bench_.addMenuButton("measureButton", 20);
   button->setDefaultAction(menu);
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 }
 
 // In a view that shows frames of its series, else in the one in focus.

@@ -60,7 +60,7 @@ QString sheetOf(const Colours& c, Theme theme) {
              "QMainWindow QTabBar { qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true; }"
              "QToolButton[popupMode=\"2\"] { padding-right: 14px; }"
              "QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; }"
-             "QToolBar { border: 0; border-bottom: 1px solid %3; padding: 3px 6px; spacing: 4px; }"
+             "QToolBar { border: 0; border-bottom: 1px solid %3; padding: 3px 6px; spacing: 1px; }"
              "QToolButton[onPicture=\"true\"] { color: #d7dce2; background: rgba(27,30,34,200);"
              " border: 1px solid #3c434c; border-radius: 3px; font-weight: bold; }"
              "QToolButton[onPicture=\"true\"]:hover { background: #2b6cb0; color: white; }"

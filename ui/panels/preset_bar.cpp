@@ -3,14 +3,12 @@
 #include <QAbstractItemView>
 #include <QHBoxLayout>
 #include <QInputDialog>
-#include <QLabel>
 #include <QMenu>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <QToolButton>
 #include <algorithm>
 
-#include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -59,18 +57,16 @@ PresetBar::PresetBar(Session& session, Entries entries, QWidget* parent)
     : QWidget(parent), session_(session), readEntries_(std::move(entries)), box_(new QComboBox) {
   box_->setObjectName(QStringLiteral("presets"));
   box_->setAccessibleName(tr("Preset"));
-  box_->setMinimumContentsLength(22);
+  box_->setToolTip(tr("Preset of opacity and colour"));
+  box_->setMinimumContentsLength(8);
   box_->setMaxVisibleItems(10);
   box_->setIconSize({20, 20});
   box_->setItemDelegate(new ThumbnailDelegate(box_));
   box_->view()->setMinimumWidth(widestRow);
   // A list below the box, which scrolls, in place of a menu over it.
   box_->setStyleSheet(QStringLiteral("combobox-popup: 0;"));
-  auto* label = plainLabel(tr("Preset"));
-  label->setBuddy(box_);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(label);
   row->addWidget(box_);
   makeMenu();
   connect(box_, &QComboBox::activated, this, [this](int n) {
