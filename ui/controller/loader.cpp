@@ -120,8 +120,8 @@ void Loader::locate(const MissingObjects& missing, const QString& folder) {
 
 void Loader::cancelLoad() {
   load_.giveUp(loadJob_);
-  loading_.reset();
   scene_.reset();
+  if (std::exchange(loading_, {})) Q_EMIT loadGivenUp();
 }
 
 void Loader::load(const Series& series, const std::optional<Scene>& scene) {
@@ -133,6 +133,7 @@ void Loader::loadAhead(const Series& series) { begin(series, true); }
 
 void Loader::begin(const Series& series, bool isAhead) {
   if (loading_ == keyOf(series)) {
+    if (isAhead_ && !isAhead) Q_EMIT loadBegan(series);
     isAhead_ = isAhead_ && isAhead;
     return;
   }
@@ -144,6 +145,7 @@ void Loader::begin(const Series& series, bool isAhead) {
       [series, makeScene = makeScene_](const Job& job) { return loadShown(series, makeScene, job); },
       [this, key = keyOf(series)](const Result<LoadedSeriesPtr>& shown) { take(key, shown); },
       [this] { cancelled(); });
+  if (!isAhead) Q_EMIT loadBegan(series);
 }
 
 void Loader::take(const SeriesKey& series, const Result<LoadedSeriesPtr>& shown) {

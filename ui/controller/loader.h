@@ -42,6 +42,9 @@ class Loader : public QObject {
   void cancelLoad();
 
  Q_SIGNALS:
+  /// Of a series that is to be shown; it ends in seriesLoaded(), notLoaded() or loadGivenUp().
+  void loadBegan(const volumen::Series& series);
+  void loadGivenUp();
   void studyOpened(const QString& path, const std::shared_ptr<const volumen::Study>& study,
                    const volumen::OpenIntent& intent);
   void filesOpened(const QString& name, const std::shared_ptr<const volumen::Study>& study,

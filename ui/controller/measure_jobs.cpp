@@ -24,7 +24,6 @@ double stepsOf(const Shape& shape, const VoxelGeometry& geometry) {
 }
 
 constexpr double mostStepsAtOnce = 2e5;  // well below 2 ms
-constexpr ViewId reader = -1;            // as which frames are asked for: no view has it
 
 }  // namespace
 
@@ -36,7 +35,7 @@ MeasureJobs::MeasureJobs(const Session& session, FrameService& frames, QObject* 
           });
   connect(&frames_, &FrameService::ready, this, [this](int view) { endRead(view); });
   connect(&frames_, &FrameService::failed, this, [this](int view, const FrameKey& key, const QString& why) {
-    if (view == reader) unread_[key] = why.toStdString();
+    if (view == measuredId) unread_[key] = why.toStdString();
     endRead(view);
   });
 }
@@ -108,7 +107,7 @@ void MeasureJobs::requestOnFrame(const Measurement& measurement) {
   if (!frame && !problem) {
     if (read_) return;
     read_ = key;
-    return frames_.request(reader, state->second.series, *index, 1);
+    return frames_.request(measuredId, state->second.series, *index, 1);
   }
   const Known& known = begin(measurement);
   if (problem) return take(measurement.id, known.asked, *problem);
@@ -120,8 +119,8 @@ void MeasureJobs::requestOnFrame(const Measurement& measurement) {
 }
 
 void MeasureJobs::endRead(int view) {
-  if (view != reader) return;
-  frames_.drop(reader);
+  if (view != measuredId) return;
+  frames_.drop(measuredId);
   read_.reset();
   Q_EMIT measured();
 }

@@ -16,6 +16,7 @@ const std::vector<FeatureEntry>& features() {
       {"pages", makePages},
       {"status", makeStatus},
       {"loading", makeLoading},
+      {"first images", makeFirstImages},
       {"drawing", makeDrawing},
       {"keys", makeKeys},
       {"sessions", makeSessions},

@@ -46,6 +46,7 @@ const std::vector<FeatureEntry>& features();
 std::unique_ptr<Feature> makeAccuracy(Workbench& bench);
 std::unique_ptr<Feature> makeDockLayout(Workbench& bench);
 std::unique_ptr<Feature> makeDrawing(Workbench& bench);
+std::unique_ptr<Feature> makeFirstImages(Workbench& bench);
 std::unique_ptr<Feature> makeFlatTools(Workbench& bench);
 std::unique_ptr<Feature> makeFrameActions(Workbench& bench);
 std::unique_ptr<Feature> makeHelp(Workbench& bench);

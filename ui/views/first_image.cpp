@@ -1,0 +1,107 @@
+#include "ui/views/first_image.h"
+
+#include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/controller/frame_service.h"
+#include "ui/data/frame_series.h"
+#include "ui/overlays/overlays.h"
+#include "ui/workspace/corner_text.h"
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/frame_look.h"
+
+namespace volumen {
+
+FirstImage::FirstImage(FrameService& frames, SliceService& slices, QWidget* parent)
+    : QWidget(parent), frames_(frames), slices_(slices) {
+  setObjectName(QStringLiteral("firstImage"));
+  setAccessibleName(tr("First image of what is being loaded"));
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  hide();
+  connect(&frames_, &FrameService::ready, this, &FirstImage::takeFrame);
+  connect(&slices_, &SliceService::ready, this, &FirstImage::takePicture);
+}
+
+void FirstImage::begin(const std::shared_ptr<const Series>& series) {
+  end();
+  const int count = frameCount(*series);
+  if (count == 0) return;
+  series_ = series;
+  go(count / 2, 1);
+}
+
+void FirstImage::end() {
+  if (!series_) return;
+  series_.reset();
+  frame_.reset();
+  picture_ = {};
+  frames_.drop(firstImageId);
+  slices_.drop(firstImageId);
+  hide();
+}
+
+void FirstImage::go(int index, int step) {
+  wanted_ = index;
+  frames_.request(firstImageId, series_, index, step);
+  if (const LoadedFramePtr held = frames_.find({keyOf(*series_), index})) takeFrame(firstImageId, held);
+}
+
+void FirstImage::takeFrame(int view, const LoadedFramePtr& frame) {
+  if (view != firstImageId || !series_ || frame->key != FrameKey{keyOf(*series_), wanted_}) return;
+  const bool isFirst = !frame_;
+  frame_ = frame;
+  if (isFirst) Q_EMIT appears();
+  askForPicture();
+}
+
+void FirstImage::askForPicture() {
+  if (!frame_ || width() < 1 || height() < 1) return;
+  ViewState view;
+  view.kind = ViewKind::frames;
+  view.series = frame_->key.series;
+  const QSize size = this->size() * devicePixelRatioF();
+  const SlicePlane plane =
+      flatPlane(view, FlatLook(), frame_->geometry(), Crosshair(), {size.width(), size.height()});
+  SeriesState state;
+  state.series = series_;
+  const SliceLayer layer{frame_->slice->volume, frameGrey(state, FlatLook(), *frame_)};
+  slices_.request({firstImageId, {layer}, plane, frame_});
+}
+
+void FirstImage::takePicture(const SlicePicture& picture) {
+  if (picture.request.view != firstImageId || !frame_ || picture.request.frame != frame_) return;
+  picture_ = picture.image;
+  picture_.setDevicePixelRatio(devicePixelRatioF());
+  show();
+  update();
+}
+
+void FirstImage::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), Qt::black);
+  if (!series_ || !frame_) return;
+  painter.drawImage(QPointF(0, 0), picture_);
+  CornerTexts texts = seriesCorner(*series_);
+  texts.add(CornerItem::plane, tr("Image %1 / %2, loading").arg(index() + 1).arg(frameCount(*series_)));
+  const int lines = cornerLines(rect(), font());
+  Overlays o;
+  o.topLeft = texts.left(lines);
+  o.topRight = texts.right(lines);
+  paintOverlays(painter, o, rect());
+}
+
+void FirstImage::resizeEvent(QResizeEvent*) { askForPicture(); }
+
+void FirstImage::wheelEvent(QWheelEvent* event) {
+  event->accept();
+  if (!series_) return;
+  wheelRest_ -= event->angleDelta().y() / 120.0;
+  const int steps = int(std::trunc(wheelRest_));
+  wheelRest_ -= steps;
+  const int index = std::clamp(wanted_ + steps, 0, frameCount(*series_) - 1);
+  if (index != wanted_) go(index, steps < 0 ? -1 : 1);
+}
+
+}  // namespace volumen
