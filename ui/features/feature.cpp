@@ -36,7 +36,11 @@ const std::vector<FeatureEntry>& features() {
       {"picture turns", makePictureTurns},
       {"windows", makeWindowChoices},
       {"study list", makeStudyListing},
+      {"plane lines", makePlaneLines},
+      {"tools in focus", makeToolsInFocus},
+      {"focus keys", makeFocusKeys},
       {"help", makeHelp},
+      {"commands", makeCommands},
   };
   return table;
 }
