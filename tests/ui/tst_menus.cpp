@@ -72,7 +72,9 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Use OpenGL (usually slower without a GPU); Show error map; |; "
       "Maximise view; Full screen; Light theme; Hide names; Layout >; Show in this view >; Turn and size >; "
       "Link >; "
-      "Measure >; Window presets >; Interpolate between voxels; Slab >; Colour map >; PET values >; Overlay "
+      "Measure >; Window presets >; Interpolate between voxels; "
+      "Crosshair lines; Reference lines; Reference lines of first and last slices; Slab >; Colour map >; PET "
+      "values >; Overlay "
       ">; "
       "Panels >");
   row("&View/Layout",
@@ -87,7 +89,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
   row("&View/Panels",
       "Quality and speed; Camera; Clip; Effects; Key images; Lights; Measure; Contours and segments; "
       "Segment; Snapshot; Studies; Opacity and colour; |; Reset layout");
-  row("&Help", "Documentation; Mouse and keys; About volumen");
+  row("&Help", "Commands...; Documentation; Mouse and keys; About volumen");
 }
 
 void TestMenus::menusHoldWhatTheyShould() {

@@ -39,8 +39,8 @@ const std::vector<FeatureEntry>& features() {
       {"plane lines", makePlaneLines},
       {"tools in focus", makeToolsInFocus},
       {"focus keys", makeFocusKeys},
-      {"help", makeHelp},
       {"commands", makeCommands},
+      {"help", makeHelp},
   };
   return table;
 }

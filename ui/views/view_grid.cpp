@@ -172,7 +172,8 @@ std::vector<ViewId> ViewGrid::idsShown() const {
 bool ViewGrid::focusNextPrevChild(bool next) {
   const std::vector<ViewId> ids = idsShown();
   const auto at = std::ranges::find(ids, session_.workspace().focus);
-  if (ids.size() < 2 || at == ids.end() || !viewOf(*at)->hasFocus()) return QWidget::focusNextPrevChild(next);
+  if (ids.size() < 2 || at == ids.end() || window()->focusWidget() != viewOf(*at))
+    return QWidget::focusNextPrevChild(next);
   const std::size_t step = next ? 1 : ids.size() - 1;
   session_.setFocus(ids[(std::size_t(at - ids.begin()) + step) % ids.size()]);
   return true;
