@@ -32,7 +32,7 @@ PreferencesDialog::PreferencesDialog(Session& session, QWidget* parent)
   addChoice<int>("memory", tr("Memory for series"), &Preferences::memoryPercent,
                  {{tr("10 % of the machine's"), 10}, {tr("25 %"), 25}, {tr("50 %"), 50}, {tr("75 %"), 75}});
   addFlag("crosshairLines", tr("Lines of the crosshair in planes"), &Preferences::crosshairLines);
-  addFlag("referenceLines", tr("Reference lines of other series"), &Preferences::referenceLines);
+  addFlag("referenceLines", tr("Reference lines of other views"), &Preferences::referenceLines);
   addFlag("referenceEnds", tr("Reference lines of their first and last slices"), &Preferences::referenceEnds);
   addFlag("hideNames", tr("Hide names, IDs, dates and file names"), &Preferences::hideNames);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close);

@@ -44,15 +44,14 @@ const std::vector<MouseAction>& mouseActions(const MouseSlot& slot);
 /// What all slots are bound to under one name. A modifier without a row of its own changes nothing; a left
 /// button without one is the chosen tool's, anything else does nothing.
 ///
-/// - "volumen": the commonest bindings of the field (shared FIELD-slices 1, FIELD-features 3).
-/// - "weasis": MouseActions.java of Weasis 4 (left window, middle pan, right menu, wheel scrolls), its
-/// Alt+wheel
-///   for the slab; Ctrl+wheel is its zoom.
+/// - "volumen": what most viewers do: middle pans, right zooms, the wheel scrolls, Ctrl+wheel zooms.
+/// - "weasis": MouseActions.java of Weasis 4: middle pans, right opens the menu, the wheel scrolls; Alt+wheel
+/// is
+///   its thickness of the slab.
 /// - "slicer": Docs/user_guide/user_interface.md of 3D Slicer, "Slice views" and "3D views".
-/// - "radiant": from memory, no manual of RadiAnt could be read: right windows, middle pans, Shift+move is
-/// its 3D
-///   cursor.
-/// - "oneButton", "trackpad": our own; all by the left button with a key, or two fingers pan.
+/// - "radiant": from memory, no manual of RadiAnt could be read: right changes the window, middle pans,
+///   Shift+move is its 3D cursor.
+/// - "oneButton", "trackpad": our own: the left button with a key pans, zooms and scrolls; two fingers pan.
 struct MousePreset {
   std::string name;
   QString text;

@@ -180,9 +180,9 @@ PictureSeen FrameView::pictureSeen() const {
 // place.
 std::vector<FlatView::StackPlane> FrameView::stackPlanes(bool ends) const {
   std::vector<StackPlane> planes = FlatView::stackPlanes(ends);
+  if (planes.empty() || !ends) return planes;
   const Series& series = *seriesState().series;
-  if (planes.empty() || !ends || !series.notVolume.empty() || frameCount(series) != series.acquired.size.z)
-    return planes;
+  if (!series.notVolume.empty() || frameCount(series) != series.acquired.size.z) return planes;
   for (const auto& [part, index] : {std::pair(StackPart::first, 0), {StackPart::last, place().count - 1}}) {
     SlicePlane plane = planes.front().plane;
     plane.centre += double(index - place().index) * series.acquired.patientFromVoxelStep[2];

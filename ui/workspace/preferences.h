@@ -20,7 +20,7 @@ struct Preferences {
   bool curveDragInverted = false;                    ///< dragging up shifts the curve to higher values
   bool logarithmicOpacity = false;
   bool crosshairLines = true;  ///< of planes of one series, in each other
-  bool referenceLines = true;  ///< of planes of other series
+  bool referenceLines = true;  ///< of planes of other views
   bool referenceEnds = false;  ///< and of their first and last slices
   bool hideNames = false;
   PetUnit petUnit = PetUnit::suvBodyWeight;  ///< where it can be had
