@@ -14,8 +14,8 @@ using namespace volumen::tests;
 
 namespace {
 
-struct Listed : MeasureWindow {
-  Listed() {
+struct CommandWindow : MeasureWindow {
+  CommandWindow() {
     view()->setFocus();
     open();
   }
@@ -65,7 +65,7 @@ class TestCommandList : public QObject {
 };
 
 void TestCommandList::itHoldsAllCommands() {
-  Listed w;
+  CommandWindow w;
   QVERIFY(w.list()->isVisible());
   QCOMPARE(w.window.focusWidget(), w.search());
   for (const QAction* action : w.window.actions()) {
@@ -102,7 +102,7 @@ void TestCommandList::wordsAreFoundAnywhere_data() {
 void TestCommandList::wordsAreFoundAnywhere() {
   QFETCH(QString, typed);
   QFETCH(QString, found);
-  Listed w;
+  CommandWindow w;
   w.search()->setText(typed);
   QCOMPARE(w.row(0) ? w.row(0)->text(0) : QString(), found);
   w.search()->clear();
@@ -110,7 +110,7 @@ void TestCommandList::wordsAreFoundAnywhere() {
 }
 
 void TestCommandList::enterDoesTheFirst() {
-  Listed w;
+  CommandWindow w;
   w.type("ant vie");
   QTest::keyClick(w.search(), Qt::Key_Return);
   QVERIFY(!w.list()->isVisible());
@@ -119,7 +119,7 @@ void TestCommandList::enterDoesTheFirst() {
 }
 
 void TestCommandList::arrowsGoThroughWhatCanBeDone() {
-  Listed w;
+  CommandWindow w;
   w.type("series layout");
   QCOMPARE(w.current(), QStringLiteral("Two series"));
   QTest::keyClick(w.search(), Qt::Key_Down);
@@ -139,7 +139,7 @@ void TestCommandList::arrowsGoThroughWhatCanBeDone() {
 }
 
 void TestCommandList::whatCannotBeDoneIsGrey() {
-  Listed w;
+  CommandWindow w;
   w.type("each image its own");
   QVERIFY(w.row(0) && !(w.row(0)->flags() & Qt::ItemIsEnabled));
   const Workspace before = w.session().workspace();
@@ -150,7 +150,7 @@ void TestCommandList::whatCannotBeDoneIsGrey() {
 }
 
 void TestCommandList::aClickDoesIt() {
-  Listed w;
+  CommandWindow w;
   w.type("posterior");
   QTest::mouseClick(w.rows()->viewport(), Qt::LeftButton, {}, w.rows()->visualItemRect(w.row(0)).center());
   QVERIFY(!w.list()->isVisible());
@@ -158,7 +158,7 @@ void TestCommandList::aClickDoesIt() {
 }
 
 void TestCommandList::escapeClosesNothingElse() {
-  Listed w;
+  CommandWindow w;
   QTest::keyClick(w.search(), Qt::Key_Escape);
   QVERIFY(!w.list()->isVisible());
   QCOMPARE(w.window.focusWidget(), static_cast<QWidget*>(w.view()));
@@ -172,7 +172,7 @@ void TestCommandList::escapeClosesNothingElse() {
 }
 
 void TestCommandList::itClosesWhenTheKeysGoElsewhere() {
-  Listed w;
+  CommandWindow w;
   QTest::mouseClick(w.view(coronalViewId), Qt::LeftButton, {}, {30, 30});
   w.view(coronalViewId)->setFocus();
   QVERIFY(!w.list()->isVisible());
@@ -180,7 +180,7 @@ void TestCommandList::itClosesWhenTheKeysGoElsewhere() {
 }
 
 void TestCommandList::whatWasUsedLastComesFirst() {
-  Listed w;
+  CommandWindow w;
   QTest::keyClick(w.search(), Qt::Key_Escape);
   QTest::keyClick(w.view(), Qt::Key_O);
   w.child<QAction>("layoutBesidePlanes")->trigger();
@@ -197,14 +197,14 @@ void TestCommandList::whatWasUsedLastComesFirst() {
 }
 
 void TestCommandList::keysThatAreNoCommandsAreFound() {
-  Listed w;
+  CommandWindow w;
   w.type("choose a window");
   QCOMPARE(w.texts(0).value(2), QStringLiteral("0 to 9 in a slice"));
   QVERIFY(!(w.row(0)->flags() & Qt::ItemIsEnabled));
 }
 
 void TestCommandList::lettersAreTypedNotDone() {
-  Listed w;
+  CommandWindow w;
   const Workspace before = w.session().workspace();
   w.type("aplrsifwt1370?h");
   QCOMPARE(w.search()->text(), QStringLiteral("aplrsifwt1370?h"));
@@ -213,7 +213,7 @@ void TestCommandList::lettersAreTypedNotDone() {
 }
 
 void TestCommandList::itActsOnTheViewThatHadTheKeys() {
-  Listed w;
+  CommandWindow w;
   w.type("mirror left");
   QTest::keyClick(w.search(), Qt::Key_Return);
   QVERIFY(flatLookOf(w.view()->state()).turn.mirrored);
