@@ -90,10 +90,12 @@ void TestAttacks::whatGoesInTheMiddleOfADrag() {
   const LoadedSeriesPtr other = ballSeries(20, 6, {2, 1, 0}, {1.5, 1, 0.7});
   MeasureWindow w;
   const bool in3d = tool.endsWith("Tool");
-  if (in3d)
+  if (in3d) {
+    w.session().setFocus(sceneViewId);
     w.child<QAction>(tool.constData())->trigger();
-  else
+  } else {
     w.window.views()->setTool(toolNamed(tool.constData()));
+  }
   QWidget* view = in3d ? static_cast<QWidget*>(w.window.view()) : w.view();
   const Qt::MouseButton held = Qt::MouseButton(button);
   const Qt::KeyboardModifiers with(keys);
@@ -173,8 +175,9 @@ void TestAttacks::aToolIsForTheSeriesOfItsView() {
   drag(w.view(right), {70, 60}, {120, 90});
   QVERIFY(w.last().series == keyOf(b->series));
   w.session().showAs(right, ViewKind::volume);
-  w.session().setFocus(left);
+  w.session().setFocus(right);
   w.child<QAction>("scissorsTool")->trigger();
+  w.session().setFocus(left);
   auto* view = w.window.views()->volumeView(right);
   const QPoint centre = view->rect().center();
   press(view, centre);
@@ -225,6 +228,7 @@ void TestAttacks::volumesOfNothing() {
     QTest::keyClick(flat, Qt::Key_End);
     hover(flat, {50, 50});
   }
+  w.window.session().setFocus(sceneViewId);
   for (const char* tool : {"rotateTool", "curveTool", "scissorsTool"}) {
     w.child<QAction>(tool)->trigger();
     drag(w.window.view(), {60, 60}, {110, 90});

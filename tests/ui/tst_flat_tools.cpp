@@ -35,6 +35,8 @@ class TestFlatTools : public QObject {
   void aDragDoesWhatTheButtonSays_data();
   void aDragDoesWhatTheButtonSays();
   void oneOfThemIsChosen();
+  void keysChooseThem_data();
+  void keysChooseThem();
 };
 
 void TestFlatTools::aDragDoesWhatTheButtonSays_data() {
@@ -77,6 +79,36 @@ void TestFlatTools::oneOfThemIsChosen() {
   QCOMPARE(chosen(), QString());
   QTest::keyClick(w.view(), Qt::Key_W);
   QCOMPARE(chosen(), QStringLiteral("windowTool"));
+}
+
+void TestFlatTools::keysChooseThem_data() {
+  QTest::addColumn<int>("key");
+  QTest::addColumn<QByteArray>("tool");
+  QTest::newRow("M") << int(Qt::Key_M) << QByteArray("pan");
+  QTest::newRow("Z") << int(Qt::Key_Z) << QByteArray("zoom");
+  QTest::newRow("B") << int(Qt::Key_B) << QByteArray("scroll");
+  QTest::newRow("Y") << int(Qt::Key_Y) << QByteArray("crosshair");
+  QTest::newRow("W") << int(Qt::Key_W) << QByteArray("window");
+}
+
+// In a slice; in 3D they do nothing.
+void TestFlatTools::keysChooseThem() {
+  QFETCH(int, key);
+  QFETCH(QByteArray, tool);
+  MeasureWindow w;
+  w.choose(ShapeKind::cobb);
+  w.view()->setFocus();
+  QTest::keyClick(w.view(), Qt::Key(key));
+  QCOMPARE(QByteArray(w.window.views()->tool().name), tool);
+  const QAction* action = w.child<QAction>((tool + "Tool").constData());
+  QVERIFY(action->isChecked());
+  QVERIFY(action->toolTip().contains(QStringLiteral("(%1)").arg(QChar(char16_t(key)))));
+  w.window.views()->setTool(toolNamed("length"));
+  w.session().setFocus(sceneViewId);
+  const Camera before = w.window.view()->camera();
+  if (tool != "window") QTest::keyClick(w.window.view(), Qt::Key(key));
+  QCOMPARE(QByteArray(w.window.views()->tool().name), QByteArray("length"));
+  QVERIFY(w.window.view()->camera() == before);
 }
 
 VOLUMEN_TEST(TestFlatTools);

@@ -65,14 +65,16 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Save 3D snapshot...; Copy 3D snapshot; |; Quit");
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
-      "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window; Scroll; Pan; Zoom; Crosshair; |; "
+      "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window\tW; Scroll; Pan; Zoom; Crosshair; |; "
       "Anterior view; Posterior view; Left view; Right view; Superior view; Inferior view; |; "
       "Show as frames; Each image its own window; Overlays and shutters; Play or stop; |; "
       "Key image; Previous key image; Next key image; |; "
       "Use OpenGL (usually slower without a GPU); Show error map; |; "
       "Maximise view; Full screen; Light theme; Hide names; Layout >; Show in this view >; Turn and size >; "
       "Link >; "
-      "Measure >; Window presets >; Interpolate between voxels; Slab >; Colour map >; PET values >; Overlay "
+      "Measure >; Window presets >; Interpolate between voxels; "
+      "Crosshair lines; Reference lines; Reference lines of first and last slices; Slab >; Colour map >; PET "
+      "values >; Overlay "
       ">; "
       "Panels >");
   row("&View/Layout",
@@ -87,7 +89,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
   row("&View/Panels",
       "Quality and speed; Camera; Clip; Effects; Key images; Lights; Measure; Contours and segments; "
       "Segment; Snapshot; Studies; Opacity and colour; |; Reset layout");
-  row("&Help", "Documentation; Mouse and keys; About volumen");
+  row("&Help", "Commands...; Documentation; Mouse and keys; About volumen");
 }
 
 void TestMenus::menusHoldWhatTheyShould() {
@@ -102,10 +104,11 @@ void TestMenus::theToolBarHoldsWhatItShould() {
   const MainWindow window(realServices());
   QCOMPARE(
       entriesOf(window.findChild<QToolBar*>(QStringLiteral("tools"))),
-      listed("Open folder...; Study list; Undo; Redo; |; "
-             "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window; Scroll; Pan; Zoom; Crosshair; |; "
-             "[]; [layoutButton]; [windowButton]; [measureButton]; [linkButton]; []; Save picture...; "
-             "Mouse and keys"));
+      listed(
+          "Open folder...; Study list; Undo; Redo; |; "
+          "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window\tW; Scroll; Pan; Zoom; Crosshair; |; "
+          "[]; [layoutButton]; [windowButton]; [measureButton]; [linkButton]; []; Save picture...; "
+          "Mouse and keys"));
 }
 
 VOLUMEN_TEST(TestMenus);

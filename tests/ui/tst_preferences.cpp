@@ -16,6 +16,7 @@
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
+#include "ui/panels/mouse_table.h"
 #include "ui/panels/preferences_dialog.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/widgets/curve_editor.h"
@@ -90,32 +91,32 @@ void TestPreferences::themeAndTextSize() {
 
 void TestPreferences::mouseButtons() {
   Opened window;
-  window.choose("middleDrag", 2);  // from Pan to adjusting the curve
-  const auto curve = window.session().scene().transferFunction;
+  window.dialog()->findChild<MouseTable*>()->setCurrentIndex(1);
+  window.choose("scene.middle", 1);  // from Pan to Zoom
+  const double before = window.height();
   tests::drag(window.view(), {300, 300}, {300, 340}, Qt::MiddleButton);
-  QVERIFY(window.session().scene().transferFunction != curve);
+  QVERIFY(window.height() > 1.1 * before);
 }
 
 void TestPreferences::draggingDoesWhatIsPreferred_data() {
   QTest::addColumn<int>("button");
   QTest::addColumn<bool>("shift");
-  QTest::addColumn<int>("action");
+  QTest::addColumn<QByteArray>("action");
   QTest::addColumn<QString>("step");
-  const std::pair<DragAction, const char*> actions[] = {{DragAction::rotate, "Rotate"},
-                                                        {DragAction::pan, "Pan"},
-                                                        {DragAction::zoom, "Zoom"},
-                                                        {DragAction::curve, "Adjust curve"}};
+  const std::pair<const char*, const char*> actions[] = {
+      {"rotate", "Rotate"}, {"pan", "Pan"}, {"zoom", "Zoom"}, {"curve", "Adjust curve"}};
   for (const auto& [action, step] : actions)
     for (const auto& [button, shift, name] :
          {std::tuple(Qt::MiddleButton, false, "middle"), std::tuple(Qt::RightButton, false, "right"),
           std::tuple(Qt::LeftButton, true, "Shift+left")})
-      QTest::addRow("%s: %s", name, step) << int(button) << shift << int(action) << QString::fromLatin1(step);
+      QTest::addRow("%s: %s", name, step)
+          << int(button) << shift << QByteArray(action) << QString::fromLatin1(step);
 }
 
 void TestPreferences::draggingDoesWhatIsPreferred() {
   QFETCH(int, button);
   QFETCH(bool, shift);
-  QFETCH(int, action);
+  QFETCH(QByteArray, action);
   QFETCH(QString, step);
   Session session;
   session.show(tests::ballSeries());
@@ -123,11 +124,10 @@ void TestPreferences::draggingDoesWhatIsPreferred() {
   VolumeView view(session, drawService);
   view.resize(400, 300);
   view.show();
-  session.prefer([&](Preferences& p) {
-    (shift ? p.shiftDrag : button == Qt::RightButton ? p.rightDrag : p.middleDrag) = DragAction(action);
-  });
-  tests::drag(&view, {230, 150}, {260, 190}, Qt::MouseButton(button),
-              shift ? Qt::ShiftModifier : Qt::NoModifier);
+  const Qt::KeyboardModifiers keys = shift ? Qt::ShiftModifier : Qt::NoModifier;
+  const MouseSlot slot = slotOf(MousePlace::scene, Qt::MouseButton(button), keys);
+  session.prefer(withBound(session.preferences(), slot, action.toStdString()));
+  tests::drag(&view, {230, 150}, {260, 190}, Qt::MouseButton(button), keys);
   QCOMPARE(session.undoStack().undoText(), step);
 }
 
@@ -237,22 +237,24 @@ void TestPreferences::choicesAreKeptAndReset() {
   Preferences chosen;
   {
     Opened window;
-    for (const char* box : {"theme", "textSize", "middleDrag", "rightDrag", "opacityAxis", "memory"})
+    for (const char* box : {"theme", "textSize", "mousePreset", "flat.middle", "opacityAxis", "memory"})
       window.choose(box, 1);
-    window.choose("shiftDrag", 2);
-    for (const char* box : {"zoomDragInverted", "wheelInverted", "curveDragInverted", "hideNames"})
+    for (const char* box : {"zoomDragInverted", "wheelInverted", "curveDragInverted", "crosshairLines",
+                            "referenceLines", "referenceEnds", "hideNames"})
       window.tick(box);
     chosen = window.session().preferences();
   }
   const Preferences expected{.theme = Theme::light,
                              .textPercent = 120,
-                             .middleDrag = DragAction::zoom,
-                             .rightDrag = DragAction::curve,
-                             .shiftDrag = DragAction::curve,
+                             .mousePreset = "weasis",
+                             .mouseBindings = {{"flat.middle", "zoom"}},
                              .zoomDragInverted = true,
                              .wheelInverted = true,
                              .curveDragInverted = true,
                              .logarithmicOpacity = true,
+                             .crosshairLines = false,
+                             .referenceLines = false,
+                             .referenceEnds = true,
                              .hideNames = true,
                              .memoryPercent = 50};
   QVERIFY(chosen == expected);
@@ -288,7 +290,7 @@ void TestPreferences::enterClosesAndRestoresNothing() {
 void TestPreferences::nonsenseInTheFileIsPassedOver() {
   QSettings settings;
   settings.setValue(QStringLiteral("textPercent"), 100000);
-  settings.setValue(QStringLiteral("rightDrag"), QStringLiteral("fly"));
+  settings.setValue(QStringLiteral("mouseBindings"), QStringLiteral("fly"));
   settings.setValue(QStringLiteral("theme"), QStringLiteral("plaid"));
   QVERIFY(storedPreferences() == Preferences{});
 }

@@ -64,6 +64,7 @@ void TestSessionPictures::theProgramDrawsTheSnapshot() {
         });
       }));
     const QImage whole = w.window.view()->picture();
+    w.window.session().setFocus(sceneViewId);
     w.child<QAction>("scissorsTool")->trigger();
     const QPoint centre = w.window.view()->rect().center();
     const QImage cut = w.after([&] {

@@ -265,7 +265,7 @@ void TestSliceViews::linesMoveTheirPlane() {
   Planes w;
   FlatView* axial = w.view(axialViewId);
   const glm::dvec3 before = w.cursor();
-  const QPoint on = (w.pixel(axialViewId, before) + QPointF(0, 40)).toPoint();
+  const QPoint on = (w.pixel(axialViewId, before) + QPointF(0, 0.25 * axial->height())).toPoint();
   tests::drag(axial, on, on + QPoint(30, 5));
   const double mm = axial->plane()->mmPerPixel * axial->devicePixelRatioF();
   QVERIFY(glm::length(w.cursor() - before - glm::dvec3(30 * mm, 0, 0)) < 1e-9);

@@ -37,6 +37,10 @@ const std::vector<FeatureEntry>& features() {
       {"picture turns", makePictureTurns},
       {"windows", makeWindowChoices},
       {"study list", makeStudyListing},
+      {"plane lines", makePlaneLines},
+      {"tools in focus", makeToolsInFocus},
+      {"focus keys", makeFocusKeys},
+      {"commands", makeCommands},
       {"help", makeHelp},
   };
   return table;

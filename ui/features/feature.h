@@ -44,10 +44,12 @@ struct FeatureEntry {
 const std::vector<FeatureEntry>& features();
 
 std::unique_ptr<Feature> makeAccuracy(Workbench& bench);
+std::unique_ptr<Feature> makeCommands(Workbench& bench);
 std::unique_ptr<Feature> makeDockLayout(Workbench& bench);
 std::unique_ptr<Feature> makeDrawing(Workbench& bench);
 std::unique_ptr<Feature> makeFirstImages(Workbench& bench);
 std::unique_ptr<Feature> makeFlatTools(Workbench& bench);
+std::unique_ptr<Feature> makeFocusKeys(Workbench& bench);
 std::unique_ptr<Feature> makeFrameActions(Workbench& bench);
 std::unique_ptr<Feature> makeHelp(Workbench& bench);
 std::unique_ptr<Feature> makeKeyImages(Workbench& bench);
@@ -58,6 +60,7 @@ std::unique_ptr<Feature> makeOpening(Workbench& bench);
 std::unique_ptr<Feature> makePages(Workbench& bench);
 std::unique_ptr<Feature> makePanels(Workbench& bench);
 std::unique_ptr<Feature> makePictureTurns(Workbench& bench);
+std::unique_ptr<Feature> makePlaneLines(Workbench& bench);
 std::unique_ptr<Feature> makePreferences(Workbench& bench);
 std::unique_ptr<Feature> makePresets(Workbench& bench);
 std::unique_ptr<Feature> makePrinting(Workbench& bench);
@@ -70,6 +73,7 @@ std::unique_ptr<Feature> makeSnapshots(Workbench& bench);
 std::unique_ptr<Feature> makeStatus(Workbench& bench);
 std::unique_ptr<Feature> makeStudies(Workbench& bench);
 std::unique_ptr<Feature> makeStudyListing(Workbench& bench);
+std::unique_ptr<Feature> makeToolsInFocus(Workbench& bench);
 std::unique_ptr<Feature> makeUndo(Workbench& bench);
 std::unique_ptr<Feature> makeViewActions(Workbench& bench);
 std::unique_ptr<Feature> makeViewPictures(Workbench& bench);

@@ -6,6 +6,15 @@ namespace volumen {
 
 namespace {
 
+// Letters that mean nothing in 3D, so that shortcuts can have them: W, which does, views hear themselves.
+QList<QKeySequence> keysOfTool(std::string_view name) {
+  if (name == "pan") return {QObject::tr("M")};
+  if (name == "zoom") return {QObject::tr("Z")};
+  if (name == "scroll") return {QObject::tr("B")};
+  if (name == "crosshair") return {QObject::tr("Y")};
+  return {};
+}
+
 // What a left drag does in slices and frames, beside measuring: a button each.
 class FlatTools : public Feature {
  public:
@@ -16,8 +25,14 @@ FlatTools::FlatTools(Workbench& bench) : Feature(bench) {
   for (const Tool& tool : tools()) {
     if (!tool.inSlices || tool.measuring) continue;
     const std::string name = std::string(tool.name) + "Tool";
-    QAction* action = bench_.addAction(
-        {name.c_str(), tool.text, {}, tool.name, true, {}, {{"viewMenu", 15}, {"toolBar", 25}}});
+    const QString key = tool.key ? QLatin1Char('\t') + QKeySequence(tool.key).toString() : QString();
+    QAction* action = bench_.addAction({name.c_str(),
+                                        tool.text + key,
+                                        keysOfTool(tool.name),
+                                        tool.name,
+                                        true,
+                                        {},
+                                        {{"viewMenu", 15}, {"toolBar", 25}}});
     const auto show = [this, action, &tool] { action->setChecked(&grid_.tool() == &tool); };
     connect(action, &QAction::triggered, this, [this, &tool, show] {
       grid_.setTool(tool);

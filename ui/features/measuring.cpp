@@ -3,6 +3,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "ui/features/action_text.h"
 #include "ui/features/feature.h"
 #include "ui/features/theme.h"
 #include "ui/panels/measurements_panel.h"
@@ -60,14 +61,11 @@ void Measuring::makeActions() {
     auto* action = new QAction(tool.text + key, group);
     action->setObjectName(name + QStringLiteral("Tool"));
     action->setCheckable(true);
-    action->setToolTip(toolTipOf(tool.text));
+    action->setToolTip(tipOf(*action));
     action->setProperty("iconName", QStringLiteral("measure-") + name);
     connect(action, &QAction::triggered, this, [this, &tool](bool on) {
       if (!on) return grid_.restoreTool();
       grid_.setTool(tool);
-      const auto hasPlane = [this](ViewId id) { return isFlat(session_.workspace().view(id).kind); };
-      if (std::ranges::none_of(viewsOnScreen(session_.workspace()), hasPlane))
-        tell(tr("Measuring works in slices: choose a layout with planes (Alt+2)."));
     });
     connect(&grid_, &ViewGrid::toolChanged, action,
             [this, action, &tool] { action->setChecked(&grid_.tool() == &tool); });

@@ -4,11 +4,11 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <algorithm>
 
-#include "ui/widgets/plain_text.h"
+#include "ui/panels/mouse_table.h"
 
 namespace volumen {
 
@@ -21,14 +21,8 @@ PreferencesDialog::PreferencesDialog(Session& session, QWidget* parent)
                    {{tr("Dark"), Theme::dark}, {tr("Light"), Theme::light}});
   addChoice<int>("textSize", tr("Text size"), &Preferences::textPercent,
                  {{tr("Normal"), 100}, {tr("Large"), 120}, {tr("Very large"), 140}});
-  form_->addRow(tr("Left drag"), plainLabel(tr("The chosen tool")));
-  const std::vector<std::pair<QString, DragAction>> actions{{tr("Rotate"), DragAction::rotate},
-                                                            {tr("Pan"), DragAction::pan},
-                                                            {tr("Zoom"), DragAction::zoom},
-                                                            {tr("Adjust curve (W/L)"), DragAction::curve}};
-  addChoice<DragAction>("middleDrag", tr("Middle drag"), &Preferences::middleDrag, actions);
-  addChoice<DragAction>("rightDrag", tr("Right drag"), &Preferences::rightDrag, actions);
-  addChoice<DragAction>("shiftDrag", tr("Shift+left drag"), &Preferences::shiftDrag, actions);
+  addMousePresets();
+  form_->addRow(new MouseTable(session_));
   addFlag("zoomDragInverted", tr("Drag down to enlarge"), &Preferences::zoomDragInverted);
   addFlag("wheelInverted", tr("Turn the wheel towards you to enlarge"), &Preferences::wheelInverted);
   addFlag("curveDragInverted", tr("Drag up to move the curve to higher values"),
@@ -37,6 +31,9 @@ PreferencesDialog::PreferencesDialog(Session& session, QWidget* parent)
                   {{tr("Linear"), false}, {tr("Logarithmic"), true}});
   addChoice<int>("memory", tr("Memory for series"), &Preferences::memoryPercent,
                  {{tr("10 % of the machine's"), 10}, {tr("25 %"), 25}, {tr("50 %"), 50}, {tr("75 %"), 75}});
+  addFlag("crosshairLines", tr("Lines of the crosshair in planes"), &Preferences::crosshairLines);
+  addFlag("referenceLines", tr("Reference lines of other views"), &Preferences::referenceLines);
+  addFlag("referenceEnds", tr("Reference lines of their first and last slices"), &Preferences::referenceEnds);
   addFlag("hideNames", tr("Hide names, IDs, dates and file names"), &Preferences::hideNames);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close);
   form_->addRow(buttons);
@@ -47,6 +44,23 @@ PreferencesDialog::PreferencesDialog(Session& session, QWidget* parent)
   restore->setAutoDefault(false);  // else Enter means it
   close->setDefault(true);
   connect(restore, &QPushButton::clicked, this, &PreferencesDialog::askToRestore);
+}
+
+// What differs from the one before goes: a preset is chosen whole.
+void PreferencesDialog::addMousePresets() {
+  auto* box = new QComboBox;
+  box->setObjectName(QStringLiteral("mousePreset"));
+  box->setAccessibleName(tr("Mouse"));
+  for (const MousePreset& preset : mousePresets()) box->addItem(preset.text);
+  form_->addRow(tr("Mouse"), box);
+  connect(box, &QComboBox::activated, this, [this](int n) {
+    session_.prefer(withMousePreset(session_.preferences(), mousePresets()[std::size_t(n)].name));
+  });
+  follow([this, box] {
+    const auto& all = mousePresets();
+    const auto chosen = std::ranges::find(all, session_.preferences().mousePreset, &MousePreset::name);
+    box->setCurrentIndex(chosen == all.end() ? 0 : int(chosen - all.begin()));
+  });
 }
 
 void PreferencesDialog::askToRestore() {

@@ -20,6 +20,7 @@ class PreferencesDialog : public QDialog {
   void addChoice(const char* name, const QString& label, Value Preferences::*member,
                  const std::vector<std::pair<QString, Value>>& entries);
   void addFlag(const char* name, const QString& label, bool Preferences::*member);
+  void addMousePresets();
   void askToRestore();
   void follow(const std::function<void()>& show);
 

@@ -11,6 +11,7 @@ namespace {
 
 // Logical pixels.
 constexpr int middleGap = 20;         // left free about the crosshair's point
+constexpr int freeAround = 24;        // of that point, where no line is taken hold of
 constexpr double handleRadius = 4;    // as drawn
 constexpr double turnReach = 9;       // for a press
 constexpr double moveReach = 4;       // likewise
@@ -18,6 +19,10 @@ constexpr double handleShare = 0.36;  // of the view's shorter side, from the cr
 
 QPointF middleOf(const SlicePress& press) {
   return press.pixelAt(crosshairOf(press.session.workspace(), press.view, *press.series).at);
+}
+
+QSizeF pictureSizeOf(const SlicePress& press) {
+  return {press.plane.size.x / press.pixelRatio, press.plane.size.y / press.pixelRatio};
 }
 
 double distance(QPointF a, QPointF b) { return QLineF(a, b).length(); }
@@ -32,26 +37,44 @@ bool isOnHandle(const CrossLine& line, QPointF p) {
   return std::ranges::any_of(line.handles, [&](QPointF h) { return distance(h, p) <= turnReach; });
 }
 
-const CrossLine* lineAt(const std::vector<CrossLine>& lines, QPointF p, QPointF middle) {
-  if (std::abs(p.x() - middle.x()) <= middleGap && std::abs(p.y() - middle.y()) <= middleGap) return nullptr;
-  const auto line =
-      std::ranges::find_if(lines, [&](const CrossLine& l) { return distanceFromLine(l, p) <= moveReach; });
+bool isWithin(QPointF p, QPointF middle, double reach) {
+  return std::abs(p.x() - middle.x()) <= reach && std::abs(p.y() - middle.y()) <= reach;
+}
+
+bool isInMiddleThird(const SlicePress& press) {
+  const QSizeF size = pictureSizeOf(press);
+  return std::abs(press.at.x() - size.width() / 2) < size.width() / 6 &&
+         std::abs(press.at.y() - size.height() / 2) < size.height() / 6;
+}
+
+const CrossLine* lineAt(const std::vector<CrossLine>& lines, const SlicePress& press, bool whole) {
+  const QPointF middle = middleOf(press);
+  if (isWithin(press.at, middle, whole ? middleGap : freeAround)) return nullptr;
+  if (!whole && isInMiddleThird(press)) return nullptr;
+  const auto line = std::ranges::find_if(
+      lines, [&](const CrossLine& l) { return distanceFromLine(l, press.at) <= moveReach; });
   return line == lines.end() ? nullptr : &*line;
 }
 
 }  // namespace
 
+bool isCrossed(const Workspace& workspace, ViewId view, ViewId other) {
+  const ViewState &own = workspace.view(view), &its = workspace.view(other);
+  return view != other && showsSlices(own.kind) && showsSlices(its.kind) && own.series == its.series &&
+         !scrollsAlone(workspace, view);
+}
+
 std::vector<CrossLine> crossLines(const SlicePress& press) {
+  if (!press.session.preferences().crosshairLines) return {};
   const Workspace& workspace = press.session.workspace();
   const Crosshair crosshair = crosshairOf(workspace, press.view, *press.series);
   const QPointF middle = middleOf(press);
-  const QSizeF size(press.plane.size.x / press.pixelRatio, press.plane.size.y / press.pixelRatio);
+  const QSizeF size = pictureSizeOf(press);
   const QRectF within = QRectF({0, 0}, size).adjusted(10, 10, -10, -10);
   std::vector<CrossLine> lines;
   for (const ViewId other : viewsOnScreen(workspace)) {
+    if (!isCrossed(workspace, press.view, other)) continue;
     const ViewState& view = workspace.view(other);
-    if (other == press.view || !showsSlices(view.kind) || view.series != keyOf(press.series->series))
-      continue;
     const SlicePlane plane =
         flatPlane(view, flatLookOf(view), press.series->volume->geometry(), crosshair, {100, 100});
     const auto cut = referenceLine(press.plane, plane);
@@ -82,17 +105,17 @@ void paintCrossLines(QPainter& painter, const std::vector<CrossLine>& lines, QPo
   painter.restore();
 }
 
-bool isOnLines(const SlicePress& press) {
+bool isOnLines(const SlicePress& press, bool whole) {
   const std::vector<CrossLine> lines = crossLines(press);
   const auto onHandle = [&](const CrossLine& line) { return isOnHandle(line, press.at); };
-  return std::ranges::any_of(lines, onHandle) || lineAt(lines, press.at, middleOf(press));
+  return std::ranges::any_of(lines, onHandle) || lineAt(lines, press, whole);
 }
 
-std::unique_ptr<Drag> beginOnLines(const SlicePress& press) {
+std::unique_ptr<Drag> beginOnLines(const SlicePress& press, bool whole) {
   const std::vector<CrossLine> lines = crossLines(press);
   for (const CrossLine& line : lines)
     if (isOnHandle(line, press.at)) return beginTurn(press);
-  const CrossLine* line = lineAt(lines, press.at, middleOf(press));
+  const CrossLine* line = lineAt(lines, press, whole);
   if (!line) return nullptr;
   const QPointF along = (line->to - line->from) / distance(line->from, line->to);
   return beginMovePlane(press, {-along.y(), along.x()});

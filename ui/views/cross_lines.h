@@ -14,16 +14,22 @@ struct CrossLine {
   std::vector<QPointF> handles;  ///< to turn the planes by; those inside the view
 };
 
-/// Where the other planes on screen of the same series cut this one.
+/// Whether another view on screen has a line among crossLines() of this one: both show slices of one series,
+/// at one crosshair.
+bool isCrossed(const Workspace& workspace, ViewId view, ViewId other);
+
+/// Where those planes cut this one; none where the preferences hide them.
 std::vector<CrossLine> crossLines(const SlicePress& press);
 
 /// Draws them with a gap about the crosshair's point.
 void paintCrossLines(QPainter& painter, const std::vector<CrossLine>& lines, QPointF middle, QRect view);
 
 /// What a press on the lines does: turns all planes by a handle, moves a plane by its line; null where none
-/// of them is under the press.
-std::unique_ptr<Drag> beginOnLines(const SlicePress& press);
+/// of them is under the press. A line is taken hold of in its outer parts alone, so that a drag that means
+/// the picture moves no plane: outside the middle third of the view and away from the crossing. `whole`: all
+/// along, but for the gap at the crossing.
+std::unique_ptr<Drag> beginOnLines(const SlicePress& press, bool whole);
 /// Whether there is one.
-bool isOnLines(const SlicePress& press);
+bool isOnLines(const SlicePress& press, bool whole);
 
 }  // namespace volumen

@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -14,15 +15,18 @@
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/key_images.h"
 
+class QNativeGestureEvent;
+
 namespace volumen {
 
 class TimeBar;
 class WarningBadge;
 struct DrawnMeasurement;
+struct ReferenceLine;
 
-/// A picture in a plane, whole at every step: the left button as the tool says, the wheel scrolls, Ctrl+wheel
-/// zooms, Shift+move moves the crosshair everywhere, a right click opens a menu. What it is a picture of, and
-/// what scrolling and windows mean there, say the classes made of it.
+/// A picture in a plane, whole at every step: the left button as the tool says, the others and the wheel
+/// as they are bound (ui/tools/mouse_bindings), a pinch zooms, a right click opens a menu. What it is a
+/// picture of, and what scrolling and windows mean there, say the classes made of it.
 class FlatView : public View {
   Q_OBJECT
  public:
@@ -69,6 +73,20 @@ class FlatView : public View {
   virtual PictureSeen pictureSeen() const = 0;
   /// The measurements that are seen, the one that is being drawn last.
   std::vector<DrawnMeasurement> drawnMeasurements() const;
+  /// A plane of the stack that is scrolled through: the one on screen, or one at an end.
+  enum class StackPart { current, first, last };
+  struct StackPlane {
+    StackPart part;
+    SlicePlane plane;
+  };
+  /// Those that other views show as lines, the one on screen first; none where it has no place in the
+  /// patient. `ends`: with the first and the last one, where they are known.
+  virtual std::vector<StackPlane> stackPlanes(bool ends) const;
+  /// Where the planes of other views on screen cut this one, as the preferences say: those in the same frame
+  /// of reference or one linked to it, but for those that have a line of the crosshair.
+  std::vector<ReferenceLine> referenceLines() const;
+  /// Who finds the view of an id; null: it is none of these.
+  void setFinder(std::function<const FlatView*(ViewId)> find) { find_ = std::move(find); }
 
  Q_SIGNALS:
   /// The picture of what the workspace says is on screen.
@@ -158,6 +176,9 @@ class FlatView : public View {
   void keyPressEvent(QKeyEvent*) override;
   bool event(QEvent*) override;
   void leaveEvent(QEvent*) override;
+  bool hasMenu() const override { return shown() != nullptr; }
+  /// What the left button does.
+  const Tool& tool() const { return *tool_; }
 
   SliceService& service_;
   DerivedObjects& derived_;
@@ -165,6 +186,10 @@ class FlatView : public View {
 
  private:
   const Tool* toolFor(const QMouseEvent& event) const;
+  bool movesCrosshair(Qt::KeyboardModifiers keys) const;
+  double wheelSign() const;
+  void zoomBy(const SlicePress& press, double factor);
+  bool pinch(const QNativeGestureEvent& event);
   QRectF windowRect() const;
   void typeWindow();
   void placeBadge();
@@ -182,6 +207,7 @@ class FlatView : public View {
   bool pressMeasuringKey(const QKeyEvent& event);
 
   MeasureJobs& measurer_;
+  std::function<const FlatView*(ViewId)> find_ = [](ViewId) { return nullptr; };
   std::pair<SeriesKey, ViewKind> showed_;
   WarningBadge* badge_;
   const Tool* tool_;

@@ -1,5 +1,6 @@
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QNativeGestureEvent>
 #include <QPainter>
 
 #include "ui/controller/measure_jobs.h"
@@ -160,6 +161,10 @@ bool FlatView::event(QEvent* event) {
       event->accept();
       return true;
     }
+  }
+  if (event->type() == QEvent::NativeGesture && pinch(static_cast<QNativeGestureEvent&>(*event))) {
+    event->accept();
+    return true;
   }
   return View::event(event);
 }

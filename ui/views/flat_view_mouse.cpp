@@ -1,45 +1,50 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
+#include <string>
 
-#include "ui/views/cross_lines.h"
+#include "ui/tools/mouse_bindings.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/latin_key.h"
 #include "ui/views/time_bar.h"
 
 namespace volumen {
 
+namespace {
+constexpr double fastScroll = 10;  // times
+}
+
 const Tool* FlatView::toolFor(const QMouseEvent& event) const {
-  switch (event.button()) {
-    case Qt::LeftButton:
-      if (event.modifiers() & Qt::ShiftModifier && !tool_->measuring && hasCursor())
-        return &toolNamed("crosshair");
-      // What has no place in the patient has no crosshair.
-      return !hasCursor() && tool_ == &toolNamed("crosshair") ? nullptr : tool_;
-    case Qt::MiddleButton:
-      return &toolNamed("pan");
-    case Qt::RightButton:
-      return &toolNamed("zoom");
-    default:
-      return nullptr;
-  }
+  const bool isLeft = event.button() == Qt::LeftButton;
+  if (!isLeft && event.button() != Qt::MiddleButton && event.button() != Qt::RightButton) return nullptr;
+  if (isLeft && tool_->measuring) return tool_;
+  std::string bound =
+      boundTo(session_.preferences(), slotOf(MousePlace::flat, event.button(), event.modifiers()));
+  // What has no place in the patient has no crosshair.
+  if (bound == "crosshair" && !hasCursor()) bound = isLeft ? "chosen" : "none";
+  if (bound == "none") return nullptr;
+  if (bound != "chosen") return &toolNamed(bound);
+  return !hasCursor() && tool_ == &toolNamed("crosshair") ? nullptr : tool_;
 }
 
 void FlatView::mousePressEvent(QMouseEvent* event) {
   View::mousePressEvent(event);
   const Tool* tool = toolFor(*event);
+  const bool isChosen = tool == tool_ && event->button() == Qt::LeftButton;
   if (tool && tool->measuring) stop();
+  if (!drag_) pressedAt_ = event->position();
   const auto press = pressAt(event->position());
   if (drag_ && event->button() == Qt::LeftButton) drag_->press(event->position());
   if (!tool || !press || drag_) return;
   session_.endGesture();
-  if (tool == tool_ && !tool->measuring && windowRect().contains(event->position())) return typeWindow();
-  pressedAt_ = event->position();
+  if (isChosen && !tool->measuring && windowRect().contains(event->position())) return typeWindow();
   stepsAtPress_ = session_.undoStack().index();
-  if (tool == tool_) drag_ = pressMeasurement(*press);
-  if (!drag_ && tool == tool_ && !tool->measuring) drag_ = pressLine(*press);
+  if (isChosen) drag_ = pressMeasurement(*press);
+  if (!drag_ && isChosen && !tool->measuring) drag_ = pressLine(*press);
   if (!drag_ && !hasWindow() && tool == &toolNamed("window")) return;
   if (!drag_) drag_ = tool->inSlices(*press);
   if (drag_->drawing()) update();
@@ -51,10 +56,16 @@ void FlatView::mouseMoveEvent(QMouseEvent* event) {
     if (drag_->drawing()) update();
     return pointAt(event->position());
   }
-  if (event->modifiers() & Qt::ShiftModifier && !tool_->measuring && hasCursor())
+  if (movesCrosshair(event->modifiers()))
     if (const auto press = pressAt(event->position())) beginCrosshair(*press);
   showCursorAt(event->position());
   pointAt(event->position());
+}
+
+bool FlatView::movesCrosshair(Qt::KeyboardModifiers keys) const {
+  const MouseSlot slot{MousePlace::flat, MouseInput::move, heldOf(keys)};
+  return slot.held && !tool_->measuring && hasCursor() &&
+         boundTo(session_.preferences(), slot) == "crosshair";
 }
 
 QString FlatView::textAt(QPointF position) const {
@@ -67,7 +78,8 @@ void FlatView::mouseReleaseEvent(QMouseEvent* event) {
       (event->button() != Qt::LeftButton || !drag_->release(event->position(), event->modifiers())))
     return update();
   const bool isClick = (event->position() - pressedAt_).manhattanLength() < QApplication::startDragDistance();
-  const bool wantsMenu = drag_ && event->button() == Qt::RightButton && isClick;
+  const bool wantsMenu =
+      event->button() == Qt::RightButton && isClick && (drag_ || (shown() && !toolFor(*event)));
   endDrag(event->modifiers());
   if (wantsMenu) Q_EMIT menuRequested(event->globalPosition().toPoint());
 }
@@ -76,19 +88,38 @@ void FlatView::wheelEvent(QWheelEvent* event) {
   pointAt(event->position());
   const auto press = pressAt(event->position());
   if (!press || drag_) return;
+  const MouseSlot slot{MousePlace::flat, MouseInput::wheel, heldOf(event->modifiers())};
+  const std::string bound = boundTo(session_.preferences(), slot);
   // Alt makes a wheel horizontal on some systems.
   const double notches = (event->angleDelta().y() + event->angleDelta().x()) / 120.0;
   wheelEnd_.start();
-  if (event->modifiers() & Qt::ControlModifier) {
-    const double sign = session_.preferences().wheelInverted ? -1 : 1;
-    return zoomFlat(session_, id(), flatLookOf(state()), press->plane, press->patientAt(press->at),
-                    std::pow(0.85, -sign * notches));
+  if (bound == "none") return;
+  if (bound == "zoom") return zoomBy(*press, std::pow(0.85, -wheelSign() * notches));
+  // A wheel has no pixels to pan by.
+  if (bound == "pan" && !event->pixelDelta().isNull()) {
+    beginSlicePan(*press)->moveTo(press->at + event->pixelDelta(), {});
+    return;
   }
-  wheelRest_ -= notches;
+  wheelRest_ -= bound == "fast" ? fastScroll * notches : notches;
   const int steps = int(std::trunc(wheelRest_));
   wheelRest_ -= steps;
-  if (event->modifiers() & Qt::AltModifier) return makeThicker(-steps);
+  if (bound == "slab") return makeThicker(-steps);
   scroll(steps);
+}
+
+double FlatView::wheelSign() const { return session_.preferences().wheelInverted ? -1 : 1; }
+
+void FlatView::zoomBy(const SlicePress& press, double factor) {
+  zoomFlat(session_, id(), flatLookOf(state()), press.plane, press.patientAt(press.at), factor);
+}
+
+// Two fingers that go apart enlarge about the place between them.
+bool FlatView::pinch(const QNativeGestureEvent& event) {
+  const auto press = pressAt(event.position());
+  if (event.gestureType() != Qt::ZoomNativeGesture || !press || drag_) return false;
+  zoomBy(*press, std::clamp(1 + event.value(), 0.1, 10.0));
+  wheelEnd_.start();
+  return true;
 }
 
 void FlatView::keyPressEvent(QKeyEvent* event) {

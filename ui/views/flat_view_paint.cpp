@@ -3,6 +3,7 @@
 
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/flat_view.h"
+#include "ui/views/reference_lines.h"
 #include "ui/views/time_bar.h"
 #include "ui/widgets/warning_badge.h"
 
@@ -59,6 +60,7 @@ void FlatView::paintWith(QPainter& painter, const QImage& picture) const {
   if (shown()) {
     if (!picture.isNull()) painter.drawImage(QPointF(0, 0), picture);
     paintLines(painter);
+    paintReferenceLines(painter, referenceLines(), rect());
     paintMeasurements(painter, drawnMeasurements());
     paintOverlays(painter, overlays(), overlayArea());
     paintColours(painter);

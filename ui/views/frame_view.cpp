@@ -176,6 +176,21 @@ PictureSeen FrameView::pictureSeen() const {
   return {frame_ ? std::optional(frame_->key.index) : std::nullopt, false};
 }
 
+// The ends only where the frames are the slices of a volume: of others only those that were read have a
+// place.
+std::vector<FlatView::StackPlane> FrameView::stackPlanes(bool ends) const {
+  std::vector<StackPlane> planes = FlatView::stackPlanes(ends);
+  if (planes.empty() || !ends) return planes;
+  const Series& series = *seriesState().series;
+  if (!series.notVolume.empty() || frameCount(series) != series.acquired.size.z) return planes;
+  for (const auto& [part, index] : {std::pair(StackPart::first, 0), {StackPart::last, place().count - 1}}) {
+    SlicePlane plane = planes.front().plane;
+    plane.centre += double(index - place().index) * series.acquired.patientFromVoxelStep[2];
+    planes.push_back({part, plane});
+  }
+  return planes;
+}
+
 std::vector<const Measurement*> FrameView::measurements() const {
   return measurementsOn(session_.workspace(), *seriesState().series, frame_->key.index);
 }

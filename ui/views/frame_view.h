@@ -29,6 +29,7 @@ class FrameView : public FlatView {
   std::vector<WindowChoice> windows() const override;
   void chooseWindow(int number) override;
   PictureSeen pictureSeen() const override;
+  std::vector<StackPlane> stackPlanes(bool ends) const override;
 
  protected:
   SlicePlane planeShown(const SlicePlane& plane) const override;

@@ -23,6 +23,7 @@ namespace {
 
 constexpr QRgb segmentColour = 0xffff6a3d;
 constexpr double segmentOpacity = 0.5;
+constexpr int beyondAnyEnd = 1 << 24;  // steps
 
 // The value of the voxel at a point, with its unit; empty outside the volume.
 QString valueAt(const LoadedSeries& shown, glm::dvec3 p) {
@@ -160,12 +161,12 @@ std::vector<const Measurement*> SliceView::measurements() const {
 }
 
 std::unique_ptr<Drag> SliceView::pressLine(const SlicePress& press) const {
-  std::unique_ptr<Drag> drag = beginOnLines(press);
+  std::unique_ptr<Drag> drag = beginOnLines(press, hasCrosshairTool());
   return drag ? std::move(drag) : beginOnClip(press, clipShown_);
 }
 
 bool SliceView::isOnLine(const SlicePress& press) const {
-  return isOnLines(press) || isOnClip(press, clipShown_);
+  return isOnLines(press, hasCrosshairTool()) || isOnClip(press, clipShown_);
 }
 
 QString SliceView::hoverText(QPointF position) const {
@@ -208,6 +209,22 @@ Overlays SliceView::overlays() const {
   o.top = letters(-now.down);
   o.mmPerPixel = now.mmPerPixel * devicePixelRatioF();
   return o;
+}
+
+bool SliceView::hasCrosshairTool() const { return &tool() == &toolNamed("crosshair"); }
+
+std::vector<FlatView::StackPlane> SliceView::stackPlanes(bool ends) const {
+  std::vector<StackPlane> planes = FlatView::stackPlanes(ends);
+  const LoadedSeriesPtr shown = this->shown();
+  if (planes.empty() || !ends) return planes;
+  const Crosshair crosshair = crosshairOf(session_.workspace(), id(), *shown);
+  for (const auto& [part, steps] :
+       {std::pair(StackPart::first, -beyondAnyEnd), {StackPart::last, beyondAnyEnd}}) {
+    SlicePlane plane = planes.front().plane;
+    plane.centre += scrolled(shown->volume->geometry(), state().kind, crosshair, steps) - crosshair.at;
+    planes.push_back({part, plane});
+  }
+  return planes;
 }
 
 // Those of the clip box and of the other planes.

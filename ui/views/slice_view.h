@@ -22,6 +22,7 @@ class SliceView : public FlatView {
   std::vector<WindowChoice> windows() const override;
   void chooseWindow(int number) override;
   PictureSeen pictureSeen() const override;
+  std::vector<StackPlane> stackPlanes(bool ends) const override;
 
  protected:
   SliceRequest requestOf(const SlicePlane& plane) const override;
@@ -40,6 +41,8 @@ class SliceView : public FlatView {
   void paintColours(QPainter& painter) const override;
 
  private:
+  bool hasCrosshairTool() const;
+
   bool clipShown_ = false;
   std::optional<VolumeRange> segment_;  // that is looked at alone
 };

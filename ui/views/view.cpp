@@ -1,6 +1,7 @@
 #include "ui/views/view.h"
 
 #include <QDragEnterEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <cmath>
@@ -163,6 +164,22 @@ void View::mousePressEvent(QMouseEvent* event) {
 
 void View::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton) Q_EMIT maximiseRequested();
+}
+
+// The key itself: what systems make of it, a context menu event, comes beside it on some of them only.
+void View::keyPressEvent(QKeyEvent* event) {
+  const bool isMenuKey = event->key() == Qt::Key_Menu ||
+                         (event->key() == Qt::Key_F10 && event->modifiers() == Qt::ShiftModifier);
+  if (!isMenuKey || !hasMenu()) return QWidget::keyPressEvent(event);
+  session_.setFocus(id_);
+  Q_EMIT menuRequested(mapToGlobal(rect().center()));
+}
+
+// Tab came here from a panel: the frame goes where the keys are.
+void View::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
+    session_.setFocus(id_);
 }
 
 void View::pointAt(QPointF position) {

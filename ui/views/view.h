@@ -40,7 +40,7 @@ class View : public QWidget {
  Q_SIGNALS:
   void pixelsChanged();
   void maximiseRequested();
-  /// A right click: a menu is to be opened here.
+  /// A right click, the Menu key or Shift+F10: a menu is to be opened here.
   void menuRequested(QPoint global);
   /// Something was dropped that is no file.
   void dropped(const QMimeData& data);
@@ -62,6 +62,8 @@ class View : public QWidget {
   virtual std::vector<QWidget*> badges() const { return {loading_}; }
   /// What is to be said of a place of the view, logical pixels; empty: nothing.
   virtual QString textAt(QPointF position) const = 0;
+  /// Whether there is something that a menu could be about.
+  virtual bool hasMenu() const { return false; }
   /// The cursor is here: hovered() tells what is under it, now and whenever that changes beneath it.
   void pointAt(QPointF position);
   /// What is under the cursor may be something else now.
@@ -77,6 +79,8 @@ class View : public QWidget {
   void dropEvent(QDropEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
   void mouseDoubleClickEvent(QMouseEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  void focusInEvent(QFocusEvent*) override;
   void leaveEvent(QEvent*) override;
   void hideEvent(QHideEvent*) override;
   void resizeEvent(QResizeEvent*) override;

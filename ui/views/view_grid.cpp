@@ -70,17 +70,24 @@ View* ViewGrid::viewOf(ViewId id, ViewFamily family) {
     slices->setClipShown(clipShown_);
     slices->showSegment(segment_);
   }
-  if (auto* flat = qobject_cast<FlatView*>(view)) {
-    flat->setTool(*tool_);
-    connect(flat, &FlatView::toolWanted, this, &ViewGrid::setTool);
-    connect(flat, &FlatView::toolDone, this, &ViewGrid::restoreTool);
-  }
+  if (auto* flat = qobject_cast<FlatView*>(view)) connectFlat(flat, family);
   if (auto* volume = qobject_cast<VolumeView*>(view)) {
     volume->setTool(*sceneTool_);
     volume->setErrorShown(errorShown_);
     Q_EMIT volumeViewMade(volume);
   }
   return view;
+}
+
+void ViewGrid::connectFlat(FlatView* flat, ViewFamily family) {
+  flat->setTool(*tool_);
+  flat->setFinder([this](ViewId id) { return viewAs<FlatView>(id); });
+  connect(flat, &FlatView::toolWanted, this, &ViewGrid::setTool);
+  connect(flat, &FlatView::toolDone, this, &ViewGrid::restoreTool);
+  // Where a frame lies is known once it is read.
+  if (family == ViewFamily::frames)
+    connect(flat, &FlatView::settled, this,
+            [this] { each<FlatView>([](FlatView& view) { view.update(); }); });
 }
 
 void ViewGrid::requestPictures() {
@@ -156,9 +163,24 @@ void ViewGrid::setAlone(bool alone) {
   arrange();
 }
 
-void ViewGrid::arrange() {
+std::vector<ViewId> ViewGrid::idsShown() const {
   std::vector<ViewId> ids = viewsOnScreen(session_.workspace());
   if (alone_ && std::ranges::find(ids, *alone_) != ids.end()) ids = {*alone_};
+  return ids;
+}
+
+bool ViewGrid::focusNextPrevChild(bool next) {
+  const std::vector<ViewId> ids = idsShown();
+  const auto at = std::ranges::find(ids, session_.workspace().focus);
+  if (ids.size() < 2 || at == ids.end() || window()->focusWidget() != viewOf(*at))
+    return QWidget::focusNextPrevChild(next);
+  const std::size_t step = next ? 1 : ids.size() - 1;
+  session_.setFocus(ids[(std::size_t(at - ids.begin()) + step) % ids.size()]);
+  return true;
+}
+
+void ViewGrid::arrange() {
+  const std::vector<ViewId> ids = idsShown();
   const std::vector<QRect> places = placesOf(session_.workspace().layout, ids.size(), size());
   for (std::size_t n = 0; n < ids.size(); ++n) {
     View* view = viewOf(ids[n]);

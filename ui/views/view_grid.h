@@ -63,10 +63,16 @@ class ViewGrid : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent*) override;
+  /// Tab and Shift+Tab go from the view that has the keys to the next one on screen, which comes into focus;
+  /// F6 leaves the views (ui/features/focus_keys). From a control on a view, and where there is one view
+  /// alone, they go on as everywhere else.
+  bool focusNextPrevChild(bool next) override;
 
  private:
   View* viewOf(ViewId id, ViewFamily family);
   void connectView(View* view);
+  void connectFlat(FlatView* flat, ViewFamily family);
+  std::vector<ViewId> idsShown() const;
   void arrange();
   ViewFamily familyOf(ViewId id) const { return rowOf(session_.workspace().view(id).kind).family; }
   /// Calls it with all views of class V that were made.

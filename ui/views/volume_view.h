@@ -18,8 +18,8 @@ class TimeBar;
 class WarningBadge;
 
 /// The picture of the session's scene at device pixels, and what the mouse does with it: left-drag as the
-/// tool says, the other drags as the preferences do, the wheel zooms at the cursor, arrows turn, double-click
-/// asks to be alone.
+/// tool says, the other drags and the wheel as they are bound (ui/tools/mouse_bindings), a pinch zooms,
+/// arrows turn, double-click asks to be alone.
 class VolumeView : public View {
   Q_OBJECT
  public:
@@ -70,10 +70,13 @@ class VolumeView : public View {
   void mouseReleaseEvent(QMouseEvent*) override;
   void wheelEvent(QWheelEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
+  bool event(QEvent*) override;
+  bool hasMenu() const override { return series() != nullptr; }
 
  private:
   const Tool* toolFor(const QMouseEvent& event) const;
-  ScenePress pressAt(const QMouseEvent& event);
+  ScenePress pressAt(QPointF position, Qt::KeyboardModifiers keys);
+  void zoomAt(QPointF position, double factor);
   /// Ends a drag; what it did to the workspace stays.
   void letGo();
   /// Ends a drag as if it had not been.

@@ -1,8 +1,12 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "ui/tools/mouse_bindings.h"
 #include "ui/tools/tool.h"
 #include "ui/views/volume_view.h"
 #include "ui/workspace/text.h"
@@ -14,32 +18,24 @@ glm::dvec2 toVec(QPointF p) { return {p.x(), p.y()}; }
 }  // namespace
 
 const Tool* VolumeView::toolFor(const QMouseEvent& event) const {
-  const Preferences& wanted = session_.preferences();
-  const auto toolOf = [](DragAction action) { return &toolNamed(nameOf(action)); };
-  const Tool* curve = &toolNamed("curve");
-  switch (event.button()) {
-    case Qt::MiddleButton:
-      return toolOf(wanted.middleDrag);
-    case Qt::RightButton:
-      return toolOf(wanted.rightDrag);
-    case Qt::LeftButton:
-      // In projections Shift makes the window fine.
-      if (tool_ == curve && scene().mode != Mode::composite) return curve;
-      return event.modifiers() & Qt::ShiftModifier ? toolOf(wanted.shiftDrag) : tool_;
-    default:
-      return nullptr;
-  }
+  const bool isLeft = event.button() == Qt::LeftButton;
+  if (!isLeft && event.button() != Qt::MiddleButton && event.button() != Qt::RightButton) return nullptr;
+  // In projections Shift makes the window fine.
+  if (isLeft && tool_ == &toolNamed("curve") && scene().mode != Mode::composite) return tool_;
+  const std::string bound =
+      boundTo(session_.preferences(), slotOf(MousePlace::scene, event.button(), event.modifiers()));
+  return bound == "chosen" ? tool_ : bound == "none" ? nullptr : &toolNamed(bound);
 }
 
-ScenePress VolumeView::pressAt(const QMouseEvent& event) {
-  const std::optional<Pick> hit = pickAt(event.position());
+ScenePress VolumeView::pressAt(QPointF position, Qt::KeyboardModifiers keys) {
+  const std::optional<Pick> hit = pickAt(position);
   ScenePress press{session_,
                    id(),
                    series(),
                    scene(),
-                   event.position(),
+                   position,
                    size(),
-                   event.modifiers(),
+                   keys,
                    hit ? hit->pPatient : std::nullopt,
                    [this](const QString& text, const Camera& camera) { editCamera(text, camera); },
                    [this](const Lasso& lasso) { Q_EMIT lassoDrawn(state().series, lasso); }};
@@ -50,12 +46,12 @@ ScenePress VolumeView::pressAt(const QMouseEvent& event) {
 void VolumeView::mousePressEvent(QMouseEvent* event) {
   View::mousePressEvent(event);
   if (!series() || drag_) return;
+  pressedAt_ = event->position();
   const Tool* tool = toolFor(*event);
   if (!tool) return;
   session_.endGesture();
-  pressedAt_ = event->position();
   stepsAtPress_ = session_.undoStack().index();
-  drag_ = tool->inScene(pressAt(*event));
+  drag_ = tool->inScene(pressAt(event->position(), event->modifiers()));
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
@@ -82,7 +78,8 @@ void VolumeView::giveUp() {
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   const bool isStill = (event->position() - pressedAt_).manhattanLength() < 3;
   const bool clicked = drag_ && drag_->pointsWhereStill() && isStill;
-  const bool wantsMenu = drag_ && event->button() == Qt::RightButton && isStill;
+  const bool wantsMenu =
+      event->button() == Qt::RightButton && isStill && (drag_ || (series() && !toolFor(*event)));
   // What is cut may exchange the volume, which gives up drags.
   if (const auto drag = std::move(drag_)) {
     drag->release(event->position(), event->modifiers());
@@ -100,23 +97,49 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
 void VolumeView::wheelEvent(QWheelEvent* event) {
   pointAt(event->position());
   if (!series() || drag_) return;
+  const MouseSlot slot{MousePlace::scene, MouseInput::wheel, heldOf(event->modifiers())};
+  const std::string bound = boundTo(session_.preferences(), slot);
+  if (bound == "none") return;
+  wheelEnd_.start();
+  // A wheel has no pixels to pan by.
+  if (bound == "pan" && !event->pixelDelta().isNull()) {
+    const ScenePress press = pressAt(event->position(), {});
+    return beginScenePan(press)->moveTo(press.at + event->pixelDelta(), {});
+  }
+  // Alt makes a wheel horizontal on some systems.
+  const QPoint delta = event->angleDelta();
+  const double notches = (slot.held == Qt::AltModifier ? delta.x() + delta.y() : delta.y()) / 120.0;
+  zoomAt(event->position(), std::pow(0.85, session_.preferences().wheelInverted ? -notches : notches));
+}
+
+// What is seen there stays where it is; `factor` is that of the height that is seen.
+void VolumeView::zoomAt(QPointF position, double factor) {
   const Camera now = camera();
-  const std::optional<Pick> hit = pickAt(event->position());
-  const SightLine line = sightLine(now, size(), toVec(event->position()));
+  const std::optional<Pick> hit = pickAt(position);
+  const SightLine line = sightLine(now, size(), toVec(position));
   const std::optional<glm::dvec3> place = hit ? hit->pPatient : std::nullopt;
   glm::dvec3 fixed = place.value_or(line.origin);
   if (!place && now.projection == Projection::perspective)
     fixed = line.origin + now.distance * line.direction;
-  const double notches = (session_.preferences().wheelInverted ? -1 : 1) * event->angleDelta().y() / 120.0;
-  editCamera(tr("Zoom"), zoomedAt(now, fixed, std::pow(0.85, notches)));
+  editCamera(tr("Zoom"), zoomedAt(now, fixed, factor));
+}
+
+// Two fingers that go apart enlarge.
+bool VolumeView::event(QEvent* event) {
+  if (event->type() != QEvent::NativeGesture) return View::event(event);
+  const auto& gesture = static_cast<QNativeGestureEvent&>(*event);
+  if (gesture.gestureType() != Qt::ZoomNativeGesture || !series() || drag_) return View::event(event);
+  zoomAt(gesture.position(), 1 / std::clamp(1 + gesture.value(), 0.1, 10.0));
   wheelEnd_.start();
+  event->accept();
+  return true;
 }
 
 void VolumeView::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && drag_) return giveUp();
   const int right = (event->key() == Qt::Key_Right) - (event->key() == Qt::Key_Left);
   const int down = (event->key() == Qt::Key_Down) - (event->key() == Qt::Key_Up);
-  if (!series() || (right == 0 && down == 0)) return QWidget::keyPressEvent(event);
+  if (!series() || (right == 0 && down == 0)) return View::keyPressEvent(event);
   const double angle = (event->modifiers() & Qt::ShiftModifier ? 1 : 5) * 3.14159265358979 / 180;
   const Camera now = camera();
   editCamera(tr("Rotate"), orbited(now, *now.target, right * angle, down * angle));

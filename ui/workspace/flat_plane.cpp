@@ -228,4 +228,31 @@ std::optional<PixelLine> referenceLine(const SlicePlane& view, const SlicePlane&
                    view.pixelFromPatient(p + halfMm * along / sine)};
 }
 
+// Liang and Barsky: what each edge leaves of the part of the line from `low` to `high`.
+std::optional<PixelLine> referenceSegment(const SlicePlane& view, const SlicePlane& other) {
+  const auto line = referenceLine(view, other);
+  if (!line) return {};
+  const glm::dvec2 along = line->to - line->from;
+  double low = 0, high = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (along[axis] == 0) {
+      if (line->from[axis] < 0 || line->from[axis] > view.size[axis]) return {};
+      continue;
+    }
+    const double a = -line->from[axis] / along[axis];
+    const double b = (view.size[axis] - line->from[axis]) / along[axis];
+    low = std::max(low, std::min(a, b));
+    high = std::min(high, std::max(a, b));
+  }
+  if (low >= high) return {};
+  return PixelLine{line->from + low * along, line->from + high * along};
+}
+
+SlicePlane carriedTo(const Rigid& toFromFrom, SlicePlane plane) {
+  plane.centre = toFromFrom(plane.centre);
+  plane.right = toFromFrom.rotation * plane.right;
+  plane.down = toFromFrom.rotation * plane.down;
+  return plane;
+}
+
 }  // namespace volumen

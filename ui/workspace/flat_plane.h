@@ -5,6 +5,7 @@
 #include "ui/data/loaded_frame.h"
 #include "ui/workspace/workspace.h"
 #include "viewer/slice/plane.h"
+#include "viewer/volume/rigid.h"
 
 namespace volumen {
 
@@ -69,5 +70,9 @@ struct PixelLine {
   glm::dvec2 from, to;
 };
 std::optional<PixelLine> referenceLine(const SlicePlane& view, const SlicePlane& other);
+/// The part of it that lies in the picture of `view`; none where it lies beside it.
+std::optional<PixelLine> referenceSegment(const SlicePlane& view, const SlicePlane& other);
+/// A plane as it lies in another frame of reference.
+SlicePlane carriedTo(const Rigid& toFromFrom, SlicePlane plane);
 
 }  // namespace volumen

@@ -1,17 +1,12 @@
 #include "ui/workspace/preferences.h"
 
 #include <QSettings>
+#include <QStringList>
 #include <algorithm>
-#include <utility>
 
 namespace volumen {
 
 namespace {
-
-constexpr std::pair<DragAction, const char*> dragNames[] = {{DragAction::rotate, "rotate"},
-                                                            {DragAction::pan, "pan"},
-                                                            {DragAction::zoom, "zoom"},
-                                                            {DragAction::curve, "curve"}};
 
 constexpr PetUnit petUnits[] = {PetUnit::suvBodyWeight, PetUnit::suvLeanBodyMass, PetUnit::suvBodySurface,
                                 PetUnit::file};
@@ -21,13 +16,15 @@ template <class Visit>
 void visit(Preferences& p, const Visit& each) {
   each("theme", p.theme);
   each("textPercent", p.textPercent);
-  each("middleDrag", p.middleDrag);
-  each("rightDrag", p.rightDrag);
-  each("shiftDrag", p.shiftDrag);
+  each("mousePreset", p.mousePreset);
+  each("mouseBindings", p.mouseBindings);
   each("zoomDragInverted", p.zoomDragInverted);
   each("wheelInverted", p.wheelInverted);
   each("curveDragInverted", p.curveDragInverted);
   each("logarithmicOpacity", p.logarithmicOpacity);
+  each("crosshairLines", p.crosshairLines);
+  each("referenceLines", p.referenceLines);
+  each("referenceEnds", p.referenceEnds);
   each("hideNames", p.hideNames);
   each("petUnit", p.petUnit);
   each("memoryPercent", p.memoryPercent);
@@ -38,7 +35,13 @@ QVariant toVariant(int value) { return value; }
 QVariant toVariant(Theme theme) {
   return theme == Theme::light ? QStringLiteral("light") : QStringLiteral("dark");
 }
-QVariant toVariant(DragAction action) { return QLatin1String(nameOf(action)); }
+QVariant toVariant(const std::string& word) { return QString::fromStdString(word); }
+// "flat.right=pan", a line each.
+QVariant toVariant(const std::map<std::string, std::string>& bindings) {
+  QStringList lines;
+  for (const auto& [slot, action] : bindings) lines << QString::fromStdString(slot + '=' + action);
+  return lines;
+}
 QVariant toVariant(PetUnit unit) { return QLatin1String(petUnitName(unit)); }
 
 void fromVariant(const QVariant& kept, bool& value) { value = kept.toBool(); }
@@ -49,9 +52,12 @@ void fromVariant(const QVariant& kept, int& percent) {
 void fromVariant(const QVariant& kept, Theme& theme) {
   theme = kept.toString() == QStringLiteral("light") ? Theme::light : Theme::dark;
 }
-void fromVariant(const QVariant& kept, DragAction& action) {
-  for (const auto& [known, name] : dragNames)
-    if (kept.toString() == QLatin1String(name)) action = known;
+void fromVariant(const QVariant& kept, std::string& word) { word = kept.toString().toStdString(); }
+void fromVariant(const QVariant& kept, std::map<std::string, std::string>& bindings) {
+  for (const QString& line : kept.toStringList()) {
+    const QStringList parts = line.split(QLatin1Char('='));
+    if (parts.size() == 2) bindings[parts[0].toStdString()] = parts[1].toStdString();
+  }
 }
 void fromVariant(const QVariant& kept, PetUnit& unit) {
   for (const PetUnit known : petUnits)
@@ -59,10 +65,6 @@ void fromVariant(const QVariant& kept, PetUnit& unit) {
 }
 
 }  // namespace
-
-const char* nameOf(DragAction action) {
-  return std::ranges::find(dragNames, action, &std::pair<DragAction, const char*>::first)->second;
-}
 
 Preferences storedPreferences() {
   Preferences preferences;

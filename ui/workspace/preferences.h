@@ -1,27 +1,27 @@
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "io/study/suv.h"
 
 namespace volumen {
 
 enum class Theme { dark, light };
 
-/// What dragging with a mouse button does in the view.
-enum class DragAction { rotate, pan, zoom, curve };
-
-/// The name of its tool (ui/tools), and in settings.
-const char* nameOf(DragAction action);
-
 /// How one person wants the window; kept from one start to the next.
 struct Preferences {
   Theme theme = Theme::dark;
-  int textPercent = 100;  ///< of the system's text size
-  /// A left drag is the chosen tool's.
-  DragAction middleDrag = DragAction::pan, rightDrag = DragAction::zoom, shiftDrag = DragAction::pan;
-  bool zoomDragInverted = false;   ///< dragging down enlarges
-  bool wheelInverted = false;      ///< the wheel towards the hand enlarges
-  bool curveDragInverted = false;  ///< dragging up shifts the curve to higher values
+  int textPercent = 100;                             ///< of the system's text size
+  std::string mousePreset = "volumen";               ///< one of mousePresets() (ui/tools/mouse_bindings)
+  std::map<std::string, std::string> mouseBindings;  ///< in place of its rows: {"flat.right", "pan"}
+  bool zoomDragInverted = false;                     ///< dragging down enlarges
+  bool wheelInverted = false;                        ///< the wheel towards the hand enlarges
+  bool curveDragInverted = false;                    ///< dragging up shifts the curve to higher values
   bool logarithmicOpacity = false;
+  bool crosshairLines = true;  ///< of planes of one series, in each other
+  bool referenceLines = true;  ///< of planes of other views
+  bool referenceEnds = false;  ///< and of their first and last slices
   bool hideNames = false;
   PetUnit petUnit = PetUnit::suvBodyWeight;  ///< where it can be had
   int memoryPercent = 25;                    ///< of the machine's memory, for series that are not on screen

@@ -1,0 +1,224 @@
+// Guards the searchable list of commands: all of them with menus and keys, found by words, done by Enter or a
+// click, without a mouse; what cannot be done is grey and does nothing.
+#include <QLineEdit>
+#include <QMenu>
+#include <QTreeWidget>
+
+#include "tests/ui/measure_window.h"
+#include "tests/unit/suite.h"
+#include "ui/widgets/command_list.h"
+#include "ui/workspace/camera_moves.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+struct CommandWindow : MeasureWindow {
+  CommandWindow() {
+    view()->setFocus();
+    open();
+  }
+  void open() { QTest::keyClick(window.focusWidget(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier); }
+  CommandList* list() { return window.findChild<CommandList*>(); }
+  QLineEdit* search() { return child<QLineEdit>("commandSearch"); }
+  QTreeWidget* rows() { return child<QTreeWidget>("commandRows"); }
+  QTreeWidgetItem* row(int n) { return rows()->topLevelItem(n); }
+  // Text, path and keys of a row; empty: there is none.
+  QStringList texts(int n) {
+    const QTreeWidgetItem* item = row(n);
+    return item ? QStringList{item->text(0), item->text(1), item->text(2)} : QStringList();
+  }
+  QTreeWidgetItem* rowOf(const char* text) {
+    return rows()->findItems(QString::fromUtf8(text), Qt::MatchExactly).value(0);
+  }
+  void type(const char* text) {
+    search()->clear();
+    QTest::keyClicks(search(), QString::fromUtf8(text));
+  }
+  QString current() { return rows()->currentItem() ? rows()->currentItem()->text(0) : QString(); }
+};
+
+}  // namespace
+
+class TestCommandList : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void init() {
+    QSettings().clear();
+    openAlone();
+  }
+  void cleanup() { init(); }
+  void itHoldsAllCommands();
+  void wordsAreFoundAnywhere_data();
+  void wordsAreFoundAnywhere();
+  void enterDoesTheFirst();
+  void arrowsGoThroughWhatCanBeDone();
+  void whatCannotBeDoneIsGrey();
+  void aClickDoesIt();
+  void escapeClosesNothingElse();
+  void itClosesWhenTheKeysGoElsewhere();
+  void whatWasUsedLastComesFirst();
+  void keysThatAreNoCommandsAreFound();
+  void lettersAreTypedNotDone();
+  void itActsOnTheViewThatHadTheKeys();
+};
+
+void TestCommandList::itHoldsAllCommands() {
+  CommandWindow w;
+  QVERIFY(w.list()->isVisible());
+  QCOMPARE(w.window.focusWidget(), w.search());
+  for (const QAction* action : w.window.actions()) {
+    if (action->objectName().isEmpty() || action->menu()) continue;
+    QString text = action->text().section(QLatin1Char('\t'), 0, 0);
+    text.remove(QLatin1Char('&'));
+    const auto found = w.rows()->findItems(text, Qt::MatchExactly);
+    QVERIFY2(!found.isEmpty(), qPrintable(text));
+    for (const QKeySequence& key : action->shortcuts())
+      QVERIFY2(std::ranges::any_of(found,
+                                   [&](const QTreeWidgetItem* item) {
+                                     return item->text(2).contains(key.toString(QKeySequence::NativeText));
+                                   }),
+               qPrintable(text));
+  }
+  QCOMPARE(w.rowOf("Length")->text(2), QStringLiteral("D"));
+  QCOMPARE(w.rowOf("Length")->text(1), QStringLiteral("View > Measure"));
+  QCOMPARE(w.rowOf("Lights")->text(1), QStringLiteral("View > Panels"));
+  QCOMPARE(w.rowOf("One view")->text(2), QStringLiteral("Alt+1"));
+}
+
+void TestCommandList::wordsAreFoundAnywhere_data() {
+  QTest::addColumn<QString>("typed");
+  QTest::addColumn<QString>("found");
+  QTest::newRow("a word") << QStringLiteral("anterior") << QStringLiteral("Anterior view");
+  QTest::newRow("parts of words") << QStringLiteral("ror bott") << QStringLiteral("Mirror top to bottom");
+  QTest::newRow("in any order") << QStringLiteral("view anterior") << QStringLiteral("Anterior view");
+  QTest::newRow("capitals") << QStringLiteral("ANTERIOR") << QStringLiteral("Anterior view");
+  QTest::newRow("accents") << QString::fromUtf8("\u00e0nt\u00e9rior") << QStringLiteral("Anterior view");
+  QTest::newRow("a menu") << QStringLiteral("layout two") << QStringLiteral("Two series");
+  QTest::newRow("nothing") << QStringLiteral("anterior banana") << QString();
+}
+
+void TestCommandList::wordsAreFoundAnywhere() {
+  QFETCH(QString, typed);
+  QFETCH(QString, found);
+  CommandWindow w;
+  w.search()->setText(typed);
+  QCOMPARE(w.row(0) ? w.row(0)->text(0) : QString(), found);
+  w.search()->clear();
+  QVERIFY(w.rows()->topLevelItemCount() > 50);
+}
+
+void TestCommandList::enterDoesTheFirst() {
+  CommandWindow w;
+  w.type("ant vie");
+  QTest::keyClick(w.search(), Qt::Key_Return);
+  QVERIFY(!w.list()->isVisible());
+  QCOMPARE(viewName(w.window.view()->camera()), std::string("anterior"));
+  QCOMPARE(w.window.focusWidget(), static_cast<QWidget*>(w.view()));
+}
+
+void TestCommandList::arrowsGoThroughWhatCanBeDone() {
+  CommandWindow w;
+  w.type("series layout");
+  QCOMPARE(w.current(), QStringLiteral("Two series"));
+  QTest::keyClick(w.search(), Qt::Key_Down);
+  QCOMPARE(w.current(), QStringLiteral("Four series"));
+  QTest::keyClick(w.search(), Qt::Key_Up);
+  QTest::keyClick(w.search(), Qt::Key_Up);
+  QCOMPARE(w.current(), QStringLiteral("Two series"));
+  QTest::keyClick(w.search(), Qt::Key_Down);
+  QTest::keyClick(w.search(), Qt::Key_Return);
+  QCOMPARE(int(w.session().workspace().layout), int(Layout::four));
+  w.open();
+  w.type("view");
+  for (int n = 0; n < 100; ++n) {
+    QVERIFY(w.rows()->currentItem()->flags() & Qt::ItemIsEnabled);
+    QTest::keyClick(w.search(), Qt::Key_Down);
+  }
+}
+
+void TestCommandList::whatCannotBeDoneIsGrey() {
+  CommandWindow w;
+  w.type("each image its own");
+  QVERIFY(w.row(0) && !(w.row(0)->flags() & Qt::ItemIsEnabled));
+  const Workspace before = w.session().workspace();
+  QTest::keyClick(w.search(), Qt::Key_Return);
+  QTest::mouseClick(w.rows()->viewport(), Qt::LeftButton, {}, w.rows()->visualItemRect(w.row(0)).center());
+  QVERIFY(w.list()->isVisible());
+  QVERIFY(w.session().workspace() == before);
+}
+
+void TestCommandList::aClickDoesIt() {
+  CommandWindow w;
+  w.type("posterior");
+  QTest::mouseClick(w.rows()->viewport(), Qt::LeftButton, {}, w.rows()->visualItemRect(w.row(0)).center());
+  QVERIFY(!w.list()->isVisible());
+  QCOMPARE(viewName(w.window.view()->camera()), std::string("posterior"));
+}
+
+void TestCommandList::escapeClosesNothingElse() {
+  CommandWindow w;
+  QTest::keyClick(w.search(), Qt::Key_Escape);
+  QVERIFY(!w.list()->isVisible());
+  QCOMPARE(w.window.focusWidget(), static_cast<QWidget*>(w.view()));
+  QTest::keyClick(w.view(), Qt::Key_F10);
+  QVERIFY(w.child<QAction>("maximise")->isChecked());
+  w.open();
+  QVERIFY(w.list()->isVisible());
+  QTest::keyClick(w.search(), Qt::Key_Escape);
+  QVERIFY(!w.list()->isVisible());
+  QVERIFY2(w.child<QAction>("maximise")->isChecked(), "that is the next Esc");
+}
+
+void TestCommandList::itClosesWhenTheKeysGoElsewhere() {
+  CommandWindow w;
+  QTest::mouseClick(w.view(coronalViewId), Qt::LeftButton, {}, {30, 30});
+  w.view(coronalViewId)->setFocus();
+  QVERIFY(!w.list()->isVisible());
+  QCOMPARE(w.window.focusWidget(), static_cast<QWidget*>(w.view(coronalViewId)));
+}
+
+void TestCommandList::whatWasUsedLastComesFirst() {
+  CommandWindow w;
+  QTest::keyClick(w.search(), Qt::Key_Escape);
+  QTest::keyClick(w.view(), Qt::Key_O);
+  w.child<QAction>("layoutBesidePlanes")->trigger();
+  w.view()->setFocus();
+  w.open();
+  QCOMPARE(w.texts(0).value(0), QStringLiteral("Large 3D beside planes"));
+  QCOMPARE(w.texts(1).value(0), QStringLiteral("A pixel of the picture a pixel of the screen"));
+  w.type("anterior");
+  QTest::keyClick(w.search(), Qt::Key_Return);
+  w.open();
+  QCOMPARE(w.texts(0),
+           (QStringList{QStringLiteral("Anterior view"), QStringLiteral("View"), QStringLiteral("A")}));
+  QCOMPARE(w.current(), QStringLiteral("Anterior view"));
+}
+
+void TestCommandList::keysThatAreNoCommandsAreFound() {
+  CommandWindow w;
+  w.type("choose a window");
+  QCOMPARE(w.texts(0).value(2), QStringLiteral("0 to 9 in a slice"));
+  QVERIFY(!(w.row(0)->flags() & Qt::ItemIsEnabled));
+}
+
+void TestCommandList::lettersAreTypedNotDone() {
+  CommandWindow w;
+  const Workspace before = w.session().workspace();
+  w.type("aplrsifwt1370?h");
+  QCOMPARE(w.search()->text(), QStringLiteral("aplrsifwt1370?h"));
+  QVERIFY(w.session().workspace() == before);
+  QVERIFY(w.session().preferences().crosshairLines);
+}
+
+void TestCommandList::itActsOnTheViewThatHadTheKeys() {
+  CommandWindow w;
+  w.type("mirror left");
+  QTest::keyClick(w.search(), Qt::Key_Return);
+  QVERIFY(flatLookOf(w.view()->state()).turn.mirrored);
+  QVERIFY(!flatLookOf(w.view(coronalViewId)->state()).turn.mirrored);
+}
+
+VOLUMEN_TEST(TestCommandList);
+#include "tst_command_list.moc"

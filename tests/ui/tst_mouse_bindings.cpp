@@ -1,0 +1,380 @@
+// Guards what the mouse does by presets and by a person's own choices: every row of every preset by real
+// events in slices and in 3D, checked for what it changed; trackpads; what is kept, and what in the file is
+// no binding.
+#include <QComboBox>
+#include <QMenu>
+#include <QNativeGestureEvent>
+#include <QPointingDevice>
+
+#include "tests/ui/measure_window.h"
+#include "tests/unit/suite.h"
+#include "ui/panels/mouse_table.h"
+#include "ui/panels/preferences_dialog.h"
+#include "ui/tools/mouse_bindings.h"
+#include "ui/workspace/flat_plane.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+// What a gesture can change in the axial view.
+struct FlatSeen {
+  std::optional<Window> window;
+  FlatLook look;
+  glm::dvec3 at{0};
+
+  explicit FlatSeen(MeasureWindow& w) {
+    const ViewState& state = w.view()->state();
+    window = w.session().workspace().series.at(state.series).window;
+    look = flatLookOf(state);
+    at = crosshairOf(w.session().workspace(), axialViewId, *w.view()->shown()).at;
+  }
+};
+
+// What was done, as actions are called; the voxels are 1 mm.
+std::string doneBetween(const FlatSeen& before, const FlatSeen& after) {
+  std::string done;
+  if (before.look.slabMm != after.look.slabMm) done += "slab ";
+  if (before.look.zoom != after.look.zoom)
+    done += "zoom ";
+  else if (before.look.panMm != after.look.panMm)
+    done += "pan ";
+  if (before.window != after.window) done += "window ";
+  const glm::dvec3 moved = after.at - before.at;
+  if (moved.x != 0 || moved.y != 0)
+    done += "crosshair ";
+  else if (std::abs(moved.z) > 9.5)
+    done += "fast ";
+  else if (moved.z != 0)
+    done += "scroll ";
+  return done.empty() ? "none" : done.substr(0, done.size() - 1);
+}
+
+Qt::MouseButton buttonOf(MouseInput input) {
+  return input == MouseInput::left    ? Qt::LeftButton
+         : input == MouseInput::right ? Qt::RightButton
+                                      : Qt::MiddleButton;
+}
+
+// Two fingers go over a trackpad.
+void slide(QWidget* on, QPoint pixels, Qt::KeyboardModifiers keys) {
+  const QPointF middle(on->width() / 2.0, on->height() / 2.0);
+  QWheelEvent event(middle, on->mapToGlobal(middle), pixels, pixels * 4, Qt::NoButton, keys,
+                    Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(on, &event);
+}
+
+// They go apart by a share of their distance.
+void pinch(QWidget* on, QPointF at, double share) {
+  QNativeGestureEvent event(Qt::ZoomNativeGesture, QPointingDevice::primaryPointingDevice(), 2, at, at,
+                            on->mapToGlobal(at), share, {});
+  QCoreApplication::sendEvent(on, &event);
+}
+
+// The gesture of a slot; of what two fingers do, by them.
+void doGesture(QWidget* on, const MouseSlot& slot, const std::string& bound) {
+  if (slot.input == MouseInput::wheel)
+    return bound == "pan" ? slide(on, {12, -9}, slot.held) : wheel(on, 1, slot.held);
+  if (slot.input != MouseInput::move) return drag(on, {62, 72}, {92, 40}, buttonOf(slot.input), slot.held);
+  const QPointF at(70, 60);
+  QMouseEvent move(QEvent::MouseMove, at, on->mapToGlobal(at), Qt::NoButton, Qt::NoButton, slot.held);
+  QCoreApplication::sendEvent(on, &move);
+}
+
+// The left button alone, which nobody binds, with those that can be bound.
+std::vector<MouseSlot> slotsOf(MousePlace place) {
+  std::vector<MouseSlot> found{{place, MouseInput::left}};
+  for (const MouseSlot& slot : mouseSlots())
+    if (slot.place == place) found.push_back(slot);
+  return found;
+}
+
+void backTo(Session& session, int step) {
+  session.endGesture();
+  while (session.undoStack().index() > step) session.undoStack().undo();
+}
+
+}  // namespace
+
+class TestMouseBindings : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void init() {
+    QSettings().clear();
+    openAlone();
+  }
+  void cleanup() { init(); }
+  void everyRowOfAPresetInSlices_data() { addPresets(); }
+  void everyRowOfAPresetInSlices();
+  void everyRowOfAPresetIn3D_data() { addPresets(); }
+  void everyRowOfAPresetIn3D();
+  void rowsOfPresetsAreThoseOfSlots();
+  void presetsAreWhatTheySay_data();
+  void presetsAreWhatTheySay();
+  void everyActionOfEverySlot_data();
+  void everyActionOfEverySlot();
+  void everyBoxOfTheTableBinds();
+  void aPresetIsChosenWhole();
+  void whatIsChosenIsKept();
+  void nonsenseInTheFileIsPassedOver();
+  void aPinchZooms_data() { addPresets(); }
+  void aPinchZooms();
+  void twoFingersPan();
+  void aRightClickOpensTheMenuAllTheSame_data();
+  void aRightClickOpensTheMenuAllTheSame();
+  void theFirstKeyCounts();
+
+ private:
+  static void addPresets() {
+    QTest::addColumn<QByteArray>("preset");
+    for (const MousePreset& preset : mousePresets())
+      QTest::newRow(preset.name.c_str()) << QByteArray(preset.name.c_str());
+  }
+  static void choose(Session& session, const QByteArray& preset) {
+    session.prefer(withMousePreset(session.preferences(), preset.toStdString()));
+  }
+};
+
+void TestMouseBindings::everyRowOfAPresetInSlices() {
+  QFETCH(QByteArray, preset);
+  MeasureWindow w;
+  choose(w.session(), preset);
+  for (const MouseSlot& slot : slotsOf(MousePlace::flat)) {
+    const std::string bound = boundTo(w.session().preferences(), slot);
+    const int step = w.session().undoStack().index();
+    const FlatSeen before(w);
+    doGesture(w.view(), slot, bound);
+    const std::string done = doneBetween(before, FlatSeen(w));
+    backTo(w.session(), step);
+    const std::string wanted = bound == "chosen" ? "window" : bound;
+    QVERIFY2(done == wanted, (wordOf(slot) + " is bound to " + bound + " and did " + done).c_str());
+  }
+}
+
+void TestMouseBindings::everyRowOfAPresetIn3D() {
+  QFETCH(QByteArray, preset);
+  MeasureWindow w;
+  choose(w.session(), preset);
+  const std::map<std::string, QString> steps{{"chosen", QStringLiteral("Rotate")},
+                                             {"pan", QStringLiteral("Pan")},
+                                             {"zoom", QStringLiteral("Zoom")},
+                                             {"curve", QStringLiteral("Adjust curve")}};
+  for (const MouseSlot& slot : slotsOf(MousePlace::scene)) {
+    const std::string bound = boundTo(w.session().preferences(), slot);
+    const int step = w.session().undoStack().index();
+    doGesture(w.window.view(), slot, bound);
+    const bool isDone = w.session().undoStack().index() > step;
+    const QString done = isDone ? w.session().undoStack().undoText() : QString();
+    backTo(w.session(), step);
+    QVERIFY2(bound == "none" ? !isDone : done == steps.at(bound),
+             (wordOf(slot) + " is bound to " + bound + " and did " + done.toStdString()).c_str());
+  }
+}
+
+// A row that is misspelt would do nothing.
+void TestMouseBindings::rowsOfPresetsAreThoseOfSlots() {
+  std::map<std::string, MouseSlot> known;
+  for (const MouseSlot& slot : mouseSlots())
+    QVERIFY2(known.emplace(wordOf(slot), slot).second, wordOf(slot).c_str());
+  for (const MousePreset& preset : mousePresets())
+    for (const auto& [word, action] : preset.rows) {
+      QVERIFY2(known.contains(word), (preset.name + ": " + word).c_str());
+      const std::vector<MouseAction>& all = mouseActions(known.at(word));
+      QVERIFY2(std::ranges::find(all, action, &MouseAction::word) != all.end(),
+               (word + ": " + action).c_str());
+    }
+}
+
+void TestMouseBindings::presetsAreWhatTheySay_data() {
+  QTest::addColumn<QByteArray>("preset");
+  QTest::addColumn<int>("input");
+  QTest::addColumn<int>("held");
+  QTest::addColumn<bool>("flat");
+  QTest::addColumn<QByteArray>("action");
+  const auto row = [](const char* preset, bool flat, MouseInput input, Qt::KeyboardModifier held,
+                      const char* action) {
+    const MouseSlot slot{flat ? MousePlace::flat : MousePlace::scene, input, held};
+    QTest::addRow("%s, %s", preset, wordOf(slot).c_str())
+        << QByteArray(preset) << int(input) << int(held) << flat << QByteArray(action);
+  };
+  const auto none = Qt::NoModifier, shift = Qt::ShiftModifier, ctrl = Qt::ControlModifier,
+             alt = Qt::AltModifier;
+  row("volumen", true, MouseInput::left, shift, "crosshair");
+  row("volumen", true, MouseInput::left, ctrl, "chosen");
+  row("volumen", true, MouseInput::right, ctrl, "zoom");
+  row("volumen", true, MouseInput::wheel, shift, "fast");
+  row("volumen", true, MouseInput::wheel, alt, "slab");
+  row("volumen", false, MouseInput::left, shift, "pan");
+  row("weasis", true, MouseInput::right, none, "none");
+  row("weasis", true, MouseInput::move, shift, "none");
+  row("radiant", true, MouseInput::right, none, "window");
+  row("slicer", true, MouseInput::left, shift, "pan");
+  row("slicer", true, MouseInput::move, shift, "crosshair");
+  row("slicer", false, MouseInput::wheel, none, "none");
+  row("slicer", false, MouseInput::wheel, ctrl, "zoom");
+  row("oneButton", true, MouseInput::left, ctrl, "zoom");
+  row("trackpad", true, MouseInput::left, shift, "pan");
+  row("trackpad", true, MouseInput::wheel, none, "pan");
+}
+
+void TestMouseBindings::presetsAreWhatTheySay() {
+  QFETCH(QByteArray, preset);
+  QFETCH(int, input);
+  QFETCH(int, held);
+  QFETCH(bool, flat);
+  QFETCH(QByteArray, action);
+  const MouseSlot slot{flat ? MousePlace::flat : MousePlace::scene, MouseInput(input),
+                       Qt::KeyboardModifier(held)};
+  QCOMPARE(boundTo(withMousePreset({}, preset.toStdString()), slot), action.toStdString());
+}
+
+void TestMouseBindings::everyActionOfEverySlot_data() {
+  QTest::addColumn<bool>("flat");
+  QTest::newRow("slices") << true;
+  QTest::newRow("3D") << false;
+}
+
+// Bound to each in turn, a slot is that and no other one differs.
+void TestMouseBindings::everyActionOfEverySlot() {
+  QFETCH(bool, flat);
+  for (const MouseSlot& slot : mouseSlots()) {
+    if ((slot.place == MousePlace::flat) != flat) continue;
+    for (const MouseAction& action : mouseActions(slot)) {
+      const Preferences bound = withBound({}, slot, action.word);
+      QCOMPARE(boundTo(bound, slot), action.word);
+      QVERIFY2(bound.mouseBindings.size() <= 1, "what the preset says is not kept");
+      QCOMPARE(bound.mouseBindings.empty(), boundTo({}, slot) == action.word);
+      for (const MouseSlot& other : mouseSlots())
+        if (other.input != slot.input || other.place != slot.place || other.held == Qt::NoModifier)
+          if (other != slot) QCOMPARE(boundTo(bound, other), boundTo({}, other));
+    }
+  }
+}
+
+void TestMouseBindings::everyBoxOfTheTableBinds() {
+  MeasureWindow w;
+  w.child<QAction>("preferences")->trigger();
+  auto* table = w.window.findChild<MouseTable*>();
+  QVERIFY(table);
+  for (const MouseSlot& slot : mouseSlots()) {
+    table->setCurrentIndex(slot.place == MousePlace::flat ? 0 : 1);
+    auto* box = table->findChild<QComboBox*>(QString::fromStdString(wordOf(slot)));
+    QVERIFY2(box && !box->accessibleName().isEmpty(), wordOf(slot).c_str());
+    QCOMPARE(box->count(), int(mouseActions(slot).size()));
+    for (int n = 0; n < box->count(); ++n) {
+      while (box->currentIndex() != n)
+        QTest::keyClick(box, box->currentIndex() < n ? Qt::Key_Down : Qt::Key_Up);
+      QCOMPARE(boundTo(w.session().preferences(), slot), mouseActions(slot)[std::size_t(n)].word);
+    }
+  }
+  QVERIFY(w.session().preferences() == storedPreferences());
+}
+
+void TestMouseBindings::aPresetIsChosenWhole() {
+  MeasureWindow w;
+  w.child<QAction>("preferences")->trigger();
+  const MouseSlot right{MousePlace::flat, MouseInput::right};
+  w.session().prefer(withBound(w.session().preferences(), right, "scroll"));
+  auto* box = w.window.findChild<PreferencesDialog*>()->findChild<QComboBox*>(QStringLiteral("mousePreset"));
+  QTest::keyClick(box, Qt::Key_Down);
+  QCOMPARE(w.session().preferences().mousePreset, std::string("weasis"));
+  QCOMPARE(boundTo(w.session().preferences(), right), std::string("none"));
+  QTest::keyClick(box, Qt::Key_Up);
+  QCOMPARE(boundTo(w.session().preferences(), right), std::string("zoom"));
+}
+
+void TestMouseBindings::whatIsChosenIsKept() {
+  const MouseSlot right{MousePlace::flat, MouseInput::right},
+      fast{MousePlace::scene, MouseInput::wheel, Qt::ShiftModifier};
+  Preferences chosen = withMousePreset({}, "slicer");
+  chosen = withBound(withBound(chosen, right, "pan"), fast, "zoom");
+  storePreferences(chosen);
+  QVERIFY(QSettings()
+              .value(QStringLiteral("mouseBindings"))
+              .toStringList()
+              .contains(QStringLiteral("flat.right=pan")));
+  QVERIFY(storedPreferences() == chosen);
+  MeasureWindow w;
+  const FlatSeen before(w);
+  drag(w.view(), {62, 72}, {92, 40}, Qt::RightButton);
+  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("pan"));
+}
+
+void TestMouseBindings::nonsenseInTheFileIsPassedOver() {
+  QSettings settings;
+  settings.setValue(QStringLiteral("mousePreset"), QStringLiteral("elephant"));
+  settings.setValue(QStringLiteral("mouseBindings"),
+                    QStringList{QStringLiteral("flat.right=fly"), QStringLiteral("flat.nose=pan"),
+                                QStringLiteral("=="), QString(), QStringLiteral("flat.middle=scissors")});
+  const Preferences read = storedPreferences();
+  for (const MouseSlot& slot : mouseSlots()) QCOMPARE(boundTo(read, slot), boundTo({}, slot));
+  MeasureWindow w;
+  const FlatSeen before(w);
+  drag(w.view(), {62, 72}, {92, 40}, Qt::RightButton);
+  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("zoom"));
+}
+
+void TestMouseBindings::aPinchZooms() {
+  QFETCH(QByteArray, preset);
+  MeasureWindow w;
+  choose(w.session(), preset);
+  const QPointF at(70, 60);
+  const glm::dvec3 under = w.patient(at);
+  pinch(w.view(), at, 0.25);
+  pinch(w.view(), at, -0.1);
+  QVERIFY(std::abs(flatLookOf(w.view()->state()).zoom - 1.25 * 0.9) < 1e-9);
+  QVERIFY2(glm::length(w.patient(at) - under) < 1e-9, "what is between the fingers stays");
+  w.session().endGesture();
+  w.undo();
+  QCOMPARE(flatLookOf(w.view()->state()).zoom, 1.0);
+  const double height = w.window.view()->camera().height;
+  pinch(w.window.view(), at, 0.25);
+  QVERIFY(std::abs(w.window.view()->camera().height * 1.25 / height - 1) < 1e-6);
+  pinch(w.window.view(), at, -5);
+  QVERIFY2(w.window.view()->camera().height > 0, "nothing turns inside out");
+}
+
+void TestMouseBindings::twoFingersPan() {
+  MeasureWindow w;
+  choose(w.session(), "trackpad");
+  const QPointF at(70, 60);
+  const glm::dvec3 under = w.patient(at);
+  slide(w.view(), {12, -9}, {});
+  slide(w.view(), {3, 4}, {});
+  QVERIFY2(glm::length(w.patient(at + QPointF(15, -5)) - under) < 1e-9, "it follows the fingers");
+  w.session().endGesture();
+  w.undo();
+  QVERIFY(glm::length(w.patient(at) - under) < 1e-9);
+  const FlatSeen before(w);
+  wheel(w.view(), -1);
+  QVERIFY2(doneBetween(before, FlatSeen(w)) == "scroll", "a wheel has no pixels to pan by");
+}
+
+void TestMouseBindings::aRightClickOpensTheMenuAllTheSame_data() { addPresets(); }
+
+void TestMouseBindings::aRightClickOpensTheMenuAllTheSame() {
+  QFETCH(QByteArray, preset);
+  MeasureWindow w;
+  choose(w.session(), preset);
+  QTest::mouseClick(w.view(), Qt::RightButton, {}, {60, 60});
+  auto* menu = w.child<QMenu>("flatMenu");
+  QVERIFY(menu && menu->isVisible());
+  menu->close();
+  QTest::mouseClick(w.window.view(), Qt::RightButton, {}, {60, 60});
+  menu = w.child<QMenu>("volumeMenu");
+  QVERIFY(menu && menu->isVisible());
+  menu->close();
+  drag(w.view(), {60, 60}, {90, 90}, Qt::RightButton);
+  for (const QMenu* open : w.window.findChildren<QMenu*>(QStringLiteral("flatMenu")))
+    QVERIFY2(!open->isVisible(), "a drag is no click");
+}
+
+void TestMouseBindings::theFirstKeyCounts() {
+  QCOMPARE(heldOf(Qt::ControlModifier | Qt::ShiftModifier), Qt::ShiftModifier);
+  QCOMPARE(heldOf(Qt::AltModifier | Qt::ControlModifier), Qt::ControlModifier);
+  QCOMPARE(heldOf(Qt::KeypadModifier), Qt::NoModifier);
+}
+
+VOLUMEN_TEST(TestMouseBindings);
+#include "tst_mouse_bindings.moc"

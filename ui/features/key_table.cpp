@@ -1,0 +1,48 @@
+#include "ui/features/key_table.h"
+
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+std::vector<KeyRow> keyRows() {
+  return {
+      {tr("Left drag in 3D"),
+       tr("the chosen tool: rotate (Ctrl: roll), or adjust the curve: up and down shift it, left and right "
+          "change its width (Ctrl: overall opacity)")},
+      {tr("Middle, right, Shift+left drag in 3D"), tr("pan, zoom, pan (Edit > Preferences changes them)")},
+      {tr("Wheel in 3D, two fingers apart"), tr("zoom at the cursor")},
+      {tr("Double-click"), tr("maximise the view and back")},
+      {tr("Arrow keys in 3D"), tr("rotate by 5 degrees (Shift: 1)")},
+      {tr("Keypad 1, 3, 7"), tr("anterior, left, superior view (Ctrl: the opposite one)")},
+      {tr("Keypad 0"), tr("reset the view")},
+      {tr("Left drag in projections"), tr("with Adjust curve: the window (Shift: fine, Ctrl: fast)")},
+      {tr("Left drag with the scissors"),
+       tr("draw around what is cut away (Ctrl: around what stays), Esc gives up")},
+      {tr("Right click, Menu, Shift+F10"), tr("the menu of the view")},
+      {tr("Tab, Shift+Tab"), tr("the next view, the one before")},
+      {tr("In the curve"),
+       tr("double-click adds a point, right-click or Delete removes it, arrow keys nudge it, Tab goes to the "
+          "next, the wheel zooms the value axis, Home shows all of it")},
+      {tr("Left drag in a slice"),
+       tr("the chosen tool, at first the window (Shift: fine, Ctrl: fast); Esc gives it up")},
+      {tr("Middle, right, Shift+left drag in a slice"),
+       tr("pan, zoom, crosshair (Edit > Preferences changes them)")},
+      {tr("Wheel in a slice"), tr("scrolls (Shift: ten times as fast, Ctrl: zooms, Alt: slab)")},
+      {tr("Shift over a slice"), tr("moves the crosshair")},
+      {tr("Up, Down, Page Up, Page Down, Home, End in a slice"), tr("scroll by 1, by 10, to the ends")},
+      {tr("Left, Right in a slice"), tr("the time point before, the next one")},
+      {tr("0 to 9 in a slice"), tr("choose a window")},
+      {tr("I in a slice"), tr("inverts")},
+      {tr("On lines of other planes"),
+       tr("a drag of an outer part moves that plane; the round handle turns the other planes; F puts them "
+          "straight")},
+      {tr("D, A, E, P, T in a slice"),
+       tr("measure: length, angle, ellipse, probe, arrow with text; the tool before comes back after one "
+          "measurement (Shift keeps it), Enter or a double-click ends a polyline, Esc gives up, Delete "
+          "removes what is selected, W changes the window again")},
+      {tr("In the list of studies"),
+       tr("Enter opens, Ctrl+Enter opens beside, Delete removes from the list")},
+  };
+}
+
+}  // namespace volumen

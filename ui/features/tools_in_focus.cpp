@@ -1,0 +1,53 @@
+#include <algorithm>
+
+#include "ui/features/action_text.h"
+#include "ui/features/feature.h"
+#include "ui/tools/tool.h"
+#include "ui/views/view_grid.h"
+
+namespace volumen {
+
+namespace {
+
+// The actions of tools can be used while they act on the view in focus; what a letter chose, which means
+// different things in flat views and in 3D, is told.
+class ToolsInFocus : public Feature {
+ public:
+  explicit ToolsInFocus(Workbench& bench);
+
+ private:
+  void show();
+};
+
+ToolsInFocus::ToolsInFocus(Workbench& bench) : Feature(bench) {
+  connect(&bench_, &Workbench::made, this, [this] {
+    for (const auto& [name, action] : bench_.actions)
+      if (!keysOf(*action).isEmpty()) action->setToolTip(tipOf(*action));
+    show();
+  });
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (showsOther(before, after) || before.focus != after.focus) show();
+          });
+  connect(&grid_, &ViewGrid::toolChanged, this, [this] { tell(tr("Left drag: %1").arg(grid_.tool().text)); });
+}
+
+void ToolsInFocus::show() {
+  const Workspace& workspace = session_.workspace();
+  const ViewKind kind = workspace.view(workspace.focus).kind;
+  const bool isFlatView = isFlat(kind) || showsFrames(workspace, workspace.focus);
+  const std::vector<const Tool*> of3D = chosenSceneTools();
+  for (const Tool& tool : tools()) {
+    const auto action = bench_.actions.find(QLatin1String(tool.name) + QStringLiteral("Tool"));
+    if (action == bench_.actions.end()) continue;
+    const bool isOf3D = std::ranges::find(of3D, &tool) != of3D.end();
+    action->second->setEnabled((isFlatView && tool.inSlices) || (!isFlatView && isOf3D && showsScene(kind)));
+  }
+  bench_.action("measure")->setEnabled(isFlatView);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeToolsInFocus(Workbench& bench) { return std::make_unique<ToolsInFocus>(bench); }
+
+}  // namespace volumen
