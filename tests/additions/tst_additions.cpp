@@ -72,7 +72,7 @@ void TestAdditions::aToolOf3DGetsTheDrag() {
   const QAction* tool = w.child<QAction>("spinTool");
   QVERIFY(w.child<QMenu>("viewMenu")->actions().contains(tool));
   QVERIFY(w.child<QToolBar>("tools")->actions().contains(tool));
-  QTest::keyClick(w.window.view(), Qt::Key_G);
+  QTest::keyClick(w.window.view(), Qt::Key_U);
   QVERIFY(tool->isChecked());
   const Camera before = w.window.view()->camera();
   drag(w.window.view(), {200, 200}, {260, 200});

@@ -75,7 +75,7 @@ void TestClips::aClipIsPlayedByTheClock() {
   };
   QVERIFY(QTest::qWaitFor(hasRun, longest));
   qInfo("%s", qPrintable(w.view()->overlays().topRight.front()));
-  const int due = cineFrame({33, {}, false}, 34, 0, double(clock.elapsed()));
+  const int due = CineTrack({33, {}, false}, {0, 33}, 0).pass(double(clock.elapsed()));
   QTest::keyClick(w.view(), Qt::Key_C);
   QVERIFY(!qobject_cast<FrameView*>(w.view())->isPlaying());
   // Half a second late at most on a machine that is busy with other tests.
@@ -99,7 +99,17 @@ void TestClips::playingEndsWithAScroll() {
 }
 
 void TestClips::aClipThatIsTooSlowIsRed() {
-  CinePlayer player({20, {}, false}, 100, 0);
+  struct Hundred : Playable {
+    int at = 0;
+    QString noun() const override { return {}; }
+    int count() const override { return 100; }
+    int place() const override { return at; }
+    SeriesKey source() const override { return {}; }
+    Cine cine() const override { return {20, {}, false}; }
+    void goTo(int place) override { at = place; }
+    bool isReady(int) const override { return true; }
+  } hundred;
+  CinePlayer player(hundred, {0, 99});
   for (int frame = 0; frame < 16; ++frame) {
     player.tellShown(frame);
     QTest::qWait(100);

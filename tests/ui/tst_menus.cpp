@@ -65,9 +65,10 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Save 3D snapshot...; Copy 3D snapshot; |; Quit");
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
-      "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window\tW; Scroll; Pan; Zoom; Crosshair; |; "
+      "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window\tW; Scroll; Pan; Zoom; Crosshair; "
+      "Magnifier; |; "
       "Anterior view; Posterior view; Left view; Right view; Superior view; Inferior view; |; "
-      "Show as frames; Each image its own window; Overlays and shutters; Play or stop; |; "
+      "Show as frames; Each image its own window; Overlays and shutters; Play or stop; Go to number...; |; "
       "Key image; Previous key image; Next key image; |; "
       "Use OpenGL (usually slower without a GPU); Show error map; |; "
       "Maximise view; Full screen; Light theme; Hide names; Layout >; Show in this view >; Turn and size >; "
@@ -104,11 +105,11 @@ void TestMenus::theToolBarHoldsWhatItShould() {
   const MainWindow window(realServices());
   QCOMPARE(
       entriesOf(window.findChild<QToolBar*>(QStringLiteral("tools"))),
-      listed(
-          "Open folder...; Study list; Undo; Redo; |; "
-          "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window\tW; Scroll; Pan; Zoom; Crosshair; |; "
-          "[]; [layoutButton]; [windowButton]; [measureButton]; [linkButton]; []; Save picture...; "
-          "Mouse and keys"));
+      listed("Open folder...; Study list; Undo; Redo; |; "
+             "Rotate; Adjust curve (W/L); Scissors; Reset view; |; "
+             "Window\tW; Scroll; Pan; Zoom; Crosshair; Magnifier; |; "
+             "[]; [layoutButton]; [windowButton]; [measureButton]; [linkButton]; []; Save picture...; "
+             "Mouse and keys"));
 }
 
 VOLUMEN_TEST(TestMenus);

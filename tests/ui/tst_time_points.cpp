@@ -15,7 +15,6 @@
 #include "tests/unit/suite.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/views/flat_view.h"
-#include "ui/views/time_bar.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/workspace/flat_plane.h"

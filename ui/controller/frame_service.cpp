@@ -57,6 +57,11 @@ LoadedFramePtr FrameService::find(const FrameKey& key) {
   return pool_.find(key);
 }
 
+std::vector<int> FrameService::heldOf(const SeriesKey& series, const std::string& presentation) {
+  const std::lock_guard lock(mutex_);
+  return pool_.heldOf(series, presentation);
+}
+
 void FrameService::request(ViewId view, std::shared_ptr<const Series> series, int index, int step,
                            const std::string& presentation) {
   {
@@ -122,6 +127,8 @@ void FrameService::run() {
     if (frame) {
       frameBytes_ = std::max<std::size_t>(1, (*frame)->bytes());
       pool_.put(*frame);
+      QMetaObject::invokeMethod(
+          this, [this, series = reading->key.series] { Q_EMIT held(series); }, Qt::QueuedConnection);
       // Who goes on faster than frames are read sees at least this one.
       if (reading->view && wanted_.contains(*reading->view) && wanted_[*reading->view].key(0) != reading->key)
         tellReady(*reading->view, *frame);

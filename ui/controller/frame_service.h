@@ -28,6 +28,8 @@ class FrameService : public QObject {
 
   /// A frame that is in memory; else null.
   LoadedFramePtr find(const FrameKey& key);
+  /// FramePool::heldOf().
+  std::vector<int> heldOf(const SeriesKey& series, const std::string& presentation);
   /// Ends in ready() or failed(), unless the view asks for another one before it is begun. `step`: 1 or -1,
   /// where the next ones lie. `presentation`: the file of a presentation state; frames that it does not name,
   /// or that it cannot be applied to, are shown as acquired.
@@ -43,6 +45,8 @@ class FrameService : public QObject {
   /// What a view wants, or wanted when it was begun.
   void ready(int view, const volumen::LoadedFramePtr& frame);
   void failed(int view, const volumen::FrameKey& key, const QString& sentence);
+  /// Another frame of this series is in memory.
+  void held(const volumen::SeriesKey& series);
 
  private:
   struct Wanted {

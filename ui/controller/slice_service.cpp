@@ -30,7 +30,7 @@ struct SliceService::Waiting {
 };
 
 void SliceService::request(SliceRequest latest) {
-  std::shared_ptr<Waiting>& waiting = waiting_[latest.view];
+  std::shared_ptr<Waiting>& waiting = waiting_[{latest.view, latest.ofLens}];
   if (!waiting) waiting = std::make_shared<Waiting>();
   {
     const std::lock_guard lock(waiting->mutex);
@@ -58,10 +58,12 @@ void SliceService::request(SliceRequest latest) {
 }
 
 void SliceService::drop(ViewId view) {
-  const auto waiting = waiting_.find(view);
-  if (waiting == waiting_.end()) return;
-  const std::lock_guard lock(waiting->second->mutex);
-  waiting->second->request.reset();
+  for (const bool ofLens : {false, true}) {
+    const auto waiting = waiting_.find({view, ofLens});
+    if (waiting == waiting_.end()) continue;
+    const std::lock_guard lock(waiting->second->mutex);
+    waiting->second->request.reset();
+  }
 }
 
 }  // namespace volumen

@@ -21,6 +21,7 @@ struct SliceRequest {
   LoadedFramePtr frame;    ///< drawn in place of the layers; null: none
   bool withLayers = true;  ///< of a frame: overlays and shutters
   std::vector<SegmentLayer> segments{};
+  bool ofLens = false;  ///< a part of the view, enlarged
   bool operator==(const SliceRequest&) const = default;
 };
 
@@ -33,15 +34,15 @@ struct SlicePicture {
 /// The picture of a request, whole. The Error is that of sliceImage() or drawFrame().
 Result<QImage> drawSlice(const SliceRequest& request);
 
-/// Draws flat pictures on a thread of its own, so that they never wait for a 3D one: of each view the latest
-/// request, in the order in which they were asked for. Asking never waits.
+/// Draws flat pictures on a thread of its own, so that they never wait for a 3D one: of each view, and of its
+/// lens, the latest request, in the order in which they were asked for. Asking never waits.
 class SliceService : public QObject {
   Q_OBJECT
  public:
   explicit SliceService(QObject* parent = nullptr) : QObject(parent) {}
 
   void request(SliceRequest latest);
-  /// Gives up what is asked for of a view.
+  /// Gives up what is asked for of a view and of its lens.
   void drop(ViewId view);
 
  Q_SIGNALS:
@@ -53,7 +54,7 @@ class SliceService : public QObject {
   // The latest request of a view that is not begun; it keeps the turn of the one it replaced.
   struct Waiting;
 
-  std::map<ViewId, std::shared_ptr<Waiting>> waiting_;
+  std::map<std::pair<ViewId, bool>, std::shared_ptr<Waiting>> waiting_;  // by view, and whether of its lens
   JobLane lane_;
 };
 

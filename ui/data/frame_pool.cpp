@@ -11,6 +11,14 @@ LoadedFramePtr FramePool::find(const FrameKey& key) {
   return found->second.frame;
 }
 
+std::vector<int> FramePool::heldOf(const SeriesKey& series, const std::string& presentation) const {
+  std::vector<int> frames;
+  for (auto held = held_.lower_bound({series, 0}); held != held_.end() && held->first.series == series;
+       ++held)
+    if (held->first.presentation == presentation) frames.push_back(held->first.index);
+  return frames;
+}
+
 void FramePool::put(LoadedFramePtr frame) {
   const auto lastUse = [](const auto& held) { return held.second.lastUse; };
   if (const auto same = held_.find(frame->key); same != held_.end()) {

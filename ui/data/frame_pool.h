@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "ui/data/loaded_frame.h"
 
@@ -13,6 +14,8 @@ class FramePool {
 
   /// Null where it is not in memory. Counts as use.
   LoadedFramePtr find(const FrameKey& key);
+  /// Which frames of a series, shown by this presentation, it holds: ascending.
+  std::vector<int> heldOf(const SeriesKey& series, const std::string& presentation) const;
   bool contains(const FrameKey& key) const { return held_.contains(key); }
   /// Keeps a frame, whatever its size.
   void put(LoadedFramePtr frame);

@@ -12,6 +12,7 @@ QList<QKeySequence> keysOfTool(std::string_view name) {
   if (name == "zoom") return {QObject::tr("Z")};
   if (name == "scroll") return {QObject::tr("B")};
   if (name == "crosshair") return {QObject::tr("Y")};
+  if (name == "magnifier") return {QObject::tr("V")};
   return {};
 }
 

@@ -1,4 +1,5 @@
 #include <QMenu>
+#include <algorithm>
 
 #include "ui/data/frame_series.h"
 #include "ui/features/feature.h"
@@ -61,9 +62,17 @@ void FrameActions::makeActions() {
   const auto play = [this](bool) {
     FlatView* view = bench_.framesInFocus();
     if (!view) view = grid_.viewAs<FlatView>(flatViewInFocus(session_.workspace()));
-    if (view) view->togglePlay();
+    if (view && view->isVisible()) return view->togglePlay();
+    if (auto* scene = grid_.viewAs<VolumeView>(session_.workspace().focus)) scene->togglePlay();
   };
   bench_.addAction({"playFrames", tr("Play or stop"), {tr("C")}, "", false, play, {{"viewMenu", 30}}});
+  const auto typeNumber = [this](bool) {
+    FlatView* view = bench_.flatViewInFocus();
+    if (!view) view = grid_.viewAs<FlatView>(flatViewInFocus(session_.workspace()));
+    if (view && view->isVisible()) view->typeNumber();
+  };
+  bench_.addAction(
+      {"goToNumber", tr("Go to number..."), {tr("G")}, "", false, typeNumber, {{"viewMenu", 30}}});
   bench_.menus.addMenu(makeSlabMenu(session_, &bench_.window), {{"viewMenu", 60, 100}});
   bench_.menus.addMenu(makeColourMenu(session_, &bench_.window), {{"viewMenu", 60, 110}});
   bench_.menus.addMenu(makePetUnitMenu(session_, &bench_.window), {{"viewMenu", 60, 120}});
@@ -112,8 +121,14 @@ void FrameActions::showFrameActions() {
   QAction* own = bench_.actions.at(QStringLiteral("ownWindows"));
   own->setEnabled(asFrames && frameCount(*series) > 1);
   own->setChecked(asFrames && hasOwnWindows(workspace.series.at(keyOf(*series)), *series));
+  const bool isStack = asFrames
+                           ? frameCount(*series) > 1
+                           : series && std::ranges::any_of(viewsOnScreen(workspace), [&](ViewId id) {
+                               return isFlat(workspace.view(id).kind) && !workspace.view(id).series.empty();
+                             });
+  bench_.actions.at(QStringLiteral("goToNumber"))->setEnabled(isStack);
   bench_.actions.at(QStringLiteral("playFrames"))
-      ->setEnabled(asFrames ? frameCount(*series) > 1 : series && hasTimePoints(workspace, keyOf(*series)));
+      ->setEnabled(isStack || (series && hasTimePoints(workspace, keyOf(*series))));
 }
 
 void FrameActions::showSliceMenu(FlatView* view, QPoint global) {

@@ -2,12 +2,19 @@
 
 #include <QPointF>
 #include <QSizeF>
+#include <optional>
 
 class QPainter;
 
 namespace volumen {
 
 struct Measurement;
+
+/// What is seen through a lens.
+struct Enlarged {
+  QPointF at;         ///< its middle, where the picture is enlarged about
+  double factor = 1;  ///< how much larger than in the view
+};
 
 /// What the mouse does in a view between a press and its release, or of several presses: edits of one
 /// gesture. Places are in the view's logical pixels.
@@ -24,6 +31,10 @@ class Drag {
   virtual bool finish() { return true; }
   /// What it draws that is no part of the workspace yet; null: nothing.
   virtual const Measurement* drawing() const { return nullptr; }
+  /// The lens that it holds; none: it holds none.
+  virtual std::optional<Enlarged> enlarged() const { return {}; }
+  /// So many notches of the wheel, up is positive; whether they mean something to it.
+  virtual bool wheel(double /*notches*/) { return false; }
 };
 
 /// The same in a 3D view.

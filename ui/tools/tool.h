@@ -69,6 +69,7 @@ struct Tool {
   std::unique_ptr<SceneDrag> (*inScene)(const ScenePress& press) = nullptr;  ///< the same
   int key = 0;             ///< chooses it in a view in which it does something; 0: none
   bool measuring = false;  ///< draws a measurement; its icon is "measure-NAME"
+  bool looking = false;    ///< changes nothing, whatever lies under the press
 };
 
 /// A part of a measurement under the pointer.
@@ -100,6 +101,9 @@ std::unique_ptr<Drag> beginSlicePan(const SlicePress& press);
 std::unique_ptr<Drag> beginSliceZoom(const SlicePress& press);
 std::unique_ptr<Drag> beginScroll(const SlicePress& press);
 std::unique_ptr<Drag> beginCrosshair(const SlicePress& press);
+std::unique_ptr<Drag> beginMagnifier(const SlicePress& press);
+/// Of Enlarged::factor.
+inline constexpr double leastEnlarged = 1.5, mostEnlarged = 8;
 
 /// Turns the other planes about the crosshair as the pointer goes around it.
 std::unique_ptr<Drag> beginTurn(const SlicePress& press);

@@ -20,6 +20,7 @@ const std::vector<Tool>& tools() {
         {"pan", tr("Pan"), Qt::SizeAllCursor, beginSlicePan, beginScenePan},
         {"zoom", tr("Zoom"), Qt::ArrowCursor, beginSliceZoom, beginSceneZoom},
         {"crosshair", tr("Crosshair"), Qt::CrossCursor, beginCrosshair},
+        {"magnifier", tr("Magnifier"), Qt::CrossCursor, beginMagnifier, nullptr, 0, false, true},
     };
     std::ranges::move(measuringTools(), std::back_inserter(all));
     return all;

@@ -1,33 +1,68 @@
 #include "ui/views/cine_player.h"
 
+#include <QElapsedTimer>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "ui/workspace/cine.h"
-
 namespace volumen {
 
-CinePlayer::CinePlayer(const Cine& cine, int count, int first)
-    : cine_(cine), count_(count), first_(first), told_(first) {
-  clock_.start();
-  connect(&timer_, &QTimer::timeout, this, [this] {
-    const int now = due();
-    if (std::exchange(told_, now) != now) Q_EMIT frameDue();
-  });
-  timer_.setTimerType(Qt::PreciseTimer);
-  // Often enough that no frame is late by more than a quarter of its time.
-  timer_.start(std::clamp(int(250 / cineRate(cine)), 1, 50));
+namespace {
+
+std::function<double()> machineClock() {
+  QElapsedTimer clock;
+  clock.start();
+  return [clock] { return double(clock.nsecsElapsed()) / 1e6; };
 }
 
-int CinePlayer::due() const { return cineFrame(cine_, count_, first_, double(clock_.nsecsElapsed()) / 1e6); }
+}  // namespace
 
-void CinePlayer::tellShown(int frame) {
-  if (std::exchange(shown_, frame) == frame) return;
-  shownAt_.push_back(double(clock_.nsecsElapsed()) / 1e6);
+CinePlayer::CinePlayer(Playable& what, const CineRound& round, std::function<double()> clock)
+    : what_(what),
+      round_(round),
+      clock_(clock ? std::move(clock) : machineClock()),
+      track_(what.cine(), round, what.place()),
+      asked_(what.place()),
+      seen_(clock_()) {
+  connect(&timer_, &QTimer::timeout, this, &CinePlayer::tick);
+  timer_.setTimerType(Qt::PreciseTimer);
+  setRound(round);
+}
+
+void CinePlayer::setRound(const CineRound& round) {
+  track_ = CineTrack(what_.cine(), round, track_.place(), track_.isBackwards());
+  round_ = round;
+  shownAt_.clear();  // they came at another rate
+  // Often enough that no place is late by more than a quarter of its time.
+  timer_.start(std::clamp(int(250 / wantedRate()), 1, 50));
+  show();
+}
+
+double CinePlayer::wantedRate() const { return round_.rate > 0 ? round_.rate : cineRate(what_.cine()); }
+
+void CinePlayer::show() {
+  const int due = track_.place();
+  if (std::exchange(asked_, due) != due) what_.play(due);
+}
+
+void CinePlayer::tick() {
+  const double now = clock_(), passed = now - std::exchange(seen_, now);
+  if (what_.place() != asked_) {
+    Q_EMIT over();
+    return;
+  }
+  const int most = what_.keepsTime() ? CineTrack::asManyAsAreDue : what_.isReady(track_.next()) ? 1 : 0;
+  track_.pass(passed, most);
+  show();
+  if (track_.isOver()) Q_EMIT over();
+}
+
+void CinePlayer::tellShown(int place) {
+  if (std::exchange(shown_, place) == place) return;
+  shownAt_.push_back(clock_());
   // Those of a second, and at least some.
-  const auto most = std::size_t(std::max(4.0, std::ceil(cineRate(cine_)))) + 1;
-  if (shownAt_.size() > most) shownAt_.pop_front();
+  const auto most = std::size_t(std::max(4.0, std::ceil(wantedRate()))) + 1;
+  while (shownAt_.size() > most) shownAt_.pop_front();
 }
 
 double CinePlayer::rate() const {
@@ -37,7 +72,7 @@ double CinePlayer::rate() const {
 
 bool CinePlayer::isLate() const {
   const double real = rate();
-  return real > 0 && std::abs(real / cineRate(cine_) - 1) > 0.05;
+  return real > 0 && std::abs(real / wantedRate() - 1) > 0.05;
 }
 
 }  // namespace volumen

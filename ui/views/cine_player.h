@@ -1,38 +1,51 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <deque>
+#include <functional>
 
-#include "io/study/cine.h"
+#include "ui/views/playable.h"
+#include "ui/workspace/cine.h"
 
 namespace volumen {
 
-/// Plays a clip by the clock: which frame is due, whatever was shown before, and how fast frames really come.
+/// Plays by the clock, and knows how fast places really come. It never asks for a place before the one before
+/// is on screen, but of what keeps time, where the latest alone counts.
 class CinePlayer : public QObject {
   Q_OBJECT
  public:
-  CinePlayer(const Cine& cine, int count, int first);
+  /// `clock`: ms since anything; null: those of the machine.
+  CinePlayer(Playable& what, const CineRound& round, std::function<double()> clock = {});
 
-  int due() const;
-  /// A frame came on screen.
-  void tellShown(int frame);
-  /// Different frames a second, over the last one; 0 until that is over.
+  /// Goes on from where it is, in another way.
+  void setRound(const CineRound& round);
+  bool isBackwards() const { return track_.isBackwards(); }
+  /// Looks at the clock, as its timer does.
+  void tick();
+  /// A place came on screen.
+  void tellShown(int place);
+  /// Different places a second, over the last one; 0 until that is over.
   double rate() const;
-  /// Whether that is 5 % off what the file says.
+  /// Whether that is 5 % off what is wanted.
   bool isLate() const;
 
  Q_SIGNALS:
-  /// Another frame is due.
-  void frameDue();
+  /// It is at its end, or something else went to another place.
+  void over();
 
  private:
-  const Cine cine_;
-  const int count_, first_;
-  QElapsedTimer clock_;
+  double wantedRate() const;
+  void show();
+
+  Playable& what_;
+  CineRound round_;
+  const std::function<double()> clock_;
+  CineTrack track_;
+  int asked_;    // the place it went to last
+  double seen_;  // what the clock said last
   QTimer timer_;
-  int told_, shown_ = -1;
+  int shown_ = -1;
   std::deque<double> shownAt_;  // ms, the newest last
 };
 

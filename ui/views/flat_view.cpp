@@ -4,7 +4,7 @@
 
 #include "ui/controller/derived_objects.h"
 #include "ui/controller/measure_jobs.h"
-#include "ui/views/time_bar.h"
+#include "ui/views/cine_bar.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/text.h"
 
@@ -14,7 +14,8 @@ FlatView::FlatView(const ViewParts& parts, ViewId id, QWidget* parent)
     : View(parts.session, id, parent),
       service_(parts.slices),
       derived_(parts.derived),
-      time_(new TimeBar(parts.session, id, this)),
+      cine_(new CineBar(
+          parts.session, id, [this] { return isAtRest(); }, this)),
       measurer_(parts.measurer),
       showed_(state().series, state().kind),
       badge_(new WarningBadge(this)),
@@ -34,6 +35,10 @@ FlatView::FlatView(const ViewParts& parts, ViewId id, QWidget* parent)
     update();
   });
   connect(this, &View::pixelsChanged, this, &FlatView::askForPicture);
+  connect(cine_, &CineBar::shownChanged, this, [this] {
+    placeCineBar();
+    update();
+  });
 }
 
 FlatView::~FlatView() = default;
@@ -49,6 +54,7 @@ std::optional<SlicePlane> FlatView::plane() const {
 const SeriesState& FlatView::seriesState() const { return session_.workspace().series.at(state().series); }
 
 void FlatView::askForPicture() {
+  askForLens();
   const std::optional<SlicePlane> now = plane();
   if (!now || !isVisible() || now->size.x < 1 || now->size.y < 1) return;
   SliceRequest request = requestOf(*now);
@@ -83,8 +89,17 @@ bool FlatView::mayShow(const SliceRequest& request) const {
 
 bool FlatView::isWanted(const SliceRequest& request) const { return request == *asked_; }
 
+bool FlatView::isAtRest() const { return asked_ && drawn_ == asked_ && !drag_; }
+
 bool FlatView::showPicture(const SlicePicture& picture) {
-  if (picture.request.view != id() || !asked_ || !mayShow(picture.request)) return false;
+  if (picture.request.view == id() && picture.request.ofLens && lensAsked_ && asked_ &&
+      mayShow(picture.request)) {
+    lens_ = picture;
+    lens_->image.setDevicePixelRatio(devicePixelRatioF());
+    update();
+  }
+  if (picture.request.ofLens || picture.request.view != id() || !asked_ || !mayShow(picture.request))
+    return false;
   picture_ = picture.image;
   drawn_ = picture.request;
   picture_.setDevicePixelRatio(devicePixelRatioF());
@@ -186,7 +201,7 @@ void FlatView::showEvent(QShowEvent* event) {
 
 void FlatView::resizeEvent(QResizeEvent* event) {
   placeBadge();
-  placeTimeBar();
+  placeCineBar();
   View::resizeEvent(event);
 }
 

@@ -9,6 +9,7 @@
 #include "ui/controller/slice_service.h"
 #include "ui/overlays/overlays.h"
 #include "ui/tools/tool.h"
+#include "ui/views/stack_bar.h"
 #include "ui/views/view.h"
 #include "ui/views/view_makers.h"
 #include "ui/workspace/corner_text.h"
@@ -19,7 +20,7 @@ class QNativeGestureEvent;
 
 namespace volumen {
 
-class TimeBar;
+class CineBar;
 class WarningBadge;
 struct DrawnMeasurement;
 struct ReferenceLine;
@@ -43,6 +44,12 @@ class FlatView : public View {
   void setTool(const Tool& tool);
   /// So many steps down.
   virtual void scroll(int steps) = 0;
+  /// To a place of the stack, from 0; a clip ends there.
+  virtual void goTo(int place) = 0;
+  /// The bar of the stack; none where there is one place or nothing is shown.
+  std::optional<StackBar> stackBar() const;
+  /// Opens a field for the number to go to, where it stands; nothing where there is one picture.
+  void typeNumber();
   /// Whole again, and thin.
   void resetView();
   /// What is on screen, as a series: frames as one of one slice; null: nothing is in memory yet, or the
@@ -50,8 +57,9 @@ class FlatView : public View {
   virtual LoadedSeriesPtr shown() const = 0;
   /// Why what is wanted cannot be shown; empty: it can.
   virtual QString failure() const { return {}; }
-  /// As a clip, or still again at what is on screen.
-  virtual void togglePlay() = 0;
+  /// Plays what the view goes through, or stops at what is on screen.
+  void togglePlay();
+  bool isPlaying() const;
   /// What is written over the picture. Only where shown() is something.
   virtual Overlays overlays() const = 0;
   void invert();
@@ -131,8 +139,24 @@ class FlatView : public View {
   /// Whether its places are those of the patient.
   virtual bool hasCursor() const { return true; }
   virtual void makeThicker(int /*steps*/) {}
-  /// A clip ends where it is.
-  virtual void stop() {}
+  /// What is played ends where it is.
+  void stop();
+  /// Whether the picture of what the workspace says is on screen, and no drag is under way.
+  bool isAtRest() const;
+  /// What is counted: the number of the picture shown, 0 where it has none, and of how many.
+  struct Numbers {
+    QString noun;
+    int now = 0, count = 0;
+  };
+  virtual Numbers numbers() const = 0;
+  /// The line of the corner that says it.
+  virtual QString numberLine() const = 0;
+  /// Shows the picture of a number; why it cannot, empty: it does.
+  virtual QString goToNumber(int number) = 0;
+  /// Places of the stack that are key images.
+  virtual std::vector<int> keyImagePlaces() const = 0;
+  /// Runs of places that are in memory.
+  virtual std::vector<std::pair<int, int>> heldPlaces() const = 0;
   /// With its planes as they lie where nobody turned them.
   virtual Workspace unturned(Workspace workspace) const { return workspace; }
   virtual Warnings warnings() const = 0;
@@ -179,10 +203,11 @@ class FlatView : public View {
   bool hasMenu() const override { return shown() != nullptr; }
   /// What the left button does.
   const Tool& tool() const { return *tool_; }
+  void hideEvent(QHideEvent*) override;
 
   SliceService& service_;
   DerivedObjects& derived_;
-  TimeBar* time_;
+  CineBar* cine_;
 
  private:
   const Tool* toolFor(const QMouseEvent& event) const;
@@ -190,12 +215,20 @@ class FlatView : public View {
   double wheelSign() const;
   void zoomBy(const SlicePress& press, double factor);
   bool pinch(const QNativeGestureEvent& event);
+  QRectF cornerRect(const QString& line) const;
   QRectF windowRect() const;
+  QRectF numberRect() const;
+  bool pressCorner(QPointF p);
   void typeWindow();
   void placeBadge();
-  void placeTimeBar();
+  void placeCineBar();
+  QRectF stackArea() const;
+  bool isOnStackBar(QPointF p) const;
+  std::unique_ptr<Drag> pressStackBar(QPointF p);
+  void tellEdges(QPointF p);
+  void askForLens();
+  void paintLens(QPainter& painter) const;
   QString textAt(QPointF position) const override;
-  void paintStackBar(QPainter& painter) const;
   std::optional<MeasurementHit> measurementAt(QPointF p) const;
   std::unique_ptr<Drag> pressMeasurement(const SlicePress& press);
   void endDrag(Qt::KeyboardModifiers keys);
@@ -215,6 +248,9 @@ class FlatView : public View {
   std::optional<SliceRequest> asked_;  // the last
   std::optional<SliceRequest> drawn_;  // that of picture_
   std::unique_ptr<Drag> drag_;
+  std::optional<SliceRequest> lensAsked_;  // the last of drag_
+  std::optional<SlicePicture> lens_;
+  bool isBarThick_ = false;
   int stepsAtPress_ = 0;  // of the undo stack
   QPointF pressedAt_;
   QTimer wheelEnd_;

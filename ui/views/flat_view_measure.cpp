@@ -72,6 +72,7 @@ void FlatView::endDrag(Qt::KeyboardModifiers keys) {
   const bool drew = drag_ && drag_->drawing();
   const bool kept = drew && session_.undoStack().index() > stepsAtPress_;
   drag_.reset();
+  askForLens();
   session_.endGesture();
   tellPointed();
   if (!drew) return;
@@ -120,7 +121,9 @@ void FlatView::showCursorAt(QPointF p) {
   const auto hit = tool_->measuring ? std::nullopt : measurementAt(p);
   if (hit)
     return setCursor(hit->part == MeasurementPart::handle ? Qt::PointingHandCursor : Qt::SizeAllCursor);
-  if (!tool_->measuring && windowRect().contains(p)) return setCursor(Qt::IBeamCursor);
+  if (isOnStackBar(p)) return setCursor(Qt::SizeVerCursor);
+  if (!tool_->measuring && (windowRect().contains(p) || numberRect().contains(p)))
+    return setCursor(Qt::IBeamCursor);
   const auto press = tool_->measuring ? std::nullopt : pressAt(p);
   setCursor(press && isOnLine(*press) ? Qt::PointingHandCursor : tool_->cursor);
 }
@@ -171,6 +174,7 @@ bool FlatView::event(QEvent* event) {
 
 void FlatView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
+  if (!drag_ && isOnStackBar(event->position())) return mousePressEvent(event);
   if (drag_) {
     if (drag_->finish()) endDrag(event->modifiers());
     return;

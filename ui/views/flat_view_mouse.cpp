@@ -8,9 +8,9 @@
 #include <string>
 
 #include "ui/tools/mouse_bindings.h"
+#include "ui/views/cine_bar.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/latin_key.h"
-#include "ui/views/time_bar.h"
 
 namespace volumen {
 
@@ -39,25 +39,30 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   if (!drag_) pressedAt_ = event->position();
   const auto press = pressAt(event->position());
   if (drag_ && event->button() == Qt::LeftButton) drag_->press(event->position());
-  if (!tool || !press || drag_) return;
+  if (!press || drag_) return;
   session_.endGesture();
-  if (isChosen && !tool->measuring && windowRect().contains(event->position())) return typeWindow();
   stepsAtPress_ = session_.undoStack().index();
-  if (isChosen) drag_ = pressMeasurement(*press);
-  if (!drag_ && isChosen && !tool->measuring) drag_ = pressLine(*press);
+  if (event->button() == Qt::LeftButton) drag_ = pressStackBar(event->position());
+  if (drag_ || !tool || (isChosen && pressCorner(event->position()))) return;
+  const bool isHand = isChosen && !tool->looking;
+  if (isHand) drag_ = pressMeasurement(*press);
+  if (!drag_ && isHand && !tool->measuring) drag_ = pressLine(*press);
   if (!drag_ && !hasWindow() && tool == &toolNamed("window")) return;
   if (!drag_) drag_ = tool->inSlices(*press);
   if (drag_->drawing()) update();
+  askForLens();
 }
 
 void FlatView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_) {
     drag_->moveTo(event->position(), event->modifiers());
-    if (drag_->drawing()) update();
+    if (drag_ && drag_->drawing()) update();
+    askForLens();
     return pointAt(event->position());
   }
   if (movesCrosshair(event->modifiers()))
     if (const auto press = pressAt(event->position())) beginCrosshair(*press);
+  tellEdges(event->position());
   showCursorAt(event->position());
   pointAt(event->position());
 }
@@ -69,6 +74,7 @@ bool FlatView::movesCrosshair(Qt::KeyboardModifiers keys) const {
 }
 
 QString FlatView::textAt(QPointF position) const {
+  if (isOnStackBar(position)) return tr("Drag to go through the stack (G: by its number)");
   const QString measured = measurementText(position);
   return measured.isEmpty() ? hoverText(position) : measured;
 }
@@ -87,11 +93,12 @@ void FlatView::mouseReleaseEvent(QMouseEvent* event) {
 void FlatView::wheelEvent(QWheelEvent* event) {
   pointAt(event->position());
   const auto press = pressAt(event->position());
+  // Alt and Shift make a wheel horizontal on some systems.
+  const double notches = (event->angleDelta().y() + event->angleDelta().x()) / 120.0;
+  if (drag_ && drag_->wheel(notches)) return askForLens();
   if (!press || drag_) return;
   const MouseSlot slot{MousePlace::flat, MouseInput::wheel, heldOf(event->modifiers())};
   const std::string bound = boundTo(session_.preferences(), slot);
-  // Alt makes a wheel horizontal on some systems.
-  const double notches = (event->angleDelta().y() + event->angleDelta().x()) / 120.0;
   wheelEnd_.start();
   if (bound == "none") return;
   if (bound == "zoom") return zoomBy(*press, std::pow(0.85, -wheelSign() * notches));
@@ -139,13 +146,18 @@ void FlatView::keyPressEvent(QKeyEvent* event) {
       return scroll(place().count);
     case Qt::Key_Left:
     case Qt::Key_Right:
-      if (!time_->hasSteps()) break;
-      return time_->step(event->key() == Qt::Key_Left ? -1 : 1);
+      if (!cine_->stepTime(event->key() == Qt::Key_Left ? -1 : 1)) break;
+      return;
+    case Qt::Key_Plus:
+    case Qt::Key_Minus:
+      if (!cine_->stepRate(event->key() == Qt::Key_Minus ? -1 : 1)) break;
+      return;
     case Qt::Key_I:
       return invert();
     case Qt::Key_Escape:
       if (!drag_) break;
       drag_.reset();
+      askForLens();
       update();
       while (session_.undoStack().index() > stepsAtPress_) session_.undoStack().undo();
       tellPointed();
@@ -157,7 +169,13 @@ void FlatView::keyPressEvent(QKeyEvent* event) {
   View::keyPressEvent(event);
 }
 
+void FlatView::hideEvent(QHideEvent* event) {
+  stop();
+  View::hideEvent(event);
+}
+
 void FlatView::leaveEvent(QEvent* event) {
+  tellEdges({-1, -1});
   update();
   View::leaveEvent(event);
 }

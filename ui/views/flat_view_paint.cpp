@@ -1,10 +1,10 @@
 #include <QPainter>
 #include <glm/geometric.hpp>
 
+#include "ui/views/cine_bar.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/reference_lines.h"
-#include "ui/views/time_bar.h"
 #include "ui/widgets/warning_badge.h"
 
 namespace volumen {
@@ -19,23 +19,12 @@ Overlays FlatView::cornersOf(const CornerTexts& texts) const {
 }
 
 // At the bottom; what is written stands above it.
-void FlatView::placeTimeBar() {
-  constexpr int height = 20;
-  time_->setGeometry(8, this->height() - height, width() - 20, height);
+void FlatView::placeCineBar() {
+  cine_->setGeometry(0, height() - CineBar::barHeight, width(), CineBar::barHeight);
 }
 
 QRectF FlatView::overlayArea() const {
-  return QRectF(rect()).adjusted(0, 0, -6, time_->hasSteps() ? -time_->height() : 0);
-}
-
-void FlatView::paintStackBar(QPainter& painter) const {
-  const StackPlace place = this->place();
-  if (place.count < 2) return;
-  const QRectF bar(width() - 5.0, 0, 3, height());
-  const double part = bar.height() / place.count;
-  painter.fillRect(bar, QColor(255, 255, 255, 30));
-  painter.fillRect(QRectF(bar.x(), place.index * part, bar.width(), std::max(3.0, part)),
-                   QColor(255, 255, 255, 140));
+  return QRectF(rect()).adjusted(0, 0, -6, cine_->isHidden() ? 0 : -CineBar::barHeight);
 }
 
 std::vector<QWidget*> FlatView::badges() const {
@@ -77,7 +66,8 @@ void FlatView::paintWith(QPainter& painter, const QImage& picture) const {
 void FlatView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintShown(painter);
-  if (shown()) paintStackBar(painter);
+  if (const std::optional<StackBar> bar = stackBar()) bar->paint(painter);
+  paintLens(painter);
   paintFocus(painter);
 }
 

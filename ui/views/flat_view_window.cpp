@@ -11,11 +11,7 @@ namespace volumen {
 
 // Where the numbers of the window stand; empty: nowhere, there are none.
 QRectF FlatView::windowRect() const {
-  if (!shown() || !hasWindow()) return {};
-  const Overlays over = overlays();
-  const PlacedOverlays placed = placeOverlays(over, overlayArea(), font());
-  const auto text = std::ranges::find(placed.texts, over.bottomRight, &PlacedText::text);
-  return text == placed.texts.end() ? QRectF() : text->rect;
+  return shown() && hasWindow() ? cornerRect(overlays().bottomRight) : QRectF();
 }
 
 // Two fields where the numbers stand: one step where they are set.

@@ -5,7 +5,7 @@
 #include "ui/controller/derived_objects.h"
 #include "ui/data/frame_series.h"
 #include "ui/overlays/view_overlays.h"
-#include "ui/views/cine_player.h"
+#include "ui/views/cine_bar.h"
 #include "ui/views/paint_graphics.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/corner_text.h"
@@ -23,11 +23,57 @@ QString letters(glm::dvec3 direction) { return QString::fromStdString(sideLetter
 
 }  // namespace
 
+// Frames are left out where they come faster than they are read; what is played is no step before it stops.
+class FrameView::Clip : public Playable {
+ public:
+  explicit Clip(FrameView& view) : view_(view) {}
+
+  QString noun() const override { return tr("Frame"); }
+  int count() const override { return series() ? frameCount(*series()) : 0; }
+  int place() const override { return view_.frameKey().index; }
+  SeriesKey source() const override { return view_.state().series; }
+  Cine cine() const override { return series()->cine; }
+  bool isClip() const override {
+    const Series& clip = *series();
+    return count() > 1 && (clip.cine.framesPerSecond > 0 || !clip.cine.frameTimesMs.empty() ||
+                           clip.files.front() == clip.files.back());
+  }
+  void goTo(int place) override { view_.goTo(place); }
+  void play(int place) override {
+    view_.played_ = place;
+    view_.askForFrame();
+  }
+  bool isReady(int) const override { return true; }
+  bool keepsTime() const override { return true; }
+  // At the frame on screen.
+  void stop() override {
+    if (!view_.played_) return;
+    const int frame = view_.frame_ ? view_.frame_->key.index : *view_.played_;
+    view_.played_.reset();
+    view_.session_.endGesture();
+    editFlat(view_.session_, view_.id(), tr("Play"), [&](FlatLook& look) { look.frame = frame; });
+    view_.session_.endGesture();
+    view_.update();
+  }
+
+ private:
+  // Null: the view shows no frames.
+  const Series* series() const {
+    return view_.isCurrent() ? seriesIn(view_.session_.workspace(), view_.id()) : nullptr;
+  }
+
+  FrameView& view_;
+};
+
 FrameView::FrameView(const ViewParts& parts, ViewId id, QWidget* parent)
     : FlatView(parts, id, parent), frames_(parts.frames) {
   setObjectName(QStringLiteral("frameView%1").arg(id));
   connect(&frames_, &FrameService::ready, this, &FrameView::takeFrame);
   connect(&frames_, &FrameService::failed, this, &FrameView::tellFailure);
+  connect(&frames_, &FrameService::held, this, [this](const SeriesKey& series) {
+    if (isCurrent() && series == state().series) update();
+  });
+  cine_->add(std::make_unique<Clip>(*this), true);
   tellWarnings();
 }
 
@@ -37,11 +83,12 @@ FrameKey FrameView::frameKey() const {
   if (state().series.empty()) return {};
   const int last = std::max(0, frameCount(*seriesState().series) - 1);
   const FlatLook look = flatLookOf(state());
-  return {state().series, player_ ? player_->due() : std::min(look.frame, last), look.presentation.path};
+  return {state().series, played_.value_or(std::min(look.frame, last)), look.presentation.path};
 }
 
 void FrameView::forget() {
-  player_.reset();
+  played_.reset();
+  stop();
   frame_.reset();
   failure_.clear();
   if (!isCurrent()) frames_.drop(id());
@@ -58,7 +105,7 @@ void FrameView::askForFrame() {
   if (frameCount(*seriesState().series) == 0) return;  // of a session whose files are not here
   const FrameKey key = frameKey();
   if (frame_ && frame_->key == key) return;
-  const bool isBackwards = frame_ && frame_->key.index > key.index && !player_;
+  const bool isBackwards = isPlaying() ? cine_->isBackwards() : frame_ && frame_->key.index > key.index;
   frames_.request(id(), seriesState().series, key.index, isBackwards ? -1 : 1, key.presentation);
   if (const LoadedFramePtr held = frames_.find(key)) takeFrame(id(), held);
 }
@@ -71,12 +118,13 @@ void FrameView::takeFrame(int view, const LoadedFramePtr& frame) {
   failure_.clear();
   tellWarnings();
   askForPicture();
+  cine_->look();
   tellPointed();
 }
 
 void FrameView::tellFailure(int view, const FrameKey& key, const QString& sentence) {
   // A clip goes on with the next one.
-  if (view != id() || !isCurrent() || player_ || key != frameKey()) return;
+  if (view != id() || !isCurrent() || isPlaying() || key != frameKey()) return;
   forget();
   failure_ = shownText(sentence.toStdString());
   update();
@@ -95,7 +143,7 @@ bool FrameView::isWanted(const SliceRequest& request) const {
 
 bool FrameView::showPicture(const SlicePicture& picture) {
   if (!FlatView::showPicture(picture)) return false;
-  if (player_ && picture.request.frame) player_->tellShown(picture.request.frame->key.index);
+  if (isPlaying() && picture.request.frame) cine_->tellShown(picture.request.frame->key.index);
   return true;
 }
 
@@ -134,24 +182,29 @@ void FrameView::scroll(int steps) {
   showFrame(session_, id(), flatLookOf(state()).frame + steps);
 }
 
-void FrameView::togglePlay() {
-  if (player_) return stop();
-  if (state().series.empty()) return;
-  const Series& series = *seriesState().series;
-  if (frameCount(series) < 2) return;
-  player_ = std::make_unique<CinePlayer>(series.cine, frameCount(series), flatLookOf(state()).frame);
-  connect(player_.get(), &CinePlayer::frameDue, this, &FrameView::askForFrame);
+void FrameView::goTo(int place) {
+  stop();
+  showFrame(session_, id(), place);
 }
 
-// At the frame on screen: one step, however long the clip was played.
-void FrameView::stop() {
-  if (!player_) return;
-  const int frame = frame_ ? frame_->key.index : player_->due();
-  player_.reset();
-  session_.endGesture();
-  editFlat(session_, id(), tr("Play"), [&](FlatLook& look) { look.frame = frame; });
-  session_.endGesture();
-  update();
+FlatView::Numbers FrameView::numbers() const { return {tr("Frame"), place().index + 1, place().count}; }
+
+QString FrameView::numberLine() const {
+  const QString number = tr("Frame %1 / %2").arg(place().index + 1).arg(place().count);
+  return cine_->rate() > 0 ? tr("%1, %2 a second").arg(number).arg(cine_->rate(), 0, 'f', 1) : number;
+}
+
+QString FrameView::goToNumber(int number) {
+  goTo(number - 1);
+  return {};
+}
+
+std::vector<int> FrameView::keyImagePlaces() const {
+  return keyImagesOf(session_.workspace(), *seriesState().series);
+}
+
+std::vector<std::pair<int, int>> FrameView::heldPlaces() const {
+  return runsOf(frames_.heldOf(state().series, frameKey().presentation));
 }
 
 std::vector<FlatView::WindowChoice> FrameView::windows() const {
@@ -201,7 +254,7 @@ std::optional<ShapeFrame> FrameView::shapeFrame() const {
 }
 
 void FrameView::hideEvent(QHideEvent* event) {
-  player_.reset();
+  played_.reset();
   frames_.drop(id());
   FlatView::hideEvent(event);
 }
@@ -223,10 +276,7 @@ Overlays FrameView::overlays() const {
   const SlicePlane now = *plane();
   const FlatLook look = flatLookOf(state());
   CornerTexts texts = seriesCorner(series);
-  QString title = tr("Frame %1 / %2").arg(place().index + 1).arg(place().count);
-  const bool isPlayed = player_ && player_->rate() > 0;
-  if (isPlayed) title += tr(", %1 a second").arg(player_->rate(), 0, 'f', 1);
-  texts.add(CornerItem::plane, title);
+  texts.add(CornerItem::plane, numberLine());
   if (series.notVolume.empty()) texts.add(CornerItem::thickness, thicknessText(series));
   texts.add(CornerItem::step, stepText(session_.workspace(), state().series));
   texts.add(CornerItem::pixelSize, pixelSizeText(*frame_));
@@ -234,7 +284,7 @@ Overlays FrameView::overlays() const {
   texts.add(CornerItem::turn, turnText(look.turn));
   texts.add(CornerItem::mark, QStringList{presentationText(), keyImageText()});
   Overlays o = cornersOf(texts);
-  o.isLate = isPlayed && player_->isLate();
+  o.isLate = cine_->isLate();
   o.bottomRight = greyText(seriesState(), look, *frame_);
   o.warning = failure_;
   if (hasMm(*frame_)) o.mmPerPixel = now.mmPerPixel * devicePixelRatioF();

@@ -6,8 +6,6 @@
 
 namespace volumen {
 
-class CinePlayer;
-
 /// The frames of a series as acquired, one at a time: the wheel goes from one to the next, and they are
 /// played as a clip.
 class FrameView : public FlatView {
@@ -20,11 +18,10 @@ class FrameView : public FlatView {
   const LoadedFramePtr& frame() const { return frame_; }
   /// One of greyChoices().
   void chooseGrey(const GreyChoice& choice);
-  bool isPlaying() const { return player_ != nullptr; }
   void scroll(int steps) override;
+  void goTo(int place) override;
   LoadedSeriesPtr shown() const override { return isCurrent() && frame_ ? frame_->slice : nullptr; }
   QString failure() const override { return failure_; }
-  void togglePlay() override;
   Overlays overlays() const override;
   std::vector<WindowChoice> windows() const override;
   void chooseWindow(int number) override;
@@ -45,7 +42,11 @@ class FrameView : public FlatView {
   Window greyWindow() const override;
   bool hasWindow() const override { return !frame_ || !frame_->colour(); }
   bool hasCursor() const override { return frame_ && frame_->geometry().calibrated; }
-  void stop() override;
+  Numbers numbers() const override;
+  QString numberLine() const override;
+  QString goToNumber(int number) override;
+  std::vector<int> keyImagePlaces() const override;
+  std::vector<std::pair<int, int>> heldPlaces() const override;
   Warnings warnings() const override;
   QString hoverText(QPointF position) const override;
   std::vector<const Measurement*> measurements() const override;
@@ -54,6 +55,8 @@ class FrameView : public FlatView {
   void hideEvent(QHideEvent*) override;
 
  private:
+  class Clip;
+
   /// Whether the workspace has frames in this view's place.
   bool isCurrent() const { return showsFrames(state().kind); }
   FrameKey frameKey() const;
@@ -64,8 +67,8 @@ class FrameView : public FlatView {
 
   FrameService& frames_;
   LoadedFramePtr frame_;
-  QString failure_;                     // of the frame that is wanted
-  std::unique_ptr<CinePlayer> player_;  // while a clip is played
+  QString failure_;            // of the frame that is wanted
+  std::optional<int> played_;  // the frame that is due while a clip is played, in place of the workspace's
 };
 
 }  // namespace volumen

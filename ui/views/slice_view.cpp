@@ -5,10 +5,10 @@
 
 #include "ui/controller/derived_objects.h"
 #include "ui/overlays/view_overlays.h"
+#include "ui/views/cine_bar.h"
 #include "ui/views/clip_lines.h"
 #include "ui/views/colour_bar.h"
 #include "ui/views/cross_lines.h"
-#include "ui/views/time_bar.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/series_text.h"
@@ -36,8 +36,26 @@ QString valueAt(const LoadedSeries& shown, glm::dvec3 p) {
 
 }  // namespace
 
+// Each slice is shown, however long it takes to be drawn.
+class SliceView::Stack : public Playable {
+ public:
+  explicit Stack(SliceView& view) : view_(view) {}
+
+  QString noun() const override { return tr("Slice"); }
+  int count() const override { return view_.shown() ? view_.place().count : 0; }
+  int place() const override { return view_.place().index; }
+  SeriesKey source() const override { return view_.state().series; }
+  Cine cine() const override { return {view_.seriesState().series->cine.framesPerSecond, {}, false}; }
+  void goTo(int place) override { view_.moveTo(place); }
+  bool isReady(int) const override { return view_.isAtRest(); }
+
+ private:
+  SliceView& view_;
+};
+
 SliceView::SliceView(const ViewParts& parts, ViewId id, QWidget* parent) : FlatView(parts, id, parent) {
   setObjectName(QStringLiteral("sliceView%1").arg(id));
+  cine_->add(std::make_unique<Stack>(*this), false);
   tellWarnings();
 }
 
@@ -99,17 +117,82 @@ void SliceView::setClipShown(bool shown) {
 }
 
 void SliceView::scroll(int steps) {
+  if (steps != 0) goTo(place().index + steps);
+}
+
+void SliceView::goTo(int place) {
+  stop();
+  moveTo(place);
+}
+
+void SliceView::moveTo(int place) {
   const LoadedSeriesPtr shown = this->shown();
-  if (!shown || steps == 0) return;
+  if (!shown) return;
   const Crosshair crosshair = crosshairOf(session_.workspace(), id(), *shown);
   moveCrosshair(session_, id(), *shown, tr("Scroll"),
-                scrolled(shown->volume->geometry(), state().kind, crosshair, steps));
+                scrolled(shown->volume->geometry(), state().kind, crosshair, place - this->place().index));
 }
 
 StackPlace SliceView::place() const {
   const LoadedSeriesPtr shown = this->shown();
   if (!shown) return {};
   return stackPlace(shown->volume->geometry(), state().kind, crosshairOf(session_.workspace(), id(), *shown));
+}
+
+// Of a plane that is not, there are no slices as acquired to go to.
+bool SliceView::isAlongSlices() const {
+  return onSlice(*plane(), shown()->volume->geometry(), 0).has_value();
+}
+
+// The crosshair's point moved onto a slice of the grid that is drawn.
+glm::dvec3 SliceView::pointOn(int slice) const {
+  const LoadedSeriesPtr shown = this->shown();
+  const VoxelGeometry& geometry = shown->volume->geometry();
+  glm::dvec3 pVoxel = geometry.voxelFromPatient(crosshairOf(session_.workspace(), id(), *shown).at);
+  pVoxel.z = slice;
+  return geometry.patientFromVoxel(pVoxel);
+}
+
+// Of slices as acquired those of the file, which may count against the wheel.
+FlatView::Numbers SliceView::numbers() const {
+  if (!isAlongSlices()) return {tr("Slice"), place().index + 1, place().count};
+  SlicePlane thin = *plane();
+  thin.slabMm = 0;
+  const Series& series = shown()->series;
+  const PictureSeen seen = volumen::pictureSeen(series, shown()->volume->geometry(), thin);
+  return {tr("Slice"), seen.index.value_or(-1) + 1, series.acquired.size.z};
+}
+
+QString SliceView::numberLine() const {
+  const LoadedSeriesPtr shown = this->shown();
+  return planeNumber(shown->series, shown->volume->geometry(), state().kind,
+                     crosshairOf(session_.workspace(), id(), *shown), *plane())
+      .text;
+}
+
+QString SliceView::goToNumber(int number) {
+  if (!isAlongSlices()) {
+    goTo(number - 1);
+    return {};
+  }
+  const std::optional<int> slice = drawnSlice(shown()->series, number - 1);
+  if (!slice) return tr("Slice %1 is not in the volume: choose View > Show as frames.").arg(number);
+  stop();
+  moveCrosshair(session_, id(), *shown(), tr("Scroll"), pointOn(*slice));
+  return {};
+}
+
+std::vector<int> SliceView::keyImagePlaces() const {
+  std::vector<int> places;
+  if (!isAlongSlices()) return places;
+  Crosshair at = crosshairOf(session_.workspace(), id(), *shown());
+  for (const int index : keyImagesOf(session_.workspace(), shown()->series)) {
+    const std::optional<int> slice = drawnSlice(shown()->series, index);
+    if (!slice) continue;
+    at.at = pointOn(*slice);
+    places.push_back(stackPlace(shown()->volume->geometry(), state().kind, at).index);
+  }
+  return places;
 }
 
 void SliceView::makeThicker(int steps) {
@@ -147,9 +230,6 @@ void SliceView::chooseWindow(int number) {
     w.series.edit(keyOf(shown->series)).window = choices[std::size_t(number)].window;
   });
 }
-
-// Through the steps in time.
-void SliceView::togglePlay() { time_->togglePlay(); }
 
 PictureSeen SliceView::pictureSeen() const {
   const LoadedSeriesPtr shown = this->shown();

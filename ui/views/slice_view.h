@@ -16,8 +16,8 @@ class SliceView : public FlatView {
   /// Whether the clip box of the 3D scene is seen where it is the whole volume, too.
   void setClipShown(bool shown);
   void scroll(int steps) override;
+  void goTo(int place) override;
   LoadedSeriesPtr shown() const override;
-  void togglePlay() override;
   Overlays overlays() const override;
   std::vector<WindowChoice> windows() const override;
   void chooseWindow(int number) override;
@@ -29,6 +29,11 @@ class SliceView : public FlatView {
   bool keepsPictureOf(const SeriesKey& before) const override;
   void seriesExchanged(bool another) override;
   StackPlace place() const override;
+  Numbers numbers() const override;
+  QString numberLine() const override;
+  QString goToNumber(int number) override;
+  std::vector<int> keyImagePlaces() const override;
+  std::vector<std::pair<int, int>> heldPlaces() const override { return {{0, place().count - 1}}; }
   Window greyWindow() const override;
   void makeThicker(int steps) override;
   Workspace unturned(Workspace workspace) const override;
@@ -41,7 +46,12 @@ class SliceView : public FlatView {
   void paintColours(QPainter& painter) const override;
 
  private:
+  class Stack;
+
   bool hasCrosshairTool() const;
+  void moveTo(int place);
+  bool isAlongSlices() const;
+  glm::dvec3 pointOn(int slice) const;
 
   bool clipShown_ = false;
   std::optional<VolumeRange> segment_;  // that is looked at alone

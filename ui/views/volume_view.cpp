@@ -2,7 +2,7 @@
 
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/canvas.h"
-#include "ui/views/time_bar.h"
+#include "ui/views/cine_bar.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/series_text.h"
@@ -31,7 +31,8 @@ VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QW
       canvas_(makeCanvas([this](QPainter& p) { paintCanvas(p); }, [this] { replaceCanvas(); }, this)),
       cube_(new OrientationCube(this)),
       badge_(new WarningBadge(this)),
-      time_(new TimeBar(session, id, this)) {
+      cine_(new CineBar(
+          session, id, [this] { return isDrawn_; }, this)) {
   setObjectName(id == sceneViewId ? QStringLiteral("volumeView") : QStringLiteral("volumeView%1").arg(id));
   setAccessibleName(tr("Volume view"));
   wheelEnd_.setSingleShot(true);
@@ -41,7 +42,7 @@ VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QW
   connect(this, &View::pixelsChanged, this, &VolumeView::requestPicture);
   connect(&drawService_, &DrawService::screenPictureReady, this, &VolumeView::showDrawn);
   connect(&session_, &Session::preferencesChanged, this, [this] { canvas_->update(); });
-  connect(time_, &TimeBar::stepsChanged, this, [this] {
+  connect(cine_, &CineBar::shownChanged, this, [this] {
     placeChildren();
     canvas_->update();
   });
@@ -72,6 +73,7 @@ void VolumeView::workspaceChanged(const Workspace& before) {
   }
   const VolumePtr volume = series() ? series()->volume : nullptr;
   const bool isAnother = std::exchange(drawn_, volume) != volume;
+  if (isAnother) isDrawn_ = false;
   if (isAnother || (volume && (isNew || look->second.scene != scene()))) requestPicture();
 }
 
@@ -106,9 +108,8 @@ void VolumeView::replaceCanvas() {
 }
 
 void VolumeView::placeChildren() {
-  constexpr int barHeight = 20;
   canvas_->setGeometry(rect());
-  time_->setGeometry(8, height() - barHeight, width() - 16, barHeight);
+  cine_->setGeometry(0, height() - CineBar::barHeight, width(), CineBar::barHeight);
   cube_->move(8, int(overlayArea().bottom()) - cube_->height() - 8);
   // Under the lines about patient and series.
   const auto lines = series() ? overlays().topLeft.size() : 0;
@@ -139,8 +140,11 @@ void VolumeView::requestPicture() {
   if (isShown) drawService_.request(id(), scene(), pixels());
 }
 
+void VolumeView::togglePlay() { cine_->togglePlay(); }
+
 void VolumeView::showDrawn(const ScreenPicture& picture) {
   if (picture.view != id()) return;
+  isDrawn_ = true;
   setPicture(picture.image, captionOf(picture), picture.error);
   Q_EMIT drawn(picture);
 }
@@ -218,6 +222,7 @@ void VolumeView::showEvent(QShowEvent* event) {
 
 void VolumeView::hideEvent(QHideEvent* event) {
   View::hideEvent(event);
+  cine_->stop();
   letGo();
   requestPicture();
 }

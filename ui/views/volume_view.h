@@ -13,8 +13,8 @@
 
 namespace volumen {
 
+class CineBar;
 class OrientationCube;
-class TimeBar;
 class WarningBadge;
 
 /// The picture of the session's scene at device pixels, and what the mouse does with it: left-drag as the
@@ -50,6 +50,8 @@ class VolumeView : public View {
   /// A standard view, whole; the projection stays.
   void showView(const QString& name);
   void resetView();
+  /// Plays the steps in time, or stops.
+  void togglePlay();
   const QWidget* canvas() const { return canvas_; }
 
  Q_SIGNALS:
@@ -107,8 +109,9 @@ class VolumeView : public View {
   QWidget* canvas_;
   OrientationCube* cube_;
   WarningBadge* badge_;
-  TimeBar* time_;
-  VolumePtr drawn_;  // the one that a picture was asked for
+  CineBar* cine_;
+  VolumePtr drawn_;       // the one that a picture was asked for
+  bool isDrawn_ = false;  // since there has been one
   QImage picture_;
   QString caption_;
   std::shared_ptr<const std::vector<float>> error_;

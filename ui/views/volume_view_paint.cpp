@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "ui/overlays/view_overlays.h"
-#include "ui/views/time_bar.h"
+#include "ui/views/cine_bar.h"
 #include "ui/views/volume_view.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
@@ -29,9 +29,9 @@ QString VolumeView::textAt(QPointF position) const {
   return text + tr(" at %1").arg(placeText(shown->series, *hit->pPatient));
 }
 
-// What is written stands above the bar of the time points.
+// What is written stands above the bar of the steps in time.
 QRectF VolumeView::overlayArea() const {
-  return QRectF(rect()).adjusted(0, 0, 0, time_->hasSteps() ? -time_->height() : 0);
+  return QRectF(rect()).adjusted(0, 0, 0, cine_->isHidden() ? 0 : -CineBar::barHeight);
 }
 
 Overlays VolumeView::overlays() const {

@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "io/study/cine.h"
-
 namespace volumen {
 
 namespace {
@@ -17,13 +15,6 @@ bool hasTimes(const Cine& cine) {
   return cine.framesPerSecond <= 0 && cine.frameTimesMs.size() > 1 &&
          std::reduce(cine.frameTimesMs.begin() + 1, cine.frameTimesMs.end()) > 0;
 }
-
-// The steps of one round: 0, 1, 2, and back 1.
-int roundLength(const Cine& cine, int count) {
-  return cine.backAndForth && count > 2 ? 2 * count - 2 : count;
-}
-
-int frameOf(int step, int count) { return step < count ? step : 2 * count - 2 - step; }
 
 // How long one frame is on screen before another; as long as on average where no time is said.
 double msBetween(const Cine& cine, int from, int to) {
@@ -42,17 +33,39 @@ double cineRate(const Cine& cine) {
   return 1000 * double(cine.frameTimesMs.size() - 1) / sum;
 }
 
-int cineFrame(const Cine& cine, int count, int first, double ms) {
-  if (count < 2) return 0;
-  const int length = roundLength(cine, count);
-  std::vector<double> durations;
-  for (int step = 0; step < length; ++step)
-    durations.push_back(msBetween(cine, frameOf(step, count), frameOf((step + 1) % length, count)));
-  ms += std::reduce(durations.begin(), durations.begin() + first);
-  ms = std::fmod(ms, std::reduce(durations.begin(), durations.end()));
-  int step = 0;
-  while (step + 1 < length && ms >= durations[std::size_t(step)]) ms -= durations[std::size_t(step++)];
-  return frameOf(step, count);
+CineTrack::CineTrack(const Cine& cine, const CineRound& round, int place, bool backwards)
+    : places_(std::size_t(round.last - round.first) + 1), loops_(round.loops) {
+  const auto add = [&](int p) { steps_.push_back({p, 0}); };
+  for (int p = round.first; p <= round.last; ++p) add(p);
+  if (round.backAndForth)
+    for (int p = round.last - 1; p >= round.first + (loops_ ? 1 : 0); --p) add(p);
+  const double usual = cineRate(cine), slower = round.rate > 0 ? usual / round.rate : 1;
+  for (std::size_t n = 0; n < steps_.size(); ++n)
+    steps_[n].ms = slower * msBetween(cine, steps_[n].place, steps_[(n + 1) % steps_.size()].place);
+  const auto isThere = [&](const Step& step) { return step.place == place; };
+  const auto begin = backwards ? steps_.begin() + std::ptrdiff_t(places_) : steps_.begin();
+  auto found = std::find_if(begin, steps_.end(), isThere);
+  if (found == steps_.end()) found = std::ranges::find_if(steps_, isThere);
+  if (found != steps_.end()) at_ = std::size_t(found - steps_.begin());
+  if (isOver()) at_ = 0;
+}
+
+std::size_t CineTrack::indexAfter(std::size_t step) const {
+  if (step + 1 < steps_.size()) return step + 1;
+  return loops_ ? 0 : step;
+}
+
+int CineTrack::pass(double ms, int most) {
+  spent_ += std::max(0.0, ms);
+  for (; !isOver() && spent_ >= steps_[at_].ms; --most) {
+    if (most <= 0) {
+      spent_ = steps_[at_].ms;  // goes on as soon as it may
+      break;
+    }
+    spent_ -= steps_[at_].ms;
+    at_ = indexAfter(at_);
+  }
+  return place();
 }
 
 }  // namespace volumen

@@ -31,6 +31,19 @@ std::optional<KeyImage> keyImageOf(const Series& series, int index) {
   return KeyImage{keyOf(series), series.sopInstanceUids[n], series.frames[n]};
 }
 
+std::vector<int> keyImagesOf(const Workspace& workspace, const Series& series) {
+  std::vector<int> marked;
+  const SeriesKey key = keyOf(series);
+  for (const KeyImage& image : workspace.keyImages) {
+    if (image.series != key) continue;
+    for (std::size_t n = 0; n < series.sopInstanceUids.size(); ++n)
+      if (series.sopInstanceUids[n] == image.sopInstanceUid && series.frames[n] == image.frame)
+        marked.push_back(int(n));
+  }
+  std::ranges::sort(marked);
+  return marked;
+}
+
 bool isKeyImage(const Workspace& workspace, const KeyImage& image) {
   return std::ranges::find(workspace.keyImages, image) != workspace.keyImages.end();
 }

@@ -21,6 +21,9 @@ std::optional<int> drawnSlice(const Series& series, int index);
 /// The mark that picture `index` (from 0) of a series has or would have; none where its file has no UID.
 std::optional<KeyImage> keyImageOf(const Series& series, int index);
 
+/// The pictures of a series that are marked, by their numbers there: ascending.
+std::vector<int> keyImagesOf(const Workspace& workspace, const Series& series);
+
 bool isKeyImage(const Workspace& workspace, const KeyImage& image);
 
 /// Marked where it was not, and the other way round.

@@ -178,8 +178,8 @@ void TestFramesOfSeries::clipsGoByTheClock() {
   QFETCH(int, first);
   QFETCH(double, ms);
   QFETCH(int, frame);
-  QCOMPARE(cineFrame(cine, 4, first, ms), frame);
-  QCOMPARE(cineFrame(cine, 1, 0, ms), 0);
+  QCOMPARE(CineTrack(cine, {0, 3, cine.backAndForth}, first).pass(ms), frame);
+  QCOMPARE(CineTrack(cine, {0, 0, cine.backAndForth}, 0).pass(ms), 0);
 }
 
 void TestFramesOfSeries::rates_data() {

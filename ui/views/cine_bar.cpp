@@ -1,0 +1,289 @@
+#include "ui/views/cine_bar.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QMouseEvent>
+#include <QSignalBlocker>
+#include <QToolTip>
+#include <algorithm>
+#include <utility>
+
+#include "ui/widgets/plain_text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int restMs = 300;  // of the pointer at the edge
+constexpr double usualRates[] = {1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100};
+
+// The least width in which a control is there, logical pixels.
+constexpr int widthForNumber = 190, widthForWays = 250, widthForRate = 320, widthForRange = 420;
+
+}  // namespace
+
+CineBar::CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, QWidget* parent)
+    : QWidget(parent), session_(session), view_(view) {
+  auto time = std::make_unique<PlayedTimePoints>(session, view, std::move(isDrawn));
+  time_ = time.get();
+  all_.push_back(std::move(time));
+  setObjectName(QStringLiteral("cineBar%1").arg(view));
+  setAccessibleName(tr("Cine"));
+  setAttribute(Qt::WA_StyledBackground);
+  // The same on both themes: it lies on the picture.
+  setStyleSheet(
+      QStringLiteral("#%1 { background: rgba(27,30,34,210); }"
+                     "#%1 QToolButton, #%1 QLineEdit { color: #d7dce2; background: transparent; border: 1px "
+                     "solid #3c434c; border-radius: 2px; padding: 0 2px; }"
+                     "#%1 QToolButton:checked { background: #2b6cb0; color: white; }"
+                     "#%1 QToolButton:hover, #%1 QToolButton:focus, #%1 QLineEdit:focus { border-color: "
+                     "#4aa3ff; }")
+          .arg(objectName()));
+  makeControls();
+  connectControls();
+  pointedSoon_.setSingleShot(true);
+  pointedSoon_.setInterval(restMs);
+  connect(&pointedSoon_, &QTimer::timeout, this, [this] {
+    isPointedAt_ = true;
+    look();
+  });
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            const ViewState &was = before.view(view_), &is = after.view(view_);
+            if (was.series != is.series || was.kind != is.kind || before.series.size() != after.series.size())
+              time_->look();
+            look();
+          });
+  connect(qApp, &QApplication::focusChanged, this, [this](const QWidget* was) {
+    if (isAncestorOf(was)) look();
+  });
+  hide();
+  look();
+}
+
+// Fields lose their focus after it is gone.
+CineBar::~CineBar() { disconnect(qApp, nullptr, this, nullptr); }
+
+QToolButton* CineBar::addButton(const char* name, const QString& text, const QString& tip, bool checkable) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(QLatin1String(name));
+  button->setText(text);
+  button->setToolTip(toolTipOf(tip));
+  button->setAccessibleName(tip);
+  button->setCheckable(checkable);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setFixedHeight(barHeight - 2);
+  layout()->addWidget(button);
+  return button;
+}
+
+TypedNumber* CineBar::addNumber(const char* name, const QString& tip, int width) {
+  auto* field = new TypedNumber(name, tip, this);
+  field->setFixedSize(width, barHeight - 2);
+  field->setFrame(false);
+  layout()->addWidget(field);
+  const auto giveKeysBack = [this] { parentWidget()->setFocus(); };
+  connect(field, &TypedNumber::typed, this, giveKeysBack);
+  connect(field, &TypedNumber::givenUp, this, giveKeysBack);
+  connect(field, &TypedNumber::refused, this, [field](const QString& why) {
+    QToolTip::showText(field->mapToGlobal(QPoint(0, -2 * barHeight)), toolTipOf(why), field);
+  });
+  return field;
+}
+
+void CineBar::makeControls() {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(4, 1, 12, 1);  // beside the bar of the stack
+  row->setSpacing(3);
+  row->setSizeConstraint(QLayout::SetNoConstraint);
+  play_ = addButton("cinePlay", QStringLiteral("\u25b6"), tr("Play or stop (C)"), false);
+  what_ = addButton("cineWhat", {}, tr("What is played"), false);
+  place_ = new QSlider(Qt::Horizontal, this);
+  place_->setObjectName(QStringLiteral("cinePlace"));
+  place_->setFocusPolicy(Qt::NoFocus);  // the view has keys for it
+  place_->setMaximum(0);
+  place_->setPageStep(1);
+  row->addWidget(place_, 1);
+  number_ = addNumber("cineNumber", tr("Number shown"), 38);
+  first_ = addNumber("cineFirst", tr("First one played"), 34);
+  last_ = addNumber("cineLast", tr("Last one played"), 34);
+  rate_ = addNumber("cineRate", tr("Speed, a second (+ and -)"), 38);
+  back_ = addButton("cineBack", QStringLiteral("\u21c4"), tr("Back and forth"), true);
+  loop_ = addButton("cineLoop", QStringLiteral("\u21bb"), tr("Again and again"), true);
+}
+
+void CineBar::connectControls() {
+  connect(play_, &QToolButton::clicked, this, &CineBar::togglePlay);
+  connect(what_, &QToolButton::clicked, this, [this] {
+    stop();
+    const Playable* now = current();
+    for (const auto& other : all_)
+      if (other.get() != now && other->count() > 1) chosen_ = other.get();
+    look();
+  });
+  connect(place_, &QSlider::valueChanged, this, &CineBar::goTo);
+  connect(place_, &QSlider::sliderPressed, this, [this] { session_.endGesture(); });
+  connect(place_, &QSlider::sliderReleased, this, [this] { session_.endGesture(); });
+  connect(number_, &TypedNumber::typed, this, [this](double number) {
+    session_.endGesture();
+    goTo(int(number) - 1);
+    session_.endGesture();
+  });
+  const auto change = [this](auto edit) {
+    return [this, edit](auto value) {
+      CineRound round = round_;
+      edit(round, value);
+      setRound(round);
+    };
+  };
+  connect(first_, &TypedNumber::typed, this, change([](CineRound& r, double n) { r.first = int(n) - 1; }));
+  connect(last_, &TypedNumber::typed, this, change([](CineRound& r, double n) { r.last = int(n) - 1; }));
+  connect(rate_, &TypedNumber::typed, this, change([](CineRound& r, double n) { r.rate = n; }));
+  connect(back_, &QToolButton::toggled, this, change([](CineRound& r, bool on) { r.backAndForth = on; }));
+  connect(loop_, &QToolButton::toggled, this, change([](CineRound& r, bool on) { r.loops = on; }));
+}
+
+void CineBar::add(std::unique_ptr<Playable> what, bool before) {
+  all_.insert(before ? all_.begin() : all_.end(), std::move(what));
+  look();
+}
+
+// Null: nothing can be played.
+Playable* CineBar::current() const {
+  if (chosen_ && chosen_->count() > 1) return chosen_;
+  const auto first = std::ranges::find_if(all_, [](const auto& what) { return what->count() > 1; });
+  return first == all_.end() ? nullptr : first->get();
+}
+
+void CineBar::goTo(int place) {
+  Playable* what = current();
+  if (!what) return;
+  stop();
+  what->goTo(std::clamp(place, 0, what->count() - 1));
+}
+
+void CineBar::togglePlay() {
+  if (player_) return stop();
+  Playable* what = current();
+  if (!what) return;
+  session_.endGesture();
+  played_ = what;
+  player_ = std::make_unique<CinePlayer>(*what, round_);
+  // Afterwards: it is still looking at its clock.
+  connect(player_.get(), &CinePlayer::over, this, &CineBar::stop, Qt::QueuedConnection);
+  look();
+}
+
+// One step to undo, however long it was played.
+void CineBar::stop() {
+  if (!player_) return;
+  player_.reset();
+  played_->stop();
+  session_.endGesture();
+  look();
+}
+
+void CineBar::tellShown(int place) {
+  if (player_) player_->tellShown(place);
+  look();
+}
+
+bool CineBar::stepTime(int steps) {
+  if (time_->count() < 2) return false;
+  stop();
+  time_->goTo(std::clamp(time_->place() + steps, 0, time_->count() - 1));
+  return true;
+}
+
+bool CineBar::stepRate(int up) {
+  if (isHidden() || !current()) return false;
+  CineRound round = round_;
+  const auto* const end = std::end(usualRates);
+  const auto* next = std::ranges::find_if(usualRates, [&](double rate) {
+    return up > 0 ? rate > round.rate * 1.001 : rate >= round.rate * 0.999;
+  });
+  if (up < 0) next = next == std::begin(usualRates) ? next : next - 1;
+  round.rate = next == end ? mostRate : *next;
+  setRound(round);
+  return true;
+}
+
+void CineBar::setRound(const CineRound& round) {
+  round_ = round;
+  if (player_) player_->setRound(round);
+  look();
+}
+
+void CineBar::look() {
+  Playable* what = current();
+  const std::pair source(what ? what->source() : SeriesKey{}, what ? what->count() : 0);
+  if (what && std::exchange(roundOf_, source) != source) {
+    player_.reset();
+    const Cine cine = what->cine();
+    round_ = {0, what->count() - 1, cine.backAndForth, true, cineRate(cine)};
+  }
+  if (what) {
+    showNumbers();
+    showChoices();
+  }
+  const bool isUsed = isAncestorOf(window()->focusWidget());
+  setShown(what && (player_ || what->isClip() || time_->count() > 1 || isPointedAt_ || isUsed));
+}
+
+void CineBar::showNumbers() {
+  const Playable& what = *current();
+  const QSignalBlocker quiet(place_);
+  place_->setMaximum(what.count() - 1);
+  place_->setValue(what.place());
+  if (place_->accessibleName() != what.noun()) place_->setAccessibleName(what.noun());
+  if (const QString tip = toolTipOf({what.noun(), what.axis()}); place_->toolTip() != tip)
+    place_->setToolTip(tip);
+  number_->setNumber(what.place() + 1, 1, what.count());
+  first_->setNumber(round_.first + 1, 1, round_.last + 1);
+  last_->setNumber(round_.last + 1, round_.first + 1, what.count());
+  rate_->setNumber(round_.rate, leastRate, mostRate, 2);
+}
+
+void CineBar::showChoices() {
+  for (const auto& [button, on] : {std::pair(back_, round_.backAndForth), std::pair(loop_, round_.loops)}) {
+    const QSignalBlocker quiet(button);
+    button->setChecked(on);
+  }
+  play_->setText(player_ ? QStringLiteral("\u25a0") : QStringLiteral("\u25b6"));
+  const auto isThere = [](const auto& what) { return what->count() > 1; };
+  what_->setVisible(std::ranges::count_if(all_, isThere) > 1);
+  what_->setText(current()->noun());
+}
+
+void CineBar::setShown(bool wanted) {
+  if (wanted != isHidden()) return;
+  setVisible(wanted);
+  Q_EMIT shownChanged();
+}
+
+void CineBar::pointAtEdge(bool isThere) {
+  if (isThere && isHidden() && current()) {
+    if (!pointedSoon_.isActive()) pointedSoon_.start();
+    return;
+  }
+  pointedSoon_.stop();
+  if (!isThere && std::exchange(isPointedAt_, false)) look();
+}
+
+void CineBar::leaveEvent(QEvent* event) {
+  QWidget::leaveEvent(event);
+  pointAtEdge(false);
+}
+
+void CineBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  number_->setVisible(width() >= widthForNumber);
+  for (QToolButton* way : {back_, loop_}) way->setVisible(width() >= widthForWays);
+  rate_->setVisible(width() >= widthForRate);
+  for (TypedNumber* end : {first_, last_}) end->setVisible(width() >= widthForRange);
+}
+
+// What is under it is not meant.
+void CineBar::mousePressEvent(QMouseEvent* event) { event->accept(); }
+
+}  // namespace volumen

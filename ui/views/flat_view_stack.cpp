@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include "ui/views/cine_bar.h"
+#include "ui/views/flat_view.h"
+#include "ui/widgets/number_edit.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int bottomEdge = 6;  // below all that is written; there the pointer asks for the cine bar
+
+// The place under the pointer is shown.
+class StackBarDrag : public Drag {
+ public:
+  explicit StackBarDrag(FlatView& view) : view_(view) {}
+
+  void moveTo(QPointF p, Qt::KeyboardModifiers) override {
+    if (const std::optional<StackBar> bar = view_.stackBar()) view_.goTo(bar->placeAt(p.y()));
+  }
+
+ private:
+  FlatView& view_;
+};
+
+}  // namespace
+
+QRectF FlatView::stackArea() const {
+  const int bottom = height() - (cine_->isHidden() ? 0 : CineBar::barHeight);
+  return QRectF(width() - StackBar::edge, 0, StackBar::edge, bottom);
+}
+
+std::optional<StackBar> FlatView::stackBar() const {
+  if (!shown() || place().count < 2) return {};
+  return StackBar{stackArea(), place(), keyImagePlaces(), heldPlaces(), isBarThick_};
+}
+
+bool FlatView::isOnStackBar(QPointF p) const {
+  return stackArea().contains(p) && shown() && place().count > 1;
+}
+
+std::unique_ptr<Drag> FlatView::pressStackBar(QPointF p) {
+  if (!isOnStackBar(p)) return nullptr;
+  auto drag = std::make_unique<StackBarDrag>(*this);
+  drag->moveTo(p, {});
+  return drag;
+}
+
+// The bars that the pointer may want.
+void FlatView::tellEdges(QPointF p) {
+  const bool isThick = isOnStackBar(p);
+  if (std::exchange(isBarThick_, isThick) != isThick) update(stackArea().toAlignedRect());
+  const int edge = cine_->isHidden() ? bottomEdge : CineBar::barHeight;
+  cine_->pointAtEdge(rect().contains(p.toPoint()) && p.y() >= height() - edge && !isThick);
+}
+
+void FlatView::togglePlay() { cine_->togglePlay(); }
+
+bool FlatView::isPlaying() const { return cine_->isPlaying(); }
+
+void FlatView::stop() { cine_->stop(); }
+
+// Where a line of the corners stands; empty: nowhere.
+QRectF FlatView::cornerRect(const QString& line) const {
+  const PlacedOverlays placed = placeOverlays(overlays(), overlayArea(), font());
+  const auto text = std::ranges::find(placed.texts, line, &PlacedText::text);
+  return text == placed.texts.end() ? QRectF() : text->rect;
+}
+
+QRectF FlatView::numberRect() const {
+  return shown() && numbers().count > 1 ? cornerRect(numberLine()) : QRectF();
+}
+
+// Whether numbers were pressed that can be typed.
+bool FlatView::pressCorner(QPointF p) {
+  if (tool_->measuring || tool_->looking) return false;
+  const bool isWindow = windowRect().contains(p);
+  if (isWindow) typeWindow();
+  const bool isNumber = !isWindow && numberRect().contains(p);
+  if (isNumber) typeNumber();
+  return isWindow || isNumber;
+}
+
+void FlatView::typeNumber() {
+  if (!shown() || numbers().count < 2) return;
+  const auto open = findChildren<NumberEdit*>();
+  for (NumberEdit* edit : open)
+    if (!edit->isHidden()) return edit->setFocus();
+  stop();
+  const Numbers now = numbers();
+  const QRectF line = numberRect();
+  auto* edit = new NumberEdit(now.noun, now.now, now.count, this);
+  edit->adjustSize();
+  const int right = line.isEmpty() ? width() - StackBar::edge : int(line.right());
+  edit->move(std::max(0, right - edit->width()), std::max(0, int(line.top()) - 2));
+  connect(edit, &NumberEdit::chosen, this, [this, edit](int number) {
+    session_.endGesture();
+    const QString why = goToNumber(number);
+    session_.endGesture();
+    why.isEmpty() ? edit->leave() : edit->tell(why);
+  });
+  connect(edit, &NumberEdit::closed, this, [this] { setFocus(); });
+  edit->show();
+  edit->setFocus();
+}
+
+}  // namespace volumen

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QString>
+
+#include "io/study/cine.h"
+#include "ui/data/series_key.h"
+
+namespace volumen {
+
+/// Places that are shown one after the other: frames of a clip, slices of a stack, steps in time. Places
+/// count from 0.
+class Playable {
+ public:
+  virtual ~Playable() = default;
+
+  /// What one of them is called: "Frame".
+  virtual QString noun() const = 0;
+  /// Of all of them, for a tool tip; empty: nothing.
+  virtual QString axis() const { return {}; }
+  /// 0: nothing is shown.
+  virtual int count() const = 0;
+  /// Which one is shown, or was asked for last.
+  virtual int place() const = 0;
+  /// What it is made of: how it is played holds until that is another one.
+  virtual SeriesKey source() const = 0;
+  virtual Cine cine() const = 0;
+  /// Whether it was taken to be played.
+  virtual bool isClip() const { return false; }
+  /// Goes there by hand; in a gesture that is one step to undo.
+  virtual void goTo(int place) = 0;
+  /// Goes there as it is played.
+  virtual void play(int place) { goTo(place); }
+  /// Whether the place before is on screen, and this one can be.
+  virtual bool isReady(int place) const = 0;
+  /// Where places come faster than they are shown: whether some are left out, and not time.
+  virtual bool keepsTime() const { return false; }
+  /// It is played no longer: stays where it is.
+  virtual void stop() {}
+};
+
+}  // namespace volumen

@@ -1,0 +1,52 @@
+#include "ui/views/played_time_points.h"
+
+#include <algorithm>
+
+#include "ui/workspace/text.h"
+#include "ui/workspace/time_point_text.h"
+#include "ui/workspace/time_points.h"
+
+namespace volumen {
+
+namespace {
+constexpr double usualRate = 10, mostRate = 100;  // steps a second, where the file recommends none; at all
+}
+
+PlayedTimePoints::PlayedTimePoints(Session& session, ViewId view, std::function<bool()> isDrawn)
+    : session_(session), view_(view), isDrawn_(std::move(isDrawn)) {
+  look();
+}
+
+void PlayedTimePoints::look() {
+  const Workspace& workspace = session_.workspace();
+  const std::vector<const Series*> steps = timePointsOf(workspace, workspace.view(view_).series);
+  steps_.clear();
+  for (const Series* step : steps) steps_.push_back(keyOf(*step));
+  axis_ = steps.size() > 1 ? timeAxisText(steps) : QString();
+}
+
+QString PlayedTimePoints::noun() const { return tr("Time point"); }
+
+int PlayedTimePoints::place() const {
+  const auto at = std::ranges::find(steps_, session_.workspace().view(view_).series);
+  return at == steps_.end() ? 0 : int(at - steps_.begin());
+}
+
+Cine PlayedTimePoints::cine() const {
+  const Series* series = seriesIn(session_.workspace(), view_);
+  const double rate = series ? series->cine.framesPerSecond : 0;
+  return {rate > 0 ? std::min(rate, mostRate) : usualRate, {}, false};
+}
+
+void PlayedTimePoints::goTo(int place) {
+  if (place < 0 || place >= count()) return;
+  const QString text = tr("Time point");
+  session_.change(text, withTimePoint(session_.workspace(), view_, steps_[std::size_t(place)]), text);
+}
+
+bool PlayedTimePoints::isReady(int place) const {
+  return place < count() && session_.seriesNamed(steps_[std::size_t(place)]) && session_.seriesOf(view_) &&
+         isDrawn_();
+}
+
+}  // namespace volumen

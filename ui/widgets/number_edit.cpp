@@ -1,0 +1,57 @@
+#include "ui/widgets/number_edit.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QMouseEvent>
+
+#include "ui/widgets/plain_text.h"
+
+namespace volumen {
+
+namespace {
+constexpr int numberWidth = 48;  // for five digits
+}
+
+NumberEdit::NumberEdit(const QString& noun, int now, int count, QWidget* parent)
+    : QWidget(parent),
+      field_(new TypedNumber("placeNumber", tr("Number to go to"))),
+      said_(plainLabel(tr("of %1").arg(count))) {
+  setObjectName(QStringLiteral("numberEdit"));
+  setAutoFillBackground(true);
+  said_->setObjectName(QStringLiteral("placeNumberSaid"));
+  field_->setFixedWidth(numberWidth);
+  field_->setNumber(now, 1, count);
+  if (now < 1) field_->clear();
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(6, 2, 6, 2);
+  row->setSpacing(4);
+  row->addWidget(plainLabel(noun));
+  row->addWidget(field_);
+  row->addWidget(said_);
+  setFocusProxy(field_);
+  connect(field_, &TypedNumber::typed, this, [this](double number) { Q_EMIT chosen(int(number)); });
+  connect(field_, &TypedNumber::refused, this, &NumberEdit::tell);
+  connect(field_, &TypedNumber::givenUp, this, &NumberEdit::leave);
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, const QWidget* focus) {
+    if (focus && isVisible() && !isAncestorOf(focus)) leave();
+  });
+  field_->selectAll();
+}
+
+// What is under it is not meant.
+void NumberEdit::mousePressEvent(QMouseEvent* event) { event->accept(); }
+
+void NumberEdit::tell(const QString& sentence) {
+  said_->setText(sentence);
+  adjustSize();
+  if (const QWidget* in = parentWidget()) move(std::clamp(x(), 0, std::max(0, in->width() - width())), y());
+}
+
+void NumberEdit::leave() {
+  if (isHidden()) return;
+  hide();
+  deleteLater();
+  Q_EMIT closed();
+}
+
+}  // namespace volumen
