@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QMouseEvent>
+#include <algorithm>
 
 #include "ui/widgets/plain_text.h"
 
@@ -41,17 +42,24 @@ NumberEdit::NumberEdit(const QString& noun, int now, int count, QWidget* parent)
 // What is under it is not meant.
 void NumberEdit::mousePressEvent(QMouseEvent* event) { event->accept(); }
 
+// In as many lines as it takes to stay in sight.
 void NumberEdit::tell(const QString& sentence) {
+  constexpr int leastWidth = 60;
+  const int room = parentWidget()->width() - (width() - said_->width());
   said_->setText(sentence);
+  said_->setWordWrap(true);
+  said_->setFixedWidth(std::clamp(said_->fontMetrics().horizontalAdvance(sentence) + 4, leastWidth,
+                                  std::max(leastWidth, room)));
   adjustSize();
-  if (const QWidget* in = parentWidget()) move(std::clamp(x(), 0, std::max(0, in->width() - width())), y());
+  move(std::clamp(x(), 0, std::max(0, parentWidget()->width() - width())), y());
 }
 
 void NumberEdit::leave() {
   if (isHidden()) return;
+  const bool hasKeys = isAncestorOf(window()->focusWidget());
   hide();
   deleteLater();
-  Q_EMIT closed();
+  if (hasKeys) Q_EMIT closed();
 }
 
 }  // namespace volumen

@@ -22,7 +22,7 @@ class NumberEdit : public QWidget {
  Q_SIGNALS:
   /// leave() where it is gone to, else tell().
   void chosen(int number);
-  /// It goes, and its focus with it.
+  /// It goes, and the focus that it had with it.
   void closed();
 
  protected:

@@ -1,0 +1,365 @@
+// Guards what is played: the order of places in any range, back and forth and again and again, against a twin
+// and a clock of the test; that nothing runs ahead of drawing; and the bar in the window, which plays stacks,
+// too.
+#include <QSlider>
+#include <QToolButton>
+
+#include "tests/fixtures/chance.h"
+#include "tests/ui/stack_window.h"
+#include "tests/unit/suite.h"
+#include "ui/views/cine_bar.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+// Remembers where it was sent.
+struct Listed : Playable {
+  int at = 0, length = 10;
+  bool ready = true, time = false;
+  std::vector<int> visited;
+
+  QString noun() const override { return QStringLiteral("Place"); }
+  int count() const override { return length; }
+  int place() const override { return at; }
+  SeriesKey source() const override { return {}; }
+  Cine cine() const override { return {10, {}, false}; }
+  void goTo(int place) override {
+    at = place;
+    visited.push_back(place);
+  }
+  bool isReady(int) const override { return ready; }
+  bool keepsTime() const override { return time; }
+};
+
+// One place after the other, as a hand would go: up, at the end round or back. -1: it is over.
+struct Twin {
+  CineRound round;
+  int at;
+  int way = 1;
+
+  int next() {
+    if (round.first == round.last) return round.loops ? at : -1;
+    if (at == round.last && way > 0) {
+      if (round.backAndForth)
+        way = -1;
+      else
+        return round.loops ? at = round.first : -1;
+    } else if (at == round.first && way < 0) {
+      if (!round.loops) return -1;
+      way = 1;
+    }
+    return at += way;
+  }
+};
+
+struct CineWindow : StackWindow {
+  CineWindow() {
+    window.resize(1440, 900);
+    child<QAction>("layoutOne")->trigger();
+    QCoreApplication::processEvents();
+  }
+  CineBar* bar() { return view()->findChild<CineBar*>(); }
+  // With the pointer at rest at the bottom of the view.
+  bool showBar() {
+    hover(view(), {60.0, view()->height() - 2.0});
+    return QTest::qWaitFor([&] { return bar()->isVisible(); }, longest);
+  }
+  // The places of the next steps while it plays.
+  std::vector<int> played(int count) {
+    std::vector<int> places{place()};
+    const auto listening = QObject::connect(&session(), &Session::workspaceChanged, &window, [&] {
+      if (place() != places.back()) places.push_back(place());
+    });
+    const bool came = QTest::qWaitFor([&] { return int(places.size()) > count; }, longest);
+    QObject::disconnect(listening);
+    return came ? places : std::vector<int>{};
+  }
+};
+
+}  // namespace
+
+class TestCineBar : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theOrderIsThatOfATwin();
+  void nothingRunsAheadOfDrawing();
+  void clipsLeaveFramesOut();
+  void anotherSpeedGoesOnFromThere();
+  void itEndsWhereSomethingElseGoes();
+  void aStackIsPlayed();
+  void aRangeAndASpeedAreTyped();
+  void backAndForthByItsButton();
+  void onceToTheEnd();
+  void handsEndIt_data();
+  void handsEndIt();
+  void theBarCoversNothing();
+  void theBarComesWhereThePointerRests();
+  void wrongNumbersChangeNothing();
+};
+
+void TestCineBar::theOrderIsThatOfATwin() {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Chance chance(seed);
+    Listed what;
+    what.length = 1 + chance.below(12);
+    CineRound round{chance.below(what.length), 0, chance.oneIn(2), chance.oneIn(2), 0};
+    round.last = round.first + chance.below(what.length - round.first);
+    what.at = round.first;
+    double now = 0;
+    CinePlayer player(what, round, [&] { return now; });
+    bool isOver = false;
+    connect(&player, &CinePlayer::over, this, [&] { isOver = true; });
+    Twin twin{round, round.first};
+    std::vector<int> expected;
+    for (int n = 0; n < 40; ++n) {
+      now += 100;  // ten a second
+      player.tick();
+      const int next = twin.next();
+      if (next >= 0 && (expected.empty() ? next != round.first : next != expected.back()))
+        expected.push_back(next);
+      const auto what_was = QStringLiteral("seed %1, step %2").arg(seed).arg(n);
+      QVERIFY2(what.visited == expected, qPrintable(what_was));
+      const Twin after = twin;
+      QVERIFY2(isOver == (Twin(after).next() < 0), qPrintable(what_was));
+      if (isOver) break;
+    }
+  }
+}
+
+// However late the picture is, the next place is asked for once it is there, and no two at a time.
+void TestCineBar::nothingRunsAheadOfDrawing() {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    Chance chance(seed);
+    Listed what;
+    double now = 0;
+    CinePlayer player(what, {0, 9}, [&] { return now; });
+    for (int n = 0; n < 60; ++n) {
+      const std::size_t before = what.visited.size();
+      const double ms = chance.between(0, 400);
+      what.ready = chance.oneIn(2);
+      now += ms;
+      player.tick();
+      QVERIFY(what.visited.size() <= before + (what.ready ? 1 : 0));
+      if (what.ready && ms >= 100) QCOMPARE(what.visited.size(), before + 1);
+      if (what.visited.size() > 1)
+        QCOMPARE(what.visited.back(), (what.visited[what.visited.size() - 2] + 1) % 10);
+    }
+  }
+}
+
+void TestCineBar::clipsLeaveFramesOut() {
+  Listed what;
+  what.time = true;
+  double now = 0;
+  CinePlayer player(what, {0, 9}, [&] { return now; });
+  for (const double ms : {250.0, 990.0, 1000.0, 5730.0}) {
+    now = ms;
+    player.tick();
+    QCOMPARE(what.at, int(ms / 100) % 10);
+  }
+  QCOMPARE(what.visited, (std::vector<int>{2, 9, 0, 7}));
+}
+
+void TestCineBar::anotherSpeedGoesOnFromThere() {
+  Listed what;
+  double now = 0;
+  CineRound round{0, 9, true, true, 0};
+  CinePlayer player(what, round, [&] { return now; });
+  for (int n = 0; n < 12; ++n) {
+    now += 100;
+    player.tick();
+  }
+  QCOMPARE(what.at, 6);  // 9 and three back
+  round.rate = 20;
+  player.setRound(round);
+  for (const int expected : {5, 4, 3}) {
+    now += 50;
+    player.tick();
+    QCOMPARE(what.at, expected);
+  }
+}
+
+void TestCineBar::itEndsWhereSomethingElseGoes() {
+  Listed what;
+  double now = 0;
+  CinePlayer player(what, {0, 9}, [&] { return now; });
+  QSignalSpy over(&player, &CinePlayer::over);
+  now = 100;
+  player.tick();
+  QCOMPARE(over.count(), 0);
+  what.at = 7;
+  now = 200;
+  player.tick();
+  QCOMPARE(over.count(), 1);
+  QCOMPARE(what.at, 7);
+}
+
+// Slice by slice, all of them, and one step to undo.
+void TestCineBar::aStackIsPlayed() {
+  CineWindow w;
+  const Workspace before = w.session().workspace();
+  const int steps = w.steps();
+  QTest::keyClick(w.view(), Qt::Key_C);
+  QVERIFY(w.view()->isPlaying());
+  QVERIFY(w.bar()->isVisible());
+  const std::vector<int> places = w.played(20);
+  QVERIFY(!places.empty());
+  for (std::size_t n = 1; n < places.size(); ++n) QCOMPARE(places[n], (places[n - 1] + 1) % 31);
+  w.shot("cine-stack");
+  QTest::keyClick(w.view(), Qt::Key_C);
+  QVERIFY(!w.view()->isPlaying());
+  QVERIFY(!w.bar()->isVisible());
+  QCOMPARE(w.steps(), steps + 1);
+  w.undo();
+  QVERIFY(w.session().workspace() == before);
+}
+
+void TestCineBar::aRangeAndASpeedAreTyped() {
+  CineWindow w;
+  QVERIFY(w.showBar());
+  auto* first = w.seen<QLineEdit>("cineFirst");
+  auto* last = w.seen<QLineEdit>("cineLast");
+  auto* rate = w.seen<QLineEdit>("cineRate");
+  QVERIFY(first && last && rate);
+  QCOMPARE(rate->text(), QStringLiteral("15"));
+  const int steps = w.steps();
+  w.type(first, QStringLiteral("4"));
+  w.type(last, QStringLiteral("7"));
+  w.type(rate, QStringLiteral("37,5"));
+  QCOMPARE(w.window.focusWidget(), w.view());
+  QCOMPARE(w.steps(), steps);
+  QVERIFY(w.showBar());
+  QCOMPARE(rate->text(), QStringLiteral("37.5"));
+  QTest::mouseClick(w.seen<QToolButton>("cinePlay"), Qt::LeftButton);
+  const std::vector<int> places = w.played(9);
+  QVERIFY(!places.empty());
+  QCOMPARE(places.front(), 3);
+  for (std::size_t n = 1; n < places.size(); ++n)
+    QCOMPARE(places[n], places[n - 1] == 6 ? 3 : places[n - 1] + 1);
+  // The next usual speeds.
+  QTest::keyClick(w.view(), Qt::Key_Plus);
+  QCOMPARE(rate->text(), QStringLiteral("40"));
+  QTest::keyClick(w.view(), Qt::Key_Minus);
+  QTest::keyClick(w.view(), Qt::Key_Minus);
+  QCOMPARE(rate->text(), QStringLiteral("25"));
+  QVERIFY(w.view()->isPlaying());
+}
+
+void TestCineBar::backAndForthByItsButton() {
+  CineWindow w;
+  QVERIFY(w.showBar());
+  w.type(w.seen<QLineEdit>("cineFirst"), QStringLiteral("14"));
+  w.type(w.seen<QLineEdit>("cineLast"), QStringLiteral("17"));
+  QVERIFY(w.showBar());
+  QTest::mouseClick(w.seen<QToolButton>("cineBack"), Qt::LeftButton);
+  QTest::mouseClick(w.seen<QToolButton>("cinePlay"), Qt::LeftButton);
+  const std::vector<int> places = w.played(8);  // from the middle, which is 15
+  QVERIFY(places.size() >= 8);
+  QCOMPARE(std::vector<int>(places.begin(), places.begin() + 8),
+           (std::vector<int>{15, 16, 15, 14, 13, 14, 15, 16}));
+}
+
+void TestCineBar::onceToTheEnd() {
+  CineWindow w;
+  QVERIFY(w.showBar());
+  QTest::mouseClick(w.seen<QToolButton>("cineLoop"), Qt::LeftButton);
+  w.type(w.seen<QLineEdit>("cineRate"), QStringLiteral("100"));
+  const int steps = w.steps();
+  QTest::keyClick(w.view(), Qt::Key_C);
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->isPlaying(), longest);
+  QCOMPARE(w.place(), 30);
+  QCOMPARE(w.steps(), steps + 1);
+}
+
+void TestCineBar::handsEndIt_data() {
+  using Act = std::function<void(CineWindow&)>;
+  QTest::addColumn<Act>("act");
+  QTest::newRow("the wheel") << Act([](CineWindow& w) { wheel(w.view(), -1); });
+  QTest::newRow("a key") << Act([](CineWindow& w) { QTest::keyClick(w.view(), Qt::Key_Home); });
+  QTest::newRow("the bar of the stack") << Act([](CineWindow& w) {
+    QTest::mouseClick(w.view(), Qt::LeftButton, {}, {w.view()->width() - 5, 2});
+  });
+  QTest::newRow("the place in its bar") << Act([](CineWindow& w) {
+    const int place = w.place();
+    w.seen<QSlider>("cinePlace")->setValue(place > 15 ? 2 : 28);
+  });
+  QTest::newRow("undo") << Act([](CineWindow& w) { w.undo(); });
+  QTest::newRow("another series") << Act([](CineWindow& w) { w.session().show(stackSeries(9)); });
+  QTest::newRow("the view goes") << Act([](CineWindow& w) { w.child<QAction>("layoutTwo")->trigger(); });
+}
+
+void TestCineBar::handsEndIt() {
+  QFETCH(std::function<void(CineWindow&)>, act);
+  CineWindow w;
+  QTest::keyClick(w.view(), Qt::Key_C);
+  QVERIFY(!w.played(3).empty());
+  act(w);
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->isPlaying(), longest);
+  const Workspace after = w.session().workspace();
+  QTest::qWait(200);
+  QVERIFY(w.session().workspace() == after);
+}
+
+// What is written stands above it: no bright pixel is left under it. Without it there is some, the window.
+void TestCineBar::theBarCoversNothing() {
+  CineWindow w;
+  const auto hasText = [&] {
+    const QImage seen = w.view()->capture();
+    for (int y = seen.height() - CineBar::barHeight; y < seen.height(); ++y)
+      for (int x = seen.width() * 2 / 3; x < seen.width(); ++x)
+        if (qGray(seen.pixel(x, y)) > 200) return true;
+    return false;
+  };
+  w.view()->invert();
+  w.view()->invert();
+  QVERIFY(hasText());
+  QVERIFY(w.showBar());
+  QCOMPARE(w.bar()->geometry(),
+           QRect(0, w.view()->height() - CineBar::barHeight, w.view()->width(), CineBar::barHeight));
+  QVERIFY(!hasText());
+}
+
+void TestCineBar::theBarComesWhereThePointerRests() {
+  CineWindow w;
+  QVERIFY(!w.bar()->isVisible());
+  hover(w.view(), {60.0, w.view()->height() - 40.0});
+  QTest::qWait(500);
+  QVERIFY(!w.bar()->isVisible());
+  QVERIFY(w.showBar());
+  w.shot("cine-bar");
+  hover(w.view(), {60.0, w.view()->height() - 40.0});
+  QVERIFY(!w.bar()->isVisible());
+  // Nothing is there to be played.
+  w.session().show(nullptr);
+  hover(w.view(), {60.0, w.view()->height() - 2.0});
+  QTest::qWait(500);
+  QVERIFY(!w.bar()->isVisible());
+}
+
+void TestCineBar::wrongNumbersChangeNothing() {
+  CineWindow w;
+  QVERIFY(w.showBar());
+  const CineRound before = w.bar()->round();
+  for (const auto& [name, typed] :
+       {std::pair("cineFirst", "0"), std::pair("cineFirst", "32"), std::pair("cineLast", "x"),
+        std::pair("cineRate", "0"), std::pair("cineRate", "1000"), std::pair("cineNumber", "99")}) {
+    auto* field = w.seen<QLineEdit>(name);
+    QVERIFY(field);
+    const QString stood = field->text();
+    const int place = w.place();
+    w.type(field, QLatin1String(typed));
+    QVERIFY2(w.bar()->round() == before && w.place() == place, typed);
+    QCOMPARE(field->text(), QLatin1String(typed));
+    QTest::keyClick(field, Qt::Key_Escape);
+    QCOMPARE(field->text(), stood);
+    QVERIFY(w.showBar());
+  }
+  auto* number = w.seen<QLineEdit>("cineNumber");
+  w.type(number, QStringLiteral("3"));
+  QCOMPARE(w.place(), 2);
+}
+
+VOLUMEN_TEST(TestCineBar);
+#include "tst_cine_bar.moc"

@@ -1,0 +1,287 @@
+// Guards how one goes through a stack: the bar at its right, dragged and clicked, with key images and what is
+// in memory; a number typed; the wheel with Shift. Places are compared with closed forms.
+#include <QLabel>
+#include <QPainter>
+#include <set>
+
+#include "tests/fixtures/chance.h"
+#include "tests/ui/frames_window.h"
+#include "tests/ui/stack_window.h"
+#include "tests/unit/suite.h"
+#include "ui/views/stack_bar.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+constexpr int slices = 31;
+constexpr QRgb keyColour = 0xffffc85a;
+
+double barX(const QWidget* view) { return view->width() - 5; }
+
+// The place at a height of a bar as high as the view.
+int placeAt(const QWidget* view, int y, int count) {
+  return std::min(count - 1, int(double(y) * count / view->height()));
+}
+
+QString saidOf(StackWindow& w) {
+  const auto* label = w.seen<QLabel>("placeNumberSaid");
+  return label ? label->text() : QString();
+}
+
+}  // namespace
+
+class TestStackBar : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aDragGoesWhereTheHandIs();
+  void aClickGoesThereToo();
+  void escapeGivesADragUp();
+  void whatLiesBesideItIsNotStolen();
+  void keyImagesAreMarked();
+  void whatIsInMemoryIsWide();
+  void framesInMemoryAreTold();
+  void aNumberIsTyped();
+  void numbersOfOtherPlanes();
+  void wrongNumbersSayWhy_data();
+  void wrongNumbersSayWhy();
+  void theNumberInTheCornerIsClicked();
+  void framesAreGoneToByNumber();
+  void shiftMakesTheWheelFast_data();
+  void shiftMakesTheWheelFast();
+};
+
+void TestStackBar::aDragGoesWhereTheHandIs() {
+  StackWindow w(slices);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Chance chance(seed);
+    const int from = chance.below(w.view()->height()), to = chance.below(w.view()->height());
+    const int expected = placeAt(w.view(), to, slices), was = w.place();
+    const Workspace before = w.session().workspace();
+    const int steps = w.steps();
+    drag(w.view(), {barX(w.view()), double(from)}, {barX(w.view()), double(to)});
+    QCOMPARE(w.place(), expected);
+    if (expected == was) continue;  // no step
+    QCOMPARE(w.steps(), steps + 1);
+    w.undo();
+    QVERIFY(w.session().workspace() == before);
+    w.redo();
+    QCOMPARE(w.place(), expected);
+  }
+}
+
+void TestStackBar::aClickGoesThereToo() {
+  StackWindow w(slices);
+  const int y = w.view()->height() / 5;
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, {int(barX(w.view())), y});
+  QCOMPARE(w.place(), placeAt(w.view(), y, slices));
+  // A second one is none to maximise the view.
+  QTest::mouseDClick(w.view(), Qt::LeftButton, {}, {int(barX(w.view())), y});
+  QTest::mouseRelease(w.view(), Qt::LeftButton, {}, {int(barX(w.view())), y});
+  QCOMPARE(w.place(), placeAt(w.view(), y, slices));
+  QVERIFY(w.view(coronalViewId)->isVisible());
+}
+
+void TestStackBar::escapeGivesADragUp() {
+  StackWindow w(slices);
+  const Workspace before = w.session().workspace();
+  const QPoint at(int(barX(w.view())), 3);
+  QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
+  QCOMPARE(w.place(), 0);
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  QTest::mouseRelease(w.view(), Qt::LeftButton, {}, at);
+  QVERIFY(w.session().workspace() == before);
+}
+
+void TestStackBar::whatLiesBesideItIsNotStolen() {
+  StackWindow w(slices);
+  const int place = w.place();
+  const double beside = w.view()->width() - StackBar::edge - 2, y = 0.4 * w.view()->height();
+  drag(w.view(), {beside, y}, {beside - 20, y + 30});
+  QCOMPARE(w.place(), place);
+  QVERIFY(w.session().workspace().series.at(w.view()->state().series).window.has_value());
+  QVERIFY(w.view()->stackBar());
+  w.session().show(nullptr);
+  QVERIFY(!w.view()->stackBar());
+}
+
+// In rows of their own, and in no picture that is saved.
+void TestStackBar::keyImagesAreMarked() {
+  StackWindow w(slices);
+  const Series series = w.view()->shown()->series;
+  Chance chance(7);
+  std::set<int> rows;
+  for (int n = 0; n < 4; ++n) {
+    const int slice = chance.below(slices), place = slices - 1 - slice;  // the uppermost is first
+    const KeyImage image{keyOf(series), series.sopInstanceUids[std::size_t(slice)], 0};
+    if (isKeyImage(w.session().workspace(), image)) continue;
+    w.session().change(QStringLiteral("test"), withKeyImageToggled(w.session().workspace(), image));
+    const int middle = int(std::round((place + 0.5) * w.view()->height() / slices));
+    rows.insert({middle - 1, middle});
+  }
+  const int column = w.view()->width() - 6;
+  const auto marked = [column](const QImage& image) {
+    std::set<int> found;
+    for (int y = 0; y < image.height(); ++y)
+      if (image.pixel(column, y) == keyColour) found.insert(y);
+    return found;
+  };
+  QVERIFY(rows.size() >= 4);
+  QCOMPARE(marked(w.view()->grab().toImage().convertToFormat(QImage::Format_RGB32)), rows);
+  QVERIFY(marked(w.view()->capture()).empty());
+}
+
+// Every row inside a run is bright as wide as the bar is; others only in the line of the stack.
+void TestStackBar::whatIsInMemoryIsWide() {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Chance chance(seed);
+    const int count = 2 + chance.below(40), height = 200 + chance.below(300);
+    std::vector<int> held;
+    for (int n = 0; n < count; ++n)
+      if (chance.oneIn(2)) held.push_back(n);
+    const StackBar bar{QRectF(0, 0, StackBar::edge, height), {chance.below(count), count}, {}, runsOf(held)};
+    QImage image(StackBar::edge, height, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    bar.paint(painter);
+    painter.end();
+    for (int y = 0; y < height; ++y) {
+      const int place = bar.placeAt(y + 0.5);
+      // Edges of parts are rounded to pixels.
+      const bool isInside = bar.placeAt(y - 0.6) == place && bar.placeAt(y + 1.6) == place;
+      if (!isInside || std::abs(place - bar.place.index) < 2) continue;
+      const bool isHeld = std::ranges::find(held, place) != held.end();
+      QCOMPARE(qGray(image.pixel(StackBar::edge - 5, y)) > 0, isHeld);
+      QVERIFY(qGray(image.pixel(StackBar::edge - 3, y)) > 0);
+    }
+  }
+}
+
+void TestStackBar::framesInMemoryAreTold() {
+  NEED_FILES();
+  Frames w({clipFile});
+  QVERIFY(w.shows());
+  // The one shown and the next 32, of 34.
+  const std::vector<std::pair<int, int>> expected{{0, 32}};
+  QTRY_VERIFY_WITH_TIMEOUT(w.view()->stackBar()->held == expected, longest);
+  QCOMPARE(w.view()->stackBar()->place.count, 34);
+}
+
+void TestStackBar::aNumberIsTyped() {
+  StackWindow w(slices);
+  const Workspace before = w.session().workspace();
+  const int steps = w.steps();
+  QTest::keyClick(w.view(), Qt::Key_G);
+  auto* field = w.seen<QLineEdit>("placeNumber");
+  QVERIFY(field);
+  QCOMPARE(field->text(), QStringLiteral("16"));
+  QCOMPARE(saidOf(w), QStringLiteral("of 31"));
+  w.shot("number-typed");
+  QTest::keyClicks(field, QStringLiteral("7"));  // in place of what is selected
+  QTest::keyClick(field, Qt::Key_Return);
+  QVERIFY(w.view()->overlays().topRight.contains(QStringLiteral("7 / 31")));
+  QCOMPARE(w.place(), slices - 7);  // numbers are the file's, from the lowest slice on
+  QVERIFY(!w.seen<QLineEdit>("placeNumber"));
+  QCOMPARE(w.window.focusWidget(), w.view());
+  QCOMPARE(w.steps(), steps + 1);
+  w.undo();
+  QVERIFY(w.session().workspace() == before);
+}
+
+void TestStackBar::numbersOfOtherPlanes() {
+  StackWindow w(slices);
+  w.session().setFocus(coronalViewId);
+  w.view(coronalViewId)->setFocus();
+  QTest::keyClick(w.view(coronalViewId), Qt::Key_G);
+  auto* field = w.seen<QLineEdit>("placeNumber", coronalViewId);
+  QVERIFY(field);
+  QTest::keyClicks(field, QStringLiteral("5"));
+  QTest::keyClick(field, Qt::Key_Return);
+  QCOMPARE(w.place(coronalViewId), 4);
+  QVERIFY(w.view(coronalViewId)->overlays().topRight.contains(QStringLiteral("5 / 22")));
+}
+
+void TestStackBar::wrongNumbersSayWhy_data() {
+  QTest::addColumn<QString>("typed");
+  for (const char* typed : {"0", "32", "seven", "1.5", "-3", "", "1e9"})
+    QTest::addRow("'%s'", typed) << QString::fromLatin1(typed);
+}
+
+void TestStackBar::wrongNumbersSayWhy() {
+  QFETCH(QString, typed);
+  StackWindow w(slices);
+  const Workspace before = w.session().workspace();
+  QTest::keyClick(w.view(), Qt::Key_G);
+  auto* field = w.seen<QLineEdit>("placeNumber");
+  QVERIFY(field);
+  w.type(field, typed);
+  QVERIFY(field->isVisible());
+  QCOMPARE(saidOf(w), QStringLiteral("Type a whole number from 1 to 31."));
+  QVERIFY(w.view()->rect().contains(field->parentWidget()->geometry()));
+  QTest::keyClick(field, Qt::Key_Escape);
+  QVERIFY(!w.seen<QLineEdit>("placeNumber"));
+  QCOMPARE(w.window.focusWidget(), w.view());
+  QVERIFY(w.session().workspace() == before);
+}
+
+void TestStackBar::theNumberInTheCornerIsClicked() {
+  StackWindow w(slices);
+  const QRectF area = QRectF(w.view()->rect()).adjusted(0, 0, -6, 0);
+  QRectF number;
+  for (const PlacedText& text : placeOverlays(w.view()->overlays(), area, w.view()->font()).texts)
+    if (text.text == QStringLiteral("16 / 31")) number = text.rect;
+  QVERIFY(!number.isEmpty());
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, number.center().toPoint());
+  QVERIFY(w.seen<QLineEdit>("placeNumber"));
+  // A press elsewhere gives up.
+  w.view(coronalViewId)->setFocus();
+  QVERIFY(!w.seen<QLineEdit>("placeNumber"));
+  QCOMPARE(w.window.focusWidget(), w.view(coronalViewId));
+}
+
+void TestStackBar::framesAreGoneToByNumber() {
+  NEED_FILES();
+  Frames w({clipFile});
+  QVERIFY(w.shows());
+  w.child<QAction>("goToNumber")->trigger();
+  auto* field = w.child<QLineEdit>("placeNumber");
+  QVERIFY(field && field->isVisible());
+  QVERIFY(w.after([&] {
+    QTest::keyClicks(field, QStringLiteral("20"));
+    QTest::keyClick(field, Qt::Key_Return);
+  }));
+  QCOMPARE(w.look().frame, 19);
+  w.child<QAction>("undo")->trigger();
+  QCOMPARE(w.look().frame, 0);
+}
+
+void TestStackBar::shiftMakesTheWheelFast_data() {
+  QTest::addColumn<QPoint>("turned");
+  QTest::addColumn<Qt::KeyboardModifiers>("keys");
+  QTest::addColumn<int>("places");
+  const Qt::KeyboardModifiers none, shift = Qt::ShiftModifier;
+  QTest::newRow("one a notch") << QPoint(0, -120) << none << 1;
+  QTest::newRow("ten with Shift") << QPoint(0, -120) << shift << 10;
+  QTest::newRow("ten back") << QPoint(0, 120) << shift << -10;
+  QTest::newRow("where Shift makes it horizontal") << QPoint(-120, 0) << shift << 10;
+  QTest::newRow("a wheel of fine notches") << QPoint(0, -36) << shift << 3;
+  QTest::newRow("not beyond the end") << QPoint(0, -360) << shift << 15;
+}
+
+void TestStackBar::shiftMakesTheWheelFast() {
+  QFETCH(QPoint, turned);
+  QFETCH(Qt::KeyboardModifiers, keys);
+  QFETCH(int, places);
+  StackWindow w(slices);
+  const int before = w.place();
+  QCOMPARE(before, 15);
+  const QPointF middle = QRectF(w.view()->rect()).center();
+  QWheelEvent event(middle, w.view()->mapToGlobal(middle), {}, turned, Qt::NoButton, keys, Qt::NoScrollPhase,
+                    false);
+  QCoreApplication::sendEvent(w.view(), &event);
+  QCOMPARE(w.place(), before + places);
+}
+
+VOLUMEN_TEST(TestStackBar);
+#include "tst_stack_bar.moc"
