@@ -41,7 +41,7 @@ class TestFlatTools : public QObject {
 
 void TestFlatTools::aDragDoesWhatTheButtonSays_data() {
   QTest::addColumn<QByteArray>("changed");
-  for (const char* tool : {"window", "scroll", "pan", "zoom", "crosshair"})
+  for (const char* tool : {"window", "scroll", "pan", "zoom", "crosshair", "magnifier"})
     QTest::newRow(tool) << QByteArray(tool);
 }
 

@@ -113,7 +113,10 @@ void CineBar::makeControls() {
 }
 
 void CineBar::connectControls() {
-  connect(play_, &QToolButton::clicked, this, &CineBar::togglePlay);
+  connect(play_, &QToolButton::clicked, this, [this] {
+    session_.setFocus(view_);  // what is played is loaded ahead there
+    togglePlay();
+  });
   connect(what_, &QToolButton::clicked, this, [this] {
     stop();
     const Playable* now = current();
@@ -126,7 +129,7 @@ void CineBar::connectControls() {
   connect(place_, &QSlider::sliderReleased, this, [this] { session_.endGesture(); });
   connect(number_, &TypedNumber::typed, this, [this](double number) {
     session_.endGesture();
-    goTo(int(number) - 1);
+    goTo(placeOf(int(number)));
     session_.endGesture();
   });
   const auto change = [this](auto edit) {
@@ -136,8 +139,10 @@ void CineBar::connectControls() {
       setRound(round);
     };
   };
-  connect(first_, &TypedNumber::typed, this, change([](CineRound& r, double n) { r.first = int(n) - 1; }));
-  connect(last_, &TypedNumber::typed, this, change([](CineRound& r, double n) { r.last = int(n) - 1; }));
+  connect(first_, &TypedNumber::typed, this,
+          change([this](CineRound& r, double n) { r.first = placeOf(int(n)); }));
+  connect(last_, &TypedNumber::typed, this,
+          change([this](CineRound& r, double n) { r.last = placeOf(int(n)); }));
   connect(rate_, &TypedNumber::typed, this, change([](CineRound& r, double n) { r.rate = n; }));
   connect(back_, &QToolButton::toggled, this, change([](CineRound& r, bool on) { r.backAndForth = on; }));
   connect(loop_, &QToolButton::toggled, this, change([](CineRound& r, bool on) { r.loops = on; }));
@@ -148,11 +153,27 @@ void CineBar::add(std::unique_ptr<Playable> what, bool before) {
   look();
 }
 
-// Null: nothing can be played.
+// Clips before what can be gone through, too. Null: nothing can be played.
 Playable* CineBar::current() const {
   if (chosen_ && chosen_->count() > 1) return chosen_;
-  const auto first = std::ranges::find_if(all_, [](const auto& what) { return what->count() > 1; });
-  return first == all_.end() ? nullptr : first->get();
+  Playable* first = nullptr;
+  for (const auto& what : all_) {
+    if (what->count() < 2) continue;
+    if (what->isClip()) return what.get();
+    if (!first) first = what.get();
+  }
+  return first;
+}
+
+int CineBar::numberOf(int place) const {
+  const Playable& what = *current();
+  return what.countsDown() ? what.count() - place : place + 1;
+}
+
+int CineBar::placeOf(int number) const { return numberOf(number - 1) - 1; }  // it is its own inverse
+
+void CineBar::endPlayer() {
+  if (CinePlayer* last = std::exchange(player_, nullptr)) last->end();
 }
 
 void CineBar::goTo(int place) {
@@ -168,16 +189,16 @@ void CineBar::togglePlay() {
   if (!what) return;
   session_.endGesture();
   played_ = what;
-  player_ = std::make_unique<CinePlayer>(*what, round_);
-  // Afterwards: it is still looking at its clock.
-  connect(player_.get(), &CinePlayer::over, this, &CineBar::stop, Qt::QueuedConnection);
+  player_ = new CinePlayer(*what, round_);
+  player_->setParent(this);
+  connect(player_, &CinePlayer::over, this, &CineBar::stop);
   look();
 }
 
 // One step to undo, however long it was played.
 void CineBar::stop() {
   if (!player_) return;
-  player_.reset();
+  endPlayer();
   played_->stop();
   session_.endGesture();
   look();
@@ -218,7 +239,7 @@ void CineBar::look() {
   Playable* what = current();
   const std::pair source(what ? what->source() : SeriesKey{}, what ? what->count() : 0);
   if (what && std::exchange(roundOf_, source) != source) {
-    player_.reset();
+    endPlayer();
     const Cine cine = what->cine();
     round_ = {0, what->count() - 1, cine.backAndForth, true, cineRate(cine)};
   }
@@ -238,9 +259,13 @@ void CineBar::showNumbers() {
   if (place_->accessibleName() != what.noun()) place_->setAccessibleName(what.noun());
   if (const QString tip = toolTipOf({what.noun(), what.axis()}); place_->toolTip() != tip)
     place_->setToolTip(tip);
-  number_->setNumber(what.place() + 1, 1, what.count());
-  first_->setNumber(round_.first + 1, 1, round_.last + 1);
-  last_->setNumber(round_.last + 1, round_.first + 1, what.count());
+  number_->setNumber(numberOf(what.place()), 1, what.count());
+  const auto show = [this](TypedNumber* field, int place, int from, int to) {
+    const auto [least, most] = std::minmax({numberOf(from), numberOf(to)});
+    field->setNumber(numberOf(place), least, most);
+  };
+  show(first_, round_.first, 0, round_.last);
+  show(last_, round_.last, round_.first, what.count() - 1);
   rate_->setNumber(round_.rate, leastRate, mostRate, 2);
 }
 

@@ -26,7 +26,7 @@ class CineBar : public QWidget {
   CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, QWidget* parent);
   ~CineBar() override;
 
-  /// Something else can be played, `before` steps in time where there are both, or after them.
+  /// Something else can be played; `before`: rather than steps in time, where both are clips.
   void add(std::unique_ptr<Playable> what, bool before);
   const CineRound& round() const { return round_; }
 
@@ -63,7 +63,10 @@ class CineBar : public QWidget {
   QToolButton* addButton(const char* name, const QString& text, const QString& tip, bool checkable);
   TypedNumber* addNumber(const char* name, const QString& tip, int width);
   Playable* current() const;
+  int numberOf(int place) const;
+  int placeOf(int number) const;
   void goTo(int place);
+  void endPlayer();
   void setRound(const CineRound& round);
   void showNumbers();
   void showChoices();
@@ -77,7 +80,7 @@ class CineBar : public QWidget {
   CineRound round_;
   std::pair<SeriesKey, int> roundOf_{{}, 0};  // source and count
   Playable* played_ = nullptr;                // by the player
-  std::unique_ptr<CinePlayer> player_;
+  CinePlayer* player_ = nullptr;              // a child; null: nothing is played
   bool isPointedAt_ = false;
   QTimer pointedSoon_;
   QToolButton *play_, *what_, *back_, *loop_;

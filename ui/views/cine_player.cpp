@@ -38,6 +38,12 @@ void CinePlayer::setRound(const CineRound& round) {
   show();
 }
 
+void CinePlayer::end() {
+  timer_.stop();
+  disconnect();
+  deleteLater();
+}
+
 double CinePlayer::wantedRate() const { return round_.rate > 0 ? round_.rate : cineRate(what_.cine()); }
 
 void CinePlayer::show() {

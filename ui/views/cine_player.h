@@ -21,6 +21,8 @@ class CinePlayer : public QObject {
   /// Goes on from where it is, in another way.
   void setRound(const CineRound& round);
   bool isBackwards() const { return track_.isBackwards(); }
+  /// Looks no more, and is deleted later: it may be looking.
+  void end();
   /// Looks at the clock, as its timer does.
   void tick();
   /// A place came on screen.

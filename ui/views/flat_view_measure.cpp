@@ -48,7 +48,7 @@ std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
   const PlacedOverlays placed = placeOverlays(overlays(), overlayArea(), font());
   std::vector<QRectF> taken{placed.scaleBar};
   for (const PlacedText& text : placed.texts) taken.push_back(text.rect);
-  placeTexts(drawn, QRectF(rect()).adjusted(4, 4, -10, -4), taken, QFontMetricsF(font()));
+  placeTexts(drawn, overlayArea().adjusted(4, 4, -4, -4), taken, QFontMetricsF(font()));
   return drawn;
 }
 

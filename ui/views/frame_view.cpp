@@ -1,6 +1,7 @@
 #include "ui/views/frame_view.h"
 
 #include <QPainter>
+#include <utility>
 
 #include "ui/controller/derived_objects.h"
 #include "ui/data/frame_series.h"
@@ -87,8 +88,7 @@ FrameKey FrameView::frameKey() const {
 }
 
 void FrameView::forget() {
-  played_.reset();
-  stop();
+  if (std::exchange(played_, {})) stop();
   frame_.reset();
   failure_.clear();
   if (!isCurrent()) frames_.drop(id());

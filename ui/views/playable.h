@@ -21,6 +21,8 @@ class Playable {
   virtual int count() const = 0;
   /// Which one is shown, or was asked for last.
   virtual int place() const = 0;
+  /// Whether the last place is called number 1, and not the first.
+  virtual bool countsDown() const { return false; }
   /// What it is made of: how it is played holds until that is another one.
   virtual SeriesKey source() const = 0;
   virtual Cine cine() const = 0;

@@ -45,8 +45,9 @@ void PlayedTimePoints::goTo(int place) {
 }
 
 bool PlayedTimePoints::isReady(int place) const {
-  return place < count() && session_.seriesNamed(steps_[std::size_t(place)]) && session_.seriesOf(view_) &&
-         isDrawn_();
+  const bool needsNoVolume = showsFrames(session_.workspace().view(view_).kind);
+  const bool isHere = place < count() && session_.seriesNamed(steps_[std::size_t(place)]);
+  return isDrawn_() && (needsNoVolume || (isHere && session_.seriesOf(view_)));
 }
 
 }  // namespace volumen

@@ -44,6 +44,13 @@ class SliceView::Stack : public Playable {
   QString noun() const override { return tr("Slice"); }
   int count() const override { return view_.shown() ? view_.place().count : 0; }
   int place() const override { return view_.place().index; }
+  // As the file counts its slices.
+  bool countsDown() const override {
+    if (!view_.isAlongSlices()) return false;
+    Crosshair first = crosshairOf(view_.session_.workspace(), view_.id(), *view_.shown());
+    first.at = view_.pointOn(0);
+    return stackPlace(view_.shown()->volume->geometry(), view_.state().kind, first).index > 0;
+  }
   SeriesKey source() const override { return view_.state().series; }
   Cine cine() const override { return {view_.seriesState().series->cine.framesPerSecond, {}, false}; }
   void goTo(int place) override { view_.moveTo(place); }
