@@ -11,7 +11,7 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr int edge = 240, ring = 4;  // logical pixels
+constexpr int lensEdge = 240, lensRing = 4;  // logical pixels
 
 LoadedSeriesPtr randomSeries() {
   auto series = std::make_shared<LoadedSeries>(*seriesOf(randomVolume<std::int16_t>({40, 36, 12}, 0, 1000)));
@@ -29,7 +29,7 @@ struct LensWindow : MeasureWindow {
   }
 };
 
-QPoint middleOf(const QWidget* view) { return view->rect().center() - QPoint(20, 30); }
+QPoint lensMiddle(const QWidget* view) { return view->rect().center() - QPoint(20, 30); }
 
 // What the lens must show, drawn directly.
 QImage drawnAt(const FlatView* view, QPointF at, double factor) {
@@ -37,7 +37,7 @@ QImage drawnAt(const FlatView* view, QPointF at, double factor) {
   const glm::dvec3 centre = request.plane.patientFromPixel({at.x(), at.y()});
   request.plane.centre = centre;
   request.plane.mmPerPixel /= factor;
-  request.plane.size = glm::ivec2(edge);
+  request.plane.size = glm::ivec2(lensEdge);
   const Result<QImage> drawn = drawSlice(request);
   return drawn ? drawn->convertToFormat(QImage::Format_RGB32) : QImage();
 }
@@ -47,11 +47,11 @@ int wrongPixels(FlatView* view, QPoint at, const QImage& expected) {
   if (expected.isNull()) return -1;
   const QImage seen = view->grab().toImage().convertToFormat(QImage::Format_RGB32);
   int wrong = 0;
-  const double most = edge / 2.0 - ring;
-  for (int y = 0; y < edge; ++y)
-    for (int x = 0; x < edge; ++x) {
-      if (std::hypot(x + 0.5 - edge / 2.0, y + 0.5 - edge / 2.0) > most) continue;
-      const QPoint p = at + QPoint(x - edge / 2, y - edge / 2);
+  const double most = lensEdge / 2.0 - lensRing;
+  for (int y = 0; y < lensEdge; ++y)
+    for (int x = 0; x < lensEdge; ++x) {
+      if (std::hypot(x + 0.5 - lensEdge / 2.0, y + 0.5 - lensEdge / 2.0) > most) continue;
+      const QPoint p = at + QPoint(x - lensEdge / 2, y - lensEdge / 2);
       if (seen.rect().contains(p) && seen.pixel(p) != expected.pixel(x, y)) ++wrong;
     }
   return wrong;
@@ -108,7 +108,7 @@ void TestMagnifier::itsPixelsAreThoseOfTheSlice() {
   QTest::keyClick(w.view(), Qt::Key_M);
   const auto wanted = w.view()->requestFor(1);
   QCOMPARE(wanted->layers.size(), std::size_t(QTest::currentDataTag() == QByteArray("fused") ? 2 : 1));
-  const QPoint at = middleOf(w.view());
+  const QPoint at = lensMiddle(w.view());
   const Workspace before = w.session().workspace();
   const int steps = w.session().undoStack().index();
   QVERIFY(QTest::qWaitFor([&] { return w.view()->picture().size() == w.view()->pixels(); }, longest));
@@ -130,7 +130,7 @@ void TestMagnifier::theWheelEnlarges() {
   LensWindow w;
   const Workspace before = w.session().workspace();
   QTest::keyClick(w.view(), Qt::Key_M);
-  const QPoint at = middleOf(w.view());
+  const QPoint at = lensMiddle(w.view());
   QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
   wheel(w.view(), 4);
   QVERIFY(showsLens(w.view(), at, 4));
@@ -146,7 +146,7 @@ void TestMagnifier::theWheelEnlarges() {
 void TestMagnifier::itFollowsThePointer() {
   LensWindow w;
   QTest::keyClick(w.view(), Qt::Key_M);
-  QPoint at = middleOf(w.view());
+  QPoint at = lensMiddle(w.view());
   QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
   for (const QPoint next :
        {at + QPoint(31, -17), at + QPoint(-29, 6), QPoint(30, w.view()->height() / 2 + 150)}) {
@@ -161,7 +161,7 @@ void TestMagnifier::itFollowsThePointer() {
 
 void TestMagnifier::measurementsUnderItStay() {
   LensWindow w;
-  const QPoint at = middleOf(w.view());
+  const QPoint at = lensMiddle(w.view());
   w.draw(ShapeKind::length, {at - QPoint(30, 20), at + QPoint(30, 20)});
   const Workspace before = w.session().workspace();
   QTest::keyClick(w.view(), Qt::Key_M);
@@ -174,7 +174,7 @@ void TestMagnifier::framesAreEnlargedToo() {
   Frames w({clipFile});
   QVERIFY(w.shows());
   QTest::keyClick(w.view(), Qt::Key_M);
-  const QPoint at = middleOf(w.view());
+  const QPoint at = lensMiddle(w.view());
   QVERIFY(wrongPixels(w.view(), at, drawnAt(w.view(), at, 2)) > 1000);
   QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
   QVERIFY(showsLens(w.view(), at, 2));

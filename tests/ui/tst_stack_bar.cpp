@@ -15,13 +15,13 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr int slices = 31;
-constexpr QRgb keyColour = 0xffffc85a;
+constexpr int stackSlices = 31;
+constexpr QRgb barKeyColour = 0xffffc85a;
 
 double barX(const QWidget* view) { return view->width() - 5; }
 
 // The place at a height of a bar as high as the view.
-int placeAt(const QWidget* view, int y, int count) {
+int barPlaceAt(const QWidget* view, int y, int count) {
   return std::min(count - 1, int(double(y) * count / view->height()));
 }
 
@@ -53,11 +53,11 @@ class TestStackBar : public QObject {
 };
 
 void TestStackBar::aDragGoesWhereTheHandIs() {
-  StackWindow w(slices);
+  StackWindow w(stackSlices);
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Chance chance(seed);
     const int from = chance.below(w.view()->height()), to = chance.below(w.view()->height());
-    const int expected = placeAt(w.view(), to, slices), was = w.place();
+    const int expected = barPlaceAt(w.view(), to, stackSlices), was = w.place();
     const Workspace before = w.session().workspace();
     const int steps = w.steps();
     drag(w.view(), {barX(w.view()), double(from)}, {barX(w.view()), double(to)});
@@ -72,19 +72,19 @@ void TestStackBar::aDragGoesWhereTheHandIs() {
 }
 
 void TestStackBar::aClickGoesThereToo() {
-  StackWindow w(slices);
+  StackWindow w(stackSlices);
   const int y = w.view()->height() / 5;
   QTest::mouseClick(w.view(), Qt::LeftButton, {}, {int(barX(w.view())), y});
-  QCOMPARE(w.place(), placeAt(w.view(), y, slices));
+  QCOMPARE(w.place(), barPlaceAt(w.view(), y, stackSlices));
   // A second one is none to maximise the view.
   QTest::mouseDClick(w.view(), Qt::LeftButton, {}, {int(barX(w.view())), y});
   QTest::mouseRelease(w.view(), Qt::LeftButton, {}, {int(barX(w.view())), y});
-  QCOMPARE(w.place(), placeAt(w.view(), y, slices));
+  QCOMPARE(w.place(), barPlaceAt(w.view(), y, stackSlices));
   QVERIFY(w.view(coronalViewId)->isVisible());
 }
 
 void TestStackBar::escapeGivesADragUp() {
-  StackWindow w(slices);
+  StackWindow w(stackSlices);
   const Workspace before = w.session().workspace();
   const QPoint at(int(barX(w.view())), 3);
   QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
@@ -95,7 +95,7 @@ void TestStackBar::escapeGivesADragUp() {
 }
 
 void TestStackBar::whatLiesBesideItIsNotStolen() {
-  StackWindow w(slices);
+  StackWindow w(stackSlices);
   const int place = w.place();
   const double beside = w.view()->width() - StackBar::edge - 2, y = 0.4 * w.view()->height();
   drag(w.view(), {beside, y}, {beside - 20, y + 30});
@@ -108,23 +108,23 @@ void TestStackBar::whatLiesBesideItIsNotStolen() {
 
 // In rows of their own, and in no picture that is saved.
 void TestStackBar::keyImagesAreMarked() {
-  StackWindow w(slices);
+  StackWindow w(stackSlices);
   const Series series = w.view()->shown()->series;
   Chance chance(7);
   std::set<int> rows;
   for (int n = 0; n < 4; ++n) {
-    const int slice = chance.below(slices), place = slices - 1 - slice;  // the uppermost is first
+    const int slice = chance.below(stackSlices), place = stackSlices - 1 - slice;  // the uppermost is first
     const KeyImage image{keyOf(series), series.sopInstanceUids[std::size_t(slice)], 0};
     if (isKeyImage(w.session().workspace(), image)) continue;
     w.session().change(QStringLiteral("test"), withKeyImageToggled(w.session().workspace(), image));
-    const int middle = int(std::round((place + 0.5) * w.view()->height() / slices));
+    const int middle = int(std::round((place + 0.5) * w.view()->height() / stackSlices));
     rows.insert({middle - 1, middle});
   }
   const int column = w.view()->width() - 6;
   const auto marked = [column](const QImage& image) {
     std::set<int> found;
     for (int y = 0; y < image.height(); ++y)
-      if (image.pixel(column, y) == keyColour) found.insert(y);
+      if (image.pixel(column, y) == barKeyColour) found.insert(y);
     return found;
   };
   QVERIFY(rows.size() >= 4);
@@ -169,7 +169,7 @@ void TestStackBar::framesInMemoryAreTold() {
 }
 
 void TestStackBar::aNumberIsTyped() {
-  StackWindow w(slices);
+  StackWindow w(stackSlices);
   const Workspace before = w.session().workspace();
   const int steps = w.steps();
   QTest::keyClick(w.view(), Qt::Key_G);
@@ -181,7 +181,7 @@ void TestStackBar::aNumberIsTyped() {
   QTest::keyClicks(field, QStringLiteral("7"));  // in place of what is selected
   QTest::keyClick(field, Qt::Key_Return);
   QVERIFY(w.view()->overlays().topRight.contains(QStringLiteral("7 / 31")));
-  QCOMPARE(w.place(), slices - 7);  // numbers are the file's, from the lowest slice on
+  QCOMPARE(w.place(), stackSlices - 7);  // numbers are the file's, from the lowest slice on
   QVERIFY(!w.seen<QLineEdit>("placeNumber"));
   QCOMPARE(w.window.focusWidget(), w.view());
   QCOMPARE(w.steps(), steps + 1);
@@ -190,7 +190,7 @@ void TestStackBar::aNumberIsTyped() {
 }
 
 void TestStackBar::numbersOfOtherPlanes() {
-  StackWindow w(slices);
+  StackWindow w(stackSlices);
   w.session().setFocus(coronalViewId);
   w.view(coronalViewId)->setFocus();
   QTest::keyClick(w.view(coronalViewId), Qt::Key_G);
@@ -210,7 +210,7 @@ void TestStackBar::wrongNumbersSayWhy_data() {
 
 void TestStackBar::wrongNumbersSayWhy() {
   QFETCH(QString, typed);
-  StackWindow w(slices);
+  StackWindow w(stackSlices);
   const Workspace before = w.session().workspace();
   QTest::keyClick(w.view(), Qt::Key_G);
   auto* field = w.seen<QLineEdit>("placeNumber");
@@ -226,7 +226,7 @@ void TestStackBar::wrongNumbersSayWhy() {
 }
 
 void TestStackBar::theNumberInTheCornerIsClicked() {
-  StackWindow w(slices);
+  StackWindow w(stackSlices);
   const QRectF area = QRectF(w.view()->rect()).adjusted(0, 0, -6, 0);
   QRectF number;
   for (const PlacedText& text : placeOverlays(w.view()->overlays(), area, w.view()->font()).texts)
@@ -273,7 +273,7 @@ void TestStackBar::shiftMakesTheWheelFast() {
   QFETCH(QPoint, turned);
   QFETCH(Qt::KeyboardModifiers, keys);
   QFETCH(int, places);
-  StackWindow w(slices);
+  StackWindow w(stackSlices);
   const int before = w.place();
   QCOMPARE(before, 15);
   const QPointF middle = QRectF(w.view()->rect()).center();

@@ -8,8 +8,8 @@ namespace volumen {
 
 namespace {
 
-constexpr double right = 2, thin = 3, thick = 7;  // from the edge of the view, and wide
-constexpr double leastHeight = 3;                 // of where one is
+constexpr double barGap = 2, thinBar = 3, thickBar = 7;  // from the edge of the view, and wide
+constexpr double leastMark = 3;                          // of where one is
 const QColor trackColour(255, 255, 255, 40), heldColour(255, 255, 255, 70), placeColour(255, 255, 255, 150),
     keyColour(0xff, 0xc8, 0x5a);
 
@@ -29,15 +29,15 @@ QRectF StackBar::partOf(int first, int last) const {
 void StackBar::paint(QPainter& painter) const {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, false);
-  const double wide = isThick ? thick : thin, end = area.right() - right;
+  const double wide = isThick ? thickBar : thinBar, end = area.right() - barGap;
   const auto column = [&](QRectF rows, double width) {
     return QRectF(end - width, rows.top(), width, rows.height());
   };
   painter.fillRect(column(area, 1), trackColour);
   for (const auto& [first, last] : held) painter.fillRect(column(partOf(first, last), wide), heldColour);
   QRectF here = partOf(place.index, place.index);
-  if (here.height() < leastHeight)
-    here = QRectF(here.left(), std::min(here.top(), area.bottom() - leastHeight), here.width(), leastHeight);
+  if (here.height() < leastMark)
+    here = QRectF(here.left(), std::min(here.top(), area.bottom() - leastMark), here.width(), leastMark);
   painter.fillRect(column(here, wide), placeColour);
   for (const int key : keyImages) {
     const double middle = std::round(partOf(key, key).center().y());

@@ -326,6 +326,8 @@ void TestFramesOfSeries::thePoolForgetsWhatWasUsedLongestAgo() {
   QCOMPARE(pool.bytes(), std::size_t(900));
   QVERIFY(pool.contains({keyOf(series), 0}));
   QVERIFY(!pool.contains({keyOf(series), 1}));
+  QCOMPARE(pool.heldOf(keyOf(series), {}), (std::vector<int>{0, 2, 3}));
+  QVERIFY(pool.heldOf(keyOf(series), "presentation.dcm").empty());
   pool.put(make(3));
   QCOMPARE(pool.bytes(), std::size_t(900));
 }
