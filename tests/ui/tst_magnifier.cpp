@@ -105,7 +105,7 @@ void TestMagnifier::itsPixelsAreThoseOfTheSlice() {
   QFETCH(Prepare, prepare);
   LensWindow w;
   prepare(w);
-  QTest::keyClick(w.view(), Qt::Key_M);
+  QTest::keyClick(w.view(), Qt::Key_V);
   const auto wanted = w.view()->requestFor(1);
   QCOMPARE(wanted->layers.size(), std::size_t(QTest::currentDataTag() == QByteArray("fused") ? 2 : 1));
   const QPoint at = lensMiddle(w.view());
@@ -129,7 +129,7 @@ void TestMagnifier::itsPixelsAreThoseOfTheSlice() {
 void TestMagnifier::theWheelEnlarges() {
   LensWindow w;
   const Workspace before = w.session().workspace();
-  QTest::keyClick(w.view(), Qt::Key_M);
+  QTest::keyClick(w.view(), Qt::Key_V);
   const QPoint at = lensMiddle(w.view());
   QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
   wheel(w.view(), 4);
@@ -145,7 +145,7 @@ void TestMagnifier::theWheelEnlarges() {
 // To an edge, too, where a part of it is out of the view.
 void TestMagnifier::itFollowsThePointer() {
   LensWindow w;
-  QTest::keyClick(w.view(), Qt::Key_M);
+  QTest::keyClick(w.view(), Qt::Key_V);
   QPoint at = lensMiddle(w.view());
   QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
   for (const QPoint next :
@@ -164,7 +164,7 @@ void TestMagnifier::measurementsUnderItStay() {
   const QPoint at = lensMiddle(w.view());
   w.draw(ShapeKind::length, {at - QPoint(30, 20), at + QPoint(30, 20)});
   const Workspace before = w.session().workspace();
-  QTest::keyClick(w.view(), Qt::Key_M);
+  QTest::keyClick(w.view(), Qt::Key_V);
   drag(w.view(), at, at + QPoint(25, 40));
   QVERIFY(w.session().workspace() == before);
 }
@@ -173,7 +173,7 @@ void TestMagnifier::framesAreEnlargedToo() {
   NEED_FILES();
   Frames w({clipFile});
   QVERIFY(w.shows());
-  QTest::keyClick(w.view(), Qt::Key_M);
+  QTest::keyClick(w.view(), Qt::Key_V);
   const QPoint at = lensMiddle(w.view());
   QVERIFY(wrongPixels(w.view(), at, drawnAt(w.view(), at, 2)) > 1000);
   QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
