@@ -103,13 +103,12 @@ void TestMenus::menusHoldWhatTheyShould() {
 
 void TestMenus::theToolBarHoldsWhatItShould() {
   const MainWindow window(realServices());
-  QCOMPARE(
-      entriesOf(window.findChild<QToolBar*>(QStringLiteral("tools"))),
-      listed("Open folder...; Study list; Undo; Redo; |; "
-             "Rotate; Adjust curve (W/L); Scissors; Reset view; |; "
-             "Window\tW; Scroll; Pan; Zoom; Crosshair; Magnifier; |; "
-             "[]; [layoutButton]; [windowButton]; [measureButton]; [linkButton]; []; Save picture...; "
-             "Mouse and keys"));
+  QCOMPARE(entriesOf(window.findChild<QToolBar*>(QStringLiteral("tools"))),
+           listed("Open folder...; Study list; Undo; Redo; |; "
+                  "Rotate; Adjust curve (W/L); Scissors; Reset view; |; "
+                  "Window\tW; Scroll; Pan; Zoom; Crosshair; Magnifier; |; "
+                  "[]; [layoutButton]; [windowButton]; [measureButton]; [linkButton]; []; Save picture...; "
+                  "Mouse and keys"));
 }
 
 VOLUMEN_TEST(TestMenus);
