@@ -56,13 +56,13 @@ double countedShare(dvec3 step, const glm::dmat3& grid, double radius) {
   return double(inside) / (n * n * n);
 }
 
-using Shares = std::map<std::array<int, 3>, double>;
+using BallShares = std::map<std::array<int, 3>, double>;
 
 // Of all voxels that a ball of 1 ml can reach: none is further than its radius and a voxel's diagonal.
-Shares countedShares(const glm::dmat3& grid) {
+BallShares countedShares(const glm::dmat3& grid) {
   double diagonal = 0;
   for (int a = 0; a < 3; ++a) diagonal += glm::length(grid[a]);
-  Shares shares;
+  BallShares shares;
   constexpr int reach = 22;
   for (int k = -reach; k <= reach; ++k)
     for (int j = -reach; j <= reach; ++j)
@@ -154,8 +154,8 @@ void TestPeak::isTheDefinition_data() {
 void TestPeak::isTheDefinition() {
   QFETCH(glm::dmat3, grid);
   QFETCH(quint64, seed);
-  static std::map<double, Shares> known;  // by the grid's first number: they differ in it
-  Shares& shares = known[grid[0][0] + 100 * grid[1][1]];
+  static std::map<double, BallShares> known;  // by the grid's first number: they differ in it
+  BallShares& shares = known[grid[0][0] + 100 * grid[1][1]];
   if (shares.empty()) shares = countedShares(grid);
   Chance chance(seed);
   const glm::ivec3 size(11, 9, 8);

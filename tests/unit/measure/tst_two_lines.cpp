@@ -27,7 +27,7 @@ class TestTwoLines : public QObject {
 
 namespace {
 
-Shape twoLines(ShapeKind kind, std::vector<dvec3> points) {
+Shape pairOfLines(ShapeKind kind, std::vector<dvec3> points) {
   return {kind, "", std::move(points), {}, {}, {}};
 }
 
@@ -58,7 +58,7 @@ void TestTwoLines::axesByChance() {
     const dvec3 a = 50.0 * chance.vector(),
                 c = a + chance.between(0, length) * u - chance.share() * width * v;
     const auto found =
-        measure(twoLines(ShapeKind::bidirectional, {a, a + length * u, c, c + width * v}), *volume, "HU");
+        measure(pairOfLines(ShapeKind::bidirectional, {a, a + length * u, c, c + width * v}), *volume, "HU");
     QVERIFY2(found.ok(), found.ok() ? "" : found.message().c_str());
     QVERIFY(std::abs(found->number - length) < 1e-9);
     QVERIFY(std::abs(found->lines->first - length) < 1e-9 && std::abs(found->lines->second - width) < 1e-9);
@@ -66,7 +66,7 @@ void TestTwoLines::axesByChance() {
     QCOMPARE(found->lines->unit, std::string("mm"));
     QVERIFY(found->plusMinus.has_value());
     const auto ratio =
-        measure(twoLines(ShapeKind::cardiothoracic, {c, c + width * v, a, a + length * u}), *volume, "HU");
+        measure(pairOfLines(ShapeKind::cardiothoracic, {c, c + width * v, a, a + length * u}), *volume, "HU");
     QVERIFY(std::abs(ratio->number - width / length) < 1e-12);
     QVERIFY(ratio->unit.empty() && !ratio->plusMinus);
   }
@@ -74,12 +74,14 @@ void TestTwoLines::axesByChance() {
 
 void TestTwoLines::theRatioNeedsNoCalibration() {
   const std::vector<dvec3> points{{1, 1, 0}, {13, 1, 0}, {-5, 4, 0}, {19, 4, 0}};
-  const auto ratio = measure(twoLines(ShapeKind::cardiothoracic, points), *emptyOn(glm::dmat3(1), false), "");
+  const auto ratio =
+      measure(pairOfLines(ShapeKind::cardiothoracic, points), *emptyOn(glm::dmat3(1), false), "");
   QCOMPARE(ratio->number, 0.5);
   QCOMPARE(ratio->lines->unit, std::string("px"));
   QCOMPARE(ratio->lines->first, 12.0);
-  const auto axes = measure(twoLines(ShapeKind::bidirectional, {{0, 0, 0}, {8, 0, 0}, {3, -1, 0}, {3, 2, 0}}),
-                            *emptyOn(glm::dmat3(1), false), "");
+  const auto axes =
+      measure(pairOfLines(ShapeKind::bidirectional, {{0, 0, 0}, {8, 0, 0}, {3, -1, 0}, {3, 2, 0}}),
+              *emptyOn(glm::dmat3(1), false), "");
   QCOMPARE(axes->unit, std::string("px"));
 }
 
@@ -89,7 +91,7 @@ void TestTwoLines::onFrames() {
   parts.geometry.size = {40, 40, 1};
   parts.values = std::vector<float>(1600);
   frame.values = volumeFrom(std::move(parts));
-  Shape axes = twoLines(ShapeKind::bidirectional, {{0, 0, 0}, {8, 0, 0}, {3, -1, 0}, {3, 2, 0}});
+  Shape axes = pairOfLines(ShapeKind::bidirectional, {{0, 0, 0}, {8, 0, 0}, {3, -1, 0}, {3, 2, 0}});
   axes.frame = ShapeFrame{"1.2.3", 0};
   Shape ratio = axes;
   ratio.kind = ShapeKind::cardiothoracic;
@@ -120,25 +122,25 @@ void TestTwoLines::whatIsNoPairIsRefused() {
     return QString::fromStdString(found ? std::string() : found.message());
   };
   using enum ShapeKind;
-  QVERIFY(
-      message(twoLines(bidirectional, {{0, 0, 0}, {8, 0, 0}, {3, 0, 0}})).contains(QStringLiteral("not 3.")));
-  QCOMPARE(message(twoLines(bidirectional, {{0, 0, 0}, {8, 0, 0}, {3, 0, 0}, {4, 3, 0}})),
+  QVERIFY(message(pairOfLines(bidirectional, {{0, 0, 0}, {8, 0, 0}, {3, 0, 0}}))
+              .contains(QStringLiteral("not 3.")));
+  QCOMPARE(message(pairOfLines(bidirectional, {{0, 0, 0}, {8, 0, 0}, {3, 0, 0}, {4, 3, 0}})),
            QStringLiteral("The short axis must be at right angles to the long one."));
-  QCOMPARE(message(twoLines(bidirectional, {{0, 0, 0}, {8, 0, 0}, {3, 0, 0}, {3.01, 3, 0}})), QString());
-  QCOMPARE(message(twoLines(cardiothoracic, {{0, 0, 0}, {8, 0, 0}, {3, 0, 0}, {3, 0, 0}})),
+  QCOMPARE(message(pairOfLines(bidirectional, {{0, 0, 0}, {8, 0, 0}, {3, 0, 0}, {3.01, 3, 0}})), QString());
+  QCOMPARE(message(pairOfLines(cardiothoracic, {{0, 0, 0}, {8, 0, 0}, {3, 0, 0}, {3, 0, 0}})),
            QStringLiteral("There is no ratio where the thorax has no width."));
-  QCOMPARE(message(twoLines(label, {{0, 0, 0}})), QStringLiteral("A label has no number."));
+  QCOMPARE(message(pairOfLines(label, {{0, 0, 0}})), QStringLiteral("A label has no number."));
 }
 
 void TestTwoLines::asJson() {
   const VolumePtr volume = emptyOn(glm::dmat3(1));
-  const Shape axes = twoLines(ShapeKind::bidirectional, {{0, 0, 0}, {8, 0, 0}, {3, -1, 0}, {3, 2, 0}});
+  const Shape axes = pairOfLines(ShapeKind::bidirectional, {{0, 0, 0}, {8, 0, 0}, {3, -1, 0}, {3, 2, 0}});
   const auto json = measuredToJson(axes, measure(axes, *volume, "HU"));
   QCOMPARE(json["number"].get<double>(), 8.0);
   QCOMPARE(json["short"].get<double>(), 3.0);
   QCOMPARE(json["product"].get<double>(), 24.0);
   QCOMPARE(json["productUnit"].get<std::string>(), std::string("mm^2"));
-  const Shape ratio = twoLines(ShapeKind::cardiothoracic, axes.points);
+  const Shape ratio = pairOfLines(ShapeKind::cardiothoracic, axes.points);
   const auto other = measuredToJson(ratio, measure(ratio, *volume, "HU"));
   QCOMPARE(other["heart"].get<double>(), 8.0);
   QCOMPARE(other["thorax"].get<double>(), 3.0);
