@@ -13,7 +13,7 @@ namespace volumen {
 
 namespace {
 
-constexpr double mmBetweenLines = 0.05;  // at most; lines through the ball are cut exactly along their length
+constexpr double mmBetweenLines = 0.1;  // at most; lines through the ball are cut exactly along their length
 constexpr double mostBallVoxels = 1e6;
 
 // The part of a line of voxels inside the ball is where |a + t b| <= radius.
