@@ -69,6 +69,7 @@ struct Tool {
   std::unique_ptr<SceneDrag> (*inScene)(const ScenePress& press) = nullptr;  ///< the same
   int key = 0;             ///< chooses it in a view in which it does something; 0: none
   bool measuring = false;  ///< draws a measurement; its icon is "measure-NAME"
+  bool stays = false;      ///< of these: in hand after one, until Esc
 };
 
 /// A part of a measurement under the pointer.

@@ -77,8 +77,8 @@ void FlatView::endDrag(Qt::KeyboardModifiers keys) {
   update();
   if (!kept) return;
   const Measurement* made = findMeasurement(session_.workspace(), session_.workspace().selected);
-  if (made && made->shape.kind == ShapeKind::arrow) askForName(made->id);
-  if (!(keys & Qt::ShiftModifier)) Q_EMIT toolDone();
+  if (made && isToBeNamed(session_.workspace(), *made)) askForName(made->id);
+  if (!(keys & Qt::ShiftModifier) && !tool_->stays) Q_EMIT toolDone();
 }
 
 // A field where the text stands; what is typed becomes the name on Enter or when it is left.
@@ -104,6 +104,7 @@ void FlatView::askForName(int id) {
   });
   field->show();
   field->setFocus();
+  field->selectAll();
 }
 
 QString FlatView::measurementText(QPointF p) const {

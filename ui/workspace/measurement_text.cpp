@@ -25,7 +25,7 @@ QString withUnit(double number, const std::string& unit) {
   return shortNumberText(number) + unitText(unit);
 }
 
-QString placeOf(const ValuePeak& peak) {
+QString placeText(const ValuePeak& peak) {
   const glm::dvec3 p = peak.centre;
   return QStringLiteral("%1, %2, %3").arg(shortNumberText(p.x), shortNumberText(p.y), shortNumberText(p.z));
 }
@@ -198,7 +198,7 @@ QString detailText(const Measurement& measurement, const Result<Measured>& measu
                 .arg(measured->voxel->index.z);
   if (measured && measured->lines && measured->plusMinus)
     text += tr(", long axis \u00b1 %1").arg(withUnit(*measured->plusMinus, measured->unit));
-  if (measured && measured->peak) text += tr(", SUVpeak of 1 ml at %1 mm").arg(placeOf(*measured->peak));
+  if (measured && measured->peak) text += tr(", SUVpeak of 1 ml at %1 mm").arg(placeText(*measured->peak));
   const std::string unit = !measured ? "" : measured->lines ? measured->lines->unit : measured->unit;
   if (unit == "px" || unit == "px^2") text += tr(", not calibrated");
   if (measured && (measured->values || measured->voxel)) text += unitNote(series);
