@@ -47,7 +47,9 @@ std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
   const PlacedOverlays placed = placeOverlays(overlays(), overlayArea(), font());
   std::vector<QRectF> taken{placed.scaleBar};
   for (const PlacedText& text : placed.texts) taken.push_back(text.rect);
-  placeTexts(drawn, QRectF(rect()).adjusted(4, 4, -10, -4), taken, QFontMetricsF(font()));
+  const QRectF area = QRectF(rect()).adjusted(4, 4, -10, -4);
+  placeLegend(drawn, area, taken, QFontMetricsF(font()));
+  placeTexts(drawn, area, taken, QFontMetricsF(font()));
   return drawn;
 }
 
