@@ -58,7 +58,7 @@ void TestShapeCut::seenOnItsSlice() {
     const ShapeCut cut = cutOf(shape, axialAt(z), 1);
     QVERIFY2(cut.whole == seen, rule.name);
     QVERIFY2(cut.lines.empty() != seen, rule.name);
-    QCOMPARE(cut.lines.size(), std::size_t(!seen ? 0 : rule.kind == ShapeKind::cobb ? 2 : 1));
+    QCOMPARE(cut.lines.size(), std::size_t(!seen ? 0 : rule.twoLines ? 2 : 1));
   }
 }
 
