@@ -109,10 +109,8 @@ void Help::showShortcuts() {
          "to "
          "the next"),
       tr("D, A, E, P, T in a slice"),
-      tr("measure: length, angle, ellipse, probe, arrow with text (more under Measure); the tool before "
-         "comes "
-         "back after one measurement (Shift keeps it; spine labels stay until Esc), Enter or a double-click "
-         "ends a polyline, Esc gives up, Delete "
+      tr("measure: length, angle, ellipse, probe, arrow with text; the tool before comes back after one "
+         "measurement (Shift keeps it), Enter or a double-click ends a polyline, Esc gives up, Delete "
          "removes what is selected, W changes the window again"),
       tr("Alt+1 to Alt+5"),
       tr("layouts: one view, planes and 3D, large 3D beside planes, two or four series"),
