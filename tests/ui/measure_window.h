@@ -26,6 +26,10 @@ inline std::vector<QPointF> placesOf(ShapeKind kind) {
       return {{60, 60}, {120, 90}, {100, 150}};
     case ShapeKind::cobb:
       return {{60, 60}, {130, 70}, {60, 140}, {120, 160}};
+    case ShapeKind::bidirectional:
+      return {{60, 60}, {140, 60}, {100, 40}, {100, 90}};
+    case ShapeKind::cardiothoracic:
+      return {{80, 90}, {130, 90}, {60, 110}, {160, 110}};
     case ShapeKind::polyline:
       return {{50, 50}, {90, 60}, {110, 120}, {60, 130}};
     case ShapeKind::freehand:
@@ -37,10 +41,11 @@ inline std::vector<QPointF> placesOf(ShapeKind kind) {
   }
 }
 
-/// All that a tool draws.
-inline const std::vector<ShapeKind> drawnKinds{ShapeKind::length,   ShapeKind::polyline, ShapeKind::angle,
-                                               ShapeKind::cobb,     ShapeKind::ellipse,  ShapeKind::rectangle,
-                                               ShapeKind::freehand, ShapeKind::probe,    ShapeKind::arrow};
+/// All that a tool draws and then gives way to the one before; the arrow last, which asks for its text.
+inline const std::vector<ShapeKind> drawnKinds{
+    ShapeKind::length,   ShapeKind::polyline,       ShapeKind::bidirectional, ShapeKind::angle,
+    ShapeKind::cobb,     ShapeKind::cardiothoracic, ShapeKind::ellipse,       ShapeKind::rectangle,
+    ShapeKind::freehand, ShapeKind::probe,          ShapeKind::arrow};
 
 /// As radiologists draw it: lines and boxes by drags, the rest of an angle and of a polyline by clicks. The
 /// tool is in hand.

@@ -1,10 +1,14 @@
 // Guards what of measurements lies under the pointer and where their texts stand, without a window.
+#include <QImage>
+#include <QPainter>
 #include <glm/geometric.hpp>
 
+#include "tests/fixtures/chance.h"
 #include "tests/unit/suite.h"
 #include "ui/views/drawn_measurement.h"
 
 using namespace volumen;
+using tests::Chance;
 
 namespace {
 
@@ -37,6 +41,12 @@ class TestDrawnMeasurements : public QObject {
   void textsStandBesideTheirShapes();
   void manyTextsKeepApart();
   void whatFillsTheViewKeepsItsText();
+  void textsByChanceKeepApart_data();
+  void textsByChanceKeepApart();
+  void aFullAreaHasNoSecondPlace();
+  void aSmallViewHasALegend();
+  void whatIsLargeOrAloneHasNone_data();
+  void whatIsLargeOrAloneHasNone();
 };
 
 void TestDrawnMeasurements::whatLiesUnderAPoint_data() {
@@ -121,6 +131,115 @@ void TestDrawnMeasurements::whatFillsTheViewKeepsItsText() {
   placeTexts(drawn, area, {}, QFontMetricsF(QFont()));
   QVERIFY(area.contains(drawn[0].textRect));
   QVERIFY2(drawn[1].textRect.isEmpty(), "what is outside the view has none");
+}
+
+void TestDrawnMeasurements::textsByChanceKeepApart_data() {
+  QTest::addColumn<quint64>("seed");
+  for (quint64 seed = 1; seed <= 60; ++seed) QTest::addRow("seed %llu", seed) << seed;
+}
+
+// Ten texts of one to four lines cover less than a sixth of the area, each keeps the others off less than a
+// tenth: there is room for all, beside shapes or anywhere. The same again has the same places.
+void TestDrawnMeasurements::textsByChanceKeepApart() {
+  QFETCH(quint64, seed);
+  Chance chance(seed);
+  const QRectF large(0, 0, 1200, 800);
+  const std::vector<QRectF> taken{{0, 0, 180, 60}, {1000, 740, 200, 60}};
+  std::vector<DrawnMeasurement> drawn;
+  const int count = 2 + chance.below(9);
+  const QPointF about(chance.between(100, 1000), chance.between(100, 600));
+  for (int n = 0; n < count; ++n) {
+    // Most of them in one heap.
+    const QPointF at = chance.oneIn(4) ? QPointF(chance.between(20, 1100), chance.between(20, 700))
+                                       : about + QPointF(chance.between(-40, 40), chance.between(-40, 40));
+    const QSizeF size(chance.between(4, 90), chance.between(4, 70));
+    drawn.push_back(chance.oneIn(2) ? boxOf(n, {at, size})
+                                    : lineOf(n, {at, at + QPointF(size.width(), size.height())}));
+    for (int more = chance.below(4); more > 0; --more)
+      drawn.back().text << QStringLiteral("Mean 45.2, SD 3.1");
+  }
+  std::vector<DrawnMeasurement> again = drawn;
+  placeTexts(drawn, large, taken, QFontMetricsF(QFont()));
+  placeTexts(again, large, taken, QFontMetricsF(QFont()));
+  for (int n = 0; n < count; ++n) {
+    const QRectF text = drawn[std::size_t(n)].textRect;
+    QVERIFY(!text.isEmpty() && large.contains(text));
+    QCOMPARE(again[std::size_t(n)].textRect, text);
+    for (const QRectF& other : taken) QVERIFY(!text.intersects(other));
+    for (int k = 0; k < n; ++k) QVERIFY(!text.intersects(drawn[std::size_t(k)].textRect));
+  }
+}
+
+// A number that lies over another is better than none.
+void TestDrawnMeasurements::aFullAreaHasNoSecondPlace() {
+  const QFontMetricsF metrics{QFont()};
+  const QRectF narrow(0, 0, metrics.horizontalAdvance(QStringLiteral("23.4 mm")) + 8, metrics.height() + 8);
+  std::vector<DrawnMeasurement> drawn{lineOf(1, {{2, 2}}), lineOf(2, {{4, 4}})};
+  placeTexts(drawn, narrow, {}, metrics);
+  for (const DrawnMeasurement& d : drawn) QVERIFY(!d.textRect.isEmpty());
+}
+
+void TestDrawnMeasurements::aSmallViewHasALegend() {
+  const QFontMetricsF metrics{QFont()};
+  const QRectF small(0, 0, 260, 240);
+  const std::vector<QRectF> taken{{0, 220, 100, 20}, {60, 0, 100, 20}};
+  std::vector<DrawnMeasurement> drawn{lineOf(7, {{60, 60}, {120, 90}}), boxOf(8, {130, 100, 60, 40}),
+                                      lineOf(9, {{80, 150}})};
+  drawn[1].text << QStringLiteral("Mean 45.2, SD 3.1 HU") << QString(400, QLatin1Char('x'));
+  drawn[2].text.clear();  // it has none
+  placeLegend(drawn, small, taken, metrics);
+  QCOMPARE(drawn[0].letter, QStringLiteral("A"));
+  QCOMPARE(drawn[1].letter, QStringLiteral("B"));
+  QVERIFY(drawn[2].letter.isEmpty() && drawn[2].legend.isEmpty());
+  QCOMPARE(drawn[0].legend, QStringLiteral("A  23.4 mm"));
+  QVERIFY2(drawn[1].legend.startsWith(QStringLiteral("B  23.4 mm, Mean 45.2")), qPrintable(drawn[1].legend));
+  QVERIFY2(metrics.horizontalAdvance(drawn[1].legend) <= small.width(), "what is too long is cut off");
+  QVERIFY(!drawn[0].legendRect.intersects(drawn[1].legendRect));
+  // As low as what is taken allows, and nowhere else when shapes move.
+  const QRectF first = drawn[0].legendRect;
+  for (const std::size_t n : {0u, 1u}) {
+    QVERIFY(small.contains(drawn[n].legendRect));
+    for (const QRectF& other : taken) QVERIFY(!drawn[n].legendRect.intersects(other));
+  }
+  QVERIFY(drawn[1].legendRect.bottom() > 200);
+  drawn[0].lines[0].translate(10, 30);
+  placeLegend(drawn, small, taken, metrics);
+  QCOMPARE(drawn[0].legendRect, first);
+  // The letters stand where the texts would, and are smaller.
+  placeTexts(drawn, small, taken, metrics);
+  QVERIFY(drawn[0].textRect.width() < metrics.horizontalAdvance(QStringLiteral("23.4 mm")));
+  for (const std::size_t n : {0u, 1u})
+    for (const std::size_t k : {0u, 1u}) QVERIFY(!drawn[n].textRect.intersects(drawn[k].legendRect));
+  // Both are drawn.
+  QImage picture(260, 240, QImage::Format_RGB32);
+  picture.fill(Qt::black);
+  QPainter painter(&picture);
+  paintMeasurements(painter, drawn);
+  painter.end();
+  for (const QRectF& place : {drawn[0].legendRect, drawn[0].textRect}) {
+    int lit = 0;
+    for (int y = int(place.top()); y < int(place.bottom()); ++y)
+      for (int x = int(place.left()); x < int(place.right()); ++x) lit += qGray(picture.pixel(x, y)) > 100;
+    QVERIFY(lit > 3);
+  }
+}
+
+void TestDrawnMeasurements::whatIsLargeOrAloneHasNone_data() {
+  QTest::addColumn<QSizeF>("size");
+  QTest::addColumn<int>("count");
+  QTest::newRow("large") << QSizeF(500, 400) << 3;
+  QTest::newRow("just large enough") << QSizeF(smallView, smallView) << 3;
+  QTest::newRow("one alone") << QSizeF(200, 200) << 1;
+  QTest::newRow("no room for a legend") << QSizeF(200, 20) << 3;
+}
+
+void TestDrawnMeasurements::whatIsLargeOrAloneHasNone() {
+  QFETCH(QSizeF, size);
+  QFETCH(int, count);
+  std::vector<DrawnMeasurement> drawn;
+  for (int n = 0; n < count; ++n) drawn.push_back(lineOf(n, {{5.0 + 20 * n, 10}, {15.0 + 20 * n, 12}}));
+  placeLegend(drawn, {{0, 0}, size}, {}, QFontMetricsF(QFont()));
+  for (const DrawnMeasurement& d : drawn) QVERIFY(d.letter.isEmpty() && d.legendRect.isEmpty());
 }
 
 VOLUMEN_TEST(TestDrawnMeasurements);

@@ -168,7 +168,7 @@ void TestMeasurements::twoHundredStepsBackAndForth() {
     const auto at = [&] { return QPointF(random.bounded(30, 170), random.bounded(30, 170)); };
     const int what = random.bounded(10);
     if (what < 4 || w.all().empty()) {
-      const ShapeKind kind = drawnKinds[random.bounded(8u)];  // all but the arrow, which asks
+      const ShapeKind kind = drawnKinds[random.bounded(quint32(drawnKinds.size() - 1))];  // no arrow: it asks
       std::vector<QPointF> places = placesOf(kind);
       const QPointF by = at() / 4;
       for (QPointF& p : places) p += by;

@@ -86,9 +86,11 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Turn right; Turn left; Mirror left to right; Mirror top to bottom; |; "
       "A pixel of the picture a pixel of the screen; True size");
   row("&View/Measure",
-      "Length\tD; Polyline; Angle\tA; Cobb angle; Ellipse\tE; Rectangle; Freehand; Probe\tP; Arrow\tT");
+      "Length\tD; Polyline; Long and short axis; Angle\tA; Cobb angle; Cardiothoracic ratio; Ellipse\tE; "
+      "Rectangle; Freehand; Probe\tP; Arrow\tT; Spine labels; |; Chart of values");
   row("&View/Panels",
-      "Quality and speed; Camera; Clip; Effects; Key images; Lights; Measure; Contours and segments; "
+      "Quality and speed; Camera; Chart of values; Clip; Effects; Key images; Lights; Measure; Contours and "
+      "segments; "
       "Segment; Snapshot; Studies; Opacity and colour; |; Reset layout");
   row("&Help", "Commands...; Documentation; Mouse and keys; About volumen");
 }

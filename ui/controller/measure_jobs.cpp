@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ui/workspace/measurements.h"
+#include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 #include "viewer/measure/outline.h"
 #include "viewer/measure/scaled.h"
@@ -22,6 +23,35 @@ double stepsOf(const Shape& shape, const VoxelGeometry& geometry) {
   const glm::dvec2 size = (outline.high - outline.low) / voxel + 1.0;
   return edges * (size.x * size.y + edges);
 }
+
+// Of SUV each voxel has a ball of its own, and what it holds of its voxels is found first.
+double stepsOn(const Shape& shape, const Volume& volume, const std::string& unit) {
+  const double steps = stepsOf(shape, volume.geometry());
+  if (!ruleOf(shape.kind).region || !isSuv(unit)) return steps;
+  return steps * (1 + 2 * 1000 / volume.geometry().voxelVolume()) + 1e6;
+}
+
+// What of a second series stands beside the numbers of the first.
+struct Second {
+  VolumePtr volume;  // null: there is none
+  Rigid toFromUnder;
+  ValueScale scale;
+  std::string name, under;
+};
+
+Result<Measured> measureBoth(const Shape& shape, const Volume& volume, const ValueScale& scale,
+                             const Second& second, const CancelToken& cancel) {
+  Result<Measured> measured = scaled(measure(shape, volume, scale.unit, cancel), scale.factor);
+  if (!measured || !second.volume) return measured;
+  measured->source = second.under;
+  addOther(*measured, shape, *second.volume, second.toFromUnder, second.scale.unit, cancel);
+  if (!measured->other) return measured;
+  measured->other->source = second.name;
+  scaleOther(*measured, second.scale.factor);
+  return measured;
+}
+
+std::string nameOf(const Series& series) { return seriesText(series).toStdString(); }
 
 constexpr double mostStepsAtOnce = 2e5;  // well below 2 ms
 
@@ -52,14 +82,17 @@ MeasuredPtr MeasureJobs::numbersOf(const Measurement& measurement) {
   const VolumePtr volume = known.volume.lock();
   const auto& all = session_.workspace().series;
   const auto state = all.find(measurement.series);
-  const bool current = known.series == measurement.series && known.shape == measurement.shape && volume &&
-                       known.petUnit == shownPetUnit() && state != all.end() &&
-                       known.mask == state->second.mask;
+  const Over over = overOf(measurement);
+  const bool overIsCurrent =
+      known.over == over.place && known.overVolume.lock() == (over.series ? over.series->volume : nullptr);
+  const bool current = overIsCurrent && known.series == measurement.series &&
+                       known.shape == measurement.shape && volume && known.petUnit == shownPetUnit() &&
+                       state != all.end() && known.mask == state->second.mask;
   if (!current) {
     const LoadedSeriesPtr series = session_.seriesNamed(measurement.series);
     if (series && (known.series != measurement.series || known.shape != measurement.shape ||
-                   volume != series->volume || known.petUnit != shownPetUnit()))
-      request(measurement, series);
+                   volume != series->volume || known.petUnit != shownPetUnit() || !overIsCurrent))
+      request(measurement, series, over);
   }
   return known.series == measurement.series ? known.numbers : nullptr;
 }
@@ -68,6 +101,14 @@ MeasuredPtr MeasureJobs::exactNumbersOf(const Measurement& measurement) {
   MeasuredPtr numbers = numbersOf(measurement);
   const Known& known = known_[measurement.id];
   return known.shape == measurement.shape && known.shown == known.asked ? numbers : nullptr;
+}
+
+MeasureJobs::Over MeasureJobs::overOf(const Measurement& measurement) const {
+  Over over;
+  if (ruleOf(measurement.shape.kind).region)
+    over.place = seriesOver(session_.workspace(), measurement.series);
+  if (over.place) over.series = session_.seriesNamed(over.place->series);
+  return over;
 }
 
 // A new shape of a measurement; its last numbers stay where they are of the same kind.
@@ -83,14 +124,24 @@ MeasureJobs::Known& MeasureJobs::begin(const Measurement& measurement) {
   return known;
 }
 
-void MeasureJobs::request(const Measurement& measurement, const LoadedSeriesPtr& series) {
+void MeasureJobs::request(const Measurement& measurement, const LoadedSeriesPtr& series, const Over& over) {
   Known& known = begin(measurement);
   known.volume = series->volume;
-  const auto run = [shape = measurement.shape, volume = series->volume,
-                    scale = shownScale(series->series)](const CancelToken& cancel) {
-    return scaled(measure(shape, *volume, scale.unit, cancel), scale.factor);
+  known.over = over.place;
+  known.overVolume = over.series ? over.series->volume : nullptr;
+  const ValueScale scale = shownScale(series->series);
+  const Shape& shape = measurement.shape;
+  double steps = stepsOn(shape, *series->volume, scale.unit);
+  Second second;
+  if (over.series) {
+    second = {over.series->volume, over.place->toFromUnder, shownScale(over.series->series),
+              nameOf(over.series->series), nameOf(series->series)};
+    steps += stepsOn(shape, *second.volume, second.scale.unit);
+  }
+  const auto run = [shape, volume = series->volume, scale, second](const CancelToken& cancel) {
+    return measureBoth(shape, *volume, scale, second, cancel);
   };
-  start(measurement.id, run, stepsOf(measurement.shape, series->volume->geometry()));
+  start(measurement.id, run, steps);
 }
 
 // A frame that is not in memory is read first, one at a time; then whoever listens asks again.

@@ -6,6 +6,7 @@
 
 #include "ui/controller/frame_service.h"
 #include "ui/document/job_lane.h"
+#include "ui/workspace/links.h"
 #include "ui/workspace/session.h"
 #include "viewer/measure/measure.h"
 
@@ -14,7 +15,8 @@ namespace volumen {
 using MeasuredPtr = std::shared_ptr<const Result<Measured>>;
 
 /// What measurements come to. What takes no time is measured at once, the rest on a worker thread: of each
-/// measurement the latest shape, so that a drag never waits.
+/// measurement the latest shape, so that a drag never waits. Regions of a series that another one is shown
+/// over have the numbers of both.
 class MeasureJobs : public QObject {
   Q_OBJECT
  public:
@@ -38,11 +40,19 @@ class MeasureJobs : public QObject {
     Mask mask;  // of the series then
     PetUnit petUnit = PetUnit::file;
     std::weak_ptr<const Volume> volume;
+    std::optional<SeriesOver> over;
+    std::weak_ptr<const Volume> overVolume;
     int asked = 0, shown = 0;  // which of all that were asked for
     int job = 0;
     MeasuredPtr numbers;
   };
-  void request(const Measurement& measurement, const LoadedSeriesPtr& series);
+  // What lies over a region's series, as far as it is in memory.
+  struct Over {
+    std::optional<SeriesOver> place;
+    LoadedSeriesPtr series;
+  };
+  Over overOf(const Measurement& measurement) const;
+  void request(const Measurement& measurement, const LoadedSeriesPtr& series, const Over& over);
   void requestOnFrame(const Measurement& measurement);
   Known& begin(const Measurement& measurement);
   void start(int id, const Measure& measure, double steps);

@@ -28,6 +28,7 @@ const std::vector<FeatureEntry>& features() {
       {"printing", makePrinting},
       {"snapshots", makeSnapshots},
       {"measuring", makeMeasuring},
+      {"measurement charts", makeMeasurementCharts},
       {"registration", makeRegistration},
       {"derived objects", makeDerivedObjects},
       {"key images", makeKeyImages},

@@ -56,6 +56,7 @@ std::unique_ptr<Feature> makeKeyImages(Workbench& bench);
 std::unique_ptr<Feature> makeKeys(Workbench& bench);
 std::unique_ptr<Feature> makeLoading(Workbench& bench);
 std::unique_ptr<Feature> makeMeasuring(Workbench& bench);
+std::unique_ptr<Feature> makeMeasurementCharts(Workbench& bench);
 std::unique_ptr<Feature> makeOpening(Workbench& bench);
 std::unique_ptr<Feature> makePages(Workbench& bench);
 std::unique_ptr<Feature> makePanels(Workbench& bench);

@@ -9,8 +9,6 @@ namespace volumen {
 
 namespace {
 
-const QColor ink(40, 44, 52), grid(226, 229, 234), minorGrid(242, 244, 247);
-
 QFont fontOf(int px, bool bold = false) {
   QFont font;
   font.setPixelSize(px);
@@ -44,9 +42,9 @@ class ChartPainter {
   QPointF at(double x, double y) const { return {x_.pixelOf(x), y_.pixelOf(y)}; }
   double radius(const ChartSeries& s) const { return s.faint ? 0.16 * px_ : 0.34 * px_; }
 
-  void text(const QRectF& where, int flags, const QString& what, const QFont& font, QColor colour = ink) {
+  void text(const QRectF& where, int flags, const QString& what, const QFont& font, QColor colour = {}) {
     p_.setFont(font);
-    p_.setPen(colour);
+    p_.setPen(colour.isValid() ? colour : chart_.colours.ink);
     p_.drawText(where, flags, what);
   }
 
@@ -55,7 +53,7 @@ class ChartPainter {
                       1.7 * px_);
     text(head, Qt::AlignLeft | Qt::AlignVCenter, chart_.title, fontOf(int(1.25 * px_), true));
     text(head.translated(0, 1.7 * px_).adjusted(0, 0, 0, 1.7 * px_), Qt::AlignLeft | Qt::AlignTop,
-         chart_.note, fontOf(px_), QColor(100, 106, 116));
+         chart_.note, fontOf(px_), chart_.colours.note);
     text({frame_.left(), frame_.bottom() + 1.8 * px_, frame_.width(), 1.6 * px_}, Qt::AlignCenter,
          chart_.xTitle, fontOf(px_));
     p_.save();
@@ -69,7 +67,7 @@ class ChartPainter {
   void axes() {
     for (const Tick& t : ticksOf(x_)) {
       const double x = x_.pixelOf(t.value);
-      p_.setPen(t.labelled ? grid : minorGrid);
+      p_.setPen(t.labelled ? chart_.colours.grid : chart_.colours.minorGrid);
       p_.drawLine(QPointF(x, frame_.top()), QPointF(x, frame_.bottom()));
       if (t.labelled)
         text({x - 40, frame_.bottom() + 0.3 * px_, 80, 1.5 * px_}, Qt::AlignHCenter | Qt::AlignTop,
@@ -77,13 +75,13 @@ class ChartPainter {
     }
     for (const Tick& t : ticksOf(y_)) {
       const double y = y_.pixelOf(t.value);
-      p_.setPen(t.labelled ? grid : minorGrid);
+      p_.setPen(t.labelled ? chart_.colours.grid : chart_.colours.minorGrid);
       p_.drawLine(QPointF(frame_.left(), y), QPointF(frame_.right(), y));
       if (t.labelled)
         text({frame_.left() - 5 * px_, y - px_, 4.6 * px_, 2.0 * px_}, Qt::AlignRight | Qt::AlignVCenter,
              tickText(t.value), fontOf(px_));
     }
-    p_.setPen(QPen(ink, 1));
+    p_.setPen(QPen(chart_.colours.ink, 1));
     p_.setBrush(Qt::NoBrush);
     p_.drawRect(frame_);
   }
@@ -104,7 +102,7 @@ class ChartPainter {
     const double top =
         chart_.logarithmic ? frame_.bottom() - size.height() - 0.8 * px_ : frame_.top() + 0.8 * px_;
     const QRectF box(frame_.left() + 0.8 * px_, top, size.width(), size.height());
-    p_.setPen(grid);
+    p_.setPen(chart_.colours.grid);
     p_.setBrush(QColor(255, 255, 255, 230));
     p_.drawRoundedRect(box, 4, 4);
     places.take(box);
@@ -143,13 +141,14 @@ class ChartPainter {
     p_.setBrush(Qt::NoBrush);
     p_.setPen(QPen(s.colour, 1.6));
     if (s.line) p_.drawPolyline(line);
+    if (s.bare) return;
     const double r = radius(s);
     for (std::size_t n = 0; n < s.points.size(); ++n) {
       p_.setPen(Qt::NoPen);
       p_.setBrush(s.colour);
       p_.drawEllipse(line[int(n)], r, r);
       if (s.points[n].ringed) {
-        p_.setPen(QPen(ink, 1.2));
+        p_.setPen(QPen(chart_.colours.ink, 1.2));
         p_.setBrush(Qt::NoBrush);
         p_.drawEllipse(line[int(n)], r + 2.5, r + 2.5);
       }

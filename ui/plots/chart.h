@@ -22,6 +22,12 @@ struct ChartSeries {
   bool line = false;
   bool faint = false;  ///< small and pale: the others' points, as a background
   std::vector<ChartPoint> points;
+  bool bare = false;  ///< the line alone, without a mark at each point
+};
+
+/// What a chart is drawn with, but for its points: by default for white paper.
+struct ChartColours {
+  QColor ink{40, 44, 52}, note{100, 106, 116}, grid{226, 229, 234}, minorGrid{242, 244, 247};
 };
 
 /// A chart of points over two axes, both logarithmic or both linear from 0.
@@ -31,6 +37,7 @@ struct Chart {
   std::vector<ChartSeries> series;
   std::vector<QPointF> front;  ///< a staircase drawn beneath the points, x ascending; empty: none
   QString frontName;           ///< for the legend
+  ChartColours colours{};
 };
 
 /// The span of both axes over all points and the front, with a little room; for charts that share their axes.

@@ -20,13 +20,18 @@ class MeasurementDrag : public Drag {
       if (hit_.part == MeasurementPart::text)
         m.textOffset = hit_.textOffset + way;
       else if (hit_.part == MeasurementPart::handle)
-        m.shape = withHandleAt(m.shape, hit_.handle, handlesOf(m.shape)[hit_.handle] + way);
+        m.shape = withHandleAt(m.shape, hit_.handle, handlesOf(m.shape)[hit_.handle] + way, unit());
       else
         m.shape = movedBy(m.shape, way);
     });
   }
 
  private:
+  // Points of frames count pixels.
+  glm::dvec3 unit() const {
+    return press_.frame ? press_.series->volume->geometry().spacing() : glm::dvec3(1);
+  }
+
   QString text() const {
     return hit_.part == MeasurementPart::text ? QCoreApplication::translate("volumen", "Move text")
            : hit_.part == MeasurementPart::handle

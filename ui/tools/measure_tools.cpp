@@ -4,6 +4,8 @@
 #include "ui/tools/tool.h"
 #include "ui/workspace/measurement_text.h"
 #include "ui/workspace/measurements.h"
+#include "ui/workspace/spine_labels.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 
@@ -13,7 +15,8 @@ constexpr double clickPixels = 3;     // logical; a shorter way is a click and n
 constexpr double freehandPixels = 3;  // logical, from one point of an outline to the next
 
 // Draws a shape point by point. The last point follows the pointer until it is released away from the one
-// before, so that a line is made by a drag as by two clicks.
+// before, so that a line is made by a drag as by two clicks. Of two lines the second one begins with a press
+// of its own.
 class ShapeDrag : public Drag {
  public:
   ShapeDrag(const SlicePress& press, ShapeKind kind) : press_(press), rule_(ruleOf(kind)) {
@@ -24,6 +27,7 @@ class ShapeDrag : public Drag {
     if (rule_.region)
       drawn_.shape.plane =
           press.frame ? ShapePlane{} : ShapePlane{press.plane.centre, press.plane.right, press.plane.down};
+    if (kind == ShapeKind::label) drawn_.shape.name = nextLabel(press.session.workspace(), drawn_.series);
     beginLine(press.at);
   }
 
@@ -41,7 +45,7 @@ class ShapeDrag : public Drag {
     if (rule_.kind == ShapeKind::freehand) return points().size() < rule_.fewest || complete();
     if (rule_.most > 1 && lastSegment() < clickPixels) return false;
     if (points().size() == rule_.most) return complete();
-    following_ = rule_.kind != ShapeKind::cobb;  // its second line begins with a press of its own
+    following_ = !rule_.twoLines;
     if (following_) addPoint(places_.back());
     return false;
   }
@@ -71,8 +75,17 @@ class ShapeDrag : public Drag {
   }
 
   void setLast(QPointF p) {
+    p = constrained(p);
     points().back() = press_.shapePointAt(p);
     places_.back() = p;
+  }
+
+  // Where the last point may lie: a short axis at right angles to the long one, widths of a chest level.
+  QPointF constrained(QPointF p) const {
+    if (rule_.kind == ShapeKind::cardiothoracic) return {p.x(), places_[places_.size() - 2].y()};
+    if (rule_.kind != ShapeKind::bidirectional || places_.size() < 4) return p;
+    const QPointF along = places_[1] - places_[0], across(-along.y(), along.x()), from = places_[2];
+    return from + across * (QPointF::dotProduct(p - from, across) / QPointF::dotProduct(across, across));
   }
 
   // Logical pixels from the last point but one to the last.
@@ -104,14 +117,22 @@ Tool measuringTool(int key) {
   return {ruleOf(kind).name, kindText(kind), Qt::CrossCursor, beginShape<kind>, nullptr, key, true};
 }
 
+Tool labelTool() {
+  Tool tool = measuringTool<ShapeKind::label>(0);
+  tool.text = tr("Spine labels");
+  tool.stays = true;
+  return tool;
+}
+
 }  // namespace
 
 std::vector<Tool> measuringTools() {
   using enum ShapeKind;
   return {
-      measuringTool<length>(Qt::Key_D), measuringTool<polyline>(0),        measuringTool<angle>(Qt::Key_A),
-      measuringTool<cobb>(0),           measuringTool<ellipse>(Qt::Key_E), measuringTool<rectangle>(0),
-      measuringTool<freehand>(0),       measuringTool<probe>(Qt::Key_P),   measuringTool<arrow>(Qt::Key_T)};
+      measuringTool<length>(Qt::Key_D),  measuringTool<polyline>(0),      measuringTool<bidirectional>(0),
+      measuringTool<angle>(Qt::Key_A),   measuringTool<cobb>(0),          measuringTool<cardiothoracic>(0),
+      measuringTool<ellipse>(Qt::Key_E), measuringTool<rectangle>(0),     measuringTool<freehand>(0),
+      measuringTool<probe>(Qt::Key_P),   measuringTool<arrow>(Qt::Key_T), labelTool()};
 }
 
 }  // namespace volumen

@@ -70,6 +70,7 @@ struct Tool {
   int key = 0;             ///< chooses it in a view in which it does something; 0: none
   bool measuring = false;  ///< draws a measurement; its icon is "measure-NAME"
   bool looking = false;    ///< changes nothing, whatever lies under the press
+  bool stays = false;      ///< of these: in hand after one, until Esc
 };
 
 /// A part of a measurement under the pointer.

@@ -112,6 +112,41 @@ QSizeF sizeOf(const QStringList& text, const QFontMetricsF& metrics) {
   return {std::ceil(width) + 2 * textFrame, double(text.size()) * metrics.height() + 2 * textFrame};
 }
 
+// What stands at the shape.
+QStringList besideShape(const DrawnMeasurement& drawn) {
+  return drawn.letter.isEmpty() ? drawn.text : QStringList(drawn.letter);
+}
+
+// Places all over the area, the nearest to a point first.
+std::vector<QRectF> placesAllOver(QPointF middle, QSizeF size, const QRectF& area) {
+  constexpr double across = 16, down = 8;
+  std::vector<QRectF> places;
+  for (double y = area.top(); y + size.height() <= area.bottom(); y += down)
+    for (double x = area.left(); x + size.width() <= area.right(); x += across)
+      places.emplace_back(QPointF(x, y), size);
+  std::ranges::stable_sort(places, {}, [&](const QRectF& p) { return squared(p.center() - middle); });
+  return places;
+}
+
+// A, B ... Z, AA, AB ...
+QString letterOf(int n) {
+  QString letters;
+  for (++n; n > 0; n = (n - 1) / 26) letters.prepend(QChar(u'A' + (n - 1) % 26));
+  return letters;
+}
+
+// At the left edge, else at the right one, as low as can be.
+std::optional<QRectF> roomAtEdge(QSizeF size, const QRectF& area, const std::vector<QRectF>& taken) {
+  constexpr double step = 4;
+  for (const double x : {area.left(), area.right() - size.width()})
+    for (double y = area.bottom() - size.height(); y >= area.top(); y -= step) {
+      const QRectF place(QPointF(x, y), size);
+      if (std::ranges::none_of(taken, [&](const QRectF& other) { return other.intersects(place); }))
+        return place;
+    }
+  return {};
+}
+
 // One of a frame in the space of the slice that shows it.
 Measurement inSlice(Measurement m, const VoxelGeometry& slice) {
   m.shape = inSliceSpace(m.shape, slice);
@@ -149,19 +184,43 @@ DrawnMeasurement drawnMeasurement(const Measurement& ofDocument, const SlicePlan
   return drawn;
 }
 
+void placeLegend(std::vector<DrawnMeasurement>& drawn, const QRectF& area, const std::vector<QRectF>& taken,
+                 const QFontMetricsF& metrics) {
+  std::vector<DrawnMeasurement*> told;
+  for (DrawnMeasurement& d : drawn)
+    if (!d.text.isEmpty()) told.push_back(&d);
+  if (told.size() < 2 || std::min(area.width(), area.height()) >= smallView) return;
+  QStringList lines;
+  for (int n = 0; n < int(told.size()); ++n)
+    lines << metrics.elidedText(
+        letterOf(n) + QStringLiteral("  ") + told[std::size_t(n)]->text.join(QStringLiteral(", ")),
+        Qt::ElideRight, area.width() - 2 * textFrame);
+  const auto place = roomAtEdge(sizeOf(lines, metrics), area, taken);
+  if (!place) return;
+  for (std::size_t n = 0; n < told.size(); ++n) {
+    told[n]->letter = letterOf(int(n));
+    told[n]->legend = lines[qsizetype(n)];
+    told[n]->legendRect = {place->left(), place->top() + textFrame + double(n) * metrics.height(),
+                           place->width(), metrics.height()};
+  }
+}
+
 void placeTexts(std::vector<DrawnMeasurement>& drawn, const QRectF& area, const std::vector<QRectF>& taken,
                 const QFontMetricsF& metrics) {
   std::vector<QRectF> full = taken, boxes;
+  for (const DrawnMeasurement& d : drawn)
+    if (!d.legendRect.isEmpty()) full.push_back(d.legendRect);
   for (DrawnMeasurement& d : drawn) {
     boxes.push_back(boxOf(d));
     if (d.text.isEmpty() || !d.textMiddle) continue;
-    d.textRect = around(*d.textMiddle, sizeOf(d.text, metrics));
+    d.textRect = around(*d.textMiddle, sizeOf(besideShape(d), metrics));
     full.push_back(d.textRect);
   }
   for (std::size_t n = 0; n < drawn.size(); ++n) {
     DrawnMeasurement& d = drawn[n];
     if (d.text.isEmpty() || d.textMiddle) continue;
-    const std::vector<QRectF> places = placesFor(d, boxes[n], sizeOf(d.text, metrics), area);
+    const QSizeF size = sizeOf(besideShape(d), metrics);
+    std::vector<QRectF> places = placesFor(d, boxes[n], size, area);
     if (places.empty()) continue;
     const auto leavesIt = [&](const QRectF& place) { return !coversShape(d, boxes[n], place); };
     const auto leavesTexts = [&](const QRectF& place) {
@@ -178,6 +237,11 @@ void placeTexts(std::vector<DrawnMeasurement>& drawn, const QRectF& area, const 
     if (found == places.end())
       found = std::ranges::find_if(places, [&](const QRectF& p) { return leavesShapes(p, false); });
     if (found == places.end()) found = std::ranges::find_if(places, leavesTexts);
+    if (found == places.end()) {
+      const std::vector<QRectF> allOver = placesAllOver(d.middle, size, area);
+      const auto free = std::ranges::find_if(allOver, leavesTexts);
+      if (free != allOver.end()) found = places.insert(places.end(), *free);
+    }
     if (found == places.end()) found = std::ranges::find_if(places, leavesIt);
     d.textRect = found == places.end() ? places.front() : *found;
     full.push_back(d.textRect);

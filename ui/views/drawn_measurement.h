@@ -26,7 +26,10 @@ struct DrawnMeasurement {
   QPointF middle;                     ///< of the shape
   std::optional<QPointF> textMiddle;  ///< where the user has put the text
   QStringList text;
-  QRectF textRect;  ///< around it; empty: there is no text, or no room
+  QRectF textRect;    ///< around it; empty: there is no text, or no room
+  QString letter;     ///< stands there in place of the text, which the legend has; empty: there is no legend
+  QString legend;     ///< its line there
+  QRectF legendRect;  ///< around that
 };
 
 /// The measurement in a view of this plane (device pixels); without lines where nothing is to be seen of it.
@@ -34,8 +37,16 @@ struct DrawnMeasurement {
 DrawnMeasurement drawnMeasurement(const Measurement& measurement, const SlicePlane& plane,
                                   const VoxelGeometry& geometry, double pixelRatio, bool selected);
 
+/// Where a view is small and several have a text: gives each a letter and a line in a legend, at an edge of
+/// `area` where nothing is `taken`; which depends on nothing else. Where there is no room they keep their
+/// texts.
+void placeLegend(std::vector<DrawnMeasurement>& drawn, const QRectF& area, const std::vector<QRectF>& taken,
+                 const QFontMetricsF& metrics);
+inline constexpr double smallView = 280;  ///< logical pixels of its shorter side
+
 /// Gives every text its place inside `area`: where the user put it, else beside its shape, touching neither
-/// any shape nor `taken` nor another text, where there is such a place.
+/// any shape nor `taken` nor another text, where there is such a place; else it may lie over others' shapes,
+/// and only where the area is full over other texts. The same shapes and texts have the same places.
 void placeTexts(std::vector<DrawnMeasurement>& drawn, const QRectF& area, const std::vector<QRectF>& taken,
                 const QFontMetricsF& metrics);
 

@@ -99,10 +99,12 @@ void paintLeaders(QPainter& painter, const DrawnMeasurement& d) {
 }
 
 void paintText(QPainter& painter, const DrawnMeasurement& d) {
+  if (!d.legend.isEmpty())
+    paintReadable(painter, d.legendRect.topLeft() + QPointF(2, 0), d.legend, colourOf(d));
   if (d.textRect.isEmpty()) return;
   const QFontMetricsF metrics(painter.font());
   QPointF place = d.textRect.topLeft() + QPointF(2, 2);
-  for (const QString& line : d.text) {
+  for (const QString& line : d.letter.isEmpty() ? d.text : QStringList(d.letter)) {
     paintReadable(painter, place, line, colourOf(d));
     place.ry() += metrics.height();
   }

@@ -48,7 +48,9 @@ std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
   const PlacedOverlays placed = placeOverlays(overlays(), overlayArea(), font());
   std::vector<QRectF> taken{placed.scaleBar};
   for (const PlacedText& text : placed.texts) taken.push_back(text.rect);
-  placeTexts(drawn, overlayArea().adjusted(4, 4, -4, -4), taken, QFontMetricsF(font()));
+  const QRectF area = overlayArea().adjusted(4, 4, -4, -4);
+  placeLegend(drawn, area, taken, QFontMetricsF(font()));
+  placeTexts(drawn, area, taken, QFontMetricsF(font()));
   return drawn;
 }
 
@@ -79,8 +81,8 @@ void FlatView::endDrag(Qt::KeyboardModifiers keys) {
   update();
   if (!kept) return;
   const Measurement* made = findMeasurement(session_.workspace(), session_.workspace().selected);
-  if (made && made->shape.kind == ShapeKind::arrow) askForName(made->id);
-  if (!(keys & Qt::ShiftModifier)) Q_EMIT toolDone();
+  if (made && isToBeNamed(session_.workspace(), *made)) askForName(made->id);
+  if (!(keys & Qt::ShiftModifier) && !tool_->stays) Q_EMIT toolDone();
 }
 
 // A field where the text stands; what is typed becomes the name on Enter or when it is left.
@@ -106,6 +108,7 @@ void FlatView::askForName(int id) {
   });
   field->show();
   field->setFocus();
+  field->selectAll();
 }
 
 QString FlatView::measurementText(QPointF p) const {

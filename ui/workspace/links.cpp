@@ -182,6 +182,20 @@ std::optional<FrameRelation> relationOf(const Workspace& workspace, const std::s
   return {};
 }
 
+std::optional<SeriesOver> seriesOver(const Workspace& workspace, const SeriesKey& under) {
+  std::vector<ViewId> views = viewsOnScreen(workspace);
+  std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace.focus; });
+  for (const ViewId id : views) {
+    const ViewState& view = workspace.view(id);
+    const auto over = workspace.series.find(flatLookOf(view).overlay);
+    if (view.series != under || !showsSlices(view.kind) || over == workspace.series.end()) continue;
+    const auto relation = relationOf(workspace, frameOfReference(*seriesIn(workspace, id)),
+                                     frameOfReference(*over->second.series));
+    if (relation) return SeriesOver{over->first, relation->toFromFrom};
+  }
+  return {};
+}
+
 Workspace withLinksFollowed(const Workspace& before, Workspace after, const ViewSizes& sizes) {
   after = withPositionsFollowed(before, std::move(after));
   after = withLooksFollowed(before, std::move(after), sizes);

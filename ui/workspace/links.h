@@ -18,6 +18,17 @@ struct FrameRelation {
 std::optional<FrameRelation> relationOf(const Workspace& workspace, const std::string& from,
                                         const std::string& to);
 
+/// A series that lies over another one.
+struct SeriesOver {
+  SeriesKey series;
+  Rigid toFromUnder;  ///< from the patient space of the one under it
+  bool operator==(const SeriesOver&) const = default;
+};
+
+/// The series that a view of slices on screen shows over this one, that of the focus first; none: no view
+/// does, or their frames of reference are not linked.
+std::optional<SeriesOver> seriesOver(const Workspace& workspace, const SeriesKey& under);
+
 /// How large the pictures of views are, device pixels.
 using ViewSizes = std::map<ViewId, glm::ivec2>;
 

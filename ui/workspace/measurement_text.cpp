@@ -25,6 +25,11 @@ QString withUnit(double number, const std::string& unit) {
   return shortNumberText(number) + unitText(unit);
 }
 
+QString placeText(const ValuePeak& peak) {
+  const glm::dvec3 p = peak.centre;
+  return QStringLiteral("%1, %2, %3").arg(shortNumberText(p.x), shortNumberText(p.y), shortNumberText(p.z));
+}
+
 // Lengths and areas with the word that says what is true of their mm.
 QString extentText(const Measured& m) {
   const QString text = withUnit(m.number, m.unit);
@@ -32,12 +37,10 @@ QString extentText(const Measured& m) {
                                                   : text;
 }
 
-QString noneInside(const Measured& m) { return m.frame ? tr("no pixel inside") : tr("no voxel inside"); }
-
-QString countText(const Measured& m) {
-  const QString number = QLocale().toString(qlonglong(m.values->n));
-  if (m.values->n == 1) return m.frame ? tr("1 pixel") : tr("1 voxel");
-  return m.frame ? tr("%1 pixels").arg(number) : tr("%1 voxels").arg(number);
+QString countText(std::int64_t n, bool ofPixels) {
+  const QString number = QLocale().toString(qlonglong(n));
+  if (n == 1) return ofPixels ? tr("1 pixel") : tr("1 voxel");
+  return ofPixels ? tr("%1 pixels").arg(number) : tr("%1 voxels").arg(number);
 }
 
 // In a region of ultrasound that counts something else than cm: "0.502 s, 12 cm/s".
@@ -65,48 +68,51 @@ QStringList frameLines(const FrameReading& frame, QStringList lines) {
   return lines;
 }
 
+// "Mean 45.2, SD 3.05 HU".
+QString meanText(const ValueStatistics& values, const QString& unit) {
+  return tr("Mean %1, SD %2%3").arg(shortNumberText(values.mean), shortNumberText(values.sd), unit);
+}
+
+// "Min -5, max 99 HU"; of SUV by the names of the field: "SUVmax 8.1, SUVpeak 6.2, min 0.3 SUVbw".
+QString limitsText(const ValueStatistics& values, const std::optional<ValuePeak>& peak, const QString& unit) {
+  const QString least = shortNumberText(values.min), most = shortNumberText(values.max);
+  if (!peak) return tr("Min %1, max %2%3").arg(least, most, unit);
+  return tr("SUVmax %1, SUVpeak %2, min %3%4").arg(most, shortNumberText(peak->mean), least, unit);
+}
+
+// Of one of two series: two lines that begin with its name.
+QStringList linesOfSource(const std::string& source, const std::optional<ValueStatistics>& values,
+                          const std::optional<ValuePeak>& peak, const std::string& valueUnit) {
+  const QString name = shownText(source), unit = unitText(valueUnit);
+  if (!values) return {tr("%1: no voxel inside").arg(name)};
+  return {QStringLiteral("%1: %2").arg(name, meanText(*values, unit)),
+          QStringLiteral("%1, %2").arg(limitsText(*values, peak, unit), countText(values->n, false))};
+}
+
 QStringList regionLines(const Measured& m) {
   QStringList lines{tr("Area %1").arg(extentText(m))};
   if (m.frame && m.frame->colour) return lines;
-  if (!m.values) return lines << noneInside(m);
+  if (m.other)
+    return lines << linesOfSource(m.source, m.values, m.peak, m.valueUnit)
+                 << linesOfSource(m.other->source, m.other->values, m.other->peak, m.other->unit);
+  if (!m.values) return lines << noneInsideText(m);
   const QString unit = unitText(m.valueUnit);
-  lines << tr("Mean %1, SD %2%3").arg(shortNumberText(m.values->mean), shortNumberText(m.values->sd), unit);
-  lines << tr("Min %1, max %2%3").arg(shortNumberText(m.values->min), shortNumberText(m.values->max), unit);
-  return lines << countText(m);
+  return lines << meanText(*m.values, unit) << limitsText(*m.values, m.peak, unit)
+               << countText(m.values->n, m.frame.has_value());
 }
 
-// A field between quotation marks where it needs them.
-QString csvField(QString text) {
-  if (!text.contains(QLatin1Char(',')) && !text.contains(QLatin1Char('"')) &&
-      !text.contains(QLatin1Char('\n')))
-    return text;
-  return QLatin1Char('"') + text.replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
-}
-
-QString exact(double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); }
-
-// number, unit, +-, mean, SD, min, max, voxels, unit of the values, problem, calibration.
-QStringList csvNumbers(const Result<Measured>* measured) {
-  QStringList fields(11, QString());
-  if (!measured)
-    fields[9] = tr("not measured yet");
-  else if (!*measured)
-    fields[9] = QString::fromStdString(measured->message());
-  if (!measured || !*measured) return fields;
-  const Measured& m = **measured;
-  fields[0] = exact(m.number);
-  fields[1] = QString::fromStdString(m.unit);
-  if (m.plusMinus) fields[2] = exact(*m.plusMinus);
-  if (m.values) {
-    const double numbers[] = {m.values->mean, m.values->sd, m.values->min, m.values->max};
-    for (int n = 0; n < 4; ++n) fields[3 + n] = exact(numbers[n]);
-    fields[7] = QString::number(m.values->n);
-    fields[8] = QString::fromStdString(m.valueUnit);
-  }
-  if (m.unit.ends_with("^2") && !m.values && !(m.frame && m.frame->colour)) fields[9] = noneInside(m);
-  if (m.frame && m.frame->rgb) fields[0].clear();
-  if (m.frame) fields[10] = QString::fromStdString(m.frame->calibration);
-  return fields;
+// "23.4 \u00d7 12.1 mm (283.1 mm\u00b2)"; "Ratio 0.48", "Heart 130.2, thorax 271 mm".
+QStringList twoLinesText(ShapeKind kind, const Measured& m) {
+  const TwoLines& lines = *m.lines;
+  const QString first = shortNumberText(lines.first), second = withUnit(lines.second, lines.unit);
+  QString word;
+  if (m.frame && !m.frame->calibration.empty()) word = tr(" (%1)").arg(shownText(m.frame->calibration));
+  if (kind == ShapeKind::cardiothoracic)
+    return {tr("Ratio %1").arg(QString::number(m.number, 'f', 2)),
+            tr("Heart %1, thorax %2").arg(first, second) + word};
+  return {
+      tr("%1 \u00d7 %2 (%3)").arg(first, second, withUnit(lines.first * lines.second, lines.unit + "^2")) +
+      word};
 }
 
 }  // namespace
@@ -121,6 +127,10 @@ QString kindText(ShapeKind kind) {
       return tr("Angle");
     case ShapeKind::cobb:
       return tr("Cobb angle");
+    case ShapeKind::bidirectional:
+      return tr("Long and short axis");
+    case ShapeKind::cardiothoracic:
+      return tr("Cardiothoracic ratio");
     case ShapeKind::ellipse:
       return tr("Ellipse");
     case ShapeKind::rectangle:
@@ -131,6 +141,8 @@ QString kindText(ShapeKind kind) {
       return tr("Probe");
     case ShapeKind::arrow:
       return tr("Arrow");
+    case ShapeKind::label:
+      return tr("Label");
     case ShapeKind::volume:
       break;
   }
@@ -143,6 +155,8 @@ QString nameText(const Measurement& measurement) {
                         : name;
 }
 
+QString noneInsideText(const Measured& m) { return m.frame ? tr("no pixel inside") : tr("no voxel inside"); }
+
 QString shortNumberText(double number) {
   if (number == std::round(number) && std::abs(number) < 1e7) return QString::number(qlonglong(number));
   const double size = std::abs(number);
@@ -151,9 +165,10 @@ QString shortNumberText(double number) {
 }
 
 QStringList measuredLines(const Shape& shape, const Result<Measured>& measured) {
-  if (shape.kind == ShapeKind::arrow) return {};
+  if (ruleOf(shape.kind).numberless) return {};
   if (!measured) return {shownText(measured.message())};
   if (ruleOf(shape.kind).region) return regionLines(*measured);
+  if (measured->lines) return twoLinesText(shape.kind, *measured);
   QStringList lines{extentText(*measured)};
   if (measured->frame) lines = frameLines(*measured->frame, std::move(lines));
   if (measured->voxel && measured->voxel->padding) lines << tr("padding");
@@ -167,7 +182,7 @@ QString measuredText(const Shape& shape, const Result<Measured>& measured) {
 
 QString detailText(const Measurement& measurement, const Result<Measured>& measured, const Series& series) {
   QString text = nameText(measurement);
-  if (measured && measured->plusMinus)
+  if (measured && measured->plusMinus && !measured->lines)
     text += QStringLiteral(": %1 \u00b1 %2%3")
                 .arg(shortNumberText(measured->number), shortNumberText(*measured->plusMinus),
                      unitText(measured->unit)) +
@@ -181,11 +196,16 @@ QString detailText(const Measurement& measurement, const Result<Measured>& measu
                 .arg(measured->voxel->index.x)
                 .arg(measured->voxel->index.y)
                 .arg(measured->voxel->index.z);
-  if (measured && (measured->unit == "px" || measured->unit == "px^2")) text += tr(", not calibrated");
+  if (measured && measured->lines && measured->plusMinus)
+    text += tr(", long axis \u00b1 %1").arg(withUnit(*measured->plusMinus, measured->unit));
+  if (measured && measured->peak) text += tr(", SUVpeak of 1 ml at %1 mm").arg(placeText(*measured->peak));
+  const std::string unit = !measured ? "" : measured->lines ? measured->lines->unit : measured->unit;
+  if (unit == "px" || unit == "px^2") text += tr(", not calibrated");
   if (measured && (measured->values || measured->voxel)) text += unitNote(series);
-  return measurement.shape.kind == ShapeKind::arrow
-             ? text
-             : tr("%1, from %2").arg(text, sourceText(measurement, series));
+  if (ruleOf(measurement.shape.kind).numberless) return text;
+  QString source = sourceText(measurement, series);
+  if (measured && measured->other) source += tr(" and %1").arg(shownText(measured->other->source));
+  return tr("%1, from %2").arg(text, source);
 }
 
 QString sourceText(const Measurement& measurement, const Series& series) {
@@ -202,34 +222,6 @@ QString measurementsAsText(const std::vector<MeasuredRow>& rows) {
     if (!numbers.isEmpty()) text += QStringLiteral(": ") + numbers;
     if (row.series) text += QStringLiteral(" (%1)").arg(sourceText(row.measurement, *row.series));
     text += QLatin1Char('\n');
-  }
-  return text;
-}
-
-QString measurementsAsCsv(const std::vector<MeasuredRow>& rows) {
-  QString text = QStringLiteral(
-      "name,kind,number,unit,plus_minus,mean,sd,min,max,voxels,value_unit,problem,series,points_mm,"
-      "calibration,"
-      "frame_instance,frame_number,points_px\r\n");
-  for (const MeasuredRow& row : rows) {
-    const std::optional<ShapeFrame>& frame = row.measurement.shape.frame;
-    QStringList points;
-    for (const glm::dvec3 p : row.measurement.shape.points)
-      points << (frame ? QStringLiteral("%1 %2").arg(exact(p.x), exact(p.y))
-                       : QStringLiteral("%1 %2 %3").arg(exact(p.x), exact(p.y), exact(p.z)));
-    const QString places = points.join(QStringLiteral("; "));
-    QStringList fields{nameText(row.measurement), QLatin1String(ruleOf(row.measurement.shape.kind).name)};
-    fields += csvNumbers(row.measurement.shape.kind == ShapeKind::arrow ? nullptr : row.measured);
-    const QString calibration = fields.takeLast();
-    if (row.measurement.shape.kind == ShapeKind::arrow) fields.last().clear();
-    fields << (row.series ? seriesText(*row.series) : QString()) << (frame ? QString() : places)
-           << calibration;
-    if (frame)
-      fields << QString::fromStdString(frame->instance) << QString::number(frame->number) << places;
-    else
-      fields << QString() << QString() << QString();
-    for (QString& field : fields) field = csvField(field);
-    text += fields.join(QLatin1Char(',')) + QStringLiteral("\r\n");
   }
   return text;
 }

@@ -15,12 +15,16 @@ QString kindText(ShapeKind kind);
 /// The name, else what it is and its number: "Length 3".
 QString nameText(const Measurement& measurement);
 
+/// That a region holds nothing to take a mean of.
+QString noneInsideText(const Measured& measured);
+
 /// A number as people read it: three digits of what is small, one decimal of what is large, whole numbers as
 /// they are; never with an exponent.
 QString shortNumberText(double number);
 
 /// A measured number with its unit, and of regions what the voxels inside say, a line each: "23.4 mm";
-/// "Area 12.3 mm²", "Mean 45.2, SD 3.1 HU", "Min -5, max 99 HU", "123 voxels". Where there is no number, why.
+/// "Area 12.3 mm²", "Mean 45.2, SD 3.1 HU", "Min -5, max 99 HU", "123 voxels"; where a second series lies
+/// over the first, the values of each behind its name. Where there is no number, why.
 QStringList measuredLines(const Shape& shape, const Result<Measured>& measured);
 
 /// The same in one line, for lists.

@@ -33,6 +33,52 @@ void dragOutline(std::vector<glm::dvec3>& points, std::size_t at, std::size_t st
   }
 }
 
+// A vector without its part along a unit vector.
+glm::dvec3 acrossOf(glm::dvec3 way, glm::dvec3 along) { return way - along * glm::dot(way, along); }
+
+// The other end of a line goes along across it.
+void dragLevelLine(std::vector<glm::dvec3>& p, std::size_t handle, glm::dvec3 place) {
+  const std::size_t other = handle ^ 1u;
+  const glm::dvec3 line = p[other] - p[handle], way = place - p[handle];
+  if (glm::length(line) > 0) p[other] += acrossOf(way, glm::normalize(line));
+  p[handle] = place;
+}
+
+// The short axis keeps its length, its share of the long one, and its right angle to it.
+void dragLongAxis(std::vector<glm::dvec3>& p, std::size_t handle, glm::dvec3 place) {
+  const std::vector<glm::dvec3> was = p;
+  const glm::dvec3 fixed = p[handle ^ 1u], before = p[handle] - fixed, after = place - fixed;
+  if (glm::length(after) == 0) return;
+  p[handle] = place;
+  if (glm::length(before) == 0) return;
+  const glm::dvec3 u = glm::normalize(before), normal = glm::cross(before, was[3] - was[2]);
+  if (glm::length(normal) == 0) return;
+  const glm::dvec3 now = glm::normalize(after), across = glm::cross(glm::normalize(normal), u),
+                   acrossNow = glm::normalize(glm::cross(normal, now));
+  for (const std::size_t n : {2u, 3u}) {
+    const glm::dvec3 from = was[n] - fixed;
+    p[n] = fixed + after * (glm::dot(from, u) / glm::length(before)) + acrossNow * glm::dot(from, across);
+  }
+}
+
+// Its other end follows along the long axis alone.
+void dragShortAxis(std::vector<glm::dvec3>& p, std::size_t handle, glm::dvec3 place) {
+  const glm::dvec3 line = p[1] - p[0];
+  if (glm::length(line) == 0) return;
+  const glm::dvec3 along = glm::normalize(line);
+  p[handle ^ 1u] += along * glm::dot(place - p[handle], along);
+  p[handle] = place;
+}
+
+void dragTwoLines(Shape& shape, std::size_t handle, glm::dvec3 place, glm::dvec3 unit) {
+  for (glm::dvec3& p : shape.points) p *= unit;
+  const auto drag = shape.kind == ShapeKind::cardiothoracic ? dragLevelLine
+                    : handle < 2                            ? dragLongAxis
+                                                            : dragShortAxis;
+  drag(shape.points, handle, place * unit);
+  for (glm::dvec3& p : shape.points) p /= unit;
+}
+
 }  // namespace
 
 const Measurement* findMeasurement(const Workspace& workspace, int id) {
@@ -99,6 +145,14 @@ void editMeasurement(Session& session, int id, const QString& text,
       text + QString::number(id));
 }
 
+bool isToBeNamed(const Workspace& workspace, const Measurement& made) {
+  if (made.shape.kind != ShapeKind::label) return made.shape.kind == ShapeKind::arrow;
+  const auto isLabel = [&](const Measurement& m) {
+    return m.shape.kind == ShapeKind::label && m.series == made.series;
+  };
+  return made.shape.name.empty() || std::ranges::count_if(workspace.measurements, isLabel) == 1;
+}
+
 void renameMeasurement(Session& session, int id, const QString& name) {
   session.endGesture();
   editMeasurement(session, id, tr("Rename measurement"),
@@ -143,7 +197,7 @@ std::vector<glm::dvec3> handlesOf(const Shape& shape) {
   return handles;
 }
 
-Shape withHandleAt(Shape shape, std::size_t handle, glm::dvec3 place) {
+Shape withHandleAt(Shape shape, std::size_t handle, glm::dvec3 place, glm::dvec3 unit) {
   const std::vector<glm::dvec3> handles = handlesOf(shape);
   if (handle >= handles.size()) return shape;
   if (shape.plane) place = footOn(*shape.plane, place);
@@ -151,6 +205,8 @@ Shape withHandleAt(Shape shape, std::size_t handle, glm::dvec3 place) {
     shape.points = {handles[(handle + 2) % 4], place};
   else if (shape.kind == ShapeKind::freehand)
     dragOutline(shape.points, handle * strideOf(shape), strideOf(shape), place - handles[handle]);
+  else if (shape.kind == ShapeKind::bidirectional || shape.kind == ShapeKind::cardiothoracic)
+    dragTwoLines(shape, handle, place, unit);
   else
     shape.points[handle] = place;
   return shape;

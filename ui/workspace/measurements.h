@@ -35,6 +35,10 @@ void addMeasurements(Session& session, const SeriesKey& series, std::span<const 
 void editMeasurement(Session& session, int id, const QString& text,
                      const std::function<void(Measurement&)>& change);
 
+/// Whether one that was just made is to be given its text: an arrow, the first label of a series, what has no
+/// name to follow another's.
+bool isToBeNamed(const Workspace& workspace, const Measurement& made);
+
 void renameMeasurement(Session& session, int id, const QString& name);
 void deleteMeasurement(Session& session, int id);
 void deleteAllMeasurements(Session& session);
@@ -49,7 +53,9 @@ std::vector<glm::dvec3> handlesOf(const Shape& shape);
 
 /// The shape with a handle moved to a place (its foot on the plane, where it has one). A corner takes its
 /// neighbours along, so that the box stays one; a point of a freehand outline those up to the next handles,
-/// the less the further they are.
-Shape withHandleAt(Shape shape, std::size_t handle, glm::dvec3 place);
+/// the less the further they are. Axes stay at right angles: the short one turns with the long one, and moves
+/// along it as a whole; the widths of a chest keep their direction. `unit`: how long steps of the points'
+/// coordinates are, of frames the size of a pixel.
+Shape withHandleAt(Shape shape, std::size_t handle, glm::dvec3 place, glm::dvec3 unit = glm::dvec3(1));
 
 }  // namespace volumen

@@ -2,7 +2,9 @@
 
 #include <QStringList>
 #include <algorithm>
+#include <charconv>
 #include <iterator>
+#include <optional>
 #include <set>
 
 #include "ui/workspace/series_text.h"
@@ -40,6 +42,32 @@ bool tellsAll(const Steps& steps, Named by) {
 const Named* firstVarying(const Steps& steps) {
   const auto found = std::ranges::find_if(namedBy, [&](Named a) { return varies(steps, a); });
   return found == std::end(namedBy) ? nullptr : found;
+}
+
+// Of what starts like a number.
+std::optional<double> numberOf(const std::string& text) {
+  double number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  return read.ec == std::errc() ? std::optional(number) : std::nullopt;
+}
+
+// Seconds of the day of "HHMMSS.FFFFFF".
+std::optional<double> secondsOf(const std::string& time) {
+  if (time.size() < 6 ||
+      !std::all_of(time.begin(), time.begin() + 6, [](char c) { return c >= '0' && c <= '9'; }))
+    return {};
+  return 3600 * *numberOf(time.substr(0, 2)) + 60 * *numberOf(time.substr(2, 2)) + *numberOf(time.substr(4));
+}
+
+// None: not given for all, or not rising.
+std::optional<std::vector<double>> risingNumbers(const Steps& steps, Named by) {
+  std::vector<double> numbers;
+  for (const Series* step : steps) {
+    const auto number = by == &Series::time ? secondsOf(step->time) : numberOf(step->*by);
+    if (!number || (!numbers.empty() && *number <= numbers.back())) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
 bool allAreCalled(const Steps& steps, const char* noun) {
@@ -106,6 +134,19 @@ QString timeAxisText(const std::vector<const Series*>& steps) {
   const QString all = values.join(QStringLiteral(", "));
   if (*varying == &Series::bValue) return tr("b = %1").arg(all);
   return *varying == &Series::echoTime ? tr("echo times %1 ms").arg(all) : tr("time points %1").arg(all);
+}
+
+StepAxis stepAxisOf(const std::vector<const Series*>& steps) {
+  if (const auto b = risingNumbers(steps, &Series::bValue)) return {tr("b (s/mm\u00b2)"), *b};
+  if (const auto echo = risingNumbers(steps, &Series::echoTime)) return {tr("Echo time (ms)"), *echo};
+  if (auto time = risingNumbers(steps, &Series::time)) {
+    const double first = time->empty() ? 0 : time->front();
+    for (double& seconds : *time) seconds -= first;
+    return {tr("Time (s)"), *time};
+  }
+  StepAxis numbers{tr("Volume"), {}};
+  for (std::size_t n = 1; n <= steps.size(); ++n) numbers.at.push_back(double(n));
+  return numbers;
 }
 
 }  // namespace volumen

@@ -19,4 +19,12 @@ QString timePointText(const Workspace& workspace, const SeriesKey& series);
 /// All of them: "b = 0, 50, 800"; empty where there is one, or nothing is given that varies.
 QString timeAxisText(const std::vector<const Series*>& steps);
 
+/// Where each of the steps stands along what varies: "b (s/mm²)", "Echo time (ms)", "Time (s)" since the
+/// first acquisition; where that is not given for all, or not in order, their numbers from 1: "Volume".
+struct StepAxis {
+  QString title;
+  std::vector<double> at;
+};
+StepAxis stepAxisOf(const std::vector<const Series*>& steps);
+
 }  // namespace volumen

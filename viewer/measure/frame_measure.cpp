@@ -7,6 +7,7 @@
 
 #include "viewer/measure/lengths.h"
 #include "viewer/measure/outline.h"
+#include "viewer/measure/two_lines.h"
 
 namespace volumen {
 
@@ -89,11 +90,16 @@ Measured numberOf(double number, const char* unit) {
   return measured;
 }
 
-Measured lengthOn(const Shape& shape, const Scale& scale) {
+// Of pixels of this size.
+VoxelGeometry gridOf(const Scale& scale) {
   VoxelGeometry geometry;
   const double least = std::min(scale.size.x, scale.size.y);
   geometry.patientFromVoxelStep = {{scale.size.x, 0, 0}, {0, scale.size.y, 0}, {0, 0, least}};
-  const Length length = lengthOf(scaled(shape, scale.size).points, geometry);
+  return geometry;
+}
+
+Measured lengthOn(const Shape& shape, const Scale& scale) {
+  const Length length = lengthOf(scaled(shape, scale.size).points, gridOf(scale));
   Measured measured = numberOf(length.mm, scale.mm ? "mm" : "px");
   measured.plusMinus = length.plusMinus;
   return measured;
@@ -152,6 +158,14 @@ Result<Measured> angleOn(const Shape& shape, const Scale& scale, const FramePixe
   return numberOf(*angle, "degrees");
 }
 
+// At right angles is what is seen so.
+Result<Measured> twoLinesOn(const Shape& shape, const Scale& scale, const FramePixels& frame) {
+  if (shape.kind == ShapeKind::bidirectional)
+    if (const Status right = checkRightAngle(scaled(shape, frame.pixel.mm).points); !right)
+      return right.error();
+  return measureTwoLines(scaled(shape, scale.size), gridOf(scale), scale.mm ? "mm" : "px");
+}
+
 Result<Measured> measureByKind(const Shape& shape, const Scale& scale, const FramePixels& frame,
                                const std::string& valueUnit) {
   switch (shape.kind) {
@@ -161,12 +175,17 @@ Result<Measured> measureByKind(const Shape& shape, const Scale& scale, const Fra
     case ShapeKind::angle:
     case ShapeKind::cobb:
       return angleOn(shape, scale, frame);
+    case ShapeKind::bidirectional:
+    case ShapeKind::cardiothoracic:
+      return twoLinesOn(shape, scale, frame);
     case ShapeKind::ellipse:
     case ShapeKind::rectangle:
     case ShapeKind::freehand:
       return regionOn(shape, scale, frame);
     case ShapeKind::probe:
       return probeOn(shape, frame, valueUnit);
+    case ShapeKind::label:
+      return Error{"A label has no number."};
     default:
       return Error{"An arrow has no number."};
   }
@@ -183,7 +202,8 @@ Result<Measured> measureOnFrame(const Shape& shape, const FramePixels& frame, co
   if (!measured->frame) measured->frame.emplace();
   FrameReading& said = *measured->frame;
   said.colour = frame.colour();
-  if (measured->unit == "mm" || measured->unit == "mm^2") said.calibration = scale.word;
+  const std::string& unit = measured->lines ? measured->lines->unit : measured->unit;
+  if (unit == "mm" || unit == "mm^2") said.calibration = scale.word;
   if (region && !isLength(*region)) {
     said.across = readingOn(shape, *region, 0);
     said.down = readingOn(shape, *region, 1);

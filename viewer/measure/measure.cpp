@@ -7,6 +7,7 @@
 
 #include "viewer/measure/lengths.h"
 #include "viewer/measure/outline.h"
+#include "viewer/measure/two_lines.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {
@@ -36,7 +37,8 @@ Result<Measured> measureAngle(const Shape& shape) {
   return measured;
 }
 
-Result<Measured> measureRegion(const Shape& shape, const Volume& volume) {
+Result<Measured> measureRegion(const Shape& shape, const Volume& volume, const std::string& valueUnit,
+                               const CancelToken& cancel) {
   const ShapePlane& plane = *shape.plane;
   const double half = wheelStep(volume.geometry(), plane.normal()) / 2;
   for (std::size_t n = 0; n < shape.points.size(); ++n)
@@ -46,6 +48,7 @@ Result<Measured> measureRegion(const Shape& shape, const Volume& volume) {
   measured.number = areaOf(outlineOf(shape));
   measured.unit = inGridUnit(volume.geometry(), "mm^2", "px^2");
   measured.values = regionValues(shape, volume);
+  if (isSuv(valueUnit)) measured.peak = regionPeak(shape, volume, cancel);
   return measured;
 }
 
@@ -88,14 +91,21 @@ Result<Measured> measureByKind(const Shape& shape, const Volume& volume, const s
     case ShapeKind::angle:
     case ShapeKind::cobb:
       return measureAngle(shape);
+    case ShapeKind::bidirectional:
+      if (const Status right = checkRightAngle(shape.points); !right) return right.error();
+      return measureTwoLines(shape, volume.geometry(), inGridUnit(volume.geometry(), "mm", "px"));
+    case ShapeKind::cardiothoracic:
+      return measureTwoLines(shape, volume.geometry(), inGridUnit(volume.geometry(), "mm", "px"));
     case ShapeKind::ellipse:
     case ShapeKind::rectangle:
     case ShapeKind::freehand:
-      return measureRegion(shape, volume);
+      return measureRegion(shape, volume, valueUnit, cancel);
     case ShapeKind::probe:
       return measureProbe(shape, volume, valueUnit);
     case ShapeKind::arrow:
       return Error{"An arrow has no number."};
+    case ShapeKind::label:
+      return Error{"A label has no number."};
     case ShapeKind::volume:
       break;
   }
@@ -111,6 +121,21 @@ Result<Measured> measure(const Shape& shape, const Volume& volume, const std::st
   Result<Measured> measured = measureByKind(shape, volume, valueUnit, cancel);
   if (measured) measured->valueUnit = valueUnit;
   return measured;
+}
+
+bool isSuv(const std::string& valueUnit) { return valueUnit.starts_with("SUV"); }
+
+void addOther(Measured& measured, const Shape& shape, const Volume& other, const Rigid& toOther,
+              const std::string& valueUnit, const CancelToken& cancel) {
+  if (!ruleOf(shape.kind).region) return;
+  Shape there = shape;
+  for (glm::dvec3& p : there.points) p = toOther(p);
+  there.plane = ShapePlane{toOther(shape.plane->centre), toOther.rotation * shape.plane->right,
+                           toOther.rotation * shape.plane->down};
+  OtherValues& values = measured.other.emplace();
+  values.unit = valueUnit;
+  values.values = regionValues(there, other);
+  if (isSuv(valueUnit)) values.peak = regionPeak(there, other, cancel);
 }
 
 }  // namespace volumen

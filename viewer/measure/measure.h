@@ -3,10 +3,12 @@
 #include <optional>
 #include <string>
 
+#include "viewer/measure/peak.h"
 #include "viewer/measure/range_volume.h"
 #include "viewer/measure/region.h"
 #include "viewer/measure/shape.h"
 #include "viewer/volume/cancel.h"
+#include "viewer/volume/rigid.h"
 
 namespace volumen {
 
@@ -32,13 +34,32 @@ struct FrameReading {
                                             ///< lies, of lengths from end to end, never below 0
 };
 
+/// How long the two lines of a shape are (ShapeRule::twoLines).
+struct TwoLines {
+  double first = 0, second = 0;
+  std::string unit;  ///< "mm", "px"
+};
+
+/// What another series says in a region.
+struct OtherValues {
+  std::string source;  ///< what names it
+  std::string unit;    ///< of its values
+  std::optional<ValueStatistics> values;
+  std::optional<ValuePeak> peak;  ///< as Measured::peak
+};
+
 /// What a shape measures (slices.md 4).
 struct Measured {
-  double number = 0;  ///< length, angle, area, the probe's value (of colours none), the voxels' volume
+  double number = 0;  ///< length, the long axis, angle, ratio, area, the probe's value (of colours none), the
+                      ///< voxels' volume
   std::string unit;   ///< "mm", "degrees", "mm^2", "ml", the probe's own; where the grid is not calibrated
                       ///< "px", "px^2" and "voxels" stand for what has mm in it; empty: none
   std::optional<double> plusMinus;        ///< of lengths, in their unit
+  std::optional<TwoLines> lines;          ///< of axes and ratios
   std::optional<ValueStatistics> values;  ///< of regions; none: no voxel inside
+  std::optional<ValuePeak> peak;          ///< of regions in volumes of SUV: SUVpeak
+  std::string source;                     ///< what names the series of `values` where there is `other`
+  std::optional<OtherValues> other;       ///< of regions over fused slices (addOther())
   std::optional<ProbedVoxel> voxel;       ///< of probes
   std::optional<RangeVolume> segment;     ///< of volumes, in voxels
   std::optional<double> drawn;            ///< of volumes: as drawn, in `unit`
@@ -49,8 +70,17 @@ struct Measured {
 /// Measures one shape on the voxels of a volume; `valueUnit` is that of its values (Series::unit). An Error
 /// where checkShape() refuses it, a region's point lies further off its plane than half a voxel along the
 /// normal, an arm of an angle has no length, an arrow is asked for its
-/// number, a probe lies outside the volume's box, the shape is a frame's, or `cancel` was asked to.
+/// number, the axes are more than 1 degree off a right angle, the thorax has no width, a probe lies outside
+/// the volume's box, the shape is a frame's, or `cancel` was asked to.
 Result<Measured> measure(const Shape& shape, const Volume& volume, const std::string& valueUnit,
                          const CancelToken& cancel = {});
+
+/// Whether values in this unit are SUV: their regions have a SUVpeak.
+bool isSuv(const std::string& valueUnit);
+
+/// Adds what a second volume says in the region that was measured; nothing to what is no region. `toOther`
+/// leads from the patient space of the shape to that of the volume.
+void addOther(Measured& measured, const Shape& shape, const Volume& other, const Rigid& toOther,
+              const std::string& valueUnit, const CancelToken& cancel = {});
 
 }  // namespace volumen

@@ -77,7 +77,8 @@ class Sums {
 
 }  // namespace
 
-std::optional<ValueStatistics> regionValues(const Shape& region, const Volume& volume) {
+void forEachVoxelOf(const Shape& region, const Volume& volume,
+                    const std::function<void(glm::ivec3 voxel, double value)>& visit) {
   const VoxelGeometry& geometry = volume.geometry();
   const ShapePlane& plane = *region.plane;
   const Outline outline = outlineOf(region);
@@ -86,7 +87,6 @@ std::optional<ValueStatistics> regionValues(const Shape& region, const Volume& v
   const double step = glm::dot(normal, geometry.patientFromVoxelStep[along]);
   const Reach reach = reachOf(outline, plane, std::abs(step), geometry);
   const std::optional<ValueRange>& padding = volume.attributes().padding;
-  Sums sums;
   glm::ivec3 x;
   for (x[v] = reach.first[v]; x[v] <= reach.last[v]; ++x[v])
     for (x[u] = reach.first[u]; x[u] <= reach.last[u]; ++x[u]) {
@@ -97,8 +97,13 @@ std::optional<ValueStatistics> regionValues(const Shape& region, const Volume& v
       x[along] = int(nearest);
       if (!contains(outline, onPlane(plane, geometry.patientFromVoxel(dvec3(x))))) continue;
       const double value = double(volume.value(x.x, x.y, x.z));
-      if (!padding || value < padding->low || value > padding->high) sums.add(value);
+      if (!padding || value < padding->low || value > padding->high) visit(x, value);
     }
+}
+
+std::optional<ValueStatistics> regionValues(const Shape& region, const Volume& volume) {
+  Sums sums;
+  forEachVoxelOf(region, volume, [&](glm::ivec3, double value) { sums.add(value); });
   return sums.statistics();
 }
 

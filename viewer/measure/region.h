@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "viewer/measure/shape.h"
@@ -15,11 +16,15 @@ struct ValueStatistics {
   double min = 0, max = 0;
 };
 
-/// The voxels of a region (slices.md 4): their centres' feet lie inside its outline (contains()), and they
-/// lie within half a voxel along the plane's normal: of each column of voxels along the axis closest to the
-/// normal exactly one, the centre within -1/2 <= q < 1/2 steps of that axis. A centre within 1e-6 step of
-/// the limit counts as on it, so that rounding never leaves a plane halfway between slices without voxels.
-/// Padding is left out. None: no voxel inside.
+/// Calls visit(index, value in real units) with each voxel of a region (slices.md 4): their centres' feet lie
+/// inside its outline (contains()), and they lie within half a voxel along the plane's normal: of each column
+/// of voxels along the axis closest to the normal exactly one, the centre within -1/2 <= q < 1/2 steps of
+/// that axis. A centre within 1e-6 step of the limit counts as on it, so that rounding never leaves a plane
+/// halfway between slices without voxels. Padding is left out.
+void forEachVoxelOf(const Shape& region, const Volume& volume,
+                    const std::function<void(glm::ivec3 voxel, double value)>& visit);
+
+/// Of all of them. None: no voxel inside.
 std::optional<ValueStatistics> regionValues(const Shape& region, const Volume& volume);
 
 }  // namespace volumen

@@ -7,4 +7,7 @@ namespace volumen {
 /// The same of values that are `factor` times as large: what probes and regions say of them.
 Result<Measured> scaled(Result<Measured> measured, double factor);
 
+/// Likewise what Measured::other says.
+void scaleOther(Measured& measured, double factor);
+
 }  // namespace volumen

@@ -10,8 +10,22 @@
 
 namespace volumen {
 
-/// The tools of slices.md 4, and an arrow, which points at something and has no number.
-enum class ShapeKind { length, polyline, angle, cobb, ellipse, rectangle, freehand, probe, arrow, volume };
+/// The tools of slices.md 4, and what points at something and has no number: arrows and labels.
+enum class ShapeKind {
+  length,
+  polyline,
+  angle,
+  cobb,
+  bidirectional,   ///< the longest diameter and the longest one at right angles to it (RECIST 1.1, WHO)
+  cardiothoracic,  ///< the widths of heart and thorax (Danzer, Am J Med Sci 1919; 157: 513)
+  ellipse,
+  rectangle,
+  freehand,
+  probe,
+  arrow,
+  label,
+  volume
+};
 
 /// The plane that a shape is drawn on. Patient space.
 struct ShapePlane {
@@ -48,6 +62,8 @@ struct ShapeRule {
   std::size_t fewest, most;  ///< points
   const char* points;        ///< what they are, in words
   bool region;               ///< an area on a plane
+  bool twoLines = false;     ///< the first two points are the ends of one, the others of the other
+  bool numberless = false;   ///< it points at something, and says its name
 };
 
 /// All kinds.

@@ -46,7 +46,7 @@ std::optional<std::vector<dvec3>> clipped(dvec3 a, dvec3 b, const Layer& layer) 
 // The lines that a shape without an inside is made of; of one that is still being drawn as far as it goes.
 std::vector<std::vector<dvec3>> linesOf(const Shape& shape) {
   const auto& p = shape.points;
-  if (shape.kind == ShapeKind::cobb && p.size() > 2) return {{p[0], p[1]}, {p.begin() + 2, p.end()}};
+  if (ruleOf(shape.kind).twoLines && p.size() > 2) return {{p[0], p[1]}, {p.begin() + 2, p.end()}};
   return {p};
 }
 

@@ -84,6 +84,43 @@ ordered_json rangeToJson(const ValueRange& range) {
   return {end(range.low), end(range.high)};
 }
 
+// SUVpeak, and where its ball lies.
+void addPeak(ordered_json& out, const std::optional<ValuePeak>& peak) {
+  if (peak) out["suvPeak"] = {{"mean", peak->mean}, {"centre", numbers(peak->centre)}, {"ml", 1}};
+}
+
+void addStatistics(ordered_json& out, const ValueStatistics& values, const std::string& unit) {
+  out["mean"] = values.mean;
+  out["sd"] = values.sd;
+  out["min"] = values.min;
+  out["max"] = values.max;
+  out["valueUnit"] = unitText(unit);
+}
+
+void addOther(ordered_json& out, const OtherValues& other) {
+  ordered_json& o = out["other"];
+  o["series"] = other.source;
+  o["voxels"] = other.values ? other.values->n : 0;
+  if (!other.values) {
+    o["problem"] = "no voxel inside";
+    return;
+  }
+  addStatistics(o, *other.values, other.unit);
+  addPeak(o, other.peak);
+}
+
+void addTwoLines(ordered_json& out, ShapeKind kind, const TwoLines& lines) {
+  if (kind == ShapeKind::cardiothoracic) {
+    out["heart"] = lines.first;
+    out["thorax"] = lines.second;
+    out["lengthUnit"] = lines.unit;
+    return;
+  }
+  out["short"] = lines.second;
+  out["product"] = lines.first * lines.second;
+  out["productUnit"] = lines.unit + "^2";
+}
+
 void addRegion(ordered_json& out, const Measured& m) {
   if (m.frame && m.frame->colour) return;
   out[m.frame ? "pixels" : "voxels"] = m.values ? m.values->n : 0;
@@ -91,15 +128,13 @@ void addRegion(ordered_json& out, const Measured& m) {
     out["problem"] = "no pixel inside";
     return;
   }
-  if (!m.values) {
+  if (m.values) {
+    addStatistics(out, *m.values, m.valueUnit);
+    addPeak(out, m.peak);
+  } else {
     out["problem"] = "no voxel inside";
-    return;
   }
-  out["mean"] = m.values->mean;
-  out["sd"] = m.values->sd;
-  out["min"] = m.values->min;
-  out["max"] = m.values->max;
-  out["valueUnit"] = unitText(m.valueUnit);
+  if (m.other) addOther(out, *m.other);
 }
 
 void addProbe(ordered_json& out, const Shape& shape, const Measured& m) {
@@ -208,6 +243,7 @@ ordered_json measuredToJson(const Shape& shape, const Result<Measured>& measured
   out["unit"] = unitText(measured->unit);
   if (measured->frame) addFrame(out, *measured->frame);
   if (measured->plusMinus) out["plusMinus"] = *measured->plusMinus;
+  if (measured->lines) addTwoLines(out, shape.kind, *measured->lines);
   if (ruleOf(shape.kind).region) addRegion(out, *measured);
   if (measured->voxel) addProbe(out, shape, *measured);
   if (measured->segment) addVolume(out, shape, *measured);

@@ -72,6 +72,16 @@ void TestMeasureCommand::numbersOfEveryKind_data() {
       R"({"number": 135, "unit": "degrees"})");
   row("Cobb", R"({"kind": "cobb", "points": [[2, 0, 0], [0, 0, 0], [5, 5, 0], [8, 8, 0]]})",
       R"({"number": 45, "unit": "degrees"})");
+  row("axes", R"({"kind": "bidirectional", "points": [[0, 0, 0], [8, 0, 0], [3, -1, 0], [3, 2, 0]]})",
+      R"({"number": 8, "unit": "mm", "short": 3, "product": 24, "productUnit": "mm^2"})");
+  row("axes that are none",
+      R"({"kind": "bidirectional", "points": [[0, 0, 0], [8, 0, 0], [3, 0, 0], [5, 2, 0]]})",
+      R"({"problem": "The short axis must be at right angles to the long one."})");
+  row("cardiothoracic ratio",
+      R"({"kind": "cardiothoracic", "points": [[0, 0, 0], [6, 0, 0], [-3, 2, 0], [9, 2, 0]]})",
+      R"({"number": 0.5, "unit": null, "heart": 6, "thorax": 12, "lengthUnit": "mm"})");
+  row("label", R"({"kind": "label", "name": "T4", "points": [[0, 0, 0]]})",
+      R"({"name": "T4", "problem": "A label has no number."})");
   row("rectangle", QByteArray(R"({"kind": "rectangle", "points": [[-2, -2, 0.5], [2, 1, 0.5]], )") + onZero,
       R"({"number": 12, "unit": "mm^2", "voxels": 12, "mean": 7.5, "sd": 1.118033988749895, "min": 6, "max": 9,
           "valueUnit": null})");
@@ -171,6 +181,7 @@ void TestMeasureCommand::petIsSuv() {
   };
   for (const char* key : {"mean", "min", "max"}) QVERIFY2(near(all[0][QLatin1String(key)], mean), key);
   QCOMPARE(all[0][QStringLiteral("unit")].toString(), QStringLiteral("mm^2"));
+  QCOMPARE(all[0].toObject().contains(QStringLiteral("suvPeak")), unit.startsWith(QStringLiteral("SUV")));
   QCOMPARE(all[0][QStringLiteral("valueUnit")].toString(), unit);
   QVERIFY(near(all[1][QStringLiteral("number")], mean));
   QCOMPARE(all[1][QStringLiteral("unit")].toString(), unit);

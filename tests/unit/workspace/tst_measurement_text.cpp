@@ -23,6 +23,22 @@ Measured regionOf(double area, std::optional<ValueStatistics> values) {
   return m;
 }
 
+Measured linesOf(double number, const char* unit, TwoLines lines) {
+  Measured m = numberOf(number, unit);
+  m.lines = std::move(lines);
+  if (m.unit == m.lines->unit) m.plusMinus = 0.6;
+  return m;
+}
+
+// Of a PET over its CT.
+Measured fusedRegion() {
+  Measured m = regionOf(78.54, ValueStatistics{1200, 45.24, 3.05, -5, 99});
+  m.source = "CT Chest";
+  m.other =
+      OtherValues{"PT WB", "SUVbw", ValueStatistics{30, 5.25, 1.1234, 0.5, 8}, ValuePeak{6.1234, {1, 2, 3}}};
+  return m;
+}
+
 Shape shapeOf(ShapeKind kind, std::vector<glm::dvec3> points = {{0, 0, 0}}) {
   Shape shape{kind, "", std::move(points), {}, {}, {}};
   if (ruleOf(kind).region) shape.plane = ShapePlane{};
@@ -41,6 +57,7 @@ class TestMeasurementText : public QObject {
   void hoverSaysHowSure();
   void asText();
   void asCsv();
+  void asCsvOfTwoSeriesAndTwoLines();
   void handlesKeepBoxes();
 };
 
@@ -88,6 +105,30 @@ void TestMeasurementText::linesSayNumbersWithUnits_data() {
   row("one voxel", ellipse, regionOf(1, ValueStatistics{1, 7, 0, 7, 7}),
       "Area 1 mm\u00b2|Mean 7, SD 0 HU|Min 7, max 7 HU|1 voxel");
   row("no voxel", rectangle, regionOf(0.04, {}), "Area 0.0400 mm\u00b2|no voxel inside");
+  Measured suv = regionOf(78.54, ValueStatistics{30, 5.25, 1.1234, 0.5, 8});
+  suv.valueUnit = "SUVbw";
+  suv.peak = ValuePeak{6.1234, {1, 2, 3}};
+  row("region of SUV", ellipse, suv,
+      "Area 78.5 mm\u00b2|Mean 5.25, SD 1.12 SUVbw|SUVmax 8, SUVpeak 6.12, min 0.500 SUVbw|30 voxels");
+  row("two series", ellipse, fusedRegion(),
+      "Area 78.5 mm\u00b2|CT Chest: Mean 45.2, SD 3.05 HU|Min -5, max 99 HU, 1,200 voxels|"
+      "PT WB: Mean 5.25, SD 1.12 SUVbw|SUVmax 8, SUVpeak 6.12, min 0.500 SUVbw, 30 voxels");
+  Measured beside = fusedRegion();
+  beside.other = OtherValues{"PT WB", "SUVbw", {}, {}};
+  row("the second series lies elsewhere", ellipse, beside,
+      "Area 78.5 mm\u00b2|CT Chest: Mean 45.2, SD 3.05 HU|Min -5, max 99 HU, 1,200 voxels|PT WB: no voxel "
+      "inside");
+  row("axes", bidirectional, linesOf(23.44, "mm", {23.44, 12.1, "mm"}),
+      "23.4 \u00d7 12.1 mm (283.6 mm\u00b2)");
+  row("axes in pixels", bidirectional, linesOf(23.44, "px", {23.44, 10, "px"}),
+      "23.4 \u00d7 10 px (234.4 px\u00b2)");
+  row("ratio", cardiothoracic, linesOf(0.484, "", {130.2, 269, "mm"}),
+      "Ratio 0.48|Heart 130.2, thorax 269 mm");
+  Measured atDetector = linesOf(0.484, "", {130.2, 269, "mm"});
+  atDetector.frame = FrameReading{"at detector", false, {}, {}, {}};
+  row("ratio of a radiograph", cardiothoracic, atDetector,
+      "Ratio 0.48|Heart 130.2, thorax 269 mm (at detector)");
+  row("label", label, Error{"A label has no number."}, "");
   row("no number", angle, Error{"There is no angle."}, "There is no angle.");
   row("arrow", arrow, Error{"An arrow has no number."}, "");
 }
@@ -111,6 +152,13 @@ void TestMeasurementText::hoverSaysHowSure() {
            QStringLiteral("Length 4: 23.4 \u00b1 0.610 px, not calibrated, from CT Chest"));
   Measured probed = numberOf(45, "HU");
   probed.voxel = ProbedVoxel{{1, 2, 3}, {}, false};
+  const Measurement axes{6, {}, shapeOf(ShapeKind::bidirectional), {}};
+  QCOMPARE(
+      detailText(axes, linesOf(23.44, "px", {23.44, 10, "px"}), series),
+      QStringLiteral("Long and short axis 6: 23.4 \u00d7 10 px (234.4 px\u00b2), long axis \u00b1 0.600 px, "
+                     "not calibrated, from CT Chest"));
+  const Measurement ellipse{7, {}, shapeOf(ShapeKind::ellipse), {}};
+  QVERIFY(detailText(ellipse, fusedRegion(), series).endsWith(QStringLiteral(", from CT Chest and PT WB")));
   const Measurement probe{5, {}, shapeOf(ShapeKind::probe), {}};
   QCOMPARE(detailText(probe, probed, series), QStringLiteral("Probe 5: 45 HU, voxel 1, 2, 3, from CT Chest"));
 }
@@ -143,15 +191,46 @@ void TestMeasurementText::asCsv() {
                                                {region, nullptr, nullptr},
                                                {arrow, nullptr, &series}})
                                 .split(QStringLiteral("\r\n"));
+  const QString none14(14, QLatin1Char(','));
   QCOMPARE(lines.size(), 7);
-  QCOMPARE(lines[0].count(QLatin1Char(',')), 17);
+  QCOMPARE(lines[0].count(QLatin1Char(',')), 31);
   QCOMPARE(lines[1],
            QStringLiteral(
-               "\"a \"\"big\"\", one\",length,0.3333333333333333,mm,0.5,,,,,,,,CT,0.1 -2 3; 4 5 6,,,,"));
-  QCOMPARE(lines[2], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,1.5,0.5,1,2,3,HU,,CT,0 0 0,,,,"));
-  QCOMPARE(lines[3], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,,,,,,,no voxel inside,CT,0 0 0,,,,"));
-  QCOMPARE(lines[4], QStringLiteral("Ellipse 2,ellipse,,,,,,,,,,not measured yet,,0 0 0,,,,"));
-  QCOMPARE(lines[5], QStringLiteral("Arrow 3,arrow,,,,,,,,,,,CT,0 0 0,,,,"));
+               "\"a \"\"big\"\", one\",length,0.3333333333333333,mm,0.5,,,,,,,,CT,0.1 -2 3; 4 5 6,,,,") +
+               none14);
+  QCOMPARE(lines[2], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,1.5,0.5,1,2,3,HU,,CT,0 0 0,,,,") + none14);
+  QCOMPARE(lines[3], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,,,,,,,no voxel inside,CT,0 0 0,,,,") + none14);
+  QCOMPARE(lines[4], QStringLiteral("Ellipse 2,ellipse,,,,,,,,,,not measured yet,,0 0 0,,,,") + none14);
+  QCOMPARE(lines[5], QStringLiteral("Arrow 3,arrow,,,,,,,,,,,CT,0 0 0,,,,") + none14);
+}
+
+void TestMeasurementText::asCsvOfTwoSeriesAndTwoLines() {
+  const Measurement region{2, {}, shapeOf(ShapeKind::ellipse), {}},
+      axes{3, {}, shapeOf(ShapeKind::bidirectional), {}};
+  const Result<Measured> both(fusedRegion()), lines(linesOf(8, "mm", {8, 2.5, "mm"})),
+      ratio(linesOf(0.5, "", {8, 16, "px"}));
+  const QStringList rows =
+      measurementsAsCsv({{region, &both, nullptr}, {axes, &lines, nullptr}, {axes, &ratio, nullptr}})
+          .split(QStringLiteral("\r\n"));
+  const QStringList names = rows[0].split(QLatin1Char(','));
+  const auto field = [&](int row, const char* name) {
+    return rows[row].split(QLatin1Char(',')).value(names.indexOf(QLatin1String(name)));
+  };
+  QCOMPARE(field(1, "mean"), QStringLiteral("45.24"));
+  QCOMPARE(field(1, "suv_peak"), QString());
+  QCOMPARE(field(1, "other_series"), QStringLiteral("PT WB"));
+  QCOMPARE(field(1, "other_mean"), QStringLiteral("5.25"));
+  QCOMPARE(field(1, "other_max"), QStringLiteral("8"));
+  QCOMPARE(field(1, "other_voxels"), QStringLiteral("30"));
+  QCOMPARE(field(1, "other_unit"), QStringLiteral("SUVbw"));
+  QCOMPARE(field(1, "other_suv_peak"), QStringLiteral("6.1234"));
+  QCOMPARE(field(2, "first_length"), QStringLiteral("8"));
+  QCOMPARE(field(2, "second_length"), QStringLiteral("2.5"));
+  QCOMPARE(field(2, "product"), QStringLiteral("20"));
+  QCOMPARE(field(2, "length_unit"), QStringLiteral("mm"));
+  QCOMPARE(field(3, "number"), QStringLiteral("0.5"));
+  QCOMPARE(field(3, "length_unit"), QStringLiteral("px"));
+  QCOMPARE(field(3, "product"), QString());
 }
 
 void TestMeasurementText::handlesKeepBoxes() {

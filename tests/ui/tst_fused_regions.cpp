@@ -1,0 +1,132 @@
+// Guards regions over fused slices: numbers of both series, each named with its unit, beside the shape, in
+// the panel and as CSV; SUVpeak of what is SUV. By real mouse events.
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QTreeWidget>
+
+#include "tests/fixtures/small_volumes.h"
+#include "tests/ui/measure_window.h"
+#include "tests/ui/two_series.h"
+#include "tests/unit/suite.h"
+#include "ui/workspace/text.h"
+#include "viewer/measure/scaled.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+constexpr double suvOfFile = 0.5;
+
+// Another grid over the CT of ballIn(): the value rises along its rows.
+LoadedSeriesPtr petIn(const char* frame) {
+  auto series = std::make_shared<LoadedSeries>(*ballIn(frame, 1, "PT"));
+  series->volume = volumeOf<float>({14, 14, 14}, glm::dmat3(3), [](glm::dvec3 x) { return 10 + x.x; });
+  series->series.acquired = series->volume->geometry();
+  series->series.description = "WB";
+  series->series.unit = "Bq/ml";
+  series->series.suv.bodyWeight = suvOfFile;
+  return series;
+}
+
+struct FusedWindow : MeasureWindow {
+  const LoadedSeriesPtr pet = petIn("1.2.3");
+
+  FusedWindow() : MeasureWindow(ballIn("1.2.3")) {
+    session().keep(pet);
+    fuse(&pet->series);
+  }
+  void fuse(const Series* over) {
+    session().change(QStringLiteral("Overlay"), withOverlay(session().workspace(), axialViewId, over));
+  }
+  Result<Measured> both(const Measurement& m) {
+    Result<Measured> numbers = measured(m);
+    if (!ruleOf(m.shape.kind).region) return numbers;
+    numbers->source = seriesText(session().seriesNamed(m.series)->series).toStdString();
+    addOther(*numbers, m.shape, *pet->volume, {}, "SUVbw");
+    numbers->other->source = seriesText(pet->series).toStdString();
+    scaleOther(*numbers, suvOfFile);
+    return numbers;
+  }
+  QString listed() {
+    const QTreeWidgetItem* item = child<QTreeWidget>("measurementList")->topLevelItem(0);
+    return item ? item->text(1) : QString();
+  }
+};
+
+}  // namespace
+
+class TestFusedRegions : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void everyRegionIsOfBoth_data();
+  void everyRegionIsOfBoth();
+  void csvNamesBoth();
+  void withoutTheOverlayItIsOfOne();
+  void otherShapesAreOfOne();
+};
+
+void TestFusedRegions::everyRegionIsOfBoth_data() {
+  QTest::addColumn<int>("kind");
+  for (const ShapeKind kind : drawnKinds)
+    if (ruleOf(kind).region) QTest::newRow(ruleOf(kind).name) << int(kind);
+}
+
+void TestFusedRegions::everyRegionIsOfBoth() {
+  QFETCH(int, kind);
+  FusedWindow w;
+  w.draw(ShapeKind(kind), placesOf(ShapeKind(kind)));
+  QCOMPARE(w.all().size(), std::size_t(1));
+  const Result<Measured> wanted = w.both(w.last());
+  QVERIFY(wanted->values && wanted->other->values && wanted->other->peak);
+  QVERIFY2(wanted->other->values->n < wanted->values->n, "each is counted on its own grid");
+  QTRY_COMPARE_WITH_TIMEOUT(w.drawn(w.last().id).text, measuredLines(w.last().shape, wanted), longest);
+  const QStringList text = w.drawn(w.last().id).text;
+  QCOMPARE(text.size(), 5);
+  QVERIFY2(text[1].startsWith(QStringLiteral("CT Ball: ")) && text[1].endsWith(QStringLiteral(" HU")),
+           qPrintable(text[1]));
+  QVERIFY2(text[3].startsWith(QStringLiteral("PT WB: ")) && text[3].endsWith(QStringLiteral(" SUVbw")),
+           qPrintable(text[3]));
+  QVERIFY2(text[4].startsWith(QStringLiteral("SUVmax ")) && text[4].contains(QStringLiteral("SUVpeak ")),
+           qPrintable(text[4]));
+  QTRY_COMPARE_WITH_TIMEOUT(w.listed(), measuredText(w.last().shape, wanted), longest);
+}
+
+void TestFusedRegions::csvNamesBoth() {
+  FusedWindow w;
+  w.draw(ShapeKind::rectangle, placesOf(ShapeKind::rectangle));
+  const Result<Measured> wanted = w.both(w.last());
+  QTRY_COMPARE_WITH_TIMEOUT(w.drawn(w.last().id).text, measuredLines(w.last().shape, wanted), longest);
+  w.child<QAction>("copyMeasurementsCsv")->trigger();
+  const QStringList lines = QGuiApplication::clipboard()->text().split(QStringLiteral("\r\n"));
+  const QStringList names = lines[0].split(u','), fields = lines.value(1).split(u',');
+  const auto field = [&](const char* name) { return fields.value(names.indexOf(QLatin1String(name))); };
+  QCOMPARE(field("mean").toDouble(), wanted->values->mean);
+  QCOMPARE(field("value_unit"), QStringLiteral("HU"));
+  QCOMPARE(field("other_series"), QStringLiteral("PT WB"));
+  QCOMPARE(field("other_mean").toDouble(), wanted->other->values->mean);
+  QCOMPARE(field("other_unit"), QStringLiteral("SUVbw"));
+  QCOMPARE(field("other_suv_peak").toDouble(), wanted->other->peak->mean);
+}
+
+void TestFusedRegions::withoutTheOverlayItIsOfOne() {
+  FusedWindow w;
+  w.draw(ShapeKind::ellipse, placesOf(ShapeKind::ellipse));
+  const Measurement drawn = w.last();
+  const QStringList both = measuredLines(drawn.shape, w.both(drawn));
+  const QStringList one = measuredLines(drawn.shape, w.measured(drawn));
+  QTRY_COMPARE_WITH_TIMEOUT(w.drawn(drawn.id).text, both, longest);
+  w.fuse(nullptr);
+  QTRY_COMPARE_WITH_TIMEOUT(w.drawn(drawn.id).text, one, longest);
+  w.undo();
+  QTRY_COMPARE_WITH_TIMEOUT(w.drawn(drawn.id).text, both, longest);
+}
+
+void TestFusedRegions::otherShapesAreOfOne() {
+  FusedWindow w;
+  w.draw(ShapeKind::length, placesOf(ShapeKind::length));
+  QCOMPARE(w.drawn(w.last().id).text, measuredLines(w.last().shape, w.measured(w.last())));
+}
+
+VOLUMEN_TEST(TestFusedRegions);
+#include "tst_fused_regions.moc"

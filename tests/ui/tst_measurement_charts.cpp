@@ -1,0 +1,243 @@
+// Guards the panel that draws the values under a measurement, by real events: profile, histogram and mean
+// over time, what follows the selection and the shape, and what is copied.
+#include <QClipboard>
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <fstream>
+
+#include "tests/ui/frames_window.h"
+#include "tests/ui/measure_window.h"
+#include "ui/panels/chart_panel.h"
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/value_text.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+using enum ShapeKind;
+
+namespace {
+
+// The panel, in whatever window.
+struct ChartOf {
+  Journey& w;
+
+  void open() {
+    w.child<QAction>("measurementChart")->trigger();
+    QCoreApplication::processEvents();
+  }
+  const MeasuredChart& shown() { return w.child<ChartView>("chartView")->chart(); }
+  QString said() { return w.child<QLabel>("chartSaid")->text(); }
+  QComboBox* kind() { return w.child<QComboBox>("chartKind"); }
+};
+
+struct ChartWindow : MeasureWindow {
+  ChartOf chart{*this};
+
+  // Through the middle of the ball and out at both its sides.
+  std::vector<QPointF> acrossTheBall() {
+    const SlicePlane plane = *view()->plane();
+    const glm::dvec2 middle = plane.pixelFromPatient({3, -2, 4});
+    const QPointF centre(std::round(middle.x), std::round(middle.y)),
+        half(std::round(12 / plane.mmPerPixel), 0);
+    return {centre - half, centre + half};
+  }
+  LoadedSeriesPtr seriesOf(const Measurement& m) { return session().seriesNamed(m.series); }
+  MeasuredChart profile(const Measurement& m, Interpolation how = Interpolation::linear) {
+    const LoadedSeriesPtr series = seriesOf(m);
+    return profileChart(m.shape.points, *series->volume, shownScale(series->series), how, *measured(m));
+  }
+  MeasuredChart histogram(const Measurement& m) {
+    const LoadedSeriesPtr series = seriesOf(m);
+    return histogramChart(m.shape, *series->volume, shownScale(series->series), QStringLiteral("Voxels"));
+  }
+};
+
+// Four volumes of 16 voxels of 2 mm an edge; the n-th has the value 100 n.
+QString fourSteps(const QTemporaryDir& folder) {
+  const QString path = folder.filePath(QStringLiteral("four.nrrd"));
+  std::ofstream file(path.toStdString(), std::ios::binary);
+  file << "NRRD0005\ntype: int16\ndimension: 4\nspace: left-posterior-superior\nsizes: 16 16 16 4\n"
+          "space directions: (2,0,0) (0,2,0) (0,0,2) none\nkinds: domain domain domain time\n"
+          "space origin: (0,0,0)\nendian: little\nencoding: raw\n\n";
+  for (int n = 1; n <= 4; ++n) {
+    const std::vector<std::int16_t> values(16 * 16 * 16, std::int16_t(100 * n));
+    file.write(reinterpret_cast<const char*>(values.data()),
+               std::streamsize(values.size() * sizeof values[0]));
+  }
+  return path;
+}
+
+}  // namespace
+
+class TestMeasurementCharts : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void nothingSelectedSaysWhatToDo();
+  void aLineHasItsProfile_data();
+  void aLineHasItsProfile();
+  void nearestIsAsThePlaneShows();
+  void aRegionHasItsHistogram();
+  void itFollowsTheSelection();
+  void csvIsCopied();
+  void aRegionThroughTime();
+  void onAFrame();
+};
+
+void TestMeasurementCharts::nothingSelectedSaysWhatToDo() {
+  ChartWindow w;
+  w.chart.open();
+  QVERIFY(w.child<ChartView>("chartView")->isVisible());
+  QVERIFY2(w.chart.said().startsWith(QStringLiteral("Select a length")), qPrintable(w.chart.said()));
+  QVERIFY(!w.child<QToolButton>("chartCopy")->isEnabled());
+  w.draw(angle, placesOf(angle));
+  QVERIFY2(w.chart.said().startsWith(QStringLiteral("Select a length")), "an angle has none");
+}
+
+void TestMeasurementCharts::aLineHasItsProfile_data() {
+  QTest::addColumn<int>("kind");
+  QTest::newRow("length") << int(length);
+  QTest::newRow("polyline") << int(polyline);
+}
+
+// Across the ball: from the air of 0 to its 1000 HU.
+void TestMeasurementCharts::aLineHasItsProfile() {
+  QFETCH(int, kind);
+  ChartWindow w;
+  w.chart.open();
+  w.draw(ShapeKind(kind), w.acrossTheBall());
+  const MeasuredChart wanted = w.profile(w.last());
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == wanted, longest);
+  QCOMPARE(wanted.xTitle, QStringLiteral("Distance (mm)"));
+  QCOMPARE(wanted.yTitle, QStringLiteral("Value (HU)"));
+  double least = 1e9, most = -1e9;
+  for (const QPointF p : wanted.lines.at(0)) least = std::min(least, p.y()), most = std::max(most, p.y());
+  QCOMPARE(least, 0.0);
+  QCOMPARE(most, 1000.0);
+  QVERIFY(std::abs(wanted.lines.back().back().x() - w.measured(w.last())->number) < 1e-9);
+  QCOMPARE(w.chart.said(), nameText(w.last()));
+  QVERIFY(!w.chart.kind()->isEnabled());
+  // Something is drawn.
+  auto* view = w.child<ChartView>("chartView");
+  const QImage picture = view->grab().toImage();
+  int coloured = 0;
+  const QColor line = view->palette().color(QPalette::Highlight);
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const QColor at = picture.pixelColor(x, y);
+      const int off = std::abs(at.red() - line.red()) + std::abs(at.green() - line.green()) +
+                      std::abs(at.blue() - line.blue());
+      coloured += off < 90;  // its edges are soft
+    }
+  QVERIFY(coloured > 50);
+  w.shot("chart-profile");
+}
+
+void TestMeasurementCharts::nearestIsAsThePlaneShows() {
+  ChartWindow w;
+  w.chart.open();
+  w.draw(length, w.acrossTheBall());
+  const MeasuredChart linear = w.profile(w.last()), nearest = w.profile(w.last(), Interpolation::nearest);
+  QVERIFY(!(linear == nearest));
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == linear, longest);
+  w.session().change(QStringLiteral("test"), [&](Workspace& now) {
+    ViewState& view = now.editView(axialViewId);
+    view.flats.editOrAdd(view.series).nearest = true;
+  });
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == nearest, longest);
+  w.undo();
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == linear, longest);
+}
+
+void TestMeasurementCharts::aRegionHasItsHistogram() {
+  ChartWindow w;
+  w.chart.open();
+  w.draw(ellipse, placesOf(ellipse));
+  const MeasuredChart wanted = w.histogram(w.last());
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == wanted, longest);
+  QCOMPARE(wanted.yTitle, QStringLiteral("Voxels"));
+  // An edge is dragged: the chart is of what it holds now.
+  drag(w.view(), {131, 111}, {150, 140});
+  const MeasuredChart larger = w.histogram(w.last());
+  QVERIFY(!(larger == wanted));
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == larger, longest);
+  w.undo();
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == wanted, longest);
+}
+
+void TestMeasurementCharts::itFollowsTheSelection() {
+  ChartWindow w;
+  w.chart.open();
+  w.draw(length, {{50, 150}, {130, 150}});
+  w.draw(rectangle, {{60, 60}, {120, 110}});
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == w.histogram(w.all()[1]), longest);
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, {90, 150});
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == w.profile(w.all()[0]), longest);
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, {20, 180});
+  QVERIFY(w.chart.shown().lines.empty());
+  QVERIFY(w.chart.said().startsWith(QStringLiteral("Select a length")));
+}
+
+void TestMeasurementCharts::csvIsCopied() {
+  ChartWindow w;
+  w.chart.open();
+  w.draw(length, {{70, 60}, {131, 111}});
+  auto* copy = w.child<QToolButton>("chartCopy");
+  QTRY_VERIFY_WITH_TIMEOUT(copy->isEnabled(), longest);
+  QTest::mouseClick(copy, Qt::LeftButton);
+  QCOMPARE(QGuiApplication::clipboard()->text(), chartAsCsv(w.profile(w.last())));
+  QVERIFY(QGuiApplication::clipboard()->text().startsWith(
+      QStringLiteral("\"Distance (mm)\",\"Value (HU)\"\r\n")));
+}
+
+// Those that nobody looked at are read for it.
+void TestMeasurementCharts::aRegionThroughTime() {
+  const QTemporaryDir folder;
+  Journey w({fourSteps(folder)});
+  QVERIFY(QTest::qWaitFor([&] { return w.window.session().series() != nullptr; }, longest));
+  w.child<QAction>("layoutPlanes")->trigger();
+  QCoreApplication::processEvents();
+  w.window.session().setFocus(axialViewId);
+  auto* view = w.window.views()->viewAs<FlatView>(axialViewId);
+  ChartOf chart{w};
+  chart.open();
+  const glm::dvec2 middle = view->plane()->pixelFromPatient({15, 15, 15});
+  const QPointF centre(std::round(middle.x), std::round(middle.y));
+  w.child<QAction>("rectangleTool")->trigger();
+  drawShape(view, rectangle, {centre - QPointF(25, 20), centre + QPointF(25, 20)});
+  QCOMPARE(w.window.session().workspace().measurements.size(), std::size_t(1));
+  QCOMPARE(chart.kind()->count(), 2);
+  QCOMPARE(chart.kind()->currentText(), QStringLiteral("Histogram"));
+  QTest::keyClick(chart.kind(), Qt::Key_Down);
+  QCOMPARE(chart.kind()->currentText(), QStringLiteral("Over time"));
+  MeasuredChart wanted;
+  wanted.xTitle = QStringLiteral("Volume");
+  wanted.marked = true;
+  wanted.lines = {{{1, 100}, {2, 200}, {3, 300}, {4, 400}}};
+  QTRY_VERIFY_WITH_TIMEOUT(chart.shown().lines == wanted.lines, longest);
+  QCOMPARE(chart.shown().xTitle, wanted.xTitle);
+  QVERIFY(chart.shown().marked && chart.shown().problem.isEmpty());
+}
+
+void TestMeasurementCharts::onAFrame() {
+  NEED_FILES();
+  Frames w({"cr-chest-mono1-jpeg8.dcm"});
+  QVERIFY(w.shows());
+  ChartOf chart{w};
+  chart.open();
+  w.child<QAction>("lengthTool")->trigger();
+  const QPointF middle = QRectF(w.view()->rect()).center();
+  drawShape(w.view(), length, {middle - QPointF(60, 40), middle + QPointF(60, 40)});
+  QCOMPARE(w.workspace().measurements.size(), std::size_t(1));
+  QTRY_VERIFY_WITH_TIMEOUT(!chart.shown().lines.empty(), longest);
+  const Measurement m = w.workspace().measurements[0];
+  const LoadedFramePtr frame = frameIn(w.view());
+  const auto number = measureOnFrame(m.shape, pixelsOf(*frame), {});
+  QCOMPARE(chart.shown().xTitle, QStringLiteral("Distance (mm)"));
+  QVERIFY(std::abs(chart.shown().lines.back().back().x() - number->number) < 1e-6);
+}
+
+VOLUMEN_TEST(TestMeasurementCharts);
+#include "tst_measurement_charts.moc"

@@ -1,0 +1,86 @@
+#include "ui/panels/chart_view.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plots/chart.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int fontPx = 11;
+
+QColor paler(QColor colour, double alpha) {
+  colour.setAlphaF(float(alpha));
+  return colour;
+}
+
+// Never of no length: an axis has two ends.
+void widen(double& low, double& high) {
+  if (high > low) return;
+  const double room = low == 0 ? 1 : std::abs(low) / 10;
+  low -= room, high += room;
+}
+
+Chart drawnOf(const MeasuredChart& measured, const QPalette& palette) {
+  Chart chart;
+  chart.xTitle = measured.xTitle, chart.yTitle = measured.yTitle;
+  chart.logarithmic = false;
+  const QColor ink = palette.color(QPalette::WindowText);
+  chart.colours = {ink, paler(ink, 0.7), paler(ink, 0.16), paler(ink, 0.08)};
+  for (const std::vector<QPointF>& line : measured.lines) {
+    ChartSeries& series = chart.series.emplace_back();
+    series.colour = palette.color(QPalette::Highlight);
+    series.line = true;
+    series.bare = !measured.marked && line.size() > 1;
+    for (const QPointF p : line) series.points.push_back({p.x(), p.y(), {}, false});
+  }
+  return chart;
+}
+
+}  // namespace
+
+QRectF spanOf(const MeasuredChart& chart) {
+  double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
+  for (const std::vector<QPointF>& line : chart.lines)
+    for (const QPointF p : line) {
+      left = std::min(left, p.x()), right = std::max(right, p.x());
+      low = std::min(low, p.y()), high = std::max(high, p.y());
+    }
+  if (left > right) return {0, 0, 1, 1};
+  if (low >= 0) low = 0;
+  widen(left, right);
+  widen(low, high);
+  const double room = 0.06 * (high - low);
+  return {QPointF(left, low == 0 ? 0 : low - room), QPointF(right, high + room)};
+}
+
+ChartView::ChartView(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("chartView"));
+  setAccessibleName(tr("Chart of values"));
+  setMinimumSize(200, 140);
+}
+
+void ChartView::setChart(const MeasuredChart& chart) {
+  if (chart == chart_) return;
+  chart_ = chart;
+  const QRectF span = spanOf(chart_);
+  setAccessibleDescription(chart_.lines.empty() ? chart_.problem
+                                                : tr("%1 from %2 to %3 over %4")
+                                                      .arg(chart_.yTitle)
+                                                      .arg(span.top())
+                                                      .arg(span.bottom())
+                                                      .arg(chart_.xTitle));
+  update();
+}
+
+void ChartView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), palette().color(QPalette::Base));
+  if (!chart_.lines.empty()) drawChart(painter, rect(), drawnOf(chart_, palette()), spanOf(chart_), fontPx);
+}
+
+}  // namespace volumen

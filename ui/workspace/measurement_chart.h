@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QPointF>
+#include <QString>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "ui/data/loaded_series.h"
+#include "ui/workspace/time_point_text.h"
+#include "viewer/measure/measure.h"
+#include "viewer/slice/plane.h"
+
+namespace volumen {
+
+/// What is drawn of the values under a measurement.
+enum class ChartKind {
+  profile,    ///< along a length or polyline
+  histogram,  ///< of a region
+  overTime    ///< the mean of a region at each of the steps of its series
+};
+
+/// "Profile", "Histogram", "Over time".
+QString chartText(ChartKind kind);
+
+/// Those that a measurement has, the first one by default; none: its values make no chart.
+std::vector<ChartKind> chartsOf(const Workspace& workspace, const Measurement& measurement);
+
+/// Values of a measurement along an axis, with what the axes say.
+struct MeasuredChart {
+  QString xTitle, yTitle;
+  std::vector<std::vector<QPointF>> lines;  ///< each runs on without a gap
+  bool marked = false;                      ///< with a mark at each point: few that were measured
+  QString problem;                          ///< why there is nothing, or less than there might be
+  bool operator==(const MeasuredChart&) const = default;
+};
+
+/// The values along a line of patient points, whose length is told by `length`; gaps where it is outside.
+MeasuredChart profileChart(std::span<const glm::dvec3> line, const Volume& volume, const ValueScale& scale,
+                           Interpolation interpolation, const Measured& length);
+
+/// A staircase: how many voxels of a region have which values. `counted`: what voxels are called there.
+MeasuredChart histogramChart(const Shape& region, const Volume& volume, const ValueScale& scale,
+                             const QString& counted);
+
+/// The means of a region at these places; a place without one is left out.
+MeasuredChart timeChart(const StepAxis& axis, const std::vector<std::optional<double>>& means,
+                        const std::string& unit);
+
+/// RFC 4180: a line of headings, then a line a point; lines are parted by an empty row.
+QString chartAsCsv(const MeasuredChart& chart);
+
+}  // namespace volumen

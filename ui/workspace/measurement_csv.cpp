@@ -1,0 +1,112 @@
+#include <QLocale>
+
+#include "ui/workspace/measurement_text.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+// A field between quotation marks where it needs them.
+QString csvField(QString text) {
+  if (!text.contains(QLatin1Char(',')) && !text.contains(QLatin1Char('"')) &&
+      !text.contains(QLatin1Char('\n')))
+    return text;
+  return QLatin1Char('"') + text.replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
+}
+
+QString exact(double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); }
+
+// A place in mm.
+QString exactPlace(glm::dvec3 p) {
+  return QStringLiteral("%1 %2 %3").arg(exact(p.x), exact(p.y), exact(p.z));
+}
+
+// number, unit, +-, mean, SD, min, max, voxels, unit of the values, problem, calibration.
+QStringList csvNumbers(const Result<Measured>* measured) {
+  QStringList fields(11, QString());
+  if (!measured)
+    fields[9] = tr("not measured yet");
+  else if (!*measured)
+    fields[9] = QString::fromStdString(measured->message());
+  if (!measured || !*measured) return fields;
+  const Measured& m = **measured;
+  fields[0] = exact(m.number);
+  fields[1] = QString::fromStdString(m.unit);
+  if (m.plusMinus) fields[2] = exact(*m.plusMinus);
+  if (m.values) {
+    const double numbers[] = {m.values->mean, m.values->sd, m.values->min, m.values->max};
+    for (int n = 0; n < 4; ++n) fields[3 + n] = exact(numbers[n]);
+    fields[7] = QString::number(m.values->n);
+    fields[8] = QString::fromStdString(m.valueUnit);
+  }
+  if (m.unit.ends_with("^2") && !m.values && !(m.frame && m.frame->colour)) fields[9] = noneInsideText(m);
+  if (m.frame && m.frame->rgb) fields[0].clear();
+  if (m.frame) fields[10] = QString::fromStdString(m.frame->calibration);
+  return fields;
+}
+
+// What only some kinds have: the names of the columns, and what stands in them.
+constexpr const char* furtherColumns =
+    "first_length,second_length,length_unit,product,suv_peak,suv_peak_mm,other_series,other_mean,other_sd,"
+    "other_min,other_max,other_voxels,other_unit,other_suv_peak";
+
+QStringList furtherNumbers(const Result<Measured>* measured) {
+  QStringList fields(14, QString());
+  if (!measured || !*measured) return fields;
+  const Measured& m = **measured;
+  if (m.lines) {
+    fields[0] = exact(m.lines->first);
+    fields[1] = exact(m.lines->second);
+    fields[2] = QString::fromStdString(m.lines->unit);
+    if (m.plusMinus) fields[3] = exact(m.lines->first * m.lines->second);
+  }
+  if (m.peak) {
+    fields[4] = exact(m.peak->mean);
+    fields[5] = exactPlace(m.peak->centre);
+  }
+  if (!m.other) return fields;
+  fields[6] = QString::fromStdString(m.other->source);
+  if (const auto& values = m.other->values) {
+    const double numbers[] = {values->mean, values->sd, values->min, values->max};
+    for (int n = 0; n < 4; ++n) fields[7 + n] = exact(numbers[n]);
+    fields[11] = QString::number(values->n);
+    fields[12] = QString::fromStdString(m.other->unit);
+  }
+  if (m.other->peak) fields[13] = exact(m.other->peak->mean);
+  return fields;
+}
+
+}  // namespace
+
+QString measurementsAsCsv(const std::vector<MeasuredRow>& rows) {
+  QString text = QStringLiteral(
+      "name,kind,number,unit,plus_minus,mean,sd,min,max,voxels,value_unit,problem,series,points_mm,"
+      "calibration,"
+      "frame_instance,frame_number,points_px,");
+  text += QLatin1String(furtherColumns) + QStringLiteral("\r\n");
+  for (const MeasuredRow& row : rows) {
+    const std::optional<ShapeFrame>& frame = row.measurement.shape.frame;
+    QStringList points;
+    for (const glm::dvec3 p : row.measurement.shape.points)
+      points << (frame ? QStringLiteral("%1 %2").arg(exact(p.x), exact(p.y)) : exactPlace(p));
+    const QString places = points.join(QStringLiteral("; "));
+    QStringList fields{nameText(row.measurement), QLatin1String(ruleOf(row.measurement.shape.kind).name)};
+    const bool numberless = ruleOf(row.measurement.shape.kind).numberless;
+    fields += csvNumbers(numberless ? nullptr : row.measured);
+    const QString calibration = fields.takeLast();
+    if (numberless) fields.last().clear();
+    fields << (row.series ? seriesText(*row.series) : QString()) << (frame ? QString() : places)
+           << calibration;
+    if (frame)
+      fields << QString::fromStdString(frame->instance) << QString::number(frame->number) << places;
+    else
+      fields << QString() << QString() << QString();
+    fields += furtherNumbers(row.measured);
+    for (QString& field : fields) field = csvField(field);
+    text += fields.join(QLatin1Char(',')) + QStringLiteral("\r\n");
+  }
+  return text;
+}
+
+}  // namespace volumen

@@ -1,0 +1,98 @@
+#include "viewer/measure/peak.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
+#include <numbers>
+
+#include "viewer/measure/region.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr double mmBetweenLines = 0.1;  // at most; lines through the ball are cut exactly along their length
+constexpr double mostBallVoxels = 1e6;
+
+// The part of a line of voxels inside the ball is where |a + t b| <= radius.
+struct Chord {
+  double low = 0, high = 0;
+  bool empty() const { return !(low < high); }
+};
+
+Chord chordOf(glm::dvec3 a, glm::dvec3 b, double radius) {
+  const double bb = glm::dot(b, b), ab = glm::dot(a, b), rest = glm::dot(a, a) - radius * radius;
+  const double root = ab * ab - bb * rest;
+  if (!(root > 0)) return {};
+  const double half = std::sqrt(root) / bb, middle = -ab / bb;
+  return {middle - half, middle + half};
+}
+
+// How many lines cross a voxel along an axis.
+int linesAcross(double spacing) { return int(std::clamp(std::ceil(spacing / mmBetweenLines), 1.0, 200.0)); }
+
+}  // namespace
+
+const double peakRadius = std::cbrt(3 * 1000 / (4 * std::numbers::pi));
+
+std::vector<BallVoxel> ballVoxels(const VoxelGeometry& geometry, double radius) {
+  const glm::dmat3 rows = glm::transpose(geometry.voxelFromPatientStep());
+  glm::ivec3 reach;
+  double box = 1;
+  for (int a = 0; a < 3; ++a) {
+    const double voxels = std::ceil(radius * glm::length(rows[a]) + 0.5);
+    if (!((box *= 2 * voxels + 1) <= 2 * mostBallVoxels)) return {};
+    reach[a] = int(voxels);
+  }
+  const glm::dmat3& step = geometry.patientFromVoxelStep;
+  const glm::dvec3 spacing = geometry.spacing();
+  const int across = linesAcross(spacing.x), down = linesAcross(spacing.y);
+  std::vector<BallVoxel> ball;
+  std::vector<double> shares(std::size_t(2 * reach.z + 1));
+  for (int j = -reach.y; j <= reach.y; ++j)
+    for (int i = -reach.x; i <= reach.x; ++i) {
+      std::ranges::fill(shares, 0);
+      for (int v = 0; v < down; ++v)
+        for (int u = 0; u < across; ++u) {
+          const double x = i - 0.5 + (u + 0.5) / across, y = j - 0.5 + (v + 0.5) / down;
+          const Chord chord = chordOf(x * step[0] + y * step[1], step[2], radius);
+          if (chord.empty()) continue;
+          for (int k = -reach.z; k <= reach.z; ++k)
+            shares[std::size_t(k + reach.z)] +=
+                std::max(0.0, std::min(chord.high, k + 0.5) - std::max(chord.low, k - 0.5));
+        }
+      for (int k = -reach.z; k <= reach.z; ++k)
+        if (const double share = shares[std::size_t(k + reach.z)] / (double(across) * down); share > 0)
+          ball.push_back({{i, j, k}, share});
+    }
+  return ball;
+}
+
+std::optional<ValuePeak> regionPeak(const Shape& region, const Volume& volume, const CancelToken& cancel) {
+  const VoxelGeometry& geometry = volume.geometry();
+  if (!geometry.calibrated) return {};
+  const std::vector<BallVoxel> ball = ballVoxels(geometry, peakRadius);
+  if (ball.empty()) return {};
+  const std::optional<ValueRange>& padding = volume.attributes().padding;
+  std::optional<ValuePeak> peak;
+  forEachVoxelOf(region, volume, [&](glm::ivec3 centre, double) {
+    if (cancel.cancelled()) return;
+    double sum = 0, shares = 0;
+    for (const BallVoxel& part : ball) {
+      const glm::ivec3 x = centre + part.step;
+      if (glm::any(glm::lessThan(x, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(x, geometry.size)))
+        continue;
+      const double value = double(volume.value(x.x, x.y, x.z));
+      if (padding && value >= padding->low && value <= padding->high) continue;
+      sum += part.share * value;
+      shares += part.share;
+    }
+    if (const double mean = sum / shares; !peak || mean > peak->mean)
+      peak = ValuePeak{mean, geometry.patientFromVoxel(glm::dvec3(centre))};
+  });
+  return cancel.cancelled() ? std::nullopt : peak;
+}
+
+}  // namespace volumen
