@@ -24,6 +24,7 @@ const std::vector<FeatureEntry>& features() {
       {"accuracy", makeAccuracy},
       {"segmenting", makeSegmenting},
       {"view pictures", makeViewPictures},
+      {"picture files", makePictureFiles},
       {"printing", makePrinting},
       {"snapshots", makeSnapshots},
       {"measuring", makeMeasuring},

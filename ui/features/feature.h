@@ -56,6 +56,7 @@ std::unique_ptr<Feature> makeMeasuring(Workbench& bench);
 std::unique_ptr<Feature> makeOpening(Workbench& bench);
 std::unique_ptr<Feature> makePages(Workbench& bench);
 std::unique_ptr<Feature> makePanels(Workbench& bench);
+std::unique_ptr<Feature> makePictureFiles(Workbench& bench);
 std::unique_ptr<Feature> makePictureTurns(Workbench& bench);
 std::unique_ptr<Feature> makePreferences(Workbench& bench);
 std::unique_ptr<Feature> makePresets(Workbench& bench);

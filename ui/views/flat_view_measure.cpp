@@ -1,6 +1,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
+#include <algorithm>
 
 #include "ui/controller/measure_jobs.h"
 #include "ui/views/drawn_measurement.h"
@@ -49,6 +50,14 @@ std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
   for (const PlacedText& text : placed.texts) taken.push_back(text.rect);
   placeTexts(drawn, QRectF(rect()).adjusted(4, 4, -10, -4), taken, QFontMetricsF(font()));
   return drawn;
+}
+
+bool FlatView::isMeasured() const {
+  if (!shown() || !session_.workspace().measurementsShown) return true;
+  return std::ranges::all_of(measurements(), [this](const Measurement* m) {
+    const bool isNotHere = !m->shape.frame && !session_.seriesNamed(m->series);
+    return isNotHere || measurer_.exactNumbersOf(*m) != nullptr;
+  });
 }
 
 std::optional<MeasurementHit> FlatView::measurementAt(QPointF p) const {

@@ -29,6 +29,7 @@ class FrameView : public FlatView {
   std::vector<WindowChoice> windows() const override;
   void chooseWindow(int number) override;
   PictureSeen pictureSeen() const override;
+  StackPlace place() const override;
 
  protected:
   SlicePlane planeShown(const SlicePlane& plane) const override;
@@ -40,7 +41,6 @@ class FrameView : public FlatView {
   void ask() override;
   bool showPicture(const SlicePicture& picture) override;
   void seriesExchanged(bool) override {}
-  StackPlace place() const override;
   Window greyWindow() const override;
   bool hasWindow() const override { return !frame_ || !frame_->colour(); }
   bool hasCursor() const override { return frame_ && frame_->geometry().calibrated; }

@@ -22,12 +22,12 @@ class SliceView : public FlatView {
   std::vector<WindowChoice> windows() const override;
   void chooseWindow(int number) override;
   PictureSeen pictureSeen() const override;
+  StackPlace place() const override;
 
  protected:
   SliceRequest requestOf(const SlicePlane& plane) const override;
   bool keepsPictureOf(const SeriesKey& before) const override;
   void seriesExchanged(bool another) override;
-  StackPlace place() const override;
   Window greyWindow() const override;
   void makeThicker(int steps) override;
   Workspace unturned(Workspace workspace) const override;
