@@ -49,6 +49,13 @@ Status writeMade(const MadePicture& made, const QImage& image, const QString& pa
   return writeImage(image.convertToFormat(QImage::Format_RGB888), path.toStdString(), text);
 }
 
+// Without an end.
+QString fileName(const Series& series, bool namesHidden) {
+  constexpr int longest = 80;
+  const HidingNames hiding(namesHidden);
+  return seriesText(series).replace(QLatin1Char('/'), QLatin1Char('_')).left(longest);
+}
+
 // "12 / 31", "Frame 3 / 10": which one of the stack it is.
 QString numberText(const MadePicture& made) {
   for (const QString& line : made.overlays.topRight)
@@ -88,7 +95,7 @@ void PictureFiles::ask(PicturesOf of) {
                   dialog->columns(),
                   dialog->withTexts(),
                   {},
-                  seriesText(*seriesIn(workspace, view)).replace(QLatin1Char('/'), QLatin1Char('_'))};
+                  fileName(*seriesIn(workspace, view), dialog->look().namesHidden)};
     for (const int place : wanted.places)
       wanted.stops.push_back({withPlace(workspace, view, *shown, place), view});
     if (of == PicturesOf::view) wanted.stops.push_back({workspace, view});

@@ -18,18 +18,6 @@ namespace {
 constexpr int waitMs = 20, mostWaits = 100;  // for numbers of measurements
 constexpr double textEdge = 640;             // logical pixels that texts over a whole picture are made for
 
-// While it lives texts are those for hidden names, where `hidden`.
-class NamesHidden {
- public:
-  explicit NamesHidden(bool hidden) : before_(volumen::namesHidden()) { hideNames(before_ || hidden); }
-  ~NamesHidden() { hideNames(before_); }
-  NamesHidden(const NamesHidden&) = delete;
-  NamesHidden& operator=(const NamesHidden&) = delete;
-
- private:
-  const bool before_;
-};
-
 // Of all of the picture, or of what is seen; nothing has handles.
 Workspace workspaceOf(const PictureStop& stop, PictureLook::Size size) {
   Workspace workspace = stop.workspace;
@@ -167,7 +155,7 @@ void PictureRun::draw() {
 }
 
 void PictureRun::keepPicture(const QImage& picture, double mmPerPixel) {
-  const NamesHidden hidden(look_.namesHidden);
+  const HidingNames hiding(look_.namesHidden);
   MadePicture made;
   made.image = look_.withTexts ? view_->captureWith(picture) : picture.convertToFormat(QImage::Format_RGB32);
   made.image.setDevicePixelRatio(1);

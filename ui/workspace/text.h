@@ -22,6 +22,18 @@ QString shownText(const std::string& utf8);
 void hideNames(bool hidden);
 bool namesHidden();
 
+/// Hides names, where `hidden`, for as long as it lives: for what is made for others.
+class HidingNames {
+ public:
+  explicit HidingNames(bool hidden) : before_(namesHidden()) { hideNames(before_ || hidden); }
+  ~HidingNames() { hideNames(before_); }
+  HidingNames(const HidingNames&) = delete;
+  HidingNames& operator=(const HidingNames&) = delete;
+
+ private:
+  const bool before_;
+};
+
 /// "Doe, Jane" of "Doe^Jane=...": the first group of a DICOM name (PS3.5 6.2.1.1) that is not
 /// empty, its carets read as a name; empty where there is none.
 QString personText(const std::string& name);
