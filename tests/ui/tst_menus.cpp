@@ -63,7 +63,9 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Restore earlier work >; Open scene...; Save scene...; |; Save picture...; Copy picture; Save all "
       "views...; Copy all views; Print picture...; "
       "More pictures >; Save 3D snapshot...; Copy 3D snapshot; |; Quit");
-  row("&File/More pictures", "Picture of any size...; Stack as pictures...; Contact sheet...");
+  row("&File/More pictures",
+      "Picture of any size...; Stack as pictures...; Contact sheet...; |; "
+      "Key images as pages...");
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
       "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window; Scroll; Pan; Zoom; Crosshair; |; "

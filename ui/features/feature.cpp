@@ -31,6 +31,7 @@ const std::vector<FeatureEntry>& features() {
       {"registration", makeRegistration},
       {"derived objects", makeDerivedObjects},
       {"key images", makeKeyImages},
+      {"key image pages", makeKeyImagePages},
       {"frames", makeFrameActions},
       {"views", makeViewActions},
       {"flat tools", makeFlatTools},

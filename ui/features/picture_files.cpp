@@ -7,6 +7,7 @@
 #include "ui/features/feature.h"
 #include "ui/overlays/slice_sheet.h"
 #include "ui/panels/picture_dialog.h"
+#include "ui/views/picture_run.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"

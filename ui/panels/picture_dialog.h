@@ -7,8 +7,8 @@
 #include <QSpinBox>
 #include <vector>
 
-#include "ui/views/picture_run.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/picture_look.h"
 
 class QFormLayout;
 
