@@ -83,6 +83,7 @@ StudiesPanel::StudiesPanel(OpenStudies& studies, QWidget* parent)
   tree_->setObjectName(QStringLiteral("studyTree"));
   tree_->setAccessibleName(tr("Patients, studies and series"));
   tree_->setHeaderHidden(true);
+  tree_->setTextElideMode(Qt::ElideMiddle);  // names of series differ at their ends
   tree_->setDragEnabled(true);
   tree_->setIndentation(8);
   tree_->setUniformRowHeights(false);
