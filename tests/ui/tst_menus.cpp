@@ -75,8 +75,8 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Use OpenGL (usually slower without a GPU); Show error map; |; "
       "Maximise view; Full screen; Light theme; Hide names; Layout >; Show in this view >; Turn and size >; "
       "Link >; "
-      "Measure >; Window presets >; Interpolate between voxels; Slab >; Colour map >; PET values >; Overlay "
-      ">; "
+      "Measure >; Window presets >; Interpolate between voxels; Slab >; Colour map >; PET values >; "
+      "Overlay >; DICOM attributes...; "
       "Panels >");
   row("&View/Layout",
       "One view; Planes and 3D; Large 3D beside planes; Two series; Four series; |; "

@@ -13,7 +13,6 @@
 
 #include "io/thumbnail.h"
 #include "ui/data/frame_series.h"
-#include "ui/panels/attributes_dialog.h"
 #include "ui/panels/studies_panel_roles.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/series_text.h"
@@ -227,7 +226,7 @@ void StudiesPanel::showMenu(QPoint position) {
   }
   if (series && series->format == "DICOM")
     menu->addAction(tr("DICOM attributes..."), this,
-                    [this, chosen = *series] { (new AttributesDialog(chosen, this))->show(); });
+                    [this, chosen = *series] { Q_EMIT attributesRequested(chosen); });
   if (menu->isEmpty()) return menu->deleteLater();
   menu->popup(tree_->viewport()->mapToGlobal(position));
 }

@@ -7,6 +7,7 @@
 
 namespace volumen {
 
+struct DerivedObject;
 struct Series;
 struct Study;
 
@@ -41,6 +42,8 @@ QString personText(const std::string& name);
 /// "Doe, Jane (12345)": DICOM's carets read as a name; "(no name)" where a DICOM file names none; empty
 /// for what has no patients.
 QString patientText(const Series& series);
+/// The same of an object of a DICOM file.
+QString patientText(const DerivedObject& object);
 
 /// "CT Head 1.0 mm (3)": modality, description, number; "head.nii" of other files.
 QString seriesText(const Series& series);
