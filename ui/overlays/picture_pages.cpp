@@ -72,8 +72,8 @@ class PagePainter {
   double dotsPerMm_;
 };
 
-void paintPage(PagePainter& painter, const PicturePage& page, const QString& number, const PageLook& look,
-               QSizeF paperMm) {
+void paintPicturePage(PagePainter& painter, const PicturePage& page, const QString& number,
+                      const PageLook& look, QSizeF paperMm) {
   const double numberWidth = std::min(50.0, paperMm.width() / 3);
   const double left = paperMm.width() - numberWidth, line = headText * lineSpacing;
   for (qsizetype n = 0; n < page.head.size(); ++n)
@@ -124,7 +124,7 @@ Status paintPages(QPagedPaintDevice& device, const std::vector<PicturePage>& pag
   for (std::size_t n = 0; n < pages.size(); ++n) {
     if (n > 0 && !device.newPage()) return cannot;
     const QString number = tr("Page %1 of %2").arg(n + 1).arg(pages.size());
-    paintPage(pagePainter, pages[n], number, look, paperMm);
+    paintPicturePage(pagePainter, pages[n], number, look, paperMm);
   }
   return painter.end() ? Status() : Status(cannot);
 }
