@@ -33,6 +33,7 @@ Workspace workspaceOf(const PictureStop& stop, PictureLook::Size size) {
 // What the view of a stop needs of the series in memory.
 std::unique_ptr<Session> sessionOf(const PictureStop& stop, PictureLook::Size size, const Session& session) {
   auto copy = std::make_unique<Session>();
+  copy->prefer(session.preferences());
   copy->pool().setBudget(std::numeric_limits<std::size_t>::max());
   const ViewState& view = stop.workspace.view(stop.view);
   for (const SeriesKey& key : {view.series, flatLookOf(view).overlay}) {
