@@ -1,10 +1,12 @@
 #pragma once
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
@@ -83,6 +85,15 @@ inline void answer(Journey& w, const char* dialog, const QString& path) {
     return;
   }
   QFAIL("there is no such dialog");
+}
+
+/// Means it, where the program asks before it throws away what was not saved.
+inline void discard(Journey& w) {
+  auto* box = w.child<QMessageBox>("discardBox");
+  QVERIFY(box);
+  for (QAbstractButton* button : box->buttons())
+    if (button->text() == QStringLiteral("Discard")) return QTest::mouseClick(button, Qt::LeftButton);
+  QFAIL("there is no such button");
 }
 
 }  // namespace volumen::tests

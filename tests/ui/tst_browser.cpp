@@ -30,6 +30,9 @@ class TestBrowser : public QObject {
   void oneSearchesWhileTyping();
   void everyColumnSorts_data();
   void everyColumnSorts();
+  void furtherColumnsSort_data();
+  void furtherColumnsSort();
+  void columnsAreChosenAndKept();
   void theSeriesOfAStudyHaveThumbnails();
   void studiesAreRemovedAndComeBack();
   void typingInTheListSearches();
@@ -135,6 +138,70 @@ void TestBrowser::everyColumnSorts() {
   else
     std::ranges::reverse(ascending);
   QVERIFY2(w.shows(ascending), qPrintable(w.patients().join(QLatin1Char('|'))));
+}
+
+void TestBrowser::furtherColumnsSort_data() {
+  QTest::addColumn<int>("column");
+  QTest::addColumn<QStringList>("ascending");
+  QTest::newRow("birth date") << int(StudyColumn::birthDate) << texts({"b", "c", "a"});
+  QTest::newRow("sex") << int(StudyColumn::sex) << texts({"a", "b", "c"});
+  QTest::newRow("accession number") << int(StudyColumn::accession) << texts({"c", "a", "b"});
+}
+
+void TestBrowser::furtherColumnsSort() {
+  QFETCH(int, column);
+  QFETCH(QStringList, ascending);
+  std::vector<IndexedStudy> studies(3);
+  const char* const values[][4] = {
+      {"a", "19800101", "F", "7"}, {"b", "19500630", "M", "9"}, {"c", "19721224", "O", "3"}};
+  for (std::size_t n = 0; n < 3; ++n) {
+    studies[n].id = std::int64_t(n + 1);
+    studies[n].patientName = values[n][0], studies[n].birthDate = values[n][1];
+    studies[n].sex = values[n][2], studies[n].accessionNumber = values[n][3];
+  }
+  for (const bool isAscending : {true, false}) {
+    QStringList names;
+    for (const ListedPatient& patient :
+         listedStudies(studies, {StudyColumn(column), isAscending}, 0).patients)
+      names << QString::fromStdString(patient.studies.front().patientName);
+    if (!isAscending) std::ranges::reverse(ascending);
+    QCOMPARE(names, ascending);
+  }
+}
+
+// By a right click on their heads or in the list; the next window has them again.
+void TestBrowser::columnsAreChosenAndKept() {
+  const auto chosen = [](QWidget* on, QPoint at, const char* column) {
+    QContextMenuEvent event(QContextMenuEvent::Mouse, at, on->mapToGlobal(at));
+    QCoreApplication::sendEvent(on, &event);
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    QVERIFY(menu);
+    QList<QAction*> actions = menu->actions();
+    for (QAction* action : menu->actions())
+      if (action->menu()) actions << action->menu()->actions();
+    for (QAction* action : actions)
+      if (action->text() == QLatin1String(column)) action->trigger();
+    menu->close();
+  };
+  const auto isHidden = [](BrowserWindow& w, StudyColumn column) {
+    return w.tree()->isColumnHidden(int(column));
+  };
+  {
+    BrowserWindow w(*studies_);
+    QVERIFY(w.shows({doe, mueller, yamada}));
+    for (const StudyColumn column : {StudyColumn::birthDate, StudyColumn::sex, StudyColumn::accession})
+      QVERIFY(isHidden(w, column));
+    chosen(w.tree()->header()->viewport(), {40, 5}, "Birth date");
+    QVERIFY(!isHidden(w, StudyColumn::birthDate));
+    chosen(w.tree()->viewport(), w.tree()->visualRect(w.row("Doe")).center(), "ID");
+    QVERIFY(isHidden(w, StudyColumn::id));
+    w.shot("browser-columns");
+  }
+  BrowserWindow w(*studies_);
+  QVERIFY(!isHidden(w, StudyColumn::birthDate) && isHidden(w, StudyColumn::id) &&
+          isHidden(w, StudyColumn::sex));
+  QVERIFY(!isHidden(w, StudyColumn::name));
+  QSettings().remove(QStringLiteral("studyColumns"));
 }
 
 void TestBrowser::theSeriesOfAStudyHaveThumbnails() {

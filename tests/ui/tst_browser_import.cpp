@@ -45,6 +45,7 @@ class TestBrowserImport : public QObject {
   void initTestCase() { openAlone(); }
   void aFolderIsImported_data();
   void aFolderIsImported();
+  void afterItTheListIsShown();
   void refusedFilesAreNamed();
   void anImportIsCancelledAndGoneOnWith();
   void theWindowClosesWhileItImports();
@@ -90,6 +91,22 @@ void TestBrowserImport::aFolderIsImported() {
   QVERIFY2(w.child<QLabel>("toldText")->text().contains(QStringLiteral("images imported")),
            qPrintable(w.child<QLabel>("toldText")->text()));
   QVERIFY(!w.banner()->isVisible());
+}
+
+// Beside what is looked at, which keeps its keys.
+void TestBrowserImport::afterItTheListIsShown() {
+  const Studies studies;
+  QVERIFY(studies.write());
+  BrowserWindow w(studies, {QStringLiteral("phantom:sphere:16")});
+  QVERIFY(w.settle());
+  auto* browser = w.child<QWidget>("studyBrowser");
+  QVERIFY(!browser->isVisible());
+  w.child<QAction>("importFolder")->trigger();
+  answer(w, "importFolderDialog", studies.data);
+  QTRY_VERIFY_WITH_TIMEOUT(browser->isVisible(), longest);
+  QVERIFY(w.window.view()->isVisible());
+  QVERIFY(!browser->isAncestorOf(w.window.focusWidget()));
+  QVERIFY(w.has("Abdomen", 4));
 }
 
 void TestBrowserImport::refusedFilesAreNamed() {

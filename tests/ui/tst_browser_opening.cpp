@@ -26,6 +26,7 @@ class TestBrowserOpening : public QObject {
   void init();
   void aStudyIsOpened_data();
   void aStudyIsOpened();
+  void aSearchEndsWithWhatItFound();
   void aSeriesIsDraggedIntoAView_data();
   void aSeriesIsDraggedIntoAView();
   void anotherPatientTakesThePlace();
@@ -55,6 +56,8 @@ void TestBrowserOpening::aStudyIsOpened_data() {
   QTest::newRow("Enter in the search field") << QStringLiteral("search") << QByteArray("Venous");
   QTest::newRow("double-click on a patient with one study")
       << QStringLiteral("patient") << QByteArray("Venous");
+  QTest::newRow("double-click on a patient of several studies: the one that stands first")
+      << QStringLiteral("patients") << QByteArray("Bone");
 }
 
 void TestBrowserOpening::aStudyIsOpened() {
@@ -66,6 +69,7 @@ void TestBrowserOpening::aStudyIsOpened() {
   QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 2, longest);
   if (how == QStringLiteral("study")) w.doubleClick(w.row("Head", 4));
   if (how == QStringLiteral("patient")) w.doubleClick(w.row("Müller"));
+  if (how == QStringLiteral("patients")) w.doubleClick(w.row("Doe"));
   if (how == QStringLiteral("enter")) QTest::keyClick(w.tree(), Qt::Key_Return);
   if (how == QStringLiteral("series")) {
     w.tree()->setExpanded(w.row("Head", 4), true);
@@ -86,6 +90,20 @@ void TestBrowserOpening::aStudyIsOpened() {
   QVERIFY(w.isShown(shown.constData()));
   QVERIFY(!w.child<QWidget>("studyBrowser")->isVisible());
   QVERIFY(w.window.views()->isVisible());
+}
+
+// The next look at the list is one at all of it.
+void TestBrowserOpening::aSearchEndsWithWhatItFound() {
+  BrowserWindow w(*studies_);
+  QVERIFY(w.has("Head", 4));
+  QTest::keyClicks(w.search(), QStringLiteral("abdomen"));
+  QVERIFY(w.shows({mueller}));
+  QTest::keyClick(w.search(), Qt::Key_Return);
+  QVERIFY(w.isShown("Venous"));
+  QTRY_VERIFY(!w.child<QWidget>("studyBrowser")->isVisible());
+  w.child<QAction>("showBrowser")->trigger();
+  QVERIFY(w.search()->text().isEmpty());
+  QVERIFY(w.shows({QStringLiteral("Doe, Jane"), mueller, yamada}));
 }
 
 void TestBrowserOpening::aSeriesIsDraggedIntoAView_data() {

@@ -19,6 +19,11 @@ class TestDerivedWindow : public QObject {
   void aKeyObjectGoesToItsPicture();
   void aReportIsRead();
   void aReportSaysWhatIsNotHere();
+  void aReportNamesItsPatient();
+  void anObjectAloneSaysWhatItIs_data();
+  void anObjectAloneSaysWhatItIs();
+  void aReportAloneIsShown();
+  void whatIsForOpenPicturesIsShownAtOnce();
   void aPictureWithoutPixelsIsNamed();
   void lettersOfProjections_data();
   void lettersOfProjections();
@@ -107,6 +112,67 @@ void TestDerivedWindow::aReportSaysWhatIsNotHere() {
   auto* text = w.child<QTextBrowser>("reportText");
   QVERIFY2(text->toPlainText().contains(QStringLiteral("is not here")), qPrintable(text->toPlainText()));
   QVERIFY(!text->toHtml().contains(QStringLiteral("href")));
+}
+
+// Also where the view shows pictures of another one.
+void TestDerivedWindow::aReportNamesItsPatient() {
+  NEED_REFERENCES();
+  References2d w({"dicom-2d/sr-tid1500-groups-on-CT_small.dcm", "dicom-2d/sc-rgb-41.dcm", ct});
+  QVERIFY(w.has("Report") && w.has("CT (1)") && w.showsFrame());
+  w.click("Report");
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<ReportDialog>("reportDialog"), longest);
+  auto* dialog = w.child<ReportDialog>("reportDialog");
+  auto* other = dialog->findChild<QLabel*>(QStringLiteral("reportOther"));
+  QVERIFY(dialog->windowTitle().endsWith(QStringLiteral(" - CompressedSamples, CT1 (1CT1)")));
+  QVERIFY(other->isVisibleTo(dialog));
+  QVERIFY(other->text().contains(QStringLiteral("This report is of CompressedSamples, CT1 (1CT1).")));
+  w.click("CT (1)");
+  QTRY_VERIFY_WITH_TIMEOUT(!other->isVisibleTo(dialog), longest);
+  w.child<QAction>("hideNames")->trigger();
+  QVERIFY(dialog->windowTitle().endsWith(QStringLiteral(" - (name hidden)")));
+  w.child<QAction>("hideNames")->trigger();
+}
+
+void TestDerivedWindow::anObjectAloneSaysWhatItIs_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<QString>("said");
+  QTest::newRow("presentation state")
+      << QString::fromLatin1(presentation) << QStringLiteral("it says how pictures are to be shown");
+  QTest::newRow("key objects") << QString::fromLatin1(keyObjects) << QStringLiteral("they mark pictures");
+  QTest::newRow("segmentation") << QStringLiteral("dicom-2d/seg-on-CT_small.dcm")
+                                << QStringLiteral("regions that tint slices");
+  QTest::newRow("structure set") << QStringLiteral("pet-ct/sts019-rtstruct-ct.dcm")
+                                 << QStringLiteral("outlines of regions over slices");
+}
+
+void TestDerivedWindow::anObjectAloneSaysWhatItIs() {
+  NEED_REFERENCES();
+  QFETCH(QString, file);
+  QFETCH(QString, said);
+  NEED_DATA(dataPath(file.toStdString()));
+  References2d w({file.toLatin1().constData()});
+  auto* banner = w.child<Banner>("banner");
+  QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
+  QVERIFY2(
+      banner->sentence().contains(said) && banner->sentence().contains(QStringLiteral("Open the pictures")),
+      qPrintable(banner->sentence()));
+}
+
+void TestDerivedWindow::aReportAloneIsShown() {
+  NEED_REFERENCES();
+  References2d w({"dicom-2d/sr-tid1500-on-CT_small.dcm"});
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<ReportDialog>("reportDialog"), longest);
+  QVERIFY(w.child<Banner>("banner")->isHidden());
+}
+
+void TestDerivedWindow::whatIsForOpenPicturesIsShownAtOnce() {
+  NEED_REFERENCES();
+  References2d w({ct});
+  QVERIFY(w.has("CT (1)"));
+  w.window.open({QString::fromStdString(dataPath("dicom-2d/seg-on-CT_small.dcm"))});
+  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().regions.size(), std::size_t(1), longest);
+  w.window.open({QString::fromStdString(dataPath(presentation))});
+  QVERIFY(w.isPresented());
 }
 
 void TestDerivedWindow::aPictureWithoutPixelsIsNamed() {

@@ -62,7 +62,10 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Open session...; Save session; Save session as...; |; "
       "Restore earlier work >; Open scene...; Save scene...; |; Save picture...; Copy picture; Save all "
       "views...; Copy all views; Print picture...; "
-      "Save 3D snapshot...; Copy 3D snapshot; |; Quit");
+      "More pictures >; Save 3D snapshot...; Copy 3D snapshot; |; Quit");
+  row("&File/More pictures",
+      "Picture of any size...; Stack as pictures...; Contact sheet...; |; "
+      "Key images as pages...");
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
       "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window\tW; Scroll; Pan; Zoom; Crosshair; "
@@ -76,7 +79,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Measure >; Window presets >; Interpolate between voxels; "
       "Crosshair lines; Reference lines; Reference lines of first and last slices; Slab >; Colour map >; PET "
       "values >; Overlay "
-      ">; "
+      ">; DICOM attributes...; "
       "Panels >");
   row("&View/Layout",
       "One view; Planes and 3D; Large 3D beside planes; Two series; Four series; |; "

@@ -255,6 +255,7 @@ void TestNothingIsLost::whatIsDiscardedIsKeptForAWeek() {
     Journey w;
     QTRY_VERIFY_WITH_TIMEOUT(w.child<OfferBar>("offerBar")->isVisible(), longest);
     QTest::mouseClick(w.child<QWidget>("offerRefuse"), Qt::LeftButton);
+    discard(w);
     QTRY_VERIFY_WITH_TIMEOUT(earlier(w)->isEnabled(), longest);
   }
   const QDir aside(Autosave::folder() + QStringLiteral("/discarded"));

@@ -1,61 +1,17 @@
 // Guards that what is printed is the view in focus as it is seen, finer, and in true size 1 mm on paper for 1
 // mm of the patient, measured in the PDF.
-#include <zlib.h>
 #include <QCheckBox>
 #include <QPrintDialog>
-#include <QRegularExpression>
 #include <QTemporaryDir>
-#include <QTransform>
 
 #include "tests/ui/measure_window.h"
+#include "tests/ui/pdf_images.h"
 #include "tests/unit/suite.h"
 #include "ui/overlays/printed_page.h"
 #include "ui/widgets/banner.h"
 
 using namespace volumen;
 using namespace volumen::tests;
-
-namespace {
-
-QByteArray inflated(const QByteArray& packed) {
-  QByteArray out(64 << 20, '\0');
-  uLongf size = uLongf(out.size());
-  if (uncompress(reinterpret_cast<Bytef*>(out.data()), &size,
-                 reinterpret_cast<const Bytef*>(packed.constData()), uLong(packed.size())) != Z_OK)
-    return {};
-  return out.left(qsizetype(size));
-}
-
-// Where the first image of a PDF lies on its page, mm: its streams are read as PDF 1.4, 8.4.4 (cm, q, Q)
-// and 8.8 (Do) say.
-QSizeF imageMm(const QByteArray& pdf) {
-  for (qsizetype at = pdf.indexOf("stream\n"); at >= 0; at = pdf.indexOf("stream\n", at + 1)) {
-    const qsizetype from = at + 7, to = pdf.indexOf("endstream", from);
-    const QByteArray text = inflated(pdf.mid(from, to - from));
-    if (!text.contains(" Do")) continue;
-    std::vector<QTransform> stack{QTransform()};
-    QList<double> numbers;
-    for (const QByteArray& word : text.simplified().split(' ')) {
-      bool isNumber = false;
-      const double number = word.toDouble(&isNumber);
-      if (isNumber) {
-        numbers << number;
-        continue;
-      }
-      if (word == "q") stack.push_back(stack.back());
-      if (word == "Q") stack.pop_back();
-      if (word == "cm" && numbers.size() >= 6) {
-        const double* n = numbers.constData() + numbers.size() - 6;
-        stack.back() = QTransform(n[0], n[1], n[2], n[3], n[4], n[5]) * stack.back();
-      }
-      if (word == "Do") return stack.back().mapRect(QRectF(0, 0, 1, 1)).size() * (25.4 / 72);
-      numbers.clear();
-    }
-  }
-  return {};
-}
-
-}  // namespace
 
 class TestPrinting : public QObject {
   Q_OBJECT
@@ -96,9 +52,8 @@ void TestPrinting::aSliceIsPrintedInTrueSize() {
   dialog->findChild<QCheckBox*>(QStringLiteral("printTrueSize"))->setChecked(inTrueSize);
   dialog->accept();
   QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path).size() > 0, longest);
-  QFile file(path);
-  QVERIFY(file.open(QIODevice::ReadOnly));
-  const QSizeF mm = imageMm(file.readAll());
+  QTRY_COMPARE_WITH_TIMEOUT(imagesIn(path).size(), std::size_t(1), longest);
+  const QSizeF mm = imagesIn(path).front().size();
   const SlicePlane plane = *w.view()->plane();
   const QSizeF seen = QSizeF(plane.size.x, plane.size.y) * plane.mmPerPixel;
   QVERIFY2(std::abs(mm.width() / mm.height() / (seen.width() / seen.height()) - 1) < 0.005,

@@ -47,6 +47,7 @@ class TestViewPictures : public QObject {
   void theViewInFocusIsCopiedAndAllViews();
   void hiddenNamesStayHidden();
   void itIsSavedAsItWasAskedFor();
+  void allViewsAreSavedAsOnePicture();
   void whatCannotBeWrittenIsTold();
   void withoutASeriesThereIsASentence();
 };
@@ -136,6 +137,18 @@ void TestViewPictures::itIsSavedAsItWasAskedFor() {
     }
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   }
+}
+
+void TestViewPictures::allViewsAreSavedAsOnePicture() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("all.png"));
+  MeasureWindow w;
+  QVERIFY(w.settle());
+  const QImage seen = w.window.views()->capture();
+  w.child<QAction>("saveAllPictures")->trigger();
+  answer(w, "pictureDialog", path);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longest);
+  QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32), seen);
 }
 
 void TestViewPictures::whatCannotBeWrittenIsTold() {

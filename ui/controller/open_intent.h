@@ -19,7 +19,8 @@ struct OpenIntent {
   std::string seriesUid{};       ///< the series to show; empty: the largest, or the first pictures
   std::optional<Scene> scene{};  ///< to show it by
   std::shared_ptr<bool>
-      isShown{};  ///< of what is opened together: whether any of it was shown; null: nothing is
+      isShown{};         ///< of what is opened together: whether any of it was shown; null: nothing is
+  bool isAlone = false;  ///< it is all that was asked for
 };
 
 }  // namespace volumen

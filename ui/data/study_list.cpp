@@ -58,6 +58,12 @@ SortKey studyKey(const IndexedStudy& study, StudyColumn by, const SortKeys& keys
       return keys(study.modalities);
     case StudyColumn::description:
       return keys(study.description);
+    case StudyColumn::birthDate:
+      return keys(study.birthDate);
+    case StudyColumn::sex:
+      return keys(study.sex);
+    case StudyColumn::accession:
+      return keys(study.accessionNumber);
     case StudyColumn::images:
       break;
   }
@@ -140,6 +146,9 @@ std::vector<IndexedSeries> sortedSeries(std::vector<IndexedSeries> series, const
       case StudyColumn::images:
         return keys({}, s.images);
       case StudyColumn::id:
+      case StudyColumn::birthDate:
+      case StudyColumn::sex:
+      case StudyColumn::accession:
         break;
     }
     return keys({});

@@ -9,7 +9,7 @@
 namespace volumen {
 
 /// The columns of the study browser, by which it can be sorted.
-enum class StudyColumn { name, id, date, modality, description, images };
+enum class StudyColumn { name, id, date, modality, description, images, birthDate, sex, accession };
 
 /// The studies of one patient, as they stand below each other.
 struct ListedPatient {

@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenu>
+#include <algorithm>
 
 #include "ui/data/frame_series.h"
 #include "ui/features/feature.h"
@@ -11,6 +12,7 @@
 #include "ui/panels/report_dialog.h"
 #include "ui/tools/tool.h"
 #include "ui/views/frame_view.h"
+#include "ui/workspace/derived_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -23,6 +25,8 @@ class DerivedObjectFiles : public Feature {
   explicit DerivedObjectFiles(Workbench& bench);
 
  private:
+  void showAlone(const Study& study);
+  bool isOverWhatIsOpen(const DerivedObject& object) const;
   void showDerivedObject(const DerivedObjectPtr& object);
   void showPresentation(const DerivedObjectPtr& object);
   void showRegions(const DerivedObjectPtr& object);
@@ -47,7 +51,39 @@ DerivedObjectFiles::DerivedObjectFiles(Workbench& bench) : Feature(bench) {
           [this](const QString& sentence) { warn(shownText(sentence.toStdString())); });
   connect(&derived, &DerivedObjects::reportRead, this, &DerivedObjectFiles::showReport);
   connect(&bench_, &Workbench::objectChosen, this, &DerivedObjectFiles::showDerivedObject);
+  // Once it stands in the list.
+  connect(&bench_.document.loader, &Loader::studyOpened, this,
+          [this](const QString&, const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
+            if (intent.isAlone && study->volumes.empty() && study->images.empty()) showAlone(*study);
+          });
   connect(&bench_, &Workbench::sliceMenuOpens, this, &DerivedObjectFiles::fillPresentations);
+}
+
+// A file of objects without pictures: what it does, or what it is and what is missing.
+void DerivedObjectFiles::showAlone(const Study& study) {
+  if (study.derived.empty()) return;
+  if (study.derived.size() > 1)
+    return warn(tr("%1 objects that refer to pictures: open these pictures, then click an object in the list "
+                   "of studies.")
+                    .arg(study.derived.size()));
+  const DerivedKey key = keyOf(study.derived.front());
+  for (const DerivedObjectPtr& object : open_.derived()) {
+    if (keyOf(*object) != key) continue;
+    const bool hasEffect = object->kind == DerivedKind::report || isOverWhatIsOpen(*object);
+    return hasEffect ? showDerivedObject(object) : warn(aloneText(*object));
+  }
+}
+
+bool DerivedObjectFiles::isOverWhatIsOpen(const DerivedObject& object) const {
+  const std::vector<const Series*> open = open_.pictures();
+  const auto isHere = [&](const ReferencedPicture& picture) {
+    return findPicture(open, picture).has_value();
+  };
+  const std::string& frame = object.frameOfReferenceUid;
+  const bool isPlaced = object.kind == DerivedKind::contours || object.kind == DerivedKind::segmentation;
+  const auto isIn = [&](const Series* series) { return series->frameOfReferenceUid == frame; };
+  return std::ranges::any_of(object.pictures, isHere) ||
+         (isPlaced && !frame.empty() && std::ranges::any_of(open, isIn));
 }
 
 void DerivedObjectFiles::showDerivedObject(const DerivedObjectPtr& object) {
@@ -106,7 +142,7 @@ void DerivedObjectFiles::showRegions(const DerivedObjectPtr& object) {
 
 void DerivedObjectFiles::showReport(const DerivedObjectPtr& object, const Report& report) {
   for (ReportDialog* before : bench_.window.findChildren<ReportDialog*>()) before->close();
-  auto* dialog = new ReportDialog(*object, report, open_.pictures(), &bench_.window);
+  auto* dialog = new ReportDialog(session_, object, report, open_.pictures(), &bench_.window);
   connect(dialog, &ReportDialog::pictureChosen, this, &DerivedObjectFiles::showPictureNamed);
   dialog->show();
 }

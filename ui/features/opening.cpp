@@ -71,6 +71,7 @@ void Opening::open(const QStringList& paths, const std::optional<Scene>& scene) 
   OpenIntent intent;
   intent.scene = scene;
   intent.isShown = std::make_shared<bool>(false);
+  intent.isAlone = paths.size() == 1;
   for (const QString& given : paths) {
     const bool isFile = QFileInfo::exists(given);  // a phantom is none
     const QString path = isFile ? QDir::cleanPath(QFileInfo(given).absoluteFilePath()) : given;

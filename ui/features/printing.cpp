@@ -62,7 +62,7 @@ void Printing::ask() {
 void Printing::print(const std::shared_ptr<QPrinter>& printer, bool inTrueSize) {
   View* view = grid_.viewShown();
   const QPointer<FlatView> flat = qobject_cast<FlatView*>(view);
-  const auto request = flat ? flat->requestFor(factor) : std::nullopt;
+  const auto request = flat ? flat->requestFor(factor * flat->pixels()) : std::nullopt;
   if (!request) return printOn(printer, {view->capture(), {}});
   drawing_.run(
       tr("Printing"), [request](const Job&) { return drawSlice(*request); },
@@ -70,7 +70,7 @@ void Printing::print(const std::shared_ptr<QPrinter>& printer, bool inTrueSize) 
         if (!drawn) return warn(QString::fromStdString(drawn.message()));
         if (!flat) return;
         const auto mm = inTrueSize ? std::optional(request->plane.mmPerPixel) : std::nullopt;
-        printOn(printer, {flat->captureWith(*drawn, factor), mm});
+        printOn(printer, {flat->captureWith(*drawn), mm});
       });
 }
 

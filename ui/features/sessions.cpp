@@ -52,6 +52,7 @@ class Sessions : public Feature {
   void askForSession();
   void askForSessionFile();
   void offerLost(const LostSession& lost);
+  void askBeforeDiscarding();
   void showEarlier(const std::vector<LostSession>& discarded);
   void askBeforeClosing(const QString& lost);
   void saveAndClose();
@@ -124,10 +125,7 @@ void Sessions::connectAutosave() {
   connect(&autosave_, &Autosave::found, this, &Sessions::offerLost);
   connect(&autosave_, &Autosave::listed, this, &Sessions::showEarlier);
   connect(offer_, &OfferBar::accepted, this, [this] { bench_.document.loader.openSession(lost_->path); });
-  connect(offer_, &OfferBar::refused, this, [this] {
-    autosave_.discard(*std::exchange(lost_, {}));
-    tell(tr("Kept for a week: File > Restore earlier work"));
-  });
+  connect(offer_, &OfferBar::refused, this, &Sessions::askBeforeDiscarding);
 }
 
 bool Sessions::mayClose(const QString& lost) {
@@ -229,6 +227,25 @@ void Sessions::showLocated(const Located& located) {
 void Sessions::offerLost(const LostSession& lost) {
   lost_ = lost;
   offer_->offer(lostText(lost), tr("Restore"), tr("Discard"));
+}
+
+// The offer comes back where it was not meant.
+void Sessions::askBeforeDiscarding() {
+  auto* box = new QMessageBox(QMessageBox::Question, QStringLiteral("volumen"),
+                              tr("Discard what was not saved? %1").arg(lostText(*lost_)), QMessageBox::Cancel,
+                              &bench_.window);
+  box->setObjectName(QStringLiteral("discardBox"));
+  box->setTextFormat(Qt::PlainText);
+  box->setInformativeText(tr("It is kept for a week: File > Restore earlier work."));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setDefaultButton(QMessageBox::Cancel);
+  QPushButton* discard = box->addButton(tr("Discard"), QMessageBox::DestructiveRole);
+  connect(box, &QDialog::finished, this, [this, box, discard] {
+    if (box->clickedButton() != discard) return offer_->show();
+    autosave_.discard(*std::exchange(lost_, {}));
+    tell(tr("Kept for a week: File > Restore earlier work"));
+  });
+  box->open();
 }
 
 // Once, where something that was made by hand would be lost.

@@ -1,4 +1,7 @@
+#include <QMenu>
+
 #include "ui/features/feature.h"
+#include "ui/panels/attributes_dialog.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/study_model.h"
@@ -20,6 +23,8 @@ class Studies : public Feature {
   void markShown();
   void showDropped(const QMimeData& what);
   void closeAll(const Unlisted& listed);
+  void showAttributes(const Series& series);
+  void showAttributesInFocus();
 
   StudiesPanel* panel_;
 };
@@ -31,6 +36,16 @@ Studies::Studies(Workbench& bench) : Feature(bench), panel_(new StudiesPanel(ope
                        {{"viewMenu", 60, 130}});
   connect(panel_, &StudiesPanel::seriesChosen, &bench_.document.opener, &Opener::show);
   connect(panel_, &StudiesPanel::objectChosen, &bench_, &Workbench::objectChosen);
+  connect(panel_, &StudiesPanel::attributesRequested, this, &Studies::showAttributes);
+  bench_.addAction({"attributes",
+                    tr("DICOM attributes..."),
+                    {},
+                    "",
+                    false,
+                    [this](bool) { showAttributesInFocus(); },
+                    {{"viewMenu", 60, 135}}});
+  connect(&bench_, &Workbench::sliceMenuOpens, this,
+          [this](QMenu* menu) { menu->addAction(bench_.action("attributes")); });
   connect(panel_, &StudiesPanel::removeRequested, &session_, &Session::close);
   connect(panel_, &StudiesPanel::closeAllRequested, this, &Studies::closeAll);
   connect(&grid_, &ViewGrid::dropped, this, &Studies::showDropped);
@@ -61,6 +76,18 @@ void Studies::markShown() {
 void Studies::showDropped(const QMimeData& what) {
   if (const Series* series = panel_->seriesOf(what)) bench_.document.opener.show(*series);
   if (const auto choice = choiceIn(what)) bench_.document.sources.current().open(*choice, OpenHow::here);
+}
+
+void Studies::showAttributes(const Series& series) {
+  (new AttributesDialog(session_, series, &bench_.window))->show();
+}
+
+void Studies::showAttributesInFocus() {
+  const Series* series = seriesIn(session_.workspace(), session_.workspace().focus);
+  if (!series) return warn(tr("Open a series first."));
+  if (series->format != "DICOM" || series->files.empty())
+    return warn(tr("Only pictures of DICOM files have attributes."));
+  showAttributes(*series);
 }
 
 void Studies::closeAll(const Unlisted& listed) {

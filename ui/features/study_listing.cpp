@@ -64,6 +64,7 @@ class StudyListing : public Feature {
   void showPatients();
   void askForImport();
   void showImport(const ImportReport& report);
+  void showImported();
   void openFound(const QString& place, const std::vector<std::string>& files, const OpenIntent& intent);
   void showFound(const QString& place, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
   void showNext();
@@ -229,10 +230,18 @@ void StudyListing::askForImport() {
 
 void StudyListing::showImport(const ImportReport& report) {
   tell(importText(report));
+  if (report.files > 0 && !report.cancelled) showImported();
   if (report.refused.empty()) return;
   warn(report.refused.size() == 1 ? tr("1 file could not be imported.")
                                   : tr("%1 files could not be imported.").arg(report.refused.size()),
        refusedTexts(report.refused));
+}
+
+// The keys stay where they are while pictures are looked at.
+void StudyListing::showImported() {
+  if (!showsAnything(session_.workspace())) return showBrowser(true);
+  bench_.actions.at(QStringLiteral("showBrowser"))->setChecked(true);
+  arrangeBrowser();
 }
 
 // Where it is open already, it is not read again.
@@ -292,7 +301,9 @@ void StudyListing::showOpened(const Series& series, OpenHow how) {
         bench_.document.opener.inLayoutOf(withoutOtherPatients(session_.workspace(), series), series));
   }
   bench_.document.opener.show(series);
-  if (how == OpenHow::instead && showsAnything(session_.workspace())) showBrowser(false);
+  if (how != OpenHow::instead || !showsAnything(session_.workspace())) return;
+  showBrowser(false);
+  browser_->clearSearch();
 }
 
 // The next view to compare: of two, the other one; of four, the first empty one.

@@ -1,14 +1,23 @@
 #include "ui/panels/attributes_dialog.h"
 
+#include <QAction>
+#include <QClipboard>
 #include <QDialogButtonBox>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QTreeWidgetItemIterator>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <set>
+#include <utility>
 
-#include "io/dicom/attribute_list.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/picture_in_focus.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -40,6 +49,15 @@ void fill(QTreeWidget* tree, const std::vector<dicom::AttributeLine>& lines) {
   tree->expandAll();
 }
 
+// Its columns with tabs between them; a ">" for each sequence that it stands in.
+QString rowText(const QTreeWidgetItem& item) {
+  QStringList cells;
+  for (int column = 0; column < item.columnCount(); ++column) cells << item.text(column);
+  for (const QTreeWidgetItem* above = item.parent(); above; above = above->parent())
+    cells.front().prepend(QLatin1Char('>'));
+  return cells.join(QLatin1Char('\t'));
+}
+
 // From the leaves up: a line is shown with any of those below it, and all of those below one that is found.
 bool showFound(QTreeWidgetItem* item, const QString& text, bool all) {
   bool found = all;
@@ -53,22 +71,21 @@ bool showFound(QTreeWidgetItem* item, const QString& text, bool all) {
 
 }  // namespace
 
-AttributesDialog::AttributesDialog(const Series& series, QWidget* parent)
+AttributesDialog::AttributesDialog(Session& session, const Series& series, QWidget* parent)
     : QDialog(parent),
-      series_(series),
+      session_(session),
       slice_(new QSpinBox),
+      follow_(new QCheckBox(tr("Follow the view"))),
       search_(new QLineEdit),
       tree_(new QTreeWidget),
       file_(plainLabel()) {
   setObjectName(QStringLiteral("attributesDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
-  setWindowTitle(tr("DICOM attributes - %1").arg(seriesText(series)));
   resize(760, 560);
   slice_->setObjectName(QStringLiteral("attributesSlice"));
   slice_->setAccessibleName(tr("Slice"));
-  slice_->setRange(1, std::max(1, int(series.files.size())));
-  slice_->setSuffix(tr(" of %1").arg(series.files.size()));
   slice_->setKeyboardTracking(false);
+  follow_->setObjectName(QStringLiteral("attributesFollow"));
   search_->setObjectName(QStringLiteral("attributesSearch"));
   search_->setPlaceholderText(tr("Search tags, names and values"));
   search_->setClearButtonEnabled(true);
@@ -76,11 +93,22 @@ AttributesDialog::AttributesDialog(const Series& series, QWidget* parent)
   tree_->setHeaderLabels({tr("Tag"), tr("Name"), tr("VR"), tr("Value")});
   tree_->setUniformRowHeights(true);
   tree_->setAlternatingRowColors(true);
+  tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   file_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   makeLayout();
-  connect(slice_, &QSpinBox::valueChanged, this, &AttributesDialog::read);
+  makeCopying();
+  const Workspace& workspace = session_.workspace();
+  const Series* inFocus = seriesIn(workspace, workspace.focus);
+  const bool isInFocus = inFocus && keyOf(*inFocus) == keyOf(series);
+  follow_->setChecked(isInFocus);
+  showPicture(series, isInFocus ? pictureOf(workspace, workspace.focus).value_or(0) : 0);
+  connect(slice_, &QSpinBox::valueChanged, this, [this] {
+    follow_->setChecked(false);
+    read();
+  });
+  connect(follow_, &QCheckBox::toggled, this, &AttributesDialog::follow);
+  connect(&session_, &Session::workspaceChanged, this, &AttributesDialog::follow);
   connect(search_, &QLineEdit::textChanged, this, &AttributesDialog::filter);
-  read();
   search_->setFocus();
 }
 
@@ -90,8 +118,14 @@ void AttributesDialog::makeLayout() {
   label->setBuddy(slice_);
   row->addWidget(label);
   row->addWidget(slice_);
+  row->addWidget(follow_);
   row->addWidget(search_, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  QPushButton* copyAll = buttons->addButton(tr("Copy all"), QDialogButtonBox::ActionRole);
+  copyAll->setObjectName(QStringLiteral("attributesCopyAll"));
+  copyAll->setToolTip(toolTipOf(tr("All rows that are shown, with tabs between their columns")));
+  copyAll->setAutoDefault(false);
+  connect(copyAll, &QPushButton::clicked, this, [this] { copy(false); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* column = new QVBoxLayout(this);
   column->addLayout(row);
@@ -103,17 +137,63 @@ void AttributesDialog::makeLayout() {
   tree_->setColumnWidth(2, 44);
 }
 
+void AttributesDialog::makeCopying() {
+  auto* action = new QAction(tr("Copy rows"), tree_);
+  action->setShortcut(QKeySequence::Copy);
+  action->setShortcutContext(Qt::WidgetShortcut);
+  connect(action, &QAction::triggered, this, [this] { copy(true); });
+  tree_->addAction(action);
+  tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+// The picture in focus, where it has attributes.
+void AttributesDialog::follow() {
+  const Workspace& workspace = session_.workspace();
+  const Series* series = seriesIn(workspace, workspace.focus);
+  if (!follow_->isChecked() || !series || series->format != "DICOM" || series->files.empty()) return;
+  showPicture(*series, pictureOf(workspace, workspace.focus).value_or(0));
+}
+
+void AttributesDialog::showPicture(const Series& series, int index) {
+  const QSignalBlocker quiet(slice_);
+  if (keyOf(series) != keyOf(series_)) {
+    series_ = series;
+    setWindowTitle(tr("DICOM attributes - %1").arg(seriesText(series)));
+    slice_->setRange(1, std::max(1, int(series.files.size())));
+    slice_->setSuffix(tr(" of %1").arg(series.files.size()));
+  }
+  slice_->setValue(index + 1);
+  read();
+}
+
 void AttributesDialog::read() {
+  if (series_.files.empty()) return;
   const std::string path = series_.files[std::size_t(slice_->value() - 1)];
+  if (std::exchange(path_, path) == path) return;
   file_->setText(namesHidden() ? pathText(path) : QFileInfo(QString::fromStdString(path)).fileName());
   lane_.giveUpAll();
   lane_.run(
       {}, [path](const Job&) { return dicom::listAttributes(path); },
       [this, path](const auto& lines) {
-        fill(tree_, lines ? *lines : std::vector<dicom::AttributeLine>{});
+        showLines(lines ? *lines : std::vector<dicom::AttributeLine>{});
         if (!lines) file_->setText(QStringLiteral("%1: %2.").arg(pathText(path), shownText(lines.message())));
-        filter();
       });
+}
+
+// What was looked at in the picture before stays where it was.
+void AttributesDialog::showLines(const std::vector<dicom::AttributeLine>& lines) {
+  const int scrolled = tree_->verticalScrollBar()->value();
+  fill(tree_, lines);
+  filter();
+  tree_->verticalScrollBar()->setValue(scrolled);
+}
+
+// Those that are shown, in their order.
+void AttributesDialog::copy(bool onlyChosen) const {
+  QStringList rows;
+  for (QTreeWidgetItemIterator it(tree_, QTreeWidgetItemIterator::NotHidden); *it; ++it)
+    if (!onlyChosen || (*it)->isSelected()) rows << rowText(**it);
+  if (!rows.isEmpty()) QGuiApplication::clipboard()->setText(rows.join(QLatin1Char('\n')));
 }
 
 void AttributesDialog::filter() {

@@ -6,10 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/data/frame_series.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/derived_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 
@@ -66,8 +63,8 @@ KeyImagesPanel::KeyImagesPanel(Session& session, DerivedObjects& derived, OpenPi
   connect(list_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
     const QVariant n = item->data(0, entryRole);
     if (!n.isValid()) return;
-    const Entry entry = entries_[n.toULongLong()];
-    Q_EMIT pictureChosen(*entry.series, entry.index);
+    const ListedKeyImage picture = entries_[n.toULongLong()];
+    Q_EMIT pictureChosen(*picture.series, picture.index);
   });
   showAll();
 }
@@ -75,63 +72,40 @@ KeyImagesPanel::KeyImagesPanel(Session& session, DerivedObjects& derived, OpenPi
 std::optional<PicturePlace> KeyImagesPanel::next(const SeriesKey& series, int index, int step) const {
   if (entries_.empty()) return {};
   const auto here = std::ranges::find_if(
-      entries_, [&](const Entry& e) { return keyOf(*e.series) == series && e.index == index; });
+      entries_, [&](const ListedKeyImage& e) { return keyOf(*e.series) == series && e.index == index; });
   const auto count = std::ptrdiff_t(entries_.size());
   const std::ptrdiff_t at = here == entries_.end() ? (step > 0 ? -1 : count) : here - entries_.begin();
-  const Entry& entry = entries_[std::size_t((at + step + count) % count)];
+  const ListedKeyImage& entry = entries_[std::size_t((at + step + count) % count)];
   return PicturePlace{entry.series.get(), entry.index};
 }
 
 void KeyImagesPanel::showAll() {
   list_->clear();
   entries_.clear();
-  addOwn();
-  const std::vector<const Series*> open = pictures_();
-  for (const DerivedObjectPtr& object : derived_.all())
-    if (object->kind == DerivedKind::keyObjects) addDocument(*object, open);
+  for (const KeyImageGroup& group : groups()) {
+    QTreeWidgetItem* heading = headingIn(list_, group.name, group.isDocument ? group.name : QString());
+    for (const ListedKeyImage& picture : group.pictures) addPicture(heading, picture);
+    addNotHere(heading, group.notHere);
+  }
   empty_->setVisible(list_->topLevelItemCount() == 0);
   list_->setVisible(list_->topLevelItemCount() > 0);
 }
 
-void KeyImagesPanel::addPicture(QTreeWidgetItem* parent, const std::shared_ptr<const Series>& series,
-                                int index) {
-  const QString which =
-      opensAsFrames(*series) ? tr("frame %1").arg(index + 1) : tr("slice %1").arg(index + 1);
-  auto* item = new QTreeWidgetItem(parent, {QStringLiteral("%1, %2").arg(seriesText(*series), which)});
+std::vector<KeyImageGroup> KeyImagesPanel::groups() const {
+  return listKeyImages(session_.workspace(), derived_.all(), pictures_());
+}
+
+void KeyImagesPanel::addPicture(QTreeWidgetItem* parent, const ListedKeyImage& picture) {
+  auto* item = new QTreeWidgetItem(parent, {keyImageName(picture)});
   item->setToolTip(0, toolTipOf(item->text(0)));
   item->setData(0, entryRole, qulonglong(entries_.size()));
-  entries_.push_back({series, index});
+  entries_.push_back(picture);
 }
 
-void KeyImagesPanel::addOwn() {
-  const Workspace& workspace = session_.workspace();
-  QTreeWidgetItem* heading = nullptr;
-  for (const KeyImage& image : workspace.keyImages) {
-    const auto state = workspace.series.find(image.series);
-    if (state == workspace.series.end()) continue;
-    if (!heading) heading = headingIn(list_, tr("Marked here"), {});
-    const ReferencedPicture picture{image.sopInstanceUid, {}, {image.frame}, {}};
-    const std::vector<int> named = picturesNamed({picture}, *state->second.series);
-    if (!named.empty()) addPicture(heading, state->second.series, named.front());
-  }
-}
-
-void KeyImagesPanel::addDocument(const DerivedObject& document, const std::vector<const Series*>& open) {
-  QString name = derivedName(document);
-  const QString text = shownText(document.text);
-  if (!text.isEmpty()) name += QStringLiteral(" (%1)").arg(text);
-  QTreeWidgetItem* heading = headingIn(list_, name, name);
-  std::size_t notHere = 0;
-  for (const ReferencedPicture& picture : document.pictures) {
-    const std::optional<PicturePlace> place = findPicture(open, picture);
-    if (place)
-      addPicture(heading, std::make_shared<const Series>(*place->series), place->index);
-    else
-      ++notHere;
-  }
+void KeyImagesPanel::addNotHere(QTreeWidgetItem* parent, std::size_t notHere) {
   if (notHere == 0) return;
   auto* item = new QTreeWidgetItem(
-      heading, {notHere == 1 ? tr("1 picture is not here") : tr("%1 pictures are not here").arg(notHere)});
+      parent, {notHere == 1 ? tr("1 picture is not here") : tr("%1 pictures are not here").arg(notHere)});
   item->setFlags(Qt::NoItemFlags);
 }
 

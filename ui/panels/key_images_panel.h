@@ -5,7 +5,7 @@
 
 #include "ui/controller/derived_objects.h"
 #include "ui/data/picture_index.h"
-#include "ui/workspace/key_images.h"
+#include "ui/workspace/key_image_list.h"
 #include "ui/workspace/session.h"
 
 class QAction;
@@ -32,22 +32,17 @@ class KeyImagesPanel : public QWidget {
   void pictureChosen(const volumen::Series& series, int index);
 
  private:
-  struct Entry {
-    std::shared_ptr<const Series> series;
-    int index = 0;
-  };
-
+  std::vector<KeyImageGroup> groups() const;
   void showAll();
-  void addOwn();
-  void addDocument(const DerivedObject& document, const std::vector<const Series*>& open);
-  void addPicture(QTreeWidgetItem* parent, const std::shared_ptr<const Series>& series, int index);
+  void addPicture(QTreeWidgetItem* parent, const ListedKeyImage& picture);
+  void addNotHere(QTreeWidgetItem* parent, std::size_t notHere);
 
   Session& session_;
   DerivedObjects& derived_;
   const OpenPictures pictures_;
   QLabel* empty_;
   QTreeWidget* list_;
-  std::vector<Entry> entries_;
+  std::vector<ListedKeyImage> entries_;
 };
 
 }  // namespace volumen

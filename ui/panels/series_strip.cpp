@@ -38,7 +38,7 @@ SeriesStrip::SeriesStrip(QWidget* parent) : QListWidget(parent) {
   setDragEnabled(true);
   setDragDropMode(QAbstractItemView::DragOnly);
   setUniformItemSizes(true);
-  setTextElideMode(Qt::ElideRight);
+  setTextElideMode(Qt::ElideMiddle);
   setIconSize({stripIconEdge, stripIconEdge});
   setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -13,7 +13,6 @@
 
 #include "io/thumbnail.h"
 #include "ui/data/frame_series.h"
-#include "ui/panels/attributes_dialog.h"
 #include "ui/panels/studies_panel_roles.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/series_text.h"
@@ -83,6 +82,7 @@ StudiesPanel::StudiesPanel(OpenStudies& studies, QWidget* parent)
   tree_->setObjectName(QStringLiteral("studyTree"));
   tree_->setAccessibleName(tr("Patients, studies and series"));
   tree_->setHeaderHidden(true);
+  tree_->setTextElideMode(Qt::ElideMiddle);  // names of series differ at their ends
   tree_->setDragEnabled(true);
   tree_->setIndentation(8);
   tree_->setUniformRowHeights(false);
@@ -226,7 +226,7 @@ void StudiesPanel::showMenu(QPoint position) {
   }
   if (series && series->format == "DICOM")
     menu->addAction(tr("DICOM attributes..."), this,
-                    [this, chosen = *series] { (new AttributesDialog(chosen, this))->show(); });
+                    [this, chosen = *series] { Q_EMIT attributesRequested(chosen); });
   if (menu->isEmpty()) return menu->deleteLater();
   menu->popup(tree_->viewport()->mapToGlobal(position));
 }

@@ -40,6 +40,7 @@ class StudiesPanel : public QWidget {
  Q_SIGNALS:
   void seriesChosen(const volumen::Series& series);
   void objectChosen(const volumen::DerivedObjectPtr& object);
+  void attributesRequested(const volumen::Series& series);
   /// They are to be taken off the list.
   void removeRequested(const std::vector<volumen::SeriesKey>& series,
                        const std::vector<volumen::DerivedKey>& derived);

@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "ui/panels/series_strip.h"
+#include "ui/panels/study_columns.h"
 #include "ui/widgets/plain_text.h"
 
 namespace volumen {
@@ -216,11 +217,12 @@ void StudyBrowser::startSearch() {
   search_->selectAll();
 }
 
-// A patient of several studies, or a group, is opened in the tree alone.
+void StudyBrowser::clearSearch() { search_->clear(); }
+
+// A group is opened in the tree alone.
 void StudyBrowser::activate(const QModelIndex& index) {
-  if (!model_->studyAt(index)) return tree_->setExpanded(index, !tree_->isExpanded(index));
-  const IndexedSeries* series = model_->seriesAt(index);
-  open(model_->choiceAt(index), series ? series->offline : model_->studyAt(index)->offline, false);
+  if (model_->isRecentGroup(index)) return tree_->setExpanded(index, !tree_->isExpanded(index));
+  openBest(index, false);
 }
 
 void StudyBrowser::open(const IndexedChoice& choice, bool isOffline, bool beside) {
@@ -229,9 +231,11 @@ void StudyBrowser::open(const IndexedChoice& choice, bool isOffline, bool beside
   Q_EMIT openRequested(choice, beside);
 }
 
+void StudyBrowser::openCurrent(bool beside) { openBest(tree_->currentIndex(), beside); }
+
 // Of a patient the study that stands first.
-void StudyBrowser::openCurrent(bool beside) {
-  QModelIndex index = tree_->currentIndex().siblingAtColumn(0);
+void StudyBrowser::openBest(const QModelIndex& row, bool beside) {
+  QModelIndex index = row.siblingAtColumn(0);
   if (!model_->studyAt(index) && index.isValid()) index = model_->index(0, 0, index);
   if (const IndexedStudy* study = model_->studyAt(index)) {
     const IndexedSeries* series = model_->seriesAt(index);
@@ -274,6 +278,7 @@ void StudyBrowser::showMenu(QWidget* from, QPoint position) {
                       [this, choice, isOffline, beside] { open(choice, isOffline, beside); });
   if (sources_.current().canRemove() && !model_->studiesOf(index).empty())
     menu->addAction(tr("Remove from list"), this, &StudyBrowser::removeChosen);
+  if (from == tree_) columns_->addTo(menu->addMenu(tr("Columns")));
   if (menu->isEmpty()) return menu->deleteLater();
   menu->popup(from->mapToGlobal(position));
 }

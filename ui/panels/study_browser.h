@@ -18,6 +18,7 @@ class QTreeView;
 namespace volumen {
 
 class SeriesStrip;
+class StudyColumns;
 
 /// The studies of a source: patients, studies and series in a tree that is searched as one types and sorted
 /// by its columns, and the series of the chosen study as thumbnails. Asks the source for everything; what it
@@ -33,6 +34,8 @@ class StudyBrowser : public QWidget {
   void showNames();
   /// Puts the cursor into the search field.
   void startSearch();
+  /// Lists all again.
+  void clearSearch();
   bool isEmpty() const { return model_->list().patients.empty() && shown_.words.empty(); }
 
  Q_SIGNALS:
@@ -75,6 +78,7 @@ class StudyBrowser : public QWidget {
   void activate(const QModelIndex& index);
   void open(const IndexedChoice& choice, bool isOffline, bool beside);
   void openCurrent(bool beside);
+  void openBest(const QModelIndex& row, bool beside);
   void removeChosen();
   void showMenu(QWidget* from, QPoint position);
   bool searchKey(QKeyEvent* event);
@@ -86,6 +90,7 @@ class StudyBrowser : public QWidget {
   QLineEdit* search_;
   QPushButton* import_;
   QTreeView* tree_;
+  StudyColumns* columns_ = nullptr;
   SeriesStrip* strip_;
   QLabel* notice_;
   QFrame* removedBar_;

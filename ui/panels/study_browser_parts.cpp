@@ -10,6 +10,7 @@
 
 #include "ui/panels/series_strip.h"
 #include "ui/panels/study_browser.h"
+#include "ui/panels/study_columns.h"
 
 namespace volumen {
 
@@ -54,6 +55,7 @@ void StudyBrowser::makeTree() {
   tree_->setAccessibleName(tr("All patients, studies and series"));
   tree_->setModel(model_);
   tree_->setUniformRowHeights(true);
+  tree_->setTextElideMode(Qt::ElideMiddle);  // names of series differ at their ends
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   tree_->setExpandsOnDoubleClick(false);
   tree_->setDragEnabled(true);
@@ -63,13 +65,7 @@ void StudyBrowser::makeTree() {
   QHeaderView* header = tree_->header();
   header->setStretchLastSection(false);
   header->setSectionResizeMode(int(StudyColumn::description), QHeaderView::Stretch);
-  const std::pair<StudyColumn, const char*> widest[] = {{StudyColumn::name, "Somebody, Anyone"},
-                                                        {StudyColumn::id, "01234567"},
-                                                        {StudyColumn::date, "0000-00-00"},
-                                                        {StudyColumn::modality, "Modality"},
-                                                        {StudyColumn::images, "10,000"}};
-  for (const auto& [column, text] : widest)
-    header->resizeSection(int(column), fontMetrics().horizontalAdvance(QLatin1String(text)) + 16);
+  columns_ = new StudyColumns(header);
   header->setSectionsClickable(true);
   header->setSortIndicatorShown(true);
   header->setSortIndicator(int(sort_.by), Qt::DescendingOrder);

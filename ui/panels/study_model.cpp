@@ -43,6 +43,12 @@ QString studyCell(const IndexedStudy& study, StudyColumn column) {
       return shownText(study.modalities);
     case StudyColumn::description:
       return shownText(study.description);
+    case StudyColumn::birthDate:
+      return dateText(study.birthDate);
+    case StudyColumn::sex:
+      return shownText(study.sex);
+    case StudyColumn::accession:
+      return idText(study.accessionNumber);
     case StudyColumn::images:
       break;
   }
@@ -54,6 +60,9 @@ QString seriesCell(const IndexedSeries& series, StudyColumn column) {
     case StudyColumn::name:
       return marked(!series.warnings.empty(), seriesNameText(series));
     case StudyColumn::id:
+    case StudyColumn::birthDate:
+    case StudyColumn::sex:
+    case StudyColumn::accession:
       return {};
     case StudyColumn::date:
       return dateText(series.date);
@@ -219,7 +228,7 @@ int StudyModel::rowCount(const QModelIndex& parent) const {
   return known == series_.end() ? 0 : int(known->second->size());
 }
 
-int StudyModel::columnCount(const QModelIndex&) const { return 6; }
+int StudyModel::columnCount(const QModelIndex&) const { return int(StudyColumn::accession) + 1; }
 
 bool StudyModel::hasChildren(const QModelIndex& parent) const {
   if (parent.isValid() && parent.column() == 0 && kindOf(parent) == RowKind::study)
@@ -245,7 +254,11 @@ QString StudyModel::patientCell(const ListedPatient& patient, StudyColumn column
     case StudyColumn::name:
       return marked(patient.warnings > 0, patientNameText(first.patientName));
     case StudyColumn::id:
+    case StudyColumn::birthDate:
+    case StudyColumn::sex:
       return studyCell(first, column);
+    case StudyColumn::accession:
+      return patient.studies.size() == 1 ? studyCell(first, column) : QString();
     case StudyColumn::date:
       return dateText(patient.date);
     case StudyColumn::modality:
@@ -308,7 +321,9 @@ QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int ro
   if (role == Qt::TextAlignmentRole)
     return int((StudyColumn(section) == StudyColumn::images ? Qt::AlignRight : Qt::AlignLeft) |
                Qt::AlignVCenter);
-  const QString names[] = {tr("Name"), tr("ID"), tr("Date"), tr("Modality"), tr("Description"), tr("Images")};
+  const QString names[] = {tr("Name"),       tr("ID"),          tr("Date"),
+                           tr("Modality"),   tr("Description"), tr("Images"),
+                           tr("Birth date"), tr("Sex"),         tr("Accession number")};
   return role == Qt::DisplayRole ? names[section] : QVariant();
 }
 

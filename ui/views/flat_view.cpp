@@ -1,6 +1,7 @@
 #include "ui/views/flat_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/controller/derived_objects.h"
 #include "ui/controller/measure_jobs.h"
@@ -44,11 +45,14 @@ FlatView::FlatView(const ViewParts& parts, ViewId id, QWidget* parent)
 FlatView::~FlatView() = default;
 
 std::optional<SlicePlane> FlatView::plane() const {
+  if (!shown()) return {};
+  return planeShown(fittedPlane(pixels()));
+}
+
+SlicePlane FlatView::fittedPlane(QSize pixels) const {
   const LoadedSeriesPtr shown = this->shown();
-  if (!shown) return {};
-  return planeShown(flatPlane(state(), flatLookOf(state()), shown->volume->geometry(),
-                              crosshairOf(session_.workspace(), id(), *shown),
-                              {pixels().width(), pixels().height()}));
+  return flatPlane(state(), flatLookOf(state()), shown->volume->geometry(),
+                   crosshairOf(session_.workspace(), id(), *shown), {pixels.width(), pixels.height()});
 }
 
 const SeriesState& FlatView::seriesState() const { return session_.workspace().series.at(state().series); }
@@ -63,24 +67,39 @@ void FlatView::askForPicture() {
   service_.request(std::move(request));
 }
 
-std::optional<SliceRequest> FlatView::requestFor(int factor) const {
+std::optional<SliceRequest> FlatView::requestFor(QSize pixels) const {
   std::optional<SlicePlane> now = plane();
   if (!now) return {};
-  now->size *= factor;
-  now->mmPerPixel /= factor;
+  now->mmPerPixel *= double(now->size.x) / pixels.width();
+  now->size = {pixels.width(), pixels.height()};
   return requestOf(*now);
 }
 
-QImage FlatView::capture() const {
-  const std::optional<SliceRequest> wanted = requestFor(1);
-  if (!wanted || drawn_ == wanted) return View::capture();
-  const Result<QImage> drawn = drawSlice(*wanted);
-  return captureWith(drawn ? *drawn : QImage(), 1);
+QSize FlatView::ownPixels() const {
+  const LoadedSeriesPtr shown = this->shown();
+  if (!shown) return {};
+  const glm::dvec2 size = wholeMm(state(), flatLookOf(state()), shown->volume->geometry()) / ownPixelMm();
+  return {std::max(1, int(std::lround(size.x))), std::max(1, int(std::lround(size.y)))};
 }
 
-QImage FlatView::captureWith(QImage picture, int factor) const {
-  picture.setDevicePixelRatio(factor * devicePixelRatioF());
-  return captureBy(factor, [&](QPainter& painter) { paintWith(painter, picture); });
+std::optional<SliceRequest> FlatView::requestForOwnPixels() const {
+  if (!shown()) return {};
+  SlicePlane whole = fittedPlane(ownPixels());
+  whole.mmPerPixel = ownPixelMm();
+  return requestOf(planeShown(whole));
+}
+
+QImage FlatView::capture() const {
+  const std::optional<SliceRequest> wanted = requestFor(pixels());
+  if (!wanted || drawn_ == wanted) return View::capture();
+  const Result<QImage> drawn = drawSlice(*wanted);
+  if (drawn) return captureWith(*drawn);
+  return captureBy(pixels(), [this](QPainter& painter) { paintWith(painter, {}); });
+}
+
+QImage FlatView::captureWith(QImage picture) const {
+  picture.setDevicePixelRatio(devicePixelRatioF() * picture.width() / pixels().width());
+  return captureBy(picture.size(), [&](QPainter& painter) { paintWith(painter, picture); });
 }
 
 bool FlatView::mayShow(const SliceRequest& request) const {

@@ -36,11 +36,17 @@ class FlatView : public View {
   const QImage& picture() const { return picture_; }
   /// The plane on screen, device pixels; none without a series.
   std::optional<SlicePlane> plane() const;
-  /// What is drawn for a picture of `factor` times as many pixels each way; none without a series.
-  std::optional<SliceRequest> requestFor(int factor) const;
+  /// What is drawn for a picture of so many pixels that is as wide as the view; none without a series.
+  std::optional<SliceRequest> requestFor(QSize pixels) const;
+  /// The size of all of the picture, a pixel for each of its own; empty without a series.
+  QSize ownPixels() const;
+  /// What is drawn for a picture of that size; the view's own picture is whole. None without a series.
+  std::optional<SliceRequest> requestForOwnPixels() const;
   QImage capture() const override;
-  /// The same in as many pixels, with the picture of that request.
-  QImage captureWith(QImage picture, int factor) const;
+  /// The same in as many pixels as this picture has, which is put in place of the one on screen.
+  QImage captureWith(QImage picture) const;
+  /// Whether the numbers of all that is measured in it are there; those that are not are asked for.
+  bool isMeasured() const;
   void setTool(const Tool& tool);
   /// So many steps down.
   virtual void scroll(int steps) = 0;
@@ -79,6 +85,8 @@ class FlatView : public View {
   double ownPixelMm() const;
   /// The picture as acquired that is seen.
   virtual PictureSeen pictureSeen() const = 0;
+  /// Where the wheel is, and of how many places.
+  virtual StackPlace place() const = 0;
   /// The measurements that are seen, the one that is being drawn last.
   std::vector<DrawnMeasurement> drawnMeasurements() const;
   /// A plane of the stack that is scrolled through: the one on screen, or one at an end.
@@ -130,8 +138,6 @@ class FlatView : public View {
   /// False: it is of something else, or none was asked for.
   virtual bool showPicture(const SlicePicture& picture);
 
-  /// Where the wheel is, and of how many places.
-  virtual StackPlace place() const = 0;
   /// The window in use.
   virtual Window greyWindow() const = 0;
   /// False of colours.
@@ -210,6 +216,7 @@ class FlatView : public View {
   CineBar* cine_;
 
  private:
+  SlicePlane fittedPlane(QSize pixels) const;
   const Tool* toolFor(const QMouseEvent& event) const;
   bool movesCrosshair(Qt::KeyboardModifiers keys) const;
   double wheelSign() const;

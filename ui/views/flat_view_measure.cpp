@@ -2,6 +2,7 @@
 #include <QLineEdit>
 #include <QNativeGestureEvent>
 #include <QPainter>
+#include <algorithm>
 
 #include "ui/controller/measure_jobs.h"
 #include "ui/views/drawn_measurement.h"
@@ -52,6 +53,14 @@ std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
   placeLegend(drawn, area, taken, QFontMetricsF(font()));
   placeTexts(drawn, area, taken, QFontMetricsF(font()));
   return drawn;
+}
+
+bool FlatView::isMeasured() const {
+  if (!shown() || !session_.workspace().measurementsShown) return true;
+  return std::ranges::all_of(measurements(), [this](const Measurement* m) {
+    const bool isNotHere = !m->shape.frame && !session_.seriesNamed(m->series);
+    return isNotHere || measurer_.exactNumbersOf(*m) != nullptr;
+  });
 }
 
 std::optional<MeasurementHit> FlatView::measurementAt(QPointF p) const {

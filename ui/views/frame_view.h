@@ -27,6 +27,7 @@ class FrameView : public FlatView {
   void chooseWindow(int number) override;
   PictureSeen pictureSeen() const override;
   std::vector<StackPlane> stackPlanes(bool ends) const override;
+  StackPlace place() const override;
 
  protected:
   SlicePlane planeShown(const SlicePlane& plane) const override;
@@ -38,7 +39,6 @@ class FrameView : public FlatView {
   void ask() override;
   bool showPicture(const SlicePicture& picture) override;
   void seriesExchanged(bool) override {}
-  StackPlace place() const override;
   Window greyWindow() const override;
   bool hasWindow() const override { return !frame_ || !frame_->colour(); }
   bool hasCursor() const override { return frame_ && frame_->geometry().calibrated; }

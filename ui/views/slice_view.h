@@ -23,12 +23,12 @@ class SliceView : public FlatView {
   void chooseWindow(int number) override;
   PictureSeen pictureSeen() const override;
   std::vector<StackPlane> stackPlanes(bool ends) const override;
+  StackPlace place() const override;
 
  protected:
   SliceRequest requestOf(const SlicePlane& plane) const override;
   bool keepsPictureOf(const SeriesKey& before) const override;
   void seriesExchanged(bool another) override;
-  StackPlace place() const override;
   Numbers numbers() const override;
   QString numberLine() const override;
   QString goToNumber(int number) override;

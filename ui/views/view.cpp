@@ -116,18 +116,18 @@ QSize View::pixels() const {
 }
 
 QImage View::capture() const {
-  return captureBy(1, [this](QPainter& painter) { paintShown(painter); });
+  return captureBy(pixels(), [this](QPainter& painter) { paintShown(painter); });
 }
 
-QImage View::captureBy(int factor, const std::function<void(QPainter&)>& paint) const {
-  QImage image(factor * pixels(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(factor * devicePixelRatioF());
+QImage View::captureBy(QSize pixels, const std::function<void(QPainter&)>& paint) const {
+  QImage image(pixels, QImage::Format_RGB32);
+  image.setDevicePixelRatio(devicePixelRatioF() * pixels.width() / this->pixels().width());
   image.fill(Qt::black);
   QPainter painter(&image);
   painter.setFont(font());
   paint(painter);
   for (QWidget* badge : badges())
-    if (badge->isVisible()) badge->render(&painter, badge->pos(), {}, QWidget::DrawChildren);
+    if (badge->isVisibleTo(this)) badge->render(&painter, badge->pos(), {}, QWidget::DrawChildren);
   return image;
 }
 

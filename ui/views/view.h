@@ -56,8 +56,8 @@ class View : public QWidget {
 
   /// All that capture() holds, but for badges(), in logical pixels.
   virtual void paintShown(QPainter& painter) const = 0;
-  /// The same at `factor` times the pixels of the screen, where `paint` takes the place of paintShown().
-  QImage captureBy(int factor, const std::function<void(QPainter&)>& paint) const;
+  /// The same in so many pixels, as wide as the view, where `paint` takes the place of paintShown().
+  QImage captureBy(QSize pixels, const std::function<void(QPainter&)>& paint) const;
   /// Widgets of its own that say something of the picture.
   virtual std::vector<QWidget*> badges() const { return {loading_}; }
   /// What is to be said of a place of the view, logical pixels; empty: nothing.

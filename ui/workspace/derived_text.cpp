@@ -142,6 +142,26 @@ QString derivedName(const DerivedObject& object) {
                          : QStringLiteral("%1: %2").arg(kindNameOf(object.kind), label);
 }
 
+QString aloneText(const DerivedObject& object) {
+  const auto with = [&](const QString& what) {
+    return tr("%1: %2. Open the pictures that it is for, then click it in the list of studies.")
+        .arg(derivedName(object), what);
+  };
+  switch (object.kind) {
+    case DerivedKind::presentation:
+      return with(tr("it says how pictures are to be shown"));
+    case DerivedKind::keyObjects:
+      return with(tr("they mark pictures"));
+    case DerivedKind::report:
+      return with(tr("it is text about pictures"));
+    case DerivedKind::contours:
+      return with(tr("outlines of regions over slices"));
+    case DerivedKind::segmentation:
+      return with(tr("regions that tint slices"));
+  }
+  return {};
+}
+
 QStringList referenceLines(const DerivedObject& object, std::size_t notHere) {
   QStringList details{object.date.empty() ? QString() : dateText(object.date),
                       notHereText(notHere, object.pictures.size())};

@@ -10,6 +10,9 @@ namespace volumen {
 /// "Key objects: Of Interest": what it is and what it is called.
 QString derivedName(const DerivedObject& object);
 
+/// What it is and what to do where none of its pictures is open: two sentences.
+QString aloneText(const DerivedObject& object);
+
 /// Its name; its date and how many of its pictures are not here, "2 of 179 pictures are not here".
 QStringList referenceLines(const DerivedObject& object, std::size_t notHere);
 

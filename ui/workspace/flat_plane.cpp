@@ -51,6 +51,12 @@ SlicePlane unturned(const VoxelGeometry& geometry, ViewKind kind) {
   return planeAlong(geometry, along.right, along.down);
 }
 
+// mm across and down of a whole plane, turned as the look says.
+glm::dvec2 extent(const SlicePlane& whole, const FlatLook& look) {
+  const glm::dvec2 mm = glm::dvec2(whole.size) * whole.mmPerPixel;
+  return look.turn.quarters % 2 ? glm::dvec2(mm.y, mm.x) : mm;
+}
+
 // The crosshair of a view in a frame of reference; null: none was set yet.
 const Crosshair* findCrosshair(const Workspace& workspace, ViewId view, const std::string& frame) {
   const auto find = [&](const SharedMap<std::string, Crosshair>& in) {
@@ -71,12 +77,15 @@ const VoxelGeometry& drawnGeometry(const Series& series) {
   return series.regular ? series.regular->geometry : series.acquired;
 }
 
+glm::dvec2 wholeMm(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry) {
+  return extent(unturned(geometry, view.kind), look);
+}
+
 SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry,
                      const Crosshair& crosshair, glm::ivec2 pixels) {
   const bool ofFrames = showsFrames(view.kind);
   SlicePlane plane = unturned(geometry, view.kind);
-  glm::dvec2 whole = glm::dvec2(plane.size) * plane.mmPerPixel;
-  if (look.turn.quarters % 2) std::swap(whole.x, whole.y);
+  const glm::dvec2 whole = extent(plane, look);
   const double fittedMm = std::max(whole.x / pixels.x, whole.y / pixels.y);
   plane.size = pixels;
   plane.mmPerPixel = fittedMm / look.zoom;
@@ -174,6 +183,20 @@ Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& fra
     now.flats.editOrAdd(now.series).panMm += way;
   }
   return workspace;
+}
+
+Workspace withPlace(Workspace workspace, ViewId view, const LoadedSeries& shown, int index) {
+  const ViewKind kind = workspace.view(view).kind;
+  if (showsFrames(kind)) {
+    ViewState& state = workspace.editView(view);
+    state.flats.editOrAdd(state.series).frame = index;
+    return workspace;
+  }
+  const VoxelGeometry& geometry = shown.volume->geometry();
+  const Crosshair before = crosshairOf(workspace, view, shown);
+  Crosshair after = before;
+  after.at = scrolled(geometry, kind, before, index - stackPlace(geometry, kind, before).index);
+  return withCrosshair(std::move(workspace), view, frameOfReference(shown.series), before, after);
 }
 
 Crosshair turnedIn(Crosshair crosshair, ViewKind kind, double angle) {

@@ -15,6 +15,9 @@ namespace volumen {
 SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry,
                      const Crosshair& crosshair, glm::ivec2 pixels);
 
+/// How large all of what a flat view shows is, mm across and down, turned as it is.
+glm::dvec2 wholeMm(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry);
+
 /// The crosshair's point moved along the normal of a kind of view to the nearest place where wheel steps
 /// land: on an acquired slice where the plane is parallel to them.
 glm::dvec3 onSlice(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair);
@@ -46,6 +49,10 @@ struct StackPlace {
   int index = 0, count = 1;
 };
 StackPlace stackPlace(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair);
+
+/// With a flat view at another place of its stack: a step of the wheel, or a frame; from 0. `shown`: what the
+/// view shows.
+Workspace withPlace(Workspace workspace, ViewId view, const LoadedSeries& shown, int index);
 
 /// With another crosshair for a frame of reference, or for the view alone where it scrolls alone. Where it is
 /// turned otherwise than before, every view that it belongs to keeps its point at the same place of the

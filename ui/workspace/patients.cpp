@@ -21,7 +21,7 @@ std::vector<const Series*> picturesIn(const Workspace& workspace, ViewId view) {
 
 }  // namespace
 
-bool areOfOnePatient(const Series& a, const Series& b) {
+bool areOfOnePatient(const SeriesIdentity& a, const SeriesIdentity& b) {
   return a.patientId == b.patientId && a.patientName == b.patientName;
 }
 

@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// Whether two series are of one patient: of one name and one ID.
-bool areOfOnePatient(const Series& a, const Series& b);
+/// Whether two series or objects are of one patient: of one name and one ID.
+bool areOfOnePatient(const SeriesIdentity& a, const SeriesIdentity& b);
 
 /// One series of each patient whose pictures the views on screen show, overlays included, in the order of the
 /// views; series that name no patient and are no DICOM do not count.

@@ -52,14 +52,22 @@ QString personText(const std::string& name) {
   return {};
 }
 
-QString patientText(const Series& series) {
-  const QString name = personText(series.patientName);
-  const QString id = shownText(series.patientId);
-  if (hidden && (series.format == "DICOM" || !name.isEmpty() || !id.isEmpty())) return tr("(name hidden)");
-  if (name.isEmpty() && id.isEmpty()) return series.format == "DICOM" ? tr("(no name)") : QString();
+namespace {
+
+QString patientText(const SeriesIdentity& whose, bool isDicom) {
+  const QString name = personText(whose.patientName);
+  const QString id = shownText(whose.patientId);
+  if (hidden && (isDicom || !name.isEmpty() || !id.isEmpty())) return tr("(name hidden)");
+  if (name.isEmpty() && id.isEmpty()) return isDicom ? tr("(no name)") : QString();
   if (id.isEmpty() || id == name) return name;
   return name.isEmpty() ? id : QStringLiteral("%1 (%2)").arg(name, id);
 }
+
+}  // namespace
+
+QString patientText(const Series& series) { return patientText(series, series.format == "DICOM"); }
+
+QString patientText(const DerivedObject& object) { return patientText(object, true); }
 
 QString seriesText(const Series& series) {
   QStringList parts;

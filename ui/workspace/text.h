@@ -7,6 +7,7 @@
 
 namespace volumen {
 
+struct DerivedObject;
 struct Series;
 struct Study;
 
@@ -22,6 +23,18 @@ QString shownText(const std::string& utf8);
 void hideNames(bool hidden);
 bool namesHidden();
 
+/// Hides names, where `hidden`, for as long as it lives: for what is made for others.
+class HidingNames {
+ public:
+  explicit HidingNames(bool hidden) : before_(namesHidden()) { hideNames(before_ || hidden); }
+  ~HidingNames() { hideNames(before_); }
+  HidingNames(const HidingNames&) = delete;
+  HidingNames& operator=(const HidingNames&) = delete;
+
+ private:
+  const bool before_;
+};
+
 /// "Doe, Jane" of "Doe^Jane=...": the first group of a DICOM name (PS3.5 6.2.1.1) that is not
 /// empty, its carets read as a name; empty where there is none.
 QString personText(const std::string& name);
@@ -29,6 +42,8 @@ QString personText(const std::string& name);
 /// "Doe, Jane (12345)": DICOM's carets read as a name; "(no name)" where a DICOM file names none; empty
 /// for what has no patients.
 QString patientText(const Series& series);
+/// The same of an object of a DICOM file.
+QString patientText(const DerivedObject& object);
 
 /// "CT Head 1.0 mm (3)": modality, description, number; "head.nii" of other files.
 QString seriesText(const Series& series);

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <zlib.h>
+
+#include <QByteArray>
+#include <QFile>
+#include <QRectF>
+#include <QTransform>
+#include <vector>
+
+namespace volumen::tests {
+
+inline QByteArray inflated(const QByteArray& packed) {
+  QByteArray out(64 << 20, '\0');
+  uLongf size = uLongf(out.size());
+  if (uncompress(reinterpret_cast<Bytef*>(out.data()), &size,
+                 reinterpret_cast<const Bytef*>(packed.constData()), uLong(packed.size())) != Z_OK)
+    return {};
+  return out.left(qsizetype(size));
+}
+
+/// Where the images of a page's stream lie, mm from the lower left corner of the paper: read as
+/// PDF 1.4, 8.4.4 (cm, q, Q) and 8.8 (Do) say.
+inline std::vector<QRectF> imagesOfPage(const QByteArray& stream) {
+  std::vector<QRectF> images;
+  std::vector<QTransform> stack{QTransform()};
+  QList<double> numbers;
+  for (const QByteArray& word : stream.simplified().split(' ')) {
+    bool isNumber = false;
+    const double number = word.toDouble(&isNumber);
+    if (isNumber) {
+      numbers << number;
+      continue;
+    }
+    if (word == "q") stack.push_back(stack.back());
+    if (word == "Q" && stack.size() > 1) stack.pop_back();
+    if (word == "cm" && numbers.size() >= 6) {
+      const double* n = numbers.constData() + numbers.size() - 6;
+      stack.back() = QTransform(n[0], n[1], n[2], n[3], n[4], n[5]) * stack.back();
+    }
+    if (word == "Do") {
+      constexpr double mm = 25.4 / 72;
+      const QRectF place = stack.back().mapRect(QRectF(0, 0, 1, 1));
+      images.emplace_back(place.topLeft() * mm, place.size() * mm);
+    }
+    numbers.clear();
+  }
+  return images;
+}
+
+/// The same of all images of a PDF, page by page in their order; empty until the file is whole.
+inline std::vector<std::vector<QRectF>> pagesIn(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  const QByteArray pdf = file.readAll();
+  if (!pdf.contains("%%EOF")) return {};
+  std::vector<std::vector<QRectF>> pages;
+  for (qsizetype at = pdf.indexOf("stream\n"); at >= 0; at = pdf.indexOf("stream\n", at)) {
+    const qsizetype from = at + 7, to = pdf.indexOf("endstream", from), object = pdf.lastIndexOf("obj", at);
+    at = to + 9;
+    if (pdf.mid(object, from - object).contains("/Image")) continue;  // of pixels
+    std::vector<QRectF> images = imagesOfPage(inflated(pdf.mid(from, to - from)));
+    if (!images.empty()) pages.push_back(std::move(images));
+  }
+  return pages;
+}
+
+inline std::vector<QRectF> imagesIn(const QString& path) {
+  std::vector<QRectF> all;
+  for (const std::vector<QRectF>& page : pagesIn(path)) all.insert(all.end(), page.begin(), page.end());
+  return all;
+}
+
+}  // namespace volumen::tests

@@ -1,0 +1,197 @@
+#include <QFileDialog>
+#include <QPdfWriter>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <algorithm>
+
+#include "ui/features/feature.h"
+#include "ui/overlays/picture_pages.h"
+#include "ui/panels/pages_dialog.h"
+#include "ui/views/picture_run.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/corner_text.h"
+#include "ui/workspace/key_image_list.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int pageEdge = 1400;   // pixels of a picture on paper, its longer edge
+constexpr double marginMm = 12;  // of a PDF
+
+struct CaptionedImage {
+  ListedKeyImage image;
+  QString caption;
+};
+
+// All key images on pages, each of one study, as a PDF or on paper.
+class KeyImagePages : public Feature {
+ public:
+  explicit KeyImagePages(Workbench& bench);
+
+ private:
+  // What was chosen, and the key images then.
+  struct Wanted {
+    PageLook look;
+    bool namesHidden;
+    std::vector<PicturePage> pages;   // without their pictures as yet
+    std::vector<std::size_t> pageOf;  // of each picture
+    QStringList captions;             // likewise
+    std::vector<PictureStop> stops;
+  };
+  using WantedPtr = std::shared_ptr<Wanted>;
+  using Paint = std::function<Status(const std::vector<PicturePage>& pages, const PageLook& look)>;
+
+  void ask();
+  WantedPtr wantedOf(const PagesDialog& dialog) const;
+  std::vector<std::vector<CaptionedImage>> studies() const;
+  void askForPdf(const WantedPtr& wanted);
+  void askForPrinter(const WantedPtr& wanted);
+  void make(const WantedPtr& wanted, const Paint& paint, const QString& done);
+};
+
+QStringList headOf(const Series& series) {
+  QStringList patient{patientText(series), sexAgeText(series)};
+  patient.removeAll(QString());
+  return {patient.join(QStringLiteral(", ")), studyText(series)};
+}
+
+// Whether two series stand under one head.
+bool areOneStudy(const Series& a, const Series& b) {
+  return a.patientId == b.patientId && a.patientName == b.patientName && a.studyUid == b.studyUid;
+}
+
+Status writePdf(const QString& path, const std::vector<PicturePage>& pages, const PageLook& look) {
+  const Error cannot{tr("Cannot write %1: choose another place.").arg(path).toStdString()};
+  QSaveFile file(path);
+  if (!file.open(QIODevice::WriteOnly)) return cannot;
+  {
+    QPdfWriter writer(&file);
+    writer.setCreator(QStringLiteral("volumen " VOLUMEN_VERSION));
+    writer.setTitle(tr("Key images"));
+    writer.setResolution(600);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setPageMargins(QMarginsF(marginMm, marginMm, marginMm, marginMm), QPageLayout::Millimeter);
+    if (Status painted = paintPages(writer, pages, look); !painted) return painted;
+  }
+  return file.commit() ? Status() : Status(cannot);
+}
+
+KeyImagePages::KeyImagePages(Workbench& bench) : Feature(bench) {
+  bench_.addAction({"keyImagePages",
+                    tr("Key images as pages..."),
+                    {},
+                    "",
+                    false,
+                    [this](bool) { ask(); },
+                    {{"picturesMenu", 20}}});
+}
+
+void KeyImagePages::ask() {
+  std::size_t pictures = 0;
+  for (const auto& study : studies()) pictures += study.size();
+  if (pictures == 0) return warn(tr("There are no key images: K marks the picture that is shown."));
+  auto* dialog = new PagesDialog(int(pictures), &bench_.window);
+  connect(dialog, &PagesDialog::pdfWanted, this, [this, dialog] { askForPdf(wantedOf(*dialog)); });
+  connect(dialog, &PagesDialog::paperWanted, this, [this, dialog] { askForPrinter(wantedOf(*dialog)); });
+  dialog->open();
+}
+
+// Those of a study stand together, in the order of the list.
+std::vector<std::vector<CaptionedImage>> KeyImagePages::studies() const {
+  std::vector<std::vector<CaptionedImage>> studies;
+  for (const KeyImageGroup& group :
+       listKeyImages(session_.workspace(), bench_.document.derived.all(), open_.pictures()))
+    for (const ListedKeyImage& image : group.pictures) {
+      QString caption = keyImageName(image);
+      if (group.isDocument) caption += QStringLiteral(" - ") + group.name;
+      const auto same = std::ranges::find_if(studies, [&](const std::vector<CaptionedImage>& study) {
+        return areOneStudy(*study.front().image.series, *image.series);
+      });
+      auto& study = same == studies.end() ? studies.emplace_back() : *same;
+      study.push_back({image, caption});
+    }
+  return studies;
+}
+
+KeyImagePages::WantedPtr KeyImagePages::wantedOf(const PagesDialog& dialog) const {
+  const auto wanted = std::make_shared<Wanted>();
+  wanted->look = {dialog.perPage(), dialog.inTrueSize()};
+  wanted->namesHidden = dialog.namesHidden();
+  const HidingNames hiding(wanted->namesHidden);
+  for (const std::vector<CaptionedImage>& study : studies())
+    for (std::size_t n = 0; n < study.size(); ++n) {
+      const auto& [image, caption] = study[n];
+      if (n % std::size_t(dialog.perPage()) == 0) wanted->pages.push_back({headOf(*image.series), {}});
+      wanted->pageOf.push_back(wanted->pages.size() - 1);
+      wanted->captions << caption;
+      wanted->stops.push_back(
+          viewOfKeyImage(session_.workspace(), image, session_.seriesNamed(keyOf(*image.series))));
+    }
+  return wanted;
+}
+
+void KeyImagePages::askForPdf(const WantedPtr& wanted) {
+  auto* dialog = new QFileDialog(&bench_.window, tr("Save the pages"),
+                                 QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation),
+                                 tr("PDF documents (*.pdf)"));
+  dialog->setObjectName(QStringLiteral("pagesFileDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("pdf"));
+  dialog->selectFile(tr("key images.pdf"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this, wanted](const QString& path) {
+    make(
+        wanted, [path](const auto& pages, const PageLook& look) { return writePdf(path, pages, look); },
+        tr("Saved %1").arg(path));
+  });
+  dialog->open();
+}
+
+void KeyImagePages::askForPrinter(const WantedPtr& wanted) {
+  const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+  auto* dialog = new QPrintDialog(printer.get(), &bench_.window);
+  dialog->setObjectName(QStringLiteral("pagesPrintDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, printer, wanted] {
+    make(
+        wanted,
+        [printer](const auto& pages, const PageLook& look) { return paintPages(*printer, pages, look); },
+        tr("Printed"));
+  });
+  connect(dialog, &QObject::destroyed, this, [printer] {});  // which it uses until then
+  dialog->open();
+}
+
+void KeyImagePages::make(const WantedPtr& wanted, const Paint& paint, const QString& done) {
+  PictureLook look;
+  look.size = PictureLook::Size::whole;
+  look.edge = pageEdge;
+  look.namesHidden = wanted->namesHidden;
+  auto* run =
+      new PictureRun(grid_, session_, bench_.document.jobs, tr("Making pages"), wanted->stops, look, this);
+  connect(run, &PictureRun::ended, this, [this, done](const QString& failure) {
+    if (failure.isEmpty())
+      tell(done);
+    else
+      warn(failure);
+  });
+  run->start(
+      [wanted](std::size_t n, const MadePicture& made) {
+        wanted->pages[wanted->pageOf[n]].pictures.push_back(
+            {made.image, made.mmPerPixel, wanted->captions[qsizetype(n)]});
+        return Status();
+      },
+      [wanted, paint] { return paint(wanted->pages, wanted->look); });
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeKeyImagePages(Workbench& bench) {
+  return std::make_unique<KeyImagePages>(bench);
+}
+
+}  // namespace volumen

@@ -1,0 +1,132 @@
+#include "ui/overlays/picture_pages.h"
+
+#include <QPagedPaintDevice>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+// mm
+constexpr double cellGap = 4, headText = 3.6, captionText = 2.8, lineSpacing = 1.35, headGap = 3;
+
+double headHeight(const PicturePage& page) {
+  return double(std::max<qsizetype>(2, page.head.size())) * headText * lineSpacing + headGap;
+}
+
+constexpr double captionHeight = 2 * captionText * lineSpacing + 1;
+
+QRectF cellOf(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm) {
+  const QSize grid = pageGrid(look.perPage, paperMm);
+  const double top = headHeight(page);
+  const double width = (paperMm.width() - (grid.width() - 1) * cellGap) / grid.width();
+  const double height = (paperMm.height() - top - (grid.height() - 1) * cellGap) / grid.height();
+  return {n % grid.width() * (width + cellGap), top + n / grid.width() * (height + cellGap), width, height};
+}
+
+QSizeF roomIn(const QRectF& cell) { return {cell.width(), cell.height() - captionHeight}; }
+
+std::optional<QSizeF> trueSize(const PagePicture& picture) {
+  if (!picture.mmPerPixel) return {};
+  return QSizeF(picture.image.size()) * *picture.mmPerPixel;
+}
+
+bool fits(QSizeF size, QSizeF room) { return size.width() <= room.width() && size.height() <= room.height(); }
+
+// What a picture's scale is, where it should be that of the patient.
+QString scaleText(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm) {
+  if (!look.inTrueSize) return {};
+  if (isInTrueSize(page, n, look, paperMm)) return tr("True size");
+  return page.pictures[std::size_t(n)].mmPerPixel ? tr("Not true size: too large for its place")
+                                                  : tr("Not true size: not calibrated");
+}
+
+class PagePainter {
+ public:
+  PagePainter(QPainter& painter, double dotsPerMm) : painter_(painter), dotsPerMm_(dotsPerMm) {
+    painter_.setRenderHints(QPainter::SmoothPixmapTransform | QPainter::LosslessImageRendering);
+    painter_.setPen(Qt::black);
+  }
+
+  void image(const QImage& image, const QRectF& mm) { painter_.drawImage(dots(mm), image); }
+
+  // Cut where it is too long.
+  void line(const QString& text, QPointF mm, double widthMm, double heightMm, Qt::Alignment alignment) {
+    QFont font;
+    font.setPixelSize(std::max(1, int(std::lround(heightMm * dotsPerMm_))));
+    painter_.setFont(font);
+    const QString fitting =
+        QFontMetricsF(font, painter_.device()).elidedText(text, Qt::ElideRight, widthMm * dotsPerMm_);
+    const QRectF place = dots({mm, QSizeF(widthMm, heightMm * lineSpacing)});
+    painter_.drawText(place, int(alignment | Qt::AlignTop | Qt::TextSingleLine), fitting);
+  }
+
+ private:
+  QRectF dots(const QRectF& mm) const { return {mm.topLeft() * dotsPerMm_, mm.size() * dotsPerMm_}; }
+
+  QPainter& painter_;
+  double dotsPerMm_;
+};
+
+void paintPicturePage(PagePainter& painter, const PicturePage& page, const QString& number,
+                      const PageLook& look, QSizeF paperMm) {
+  const double numberWidth = std::min(50.0, paperMm.width() / 3);
+  const double left = paperMm.width() - numberWidth, line = headText * lineSpacing;
+  for (qsizetype n = 0; n < page.head.size(); ++n)
+    painter.line(page.head[n], {0, double(n) * line}, left - headGap, headText, Qt::AlignLeft);
+  painter.line(number, {left, 0}, numberWidth, headText, Qt::AlignRight);
+  painter.line(tr("Not for clinical use"), {left, line}, numberWidth, captionText, Qt::AlignRight);
+  for (int n = 0; n < int(page.pictures.size()); ++n) {
+    const PagePicture& picture = page.pictures[std::size_t(n)];
+    painter.image(picture.image, pagePlace(page, n, look, paperMm));
+    const QRectF cell = cellOf(page, n, look, paperMm);
+    const QPointF under(cell.left(), cell.bottom() - captionHeight + 1);
+    painter.line(picture.caption, under, cell.width(), captionText, Qt::AlignHCenter);
+    painter.line(scaleText(page, n, look, paperMm), under + QPointF(0, captionText * lineSpacing),
+                 cell.width(), captionText, Qt::AlignHCenter);
+  }
+}
+
+}  // namespace
+
+QSize pageGrid(int perPage, QSizeF paperMm) {
+  const int shorter = int(std::floor(std::sqrt(double(perPage)))), longer = (perPage + shorter - 1) / shorter;
+  return paperMm.width() > paperMm.height() ? QSize(longer, shorter) : QSize(shorter, longer);
+}
+
+bool isInTrueSize(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm) {
+  const auto size = trueSize(page.pictures[std::size_t(n)]);
+  return look.inTrueSize && size && fits(*size, roomIn(cellOf(page, n, look, paperMm)));
+}
+
+QRectF pagePlace(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm) {
+  const PagePicture& picture = page.pictures[std::size_t(n)];
+  const QRectF cell = cellOf(page, n, look, paperMm);
+  const QSizeF room = roomIn(cell);
+  const QSizeF size = isInTrueSize(page, n, look, paperMm)
+                          ? *trueSize(picture)
+                          : QSizeF(picture.image.size()).scaled(room, Qt::KeepAspectRatio);
+  return {QPointF(cell.left() + (room.width() - size.width()) / 2,
+                  cell.top() + (room.height() - size.height()) / 2),
+          size};
+}
+
+Status paintPages(QPagedPaintDevice& device, const std::vector<PicturePage>& pages, const PageLook& look) {
+  const Error cannot{tr("The printer or its file cannot be written to.").toStdString()};
+  const QSizeF paperMm = device.pageLayout().paintRect(QPageLayout::Millimeter).size();
+  QPainter painter;
+  if (!painter.begin(&device)) return cannot;
+  PagePainter pagePainter(painter, device.logicalDpiX() / 25.4);
+  for (std::size_t n = 0; n < pages.size(); ++n) {
+    if (n > 0 && !device.newPage()) return cannot;
+    const QString number = tr("Page %1 of %2").arg(n + 1).arg(pages.size());
+    paintPicturePage(pagePainter, pages[n], number, look, paperMm);
+  }
+  return painter.end() ? Status() : Status(cannot);
+}
+
+}  // namespace volumen

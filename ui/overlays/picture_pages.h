@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QImage>
+#include <QRectF>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "viewer/volume/result.h"
+
+class QPagedPaintDevice;
+class QPainter;
+
+namespace volumen {
+
+/// A picture on a page, and what is written under it.
+struct PagePicture {
+  QImage image;
+  std::optional<double> mmPerPixel;  ///< none: it is not calibrated
+  QString caption;
+};
+
+/// Pictures that stand on one page, and what stands above them: lines at the left.
+struct PicturePage {
+  QStringList head;
+  std::vector<PagePicture> pictures;
+};
+
+/// How many pictures a page has at most, and whether they are as large as the patient where there is room.
+struct PageLook {
+  int perPage = 6;
+  bool inTrueSize = false;
+};
+
+/// Columns and rows of a page of this size for so many pictures.
+QSize pageGrid(int perPage, QSizeF paperMm);
+
+/// Where picture `n` (from 0) of a page lies, mm from its top left corner: in the middle of its cell, whole,
+/// its caption under it. In true size where it fits so.
+QRectF pagePlace(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm);
+
+/// Whether a picture is as large as the patient on a page.
+bool isInTrueSize(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm);
+
+/// Paints the pages. An Error where the device cannot be written to.
+Status paintPages(QPagedPaintDevice& device, const std::vector<PicturePage>& pages, const PageLook& look);
+
+}  // namespace volumen

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+
+namespace volumen {
+
+/// Asks how key images are put on pages, and whether these are saved or printed: the dialog is closed then.
+class PagesDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit PagesDialog(int pictures, QWidget* parent = nullptr);
+
+  int perPage() const;
+  bool inTrueSize() const { return trueSize_->isChecked(); }
+  bool namesHidden() const { return hideNames_->isChecked(); }
+
+ Q_SIGNALS:
+  void pdfWanted();
+  void paperWanted();
+
+ private:
+  QComboBox* perPage_;
+  QCheckBox *trueSize_, *hideNames_;
+};
+
+}  // namespace volumen

@@ -1,0 +1,156 @@
+#include "ui/panels/picture_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QPushButton>
+#include <algorithm>
+#include <cstdlib>
+
+#include "ui/widgets/plain_text.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int widestPicture = 8192, widestOfSheet = 800, mostRows = 12;
+
+// In the order of the box.
+constexpr PictureLook::Size sizeChoices[] = {PictureLook::Size::asSeen, PictureLook::Size::own,
+                                             PictureLook::Size::wide};
+
+QString titleOf(PicturesOf of) {
+  switch (of) {
+    case PicturesOf::view:
+      return PictureDialog::tr("Picture of any size");
+    case PicturesOf::stack:
+      return PictureDialog::tr("Stack as pictures");
+    case PicturesOf::sheet:
+      break;
+  }
+  return PictureDialog::tr("Contact sheet");
+}
+
+}  // namespace
+
+PictureDialog::PictureDialog(PicturesOf of, const StackPlace& place, QSize seen, QWidget* parent)
+    : QDialog(parent), of_(of), seen_(seen), form_(new QFormLayout(this)) {
+  setObjectName(QStringLiteral("picturesDialog"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(titleOf(of));
+  addSize();
+  addRange(std::max(1, place.count));
+  addSheet();
+  addTexts();
+  addButtons();
+  showCount();
+}
+
+QSpinBox* PictureDialog::number(const char* name, const QString& label, int least, int most, int value) {
+  auto* box = new QSpinBox;
+  box->setObjectName(QLatin1String(name));
+  box->setAccessibleName(label);
+  box->setRange(least, most);
+  box->setValue(value);
+  form_->addRow(label, box);
+  connect(box, &QSpinBox::valueChanged, this, &PictureDialog::showCount);
+  return box;
+}
+
+void PictureDialog::addSize() {
+  const bool isSheet = of_ == PicturesOf::sheet;
+  size_ = new QComboBox;
+  size_->setObjectName(QStringLiteral("pictureSize"));
+  size_->setAccessibleName(tr("Size"));
+  size_->addItems({tr("As on screen"), tr("All of it at its own pixels"), tr("As on screen, of this width")});
+  form_->addRow(tr("Size"), size_);
+  width_ = number("pictureWidth", isSheet ? tr("Width of a picture") : tr("Width"), 50,
+                  isSheet ? widestOfSheet : widestPicture, isSheet ? 256 : 2 * seen_.width());
+  width_->setSuffix(tr(" px"));
+  const auto follow = [this] {
+    width_->setEnabled(sizeChoices[size_->currentIndex()] == PictureLook::Size::wide);
+  };
+  connect(size_, &QComboBox::currentIndexChanged, this, follow);
+  if (isSheet) {
+    size_->setCurrentIndex(2);
+    form_->setRowVisible(size_, false);
+  }
+  follow();
+}
+
+void PictureDialog::addRange(int count) {
+  first_ = number("pictureFirst", tr("From"), 1, count, 1);
+  last_ = number("pictureLast", tr("To"), 1, count, count);
+  every_ = number("pictureEvery", tr("Every"), 1, count, 1);
+  for (QSpinBox* box : {first_, last_}) box->setSuffix(tr(" of %1").arg(count));
+  every_->setToolTip(toolTipOf(tr("1: each of them; 3: every third one")));
+  for (QSpinBox* box : {first_, last_, every_}) form_->setRowVisible(box, of_ != PicturesOf::view);
+  form_->setRowVisible(every_, of_ == PicturesOf::stack);
+}
+
+void PictureDialog::addSheet() {
+  rows_ = number("sheetRows", tr("Rows"), 1, mostRows, 4);
+  columns_ = number("sheetColumns", tr("Columns"), 1, mostRows, 5);
+  for (QSpinBox* box : {rows_, columns_}) form_->setRowVisible(box, of_ == PicturesOf::sheet);
+}
+
+void PictureDialog::addTexts() {
+  texts_ = new QCheckBox(of_ == PicturesOf::sheet ? tr("Texts above, a number on each picture")
+                                                  : tr("Texts, lines and measurements"));
+  texts_->setObjectName(QStringLiteral("pictureTexts"));
+  texts_->setChecked(true);
+  hideNames_ = new QCheckBox(tr("Hide names, IDs and dates"));
+  hideNames_->setObjectName(QStringLiteral("pictureHideNames"));
+  hideNames_->setChecked(namesHidden());
+  hideNames_->setEnabled(!namesHidden());
+  connect(texts_, &QCheckBox::toggled, this,
+          [this](bool on) { hideNames_->setEnabled(on && !namesHidden()); });
+  form_->addRow(texts_);
+  form_->addRow(hideNames_);
+}
+
+void PictureDialog::addButtons() {
+  count_ = plainLabel();
+  count_->setObjectName(QStringLiteral("pictureCount"));
+  form_->addRow(count_);
+  form_->setRowVisible(count_, of_ != PicturesOf::view);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  QPushButton* save = buttons->addButton(tr("Save..."), QDialogButtonBox::AcceptRole);
+  save->setObjectName(QStringLiteral("pictureSave"));
+  save->setDefault(true);
+  form_->addRow(buttons);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+PictureLook PictureDialog::look() const {
+  PictureLook look;
+  look.size = sizeChoices[size_->currentIndex()];
+  look.edge = width_->value();
+  look.seen = seen_;
+  look.withTexts = texts_->isChecked() && of_ != PicturesOf::sheet;
+  look.namesHidden = hideNames_->isChecked();
+  return look;
+}
+
+// On a sheet as few are left out as there is room for.
+int PictureDialog::every() const {
+  if (of_ != PicturesOf::sheet) return every_->value();
+  const int count = std::abs(last_->value() - first_->value()) + 1, room = rows_->value() * columns_->value();
+  return (count + room - 1) / room;
+}
+
+std::vector<int> PictureDialog::places() const {
+  const auto [from, to] = std::minmax({first_->value(), last_->value()});
+  std::vector<int> places;
+  for (int n = from; n <= to; n += every()) places.push_back(n - 1);
+  return places;
+}
+
+void PictureDialog::showCount() {
+  const int pictures = int(places().size());
+  const QString text = pictures == 1 ? tr("1 picture") : tr("%1 pictures").arg(pictures);
+  count_->setText(every() == 1 ? text : tr("%1, every %2.").arg(text).arg(every()));
+}
+
+}  // namespace volumen

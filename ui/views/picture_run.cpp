@@ -1,0 +1,189 @@
+#include "ui/views/picture_run.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QResizeEvent>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/data/frame_series.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int waitMs = 20, mostWaits = 100;  // for numbers of measurements
+constexpr double textEdge = 640;             // logical pixels that texts over a whole picture are made for
+
+// Of all of the picture, or of what is seen; nothing has handles.
+Workspace workspaceOf(const PictureStop& stop, PictureLook::Size size) {
+  Workspace workspace = stop.workspace;
+  workspace.selected = 0;
+  if (size != PictureLook::Size::own && size != PictureLook::Size::whole) return workspace;
+  ViewState& view = workspace.editView(stop.view);
+  FlatLook& look = view.flats.editOrAdd(view.series);
+  look.zoom = 1;
+  look.panMm = {};
+  return workspace;
+}
+
+// What the view of a stop needs of the series in memory.
+std::unique_ptr<Session> sessionOf(const PictureStop& stop, PictureLook::Size size, const Session& session) {
+  auto copy = std::make_unique<Session>();
+  copy->prefer(session.preferences());
+  copy->pool().setBudget(std::numeric_limits<std::size_t>::max());
+  const ViewState& view = stop.workspace.view(stop.view);
+  for (const SeriesKey& key : {view.series, flatLookOf(view).overlay}) {
+    const auto state = stop.workspace.series.find(key);
+    if (state == stop.workspace.series.end()) continue;
+    if (LoadedSeriesPtr held = session.seriesWith(key, state->second.mask))
+      copy->pool().put({key, state->second.mask}, std::move(held));
+  }
+  copy->open({}, workspaceOf(stop, size));
+  return copy;
+}
+
+}  // namespace
+
+PictureRun::PictureRun(const ViewGrid& grid, const Session& session, Jobs& jobs, const QString& doing,
+                       std::vector<PictureStop> stops, const PictureLook& look, QObject* parent)
+    : QObject(parent),
+      grid_(grid),
+      session_(session),
+      jobs_(jobs),
+      job_(JobName(doing)),
+      stops_(std::move(stops)),
+      look_(look) {
+  numbersSoon_.setSingleShot(true);
+  numbersSoon_.setInterval(waitMs);
+  connect(&numbersSoon_, &QTimer::timeout, this, &PictureRun::waitForNumbers);
+  // After the view has heard of it, too.
+  connect(&frames_, &FrameService::ready, this,
+          [this] { QTimer::singleShot(0, this, &PictureRun::prepare); });
+  connect(&frames_, &FrameService::failed, this,
+          [this](int, const FrameKey&, const QString& sentence) { end(shownText(sentence.toStdString())); });
+}
+
+PictureRun::~PictureRun() { jobs_.remove(job_); }
+
+void PictureRun::start(Keep keep, Finish finish) {
+  keep_ = std::move(keep);
+  finish_ = std::move(finish);
+  jobs_.add(job_, [this] { end(tr("Interrupted; nothing was written.")); });
+  job_.tell({}, 0);
+  QTimer::singleShot(0, this, &PictureRun::next);
+}
+
+void PictureRun::next() {
+  if (hasEnded_) return;
+  if (at_ < stops_.size()) return showStop();
+  lane_.run(
+      {}, [finish = finish_](const Job&) { return finish ? finish() : Status(); },
+      [this](const Status& finished) {
+        end(finished ? QString() : QString::fromStdString(finished.message()));
+      });
+}
+
+void PictureRun::showStop() {
+  const PictureStop& stop = stops_[at_];
+  view_.reset();
+  copy_ = sessionOf(stop, look_.size, session_);
+  view_ = grid_.unseenView(*copy_, frames_, stop.view);
+  waits_ = 0;
+  if (!view_) return end(tr("Only slices and frames can be made into such pictures."));
+  resizeView(look_.seen);
+  const ViewState& state = view_->state();
+  const Series* series = seriesIn(copy_->workspace(), stop.view);
+  if (!series) return end(tr("Open a series first."));
+  if (!showsFrames(state.kind)) return prepare();
+  const FlatLook look = flatLookOf(state);
+  const int last = std::max(0, frameCount(*series) - 1);
+  frames_.request(stop.view, copy_->workspace().series.at(state.series).series, std::min(look.frame, last), 1,
+                  look.presentation.path);
+}
+
+// Its size, once it is known what it shows.
+void PictureRun::prepare() {
+  if (hasEnded_ || waits_ > 0) return;
+  if (!view_->shown()) {
+    if (showsFrames(view_->state().kind)) return;  // until its frame is read
+    return end(tr("The series is still being loaded: try again once it is shown."));
+  }
+  if (look_.size == Size::own || look_.size == Size::whole) {
+    const QSizeF own = view_->ownPixels();
+    const double shorter = std::min(own.width(), own.height()), longer = std::max(own.width(), own.height());
+    const double scale =
+        look_.size == Size::whole ? textEdge / longer : 1 / std::max(1.0, shorter / textEdge);
+    resizeView((own * scale / view_->devicePixelRatioF()).toSize().expandedTo({1, 1}));
+  }
+  waitForNumbers();
+}
+
+// A hidden widget hears of its size only as it is shown.
+void PictureRun::resizeView(QSize logical) {
+  const QSize before = view_->size();
+  view_->resize(logical);
+  QResizeEvent event(logical, before);
+  QCoreApplication::sendEvent(view_.get(), &event);
+}
+
+void PictureRun::waitForNumbers() {
+  if (hasEnded_) return;
+  if (look_.withTexts && !view_->isMeasured() && ++waits_ < mostWaits) return numbersSoon_.start();
+  waits_ = mostWaits;
+  draw();
+}
+
+QSize PictureRun::pixelsWanted() const {
+  if (look_.size == Size::asSeen) return view_->pixels();
+  const QSizeF from = look_.size == Size::wide ? QSizeF(view_->pixels()) : QSizeF(view_->ownPixels());
+  const double edge = look_.size == Size::wide ? from.width() : std::max(from.width(), from.height());
+  return (from * (look_.edge / edge)).toSize().expandedTo({1, 1});
+}
+
+void PictureRun::draw() {
+  const std::optional<SliceRequest> request =
+      look_.size == Size::own ? view_->requestForOwnPixels() : view_->requestFor(pixelsWanted());
+  lane_.run(
+      {}, [request](const Job&) { return drawSlice(*request); },
+      [this, mm = request->plane.mmPerPixel](const Result<QImage>& drawn) {
+        if (!drawn) return end(QString::fromStdString(drawn.message()));
+        keepPicture(*drawn, mm);
+      });
+}
+
+void PictureRun::keepPicture(const QImage& picture, double mmPerPixel) {
+  const HidingNames hiding(look_.namesHidden);
+  MadePicture made;
+  made.image = look_.withTexts ? view_->captureWith(picture) : picture.convertToFormat(QImage::Format_RGB32);
+  made.image.setDevicePixelRatio(1);
+  made.overlays = view_->overlays();
+  made.warnings = static_cast<View&>(*view_).warningsShown();
+  if (made.overlays.mmPerPixel > 0) made.mmPerPixel = mmPerPixel;
+  lane_.run(
+      {}, [keep = keep_, n = at_, made](const Job&) { return keep(n, made); },
+      [this](const Status& kept) { take(kept); });
+}
+
+void PictureRun::take(const Status& kept) {
+  if (!kept) return end(QString::fromStdString(kept.message()));
+  ++at_;
+  job_.tell(tr("%1: %2 of %3").arg(job_.name().doing).arg(at_).arg(stops_.size()),
+            double(at_) / double(stops_.size()));
+  next();
+}
+
+void PictureRun::end(const QString& failure) {
+  if (std::exchange(hasEnded_, true)) return;
+  numbersSoon_.stop();
+  lane_.giveUpAll();
+  jobs_.remove(job_);
+  Q_EMIT ended(failure);
+  lane_.run(
+      {}, [](const Job&) {}, [this] { deleteLater(); });  // once what is being drawn is
+}
+
+}  // namespace volumen

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QSize>
+
+#include "ui/workspace/workspace.h"
+
+namespace volumen {
+
+/// A flat view as a workspace has it.
+struct PictureStop {
+  Workspace workspace;
+  ViewId view = 0;
+};
+
+/// How large pictures of flat views are, and what is written over them.
+struct PictureLook {
+  enum class Size {
+    asSeen,  ///< what the view shows, `seen` at its pixels
+    wide,    ///< the same, so many pixels wide
+    own,     ///< all of the picture, a pixel for each of its own
+    whole    ///< all of the picture, its longer edge so many pixels
+  };
+  Size size = Size::asSeen;
+  int edge = 1024;        ///< of `wide` and `whole`: pixels
+  QSize seen{640, 640};   ///< of the view, logical pixels
+  bool withTexts = true;  ///< and lines and measurements
+  bool namesHidden = false;
+};
+
+}  // namespace volumen
