@@ -76,7 +76,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       ">; "
       "Panels >");
   row("&View/Layout",
-      "One view; Planes and 3D; Large 3D beside planes; Two series; Four series; |; "
+      "One view; Planes and 3D; Large 3D beside planes; Two series; Four series; [gridChooser]; |; "
       "Planes along the slices; Planes along the patient");
   row("&View/Show in this view", "3D; Axial; Coronal; Sagittal");
   row("&View/Turn and size",

@@ -87,7 +87,7 @@ void Help::showShortcuts() {
       tr("X"),
       tr("scissors: draw around what is cut away (Ctrl: around what stays), Esc gives up"),
       tr("Right click in a 3D view"),
-      tr("tools, and in the layouts of two and four what the view shows"),
+      tr("tools, and in grids of series what the view shows"),
       tr("In the curve"),
       tr("double-click adds a point, right-click or Delete removes it, arrow keys nudge it, Tab goes to the "
          "next, the wheel zooms the value axis, Home shows all of it"),
@@ -114,6 +114,8 @@ void Help::showShortcuts() {
          "removes what is selected, W changes the window again"),
       tr("Alt+1 to Alt+5"),
       tr("layouts: one view, planes and 3D, large 3D beside planes, two or four series"),
+      tr("Alt+6"),
+      tr("grid of up to 4 x 5 series: arrows and Enter, or the mouse"),
       tr("Ctrl+Z, Ctrl+Shift+Z"),
       tr("undo, redo"),
       tr("Ctrl+B, Ctrl+F, Ctrl+I"),

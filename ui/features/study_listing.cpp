@@ -295,12 +295,11 @@ void StudyListing::showOpened(const Series& series, OpenHow how) {
   if (how == OpenHow::instead && showsAnything(session_.workspace())) showBrowser(false);
 }
 
-// The next view to compare: of two, the other one; of four, the first empty one.
+// The next view to compare: the first empty one, else the one behind the focus.
 void StudyListing::focusNextView() {
   const Workspace& workspace = session_.workspace();
   if (!showsAnything(workspace)) return;
-  const bool compares = workspace.layout == Layout::two || workspace.layout == Layout::four;
-  if (!compares) {
+  if (!comparesSeries(workspace.layout)) {
     session_.endGesture();
     session_.change(tr("Layout"), withLayout(workspace, Layout::two));
   }

@@ -76,6 +76,7 @@ void FlatView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintShown(painter);
   if (shown()) paintStackBar(painter);
+  paintInvitation(painter);
   paintFocus(painter);
 }
 

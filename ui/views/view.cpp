@@ -7,6 +7,7 @@
 
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
+#include "ui/workspace/layout_text.h"
 #include "ui/workspace/time_points.h"
 
 namespace volumen {
@@ -133,7 +134,16 @@ QImage View::captureBy(int factor, const std::function<void(QPainter&)>& paint) 
 void View::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintShown(painter);
+  paintInvitation(painter);
   paintFocus(painter);
+}
+
+void View::paintInvitation(QPainter& painter) const {
+  if (!state().series.empty() || !comparesSeries(session_.workspace().layout)) return;
+  const QRect area = rect().adjusted(8, 8, -8, -8);
+  painter.setFont(font());
+  painter.setPen(QColor(0xd7, 0xdc, 0xe2));
+  painter.drawText(area, Qt::AlignCenter | Qt::TextWordWrap, invitationText(state()));
 }
 
 void View::paintFocus(QPainter& painter) const {

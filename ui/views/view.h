@@ -71,6 +71,8 @@ class View : public QWidget {
   Overlays waitingOverlays() const;
   /// A thin frame where this is the view in focus of several.
   void paintFocus(QPainter& painter) const;
+  /// In a view to compare that shows nothing what may be dropped there.
+  void paintInvitation(QPainter& painter) const;
 
   void paintEvent(QPaintEvent*) override;
   void dragEnterEvent(QDragEnterEvent*) override;
