@@ -36,6 +36,8 @@ const std::vector<FeatureEntry>& features() {
       {"picture turns", makePictureTurns},
       {"windows", makeWindowChoices},
       {"study list", makeStudyListing},
+      {"hanging protocols", makeHangingProtocols},
+      {"priors", makePriors},
       {"help", makeHelp},
   };
   return table;

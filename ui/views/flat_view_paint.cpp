@@ -5,6 +5,7 @@
 #include "ui/views/flat_view.h"
 #include "ui/views/time_bar.h"
 #include "ui/widgets/warning_badge.h"
+#include "ui/workspace/priors.h"
 
 namespace volumen {
 
@@ -13,6 +14,7 @@ Overlays FlatView::cornersOf(const CornerTexts& texts) const {
   Overlays o;
   o.topLeft = texts.left(lines);
   o.topRight = texts.right(lines);
+  o.date = dateToTellApart(session_.workspace(), id());
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
   return o;
 }
