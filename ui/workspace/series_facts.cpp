@@ -43,6 +43,13 @@ const std::string& valueOfSplit(const Series& series, const char* attribute) {
   return found == series.splitBy.end() ? none : found->value;
 }
 
+// "T1 +C", also "T1+C SAG".
+bool saysPlusC(const std::string& description) {
+  const std::string said = loweredText(description);
+  const std::size_t at = said.find("+c");
+  return at != std::string::npos && (at + 2 == said.size() || !isLetter(said[at + 2]));
+}
+
 // Siemens numbers its kernels by sharpness: "B70f", "Br40d", "I31f".
 int sharpnessOf(const std::string& kernel) {
   const std::size_t digit = kernel.find_first_of("0123456789");
@@ -103,8 +110,8 @@ std::optional<Kernel> kernelOf(const Series& series) {
 
 std::optional<bool> contrastOf(const Series& series) {
   const std::string& said = series.description;
-  if (hasWord(said, "without|native|nativ|non contrast|non-contrast|unenhanced|w/o|-c")) return false;
-  if (hasWord(said, "+c|c+|gadolinium|contrast|enhanced") ||
+  if (hasWord(said, "without|native|nativ|non contrast|non-contrast|unenhanced|w/o")) return false;
+  if (saysPlusC(said) || hasWord(said, "gadolinium|contrast|enhanced") ||
       !valueOfSplit(series, "ContrastBolusAgent").empty())
     return true;
   for (const std::string& word : wordsOf(said))  // whole ones: no "posterior"
