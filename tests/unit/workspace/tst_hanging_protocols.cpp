@@ -239,8 +239,7 @@ void TestHangingProtocols::wordsOfSeries() {
 void TestHangingProtocols::thoseOfTheProgramAreRead() {
   const KnownProtocols known = knownProtocols();
   for (const std::string& problem : known.problems) QFAIL(problem.c_str());
-  QCOMPARE(known.own, std::size_t(0));
-  QVERIFY(known.protocols.size() >= 12);
+  QVERIFY(known.protocols.size() - known.own >= 12);
   std::set<std::string> names;
   for (const HangingProtocol& protocol : known.protocols) {
     QVERIFY2(names.insert(protocol.name).second, protocol.name.c_str());
