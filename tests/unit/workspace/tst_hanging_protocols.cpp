@@ -1,5 +1,6 @@
 // Guards hanging protocols: the language and its refusals, which protocol fits which study, what stands in
 // which cell; by chance, that any protocol makes a workspace that a session can hold; those of the program.
+#include <QFile>
 #include <set>
 
 #include "tests/fixtures/chance.h"
@@ -117,6 +118,7 @@ class TestHangingProtocols : public QObject {
   void wordsOfSeries_data();
   void wordsOfSeries();
   void thoseOfTheProgramAreRead();
+  void theExampleOfTheDocumentIsRead();
   void studiesAreOffered_data();
   void studiesAreOffered();
   void cellsHoldTheirSeries_data();
@@ -247,6 +249,17 @@ void TestHangingProtocols::thoseOfTheProgramAreRead() {
     QVERIFY2(again && *again == protocol, protocol.name.c_str());
     for (const ProtocolCell& cell : protocol.cells) QVERIFY(!cell.series.empty());
   }
+}
+
+void TestHangingProtocols::theExampleOfTheDocumentIsRead() {
+  QFile page(QStringLiteral(VOLUMEN_SOURCE_DIR "/resources/docs/protocols.md"));
+  QVERIFY(page.open(QIODevice::ReadOnly));
+  const QByteArray text = page.readAll(), begin = "```json\n";
+  const qsizetype from = text.indexOf(begin) + begin.size();
+  const Result<HangingProtocol> read =
+      protocolFromJson(text.mid(from, text.indexOf("```", from) - from).toStdString());
+  QVERIFY2(read, read ? "" : read.message().c_str());
+  QCOMPARE(read->cells.size(), std::size_t(3));
 }
 
 void TestHangingProtocols::studiesAreOffered_data() {
