@@ -159,9 +159,9 @@ void TestGrids::smallWindowsHoldThemAll() {
 void TestGrids::emptyViewsSayWhatToDo() {
   GridWindow w;
   w.child<QAction>("layoutTwo")->trigger();
-  View* right = w.window.views()->viewOf(firstComparedId + 1);
-  QVERIFY(lightPixels(right->grab().toImage()) > 50);
-  QVERIFY2(lightPixels(right->capture()) == 0, "no picture that is kept says it");
+  View* second = w.window.views()->viewOf(firstComparedId + 1);
+  QVERIFY(lightPixels(second->grab().toImage()) > 50);
+  QVERIFY2(lightPixels(second->capture()) == 0, "no picture that is kept says it");
   ViewState wanted;
   QVERIFY(invitationText(wanted).startsWith(QStringLiteral("Drop a series here")));
   wanted.wanted = "T2";

@@ -8,12 +8,13 @@ using namespace volumen;
 
 namespace {
 
-// `columns` x 20 pixels of `mm`, the left half of value `left`, the right one of `right`.
-LoadedFramePtr breastFrame(const char* rows, float left, float right, int columns = 10, double mm = 1,
+// `columns` x 20 pixels of `mm`, the left half of one value, the right one of another.
+LoadedFramePtr breastFrame(const char* rows, float leftHalf, float rightHalf, int columns = 10, double mm = 1,
                            bool inverted = false) {
   Frame frame;
   frame.size = {columns, 20};
-  for (int n = 0; n < columns * 20; ++n) frame.values.push_back(n % columns < columns / 2 ? left : right);
+  for (int n = 0; n < columns * 20; ++n)
+    frame.values.push_back(n % columns < columns / 2 ? leftHalf : rightHalf);
   frame.greys = {{"", {{500, 1000}, WindowFunction::linear, {}, inverted}, false}};
   frame.pixel = {{mm, mm}, PixelSizeKind::atDetector};
   frame.rowSide = rows;
@@ -37,13 +38,13 @@ class TestFacing : public QObject {
 
 void TestFacing::theChestWallIsFound_data() {
   QTest::addColumn<QByteArray>("rows");  // where they lead to
-  QTest::addColumn<float>("left");
-  QTest::addColumn<float>("right");
+  QTest::addColumn<float>("leftHalf");
+  QTest::addColumn<float>("rightHalf");
   QTest::addColumn<bool>("inverted");
   QTest::addColumn<int>("wall");
-  const auto row = [](const char* name, const char* rows, float left, float right, bool inverted,
+  const auto row = [](const char* name, const char* rows, float leftHalf, float rightHalf, bool inverted,
                       ChestWall wall) {
-    QTest::newRow(name) << QByteArray(rows) << left << right << inverted << int(wall);
+    QTest::newRow(name) << QByteArray(rows) << leftHalf << rightHalf << inverted << int(wall);
   };
   row("rows lead to the back", "P", 900, 10, false, ChestWall::right);
   row("rows lead to the front", "A", 10, 900, false, ChestWall::left);
@@ -57,11 +58,11 @@ void TestFacing::theChestWallIsFound_data() {
 
 void TestFacing::theChestWallIsFound() {
   QFETCH(QByteArray, rows);
-  QFETCH(float, left);
-  QFETCH(float, right);
+  QFETCH(float, leftHalf);
+  QFETCH(float, rightHalf);
   QFETCH(bool, inverted);
   QFETCH(int, wall);
-  QCOMPARE(int(chestWallOf(*breastFrame(rows.constData(), left, right, 10, 1, inverted))), wall);
+  QCOMPARE(int(chestWallOf(*breastFrame(rows.constData(), leftHalf, rightHalf, 10, 1, inverted))), wall);
 }
 
 void TestFacing::framesFaceEachOther_data() {

@@ -54,22 +54,22 @@ struct OpenPictures {
   PatientStudies studies(std::size_t current = 0) const { return studiesAround(pictures(), series[current]); }
 };
 
-HangSeries breast(const char* side, const char* view, const char* day = "20260301") {
+HangSeries mammogramOf(const char* side, const char* view, const char* day = "20260301") {
   return {"MG", "MAMMO", "BREAST", side, view, day, 1};
 }
-HangSeries xRay(const char* view, const char* day = "20260301") {
+HangSeries xRayOf(const char* view, const char* day = "20260301") {
   return {"DX", "Chest", "CHEST", "", view, day, 1};
 }
 
-const std::vector<HangSeries> fourBreasts{breast("L", "MLO"), breast("R", "CC"), breast("R", "MLO"),
-                                          breast("L", "CC")};
-const std::vector<HangSeries> brain{{"MR", "t1_mprage_sag"},
-                                    {"MR", "t2_tse_tra", "BRAIN"},
-                                    {"MR", "t2_flair_tra"},
-                                    {"MR", "ep2d_diff_trace"},
-                                    {"MR", "ep2d_diff_ADC"},
-                                    {"MR", "T1 tse tra +C"},
-                                    {"MR", "localizer", "", "", "", "20260301", 3}};
+const std::vector<HangSeries> fourBreasts{mammogramOf("L", "MLO"), mammogramOf("R", "CC"),
+                                          mammogramOf("R", "MLO"), mammogramOf("L", "CC")};
+const std::vector<HangSeries> brainSeries{{"MR", "t1_mprage_sag"},
+                                          {"MR", "t2_tse_tra", "BRAIN"},
+                                          {"MR", "t2_flair_tra"},
+                                          {"MR", "ep2d_diff_trace"},
+                                          {"MR", "ep2d_diff_ADC"},
+                                          {"MR", "T1 tse tra +C"},
+                                          {"MR", "localizer", "", "", "", "20260301", 3}};
 
 QStringList namesOf(const std::vector<HangingProtocol>& all, const std::vector<std::size_t>& numbers) {
   QStringList names;
@@ -77,7 +77,7 @@ QStringList namesOf(const std::vector<HangingProtocol>& all, const std::vector<s
   return names;
 }
 
-const HangingProtocol& named(const KnownProtocols& known, const char* name) {
+const HangingProtocol& protocolNamed(const KnownProtocols& known, const char* name) {
   for (const HangingProtocol& protocol : known.protocols)
     if (protocol.name == name) return protocol;
   qFatal("no protocol %s", name);
@@ -96,7 +96,7 @@ QStringList cellsOf(const HangingProtocol& protocol, const PatientStudies& studi
   return cells;
 }
 
-const char* const whole = R"({
+const char* const wholeProtocol = R"({
  "name": "All", "when": {"modality": "MR", "bodyPart": "brain|head", "description": "t2", "notDescription": "fs",
   "laterality": "L|R", "viewPosition": "PA", "plane": "axial", "weighting": "T2*", "kernel": "soft",
   "contrast": false, "least": 2, "most": 9, "prior": true},
@@ -130,7 +130,7 @@ class TestHangingProtocols : public QObject {
 };
 
 void TestHangingProtocols::everyFieldComesBack() {
-  const Result<HangingProtocol> read = protocolFromJson(whole);
+  const Result<HangingProtocol> read = protocolFromJson(wholeProtocol);
   QVERIFY2(read, read ? "" : read.message().c_str());
   QCOMPARE(read->layout.rows, 3);
   QCOMPARE(read->layout.columns, 4);
@@ -146,7 +146,7 @@ void TestHangingProtocols::everyFieldComesBack() {
 }
 
 void TestHangingProtocols::refusalsNameTheField_data() {
-  QTest::addColumn<QByteArray>("from");  // replaced in `whole`
+  QTest::addColumn<QByteArray>("from");  // replaced in wholeProtocol
   QTest::addColumn<QByteArray>("to");
   QTest::addColumn<QString>("sentence");
   const auto row = [](const char* name, const char* from, const char* to, const char* sentence) {
@@ -180,7 +180,7 @@ void TestHangingProtocols::refusalsNameTheField() {
   QFETCH(QByteArray, from);
   QFETCH(QByteArray, to);
   QFETCH(QString, sentence);
-  QByteArray text = whole;
+  QByteArray text = wholeProtocol;
   const int at = int(text.indexOf(from));
   QVERIFY(at >= 0);
   text.replace(at, from.size(), to);
@@ -273,15 +273,15 @@ void TestHangingProtocols::studiesAreOffered_data() {
                 before = QStringLiteral("Mammograms with those before");
   row("four mammograms", fourBreasts, {four, cc, mlo});
   std::vector<HangSeries> withPrior = fourBreasts;
-  withPrior.push_back(breast("R", "CC", "20240101"));
+  withPrior.push_back(mammogramOf("R", "CC", "20240101"));
   row("and one of before", withPrior, {before, four, cc, mlo});
-  row("one mammogram", {breast("R", "CC")}, {});
-  row("a brain", brain, {QStringLiteral("MR brain"), QStringLiteral("MR, series by number")});
-  row("a chest, two views", {xRay("LL"), xRay("PA")},
+  row("one mammogram", {mammogramOf("R", "CC")}, {});
+  row("a brain", brainSeries, {QStringLiteral("MR brain"), QStringLiteral("MR, series by number")});
+  row("a chest, two views", {xRayOf("LL"), xRayOf("PA")},
       {QStringLiteral("Frontal and lateral"), QStringLiteral("Two X-ray pictures")});
-  row("a hand without view positions", {xRay(""), xRay("")}, {QStringLiteral("Two X-ray pictures")});
-  row("three X-ray pictures", {xRay(""), xRay(""), xRay("")}, {});
-  row("a chest and one of before", {xRay("PA"), xRay("PA", "20250101")},
+  row("a hand without view positions", {xRayOf(""), xRayOf("")}, {QStringLiteral("Two X-ray pictures")});
+  row("three X-ray pictures", {xRayOf(""), xRayOf(""), xRayOf("")}, {});
+  row("a chest and one of before", {xRayOf("PA"), xRayOf("PA", "20250101")},
       {QStringLiteral("X-ray pictures with those before")});
   row("a document", {{"SR", "Report"}}, {});
 }
@@ -306,12 +306,12 @@ void TestHangingProtocols::cellsHoldTheirSeries_data() {
   row("three mammograms", "Mammograms", {fourBreasts.begin(), fourBreasts.begin() + 3},
       "RCC26; -; RMLO26; LMLO26");
   std::vector<HangSeries> withPrior = fourBreasts;
-  for (const HangSeries& s :
-       {breast("L", "CC", "20240101"), breast("R", "CC", "20240101"), breast("R", "CC", "20220101")})
+  for (const HangSeries& s : {mammogramOf("L", "CC", "20240101"), mammogramOf("R", "CC", "20240101"),
+                              mammogramOf("R", "CC", "20220101")})
     withPrior.push_back(s);
   row("with those before", "Mammograms with those before", withPrior,
       "RCC26; LCC26; RMLO26; LMLO26; RCC24; LCC24; -; -");
-  row("a brain", "MR brain", brain,
+  row("a brain", "MR brain", brainSeries,
       "t2_flair_tra; t2_tse_tra; ep2d_diff_trace; t1_mprage_sag; T1 tse tra +C; ep2d_diff_ADC");
   row("localizers last", "MR, series by number",
       {{"MR", "loc", "", "", "", "20260301", 3}, {"MR", "a"}, {"MR", "b"}}, "a; b; loc; -");
@@ -322,7 +322,7 @@ void TestHangingProtocols::cellsHoldTheirSeries() {
   QFETCH(std::vector<HangSeries>, series);
   QFETCH(QStringList, cells);
   const KnownProtocols known = knownProtocols();
-  QCOMPARE(cellsOf(named(known, protocol.constData()), OpenPictures(series).studies()), cells);
+  QCOMPARE(cellsOf(protocolNamed(known, protocol.constData()), OpenPictures(series).studies()), cells);
 }
 
 void TestHangingProtocols::aStudyIsHung() {
@@ -332,7 +332,7 @@ void TestHangingProtocols::aStudyIsHung() {
   look.scene.camera.emplace();
   Workspace before = withSeries({}, sceneViewId, chest.series[0], look);
   before.links.scroll = false;
-  const Workspace lung = hung(before, named(known, "CT, lung"), chest.studies());
+  const Workspace lung = hung(before, protocolNamed(known, "CT, lung"), chest.studies());
   QVERIFY(lung.layout == Layout::four && lung.links.scroll);
   QCOMPARE(lung.focus, firstComparedId);
   const ViewKind kinds[] = {ViewKind::axial, ViewKind::coronal, ViewKind::sagittal, ViewKind::axial};
@@ -345,33 +345,35 @@ void TestHangingProtocols::aStudyIsHung() {
   QVERIFY(lung.series.at(keyOf(chest.series[1])).window == Window({-600, 1500}));
   QVERIFY(!lung.series.at(keyOf(chest.series[0])).window);
   // 3D as it was seen before.
-  const Workspace soft = hung(before, named(known, "CT, soft tissue"), chest.studies());
+  const Workspace soft = hung(before, protocolNamed(known, "CT, soft tissue"), chest.studies());
   QVERIFY(soft.view(firstComparedId + 3).kind == ViewKind::volume);
   QVERIFY(soft.view(firstComparedId + 3).scenes.at(keyOf(chest.series[0])) == look);
   // Where that is not known, slices as acquired.
-  const Workspace bone = hung({}, named(known, "CT, bone"), chest.studies());
+  const Workspace bone = hung({}, protocolNamed(known, "CT, bone"), chest.studies());
   QVERIFY(bone.view(firstComparedId + 3).kind == ViewKind::axial);
 }
 
 void TestHangingProtocols::emptyCellsSayWhatTheyWant() {
   const KnownProtocols known = knownProtocols();
   const OpenPictures three({fourBreasts.begin(), fourBreasts.begin() + 3});
-  Workspace after = hung({}, named(known, "Mammograms"), three.studies());
+  Workspace after = hung({}, protocolNamed(known, "Mammograms"), three.studies());
   QCOMPARE(after.view(firstComparedId + 1).wanted, std::string("L CC"));
   QVERIFY(after.view(firstComparedId + 1).series.empty());
   QVERIFY(showsFrames(after.view(firstComparedId).kind));
   QVERIFY(after.view(firstComparedId).wanted.empty());
-  after = withFrames(after, firstComparedId + 1, madeFor(breast("L", "CC"), 9));
+  after = withFrames(after, firstComparedId + 1, madeFor(mammogramOf("L", "CC"), 9));
   QVERIFY2(after.view(firstComparedId + 1).wanted.empty(), "there it is");
 }
 
 void TestHangingProtocols::whatIsShownIsAProtocol() {
   const KnownProtocols known = knownProtocols();
   const std::pair<const char*, std::vector<HangSeries>> cases[] = {
-      {"Mammograms", fourBreasts}, {"MR brain", brain}, {"Frontal and lateral", {xRay("PA"), xRay("LL")}}};
+      {"Mammograms", fourBreasts},
+      {"MR brain", brainSeries},
+      {"Frontal and lateral", {xRayOf("PA"), xRayOf("LL")}}};
   for (const auto& [name, series] : cases) {
     const OpenPictures open(series);
-    const Workspace first = hung({}, named(known, name), open.studies());
+    const Workspace first = hung({}, protocolNamed(known, name), open.studies());
     const HangingProtocol kept = protocolOf(first, "Mine");
     const Result<HangingProtocol> read = protocolFromJson(protocolToJson(kept));
     QVERIFY2(read && *read == kept, name);

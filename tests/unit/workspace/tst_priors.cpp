@@ -134,12 +134,12 @@ void TestPriors::likenessIsAShareOfAHundred() {
   QCOMPARE(likeness(thin, a), likeness(a, thin));
   const Series turned = priorSeries({"20240102", "T2 tra +C", "MR", "7", "", true, 5});
   QCOMPARE(likeness(a, turned), 70.);
-  Series right = a, left = a;
-  right.acquired.calibrated = left.acquired.calibrated = false;
-  right.laterality = "R", left.laterality = "L";
-  QVERIFY(likeness(right, left) < leastLikeness);
-  QVERIFY(likeness(right, right) >= leastLikeness);
-  QCOMPARE(likeness(right, a), 0.);
+  Series rightSide = a, leftSide = a;
+  rightSide.acquired.calibrated = leftSide.acquired.calibrated = false;
+  rightSide.laterality = "R", leftSide.laterality = "L";
+  QVERIFY(likeness(rightSide, leftSide) < leastLikeness);
+  QVERIFY(likeness(rightSide, rightSide) >= leastLikeness);
+  QCOMPARE(likeness(rightSide, a), 0.);
 }
 
 void TestPriors::currentAndPriorStandSideBySide() {
