@@ -28,6 +28,8 @@ const std::vector<FeatureEntry>& features() {
       {"snapshots", makeSnapshots},
       {"measuring", makeMeasuring},
       {"registration", makeRegistration},
+      {"hanging protocols", makeHangingProtocols},
+      {"priors", makePriors},
       {"derived objects", makeDerivedObjects},
       {"key images", makeKeyImages},
       {"frames", makeFrameActions},
@@ -36,8 +38,6 @@ const std::vector<FeatureEntry>& features() {
       {"picture turns", makePictureTurns},
       {"windows", makeWindowChoices},
       {"study list", makeStudyListing},
-      {"hanging protocols", makeHangingProtocols},
-      {"priors", makePriors},
       {"help", makeHelp},
   };
   return table;

@@ -55,12 +55,15 @@ HangingProtocols::HangingProtocols(Workbench& bench)
     : Feature(bench), menu_(bench.addMenu("protocolMenu", tr("Hanging protocols"), {{"viewMenu", 60, 52}})) {
   makeActions();
   connect(menu_, &QMenu::aboutToShow, this, &HangingProtocols::fillMenu);
+  // Once it is on screen.
   const Loader* loader = &bench_.document.loader;
   for (const auto opened : {&Loader::studyOpened, &Loader::filesOpened})
-    connect(loader, opened, this,
-            [this](const QString&, const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
-              hangOpened(study, intent);
-            });
+    connect(
+        loader, opened, this,
+        [this](const QString&, const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
+          hangOpened(study, intent);
+        },
+        Qt::QueuedConnection);
   // After the views have taken the frame.
   connect(&bench_.document.frames, &FrameService::ready, this, &HangingProtocols::face, Qt::QueuedConnection);
   tellProblems();
@@ -69,14 +72,14 @@ HangingProtocols::HangingProtocols(Workbench& bench)
 void HangingProtocols::makeActions() {
   bench_.addAction({"nextProtocol",
                     tr("Next protocol"),
-                    {tr(".")},
+                    {tr("Alt+PgDown")},
                     "",
                     false,
                     [this](bool) { step(1); },
                     {{"protocolMenu", 20}}});
   bench_.addAction({"previousProtocol",
                     tr("Previous protocol"),
-                    {tr(",")},
+                    {tr("Alt+PgUp")},
                     "",
                     false,
                     [this](bool) { step(-1); },

@@ -22,7 +22,7 @@ class Priors : public Feature {
 Priors::Priors(Workbench& bench) : Feature(bench) {
   bench_.addAction({"comparePrior",
                     tr("Compare with prior"),
-                    {tr("Ctrl+Shift+P")},
+                    {tr("Alt+7")},
                     "",
                     false,
                     [this](bool) { compare(); },

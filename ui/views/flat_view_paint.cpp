@@ -5,7 +5,6 @@
 #include "ui/views/flat_view.h"
 #include "ui/views/time_bar.h"
 #include "ui/widgets/warning_badge.h"
-#include "ui/workspace/priors.h"
 
 namespace volumen {
 
@@ -14,7 +13,7 @@ Overlays FlatView::cornersOf(const CornerTexts& texts) const {
   Overlays o;
   o.topLeft = texts.left(lines);
   o.topRight = texts.right(lines);
-  o.date = dateToTellApart(session_.workspace(), id());
+  o.date = dateBeside();
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
   return o;
 }
@@ -78,7 +77,6 @@ void FlatView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintShown(painter);
   if (shown()) paintStackBar(painter);
-  paintInvitation(painter);
   paintFocus(painter);
 }
 

@@ -8,6 +8,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/layout_text.h"
+#include "ui/workspace/priors.h"
 #include "ui/workspace/time_points.h"
 
 namespace volumen {
@@ -134,9 +135,10 @@ QImage View::captureBy(int factor, const std::function<void(QPainter&)>& paint) 
 void View::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintShown(painter);
-  paintInvitation(painter);
   paintFocus(painter);
 }
+
+QString View::dateBeside() const { return dateToTellApart(session_.workspace(), id_); }
 
 void View::paintInvitation(QPainter& painter) const {
   if (!state().series.empty() || !comparesSeries(session_.workspace().layout)) return;
@@ -147,6 +149,7 @@ void View::paintInvitation(QPainter& painter) const {
 }
 
 void View::paintFocus(QPainter& painter) const {
+  paintInvitation(painter);
   if (viewsOnScreen(session_.workspace()).size() < 2 || session_.workspace().focus != id_) return;
   painter.setPen(QColor(0x4a, 0xa3, 0xff));
   painter.setBrush(Qt::NoBrush);

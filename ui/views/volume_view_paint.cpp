@@ -10,7 +10,6 @@
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/priors.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
@@ -41,7 +40,7 @@ Overlays VolumeView::overlays() const {
   Overlays o = viewOverlays(*shown, seen, size());
   o.topLeft = seriesCorner(shown->series).left(cornerLines(overlayArea(), font()));
   o.bottomRight = caption_;
-  o.date = dateToTellApart(session_.workspace(), id());
+  o.date = dateBeside();
   for (const QWidget* child : {static_cast<const QWidget*>(cube_), static_cast<const QWidget*>(badge_)})
     if (child->isVisibleTo(this)) o.taken.push_back(child->geometry());
   QStringList more{stepText(session_.workspace(), state().series)};
