@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 namespace volumen::dicom {
 namespace {
@@ -69,6 +71,17 @@ Status readBits(const DataSet& data, const Element& pixels, PixelFormat& format)
   return {};
 }
 
+/// The view of a mammogram by its code (PS3.16 CID 4014), as ViewPosition has it; empty: another one.
+std::string codedView(const DataSet& data) {
+  constexpr std::pair<std::string_view, const char*> codes[] = {
+      {"399162004", "CC"}, {"R-10242", "CC"}, {"399368009", "MLO"}, {"R-10226", "MLO"},
+      {"399260004", "ML"}, {"R-10224", "ML"}, {"399352003", "LM"},  {"R-10228", "LM"}};
+  for (const DataSet::Scope& item : data.items(0x00540220, data.root()))
+    for (const auto& [code, view] : codes)
+      if (data.text(0x00080100, item) == code) return view;
+  return {};
+}
+
 }  // namespace
 
 void readIdentity(const DataSet& data, FileHeader& header) {
@@ -96,6 +109,7 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   header.laterality = text(0x00200062);
   if (header.laterality.empty()) header.laterality = text(0x00200060);
   header.viewPosition = text(0x00185101);
+  if (header.viewPosition.empty()) header.viewPosition = codedView(data);
   header.frameOfReferenceUid = text(0x00200052);
   // JPEG with losses is that, whatever the attribute says.
   const std::string& syntax = header.syntax.uid;

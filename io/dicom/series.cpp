@@ -25,7 +25,9 @@ bool fit(const Entry& a, const Entry& b) {
     return false;
   if (a.file->unit != b.file->unit) return false;
   if (isPlaced(s) != isPlaced(t)) return false;
-  if (!isPlaced(s)) return true;
+  // Projections from different sides are no slices of one volume.
+  if (!isPlaced(s))
+    return a.file->laterality == b.file->laterality && a.file->viewPosition == b.file->viewPosition;
   // Orientations are given with six digits or so; 1e-3 is 0.25 mm at the edge of a 500 mm picture.
   return near(s.orientation->row, t.orientation->row, 1e-3) &&
          near(s.orientation->column, t.orientation->column, 1e-3) &&

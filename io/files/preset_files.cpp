@@ -29,19 +29,24 @@ std::string fileNameOf(const std::string& name) {
   return file + ".json";
 }
 
-}  // namespace
-
-std::string presetFolder() {
+// Of all that is the user's own.
+std::string ownFolder(const char* kind) {
   const char* config = std::getenv("XDG_CONFIG_HOME");
   const char* home = std::getenv("HOME");
   const fs::path base = config && *config == '/' ? fs::path(config) : fs::path(home ? home : "/") / ".config";
-  return (base / "volumen" / "presets").string();
+  return (base / "volumen" / kind).string();
 }
 
-std::vector<PresetFile> readPresetFiles() {
+}  // namespace
+
+std::string presetFolder() { return ownFolder("presets"); }
+
+std::string protocolFolder() { return ownFolder("protocols"); }
+
+std::vector<PresetFile> readPresetFiles(const std::string& folder) {
   std::vector<PresetFile> files;
   std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(presetFolder(), none)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
     std::error_code failed;
     if (entry.path().extension() != ".json" || !entry.is_regular_file(failed) ||
         entry.file_size(failed) > largest || failed)
@@ -55,11 +60,11 @@ std::vector<PresetFile> readPresetFiles() {
   return files;
 }
 
-Status writePresetFile(const std::string& name, const std::string& text) {
+Status writePresetFile(const std::string& name, const std::string& text, const std::string& folder) {
   std::error_code failed;
-  fs::create_directories(presetFolder(), failed);
-  if (failed) return Error{presetFolder() + " cannot be made: " + failed.message() + "."};
-  Result<OutputFile> file = OutputFile::create((fs::path(presetFolder()) / fileNameOf(name)).string());
+  fs::create_directories(folder, failed);
+  if (failed) return Error{folder + " cannot be made: " + failed.message() + "."};
+  Result<OutputFile> file = OutputFile::create((fs::path(folder) / fileNameOf(name)).string());
   if (!file) return file.error();
   if (Status written = file->write(text); !written) return written;
   return file->commit();

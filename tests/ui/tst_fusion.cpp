@@ -76,22 +76,24 @@ class TestFusion : public QObject {
 
 void TestFusion::seriesOpenInTheirUsualLayout_data() {
   QTest::addColumn<QString>("path");
-  QTest::addColumn<int>("layout");
-  QTest::newRow("CT: planes and 3D") << QStringLiteral("ct-chest-lidc0314-138") << int(Layout::planes);
-  QTest::newRow("MR: planes and 3D") << QStringLiteral("mr-head-ge-mprage-130") << int(Layout::planes);
+  QTest::addColumn<QByteArray>("layout");
+  QTest::newRow("CT: planes and 3D") << QStringLiteral("ct-chest-lidc0314-138")
+                                     << QByteArray(layoutName(Layout::planes));
+  QTest::newRow("MR: planes and 3D") << QStringLiteral("mr-head-ge-mprage-130")
+                                     << QByteArray(layoutName(Layout::planes));
   QTest::newRow("six slices: one view")
-      << QStringLiteral("dicom-geometry/mr-enh-siemens-xa10") << int(Layout::one);
+      << QStringLiteral("dicom-geometry/mr-enh-siemens-xa10") << QByteArray(layoutName(Layout::one));
 }
 
 void TestFusion::seriesOpenInTheirUsualLayout() {
   QFETCH(QString, path);
-  QFETCH(int, layout);
+  QFETCH(QByteArray, layout);
   const std::string data = tests::dataPath(path.toStdString());
   NEED_DATA(data);
   const UsualLayouts usual;
   Journey w({QString::fromStdString(data)});
   QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
-  QCOMPARE(int(w.window.session().workspace().layout), layout);
+  QCOMPARE(QByteArray(layoutName(w.window.session().workspace().layout)), layout);
   QVERIFY2(!w.child<QAction>("undo")->isEnabled(), "opening is no step");
 }
 

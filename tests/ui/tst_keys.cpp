@@ -297,7 +297,7 @@ void TestKeys::afterOpeningKeysMeasure() {
   tests::openAlone(false);
   tests::Journey w({QStringLiteral("phantom:ct-head:32")});
   QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series(), tests::longest);
-  QCOMPARE(int(w.window.session().workspace().layout), int(Layout::planes));
+  QCOMPARE(w.window.session().workspace().layout, Layout::planes);
   QTRY_VERIFY(qobject_cast<FlatView*>(w.window.focusWidget()));
   const Camera before = w.window.view()->camera();
   QTest::keyClick(w.window.focusWidget(), Qt::Key_D);

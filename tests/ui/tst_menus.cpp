@@ -74,7 +74,8 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Show as frames; Each image its own window; Overlays and shutters; Play or stop; Go to number...; |; "
       "Key image; Previous key image; Next key image; |; "
       "Use OpenGL (usually slower without a GPU); Show error map; |; "
-      "Maximise view; Full screen; Light theme; Hide names; Layout >; Show in this view >; Turn and size >; "
+      "Maximise view; Full screen; Light theme; Hide names; Layout >; Hanging protocols >; "
+      "Compare with prior; Show in this view >; Turn and size >; "
       "Link >; "
       "Measure >; Window presets >; Interpolate between voxels; "
       "Crosshair lines; Reference lines; Reference lines of first and last slices; Slab >; Colour map >; PET "
@@ -82,8 +83,9 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       ">; DICOM attributes...; "
       "Panels >");
   row("&View/Layout",
-      "One view; Planes and 3D; Large 3D beside planes; Two series; Four series; |; "
+      "One view; Planes and 3D; Large 3D beside planes; Two series; Four series; [gridChooser]; |; "
       "Planes along the slices; Planes along the patient");
+  row("&View/Hanging protocols", "Next protocol; Previous protocol; |; Save these views as a protocol...");
   row("&View/Show in this view", "3D; Axial; Coronal; Sagittal");
   row("&View/Turn and size",
       "Turn right; Turn left; Mirror left to right; Mirror top to bottom; |; "

@@ -113,19 +113,21 @@ void TestWorkspace::comparedViewsShowTheirOwn() {
 void TestWorkspace::layoutsKeepTheFocusOnScreen_data() {
   QTest::addColumn<int>("from");
   QTest::addColumn<int>("to");
-  for (const Layout from : {Layout::one, Layout::planes, Layout::besidePlanes, Layout::two, Layout::four})
-    for (const Layout to : {Layout::one, Layout::planes, Layout::besidePlanes, Layout::two, Layout::four})
-      QTest::addRow("%s to %s", layoutName(from), layoutName(to)) << int(from) << int(to);
+  for (std::size_t from = 0; from < allLayouts().size(); ++from)
+    for (std::size_t to = 0; to < allLayouts().size(); ++to)
+      QTest::addRow("%s to %s", layoutName(allLayouts()[from]), layoutName(allLayouts()[to]))
+          << int(from) << int(to);
 }
 
 void TestWorkspace::layoutsKeepTheFocusOnScreen() {
   QFETCH(int, from);
   QFETCH(int, to);
-  QCOMPARE(*layoutNamed(layoutName(Layout(to))), Layout(to));
-  Workspace first;
+  const Layout first = allLayouts()[std::size_t(from)], second = allLayouts()[std::size_t(to)];
+  QCOMPARE(*layoutNamed(layoutName(second)), second);
+  Workspace workspace;
   for (ViewId focus = 0; focus < viewCount; ++focus) {
-    first.focus = focus;
-    const Workspace after = withLayout(withLayout(first, Layout(from)), Layout(to));
+    workspace.focus = focus;
+    const Workspace after = withLayout(withLayout(workspace, first), second);
     const auto views = viewsOnScreen(after);
     QVERIFY(std::ranges::find(views, after.focus) != views.end());
     if (std::ranges::find(views, focus) != views.end() && from == to) QCOMPARE(after.focus, focus);
@@ -148,7 +150,9 @@ void TestWorkspace::randomStepsAreUndoneToTheByte() {
         session.show(series[std::size_t(below(3))], below(viewCount));
         break;
       case 1:
-        session.change(QStringLiteral("Layout"), withLayout(session.workspace(), Layout(below(5))));
+        session.change(
+            QStringLiteral("Layout"),
+            withLayout(session.workspace(), allLayouts()[std::size_t(below(int(allLayouts().size())))]));
         break;
       case 2:
         brighten(session, 0.01 * below(100));

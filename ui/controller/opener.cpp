@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include "io/study/choose.h"
+#include "ui/controller/find_saved.h"
 #include "ui/data/frame_series.h"
 #include "ui/data/study_list.h"
 #include "ui/workspace/link_text.h"
+#include "ui/workspace/priors.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 
@@ -65,7 +67,7 @@ void Opener::showFirst(const Study& study, const std::optional<Scene>& scene) {
 void Opener::chooseLayout(Layout layout) {
   if (const LoadedSeriesPtr shown = session_.seriesOf(session_.workspace().focus))
     layoutsChosen_[layoutKey(shown->series)] = layout;
-  session_.change(tr("Layout"), withLayout(session_.workspace(), layout));
+  session_.change(tr("Layout"), withLikelySecond(withLayout(session_.workspace(), layout), open_.pictures()));
 }
 
 // The CT that a PET is read over: of its study and frame of reference, the one with most voxels.

@@ -30,7 +30,8 @@ class Opener : public QObject {
   Session::Arrange arrangedFor(const Series& series) const;
   /// In the layout that was chosen last for the modality of the series, else in the usual one.
   Workspace inLayoutOf(Workspace workspace, const Series& series) const;
-  /// Shares the window so from now on, with all of the modality in focus.
+  /// Shares the window so from now on, with all of the modality in focus; of views to compare the first empty
+  /// one shows what is most likely wanted there (withLikelySecond()).
   void chooseLayout(Layout layout);
   /// Keeps the layouts that were chosen for the next start.
   void keepLayouts() const;

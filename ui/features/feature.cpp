@@ -31,6 +31,8 @@ const std::vector<FeatureEntry>& features() {
       {"measuring", makeMeasuring},
       {"measurement charts", makeMeasurementCharts},
       {"registration", makeRegistration},
+      {"hanging protocols", makeHangingProtocols},
+      {"priors", makePriors},
       {"derived objects", makeDerivedObjects},
       {"key images", makeKeyImages},
       {"key image pages", makeKeyImagePages},

@@ -306,12 +306,11 @@ void StudyListing::showOpened(const Series& series, OpenHow how) {
   browser_->clearSearch();
 }
 
-// The next view to compare: of two, the other one; of four, the first empty one.
+// The next view to compare: the first empty one, else the one behind the focus.
 void StudyListing::focusNextView() {
   const Workspace& workspace = session_.workspace();
   if (!showsAnything(workspace)) return;
-  const bool compares = workspace.layout == Layout::two || workspace.layout == Layout::four;
-  if (!compares) {
+  if (!comparesSeries(workspace.layout)) {
     session_.endGesture();
     session_.change(tr("Layout"), withLayout(workspace, Layout::two));
   }

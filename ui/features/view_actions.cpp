@@ -1,11 +1,14 @@
 #include <QActionGroup>
 #include <QMenu>
 #include <QToolButton>
+#include <QWidgetAction>
 
 #include "ui/features/feature.h"
 #include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
+#include "ui/widgets/grid_chooser.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/layout_text.h"
 
 namespace volumen {
 
@@ -22,6 +25,7 @@ class ViewActions : public Feature {
  private:
   void makeDirections();
   void makeLayouts();
+  void makeGridChooser(QMenu* menu, QToolButton* button);
   void makePlaneTurns();
   void makeKinds();
   void makeTools();
@@ -94,6 +98,34 @@ void ViewActions::makeLayouts() {
               action->setChecked(after.layout == layout);
             });
   }
+  makeGridChooser(menu, button);
+}
+
+// Any grid of series, by a field in the menu.
+void ViewActions::makeGridChooser(QMenu* menu, QToolButton* button) {
+  auto* chooser = new GridChooser(Layout::mostRows, Layout::mostColumns, [](int rows, int columns) {
+    return gridText({Layout::Kind::grid, rows, columns});
+  });
+  auto* field = new QWidgetAction(&bench_.window);
+  field->setObjectName(QStringLiteral("layoutGrid"));
+  field->setText(tr("Grid of series"));
+  field->setShortcut(tr("Alt+6"));
+  field->setDefaultWidget(chooser);
+  bench_.window.addAction(field);
+  bench_.addAction(field, {{"layoutMenu", 10, 10}});
+  connect(field, &QAction::triggered, this, [menu, button, chooser] {
+    menu->popup(button->mapToGlobal(button->rect().bottomLeft()));
+    chooser->setFocus(Qt::ShortcutFocusReason);
+  });
+  connect(menu, &QMenu::aboutToShow, chooser, [this, chooser] {
+    const Layout now = session_.workspace().layout;
+    comparesSeries(now) ? chooser->light(now.rows, now.columns) : chooser->light(0, 0);
+  });
+  connect(chooser, &GridChooser::chosen, this, [this, menu](int rows, int columns) {
+    menu->close();
+    const bool isOne = rows == 1 && columns == 1;
+    bench_.document.opener.chooseLayout(isOne ? Layout::one : Layout{Layout::Kind::grid, rows, columns});
+  });
 }
 
 void ViewActions::makePlaneTurns() {

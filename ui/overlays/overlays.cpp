@@ -21,6 +21,12 @@ QFont letterFont(const QFont& font) {
   return QFont(QStringLiteral("monospace"), font.pointSize() + 2, QFont::Bold);
 }
 
+QFont largeFont(QFont font) {
+  font.setPointSizeF(1.6 * font.pointSizeF());
+  font.setBold(true);
+  return font;
+}
+
 QString lengthText(double mm) {
   return mm >= 10 ? QStringLiteral("%1 cm").arg(mm / 10) : QStringLiteral("%1 mm").arg(mm);
 }
@@ -32,6 +38,7 @@ class Placer {
       : inside_(area.adjusted(margin, margin, -margin, -margin)),
         metrics_(font),
         letters_(letterFont(font)),
+        large_(largeFont(font)),
         taken_(overlays.taken) {}
 
   PlacedOverlays placed;
@@ -41,6 +48,13 @@ class Placer {
     const QSizeF size(letters_.horizontalAdvance(text), letters_.height());
     const QRectF rect(centre - QPointF(size.width() / 2, size.height() / 2), size);
     if (!text.isEmpty() && isFree(rect)) add({rect, text, false, true});
+  }
+
+  // The date, centred below a point.
+  void date(const QString& text, QPointF top) {
+    const double width = large_.horizontalAdvance(text);
+    const QRectF rect(top.x() - width / 2, top.y(), width, large_.height());
+    if (!text.isEmpty() && isFree(rect)) add({rect, text, false, false, false, true});
   }
 
   // A line at the left or right edge, elided where it has to be.
@@ -102,7 +116,7 @@ class Placer {
   }
 
   QRectF inside_;
-  QFontMetricsF metrics_, letters_;
+  QFontMetricsF metrics_, letters_, large_;
   std::vector<QRectF> taken_;
 };
 
@@ -150,6 +164,7 @@ PlacedOverlays placeOverlays(const Overlays& o, const QRectF& area, const QFont&
   placer.letter(o.right, {inside.right() - placer.letterWidth(o.right) / 2, middle.y()});
   placer.letter(o.top, {middle.x(), inside.top() + half});
   placer.letter(o.bottom, {middle.x(), inside.bottom() - line - 10 - half});
+  placer.date(o.date, {middle.x(), inside.top() + (o.top.isEmpty() ? 0 : 2 * half)});
   for (int n = 0; n < o.topRight.size(); ++n) placer.line(o.topRight[n], true, inside.top() + n * line);
   if (o.isLate)
     for (PlacedText& text : placer.placed.texts)
@@ -171,7 +186,7 @@ void paintOverlays(QPainter& painter, const Overlays& overlays, const QRectF& ar
   const PlacedOverlays placed = placeOverlays(overlays, area, font);
   if (!placed.scaleBar.isEmpty()) paintScaleBar(painter, placed, overlays.mmPerPixel);
   for (const PlacedText& text : placed.texts) {
-    painter.setFont(text.letter ? letterFont(font) : font);
+    painter.setFont(text.letter ? letterFont(font) : text.large ? largeFont(font) : font);
     paintText(painter, text);
   }
 }

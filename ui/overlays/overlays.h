@@ -14,13 +14,14 @@ struct Overlays {
   QString bottomRight;               ///< level and ms
   QString warning;                   ///< under the top left, in the warning colour: "Not calibrated: ..."
   QString left, right, top, bottom;  ///< the patient's sides at the edges
+  QString date;                      ///< of the study, large, in the middle of the top
   double mmPerPixel = 0;             ///< for the scale bar; 0: none
   std::vector<QRectF> taken;         ///< where something else stands already
 
   /// Whether there is nothing to write.
   bool empty() const {
     return topLeft.isEmpty() && topRight.isEmpty() && mmPerPixel == 0 &&
-           (bottomRight + warning + left + right + top + bottom).isEmpty();
+           (date + bottomRight + warning + left + right + top + bottom).isEmpty();
   }
 };
 
@@ -31,6 +32,7 @@ struct PlacedText {
   bool warning = false;
   bool letter = false;  ///< of a side, in the letters' font
   bool late = false;    ///< red
+  bool large = false;   ///< a date
 };
 
 /// What of the overlays finds room in an area, and where: nothing touches anything else, long lines are

@@ -14,6 +14,7 @@ Overlays FlatView::cornersOf(const CornerTexts& texts) const {
   Overlays o;
   o.topLeft = texts.left(lines);
   o.topRight = texts.right(lines);
+  o.date = dateBeside();
   if (badge_->isVisibleTo(this)) o.taken.push_back(badge_->geometry());
   return o;
 }

@@ -8,6 +8,8 @@
 
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
+#include "ui/workspace/layout_text.h"
+#include "ui/workspace/priors.h"
 #include "ui/workspace/time_points.h"
 
 namespace volumen {
@@ -137,7 +139,18 @@ void View::paintEvent(QPaintEvent*) {
   paintFocus(painter);
 }
 
+QString View::dateBeside() const { return dateToTellApart(session_.workspace(), id_); }
+
+void View::paintInvitation(QPainter& painter) const {
+  if (!state().series.empty() || !comparesSeries(session_.workspace().layout)) return;
+  const QRect area = rect().adjusted(8, 8, -8, -8);
+  painter.setFont(font());
+  painter.setPen(QColor(0xd7, 0xdc, 0xe2));
+  painter.drawText(area, Qt::AlignCenter | Qt::TextWordWrap, invitationText(state()));
+}
+
 void View::paintFocus(QPainter& painter) const {
+  paintInvitation(painter);
   if (viewsOnScreen(session_.workspace()).size() < 2 || session_.workspace().focus != id_) return;
   painter.setPen(QColor(0x4a, 0xa3, 0xff));
   painter.setBrush(Qt::NoBrush);

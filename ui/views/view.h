@@ -71,8 +71,11 @@ class View : public QWidget {
 
   /// What is written over the last picture while isWaiting(): whose, and which step is awaited.
   Overlays waitingOverlays() const;
-  /// A thin frame where this is the view in focus of several.
+  /// A thin frame where this is the view in focus of several; in a view to compare that shows nothing what
+  /// may be dropped there.
   void paintFocus(QPainter& painter) const;
+  /// The date of its study, where views on screen show several; else empty.
+  QString dateBeside() const;
 
   void paintEvent(QPaintEvent*) override;
   void dragEnterEvent(QDragEnterEvent*) override;
@@ -88,6 +91,7 @@ class View : public QWidget {
   Session& session_;
 
  private:
+  void paintInvitation(QPainter& painter) const;
   bool followSeries();
   void showWaiting();
 

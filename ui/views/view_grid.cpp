@@ -19,15 +19,16 @@ std::vector<QRect> placesOf(Layout layout, std::size_t count, QSize area) {
   };
   const QRect whole(QPoint(0, 0), area);
   if (count == 1) return {whole};
-  if (count == 2) return {cell(0, 2, 0, 1, whole), cell(1, 2, 0, 1, whole)};
   if (layout == Layout::besidePlanes) {
     std::vector<QRect> places{cell(0, 3, 0, 1, whole).united(cell(1, 3, 0, 1, whole))};
     const QRect beside = cell(2, 3, 0, 1, whole);
     for (int row = 0; row < 3; ++row) places.push_back(cell(0, 1, row, 3, beside));
     return places;
   }
+  const bool isGrid = comparesSeries(layout);
+  const int rows = isGrid ? layout.rows : 2, columns = isGrid ? layout.columns : 2;
   std::vector<QRect> places;
-  for (int n = 0; n < int(count); ++n) places.push_back(cell(n % 2, 2, n / 2, 2, whole));
+  for (int n = 0; n < int(count); ++n) places.push_back(cell(n % columns, columns, n / columns, rows, whole));
   return places;
 }
 

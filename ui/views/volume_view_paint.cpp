@@ -40,6 +40,7 @@ Overlays VolumeView::overlays() const {
   Overlays o = viewOverlays(*shown, seen, size());
   o.topLeft = seriesCorner(shown->series).left(cornerLines(overlayArea(), font()));
   o.bottomRight = caption_;
+  o.date = dateBeside();
   for (const QWidget* child : {static_cast<const QWidget*>(cube_), static_cast<const QWidget*>(badge_)})
     if (child->isVisibleTo(this)) o.taken.push_back(child->geometry());
   QStringList more{stepText(session_.workspace(), state().series)};

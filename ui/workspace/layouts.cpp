@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/workspace.h"
@@ -9,20 +10,33 @@ namespace {
 
 struct LayoutEntry {
   Layout layout;
-  const char* name;
+  std::string name;
   std::vector<ViewId> views;  // empty: the one in focus
 };
 
-const std::vector<LayoutEntry>& layouts() {
-  static const std::vector<LayoutEntry> table{
+LayoutEntry gridEntry(int rows, int columns) {
+  const Layout layout{Layout::Kind::grid, rows, columns};
+  const std::string name = layout == Layout::two    ? "two"
+                           : layout == Layout::four ? "four"
+                                                    : std::to_string(rows) + "x" + std::to_string(columns);
+  std::vector<ViewId> views(std::size_t(rows * columns));
+  std::iota(views.begin(), views.end(), firstComparedId);
+  return {layout, name, views};
+}
+
+std::vector<LayoutEntry> layoutTable() {
+  std::vector<LayoutEntry> table{
       {Layout::one, "one", {}},
       {Layout::planes, "planes", {axialViewId, sagittalViewId, coronalViewId, sceneViewId}},
-      {Layout::besidePlanes, "besidePlanes", {sceneViewId, axialViewId, coronalViewId, sagittalViewId}},
-      {Layout::two, "two", {firstComparedId, firstComparedId + 1}},
-      {Layout::four,
-       "four",
-       {firstComparedId, firstComparedId + 1, firstComparedId + 2, firstComparedId + 3}},
-  };
+      {Layout::besidePlanes, "besidePlanes", {sceneViewId, axialViewId, coronalViewId, sagittalViewId}}};
+  for (int rows = 1; rows <= Layout::mostRows; ++rows)
+    for (int columns = 1; columns <= Layout::mostColumns; ++columns)
+      table.push_back(gridEntry(rows, columns));
+  return table;
+}
+
+const std::vector<LayoutEntry>& layouts() {
+  static const std::vector<LayoutEntry> table = layoutTable();
   return table;
 }
 
@@ -37,8 +51,17 @@ ViewId acquiredViewOf(const Workspace& workspace) {
 
 }  // namespace
 
+const std::vector<Layout>& allLayouts() {
+  static const std::vector<Layout> all = [] {
+    std::vector<Layout> every;
+    for (const LayoutEntry& entry : layouts()) every.push_back(entry.layout);
+    return every;
+  }();
+  return all;
+}
+
 const char* layoutName(Layout layout) {
-  return std::ranges::find(layouts(), layout, &LayoutEntry::layout)->name;
+  return std::ranges::find(layouts(), layout, &LayoutEntry::layout)->name.c_str();
 }
 
 std::optional<Layout> layoutNamed(const std::string& name) {
@@ -80,6 +103,6 @@ Workspace withSlicesInFocus(Workspace workspace) {
   return workspace;
 }
 
-bool comparesSeries(Layout layout) { return layout == Layout::two || layout == Layout::four; }
+bool comparesSeries(Layout layout) { return layout.kind == Layout::Kind::grid; }
 
 }  // namespace volumen

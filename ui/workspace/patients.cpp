@@ -42,7 +42,7 @@ Workspace withoutOtherPatients(Workspace workspace, const Series& series) {
       continue;
     ViewState& view = workspace.editView(id);
     view.series = {};
-    if (showsFrames(view.kind)) view.kind = usualKind(id);
+    if (showsFrames(view.kind) || id >= firstComparedId) view.kind = usualKind(id);
   }
   const bool isGroup = workspace.focus < firstComparedId;
   if (isGroup && workspace.view(workspace.focus).series.empty()) workspace.focus = sceneViewId;

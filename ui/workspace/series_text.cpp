@@ -17,6 +17,8 @@ struct Attribute {
   QString (*text)(const std::string& value);
 };
 const Attribute attributes[] = {
+    {&Series::laterality, [](const std::string& v) { return tr("side %1").arg(shownText(v)); }},
+    {&Series::viewPosition, [](const std::string& v) { return tr("view %1").arg(shownText(v)); }},
     {&Series::echoTime, [](const std::string& v) { return tr("TE %1 ms").arg(shownText(v)); }},
     {&Series::bValue, [](const std::string& v) { return tr("b %1").arg(shownText(v)); }},
     {&Series::timePoint, [](const std::string& v) { return tr("time point %1").arg(shownText(v)); }},

@@ -23,9 +23,6 @@ void checkSegments(JsonFields& json, const Workspace& workspace) {
 }  // namespace
 
 void checkViews(JsonFields& json, const Workspace& workspace) {
-  if (workspace.views.size() != std::size_t(viewCount))
-    return json.refuse(
-        "views", "must be " + std::to_string(viewCount) + ", not " + std::to_string(workspace.views.size()));
   for (ViewId id = 0; id < firstComparedId; ++id) {
     const bool isVolume = showsScene(usualKind(id));
     if (showsScene(workspace.view(id).kind) != isVolume)

@@ -47,6 +47,10 @@ class FieldWriter {
 
   void operator()(const char* name, bool& value) { json_[name] = value; }
   void operator()(const char* name, std::string& value) { json_[name] = value; }
+  /// Left out where there is nothing to say.
+  void unlessEmpty(const char* name, std::string& value) {
+    if (!value.empty()) json_[name] = value;
+  }
   void operator()(const char* name, int& value, Limits limits);
   void operator()(const char* name, double& value, Limits limits);
   void operator()(const char* name, glm::dvec2& value, Limits limits);
@@ -133,6 +137,7 @@ class FieldReader {
 
   void operator()(const char* name, bool& value) { json_.read(name, value); }
   void operator()(const char* name, std::string& value) { json_.read(name, value); }
+  void unlessEmpty(const char* name, std::string& value) { json_.read(name, value); }
   void operator()(const char* name, int& value, Limits limits);
   void operator()(const char* name, double& value, Limits limits);
   void operator()(const char* name, glm::dvec2& value, Limits limits);

@@ -242,6 +242,7 @@ void fields(Fields& f, ViewState& v) {
     fields(item, look);
   });
   crosshairsField(f, v.crosshairs);
+  f.unlessEmpty("wanted", v.wanted);
 }
 
 template <class Fields>
@@ -306,6 +307,22 @@ void fields(Fields& f, SegmentMap& map) {
   if (!map.labels) map.missing = saved;
 }
 
+// Views that are as at first are not written where they come last, but for those that there always were.
+template <class Fields>
+void viewsField(Fields& f, SharedList<ViewState>& views) {
+  constexpr std::size_t always = 8;
+  const Workspace first;
+  std::size_t count = views.size();
+  while (count > always && views[count - 1] == first.views[count - 1]) --count;
+  std::vector<ViewState> written(views.begin(), views.end());
+  written.resize(count);
+  f("views", written);
+  static_assert(viewCount == 24);
+  f.require("views", written.size() >= always && written.size() <= std::size_t(viewCount), "must be 8 to 24");
+  for (std::size_t n = written.size(); n < std::size_t(viewCount); ++n) written.push_back(first.views[n]);
+  views.assign(written);
+}
+
 // All but the series, whose list comes first.
 template <class Fields>
 void fields(Fields& f, Workspace& w) {
@@ -315,7 +332,7 @@ void fields(Fields& f, Workspace& w) {
   crosshairsField(f, w.crosshairs);
   f("links", w.links);
   f("frameLinks", w.frameLinks);
-  f("views", w.views);
+  viewsField(f, w.views);
   f("measurements", w.measurements);
   f("measurementsShown", w.measurementsShown);
   f("keyImages", w.keyImages);

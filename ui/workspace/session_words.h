@@ -25,8 +25,7 @@ inline Words<ViewKind> namedKinds() {
 
 inline Words<Layout> namedLayouts() {
   Words<Layout> words;
-  for (const Layout layout : {Layout::one, Layout::planes, Layout::besidePlanes, Layout::two, Layout::four})
-    words.emplace_back(layoutName(layout), layout);
+  for (const Layout layout : allLayouts()) words.emplace_back(layoutName(layout), layout);
   return words;
 }
 

@@ -95,6 +95,7 @@ void put(Workspace& workspace, ViewId id, const Series& series, const SceneLook&
   const bool another = view.series != keyOf(series) || wereFrames;
   leaveFrames(workspace, id);
   view.series = keyOf(series);
+  view.wanted.clear();
   if (another && !inGroup(id) && showsSlices(view.kind)) view.kind = acquiredKind(series.acquired);
   if (wereFrames) makeWhole(view.flats.editOrAdd(view.series));
   if (showsScene(view.kind))
@@ -216,6 +217,7 @@ Workspace withFrames(Workspace workspace, ViewId view, const Series& series) {
   const bool wereSlices = frames.series == key && !showsFrames(frames.kind);
   for (ViewId id = 0; inGroup(view) && id < firstComparedId; ++id) workspace.editView(id).series = key;
   frames.series = key;
+  frames.wanted.clear();
   frames.kind = ViewKind::frames;
   FlatLook& look = frames.flats.editOrAdd(key);
   if (wereSlices) makeWhole(look), look.frame = sliceAtCursor(workspace, series);
@@ -232,6 +234,7 @@ Workspace withLayout(Workspace workspace, Layout layout) {
   if (workspace.view(views.front()).series.empty()) {
     ViewState& first = workspace.editView(views.front());
     first.series = shown;
+    first.wanted.clear();
     first.flats.add(shown, {});
     const Series* series = seriesIn(workspace, views.front());
     first.kind =

@@ -128,22 +128,37 @@ struct ViewState {
   SharedMap<SeriesKey, SceneLook> scenes;
   SharedMap<SeriesKey, FlatLook> flats;
   SharedMap<std::string, Crosshair> crosshairs;  ///< its own, by frame of reference, while it scrolls alone
+  std::string wanted;  ///< what a hanging protocol has no series for here: its name; empty: nothing
   bool operator==(const ViewState&) const = default;
 };
 
 /// How views share the window.
-enum class Layout {
-  one,           ///< the view in focus
-  planes,        ///< 2 x 2: axial, coronal, sagittal, 3D of one series
-  besidePlanes,  ///< a large 3D view beside the three planes
-  two,           ///< two series side by side
-  four           ///< four series, 2 x 2
+struct Layout {
+  enum class Kind {
+    one,           ///< the view in focus
+    planes,        ///< 2 x 2: axial, coronal, sagittal, 3D of one series
+    besidePlanes,  ///< a large 3D view beside the three planes
+    grid           ///< series in rows and columns, each in a view to compare
+  };
+  static constexpr int mostRows = 4, mostColumns = 5;
+
+  Kind kind = Kind::one;
+  int rows = 1, columns = 1;  ///< of a grid; else 1
+  bool operator==(const Layout&) const = default;
+
+  static const Layout one, planes, besidePlanes, two, four;
 };
+inline constexpr Layout Layout::one{};
+inline constexpr Layout Layout::planes{Layout::Kind::planes, 1, 1};
+inline constexpr Layout Layout::besidePlanes{Layout::Kind::besidePlanes, 1, 1};
+inline constexpr Layout Layout::two{Layout::Kind::grid, 1, 2};
+inline constexpr Layout Layout::four{Layout::Kind::grid, 2, 2};
 
 /// The views that every workspace has. The first four show one series together; as frames the axial one alone
-/// does.
+/// does. The others are there to compare.
 inline constexpr ViewId sceneViewId = 0, axialViewId = 1, coronalViewId = 2, sagittalViewId = 3,
-                        firstComparedId = 4, viewCount = 8;
+                        firstComparedId = 4,
+                        viewCount = firstComparedId + Layout::mostRows * Layout::mostColumns;
 
 /// What a view shows where nothing else was chosen.
 ViewKind usualKind(ViewId view);
@@ -213,7 +228,9 @@ struct Workspace {
   ViewState& editView(ViewId id) { return views.edit(std::size_t(id)); }
 };
 
-/// Lower-case word for settings and session files: "planes".
+/// All that there are, each once.
+const std::vector<Layout>& allLayouts();
+/// Lower-case word for settings and session files: "planes", "two", of other grids rows and columns, "3x4".
 const char* layoutName(Layout layout);
 std::optional<Layout> layoutNamed(const std::string& name);
 

@@ -186,9 +186,11 @@ Workspace randomWorkspace(std::uint64_t seed) {
   }
   if (chance.oneIn(4))
     w.crosshairs.editOrAdd("2.25.77") = anyCrosshair(chance);  // of a series that was closed
-  for (ViewId id = 0; id < viewCount; ++id) {
+  const int looked = chance.oneIn(4) ? viewCount : 8;          // the others are as at first
+  for (ViewId id = 0; id < looked; ++id) {
     ViewState& view = w.editView(id);
     view.series = keys[std::size_t(chance.below(int(keys.size())))];
+    if (canChangeKind(id) && view.series.empty() && chance.oneIn(3)) view.wanted = anyText(chance);
     if (canChangeKind(id))
       view.kind = ViewKind(chance.below(5));
     else if (view.kind != ViewKind::volume)
@@ -216,7 +218,7 @@ Workspace randomWorkspace(std::uint64_t seed) {
     if (chance.oneIn(3)) w.segmentMaps.push_back(anySegments(chance, keys[n]));
   for (int n = chance.below(3); n > 0; --n)
     w.regions.editOrAdd({"/data/rt" + std::to_string(n), anyText(chance)}) = anyRegions(chance);
-  w.layout = Layout(chance.below(5));
+  w.layout = allLayouts()[std::size_t(chance.below(int(allLayouts().size())))];
   const std::vector<ViewId> shown = viewsOnScreen(w);
   w.focus =
       w.layout == Layout::one ? chance.below(viewCount) : shown[std::size_t(chance.below(int(shown.size())))];

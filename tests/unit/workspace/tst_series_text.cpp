@@ -93,6 +93,10 @@ void TestSeriesText::namesakesAreToldApart_data() {
                             << QStringList{QStringLiteral("b 1000")};
   QTest::newRow("time points") << All{with("", "", "3", "10"), with("", "", "4", "10")}
                                << QStringList{QStringLiteral("time point 3")};
+  All breasts{with("", "", "", "10"), with("", "", "", "10"), with("", "", "", "10")};
+  breasts[0].laterality = breasts[1].laterality = "L", breasts[2].laterality = "R";
+  breasts[0].viewPosition = breasts[2].viewPosition = "CC", breasts[1].viewPosition = "MLO";
+  QTest::newRow("projections") << breasts << QStringList{QStringLiteral("side L"), QStringLiteral("view CC")};
   All labelled{with("20", "", "", "10"), with("20", "", "", "10")};
   labelled[0].label = "direction 12", labelled[1].label = "direction 13";
   QTest::newRow("a label") << labelled << QStringList{QStringLiteral("direction 12")};

@@ -47,6 +47,7 @@ class TestSessionJson : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void workspacesComeBackEqual();
+  void sessionsOfEightViewsStayAsTheyAre();
   void valuesAreComparedNotPlaces();
   void aSeriesElsewhereTakesAllThatWasMadeOfIt();
   void seriesThatAreNotFoundAreKeptAsMissing();
@@ -79,6 +80,26 @@ void TestSessionJson::workspacesComeBackEqual() {
     QVERIFY2(*sessionToJson(back->workspace, folder) == *text,
              qPrintable(QStringLiteral("seed %1").arg(seed)));
   }
+}
+
+// Those that were written before there were larger grids.
+void TestSessionJson::sessionsOfEightViewsStayAsTheyAre() {
+  const Json plain = plainSession();
+  QCOMPARE(plain["views"].size(), std::size_t(8));
+  QVERIFY(!plain["views"][4].contains("wanted"));
+  const auto back = sessionFromJson(plain.dump(), {});
+  QVERIFY(back);
+  QCOMPARE(back->workspace.views.size(), std::size_t(viewCount));
+  QVERIFY(back->workspace.views[viewCount - 1] == Workspace().views[viewCount - 1]);
+  Workspace large;
+  large.layout = {Layout::Kind::grid, 3, 4};
+  large.focus = firstComparedId + 11;
+  large.editView(firstComparedId + 6).wanted = "T2";
+  const Json written = Json::parse(*sessionToJson(large, folder));
+  QCOMPARE(written["layout"].get<std::string>(), std::string("3x4"));
+  QCOMPARE(written["views"].size(), std::size_t(firstComparedId + 7));
+  const auto same = sessionFromJson(written.dump(), {});
+  QVERIFY(same && same->workspace == large);
 }
 
 void TestSessionJson::valuesAreComparedNotPlaces() {
@@ -166,8 +187,9 @@ void TestSessionJson::refusalsNameTheField_data() {
       "views[0].scenes[0].scene: lights[0].intensity must be >= 0");
   row("a scene that is a list", "/views/0/scenes/0/scene", "[]",
       "views[0].scenes[0].scene: The JSON must be");
-  row("too few views", "/views", "[]", "views must be 8, not 0");
-  row("too many views", "/views/-", "{}", "views must be 8, not 9");
+  row("too few views", "/views", "[]", "views must be 8 to 24");
+  const QByteArray many = "[" + QByteArray("{},").repeated(24) + "{}]";
+  row("too many views", "/views", many.constData(), "views must be 8 to 24");
   row("a flat view in 3D", "/views/1/kind", "\"volume\"", "views[1].kind must not be \"volume\"");
   row("the 3D view flat", "/views/0/kind", "\"axial\"", "views[0].kind must be \"volume\"");
   row("an unknown kind", "/views/1/kind", "\"oblique\"", "views[1].kind must be");

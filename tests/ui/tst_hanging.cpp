@@ -1,0 +1,303 @@
+// Guards hanging protocols and priors in the window: mammograms face each other as they are opened, keys and
+// the menu go through what fits, what is on screen is kept as a protocol, and the same series of an earlier
+// day stands beside; each one step. Real events.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <QFile>
+#include <QInputDialog>
+#include <QMenu>
+#include <QTemporaryDir>
+
+#include "io/export/dicom_series.h"
+#include "io/files/preset_files.h"
+#include "tests/ui/journey.h"
+#include "tests/unit/suite.h"
+#include "ui/views/view_grid.h"
+#include "ui/widgets/banner.h"
+#include "ui/workspace/hanging_protocol.h"
+#include "viewer/phantoms/phantoms.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+constexpr ViewId firstCell = firstComparedId;
+
+// A mammogram of one series for all: `rowsTo` is where rows lead to in the patient.
+struct Breast {
+  const char *side, *view, *rowsTo;
+  int columns, rows;
+};
+
+// The left CC lies the wrong way round; the MLOs are larger.
+const Breast breasts[] = {{"L", "MLO", "A\\F", 90, 120},
+                          {"R", "CC", "P\\L", 60, 80},
+                          {"L", "CC", "P\\L", 60, 80},
+                          {"R", "MLO", "P\\F", 90, 120}};
+
+bool writeBreast(const Breast& b, int number, const QString& path) {
+  DcmFileFormat file;
+  DcmDataset& d = *file.getDataset();
+  const auto text = [&](const DcmTagKey& tag, const QString& value) {
+    d.putAndInsertString(tag, value.toLatin1().constData());
+  };
+  const QString uid = QStringLiteral("1.2.3.77.%1").arg(number);
+  text(DCM_SOPClassUID, QStringLiteral("1.2.840.10008.5.1.4.1.1.1.2"));
+  text(DCM_SOPInstanceUID, uid);
+  text(DCM_StudyInstanceUID, QStringLiteral("1.2.3.77"));
+  text(DCM_SeriesInstanceUID, QStringLiteral("1.2.3.77.0"));
+  text(DCM_Modality, QStringLiteral("MG"));
+  text(DCM_PatientID, QStringLiteral("77"));
+  text(DCM_PatientName, QStringLiteral("Doe^Jane"));
+  text(DCM_StudyDate, QStringLiteral("20260301"));
+  text(DCM_BodyPartExamined, QStringLiteral("BREAST"));
+  text(DCM_InstanceNumber, QString::number(number));
+  text(DCM_ImageLaterality, QLatin1String(b.side));
+  text(DCM_ViewPosition, QLatin1String(b.view));
+  text(DCM_PatientOrientation, QLatin1String(b.rowsTo));
+  text(DCM_ImagerPixelSpacing, QStringLiteral("0.1\\0.1"));
+  text(DCM_PhotometricInterpretation, QStringLiteral("MONOCHROME2"));
+  text(DCM_WindowCenter, QStringLiteral("400"));
+  text(DCM_WindowWidth, QStringLiteral("800"));
+  d.putAndInsertUint16(DCM_SamplesPerPixel, 1);
+  d.putAndInsertUint16(DCM_Rows, Uint16(b.rows));
+  d.putAndInsertUint16(DCM_Columns, Uint16(b.columns));
+  d.putAndInsertUint16(DCM_BitsAllocated, 16);
+  d.putAndInsertUint16(DCM_BitsStored, 12);
+  d.putAndInsertUint16(DCM_HighBit, 11);
+  d.putAndInsertUint16(DCM_PixelRepresentation, 0);
+  const std::vector<Uint16> pixels(std::size_t(b.columns * b.rows), 300);
+  d.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
+  return file.saveFile(path.toLocal8Bit().constData(), EXS_LittleEndianExplicit).good();
+}
+
+struct HangingWindow : Journey {
+  using Journey::Journey;
+
+  Session& session() { return window.session(); }
+  const Workspace& workspace() { return session().workspace(); }
+  const Series* in(int cell) { return seriesIn(workspace(), firstCell + cell); }
+  FrameView* frameView(int cell) { return window.views()->viewAs<FrameView>(firstCell + cell); }
+  QString told(int cell) {
+    const Series* series = in(cell);
+    return series ? QString::fromStdString(series->laterality + " " + series->viewPosition) : QString();
+  }
+  // Once the frames of all cells are there and as large as each other.
+  bool facesEachOther(int cells) {
+    return QTest::qWaitFor(
+        [&] {
+          for (int n = 0; n < cells; ++n) {
+            const FrameView* view = frameView(n);
+            if (!view || !view->isVisible() || !view->frame() || !view->plane()) return false;
+            if (view->frame()->key.series != view->state().series) return false;
+            if (std::abs(view->plane()->mmPerPixel / frameView(0)->plane()->mmPerPixel - 1) > 1e-6)
+              return false;
+          }
+          return wallOff(0) < 0.5;
+        },
+        longest);
+  }
+  // How far the outer edge of the column at the chest wall is from the inner edge of its cell, pixels.
+  double wallOff(int cell) {
+    const FrameView* view = frameView(cell);
+    const VoxelGeometry& geometry = view->frame()->geometry();
+    const bool rowsLeadToIt = view->frame()->rowSide == "P";
+    const double i = rowsLeadToIt ? geometry.size.x - 0.5 : -0.5;
+    const double middle = (geometry.size.y - 1) / 2.0;
+    const double x = view->plane()->pixelFromPatient(geometry.patientFromVoxel({i, middle, 0})).x;
+    return std::abs(x - (in(cell)->laterality == "R" ? view->plane()->size.x : 0));
+  }
+  QStringList offered() {
+    auto* menu = child<QMenu>("protocolMenu");
+    menu->popup({10, 10});
+    QStringList names;
+    for (const QAction* action : menu->actions())
+      if (action->isCheckable()) names << action->text();
+    menu->close();
+    return names;
+  }
+  QString complaint() { return child<Banner>("banner")->sentence(); }
+};
+
+struct Mammograms {
+  QTemporaryDir folder;
+  bool write() const {
+    for (int n = 0; n < 4; ++n)
+      if (!writeBreast(breasts[n], n + 1, folder.filePath(QString::number(n)))) return false;
+    return true;
+  }
+};
+
+// The same series of one patient on two days.
+struct TwoDays {
+  QTemporaryDir folder;
+  QString now = folder.filePath(QStringLiteral("now")), before = folder.filePath(QStringLiteral("before"));
+
+  bool write() const { return writeDay(now, "20260301") && writeDay(before, "20240215"); }
+  static bool writeDay(const QString& path, const char* day) {
+    DicomSeriesTags tags;
+    tags.patientName = "Doe^Jane", tags.patientId = "77", tags.studyDate = day;
+    tags.studyUid = std::string("1.2.3.") + day, tags.description = "Head";
+    const Result<VolumePtr> volume = makePhantom("ct-head:20");
+    return volume && writeDicomSeries(**volume, tags, path.toStdString());
+  }
+};
+
+// With both open, and the later one on screen.
+struct TwoDaysWindow : HangingWindow {
+  explicit TwoDaysWindow(const TwoDays& days) : HangingWindow(QStringList{days.now, days.before}) {}
+  bool isOpen() {
+    return QTest::qWaitFor([&] { return window.document().open.volumes().size() == 2 && session().series(); },
+                           longest);
+  }
+  bool showsInCell(int cell, const char* day) {
+    return QTest::qWaitFor(
+        [&] {
+          const LoadedSeriesPtr shown = session().seriesOf(firstCell + cell);
+          return shown && shown->series.studyDate == day;
+        },
+        longest);
+  }
+};
+
+}  // namespace
+
+class TestHanging : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void mammogramsFaceEachOther();
+  void keysGoThroughWhatFits();
+  void theMenuHangsAndSaves();
+  void withoutAStudyThereIsASentence();
+  void thePriorStandsBeside();
+  void withoutAPriorThereIsASentence();
+  void theSecondViewFillsByItself();
+};
+
+void TestHanging::mammogramsFaceEachOther() {
+  const Mammograms data;
+  QVERIFY(data.write());
+  HangingWindow w({data.folder.path()});
+  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
+  const char* cells[] = {"R CC", "L CC", "R MLO", "L MLO"};
+  for (int n = 0; n < 4; ++n) QCOMPARE(w.told(n), QLatin1String(cells[n]));
+  QVERIFY(w.facesEachOther(4));
+  for (int n = 0; n < 4; ++n) {
+    QVERIFY2(w.wallOff(n) < 0.5, cells[n]);
+    QCOMPARE(flatLookOf(w.workspace().view(firstCell + n)).turn.mirrored, n == 1);
+  }
+  w.shot("mammograms");
+  QCOMPARE(w.session().undoStack().count(), 1);
+  const Workspace hung = w.workspace();
+  w.child<QAction>("undo")->trigger();
+  QCOMPARE(w.workspace().layout, Layout::one);
+  w.child<QAction>("redo")->trigger();
+  QVERIFY(w.workspace() == hung);
+}
+
+void TestHanging::keysGoThroughWhatFits() {
+  const Mammograms data;
+  QVERIFY(data.write());
+  HangingWindow w({data.folder.path()});
+  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
+  QVERIFY(w.facesEachOther(4));
+  const auto press = [&](Qt::Key key, const char* first, int cells) {
+    const int steps = w.session().undoStack().count();
+    QTest::keyClick(&w.window, key, Qt::AltModifier);
+    return w.told(0) == QLatin1String(first) && int(viewsOnScreen(w.workspace()).size()) == cells &&
+           w.facesEachOther(cells) && w.session().undoStack().count() == steps + 1;
+  };
+  QVERIFY(press(Qt::Key_PageDown, "R CC", 2));
+  QVERIFY(press(Qt::Key_PageDown, "R MLO", 2));
+  QVERIFY2(press(Qt::Key_PageDown, "R CC", 4), "the first one comes after the last");
+  QVERIFY(press(Qt::Key_PageUp, "R MLO", 2));
+}
+
+void TestHanging::theMenuHangsAndSaves() {
+  const Mammograms data;
+  QVERIFY(data.write());
+  HangingWindow w({data.folder.path()});
+  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
+  QVERIFY(w.facesEachOther(4));
+  const QStringList expected{QStringLiteral("Mammograms"), QStringLiteral("Mammograms, CC"),
+                             QStringLiteral("Mammograms, MLO")};
+  QCOMPARE(w.offered(), expected);
+  w.child<QAction>("protocol2")->trigger();
+  QCOMPARE(w.told(1), QStringLiteral("L MLO"));
+  QVERIFY(w.facesEachOther(2));
+  const auto save = [&](const char* name) {
+    w.child<QAction>("saveProtocol")->trigger();
+    auto* dialog = w.child<QInputDialog>("protocolNameDialog");
+    if (!dialog) return false;
+    dialog->setTextValue(QLatin1String(name));
+    dialog->accept();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    return true;
+  };
+  QVERIFY(save("Mammograms"));
+  QVERIFY2(w.complaint().contains(QStringLiteral("choose another name")), "it is one of the program's");
+  QVERIFY(save("Mine"));
+  const auto files = readPresetFiles(protocolFolder());
+  QCOMPARE(files.size(), std::size_t(1));
+  const Result<HangingProtocol> kept = protocolFromJson(files[0].text);
+  QFile::remove(QString::fromStdString(files[0].path));
+  QVERIFY(kept && kept->name == "Mine" && kept->layout == Layout::two);
+  QVERIFY(w.offered().contains(QStringLiteral("Mine")));
+}
+
+void TestHanging::withoutAStudyThereIsASentence() {
+  HangingWindow w;
+  w.child<QAction>("nextProtocol")->trigger();
+  QVERIFY(w.complaint().startsWith(QStringLiteral("No hanging protocol fits")));
+  w.child<QAction>("saveProtocol")->trigger();
+  QCOMPARE(w.complaint(), QStringLiteral("Open a series first."));
+}
+
+void TestHanging::thePriorStandsBeside() {
+  const TwoDays days;
+  QVERIFY(days.write());
+  TwoDaysWindow w(days);
+  QVERIFY(w.isOpen());
+  const Workspace before = w.workspace();
+  const int steps = w.session().undoStack().count();
+  QTest::keyClick(&w.window, Qt::Key_7, Qt::AltModifier);
+  QCOMPARE(w.workspace().layout, Layout::two);
+  QVERIFY(w.showsInCell(0, "20260301") && w.showsInCell(1, "20240215"));
+  QCOMPARE(w.workspace().focus, firstCell);
+  const auto dateOf = [&](int cell) {
+    return w.window.views()->viewAs<FlatView>(firstCell + cell)->overlays().date;
+  };
+  QCOMPARE(dateOf(0), QStringLiteral("2026-03-01"));
+  QCOMPARE(dateOf(1), QStringLiteral("2024-02-15"));
+  w.shot("prior");
+  QCOMPARE(w.session().undoStack().count(), steps + 1);
+  w.child<QAction>("undo")->trigger();
+  QVERIFY(w.workspace().views == before.views && w.workspace().layout == before.layout);
+}
+
+void TestHanging::withoutAPriorThereIsASentence() {
+  const TwoDays days;
+  QVERIFY(days.write());
+  HangingWindow w(QStringList{days.before});
+  QTRY_VERIFY_WITH_TIMEOUT(w.session().series() != nullptr, longest);
+  const Workspace before = w.workspace();
+  w.child<QAction>("comparePrior")->trigger();
+  QVERIFY(w.complaint().startsWith(QStringLiteral("No earlier study")));
+  QVERIFY(w.workspace() == before);
+}
+
+void TestHanging::theSecondViewFillsByItself() {
+  const TwoDays days;
+  QVERIFY(days.write());
+  TwoDaysWindow w(days);
+  QVERIFY(w.isOpen());
+  const int steps = w.session().undoStack().count();
+  w.child<QAction>("layoutTwo")->trigger();
+  QVERIFY(w.showsInCell(0, "20260301") && w.showsInCell(1, "20240215"));
+  QCOMPARE(w.session().undoStack().count(), steps + 1);
+}
+
+VOLUMEN_TEST(TestHanging);
+#include "tst_hanging.moc"

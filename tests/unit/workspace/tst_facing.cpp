@@ -1,0 +1,102 @@
+// Guards how mammograms face each other: where the chest wall is, and that it lies at the edge that is asked
+// for, at the same scale in all of them.
+#include "tests/unit/suite.h"
+#include "ui/workspace/facing.h"
+#include "ui/workspace/flat_plane.h"
+
+using namespace volumen;
+
+namespace {
+
+// `columns` x 20 pixels of `mm`, the left half of one value, the right one of another.
+LoadedFramePtr breastFrame(const char* rows, float leftHalf, float rightHalf, int columns = 10, double mm = 1,
+                           bool inverted = false) {
+  Frame frame;
+  frame.size = {columns, 20};
+  for (int n = 0; n < columns * 20; ++n)
+    frame.values.push_back(n % columns < columns / 2 ? leftHalf : rightHalf);
+  frame.greys = {{"", {{500, 1000}, WindowFunction::linear, {}, inverted}, false}};
+  frame.pixel = {{mm, mm}, PixelSizeKind::atDetector};
+  frame.rowSide = rows;
+  Series series;
+  series.path = "breast";
+  series.acquired.size = {columns, 20, 1};
+  series.acquired.calibrated = false;
+  return *shownFrame(series, {keyOf(series), 0}, frame);
+}
+
+}  // namespace
+
+class TestFacing : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theChestWallIsFound_data();
+  void theChestWallIsFound();
+  void framesFaceEachOther_data();
+  void framesFaceEachOther();
+};
+
+void TestFacing::theChestWallIsFound_data() {
+  QTest::addColumn<QByteArray>("rows");  // where they lead to
+  QTest::addColumn<float>("leftHalf");
+  QTest::addColumn<float>("rightHalf");
+  QTest::addColumn<bool>("inverted");
+  QTest::addColumn<int>("wall");
+  const auto row = [](const char* name, const char* rows, float leftHalf, float rightHalf, bool inverted,
+                      ChestWall wall) {
+    QTest::newRow(name) << QByteArray(rows) << leftHalf << rightHalf << inverted << int(wall);
+  };
+  row("rows lead to the back", "P", 900, 10, false, ChestWall::right);
+  row("rows lead to the front", "A", 10, 900, false, ChestWall::left);
+  row("to the front and left", "AL", 10, 900, false, ChestWall::left);
+  row("by the tissue, left", "", 900, 10, false, ChestWall::left);
+  row("by the tissue, right", "", 10, 900, false, ChestWall::right);
+  row("by the tissue, dark is bright", "", 900, 10, true, ChestWall::right);
+  row("across", "L", 10, 900, false, ChestWall::right);
+  row("both sides alike", "", 500, 500, false, ChestWall::anywhere);
+}
+
+void TestFacing::theChestWallIsFound() {
+  QFETCH(QByteArray, rows);
+  QFETCH(float, leftHalf);
+  QFETCH(float, rightHalf);
+  QFETCH(bool, inverted);
+  QFETCH(int, wall);
+  QCOMPARE(int(chestWallOf(*breastFrame(rows.constData(), leftHalf, rightHalf, 10, 1, inverted))), wall);
+}
+
+void TestFacing::framesFaceEachOther_data() {
+  QTest::addColumn<bool>("sameScale");
+  QTest::newRow("the same scale") << true;
+  QTest::newRow("each as large as its view") << false;
+}
+
+void TestFacing::framesFaceEachOther() {
+  QFETCH(bool, sameScale);
+  // 10 x 20 mm, and 30 x 40 mm the wrong way round.
+  const std::vector<FacingFrame> frames{
+      {breastFrame("P", 10, 900), {}, {300, 200}, ChestWall::right},
+      {breastFrame("P", 10, 900, 15, 2), {.inverted = true}, {300, 200}, ChestWall::left}};
+  const std::vector<FlatLook> looks = facingLooks(frames, sameScale);
+  QCOMPARE(looks.size(), std::size_t(2));
+  QVERIFY(!looks[0].turn.mirrored && looks[1].turn.mirrored);
+  QVERIFY2(looks[1].inverted, "what it was beside");
+  ViewState state;
+  state.kind = ViewKind::frames;
+  for (std::size_t n = 0; n < 2; ++n) {
+    const VoxelGeometry& geometry = frames[n].frame->geometry();
+    const SlicePlane plane = flatPlane(state, looks[n], geometry, {}, frames[n].pixels);
+    // 40 mm over 200 pixels, or 20.
+    QCOMPARE(plane.mmPerPixel, sameScale || n == 1 ? 0.2 : 0.1);
+    // The outer edge of the column at the chest wall: rows lead to it in both.
+    const double edge = geometry.size.x - 0.5;
+    const glm::dvec2 wall = plane.pixelFromPatient(geometry.patientFromVoxel({edge, 9.5, 0}));
+    QVERIFY2(std::abs(wall.x - (n == 0 ? 300 : 0)) < 1e-6, qPrintable(QString::number(wall.x)));
+    QVERIFY(std::abs(wall.y - 100) < 1e-6);
+  }
+  const std::vector<FlatLook> free = facingLooks({{frames[0].frame, {}, {300, 200}}}, sameScale);
+  QVERIFY(free[0] == FlatLook());
+}
+
+VOLUMEN_TEST(TestFacing);
+#include "tst_facing.moc"

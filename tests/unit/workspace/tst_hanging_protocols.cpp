@@ -1,0 +1,438 @@
+// Guards hanging protocols: the language and its refusals, which protocol fits which study, what stands in
+// which cell; by chance, that any protocol makes a workspace that a session can hold; those of the program.
+#include <QFile>
+#include <set>
+
+#include "tests/fixtures/chance.h"
+#include "tests/fixtures/seeds.h"
+#include "tests/unit/suite.h"
+#include "ui/workspace/own_protocols.h"
+#include "ui/workspace/session_json.h"
+
+using namespace volumen;
+using volumen::tests::Chance;
+
+namespace {
+
+// A series of a study of one patient.
+struct HangSeries {
+  const char *modality, *description;
+  const char *part = "", *laterality = "", *view = "";
+  const char* day = "20260301";
+  int slices = 20;
+};
+
+Series madeFor(const HangSeries& s, int number) {
+  Series series;
+  series.modality = s.modality, series.description = s.description, series.bodyPart = s.part;
+  series.laterality = s.laterality, series.viewPosition = s.view;
+  series.studyDate = s.day, series.studyUid = std::string("1.2.") + s.day;
+  series.patientId = "7", series.patientName = "Doe^Jane", series.format = "DICOM";
+  series.seriesNumber = std::to_string(number);
+  series.id = series.studyUid + "." + series.seriesNumber, series.seriesUid = series.id;
+  series.path = "/data/" + series.id;
+  series.frameOfReferenceUid = series.studyUid + ".1";
+  series.acquired.size = {64, 64, s.slices};
+  series.acquired.calibrated = s.slices > 1;
+  series.unit = series.modality == "CT" ? "HU" : "";
+  series.files.assign(std::size_t(s.slices), series.path + "/1");
+  series.frames.assign(std::size_t(s.slices), 0);
+  return series;
+}
+
+struct OpenPictures {
+  std::vector<Series> series;
+
+  explicit OpenPictures(const std::vector<HangSeries>& all) {
+    for (const HangSeries& s : all) series.push_back(madeFor(s, int(series.size()) + 1));
+  }
+  std::vector<const Series*> pictures() const {
+    std::vector<const Series*> all;
+    for (const Series& s : series) all.push_back(&s);
+    return all;
+  }
+  PatientStudies studies(std::size_t current = 0) const { return studiesAround(pictures(), series[current]); }
+};
+
+HangSeries mammogramOf(const char* side, const char* view, const char* day = "20260301") {
+  return {"MG", "MAMMO", "BREAST", side, view, day, 1};
+}
+HangSeries xRayOf(const char* view, const char* day = "20260301") {
+  return {"DX", "Chest", "CHEST", "", view, day, 1};
+}
+
+const std::vector<HangSeries> fourBreasts{mammogramOf("L", "MLO"), mammogramOf("R", "CC"),
+                                          mammogramOf("R", "MLO"), mammogramOf("L", "CC")};
+const std::vector<HangSeries> brainSeries{{"MR", "t1_mprage_sag"},
+                                          {"MR", "t2_tse_tra", "BRAIN"},
+                                          {"MR", "t2_flair_tra"},
+                                          {"MR", "ep2d_diff_trace"},
+                                          {"MR", "ep2d_diff_ADC"},
+                                          {"MR", "T1 tse tra +C"},
+                                          {"MR", "localizer", "", "", "", "20260301", 3}};
+
+QStringList namesOf(const std::vector<HangingProtocol>& all, const std::vector<std::size_t>& numbers) {
+  QStringList names;
+  for (const std::size_t n : numbers) names << QString::fromStdString(all[n].name);
+  return names;
+}
+
+const HangingProtocol& protocolNamed(const KnownProtocols& known, const char* name) {
+  for (const HangingProtocol& protocol : known.protocols)
+    if (protocol.name == name) return protocol;
+  qFatal("no protocol %s", name);
+}
+
+// What each cell shows: side and view, or the description; "-" of empty ones.
+QStringList cellsOf(const HangingProtocol& protocol, const PatientStudies& studies) {
+  QStringList cells;
+  for (const Series* s : seriesOfCells(protocol, studies)) {
+    const std::string text = !s ? "-"
+                             : s->viewPosition.empty()
+                                 ? s->description
+                                 : s->laterality + s->viewPosition + s->studyDate.substr(2, 2);
+    cells << QString::fromStdString(text);
+  }
+  return cells;
+}
+
+const char* const wholeProtocol = R"({
+ "name": "All", "when": {"modality": "MR", "bodyPart": "brain|head", "description": "t2", "notDescription": "fs",
+  "laterality": "L|R", "viewPosition": "PA", "plane": "axial", "weighting": "T2*", "kernel": "soft",
+  "contrast": false, "least": 2, "most": 9, "prior": true},
+ "series": [{"name": "a", "modality": "MR", "order": "slices", "prior": 1}, {"name": "b", "like": "a", "prior": 2}],
+ "layout": "3x4",
+ "cells": [{"series": "a|b", "which": 2, "picture": "coronal", "window": {"centre": 40, "width": -400},
+   "over": "b", "slabMm": 12.5, "slabMode": "mean", "inverted": true, "chestWall": "left"}, {}],
+ "leastFilled": 0, "links": {"scroll": false, "zoom": true, "pan": true, "window": true},
+ "sameScale": true, "automatic": true})";
+
+}  // namespace
+
+class TestHangingProtocols : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void everyFieldComesBack();
+  void refusalsNameTheField_data();
+  void refusalsNameTheField();
+  void wordsOfSeries_data();
+  void wordsOfSeries();
+  void thoseOfTheProgramAreRead();
+  void theExampleOfTheDocumentIsRead();
+  void studiesAreOffered_data();
+  void studiesAreOffered();
+  void cellsHoldTheirSeries_data();
+  void cellsHoldTheirSeries();
+  void aStudyIsHung();
+  void emptyCellsSayWhatTheyWant();
+  void whatIsShownIsAProtocol();
+  void anyProtocolMakesASession();
+};
+
+void TestHangingProtocols::everyFieldComesBack() {
+  const Result<HangingProtocol> read = protocolFromJson(wholeProtocol);
+  QVERIFY2(read, read ? "" : read.message().c_str());
+  QCOMPARE(read->layout.rows, 3);
+  QCOMPARE(read->layout.columns, 4);
+  QVERIFY(read->when.rule.weighting == Weighting::t2Star);
+  QVERIFY(read->cells[0].window == Window({40, -400}));
+  QVERIFY(read->cells[0].chestWall == ChestWall::left && read->cells[1] == ProtocolCell());
+  const Result<HangingProtocol> again = protocolFromJson(protocolToJson(*read));
+  QVERIFY(again && *again == *read);
+  HangingProtocol plain;
+  plain.name = "plain";
+  const Result<HangingProtocol> same = protocolFromJson(protocolToJson(plain));
+  QVERIFY(same && *same == plain);
+}
+
+void TestHangingProtocols::refusalsNameTheField_data() {
+  QTest::addColumn<QByteArray>("from");  // replaced in wholeProtocol
+  QTest::addColumn<QByteArray>("to");
+  QTest::addColumn<QString>("sentence");
+  const auto row = [](const char* name, const char* from, const char* to, const char* sentence) {
+    QTest::newRow(name) << QByteArray(from) << QByteArray(to) << QString::fromLatin1(sentence);
+  };
+  row("no JSON", "{", "[", "Not JSON at line");
+  row("unknown at the top", "\"sameScale\"", "\"sameScales\"", "sameScales is unknown");
+  row("unknown in the condition", "\"least\"", "\"atLeast\"", "when.atLeast is unknown");
+  row("unknown in a series", "\"order\"", "\"sort\"", "series[0].sort is unknown");
+  row("unknown in a cell", "\"over\"", "\"under\"", "cells[0].under is unknown");
+  row("unknown in a link", "\"pan\"", "\"move\"", "links.move is unknown");
+  row("no name", "\"All\"", "\"\"", "name must not be empty");
+  row("a layout too large", "3x4", "5x4", "layout must be rows and columns, \"1x1\" to \"4x5\"");
+  row("another plane", "\"axial\"", "\"oblique\"", "when.plane must be \"axial\" or");
+  row("another weighting", "T2*", "T3", "when.weighting must be \"T1\" or");
+  row("another picture", "\"coronal\"", "\"2D\"", "cells[0].picture must be \"acquired\" or");
+  row("a window without width", "-400", "0", "cells[0].window.width must not be 0");
+  row("a slab below 0", "12.5", "-1", "cells[0].slabMm must be in 0 .. 1000");
+  row("the 0th series", "\"which\": 2", "\"which\": 0", "cells[0].which must be in 1 .. 10");
+  row("a series that is not there", "a|b", "a|c", "cells[0].series must be the name of one of the series");
+  row("nothing to lie over", "\"over\": \"b\"", "\"over\": \"c\"", "cells[0].over must be the name");
+  row("like nothing", "\"like\": \"a\"", "\"like\": \"x\"", "series[1].like must be the name");
+  row("like one of the same study", "\"prior\": 2", "\"prior\": 0", "series[1].prior must be 1 or more");
+  row("two of one name", "\"name\": \"b\"", "\"name\": \"a\"", "series[0].name is there twice");
+  row("a name of two", "\"name\": \"b\"", "\"name\": \"b|c\"", "series[1].name must be a name without");
+  row("more cells than the grid", "3x4", "1x1", "cells must be at most 1, as the layout has");
+  row("a text for a number", "12.5", "\"12.5\"", "cells[0].slabMm must be a number, not a text");
+}
+
+void TestHangingProtocols::refusalsNameTheField() {
+  QFETCH(QByteArray, from);
+  QFETCH(QByteArray, to);
+  QFETCH(QString, sentence);
+  QByteArray text = wholeProtocol;
+  const int at = int(text.indexOf(from));
+  QVERIFY(at >= 0);
+  text.replace(at, from.size(), to);
+  const Result<HangingProtocol> read = protocolFromJson(text.toStdString());
+  QVERIFY(!read);
+  QVERIFY2(QString::fromStdString(read.message()).contains(sentence), read.message().c_str());
+}
+
+void TestHangingProtocols::wordsOfSeries_data() {
+  QTest::addColumn<QByteArray>("modality");
+  QTest::addColumn<QByteArray>("description");
+  QTest::addColumn<int>("weighting");  // -1: not known; of CT the kernel
+  QTest::addColumn<int>("contrast");   // -1: not said
+  const auto mr = [](const char* text, std::optional<Weighting> w, int contrast = -1) {
+    QTest::newRow(text) << QByteArray("MR") << QByteArray(text) << (w ? int(*w) : -1) << contrast;
+  };
+  mr("t1_mprage_sag", Weighting::t1);
+  mr("AX T1 FLAIR", Weighting::t1);
+  mr("T2_FLAIR_tra", Weighting::flair);
+  mr("t2_tirm_tra_dark-fluid", Weighting::flair);
+  mr("T2W_TSE posterior fossa", Weighting::t2);
+  mr("t2*_gre", Weighting::t2Star);
+  mr("SWI_Images", Weighting::t2Star);
+  mr("ep2d_diff_b0_1000_ADC", Weighting::adc);
+  mr("DWI b1000", Weighting::diffusion);
+  mr("PD_TSE_SAG FS", Weighting::protonDensity);
+  mr("TOF_3D_multi-slab", Weighting::angiography);
+  mr("Scout", {});
+  mr("T1 SE +C", Weighting::t1, 1);
+  mr("T1 post Gd", Weighting::t1, 1);
+  mr("T1 native", Weighting::t1, 0);
+  const auto ct = [](const char* text, std::optional<Kernel> k) {
+    QTest::newRow(text) << QByteArray("CT") << QByteArray(text) << (k ? int(*k) : -1) << -1;
+  };
+  ct("Lung 1.0", Kernel::lung);
+  ct("CHEST BONE", Kernel::bone);
+  ct("Soft tissue 5.0", Kernel::soft);
+  ct("Thorax 5.0", {});
+}
+
+void TestHangingProtocols::wordsOfSeries() {
+  QFETCH(QByteArray, modality);
+  QFETCH(QByteArray, description);
+  QFETCH(int, weighting);
+  QFETCH(int, contrast);
+  Series series;
+  series.modality = modality.toStdString(), series.description = description.toStdString();
+  const auto w = weightingOf(series);
+  const auto k = kernelOf(series);
+  const auto c = contrastOf(series);
+  if (modality == "CT")
+    QCOMPARE(k ? int(*k) : -1, weighting);
+  else
+    QCOMPARE(w ? int(*w) : -1, weighting);
+  QCOMPARE(c ? int(*c) : -1, contrast);
+}
+
+void TestHangingProtocols::thoseOfTheProgramAreRead() {
+  const KnownProtocols known = knownProtocols();
+  for (const std::string& problem : known.problems) QFAIL(problem.c_str());
+  QVERIFY(known.protocols.size() - known.own >= 12);
+  std::set<std::string> names;
+  for (const HangingProtocol& protocol : known.protocols) {
+    QVERIFY2(names.insert(protocol.name).second, protocol.name.c_str());
+    const Result<HangingProtocol> again = protocolFromJson(protocolToJson(protocol));
+    QVERIFY2(again && *again == protocol, protocol.name.c_str());
+    for (const ProtocolCell& cell : protocol.cells) QVERIFY(!cell.series.empty());
+  }
+}
+
+void TestHangingProtocols::theExampleOfTheDocumentIsRead() {
+  QFile page(QStringLiteral(VOLUMEN_SOURCE_DIR "/resources/docs/protocols.md"));
+  QVERIFY(page.open(QIODevice::ReadOnly));
+  const QByteArray text = page.readAll(), begin = "```json\n";
+  const qsizetype from = text.indexOf(begin) + begin.size();
+  const Result<HangingProtocol> read =
+      protocolFromJson(text.mid(from, text.indexOf("```", from) - from).toStdString());
+  QVERIFY2(read, read ? "" : read.message().c_str());
+  QCOMPARE(read->cells.size(), std::size_t(3));
+}
+
+void TestHangingProtocols::studiesAreOffered_data() {
+  QTest::addColumn<std::vector<HangSeries>>("series");
+  QTest::addColumn<QStringList>("names");  // of the protocols, best first
+  const auto row = [](const char* name, const std::vector<HangSeries>& series, const QStringList& names) {
+    QTest::newRow(name) << series << names;
+  };
+  const QString four = QStringLiteral("Mammograms"), cc = QStringLiteral("Mammograms, CC"),
+                mlo = QStringLiteral("Mammograms, MLO"),
+                before = QStringLiteral("Mammograms with those before");
+  row("four mammograms", fourBreasts, {four, cc, mlo});
+  std::vector<HangSeries> withPrior = fourBreasts;
+  withPrior.push_back(mammogramOf("R", "CC", "20240101"));
+  row("and one of before", withPrior, {before, four, cc, mlo});
+  row("one mammogram", {mammogramOf("R", "CC")}, {});
+  row("a brain", brainSeries, {QStringLiteral("MR brain"), QStringLiteral("MR, series by number")});
+  row("a chest, two views", {xRayOf("LL"), xRayOf("PA")},
+      {QStringLiteral("Frontal and lateral"), QStringLiteral("Two X-ray pictures")});
+  row("a hand without view positions", {xRayOf(""), xRayOf("")}, {QStringLiteral("Two X-ray pictures")});
+  row("three X-ray pictures", {xRayOf(""), xRayOf(""), xRayOf("")}, {});
+  row("a chest and one of before", {xRayOf("PA"), xRayOf("PA", "20250101")},
+      {QStringLiteral("X-ray pictures with those before")});
+  row("a document", {{"SR", "Report"}}, {});
+}
+
+void TestHangingProtocols::studiesAreOffered() {
+  QFETCH(std::vector<HangSeries>, series);
+  QFETCH(QStringList, names);
+  const KnownProtocols known = knownProtocols();
+  QCOMPARE(namesOf(known.protocols, fitting(known.protocols, OpenPictures(series).studies())), names);
+}
+
+void TestHangingProtocols::cellsHoldTheirSeries_data() {
+  QTest::addColumn<QByteArray>("protocol");
+  QTest::addColumn<std::vector<HangSeries>>("series");
+  QTest::addColumn<QStringList>("cells");
+  const auto row = [](const char* name, const char* protocol, const std::vector<HangSeries>& series,
+                      const char* cells) {
+    QTest::newRow(name) << QByteArray(protocol) << series
+                        << QString::fromLatin1(cells).split(QStringLiteral("; "));
+  };
+  row("four mammograms", "Mammograms", fourBreasts, "RCC26; LCC26; RMLO26; LMLO26");
+  row("three mammograms", "Mammograms", {fourBreasts.begin(), fourBreasts.begin() + 3},
+      "RCC26; -; RMLO26; LMLO26");
+  std::vector<HangSeries> withPrior = fourBreasts;
+  for (const HangSeries& s : {mammogramOf("L", "CC", "20240101"), mammogramOf("R", "CC", "20240101"),
+                              mammogramOf("R", "CC", "20220101")})
+    withPrior.push_back(s);
+  row("with those before", "Mammograms with those before", withPrior,
+      "RCC26; LCC26; RMLO26; LMLO26; RCC24; LCC24; -; -");
+  row("a brain", "MR brain", brainSeries,
+      "t2_flair_tra; t2_tse_tra; ep2d_diff_trace; t1_mprage_sag; T1 tse tra +C; ep2d_diff_ADC");
+  row("localizers last", "MR, series by number",
+      {{"MR", "loc", "", "", "", "20260301", 3}, {"MR", "a"}, {"MR", "b"}}, "a; b; loc; -");
+}
+
+void TestHangingProtocols::cellsHoldTheirSeries() {
+  QFETCH(QByteArray, protocol);
+  QFETCH(std::vector<HangSeries>, series);
+  QFETCH(QStringList, cells);
+  const KnownProtocols known = knownProtocols();
+  QCOMPARE(cellsOf(protocolNamed(known, protocol.constData()), OpenPictures(series).studies()), cells);
+}
+
+void TestHangingProtocols::aStudyIsHung() {
+  const KnownProtocols known = knownProtocols();
+  const OpenPictures chest({{"CT", "Soft tissue 1.0", "CHEST"}, {"CT", "Lung 1.0", "CHEST"}});
+  SceneLook look;
+  look.scene.camera.emplace();
+  Workspace before = withSeries({}, sceneViewId, chest.series[0], look);
+  before.links.scroll = false;
+  const Workspace lung = hung(before, protocolNamed(known, "CT, lung"), chest.studies());
+  QVERIFY(lung.layout == Layout::four && lung.links.scroll);
+  QCOMPARE(lung.focus, firstComparedId);
+  const ViewKind kinds[] = {ViewKind::axial, ViewKind::coronal, ViewKind::sagittal, ViewKind::axial};
+  for (int n = 0; n < 4; ++n) {
+    const ViewState& view = lung.view(firstComparedId + n);
+    QVERIFY(view.kind == kinds[n]);
+    QVERIFY(view.series == keyOf(chest.series[1]));
+    QCOMPARE(flatLookOf(view).slabMm, n == 3 ? 10. : 0.);
+  }
+  QVERIFY(lung.series.at(keyOf(chest.series[1])).window == Window({-600, 1500}));
+  QVERIFY(!lung.series.at(keyOf(chest.series[0])).window);
+  // 3D as it was seen before.
+  const Workspace soft = hung(before, protocolNamed(known, "CT, soft tissue"), chest.studies());
+  QVERIFY(soft.view(firstComparedId + 3).kind == ViewKind::volume);
+  QVERIFY(soft.view(firstComparedId + 3).scenes.at(keyOf(chest.series[0])) == look);
+  // Where that is not known, slices as acquired.
+  const Workspace bone = hung({}, protocolNamed(known, "CT, bone"), chest.studies());
+  QVERIFY(bone.view(firstComparedId + 3).kind == ViewKind::axial);
+}
+
+void TestHangingProtocols::emptyCellsSayWhatTheyWant() {
+  const KnownProtocols known = knownProtocols();
+  const OpenPictures three({fourBreasts.begin(), fourBreasts.begin() + 3});
+  Workspace after = hung({}, protocolNamed(known, "Mammograms"), three.studies());
+  QCOMPARE(after.view(firstComparedId + 1).wanted, std::string("L CC"));
+  QVERIFY(after.view(firstComparedId + 1).series.empty());
+  QVERIFY(showsFrames(after.view(firstComparedId).kind));
+  QVERIFY(after.view(firstComparedId).wanted.empty());
+  after = withFrames(after, firstComparedId + 1, madeFor(mammogramOf("L", "CC"), 9));
+  QVERIFY2(after.view(firstComparedId + 1).wanted.empty(), "there it is");
+}
+
+void TestHangingProtocols::whatIsShownIsAProtocol() {
+  const KnownProtocols known = knownProtocols();
+  const std::pair<const char*, std::vector<HangSeries>> cases[] = {
+      {"Mammograms", fourBreasts},
+      {"MR brain", brainSeries},
+      {"Frontal and lateral", {xRayOf("PA"), xRayOf("LL")}}};
+  for (const auto& [name, series] : cases) {
+    const OpenPictures open(series);
+    const Workspace first = hung({}, protocolNamed(known, name), open.studies());
+    const HangingProtocol kept = protocolOf(first, "Mine");
+    const Result<HangingProtocol> read = protocolFromJson(protocolToJson(kept));
+    QVERIFY2(read && *read == kept, name);
+    QCOMPARE(fitting({kept}, open.studies()).size(), std::size_t(1));
+    const Workspace again = hung({}, kept, open.studies());
+    QVERIFY2(again.layout == first.layout && again.links == first.links, name);
+    for (const ViewId id : viewsOnScreen(first)) {
+      QVERIFY2(again.view(id).series == first.view(id).series, name);
+      QVERIFY2(again.view(id).kind == first.view(id).kind, name);
+      QVERIFY2(flatLookOf(again.view(id)) == flatLookOf(first.view(id)), name);
+    }
+  }
+}
+
+// One after the other over the same workspace.
+void TestHangingProtocols::anyProtocolMakesASession() {
+  const tests::Seeds seeds = tests::seedsOf(60, 600);
+  const KnownProtocols known = knownProtocols();
+  const char* modalities[] = {"CT", "MR", "MG", "DX", "PT", "US"};
+  const char* words[] = {"T1", "T2 FLAIR", "Soft", "Lung", "PD", ""};
+  const char* views[] = {"CC", "MLO", "PA", "LL", ""};
+  const char* sides[] = {"L", "R", ""};
+  const char* days[] = {"20260301", "20250301", "20240301"};
+  const char* parts[] = {"BRAIN", "KNEE", "CHEST", ""};
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    Chance chance{std::uint64_t(seed)};
+    std::vector<HangSeries> all;
+    for (int n = 1 + chance.below(12); n > 0; --n)
+      all.push_back({modalities[chance.below(6)], words[chance.below(6)], parts[chance.below(4)],
+                     sides[chance.below(3)], views[chance.below(5)], days[chance.below(3)],
+                     1 + chance.below(9)});
+    const OpenPictures open(all);
+    Workspace workspace = withFrames({}, sceneViewId, open.series[0]);
+    for (int step = 0; step < 6; ++step) {
+      const PatientStudies studies = open.studies(std::size_t(chance.below(int(all.size()))));
+      HangingProtocol protocol = known.protocols[std::size_t(chance.below(int(known.protocols.size())))];
+      for (ProtocolCell& cell : protocol.cells) cell.picture = CellPicture(chance.below(6));
+      workspace = hung(workspace, protocol, studies);
+      const QByteArray where = QByteArrayLiteral("seed ") + QByteArray::number(seed);
+      const std::vector<ViewId> shown = viewsOnScreen(workspace);
+      QVERIFY2(std::ranges::find(shown, workspace.focus) != shown.end(), where.constData());
+      QCOMPARE(workspace.views.size(), std::size_t(viewCount));
+      for (const ViewId id : shown) {
+        const SeriesKey& key = workspace.view(id).series;
+        QVERIFY2(key.empty() || workspace.series.contains(key), where.constData());
+        QVERIFY2(key.empty() || workspace.view(id).wanted.empty(), where.constData());
+      }
+      const auto text = sessionToJson(workspace, "/data");
+      QVERIFY2(text, where.constData());
+      const auto back =
+          sessionFromJson(*text, [&](const SavedSeries& saved) -> std::shared_ptr<const Series> {
+            return workspace.series.at(keyOf(saved.series)).series;
+          });
+      QVERIFY2(back && back->workspace == workspace, where.constData());
+      const Result<HangingProtocol> kept = protocolFromJson(protocolToJson(protocolOf(workspace, "Kept")));
+      QVERIFY2(kept, kept ? "" : kept.message().c_str());
+    }
+  }
+}
+
+VOLUMEN_TEST(TestHangingProtocols);
+#include "tst_hanging_protocols.moc"

@@ -1,0 +1,215 @@
+// Guards priors: which studies are earlier ones of the patient, which series of theirs is the same, what
+// stands side by side and what fills an empty view by itself.
+#include "tests/unit/suite.h"
+#include "ui/workspace/priors.h"
+#include "ui/workspace/series_facts.h"
+
+using namespace volumen;
+
+namespace {
+
+struct PriorSeries {
+  const char *day, *description;
+  const char* modality = "MR";
+  const char* patient = "7";
+  const char* part = "";
+  bool sagittal = false;
+  double thickness = 0;
+  const char* number = "1";
+};
+
+Series priorSeries(const PriorSeries& s) {
+  Series series;
+  series.studyDate = s.day, series.studyUid = std::string("1.2.") + s.patient + "." + s.day;
+  series.patientId = s.patient, series.patientName = "Doe", series.format = "DICOM";
+  series.modality = s.modality, series.description = s.description, series.bodyPart = s.part;
+  series.seriesNumber = s.number, series.sliceThickness = s.thickness;
+  series.id = series.studyUid + s.description + s.number + s.modality, series.path = "/data";
+  series.seriesUid = series.id;
+  series.frameOfReferenceUid = series.studyUid + ".1";
+  series.acquired.size = {32, 32, 20};
+  if (s.sagittal) {  // slices along x
+    series.acquired.patientFromVoxelStep[0] = {0, 1, 0};
+    series.acquired.patientFromVoxelStep[1] = {0, 0, -1};
+    series.acquired.patientFromVoxelStep[2] = {1, 0, 0};
+  }
+  series.files.assign(20, "file");
+  series.frames.assign(20, 0);
+  return series;
+}
+
+struct PriorStudies {
+  std::vector<Series> series;
+  explicit PriorStudies(const std::vector<PriorSeries>& all) {
+    for (const PriorSeries& s : all) series.push_back(priorSeries(s));
+  }
+  std::vector<const Series*> open() const {
+    std::vector<const Series*> all;
+    for (const Series& s : series) all.push_back(&s);
+    return all;
+  }
+  // The number of one of them; -1: null.
+  int numberOf(const Series* found) const { return found ? int(found - series.data()) : -1; }
+};
+
+}  // namespace
+
+class TestPriors : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void earlierStudiesOfThePatient();
+  void theSameSeriesIsFound_data();
+  void theSameSeriesIsFound();
+  void likenessIsAShareOfAHundred();
+  void currentAndPriorStandSideBySide();
+  void framesStayFrames();
+  void datesTellStudiesApart();
+  void theFirstEmptyViewIsFilled_data();
+  void theFirstEmptyViewIsFilled();
+};
+
+void TestPriors::earlierStudiesOfThePatient() {
+  const PriorStudies s({{"20250102", "T1"},
+                        {"20230102", "T1"},
+                        {"20260102", "T1"},
+                        {"20240102", "T1"},
+                        {"20250102", "T2"},
+                        {"20240102", "T2"},
+                        {"20230102", "T1", "MR", "8"},
+                        {"", "T1"}});
+  const PatientStudies around = studiesAround(s.open(), s.series[0]);
+  const auto numbers = [&](const std::vector<const Series*>& all) {
+    QList<int> found;
+    for (const Series* series : all) found << s.numberOf(series);
+    return found;
+  };
+  QCOMPARE(numbers(around.current), (QList<int>{0, 4}));
+  QCOMPARE(around.priors.size(), std::size_t(2));
+  QCOMPARE(numbers(around.priors[0]), (QList<int>{3, 5}));
+  QCOMPARE(numbers(around.priors[1]), (QList<int>{1}));
+  // Files that name nobody have no earlier days.
+  Series nobody = s.series[0], before = s.series[1];
+  nobody.patientId = nobody.patientName = before.patientId = before.patientName = "";
+  QVERIFY(studiesAround({&nobody, &before}, nobody).priors.empty());
+}
+
+void TestPriors::theSameSeriesIsFound_data() {
+  QTest::addColumn<QList<int>>("which");  // which of the table below are open; the first is in focus
+  QTest::addColumn<int>("found");         // its place in the table; -1: none
+  QTest::newRow("by the description") << QList<int>{0, 1, 2} << 1;
+  QTest::newRow("by the plane") << QList<int>{0, 3, 1} << 1;
+  QTest::newRow("the latest study first") << QList<int>{0, 1, 4} << 4;
+  QTest::newRow("an earlier one where the latest has none") << QList<int>{0, 5, 1} << 1;
+  QTest::newRow("no other part of the body") << QList<int>{0, 6} << -1;
+  QTest::newRow("no other modality") << QList<int>{0, 5} << -1;
+  QTest::newRow("no other patient") << QList<int>{0, 7} << -1;
+  QTest::newRow("nothing of later") << QList<int>{1, 0} << -1;
+  QTest::newRow("none is open") << QList<int>{0} << -1;
+}
+
+void TestPriors::theSameSeriesIsFound() {
+  QFETCH(QList<int>, which);
+  QFETCH(int, found);
+  const PriorStudies all({{"20260102", "t2_tse_tra", "MR", "7", "BRAIN"},
+                          {"20240102", "t2_tse_tra 5mm", "MR", "7", "BRAIN"},
+                          {"20240102", "t1_se_tra", "MR", "7", "BRAIN"},
+                          {"20240102", "t2_tse_tra", "MR", "7", "BRAIN", true},
+                          {"20250102", "T2 axial", "MR"},
+                          {"20250102", "t2_tse_tra", "CT"},
+                          {"20240102", "t2_tse_tra", "MR", "7", "KNEE"},
+                          {"20240102", "t2_tse_tra", "MR", "8", "BRAIN"}});
+  std::vector<const Series*> open;
+  for (const int n : which) open.push_back(&all.series[std::size_t(n)]);
+  QCOMPARE(all.numberOf(priorOf(*open.front(), open)), found);
+}
+
+void TestPriors::likenessIsAShareOfAHundred() {
+  const Series a = priorSeries({"20260102", "T2 tra +C", "MR", "7", "", false, 5});
+  QCOMPARE(likeness(a, a), 100.);
+  // Neither says whether contrast agent was given, nor how thick slices are: half of those points.
+  const Series vague = priorSeries({"20260102", "T2 tra"});
+  QCOMPARE(likeness(vague, vague), 100 - 7.5 - 5);
+  const Series thin = priorSeries({"20240102", "T2 tra +C", "MR", "7", "", false, 1});
+  QCOMPARE(likeness(a, thin), 92.);
+  QCOMPARE(likeness(thin, a), likeness(a, thin));
+  const Series turned = priorSeries({"20240102", "T2 tra +C", "MR", "7", "", true, 5});
+  QCOMPARE(likeness(a, turned), 70.);
+  Series rightSide = a, leftSide = a;
+  rightSide.acquired.calibrated = leftSide.acquired.calibrated = false;
+  rightSide.laterality = "R", leftSide.laterality = "L";
+  QVERIFY(likeness(rightSide, leftSide) < leastLikeness);
+  QVERIFY(likeness(rightSide, rightSide) >= leastLikeness);
+  QCOMPARE(likeness(rightSide, a), 0.);
+}
+
+void TestPriors::currentAndPriorStandSideBySide() {
+  const PriorStudies s({{"20260102", "T2"}, {"20240102", "T2"}});
+  Workspace before = withSeries({}, sceneViewId, s.series[0], {});
+  before.links.scroll = false;
+  const Workspace after = comparedWithPrior(before, s.series[0], s.series[1]);
+  QCOMPARE(after.layout, Layout::two);
+  QCOMPARE(after.focus, firstComparedId);
+  QVERIFY(after.links.scroll);
+  QVERIFY(after.view(firstComparedId).series == keyOf(s.series[0]));
+  QVERIFY(after.view(firstComparedId + 1).series == keyOf(s.series[1]));
+  for (const ViewId id : viewsOnScreen(after)) QVERIFY(after.view(id).kind == ViewKind::axial);
+  // The view showed 3D before.
+  Workspace in3d = withLayout(before, Layout::two);
+  in3d = withKind(in3d, firstComparedId, ViewKind::volume, {});
+  QVERIFY(comparedWithPrior(in3d, s.series[0], s.series[1]).view(firstComparedId).kind == ViewKind::axial);
+}
+
+void TestPriors::framesStayFrames() {
+  PriorStudies s({{"20260102", "Chest", "DX"}, {"20240102", "Chest", "DX"}});
+  for (Series& series : s.series) {
+    series.acquired.size.z = 1, series.acquired.calibrated = false;
+    series.files.resize(1), series.frames.resize(1);
+  }
+  QCOMPARE(s.numberOf(priorOf(s.series[0], s.open())), 1);
+  const Workspace after = comparedWithPrior({}, s.series[0], s.series[1]);
+  for (const ViewId id : viewsOnScreen(after)) QVERIFY(showsFrames(after.view(id).kind));
+  QCOMPARE(after.focus, firstComparedId);
+}
+
+void TestPriors::datesTellStudiesApart() {
+  const PriorStudies s({{"20260102", "T2"}, {"20240102", "T2"}, {"20260102", "T1"}});
+  const Workspace days = comparedWithPrior({}, s.series[0], s.series[1]);
+  QCOMPARE(dateToTellApart(days, firstComparedId), QStringLiteral("2026-01-02"));
+  QCOMPARE(dateToTellApart(days, firstComparedId + 1), QStringLiteral("2024-01-02"));
+  const Workspace oneDay = comparedWithPrior({}, s.series[0], s.series[2]);
+  QCOMPARE(dateToTellApart(oneDay, firstComparedId), QString());
+  QCOMPARE(dateToTellApart({}, firstComparedId), QString());
+}
+
+void TestPriors::theFirstEmptyViewIsFilled_data() {
+  QTest::addColumn<QList<int>>("which");
+  QTest::addColumn<int>("found");
+  QTest::newRow("another weighting of that plane") << QList<int>{0, 1, 2, 3} << 2;
+  QTest::newRow("else the prior") << QList<int>{0, 1, 3} << 3;
+  QTest::newRow("the same weighting does not") << QList<int>{0, 4} << -1;
+  QTest::newRow("nor what is not there") << QList<int>{0} << -1;
+}
+
+void TestPriors::theFirstEmptyViewIsFilled() {
+  QFETCH(QList<int>, which);
+  QFETCH(int, found);
+  const PriorStudies all({{"20260102", "t2_tra"},
+                          {"20260102", "t1_sag", "MR", "7", "", true},
+                          {"20260102", "t1_tra"},
+                          {"20240102", "t2_tra"},
+                          {"20260102", "t2_tra", "MR", "7", "", false, 0, "9"}});
+  std::vector<const Series*> open;
+  for (const int n : which) open.push_back(&all.series[std::size_t(n)]);
+  const Workspace before = withSeries({}, sceneViewId, all.series[0], {});
+  const Workspace four = withLayout(before, Layout::four);
+  const Workspace after = withLikelySecond(four, open);
+  const SeriesKey key = found < 0 ? SeriesKey{} : keyOf(all.series[std::size_t(found)]);
+  QVERIFY(after.view(firstComparedId + 1).series == key);
+  QVERIFY(after.view(firstComparedId + 2).series.empty());
+  QVERIFY(after.view(firstComparedId).series == keyOf(all.series[0]));
+  QCOMPARE(after.focus, four.focus);
+  QVERIFY2(withLikelySecond(before, open) == before, "no view to compare is on screen");
+}
+
+VOLUMEN_TEST(TestPriors);
+#include "tst_priors.moc"

@@ -1,0 +1,238 @@
+#include <QInputDialog>
+#include <QMenu>
+#include <algorithm>
+#include <set>
+
+#include "ui/features/feature.h"
+#include "ui/views/frame_view.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/facing.h"
+#include "ui/workspace/own_protocols.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+const QString hangingKey = QStringLiteral("hanging");
+
+bool wantsFrames(const HangingProtocol& protocol) {
+  return protocol.sameScale || std::ranges::any_of(protocol.cells, [](const ProtocolCell& cell) {
+           return cell.chestWall != ChestWall::anywhere;
+         });
+}
+
+// Studies hung by rules: those that fit what is open, by a menu and by keys; mammograms and pairs of X-ray
+// pictures as they are opened; and what is on screen kept as a rule.
+class HangingProtocols : public Feature {
+ public:
+  explicit HangingProtocols(Workbench& bench);
+
+ private:
+  void makeActions();
+  void fillMenu();
+  std::optional<PatientStudies> studies() const;
+  std::vector<const HangingProtocol*> offered() const;
+  void step(int by);
+  void hang(const HangingProtocol& protocol);
+  void hangOpened(const std::shared_ptr<const Study>& study, const OpenIntent& intent);
+  void face();
+  void askName();
+  void save(const QString& text);
+  void tellProblems();
+
+  QMenu* menu_;
+  QList<QAction*> listed_;  // of the menu: the protocols that fit
+  KnownProtocols known_ = knownProtocols();
+  std::string last_;                    // the name of the one that was hung last
+  std::set<std::string> hungByItself_;  // UIDs of studies
+  // What waits for its frames, to turn and enlarge them: the protocol, and the views as it hung them.
+  std::optional<HangingProtocol> waiting_;
+  SharedList<ViewState> hungViews_;
+};
+
+HangingProtocols::HangingProtocols(Workbench& bench)
+    : Feature(bench), menu_(bench.addMenu("protocolMenu", tr("Hanging protocols"), {{"viewMenu", 60, 52}})) {
+  makeActions();
+  connect(menu_, &QMenu::aboutToShow, this, &HangingProtocols::fillMenu);
+  // Once it is on screen.
+  const Loader* loader = &bench_.document.loader;
+  for (const auto opened : {&Loader::studyOpened, &Loader::filesOpened})
+    connect(
+        loader, opened, this,
+        [this](const QString&, const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
+          hangOpened(study, intent);
+        },
+        Qt::QueuedConnection);
+  // After the views have taken the frame.
+  connect(&bench_.document.frames, &FrameService::ready, this, &HangingProtocols::face, Qt::QueuedConnection);
+  tellProblems();
+}
+
+void HangingProtocols::makeActions() {
+  bench_.addAction({"nextProtocol",
+                    tr("Next protocol"),
+                    {tr("Alt+PgDown")},
+                    "",
+                    false,
+                    [this](bool) { step(1); },
+                    {{"protocolMenu", 20}}});
+  bench_.addAction({"previousProtocol",
+                    tr("Previous protocol"),
+                    {tr("Alt+PgUp")},
+                    "",
+                    false,
+                    [this](bool) { step(-1); },
+                    {{"protocolMenu", 20}}});
+  bench_.addAction({"saveProtocol",
+                    tr("Save these views as a protocol..."),
+                    {},
+                    "",
+                    false,
+                    [this](bool) { askName(); },
+                    {{"protocolMenu", 30}}});
+}
+
+// Around the series in focus, else around the first one on screen; none: nothing is shown.
+std::optional<PatientStudies> HangingProtocols::studies() const {
+  const Workspace& workspace = session_.workspace();
+  const Series* series = seriesIn(workspace, workspace.focus);
+  for (const ViewId id : viewsOnScreen(workspace))
+    if (!series) series = seriesIn(workspace, id);
+  if (!series) return {};
+  return studiesAround(open_.pictures(), *series);
+}
+
+std::vector<const HangingProtocol*> HangingProtocols::offered() const {
+  std::vector<const HangingProtocol*> all;
+  if (const auto around = studies())
+    for (const std::size_t n : fitting(known_.protocols, *around)) all.push_back(&known_.protocols[n]);
+  return all;
+}
+
+void HangingProtocols::fillMenu() {
+  qDeleteAll(listed_);
+  listed_.clear();
+  const std::vector<const HangingProtocol*> all = offered();
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    QString name = shownText(all[n]->name);
+    auto* action = new QAction(name.replace(QLatin1Char('&'), QStringLiteral("&&")), menu_);
+    action->setObjectName(QStringLiteral("protocol%1").arg(n));
+    action->setCheckable(true);
+    action->setChecked(all[n]->name == last_);
+    connect(action, &QAction::triggered, this, [this, protocol = *all[n]] { hang(protocol); });
+    listed_ << action;
+  }
+  if (listed_.isEmpty()) {
+    listed_ << new QAction(tr("None fits what is open"), menu_);
+    listed_.front()->setEnabled(false);
+  }
+  menu_->insertActions(bench_.action("nextProtocol"), listed_);
+  listed_ << menu_->insertSeparator(bench_.action("nextProtocol"));
+}
+
+void HangingProtocols::step(int by) {
+  const std::vector<const HangingProtocol*> all = offered();
+  if (all.empty()) return warn(tr("No hanging protocol fits what is open."));
+  const int count = int(all.size());
+  const auto isLast = [&](const HangingProtocol* p) { return p->name == last_; };
+  const auto last = std::ranges::find_if(all, isLast);
+  const int from = last != all.end() ? int(last - all.begin()) : by > 0 ? -1 : count;
+  const int next = (from + by + count) % count;
+  hang(*all[std::size_t(next)]);
+  tell(tr("%1 (protocol %2 of %3)").arg(shownText(all[std::size_t(next)]->name)).arg(next + 1).arg(count));
+}
+
+void HangingProtocols::hang(const HangingProtocol& protocol) {
+  const auto around = studies();
+  if (!around) return;
+  last_ = protocol.name;
+  session_.endGesture();
+  session_.change(tr("Hang as %1").arg(shownText(protocol.name)),
+                  hung(session_.workspace(), protocol, *around), hangingKey);
+  waiting_.reset();
+  if (!wantsFrames(protocol)) return session_.endGesture();
+  waiting_ = protocol;
+  hungViews_ = session_.workspace().views;
+  QMetaObject::invokeMethod(this, &HangingProtocols::face, Qt::QueuedConnection);
+}
+
+// Mammograms face each other, and sizes are the same, once all frames are there; unless views were changed
+// meanwhile.
+void HangingProtocols::face() {
+  if (!waiting_) return;
+  const Workspace& workspace = session_.workspace();
+  if (workspace.views != hungViews_) return waiting_.reset();
+  std::vector<FacingFrame> frames;
+  std::vector<ViewId> ids;
+  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  for (std::size_t n = 0; n < std::min(views.size(), waiting_->cells.size()); ++n) {
+    const ViewState& state = workspace.view(views[n]);
+    if (state.series.empty() || !showsFrames(state.kind)) continue;
+    const auto* view = grid_.viewAs<FrameView>(views[n]);
+    if (!view || !view->frame() || view->frame()->key.series != state.series) return;
+    const QSize pixels = view->pixels();
+    frames.push_back(
+        {view->frame(), flatLookOf(state), {pixels.width(), pixels.height()}, waiting_->cells[n].chestWall});
+    ids.push_back(views[n]);
+  }
+  const std::vector<FlatLook> looks = facingLooks(frames, waiting_->sameScale);
+  Workspace after = workspace;
+  for (std::size_t n = 0; n < ids.size(); ++n) {
+    ViewState& state = after.editView(ids[n]);
+    state.flats.editOrAdd(state.series) = looks[n];
+  }
+  const QString text = tr("Hang as %1").arg(shownText(waiting_->name));
+  waiting_.reset();
+  session_.change(text, after, hangingKey);
+  session_.endGesture();
+}
+
+// What readers want at once: where the study was opened as such, and only the first time.
+void HangingProtocols::hangOpened(const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
+  const Workspace& workspace = session_.workspace();
+  const Series* shown = seriesIn(workspace, workspace.focus);
+  if (!shown || shown->studyUid.empty() || comparesSeries(workspace.layout) || intent.scene ||
+      !intent.seriesUid.empty() || intent.how == OpenHow::beside)
+    return;
+  const auto isOfIt = [&](const SeriesIdentity& s) { return s.studyUid == shown->studyUid; };
+  if (!std::ranges::any_of(study->volumes, isOfIt) && !std::ranges::any_of(study->images, isOfIt)) return;
+  if (!hungByItself_.insert(shown->studyUid).second) return;
+  for (const HangingProtocol* protocol : offered())
+    if (protocol->automatic) return hang(HangingProtocol(*protocol));
+}
+
+void HangingProtocols::askName() {
+  if (!studies()) return warn(tr("Open a series first."));
+  auto* dialog = new QInputDialog(&bench_.window);
+  dialog->setObjectName(QStringLiteral("protocolNameDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Save as hanging protocol"));
+  dialog->setLabelText(tr("Name:"));
+  connect(dialog, &QInputDialog::textValueSelected, this, &HangingProtocols::save);
+  dialog->open();
+}
+
+void HangingProtocols::save(const QString& text) {
+  const std::string name = shownText(text.toStdString()).trimmed().toStdString();
+  if (name.empty()) return warn(tr("A hanging protocol needs a name."));
+  if (const Status saved = saveOwnProtocol(protocolOf(session_.workspace(), name)); !saved)
+    return warn(shownText(saved.message()));
+  known_ = knownProtocols();
+  last_ = name;
+  tell(tr("Saved as hanging protocol %1").arg(shownText(name)));
+}
+
+void HangingProtocols::tellProblems() {
+  QStringList problems;
+  for (const std::string& problem : known_.problems) problems << shownText(problem);
+  if (!problems.isEmpty()) warn(tr("A hanging protocol of yours cannot be read."), problems);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeHangingProtocols(Workbench& bench) {
+  return std::make_unique<HangingProtocols>(bench);
+}
+
+}  // namespace volumen

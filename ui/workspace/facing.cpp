@@ -1,0 +1,72 @@
+#include "ui/workspace/facing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/workspace/flat_plane.h"
+
+namespace volumen {
+
+namespace {
+
+// Tissue lies at the chest wall, air away from it.
+ChestWall brighterSide(const LoadedFrame& frame) {
+  constexpr int step = 8;             // pixels that are looked at
+  constexpr double leastPart = 0.05;  // of all light that must make the difference
+  const Volume& values = *frame.slice->volume;
+  const glm::ivec3 size = values.size();
+  double low = 0, high = 0, left = 0, right = 0;
+  int count = 0;
+  for (int j = 0; j < size.y; j += step)
+    for (int i = 0; i < size.x / 2; i += step, ++count) {
+      const double a = values.value(i, j, 0), b = values.value(size.x - 1 - i, j, 0);
+      if (count == 0) low = high = a;
+      low = std::min({low, a, b}), high = std::max({high, a, b});
+      left += a, right += b;
+    }
+  if (count == 0 || std::abs(left - right) < leastPart * count * (high - low) || high == low)
+    return ChestWall::anywhere;
+  const bool isInverted = !frame.greys.empty() && frame.greys.front().mapping.inverted;
+  return (left > right) != isInverted ? ChestWall::left : ChestWall::right;
+}
+
+glm::dvec2 wholeMm(const FacingFrame& f) {
+  const VoxelGeometry& geometry = f.frame->geometry();
+  const SlicePlane plane = framePlane(geometry);
+  return glm::dvec2(plane.size) * plane.mmPerPixel;
+}
+
+double fittedMm(const FacingFrame& f) {
+  const glm::dvec2 whole = wholeMm(f);
+  return std::max(whole.x / f.pixels.x, whole.y / f.pixels.y);
+}
+
+}  // namespace
+
+ChestWall chestWallOf(const LoadedFrame& frame) {
+  const std::string& along = frame.rowSide;  // where rows lead to
+  const bool toBack = along.find('P') != std::string::npos, toFront = along.find('A') != std::string::npos;
+  if (toBack != toFront) return toBack ? ChestWall::right : ChestWall::left;
+  return frame.colour() ? ChestWall::anywhere : brighterSide(frame);
+}
+
+std::vector<FlatLook> facingLooks(const std::vector<FacingFrame>& frames, bool sameScale) {
+  double mmPerPixel = 0;
+  for (const FacingFrame& f : frames) mmPerPixel = std::max(mmPerPixel, fittedMm(f));
+  std::vector<FlatLook> looks;
+  for (const FacingFrame& f : frames) {
+    FlatLook& look = looks.emplace_back(f.look);
+    const double fitted = fittedMm(f), shown = sameScale ? mmPerPixel : fitted;
+    look.turn = {};
+    look.zoom = std::clamp(fitted / shown, leastZoom, mostZoom);
+    look.panMm = {0, 0};
+    if (f.wanted == ChestWall::anywhere) continue;
+    const ChestWall now = chestWallOf(*f.frame);
+    look.turn.mirrored = now != ChestWall::anywhere && now != f.wanted;
+    const double beside = (wholeMm(f).x - f.pixels.x * fitted / look.zoom) / 2;
+    look.panMm.x = f.wanted == ChestWall::right ? beside : -beside;
+  }
+  return looks;
+}
+
+}  // namespace volumen

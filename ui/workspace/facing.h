@@ -1,0 +1,24 @@
+#pragma once
+
+#include "ui/data/loaded_frame.h"
+#include "ui/workspace/hanging_protocol.h"
+
+namespace volumen {
+
+/// On which side of a mammogram, as acquired, the chest wall is: by the file's PatientOrientation, else the
+/// side that is brighter; `anywhere` where neither tells.
+ChestWall chestWallOf(const LoadedFrame& frame);
+
+/// A frame in its view, and where its chest wall is wanted.
+struct FacingFrame {
+  LoadedFramePtr frame;
+  FlatLook look;
+  glm::ivec2 pixels{1};  ///< of the view
+  ChestWall wanted = ChestWall::anywhere;
+};
+
+/// The looks by which frames face each other: mirrored where their chest wall is on the other side than
+/// wanted, moved to that edge of the view, and, `sameScale`, as many mm a pixel as the one that needs most.
+std::vector<FlatLook> facingLooks(const std::vector<FacingFrame>& frames, bool sameScale);
+
+}  // namespace volumen

@@ -1,0 +1,263 @@
+#include "ui/workspace/hanging_protocol.h"
+
+#include <algorithm>
+#include <charconv>
+#include <tuple>
+
+#include "ui/data/frame_series.h"
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/link_text.h"
+#include "ui/workspace/links.h"
+#include "ui/workspace/time_points.h"
+#include "ui/workspace/value_text.h"
+
+namespace volumen {
+
+namespace {
+
+int numberOf(const Series& series) {
+  int number = 1 << 30;
+  const std::string& text = series.seriesNumber;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+// Localizers and single slices of a tomogram come last.
+bool isOfStack(const Series& series) {
+  return !isOneOf(series.modality, "CT|MR|PT") || isUsefulVolume(series);
+}
+
+bool comesBefore(const Series* a, const Series* b, SeriesOrder order) {
+  if (isOfStack(*a) != isOfStack(*b)) return isOfStack(*a);
+  const auto byNumber = [](const Series& s) { return std::tuple(numberOf(s), s.id); };
+  switch (order) {
+    case SeriesOrder::time:
+      if (a->time != b->time) return a->time < b->time;
+      break;
+    case SeriesOrder::description:
+      if (a->description != b->description) return a->description < b->description;
+      break;
+    case SeriesOrder::slices:
+      if (a->acquired.size.z != b->acquired.size.z) return a->acquired.size.z > b->acquired.size.z;
+      break;
+    case SeriesOrder::number:
+      break;
+  }
+  return byNumber(*a) < byNumber(*b);
+}
+
+// Names between "|".
+std::vector<std::string> namesIn(const std::string& text) {
+  std::vector<std::string> names(1);
+  for (const char c : text)
+    if (c == '|')
+      names.emplace_back();
+    else
+      names.back() += c;
+  std::erase(names, std::string());
+  return names;
+}
+
+std::vector<const Series*> seriesNamed(const HangingProtocol& protocol, const PatientStudies& studies,
+                                       const std::string& name);
+
+const ProtocolSeries* entryNamed(const HangingProtocol& protocol, const std::string& name) {
+  const auto found = std::ranges::find(protocol.series, name, &ProtocolSeries::name);
+  return found == protocol.series.end() ? nullptr : &*found;
+}
+
+// The series of earlier studies that are most like those of another entry.
+std::vector<const Series*> likeOthers(const HangingProtocol& protocol, const PatientStudies& studies,
+                                      const ProtocolSeries& entry) {
+  const ProtocolSeries* model = entryNamed(protocol, entry.like);
+  if (!model || !model->like.empty() || entry.prior < 1 || entry.prior > int(studies.priors.size()))
+    return {};
+  std::vector<const Series*> found;
+  for (const Series* series : seriesNamed(protocol, studies, entry.like))
+    if (const Series* like = mostLike(*series, studies.priors[std::size_t(entry.prior - 1)]))
+      found.push_back(like);
+  return found;
+}
+
+std::vector<const Series*> seriesNamed(const HangingProtocol& protocol, const PatientStudies& studies,
+                                       const std::string& name) {
+  const ProtocolSeries* entry = entryNamed(protocol, name);
+  if (!entry) return {};
+  if (!entry->like.empty()) return likeOthers(protocol, studies, *entry);
+  if (entry->prior > int(studies.priors.size())) return {};
+  std::vector<const Series*> found;
+  for (const Series* series :
+       entry->prior == 0 ? studies.current : studies.priors[std::size_t(entry->prior - 1)])
+    if (matches(entry->rule, *series)) found.push_back(series);
+  std::ranges::stable_sort(found,
+                           [&](const Series* a, const Series* b) { return comesBefore(a, b, entry->order); });
+  return found;
+}
+
+const Series* seriesFor(const HangingProtocol& protocol, const PatientStudies& studies,
+                        const std::string& names, int which) {
+  for (const std::string& name : namesIn(names)) {
+    const std::vector<const Series*> found = seriesNamed(protocol, studies, name);
+    if (int(found.size()) >= which) return found[std::size_t(which - 1)];
+  }
+  return nullptr;
+}
+
+// How much a condition says.
+int factsOf(const ProtocolCondition& when) {
+  const SeriesRule& rule = when.rule;
+  const ProtocolCondition any;
+  int said = when.prior + (when.least != any.least || when.most != any.most);
+  for (const std::string* text : {&rule.modality, &rule.laterality, &rule.viewPosition, &rule.bodyPart,
+                                  &rule.description, &rule.notDescription})
+    said += !text->empty();
+  return said + rule.plane.has_value() + rule.weighting.has_value() + rule.kernel.has_value() +
+         rule.contrast.has_value();
+}
+
+bool holds(const ProtocolCondition& when, const PatientStudies& studies) {
+  const auto count =
+      std::ranges::count_if(studies.current, [&](const Series* s) { return matches(when.rule, *s); });
+  return count >= when.least && count <= when.most && (!when.prior || !studies.priors.empty());
+}
+
+// The 3D look that some view has of a series; null: none.
+const SceneLook* knownLook(const Workspace& workspace, const SeriesKey& key) {
+  for (const ViewState& view : workspace.views)
+    if (const auto look = view.scenes.find(key); look != view.scenes.end()) return &look->second;
+  return nullptr;
+}
+
+ViewKind kindOf(CellPicture picture, const Series& series) {
+  switch (picture) {
+    case CellPicture::axial:
+      return ViewKind::axial;
+    case CellPicture::coronal:
+      return ViewKind::coronal;
+    case CellPicture::sagittal:
+      return ViewKind::sagittal;
+    case CellPicture::scene:
+      return ViewKind::volume;
+    default:
+      return acquiredKind(series.acquired);
+  }
+}
+
+void makeEmpty(ViewState& view, const std::string& wanted) {
+  view.series = {};
+  view.kind = ViewKind::axial;
+  view.wanted = wanted;
+}
+
+std::string wantedText(const std::string& names) {
+  std::string text;
+  for (const std::string& name : namesIn(names)) text += (text.empty() ? "" : " / ") + name;
+  return text;
+}
+
+Workspace withCell(Workspace workspace, ViewId id, const ProtocolCell& cell, const Series& series,
+                   const Series* over) {
+  const SeriesKey key = keyOf(series);
+  makeEmpty(workspace.editView(id), {});
+  const bool asFrames =
+      opensAsPictures(series) || (cell.picture == CellPicture::frames && frameCount(series) > 0);
+  workspace = asFrames ? withFrames(std::move(workspace), id, series)
+                       : withSeries(std::move(workspace), id, series, {});
+  if (!asFrames) {
+    const SceneLook* known = knownLook(workspace, key);
+    const bool isScene = cell.picture == CellPicture::scene && known;
+    const CellPicture picture =
+        isScene || cell.picture != CellPicture::scene ? cell.picture : CellPicture::asAcquired;
+    const SceneLook look = known ? *known : SceneLook{};
+    workspace = withKind(std::move(workspace), id, kindOf(picture, series), look);
+    if (isScene) return workspace;
+  }
+  if (over && !whyNotOverlaid(workspace, series, *over).isEmpty()) over = nullptr;
+  if (over) workspace = withOverlay(std::move(workspace), id, over);
+  ViewState& view = workspace.editView(id);
+  FlatLook& look = view.flats.editOrAdd(key);
+  const FlatLook before = look;
+  look = {};
+  look.frame = before.frame;
+  look.overlay = over ? keyOf(*over) : SeriesKey{};
+  look.slabMm = asFrames ? 0 : cell.slabMm;
+  look.slabMode = cell.slabMode;
+  look.inverted = cell.inverted;
+  if (cell.window) workspace.series.edit(key).window = storedWindow(*cell.window, series);
+  return workspace;
+}
+
+std::vector<const Series*> allOf(const PatientStudies& studies) {
+  std::vector<const Series*> all = studies.current;
+  for (const auto& prior : studies.priors) all.insert(all.end(), prior.begin(), prior.end());
+  return all;
+}
+
+}  // namespace
+
+bool matches(const SeriesRule& rule, const Series& series) {
+  const auto is = [](const std::string& allowed, const std::string& text) {
+    return allowed.empty() || isOneOf(text, allowed);
+  };
+  const auto has = [](const std::string& words, const std::string& text) {
+    return words.empty() || hasWord(text, words);
+  };
+  return is(rule.modality, series.modality) && is(rule.laterality, series.laterality) &&
+         is(rule.viewPosition, series.viewPosition) &&
+         has(rule.bodyPart, series.bodyPart + ' ' + series.studyDescription) &&
+         has(rule.description, series.description) &&
+         (rule.notDescription.empty() || !hasWord(series.description, rule.notDescription)) &&
+         (!rule.plane || rule.plane == acquiredPlaneOf(series)) &&
+         (!rule.weighting || rule.weighting == weightingOf(series)) &&
+         (!rule.kernel || rule.kernel == kernelOf(series)) &&
+         (!rule.contrast || *rule.contrast == contrastOf(series).value_or(false));
+}
+
+std::vector<const Series*> seriesOfCells(const HangingProtocol& protocol, const PatientStudies& studies) {
+  std::vector<const Series*> all;
+  for (const ProtocolCell& cell : protocol.cells)
+    all.push_back(seriesFor(protocol, studies, cell.series, cell.which));
+  return all;
+}
+
+std::vector<std::size_t> fitting(const std::vector<HangingProtocol>& protocols,
+                                 const PatientStudies& studies) {
+  std::vector<std::tuple<int, int, std::size_t>> found;
+  for (std::size_t n = 0; n < protocols.size(); ++n) {
+    if (!holds(protocols[n].when, studies)) continue;
+    const std::vector<const Series*> cells = seriesOfCells(protocols[n], studies);
+    const int filled = int(std::ranges::count_if(cells, [](const Series* s) { return s != nullptr; }));
+    if (filled >= protocols[n].leastFilled) found.emplace_back(-factsOf(protocols[n].when), -filled, n);
+  }
+  std::ranges::sort(found);
+  std::vector<std::size_t> numbers;
+  for (const auto& [facts, filled, n] : found) numbers.push_back(n);
+  return numbers;
+}
+
+Workspace hung(Workspace workspace, const HangingProtocol& protocol, const PatientStudies& studies) {
+  workspace = withScrollLinked(std::move(workspace), protocol.links.scroll);
+  workspace.links = protocol.links;
+  workspace.layout = protocol.layout;
+  workspace.focus = firstComparedId;
+  const std::vector<const Series*> found = seriesOfCells(protocol, studies);
+  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  std::optional<ViewId> first;
+  for (std::size_t n = 0; n < views.size(); ++n) {
+    const Series* series = n < found.size() ? found[n] : nullptr;
+    if (!series) {
+      makeEmpty(workspace.editView(views[n]),
+                n < found.size() ? wantedText(protocol.cells[n].series) : std::string());
+      continue;
+    }
+    const ProtocolCell& cell = protocol.cells[n];
+    const Series* over = cell.over.empty() ? nullptr : seriesFor(protocol, studies, cell.over, 1);
+    workspace = withCell(std::move(workspace), views[n], cell, *series, over);
+    workspace = withTimePointsOf(std::move(workspace), *series, allOf(studies));
+    if (!first) first = views[n];
+  }
+  workspace.focus = first.value_or(firstComparedId);
+  return workspace;
+}
+
+}  // namespace volumen

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/workspace/priors.h"
+#include "ui/workspace/series_facts.h"
+
+namespace volumen {
+
+/// What a series must be; what is not said may be anything. Texts are alternatives, "CR|DX"; upper or lower
+/// case is the same.
+struct SeriesRule {
+  std::string modality, laterality, viewPosition;     ///< one of these
+  std::string bodyPart, description, notDescription;  ///< words, by their beginning (hasWord())
+  std::optional<ViewKind> plane;                      ///< of the slices as acquired
+  std::optional<Weighting> weighting;
+  std::optional<Kernel> kernel;
+  std::optional<bool> contrast;
+  bool operator==(const SeriesRule&) const = default;
+};
+
+/// Which of several series comes first.
+enum class SeriesOrder { number, time, description, slices };
+
+/// A series by a name that cells use.
+struct ProtocolSeries {
+  std::string name;
+  SeriesRule rule;
+  SeriesOrder order = SeriesOrder::number;
+  int prior = 0;     ///< of which study: 0 the current one, 1 the one before, ...
+  std::string like;  ///< instead of a rule: the prior series most like this one of the protocol
+  bool operator==(const ProtocolSeries&) const = default;
+};
+
+/// What a cell shows of its series.
+enum class CellPicture { asAcquired, axial, coronal, sagittal, scene, frames };
+
+/// Where the chest wall of a mammogram is to lie.
+enum class ChestWall { anywhere, left, right };
+
+/// One view of the grid.
+struct ProtocolCell {
+  std::string series;  ///< names, "lung|soft": the first one that there is; empty: nothing
+  int which = 1;       ///< of several series that fit: the first, the second, ...
+  CellPicture picture = CellPicture::asAcquired;  ///< `scene` where the 3D look of the series is known
+  std::optional<Window> window;  ///< in the numbers on screen; of the series wherever it is shown
+  std::string over;              ///< the name of a series over it; empty: none
+  double slabMm = 0;
+  SlabMode slabMode = SlabMode::max;
+  bool inverted = false;
+  ChestWall chestWall = ChestWall::anywhere;
+  bool operator==(const ProtocolCell&) const = default;
+};
+
+/// Which studies a protocol is for.
+struct ProtocolCondition {
+  SeriesRule rule;              ///< of at least one series
+  int least = 1, most = 10000;  ///< how many of them there are
+  bool prior = false;           ///< an earlier study is open, too
+  bool operator==(const ProtocolCondition&) const = default;
+};
+
+/// How a study is hung: which series stand where, and how.
+struct HangingProtocol {
+  std::string name;
+  ProtocolCondition when;
+  std::vector<ProtocolSeries> series;
+  Layout layout = Layout::two;      ///< a grid
+  std::vector<ProtocolCell> cells;  ///< row by row; at most as many as the grid has
+  int leastFilled = 1;              ///< cells that find their series, or it does not fit
+  Links links;
+  bool sameScale = false;  ///< of frames: as many mm a pixel in all of them
+  bool automatic = false;  ///< hung as the study is opened
+  bool operator==(const HangingProtocol&) const = default;
+};
+
+/// A protocol from JSON (resources/docs/protocols.md). An Error names the field that is wrong, or unknown.
+Result<HangingProtocol> protocolFromJson(const std::string& text);
+/// What protocolFromJson() reads; what is as by default is left out.
+std::string protocolToJson(const HangingProtocol& protocol);
+
+bool matches(const SeriesRule& rule, const Series& series);
+
+/// The series of each cell, null: none was found. As many as there are cells.
+std::vector<const Series*> seriesOfCells(const HangingProtocol& protocol, const PatientStudies& studies);
+
+/// The numbers of those of some protocols that fit what is open, the best first: that whose condition says
+/// most, else that of which most cells are filled; those alike in their order.
+std::vector<std::size_t> fitting(const std::vector<HangingProtocol>& protocols,
+                                 const PatientStudies& studies);
+
+/// The workspace as a protocol has it. Cells without a series are empty and say what they want.
+Workspace hung(Workspace workspace, const HangingProtocol& protocol, const PatientStudies& studies);
+
+/// The protocol that hangs studies like the one in focus as the views on screen show it.
+HangingProtocol protocolOf(const Workspace& workspace, const std::string& name);
+
+}  // namespace volumen

@@ -1,0 +1,181 @@
+#include "ui/workspace/priors.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "ui/data/frame_series.h"
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/links.h"
+#include "ui/workspace/patients.h"
+#include "ui/workspace/series_facts.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
+
+namespace volumen {
+
+namespace {
+
+bool isKnownPatient(const Series& series) { return !series.patientId.empty() || !series.patientName.empty(); }
+
+// Where one of them does not say, they may be the same.
+bool mayBeOfOnePart(const Series& a, const Series& b) {
+  return a.bodyPart.empty() || b.bodyPart.empty() || hasWord(a.bodyPart, b.bodyPart) ||
+         hasWord(b.bodyPart, a.bodyPart);
+}
+
+bool isProjection(const Series& series) { return !acquiredPlaneOf(series); }
+
+// How much of `points` two facts that may be missing are worth: half where neither is known.
+template <class T>
+double pointsOf(double points, const std::optional<T>& a, const std::optional<T>& b) {
+  if (!a && !b) return points / 2;
+  return a == b ? points : 0;
+}
+
+double pointsOfWords(double points, const Series& a, const Series& b) {
+  const std::vector<std::string> wordsA = wordsOf(a.description), wordsB = wordsOf(b.description);
+  const std::set<std::string> inA(wordsA.begin(), wordsA.end()), inB(wordsB.begin(), wordsB.end());
+  std::set<std::string> all = inA;
+  all.insert(inB.begin(), inB.end());
+  if (all.empty()) return points / 2;
+  const auto shared = inA.size() + inB.size() - all.size();
+  return points * double(shared) / double(all.size());
+}
+
+int seriesNumberOf(const Series& series) {
+  int number = 1 << 30;
+  const std::string& text = series.seriesNumber;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+const SeriesKey* firstCompared(const Workspace& workspace) {
+  for (const ViewId id : viewsOnScreen(workspace))
+    if (!workspace.view(id).series.empty()) return &workspace.view(id).series;
+  return nullptr;
+}
+
+// Shows it as it is read, in a view to compare.
+Workspace withPictures(Workspace workspace, ViewId view, const Series& series) {
+  if (opensAsPictures(series)) return withFrames(std::move(workspace), view, series);
+  ViewState& state = workspace.editView(view);
+  if (showsScene(state.kind)) state.kind = usualKind(view), state.series = {};
+  return withSeries(std::move(workspace), view, series, {});
+}
+
+}  // namespace
+
+PatientStudies studiesAround(const std::vector<const Series*>& open, const Series& current) {
+  PatientStudies studies;
+  std::vector<const Series*> earlier;
+  for (const Series* series : open)
+    if (!areOfOnePatient(*series, current))
+      continue;
+    else if (series->studyUid == current.studyUid && series->studyDate == current.studyDate)
+      studies.current.push_back(series);
+    else if (isKnownPatient(current) && !series->studyDate.empty() && series->studyDate < current.studyDate)
+      earlier.push_back(series);
+  std::ranges::stable_sort(earlier, [](const Series* a, const Series* b) {
+    return std::tie(b->studyDate, b->studyUid) < std::tie(a->studyDate, a->studyUid);
+  });
+  for (const Series* series : earlier) {
+    const bool isNext = studies.priors.empty() || studies.priors.back()[0]->studyUid != series->studyUid ||
+                        studies.priors.back()[0]->studyDate != series->studyDate;
+    if (isNext) studies.priors.emplace_back();
+    studies.priors.back().push_back(series);
+  }
+  return studies;
+}
+
+double likeness(const Series& a, const Series& b) {
+  if (a.modality != b.modality || !mayBeOfOnePart(a, b) || isProjection(a) != isProjection(b)) return 0;
+  double points = 0;
+  if (isProjection(a))
+    points += a.laterality == b.laterality && a.viewPosition == b.viewPosition ? 30 : -30;
+  else
+    points += acquiredPlaneOf(a) == acquiredPlaneOf(b) ? 30 : 0;
+  points += a.modality == "CT" ? pointsOf(25, kernelOf(a), kernelOf(b))
+                               : pointsOf(25, weightingOf(a), weightingOf(b));
+  points += pointsOfWords(20, a, b) + pointsOf(15, contrastOf(a), contrastOf(b));
+  const double thinner = std::min(a.sliceThickness, b.sliceThickness);
+  const double thicker = std::max(a.sliceThickness, b.sliceThickness);
+  points += thicker > 0 ? 10 * thinner / thicker : 5;
+  return std::clamp(points, 0.0, 100.0);
+}
+
+const Series* mostLike(const Series& series, const std::vector<const Series*>& among) {
+  const Series* best = nullptr;
+  double most = leastLikeness;
+  for (const Series* other : among) {
+    const double points = likeness(series, *other);
+    const bool isFirst = best && points == most && seriesNumberOf(*other) < seriesNumberOf(*best);
+    if (points > most || (!best && points >= most) || isFirst) best = other, most = points;
+  }
+  return best;
+}
+
+const Series* priorOf(const Series& series, const std::vector<const Series*>& open) {
+  for (const auto& prior : studiesAround(open, series).priors)
+    if (const Series* found = mostLike(series, prior)) return found;
+  return nullptr;
+}
+
+const Series* likelySecond(const Workspace& workspace, const Series& series,
+                           const std::vector<const Series*>& open) {
+  std::set<SeriesKey> shown;
+  for (const ViewId id : viewsOnScreen(workspace)) shown.insert(workspace.view(id).series);
+  const auto facts = [](const Series& s) { return std::pair(weightingOf(s), kernelOf(s)); };
+  if (isKnownPatient(series) && isUsefulVolume(series) && !opensAsPictures(series)) {
+    const Series* best = nullptr;
+    for (const Series* other : studiesAround(open, series).current) {
+      const bool fits = !shown.contains(keyOf(*other)) && other->modality == series.modality &&
+                        isUsefulVolume(*other) && !areTimePoints(series, *other) &&
+                        frameOfReference(*other) == frameOfReference(series) && acquiredPlaneOf(*other) &&
+                        acquiredPlaneOf(*other) == acquiredPlaneOf(series) && facts(*other) != facts(series);
+      if (fits && (!best || seriesNumberOf(*other) < seriesNumberOf(*best))) best = other;
+    }
+    if (best) return best;
+  }
+  const Series* prior = priorOf(series, open);
+  return prior && !shown.contains(keyOf(*prior)) ? prior : nullptr;
+}
+
+Workspace withLikelySecond(Workspace workspace, const std::vector<const Series*>& open) {
+  if (!comparesSeries(workspace.layout)) return workspace;
+  const SeriesKey* key = firstCompared(workspace);
+  const auto known = key ? workspace.series.find(*key) : workspace.series.end();
+  if (known == workspace.series.end()) return workspace;
+  const Series first = *known->second.series;
+  const Series* second = likelySecond(workspace, first, open);
+  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  const auto empty =
+      std::ranges::find_if(views, [&](ViewId id) { return workspace.view(id).series.empty(); });
+  if (!second || empty == views.end()) return workspace;
+  workspace = withPictures(std::move(workspace), *empty, *second);
+  return withTimePointsOf(std::move(workspace), *second, open);
+}
+
+Workspace comparedWithPrior(Workspace workspace, const Series& current, const Series& prior) {
+  const Series left = current, right = prior;  // copies: they may be of the workspace
+  workspace = withScrollLinked(std::move(workspace), true);
+  workspace.layout = Layout::two;
+  workspace.focus = firstComparedId;
+  workspace = withPictures(std::move(workspace), firstComparedId, left);
+  workspace = withPictures(std::move(workspace), firstComparedId + 1, right);
+  workspace.focus = firstComparedId;
+  return workspace;
+}
+
+QString dateToTellApart(const Workspace& workspace, ViewId view) {
+  const Series* own = seriesIn(workspace, view);
+  if (!own) return {};
+  for (const ViewId id : viewsOnScreen(workspace))
+    if (const Series* other = seriesIn(workspace, id); other && other->studyDate != own->studyDate)
+      return own->studyDate.empty() ? tr("(no date)") : dateText(own->studyDate);
+  return {};
+}
+
+}  // namespace volumen

@@ -1,0 +1,127 @@
+#include "ui/workspace/series_facts.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "ui/workspace/flat_plane.h"
+
+namespace volumen {
+
+namespace {
+
+char lowered(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
+
+std::string loweredText(std::string text) {
+  std::ranges::transform(text, text.begin(), lowered);
+  return text;
+}
+
+// Bytes of UTF-8 beyond ASCII belong to letters.
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (static_cast<unsigned char>(c) & 0x80); }
+
+std::vector<std::string> alternativesOf(const std::string& text) {
+  std::vector<std::string> all(1);
+  for (const char c : text)
+    if (c == '|')
+      all.emplace_back();
+    else
+      all.back() += lowered(c);
+  std::erase(all, std::string());
+  return all;
+}
+
+bool beginsAWord(const std::string& text, const std::string& word) {
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+    if (at == 0 || !isLetter(text[at - 1]) || !isLetter(word[0])) return true;
+  return false;
+}
+
+const std::string& valueOfSplit(const Series& series, const char* attribute) {
+  static const std::string none;
+  const auto found = std::ranges::find(series.splitBy, attribute, &SplitBy::attribute);
+  return found == series.splitBy.end() ? none : found->value;
+}
+
+// "T1 +C", also "T1+C SAG".
+bool saysPlusC(const std::string& description) {
+  const std::string said = loweredText(description);
+  const std::size_t at = said.find("+c");
+  return at != std::string::npos && (at + 2 == said.size() || !isLetter(said[at + 2]));
+}
+
+// Siemens numbers its kernels by sharpness: "B70f", "Br40d", "I31f".
+int sharpnessOf(const std::string& kernel) {
+  const std::size_t digit = kernel.find_first_of("0123456789");
+  return digit == std::string::npos || digit > 2 ? 0 : std::atoi(kernel.c_str() + digit);
+}
+
+}  // namespace
+
+bool hasWord(const std::string& text, const std::string& alternatives) {
+  const std::string in = loweredText(text);
+  return std::ranges::any_of(alternativesOf(alternatives),
+                             [&](const std::string& word) { return beginsAWord(in, word); });
+}
+
+bool isOneOf(const std::string& text, const std::string& alternatives) {
+  const std::vector<std::string> all = alternativesOf(alternatives);
+  return std::ranges::find(all, loweredText(text)) != all.end();
+}
+
+std::vector<std::string> wordsOf(const std::string& text) {
+  std::vector<std::string> words(1);
+  for (const char c : loweredText(text))
+    if (isLetter(c) || (c >= '0' && c <= '9'))
+      words.back() += c;
+    else if (!words.back().empty())
+      words.emplace_back();
+  std::erase(words, std::string());
+  return words;
+}
+
+std::optional<Weighting> weightingOf(const Series& series) {
+  const std::string& said = series.description;
+  if (hasWord(said, "adc")) return Weighting::adc;
+  const bool isWeighted = !series.bValue.empty() && std::atof(series.bValue.c_str()) > 0;
+  if (isWeighted || hasWord(said, "dwi|diff|trace|ep2d_diff")) return Weighting::diffusion;
+  const std::pair<const char*, Weighting> table[] = {
+      {"tof|mra|angio", Weighting::angiography},
+      {"swi|swan|t2*|t2star|hemo|medic", Weighting::t2Star},
+      {"t1|mprage|mp2rage|bravo|spgr|vibe|lava", Weighting::t1},  // "T1 FLAIR" is weighted so
+      {"flair|tirm|dark", Weighting::flair},
+      {"t2", Weighting::t2},
+      {"pd|proton", Weighting::protonDensity}};
+  for (const auto& [words, weighting] : table)
+    if (hasWord(said, words)) return weighting;
+  return {};
+}
+
+std::optional<Kernel> kernelOf(const Series& series) {
+  const std::string& kernel = valueOfSplit(series, "ConvolutionKernel");
+  const std::string said = series.description + " " + kernel;
+  if (hasWord(said, "lung|pulm|lunge|poumon")) return Kernel::lung;
+  if (hasWord(said, "bone|knochen|skeleton")) return Kernel::bone;
+  if (hasWord(said, "soft|weichteil|standard|stnd|mediast|brain|abdomen")) return Kernel::soft;
+  constexpr int leastSharp = 60;
+  if (const int sharpness = sharpnessOf(kernel)) return sharpness >= leastSharp ? Kernel::bone : Kernel::soft;
+  return {};
+}
+
+std::optional<bool> contrastOf(const Series& series) {
+  const std::string& said = series.description;
+  if (hasWord(said, "without|native|nativ|non contrast|non-contrast|unenhanced|w/o")) return false;
+  if (saysPlusC(said) || hasWord(said, "gadolinium|contrast|enhanced") ||
+      !valueOfSplit(series, "ContrastBolusAgent").empty())
+    return true;
+  for (const std::string& word : wordsOf(said))  // whole ones: no "posterior"
+    if (word == "gd" || word == "gad" || word == "post" || word == "km" || word == "ce") return true;
+  return {};
+}
+
+std::optional<ViewKind> acquiredPlaneOf(const Series& series) {
+  if (!series.notVolume.empty() || !series.acquired.calibrated) return {};
+  return acquiredKind(series.acquired);
+}
+
+}  // namespace volumen
