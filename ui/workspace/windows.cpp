@@ -54,10 +54,12 @@ std::vector<NamedWindow> tissueWindows(const Series& series) {
                                                 {tr("Liver"), {90, 150}},
                                                 {tr("Bone"), {400, 2000}},
                                                 {tr("Lung"), {-600, 1500}},
-                                                {tr("CT angiography"), {170, 600}},
-                                                {tr("Bone MIP"), {700, 1800}}};
+                                                {tr("CT angiography"), {170, 600}}};
   for (const auto& [name, window] : tissues)
     all.push_back({namedWindowText(name, window, series), window, name});
+  // Without a word: nothing in a corner says whether it is of a maximum.
+  const Window boneMip{700, 1800};
+  all.push_back({namedWindowText(tr("Bone MIP"), boneMip, series), boneMip});
   return all;
 }
 
@@ -65,8 +67,7 @@ QString namedWindow(const Window& window, const Series& series) {
   const std::vector<NamedWindow> tissues = tissueWindows(series);
   const auto found = std::ranges::find(tissues, window, &NamedWindow::window);
   const QString numbers = windowText(window, series);
-  // Nothing says that it is of a maximum.
-  if (found == tissues.end() || found->word.isEmpty() || found->word == tr("Bone MIP")) return numbers;
+  if (found == tissues.end() || found->word.isEmpty()) return numbers;
   return QStringLiteral("%1  %2").arg(found->word, numbers);
 }
 

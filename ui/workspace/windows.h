@@ -27,7 +27,7 @@ GreyMapping greyMapping(const Window& window, const LoadedSeries& series);
 struct NamedWindow {
   QString name;                  ///< "Bone (2000 / 400)"
   std::optional<Window> window;  ///< none: automatic
-  QString word{};                ///< "Bone", of tissues
+  QString word{};                ///< "Bone": what stands in the corner while it holds; empty: nothing
 };
 
 /// Automatic, the file's own, and for HU those of tissues, for SUV those from 0 on.
