@@ -85,7 +85,8 @@ void TestMenus::menusHoldWhatTheyShould_data() {
   row("&View/Measure",
       "Length\tD; Polyline; Angle\tA; Cobb angle; Ellipse\tE; Rectangle; Freehand; Probe\tP; Arrow\tT");
   row("&View/Panels",
-      "Quality and speed; Camera; Clip; Effects; Key images; Lights; Measure; Contours and segments; "
+      "Quality and speed; Camera; Clip; Effects; Slices and frames; Key images; Lights; Measure; Contours "
+      "and segments; "
       "Segment; Snapshot; Studies; Opacity and colour; |; Reset layout");
   row("&Help", "Documentation; Mouse and keys; About volumen");
 }

@@ -34,6 +34,11 @@ Window overlayWindow(const SeriesState& state, const LoadedSeries& series) {
   return {window.centre, std::abs(window.width)};
 }
 
+Window windowOfOverlay(const Window& over, const SeriesState& state, const LoadedSeries& series) {
+  const double width = std::abs(over.width);
+  return {over.centre, flatWindow(state, series).width < 0 ? -width : width};
+}
+
 GreyMapping greyMapping(const Window& window, const LoadedSeries& series) {
   GreyMapping grey =
       windowGrey(*series.volume, series.series.format == "DICOM", {window.centre, std::abs(window.width)});
@@ -48,12 +53,9 @@ std::vector<NamedWindow> tissueWindows(const Series& series) {
       all.push_back(
           {tr("%1 0 to %2").arg(shownText(scale.unit)).arg(most), storedWindow({most / 2, -most}, series)});
   if (!isHounsfield(series)) return all;
-  const std::pair<QString, Window> tissues[] = {{tr("Brain"), {40, 80}},
-                                                {tr("Abdomen"), {40, 400}},
-                                                {tr("Mediastinum"), {50, 350}},
-                                                {tr("Liver"), {90, 150}},
-                                                {tr("Bone"), {400, 2000}},
-                                                {tr("Lung"), {-600, 1500}},
+  const std::pair<QString, Window> tissues[] = {{tr("Brain"), {40, 80}},           {tr("Abdomen"), {40, 400}},
+                                                {tr("Mediastinum"), {50, 350}},    {tr("Liver"), {90, 150}},
+                                                {tr("Bone"), {400, 2000}},         {tr("Lung"), {-600, 1500}},
                                                 {tr("CT angiography"), {170, 600}}};
   for (const auto& [name, window] : tissues)
     all.push_back({namedWindowText(name, window, series), window, name});

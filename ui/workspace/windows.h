@@ -20,6 +20,9 @@ Window windowInUse(const Scene& scene, const LoadedSeries& series);
 Window flatWindow(const SeriesState& state, const LoadedSeries& series);
 /// Of a series over another: the same, never inverted.
 Window overlayWindow(const SeriesState& state, const LoadedSeries& series);
+/// What SeriesState::window is where a series is to have this window over another: inverted where it is by
+/// itself.
+Window windowOfOverlay(const Window& over, const SeriesState& state, const LoadedSeries& series);
 /// The mapping from value to grey that a window of a flat view stands for.
 GreyMapping greyMapping(const Window& window, const LoadedSeries& series);
 
