@@ -65,7 +65,8 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Save 3D snapshot...; Copy 3D snapshot; |; Quit");
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
-      "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window; Scroll; Pan; Zoom; Crosshair; |; "
+      "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window; Scroll; Pan; Zoom; Crosshair; "
+      "Window from region; |; "
       "Anterior view; Posterior view; Left view; Right view; Superior view; Inferior view; |; "
       "Show as frames; Each image its own window; Overlays and shutters; Play or stop; |; "
       "Key image; Previous key image; Next key image; |; "

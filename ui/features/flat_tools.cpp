@@ -6,18 +6,20 @@ namespace volumen {
 
 namespace {
 
-// What a left drag does in slices and frames, beside measuring: a button each.
+// What a left drag does in slices and frames, beside measuring: a button each; what is used once at a time
+// stands in the menu alone.
 class FlatTools : public Feature {
  public:
   explicit FlatTools(Workbench& bench);
 };
 
 FlatTools::FlatTools(Workbench& bench) : Feature(bench) {
+  const std::vector<Place> inMenu{{"viewMenu", 15}}, inBoth{{"viewMenu", 15}, {"toolBar", 25}};
   for (const Tool& tool : tools()) {
     if (!tool.inSlices || tool.measuring) continue;
     const std::string name = std::string(tool.name) + "Tool";
-    QAction* action = bench_.addAction(
-        {name.c_str(), tool.text, {}, tool.name, true, {}, {{"viewMenu", 15}, {"toolBar", 25}}});
+    QAction* action =
+        bench_.addAction({name.c_str(), tool.text, {}, tool.name, true, {}, tool.box ? inMenu : inBoth});
     const auto show = [this, action, &tool] { action->setChecked(&grid_.tool() == &tool); };
     connect(action, &QAction::triggered, this, [this, &tool, show] {
       grid_.setTool(tool);

@@ -69,6 +69,10 @@ struct Tool {
   std::unique_ptr<SceneDrag> (*inScene)(const ScenePress& press) = nullptr;  ///< the same
   int key = 0;             ///< chooses it in a view in which it does something; 0: none
   bool measuring = false;  ///< draws a measurement; its icon is "measure-NAME"
+  bool box = false;        ///< a box is drawn, of which something is made that is no measurement
+
+  /// Whether something is drawn, after which the tool before is in hand again.
+  bool draws() const { return measuring || box; }
 };
 
 /// A part of a measurement under the pointer.
@@ -99,6 +103,7 @@ std::unique_ptr<Drag> beginWindow(const SlicePress& press);
 std::unique_ptr<Drag> beginSlicePan(const SlicePress& press);
 std::unique_ptr<Drag> beginSliceZoom(const SlicePress& press);
 std::unique_ptr<Drag> beginScroll(const SlicePress& press);
+std::unique_ptr<Drag> beginRegionWindow(const SlicePress& press);
 std::unique_ptr<Drag> beginCrosshair(const SlicePress& press);
 
 /// Turns the other planes about the crosshair as the pointer goes around it.

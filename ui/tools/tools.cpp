@@ -20,6 +20,8 @@ const std::vector<Tool>& tools() {
         {"pan", tr("Pan"), Qt::SizeAllCursor, beginSlicePan, beginScenePan},
         {"zoom", tr("Zoom"), Qt::ArrowCursor, beginSliceZoom, beginSceneZoom},
         {"crosshair", tr("Crosshair"), Qt::CrossCursor, beginCrosshair},
+        {"regionWindow", tr("Window from region"), Qt::CrossCursor, beginRegionWindow, nullptr, 0, false,
+         true},
     };
     std::ranges::move(measuringTools(), std::back_inserter(all));
     return all;

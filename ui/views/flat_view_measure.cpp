@@ -61,14 +61,15 @@ std::optional<MeasurementHit> FlatView::measurementAt(QPointF p) const {
 }
 
 std::unique_ptr<Drag> FlatView::pressMeasurement(const SlicePress& press) {
-  if (tool_->measuring) return nullptr;
+  if (tool_->draws()) return nullptr;
   const auto hit = measurementAt(press.at);
   session_.select(hit ? hit->id : 0);
   return hit && hit->movable ? beginMeasurementEdit(press, *hit) : nullptr;
 }
 
 void FlatView::endDrag(Qt::KeyboardModifiers keys) {
-  const bool drew = drag_ && drag_->drawing();
+  const Measurement* drawn = drag_ ? drag_->drawing() : nullptr;
+  const bool drew = drawn, isArrow = drawn && drawn->shape.kind == ShapeKind::arrow;
   const bool kept = drew && session_.undoStack().index() > stepsAtPress_;
   drag_.reset();
   session_.endGesture();
@@ -76,8 +77,7 @@ void FlatView::endDrag(Qt::KeyboardModifiers keys) {
   if (!drew) return;
   update();
   if (!kept) return;
-  const Measurement* made = findMeasurement(session_.workspace(), session_.workspace().selected);
-  if (made && made->shape.kind == ShapeKind::arrow) askForName(made->id);
+  if (isArrow) askForName(session_.workspace().selected);
   if (!(keys & Qt::ShiftModifier)) Q_EMIT toolDone();
 }
 
@@ -116,11 +116,11 @@ QString FlatView::measurementText(QPointF p) const {
 }
 
 void FlatView::showCursorAt(QPointF p) {
-  const auto hit = tool_->measuring ? std::nullopt : measurementAt(p);
+  const auto hit = tool_->draws() ? std::nullopt : measurementAt(p);
   if (hit)
     return setCursor(hit->part == MeasurementPart::handle ? Qt::PointingHandCursor : Qt::SizeAllCursor);
-  if (!tool_->measuring && windowRect().contains(p)) return setCursor(Qt::IBeamCursor);
-  const auto press = tool_->measuring ? std::nullopt : pressAt(p);
+  if (!tool_->draws() && windowRect().contains(p)) return setCursor(Qt::IBeamCursor);
+  const auto press = tool_->draws() ? std::nullopt : pressAt(p);
   setCursor(press && isOnLine(*press) ? Qt::PointingHandCursor : tool_->cursor);
 }
 
@@ -142,7 +142,7 @@ bool FlatView::pressMeasuringKey(const QKeyEvent& event) {
       setFocus();
       return true;
     }
-  if (event.key() == Qt::Key_Escape && !drag_ && tool_->measuring) {
+  if (event.key() == Qt::Key_Escape && !drag_ && tool_->draws()) {
     Q_EMIT toolDone();
     return true;
   }

@@ -14,7 +14,7 @@ namespace volumen {
 const Tool* FlatView::toolFor(const QMouseEvent& event) const {
   switch (event.button()) {
     case Qt::LeftButton:
-      if (event.modifiers() & Qt::ShiftModifier && !tool_->measuring && hasCursor())
+      if (event.modifiers() & Qt::ShiftModifier && !tool_->draws() && hasCursor())
         return &toolNamed("crosshair");
       // What has no place in the patient has no crosshair.
       return !hasCursor() && tool_ == &toolNamed("crosshair") ? nullptr : tool_;
@@ -30,17 +30,17 @@ const Tool* FlatView::toolFor(const QMouseEvent& event) const {
 void FlatView::mousePressEvent(QMouseEvent* event) {
   View::mousePressEvent(event);
   const Tool* tool = toolFor(*event);
-  if (tool && tool->measuring) stop();
+  if (tool && tool->draws()) stop();
   const auto press = pressAt(event->position());
   if (drag_ && event->button() == Qt::LeftButton) drag_->press(event->position());
   if (!tool || !press || drag_) return;
   session_.endGesture();
-  if (tool == tool_ && !tool->measuring && windowRect().contains(event->position())) return typeWindow();
+  if (tool == tool_ && !tool->draws() && windowRect().contains(event->position())) return typeWindow();
   pressedAt_ = event->position();
   stepsAtPress_ = session_.undoStack().index();
   if (tool == tool_) drag_ = pressMeasurement(*press);
-  if (!drag_ && tool == tool_ && !tool->measuring) drag_ = pressLine(*press);
-  if (!drag_ && !hasWindow() && tool == &toolNamed("window")) return;
+  if (!drag_ && tool == tool_ && !tool->draws()) drag_ = pressLine(*press);
+  if (!drag_ && !hasWindow() && (tool == &toolNamed("window") || tool == &toolNamed("regionWindow"))) return;
   if (!drag_) drag_ = tool->inSlices(*press);
   if (drag_->drawing()) update();
 }
@@ -51,7 +51,7 @@ void FlatView::mouseMoveEvent(QMouseEvent* event) {
     if (drag_->drawing()) update();
     return pointAt(event->position());
   }
-  if (event->modifiers() & Qt::ShiftModifier && !tool_->measuring && hasCursor())
+  if (event->modifiers() & Qt::ShiftModifier && !tool_->draws() && hasCursor())
     if (const auto press = pressAt(event->position())) beginCrosshair(*press);
   showCursorAt(event->position());
   pointAt(event->position());

@@ -132,7 +132,7 @@ std::vector<FlatView::WindowChoice> SliceView::windows() const {
   const LoadedSeriesPtr shown = this->shown();
   std::vector<WindowChoice> all;
   if (!shown) return all;
-  for (const NamedWindow& choice : windowChoices(*shown))
+  for (const NamedWindow& choice : windowChoices(*shown, session_.preferences().windows))
     all.push_back({choice.name, choice.window == seriesState().window});
   return all;
 }
@@ -140,7 +140,7 @@ std::vector<FlatView::WindowChoice> SliceView::windows() const {
 void SliceView::chooseWindow(int number) {
   const LoadedSeriesPtr shown = this->shown();
   if (!shown) return;
-  const std::vector<NamedWindow> choices = windowChoices(*shown);
+  const std::vector<NamedWindow> choices = windowChoices(*shown, session_.preferences().windows);
   if (number >= int(choices.size())) return;
   session_.change(tr("Window"), [&](Workspace& w) {
     w.series.edit(keyOf(shown->series)).window = choices[std::size_t(number)].window;
@@ -197,7 +197,7 @@ Overlays SliceView::overlays() const {
               tr("with %1, %2 %").arg(seriesText(over->series)).arg(std::lround(100 * look.overlayOpacity)));
   texts.add(CornerItem::mark, keyImageText());
   Overlays o = cornersOf(texts);
-  o.bottomRight = namedWindow(window, shown->series);
+  o.bottomRight = namedWindow(window, shown->series, session_.preferences().windows);
   if (!shown->volume->geometry().calibrated) return o;
   const auto letters = [known = knowsSides(shown->series)](glm::dvec3 d) {
     return known ? QString::fromStdString(sideLetters(d)) : QString();

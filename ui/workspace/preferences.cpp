@@ -31,6 +31,7 @@ void visit(Preferences& p, const Visit& each) {
   each("hideNames", p.hideNames);
   each("petUnit", p.petUnit);
   each("memoryPercent", p.memoryPercent);
+  each("windows", p.windows);
 }
 
 QVariant toVariant(bool value) { return value; }
@@ -40,6 +41,7 @@ QVariant toVariant(Theme theme) {
 }
 QVariant toVariant(DragAction action) { return QLatin1String(nameOf(action)); }
 QVariant toVariant(PetUnit unit) { return QLatin1String(petUnitName(unit)); }
+QVariant toVariant(const OwnWindows& windows) { return ownWindowsText(windows); }
 
 void fromVariant(const QVariant& kept, bool& value) { value = kept.toBool(); }
 void fromVariant(const QVariant& kept, int& percent) {
@@ -58,7 +60,15 @@ void fromVariant(const QVariant& kept, PetUnit& unit) {
     if (kept.toString() == QLatin1String(petUnitName(known))) unit = known;
 }
 
+void fromVariant(const QVariant& kept, OwnWindows& windows) { windows = ownWindowsIn(kept.toString()); }
+
 }  // namespace
+
+Preferences defaultsFor(const Preferences& preferences) {
+  Preferences defaults;
+  defaults.windows = preferences.windows;
+  return defaults;
+}
 
 const char* nameOf(DragAction action) {
   return std::ranges::find(dragNames, action, &std::pair<DragAction, const char*>::first)->second;

@@ -65,15 +65,28 @@ std::vector<NamedWindow> tissueWindows(const Series& series) {
   return all;
 }
 
-QString namedWindow(const Window& window, const Series& series) {
-  const std::vector<NamedWindow> tissues = tissueWindows(series);
-  const auto found = std::ranges::find(tissues, window, &NamedWindow::window);
+std::vector<NamedWindow> ownWindowsFor(const OwnWindows& own, const Series& series) {
+  std::vector<NamedWindow> all;
+  for (const OwnWindow& each : own) {
+    if (!isFor(each, series)) continue;
+    const double sign = series.modality == "PT" ? -1 : 1;
+    const Window stored = storedWindow({each.window.centre, sign * each.window.width}, series);
+    all.push_back(
+        {namedWindowText(each.name, {stored.centre, std::abs(stored.width)}, series), stored, each.name});
+  }
+  return all;
+}
+
+QString namedWindow(const Window& window, const Series& series, const OwnWindows& own) {
+  std::vector<NamedWindow> named = ownWindowsFor(own, series);
+  for (const NamedWindow& tissue : tissueWindows(series)) named.push_back(tissue);
+  const auto found = std::ranges::find(named, window, &NamedWindow::window);
   const QString numbers = windowText(window, series);
-  if (found == tissues.end() || found->word.isEmpty()) return numbers;
+  if (found == named.end() || found->word.isEmpty()) return numbers;
   return QStringLiteral("%1  %2").arg(found->word, numbers);
 }
 
-std::vector<NamedWindow> windowChoices(const LoadedSeries& series) {
+std::vector<NamedWindow> windowChoices(const LoadedSeries& series, const OwnWindows& own) {
   std::vector<NamedWindow> all{{tr("Automatic"), {}}};
   const std::vector<Window>& files = series.volume->attributes().windows;
   for (std::size_t n = 0; n < files.size(); ++n) {
@@ -81,6 +94,7 @@ std::vector<NamedWindow> windowChoices(const LoadedSeries& series) {
     all.push_back({namedWindowText(name, files[n], series.series), files[n]});
   }
   for (const NamedWindow& tissue : tissueWindows(series.series)) all.push_back(tissue);
+  for (const NamedWindow& each : ownWindowsFor(own, series.series)) all.push_back(each);
   return all;
 }
 
@@ -97,6 +111,21 @@ WindowEnds endsOf(const Window& window) {
 }
 
 Window windowBetween(WindowEnds ends) { return {(ends.dark + ends.bright) / 2, ends.bright - ends.dark}; }
+
+std::optional<Window> windowOfValues(std::vector<float> values, const Window& before,
+                                     const LoadedSeries& series) {
+  std::erase_if(values, [](float value) { return std::isnan(value); });
+  if (values.empty()) return {};
+  const auto percentile = [&](double percent) {
+    const double rank = std::ceil(percent * double(values.size()) / 100);
+    const auto at = values.begin() + std::ptrdiff_t(std::max(1.0, rank)) - 1;
+    std::ranges::nth_element(values, at);
+    return double(*at);
+  };
+  const double low = percentile(1), high = percentile(99);
+  const double width = std::max(high - low, finest * series.valueSpread);
+  return Window{(low + high) / 2, before.width < 0 ? -width : width};
+}
 
 Window draggedWindow(const Window& atPress, glm::dvec2 pixels, const LoadedSeries& series) {
   const double least = finest * series.valueSpread, sign = atPress.width < 0 ? -1 : 1;
