@@ -39,15 +39,6 @@ struct FlatPanelWindow : MeasureWindow {
   double shown(const char* name) { return child<QDoubleSpinBox>(name)->value(); }
 };
 
-// A PET of 1000 Bq/ml in a ball, which are 5 SUVbw.
-LoadedSeriesPtr petIn(const char* frame) {
-  auto series = std::make_shared<LoadedSeries>(*ballIn(frame, 1, "PT"));
-  series->series.description = "Uptake";
-  series->series.unit = "Bq/ml";
-  series->series.suv.bodyWeight = 0.005;
-  return series;
-}
-
 }  // namespace
 
 class TestFlatPanel : public QObject {

@@ -132,6 +132,8 @@ class FlatView : public View {
   virtual void paintLines(QPainter& painter) const;
   /// Over all.
   virtual void paintColours(QPainter& /*painter*/) const {}
+  /// What is there to be dragged, on screen alone.
+  virtual void paintHandles(QPainter& /*painter*/) const {}
 
   const SeriesState& seriesState() const;
   std::optional<SlicePress> pressAt(QPointF p) const;

@@ -75,7 +75,10 @@ void FlatView::paintWith(QPainter& painter, const QImage& picture) const {
 void FlatView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintShown(painter);
-  if (shown()) paintStackBar(painter);
+  if (shown()) {
+    paintStackBar(painter);
+    paintHandles(painter);
+  }
   paintFocus(painter);
 }
 

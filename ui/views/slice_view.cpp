@@ -160,11 +160,14 @@ std::vector<const Measurement*> SliceView::measurements() const {
 }
 
 std::unique_ptr<Drag> SliceView::pressLine(const SlicePress& press) const {
+  if (const std::optional<ColourBar> bar = colourBar())
+    if (std::unique_ptr<Drag> drag = beginBarEnd(session_, rect(), *bar, press.at)) return drag;
   std::unique_ptr<Drag> drag = beginOnLines(press);
   return drag ? std::move(drag) : beginOnClip(press, clipShown_);
 }
 
 bool SliceView::isOnLine(const SlicePress& press) const {
+  if (colourBar() && isOnBarEnd(rect(), press.at)) return true;
   return isOnLines(press) || isOnClip(press, clipShown_);
 }
 
@@ -217,20 +220,6 @@ void SliceView::paintLines(QPainter& painter) const {
   paintClipLines(painter, clipLines(here, clipShown_));
   paintCrossLines(painter, crossLines(here),
                   here.pixelAt(crosshairOf(session_.workspace(), id(), *shown()).at), rect());
-}
-
-// The bar of what is shown in colours: the overlay, else the series.
-void SliceView::paintColours(QPainter& painter) const {
-  const FlatLook look = flatLookOf(state());
-  const auto& all = session_.workspace().series;
-  if (const LoadedSeriesPtr over = session_.seriesNamed(look.overlay))
-    return paintColourBar(painter, rect(), look.overlayColours,
-                          shownWindow(overlayWindow(all.at(look.overlay), *over), over->series),
-                          unitSuffix(over->series));
-  const SeriesState& own = all.at(state().series);
-  if (own.colours != ColourMap::grey)
-    paintColourBar(painter, rect(), own.colours, shownWindow(flatWindow(own, *series()), series()->series),
-                   unitSuffix(series()->series));
 }
 
 }  // namespace volumen

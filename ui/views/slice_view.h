@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/views/colour_bar.h"
 #include "ui/views/flat_view.h"
 
 namespace volumen {
@@ -38,8 +39,13 @@ class SliceView : public FlatView {
   bool isOnLine(const SlicePress& press) const override;
   void paintLines(QPainter& painter) const override;
   void paintColours(QPainter& painter) const override;
+  void paintHandles(QPainter& painter) const override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
 
  private:
+  std::optional<ColourBar> colourBar() const;
+  void typeBar(const ColourBar& bar);
+
   bool clipShown_ = false;
   std::optional<VolumeRange> segment_;  // that is looked at alone
 };

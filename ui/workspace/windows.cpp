@@ -14,6 +14,18 @@ namespace {
 
 bool isHounsfield(const Series& series) { return series.unit == "HU"; }
 
+// SUVbw. PET of FDG is read from 0 to 5, 7 or 10; this is the one in the middle, and digits choose the
+// others. The windows in files of PET follow the brightest voxel of each slice, which is bladder or brain.
+constexpr double mostUptake = 7;
+
+// None where the uptake is not known.
+std::optional<Window> uptakeWindow(const Series& series) {
+  if (series.modality != "PT") return {};
+  const ValueScale scale = valueScale(series, PetUnit::suvBodyWeight);
+  if (!scale.unit.starts_with("SUV")) return {};
+  return Window{mostUptake / 2 / scale.factor, mostUptake / scale.factor};
+}
+
 // Least width that a drag makes, as a share of the spread of values.
 constexpr double finest = 1.0 / 4000;
 
@@ -24,7 +36,8 @@ Window windowInUse(const Scene& scene, const LoadedSeries& series) {
 }
 
 Window flatWindow(const SeriesState& state, const LoadedSeries& series) {
-  const Window first = series.flatWindow.value_or(series.window), own{first.centre, std::abs(first.width)};
+  const Window first = uptakeWindow(series.series).value_or(series.flatWindow.value_or(series.window));
+  const Window own{first.centre, std::abs(first.width)};
   const bool inverted = series.series.modality == "PT";
   return state.window.value_or(inverted ? Window{own.centre, -own.width} : own);
 }
@@ -112,6 +125,8 @@ WindowEnds endsOf(const Window& window) {
 
 Window windowBetween(WindowEnds ends) { return {(ends.dark + ends.bright) / 2, ends.bright - ends.dark}; }
 
+double narrowestWindow(const LoadedSeries& series) { return finest * series.valueSpread; }
+
 std::optional<Window> windowOfValues(std::vector<float> values, const Window& before,
                                      const LoadedSeries& series) {
   std::erase_if(values, [](float value) { return std::isnan(value); });
@@ -123,12 +138,12 @@ std::optional<Window> windowOfValues(std::vector<float> values, const Window& be
     return double(*at);
   };
   const double low = percentile(1), high = percentile(99);
-  const double width = std::max(high - low, finest * series.valueSpread);
+  const double width = std::max(high - low, narrowestWindow(series));
   return Window{(low + high) / 2, before.width < 0 ? -width : width};
 }
 
 Window draggedWindow(const Window& atPress, glm::dvec2 pixels, const LoadedSeries& series) {
-  const double least = finest * series.valueSpread, sign = atPress.width < 0 ? -1 : 1;
+  const double least = narrowestWindow(series), sign = atPress.width < 0 ? -1 : 1;
   const double width = std::abs(atPress.width), step = std::max(width / 80, least);
   if (series.series.modality == "PT") {
     const double low = atPress.centre - width / 2;

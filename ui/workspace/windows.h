@@ -17,7 +17,8 @@ namespace volumen {
 /// The scene's, or the one that stands for none.
 Window windowInUse(const Scene& scene, const LoadedSeries& series);
 
-/// Of flat views: the one that was set, else the series' own, inverted for PET.
+/// Of flat views: the one that was set, else 0 to 7 SUVbw of PET where that is known, else the series' own;
+/// inverted for PET.
 Window flatWindow(const SeriesState& state, const LoadedSeries& series);
 /// Of a series over another: the same, never inverted.
 Window overlayWindow(const SeriesState& state, const LoadedSeries& series);
@@ -57,6 +58,9 @@ struct WindowEnds {
 WindowEnds endsOf(const Window& window);
 /// The window between two different values.
 Window windowBetween(WindowEnds ends);
+
+/// The least width that a drag makes.
+double narrowestWindow(const LoadedSeries& series);
 
 /// P1 .. P99 of these values, so that a speck of metal or a dead pixel among them does not decide; inverted
 /// where `before` is, and as wide at least as a drag makes it. None: there are no values (not NaN).
