@@ -15,7 +15,7 @@ using namespace volumen::tests;
 namespace {
 
 // 7 SUVbw, in Bq/ml.
-constexpr double wide = 7 / 0.005;
+constexpr double sevenSuv = 7 / 0.005;
 
 // A PET over a CT.
 struct FusedWindow : MeasureWindow {
@@ -62,7 +62,7 @@ void TestColourBar::petBeginsAtSevenSuv_data() {
   QTest::addColumn<double>("factor");
   QTest::addColumn<double>("centre");
   QTest::addColumn<double>("width");
-  QTest::newRow("SUV is known") << QStringLiteral("PT") << 0.005 << wide / 2 << -wide;
+  QTest::newRow("SUV is known") << QStringLiteral("PT") << 0.005 << sevenSuv / 2 << -sevenSuv;
   QTest::newRow("SUV in the file") << QStringLiteral("PT") << 1.0 << 3.5 << -7.0;
   QTest::newRow("it is not") << QStringLiteral("PT") << 0.0 << 500.0 << -1000.0;
   QTest::newRow("no PET") << QStringLiteral("NM") << 0.0 << 500.0 << 1000.0;
@@ -109,8 +109,8 @@ void TestColourBar::anEndIsDragged() {
   QVERIFY(w.bar().height() >= 50);
   const QPointF from = atTop ? w.top() : w.bottom();
   drag(w.view(), from, from - QPointF(0, up), Qt::LeftButton, Qt::KeyboardModifiers(keys));
-  const double moved = share * wide * up / w.bar().height();
-  QVERIFY2(isNear(w.ends().bright, atTop ? wide + moved : wide),
+  const double moved = share * sevenSuv * up / w.bar().height();
+  QVERIFY2(isNear(w.ends().bright, atTop ? sevenSuv + moved : sevenSuv),
            qPrintable(QString::number(w.ends().bright)));
   QVERIFY2(isNear(w.ends().dark, atTop ? 0 : moved), qPrintable(QString::number(w.ends().dark)));
   QVERIFY2(flatWindow(w.stateOf(w.pet), *w.pet).width < 0, "by itself PET stays inverted");
@@ -123,7 +123,7 @@ void TestColourBar::anEndIsDragged() {
 void TestColourBar::endsDoNotPass() {
   FusedWindow w;
   drag(w.view(), w.bottom(), w.bottom() - QPointF(0, 2 * w.bar().height()));
-  QVERIFY(isNear(w.ends().bright, wide));
+  QVERIFY(isNear(w.ends().bright, sevenSuv));
   QVERIFY(isNear(w.ends().bright - w.ends().dark, narrowestWindow(*w.pet)));
 }
 

@@ -12,11 +12,11 @@ namespace volumen {
 
 namespace {
 
-constexpr double largestValue = 1e9, narrowestWindow = 1e-9;
+constexpr double largestValue = 1e9, leastWidth = 1e-9;
 
 // As many as four digits of the width need, and at least one.
 int decimalsOf(double width) {
-  return std::clamp(3 - int(std::floor(std::log10(std::max(width, narrowestWindow)))), 1, 6);
+  return std::clamp(3 - int(std::floor(std::log10(std::max(width, leastWidth)))), 1, 6);
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ ValueFields::ValueFields(const QString& name, bool all, QWidget* parent) : QWidg
   if (all) {
     centre_ = addField(name + QStringLiteral("Centre"), tr("Centre"));
     width_ = addField(name + QStringLiteral("Width"), tr("Width"));
-    width_->setMinimum(narrowestWindow);
+    width_->setMinimum(leastWidth);
   }
   low_ = addField(name + QStringLiteral("Low"), tr("Lowest"));
   high_ = addField(name + QStringLiteral("High"), tr("Highest"));

@@ -14,12 +14,12 @@ namespace volumen {
 
 namespace {
 
-enum WindowColumn { nameColumn, widthColumn, centreColumn, forColumn, columnCount };
+enum OwnColumn { ownName, ownWidth, ownCentre, ownFor, ownColumns };
 
 constexpr double largestNumber = 1e30;  // as volumes hold it
 
 // A number as people write it, with a point or a comma.
-std::optional<double> numberOf(QString text) {
+std::optional<double> typedNumber(QString text) {
   bool isNumber = false;
   const double number = text.trimmed().replace(u',', u'.').toDouble(&isNumber);
   return isNumber && std::abs(number) <= largestNumber ? std::optional(number) : std::nullopt;
@@ -38,14 +38,14 @@ WindowsDialog::WindowsDialog(Session& session, InUse inUse, QWidget* parent)
     : QDialog(parent),
       session_(session),
       inUse_(std::move(inUse)),
-      table_(new QTableWidget(0, columnCount)),
+      table_(new QTableWidget(0, ownColumns)),
       note_(plainLabel()) {
   setObjectName(QStringLiteral("windowsDialog"));
   setWindowTitle(tr("Windows"));
   table_->setObjectName(QStringLiteral("windowTable"));
   table_->setAccessibleName(tr("Windows of your own"));
   table_->setHorizontalHeaderLabels({tr("Name"), tr("Width"), tr("Centre"), tr("For")});
-  table_->horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(ownName, QHeaderView::Stretch);
   table_->verticalHeader()->hide();
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   note_->setObjectName(QStringLiteral("windowNote"));
@@ -88,12 +88,12 @@ void WindowsDialog::showWindows() {
     const OwnWindow& own = windows[std::size_t(row)];
     const auto [width, centre] = windowNumbers(own.window);
     const QString texts[] = {own.name, width, centre, forText(own)};
-    for (int column = 0; column < columnCount; ++column) {
+    for (int column = 0; column < ownColumns; ++column) {
       // One that was just edited is still in use.
       if (!table_->item(row, column)) table_->setItem(row, column, new QTableWidgetItem);
       QTableWidgetItem* cell = table_->item(row, column);
       cell->setText(texts[column]);
-      if (column == forColumn) cell->setFlags(cell->flags() & ~Qt::ItemIsEditable);
+      if (column == ownFor) cell->setFlags(cell->flags() & ~Qt::ItemIsEditable);
     }
   }
 }
@@ -105,7 +105,7 @@ void WindowsDialog::add() {
     return note_->setText(tr("Click a slice or a frame in grey first: its window is the one to add."));
   own->name = tr("My window %1").arg(session_.preferences().windows.size() + 1);
   session_.prefer([&](Preferences& p) { p.windows.push_back(*own); });
-  table_->setCurrentCell(table_->rowCount() - 1, nameColumn);
+  table_->setCurrentCell(table_->rowCount() - 1, ownName);
   table_->editItem(table_->currentItem());
 }
 
@@ -120,10 +120,10 @@ void WindowsDialog::edit(int row, int column) {
   OwnWindows windows = session_.preferences().windows;
   OwnWindow& own = windows[std::size_t(row)];
   const QString text = table_->item(row, column)->text().trimmed();
-  const std::optional<double> number = numberOf(text);
-  if (column == nameColumn && !text.isEmpty()) own.name = text;
-  if (column == widthColumn && number && *number > 0) own.window.width = *number;
-  if (column == centreColumn && number) own.window.centre = *number;
+  const std::optional<double> number = typedNumber(text);
+  if (column == ownName && !text.isEmpty()) own.name = text;
+  if (column == ownWidth && number && *number > 0) own.window.width = *number;
+  if (column == ownCentre && number) own.window.centre = *number;
   if (windows == session_.preferences().windows) return showWindows();
   session_.prefer([&](Preferences& p) { p.windows = windows; });
 }

@@ -13,7 +13,7 @@ namespace volumen {
 namespace {
 
 // Logical pixels.
-constexpr double barWidth = 8, fromEdge = 8, beside = 5, highest = 140, lowest = 50;
+constexpr double barWidth = 8, fromEdge = 8, besideBar = 5, highestBar = 140, lowestBar = 50;
 constexpr double numbersWidth = 48, reachOut = 8, reachIn = 14;
 
 enum class BarEnd { dark, bright };
@@ -54,8 +54,8 @@ class BarEndDrag : public Drag {
 }  // namespace
 
 QRectF colourBarRect(const QRectF& area) {
-  const double high = std::min(highest, area.height() / 3);
-  if (high < lowest) return {};
+  const double high = std::min(highestBar, area.height() / 3);
+  if (high < lowestBar) return {};
   return {area.left() + fromEdge, area.center().y() + 12, barWidth, high};
 }
 
@@ -70,7 +70,7 @@ void paintColourBar(QPainter& painter, const QRectF& area, const ColourBar& show
   const Window window = shownWindow(shown.window, shown.series->series);
   const WindowEnds ends = endsOf(window);
   const auto end = [&](double value, double baseline) {
-    paintReadable(painter, {bar.right() + beside, baseline - metrics.ascent()},
+    paintReadable(painter, {bar.right() + besideBar, baseline - metrics.ascent()},
                   windowNumbers({value, window.width}).second + unitSuffix(shown.series->series), Qt::white);
   };
   end(ends.bright, bar.top() + metrics.ascent() - 2);
@@ -89,7 +89,7 @@ void paintBarHandles(QPainter& painter, const QRectF& area) {
 
 bool isOnColourBar(const QRectF& area, QPointF p) {
   const QRectF bar = colourBarRect(area);
-  return !bar.isEmpty() && bar.adjusted(-reachOut, -reachOut, beside + numbersWidth, reachOut).contains(p);
+  return !bar.isEmpty() && bar.adjusted(-reachOut, -reachOut, besideBar + numbersWidth, reachOut).contains(p);
 }
 
 bool isOnBarEnd(const QRectF& area, QPointF p) { return barEndAt(area, p).has_value(); }
