@@ -129,7 +129,7 @@ void TestCommandList::arrowsGoThroughWhatCanBeDone() {
   QCOMPARE(w.current(), QStringLiteral("Two series"));
   QTest::keyClick(w.search(), Qt::Key_Down);
   QTest::keyClick(w.search(), Qt::Key_Return);
-  QCOMPARE(int(w.session().workspace().layout), int(Layout::four));
+  QCOMPARE(w.session().workspace().layout, Layout::four);
   w.open();
   w.type("view");
   for (int n = 0; n < 100; ++n) {

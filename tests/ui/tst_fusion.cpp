@@ -13,6 +13,7 @@
 #include "ui/views/view_grid.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/windows.h"
 
 using namespace volumen;
 using volumen::tests::Journey;
@@ -126,6 +127,14 @@ void TestFusion::petOpensOverItsCt() {
   FlatView* axial = w.window.views()->viewAs<FlatView>(axialViewId);
   const LoadedSeriesPtr ct = w.window.session().seriesOf(axialViewId);
   moveCrosshair(w.window.session(), axialViewId, *ct, {}, {-7.0312, -82.0312, -140.65});
+  // At first 0 to 7 SUVbw, at which it would be white.
+  const LoadedSeriesPtr pet = w.window.session().series();
+  const double perSuv = 1 / pet->series.suv.bodyWeight.value();
+  const Window first = flatWindow(w.workspace().series.at(keyOf(pet->series)), *pet);
+  QVERIFY(std::abs(first.centre / perSuv - 3.5) < 1e-9 && std::abs(first.width / perSuv + 7) < 1e-9);
+  w.window.session().change(QStringLiteral("test"), [&](Workspace& workspace) {
+    workspace.series.edit(keyOf(pet->series)).window = Window{10 * perSuv, -20 * perSuv};
+  });
   const auto at = [&] {
     const glm::dvec2 p = axial->plane()->pixelFromPatient({-7.0312, -82.0312, -140.65});
     return axial->picture().pixel(int(p.x), int(p.y));
@@ -144,8 +153,7 @@ void TestFusion::petOpensOverItsCt() {
     QTest::qWait(500);
     w.shot("window-fusion");
   }
-  w.child<QAction>("undo")->trigger();
-  w.child<QAction>("undo")->trigger();
+  for (int n = 0; n < 3; ++n) w.child<QAction>("undo")->trigger();
   QCOMPARE(w.modality(w.workspace().view(sceneViewId).series), std::string("CT"));
   QVERIFY(w.look(axialViewId).overlay.empty());
 }

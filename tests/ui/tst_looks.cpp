@@ -57,10 +57,9 @@ QString nameOf(const QWidget* widget) {
            widget->parentWidget()->objectName());
 }
 
-// Docks that are tabs of one another share their place.
-bool shareAPlace(const QMainWindow& window, QWidget* a, QWidget* b) {
-  auto *one = qobject_cast<QDockWidget*>(a), *other = qobject_cast<QDockWidget*>(b);
-  return one && other && window.tabifiedDockWidgets(one).contains(other);
+// Tabs behind the one in front lie outside the window.
+bool isBehind(const QWidget* widget) {
+  return qobject_cast<const QDockWidget*>(widget) && widget->geometry().right() < 0;
 }
 
 // What overlaps its neighbour or shows less than its whole text; empty where all is well.
@@ -73,7 +72,7 @@ QStringList flaws(const QMainWindow& window) {
       continue;
     for (QWidget* other : widget->parentWidget()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
       if (other > widget && other->isVisible() && !other->isWindow() &&
-          other->geometry().intersects(widget->geometry()) && !shareAPlace(window, widget, other))
+          other->geometry().intersects(widget->geometry()) && !isBehind(widget) && !isBehind(other))
         found << nameOf(widget) + QStringLiteral(" overlaps ") + nameOf(other);
     const auto* label = qobject_cast<QLabel*>(widget);
     const bool reads =

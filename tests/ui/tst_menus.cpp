@@ -69,7 +69,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
       "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window\tW; Scroll; Pan; Zoom; Crosshair; "
-      "Magnifier; |; "
+      "Magnifier; Window from region; |; "
       "Anterior view; Posterior view; Left view; Right view; Superior view; Inferior view; |; "
       "Show as frames; Each image its own window; Overlays and shutters; Play or stop; Go to number...; |; "
       "Key image; Previous key image; Next key image; |; "
@@ -94,8 +94,8 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Length\tD; Polyline; Long and short axis; Angle\tA; Cobb angle; Cardiothoracic ratio; Ellipse\tE; "
       "Rectangle; Freehand; Probe\tP; Arrow\tT; Spine labels; |; Chart of values");
   row("&View/Panels",
-      "Quality and speed; Camera; Chart of values; Clip; Effects; Key images; Lights; Measure; Contours and "
-      "segments; "
+      "Quality and speed; Camera; Chart of values; Clip; Effects; Slices and frames; Key images; Lights; "
+      "Measure; Contours and segments; "
       "Segment; Snapshot; Studies; Opacity and colour; |; Reset layout");
   row("&Help", "Commands...; Documentation; Mouse and keys; About volumen");
 }

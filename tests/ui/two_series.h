@@ -25,6 +25,15 @@ inline LoadedSeriesPtr ballIn(const char* frame, double spacing = 1, const char*
   return series;
 }
 
+/// A PET of 1000 Bq/ml in a ball, which are 5 SUVbw.
+inline LoadedSeriesPtr petIn(const char* frame) {
+  auto series = std::make_shared<LoadedSeries>(*ballIn(frame, 1, "PT"));
+  series->series.description = "Uptake";
+  series->series.unit = "Bq/ml";
+  series->series.suv.bodyWeight = 0.005;
+  return series;
+}
+
 /// Three balls of different size that no turn maps onto each other, all of them moved.
 inline LoadedSeriesPtr lumpsIn(const char* frame, glm::dvec3 moved) {
   constexpr int n = 40;

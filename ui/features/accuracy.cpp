@@ -32,11 +32,12 @@ Accuracy::Accuracy(Workbench& bench)
       meter_(bench.document.meter),
       panel_(new AccuracyPanel(session_)),
       effects_(new EffectsPanel) {
-  bench_.addDock({"effects", tr("Effects"), effects_, {Qt::RightDockWidgetArea, 90, false}});
+  bench_.addDock(
+      {"effects", tr("Effects"), effects_, {Qt::RightDockWidgetArea, 90, false, Workbench::About::scene}});
   bench_.addDock({"accuracy",
                   tr("Quality and speed"),
                   Workbench::scrolling(panel_),
-                  {Qt::RightDockWidgetArea, 100, false}});
+                  {Qt::RightDockWidgetArea, 100, false, Workbench::About::scene}});
   bench_.addAction({"openGlResampler",
                     tr("Use OpenGL (usually slower without a GPU)"),
                     {},

@@ -39,7 +39,10 @@ class DerivedObjectFiles : public Feature {
 DerivedObjectFiles::DerivedObjectFiles(Workbench& bench) : Feature(bench) {
   DerivedObjects& derived = bench_.document.derived;
   auto* regions = new RegionsPanel(session_, derived);
-  bench_.addDock({"regions", tr("Contours and segments"), regions, {Qt::RightDockWidgetArea, 70, false}});
+  bench_.addDock({"regions",
+                  tr("Contours and segments"),
+                  regions,
+                  {Qt::RightDockWidgetArea, 70, false, Workbench::About::flat}});
   connect(regions, &RegionsPanel::placeChosen, this, &DerivedObjectFiles::showPlace);
   const auto setOpen = [this] { bench_.document.derived.setOpen(open_.derived()); };
   connect(&open_, &OpenStudies::changed, this, setOpen);

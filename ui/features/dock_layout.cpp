@@ -4,10 +4,10 @@
 #include <QMenu>
 #include <QScreen>
 #include <QSettings>
-#include <QStatusBar>
 #include <QStyle>
-#include <QToolBar>
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "ui/features/feature.h"
 #include "ui/panels/studies_panel.h"
@@ -19,13 +19,28 @@ namespace volumen {
 
 namespace {
 
-constexpr int layoutVersion = 4;  // a layout kept under another one knows other panels: not restored
+constexpr int layoutVersion = 5;  // a layout kept under another one knows other panels: not restored
 
 FoldTitle* titleOf(const Workbench::Dock& dock) {
   return static_cast<FoldTitle*>(dock.widget->titleBarWidget());
 }
 
-// Where the panels stand, over the whole window or not, and what of it is kept for the next start.
+// Tabs of one another, by their order.
+using Tabs = std::vector<Workbench::Dock>;
+
+// Tabs behind the one in front lie outside the window.
+bool isInFront(const Workbench::Dock& dock) {
+  return dock.widget->isVisible() && dock.widget->geometry().right() >= 0;
+}
+
+// Where the front of a kind of view is kept.
+QString frontKey(Workbench::About kind) {
+  return kind == Workbench::About::flat ? QStringLiteral("window/front/flat")
+                                        : QStringLiteral("window/front/scene");
+}
+
+// Where the panels stand, which are in front, over the whole window or not, and what of it is kept for the
+// next start.
 class DockLayout : public Feature {
  public:
   explicit DockLayout(Workbench& bench);
@@ -37,15 +52,21 @@ class DockLayout : public Feature {
   void makeActions();
   void setMaximised(bool alone);
   void fillMenu();
-  std::vector<QDockWidget*> docksAt(Qt::DockWidgetArea area) const;
+  Tabs docksAt(Qt::DockWidgetArea area) const;
+  std::vector<Tabs> tabsSeen() const;
+  void followFocus();
+  void rememberFront();
+  void bringForward();
   void reset();
   void shareRoom();
   void restore();
 
   QMainWindow& window_;
   QMenu* menu_;
-  QByteArray before_;    // while the view is alone
-  bool isKept_ = false;  // from an earlier start
+  QByteArray before_;                              // while the view is alone
+  std::optional<Workbench::About> kind_;           // of the view in focus
+  std::map<Workbench::About, QStringList> front_;  // panels that were in front with such a view in focus
+  bool isKept_ = false;                            // from an earlier start
 };
 
 DockLayout::DockLayout(Workbench& bench) : Feature(bench), window_(bench.window) {
@@ -56,6 +77,10 @@ DockLayout::DockLayout(Workbench& bench) : Feature(bench), window_(bench.window)
     restore();
   });
   connect(&grid_, &ViewGrid::maximiseRequested, bench_.action("maximise"), &QAction::toggle);
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (showsOther(before, after)) followFocus();
+          });
   window_.installEventFilter(this);
 }
 
@@ -86,14 +111,14 @@ void DockLayout::makeActions() {
   bench_.action("leaveMaximised")->setEnabled(false);
 }
 
+// Tools and the status line stay.
 void DockLayout::setMaximised(bool alone) {
   if (alone) before_ = window_.saveState();
   grid_.setAlone(alone);
   for (const auto& [name, dock] : bench_.docks) dock.widget->setVisible(!alone);
-  for (QToolBar* bar : window_.findChildren<QToolBar*>()) bar->setVisible(!alone);
-  window_.statusBar()->setVisible(!alone);
   if (!alone) window_.restoreState(before_);
   bench_.action("leaveMaximised")->setEnabled(alone);
+  followFocus();
 }
 
 void DockLayout::fillMenu() {
@@ -102,14 +127,64 @@ void DockLayout::fillMenu() {
   menu_->addAction(bench_.action("resetLayout"));
 }
 
-std::vector<QDockWidget*> DockLayout::docksAt(Qt::DockWidgetArea area) const {
-  std::vector<Workbench::Dock> found;
+Tabs DockLayout::docksAt(Qt::DockWidgetArea area) const {
+  Tabs found;
   for (const auto& [name, dock] : bench_.docks)
     if (dock.place.area == area) found.push_back(dock);
   std::ranges::sort(found, {}, [](const Workbench::Dock& dock) { return dock.place.order; });
-  std::vector<QDockWidget*> docks;
-  for (const Workbench::Dock& dock : found) docks.push_back(dock.widget);
-  return docks;
+  return found;
+}
+
+std::vector<Tabs> DockLayout::tabsSeen() const {
+  std::vector<Tabs> all;
+  for (const Workbench::Dock& dock : docksAt(Qt::RightDockWidgetArea)) {
+    if (!dock.widget->isVisible()) continue;
+    const QList<QDockWidget*> beside = window_.tabifiedDockWidgets(dock.widget);
+    const auto isAmong = [&](const Tabs& tabs) { return beside.contains(tabs.front().widget); };
+    const auto found = std::ranges::find_if(all, isAmong);
+    if (found == all.end())
+      all.push_back({dock});
+    else
+      found->push_back(dock);
+  }
+  return all;
+}
+
+void DockLayout::followFocus() {
+  const Workspace& workspace = session_.workspace();
+  const ViewState& view = workspace.view(workspace.focus);
+  if (view.series.empty() || !window_.isVisible() || bench_.action("maximise")->isChecked()) return;
+  const bool isScene = showsScene(view.kind) && !showsFrames(workspace, workspace.focus);
+  const auto now = isScene ? Workbench::About::scene : Workbench::About::flat;
+  if (kind_ == now) return;
+  rememberFront();
+  kind_ = now;
+  bringForward();
+}
+
+void DockLayout::rememberFront() {
+  if (!kind_ || !window_.isVisible()) return;
+  QStringList& names = front_[*kind_];
+  names.clear();
+  for (const Tabs& tabs : tabsSeen())
+    for (const Workbench::Dock& dock : tabs)
+      if (isInFront(dock)) names << dock.widget->objectName();
+}
+
+// Of each place what was in front with this kind in focus, else the first that is about it. A panel that is
+// about both stays: whoever chose it works on in the other view.
+void DockLayout::bringForward() {
+  for (const Tabs& tabs : tabsSeen()) {
+    const auto front = std::ranges::find_if(tabs, isInFront);
+    if (front == tabs.end() || front->place.about == Workbench::About::any) continue;
+    const auto wasInFront = [&](const Workbench::Dock& dock) {
+      return front_[*kind_].contains(dock.widget->objectName());
+    };
+    const auto suits = [&](const Workbench::Dock& dock) { return dock.place.about == *kind_; };
+    auto chosen = std::ranges::find_if(tabs, wasInFront);
+    if (chosen == tabs.end() && !suits(*front)) chosen = std::ranges::find_if(tabs, suits);
+    if (chosen != tabs.end() && chosen != front) chosen->widget->raise();
+  }
 }
 
 void DockLayout::reset() {
@@ -117,14 +192,20 @@ void DockLayout::reset() {
     dock.widget->setFloating(false);
     titleOf(dock)->setFolded(false);
   }
-  for (QDockWidget* dock : docksAt(Qt::LeftDockWidgetArea))
-    window_.addDockWidget(Qt::LeftDockWidgetArea, dock);
-  const std::vector<QDockWidget*> right = docksAt(Qt::RightDockWidgetArea);
-  window_.addDockWidget(Qt::RightDockWidgetArea, right[0]);
-  window_.splitDockWidget(right[0], right[1], Qt::Vertical);
-  for (std::size_t n = 2; n < right.size(); ++n) window_.tabifyDockWidget(right[1], right[n]);
+  for (const Workbench::Dock& dock : docksAt(Qt::LeftDockWidgetArea))
+    window_.addDockWidget(Qt::LeftDockWidgetArea, dock.widget);
+  QDockWidget *above = nullptr, *below = nullptr;
+  for (const Workbench::Dock& dock : docksAt(Qt::RightDockWidgetArea)) {
+    QDockWidget*& first = dock.place.order < Workbench::firstBelow ? above : below;
+    if (first)
+      window_.tabifyDockWidget(first, dock.widget);
+    else
+      window_.addDockWidget(Qt::RightDockWidgetArea, first = dock.widget, Qt::Vertical);
+  }
   for (const auto& [name, dock] : bench_.docks) dock.widget->setVisible(dock.place.isOpen);
-  right[1]->raise();
+  front_.clear();
+  for (QDockWidget* first : {above, below}) first->raise();
+  if (kind_) bringForward();
   shareRoom();
 }
 
@@ -158,8 +239,10 @@ void DockLayout::restore() {
   isKept_ =
       window_.restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), layoutVersion);
   const QStringList folded = settings.value(QStringLiteral("window/folded")).toStringList();
-  if (isKept_)
-    for (const auto& [name, dock] : bench_.docks) titleOf(dock)->setFolded(folded.contains(name));
+  if (!isKept_) return;
+  for (const auto& [name, dock] : bench_.docks) titleOf(dock)->setFolded(folded.contains(name));
+  for (const auto kind : {Workbench::About::scene, Workbench::About::flat})
+    front_[kind] = settings.value(frontKey(kind)).toStringList();
 }
 
 void DockLayout::keep() {
@@ -171,6 +254,8 @@ void DockLayout::keep() {
   for (const auto& [name, dock] : bench_.docks)
     if (titleOf(dock)->folded()) folded << name;
   settings.setValue(QStringLiteral("window/folded"), folded);
+  rememberFront();
+  for (const auto& [kind, names] : front_) settings.setValue(frontKey(kind), names);
 }
 
 // Where nothing was kept: only when the window is shown is its size known.

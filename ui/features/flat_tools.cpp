@@ -16,13 +16,15 @@ QList<QKeySequence> keysOfTool(std::string_view name) {
   return {};
 }
 
-// What a left drag does in slices and frames, beside measuring: a button each.
+// What a left drag does in slices and frames, beside measuring: a button each; what is used once at a time
+// stands in the menu alone.
 class FlatTools : public Feature {
  public:
   explicit FlatTools(Workbench& bench);
 };
 
 FlatTools::FlatTools(Workbench& bench) : Feature(bench) {
+  const std::vector<Place> inMenu{{"viewMenu", 15}}, inBoth{{"viewMenu", 15}, {"toolBar", 25}};
   for (const Tool& tool : tools()) {
     if (!tool.inSlices || tool.measuring) continue;
     const std::string name = std::string(tool.name) + "Tool";
@@ -33,7 +35,7 @@ FlatTools::FlatTools(Workbench& bench) : Feature(bench) {
                                         tool.name,
                                         true,
                                         {},
-                                        {{"viewMenu", 15}, {"toolBar", 25}}});
+                                        tool.box ? inMenu : inBoth});
     const auto show = [this, action, &tool] { action->setChecked(&grid_.tool() == &tool); };
     connect(action, &QAction::triggered, this, [this, &tool, show] {
       grid_.setTool(tool);

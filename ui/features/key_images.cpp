@@ -31,7 +31,8 @@ KeyImages::KeyImages(Workbench& bench) : Feature(bench) {
       add("nextKeyImage", tr("Next key image"), tr("Next"), ".", [this] { goToKeyImage(1); })};
   panel_ = new KeyImagesPanel(
       session_, bench_.document.derived, [this] { return open_.pictures(); }, actions);
-  bench_.addDock({"keyImages", tr("Key images"), panel_, {Qt::RightDockWidgetArea, 60, false}});
+  bench_.addDock(
+      {"keyImages", tr("Key images"), panel_, {Qt::RightDockWidgetArea, 60, false, Workbench::About::flat}});
   connect(&bench_, &Workbench::sliceMenuOpens, this,
           [this](QMenu* menu) { menu->addAction(bench_.action("keyImage")); });
   connect(panel_, &KeyImagesPanel::pictureChosen, this,

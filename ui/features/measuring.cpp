@@ -42,7 +42,8 @@ class Measuring : public Feature {
 Measuring::Measuring(Workbench& bench) : Feature(bench) {
   makeActions();
   auto* panel = new MeasurementsPanel(session_, bench_.document.measurer);
-  bench_.addDock({"measurements", tr("Measure"), panel, {Qt::RightDockWidgetArea, 50}});
+  bench_.addDock(
+      {"measurements", tr("Measure"), panel, {Qt::RightDockWidgetArea, 50, true, Workbench::About::flat}});
   connect(panel, &MeasurementsPanel::jumpRequested, this, &Measuring::showMeasurement);
   connect(panel, &MeasurementsPanel::saved, this,
           [this](const QString& path) { tell(tr("Saved %1").arg(path)); });

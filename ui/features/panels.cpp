@@ -1,13 +1,16 @@
 #include <QDockWidget>
+#include <QMenu>
 #include <QVBoxLayout>
 
 #include "ui/features/feature.h"
 #include "ui/panels/camera_panel.h"
 #include "ui/panels/clip_panel.h"
+#include "ui/panels/flat_panel.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/transfer_panel.h"
 #include "ui/views/view_grid.h"
+#include "ui/widgets/explained.h"
 
 namespace volumen {
 
@@ -24,24 +27,27 @@ QWidget* stacked(QWidget* above, QWidget* below) {
   return both;
 }
 
-// The panels of the scene: each reads the session and writes edits.
+// The panels of the scene, and that of slices and frames: each reads the session and writes edits.
 class Panels : public Feature {
  public:
   explicit Panels(Workbench& bench);
 
  private:
   QWidget* cameraPanel();
+  QWidget* flatPanel();
 };
 
 Panels::Panels(Workbench& bench) : Feature(bench) {
   const auto scrolling = Workbench::scrolling;
   const auto lights = [this] { return stacked(new LightsPanel(session_), new MaterialPanel(session_)); };
+  using About = Workbench::About;
   const Qt::DockWidgetArea right = Qt::RightDockWidgetArea;
   const Workbench::DockEntry table[] = {
-      {"transfer", tr("Opacity and colour"), new TransferPanel(session_), {right, 0}},
-      {"lights", tr("Lights"), scrolling(lights()), {right, 10}},
-      {"clip", tr("Clip"), scrolling(new ClipPanel(session_)), {right, 20}},
-      {"camera", tr("Camera"), scrolling(cameraPanel()), {right, 80, false}},
+      {"transfer", tr("Opacity and colour"), new TransferPanel(session_), {right, 0, true, About::scene}},
+      {"flat", tr("Slices and frames"), flatPanel(), {right, 5, true, About::flat}},
+      {"lights", tr("Lights"), scrolling(lights()), {right, 10, true, About::scene}},
+      {"clip", tr("Clip"), bench_.ofScene(scrolling(new ClipPanel(session_))), {right, 20}},
+      {"camera", tr("Camera"), scrolling(cameraPanel()), {right, 80, false, About::scene}},
   };
   for (const Workbench::DockEntry& entry : table) bench_.addDock(entry);
   connect(bench_.dock("clip"), &QDockWidget::visibilityChanged, &grid_, &ViewGrid::setClipShown);
@@ -53,6 +59,43 @@ QWidget* Panels::cameraPanel() {
           [this](const QString& name) { bench_.view()->showView(name); });
   connect(panel, &CameraPanel::resetRequested, this, [this] { bench_.view()->resetView(); });
   return panel;
+}
+
+QWidget* Panels::flatPanel() {
+  const auto seen = [this]() -> std::optional<FlatShown> {
+    const FlatView* view = bench_.flatViewInFocus();
+    if (!view) return {};
+    FlatShown shown{view->id(), view->shown(), view->windowShown(), {}, -1};
+    for (const FlatView::WindowChoice& choice : view->windows()) {
+      if (choice.isChosen && shown.chosen < 0) shown.chosen = int(shown.windows.size());
+      shown.windows << choice.name;
+    }
+    return shown;
+  };
+  const auto choose = [this](int n) {
+    if (FlatView* view = bench_.flatViewInFocus()) view->chooseWindow(n);
+  };
+  const auto invert = [this] {
+    if (FlatView* view = bench_.flatViewInFocus()) view->invert();
+  };
+  auto* overlays = bench_.window.findChild<QMenu*>(QStringLiteral("overlayMenu"));
+  auto* panel = new FlatPanel(session_, {seen, choose, invert}, overlays);
+  auto* explained = new Explained(Workbench::scrolling(panel));
+  const auto follow = [this, panel, explained] {
+    FlatView* view = bench_.flatViewInFocus();
+    explained->explain(view ? QString() : tr("Click a slice or a frame to set how it is shown."));
+    // A frame comes when it is read.
+    if (view) connect(view, &FlatView::settled, panel, &FlatPanel::refresh, Qt::UniqueConnection);
+  };
+  connect(&session_, &Session::workspaceChanged, explained,
+          [follow](const Workspace& before, const Workspace& after) {
+            if (showsOther(before, after)) follow();
+          });
+  connect(&bench_, &Workbench::made, explained, [this, explained, follow] {
+    connect(bench_.action("maximise"), &QAction::toggled, explained, follow);
+  });
+  follow();
+  return explained;
 }
 
 }  // namespace

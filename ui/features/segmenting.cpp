@@ -27,7 +27,10 @@ Segmenting::Segmenting(Workbench& bench)
       segmenter_(bench.document.jobs),
       masker_(session_, bench.document.jobs),
       panel_(new SegmentPanel(session_)) {
-  bench_.addDock({"segment", tr("Segment"), Workbench::scrolling(panel_), {Qt::RightDockWidgetArea, 30}});
+  bench_.addDock({"segment",
+                  tr("Segment"),
+                  bench_.ofScene(Workbench::scrolling(panel_)),
+                  {Qt::RightDockWidgetArea, 30}});
   for (QAction* action : {masker_.tableAction(), masker_.resetAction()}) {
     action->setParent(&bench_.window);
     bench_.addAction(action, {{"editMenu", 20}});

@@ -25,7 +25,10 @@ class Snapshots : public Feature {
 
 Snapshots::Snapshots(Workbench& bench)
     : Feature(bench), snapshot_(bench.document.drawService, bench.document.jobs), panel_(new SnapshotPanel) {
-  bench_.addDock({"snapshot", tr("Snapshot"), Workbench::scrolling(panel_), {Qt::RightDockWidgetArea, 40}});
+  bench_.addDock({"snapshot",
+                  tr("Snapshot"),
+                  Workbench::scrolling(panel_),
+                  {Qt::RightDockWidgetArea, 40, true, Workbench::About::scene}});
   bench_.addAction({"snapshot",
                     tr("Save 3D snapshot..."),
                     {tr("Ctrl+Shift+E")},

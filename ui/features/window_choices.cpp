@@ -1,22 +1,28 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include <cmath>
+
 #include "ui/features/feature.h"
+#include "ui/panels/windows_dialog.h"
 #include "ui/views/flat_view.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/value_text.h"
 
 namespace volumen {
 
 namespace {
 
 // The windows of the slice or frame in focus by name, with the digits that choose them: in the View menu, in
-// the tool bar, at a right click.
+// the tool bar, at a right click; and the dialog that edits those of the user's own.
 class WindowChoices : public Feature {
  public:
   explicit WindowChoices(Workbench& bench);
 
  private:
   QList<QAction*> choicesOf(QMenu* menu, FlatView* view) const;
+  std::optional<OwnWindow> inUse() const;
+  void showDialog();
 };
 
 WindowChoices::WindowChoices(Workbench& bench) : Feature(bench) {
@@ -25,10 +31,14 @@ WindowChoices::WindowChoices(Workbench& bench) : Feature(bench) {
   button->setText(tr("W/L"));
   button->setToolTip(toolTipOf(tr("Windows of the slice or frame in focus, by name")));
   button->setMenu(menu);
+  bench_.addAction({"editWindows", tr("Edit windows..."), {}, "", false, [this](bool) { showDialog(); }});
   connect(menu, &QMenu::aboutToShow, this, [this, menu] {
     menu->clear();
     menu->addActions(choicesOf(menu, bench_.flatViewInFocus()));
     if (menu->isEmpty()) menu->addAction(tr("Click a slice or a frame first."))->setEnabled(false);
+    menu->addSeparator();
+    menu->addAction(bench_.action("regionWindowTool"));
+    menu->addAction(bench_.action("editWindows"));
   });
   connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* over, FlatView* view) {
     QAction* first = over->actions().value(0);
@@ -59,6 +69,26 @@ QList<QAction*> WindowChoices::choicesOf(QMenu* menu, FlatView* view) const {
   auto* invert = new QAction(tr("Invert") + QStringLiteral("\tI"), menu);
   connect(invert, &QAction::triggered, view, &FlatView::invert);
   return all << invert;
+}
+
+std::optional<OwnWindow> WindowChoices::inUse() const {
+  const FlatView* view = bench_.flatViewInFocus();
+  const std::optional<Window> stored = view ? view->windowShown() : std::nullopt;
+  if (!stored) return {};
+  const Series& series = view->shown()->series;
+  const Window window = shownWindow(*stored, series);
+  return OwnWindow{series.modality, shownScale(series).unit, {}, {window.centre, std::abs(window.width)}};
+}
+
+void WindowChoices::showDialog() {
+  auto* dialog = bench_.window.findChild<WindowsDialog*>();
+  if (!dialog) {
+    dialog = new WindowsDialog(
+        session_, [this] { return inUse(); }, &bench_.window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  dialog->show();
+  dialog->activateWindow();
 }
 
 }  // namespace

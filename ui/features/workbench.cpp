@@ -7,8 +7,10 @@
 #include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/views/view_grid.h"
+#include "ui/widgets/explained.h"
 #include "ui/widgets/fold_title.h"
 
 namespace volumen {
@@ -102,7 +104,7 @@ QDockWidget* Workbench::addDock(const DockEntry& entry) {
   auto* dock = new QDockWidget(entry.title);
   dock->setObjectName(name + QStringLiteral("Dock"));
   entry.panel->setObjectName(name + QStringLiteral("Panel"));
-  dock->setWidget(entry.panel);
+  dock->setWidget(entry.place.about == About::scene ? ofScene(entry.panel) : entry.panel);
   window.addDockWidget(entry.place.area, dock);
   new FoldTitle(dock);
   connect(dock->toggleViewAction(), &QAction::triggered, dock, &QWidget::raise);
@@ -111,6 +113,31 @@ QDockWidget* Workbench::addDock(const DockEntry& entry) {
 }
 
 QWidget* Workbench::scrolling(QWidget* panel) { return new Scrolling(panel); }
+
+QWidget* Workbench::ofScene(QWidget* panel) {
+  auto* explained = new Explained(panel);
+  const auto show = [this, explained] { explained->explain(whyNoScene()); };
+  connect(&document.session, &Session::workspaceChanged, explained, show);
+  show();
+  return explained;
+}
+
+// Nothing of another patient stays beside what is in focus.
+QString Workbench::whyNoScene() const {
+  const Workspace& workspace = document.session.workspace();
+  const std::vector<ViewId> onScreen = viewsOnScreen(workspace);
+  const auto isEmpty = [&](ViewId id) { return workspace.view(id).series.empty(); };
+  if (std::ranges::all_of(onScreen, isEmpty)) return tr("Open a series first.");
+  if (!sceneIsOfFocus(workspace)) {
+    const auto isScene = [&](ViewId id) { return showsScene(workspace.view(id).kind) && !isEmpty(id); };
+    return std::ranges::any_of(onScreen, isScene)
+               ? tr("Click a 3D view to set how it is drawn.")
+               : tr("There is no 3D view of what is in focus: View > Show in this view > 3D makes one.");
+  }
+  return showsFrames(workspace, workspace.focus) && !document.session.series()
+             ? tr("Frames are shown as acquired, not in 3D.")
+             : QString();
+}
 
 VolumeView* Workbench::view() const { return grid.volumeView(sceneViewOf(document.session.workspace())); }
 
@@ -129,7 +156,8 @@ FrameView* Workbench::framesInFocus() const {
 FlatView* Workbench::flatViewInFocus() const {
   const Workspace& workspace = document.session.workspace();
   const bool asFrames = showsFrames(workspace, workspace.focus);
-  return grid.viewAs<FlatView>(asFrames ? framesViewOf(workspace.focus) : workspace.focus);
+  auto* view = grid.viewAs<FlatView>(asFrames ? framesViewOf(workspace.focus) : workspace.focus);
+  return view && view->isVisibleTo(&grid) ? view : nullptr;
 }
 
 void Workbench::forEachVolumeView(const std::function<void(VolumeView*)>& call) {

@@ -112,13 +112,17 @@ class Workbench : public QObject, public WindowParts {
   /// A button of the tool bar, for a menu that opens at once.
   QToolButton* addMenuButton(const char* name, int order);
 
-  /// Where a panel stands while nobody has moved it: at the left, or at the right, where the first one is
-  /// above and the others are tabs below it; and whether it is open.
+  /// What a panel is about. With the one kind of view in focus, tabs of the other one give way.
+  enum class About { any, scene, flat };
+  /// Where a panel stands while nobody has moved it: at the left, or at the right, where those before
+  /// `firstBelow` are tabs above and the others tabs below them; and whether it is open.
   struct DockPlace {
     Qt::DockWidgetArea area;
     int order;
     bool isOpen = true;
+    About about = About::any;
   };
+  static constexpr int firstBelow = 10;
   /// One line of a table of panels.
   struct DockEntry {
     const char* name;
@@ -131,12 +135,16 @@ class Workbench : public QObject, public WindowParts {
     DockPlace place;
   };
   std::map<QString, Dock> docks;
-  /// In the window as NAMEDock, with a title that folds it; the panel is called NAMEPanel.
+  /// In the window as NAMEDock, with a title that folds it; the panel is called NAMEPanel. One about the
+  /// scene is ofScene().
   QDockWidget* addDock(const DockEntry& entry);
   QDockWidget* dock(const char* name) const { return docks.at(QLatin1String(name)).widget; }
   /// A panel that may be given less height than it has, so that the window fits a small screen; never less
   /// width.
   static QWidget* scrolling(QWidget* panel);
+  /// A panel that works on the scene of view(): seen while that shows what is in focus, else a sentence
+  /// stands in its place.
+  QWidget* ofScene(QWidget* panel);
 
   /// Between what is told and the views.
   void addAboveViews(QWidget* widget);
@@ -145,12 +153,15 @@ class Workbench : public QObject, public WindowParts {
   VolumeView* view() const;
   /// The session's scene as it is seen there, whatever size the view has.
   Scene sceneInView() const;
-  /// The view of slices or frames that keys are for; null: there is none.
+  /// The view of slices or frames that keys are for; null: there is none, or it is not seen.
   FlatView* flatViewInFocus() const;
   /// The view of frames that keys and menus are for; null: there is none.
   FrameView* framesInFocus() const;
   /// Calls it with each 3D view, also with those that are made later.
   void forEachVolumeView(const std::function<void(VolumeView*)>& call);
+
+ private:
+  QString whyNoScene() const;
 
  Q_SIGNALS:
   /// All features are made, and the menus are filled.

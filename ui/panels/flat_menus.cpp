@@ -14,25 +14,11 @@ namespace volumen {
 
 namespace {
 
-QString textOf(ColourMap map) {
-  switch (map) {
-    case ColourMap::grey:
-      return tr("Grey");
-    case ColourMap::hotIron:
-      return tr("Hot iron");
-    case ColourMap::pet:
-      return tr("PET");
-    case ColourMap::rainbow:
-      return tr("Rainbow (makes edges where there are none)");
-  }
-  return {};
-}
-
 void addColours(QMenu* menu, const char* prefix, ColourMap now,
                 const std::function<void(ColourMap)>& choose) {
   auto* group = new QActionGroup(menu);
   for (const ColourMap map : colourMaps()) {
-    QAction* action = menu->addAction(textOf(map));
+    QAction* action = menu->addAction(colourMapText(map));
     action->setObjectName(QLatin1String(prefix) + QLatin1String(colourMapName(map)));
     action->setCheckable(true);
     action->setChecked(map == now);
@@ -97,6 +83,20 @@ void fillOverlays(QMenu* menu, Session& session, const std::vector<const Series*
 }
 
 }  // namespace
+
+QString colourMapText(ColourMap map) {
+  switch (map) {
+    case ColourMap::grey:
+      return tr("Grey");
+    case ColourMap::hotIron:
+      return tr("Hot iron");
+    case ColourMap::pet:
+      return tr("PET");
+    case ColourMap::rainbow:
+      return tr("Rainbow (makes edges where there are none)");
+  }
+  return {};
+}
 
 ViewId flatViewInFocus(const Workspace& workspace) {
   if (isFlat(workspace.view(workspace.focus).kind)) return workspace.focus;

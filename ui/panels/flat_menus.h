@@ -10,6 +10,9 @@ namespace volumen {
 /// that shows 3D has none and is returned itself.
 ViewId flatViewInFocus(const Workspace& workspace);
 
+/// "Hot iron": what a colour map is called.
+QString colourMapText(ColourMap map);
+
 /// Colours of the series that the flat view in focus shows.
 QMenu* makeColourMenu(Session& session, QWidget* parent);
 

@@ -70,7 +70,7 @@ void PreferencesDialog::askToRestore() {
   box->setTextFormat(Qt::PlainText);
   box->setAttribute(Qt::WA_DeleteOnClose);
   connect(box->addButton(tr("Restore defaults"), QMessageBox::AcceptRole), &QPushButton::clicked, this,
-          [this] { session_.prefer(Preferences{}); });
+          [this] { session_.prefer(defaultsFor(session_.preferences())); });
   box->setDefaultButton(QMessageBox::Cancel);
   box->open();
 }

@@ -7,9 +7,9 @@
 #include <QTimer>
 #include <algorithm>
 
-#include "ui/panels/studies_panel.h"
 #include "ui/panels/study_model.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/dragged_series.h"
 #include "ui/workspace/indexed_text.h"
 #include "ui/workspace/text.h"
 
@@ -110,7 +110,7 @@ void SeriesStrip::wantVisible() {
   Q_EMIT thumbnailsWanted(wanted);
 }
 
-QStringList SeriesStrip::mimeTypes() const { return {StudiesPanel::draggedSeries}; }
+QStringList SeriesStrip::mimeTypes() const { return {draggedSeriesType}; }
 
 QMimeData* SeriesStrip::mimeData(const QList<QListWidgetItem*>& items) const {
   return items.isEmpty() ? nullptr : draggedChoice(choiceOf(items.front()));

@@ -15,7 +15,7 @@ namespace volumen {
 
 namespace {
 
-constexpr double thickestMm = 500, firstSlabMm = 10;
+constexpr double firstSlabMm = 10;
 
 void addThickness(QMenu* menu, Session& session, ViewId view) {
   auto* field = new QDoubleSpinBox;
@@ -40,26 +40,17 @@ void addThickness(QMenu* menu, Session& session, ViewId view) {
   menu->addAction(action);
 }
 
-// Chosen where there is no slab yet, a mode makes one.
 void addModes(QMenu* menu, Session& session, ViewId view) {
   auto* group = new QActionGroup(menu);
   const FlatLook look = flatLookOf(session.workspace().view(view));
-  for (const auto& [mode, name, text] : {std::tuple(SlabMode::max, "slabMax", tr("Maximum (MIP)")),
-                                         std::tuple(SlabMode::min, "slabMin", tr("Minimum (MinIP)")),
-                                         std::tuple(SlabMode::mean, "slabMean", tr("Mean"))}) {
-    QAction* action = menu->addAction(text);
-    action->setObjectName(QLatin1String(name));
+  for (const SlabModeRow& row : slabModes()) {
+    QAction* action = menu->addAction(row.text);
+    action->setObjectName(QLatin1String(row.name));
     action->setCheckable(true);
-    action->setChecked(look.slabMm > 0 && look.slabMode == mode);
+    action->setChecked(look.slabMm > 0 && look.slabMode == row.mode);
     group->addAction(action);
-    QObject::connect(action, &QAction::triggered, menu, [&session, view, mode = mode] {
-      session.endGesture();
-      editFlat(session, view, tr("Slab"), [mode](FlatLook& l) {
-        l.slabMode = mode;
-        if (l.slabMm == 0) l.slabMm = firstSlabMm;
-      });
-      session.endGesture();
-    });
+    QObject::connect(action, &QAction::triggered, menu,
+                     [&session, view, mode = row.mode] { chooseSlabMode(session, view, mode); });
   }
 }
 
@@ -77,6 +68,28 @@ void fillSlabMenu(QMenu* menu, Session& session) {
 }
 
 }  // namespace
+
+std::vector<SlabModeRow> slabModes() {
+  return {{SlabMode::max, "slabMax", tr("Maximum (MIP)")},
+          {SlabMode::min, "slabMin", tr("Minimum (MinIP)")},
+          {SlabMode::mean, "slabMean", tr("Mean")}};
+}
+
+void chooseSlabMode(Session& session, ViewId view, SlabMode mode) {
+  session.endGesture();
+  editFlat(session, view, tr("Slab"), [mode](FlatLook& look) {
+    look.slabMode = mode;
+    if (look.slabMm == 0) look.slabMm = firstSlabMm;
+  });
+  session.endGesture();
+}
+
+void setInterpolated(Session& session, bool on) {
+  const ViewId view = flatViewInFocus(session.workspace());
+  session.endGesture();
+  session.change(tr("Interpolation"),
+                 withFlatLooks(session.workspace(), view, [on](FlatLook& look) { look.nearest = !on; }));
+}
 
 QMenu* makeSlabMenu(Session& session, QWidget* parent) {
   auto* menu = new QMenu(tr("Slab"), parent);
@@ -98,12 +111,8 @@ QAction* makeInterpolationAction(Session& session, QObject* parent) {
                    [show](const Workspace& before, const Workspace& after) {
                      if (showsOther(before, after)) show();
                    });
-  QObject::connect(action, &QAction::triggered, action, [&session](bool on) {
-    const ViewId view = flatViewInFocus(session.workspace());
-    session.endGesture();
-    session.change(tr("Interpolation"),
-                   withFlatLooks(session.workspace(), view, [on](FlatLook& look) { look.nearest = !on; }));
-  });
+  QObject::connect(action, &QAction::triggered, action,
+                   [&session](bool on) { setInterpolated(session, on); });
   show();
   return action;
 }

@@ -15,6 +15,7 @@
 #include "ui/data/frame_series.h"
 #include "ui/panels/studies_panel_roles.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/dragged_series.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_point_text.h"
@@ -48,12 +49,12 @@ bool standsFor(const Series& listed, const Series& series) {
 // A tree whose series can be dragged: by the path that was opened and their number in it.
 class StudyTree : public QTreeWidget {
  protected:
-  QStringList mimeTypes() const override { return {StudiesPanel::draggedSeries}; }
+  QStringList mimeTypes() const override { return {draggedSeriesType}; }
   QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
     if (items.isEmpty() || !items.front()->data(0, stepRole).isValid()) return nullptr;
     auto* dragged = new QMimeData;
-    dragged->setData(StudiesPanel::draggedSeries, items.front()->data(0, stepRole).toByteArray() + ' ' +
-                                                      items.front()->data(0, pathRole).toString().toUtf8());
+    dragged->setData(draggedSeriesType, items.front()->data(0, stepRole).toByteArray() + ' ' +
+                                            items.front()->data(0, pathRole).toString().toUtf8());
     return dragged;
   }
 };
@@ -147,7 +148,7 @@ std::vector<const Series*> StudiesPanel::listedSeries() const {
 }
 
 const Series* StudiesPanel::seriesOf(const QMimeData& dragged) const {
-  const QByteArray said = dragged.data(draggedSeries);
+  const QByteArray said = dragged.data(draggedSeriesType);
   const qsizetype space = said.indexOf(' ');
   const std::size_t n = said.left(std::max(qsizetype(0), space)).toULongLong();
   const OpenStudy* opened = studies_.find(QString::fromUtf8(said.mid(space + 1)));

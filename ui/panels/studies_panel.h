@@ -32,8 +32,6 @@ class StudiesPanel : public QWidget {
   /// Those that rows stand for: of the steps of a series the one that a click shows.
   std::vector<const Series*> listedSeries() const;
   QTreeWidget* tree() const { return tree_; }
-  /// The mime type of a series that is dragged.
-  static inline const QString draggedSeries = QStringLiteral("application/x-volumen-series");
   /// The series that is dragged; null where it is not in the list.
   const Series* seriesOf(const QMimeData& dragged) const;
 

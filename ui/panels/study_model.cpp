@@ -6,8 +6,8 @@
 #include <QPalette>
 #include <algorithm>
 
-#include "ui/panels/studies_panel.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/dragged_series.h"
 #include "ui/workspace/indexed_text.h"
 #include "ui/workspace/text.h"
 
@@ -80,13 +80,13 @@ QString seriesCell(const IndexedSeries& series, StudyColumn column) {
 
 QMimeData* draggedChoice(const IndexedChoice& choice) {
   auto* dragged = new QMimeData;
-  dragged->setData(StudiesPanel::draggedSeries, choicePrefix + QByteArray::number(qint64(choice.study)) +
-                                                    ':' + QByteArray::number(qint64(choice.series)));
+  dragged->setData(draggedSeriesType, choicePrefix + QByteArray::number(qint64(choice.study)) + ':' +
+                                          QByteArray::number(qint64(choice.series)));
   return dragged;
 }
 
 std::optional<IndexedChoice> choiceIn(const QMimeData& dragged) {
-  const QByteArray said = dragged.data(StudiesPanel::draggedSeries);
+  const QByteArray said = dragged.data(draggedSeriesType);
   const QList<QByteArray> parts = said.split(':');
   if (!said.startsWith(choicePrefix) || parts.size() != 3) return {};
   return IndexedChoice{parts[1].toLongLong(), parts[2].toLongLong()};
@@ -333,7 +333,7 @@ Qt::ItemFlags StudyModel::flags(const QModelIndex& index) const {
   return choiceAt(index).study != 0 ? shown | Qt::ItemIsDragEnabled : shown;
 }
 
-QStringList StudyModel::mimeTypes() const { return {StudiesPanel::draggedSeries}; }
+QStringList StudyModel::mimeTypes() const { return {draggedSeriesType}; }
 
 QMimeData* StudyModel::mimeData(const QModelIndexList& indexes) const {
   return indexes.isEmpty() ? nullptr : draggedChoice(choiceAt(indexes.front()));

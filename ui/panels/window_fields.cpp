@@ -43,7 +43,7 @@ WindowFields::WindowFields(Session& session, QWidget* parent)
   add(tr("Width"), width_, 2);
   grid->addWidget(inverted_, 3, 0, 1, 2);
   connect(choices_, &QComboBox::activated, this, [this](int n) {
-    setWindow(windowChoices(*session_.series())[std::size_t(n)].window);
+    setWindow(windowChoices(*session_.series(), session_.preferences().windows)[std::size_t(n)].window);
     session_.endGesture();
   });
   for (QDoubleSpinBox* field : {centre_, width_}) {
@@ -62,7 +62,7 @@ WindowFields::WindowFields(Session& session, QWidget* parent)
   });
   connect(&session_, &Session::preferencesChanged, this,
           [this](const Preferences& before, const Preferences& after) {
-            if (before.petUnit == after.petUnit) return;
+            if (before.petUnit == after.petUnit && before.windows == after.windows) return;
             fillChoices();
             showWindow();
           });
@@ -86,7 +86,8 @@ void WindowFields::fillChoices() {
   setEnabled(session_.series() != nullptr);
   if (!session_.series()) return;
   const LoadedSeries& series = *session_.series();
-  for (const NamedWindow& choice : windowChoices(series)) choices_->addItem(choice.name);
+  for (const NamedWindow& choice : windowChoices(series, session_.preferences().windows))
+    choices_->addItem(choice.name);
   for (QDoubleSpinBox* field : {centre_, width_}) {
     const QSignalBlocker quiet(field);
     field->setSuffix(unitSuffix(series.series));
@@ -103,7 +104,7 @@ void WindowFields::showWindow() {
   centre_->setValue(window.centre);
   width_->setValue(std::abs(window.width));
   inverted_->setChecked(window.width < 0);
-  const std::vector<NamedWindow> choices = windowChoices(*session_.series());
+  const std::vector<NamedWindow> choices = windowChoices(*session_.series(), session_.preferences().windows);
   const auto found = std::find_if(choices.begin(), choices.end(),
                                   [&](const NamedWindow& choice) { return choice.window == own; });
   choices_->setCurrentIndex(found == choices.end() ? -1 : int(found - choices.begin()));

@@ -69,8 +69,12 @@ struct Tool {
   std::unique_ptr<SceneDrag> (*inScene)(const ScenePress& press) = nullptr;  ///< the same
   int key = 0;             ///< chooses it in a view in which it does something; 0: none
   bool measuring = false;  ///< draws a measurement; its icon is "measure-NAME"
-  bool looking = false;    ///< changes nothing, whatever lies under the press
   bool stays = false;      ///< of these: in hand after one, until Esc
+  bool looking = false;    ///< changes nothing, whatever lies under the press
+  bool box = false;        ///< a box is drawn, of which something is made that is no measurement
+
+  /// Whether something is drawn, after which the tool before is in hand again.
+  bool draws() const { return measuring || box; }
 };
 
 /// A part of a measurement under the pointer.
@@ -101,6 +105,7 @@ std::unique_ptr<Drag> beginWindow(const SlicePress& press);
 std::unique_ptr<Drag> beginSlicePan(const SlicePress& press);
 std::unique_ptr<Drag> beginSliceZoom(const SlicePress& press);
 std::unique_ptr<Drag> beginScroll(const SlicePress& press);
+std::unique_ptr<Drag> beginRegionWindow(const SlicePress& press);
 std::unique_ptr<Drag> beginCrosshair(const SlicePress& press);
 std::unique_ptr<Drag> beginMagnifier(const SlicePress& press);
 /// Of Enlarged::factor.

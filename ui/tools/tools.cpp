@@ -20,7 +20,16 @@ const std::vector<Tool>& tools() {
         {"pan", tr("Pan"), Qt::SizeAllCursor, beginSlicePan, beginScenePan},
         {"zoom", tr("Zoom"), Qt::ArrowCursor, beginSliceZoom, beginSceneZoom},
         {"crosshair", tr("Crosshair"), Qt::CrossCursor, beginCrosshair},
-        {"magnifier", tr("Magnifier"), Qt::CrossCursor, beginMagnifier, nullptr, 0, false, true},
+        {.name = "magnifier",
+         .text = tr("Magnifier"),
+         .cursor = Qt::CrossCursor,
+         .inSlices = beginMagnifier,
+         .looking = true},
+        {.name = "regionWindow",
+         .text = tr("Window from region"),
+         .cursor = Qt::CrossCursor,
+         .inSlices = beginRegionWindow,
+         .box = true},
     };
     std::ranges::move(measuringTools(), std::back_inserter(all));
     return all;

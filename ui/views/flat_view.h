@@ -77,6 +77,8 @@ class FlatView : public View {
   /// In the order of their digits, from 0: as the series says; empty: there is none to choose.
   virtual std::vector<WindowChoice> windows() const = 0;
   virtual void chooseWindow(int number) = 0;
+  /// The window in use, in the values of shown(); none: colours, or nothing is in memory.
+  std::optional<Window> windowShown() const;
   /// Turned further than it is.
   void turnPicture(const QString& text, PictureTurn by);
   /// So many mm a device pixel, about the middle.
@@ -178,6 +180,8 @@ class FlatView : public View {
   virtual void paintLines(QPainter& painter) const;
   /// Over all.
   virtual void paintColours(QPainter& /*painter*/) const {}
+  /// What is there to be dragged, on screen alone.
+  virtual void paintHandles(QPainter& /*painter*/) const {}
 
   const SeriesState& seriesState() const;
   std::optional<SlicePress> pressAt(QPointF p) const;

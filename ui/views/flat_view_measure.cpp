@@ -73,7 +73,7 @@ std::optional<MeasurementHit> FlatView::measurementAt(QPointF p) const {
 }
 
 std::unique_ptr<Drag> FlatView::pressMeasurement(const SlicePress& press) {
-  if (tool_->measuring) return nullptr;
+  if (tool_->draws()) return nullptr;
   const auto hit = measurementAt(press.at);
   session_.select(hit ? hit->id : 0);
   return hit && hit->movable ? beginMeasurementEdit(press, *hit) : nullptr;
@@ -89,7 +89,8 @@ void FlatView::endDrag(Qt::KeyboardModifiers keys) {
   if (!drew) return;
   update();
   if (!kept) return;
-  const Measurement* made = findMeasurement(session_.workspace(), session_.workspace().selected);
+  const Measurement* made =
+      tool_->measuring ? findMeasurement(session_.workspace(), session_.workspace().selected) : nullptr;
   if (made && isToBeNamed(session_.workspace(), *made)) askForName(made->id);
   if (!(keys & Qt::ShiftModifier) && !tool_->stays) Q_EMIT toolDone();
 }
@@ -130,13 +131,13 @@ QString FlatView::measurementText(QPointF p) const {
 }
 
 void FlatView::showCursorAt(QPointF p) {
-  const auto hit = tool_->measuring ? std::nullopt : measurementAt(p);
+  const auto hit = tool_->draws() ? std::nullopt : measurementAt(p);
   if (hit)
     return setCursor(hit->part == MeasurementPart::handle ? Qt::PointingHandCursor : Qt::SizeAllCursor);
   if (isOnStackBar(p)) return setCursor(Qt::SizeVerCursor);
-  if (!tool_->measuring && (windowRect().contains(p) || numberRect().contains(p)))
+  if (!tool_->draws() && (windowRect().contains(p) || numberRect().contains(p)))
     return setCursor(Qt::IBeamCursor);
-  const auto press = tool_->measuring ? std::nullopt : pressAt(p);
+  const auto press = tool_->draws() ? std::nullopt : pressAt(p);
   setCursor(press && isOnLine(*press) ? Qt::PointingHandCursor : tool_->cursor);
 }
 
@@ -158,7 +159,7 @@ bool FlatView::pressMeasuringKey(const QKeyEvent& event) {
       setFocus();
       return true;
     }
-  if (event.key() == Qt::Key_Escape && !drag_ && tool_->measuring) {
+  if (event.key() == Qt::Key_Escape && !drag_ && tool_->draws()) {
     Q_EMIT toolDone();
     return true;
   }

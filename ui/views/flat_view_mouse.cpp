@@ -21,7 +21,7 @@ constexpr double fastScroll = 10;  // times
 const Tool* FlatView::toolFor(const QMouseEvent& event) const {
   const bool isLeft = event.button() == Qt::LeftButton;
   if (!isLeft && event.button() != Qt::MiddleButton && event.button() != Qt::RightButton) return nullptr;
-  if (isLeft && tool_->measuring) return tool_;
+  if (isLeft && tool_->draws()) return tool_;
   std::string bound =
       boundTo(session_.preferences(), slotOf(MousePlace::flat, event.button(), event.modifiers()));
   // What has no place in the patient has no crosshair.
@@ -35,7 +35,7 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   View::mousePressEvent(event);
   const Tool* tool = toolFor(*event);
   const bool isChosen = tool == tool_ && event->button() == Qt::LeftButton;
-  if (tool && tool->measuring) stop();
+  if (tool && tool->draws()) stop();
   if (!drag_) pressedAt_ = event->position();
   const auto press = pressAt(event->position());
   if (drag_ && event->button() == Qt::LeftButton) drag_->press(event->position());
@@ -46,8 +46,8 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   if (drag_ || !tool || (isChosen && pressCorner(event->position()))) return;
   const bool isHand = isChosen && !tool->looking;
   if (isHand) drag_ = pressMeasurement(*press);
-  if (!drag_ && isHand && !tool->measuring) drag_ = pressLine(*press);
-  if (!drag_ && !hasWindow() && tool == &toolNamed("window")) return;
+  if (!drag_ && isHand && !tool->draws()) drag_ = pressLine(*press);
+  if (!drag_ && !hasWindow() && (tool == &toolNamed("window") || tool == &toolNamed("regionWindow"))) return;
   if (!drag_) drag_ = tool->inSlices(*press);
   if (drag_->drawing()) update();
   askForLens();
@@ -69,7 +69,7 @@ void FlatView::mouseMoveEvent(QMouseEvent* event) {
 
 bool FlatView::movesCrosshair(Qt::KeyboardModifiers keys) const {
   const MouseSlot slot{MousePlace::flat, MouseInput::move, heldOf(keys)};
-  return slot.held && !tool_->measuring && hasCursor() &&
+  return slot.held && !tool_->draws() && hasCursor() &&
          boundTo(session_.preferences(), slot) == "crosshair";
 }
 

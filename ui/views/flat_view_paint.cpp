@@ -68,6 +68,7 @@ void FlatView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintShown(painter);
   if (const std::optional<StackBar> bar = stackBar()) bar->paint(painter);
+  if (shown()) paintHandles(painter);
   paintLens(painter);
   paintFocus(painter);
 }

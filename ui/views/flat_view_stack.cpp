@@ -74,7 +74,7 @@ QRectF FlatView::numberRect() const {
 
 // Whether numbers were pressed that can be typed.
 bool FlatView::pressCorner(QPointF p) {
-  if (tool_->measuring || tool_->looking) return false;
+  if (tool_->draws() || tool_->looking) return false;
   const bool isWindow = windowRect().contains(p);
   if (isWindow) typeWindow();
   const bool isNumber = !isWindow && numberRect().contains(p);

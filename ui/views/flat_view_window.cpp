@@ -9,6 +9,10 @@
 
 namespace volumen {
 
+std::optional<Window> FlatView::windowShown() const {
+  return shown() && hasWindow() ? std::optional(greyWindow()) : std::nullopt;
+}
+
 // Where the numbers of the window stand; empty: nowhere, there are none.
 QRectF FlatView::windowRect() const {
   return shown() && hasWindow() ? cornerRect(overlays().bottomRight) : QRectF();

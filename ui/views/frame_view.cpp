@@ -210,14 +210,14 @@ std::vector<std::pair<int, int>> FrameView::heldPlaces() const {
 std::vector<FlatView::WindowChoice> FrameView::windows() const {
   std::vector<WindowChoice> all;
   if (!shown()) return all;
-  for (const GreyChoice& choice : greyChoices(*frame_, seriesState()))
+  for (const GreyChoice& choice : greyChoices(*frame_, seriesState(), session_.preferences().windows))
     all.push_back({choice.name, withGrey(seriesState(), choice) == seriesState()});
   return all;
 }
 
 void FrameView::chooseWindow(int number) {
   if (!shown()) return;
-  const std::vector<GreyChoice> choices = greyChoices(*frame_, seriesState());
+  const std::vector<GreyChoice> choices = greyChoices(*frame_, seriesState(), session_.preferences().windows);
   if (number >= int(choices.size())) return;
   session_.change(tr("Window"), [&](Workspace& w) {
     SeriesState& state = w.series.edit(this->state().series);
@@ -285,7 +285,7 @@ Overlays FrameView::overlays() const {
   texts.add(CornerItem::mark, QStringList{presentationText(), keyImageText()});
   Overlays o = cornersOf(texts);
   o.isLate = cine_->isLate();
-  o.bottomRight = greyText(seriesState(), look, *frame_);
+  o.bottomRight = greyText(seriesState(), look, *frame_, session_.preferences().windows);
   o.warning = failure_;
   if (hasMm(*frame_)) o.mmPerPixel = now.mmPerPixel * devicePixelRatioF();
   const auto side = [&](glm::dvec3 direction) {

@@ -223,7 +223,7 @@ std::vector<FlatView::WindowChoice> SliceView::windows() const {
   const LoadedSeriesPtr shown = this->shown();
   std::vector<WindowChoice> all;
   if (!shown) return all;
-  for (const NamedWindow& choice : windowChoices(*shown))
+  for (const NamedWindow& choice : windowChoices(*shown, session_.preferences().windows))
     all.push_back({choice.name, choice.window == seriesState().window});
   return all;
 }
@@ -231,7 +231,7 @@ std::vector<FlatView::WindowChoice> SliceView::windows() const {
 void SliceView::chooseWindow(int number) {
   const LoadedSeriesPtr shown = this->shown();
   if (!shown) return;
-  const std::vector<NamedWindow> choices = windowChoices(*shown);
+  const std::vector<NamedWindow> choices = windowChoices(*shown, session_.preferences().windows);
   if (number >= int(choices.size())) return;
   session_.change(tr("Window"), [&](Workspace& w) {
     w.series.edit(keyOf(shown->series)).window = choices[std::size_t(number)].window;
@@ -248,11 +248,14 @@ std::vector<const Measurement*> SliceView::measurements() const {
 }
 
 std::unique_ptr<Drag> SliceView::pressLine(const SlicePress& press) const {
+  if (const std::optional<ColourBar> bar = colourBar())
+    if (std::unique_ptr<Drag> drag = beginBarEnd(session_, rect(), *bar, press.at)) return drag;
   std::unique_ptr<Drag> drag = beginOnLines(press, hasCrosshairTool());
   return drag ? std::move(drag) : beginOnClip(press, clipShown_);
 }
 
 bool SliceView::isOnLine(const SlicePress& press) const {
+  if (colourBar() && isOnBarEnd(rect(), press.at)) return true;
   return isOnLines(press, hasCrosshairTool()) || isOnClip(press, clipShown_);
 }
 
@@ -285,7 +288,7 @@ Overlays SliceView::overlays() const {
               tr("with %1, %2 %").arg(seriesText(over->series)).arg(std::lround(100 * look.overlayOpacity)));
   texts.add(CornerItem::mark, keyImageText());
   Overlays o = cornersOf(texts);
-  o.bottomRight = namedWindow(window, shown->series);
+  o.bottomRight = namedWindow(window, shown->series, session_.preferences().windows);
   if (!shown->volume->geometry().calibrated) return o;
   const auto letters = [known = knowsSides(shown->series)](glm::dvec3 d) {
     return known ? QString::fromStdString(sideLetters(d)) : QString();
@@ -321,20 +324,6 @@ void SliceView::paintLines(QPainter& painter) const {
   paintClipLines(painter, clipLines(here, clipShown_));
   paintCrossLines(painter, crossLines(here),
                   here.pixelAt(crosshairOf(session_.workspace(), id(), *shown()).at), rect());
-}
-
-// The bar of what is shown in colours: the overlay, else the series.
-void SliceView::paintColours(QPainter& painter) const {
-  const FlatLook look = flatLookOf(state());
-  const auto& all = session_.workspace().series;
-  if (const LoadedSeriesPtr over = session_.seriesNamed(look.overlay))
-    return paintColourBar(painter, rect(), look.overlayColours,
-                          shownWindow(overlayWindow(all.at(look.overlay), *over), over->series),
-                          unitSuffix(over->series));
-  const SeriesState& own = all.at(state().series);
-  if (own.colours != ColourMap::grey)
-    paintColourBar(painter, rect(), own.colours, shownWindow(flatWindow(own, *series()), series()->series),
-                   unitSuffix(series()->series));
 }
 
 }  // namespace volumen

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/views/colour_bar.h"
 #include "ui/views/flat_view.h"
 
 namespace volumen {
@@ -44,6 +45,8 @@ class SliceView : public FlatView {
   bool isOnLine(const SlicePress& press) const override;
   void paintLines(QPainter& painter) const override;
   void paintColours(QPainter& painter) const override;
+  void paintHandles(QPainter& painter) const override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
 
  private:
   class Stack;
@@ -52,6 +55,8 @@ class SliceView : public FlatView {
   void moveTo(int place);
   bool isAlongSlices() const;
   glm::dvec3 pointOn(int slice) const;
+  std::optional<ColourBar> colourBar() const;
+  void typeBar(const ColourBar& bar);
 
   bool clipShown_ = false;
   std::optional<VolumeRange> segment_;  // that is looked at alone

@@ -6,8 +6,10 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/widgets/drop_mark.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
+#include "ui/workspace/dragged_series.h"
 #include "ui/workspace/layout_text.h"
 #include "ui/workspace/priors.h"
 #include "ui/workspace/time_points.h"
@@ -45,7 +47,8 @@ View::View(Session& session, ViewId id, QWidget* parent)
       id_(id),
       seen_(series()),
       shownLast_(knownSeries(session.workspace(), state().series)),
-      loading_(makeLoadingMark(this)) {
+      loading_(makeLoadingMark(this)),
+      dropMark_(new DropMark(this)) {
   loadingSoon_.setSingleShot(true);
   loadingSoon_.setInterval(momentMs);
   connect(&loadingSoon_, &QTimer::timeout, this, [this] {
@@ -157,14 +160,27 @@ void View::paintFocus(QPainter& painter) const {
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
-// Files are the window's.
-void View::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) return event->ignore();
-  event->acceptProposedAction();
+// The views of a group show one series together.
+void View::showDropMark(bool on) {
+  const bool together = id_ < firstComparedId && viewsOnScreen(session_.workspace()).size() > 1;
+  if (on) dropMark_->tell(together ? tr("Show in these views") : tr("Show here"));
+  dropMark_->setGeometry(rect());
+  dropMark_->setVisible(on);
+  dropMark_->raise();
 }
 
+// Files are the window's.
+void View::dragEnterEvent(QDragEnterEvent* event) {
+  if (!event->mimeData()->hasFormat(draggedSeriesType)) return event->ignore();
+  event->acceptProposedAction();
+  showDropMark(true);
+}
+
+void View::dragLeaveEvent(QDragLeaveEvent*) { showDropMark(false); }
+
 void View::dropEvent(QDropEvent* event) {
-  if (event->mimeData()->hasUrls()) return event->ignore();
+  showDropMark(false);
+  if (!event->mimeData()->hasFormat(draggedSeriesType)) return event->ignore();
   event->acceptProposedAction();
   session_.setFocus(id_);
   Q_EMIT dropped(*event->mimeData());
@@ -210,11 +226,13 @@ void View::leaveEvent(QEvent*) {
 }
 
 void View::hideEvent(QHideEvent*) {
+  showDropMark(false);
   if (std::exchange(pointedAt_, {})) Q_EMIT hovered({});
 }
 
 void View::resizeEvent(QResizeEvent*) {
   loading_->move((width() - loading_->width()) / 2, height() / 4);
+  dropMark_->setGeometry(rect());
   session_.setViewSize(id_, {pixels().width(), pixels().height()});
   Q_EMIT pixelsChanged();
   tellPointed();

@@ -13,6 +13,8 @@
 
 namespace volumen {
 
+class DropMark;
+
 /// One view of the workspace: shows what its ViewState says, at device pixels, and is in focus once it is
 /// pressed.
 class View : public QWidget {
@@ -42,7 +44,7 @@ class View : public QWidget {
   void maximiseRequested();
   /// A right click, the Menu key or Shift+F10: a menu is to be opened here.
   void menuRequested(QPoint global);
-  /// Something was dropped that is no file.
+  /// A series was dropped.
   void dropped(const QMimeData& data);
   /// What is under the cursor, empty where nothing is.
   void hovered(const QString& text);
@@ -79,6 +81,7 @@ class View : public QWidget {
 
   void paintEvent(QPaintEvent*) override;
   void dragEnterEvent(QDragEnterEvent*) override;
+  void dragLeaveEvent(QDragLeaveEvent*) override;
   void dropEvent(QDropEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
   void mouseDoubleClickEvent(QMouseEvent*) override;
@@ -94,6 +97,7 @@ class View : public QWidget {
   void paintInvitation(QPainter& painter) const;
   bool followSeries();
   void showWaiting();
+  void showDropMark(bool on);
 
   const ViewId id_;
   LoadedSeriesPtr seen_;
@@ -101,6 +105,7 @@ class View : public QWidget {
   SeriesKey givenUp_;                 // will not come
   std::optional<QPointF> pointedAt_;  // while the cursor is over the view
   QLabel* loading_;
+  DropMark* dropMark_;  // while a series is dragged over the view
   QTimer loadingSoon_;
 };
 

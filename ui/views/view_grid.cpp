@@ -108,7 +108,7 @@ void ViewGrid::setErrorShown(bool shown) {
 
 void ViewGrid::setTool(const Tool& tool) {
   tool_ = &tool;
-  if (!tool.measuring) toolBefore_ = tool_;
+  if (!tool.draws()) toolBefore_ = tool_;
   each<FlatView>([&](FlatView& view) { view.setTool(tool); });
   Q_EMIT toolChanged();
 }

@@ -11,6 +11,13 @@
 
 namespace volumen {
 
+namespace {
+
+// Tabs behind the one in front lie outside the window, as large as they were when they were seen last.
+bool isSeen(const QDockWidget& dock) { return dock.isVisible() && dock.geometry().right() >= 0; }
+
+}  // namespace
+
 FoldTitle::FoldTitle(QDockWidget* dock) : QWidget(dock), dock_(dock), arrow_(new QToolButton) {
   setObjectName(QStringLiteral("foldTitle"));
   setAttribute(Qt::WA_StyledBackground);
@@ -47,7 +54,7 @@ void FoldTitle::foldWithTabs(bool folded) {
   if (!window) return setFolded(folded);
   QList<QDockWidget*> column;
   for (QDockWidget* dock : window->findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
-    if (dock->isVisible() && window->dockWidgetArea(dock) == window->dockWidgetArea(dock_)) column << dock;
+    if (isSeen(*dock) && window->dockWidgetArea(dock) == window->dockWidgetArea(dock_)) column << dock;
   if (folded) {
     heightsBefore_.clear();
     for (const QDockWidget* dock : column) heightsBefore_ << dock->height();

@@ -28,24 +28,31 @@ std::optional<double> numberIn(QLineEdit* field, double least) {
 
 }  // namespace
 
-WindowEdit::WindowEdit(const Window& window, QWidget* parent)
-    : QWidget(parent), width_(new QLineEdit), centre_(new QLineEdit) {
+WindowEdit::WindowEdit(const Window& window, QWidget* parent, Fields fields)
+    : QWidget(parent), fields_(fields), first_(new QLineEdit), second_(new QLineEdit) {
   setAutoFillBackground(true);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(6, 2, 2, 2);
   row->setSpacing(4);
-  for (const auto& [field, letter, name, number] :
-       {std::tuple(width_, tr("W"), tr("Width of the window"), window.width),
-        std::tuple(centre_, tr("L"), tr("Centre of the window"), window.centre)}) {
+  const auto add = [&](QLineEdit* field, const QString& letter, const QString& name, const char* objectName,
+                       double number) {
     field->setAccessibleName(name);
     field->setToolTip(toolTipOf(name));
     field->setText(QString::number(number, 'g', 6));
     field->setFixedWidth(fieldWidth);
+    field->setObjectName(QLatin1String(objectName));
     row->addWidget(plainLabel(letter));
     row->addWidget(field);
+  };
+  if (fields == Fields::ends) {
+    const double low = window.centre - window.width / 2;
+    const bool isZero = std::abs(low) < 1e-9 * window.width;  // but for rounding
+    add(first_, tr("from"), tr("Lowest value"), "barLow", isZero ? 0 : low);
+    add(second_, tr("to"), tr("Highest value"), "barHigh", window.centre + window.width / 2);
+  } else {
+    add(first_, tr("W"), tr("Width of the window"), "flatWindowWidth", window.width);
+    add(second_, tr("L"), tr("Centre of the window"), "flatWindowCentre", window.centre);
   }
-  width_->setObjectName(QStringLiteral("flatWindowWidth"));
-  centre_->setObjectName(QStringLiteral("flatWindowCentre"));
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
     if (now && isVisible() && !isAncestorOf(now)) leave();
   });
@@ -59,13 +66,21 @@ void WindowEdit::keyPressEvent(QKeyEvent* event) {
 // What is under it is not meant.
 void WindowEdit::mousePressEvent(QMouseEvent* event) { event->accept(); }
 
-void WindowEdit::accept() {
+// None: a field holds no number that makes sense; it is selected.
+std::optional<Window> WindowEdit::typed() const {
   constexpr double narrowest = 1e-9;
-  const auto width = numberIn(width_, narrowest);
-  if (!width) return;
-  const auto centre = numberIn(centre_, -largestOfWindow);
-  if (!centre) return;
-  Q_EMIT chosen(Window{*centre, *width});
+  const bool ends = fields_ == Fields::ends;
+  const auto first = numberIn(first_, ends ? -largestOfWindow : narrowest);
+  if (!first) return {};
+  const auto second = numberIn(second_, ends ? std::nextafter(*first, largestOfWindow) : -largestOfWindow);
+  if (!second) return {};
+  return ends ? Window{(*first + *second) / 2, *second - *first} : Window{*second, *first};
+}
+
+void WindowEdit::accept() {
+  const std::optional<Window> window = typed();
+  if (!window) return;
+  Q_EMIT chosen(*window);
   leave();
 }
 

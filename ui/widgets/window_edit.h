@@ -1,18 +1,20 @@
 #pragma once
 
 #include <QLineEdit>
+#include <optional>
 
 #include "viewer/volume/volume.h"
 
 namespace volumen {
 
-/// Two fields for the width and the centre of a window. Enter sets, Esc or a press elsewhere gives up; either
-/// way it goes.
+/// Two fields for the width and the centre of a window, or for its ends. Enter sets, Esc or a press elsewhere
+/// gives up; either way it goes.
 class WindowEdit : public QWidget {
   Q_OBJECT
  public:
+  enum class Fields { widthAndCentre, ends };
   /// `window`: what stands there first, its width above 0.
-  WindowEdit(const Window& window, QWidget* parent);
+  WindowEdit(const Window& window, QWidget* parent, Fields fields = Fields::widthAndCentre);
 
  Q_SIGNALS:
   void chosen(const volumen::Window& window);
@@ -27,7 +29,10 @@ class WindowEdit : public QWidget {
   void accept();
   void leave();
 
-  QLineEdit *width_, *centre_;
+  std::optional<Window> typed() const;
+
+  const Fields fields_;
+  QLineEdit *first_, *second_;  // width and centre, or the lowest and the highest value
 };
 
 }  // namespace volumen

@@ -61,7 +61,8 @@ GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const Load
   return grey;
 }
 
-std::vector<GreyChoice> greyChoices(const LoadedFrame& frame, const SeriesState& state) {
+std::vector<GreyChoice> greyChoices(const LoadedFrame& frame, const SeriesState& state,
+                                    const OwnWindows& own) {
   if (frame.greys.empty()) return {};
   std::vector<GreyChoice> all{{tr("Automatic"), 0, {}}};
   const std::vector<NamedGrey>& greys = greysOf(state, frame);
@@ -70,6 +71,8 @@ std::vector<GreyChoice> greyChoices(const LoadedFrame& frame, const SeriesState&
       all.push_back({nameOf(greys[n], n, greys.size(), frame.slice->series), int(n), {}});
   for (const NamedWindow& tissue : tissueWindows(frame.slice->series))
     all.push_back({tissue.name, 0, tissue.window});
+  for (const NamedWindow& each : ownWindowsFor(own, frame.slice->series))
+    all.push_back({each.name, 0, each.window});
   return all;
 }
 
@@ -79,11 +82,12 @@ SeriesState withGrey(SeriesState state, const GreyChoice& choice) {
   return state;
 }
 
-QString greyText(const SeriesState& state, const FlatLook& look, const LoadedFrame& frame) {
+QString greyText(const SeriesState& state, const FlatLook& look, const LoadedFrame& frame,
+                 const OwnWindows& own) {
   if (frame.greys.empty()) return {};
   const GreyMapping grey = frameGrey(state, look, frame);
   if (!grey.table.grey.empty()) return tr("LUT %1").arg(shownText(chosenOf(state, frame).name)).trimmed();
-  const QString text = namedWindow(grey.window, frame.slice->series);
+  const QString text = namedWindow(state.window.value_or(grey.window), frame.slice->series, own);
   return grey.function == WindowFunction::sigmoid ? tr("%1, sigmoid").arg(text) : text;
 }
 

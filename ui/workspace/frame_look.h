@@ -19,14 +19,16 @@ struct GreyChoice {
   std::optional<Window> window;  ///< in place of them
 };
 
-/// The first of the file's, then all of these by name, then those of tissues where values are HU. Empty for
-/// colour.
-std::vector<GreyChoice> greyChoices(const LoadedFrame& frame, const SeriesState& state = {});
+/// The first of the file's, then all of these by name, then those of tissues where values are HU, and last
+/// the user's own. Empty for colour.
+std::vector<GreyChoice> greyChoices(const LoadedFrame& frame, const SeriesState& state = {},
+                                    const OwnWindows& own = {});
 
 /// The state after a choice.
 SeriesState withGrey(SeriesState state, const GreyChoice& choice);
 
 /// "W 900 L 2653", and what is no straight line said behind it: "sigmoid", "LUT SOFTER".
-QString greyText(const SeriesState& state, const FlatLook& look, const LoadedFrame& frame);
+QString greyText(const SeriesState& state, const FlatLook& look, const LoadedFrame& frame,
+                 const OwnWindows& own = {});
 
 }  // namespace volumen

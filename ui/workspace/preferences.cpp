@@ -28,6 +28,7 @@ void visit(Preferences& p, const Visit& each) {
   each("hideNames", p.hideNames);
   each("petUnit", p.petUnit);
   each("memoryPercent", p.memoryPercent);
+  each("windows", p.windows);
 }
 
 QVariant toVariant(bool value) { return value; }
@@ -43,6 +44,7 @@ QVariant toVariant(const std::map<std::string, std::string>& bindings) {
   return lines;
 }
 QVariant toVariant(PetUnit unit) { return QLatin1String(petUnitName(unit)); }
+QVariant toVariant(const OwnWindows& windows) { return ownWindowsText(windows); }
 
 void fromVariant(const QVariant& kept, bool& value) { value = kept.toBool(); }
 void fromVariant(const QVariant& kept, int& percent) {
@@ -64,7 +66,15 @@ void fromVariant(const QVariant& kept, PetUnit& unit) {
     if (kept.toString() == QLatin1String(petUnitName(known))) unit = known;
 }
 
+void fromVariant(const QVariant& kept, OwnWindows& windows) { windows = ownWindowsIn(kept.toString()); }
+
 }  // namespace
+
+Preferences defaultsFor(const Preferences& preferences) {
+  Preferences defaults;
+  defaults.windows = preferences.windows;
+  return defaults;
+}
 
 Preferences storedPreferences() {
   Preferences preferences;

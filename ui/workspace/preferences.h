@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/study/suv.h"
+#include "ui/workspace/own_windows.h"
 
 namespace volumen {
 
@@ -25,8 +26,12 @@ struct Preferences {
   bool hideNames = false;
   PetUnit petUnit = PetUnit::suvBodyWeight;  ///< where it can be had
   int memoryPercent = 25;                    ///< of the machine's memory, for series that are not on screen
+  OwnWindows windows;                        ///< of flat views and projections, by name
   bool operator==(const Preferences&) const = default;
 };
+
+/// The defaults, with what the user made himself of these.
+Preferences defaultsFor(const Preferences& preferences);
 
 /// Those kept by storePreferences(); the defaults for what was never kept or cannot be read.
 Preferences storedPreferences();

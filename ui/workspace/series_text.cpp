@@ -4,7 +4,9 @@
 #include <glm/geometric.hpp>
 
 #include "ui/data/frame_series.h"
+#include "ui/workspace/corner_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {
@@ -92,6 +94,21 @@ QStringList everythingOf(const Series& series) {
         << QStringLiteral("%1, %2").arg(QString::fromStdString(series.format), shownText(series.valueType))
         << pathText(series.path);
   for (const Warning& w : series.warnings) lines << QStringLiteral("! ") + shownText(w.sentence);
+  lines.removeAll(QString());
+  return lines;
+}
+
+QStringList factsOf(const Series& series, const std::vector<Warning>& warnings) {
+  const VoxelGeometry& g = series.acquired;
+  const glm::dvec3 mm = g.spacing();
+  QStringList lines{seriesText(series), slicesText(series),
+                    tr("%1 rows x %2 columns").arg(g.size.y).arg(g.size.x)};
+  if (g.calibrated) lines << tr("Pixels of %1 x %2 mm").arg(mm.y, 0, 'g', 4).arg(mm.x, 0, 'g', 4);
+  if (const QString thickness = thicknessText(series); !thickness.isEmpty() && !opensAsFrames(series))
+    lines << tr("Slices %1").arg(thickness);
+  if (const QString unit = unitSuffix(series); !unit.isEmpty())
+    lines << tr("Values in%1%2").arg(unit, unitNote(series));
+  for (const Warning& w : warnings) lines << QStringLiteral("! ") + shownText(w.sentence);
   lines.removeAll(QString());
   return lines;
 }

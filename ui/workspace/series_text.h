@@ -33,6 +33,10 @@ QStringList tellingApart(const Series& series, const std::vector<const Series*>&
 /// files.
 QStringList everythingOf(const Series& series);
 
+/// What pictures of a series are made of, one thing a line: its name, slices, size and spacing, thickness and
+/// unit of the values, each of these warnings last.
+QStringList factsOf(const Series& series, const std::vector<Warning>& warnings);
+
 /// What is to be known of a series beside what its picture says by itself: a sentence for each warning that
 /// stands on no picture.
 QStringList warningSentences(const std::vector<Warning>& warnings);

@@ -14,6 +14,18 @@ namespace {
 
 bool isHounsfield(const Series& series) { return series.unit == "HU"; }
 
+// SUVbw. PET of FDG is read from 0 to 5, 7 or 10; this is the one in the middle, and digits choose the
+// others. The windows in files of PET follow the brightest voxel of each slice, which is bladder or brain.
+constexpr double mostUptake = 7;
+
+// None where the uptake is not known.
+std::optional<Window> uptakeWindow(const Series& series) {
+  if (series.modality != "PT") return {};
+  const ValueScale scale = valueScale(series, PetUnit::suvBodyWeight);
+  if (!scale.unit.starts_with("SUV")) return {};
+  return Window{mostUptake / 2 / scale.factor, mostUptake / scale.factor};
+}
+
 // Least width that a drag makes, as a share of the spread of values.
 constexpr double finest = 1.0 / 4000;
 
@@ -24,7 +36,8 @@ Window windowInUse(const Scene& scene, const LoadedSeries& series) {
 }
 
 Window flatWindow(const SeriesState& state, const LoadedSeries& series) {
-  const Window first = series.flatWindow.value_or(series.window), own{first.centre, std::abs(first.width)};
+  const Window first = uptakeWindow(series.series).value_or(series.flatWindow.value_or(series.window));
+  const Window own{first.centre, std::abs(first.width)};
   const bool inverted = series.series.modality == "PT";
   return state.window.value_or(inverted ? Window{own.centre, -own.width} : own);
 }
@@ -32,6 +45,11 @@ Window flatWindow(const SeriesState& state, const LoadedSeries& series) {
 Window overlayWindow(const SeriesState& state, const LoadedSeries& series) {
   const Window window = flatWindow(state, series);
   return {window.centre, std::abs(window.width)};
+}
+
+Window windowOfOverlay(const Window& over, const SeriesState& state, const LoadedSeries& series) {
+  const double width = std::abs(over.width);
+  return {over.centre, flatWindow(state, series).width < 0 ? -width : width};
 }
 
 GreyMapping greyMapping(const Window& window, const LoadedSeries& series) {
@@ -48,29 +66,40 @@ std::vector<NamedWindow> tissueWindows(const Series& series) {
       all.push_back(
           {tr("%1 0 to %2").arg(shownText(scale.unit)).arg(most), storedWindow({most / 2, -most}, series)});
   if (!isHounsfield(series)) return all;
-  const std::pair<QString, Window> tissues[] = {{tr("Brain"), {40, 80}},
-                                                {tr("Abdomen"), {40, 400}},
-                                                {tr("Mediastinum"), {50, 350}},
-                                                {tr("Liver"), {90, 150}},
-                                                {tr("Bone"), {400, 2000}},
-                                                {tr("Lung"), {-600, 1500}},
-                                                {tr("CT angiography"), {170, 600}},
-                                                {tr("Bone MIP"), {700, 1800}}};
+  const std::pair<QString, Window> tissues[] = {{tr("Brain"), {40, 80}},           {tr("Abdomen"), {40, 400}},
+                                                {tr("Mediastinum"), {50, 350}},    {tr("Liver"), {90, 150}},
+                                                {tr("Bone"), {400, 2000}},         {tr("Lung"), {-600, 1500}},
+                                                {tr("CT angiography"), {170, 600}}};
   for (const auto& [name, window] : tissues)
     all.push_back({namedWindowText(name, window, series), window, name});
+  // Without a word: nothing in a corner says whether it is of a maximum.
+  const Window boneMip{700, 1800};
+  all.push_back({namedWindowText(tr("Bone MIP"), boneMip, series), boneMip});
   return all;
 }
 
-QString namedWindow(const Window& window, const Series& series) {
-  const std::vector<NamedWindow> tissues = tissueWindows(series);
-  const auto found = std::ranges::find(tissues, window, &NamedWindow::window);
+std::vector<NamedWindow> ownWindowsFor(const OwnWindows& own, const Series& series) {
+  std::vector<NamedWindow> all;
+  for (const OwnWindow& each : own) {
+    if (!isFor(each, series)) continue;
+    const double sign = series.modality == "PT" ? -1 : 1;
+    const Window stored = storedWindow({each.window.centre, sign * each.window.width}, series);
+    all.push_back(
+        {namedWindowText(each.name, {stored.centre, std::abs(stored.width)}, series), stored, each.name});
+  }
+  return all;
+}
+
+QString namedWindow(const Window& window, const Series& series, const OwnWindows& own) {
+  std::vector<NamedWindow> named = ownWindowsFor(own, series);
+  for (const NamedWindow& tissue : tissueWindows(series)) named.push_back(tissue);
+  const auto found = std::ranges::find(named, window, &NamedWindow::window);
   const QString numbers = windowText(window, series);
-  // Nothing says that it is of a maximum.
-  if (found == tissues.end() || found->word.isEmpty() || found->word == tr("Bone MIP")) return numbers;
+  if (found == named.end() || found->word.isEmpty()) return numbers;
   return QStringLiteral("%1  %2").arg(found->word, numbers);
 }
 
-std::vector<NamedWindow> windowChoices(const LoadedSeries& series) {
+std::vector<NamedWindow> windowChoices(const LoadedSeries& series, const OwnWindows& own) {
   std::vector<NamedWindow> all{{tr("Automatic"), {}}};
   const std::vector<Window>& files = series.volume->attributes().windows;
   for (std::size_t n = 0; n < files.size(); ++n) {
@@ -78,6 +107,7 @@ std::vector<NamedWindow> windowChoices(const LoadedSeries& series) {
     all.push_back({namedWindowText(name, files[n], series.series), files[n]});
   }
   for (const NamedWindow& tissue : tissueWindows(series.series)) all.push_back(tissue);
+  for (const NamedWindow& each : ownWindowsFor(own, series.series)) all.push_back(each);
   return all;
 }
 
@@ -95,8 +125,25 @@ WindowEnds endsOf(const Window& window) {
 
 Window windowBetween(WindowEnds ends) { return {(ends.dark + ends.bright) / 2, ends.bright - ends.dark}; }
 
+double narrowestWindow(const LoadedSeries& series) { return finest * series.valueSpread; }
+
+std::optional<Window> windowOfValues(std::vector<float> values, const Window& before,
+                                     const LoadedSeries& series) {
+  std::erase_if(values, [](float value) { return std::isnan(value); });
+  if (values.empty()) return {};
+  const auto percentile = [&](double percent) {
+    const double rank = std::ceil(percent * double(values.size()) / 100);
+    const auto at = values.begin() + std::ptrdiff_t(std::max(1.0, rank)) - 1;
+    std::ranges::nth_element(values, at);
+    return double(*at);
+  };
+  const double low = percentile(1), high = percentile(99);
+  const double width = std::max(high - low, narrowestWindow(series));
+  return Window{(low + high) / 2, before.width < 0 ? -width : width};
+}
+
 Window draggedWindow(const Window& atPress, glm::dvec2 pixels, const LoadedSeries& series) {
-  const double least = finest * series.valueSpread, sign = atPress.width < 0 ? -1 : 1;
+  const double least = narrowestWindow(series), sign = atPress.width < 0 ? -1 : 1;
   const double width = std::abs(atPress.width), step = std::max(width / 80, least);
   if (series.series.modality == "PT") {
     const double low = atPress.centre - width / 2;

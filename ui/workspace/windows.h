@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/data/loaded_series.h"
+#include "ui/workspace/own_windows.h"
 #include "ui/workspace/workspace.h"
 #include "viewer/slice/grey.h"
 
@@ -16,10 +17,14 @@ namespace volumen {
 /// The scene's, or the one that stands for none.
 Window windowInUse(const Scene& scene, const LoadedSeries& series);
 
-/// Of flat views: the one that was set, else the series' own, inverted for PET.
+/// Of flat views: the one that was set, else 0 to 7 SUVbw of PET where that is known, else the series' own;
+/// inverted for PET.
 Window flatWindow(const SeriesState& state, const LoadedSeries& series);
 /// Of a series over another: the same, never inverted.
 Window overlayWindow(const SeriesState& state, const LoadedSeries& series);
+/// What SeriesState::window is where a series is to have this window over another: inverted where it is by
+/// itself.
+Window windowOfOverlay(const Window& over, const SeriesState& state, const LoadedSeries& series);
 /// The mapping from value to grey that a window of a flat view stands for.
 GreyMapping greyMapping(const Window& window, const LoadedSeries& series);
 
@@ -27,17 +32,21 @@ GreyMapping greyMapping(const Window& window, const LoadedSeries& series);
 struct NamedWindow {
   QString name;                  ///< "Bone (2000 / 400)"
   std::optional<Window> window;  ///< none: automatic
-  QString word{};                ///< "Bone", of tissues
+  QString word{};                ///< "Bone": what stands in the corner while it holds; empty: nothing
 };
 
-/// Automatic, the file's own, and for HU those of tissues, for SUV those from 0 on.
-std::vector<NamedWindow> windowChoices(const LoadedSeries& series);
+/// Automatic, the file's own, for HU those of tissues, for SUV those from 0 on, and last the user's own.
+std::vector<NamedWindow> windowChoices(const LoadedSeries& series, const OwnWindows& own = {});
 
 /// Those of tissues, for HU; from 0 to 5, 7, 10 and 15 of SUV, inverted as PET is; else none.
 std::vector<NamedWindow> tissueWindows(const Series& series);
 
-/// "Bone  W 2000 L 400": the numbers of a window, and before them the tissue that it is made for.
-QString namedWindow(const Window& window, const Series& series);
+/// Those of the user's own that are for a series; inverted where it is PET.
+std::vector<NamedWindow> ownWindowsFor(const OwnWindows& own, const Series& series);
+
+/// "Bone  W 2000 L 400": the numbers of a window, and before them the tissue that it is made for, or the
+/// user's name for it.
+QString namedWindow(const Window& window, const Series& series, const OwnWindows& own = {});
 
 /// The scene drawn in another mode; a projection without a window gets one that suits its values.
 Scene withMode(Scene scene, Mode mode, const LoadedSeries& series);
@@ -49,6 +58,14 @@ struct WindowEnds {
 WindowEnds endsOf(const Window& window);
 /// The window between two different values.
 Window windowBetween(WindowEnds ends);
+
+/// The least width that a drag makes.
+double narrowestWindow(const LoadedSeries& series);
+
+/// P1 .. P99 of these values, so that a speck of metal or a dead pixel among them does not decide; inverted
+/// where `before` is, and as wide at least as a drag makes it. None: there are no values (not NaN).
+std::optional<Window> windowOfValues(std::vector<float> values, const Window& before,
+                                     const LoadedSeries& series);
 
 /// The window after a drag by so many pixels to the right (wider) and down (up: lower values): a pixel is
 /// 1/80 of the width at the press, but not less than 1/4000 of the series' spread of values. Of PET the lower

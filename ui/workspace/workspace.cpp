@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/time_points.h"
 
 namespace volumen {
 
@@ -121,6 +122,13 @@ ViewId sceneViewOf(const Workspace& workspace) {
   for (const ViewId id : viewsOnScreen(workspace))
     if (showsScene(workspace.view(id).kind)) return id;
   return sceneViewId;
+}
+
+bool sceneIsOfFocus(const Workspace& workspace) {
+  const ViewId scene = sceneViewOf(workspace);
+  if (scene == workspace.focus || (inGroup(scene) && inGroup(workspace.focus))) return true;
+  const Series *drawn = seriesIn(workspace, scene), *seen = seriesIn(workspace, workspace.focus);
+  return drawn && seen && (keyOf(*drawn) == keyOf(*seen) || areTimePoints(*drawn, *seen));
 }
 
 bool showsOther(const Workspace& before, const Workspace& after) {

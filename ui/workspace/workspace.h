@@ -240,6 +240,10 @@ std::vector<ViewId> viewsOnScreen(const Workspace& workspace);
 /// The 3D view that the panels work on: the one in focus, else the one of the same group.
 ViewId sceneViewOf(const Workspace& workspace);
 
+/// Whether that shows what is in focus: the same series, another step of it, or what the group shows
+/// together.
+bool sceneIsOfFocus(const Workspace& workspace);
+
 /// Whether anything but cursors and what was made by hand is different: which views and series there are, and
 /// how they are shown.
 bool showsOther(const Workspace& before, const Workspace& after);
