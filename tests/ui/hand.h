@@ -13,8 +13,9 @@
 
 namespace volumen::tests {
 
-/// What a user's hands do in a window, by real events, and in how many steps: a click, a double click, a key with
-/// its modifiers, a drag, a drop, a turn of the wheel, a text with Enter and a move with a key held are one each.
+/// What a user's hands do in a window, by real events, and in how many steps: a click, a double click, a key
+/// with its modifiers, a drag, a drop, a turn of the wheel, a text with Enter and a move with a key held are
+/// one each.
 class Hand {
  public:
   explicit Hand(QWidget& window) : window_(window) {}
@@ -110,8 +111,8 @@ std::vector<Task> showingTasks();
 }  // namespace volumen::tests
 
 /// In a task: where it fails, it says so and took no steps.
-#define DONE(condition)                                         \
-  do {                                                          \
+#define DONE(condition)                                                                 \
+  do {                                                                                  \
     if (!QTest::qVerify(bool(condition), #condition, "", __FILE__, __LINE__)) return 0; \
   } while (false)
 #define SOON(condition) DONE(QTest::qWaitFor([&] { return bool(condition); }, volumen::tests::longest))

@@ -1,5 +1,6 @@
-// Guards resources/docs/tasks.md: each task of a first hour is done by a journey of real events in as many steps as
-// the page says, none takes more than the best of the other programs and one, and each row has its journey.
+// Guards resources/docs/tasks.md: each task of a first hour is done by a journey of real events in as many
+// steps as the page says, none takes more than the best of the other programs and one, and each row has its
+// journey.
 #include <QFile>
 
 #include "tests/fixtures/fixtures.h"
@@ -35,7 +36,8 @@ std::vector<Row> rowsOfThePage() {
     if (cells.size() != 9 || !stepsIn(cells[1])) continue;  // no row of the table
     Row row{*stepsIn(cells[1]), cells[2], stepsIn(cells[3]).value_or(-1), {}};
     for (qsizetype n = 4; n < 8; ++n)
-      if (const std::optional<int> steps = stepsIn(cells[n])) row.best = std::min(row.best.value_or(*steps), *steps);
+      if (const std::optional<int> steps = stepsIn(cells[n]))
+        row.best = std::min(row.best.value_or(*steps), *steps);
     rows.push_back(row);
   }
   return rows;
