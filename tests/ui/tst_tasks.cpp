@@ -2,6 +2,7 @@
 // steps as the page says, none takes more than the best of the other programs and one, and each row has its
 // journey.
 #include <QFile>
+#include <QRegularExpression>
 
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/hand.h"
@@ -19,11 +20,11 @@ struct Row {
   std::optional<int> best;  // of the others; none: none of them is known to do it
 };
 
-// What a cell begins with; none: it says "?", "no".
+// The number that a cell begins with, of several the least; none: it says "?", "no".
 std::optional<int> stepsIn(const QString& cell) {
-  bool isNumber = false;
-  const int steps = cell.section(QLatin1Char(':'), 0, 0).toInt(&isNumber);
-  return isNumber ? std::optional(steps) : std::nullopt;
+  static const QRegularExpression number(QStringLiteral("^(?:>=)?(\\d+)"));
+  const QRegularExpressionMatch found = number.match(cell);
+  return found.hasMatch() ? std::optional(found.captured(1).toInt()) : std::nullopt;
 }
 
 std::vector<Row> rowsOfThePage() {
