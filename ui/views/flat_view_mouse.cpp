@@ -69,8 +69,7 @@ void FlatView::mouseMoveEvent(QMouseEvent* event) {
 
 bool FlatView::movesCrosshair(Qt::KeyboardModifiers keys) const {
   const MouseSlot slot{MousePlace::flat, MouseInput::move, heldOf(keys)};
-  return slot.held && !tool_->draws() && hasCursor() &&
-         boundTo(session_.preferences(), slot) == "crosshair";
+  return slot.held && !tool_->draws() && hasCursor() && boundTo(session_.preferences(), slot) == "crosshair";
 }
 
 QString FlatView::textAt(QPointF position) const {
