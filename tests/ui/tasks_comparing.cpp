@@ -1,10 +1,12 @@
 // Tasks of tasks.md: MR, PET/CT and studies of before.
 #include <QSlider>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/hand.h"
+#include "tests/ui/hung_studies.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/two_series.h"
 #include "ui/workspace/flat_plane.h"
@@ -20,7 +22,7 @@ int twoSeries() {
   w.session().show(second, firstComparedId + 1);
   w.session().setFocus(axialViewId);
   hand.key(Qt::Key_4, Qt::AltModifier);
-  DONE(w.session().workspace().layout == withLayout(w.session().workspace(), Layout::two).layout);
+  DONE(w.session().workspace().layout == Layout::two);
   for (const ViewId id : {left, right}) DONE(!w.session().workspace().view(id).series.empty());
   return hand.steps();
 }
@@ -57,19 +59,109 @@ int automaticWindow() {
   return hand.steps();
 }
 
-// The PET of a study over its CT.
+int referenceLines() {
+  TwoSeries w(ballIn("A"), ballIn("A"));
+  Hand hand(w.window);
+  w.session().showAs(right, ViewKind::coronal);
+  DONE(w.session().preferences().referenceLines && !w.view(left)->stackPlanes(false).empty());
+  return hand.steps();
+}
+
+// A PET and the CT of its study, by a click on the PET.
 struct PetCt : Journey {
   Hand hand{window};
+
   PetCt()
       : Journey({QString::fromStdString(dataPath("pet-ct/sts019-ct")),
-                 QString::fromStdString(dataPath("pet-ct/sts019-pet"))}) {}
+                 QString::fromStdString(dataPath("pet-ct/sts019-pet"))}) {
+    openAlone(false);
+  }
+  ~PetCt() { openAlone(); }
   const Workspace& workspace() { return window.session().workspace(); }
+  FlatView* view() { return window.views()->viewAs<FlatView>(axialViewId); }
+  FlatLook look() { return flatLookOf(workspace().view(axialViewId)); }
+  bool isFused() {
+    if (!QTest::qWaitFor([&] { return window.session().series() != nullptr; }, longest)) return false;
+    auto* tree = child<QTreeWidget>("studyTree");
+    for (QTreeWidgetItemIterator it(tree); *it; ++it)
+      if ((*it)->text(0).startsWith(QStringLiteral("PT IBSI")) && (*it)->childCount() == 0) {
+        hand.click(tree->viewport(), tree->visualItemRect(*it).center());
+        break;
+      }
+    return QTest::qWaitFor([&] { return view() && !look().overlay.empty() && view()->shown(); }, longest);
+  }
 };
+
+int fuse() {
+  PetCt w;
+  DONE(w.isFused());
+  return w.hand.steps();
+}
+
+int fusionOpacity() {
+  PetCt w;
+  DONE(w.isFused());
+  Hand hand(w.window);
+  w.window.session().setFocus(axialViewId);
+  QCoreApplication::processEvents();
+  auto* slider = w.child<QWidget>("overlayOpacityRow")->findChild<QSlider*>();
+  DONE(slider && slider->isVisible());
+  const double before = w.look().overlayOpacity;
+  hand.drag(slider, {slider->width() / 2.0, slider->height() / 2.0},
+            {slider->width() - 4.0, slider->height() / 2.0});
+  DONE(w.look().overlayOpacity > before);
+  return hand.steps();
+}
+
+int suvMax() {
+  PetCt w;
+  DONE(w.isFused());
+  Hand hand(w.window);
+  w.window.session().setFocus(axialViewId);
+  w.view()->setFocus();
+  hand.key(Qt::Key_E);
+  const QPointF middle(w.view()->rect().center());
+  hand.drag(w.view(), middle - QPointF(20, 20), middle + QPointF(20, 20));
+  SOON(std::ranges::any_of(w.view()->drawnMeasurements(), [](const DrawnMeasurement& m) {
+    return m.text.contains(QStringLiteral("SUVmax"));
+  }));
+  return hand.steps();
+}
+
+int rotatingProjection() {
+  PetCt w;
+  DONE(w.isFused());
+  VolumeView* scene = w.window.view();
+  SOON(!scene->picture().isNull());
+  DONE(w.window.session().scene().mode == Mode::mip);
+  const Camera before = scene->camera();
+  w.hand.drag(scene, {100, 100}, {140, 100});
+  DONE(!(scene->camera() == before));
+  return w.hand.steps();
+}
+
+int prior() {
+  const TwoDays days;
+  DONE(days.write());
+  Journey w({days.now, days.before});
+  SOON(w.window.document().open.volumes().size() == 2 && w.window.session().series());
+  Hand hand(w.window);
+  hand.key(Qt::Key_7, Qt::AltModifier);
+  const auto dayIn = [&](ViewId id) {
+    const Series* series = seriesIn(w.window.session().workspace(), id);
+    return series ? series->studyDate : std::string();
+  };
+  DONE(dayIn(left) == "20260301" && dayIn(right) == "20240215");
+  return hand.steps();
+}
 
 }  // namespace
 
 std::vector<Task> comparingTasks() {
-  return {{15, twoSeries}, {16, linkedScrolling}, {17, lockedStudies}, {20, automaticWindow}};
+  return {{15, twoSeries},      {16, linkedScrolling}, {17, lockedStudies},
+          {18, referenceLines}, {20, automaticWindow}, {21, fuse},
+          {22, fusionOpacity},  {23, suvMax},          {24, rotatingProjection},
+          {33, prior}};
 }
 
 }  // namespace volumen::tests

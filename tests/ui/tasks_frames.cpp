@@ -2,7 +2,9 @@
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/hand.h"
+#include "tests/ui/hung_studies.h"
 #include "tests/ui/measure_window.h"
+#include "ui/workspace/flat_plane.h"
 
 namespace volumen::tests {
 

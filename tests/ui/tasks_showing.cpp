@@ -2,6 +2,7 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QPrintDialog>
+#include <QPushButton>
 #include <QTemporaryDir>
 
 #include "tests/fixtures/fixtures.h"
@@ -43,6 +44,27 @@ int savePictureWithoutNames() {
   SOON(QFile::exists(s.path("slice.png")));
   DONE(s.w.session().preferences().hideNames);
   s.w.session().prefer([](Preferences& p) { p.hideNames = false; });
+  return s.hand.steps();
+}
+
+int keyImagePages() {
+  Showing s;
+  auto series = std::make_shared<LoadedSeries>(*ballSeries());
+  for (int n = 0; n < 32; ++n) {
+    series->series.sopInstanceUids.push_back(series->series.id + "." + std::to_string(n));
+    series->series.frames.push_back(0);
+  }
+  s.w.session().show(series);
+  s.w.session().setFocus(axialViewId);
+  s.w.view()->setFocus();
+  s.hand.key(Qt::Key_K);
+  DONE(s.w.session().workspace().keyImages.size() == 1);
+  s.hand.menu({"fileMenu", "picturesMenu"}, "keyImagePages");
+  auto* pdf = s.w.child<QPushButton>("pagesPdf");
+  DONE(pdf);
+  s.hand.click(pdf);
+  s.hand.type(s.path("keys.pdf"));
+  SOON(QFileInfo(s.path("keys.pdf")).size() > 0);
   return s.hand.steps();
 }
 
@@ -89,11 +111,8 @@ int undoAStep() {
 }  // namespace
 
 std::vector<Task> showingTasks() {
-  return {{38, copyPicture},
-          {39, savePictureWithoutNames},
-          {41, saveAndRestore},
-          {42, printTrueSize},
-          {43, undoAStep}};
+  return {{38, copyPicture},    {39, savePictureWithoutNames}, {40, keyImagePages},
+          {41, saveAndRestore}, {42, printTrueSize},           {43, undoAStep}};
 }
 
 }  // namespace volumen::tests

@@ -1,22 +1,17 @@
 // Guards hanging protocols and priors in the window: mammograms face each other as they are opened, keys and
 // the menu go through what fits, what is on screen is kept as a protocol, and the same series of an earlier
 // day stands beside; each one step. Real events.
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dctk.h>
-
 #include <QFile>
 #include <QInputDialog>
 #include <QMenu>
-#include <QTemporaryDir>
 
-#include "io/export/dicom_series.h"
 #include "io/files/preset_files.h"
+#include "tests/ui/hung_studies.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/workspace/hanging_protocol.h"
-#include "viewer/phantoms/phantoms.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -24,54 +19,6 @@ using namespace volumen::tests;
 namespace {
 
 constexpr ViewId firstCell = firstComparedId;
-
-// A mammogram of one series for all: `rowsTo` is where rows lead to in the patient.
-struct Breast {
-  const char *side, *view, *rowsTo;
-  int columns, rows;
-};
-
-// The left CC lies the wrong way round; the MLOs are larger.
-const Breast breasts[] = {{"L", "MLO", "A\\F", 90, 120},
-                          {"R", "CC", "P\\L", 60, 80},
-                          {"L", "CC", "P\\L", 60, 80},
-                          {"R", "MLO", "P\\F", 90, 120}};
-
-bool writeBreast(const Breast& b, int number, const QString& path) {
-  DcmFileFormat file;
-  DcmDataset& d = *file.getDataset();
-  const auto text = [&](const DcmTagKey& tag, const QString& value) {
-    d.putAndInsertString(tag, value.toLatin1().constData());
-  };
-  const QString uid = QStringLiteral("1.2.3.77.%1").arg(number);
-  text(DCM_SOPClassUID, QStringLiteral("1.2.840.10008.5.1.4.1.1.1.2"));
-  text(DCM_SOPInstanceUID, uid);
-  text(DCM_StudyInstanceUID, QStringLiteral("1.2.3.77"));
-  text(DCM_SeriesInstanceUID, QStringLiteral("1.2.3.77.0"));
-  text(DCM_Modality, QStringLiteral("MG"));
-  text(DCM_PatientID, QStringLiteral("77"));
-  text(DCM_PatientName, QStringLiteral("Doe^Jane"));
-  text(DCM_StudyDate, QStringLiteral("20260301"));
-  text(DCM_BodyPartExamined, QStringLiteral("BREAST"));
-  text(DCM_InstanceNumber, QString::number(number));
-  text(DCM_ImageLaterality, QLatin1String(b.side));
-  text(DCM_ViewPosition, QLatin1String(b.view));
-  text(DCM_PatientOrientation, QLatin1String(b.rowsTo));
-  text(DCM_ImagerPixelSpacing, QStringLiteral("0.1\\0.1"));
-  text(DCM_PhotometricInterpretation, QStringLiteral("MONOCHROME2"));
-  text(DCM_WindowCenter, QStringLiteral("400"));
-  text(DCM_WindowWidth, QStringLiteral("800"));
-  d.putAndInsertUint16(DCM_SamplesPerPixel, 1);
-  d.putAndInsertUint16(DCM_Rows, Uint16(b.rows));
-  d.putAndInsertUint16(DCM_Columns, Uint16(b.columns));
-  d.putAndInsertUint16(DCM_BitsAllocated, 16);
-  d.putAndInsertUint16(DCM_BitsStored, 12);
-  d.putAndInsertUint16(DCM_HighBit, 11);
-  d.putAndInsertUint16(DCM_PixelRepresentation, 0);
-  const std::vector<Uint16> pixels(std::size_t(b.columns * b.rows), 300);
-  d.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
-  return file.saveFile(path.toLocal8Bit().constData(), EXS_LittleEndianExplicit).good();
-}
 
 struct HangingWindow : Journey {
   using Journey::Journey;
@@ -119,30 +66,6 @@ struct HangingWindow : Journey {
     return names;
   }
   QString complaint() { return child<Banner>("banner")->sentence(); }
-};
-
-struct Mammograms {
-  QTemporaryDir folder;
-  bool write() const {
-    for (int n = 0; n < 4; ++n)
-      if (!writeBreast(breasts[n], n + 1, folder.filePath(QString::number(n)))) return false;
-    return true;
-  }
-};
-
-// The same series of one patient on two days.
-struct TwoDays {
-  QTemporaryDir folder;
-  QString now = folder.filePath(QStringLiteral("now")), before = folder.filePath(QStringLiteral("before"));
-
-  bool write() const { return writeDay(now, "20260301") && writeDay(before, "20240215"); }
-  static bool writeDay(const QString& path, const char* day) {
-    DicomSeriesTags tags;
-    tags.patientName = "Doe^Jane", tags.patientId = "77", tags.studyDate = day;
-    tags.studyUid = std::string("1.2.3.") + day, tags.description = "Head";
-    const Result<VolumePtr> volume = makePhantom("ct-head:20");
-    return volume && writeDicomSeries(**volume, tags, path.toStdString());
-  }
 };
 
 // With both open, and the later one on screen.
