@@ -33,7 +33,7 @@ QPoint lensMiddle(const QWidget* view) { return view->rect().center() - QPoint(2
 
 // What the lens must show, drawn directly.
 QImage drawnAt(const FlatView* view, QPointF at, double factor) {
-  SliceRequest request = *view->requestFor(1);
+  SliceRequest request = *view->requestFor(view->pixels());
   const glm::dvec3 centre = request.plane.patientFromPixel({at.x(), at.y()});
   request.plane.centre = centre;
   request.plane.mmPerPixel /= factor;
@@ -106,7 +106,7 @@ void TestMagnifier::itsPixelsAreThoseOfTheSlice() {
   LensWindow w;
   prepare(w);
   QTest::keyClick(w.view(), Qt::Key_V);
-  const auto wanted = w.view()->requestFor(1);
+  const auto wanted = w.view()->requestFor(w.view()->pixels());
   QCOMPARE(wanted->layers.size(), std::size_t(QTest::currentDataTag() == QByteArray("fused") ? 2 : 1));
   const QPoint at = lensMiddle(w.view());
   const Workspace before = w.session().workspace();

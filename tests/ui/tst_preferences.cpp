@@ -256,7 +256,8 @@ void TestPreferences::choicesAreKeptAndReset() {
                              .referenceLines = false,
                              .referenceEnds = true,
                              .hideNames = true,
-                             .memoryPercent = 50};
+                             .memoryPercent = 50,
+                             .windows = {}};
   QVERIFY(chosen == expected);
   Opened window;
   QVERIFY(window.session().preferences() == expected);

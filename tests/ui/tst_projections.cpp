@@ -18,7 +18,7 @@ using namespace volumen;
 
 namespace {
 
-std::shared_ptr<LoadedSeries> seriesOf(const char* modality, const char* unit) {
+std::shared_ptr<LoadedSeries> projectedSeries(const char* modality, const char* unit) {
   auto series = std::make_shared<LoadedSeries>(*tests::ballSeries());
   series->series.modality = modality;
   series->series.unit = unit;
@@ -34,7 +34,7 @@ struct Shown {
   TransferPanel panel{session};
 
   explicit Shown(const char* modality = "MR", const char* unit = "", Mode mode = Mode::mip) {
-    auto series = seriesOf(modality, unit);
+    auto series = projectedSeries(modality, unit);
     series->firstScene.mode = mode;
     session.show(series);
     view.resize(400, 300);

@@ -200,7 +200,7 @@ void TestSessionJson::refusalsNameTheField_data() {
   row("a series twice", "/series/-", "{\"path\": \"/data/ct\", \"id\": \"1.2.3\"}",
       "series[1] is there twice");
   row("a look twice", "/views/1/flats/-", "{\"series\": 0}", "views[1].flats[1] is there twice");
-  row("no such view", "/focus", "8", "focus must be in 0 .. 7");
+  row("no such view", "/focus", "24", "focus must be in 0 .. 23");
   row("a view that is not on screen", "/layout", "\"two\"", "focus must be a view of the layout");
   row("an unknown layout", "/layout", "\"five\"", "layout must be \"one\" or");
   row("no zoom", "/views/1/flats/0/zoom", "0", "views[1].flats[0].zoom must be in 0.001");
