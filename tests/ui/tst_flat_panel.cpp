@@ -46,6 +46,8 @@ class TestFlatPanel : public QObject {
  private Q_SLOTS:
   void theWindowIsTyped_data();
   void theWindowIsTyped();
+  void noWindowHasNoWidth_data();
+  void noWindowHasNoWidth();
   void windowsAreChosenByName();
   void coloursAndInversionAreSet();
   void slabAndInterpolationAreSet();
@@ -93,6 +95,25 @@ void TestFlatPanel::theWindowIsTyped() {
   w.undo();
   QVERIFY(w.session().workspace() == before);
   QCOMPARE(w.shown("flatCentre"), 40.0);
+}
+
+void TestFlatPanel::noWindowHasNoWidth_data() {
+  QTest::addColumn<QByteArray>("text");
+  QTest::newRow("0") << QByteArray("0");
+  QTest::newRow("less than the field's digits") << QByteArray("0.0");
+}
+
+void TestFlatPanel::noWindowHasNoWidth() {
+  QFETCH(QByteArray, text);
+  FlatPanelWindow w;
+  const Workspace before = w.session().workspace();
+  const int steps = w.steps();
+  w.type("flatWidth", text.constData());
+  QVERIFY(w.session().workspace() == before);
+  QCOMPARE(w.steps(), steps);
+  QCOMPARE(w.shown("flatWidth"), 400.0);
+  w.type("flatWidth", "300");
+  QCOMPARE(w.seriesState().window, std::optional(Window{40, 300}));
 }
 
 void TestFlatPanel::windowsAreChosenByName() {
