@@ -19,7 +19,7 @@ namespace {
 constexpr double suvOfFile = 0.5;
 
 // Another grid over the CT of ballIn(): the value rises along its rows.
-LoadedSeriesPtr petIn(const char* frame) {
+LoadedSeriesPtr risingPet(const char* frame) {
   auto series = std::make_shared<LoadedSeries>(*ballIn(frame, 1, "PT"));
   series->volume = volumeOf<float>({14, 14, 14}, glm::dmat3(3), [](glm::dvec3 x) { return 10 + x.x; });
   series->series.acquired = series->volume->geometry();
@@ -30,9 +30,10 @@ LoadedSeriesPtr petIn(const char* frame) {
 }
 
 struct FusedWindow : MeasureWindow {
-  const LoadedSeriesPtr pet = petIn("1.2.3");
+  const LoadedSeriesPtr pet;
 
-  FusedWindow() : MeasureWindow(ballIn("1.2.3")) {
+  explicit FusedWindow(LoadedSeriesPtr over = risingPet("1.2.3"))
+      : MeasureWindow(ballIn("1.2.3")), pet(std::move(over)) {
     session().keep(pet);
     fuse(&pet->series);
   }
@@ -48,6 +49,10 @@ struct FusedWindow : MeasureWindow {
     scaleOther(*numbers, suvOfFile);
     return numbers;
   }
+  QString csv() {
+    child<QAction>("copyMeasurementsCsv")->trigger();
+    return QGuiApplication::clipboard()->text();
+  }
   QString listed() {
     const QTreeWidgetItem* item = child<QTreeWidget>("measurementList")->topLevelItem(0);
     return item ? item->text(1) : QString();
@@ -62,6 +67,7 @@ class TestFusedRegions : public QObject {
   void everyRegionIsOfBoth_data();
   void everyRegionIsOfBoth();
   void csvNamesBoth();
+  void hiddenNamesAreHiddenInNumbersThatAreThere();
   void withoutTheOverlayItIsOfOne();
   void otherShapesAreOfOne();
 };
@@ -107,6 +113,24 @@ void TestFusedRegions::csvNamesBoth() {
   QCOMPARE(field("other_mean").toDouble(), wanted->other->values->mean);
   QCOMPARE(field("other_unit"), QStringLiteral("SUVbw"));
   QCOMPARE(field("other_suv_peak").toDouble(), wanted->other->peak->mean);
+}
+
+void TestFusedRegions::hiddenNamesAreHiddenInNumbersThatAreThere() {
+  auto file = std::make_shared<LoadedSeries>(*risingPet("1.2.3"));
+  file->series.format = "NIfTI";
+  file->series.path = "/data/Doe_PET.nii";
+  file->series.description.clear();
+  FusedWindow w(file);
+  w.draw(ShapeKind::rectangle, placesOf(ShapeKind::rectangle));
+  const auto said = [&] { return w.drawn(w.last().id).text.join(u'\n') + w.listed() + w.csv(); };
+  const QString name = QStringLiteral("Doe_PET.nii");
+  QTRY_COMPARE_WITH_TIMEOUT(said().count(name), 3, longest);
+  const QString before = said();
+  w.child<QAction>("hideNames")->trigger();
+  QVERIFY2(!said().contains(QStringLiteral("Doe")), qPrintable(said()));
+  QCOMPARE(said().count(QStringLiteral("(file name hidden)")), 3);
+  w.child<QAction>("hideNames")->trigger();
+  QCOMPARE(said(), before);
 }
 
 void TestFusedRegions::withoutTheOverlayItIsOfOne() {

@@ -42,7 +42,7 @@ struct TwoLines {
 
 /// What another series says in a region.
 struct OtherValues {
-  std::string source;  ///< what names it
+  std::string source;  ///< what names it; empty: nobody said
   std::string unit;    ///< of its values
   std::optional<ValueStatistics> values;
   std::optional<ValuePeak> peak;  ///< as Measured::peak
