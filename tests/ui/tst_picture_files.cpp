@@ -70,6 +70,16 @@ QImage plain(const FlatView& view, QSize pixels) {
 
 void goTo(FlatView* view, int place) { view->scroll(place - view->place().index); }
 
+// To the slice of a number, by what the corner says.
+bool showNumber(FlatView* view, int number) {
+  for (int place = 0; place < view->place().count; ++place) {
+    goTo(view, place);
+    const QStringList lines = view->overlays().topRight;
+    if (lines.contains(QStringLiteral("%1 / %2").arg(number).arg(view->place().count))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 class TestPictureFiles : public QObject {
@@ -85,6 +95,7 @@ class TestPictureFiles : public QObject {
   void namesAreHiddenInTheFileAlone();
   void itIsWhatWasSeenThen();
   void aStackIsAFileForEachPlace();
+  void aReformattedStackCountsPlaces();
   void aStackOfFramesIsAFileForEachFrame();
   void whatIsCancelledLeavesNothing();
   void whereNothingCanBeWrittenIsTold();
@@ -250,13 +261,31 @@ void TestPictureFiles::aStackIsAFileForEachPlace() {
   QCOMPARE(w.child<QLabel>("toldText")->text().section(QLatin1Char('/'), 0, 0),
            QStringLiteral("Saved 4 pictures in "));
   for (const int number : {3, 5, 7, 9}) {
-    goTo(w.view(), number - 1);
+    QVERIFY(showNumber(w.view(), number));
+    QVERIFY2(w.view()->place().index != number - 1, "the wheel counts from the other end");
     const QImage file(made.filePath(QStringLiteral("CT Ball-000%1.png").arg(number)));
     QCOMPARE(rgb(file), w.view()->capture());
   }
   QTRY_COMPARE_WITH_TIMEOUT(
       QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), 2,
       longest);
+}
+
+void TestPictureFiles::aReformattedStackCountsPlaces() {
+  const QTemporaryDir folder;
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view(coronalViewId)->picture().isNull(), longest);
+  w.session().setFocus(coronalViewId);
+  PictureDialog* dialog = ask(w, "saveStack");
+  QCOMPARE(dialog->findChild<QSpinBox*>(QStringLiteral("pictureLast"))->suffix(), QStringLiteral(" of 32"));
+  set(dialog, "pictureFirst", 8);
+  set(dialog, "pictureLast", 8);
+  accept(dialog);
+  answer(w, "pictureFilesDialog", folder.path());
+  const QString path = folder.filePath(QStringLiteral("CT Ball/CT Ball-0008.png"));
+  const QImage file = written(path);
+  goTo(w.view(coronalViewId), 7);
+  QCOMPARE(file, w.view(coronalViewId)->capture());
 }
 
 void TestPictureFiles::aStackOfFramesIsAFileForEachFrame() {
@@ -355,7 +384,7 @@ void TestPictureFiles::aSheetHoldsPicturesInRowsAndColumns() {
   QVERIFY(texts ? above > 10 : above == 0);
   QCOMPARE(sheet.width(), same.image().width());
   for (int n = 0; n < count; ++n) {
-    goTo(w.view(), n * every);
+    QVERIFY(showNumber(w.view(), n * every + 1));
     const int height = texts ? tile.height() / 2 : tile.height();
     const QImage expected = plain(*w.view(), tile).copy(0, 0, tile.width(), height);
     QCOMPARE(sheet.copy(same.placeOf(n).translated(0, above)).copy(0, 0, tile.width(), height), expected);

@@ -26,7 +26,7 @@ class PictureFiles : public Feature {
   struct Wanted {
     PicturesOf of;
     PictureLook look;
-    std::vector<int> places;  // of the stack
+    std::vector<NumberedPlace> places;
     int columns;
     bool hasHead;
     std::vector<PictureStop> stops;
@@ -86,19 +86,20 @@ void PictureFiles::ask(PicturesOf of) {
   auto* flat = qobject_cast<FlatView*>(grid_.viewShown());
   if (!flat || !flat->shown())
     return warn(tr("Click a slice or a frame first. 3D pictures of any size: File > Save 3D snapshot."));
-  auto* dialog = new PictureDialog(of, flat->place(), flat->size(), &bench_.window);
+  auto* dialog =
+      new PictureDialog(of, flat->numberedPlaces(), flat->numberCount(), flat->size(), &bench_.window);
   const LoadedSeriesPtr shown = flat->shown();
   connect(dialog, &QDialog::accepted, this, [this, of, dialog, shown, view = flat->id()] {
     const Workspace& workspace = session_.workspace();
     Wanted wanted{of,
                   dialog->look(),
-                  of == PicturesOf::view ? std::vector<int>() : dialog->places(),
+                  of == PicturesOf::view ? std::vector<NumberedPlace>() : dialog->places(),
                   dialog->columns(),
                   dialog->withTexts(),
                   {},
                   fileName(*seriesIn(workspace, view), dialog->look().namesHidden)};
-    for (const int place : wanted.places)
-      wanted.stops.push_back({withPlace(workspace, view, *shown, place), view});
+    for (const NumberedPlace& each : wanted.places)
+      wanted.stops.push_back({withPlace(workspace, view, *shown, each.place), view});
     if (of == PicturesOf::view) wanted.stops.push_back({workspace, view});
     askWhere(wanted);
   });
@@ -164,7 +165,7 @@ void PictureFiles::writeStack(const Wanted& wanted, const QString& folder) {
   run(
       wanted,
       [aside, name = wanted.name, places = wanted.places](std::size_t n, const MadePicture& picture) {
-        const QString number = QStringLiteral("%1").arg(places[n] + 1, 4, 10, QLatin1Char('0'));
+        const QString number = QStringLiteral("%1").arg(places[n].number, 4, 10, QLatin1Char('0'));
         return writeMade(picture, picture.image,
                          aside->filePath(QStringLiteral("%1-%2.png").arg(name, number)));
       },

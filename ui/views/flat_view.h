@@ -89,6 +89,9 @@ class FlatView : public View {
   virtual PictureSeen pictureSeen() const = 0;
   /// Where the wheel is, and of how many places.
   virtual StackPlace place() const = 0;
+  /// Of how many the number of the picture is one; its places in the order of their numbers.
+  int numberCount() const { return numbers().count; }
+  std::vector<NumberedPlace> numberedPlaces() const;
   /// The measurements that are seen, the one that is being drawn last.
   std::vector<DrawnMeasurement> drawnMeasurements() const;
   /// A plane of the stack that is scrolled through: the one on screen, or one at an end.
@@ -159,6 +162,8 @@ class FlatView : public View {
   virtual Numbers numbers() const = 0;
   /// The line of the corner that says it.
   virtual QString numberLine() const = 0;
+  /// Where the wheel is at the picture of a number; none: it has no place.
+  virtual std::optional<int> placeOf(int number) const = 0;
   /// Shows the picture of a number; why it cannot, empty: it does.
   virtual QString goToNumber(int number) = 0;
   /// Places of the stack that are key images.

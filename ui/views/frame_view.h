@@ -44,6 +44,7 @@ class FrameView : public FlatView {
   bool hasCursor() const override { return frame_ && frame_->geometry().calibrated; }
   Numbers numbers() const override;
   QString numberLine() const override;
+  std::optional<int> placeOf(int number) const override { return number - 1; }
   QString goToNumber(int number) override;
   std::vector<int> keyImagePlaces() const override;
   std::vector<std::pair<int, int>> heldPlaces() const override;
