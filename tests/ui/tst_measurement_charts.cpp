@@ -81,6 +81,7 @@ class TestMeasurementCharts : public QObject {
   void nearestIsAsThePlaneShows();
   void aRegionHasItsHistogram();
   void itFollowsTheSelection();
+  void aChartIsOfWhatIsSelected();
   void csvIsCopied();
   void aRegionThroughTime();
   void onAFrame();
@@ -178,6 +179,42 @@ void TestMeasurementCharts::itFollowsTheSelection() {
   QTest::mouseClick(w.view(), Qt::LeftButton, {}, {20, 180});
   QVERIFY(w.chart.shown().lines.empty());
   QVERIFY(w.chart.said().startsWith(QStringLiteral("Select a length")));
+}
+
+// One whose series is not in memory has no chart, none of another one either; then the others have theirs
+// again.
+void TestMeasurementCharts::aChartIsOfWhatIsSelected() {
+  ChartWindow w;
+  w.chart.open();
+  w.draw(length, {{50, 150}, {130, 150}});
+  w.draw(rectangle, {{60, 60}, {120, 110}});
+  const Measurement line = w.all()[0], box = w.all()[1];
+  const int notHere = box.id + 1;
+  w.session().change(QStringLiteral("test"), [&](Workspace& now) {
+    auto series = std::make_shared<Series>(w.seriesOf(line)->series);
+    series->id = "elsewhere";
+    now.series.editOrAdd(keyOf(*series)).series = series;
+    Measurement other = line;
+    other.id = notHere;
+    other.series = keyOf(*series);
+    now.measurements.push_back(other);
+  });
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == w.histogram(box), longest);
+  const auto hasNone = [&] {
+    return w.chart.shown().lines.empty() && w.chart.said().startsWith(QStringLiteral("Show the series of "));
+  };
+  w.session().select(line.id);
+  w.session().select(notHere);
+  QVERIFY(hasNone());
+  QTest::qWait(200);
+  QVERIFY2(hasNone(), "the chart that was under way is given up");
+  w.session().select(line.id);
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == w.profile(line), longest);
+  w.session().select(notHere);
+  QVERIFY(hasNone());
+  w.session().select(line.id);
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == w.profile(line), longest);
+  QCOMPARE(w.chart.said(), nameText(line));
 }
 
 void TestMeasurementCharts::csvIsCopied() {

@@ -94,11 +94,12 @@ void ChartPanel::offer(const std::vector<ChartKind>& kinds) {
   if (const int at = kind_->findData(int(preferred_)); at >= 0) kind_->setCurrentIndex(at);
 }
 
-void ChartPanel::take(const MeasuredChart& chart) {
+void ChartPanel::take(int measurement, const MeasuredChart& chart) {
+  const Measurement* m = findMeasurement(session_.workspace(), measurement);
+  if (!m || measurement != session_.workspace().selected) return;
   view_->setChart(chart);
   copy_->setEnabled(!chart.lines.empty());
-  const Measurement* m = findMeasurement(session_.workspace(), session_.workspace().selected);
-  QString sentence = m ? nameText(*m) : QString();
+  QString sentence = nameText(*m);
   if (!chart.problem.isEmpty()) sentence += QStringLiteral(": ") + chart.problem;
   say(sentence);
 }

@@ -26,7 +26,7 @@ class ChartPanel : public QWidget {
  private:
   void makeLayout();
   void offer(const std::vector<ChartKind>& kinds);
-  void take(const MeasuredChart& chart);
+  void take(int measurement, const MeasuredChart& chart);
   void say(const QString& sentence);
 
   Session& session_;
