@@ -10,6 +10,7 @@
 
 #include "tests/ui/frames_window.h"
 #include "tests/ui/measure_window.h"
+#include "tests/ui/two_series.h"
 #include "ui/overlays/slice_sheet.h"
 #include "ui/panels/picture_dialog.h"
 #include "ui/widgets/banner.h"
@@ -94,6 +95,7 @@ class TestPictureFiles : public QObject {
   void itIsAsWideAsWanted();
   void namesAreHiddenInTheFileAlone();
   void itIsWhatWasSeenThen();
+  void numbersAreThoseOfThePicture();
   void aStackIsAFileForEachPlace();
   void aReformattedStackCountsPlaces();
   void aStackOfFramesIsAFileForEachFrame();
@@ -234,6 +236,25 @@ void TestPictureFiles::itIsWhatWasSeenThen() {
   QVERIFY(w.view()->capture() != seen);
   answer(w, "pictureFilesDialog", at("then.png"));
   QCOMPARE(written(at("then.png")), seen);
+}
+
+// A region of two series, one of which lies over the other no more once the picture is made.
+void TestPictureFiles::numbersAreThoseOfThePicture() {
+  const LoadedSeriesPtr pet = petIn("A");
+  MeasureWindow w(ballIn("A"));
+  w.session().keep(pet);
+  w.session().change(QStringLiteral("test"), withOverlay(w.session().workspace(), axialViewId, &pet->series));
+  w.draw(ShapeKind::rectangle, {{70, 60}, {131, 111}});
+  w.session().select(0);
+  QTRY_VERIFY_WITH_TIMEOUT(w.view()->isMeasured(), longest);
+  QVERIFY(w.drawn(w.last().id).text.join(u'\n').contains(QStringLiteral("SUVpeak")));
+  const QImage seen = w.view()->capture();
+  accept(ask(w, "saveSizedPicture"));
+  w.session().change(QStringLiteral("test"), withOverlay(w.session().workspace(), axialViewId, nullptr));
+  QTRY_VERIFY_WITH_TIMEOUT(w.view()->isMeasured(), longest);
+  QVERIFY(!w.drawn(w.last().id).text.join(u'\n').contains(QStringLiteral("SUVpeak")));
+  answer(w, "pictureFilesDialog", at("both.png"));
+  QCOMPARE(written(at("both.png")), seen);
 }
 
 void TestPictureFiles::aStackIsAFileForEachPlace() {

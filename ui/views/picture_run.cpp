@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
+#include "ui/controller/measure_jobs.h"
 #include "ui/data/frame_series.h"
 #include "ui/views/view_grid.h"
+#include "ui/workspace/links.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -30,13 +33,23 @@ Workspace workspaceOf(const PictureStop& stop, PictureLook::Size size) {
   return workspace;
 }
 
+// What it shows, and what is measured over it.
+std::set<SeriesKey> seriesSeen(const PictureStop& stop) {
+  const ViewState& view = stop.workspace.view(stop.view);
+  std::set<SeriesKey> seen{view.series, flatLookOf(view).overlay};
+  for (const Measurement& m : stop.workspace.measurements) {
+    seen.insert(m.series);
+    if (const auto over = seriesOver(stop.workspace, m.series)) seen.insert(over->series);
+  }
+  return seen;
+}
+
 // What the view of a stop needs of the series in memory.
 std::unique_ptr<Session> sessionOf(const PictureStop& stop, PictureLook::Size size, const Session& session) {
   auto copy = std::make_unique<Session>();
   copy->prefer(session.preferences());
   copy->pool().setBudget(std::numeric_limits<std::size_t>::max());
-  const ViewState& view = stop.workspace.view(stop.view);
-  for (const SeriesKey& key : {view.series, flatLookOf(view).overlay}) {
+  for (const SeriesKey& key : seriesSeen(stop)) {
     const auto state = stop.workspace.series.find(key);
     if (state == stop.workspace.series.end()) continue;
     if (LoadedSeriesPtr held = session.seriesWith(key, state->second.mask))
@@ -63,8 +76,9 @@ PictureRun::PictureRun(const ViewGrid& grid, const Session& session, Jobs& jobs,
   // After the view has heard of it, too.
   connect(&frames_, &FrameService::ready, this,
           [this] { QTimer::singleShot(0, this, &PictureRun::prepare); });
-  connect(&frames_, &FrameService::failed, this,
-          [this](int, const FrameKey&, const QString& sentence) { end(shownText(sentence.toStdString())); });
+  connect(&frames_, &FrameService::failed, this, [this](int view, const FrameKey&, const QString& sentence) {
+    if (view != measuredId) end(shownText(sentence.toStdString()));
+  });
 }
 
 PictureRun::~PictureRun() { jobs_.remove(job_); }
@@ -90,8 +104,10 @@ void PictureRun::next() {
 void PictureRun::showStop() {
   const PictureStop& stop = stops_[at_];
   view_.reset();
+  measurer_.reset();
   copy_ = sessionOf(stop, look_.size, session_);
-  view_ = grid_.unseenView(*copy_, frames_, stop.view);
+  measurer_ = std::make_unique<MeasureJobs>(*copy_, frames_);
+  view_ = grid_.unseenView(*copy_, frames_, *measurer_, stop.view);
   waits_ = 0;
   if (!view_) return end(tr("Only slices and frames can be made into such pictures."));
   resizeView(look_.seen);

@@ -16,6 +16,7 @@
 namespace volumen {
 
 class FlatView;
+class MeasureJobs;
 class ViewGrid;
 
 /// A picture of a flat view that was made.
@@ -73,8 +74,9 @@ class PictureRun : public QObject {
   Finish finish_;
   std::size_t at_ = 0;
   FrameService frames_;
-  std::unique_ptr<Session> copy_;   // as the stop has it
-  std::unique_ptr<FlatView> view_;  // over it
+  std::unique_ptr<Session> copy_;  // as the stop has it
+  std::unique_ptr<MeasureJobs> measurer_;
+  std::unique_ptr<FlatView> view_;  // over both
   QTimer numbersSoon_;
   int waits_ = 0;  // for numbers
   bool hasEnded_ = false;
