@@ -78,6 +78,8 @@ class TestKeyImagePages : public QObject {
   void pagesHaveSoManyPlaces();
   void picturesLieInTheirPlaces_data();
   void picturesLieInTheirPlaces();
+  void trueSizeSaysWhoseMmItIs_data();
+  void trueSizeSaysWhoseMmItIs();
   void soManyStandOnAPage_data();
   void soManyStandOnAPage();
   void trueSizeIsMeasured_data();
@@ -148,6 +150,29 @@ void TestKeyImagePages::picturesLieInTheirPlaces() {
     }
     QCOMPARE(isInTrueSize(page, 1 % perPage, look, paper), inTrueSize && perPage > 1);
   }
+}
+
+void TestKeyImagePages::trueSizeSaysWhoseMmItIs_data() {
+  QTest::addColumn<double>("mmPerPixel");
+  QTest::addColumn<QString>("word");
+  QTest::addColumn<QString>("text");
+  QTest::newRow("the patient's") << 0.1 << QString() << QStringLiteral("True size");
+  QTest::newRow("at the detector") << 0.1 << QStringLiteral("at detector")
+                                   << QStringLiteral("True size (at detector)");
+  QTest::newRow("too large") << 10.0 << QStringLiteral("at detector")
+                             << QStringLiteral("Not true size: too large for its place");
+  QTest::newRow("none") << 0.0 << QString() << QStringLiteral("Not true size: not calibrated");
+}
+
+void TestKeyImagePages::trueSizeSaysWhoseMmItIs() {
+  QFETCH(double, mmPerPixel);
+  QFETCH(QString, word);
+  QFETCH(QString, text);
+  const QImage image(400, 300, QImage::Format_RGB32);
+  const auto mm = mmPerPixel > 0 ? std::optional(mmPerPixel) : std::nullopt;
+  const PicturePage page{{}, {{image, mm, {}, word}}};
+  QCOMPARE(scaleText(page, 0, {1, true}, {186, 273}), text);
+  QCOMPARE(scaleText(page, 0, {1, false}, {186, 273}), QString());
 }
 
 void TestKeyImagePages::soManyStandOnAPage_data() {

@@ -182,7 +182,7 @@ void KeyImagePages::make(const WantedPtr& wanted, const Paint& paint, const QStr
   run->start(
       [wanted](std::size_t n, const MadePicture& made) {
         wanted->pages[wanted->pageOf[n]].pictures.push_back(
-            {made.image, made.mmPerPixel, wanted->captions[qsizetype(n)]});
+            {made.image, made.mmPerPixel, wanted->captions[qsizetype(n)], made.lengthsWord});
         return Status();
       },
       [wanted, paint] { return paint(wanted->pages, wanted->look); });

@@ -42,9 +42,11 @@ Printing::Printing(Workbench& bench) : Feature(bench) {
 void Printing::ask() {
   if (session_.workspace().series.empty()) return warn(tr("Open a series first."));
   const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
-  auto* trueSize = new QCheckBox(tr("True size: 1 mm of the patient is 1 mm on paper"));
-  trueSize->setObjectName(QStringLiteral("printTrueSize"));
   const auto* flat = qobject_cast<FlatView*>(grid_.viewShown());
+  const QString word = flat ? flat->lengthsWord() : QString();
+  auto* trueSize = new QCheckBox(word.isEmpty() ? tr("True size: 1 mm of the patient is 1 mm on paper")
+                                                : tr("True size: 1 mm (%1) is 1 mm on paper").arg(word));
+  trueSize->setObjectName(QStringLiteral("printTrueSize"));
   trueSize->setEnabled(flat && flat->shown() && flat->overlays().mmPerPixel > 0);
   auto* page = new QWidget;
   page->setWindowTitle(tr("Picture"));

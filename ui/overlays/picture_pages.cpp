@@ -37,14 +37,6 @@ std::optional<QSizeF> trueSize(const PagePicture& picture) {
 
 bool fits(QSizeF size, QSizeF room) { return size.width() <= room.width() && size.height() <= room.height(); }
 
-// What a picture's scale is, where it should be that of the patient.
-QString scaleText(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm) {
-  if (!look.inTrueSize) return {};
-  if (isInTrueSize(page, n, look, paperMm)) return tr("True size");
-  return page.pictures[std::size_t(n)].mmPerPixel ? tr("Not true size: too large for its place")
-                                                  : tr("Not true size: not calibrated");
-}
-
 class PagePainter {
  public:
   PagePainter(QPainter& painter, double dotsPerMm) : painter_(painter), dotsPerMm_(dotsPerMm) {
@@ -113,6 +105,14 @@ QRectF pagePlace(const PicturePage& page, int n, const PageLook& look, QSizeF pa
   return {QPointF(cell.left() + (room.width() - size.width()) / 2,
                   cell.top() + (room.height() - size.height()) / 2),
           size};
+}
+
+QString scaleText(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm) {
+  const PagePicture& picture = page.pictures[std::size_t(n)];
+  if (!look.inTrueSize) return {};
+  if (!picture.mmPerPixel) return tr("Not true size: not calibrated");
+  if (!isInTrueSize(page, n, look, paperMm)) return tr("Not true size: too large for its place");
+  return picture.lengthsWord.isEmpty() ? tr("True size") : tr("True size (%1)").arg(picture.lengthsWord);
 }
 
 Status paintPages(QPagedPaintDevice& device, const std::vector<PicturePage>& pages, const PageLook& look) {

@@ -18,6 +18,7 @@ struct PagePicture {
   QImage image;
   std::optional<double> mmPerPixel;  ///< none: it is not calibrated
   QString caption;
+  QString lengthsWord = {};  ///< what is true of its mm: "at detector"; empty: they are the patient's
 };
 
 /// Pictures that stand on one page, and what stands above them: lines at the left.
@@ -41,6 +42,10 @@ QRectF pagePlace(const PicturePage& page, int n, const PageLook& look, QSizeF pa
 
 /// Whether a picture is as large as the patient on a page.
 bool isInTrueSize(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm);
+
+/// What stands under a picture that should be as large as the patient: "True size", and what is true of its
+/// mm where they are not the patient's, or why it is not. Empty where it should not.
+QString scaleText(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm);
 
 /// Paints the pages. An Error where the device cannot be written to.
 Status paintPages(QPagedPaintDevice& device, const std::vector<PicturePage>& pages, const PageLook& look);

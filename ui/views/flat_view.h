@@ -85,6 +85,8 @@ class FlatView : public View {
   void zoomTo(double mmPerPixel);
   /// mm of a pixel of what is shown, the smaller edge. Only where shown() is something.
   double ownPixelMm() const;
+  /// What is true of its mm: "at detector"; empty: they are the patient's, or there are none.
+  virtual QString lengthsWord() const { return {}; }
   /// The picture as acquired that is seen.
   virtual PictureSeen pictureSeen() const = 0;
   /// Where the wheel is, and of how many places.

@@ -20,6 +20,9 @@ class FrameView : public FlatView {
   void chooseGrey(const GreyChoice& choice);
   void scroll(int steps) override;
   void goTo(int place) override;
+  QString lengthsWord() const override {
+    return frame_ ? QLatin1String(pixelSizeWord(frame_->pixel.kind)) : QString();
+  }
   LoadedSeriesPtr shown() const override { return isCurrent() && frame_ ? frame_->slice : nullptr; }
   QString failure() const override { return failure_; }
   Overlays overlays() const override;

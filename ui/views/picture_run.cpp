@@ -178,6 +178,7 @@ void PictureRun::keepPicture(const QImage& picture, double mmPerPixel) {
   made.image.setDevicePixelRatio(1);
   made.overlays = view_->overlays();
   made.warnings = static_cast<View&>(*view_).warningsShown();
+  made.lengthsWord = view_->lengthsWord();
   if (made.overlays.mmPerPixel > 0) made.mmPerPixel = mmPerPixel;
   lane_.run(
       {}, [keep = keep_, n = at_, made](const Job&) { return keep(n, made); },

@@ -25,6 +25,7 @@ struct MadePicture {
   Overlays overlays;                 ///< what the view says, over the picture or not
   QStringList warnings;              ///< what is not as it seems in it, whole sentences
   std::optional<double> mmPerPixel;  ///< of the image; none: it is not calibrated
+  QString lengthsWord;               ///< what is true of its mm, where they are not the patient's
 };
 
 /// Makes pictures of flat views one after the other, each of a workspace of its own, whatever is on screen
