@@ -51,6 +51,7 @@ class TestFlatPanel : public QObject {
   void windowsAreChosenByName();
   void coloursAndInversionAreSet();
   void slabAndInterpolationAreSet();
+  void behindAnotherTabItRests();
   void anOverlayHasWindowColoursAndOpacity();
   void itSaysWhatTheSeriesIs();
   void framesHaveNoSlab();
@@ -164,6 +165,18 @@ void TestFlatPanel::slabAndInterpolationAreSet() {
   // Another view in focus, another slab.
   QTest::mouseClick(w.view(coronalViewId), Qt::LeftButton, {}, {60, 60});
   QCOMPARE(w.shown("flatSlab"), 0.0);
+}
+
+void TestFlatPanel::behindAnotherTabItRests() {
+  FlatPanelWindow w;
+  auto* dock = w.child<QDockWidget>("flatDock");
+  QTRY_VERIFY_WITH_TIMEOUT(dock->geometry().right() >= 0, longest);
+  w.child<QDockWidget>("transferDock")->raise();
+  QTRY_VERIFY_WITH_TIMEOUT(dock->geometry().right() < 0, longest);
+  editFlat(w.session(), axialViewId, QStringLiteral("test"), [](FlatLook& look) { look.slabMm = 7; });
+  QCOMPARE(w.shown("flatSlab"), 0.0);
+  dock->raise();
+  QTRY_COMPARE_WITH_TIMEOUT(w.shown("flatSlab"), 7.0, longest);
 }
 
 void TestFlatPanel::anOverlayHasWindowColoursAndOpacity() {
