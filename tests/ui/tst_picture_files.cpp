@@ -4,15 +4,20 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QThread>
+#include <atomic>
 
 #include "tests/ui/frames_window.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/two_series.h"
 #include "ui/overlays/slice_sheet.h"
 #include "ui/panels/picture_dialog.h"
+#include "ui/views/picture_run.h"
 #include "ui/widgets/banner.h"
 #include "ui/workspace/text.h"
 
@@ -100,6 +105,8 @@ class TestPictureFiles : public QObject {
   void aReformattedStackCountsPlaces();
   void aStackOfFramesIsAFileForEachFrame();
   void whatIsCancelledLeavesNothing();
+  void whatIsBeingWrittenIsWrittenToItsEnd();
+  void theWindowAsksBeforePicturesAreLost();
   void whereNothingCanBeWrittenIsTold();
   void aSheetHoldsPicturesInRowsAndColumns_data();
   void aSheetHoldsPicturesInRowsAndColumns();
@@ -346,6 +353,53 @@ void TestPictureFiles::whatIsCancelledLeavesNothing() {
                             QStringLiteral("Interrupted; nothing was written."), longest);
   const auto all = QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot;
   QTRY_COMPARE_WITH_TIMEOUT(QDir(folder.path()).entryList(all), QStringList(), longest);
+}
+
+// The last that is done cannot be cancelled, and says so.
+void TestPictureFiles::whatIsBeingWrittenIsWrittenToItsEnd() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  Session& session = w.session();
+  auto* run = new PictureRun(*w.window.views(), session, w.window.jobs(), QStringLiteral("Saving pictures"),
+                             {{session.workspace(), axialViewId}}, {});  // deletes itself
+  std::atomic<bool> isWriting = false, mayEnd = false;
+  QSignalSpy ended(run, &PictureRun::ended);
+  run->start([](std::size_t, const MadePicture&) { return Status(); },
+             [&] {
+               isWriting = true;
+               while (!mayEnd) QThread::msleep(1);
+               return Status();
+             });
+  const auto rows = [&] { return w.window.jobs().rows(); };
+  QCOMPARE(rows().size(), std::size_t(1));
+  QVERIFY(rows()[0].canBeCancelled);
+  QTRY_VERIFY_WITH_TIMEOUT(isWriting, longest);
+  const bool isListed = rows().size() == 1 && !rows()[0].canBeCancelled;
+  if (isListed) w.window.jobs().cancel(rows()[0].id);
+  const bool goesOn = !run->hasEnded();
+  mayEnd = true;
+  QVERIFY(isListed && goesOn);
+  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longest);
+  QCOMPARE(ended[0][0].toString(), QString());
+}
+
+void TestPictureFiles::theWindowAsksBeforePicturesAreLost() {
+  const QTemporaryDir folder;
+  MeasureWindow w(ballSeries(96, 30));
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  PictureDialog* dialog = ask(w, "saveStack");
+  dialog->findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(wide);
+  set(dialog, "pictureWidth", 3000);
+  accept(dialog);
+  answer(w, "pictureFilesDialog", folder.path());
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("cancelTask")->isVisible(), longest);
+  QVERIFY(!w.window.close());
+  auto* box = w.child<QMessageBox>("closeBox");
+  QVERIFY(box->text().contains(QStringLiteral("pictures that are being written")));
+  box->reject();
+  QTest::mouseClick(w.child<QWidget>("cancelTask"), Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(w.child<Banner>("banner")->sentence(),
+                            QStringLiteral("Interrupted; nothing was written."), longest);
 }
 
 void TestPictureFiles::whereNothingCanBeWrittenIsTold() {

@@ -32,6 +32,8 @@ class KeyImagePages : public Feature {
  public:
   explicit KeyImagePages(Workbench& bench);
 
+  QString unsavedText() const override;
+
  private:
   // What was chosen, and the key images then.
   struct Wanted {
@@ -88,6 +90,12 @@ KeyImagePages::KeyImagePages(Workbench& bench) : Feature(bench) {
                     false,
                     [this](bool) { ask(); },
                     {{"picturesMenu", 20}}});
+}
+
+QString KeyImagePages::unsavedText() const {
+  const bool any = std::ranges::any_of(findChildren<PictureRun*>(),
+                                       [](const PictureRun* run) { return !run->hasEnded(); });
+  return any ? tr("pages that are being made") : QString();
 }
 
 void KeyImagePages::ask() {

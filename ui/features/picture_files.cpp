@@ -2,6 +2,7 @@
 #include <QFileDialog>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <algorithm>
 
 #include "io/files/picture_file.h"
 #include "ui/features/feature.h"
@@ -20,6 +21,8 @@ namespace {
 class PictureFiles : public Feature {
  public:
   explicit PictureFiles(Workbench& bench);
+
+  QString unsavedText() const override;
 
  private:
   // What was chosen, and what was seen then.
@@ -79,6 +82,12 @@ PictureFiles::PictureFiles(Workbench& bench) : Feature(bench) {
   add("saveSizedPicture", tr("Picture of any size..."), PicturesOf::view);
   add("saveStack", tr("Stack as pictures..."), PicturesOf::stack);
   add("saveSheet", tr("Contact sheet..."), PicturesOf::sheet);
+}
+
+QString PictureFiles::unsavedText() const {
+  const bool any = std::ranges::any_of(findChildren<PictureRun*>(),
+                                       [](const PictureRun* run) { return !run->hasEnded(); });
+  return any ? tr("pictures that are being written") : QString();
 }
 
 void PictureFiles::ask(PicturesOf of) {
@@ -152,8 +161,14 @@ void PictureFiles::run(const Wanted& wanted, const PictureRun::Keep& keep, const
 }
 
 void PictureFiles::writeOne(const Wanted& wanted, const QString& path) {
+  const auto made = std::make_shared<MadePicture>();
   run(
-      wanted, [path](std::size_t, const MadePicture& made) { return writeMade(made, made.image, path); }, {},
+      wanted,
+      [made](std::size_t, const MadePicture& picture) {
+        *made = picture;
+        return Status();
+      },
+      [made, path] { return writeMade(*made, made->image, path); },
       [path] { return tr("Saved %1").arg(path); });
 }
 

@@ -93,7 +93,15 @@ void PictureRun::start(Keep keep, Finish finish) {
 
 void PictureRun::next() {
   if (hasEnded_) return;
-  if (at_ < stops_.size()) return showStop();
+  if (at_ < stops_.size())
+    showStop();
+  else
+    finish();
+}
+
+void PictureRun::finish() {
+  jobs_.remove(job_);
+  jobs_.add(job_, {}, false);
   lane_.run(
       {}, [finish = finish_](const Job&) { return finish ? finish() : Status(); },
       [this](const Status& finished) {

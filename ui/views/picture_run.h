@@ -35,7 +35,7 @@ class PictureRun : public QObject {
  public:
   /// What becomes of picture `n`, on another thread. An Error ends the run.
   using Keep = std::function<Status(std::size_t n, const MadePicture& picture)>;
-  /// After the last one, there too.
+  /// After the last one, there too; the user cannot cancel it.
   using Finish = std::function<Status()>;
 
   /// Slices are those that `session` has in memory.
@@ -46,6 +46,7 @@ class PictureRun : public QObject {
   /// Ends in ended(), once. What was not finished by then is the business of what `keep` and `finish` hold:
   /// both are gone when the run is.
   void start(Keep keep, Finish finish = {});
+  bool hasEnded() const { return hasEnded_; }
 
  Q_SIGNALS:
   /// Empty: all pictures were made and kept. The run deletes itself.
@@ -55,6 +56,7 @@ class PictureRun : public QObject {
   using Size = PictureLook::Size;
 
   void next();
+  void finish();
   void showStop();
   void prepare();
   void waitForNumbers();
