@@ -34,7 +34,8 @@ struct FrameReading {
                                             ///< lies, of lengths from end to end, never below 0
 };
 
-/// How long the two lines of a shape are (ShapeRule::twoLines).
+/// How long the two lines of a shape are (ShapeRule::twoLines): the long axis and the short one, the heart
+/// and the thorax.
 struct TwoLines {
   double first = 0, second = 0;
   std::string unit;  ///< "mm", "px"
