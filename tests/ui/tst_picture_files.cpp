@@ -3,6 +3,7 @@
 // meanwhile changes none of it, and nothing of it changes the workspace; what is cancelled leaves nothing.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
@@ -100,6 +101,7 @@ class TestPictureFiles : public QObject {
   void itIsAsWideAsWanted();
   void namesAreHiddenInTheFileAlone();
   void itIsWhatWasSeenThen();
+  void itIsWhatWasSeenAsOneWasAsked();
   void numbersAreThoseOfThePicture();
   void aStackIsAFileForEachPlace();
   void aReformattedStackCountsPlaces();
@@ -243,6 +245,25 @@ void TestPictureFiles::itIsWhatWasSeenThen() {
   QVERIFY(w.view()->capture() != seen);
   answer(w, "pictureFilesDialog", at("then.png"));
   QCOMPARE(written(at("then.png")), seen);
+}
+
+// Not what is scrolled to, nor nothing, where the view changes while the dialog is open.
+void TestPictureFiles::itIsWhatWasSeenAsOneWasAsked() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const QImage seen = w.view()->capture();
+  PictureDialog* dialog = ask(w, "saveSizedPicture");
+  w.view()->scroll(5);
+  accept(dialog);
+  answer(w, "pictureFilesDialog", at("asked.png"));
+  QCOMPARE(written(at("asked.png")), seen);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  dialog = ask(w, "saveSizedPicture");
+  w.session().change(QStringLiteral("test"), [](Workspace& all) {
+    for (const ViewId id : viewsOnScreen(all)) all.editView(id).series = {};
+  });
+  accept(dialog);
+  QVERIFY2(w.child<QFileDialog>("pictureFilesDialog"), "it asks where to");
 }
 
 // A region of two series, one of which lies over the other no more once the picture is made.

@@ -97,9 +97,9 @@ void PictureFiles::ask(PicturesOf of) {
     return warn(tr("Click a slice or a frame first. 3D pictures of any size: File > Save 3D snapshot."));
   auto* dialog =
       new PictureDialog(of, flat->numberedPlaces(), flat->numberCount(), flat->size(), &bench_.window);
+  // As it is seen now, whatever becomes of it while the dialog is open.
   const LoadedSeriesPtr shown = flat->shown();
-  connect(dialog, &QDialog::accepted, this, [this, of, dialog, shown, view = flat->id()] {
-    const Workspace& workspace = session_.workspace();
+  const auto accept = [this, of, dialog, shown, workspace = session_.workspace(), view = flat->id()] {
     Wanted wanted{of,
                   dialog->look(),
                   of == PicturesOf::view ? std::vector<NumberedPlace>() : dialog->places(),
@@ -111,7 +111,8 @@ void PictureFiles::ask(PicturesOf of) {
       wanted.stops.push_back({withPlace(workspace, view, *shown, each.place), view});
     if (of == PicturesOf::view) wanted.stops.push_back({workspace, view});
     askWhere(wanted);
-  });
+  };
+  connect(dialog, &QDialog::accepted, this, accept);
   dialog->open();
 }
 
