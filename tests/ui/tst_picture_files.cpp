@@ -102,6 +102,7 @@ class TestPictureFiles : public QObject {
   void namesAreHiddenInTheFileAlone();
   void itIsWhatWasSeenThen();
   void itIsWhatWasSeenAsOneWasAsked();
+  void aSeriesThatIsClosedMeanwhileIsPictured();
   void numbersAreThoseOfThePicture();
   void aStackIsAFileForEachPlace();
   void aReformattedStackCountsPlaces();
@@ -264,6 +265,19 @@ void TestPictureFiles::itIsWhatWasSeenAsOneWasAsked() {
   });
   accept(dialog);
   QVERIFY2(w.child<QFileDialog>("pictureFilesDialog"), "it asks where to");
+}
+
+void TestPictureFiles::aSeriesThatIsClosedMeanwhileIsPictured() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const QImage seen = plain(*w.view(), w.view()->pixels());
+  PictureDialog* dialog = ask(w, "saveSizedPicture");
+  tick(dialog, "pictureTexts", false);
+  accept(dialog);
+  w.session().close({w.view()->state().series});
+  QVERIFY(w.session().workspace().series.empty());
+  answer(w, "pictureFilesDialog", at("closed.png"));
+  QCOMPARE(written(at("closed.png")), seen);
 }
 
 // A region of two series, one of which lies over the other no more once the picture is made.

@@ -138,6 +138,7 @@ KeyImagePages::WantedPtr KeyImagePages::wantedOf(const PagesDialog& dialog) cons
       wanted->captions << caption;
       wanted->stops.push_back(
           viewOfKeyImage(session_.workspace(), image, session_.seriesNamed(keyOf(*image.series))));
+      wanted->stops.back().held = seriesHeld(wanted->stops.back(), session_);
     }
   return wanted;
 }

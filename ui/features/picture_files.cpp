@@ -99,17 +99,19 @@ void PictureFiles::ask(PicturesOf of) {
       new PictureDialog(of, flat->numberedPlaces(), flat->numberCount(), flat->size(), &bench_.window);
   // As it is seen now, whatever becomes of it while the dialog is open.
   const LoadedSeriesPtr shown = flat->shown();
-  const auto accept = [this, of, dialog, shown, workspace = session_.workspace(), view = flat->id()] {
+  PictureStop now{session_.workspace(), flat->id()};
+  now.held = seriesHeld(now, session_);
+  const auto accept = [this, of, dialog, shown, now] {
     Wanted wanted{of,
                   dialog->look(),
                   of == PicturesOf::view ? std::vector<NumberedPlace>() : dialog->places(),
                   dialog->columns(),
                   dialog->withTexts(),
                   {},
-                  fileName(*seriesIn(workspace, view), dialog->look().namesHidden)};
+                  fileName(*seriesIn(now.workspace, now.view), dialog->look().namesHidden)};
     for (const NumberedPlace& each : wanted.places)
-      wanted.stops.push_back({withPlace(workspace, view, *shown, each.place), view});
-    if (of == PicturesOf::view) wanted.stops.push_back({workspace, view});
+      wanted.stops.push_back({withPlace(now.workspace, now.view, *shown, each.place), now.view, now.held});
+    if (of == PicturesOf::view) wanted.stops.push_back(now);
     askWhere(wanted);
   };
   connect(dialog, &QDialog::accepted, this, accept);

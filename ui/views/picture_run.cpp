@@ -49,17 +49,23 @@ std::unique_ptr<Session> sessionOf(const PictureStop& stop, PictureLook::Size si
   auto copy = std::make_unique<Session>();
   copy->prefer(session.preferences());
   copy->pool().setBudget(std::numeric_limits<std::size_t>::max());
-  for (const SeriesKey& key : seriesSeen(stop)) {
-    const auto state = stop.workspace.series.find(key);
-    if (state == stop.workspace.series.end()) continue;
-    if (LoadedSeriesPtr held = session.seriesWith(key, state->second.mask))
-      copy->pool().put({key, state->second.mask}, std::move(held));
-  }
+  for (const auto& [key, held] : stop.held.empty() ? seriesHeld(stop, session) : stop.held)
+    copy->pool().put({key, stop.workspace.series.at(key).mask}, held);
   copy->open({}, workspaceOf(stop, size));
   return copy;
 }
 
 }  // namespace
+
+std::map<SeriesKey, LoadedSeriesPtr> seriesHeld(const PictureStop& stop, const Session& session) {
+  std::map<SeriesKey, LoadedSeriesPtr> held;
+  for (const SeriesKey& key : seriesSeen(stop)) {
+    const auto state = stop.workspace.series.find(key);
+    if (state == stop.workspace.series.end()) continue;
+    if (LoadedSeriesPtr series = session.seriesWith(key, state->second.mask)) held[key] = std::move(series);
+  }
+  return held;
+}
 
 PictureRun::PictureRun(const ViewGrid& grid, const Session& session, Jobs& jobs, const QString& doing,
                        std::vector<PictureStop> stops, const PictureLook& look, QObject* parent)

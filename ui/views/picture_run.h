@@ -28,6 +28,9 @@ struct MadePicture {
   QString lengthsWord;               ///< what is true of its mm, where they are not the patient's
 };
 
+/// PictureStop::held of what a session has in memory.
+std::map<SeriesKey, LoadedSeriesPtr> seriesHeld(const PictureStop& stop, const Session& session);
+
 /// Makes pictures of flat views one after the other, each of a workspace of its own, whatever is on screen
 /// meanwhile: a job with progress. Frames are read and pictures drawn on other threads.
 class PictureRun : public QObject {
@@ -38,7 +41,7 @@ class PictureRun : public QObject {
   /// After the last one, there too; the user cannot cancel it.
   using Finish = std::function<Status()>;
 
-  /// Slices are those that `session` has in memory.
+  /// Slices are those that the stops hold, or that `session` has in memory once it is their turn.
   PictureRun(const ViewGrid& grid, const Session& session, Jobs& jobs, const QString& doing,
              std::vector<PictureStop> stops, const PictureLook& look, QObject* parent = nullptr);
   ~PictureRun() override;
