@@ -57,8 +57,11 @@ std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
 
 bool FlatView::isMeasured() const {
   if (!shown() || !session_.workspace().measurementsShown) return true;
-  return std::ranges::all_of(measurements(), [this](const Measurement* m) {
-    const bool isNotHere = !m->shape.frame && !session_.seriesNamed(m->series);
+  const auto& all = session_.workspace().series;
+  return std::ranges::all_of(measurements(), [&](const Measurement* m) {
+    const auto state = all.find(m->series);
+    const bool isNotHere =
+        state == all.end() || state->second.missing || (!m->shape.frame && !session_.seriesNamed(m->series));
     return isNotHere || measurer_.exactNumbersOf(*m) != nullptr;
   });
 }

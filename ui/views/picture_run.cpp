@@ -18,8 +18,8 @@ namespace volumen {
 
 namespace {
 
-constexpr int waitMs = 20, mostWaits = 100;  // for numbers of measurements
-constexpr double textEdge = 640;             // logical pixels that texts over a whole picture are made for
+constexpr int waitMs = 20;        // for numbers of measurements
+constexpr double textEdge = 640;  // logical pixels that texts over a whole picture are made for
 
 // Of all of the picture, or of what is seen; nothing has handles.
 Workspace workspaceOf(const PictureStop& stop, PictureLook::Size size) {
@@ -122,7 +122,7 @@ void PictureRun::showStop() {
   copy_ = sessionOf(stop, look_.size, session_);
   measurer_ = std::make_unique<MeasureJobs>(*copy_, frames_);
   view_ = grid_.unseenView(*copy_, frames_, *measurer_, stop.view);
-  waits_ = 0;
+  isPrepared_ = false;
   if (!view_) return end(tr("Only slices and frames can be made into such pictures."));
   resizeView(look_.seen);
   const ViewState& state = view_->state();
@@ -137,11 +137,12 @@ void PictureRun::showStop() {
 
 // Its size, once it is known what it shows.
 void PictureRun::prepare() {
-  if (hasEnded_ || waits_ > 0) return;
+  if (hasEnded_ || isPrepared_) return;
   if (!view_->shown()) {
     if (showsFrames(view_->state().kind)) return;  // until its frame is read
     return end(tr("The series is still being loaded: try again once it is shown."));
   }
+  isPrepared_ = true;
   if (look_.size == Size::own || look_.size == Size::whole) {
     const QSizeF own = view_->ownPixels();
     const double shorter = std::min(own.width(), own.height()), longer = std::max(own.width(), own.height());
@@ -160,10 +161,10 @@ void PictureRun::resizeView(QSize logical) {
   QCoreApplication::sendEvent(view_.get(), &event);
 }
 
+// As long as they take: the user may cancel.
 void PictureRun::waitForNumbers() {
   if (hasEnded_) return;
-  if (look_.withTexts && !view_->isMeasured() && ++waits_ < mostWaits) return numbersSoon_.start();
-  waits_ = mostWaits;
+  if (look_.withTexts && !view_->isMeasured()) return numbersSoon_.start();
   draw();
 }
 

@@ -84,7 +84,7 @@ class PictureRun : public QObject {
   std::unique_ptr<MeasureJobs> measurer_;
   std::unique_ptr<FlatView> view_;  // over both
   QTimer numbersSoon_;
-  int waits_ = 0;  // for numbers
+  bool isPrepared_ = false;  // what the stop shows is known
   bool hasEnded_ = false;
   JobLane lane_;
 };
