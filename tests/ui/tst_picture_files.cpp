@@ -318,6 +318,10 @@ void TestPictureFiles::aStackIsAFileForEachPlace() {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   }
   const QDir made(folder.filePath(QStringLiteral("CT Ball")));
+  const QTemporaryDir another;
+  QVERIFY(QDir(another.path()).mkdir(QStringLiteral("usual")));
+  QCOMPARE(QFileInfo(made.path()).permissions(),
+           QFileInfo(another.filePath(QStringLiteral("usual"))).permissions());
   QCOMPARE(made.entryList(QDir::Files),
            QStringList({QStringLiteral("CT Ball-0003.png"), QStringLiteral("CT Ball-0005.png"),
                         QStringLiteral("CT Ball-0007.png"), QStringLiteral("CT Ball-0009.png")}));

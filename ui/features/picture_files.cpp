@@ -175,23 +175,25 @@ void PictureFiles::writeOne(const Wanted& wanted, const QString& path) {
       [path] { return tr("Saved %1").arg(path); });
 }
 
-// Aside at first, so that a folder that is there is whole.
+// Aside at first, so that a folder that is there is whole; in a folder of its own there, which has the usual
+// permissions.
 void PictureFiles::writeStack(const Wanted& wanted, const QString& folder) {
   const auto aside = std::make_shared<QTemporaryDir>(folder + QStringLiteral("/.volumen-XXXXXX"));
-  if (!aside->isValid()) return warn(tr("Cannot write into %1: choose another folder.").arg(folder));
+  const QString pictures = aside->filePath(QStringLiteral("pictures"));
+  if (!aside->isValid() || !QDir().mkdir(pictures))
+    return warn(tr("Cannot write into %1: choose another folder.").arg(folder));
   const auto made = std::make_shared<QString>();
   run(
       wanted,
-      [aside, name = wanted.name, places = wanted.places](std::size_t n, const MadePicture& picture) {
+      [aside, pictures, name = wanted.name, places = wanted.places](std::size_t n,
+                                                                    const MadePicture& picture) {
         const QString number = QStringLiteral("%1").arg(places[n].number, 4, 10, QLatin1Char('0'));
-        return writeMade(picture, picture.image,
-                         aside->filePath(QStringLiteral("%1-%2.png").arg(name, number)));
+        return writeMade(picture, picture.image, QStringLiteral("%1/%2-%3.png").arg(pictures, name, number));
       },
-      [aside, made, folder, name = wanted.name] {
+      [aside, pictures, made, folder, name = wanted.name] {
         const QString target = freeName(folder, name);
-        if (!QDir().rename(aside->path(), target))
+        if (!QDir().rename(pictures, target))
           return Status(Error{tr("Cannot write %1: choose another folder.").arg(target).toStdString()});
-        aside->setAutoRemove(false);
         *made = target;
         return Status();
       },
