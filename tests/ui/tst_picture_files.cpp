@@ -113,6 +113,8 @@ class TestPictureFiles : public QObject {
   void whereNothingCanBeWrittenIsTold();
   void aSheetHoldsPicturesInRowsAndColumns_data();
   void aSheetHoldsPicturesInRowsAndColumns();
+  void theHeadHoldsForAllPictures_data();
+  void theHeadHoldsForAllPictures();
   void onlyFlatViewsHaveThem();
 
  private:
@@ -503,6 +505,41 @@ void TestPictureFiles::aSheetHoldsPicturesInRowsAndColumns() {
     const QImage expected = plain(*w.view(), tile).copy(0, 0, tile.width(), height);
     QCOMPARE(sheet.copy(same.placeOf(n).translated(0, above)).copy(0, 0, tile.width(), height), expected);
   }
+}
+
+void TestPictureFiles::theHeadHoldsForAllPictures_data() {
+  QTest::addColumn<FrameWindow>("window");
+  QTest::addColumn<int>("more");
+  QTest::newRow("one window for all of them") << FrameWindow::ofSeries << 1;
+  QTest::newRow("each has its own") << FrameWindow::ofEach << 0;
+}
+
+// So many lines more than those of patient and series.
+void TestPictureFiles::theHeadHoldsForAllPictures() {
+  NEED_FILES();
+  QFETCH(FrameWindow, window);
+  QFETCH(int, more);
+  constexpr int width = 200;
+  Frames w({"xa-96frames.dcm"});
+  QVERIFY(w.shows());
+  w.session().setFocus(axialViewId);
+  w.session().change(QStringLiteral("test"), [&](Workspace& all) {
+    all.series.edit(all.view(axialViewId).series).frameWindow = window;
+  });
+  PictureDialog* dialog = ask(w, "saveSheet");
+  for (const auto& [name, value] :
+       {std::pair("sheetRows", 1), {"sheetColumns", 2}, {"pictureLast", 2}, {"pictureWidth", width}})
+    set(dialog, name, value);
+  accept(dialog);
+  const QString path = at(QTest::currentDataTag()) + QStringLiteral(".png");
+  answer(w, "pictureFilesDialog", path);
+  const QImage sheet = written(path);
+  const QSize seen = w.view()->pixels();
+  const QSize tile = (QSizeF(seen) * (double(width) / seen.width())).toSize();
+  QStringList head = w.view()->overlays().topLeft;
+  QVERIFY(!head.isEmpty() && !w.view()->overlays().bottomRight.isEmpty());
+  for (int n = 0; n < more; ++n) head << QString();
+  QCOMPARE(sheet.size(), SliceSheet(1, 2, tile, head).image().size());
 }
 
 void TestPictureFiles::onlyFlatViewsHaveThem() {

@@ -10,6 +10,7 @@
 #include "ui/panels/picture_dialog.h"
 #include "ui/views/picture_run.h"
 #include "ui/views/view_grid.h"
+#include "ui/workspace/frame_look.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 
@@ -58,6 +59,13 @@ QString fileName(const Series& series, bool namesHidden) {
   constexpr int longest = 80;
   const HidingNames hiding(namesHidden);
   return seriesText(series).replace(QLatin1Char('/'), QLatin1Char('_')).left(longest);
+}
+
+// Whether all pictures of a view have the window of the first one.
+bool sharesWindow(const PictureStop& stop) {
+  const ViewState& view = stop.workspace.view(stop.view);
+  const SeriesState& state = stop.workspace.series.at(view.series);
+  return !showsFrames(view.kind) || state.window || !hasOwnWindows(state, *state.series);
 }
 
 // "12 / 31", "Frame 3 / 10": which one of the stack it is.
@@ -212,11 +220,11 @@ void PictureFiles::writeSheet(const Wanted& wanted, const QString& path) {
   const int count = int(wanted.places.size()), columns = std::min(wanted.columns, count);
   run(
       wanted,
-      [made, columns, rows = (count + columns - 1) / columns, hasHead = wanted.hasHead](
-          std::size_t n, const MadePicture& picture) {
+      [made, columns, rows = (count + columns - 1) / columns, hasHead = wanted.hasHead,
+       isShared = sharesWindow(wanted.stops.front())](std::size_t n, const MadePicture& picture) {
         if (n == 0) {
           QStringList head = picture.overlays.topLeft;
-          if (!picture.overlays.bottomRight.isEmpty()) head << picture.overlays.bottomRight;
+          if (isShared && !picture.overlays.bottomRight.isEmpty()) head << picture.overlays.bottomRight;
           made->sheet = std::make_unique<SliceSheet>(rows, columns, picture.image.size(),
                                                      hasHead ? head : QStringList());
           made->first = picture;
