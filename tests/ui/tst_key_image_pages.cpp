@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QPdfWriter>
 #include <QPrintDialog>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -80,6 +81,7 @@ class TestKeyImagePages : public QObject {
   void picturesLieInTheirPlaces();
   void trueSizeSaysWhoseMmItIs_data();
   void trueSizeSaysWhoseMmItIs();
+  void pagesAreMadeAsTheyArePainted();
   void soManyStandOnAPage_data();
   void soManyStandOnAPage();
   void trueSizeIsMeasured_data();
@@ -173,6 +175,19 @@ void TestKeyImagePages::trueSizeSaysWhoseMmItIs() {
   const PicturePage page{{}, {{image, mm, {}, word}}};
   QCOMPARE(scaleText(page, 0, {1, true}, {186, 273}), text);
   QCOMPARE(scaleText(page, 0, {1, false}, {186, 273}), QString());
+}
+
+// One after the other, so that no more than one of them is in memory.
+void TestKeyImagePages::pagesAreMadeAsTheyArePainted() {
+  std::vector<std::size_t> made;
+  QPdfWriter writer(at("painted"));
+  const auto page = [&](std::size_t n) {
+    made.push_back(n);
+    return PicturePage{{}, {{QImage(40, 30, QImage::Format_RGB32), {}, {}}}};
+  };
+  QVERIFY(paintPages(writer, {3, page}, {1, false}));
+  QCOMPARE(made, (std::vector<std::size_t>{0, 1, 2}));
+  QCOMPARE(pagesIn(at("painted")).size(), std::size_t(3));
 }
 
 void TestKeyImagePages::soManyStandOnAPage_data() {

@@ -115,16 +115,16 @@ QString scaleText(const PicturePage& page, int n, const PageLook& look, QSizeF p
   return picture.lengthsWord.isEmpty() ? tr("True size") : tr("True size (%1)").arg(picture.lengthsWord);
 }
 
-Status paintPages(QPagedPaintDevice& device, const std::vector<PicturePage>& pages, const PageLook& look) {
+Status paintPages(QPagedPaintDevice& device, const PageSource& pages, const PageLook& look) {
   const Error cannot{tr("The printer or its file cannot be written to.").toStdString()};
   const QSizeF paperMm = device.pageLayout().paintRect(QPageLayout::Millimeter).size();
   QPainter painter;
   if (!painter.begin(&device)) return cannot;
   PagePainter pagePainter(painter, device.logicalDpiX() / 25.4);
-  for (std::size_t n = 0; n < pages.size(); ++n) {
+  for (std::size_t n = 0; n < pages.count; ++n) {
     if (n > 0 && !device.newPage()) return cannot;
-    const QString number = tr("Page %1 of %2").arg(n + 1).arg(pages.size());
-    paintPicturePage(pagePainter, pages[n], number, look, paperMm);
+    const QString number = tr("Page %1 of %2").arg(n + 1).arg(pages.count);
+    paintPicturePage(pagePainter, pages.page(n), number, look, paperMm);
   }
   return painter.end() ? Status() : Status(cannot);
 }

@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QRectF>
 #include <QStringList>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct PicturePage {
   std::vector<PagePicture> pictures;
 };
 
+/// Pages that are there one at a time, each when it is painted.
+struct PageSource {
+  std::size_t count = 0;
+  std::function<PicturePage(std::size_t n)> page;
+};
+
 /// How many pictures a page has at most, and whether they are as large as the patient where there is room.
 struct PageLook {
   int perPage = 6;
@@ -48,6 +55,6 @@ bool isInTrueSize(const PicturePage& page, int n, const PageLook& look, QSizeF p
 QString scaleText(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm);
 
 /// Paints the pages. An Error where the device cannot be written to.
-Status paintPages(QPagedPaintDevice& device, const std::vector<PicturePage>& pages, const PageLook& look);
+Status paintPages(QPagedPaintDevice& device, const PageSource& pages, const PageLook& look);
 
 }  // namespace volumen
