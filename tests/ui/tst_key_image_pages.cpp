@@ -60,8 +60,11 @@ void press(QDialog* dialog, const char* button) {
 }
 
 // The pages of the PDF that is saved.
-std::vector<std::vector<QRectF>> saved(Journey& w, int perPage, bool inTrueSize, const QString& path) {
-  press(ask(w, perPage, inTrueSize), "pagesPdf");
+std::vector<std::vector<QRectF>> saved(Journey& w, int perPage, bool inTrueSize, const QString& path,
+                                       bool namesHidden = false) {
+  PagesDialog* dialog = ask(w, perPage, inTrueSize);
+  dialog->findChild<QCheckBox*>(QStringLiteral("pagesHideNames"))->setChecked(namesHidden);
+  press(dialog, "pagesPdf");
   answer(w, "pagesFileDialog", path);
   const bool isThere = QTest::qWaitFor([&] { return QFile::exists(path); }, longest);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -84,6 +87,8 @@ class TestKeyImagePages : public QObject {
   void pagesAreMadeAsTheyArePainted();
   void soManyStandOnAPage_data();
   void soManyStandOnAPage();
+  void picturesAreTheSlicesThatTheyName();
+  void namesAreHiddenOnPages();
   void trueSizeIsMeasured_data();
   void trueSizeIsMeasured();
   void onPaperToo();
@@ -284,6 +289,62 @@ void TestKeyImagePages::picturesOfDocumentsAreThere() {
   const auto pages = saved(w, 6, true, at("document"));
   QCOMPARE(pages.size(), std::size_t(1));
   QVERIFY(isAbout(pages.front().front().width(), 128 * 0.661468));
+}
+
+// Slices of the ball that differ much. In the middle of the picture, where no text is, each voxel with
+// neighbours like itself is as bright as its value.
+void TestKeyImagePages::picturesAreTheSlicesThatTheyName() {
+  const LoadedSeriesPtr series = dicomBall();
+  MeasureWindow w(series);
+  w.session().change(QStringLiteral("test"), [&](Workspace& all) {
+    all.series.edit(keyOf(series->series)).window = Window{500, 1000};
+  });
+  std::vector<int> slices;
+  for (const int steps : {0, 8}) {
+    w.view()->scroll(steps);
+    slices.push_back(w.view()->pictureSeen().index.value());
+    mark(w, 1);
+  }
+  saved(w, 2, false, at("slices"));
+  const std::vector<QImage> pictures = pixelsIn(at("slices"));
+  QCOMPARE(pictures.size(), std::size_t(2));
+  const Volume& volume = *series->volume;
+  for (std::size_t n = 0; n < 2; ++n) {
+    QCOMPARE(pictures[n].size(), QSize(1400, 1400));
+    const auto isBall = [&](int i, int j) { return volume.value(i, j, slices[n]) > 500; };
+    int compared = 0, wrong = 0;
+    for (int j = 7; j < 25; ++j)
+      for (int i = 7; i < 25; ++i) {
+        const bool isEven = isBall(i, j) == isBall(i - 1, j) && isBall(i, j) == isBall(i + 1, j) &&
+                            isBall(i, j) == isBall(i, j - 1) && isBall(i, j) == isBall(i, j + 1);
+        if (!isEven) continue;
+        const QRgb pixel = pictures[n].pixel(int((i + 0.5) * 1400 / 32), int((j + 0.5) * 1400 / 32));
+        ++compared;
+        wrong += (qGray(pixel) > 128) != isBall(i, j);
+      }
+    QVERIFY(compared > 150);
+    QVERIFY2(wrong * 50 < compared, qPrintable(QStringLiteral("%1 of %2").arg(wrong).arg(compared)));
+  }
+}
+
+// In pictures as on screen: the corners say other things, the middle is the same.
+void TestKeyImagePages::namesAreHiddenOnPages() {
+  MeasureWindow w(dicomBall());
+  mark(w, 1);
+  saved(w, 1, false, at("named"));
+  saved(w, 1, false, at("hidden"), true);
+  QVERIFY(!namesHidden());
+  saved(w, 1, false, at("named again"));
+  w.session().prefer([](Preferences& preferences) { preferences.hideNames = true; });
+  saved(w, 1, false, at("hidden on screen"), true);
+  w.session().prefer([](Preferences& preferences) { preferences.hideNames = false; });
+  const auto one = [&](const char* name) { return pixelsIn(at(name)).at(0); };
+  QCOMPARE(pixelsIn(at("named")).size(), std::size_t(1));
+  QCOMPARE(one("named again"), one("named"));
+  QVERIFY(one("hidden") != one("named"));
+  QCOMPARE(one("hidden on screen"), one("hidden"));
+  const QRect middle(400, 400, 600, 600);
+  QCOMPARE(one("hidden").copy(middle), one("named").copy(middle));
 }
 
 // Not what is marked while a place is chosen.
