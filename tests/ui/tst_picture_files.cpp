@@ -99,6 +99,7 @@ class TestPictureFiles : public QObject {
   void ownPixelsAreThoseOfTheFile();
   void aFrameHasItsOwnPixels();
   void itIsAsWideAsWanted();
+  void textsAreWrittenOverThePictureItself();
   void namesAreHiddenInTheFileAlone();
   void itIsWhatWasSeenThen();
   void itIsWhatWasSeenAsOneWasAsked();
@@ -223,6 +224,17 @@ void TestPictureFiles::itIsAsWideAsWanted() {
   const QImage withTexts = saved(w, at("texts.png"), wide, twice.width(), true);
   QCOMPARE(withTexts.size(), twice);
   QVERIFY(withTexts != plain(*w.view(), twice));
+}
+
+// As they are in a picture of the same size on screen; nothing of the picture is copied, however large it is.
+void TestPictureFiles::textsAreWrittenOverThePictureItself() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  QCOMPARE(w.view()->captureWith(plain(*w.view(), w.view()->pixels())), w.view()->capture());
+  QImage picture = plain(*w.view(), 3 * w.view()->pixels());
+  const uchar* pixels = picture.constBits();
+  const QImage with = w.view()->captureWith(std::move(picture));
+  QCOMPARE(with.constBits(), pixels);
 }
 
 void TestPictureFiles::namesAreHiddenInTheFileAlone() {

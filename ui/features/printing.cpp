@@ -68,11 +68,11 @@ void Printing::print(const std::shared_ptr<QPrinter>& printer, bool inTrueSize) 
   if (!request) return printOn(printer, {view->capture(), {}});
   drawing_.run(
       tr("Printing"), [request](const Job&) { return drawSlice(*request); },
-      [this, flat, printer, inTrueSize, request](const Result<QImage>& drawn) {
+      [this, flat, printer, inTrueSize, request](Result<QImage> drawn) {
         if (!drawn) return warn(QString::fromStdString(drawn.message()));
         if (!flat) return;
         const auto mm = inTrueSize ? std::optional(request->plane.mmPerPixel) : std::nullopt;
-        printOn(printer, {flat->captureWith(*drawn), mm});
+        printOn(printer, {flat->captureWith(*std::move(drawn)), mm});
       });
 }
 

@@ -43,7 +43,8 @@ class FlatView : public View {
   /// What is drawn for a picture of that size; the view's own picture is whole. None without a series.
   std::optional<SliceRequest> requestForOwnPixels() const;
   QImage capture() const override;
-  /// The same in as many pixels as this picture has, which is put in place of the one on screen.
+  /// The same in as many pixels as this picture has, which takes the place of the one on screen: written over
+  /// where nobody else has it, so that large ones take no longer than small ones.
   QImage captureWith(QImage picture) const;
   /// Whether the numbers of all that is measured in it are there; those that are not are asked for.
   bool isMeasured() const;
@@ -204,6 +205,7 @@ class FlatView : public View {
   void workspaceChanged(const Workspace& before) override;
   void paintShown(QPainter& painter) const override;
   void paintWith(QPainter& painter, const QImage& picture) const;
+  void paintOver(QPainter& painter) const;
   std::vector<QWidget*> badges() const override;
   QStringList warningsShown() const override { return warnings().sentences; }
   void paintEvent(QPaintEvent*) override;

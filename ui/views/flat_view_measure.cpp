@@ -60,8 +60,8 @@ bool FlatView::isMeasured() const {
   const auto& all = session_.workspace().series;
   return std::ranges::all_of(measurements(), [&](const Measurement* m) {
     const auto state = all.find(m->series);
-    const bool isNotHere = state == all.end() || state->second.missing ||
-                           (!m->shape.frame && !session_.seriesNamed(m->series));
+    const bool isNotHere =
+        state == all.end() || state->second.missing || (!m->shape.frame && !session_.seriesNamed(m->series));
     return isNotHere || measurer_.exactNumbersOf(*m) != nullptr;
   });
 }

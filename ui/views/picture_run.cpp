@@ -179,17 +179,22 @@ void PictureRun::draw() {
   const std::optional<SliceRequest> request =
       look_.size == Size::own ? view_->requestForOwnPixels() : view_->requestFor(pixelsWanted());
   lane_.run(
-      {}, [request](const Job&) { return drawSlice(*request); },
-      [this, mm = request->plane.mmPerPixel](const Result<QImage>& drawn) {
+      {},
+      [request](const Job&) -> Result<QImage> {
+        Result<QImage> drawn = drawSlice(*request);
+        if (!drawn) return drawn;
+        return (*std::move(drawn)).convertToFormat(QImage::Format_RGB32);
+      },
+      [this, mm = request->plane.mmPerPixel](Result<QImage> drawn) {
         if (!drawn) return end(QString::fromStdString(drawn.message()));
-        keepPicture(*drawn, mm);
+        keepPicture(*std::move(drawn), mm);
       });
 }
 
-void PictureRun::keepPicture(const QImage& picture, double mmPerPixel) {
+void PictureRun::keepPicture(QImage picture, double mmPerPixel) {
   const HidingNames hiding(look_.namesHidden);
   MadePicture made;
-  made.image = look_.withTexts ? view_->captureWith(picture) : picture.convertToFormat(QImage::Format_RGB32);
+  made.image = look_.withTexts ? view_->captureWith(std::move(picture)) : std::move(picture);
   made.image.setDevicePixelRatio(1);
   made.overlays = view_->overlays();
   made.warnings = static_cast<View&>(*view_).warningsShown();

@@ -64,7 +64,7 @@ class PictureRun : public QObject {
   void prepare();
   void waitForNumbers();
   void draw();
-  void keepPicture(const QImage& picture, double mmPerPixel);
+  void keepPicture(QImage picture, double mmPerPixel);
   void take(const Status& kept);
   void end(const QString& failure);
   QSize pixelsWanted() const;
