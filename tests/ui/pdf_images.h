@@ -4,6 +4,7 @@
 
 #include <QByteArray>
 #include <QFile>
+#include <QImage>
 #include <QRectF>
 #include <QTransform>
 #include <vector>
@@ -63,6 +64,32 @@ inline std::vector<std::vector<QRectF>> pagesIn(const QString& path) {
     if (!images.empty()) pages.push_back(std::move(images));
   }
   return pages;
+}
+
+/// The pixels of all images of a PDF that are kept without loss, in their order (PDF 1.4, 4.8.4).
+inline std::vector<QImage> pixelsIn(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  const QByteArray pdf = file.readAll();
+  std::vector<QImage> images;
+  for (qsizetype at = pdf.indexOf("stream\n"); at >= 0; at = pdf.indexOf("stream\n", at)) {
+    const qsizetype from = at + 7, to = pdf.indexOf("endstream", from), object = pdf.lastIndexOf("obj", at);
+    at = to + 9;
+    const QByteArray head = pdf.mid(object, from - object).simplified();
+    if (!head.contains("/Image")) continue;
+    const auto number = [&](const char* key) {
+      const qsizetype begin = head.indexOf(key) + qsizetype(qstrlen(key));
+      return head.mid(begin, 12).trimmed().split(' ').front().toInt();
+    };
+    const int width = number("/Width"), height = number("/Height"),
+              bytes = head.contains("DeviceRGB") ? 3 : 1;
+    const QByteArray samples = inflated(pdf.mid(from, to - from));
+    if (samples.size() < qsizetype(bytes) * width * height) continue;
+    images.push_back(QImage(reinterpret_cast<const uchar*>(samples.constData()), width, height, bytes * width,
+                            bytes == 3 ? QImage::Format_RGB888 : QImage::Format_Grayscale8)
+                         .convertToFormat(QImage::Format_RGB32));
+  }
+  return images;
 }
 
 inline std::vector<QRectF> imagesIn(const QString& path) {

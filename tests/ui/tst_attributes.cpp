@@ -56,6 +56,7 @@ class TestAttributes : public QObject {
   void initTestCase();
   void theyFollowTheView();
   void whereTheCrosshairIsCounts();
+  void namesAreHiddenAtOnce();
   void rowsAreCopied();
   void onlyDicomHasThem();
 
@@ -107,6 +108,21 @@ void TestAttributes::whereTheCrosshairIsCounts() {
     for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId, sceneViewId})
       QCOMPARE(pictureOf(w.workspace(), id), picture);
   }
+}
+
+void TestAttributes::namesAreHiddenAtOnce() {
+  Attributes w(head_);
+  QVERIFY(w.open());
+  QTRY_COMPARE_WITH_TIMEOUT(w.value("SOPInstanceUID"), w.uidSeen(), longest);
+  const auto hide = [&](bool on) {
+    w.session().prefer([on](Preferences& preferences) { preferences.hideNames = on; });
+  };
+  hide(true);
+  QVERIFY2(w.value("SOPInstanceUID") != w.uidSeen(), "not until it is read again");
+  QTRY_COMPARE_WITH_TIMEOUT(w.value("SOPInstanceUID"), QStringLiteral("(hidden)"), longest);
+  QCOMPARE(w.value("Modality"), QStringLiteral("CT"));
+  hide(false);
+  QTRY_COMPARE_WITH_TIMEOUT(w.value("SOPInstanceUID"), w.uidSeen(), longest);
 }
 
 void TestAttributes::rowsAreCopied() {

@@ -46,9 +46,12 @@ class TestFlatPanel : public QObject {
  private Q_SLOTS:
   void theWindowIsTyped_data();
   void theWindowIsTyped();
+  void noWindowHasNoWidth_data();
+  void noWindowHasNoWidth();
   void windowsAreChosenByName();
   void coloursAndInversionAreSet();
   void slabAndInterpolationAreSet();
+  void behindAnotherTabItRests();
   void anOverlayHasWindowColoursAndOpacity();
   void itSaysWhatTheSeriesIs();
   void framesHaveNoSlab();
@@ -93,6 +96,25 @@ void TestFlatPanel::theWindowIsTyped() {
   w.undo();
   QVERIFY(w.session().workspace() == before);
   QCOMPARE(w.shown("flatCentre"), 40.0);
+}
+
+void TestFlatPanel::noWindowHasNoWidth_data() {
+  QTest::addColumn<QByteArray>("text");
+  QTest::newRow("0") << QByteArray("0");
+  QTest::newRow("less than the field's digits") << QByteArray("0.0");
+}
+
+void TestFlatPanel::noWindowHasNoWidth() {
+  QFETCH(QByteArray, text);
+  FlatPanelWindow w;
+  const Workspace before = w.session().workspace();
+  const int steps = w.steps();
+  w.type("flatWidth", text.constData());
+  QVERIFY(w.session().workspace() == before);
+  QCOMPARE(w.steps(), steps);
+  QCOMPARE(w.shown("flatWidth"), 400.0);
+  w.type("flatWidth", "300");
+  QCOMPARE(w.seriesState().window, std::optional(Window{40, 300}));
 }
 
 void TestFlatPanel::windowsAreChosenByName() {
@@ -143,6 +165,18 @@ void TestFlatPanel::slabAndInterpolationAreSet() {
   // Another view in focus, another slab.
   QTest::mouseClick(w.view(coronalViewId), Qt::LeftButton, {}, {60, 60});
   QCOMPARE(w.shown("flatSlab"), 0.0);
+}
+
+void TestFlatPanel::behindAnotherTabItRests() {
+  FlatPanelWindow w;
+  auto* dock = w.child<QDockWidget>("flatDock");
+  QTRY_VERIFY_WITH_TIMEOUT(dock->geometry().right() >= 0, longest);
+  w.child<QDockWidget>("transferDock")->raise();
+  QTRY_VERIFY_WITH_TIMEOUT(dock->geometry().right() < 0, longest);
+  editFlat(w.session(), axialViewId, QStringLiteral("test"), [](FlatLook& look) { look.slabMm = 7; });
+  QCOMPARE(w.shown("flatSlab"), 0.0);
+  dock->raise();
+  QTRY_COMPARE_WITH_TIMEOUT(w.shown("flatSlab"), 7.0, longest);
 }
 
 void TestFlatPanel::anOverlayHasWindowColoursAndOpacity() {

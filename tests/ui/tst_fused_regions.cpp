@@ -1,13 +1,17 @@
 // Guards regions over fused slices: numbers of both series, each named with its unit, beside the shape, in
 // the panel and as CSV; SUVpeak of what is SUV. By real mouse events.
 #include <QClipboard>
+#include <QElapsedTimer>
 #include <QGuiApplication>
+#include <QSignalSpy>
 #include <QTreeWidget>
+#include <cmath>
 
 #include "tests/fixtures/small_volumes.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
+#include "ui/views/picture_run.h"
 #include "ui/workspace/text.h"
 #include "viewer/measure/scaled.h"
 
@@ -19,7 +23,7 @@ namespace {
 constexpr double suvOfFile = 0.5;
 
 // Another grid over the CT of ballIn(): the value rises along its rows.
-LoadedSeriesPtr petIn(const char* frame) {
+LoadedSeriesPtr risingPet(const char* frame) {
   auto series = std::make_shared<LoadedSeries>(*ballIn(frame, 1, "PT"));
   series->volume = volumeOf<float>({14, 14, 14}, glm::dmat3(3), [](glm::dvec3 x) { return 10 + x.x; });
   series->series.acquired = series->volume->geometry();
@@ -30,9 +34,10 @@ LoadedSeriesPtr petIn(const char* frame) {
 }
 
 struct FusedWindow : MeasureWindow {
-  const LoadedSeriesPtr pet = petIn("1.2.3");
+  const LoadedSeriesPtr pet;
 
-  FusedWindow() : MeasureWindow(ballIn("1.2.3")) {
+  explicit FusedWindow(LoadedSeriesPtr over = risingPet("1.2.3"))
+      : MeasureWindow(ballIn("1.2.3")), pet(std::move(over)) {
     session().keep(pet);
     fuse(&pet->series);
   }
@@ -48,6 +53,10 @@ struct FusedWindow : MeasureWindow {
     scaleOther(*numbers, suvOfFile);
     return numbers;
   }
+  QString csv() {
+    child<QAction>("copyMeasurementsCsv")->trigger();
+    return QGuiApplication::clipboard()->text();
+  }
   QString listed() {
     const QTreeWidgetItem* item = child<QTreeWidget>("measurementList")->topLevelItem(0);
     return item ? item->text(1) : QString();
@@ -62,8 +71,10 @@ class TestFusedRegions : public QObject {
   void everyRegionIsOfBoth_data();
   void everyRegionIsOfBoth();
   void csvNamesBoth();
+  void hiddenNamesAreHiddenInNumbersThatAreThere();
   void withoutTheOverlayItIsOfOne();
   void otherShapesAreOfOne();
+  void picturesWaitForNumbersThatTakeLong();
 };
 
 void TestFusedRegions::everyRegionIsOfBoth_data() {
@@ -109,6 +120,24 @@ void TestFusedRegions::csvNamesBoth() {
   QCOMPARE(field("other_suv_peak").toDouble(), wanted->other->peak->mean);
 }
 
+void TestFusedRegions::hiddenNamesAreHiddenInNumbersThatAreThere() {
+  auto file = std::make_shared<LoadedSeries>(*risingPet("1.2.3"));
+  file->series.format = "NIfTI";
+  file->series.path = "/data/Doe_PET.nii";
+  file->series.description.clear();
+  FusedWindow w(file);
+  w.draw(ShapeKind::rectangle, placesOf(ShapeKind::rectangle));
+  const auto said = [&] { return w.drawn(w.last().id).text.join(u'\n') + w.listed() + w.csv(); };
+  const QString name = QStringLiteral("Doe_PET.nii");
+  QTRY_COMPARE_WITH_TIMEOUT(said().count(name), 3, longest);
+  const QString before = said();
+  w.child<QAction>("hideNames")->trigger();
+  QVERIFY2(!said().contains(QStringLiteral("Doe")), qPrintable(said()));
+  QCOMPARE(said().count(QStringLiteral("(file name hidden)")), 3);
+  w.child<QAction>("hideNames")->trigger();
+  QCOMPARE(said(), before);
+}
+
 void TestFusedRegions::withoutTheOverlayItIsOfOne() {
   FusedWindow w;
   w.draw(ShapeKind::ellipse, placesOf(ShapeKind::ellipse));
@@ -126,6 +155,51 @@ void TestFusedRegions::otherShapesAreOfOne() {
   FusedWindow w;
   w.draw(ShapeKind::length, placesOf(ShapeKind::length));
   QCOMPARE(w.drawn(w.last().id).text, measuredLines(w.last().shape, w.measured(w.last())));
+}
+
+// SUVpeak of as many fine voxels as take some seconds here, whatever the machine.
+void TestFusedRegions::picturesWaitForNumbersThatTakeLong() {
+  constexpr int n = 300;
+  constexpr double mm = 0.25, wantedMs = 5000;
+  auto fine = std::make_shared<LoadedSeries>(*risingPet("1.2.3"));
+  fine->volume = volumeOf<float>({n, n, 3}, glm::dmat3(mm), [](glm::dvec3 x) { return 10 + x.x; });
+  fine->series.acquired = fine->volume->geometry();
+  MeasureWindow w(fine);
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const SlicePlane plane = *w.view()->plane();
+  const auto square = [&](double side) {
+    Shape shape;
+    shape.kind = ShapeKind::rectangle;
+    shape.plane = ShapePlane{plane.centre, plane.right, plane.down};
+    for (const double half : {-side * mm / 2, side * mm / 2})
+      shape.points.push_back(plane.centre + half * (plane.right + plane.down));
+    return shape;
+  };
+  const auto msOf = [&](double side) {
+    QElapsedTimer timer;
+    timer.start();
+    return measure(square(side), *fine->volume, "SUVbw") ? double(timer.nsecsElapsed()) / 1e6 : 0.0;
+  };
+  const double small = msOf(20), larger = msOf(40);
+  QVERIFY(small > 0 && larger > small);
+  const double side = std::min(n - 4.0, std::sqrt(wantedMs * (40 * 40 - 20 * 20) / (larger - small)));
+  addMeasurement(w.session(), keyOf(fine->series), square(side));
+  w.session().select(0);
+  PictureLook look;
+  look.seen = w.view()->size();
+  auto* run = new PictureRun(*w.window.views(), w.session(), w.window.jobs(), QStringLiteral("Saving"),
+                             {{w.session().workspace(), axialViewId}}, look);  // deletes itself
+  const auto kept = std::make_shared<QImage>();
+  QSignalSpy ended(run, &PictureRun::ended);
+  run->start([kept](std::size_t, const MadePicture& made) {
+    *kept = made.image;
+    return Status();
+  });
+  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longest);
+  QCOMPARE(ended[0][0].toString(), QString());
+  QTRY_VERIFY_WITH_TIMEOUT(w.view()->isMeasured(), longest);
+  QVERIFY(w.drawn(w.last().id).text.join(u'\n').contains(QStringLiteral("SUVpeak")));
+  QCOMPARE(*kept, w.view()->capture());
 }
 
 VOLUMEN_TEST(TestFusedRegions);

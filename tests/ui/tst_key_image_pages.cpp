@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QPdfWriter>
 #include <QPrintDialog>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -59,8 +60,11 @@ void press(QDialog* dialog, const char* button) {
 }
 
 // The pages of the PDF that is saved.
-std::vector<std::vector<QRectF>> saved(Journey& w, int perPage, bool inTrueSize, const QString& path) {
-  press(ask(w, perPage, inTrueSize), "pagesPdf");
+std::vector<std::vector<QRectF>> saved(Journey& w, int perPage, bool inTrueSize, const QString& path,
+                                       bool namesHidden = false) {
+  PagesDialog* dialog = ask(w, perPage, inTrueSize);
+  dialog->findChild<QCheckBox*>(QStringLiteral("pagesHideNames"))->setChecked(namesHidden);
+  press(dialog, "pagesPdf");
   answer(w, "pagesFileDialog", path);
   const bool isThere = QTest::qWaitFor([&] { return QFile::exists(path); }, longest);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -78,8 +82,13 @@ class TestKeyImagePages : public QObject {
   void pagesHaveSoManyPlaces();
   void picturesLieInTheirPlaces_data();
   void picturesLieInTheirPlaces();
+  void trueSizeSaysWhoseMmItIs_data();
+  void trueSizeSaysWhoseMmItIs();
+  void pagesAreMadeAsTheyArePainted();
   void soManyStandOnAPage_data();
   void soManyStandOnAPage();
+  void picturesAreTheSlicesThatTheyName();
+  void namesAreHiddenOnPages();
   void trueSizeIsMeasured_data();
   void trueSizeIsMeasured();
   void onPaperToo();
@@ -148,6 +157,42 @@ void TestKeyImagePages::picturesLieInTheirPlaces() {
     }
     QCOMPARE(isInTrueSize(page, 1 % perPage, look, paper), inTrueSize && perPage > 1);
   }
+}
+
+void TestKeyImagePages::trueSizeSaysWhoseMmItIs_data() {
+  QTest::addColumn<double>("mmPerPixel");
+  QTest::addColumn<QString>("word");
+  QTest::addColumn<QString>("text");
+  QTest::newRow("the patient's") << 0.1 << QString() << QStringLiteral("True size");
+  QTest::newRow("at the detector") << 0.1 << QStringLiteral("at detector")
+                                   << QStringLiteral("True size (at detector)");
+  QTest::newRow("too large") << 10.0 << QStringLiteral("at detector")
+                             << QStringLiteral("Not true size: too large for its place");
+  QTest::newRow("none") << 0.0 << QString() << QStringLiteral("Not true size: not calibrated");
+}
+
+void TestKeyImagePages::trueSizeSaysWhoseMmItIs() {
+  QFETCH(double, mmPerPixel);
+  QFETCH(QString, word);
+  QFETCH(QString, text);
+  const QImage image(400, 300, QImage::Format_RGB32);
+  const auto mm = mmPerPixel > 0 ? std::optional(mmPerPixel) : std::nullopt;
+  const PicturePage page{{}, {{image, mm, {}, word}}};
+  QCOMPARE(scaleText(page, 0, {1, true}, {186, 273}), text);
+  QCOMPARE(scaleText(page, 0, {1, false}, {186, 273}), QString());
+}
+
+// One after the other, so that no more than one of them is in memory.
+void TestKeyImagePages::pagesAreMadeAsTheyArePainted() {
+  std::vector<std::size_t> made;
+  QPdfWriter writer(at("painted"));
+  const auto page = [&](std::size_t n) {
+    made.push_back(n);
+    return PicturePage{{}, {{QImage(40, 30, QImage::Format_RGB32), {}, {}}}};
+  };
+  QVERIFY(paintPages(writer, {3, page}, {1, false}));
+  QCOMPARE(made, (std::vector<std::size_t>{0, 1, 2}));
+  QCOMPARE(pagesIn(at("painted")).size(), std::size_t(3));
 }
 
 void TestKeyImagePages::soManyStandOnAPage_data() {
@@ -244,6 +289,62 @@ void TestKeyImagePages::picturesOfDocumentsAreThere() {
   const auto pages = saved(w, 6, true, at("document"));
   QCOMPARE(pages.size(), std::size_t(1));
   QVERIFY(isAbout(pages.front().front().width(), 128 * 0.661468));
+}
+
+// Slices of the ball that differ much. In the middle of the picture, where no text is, each voxel with
+// neighbours like itself is as bright as its value.
+void TestKeyImagePages::picturesAreTheSlicesThatTheyName() {
+  const LoadedSeriesPtr series = dicomBall();
+  MeasureWindow w(series);
+  w.session().change(QStringLiteral("test"), [&](Workspace& all) {
+    all.series.edit(keyOf(series->series)).window = Window{500, 1000};
+  });
+  std::vector<int> slices;
+  for (const int steps : {0, 8}) {
+    w.view()->scroll(steps);
+    slices.push_back(w.view()->pictureSeen().index.value());
+    mark(w, 1);
+  }
+  saved(w, 2, false, at("slices"));
+  const std::vector<QImage> pictures = pixelsIn(at("slices"));
+  QCOMPARE(pictures.size(), std::size_t(2));
+  const Volume& volume = *series->volume;
+  for (std::size_t n = 0; n < 2; ++n) {
+    QCOMPARE(pictures[n].size(), QSize(1400, 1400));
+    const auto isBall = [&](int i, int j) { return volume.value(i, j, slices[n]) > 500; };
+    int compared = 0, wrong = 0;
+    for (int j = 7; j < 25; ++j)
+      for (int i = 7; i < 25; ++i) {
+        const bool isEven = isBall(i, j) == isBall(i - 1, j) && isBall(i, j) == isBall(i + 1, j) &&
+                            isBall(i, j) == isBall(i, j - 1) && isBall(i, j) == isBall(i, j + 1);
+        if (!isEven) continue;
+        const QRgb pixel = pictures[n].pixel(int((i + 0.5) * 1400 / 32), int((j + 0.5) * 1400 / 32));
+        ++compared;
+        wrong += (qGray(pixel) > 128) != isBall(i, j);
+      }
+    QVERIFY(compared > 150);
+    QVERIFY2(wrong * 50 < compared, qPrintable(QStringLiteral("%1 of %2").arg(wrong).arg(compared)));
+  }
+}
+
+// In pictures as on screen: the corners say other things, the middle is the same.
+void TestKeyImagePages::namesAreHiddenOnPages() {
+  MeasureWindow w(dicomBall());
+  mark(w, 1);
+  saved(w, 1, false, at("named"));
+  saved(w, 1, false, at("hidden"), true);
+  QVERIFY(!namesHidden());
+  saved(w, 1, false, at("named again"));
+  w.session().prefer([](Preferences& preferences) { preferences.hideNames = true; });
+  saved(w, 1, false, at("hidden on screen"), true);
+  w.session().prefer([](Preferences& preferences) { preferences.hideNames = false; });
+  const auto one = [&](const char* name) { return pixelsIn(at(name)).at(0); };
+  QCOMPARE(pixelsIn(at("named")).size(), std::size_t(1));
+  QCOMPARE(one("named again"), one("named"));
+  QVERIFY(one("hidden") != one("named"));
+  QCOMPARE(one("hidden on screen"), one("hidden"));
+  const QRect middle(400, 400, 600, 600);
+  QCOMPARE(one("hidden").copy(middle), one("named").copy(middle));
 }
 
 // Not what is marked while a place is chosen.

@@ -2,6 +2,7 @@
 // over time, what follows the selection and the shape, and what is copied.
 #include <QClipboard>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QTemporaryDir>
@@ -81,6 +82,8 @@ class TestMeasurementCharts : public QObject {
   void nearestIsAsThePlaneShows();
   void aRegionHasItsHistogram();
   void itFollowsTheSelection();
+  void aChartIsOfWhatIsSelected();
+  void behindAnotherTabNothingIsWorkedOut();
   void csvIsCopied();
   void aRegionThroughTime();
   void onAFrame();
@@ -180,6 +183,56 @@ void TestMeasurementCharts::itFollowsTheSelection() {
   QVERIFY(w.chart.said().startsWith(QStringLiteral("Select a length")));
 }
 
+// One whose series is not in memory has no chart, none of another one either; then the others have theirs
+// again.
+void TestMeasurementCharts::aChartIsOfWhatIsSelected() {
+  ChartWindow w;
+  w.chart.open();
+  w.draw(length, {{50, 150}, {130, 150}});
+  w.draw(rectangle, {{60, 60}, {120, 110}});
+  const Measurement line = w.all()[0], box = w.all()[1];
+  const int notHere = box.id + 1;
+  w.session().change(QStringLiteral("test"), [&](Workspace& now) {
+    auto series = std::make_shared<Series>(w.seriesOf(line)->series);
+    series->id = "elsewhere";
+    now.series.editOrAdd(keyOf(*series)).series = series;
+    Measurement other = line;
+    other.id = notHere;
+    other.series = keyOf(*series);
+    now.measurements.push_back(other);
+  });
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == w.histogram(box), longest);
+  const auto hasNone = [&] {
+    return w.chart.shown().lines.empty() && w.chart.said().startsWith(QStringLiteral("Show the series of "));
+  };
+  w.session().select(line.id);
+  w.session().select(notHere);
+  QVERIFY(hasNone());
+  QTest::qWait(200);
+  QVERIFY2(hasNone(), "the chart that was under way is given up");
+  w.session().select(line.id);
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == w.profile(line), longest);
+  w.session().select(notHere);
+  QVERIFY(hasNone());
+  w.session().select(line.id);
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == w.profile(line), longest);
+  QCOMPARE(w.chart.said(), nameText(line));
+}
+
+void TestMeasurementCharts::behindAnotherTabNothingIsWorkedOut() {
+  ChartWindow w;
+  w.chart.open();
+  const auto isInFront = [&] { return w.child<QDockWidget>("chartDock")->geometry().right() >= 0; };
+  QTRY_VERIFY_WITH_TIMEOUT(isInFront(), longest);
+  w.child<QDockWidget>("measurementsDock")->raise();
+  QTRY_VERIFY_WITH_TIMEOUT(!isInFront(), longest);
+  w.draw(length, w.acrossTheBall());
+  QTest::qWait(200);
+  QVERIFY(w.chart.shown().lines.empty());
+  w.chart.open();
+  QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == w.profile(w.last()), longest);
+}
+
 void TestMeasurementCharts::csvIsCopied() {
   ChartWindow w;
   w.chart.open();
@@ -219,6 +272,25 @@ void TestMeasurementCharts::aRegionThroughTime() {
   QTRY_VERIFY_WITH_TIMEOUT(chart.shown().lines == wanted.lines, longest);
   QCOMPARE(chart.shown().xTitle, wanted.xTitle);
   QVERIFY(chart.shown().marked && chart.shown().problem.isEmpty());
+  // A drag of a corner reads nothing; what follows it does.
+  const auto isRead = [&] {
+    return std::ranges::any_of(w.window.jobs().rows(), [](const JobRow& row) {
+      return row.text.startsWith(QStringLiteral("Reading all time points"));
+    });
+  };
+  const QPoint corner = (centre + QPointF(25, 20)).toPoint();
+  const Shape before = w.window.session().workspace().measurements[0].shape;
+  QTest::mousePress(view, Qt::LeftButton, {}, corner);
+  for (const QPoint way : {QPoint(4, 4), QPoint(8, 8), QPoint(12, 12)}) {
+    QTest::mouseEvent(QTest::MouseMove, view, Qt::LeftButton, {}, corner + way);
+    QVERIFY(!isRead());
+  }
+  QTest::mouseRelease(view, Qt::LeftButton, {}, corner + QPoint(12, 12));
+  QVERIFY(w.window.session().workspace().measurements[0].shape != before);
+  QVERIFY(!isRead());
+  auto* drawn = w.child<ChartView>("chartView");
+  drawn->setChart({});
+  QTRY_VERIFY_WITH_TIMEOUT(chart.shown().lines == wanted.lines, longest);
 }
 
 void TestMeasurementCharts::onAFrame() {

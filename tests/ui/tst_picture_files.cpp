@@ -3,15 +3,22 @@
 // meanwhile changes none of it, and nothing of it changes the workspace; what is cancelled leaves nothing.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QThread>
+#include <atomic>
 
 #include "tests/ui/frames_window.h"
 #include "tests/ui/measure_window.h"
+#include "tests/ui/two_series.h"
 #include "ui/overlays/slice_sheet.h"
 #include "ui/panels/picture_dialog.h"
+#include "ui/views/picture_run.h"
 #include "ui/widgets/banner.h"
 #include "ui/workspace/text.h"
 
@@ -70,6 +77,16 @@ QImage plain(const FlatView& view, QSize pixels) {
 
 void goTo(FlatView* view, int place) { view->scroll(place - view->place().index); }
 
+// To the slice of a number, by what the corner says.
+bool showNumber(FlatView* view, int number) {
+  for (int place = 0; place < view->place().count; ++place) {
+    goTo(view, place);
+    const QStringList lines = view->overlays().topRight;
+    if (lines.contains(QStringLiteral("%1 / %2").arg(number).arg(view->place().count))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 class TestPictureFiles : public QObject {
@@ -82,14 +99,23 @@ class TestPictureFiles : public QObject {
   void ownPixelsAreThoseOfTheFile();
   void aFrameHasItsOwnPixels();
   void itIsAsWideAsWanted();
+  void textsAreWrittenOverThePictureItself();
   void namesAreHiddenInTheFileAlone();
   void itIsWhatWasSeenThen();
+  void itIsWhatWasSeenAsOneWasAsked();
+  void aSeriesThatIsClosedMeanwhileIsPictured();
+  void numbersAreThoseOfThePicture();
   void aStackIsAFileForEachPlace();
+  void aReformattedStackCountsPlaces();
   void aStackOfFramesIsAFileForEachFrame();
   void whatIsCancelledLeavesNothing();
+  void whatIsBeingWrittenIsWrittenToItsEnd();
+  void theWindowAsksBeforePicturesAreLost();
   void whereNothingCanBeWrittenIsTold();
   void aSheetHoldsPicturesInRowsAndColumns_data();
   void aSheetHoldsPicturesInRowsAndColumns();
+  void theHeadHoldsForAllPictures_data();
+  void theHeadHoldsForAllPictures();
   void onlyFlatViewsHaveThem();
 
  private:
@@ -200,6 +226,17 @@ void TestPictureFiles::itIsAsWideAsWanted() {
   QVERIFY(withTexts != plain(*w.view(), twice));
 }
 
+// As they are in a picture of the same size on screen; nothing of the picture is copied, however large it is.
+void TestPictureFiles::textsAreWrittenOverThePictureItself() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  QCOMPARE(w.view()->captureWith(plain(*w.view(), w.view()->pixels())), w.view()->capture());
+  QImage picture = plain(*w.view(), 3 * w.view()->pixels());
+  const uchar* pixels = picture.constBits();
+  const QImage with = w.view()->captureWith(std::move(picture));
+  QCOMPARE(with.constBits(), pixels);
+}
+
 void TestPictureFiles::namesAreHiddenInTheFileAlone() {
   MeasureWindow w;
   QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
@@ -225,6 +262,57 @@ void TestPictureFiles::itIsWhatWasSeenThen() {
   QCOMPARE(written(at("then.png")), seen);
 }
 
+// Not what is scrolled to, nor nothing, where the view changes while the dialog is open.
+void TestPictureFiles::itIsWhatWasSeenAsOneWasAsked() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const QImage seen = w.view()->capture();
+  PictureDialog* dialog = ask(w, "saveSizedPicture");
+  w.view()->scroll(5);
+  accept(dialog);
+  answer(w, "pictureFilesDialog", at("asked.png"));
+  QCOMPARE(written(at("asked.png")), seen);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  dialog = ask(w, "saveSizedPicture");
+  w.session().change(QStringLiteral("test"), [](Workspace& all) {
+    for (const ViewId id : viewsOnScreen(all)) all.editView(id).series = {};
+  });
+  accept(dialog);
+  QVERIFY2(w.child<QFileDialog>("pictureFilesDialog"), "it asks where to");
+}
+
+void TestPictureFiles::aSeriesThatIsClosedMeanwhileIsPictured() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const QImage seen = plain(*w.view(), w.view()->pixels());
+  PictureDialog* dialog = ask(w, "saveSizedPicture");
+  tick(dialog, "pictureTexts", false);
+  accept(dialog);
+  w.session().close({w.view()->state().series});
+  QVERIFY(w.session().workspace().series.empty());
+  answer(w, "pictureFilesDialog", at("closed.png"));
+  QCOMPARE(written(at("closed.png")), seen);
+}
+
+// A region of two series, one of which lies over the other no more once the picture is made.
+void TestPictureFiles::numbersAreThoseOfThePicture() {
+  const LoadedSeriesPtr pet = petIn("A");
+  MeasureWindow w(ballIn("A"));
+  w.session().keep(pet);
+  w.session().change(QStringLiteral("test"), withOverlay(w.session().workspace(), axialViewId, &pet->series));
+  w.draw(ShapeKind::rectangle, {{70, 60}, {131, 111}});
+  w.session().select(0);
+  QTRY_VERIFY_WITH_TIMEOUT(w.view()->isMeasured(), longest);
+  QVERIFY(w.drawn(w.last().id).text.join(u'\n').contains(QStringLiteral("SUVpeak")));
+  const QImage seen = w.view()->capture();
+  accept(ask(w, "saveSizedPicture"));
+  w.session().change(QStringLiteral("test"), withOverlay(w.session().workspace(), axialViewId, nullptr));
+  QTRY_VERIFY_WITH_TIMEOUT(w.view()->isMeasured(), longest);
+  QVERIFY(!w.drawn(w.last().id).text.join(u'\n').contains(QStringLiteral("SUVpeak")));
+  answer(w, "pictureFilesDialog", at("both.png"));
+  QCOMPARE(written(at("both.png")), seen);
+}
+
 void TestPictureFiles::aStackIsAFileForEachPlace() {
   const QTemporaryDir folder;
   MeasureWindow w;
@@ -244,19 +332,41 @@ void TestPictureFiles::aStackIsAFileForEachPlace() {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   }
   const QDir made(folder.filePath(QStringLiteral("CT Ball")));
+  const QTemporaryDir another;
+  QVERIFY(QDir(another.path()).mkdir(QStringLiteral("usual")));
+  QCOMPARE(QFileInfo(made.path()).permissions(),
+           QFileInfo(another.filePath(QStringLiteral("usual"))).permissions());
   QCOMPARE(made.entryList(QDir::Files),
            QStringList({QStringLiteral("CT Ball-0003.png"), QStringLiteral("CT Ball-0005.png"),
                         QStringLiteral("CT Ball-0007.png"), QStringLiteral("CT Ball-0009.png")}));
   QCOMPARE(w.child<QLabel>("toldText")->text().section(QLatin1Char('/'), 0, 0),
            QStringLiteral("Saved 4 pictures in "));
   for (const int number : {3, 5, 7, 9}) {
-    goTo(w.view(), number - 1);
+    QVERIFY(showNumber(w.view(), number));
+    QVERIFY2(w.view()->place().index != number - 1, "the wheel counts from the other end");
     const QImage file(made.filePath(QStringLiteral("CT Ball-000%1.png").arg(number)));
     QCOMPARE(rgb(file), w.view()->capture());
   }
   QTRY_COMPARE_WITH_TIMEOUT(
       QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), 2,
       longest);
+}
+
+void TestPictureFiles::aReformattedStackCountsPlaces() {
+  const QTemporaryDir folder;
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view(coronalViewId)->picture().isNull(), longest);
+  w.session().setFocus(coronalViewId);
+  PictureDialog* dialog = ask(w, "saveStack");
+  QCOMPARE(dialog->findChild<QSpinBox*>(QStringLiteral("pictureLast"))->suffix(), QStringLiteral(" of 32"));
+  set(dialog, "pictureFirst", 8);
+  set(dialog, "pictureLast", 8);
+  accept(dialog);
+  answer(w, "pictureFilesDialog", folder.path());
+  const QString path = folder.filePath(QStringLiteral("CT Ball/CT Ball-0008.png"));
+  const QImage file = written(path);
+  goTo(w.view(coronalViewId), 7);
+  QCOMPARE(file, w.view(coronalViewId)->capture());
 }
 
 void TestPictureFiles::aStackOfFramesIsAFileForEachFrame() {
@@ -296,6 +406,53 @@ void TestPictureFiles::whatIsCancelledLeavesNothing() {
                             QStringLiteral("Interrupted; nothing was written."), longest);
   const auto all = QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot;
   QTRY_COMPARE_WITH_TIMEOUT(QDir(folder.path()).entryList(all), QStringList(), longest);
+}
+
+// The last that is done cannot be cancelled, and says so.
+void TestPictureFiles::whatIsBeingWrittenIsWrittenToItsEnd() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  Session& session = w.session();
+  auto* run = new PictureRun(*w.window.views(), session, w.window.jobs(), QStringLiteral("Saving pictures"),
+                             {{session.workspace(), axialViewId}}, {});  // deletes itself
+  std::atomic<bool> isWriting = false, mayEnd = false;
+  QSignalSpy ended(run, &PictureRun::ended);
+  run->start([](std::size_t, const MadePicture&) { return Status(); },
+             [&] {
+               isWriting = true;
+               while (!mayEnd) QThread::msleep(1);
+               return Status();
+             });
+  const auto rows = [&] { return w.window.jobs().rows(); };
+  QCOMPARE(rows().size(), std::size_t(1));
+  QVERIFY(rows()[0].canBeCancelled);
+  QTRY_VERIFY_WITH_TIMEOUT(isWriting, longest);
+  const bool isListed = rows().size() == 1 && !rows()[0].canBeCancelled;
+  if (isListed) w.window.jobs().cancel(rows()[0].id);
+  const bool goesOn = !run->hasEnded();
+  mayEnd = true;
+  QVERIFY(isListed && goesOn);
+  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longest);
+  QCOMPARE(ended[0][0].toString(), QString());
+}
+
+void TestPictureFiles::theWindowAsksBeforePicturesAreLost() {
+  const QTemporaryDir folder;
+  MeasureWindow w(ballSeries(96, 30));
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  PictureDialog* dialog = ask(w, "saveStack");
+  dialog->findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(wide);
+  set(dialog, "pictureWidth", 3000);
+  accept(dialog);
+  answer(w, "pictureFilesDialog", folder.path());
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("cancelTask")->isVisible(), longest);
+  QVERIFY(!w.window.close());
+  auto* box = w.child<QMessageBox>("closeBox");
+  QVERIFY(box->text().contains(QStringLiteral("pictures that are being written")));
+  box->reject();
+  QTest::mouseClick(w.child<QWidget>("cancelTask"), Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(w.child<Banner>("banner")->sentence(),
+                            QStringLiteral("Interrupted; nothing was written."), longest);
 }
 
 void TestPictureFiles::whereNothingCanBeWrittenIsTold() {
@@ -355,11 +512,46 @@ void TestPictureFiles::aSheetHoldsPicturesInRowsAndColumns() {
   QVERIFY(texts ? above > 10 : above == 0);
   QCOMPARE(sheet.width(), same.image().width());
   for (int n = 0; n < count; ++n) {
-    goTo(w.view(), n * every);
+    QVERIFY(showNumber(w.view(), n * every + 1));
     const int height = texts ? tile.height() / 2 : tile.height();
     const QImage expected = plain(*w.view(), tile).copy(0, 0, tile.width(), height);
     QCOMPARE(sheet.copy(same.placeOf(n).translated(0, above)).copy(0, 0, tile.width(), height), expected);
   }
+}
+
+void TestPictureFiles::theHeadHoldsForAllPictures_data() {
+  QTest::addColumn<FrameWindow>("window");
+  QTest::addColumn<int>("more");
+  QTest::newRow("one window for all of them") << FrameWindow::ofSeries << 1;
+  QTest::newRow("each has its own") << FrameWindow::ofEach << 0;
+}
+
+// So many lines more than those of patient and series.
+void TestPictureFiles::theHeadHoldsForAllPictures() {
+  NEED_FILES();
+  QFETCH(FrameWindow, window);
+  QFETCH(int, more);
+  constexpr int width = 200;
+  Frames w({"xa-96frames.dcm"});
+  QVERIFY(w.shows());
+  w.session().setFocus(axialViewId);
+  w.session().change(QStringLiteral("test"), [&](Workspace& all) {
+    all.series.edit(all.view(axialViewId).series).frameWindow = window;
+  });
+  PictureDialog* dialog = ask(w, "saveSheet");
+  for (const auto& [name, value] :
+       {std::pair("sheetRows", 1), {"sheetColumns", 2}, {"pictureLast", 2}, {"pictureWidth", width}})
+    set(dialog, name, value);
+  accept(dialog);
+  const QString path = at(QTest::currentDataTag()) + QStringLiteral(".png");
+  answer(w, "pictureFilesDialog", path);
+  const QImage sheet = written(path);
+  const QSize seen = w.view()->pixels();
+  const QSize tile = (QSizeF(seen) * (double(width) / seen.width())).toSize();
+  QStringList head = w.view()->overlays().topLeft;
+  QVERIFY(!head.isEmpty() && !w.view()->overlays().bottomRight.isEmpty());
+  for (int n = 0; n < more; ++n) head << QString();
+  QCOMPARE(sheet.size(), SliceSheet(1, 2, tile, head).image().size());
 }
 
 void TestPictureFiles::onlyFlatViewsHaveThem() {

@@ -4,6 +4,7 @@
 #include <QPrintDialog>
 #include <QTemporaryDir>
 
+#include "tests/ui/frames_window.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/pdf_images.h"
 #include "tests/unit/suite.h"
@@ -20,6 +21,7 @@ class TestPrinting : public QObject {
   void aSliceIsPrintedInTrueSize_data();
   void aSliceIsPrintedInTrueSize();
   void onlyWhatHasASizeHasATrueOne();
+  void mmAtTheDetectorAreNotThePatients();
   void withoutASeriesThereIsASentence();
 };
 
@@ -69,6 +71,18 @@ void TestPrinting::onlyWhatHasASizeHasATrueOne() {
   w.session().setFocus(sceneViewId);
   w.child<QAction>("printPicture")->trigger();
   QVERIFY(!w.child<QCheckBox>("printTrueSize")->isEnabled());
+  w.child<QPrintDialog>("printDialog")->reject();
+}
+
+void TestPrinting::mmAtTheDetectorAreNotThePatients() {
+  NEED_FILES();
+  Frames w({"cr-chest-mono1-jpeg8.dcm"});
+  QVERIFY(w.shows());
+  w.session().setFocus(axialViewId);
+  w.child<QAction>("printPicture")->trigger();
+  auto* trueSize = w.child<QCheckBox>("printTrueSize");
+  QVERIFY(trueSize->isEnabled());
+  QCOMPARE(trueSize->text(), QStringLiteral("True size: 1 mm (at detector) is 1 mm on paper"));
   w.child<QPrintDialog>("printDialog")->reject();
 }
 

@@ -43,6 +43,7 @@ class TestRegionWindow : public QObject {
   void oneValueIsStillAWindow();
   void itIsOneStepAndOneUse();
   void aClickIsNoBox();
+  void theBoxHasNoNumbers();
   void escapeGivesItUp();
   void framesToo();
   void coloursHaveNone();
@@ -131,6 +132,23 @@ void TestRegionWindow::aClickIsNoBox() {
   w.box({90, 90}, {92, 91});
   QVERIFY(w.session().workspace() == before);
   QCOMPARE(&w.window.views()->tool(), &toolNamed("regionWindow"));
+}
+
+void TestRegionWindow::theBoxHasNoNumbers() {
+  RegionWindow w;
+  const auto textsOf = [&](const char* tool) {
+    w.child<QAction>(tool)->trigger();
+    QTest::mousePress(w.view(), Qt::LeftButton, {}, {90, 90});
+    QTest::mouseEvent(QTest::MouseMove, w.view(), Qt::LeftButton, {}, {140, 150});
+    QStringList text;
+    const auto drawn = w.view()->drawnMeasurements();
+    for (const DrawnMeasurement& each : drawn) text << each.text;
+    QTest::keyClick(w.view(), Qt::Key_Escape);
+    QTest::mouseRelease(w.view(), Qt::LeftButton, {}, {140, 150});
+    return text;
+  };
+  QVERIFY(!textsOf("rectangleTool").isEmpty());
+  QCOMPARE(textsOf("regionWindowTool"), QStringList());
 }
 
 void TestRegionWindow::escapeGivesItUp() {

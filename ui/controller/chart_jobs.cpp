@@ -69,8 +69,12 @@ Interpolation ChartJobs::interpolationOf(const SeriesKey& series) const {
 
 bool ChartJobs::request(const Measurement& measurement, ChartKind kind) {
   const std::optional<Ground> ground = groundOf(measurement);
-  if (!ground) return false;
-  Wanted wanted{measurement.series,
+  if (!ground) {
+    drop();
+    return false;
+  }
+  Wanted wanted{measurement.id,
+                measurement.series,
                 measurement.shape,
                 kind,
                 interpolationOf(measurement.series),
@@ -98,7 +102,7 @@ void ChartJobs::drop() {
 }
 
 void ChartJobs::start(const Wanted& wanted, const Ground& ground) {
-  if (ground.frame && ground.frame->colour()) return take(colourHasNone());
+  if (ground.frame && ground.frame->colour()) return Q_EMIT ready(wanted.measurement, colourHasNone());
   lane_.run(
       {},
       [wanted, held = ground.series, frame = ground.frame, voxels = tr("Voxels"),
@@ -115,7 +119,7 @@ void ChartJobs::start(const Wanted& wanted, const Ground& ground) {
         none.problem = QString::fromStdString(length.message());
         return none;
       },
-      [this](const MeasuredChart& chart) { take(chart); });
+      [this, id = wanted.measurement](const MeasuredChart& chart) { Q_EMIT ready(id, chart); });
 }
 
 void ChartJobs::startOverTime(const Wanted& wanted) {
@@ -136,14 +140,12 @@ void ChartJobs::startOverTime(const Wanted& wanted) {
         }
         return timeChart(axis, means, wanted.scale.unit);
       },
-      [this](const MeasuredChart& chart) { take(chart); },
-      [this] {
+      [this, id = wanted.measurement](const MeasuredChart& chart) { Q_EMIT ready(id, chart); },
+      [this, id = wanted.measurement] {
         MeasuredChart none;
         none.problem = tr("Reading was cancelled. Choose the measurement again to read the rest.");
-        take(none);
+        Q_EMIT ready(id, none);
       });
 }
-
-void ChartJobs::take(const MeasuredChart& chart) { Q_EMIT ready(chart); }
 
 }  // namespace volumen

@@ -17,17 +17,19 @@ class ChartJobs : public QObject {
   ChartJobs(const Session& session, FrameService& frames, Jobs& jobs, QObject* parent = nullptr);
 
   /// Ends in ready(), unless another one is asked for before. Nothing where it is the one that is there or
-  /// under way, of the same shape, voxels and unit. False: what it was drawn on is not in memory.
+  /// under way, of the same shape, voxels and unit. False: what it was drawn on is not in memory, and no
+  /// chart is wanted any more.
   bool request(const Measurement& measurement, ChartKind kind);
   /// No chart is wanted any more.
   void drop();
 
  Q_SIGNALS:
-  void ready(const volumen::MeasuredChart& chart);
+  void ready(int measurement, const volumen::MeasuredChart& chart);
 
  private:
   // What a chart is made of; equal ones make equal charts.
   struct Wanted {
+    int measurement = 0;
     SeriesKey series;
     Shape shape;
     ChartKind kind = ChartKind::profile;
@@ -45,7 +47,6 @@ class ChartJobs : public QObject {
   Interpolation interpolationOf(const SeriesKey& series) const;
   void start(const Wanted& wanted, const Ground& ground);
   void startOverTime(const Wanted& wanted);
-  void take(const MeasuredChart& chart);
 
   const Session& session_;
   FrameService& frames_;

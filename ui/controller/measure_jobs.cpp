@@ -36,22 +36,16 @@ struct Second {
   VolumePtr volume;  // null: there is none
   Rigid toFromUnder;
   ValueScale scale;
-  std::string name, under;
 };
 
 Result<Measured> measureBoth(const Shape& shape, const Volume& volume, const ValueScale& scale,
                              const Second& second, const CancelToken& cancel) {
   Result<Measured> measured = scaled(measure(shape, volume, scale.unit, cancel), scale.factor);
   if (!measured || !second.volume) return measured;
-  measured->source = second.under;
   addOther(*measured, shape, *second.volume, second.toFromUnder, second.scale.unit, cancel);
-  if (!measured->other) return measured;
-  measured->other->source = second.name;
-  scaleOther(*measured, second.scale.factor);
+  if (measured->other) scaleOther(*measured, second.scale.factor);
   return measured;
 }
-
-std::string nameOf(const Series& series) { return seriesText(series).toStdString(); }
 
 constexpr double mostStepsAtOnce = 2e5;  // well below 2 ms
 
@@ -72,7 +66,7 @@ MeasureJobs::MeasureJobs(const Session& session, FrameService& frames, QObject* 
 
 // The pool is asked only where something changed: being asked for counts as use there.
 MeasuredPtr MeasureJobs::numbersOf(const Measurement& measurement) {
-  const Known& known = known_[measurement.id];
+  Known& known = known_[measurement.id];
   if (measurement.shape.frame) {
     if (known.series != measurement.series || known.shape != measurement.shape ||
         known.petUnit != shownPetUnit())
@@ -94,7 +88,21 @@ MeasuredPtr MeasureJobs::numbersOf(const Measurement& measurement) {
                    volume != series->volume || known.petUnit != shownPetUnit() || !overIsCurrent))
       request(measurement, series, over);
   }
-  return known.series == measurement.series ? known.numbers : nullptr;
+  return known.series == measurement.series ? named(known) : nullptr;
+}
+
+// Both series by the names that they have on screen now: hiding names changes them.
+MeasuredPtr MeasureJobs::named(Known& known) const {
+  const auto& [under, over] = known.both;
+  const bool isOfBoth = known.numbers && *known.numbers && (*known.numbers)->other && under && over;
+  if (!isOfBoth) return known.numbers;
+  if (!(*known.numbers)->source.empty() && known.namesHidden == namesHidden()) return known.numbers;
+  Measured measured = **known.numbers;
+  measured.source = seriesText(*under).toStdString();
+  measured.other->source = seriesText(*over).toStdString();
+  known.namesHidden = namesHidden();
+  known.numbers = std::make_shared<const Result<Measured>>(std::move(measured));
+  return known.numbers;
 }
 
 MeasuredPtr MeasureJobs::exactNumbersOf(const Measurement& measurement) {
@@ -133,15 +141,17 @@ void MeasureJobs::request(const Measurement& measurement, const LoadedSeriesPtr&
   const Shape& shape = measurement.shape;
   double steps = stepsOn(shape, *series->volume, scale.unit);
   Second second;
+  Both both;
   if (over.series) {
-    second = {over.series->volume, over.place->toFromUnder, shownScale(over.series->series),
-              nameOf(over.series->series), nameOf(series->series)};
+    second = {over.series->volume, over.place->toFromUnder, shownScale(over.series->series)};
+    const auto& all = session_.workspace().series;
+    both = {all.at(measurement.series).series, all.at(over.place->series).series};
     steps += stepsOn(shape, *second.volume, second.scale.unit);
   }
   const auto run = [shape, volume = series->volume, scale, second](const CancelToken& cancel) {
     return measureBoth(shape, *volume, scale, second, cancel);
   };
-  start(measurement.id, run, steps);
+  start(measurement.id, run, steps, both);
 }
 
 // A frame that is not in memory is read first, one at a time; then whoever listens asks again.
@@ -176,22 +186,23 @@ void MeasureJobs::endRead(int view) {
   Q_EMIT measured();
 }
 
-void MeasureJobs::start(int id, const Measure& measure, double steps) {
+void MeasureJobs::start(int id, const Measure& measure, double steps, const Both& both) {
   Known& known = known_[id];
-  if (steps <= mostStepsAtOnce) return take(id, known.asked, measure(CancelToken()));
+  if (steps <= mostStepsAtOnce) return take(id, known.asked, measure(CancelToken()), both);
   lane_.giveUpWaiting(known.job);
   known.job = lane_.run(
       {}, [measure](const Job& job) { return measure(job.cancel()); },
-      [this, id, asked = known.asked](Result<Measured> result) {
-        take(id, asked, std::move(result));
+      [this, id, asked = known.asked, both](Result<Measured> result) {
+        take(id, asked, std::move(result), both);
         Q_EMIT measured();
       });
 }
 
-void MeasureJobs::take(int id, int asked, Result<Measured> result) {
+void MeasureJobs::take(int id, int asked, Result<Measured> result, const Both& both) {
   Known& known = known_[id];
   if (asked < known.shown) return;
   known.shown = asked;
+  known.both = both;
   known.numbers = std::make_shared<const Result<Measured>>(std::move(result));
 }
 

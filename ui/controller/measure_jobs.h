@@ -34,6 +34,10 @@ class MeasureJobs : public QObject {
 
  private:
   using Measure = std::function<Result<Measured>(const CancelToken&)>;
+  // Two series that a region was measured on; null: it was one.
+  struct Both {
+    std::shared_ptr<const Series> under, over;
+  };
   struct Known {
     SeriesKey series;
     Shape shape;
@@ -45,6 +49,8 @@ class MeasureJobs : public QObject {
     int asked = 0, shown = 0;  // which of all that were asked for
     int job = 0;
     MeasuredPtr numbers;
+    Both both;                 // of `numbers`
+    bool namesHidden = false;  // in `numbers`
   };
   // What lies over a region's series, as far as it is in memory.
   struct Over {
@@ -55,9 +61,10 @@ class MeasureJobs : public QObject {
   void request(const Measurement& measurement, const LoadedSeriesPtr& series, const Over& over);
   void requestOnFrame(const Measurement& measurement);
   Known& begin(const Measurement& measurement);
-  void start(int id, const Measure& measure, double steps);
+  MeasuredPtr named(Known& known) const;
+  void start(int id, const Measure& measure, double steps, const Both& both = {});
   void endRead(int view);
-  void take(int id, int asked, Result<Measured> result);
+  void take(int id, int asked, Result<Measured> result, const Both& both = {});
 
   const Session& session_;
   FrameService& frames_;

@@ -1,3 +1,4 @@
+#include <QBuffer>
 #include <QFileDialog>
 #include <QPdfWriter>
 #include <QPrintDialog>
@@ -22,6 +23,17 @@ namespace {
 constexpr int pageEdge = 1400;   // pixels of a picture on paper, its longer edge
 constexpr double marginMm = 12;  // of a PDF
 
+// A picture of a page until that is painted: as many as there are take little memory so.
+struct KeptPicture {
+  QByteArray png;
+  PagePicture rest;  // without its image
+};
+
+struct KeptPage {
+  QStringList head;
+  std::vector<KeptPicture> pictures;
+};
+
 struct CaptionedImage {
   ListedKeyImage image;
   QString caption;
@@ -32,18 +44,20 @@ class KeyImagePages : public Feature {
  public:
   explicit KeyImagePages(Workbench& bench);
 
+  QString unsavedText() const override;
+
  private:
   // What was chosen, and the key images then.
   struct Wanted {
     PageLook look;
     bool namesHidden;
-    std::vector<PicturePage> pages;   // without their pictures as yet
+    std::vector<KeptPage> pages;      // without their pictures as yet
     std::vector<std::size_t> pageOf;  // of each picture
     QStringList captions;             // likewise
     std::vector<PictureStop> stops;
   };
   using WantedPtr = std::shared_ptr<Wanted>;
-  using Paint = std::function<Status(const std::vector<PicturePage>& pages, const PageLook& look)>;
+  using Paint = std::function<Status(const PageSource& pages, const PageLook& look)>;
 
   void ask();
   WantedPtr wantedOf(const PagesDialog& dialog) const;
@@ -64,7 +78,23 @@ bool areOneStudy(const Series& a, const Series& b) {
   return a.patientId == b.patientId && a.patientName == b.patientName && a.studyUid == b.studyUid;
 }
 
-Status writePdf(const QString& path, const std::vector<PicturePage>& pages, const PageLook& look) {
+KeptPicture keptOf(const MadePicture& made, const QString& caption) {
+  KeptPicture kept{{}, {{}, made.mmPerPixel, caption, made.lengthsWord}};
+  QBuffer buffer(&kept.png);
+  made.image.save(&buffer, "PNG");
+  return kept;
+}
+
+PicturePage pageOf(const KeptPage& kept) {
+  PicturePage page{kept.head, {}};
+  for (const KeptPicture& picture : kept.pictures) {
+    page.pictures.push_back(picture.rest);
+    page.pictures.back().image = QImage::fromData(picture.png, "PNG");
+  }
+  return page;
+}
+
+Status writePdf(const QString& path, const PageSource& pages, const PageLook& look) {
   const Error cannot{tr("Cannot write %1: choose another place.").arg(path).toStdString()};
   QSaveFile file(path);
   if (!file.open(QIODevice::WriteOnly)) return cannot;
@@ -88,6 +118,12 @@ KeyImagePages::KeyImagePages(Workbench& bench) : Feature(bench) {
                     false,
                     [this](bool) { ask(); },
                     {{"picturesMenu", 20}}});
+}
+
+QString KeyImagePages::unsavedText() const {
+  const bool any = std::ranges::any_of(findChildren<PictureRun*>(),
+                                       [](const PictureRun* run) { return !run->hasEnded(); });
+  return any ? tr("pages that are being made") : QString();
 }
 
 void KeyImagePages::ask() {
@@ -130,6 +166,7 @@ KeyImagePages::WantedPtr KeyImagePages::wantedOf(const PagesDialog& dialog) cons
       wanted->captions << caption;
       wanted->stops.push_back(
           viewOfKeyImage(session_.workspace(), image, session_.seriesNamed(keyOf(*image.series))));
+      wanted->stops.back().held = seriesHeld(wanted->stops.back(), session_);
     }
   return wanted;
 }
@@ -181,11 +218,13 @@ void KeyImagePages::make(const WantedPtr& wanted, const Paint& paint, const QStr
   });
   run->start(
       [wanted](std::size_t n, const MadePicture& made) {
-        wanted->pages[wanted->pageOf[n]].pictures.push_back(
-            {made.image, made.mmPerPixel, wanted->captions[qsizetype(n)]});
+        wanted->pages[wanted->pageOf[n]].pictures.push_back(keptOf(made, wanted->captions[qsizetype(n)]));
         return Status();
       },
-      [wanted, paint] { return paint(wanted->pages, wanted->look); });
+      [wanted, paint] {
+        const auto page = [&](std::size_t n) { return pageOf(wanted->pages[n]); };
+        return paint({wanted->pages.size(), page}, wanted->look);
+      });
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ MeasurementCharts::MeasurementCharts(Workbench& bench)
   auto* panel = new ChartPanel(session_, jobs_);
   QDockWidget* dock =
       bench_.addDock({"chart", tr("Chart of values"), panel, {Qt::RightDockWidgetArea, 55, false}});
+  connect(dock, &QDockWidget::visibilityChanged, panel, &ChartPanel::setWatched);
   connect(&bench_.document.frames, &FrameService::ready, panel, &ChartPanel::showSelected);
   bench_.addAction({"measurementChart",
                     tr("Chart of values"),

@@ -35,6 +35,8 @@ class Panels : public Feature {
  private:
   QWidget* cameraPanel();
   QWidget* flatPanel();
+
+  FlatPanel* flat_ = nullptr;
 };
 
 Panels::Panels(Workbench& bench) : Feature(bench) {
@@ -51,6 +53,7 @@ Panels::Panels(Workbench& bench) : Feature(bench) {
   };
   for (const Workbench::DockEntry& entry : table) bench_.addDock(entry);
   connect(bench_.dock("clip"), &QDockWidget::visibilityChanged, &grid_, &ViewGrid::setClipShown);
+  connect(bench_.dock("flat"), &QDockWidget::visibilityChanged, flat_, &FlatPanel::setWatched);
 }
 
 QWidget* Panels::cameraPanel() {
@@ -79,13 +82,13 @@ QWidget* Panels::flatPanel() {
     if (FlatView* view = bench_.flatViewInFocus()) view->invert();
   };
   auto* overlays = bench_.window.findChild<QMenu*>(QStringLiteral("overlayMenu"));
-  auto* panel = new FlatPanel(session_, {seen, choose, invert}, overlays);
-  auto* explained = new Explained(Workbench::scrolling(panel));
-  const auto follow = [this, panel, explained] {
+  flat_ = new FlatPanel(session_, {seen, choose, invert}, overlays);
+  auto* explained = new Explained(Workbench::scrolling(flat_));
+  const auto follow = [this, explained] {
     FlatView* view = bench_.flatViewInFocus();
     explained->explain(view ? QString() : tr("Click a slice or a frame to set how it is shown."));
     // A frame comes when it is read.
-    if (view) connect(view, &FlatView::settled, panel, &FlatPanel::refresh, Qt::UniqueConnection);
+    if (view) connect(view, &FlatView::settled, flat_, &FlatPanel::refresh, Qt::UniqueConnection);
   };
   connect(&session_, &Session::workspaceChanged, explained,
           [follow](const Workspace& before, const Workspace& after) {

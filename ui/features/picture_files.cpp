@@ -2,6 +2,7 @@
 #include <QFileDialog>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <algorithm>
 
 #include "io/files/picture_file.h"
 #include "ui/features/feature.h"
@@ -9,6 +10,7 @@
 #include "ui/panels/picture_dialog.h"
 #include "ui/views/picture_run.h"
 #include "ui/views/view_grid.h"
+#include "ui/workspace/frame_look.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 
@@ -21,12 +23,14 @@ class PictureFiles : public Feature {
  public:
   explicit PictureFiles(Workbench& bench);
 
+  QString unsavedText() const override;
+
  private:
   // What was chosen, and what was seen then.
   struct Wanted {
     PicturesOf of;
     PictureLook look;
-    std::vector<int> places;  // of the stack
+    std::vector<NumberedPlace> places;
     int columns;
     bool hasHead;
     std::vector<PictureStop> stops;
@@ -57,6 +61,13 @@ QString fileName(const Series& series, bool namesHidden) {
   return seriesText(series).replace(QLatin1Char('/'), QLatin1Char('_')).left(longest);
 }
 
+// Whether all pictures of a view have the window of the first one.
+bool sharesWindow(const PictureStop& stop) {
+  const ViewState& view = stop.workspace.view(stop.view);
+  const SeriesState& state = stop.workspace.series.at(view.series);
+  return !showsFrames(view.kind) || state.window || !hasOwnWindows(state, *state.series);
+}
+
 // "12 / 31", "Frame 3 / 10": which one of the stack it is.
 QString numberText(const MadePicture& made) {
   for (const QString& line : made.overlays.topRight)
@@ -81,27 +92,37 @@ PictureFiles::PictureFiles(Workbench& bench) : Feature(bench) {
   add("saveSheet", tr("Contact sheet..."), PicturesOf::sheet);
 }
 
+QString PictureFiles::unsavedText() const {
+  const bool any = std::ranges::any_of(findChildren<PictureRun*>(),
+                                       [](const PictureRun* run) { return !run->hasEnded(); });
+  return any ? tr("pictures that are being written") : QString();
+}
+
 void PictureFiles::ask(PicturesOf of) {
   if (session_.workspace().series.empty()) return warn(tr("Open a series first."));
   auto* flat = qobject_cast<FlatView*>(grid_.viewShown());
   if (!flat || !flat->shown())
     return warn(tr("Click a slice or a frame first. 3D pictures of any size: File > Save 3D snapshot."));
-  auto* dialog = new PictureDialog(of, flat->place(), flat->size(), &bench_.window);
+  auto* dialog =
+      new PictureDialog(of, flat->numberedPlaces(), flat->numberCount(), flat->size(), &bench_.window);
+  // As it is seen now, whatever becomes of it while the dialog is open.
   const LoadedSeriesPtr shown = flat->shown();
-  connect(dialog, &QDialog::accepted, this, [this, of, dialog, shown, view = flat->id()] {
-    const Workspace& workspace = session_.workspace();
+  PictureStop now{session_.workspace(), flat->id()};
+  now.held = seriesHeld(now, session_);
+  const auto accept = [this, of, dialog, shown, now] {
     Wanted wanted{of,
                   dialog->look(),
-                  of == PicturesOf::view ? std::vector<int>() : dialog->places(),
+                  of == PicturesOf::view ? std::vector<NumberedPlace>() : dialog->places(),
                   dialog->columns(),
                   dialog->withTexts(),
                   {},
-                  fileName(*seriesIn(workspace, view), dialog->look().namesHidden)};
-    for (const int place : wanted.places)
-      wanted.stops.push_back({withPlace(workspace, view, *shown, place), view});
-    if (of == PicturesOf::view) wanted.stops.push_back({workspace, view});
+                  fileName(*seriesIn(now.workspace, now.view), dialog->look().namesHidden)};
+    for (const NumberedPlace& each : wanted.places)
+      wanted.stops.push_back({withPlace(now.workspace, now.view, *shown, each.place), now.view, now.held});
+    if (of == PicturesOf::view) wanted.stops.push_back(now);
     askWhere(wanted);
-  });
+  };
+  connect(dialog, &QDialog::accepted, this, accept);
   dialog->open();
 }
 
@@ -151,28 +172,36 @@ void PictureFiles::run(const Wanted& wanted, const PictureRun::Keep& keep, const
 }
 
 void PictureFiles::writeOne(const Wanted& wanted, const QString& path) {
+  const auto made = std::make_shared<MadePicture>();
   run(
-      wanted, [path](std::size_t, const MadePicture& made) { return writeMade(made, made.image, path); }, {},
+      wanted,
+      [made](std::size_t, const MadePicture& picture) {
+        *made = picture;
+        return Status();
+      },
+      [made, path] { return writeMade(*made, made->image, path); },
       [path] { return tr("Saved %1").arg(path); });
 }
 
-// Aside at first, so that a folder that is there is whole.
+// Aside at first, so that a folder that is there is whole; in a folder of its own there, which has the usual
+// permissions.
 void PictureFiles::writeStack(const Wanted& wanted, const QString& folder) {
   const auto aside = std::make_shared<QTemporaryDir>(folder + QStringLiteral("/.volumen-XXXXXX"));
-  if (!aside->isValid()) return warn(tr("Cannot write into %1: choose another folder.").arg(folder));
+  const QString pictures = aside->filePath(QStringLiteral("pictures"));
+  if (!aside->isValid() || !QDir().mkdir(pictures))
+    return warn(tr("Cannot write into %1: choose another folder.").arg(folder));
   const auto made = std::make_shared<QString>();
   run(
       wanted,
-      [aside, name = wanted.name, places = wanted.places](std::size_t n, const MadePicture& picture) {
-        const QString number = QStringLiteral("%1").arg(places[n] + 1, 4, 10, QLatin1Char('0'));
-        return writeMade(picture, picture.image,
-                         aside->filePath(QStringLiteral("%1-%2.png").arg(name, number)));
+      [aside, pictures, name = wanted.name, places = wanted.places](std::size_t n,
+                                                                    const MadePicture& picture) {
+        const QString number = QStringLiteral("%1").arg(places[n].number, 4, 10, QLatin1Char('0'));
+        return writeMade(picture, picture.image, QStringLiteral("%1/%2-%3.png").arg(pictures, name, number));
       },
-      [aside, made, folder, name = wanted.name] {
+      [aside, pictures, made, folder, name = wanted.name] {
         const QString target = freeName(folder, name);
-        if (!QDir().rename(aside->path(), target))
+        if (!QDir().rename(pictures, target))
           return Status(Error{tr("Cannot write %1: choose another folder.").arg(target).toStdString()});
-        aside->setAutoRemove(false);
         *made = target;
         return Status();
       },
@@ -191,11 +220,11 @@ void PictureFiles::writeSheet(const Wanted& wanted, const QString& path) {
   const int count = int(wanted.places.size()), columns = std::min(wanted.columns, count);
   run(
       wanted,
-      [made, columns, rows = (count + columns - 1) / columns, hasHead = wanted.hasHead](
-          std::size_t n, const MadePicture& picture) {
+      [made, columns, rows = (count + columns - 1) / columns, hasHead = wanted.hasHead,
+       isShared = sharesWindow(wanted.stops.front())](std::size_t n, const MadePicture& picture) {
         if (n == 0) {
           QStringList head = picture.overlays.topLeft;
-          if (!picture.overlays.bottomRight.isEmpty()) head << picture.overlays.bottomRight;
+          if (isShared && !picture.overlays.bottomRight.isEmpty()) head << picture.overlays.bottomRight;
           made->sheet = std::make_unique<SliceSheet>(rows, columns, picture.image.size(),
                                                      hasHead ? head : QStringList());
           made->first = picture;

@@ -42,9 +42,11 @@ Printing::Printing(Workbench& bench) : Feature(bench) {
 void Printing::ask() {
   if (session_.workspace().series.empty()) return warn(tr("Open a series first."));
   const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
-  auto* trueSize = new QCheckBox(tr("True size: 1 mm of the patient is 1 mm on paper"));
-  trueSize->setObjectName(QStringLiteral("printTrueSize"));
   const auto* flat = qobject_cast<FlatView*>(grid_.viewShown());
+  const QString word = flat ? flat->lengthsWord() : QString();
+  auto* trueSize = new QCheckBox(word.isEmpty() ? tr("True size: 1 mm of the patient is 1 mm on paper")
+                                                : tr("True size: 1 mm (%1) is 1 mm on paper").arg(word));
+  trueSize->setObjectName(QStringLiteral("printTrueSize"));
   trueSize->setEnabled(flat && flat->shown() && flat->overlays().mmPerPixel > 0);
   auto* page = new QWidget;
   page->setWindowTitle(tr("Picture"));
@@ -66,11 +68,11 @@ void Printing::print(const std::shared_ptr<QPrinter>& printer, bool inTrueSize) 
   if (!request) return printOn(printer, {view->capture(), {}});
   drawing_.run(
       tr("Printing"), [request](const Job&) { return drawSlice(*request); },
-      [this, flat, printer, inTrueSize, request](const Result<QImage>& drawn) {
+      [this, flat, printer, inTrueSize, request](Result<QImage> drawn) {
         if (!drawn) return warn(QString::fromStdString(drawn.message()));
         if (!flat) return;
         const auto mm = inTrueSize ? std::optional(request->plane.mmPerPixel) : std::nullopt;
-        printOn(printer, {flat->captureWith(*drawn), mm});
+        printOn(printer, {flat->captureWith(*std::move(drawn)), mm});
       });
 }
 

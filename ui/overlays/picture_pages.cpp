@@ -37,14 +37,6 @@ std::optional<QSizeF> trueSize(const PagePicture& picture) {
 
 bool fits(QSizeF size, QSizeF room) { return size.width() <= room.width() && size.height() <= room.height(); }
 
-// What a picture's scale is, where it should be that of the patient.
-QString scaleText(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm) {
-  if (!look.inTrueSize) return {};
-  if (isInTrueSize(page, n, look, paperMm)) return tr("True size");
-  return page.pictures[std::size_t(n)].mmPerPixel ? tr("Not true size: too large for its place")
-                                                  : tr("Not true size: not calibrated");
-}
-
 class PagePainter {
  public:
   PagePainter(QPainter& painter, double dotsPerMm) : painter_(painter), dotsPerMm_(dotsPerMm) {
@@ -115,16 +107,24 @@ QRectF pagePlace(const PicturePage& page, int n, const PageLook& look, QSizeF pa
           size};
 }
 
-Status paintPages(QPagedPaintDevice& device, const std::vector<PicturePage>& pages, const PageLook& look) {
+QString scaleText(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm) {
+  const PagePicture& picture = page.pictures[std::size_t(n)];
+  if (!look.inTrueSize) return {};
+  if (!picture.mmPerPixel) return tr("Not true size: not calibrated");
+  if (!isInTrueSize(page, n, look, paperMm)) return tr("Not true size: too large for its place");
+  return picture.lengthsWord.isEmpty() ? tr("True size") : tr("True size (%1)").arg(picture.lengthsWord);
+}
+
+Status paintPages(QPagedPaintDevice& device, const PageSource& pages, const PageLook& look) {
   const Error cannot{tr("The printer or its file cannot be written to.").toStdString()};
   const QSizeF paperMm = device.pageLayout().paintRect(QPageLayout::Millimeter).size();
   QPainter painter;
   if (!painter.begin(&device)) return cannot;
   PagePainter pagePainter(painter, device.logicalDpiX() / 25.4);
-  for (std::size_t n = 0; n < pages.size(); ++n) {
+  for (std::size_t n = 0; n < pages.count; ++n) {
     if (n > 0 && !device.newPage()) return cannot;
-    const QString number = tr("Page %1 of %2").arg(n + 1).arg(pages.size());
-    paintPicturePage(pagePainter, pages[n], number, look, paperMm);
+    const QString number = tr("Page %1 of %2").arg(n + 1).arg(pages.count);
+    paintPicturePage(pagePainter, pages.page(n), number, look, paperMm);
   }
   return painter.end() ? Status() : Status(cannot);
 }

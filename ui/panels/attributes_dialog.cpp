@@ -108,6 +108,10 @@ AttributesDialog::AttributesDialog(Session& session, const Series& series, QWidg
   });
   connect(follow_, &QCheckBox::toggled, this, &AttributesDialog::follow);
   connect(&session_, &Session::workspaceChanged, this, &AttributesDialog::follow);
+  connect(&session_, &Session::preferencesChanged, this,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.hideNames != after.hideNames) showNamesOrNot();
+          });
   connect(search_, &QLineEdit::textChanged, this, &AttributesDialog::filter);
   search_->setFocus();
 }
@@ -158,11 +162,21 @@ void AttributesDialog::showPicture(const Series& series, int index) {
   const QSignalBlocker quiet(slice_);
   if (keyOf(series) != keyOf(series_)) {
     series_ = series;
-    setWindowTitle(tr("DICOM attributes - %1").arg(seriesText(series)));
+    showTitle();
     slice_->setRange(1, std::max(1, int(series.files.size())));
     slice_->setSuffix(tr(" of %1").arg(series.files.size()));
   }
   slice_->setValue(index + 1);
+  read();
+}
+
+void AttributesDialog::showTitle() { setWindowTitle(tr("DICOM attributes - %1").arg(seriesText(series_))); }
+
+// Nothing that names somebody stays until it is read again.
+void AttributesDialog::showNamesOrNot() {
+  showTitle();
+  tree_->clear();
+  path_.clear();
   read();
 }
 

@@ -27,6 +27,8 @@ class AttributesDialog : public QDialog {
   void makeCopying();
   void follow();
   void showPicture(const Series& series, int index);
+  void showTitle();
+  void showNamesOrNot();
   void read();
   void showLines(const std::vector<dicom::AttributeLine>& lines);
   void filter();

@@ -13,6 +13,12 @@
 
 namespace volumen {
 
+namespace {
+
+constexpr int restMs = 300;  // after a step of a drag
+
+}  // namespace
+
 ChartPanel::ChartPanel(Session& session, ChartJobs& jobs, QWidget* parent)
     : QWidget(parent),
       session_(session),
@@ -22,6 +28,12 @@ ChartPanel::ChartPanel(Session& session, ChartJobs& jobs, QWidget* parent)
       copy_(new QToolButton),
       view_(new ChartView) {
   makeLayout();
+  atRest_.setSingleShot(true);
+  atRest_.setInterval(restMs);
+  connect(&atRest_, &QTimer::timeout, this, [this] {
+    if (QGuiApplication::mouseButtons() != Qt::NoButton) return atRest_.start();
+    showSelected();
+  });
   connect(&session_, &Session::workspaceChanged, this, &ChartPanel::showSelected);
   connect(&session_, &Session::preferencesChanged, this, &ChartPanel::showSelected);
   connect(&jobs, &ChartJobs::ready, this, &ChartPanel::take);
@@ -66,6 +78,28 @@ void ChartPanel::hideEvent(QHideEvent* event) {
   if (jobs_) jobs_->drop();
 }
 
+void ChartPanel::setWatched(bool watched) {
+  isWatched_ = watched;
+  if (watched) return showSelected();
+  overTime_.reset();
+  if (jobs_) jobs_->drop();
+}
+
+// All steps of a series are not read again at each step of a drag.
+bool ChartPanel::isToRest(const Measurement& measurement, ChartKind kind) {
+  if (kind != ChartKind::overTime) {
+    overTime_.reset();
+    atRest_.stop();
+    return false;
+  }
+  if (overTime_ != measurement) {
+    overTime_ = measurement;
+    jobs_->drop();
+    atRest_.start();
+  }
+  return atRest_.isActive();
+}
+
 // Nothing is worked out while nobody sees it.
 void ChartPanel::showSelected() {
   if (!jobs_) return;
@@ -78,8 +112,9 @@ void ChartPanel::showSelected() {
     copy_->setEnabled(false);
     return say(tr("Select a length, a polyline or a region: the values under it are drawn here."));
   }
-  if (!isVisible()) return;
-  if (!jobs_->request(*m, ChartKind(kind_->currentData().toInt()))) {
+  const auto kind = ChartKind(kind_->currentData().toInt());
+  if (!isWatched_ || !isVisible() || isToRest(*m, kind)) return;
+  if (!jobs_->request(*m, kind)) {
     view_->setChart({});
     copy_->setEnabled(false);
     say(tr("Show the series of %1 to see its values.").arg(nameText(*m)));
@@ -94,11 +129,12 @@ void ChartPanel::offer(const std::vector<ChartKind>& kinds) {
   if (const int at = kind_->findData(int(preferred_)); at >= 0) kind_->setCurrentIndex(at);
 }
 
-void ChartPanel::take(const MeasuredChart& chart) {
+void ChartPanel::take(int measurement, const MeasuredChart& chart) {
+  const Measurement* m = findMeasurement(session_.workspace(), measurement);
+  if (!m || measurement != session_.workspace().selected) return;
   view_->setChart(chart);
   copy_->setEnabled(!chart.lines.empty());
-  const Measurement* m = findMeasurement(session_.workspace(), session_.workspace().selected);
-  QString sentence = m ? nameText(*m) : QString();
+  QString sentence = nameText(*m);
   if (!chart.problem.isEmpty()) sentence += QStringLiteral(": ") + chart.problem;
   say(sentence);
 }

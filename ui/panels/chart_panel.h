@@ -3,7 +3,9 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPointer>
+#include <QTimer>
 #include <QToolButton>
+#include <optional>
 
 #include "ui/controller/chart_jobs.h"
 #include "ui/panels/chart_view.h"
@@ -18,6 +20,8 @@ class ChartPanel : public QWidget {
 
   /// What is there may have come into memory.
   void showSelected();
+  /// Whether it is seen: behind another tab nothing is worked out for it.
+  void setWatched(bool watched);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -26,7 +30,8 @@ class ChartPanel : public QWidget {
  private:
   void makeLayout();
   void offer(const std::vector<ChartKind>& kinds);
-  void take(const MeasuredChart& chart);
+  bool isToRest(const Measurement& measurement, ChartKind kind);
+  void take(int measurement, const MeasuredChart& chart);
   void say(const QString& sentence);
 
   Session& session_;
@@ -36,6 +41,9 @@ class ChartPanel : public QWidget {
   QToolButton* copy_;
   ChartView* view_;
   ChartKind preferred_ = ChartKind::histogram;  // of regions: the one chosen last
+  bool isWatched_ = false;
+  std::optional<Measurement> overTime_;  // the last that was to be drawn over time
+  QTimer atRest_;                        // once it was not changed for a while
 };
 
 }  // namespace volumen

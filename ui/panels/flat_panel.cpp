@@ -221,8 +221,13 @@ void FlatPanel::showEvent(QShowEvent* event) {
   refresh();
 }
 
+void FlatPanel::setWatched(bool watched) {
+  isWatched_ = watched;
+  refresh();
+}
+
 void FlatPanel::refresh() {
-  if (!isVisible()) return;  // a clip may play
+  if (!isWatched_ || !isVisible()) return;  // a clip may play
   shown_ = focus_.shown();
   setEnabled(shown_ && shown_->series);
   if (!shown_ || !shown_->series) return;

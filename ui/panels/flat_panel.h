@@ -40,6 +40,8 @@ class FlatPanel : public QWidget {
 
   /// Shows what is in focus now.
   void refresh();
+  /// Whether it is seen: behind another tab nothing is worked out for it.
+  void setWatched(bool watched);
 
  protected:
   void showEvent(QShowEvent*) override;
@@ -61,6 +63,7 @@ class FlatPanel : public QWidget {
 
   Session& session_;
   const FlatInFocus focus_;
+  bool isWatched_ = false;
   std::optional<FlatShown> shown_;  // last
   QWidget *window_, *colours_, *overlay_, *slab_;
   QComboBox *choice_, *colourMap_, *overlayColours_, *slabMode_;

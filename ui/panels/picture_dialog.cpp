@@ -33,13 +33,14 @@ QString titleOf(PicturesOf of) {
 
 }  // namespace
 
-PictureDialog::PictureDialog(PicturesOf of, const StackPlace& place, QSize seen, QWidget* parent)
-    : QDialog(parent), of_(of), seen_(seen), form_(new QFormLayout(this)) {
+PictureDialog::PictureDialog(PicturesOf of, std::vector<NumberedPlace> stack, int count, QSize seen,
+                             QWidget* parent)
+    : QDialog(parent), of_(of), stack_(std::move(stack)), seen_(seen), form_(new QFormLayout(this)) {
   setObjectName(QStringLiteral("picturesDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(titleOf(of));
   addSize();
-  addRange(std::max(1, place.count));
+  addRange(std::max(1, count));
   addSheet();
   addTexts();
   addButtons();
@@ -115,9 +116,9 @@ void PictureDialog::addButtons() {
   form_->addRow(count_);
   form_->setRowVisible(count_, of_ != PicturesOf::view);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-  QPushButton* save = buttons->addButton(tr("Save..."), QDialogButtonBox::AcceptRole);
-  save->setObjectName(QStringLiteral("pictureSave"));
-  save->setDefault(true);
+  save_ = buttons->addButton(tr("Save..."), QDialogButtonBox::AcceptRole);
+  save_->setObjectName(QStringLiteral("pictureSave"));
+  save_->setDefault(true);
   form_->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -140,16 +141,19 @@ int PictureDialog::every() const {
   return (count + room - 1) / room;
 }
 
-std::vector<int> PictureDialog::places() const {
+std::vector<NumberedPlace> PictureDialog::places() const {
   const auto [from, to] = std::minmax({first_->value(), last_->value()});
-  std::vector<int> places;
-  for (int n = from; n <= to; n += every()) places.push_back(n - 1);
+  std::vector<NumberedPlace> places;
+  for (const NumberedPlace& each : stack_)
+    if (each.number >= from && each.number <= to && (each.number - from) % every() == 0)
+      places.push_back(each);
   return places;
 }
 
 void PictureDialog::showCount() {
   const int pictures = int(places().size());
   const QString text = pictures == 1 ? tr("1 picture") : tr("%1 pictures").arg(pictures);
+  save_->setEnabled(of_ == PicturesOf::view || pictures > 0);
   count_->setText(every() == 1 ? text : tr("%1, every %2.").arg(text).arg(every()));
 }
 

@@ -11,6 +11,7 @@
 #include "ui/workspace/picture_look.h"
 
 class QFormLayout;
+class QPushButton;
 
 namespace volumen {
 
@@ -25,12 +26,14 @@ enum class PicturesOf {
 class PictureDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `place`: where the view is in its stack; `seen`: its size, logical pixels.
-  PictureDialog(PicturesOf of, const StackPlace& place, QSize seen, QWidget* parent = nullptr);
+  /// `stack`: the places of the view, in the order of their numbers, of which there are 1 to `count`; `seen`:
+  /// its size, logical pixels.
+  PictureDialog(PicturesOf of, std::vector<NumberedPlace> stack, int count, QSize seen,
+                QWidget* parent = nullptr);
 
   PictureLook look() const;
-  /// Which places of the stack, from 0.
-  std::vector<int> places() const;
+  /// Which places of the stack.
+  std::vector<NumberedPlace> places() const;
   int columns() const { return columns_->value(); }
   /// Whether anything may be written over or beside pictures.
   bool withTexts() const { return texts_->isChecked(); }
@@ -46,12 +49,14 @@ class PictureDialog : public QDialog {
   void showCount();
 
   const PicturesOf of_;
+  const std::vector<NumberedPlace> stack_;
   const QSize seen_;
   QFormLayout* form_;
   QComboBox* size_;
   QSpinBox *width_, *first_, *last_, *every_, *rows_, *columns_;
   QCheckBox *texts_, *hideNames_;
   QLabel* count_;
+  QPushButton* save_;
 };
 
 }  // namespace volumen

@@ -25,7 +25,7 @@ class ValueFields : public QWidget {
 
  private:
   QDoubleSpinBox* addField(const QString& name, const QString& label);
-  void typed(const QDoubleSpinBox* field);
+  void typed(QDoubleSpinBox* field);
 
   std::optional<Window> window_;  // in the numbers on screen
   double toStored_ = 1;           // from these numbers

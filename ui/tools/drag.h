@@ -31,6 +31,8 @@ class Drag {
   virtual bool finish() { return true; }
   /// What it draws that is no part of the workspace yet; null: nothing.
   virtual const Measurement* drawing() const { return nullptr; }
+  /// Whether that has numbers.
+  virtual bool isMeasured() const { return true; }
   /// The lens that it holds; none: it holds none.
   virtual std::optional<Enlarged> enlarged() const { return {}; }
   /// So many notches of the wheel, up is positive; whether they mean something to it.

@@ -64,6 +64,7 @@ class RegionWindowDrag : public Drag {
   }
 
   const Measurement* drawing() const override { return &box_; }
+  bool isMeasured() const override { return false; }
 
  private:
   const SlicePress press_;

@@ -98,8 +98,11 @@ QImage FlatView::capture() const {
 }
 
 QImage FlatView::captureWith(QImage picture) const {
-  picture.setDevicePixelRatio(devicePixelRatioF() * picture.width() / pixels().width());
-  return captureBy(picture.size(), [&](QPainter& painter) { paintWith(painter, picture); });
+  picture = std::move(picture).convertToFormat(QImage::Format_RGB32);
+  captureOver(picture, [this](QPainter& painter) {
+    if (shown()) paintOver(painter);
+  });
+  return picture;
 }
 
 bool FlatView::mayShow(const SliceRequest& request) const {

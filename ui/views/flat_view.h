@@ -43,7 +43,8 @@ class FlatView : public View {
   /// What is drawn for a picture of that size; the view's own picture is whole. None without a series.
   std::optional<SliceRequest> requestForOwnPixels() const;
   QImage capture() const override;
-  /// The same in as many pixels as this picture has, which is put in place of the one on screen.
+  /// The same in as many pixels as this picture has, which takes the place of the one on screen: written over
+  /// where nobody else has it, so that large ones take no longer than small ones.
   QImage captureWith(QImage picture) const;
   /// Whether the numbers of all that is measured in it are there; those that are not are asked for.
   bool isMeasured() const;
@@ -85,10 +86,15 @@ class FlatView : public View {
   void zoomTo(double mmPerPixel);
   /// mm of a pixel of what is shown, the smaller edge. Only where shown() is something.
   double ownPixelMm() const;
+  /// What is true of its mm: "at detector"; empty: they are the patient's, or there are none.
+  virtual QString lengthsWord() const { return {}; }
   /// The picture as acquired that is seen.
   virtual PictureSeen pictureSeen() const = 0;
   /// Where the wheel is, and of how many places.
   virtual StackPlace place() const = 0;
+  /// Of how many the number of the picture is one; its places in the order of their numbers.
+  int numberCount() const { return numbers().count; }
+  std::vector<NumberedPlace> numberedPlaces() const;
   /// The measurements that are seen, the one that is being drawn last.
   std::vector<DrawnMeasurement> drawnMeasurements() const;
   /// A plane of the stack that is scrolled through: the one on screen, or one at an end.
@@ -159,6 +165,8 @@ class FlatView : public View {
   virtual Numbers numbers() const = 0;
   /// The line of the corner that says it.
   virtual QString numberLine() const = 0;
+  /// Where the wheel is at the picture of a number; none: it has no place.
+  virtual std::optional<int> placeOf(int number) const = 0;
   /// Shows the picture of a number; why it cannot, empty: it does.
   virtual QString goToNumber(int number) = 0;
   /// Places of the stack that are key images.
@@ -197,6 +205,7 @@ class FlatView : public View {
   void workspaceChanged(const Workspace& before) override;
   void paintShown(QPainter& painter) const override;
   void paintWith(QPainter& painter, const QImage& picture) const;
+  void paintOver(QPainter& painter) const;
   std::vector<QWidget*> badges() const override;
   QStringList warningsShown() const override { return warnings().sentences; }
   void paintEvent(QPaintEvent*) override;

@@ -34,17 +34,17 @@ std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
   const std::optional<SlicePlane> now = plane();
   if (!shown || !now) return drawn;
   const Workspace& workspace = session_.workspace();
-  const auto add = [&](const Measurement& m, bool selected) {
+  const auto add = [&](const Measurement& m, bool selected, bool measured = true) {
     DrawnMeasurement one =
         drawnMeasurement(m, *now, shown->volume->geometry(), devicePixelRatioF(), selected);
     if (one.lines.empty()) return;
-    if (one.whole || m.id < 0) one.text = textOf(m, measurer_);
+    if (measured && (one.whole || m.id < 0)) one.text = textOf(m, measurer_);
     drawn.push_back(std::move(one));
   };
   if (workspace.measurementsShown)
     for (const Measurement* m : measurements()) add(*m, m->id == workspace.selected);
   if (const Measurement* m = drag_ ? drag_->drawing() : nullptr; m && m->shape.frame == shapeFrame())
-    add(*m, true);
+    add(*m, true, drag_->isMeasured());
   if (drawn.empty()) return drawn;
   const PlacedOverlays placed = placeOverlays(overlays(), overlayArea(), font());
   std::vector<QRectF> taken{placed.scaleBar};
@@ -57,8 +57,11 @@ std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
 
 bool FlatView::isMeasured() const {
   if (!shown() || !session_.workspace().measurementsShown) return true;
-  return std::ranges::all_of(measurements(), [this](const Measurement* m) {
-    const bool isNotHere = !m->shape.frame && !session_.seriesNamed(m->series);
+  const auto& all = session_.workspace().series;
+  return std::ranges::all_of(measurements(), [&](const Measurement* m) {
+    const auto state = all.find(m->series);
+    const bool isNotHere =
+        state == all.end() || state->second.missing || (!m->shape.frame && !session_.seriesNamed(m->series));
     return isNotHere || measurer_.exactNumbersOf(*m) != nullptr;
   });
 }

@@ -49,11 +49,7 @@ void FlatView::paintWith(QPainter& painter, const QImage& picture) const {
   painter.fillRect(rect(), Qt::black);
   if (shown()) {
     if (!picture.isNull()) painter.drawImage(QPointF(0, 0), picture);
-    paintLines(painter);
-    paintReferenceLines(painter, referenceLines(), rect());
-    paintMeasurements(painter, drawnMeasurements());
-    paintOverlays(painter, overlays(), overlayArea());
-    paintColours(painter);
+    paintOver(painter);
   } else if (isWaiting()) {
     painter.drawImage(QPointF(0, 0), picture);
     paintOverlays(painter, waitingOverlays(), overlayArea());
@@ -62,6 +58,15 @@ void FlatView::paintWith(QPainter& painter, const QImage& picture) const {
     only.warning = sentence;
     paintOverlays(painter, only, rect());
   }
+}
+
+// What lies over the picture.
+void FlatView::paintOver(QPainter& painter) const {
+  paintLines(painter);
+  paintReferenceLines(painter, referenceLines(), rect());
+  paintMeasurements(painter, drawnMeasurements());
+  paintOverlays(painter, overlays(), overlayArea());
+  paintColours(painter);
 }
 
 void FlatView::paintEvent(QPaintEvent*) {

@@ -68,6 +68,13 @@ QRectF FlatView::cornerRect(const QString& line) const {
   return text == placed.texts.end() ? QRectF() : text->rect;
 }
 
+std::vector<NumberedPlace> FlatView::numberedPlaces() const {
+  std::vector<NumberedPlace> all;
+  for (int number = 1; number <= numbers().count; ++number)
+    if (const std::optional<int> place = placeOf(number)) all.push_back({number, *place});
+  return all;
+}
+
 QRectF FlatView::numberRect() const {
   return shown() && numbers().count > 1 ? cornerRect(numberLine()) : QRectF();
 }

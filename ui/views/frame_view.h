@@ -20,6 +20,9 @@ class FrameView : public FlatView {
   void chooseGrey(const GreyChoice& choice);
   void scroll(int steps) override;
   void goTo(int place) override;
+  QString lengthsWord() const override {
+    return frame_ ? QLatin1String(pixelSizeWord(frame_->pixel.kind)) : QString();
+  }
   LoadedSeriesPtr shown() const override { return isCurrent() && frame_ ? frame_->slice : nullptr; }
   QString failure() const override { return failure_; }
   Overlays overlays() const override;
@@ -44,6 +47,7 @@ class FrameView : public FlatView {
   bool hasCursor() const override { return frame_ && frame_->geometry().calibrated; }
   Numbers numbers() const override;
   QString numberLine() const override;
+  std::optional<int> placeOf(int number) const override { return number - 1; }
   QString goToNumber(int number) override;
   std::vector<int> keyImagePlaces() const override;
   std::vector<std::pair<int, int>> heldPlaces() const override;

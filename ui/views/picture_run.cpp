@@ -6,17 +6,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
+#include "ui/controller/measure_jobs.h"
 #include "ui/data/frame_series.h"
 #include "ui/views/view_grid.h"
+#include "ui/workspace/links.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
 
 namespace {
 
-constexpr int waitMs = 20, mostWaits = 100;  // for numbers of measurements
-constexpr double textEdge = 640;             // logical pixels that texts over a whole picture are made for
+constexpr int waitMs = 20;        // for numbers of measurements
+constexpr double textEdge = 640;  // logical pixels that texts over a whole picture are made for
 
 // Of all of the picture, or of what is seen; nothing has handles.
 Workspace workspaceOf(const PictureStop& stop, PictureLook::Size size) {
@@ -30,23 +33,39 @@ Workspace workspaceOf(const PictureStop& stop, PictureLook::Size size) {
   return workspace;
 }
 
+// What it shows, and what is measured over it.
+std::set<SeriesKey> seriesSeen(const PictureStop& stop) {
+  const ViewState& view = stop.workspace.view(stop.view);
+  std::set<SeriesKey> seen{view.series, flatLookOf(view).overlay};
+  for (const Measurement& m : stop.workspace.measurements) {
+    seen.insert(m.series);
+    if (const auto over = seriesOver(stop.workspace, m.series)) seen.insert(over->series);
+  }
+  return seen;
+}
+
 // What the view of a stop needs of the series in memory.
 std::unique_ptr<Session> sessionOf(const PictureStop& stop, PictureLook::Size size, const Session& session) {
   auto copy = std::make_unique<Session>();
   copy->prefer(session.preferences());
   copy->pool().setBudget(std::numeric_limits<std::size_t>::max());
-  const ViewState& view = stop.workspace.view(stop.view);
-  for (const SeriesKey& key : {view.series, flatLookOf(view).overlay}) {
-    const auto state = stop.workspace.series.find(key);
-    if (state == stop.workspace.series.end()) continue;
-    if (LoadedSeriesPtr held = session.seriesWith(key, state->second.mask))
-      copy->pool().put({key, state->second.mask}, std::move(held));
-  }
+  for (const auto& [key, held] : stop.held.empty() ? seriesHeld(stop, session) : stop.held)
+    copy->pool().put({key, stop.workspace.series.at(key).mask}, held);
   copy->open({}, workspaceOf(stop, size));
   return copy;
 }
 
 }  // namespace
+
+std::map<SeriesKey, LoadedSeriesPtr> seriesHeld(const PictureStop& stop, const Session& session) {
+  std::map<SeriesKey, LoadedSeriesPtr> held;
+  for (const SeriesKey& key : seriesSeen(stop)) {
+    const auto state = stop.workspace.series.find(key);
+    if (state == stop.workspace.series.end()) continue;
+    if (LoadedSeriesPtr series = session.seriesWith(key, state->second.mask)) held[key] = std::move(series);
+  }
+  return held;
+}
 
 PictureRun::PictureRun(const ViewGrid& grid, const Session& session, Jobs& jobs, const QString& doing,
                        std::vector<PictureStop> stops, const PictureLook& look, QObject* parent)
@@ -63,8 +82,9 @@ PictureRun::PictureRun(const ViewGrid& grid, const Session& session, Jobs& jobs,
   // After the view has heard of it, too.
   connect(&frames_, &FrameService::ready, this,
           [this] { QTimer::singleShot(0, this, &PictureRun::prepare); });
-  connect(&frames_, &FrameService::failed, this,
-          [this](int, const FrameKey&, const QString& sentence) { end(shownText(sentence.toStdString())); });
+  connect(&frames_, &FrameService::failed, this, [this](int view, const FrameKey&, const QString& sentence) {
+    if (view != measuredId) end(shownText(sentence.toStdString()));
+  });
 }
 
 PictureRun::~PictureRun() { jobs_.remove(job_); }
@@ -79,7 +99,15 @@ void PictureRun::start(Keep keep, Finish finish) {
 
 void PictureRun::next() {
   if (hasEnded_) return;
-  if (at_ < stops_.size()) return showStop();
+  if (at_ < stops_.size())
+    showStop();
+  else
+    finish();
+}
+
+void PictureRun::finish() {
+  jobs_.remove(job_);
+  jobs_.add(job_, {}, false);
   lane_.run(
       {}, [finish = finish_](const Job&) { return finish ? finish() : Status(); },
       [this](const Status& finished) {
@@ -90,9 +118,11 @@ void PictureRun::next() {
 void PictureRun::showStop() {
   const PictureStop& stop = stops_[at_];
   view_.reset();
+  measurer_.reset();
   copy_ = sessionOf(stop, look_.size, session_);
-  view_ = grid_.unseenView(*copy_, frames_, stop.view);
-  waits_ = 0;
+  measurer_ = std::make_unique<MeasureJobs>(*copy_, frames_);
+  view_ = grid_.unseenView(*copy_, frames_, *measurer_, stop.view);
+  isPrepared_ = false;
   if (!view_) return end(tr("Only slices and frames can be made into such pictures."));
   resizeView(look_.seen);
   const ViewState& state = view_->state();
@@ -107,11 +137,12 @@ void PictureRun::showStop() {
 
 // Its size, once it is known what it shows.
 void PictureRun::prepare() {
-  if (hasEnded_ || waits_ > 0) return;
+  if (hasEnded_ || isPrepared_) return;
   if (!view_->shown()) {
     if (showsFrames(view_->state().kind)) return;  // until its frame is read
     return end(tr("The series is still being loaded: try again once it is shown."));
   }
+  isPrepared_ = true;
   if (look_.size == Size::own || look_.size == Size::whole) {
     const QSizeF own = view_->ownPixels();
     const double shorter = std::min(own.width(), own.height()), longer = std::max(own.width(), own.height());
@@ -130,10 +161,10 @@ void PictureRun::resizeView(QSize logical) {
   QCoreApplication::sendEvent(view_.get(), &event);
 }
 
+// As long as they take: the user may cancel.
 void PictureRun::waitForNumbers() {
   if (hasEnded_) return;
-  if (look_.withTexts && !view_->isMeasured() && ++waits_ < mostWaits) return numbersSoon_.start();
-  waits_ = mostWaits;
+  if (look_.withTexts && !view_->isMeasured()) return numbersSoon_.start();
   draw();
 }
 
@@ -148,20 +179,26 @@ void PictureRun::draw() {
   const std::optional<SliceRequest> request =
       look_.size == Size::own ? view_->requestForOwnPixels() : view_->requestFor(pixelsWanted());
   lane_.run(
-      {}, [request](const Job&) { return drawSlice(*request); },
-      [this, mm = request->plane.mmPerPixel](const Result<QImage>& drawn) {
+      {},
+      [request](const Job&) -> Result<QImage> {
+        Result<QImage> drawn = drawSlice(*request);
+        if (!drawn) return drawn;
+        return (*std::move(drawn)).convertToFormat(QImage::Format_RGB32);
+      },
+      [this, mm = request->plane.mmPerPixel](Result<QImage> drawn) {
         if (!drawn) return end(QString::fromStdString(drawn.message()));
-        keepPicture(*drawn, mm);
+        keepPicture(*std::move(drawn), mm);
       });
 }
 
-void PictureRun::keepPicture(const QImage& picture, double mmPerPixel) {
+void PictureRun::keepPicture(QImage picture, double mmPerPixel) {
   const HidingNames hiding(look_.namesHidden);
   MadePicture made;
-  made.image = look_.withTexts ? view_->captureWith(picture) : picture.convertToFormat(QImage::Format_RGB32);
+  made.image = look_.withTexts ? view_->captureWith(std::move(picture)) : std::move(picture);
   made.image.setDevicePixelRatio(1);
   made.overlays = view_->overlays();
   made.warnings = static_cast<View&>(*view_).warningsShown();
+  made.lengthsWord = view_->lengthsWord();
   if (made.overlays.mmPerPixel > 0) made.mmPerPixel = mmPerPixel;
   lane_.run(
       {}, [keep = keep_, n = at_, made](const Job&) { return keep(n, made); },

@@ -16,6 +16,7 @@
 namespace volumen {
 
 class FlatView;
+class MeasureJobs;
 class ViewGrid;
 
 /// A picture of a flat view that was made.
@@ -24,7 +25,11 @@ struct MadePicture {
   Overlays overlays;                 ///< what the view says, over the picture or not
   QStringList warnings;              ///< what is not as it seems in it, whole sentences
   std::optional<double> mmPerPixel;  ///< of the image; none: it is not calibrated
+  QString lengthsWord;               ///< what is true of its mm, where they are not the patient's
 };
+
+/// PictureStop::held of what a session has in memory.
+std::map<SeriesKey, LoadedSeriesPtr> seriesHeld(const PictureStop& stop, const Session& session);
 
 /// Makes pictures of flat views one after the other, each of a workspace of its own, whatever is on screen
 /// meanwhile: a job with progress. Frames are read and pictures drawn on other threads.
@@ -33,10 +38,10 @@ class PictureRun : public QObject {
  public:
   /// What becomes of picture `n`, on another thread. An Error ends the run.
   using Keep = std::function<Status(std::size_t n, const MadePicture& picture)>;
-  /// After the last one, there too.
+  /// After the last one, there too; the user cannot cancel it.
   using Finish = std::function<Status()>;
 
-  /// Slices are those that `session` has in memory.
+  /// Slices are those that the stops hold, or that `session` has in memory once it is their turn.
   PictureRun(const ViewGrid& grid, const Session& session, Jobs& jobs, const QString& doing,
              std::vector<PictureStop> stops, const PictureLook& look, QObject* parent = nullptr);
   ~PictureRun() override;
@@ -44,6 +49,7 @@ class PictureRun : public QObject {
   /// Ends in ended(), once. What was not finished by then is the business of what `keep` and `finish` hold:
   /// both are gone when the run is.
   void start(Keep keep, Finish finish = {});
+  bool hasEnded() const { return hasEnded_; }
 
  Q_SIGNALS:
   /// Empty: all pictures were made and kept. The run deletes itself.
@@ -53,11 +59,12 @@ class PictureRun : public QObject {
   using Size = PictureLook::Size;
 
   void next();
+  void finish();
   void showStop();
   void prepare();
   void waitForNumbers();
   void draw();
-  void keepPicture(const QImage& picture, double mmPerPixel);
+  void keepPicture(QImage picture, double mmPerPixel);
   void take(const Status& kept);
   void end(const QString& failure);
   QSize pixelsWanted() const;
@@ -73,10 +80,11 @@ class PictureRun : public QObject {
   Finish finish_;
   std::size_t at_ = 0;
   FrameService frames_;
-  std::unique_ptr<Session> copy_;   // as the stop has it
-  std::unique_ptr<FlatView> view_;  // over it
+  std::unique_ptr<Session> copy_;  // as the stop has it
+  std::unique_ptr<MeasureJobs> measurer_;
+  std::unique_ptr<FlatView> view_;  // over both
   QTimer numbersSoon_;
-  int waits_ = 0;  // for numbers
+  bool isPrepared_ = false;  // what the stop shows is known
   bool hasEnded_ = false;
   JobLane lane_;
 };

@@ -177,6 +177,15 @@ QString SliceView::numberLine() const {
       .text;
 }
 
+std::optional<int> SliceView::placeOf(int number) const {
+  if (!isAlongSlices()) return number - 1;
+  const std::optional<int> slice = drawnSlice(shown()->series, number - 1);
+  if (!slice) return {};
+  Crosshair at = crosshairOf(session_.workspace(), id(), *shown());
+  at.at = pointOn(*slice);
+  return stackPlace(shown()->volume->geometry(), state().kind, at).index;
+}
+
 QString SliceView::goToNumber(int number) {
   if (!isAlongSlices()) {
     goTo(number - 1);
@@ -192,13 +201,8 @@ QString SliceView::goToNumber(int number) {
 std::vector<int> SliceView::keyImagePlaces() const {
   std::vector<int> places;
   if (!isAlongSlices()) return places;
-  Crosshair at = crosshairOf(session_.workspace(), id(), *shown());
-  for (const int index : keyImagesOf(session_.workspace(), shown()->series)) {
-    const std::optional<int> slice = drawnSlice(shown()->series, index);
-    if (!slice) continue;
-    at.at = pointOn(*slice);
-    places.push_back(stackPlace(shown()->volume->geometry(), state().kind, at).index);
-  }
+  for (const int index : keyImagesOf(session_.workspace(), shown()->series))
+    if (const std::optional<int> place = placeOf(index + 1)) places.push_back(*place);
   return places;
 }
 

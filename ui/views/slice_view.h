@@ -32,6 +32,7 @@ class SliceView : public FlatView {
   void seriesExchanged(bool another) override;
   Numbers numbers() const override;
   QString numberLine() const override;
+  std::optional<int> placeOf(int number) const override;
   QString goToNumber(int number) override;
   std::vector<int> keyImagePlaces() const override;
   std::vector<std::pair<int, int>> heldPlaces() const override { return {{0, place().count - 1}}; }

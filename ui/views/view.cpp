@@ -126,14 +126,18 @@ QImage View::capture() const {
 
 QImage View::captureBy(QSize pixels, const std::function<void(QPainter&)>& paint) const {
   QImage image(pixels, QImage::Format_RGB32);
-  image.setDevicePixelRatio(devicePixelRatioF() * pixels.width() / this->pixels().width());
   image.fill(Qt::black);
+  captureOver(image, paint);
+  return image;
+}
+
+void View::captureOver(QImage& image, const std::function<void(QPainter&)>& paint) const {
+  image.setDevicePixelRatio(devicePixelRatioF() * image.width() / pixels().width());
   QPainter painter(&image);
   painter.setFont(font());
   paint(painter);
   for (QWidget* badge : badges())
     if (badge->isVisibleTo(this)) badge->render(&painter, badge->pos(), {}, QWidget::DrawChildren);
-  return image;
 }
 
 void View::paintEvent(QPaintEvent*) {

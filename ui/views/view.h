@@ -60,6 +60,8 @@ class View : public QWidget {
   virtual void paintShown(QPainter& painter) const = 0;
   /// The same in so many pixels, as wide as the view, where `paint` takes the place of paintShown().
   QImage captureBy(QSize pixels, const std::function<void(QPainter&)>& paint) const;
+  /// The same over what an image as large as that shows, which is not copied where nobody else has it.
+  void captureOver(QImage& image, const std::function<void(QPainter&)>& paint) const;
   /// Widgets of its own that say something of the picture.
   virtual std::vector<QWidget*> badges() const { return {loading_}; }
   /// What is to be said of a place of the view, logical pixels; empty: nothing.

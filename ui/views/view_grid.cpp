@@ -151,10 +151,11 @@ QImage ViewGrid::capture() const {
   return image;
 }
 
-std::unique_ptr<FlatView> ViewGrid::unseenView(Session& session, FrameService& frames, ViewId id) const {
+std::unique_ptr<FlatView> ViewGrid::unseenView(Session& session, FrameService& frames, MeasureJobs& measurer,
+                                               ViewId id) const {
   const ViewFamily family = rowOf(session.workspace().view(id).kind).family;
   if (family == ViewFamily::scene) return nullptr;
-  ViewParts parts{session, parts_.drawService, parts_.slices, frames, parts_.measurer, parts_.derived};
+  ViewParts parts{session, parts_.drawService, parts_.slices, frames, measurer, parts_.derived};
   std::unique_ptr<FlatView> view(static_cast<FlatView*>(makeView(family, parts, id, nullptr)));
   view->setFinder([this](ViewId other) { return viewAs<FlatView>(other); });
   if (auto* slices = qobject_cast<SliceView*>(view.get())) {

@@ -32,8 +32,10 @@ class ViewGrid : public QWidget {
   View* viewShown() const { return static_cast<View*>(focusProxy()); }
   /// What is seen of all views on screen (View::capture), as they lie beside each other.
   QImage capture() const;
-  /// A hidden view of this id over another session, with what the views here share; null of 3D.
-  std::unique_ptr<FlatView> unseenView(Session& session, FrameService& frames, ViewId id) const;
+  /// A hidden view of this id over another session, whose numbers `measurer` has, with what the views here
+  /// share; null of 3D.
+  std::unique_ptr<FlatView> unseenView(Session& session, FrameService& frames, MeasureJobs& measurer,
+                                       ViewId id) const;
   /// What is not as it seems in any of them, each sentence once.
   QStringList warningsShown() const;
   /// Shows the view in focus alone, or all of the layout again.

@@ -50,6 +50,12 @@ struct StackPlace {
 };
 StackPlace stackPlace(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair);
 
+/// A place of a stack, and the number that it has on screen: of slices and frames as acquired that in the
+/// series.
+struct NumberedPlace {
+  int number = 1, place = 0;
+};
+
 /// With a flat view at another place of its stack: a step of the wheel, or a frame; from 0. `shown`: what the
 /// view shows.
 Workspace withPlace(Workspace workspace, ViewId view, const LoadedSeries& shown, int index);

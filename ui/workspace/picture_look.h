@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QSize>
+#include <map>
 
+#include "ui/data/loaded_series.h"
 #include "ui/workspace/workspace.h"
 
 namespace volumen {
@@ -10,6 +12,8 @@ namespace volumen {
 struct PictureStop {
   Workspace workspace;
   ViewId view = 0;
+  /// Of the series that it shows and that are measured in it those in memory, which stay there for it.
+  std::map<SeriesKey, LoadedSeriesPtr> held = {};
 };
 
 /// How large pictures of flat views are, and what is written over them.

@@ -34,7 +34,8 @@ struct FrameReading {
                                             ///< lies, of lengths from end to end, never below 0
 };
 
-/// How long the two lines of a shape are (ShapeRule::twoLines).
+/// How long the two lines of a shape are (ShapeRule::twoLines): the long axis and the short one, the heart
+/// and the thorax.
 struct TwoLines {
   double first = 0, second = 0;
   std::string unit;  ///< "mm", "px"
@@ -42,7 +43,7 @@ struct TwoLines {
 
 /// What another series says in a region.
 struct OtherValues {
-  std::string source;  ///< what names it
+  std::string source;  ///< what names it; empty: nobody said
   std::string unit;    ///< of its values
   std::optional<ValueStatistics> values;
   std::optional<ValuePeak> peak;  ///< as Measured::peak

@@ -1,21 +1,26 @@
 #include "viewer/measure/two_lines.h"
 
+#include <utility>
+
 #include "viewer/measure/lengths.h"
 
 namespace volumen {
 
 Result<Measured> measureTwoLines(const Shape& shape, const VoxelGeometry& geometry, const std::string& unit) {
   const std::span<const glm::dvec3> points = shape.points;
-  const Length first = lengthOf(points.first(2), geometry), second = lengthOf(points.last(2), geometry);
+  Length longer = lengthOf(points.first(2), geometry), shorter = lengthOf(points.last(2), geometry);
   Measured measured;
-  measured.lines = TwoLines{first.mm, second.mm, unit};
+  if (shape.kind == ShapeKind::cardiothoracic && shorter.mm == 0)
+    return Error{"There is no ratio where the thorax has no width."};
+  if (longer.mm < shorter.mm) std::swap(longer, shorter);
   if (shape.kind == ShapeKind::cardiothoracic) {
-    if (second.mm == 0) return Error{"There is no ratio where the thorax has no width."};
-    measured.number = first.mm / second.mm;
+    measured.lines = TwoLines{shorter.mm, longer.mm, unit};
+    measured.number = shorter.mm / longer.mm;
     return measured;
   }
-  measured.number = first.mm;
-  measured.plusMinus = first.plusMinus;
+  measured.lines = TwoLines{longer.mm, shorter.mm, unit};
+  measured.number = longer.mm;
+  measured.plusMinus = longer.plusMinus;
   measured.unit = unit;
   return measured;
 }

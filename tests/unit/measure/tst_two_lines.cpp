@@ -1,5 +1,6 @@
 // Guards the numbers of two lines: long and short axis (RECIST 1.1, WHO) and the cardiothoracic ratio, in the
 // patient and on frames.
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -20,6 +21,8 @@ class TestTwoLines : public QObject {
   void axesByChance_data();
   void axesByChance();
   void theRatioNeedsNoCalibration();
+  void theLongerLineIsNamedSo_data();
+  void theLongerLineIsNamedSo();
   void onFrames();
   void whatIsNoPairIsRefused();
   void asJson();
@@ -60,14 +63,17 @@ void TestTwoLines::axesByChance() {
     const auto found =
         measure(pairOfLines(ShapeKind::bidirectional, {a, a + length * u, c, c + width * v}), *volume, "HU");
     QVERIFY2(found.ok(), found.ok() ? "" : found.message().c_str());
-    QVERIFY(std::abs(found->number - length) < 1e-9);
-    QVERIFY(std::abs(found->lines->first - length) < 1e-9 && std::abs(found->lines->second - width) < 1e-9);
+    // The line drawn last is the longer one in some of them.
+    const double longer = std::max(length, width), shorter = std::min(length, width);
+    QVERIFY(std::abs(found->number - longer) < 1e-9);
+    QVERIFY(std::abs(found->lines->first - longer) < 1e-9 && std::abs(found->lines->second - shorter) < 1e-9);
     QCOMPARE(found->unit, std::string("mm"));
     QCOMPARE(found->lines->unit, std::string("mm"));
     QVERIFY(found->plusMinus.has_value());
     const auto ratio =
         measure(pairOfLines(ShapeKind::cardiothoracic, {c, c + width * v, a, a + length * u}), *volume, "HU");
-    QVERIFY(std::abs(ratio->number - width / length) < 1e-12);
+    QVERIFY(std::abs(ratio->number - shorter / longer) < 1e-12);
+    QVERIFY(std::abs(ratio->lines->first - shorter) < 1e-9 && std::abs(ratio->lines->second - longer) < 1e-9);
     QVERIFY(ratio->unit.empty() && !ratio->plusMinus);
   }
 }
@@ -85,6 +91,31 @@ void TestTwoLines::theRatioNeedsNoCalibration() {
   QCOMPARE(axes->unit, std::string("px"));
 }
 
+void TestTwoLines::theLongerLineIsNamedSo_data() {
+  QTest::addColumn<int>("kind");
+  QTest::addColumn<bool>("longerFirst");
+  QTest::addColumn<double>("number");
+  QTest::addColumn<double>("first");
+  for (const bool longerFirst : {false, true}) {
+    const char* when = longerFirst ? "first" : "last";
+    QTest::addRow("long axis drawn %s", when) << int(ShapeKind::bidirectional) << longerFirst << 8.0 << 8.0;
+    QTest::addRow("thorax drawn %s", when) << int(ShapeKind::cardiothoracic) << longerFirst << 0.25 << 2.0;
+  }
+}
+
+void TestTwoLines::theLongerLineIsNamedSo() {
+  QFETCH(int, kind);
+  QFETCH(bool, longerFirst);
+  QFETCH(double, number);
+  QFETCH(double, first);
+  std::vector<dvec3> points{{0, 0, 0}, {8, 0, 0}, {3, -1, 0}, {3, 1, 0}};
+  if (!longerFirst) std::ranges::rotate(points, points.begin() + 2);
+  const auto found = measure(pairOfLines(ShapeKind(kind), points), *emptyOn(glm::dmat3(1)), "HU");
+  QCOMPARE(found->number, number);
+  QCOMPARE(found->lines->first, first);
+  QCOMPARE(found->lines->first * found->lines->second, 16.0);
+}
+
 void TestTwoLines::onFrames() {
   FramePixels frame;
   VolumeParts parts;
@@ -98,12 +129,12 @@ void TestTwoLines::onFrames() {
   const auto inPixels = measureOnFrame(axes, frame, "");
   QCOMPARE(inPixels->unit, std::string("px"));
   QCOMPARE(inPixels->lines->second, 3.0);
-  QCOMPARE(measureOnFrame(ratio, frame, "")->number, 8.0 / 3);
+  QCOMPARE(measureOnFrame(ratio, frame, "")->number, 3.0 / 8);
   frame.pixel = {{0.5, 2}, PixelSizeKind::atDetector};
   const auto inMm = measureOnFrame(axes, frame, "");
   QCOMPARE(inMm->unit, std::string("mm"));
-  QCOMPARE(inMm->number, 4.0);
-  QCOMPARE(inMm->lines->second, 6.0);
+  QCOMPARE(inMm->number, 6.0);
+  QCOMPARE(inMm->lines->second, 4.0);
   QCOMPARE(inMm->frame->calibration, std::string(pixelSizeWord(PixelSizeKind::atDetector)));
   const auto inMmRatio = measureOnFrame(ratio, frame, "");
   QCOMPARE(inMmRatio->number, 4.0 / 6);
@@ -142,8 +173,8 @@ void TestTwoLines::asJson() {
   QCOMPARE(json["productUnit"].get<std::string>(), std::string("mm^2"));
   const Shape ratio = pairOfLines(ShapeKind::cardiothoracic, axes.points);
   const auto other = measuredToJson(ratio, measure(ratio, *volume, "HU"));
-  QCOMPARE(other["heart"].get<double>(), 8.0);
-  QCOMPARE(other["thorax"].get<double>(), 3.0);
+  QCOMPARE(other["heart"].get<double>(), 3.0);
+  QCOMPARE(other["thorax"].get<double>(), 8.0);
   QCOMPARE(other["lengthUnit"].get<std::string>(), std::string("mm"));
   QVERIFY(other["unit"].is_null());
 }
