@@ -94,6 +94,7 @@ class TestCineBar : public QObject {
   void onceToTheEnd();
   void handsEndIt_data();
   void handsEndIt();
+  void anEditElsewhereIsOneStep();
   void theBarCoversNothing();
   void theBarComesWhereThePointerRests();
   void wrongNumbersChangeNothing();
@@ -300,6 +301,28 @@ void TestCineBar::handsEndIt() {
   const Workspace after = w.session().workspace();
   QTest::qWait(200);
   QVERIFY(w.session().workspace() == after);
+}
+
+// A window that is dragged in another view while the stack goes on would take turns with it.
+void TestCineBar::anEditElsewhereIsOneStep() {
+  CineWindow w;
+  w.child<QAction>("layoutPlanes")->trigger();
+  QCoreApplication::processEvents();
+  w.session().setFocus(axialViewId);
+  QTest::keyClick(w.view(), Qt::Key_C);
+  QVERIFY(!w.played(3).empty());
+  const int steps = w.steps();
+  FlatView* other = w.view(coronalViewId);
+  QTest::mousePress(other, Qt::LeftButton, {}, {50, 50});
+  for (int n = 1; n <= 4; ++n) {
+    QTest::mouseEvent(QTest::MouseMove, other, Qt::LeftButton, {}, {50 + 10 * n, 50});
+    QTest::qWait(200);  // three places
+  }
+  QTest::mouseRelease(other, Qt::LeftButton, {}, {90, 50});
+  QVERIFY(w.session().workspace().series.at(other->state().series).window);
+  QVERIFY(!w.view()->isPlaying());
+  // The window, and at most one place that came between the press and the first move.
+  QVERIFY2(w.steps() <= steps + 2, qPrintable(QString::number(w.steps() - steps)));
 }
 
 // What is written stands above it: no bright pixel is left under it. Without it there is some, the window.

@@ -52,6 +52,7 @@ CineBar::CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, Q
             const ViewState &was = before.view(view_), &is = after.view(view_);
             if (was.series != is.series || was.kind != is.kind || before.series.size() != after.series.size())
               time_->look();
+            if (isOvertaken(before, after)) giveUp();
             look();
           });
   connect(qApp, &QApplication::focusChanged, this, [this](const QWidget* was) {
@@ -202,6 +203,25 @@ void CineBar::stop() {
   played_->stop();
   session_.endGesture();
   look();
+}
+
+// Where it is stays, and what overtook it goes on in its gesture.
+void CineBar::giveUp() {
+  if (!player_) return;
+  endPlayer();
+  played_->giveUp();
+}
+
+// Whether something else than the player changed what would be written as it goes on: steps of both would
+// take turns. A clip writes where it ends alone.
+bool CineBar::isOvertaken(const Workspace& before, const Workspace& after) const {
+  if (!player_ || player_->isGoing()) return false;
+  if (played_->keepsTime())
+    return flatLookOf(before.view(view_)).frame != flatLookOf(after.view(view_)).frame;
+  Workspace same = before;
+  same.focus = after.focus;
+  same.selected = after.selected;
+  return same != after;
 }
 
 void CineBar::tellShown(int place) {

@@ -67,6 +67,8 @@ class CineBar : public QWidget {
   int placeOf(int number) const;
   void goTo(int place);
   void endPlayer();
+  void giveUp();
+  bool isOvertaken(const Workspace& before, const Workspace& after) const;
   void setRound(const CineRound& round);
   void showNumbers();
   void showChoices();

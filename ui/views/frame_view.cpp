@@ -56,6 +56,10 @@ class FrameView::Clip : public Playable {
     view_.session_.endGesture();
     view_.update();
   }
+  void giveUp() override {
+    view_.played_.reset();
+    view_.ask();
+  }
 
  private:
   // Null: the view shows no frames.

@@ -38,6 +38,8 @@ class Playable {
   virtual bool keepsTime() const { return false; }
   /// It is played no longer: stays where it is.
   virtual void stop() {}
+  /// It is played no longer: goes where the workspace says.
+  virtual void giveUp() {}
 };
 
 }  // namespace volumen
