@@ -9,6 +9,7 @@
 #include "tests/ui/stack_window.h"
 #include "tests/unit/suite.h"
 #include "ui/views/stack_bar.h"
+#include "ui/widgets/number_edit.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -46,6 +47,8 @@ class TestStackBar : public QObject {
   void numbersOfOtherPlanes();
   void wrongNumbersSayWhy_data();
   void wrongNumbersSayWhy();
+  void fieldsCloseWithWhatIsShown_data();
+  void fieldsCloseWithWhatIsShown();
   void theNumberInTheCornerIsClicked();
   void framesAreGoneToByNumber();
   void shiftMakesTheWheelFast_data();
@@ -223,6 +226,34 @@ void TestStackBar::wrongNumbersSayWhy() {
   QVERIFY(!w.seen<QLineEdit>("placeNumber"));
   QCOMPARE(w.window.focusWidget(), w.view());
   QVERIFY(w.session().workspace() == before);
+}
+
+void TestStackBar::fieldsCloseWithWhatIsShown_data() {
+  using Act = std::function<void(StackWindow&, QLineEdit*)>;
+  QTest::addColumn<Act>("act");
+  QTest::newRow("another series") << Act(
+      [](StackWindow& w, QLineEdit*) { w.session().show(stackSeries(9)); });
+  QTest::newRow("no series") << Act(
+      [](StackWindow& w, QLineEdit*) { w.session().close({w.view()->state().series}); });
+  QTest::newRow("the view is hidden") << Act([](StackWindow& w, QLineEdit*) {
+    w.session().setFocus(coronalViewId);
+    w.child<QAction>("maximise")->trigger();
+  });
+  QTest::newRow("Enter, and it is out of memory") << Act([](StackWindow& w, QLineEdit* field) {
+    w.session().pool().forget(w.view()->state().series);
+    QTest::keyClick(field, Qt::Key_Return);
+  });
+}
+
+void TestStackBar::fieldsCloseWithWhatIsShown() {
+  QFETCH(std::function<void(StackWindow&, QLineEdit*)>, act);
+  StackWindow w(stackSlices);
+  QTest::keyClick(w.view(), Qt::Key_G);
+  auto* field = w.seen<QLineEdit>("placeNumber");
+  QVERIFY(field);
+  QTest::keyClicks(field, QStringLiteral("3"));
+  act(w, field);
+  for (const NumberEdit* edit : w.view()->findChildren<NumberEdit*>()) QVERIFY(edit->isHidden());
 }
 
 void TestStackBar::theNumberInTheCornerIsClicked() {

@@ -147,6 +147,7 @@ void FlatView::workspaceChanged(const Workspace&) {
     drag_.reset();  // it is about what was shown
     if (last.second != now.second || !keepsPictureOf(last.first)) forget();
   }
+  if (last != now || !shown()) closeFields();
   ask();
   placeBadge();
   update();

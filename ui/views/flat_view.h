@@ -231,6 +231,7 @@ class FlatView : public View {
   QRectF numberRect() const;
   bool pressCorner(QPointF p);
   void typeWindow();
+  void closeFields();
   void placeBadge();
   void placeCineBar();
   QRectF stackArea() const;

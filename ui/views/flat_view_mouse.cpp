@@ -170,6 +170,7 @@ void FlatView::keyPressEvent(QKeyEvent* event) {
 
 void FlatView::hideEvent(QHideEvent* event) {
   stop();
+  closeFields();
   View::hideEvent(event);
 }
 

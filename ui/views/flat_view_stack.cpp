@@ -95,6 +95,7 @@ void FlatView::typeNumber() {
   const int right = line.isEmpty() ? width() - StackBar::edge : int(line.right());
   edit->move(std::max(0, right - edit->width()), std::max(0, int(line.top()) - 2));
   connect(edit, &NumberEdit::chosen, this, [this, edit](int number) {
+    if (!shown()) return edit->leave();
     session_.endGesture();
     const QString why = goToNumber(number);
     session_.endGesture();

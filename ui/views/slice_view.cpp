@@ -148,7 +148,7 @@ StackPlace SliceView::place() const {
 
 // Of a plane that is not, there are no slices as acquired to go to.
 bool SliceView::isAlongSlices() const {
-  return onSlice(*plane(), shown()->volume->geometry(), 0).has_value();
+  return shown() && onSlice(*plane(), shown()->volume->geometry(), 0).has_value();
 }
 
 // The crosshair's point moved onto a slice of the grid that is drawn.
