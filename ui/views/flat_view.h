@@ -265,6 +265,7 @@ class FlatView : public View {
   bool isBarThick_ = false;
   int stepsAtPress_ = 0;  // of the undo stack
   QPointF pressedAt_;
+  Qt::MouseButton dragButton_ = Qt::NoButton;  // began drag_
   QTimer wheelEnd_;
   double wheelRest_ = 0;  // notches not yet scrolled
 };

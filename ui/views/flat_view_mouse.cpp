@@ -38,8 +38,9 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   if (tool && tool->draws()) stop();
   if (!drag_) pressedAt_ = event->position();
   const auto press = pressAt(event->position());
-  if (drag_ && event->button() == Qt::LeftButton) drag_->press(event->position());
+  if (drag_ && event->button() == dragButton_) drag_->press(event->position());
   if (!press || drag_) return;
+  dragButton_ = event->button();
   session_.endGesture();
   stepsAtPress_ = session_.undoStack().index();
   if (event->button() == Qt::LeftButton) drag_ = pressStackBar(event->position());
@@ -79,9 +80,8 @@ QString FlatView::textAt(QPointF position) const {
 }
 
 void FlatView::mouseReleaseEvent(QMouseEvent* event) {
-  if (drag_ && drag_->drawing() &&
-      (event->button() != Qt::LeftButton || !drag_->release(event->position(), event->modifiers())))
-    return update();
+  if (drag_ && event->button() != dragButton_) return;
+  if (drag_ && drag_->drawing() && !drag_->release(event->position(), event->modifiers())) return update();
   const bool isClick = (event->position() - pressedAt_).manhattanLength() < QApplication::startDragDistance();
   const bool wantsMenu =
       event->button() == Qt::RightButton && isClick && (drag_ || (shown() && !toolFor(*event)));
