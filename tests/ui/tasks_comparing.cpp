@@ -63,7 +63,7 @@ int referenceLines() {
   TwoSeries w(ballIn("A"), ballIn("A"));
   Hand hand(w.window);
   w.session().showAs(right, ViewKind::coronal);
-  DONE(w.session().preferences().referenceLines && !w.view(left)->stackPlanes(false).empty());
+  DONE(w.session().preferences().referenceLines && !w.view(left)->referenceLines().empty());
   return hand.steps();
 }
 
