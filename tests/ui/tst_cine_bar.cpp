@@ -98,6 +98,7 @@ class TestCineBar : public QObject {
   void theBarCoversNothing();
   void theBarComesWhereThePointerRests();
   void wrongNumbersChangeNothing();
+  void noNumbersWhereSlicesAreMissing();
 };
 
 void TestCineBar::theOrderIsThatOfATwin() {
@@ -383,6 +384,23 @@ void TestCineBar::wrongNumbersChangeNothing() {
   auto* number = w.seen<QLineEdit>("cineNumber");
   w.type(number, QStringLiteral("3"));
   QVERIFY(w.view()->overlays().topRight.contains(QStringLiteral("3 / 31")));
+}
+
+// The 16th of 31 that are drawn is no file's.
+void TestCineBar::noNumbersWhereSlicesAreMissing() {
+  CineWindow w;
+  auto series = std::make_shared<LoadedSeries>(*stackSeries(31));
+  Series& known = series->series;
+  known.regular = Series::Regular{known.acquired, 1, {}};
+  for (int n = 0; n < 31; ++n) known.regular->copies.push_back(n == 15 ? -1 : n < 15 ? n : n - 1);
+  known.acquired.size.z = 30;
+  known.files.pop_back();
+  known.frames.pop_back();
+  known.sopInstanceUids.pop_back();
+  w.session().show(series);
+  QVERIFY(w.showBar());
+  for (const char* name : {"cineNumber", "cineFirst", "cineLast"}) QVERIFY2(!w.seen<QLineEdit>(name), name);
+  QVERIFY(w.seen<QLineEdit>("cineRate") && w.seen<QSlider>("cinePlace"));
 }
 
 VOLUMEN_TEST(TestCineBar);

@@ -287,6 +287,7 @@ void CineBar::showNumbers() {
   show(first_, round_.first, 0, round_.last);
   show(last_, round_.last, round_.first, what.count() - 1);
   rate_->setNumber(round_.rate, leastRate, mostRate, 2);
+  makeRoom();
 }
 
 void CineBar::showChoices() {
@@ -322,10 +323,17 @@ void CineBar::leaveEvent(QEvent* event) {
 
 void CineBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  number_->setVisible(width() >= widthForNumber);
+  makeRoom();
+}
+
+// For what makes sense, the most important first.
+void CineBar::makeRoom() {
+  const Playable* what = current();
+  const bool hasNumbers = what && what->hasNumbers();
+  number_->setVisible(hasNumbers && width() >= widthForNumber);
   for (QToolButton* way : {back_, loop_}) way->setVisible(width() >= widthForWays);
   rate_->setVisible(width() >= widthForRate);
-  for (TypedNumber* end : {first_, last_}) end->setVisible(width() >= widthForRange);
+  for (TypedNumber* end : {first_, last_}) end->setVisible(hasNumbers && width() >= widthForRange);
 }
 
 // What is under it is not meant.

@@ -72,6 +72,7 @@ class CineBar : public QWidget {
   void setRound(const CineRound& round);
   void showNumbers();
   void showChoices();
+  void makeRoom();
   void setShown(bool wanted);
 
   Session& session_;

@@ -51,6 +51,8 @@ class SliceView::Stack : public Playable {
     first.at = view_.pointOn(0);
     return stackPlace(view_.shown()->volume->geometry(), view_.state().kind, first).index > 0;
   }
+  // Where slices lie unevenly or are missing, those that are drawn are not those of the file.
+  bool hasNumbers() const override { return !view_.isAlongSlices() || !view_.shown()->series.regular; }
   SeriesKey source() const override { return view_.state().series; }
   Cine cine() const override { return {view_.seriesState().series->cine.framesPerSecond, {}, false}; }
   void goTo(int place) override { view_.moveTo(place); }
