@@ -9,6 +9,7 @@
 #include "tests/ui/hung_studies.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/two_series.h"
+#include "ui/views/reference_lines.h"
 #include "ui/workspace/flat_plane.h"
 
 namespace volumen::tests {
