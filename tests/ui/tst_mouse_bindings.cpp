@@ -125,6 +125,7 @@ class TestMouseBindings : public QObject {
   void aRightClickOpensTheMenuAllTheSame();
   void aBoxIsTheLeftButtons();
   void aDragEndsWithItsButton();
+  void aWheelWithShiftLeavesTheCrosshair();
   void theFirstKeyCounts();
 
  private:
@@ -351,6 +352,29 @@ void TestMouseBindings::aDragEndsWithItsButton() {
   moveTo(150);
   QCOMPARE(zoom(), second);
   QCOMPARE(w.session().undoStack().index(), steps + 1);
+}
+
+// A hand on the wheel trembles; the crosshair follows the pointer once that goes somewhere.
+void TestMouseBindings::aWheelWithShiftLeavesTheCrosshair() {
+  MeasureWindow w;
+  const MouseSlot slot{MousePlace::flat, MouseInput::move, Qt::ShiftModifier};
+  const auto moveTo = [&](QPointF at) {
+    QMouseEvent move(QEvent::MouseMove, at, w.view()->mapToGlobal(at), Qt::NoButton, Qt::NoButton, slot.held);
+    QCoreApplication::sendEvent(w.view(), &move);
+  };
+  const QPointF middle(w.view()->width() / 2.0, w.view()->height() / 2.0), near = middle + QPointF(3, 2);
+  hover(w.view(), near);
+  const FlatSeen before(w);
+  moveTo(near + QPointF(2, 2));
+  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("none"));
+  wheel(w.view(), 1, Qt::ShiftModifier);
+  moveTo(near);
+  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("fast"));
+  moveTo(middle + QPointF(30, 20));
+  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("crosshair"));
+  const FlatSeen there(w);
+  moveTo(middle + QPointF(32, 20));  // it goes on in small moves
+  QCOMPARE(doneBetween(there, FlatSeen(w)), std::string("crosshair"));
 }
 
 void TestMouseBindings::aPinchZooms() {

@@ -222,6 +222,7 @@ class FlatView : public View {
  private:
   SlicePlane fittedPlane(QSize pixels) const;
   const Tool* toolFor(const QMouseEvent& event) const;
+  bool takesCrosshair(const QMouseEvent& event);
   bool movesCrosshair(Qt::KeyboardModifiers keys) const;
   double wheelSign() const;
   void zoomBy(const SlicePress& press, double factor);
@@ -266,6 +267,7 @@ class FlatView : public View {
   int stepsAtPress_ = 0;  // of the undo stack
   QPointF pressedAt_;
   Qt::MouseButton dragButton_ = Qt::NoButton;  // began drag_
+  std::optional<QPointF> heldAt_;  // the pointer as the key of the crosshair went down; none: it went on
   QTimer wheelEnd_;
   double wheelRest_ = 0;  // notches not yet scrolled
 };

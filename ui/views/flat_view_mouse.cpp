@@ -61,7 +61,7 @@ void FlatView::mouseMoveEvent(QMouseEvent* event) {
     askForLens();
     return pointAt(event->position());
   }
-  if (movesCrosshair(event->modifiers()))
+  if (takesCrosshair(*event))
     if (const auto press = pressAt(event->position())) beginCrosshair(*press);
   tellEdges(event->position());
   showCursorAt(event->position());
@@ -71,6 +71,18 @@ void FlatView::mouseMoveEvent(QMouseEvent* event) {
 bool FlatView::movesCrosshair(Qt::KeyboardModifiers keys) const {
   const MouseSlot slot{MousePlace::flat, MouseInput::move, heldOf(keys)};
   return slot.held && !tool_->draws() && hasCursor() && boundTo(session_.preferences(), slot) == "crosshair";
+}
+
+// Whether the pointer is meant to take it along: a hand that holds the key for the wheel is not quite still.
+bool FlatView::takesCrosshair(const QMouseEvent& event) {
+  if (!movesCrosshair(event.modifiers())) {
+    heldAt_ = event.position();
+    return false;
+  }
+  if (heldAt_ && (event.position() - *heldAt_).manhattanLength() < QApplication::startDragDistance())
+    return false;
+  heldAt_.reset();
+  return true;
 }
 
 QString FlatView::textAt(QPointF position) const {
@@ -91,6 +103,7 @@ void FlatView::mouseReleaseEvent(QMouseEvent* event) {
 
 void FlatView::wheelEvent(QWheelEvent* event) {
   pointAt(event->position());
+  heldAt_ = event->position();
   const auto press = pressAt(event->position());
   // Alt and Shift make a wheel horizontal on some systems.
   const double notches = (event->angleDelta().y() + event->angleDelta().x()) / 120.0;
@@ -175,6 +188,7 @@ void FlatView::hideEvent(QHideEvent* event) {
 }
 
 void FlatView::leaveEvent(QEvent* event) {
+  heldAt_.reset();
   tellEdges({-1, -1});
   update();
   View::leaveEvent(event);
