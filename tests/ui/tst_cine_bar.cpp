@@ -99,6 +99,7 @@ class TestCineBar : public QObject {
   void theBarComesWhereThePointerRests();
   void wrongNumbersChangeNothing();
   void noNumbersWhereSlicesAreMissing();
+  void aFieldBringsItsViewIntoFocus();
 };
 
 void TestCineBar::theOrderIsThatOfATwin() {
@@ -401,6 +402,20 @@ void TestCineBar::noNumbersWhereSlicesAreMissing() {
   QVERIFY(w.showBar());
   for (const char* name : {"cineNumber", "cineFirst", "cineLast"}) QVERIFY2(!w.seen<QLineEdit>(name), name);
   QVERIFY(w.seen<QLineEdit>("cineRate") && w.seen<QSlider>("cinePlace"));
+}
+
+void TestCineBar::aFieldBringsItsViewIntoFocus() {
+  CineWindow w;
+  w.child<QAction>("layoutPlanes")->trigger();
+  QCoreApplication::processEvents();
+  w.session().setFocus(coronalViewId);
+  QVERIFY(w.showBar());
+  auto* number = w.seen<QLineEdit>("cineNumber");
+  QVERIFY(number);
+  QTest::mouseClick(number, Qt::LeftButton);
+  number->setFocus();
+  QCOMPARE(w.session().workspace().focus, axialViewId);
+  QCOMPARE(w.window.focusWidget(), number);
 }
 
 VOLUMEN_TEST(TestCineBar);

@@ -55,8 +55,9 @@ CineBar::CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, Q
             if (isOvertaken(before, after)) giveUp();
             look();
           });
-  connect(qApp, &QApplication::focusChanged, this, [this](const QWidget* was) {
+  connect(qApp, &QApplication::focusChanged, this, [this](const QWidget* was, QWidget* now) {
     if (isAncestorOf(was)) look();
+    if (isAncestorOf(now)) takeFocus(now);
   });
   hide();
   look();
@@ -203,6 +204,13 @@ void CineBar::stop() {
   played_->stop();
   session_.endGesture();
   look();
+}
+
+// The view comes into focus with its field, which then has the keys that the view was given.
+void CineBar::takeFocus(QWidget* field) {
+  if (session_.workspace().focus == view_) return;
+  session_.setFocus(view_);
+  field->setFocus(Qt::TabFocusReason);
 }
 
 // Where it is stays, and what overtook it goes on in its gesture.

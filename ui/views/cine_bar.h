@@ -66,6 +66,7 @@ class CineBar : public QWidget {
   int numberOf(int place) const;
   int placeOf(int number) const;
   void goTo(int place);
+  void takeFocus(QWidget* field);
   void endPlayer();
   void giveUp();
   bool isOvertaken(const Workspace& before, const Workspace& after) const;

@@ -87,6 +87,7 @@ void FlatView::typeNumber() {
   const auto open = findChildren<NumberEdit*>();
   for (NumberEdit* edit : open)
     if (!edit->isHidden()) return edit->setFocus();
+  session_.setFocus(id());
   stop();
   const Numbers now = numbers();
   const QRectF line = numberRect();
