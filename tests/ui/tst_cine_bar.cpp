@@ -100,6 +100,8 @@ class TestCineBar : public QObject {
   void wrongNumbersChangeNothing();
   void noNumbersWhereSlicesAreMissing();
   void aFieldBringsItsViewIntoFocus();
+  void keysChangeTheSpeedTheirWay_data();
+  void keysChangeTheSpeedTheirWay();
 };
 
 void TestCineBar::theOrderIsThatOfATwin() {
@@ -416,6 +418,32 @@ void TestCineBar::aFieldBringsItsViewIntoFocus() {
   number->setFocus();
   QCOMPARE(w.session().workspace().focus, axialViewId);
   QCOMPARE(w.window.focusWidget(), number);
+}
+
+void TestCineBar::keysChangeTheSpeedTheirWay_data() {
+  QTest::addColumn<QString>("from");
+  QTest::addColumn<int>("key");
+  QTest::addColumn<double>("to");
+  QTest::newRow("up") << QStringLiteral("15") << int(Qt::Key_Plus) << 20.0;
+  QTest::newRow("down") << QStringLiteral("15") << int(Qt::Key_Minus) << 10.0;
+  QTest::newRow("up from between") << QStringLiteral("37.5") << int(Qt::Key_Plus) << 40.0;
+  QTest::newRow("down from between") << QStringLiteral("37.5") << int(Qt::Key_Minus) << 30.0;
+  QTest::newRow("down from below all") << QStringLiteral("0.5") << int(Qt::Key_Minus) << 0.5;
+  QTest::newRow("up from below all") << QStringLiteral("0.5") << int(Qt::Key_Plus) << 1.0;
+  QTest::newRow("down from the last") << QStringLiteral("1") << int(Qt::Key_Minus) << 1.0;
+  QTest::newRow("up from the first") << QStringLiteral("100") << int(Qt::Key_Plus) << 100.0;
+}
+
+void TestCineBar::keysChangeTheSpeedTheirWay() {
+  QFETCH(QString, from);
+  QFETCH(int, key);
+  QFETCH(double, to);
+  CineWindow w;
+  QVERIFY(w.showBar());
+  w.type(w.seen<QLineEdit>("cineRate"), from);
+  QVERIFY(w.showBar());
+  QTest::keyClick(w.view(), Qt::Key(key));
+  QCOMPARE(w.bar()->round().rate, to);
 }
 
 VOLUMEN_TEST(TestCineBar);

@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 #include <QToolTip>
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "ui/widgets/plain_text.h"
@@ -247,12 +248,10 @@ bool CineBar::stepTime(int steps) {
 bool CineBar::stepRate(int up) {
   if (isHidden() || !current()) return false;
   CineRound round = round_;
-  const auto* const end = std::end(usualRates);
-  const auto* next = std::ranges::find_if(usualRates, [&](double rate) {
-    return up > 0 ? rate > round.rate * 1.001 : rate >= round.rate * 0.999;
-  });
-  if (up < 0) next = next == std::begin(usualRates) ? next : next - 1;
-  round.rate = next == end ? mostRate : *next;
+  std::optional<double> next;  // the closest one on that side
+  for (const double rate : usualRates)
+    if (up > 0 ? !next && rate > round.rate * 1.001 : rate < round.rate * 0.999) next = rate;
+  round.rate = next.value_or(round.rate);
   setRound(round);
   return true;
 }

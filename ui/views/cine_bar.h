@@ -41,7 +41,7 @@ class CineBar : public QWidget {
   bool isLate() const { return player_ && player_->isLate(); }
   /// So many steps on in time; stays within them. False: there are none.
   bool stepTime(int steps);
-  /// To the next usual speed, up or down; false: there is nothing to play.
+  /// To the next usual speed, up or down, where there is one; false: there is nothing to play.
   bool stepRate(int up);
   /// What can be played, or which place is shown, may be another.
   void look();
