@@ -100,6 +100,7 @@ class TestCineBar : public QObject {
   void wrongNumbersChangeNothing();
   void noNumbersWhereSlicesAreMissing();
   void aFieldBringsItsViewIntoFocus();
+  void aPlayerEndsWithWhatItPlays();
   void keysChangeTheSpeedTheirWay_data();
   void keysChangeTheSpeedTheirWay();
 };
@@ -418,6 +419,18 @@ void TestCineBar::aFieldBringsItsViewIntoFocus() {
   number->setFocus();
   QCOMPARE(w.session().workspace().focus, axialViewId);
   QCOMPARE(w.window.focusWidget(), number);
+}
+
+void TestCineBar::aPlayerEndsWithWhatItPlays() {
+  CineWindow w;
+  w.child<QAction>("layoutPlanes")->trigger();
+  QCoreApplication::processEvents();
+  w.session().setFocus(axialViewId);
+  QTest::keyClick(w.view(), Qt::Key_C);
+  QVERIFY(!w.played(3).empty());
+  w.session().pool().forget(w.view()->state().series);
+  w.session().setFocus(coronalViewId);
+  QVERIFY(!w.view()->isPlaying());
 }
 
 void TestCineBar::keysChangeTheSpeedTheirWay_data() {

@@ -264,6 +264,7 @@ void CineBar::setRound(const CineRound& round) {
 
 void CineBar::look() {
   Playable* what = current();
+  if (player_ && what != played_) giveUp();
   const std::pair source(what ? what->source() : SeriesKey{}, what ? what->count() : 0);
   if (what && std::exchange(roundOf_, source) != source) {
     endPlayer();
