@@ -40,6 +40,7 @@ class TestStackBar : public QObject {
   void aClickGoesThereToo();
   void escapeGivesADragUp();
   void whatLiesBesideItIsNotStolen();
+  void whatIsDrawnThereComesFirst();
   void keyImagesAreMarked();
   void whatIsInMemoryIsWide();
   void framesInMemoryAreTold();
@@ -110,6 +111,23 @@ void TestStackBar::whatLiesBesideItIsNotStolen() {
 }
 
 // In rows of their own, and in no picture that is saved.
+void TestStackBar::whatIsDrawnThereComesFirst() {
+  StackWindow w(stackSlices);
+  const int place = w.place();
+  const double x = barX(w.view()), y = std::floor(0.3 * w.view()->height());
+  w.choose(ShapeKind::length);
+  drag(w.view(), {x, y}, {x - 60, y + 40});
+  QCOMPARE(w.place(), place);
+  QCOMPARE(w.all().size(), std::size_t(1));
+  // Its end lies on the bar.
+  const Measurement before = w.last();
+  drag(w.view(), {x, y}, {x - 2, y + 60});
+  QCOMPARE(w.place(), place);
+  QVERIFY(!(w.last() == before));
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, QPoint(int(x), int(0.8 * w.view()->height())));
+  QVERIFY(w.place() != place);
+}
+
 void TestStackBar::keyImagesAreMarked() {
   StackWindow w(stackSlices);
   const Series series = w.view()->shown()->series;

@@ -36,8 +36,9 @@ std::optional<StackBar> FlatView::stackBar() const {
   return StackBar{stackArea(), place(), keyImagePlaces(), heldPlaces(), isBarThick_};
 }
 
+// What is drawn or was drawn there comes first.
 bool FlatView::isOnStackBar(QPointF p) const {
-  return stackArea().contains(p) && shown() && place().count > 1;
+  return stackArea().contains(p) && shown() && place().count > 1 && !tool_->draws() && !measurementAt(p);
 }
 
 std::unique_ptr<Drag> FlatView::pressStackBar(QPointF p) {
