@@ -51,6 +51,7 @@ class TestStackBar : public QObject {
   void fieldsCloseWithWhatIsShown_data();
   void fieldsCloseWithWhatIsShown();
   void theNumberInTheCornerIsClicked();
+  void escapeInAFieldKeepsTheViewMaximised();
   void framesAreGoneToByNumber();
   void shiftMakesTheWheelFast_data();
   void shiftMakesTheWheelFast();
@@ -287,6 +288,20 @@ void TestStackBar::theNumberInTheCornerIsClicked() {
   w.view(coronalViewId)->setFocus();
   QVERIFY(!w.seen<QLineEdit>("placeNumber"));
   QCOMPARE(w.window.focusWidget(), w.view(coronalViewId));
+}
+
+void TestStackBar::escapeInAFieldKeepsTheViewMaximised() {
+  StackWindow w(stackSlices);
+  auto* maximise = w.child<QAction>("maximise");
+  maximise->trigger();
+  QTest::keyClick(w.view(), Qt::Key_G);
+  auto* field = w.seen<QLineEdit>("placeNumber");
+  QVERIFY(field);
+  QTest::keyClick(field, Qt::Key_Escape);
+  QVERIFY(!w.seen<QLineEdit>("placeNumber"));
+  QVERIFY(maximise->isChecked());
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  QVERIFY(!maximise->isChecked());
 }
 
 void TestStackBar::framesAreGoneToByNumber() {

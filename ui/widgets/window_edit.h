@@ -25,6 +25,7 @@ class WindowEdit : public QWidget {
   void closed();
 
  protected:
+  bool event(QEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
 
