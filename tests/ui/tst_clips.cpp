@@ -3,10 +3,10 @@
 #include <QMimeData>
 #include <QTreeWidgetItemIterator>
 #include <set>
+#include <utility>
 
 #include "tests/ui/frames_window.h"
 #include "ui/views/cine_player.h"
-#include "ui/workspace/cine.h"
 
 using namespace volumen;
 using volumen::tests::clipFile;
@@ -22,6 +22,7 @@ class TestClips : public QObject {
   void aClipIsPlayedByTheClock();
   void playingEndsWithAScroll();
   void playingEndsWhereAnotherFrameIsWanted();
+  void aClipPaintsNoOtherView();
   void aClipThatIsTooSlowIsRed();
   void aClipIsDraggedIntoAComparedView();
 };
@@ -118,6 +119,31 @@ void TestClips::playingEndsWhereAnotherFrameIsWanted() {
   QVERIFY(w.shows());
   QCOMPARE(w.look().frame, 30);
   QCOMPARE(w.session().undoStack().count(), steps + 1);
+}
+
+// It has no place in the patient, so that no view has a line of it.
+void TestClips::aClipPaintsNoOtherView() {
+  NEED_FILES();
+  struct Paints : QObject {
+    int count = 0;
+    bool eventFilter(QObject*, QEvent* event) override {
+      count += event->type() == QEvent::Paint;
+      return false;
+    }
+  } paints;
+  Frames w({clipFile});
+  QVERIFY(w.shows());
+  w.child<QAction>("layoutTwo")->trigger();
+  QVERIFY(w.shows(firstComparedId));
+  w.session().setFocus(firstComparedId);
+  FlatView* beside = w.view(firstComparedId + 1);
+  QVERIFY(beside && beside->isVisible());
+  QTest::qWait(200);  // until all is painted
+  beside->installEventFilter(&paints);
+  QSignalSpy came(w.view(firstComparedId), &FlatView::settled);
+  QTest::keyClick(w.view(firstComparedId), Qt::Key_C);
+  QTRY_VERIFY_WITH_TIMEOUT(came.count() >= 20, longest);
+  QVERIFY2(paints.count < 10, qPrintable(QString::number(paints.count)));
 }
 
 void TestClips::aClipThatIsTooSlowIsRed() {
