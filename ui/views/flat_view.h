@@ -99,7 +99,9 @@ class FlatView : public View {
   };
   /// Those that other views show as lines, the one on screen first; none where it has no place in the
   /// patient. `ends`: with the first and the last one, where they are known.
-  virtual std::vector<StackPlane> stackPlanes(bool ends) const;
+  std::vector<StackPlane> stackPlanes(bool ends) const { return stackPlanesIn(session_.workspace(), ends); }
+  /// The same as another workspace has them; none where that shows something else in this view's place.
+  virtual std::vector<StackPlane> stackPlanesIn(const Workspace& workspace, bool ends) const;
   /// Where the planes of other views on screen cut this one, as the preferences say: those in the same frame
   /// of reference or one linked to it, but for those that have a line of the crosshair.
   std::vector<ReferenceLine> referenceLines() const;
@@ -220,7 +222,7 @@ class FlatView : public View {
   CineBar* cine_;
 
  private:
-  SlicePlane fittedPlane(QSize pixels) const;
+  SlicePlane fittedPlane(const Workspace& workspace, QSize pixels) const;
   const Tool* toolFor(const QMouseEvent& event) const;
   bool takesCrosshair(const QMouseEvent& event);
   bool movesCrosshair(Qt::KeyboardModifiers keys) const;

@@ -305,11 +305,11 @@ Overlays SliceView::overlays() const {
 
 bool SliceView::hasCrosshairTool() const { return &tool() == &toolNamed("crosshair"); }
 
-std::vector<FlatView::StackPlane> SliceView::stackPlanes(bool ends) const {
-  std::vector<StackPlane> planes = FlatView::stackPlanes(ends);
+std::vector<FlatView::StackPlane> SliceView::stackPlanesIn(const Workspace& workspace, bool ends) const {
+  std::vector<StackPlane> planes = FlatView::stackPlanesIn(workspace, ends);
   const LoadedSeriesPtr shown = this->shown();
   if (planes.empty() || !ends) return planes;
-  const Crosshair crosshair = crosshairOf(session_.workspace(), id(), *shown);
+  const Crosshair crosshair = crosshairOf(workspace, id(), *shown);
   for (const auto& [part, steps] :
        {std::pair(StackPart::first, -beyondAnyEnd), {StackPart::last, beyondAnyEnd}}) {
     SlicePlane plane = planes.front().plane;
