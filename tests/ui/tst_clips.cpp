@@ -7,6 +7,7 @@
 
 #include "tests/ui/frames_window.h"
 #include "ui/views/cine_player.h"
+#include "ui/workspace/cine.h"
 
 using namespace volumen;
 using volumen::tests::clipFile;
@@ -82,7 +83,7 @@ void TestClips::aClipIsPlayedByTheClock() {
   };
   QVERIFY(QTest::qWaitFor(hasRun, longest));
   qInfo("%s", qPrintable(w.view()->overlays().topRight.front()));
-  const double due = 33 * double(clock.elapsed()) / 1000;
+  const double due = cineRate(seriesIn(w.workspace(), axialViewId)->cine) * double(clock.elapsed()) / 1000;
   QTest::keyClick(w.view(), Qt::Key_C);
   QVERIFY(!qobject_cast<FrameView*>(w.view())->isPlaying());
   // Half a second late at most on a machine that is busy with other tests.
