@@ -9,6 +9,7 @@
 #include "tests/ui/hung_studies.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/two_series.h"
+#include "ui/views/reference_lines.h"
 #include "ui/workspace/flat_plane.h"
 
 namespace volumen::tests {
@@ -63,7 +64,7 @@ int referenceLines() {
   TwoSeries w(ballIn("A"), ballIn("A"));
   Hand hand(w.window);
   w.session().showAs(right, ViewKind::coronal);
-  DONE(w.session().preferences().referenceLines && !w.view(left)->stackPlanes(false).empty());
+  DONE(w.session().preferences().referenceLines && !w.view(left)->referenceLines().empty());
   return hand.steps();
 }
 

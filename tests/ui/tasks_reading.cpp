@@ -78,7 +78,7 @@ int windowByDrag() {
 
 int windowOfRegion() {
   Reading r;
-  r.hand.button("regionWindowTool");
+  r.hand.menu({"viewMenu"}, "regionWindowTool");
   r.hand.drag(r.w.view(), {60, 60}, {120, 120});
   DONE(r.window().has_value());
   return r.hand.steps();

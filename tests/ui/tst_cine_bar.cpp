@@ -94,9 +94,15 @@ class TestCineBar : public QObject {
   void onceToTheEnd();
   void handsEndIt_data();
   void handsEndIt();
+  void anEditElsewhereIsOneStep();
   void theBarCoversNothing();
   void theBarComesWhereThePointerRests();
   void wrongNumbersChangeNothing();
+  void noNumbersWhereSlicesAreMissing();
+  void aFieldBringsItsViewIntoFocus();
+  void aPlayerEndsWithWhatItPlays();
+  void keysChangeTheSpeedTheirWay_data();
+  void keysChangeTheSpeedTheirWay();
 };
 
 void TestCineBar::theOrderIsThatOfATwin() {
@@ -302,6 +308,28 @@ void TestCineBar::handsEndIt() {
   QVERIFY(w.session().workspace() == after);
 }
 
+// A window that is dragged in another view while the stack goes on would take turns with it.
+void TestCineBar::anEditElsewhereIsOneStep() {
+  CineWindow w;
+  w.child<QAction>("layoutPlanes")->trigger();
+  QCoreApplication::processEvents();
+  w.session().setFocus(axialViewId);
+  QTest::keyClick(w.view(), Qt::Key_C);
+  QVERIFY(!w.played(3).empty());
+  const int steps = w.steps();
+  FlatView* other = w.view(coronalViewId);
+  QTest::mousePress(other, Qt::LeftButton, {}, {50, 50});
+  for (int n = 1; n <= 4; ++n) {
+    QTest::mouseEvent(QTest::MouseMove, other, Qt::LeftButton, {}, {50 + 10 * n, 50});
+    QTest::qWait(200);  // three places
+  }
+  QTest::mouseRelease(other, Qt::LeftButton, {}, {90, 50});
+  QVERIFY(w.session().workspace().series.at(other->state().series).window);
+  QVERIFY(!w.view()->isPlaying());
+  // The window, and at most one place that came between the press and the first move.
+  QVERIFY2(w.steps() <= steps + 2, qPrintable(QString::number(w.steps() - steps)));
+}
+
 // What is written stands above it: no bright pixel is left under it. Without it there is some, the window.
 void TestCineBar::theBarCoversNothing() {
   CineWindow w;
@@ -333,10 +361,13 @@ void TestCineBar::theBarComesWhereThePointerRests() {
   hover(w.view(), {60.0, w.view()->height() - 40.0});
   QVERIFY(!w.bar()->isVisible());
   // Nothing is there to be played.
-  w.session().show(nullptr);
-  hover(w.view(), {60.0, w.view()->height() - 2.0});
+  w.child<QAction>("layoutFour")->trigger();
+  QCoreApplication::processEvents();
+  FlatView* empty = w.view(firstComparedId + 3);
+  QVERIFY(empty && empty->isVisible() && empty->state().series.empty());
+  hover(empty, {60.0, empty->height() - 2.0});
   QTest::qWait(500);
-  QVERIFY(!w.bar()->isVisible());
+  QVERIFY(empty->findChild<CineBar*>()->isHidden());
 }
 
 void TestCineBar::wrongNumbersChangeNothing() {
@@ -360,6 +391,75 @@ void TestCineBar::wrongNumbersChangeNothing() {
   auto* number = w.seen<QLineEdit>("cineNumber");
   w.type(number, QStringLiteral("3"));
   QVERIFY(w.view()->overlays().topRight.contains(QStringLiteral("3 / 31")));
+}
+
+// The 16th of 31 that are drawn is no file's.
+void TestCineBar::noNumbersWhereSlicesAreMissing() {
+  CineWindow w;
+  auto series = std::make_shared<LoadedSeries>(*stackSeries(31));
+  Series& known = series->series;
+  known.regular = Series::Regular{known.acquired, 1, {}};
+  for (int n = 0; n < 31; ++n) known.regular->copies.push_back(n == 15 ? -1 : n < 15 ? n : n - 1);
+  known.acquired.size.z = 30;
+  known.files.pop_back();
+  known.frames.pop_back();
+  known.sopInstanceUids.pop_back();
+  w.session().show(series);
+  QVERIFY(w.showBar());
+  for (const char* name : {"cineNumber", "cineFirst", "cineLast"}) QVERIFY2(!w.seen<QLineEdit>(name), name);
+  QVERIFY(w.seen<QLineEdit>("cineRate") && w.seen<QSlider>("cinePlace"));
+}
+
+void TestCineBar::aFieldBringsItsViewIntoFocus() {
+  CineWindow w;
+  w.child<QAction>("layoutPlanes")->trigger();
+  QCoreApplication::processEvents();
+  w.session().setFocus(coronalViewId);
+  QVERIFY(w.showBar());
+  auto* number = w.seen<QLineEdit>("cineNumber");
+  QVERIFY(number);
+  QTest::mouseClick(number, Qt::LeftButton);
+  number->setFocus();
+  QCOMPARE(w.session().workspace().focus, axialViewId);
+  QCOMPARE(w.window.focusWidget(), number);
+}
+
+void TestCineBar::aPlayerEndsWithWhatItPlays() {
+  CineWindow w;
+  w.child<QAction>("layoutPlanes")->trigger();
+  QCoreApplication::processEvents();
+  w.session().setFocus(axialViewId);
+  QTest::keyClick(w.view(), Qt::Key_C);
+  QVERIFY(!w.played(3).empty());
+  w.session().pool().forget(w.view()->state().series);
+  w.session().setFocus(coronalViewId);
+  QVERIFY(!w.view()->isPlaying());
+}
+
+void TestCineBar::keysChangeTheSpeedTheirWay_data() {
+  QTest::addColumn<QString>("from");
+  QTest::addColumn<int>("key");
+  QTest::addColumn<double>("to");
+  QTest::newRow("up") << QStringLiteral("15") << int(Qt::Key_Plus) << 20.0;
+  QTest::newRow("down") << QStringLiteral("15") << int(Qt::Key_Minus) << 10.0;
+  QTest::newRow("up from between") << QStringLiteral("37.5") << int(Qt::Key_Plus) << 40.0;
+  QTest::newRow("down from between") << QStringLiteral("37.5") << int(Qt::Key_Minus) << 30.0;
+  QTest::newRow("down from below all") << QStringLiteral("0.5") << int(Qt::Key_Minus) << 0.5;
+  QTest::newRow("up from below all") << QStringLiteral("0.5") << int(Qt::Key_Plus) << 1.0;
+  QTest::newRow("down from the last") << QStringLiteral("1") << int(Qt::Key_Minus) << 1.0;
+  QTest::newRow("up from the first") << QStringLiteral("100") << int(Qt::Key_Plus) << 100.0;
+}
+
+void TestCineBar::keysChangeTheSpeedTheirWay() {
+  QFETCH(QString, from);
+  QFETCH(int, key);
+  QFETCH(double, to);
+  CineWindow w;
+  QVERIFY(w.showBar());
+  w.type(w.seen<QLineEdit>("cineRate"), from);
+  QVERIFY(w.showBar());
+  QTest::keyClick(w.view(), Qt::Key(key));
+  QCOMPARE(w.bar()->round().rate, to);
 }
 
 VOLUMEN_TEST(TestCineBar);

@@ -3,6 +3,7 @@
 #include <QSemaphore>
 
 #include "tests/ui/frames_window.h"
+#include "tests/ui/two_series.h"
 #include "ui/views/first_image.h"
 
 using namespace volumen;
@@ -32,6 +33,14 @@ struct SlowLoads {
   bool appears() {
     return QTest::qWaitFor([this] { return image()->isVisible(); }, longest);
   }
+  Session& session() { return w.window.session(); }
+  Loader& loader() { return w.window.document().loader; }
+  // Lets it be loaded, and waits until it is seen; its key.
+  SeriesKey loaded() {
+    gate.release(1);
+    const auto isSeen = [&] { return flat() && !flat()->picture().isNull() && image()->isHidden(); };
+    return QTest::qWaitFor(isSeen, longest) ? flat()->state().series : SeriesKey{};
+  }
   FlatView* flat() { return qobject_cast<FlatView*>(w.window.views()->viewShown()); }
 };
 
@@ -48,6 +57,9 @@ class TestFirstImages : public QObject {
   void itGoesOnceTheViewsShowTheSeries();
   void itGoesWithTheLoad_data();
   void itGoesWithTheLoad();
+  void itLiesOverTheViewThatWaits();
+  void whatAnOverlayIsLaidOverStays();
+  void whatIsShownAgainEndsTheLoad();
   void whatIsLoadedAtOnceHasNone();
 };
 
@@ -104,6 +116,56 @@ void TestFirstImages::itGoesWithTheLoad() {
   }
   QTRY_VERIFY_WITH_TIMEOUT(s.image()->isHidden(), longest);
   QVERIFY(s.image()->picture().isNull());
+}
+
+// Not over the one in focus, which shows something else; and it goes where the one that waits does.
+void TestFirstImages::itLiesOverTheViewThatWaits() {
+  NEED_DATA(dataPath(chest));
+  SlowLoads s(chest);
+  const SeriesKey key = s.loaded();
+  QVERIFY(!key.empty());
+  s.w.child<QAction>("layoutTwo")->trigger();
+  s.session().show(ballIn("A"), tests::right);
+  s.session().setFocus(tests::right);
+  QCOMPARE(s.session().workspace().view(tests::left).series, key);
+  s.session().close({key});
+  s.session().undoStack().undo();
+  QVERIFY(s.appears());
+  const auto placeOf = [&](const QWidget* widget) {
+    return QRect(widget->mapTo(&s.w.window, QPoint(0, 0)), widget->size());
+  };
+  QCOMPARE(placeOf(s.image()), placeOf(s.w.window.views()->viewOf(tests::left)));
+  s.w.child<QAction>("maximise")->trigger();
+  QTRY_VERIFY_WITH_TIMEOUT(s.image()->isHidden(), longest);
+  QVERIFY(s.loader().isLoading());
+}
+
+void TestFirstImages::whatAnOverlayIsLaidOverStays() {
+  NEED_DATA(dataPath(chest));
+  SlowLoads s(chest);
+  const SeriesKey key = s.loaded();
+  QVERIFY(!key.empty());
+  const Series over = *s.session().workspace().series.at(key).series;
+  s.session().show(ballIn("A"));
+  s.session().pool().forget(key);
+  QVERIFY(!s.loader().isLoading());
+  s.session().change(QStringLiteral("test"),
+                     withOverlay(s.session().workspace(), s.session().workspace().focus, &over));
+  QVERIFY(s.loader().isLoading());
+  QVERIFY(!QTest::qWaitFor([&] { return s.image()->isVisible(); }, 2000));
+  QVERIFY(s.loader().isLoading());
+}
+
+void TestFirstImages::whatIsShownAgainEndsTheLoad() {
+  NEED_DATA(dataPath(chest));
+  SlowLoads s(chest);
+  QVERIFY(s.appears());
+  const LoadedSeriesPtr ball = ballIn("A");
+  s.session().show(ball);
+  QVERIFY(s.loader().isLoading());
+  s.w.window.document().opener.show(ball->series);
+  QVERIFY(!s.loader().isLoading());
+  QTRY_VERIFY_WITH_TIMEOUT(s.image()->isHidden(), longest);
 }
 
 // Frames as acquired need no volume, and samples have no slices as acquired.

@@ -175,7 +175,8 @@ void TestFocusKeys::toolsOfTheViewInFocusAreLit_data() {
   QTest::addColumn<int>("view");
   QTest::addColumn<QString>("lit");
   QTest::newRow("a slice") << int(axialViewId)
-                           << QStringLiteral("windowTool scrollTool panTool zoomTool crosshairTool");
+                           << QStringLiteral(
+                                  "windowTool scrollTool panTool zoomTool crosshairTool magnifierTool");
   QTest::newRow("3D") << int(sceneViewId) << QStringLiteral("rotateTool curveTool scissorsTool");
 }
 

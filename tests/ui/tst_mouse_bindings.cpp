@@ -123,6 +123,9 @@ class TestMouseBindings : public QObject {
   void twoFingersPan();
   void aRightClickOpensTheMenuAllTheSame_data();
   void aRightClickOpensTheMenuAllTheSame();
+  void aBoxIsTheLeftButtons();
+  void aDragEndsWithItsButton();
+  void aWheelWithShiftLeavesTheCrosshair();
   void theFirstKeyCounts();
 
  private:
@@ -313,6 +316,65 @@ void TestMouseBindings::nonsenseInTheFileIsPassedOver() {
   const FlatSeen before(w);
   drag(w.view(), {62, 72}, {92, 40}, Qt::RightButton);
   QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("zoom"));
+}
+
+void TestMouseBindings::aBoxIsTheLeftButtons() {
+  for (const MouseSlot& slot : mouseSlots()) {
+    const std::vector<MouseAction>& all = mouseActions(slot);
+    const bool isOffered = std::ranges::find(all, "regionWindow", &MouseAction::word) != all.end();
+    QCOMPARE(isOffered, slot.place == MousePlace::flat && slot.input == MouseInput::left);
+  }
+  MeasureWindow w;
+  Preferences old;
+  old.mouseBindings["flat.middle"] = "regionWindow";
+  w.session().prefer(old);
+  const FlatSeen before(w);
+  drag(w.view(), {62, 72}, {92, 40}, Qt::MiddleButton);
+  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("pan"));
+}
+
+void TestMouseBindings::aDragEndsWithItsButton() {
+  MeasureWindow w;
+  const auto zoom = [&] { return flatLookOf(w.view()->state()).zoom; };
+  const auto moveTo = [&](int y) {
+    QTest::mouseEvent(QTest::MouseMove, w.view(), Qt::RightButton, {}, {62, y});
+  };
+  const int steps = w.session().undoStack().index();
+  QTest::mousePress(w.view(), Qt::RightButton, {}, {62, 72});
+  moveTo(92);
+  const double first = zoom();
+  QVERIFY(first != 1);
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, {62, 92});
+  moveTo(122);
+  const double second = zoom();
+  QVERIFY2(second != first, "the right button is still held");
+  QTest::mouseRelease(w.view(), Qt::RightButton, {}, {62, 122});
+  moveTo(150);
+  QCOMPARE(zoom(), second);
+  QCOMPARE(w.session().undoStack().index(), steps + 1);
+}
+
+// A hand on the wheel trembles; the crosshair follows the pointer once that goes somewhere.
+void TestMouseBindings::aWheelWithShiftLeavesTheCrosshair() {
+  MeasureWindow w;
+  const MouseSlot slot{MousePlace::flat, MouseInput::move, Qt::ShiftModifier};
+  const auto moveTo = [&](QPointF at) {
+    QMouseEvent move(QEvent::MouseMove, at, w.view()->mapToGlobal(at), Qt::NoButton, Qt::NoButton, slot.held);
+    QCoreApplication::sendEvent(w.view(), &move);
+  };
+  const QPointF middle(w.view()->width() / 2.0, w.view()->height() / 2.0), near = middle + QPointF(3, 2);
+  hover(w.view(), near);
+  const FlatSeen before(w);
+  moveTo(near + QPointF(2, 2));
+  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("none"));
+  wheel(w.view(), 1, Qt::ShiftModifier);
+  moveTo(near);
+  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("fast"));
+  moveTo(middle + QPointF(30, 20));
+  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("crosshair"));
+  const FlatSeen there(w);
+  moveTo(middle + QPointF(32, 20));  // it goes on in small moves
+  QCOMPARE(doneBetween(there, FlatSeen(w)), std::string("crosshair"));
 }
 
 void TestMouseBindings::aPinchZooms() {

@@ -50,6 +50,7 @@ class TestReferenceLines : public QObject {
   void planesOfOneSeriesHaveTheCrosshairs();
   void theyAreDrawnInTheOthersColour();
   void framesHaveThemToo();
+  void picturesHaveThoseOfTheirWorkspace();
 };
 
 void TestReferenceLines::aPlaneOfTheSameFrameIsALine() {
@@ -167,6 +168,26 @@ void TestReferenceLines::framesHaveThemToo() {
   QCOMPARE(w.view(right)->referenceLines()[0].name, QStringLiteral("Coronal"));
   w.child<QAction>("referenceEnds")->trigger();
   QCOMPARE(w.view(left)->referenceLines().size(), std::size_t(3));
+}
+
+// Where the views on screen have gone on meanwhile.
+void TestReferenceLines::picturesHaveThoseOfTheirWorkspace() {
+  Crossed w(ballIn("A"), ballIn("A", 2));
+  const QLineF before = w.lines(left).at(0).line;
+  Session copy;
+  copy.prefer(w.session().preferences());
+  for (const ViewId id : {left, right}) {
+    const SeriesKey key = w.workspace().view(id).series;
+    copy.pool().put({key, {}}, w.session().seriesNamed(key));
+  }
+  copy.open({}, w.workspace());
+  FrameService frames;
+  const std::unique_ptr<FlatView> unseen = w.window.views()->unseenView(copy, frames, left);
+  unseen->resize(w.view(left)->size());
+  w.scroll(right, 5);
+  QVERIFY(w.lines(left).at(0).line != before);
+  QCOMPARE(unseen->referenceLines().size(), std::size_t(1));
+  QCOMPARE(unseen->referenceLines()[0].line, before);
 }
 
 VOLUMEN_TEST(TestReferenceLines);

@@ -9,6 +9,7 @@
 #include "tests/ui/stack_window.h"
 #include "tests/unit/suite.h"
 #include "ui/views/stack_bar.h"
+#include "ui/widgets/number_edit.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -39,6 +40,7 @@ class TestStackBar : public QObject {
   void aClickGoesThereToo();
   void escapeGivesADragUp();
   void whatLiesBesideItIsNotStolen();
+  void whatIsDrawnThereComesFirst();
   void keyImagesAreMarked();
   void whatIsInMemoryIsWide();
   void framesInMemoryAreTold();
@@ -46,7 +48,10 @@ class TestStackBar : public QObject {
   void numbersOfOtherPlanes();
   void wrongNumbersSayWhy_data();
   void wrongNumbersSayWhy();
+  void fieldsCloseWithWhatIsShown_data();
+  void fieldsCloseWithWhatIsShown();
   void theNumberInTheCornerIsClicked();
+  void escapeInAFieldKeepsTheViewMaximised();
   void framesAreGoneToByNumber();
   void shiftMakesTheWheelFast_data();
   void shiftMakesTheWheelFast();
@@ -107,6 +112,23 @@ void TestStackBar::whatLiesBesideItIsNotStolen() {
 }
 
 // In rows of their own, and in no picture that is saved.
+void TestStackBar::whatIsDrawnThereComesFirst() {
+  StackWindow w(stackSlices);
+  const int place = w.place();
+  const double x = barX(w.view()), y = std::floor(0.3 * w.view()->height());
+  w.choose(ShapeKind::length);
+  drag(w.view(), {x, y}, {x - 60, y + 40});
+  QCOMPARE(w.place(), place);
+  QCOMPARE(w.all().size(), std::size_t(1));
+  // Its end lies on the bar.
+  const Measurement before = w.last();
+  drag(w.view(), {x, y}, {x - 2, y + 60});
+  QCOMPARE(w.place(), place);
+  QVERIFY(!(w.last() == before));
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, QPoint(int(x), int(0.8 * w.view()->height())));
+  QVERIFY(w.place() != place);
+}
+
 void TestStackBar::keyImagesAreMarked() {
   StackWindow w(stackSlices);
   const Series series = w.view()->shown()->series;
@@ -225,6 +247,34 @@ void TestStackBar::wrongNumbersSayWhy() {
   QVERIFY(w.session().workspace() == before);
 }
 
+void TestStackBar::fieldsCloseWithWhatIsShown_data() {
+  using Act = std::function<void(StackWindow&, QLineEdit*)>;
+  QTest::addColumn<Act>("act");
+  QTest::newRow("another series") << Act(
+      [](StackWindow& w, QLineEdit*) { w.session().show(stackSeries(9)); });
+  QTest::newRow("no series") << Act(
+      [](StackWindow& w, QLineEdit*) { w.session().close({w.view()->state().series}); });
+  QTest::newRow("the view is hidden") << Act([](StackWindow& w, QLineEdit*) {
+    w.session().setFocus(coronalViewId);
+    w.child<QAction>("maximise")->trigger();
+  });
+  QTest::newRow("Enter, and it is out of memory") << Act([](StackWindow& w, QLineEdit* field) {
+    w.session().pool().forget(w.view()->state().series);
+    QTest::keyClick(field, Qt::Key_Return);
+  });
+}
+
+void TestStackBar::fieldsCloseWithWhatIsShown() {
+  QFETCH(std::function<void(StackWindow&, QLineEdit*)>, act);
+  StackWindow w(stackSlices);
+  QTest::keyClick(w.view(), Qt::Key_G);
+  auto* field = w.seen<QLineEdit>("placeNumber");
+  QVERIFY(field);
+  QTest::keyClicks(field, QStringLiteral("3"));
+  act(w, field);
+  for (const NumberEdit* edit : w.view()->findChildren<NumberEdit*>()) QVERIFY(edit->isHidden());
+}
+
 void TestStackBar::theNumberInTheCornerIsClicked() {
   StackWindow w(stackSlices);
   const QRectF area = QRectF(w.view()->rect()).adjusted(0, 0, -6, 0);
@@ -238,6 +288,20 @@ void TestStackBar::theNumberInTheCornerIsClicked() {
   w.view(coronalViewId)->setFocus();
   QVERIFY(!w.seen<QLineEdit>("placeNumber"));
   QCOMPARE(w.window.focusWidget(), w.view(coronalViewId));
+}
+
+void TestStackBar::escapeInAFieldKeepsTheViewMaximised() {
+  StackWindow w(stackSlices);
+  auto* maximise = w.child<QAction>("maximise");
+  maximise->trigger();
+  QTest::keyClick(w.view(), Qt::Key_G);
+  auto* field = w.seen<QLineEdit>("placeNumber");
+  QVERIFY(field);
+  QTest::keyClick(field, Qt::Key_Escape);
+  QVERIFY(!w.seen<QLineEdit>("placeNumber"));
+  QVERIFY(maximise->isChecked());
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  QVERIFY(!maximise->isChecked());
 }
 
 void TestStackBar::framesAreGoneToByNumber() {

@@ -46,6 +46,8 @@ void Opener::show(const Series& series) {
     return session_.change(tr("Time point"), withTimePoint(workspace, workspace.focus, keyOf(series)));
   }
   const Session::Arrange arrange = arrangedFor(series);
+  // What is on its way would come into its place.
+  if (session_.pool().find({keyOf(series), {}})) loader_.cancelLoad();
   if (!session_.showAgain(series, session_.workspace().focus, arrange)) loader_.load(series);
 }
 

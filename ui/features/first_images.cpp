@@ -1,10 +1,12 @@
 #include <QEvent>
 #include <QStackedWidget>
 #include <QTimer>
+#include <algorithm>
 
 #include "ui/features/feature.h"
 #include "ui/views/first_image.h"
 #include "ui/views/view_grid.h"
+#include "ui/workspace/time_points.h"
 
 namespace volumen {
 
@@ -12,7 +14,8 @@ namespace {
 
 constexpr int momentMs = 100;  // what is loaded within it is shown at once
 
-// Something to look at while a series is being loaded: one of its slices, over the view that it will be in.
+// Something to look at while a series is being loaded: one of its slices, over the view that waits for it, or
+// over what it will take.
 class FirstImages : public Feature {
  public:
   explicit FirstImages(Workbench& bench);
@@ -21,56 +24,119 @@ class FirstImages : public Feature {
 
  private:
   void begin(const Series& series);
-  void endWhenDrawn();
-  void place();
+  void end();
+  void endOf(const SeriesKey& series);
+  void look();
+  void lookSoon();
+  View* viewOfIt() const;
+  const QWidget* takenByIt() const;
+  bool isCovered(const View& view) const;
 
   FirstImage* image_;
-  std::shared_ptr<const Series> loading_;
-  QTimer soon_;
+  std::shared_ptr<const Series> series_;  // null: none is being loaded, or it is seen
+  bool isInView_ = false, isLoaded_ = false;
+  QTimer moment_, soon_;
 };
 
 FirstImages::FirstImages(Workbench& bench)
     : Feature(bench), image_(new FirstImage(bench.document.frames, bench.document.slices, &bench.pages)) {
   bench_.pages.installEventFilter(this);
+  moment_.setSingleShot(true);
+  moment_.setInterval(momentMs);
   soon_.setSingleShot(true);
-  soon_.setInterval(momentMs);
-  Loader& loader = bench_.document.loader;
-  connect(&soon_, &QTimer::timeout, image_, [this] { image_->begin(loading_); });
-  connect(image_, &FirstImage::appears, this, &FirstImages::place);
-  connect(&loader, &Loader::loadBegan, this, [this](const Series& series) {
-    loading_ = std::make_shared<const Series>(series);
-    image_->end();
-    soon_.start();
+  soon_.setInterval(0);
+  connect(&moment_, &QTimer::timeout, this, [this] {
+    look();
+    if (series_) image_->begin(series_);
   });
-  const auto end = [this] {
-    soon_.stop();
-    image_->end();
-  };
-  connect(&loader, &Loader::notLoaded, this, end);
-  connect(&loader, &Loader::loadGivenUp, this, end);
-  connect(&loader, &Loader::seriesLoaded, this, &FirstImages::endWhenDrawn);
+  connect(&soon_, &QTimer::timeout, this, &FirstImages::look);
+  connect(image_, &FirstImage::appears, this, &FirstImages::look);
+  Loader& loader = bench_.document.loader;
+  connect(&loader, &Loader::loadBegan, this, &FirstImages::begin);
+  connect(&loader, &Loader::loadGivenUp, this, &FirstImages::end);
+  connect(&loader, &Loader::notLoaded, this, &FirstImages::endOf);
+  connect(&loader, &Loader::seriesLoaded, this, [this](const LoadedSeriesPtr& loaded) {
+    if (!series_ || keyOf(*series_) != keyOf(loaded->series)) return;
+    isLoaded_ = true;
+    if (image_->isHidden()) return end();
+    lookSoon();
+  });
+  connect(&bench_.document.slices, &SliceService::failed, this, [this](int view) {
+    const View* shown = series_ ? viewOfIt() : nullptr;
+    if (view == firstImageId || (shown && shown->id() == view)) end();
+  });
+  connect(&session_, &Session::workspaceChanged, this, &FirstImages::lookSoon);
+  connect(&grid_, &ViewGrid::arranged, this, &FirstImages::lookSoon);
 }
 
 bool FirstImages::eventFilter(QObject* pages, QEvent* event) {
-  if (event->type() == QEvent::Resize && image_->isVisible()) place();
+  if (event->type() == QEvent::Resize) lookSoon();
   return Feature::eventFilter(pages, event);
 }
 
-// Where nothing is shown yet it has all of the place, else that of the view in focus.
-void FirstImages::place() {
-  const bool isAlone = bench_.pages.currentWidget() != &grid_;
-  const QWidget* over = isAlone ? bench_.pages.currentWidget() : static_cast<QWidget*>(grid_.viewShown());
-  image_->setGeometry(QRect(over->mapTo(&bench_.pages, QPoint(0, 0)), over->size()));
-  image_->raise();
+void FirstImages::begin(const Series& series) {
+  end();
+  series_ = std::make_shared<const Series>(series);
+  moment_.start();
 }
 
-// The views have the series; until they have drawn it the slice stays.
-void FirstImages::endWhenDrawn() {
-  soon_.stop();
-  const auto* flat = qobject_cast<FlatView*>(grid_.viewShown());
-  if (image_->isHidden() || !flat || !flat->picture().isNull()) return image_->end();
-  place();
-  connect(flat, &FlatView::settled, image_, &FirstImage::end, Qt::SingleShotConnection);
+void FirstImages::end() {
+  moment_.stop();
+  series_.reset();
+  isInView_ = isLoaded_ = false;
+  image_->end();
+}
+
+void FirstImages::endOf(const SeriesKey& series) {
+  if (series_ && keyOf(*series_) == series) end();
+}
+
+// Once all views have heard of it.
+void FirstImages::lookSoon() {
+  if (series_) soon_.start();
+}
+
+// The view that has the series in its place, the one in focus before others; null: none has.
+View* FirstImages::viewOfIt() const {
+  View* found = nullptr;
+  for (const ViewId id : viewsOnScreen(session_.workspace())) {
+    View* view = grid_.viewAs<View>(id);
+    const bool isIts = view && view->isVisibleTo(&grid_) && view->state().series == keyOf(*series_) &&
+                       !showsFrames(view->state().kind);
+    if (isIts && (!found || view == grid_.viewShown())) found = view;
+  }
+  return found;
+}
+
+// What will show the series, which no view has yet: the view in focus, or all where nothing is shown. Null:
+// it lies over another series, or is another step of what is shown, which stays until then.
+const QWidget* FirstImages::takenByIt() const {
+  const Workspace& workspace = session_.workspace();
+  for (const ViewId id : viewsOnScreen(workspace))
+    if (flatLookOf(workspace.view(id)).overlay == keyOf(*series_)) return nullptr;
+  if (const QWidget* page = bench_.pages.currentWidget(); page != &grid_) return page;
+  const View* view = grid_.viewShown();
+  const Series* shown = seriesIn(workspace, view->id());
+  return shown && areTimePoints(*shown, *series_) ? nullptr : view;
+}
+
+// Whether there is nothing to look at in it yet.
+bool FirstImages::isCovered(const View& view) const {
+  if (const auto* flat = qobject_cast<const FlatView*>(&view)) return flat->picture().isNull();
+  return !isLoaded_ && static_cast<const VolumeView&>(view).picture().isNull();
+}
+
+void FirstImages::look() {
+  if (!series_) return;
+  const View* view = viewOfIt();
+  const bool isOver = view ? isCovered(*view) : !isInView_ && !isLoaded_;
+  const QWidget* over = !isOver ? nullptr : view ? view : takenByIt();
+  if (!over) return end();
+  isInView_ = isInView_ || view;
+  if (const auto* flat = qobject_cast<const FlatView*>(view))
+    connect(flat, &FlatView::settled, this, &FirstImages::lookSoon, Qt::UniqueConnection);
+  image_->setGeometry(QRect(over->mapTo(&bench_.pages, QPoint(0, 0)), over->size()));
+  image_->raise();
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 #include <QToolTip>
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "ui/widgets/plain_text.h"
@@ -52,10 +53,12 @@ CineBar::CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, Q
             const ViewState &was = before.view(view_), &is = after.view(view_);
             if (was.series != is.series || was.kind != is.kind || before.series.size() != after.series.size())
               time_->look();
+            if (isOvertaken(before, after)) giveUp();
             look();
           });
-  connect(qApp, &QApplication::focusChanged, this, [this](const QWidget* was) {
+  connect(qApp, &QApplication::focusChanged, this, [this](const QWidget* was, QWidget* now) {
     if (isAncestorOf(was)) look();
+    if (isAncestorOf(now)) takeFocus(now);
   });
   hide();
   look();
@@ -204,6 +207,32 @@ void CineBar::stop() {
   look();
 }
 
+// The view comes into focus with its field, which then has the keys that the view was given.
+void CineBar::takeFocus(QWidget* field) {
+  if (session_.workspace().focus == view_) return;
+  session_.setFocus(view_);
+  field->setFocus(Qt::TabFocusReason);
+}
+
+// Where it is stays, and what overtook it goes on in its gesture.
+void CineBar::giveUp() {
+  if (!player_) return;
+  endPlayer();
+  played_->giveUp();
+}
+
+// Whether something else than the player changed what would be written as it goes on: steps of both would
+// take turns. A clip writes where it ends alone.
+bool CineBar::isOvertaken(const Workspace& before, const Workspace& after) const {
+  if (!player_ || player_->isGoing()) return false;
+  if (played_->keepsTime())
+    return flatLookOf(before.view(view_)).frame != flatLookOf(after.view(view_)).frame;
+  Workspace same = before;
+  same.focus = after.focus;
+  same.selected = after.selected;
+  return same != after;
+}
+
 void CineBar::tellShown(int place) {
   if (player_) player_->tellShown(place);
   look();
@@ -219,12 +248,10 @@ bool CineBar::stepTime(int steps) {
 bool CineBar::stepRate(int up) {
   if (isHidden() || !current()) return false;
   CineRound round = round_;
-  const auto* const end = std::end(usualRates);
-  const auto* next = std::ranges::find_if(usualRates, [&](double rate) {
-    return up > 0 ? rate > round.rate * 1.001 : rate >= round.rate * 0.999;
-  });
-  if (up < 0) next = next == std::begin(usualRates) ? next : next - 1;
-  round.rate = next == end ? mostRate : *next;
+  std::optional<double> next;  // the closest one on that side
+  for (const double rate : usualRates)
+    if (up > 0 ? !next && rate > round.rate * 1.001 : rate < round.rate * 0.999) next = rate;
+  round.rate = next.value_or(round.rate);
   setRound(round);
   return true;
 }
@@ -237,6 +264,7 @@ void CineBar::setRound(const CineRound& round) {
 
 void CineBar::look() {
   Playable* what = current();
+  if (player_ && what != played_) giveUp();
   const std::pair source(what ? what->source() : SeriesKey{}, what ? what->count() : 0);
   if (what && std::exchange(roundOf_, source) != source) {
     endPlayer();
@@ -267,6 +295,7 @@ void CineBar::showNumbers() {
   show(first_, round_.first, 0, round_.last);
   show(last_, round_.last, round_.first, what.count() - 1);
   rate_->setNumber(round_.rate, leastRate, mostRate, 2);
+  makeRoom();
 }
 
 void CineBar::showChoices() {
@@ -302,10 +331,17 @@ void CineBar::leaveEvent(QEvent* event) {
 
 void CineBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  number_->setVisible(width() >= widthForNumber);
+  makeRoom();
+}
+
+// For what makes sense, the most important first.
+void CineBar::makeRoom() {
+  const Playable* what = current();
+  const bool hasNumbers = what && what->hasNumbers();
+  number_->setVisible(hasNumbers && width() >= widthForNumber);
   for (QToolButton* way : {back_, loop_}) way->setVisible(width() >= widthForWays);
   rate_->setVisible(width() >= widthForRate);
-  for (TypedNumber* end : {first_, last_}) end->setVisible(width() >= widthForRange);
+  for (TypedNumber* end : {first_, last_}) end->setVisible(hasNumbers && width() >= widthForRange);
 }
 
 // What is under it is not meant.

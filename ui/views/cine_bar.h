@@ -41,7 +41,7 @@ class CineBar : public QWidget {
   bool isLate() const { return player_ && player_->isLate(); }
   /// So many steps on in time; stays within them. False: there are none.
   bool stepTime(int steps);
-  /// To the next usual speed, up or down; false: there is nothing to play.
+  /// To the next usual speed, up or down, where there is one; false: there is nothing to play.
   bool stepRate(int up);
   /// What can be played, or which place is shown, may be another.
   void look();
@@ -66,10 +66,14 @@ class CineBar : public QWidget {
   int numberOf(int place) const;
   int placeOf(int number) const;
   void goTo(int place);
+  void takeFocus(QWidget* field);
   void endPlayer();
+  void giveUp();
+  bool isOvertaken(const Workspace& before, const Workspace& after) const;
   void setRound(const CineRound& round);
   void showNumbers();
   void showChoices();
+  void makeRoom();
   void setShown(bool wanted);
 
   Session& session_;

@@ -48,7 +48,10 @@ double CinePlayer::wantedRate() const { return round_.rate > 0 ? round_.rate : c
 
 void CinePlayer::show() {
   const int due = track_.place();
-  if (std::exchange(asked_, due) != due) what_.play(due);
+  if (std::exchange(asked_, due) == due) return;
+  isGoing_ = true;
+  what_.play(due);
+  isGoing_ = false;
 }
 
 void CinePlayer::tick() {

@@ -21,6 +21,8 @@ class CinePlayer : public QObject {
   /// Goes on from where it is, in another way.
   void setRound(const CineRound& round);
   bool isBackwards() const { return track_.isBackwards(); }
+  /// Whether it is going to a place right now.
+  bool isGoing() const { return isGoing_; }
   /// Looks no more, and is deleted later: it may be looking.
   void end();
   /// Looks at the clock, as its timer does.
@@ -44,6 +46,7 @@ class CinePlayer : public QObject {
   CineRound round_;
   const std::function<double()> clock_;
   CineTrack track_;
+  bool isGoing_ = false;
   int asked_;    // the place it went to last
   double seen_;  // what the clock said last
   QTimer timer_;

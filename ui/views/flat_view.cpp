@@ -46,13 +46,14 @@ FlatView::~FlatView() = default;
 
 std::optional<SlicePlane> FlatView::plane() const {
   if (!shown()) return {};
-  return planeShown(fittedPlane(pixels()));
+  return planeShown(fittedPlane(session_.workspace(), pixels()));
 }
 
-SlicePlane FlatView::fittedPlane(QSize pixels) const {
+SlicePlane FlatView::fittedPlane(const Workspace& workspace, QSize pixels) const {
   const LoadedSeriesPtr shown = this->shown();
-  return flatPlane(state(), flatLookOf(state()), shown->volume->geometry(),
-                   crosshairOf(session_.workspace(), id(), *shown), {pixels.width(), pixels.height()});
+  const ViewState& view = workspace.view(id());
+  return flatPlane(view, flatLookOf(view), shown->volume->geometry(), crosshairOf(workspace, id(), *shown),
+                   {pixels.width(), pixels.height()});
 }
 
 const SeriesState& FlatView::seriesState() const { return session_.workspace().series.at(state().series); }
@@ -84,7 +85,7 @@ QSize FlatView::ownPixels() const {
 
 std::optional<SliceRequest> FlatView::requestForOwnPixels() const {
   if (!shown()) return {};
-  SlicePlane whole = fittedPlane(ownPixels());
+  SlicePlane whole = fittedPlane(session_.workspace(), ownPixels());
   whole.mmPerPixel = ownPixelMm();
   return requestOf(planeShown(whole));
 }
@@ -150,6 +151,7 @@ void FlatView::workspaceChanged(const Workspace&) {
     drag_.reset();  // it is about what was shown
     if (last.second != now.second || !keepsPictureOf(last.first)) forget();
   }
+  if (last != now || !shown()) closeFields();
   ask();
   placeBadge();
   update();

@@ -105,7 +105,9 @@ class FlatView : public View {
   };
   /// Those that other views show as lines, the one on screen first; none where it has no place in the
   /// patient. `ends`: with the first and the last one, where they are known.
-  virtual std::vector<StackPlane> stackPlanes(bool ends) const;
+  std::vector<StackPlane> stackPlanes(bool ends) const { return stackPlanesIn(session_.workspace(), ends); }
+  /// The same as another workspace has them; none where that shows something else in this view's place.
+  virtual std::vector<StackPlane> stackPlanesIn(const Workspace& workspace, bool ends) const;
   /// Where the planes of other views on screen cut this one, as the preferences say: those in the same frame
   /// of reference or one linked to it, but for those that have a line of the crosshair.
   std::vector<ReferenceLine> referenceLines() const;
@@ -229,8 +231,9 @@ class FlatView : public View {
   CineBar* cine_;
 
  private:
-  SlicePlane fittedPlane(QSize pixels) const;
+  SlicePlane fittedPlane(const Workspace& workspace, QSize pixels) const;
   const Tool* toolFor(const QMouseEvent& event) const;
+  bool takesCrosshair(const QMouseEvent& event);
   bool movesCrosshair(Qt::KeyboardModifiers keys) const;
   double wheelSign() const;
   void zoomBy(const SlicePress& press, double factor);
@@ -240,6 +243,7 @@ class FlatView : public View {
   QRectF numberRect() const;
   bool pressCorner(QPointF p);
   void typeWindow();
+  void closeFields();
   void placeBadge();
   void placeCineBar();
   QRectF stackArea() const;
@@ -273,6 +277,8 @@ class FlatView : public View {
   bool isBarThick_ = false;
   int stepsAtPress_ = 0;  // of the undo stack
   QPointF pressedAt_;
+  Qt::MouseButton dragButton_ = Qt::NoButton;  // began drag_
+  std::optional<QPointF> heldAt_;  // the pointer as the key of the crosshair went down; none: it went on
   QTimer wheelEnd_;
   double wheelRest_ = 0;  // notches not yet scrolled
 };

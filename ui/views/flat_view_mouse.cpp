@@ -38,8 +38,9 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   if (tool && tool->draws()) stop();
   if (!drag_) pressedAt_ = event->position();
   const auto press = pressAt(event->position());
-  if (drag_ && event->button() == Qt::LeftButton) drag_->press(event->position());
+  if (drag_ && event->button() == dragButton_) drag_->press(event->position());
   if (!press || drag_) return;
+  dragButton_ = event->button();
   session_.endGesture();
   stepsAtPress_ = session_.undoStack().index();
   if (event->button() == Qt::LeftButton) drag_ = pressStackBar(event->position());
@@ -60,7 +61,7 @@ void FlatView::mouseMoveEvent(QMouseEvent* event) {
     askForLens();
     return pointAt(event->position());
   }
-  if (movesCrosshair(event->modifiers()))
+  if (takesCrosshair(*event))
     if (const auto press = pressAt(event->position())) beginCrosshair(*press);
   tellEdges(event->position());
   showCursorAt(event->position());
@@ -72,6 +73,18 @@ bool FlatView::movesCrosshair(Qt::KeyboardModifiers keys) const {
   return slot.held && !tool_->draws() && hasCursor() && boundTo(session_.preferences(), slot) == "crosshair";
 }
 
+// Whether the pointer is meant to take it along: a hand that holds the key for the wheel is not quite still.
+bool FlatView::takesCrosshair(const QMouseEvent& event) {
+  if (!movesCrosshair(event.modifiers())) {
+    heldAt_ = event.position();
+    return false;
+  }
+  if (heldAt_ && (event.position() - *heldAt_).manhattanLength() < QApplication::startDragDistance())
+    return false;
+  heldAt_.reset();
+  return true;
+}
+
 QString FlatView::textAt(QPointF position) const {
   if (isOnStackBar(position)) return tr("Drag to go through the stack (G: by its number)");
   const QString measured = measurementText(position);
@@ -79,9 +92,8 @@ QString FlatView::textAt(QPointF position) const {
 }
 
 void FlatView::mouseReleaseEvent(QMouseEvent* event) {
-  if (drag_ && drag_->drawing() &&
-      (event->button() != Qt::LeftButton || !drag_->release(event->position(), event->modifiers())))
-    return update();
+  if (drag_ && event->button() != dragButton_) return;
+  if (drag_ && drag_->drawing() && !drag_->release(event->position(), event->modifiers())) return update();
   const bool isClick = (event->position() - pressedAt_).manhattanLength() < QApplication::startDragDistance();
   const bool wantsMenu =
       event->button() == Qt::RightButton && isClick && (drag_ || (shown() && !toolFor(*event)));
@@ -91,6 +103,7 @@ void FlatView::mouseReleaseEvent(QMouseEvent* event) {
 
 void FlatView::wheelEvent(QWheelEvent* event) {
   pointAt(event->position());
+  heldAt_ = event->position();
   const auto press = pressAt(event->position());
   // Alt and Shift make a wheel horizontal on some systems.
   const double notches = (event->angleDelta().y() + event->angleDelta().x()) / 120.0;
@@ -170,10 +183,12 @@ void FlatView::keyPressEvent(QKeyEvent* event) {
 
 void FlatView::hideEvent(QHideEvent* event) {
   stop();
+  closeFields();
   View::hideEvent(event);
 }
 
 void FlatView::leaveEvent(QEvent* event) {
+  heldAt_.reset();
   tellEdges({-1, -1});
   update();
   View::leaveEvent(event);

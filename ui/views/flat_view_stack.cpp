@@ -36,8 +36,9 @@ std::optional<StackBar> FlatView::stackBar() const {
   return StackBar{stackArea(), place(), keyImagePlaces(), heldPlaces(), isBarThick_};
 }
 
+// What is drawn or was drawn there comes first.
 bool FlatView::isOnStackBar(QPointF p) const {
-  return stackArea().contains(p) && shown() && place().count > 1;
+  return stackArea().contains(p) && shown() && place().count > 1 && !tool_->draws() && !measurementAt(p);
 }
 
 std::unique_ptr<Drag> FlatView::pressStackBar(QPointF p) {
@@ -94,6 +95,7 @@ void FlatView::typeNumber() {
   const auto open = findChildren<NumberEdit*>();
   for (NumberEdit* edit : open)
     if (!edit->isHidden()) return edit->setFocus();
+  session_.setFocus(id());
   stop();
   const Numbers now = numbers();
   const QRectF line = numberRect();
@@ -102,6 +104,7 @@ void FlatView::typeNumber() {
   const int right = line.isEmpty() ? width() - StackBar::edge : int(line.right());
   edit->move(std::max(0, right - edit->width()), std::max(0, int(line.top()) - 2));
   connect(edit, &NumberEdit::chosen, this, [this, edit](int number) {
+    if (!shown()) return edit->leave();
     session_.endGesture();
     const QString why = goToNumber(number);
     session_.endGesture();

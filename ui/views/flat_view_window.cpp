@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "ui/views/flat_view.h"
+#include "ui/widgets/number_edit.h"
 #include "ui/widgets/window_edit.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
@@ -27,6 +28,7 @@ void FlatView::typeWindow() {
   edit->adjustSize();
   edit->move(std::max(0, width() - 8 - edit->width()), std::max(0, height() - 4 - edit->height()));
   connect(edit, &WindowEdit::chosen, this, [this, shown, sign = now.width < 0 ? -1 : 1](const Window& typed) {
+    if (!this->shown()) return;
     session_.endGesture();
     session_.change(tr("Window"), [&](Workspace& w) {
       w.series.edit(state().series).window = storedWindow({typed.centre, sign * typed.width}, shown->series);
@@ -37,6 +39,12 @@ void FlatView::typeWindow() {
   auto* field = edit->findChild<QLineEdit*>();
   field->setFocus();
   field->selectAll();
+}
+
+// They are about what was shown.
+void FlatView::closeFields() {
+  for (NumberEdit* edit : findChildren<NumberEdit*>()) edit->leave();
+  for (WindowEdit* edit : findChildren<WindowEdit*>()) edit->leave();
 }
 
 }  // namespace volumen

@@ -56,6 +56,10 @@ class FrameView::Clip : public Playable {
     view_.session_.endGesture();
     view_.update();
   }
+  void giveUp() override {
+    view_.played_.reset();
+    view_.ask();
+  }
 
  private:
   // Null: the view shows no frames.
@@ -231,9 +235,13 @@ PictureSeen FrameView::pictureSeen() const {
 
 // The ends only where the frames are the slices of a volume: of others only those that were read have a
 // place.
-std::vector<FlatView::StackPlane> FrameView::stackPlanes(bool ends) const {
-  std::vector<StackPlane> planes = FlatView::stackPlanes(ends);
-  if (planes.empty() || !ends) return planes;
+std::vector<FlatView::StackPlane> FrameView::stackPlanesIn(const Workspace& workspace, bool ends) const {
+  std::vector<StackPlane> planes = FlatView::stackPlanesIn(workspace, ends);
+  if (planes.empty()) return planes;
+  // The frame on screen alone was read.
+  const bool isOther = &workspace != &session_.workspace();
+  if (isOther && flatLookOf(workspace.view(id())).frame != frame_->key.index) return {};
+  if (!ends) return planes;
   const Series& series = *seriesState().series;
   if (!series.notVolume.empty() || frameCount(series) != series.acquired.size.z) return planes;
   for (const auto& [part, index] : {std::pair(StackPart::first, 0), {StackPart::last, place().count - 1}}) {

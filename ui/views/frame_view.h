@@ -29,7 +29,7 @@ class FrameView : public FlatView {
   std::vector<WindowChoice> windows() const override;
   void chooseWindow(int number) override;
   PictureSeen pictureSeen() const override;
-  std::vector<StackPlane> stackPlanes(bool ends) const override;
+  std::vector<StackPlane> stackPlanesIn(const Workspace& workspace, bool ends) const override;
   StackPlace place() const override;
 
  protected:

@@ -23,6 +23,8 @@ class Playable {
   virtual int place() const = 0;
   /// Whether the last place is called number 1, and not the first.
   virtual bool countsDown() const { return false; }
+  /// Whether its places are numbered one after the other.
+  virtual bool hasNumbers() const { return true; }
   /// What it is made of: how it is played holds until that is another one.
   virtual SeriesKey source() const = 0;
   virtual Cine cine() const = 0;
@@ -38,6 +40,8 @@ class Playable {
   virtual bool keepsTime() const { return false; }
   /// It is played no longer: stays where it is.
   virtual void stop() {}
+  /// It is played no longer: goes where the workspace says.
+  virtual void giveUp() {}
 };
 
 }  // namespace volumen

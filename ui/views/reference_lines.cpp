@@ -46,10 +46,11 @@ QRectF placeOfName(const ReferenceLine& line, QSizeF size, QRectF view) {
 
 }  // namespace
 
-std::vector<FlatView::StackPlane> FlatView::stackPlanes(bool /*ends*/) const {
-  const std::optional<SlicePlane> now = plane();
-  if (!now || !shown()->volume->geometry().calibrated || !hasCursor()) return {};
-  return {{StackPart::current, *now}};
+std::vector<FlatView::StackPlane> FlatView::stackPlanesIn(const Workspace& workspace, bool /*ends*/) const {
+  const ViewState& view = workspace.view(id());
+  const bool isHere = shown() && view.series == state().series && view.kind == state().kind;
+  if (!isHere || !shown()->volume->geometry().calibrated || !hasCursor()) return {};
+  return {{StackPart::current, planeShown(fittedPlane(workspace, pixels()))}};
 }
 
 std::vector<ReferenceLine> FlatView::referenceLines() const {
@@ -64,7 +65,7 @@ std::vector<ReferenceLine> FlatView::referenceLines() const {
     const std::optional<Rigid> way = view ? wayTo(workspace, id(), other) : std::nullopt;
     if (!way) continue;
     const ViewKind kind = workspace.view(other).kind;
-    for (const StackPlane& its : view->stackPlanes(wanted.referenceEnds)) {
+    for (const StackPlane& its : view->stackPlanesIn(workspace, wanted.referenceEnds)) {
       const auto segment = referenceSegment(own, carriedTo(*way, its.plane));
       if (!segment) continue;
       const QLineF line(segment->from.x / ratio, segment->from.y / ratio, segment->to.x / ratio,

@@ -51,6 +51,8 @@ class SliceView::Stack : public Playable {
     first.at = view_.pointOn(0);
     return stackPlace(view_.shown()->volume->geometry(), view_.state().kind, first).index > 0;
   }
+  // Where slices lie unevenly or are missing, those that are drawn are not those of the file.
+  bool hasNumbers() const override { return !view_.isAlongSlices() || !view_.shown()->series.regular; }
   SeriesKey source() const override { return view_.state().series; }
   Cine cine() const override { return {view_.seriesState().series->cine.framesPerSecond, {}, false}; }
   void goTo(int place) override { view_.moveTo(place); }
@@ -148,7 +150,7 @@ StackPlace SliceView::place() const {
 
 // Of a plane that is not, there are no slices as acquired to go to.
 bool SliceView::isAlongSlices() const {
-  return onSlice(*plane(), shown()->volume->geometry(), 0).has_value();
+  return shown() && onSlice(*plane(), shown()->volume->geometry(), 0).has_value();
 }
 
 // The crosshair's point moved onto a slice of the grid that is drawn.
@@ -307,11 +309,11 @@ Overlays SliceView::overlays() const {
 
 bool SliceView::hasCrosshairTool() const { return &tool() == &toolNamed("crosshair"); }
 
-std::vector<FlatView::StackPlane> SliceView::stackPlanes(bool ends) const {
-  std::vector<StackPlane> planes = FlatView::stackPlanes(ends);
+std::vector<FlatView::StackPlane> SliceView::stackPlanesIn(const Workspace& workspace, bool ends) const {
+  std::vector<StackPlane> planes = FlatView::stackPlanesIn(workspace, ends);
   const LoadedSeriesPtr shown = this->shown();
   if (planes.empty() || !ends) return planes;
-  const Crosshair crosshair = crosshairOf(session_.workspace(), id(), *shown);
+  const Crosshair crosshair = crosshairOf(workspace, id(), *shown);
   for (const auto& [part, steps] :
        {std::pair(StackPart::first, -beyondAnyEnd), {StackPart::last, beyondAnyEnd}}) {
     SlicePlane plane = planes.front().plane;

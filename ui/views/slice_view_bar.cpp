@@ -47,6 +47,7 @@ void SliceView::typeBar(const ColourBar& bar) {
   edit->move(std::clamp(int(place.right()) + 8, 0, std::max(0, width() - edit->width())),
              std::clamp(int(place.center().y()), 0, std::max(0, height() - edit->height())));
   connect(edit, &WindowEdit::chosen, this, [this, bar, sign = now.width < 0 ? -1 : 1](const Window& typed) {
+    if (!session_.workspace().series.contains(keyOf(bar.series->series))) return;
     session_.endGesture();
     setBarWindow(session_, bar, storedWindow({typed.centre, sign * typed.width}, bar.series->series));
     session_.endGesture();

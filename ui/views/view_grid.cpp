@@ -2,6 +2,8 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace volumen {
 
@@ -87,8 +89,14 @@ void ViewGrid::connectFlat(FlatView* flat, ViewFamily family) {
   connect(flat, &FlatView::toolDone, this, &ViewGrid::restoreTool);
   // Where a frame lies is known once it is read.
   if (family == ViewFamily::frames)
-    connect(flat, &FlatView::settled, this,
-            [this] { each<FlatView>([](FlatView& view) { view.update(); }); });
+    connect(flat, &FlatView::settled, this, [this, flat, last = std::optional<SlicePlane>()]() mutable {
+      const std::vector<FlatView::StackPlane> planes = flat->stackPlanes(false);
+      const auto now = planes.empty() ? std::nullopt : std::optional(planes.front().plane);
+      if (std::exchange(last, now) == now || !session_.preferences().referenceLines) return;
+      each<FlatView>([&](FlatView& view) {
+        if (&view != flat) view.update();
+      });
+    });
 }
 
 void ViewGrid::requestPictures() {
@@ -215,6 +223,7 @@ void ViewGrid::arrange() {
       view->hide();
   // One that is hidden while a field in it is open takes them back first.
   if (hasKeys && window()->focusWidget() != keys) keys->setFocus();
+  Q_EMIT arranged();
 }
 
 void ViewGrid::resizeEvent(QResizeEvent*) { arrange(); }

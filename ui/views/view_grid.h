@@ -63,6 +63,8 @@ class ViewGrid : public QWidget {
   void dropped(const QMimeData& data);
   void menuRequested(volumen::View* view, QPoint global);
   void toolChanged();
+  /// Views were placed, shown or hidden.
+  void arranged();
   /// A 3D view was made: it wants to be drawn.
   void volumeViewMade(volumen::VolumeView* view);
 

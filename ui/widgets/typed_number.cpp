@@ -41,6 +41,15 @@ QString TypedNumber::whyNot() const {
       .arg(textOf(least_), textOf(most_));
 }
 
+// Esc is this field's first, whatever else it ends.
+bool TypedNumber::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    event->accept();
+    return true;
+  }
+  return QLineEdit::event(event);
+}
+
 void TypedNumber::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {
     setText(textOf(number_));

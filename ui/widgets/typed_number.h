@@ -26,6 +26,7 @@ class TypedNumber : public QLineEdit {
   void givenUp();
 
  protected:
+  bool event(QEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
   void focusOutEvent(QFocusEvent*) override;
 

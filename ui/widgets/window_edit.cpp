@@ -58,6 +58,15 @@ WindowEdit::WindowEdit(const Window& window, QWidget* parent, Fields fields)
   });
 }
 
+// Esc is its fields' first, whatever else it ends.
+bool WindowEdit::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    event->accept();
+    return true;
+  }
+  return QWidget::event(event);
+}
+
 void WindowEdit::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) return leave();
   if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return accept();

@@ -16,18 +16,21 @@ class WindowEdit : public QWidget {
   /// `window`: what stands there first, its width above 0.
   WindowEdit(const Window& window, QWidget* parent, Fields fields = Fields::widthAndCentre);
 
+  /// It is done with.
+  void leave();
+
  Q_SIGNALS:
   void chosen(const volumen::Window& window);
   /// It goes, and its focus with it.
   void closed();
 
  protected:
+  bool event(QEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
 
  private:
   void accept();
-  void leave();
 
   std::optional<Window> typed() const;
 
