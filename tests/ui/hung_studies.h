@@ -10,7 +10,7 @@
 
 namespace volumen::tests {
 
-/// A mammogram of one series for all: `rowsTo` is where rows lead to in the patient.
+/// A mammogram: `rowsTo` is where rows lead to in the patient.
 struct Breast {
   const char *side, *view, *rowsTo;
   int columns, rows;
@@ -22,7 +22,10 @@ inline const Breast breasts[] = {{"L", "MLO", "A\\F", 90, 120},
                                  {"L", "CC", "P\\L", 60, 80},
                                  {"R", "MLO", "P\\F", 90, 120}};
 
-inline bool writeBreast(const Breast& b, int number, const QString& path) {
+/// As one series for all, or each as one of its own.
+enum class BreastSeries { ofAll, ofEach };
+
+inline bool writeBreast(const Breast& b, int number, const QString& path, BreastSeries series) {
   DcmFileFormat file;
   DcmDataset& d = *file.getDataset();
   const auto text = [&](const DcmTagKey& tag, const QString& value) {
@@ -32,7 +35,9 @@ inline bool writeBreast(const Breast& b, int number, const QString& path) {
   text(DCM_SOPClassUID, QStringLiteral("1.2.840.10008.5.1.4.1.1.1.2"));
   text(DCM_SOPInstanceUID, uid);
   text(DCM_StudyInstanceUID, QStringLiteral("1.2.3.77"));
-  text(DCM_SeriesInstanceUID, QStringLiteral("1.2.3.77.0"));
+  text(DCM_SeriesInstanceUID,
+       QStringLiteral("1.2.3.77.0.%1").arg(series == BreastSeries::ofEach ? number : 0));
+  text(DCM_SeriesNumber, QString::number(series == BreastSeries::ofEach ? number : 1));
   text(DCM_Modality, QStringLiteral("MG"));
   text(DCM_PatientID, QStringLiteral("77"));
   text(DCM_PatientName, QStringLiteral("Doe^Jane"));
@@ -61,9 +66,13 @@ inline bool writeBreast(const Breast& b, int number, const QString& path) {
 /// Four of them in a folder.
 struct Mammograms {
   QTemporaryDir folder;
-  bool write() const {
-    for (int n = 0; n < 4; ++n)
-      if (!writeBreast(breasts[n], n + 1, folder.filePath(QString::number(n)))) return false;
+  /// `isOfOneSize`: all as large as the CCs, so that one series is one stack.
+  bool write(BreastSeries series = BreastSeries::ofAll, bool isOfOneSize = false) const {
+    for (int n = 0; n < 4; ++n) {
+      Breast breast = breasts[n];
+      if (isOfOneSize) breast.columns = 60, breast.rows = 80;
+      if (!writeBreast(breast, n + 1, folder.filePath(QString::number(n)), series)) return false;
+    }
     return true;
   }
 };

@@ -27,9 +27,13 @@ struct HangingWindow : Journey {
   const Workspace& workspace() { return session().workspace(); }
   const Series* in(int cell) { return seriesIn(workspace(), firstCell + cell); }
   FrameView* frameView(int cell) { return window.views()->viewAs<FrameView>(firstCell + cell); }
+  ProjectionView projection(int cell) {
+    const SeriesPicture picture = pictureIn(workspace(), firstCell + cell);
+    return picture ? projectionOf(*picture.series, picture.frame) : ProjectionView();
+  }
   QString told(int cell) {
-    const Series* series = in(cell);
-    return series ? QString::fromStdString(series->laterality + " " + series->viewPosition) : QString();
+    const ProjectionView view = projection(cell);
+    return in(cell) ? QString::fromStdString(view.laterality + " " + view.viewPosition) : QString();
   }
   // Once the frames of all cells are there and as large as each other.
   bool facesEachOther(int cells) {
@@ -39,6 +43,7 @@ struct HangingWindow : Journey {
             const FrameView* view = frameView(n);
             if (!view || !view->isVisible() || !view->frame() || !view->plane()) return false;
             if (view->frame()->key.series != view->state().series) return false;
+            if (view->frame()->key.index != flatLookOf(view->state()).frame) return false;
             if (std::abs(view->plane()->mmPerPixel / frameView(0)->plane()->mmPerPixel - 1) > 1e-6)
               return false;
           }
@@ -54,7 +59,7 @@ struct HangingWindow : Journey {
     const double i = rowsLeadToIt ? geometry.size.x - 0.5 : -0.5;
     const double middle = (geometry.size.y - 1) / 2.0;
     const double x = view->plane()->pixelFromPatient(geometry.patientFromVoxel({i, middle, 0})).x;
-    return std::abs(x - (in(cell)->laterality == "R" ? view->plane()->size.x : 0));
+    return std::abs(x - (projection(cell).laterality == "R" ? view->plane()->size.x : 0));
   }
   QStringList offered() {
     auto* menu = child<QMenu>("protocolMenu");
@@ -90,6 +95,7 @@ struct TwoDaysWindow : HangingWindow {
 class TestHanging : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void mammogramsFaceEachOther_data();
   void mammogramsFaceEachOther();
   void keysGoThroughWhatFits();
   void theMenuHangsAndSaves();
@@ -99,9 +105,19 @@ class TestHanging : public QObject {
   void theSecondViewFillsByItself();
 };
 
+void TestHanging::mammogramsFaceEachOther_data() {
+  QTest::addColumn<bool>("areSeries");
+  QTest::addColumn<bool>("areOfOneSize");
+  QTest::newRow("one series of two sizes") << false << false;
+  QTest::newRow("one series, one stack") << false << true;
+  QTest::newRow("four series") << true << false;
+}
+
 void TestHanging::mammogramsFaceEachOther() {
+  QFETCH(bool, areSeries);
+  QFETCH(bool, areOfOneSize);
   const Mammograms data;
-  QVERIFY(data.write());
+  QVERIFY(data.write(areSeries ? BreastSeries::ofEach : BreastSeries::ofAll, areOfOneSize));
   HangingWindow w({data.folder.path()});
   QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
   const char* cells[] = {"R CC", "L CC", "R MLO", "L MLO"};
@@ -110,6 +126,9 @@ void TestHanging::mammogramsFaceEachOther() {
   for (int n = 0; n < 4; ++n) {
     QVERIFY2(w.wallOff(n) < 0.5, cells[n]);
     QCOMPARE(flatLookOf(w.workspace().view(firstCell + n)).turn.mirrored, n == 1);
+    QVERIFY2(w.frameView(n)->overlays().topRight.contains(QLatin1String(cells[n])) ||
+                 w.frameView(n)->overlays().topLeft.contains(QLatin1String(cells[n])),
+             "the corner says side and view of the frame");
   }
   w.shot("mammograms");
   QCOMPARE(w.session().undoStack().count(), 1);

@@ -170,10 +170,12 @@ void HangingProtocols::face() {
     const ViewState& state = workspace.view(views[n]);
     if (state.series.empty() || !showsFrames(state.kind)) continue;
     const auto* view = grid_.viewAs<FrameView>(views[n]);
-    if (!view || !view->frame() || view->frame()->key.series != state.series) return;
+    const FlatLook look = flatLookOf(state);
+    if (!view || !view->frame() || view->frame()->key.series != state.series ||
+        view->frame()->key.index != look.frame)
+      return;
     const QSize pixels = view->pixels();
-    frames.push_back(
-        {view->frame(), flatLookOf(state), {pixels.width(), pixels.height()}, waiting_->cells[n].chestWall});
+    frames.push_back({view->frame(), look, {pixels.width(), pixels.height()}, waiting_->cells[n].chestWall});
     ids.push_back(views[n]);
   }
   const std::vector<FlatLook> looks = facingLooks(frames, waiting_->sameScale);

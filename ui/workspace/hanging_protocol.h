@@ -9,8 +9,8 @@
 
 namespace volumen {
 
-/// What a series must be; what is not said may be anything. Texts are alternatives, "CR|DX"; upper or lower
-/// case is the same.
+/// What a series must be, or of a series of projections one picture; what is not said may be anything. Texts
+/// are alternatives, "CR|DX"; upper or lower case is the same.
 struct SeriesRule {
   std::string modality, laterality, viewPosition;     ///< one of these
   std::string bodyPart, description, notDescription;  ///< words, by their beginning (hasWord())
@@ -81,10 +81,10 @@ Result<HangingProtocol> protocolFromJson(const std::string& text);
 /// What protocolFromJson() reads; what is as by default is left out.
 std::string protocolToJson(const HangingProtocol& protocol);
 
-bool matches(const SeriesRule& rule, const Series& series);
+bool matches(const SeriesRule& rule, const SeriesPicture& picture);
 
-/// The series of each cell, null: none was found. As many as there are cells.
-std::vector<const Series*> seriesOfCells(const HangingProtocol& protocol, const PatientStudies& studies);
+/// What each cell shows; no series: none was found. As many as there are cells.
+std::vector<SeriesPicture> picturesOfCells(const HangingProtocol& protocol, const PatientStudies& studies);
 
 /// The numbers of those of some protocols that fit what is open, the best first: that whose condition says
 /// most, else that of which most cells are filled; those alike in their order.

@@ -13,11 +13,13 @@ namespace {
 // Without what would read as several alternatives.
 std::string oneOnly(const std::string& text) { return text.substr(0, text.find('|')); }
 
-SeriesRule ruleOf(const Series& series) {
+SeriesRule ruleOf(const SeriesPicture& picture) {
+  const Series& series = *picture.series;
+  const ProjectionView projection = projectionOf(series, picture.frame);
   SeriesRule rule;
   rule.modality = oneOnly(series.modality);
-  rule.laterality = oneOnly(series.laterality);
-  rule.viewPosition = oneOnly(series.viewPosition);
+  rule.laterality = oneOnly(projection.laterality);
+  rule.viewPosition = oneOnly(projection.viewPosition);
   if (rule.viewPosition.empty()) rule.description = oneOnly(series.description);
   rule.plane = acquiredPlaneOf(series);
   return rule;
@@ -40,28 +42,30 @@ class ProtocolMaker {
       if (const Series* series = seriesIn(workspace, id)) days_.insert(series->studyDate);
   }
 
-  std::string nameOf(const Series& series) {
-    const auto known = std::ranges::find(keys_, keyOf(series));
-    if (known != keys_.end()) return protocol.series[std::size_t(known - keys_.begin())].name;
+  std::string nameOf(const SeriesPicture& picture) {
+    const Series& series = *picture.series;
+    const auto known = std::ranges::find(pictures_, picture);
+    if (known != pictures_.end()) return protocol.series[std::size_t(known - pictures_.begin())].name;
     ProtocolSeries entry;
-    entry.rule = ruleOf(series);
+    entry.rule = ruleOf(picture);
     entry.prior = int(std::ranges::count_if(days_, [&](const auto& day) { return day > series.studyDate; }));
     const std::string words = oneOnly(series.description.empty() ? series.modality : series.description);
     entry.name = words.empty() ? "series" : words;
     for (int n = 2; std::ranges::count(protocol.series, entry.name, &ProtocolSeries::name) > 0; ++n)
       entry.name = words + " " + std::to_string(n);
     protocol.when.prior = protocol.when.prior || entry.prior > 0;
-    keys_.push_back(keyOf(series));
+    pictures_.push_back(picture);
     protocol.series.push_back(entry);
     return entry.name;
   }
 
   ProtocolCell cellOf(ViewId id) {
     ProtocolCell cell;
-    const Series* series = seriesIn(workspace_, id);
+    const SeriesPicture picture = pictureIn(workspace_, id);
+    const Series* series = picture.series;
     if (!series) return cell;
     const ViewState& view = workspace_.view(id);
-    cell.series = nameOf(*series);
+    cell.series = nameOf(picture);
     cell.picture = pictureOf(view.kind, *series);
     if (showsScene(view.kind)) return cell;
     const FlatLook look = flatLookOf(view);
@@ -71,7 +75,7 @@ class ProtocolMaker {
     cell.slabMode = look.slabMode;
     cell.inverted = look.inverted;
     if (const auto over = workspace_.series.find(look.overlay); over != workspace_.series.end())
-      cell.over = nameOf(*over->second.series);
+      cell.over = nameOf({over->second.series.get()});
     return cell;
   }
 
@@ -80,7 +84,7 @@ class ProtocolMaker {
  private:
   const Workspace& workspace_;
   std::set<std::string> days_;
-  std::vector<SeriesKey> keys_;  // of protocol.series
+  std::vector<SeriesPicture> pictures_;  // of protocol.series
 };
 
 }  // namespace

@@ -1,11 +1,13 @@
 // Guards hanging protocols: the language and its refusals, which protocol fits which study, what stands in
 // which cell; by chance, that any protocol makes a workspace that a session can hold; those of the program.
 #include <QFile>
+#include <map>
 #include <set>
 
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
+#include "ui/data/frame_series.h"
 #include "ui/workspace/own_protocols.h"
 #include "ui/workspace/session_json.h"
 
@@ -45,6 +47,25 @@ struct OpenPictures {
 
   explicit OpenPictures(const std::vector<HangSeries>& all) {
     for (const HangSeries& s : all) series.push_back(madeFor(s, int(series.size()) + 1));
+  }
+  // The same as one series a day.
+  static OpenPictures stacked(const std::vector<HangSeries>& all) {
+    std::map<std::string, std::vector<HangSeries>> byDay;
+    for (const HangSeries& s : all) byDay[s.day].push_back(s);
+    OpenPictures open({});
+    for (auto day = byDay.rbegin(); day != byDay.rend(); ++day) {
+      HangSeries whole = day->second.front();
+      whole.slices = int(day->second.size());
+      Series& stack = open.series.emplace_back(madeFor(whole, int(open.series.size()) + 1));
+      stack.acquired.calibrated = false;
+      std::vector<ProjectionView> views;
+      for (std::size_t n = 0; n < day->second.size(); ++n) {
+        stack.files[n] = std::to_string(n);
+        views.push_back({day->second[n].laterality, day->second[n].view});
+      }
+      setProjections(stack, views);
+    }
+    return open;
   }
   std::vector<const Series*> pictures() const {
     std::vector<const Series*> all;
@@ -86,11 +107,13 @@ const HangingProtocol& protocolNamed(const KnownProtocols& known, const char* na
 // What each cell shows: side and view, or the description; "-" of empty ones.
 QStringList cellsOf(const HangingProtocol& protocol, const PatientStudies& studies) {
   QStringList cells;
-  for (const Series* s : seriesOfCells(protocol, studies)) {
+  for (const SeriesPicture& picture : picturesOfCells(protocol, studies)) {
+    const Series* s = picture.series;
+    const ProjectionView view = s ? projectionOf(*s, picture.frame) : ProjectionView();
     const std::string text = !s ? "-"
-                             : s->viewPosition.empty()
+                             : view.viewPosition.empty()
                                  ? s->description
-                                 : s->laterality + s->viewPosition + s->studyDate.substr(2, 2);
+                                 : view.laterality + view.viewPosition + s->studyDate.substr(2, 2);
     cells << QString::fromStdString(text);
   }
   return cells;
@@ -124,6 +147,7 @@ class TestHangingProtocols : public QObject {
   void cellsHoldTheirSeries_data();
   void cellsHoldTheirSeries();
   void aStudyIsHung();
+  void aStackIsHungByItsPictures();
   void emptyCellsSayWhatTheyWant();
   void whatIsShownIsAProtocol();
   void anyProtocolMakesASession();
@@ -291,6 +315,10 @@ void TestHangingProtocols::studiesAreOffered() {
   QFETCH(QStringList, names);
   const KnownProtocols known = knownProtocols();
   QCOMPARE(namesOf(known.protocols, fitting(known.protocols, OpenPictures(series).studies())), names);
+  const bool areMammograms = QLatin1String(series.front().modality) == QLatin1String("MG");
+  if (areMammograms && series.size() > 1)
+    QCOMPARE(namesOf(known.protocols, fitting(known.protocols, OpenPictures::stacked(series).studies())),
+             names);
 }
 
 void TestHangingProtocols::cellsHoldTheirSeries_data() {
@@ -323,6 +351,9 @@ void TestHangingProtocols::cellsHoldTheirSeries() {
   QFETCH(QStringList, cells);
   const KnownProtocols known = knownProtocols();
   QCOMPARE(cellsOf(protocolNamed(known, protocol.constData()), OpenPictures(series).studies()), cells);
+  if (QLatin1String(series.front().modality) != QLatin1String("MG")) return;
+  const OpenPictures stacked = OpenPictures::stacked(series);
+  QCOMPARE(cellsOf(protocolNamed(known, protocol.constData()), stacked.studies()), cells);
 }
 
 void TestHangingProtocols::aStudyIsHung() {
@@ -353,6 +384,21 @@ void TestHangingProtocols::aStudyIsHung() {
   QVERIFY(bone.view(firstComparedId + 3).kind == ViewKind::axial);
 }
 
+// A cell of a stack shows its picture as acquired.
+void TestHangingProtocols::aStackIsHungByItsPictures() {
+  const KnownProtocols known = knownProtocols();
+  const OpenPictures stacked = OpenPictures::stacked(fourBreasts);
+  QCOMPARE(stacked.series.size(), std::size_t(1));
+  const Workspace after = hung({}, protocolNamed(known, "Mammograms"), stacked.studies());
+  const int frames[] = {1, 3, 2, 0};
+  for (int n = 0; n < 4; ++n) {
+    const ViewState& view = after.view(firstComparedId + n);
+    QVERIFY(view.series == keyOf(stacked.series[0]) && showsFrames(view.kind));
+    QCOMPARE(flatLookOf(view).frame, frames[n]);
+  }
+  QVERIFY2(opensAsPictures(stacked.series[0]), "pictures of two sides are no volume");
+}
+
 void TestHangingProtocols::emptyCellsSayWhatTheyWant() {
   const KnownProtocols known = knownProtocols();
   const OpenPictures three({fourBreasts.begin(), fourBreasts.begin() + 3});
@@ -371,8 +417,11 @@ void TestHangingProtocols::whatIsShownIsAProtocol() {
       {"Mammograms", fourBreasts},
       {"MR brain", brainSeries},
       {"Frontal and lateral", {xRayOf("PA"), xRayOf("LL")}}};
-  for (const auto& [name, series] : cases) {
-    const OpenPictures open(series);
+  std::vector<std::pair<const char*, OpenPictures>> all{
+      {"Mammograms", OpenPictures::stacked(fourBreasts)},
+      {"Frontal and lateral", OpenPictures::stacked(cases[2].second)}};
+  for (const auto& [name, series] : cases) all.emplace_back(name, OpenPictures(series));
+  for (const auto& [name, open] : all) {
     const Workspace first = hung({}, protocolNamed(known, name), open.studies());
     const HangingProtocol kept = protocolOf(first, "Mine");
     const Result<HangingProtocol> read = protocolFromJson(protocolToJson(kept));
