@@ -97,6 +97,10 @@ class TestHanging : public QObject {
  private Q_SLOTS:
   void mammogramsFaceEachOther_data();
   void mammogramsFaceEachOther();
+  void whatIsOpenedNextIsHung_data();
+  void whatIsOpenedNextIsHung();
+  void aGridThatWasChosenStays();
+  void aVolumeIsHungOnceItIsShown();
   void keysGoThroughWhatFits();
   void theMenuHangsAndSaves();
   void withoutAStudyThereIsASentence();
@@ -137,6 +141,72 @@ void TestHanging::mammogramsFaceEachOther() {
   QCOMPARE(w.workspace().layout, Layout::one);
   w.child<QAction>("redo")->trigger();
   QVERIFY(w.workspace() == hung);
+}
+
+void TestHanging::whatIsOpenedNextIsHung_data() {
+  QTest::addColumn<int>("patient");
+  QTest::addColumn<bool>("isGridChosen");
+  QTest::addColumn<bool>("isClosed");
+  QTest::newRow("another patient over the hung grid") << 78 << false << false;
+  QTest::newRow("another patient over a chosen grid") << 78 << true << false;
+  QTest::newRow("the same study after it was closed") << 77 << false << true;
+}
+
+void TestHanging::whatIsOpenedNextIsHung() {
+  QFETCH(int, patient);
+  QFETCH(bool, isGridChosen);
+  QFETCH(bool, isClosed);
+  Mammograms first, next;
+  next.patient = patient;
+  QVERIFY(first.write() && next.write());
+  HangingWindow w({first.folder.path()});
+  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
+  QVERIFY(w.facesEachOther(4));
+  if (isGridChosen) w.child<QAction>("layoutTwo")->trigger();
+  if (isClosed) {
+    w.session().closeAll(w.window.document().open.everything());
+    QVERIFY(!w.in(0));
+  }
+  w.window.open({isClosed ? first.folder.path() : next.folder.path()});
+  const auto isHung = [&] {
+    for (int n = 0; n < 4; ++n)
+      if (!w.in(n) || w.in(n)->patientId != std::to_string(patient)) return false;
+    return w.workspace().layout == Layout::four;
+  };
+  QVERIFY(QTest::qWaitFor(isHung, longest));
+  QVERIFY(w.facesEachOther(4));
+}
+
+// One of the same patient that the reader laid out by hand.
+void TestHanging::aGridThatWasChosenStays() {
+  const Mammograms data;
+  QVERIFY(data.write());
+  HangingWindow w;
+  w.session().change(QStringLiteral("Layout"), withLayout(w.workspace(), Layout::two));
+  w.window.open({data.folder.path()});
+  QTRY_VERIFY_WITH_TIMEOUT(w.in(0) != nullptr, longest);
+  QTest::qWait(100);
+  QCOMPARE(w.workspace().layout, Layout::two);
+}
+
+// It is not in memory as its study is opened.
+void TestHanging::aVolumeIsHungOnceItIsShown() {
+  HangingProtocol mine;
+  mine.name = "Mine", mine.automatic = true, mine.when.rule.modality = "CT";
+  mine.series.resize(1);
+  mine.series[0].name = "any";
+  mine.cells.resize(2);
+  for (ProtocolCell& cell : mine.cells) cell.series = "any";
+  mine.cells[1].picture = CellPicture::coronal;
+  QVERIFY(writePresetFile(mine.name, protocolToJson(mine), protocolFolder()));
+  const TwoDays days;
+  QVERIFY(days.write());
+  HangingWindow w(QStringList{days.now});
+  for (const PresetFile& file : readPresetFiles(protocolFolder()))
+    QFile::remove(QString::fromStdString(file.path));
+  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::two, longest);
+  QVERIFY(w.in(0) && w.in(1));
+  QCOMPARE(w.workspace().view(firstCell + 1).kind, ViewKind::coronal);
 }
 
 void TestHanging::keysGoThroughWhatFits() {

@@ -8,6 +8,7 @@
 #include "ui/views/view_grid.h"
 #include "ui/workspace/facing.h"
 #include "ui/workspace/own_protocols.h"
+#include "ui/workspace/patients.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -35,7 +36,10 @@ class HangingProtocols : public Feature {
   std::vector<const HangingProtocol*> offered() const;
   void step(int by);
   void hang(const HangingProtocol& protocol);
-  void hangOpened(const std::shared_ptr<const Study>& study, const OpenIntent& intent);
+  void await(const std::shared_ptr<const Study>& study, const OpenIntent& intent);
+  void hangAwaited();
+  bool mayHang(const Series& opened) const;
+  void forgetClosed();
   void face();
   void askName();
   void save(const QString& text);
@@ -44,8 +48,11 @@ class HangingProtocols : public Feature {
   QMenu* menu_;
   QList<QAction*> listed_;  // of the menu: the protocols that fit
   KnownProtocols known_ = knownProtocols();
-  std::string last_;                    // the name of the one that was hung last
-  std::set<std::string> hungByItself_;  // UIDs of studies
+  std::string last_;                                   // the name of the one that was hung last
+  std::set<std::string> hungByItself_;                 // UIDs of studies that are open
+  std::vector<std::shared_ptr<const Study>> awaited_;  // opened, to be hung as they are shown
+  std::shared_ptr<bool> openedTogether_;               // of the one that was opened last
+  std::optional<Layout> gridByItself_;                 // what one was hung in by itself, last of all
   // What waits for its frames, to turn and enlarge them: the protocol, and the views as it hung them.
   std::optional<HangingProtocol> waiting_;
   SharedList<ViewState> hungViews_;
@@ -55,15 +62,23 @@ HangingProtocols::HangingProtocols(Workbench& bench)
     : Feature(bench), menu_(bench.addMenu("protocolMenu", tr("Hanging protocols"), {{"viewMenu", 60, 52}})) {
   makeActions();
   connect(menu_, &QMenu::aboutToShow, this, &HangingProtocols::fillMenu);
-  // Once it is on screen.
   const Loader* loader = &bench_.document.loader;
   for (const auto opened : {&Loader::studyOpened, &Loader::filesOpened})
-    connect(
-        loader, opened, this,
-        [this](const QString&, const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
-          hangOpened(study, intent);
-        },
-        Qt::QueuedConnection);
+    connect(loader, opened, this,
+            [this](const QString&, const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
+              await(study, intent);
+            });
+  // Once it is on screen.
+  connect(&session_, &Session::workspaceChanged, this, [this] {
+    if (!awaited_.empty())
+      QMetaObject::invokeMethod(this, &HangingProtocols::hangAwaited, Qt::QueuedConnection);
+  });
+  connect(loader, &Loader::notLoaded, this, [this](const SeriesKey& key) {
+    std::erase_if(awaited_, [&](const auto& study) {
+      return std::ranges::any_of(study->volumes, [&](const Series& s) { return keyOf(s) == key; });
+    });
+  });
+  connect(&open_, &OpenStudies::changed, this, &HangingProtocols::forgetClosed);
   // After the views have taken the frame.
   connect(&bench_.document.frames, &FrameService::ready, this, &HangingProtocols::face, Qt::QueuedConnection);
   tellProblems();
@@ -147,6 +162,7 @@ void HangingProtocols::hang(const HangingProtocol& protocol) {
   const auto around = studies();
   if (!around) return;
   last_ = protocol.name;
+  gridByItself_.reset();
   session_.endGesture();
   session_.change(tr("Hang as %1").arg(shownText(protocol.name)),
                   hung(session_.workspace(), protocol, *around), hangingKey);
@@ -190,18 +206,47 @@ void HangingProtocols::face() {
   session_.endGesture();
 }
 
-// What readers want at once: where the study was opened as such, and only the first time.
-void HangingProtocols::hangOpened(const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
+// What readers want at once: where the study was opened as such, and only the first time. Of several that are
+// opened together one is shown.
+void HangingProtocols::await(const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
+  if (intent.scene || !intent.seriesUid.empty() || intent.how == OpenHow::beside) return;
+  if (intent.isShown && (!*intent.isShown || intent.isShown == openedTogether_)) return;
+  openedTogether_ = intent.isShown;
+  awaited_.push_back(study);
+  QMetaObject::invokeMethod(this, &HangingProtocols::hangAwaited, Qt::QueuedConnection);
+}
+
+void HangingProtocols::hangAwaited() {
   const Workspace& workspace = session_.workspace();
   const Series* shown = seriesIn(workspace, workspace.focus);
-  if (!shown || shown->studyUid.empty() || comparesSeries(workspace.layout) || intent.scene ||
-      !intent.seriesUid.empty() || intent.how == OpenHow::beside)
-    return;
+  if (!shown || shown->studyUid.empty()) return;
   const auto isOfIt = [&](const SeriesIdentity& s) { return s.studyUid == shown->studyUid; };
-  if (!std::ranges::any_of(study->volumes, isOfIt) && !std::ranges::any_of(study->images, isOfIt)) return;
+  const auto isShown = [&](const std::shared_ptr<const Study>& study) {
+    return std::ranges::any_of(study->volumes, isOfIt) || std::ranges::any_of(study->images, isOfIt);
+  };
+  if (std::erase_if(awaited_, isShown) == 0 || !mayHang(*shown)) return;
   if (!hungByItself_.insert(shown->studyUid).second) return;
   for (const HangingProtocol* protocol : offered())
-    if (protocol->automatic) return hang(HangingProtocol(*protocol));
+    if (protocol->automatic) {
+      hang(HangingProtocol(*protocol));
+      gridByItself_ = session_.workspace().layout;
+      return;
+    }
+}
+
+// Not into a grid that was chosen for this patient.
+bool HangingProtocols::mayHang(const Series& opened) const {
+  const Workspace& workspace = session_.workspace();
+  if (!comparesSeries(workspace.layout) || gridByItself_ == workspace.layout) return true;
+  return std::ranges::any_of(patientsOnScreen(workspace),
+                             [&](const Series* other) { return !areOfOnePatient(*other, opened); });
+}
+
+// What is opened again after it was closed is hung again.
+void HangingProtocols::forgetClosed() {
+  std::set<std::string> open;
+  for (const Series* series : open_.pictures()) open.insert(series->studyUid);
+  std::erase_if(hungByItself_, [&](const std::string& uid) { return !open.contains(uid); });
 }
 
 void HangingProtocols::askName() {
