@@ -6,6 +6,7 @@
 #include <QMenu>
 
 #include "io/files/preset_files.h"
+#include "tests/ui/gestures.h"
 #include "tests/ui/hung_studies.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
@@ -104,6 +105,7 @@ class TestHanging : public QObject {
   void keysGoThroughWhatFits();
   void theMenuHangsAndSaves();
   void withoutAStudyThereIsASentence();
+  void allThatIsMissingComesWhileOneScrolls();
   void thePriorStandsBeside();
   void withoutAPriorThereIsASentence();
   void theSecondViewFillsByItself();
@@ -265,6 +267,44 @@ void TestHanging::withoutAStudyThereIsASentence() {
   QVERIFY(w.complaint().startsWith(QStringLiteral("No hanging protocol fits")));
   w.child<QAction>("saveProtocol")->trigger();
   QCOMPARE(w.complaint(), QStringLiteral("Open a series first."));
+}
+
+void TestHanging::allThatIsMissingComesWhileOneScrolls() {
+  const QTemporaryDir folder;
+  QStringList paths;
+  for (const char* day : {"20260301", "20250301", "20240301", "20230301"}) {
+    paths << folder.filePath(QLatin1String(day));
+    QVERIFY(TwoDays::writeDay(paths.back(), day));
+  }
+  HangingWindow w(paths);
+  const auto volumes = [&] { return w.window.document().open.volumes(); };
+  QTRY_VERIFY_WITH_TIMEOUT(volumes().size() == 4 && w.session().series(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(!w.window.document().loader.isBusy(), longest);
+  const SeriesKey shown = keyOf(w.session().series()->series);
+  Workspace four = withLayout(w.workspace(), Layout::four);
+  four = withSeries(std::move(four), firstCell, w.session().series()->series, {});
+  std::vector<SeriesKey> wanted;
+  for (const Series* series : volumes()) {
+    if (keyOf(*series) == shown) continue;
+    wanted.push_back(keyOf(*series));
+    four = withSeries(std::move(four), firstCell + int(wanted.size()), *series, {});
+  }
+  four.focus = firstCell + 2;
+  QSignalSpy began(&w.window.document().loader, &Loader::loadBegan);
+  QSignalSpy givenUp(&w.window.document().loader, &Loader::loadGivenUp);
+  w.session().change(QStringLiteral("Compare"), four);
+  int turned = 0;
+  const auto haveCome = [&] {
+    wheel(w.window.views()->viewAs<FlatView>(firstCell), turned++ % 2 ? 1 : -1);
+    return std::ranges::all_of(wanted,
+                               [&](const SeriesKey& key) { return w.session().seriesNamed(key) != nullptr; });
+  };
+  QVERIFY(QTest::qWaitFor(haveCome, longest));
+  QVERIFY2(turned > 1, "the wheel was turned while they came");
+  QCOMPARE(givenUp.count(), 0);
+  QCOMPARE(began.count(), 3);
+  const std::size_t order[] = {1, 0, 2};  // the view in focus first
+  for (int n = 0; n < 3; ++n) QVERIFY(keyOf(began[n][0].value<Series>()) == wanted[order[n]]);
 }
 
 void TestHanging::thePriorStandsBeside() {
