@@ -140,6 +140,7 @@ class TestHangingProtocols : public QObject {
   void refusalsNameTheField();
   void wordsOfSeries_data();
   void wordsOfSeries();
+  void fastSpinEchoIsNoFatSaturation();
   void thoseOfTheProgramAreRead();
   void theExampleOfTheDocumentIsRead();
   void studiesAreOffered_data();
@@ -236,6 +237,20 @@ void TestHangingProtocols::wordsOfSeries_data() {
   mr("T1 SE +C", Weighting::t1, 1);
   mr("T1 post Gd", Weighting::t1, 1);
   mr("T1 native", Weighting::t1, 0);
+  mr("T1 pre contrast", Weighting::t1, 0);
+  mr("T1 wo contrast", Weighting::t1, 0);
+  mr("T1 w/o contrast", Weighting::t1, 0);
+  mr("T1 no contrast", Weighting::t1, 0);
+  mr("T1 non-contrast", Weighting::t1, 0);
+  mr("T1 without Gd", Weighting::t1, 0);
+  mr("T1 ohne KM", Weighting::t1, 0);
+  mr("T1 vor KM", Weighting::t1, 0);
+  mr("T1 kein KM", Weighting::t1, 0);
+  mr("T1 nativ", Weighting::t1, 0);
+  mr("T1 nach KM", Weighting::t1, 1);
+  mr("T1 presat vorne", Weighting::t1);
+  mr("SAG T10-L2", {});
+  mr("T2 T10-L2", Weighting::t2);
   const auto ct = [](const char* text, std::optional<Kernel> k) {
     QTest::newRow(text) << QByteArray("CT") << QByteArray(text) << (k ? int(*k) : -1) << -1;
   };
@@ -243,6 +258,8 @@ void TestHangingProtocols::wordsOfSeries_data() {
   ct("CHEST BONE", Kernel::bone);
   ct("Soft tissue 5.0", Kernel::soft);
   ct("Thorax 5.0", {});
+  ct("CT pulmonary angiogram", {});
+  ct("Pulm soft tissue", Kernel::soft);
 }
 
 void TestHangingProtocols::wordsOfSeries() {
@@ -260,6 +277,24 @@ void TestHangingProtocols::wordsOfSeries() {
   else
     QCOMPARE(w ? int(*w) : -1, weighting);
   QCOMPARE(c ? int(*c) : -1, contrast);
+}
+
+void TestHangingProtocols::fastSpinEchoIsNoFatSaturation() {
+  const KnownProtocols known = knownProtocols();
+  const auto says = [&](const char* name, const char* description) {
+    for (const ProtocolSeries& entry : protocolNamed(known, "MR spine").series) {
+      if (entry.name != name) continue;
+      SeriesRule rule = entry.rule;
+      rule.plane.reset();
+      const Series series = madeFor({"MR", description}, 1);
+      return matches(rule, {&series});
+    }
+    return false;
+  };
+  for (const char* plain : {"SAG T2 FSE", "t2_fse_sag"})
+    QVERIFY2(says("T2, sagittal", plain) && !says("STIR, sagittal", plain), plain);
+  for (const char* saturated : {"SAG T2 FS", "t2_tse_fs_sag", "T2fs sag", "T2 FatSat"})
+    QVERIFY2(!says("T2, sagittal", saturated) && says("STIR, sagittal", saturated), saturated);
 }
 
 void TestHangingProtocols::thoseOfTheProgramAreRead() {
