@@ -102,6 +102,11 @@ class TestHanging : public QObject {
   void whatIsOpenedNextIsHung();
   void aGridThatWasChosenStays();
   void aVolumeIsHungOnceItIsShown();
+  void aFrameThatCannotBeReadStopsNoOther();
+  void aClickMeanwhileMakesNoSecondStep();
+  void framesFaceEachOtherInViewsOfAnotherSize();
+  void aMaximisedViewIsLeft_data();
+  void aMaximisedViewIsLeft();
   void keysGoThroughWhatFits();
   void theMenuHangsAndSaves();
   void withoutAStudyThereIsASentence();
@@ -209,6 +214,94 @@ void TestHanging::aVolumeIsHungOnceItIsShown() {
   QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::two, longest);
   QVERIFY(w.in(0) && w.in(1));
   QCOMPARE(w.workspace().view(firstCell + 1).kind, ViewKind::coronal);
+}
+
+void TestHanging::aFrameThatCannotBeReadStopsNoOther() {
+  const Mammograms data;
+  QVERIFY(data.write(BreastSeries::ofEach));
+  // Where the reader chose a grid one picture alone is read; the R CC is gone before it is.
+  HangingWindow w;
+  w.session().change(QStringLiteral("Layout"), withLayout(w.workspace(), Layout::two));
+  w.window.open({data.folder.path()});
+  QTRY_VERIFY_WITH_TIMEOUT(w.in(0) != nullptr, longest);
+  QTest::qWait(100);
+  QVERIFY(w.told(0) != QStringLiteral("R CC"));
+  QVERIFY(QFile::remove(data.folder.filePath(QStringLiteral("1"))));
+  w.child<QAction>("nextProtocol")->trigger();
+  QCOMPARE(w.workspace().layout, Layout::four);
+  QCOMPARE(w.told(0), QStringLiteral("R CC"));
+  QTRY_VERIFY_WITH_TIMEOUT(flatLookOf(w.workspace().view(firstCell + 1)).turn.mirrored, longest);
+  for (int n = 1; n < 4; ++n) {
+    const auto isAtTheEdge = [&] { return w.frameView(n)->frame() && w.wallOff(n) < 0.5; };
+    QVERIFY(QTest::qWaitFor(isAtTheEdge, longest));
+  }
+}
+
+void TestHanging::aClickMeanwhileMakesNoSecondStep() {
+  const Mammograms data;
+  QVERIFY(data.write());
+  HangingWindow w({data.folder.path()});
+  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
+  QVERIFY(w.facesEachOther(4));
+  const int steps = w.session().undoStack().count();
+  w.child<QAction>("nextProtocol")->trigger();
+  w.session().setFocus(firstCell + 1);
+  w.session().endGesture();
+  QVERIFY(w.facesEachOther(2));
+  QTRY_VERIFY(flatLookOf(w.workspace().view(firstCell + 1)).turn.mirrored);
+  QCOMPARE(w.session().undoStack().count(), steps + 1);
+  w.child<QAction>("undo")->trigger();
+  QCOMPARE(w.workspace().layout, Layout::four);
+}
+
+void TestHanging::framesFaceEachOtherInViewsOfAnotherSize() {
+  const Mammograms data;
+  QVERIFY(data.write());
+  HangingWindow w({data.folder.path()});
+  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
+  QVERIFY(w.facesEachOther(4));
+  const int steps = w.session().undoStack().count();
+  // One was moved by hand: it stays as it is.
+  w.session().change(QStringLiteral("Pan"), [&](Workspace& workspace) {
+    ViewState& moved = workspace.editView(firstCell + 3);
+    moved.flats.edit(moved.series).panMm.x += 1;
+  });
+  const FlatLook byHand = flatLookOf(w.workspace().view(firstCell + 3));
+  w.window.resize(1300, 640);
+  const auto areAtTheEdge = [&] {
+    return w.frameView(0)->width() > 0 && w.wallOff(0) < 0.5 && w.wallOff(1) < 0.5 && w.wallOff(2) < 0.5;
+  };
+  const glm::ivec2 before = w.frameView(0)->plane()->size;
+  QTRY_VERIFY_WITH_TIMEOUT(w.frameView(0)->plane()->size != before, longest);
+  QVERIFY(QTest::qWaitFor(areAtTheEdge, longest));
+  QVERIFY(flatLookOf(w.workspace().view(firstCell + 3)) == byHand);
+  QCOMPARE(w.session().undoStack().count(), steps + 1);
+}
+
+void TestHanging::aMaximisedViewIsLeft_data() {
+  QTest::addColumn<QByteArray>("action");
+  QTest::newRow("by a protocol") << QByteArrayLiteral("nextProtocol");
+  QTest::newRow("by a comparison") << QByteArrayLiteral("comparePrior");
+}
+
+void TestHanging::aMaximisedViewIsLeft() {
+  QFETCH(QByteArray, action);
+  const TwoDays days;
+  QVERIFY(days.write());
+  HangingProtocol mine;
+  mine.name = "Mine", mine.series.resize(1), mine.cells.resize(2);
+  mine.series[0].name = "any";
+  for (ProtocolCell& cell : mine.cells) cell.series = "any";
+  QVERIFY(writePresetFile(mine.name, protocolToJson(mine), protocolFolder()));
+  TwoDaysWindow w(days);
+  for (const PresetFile& file : readPresetFiles(protocolFolder()))
+    QFile::remove(QString::fromStdString(file.path));
+  QVERIFY(w.isOpen());
+  w.child<QAction>("maximise")->trigger();
+  QVERIFY(w.child<QAction>("maximise")->isChecked());
+  w.child<QAction>(action.constData())->trigger();
+  QVERIFY(!w.child<QAction>("maximise")->isChecked());
+  for (int cell = 0; cell < 2; ++cell) QTRY_VERIFY(w.window.views()->viewOf(firstCell + cell)->isVisible());
 }
 
 void TestHanging::keysGoThroughWhatFits() {

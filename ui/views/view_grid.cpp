@@ -214,6 +214,7 @@ void ViewGrid::arrange() {
       view->hide();
   // One that is hidden while a field in it is open takes them back first.
   if (hasKeys && window()->focusWidget() != keys) keys->setFocus();
+  Q_EMIT arranged();
 }
 
 void ViewGrid::resizeEvent(QResizeEvent*) { arrange(); }

@@ -163,6 +163,10 @@ void Session::change(const QString& text, Workspace after, const QString& mergeK
   push(text, withLinksFollowed(workspace_, std::move(after), viewSizes_), mergeKey);
 }
 
+void Session::adapt(const Workspace& after) {
+  if (after != workspace_) setWorkspace(after);
+}
+
 void Session::push(const QString& text, Workspace after, const QString& mergeKey) {
   undoStack_.push(new EditWorkspace(*this, text, std::move(after), mergeKey, gesture_));
 }

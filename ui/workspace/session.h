@@ -94,7 +94,10 @@ class Session : public QObject {
   void change(const QString& text, Workspace after, const QString& mergeKey = {});
   void change(const QString& text, const std::function<void(Workspace&)>& edit, const QString& mergeKey = {});
 
-  /// The same for the scene of the view in focus, or of any 3D view.
+  /// Makes `after` the workspace without a step: what follows from how large views are alone.
+  void adapt(const Workspace& after);
+
+  /// change() for the scene of the view in focus, or of any 3D view.
   void edit(const QString& text, Scene after, const QString& mergeKey = {});
   void edit(const QString& text, const std::function<void(Scene&)>& change, const QString& mergeKey = {});
   void edit(ViewId view, const QString& text, const std::function<void(Scene&)>& change,
