@@ -315,8 +315,10 @@ void HangingProtocols::askName() {
 void HangingProtocols::save(const QString& text) {
   const std::string name = shownText(text.toStdString()).trimmed().toStdString();
   if (name.empty()) return warn(tr("A hanging protocol needs a name."));
-  if (const Status saved = saveOwnProtocol(protocolOf(session_.workspace(), name)); !saved)
-    return warn(shownText(saved.message()));
+  const auto last = std::ranges::find(known_.protocols, last_, &HangingProtocol::name);
+  const HangingProtocol made = protocolOf(session_.workspace(), name, open_.pictures(),
+                                          last == known_.protocols.end() ? nullptr : &*last);
+  if (const Status saved = saveOwnProtocol(made); !saved) return warn(shownText(saved.message()));
   known_ = knownProtocols();
   last_ = name;
   tell(tr("Saved as hanging protocol %1").arg(shownText(name)));

@@ -84,14 +84,7 @@ std::vector<SeriesPicture> picturesNamed(const HangingProtocol& protocol, const 
                                          const std::string& name) {
   const ProtocolSeries* entry = entryNamed(protocol, name);
   if (!entry) return {};
-  if (!entry->like.empty()) return likeOthers(protocol, studies, *entry);
-  if (entry->prior > int(studies.priors.size())) return {};
-  std::vector<SeriesPicture> found =
-      picturesOf(entry->prior == 0 ? studies.current : studies.priors[std::size_t(entry->prior - 1)]);
-  std::erase_if(found, [&](const SeriesPicture& picture) { return !matches(entry->rule, picture); });
-  std::ranges::stable_sort(
-      found, [&](const SeriesPicture& a, const SeriesPicture& b) { return comesBefore(a, b, entry->order); });
-  return found;
+  return entry->like.empty() ? picturesFor(*entry, studies) : likeOthers(protocol, studies, *entry);
 }
 
 SeriesPicture pictureFor(const HangingProtocol& protocol, const PatientStudies& studies,
@@ -214,6 +207,16 @@ bool matches(const SeriesRule& rule, const SeriesPicture& picture) {
          (!rule.weighting || rule.weighting == weightingOf(series)) &&
          (!rule.kernel || rule.kernel == kernelOf(series)) &&
          (!rule.contrast || *rule.contrast == contrastOf(series).value_or(false));
+}
+
+std::vector<SeriesPicture> picturesFor(const ProtocolSeries& entry, const PatientStudies& studies) {
+  if (entry.prior > int(studies.priors.size())) return {};
+  std::vector<SeriesPicture> found =
+      picturesOf(entry.prior == 0 ? studies.current : studies.priors[std::size_t(entry.prior - 1)]);
+  std::erase_if(found, [&](const SeriesPicture& picture) { return !matches(entry.rule, picture); });
+  std::ranges::stable_sort(
+      found, [&](const SeriesPicture& a, const SeriesPicture& b) { return comesBefore(a, b, entry.order); });
+  return found;
 }
 
 std::vector<SeriesPicture> picturesOfCells(const HangingProtocol& protocol, const PatientStudies& studies) {

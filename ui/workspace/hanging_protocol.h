@@ -83,6 +83,9 @@ std::string protocolToJson(const HangingProtocol& protocol);
 
 bool matches(const SeriesRule& rule, const SeriesPicture& picture);
 
+/// What the rule of an entry finds in its study, in its order.
+std::vector<SeriesPicture> picturesFor(const ProtocolSeries& entry, const PatientStudies& studies);
+
 /// What each cell shows; no series: none was found. As many as there are cells.
 std::vector<SeriesPicture> picturesOfCells(const HangingProtocol& protocol, const PatientStudies& studies);
 
@@ -94,7 +97,10 @@ std::vector<std::size_t> fitting(const std::vector<HangingProtocol>& protocols,
 /// The workspace as a protocol has it. Cells without a series are empty and say what they want.
 Workspace hung(Workspace workspace, const HangingProtocol& protocol, const PatientStudies& studies);
 
-/// The protocol that hangs studies like the one in focus as the views on screen show it.
-HangingProtocol protocolOf(const Workspace& workspace, const std::string& name);
+/// The protocol that hangs studies like the one in focus as the views on screen show it; what they show of
+/// other patients is left out. `open`: all pictures that are open. `last`: the protocol that was hung last,
+/// null: none; where its pictures stand it says where chest walls lie, and the scale.
+HangingProtocol protocolOf(const Workspace& workspace, const std::string& name,
+                           const std::vector<const Series*>& open, const HangingProtocol* last = nullptr);
 
 }  // namespace volumen

@@ -151,6 +151,7 @@ class TestHangingProtocols : public QObject {
   void aStackIsHungByItsPictures();
   void emptyCellsSayWhatTheyWant();
   void whatIsShownIsAProtocol();
+  void twinsAreKeptByTheirRank();
   void anyProtocolMakesASession();
 };
 
@@ -458,10 +459,14 @@ void TestHangingProtocols::whatIsShownIsAProtocol() {
   for (const auto& [name, series] : cases) all.emplace_back(name, OpenPictures(series));
   for (const auto& [name, open] : all) {
     const Workspace first = hung({}, protocolNamed(known, name), open.studies());
-    const HangingProtocol kept = protocolOf(first, "Mine");
+    const HangingProtocol kept = protocolOf(first, "Mine", open.pictures(), &protocolNamed(known, name));
     const Result<HangingProtocol> read = protocolFromJson(protocolToJson(kept));
     QVERIFY2(read && *read == kept, name);
     QCOMPARE(fitting({kept}, open.studies()).size(), std::size_t(1));
+    const HangingProtocol& model = protocolNamed(known, name);
+    QVERIFY2(kept.sameScale == model.sameScale, name);
+    for (std::size_t n = 0; n < model.cells.size(); ++n)
+      QVERIFY2(kept.cells[n].chestWall == model.cells[n].chestWall, name);
     const Workspace again = hung({}, kept, open.studies());
     QVERIFY2(again.layout == first.layout && again.links == first.links, name);
     for (const ViewId id : viewsOnScreen(first)) {
@@ -470,6 +475,40 @@ void TestHangingProtocols::whatIsShownIsAProtocol() {
       QVERIFY2(flatLookOf(again.view(id)) == flatLookOf(first.view(id)), name);
     }
   }
+}
+
+// Series that no rule tells apart, the second of them first; one of before; and one of somebody else.
+void TestHangingProtocols::twinsAreKeptByTheirRank() {
+  OpenPictures open({{"MR", "T2"},
+                     {"MR", "T2"},
+                     {"MR", "T2", "", "", "", "20250301"},
+                     {"MR", "T2", "", "", "", "20251201"}});
+  Series& other = open.series[3];
+  other.patientId = "8", other.patientName = "Roe^Jane";
+  Workspace shown;
+  shown.layout = Layout::four;
+  const std::size_t order[] = {1, 0, 2, 3};
+  for (int n = 0; n < 4; ++n)
+    shown = withSeries(std::move(shown), firstComparedId + n, open.series[order[n]], {});
+  shown.focus = firstComparedId;
+  const HangingProtocol kept = protocolOf(shown, "Twins", open.pictures());
+  QCOMPARE(kept.series.size(), std::size_t(2));
+  QCOMPARE(kept.cells[0].which, 2);
+  QCOMPARE(kept.cells[1].which, 1);
+  QCOMPARE(kept.cells[1].series, kept.cells[0].series);
+  QCOMPARE(kept.series[1].prior, 1);
+  QVERIFY2(kept.cells[3].series.empty(), "another patient");
+  const Workspace again = hung({}, kept, open.studies());
+  for (int n = 0; n < 3; ++n) QVERIFY(again.view(firstComparedId + n).series == keyOf(open.series[order[n]]));
+  // What was moved faces nobody any more.
+  const KnownProtocols known = knownProtocols();
+  const OpenPictures breasts(fourBreasts);
+  const HangingProtocol& four = protocolNamed(known, "Mammograms");
+  Workspace moved = hung({}, four, breasts.studies());
+  moved = withFrames(std::move(moved), firstComparedId, breasts.series[0]);
+  const HangingProtocol keptMoved = protocolOf(moved, "Moved", breasts.pictures(), &four);
+  QVERIFY(keptMoved.cells[0].chestWall == ChestWall::anywhere && !keptMoved.sameScale);
+  QVERIFY(keptMoved.cells[1].chestWall == ChestWall::left);
 }
 
 // One after the other over the same workspace.
@@ -512,7 +551,8 @@ void TestHangingProtocols::anyProtocolMakesASession() {
             return workspace.series.at(keyOf(saved.series)).series;
           });
       QVERIFY2(back && back->workspace == workspace, where.constData());
-      const Result<HangingProtocol> kept = protocolFromJson(protocolToJson(protocolOf(workspace, "Kept")));
+      const Result<HangingProtocol> kept =
+          protocolFromJson(protocolToJson(protocolOf(workspace, "Kept", open.pictures())));
       QVERIFY2(kept, kept ? "" : kept.message().c_str());
     }
   }
