@@ -108,6 +108,7 @@ class TestHanging : public QObject {
   void aMaximisedViewIsLeft_data();
   void aMaximisedViewIsLeft();
   void keysGoThroughWhatFits();
+  void anotherStudyBeginsWithItsFirst();
   void theMenuHangsAndSaves();
   void withoutAStudyThereIsASentence();
   void allThatIsMissingComesWhileOneScrolls();
@@ -320,6 +321,24 @@ void TestHanging::keysGoThroughWhatFits() {
   QVERIFY(press(Qt::Key_PageDown, "R MLO", 2));
   QVERIFY2(press(Qt::Key_PageDown, "R CC", 4), "the first one comes after the last");
   QVERIFY(press(Qt::Key_PageUp, "R MLO", 2));
+}
+
+void TestHanging::anotherStudyBeginsWithItsFirst() {
+  Mammograms first, next;
+  next.patient = 78;
+  QVERIFY(first.write() && next.write());
+  HangingWindow w({first.folder.path()});
+  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
+  const Series shownFirst = *w.in(0);
+  w.window.open({next.folder.path()});
+  QTRY_VERIFY_WITH_TIMEOUT(w.in(3) && w.in(3)->patientId == "78", longest);
+  w.child<QAction>("nextProtocol")->trigger();
+  QCOMPARE(w.workspace().layout, Layout::two);
+  w.session().showFrames(shownFirst, firstCell);
+  w.session().setFocus(firstCell);
+  w.child<QAction>("nextProtocol")->trigger();
+  QCOMPARE(w.workspace().layout, Layout::four);
+  QCOMPARE(w.told(0), QStringLiteral("R CC"));
 }
 
 void TestHanging::theMenuHangsAndSaves() {

@@ -46,6 +46,8 @@ class HangingProtocols : public Feature {
   void fillMenu();
   std::optional<PatientStudies> studies() const;
   std::vector<const HangingProtocol*> offered() const;
+  std::string currentStudy() const;
+  void forgetLast();
   void step(int by);
   void hang(const HangingProtocol& protocol);
   void await(const std::shared_ptr<const Study>& study, const OpenIntent& intent);
@@ -64,6 +66,7 @@ class HangingProtocols : public Feature {
   QList<QAction*> listed_;  // of the menu: the protocols that fit
   KnownProtocols known_ = knownProtocols();
   std::string last_;                                   // the name of the one that was hung last
+  std::string lastStudy_;                              // the UID of the study that it was hung for
   std::set<std::string> hungByItself_;                 // UIDs of studies that are open
   std::vector<std::shared_ptr<const Study>> awaited_;  // opened, to be hung as they are shown
   std::shared_ptr<bool> openedTogether_;               // of the one that was opened last
@@ -152,7 +155,19 @@ std::vector<const HangingProtocol*> HangingProtocols::offered() const {
   return all;
 }
 
+// Its UID.
+std::string HangingProtocols::currentStudy() const {
+  const auto around = studies();
+  return around && !around->current.empty() ? around->current.front()->studyUid : std::string();
+}
+
+// In another study the protocols are gone through from the first.
+void HangingProtocols::forgetLast() {
+  if (currentStudy() != lastStudy_) last_.clear();
+}
+
 void HangingProtocols::fillMenu() {
+  forgetLast();
   qDeleteAll(listed_);
   listed_.clear();
   const std::vector<const HangingProtocol*> all = offered();
@@ -176,6 +191,7 @@ void HangingProtocols::fillMenu() {
 void HangingProtocols::step(int by) {
   const std::vector<const HangingProtocol*> all = offered();
   if (all.empty()) return warn(tr("No hanging protocol fits what is open."));
+  forgetLast();
   const int count = int(all.size());
   const auto isLast = [&](const HangingProtocol* p) { return p->name == last_; };
   const auto last = std::ranges::find_if(all, isLast);
@@ -189,6 +205,7 @@ void HangingProtocols::hang(const HangingProtocol& protocol) {
   const auto around = studies();
   if (!around) return;
   last_ = protocol.name;
+  lastStudy_ = currentStudy();
   gridByItself_.reset();
   session_.endGesture();
   waiting_.reset();
@@ -315,12 +332,14 @@ void HangingProtocols::askName() {
 void HangingProtocols::save(const QString& text) {
   const std::string name = shownText(text.toStdString()).trimmed().toStdString();
   if (name.empty()) return warn(tr("A hanging protocol needs a name."));
+  forgetLast();
   const auto last = std::ranges::find(known_.protocols, last_, &HangingProtocol::name);
   const HangingProtocol made = protocolOf(session_.workspace(), name, open_.pictures(),
                                           last == known_.protocols.end() ? nullptr : &*last);
   if (const Status saved = saveOwnProtocol(made); !saved) return warn(shownText(saved.message()));
   known_ = knownProtocols();
   last_ = name;
+  lastStudy_ = currentStudy();
   tell(tr("Saved as hanging protocol %1").arg(shownText(name)));
 }
 

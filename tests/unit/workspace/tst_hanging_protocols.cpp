@@ -1,9 +1,11 @@
 // Guards hanging protocols: the language and its refusals, which protocol fits which study, what stands in
 // which cell; by chance, that any protocol makes a workspace that a session can hold; those of the program.
 #include <QFile>
+#include <QTemporaryDir>
 #include <map>
 #include <set>
 
+#include "io/files/preset_files.h"
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
@@ -142,6 +144,7 @@ class TestHangingProtocols : public QObject {
   void wordsOfSeries();
   void fastSpinEchoIsNoFatSaturation();
   void thoseOfTheProgramAreRead();
+  void anOwnOneHidesThatOfItsName();
   void theExampleOfTheDocumentIsRead();
   void studiesAreOffered_data();
   void studiesAreOffered();
@@ -309,6 +312,26 @@ void TestHangingProtocols::thoseOfTheProgramAreRead() {
     QVERIFY2(again && *again == protocol, protocol.name.c_str());
     for (const ProtocolCell& cell : protocol.cells) QVERIFY(!cell.series.empty());
   }
+}
+
+void TestHangingProtocols::anOwnOneHidesThatOfItsName() {
+  const QByteArray before = qgetenv("XDG_CONFIG_HOME");
+  const QTemporaryDir config;
+  qputenv("XDG_CONFIG_HOME", config.path().toLocal8Bit());
+  HangingProtocol mine;
+  mine.name = "Mammograms, CC", mine.leastFilled = 3;
+  const Status first = writePresetFile("a", protocolToJson(mine), protocolFolder());
+  mine.leastFilled = 5;
+  const Status second = writePresetFile("b", protocolToJson(mine), protocolFolder());
+  const KnownProtocols known = knownProtocols();
+  if (before.isEmpty())
+    qunsetenv("XDG_CONFIG_HOME");
+  else
+    qputenv("XDG_CONFIG_HOME", before);
+  QVERIFY(first && second);
+  QCOMPARE(std::ranges::count(known.protocols, mine.name, &HangingProtocol::name), std::ptrdiff_t(1));
+  QCOMPARE(known.own, std::size_t(1));
+  QCOMPARE(protocolNamed(known, "Mammograms, CC").leastFilled, 3);
 }
 
 void TestHangingProtocols::theExampleOfTheDocumentIsRead() {
