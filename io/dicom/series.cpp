@@ -25,9 +25,7 @@ bool fit(const Entry& a, const Entry& b) {
     return false;
   if (a.file->unit != b.file->unit) return false;
   if (isPlaced(s) != isPlaced(t)) return false;
-  // Projections from different sides are no slices of one volume.
-  if (!isPlaced(s))
-    return a.file->laterality == b.file->laterality && a.file->viewPosition == b.file->viewPosition;
+  if (!isPlaced(s)) return true;
   // Orientations are given with six digits or so; 1e-3 is 0.25 mm at the edge of a 500 mm picture.
   return near(s.orientation->row, t.orientation->row, 1e-3) &&
          near(s.orientation->column, t.orientation->column, 1e-3) &&
@@ -150,6 +148,13 @@ double commonThickness(const Entries& entries) {
   return alike ? first : 0;
 }
 
+/// What Series::projections is of these.
+std::vector<ProjectionView> projectionsOf(const Entries& entries) {
+  std::vector<ProjectionView> all;
+  for (const Entry& e : entries) all.push_back({e.file->laterality, e.file->viewPosition});
+  return all;
+}
+
 Series describe(const Part& part, const Split& split) {
   const FileHeader& first = *part.entries[0].file;
   Series s;
@@ -174,6 +179,7 @@ Series describe(const Part& part, const Split& split) {
     s.sopInstanceUids.push_back(e.file->sopInstanceUid);
     headers.push_back(e.file);
   }
+  setProjections(s, projectionsOf(part.entries));
   s.path = commonFolder(s.files);
   const std::vector<PlacedSlice> slices = placedSlices(part.entries);
   const Stack stack = layOut(slices, first.format.columns, first.format.rows);

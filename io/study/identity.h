@@ -17,7 +17,8 @@ struct SeriesIdentity {
   std::string seriesUid, seriesNumber, modality, description;
   std::string sopClassUid;  ///< of its pictures, of the first one where they differ; empty: not known
   std::string bodyPart, laterality;  ///< as in the file: "BREAST", "L"
-  std::string viewPosition;          ///< of projections, as in the file: "MLO", "PA"; of a code its word
+  std::string viewPosition;          ///< of projections, as in the file: "MLO", "PA"; of a code its word.
+                                     ///< Of a series whose pictures differ empty (Series::projections)
   std::string frameOfReferenceUid;   ///< positions of one frame of reference are comparable; empty: not given
   std::optional<std::string> lossyRatio;  ///< of pictures with losses by compression, as in the file: "20",
                                           ///< empty where it is not given; none: they have none

@@ -21,6 +21,12 @@ struct SplitBy {
   bool operator==(const SplitBy&) const = default;
 };
 
+/// From which side a picture was made, and by which view: as SeriesIdentity has them.
+struct ProjectionView {
+  std::string laterality, viewPosition;
+  bool operator==(const ProjectionView&) const = default;
+};
+
 /// One volume that was found, or pictures that are none: plain values that the rest of the program sees, and
 /// how to load it.
 struct Series : SeriesIdentity {
@@ -56,11 +62,19 @@ struct Series : SeriesIdentity {
   std::vector<std::string> files;  ///< every file it is made of, in slice order (one file for NRRD etc.)
   std::vector<int> frames;         ///< DICOM: the frame (from 0) of each of `files` that is the slice
   std::vector<std::string> sopInstanceUids;  ///< DICOM: of each of `files`
+  std::vector<ProjectionView> projections;   ///< DICOM: of each of `files`, where they differ; else empty
   std::vector<Unread> unread;                ///< DICOM: what is lost of it; also told in `warnings`
 
   std::string notVolume;  ///< why these are only frames: a sentence; empty: it is a volume
   Cine cine;              ///< of frames
   bool operator==(const Series&) const = default;
 };
+
+/// Keeps what each of its files says, where they differ; side or view of the series are then empty unless all
+/// agree.
+void setProjections(Series& series, std::vector<ProjectionView> ofEach);
+
+/// Side and view of a frame as acquired, from 0; of one that there is not, what all frames share.
+ProjectionView projectionOf(const Series& series, int frame);
 
 }  // namespace volumen

@@ -48,11 +48,12 @@ inline void fields(Wire& w, std::vector<Warning>& warnings) {
 
 inline void fields(Wire& w, Series::Regular& r) { w(r.geometry, r.interpolatedSlices); }
 inline void fields(Wire& w, SplitBy& s) { w(s.attribute, s.value, s.words); }
+inline void fields(Wire& w, ProjectionView& p) { w(p.laterality, p.viewPosition); }
 inline void fields(Wire& w, Series& s) {
   fields(w, static_cast<SeriesIdentity&>(s));
   w(s.id, s.path, s.format, s.unit, s.time, s.echoTime, s.bValue, s.timePoint, s.label, s.splitBy,
     s.sliceThickness, s.acquired, s.valueType, s.warnings, s.regular, s.files, s.frames, s.sopInstanceUids,
-    s.notVolume, s.cine);
+    s.projections, s.notVolume, s.cine);
   w(s.suv.bodyWeight, s.suv.leanBodyMass, s.suv.bodySurface, s.suv.why);
 }
 

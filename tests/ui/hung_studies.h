@@ -10,7 +10,7 @@
 
 namespace volumen::tests {
 
-/// A mammogram of one series for all: `rowsTo` is where rows lead to in the patient.
+/// A mammogram: `rowsTo` is where rows lead to in the patient.
 struct Breast {
   const char *side, *view, *rowsTo;
   int columns, rows;
@@ -22,19 +22,26 @@ inline const Breast breasts[] = {{"L", "MLO", "A\\F", 90, 120},
                                  {"L", "CC", "P\\L", 60, 80},
                                  {"R", "MLO", "P\\F", 90, 120}};
 
-inline bool writeBreast(const Breast& b, int number, const QString& path) {
+/// As one series for all, or each as one of its own.
+enum class BreastSeries { ofAll, ofEach };
+
+inline bool writeBreast(const Breast& b, int number, const QString& path, BreastSeries series,
+                        int patient = 77) {
   DcmFileFormat file;
   DcmDataset& d = *file.getDataset();
   const auto text = [&](const DcmTagKey& tag, const QString& value) {
     d.putAndInsertString(tag, value.toLatin1().constData());
   };
-  const QString uid = QStringLiteral("1.2.3.77.%1").arg(number);
+  const QString study = QStringLiteral("1.2.3.%1").arg(patient);
+  const QString uid = QStringLiteral("%1.%2").arg(study).arg(number);
   text(DCM_SOPClassUID, QStringLiteral("1.2.840.10008.5.1.4.1.1.1.2"));
   text(DCM_SOPInstanceUID, uid);
-  text(DCM_StudyInstanceUID, QStringLiteral("1.2.3.77"));
-  text(DCM_SeriesInstanceUID, QStringLiteral("1.2.3.77.0"));
+  text(DCM_StudyInstanceUID, study);
+  text(DCM_SeriesInstanceUID,
+       QStringLiteral("%1.0.%2").arg(study).arg(series == BreastSeries::ofEach ? number : 0));
+  text(DCM_SeriesNumber, QString::number(series == BreastSeries::ofEach ? number : 1));
   text(DCM_Modality, QStringLiteral("MG"));
-  text(DCM_PatientID, QStringLiteral("77"));
+  text(DCM_PatientID, QString::number(patient));
   text(DCM_PatientName, QStringLiteral("Doe^Jane"));
   text(DCM_StudyDate, QStringLiteral("20260301"));
   text(DCM_BodyPartExamined, QStringLiteral("BREAST"));
@@ -61,9 +68,14 @@ inline bool writeBreast(const Breast& b, int number, const QString& path) {
 /// Four of them in a folder.
 struct Mammograms {
   QTemporaryDir folder;
-  bool write() const {
-    for (int n = 0; n < 4; ++n)
-      if (!writeBreast(breasts[n], n + 1, folder.filePath(QString::number(n)))) return false;
+  int patient = 77;
+  /// `isOfOneSize`: all as large as the CCs, so that one series is one stack.
+  bool write(BreastSeries series = BreastSeries::ofAll, bool isOfOneSize = false) const {
+    for (int n = 0; n < 4; ++n) {
+      Breast breast = breasts[n];
+      if (isOfOneSize) breast.columns = 60, breast.rows = 80;
+      if (!writeBreast(breast, n + 1, folder.filePath(QString::number(n)), series, patient)) return false;
+    }
     return true;
   }
 };

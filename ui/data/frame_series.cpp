@@ -47,6 +47,7 @@ void addFrames(Series& series, const Image& image) {
     series.files.push_back(image.path);
     series.frames.push_back(frame);
     series.sopInstanceUids.push_back(image.sopInstanceUid);
+    series.projections.push_back({image.laterality, image.viewPosition});
   }
   series.acquired.size.z = int(series.files.size());
 }
@@ -60,6 +61,7 @@ std::vector<Series> frameSeries(const Study& study) {
     if (series == all.end()) series = all.insert(all.end(), seriesOf(image));
     addFrames(*series, image);
   }
+  for (Series& series : all) setProjections(series, std::vector<ProjectionView>(series.projections));
   return all;
 }
 
@@ -81,8 +83,16 @@ bool isUsefulVolume(const Series& series) {
   return apart <= mostMm && (series.sliceThickness <= 0 || apart <= mostThicknesses * series.sliceThickness);
 }
 
+bool isOfProjections(const Series& series) {
+  constexpr const char* modalities[] = {"MG", "CR", "DX", "RG", "PX", "IO"};
+  const bool isPlaced = series.acquired.calibrated && series.notVolume.empty();
+  return !series.projections.empty() && !isPlaced &&
+         std::ranges::find(modalities, series.modality) != std::end(modalities);
+}
+
 bool opensAsPictures(const Series& series) {
-  return opensAsFrames(series) || (!isUsefulVolume(series) && frameCount(series) > 0);
+  const bool isUseful = isUsefulVolume(series) && !isOfProjections(series);
+  return opensAsFrames(series) || (!isUseful && frameCount(series) > 0);
 }
 
 }  // namespace volumen

@@ -22,7 +22,11 @@ bool opensAsFrames(const Series& series);
 /// space between them. Of localizers and single slices they do not.
 bool isUsefulVolume(const Series& series);
 
-/// Whether the first view of it is its frames: opensAsFrames(), or it is no useful volume and has frames.
+/// Whether it holds X-ray pictures without a place from several sides, or of several views.
+bool isOfProjections(const Series& series);
+
+/// Whether the first view of it is its frames: opensAsFrames(), or it has frames and is no useful volume, or
+/// isOfProjections().
 bool opensAsPictures(const Series& series);
 
 }  // namespace volumen

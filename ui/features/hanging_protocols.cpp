@@ -1,20 +1,33 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "ui/features/feature.h"
 #include "ui/views/frame_view.h"
 #include "ui/views/view_grid.h"
+#include "ui/workspace/edit_workspace.h"
 #include "ui/workspace/facing.h"
 #include "ui/workspace/own_protocols.h"
+#include "ui/workspace/patients.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
 
 namespace {
 
-const QString hangingKey = QStringLiteral("hanging");
+// The frames of cells, and the views that show them.
+struct HungFrames {
+  std::vector<FacingFrame> frames;
+  std::vector<ViewId> ids;
+};
+
+// How facing left the views.
+struct FacedViews {
+  HangingProtocol protocol;
+  std::map<ViewId, std::pair<SeriesKey, FlatLook>> looks;
+};
 
 bool wantsFrames(const HangingProtocol& protocol) {
   return protocol.sameScale || std::ranges::any_of(protocol.cells, [](const ProtocolCell& cell) {
@@ -33,10 +46,18 @@ class HangingProtocols : public Feature {
   void fillMenu();
   std::optional<PatientStudies> studies() const;
   std::vector<const HangingProtocol*> offered() const;
+  std::string currentStudy() const;
+  void forgetLast();
   void step(int by);
   void hang(const HangingProtocol& protocol);
-  void hangOpened(const std::shared_ptr<const Study>& study, const OpenIntent& intent);
+  void await(const std::shared_ptr<const Study>& study, const OpenIntent& intent);
+  void hangAwaited();
+  bool mayHang(const Series& opened) const;
+  void forgetClosed();
+  std::optional<HungFrames> framesOf(const HangingProtocol& protocol) const;
+  Workspace facedNow(const HungFrames& hung);
   void face();
+  void faceAgain();
   void askName();
   void save(const QString& text);
   void tellProblems();
@@ -44,28 +65,52 @@ class HangingProtocols : public Feature {
   QMenu* menu_;
   QList<QAction*> listed_;  // of the menu: the protocols that fit
   KnownProtocols known_ = knownProtocols();
-  std::string last_;                    // the name of the one that was hung last
-  std::set<std::string> hungByItself_;  // UIDs of studies
+  std::string last_;                                   // the name of the one that was hung last
+  std::string lastStudy_;                              // the UID of the study that it was hung for
+  std::set<std::string> hungByItself_;                 // UIDs of studies that are open
+  std::vector<std::shared_ptr<const Study>> awaited_;  // opened, to be hung as they are shown
+  std::shared_ptr<bool> openedTogether_;               // of the one that was opened last
+  std::optional<Layout> gridByItself_;                 // what one was hung in by itself, last of all
   // What waits for its frames, to turn and enlarge them: the protocol, and the views as it hung them.
   std::optional<HangingProtocol> waiting_;
   SharedList<ViewState> hungViews_;
+  std::set<FrameKey> unreadable_;  // since it was hung
+  std::optional<FacedViews> faced_;
 };
 
 HangingProtocols::HangingProtocols(Workbench& bench)
     : Feature(bench), menu_(bench.addMenu("protocolMenu", tr("Hanging protocols"), {{"viewMenu", 60, 52}})) {
   makeActions();
   connect(menu_, &QMenu::aboutToShow, this, &HangingProtocols::fillMenu);
-  // Once it is on screen.
   const Loader* loader = &bench_.document.loader;
   for (const auto opened : {&Loader::studyOpened, &Loader::filesOpened})
-    connect(
-        loader, opened, this,
-        [this](const QString&, const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
-          hangOpened(study, intent);
-        },
-        Qt::QueuedConnection);
-  // After the views have taken the frame.
-  connect(&bench_.document.frames, &FrameService::ready, this, &HangingProtocols::face, Qt::QueuedConnection);
+    connect(loader, opened, this,
+            [this](const QString&, const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
+              await(study, intent);
+            });
+  // Once it is on screen.
+  connect(&session_, &Session::workspaceChanged, this, [this] {
+    if (!awaited_.empty())
+      QMetaObject::invokeMethod(this, &HangingProtocols::hangAwaited, Qt::QueuedConnection);
+  });
+  connect(loader, &Loader::notLoaded, this, [this](const SeriesKey& key) {
+    std::erase_if(awaited_, [&](const auto& study) {
+      return std::ranges::any_of(study->volumes, [&](const Series& s) { return keyOf(s) == key; });
+    });
+  });
+  connect(&open_, &OpenStudies::changed, this, &HangingProtocols::forgetClosed);
+  // After the views have taken the frame, or have their places.
+  const auto faceSoon = [this] {
+    if (waiting_) QMetaObject::invokeMethod(this, &HangingProtocols::face, Qt::QueuedConnection);
+    if (faced_) QMetaObject::invokeMethod(this, &HangingProtocols::faceAgain, Qt::QueuedConnection);
+  };
+  const FrameService* frames = &bench_.document.frames;
+  connect(frames, &FrameService::ready, this, faceSoon);
+  connect(frames, &FrameService::failed, this, [this, faceSoon](int, const FrameKey& key) {
+    unreadable_.insert(key);
+    faceSoon();
+  });
+  connect(&grid_, &ViewGrid::arranged, this, faceSoon);
   tellProblems();
 }
 
@@ -110,7 +155,19 @@ std::vector<const HangingProtocol*> HangingProtocols::offered() const {
   return all;
 }
 
+// Its UID.
+std::string HangingProtocols::currentStudy() const {
+  const auto around = studies();
+  return around && !around->current.empty() ? around->current.front()->studyUid : std::string();
+}
+
+// In another study the protocols are gone through from the first.
+void HangingProtocols::forgetLast() {
+  if (currentStudy() != lastStudy_) last_.clear();
+}
+
 void HangingProtocols::fillMenu() {
+  forgetLast();
   qDeleteAll(listed_);
   listed_.clear();
   const std::vector<const HangingProtocol*> all = offered();
@@ -134,6 +191,7 @@ void HangingProtocols::fillMenu() {
 void HangingProtocols::step(int by) {
   const std::vector<const HangingProtocol*> all = offered();
   if (all.empty()) return warn(tr("No hanging protocol fits what is open."));
+  forgetLast();
   const int count = int(all.size());
   const auto isLast = [&](const HangingProtocol* p) { return p->name == last_; };
   const auto last = std::ranges::find_if(all, isLast);
@@ -147,59 +205,117 @@ void HangingProtocols::hang(const HangingProtocol& protocol) {
   const auto around = studies();
   if (!around) return;
   last_ = protocol.name;
+  lastStudy_ = currentStudy();
+  gridByItself_.reset();
   session_.endGesture();
-  session_.change(tr("Hang as %1").arg(shownText(protocol.name)),
-                  hung(session_.workspace(), protocol, *around), hangingKey);
   waiting_.reset();
-  if (!wantsFrames(protocol)) return session_.endGesture();
+  faced_.reset();
+  unreadable_.clear();
+  bench_.action("maximise")->setChecked(false);
+  session_.change(tr("Hang as %1").arg(shownText(protocol.name)),
+                  hung(session_.workspace(), protocol, *around), hungKey);
+  session_.endGesture();
+  if (!wantsFrames(protocol)) return;
   waiting_ = protocol;
   hungViews_ = session_.workspace().views;
   QMetaObject::invokeMethod(this, &HangingProtocols::face, Qt::QueuedConnection);
+}
+
+// None: not all that can be read are there.
+std::optional<HungFrames> HangingProtocols::framesOf(const HangingProtocol& protocol) const {
+  const Workspace& workspace = session_.workspace();
+  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  HungFrames hung;
+  for (std::size_t n = 0; n < std::min(views.size(), protocol.cells.size()); ++n) {
+    const ViewState& state = workspace.view(views[n]);
+    if (state.series.empty() || !showsFrames(state.kind)) continue;
+    const FlatLook look = flatLookOf(state);
+    const FrameKey key{state.series, look.frame, look.presentation.path};
+    if (unreadable_.contains(key)) continue;
+    const auto* view = grid_.viewAs<FrameView>(views[n]);
+    if (!view || !view->frame() || view->frame()->key != key) return {};
+    const QSize pixels = view->pixels();
+    hung.frames.push_back(
+        {view->frame(), look, {pixels.width(), pixels.height()}, protocol.cells[n].chestWall});
+    hung.ids.push_back(views[n]);
+  }
+  return hung;
+}
+
+// What lies otherwise than facing left it stays.
+Workspace HangingProtocols::facedNow(const HungFrames& hung) {
+  const std::vector<FlatLook> looks = facingLooks(hung.frames, faced_->protocol.sameScale);
+  Workspace after = session_.workspace();
+  for (std::size_t n = 0; n < hung.ids.size(); ++n) {
+    const ViewId id = hung.ids[n];
+    const SeriesKey series = after.view(id).series;
+    const auto left = faced_->looks.find(id);
+    if (left != faced_->looks.end() && left->second != std::pair(series, hung.frames[n].look)) continue;
+    if (looks[n] != hung.frames[n].look) after.editView(id).flats.editOrAdd(series) = looks[n];
+    faced_->looks[id] = {series, looks[n]};
+  }
+  return after;
 }
 
 // Mammograms face each other, and sizes are the same, once all frames are there; unless views were changed
 // meanwhile.
 void HangingProtocols::face() {
   if (!waiting_) return;
-  const Workspace& workspace = session_.workspace();
-  if (workspace.views != hungViews_) return waiting_.reset();
-  std::vector<FacingFrame> frames;
-  std::vector<ViewId> ids;
-  const std::vector<ViewId> views = viewsOnScreen(workspace);
-  for (std::size_t n = 0; n < std::min(views.size(), waiting_->cells.size()); ++n) {
-    const ViewState& state = workspace.view(views[n]);
-    if (state.series.empty() || !showsFrames(state.kind)) continue;
-    const auto* view = grid_.viewAs<FrameView>(views[n]);
-    if (!view || !view->frame() || view->frame()->key.series != state.series) return;
-    const QSize pixels = view->pixels();
-    frames.push_back(
-        {view->frame(), flatLookOf(state), {pixels.width(), pixels.height()}, waiting_->cells[n].chestWall});
-    ids.push_back(views[n]);
-  }
-  const std::vector<FlatLook> looks = facingLooks(frames, waiting_->sameScale);
-  Workspace after = workspace;
-  for (std::size_t n = 0; n < ids.size(); ++n) {
-    ViewState& state = after.editView(ids[n]);
-    state.flats.editOrAdd(state.series) = looks[n];
-  }
-  const QString text = tr("Hang as %1").arg(shownText(waiting_->name));
+  if (session_.workspace().views != hungViews_) return waiting_.reset();
+  const std::optional<HungFrames> hung = framesOf(*waiting_);
+  if (!hung) return;
+  faced_ = FacedViews{*waiting_, {}};
   waiting_.reset();
-  session_.change(text, after, hangingKey);
-  session_.endGesture();
+  session_.change(tr("Hang as %1").arg(shownText(faced_->protocol.name)), facedNow(*hung), facedKey);
 }
 
-// What readers want at once: where the study was opened as such, and only the first time.
-void HangingProtocols::hangOpened(const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
+// Where views are larger or smaller by now: no step.
+void HangingProtocols::faceAgain() {
+  if (!faced_ || session_.workspace().layout != faced_->protocol.layout) return;
+  if (const std::optional<HungFrames> hung = framesOf(faced_->protocol)) session_.adapt(facedNow(*hung));
+}
+
+// What readers want at once: where the study was opened as such, and only the first time. Of several that are
+// opened together one is shown.
+void HangingProtocols::await(const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
+  if (intent.scene || !intent.seriesUid.empty() || intent.how == OpenHow::beside) return;
+  if (intent.isShown && (!*intent.isShown || intent.isShown == openedTogether_)) return;
+  openedTogether_ = intent.isShown;
+  awaited_.push_back(study);
+  QMetaObject::invokeMethod(this, &HangingProtocols::hangAwaited, Qt::QueuedConnection);
+}
+
+void HangingProtocols::hangAwaited() {
   const Workspace& workspace = session_.workspace();
   const Series* shown = seriesIn(workspace, workspace.focus);
-  if (!shown || shown->studyUid.empty() || comparesSeries(workspace.layout) || intent.scene ||
-      !intent.seriesUid.empty() || intent.how == OpenHow::beside)
-    return;
+  if (!shown || shown->studyUid.empty()) return;
   const auto isOfIt = [&](const SeriesIdentity& s) { return s.studyUid == shown->studyUid; };
-  if (!std::ranges::any_of(study->volumes, isOfIt) && !std::ranges::any_of(study->images, isOfIt)) return;
+  const auto isShown = [&](const std::shared_ptr<const Study>& study) {
+    return std::ranges::any_of(study->volumes, isOfIt) || std::ranges::any_of(study->images, isOfIt);
+  };
+  if (std::erase_if(awaited_, isShown) == 0 || !mayHang(*shown)) return;
   if (!hungByItself_.insert(shown->studyUid).second) return;
   for (const HangingProtocol* protocol : offered())
-    if (protocol->automatic) return hang(HangingProtocol(*protocol));
+    if (protocol->automatic) {
+      hang(HangingProtocol(*protocol));
+      gridByItself_ = session_.workspace().layout;
+      return;
+    }
+}
+
+// Not into a grid that was chosen for this patient.
+bool HangingProtocols::mayHang(const Series& opened) const {
+  const Workspace& workspace = session_.workspace();
+  if (!comparesSeries(workspace.layout) || gridByItself_ == workspace.layout) return true;
+  return std::ranges::any_of(patientsOnScreen(workspace),
+                             [&](const Series* other) { return !areOfOnePatient(*other, opened); });
+}
+
+// What is opened again after it was closed is hung again.
+void HangingProtocols::forgetClosed() {
+  std::set<std::string> open;
+  for (const Series* series : open_.pictures()) open.insert(series->studyUid);
+  std::erase_if(hungByItself_, [&](const std::string& uid) { return !open.contains(uid); });
 }
 
 void HangingProtocols::askName() {
@@ -216,10 +332,14 @@ void HangingProtocols::askName() {
 void HangingProtocols::save(const QString& text) {
   const std::string name = shownText(text.toStdString()).trimmed().toStdString();
   if (name.empty()) return warn(tr("A hanging protocol needs a name."));
-  if (const Status saved = saveOwnProtocol(protocolOf(session_.workspace(), name)); !saved)
-    return warn(shownText(saved.message()));
+  forgetLast();
+  const auto last = std::ranges::find(known_.protocols, last_, &HangingProtocol::name);
+  const HangingProtocol made = protocolOf(session_.workspace(), name, open_.pictures(),
+                                          last == known_.protocols.end() ? nullptr : &*last);
+  if (const Status saved = saveOwnProtocol(made); !saved) return warn(shownText(saved.message()));
   known_ = knownProtocols();
   last_ = name;
+  lastStudy_ = currentStudy();
   tell(tr("Saved as hanging protocol %1").arg(shownText(name)));
 }
 

@@ -21,11 +21,26 @@ Loading::Loading(Workbench& bench) : Feature(bench) {
   connect(&loader, &Loader::studyOpened, this, &Loading::showStudy);
   connect(&loader, &Loader::seriesLoaded, this,
           [this](const LoadedSeriesPtr& series, const std::optional<Scene>& scene) {
+            session_.setLoading({});
             session_.take(series, bench_.document.opener.arrangedFor(series->series));
             if (scene) session_.edit(tr("Open scene"), *scene);
           });
   connect(&loader, &Loader::failed, this, [this](const QString& sentence) { bench_.banner.add(sentence); });
   connect(&loader, &Loader::notLoaded, &grid_, &ViewGrid::giveUpWaiting);
+  connect(&loader, &Loader::loadBegan, this,
+          [this](const Series& series) { session_.setLoading(keyOf(series)); });
+  // Later: what gave it up may be about to load another, or to close all.
+  const auto askSoon = [this] {
+    QMetaObject::invokeMethod(&session_, &Session::askForMissing, Qt::QueuedConnection);
+  };
+  connect(&loader, &Loader::loadGivenUp, this, [this, askSoon] {
+    session_.setLoading({});
+    askSoon();
+  });
+  connect(&loader, &Loader::notLoaded, this, [this, askSoon](const SeriesKey& series) {
+    session_.setNotLoaded(series);
+    askSoon();
+  });
   connect(&session_, &Session::seriesNeeded, &loader,
           [&loader](const Series& series) { loader.load(series); });
 }

@@ -31,17 +31,18 @@ Priors::Priors(Workbench& bench) : Feature(bench) {
 
 void Priors::compare() {
   const Workspace& workspace = session_.workspace();
-  const Series* shown = seriesIn(workspace, workspace.focus);
+  const SeriesPicture shown = pictureIn(workspace, workspace.focus);
   if (!shown) return warn(tr("Click a view that shows a series first."));
-  const Series* found = priorOf(*shown, open_.pictures());
+  const SeriesPicture found = priorOf(shown, open_.pictures());
   if (!found)
     return warn(
         tr("No earlier study of this patient with such a series is open: open one first, from the "
            "list of studies (Ctrl+B) or from its folder (Ctrl+O)."));
-  const Series current = *shown, prior = *found;
+  const Series current = *shown.series, prior = *found.series;
   session_.endGesture();
+  bench_.action("maximise")->setChecked(false);
   session_.change(tr("Compare with prior"),
-                  withTimePointsOf(comparedWithPrior(workspace, current, prior), prior, open_.volumes()));
+                  withTimePointsOf(comparedWithPrior(workspace, shown, found), prior, open_.volumes()));
   session_.endGesture();
   offerRegistration(current, prior);
 }

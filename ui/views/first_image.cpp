@@ -83,7 +83,7 @@ void FirstImage::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), Qt::black);
   if (!series_ || !frame_) return;
   painter.drawImage(QPointF(0, 0), picture_);
-  CornerTexts texts = seriesCorner(*series_);
+  CornerTexts texts = seriesCorner(*series_, index());
   texts.add(CornerItem::plane, tr("Image %1 / %2, loading").arg(index() + 1).arg(frameCount(*series_)));
   const int lines = cornerLines(rect(), font());
   Overlays o;

@@ -283,7 +283,7 @@ Overlays FrameView::overlays() const {
   const Series& series = *seriesState().series;
   const SlicePlane now = *plane();
   const FlatLook look = flatLookOf(state());
-  CornerTexts texts = seriesCorner(series);
+  CornerTexts texts = seriesCorner(series, frame_->key.index);
   texts.add(CornerItem::plane, numberLine());
   if (series.notVolume.empty()) texts.add(CornerItem::thickness, thicknessText(series));
   texts.add(CornerItem::step, stepText(session_.workspace(), state().series));

@@ -143,8 +143,9 @@ QString sexAgeText(const Series& series) {
   return joined({shownText(series.patientSex), ageText(series)}, QStringLiteral(", "));
 }
 
-QString projectionText(const Series& series) {
-  return joined({shownText(series.laterality), shownText(series.viewPosition)}, QStringLiteral(" "));
+QString projectionText(const Series& series, int frame) {
+  const ProjectionView projection = projectionOf(series, frame);
+  return joined({shownText(projection.laterality), shownText(projection.viewPosition)}, QStringLiteral(" "));
 }
 
 QString thicknessText(const Series& series) {
@@ -177,13 +178,13 @@ QString stepText(const Workspace& workspace, const SeriesKey& series) {
   return joined(words, tr(", "));
 }
 
-CornerTexts seriesCorner(const Series& series) {
+CornerTexts seriesCorner(const Series& series, int frame) {
   CornerTexts texts;
   texts.add(CornerItem::patient, patientText(series));
   texts.add(CornerItem::study, studyTimeText(series));
   texts.add(CornerItem::sexAge, sexAgeText(series));
   texts.add(CornerItem::series, seriesText(series));
-  texts.add(CornerItem::projection, projectionText(series));
+  texts.add(CornerItem::projection, projectionText(series, frame));
   return texts;
 }
 

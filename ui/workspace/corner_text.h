@@ -54,8 +54,8 @@ QString studyTimeText(const Series& series);
 /// "F, 45 y": the age at the study, from the birth date where it is not given; empty where neither is known.
 QString sexAgeText(const Series& series);
 
-/// "L MLO": side and view position as in the file.
-QString projectionText(const Series& series);
+/// "L MLO": side and view position of a frame, from 0, as in the file; -1: what all frames share.
+QString projectionText(const Series& series, int frame);
 
 /// "3 mm thick, 3.3 mm apart"; the distance alone where no thickness is given, and only where it differs;
 /// "unevenly apart".
@@ -68,8 +68,9 @@ QString lossyText(const Series& series);
 /// Which volume of its series it is: timePointText(), else what separated it from others.
 QString stepText(const Workspace& workspace, const SeriesKey& series);
 
-/// Whose pictures these are: what holds in every view of a series.
-CornerTexts seriesCorner(const Series& series);
+/// Whose pictures these are: what holds in every view of a series, and of `frame`, from 0, its side and view;
+/// -1: of none.
+CornerTexts seriesCorner(const Series& series, int frame = -1);
 
 /// How a plane lies to the slices as acquired.
 struct PlaneNumber {

@@ -18,8 +18,9 @@ void EditWorkspace::redo() { session_.setWorkspace(after_); }
 bool EditWorkspace::mergeWith(const QUndoCommand* later) {
   const auto& next = static_cast<const EditWorkspace&>(*later);
   const bool fillsRoom = mergeKey_ == roomMadeKey && next.mergeKey_ == seriesShownKey;
+  const bool faces = mergeKey_ == hungKey && next.mergeKey_ == facedKey;
   const bool continues = !mergeKey_.isEmpty() && next.mergeKey_ == mergeKey_ && next.gesture_ == gesture_;
-  if (!fillsRoom && !continues) return false;
+  if (!fillsRoom && !faces && !continues) return false;
   if (fillsRoom) {
     setText(next.text());
     mergeKey_.clear();

@@ -10,6 +10,9 @@ namespace volumen {
 /// a series: the second makes the first its own, in whatever gesture it comes.
 inline const QString roomMadeKey = QStringLiteral("room made"), seriesShownKey = QStringLiteral("shown");
 
+/// The same for a step that hangs a study, and that which turns its pictures once they are there.
+inline const QString hungKey = QStringLiteral("hung"), facedKey = QStringLiteral("faced");
+
 /// The one undo command: the workspace before and after. They share what is the same in both, so no property
 /// needs a class of its own.
 class EditWorkspace : public QUndoCommand {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/frame_text.h"
 
 namespace volumen {
 
@@ -51,12 +52,13 @@ ChestWall chestWallOf(const LoadedFrame& frame) {
 }
 
 std::vector<FlatLook> facingLooks(const std::vector<FacingFrame>& frames, bool sameScale) {
-  double mmPerPixel = 0;
-  for (const FacingFrame& f : frames) mmPerPixel = std::max(mmPerPixel, fittedMm(f));
+  double mmPerPixel = 0;  // of frames whose pixels have a size
+  for (const FacingFrame& f : frames)
+    if (hasMm(*f.frame)) mmPerPixel = std::max(mmPerPixel, fittedMm(f));
   std::vector<FlatLook> looks;
   for (const FacingFrame& f : frames) {
     FlatLook& look = looks.emplace_back(f.look);
-    const double fitted = fittedMm(f), shown = sameScale ? mmPerPixel : fitted;
+    const double fitted = fittedMm(f), shown = sameScale && hasMm(*f.frame) ? mmPerPixel : fitted;
     look.turn = {};
     look.zoom = std::clamp(fitted / shown, leastZoom, mostZoom);
     look.panMm = {0, 0};

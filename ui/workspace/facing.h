@@ -18,7 +18,8 @@ struct FacingFrame {
 };
 
 /// The looks by which frames face each other: mirrored where their chest wall is on the other side than
-/// wanted, moved to that edge of the view, and, `sameScale`, as many mm a pixel as the one that needs most.
+/// wanted, moved to that edge of the view, and, `sameScale`, as many mm a pixel as the one that needs most;
+/// those whose pixels have no size in mm fill their views.
 std::vector<FlatLook> facingLooks(const std::vector<FacingFrame>& frames, bool sameScale);
 
 }  // namespace volumen

@@ -27,7 +27,8 @@ bool isOfStack(const Series& series) {
   return !isOneOf(series.modality, "CT|MR|PT") || isUsefulVolume(series);
 }
 
-bool comesBefore(const Series* a, const Series* b, SeriesOrder order) {
+bool comesBefore(const SeriesPicture& one, const SeriesPicture& other, SeriesOrder order) {
+  const Series *a = one.series, *b = other.series;
   if (isOfStack(*a) != isOfStack(*b)) return isOfStack(*a);
   const auto byNumber = [](const Series& s) { return std::tuple(numberOf(s), s.id); };
   switch (order) {
@@ -58,8 +59,8 @@ std::vector<std::string> namesIn(const std::string& text) {
   return names;
 }
 
-std::vector<const Series*> seriesNamed(const HangingProtocol& protocol, const PatientStudies& studies,
-                                       const std::string& name);
+std::vector<SeriesPicture> picturesNamed(const HangingProtocol& protocol, const PatientStudies& studies,
+                                         const std::string& name);
 
 const ProtocolSeries* entryNamed(const HangingProtocol& protocol, const std::string& name) {
   const auto found = std::ranges::find(protocol.series, name, &ProtocolSeries::name);
@@ -67,40 +68,32 @@ const ProtocolSeries* entryNamed(const HangingProtocol& protocol, const std::str
 }
 
 // The series of earlier studies that are most like those of another entry.
-std::vector<const Series*> likeOthers(const HangingProtocol& protocol, const PatientStudies& studies,
+std::vector<SeriesPicture> likeOthers(const HangingProtocol& protocol, const PatientStudies& studies,
                                       const ProtocolSeries& entry) {
   const ProtocolSeries* model = entryNamed(protocol, entry.like);
   if (!model || !model->like.empty() || entry.prior < 1 || entry.prior > int(studies.priors.size()))
     return {};
-  std::vector<const Series*> found;
-  for (const Series* series : seriesNamed(protocol, studies, entry.like))
-    if (const Series* like = mostLike(*series, studies.priors[std::size_t(entry.prior - 1)]))
+  std::vector<SeriesPicture> found;
+  for (const SeriesPicture& picture : picturesNamed(protocol, studies, entry.like))
+    if (const SeriesPicture like = mostLike(picture, studies.priors[std::size_t(entry.prior - 1)]))
       found.push_back(like);
   return found;
 }
 
-std::vector<const Series*> seriesNamed(const HangingProtocol& protocol, const PatientStudies& studies,
-                                       const std::string& name) {
+std::vector<SeriesPicture> picturesNamed(const HangingProtocol& protocol, const PatientStudies& studies,
+                                         const std::string& name) {
   const ProtocolSeries* entry = entryNamed(protocol, name);
   if (!entry) return {};
-  if (!entry->like.empty()) return likeOthers(protocol, studies, *entry);
-  if (entry->prior > int(studies.priors.size())) return {};
-  std::vector<const Series*> found;
-  for (const Series* series :
-       entry->prior == 0 ? studies.current : studies.priors[std::size_t(entry->prior - 1)])
-    if (matches(entry->rule, *series)) found.push_back(series);
-  std::ranges::stable_sort(found,
-                           [&](const Series* a, const Series* b) { return comesBefore(a, b, entry->order); });
-  return found;
+  return entry->like.empty() ? picturesFor(*entry, studies) : likeOthers(protocol, studies, *entry);
 }
 
-const Series* seriesFor(const HangingProtocol& protocol, const PatientStudies& studies,
-                        const std::string& names, int which) {
+SeriesPicture pictureFor(const HangingProtocol& protocol, const PatientStudies& studies,
+                         const std::string& names, int which) {
   for (const std::string& name : namesIn(names)) {
-    const std::vector<const Series*> found = seriesNamed(protocol, studies, name);
+    const std::vector<SeriesPicture> found = picturesNamed(protocol, studies, name);
     if (int(found.size()) >= which) return found[std::size_t(which - 1)];
   }
-  return nullptr;
+  return {};
 }
 
 // How much a condition says.
@@ -116,8 +109,8 @@ int factsOf(const ProtocolCondition& when) {
 }
 
 bool holds(const ProtocolCondition& when, const PatientStudies& studies) {
-  const auto count =
-      std::ranges::count_if(studies.current, [&](const Series* s) { return matches(when.rule, *s); });
+  const auto count = std::ranges::count_if(
+      picturesOf(studies.current), [&](const SeriesPicture& picture) { return matches(when.rule, picture); });
   return count >= when.least && count <= when.most && (!when.prior || !studies.priors.empty());
 }
 
@@ -155,21 +148,22 @@ std::string wantedText(const std::string& names) {
   return text;
 }
 
-Workspace withCell(Workspace workspace, ViewId id, const ProtocolCell& cell, const Series& series,
+Workspace withCell(Workspace workspace, ViewId id, const ProtocolCell& cell, const SeriesPicture& picture,
                    const Series* over) {
+  const Series& series = *picture.series;
   const SeriesKey key = keyOf(series);
   makeEmpty(workspace.editView(id), {});
-  const bool asFrames =
-      opensAsPictures(series) || (cell.picture == CellPicture::frames && frameCount(series) > 0);
+  const bool asFrames = picture.frame >= 0 || opensAsPictures(series) ||
+                        (cell.picture == CellPicture::frames && frameCount(series) > 0);
   workspace = asFrames ? withFrames(std::move(workspace), id, series)
                        : withSeries(std::move(workspace), id, series, {});
   if (!asFrames) {
     const SceneLook* known = knownLook(workspace, key);
     const bool isScene = cell.picture == CellPicture::scene && known;
-    const CellPicture picture =
+    const CellPicture shown =
         isScene || cell.picture != CellPicture::scene ? cell.picture : CellPicture::asAcquired;
     const SceneLook look = known ? *known : SceneLook{};
-    workspace = withKind(std::move(workspace), id, kindOf(picture, series), look);
+    workspace = withKind(std::move(workspace), id, kindOf(shown, series), look);
     if (isScene) return workspace;
   }
   if (over && !whyNotOverlaid(workspace, series, *over).isEmpty()) over = nullptr;
@@ -178,7 +172,7 @@ Workspace withCell(Workspace workspace, ViewId id, const ProtocolCell& cell, con
   FlatLook& look = view.flats.editOrAdd(key);
   const FlatLook before = look;
   look = {};
-  look.frame = before.frame;
+  look.frame = picture.frame >= 0 ? picture.frame : before.frame;
   look.overlay = over ? keyOf(*over) : SeriesKey{};
   look.slabMm = asFrames ? 0 : cell.slabMm;
   look.slabMode = cell.slabMode;
@@ -195,15 +189,17 @@ std::vector<const Series*> allOf(const PatientStudies& studies) {
 
 }  // namespace
 
-bool matches(const SeriesRule& rule, const Series& series) {
+bool matches(const SeriesRule& rule, const SeriesPicture& picture) {
+  const Series& series = *picture.series;
+  const ProjectionView projection = projectionOf(series, picture.frame);
   const auto is = [](const std::string& allowed, const std::string& text) {
     return allowed.empty() || isOneOf(text, allowed);
   };
   const auto has = [](const std::string& words, const std::string& text) {
     return words.empty() || hasWord(text, words);
   };
-  return is(rule.modality, series.modality) && is(rule.laterality, series.laterality) &&
-         is(rule.viewPosition, series.viewPosition) &&
+  return is(rule.modality, series.modality) && is(rule.laterality, projection.laterality) &&
+         is(rule.viewPosition, projection.viewPosition) &&
          has(rule.bodyPart, series.bodyPart + ' ' + series.studyDescription) &&
          has(rule.description, series.description) &&
          (rule.notDescription.empty() || !hasWord(series.description, rule.notDescription)) &&
@@ -213,10 +209,20 @@ bool matches(const SeriesRule& rule, const Series& series) {
          (!rule.contrast || *rule.contrast == contrastOf(series).value_or(false));
 }
 
-std::vector<const Series*> seriesOfCells(const HangingProtocol& protocol, const PatientStudies& studies) {
-  std::vector<const Series*> all;
+std::vector<SeriesPicture> picturesFor(const ProtocolSeries& entry, const PatientStudies& studies) {
+  if (entry.prior > int(studies.priors.size())) return {};
+  std::vector<SeriesPicture> found =
+      picturesOf(entry.prior == 0 ? studies.current : studies.priors[std::size_t(entry.prior - 1)]);
+  std::erase_if(found, [&](const SeriesPicture& picture) { return !matches(entry.rule, picture); });
+  std::ranges::stable_sort(
+      found, [&](const SeriesPicture& a, const SeriesPicture& b) { return comesBefore(a, b, entry.order); });
+  return found;
+}
+
+std::vector<SeriesPicture> picturesOfCells(const HangingProtocol& protocol, const PatientStudies& studies) {
+  std::vector<SeriesPicture> all;
   for (const ProtocolCell& cell : protocol.cells)
-    all.push_back(seriesFor(protocol, studies, cell.series, cell.which));
+    all.push_back(pictureFor(protocol, studies, cell.series, cell.which));
   return all;
 }
 
@@ -225,8 +231,8 @@ std::vector<std::size_t> fitting(const std::vector<HangingProtocol>& protocols,
   std::vector<std::tuple<int, int, std::size_t>> found;
   for (std::size_t n = 0; n < protocols.size(); ++n) {
     if (!holds(protocols[n].when, studies)) continue;
-    const std::vector<const Series*> cells = seriesOfCells(protocols[n], studies);
-    const int filled = int(std::ranges::count_if(cells, [](const Series* s) { return s != nullptr; }));
+    const std::vector<SeriesPicture> cells = picturesOfCells(protocols[n], studies);
+    const auto filled = int(cells.size()) - int(std::ranges::count(cells, SeriesPicture()));
     if (filled >= protocols[n].leastFilled) found.emplace_back(-factsOf(protocols[n].when), -filled, n);
   }
   std::ranges::sort(found);
@@ -240,20 +246,20 @@ Workspace hung(Workspace workspace, const HangingProtocol& protocol, const Patie
   workspace.links = protocol.links;
   workspace.layout = protocol.layout;
   workspace.focus = firstComparedId;
-  const std::vector<const Series*> found = seriesOfCells(protocol, studies);
+  const std::vector<SeriesPicture> found = picturesOfCells(protocol, studies);
   const std::vector<ViewId> views = viewsOnScreen(workspace);
   std::optional<ViewId> first;
   for (std::size_t n = 0; n < views.size(); ++n) {
-    const Series* series = n < found.size() ? found[n] : nullptr;
-    if (!series) {
+    const SeriesPicture picture = n < found.size() ? found[n] : SeriesPicture();
+    if (!picture) {
       makeEmpty(workspace.editView(views[n]),
                 n < found.size() ? wantedText(protocol.cells[n].series) : std::string());
       continue;
     }
     const ProtocolCell& cell = protocol.cells[n];
-    const Series* over = cell.over.empty() ? nullptr : seriesFor(protocol, studies, cell.over, 1);
-    workspace = withCell(std::move(workspace), views[n], cell, *series, over);
-    workspace = withTimePointsOf(std::move(workspace), *series, allOf(studies));
+    const Series* over = cell.over.empty() ? nullptr : pictureFor(protocol, studies, cell.over, 1).series;
+    workspace = withCell(std::move(workspace), views[n], cell, picture, over);
+    workspace = withTimePointsOf(std::move(workspace), *picture.series, allOf(studies));
     if (!first) first = views[n];
   }
   workspace.focus = first.value_or(firstComparedId);

@@ -9,8 +9,8 @@
 
 namespace volumen {
 
-/// What a series must be; what is not said may be anything. Texts are alternatives, "CR|DX"; upper or lower
-/// case is the same.
+/// What a series must be, or of a series of projections one picture; what is not said may be anything. Texts
+/// are alternatives, "CR|DX"; upper or lower case is the same.
 struct SeriesRule {
   std::string modality, laterality, viewPosition;     ///< one of these
   std::string bodyPart, description, notDescription;  ///< words, by their beginning (hasWord())
@@ -81,10 +81,13 @@ Result<HangingProtocol> protocolFromJson(const std::string& text);
 /// What protocolFromJson() reads; what is as by default is left out.
 std::string protocolToJson(const HangingProtocol& protocol);
 
-bool matches(const SeriesRule& rule, const Series& series);
+bool matches(const SeriesRule& rule, const SeriesPicture& picture);
 
-/// The series of each cell, null: none was found. As many as there are cells.
-std::vector<const Series*> seriesOfCells(const HangingProtocol& protocol, const PatientStudies& studies);
+/// What the rule of an entry finds in its study, in its order.
+std::vector<SeriesPicture> picturesFor(const ProtocolSeries& entry, const PatientStudies& studies);
+
+/// What each cell shows; no series: none was found. As many as there are cells.
+std::vector<SeriesPicture> picturesOfCells(const HangingProtocol& protocol, const PatientStudies& studies);
 
 /// The numbers of those of some protocols that fit what is open, the best first: that whose condition says
 /// most, else that of which most cells are filled; those alike in their order.
@@ -94,7 +97,10 @@ std::vector<std::size_t> fitting(const std::vector<HangingProtocol>& protocols,
 /// The workspace as a protocol has it. Cells without a series are empty and say what they want.
 Workspace hung(Workspace workspace, const HangingProtocol& protocol, const PatientStudies& studies);
 
-/// The protocol that hangs studies like the one in focus as the views on screen show it.
-HangingProtocol protocolOf(const Workspace& workspace, const std::string& name);
+/// The protocol that hangs studies like the one in focus as the views on screen show it; what they show of
+/// other patients is left out. `open`: all pictures that are open. `last`: the protocol that was hung last,
+/// null: none; where its pictures stand it says where chest walls lie, and the scale.
+HangingProtocol protocolOf(const Workspace& workspace, const std::string& name,
+                           const std::vector<const Series*>& open, const HangingProtocol* last = nullptr);
 
 }  // namespace volumen

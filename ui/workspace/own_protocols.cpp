@@ -10,11 +10,13 @@ namespace volumen {
 
 namespace {
 
+// One of a name that there is already is hidden by that.
 void addProtocol(KnownProtocols& known, const std::string& path, const std::string& text) {
-  if (Result<HangingProtocol> protocol = protocolFromJson(text))
+  Result<HangingProtocol> protocol = protocolFromJson(text);
+  if (!protocol) return known.problems.push_back(path + ": " + protocol.message());
+  const auto& all = known.protocols;
+  if (std::ranges::find(all, protocol->name, &HangingProtocol::name) == all.end())
     known.protocols.push_back(std::move(*protocol));
-  else
-    known.problems.push_back(path + ": " + protocol.message());
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace volumen {
 
 /// The hanging protocols that there are.
 struct KnownProtocols {
-  std::vector<HangingProtocol> protocols;  ///< the user's own first
+  std::vector<HangingProtocol> protocols;  ///< the user's own first; of one name the first alone
   std::size_t own = 0;                     ///< how many of them are
   std::vector<std::string> problems;       ///< a sentence for each file that is none
 };

@@ -52,21 +52,47 @@ int seriesNumberOf(const Series& series) {
   return number;
 }
 
-const SeriesKey* firstCompared(const Workspace& workspace) {
+SeriesPicture firstCompared(const Workspace& workspace) {
   for (const ViewId id : viewsOnScreen(workspace))
-    if (!workspace.view(id).series.empty()) return &workspace.view(id).series;
-  return nullptr;
+    if (const SeriesPicture picture = pictureIn(workspace, id)) return picture;
+  return {};
 }
 
 // Shows it as it is read, in a view to compare.
-Workspace withPictures(Workspace workspace, ViewId view, const Series& series) {
-  if (opensAsPictures(series)) return withFrames(std::move(workspace), view, series);
-  ViewState& state = workspace.editView(view);
-  if (showsScene(state.kind)) state.kind = usualKind(view), state.series = {};
-  return withSeries(std::move(workspace), view, series, {});
+Workspace withPictures(Workspace workspace, ViewId view, const SeriesPicture& picture) {
+  const Series& series = *picture.series;
+  if (picture.frame < 0 && !opensAsPictures(series)) {
+    ViewState& state = workspace.editView(view);
+    if (showsScene(state.kind)) state.kind = usualKind(view), state.series = {};
+    return withSeries(std::move(workspace), view, series, {});
+  }
+  workspace = withFrames(std::move(workspace), view, series);
+  if (picture.frame >= 0) workspace.editView(view).flats.edit(keyOf(series)).frame = picture.frame;
+  return workspace;
 }
 
 }  // namespace
+
+std::vector<SeriesPicture> picturesOf(const std::vector<const Series*>& series) {
+  std::vector<SeriesPicture> all;
+  for (const Series* s : series) {
+    if (!isOfProjections(*s)) {
+      all.push_back({s});
+      continue;
+    }
+    for (std::size_t n = 0; n < s->projections.size(); ++n)
+      if (n == 0 || s->files[n] != s->files[n - 1] || s->projections[n] != s->projections[n - 1])
+        all.push_back({s, int(n)});
+  }
+  return all;
+}
+
+SeriesPicture pictureIn(const Workspace& workspace, ViewId view) {
+  const Series* series = seriesIn(workspace, view);
+  const ViewState& state = workspace.view(view);
+  if (!series || !showsFrames(state.kind) || !isOfProjections(*series)) return {series};
+  return {series, flatLookOf(state).frame};
+}
 
 PatientStudies studiesAround(const std::vector<const Series*>& open, const Series& current) {
   PatientStudies studies;
@@ -90,11 +116,12 @@ PatientStudies studiesAround(const std::vector<const Series*>& open, const Serie
   return studies;
 }
 
-double likeness(const Series& a, const Series& b) {
+double likeness(const SeriesPicture& one, const SeriesPicture& other) {
+  const Series &a = *one.series, &b = *other.series;
   if (a.modality != b.modality || !mayBeOfOnePart(a, b) || isProjection(a) != isProjection(b)) return 0;
   double points = 0;
   if (isProjection(a))
-    points += a.laterality == b.laterality && a.viewPosition == b.viewPosition ? 30 : -30;
+    points += projectionOf(a, one.frame) == projectionOf(b, other.frame) ? 30 : -30;
   else
     points += acquiredPlaneOf(a) == acquiredPlaneOf(b) ? 30 : 0;
   points += a.modality == "CT" ? pointsOf(25, kernelOf(a), kernelOf(b))
@@ -106,25 +133,27 @@ double likeness(const Series& a, const Series& b) {
   return std::clamp(points, 0.0, 100.0);
 }
 
-const Series* mostLike(const Series& series, const std::vector<const Series*>& among) {
-  const Series* best = nullptr;
+SeriesPicture mostLike(const SeriesPicture& picture, const std::vector<const Series*>& among) {
+  SeriesPicture best;
   double most = leastLikeness;
-  for (const Series* other : among) {
-    const double points = likeness(series, *other);
-    const bool isFirst = best && points == most && seriesNumberOf(*other) < seriesNumberOf(*best);
+  for (const SeriesPicture& other : picturesOf(among)) {
+    const double points = likeness(picture, other);
+    const bool isFirst =
+        best && points == most && seriesNumberOf(*other.series) < seriesNumberOf(*best.series);
     if (points > most || (!best && points >= most) || isFirst) best = other, most = points;
   }
   return best;
 }
 
-const Series* priorOf(const Series& series, const std::vector<const Series*>& open) {
-  for (const auto& prior : studiesAround(open, series).priors)
-    if (const Series* found = mostLike(series, prior)) return found;
-  return nullptr;
+SeriesPicture priorOf(const SeriesPicture& picture, const std::vector<const Series*>& open) {
+  for (const auto& prior : studiesAround(open, *picture.series).priors)
+    if (const SeriesPicture found = mostLike(picture, prior)) return found;
+  return {};
 }
 
-const Series* likelySecond(const Workspace& workspace, const Series& series,
+SeriesPicture likelySecond(const Workspace& workspace, const SeriesPicture& picture,
                            const std::vector<const Series*>& open) {
+  const Series& series = *picture.series;
   std::set<SeriesKey> shown;
   for (const ViewId id : viewsOnScreen(workspace)) shown.insert(workspace.view(id).series);
   const auto facts = [](const Series& s) { return std::pair(weightingOf(s), kernelOf(s)); };
@@ -137,34 +166,32 @@ const Series* likelySecond(const Workspace& workspace, const Series& series,
                         acquiredPlaneOf(*other) == acquiredPlaneOf(series) && facts(*other) != facts(series);
       if (fits && (!best || seriesNumberOf(*other) < seriesNumberOf(*best))) best = other;
     }
-    if (best) return best;
+    if (best) return {best};
   }
-  const Series* prior = priorOf(series, open);
-  return prior && !shown.contains(keyOf(*prior)) ? prior : nullptr;
+  const SeriesPicture prior = priorOf(picture, open);
+  return prior && !shown.contains(keyOf(*prior.series)) ? prior : SeriesPicture{};
 }
 
 Workspace withLikelySecond(Workspace workspace, const std::vector<const Series*>& open) {
   if (!comparesSeries(workspace.layout)) return workspace;
-  const SeriesKey* key = firstCompared(workspace);
-  const auto known = key ? workspace.series.find(*key) : workspace.series.end();
-  if (known == workspace.series.end()) return workspace;
-  const Series first = *known->second.series;
-  const Series* second = likelySecond(workspace, first, open);
+  const SeriesPicture first = firstCompared(workspace);
+  if (!first) return workspace;
+  const SeriesPicture second = likelySecond(workspace, first, open);
   const std::vector<ViewId> views = viewsOnScreen(workspace);
   const auto empty =
       std::ranges::find_if(views, [&](ViewId id) { return workspace.view(id).series.empty(); });
   if (!second || empty == views.end()) return workspace;
-  workspace = withPictures(std::move(workspace), *empty, *second);
-  return withTimePointsOf(std::move(workspace), *second, open);
+  workspace = withPictures(std::move(workspace), *empty, second);
+  return withTimePointsOf(std::move(workspace), *second.series, open);
 }
 
-Workspace comparedWithPrior(Workspace workspace, const Series& current, const Series& prior) {
-  const Series left = current, right = prior;  // copies: they may be of the workspace
+Workspace comparedWithPrior(Workspace workspace, const SeriesPicture& current, const SeriesPicture& prior) {
+  const Series left = *current.series, right = *prior.series;  // copies: they may be of the workspace
   workspace = withScrollLinked(std::move(workspace), true);
   workspace.layout = Layout::two;
   workspace.focus = firstComparedId;
-  workspace = withPictures(std::move(workspace), firstComparedId, left);
-  workspace = withPictures(std::move(workspace), firstComparedId + 1, right);
+  workspace = withPictures(std::move(workspace), firstComparedId, {&left, current.frame});
+  workspace = withPictures(std::move(workspace), firstComparedId + 1, {&right, prior.frame});
   workspace.focus = firstComparedId;
   return workspace;
 }

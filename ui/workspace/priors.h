@@ -7,6 +7,18 @@
 
 namespace volumen {
 
+/// A series, or one picture of a series of projections (isOfProjections()).
+struct SeriesPicture {
+  const Series* series = nullptr;  ///< null: none
+  int frame = -1;                  ///< of its frames, from 0; -1: the series as such
+  explicit operator bool() const { return series != nullptr; }
+  bool operator==(const SeriesPicture&) const = default;
+};
+/// Those of series of projections one by one, of one file and projection the first; of others the series.
+std::vector<SeriesPicture> picturesOf(const std::vector<const Series*>& series);
+/// What a view shows.
+SeriesPicture pictureIn(const Workspace& workspace, ViewId view);
+
 /// What is open of one patient, from one study's point of view.
 struct PatientStudies {
   std::vector<const Series*> current;              ///< of that study
@@ -16,22 +28,23 @@ struct PatientStudies {
 /// `open`: all pictures that are open; the pointers are kept.
 PatientStudies studiesAround(const std::vector<const Series*>& open, const Series& current);
 
-/// How much two series are pictures of the same thing: 100 of plane (or side and view of projections) 30,
+/// How much two pictures are of the same thing: 100 of plane (or side and view of projections) 30,
 /// weighting or kernel 25, words of the description 20, contrast agent 15, thickness 10; 0 where modality or
 /// body part differ, or one of them alone is a volume.
-double likeness(const Series& a, const Series& b);
+double likeness(const SeriesPicture& a, const SeriesPicture& b);
 /// What likeness() calls the same.
 inline constexpr double leastLikeness = 50;
 
-/// The one of some most like a series, of those alike the one with the lowest number; null: none is like it.
-const Series* mostLike(const Series& series, const std::vector<const Series*>& among);
+/// The picture of some series most like one, of those alike that of the series with the lowest number; none
+/// is like it: no series.
+SeriesPicture mostLike(const SeriesPicture& picture, const std::vector<const Series*>& among);
 
-/// The same series of the latest study before that holds one; null: none is open.
-const Series* priorOf(const Series& series, const std::vector<const Series*>& open);
+/// The same picture of the latest study before that holds one; no series: none is open.
+SeriesPicture priorOf(const SeriesPicture& picture, const std::vector<const Series*>& open);
 
 /// What is most likely wanted beside a series: of its study and plane another weighting or kernel, in the
-/// same frame of reference; else its prior; null: nothing.
-const Series* likelySecond(const Workspace& workspace, const Series& series,
+/// same frame of reference; else its prior; no series: nothing.
+SeriesPicture likelySecond(const Workspace& workspace, const SeriesPicture& picture,
                            const std::vector<const Series*>& open);
 
 /// With likelySecond() in the first empty view to compare, beside what the first one shows.
@@ -39,7 +52,7 @@ Workspace withLikelySecond(Workspace workspace, const std::vector<const Series*>
 
 /// Side by side, the current one left and in focus, as they are read: frames, or slices as acquired that
 /// scroll together.
-Workspace comparedWithPrior(Workspace workspace, const Series& current, const Series& prior);
+Workspace comparedWithPrior(Workspace workspace, const SeriesPicture& current, const SeriesPicture& prior);
 
 /// The date of the study in a view, where views on screen show studies of several days; else empty.
 QString dateToTellApart(const Workspace& workspace, ViewId view);

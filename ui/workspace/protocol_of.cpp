@@ -1,9 +1,11 @@
 #include <algorithm>
-#include <set>
+#include <optional>
+#include <utility>
 
 #include "ui/data/frame_series.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/hanging_protocol.h"
+#include "ui/workspace/patients.h"
 #include "ui/workspace/value_text.h"
 
 namespace volumen {
@@ -13,11 +15,13 @@ namespace {
 // Without what would read as several alternatives.
 std::string oneOnly(const std::string& text) { return text.substr(0, text.find('|')); }
 
-SeriesRule ruleOf(const Series& series) {
+SeriesRule ruleOf(const SeriesPicture& picture) {
+  const Series& series = *picture.series;
+  const ProjectionView projection = projectionOf(series, picture.frame);
   SeriesRule rule;
   rule.modality = oneOnly(series.modality);
-  rule.laterality = oneOnly(series.laterality);
-  rule.viewPosition = oneOnly(series.viewPosition);
+  rule.laterality = oneOnly(projection.laterality);
+  rule.viewPosition = oneOnly(projection.viewPosition);
   if (rule.viewPosition.empty()) rule.description = oneOnly(series.description);
   rule.plane = acquiredPlaneOf(series);
   return rule;
@@ -32,36 +36,60 @@ CellPicture pictureOf(ViewKind kind, const Series& series) {
                                      : CellPicture::sagittal;
 }
 
+bool isSame(const SeriesPicture& a, const SeriesPicture& b) {
+  return a && b && keyOf(*a.series) == keyOf(*b.series) && a.frame == b.frame;
+}
+
+// Around the latest study on screen of the patient in focus.
+PatientStudies studiesShown(const Workspace& workspace, const std::vector<const Series*>& open) {
+  const Series* latest = seriesIn(workspace, workspace.focus);
+  for (const ViewId id : viewsOnScreen(workspace)) {
+    const Series* shown = seriesIn(workspace, id);
+    if (!latest) latest = shown;
+    if (shown && areOfOnePatient(*shown, *latest) && shown->studyDate > latest->studyDate) latest = shown;
+  }
+  return latest ? studiesAround(open, *latest) : PatientStudies();
+}
+
 // Collects the series that cells name.
 class ProtocolMaker {
  public:
-  explicit ProtocolMaker(const Workspace& workspace) : workspace_(workspace) {
-    for (const ViewId id : viewsOnScreen(workspace))
-      if (const Series* series = seriesIn(workspace, id)) days_.insert(series->studyDate);
-  }
+  ProtocolMaker(const Workspace& workspace, const PatientStudies& studies)
+      : workspace_(workspace), studies_(studies) {}
 
-  std::string nameOf(const Series& series) {
-    const auto known = std::ranges::find(keys_, keyOf(series));
-    if (known != keys_.end()) return protocol.series[std::size_t(known - keys_.begin())].name;
+  // The name of the entry that finds it, and its rank there; no name: it is of none of the studies.
+  std::pair<std::string, int> nameOf(const SeriesPicture& picture) {
+    const std::optional<int> prior = priorNumberOf(*picture.series);
+    if (!prior) return {};
     ProtocolSeries entry;
-    entry.rule = ruleOf(series);
-    entry.prior = int(std::ranges::count_if(days_, [&](const auto& day) { return day > series.studyDate; }));
+    entry.rule = ruleOf(picture);
+    entry.prior = *prior;
+    const std::vector<SeriesPicture> found = picturesFor(entry, studies_);
+    const auto at = std::ranges::find_if(found, [&](const auto& other) { return isSame(other, picture); });
+    const int rank = at == found.end() ? 1 : int(at - found.begin()) + 1;
+    for (const ProtocolSeries& known : protocol.series)
+      if (known.rule == entry.rule && known.prior == entry.prior) return {known.name, rank};
+    const Series& series = *picture.series;
     const std::string words = oneOnly(series.description.empty() ? series.modality : series.description);
-    entry.name = words.empty() ? "series" : words;
+    const std::string name = words.empty() ? "series" : words;
+    entry.name = name;
     for (int n = 2; std::ranges::count(protocol.series, entry.name, &ProtocolSeries::name) > 0; ++n)
-      entry.name = words + " " + std::to_string(n);
+      entry.name = name + " " + std::to_string(n);
     protocol.when.prior = protocol.when.prior || entry.prior > 0;
-    keys_.push_back(keyOf(series));
     protocol.series.push_back(entry);
-    return entry.name;
+    return {entry.name, rank};
   }
 
   ProtocolCell cellOf(ViewId id) {
     ProtocolCell cell;
-    const Series* series = seriesIn(workspace_, id);
+    const SeriesPicture picture = pictureIn(workspace_, id);
+    const Series* series = picture.series;
     if (!series) return cell;
     const ViewState& view = workspace_.view(id);
-    cell.series = nameOf(*series);
+    const auto [name, rank] = nameOf(picture);
+    if (name.empty()) return cell;
+    cell.series = name;
+    cell.which = rank;
     cell.picture = pictureOf(view.kind, *series);
     if (showsScene(view.kind)) return cell;
     const FlatLook look = flatLookOf(view);
@@ -71,22 +99,51 @@ class ProtocolMaker {
     cell.slabMode = look.slabMode;
     cell.inverted = look.inverted;
     if (const auto over = workspace_.series.find(look.overlay); over != workspace_.series.end())
-      cell.over = nameOf(*over->second.series);
+      cell.over = nameOf({over->second.series.get()}).first;
     return cell;
   }
 
   HangingProtocol protocol;
 
  private:
+  // 0: of the current study; none: of no study of the patient's.
+  std::optional<int> priorNumberOf(const Series& series) const {
+    const auto holds = [&](const std::vector<const Series*>& study) {
+      return std::ranges::any_of(study, [&](const Series* s) { return keyOf(*s) == keyOf(series); });
+    };
+    if (holds(studies_.current)) return 0;
+    for (std::size_t n = 0; n < studies_.priors.size(); ++n)
+      if (holds(studies_.priors[n])) return int(n) + 1;
+    return {};
+  }
+
   const Workspace& workspace_;
-  std::set<std::string> days_;
-  std::vector<SeriesKey> keys_;  // of protocol.series
+  const PatientStudies& studies_;
 };
+
+// Chest walls and scale, where the pictures of the protocol that was hung last still stand.
+void keepFacing(HangingProtocol& protocol, const HangingProtocol& last, const Workspace& workspace,
+                const PatientStudies& studies) {
+  if (protocol.layout != last.layout) return;
+  const std::vector<SeriesPicture> hung = picturesOfCells(last, studies);
+  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  bool allStand = true;
+  for (std::size_t n = 0; n < std::min({hung.size(), views.size(), protocol.cells.size()}); ++n) {
+    const SeriesPicture shown = pictureIn(workspace, views[n]);
+    if (isSame(hung[n], shown))
+      protocol.cells[n].chestWall = last.cells[n].chestWall;
+    else
+      allStand = allStand && !hung[n] && !shown;
+  }
+  protocol.sameScale = last.sameScale && allStand;
+}
 
 }  // namespace
 
-HangingProtocol protocolOf(const Workspace& workspace, const std::string& name) {
-  ProtocolMaker maker(workspace);
+HangingProtocol protocolOf(const Workspace& workspace, const std::string& name,
+                           const std::vector<const Series*>& open, const HangingProtocol* last) {
+  const PatientStudies studies = studiesShown(workspace, open);
+  ProtocolMaker maker(workspace, studies);
   const std::vector<ViewId> views = viewsOnScreen(workspace);
   for (const ViewId id : views) maker.protocol.cells.push_back(maker.cellOf(id));
   HangingProtocol& protocol = maker.protocol;
@@ -100,6 +157,7 @@ HangingProtocol protocolOf(const Workspace& workspace, const std::string& name) 
     protocol.when.rule.modality = oneOnly(series->modality);
     protocol.when.rule.bodyPart = oneOnly(series->bodyPart);
   }
+  if (last) keepFacing(protocol, *last, workspace, studies);
   return protocol;
 }
 

@@ -31,9 +31,19 @@ std::vector<std::string> alternativesOf(const std::string& text) {
   return all;
 }
 
-bool beginsAWord(const std::string& text, const std::string& word) {
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
-    if (at == 0 || !isLetter(text[at - 1]) || !isLetter(word[0])) return true;
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+// At the beginning of a word, and no number goes on behind it: "t1" is not in "T10-L2". "=fs": a whole word.
+bool saysWord(const std::string& text, std::string word) {
+  const bool isWhole = word.size() > 1 && word[0] == '=';
+  if (isWhole) word.erase(0, 1);
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    const bool begins = at == 0 || !isLetter(text[at - 1]) || !isLetter(word[0]);
+    const bool goesOn = end < text.size() && (isDigit(text[end]) ? isWhole || isDigit(word.back())
+                                                                 : isWhole && isLetter(text[end]));
+    if (begins && !goesOn) return true;
+  }
   return false;
 }
 
@@ -61,7 +71,7 @@ int sharpnessOf(const std::string& kernel) {
 bool hasWord(const std::string& text, const std::string& alternatives) {
   const std::string in = loweredText(text);
   return std::ranges::any_of(alternativesOf(alternatives),
-                             [&](const std::string& word) { return beginsAWord(in, word); });
+                             [&](const std::string& word) { return saysWord(in, word); });
 }
 
 bool isOneOf(const std::string& text, const std::string& alternatives) {
@@ -100,7 +110,7 @@ std::optional<Weighting> weightingOf(const Series& series) {
 std::optional<Kernel> kernelOf(const Series& series) {
   const std::string& kernel = valueOfSplit(series, "ConvolutionKernel");
   const std::string said = series.description + " " + kernel;
-  if (hasWord(said, "lung|pulm|lunge|poumon")) return Kernel::lung;
+  if (hasWord(said, "lung|poumon")) return Kernel::lung;
   if (hasWord(said, "bone|knochen|skeleton")) return Kernel::bone;
   if (hasWord(said, "soft|weichteil|standard|stnd|mediast|brain|abdomen")) return Kernel::soft;
   constexpr int leastSharp = 60;
@@ -110,12 +120,12 @@ std::optional<Kernel> kernelOf(const Series& series) {
 
 std::optional<bool> contrastOf(const Series& series) {
   const std::string& said = series.description;
-  if (hasWord(said, "without|native|nativ|non contrast|non-contrast|unenhanced|w/o")) return false;
-  if (saysPlusC(said) || hasWord(said, "gadolinium|contrast|enhanced") ||
+  // Whole words: no "presat", "novel", "posterior".
+  if (hasWord(said, "native|unenhanced|w/o|=pre|=wo|=no|=non|=without|=ohne|=vor|=kein|=keine|=nativ"))
+    return false;
+  if (saysPlusC(said) || hasWord(said, "gadolinium|contrast|enhanced|=gd|=gad|=post|=km|=ce") ||
       !valueOfSplit(series, "ContrastBolusAgent").empty())
     return true;
-  for (const std::string& word : wordsOf(said))  // whole ones: no "posterior"
-    if (word == "gd" || word == "gad" || word == "post" || word == "km" || word == "ce") return true;
   return {};
 }
 

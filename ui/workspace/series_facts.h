@@ -24,8 +24,8 @@ std::optional<bool> contrastOf(const Series& series);
 /// The plane of the patient that its slices are closest to; none: not calibrated, or no volume.
 std::optional<ViewKind> acquiredPlaneOf(const Series& series);
 
-/// Whether a text has one of the alternatives "head|brain", each at the beginning of a word, upper or lower
-/// case. No alternatives: false.
+/// Whether a text has one of the alternatives "head|brain|=fs", each at the beginning of a word, "=fs" as a
+/// whole one, upper or lower case; what ends in a digit is followed by none. No alternatives: false.
 bool hasWord(const std::string& text, const std::string& alternatives);
 /// Whether a text is one of the alternatives "CR|DX", upper or lower case.
 bool isOneOf(const std::string& text, const std::string& alternatives);

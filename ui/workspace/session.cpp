@@ -163,6 +163,10 @@ void Session::change(const QString& text, Workspace after, const QString& mergeK
   push(text, withLinksFollowed(workspace_, std::move(after), viewSizes_), mergeKey);
 }
 
+void Session::adapt(const Workspace& after) {
+  if (after != workspace_) setWorkspace(after);
+}
+
 void Session::push(const QString& text, Workspace after, const QString& mergeKey) {
   undoStack_.push(new EditWorkspace(*this, text, std::move(after), mergeKey, gesture_));
 }
@@ -265,35 +269,67 @@ SessionState Session::stateInFocus() const {
   return state;
 }
 
-// Of what is on screen and not in memory.
-void Session::askFor(const PoolKey& key) {
-  const auto known = workspace_.series.find(key.series);
-  if (known == workspace_.series.end() || known->second.missing || pool_.find(key)) return;
-  if (!key.mask.empty() && pool_.find({key.series, {}}))
-    Q_EMIT maskedNeeded(key.series);
-  else
-    Q_EMIT seriesNeeded(*known->second.series);
-}
-
-void Session::setWorkspace(const Workspace& workspace) {
-  Workspace after = workspace;  // a copy: it may be the one in use
-  const Workspace before = std::exchange(workspace_, std::move(after));
+// With masks, the view in focus first.
+std::vector<PoolKey> Session::wantedOnScreen() const {
+  std::vector<ViewId> views = viewsOnScreen(workspace_);
+  std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace_.focus; });
   std::vector<PoolKey> wanted;
-  for (const ViewId id : viewsOnScreen(workspace_)) {
+  for (const ViewId id : views) {
     const ViewState& view = workspace_.view(id);
-    if (showsFrames(view.kind)) continue;
+    if (volumen::showsFrames(view.kind)) continue;
     const SeriesKey overlay = showsScene(view.kind) ? SeriesKey{} : flatLookOf(view).overlay;
     for (const SeriesKey& key : {view.series, overlay})
       if (!key.empty() && std::ranges::find(wanted, key, &PoolKey::series) == wanted.end())
         wanted.push_back(poolKeyOf(key));
   }
-  std::vector<PoolKey> onScreen = wanted;
-  for (const PoolKey& key : wanted) onScreen.push_back({key.series, {}});  // for the next mask
+  return wanted;
+}
+
+void Session::setLoading(const std::optional<SeriesKey>& series) { loading_ = series; }
+
+void Session::setNotLoaded(const SeriesKey& series) {
+  if (loading_ == series) loading_.reset();
+  notLoaded_.insert(series);
+}
+
+// That can be loaded.
+bool Session::isMissing(const SeriesKey& series) const {
+  const auto known = workspace_.series.find(series);
+  return known != workspace_.series.end() && !known->second.missing && !pool_.find(poolKeyOf(series));
+}
+
+void Session::askForMissing() {
+  const std::vector<PoolKey> wanted = wantedOnScreen();
+  const auto isWanted = [&](const SeriesKey& key) {
+    return std::ranges::find(wanted, key, &PoolKey::series) != wanted.end();
+  };
+  std::erase_if(notLoaded_, [&](const SeriesKey& key) { return !isWanted(key); });
+  const bool canAsk = !loading_ || (loading_ == askedFor_ && !isWanted(*loading_));
+  std::optional<SeriesKey> next;
+  for (const auto& [key, mask] : wanted) {
+    if (!isMissing(key)) continue;
+    if (!mask.empty() && pool_.find({key, {}}))
+      Q_EMIT maskedNeeded(key);
+    else if (!next && !notLoaded_.contains(key))
+      next = key;
+  }
+  // What heard of a mask may have changed the workspace.
+  if (!next || !canAsk || !isMissing(*next)) return;
+  askedFor_ = next;
+  Q_EMIT seriesNeeded(Series(*workspace_.series.at(*next).series));
+}
+
+void Session::setWorkspace(const Workspace& workspace) {
+  Workspace after = workspace;  // a copy: it may be the one in use
+  const Workspace before = std::exchange(workspace_, std::move(after));
+  std::vector<PoolKey> onScreen = wantedOnScreen();
+  for (std::size_t n = 0, count = onScreen.size(); n < count; ++n)
+    onScreen.push_back({onScreen[n].series, {}});  // for the next mask
   pool_.setOnScreen(onScreen);
   const SessionState stateBefore = std::exchange(state_, stateInFocus());
   Q_EMIT workspaceChanged(before, workspace_);
   if (stateBefore != state_) Q_EMIT changed(stateBefore, state_);
-  for (const PoolKey& key : wanted) askFor(key);
+  askForMissing();
 }
 
 }  // namespace volumen

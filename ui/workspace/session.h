@@ -3,6 +3,8 @@
 #include <QObject>
 #include <QUndoStack>
 #include <functional>
+#include <optional>
+#include <set>
 
 #include "ui/data/series_pool.h"
 #include "ui/workspace/links.h"
@@ -62,6 +64,13 @@ class Session : public QObject {
   void makeRoom(const QString& text, const Workspace& after);
   /// Keeps a series that views on screen wait for; shows any other.
   void take(LoadedSeriesPtr series, const Arrange& arrange = {});
+  /// A series is being loaded; none is any more, and seriesNeeded() is told of the next that is missing once
+  /// something changes or by askForMissing().
+  void setLoading(const std::optional<SeriesKey>& series);
+  /// A series will not come: it is asked for again where a view shows it anew.
+  void setNotLoaded(const SeriesKey& series);
+  /// Tells of a series that views on screen lack, unless one is being loaded.
+  void askForMissing();
   /// Keeps a series in memory, for views that wait for it now or later.
   void keep(LoadedSeriesPtr series);
   /// Keeps a series without what a mask takes away.
@@ -85,7 +94,10 @@ class Session : public QObject {
   void change(const QString& text, Workspace after, const QString& mergeKey = {});
   void change(const QString& text, const std::function<void(Workspace&)>& edit, const QString& mergeKey = {});
 
-  /// The same for the scene of the view in focus, or of any 3D view.
+  /// Makes `after` the workspace without a step: what follows from how large views are alone.
+  void adapt(const Workspace& after);
+
+  /// change() for the scene of the view in focus, or of any 3D view.
   void edit(const QString& text, Scene after, const QString& mergeKey = {});
   void edit(const QString& text, const std::function<void(Scene&)>& change, const QString& mergeKey = {});
   void edit(ViewId view, const QString& text, const std::function<void(Scene&)>& change,
@@ -125,7 +137,7 @@ class Session : public QObject {
   void changed(const volumen::SessionState& before, const volumen::SessionState& after);
   /// Of anything, or a series came into memory.
   void workspaceChanged(const volumen::Workspace& before, const volumen::Workspace& after);
-  /// A view shows a series that is not in memory: take() it.
+  /// A view shows a series that is not in memory: take() it. One at a time, that of the view in focus first.
   void seriesNeeded(const volumen::Series& series);
   /// A view shows this series with its mask, and that volume is not in memory: takeMasked() it.
   void maskedNeeded(const volumen::SeriesKey& series);
@@ -139,7 +151,8 @@ class Session : public QObject {
   void begin(const QString& text, Workspace after);
   void push(const QString& text, Workspace after, const QString& mergeKey);
   SessionState stateInFocus() const;
-  void askFor(const PoolKey& key);
+  std::vector<PoolKey> wantedOnScreen() const;
+  bool isMissing(const SeriesKey& series) const;
   void setWorkspace(const Workspace& workspace);
 
   Workspace workspace_;
@@ -149,6 +162,8 @@ class Session : public QObject {
   QUndoStack undoStack_;
   ViewSizes viewSizes_;
   int gesture_ = 0;
+  std::optional<SeriesKey> loading_, askedFor_;  // the one in work, by whomever; the last of seriesNeeded()
+  std::set<SeriesKey> notLoaded_;                // of those on screen: they did not come
 };
 
 }  // namespace volumen

@@ -1,9 +1,7 @@
-// Guards import.md: projections of one series from different sides are series of their own, and a view that
-// is given by a code is read.
+// Guards import.md: projections of one series are one stack, whatever their sides, that says side and view of
+// each; a view that is given by a code is read.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
-
-#include <set>
 
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
@@ -41,39 +39,50 @@ DicomPicture mammogram(int instance, const char* side, const char* view) {
 class TestProjectionViews : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void sidesAndViewsAreSeries();
-  void alikeOnesAreOneSeries();
+  void sidesAndViewsAreOneStack();
+  void whatAllShareIsOfTheSeries();
+  void alikeOnesSayItOnce();
   void codesAreRead_data();
   void codesAreRead();
 };
 
-void TestProjectionViews::sidesAndViewsAreSeries() {
+void TestProjectionViews::sidesAndViewsAreOneStack() {
   const DicomFolder folder;
   folder.add("a", mammogram(1, "R", "CC"));
   folder.add("b", mammogram(2, "L", "CC"));
-  folder.add("c", mammogram(3, "R", "MLO"));
+  folder.add("c", mammogram(3, "R", "399368009"));
   folder.add("d", mammogram(4, "L", "MLO"));
   const Study study = folder.open();
-  QCOMPARE(study.volumes.size(), std::size_t(4));
-  QStringList found;
-  std::set<std::string> ids;
-  for (const Series& series : study.volumes) {
-    found << QString::fromStdString(series.laterality + " " + series.viewPosition);
-    QCOMPARE(series.files.size(), std::size_t(1));
-    QVERIFY(ids.insert(series.id).second);
-  }
-  found.sort();
-  const QStringList expected{QStringLiteral("L CC"), QStringLiteral("L MLO"), QStringLiteral("R CC"),
-                             QStringLiteral("R MLO")};
-  QCOMPARE(found, expected);
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  const Series& series = study.volumes[0];
+  QCOMPARE(series.files.size(), std::size_t(4));
+  QVERIFY(series.id.find('#') == std::string::npos);
+  const ProjectionView expected[] = {{"R", "CC"}, {"L", "CC"}, {"R", "MLO"}, {"L", "MLO"}};
+  QCOMPARE(series.projections.size(), std::size_t(4));
+  for (int n = 0; n < 4; ++n) QVERIFY(projectionOf(series, n) == expected[n]);
+  QVERIFY2(series.laterality.empty() && series.viewPosition.empty(), "they differ");
+  QVERIFY(projectionOf(series, 4) == ProjectionView());
 }
 
-void TestProjectionViews::alikeOnesAreOneSeries() {
+void TestProjectionViews::whatAllShareIsOfTheSeries() {
+  const DicomFolder folder;
+  folder.add("a", mammogram(1, "R", "CC"));
+  folder.add("b", mammogram(2, "R", "MLO"));
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  QCOMPARE(study.volumes[0].laterality, std::string("R"));
+  QVERIFY(study.volumes[0].viewPosition.empty());
+  QVERIFY(projectionOf(study.volumes[0], -1) == (ProjectionView{"R", ""}));
+}
+
+void TestProjectionViews::alikeOnesSayItOnce() {
   const DicomFolder folder;
   for (int n = 1; n <= 3; ++n) folder.add(numbered("m", n), mammogram(n, "R", "CC"));
   const Study study = folder.open();
   QCOMPARE(study.volumes.size(), std::size_t(1));
   QCOMPARE(study.volumes[0].files.size(), std::size_t(3));
+  QVERIFY(study.volumes[0].projections.empty());
+  QVERIFY(projectionOf(study.volumes[0], 2) == (ProjectionView{"R", "CC"}));
 }
 
 void TestProjectionViews::codesAreRead_data() {

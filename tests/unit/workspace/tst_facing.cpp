@@ -10,13 +10,13 @@ namespace {
 
 // `columns` x 20 pixels of `mm`, the left half of one value, the right one of another.
 LoadedFramePtr breastFrame(const char* rows, float leftHalf, float rightHalf, int columns = 10, double mm = 1,
-                           bool inverted = false) {
+                           bool inverted = false, PixelSizeKind kind = PixelSizeKind::atDetector) {
   Frame frame;
   frame.size = {columns, 20};
   for (int n = 0; n < columns * 20; ++n)
     frame.values.push_back(n % columns < columns / 2 ? leftHalf : rightHalf);
   frame.greys = {{"", {{500, 1000}, WindowFunction::linear, {}, inverted}, false}};
-  frame.pixel = {{mm, mm}, PixelSizeKind::atDetector};
+  frame.pixel = {{mm, mm}, kind};
   frame.rowSide = rows;
   Series series;
   series.path = "breast";
@@ -34,6 +34,7 @@ class TestFacing : public QObject {
   void theChestWallIsFound();
   void framesFaceEachOther_data();
   void framesFaceEachOther();
+  void framesWithoutMmHaveNoScale();
 };
 
 void TestFacing::theChestWallIsFound_data() {
@@ -96,6 +97,19 @@ void TestFacing::framesFaceEachOther() {
   }
   const std::vector<FlatLook> free = facingLooks({{frames[0].frame, {}, {300, 200}}}, sameScale);
   QVERIFY(free[0] == FlatLook());
+}
+
+// A pixel of 2 "mm" whose size nobody knows.
+void TestFacing::framesWithoutMmHaveNoScale() {
+  const std::vector<FacingFrame> frames{
+      {breastFrame("P", 10, 900), {}, {300, 200}},
+      {breastFrame("P", 10, 900, 15, 1), {}, {300, 100}},
+      {breastFrame("P", 10, 900, 10, 9, false, PixelSizeKind::unknown), {}, {300, 200}}};
+  const std::vector<FlatLook> looks = facingLooks(frames, true);
+  // 20 mm over 200 pixels as over 100.
+  QCOMPARE(looks[0].zoom, 0.5);
+  QCOMPARE(looks[1].zoom, 1.0);
+  QCOMPARE(looks[2].zoom, 1.0);
 }
 
 VOLUMEN_TEST(TestFacing);

@@ -1,11 +1,15 @@
 // Guards hanging protocols: the language and its refusals, which protocol fits which study, what stands in
 // which cell; by chance, that any protocol makes a workspace that a session can hold; those of the program.
 #include <QFile>
+#include <QTemporaryDir>
+#include <map>
 #include <set>
 
+#include "io/files/preset_files.h"
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
+#include "ui/data/frame_series.h"
 #include "ui/workspace/own_protocols.h"
 #include "ui/workspace/session_json.h"
 
@@ -45,6 +49,25 @@ struct OpenPictures {
 
   explicit OpenPictures(const std::vector<HangSeries>& all) {
     for (const HangSeries& s : all) series.push_back(madeFor(s, int(series.size()) + 1));
+  }
+  // The same as one series a day.
+  static OpenPictures stacked(const std::vector<HangSeries>& all) {
+    std::map<std::string, std::vector<HangSeries>> byDay;
+    for (const HangSeries& s : all) byDay[s.day].push_back(s);
+    OpenPictures open({});
+    for (auto day = byDay.rbegin(); day != byDay.rend(); ++day) {
+      HangSeries whole = day->second.front();
+      whole.slices = int(day->second.size());
+      Series& stack = open.series.emplace_back(madeFor(whole, int(open.series.size()) + 1));
+      stack.acquired.calibrated = false;
+      std::vector<ProjectionView> views;
+      for (std::size_t n = 0; n < day->second.size(); ++n) {
+        stack.files[n] = std::to_string(n);
+        views.push_back({day->second[n].laterality, day->second[n].view});
+      }
+      setProjections(stack, views);
+    }
+    return open;
   }
   std::vector<const Series*> pictures() const {
     std::vector<const Series*> all;
@@ -86,11 +109,13 @@ const HangingProtocol& protocolNamed(const KnownProtocols& known, const char* na
 // What each cell shows: side and view, or the description; "-" of empty ones.
 QStringList cellsOf(const HangingProtocol& protocol, const PatientStudies& studies) {
   QStringList cells;
-  for (const Series* s : seriesOfCells(protocol, studies)) {
+  for (const SeriesPicture& picture : picturesOfCells(protocol, studies)) {
+    const Series* s = picture.series;
+    const ProjectionView view = s ? projectionOf(*s, picture.frame) : ProjectionView();
     const std::string text = !s ? "-"
-                             : s->viewPosition.empty()
+                             : view.viewPosition.empty()
                                  ? s->description
-                                 : s->laterality + s->viewPosition + s->studyDate.substr(2, 2);
+                                 : view.laterality + view.viewPosition + s->studyDate.substr(2, 2);
     cells << QString::fromStdString(text);
   }
   return cells;
@@ -117,15 +142,19 @@ class TestHangingProtocols : public QObject {
   void refusalsNameTheField();
   void wordsOfSeries_data();
   void wordsOfSeries();
+  void fastSpinEchoIsNoFatSaturation();
   void thoseOfTheProgramAreRead();
+  void anOwnOneHidesThatOfItsName();
   void theExampleOfTheDocumentIsRead();
   void studiesAreOffered_data();
   void studiesAreOffered();
   void cellsHoldTheirSeries_data();
   void cellsHoldTheirSeries();
   void aStudyIsHung();
+  void aStackIsHungByItsPictures();
   void emptyCellsSayWhatTheyWant();
   void whatIsShownIsAProtocol();
+  void twinsAreKeptByTheirRank();
   void anyProtocolMakesASession();
 };
 
@@ -212,6 +241,20 @@ void TestHangingProtocols::wordsOfSeries_data() {
   mr("T1 SE +C", Weighting::t1, 1);
   mr("T1 post Gd", Weighting::t1, 1);
   mr("T1 native", Weighting::t1, 0);
+  mr("T1 pre contrast", Weighting::t1, 0);
+  mr("T1 wo contrast", Weighting::t1, 0);
+  mr("T1 w/o contrast", Weighting::t1, 0);
+  mr("T1 no contrast", Weighting::t1, 0);
+  mr("T1 non-contrast", Weighting::t1, 0);
+  mr("T1 without Gd", Weighting::t1, 0);
+  mr("T1 ohne KM", Weighting::t1, 0);
+  mr("T1 vor KM", Weighting::t1, 0);
+  mr("T1 kein KM", Weighting::t1, 0);
+  mr("T1 nativ", Weighting::t1, 0);
+  mr("T1 nach KM", Weighting::t1, 1);
+  mr("T1 presat vorne", Weighting::t1);
+  mr("SAG T10-L2", {});
+  mr("T2 T10-L2", Weighting::t2);
   const auto ct = [](const char* text, std::optional<Kernel> k) {
     QTest::newRow(text) << QByteArray("CT") << QByteArray(text) << (k ? int(*k) : -1) << -1;
   };
@@ -219,6 +262,8 @@ void TestHangingProtocols::wordsOfSeries_data() {
   ct("CHEST BONE", Kernel::bone);
   ct("Soft tissue 5.0", Kernel::soft);
   ct("Thorax 5.0", {});
+  ct("CT pulmonary angiogram", {});
+  ct("Pulm soft tissue", Kernel::soft);
 }
 
 void TestHangingProtocols::wordsOfSeries() {
@@ -238,6 +283,24 @@ void TestHangingProtocols::wordsOfSeries() {
   QCOMPARE(c ? int(*c) : -1, contrast);
 }
 
+void TestHangingProtocols::fastSpinEchoIsNoFatSaturation() {
+  const KnownProtocols known = knownProtocols();
+  const auto says = [&](const char* name, const char* description) {
+    for (const ProtocolSeries& entry : protocolNamed(known, "MR spine").series) {
+      if (entry.name != name) continue;
+      SeriesRule rule = entry.rule;
+      rule.plane.reset();
+      const Series series = madeFor({"MR", description}, 1);
+      return matches(rule, {&series});
+    }
+    return false;
+  };
+  for (const char* plain : {"SAG T2 FSE", "t2_fse_sag"})
+    QVERIFY2(says("T2, sagittal", plain) && !says("STIR, sagittal", plain), plain);
+  for (const char* saturated : {"SAG T2 FS", "t2_tse_fs_sag", "T2fs sag", "T2 FatSat"})
+    QVERIFY2(!says("T2, sagittal", saturated) && says("STIR, sagittal", saturated), saturated);
+}
+
 void TestHangingProtocols::thoseOfTheProgramAreRead() {
   const KnownProtocols known = knownProtocols();
   for (const std::string& problem : known.problems) QFAIL(problem.c_str());
@@ -249,6 +312,26 @@ void TestHangingProtocols::thoseOfTheProgramAreRead() {
     QVERIFY2(again && *again == protocol, protocol.name.c_str());
     for (const ProtocolCell& cell : protocol.cells) QVERIFY(!cell.series.empty());
   }
+}
+
+void TestHangingProtocols::anOwnOneHidesThatOfItsName() {
+  const QByteArray before = qgetenv("XDG_CONFIG_HOME");
+  const QTemporaryDir config;
+  qputenv("XDG_CONFIG_HOME", config.path().toLocal8Bit());
+  HangingProtocol mine;
+  mine.name = "Mammograms, CC", mine.leastFilled = 3;
+  const Status first = writePresetFile("a", protocolToJson(mine), protocolFolder());
+  mine.leastFilled = 5;
+  const Status second = writePresetFile("b", protocolToJson(mine), protocolFolder());
+  const KnownProtocols known = knownProtocols();
+  if (before.isEmpty())
+    qunsetenv("XDG_CONFIG_HOME");
+  else
+    qputenv("XDG_CONFIG_HOME", before);
+  QVERIFY(first && second);
+  QCOMPARE(std::ranges::count(known.protocols, mine.name, &HangingProtocol::name), std::ptrdiff_t(1));
+  QCOMPARE(known.own, std::size_t(1));
+  QCOMPARE(protocolNamed(known, "Mammograms, CC").leastFilled, 3);
 }
 
 void TestHangingProtocols::theExampleOfTheDocumentIsRead() {
@@ -291,6 +374,10 @@ void TestHangingProtocols::studiesAreOffered() {
   QFETCH(QStringList, names);
   const KnownProtocols known = knownProtocols();
   QCOMPARE(namesOf(known.protocols, fitting(known.protocols, OpenPictures(series).studies())), names);
+  const bool areMammograms = QLatin1String(series.front().modality) == QLatin1String("MG");
+  if (areMammograms && series.size() > 1)
+    QCOMPARE(namesOf(known.protocols, fitting(known.protocols, OpenPictures::stacked(series).studies())),
+             names);
 }
 
 void TestHangingProtocols::cellsHoldTheirSeries_data() {
@@ -323,6 +410,9 @@ void TestHangingProtocols::cellsHoldTheirSeries() {
   QFETCH(QStringList, cells);
   const KnownProtocols known = knownProtocols();
   QCOMPARE(cellsOf(protocolNamed(known, protocol.constData()), OpenPictures(series).studies()), cells);
+  if (QLatin1String(series.front().modality) != QLatin1String("MG")) return;
+  const OpenPictures stacked = OpenPictures::stacked(series);
+  QCOMPARE(cellsOf(protocolNamed(known, protocol.constData()), stacked.studies()), cells);
 }
 
 void TestHangingProtocols::aStudyIsHung() {
@@ -353,6 +443,21 @@ void TestHangingProtocols::aStudyIsHung() {
   QVERIFY(bone.view(firstComparedId + 3).kind == ViewKind::axial);
 }
 
+// A cell of a stack shows its picture as acquired.
+void TestHangingProtocols::aStackIsHungByItsPictures() {
+  const KnownProtocols known = knownProtocols();
+  const OpenPictures stacked = OpenPictures::stacked(fourBreasts);
+  QCOMPARE(stacked.series.size(), std::size_t(1));
+  const Workspace after = hung({}, protocolNamed(known, "Mammograms"), stacked.studies());
+  const int frames[] = {1, 3, 2, 0};
+  for (int n = 0; n < 4; ++n) {
+    const ViewState& view = after.view(firstComparedId + n);
+    QVERIFY(view.series == keyOf(stacked.series[0]) && showsFrames(view.kind));
+    QCOMPARE(flatLookOf(view).frame, frames[n]);
+  }
+  QVERIFY2(opensAsPictures(stacked.series[0]), "pictures of two sides are no volume");
+}
+
 void TestHangingProtocols::emptyCellsSayWhatTheyWant() {
   const KnownProtocols known = knownProtocols();
   const OpenPictures three({fourBreasts.begin(), fourBreasts.begin() + 3});
@@ -371,13 +476,20 @@ void TestHangingProtocols::whatIsShownIsAProtocol() {
       {"Mammograms", fourBreasts},
       {"MR brain", brainSeries},
       {"Frontal and lateral", {xRayOf("PA"), xRayOf("LL")}}};
-  for (const auto& [name, series] : cases) {
-    const OpenPictures open(series);
+  std::vector<std::pair<const char*, OpenPictures>> all{
+      {"Mammograms", OpenPictures::stacked(fourBreasts)},
+      {"Frontal and lateral", OpenPictures::stacked(cases[2].second)}};
+  for (const auto& [name, series] : cases) all.emplace_back(name, OpenPictures(series));
+  for (const auto& [name, open] : all) {
     const Workspace first = hung({}, protocolNamed(known, name), open.studies());
-    const HangingProtocol kept = protocolOf(first, "Mine");
+    const HangingProtocol kept = protocolOf(first, "Mine", open.pictures(), &protocolNamed(known, name));
     const Result<HangingProtocol> read = protocolFromJson(protocolToJson(kept));
     QVERIFY2(read && *read == kept, name);
     QCOMPARE(fitting({kept}, open.studies()).size(), std::size_t(1));
+    const HangingProtocol& model = protocolNamed(known, name);
+    QVERIFY2(kept.sameScale == model.sameScale, name);
+    for (std::size_t n = 0; n < model.cells.size(); ++n)
+      QVERIFY2(kept.cells[n].chestWall == model.cells[n].chestWall, name);
     const Workspace again = hung({}, kept, open.studies());
     QVERIFY2(again.layout == first.layout && again.links == first.links, name);
     for (const ViewId id : viewsOnScreen(first)) {
@@ -386,6 +498,40 @@ void TestHangingProtocols::whatIsShownIsAProtocol() {
       QVERIFY2(flatLookOf(again.view(id)) == flatLookOf(first.view(id)), name);
     }
   }
+}
+
+// Series that no rule tells apart, the second of them first; one of before; and one of somebody else.
+void TestHangingProtocols::twinsAreKeptByTheirRank() {
+  OpenPictures open({{"MR", "T2"},
+                     {"MR", "T2"},
+                     {"MR", "T2", "", "", "", "20250301"},
+                     {"MR", "T2", "", "", "", "20251201"}});
+  Series& other = open.series[3];
+  other.patientId = "8", other.patientName = "Roe^Jane";
+  Workspace shown;
+  shown.layout = Layout::four;
+  const std::size_t order[] = {1, 0, 2, 3};
+  for (int n = 0; n < 4; ++n)
+    shown = withSeries(std::move(shown), firstComparedId + n, open.series[order[n]], {});
+  shown.focus = firstComparedId;
+  const HangingProtocol kept = protocolOf(shown, "Twins", open.pictures());
+  QCOMPARE(kept.series.size(), std::size_t(2));
+  QCOMPARE(kept.cells[0].which, 2);
+  QCOMPARE(kept.cells[1].which, 1);
+  QCOMPARE(kept.cells[1].series, kept.cells[0].series);
+  QCOMPARE(kept.series[1].prior, 1);
+  QVERIFY2(kept.cells[3].series.empty(), "another patient");
+  const Workspace again = hung({}, kept, open.studies());
+  for (int n = 0; n < 3; ++n) QVERIFY(again.view(firstComparedId + n).series == keyOf(open.series[order[n]]));
+  // What was moved faces nobody any more.
+  const KnownProtocols known = knownProtocols();
+  const OpenPictures breasts(fourBreasts);
+  const HangingProtocol& four = protocolNamed(known, "Mammograms");
+  Workspace moved = hung({}, four, breasts.studies());
+  moved = withFrames(std::move(moved), firstComparedId, breasts.series[0]);
+  const HangingProtocol keptMoved = protocolOf(moved, "Moved", breasts.pictures(), &four);
+  QVERIFY(keptMoved.cells[0].chestWall == ChestWall::anywhere && !keptMoved.sameScale);
+  QVERIFY(keptMoved.cells[1].chestWall == ChestWall::left);
 }
 
 // One after the other over the same workspace.
@@ -428,7 +574,8 @@ void TestHangingProtocols::anyProtocolMakesASession() {
             return workspace.series.at(keyOf(saved.series)).series;
           });
       QVERIFY2(back && back->workspace == workspace, where.constData());
-      const Result<HangingProtocol> kept = protocolFromJson(protocolToJson(protocolOf(workspace, "Kept")));
+      const Result<HangingProtocol> kept =
+          protocolFromJson(protocolToJson(protocolOf(workspace, "Kept", open.pictures())));
       QVERIFY2(kept, kept ? "" : kept.message().c_str());
     }
   }

@@ -63,6 +63,7 @@ class TestPriors : public QObject {
   void likenessIsAShareOfAHundred();
   void currentAndPriorStandSideBySide();
   void framesStayFrames();
+  void theSamePictureOfAStackIsFound();
   void datesTellStudiesApart();
   void theFirstEmptyViewIsFilled_data();
   void theFirstEmptyViewIsFilled();
@@ -120,33 +121,33 @@ void TestPriors::theSameSeriesIsFound() {
                           {"20240102", "t2_tse_tra", "MR", "8", "BRAIN"}});
   std::vector<const Series*> open;
   for (const int n : which) open.push_back(&all.series[std::size_t(n)]);
-  QCOMPARE(all.numberOf(priorOf(*open.front(), open)), found);
+  QCOMPARE(all.numberOf(priorOf({open.front()}, open).series), found);
 }
 
 void TestPriors::likenessIsAShareOfAHundred() {
   const Series a = priorSeries({"20260102", "T2 tra +C", "MR", "7", "", false, 5});
-  QCOMPARE(likeness(a, a), 100.);
+  QCOMPARE(likeness({&a}, {&a}), 100.);
   // Neither says whether contrast agent was given, nor how thick slices are: half of those points.
   const Series vague = priorSeries({"20260102", "T2 tra"});
-  QCOMPARE(likeness(vague, vague), 100 - 7.5 - 5);
+  QCOMPARE(likeness({&vague}, {&vague}), 100 - 7.5 - 5);
   const Series thin = priorSeries({"20240102", "T2 tra +C", "MR", "7", "", false, 1});
-  QCOMPARE(likeness(a, thin), 92.);
-  QCOMPARE(likeness(thin, a), likeness(a, thin));
+  QCOMPARE(likeness({&a}, {&thin}), 92.);
+  QCOMPARE(likeness({&thin}, {&a}), likeness({&a}, {&thin}));
   const Series turned = priorSeries({"20240102", "T2 tra +C", "MR", "7", "", true, 5});
-  QCOMPARE(likeness(a, turned), 70.);
+  QCOMPARE(likeness({&a}, {&turned}), 70.);
   Series rightSide = a, leftSide = a;
   rightSide.acquired.calibrated = leftSide.acquired.calibrated = false;
   rightSide.laterality = "R", leftSide.laterality = "L";
-  QVERIFY(likeness(rightSide, leftSide) < leastLikeness);
-  QVERIFY(likeness(rightSide, rightSide) >= leastLikeness);
-  QCOMPARE(likeness(rightSide, a), 0.);
+  QVERIFY(likeness({&rightSide}, {&leftSide}) < leastLikeness);
+  QVERIFY(likeness({&rightSide}, {&rightSide}) >= leastLikeness);
+  QCOMPARE(likeness({&rightSide}, {&a}), 0.);
 }
 
 void TestPriors::currentAndPriorStandSideBySide() {
   const PriorStudies s({{"20260102", "T2"}, {"20240102", "T2"}});
   Workspace before = withSeries({}, sceneViewId, s.series[0], {});
   before.links.scroll = false;
-  const Workspace after = comparedWithPrior(before, s.series[0], s.series[1]);
+  const Workspace after = comparedWithPrior(before, {&s.series[0]}, {&s.series[1]});
   QCOMPARE(after.layout, Layout::two);
   QCOMPARE(after.focus, firstComparedId);
   QVERIFY(after.links.scroll);
@@ -156,7 +157,8 @@ void TestPriors::currentAndPriorStandSideBySide() {
   // The view showed 3D before.
   Workspace in3d = withLayout(before, Layout::two);
   in3d = withKind(in3d, firstComparedId, ViewKind::volume, {});
-  QVERIFY(comparedWithPrior(in3d, s.series[0], s.series[1]).view(firstComparedId).kind == ViewKind::axial);
+  QVERIFY(comparedWithPrior(in3d, {&s.series[0]}, {&s.series[1]}).view(firstComparedId).kind ==
+          ViewKind::axial);
 }
 
 void TestPriors::framesStayFrames() {
@@ -165,18 +167,44 @@ void TestPriors::framesStayFrames() {
     series.acquired.size.z = 1, series.acquired.calibrated = false;
     series.files.resize(1), series.frames.resize(1);
   }
-  QCOMPARE(s.numberOf(priorOf(s.series[0], s.open())), 1);
-  const Workspace after = comparedWithPrior({}, s.series[0], s.series[1]);
+  QCOMPARE(s.numberOf(priorOf({&s.series[0]}, s.open()).series), 1);
+  const Workspace after = comparedWithPrior({}, {&s.series[0]}, {&s.series[1]});
   for (const ViewId id : viewsOnScreen(after)) QVERIFY(showsFrames(after.view(id).kind));
   QCOMPARE(after.focus, firstComparedId);
 }
 
+// Four mammograms of a day are one series.
+void TestPriors::theSamePictureOfAStackIsFound() {
+  PriorStudies s({{"20260102", "Mammo", "MG"}, {"20240102", "Mammo", "MG"}});
+  const auto makeStack = [](Series& series, const std::vector<ProjectionView>& views) {
+    series.acquired.size.z = int(views.size()), series.acquired.calibrated = false;
+    series.files.assign(views.size(), "");
+    series.frames.assign(views.size(), 0);
+    for (std::size_t n = 0; n < views.size(); ++n) series.files[n] = std::to_string(n);
+    setProjections(series, views);
+  };
+  makeStack(s.series[0], {{"R", "CC"}, {"L", "CC"}, {"R", "MLO"}, {"L", "MLO"}});
+  makeStack(s.series[1], {{"L", "MLO"}, {"R", "MLO"}, {"L", "CC"}, {"R", "CC"}});
+  for (int frame = 0; frame < 4; ++frame) {
+    Workspace shown = withFrames({}, sceneViewId, s.series[0]);
+    shown.editView(axialViewId).flats.edit(keyOf(s.series[0])).frame = frame;
+    const SeriesPicture now = pictureIn(shown, axialViewId);
+    QCOMPARE(now.frame, frame);
+    const SeriesPicture before = priorOf(now, s.open());
+    QCOMPARE(s.numberOf(before.series), 1);
+    QCOMPARE(before.frame, 3 - frame);
+    const Workspace after = comparedWithPrior(shown, now, before);
+    QCOMPARE(flatLookOf(after.view(firstComparedId)).frame, frame);
+    QCOMPARE(flatLookOf(after.view(firstComparedId + 1)).frame, 3 - frame);
+  }
+}
+
 void TestPriors::datesTellStudiesApart() {
   const PriorStudies s({{"20260102", "T2"}, {"20240102", "T2"}, {"20260102", "T1"}});
-  const Workspace days = comparedWithPrior({}, s.series[0], s.series[1]);
+  const Workspace days = comparedWithPrior({}, {&s.series[0]}, {&s.series[1]});
   QCOMPARE(dateToTellApart(days, firstComparedId), QStringLiteral("2026-01-02"));
   QCOMPARE(dateToTellApart(days, firstComparedId + 1), QStringLiteral("2024-01-02"));
-  const Workspace oneDay = comparedWithPrior({}, s.series[0], s.series[2]);
+  const Workspace oneDay = comparedWithPrior({}, {&s.series[0]}, {&s.series[2]});
   QCOMPARE(dateToTellApart(oneDay, firstComparedId), QString());
   QCOMPARE(dateToTellApart({}, firstComparedId), QString());
 }
