@@ -30,7 +30,7 @@ class FirstImages : public Feature {
   void lookSoon();
   View* viewOfIt() const;
   const QWidget* takenByIt() const;
-  bool isCovered(const View& view) const;
+  bool hasNothing(const View& view) const;
 
   FirstImage* image_;
   std::shared_ptr<const Series> series_;  // null: none is being loaded, or it is seen
@@ -121,7 +121,7 @@ const QWidget* FirstImages::takenByIt() const {
 }
 
 // Whether there is nothing to look at in it yet.
-bool FirstImages::isCovered(const View& view) const {
+bool FirstImages::hasNothing(const View& view) const {
   if (const auto* flat = qobject_cast<const FlatView*>(&view)) return flat->picture().isNull();
   return !isLoaded_ && static_cast<const VolumeView&>(view).picture().isNull();
 }
@@ -129,7 +129,7 @@ bool FirstImages::isCovered(const View& view) const {
 void FirstImages::look() {
   if (!series_) return;
   const View* view = viewOfIt();
-  const bool isOver = view ? isCovered(*view) : !isInView_ && !isLoaded_;
+  const bool isOver = view ? hasNothing(*view) : !isInView_ && !isLoaded_;
   const QWidget* over = !isOver ? nullptr : view ? view : takenByIt();
   if (!over) return end();
   isInView_ = isInView_ || view;
