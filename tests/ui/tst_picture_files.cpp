@@ -1,93 +1,18 @@
 // Guards what files of pictures hold, pixel by pixel: a slice or a frame as on screen, all of it at its own
-// pixels, at any width; a whole stack, a file for each place; a contact sheet. What is done in the window
-// meanwhile changes none of it, and nothing of it changes the workspace; what is cancelled leaves nothing.
-#include <QCheckBox>
-#include <QComboBox>
-#include <QFileDialog>
+// pixels, at any width; a whole stack, a file for each place; a contact sheet. Nothing of it
+// changes the workspace.
 #include <QLabel>
-#include <QMessageBox>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QSpinBox>
 #include <QTemporaryDir>
-#include <QThread>
-#include <atomic>
 
 #include "tests/ui/frames_window.h"
 #include "tests/ui/measure_window.h"
-#include "tests/ui/two_series.h"
+#include "tests/ui/picture_window.h"
 #include "ui/overlays/slice_sheet.h"
-#include "ui/panels/picture_dialog.h"
-#include "ui/views/picture_run.h"
 #include "ui/widgets/banner.h"
 #include "ui/workspace/text.h"
 
 using namespace volumen;
 using namespace volumen::tests;
-
-namespace {
-
-enum Size { asSeen, own, wide };
-
-QImage rgb(const QImage& image) { return image.convertToFormat(QImage::Format_RGB32); }
-
-// The dialog of an action.
-PictureDialog* ask(Journey& w, const char* action) {
-  w.child<QAction>(action)->trigger();
-  for (auto* dialog : w.window.findChildren<PictureDialog*>())
-    if (dialog->isVisible()) return dialog;
-  return nullptr;
-}
-
-void set(QDialog* dialog, const char* spin, int value) {
-  dialog->findChild<QSpinBox*>(QLatin1String(spin))->setValue(value);
-}
-
-void tick(QDialog* dialog, const char* box, bool on) {
-  dialog->findChild<QCheckBox*>(QLatin1String(box))->setChecked(on);
-}
-
-void accept(QDialog* dialog) {
-  QTest::mouseClick(dialog->findChild<QPushButton*>(QStringLiteral("pictureSave")), Qt::LeftButton);
-}
-
-// What the file holds once it is there.
-QImage written(const QString& path) {
-  return QTest::qWaitFor([&] { return QFile::exists(path); }, longest) ? rgb(QImage(path)) : QImage();
-}
-
-QImage saved(Journey& w, const QString& path, Size size, int width, bool texts, bool hidden = false) {
-  PictureDialog* dialog = ask(w, "saveSizedPicture");
-  dialog->findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(size);
-  if (size == wide) set(dialog, "pictureWidth", width);
-  tick(dialog, "pictureTexts", texts);
-  tick(dialog, "pictureHideNames", hidden);
-  accept(dialog);
-  answer(w, "pictureFilesDialog", path);
-  const QImage image = written(path);
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-  return image;
-}
-
-// The one that is put in place of the picture on screen where texts are left out.
-QImage plain(const FlatView& view, QSize pixels) {
-  const auto drawn = drawSlice(*view.requestFor(pixels));
-  return drawn ? rgb(*drawn) : QImage();
-}
-
-void goTo(FlatView* view, int place) { view->scroll(place - view->place().index); }
-
-// To the slice of a number, by what the corner says.
-bool showNumber(FlatView* view, int number) {
-  for (int place = 0; place < view->place().count; ++place) {
-    goTo(view, place);
-    const QStringList lines = view->overlays().topRight;
-    if (lines.contains(QStringLiteral("%1 / %2").arg(number).arg(view->place().count))) return true;
-  }
-  return false;
-}
-
-}  // namespace
 
 class TestPictureFiles : public QObject {
   Q_OBJECT
@@ -101,17 +26,9 @@ class TestPictureFiles : public QObject {
   void itIsAsWideAsWanted();
   void textsAreWrittenOverThePictureItself();
   void namesAreHiddenInTheFileAlone();
-  void itIsWhatWasSeenThen();
-  void itIsWhatWasSeenAsOneWasAsked();
-  void aSeriesThatIsClosedMeanwhileIsPictured();
-  void numbersAreThoseOfThePicture();
   void aStackIsAFileForEachPlace();
   void aReformattedStackCountsPlaces();
   void aStackOfFramesIsAFileForEachFrame();
-  void whatIsCancelledLeavesNothing();
-  void whatIsBeingWrittenIsWrittenToItsEnd();
-  void theWindowAsksBeforePicturesAreLost();
-  void whereNothingCanBeWrittenIsTold();
   void aSheetHoldsPicturesInRowsAndColumns_data();
   void aSheetHoldsPicturesInRowsAndColumns();
   void theHeadHoldsForAllPictures_data();
@@ -250,69 +167,6 @@ void TestPictureFiles::namesAreHiddenInTheFileAlone() {
   QVERIFY(hidden != named);
 }
 
-// Not what is scrolled to while a place is chosen.
-void TestPictureFiles::itIsWhatWasSeenThen() {
-  MeasureWindow w;
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  const QImage seen = w.view()->capture();
-  accept(ask(w, "saveSizedPicture"));
-  w.view()->scroll(5);
-  QVERIFY(w.view()->capture() != seen);
-  answer(w, "pictureFilesDialog", at("then.png"));
-  QCOMPARE(written(at("then.png")), seen);
-}
-
-// Not what is scrolled to, nor nothing, where the view changes while the dialog is open.
-void TestPictureFiles::itIsWhatWasSeenAsOneWasAsked() {
-  MeasureWindow w;
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  const QImage seen = w.view()->capture();
-  PictureDialog* dialog = ask(w, "saveSizedPicture");
-  w.view()->scroll(5);
-  accept(dialog);
-  answer(w, "pictureFilesDialog", at("asked.png"));
-  QCOMPARE(written(at("asked.png")), seen);
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-  dialog = ask(w, "saveSizedPicture");
-  w.session().change(QStringLiteral("test"), [](Workspace& all) {
-    for (const ViewId id : viewsOnScreen(all)) all.editView(id).series = {};
-  });
-  accept(dialog);
-  QVERIFY2(w.child<QFileDialog>("pictureFilesDialog"), "it asks where to");
-}
-
-void TestPictureFiles::aSeriesThatIsClosedMeanwhileIsPictured() {
-  MeasureWindow w;
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  const QImage seen = plain(*w.view(), w.view()->pixels());
-  PictureDialog* dialog = ask(w, "saveSizedPicture");
-  tick(dialog, "pictureTexts", false);
-  accept(dialog);
-  w.session().close({w.view()->state().series});
-  QVERIFY(w.session().workspace().series.empty());
-  answer(w, "pictureFilesDialog", at("closed.png"));
-  QCOMPARE(written(at("closed.png")), seen);
-}
-
-// A region of two series, one of which lies over the other no more once the picture is made.
-void TestPictureFiles::numbersAreThoseOfThePicture() {
-  const LoadedSeriesPtr pet = petIn("A");
-  MeasureWindow w(ballIn("A"));
-  w.session().keep(pet);
-  w.session().change(QStringLiteral("test"), withOverlay(w.session().workspace(), axialViewId, &pet->series));
-  w.draw(ShapeKind::rectangle, {{70, 60}, {131, 111}});
-  w.session().select(0);
-  QTRY_VERIFY_WITH_TIMEOUT(w.view()->isMeasured(), longest);
-  QVERIFY(w.drawn(w.last().id).text.join(u'\n').contains(QStringLiteral("SUVpeak")));
-  const QImage seen = w.view()->capture();
-  accept(ask(w, "saveSizedPicture"));
-  w.session().change(QStringLiteral("test"), withOverlay(w.session().workspace(), axialViewId, nullptr));
-  QTRY_VERIFY_WITH_TIMEOUT(w.view()->isMeasured(), longest);
-  QVERIFY(!w.drawn(w.last().id).text.join(u'\n').contains(QStringLiteral("SUVpeak")));
-  answer(w, "pictureFilesDialog", at("both.png"));
-  QCOMPARE(written(at("both.png")), seen);
-}
-
 void TestPictureFiles::aStackIsAFileForEachPlace() {
   const QTemporaryDir folder;
   MeasureWindow w;
@@ -388,87 +242,6 @@ void TestPictureFiles::aStackOfFramesIsAFileForEachFrame() {
     QVERIFY(w.shows());
     QCOMPARE(rgb(QImage(files.filePath(files.entryList(QDir::Files)[n]))), w.view()->capture());
   }
-}
-
-void TestPictureFiles::whatIsCancelledLeavesNothing() {
-  const QTemporaryDir folder;
-  MeasureWindow w(ballSeries(96, 30));
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  PictureDialog* dialog = ask(w, "saveStack");
-  dialog->findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(wide);
-  set(dialog, "pictureWidth", 3000);
-  accept(dialog);
-  answer(w, "pictureFilesDialog", folder.path());
-  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("cancelTask")->isVisible(), longest);
-  QVERIFY(w.child<QLabel>("taskText")->text().startsWith(QStringLiteral("Saving pictures")));
-  QTest::mouseClick(w.child<QWidget>("cancelTask"), Qt::LeftButton);
-  QTRY_COMPARE_WITH_TIMEOUT(w.child<Banner>("banner")->sentence(),
-                            QStringLiteral("Interrupted; nothing was written."), longest);
-  const auto all = QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot;
-  QTRY_COMPARE_WITH_TIMEOUT(QDir(folder.path()).entryList(all), QStringList(), longest);
-}
-
-// The last that is done cannot be cancelled, and says so.
-void TestPictureFiles::whatIsBeingWrittenIsWrittenToItsEnd() {
-  MeasureWindow w;
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  Session& session = w.session();
-  auto* run = new PictureRun(*w.window.views(), session, w.window.jobs(), QStringLiteral("Saving pictures"),
-                             {{session.workspace(), axialViewId}}, {});  // deletes itself
-  std::atomic<bool> isWriting = false, mayEnd = false;
-  QSignalSpy ended(run, &PictureRun::ended);
-  run->start([](std::size_t, const MadePicture&) { return Status(); },
-             [&] {
-               isWriting = true;
-               while (!mayEnd) QThread::msleep(1);
-               return Status();
-             });
-  const auto rows = [&] { return w.window.jobs().rows(); };
-  QCOMPARE(rows().size(), std::size_t(1));
-  QVERIFY(rows()[0].canBeCancelled);
-  QTRY_VERIFY_WITH_TIMEOUT(isWriting, longest);
-  const bool isListed = rows().size() == 1 && !rows()[0].canBeCancelled;
-  if (isListed) w.window.jobs().cancel(rows()[0].id);
-  const bool goesOn = !run->hasEnded();
-  mayEnd = true;
-  QVERIFY(isListed && goesOn);
-  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longest);
-  QCOMPARE(ended[0][0].toString(), QString());
-}
-
-void TestPictureFiles::theWindowAsksBeforePicturesAreLost() {
-  const QTemporaryDir folder;
-  MeasureWindow w(ballSeries(96, 30));
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  PictureDialog* dialog = ask(w, "saveStack");
-  dialog->findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(wide);
-  set(dialog, "pictureWidth", 3000);
-  accept(dialog);
-  answer(w, "pictureFilesDialog", folder.path());
-  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("cancelTask")->isVisible(), longest);
-  QVERIFY(!w.window.close());
-  auto* box = w.child<QMessageBox>("closeBox");
-  QVERIFY(box->text().contains(QStringLiteral("pictures that are being written")));
-  box->reject();
-  QTest::mouseClick(w.child<QWidget>("cancelTask"), Qt::LeftButton);
-  QTRY_COMPARE_WITH_TIMEOUT(w.child<Banner>("banner")->sentence(),
-                            QStringLiteral("Interrupted; nothing was written."), longest);
-}
-
-void TestPictureFiles::whereNothingCanBeWrittenIsTold() {
-  MeasureWindow w;
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  accept(ask(w, "saveSizedPicture"));
-  answer(w, "pictureFilesDialog", QStringLiteral("/proc/no/where.png"));
-  auto* banner = w.child<Banner>("banner");
-  QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
-  QVERIFY(banner->sentence().contains(QStringLiteral("/proc/no/where.png")));
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-  banner->hide();
-  accept(ask(w, "saveStack"));
-  answer(w, "pictureFilesDialog", QStringLiteral("/proc"));
-  QTRY_COMPARE_WITH_TIMEOUT(banner->sentence(),
-                            QStringLiteral("Cannot write into /proc: choose another folder."), longest);
 }
 
 void TestPictureFiles::aSheetHoldsPicturesInRowsAndColumns_data() {

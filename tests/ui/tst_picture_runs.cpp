@@ -1,0 +1,183 @@
+// Guards that pictures for files are of what was seen as they were asked for, whatever is done in the window
+// meanwhile; that what is cancelled leaves nothing, and what cannot be cancelled says so.
+#include <QFileDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QThread>
+#include <atomic>
+
+#include "tests/ui/measure_window.h"
+#include "tests/ui/picture_window.h"
+#include "tests/ui/two_series.h"
+#include "tests/unit/suite.h"
+#include "ui/views/picture_run.h"
+#include "ui/widgets/banner.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestPictureRuns : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void itIsWhatWasSeenThen();
+  void itIsWhatWasSeenAsOneWasAsked();
+  void aSeriesThatIsClosedMeanwhileIsPictured();
+  void numbersAreThoseOfThePicture();
+  void whatIsCancelledLeavesNothing();
+  void whatIsBeingWrittenIsWrittenToItsEnd();
+  void theWindowAsksBeforePicturesAreLost();
+  void whereNothingCanBeWrittenIsTold();
+
+ private:
+  QString at(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+  QTemporaryDir folder_;
+};
+
+// Not what is scrolled to while a place is chosen.
+void TestPictureRuns::itIsWhatWasSeenThen() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const QImage seen = w.view()->capture();
+  accept(ask(w, "saveSizedPicture"));
+  w.view()->scroll(5);
+  QVERIFY(w.view()->capture() != seen);
+  answer(w, "pictureFilesDialog", at("then.png"));
+  QCOMPARE(written(at("then.png")), seen);
+}
+
+// Not what is scrolled to, nor nothing, where the view changes while the dialog is open.
+void TestPictureRuns::itIsWhatWasSeenAsOneWasAsked() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const QImage seen = w.view()->capture();
+  PictureDialog* dialog = ask(w, "saveSizedPicture");
+  w.view()->scroll(5);
+  accept(dialog);
+  answer(w, "pictureFilesDialog", at("asked.png"));
+  QCOMPARE(written(at("asked.png")), seen);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  dialog = ask(w, "saveSizedPicture");
+  w.session().change(QStringLiteral("test"), [](Workspace& all) {
+    for (const ViewId id : viewsOnScreen(all)) all.editView(id).series = {};
+  });
+  accept(dialog);
+  QVERIFY2(w.child<QFileDialog>("pictureFilesDialog"), "it asks where to");
+}
+
+void TestPictureRuns::aSeriesThatIsClosedMeanwhileIsPictured() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const QImage seen = plain(*w.view(), w.view()->pixels());
+  PictureDialog* dialog = ask(w, "saveSizedPicture");
+  tick(dialog, "pictureTexts", false);
+  accept(dialog);
+  w.session().close({w.view()->state().series});
+  QVERIFY(w.session().workspace().series.empty());
+  answer(w, "pictureFilesDialog", at("closed.png"));
+  QCOMPARE(written(at("closed.png")), seen);
+}
+
+// A region of two series, one of which lies over the other no more once the picture is made.
+void TestPictureRuns::numbersAreThoseOfThePicture() {
+  const LoadedSeriesPtr pet = petIn("A");
+  MeasureWindow w(ballIn("A"));
+  w.session().keep(pet);
+  w.session().change(QStringLiteral("test"), withOverlay(w.session().workspace(), axialViewId, &pet->series));
+  w.draw(ShapeKind::rectangle, {{70, 60}, {131, 111}});
+  w.session().select(0);
+  QTRY_VERIFY_WITH_TIMEOUT(w.view()->isMeasured(), longest);
+  QVERIFY(w.drawn(w.last().id).text.join(u'\n').contains(QStringLiteral("SUVpeak")));
+  const QImage seen = w.view()->capture();
+  accept(ask(w, "saveSizedPicture"));
+  w.session().change(QStringLiteral("test"), withOverlay(w.session().workspace(), axialViewId, nullptr));
+  QTRY_VERIFY_WITH_TIMEOUT(w.view()->isMeasured(), longest);
+  QVERIFY(!w.drawn(w.last().id).text.join(u'\n').contains(QStringLiteral("SUVpeak")));
+  answer(w, "pictureFilesDialog", at("both.png"));
+  QCOMPARE(written(at("both.png")), seen);
+}
+
+void TestPictureRuns::whatIsCancelledLeavesNothing() {
+  const QTemporaryDir folder;
+  MeasureWindow w(ballSeries(96, 30));
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  PictureDialog* dialog = ask(w, "saveStack");
+  dialog->findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(wide);
+  set(dialog, "pictureWidth", 3000);
+  accept(dialog);
+  answer(w, "pictureFilesDialog", folder.path());
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("cancelTask")->isVisible(), longest);
+  QVERIFY(w.child<QLabel>("taskText")->text().startsWith(QStringLiteral("Saving pictures")));
+  QTest::mouseClick(w.child<QWidget>("cancelTask"), Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(w.child<Banner>("banner")->sentence(),
+                            QStringLiteral("Interrupted; nothing was written."), longest);
+  const auto all = QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot;
+  QTRY_COMPARE_WITH_TIMEOUT(QDir(folder.path()).entryList(all), QStringList(), longest);
+}
+
+// The last that is done cannot be cancelled, and says so.
+void TestPictureRuns::whatIsBeingWrittenIsWrittenToItsEnd() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  Session& session = w.session();
+  auto* run = new PictureRun(*w.window.views(), session, w.window.jobs(), QStringLiteral("Saving pictures"),
+                             {{session.workspace(), axialViewId}}, {});  // deletes itself
+  std::atomic<bool> isWriting = false, mayEnd = false;
+  QSignalSpy ended(run, &PictureRun::ended);
+  run->start([](std::size_t, const MadePicture&) { return Status(); },
+             [&] {
+               isWriting = true;
+               while (!mayEnd) QThread::msleep(1);
+               return Status();
+             });
+  const auto rows = [&] { return w.window.jobs().rows(); };
+  QCOMPARE(rows().size(), std::size_t(1));
+  QVERIFY(rows()[0].canBeCancelled);
+  QTRY_VERIFY_WITH_TIMEOUT(isWriting, longest);
+  const bool isListed = rows().size() == 1 && !rows()[0].canBeCancelled;
+  if (isListed) w.window.jobs().cancel(rows()[0].id);
+  const bool goesOn = !run->hasEnded();
+  mayEnd = true;
+  QVERIFY(isListed && goesOn);
+  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longest);
+  QCOMPARE(ended[0][0].toString(), QString());
+}
+
+void TestPictureRuns::theWindowAsksBeforePicturesAreLost() {
+  const QTemporaryDir folder;
+  MeasureWindow w(ballSeries(96, 30));
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  PictureDialog* dialog = ask(w, "saveStack");
+  dialog->findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(wide);
+  set(dialog, "pictureWidth", 3000);
+  accept(dialog);
+  answer(w, "pictureFilesDialog", folder.path());
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("cancelTask")->isVisible(), longest);
+  QVERIFY(!w.window.close());
+  auto* box = w.child<QMessageBox>("closeBox");
+  QVERIFY(box->text().contains(QStringLiteral("pictures that are being written")));
+  box->reject();
+  QTest::mouseClick(w.child<QWidget>("cancelTask"), Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(w.child<Banner>("banner")->sentence(),
+                            QStringLiteral("Interrupted; nothing was written."), longest);
+}
+
+void TestPictureRuns::whereNothingCanBeWrittenIsTold() {
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  accept(ask(w, "saveSizedPicture"));
+  answer(w, "pictureFilesDialog", QStringLiteral("/proc/no/where.png"));
+  auto* banner = w.child<Banner>("banner");
+  QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
+  QVERIFY(banner->sentence().contains(QStringLiteral("/proc/no/where.png")));
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  banner->hide();
+  accept(ask(w, "saveStack"));
+  answer(w, "pictureFilesDialog", QStringLiteral("/proc"));
+  QTRY_COMPARE_WITH_TIMEOUT(banner->sentence(),
+                            QStringLiteral("Cannot write into /proc: choose another folder."), longest);
+}
+
+VOLUMEN_TEST(TestPictureRuns);
+#include "tst_picture_runs.moc"
