@@ -112,9 +112,9 @@ class ProtocolMaker {
       return std::ranges::any_of(study, [&](const Series* s) { return keyOf(*s) == keyOf(series); });
     };
     if (holds(studies_.current)) return 0;
-    for (std::size_t n = 0; n < studies_.priors.size(); ++n)
-      if (holds(studies_.priors[n])) return int(n) + 1;
-    return {};
+    const std::vector<std::vector<const Series*>> priors = priorsOf(studies_, oneOnly(series.modality));
+    const auto found = std::ranges::find_if(priors, holds);
+    return found == priors.end() ? std::nullopt : std::optional(int(found - priors.begin()) + 1);
   }
 
   const Workspace& workspace_;

@@ -358,6 +358,9 @@ void TestHangingProtocols::studiesAreOffered_data() {
   std::vector<HangSeries> withPrior = fourBreasts;
   withPrior.push_back(mammogramOf("R", "CC", "20240101"));
   row("and one of before", withPrior, {before, four, cc, mlo});
+  std::vector<HangSeries> withUltrasound = fourBreasts;
+  withUltrasound.push_back({"US", "Breast", "BREAST", "", "", "20250601"});
+  row("and an ultrasound of before", withUltrasound, {four, cc, mlo});
   row("one mammogram", {mammogramOf("R", "CC")}, {});
   row("a brain", brainSeries, {QStringLiteral("MR brain"), QStringLiteral("MR, series by number")});
   row("a chest, two views", {xRayOf("LL"), xRayOf("PA")},
@@ -398,6 +401,13 @@ void TestHangingProtocols::cellsHoldTheirSeries_data() {
     withPrior.push_back(s);
   row("with those before", "Mammograms with those before", withPrior,
       "RCC26; LCC26; RMLO26; LMLO26; RCC24; LCC24; -; -");
+  std::vector<HangSeries> withUltrasound = fourBreasts;
+  withUltrasound.push_back({"US", "Breast", "BREAST", "", "", "20250601"});
+  withUltrasound.push_back(mammogramOf("R", "CC", "20240101"));
+  row("an ultrasound between is no prior", "Mammograms with those before", withUltrasound,
+      "RCC26; LCC26; RMLO26; LMLO26; RCC24; -; -; -");
+  row("PA before AP", "X-ray pictures with those before", {xRayOf("PA"), xRayOf("AP", "20250101")},
+      "PA26; AP25");
   row("a brain", "MR brain", brainSeries,
       "t2_flair_tra; t2_tse_tra; ep2d_diff_trace; t1_mprage_sag; T1 tse tra +C; ep2d_diff_ADC");
   row("localizers last", "MR, series by number",
