@@ -38,6 +38,9 @@ struct ProtocolSeries {
 /// What a cell shows of its series.
 enum class CellPicture { asAcquired, axial, coronal, sagittal, scene, frames };
 
+/// What the centre and width of a cell's window may be, negative ones as well.
+inline constexpr double mostOfWindow = 1e9, leastWidthOfWindow = 1e-9;
+
 /// Where the chest wall of a mammogram is to lie.
 enum class ChestWall { anywhere, left, right };
 

@@ -219,8 +219,9 @@ QString dateToTellApart(const Workspace& workspace, ViewId view) {
   for (const ViewId id : viewsOnScreen(workspace))
     if (const Series* other = seriesIn(workspace, id)) days.insert(other->studyDate);
   if (days.size() < 2) return {};
+  if (own->studyDate.empty()) return tr("(no date)");
   if (namesHidden()) return own->studyDate == *days.rbegin() ? tr("Current") : tr("Prior");
-  return own->studyDate.empty() ? tr("(no date)") : dateText(own->studyDate);
+  return dateText(own->studyDate);
 }
 
 }  // namespace volumen

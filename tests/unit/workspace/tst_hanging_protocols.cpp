@@ -192,7 +192,10 @@ void TestHangingProtocols::refusalsNameTheField_data() {
   row("another plane", "\"axial\"", "\"oblique\"", "when.plane must be \"axial\" or");
   row("another weighting", "T2*", "T3", "when.weighting must be \"T1\" or");
   row("another picture", "\"coronal\"", "\"2D\"", "cells[0].picture must be \"acquired\" or");
-  row("a window without width", "-400", "0", "cells[0].window.width must not be 0");
+  row("a window without width", "-400", "0", "cells[0].window.width must be at least 1e-9 wide");
+  row("a window too wide", "-400", "2e9", "cells[0].window.width must be in -1e+09 .. 1e+09");
+  row("a window too narrow", "-400", "1e-10", "cells[0].window.width must be at least 1e-9 wide");
+  row("a window too far away", "\"centre\": 40", "\"centre\": -1e10", "cells[0].window.centre must be in");
   row("a slab below 0", "12.5", "-1", "cells[0].slabMm must be in 0 .. 1000");
   row("the 0th series", "\"which\": 2", "\"which\": 0", "cells[0].which must be in 1 .. 10");
   row("a series that is not there", "a|b", "a|c", "cells[0].series must be the name of one of the series");
@@ -534,6 +537,12 @@ void TestHangingProtocols::twinsAreKeptByTheirRank() {
   const Workspace again = hung({}, kept, open.studies());
   for (int n = 0; n < 3; ++n) QVERIFY(again.view(firstComparedId + n).series == keyOf(open.series[order[n]]));
   // What was moved faces nobody any more.
+  // A window that no protocol can hold is left out.
+  shown.series.edit(keyOf(open.series[0])).window = Window{0, 1e12};
+  shown.series.edit(keyOf(open.series[1])).window = Window{40, 400};
+  const HangingProtocol windows = protocolOf(shown, "Windows", open.pictures());
+  QVERIFY(windows.cells[0].window == Window({40, 400}) && !windows.cells[1].window);
+  QVERIFY(protocolFromJson(protocolToJson(windows)));
   const KnownProtocols known = knownProtocols();
   const OpenPictures breasts(fourBreasts);
   const HangingProtocol& four = protocolNamed(known, "Mammograms");
