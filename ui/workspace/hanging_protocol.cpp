@@ -71,12 +71,14 @@ const ProtocolSeries* entryNamed(const HangingProtocol& protocol, const std::str
 std::vector<SeriesPicture> likeOthers(const HangingProtocol& protocol, const PatientStudies& studies,
                                       const ProtocolSeries& entry) {
   const ProtocolSeries* model = entryNamed(protocol, entry.like);
-  if (!model || !model->like.empty() || entry.prior < 1 || entry.prior > int(studies.priors.size()))
-    return {};
+  if (!model || !model->like.empty()) return {};
   std::vector<SeriesPicture> found;
-  for (const SeriesPicture& picture : picturesNamed(protocol, studies, entry.like))
-    if (const SeriesPicture like = mostLike(picture, studies.priors[std::size_t(entry.prior - 1)]))
-      found.push_back(like);
+  for (const SeriesPicture& picture : picturesNamed(protocol, studies, entry.like)) {
+    int before = 0;  // studies that hold one
+    for (const auto& prior : studies.priors)
+      if (const SeriesPicture like = mostLike(picture, prior); like && ++before == entry.prior)
+        found.push_back(like);
+  }
   return found;
 }
 
@@ -111,7 +113,8 @@ int factsOf(const ProtocolCondition& when) {
 bool holds(const ProtocolCondition& when, const PatientStudies& studies) {
   const auto count = std::ranges::count_if(
       picturesOf(studies.current), [&](const SeriesPicture& picture) { return matches(when.rule, picture); });
-  return count >= when.least && count <= when.most && (!when.prior || !studies.priors.empty());
+  return count >= when.least && count <= when.most &&
+         (!when.prior || !priorsOf(studies, when.rule.modality).empty());
 }
 
 // The 3D look that some view has of a series; null: none.
@@ -210,9 +213,10 @@ bool matches(const SeriesRule& rule, const SeriesPicture& picture) {
 }
 
 std::vector<SeriesPicture> picturesFor(const ProtocolSeries& entry, const PatientStudies& studies) {
-  if (entry.prior > int(studies.priors.size())) return {};
+  const std::vector<std::vector<const Series*>> priors = priorsOf(studies, entry.rule.modality);
+  if (entry.prior > int(priors.size())) return {};
   std::vector<SeriesPicture> found =
-      picturesOf(entry.prior == 0 ? studies.current : studies.priors[std::size_t(entry.prior - 1)]);
+      picturesOf(entry.prior == 0 ? studies.current : priors[std::size_t(entry.prior - 1)]);
   std::erase_if(found, [&](const SeriesPicture& picture) { return !matches(entry.rule, picture); });
   std::ranges::stable_sort(
       found, [&](const SeriesPicture& a, const SeriesPicture& b) { return comesBefore(a, b, entry.order); });

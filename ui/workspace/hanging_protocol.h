@@ -29,13 +29,17 @@ struct ProtocolSeries {
   std::string name;
   SeriesRule rule;
   SeriesOrder order = SeriesOrder::number;
-  int prior = 0;     ///< of which study: 0 the current one, 1 the one before, ...
-  std::string like;  ///< instead of a rule: the prior series most like this one of the protocol
+  int prior = 0;  ///< of which study: 0 the current one, 1 the latest before that holds such a modality, ...
+  std::string like;  ///< instead of a rule: what is most like this one of the protocol, of the earlier
+                     ///< studies that hold something like it
   bool operator==(const ProtocolSeries&) const = default;
 };
 
 /// What a cell shows of its series.
 enum class CellPicture { asAcquired, axial, coronal, sagittal, scene, frames };
+
+/// What the centre and width of a cell's window may be, negative ones as well.
+inline constexpr double mostOfWindow = 1e9, leastWidthOfWindow = 1e-9;
 
 /// Where the chest wall of a mammogram is to lie.
 enum class ChestWall { anywhere, left, right };
@@ -58,7 +62,7 @@ struct ProtocolCell {
 struct ProtocolCondition {
   SeriesRule rule;              ///< of at least one series
   int least = 1, most = 10000;  ///< how many of them there are
-  bool prior = false;           ///< an earlier study is open, too
+  bool prior = false;           ///< an earlier study of that modality is open, too
   bool operator==(const ProtocolCondition&) const = default;
 };
 

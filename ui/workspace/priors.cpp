@@ -45,6 +45,13 @@ double pointsOfWords(double points, const Series& a, const Series& b) {
   return points * double(shared) / double(all.size());
 }
 
+// Of 30. From the front or the back the same is seen.
+double pointsOfProjection(const ProjectionView& a, const ProjectionView& b) {
+  if (a == b) return 30;
+  const bool areFrontal = isOneOf(a.viewPosition, "PA|AP") && isOneOf(b.viewPosition, "PA|AP");
+  return areFrontal && a.laterality == b.laterality ? 25 : -30;
+}
+
 int seriesNumberOf(const Series& series) {
   int number = 1 << 30;
   const std::string& text = series.seriesNumber;
@@ -63,7 +70,7 @@ Workspace withPictures(Workspace workspace, ViewId view, const SeriesPicture& pi
   const Series& series = *picture.series;
   if (picture.frame < 0 && !opensAsPictures(series)) {
     ViewState& state = workspace.editView(view);
-    if (showsScene(state.kind)) state.kind = usualKind(view), state.series = {};
+    if (state.kind != acquiredKind(series.acquired)) state.kind = usualKind(view), state.series = {};
     return withSeries(std::move(workspace), view, series, {});
   }
   workspace = withFrames(std::move(workspace), view, series);
@@ -116,12 +123,21 @@ PatientStudies studiesAround(const std::vector<const Series*>& open, const Serie
   return studies;
 }
 
+std::vector<std::vector<const Series*>> priorsOf(const PatientStudies& studies, const std::string& modality) {
+  std::vector<std::vector<const Series*>> found = studies.priors;
+  std::erase_if(found, [&](const std::vector<const Series*>& study) {
+    return !modality.empty() &&
+           std::ranges::none_of(study, [&](const Series* s) { return isOneOf(s->modality, modality); });
+  });
+  return found;
+}
+
 double likeness(const SeriesPicture& one, const SeriesPicture& other) {
   const Series &a = *one.series, &b = *other.series;
   if (a.modality != b.modality || !mayBeOfOnePart(a, b) || isProjection(a) != isProjection(b)) return 0;
   double points = 0;
   if (isProjection(a))
-    points += projectionOf(a, one.frame) == projectionOf(b, other.frame) ? 30 : -30;
+    points += pointsOfProjection(projectionOf(a, one.frame), projectionOf(b, other.frame));
   else
     points += acquiredPlaneOf(a) == acquiredPlaneOf(b) ? 30 : 0;
   points += a.modality == "CT" ? pointsOf(25, kernelOf(a), kernelOf(b))
@@ -199,10 +215,13 @@ Workspace comparedWithPrior(Workspace workspace, const SeriesPicture& current, c
 QString dateToTellApart(const Workspace& workspace, ViewId view) {
   const Series* own = seriesIn(workspace, view);
   if (!own) return {};
+  std::set<std::string> days{own->studyDate};
   for (const ViewId id : viewsOnScreen(workspace))
-    if (const Series* other = seriesIn(workspace, id); other && other->studyDate != own->studyDate)
-      return own->studyDate.empty() ? tr("(no date)") : dateText(own->studyDate);
-  return {};
+    if (const Series* other = seriesIn(workspace, id)) days.insert(other->studyDate);
+  if (days.size() < 2) return {};
+  if (own->studyDate.empty()) return tr("(no date)");
+  if (namesHidden()) return own->studyDate == *days.rbegin() ? tr("Current") : tr("Prior");
+  return dateText(own->studyDate);
 }
 
 }  // namespace volumen

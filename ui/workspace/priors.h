@@ -28,9 +28,12 @@ struct PatientStudies {
 /// `open`: all pictures that are open; the pointers are kept.
 PatientStudies studiesAround(const std::vector<const Series*>& open, const Series& current);
 
-/// How much two pictures are of the same thing: 100 of plane (or side and view of projections) 30,
-/// weighting or kernel 25, words of the description 20, contrast agent 15, thickness 10; 0 where modality or
-/// body part differ, or one of them alone is a volume.
+/// The earlier studies that hold a series of one of these modalities, "CR|DX"; empty: all of them.
+std::vector<std::vector<const Series*>> priorsOf(const PatientStudies& studies, const std::string& modality);
+
+/// How much two pictures are of the same thing: 100 of plane (or side and view of projections; PA and AP are
+/// nearly alike) 30, weighting or kernel 25, words of the description 20, contrast agent 15, thickness 10; 0
+/// where modality or body part differ, or one of them alone is a volume.
 double likeness(const SeriesPicture& a, const SeriesPicture& b);
 /// What likeness() calls the same.
 inline constexpr double leastLikeness = 50;
@@ -54,7 +57,8 @@ Workspace withLikelySecond(Workspace workspace, const std::vector<const Series*>
 /// scroll together.
 Workspace comparedWithPrior(Workspace workspace, const SeriesPicture& current, const SeriesPicture& prior);
 
-/// The date of the study in a view, where views on screen show studies of several days; else empty.
+/// The date of the study in a view, where views on screen show studies of several days; else empty. With
+/// names hidden "Current" of the latest, "Prior" of those before.
 QString dateToTellApart(const Workspace& workspace, ViewId view);
 
 }  // namespace volumen

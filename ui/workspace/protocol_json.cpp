@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -207,9 +208,10 @@ void protocolFields(Fields& f, ProtocolSeries& series) {
 template <class Fields>
 void protocolFields(Fields& f, Window& window) {
   constexpr double never = -1e300;  // both are always written
-  f.plain("centre", window.centre, never);
-  f.plain("width", window.width, never);
-  f.require("width", window.width != 0, "must not be 0");
+  f.number("centre", window.centre, never, -mostOfWindow, mostOfWindow);
+  f.number("width", window.width, never, -mostOfWindow, mostOfWindow);
+  f.require("width", std::abs(window.width) >= leastWidthOfWindow,
+            "must be at least 1e-9 wide, inverted or not");
 }
 
 template <class Fields>

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -51,6 +52,11 @@ PatientStudies studiesShown(const Workspace& workspace, const std::vector<const 
   return latest ? studiesAround(open, *latest) : PatientStudies();
 }
 
+bool canBeKept(const Window& window) {
+  return std::abs(window.centre) <= mostOfWindow && std::abs(window.width) <= mostOfWindow &&
+         std::abs(window.width) >= leastWidthOfWindow;
+}
+
 // Collects the series that cells name.
 class ProtocolMaker {
  public:
@@ -94,7 +100,7 @@ class ProtocolMaker {
     if (showsScene(view.kind)) return cell;
     const FlatLook look = flatLookOf(view);
     if (const auto& window = workspace_.series.at(view.series).window)
-      cell.window = shownWindow(*window, *series);
+      if (const Window shown = shownWindow(*window, *series); canBeKept(shown)) cell.window = shown;
     cell.slabMm = std::min(look.slabMm, 1000.0);
     cell.slabMode = look.slabMode;
     cell.inverted = look.inverted;
@@ -112,9 +118,9 @@ class ProtocolMaker {
       return std::ranges::any_of(study, [&](const Series* s) { return keyOf(*s) == keyOf(series); });
     };
     if (holds(studies_.current)) return 0;
-    for (std::size_t n = 0; n < studies_.priors.size(); ++n)
-      if (holds(studies_.priors[n])) return int(n) + 1;
-    return {};
+    const std::vector<std::vector<const Series*>> priors = priorsOf(studies_, oneOnly(series.modality));
+    const auto found = std::ranges::find_if(priors, holds);
+    return found == priors.end() ? std::nullopt : std::optional(int(found - priors.begin()) + 1);
   }
 
   const Workspace& workspace_;

@@ -192,7 +192,10 @@ void TestHangingProtocols::refusalsNameTheField_data() {
   row("another plane", "\"axial\"", "\"oblique\"", "when.plane must be \"axial\" or");
   row("another weighting", "T2*", "T3", "when.weighting must be \"T1\" or");
   row("another picture", "\"coronal\"", "\"2D\"", "cells[0].picture must be \"acquired\" or");
-  row("a window without width", "-400", "0", "cells[0].window.width must not be 0");
+  row("a window without width", "-400", "0", "cells[0].window.width must be at least 1e-9 wide");
+  row("a window too wide", "-400", "2e9", "cells[0].window.width must be in -1e+09 .. 1e+09");
+  row("a window too narrow", "-400", "1e-10", "cells[0].window.width must be at least 1e-9 wide");
+  row("a window too far away", "\"centre\": 40", "\"centre\": -1e10", "cells[0].window.centre must be in");
   row("a slab below 0", "12.5", "-1", "cells[0].slabMm must be in 0 .. 1000");
   row("the 0th series", "\"which\": 2", "\"which\": 0", "cells[0].which must be in 1 .. 10");
   row("a series that is not there", "a|b", "a|c", "cells[0].series must be the name of one of the series");
@@ -358,6 +361,9 @@ void TestHangingProtocols::studiesAreOffered_data() {
   std::vector<HangSeries> withPrior = fourBreasts;
   withPrior.push_back(mammogramOf("R", "CC", "20240101"));
   row("and one of before", withPrior, {before, four, cc, mlo});
+  std::vector<HangSeries> withUltrasound = fourBreasts;
+  withUltrasound.push_back({"US", "Breast", "BREAST", "", "", "20250601"});
+  row("and an ultrasound of before", withUltrasound, {four, cc, mlo});
   row("one mammogram", {mammogramOf("R", "CC")}, {});
   row("a brain", brainSeries, {QStringLiteral("MR brain"), QStringLiteral("MR, series by number")});
   row("a chest, two views", {xRayOf("LL"), xRayOf("PA")},
@@ -398,6 +404,13 @@ void TestHangingProtocols::cellsHoldTheirSeries_data() {
     withPrior.push_back(s);
   row("with those before", "Mammograms with those before", withPrior,
       "RCC26; LCC26; RMLO26; LMLO26; RCC24; LCC24; -; -");
+  std::vector<HangSeries> withUltrasound = fourBreasts;
+  withUltrasound.push_back({"US", "Breast", "BREAST", "", "", "20250601"});
+  withUltrasound.push_back(mammogramOf("R", "CC", "20240101"));
+  row("an ultrasound between is no prior", "Mammograms with those before", withUltrasound,
+      "RCC26; LCC26; RMLO26; LMLO26; RCC24; -; -; -");
+  row("PA before AP", "X-ray pictures with those before", {xRayOf("PA"), xRayOf("AP", "20250101")},
+      "PA26; AP25");
   row("a brain", "MR brain", brainSeries,
       "t2_flair_tra; t2_tse_tra; ep2d_diff_trace; t1_mprage_sag; T1 tse tra +C; ep2d_diff_ADC");
   row("localizers last", "MR, series by number",
@@ -524,6 +537,12 @@ void TestHangingProtocols::twinsAreKeptByTheirRank() {
   const Workspace again = hung({}, kept, open.studies());
   for (int n = 0; n < 3; ++n) QVERIFY(again.view(firstComparedId + n).series == keyOf(open.series[order[n]]));
   // What was moved faces nobody any more.
+  // A window that no protocol can hold is left out.
+  shown.series.edit(keyOf(open.series[0])).window = Window{0, 1e12};
+  shown.series.edit(keyOf(open.series[1])).window = Window{40, 400};
+  const HangingProtocol windows = protocolOf(shown, "Windows", open.pictures());
+  QVERIFY(windows.cells[0].window == Window({40, 400}) && !windows.cells[1].window);
+  QVERIFY(protocolFromJson(protocolToJson(windows)));
   const KnownProtocols known = knownProtocols();
   const OpenPictures breasts(fourBreasts);
   const HangingProtocol& four = protocolNamed(known, "Mammograms");

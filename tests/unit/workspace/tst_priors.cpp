@@ -3,6 +3,7 @@
 #include "tests/unit/suite.h"
 #include "ui/workspace/priors.h"
 #include "ui/workspace/series_facts.h"
+#include "ui/workspace/text.h"
 
 using namespace volumen;
 
@@ -141,6 +142,11 @@ void TestPriors::likenessIsAShareOfAHundred() {
   QVERIFY(likeness({&rightSide}, {&leftSide}) < leastLikeness);
   QVERIFY(likeness({&rightSide}, {&rightSide}) >= leastLikeness);
   QCOMPARE(likeness({&rightSide}, {&a}), 0.);
+  Series pa = rightSide, ap = rightSide, lateral = rightSide;
+  pa.viewPosition = "PA", ap.viewPosition = "AP", lateral.viewPosition = "LL";
+  QVERIFY(likeness({&pa}, {&ap}) >= leastLikeness);
+  QVERIFY2(likeness({&pa}, {&ap}) < likeness({&pa}, {&pa}), "the very same comes first");
+  QVERIFY(likeness({&pa}, {&lateral}) < leastLikeness);
 }
 
 void TestPriors::currentAndPriorStandSideBySide() {
@@ -204,6 +210,11 @@ void TestPriors::datesTellStudiesApart() {
   const Workspace days = comparedWithPrior({}, {&s.series[0]}, {&s.series[1]});
   QCOMPARE(dateToTellApart(days, firstComparedId), QStringLiteral("2026-01-02"));
   QCOMPARE(dateToTellApart(days, firstComparedId + 1), QStringLiteral("2024-01-02"));
+  {
+    const HidingNames hidden(true);
+    QCOMPARE(dateToTellApart(days, firstComparedId), QStringLiteral("Current"));
+    QCOMPARE(dateToTellApart(days, firstComparedId + 1), QStringLiteral("Prior"));
+  }
   const Workspace oneDay = comparedWithPrior({}, {&s.series[0]}, {&s.series[2]});
   QCOMPARE(dateToTellApart(oneDay, firstComparedId), QString());
   QCOMPARE(dateToTellApart({}, firstComparedId), QString());
