@@ -316,6 +316,10 @@ void HangingProtocols::forgetClosed() {
   std::set<std::string> open;
   for (const Series* series : open_.pictures()) open.insert(series->studyUid);
   std::erase_if(hungByItself_, [&](const std::string& uid) { return !open.contains(uid); });
+  const auto isOpen = [&](const SeriesIdentity& s) { return open.contains(s.studyUid); };
+  std::erase_if(awaited_, [&](const std::shared_ptr<const Study>& study) {
+    return std::ranges::none_of(study->volumes, isOpen) && std::ranges::none_of(study->images, isOpen);
+  });
 }
 
 void HangingProtocols::askName() {

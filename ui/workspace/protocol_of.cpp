@@ -37,7 +37,7 @@ CellPicture pictureOf(ViewKind kind, const Series& series) {
                                      : CellPicture::sagittal;
 }
 
-bool isSame(const SeriesPicture& a, const SeriesPicture& b) {
+bool isSamePicture(const SeriesPicture& a, const SeriesPicture& b) {
   return a && b && keyOf(*a.series) == keyOf(*b.series) && a.frame == b.frame;
 }
 
@@ -71,7 +71,8 @@ class ProtocolMaker {
     entry.rule = ruleOf(picture);
     entry.prior = *prior;
     const std::vector<SeriesPicture> found = picturesFor(entry, studies_);
-    const auto at = std::ranges::find_if(found, [&](const auto& other) { return isSame(other, picture); });
+    const auto at =
+        std::ranges::find_if(found, [&](const auto& other) { return isSamePicture(other, picture); });
     const int rank = at == found.end() ? 1 : int(at - found.begin()) + 1;
     for (const ProtocolSeries& known : protocol.series)
       if (known.rule == entry.rule && known.prior == entry.prior) return {known.name, rank};
@@ -136,7 +137,7 @@ void keepFacing(HangingProtocol& protocol, const HangingProtocol& last, const Wo
   bool allStand = true;
   for (std::size_t n = 0; n < std::min({hung.size(), views.size(), protocol.cells.size()}); ++n) {
     const SeriesPicture shown = pictureIn(workspace, views[n]);
-    if (isSame(hung[n], shown))
+    if (isSamePicture(hung[n], shown))
       protocol.cells[n].chestWall = last.cells[n].chestWall;
     else
       allStand = allStand && !hung[n] && !shown;
