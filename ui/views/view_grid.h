@@ -59,8 +59,6 @@ class ViewGrid : public QWidget {
 
  Q_SIGNALS:
   void maximiseRequested();
-  /// Views have their places.
-  void arranged();
   void hovered(const QString& text);
   void dropped(const QMimeData& data);
   void menuRequested(volumen::View* view, QPoint global);
