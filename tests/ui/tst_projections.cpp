@@ -206,7 +206,7 @@ void TestProjections::unitsAreThoseOfTheSeries() {
   auto* value = w.child<QDoubleSpinBox>("pointValue");
   w.child<CurveEditor>("curveEditor")->select(0);  // without a point the field is empty
   QCOMPARE(value->suffix(), QStringLiteral(" HU"));
-  w.session.show(seriesOf(modality.toLatin1().constData(), unit.toLatin1().constData()));
+  w.session.show(projectedSeries(modality.toLatin1().constData(), unit.toLatin1().constData()));
   w.child<CurveEditor>("curveEditor")->select(0);
   QCOMPARE(value->suffix(), suffix);
   QCOMPARE(w.child<QDoubleSpinBox>("windowCentre")->suffix(), suffix);

@@ -3,6 +3,7 @@
 #include "tests/ui/frames_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
+#include "ui/controller/measure_jobs.h"
 #include "ui/views/reference_lines.h"
 
 using namespace volumen;
@@ -182,7 +183,8 @@ void TestReferenceLines::picturesHaveThoseOfTheirWorkspace() {
   }
   copy.open({}, w.workspace());
   FrameService frames;
-  const std::unique_ptr<FlatView> unseen = w.window.views()->unseenView(copy, frames, left);
+  MeasureJobs measurer(copy, frames);
+  const std::unique_ptr<FlatView> unseen = w.window.views()->unseenView(copy, frames, measurer, left);
   unseen->resize(w.view(left)->size());
   w.scroll(right, 5);
   QVERIFY(w.lines(left).at(0).line != before);
